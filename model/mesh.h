@@ -1,0 +1,26 @@
+/* Owns the indexed triangle mesh that tessellation, the kernel and the mesh writers hand to each other. */
+#ifndef VS_MODEL_MESH_H
+#define VS_MODEL_MESH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "model/vec.h"
+
+typedef struct {
+  vs_vec3 *vertices;
+  uint32_t (*triangles)[3]; /* counter-clockwise seen from outside */
+  uint32_t *tags;           /* one a triangle, or NULL: which part (leaf) it came from */
+  size_t vertex_count, vertex_room, triangle_count, triangle_room;
+} vs_mesh;
+
+void vs_mesh_free(vs_mesh *m); /* what it holds, not m; leaves it empty and usable */
+bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index); /* false: out of memory; index may be NULL */
+bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c);
+double vs_mesh_volume(const vs_mesh *m); /* signed, by the divergence theorem; closed meshes only */
+double vs_mesh_area(const vs_mesh *m);
+vs_bounds vs_mesh_bounds(const vs_mesh *m);
+bool vs_mesh_closed(const vs_mesh *m, bool *ok); /* every directed edge has its opposite, by index; ok false: out of memory */
+void vs_mesh_transform(vs_mesh *m, const vs_affine *a); /* in place; turns the triangles round where it mirrors */
+
+#endif

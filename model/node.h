@@ -1,0 +1,144 @@
+/* Owns the model tree: immutable, hashed, reference-counted nodes; the store that they live in; origins and materials.
+ *
+ * A node is plain data: kind, payload (the fields of prims.def as a struct), child references, a structural hash made when it is
+ * built. Two nodes are equal by value when kind, payload and children's nodes are; origins do not count. A reference pairs a node with the
+ * origin of the constructor call that placed it there. A model outlives the interpreter that built it: nodes hold their store.
+ * Reference counts are not atomic: one thread builds and releases; kernel threads only read. */
+#ifndef VS_MODEL_NODE_H
+#define VS_MODEL_NODE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "model/vec.h"
+
+typedef struct vs_store vs_store;
+typedef struct vs_node vs_node;
+
+/* ---- errors that C layers return: one message, and where in the user's model (NULL: nowhere) ---- */
+typedef struct vs_origin vs_origin;
+typedef enum {
+  VS_ERROR_NONE, VS_ERROR_MODEL /* exit 1 */, VS_ERROR_FILE /* 2 */, VS_ERROR_WORKER /* 3 */, VS_ERROR_MEMORY /* 4 */, VS_ERROR_INTERRUPT /* 130 */
+} vs_error_kind;
+typedef struct {
+  vs_error_kind kind;
+  const vs_origin *origin;
+  char message[512]; /* UTF-8, cut at a character */
+} vs_error;
+/* Fills e (may be NULL) and returns false, so that `return vs_error_set(...)` reads well. */
+bool vs_error_set(vs_error *e, vs_error_kind kind, const vs_origin *origin, const char *format, ...) __attribute__((format(printf, 4, 5)));
+
+/* ---- origins: interned chains, owned by the store ---- */
+struct vs_origin {
+  const char *file; /* interned in the store */
+  uint32_t line, column; /* from 1 */
+  const vs_origin *caller; /* the call that led here, or NULL */
+};
+
+/* ---- shared arrays: immutable once made, reference counted ---- */
+typedef struct { uint32_t refs, count; vs_vec3 at[]; } vs_points;
+typedef struct { uint32_t refs, count, corner_count; uint32_t data[]; } vs_faces; /* data: count+1 starts, then corner_count indices */
+static inline const uint32_t *vs_faces_starts(const vs_faces *f) { return f->data; }
+static inline const uint32_t *vs_faces_corners(const vs_faces *f) { return f->data + f->count + 1; }
+
+/* ---- materials: interned by value in the store; live as long as it ---- */
+typedef struct {
+  const char *name;            /* interned; "" where it has none */
+  double red, green, blue;     /* sRGB, 0..1 */
+  double roughness, metallic, transparency; /* 0..1 */
+  double ior;                  /* index of refraction */
+} vs_material;
+
+/* ---- payload types ---- */
+typedef double vs_field_real;
+typedef int32_t vs_field_integer;
+typedef bool vs_field_boolean;
+typedef vs_vec3 vs_field_point;
+typedef vs_vec3 vs_field_vector;
+typedef vs_affine vs_field_affine;
+typedef const vs_points *vs_field_points;
+typedef const vs_faces *vs_field_faces;
+typedef const char *vs_field_text; /* interned in the store */
+typedef const vs_material *vs_field_material;
+typedef enum {
+  VS_FIELD_real, VS_FIELD_integer, VS_FIELD_boolean, VS_FIELD_point, VS_FIELD_vector, VS_FIELD_affine, VS_FIELD_points, VS_FIELD_faces,
+  VS_FIELD_text, VS_FIELD_material
+} vs_field_type;
+
+/* struct vs_sphere { ... } and so on for every kind */
+#define VS_KIND(upper, lower, name, class_, level) struct vs_##lower {
+#define VS_FIELD(type, member, argument) vs_field_##type member;
+#define VS_KIND_END(upper, lower) unsigned char end_; };
+#include "model/prims.def"
+
+typedef enum {
+#define VS_KIND(upper, lower, name, class_, level) VS_##upper,
+#define VS_FIELD(type, member, argument)
+#define VS_KIND_END(upper, lower)
+#include "model/prims.def"
+  VS_KIND_COUNT
+} vs_kind;
+
+typedef enum { VS_NOTHING, VS_CURVE, VS_REGION_CLASS, VS_SURFACE, VS_SOLID, VS_MIXED /* a union of several */, VS_INHERIT } vs_class;
+typedef enum { VS_LEVEL_MESH, VS_LEVEL_FLAT, VS_LEVEL_CURVED, VS_LEVEL_SWEPT, VS_LEVEL_OPERATION, VS_LEVEL_SUGAR } vs_level;
+
+typedef struct { const char *name, *argument; vs_field_type type; size_t offset; } vs_field_info;
+typedef struct {
+  const char *name;  /* as object-kind answers: "sphere" */
+  vs_class class_;
+  vs_level level;
+  size_t size;       /* of the payload */
+  size_t field_count;
+  const vs_field_info *fields;
+} vs_kind_info;
+const vs_kind_info *vs_kind_get(vs_kind kind);
+
+typedef struct { vs_node *node; const vs_origin *origin; } vs_ref;
+
+struct vs_node {
+  uint32_t refs;
+  uint16_t kind;   /* vs_kind */
+  uint16_t class_; /* vs_class, never VS_INHERIT: worked out when built */
+  uint32_t child_count;
+  uint32_t depth;  /* 1 for a leaf; saturates */
+  uint64_t hash;   /* structural */
+  vs_store *store;
+  const vs_ref *children;
+  const void *data; /* struct vs_<kind> */
+};
+/* VS_AS(sphere, n)->radius; the caller has looked at n->kind */
+#define VS_AS(lower, n) ((const struct vs_##lower *)(n)->data)
+
+/* ---- the store ---- */
+typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_size); /* as realloc; new_size 0 frees; NULL: failed */
+vs_store *vs_store_new(vs_alloc_fn *alloc, void *context); /* alloc NULL: the C library's. One reference. NULL: out of memory */
+vs_store *vs_store_retain(vs_store *s);
+void vs_store_release(vs_store *s);
+size_t vs_store_bytes(const vs_store *s); /* held now by nodes and arrays: counts towards the interpreter's memory budget */
+void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size); /* accounted */
+const char *vs_store_text(vs_store *s, const char *text, size_t length);            /* interned, NUL-terminated; NULL: out of memory */
+const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, uint32_t column, const vs_origin *caller); /* interned; NULL: oom */
+const vs_material *vs_store_material(vs_store *s, const vs_material *m);             /* interned by value; NULL: out of memory */
+const vs_material *vs_store_ready_material(vs_store *s, const char *name); /* concrete, glass, ... or a CSS colour name, or "#rrggbb"; NULL: no such */
+
+/* ---- building. All return one new reference to the caller, NULL when out of memory. ---- */
+vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count);
+vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners, size_t corner_count);
+void vs_points_release(vs_store *s, const vs_points *p);
+void vs_faces_release(vs_store *s, const vs_faces *f);
+/* Copies data (struct vs_<kind>; retains its arrays) and children (retains their nodes). Arguments are taken as valid: bind/ checks. */
+vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *children, size_t child_count);
+vs_node *vs_node_retain(vs_node *n);
+void vs_node_release(vs_node *n); /* iterative: the depth of the tree does not matter; NULL is fine */
+bool vs_node_equal(const vs_node *a, const vs_node *b); /* by value, not recursive */
+size_t vs_node_bytes(const vs_node *n); /* of this node alone, its arrays included */
+
+/* ---- walking a DAG without recursion: every path, parents before children (enter) and after (leave) ---- */
+typedef enum { VS_WALK_ENTER, VS_WALK_LEAVE, VS_WALK_DONE, VS_WALK_FAILED } vs_walk_event;
+typedef struct vs_walk vs_walk;
+vs_walk *vs_walk_new(vs_store *s, vs_ref root);
+vs_walk_event vs_walk_next(vs_walk *w, vs_ref *ref, size_t *depth); /* FAILED: out of memory */
+void vs_walk_skip(vs_walk *w); /* after ENTER: do not go into this node's children (LEAVE still comes) */
+void vs_walk_free(vs_walk *w);
+
+#endif

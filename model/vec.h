@@ -1,0 +1,52 @@
+/* Owns the small numeric types of a model: vectors of three doubles and affine maps.
+ *
+ * Right-handed, Z up, lengths in model units, angles in radians. An affine map is the upper 3x4 of a 4x4 matrix that acts on column
+ * vectors, row by row: the fourth column translates; the last row is 0 0 0 1 and not kept. */
+#ifndef VS_MODEL_VEC_H
+#define VS_MODEL_VEC_H
+
+#include <math.h>
+#include <stdbool.h>
+
+typedef struct { double x, y, z; } vs_vec3;
+typedef struct { double m[3][4]; } vs_affine;
+typedef struct { vs_vec3 min, max; } vs_bounds; /* empty where min.x > max.x */
+
+static inline vs_vec3 vs_v3(double x, double y, double z) { return (vs_vec3){ x, y, z }; }
+static inline vs_vec3 vs_v3_add(vs_vec3 a, vs_vec3 b) { return vs_v3(a.x + b.x, a.y + b.y, a.z + b.z); }
+static inline vs_vec3 vs_v3_sub(vs_vec3 a, vs_vec3 b) { return vs_v3(a.x - b.x, a.y - b.y, a.z - b.z); }
+static inline vs_vec3 vs_v3_scale(vs_vec3 a, double k) { return vs_v3(a.x * k, a.y * k, a.z * k); }
+static inline double vs_v3_dot(vs_vec3 a, vs_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static inline vs_vec3 vs_v3_cross(vs_vec3 a, vs_vec3 b) {
+  return vs_v3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+static inline double vs_v3_length(vs_vec3 a) { return sqrt(vs_v3_dot(a, a)); }
+static inline bool vs_v3_equal(vs_vec3 a, vs_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+static inline vs_affine vs_affine_identity(void) { return (vs_affine){ { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } }; }
+static inline vs_vec3 vs_affine_point(const vs_affine *a, vs_vec3 p) {
+  return vs_v3(a->m[0][0] * p.x + a->m[0][1] * p.y + a->m[0][2] * p.z + a->m[0][3],
+               a->m[1][0] * p.x + a->m[1][1] * p.y + a->m[1][2] * p.z + a->m[1][3],
+               a->m[2][0] * p.x + a->m[2][1] * p.y + a->m[2][2] * p.z + a->m[2][3]);
+}
+static inline vs_vec3 vs_affine_vector(const vs_affine *a, vs_vec3 v) { /* the linear part alone */
+  return vs_v3(a->m[0][0] * v.x + a->m[0][1] * v.y + a->m[0][2] * v.z,
+               a->m[1][0] * v.x + a->m[1][1] * v.y + a->m[1][2] * v.z,
+               a->m[2][0] * v.x + a->m[2][1] * v.y + a->m[2][2] * v.z);
+}
+
+/* vec.c */
+vs_affine vs_affine_multiply(const vs_affine *a, const vs_affine *b); /* a after b */
+double vs_affine_determinant(const vs_affine *a);                     /* of the linear part; negative where it mirrors */
+bool vs_affine_invert(const vs_affine *a, vs_affine *out);            /* false where singular */
+bool vs_affine_is_translation(const vs_affine *a);                    /* linear part exactly the identity */
+vs_affine vs_affine_translation(vs_vec3 v);
+/* Rotation by angle about the axis through point along direction (need not be unit; not zero). Right-handed; multiples of a
+ * quarter turn about a world axis are exact (Rodrigues' formula otherwise). */
+vs_affine vs_affine_rotation(vs_vec3 point, vs_vec3 direction, double angle);
+vs_affine vs_affine_scaling(vs_vec3 center, vs_vec3 factors);
+vs_affine vs_affine_mirror(vs_vec3 point, vs_vec3 normal);
+/* sine and cosine together, exact at multiples of pi/2 (the double nearest to k*pi/2 counts as that multiple) */
+void vs_sincos(double angle, double *sine, double *cosine);
+
+#endif
