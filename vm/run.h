@@ -1,0 +1,20 @@
+/* Owns the entry into the run loop, and what the host sees of an error. */
+#ifndef VS_RUN_H
+#define VS_RUN_H
+
+#include "vm/native.h"
+
+/* Calls a procedure from outside and runs until it returns. false: uncaught error, vm->condition is what was raised (a
+   CONDITION, or any object). Not for natives: they return VS_CALL. A captured continuation of an earlier vs_run may be
+   entered: it then ends the current one. */
+bool vs_run(vs *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value *out);
+
+/* vm-front's driver: defines load, eval, ... as natives and runs a file through vs_run. */
+
+/* The chain of calls now active, innermost first, at most `max`: list of (name . place) pairs; name symbol or #f, place a
+   fixnum vs_pos. For natives such as `error`; conditions made by vs_fail have it already. */
+bool vs_call_chain(vs *vm, size_t max, vs_value *out);
+/* Place of the call that the running native was made from. */
+vs_pos vs_call_place(vs *vm);
+
+#endif
