@@ -1,0 +1,250 @@
+/* Owns the public interface: embed a VisualScheme interpreter, run models in it, write what they draw.
+ *
+ *   vs_options o = vs_options_default();
+ *   o.host.diagnose = print_it;
+ *   vs *s = vs_new(&o);
+ *   if (vs_eval_file(s, "house.vs", 0) == VS_OUTCOME_DONE) vs_write_drawing(s, "house.stl", NULL, NULL);
+ *   vs_free(s);
+ *
+ * Conventions. Text is UTF-8; a (pointer, length) pair need not end in NUL, every other text does. What a function or a callback hands out
+ * belongs to the interpreter: texts from vs_..._get and arguments of callbacks live until the next call on the same interpreter or
+ * until the callback returns; copy what you keep. What you hand in is copied. Angles are radians, lengths model units, times seconds,
+ * lines and columns count from 1 (columns in characters, not bytes).
+ *
+ * Failure. Nothing aborts, exits or jumps. A vs_outcome is the exit code that a command should end with; why something failed has been told
+ * to `diagnose` before the call returns. After any failure the interpreter is usable, its memory limit included.
+ *
+ * Threads. One interpreter is used by one thread at a time; different interpreters share nothing. vs_interrupt alone may come from
+ * anywhere, a signal handler included. Callbacks run in the calling thread and must not call back into the same interpreter, except
+ * vs_interrupt. */
+#ifndef VISUALSCHEME_H
+#define VISUALSCHEME_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__)
+#define VS_API __attribute__((visibility("default")))
+#else
+#define VS_API
+#endif
+
+#define VS_VERSION "0.1.0"
+
+VS_API const char *vs_version(void); /* of the library, which may differ from the header's VS_VERSION */
+
+typedef struct vs vs; /* an interpreter: its heap, its program, its drawing */
+
+/* How a call ended. */
+typedef enum {
+  VS_OUTCOME_DONE = 0,
+  VS_OUTCOME_MODEL = 1,         /* the model is at fault; the diagnostic says where */
+  VS_OUTCOME_USAGE = 2,         /* bad arguments, or a file that cannot be read or written */
+  VS_OUTCOME_WORKER = 3,        /* a worker program (POV-Ray, ...) is missing or failed */
+  VS_OUTCOME_MACHINE = 4,       /* out of memory past the limits, and the like */
+  VS_OUTCOME_INTERRUPTED = 130
+} vs_outcome;
+
+/* ---- diagnostics ---- */
+
+typedef enum { VS_SEVERITY_ERROR, VS_SEVERITY_WARNING, VS_SEVERITY_NOTE } vs_severity;
+
+typedef struct {
+  const char *file;         /* as it was named when opened; NULL: nowhere in a source text */
+  uint32_t line, column;    /* of the first character; 0: not known */
+  uint32_t end_line, end_column; /* just past the last character; 0: not known, show one caret */
+} vs_span;
+
+typedef struct {
+  vs_span at;
+  const char *message; /* "called from (tower 5)", ... */
+} vs_diagnostic_note;
+
+typedef struct {
+  vs_severity severity;
+  vs_outcome outcome;      /* what kind of failure; DONE for warnings and notes */
+  vs_span at;
+  const char *message;     /* without place: "make-sphere: r must be positive, got -2" */
+  const char *source_line; /* line `at.line` of the text without its newline; NULL: not known */
+  const vs_diagnostic_note *notes; /* the user's own call chain, innermost first, then hints */
+  size_t note_count;
+} vs_diagnostic;
+
+/* ---- progress ---- */
+
+typedef struct {
+  const char *phase;     /* "evaluating", "meshing", "rendering", ... in English, for a status line */
+  const char *subject;   /* the output file or NULL */
+  double fraction;       /* 0..1; negative: not known */
+} vs_progress;
+
+/* ---- the host ---- */
+
+/* Every member may be NULL. `context` is handed to each. */
+typedef struct {
+  void *context;
+  /* What the program prints (display, write ...). False: could not be written; the program gets an error. NULL: it is dropped. */
+  bool (*output)(void *context, const char *text, size_t length);
+  /* A line for (read-line) and (read) from the program's console input, newline included; NULL at the end. Lives until the next call. */
+  const char *(*input)(void *context, size_t *length);
+  void (*diagnose)(void *context, const vs_diagnostic *d);
+  /* At most some ten times a second while something long is under way. */
+  void (*progress)(void *context, const vs_progress *p);
+  /* Polled every few milliseconds; true interrupts what runs. (vs_interrupt does the same from outside.) */
+  bool (*poll)(void *context);
+  /* A top-level expression's value, printed as the REPL shows it ("1/3 ; 0.333333"), when VS_EVAL_PRINT is set; once a value. */
+  void (*value)(void *context, const char *text, size_t length);
+  /* Reads a whole source file for load, include, require, load-mesh and vs_eval_file. True: *text was allocated with malloc and
+   * now belongs to the interpreter, which frees it. False: *why says so ("no such file"); static or living until the next call.
+   * NULL: the file system. */
+  bool (*read_file)(void *context, const char *path, char **text, size_t *length, const char **why);
+} vs_host;
+
+/* As realloc: new_size 0 frees, NULL is failure; old_size is what was asked for. */
+typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_size);
+
+typedef struct {
+  vs_host host;
+  vs_alloc_fn *alloc;     /* NULL: the C library's */
+  void *alloc_context;
+  double limit_time;      /* seconds of one evaluation; 0: no limit, here and below */
+  size_t limit_memory;    /* bytes of heap and model together */
+  uint64_t limit_steps;   /* calls and loop turns of one evaluation */
+  size_t limit_output;    /* bytes the program may print */
+  bool untrusted;         /* no file access but read_file, no native text */
+  const char *library_path; /* folders for load and require, ':' between them; NULL: none */
+} vs_options;
+
+VS_API vs_options vs_options_default(void);
+
+/* NULL: out of memory. o NULL: the defaults. What o points to is copied, callbacks are called until vs_free. */
+VS_API vs *vs_new(const vs_options *o);
+VS_API void vs_free(vs *s); /* NULL is fine */
+
+/* Makes what runs now end soon (within some 50 ms) with VS_OUTCOME_INTERRUPTED; when nothing runs, the next call ends so unless
+ * vs_interrupt_clear came first. Async-signal-safe, and the one function another thread may call. */
+VS_API void vs_interrupt(vs *s);
+VS_API void vs_interrupt_clear(vs *s);
+
+/* ---- running programs ---- */
+
+/* flags */
+enum {
+  VS_EVAL_PRINT = 1u /* hand the values of top-level expressions to `value` (the REPL) */
+};
+
+/* Both evaluate every top-level form in the one program of this interpreter, in order, and stop at the first error. Objects that top-level
+ * expressions return are remembered: they are the model if the program never draws. */
+VS_API vs_outcome vs_eval_file(vs *s, const char *path, unsigned flags);
+/* name: for diagnostics ("house.vs", "-e"); first_line: the number of the text's first line there. Relative loads start at name's folder. */
+VS_API vs_outcome vs_eval_text(vs *s, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags);
+
+/* Is this text whole data that could be evaluated? For continuation lines and editors; evaluates and changes nothing. */
+typedef enum {
+  VS_READ_EMPTY,      /* blanks and comments only */
+  VS_READ_COMPLETE,
+  VS_READ_INCOMPLETE, /* more text could complete it: an open parenthesis, string or comment */
+  VS_READ_BAD         /* nothing that follows could make it right; line, column and message say why */
+} vs_read_state;
+typedef struct {
+  vs_read_state state;
+  unsigned depth;          /* INCOMPLETE: parentheses still open */
+  unsigned line, column;   /* INCOMPLETE: of what was opened last; BAD: of the trouble; from 1 */
+  const char *message;     /* BAD: "( is closed by ]"; else NULL */
+} vs_read_status;
+VS_API vs_read_status vs_read_check(vs *s, const char *text, size_t length);
+
+/* Hands every name visible at top level that begins with prefix to `each`, sorted, until it returns false. Returns how many were handed out. */
+VS_API size_t vs_complete(vs *s, const char *prefix, bool (*each)(void *context, const char *name), void *context);
+
+/* ---- parameters: what (define-parameter ...) made, as data for sliders and -D ---- */
+
+typedef enum { VS_PARAMETER_BOOLEAN, VS_PARAMETER_INTEGER /* exact */, VS_PARAMETER_REAL, VS_PARAMETER_STRING, VS_PARAMETER_DATUM } vs_parameter_type;
+typedef struct {
+  const char *name, *label, *group;     /* label: the name if none was given; group: "" if none */
+  vs_parameter_type type;               /* the default's */
+  const char *value, *default_value;    /* as written data; strings bare, without quotes */
+  bool has_range;                       /* the three are set: numbers without choices */
+  double min, max, step;                /* step 0: continuous */
+  const char *const *choices;           /* written as value is; NULL: any */
+  size_t choice_count;
+  vs_span at;
+} vs_parameter_info;
+
+/* Sets what a later (define-parameter name ...) will hold. datum is one datum, read and never evaluated, or bare text where the default is a
+ * string. False: the name or the datum cannot be read (a diagnostic has said so). A value that the definition then refuses
+ * (another type, out of range, not a choice) ends the evaluation with VS_OUTCOME_USAGE. */
+VS_API bool vs_parameter_set(vs *s, const char *name, const char *datum);
+VS_API size_t vs_parameter_count(const vs *s);
+VS_API bool vs_parameter_get(vs *s, size_t index, vs_parameter_info *out);
+/* A name that vs_parameter_set gave and no define-parameter took so far, or NULL past the last. */
+VS_API const char *vs_parameter_unused(const vs *s, size_t index);
+
+/* ---- the drawing ---- */
+
+typedef struct {
+  size_t objects;                 /* drawn (or returned), each counted once a placement */
+  size_t solids, surfaces, regions, curves; /* those of the objects; a mixed union counts as solid */
+  bool has_bounds;                /* false: empty, or only infinite lines */
+  double min[3], max[3];
+  const char *units;              /* "m" by default */
+} vs_summary;
+VS_API vs_outcome vs_drawing_summary(vs *s, vs_summary *out);
+
+VS_API void vs_drawing_clear(vs *s); /* as (erase-all); forgets returned objects too */
+
+/* Output formats. The list is constant and the library's. */
+typedef struct {
+  const char *name;    /* "povray", for --format beside the suffix */
+  const char *suffix;  /* "pov", without the dot */
+  const char *doc;     /* half a line in English */
+  const char *worker;  /* the program that must be installed, or NULL */
+  bool binary;
+} vs_format_info;
+VS_API const vs_format_info *vs_format_list(size_t *count);
+VS_API const vs_format_info *vs_format_find(const char *name_or_suffix); /* "stl", ".stl", "out/a.stl" or a name; NULL: none such */
+
+/* Optimisation passes by name; bit i of a mask is the i-th name. */
+#define VS_PASSES_ALL (~0u)
+VS_API const char *const *vs_pass_list(size_t *count);
+
+typedef enum { VS_QUALITY_DRAFT, VS_QUALITY_GOOD, VS_QUALITY_FINAL } vs_quality;
+
+typedef struct {
+  int width, height;     /* pixels; 0: 1024 by 768, or what keeps 4:3 with the other */
+  vs_quality quality;
+  bool has_camera;       /* over what the model says */
+  double camera[7];      /* eye, target, lens in mm of a 35 mm film */
+  double tolerance;      /* chord height in model units; 0: the model's, or the rule's */
+  int segments;          /* facets a turn; 0: by tolerance */
+  unsigned passes;       /* a mask; VS_PASSES_ALL by default */
+} vs_output_options;
+VS_API vs_output_options vs_output_options_default(void);
+
+/* Writes the drawing to path; what stood there stays until the new file is whole and on disk. format: a name or suffix; NULL: by the
+ * path's ending. o NULL: the defaults. Formats with a worker run it, tell `progress`, and stop it when interrupted. */
+VS_API vs_outcome vs_write_drawing(vs *s, const char *path, const char *format, const vs_output_options *o);
+/* The same into a callback, in pieces; false from it ends the writing with VS_OUTCOME_USAGE. Formats of several files refuse. */
+VS_API vs_outcome vs_write_drawing_to(vs *s, const char *format, const vs_output_options *o,
+                                      bool (*write)(void *context, const void *bytes, size_t count), void *context);
+
+/* ---- statistics ---- */
+
+typedef struct {
+  const char *key;   /* stable: "nodes.distinct", "time.mesh" ... */
+  double value;
+  const char *unit;  /* "s", "bytes", "" (a count) */
+} vs_statistic;
+/* Of everything since vs_new, in a fixed order. Copies at most room of them to out, returns how many there are. */
+VS_API size_t vs_statistics(const vs *s, vs_statistic *out, size_t room);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
