@@ -1,41 +1,120 @@
 # VisualScheme. `make help` lists the targets.
-# Folders are layers (see manual/internals.md); objects of every layer but cli/ go into build/libvisualscheme.a.
+#
+# Folders are layers (manual/internals.md); the objects of every layer but cli/ go into build/libvisualscheme.a, which `vs` links.
+# BUILD=dir keeps builds apart: asan and ubsan use build/asan and build/ubsan. EXTRA adds compiler flags, OPT replaces -O2 -g.
 
 CC       ?= cc
 BUILD    ?= build
+PREFIX   ?= /usr/local
 OPT      ?= -O2 -g
+VERSION   = $(shell sed -n 's/^.define VS_VERSION "\(.*\)"/\1/p' visualscheme.h)
 WARN      = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-CFLAGS   += -std=c11 -D_POSIX_C_SOURCE=200809L $(OPT) $(WARN) -ffp-contract=off -fvisibility=hidden -fno-math-errno -I. $(EXTRA)
-LDLIBS   += -lgmp -lm -lpthread -ldl
+CFLAGS   += -std=c11 -D_POSIX_C_SOURCE=200809L $(OPT) $(WARN) -ffp-contract=off -fvisibility=hidden -fno-math-errno -fPIC -I. $(EXTRA)
+
+# Asked when a recipe needs them, so that this file can be read before pkg-config is installed. What has no answer gets the usual name.
+pkg       = $(shell pkg-config --libs $(1) 2>/dev/null || echo $(2))
+LDLIBS   += $(call pkg,gmp libutf8proc,-lgmp -lutf8proc) -lm -lpthread -ldl
+CLI_LIBS  = $(call pkg,libedit,-ledit)
+UNIT_LIBS = $(call pkg,cmocka,-lcmocka)
 
 LAYERS    = vm model geometry kernel bind backends
 LIB_SRC   = $(wildcard visualscheme.c) $(foreach d,$(LAYERS),$(wildcard $(d)/*.c $(d)/*/*.c))
-LIB_OBJ   = $(LIB_SRC:%.c=$(BUILD)/obj/%.o)
+LIB_OBJ   = $(LIB_SRC:%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/assets.o
+CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c))
 UNIT_SRC  = $(wildcard tests/unit/test_*.c)
 UNIT_BIN  = $(UNIT_SRC:tests/unit/%.c=$(BUILD)/unit/%)
+OBJECTS   = $(LIB_OBJ) $(CLI_OBJ)
 
-all: $(BUILD)/libvisualscheme.a
+# Files that go into the library as they are: NAME.EXT is const char vs_asset_NAME_EXT[] up to vs_asset_NAME_EXT_end[]. x3dom comes from
+# npm (scripts/install.sh); without it its two are empty, and writing a page says so.
+ASSETS    = node_modules/x3dom/x3dom.js node_modules/x3dom/x3dom.css $(wildcard viewer/*.html viewer/*.css viewer/*.js)
+PROGRAM   = $(if $(wildcard visualscheme.c),$(BUILD)/vs)
+
+all: $(BUILD)/libvisualscheme.a $(PROGRAM) ## build the library and the program, build/vs
 
 $(BUILD)/obj/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
 
+$(BUILD)/assets.s: $(wildcard $(ASSETS)) Makefile
+	@mkdir -p $(@D)
+	@for f in $(ASSETS); do n=vs_asset_$$(basename $$f | tr .- __); \
+	  printf '.section .rodata\n.globl %s\n.hidden %s\n%s:\n' $$n $$n $$n; \
+	  [ ! -f $$f ] || echo ".incbin \"$$f\""; \
+	  printf '.globl %s_end\n.hidden %s_end\n%s_end:\n.byte 0\n' $$n $$n $$n; \
+	done > $@ && echo '.section .note.GNU-stack,"",@progbits' >> $@
+
+$(BUILD)/obj/assets.o: $(BUILD)/assets.s
+	@mkdir -p $(@D)
+	$(CC) -c $< -o $@
+
 $(BUILD)/libvisualscheme.a: $(LIB_OBJ)
 	@mkdir -p $(@D); rm -f $@
 	ar rcs $@ $^
 
+$(BUILD)/libvisualscheme.so: $(LIB_OBJ) visualscheme.map
+	$(CC) $(CFLAGS) -shared -Wl,-soname,libvisualscheme.so.0 -Wl,--version-script=visualscheme.map -Wl,--no-undefined -o $@ $(LIB_OBJ) $(LDFLAGS) $(LDLIBS)
+
+$(BUILD)/vs: $(CLI_OBJ) $(BUILD)/libvisualscheme.a
+	$(CC) $(CFLAGS) -o $@ $(CLI_OBJ) $(BUILD)/libvisualscheme.a $(LDFLAGS) $(CLI_LIBS) $(LDLIBS)
+
 $(BUILD)/unit/%: tests/unit/%.c $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -MMD -MP $< -o $@ $(BUILD)/libvisualscheme.a -lcmocka $(LDLIBS)
+	$(CC) $(CFLAGS) -MMD -MP $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(UNIT_LIBS) $(LDLIBS)
 
-unit: $(UNIT_BIN)
+# ---- what a fresh machine needs: scripts/packages.list, installed by the two commands below and by nothing else ----
+
+demo: ## install what is missing, build, and make a picture, a web page, a program and a mesh of a station under out/
+	sh scripts/install.sh build workers
+	$(MAKE) all
+	sh scripts/demo.sh $(BUILD)/vs
+
+test: ## install what the tests need, build, run them all
+	sh scripts/install.sh build workers tests
+	$(MAKE) check
+
+# ---- tests without installing anything ----
+
+units: $(UNIT_BIN)
+
+check: all units ## run the tests with what is installed
+	sh tests/run.sh $(BUILD)
+
+quick: all units # what every commit must pass in a minute
 	@for t in $(UNIT_BIN); do $$t || exit 1; done
 
-# what every commit must pass in a minute
-quick: all unit
+SANITIZE  = OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=$(1)" BUILD=$(BUILD)/$(2) SUITES="unit lang cli" check
+asan: ## the tests under the address and leak sanitizer
+	$(MAKE) $(call SANITIZE,address,asan)
+ubsan: ## the tests under the undefined-behaviour sanitizer
+	UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(MAKE) $(call SANITIZE,undefined -fno-sanitize-recover=all,ubsan)
 
-clean:
-	rm -rf $(BUILD)
+layers: $(LIB_OBJ) $(CLI_OBJ) ## check that includes follow the layers' arrows and that no object has mutable globals
+	sh scripts/layers.sh $(BUILD)
 
-.PHONY: all unit quick clean
--include $(LIB_OBJ:.o=.d) $(UNIT_BIN:=.d)
+bless: all ## rewrite the expected results of tests/cli from what the program does now; read the diff
+	BLESS=1 SUITES=cli sh tests/run.sh $(BUILD)
+
+bench: all ## time starting up beside Lua and Guile
+	sh bench/startup.sh $(BUILD)/vs
+
+# ---- installing ----
+
+install: all $(BUILD)/libvisualscheme.so ## install the program, the library and its header below PREFIX (default /usr/local)
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/include
+	install -m 755 $(BUILD)/vs $(DESTDIR)$(PREFIX)/bin/vs
+	install -m 644 $(BUILD)/libvisualscheme.a $(DESTDIR)$(PREFIX)/lib/
+	install -m 755 $(BUILD)/libvisualscheme.so $(DESTDIR)$(PREFIX)/lib/libvisualscheme.so.0
+	ln -sf libvisualscheme.so.0 $(DESTDIR)$(PREFIX)/lib/libvisualscheme.so
+	install -m 644 visualscheme.h $(DESTDIR)$(PREFIX)/include/
+	printf 'Name: visualscheme\nDescription: solid modelling in Scheme\nVersion: %s\nCflags: -I%s/include\nLibs: -L%s/lib -lvisualscheme\nRequires.private: gmp libutf8proc\n' \
+	  "$(VERSION)" "$(PREFIX)" "$(PREFIX)" > $(DESTDIR)$(PREFIX)/lib/pkgconfig/visualscheme.pc
+
+clean: ## remove what was built
+	rm -rf build
+
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
+
+.PHONY: all demo test units check quick asan ubsan layers bless bench install clean help
+-include $(OBJECTS:.o=.d) $(UNIT_BIN:=.d)

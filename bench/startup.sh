@@ -1,0 +1,19 @@
+#!/bin/sh
+# Owns the start-up measurement: an empty program in vs, Lua and Guile, 200 runs each, milliseconds a run. `bench/startup.sh build/vs`.
+set -u
+vs=$1
+empty=$(mktemp) || exit 1
+trap 'rm -f "$empty"' EXIT
+measure() {
+  name=$1; shift
+  if ! command -v "$1" >/dev/null 2>&1; then echo "$name: not installed"; return; fi
+  "$@" > /dev/null 2>&1 || { echo "$name: failed"; return; }
+  begin=$(date +%s%N); i=0
+  while [ $i -lt 200 ]; do "$@" > /dev/null 2>&1; i=$((i + 1)); done
+  end=$(date +%s%N)
+  echo "$name $begin $end" | awk '{ printf "%-8s %6.2f ms\n", $1, ($3 - $2) / 200e6 }'
+}
+measure "true" /bin/true
+measure vs "$vs" --quiet "$empty"
+measure lua5.4 lua5.4 "$empty"
+measure guile guile --no-auto-compile "$empty"

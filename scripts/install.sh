@@ -1,0 +1,63 @@
+#!/bin/sh
+# Owns getting a machine ready: installs the packages of scripts/packages.list for the purposes named, and x3dom from npm when building.
+# Does nothing, and asks for nothing, when all is there. Debian and Ubuntu; elsewhere it says what is needed.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+
+have() { command -v "$1" >/dev/null 2>&1; }
+installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'install ok installed'; }
+
+# The sets a purpose needs, in the list's order; the ? is kept.
+wanted() {
+  for purpose in "$@"; do awk -v p="$purpose" '$1 == p { print $2 }' scripts/packages.list; done
+}
+
+by_hand() {
+  echo "Please install these by hand, then run make again:" >&2
+  echo "  $*" >&2
+  exit 1
+}
+
+as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
+
+must= may=
+for package in $(wanted "$@"); do
+  name=${package%\?}
+  if have dpkg-query && installed "$name"; then continue; fi
+  case $package in *\?) may="$may $name" ;; *) must="$must $name" ;; esac
+done
+
+# npm fetches x3dom, the viewer inside our web pages. Where there is an npm, Debian's is never installed: it would break the other.
+case " $* " in *" build "*)
+  [ -f node_modules/x3dom/x3dom.js ] || have npm || must="$must nodejs npm" ;;
+esac
+
+if [ -n "$must$may" ]; then
+  have apt-get || by_hand $must $may
+  if [ "$(id -u)" != 0 ] && ! have sudo; then
+    [ -z "$must" ] || by_hand $must $may
+    echo "Not root and no sudo: going on without$may" >&2
+    may=
+  fi
+fi
+if [ -n "$must$may" ]; then
+  echo "Installing with apt-get:$must$may"
+  export DEBIAN_FRONTEND=noninteractive
+  as_root apt-get -qq update || echo "apt-get update failed; trying with what is known" >&2
+  if [ -n "$must" ]; then
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -y install --no-install-recommends $must >/dev/null || by_hand $must
+  fi
+  for name in $may; do
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -y install --no-install-recommends "$name" >/dev/null ||
+      echo "Could not install $name; the tests that need it will be skipped" >&2
+  done
+fi
+
+case " $* " in *" build "*)
+  if [ ! -f node_modules/x3dom/x3dom.js ]; then
+    echo "Fetching x3dom with npm"
+    npm install --ignore-scripts --no-package-lock --no-audit --no-fund --silent ||
+      echo "npm could not fetch x3dom: web pages (.html) will not be available; run 'npm install --ignore-scripts' and build again" >&2
+  fi ;;
+esac
+exit 0

@@ -1,0 +1,42 @@
+#!/bin/sh
+# Owns the command tests: each folder tests/cli/NAME holds `cmd` (a shell script; `vs` is on its PATH, the folder's copy is its current
+# folder) and what must come of it: `stdout`, `stderr`, `code` (0 where there is none), and files under `want/` that it must have made.
+# cmd ends with 77 after saying why on standard error where this machine cannot run it. BLESS=1 rewrites what must come.
+set -u
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+PATH=$BUILD:$PATH
+export PATH TOP="$PWD"
+for folder in tests/cli/*/; do
+  [ -f "$folder/cmd" ] || continue
+  name=cli/$(basename "$folder")
+  case $name in *"$ONLY"*) ;; *) continue ;; esac
+  rm -rf "$work/run" && cp -r "$folder" "$work/run"
+  (cd "$work/run" && rm -rf want stdout stderr code && timeout 120 sh ./cmd > "$work/stdout" 2> "$work/stderr" < /dev/null)
+  status=$?
+  if [ $status = 77 ]; then echo "skip $name: $(tail -n 1 "$work/stderr")"; continue; fi
+  if [ -n "$BLESS" ]; then
+    for stream in stdout stderr; do
+      if [ -s "$work/$stream" ]; then cp "$work/$stream" "$folder/$stream"; else rm -f "$folder/$stream"; fi
+    done
+    if [ $status = 0 ]; then rm -f "$folder/code"; else echo $status > "$folder/code"; fi
+    if [ -d "$folder/want" ]; then
+      (cd "$folder/want" && find . -type f) | while read -r file; do cp "$work/run/$file" "$folder/want/$file"; done
+    fi
+    echo "ok $name (blessed)"
+    continue
+  fi
+  : > "$work/why"
+  code=0; [ ! -f "$folder/code" ] || code=$(cat "$folder/code")
+  [ "$status" = "$code" ] || echo "ended with $status, not $code" >> "$work/why"
+  for stream in stdout stderr; do
+    want=$folder/$stream; [ -f "$want" ] || want=/dev/null
+    diff -u "$want" "$work/$stream" > "$work/diff" || { echo "$stream differs:"; head -n 30 "$work/diff"; } >> "$work/why"
+  done
+  if [ -d "$folder/want" ]; then
+    (cd "$folder/want" && find . -type f) | while read -r file; do
+      cmp "$folder/want/$file" "$work/run/$file" 2>&1 | head -n 1 >> "$work/why"
+    done
+  fi
+  if [ -s "$work/why" ]; then echo "not ok $name"; sed 's/^/    /' "$work/why"; else echo "ok $name"; fi
+done

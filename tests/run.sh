@@ -1,0 +1,73 @@
+#!/bin/sh
+# Owns the test run: every suite in turn, one line a test, and the counts as the last line. `tests/run.sh BUILD [VERBOSE]`.
+#
+#   SUITES="unit lang cli ..."  only these          ONLY=text   only tests whose name contains it
+#   BLESS=1                     rewrite the goldens of tests/cli instead of comparing
+#
+# Every suite is a script or a function that prints `ok NAME`, `not ok NAME` with its reasons indented below, or `skip NAME: why`.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+BUILD=${1:-build}
+case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
+SUITES=${SUITES:-unit lang cli workers embed layers compilers}
+export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LC_ALL=C.UTF-8
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
+log=$work/log
+: > "$log"
+
+# cmocka's TAP: `ok 1 - name`, `not ok 1 - name`, `ok 1 # SKIP name`. A program that dies has failed, whatever it said before.
+suite_unit() {
+  for program in "$BUILD"/unit/test_*; do
+    case $program in *.d) continue ;; esac
+    [ -x "$program" ] || continue
+    name=unit/$(basename "$program")
+    case $name in *"$ONLY"*) ;; *) continue ;; esac
+    # a unit test may run workers: seconds, not minutes
+    CMOCKA_MESSAGE_OUTPUT=TAP timeout 300 "$program" > "$work/out" 2> "$work/err"
+    status=$?
+    awk -v name="$name" '
+      /^ok [0-9]+ *# *SKIP/ { sub(/^ok [0-9]+ *# *SKIP */, ""); print "skip " name ":" $0; next }
+      /^ok /     { sub(/^ok [0-9]+ *-? */, "");     print "ok " name ":" $0; next }
+      /^not ok / { sub(/^not ok [0-9]+ *-? */, ""); print "not ok " name ":" $0; bad = 1; next }
+      bad && /^#/ { print "    " $0 }' "$work/out"
+    failed=$(grep -c '^not ok' "$work/out")
+    if [ $status -ne 0 ] && [ "$failed" = 0 ]; then
+      echo "not ok $name: ended with $status"
+      tail -n 20 "$work/err" | sed 's/^/    /'
+    elif ! grep -q '^ok\|^not ok' "$work/out"; then
+      echo "not ok $name: reported no test"
+    fi
+  done
+}
+
+suite_lang()      { sh tests/lang.sh; }
+suite_cli()       { sh tests/cli.sh; }
+suite_workers()   { for t in tests/workers/*.sh; do [ -f "$t" ] && sh "$t"; done; }
+suite_embed()     { [ ! -f tests/embed.sh ] || sh tests/embed.sh; }
+suite_layers() {
+  if ! command -v objdump >/dev/null 2>&1; then echo "skip layers: no objdump (package binutils)"; return; fi
+  if sh scripts/layers.sh "$BUILD" > "$work/out" 2>&1; then echo "ok layers"; else echo "not ok layers"; sed 's/^/    /' "$work/out"; fi
+}
+# Both compilers build everything without a warning.
+suite_compilers() {
+  for compiler in gcc clang; do
+    if ! command -v $compiler >/dev/null 2>&1; then echo "skip compilers/$compiler: not installed"; continue; fi
+    if MAKEFLAGS= make -s -j2 CC=$compiler BUILD="$BUILD/$compiler" OPT=-O1 EXTRA=-Werror all > "$work/out" 2>&1; then
+      echo "ok compilers/$compiler"
+    else
+      echo "not ok compilers/$compiler"; head -n 30 "$work/out" | sed 's/^/    /'
+    fi
+  done
+}
+
+for suite in $SUITES; do
+  suite_"$suite" | tee -a "$log" | if [ "${2:-}" = VERBOSE ]; then cat; else grep -v '^ok '; fi
+done
+
+passed=$(grep -c '^ok ' "$log")
+failed=$(grep -c '^not ok ' "$log")
+skipped=$(grep -c '^skip ' "$log")
+if [ "$skipped" = 0 ]; then echo "$passed passed, $failed failed"; else echo "$passed passed, $failed failed, $skipped skipped"; fi
+[ "$failed" = 0 ] && [ "$passed" != 0 ]
