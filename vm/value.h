@@ -40,7 +40,7 @@ typedef uint64_t vs_value;
 #define VS_EOF         VS_IMMEDIATE(3, 0)
 #define VS_ABSENT      VS_IMMEDIATE(4, 0)   /* an optional or keyword argument that was not given; never a user's value */
 #define VS_UNDEFINED   VS_IMMEDIATE(5, 0)   /* a variable that has no value yet (letrec, an undefined global) */
-#define VS_EMPTY       VS_IMMEDIATE(6, 0)   /* hash tables: a free slot, a removed entry */
+#define VS_VACANT      VS_IMMEDIATE(6, 0)   /* hash tables: a free slot, a removed entry */
 #define VS_CHAR(c)     VS_IMMEDIATE(7, (uint32_t)(c))
 
 static inline vs_value vs_bool(bool b) { return b ? VS_TRUE : VS_FALSE; }
@@ -155,7 +155,7 @@ static inline uint32_t vs_flat_tag(const vs_flat *f) { return f->h.flags; }
 static inline uint32_t vs_flat_count(const vs_flat *f) { return f->h.words - 1; }
 
 /* Insertion-ordered hash table. `entries` is a vector of triples key, value, hash (a fixnum); a removed entry's key is
-   VS_EMPTY. `index` is BYTES of u32 (entry number + 1, 0 free), open addressing, power of two. Keys hashed by address
+   VS_VACANT. `index` is BYTES of u32 (entry number + 1, 0 free), open addressing, power of two. Keys hashed by address
    (eq?/eqv? on heap objects) change hash when they leave the nursery: entries from number `young` on were added since
    collection number `epoch`; when vm->collections has moved on, table.c re-inserts just those. */
 typedef struct {
