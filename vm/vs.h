@@ -37,6 +37,7 @@ typedef struct vs_config {
   bool (*interrupted)(void *user);             /* polled; true once = raise an interrupt */
   const struct vs_native_table *const *tables; /* natives besides the VM's own, NULL-terminated; same order as when the image was made */
   const struct vs_image *image;                /* a heap image to start from, or NULL */
+  const struct vs_io *io;                      /* files, console, time of day (port.h), called with `user`; NULL: none of them */
 } vs_config;
 
 struct vs_gc_block;
