@@ -144,6 +144,10 @@ VS_API vs_outcome vs_eval_file(vs *s, const char *path, unsigned flags);
 /* name: for diagnostics ("house.vs", "-e"); first_line: the number of the text's first line there. Relative loads start at name's folder. */
 VS_API vs_outcome vs_eval_text(vs *s, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags);
 
+/* The program called (exit code): the evaluation ended there with VS_OUTCOME_DONE and nothing more should be run. False: it did not. code: 0 for
+ * (exit) and (exit #t), 1 for (exit #f), else what was given. */
+VS_API bool vs_exit_requested(const vs *s, int *code);
+
 /* Is this text whole data that could be evaluated? For continuation lines and editors; evaluates and changes nothing. */
 typedef enum {
   VS_READ_EMPTY,      /* blanks and comments only */

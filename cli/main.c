@@ -1,0 +1,207 @@
+/* Owns the command `vs`: runs what the command line names, then writes what it asks for. Exit codes are vs_outcome's. */
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/nearby.h"
+#include "cli/session.h"
+
+/* A signal handler gets no context: the command's one global is the interpreter that SIGINT interrupts. */
+static vs *volatile interrupted_by_signal;
+static volatile sig_atomic_t interrupts;
+
+static void on_interrupt(int signal_number) {
+  (void)signal_number;
+  if (++interrupts > 3) _exit(VS_OUTCOME_INTERRUPTED); /* someone leans on the key: whatever is stuck, end */
+  if (interrupted_by_signal) vs_interrupt(interrupted_by_signal);
+}
+
+/* ---- the host's side of the interpreter ---- */
+
+static bool print_output(void *context, const char *text, size_t length) {
+  cli_session *c = context;
+  cli_report_settle(&c->reporter);
+  if (fwrite(text, 1, length, c->output) == length) return true;
+  if (!c->output_failed) fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
+  c->output_failed = true;
+  return false;
+}
+
+static const char *read_input(void *context, size_t *length) {
+  cli_session *c = context;
+  fflush(stdout); /* a question stands before its answer */
+  if (c->editor) return cli_repl_line(c, length);
+  ssize_t got = getline(&c->line, &c->line_room, stdin);
+  if (got < 0) return NULL;
+  *length = (size_t)got;
+  return c->line;
+}
+
+static void print_value(void *context, const char *text, size_t length) {
+  cli_session *c = context;
+  print_output(c, text, length);
+  print_output(c, "\n", 1);
+}
+
+static void print_diagnostic(void *context, const vs_diagnostic *d) { cli_report_diagnostic(&((cli_session *)context)->reporter, d); }
+static void print_progress(void *context, const vs_progress *p) { cli_report_progress(&((cli_session *)context)->reporter, p); }
+
+/* ---- running ---- */
+
+/* Allocated; NULL with errno set. */
+static char *read_all(FILE *from, size_t *length) {
+  size_t room = 65536, used = 0;
+  char *text = malloc(room);
+  while (text) {
+    used += fread(text + used, 1, room - used, from);
+    if (used < room) break;
+    char *more = room > SIZE_MAX / 2 ? NULL : realloc(text, room *= 2);
+    if (!more) free(text);
+    text = more;
+  }
+  if (text && ferror(from)) {
+    free(text);
+    text = NULL;
+  }
+  *length = used;
+  return text;
+}
+
+static vs_outcome run_source(cli_session *c, const cli_source *source) {
+  if (source->kind == CLI_SOURCE_EXPRESSION) return vs_eval_text(c->scheme, "-e", 1, source->text, strlen(source->text), 0);
+  if (strcmp(source->text, "-") != 0) return vs_eval_file(c->scheme, source->text, 0);
+  size_t length;
+  char *text = read_all(stdin, &length);
+  if (!text) {
+    fprintf(stderr, "vs: standard input: %s\n", strerror(errno));
+    return VS_OUTCOME_USAGE;
+  }
+  vs_outcome outcome = vs_eval_text(c->scheme, "standard-input", 1, text, length, 0);
+  free(text);
+  return outcome;
+}
+
+static bool set_parameters(cli_session *c) {
+  for (size_t i = 0; i < c->options->define_count; i++) {
+    char *equals = strchr(c->options->defines[i], '=');
+    *equals = 0;
+    bool ok = vs_parameter_set(c->scheme, c->options->defines[i], equals + 1);
+    *equals = '=';
+    if (!ok) return false;
+  }
+  return true;
+}
+
+/* -D names that the model did not take are mistakes of the command line. */
+static bool all_parameters_used(cli_session *c) {
+  const char *name;
+  vs_parameter_info p;
+  size_t i = 0;
+  for (; (name = vs_parameter_unused(c->scheme, i)) != NULL; i++) {
+    cli_nearby near = cli_nearby_start(name);
+    size_t count = vs_parameter_count(c->scheme);
+    for (size_t k = 0; k < count && vs_parameter_get(c->scheme, k, &p); k++) cli_nearby_offer(&near, p.name);
+    fprintf(stderr, "vs: -D %s: the model has no such parameter", name);
+    if (near.best) fprintf(stderr, "; perhaps %s", near.best);
+    else if (count) fputs("; it has", stderr);
+    for (size_t k = 0; !near.best && k < count && vs_parameter_get(c->scheme, k, &p); k++) fprintf(stderr, "%s %s", k ? "," : "", p.name);
+    fputc('\n', stderr);
+  }
+  return i == 0;
+}
+
+static bool write_standard_output(void *context, const void *bytes, size_t count) {
+  (void)context;
+  return fwrite(bytes, 1, count, stdout) == count;
+}
+
+vs_outcome cli_session_write(cli_session *c, const cli_target *t) {
+  vs_outcome outcome;
+  if (strcmp(t->path, "-") == 0) outcome = vs_write_drawing_to(c->scheme, t->format->name, &c->options->output, write_standard_output, c);
+  else outcome = vs_write_drawing(c->scheme, t->path, t->format->name, &c->options->output);
+  cli_report_settle(&c->reporter);
+  return outcome;
+}
+
+/* Every output is tried, whatever became of the others; the first trouble is the exit code. */
+static vs_outcome write_all(cli_session *c) {
+  vs_outcome outcome = VS_OUTCOME_DONE;
+  for (size_t i = 0; i < c->options->target_count && outcome != VS_OUTCOME_INTERRUPTED; i++) {
+    vs_outcome one = cli_session_write(c, &c->options->targets[i]);
+    if (one == VS_OUTCOME_INTERRUPTED || outcome == VS_OUTCOME_DONE) outcome = one;
+  }
+  return outcome;
+}
+
+static const char *title(const cli_options *o) {
+  for (size_t i = o->source_count; i-- > 0;)
+    if (o->sources[i].kind == CLI_SOURCE_FILE) return strcmp(o->sources[i].text, "-") == 0 ? "standard input" : o->sources[i].text;
+  return "-e";
+}
+
+static vs_outcome run_batch(cli_session *c) {
+  cli_options *o = c->options;
+  vs_outcome outcome = set_parameters(c) ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
+  for (size_t i = 0; i < o->source_count && outcome == VS_OUTCOME_DONE && !vs_exit_requested(c->scheme, &c->exit_code); i++)
+    outcome = run_source(c, &o->sources[i]);
+  cli_report_settle(&c->reporter);
+  if (outcome == VS_OUTCOME_DONE && !all_parameters_used(c)) outcome = VS_OUTCOME_USAGE;
+  if (outcome == VS_OUTCOME_DONE && !o->quiet && o->source_count) {
+    vs_summary summary;
+    outcome = vs_drawing_summary(c->scheme, &summary);
+    if (outcome == VS_OUTCOME_DONE) {
+      fflush(stdout);
+      cli_report_summary(title(o), &summary);
+    }
+  }
+  if (outcome == VS_OUTCOME_DONE && o->parameters) cli_report_parameters(stdout, c->scheme);
+  if (outcome == VS_OUTCOME_DONE) outcome = write_all(c);
+  if (o->stats) cli_report_statistics(c->scheme, o->stats_json);
+  return outcome;
+}
+
+int main(int argc, char **argv) {
+  cli_options options;
+  cli_verdict verdict = cli_options_parse(&options, argc, argv);
+  if (verdict != CLI_GO) {
+    cli_options_free(&options);
+    if (verdict == CLI_STOP && fflush(stdout) == 0) return VS_OUTCOME_DONE;
+    return VS_OUTCOME_USAGE;
+  }
+  cli_session session = {.options = &options, .output = options.to_stdout ? stderr : stdout};
+  session.reporter.progress = !options.quiet && isatty(STDERR_FILENO);
+  options.interpreter.host = (vs_host){.context = &session, .output = print_output, .input = read_input, .diagnose = print_diagnostic, .progress = print_progress, .value = print_value};
+  session.scheme = vs_new(&options.interpreter);
+  vs_outcome outcome = VS_OUTCOME_MACHINE;
+  if (!session.scheme) {
+    fputs("vs: out of memory\n", stderr);
+  } else {
+    interrupted_by_signal = session.scheme;
+    struct sigaction action = {.sa_handler = on_interrupt};
+    struct sigaction old;
+    sigemptyset(&action.sa_mask);
+    if (sigaction(SIGINT, NULL, &old) == 0 && old.sa_handler != SIG_IGN) sigaction(SIGINT, &action, NULL);
+    outcome = run_batch(&session);
+    int code;
+    if (vs_exit_requested(session.scheme, &code)) {
+      if (outcome == VS_OUTCOME_DONE) session.exit_code = code;
+    } else if (options.interactive || options.source_count == 0) {
+      interrupts = 0;
+      outcome = cli_repl(&session);
+      vs_exit_requested(session.scheme, &session.exit_code);
+    }
+    interrupted_by_signal = NULL;
+    vs_free(session.scheme);
+  }
+  free(session.line);
+  cli_options_free(&options);
+  if (fflush(stdout) != 0 && !session.output_failed) {
+    fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
+    session.output_failed = true;
+  }
+  if (session.output_failed && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
+  return outcome == VS_OUTCOME_DONE ? session.exit_code : (int)outcome;
+}

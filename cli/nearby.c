@@ -1,0 +1,38 @@
+/* Owns the distance between two short names: insertions, deletions, changes and neighbouring swaps each cost one. */
+#include "cli/nearby.h"
+
+#include <ctype.h>
+#include <string.h>
+
+enum { LONGEST = 48 }; /* longer names have no near ones */
+
+static size_t smaller(size_t a, size_t b) { return a < b ? a : b; }
+static int lower(char c) { return tolower((unsigned char)c); }
+
+static size_t distance(const char *a, const char *b) {
+  size_t m = strlen(a), n = strlen(b);
+  if (m > LONGEST || n > LONGEST) return LONGEST;
+  size_t row[3][LONGEST + 1]; /* two rows back, one row back, this row */
+  for (size_t j = 0; j <= n; j++) row[1][j] = j;
+  for (size_t i = 1; i <= m; i++) {
+    row[2][0] = i;
+    for (size_t j = 1; j <= n; j++) {
+      size_t change = row[1][j - 1] + (lower(a[i - 1]) != lower(b[j - 1]));
+      row[2][j] = smaller(change, smaller(row[1][j], row[2][j - 1]) + 1);
+      if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1])) row[2][j] = smaller(row[2][j], row[0][j - 2] + 1);
+    }
+    memcpy(row[0], row[1], sizeof row[0]);
+    memcpy(row[1], row[2], sizeof row[1]);
+  }
+  return row[1][n];
+}
+
+cli_nearby cli_nearby_start(const char *wanted) { return (cli_nearby){.wanted = wanted, .distance = smaller(strlen(wanted) / 3 + 1, 3) + 1}; }
+
+void cli_nearby_offer(cli_nearby *n, const char *name) {
+  size_t d = distance(n->wanted, name);
+  if (d < n->distance) {
+    n->distance = d;
+    n->best = name;
+  }
+}

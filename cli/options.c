@@ -1,0 +1,321 @@
+/* Owns reading the command line and printing the help, both from options.def. */
+#include "cli/options.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "cli/nearby.h"
+
+typedef enum { VALUE_NONE, VALUE_REQUIRED, VALUE_OPTIONAL } value_rule;
+typedef enum {
+#define OPTION(id, letter, name, rule, value, help) OPTION_##id,
+#include "cli/options.def"
+  OPTION_COUNT
+} option_id;
+typedef struct { char letter; const char *name; value_rule rule; const char *value, *help; } option_row;
+
+static const option_row rows[OPTION_COUNT] = {
+#define OPTION(id, letter, name, rule, value, help) {letter, name, rule, value, help},
+#include "cli/options.def"
+};
+
+/* ---- help ---- */
+
+static void print_help(void) {
+  puts("vs: solid models from Scheme programs\n");
+  puts("  vs                  a prompt");
+  puts("  vs FILE             run FILE (- is standard input)");
+  puts("  vs FILE -o OUT ...  run FILE and write its model\n");
+  for (int i = 0; i < OPTION_COUNT; i++) {
+    const option_row *r = &rows[i];
+    char usage[80] = "";
+    const char *gap = r->rule == VALUE_NONE ? "" : r->rule == VALUE_OPTIONAL ? "[=" : " ", *end = r->rule == VALUE_OPTIONAL ? "]" : "";
+    if (r->letter && *r->name) snprintf(usage, sizeof usage, "-%c%s%s, --%s", r->letter, gap, r->value, r->name);
+    else if (r->letter) snprintf(usage, sizeof usage, "-%c[%s]", r->letter, r->value);
+    else snprintf(usage, sizeof usage, "--%s%s%s%s", r->name, gap, r->value, end);
+    printf("  %-26s%s%s\n", usage, strlen(usage) > 25 ? "\n                            " : "", r->help);
+  }
+  puts("\nOUT may end in:");
+  size_t count;
+  const vs_format_info *formats = vs_format_list(&count);
+  for (size_t i = 0; i < count; i++)
+    printf("  .%-6s %s%s%s%s\n", formats[i].suffix, formats[i].doc, formats[i].worker ? " (needs " : "", formats[i].worker ? formats[i].worker : "", formats[i].worker ? ")" : "");
+  puts("\nExit code: 0 done, 1 the model is at fault, 2 bad usage or a file that cannot be read or written,");
+  puts("3 a worker program is missing or failed, 4 the machine is at fault, 130 interrupted.");
+}
+
+/* ---- values ---- */
+
+static bool bad(const char *option, const char *value, const char *wanted) {
+  fprintf(stderr, "vs: %s %s: expected %s\n", option, value, wanted);
+  return false;
+}
+
+static bool parse_real(const char *text, double least, double *out) {
+  char *end;
+  double v = strtod(text, &end);
+  if (end == text || *end || !isfinite(v) || v < least) return false;
+  *out = v;
+  return true;
+}
+
+static bool parse_whole(const char *text, long least, long most, long *out) {
+  char *end;
+  errno = 0;
+  long v = strtol(text, &end, 10);
+  if (end == text || *end || errno || v < least || v > most) return false;
+  *out = v;
+  return true;
+}
+
+static bool parse_size(const char *text, vs_output_options *out) {
+  char *end;
+  long w = strtol(text, &end, 10), h = 0;
+  bool ok = end != text && (*end == 'x' || *end == 'X') && parse_whole(end + 1, 1, 32768, &h) && w >= 1 && w <= 32768;
+  if (!ok) return bad("--size", text, "WIDTHxHEIGHT in pixels, as in 1200x800");
+  out->width = (int)w;
+  out->height = (int)h;
+  return true;
+}
+
+static bool parse_camera(const char *text, vs_output_options *out) {
+  const char *at = text;
+  int n = 0;
+  out->camera[6] = 35;
+  for (; n < 7; n++) {
+    char *end;
+    out->camera[n] = strtod(at, &end);
+    if (end == at || !isfinite(out->camera[n])) break;
+    at = end;
+    if (*at != ',') { n++; break; }
+    at++;
+  }
+  if (n < 6 || *at || out->camera[6] <= 0) return bad("--camera", text, "six or seven numbers: eye x,y,z, target x,y,z and the lens in mm");
+  if (memcmp(out->camera, out->camera + 3, 3 * sizeof(double)) == 0) return bad("--camera", text, "an eye that is not at the target");
+  out->has_camera = true;
+  return true;
+}
+
+static bool parse_quality(const char *text, vs_output_options *out) {
+  static const struct { const char *name; vs_quality quality; } names[] = {{"draft", VS_QUALITY_DRAFT}, {"good", VS_QUALITY_GOOD}, {"final", VS_QUALITY_FINAL}};
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    if (strcmp(text, names[i].name) == 0) {
+      out->quality = names[i].quality;
+      return true;
+    }
+  return bad("--quality", text, "draft, good or final");
+}
+
+/* text: what follows -O. */
+static bool parse_passes(const char *text, vs_output_options *out) {
+  size_t count;
+  const char *const *names = vs_pass_list(&count);
+  if (!*text) { out->passes = VS_PASSES_ALL; return true; }
+  out->passes = 0;
+  if (strcmp(text, "0") == 0) return true;
+  while (*text) {
+    size_t length = strcspn(text, ","), i = 0;
+    while (i < count && !(strlen(names[i]) == length && strncmp(names[i], text, length) == 0)) i++;
+    if (i == count) {
+      char word[40];
+      snprintf(word, sizeof word, "%.*s", (int)length, text);
+      cli_nearby near = cli_nearby_start(word);
+      fprintf(stderr, "vs: -O%s: there is no pass %s", text, word);
+      for (size_t k = 0; k < count; k++) cli_nearby_offer(&near, names[k]);
+      if (near.best) fprintf(stderr, "; perhaps %s", near.best);
+      fputs("; the passes are", stderr);
+      for (size_t k = 0; k < count; k++) fprintf(stderr, "%s %s", k ? "," : "", names[k]);
+      fputc('\n', stderr);
+      return false;
+    }
+    out->passes |= 1u << i;
+    text += length;
+    if (*text == ',') text++;
+  }
+  return true;
+}
+
+static bool only_json(const char *option, const char *value) { return !value || strcmp(value, "json") == 0 || bad(option, value, "json"); }
+
+static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdict) {
+  double real = 0;
+  long whole = 0;
+  switch (id) {
+  case OPTION_OUTPUT: o->targets[o->target_count++].path = v; return *v || bad("-o", "''", "a file name");
+  case OPTION_FORMAT: o->format = v; return true;
+  case OPTION_DEFINE:
+    o->defines[o->define_count++] = (char *)v;
+    return (strchr(v, '=') && *v != '=') || bad("-D", v, "NAME=VALUE, as in -D height=12");
+  case OPTION_EXPRESSION: o->sources[o->source_count++] = (cli_source){CLI_SOURCE_EXPRESSION, v}; return true;
+  case OPTION_INTERACTIVE: o->interactive = true; return true;
+  case OPTION_PASSES: return parse_passes(v ? v : "", &o->output);
+  case OPTION_SIZE: return parse_size(v, &o->output);
+  case OPTION_CAMERA: return parse_camera(v, &o->output);
+  case OPTION_QUALITY: return parse_quality(v, &o->output);
+  case OPTION_TOLERANCE: return (parse_real(v, 0, &o->output.tolerance) && o->output.tolerance > 0) || bad("--tolerance", v, "a length above 0");
+  case OPTION_SEGMENTS:
+    if (!parse_whole(v, 3, 1000000, &whole)) return bad("--segments", v, "a whole number, 3 or more");
+    o->output.segments = (int)whole;
+    return true;
+  case OPTION_STATS: o->stats = true; o->stats_json = v != NULL; return only_json("--stats", v);
+  case OPTION_PARAMETERS: o->parameters = true; return only_json("--parameters", v);
+  case OPTION_LIMIT_TIME: return (parse_real(v, 0, &o->interpreter.limit_time) && o->interpreter.limit_time > 0) || bad("--limit-time", v, "seconds above 0");
+  case OPTION_LIMIT_MEMORY:
+    if (!parse_real(v, 1e-6, &real) || real > 1e9) return bad("--limit-memory", v, "megabytes above 0");
+    o->interpreter.limit_memory = (size_t)(real * 1048576);
+    return true;
+  case OPTION_LIMIT_STEPS:
+    if (!parse_whole(v, 1, LONG_MAX, &whole)) return bad("--limit-steps", v, "a whole number above 0");
+    o->interpreter.limit_steps = (uint64_t)whole;
+    return true;
+  case OPTION_LIMIT_OUTPUT:
+    if (!parse_real(v, 1e-6, &real) || real > 1e9) return bad("--limit-output", v, "megabytes above 0");
+    o->interpreter.limit_output = (size_t)(real * 1048576);
+    return true;
+  case OPTION_CHECK: o->check = true; return true;
+  case OPTION_QUIET: o->quiet = true; return true;
+  case OPTION_VERSION: printf("vs %s\n", vs_version()); *verdict = CLI_STOP; return true;
+  case OPTION_HELP: print_help(); *verdict = CLI_STOP; return true;
+  case OPTION_COUNT: break;
+  }
+  return false;
+}
+
+/* ---- words ---- */
+
+static bool unknown(const char *word) {
+  char name[64];
+  snprintf(name, sizeof name, "%.*s", (int)strcspn(word, "="), word);
+  cli_nearby near = cli_nearby_start(name[0] == '-' && name[1] == '-' ? name + 2 : name + 1);
+  for (int i = 0; i < OPTION_COUNT; i++)
+    if (*rows[i].name) cli_nearby_offer(&near, rows[i].name);
+  fprintf(stderr, "vs: there is no option %s", name);
+  if (near.best) fprintf(stderr, "; perhaps --%s", near.best);
+  fputs("; vs --help lists them\n", stderr);
+  return false;
+}
+
+/* Reads argv[*at] and what belongs to it. */
+static bool read_option(cli_options *o, int argc, char **argv, int *at, cli_verdict *verdict) {
+  const char *word = argv[*at];
+  const option_row *row = NULL;
+  const char *value = NULL;
+  if (word[1] == '-') {
+    size_t length = strcspn(word + 2, "=");
+    for (int i = 0; i < OPTION_COUNT; i++)
+      if (*rows[i].name && strlen(rows[i].name) == length && strncmp(rows[i].name, word + 2, length) == 0) row = &rows[i];
+    if (word[2 + length] == '=') value = word + 3 + length;
+  } else {
+    for (int i = 0; i < OPTION_COUNT; i++)
+      if (rows[i].letter == word[1]) row = &rows[i];
+    if (word[2]) value = word + 2;
+  }
+  if (!row) return unknown(word);
+  if (row->rule == VALUE_NONE && value) {
+    if (word[1] != '-') return unknown(word);
+    fprintf(stderr, "vs: --%s takes no value\n", row->name);
+    return false;
+  }
+  if (row->rule == VALUE_REQUIRED && !value) {
+    if (*at + 1 >= argc) {
+      fprintf(stderr, "vs: %s needs a value: %s\n", word, row->value);
+      return false;
+    }
+    value = argv[++*at];
+  }
+  return take(o, (option_id)(row - rows), value, verdict);
+}
+
+/* ---- outputs ---- */
+
+static bool find_format(cli_options *o, cli_target *t) {
+  bool standard = strcmp(t->path, "-") == 0;
+  if (standard) o->to_stdout = true;
+  const char *base = strrchr(t->path, '/');
+  base = base ? base + 1 : t->path;
+  const char *ending = strrchr(base, '.');
+  if (!standard && ending && (t->format = vs_format_find(ending)) != NULL) return true;
+  if (o->format) {
+    if ((t->format = vs_format_find(o->format)) != NULL) return true;
+    fprintf(stderr, "vs: --format %s: there is no such format;", o->format);
+  } else if (standard) {
+    fputs("vs: -o - needs --format;", stderr);
+  } else {
+    fprintf(stderr, "vs: %s: ", t->path);
+    if (ending) fprintf(stderr, "no format has the ending %s;", ending);
+    else fputs("the name has no ending, which would say the format;", stderr);
+  }
+  size_t count;
+  const vs_format_info *formats = vs_format_list(&count);
+  cli_nearby near = cli_nearby_start(o->format ? o->format : ending ? ending + 1 : "");
+  for (size_t i = 0; i < count; i++) cli_nearby_offer(&near, formats[i].suffix);
+  if (near.best && *near.wanted) fprintf(stderr, " perhaps .%s;", near.best);
+  fputs(" there are", stderr);
+  for (size_t i = 0; i < count; i++) fprintf(stderr, " .%s", formats[i].suffix);
+  fputc('\n', stderr);
+  return false;
+}
+
+/* What can be known to fail before minutes of work is said now. */
+static bool reachable(const cli_target *t) {
+  if (strcmp(t->path, "-") == 0) return true;
+  struct stat status;
+  if (stat(t->path, &status) == 0 && S_ISDIR(status.st_mode)) {
+    fprintf(stderr, "vs: %s: is a folder, not a file\n", t->path);
+    return false;
+  }
+  const char *slash = strrchr(t->path, '/');
+  size_t length = slash ? (size_t)(slash - t->path) : 0;
+  char *folder = malloc(length + 2);
+  if (!folder) return true; /* the writer will say what is wrong */
+  memcpy(folder, t->path, length);
+  strcpy(folder + length, slash ? (length ? "" : "/") : ".");
+  bool ok = access(folder, W_OK | X_OK) == 0;
+  if (!ok) fprintf(stderr, "vs: %s: cannot write into the folder %s: %s\n", t->path, folder, strerror(errno));
+  free(folder);
+  return ok;
+}
+
+cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
+  size_t room = (size_t)argc + 1;
+  cli_verdict verdict = CLI_GO;
+  *o = (cli_options){.interpreter = vs_options_default(), .output = vs_output_options_default()};
+  o->sources = calloc(room, sizeof *o->sources);
+  o->targets = calloc(room, sizeof *o->targets);
+  o->defines = calloc(room, sizeof *o->defines);
+  if (!o->sources || !o->targets || !o->defines) {
+    fputs("vs: out of memory\n", stderr);
+    return CLI_BAD_USAGE;
+  }
+  bool names_only = false; /* after -- */
+  for (int i = 1; i < argc; i++) {
+    const char *word = argv[i];
+    if (names_only || word[0] != '-' || !word[1]) o->sources[o->source_count++] = (cli_source){CLI_SOURCE_FILE, word};
+    else if (strcmp(word, "--") == 0) names_only = true;
+    else if (!read_option(o, argc, argv, &i, &verdict)) return CLI_BAD_USAGE;
+    else if (verdict != CLI_GO) return verdict;
+  }
+  for (size_t i = 0; i < o->target_count; i++)
+    if (!find_format(o, &o->targets[i]) || !reachable(&o->targets[i])) return CLI_BAD_USAGE;
+  if (o->target_count && o->check) {
+    fputs("vs: --check writes nothing: leave -o out, or --check\n", stderr);
+    return CLI_BAD_USAGE;
+  }
+  if (o->target_count && !o->source_count) {
+    fputs("vs: -o needs a model: name its file, or - for standard input\n", stderr);
+    return CLI_BAD_USAGE;
+  }
+  return CLI_GO;
+}
+
+void cli_options_free(cli_options *o) {
+  free(o->sources);
+  free(o->targets);
+  free(o->defines);
+}

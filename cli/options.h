@@ -1,0 +1,34 @@
+/* Owns what the command line says, as data. */
+#ifndef VS_CLI_OPTIONS_H
+#define VS_CLI_OPTIONS_H
+
+#include "visualscheme.h"
+
+typedef struct {
+  enum { CLI_SOURCE_FILE, CLI_SOURCE_EXPRESSION } kind;
+  const char *text; /* a path ("-": standard input) or an expression */
+} cli_source;
+
+typedef struct {
+  const char *path;             /* "-": standard output */
+  const vs_format_info *format; /* never NULL once parsed */
+} cli_target;
+
+typedef struct {
+  /* Texts point into argv. The arrays have room for argc entries and belong to the options. */
+  cli_source *sources; size_t source_count;
+  cli_target *targets; size_t target_count;
+  char **defines; size_t define_count; /* NAME=VALUE; checked to hold a = */
+  const char *format;
+  vs_options interpreter;              /* the limits; main adds the host */
+  vs_output_options output;
+  bool interactive, check, quiet, stats, stats_json, parameters, to_stdout;
+} cli_options;
+
+/* What to do when the command line has been read. */
+typedef enum { CLI_GO, CLI_STOP /* all done: --help, --version */, CLI_BAD_USAGE /* said on standard error: exit 2 */ } cli_verdict;
+
+cli_verdict cli_options_parse(cli_options *o, int argc, char **argv);
+void cli_options_free(cli_options *o);
+
+#endif

@@ -1,0 +1,23 @@
+/* Owns what the command says about a run on standard error: diagnostics, the progress line, the summary, statistics. */
+#ifndef VS_CLI_REPORT_H
+#define VS_CLI_REPORT_H
+
+#include <stdio.h>
+
+#include "visualscheme.h"
+
+typedef struct {
+  bool progress;      /* show the line: standard error is a terminal and nobody asked for quiet */
+  bool shown;         /* a progress line stands on the terminal and must go before anything else is printed */
+  size_t errors, warnings;
+} cli_reporter;
+
+void cli_report_diagnostic(cli_reporter *r, const vs_diagnostic *d);
+void cli_report_progress(cli_reporter *r, const vs_progress *p);
+void cli_report_settle(cli_reporter *r); /* takes the progress line away */
+/* "house.vs: 3 solids, 4 x 5.5 x 2 m, from (0 0 0) to (4 5.5 2)" */
+void cli_report_summary(const char *title, const vs_summary *s);
+void cli_report_statistics(vs *s, bool json);
+void cli_report_parameters(FILE *to, vs *s); /* JSON */
+
+#endif
