@@ -17,10 +17,13 @@ typedef struct {
 void vs_mesh_free(vs_mesh *m); /* what it holds, not m; leaves it empty and usable */
 bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index); /* false: out of memory; index may be NULL */
 bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c);
+bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles); /* room in all; false: out of memory */
 double vs_mesh_volume(const vs_mesh *m); /* signed, by the divergence theorem; closed meshes only */
 double vs_mesh_area(const vs_mesh *m);
 vs_bounds vs_mesh_bounds(const vs_mesh *m);
 bool vs_mesh_closed(const vs_mesh *m, bool *ok); /* every directed edge has its opposite, by index; ok false: out of memory */
 void vs_mesh_transform(vs_mesh *m, const vs_affine *a); /* in place; turns the triangles round where it mirrors */
+void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle); /* the rest stays */
+void vs_mesh_turn(vs_mesh *m, size_t first_triangle); /* inside out, from that triangle on */
 
 #endif

@@ -27,6 +27,7 @@ typedef struct {
 } vs_error;
 /* Fills e (may be NULL) and returns false, so that `return vs_error_set(...)` reads well. */
 bool vs_error_set(vs_error *e, vs_error_kind kind, const vs_origin *origin, const char *format, ...) __attribute__((format(printf, 4, 5)));
+bool vs_error_memory(vs_error *e, const vs_origin *origin); /* the same, "out of memory" */
 
 /* ---- origins: interned chains, owned by the store ---- */
 struct vs_origin {
@@ -95,10 +96,13 @@ const vs_kind_info *vs_kind_get(vs_kind kind);
 
 typedef struct { vs_node *node; const vs_origin *origin; } vs_ref;
 
+enum { VS_NODE_CLOSED = 1 /* a curve that closes, moved, coloured or bare; a region too */ };
+
 struct vs_node {
   uint32_t refs;
   uint16_t kind;   /* vs_kind */
-  uint16_t class_; /* vs_class, never VS_INHERIT: worked out when built */
+  uint8_t class_;  /* vs_class, never VS_INHERIT: worked out when built */
+  uint8_t flags;   /* VS_NODE_... */
   uint32_t child_count;
   uint32_t depth;  /* 1 for a leaf; saturates */
   uint64_t hash;   /* structural */
@@ -115,22 +119,27 @@ vs_store *vs_store_new(vs_alloc_fn *alloc, void *context); /* alloc NULL: the C 
 vs_store *vs_store_retain(vs_store *s);
 void vs_store_release(vs_store *s);
 size_t vs_store_bytes(const vs_store *s); /* held now by nodes and arrays: counts towards the interpreter's memory budget */
-void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size); /* accounted */
+void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size); /* accounted; new_size 0 frees */
+void vs_store_fail_at(vs_store *s, size_t n); /* tests: the n-th allocation from now fails and so do those after it; 0: none */
 const char *vs_store_text(vs_store *s, const char *text, size_t length);            /* interned, NUL-terminated; NULL: out of memory */
 const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, uint32_t column, const vs_origin *caller); /* interned; NULL: oom */
 const vs_material *vs_store_material(vs_store *s, const vs_material *m);             /* interned by value; NULL: out of memory */
+vs_material vs_material_of_color(double red, double green, double blue); /* sRGB; matt paint, no name */
 const vs_material *vs_store_ready_material(vs_store *s, const char *name); /* concrete, glass, ... or a CSS colour name, or "#rrggbb"; NULL: no such */
 
 /* ---- building. All return one new reference to the caller, NULL when out of memory. ---- */
 vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count);
 vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners, size_t corner_count);
+vs_points *vs_points_retain(vs_points *p);
+vs_faces *vs_faces_retain(vs_faces *f);
 void vs_points_release(vs_store *s, const vs_points *p);
 void vs_faces_release(vs_store *s, const vs_faces *f);
 /* Copies data (struct vs_<kind>; retains its arrays) and children (retains their nodes). Arguments are taken as valid: bind/ checks. */
 vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *children, size_t child_count);
 vs_node *vs_node_retain(vs_node *n);
 void vs_node_release(vs_node *n); /* iterative: the depth of the tree does not matter; NULL is fine */
-bool vs_node_equal(const vs_node *a, const vs_node *b); /* by value, not recursive */
+/* By value, not recursive, each pair of shared subtrees once. *ok (may be NULL) is false when memory ran out, the answer then false. */
+bool vs_node_equal(const vs_node *a, const vs_node *b, bool *ok);
 size_t vs_node_bytes(const vs_node *n); /* of this node alone, its arrays included */
 
 /* ---- walking a DAG without recursion: every path, parents before children (enter) and after (leave) ---- */

@@ -9,7 +9,7 @@ typedef enum { VS_VIEW_EXTENTS, VS_VIEW_CAMERA, VS_VIEW_TOP, VS_VIEW_BOTTOM, VS_
 typedef struct {
   vs_store *store;           /* retained */
   vs_ref *drawn;             /* in drawing order; nodes retained */
-  size_t drawn_count;
+  size_t drawn_count, drawn_room;
   const char *title;         /* interned; the model file's name without folder, or "model" */
   vs_view view;
   vs_vec3 eye, target;       /* VS_VIEW_CAMERA */

@@ -48,5 +48,16 @@ vs_affine vs_affine_scaling(vs_vec3 center, vs_vec3 factors);
 vs_affine vs_affine_mirror(vs_vec3 point, vs_vec3 normal);
 /* sine and cosine together, exact at multiples of pi/2 (the double nearest to k*pi/2 counts as that multiple) */
 void vs_sincos(double angle, double *sine, double *cosine);
+/* sine and cosine of index/count of a turn: quarters exact, mirror images of each other to the last bit */
+void vs_turn_sincos(int index, int count, double *sine, double *cosine);
+vs_vec3 vs_v3_unit(vs_vec3 v); /* axes stay exact; the zero vector stays zero */
+
+static inline bool vs_bounds_is_empty(const vs_bounds *b) { return b->min.x > b->max.x; }
+vs_bounds vs_bounds_empty(void);
+void vs_bounds_add(vs_bounds *b, vs_vec3 p);
+void vs_bounds_unite(vs_bounds *b, const vs_bounds *other);
+void vs_bounds_meet(vs_bounds *b, const vs_bounds *other); /* what both hold */
+double vs_bounds_diagonal(const vs_bounds *b);             /* 0 where empty */
+vs_bounds vs_bounds_transform(const vs_bounds *b, const vs_affine *a);
 
 #endif

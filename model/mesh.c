@@ -1,0 +1,126 @@
+/* Owns the indexed triangle mesh: growing it, and what can be said of it without knowing what it is a mesh of. */
+#include "model/mesh.h"
+
+#include <stdlib.h>
+
+void vs_mesh_free(vs_mesh *m) {
+  free(m->vertices);
+  free(m->triangles);
+  free(m->tags);
+  *m = (vs_mesh){ 0 };
+}
+
+bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles) {
+  if (vertices > UINT32_MAX || triangles > UINT32_MAX) return false;
+  if (vertices > m->vertex_room) {
+    vs_vec3 *grown = realloc(m->vertices, vertices * sizeof *grown);
+    if (!grown) return false;
+    m->vertices = grown;
+    m->vertex_room = vertices;
+  }
+  if (triangles > m->triangle_room) {
+    void *grown = realloc(m->triangles, triangles * sizeof *m->triangles);
+    if (!grown) return false;
+    m->triangles = grown;
+    if (m->tags) {
+      uint32_t *tags = realloc(m->tags, triangles * sizeof *tags);
+      if (!tags) return false; /* triangle_room stays as it was: both arrays hold that many */
+      m->tags = tags;
+    }
+    m->triangle_room = triangles;
+  }
+  return true;
+}
+
+static size_t vs_mesh_next_room(size_t room) { return room < 16 ? 16 : room + room / 2; }
+
+bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index) {
+  if (m->vertex_count == m->vertex_room && !vs_mesh_reserve(m, vs_mesh_next_room(m->vertex_room), 0)) return false;
+  if (index) *index = (uint32_t)m->vertex_count;
+  m->vertices[m->vertex_count++] = v;
+  return true;
+}
+
+bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c) {
+  if (m->triangle_count == m->triangle_room && !vs_mesh_reserve(m, 0, vs_mesh_next_room(m->triangle_room))) return false;
+  uint32_t *t = m->triangles[m->triangle_count];
+  t[0] = a;
+  t[1] = b;
+  t[2] = c;
+  if (m->tags) m->tags[m->triangle_count] = 0;
+  m->triangle_count++;
+  return true;
+}
+
+double vs_mesh_volume(const vs_mesh *m) {
+  if (!m->triangle_count) return 0;
+  vs_vec3 o = m->vertices[m->triangles[0][0]]; /* near the mesh, or far-off models lose digits */
+  double six = 0;
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    const uint32_t *t = m->triangles[i];
+    vs_vec3 a = vs_v3_sub(m->vertices[t[0]], o), b = vs_v3_sub(m->vertices[t[1]], o), c = vs_v3_sub(m->vertices[t[2]], o);
+    six += vs_v3_dot(a, vs_v3_cross(b, c));
+  }
+  return six / 6;
+}
+
+double vs_mesh_area(const vs_mesh *m) {
+  double twice = 0;
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    const uint32_t *t = m->triangles[i];
+    vs_vec3 a = m->vertices[t[0]];
+    twice += vs_v3_length(vs_v3_cross(vs_v3_sub(m->vertices[t[1]], a), vs_v3_sub(m->vertices[t[2]], a)));
+  }
+  return twice / 2;
+}
+
+vs_bounds vs_mesh_bounds(const vs_mesh *m) {
+  vs_bounds b = vs_bounds_empty();
+  for (size_t i = 0; i < m->triangle_count; i++)
+    for (int k = 0; k < 3; k++) vs_bounds_add(&b, m->vertices[m->triangles[i][k]]);
+  return b;
+}
+
+static int vs_mesh_compare_keys(const void *a, const void *b) {
+  uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
+  return x < y ? -1 : x > y;
+}
+
+/* A closed chain: every directed edge occurs as often as its opposite. Keys of forward and of turned edges, sorted, are equal lists. */
+bool vs_mesh_closed(const vs_mesh *m, bool *ok) {
+  size_t n = m->triangle_count * 3;
+  if (ok) *ok = true;
+  if (!n) return true;
+  uint64_t *keys = m->triangle_count < SIZE_MAX / (6 * sizeof *keys) ? malloc(2 * n * sizeof *keys) : NULL;
+  if (!keys) {
+    if (ok) *ok = false;
+    return false;
+  }
+  for (size_t i = 0; i < n; i++) {
+    const uint32_t *t = m->triangles[i / 3];
+    uint64_t a = t[i % 3], b = t[(i + 1) % 3];
+    keys[i] = a << 32 | b;
+    keys[n + i] = b << 32 | a;
+  }
+  qsort(keys, n, sizeof *keys, vs_mesh_compare_keys);
+  qsort(keys + n, n, sizeof *keys, vs_mesh_compare_keys);
+  bool closed = true;
+  for (size_t i = 0; i < n && closed; i++) closed = keys[i] == keys[n + i];
+  free(keys);
+  return closed;
+}
+
+void vs_mesh_turn(vs_mesh *m, size_t first_triangle) {
+  for (size_t i = first_triangle; i < m->triangle_count; i++) {
+    uint32_t swap = m->triangles[i][1];
+    m->triangles[i][1] = m->triangles[i][2];
+    m->triangles[i][2] = swap;
+  }
+}
+
+void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle) {
+  for (size_t i = first_vertex; i < m->vertex_count; i++) m->vertices[i] = vs_affine_point(a, m->vertices[i]);
+  if (vs_affine_determinant(a) < 0) vs_mesh_turn(m, first_triangle);
+}
+
+void vs_mesh_transform(vs_mesh *m, const vs_affine *a) { vs_mesh_transform_from(m, a, 0, 0); }

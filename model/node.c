@@ -1,0 +1,243 @@
+/* Owns nodes and the arrays they share: building, retaining, releasing, comparing.
+ *
+ * A node is one allocation: header, payload, children. Releasing needs no memory and no recursion: a dead node's data pointer links the list
+ * of those still to be taken apart. Comparing remembers the pairs it has found equal, so that two separately built DAGs of n nodes cost
+ * n comparisons and not one for every path through them. */
+#include "model/node.h"
+
+#include <string.h>
+
+#include "model/kinds.h"
+#include "model/store.h"
+
+/* ---- arrays ---- */
+
+size_t vs_points_bytes(const vs_points *p) { return sizeof *p + p->count * sizeof *p->at; }
+size_t vs_faces_bytes(const vs_faces *f) { return sizeof *f + (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data; }
+
+vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count) {
+  if (count > UINT32_MAX || count > SIZE_MAX / sizeof *at - 1) return NULL;
+  vs_points *p = vs_store_realloc(s, NULL, 0, sizeof *p + count * sizeof *at);
+  if (!p) return NULL;
+  p->refs = 1;
+  p->count = (uint32_t)count;
+  for (size_t i = 0; i < count; i++) p->at[i] = vs_v3(at[i].x + 0.0, at[i].y + 0.0, at[i].z + 0.0); /* no -0 */
+  return p;
+}
+
+vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners, size_t corner_count) {
+  if (count >= UINT32_MAX || corner_count > UINT32_MAX || count + corner_count > SIZE_MAX / sizeof *starts - 8) return NULL;
+  vs_faces *f = vs_store_realloc(s, NULL, 0, sizeof *f + (count + 1 + corner_count) * sizeof *starts);
+  if (!f) return NULL;
+  f->refs = 1;
+  f->count = (uint32_t)count;
+  f->corner_count = (uint32_t)corner_count;
+  memcpy(f->data, starts, (count + 1) * sizeof *starts);
+  if (corner_count) memcpy(f->data + count + 1, corners, corner_count * sizeof *corners);
+  return f;
+}
+
+vs_points *vs_points_retain(vs_points *p) {
+  p->refs++;
+  return p;
+}
+
+vs_faces *vs_faces_retain(vs_faces *f) {
+  f->refs++;
+  return f;
+}
+
+/* The nodes' view of an array is const; its owner's count is not. */
+void vs_points_release(vs_store *s, const vs_points *p) {
+  vs_points *mine = (vs_points *)(uintptr_t)p;
+  if (mine && !--mine->refs) vs_store_realloc(s, mine, vs_points_bytes(mine), 0);
+}
+
+void vs_faces_release(vs_store *s, const vs_faces *f) {
+  vs_faces *mine = (vs_faces *)(uintptr_t)f;
+  if (mine && !--mine->refs) vs_store_realloc(s, mine, vs_faces_bytes(mine), 0);
+}
+
+/* ---- building ---- */
+
+static size_t vs_node_payload_room(const vs_kind_info *info) { return (info->size + 7) & ~(size_t)7; }
+static size_t vs_node_size(const vs_kind_info *info, size_t children) {
+  return sizeof(vs_node) + vs_node_payload_room(info) + children * sizeof(vs_ref);
+}
+
+static bool vs_node_is_planar_area(const vs_node *n) { return n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED); }
+
+/* What a set of children is together: of one class if they agree; closed curves and regions make a region. */
+static void vs_node_classify_union(vs_node *n) {
+  vs_class together = VS_NOTHING;
+  bool areas = true;
+  for (uint32_t i = 0; i < n->child_count; i++) {
+    const vs_node *c = n->children[i].node;
+    if (c->class_ == VS_NOTHING) continue;
+    areas = areas && vs_node_is_planar_area(c);
+    if (together == VS_NOTHING) together = (vs_class)c->class_;
+    else if (together != (vs_class)c->class_) together = VS_MIXED;
+  }
+  if (together != VS_NOTHING && areas) {
+    together = VS_REGION_CLASS;
+    n->flags |= VS_NODE_CLOSED;
+  }
+  n->class_ = (uint8_t)together;
+}
+
+static void vs_node_classify(vs_node *n, const vs_kind_info *info) {
+  const vs_node *first = n->child_count ? n->children[0].node : NULL;
+  n->class_ = (uint8_t)info->class_;
+  switch ((vs_kind)n->kind) {
+    case VS_EMPTY: case VS_ARC: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE:
+    case VS_PYRAMID: case VS_TORUS: break;
+    case VS_LINE: if (VS_AS(line, n)->closed) n->flags |= VS_NODE_CLOSED; break;
+    case VS_SPLINE: if (VS_AS(spline, n)->closed) n->flags |= VS_NODE_CLOSED; break;
+    case VS_CIRCLE: case VS_REGION: n->flags |= VS_NODE_CLOSED; break;
+    case VS_POLYFACE_MESH: n->class_ = VS_AS(polyface_mesh, n)->closed ? VS_SOLID : VS_SURFACE; break;
+    case VS_EXTRUDE: case VS_SWEEP:
+      n->class_ = !first || first->class_ == VS_NOTHING ? VS_NOTHING : vs_node_is_planar_area(first) ? VS_SOLID : VS_SURFACE;
+      break;
+    case VS_THICKEN: if (!first || first->class_ == VS_NOTHING) n->class_ = VS_NOTHING; break;
+    case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
+      n->class_ = first ? first->class_ : VS_NOTHING;
+      n->flags = first ? first->flags : 0;
+      break;
+    case VS_UNION: vs_node_classify_union(n); break;
+    case VS_INTERSECTION: case VS_DIFFERENCE:
+      n->class_ = first ? first->class_ : VS_NOTHING;
+      if (first && vs_node_is_planar_area(first)) {
+        n->class_ = VS_REGION_CLASS;
+        n->flags |= VS_NODE_CLOSED;
+      }
+      for (uint32_t i = 0; n->kind == VS_INTERSECTION && i < n->child_count; i++)
+        if (n->children[i].node->class_ == VS_NOTHING) n->class_ = VS_NOTHING;
+      break;
+    case VS_KIND_COUNT: break;
+  }
+}
+
+vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *children, size_t child_count) {
+  const vs_kind_info *info = vs_kind_get(kind);
+  if (!info || child_count > UINT32_MAX || child_count > (SIZE_MAX - vs_node_size(info, 0)) / sizeof(vs_ref)) return NULL;
+  vs_node *n = vs_store_realloc(s, NULL, 0, vs_node_size(info, child_count));
+  if (!n) return NULL;
+  unsigned char *payload = (unsigned char *)(n + 1);
+  vs_ref *kept = (vs_ref *)(void *)(payload + vs_node_payload_room(info));
+  if (data) memcpy(payload, data, info->size);
+  else memset(payload, 0, info->size);
+  vs_payload_adopt(info, payload);
+  uint64_t hash = vs_hash_mix(vs_hash_bytes(4, info->name, strlen(info->name)), vs_payload_hash(info, payload));
+  uint32_t depth = 1;
+  for (size_t i = 0; i < child_count; i++) {
+    kept[i] = children[i];
+    vs_node_retain(kept[i].node);
+    hash = vs_hash_mix(hash, kept[i].node->hash);
+    uint32_t below = kept[i].node->depth;
+    if (below >= depth) depth = below == UINT32_MAX ? below : below + 1;
+  }
+  *n = (vs_node){ .refs = 1, .kind = (uint16_t)kind, .child_count = (uint32_t)child_count, .depth = depth, .hash = hash,
+                  .store = vs_store_retain(s), .children = kept, .data = payload };
+  vs_node_classify(n, info);
+  return n;
+}
+
+vs_node *vs_node_retain(vs_node *n) {
+  n->refs++;
+  return n;
+}
+
+void vs_node_release(vs_node *n) {
+  if (!n || --n->refs) return;
+  vs_node *dead = n;
+  n->data = NULL; /* from here on data links the dead; the payload still lies behind the header */
+  while (dead) {
+    n = dead;
+    dead = (vs_node *)(uintptr_t)n->data;
+    const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
+    vs_store *s = n->store;
+    vs_payload_drop(info, s, n + 1);
+    for (uint32_t i = n->child_count; i-- > 0;) {
+      vs_node *child = n->children[i].node;
+      if (--child->refs) continue;
+      child->data = dead;
+      dead = child;
+    }
+    vs_store_realloc(s, n, vs_node_size(info, n->child_count), 0);
+    vs_store_release(s);
+  }
+}
+
+size_t vs_node_bytes(const vs_node *n) {
+  const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
+  return vs_node_size(info, n->child_count) + vs_payload_array_bytes(info, n->data);
+}
+
+/* ---- comparing ---- */
+
+typedef struct { const vs_node *a, *b; } vs_node_pair;
+typedef struct { vs_store *store; vs_node_pair *at; size_t count, room; } vs_node_pairs;
+
+static bool vs_pairs_resize(vs_node_pairs *p, size_t room) {
+  vs_node_pair *at = vs_store_realloc(p->store, p->at, p->room * sizeof *at, room * sizeof *at);
+  if (room && !at) return false;
+  p->at = at;
+  p->room = room;
+  return true;
+}
+
+/* Adds the pair to a set; *new false: it was there. Only nodes with further references can come twice. */
+static bool vs_pairs_note(vs_node_pairs *set, vs_node_pair pair, bool *new) {
+  if (set->count * 3 >= set->room * 2) {
+    vs_node_pairs grown = { .store = set->store };
+    if (!vs_pairs_resize(&grown, set->room ? set->room * 2 : 64)) return false;
+    memset(grown.at, 0, grown.room * sizeof *grown.at);
+    for (size_t i = 0; i < set->room; i++)
+      if (set->at[i].a && !vs_pairs_note(&grown, set->at[i], new)) return false; /* never grows: it has room */
+    vs_pairs_resize(set, 0);
+    *set = grown;
+  }
+  size_t at = (size_t)vs_hash_mix((uintptr_t)pair.a, (uintptr_t)pair.b) & (set->room - 1);
+  while (set->at[at].a && (set->at[at].a != pair.a || set->at[at].b != pair.b)) at = (at + 1) & (set->room - 1);
+  *new = !set->at[at].a;
+  if (*new) {
+    set->at[at] = pair;
+    set->count++;
+  }
+  return true;
+}
+
+/* Everything about two nodes but their children's insides */
+static bool vs_node_alike(const vs_node *a, const vs_node *b) {
+  return a->hash == b->hash && a->kind == b->kind && a->child_count == b->child_count && a->depth == b->depth &&
+         vs_payload_equal(vs_kind_get((vs_kind)a->kind), a->data, b->data);
+}
+
+bool vs_node_equal(const vs_node *a, const vs_node *b, bool *ok) {
+  if (ok) *ok = true;
+  if (a == b) return true;
+  if (!vs_node_alike(a, b)) return false;
+  vs_node_pairs todo = { .store = a->store }, done = { .store = a->store };
+  bool equal = true, memory = true, new;
+  vs_node_pair now = { a, b };
+  for (;;) {
+    for (uint32_t i = 0; i < now.a->child_count && equal && memory; i++) {
+      vs_node_pair next = { now.a->children[i].node, now.b->children[i].node };
+      if (next.a == next.b) continue;
+      equal = vs_node_alike(next.a, next.b);
+      if (!equal || !next.a->child_count) continue;
+      if (next.a->refs > 1 && next.b->refs > 1) {
+        memory = vs_pairs_note(&done, next, &new);
+        if (!memory || !new) continue;
+      }
+      memory = todo.count < todo.room || vs_pairs_resize(&todo, todo.room ? todo.room * 2 : 64);
+      if (memory) todo.at[todo.count++] = next;
+    }
+    if (!equal || !memory || !todo.count) break;
+    now = todo.at[--todo.count];
+  }
+  vs_pairs_resize(&todo, 0);
+  vs_pairs_resize(&done, 0);
+  if (ok) *ok = memory;
+  return equal && memory;
+}

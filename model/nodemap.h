@@ -1,0 +1,15 @@
+/* Owns a map from nodes (by address) to 64-bit words: what passes and measures remember of each shared node. */
+#ifndef VS_MODEL_NODEMAP_H
+#define VS_MODEL_NODEMAP_H
+
+#include "model/node.h"
+
+typedef struct { const void *key; uint64_t value; } vs_nodemap_slot;
+typedef struct { vs_store *store; vs_nodemap_slot *slots; size_t count, room; } vs_nodemap; /* { .store = s } is an empty map */
+
+void vs_nodemap_free(vs_nodemap *m); /* leaves it empty and usable */
+uint64_t *vs_nodemap_get(const vs_nodemap *m, const void *key); /* NULL: not there; valid until the next put */
+/* The value's place, 0 at first; *found (may be NULL) says whether it was there. NULL: out of memory. */
+uint64_t *vs_nodemap_put(vs_nodemap *m, const void *key, bool *found);
+
+#endif

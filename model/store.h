@@ -1,0 +1,32 @@
+/* Owns the inside of the store, for model/ alone: accounting, the hash that everything interned is found by, and the arena. */
+#ifndef VS_MODEL_STORE_H
+#define VS_MODEL_STORE_H
+
+#include "model/node.h"
+
+typedef struct { void **slots; size_t count, room; } vs_intern; /* open addressing, room a power of two */
+typedef struct vs_block vs_block;
+
+struct vs_store {
+  size_t refs; /* of its owners and of every node */
+  size_t bytes;
+  vs_alloc_fn *alloc;
+  void *context;
+  size_t fail_at; /* counts down; the allocation that reaches 0 fails, as do all after it until it is set again */
+  bool failing;
+  vs_intern texts, origins, materials;
+  vs_block *blocks; /* what is interned lies here and goes with the store */
+};
+
+static inline uint64_t vs_hash_mix(uint64_t h, uint64_t v) {
+  h = (h ^ v) * UINT64_C(0x9E3779B97F4A7C15);
+  h ^= h >> 32;
+  h *= UINT64_C(0xD6E8FEB86659FD93);
+  return h ^ h >> 32;
+}
+uint64_t vs_hash_bytes(uint64_t h, const void *bytes, size_t size);
+uint64_t vs_hash_real(uint64_t h, double d);
+uint64_t vs_text_hash(const char *interned); /* kept with the text */
+uint64_t vs_material_hash(const vs_material *m);
+
+#endif

@@ -1,0 +1,171 @@
+/* Owns affine maps: products, inverses, and the turns, scalings and mirrors that the language makes of them.
+ *
+ * Quarter turns are exact: what a modeller writes as pi/2 must put a wall at x = 3, not at 3.0000000000000004. */
+#include "model/vec.h"
+
+static const double half_pi = 1.57079632679489661923;
+
+void vs_sincos(double angle, double *sine, double *cosine) {
+  double quarters = nearbyint(angle / half_pi);
+  /* Sums and products such as 3*pi/4 + 3*pi/4 miss the nearest double by an ulp or two: those count as the multiple as well. */
+  if (fabs(quarters) < 1e9 && fabs(angle - quarters * half_pi) <= 4.5e-16 * fabs(angle)) {
+    static const signed char sines[4] = { 0, 1, 0, -1 };
+    int q = (int)fmod(quarters, 4);
+    if (q < 0) q += 4;
+    *sine = sines[q];
+    *cosine = sines[(q + 1) & 3];
+    return;
+  }
+  *sine = sin(angle);
+  *cosine = cos(angle);
+}
+
+void vs_turn_sincos(int index, int count, double *sine, double *cosine) {
+  /* Everything is computed in the first eighth of the turn and reflected from there, so that the corners of a polygon are mirror images
+   * of each other to the last bit. */
+  long long eighths, rest, n = count, i = index % n;
+  if (i < 0) i += n;
+  eighths = 8 * i / n;
+  rest = 8 * i - eighths * n; /* in units of 1/(8n) turn, 0 <= rest < n */
+  bool odd = eighths & 1;
+  double along = half_pi / 2 * ((double)(odd ? n - rest : rest) / (double)n); /* from the nearest axis, 0..pi/4 */
+  double s = sin(along), c = cos(along), swap;
+  if ((odd ? n - rest : rest) == n) s = c = 0.70710678118654752440;
+  switch (((eighths + 1) / 2) & 3) { /* the axis that is nearest */
+    case 0: if (odd) s = -s; break;
+    case 1: swap = odd ? s : -s; s = c; c = swap; break;
+    case 2: s = odd ? s : -s; c = -c; break;
+    case 3: swap = odd ? -s : s; s = -c; c = swap; break;
+  }
+  *sine = s + 0.0;
+  *cosine = c + 0.0;
+}
+
+vs_vec3 vs_v3_unit(vs_vec3 v) {
+  double most = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+  if (!(most > 0)) return vs_v3(0, 0, 0);
+  v = vs_v3(v.x / most, v.y / most, v.z / most); /* first, so that nothing over- or underflows and axes stay exact */
+  return vs_v3_scale(v, 1 / vs_v3_length(v));
+}
+
+vs_affine vs_affine_multiply(const vs_affine *a, const vs_affine *b) {
+  vs_affine r;
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 4; j++)
+      r.m[i][j] = a->m[i][0] * b->m[0][j] + a->m[i][1] * b->m[1][j] + a->m[i][2] * b->m[2][j] + (j == 3 ? a->m[i][3] : 0);
+  return r;
+}
+
+double vs_affine_determinant(const vs_affine *a) {
+  const double (*m)[4] = a->m;
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+bool vs_affine_invert(const vs_affine *a, vs_affine *out) {
+  const double (*m)[4] = a->m;
+  double d = vs_affine_determinant(a);
+  if (!(fabs(d) > 0) || !isfinite(d)) return false;
+  vs_affine r;
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) {
+      int p = (j + 1) % 3, q = (j + 2) % 3, s = (i + 1) % 3, t = (i + 2) % 3; /* cyclic minors carry their sign */
+      r.m[i][j] = (m[p][s] * m[q][t] - m[p][t] * m[q][s]) / d;
+    }
+  for (int i = 0; i < 3; i++) r.m[i][3] = -(r.m[i][0] * m[0][3] + r.m[i][1] * m[1][3] + r.m[i][2] * m[2][3]);
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 4; j++) {
+      if (!isfinite(r.m[i][j])) return false;
+      r.m[i][j] += 0.0; /* no -0 */
+    }
+  *out = r;
+  return true;
+}
+
+bool vs_affine_is_translation(const vs_affine *a) {
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++)
+      if (a->m[i][j] != (i == j)) return false;
+  return true;
+}
+
+vs_affine vs_affine_translation(vs_vec3 v) {
+  return (vs_affine){ { { 1, 0, 0, v.x }, { 0, 1, 0, v.y }, { 0, 0, 1, v.z } } };
+}
+
+/* The linear map l about the fixed point: p -> fixed + l (p - fixed). */
+static vs_affine vs_affine_about(vs_affine l, vs_vec3 fixed) {
+  vs_vec3 moved = vs_affine_vector(&l, fixed);
+  l.m[0][3] = fixed.x - moved.x;
+  l.m[1][3] = fixed.y - moved.y;
+  l.m[2][3] = fixed.z - moved.z;
+  return l;
+}
+
+vs_affine vs_affine_rotation(vs_vec3 point, vs_vec3 direction, double angle) {
+  vs_vec3 u = vs_v3_unit(direction);
+  double s, c;
+  vs_sincos(angle, &s, &c);
+  double k = 1 - c;
+  vs_affine r = { { { c + u.x * u.x * k, u.x * u.y * k - u.z * s, u.x * u.z * k + u.y * s, 0 },
+                    { u.y * u.x * k + u.z * s, c + u.y * u.y * k, u.y * u.z * k - u.x * s, 0 },
+                    { u.z * u.x * k - u.y * s, u.z * u.y * k + u.x * s, c + u.z * u.z * k, 0 } } };
+  /* c + (1 - c) may miss 1 by an ulp: about a world axis the entries are known */
+  if (fabs(u.x) == 1) r.m[0][0] = 1;
+  if (fabs(u.y) == 1) r.m[1][1] = 1;
+  if (fabs(u.z) == 1) r.m[2][2] = 1;
+  return vs_affine_about(r, point);
+}
+
+vs_affine vs_affine_scaling(vs_vec3 center, vs_vec3 factors) {
+  vs_affine r = { { { factors.x, 0, 0, 0 }, { 0, factors.y, 0, 0 }, { 0, 0, factors.z, 0 } } };
+  return vs_affine_about(r, center);
+}
+
+vs_affine vs_affine_mirror(vs_vec3 point, vs_vec3 normal) {
+  vs_vec3 u = vs_v3_unit(normal);
+  vs_affine r = { { { 1 - 2 * u.x * u.x, -2 * u.x * u.y, -2 * u.x * u.z, 0 },
+                    { -2 * u.y * u.x, 1 - 2 * u.y * u.y, -2 * u.y * u.z, 0 },
+                    { -2 * u.z * u.x, -2 * u.z * u.y, 1 - 2 * u.z * u.z, 0 } } };
+  return vs_affine_about(r, point);
+}
+
+vs_bounds vs_bounds_empty(void) { return (vs_bounds){ { INFINITY, INFINITY, INFINITY }, { -INFINITY, -INFINITY, -INFINITY } }; }
+
+void vs_bounds_add(vs_bounds *b, vs_vec3 p) {
+  b->min = vs_v3(fmin(b->min.x, p.x), fmin(b->min.y, p.y), fmin(b->min.z, p.z));
+  b->max = vs_v3(fmax(b->max.x, p.x), fmax(b->max.y, p.y), fmax(b->max.z, p.z));
+}
+
+void vs_bounds_unite(vs_bounds *b, const vs_bounds *other) {
+  if (vs_bounds_is_empty(other)) return;
+  vs_bounds_add(b, other->min);
+  vs_bounds_add(b, other->max);
+}
+
+void vs_bounds_meet(vs_bounds *b, const vs_bounds *o) {
+  b->min = vs_v3(fmax(b->min.x, o->min.x), fmax(b->min.y, o->min.y), fmax(b->min.z, o->min.z));
+  b->max = vs_v3(fmin(b->max.x, o->max.x), fmin(b->max.y, o->max.y), fmin(b->max.z, o->max.z));
+  if (b->min.x > b->max.x || b->min.y > b->max.y || b->min.z > b->max.z) *b = vs_bounds_empty();
+}
+
+double vs_bounds_diagonal(const vs_bounds *b) {
+  return vs_bounds_is_empty(b) ? 0 : vs_v3_length(vs_v3_sub(b->max, b->min));
+}
+
+vs_bounds vs_bounds_transform(const vs_bounds *b, const vs_affine *a) {
+  if (vs_bounds_is_empty(b)) return *b;
+  vs_bounds r;
+  double lo[3] = { b->min.x, b->min.y, b->min.z }, hi[3] = { b->max.x, b->max.y, b->max.z }, low[3], high[3];
+  for (int i = 0; i < 3; i++) {
+    low[i] = high[i] = a->m[i][3];
+    for (int j = 0; j < 3; j++) {
+      double p = a->m[i][j] * lo[j], q = a->m[i][j] * hi[j];
+      low[i] += fmin(p, q);
+      high[i] += fmax(p, q);
+    }
+  }
+  r.min = vs_v3(low[0], low[1], low[2]);
+  r.max = vs_v3(high[0], high[1], high[2]);
+  return r;
+}
