@@ -1,0 +1,516 @@
+; The language's own library, in Scheme: every standard procedure that calls a procedure it was given, so that call/cc, errors,
+; limits and interrupts work through all of them. No geometry. Compiled into the binary when it is built.
+;
+; Names that begin with % are not visible to programs. Procedures without procedure arguments are C (vm/). Lists are walked left to
+; right and results built without mutation, so a continuation captured in the middle may be re-entered any number of times.
+
+; ---- checks: the same wording as C's ----
+
+(define (%need-procedure who name f)
+  (if (not (procedure? f)) (error who "~a must be a procedure, got ~s" name f)))
+
+; The end of a walk over `whole` that stopped at `rest`: a proper list ends in ().
+(define (%need-end who whole rest)
+  (if (not (null? rest)) (error who "list must be a list, got ~s" whole)))
+
+(define (%need-index who name n)
+  (if (not (and (exact-integer? n) (>= n 0))) (error who "~a must be an exact integer from 0 on, got ~s" name n)))
+
+; ---- several lists at once: the shortest ends the walk ----
+
+(define (%any-end? lists)
+  (let loop ((ls lists))
+    (and (pair? ls) (or (not (pair? (car ls))) (loop (cdr ls))))))
+
+(define (%cars lists)
+  (let loop ((ls lists) (acc '()))
+    (if (pair? ls) (loop (cdr ls) (cons (car (car ls)) acc)) (reverse acc))))
+
+(define (%cdrs lists)
+  (let loop ((ls lists) (acc '()))
+    (if (pair? ls) (loop (cdr ls) (cons (cdr (car ls)) acc)) (reverse acc))))
+
+; the cars, with `last` behind them
+(define (%cars+ lists last) (append (%cars lists) (list last)))
+
+; ---- mapping ----
+
+(define map
+  (case-lambda
+    ((f list)
+     (%need-procedure 'map 'f f)
+     (let loop ((l list) (acc '()))
+       (if (pair? l)
+           (loop (cdr l) (cons (f (car l)) acc))
+           (begin (%need-end 'map list l) (reverse acc)))))
+    ((f list1 list2)
+     (%need-procedure 'map 'f f)
+     (let loop ((a list1) (b list2) (acc '()))
+       (if (and (pair? a) (pair? b))
+           (loop (cdr a) (cdr b) (cons (f (car a) (car b)) acc))
+           (begin
+             (if (not (pair? a)) (%need-end 'map list1 a) (%need-end 'map list2 b))
+             (reverse acc)))))
+    ((f . lists)
+     (%need-procedure 'map 'f f)
+     (let loop ((ls lists) (acc '()))
+       (if (%any-end? ls)
+           (reverse acc)
+           (loop (%cdrs ls) (cons (apply f (%cars ls)) acc)))))))
+
+(define for-each
+  (case-lambda
+    ((f list)
+     (%need-procedure 'for-each 'f f)
+     (let loop ((l list))
+       (if (pair? l)
+           (begin (f (car l)) (loop (cdr l)))
+           (%need-end 'for-each list l))))
+    ((f list1 list2)
+     (%need-procedure 'for-each 'f f)
+     (let loop ((a list1) (b list2))
+       (if (and (pair? a) (pair? b))
+           (begin (f (car a) (car b)) (loop (cdr a) (cdr b)))
+           (if (not (pair? a)) (%need-end 'for-each list1 a) (%need-end 'for-each list2 b)))))
+    ((f . lists)
+     (%need-procedure 'for-each 'f f)
+     (let loop ((ls lists))
+       (if (not (%any-end? ls))
+           (begin (apply f (%cars ls)) (loop (%cdrs ls))))))))
+
+(define append-map
+  (case-lambda
+    ((f list)
+     (%need-procedure 'append-map 'f f)
+     (let loop ((l list) (acc '()))
+       (if (pair? l)
+           (loop (cdr l) (append-reverse (f (car l)) acc))
+           (begin (%need-end 'append-map list l) (reverse acc)))))
+    ((f . lists) (apply append (apply map f lists)))))
+
+(define (filter-map f . lists)
+  (%need-procedure 'filter-map 'f f)
+  (let loop ((ls lists) (acc '()))
+    (if (%any-end? ls)
+        (reverse acc)
+        (let ((v (apply f (%cars ls))))
+          (loop (%cdrs ls) (if v (cons v acc) acc))))))
+
+(define (vector-map f . vectors)
+  (%need-procedure 'vector-map 'f f)
+  (if (and (pair? vectors) (null? (cdr vectors)))
+      (let* ((v (car vectors)) (n (vector-length v)))
+        (let loop ((i 0) (acc '()))
+          (if (< i n)
+              (loop (+ i 1) (cons (f (vector-ref v i)) acc))
+              (list->vector (reverse acc)))))
+      (list->vector (apply map f (map vector->list vectors)))))
+
+(define (vector-for-each f . vectors)
+  (%need-procedure 'vector-for-each 'f f)
+  (if (and (pair? vectors) (null? (cdr vectors)))
+      (let* ((v (car vectors)) (n (vector-length v)))
+        (let loop ((i 0))
+          (if (< i n)
+              (begin (f (vector-ref v i)) (loop (+ i 1))))))
+      (apply for-each f (map vector->list vectors))))
+
+(define (string-map f . strings)
+  (%need-procedure 'string-map 'f f)
+  (list->string (apply map f (map string->list strings))))
+
+(define (string-for-each f . strings)
+  (%need-procedure 'string-for-each 'f f)
+  (apply for-each f (map string->list strings)))
+
+(define (string-count s pred)
+  (%need-procedure 'string-count 'pred pred)
+  (count pred (string->list s)))
+
+; Index of the first character that is `what` (a character) or satisfies it, or #f.
+(define (string-index s what)
+  (let ((n (string-length s))
+        (hit? (if (char? what) (lambda (c) (char=? c what)) what)))
+    (%need-procedure 'string-index 'what hit?)
+    (let loop ((i 0))
+      (and (< i n)
+           (if (hit? (string-ref s i)) i (loop (+ i 1)))))))
+
+; ---- folding ----
+
+; SRFI 1: (f element accumulated); with several lists (f e1 e2 ... accumulated).
+(define fold
+  (case-lambda
+    ((f init list)
+     (%need-procedure 'fold 'f f)
+     (let loop ((l list) (acc init))
+       (if (pair? l)
+           (loop (cdr l) (f (car l) acc))
+           (begin (%need-end 'fold list l) acc))))
+    ((f init . lists)
+     (%need-procedure 'fold 'f f)
+     (let loop ((ls lists) (acc init))
+       (if (%any-end? ls)
+           acc
+           (loop (%cdrs ls) (apply f (%cars+ ls acc))))))))
+
+(define fold-right
+  (case-lambda
+    ((f init list)
+     (%need-procedure 'fold-right 'f f)
+     (let loop ((l (reverse list)) (acc init))
+       (if (pair? l) (loop (cdr l) (f (car l) acc)) acc)))
+    ((f init . lists)
+     (%need-procedure 'fold-right 'f f)
+     (let loop ((rows (reverse (apply map list lists))) (acc init))
+       (if (pair? rows)
+           (loop (cdr rows) (apply f (append (car rows) (list acc))))
+           acc)))))
+
+; PLT's names, which take their arguments in the same order.
+(define foldl fold)
+(define foldr fold-right)
+
+(define (reduce f identity list)
+  (%need-procedure 'reduce 'f f)
+  (if (null? list) identity (fold f (car list) (cdr list))))
+
+(define (reduce-right f identity list)
+  (%need-procedure 'reduce-right 'f f)
+  (if (null? list)
+      identity
+      (let ((r (reverse list)))
+        (fold f (car r) (cdr r)))))
+
+; SRFI 1: (unfold stop? mapper successor seed [tail-gen]): the thesis calls it with these four.
+(define unfold
+  (case-lambda
+    ((stop? mapper successor seed) (unfold stop? mapper successor seed (lambda (x) '())))
+    ((stop? mapper successor seed tail-gen)
+     (%need-procedure 'unfold 'stop? stop?)
+     (%need-procedure 'unfold 'mapper mapper)
+     (%need-procedure 'unfold 'successor successor)
+     (let loop ((seed seed) (acc '()))
+       (if (stop? seed)
+           (append-reverse acc (tail-gen seed))
+           (loop (successor seed) (cons (mapper seed) acc)))))))
+
+(define unfold-right
+  (case-lambda
+    ((stop? mapper successor seed) (unfold-right stop? mapper successor seed '()))
+    ((stop? mapper successor seed tail)
+     (let loop ((seed seed) (acc tail))
+       (if (stop? seed)
+           acc
+           (loop (successor seed) (cons (mapper seed) acc)))))))
+
+; ---- choosing ----
+
+(define (filter pred list)
+  (%need-procedure 'filter 'pred pred)
+  (let loop ((l list) (acc '()))
+    (if (pair? l)
+        (loop (cdr l) (if (pred (car l)) (cons (car l) acc) acc))
+        (begin (%need-end 'filter list l) (reverse acc)))))
+
+(define (remove pred list)
+  (%need-procedure 'remove 'pred pred)
+  (let loop ((l list) (acc '()))
+    (if (pair? l)
+        (loop (cdr l) (if (pred (car l)) acc (cons (car l) acc)))
+        (begin (%need-end 'remove list l) (reverse acc)))))
+
+(define (partition pred list)
+  (%need-procedure 'partition 'pred pred)
+  (let loop ((l list) (in '()) (out '()))
+    (cond ((null? l) (values (reverse in) (reverse out)))
+          ((not (pair? l)) (%need-end 'partition list l))
+          ((pred (car l)) (loop (cdr l) (cons (car l) in) out))
+          (else (loop (cdr l) in (cons (car l) out))))))
+
+(define (delete x list . same)
+  (let ((same? (if (pair? same) (car same) equal?)))
+    (remove (lambda (y) (same? x y)) list)))
+
+; The first of equal elements stays. With equal? it takes linear time.
+(define delete-duplicates
+  (case-lambda
+    ((list)
+     (let ((seen (make-hash)))
+       (filter (lambda (x) (if (%hash-get seen x #f) #f (begin (hash-set! seen x #t) #t))) list)))
+    ((list same?)
+     (%need-procedure 'delete-duplicates 'same? same?)
+     (let loop ((l list) (acc '()))
+       (if (pair? l)
+           (loop (cdr l)
+                 (if (let in? ((a acc)) (and (pair? a) (or (same? (car a) (car l)) (in? (cdr a)))))
+                     acc
+                     (cons (car l) acc)))
+           (reverse acc))))))
+(define remove-duplicates delete-duplicates)
+
+(define (find pred list)
+  (%need-procedure 'find 'pred pred)
+  (let loop ((l list))
+    (cond ((pair? l) (if (pred (car l)) (car l) (loop (cdr l))))
+          (else (%need-end 'find list l) #f))))
+
+(define (find-tail pred list)
+  (%need-procedure 'find-tail 'pred pred)
+  (let loop ((l list))
+    (cond ((pair? l) (if (pred (car l)) l (loop (cdr l))))
+          (else (%need-end 'find-tail list l) #f))))
+
+; Both end in a tail call of pred on the last elements, as SRFI 1 wants.
+(define any
+  (case-lambda
+    ((pred list)
+     (%need-procedure 'any 'pred pred)
+     (and (pair? list)
+          (let loop ((x (car list)) (l (cdr list)))
+            (if (pair? l)
+                (or (pred x) (loop (car l) (cdr l)))
+                (pred x)))))
+    ((pred . lists)
+     (%need-procedure 'any 'pred pred)
+     (and (not (%any-end? lists))
+          (let loop ((ls lists))
+            (let ((next (%cdrs ls)))
+              (if (%any-end? next)
+                  (apply pred (%cars ls))
+                  (or (apply pred (%cars ls)) (loop next)))))))))
+
+(define every
+  (case-lambda
+    ((pred list)
+     (%need-procedure 'every 'pred pred)
+     (or (not (pair? list))
+         (let loop ((x (car list)) (l (cdr list)))
+           (if (pair? l)
+               (and (pred x) (loop (car l) (cdr l)))
+               (pred x)))))
+    ((pred . lists)
+     (%need-procedure 'every 'pred pred)
+     (or (%any-end? lists)
+         (let loop ((ls lists))
+           (let ((next (%cdrs ls)))
+             (if (%any-end? next)
+                 (apply pred (%cars ls))
+                 (and (apply pred (%cars ls)) (loop next)))))))))
+(define ormap any)
+(define andmap every)
+
+(define (count pred . lists)
+  (%need-procedure 'count 'pred pred)
+  (let loop ((ls lists) (n 0))
+    (if (%any-end? ls)
+        n
+        (loop (%cdrs ls) (if (apply pred (%cars ls)) (+ n 1) n)))))
+
+(define (list-index pred . lists)
+  (%need-procedure 'list-index 'pred pred)
+  (let loop ((ls lists) (i 0))
+    (cond ((%any-end? ls) #f)
+          ((apply pred (%cars ls)) i)
+          (else (loop (%cdrs ls) (+ i 1))))))
+
+(define (take-while pred list)
+  (%need-procedure 'take-while 'pred pred)
+  (let loop ((l list) (acc '()))
+    (if (and (pair? l) (pred (car l)))
+        (loop (cdr l) (cons (car l) acc))
+        (reverse acc))))
+
+(define (drop-while pred list)
+  (%need-procedure 'drop-while 'pred pred)
+  (let loop ((l list))
+    (if (and (pair? l) (pred (car l))) (loop (cdr l)) l)))
+
+(define (span pred list)
+  (%need-procedure 'span 'pred pred)
+  (let loop ((l list) (acc '()))
+    (if (and (pair? l) (pred (car l)))
+        (loop (cdr l) (cons (car l) acc))
+        (values (reverse acc) l))))
+
+(define (break pred list) (span (lambda (x) (not (pred x))) list))
+
+(define member
+  (case-lambda
+    ((x list) (%member x list))
+    ((x list same?)
+     (%need-procedure 'member 'same? same?)
+     (find-tail (lambda (y) (same? x y)) list))))
+
+(define assoc
+  (case-lambda
+    ((key alist) (%assoc key alist))
+    ((key alist same?)
+     (%need-procedure 'assoc 'same? same?)
+     (find (lambda (entry) (same? key (car entry))) alist))))
+
+; ---- making ----
+
+(define (list-tabulate n f)
+  (%need-index 'list-tabulate 'n n)
+  (%need-procedure 'list-tabulate 'f f)
+  (let loop ((i 0) (acc '()))
+    (if (< i n) (loop (+ i 1) (cons (f i) acc)) (reverse acc))))
+
+(define (build-list n f)
+  (%need-index 'build-list 'n n)
+  (%need-procedure 'build-list 'f f)
+  (list-tabulate n f))
+
+(define (build-vector n f)
+  (%need-index 'build-vector 'n n)
+  (%need-procedure 'build-vector 'f f)
+  (list->vector (list-tabulate n f)))
+
+(define (build-string n f)
+  (%need-index 'build-string 'n n)
+  (%need-procedure 'build-string 'f f)
+  (list->string (list-tabulate n f)))
+
+; ---- sorting: stable, by merging runs of doubling length; n log n calls of less? ----
+
+(define (%merge-run! less? from to lo mid hi)
+  (let loop ((i lo) (j mid) (k lo))
+    (if (< k hi)
+        (if (and (< i mid) (or (>= j hi) (not (less? (vector-ref from j) (vector-ref from i)))))
+            (begin (vector-set! to k (vector-ref from i)) (loop (+ i 1) j (+ k 1)))
+            (begin (vector-set! to k (vector-ref from j)) (loop i (+ j 1) (+ k 1)))))))
+
+(define (%sort-vector less? v)
+  (let ((n (vector-length v)))
+    (let passes ((width 1) (from (vector-copy v)) (to (make-vector n #f)))
+      (if (>= width n)
+          from
+          (let runs ((lo 0))
+            (if (< lo n)
+                (begin
+                  (%merge-run! less? from to lo (min n (+ lo width)) (min n (+ lo width width)))
+                  (runs (+ lo width width)))
+                (passes (* 2 width) to from)))))))
+
+; (sort sequence less? [#:key key]): a new list of a list, a new vector of a vector
+(define (sort sequence less? #:key [key any? #f])
+  (%need-procedure 'sort 'less? less?)
+  (let ((less? (if key (lambda (a b) (less? (key a) (key b))) less?)))
+    (cond ((vector? sequence) (%sort-vector less? sequence))
+          ((list? sequence) (vector->list (%sort-vector less? (list->vector sequence))))
+          (else (error 'sort "sequence must be a list or a vector, got ~s" sequence)))))
+(define (list-sort less? list) (sort list less?))
+
+(define (vector-sort! v less?)
+  (let ((sorted (sort v less?)))
+    (let loop ((i 0))
+      (if (< i (vector-length v))
+          (begin (vector-set! v i (vector-ref sorted i)) (loop (+ i 1)))))))
+
+(define (argmin f list) (%extreme 'argmin f list <))
+(define (argmax f list) (%extreme 'argmax f list >))
+(define (%extreme who f list better?)
+  (%need-procedure who 'f f)
+  (if (not (pair? list)) (error who "list must be a list of one element or more, got ~s" list))
+  (let loop ((l (cdr list)) (best (car list)) (value (f (car list))))
+    (if (pair? l)
+        (let ((v (f (car l))))
+          (if (better? v value) (loop (cdr l) (car l) v) (loop (cdr l) best value)))
+        best)))
+
+; ---- hash tables ----
+
+; failure: what to answer where the key is missing; a procedure is called. Without it a missing key is an error.
+(define %hash-missing (list 'missing))
+(define hash-ref
+  (case-lambda
+    ((table key)
+     (let ((v (%hash-get table key %hash-missing)))
+       (if (eq? v %hash-missing)
+           (error 'hash-ref "no such key: ~s" key)
+           v)))
+    ((table key failure)
+     (let ((v (%hash-get table key %hash-missing)))
+       (cond ((not (eq? v %hash-missing)) v)
+             ((procedure? failure) (failure))
+             (else failure))))))
+
+(define (hash-ref! table key make)
+  (let ((v (%hash-get table key %hash-missing)))
+    (if (eq? v %hash-missing)
+        (let ((new (if (procedure? make) (make) make)))
+          (hash-set! table key new)
+          new)
+        v)))
+
+(define hash-update!
+  (case-lambda
+    ((table key f) (hash-set! table key (f (hash-ref table key))))
+    ((table key f failure) (hash-set! table key (f (hash-ref table key failure))))))
+
+; The entries as they were when the walk began.
+(define (hash-for-each table f)
+  (%need-procedure 'hash-for-each 'f f)
+  (for-each (lambda (entry) (f (car entry) (cdr entry))) (hash->list table)))
+
+(define (hash-map table f)
+  (%need-procedure 'hash-map 'f f)
+  (map (lambda (entry) (f (car entry) (cdr entry))) (hash->list table)))
+
+; ---- procedures on procedures ----
+
+(define (identity x) x)
+(define (const x) (lambda args x))
+(define (negate f)
+  (%need-procedure 'negate 'f f)
+  (lambda args (not (apply f args))))
+
+; (compose f g h): x -> (f (g (h x))); several values go through
+(define (compose . fs)
+  (for-each (lambda (f) (%need-procedure 'compose 'f f)) fs)
+  (cond ((null? fs) values)
+        ((null? (cdr fs)) (car fs))
+        (else
+         (let ((f (car fs)) (g (apply compose (cdr fs))))
+           (lambda args (call-with-values (lambda () (apply g args)) f))))))
+
+(define (curry f . first)
+  (%need-procedure 'curry 'f f)
+  (lambda rest (apply f (append first rest))))
+
+; ---- ports ----
+
+(define (call-with-port port f)
+  (%need-procedure 'call-with-port 'f f)
+  (call-with-values
+   (lambda () (f port))
+   (lambda results
+     (close-port port)
+     (apply values results))))
+
+(define (call-with-input-file name f) (call-with-port (open-input-file name) f))
+(define (call-with-output-file name f) (call-with-port (open-output-file name) f))
+
+(define (with-input-from-file name thunk)
+  (let ((port (open-input-file name)))
+    (call-with-port port (lambda (p) (parameterize ((current-input-port p)) (thunk))))))
+
+(define (with-output-to-file name thunk)
+  (let ((port (open-output-file name)))
+    (call-with-port port (lambda (p) (parameterize ((current-output-port p)) (thunk))))))
+
+(define (call-with-output-string f)
+  (%need-procedure 'call-with-output-string 'f f)
+  (let ((port (open-output-string)))
+    (f port)
+    (get-output-string port)))
+
+(define (with-output-to-string thunk)
+  (%need-procedure 'with-output-to-string 'thunk thunk)
+  (call-with-output-string (lambda (port) (parameterize ((current-output-port port)) (thunk)))))
+
+; ---- escapes ----
+
+(define (call-with-escape-continuation f) (call/cc f))
+(define call/ec call-with-escape-continuation)
