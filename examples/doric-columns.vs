@@ -1,0 +1,49 @@
+; Six Doric columns, one procedure.
+;
+; What it teaches: a procedure is a family of shapes. A column is three solids one above the other; everything that can differ between two
+; columns is an argument, and each call below is one member of the family. Points are moved with +z and +xyz instead of being
+; computed coordinate by coordinate.
+
+; The shaft grows narrower upwards, from the radius at its foot to the radius of the neck.
+(define (shaft foot height foot-r neck-r)
+  (make-cut-cone foot foot-r (+z foot height) neck-r))
+
+; The capital widens again until it carries the slab above it.
+(define (capital neck height neck-r slab-side)
+  (make-cut-cone neck neck-r (+z neck height) (/ slab-side 2)))
+
+; The abacus is a square slab centred over the column.
+(define (abacus bottom height side)
+  (let ([half (/ side 2)])
+    (make-box (+xyz bottom (- half) (- half) 0)
+              (+xyz bottom half half height))))
+
+(define (doric-column foot
+                      shaft-height foot-radius
+                      capital-height neck-radius
+                      abacus-height abacus-side)
+  (let* ([neck (+z foot shaft-height)]
+         [top (+z neck capital-height)])
+    (unite (shaft foot shaft-height foot-radius neck-radius)
+           (capital neck capital-height neck-radius abacus-side)
+           (abacus top abacus-height abacus-side))))
+
+(define columns
+  (unite (doric-column (xy 0 0) 9 0.5 0.4 0.3 0.3 1.0)
+         (doric-column (xy 3 0) 7 0.5 0.4 0.6 0.6 1.6)
+         (doric-column (xy 6 0) 9 0.7 0.5 0.3 0.2 1.2)
+         (doric-column (xy 9 0) 8 0.4 0.3 0.2 0.3 1.0)
+         (doric-column (xy 12 0) 5 0.5 0.4 0.3 0.1 1.0)
+         (doric-column (xy 15 0) 6 0.8 0.3 0.2 0.4 1.4)))
+
+; Three steps to stand on.
+(define (step n)
+  (make-box (xyz (- -1.5 (* n 0.5)) (- -1.5 (* n 0.5)) (* n -0.35))
+            (xyz (+ 16.5 (* n 0.5)) (+ 1.5 (* n 0.5)) (* (+ n -1) -0.35))))
+
+(draw (with-material plaster columns))
+(draw (with-material stone (unite (map step '(1 2 3)))))
+
+(ground -1.05 #:material grass)
+(sun #:azimuth 230 #:altitude 38)
+(camera (xyz 1 -21 4.5) (xyz 7.2 0 3.6) #:lens 32)
