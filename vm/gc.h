@@ -73,6 +73,12 @@ void vs_gc_major(vs *vm);                     /* both generations */
 void vs_gc_external(vs *vm, int64_t bytes);   /* host memory held by objects grew or shrank */
 bool vs_gc_check(vs *vm);                     /* walk the heap; true when sound */
 
-bool vs_gc_open(vs *vm);                      /* used by vs_open / vs_close only */
+void vs_gc_fail_after(vs *vm, size_t n);      /* tests: refuse the n-th allocation from now; 0 stops that */
+
+/* ---- between the parts of vm/ ---- */
+typedef void vs_gc_visit(vs *vm, vs_value *slot);
+void vs_gc_visit_trees(vs *vm, vs_gc_visit *visit);             /* ast.c: constants of the trees being built */
+void vs_gc_adopt(vs *vm, void *image, size_t bytes);            /* image.c: objects made elsewhere; takes the vs_mem block over */
+bool vs_gc_open(vs *vm);
 void vs_gc_close(vs *vm);
 #endif

@@ -62,7 +62,7 @@ static inline bool vs_fits_fixnum(int64_t n) { return n >= VS_FIXNUM_MIN && n <=
 
 /* ---- heap objects ---- */
 enum {
-#define VS_OBJECT(name, noun) VS_T_##name,
+#define VS_OBJECT(name, noun, first, count) VS_T_##name,
 #include "vm/object.def"
 #undef VS_OBJECT
   VS_T_COUNT
@@ -139,7 +139,8 @@ enum { VS_CODE_REST = 1, VS_CODE_SIMPLE = 2 /* only required parameters */ };
 
 typedef struct { vs_object h; vs_value code; vs_value free[]; } vs_closure;
 typedef struct { vs_object h; uint64_t count; vs_value clause[]; } vs_case;    /* case-lambda: closures, tried in order */
-typedef struct { vs_object h; const struct vs_native_def *def; uint32_t min, max; vs_value name, keywords; } vs_native;
+/* `max` is UINT32_MAX with a rest; `keywords` a vector of symbols or #f; `inlined` the row of inline.def, `inlined_arg` with it */
+typedef struct { vs_object h; const struct vs_native_def *def; uint32_t min, max; vs_value name, keywords; uint32_t inlined, inlined_arg; } vs_native;
 
 /* A global variable. `users` lists the code that inlined it while VS_F_CONSTANT (patched when it is redefined). */
 typedef struct { vs_object h; vs_value value, name, users; } vs_cell;

@@ -23,7 +23,8 @@
   A(host)          /* bind: whatever must last */ \
   A(standard_out) A(standard_in) A(standard_error)    /* ports */ \
   A(flat_names)    /* vector: tag -> constructor's name (symbol) or #f */ \
-  A(handle_raise)  /* internal natives the run loop calls */ \
+  A(raise) A(check) /* natives the run loop calls by itself */ \
+  A(no_memory)     /* the condition raised when there is no room to make one */ \
   A(stop)          /* procedure of the bottom frame */
 
 typedef struct vs_config {
@@ -62,7 +63,7 @@ struct vs {
   vs_value winders, handlers, parameters;
 
   /* between a native and the run loop (native.h) */
-  const struct vs_native *native;  /* the native that is running: NULL outside; its name is in error messages */
+  const vs_native *native;         /* the native that is running: NULL outside; its name is in error messages */
   vs_value call_procedure;
   vs_value *call_args; size_t call_count, call_room;
   vs_value condition;              /* what was raised, after a function returned false / VS_ERROR */
