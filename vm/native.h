@@ -21,7 +21,7 @@
    so `return vs_cons(vm, a[0], a[1], out);` is a complete body.
 
    Natives never call Scheme otherwise. One that returns VS_CALL is `slots` > 0: its last `slots` elements of a[] are private,
-   #f at first entry; state must be kept there (a phase number as a fixnum in the first, say) because a continuation may copy
+   #f at first entry; n is -1 when it is entered again; state must be kept there (a phase number as a fixnum in the first, say) because a continuation may copy
    the frame and enter it twice. This is how load, eval, the expander with its macro calls, dynamic-wind and call/cc work:
      static vs_status load_(vs *vm, vs_value *a, int n, vs_value *out)  {  // "file", slots 2
        if (a[1] == VS_FALSE) open: make the reader/unit, vs_gc_store not needed: a[1] = unit (foreign object);
@@ -37,7 +37,7 @@
 #include "vm/gc.h"
 
 typedef int vs_status;
-enum { VS_ERROR = 0, VS_OK = 1, VS_TAILCALL = 2, VS_CALL = 3 };
+enum { VS_ERROR = 0, VS_OK = 1, VS_TAILCALL = 2, VS_CALL = 3, VS_THROW = 4, VS_UNCAUGHT = 5 /* the last two are control.c's */ };
 
 typedef vs_status vs_native_fn(vs *vm, vs_value *a, int n, vs_value *out);
 

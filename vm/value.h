@@ -180,7 +180,8 @@ typedef struct { vs_object h; vs_value kind /* symbol */, message /* string */, 
 
 /* Captured frames, immutable: `at` is a copy of the stack; below it lies `under`, up to its slot `depth`. */
 typedef struct { vs_object h; vs_value under; uint64_t depth, count; vs_value at[]; } vs_stack;
-typedef struct { vs_object h; vs_value stack; uint64_t depth; vs_value winders, handlers, parameters; } vs_continuation;
+/* `ret` is the return information of the frame it returns into (run.c) */
+typedef struct { vs_object h; vs_value stack; uint64_t depth; vs_value winders, handlers, parameters, ret; } vs_continuation;
 
 /* Expander objects: fields are vm-front's business, all traced. */
 typedef struct { vs_object h; vs_value name, table, imports, exports, parent, data; } vs_environment;

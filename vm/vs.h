@@ -23,7 +23,7 @@
   A(host)          /* bind: whatever must last */ \
   A(standard_out) A(standard_in) A(standard_error)    /* ports */ \
   A(flat_names)    /* vector: tag -> constructor's name (symbol) or #f */ \
-  A(raise) A(check) /* natives the run loop calls by itself */ \
+  A(raise) A(check) A(throw) /* natives the run loop calls by itself */ \
   A(no_memory)     /* the condition raised when there is no room to make one */ \
   A(stop)          /* procedure of the bottom frame */
 
@@ -67,7 +67,7 @@ struct vs {
   vs_value call_procedure;
   vs_value *call_args; size_t call_count, call_room;
   vs_value condition;              /* what was raised, after a function returned false / VS_ERROR */
-  vs_value value;                  /* scratch, traced */
+  vs_value value;                  /* a native's result */
 
   /* limits */
   int64_t fuel;                    /* turns until the next poll */

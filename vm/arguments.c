@@ -1,0 +1,82 @@
+/* Owns the arranging of arguments that are not simply as many as required. */
+#include "vm/arguments.h"
+
+static const char *name_of(vs_value name) { return vs_is_symbol(name) ? vs_as_symbol(name)->name : "the procedure"; }
+
+static bool fail_count(vs *vm, vs_value name, size_t min, size_t max, size_t got) {
+  const char *who = name_of(name);
+  if (max == SIZE_MAX) return vs_fail(vm, vm->sym.arity, "%s needs at least %zu argument%s, got %zu", who, min, min == 1 ? "" : "s", got);
+  if (min == max && min == 0) return vs_fail(vm, vm->sym.arity, "%s takes no arguments, got %zu", who, got);
+  if (min == max) return vs_fail(vm, vm->sym.arity, "%s needs %zu argument%s, got %zu", who, min, min == 1 ? "" : "s", got);
+  return vs_fail(vm, vm->sym.arity, "%s needs %zu to %zu arguments, got %zu", who, min, max, got);
+}
+
+static bool fail_keyword(vs *vm, vs_value name, vs_value keyword) {
+  return vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s", name_of(name), name_of(keyword));
+}
+
+bool vs_arguments_fit(const vs_code *code, size_t n, vs_value kw) {
+  size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count;
+  return n - named >= code->required && (code->flags & VS_CODE_REST || n - named <= code->required + code->optional) && (!named || code->keywords);
+}
+
+/* takes the values of the named arguments a[n - named ..) away, into vm->call_args */
+static bool stash(vs *vm, const vs_value *a, size_t n, size_t named) {
+  vs_call_begin(vm, VS_FALSE);
+  for (size_t i = n - named; i < n; i++)
+    if (!vs_call_push(vm, a[i])) return false;
+  return true;
+}
+
+/* puts them where `names` (a vector of symbols, the last `count` of its elements from `first` on) says */
+static bool place(vs *vm, vs_value who, vs_value kw, const vs_value *names, size_t count, vs_value *at) {
+  for (size_t i = 0; i < count; i++) at[i] = VS_ABSENT;
+  const vs_keywords *k = kw == VS_FALSE ? NULL : vs_as_keywords(kw);
+  for (size_t i = 0; k && i < k->count; i++) {
+    size_t j = 0;
+    while (j < count && names[j] != k->name[i]) j++;
+    if (j == count) return fail_keyword(vm, who, k->name[i]);
+    if (at[j] != VS_ABSENT) return vs_fail(vm, vm->sym.arity, "%s got #:%s twice", name_of(who), name_of(k->name[i]));
+    at[j] = vm->call_args[i];
+  }
+  vm->call_count = 0;
+  return true;
+}
+
+bool vs_arguments_closure(vs *vm, const vs_code *code, vs_value *a, size_t n, vs_value kw) {
+  size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count, given = n - named;
+  size_t most = code->required + code->optional, rest = most + code->keywords;
+  bool has_rest = (code->flags & VS_CODE_REST) != 0;
+  if (given < code->required || (given > most && !has_rest)) return fail_count(vm, code->name, code->required, has_rest ? SIZE_MAX : most, given);
+  if (named && !code->keywords) return fail_keyword(vm, code->name, vs_as_keywords(kw)->name[0]);
+  if (named && !stash(vm, a, n, named)) return false;
+  VS_ROOTS(vm, r, 1);
+  r[0] = VS_NIL;
+  if (has_rest)
+    for (size_t i = given; i > most; i--)
+      if (!vs_cons(vm, a[i - 1], r[0], &r[0])) return false;
+  for (size_t i = given; i < most; i++) a[i] = VS_ABSENT;
+  if (code->keywords && !place(vm, code->name, kw, vs_as_vector(code->params)->at + most, code->keywords, a + most)) return false;
+  if (has_rest) a[rest] = r[0];
+  return true;
+}
+
+bool vs_arguments_native(vs *vm, const vs_native *native, vs_value *a, size_t n, vs_value kw, size_t *given, size_t *total) {
+  size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count, positional = n - named;
+  size_t max = native->max == UINT32_MAX ? SIZE_MAX : native->max;
+  *given = *total = positional;
+  if (positional < native->min || positional > max) return fail_count(vm, native->name, native->min, max, positional);
+  if (named && native->keywords == VS_FALSE) return fail_keyword(vm, native->name, vs_as_keywords(kw)->name[0]);
+  if (!vs_native_laid_out(native)) return true;
+  if (named && !stash(vm, a, n, named)) return false;
+  for (size_t i = positional; i < max; i++) a[i] = VS_ABSENT;
+  size_t at = max;
+  if (native->keywords != VS_FALSE) {
+    const vs_vector *names = vs_as_vector(native->keywords);
+    if (!place(vm, native->name, kw, names->at, names->length, a + at)) return false;
+    at += names->length;
+  }
+  for (int i = 0; i < native->def->slots; i++) a[at++] = VS_FALSE;
+  *total = at;
+  return true;
+}

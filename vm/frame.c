@@ -1,0 +1,92 @@
+/* Owns moving frames between the working stretch and the heap, and walking them for the call chain. */
+#include "vm/frame.h"
+
+#include "vm/code.h"
+#include "vm/gc.h"
+#include "vm/run.h"
+
+vs_value *vs_frame_flush(vs *vm, vs_value *w, size_t n, size_t need) {
+  size_t count = (size_t)(w - vm->stack);
+  vm->top = w + 2 + n;
+  if (count) {
+    vs_stack *s = (vs_stack *)(void *)vs_gc_alloc(vm, VS_T_STACK, VS_WORDS(vs_stack) + count);
+    if (!s) return NULL;
+    s->under = vm->under; s->depth = vm->under_depth; s->count = count;
+    memcpy(s->at, vm->stack, count * sizeof *s->at);
+    w[1] |= VS_RET_UNDER;
+    vm->under = vs_from_object(s);
+    vm->under_depth = count;
+    memmove(vm->stack, w, (2 + n) * sizeof *w);
+    w = vm->stack;
+    vm->top = w + 2 + n;
+  }
+  size_t room = (size_t)(vm->stack_end - vm->stack);
+  if (need + VS_FRAME_SLACK > room) {
+    size_t more = need + need / 2 + VS_FRAME_SLACK;
+    vs_value *stack = vs_mem(vm, vm->stack, room * sizeof *stack, more * sizeof *stack);
+    if (!stack) return NULL;
+    vm->stack = stack;
+    vm->stack_end = stack + more;
+    vm->top = stack + 2 + n;
+  }
+  return vm->stack;
+}
+
+/* a walk over frames, innermost first; holds addresses, so nothing may be allocated meanwhile */
+struct walk { const vs_value *base; vs_value under; uint64_t depth; bool force; };
+
+/* goes to the caller; *pc is that of the call; false at the end */
+static bool walk_up(struct walk *w, size_t *pc, bool *native) {
+  vs_value ret = w->base[-1];
+  if (ret & VS_RET_STOP) return false;
+  size_t size = vs_ret_distance(ret) + 2;
+  *pc = vs_ret_pc(ret);
+  if (ret & VS_RET_GENERIC) ++*pc;
+  *native = (ret & VS_RET_NATIVE) != 0;
+  if (ret & VS_RET_UNDER || w->force) {
+    if (!vs_is(w->under, VS_T_STACK)) return false;
+    const vs_stack *s = vs_as_stack(w->under);
+    uint64_t first = w->depth - size;
+    w->base = s->at + first + 2;
+    w->force = first != 0;
+    if (first == 0) { w->under = s->under; w->depth = s->depth; }
+    else w->depth = first;
+  } else {
+    w->base -= size;
+  }
+  return true;
+}
+
+struct link { vs_value name; vs_pos place; };
+
+static size_t chain(vs *vm, struct link *at, size_t max) {
+  if (!vm->base) return 0;
+  struct walk w = {vm->base, vm->under, vm->under_depth, false};
+  size_t count = 0, pc = 0;
+  bool native = !vs_is(w.base[-2], VS_T_CLOSURE);
+  if (!native) pc = (size_t)(vm->pc - vs_code_ins(vs_as_code(vs_as_closure(w.base[-2])->code)));
+  do {
+    if (native || !vs_is(w.base[-2], VS_T_CLOSURE)) continue;
+    const vs_code *code = vs_as_code(vs_as_closure(w.base[-2])->code);
+    at[count].name = code->name;
+    at[count++].place = vs_code_place(code, (uint32_t)(pc ? pc - 1 : 0));
+  } while (count < max && walk_up(&w, &pc, &native));
+  return count;
+}
+
+bool vs_call_chain(vs *vm, size_t max, vs_value *out) {
+  enum { MOST = 64 };
+  struct link at[MOST];
+  size_t n = chain(vm, at, max < MOST ? max : MOST);
+  VS_ROOTS(vm, r, 2);
+  r[0] = VS_NIL;
+  while (n--)        /* names are symbols, which do not move */
+    if (!vs_cons(vm, at[n].name, vs_fix((int64_t)at[n].place), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])) return false;
+  *out = r[0];
+  return true;
+}
+
+vs_pos vs_call_place(vs *vm) {
+  struct link at[1];
+  return chain(vm, at, 1) ? at[0].place : 0;
+}
