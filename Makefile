@@ -15,6 +15,7 @@ CFLAGS   += -std=c11 -D_POSIX_C_SOURCE=200809L $(OPT) $(WARN) -ffp-contract=off 
 pkg       = $(shell pkg-config --libs $(1) 2>/dev/null || echo $(2))
 LDLIBS   += $(call pkg,gmp libutf8proc,-lgmp -lutf8proc) -lm -lpthread -ldl
 CLI_LIBS  = $(call pkg,libedit,-ledit)
+PNG_LIBS  = $(call pkg,libpng,-lpng)
 UNIT_LIBS = $(call pkg,cmocka,-lcmocka)
 
 LAYERS    = vm model geometry kernel bind backends
@@ -23,6 +24,7 @@ LIB_OBJ   = $(LIB_SRC:%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/assets.o
 CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c))
 UNIT_SRC  = $(wildcard tests/unit/test_*.c)
 UNIT_BIN  = $(UNIT_SRC:tests/unit/%.c=$(BUILD)/unit/%)
+TOOL_BIN  = $(patsubst tests/tools/%.c,$(BUILD)/tools/%,$(wildcard tests/tools/*.c))
 OBJECTS   = $(LIB_OBJ) $(CLI_OBJ)
 
 # Files that go into the library as they are: NAME.EXT is const char vs_asset_NAME_EXT[] up to vs_asset_NAME_EXT_end[]. x3dom comes from
@@ -62,6 +64,10 @@ $(BUILD)/unit/%: tests/unit/%.c $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -MMD -MP $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(UNIT_LIBS) $(LDLIBS)
 
+$(BUILD)/tools/%: tests/tools/%.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(PNG_LIBS) -lm
+
 # ---- what a fresh machine needs: scripts/packages.list, installed by the two commands below and by nothing else ----
 
 demo: ## install what is missing, build, and make a picture, a web page, a program and a mesh of a station under out/
@@ -77,7 +83,7 @@ test: ## install what the tests need, build, run them all
 
 units: $(UNIT_BIN)
 
-check: all units ## run the tests with what is installed
+check: all units $(TOOL_BIN) ## run the tests with what is installed
 	sh tests/run.sh $(BUILD)
 
 quick: all units # what every commit must pass in a minute

@@ -1,0 +1,6 @@
+(define-parameter height 12 #:min 3 #:max 40 #:label "height of the tower" #:group "size")
+(define-parameter ratio 0.5)
+(define-parameter name "tower \"one\"")
+(define-parameter flat #f)
+(define-parameter style 'doric #:choices '(doric ionic))
+(write (list height ratio name flat style)) (newline)

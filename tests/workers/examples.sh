@@ -1,0 +1,73 @@
+# Owns the examples' test: every one runs without a word of warning, its mesh is closed and encloses what its formulas say within 1 %,
+# POV-Ray draws it, OpenSCAD reads it, the page shows it in Chromium. Small parameters where a model is large.
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+vs=$BUILD/vs
+
+# name, then what makes it small
+examples='doric-columns
+cylinder-grid -D count=9
+twisted-tower -D floors=6
+rotunda
+gare-do-oriente -D columns=1 -D rows=1'
+
+result() { # name, file with the reasons if it failed
+  if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
+}
+wanted() { case $1 in *"$ONLY"*) return 0 ;; *) return 1 ;; esac }
+
+echo "$examples" | while read -r name arguments; do
+  model=examples/$name.vs
+  test=examples/$name
+  wanted "$test" || continue
+
+  # shellcheck disable=SC2086
+  "$vs" --quiet $arguments $model -o "$work/$name.pov" -o "$work/$name.scad" -o "$work/$name.stl" -o "$work/$name.x3d" > "$work/why" 2>&1 || echo "ended with $?" >> "$work/why"
+  result "$test:writes" "$work/why"
+
+  : > "$work/why"
+  mesh=$("$BUILD/tools/stlcheck" "$work/$name.stl" 2> "$work/why") || echo "not closed: $mesh" >> "$work/why"
+  result "$test:mesh is closed" "$work/why"
+
+  : > "$work/why"
+  # shellcheck disable=SC2086
+  chance=$("$vs" --quiet tests/tools/before.vs $arguments $model tests/tools/volume.vs 2> "$work/why")
+  echo "$mesh $chance" | awk '{ volume = $4; estimate = $7; deviation = $8
+    if (!(estimate > 0)) print "no estimate: " $0
+    else if ((volume - estimate)^2 > (0.01 * estimate + 3 * deviation)^2) print "mesh " volume ", by chance " estimate " +- " deviation
+    else if (deviation > 0.01 * estimate) print "too few samples to tell: " estimate " +- " deviation }' >> "$work/why"
+  result "$test:volume" "$work/why"
+
+  if command -v xmllint > /dev/null; then
+    xmllint --noout "$work/$name.x3d" > "$work/why" 2>&1; result "$test:x3d is well formed" "$work/why"
+  else echo "skip $test:x3d: no xmllint (package libxml2-utils)"; fi
+
+  if command -v povray > /dev/null; then
+    # shellcheck disable=SC2086
+    "$vs" --quiet --quality draft --size 160x120 $arguments $model -o "$work/$name.png" > "$work/why" 2>&1 || echo "ended with $?" >> "$work/why"
+    "$BUILD/tools/pngstat" "$work/$name.png" 2>> "$work/why" | awk '!($1 == 160 && $2 == 120 && $3 > 40 && $4 > 20) { print "the picture shows nothing: " $0 }' >> "$work/why"
+    result "$test:picture" "$work/why"
+  else echo "skip $test:picture: no povray (package povray)"; fi
+
+  if command -v openscad > /dev/null; then
+    : > "$work/why"
+    timeout 100 openscad --hardwarnings -o "$work/$name.csg" "$work/$name.scad" > "$work/said" 2>&1 || echo "openscad ended with $?" >> "$work/why"
+    grep -e ERROR: -e WARNING: "$work/said" >> "$work/why"
+    result "$test:openscad" "$work/why"
+  else echo "skip $test:openscad: no openscad (package openscad)"; fi
+done
+
+# The page, in a real browser: software WebGL, read back as a screenshot.
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
+if [ -z "$browser" ]; then echo "skip examples/page: no chromium (package chromium)"; exit; fi
+if [ ! -f node_modules/x3dom/x3dom.js ]; then echo "skip examples/page: built without x3dom (npm install --ignore-scripts)"; exit; fi
+for name in doric-columns rotunda; do
+  wanted "examples/$name:page" || continue
+  : > "$work/why"
+  "$vs" --quiet examples/$name.vs -o "$work/$name.html" > "$work/why" 2>&1 || echo "ended with $?" >> "$work/why"
+  timeout 100 "$browser" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update \
+    --disable-sync --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$work/profile" --window-size=640,480 \
+    --virtual-time-budget=20000 --screenshot="$work/$name-page.png" "file://$work/$name.html" > "$work/said" 2>&1 || tail -n 3 "$work/said" >> "$work/why"
+  "$BUILD/tools/pngstat" "$work/$name-page.png" 2>> "$work/why" | awk '!($3 > 100 && $4 > 8) { print "the page shows nothing: " $0 }' >> "$work/why"
+  result "examples/$name:page" "$work/why"
+done
