@@ -1,0 +1,122 @@
+/* Owns the shape of a back-end: what a format's folder gives the driver, and what the driver gives back.
+ *
+ * The driver (driver.c) walks the drawing without recursion. For every node that the format draws it calls the kind's emit function:
+ * once, with phase VS_PHASE_LEAF, for what has no children to go into (a primitive, or a profile with its sweep); twice, VS_PHASE_ENTER and
+ * VS_PHASE_LEAVE, round the children of an operation. A kind without a function, or one whose function answers VS_LOWER
+ * before it has written anything, is replaced by simpler kinds and asked again; a shared node is lowered once.
+ * Nodes that draw nothing (empty, or of a class the format leaves out) are not shown to the emitter, and a union or difference that
+ * is left with one operand is that operand.
+ * A format with `define` gets subtrees that stand in several places, and those cut off past a depth of VS_DEPTH_MAX, once each before
+ * the drawing, and where they are used a call of `use`. */
+#ifndef VS_BACKENDS_BACKEND_H
+#define VS_BACKENDS_BACKEND_H
+
+#include "backends/emit.h"
+#include "backends/export.h"
+#include "geometry/tessellate.h"
+#include "model/mesh.h"
+#include "model/node.h"
+#include "model/scene.h"
+
+enum { VS_DEPTH_MAX = 150 }; /* of nesting in one subtree of the output: POV-Ray and OpenSCAD die of some thousands; users read less */
+
+typedef enum {
+  VS_EMITTED,
+  VS_WHOLE,  /* at VS_PHASE_ENTER: written with all that is in it; the driver does not go in */
+  VS_LOWER,
+  VS_FAILED
+} vs_emit_status;
+typedef enum { VS_PHASE_LEAF, VS_PHASE_ENTER, VS_PHASE_LEAVE } vs_phase;
+
+typedef struct vs_emitter vs_emitter;
+typedef struct vs_drive vs_drive; /* the driver's own, driver.c */
+typedef vs_emit_status vs_emit_fn(vs_emitter *e, const vs_ref *ref, vs_phase phase);
+
+/* Triangles of a node with what to paint them: tag t of the mesh is painted with parts[t]. */
+typedef struct {
+  vs_mesh mesh;
+  const vs_material **parts; /* NULL entries: no material of its own */
+  size_t part_count;
+} vs_solid_mesh;
+void vs_solid_mesh_free(vs_solid_mesh *s);
+
+struct vs_emitter {
+  vs_writer *out;
+  const vs_scene *scene;
+  const vs_export_options *options;
+  const vs_backend *backend;
+  vs_error *error;
+  void *state;         /* the back-end's own, made by begin and freed by close */
+  vs_facets facets;
+  vs_bounds bounds;    /* of everything drawn; never empty */
+  size_t depth;        /* of nesting now, for indentation */
+  size_t child_count;  /* at VS_PHASE_ENTER: operands that will follow, at least 1; 1 only for a placement or paint */
+  size_t child_index;  /* which operand of its parent this node is */
+  const vs_node *parent; /* the operation round this node, or NULL */
+  bool smooth;         /* this mesh stands for a curved thing: shade it round */
+  bool in_boolean;     /* inside an intersection or a difference */
+  /* Everything painted or placed so far on the way down. */
+  const vs_material *material; /* or NULL */
+  vs_affine placement;
+  vs_drive *drive;
+};
+
+struct vs_backend {
+  bool (*begin)(vs_emitter *e);
+  bool (*item)(vs_emitter *e, size_t index, bool end); /* round each thing drawn; may be NULL */
+  bool (*end)(vs_emitter *e);
+  void (*close)(vs_emitter *e); /* also after a failure; may be NULL */
+  /* Template `id` from 1. open: before its body; !open: after it. Both or neither. */
+  bool (*define)(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
+  bool (*use)(vs_emitter *e, uint32_t id, const vs_ref *ref);
+  /* Formats of triangles alone get the union of the drawing's solids instead of a walk. */
+  bool (*solid)(vs_emitter *e, const vs_solid_mesh *solid);
+  /* Runs a worker on the written text. NULL: the text is the output. */
+  bool (*render)(vs_emitter *e, const char *text_path, const char *output_path);
+  /* Writes what belongs beside the output (an .mtl); path is the final one. NULL: nothing. */
+  bool (*beside)(vs_emitter *e, const char *path);
+  bool keep_origins;    /* the text's lines are remembered with the origins of what they hold */
+  bool verbatim;        /* every node is shown as it is, empty ones too, and the children of all kinds are gone into */
+  const char *omit[VS_MIXED]; /* a vs_class that the format leaves out, and why: said once */
+  struct { vs_emit_fn *fn; const char *lossy; } emit[VS_KIND_COUNT]; /* lossy: said once as a warning */
+};
+
+#define VS_FORMAT(suffix, backend, name, worker, binary, doc) extern const vs_backend vs_backend_##backend;
+#include "backends/backends.def"
+
+/* ---- what emit functions may call ---- */
+bool vs_emit_fail(vs_emitter *e, const vs_ref *ref, const char *message); /* a fault of the model, at the reference; returns false */
+bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message); /* once a message (compared by address) */
+bool vs_emit_no_memory(vs_emitter *e);
+bool vs_emit_progress(vs_emitter *e, const char *stage, double fraction); /* false: interrupted, and the error says so */
+/* Triangles of any node of solids and surfaces in its own coordinates: booleans by the kernel, the rest by geometry. Kept for nodes that
+ * stand in several places; valid until the next call. NULL: failed. */
+const vs_solid_mesh *vs_emit_mesh(vs_emitter *e, const vs_ref *ref);
+/* What the text must paint: does anything in the node lack a material of its own; does anything have one? */
+bool vs_emit_is_bare(const vs_emitter *e, const vs_node *n);
+bool vs_emit_is_painted(const vs_emitter *e, const vs_node *n);
+/* The drawing's materials, numbered from 1 in the order met; 0: none. Known from begin on. */
+size_t vs_emit_material_count(const vs_emitter *e);
+const vs_material *vs_emit_material_at(const vs_emitter *e, size_t number);
+size_t vs_emit_material_number(const vs_emitter *e, const vs_material *m);
+/* The origin of what stands on a line of the text (keep_origins), or NULL. */
+const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line);
+/* Memory of the emitter's state, from the store's allocator; grows by half. Items of `size`; false: out of memory, error set. */
+bool vs_emit_grow(vs_emitter *e, void *array, size_t *room, size_t need, size_t size);
+void vs_emit_release(vs_emitter *e, void *array, size_t room, size_t size);
+
+/* ---- lower.c ---- */
+/* Simpler kinds for ref's node, one new reference; NULL: cannot be or failed, and the error says so. Not memoised: the driver does that. */
+vs_node *vs_lower(vs_emitter *e, const vs_ref *ref);
+/* Triangles of a node, as vs_emit_mesh but made anew; out is empty before, and the caller's to free also after a failure. */
+bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid_mesh *out);
+/* The union of all solids that are drawn. */
+bool vs_lower_scene(vs_emitter *e, vs_solid_mesh *out);
+/* Is this node's shape round somewhere, so that its triangles should be shaded smoothly? */
+bool vs_lower_is_round(const vs_node *n);
+
+/* ---- driver.c ---- */
+bool vs_drive_scene(vs_emitter *e); /* begin, definitions, the drawing, end */
+void vs_drive_free(vs_emitter *e);
+
+#endif

@@ -1,0 +1,551 @@
+/* Owns the way from a drawing to calls of a back-end's emit functions: planning, walking without recursion, lowering once.
+ *
+ * Plan: one pass over the distinct nodes, children first, finds what draws nothing (`vain`), how often a node is named in the text (`uses`)
+ * and how deep its text nests (`height`). Leaves with one owner have no entry: a million boxes cost nothing here.
+ * Templates are the entries that stand in several places, and those where the text has become VS_DEPTH_MAX deep; their order is the
+ * plan's, so a template comes after those that it uses.
+ * Walk: a stack of frames, one an operation that is open. */
+#include <string.h>
+
+#include "backends/backend.h"
+#include "geometry/measure.h"
+#include "model/nodemap.h"
+
+typedef struct {
+  vs_ref ref;           /* where it was met first */
+  uint32_t uses, height;
+  uint32_t definition;  /* template number from 1, or 0 */
+  bool vain, cut;
+  bool bare, painted;   /* something in it has no material of its own; something has */
+  vs_node *lowered;     /* retained, or NULL */
+  vs_solid_mesh *mesh;
+} drive_entry;
+
+typedef struct {
+  vs_ref ref;
+  size_t next, shown;   /* children: looked at, handed to the emitter */
+  const vs_material *material;
+  vs_affine placement;
+  bool in_boolean;
+  bool silent;          /* an operation with one operand left: not shown itself */
+} drive_frame;
+
+typedef struct { uint32_t line; const vs_origin *origin; } drive_line;
+
+struct vs_drive {
+  vs_nodemap index;     /* node -> entry + 1 */
+  drive_entry *entries;
+  size_t entry_count, entry_room;
+  uint32_t *order;      /* entries, children first */
+  size_t order_count, order_room;
+  drive_frame *frames;
+  size_t frame_count, frame_room;
+  drive_line *lines;
+  size_t line_count, line_room;
+  vs_nodemap paints;    /* material -> its number */
+  const vs_material **materials;
+  size_t material_count, material_room;
+  const char **said;    /* warnings given, by address */
+  size_t said_count, said_room;
+  vs_solid_mesh scratch; /* the mesh of a node without entry, until the next is asked for */
+  uint32_t ticks;
+};
+
+/* ---- what emit functions may call ---- */
+
+bool vs_emit_grow(vs_emitter *e, void *array, size_t *room, size_t need, size_t size) {
+  if (need <= *room) return true;
+  size_t more = *room + *room / 2 + 16;
+  if (more < need) more = need;
+  void *old, *fresh = NULL;
+  memcpy(&old, array, sizeof old);
+  if (more <= SIZE_MAX / size) fresh = vs_store_realloc(e->scene->store, old, *room * size, more * size);
+  if (fresh == NULL) return vs_emit_no_memory(e);
+  memcpy(array, &fresh, sizeof fresh);
+  *room = more;
+  return true;
+}
+
+void vs_emit_release(vs_emitter *e, void *array, size_t room, size_t size) {
+  if (array != NULL) vs_store_realloc(e->scene->store, array, room * size, 0);
+}
+
+bool vs_emit_fail(vs_emitter *e, const vs_ref *ref, const char *message) {
+  return vs_error_set(e->error, VS_ERROR_MODEL, ref != NULL ? ref->origin : NULL, "%s", message);
+}
+
+bool vs_emit_no_memory(vs_emitter *e) { return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "out of memory while writing the drawing"); }
+
+bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message) {
+  vs_drive *d = e->drive;
+  for (size_t i = 0; i < d->said_count; i++)
+    if (d->said[i] == message) return true;
+  if (!vs_emit_grow(e, &d->said, &d->said_room, d->said_count + 1, sizeof *d->said)) return false;
+  d->said[d->said_count++] = message;
+  if (e->options->warn != NULL) e->options->warn(e->options->context, ref != NULL ? ref->origin : NULL, message);
+  return true;
+}
+
+bool vs_emit_progress(vs_emitter *e, const char *stage, double fraction) {
+  if (e->options->progress == NULL || e->options->progress(e->options->context, stage, fraction)) return true;
+  return vs_error_set(e->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
+}
+
+const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line) {
+  const vs_drive *d = e->drive;
+  size_t low = 0, high = d->line_count; /* the last entry at or before the line */
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    if (d->lines[middle].line <= line) low = middle + 1; else high = middle;
+  }
+  return low > 0 ? d->lines[low - 1].origin : NULL;
+}
+
+/* ---- entries ---- */
+
+static bool drive_is_operation(const vs_emitter *e, const vs_node *n) {
+  return vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION || (e->backend->verbatim && n->child_count > 0);
+}
+
+static drive_entry *drive_find(const vs_emitter *e, const vs_node *n) {
+  const vs_drive *d = e->drive;
+  if (n->refs < 2 && !drive_is_operation(e, n)) return NULL;
+  const uint64_t *at = vs_nodemap_get(&d->index, n);
+  return at != NULL ? &d->entries[*at - 1] : NULL;
+}
+
+static bool drive_leaf_vain(vs_emitter *e, const vs_ref *ref) {
+  const vs_node *n = ref->node;
+  if (e->backend->verbatim) return false;
+  return n->kind == VS_EMPTY || n->class_ == VS_NOTHING || (n->class_ < VS_MIXED && e->backend->omit[n->class_] != NULL);
+}
+
+static bool drive_vain(vs_emitter *e, const vs_ref *ref) {
+  const drive_entry *entry = drive_find(e, ref->node);
+  return entry != NULL ? entry->vain : drive_leaf_vain(e, ref);
+}
+
+bool vs_emit_is_bare(const vs_emitter *e, const vs_node *n) {
+  const drive_entry *entry = drive_find(e, n);
+  return entry == NULL || entry->bare;
+}
+
+bool vs_emit_is_painted(const vs_emitter *e, const vs_node *n) {
+  const drive_entry *entry = drive_find(e, n);
+  return entry != NULL && entry->painted;
+}
+
+size_t vs_emit_material_count(const vs_emitter *e) { return e->drive->material_count; }
+const vs_material *vs_emit_material_at(const vs_emitter *e, size_t number) { return e->drive->materials[number - 1]; }
+
+size_t vs_emit_material_number(const vs_emitter *e, const vs_material *m) {
+  const uint64_t *at = m != NULL ? vs_nodemap_get(&e->drive->paints, m) : NULL;
+  return at != NULL ? (size_t)*at : 0;
+}
+
+static bool drive_add_material(vs_emitter *e, const vs_material *m) {
+  vs_drive *d = e->drive;
+  bool found;
+  uint64_t *at = vs_nodemap_put(&d->paints, m, &found);
+  if (at == NULL) return vs_emit_no_memory(e);
+  if (found) return true;
+  if (!vs_emit_grow(e, &d->materials, &d->material_room, d->material_count + 1, sizeof *d->materials)) return false;
+  d->materials[d->material_count++] = m;
+  *at = d->material_count;
+  return true;
+}
+
+static bool drive_op_vain(vs_emitter *e, const vs_node *n) {
+  if (e->backend->verbatim) return false;
+  switch ((vs_kind)n->kind) {
+  case VS_DIFFERENCE: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
+    return n->child_count == 0 || drive_vain(e, &n->children[0]);
+  case VS_INTERSECTION:
+    for (size_t i = 0; i < n->child_count; i++)
+      if (drive_vain(e, &n->children[i])) return true;
+    return n->child_count == 0;
+  case VS_UNION:
+    for (size_t i = 0; i < n->child_count; i++)
+      if (!drive_vain(e, &n->children[i])) return false;
+    return true;
+  case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
+  case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE:
+  case VS_SWEEP: case VS_THICKEN: case VS_KIND_COUNT:
+    break;
+  }
+  return false;
+}
+
+/* ---- the plan ---- */
+
+/* Meets a reference: its entry's uses go up; a node met first is pushed. Leaves with one owner are looked at and forgotten. */
+static bool drive_plan_meet(vs_emitter *e, const vs_ref *ref) {
+  vs_drive *d = e->drive;
+  const vs_node *n = ref->node;
+  bool operation = drive_is_operation(e, n);
+  bool omitted = !operation && n->kind != VS_EMPTY && n->class_ < VS_MIXED && e->backend->omit[n->class_] != NULL;
+  if (omitted && !vs_emit_warn_once(e, ref, e->backend->omit[n->class_])) return false;
+  if (n->refs < 2 && !operation) return true;
+  bool found;
+  uint64_t *at = vs_nodemap_put(&d->index, n, &found);
+  if (at == NULL) return vs_emit_no_memory(e);
+  if (found) {
+    d->entries[*at - 1].uses++;
+    return true;
+  }
+  if (!vs_emit_grow(e, &d->entries, &d->entry_room, d->entry_count + 1, sizeof *d->entries)) return false;
+  d->entries[d->entry_count++] = (drive_entry){ .ref = *ref, .uses = 1, .height = 1 };
+  *at = d->entry_count;
+  if (!vs_emit_grow(e, &d->frames, &d->frame_room, d->frame_count + 1, sizeof *d->frames)) return false;
+  d->frames[d->frame_count++] = (drive_frame){ .ref = *ref };
+  return true;
+}
+
+static bool drive_plan_leave(vs_emitter *e, const vs_ref *ref) {
+  vs_drive *d = e->drive;
+  const vs_node *n = ref->node;
+  drive_entry *entry = drive_find(e, n);
+  if (drive_is_operation(e, n)) {
+    entry->vain = drive_op_vain(e, n);
+    uint32_t height = 0;
+    for (size_t i = 0; i < n->child_count; i++) {
+      const drive_entry *child = drive_find(e, n->children[i].node);
+      uint32_t h = child == NULL ? 1 : child->cut ? 1 : child->height;
+      if (h > height) height = h;
+      if (drive_vain(e, &n->children[i])) continue;
+      entry->bare |= child == NULL || child->bare;
+      entry->painted |= child != NULL && child->painted;
+    }
+    if (n->kind == VS_MATERIAL && !entry->vain) {
+      entry->bare = false;
+      entry->painted = true;
+      if (!drive_add_material(e, VS_AS(material, n)->material)) return false;
+    }
+    entry->height = height + 1;
+    entry->cut = entry->height >= VS_DEPTH_MAX;
+  } else {
+    entry->vain = drive_leaf_vain(e, ref);
+    entry->bare = true;
+  }
+  if (!vs_emit_grow(e, &d->order, &d->order_room, d->order_count + 1, sizeof *d->order)) return false;
+  d->order[d->order_count++] = (uint32_t)(entry - d->entries);
+  return true;
+}
+
+/* A shared node is worth a template unless its own text is as short as the template's use. */
+static bool drive_is_short(const vs_node *n) {
+  switch ((vs_kind)n->kind) {
+  case VS_EMPTY: case VS_BOX: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_TORUS: case VS_WEDGE: case VS_CIRCLE: case VS_ARC:
+    return true;
+  case VS_LINE: case VS_SPLINE: case VS_REGION: case VS_PYRAMID: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
+  case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
+    break;
+  }
+  return false;
+}
+
+static bool drive_plan(vs_emitter *e) {
+  vs_drive *d = e->drive;
+  for (size_t i = 0; i < e->scene->drawn_count; i++) {
+    if (!drive_plan_meet(e, &e->scene->drawn[i])) return false;
+    while (d->frame_count > 0) {
+      drive_frame *top = &d->frames[d->frame_count - 1];
+      const vs_node *n = top->ref.node;
+      if (drive_is_operation(e, n) && top->next < n->child_count) {
+        if (!drive_plan_meet(e, &n->children[top->next++])) return false;
+        continue;
+      }
+      vs_ref ref = top->ref;
+      d->frame_count--;
+      if (!drive_plan_leave(e, &ref)) return false;
+      if ((++d->ticks & 0xfff) == 0 && !vs_emit_progress(e, "writing", -1)) return false;
+    }
+  }
+  if (e->backend->define == NULL) return true;
+  uint32_t id = 0;
+  for (size_t i = 0; i < d->order_count; i++) {
+    drive_entry *entry = &d->entries[d->order[i]];
+    if (!entry->vain && (entry->cut || (entry->uses > 1 && !drive_is_short(entry->ref.node)))) entry->definition = ++id;
+  }
+  return true;
+}
+
+/* ---- the walk ---- */
+
+static bool drive_finite_at(const vs_field_info *f, const void *data) {
+  const char *at = (const char *)data + f->offset;
+  const double *numbers = (const double *)(const void *)at;
+  size_t count = 0;
+  switch (f->type) {
+  case VS_FIELD_real: count = 1; break;
+  case VS_FIELD_point: case VS_FIELD_vector: count = 3; break;
+  case VS_FIELD_affine: count = 12; break;
+  case VS_FIELD_points: {
+    const vs_points *points = *(const vs_field_points *)(const void *)at;
+    numbers = &points->at[0].x;
+    count = 3 * (size_t)points->count;
+    break;
+  }
+  case VS_FIELD_integer: case VS_FIELD_boolean: case VS_FIELD_faces: case VS_FIELD_text: case VS_FIELD_material:
+    break;
+  }
+  for (size_t i = 0; i < count; i++)
+    if (!isfinite(numbers[i])) return false;
+  return true;
+}
+
+static bool drive_check(vs_emitter *e, const vs_ref *ref) {
+  const vs_kind_info *info = vs_kind_get((vs_kind)ref->node->kind);
+  for (size_t i = 0; i < info->field_count; i++)
+    if (!drive_finite_at(&info->fields[i], ref->node->data))
+      return vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s: %s is infinite or not a number", info->name, info->fields[i].argument);
+  if (ref->node->kind == VS_TRANSFORM) {
+    double size = vs_affine_determinant(&VS_AS(transform, ref->node)->matrix);
+    if (size == 0 || !isfinite(size)) return vs_emit_fail(e, ref, "the transformation flattens the object to nothing");
+  }
+  return true;
+}
+
+static bool drive_mark(vs_emitter *e, const vs_ref *ref) {
+  vs_drive *d = e->drive;
+  if (!e->backend->keep_origins) return true;
+  if (d->line_count > 0 && d->lines[d->line_count - 1].line == e->out->line) {
+    d->lines[d->line_count - 1].origin = ref->origin;
+    return true;
+  }
+  if (!vs_emit_grow(e, &d->lines, &d->line_room, d->line_count + 1, sizeof *d->lines)) return false;
+  d->lines[d->line_count++] = (drive_line){ e->out->line, ref->origin };
+  return true;
+}
+
+/* The strict order that lowering goes down: the table's levels, with what everything ends in below its own. */
+static int drive_rank(const vs_node *n) {
+  if (n->kind == VS_POLYFACE_MESH || n->kind == VS_LINE) return VS_LEVEL_MESH;
+  return (int)vs_kind_get((vs_kind)n->kind)->level;
+}
+
+/* Asks again with simpler kinds, which must stand lower in the strict order of levels: so this ends. */
+static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
+  drive_entry *entry = drive_find(e, ref->node);
+  vs_node *made = NULL;
+  vs_ref lower = { entry != NULL ? entry->lowered : NULL, ref->origin };
+  if (lower.node == NULL && (lower.node = made = vs_lower(e, ref)) == NULL) return false;
+  const vs_kind_info *from = vs_kind_get((vs_kind)ref->node->kind);
+  vs_emit_fn *fn = e->backend->emit[lower.node->kind].fn;
+  bool was_smooth = e->smooth, ok = true;
+  if (lower.node->kind != VS_EMPTY) {
+    vs_emit_status status = VS_LOWER;
+    e->smooth = vs_lower_is_round(ref->node);
+    if (fn != NULL && drive_rank(lower.node) < drive_rank(ref->node)) status = fn(e, &lower, VS_PHASE_LEAF);
+    ok = status == VS_EMITTED;
+    if (status == VS_LOWER) vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s cannot be written in this format", from->name);
+    e->smooth = was_smooth;
+  }
+  if (made != NULL) {
+    if (entry != NULL && entry->uses > 1 && entry->definition == 0) entry->lowered = made; /* a template is written once anyway */
+    else vs_node_release(made);
+  }
+  return ok;
+}
+
+static size_t drive_shown(vs_emitter *e, const vs_node *n) {
+  size_t count = 0;
+  for (size_t i = 0; i < n->child_count; i++) count += !drive_vain(e, &n->children[i]);
+  return count;
+}
+
+/* Shows one reference: a template's use, a leaf, or an operation, which then lies on the stack. */
+static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body) {
+  vs_drive *d = e->drive;
+  const vs_node *n = ref->node;
+  if (drive_vain(e, ref)) return true;
+  if ((++d->ticks & 0xfff) == 0 && !vs_emit_progress(e, "writing", -1)) return false;
+  if (!drive_check(e, ref) || !drive_mark(e, ref)) return false;
+  const drive_entry *entry = drive_find(e, n);
+  if (entry != NULL && entry->definition > 0 && !body) return e->backend->use(e, entry->definition, ref);
+  if (e->backend->emit[n->kind].lossy != NULL && !vs_emit_warn_once(e, ref, e->backend->emit[n->kind].lossy)) return false;
+  vs_emit_fn *fn = e->backend->emit[n->kind].fn;
+  if (!drive_is_operation(e, n)) {
+    vs_emit_status status = fn != NULL ? fn(e, ref, VS_PHASE_LEAF) : VS_LOWER;
+    return status == VS_EMITTED || (status == VS_LOWER && drive_lower(e, ref));
+  }
+  drive_frame frame = { .ref = *ref, .material = e->material, .placement = e->placement, .in_boolean = e->in_boolean };
+  bool placed = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER;
+  size_t shown = drive_shown(e, n);
+  frame.silent = shown == 1 && !placed && !e->backend->verbatim;
+  if (!frame.silent) {
+    e->child_count = shown;
+    if (n->kind == VS_TRANSFORM) e->placement = vs_affine_multiply(&e->placement, &VS_AS(transform, n)->matrix);
+    if (n->kind == VS_MATERIAL) e->material = VS_AS(material, n)->material;
+    vs_emit_status status = fn != NULL ? fn(e, ref, VS_PHASE_ENTER) : VS_LOWER;
+    if (status != VS_EMITTED) {
+      bool ok = status == VS_WHOLE || (status == VS_LOWER && drive_lower(e, ref));
+      e->material = frame.material;
+      e->placement = frame.placement;
+      return ok;
+    }
+    if (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE) e->in_boolean = true;
+    e->depth++;
+  }
+  if (!vs_emit_grow(e, &d->frames, &d->frame_room, d->frame_count + 1, sizeof *d->frames)) return false;
+  d->frames[d->frame_count++] = frame;
+  return true;
+}
+
+static bool drive_walk(vs_emitter *e, const vs_ref *root, bool body) {
+  vs_drive *d = e->drive;
+  e->child_index = 0;
+  e->parent = NULL;
+  if (!drive_enter(e, root, body)) return false;
+  while (d->frame_count > 0 && !e->out->failed) {
+    drive_frame *top = &d->frames[d->frame_count - 1];
+    const vs_node *n = top->ref.node;
+    if (top->next < n->child_count) {
+      const vs_ref *child = &n->children[top->next++];
+      if (drive_vain(e, child)) continue;
+      e->child_index = top->silent ? e->child_index : top->shown;
+      e->parent = n;
+      top->shown++;
+      if (!drive_enter(e, child, false)) return false; /* may move the frames */
+      continue;
+    }
+    drive_frame done = *top;
+    d->frame_count--;
+    if (done.silent) continue;
+    e->depth--;
+    e->in_boolean = done.in_boolean;
+    e->material = done.material;
+    e->placement = done.placement;
+    if (e->backend->emit[n->kind].fn(e, &done.ref, VS_PHASE_LEAVE) != VS_EMITTED) return false;
+  }
+  return !e->out->failed;
+}
+
+/* The walk may stop half-way in a failure: what follows starts from a clean state. */
+static void drive_reset(vs_emitter *e) {
+  e->drive->frame_count = 0;
+  e->depth = 0;
+  e->child_count = e->child_index = 0;
+  e->smooth = e->in_boolean = false;
+  e->material = NULL;
+  e->placement = vs_affine_identity();
+}
+
+static bool drive_definitions(vs_emitter *e) {
+  vs_drive *d = e->drive;
+  for (size_t i = 0; i < d->order_count; i++) {
+    drive_entry entry = d->entries[d->order[i]];
+    if (entry.definition == 0) continue;
+    drive_reset(e);
+    if (!drive_mark(e, &entry.ref) || !e->backend->define(e, entry.definition, &entry.ref, true)) return false;
+    e->depth = 1;
+    if (!drive_walk(e, &entry.ref, true) || !e->backend->define(e, entry.definition, &entry.ref, false)) return false;
+  }
+  return true;
+}
+
+static bool drive_bounds(vs_emitter *e) {
+  if (e->backend->verbatim) return true;
+  bool any = false;
+  for (size_t i = 0; i < e->scene->drawn_count; i++) {
+    vs_bounds b;
+    if (drive_vain(e, &e->scene->drawn[i])) continue;
+    if (!vs_node_bounds(e->scene->drawn[i].node, &b, e->error)) return false;
+    if (b.min.x > b.max.x) continue;
+    if (any) {
+      e->bounds.min = vs_v3(fmin(e->bounds.min.x, b.min.x), fmin(e->bounds.min.y, b.min.y), fmin(e->bounds.min.z, b.min.z));
+      e->bounds.max = vs_v3(fmax(e->bounds.max.x, b.max.x), fmax(e->bounds.max.y, b.max.y), fmax(e->bounds.max.z, b.max.z));
+    } else {
+      e->bounds = b;
+    }
+    any = true;
+  }
+  if (!any) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing holds nothing that this format can show");
+  const double *low = &e->bounds.min.x, *high = &e->bounds.max.x;
+  for (int i = 0; i < 3; i++)
+    if (!isfinite(low[i]) || !isfinite(high[i])) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing is infinitely large");
+  e->facets.segments = e->scene->segments;
+  e->facets.tolerance = e->scene->tolerance > 0 ? e->scene->tolerance : vs_facets_tolerance(&e->bounds);
+  return true;
+}
+
+static bool drive_all_vain(vs_emitter *e) {
+  for (size_t i = 0; i < e->scene->drawn_count; i++)
+    if (!drive_vain(e, &e->scene->drawn[i])) return false;
+  return true;
+}
+
+bool vs_drive_scene(vs_emitter *e) {
+  vs_drive *d = vs_store_realloc(e->scene->store, NULL, 0, sizeof *d);
+  if (d == NULL) return vs_emit_no_memory(e);
+  memset(d, 0, sizeof *d);
+  d->index.store = d->paints.store = e->scene->store;
+  e->drive = d;
+  if (e->scene->has_ground && e->scene->ground_material != NULL && !drive_add_material(e, e->scene->ground_material)) return false;
+  if (!drive_plan(e)) return false;
+  if (e->scene->drawn_count == 0 && !e->backend->verbatim) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "nothing is drawn");
+  if (drive_all_vain(e) && !e->backend->verbatim) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing holds nothing that this format can show");
+  if (!drive_bounds(e)) return false;
+  drive_reset(e);
+  if (!e->backend->begin(e)) return false;
+  if (e->backend->solid != NULL) {
+    vs_solid_mesh mesh = { .part_count = 0 };
+    bool ok = vs_lower_scene(e, &mesh) && e->backend->solid(e, &mesh);
+    vs_solid_mesh_free(&mesh);
+    return ok && e->backend->end(e);
+  }
+  if (!drive_definitions(e)) return false;
+  for (size_t i = 0; i < e->scene->drawn_count; i++) {
+    const vs_ref *ref = &e->scene->drawn[i];
+    drive_reset(e);
+    if (drive_vain(e, ref)) continue;
+    if (!drive_mark(e, ref)) return false;
+    if (e->backend->item != NULL && !e->backend->item(e, i, false)) return false;
+    if (!drive_walk(e, ref, false)) return false;
+    if (e->backend->item != NULL && !e->backend->item(e, i, true)) return false;
+  }
+  drive_reset(e);
+  return e->backend->end(e) && !e->out->failed;
+}
+
+const vs_solid_mesh *vs_emit_mesh(vs_emitter *e, const vs_ref *ref) {
+  drive_entry *entry = drive_find(e, ref->node);
+  if (entry != NULL && entry->mesh != NULL) return entry->mesh;
+  vs_solid_mesh made = { .part_count = 0 };
+  if (!vs_lower_mesh(e, ref, &made)) {
+    vs_solid_mesh_free(&made);
+    return NULL;
+  }
+  if (entry != NULL && entry->uses > 1) {
+    entry->mesh = vs_store_realloc(e->scene->store, NULL, 0, sizeof *entry->mesh);
+    if (entry->mesh != NULL) {
+      *entry->mesh = made;
+      return entry->mesh;
+    }
+  }
+  vs_solid_mesh_free(&e->drive->scratch); /* also where remembering failed: that costs time, no more */
+  e->drive->scratch = made;
+  return &e->drive->scratch;
+}
+
+void vs_drive_free(vs_emitter *e) {
+  vs_drive *d = e->drive;
+  if (d == NULL) return;
+  for (size_t i = 0; i < d->entry_count; i++) {
+    vs_node_release(d->entries[i].lowered);
+    if (d->entries[i].mesh == NULL) continue;
+    vs_solid_mesh_free(d->entries[i].mesh);
+    vs_emit_release(e, d->entries[i].mesh, 1, sizeof *d->entries[i].mesh);
+  }
+  vs_solid_mesh_free(&d->scratch);
+  vs_nodemap_free(&d->index);
+  vs_nodemap_free(&d->paints);
+  vs_emit_release(e, d->materials, d->material_room, sizeof *d->materials);
+  vs_emit_release(e, d->entries, d->entry_room, sizeof *d->entries);
+  vs_emit_release(e, d->order, d->order_room, sizeof *d->order);
+  vs_emit_release(e, d->frames, d->frame_room, sizeof *d->frames);
+  vs_emit_release(e, d->lines, d->line_room, sizeof *d->lines);
+  vs_emit_release(e, d->said, d->said_room, sizeof *d->said);
+  vs_emit_release(e, d, 1, sizeof *d);
+  e->drive = NULL;
+}

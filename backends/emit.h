@@ -1,0 +1,44 @@
+/* Owns text on its way out: a buffered writer over any sink, numbers in their one spelling, indentation, line counting.
+ *
+ * A writer remembers its first failure; every call after that does nothing and returns false, so an emitter may print freely and
+ * look once. Numbers are the shortest text of at most 12 significant digits, a point as decimal sign whatever the locale, never -0. */
+#ifndef VS_BACKENDS_EMIT_H
+#define VS_BACKENDS_EMIT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "model/vec.h"
+
+typedef bool vs_sink_fn(void *context, const void *bytes, size_t count); /* false: failed, and the sink knows why */
+
+enum { VS_WRITER_ROOM = 1 << 16, VS_NUMBER_ROOM = 32 };
+
+typedef struct {
+  vs_sink_fn *sink;
+  void *context;
+  size_t used;
+  uint64_t bytes;  /* handed over or waiting: the size so far */
+  uint64_t limit;  /* no more bytes than this; 0: any number */
+  uint32_t line;   /* the line being written, from 1 */
+  bool failed, full; /* full: stopped by the limit */
+  char buffer[VS_WRITER_ROOM];
+} vs_writer;
+
+void vs_writer_init(vs_writer *w, vs_sink_fn *sink, void *context);
+bool vs_writer_flush(vs_writer *w);
+
+bool vs_put(vs_writer *w, const void *bytes, size_t count); /* binary is fine; newlines are counted */
+bool vs_puts(vs_writer *w, const char *text);
+/* As printf, for short things that hold no doubles: names, integers, fixed words. Longer than 1 KB is a failure. */
+bool vs_putf(vs_writer *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
+bool vs_put_number(vs_writer *w, double x);
+bool vs_put_triple(vs_writer *w, const char *open, vs_vec3 v, const char *between, const char *close); /* <1, 2, 3> and the like */
+bool vs_put_spaces(vs_writer *w, size_t count);
+bool vs_put_u32(vs_writer *w, uint32_t x); /* decimal digits */
+
+/* The number's text, NUL-terminated; its length. Not finite: "0" (callers check first; a format must not be broken by it). */
+size_t vs_number_text(double x, char out[VS_NUMBER_ROOM]);
+
+#endif

@@ -1,0 +1,249 @@
+/* Owns the writing of a file: the format's row, the temporary file beside the target, the sink with its checks, the rename.
+ *
+ * A file appears whole or not at all: text goes to NAME.tmp-PID in the target's own folder, is flushed to disk, and is renamed over the
+ * target last. Rendered formats write their text into a private folder (povray/run.c) and the picture to such a file. */
+#define _XOPEN_SOURCE 700
+#include "backends/export.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "backends/backend.h"
+
+void vs_export_options_init(vs_export_options *o) { *o = (vs_export_options){ .width = 0 }; }
+
+/* ---- formats ---- */
+
+static const vs_format formats[] = {
+#define VS_FORMAT(suffix, backend, name, worker, binary, doc) { #suffix, name, doc, worker, binary, &vs_backend_##backend },
+#include "backends/backends.def"
+};
+
+size_t vs_export_format_count(void) { return sizeof formats / sizeof *formats; }
+const vs_format *vs_export_format_at(size_t index) { return &formats[index]; }
+
+const vs_format *vs_export_format_find(const char *text) {
+  const char *dot = strrchr(text, '.'), *slash = strrchr(text, '/');
+  const char *suffix = dot != NULL && (slash == NULL || dot > slash) ? dot + 1 : text;
+  for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+    if (strcasecmp(formats[i].suffix, suffix) == 0 || strcasecmp(formats[i].name, text) == 0) return &formats[i];
+  return NULL;
+}
+
+/* ---- files ---- */
+
+typedef struct { int file; int problem; /* errno of the first failure */ } export_file;
+
+static bool export_file_sink(void *context, const void *bytes, size_t count) {
+  export_file *f = context;
+  const char *from = bytes;
+  while (count > 0) {
+    ssize_t part = write(f->file, from, count);
+    if (part < 0 && errno == EINTR) continue;
+    if (part <= 0) {
+      f->problem = part < 0 ? errno : EIO;
+      return false;
+    }
+    from += part;
+    count -= (size_t)part;
+  }
+  return true;
+}
+
+static bool export_problem(vs_error *e, const char *path, int problem) {
+  char why[128];
+  if (strerror_r(problem, why, sizeof why) != 0) snprintf(why, sizeof why, "error %d", problem);
+  return vs_error_set(e, VS_ERROR_FILE, NULL, "cannot write %s: %s", path, problem == ENOSPC ? "the disk is full" : why);
+}
+
+/* ---- one export ---- */
+
+static bool export_text(vs_emitter *e, vs_writer *w) {
+  e->out = w;
+  bool ok = vs_drive_scene(e) && vs_writer_flush(w);
+  if (!ok && w->full) vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the output is larger than its limit of %llu MB", (unsigned long long)(w->limit >> 20));
+  return ok;
+}
+
+static void export_close(vs_emitter *e) {
+  if (e->backend->close != NULL && e->drive != NULL) e->backend->close(e);
+  vs_drive_free(e);
+}
+
+static vs_writer *export_writer(vs_emitter *e, vs_sink_fn *sink, void *context) {
+  vs_writer *w = malloc(sizeof *w);
+  if (w == NULL) {
+    vs_emit_no_memory(e);
+    return NULL;
+  }
+  vs_writer_init(w, sink, context);
+  w->limit = e->options->byte_limit;
+  return w;
+}
+
+/* Writes the text (or, for a rendered format, the scene) to an open file. On failure of the file itself the error is e's. */
+static bool export_to_file(vs_emitter *e, int file, const char *path, bool sync) {
+  export_file f = { file, 0 };
+  vs_writer *w = export_writer(e, export_file_sink, &f);
+  if (w == NULL) return false;
+  bool ok = export_text(e, w);
+  if (ok && sync && fsync(file) != 0 && errno != EINVAL && errno != EROFS) {
+    f.problem = errno;
+    ok = false;
+  }
+  free(w);
+  if (f.problem != 0) export_problem(e->error, path, f.problem);
+  return ok;
+}
+
+static char *export_join(const char *a, const char *b, unsigned long number) {
+  size_t room = strlen(a) + strlen(b) + 32;
+  char *text = malloc(room);
+  if (text != NULL && number > 0) snprintf(text, room, "%s%s%lu", a, b, number);
+  else if (text != NULL) snprintf(text, room, "%s%s", a, b);
+  return text;
+}
+
+/* The scene of a rendered format into a private folder, the worker, and the picture at output. */
+static bool export_render(vs_emitter *e, const char *output) {
+  const char *base = getenv("TMPDIR");
+  char *folder = export_join(base != NULL && base[0] == '/' ? base : "/tmp", "/visualscheme-XXXXXX", 0);
+  char *text = NULL;
+  bool made = false, ok = false;
+  if (folder == NULL) {
+    vs_emit_no_memory(e);
+  } else if (mkdtemp(folder) == NULL) {
+    export_problem(e->error, folder, errno);
+  } else if (made = true, (text = export_join(folder, "/scene.pov", 0)) == NULL) {
+    vs_emit_no_memory(e);
+  } else {
+    int file = open(text, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    ok = file >= 0 ? export_to_file(e, file, text, false) : export_problem(e->error, text, errno);
+    if (file >= 0 && close(file) != 0 && ok) ok = export_problem(e->error, text, errno);
+    ok = ok && e->backend->render(e, text, output);
+  }
+  if (text != NULL) unlink(text);
+  if (made) rmdir(folder);
+  free(text);
+  free(folder);
+  return ok;
+}
+
+static bool export_sync(const char *path, vs_error *e, const char *shown) {
+  int file = open(path, O_RDONLY | O_CLOEXEC);
+  if (file < 0) return export_problem(e, shown, errno);
+  bool ok = fsync(file) == 0 || errno == EINVAL || errno == EROFS || export_problem(e, shown, errno);
+  close(file);
+  return ok;
+}
+
+/* Where links end: the rename must replace the file that a link stands for, not the link. NULL: as given. */
+static char *export_target(const char *path) {
+  struct stat info;
+  return lstat(path, &info) == 0 && S_ISLNK(info.st_mode) ? realpath(path, NULL) : NULL;
+}
+
+static bool export_named(vs_emitter *e, const char *path) {
+  struct stat info;
+  bool exists = stat(path, &info) == 0;
+  if (exists && S_ISDIR(info.st_mode)) return vs_error_set(e->error, VS_ERROR_FILE, NULL, "cannot write %s: it is a folder", path);
+  if (exists && !S_ISREG(info.st_mode) && e->backend->render == NULL) { /* a pipe or /dev/full: nothing to rename over */
+    int file = open(path, O_WRONLY | O_CLOEXEC);
+    bool ok = file >= 0 ? export_to_file(e, file, path, true) : export_problem(e->error, path, errno);
+    if (file >= 0 && close(file) != 0 && ok) ok = export_problem(e->error, path, errno);
+    return ok;
+  }
+  if (exists && access(path, W_OK) != 0) return export_problem(e->error, path, errno);
+  char *linked = export_target(path), *temporary = export_join(linked != NULL ? linked : path, ".tmp-", (unsigned long)getpid());
+  bool ok = false;
+  int file = -1;
+  if (temporary == NULL) {
+    vs_emit_no_memory(e);
+  } else if ((file = open(temporary, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666)) < 0) {
+    export_problem(e->error, path, errno);
+  } else {
+    if (exists) (void)!fchmod(file, info.st_mode & 0777);
+    ok = e->backend->render == NULL ? export_to_file(e, file, path, true) : export_render(e, temporary);
+    if (close(file) != 0 && ok) ok = export_problem(e->error, path, errno);
+    if (ok && e->backend->render != NULL) ok = export_sync(temporary, e->error, path);
+    ok = ok && (e->backend->beside == NULL || e->backend->beside(e, path));
+    if (ok && rename(temporary, linked != NULL ? linked : path) != 0) ok = export_problem(e->error, path, errno);
+    if (!ok) unlink(temporary);
+  }
+  free(temporary);
+  free(linked);
+  return ok;
+}
+
+/* A rendered picture to standard output or a sink: through a file of its own. */
+static bool export_render_to(vs_emitter *e, vs_sink_fn *sink, void *context) {
+  char name[] = "/tmp/visualscheme-picture-XXXXXX";
+  int file = mkstemp(name);
+  if (file < 0) return export_problem(e->error, name, errno);
+  bool ok = export_render(e, name);
+  char *part = ok ? malloc(VS_WRITER_ROOM) : NULL;
+  if (ok && part == NULL) ok = vs_emit_no_memory(e);
+  close(file);
+  file = ok ? open(name, O_RDONLY | O_CLOEXEC) : -1; /* POV-Ray may have made a new file of that name */
+  if (ok && file < 0) ok = export_problem(e->error, name, errno);
+  while (ok) {
+    ssize_t count = read(file, part, VS_WRITER_ROOM);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) ok = export_problem(e->error, name, errno);
+    if (count <= 0) break;
+    if (!sink(context, part, (size_t)count)) ok = vs_error_set(e->error, VS_ERROR_FILE, NULL, "the output could not be written");
+  }
+  if (file >= 0) close(file);
+  unlink(name);
+  free(part);
+  return ok;
+}
+
+static vs_emitter export_emitter(const vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e) {
+  return (vs_emitter){ .scene = scene, .options = options, .backend = format->backend, .error = e };
+}
+
+bool vs_export_to(const vs_scene *scene, const vs_format *format, vs_sink_fn *sink, void *context, const vs_export_options *options, vs_error *e) {
+  vs_export_options defaults;
+  vs_export_options_init(&defaults);
+  vs_error unread = { VS_ERROR_NONE, NULL, "" };
+  vs_emitter emitter = export_emitter(scene, format, options != NULL ? options : &defaults, e != NULL ? e : &unread);
+  if (format->backend->beside != NULL) return vs_error_set(e, VS_ERROR_FILE, NULL, "%s is written as two files: give it a name", format->name);
+  bool ok;
+  if (format->backend->render != NULL) {
+    ok = export_render_to(&emitter, sink, context);
+  } else {
+    vs_writer *w = export_writer(&emitter, sink, context);
+    ok = w != NULL && export_text(&emitter, w);
+    if (!ok && emitter.error->kind == VS_ERROR_NONE) vs_error_set(e, VS_ERROR_FILE, NULL, "the output could not be written");
+    free(w);
+  }
+  export_close(&emitter);
+  return ok;
+}
+
+bool vs_export(const vs_scene *scene, const vs_format *format, const char *path, const vs_export_options *options, vs_error *e) {
+  vs_error unread = { VS_ERROR_NONE, NULL, "" };
+  if (e == NULL) e = &unread;
+  e->kind = VS_ERROR_NONE;
+  if (format == NULL) format = vs_export_format_find(path);
+  if (format == NULL) return vs_error_set(e, VS_ERROR_FILE, NULL, "%s: no format has this ending", path);
+  if (strcmp(path, "-") == 0) {
+    export_file f = { STDOUT_FILENO, 0 };
+    bool ok = vs_export_to(scene, format, export_file_sink, &f, options, e);
+    if (f.problem != 0) export_problem(e, "standard output", f.problem);
+    return ok;
+  }
+  vs_export_options defaults;
+  vs_export_options_init(&defaults);
+  vs_emitter emitter = export_emitter(scene, format, options != NULL ? options : &defaults, e);
+  bool ok = export_named(&emitter, path);
+  export_close(&emitter);
+  return ok;
+}

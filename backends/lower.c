@@ -1,0 +1,96 @@
+/* Owns what a node becomes for a format that has no word for it: curves polylines, everything else triangles.
+ *
+ * Triangles come from one place for every format: geometry/ for what has a formula, kernel/ for booleans. */
+#include <stdlib.h>
+
+#include "backends/backend.h"
+
+void vs_solid_mesh_free(vs_solid_mesh *s) {
+  vs_mesh_free(&s->mesh);
+  free(s->parts);
+  *s = (vs_solid_mesh){ .part_count = 0 };
+}
+
+static vs_node *lower_polyline(vs_emitter *e, const vs_ref *ref) {
+  vs_store *store = e->scene->store;
+  vs_polyline p = { .count = 0 };
+  vs_node *made = NULL;
+  if (vs_curve_sample(ref->node, &e->facets, &p, e->error)) {
+    vs_points *points = vs_points_new(store, p.at, p.count);
+    if (points != NULL) {
+      made = vs_node_new(store, VS_LINE, &(struct vs_line){ .points = points, .closed = p.closed }, NULL, 0);
+      vs_points_release(store, points);
+    }
+    if (made == NULL) vs_emit_no_memory(e);
+  }
+  vs_polyline_free(&p);
+  return made;
+}
+
+static vs_node *lower_polyface(vs_emitter *e, const vs_mesh *m, bool closed) {
+  vs_store *store = e->scene->store;
+  if (m->triangle_count == 0) {
+    vs_node *nothing = vs_node_new(store, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
+    if (nothing == NULL) vs_emit_no_memory(e);
+    return nothing;
+  }
+  vs_node *made = NULL;
+  uint32_t *starts = malloc((m->triangle_count + 1) * sizeof *starts);
+  vs_points *points = vs_points_new(store, m->vertices, m->vertex_count);
+  vs_faces *faces = NULL;
+  if (starts != NULL && points != NULL) {
+    for (size_t i = 0; i <= m->triangle_count; i++) starts[i] = (uint32_t)(3 * i);
+    faces = vs_faces_new(store, starts, m->triangle_count, &m->triangles[0][0], 3 * m->triangle_count);
+  }
+  if (faces != NULL)
+    made = vs_node_new(store, VS_POLYFACE_MESH, &(struct vs_polyface_mesh){ .points = points, .faces = faces, .closed = closed }, NULL, 0);
+  if (made == NULL) vs_emit_no_memory(e);
+  if (faces != NULL) vs_faces_release(store, faces);
+  if (points != NULL) vs_points_release(store, points);
+  free(starts);
+  return made;
+}
+
+vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
+  switch ((vs_kind)ref->node->kind) {
+  case VS_ARC: case VS_CIRCLE: case VS_SPLINE:
+    return lower_polyline(e, ref);
+  case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_EXTRUDE:
+  case VS_SWEEP: case VS_THICKEN: case VS_REGION: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: {
+    vs_solid_mesh m = { .part_count = 0 };
+    vs_node *made = vs_lower_mesh(e, ref, &m) ? lower_polyface(e, &m.mesh, ref->node->class_ == VS_SOLID) : NULL;
+    vs_solid_mesh_free(&m);
+    return made;
+  }
+  case VS_EMPTY: case VS_LINE: case VS_POLYFACE_MESH: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT:
+    break;
+  }
+  vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s cannot be written in this format", vs_kind_get((vs_kind)ref->node->kind)->name);
+  return NULL;
+}
+
+bool vs_lower_is_round(const vs_node *n) {
+  switch ((vs_kind)n->kind) {
+  case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_TORUS: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
+    return true;
+  case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_BOX: case VS_WEDGE: case VS_PYRAMID:
+  case VS_POLYFACE_MESH: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
+    break;
+  }
+  return false;
+}
+
+bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid_mesh *out) {
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
+  if (vs_tessellate(ref->node, &e->facets, &out->mesh, &why)) return true;
+  if (e->error != NULL) {
+    *e->error = why;
+    if (why.origin == NULL && why.kind == VS_ERROR_MODEL) e->error->origin = ref->origin;
+  }
+  return false;
+}
+
+bool vs_lower_scene(vs_emitter *e, vs_solid_mesh *out) {
+  (void)out;
+  return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "meshes of whole drawings are not there yet");
+}

@@ -1,0 +1,294 @@
+/* Owns the OpenSCAD back-end: a readable program with real CSG, modules for what stands in several places, polyhedra for the rest.
+ *
+ * Facts it minds: OpenSCAD's polyhedra are clockwise seen from outside; two and three dimensions must not mix, so solids alone are written; the
+ * outermost color() wins there, the innermost material here, so colours go to the highest subtrees without paint of their own. */
+#include <math.h>
+
+#include "backends/backend.h"
+#include "geometry/frame.h"
+
+static vs_emit_status scad_done(vs_emitter *e) { return e->out->failed ? VS_FAILED : VS_EMITTED; }
+static void scad_point(vs_emitter *e, vs_vec3 p) { vs_put_triple(e->out, "[", p, ", ", "]"); }
+static void scad_number(vs_emitter *e, const char *before, double x) {
+  vs_puts(e->out, before);
+  vs_put_number(e->out, x);
+}
+
+static void scad_translate(vs_emitter *e, vs_vec3 by) {
+  if (by.x == 0 && by.y == 0 && by.z == 0) return;
+  vs_puts(e->out, "translate(");
+  scad_point(e, by);
+  vs_puts(e->out, ") ");
+}
+
+static void scad_matrix(vs_emitter *e, const vs_affine *a) {
+  vs_puts(e->out, "multmatrix([");
+  for (int row = 0; row < 3; row++)
+    for (int column = 0; column < 4; column++) scad_number(e, column == 0 ? "[" : ", ", a->m[row][column]), vs_puts(e->out, column == 3 ? "], " : "");
+  vs_puts(e->out, "[0, 0, 0, 1]]) ");
+}
+
+static void scad_place(vs_emitter *e, const vs_affine *a) {
+  if (vs_affine_is_translation(a)) scad_translate(e, vs_v3(a->m[0][3], a->m[1][3], a->m[2][3]));
+  else scad_matrix(e, a);
+}
+
+/* Opens a statement: indentation, and the colour where this is the highest node that it covers whole. */
+static void scad_open(vs_emitter *e, const vs_node *n) {
+  vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40));
+  const vs_material *m = e->material;
+  bool covered = e->parent != NULL && e->parent->kind != VS_MATERIAL && !vs_emit_is_painted(e, e->parent);
+  if (m == NULL || covered || vs_emit_is_painted(e, n)) return;
+  vs_puts(e->out, "color(");
+  scad_point(e, vs_v3(m->red, m->green, m->blue));
+  if (m->transparency > 0) scad_number(e, ", ", 1 - 0.8 * m->transparency);
+  vs_puts(e->out, ") ");
+}
+
+/* ---- primitives ---- */
+
+static vs_emit_status scad_box(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_box *b = VS_AS(box, ref->node);
+  scad_open(e, ref->node);
+  scad_translate(e, b->p);
+  vs_puts(e->out, "cube(");
+  scad_point(e, vs_v3_sub(b->q, b->p));
+  vs_puts(e->out, ");\n");
+  return scad_done(e);
+}
+
+static vs_emit_status scad_sphere(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_sphere *s = VS_AS(sphere, ref->node);
+  scad_open(e, ref->node);
+  scad_translate(e, s->center);
+  scad_number(e, "sphere(r = ", s->radius);
+  vs_putf(e->out, ", $fn = %d);\n", vs_facets_turn(&e->facets, s->radius, s->segments));
+  return scad_done(e);
+}
+
+/* Everything round or regular about an axis. */
+static vs_emit_status scad_turned(vs_emitter *e, const vs_node *n, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius, int facets) {
+  vs_vec3 axis = vs_v3_sub(top, base);
+  vs_affine place = vs_frame_on_axis(base, axis);
+  scad_open(e, n);
+  scad_place(e, &place);
+  scad_number(e, "cylinder(h = ", vs_v3_length(axis));
+  if (base_radius == top_radius) {
+    scad_number(e, ", r = ", base_radius);
+  } else {
+    scad_number(e, ", r1 = ", base_radius);
+    scad_number(e, ", r2 = ", top_radius);
+  }
+  vs_putf(e->out, ", $fn = %d);\n", facets);
+  return scad_done(e);
+}
+
+static vs_emit_status scad_cylinder(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_cylinder *c = VS_AS(cylinder, ref->node);
+  return scad_turned(e, ref->node, c->base, c->radius, c->top, c->radius, vs_facets_turn(&e->facets, c->radius, c->segments));
+}
+
+static vs_emit_status scad_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_cone *c = VS_AS(cone, ref->node);
+  return scad_turned(e, ref->node, c->base, c->radius, c->apex, 0, vs_facets_turn(&e->facets, c->radius, c->segments));
+}
+
+static vs_emit_status scad_cut_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_cut_cone *c = VS_AS(cut_cone, ref->node);
+  return scad_turned(e, ref->node, c->base, c->base_radius, c->top, c->top_radius,
+                     vs_facets_turn(&e->facets, fmax(c->base_radius, c->top_radius), c->segments));
+}
+
+static vs_emit_status scad_pyramid(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_pyramid *p = VS_AS(pyramid, ref->node);
+  return scad_turned(e, ref->node, p->base, p->base_radius, p->top, p->top_radius, (int)p->sides);
+}
+
+static vs_emit_status scad_torus(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_torus *t = VS_AS(torus, ref->node);
+  if (t->tube_radius >= t->radius) return VS_LOWER; /* rotate_extrude takes nothing that crosses the axis */
+  scad_open(e, ref->node);
+  scad_translate(e, t->center);
+  vs_putf(e->out, "rotate_extrude($fn = %d) ", vs_facets_turn(&e->facets, t->radius + t->tube_radius, t->segments));
+  scad_number(e, "translate([", t->radius);
+  scad_number(e, ", 0]) circle(r = ", t->tube_radius);
+  vs_putf(e->out, ", $fn = %d);\n", vs_facets_turn(&e->facets, t->tube_radius, t->segments));
+  return scad_done(e);
+}
+
+/* ---- polyhedra and prisms ---- */
+
+static void scad_wrap(vs_emitter *e, size_t item, size_t per_line) {
+  if (item > 0) vs_puts(e->out, ",");
+  if (item > 0 && item % per_line == 0) {
+    vs_puts(e->out, "\n");
+    vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40) + 4);
+  } else if (item > 0) {
+    vs_puts(e->out, " ");
+  }
+}
+
+static vs_emit_status scad_polyface(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_polyface_mesh *p = VS_AS(polyface_mesh, ref->node);
+  const uint32_t *starts = vs_faces_starts(p->faces), *corners = vs_faces_corners(p->faces);
+  scad_open(e, ref->node);
+  vs_puts(e->out, "polyhedron(points = [");
+  for (size_t i = 0; i < p->points->count; i++) {
+    scad_wrap(e, i, 6);
+    scad_point(e, p->points->at[i]);
+  }
+  vs_puts(e->out, "],\n");
+  vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40) + 2);
+  vs_puts(e->out, "faces = [");
+  for (size_t i = 0; i < p->faces->count; i++) {
+    scad_wrap(e, i, 10);
+    for (uint32_t k = starts[i + 1]; k > starts[i]; k--) {
+      vs_puts(e->out, k == starts[i + 1] ? "[" : ", ");
+      vs_put_u32(e->out, corners[k - 1]);
+    }
+    vs_puts(e->out, "]");
+  }
+  vs_puts(e->out, "], convexity = 10);\n");
+  return scad_done(e);
+}
+
+/* The loops of an outline as polygon(points, paths); holes are inner paths, by even and odd. */
+static void scad_polygon(vs_emitter *e, const vs_outline *o, const vs_affine *back) {
+  size_t shown = 0;
+  vs_puts(e->out, "polygon([");
+  for (size_t i = 0; i < o->count; i++)
+    for (size_t k = 0; k < o->loops[i].count; k++) {
+      vs_vec3 p = vs_affine_point(back, o->loops[i].at[k]);
+      scad_wrap(e, shown++, 8);
+      scad_number(e, "[", p.x);
+      scad_number(e, ", ", p.y);
+      vs_puts(e->out, "]");
+    }
+  vs_puts(e->out, "]");
+  if (o->count > 1) {
+    vs_puts(e->out, ", [");
+    size_t at = 0;
+    for (size_t i = 0; i < o->count; i++) {
+      vs_puts(e->out, i == 0 ? "[" : ", [");
+      for (size_t k = 0; k < o->loops[i].count; k++) {
+        if (k > 0) vs_puts(e->out, ", ");
+        vs_put_u32(e->out, (uint32_t)at++);
+      }
+      vs_puts(e->out, "]");
+    }
+    vs_puts(e->out, "]");
+  }
+  vs_puts(e->out, ");\n");
+}
+
+static vs_emit_status scad_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const vs_node *n = ref->node, *profile = n->children[0].node;
+  const struct vs_extrude *x = VS_AS(extrude, n);
+  if (n->child_count != 1 || x->taper != 0 || x->twist != 0 || x->scale != 1) return VS_LOWER;
+  vs_vec3 start = x->center ? vs_v3_scale(x->along, -0.5) : vs_v3(0, 0, 0);
+  bool upright = x->along.x == 0 && x->along.y == 0 && x->along.z > 0;
+  if (profile->kind == VS_REGION && profile->child_count == 1) profile = profile->children[0].node;
+  if (upright && profile->kind == VS_CIRCLE) {
+    const struct vs_circle *c = VS_AS(circle, profile);
+    scad_open(e, n);
+    scad_translate(e, vs_v3_add(c->center, start));
+    scad_number(e, "linear_extrude(height = ", x->along.z);
+    scad_number(e, ") circle(r = ", c->radius);
+    vs_putf(e->out, ", $fn = %d);\n", vs_facets_turn(&e->facets, c->radius, c->segments));
+    return scad_done(e);
+  }
+  vs_outline o = { .count = 0 };
+  if (!vs_region_outline(n->children[0].node, &e->facets, &o, e->error)) return VS_FAILED;
+  /* The profile's plane with +Z on the side that it is pushed to; a plane parallel to XY keeps its own x and y. */
+  bool flat = o.normal.x == 0 && o.normal.y == 0;
+  vs_vec3 normal = vs_v3_dot(o.normal, x->along) < 0 ? vs_v3_scale(o.normal, -1) : o.normal;
+  vs_affine plane = flat && normal.z > 0 ? vs_affine_translation(vs_v3(0, 0, o.point.z)) : vs_frame_on_axis(o.point, normal), back;
+  if (o.count > 0 && vs_affine_invert(&plane, &back)) {
+    scad_open(e, n);
+    if (flat && upright) {
+      scad_translate(e, vs_v3_add(vs_v3(0, 0, o.point.z), start));
+      scad_number(e, "linear_extrude(height = ", x->along.z);
+      vs_puts(e->out, ") ");
+    } else {
+      const double along[] = { x->along.x, x->along.y, x->along.z }, from[] = { start.x, start.y, start.z };
+      vs_affine place = plane;
+      for (int row = 0; row < 3; row++) {
+        place.m[row][2] = along[row];
+        place.m[row][3] += from[row];
+      }
+      scad_matrix(e, &place);
+      vs_puts(e->out, "linear_extrude(height = 1) ");
+    }
+    scad_polygon(e, &o, &back);
+  }
+  vs_outline_free(&o);
+  return scad_done(e);
+}
+
+/* ---- operations ---- */
+
+static vs_emit_status scad_transform(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  if (phase == VS_PHASE_LEAVE) return VS_EMITTED;
+  scad_open(e, ref->node);
+  scad_place(e, &VS_AS(transform, ref->node)->matrix);
+  vs_puts(e->out, "\n");
+  return scad_done(e);
+}
+
+/* Paint is said by the children (scad_open); a layer has no meaning there. */
+static vs_emit_status scad_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)ref, (void)phase;
+  return scad_done(e);
+}
+
+static vs_emit_status scad_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  if (phase == VS_PHASE_LEAVE) {
+    vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40));
+    vs_puts(e->out, "}\n");
+    return scad_done(e);
+  }
+  scad_open(e, ref->node);
+  vs_puts(e->out, ref->node->kind == VS_UNION ? "union() {\n" : ref->node->kind == VS_INTERSECTION ? "intersection() {\n" : "difference() {\n");
+  return scad_done(e);
+}
+
+static bool scad_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) {
+  (void)ref;
+  return open ? vs_putf(e->out, "module part%lu() {\n", (unsigned long)id) : vs_puts(e->out, "}\n\n");
+}
+
+static bool scad_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
+  scad_open(e, ref->node);
+  return vs_putf(e->out, "part%lu();\n", (unsigned long)id);
+}
+
+static bool scad_begin(vs_emitter *e) {
+  vs_puts(e->out, "// ");
+  for (const char *c = e->scene->title; *c != '\0'; c++)
+    if (*c >= ' ' && *c != 127) vs_put(e->out, c, 1); /* a line break would end the comment */
+  return vs_puts(e->out, ": a program for OpenSCAD, made by VisualScheme\n\n");
+}
+
+static bool scad_end(vs_emitter *e) { return !e->out->failed; }
+
+const vs_backend vs_backend_openscad = {
+  .begin = scad_begin, .end = scad_end, .define = scad_define, .use = scad_use,
+  .omit = { [VS_CURVE] = "OpenSCAD programs hold solids: curves are left out", [VS_REGION_CLASS] = "OpenSCAD programs hold solids: flat regions are left out",
+            [VS_SURFACE] = "OpenSCAD programs hold solids: open surfaces are left out" },
+  .emit = {
+    [VS_BOX] = { scad_box, NULL }, [VS_SPHERE] = { scad_sphere, NULL }, [VS_CYLINDER] = { scad_cylinder, NULL }, [VS_CONE] = { scad_cone, NULL },
+    [VS_CUT_CONE] = { scad_cut_cone, NULL }, [VS_PYRAMID] = { scad_pyramid, NULL }, [VS_TORUS] = { scad_torus, NULL },
+    [VS_POLYFACE_MESH] = { scad_polyface, NULL }, [VS_EXTRUDE] = { scad_extrude, NULL }, [VS_TRANSFORM] = { scad_transform, NULL },
+    [VS_MATERIAL] = { scad_through, NULL }, [VS_LAYER] = { scad_through, NULL }, [VS_UNION] = { scad_csg, NULL },
+    [VS_INTERSECTION] = { scad_csg, NULL }, [VS_DIFFERENCE] = { scad_csg, NULL },
+  },
+};

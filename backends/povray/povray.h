@@ -1,0 +1,23 @@
+/* Owns what the files of the POV-Ray back-end share. scene.c: begin and end; shapes.c: one function a kind; run.c: the worker. */
+#ifndef VS_BACKENDS_POVRAY_H
+#define VS_BACKENDS_POVRAY_H
+
+#include "backends/backend.h"
+
+/* The scene's frame: camera, light, sky. */
+bool vs_povray_begin(vs_emitter *e);
+bool vs_povray_end(vs_emitter *e);
+bool vs_povray_paint(vs_emitter *e, const vs_material *m); /* ` material { M_3_steel }`, which begin has declared */
+
+/* Shapes. */
+bool vs_povray_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
+bool vs_povray_use(vs_emitter *e, uint32_t id, const vs_ref *ref);
+bool vs_povray_item(vs_emitter *e, size_t index, bool end);
+vs_emit_fn vs_povray_line, vs_povray_region, vs_povray_box, vs_povray_sphere, vs_povray_cylinder, vs_povray_cone, vs_povray_cut_cone,
+  vs_povray_torus, vs_povray_polyface, vs_povray_extrude, vs_povray_transform, vs_povray_material, vs_povray_layer, vs_povray_csg;
+
+/* The worker. */
+bool vs_povray_render_png(vs_emitter *e, const char *scene, const char *output);
+bool vs_povray_render_exr(vs_emitter *e, const char *scene, const char *output);
+
+#endif

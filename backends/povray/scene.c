@@ -1,0 +1,211 @@
+/* Owns the frame of a POV-Ray scene: header, camera, light, sky, ground, materials. Shapes are in shapes.c.
+ *
+ * Looks: linear light (assumed_gamma 1), a warm parallel sun with a soft edge, a pale sky sphere that radiosity turns into fill light, no
+ * ambient term. Nothing of the user's text gets in but as letters and digits of names. */
+#include <math.h>
+#include <stdio.h>
+
+#include "backends/povray/povray.h"
+#include "backends/view.h"
+
+static void pov_vector(vs_writer *w, const char *before, vs_vec3 v) {
+  vs_puts(w, before);
+  vs_put_triple(w, "<", v, ", ", ">");
+}
+
+static void pov_word(vs_writer *w, const char *before, double x, const char *after) {
+  vs_puts(w, before);
+  vs_put_number(w, x);
+  vs_puts(w, after);
+}
+
+/* Letters, digits and low lines of a user's name; the rest is left out. */
+static void pov_name(vs_writer *w, const char *text) {
+  int count = 0;
+  for (; *text != '\0' && count < 40; text++) {
+    bool letter = (*text >= 'a' && *text <= 'z') || (*text >= 'A' && *text <= 'Z') || (*text >= '0' && *text <= '9');
+    if (letter || *text == '_' || *text == '-') {
+      vs_put(w, letter ? text : "_", 1);
+      count++;
+    }
+  }
+}
+
+static void pov_material_name(vs_emitter *e, const vs_material *m) {
+  vs_putf(e->out, "M%lu", (unsigned long)vs_emit_material_number(e, m));
+  if (m->name[0] != '\0') vs_puts(e->out, "_");
+  pov_name(e->out, m->name);
+}
+
+bool vs_povray_paint(vs_emitter *e, const vs_material *m) {
+  vs_puts(e->out, "material { ");
+  pov_material_name(e, m);
+  return vs_puts(e->out, " }");
+}
+
+/* ---- materials ---- */
+
+static void pov_finish(vs_writer *w, const vs_material *m) {
+  double gloss = 1 - m->roughness;
+  vs_puts(w, "    finish { ambient 0 ");
+  if (m->transparency > 0) {
+    vs_puts(w, "diffuse ");
+    vs_put_number(w, 0.8 * (1 - m->transparency));
+    vs_puts(w, " specular 0.8 roughness 0.001 reflection { 0.02, 0.9 fresnel on } conserve_energy }\n");
+  } else if (m->metallic > 0.5) {
+    pov_word(w, "diffuse ", 0.35 + 0.35 * m->roughness, "");
+    pov_word(w, " brilliance 2 specular ", 0.3 + 0.6 * gloss, "");
+    pov_word(w, " roughness ", 0.002 + 0.1 * m->roughness * m->roughness, " metallic");
+    pov_word(w, " reflection { ", 0.12 + 0.5 * gloss * gloss, " metallic } }\n");
+  } else {
+    pov_word(w, "diffuse ", 0.82, "");
+    pov_word(w, " specular ", 0.5 * gloss * gloss, "");
+    pov_word(w, " roughness ", 0.004 + 0.15 * m->roughness * m->roughness, "");
+    if (gloss > 0.75) vs_puts(w, " reflection { 0, 0.25 fresnel on } conserve_energy");
+    vs_puts(w, " }\n");
+  }
+}
+
+static void pov_material(vs_emitter *e, const vs_material *m) {
+  vs_writer *w = e->out;
+  double ior = m->ior >= 1 ? m->ior : 1.5;
+  vs_puts(w, "#declare ");
+  pov_material_name(e, m);
+  vs_puts(w, " = material {\n  texture {\n    pigment { color srgbft <");
+  const double rgb[] = { m->red, m->green, m->blue };
+  for (int i = 0; i < 3; i++) {
+    vs_put_number(w, rgb[i]);
+    vs_puts(w, ", ");
+  }
+  vs_put_number(w, m->transparency * 0.55); /* filter: tints what is seen through it */
+  pov_word(w, ", ", m->transparency * 0.4, "> }\n");
+  pov_finish(w, m);
+  vs_puts(w, "  }\n");
+  /* Also what is opaque gets its index: fresnel reflection asks for one. */
+  pov_word(w, "  interior { ior ", ior, " }\n}\n");
+}
+
+/* ---- what stands round the model ---- */
+
+static void pov_camera(vs_emitter *e, const vs_look *l) {
+  vs_writer *w = e->out;
+  vs_puts(w, "camera {\n");
+  if (l->parallel) {
+    vs_puts(w, "  orthographic\n");
+    pov_vector(w, "  location ", l->eye);
+    pov_vector(w, "\n  direction ", l->forward);
+    pov_vector(w, "\n  right ", vs_v3_scale(l->right, l->width));
+    vs_puts(w, "\n  up ");
+    vs_put_triple(w, "<", vs_v3_scale(l->up, l->width), ", ", "> * image_height/image_width\n}\n");
+    return;
+  }
+  pov_vector(w, "  location ", l->eye);
+  pov_vector(w, "\n  sky ", fabs(l->forward.z) > 0.999999 ? l->up : vs_v3(0, 0, 1));
+  vs_puts(w, "\n  right -x*image_width/image_height\n");
+  pov_word(w, "  angle ", l->angle * (180 / 3.14159265358979323846), "\n");
+  pov_vector(w, "  look_at ", l->target);
+  vs_puts(w, "\n}\n");
+}
+
+static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
+  vs_writer *w = e->out;
+  vs_vec3 sun = vs_look_sun(e->scene, l), middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
+  vs_vec3 across = vs_v3_cross(sun, fabs(sun.z) < 0.9 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0));
+  across = vs_v3_scale(across, 1 / vs_v3_length(across));
+  vs_vec3 over = vs_v3_cross(across, sun);
+  double far = 20 * diagonal;
+  vs_puts(w, "light_source {\n");
+  pov_vector(w, "  ", vs_v3_add(middle, vs_v3_scale(sun, far)));
+  vs_puts(w, "\n  color rgb <1, 0.93, 0.8> * 1.9\n  parallel\n");
+  pov_vector(w, "  point_at ", middle);
+  if (e->options->quality != VS_RENDER_DRAFT) {
+    pov_vector(w, "\n  area_light ", vs_v3_scale(across, 0.012 * far));
+    pov_vector(w, ", ", vs_v3_scale(over, 0.012 * far));
+    vs_puts(w, ", 3, 3 adaptive 1 circular orient");
+  }
+  vs_puts(w, "\n}\n");
+  if (e->options->quality == VS_RENDER_DRAFT) { /* no radiosity: a second, shadowless light from the other side fills */
+    pov_vector(w, "light_source { ", vs_v3_add(middle, vs_v3(-sun.x * far, -sun.y * far, sun.z * far)));
+    vs_puts(w, " color rgb <0.34, 0.38, 0.45> shadowless parallel ");
+    pov_vector(w, "point_at ", middle);
+    vs_puts(w, " }\n");
+  }
+}
+
+/* Seen from the middle: below the horizon a pale studio floor, at it haze, above it blue (or the model's colour). */
+static void pov_sky(vs_emitter *e) {
+  vs_writer *w = e->out;
+  double zenith[3] = { 0.46, 0.66, 0.9 }, haze[3] = { 0.93, 0.95, 0.96 };
+  if (e->scene->has_sky)
+    for (int i = 0; i < 3; i++) {
+      zenith[i] = e->scene->sky[i];
+      haze[i] = 0.45 + 0.55 * zenith[i];
+    }
+  vs_puts(w, "sky_sphere {\n  pigment {\n    gradient z\n    color_map {\n      [0.00 color srgb <0.78, 0.78, 0.77>]\n      [0.36 color srgb <0.9, 0.9, 0.89>]\n");
+  vs_puts(w, "      [0.50 color srgb ");
+  vs_put_triple(w, "<", vs_v3(haze[0], haze[1], haze[2]), ", ", ">]\n      [0.80 color srgb ");
+  vs_put_triple(w, "<", vs_v3(zenith[0], zenith[1], zenith[2]), ", ", ">]\n    }\n    scale 2 translate -z\n  }\n}\n");
+}
+
+static void pov_ground(vs_emitter *e, double diagonal) {
+  vs_writer *w = e->out;
+  double lift = 1e-5 * diagonal; /* what stands on the ground shares its plane: keep the ground just below */
+  pov_word(w, "plane {\n  z, ", e->scene->ground_z - lift, "\n  ");
+  if (e->scene->ground_material != NULL) vs_povray_paint(e, e->scene->ground_material);
+  else vs_puts(w, "texture { pigment { color srgb <0.77, 0.76, 0.73> } finish { ambient 0 diffuse 0.8 } }");
+  vs_puts(w, "\n}\n");
+  double haze[3] = { 0.93, 0.95, 0.96 };
+  if (e->scene->has_sky)
+    for (int i = 0; i < 3; i++) haze[i] = 0.45 + 0.55 * e->scene->sky[i];
+  pov_word(w, "fog { fog_type 1 distance ", 60 * diagonal, " color srgb ");
+  vs_put_triple(w, "<", vs_v3(haze[0], haze[1], haze[2]), ", ", "> }\n");
+}
+
+static const char *pov_radiosity(vs_render_quality q) {
+  switch (q) {
+  case VS_RENDER_DRAFT: break;
+  case VS_RENDER_GOOD: return "radiosity { count 35 error_bound 0.9 recursion_limit 1 pretrace_start 0.08 pretrace_end 0.02 gray_threshold 0.3 brightness 1 }\n";
+  case VS_RENDER_FINAL: return "radiosity { count 80 error_bound 0.5 recursion_limit 2 pretrace_start 0.08 pretrace_end 0.01 gray_threshold 0.3 brightness 1 }\n";
+  }
+  return "";
+}
+
+bool vs_povray_begin(vs_emitter *e) {
+  vs_writer *w = e->out;
+  int width = e->options->width > 0 ? e->options->width : 1024, height = e->options->height > 0 ? e->options->height : 768;
+  double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
+  if (!(diagonal > 0)) diagonal = 1;
+  vs_puts(w, "// ");
+  pov_name(w, e->scene->title);
+  vs_putf(w, ": a scene for POV-Ray 3.7, made by VisualScheme\n// povray +W%d +H%d +A0.1 THIS-FILE\n#version 3.7;\n", width, height);
+  vs_puts(w, "global_settings {\n  assumed_gamma 1\n  max_trace_level 12\n  ");
+  vs_puts(w, pov_radiosity(e->options->quality));
+  vs_puts(w, "}\n#default { texture { pigment { color srgb <0.86, 0.85, 0.83> } finish { ambient 0 diffuse 0.82 } } }\n\n");
+  vs_look look = vs_look_find(e->scene, &e->bounds, (double)width / height);
+  pov_camera(e, &look);
+  pov_sun(e, &look, diagonal);
+  pov_sky(e);
+  vs_puts(w, "\n");
+  for (size_t i = 1; i <= vs_emit_material_count(e); i++) pov_material(e, vs_emit_material_at(e, i));
+  if (e->scene->has_ground) pov_ground(e, diagonal);
+  return !w->failed;
+}
+
+bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
+
+#define POVRAY_SHARED                                                                                                                     \
+  .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, .use = vs_povray_use,                \
+  .keep_origins = true,                                                                                                                   \
+  .emit = {                                                                                                                               \
+    [VS_LINE] = { vs_povray_line, "POV-Ray has no lines: curves are drawn as thin rods" },                                                 \
+    [VS_ARC] = { NULL, NULL }, [VS_CIRCLE] = { NULL, NULL }, [VS_SPLINE] = { NULL, NULL },                                                 \
+    [VS_REGION] = { vs_povray_region, NULL }, [VS_BOX] = { vs_povray_box, NULL }, [VS_SPHERE] = { vs_povray_sphere, NULL },                \
+    [VS_CYLINDER] = { vs_povray_cylinder, NULL }, [VS_CONE] = { vs_povray_cone, NULL }, [VS_CUT_CONE] = { vs_povray_cut_cone, NULL },      \
+    [VS_TORUS] = { vs_povray_torus, NULL }, [VS_POLYFACE_MESH] = { vs_povray_polyface, NULL }, [VS_EXTRUDE] = { vs_povray_extrude, NULL }, \
+    [VS_TRANSFORM] = { vs_povray_transform, NULL }, [VS_MATERIAL] = { vs_povray_material, NULL }, [VS_LAYER] = { vs_povray_layer, NULL },  \
+    [VS_UNION] = { vs_povray_csg, NULL }, [VS_INTERSECTION] = { vs_povray_csg, NULL }, [VS_DIFFERENCE] = { vs_povray_csg, NULL },          \
+  }
+
+const vs_backend vs_backend_povray = { POVRAY_SHARED };
+const vs_backend vs_backend_povray_png = { POVRAY_SHARED, .render = vs_povray_render_png };
+const vs_backend vs_backend_povray_exr = { POVRAY_SHARED, .render = vs_povray_render_exr };

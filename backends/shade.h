@@ -1,0 +1,20 @@
+/* Owns the normals of triangle corners for round shading: smooth inside a curved surface, sharp across its creases. */
+#ifndef VS_BACKENDS_SHADE_H
+#define VS_BACKENDS_SHADE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "model/vec.h"
+
+typedef struct {
+  vs_vec3 *normals;           /* unit */
+  uint32_t (*corners)[3];     /* a normal for each corner of each triangle */
+  size_t normal_count;
+} vs_shading;
+
+/* crease: the angle between faces, radians, from which an edge stays sharp. false: out of memory. Free with vs_shading_free. */
+bool vs_shading_make(const vs_vec3 *vertices, size_t vertex_count, const uint32_t (*triangles)[3], size_t triangle_count, double crease, vs_shading *out);
+void vs_shading_free(vs_shading *s);
+
+#endif

@@ -1,0 +1,88 @@
+/* Owns the camera's framing and the sun's place. See view.h.
+ *
+ * Framing: with the view's axes fixed (right r, up u, forward f), each corner of the bounds bounds the eye from two sides: a corner at
+ * (x, y, z) along the axes is inside the picture where |x - ex| <= (z + D) tan(half angle). The greatest x - z t and -x - z t over the
+ * corners give the smallest distance D and the eye's shift ex together; the same for y; the greater D wins. */
+#include "backends/view.h"
+
+#include <math.h>
+
+static vs_vec3 look_unit(vs_vec3 v) {
+  double length = vs_v3_length(v);
+  return length > 0 ? vs_v3_scale(v, 1 / length) : vs_v3(0, 0, 1);
+}
+
+static void look_axes(vs_look *l, vs_vec3 forward, vs_vec3 up) {
+  l->forward = look_unit(forward);
+  vs_vec3 right = vs_v3_cross(l->forward, up);
+  if (vs_v3_length(right) < 1e-9 * vs_v3_length(up)) right = vs_v3_cross(l->forward, vs_v3(0, 1, 0));
+  l->right = look_unit(right);
+  l->up = vs_v3_cross(l->right, l->forward);
+}
+
+static void look_frame(vs_look *l, const vs_bounds *b, double aspect) {
+  const double margin = 1.08;
+  vs_vec3 middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5);
+  double diagonal = vs_v3_length(vs_v3_sub(b->max, b->min));
+  double tx = tan(l->angle / 2) / margin, ty = tan(l->angle / 2) / aspect / margin;
+  double right = -INFINITY, left = -INFINITY, top = -INFINITY, bottom = -INFINITY, wide = 0, high = 0;
+  for (int i = 0; i < 8; i++) {
+    vs_vec3 corner = vs_v3_sub(vs_v3((i & 1) ? b->max.x : b->min.x, (i & 2) ? b->max.y : b->min.y, (i & 4) ? b->max.z : b->min.z), middle);
+    double x = vs_v3_dot(corner, l->right), y = vs_v3_dot(corner, l->up), z = vs_v3_dot(corner, l->forward);
+    right = fmax(right, x - z * tx);
+    left = fmax(left, -x - z * tx);
+    top = fmax(top, y - z * ty);
+    bottom = fmax(bottom, -y - z * ty);
+    wide = fmax(wide, fabs(x));
+    high = fmax(high, fabs(y));
+  }
+  if (l->parallel) {
+    l->width = 2 * margin * fmax(wide, high * aspect);
+    if (!(l->width > 0)) l->width = 1;
+    l->target = middle;
+    l->eye = vs_v3_sub(middle, vs_v3_scale(l->forward, 2 * diagonal + l->width));
+    return;
+  }
+  double distance = fmax((right + left) / (2 * tx), (top + bottom) / (2 * ty));
+  if (!(distance > 0)) distance = 1;
+  double dx = (right - left) / 2, dy = (top - bottom) / 2;
+  l->target = vs_v3_add(middle, vs_v3_add(vs_v3_scale(l->right, dx), vs_v3_scale(l->up, dy)));
+  l->eye = vs_v3_sub(l->target, vs_v3_scale(l->forward, distance));
+}
+
+vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, double aspect) {
+  const double film = 36; /* mm: the width of a 35 mm picture */
+  vs_look l = { .angle = 2 * atan(film / 2 / 45) };
+  vs_vec3 up = vs_v3(0, 0, 1), north = vs_v3(0, 1, 0);
+  switch (scene->view) {
+  case VS_VIEW_CAMERA:
+    l.angle = 2 * atan(film / 2 / (scene->lens > 0 ? scene->lens : 35));
+    l.eye = scene->eye;
+    l.target = scene->target;
+    look_axes(&l, vs_v3_sub(l.target, l.eye), up);
+    return l;
+  case VS_VIEW_EXTENTS: look_axes(&l, vs_v3(-0.62, 1, -0.5), up); break;
+  case VS_VIEW_TOP: l.parallel = true; look_axes(&l, vs_v3(0, 0, -1), north); break;
+  case VS_VIEW_BOTTOM: l.parallel = true; look_axes(&l, vs_v3(0, 0, 1), north); break;
+  case VS_VIEW_FRONT: l.parallel = true; look_axes(&l, vs_v3(0, 1, 0), up); break;
+  case VS_VIEW_BACK: l.parallel = true; look_axes(&l, vs_v3(0, -1, 0), up); break;
+  case VS_VIEW_LEFT: l.parallel = true; look_axes(&l, vs_v3(1, 0, 0), up); break;
+  case VS_VIEW_RIGHT: l.parallel = true; look_axes(&l, vs_v3(-1, 0, 0), up); break;
+  case VS_VIEW_ISO: l.parallel = true; look_axes(&l, vs_v3(-1, 1, -1), up); break;
+  }
+  look_frame(&l, bounds, aspect);
+  return l;
+}
+
+vs_vec3 vs_look_sun(const vs_scene *scene, const vs_look *look) {
+  const double degree = 3.14159265358979323846 / 180;
+  if (scene->has_sun) {
+    double azimuth = scene->sun_azimuth * degree, altitude = scene->sun_altitude * degree;
+    return vs_v3(sin(azimuth) * cos(altitude), cos(azimuth) * cos(altitude), sin(altitude));
+  }
+  /* Towards the viewer and to the left of the line of sight; seen from above, from the upper left as on maps. */
+  vs_vec3 near = vs_v3(-look->forward.x, -look->forward.y, 0), left = vs_v3(-look->right.x, -look->right.y, 0);
+  if (vs_v3_length(near) < 0.2) near = vs_v3(look->up.x, look->up.y, 0);
+  vs_vec3 across = look_unit(vs_v3_add(vs_v3_scale(look_unit(near), 0.62), vs_v3_scale(look_unit(left), 0.78)));
+  return vs_v3(across.x * cos(44 * degree), across.y * cos(44 * degree), sin(44 * degree));
+}

@@ -1,0 +1,20 @@
+/* Owns how a drawing is looked at: the camera, framed to show everything, and where the sun stands. One answer for all formats. */
+#ifndef VS_BACKENDS_VIEW_H
+#define VS_BACKENDS_VIEW_H
+
+#include "model/scene.h"
+
+typedef struct {
+  vs_vec3 eye, target;
+  vs_vec3 right, up, forward; /* unit, orthogonal */
+  bool parallel;
+  double angle;               /* horizontal field of view, radians; perspective */
+  double width;               /* of the visible rectangle, model units; parallel */
+} vs_look;
+
+/* aspect: width by height of the picture. bounds: of the drawing. */
+vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, double aspect);
+/* Unit vector towards the sun; without a sun in the scene a good one for this look: over the viewer's left shoulder. */
+vs_vec3 vs_look_sun(const vs_scene *scene, const vs_look *look);
+
+#endif
