@@ -44,7 +44,8 @@ static vs_status fail(vs *vm, vs_value kind, const vs_pos *place, vs_value irrit
   int used = 0;
   if (vm->native && !place) {
     vs_value name = vm->native->name;
-    used = snprintf(text, sizeof text / 2, "%s: ", vs_is_symbol(name) ? vs_as_symbol(name)->name : "procedure");
+    const char *shown = vs_is_symbol(name) ? vs_as_symbol(name)->name : "procedure";
+    used = snprintf(text, sizeof text / 2, "%s: ", shown + (*shown == '%')); /* %subtract helps subtract and speaks for it */
     if (used > (int)sizeof text / 2 - 1) used = (int)sizeof text / 2 - 1;
   }
   va_list again;

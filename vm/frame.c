@@ -63,7 +63,7 @@ static size_t chain(vs *vm, struct link *at, size_t max) {
   if (!vm->base) return 0;
   struct walk w = {vm->base, vm->under, vm->under_depth, false};
   size_t count = 0, pc = 0;
-  bool native = !vm->pc || !vs_is(w.base[-2], VS_T_CLOSURE);
+  bool native = !vs_is(w.base[-2], VS_T_CLOSURE);
   if (!native) pc = (size_t)(vm->pc - vs_code_ins(vs_as_code(vs_as_closure(w.base[-2])->code)));
   do {
     if (native || !vs_is(w.base[-2], VS_T_CLOSURE)) continue;
@@ -84,6 +84,14 @@ bool vs_call_chain(vs *vm, size_t max, vs_value *out) {
     if (!vs_cons(vm, at[n].name, vs_fix((int64_t)at[n].place), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])) return false;
   *out = r[0];
   return true;
+}
+
+size_t vs_call_places(vs *vm, vs_pos *place, size_t max) {
+  enum { MOST = 64 };
+  struct link at[MOST];
+  size_t n = chain(vm, at, max < MOST ? max : MOST);
+  for (size_t i = 0; i < n; i++) place[i] = at[i].place;
+  return n;
 }
 
 vs_pos vs_call_place(vs *vm) {

@@ -14,6 +14,8 @@ bool vs_run(vs *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value
 /* The chain of calls now active, innermost first, at most `max`: list of (name . place) pairs; name symbol or #f, place a
    fixnum vs_pos. For natives such as `error`; conditions made by vs_fail have it already. */
 bool vs_call_chain(vs *vm, size_t max, vs_value *out);
+/* The places alone, without allocating: how many were written. */
+size_t vs_call_places(vs *vm, vs_pos *place, size_t max);
 /* Place of the call that the running native was made from. */
 vs_pos vs_call_place(vs *vm);
 

@@ -1,0 +1,170 @@
+/* Owns bind/'s own interface: the interpreter's drawing and its objects, the checked call, and what visualscheme.c needs of it.
+ *
+ * Plan. procedures.def lists every procedure with the forms of its arguments. All of them are one C native, vs_bind_enter: it finds
+ * the row of the running native, picks the form, checks and converts the arguments by contract.c, and calls the row's C function with
+ * plain C data. So no constructor tests anything that its row already says. */
+#ifndef VS_BIND_H
+#define VS_BIND_H
+
+#include "vm/native.h"
+#include "vm/run.h"
+
+#include "model/scene.h"
+
+/* ---- flat records (flat.c) ---- */
+enum { VS_FLAT_POINT = 1, VS_FLAT_VECTOR, VS_FLAT_AXIS, VS_FLAT_PLANE, VS_FLAT_MATRIX };
+void vs_bind_flat_rules(vs_flat_rules *rules);
+
+/* ---- the drawing and what else an interpreter has besides its heap (state.c); vm->host points to one ---- */
+typedef struct vs_bind vs_bind;
+
+typedef enum { VS_P_BOOLEAN, VS_P_INTEGER, VS_P_REAL, VS_P_STRING, VS_P_DATUM } vs_bind_parameter_type; /* as the public header's */
+typedef struct vs_bind_parameter {
+  const char *name, *label, *group; /* texts are the store's */
+  vs_bind_parameter_type type;
+  const char *value, *default_value; /* written data; strings bare */
+  bool has_range;
+  double min, max, step;
+  const char **choices; /* written as value is; choice_count of them, ours */
+  size_t choice_count;
+  vs_pos at;
+} vs_bind_parameter;
+typedef struct { const char *name, *datum; bool used; } vs_bind_setting; /* -D */
+
+struct vs_bind {
+  vs *vm;
+  vs_store *store;
+  vs_scene scene;
+  /* top-level values: the model if nothing was drawn; each may be a list. `returned` are references of our own */
+  struct { vs_node *node; const vs_origin *origin; vs_pos place; } *returned;
+  size_t returned_count, returned_room;
+  bool drew;                       /* draw was called: what was returned does not count */
+  uint64_t *told;                  /* warnings given: hashes of place and kind, open addressing, 0 free */
+  size_t told_count, told_room;
+  struct { uint64_t key; const vs_origin *origin; } recent[64]; /* origins of call chains seen last */
+  vs_bind_parameter *parameters;
+  size_t parameter_count, parameter_room;
+  vs_bind_setting *settings;
+  size_t setting_count, setting_room;
+  bool bad_parameter;              /* the error under way is a -D value's fault: exit 2 */
+  /* the host: shows a warning; origin NULL is nowhere */
+  void (*warn)(void *context, const vs_origin *origin, const char *message);
+  void *warn_context;
+};
+
+bool vs_bind_open(vs_bind *b, vs *vm, vs_store *store); /* zeroed b; false: out of memory */
+void vs_bind_close(vs_bind *b);
+void vs_bind_clear_drawing(vs_bind *b);
+static inline vs_bind *vs_bind_of(vs *vm) { return (vs_bind *)vm->host; }
+
+bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum); /* false: out of memory */
+
+extern const vs_native_table vs_bind_table, vs_bind_reserved_table;
+
+/* A top-level expression's value: remembers the objects in it. False: error set. */
+bool vs_bind_returned(vs_bind *b, vs_value v, vs_pos place);
+/* Brings the scene up to date: what was drawn, else what was returned; warns of objects thrown away. False: out of memory. */
+bool vs_bind_finish(vs_bind *b, bool *uses_returned);
+
+/* ---- objects (object.c) ---- */
+typedef struct { vs_ref ref; } vs_shape; /* what a Scheme object wraps; owns a reference to the node */
+extern const vs_foreign_type vs_shape_type, vs_paint_type; /* a paint wraps an interned vs_material */
+static inline vs_shape *vs_bind_shape(vs_value v) { return (vs_shape *)vs_foreign_get(v, &vs_shape_type); }
+
+/* Where the running native was called from, and its callers. NULL: not known (or out of memory: then nothing worse happens). */
+const vs_origin *vs_bind_origin(vs_bind *b);
+vs_status vs_bind_wrap(vs_bind *b, vs_node *node /* taken over; NULL: out of memory */, vs_value *out);
+/* once a place and `kind` (any constant text); nothing when it could not be formatted */
+void vs_bind_warn(vs_bind *b, const char *kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
+bool vs_bind_text(vs *vm, vs_value string_or_symbol, char **out, size_t *bytes); /* UTF-8 with NUL from vs_mem; *bytes to give back */
+
+/* ---- printing (print.c) ---- */
+bool vs_bind_print_node(const vs_node *n, bool (*put)(void *to, const char *s, size_t n), void *to);
+void vs_bind_number_text(char out[32], double d); /* shortest that reads back; integers without a point */
+
+/* ---- the checked call (contract.c) ---- */
+typedef enum {
+#define VS_CONTRACT(name, noun, condition) VS_C_##name,
+#include "bind/contracts.def"
+#undef VS_CONTRACT
+} vs_contract;
+
+enum { VS_MAX_ARGUMENTS = 16, VS_MAX_FORMS = 4, VS_MAX_KEYS = 7 };
+
+typedef enum { VS_ARG_END, VS_ARG_REQUIRED, VS_ARG_OPTIONAL, VS_ARG_REST } vs_parameter_mode;
+typedef struct { char name[14]; uint8_t mode, contract; } vs_bind_param;
+typedef struct { bool used; vs_bind_param at[VS_MAX_ARGUMENTS + 1]; } vs_form;
+
+typedef struct {
+  bool given;
+  vs_value value; /* as it came; lives in the native's arguments: rooted there, not here */
+  union {
+    double real;
+    int64_t integer;
+    bool boolean;
+    vs_vec3 point;                             /* points, gvectors, factors */
+    struct { vs_vec3 at, direction; } line;    /* axes; planes: a point and the normal */
+    vs_affine matrix;
+    vs_ref ref;                                /* one object; a list's union */
+    struct { vs_ref *at; size_t count; } refs; /* flattened lists of objects */
+    struct { vs_vec3 *at; size_t count; } points;
+    struct { const vs_value *at; size_t count; } values; /* the rest as it came */
+    struct { uint32_t *starts, *corners; size_t count; } faces; /* starts has count + 1 */
+    const vs_material *material;
+    struct { const char *at; size_t length; } text;
+  };
+} vs_arg;
+
+struct vs_procedure;
+typedef struct vs_call_frame {
+  vs *vm;
+  vs_bind *bind;
+  const struct vs_procedure *procedure;
+  int form, count;              /* which form; how many positional arguments (a rest counts as one) */
+  vs_arg arg[VS_MAX_ARGUMENTS], key[VS_MAX_KEYS];
+  struct vs_scratch *scratch;   /* freed when the call ends */
+} vs_frame;
+
+typedef vs_status vs_procedure_fn(vs_frame *f, vs_value *out);
+typedef struct vs_procedure {
+  vs_procedure_fn *fn;
+  vs_form form[VS_MAX_FORMS];
+  vs_bind_param key[VS_MAX_KEYS + 1];
+} vs_procedure;
+
+vs_native_fn vs_bind_enter;
+extern const vs_procedure vs_bind_procedures[];
+extern const vs_native_def vs_bind_defs[];
+
+void vs_bind_scratch_free(vs_frame *f);
+void *vs_bind_scratch(vs_frame *f, size_t bytes);  /* NULL: out of memory, error set */
+bool vs_bind_keep(vs_frame *f, vs_node *node);     /* releases it when the call ends; NULL gives the memory error */
+bool vs_bind_number(vs *vm, vs_value v, double *out);      /* any real number; false: not one */
+bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad); /* false: *bad is no object, or error set and *bad absent */
+
+/* "NAME: PARAM must be EXPECTED, got VALUE" */
+vs_status vs_bind_error(vs_frame *f, const vs_error *e); /* what a layer below said */
+bool vs_bind_count(vs_ref ref, double *count);          /* leaves, each placement counted; false: out of memory */
+int32_t vs_bind_segments(vs_bind *b);                   /* (current-segments), 0: by tolerance */
+double vs_bind_tolerance(vs_bind *b);                   /* (current-tolerance), 0: by the drawing size */
+vs_status vs_bind_refuse(vs_frame *f, const char *param, const char *expected, vs_value got);
+
+/* ---- building, for the functions of procedures.def (build.c) ---- */
+vs_status vs_bind_make(vs_frame *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out);
+vs_status vs_bind_empty(vs_frame *f, const char *why, vs_value *out); /* the empty object, with a warning once a place */
+vs_status vs_bind_node(vs_frame *f, vs_node *node, vs_value *out);    /* takes the reference over */
+vs_status vs_bind_point(vs_frame *f, vs_vec3 p, vs_value *out);
+vs_status vs_bind_vector(vs_frame *f, vs_vec3 p, vs_value *out);
+vs_status vs_bind_real(vs_frame *f, double d, vs_value *out);
+vs_status vs_bind_matrix(vs_frame *f, const vs_affine *m, vs_value *out);
+vs_affine vs_bind_affine(const double *sixteen); /* the upper three rows */
+static inline bool vs_bind_is_empty(const vs_node *n) { return n->kind == VS_EMPTY; }
+
+/* every C function that procedures.def names */
+#define PROC(id, name, fn, doc, forms, keys) vs_procedure_fn fn;
+#define PROCS(id, name, signature, fn, doc, forms, keys) vs_procedure_fn fn;
+#include "bind/procedures.def"
+#undef PROC
+#undef PROCS
+
+#endif

@@ -1,0 +1,564 @@
+/* Owns the checked call: from a native's arguments to the C data that procedures.def asks for, or the error that says what was wrong.
+ *
+ * Cost of a call: one pass over the form's parameters; nothing is allocated unless an argument is a list. What is allocated hangs off
+ * the frame and goes when the call ends, whatever its outcome. */
+#include "bind/bind.h"
+
+#include <stdio.h>
+
+#include "vm/number.h"
+
+/* ---- the tables ---- */
+
+#define ARG(name, contract) name " "
+#define OPT(name, contract) "[" name "] "
+#define REST(name, contract) ". " name
+#define KEY(name, contract) "#:" name " "
+#define FORM(...) __VA_ARGS__
+#define KEYS(...) __VA_ARGS__
+#define PROC(id, name, fn, doc, forms, keys) { name, "" forms keys, vs_bind_enter, 0, doc },
+#define PROCS(id, name, signature, fn, doc, forms, keys) { name, signature, vs_bind_enter, 0, doc },
+const vs_native_def vs_bind_defs[] = {
+#include "bind/procedures.def"
+  { NULL, NULL, NULL, 0, NULL }
+};
+#undef ARG
+#undef OPT
+#undef REST
+#undef KEY
+#undef FORM
+#undef KEYS
+#undef PROC
+#undef PROCS
+
+#define ARG(name, contract) { name, VS_ARG_REQUIRED, VS_C_##contract },
+#define OPT(name, contract) { name, VS_ARG_OPTIONAL, VS_C_##contract },
+#define REST(name, contract) { name, VS_ARG_REST, VS_C_##contract },
+#define KEY(name, contract) { name, VS_ARG_OPTIONAL, VS_C_##contract },
+#define FORM(...) { 1, { __VA_ARGS__ { "", VS_ARG_END, 0 } } },
+#define KEYS(...) { __VA_ARGS__ { "", VS_ARG_END, 0 } }
+#define PROC(id, name, fn, doc, forms, keys) { fn, { forms }, keys },
+#define PROCS(id, name, signature, fn, doc, forms, keys) { fn, { forms }, keys },
+const vs_procedure vs_bind_procedures[] = {
+#include "bind/procedures.def"
+};
+#undef ARG
+#undef OPT
+#undef REST
+#undef KEY
+#undef FORM
+#undef KEYS
+#undef PROC
+#undef PROCS
+
+const vs_native_table vs_bind_table = { "geometry", vs_bind_defs };
+
+static const struct { const char *noun, *condition; } contracts[] = {
+#define VS_CONTRACT(name, noun, condition) { noun, condition },
+#include "bind/contracts.def"
+#undef VS_CONTRACT
+};
+
+static const char *own_name(const vs_frame *f, char room[64]) { /* the first of its names */
+  const char *names = vs_bind_defs[f->procedure - vs_bind_procedures].name;
+  size_t n = strcspn(names, " ");
+  if (n > 63) n = 63;
+  if (*names == '%') names++, n--; /* a helper speaks for the procedure that it helps */
+  memcpy(room, names, n);
+  room[n] = 0;
+  return room;
+}
+
+/* ---- scratch ---- */
+
+struct vs_scratch {
+  struct vs_scratch *next;
+  size_t bytes;
+  vs_node *node;
+  max_align_t data[];
+};
+
+static struct vs_scratch *scratch_new(vs_frame *f, size_t bytes) {
+  struct vs_scratch *s = vs_mem(f->vm, NULL, 0, sizeof *s + bytes);
+  if (!s) return (void)vs_fail_memory(f->vm), NULL;
+  *s = (struct vs_scratch){ .next = f->scratch, .bytes = sizeof *s + bytes };
+  return f->scratch = s;
+}
+
+void *vs_bind_scratch(vs_frame *f, size_t bytes) {
+  struct vs_scratch *s = scratch_new(f, bytes);
+  return s ? (void *)s->data : NULL;
+}
+
+bool vs_bind_keep(vs_frame *f, vs_node *node) {
+  if (!node) return vs_fail_memory(f->vm);
+  struct vs_scratch *s = scratch_new(f, 0);
+  if (!s) return vs_node_release(node), false;
+  s->node = node;
+  return true;
+}
+
+void vs_bind_scratch_free(vs_frame *f) {
+  while (f->scratch) {
+    struct vs_scratch *s = f->scratch;
+    f->scratch = s->next;
+    vs_node_release(s->node);
+    vs_mem(f->vm, s, s->bytes, 0);
+  }
+}
+
+/* ---- refusing ---- */
+
+vs_status vs_bind_refuse(vs_frame *f, const char *param, const char *expected, vs_value got) {
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = got;
+  if (!vs_cons(f->vm, r[0], VS_NIL, &r[1])) return VS_ERROR;
+  return vs_fail_with(f->vm, f->vm->sym.type, r[1], "%s must be %s, got", param, expected);
+}
+
+static vs_status refuse_hint(vs_frame *f, const char *param, const char *expected, vs_value got, const char *hint) {
+  char text[256];
+  snprintf(text, sizeof text, "%s (%s?)", expected, hint);
+  return vs_bind_refuse(f, param, text, got);
+}
+
+/* The kind is wrong. Where a point and a gvector were taken for each other, say how to write the other. */
+static vs_status refuse_kind(vs_frame *f, const vs_bind_param *p, vs_value got) {
+  bool wants_vector = p->contract == VS_C_VECTOR || p->contract == VS_C_DIRECTION || p->contract == VS_C_PATH, wants_point = p->contract == VS_C_POINT;
+  if ((wants_vector && vs_is_flat(got, VS_FLAT_POINT)) || (wants_point && vs_is_flat(got, VS_FLAT_VECTOR))) {
+    const double *d = vs_as_flat(got)->at;
+    char x[32], y[32], z[32], hint[128];
+    vs_bind_number_text(x, d[0]), vs_bind_number_text(y, d[1]), vs_bind_number_text(z, d[2]);
+    snprintf(hint, sizeof hint, "(%s %s %s %s)", wants_vector ? "vxyz" : "xyz", x, y, z);
+    return refuse_hint(f, p->name, contracts[p->contract].noun, got, hint);
+  }
+  return vs_bind_refuse(f, p->name, contracts[p->contract].noun, got);
+}
+static vs_status refuse_condition(vs_frame *f, const vs_bind_param *p, vs_value got) {
+  return vs_bind_refuse(f, p->name, contracts[p->contract].condition, got);
+}
+
+/* ---- converting ---- */
+
+bool vs_bind_number(vs *vm, vs_value v, double *out) {
+  if (vs_is_double(v)) *out = vs_double(v);
+  else if (vs_is_fixnum(v)) *out = (double)vs_fixnum(v);
+  else return vs_is_number(v) && vs_number_double(vm, v, out);
+  return true;
+}
+
+static bool finite3(const double *d) { return isfinite(d[0]) && isfinite(d[1]) && isfinite(d[2]); }
+static vs_vec3 vec_of(const double *d) { return vs_v3(d[0], d[1], d[2]); }
+static bool has_length(vs_vec3 v) { return v.x != 0 || v.y != 0 || v.z != 0; }
+
+static bool symbol_is(vs_value v, const char *name) { return vs_is_symbol(v) && !strcmp(vs_as_symbol(v)->name, name); }
+
+static bool convert_axis(vs_value v, vs_arg *out) {
+  out->line.at = vs_v3(0, 0, 0);
+  if (symbol_is(v, "x")) return out->line.direction = vs_v3(1, 0, 0), true;
+  if (symbol_is(v, "y")) return out->line.direction = vs_v3(0, 1, 0), true;
+  if (symbol_is(v, "z")) return out->line.direction = vs_v3(0, 0, 1), true;
+  if (vs_is_flat(v, VS_FLAT_VECTOR)) return out->line.direction = vec_of(vs_as_flat(v)->at), true;
+  if (!vs_is_flat(v, VS_FLAT_AXIS)) return false;
+  out->line.at = vec_of(vs_as_flat(v)->at), out->line.direction = vec_of(vs_as_flat(v)->at + 3);
+  return true;
+}
+
+static bool convert_plane(vs_value v, vs_arg *out) {
+  out->line.at = vs_v3(0, 0, 0);
+  if (symbol_is(v, "xy")) return out->line.direction = vs_v3(0, 0, 1), true;
+  if (symbol_is(v, "yz")) return out->line.direction = vs_v3(1, 0, 0), true;
+  if (symbol_is(v, "xz")) return out->line.direction = vs_v3(0, 1, 0), true;
+  if (vs_is_flat(v, VS_FLAT_VECTOR)) return out->line.direction = vec_of(vs_as_flat(v)->at), true;
+  if (!vs_is_flat(v, VS_FLAT_PLANE)) return false;
+  out->line.at = vec_of(vs_as_flat(v)->at), out->line.direction = vec_of(vs_as_flat(v)->at + 3);
+  return true;
+}
+
+/* Flattens values (each an item or a list of lists of items) by an explicit stack of list tails; add takes one item. False: *bad is what
+ * is neither, or absent and the error is set. Nothing here allocates Scheme objects, so plain locals are safe. */
+static bool flatten(vs_frame *f, const vs_value *values, size_t count, bool (*add)(vs_frame *, vs_value, void *, bool *oom), void *to, vs_value *bad) {
+  vs_value fixed[32], *tails = fixed;
+  size_t room = 32;
+  for (size_t i = 0; i < count; i++) {
+    size_t depth = 0;
+    vs_value v = values[i];
+    for (;;) {
+      bool oom = false;
+      if (vs_is_pair(v) || v == VS_NIL) {
+        if (vs_list_length(v) < 0) return *bad = v, false;
+        if (depth == room) {
+          vs_value *more = vs_bind_scratch(f, room * 2 * sizeof *more);
+          if (!more) return *bad = VS_ABSENT, false;
+          memcpy(more, tails, room * sizeof *more);
+          tails = more, room *= 2;
+        }
+        tails[depth++] = v;
+      } else if (!add(f, v, to, &oom)) {
+        return *bad = oom ? VS_ABSENT : v, false;
+      }
+      while (depth > 0 && tails[depth - 1] == VS_NIL) depth--;
+      if (depth == 0) break;
+      v = vs_car(tails[depth - 1]);
+      tails[depth - 1] = vs_cdr(tails[depth - 1]);
+    }
+  }
+  return true;
+}
+
+/* a growing array in scratch: old ones stay until the call ends, together they are as large as the last */
+typedef struct { void *at; size_t count, room, size; } grow;
+static void *grow_push(vs_frame *f, grow *g) {
+  if (g->count == g->room) {
+    size_t room = g->room ? g->room * 2 : 8;
+    void *at = vs_bind_scratch(f, room * g->size);
+    if (!at) return NULL;
+    if (g->count) memcpy(at, g->at, g->count * g->size);
+    g->at = at, g->room = room;
+  }
+  return (char *)g->at + g->size * g->count++;
+}
+
+static bool add_ref(vs_frame *f, vs_value v, void *to, bool *oom) {
+  vs_shape *s = vs_bind_shape(v);
+  if (!s) return false;
+  vs_ref *slot = grow_push(f, to);
+  if (!slot) return *oom = true, false;
+  *slot = s->ref;
+  return true;
+}
+static bool add_curve(vs_frame *f, vs_value v, void *to, bool *oom) {
+  vs_shape *s = vs_bind_shape(v);
+  return s && (s->ref.node->class_ == VS_CURVE || vs_bind_is_empty(s->ref.node)) && add_ref(f, v, to, oom);
+}
+static bool add_point(vs_frame *f, vs_value v, void *to, bool *oom) {
+  if (!vs_is_flat(v, VS_FLAT_POINT) || !finite3(vs_as_flat(v)->at)) return false;
+  vs_vec3 *slot = grow_push(f, to);
+  if (!slot) return *oom = true, false;
+  *slot = vec_of(vs_as_flat(v)->at);
+  return true;
+}
+
+bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad) {
+  grow g = { .size = sizeof(vs_ref) };
+  if (!flatten(f, &list, 1, add_ref, &g, bad)) return false;
+  *out = g.at, *count = g.count;
+  return true;
+}
+
+/* An `if` without else, a `for-each` in place of a `map`: the commonest ways to get no value. */
+static vs_status refuse_item(vs_frame *f, const vs_bind_param *p, vs_value bad, const char *item) {
+  if (bad == VS_ABSENT) return VS_ERROR; /* the error is set */
+  if (bad == VS_UNSPECIFIC)
+    return vs_fail(f->vm, f->vm->sym.type, "%s must hold only %ss, but one expression gave no value; (empty-object) is nothing", p->name, item);
+  char text[96];
+  snprintf(text, sizeof text, "%s", contracts[p->contract].noun);
+  if (!strcmp(item, "point") && vs_is_flat(bad, VS_FLAT_VECTOR)) return refuse_hint(f, p->name, text, bad, "(+ origin v)");
+  return vs_bind_refuse(f, p->name, text, bad);
+}
+
+static vs_status convert_refs(vs_frame *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out) {
+  grow g = { .size = sizeof(vs_ref) };
+  vs_value bad;
+  bool curves = p->contract == VS_C_CURVES;
+  if (!flatten(f, v, n, curves ? add_curve : add_ref, &g, &bad)) return refuse_item(f, p, bad, curves ? "curve" : "object");
+  out->refs.at = g.at, out->refs.count = g.count;
+  return VS_OK;
+}
+
+static vs_status convert_points(vs_frame *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out) {
+  grow g = { .size = sizeof(vs_vec3) };
+  vs_value bad;
+  if (!flatten(f, v, n, add_point, &g, &bad)) return refuse_item(f, p, bad, "point");
+  out->points.at = g.at, out->points.count = g.count;
+  return VS_OK;
+}
+
+/* one object, or the union of a list */
+static vs_status convert_object(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
+  vs_shape *s = vs_bind_shape(v);
+  if (s) return out->ref = s->ref, VS_OK;
+  vs_arg list;
+  if (!convert_refs(f, p, &v, 1, &list)) return VS_ERROR;
+  if (list.refs.count == 1) return out->ref = list.refs.at[0], VS_OK;
+  vs_node *n = vs_node_new(f->bind->store, list.refs.count ? VS_UNION : VS_EMPTY, list.refs.count ? (const void *)&(struct vs_union){ 0 } : &(struct vs_empty){ 0 },
+                           list.refs.at, list.refs.count);
+  if (!vs_bind_keep(f, n)) return VS_ERROR;
+  out->ref = (vs_ref){ n, vs_bind_origin(f->bind) };
+  return VS_OK;
+}
+
+static bool class_fits(vs_contract c, const vs_node *n) {
+  if (n->class_ == VS_NOTHING) return true;
+  if (c == VS_C_CURVE) return n->class_ == VS_CURVE;
+  if (c == VS_C_PROFILE) return n->class_ == VS_CURVE || n->class_ == VS_REGION_CLASS;
+  if (c == VS_C_FLAT) return n->class_ == VS_CURVE || n->class_ == VS_REGION_CLASS || n->class_ == VS_SURFACE;
+  return c != VS_C_SOLID || n->class_ == VS_SOLID;
+}
+
+static vs_status convert_faces(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
+  int64_t count = vs_list_length(v);
+  if (count < 0) return refuse_kind(f, p, v);
+  grow starts = { .size = sizeof(uint32_t) }, corners = { .size = sizeof(uint32_t) };
+  uint32_t *slot = grow_push(f, &starts);
+  if (!slot) return VS_ERROR;
+  *slot = 0;
+  for (vs_value l = v; l != VS_NIL; l = vs_cdr(l)) {
+    vs_value face = vs_car(l);
+    if (vs_list_length(face) < 3) return refuse_kind(f, p, face);
+    for (vs_value c = face; c != VS_NIL; c = vs_cdr(c)) {
+      vs_value index = vs_car(c);
+      if (!vs_is_fixnum(index) || vs_fixnum(index) < 1 || vs_fixnum(index) > UINT32_MAX)
+        return vs_bind_refuse(f, p->name, "lists of exact integers from 1", index);
+      if (!(slot = grow_push(f, &corners))) return VS_ERROR;
+      *slot = (uint32_t)(vs_fixnum(index) - 1);
+    }
+    if (corners.count > UINT32_MAX / 2) return vs_fail_memory(f->vm);
+    if (!(slot = grow_push(f, &starts))) return VS_ERROR;
+    *slot = (uint32_t)corners.count;
+  }
+  out->faces.starts = starts.at, out->faces.corners = corners.at, out->faces.count = starts.count - 1;
+  return VS_OK;
+}
+
+static vs_status convert_text(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
+  char *text;
+  size_t bytes;
+  if (!vs_is_string(v) && !vs_is_symbol(v)) return refuse_kind(f, p, v);
+  if (!vs_bind_text(f->vm, v, &text, &bytes)) return VS_ERROR;
+  char *kept = vs_bind_scratch(f, bytes);
+  if (kept) memcpy(kept, text, bytes);
+  vs_mem(f->vm, text, bytes, 0);
+  out->text.at = kept, out->text.length = bytes - 1;
+  return kept ? VS_OK : VS_ERROR;
+}
+
+/* a material from a paint, or from a name; a colour also from three numbers */
+static vs_status convert_material(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
+  out->material = vs_foreign_get(v, &vs_paint_type);
+  if (out->material) return VS_OK;
+  if (vs_is_pair(v) && p->contract == VS_C_COLOR && vs_list_length(v) == 3) {
+    double c[3];
+    vs_value l = v;
+    for (int i = 0; i < 3; i++, l = vs_cdr(l))
+      if (!vs_bind_number(f->vm, vs_car(l), &c[i]) || !(c[i] >= 0 && c[i] <= 1)) return refuse_kind(f, p, v);
+    vs_material m = { "", c[0], c[1], c[2], .5, 0, 0, 1.5 };
+    out->material = vs_store_material(f->bind->store, &m);
+    return out->material ? VS_OK : vs_fail_memory(f->vm);
+  }
+  if (!vs_is_string(v) && !vs_is_symbol(v)) return refuse_kind(f, p, v);
+  vs_arg name;
+  if (!convert_text(f, p, v, &name)) return VS_ERROR;
+  out->material = vs_store_ready_material(f->bind->store, name.text.at);
+  return out->material ? VS_OK : refuse_kind(f, p, v);
+}
+
+static vs_status convert_real(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
+  if (!vs_bind_number(f->vm, v, &out->real)) return refuse_kind(f, p, v);
+  if (!isfinite(out->real)) return vs_bind_refuse(f, p->name, "finite", v);
+  return VS_OK;
+}
+
+static vs_status convert_integer(vs_frame *f, const vs_bind_param *p, vs_value v, int64_t low, int64_t high, vs_arg *out) {
+  if (!vs_is_fixnum(v)) return refuse_kind(f, p, v);
+  out->integer = vs_fixnum(v);
+  return out->integer >= low && out->integer <= high ? VS_OK : refuse_condition(f, p, v);
+}
+
+static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
+  out->given = true, out->value = v;
+  switch ((vs_contract)p->contract) {
+    case VS_C_ANY: return VS_OK;
+    case VS_C_REAL: case VS_C_DEGREES: return convert_real(f, p, v, out);
+    case VS_C_RADIUS: return !convert_real(f, p, v, out) ? VS_ERROR : out->real >= 0 ? VS_OK : refuse_condition(f, p, v);
+    case VS_C_POSITIVE: return !convert_real(f, p, v, out) ? VS_ERROR : out->real > 0 ? VS_OK : refuse_condition(f, p, v);
+    case VS_C_UNIT: return !convert_real(f, p, v, out) ? VS_ERROR : out->real >= 0 && out->real <= 1 ? VS_OK : refuse_condition(f, p, v);
+    case VS_C_ANGLE:
+      if (!convert_real(f, p, v, out)) return VS_ERROR;
+      if (vs_is_fixnum(v) && (out->real > 6 || out->real < -6)) {
+        char name[64];
+        vs_bind_warn(f->bind, "degrees", "%s: %.0f radians are %.1f turns; (degrees->radians %.0f)?", own_name(f, name), out->real,
+                     fabs(out->real) / 6.283185307179586, out->real);
+      }
+      return VS_OK;
+    case VS_C_SOME: return convert_integer(f, p, v, 1, INT32_MAX, out);
+    case VS_C_NATURAL: return convert_integer(f, p, v, 0, INT32_MAX, out);
+    case VS_C_SIDES: return convert_integer(f, p, v, 3, 100000, out);
+    case VS_C_SEGMENTS:
+      if (v == VS_FALSE) return out->integer = 0, VS_OK;
+      return convert_integer(f, p, v, 3, 100000, out);
+    case VS_C_BOOLEAN: out->boolean = v != VS_FALSE; return v == VS_TRUE || v == VS_FALSE ? VS_OK : refuse_kind(f, p, v);
+    case VS_C_TEXT: return vs_is_string(v) ? convert_text(f, p, v, out) : refuse_kind(f, p, v);
+    case VS_C_NAME: return vs_is_symbol(v) ? convert_text(f, p, v, out) : refuse_kind(f, p, v);
+    case VS_C_POINT:
+      if (!vs_is_flat(v, VS_FLAT_POINT)) return refuse_kind(f, p, v);
+      out->point = vec_of(vs_as_flat(v)->at);
+      return finite3(vs_as_flat(v)->at) ? VS_OK : refuse_condition(f, p, v);
+    case VS_C_VECTOR: case VS_C_DIRECTION:
+      if (!vs_is_flat(v, VS_FLAT_VECTOR)) return refuse_kind(f, p, v);
+      out->point = vec_of(vs_as_flat(v)->at);
+      if (!finite3(vs_as_flat(v)->at)) return vs_bind_refuse(f, p->name, "of finite coordinates", v);
+      return p->contract == VS_C_VECTOR || has_length(out->point) ? VS_OK : refuse_condition(f, p, v);
+    case VS_C_PLACE:
+      if (!vs_is_flat(v, VS_FLAT_POINT) && !vs_is_flat(v, VS_FLAT_VECTOR)) return refuse_kind(f, p, v);
+      return out->point = vec_of(vs_as_flat(v)->at), VS_OK;
+    case VS_C_NUMERIC:
+      if (vs_is_flat(v, VS_FLAT_POINT) || vs_is_flat(v, VS_FLAT_VECTOR)) return out->point = vec_of(vs_as_flat(v)->at), VS_OK;
+      return vs_bind_number(f->vm, v, &out->real) ? VS_OK : refuse_kind(f, p, v);
+    case VS_C_AXIS: case VS_C_PLANE:
+      if (!(p->contract == VS_C_AXIS ? convert_axis : convert_plane)(v, out)) return refuse_kind(f, p, v);
+      return has_length(out->line.direction) && finite3(&out->line.direction.x) && finite3(&out->line.at.x) ? VS_OK : refuse_condition(f, p, v);
+    case VS_C_MATRIX:
+      if (!vs_is_flat(v, VS_FLAT_MATRIX)) return refuse_kind(f, p, v);
+      return out->matrix = vs_bind_affine(vs_as_flat(v)->at), VS_OK;
+    case VS_C_FACTOR: {
+      double d[3];
+      if (vs_is_flat(v, VS_FLAT_VECTOR)) memcpy(d, vs_as_flat(v)->at, sizeof d);
+      else if (vs_is_pair(v) && vs_list_length(v) == 3) {
+        vs_value l = v;
+        for (int i = 0; i < 3; i++, l = vs_cdr(l))
+          if (!vs_bind_number(f->vm, vs_car(l), &d[i])) return refuse_kind(f, p, v);
+      } else if (vs_bind_number(f->vm, v, &d[0])) d[1] = d[2] = d[0];
+      else return refuse_kind(f, p, v);
+      out->point = vec_of(d);
+      return finite3(d) && d[0] > 0 && d[1] > 0 && d[2] > 0 ? VS_OK : refuse_condition(f, p, v);
+    }
+    case VS_C_OBJECT: case VS_C_CURVE: case VS_C_PROFILE: case VS_C_FLAT: case VS_C_SOLID:
+      if (!convert_object(f, p, v, out)) return VS_ERROR;
+      return class_fits((vs_contract)p->contract, out->ref.node) ? VS_OK : refuse_kind(f, p, v);
+    case VS_C_OBJECTS: case VS_C_CURVES: return convert_refs(f, p, &v, 1, out);
+    case VS_C_POINTS: return convert_points(f, p, &v, 1, out);
+    case VS_C_FACES: return convert_faces(f, p, v, out);
+    case VS_C_PATH:
+      if (vs_bind_shape(v)) {
+        out->ref = vs_bind_shape(v)->ref;
+        return class_fits(VS_C_CURVE, out->ref.node) ? VS_OK : refuse_kind(f, p, v);
+      }
+      if (!vs_is_flat(v, VS_FLAT_VECTOR)) return convert_real(f, p, v, out);
+      return out->point = vec_of(vs_as_flat(v)->at), finite3(vs_as_flat(v)->at) ? VS_OK : refuse_condition(f, p, v);
+    case VS_C_TANGENT:
+      if (vs_is_flat(v, VS_FLAT_VECTOR)) out->point = vec_of(vs_as_flat(v)->at);
+      else if (!convert_real(f, p, v, out)) return VS_ERROR;
+      else {
+        double s, c;
+        vs_sincos(out->real, &s, &c);
+        out->point = vs_v3(c, s, 0);
+      }
+      return finite3(&out->point.x) && has_length(out->point) ? VS_OK : refuse_condition(f, p, v);
+    case VS_C_MATERIAL: case VS_C_COLOR: return convert_material(f, p, v, out);
+  }
+  return vs_bind_refuse(f, p->name, "known", v); /* not reached: every contract is above */
+}
+
+/* ---- choosing the form ---- */
+
+static void form_counts(const vs_form *form, int *least, int *most) {
+  *least = *most = 0;
+  for (const vs_bind_param *p = form->at; p->mode != VS_ARG_END; p++) {
+    *least += p->mode == VS_ARG_REQUIRED;
+    *most = p->mode == VS_ARG_REST ? INT32_MAX : *most + 1;
+  }
+}
+
+/* Is v of this contract's kind, by a look that cannot fail? Only what tells the forms of one procedure apart. */
+static bool looks_like(vs_frame *f, vs_contract c, vs_value v) {
+  vs_arg unused;
+  if (c == VS_C_POINT) return vs_is_flat(v, VS_FLAT_POINT);
+  if (c == VS_C_VECTOR || c == VS_C_DIRECTION) return vs_is_flat(v, VS_FLAT_VECTOR);
+  if (c == VS_C_AXIS) return convert_axis(v, &unused);
+  if (c == VS_C_REAL || c == VS_C_RADIUS || c == VS_C_POSITIVE || c == VS_C_ANGLE) return vs_bind_number(f->vm, v, &unused.real);
+  return true;
+}
+
+static size_t append(char *text, size_t room, size_t at, const char *more) {
+  int n = snprintf(text + at, room - at, "%s", more);
+  return n < 0 ? at : at + (size_t)n < room ? at + (size_t)n : room - 1;
+}
+
+/* No form takes so many arguments: show them all, and what beginners mean by three numbers. */
+static vs_status refuse_count(vs_frame *f, const vs_value *a, int n) {
+  char name[64], text[512];
+  size_t at = append(text, sizeof text, 0, "takes ");
+  own_name(f, name);
+  for (int i = 0; i < VS_MAX_FORMS && f->procedure->form[i].used; i++) {
+    if (i) at = append(text, sizeof text, at, " or ");
+    at = append(text, sizeof text, append(text, sizeof text, at, "("), name);
+    for (const vs_bind_param *p = f->procedure->form[i].at; p->mode != VS_ARG_END; p++) {
+      at = append(text, sizeof text, at, p->mode == VS_ARG_OPTIONAL ? " [" : " ");
+      at = append(text, sizeof text, at, p->name);
+      at = append(text, sizeof text, at, p->mode == VS_ARG_OPTIONAL ? "]" : p->mode == VS_ARG_REST ? " ..." : "");
+    }
+    at = append(text, sizeof text, at, ")");
+  }
+  double d[3];
+  if (f->procedure->form[1].used && n == 3 && vs_bind_number(f->vm, a[0], &d[0]) && vs_bind_number(f->vm, a[1], &d[1]) && vs_bind_number(f->vm, a[2], &d[2])
+      && f->procedure->form[0].at[1].contract == VS_C_POINT && f->procedure->form[0].at[2].mode == VS_ARG_END) {
+    char x[32], y[32], z[32], hint[200];
+    vs_bind_number_text(x, d[0]), vs_bind_number_text(y, d[1]), vs_bind_number_text(z, d[2]);
+    snprintf(hint, sizeof hint, "; perhaps (%s (xyz 0 0 0) (xyz %s %s %s))", name, x, y, z);
+    append(text, sizeof text, at, hint);
+    return vs_fail(f->vm, f->vm->sym.arity, "%s", text);
+  }
+  return vs_fail(f->vm, f->vm->sym.arity, "%s, got %d argument%s", text, n, n == 1 ? "" : "s");
+}
+
+/* the number of the form, or -1 with the error set */
+static int choose_form(vs_frame *f, const vs_value *a, int n) {
+  int best = -1, best_fits = -1, least, most;
+  for (int i = 0; i < VS_MAX_FORMS && f->procedure->form[i].used; i++) {
+    const vs_form *form = &f->procedure->form[i];
+    form_counts(form, &least, &most);
+    if (n < least || n > most) continue;
+    int fits = 0;
+    if (f->procedure->form[1].used)
+      for (; fits < n && form->at[fits].mode != VS_ARG_END && looks_like(f, (vs_contract)form->at[fits].contract, a[fits]); fits++) {}
+    if (fits > best_fits) best = i, best_fits = fits;
+  }
+  if (best < 0) refuse_count(f, a, n);
+  return best;
+}
+
+/* ---- the one native ---- */
+
+static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
+  bool keyed = f->procedure->key[0].mode != VS_ARG_END;
+  int given = n, places = 0;
+  if (keyed) { /* a[] holds every positional place, then the keywords */
+    places = (int)((const vs_native *)(const void *)f->vm->native)->max;
+    for (given = 0; given < places && a[given] != VS_ABSENT; given++) {}
+  }
+  f->form = choose_form(f, a, given);
+  if (f->form < 0) return VS_ERROR;
+  const vs_form *form = &f->procedure->form[f->form];
+  for (int i = 0; form->at[i].mode != VS_ARG_END; i++) {
+    const vs_bind_param *p = &form->at[i];
+    vs_arg *to = &f->arg[i];
+    f->count = i + 1;
+    if (p->mode == VS_ARG_REST) {
+      const vs_value *rest = a + i;
+      size_t count = given > i ? (size_t)(given - i) : 0;
+      *to = (vs_arg){ .given = true, .value = VS_UNSPECIFIC };
+      if (p->contract == VS_C_POINTS) { if (!convert_points(f, p, rest, count, to)) return VS_ERROR; }
+      else if (p->contract == VS_C_ANY) to->values.at = rest, to->values.count = count;
+      else if (!convert_refs(f, p, rest, count, to)) return VS_ERROR;
+      continue;
+    }
+    if (i >= given) *to = (vs_arg){ .given = false, .value = VS_ABSENT };
+    else if (!convert(f, p, a[i], to)) return VS_ERROR;
+  }
+  for (int i = 0; f->procedure->key[i].mode != VS_ARG_END; i++) {
+    vs_value v = a[places + i];
+    if (v == VS_ABSENT) f->key[i] = (vs_arg){ .given = false, .value = VS_ABSENT };
+    else if (!convert(f, &f->procedure->key[i], v, &f->key[i])) return VS_ERROR;
+  }
+  return f->procedure->fn(f, out);
+}
+
+vs_status vs_bind_enter(vs *vm, vs_value *a, int n, vs_value *out) {
+  vs_frame f; /* arguments are set one by one: clearing all of it would cost more than most procedures */
+  f.vm = vm, f.bind = vs_bind_of(vm), f.scratch = NULL, f.count = 0;
+  f.procedure = &vs_bind_procedures[vm->native->def - vs_bind_defs];
+  vs_status s = run(&f, a, n, out);
+  vs_bind_scratch_free(&f);
+  return s;
+}

@@ -1,0 +1,37 @@
+/* Owns the flat record types of the language: which there are, how they print, which arithmetic they have. */
+#include "bind/bind.h"
+
+static const vs_flat_type types[] = {
+  [VS_FLAT_POINT] = { "point", "a point", "xyz", 3, { NULL, NULL } },
+  [VS_FLAT_VECTOR] = { "gvector", "a gvector", "vxyz", 3, { NULL, NULL } },
+  [VS_FLAT_AXIS] = { "axis", "an axis", "make-axis", 6, { "xyz", "vxyz" } },
+  [VS_FLAT_PLANE] = { "plane", "a plane", "make-plane", 6, { "xyz", "vxyz" } },
+  [VS_FLAT_MATRIX] = { "matrix", "a matrix", "make-matrix", 16, { NULL, NULL } },
+};
+
+enum { NUMBER = 0, P = VS_FLAT_POINT, V = VS_FLAT_VECTOR };
+
+/* what + - * / take besides numbers; all else is an error that names both kinds */
+static const struct { uint8_t op, left, right, rule, result; } arithmetic[] = {
+  { VS_OP_ADD, P, V, VS_RULE_ADD, P },      { VS_OP_ADD, V, P, VS_RULE_ADD, P },      { VS_OP_ADD, V, V, VS_RULE_ADD, V },
+  { VS_OP_SUB, P, V, VS_RULE_SUB, P },      { VS_OP_SUB, P, P, VS_RULE_SUB, V },      { VS_OP_SUB, V, V, VS_RULE_SUB, V },
+  { VS_OP_SUB, NUMBER, V, VS_RULE_SUB, V }, /* (- v) */
+  { VS_OP_MUL, NUMBER, V, VS_RULE_MUL, V }, { VS_OP_MUL, V, NUMBER, VS_RULE_MUL, V }, { VS_OP_DIV, V, NUMBER, VS_RULE_DIV, V },
+};
+
+void vs_bind_flat_rules(vs_flat_rules *r) {
+  *r = (vs_flat_rules){ .tags = VS_FLAT_MATRIX + 1 };
+  for (int t = VS_FLAT_POINT; t <= VS_FLAT_MATRIX; t++) r->type[t] = types[t];
+  for (size_t i = 0; i < sizeof arithmetic / sizeof *arithmetic; i++) {
+    r->at[arithmetic[i].op][arithmetic[i].left][arithmetic[i].right].rule = arithmetic[i].rule;
+    r->at[arithmetic[i].op][arithmetic[i].left][arithmetic[i].right].tag = arithmetic[i].result;
+  }
+  r->maker[r->makers].name = "xyz", r->maker[r->makers].tag = P, r->maker[r->makers++].n = 3;
+  r->maker[r->makers].name = "vxyz", r->maker[r->makers].tag = V, r->maker[r->makers++].n = 3;
+  static const char *const coordinate[] = { "cx", "cy", "cz" };
+  for (uint8_t i = 0; i < 3; i++) {
+    r->getter[r->getters].name = coordinate[i];
+    r->getter[r->getters].mask = UINT64_C(1) << P | UINT64_C(1) << V;
+    r->getter[r->getters++].index = i;
+  }
+}

@@ -1,0 +1,181 @@
+/* Owns define-parameter: values that a command line, a slider or a host may set before the program runs. */
+#include "bind/bind.h"
+
+#include <stdio.h>
+
+#include "vm/number.h"
+#include "vm/printer.h"
+#include "vm/reader.h"
+
+enum { KEY_MIN, KEY_MAX, KEY_STEP, KEY_CHOICES, KEY_LABEL, KEY_GROUP };
+
+bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum) {
+  const char *n = vs_store_text(b->store, name, strlen(name)), *d = vs_store_text(b->store, datum, strlen(datum));
+  if (!n || !d) return false;
+  for (size_t i = 0; i < b->setting_count; i++)
+    if (b->settings[i].name == n) return b->settings[i].datum = d, b->settings[i].used = false, true;
+  if (b->setting_count == b->setting_room) {
+    size_t room = b->setting_room ? b->setting_room * 2 : 8;
+    vs_bind_setting *more = vs_store_realloc(b->store, b->settings, b->setting_room * sizeof *more, room * sizeof *more);
+    if (!more) return false;
+    b->settings = more, b->setting_room = room;
+  }
+  b->settings[b->setting_count++] = (vs_bind_setting){ n, d, false };
+  return true;
+}
+
+/* the value's text, as the host sees it; NULL: error set */
+static const char *written(vs_frame *f, vs_value v) {
+  vs_text t;
+  const char *text = NULL;
+  vs_text_open(f->vm, &t, 0);
+  if (vs_print(f->vm, v, vs_is_string(v) ? VS_PRINT_DISPLAY : VS_PRINT_WRITE, &t)) {
+    text = vs_store_text(f->bind->store, t.at ? t.at : "", t.count);
+    if (!text) vs_fail_memory(f->vm);
+  }
+  vs_text_close(&t);
+  return text;
+}
+
+static vs_bind_parameter_type type_of(vs_value v) {
+  if (v == VS_TRUE || v == VS_FALSE) return VS_P_BOOLEAN;
+  if (vs_is_exact_integer(v)) return VS_P_INTEGER;
+  if (vs_is_number(v)) return VS_P_REAL;
+  return vs_is_string(v) ? VS_P_STRING : VS_P_DATUM;
+}
+static const char *type_name(vs_bind_parameter_type t) {
+  switch (t) {
+    case VS_P_BOOLEAN: return "#t or #f";
+    case VS_P_INTEGER: return "an exact integer";
+    case VS_P_REAL: return "a number";
+    case VS_P_STRING: return "a string";
+    case VS_P_DATUM: break;
+  }
+  return "one datum";
+}
+
+/* Says so at the definition's place; set: it is the command line's fault, exit 2. */
+static vs_status wrong(vs_frame *f, bool set, const char *name, const char *must, const char *got) {
+  f->bind->bad_parameter = set;
+  return vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s must be %s, got %s", name, must, got);
+}
+
+/* The setting as a value like the default: exact stays exact, a real takes any number, a string is the bare text. */
+static vs_status read_setting(vs_frame *f, const char *name, const char *datum, vs_value like, vs_value *out) {
+  vs_bind_parameter_type t = type_of(like);
+  if (t == VS_P_STRING) return vs_string_from_utf8(f->vm, datum, strlen(datum), out);
+  size_t bytes = strlen(datum), used = 0;
+  if (!vs_read_datum(f->vm, datum, bytes, out, &used)) {
+    f->bind->bad_parameter = true;
+    return VS_ERROR;
+  }
+  while (used < bytes && (datum[used] == ' ' || datum[used] == '\t')) used++;
+  if (*out == VS_EOF || used < bytes) return wrong(f, true, name, type_name(t), datum);
+  bool fits = t == VS_P_DATUM || type_of(*out) == t || (t == VS_P_REAL && vs_is_number(*out));
+  return fits ? VS_OK : wrong(f, true, name, type_name(t), datum);
+}
+
+static vs_status in_range(vs_frame *f, const vs_bind_parameter *p, vs_value v, bool set) {
+  double d;
+  char low[32], high[32], must[96];
+  if (f->key[KEY_CHOICES].given) {
+    size_t at = 0;
+    char list[400] = "one of";
+    at = strlen(list);
+    for (size_t i = 0; i < p->choice_count; i++) {
+      if (!strcmp(p->choices[i], p->value)) return VS_OK;
+      int n = snprintf(list + at, sizeof list - at, " %s", p->choices[i]);
+      if (n > 0 && at + (size_t)n < sizeof list) at += (size_t)n;
+    }
+    return wrong(f, set, p->name, list, p->value);
+  }
+  if ((!f->key[KEY_MIN].given && !f->key[KEY_MAX].given) || !vs_is_number(v)) return VS_OK;
+  if (!vs_number_double(f->vm, v, &d)) return VS_ERROR;
+  bool low_ok = !f->key[KEY_MIN].given || d >= p->min, high_ok = !f->key[KEY_MAX].given || d <= p->max;
+  if (low_ok && high_ok) return VS_OK;
+  vs_bind_number_text(low, p->min), vs_bind_number_text(high, p->max);
+  if (f->key[KEY_MIN].given && f->key[KEY_MAX].given) snprintf(must, sizeof must, "from %s to %s", low, high);
+  else snprintf(must, sizeof must, "%s %s", f->key[KEY_MIN].given ? "at least" : "at most", f->key[KEY_MIN].given ? low : high);
+  return wrong(f, set, p->name, must, p->value);
+}
+
+static vs_status read_choices(vs_frame *f, vs_bind_parameter *p) {
+  vs_value list = f->key[KEY_CHOICES].value;
+  int64_t n = vs_list_length(list);
+  if (n < 1) return vs_bind_refuse(f, "#:choices", "a list of values", list);
+  p->choices = vs_store_realloc(f->bind->store, NULL, 0, (size_t)n * sizeof *p->choices);
+  if (!p->choices) return vs_fail_memory(f->vm);
+  p->choice_count = (size_t)n;
+  VS_ROOTS(f->vm, r, 1);
+  r[0] = list;
+  for (size_t i = 0; i < p->choice_count; i++, r[0] = vs_cdr(r[0]))
+    if (!(p->choices[i] = written(f, vs_car(r[0])))) return VS_ERROR;
+  return VS_OK;
+}
+
+static void set_range(vs_frame *f, vs_bind_parameter *p, double d) {
+  const vs_arg *k = f->key;
+  p->has_range = true;
+  p->min = k[KEY_MIN].given ? k[KEY_MIN].real : k[KEY_MAX].given && k[KEY_MAX].real <= 0 ? 2 * fmin(d, k[KEY_MAX].real) : fmin(0, 2 * d);
+  p->max = k[KEY_MAX].given ? k[KEY_MAX].real : fmax(fmax(0, 2 * d), p->min);
+  if (p->max == p->min && !k[KEY_MIN].given && !k[KEY_MAX].given) p->max = p->min + 1; /* a default of 0 */
+  p->step = k[KEY_STEP].given ? k[KEY_STEP].real : p->type == VS_P_INTEGER ? 1 : 0;
+}
+
+/* a definition made again (in the REPL) takes the place of the first */
+static vs_status keep(vs_frame *f, const vs_bind_parameter *p) {
+  vs_bind *b = f->bind;
+  for (size_t i = 0; i < b->parameter_count; i++)
+    if (b->parameters[i].name == p->name) {
+      vs_store_realloc(b->store, b->parameters[i].choices, b->parameters[i].choice_count * sizeof *p->choices, 0);
+      return b->parameters[i] = *p, VS_OK;
+    }
+  if (b->parameter_count == b->parameter_room) {
+    size_t room = b->parameter_room ? b->parameter_room * 2 : 8;
+    vs_bind_parameter *more = vs_store_realloc(b->store, b->parameters, b->parameter_room * sizeof *more, room * sizeof *more);
+    if (!more) return vs_fail_memory(f->vm);
+    b->parameters = more, b->parameter_room = room;
+  }
+  b->parameters[b->parameter_count++] = *p;
+  return VS_OK;
+}
+
+static vs_status define(vs_frame *f, vs_bind_parameter *p, vs_value *value, vs_value first) {
+  const vs_arg *k = f->key;
+  vs_store *s = f->bind->store;
+  if (!(p->name = vs_store_text(s, f->arg[0].text.at, f->arg[0].text.length))) return vs_fail_memory(f->vm);
+  p->label = k[KEY_LABEL].given ? vs_store_text(s, k[KEY_LABEL].text.at, k[KEY_LABEL].text.length) : p->name;
+  p->group = k[KEY_GROUP].given ? vs_store_text(s, k[KEY_GROUP].text.at, k[KEY_GROUP].text.length) : "";
+  if (!p->label || !p->group) return vs_fail_memory(f->vm);
+  p->type = type_of(first);
+  p->at = vs_call_place(f->vm);
+  double d;
+  if (p->type == VS_P_INTEGER || p->type == VS_P_REAL) {
+    if (!vs_number_double(f->vm, first, &d)) return VS_ERROR;
+    set_range(f, p, d);
+    if (p->min > p->max) return vs_fail(f->vm, f->vm->sym.range, "#:min must not be more than #:max");
+  } else if (k[KEY_MIN].given || k[KEY_MAX].given || k[KEY_STEP].given)
+    return vs_fail(f->vm, f->vm->sym.range, "#:min, #:max and #:step are for numbers; %s is %s", p->name, vs_noun(f->vm, first));
+  if (k[KEY_CHOICES].given && !read_choices(f, p)) return VS_ERROR;
+  if (k[KEY_CHOICES].given) p->has_range = false;
+  if (!(p->value = p->default_value = written(f, first)) || !in_range(f, p, first, false)) return VS_ERROR;
+  for (size_t i = 0; i < f->bind->setting_count; i++) {
+    vs_bind_setting *set = &f->bind->settings[i];
+    if (set->name != p->name) continue;
+    set->used = true;
+    if (!read_setting(f, p->name, set->datum, first, value)) return VS_ERROR;
+    if (!(p->value = written(f, *value)) || !in_range(f, p, *value, true)) return VS_ERROR;
+  }
+  return keep(f, p);
+}
+
+/* (%parameter 'name default #:min ...): the value to define the name with */
+vs_status vs_p_parameter(vs_frame *f, vs_value *out) {
+  vs_bind_parameter p = { 0 };
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = r[1] = f->arg[1].value;
+  vs_status s = define(f, &p, &r[0], r[1]);
+  if (!s) vs_store_realloc(f->bind->store, p.choices, p.choice_count * sizeof *p.choices, 0);
+  *out = r[0];
+  return s;
+}

@@ -1,0 +1,178 @@
+/* Owns the text of an object: the expression that makes it, from the field table of prims.def; iterative, so the depth is no matter. */
+#include "bind/bind.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+void vs_bind_number_text(char out[32], double d) {
+  if (d == 0) d = 0; /* no -0 */
+  for (int digits = 15; digits <= 17; digits++) {
+    snprintf(out, 32, "%.*g", digits, d);
+    if (strtod(out, NULL) == d) return;
+  }
+}
+
+typedef struct { bool (*put)(void *to, const char *s, size_t n); void *to; } sink;
+
+static bool text(const sink *k, const char *s) { return k->put(k->to, s, strlen(s)); }
+static bool number(const sink *k, double d) {
+  char t[32];
+  vs_bind_number_text(t, d);
+  return text(k, t);
+}
+static bool triple(const sink *k, const char *maker, vs_vec3 v) {
+  return text(k, "(") && text(k, maker) && text(k, " ") && number(k, v.x) && text(k, " ") && number(k, v.y) && text(k, " ") && number(k, v.z) && text(k, ")");
+}
+static bool quoted(const sink *k, const char *s) {
+  if (!text(k, "\"")) return false;
+  for (; *s; s++)
+    if (!((*s == '"' || *s == '\\') ? text(k, "\\") && k->put(k->to, s, 1) : k->put(k->to, s, 1))) return false;
+  return text(k, "\"");
+}
+
+static bool points(const sink *k, const vs_points *p) {
+  if (!text(k, "(list")) return false;
+  for (uint32_t i = 0; i < p->count; i++)
+    if (!text(k, " ") || !triple(k, "xyz", p->at[i])) return false;
+  return text(k, ")");
+}
+
+static bool faces(const sink *k, const vs_faces *f) { /* indices from 1, as the constructor takes them */
+  if (!text(k, "'(")) return false;
+  for (uint32_t i = 0; i < f->count; i++) {
+    if (!text(k, i ? " (" : "(")) return false;
+    for (uint32_t c = vs_faces_starts(f)[i]; c < vs_faces_starts(f)[i + 1]; c++)
+      if ((c > vs_faces_starts(f)[i] && !text(k, " ")) || !number(k, (double)vs_faces_corners(f)[c] + 1)) return false;
+    if (!text(k, ")")) return false;
+  }
+  return text(k, ")");
+}
+
+static bool matrix(const sink *k, const vs_affine *m) {
+  if (!text(k, "(make-matrix")) return false;
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 4; j++)
+      if (!text(k, " ") || !number(k, m->m[i][j])) return false;
+  return text(k, " 0 0 0 1)");
+}
+
+static bool material(const sink *k, const vs_material *m) {
+  if (*m->name) return quoted(k, m->name);
+  return text(k, "(list ") && number(k, m->red) && text(k, " ") && number(k, m->green) && text(k, " ") && number(k, m->blue) && text(k, ")");
+}
+
+/* the fields that follow the children, or come before them where there are none */
+static bool field(const sink *k, const vs_field_info *f, const void *data) {
+  const char *at = (const char *)data + f->offset;
+  switch (f->type) {
+    case VS_FIELD_real: return number(k, *(const double *)(const void *)at);
+    case VS_FIELD_integer: return number(k, *(const int32_t *)(const void *)at);
+    case VS_FIELD_boolean: return text(k, *(const bool *)(const void *)at ? "#t" : "#f");
+    case VS_FIELD_point: return triple(k, "xyz", *(const vs_vec3 *)(const void *)at);
+    case VS_FIELD_vector: return triple(k, "vxyz", *(const vs_vec3 *)(const void *)at);
+    case VS_FIELD_affine: return matrix(k, (const vs_affine *)(const void *)at);
+    case VS_FIELD_points: return points(k, *(const vs_points *const *)(const void *)at);
+    case VS_FIELD_faces: return faces(k, *(const vs_faces *const *)(const void *)at);
+    case VS_FIELD_text: return quoted(k, *(const char *const *)(const void *)at);
+    case VS_FIELD_material: return material(k, *(const vs_material *const *)(const void *)at);
+  }
+  return false;
+}
+
+static const vs_field_info *find(const vs_node *n, const char *argument) {
+  const vs_kind_info *i = vs_kind_get((vs_kind)n->kind);
+  for (size_t f = 0; f < i->field_count; f++)
+    if (!strcmp(i->fields[f].argument, argument)) return &i->fields[f];
+  return NULL;
+}
+
+/* " field" for each of the fields named; segments only where given, as a keyword */
+static bool named(const sink *k, const vs_node *n, const char *const *names) {
+  for (; *names; names++) {
+    const vs_field_info *f = find(n, *names);
+    if (!f || !text(k, " ") || !field(k, f, n->data)) return false;
+  }
+  const vs_field_info *s = find(n, "segments");
+  return !s || !*(const int32_t *)(const void *)((const char *)n->data + s->offset) || (text(k, " #:segments ") && field(k, s, n->data));
+}
+
+static bool is_moved(const vs_affine *m) { return vs_affine_is_translation(m); }
+
+/* "(make-sphere" and what stands before the children */
+static bool opening(const sink *k, const vs_node *n) {
+  const char *name = vs_kind_get((vs_kind)n->kind)->name;
+  static const char *const none[] = { NULL };
+  switch ((vs_kind)n->kind) {
+    case VS_EMPTY: return text(k, "(empty-object");
+    case VS_LINE: return text(k, VS_AS(line, n)->closed ? "(make-polygon" : "(make-line") && named(k, n, (const char *const[]){ "points", NULL });
+    case VS_SPLINE: {
+      const struct vs_spline *s = VS_AS(spline, n);
+      if (!text(k, "(make-spline (list")) return false;
+      for (uint32_t i = 0; i < s->points->count + (s->closed ? 1u : 0u); i++)
+        if (!text(k, " ") || !triple(k, "xyz", s->points->at[i % s->points->count])) return false;
+      bool tangents = !vs_v3_equal(s->start_tangent, vs_v3(0, 0, 0)) || !vs_v3_equal(s->end_tangent, vs_v3(0, 0, 0));
+      return text(k, ")") && named(k, n, tangents ? (const char *const[]){ "start-tangent", "end-tangent", NULL } : none);
+    }
+    case VS_POLYFACE_MESH: return text(k, "(make-polyface-mesh") && named(k, n, (const char *const[]){ "points", "faces", NULL });
+    case VS_REGION: return text(k, "(make-region");
+    case VS_BOX: case VS_WEDGE: return text(k, "(make-") && text(k, name) && named(k, n, (const char *const[]){ "p", "q", NULL });
+    case VS_ARC: return text(k, "(make-arc") && named(k, n, (const char *const[]){ "c", "r", "start", "end", NULL });
+    case VS_CIRCLE: case VS_SPHERE: return text(k, "(make-") && text(k, name) && named(k, n, (const char *const[]){ "c", "r", NULL });
+    case VS_CYLINDER: return text(k, "(make-cylinder") && named(k, n, (const char *const[]){ "c1", "c2", "r", NULL });
+    case VS_CONE: return text(k, "(make-cone") && named(k, n, (const char *const[]){ "base", "apex", "r", NULL });
+    case VS_CUT_CONE: return text(k, "(make-cut-cone") && named(k, n, (const char *const[]){ "c1", "r1", "c2", "r2", NULL });
+    case VS_PYRAMID: return text(k, "(make-pyramid") && named(k, n, (const char *const[]){ "c1", "r", "n", "c2", "r2", NULL });
+    case VS_TORUS: return text(k, "(make-torus") && named(k, n, (const char *const[]){ "c", "r", "tube-r", NULL });
+    case VS_EXTRUDE: return text(k, "(do-extrude");
+    case VS_SWEEP: return text(k, "(do-sweep");
+    case VS_THICKEN: return text(k, "(do-thicken");
+    case VS_TRANSFORM: return text(k, is_moved(&VS_AS(transform, n)->matrix) ? "(do-move" : "(do-transform");
+    case VS_MATERIAL: return text(k, *VS_AS(material, n)->material->name ? "(with-material " : "(color ") && material(k, VS_AS(material, n)->material);
+    case VS_LAYER: return text(k, "(layer") && named(k, n, (const char *const[]){ "name", NULL });
+    case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return text(k, "(") && text(k, name);
+    case VS_KIND_COUNT: break;
+  }
+  return text(k, "(make-") && text(k, name);
+}
+
+/* what stands after the children, and the closing parenthesis */
+static bool closing(const sink *k, const vs_node *n) {
+  if (n->kind == VS_EXTRUDE) {
+    const struct vs_extrude *e = VS_AS(extrude, n);
+    if (n->child_count == 1 && !(text(k, " ") && (e->along.x == 0 && e->along.y == 0 ? number(k, e->along.z) : triple(k, "vxyz", e->along)))) return false;
+    if (e->taper != 0 && !(text(k, " ") && number(k, e->taper))) return false;
+    if (e->twist != 0 && !(text(k, " #:twist ") && number(k, e->twist))) return false;
+    if (e->scale != 1 && !(text(k, " #:scale ") && number(k, e->scale))) return false;
+    if (e->center && !text(k, " #:centre #t")) return false;
+  } else if (n->kind == VS_SWEEP) {
+    const struct vs_sweep *s = VS_AS(sweep, n);
+    if ((s->twist != 0 || s->scale != 1) && !(text(k, " ") && number(k, s->twist) && text(k, " ") && number(k, s->scale))) return false;
+    if (s->has_base && !(text(k, " #:base ") && triple(k, "xyz", s->base))) return false;
+  } else if (n->kind == VS_THICKEN) {
+    if (!named(k, n, (const char *const[]){ "width", NULL })) return false;
+  } else if (n->kind == VS_TRANSFORM) {
+    const vs_affine *m = &VS_AS(transform, n)->matrix;
+    if (!text(k, " ") || !(is_moved(m) ? triple(k, "vxyz", vs_v3(m->m[0][3], m->m[1][3], m->m[2][3])) : matrix(k, m))) return false;
+  }
+  return text(k, ")");
+}
+
+bool vs_bind_print_node(const vs_node *n, bool (*put)(void *to, const char *s, size_t n), void *to) {
+  enum { MOST = 20000 }; /* a shared tree can be exponentially long when written out */
+  sink k = { put, to };
+  vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
+  vs_ref ref;
+  size_t depth, printed = 0;
+  bool ok = w != NULL;
+  while (ok) {
+    vs_walk_event e = vs_walk_next(w, &ref, &depth);
+    if (e == VS_WALK_DONE) break;
+    if (e == VS_WALK_FAILED) ok = false;
+    else if (e == VS_WALK_ENTER) {
+      ok = (depth == 0 || text(&k, " ")) && opening(&k, ref.node);
+      if (++printed > MOST && ok && ref.node->child_count) ok = text(&k, " ..."), vs_walk_skip(w);
+    } else ok = closing(&k, ref.node);
+  }
+  vs_walk_free(w);
+  return ok;
+}

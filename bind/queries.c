@@ -1,0 +1,139 @@
+/* Owns what a program can ask of an object: its kind and parts, its bounds and measures. */
+#include "bind/bind.h"
+
+#include "geometry/measure.h"
+
+static vs_status truth(bool b, vs_value *out) {
+  *out = vs_bool(b);
+  return VS_OK;
+}
+static const vs_node *node_of(const vs_frame *f) { /* NULL: argument 0 is no object */
+  vs_shape *s = vs_bind_shape(f->arg[0].value);
+  return s ? s->ref.node : NULL;
+}
+static vs_status is_class(const vs_frame *f, vs_class c, vs_value *out) { return truth(node_of(f) && node_of(f)->class_ == c, out); }
+
+vs_status vs_p_is_object(vs_frame *f, vs_value *out) { return truth(node_of(f) != NULL, out); }
+vs_status vs_p_is_curve(vs_frame *f, vs_value *out) { return is_class(f, VS_CURVE, out); }
+vs_status vs_p_is_region(vs_frame *f, vs_value *out) { return is_class(f, VS_REGION_CLASS, out); }
+vs_status vs_p_is_surface(vs_frame *f, vs_value *out) { return is_class(f, VS_SURFACE, out); }
+vs_status vs_p_is_solid(vs_frame *f, vs_value *out) { return is_class(f, VS_SOLID, out); }
+vs_status vs_p_is_empty(vs_frame *f, vs_value *out) { return truth(node_of(f) && node_of(f)->kind == VS_EMPTY, out); }
+
+static bool is_boolean(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }
+static bool is_operation(const vs_node *n) {
+  vs_level level = vs_kind_get((vs_kind)n->kind)->level;
+  return level == VS_LEVEL_OPERATION || level == VS_LEVEL_SWEPT;
+}
+vs_status vs_p_is_csg(vs_frame *f, vs_value *out) { return truth(node_of(f) && is_boolean(node_of(f)), out); }
+vs_status vs_p_is_operation(vs_frame *f, vs_value *out) { return truth(node_of(f) && is_operation(node_of(f)), out); }
+vs_status vs_p_is_primitive(vs_frame *f, vs_value *out) { return truth(node_of(f) && !is_operation(node_of(f)), out); }
+
+vs_status vs_p_object_kind(vs_frame *f, vs_value *out) { return vs_intern_c(f->vm, vs_kind_get((vs_kind)f->arg[0].ref.node->kind)->name, out); }
+
+/* ---- fields as values ---- */
+
+static vs_status list_points(vs_frame *f, const vs_points *p, vs_value *out) {
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = VS_NIL;
+  for (uint32_t i = p->count; i-- > 0;)
+    if (!vs_bind_point(f, p->at[i], &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
+  *out = r[0];
+  return VS_OK;
+}
+
+static vs_status list_faces(vs_frame *f, const vs_faces *g, vs_value *out) {
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = VS_NIL;
+  for (uint32_t i = g->count; i-- > 0;) {
+    r[1] = VS_NIL;
+    for (uint32_t c = vs_faces_starts(g)[i + 1]; c-- > vs_faces_starts(g)[i];)
+      if (!vs_cons(f->vm, vs_fix((int64_t)vs_faces_corners(g)[c] + 1), r[1], &r[1])) return VS_ERROR;
+    if (!vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
+  }
+  *out = r[0];
+  return VS_OK;
+}
+
+static vs_status field_value(vs_frame *f, const vs_field_info *i, const vs_node *n, vs_value *out) {
+  const void *at = (const char *)n->data + i->offset;
+  switch (i->type) {
+    case VS_FIELD_real: return vs_bind_real(f, *(const double *)at, out);
+    case VS_FIELD_integer: *out = vs_fix(*(const int32_t *)at); return VS_OK;
+    case VS_FIELD_boolean: return truth(*(const bool *)at, out);
+    case VS_FIELD_point: return vs_bind_point(f, *(const vs_vec3 *)at, out);
+    case VS_FIELD_vector: return vs_bind_vector(f, *(const vs_vec3 *)at, out);
+    case VS_FIELD_affine: return vs_bind_matrix(f, at, out);
+    case VS_FIELD_points: return list_points(f, *(const vs_points *const *)at, out);
+    case VS_FIELD_faces: return list_faces(f, *(const vs_faces *const *)at, out);
+    case VS_FIELD_text: return vs_string_from_utf8(f->vm, *(const char *const *)at, strlen(*(const char *const *)at), out);
+    case VS_FIELD_material: {
+      const vs_material *m = *(const vs_material *const *)at;
+      return vs_make_foreign(f->vm, &vs_paint_type, (void *)(uintptr_t)m, 0, out);
+    }
+  }
+  return vs_fail_memory(f->vm);
+}
+
+/* segments are left out where they follow the tolerance: then they were not given */
+vs_status vs_p_object_arguments(vs_frame *f, vs_value *out) {
+  const vs_node *n = f->arg[0].ref.node;
+  const vs_kind_info *k = vs_kind_get((vs_kind)n->kind);
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = VS_NIL;
+  for (size_t i = k->field_count; i-- > 0;) {
+    if (!strcmp(k->fields[i].argument, "segments") && *(const int32_t *)(const void *)((const char *)n->data + k->fields[i].offset) == 0) continue;
+    if (!field_value(f, &k->fields[i], n, &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
+  }
+  *out = r[0];
+  return VS_OK;
+}
+
+vs_status vs_p_object_children(vs_frame *f, vs_value *out) {
+  vs_ref ref = f->arg[0].ref;
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = VS_NIL;
+  for (uint32_t i = ref.node->child_count; i-- > 0;)
+    if (!vs_poll(f->vm, 1) || !vs_bind_wrap(f->bind, vs_node_retain(ref.node->children[i].node), &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
+  *out = r[0];
+  return VS_OK;
+}
+
+/* Leaves, each placement counted: sums of counts, one per shared node, so that a DAG costs what it has nodes. */
+vs_status vs_p_object_count(vs_frame *f, vs_value *out) {
+  double count;
+  if (!vs_bind_count(f->arg[0].ref, &count)) return vs_fail_memory(f->vm);
+  *out = count < (double)VS_FIXNUM_MAX ? vs_fix((int64_t)count) : vs_flonum(count);
+  return VS_OK;
+}
+
+/* ---- measures ---- */
+
+vs_status vs_bind_error(vs_frame *f, const vs_error *e) {
+  switch (e->kind) {
+    case VS_ERROR_MEMORY: return vs_fail_memory(f->vm);
+    case VS_ERROR_INTERRUPT: return vs_fail(f->vm, f->vm->sym.interrupt, "interrupted");
+    case VS_ERROR_FILE: return vs_fail(f->vm, f->vm->sym.file, "%s", e->message);
+    case VS_ERROR_NONE: case VS_ERROR_MODEL: case VS_ERROR_WORKER: break;
+  }
+  return vs_fail(f->vm, f->vm->sym.error, "%s", *e->message ? e->message : "cannot be worked out");
+}
+
+vs_status vs_p_bounding_box(vs_frame *f, vs_value *out) {
+  vs_bounds b;
+  vs_error e = { 0 };
+  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
+  if (b.min.x > b.max.x) return truth(false, out);
+  VS_ROOTS(f->vm, r, 2);
+  return vs_bind_point(f, b.max, &r[0]) && vs_cons(f->vm, r[0], VS_NIL, &r[1]) && vs_bind_point(f, b.min, &r[0]) && vs_cons(f->vm, r[0], r[1], out);
+}
+
+vs_status vs_p_contains(vs_frame *f, vs_value *out) {
+  const vs_node *n = f->arg[0].ref.node;
+  bool inside = false;
+  vs_error e = { 0 };
+  if (n->class_ == VS_NOTHING) return truth(false, out);
+  if (n->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
+  if (!vs_node_contains(n, f->arg[1].point, &inside, &e)) return vs_bind_error(f, &e);
+  return truth(inside, out);
+}

@@ -1,0 +1,22 @@
+/* Owns the answer of names that are taken and not there yet. */
+#include "bind/bind.h"
+
+static const struct { const char *name, *instead; } reserved[] = {
+#define RESERVED(name, instead) { name, instead },
+#include "bind/reserved.def"
+#undef RESERVED
+};
+
+static vs_native_fn refuse;
+static const vs_native_def defs[] = {
+#define RESERVED(name, instead) { name, ". arguments", refuse, 0, "reserved" },
+#include "bind/reserved.def"
+#undef RESERVED
+  { NULL, NULL, NULL, 0, NULL }
+};
+const vs_native_table vs_bind_reserved_table = { "reserved", defs };
+
+static vs_status refuse(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)a, (void)n, (void)out;
+  return vs_fail(vm, vm->sym.unbound, "this name is reserved: it is not there yet; %s", reserved[vm->native->def - defs].instead);
+}

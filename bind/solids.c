@@ -1,0 +1,203 @@
+/* Owns the constructors of solids and of surfaces of few faces. What collapses is the empty object, with a warning once a place. */
+#include "bind/bind.h"
+
+#include "geometry/frame.h"
+#include "model/mesh.h"
+
+#define REAL(i) (f->arg[i].real)
+#define POINT(i) (f->arg[i].point)
+
+static int32_t segments(const vs_frame *f) { /* 0: by tolerance */
+  return f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->bind);
+}
+
+/* ---- boxes ---- */
+
+/* the corners of a box or wedge by either form; false: no volume */
+static bool corners(const vs_frame *f, vs_vec3 *least, vs_vec3 *most) {
+  vs_vec3 p = POINT(0), q;
+  if (f->form == 0) q = POINT(1);
+  else {
+    vs_vec3 half = vs_v3(fabs(REAL(1)) / 2, fabs(REAL(2)) / 2, fabs(REAL(3)) / 2), c = p;
+    p = vs_v3_sub(c, half), q = vs_v3_add(c, half);
+  }
+  *least = vs_v3(fmin(p.x, q.x), fmin(p.y, q.y), fmin(p.z, q.z));
+  *most = vs_v3(fmax(p.x, q.x), fmax(p.y, q.y), fmax(p.z, q.z));
+  return least->x < most->x && least->y < most->y && least->z < most->z;
+}
+
+/* sizes are not negative (a corner may be anywhere) */
+static vs_status refuse_sizes(vs_frame *f) {
+  static const char *const names[] = { "c", "dx", "dy", "dz" };
+  if (f->form == 1)
+    for (int i = 1; i < 4; i++)
+      if (REAL(i) < 0) return vs_bind_refuse(f, names[i], "positive", f->arg[i].value);
+  return VS_OK;
+}
+
+vs_status vs_p_make_box(vs_frame *f, vs_value *out) {
+  struct vs_box d = { 0 };
+  if (!refuse_sizes(f)) return VS_ERROR;
+  if (!corners(f, &d.p, &d.q)) return vs_bind_empty(f, "a box without width, depth or height", out);
+  return vs_bind_make(f, VS_BOX, &d, NULL, 0, out);
+}
+vs_status vs_p_make_wedge(vs_frame *f, vs_value *out) {
+  struct vs_wedge d = { 0 };
+  if (!refuse_sizes(f)) return VS_ERROR;
+  if (!corners(f, &d.p, &d.q)) return vs_bind_empty(f, "a wedge without width, depth or height", out);
+  return vs_bind_make(f, VS_WEDGE, &d, NULL, 0, out);
+}
+
+/* ---- round solids ---- */
+
+vs_status vs_p_make_sphere(vs_frame *f, vs_value *out) {
+  if (REAL(1) == 0) return vs_bind_empty(f, "r is 0", out);
+  return vs_bind_make(f, VS_SPHERE, &(struct vs_sphere){ .center = POINT(0), .radius = REAL(1), .segments = segments(f) }, NULL, 0, out);
+}
+
+vs_status vs_p_make_cylinder(vs_frame *f, vs_value *out) {
+  struct vs_cylinder d = { .base = POINT(0), .radius = REAL(2), .segments = segments(f) };
+  d.top = f->form == 0 ? POINT(1) : vs_v3(d.base.x, d.base.y, d.base.z + REAL(1));
+  if (d.radius == 0) return vs_bind_empty(f, "r is 0", out);
+  if (vs_v3_equal(d.base, d.top)) return vs_bind_empty(f, f->form == 0 ? "c1 and c2 are the same point" : "h is 0", out);
+  return vs_bind_make(f, VS_CYLINDER, &d, NULL, 0, out);
+}
+
+vs_status vs_p_make_cone(vs_frame *f, vs_value *out) {
+  struct vs_cone d = { .base = POINT(0), .apex = POINT(1), .radius = REAL(2), .segments = segments(f) };
+  if (d.radius == 0) return vs_bind_empty(f, "r is 0", out);
+  if (vs_v3_equal(d.base, d.apex)) return vs_bind_empty(f, "base and apex are the same point", out);
+  return vs_bind_make(f, VS_CONE, &d, NULL, 0, out);
+}
+
+vs_status vs_p_make_cut_cone(vs_frame *f, vs_value *out) {
+  struct vs_cut_cone d = { .base = POINT(0), .base_radius = REAL(1), .top = POINT(2), .top_radius = REAL(3), .segments = segments(f) };
+  if (d.base_radius == 0 && d.top_radius == 0) return vs_bind_empty(f, "r1 and r2 are 0", out);
+  if (vs_v3_equal(d.base, d.top)) return vs_bind_empty(f, "c1 and c2 are the same point", out);
+  return vs_bind_make(f, VS_CUT_CONE, &d, NULL, 0, out);
+}
+
+/* an elliptical cone is a round one made wider across: turned onto its axis after that */
+vs_status vs_p_make_e_cone(vs_frame *f, vs_value *out) {
+  vs_vec3 base = POINT(0), top = POINT(3), along = vs_v3_sub(top, base);
+  double r = REAL(1), across = REAL(2), r2 = REAL(4), h = vs_v3_length(along);
+  if (h == 0) return vs_bind_empty(f, "c1 and c2 are the same point", out);
+  if (r == 0 || across == 0) return vs_bind_empty(f, "r1 or r1* is 0", out);
+  struct vs_cut_cone d = { .base_radius = r, .top = vs_v3(0, 0, h), .top_radius = r2, .segments = segments(f) };
+  vs_affine frame = vs_frame_on_axis(base, along), wide = vs_affine_scaling(vs_v3(0, 0, 0), vs_v3(1, across / r, 1));
+  struct vs_transform t = { .matrix = vs_affine_multiply(&frame, &wide) };
+  vs_node *cone = vs_node_new(f->bind->store, VS_CUT_CONE, &d, NULL, 0);
+  if (!vs_bind_keep(f, cone)) return VS_ERROR;
+  return vs_bind_make(f, VS_TRANSFORM, &t, &(vs_ref){ cone, vs_bind_origin(f->bind) }, 1, out);
+}
+
+vs_status vs_p_make_torus(vs_frame *f, vs_value *out) {
+  struct vs_torus d = { .center = POINT(0), .radius = REAL(1), .tube_radius = REAL(2), .segments = segments(f) };
+  if (d.tube_radius == 0) return vs_bind_empty(f, "tube-r is 0", out);
+  if (d.radius == 0) return vs_bind_empty(f, "r is 0", out);
+  if (d.tube_radius > d.radius) return vs_bind_refuse(f, "tube-r", "at most r: a torus that crosses itself is no solid", f->arg[2].value);
+  return vs_bind_make(f, VS_TORUS, &d, NULL, 0, out);
+}
+
+/* ---- pyramids ---- */
+
+static vs_status pyramid(vs_frame *f, double top_radius, vs_value *out) {
+  struct vs_pyramid d = { .base = POINT(0), .base_radius = REAL(1), .sides = (int32_t)f->arg[2].integer, .top = POINT(3), .top_radius = top_radius };
+  if (d.base_radius == 0 && d.top_radius == 0) return vs_bind_empty(f, "both radii are 0", out);
+  if (vs_v3_equal(d.base, d.top)) return vs_bind_empty(f, "c1 and c2 are the same point", out);
+  return vs_bind_make(f, VS_PYRAMID, &d, NULL, 0, out);
+}
+vs_status vs_p_make_pyramid(vs_frame *f, vs_value *out) { return pyramid(f, f->arg[4].given ? REAL(4) : 0, out); }
+vs_status vs_p_make_prism(vs_frame *f, vs_value *out) { return pyramid(f, REAL(1), out); }
+
+/* ---- faces ---- */
+
+/* Turns each face round: corners in the opposite order. */
+static void turn(uint32_t *starts, uint32_t *corner, size_t count) {
+  for (size_t i = 0; i < count; i++)
+    for (uint32_t a = starts[i], b = starts[i + 1] - 1; a < b; a++, b--) {
+      uint32_t c = corner[a];
+      corner[a] = corner[b], corner[b] = c;
+    }
+}
+
+/* Does it close, by fans of triangles? If it does and is inside out, it is turned. */
+static vs_status look(vs_frame *f, const vs_vec3 *at, size_t points, uint32_t *starts, uint32_t *corner, size_t count, bool *closed) {
+  vs_mesh m = { 0 };
+  bool known = true, room = true;
+  for (size_t i = 0; room && i < points; i++) room = vs_mesh_add_vertex(&m, at[i], NULL);
+  for (size_t i = 0; room && i < count; i++)
+    for (uint32_t c = starts[i] + 1; room && c + 1 < starts[i + 1]; c++) room = vs_mesh_add_triangle(&m, corner[starts[i]], corner[c], corner[c + 1]);
+  *closed = room && vs_mesh_closed(&m, &known);
+  if (*closed && vs_mesh_volume(&m) < 0) turn(starts, corner, count);
+  vs_mesh_free(&m);
+  return room && known ? VS_OK : vs_fail_memory(f->vm);
+}
+
+static vs_status polyface(vs_frame *f, const vs_vec3 *at, size_t points, uint32_t *starts, uint32_t *corner, size_t count, vs_value *out) {
+  struct vs_polyface_mesh d = { 0 };
+  bool closed;
+  if (points > UINT32_MAX || count > UINT32_MAX) return vs_fail_memory(f->vm);
+  if (!look(f, at, points, starts, corner, count, &closed)) return VS_ERROR;
+  d.closed = closed;
+  vs_points *p = vs_points_new(f->bind->store, at, points);
+  vs_faces *faces = vs_faces_new(f->bind->store, starts, count, corner, starts[count]);
+  d.points = p, d.faces = faces;
+  vs_node *n = p && faces ? vs_node_new(f->bind->store, VS_POLYFACE_MESH, &d, NULL, 0) : NULL;
+  if (p) vs_points_release(f->bind->store, p);
+  if (faces) vs_faces_release(f->bind->store, faces);
+  return vs_bind_node(f, n, out);
+}
+
+vs_status vs_p_make_polyface_mesh(vs_frame *f, vs_value *out) {
+  size_t points = f->arg[0].points.count, count = f->arg[1].faces.count;
+  const uint32_t *starts = f->arg[1].faces.starts, *corner = f->arg[1].faces.corners;
+  for (size_t i = 0; i < count; i++)
+    for (uint32_t c = starts[i]; c < starts[i + 1]; c++) {
+      if (corner[c] >= points)
+        return vs_fail(f->vm, f->vm->sym.range, "face %zu asks for point %u, but there are %zu points, counted from 1", i + 1, corner[c] + 1, points);
+      for (uint32_t o = starts[i]; o < c; o++)
+        if (corner[o] == corner[c]) return vs_fail(f->vm, f->vm->sym.range, "face %zu uses point %u twice", i + 1, corner[c] + 1);
+    }
+  if (count == 0) return vs_bind_empty(f, "there are no faces", out);
+  return polyface(f, f->arg[0].points.at, points, f->arg[1].faces.starts, f->arg[1].faces.corners, count, out);
+}
+
+vs_status vs_p_make_irregular_pyramid(vs_frame *f, vs_value *out) {
+  size_t n = f->arg[0].points.count;
+  if (n < 3) return vs_bind_refuse(f, "points", "three or more corners of the base", f->arg[0].value);
+  vs_vec3 *at = vs_bind_scratch(f, (n + 1) * sizeof *at);
+  uint32_t *starts = vs_bind_scratch(f, (n + 2) * sizeof *starts), *corner = vs_bind_scratch(f, 4 * n * sizeof *corner);
+  if (!at || !starts || !corner) return VS_ERROR;
+  memcpy(at, f->arg[0].points.at, n * sizeof *at);
+  at[n] = POINT(1);
+  vs_vec3 spread = { 0, 0, 0 }; /* six volumes, against the base's first corner */
+  for (size_t i = 1; i + 1 < n; i++) spread = vs_v3_add(spread, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
+  if (vs_v3_dot(spread, vs_v3_sub(at[n], at[0])) == 0) return vs_bind_empty(f, "the apex lies in the plane of the base", out);
+  starts[0] = 0;
+  for (size_t i = 0; i < n; i++) corner[i] = (uint32_t)(n - 1 - i); /* the base, seen from below; look() turns all of it if need be */
+  starts[1] = (uint32_t)n;
+  for (size_t i = 0; i < n; i++) {
+    uint32_t *c = corner + n + 3 * i;
+    c[0] = (uint32_t)i, c[1] = (uint32_t)((i + 1) % n), c[2] = (uint32_t)n;
+    starts[i + 2] = (uint32_t)(n + 3 * (i + 1));
+  }
+  return polyface(f, at, n + 1, starts, corner, n + 1, out);
+}
+
+vs_status vs_p_make_3dface(vs_frame *f, vs_value *out) {
+  vs_vec3 at[4];
+  uint32_t n = 0, starts[3] = { 0, 3, 6 }, corner[6] = { 0, 1, 2, 0, 2, 3 };
+  for (int i = 0; i < 4; i++)
+    if (!(n && vs_v3_equal(at[n - 1], POINT(i))) && !(i == 3 && n && vs_v3_equal(at[0], POINT(i)))) at[n++] = POINT(i);
+  double a = 0, b = 0, size = 0;
+  for (uint32_t i = 1; i < n; i++) size = fmax(size, vs_v3_length(vs_v3_sub(at[i], at[0])));
+  if (n >= 3) a = vs_v3_length(vs_v3_cross(vs_v3_sub(at[1], at[0]), vs_v3_sub(at[2], at[0])));
+  if (n == 4) b = vs_v3_length(vs_v3_cross(vs_v3_sub(at[2], at[0]), vs_v3_sub(at[3], at[0])));
+  double nothing = 1e-14 * size * size;
+  if (a <= nothing && b <= nothing) return vs_bind_empty(f, "all corners are on one line", out);
+  if (n == 4 && a <= nothing) memcpy(corner, corner + 3, sizeof corner / 2), b = 0; /* one of the two triangles is nothing */
+  return polyface(f, at, n, starts, corner, n == 4 && b > nothing ? 2 : 1, out);
+}
+
+vs_status vs_p_empty_object(vs_frame *f, vs_value *out) { return vs_bind_empty(f, NULL, out); }
