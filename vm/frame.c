@@ -63,7 +63,7 @@ static size_t chain(vs *vm, struct link *at, size_t max) {
   if (!vm->base) return 0;
   struct walk w = {vm->base, vm->under, vm->under_depth, false};
   size_t count = 0, pc = 0;
-  bool native = !vs_is(w.base[-2], VS_T_CLOSURE);
+  bool native = !vm->pc || !vs_is(w.base[-2], VS_T_CLOSURE);
   if (!native) pc = (size_t)(vm->pc - vs_code_ins(vs_as_code(vs_as_closure(w.base[-2])->code)));
   do {
     if (native || !vs_is(w.base[-2], VS_T_CLOSURE)) continue;

@@ -12,6 +12,7 @@
    If the signature has keywords or slots (below) then optional arguments not given are VS_ABSENT and a[] is laid out as
    required, optional, then the keyword values in the order of the signature (VS_ABSENT where not given), then the slots.
    (A native with keywords or slots may not have ". rest".) Without them only a[0..n-1] exist; test n.
+   A native that may return VS_TAILCALL has slots, or -1 there (which lays nothing out): so it gives up its caller's frame.
 
    It returns
      VS_OK         *out is the value (a native may leave it: #unspecific)
@@ -118,7 +119,6 @@ typedef struct vs_flat_type {
   const char *noun;
   const char *constructor; /* printed as (constructor f0 f1 ...) of the first `fields` doubles */
   int fields;
-  const char *parts[2];    /* if set, each names the constructor of the next three doubles: (make-axis (xyz ...) (vxyz ...)) */
 } vs_flat_type;
 
 typedef enum { VS_RULE_NONE, VS_RULE_ADD, VS_RULE_SUB, VS_RULE_MUL, VS_RULE_DIV } vs_flat_rule;   /* componentwise; a number is repeated */

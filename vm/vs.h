@@ -23,7 +23,7 @@
   A(host)          /* bind: whatever must last */ \
   A(standard_out) A(standard_in) A(standard_error)    /* ports */ \
   A(flat_names)    /* vector: tag -> constructor's name (symbol) or #f */ \
-  A(raise) A(check) A(throw) /* natives the run loop calls by itself */ \
+  A(raise) A(check) A(throw) A(guarded) /* natives the run loop calls by itself */ \
   A(no_memory)     /* the condition raised when there is no room to make one */ \
   A(stop)          /* procedure of the bottom frame */
 
