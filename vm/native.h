@@ -119,6 +119,7 @@ typedef struct vs_flat_type {
   const char *noun;
   const char *constructor; /* printed as (constructor f0 f1 ...) of the first `fields` doubles */
   int fields;
+  const char *parts[2];    /* if set, each names the constructor of the next three doubles: (make-axis (xyz ...) (vxyz ...)) */
 } vs_flat_type;
 
 typedef enum { VS_RULE_NONE, VS_RULE_ADD, VS_RULE_SUB, VS_RULE_MUL, VS_RULE_DIV } vs_flat_rule;   /* componentwise; a number is repeated */
