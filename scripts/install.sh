@@ -42,14 +42,16 @@ if [ -n "$must$may" ]; then
 fi
 if [ -n "$must$may" ]; then
   echo "Installing with apt-get:$must$may"
-  export DEBIAN_FRONTEND=noninteractive
-  as_root apt-get -qq update || echo "apt-get update failed; trying with what is known" >&2
-  if [ -n "$must" ]; then
-    as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -y install --no-install-recommends $must >/dev/null || by_hand $must
+  log=$(mktemp) || exit 1
+  trap 'rm -f "$log"' EXIT
+  apt() { as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends "$@" > "$log" 2>&1; }
+  apt update || echo "apt-get update failed; trying with what is known" >&2
+  if [ -n "$must" ] && ! apt install $must; then
+    tail -n 5 "$log" >&2
+    by_hand $must
   fi
   for name in $may; do
-    as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -y install --no-install-recommends "$name" >/dev/null ||
-      echo "Could not install $name; the tests that need it will be skipped" >&2
+    apt install "$name" || echo "Could not install $name; the tests that need it will be skipped" >&2
   done
 fi
 
