@@ -54,7 +54,7 @@ static char *history_path(void) {
   char *path = malloc(room);
   if (!path) return NULL;
   snprintf(path, room, "%s%s%s", base, middle, tail);
-  for (char *slash = path + strlen(base); (slash = strchr(slash + 1, '/')) != NULL;) {
+  for (char *slash = path; (slash = strchr(slash + 1, '/')) != NULL;) {
     *slash = 0;
     bool ok = mkdir(path, 0700) == 0 || errno == EEXIST;
     *slash = '/';

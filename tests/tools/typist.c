@@ -1,0 +1,85 @@
+/* Owns typing at a program on a terminal of its own: `typist PROGRAM ARGS... < KEYS > SCREEN`.
+ *
+ * Every line of KEYS is typed once the program has been silent for a fifth of a second; in it \n \t \e \\ and \xHH stand for keys (\x03 is
+ * ctrl-C). What the program printed comes out without its cursor movements. Ends with the program's code. */
+#define _GNU_SOURCE /* posix_openpt and friends, and TIOCSCTTY */
+#include <fcntl.h>
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* Copies the program's output to standard output until it is silent for `patience` ms; false once it has closed the terminal. */
+static int listen_to(int terminal, int patience) {
+  static int escape; /* inside ESC [ ... letter */
+  struct pollfd p = {.fd = terminal, .events = POLLIN};
+  while (poll(&p, 1, patience) > 0) {
+    char text[4096];
+    ssize_t got = read(terminal, text, sizeof text);
+    if (got <= 0) return 0;
+    for (ssize_t i = 0; i < got; i++) {
+      char c = text[i];
+      if (escape == 1) escape = c == '[' ? 2 : 0;
+      else if (escape == 2) escape = c >= '@' && c <= '~' ? 0 : 2;
+      else if (c == 27) escape = 1;
+      else if (c != '\r') putchar(c);
+    }
+  }
+  return 1;
+}
+
+static size_t unescape(char *line) {
+  char *to = line;
+  for (char *from = line; *from && *from != '\n'; from++) {
+    if (*from != '\\' || !from[1]) { *to++ = *from; continue; }
+    switch (*++from) {
+    case 'n': *to++ = '\r'; break; /* the Enter key */
+    case 't': *to++ = '\t'; break;
+    case 'e': *to++ = 27; break;
+    case 'x': {
+      char digits[3] = {from[1], from[1] ? from[2] : 0, 0};
+      *to++ = (char)strtol(digits, NULL, 16);
+      from += strlen(digits);
+      break;
+    }
+    default: *to++ = *from;
+    }
+  }
+  return (size_t)(to - line);
+}
+
+int main(int argc, char **argv) {
+  int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  char *name = terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0 ? ptsname(terminal) : NULL;
+  if (argc < 2 || !name) {
+    fprintf(stderr, "typist: no terminal\n");
+    return 77;
+  }
+  pid_t child = fork();
+  if (child == 0) {
+    setsid();
+    int own = open(name, O_RDWR);
+    if (own < 0 || ioctl(own, TIOCSCTTY, 0) < 0) _exit(127);
+    struct winsize size = {.ws_row = 24, .ws_col = 100};
+    ioctl(own, TIOCSWINSZ, &size);
+    dup2(own, 0), dup2(own, 1), dup2(own, 2);
+    close(terminal);
+    execvp(argv[1], argv + 1);
+    _exit(127);
+  }
+  char line[4096];
+  int open_still = listen_to(terminal, 1000);
+  while (open_still && fgets(line, sizeof line, stdin)) {
+    size_t length = unescape(line);
+    if (write(terminal, line, length) != (ssize_t)length) break;
+    open_still = listen_to(terminal, 200);
+  }
+  if (open_still) listen_to(terminal, 500);
+  close(terminal); /* hangs up on a program that still waits */
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
