@@ -1,0 +1,90 @@
+/* Owns the proof that a stranger can embed the library: includes the public header alone, links the installed shared library. */
+#include <stdio.h>
+#include <string.h>
+#include <visualscheme.h>
+
+typedef struct { char printed[4096], said[4096]; vs_span at; size_t values; vs *scheme; } host;
+
+static bool print(void *context, const char *text, size_t length) {
+  host *h = context;
+  strncat(h->printed, text, length);
+  return true;
+}
+static void diagnose(void *context, const vs_diagnostic *d) {
+  host *h = context;
+  snprintf(h->said, sizeof h->said, "%s", d->message);
+  h->at = d->at;
+}
+static void value(void *context, const char *text, size_t length) {
+  host *h = context;
+  strncat(h->printed, text, length);
+  strcat(h->printed, ";");
+  h->values++;
+}
+static bool poll_interrupt(void *context) { return ((host *)context)->values == 99; }
+static bool write_nothing(void *context, const void *bytes, size_t count) {
+  (void)bytes;
+  *(size_t *)context += count;
+  return true;
+}
+static bool first_name(void *context, const char *name) {
+  snprintf(context, 64, "%s", name);
+  return false;
+}
+
+static int failures;
+#define CHECK(condition) ((condition) ? (void)printf("ok embed:%s\n", #condition) : (failures++, (void)printf("not ok embed:%s (line %d)\n", #condition, __LINE__)))
+
+static vs_outcome run(vs *s, const char *text, unsigned flags) { return vs_eval_text(s, "text", 1, text, strlen(text), flags); }
+
+int main(void) {
+  static host a, b;
+  vs_options o = vs_options_default();
+  o.host = (vs_host){.context = &a, .output = print, .diagnose = diagnose, .value = value, .poll = poll_interrupt};
+  vs *s = vs_new(&o);
+  o.host.context = &b;
+  vs *t = vs_new(&o);
+  if (!s || !t) {
+    printf("not ok embed: no interpreter\n");
+    return 1;
+  }
+  CHECK(strcmp(vs_version(), VS_VERSION) == 0);
+  CHECK(run(s, "(define x 20) (display (+ x 1))", 0) == VS_OUTCOME_DONE);
+  CHECK(strcmp(a.printed, "21") == 0);
+  CHECK(run(t, "x", 0) == VS_OUTCOME_MODEL); /* another interpreter knows nothing of it */
+  CHECK(b.at.line == 1 && b.at.column == 1 && b.at.file && strcmp(b.at.file, "text") == 0);
+  CHECK(run(t, "(* 6 7) \"a\"", VS_EVAL_PRINT) == VS_OUTCOME_DONE && strcmp(b.printed, "42;\"a\";") == 0);
+  CHECK(run(s, "(define (f) (f)) 1 (car 5)", 0) == VS_OUTCOME_MODEL && strstr(a.said, "car"));
+  b.values = 99;
+  CHECK(run(t, "(let loop () (loop))", 0) == VS_OUTCOME_INTERRUPTED);
+  b.values = 0;
+  vs_interrupt(t);
+  CHECK(run(t, "1", 0) == VS_OUTCOME_INTERRUPTED);
+  CHECK(run(t, "1", 0) == VS_OUTCOME_DONE);
+  CHECK(vs_read_check(s, "(a (b", 5).state == VS_READ_INCOMPLETE && vs_read_check(s, "(a (b", 5).depth == 2);
+  CHECK(vs_read_check(s, "(a)", 3).state == VS_READ_COMPLETE);
+  CHECK(vs_read_check(s, " ; nothing", 10).state == VS_READ_EMPTY);
+  CHECK(vs_read_check(s, "(a ]", 4).state == VS_READ_BAD && vs_read_check(s, "(a ]", 4).column == 4);
+  char name[64] = "";
+  CHECK(vs_complete(s, "make-cyl", first_name, name) == 1 && strcmp(name, "make-cylinder") == 0);
+  CHECK(vs_parameter_set(s, "height", "7"));
+  CHECK(vs_parameter_unused(s, 0) && strcmp(vs_parameter_unused(s, 0), "height") == 0);
+  CHECK(run(s, "(define-parameter height 3 #:min 1 #:max 9) (draw (make-box (xyz 0 0 0) (xyz 1 2 height)))", 0) == VS_OUTCOME_DONE);
+  CHECK(vs_parameter_unused(s, 0) == NULL);
+  vs_parameter_info p;
+  CHECK(vs_parameter_count(s) == 1 && vs_parameter_get(s, 0, &p) && strcmp(p.value, "7") == 0 && p.max == 9 && p.type == VS_PARAMETER_INTEGER);
+  vs_summary summary;
+  CHECK(vs_drawing_summary(s, &summary) == VS_OUTCOME_DONE && summary.solids == 1 && summary.max[2] == 7);
+  size_t bytes = 0;
+  CHECK(vs_write_drawing_to(s, "stl", NULL, write_nothing, &bytes) == VS_OUTCOME_DONE && bytes == 84 + 50 * 12);
+  CHECK(vs_write_drawing(s, "/nowhere/at/all.stl", NULL, NULL) == VS_OUTCOME_USAGE);
+  vs_drawing_clear(s);
+  CHECK(vs_drawing_summary(s, &summary) == VS_OUTCOME_DONE && summary.objects == 0);
+  size_t count;
+  CHECK(vs_format_list(&count) && count >= 8 && vs_format_find("out/a.stl") && !vs_format_find("out/a.slt"));
+  int code = -1;
+  CHECK(run(t, "(exit 4) (car 5)", 0) == VS_OUTCOME_DONE && vs_exit_requested(t, &code) && code == 4);
+  vs_free(t);
+  vs_free(s);
+  return failures != 0;
+}
