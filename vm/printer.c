@@ -309,11 +309,13 @@ static bool put_flat(vs *vm, vs_text *t, vs_value v) {
   if (type && (uint32_t)type->fields < count) count = (uint32_t)type->fields;
   for (uint32_t i = 0; ok && i < count; i++) {
     char s[VS_DOUBLE_TEXT];
+    const char *part = type && i / 3 < 2 ? type->parts[i / 3] : NULL;
+    if (part && i % 3 == 0) ok = vs_text_puts(t, i ? ") (" : " (") && vs_text_puts(t, part);
     size_t n = vs_double_text(f->at[i] == 0 ? 0.0 : f->at[i], s);
     if (n > 2 && s[n - 1] == '0' && s[n - 2] == '.' && s[n - 3] >= '0' && s[n - 3] <= '9') n -= 2;
-    ok = vs_text_put(t, " ", 1) && vs_text_put(t, s, n);
+    ok = ok && vs_text_put(t, " ", 1) && vs_text_put(t, s, n);
   }
-  return ok && vs_text_put(t, ")", 1);
+  return ok && vs_text_puts(t, type && type->parts[0] ? "))" : ")");
 }
 
 static bool put_bytes(vs_text *t, vs_value v) {
