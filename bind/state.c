@@ -120,3 +120,19 @@ bool vs_bind_count(vs_ref ref, double *count) {
   vs_nodemap_free(&known);
   return word != NULL;
 }
+
+/* ---- what geometry.scm leaves for C: parameter objects ---- */
+
+enum { HOST_VALUES = 4 };
+
+vs_status vs_p_host_set(vs_frame *f, vs_value *out) {
+  vs *vm = f->vm;
+  (void)out;
+  if (f->arg[0].integer >= HOST_VALUES) return vs_bind_refuse(f, "index", "smaller", f->arg[0].value);
+  VS_ROOTS(vm, r, 1);
+  r[0] = f->arg[1].value;
+  if (!vs_is_vector(vm->at.host) && !vs_make_vector(vm, HOST_VALUES, VS_FALSE, &vm->at.host)) return VS_ERROR;
+  vs_vector *v = vs_as_vector(vm->at.host);
+  vs_gc_store(vm, v, &v->at[f->arg[0].integer], r[0]);
+  return VS_OK;
+}
