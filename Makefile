@@ -95,6 +95,9 @@ asan: ## the tests under the address and leak sanitizer
 ubsan: ## the tests under the undefined-behaviour sanitizer
 	UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(MAKE) $(call SANITIZE,undefined -fno-sanitize-recover=all,ubsan)
 
+stress: ## the tests with a collection at every allocation and the heap checked after each: slow
+	$(MAKE) BUILD=$(BUILD)/stress EXTRA="-DVS_DEBUG_STRESS=1 -DVS_DEBUG_SMALL=1" SUITES="unit lang" check
+
 layers: $(LIB_OBJ) $(CLI_OBJ) ## check that includes follow the layers' arrows and that no object has mutable globals
 	sh scripts/layers.sh $(BUILD)
 
@@ -122,5 +125,5 @@ clean: ## remove what was built
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all demo test units check quick asan ubsan layers bless bench install clean help
+.PHONY: all demo test units check quick asan ubsan stress layers bless bench install clean help
 -include $(OBJECTS:.o=.d) $(UNIT_BIN:=.d)

@@ -1,0 +1,8 @@
+(define (depth n) (if (= n 0) 0 (+ 1 (depth (- n 1)))))
+(displayln (depth 1000000))
+(define long (iota 1000000))
+(displayln (apply + long))
+(displayln (length (map (lambda (x) (* 2 x)) long)))
+(define nested (let loop ([i 0] [l '()]) (if (= i 1000000) l (loop (+ i 1) (list l)))))
+(displayln (equal? nested (list (car nested))))
+(displayln (string-length (let ([p (open-output-string)]) (write nested p) (get-output-string p))))
