@@ -2,19 +2,9 @@
 #ifndef VS_GEOMETRY_TESSELLATE_H
 #define VS_GEOMETRY_TESSELLATE_H
 
+#include "geometry/tolerance.h"
 #include "model/mesh.h"
 #include "model/node.h"
-
-typedef struct {
-  double tolerance; /* chord height, model units, > 0 */
-  int segments;     /* > 0: facets a turn for every node whose own field is 0 */
-} vs_facets;
-
-/* The default chord height of a drawing: the power of two nearest 1/4000 of the diagonal of its bounds. */
-double vs_facets_tolerance(const vs_bounds *drawing);
-/* Facets a full turn of radius r: by the node's own segments, then f->segments, then f->tolerance; never fewer than 32 by tolerance; a
- * multiple of 4 by tolerance so that quarter turns are vertices. */
-int vs_facets_turn(const vs_facets *f, double r, int segments);
 
 /* Solids and surfaces that are not operations (levels up to SWEPT; TRANSFORM, MATERIAL and LAYER chains are followed; booleans are
  * the kernel's): triangles in the node's own coordinates, appended to out. Solids come closed and oriented. Iterative. */

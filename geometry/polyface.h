@@ -1,0 +1,15 @@
+/* Owns what is to be known of points and faces before they become a node: do they close, and which way do they face? */
+#ifndef VS_GEOMETRY_POLYFACE_H
+#define VS_GEOMETRY_POLYFACE_H
+
+#include "model/node.h"
+
+/* place[i] = the first point with i's coordinates. False: out of memory. */
+bool vs_polyface_merge(const vs_vec3 *points, size_t count, uint32_t *place);
+
+/* Makes the node: face f has the corners corners[starts[f]] .. corners[starts[f + 1] - 1], zero-based and within count; fewer than three
+ * different ones and the face is dropped. Faces that disagree with their neighbours are turned, and the whole of them if it closes inside
+ * out; equal points count as one. Nothing left: the empty node. NULL: e says why. */
+vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, const uint32_t *starts, size_t face_count, const uint32_t *corners, vs_error *e);
+
+#endif

@@ -1,0 +1,17 @@
+/* Owns, for geometry/ alone, the triangles of the primitive solids. All append to out; false: out of memory. */
+#ifndef VS_GEOMETRY_SOLIDS_H
+#define VS_GEOMETRY_SOLIDS_H
+
+#include "geometry/tolerance.h"
+#include "model/mesh.h"
+#include "model/node.h"
+
+bool vs_solid_box(vs_mesh *out, vs_vec3 p, vs_vec3 q);
+bool vs_solid_wedge(vs_mesh *out, vs_vec3 p, vs_vec3 q);
+/* Between two discs of n corners; a radius of 0 is an apex. hubs: the discs are fans about their centres. */
+bool vs_solid_frustum(vs_mesh *out, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius, int n, bool hubs);
+bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n);
+bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, int around, int tube_turn);
+bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *faces);
+
+#endif

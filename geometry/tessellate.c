@@ -1,0 +1,82 @@
+/* Owns the way from a node to its triangles: follows placements down to the leaf, has the leaf meshed, brings the mesh back up. */
+#include "geometry/tessellate.h"
+
+#include "geometry/solids.h"
+
+/* A placement's child; NULL for what is a leaf here. Appearance changes no shape. */
+static const vs_ref *vs_tessellate_below(const vs_node *n, vs_affine *placed) {
+  switch ((vs_kind)n->kind) {
+    case VS_TRANSFORM:
+      *placed = vs_affine_multiply(placed, &VS_AS(transform, n)->matrix);
+      return &n->children[0];
+    case VS_MATERIAL: case VS_LAYER: return &n->children[0];
+    case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return n->child_count == 1 ? &n->children[0] : NULL;
+    case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
+    case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
+    case VS_THICKEN: case VS_KIND_COUNT: break;
+  }
+  return NULL;
+}
+
+static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+  bool ok = false;
+  switch ((vs_kind)n->kind) {
+    case VS_EMPTY: return true;
+    case VS_BOX: ok = vs_solid_box(out, VS_AS(box, n)->p, VS_AS(box, n)->q); break;
+    case VS_WEDGE: ok = vs_solid_wedge(out, VS_AS(wedge, n)->p, VS_AS(wedge, n)->q); break;
+    case VS_SPHERE: {
+      const struct vs_sphere *a = VS_AS(sphere, n);
+      ok = vs_solid_sphere(out, a->center, a->radius, vs_facets_turn(f, a->radius, a->segments));
+      break;
+    }
+    case VS_CYLINDER: {
+      const struct vs_cylinder *a = VS_AS(cylinder, n);
+      ok = vs_solid_frustum(out, a->base, a->radius, a->top, a->radius, vs_facets_turn(f, a->radius, a->segments), true);
+      break;
+    }
+    case VS_CONE: {
+      const struct vs_cone *a = VS_AS(cone, n);
+      ok = vs_solid_frustum(out, a->base, a->radius, a->apex, 0, vs_facets_turn(f, a->radius, a->segments), true);
+      break;
+    }
+    case VS_CUT_CONE: {
+      const struct vs_cut_cone *a = VS_AS(cut_cone, n);
+      double widest = fmax(a->base_radius, a->top_radius);
+      ok = vs_solid_frustum(out, a->base, a->base_radius, a->top, a->top_radius, vs_facets_turn(f, widest, a->segments), true);
+      break;
+    }
+    case VS_PYRAMID: {
+      const struct vs_pyramid *a = VS_AS(pyramid, n);
+      ok = vs_solid_frustum(out, a->base, a->base_radius, a->top, a->top_radius, a->sides, false);
+      break;
+    }
+    case VS_TORUS: {
+      const struct vs_torus *a = VS_AS(torus, n);
+      ok = vs_solid_torus(out, a->center, a->radius, a->tube_radius, vs_facets_turn(f, a->radius + a->tube_radius, a->segments),
+                          vs_facets_turn(f, a->tube_radius, a->segments));
+      break;
+    }
+    case VS_POLYFACE_MESH: ok = vs_solid_polyface(out, VS_AS(polyface_mesh, n)->points, VS_AS(polyface_mesh, n)->faces); break;
+    case VS_REGION: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
+    case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a %s has no faces", vs_kind_get((vs_kind)n->kind)->name);
+    case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
+      return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s is not one solid: its parts are to be meshed apart", vs_kind_get((vs_kind)n->kind)->name);
+  }
+  return ok || vs_error_memory(e, NULL);
+}
+
+bool vs_tessellate(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+  vs_affine placed = vs_affine_identity();
+  const vs_origin *origin = NULL;
+  for (const vs_ref *below; (below = vs_tessellate_below(n, &placed)) != NULL; n = below->node) origin = below->origin;
+  vs_facets inner = vs_facets_placed(f, &placed);
+  size_t first_vertex = out->vertex_count, first_triangle = out->triangle_count;
+  if (!vs_tessellate_leaf(n, &inner, out, e)) {
+    out->vertex_count = first_vertex;
+    out->triangle_count = first_triangle;
+    if (e && !e->origin) e->origin = origin;
+    return false;
+  }
+  vs_mesh_transform_from(out, &placed, first_vertex, first_triangle);
+  return true;
+}

@@ -1,0 +1,33 @@
+/* Owns how finely curves are cut. */
+#include "geometry/tolerance.h"
+
+enum { LEAST_TURN = 32, MOST_TURN = 16384 };
+
+double vs_facets_tolerance(const vs_bounds *drawing) {
+  double diagonal = vs_bounds_diagonal(drawing);
+  if (!(diagonal > 0) || !isfinite(diagonal)) return ldexp(1, -12);
+  return ldexp(1, (int)nearbyint(log2(diagonal / 4000)));
+}
+
+int vs_facets_turn(const vs_facets *f, double r, int segments) {
+  if (!segments) segments = f->segments;
+  if (segments > 0) return segments < 3 ? 3 : segments > MOST_TURN ? MOST_TURN : segments;
+  if (!(r > f->tolerance)) return LEAST_TURN;
+  /* r (1 - cos(pi/n)) <= tolerance */
+  double half_angle = acos(1 - f->tolerance / r);
+  double n = ceil(3.14159265358979323846 / half_angle - 1e-9);
+  if (!(n < MOST_TURN)) return MOST_TURN;
+  int whole = ((int)n + 3) / 4 * 4;
+  return whole < LEAST_TURN ? LEAST_TURN : whole;
+}
+
+vs_facets vs_facets_placed(const vs_facets *f, const vs_affine *a) {
+  double most = 0;
+  for (int j = 0; j < 3; j++) {
+    double length = vs_v3_length(vs_v3(a->m[0][j], a->m[1][j], a->m[2][j]));
+    if (length > most) most = length;
+  }
+  vs_facets placed = *f;
+  if (most > 0 && isfinite(most)) placed.tolerance = ldexp(f->tolerance, -(int)ceil(log2(most) - 1e-6));
+  return placed;
+}
