@@ -74,6 +74,8 @@ static inline vs_shape *vs_bind_shape(vs_value v) { return (vs_shape *)vs_foreig
 /* Where the running native was called from, and its callers. NULL: not known (or out of memory: then nothing worse happens). */
 const vs_origin *vs_bind_origin(vs_bind *b);
 vs_status vs_bind_wrap(vs_bind *b, vs_node *node /* taken over; NULL: out of memory */, vs_value *out);
+/* Is this the name of one of the language's own sources? They are not the user's business: places in them are passed over. */
+bool vs_bind_is_library(const char *file);
 /* once a place and `kind` (any constant text); nothing when it could not be formatted */
 void vs_bind_warn(vs_bind *b, const char *kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 bool vs_bind_text(vs *vm, vs_value string_or_symbol, char **out, size_t *bytes); /* UTF-8 with NUL from vs_mem; *bytes to give back */
@@ -144,7 +146,9 @@ bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_va
 
 /* "NAME: PARAM must be EXPECTED, got VALUE" */
 vs_status vs_bind_error(vs_frame *f, const vs_error *e); /* what a layer below said */
-bool vs_bind_count(vs_ref ref, double *count);          /* leaves, each placement counted; false: out of memory */
+/* Objects: what unions hold, each placement counted; any other operation is one. By class (index VS_CURVE ...); false: out of memory */
+typedef struct { double all, of[VS_INHERIT]; } vs_bind_counts;
+bool vs_bind_count(vs_ref ref, vs_bind_counts *out);
 int32_t vs_bind_segments(vs_bind *b);                   /* (current-segments), 0: by tolerance */
 double vs_bind_tolerance(vs_bind *b);                   /* (current-tolerance), 0: by the drawing size */
 vs_status vs_bind_refuse(vs_frame *f, const char *param, const char *expected, vs_value got);

@@ -52,6 +52,12 @@ const vs_foreign_type vs_paint_type = { "a material", paint_release, NULL, NULL,
 
 enum { CHAIN = 8 };
 
+bool vs_bind_is_library(const char *file) {
+  const char *slash = strrchr(file, '/');
+  if (slash) file = slash + 1;
+  return !strcmp(file, "prelude.scm") || !strcmp(file, "geometry.scm");
+}
+
 static const vs_origin *intern_chain(vs_bind *b, const vs_pos *place, size_t n) {
   const vs_origin *o = NULL;
   for (size_t i = n; i-- > 0;) {
@@ -61,7 +67,7 @@ static const vs_origin *intern_chain(vs_bind *b, const vs_pos *place, size_t n) 
     char *name;
     size_t bytes;
     if (!vs_is_string(vs_as_vector(files)->at[file]) || !vs_bind_text(b->vm, vs_as_vector(files)->at[file], &name, &bytes)) continue;
-    if (*name != '(') { /* "(library) ..." are the language's own sources: not the user's business */
+    if (!vs_bind_is_library(name)) {
       const vs_origin *next = vs_store_origin(b->store, name, vs_pos_line(place[i]), vs_pos_col(place[i]), o);
       if (next) o = next;
     }

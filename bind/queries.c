@@ -99,11 +99,10 @@ vs_status vs_p_object_children(vs_frame *f, vs_value *out) {
   return VS_OK;
 }
 
-/* Leaves, each placement counted: sums of counts, one per shared node, so that a DAG costs what it has nodes. */
 vs_status vs_p_object_count(vs_frame *f, vs_value *out) {
-  double count;
-  if (!vs_bind_count(f->arg[0].ref, &count)) return vs_fail_memory(f->vm);
-  *out = count < (double)VS_FIXNUM_MAX ? vs_fix((int64_t)count) : vs_flonum(count);
+  vs_bind_counts c;
+  if (!vs_bind_count(f->arg[0].ref, &c)) return vs_fail_memory(f->vm);
+  *out = c.all < (double)VS_FIXNUM_MAX ? vs_fix((int64_t)c.all) : vs_flonum(c.all);
   return VS_OK;
 }
 

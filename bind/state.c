@@ -84,41 +84,57 @@ bool vs_bind_finish(vs_bind *b, bool *uses_returned) {
   return true;
 }
 
-/* ---- counting ---- */
+/* ---- counting: sums, one per shared node, so that a DAG costs what it has nodes ---- */
 
-bool vs_bind_count(vs_ref ref, double *count) {
-  vs_nodemap known = { .store = ref.node->store };
-  vs_walk *w = vs_walk_new(ref.node->store, ref);
+static bool is_transparent(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER; }
+
+static vs_bind_counts count_node(const vs_node *n, const vs_nodemap *known, const vs_bind_counts *sums) {
+  vs_bind_counts c = { 0 };
+  if (n->kind == VS_EMPTY) return c;
+  if (!is_transparent(n)) {
+    c.all = 1;
+    c.of[n->class_ == VS_MIXED ? VS_SOLID : n->class_] = 1;
+    return c;
+  }
+  for (uint32_t i = 0; i < n->child_count; i++) {
+    const vs_bind_counts *part = &sums[*vs_nodemap_get(known, n->children[i].node)];
+    c.all += part->all;
+    for (int k = 0; k < VS_INHERIT; k++) c.of[k] += part->of[k];
+  }
+  return c;
+}
+
+bool vs_bind_count(vs_ref ref, vs_bind_counts *out) {
+  vs_store *s = ref.node->store;
+  vs_nodemap known = { .store = s };
+  vs_bind_counts *sums = NULL;
+  size_t count = 0, room = 0, depth;
+  vs_walk *w = vs_walk_new(s, ref);
   vs_ref at;
-  size_t depth;
   bool ok = w != NULL;
   while (ok) {
     vs_walk_event e = vs_walk_next(w, &at, &depth);
     if (e == VS_WALK_DONE) break;
-    if (e == VS_WALK_FAILED) { ok = false; break; }
-    bool found;
-    if (e == VS_WALK_ENTER) {
-      if (vs_nodemap_get(&known, at.node)) vs_walk_skip(w);
-      continue;
+    if (e == VS_WALK_FAILED) ok = false;
+    else if (e == VS_WALK_ENTER) {
+      if (!is_transparent(at.node) || vs_nodemap_get(&known, at.node)) vs_walk_skip(w);
+    } else if (!vs_nodemap_get(&known, at.node)) {
+      if (count == room) {
+        vs_bind_counts *more = vs_store_realloc(s, sums, room * sizeof *more, (room ? 2 * room : 64) * sizeof *more);
+        if (!more) { ok = false; break; }
+        sums = more, room = room ? 2 * room : 64;
+      }
+      sums[count] = count_node(at.node, &known, sums);
+      uint64_t *slot = vs_nodemap_put(&known, at.node, NULL);
+      ok = slot != NULL;
+      if (slot) *slot = count++;
     }
-    if (vs_nodemap_get(&known, at.node)) continue;
-    double sum = at.node->child_count || at.node->kind == VS_EMPTY ? 0 : 1;
-    bool whole = at.node->kind == VS_REGION || at.node->kind == VS_EXTRUDE || at.node->kind == VS_SWEEP || at.node->kind == VS_THICKEN;
-    for (uint32_t i = 0; !whole && i < at.node->child_count; i++) {
-      double part;
-      uint64_t *word = vs_nodemap_get(&known, at.node->children[i].node);
-      if (word) memcpy(&part, word, sizeof part), sum += part;
-    }
-    if (whole) sum = 1; /* a profile is not an object beside its solid */
-    uint64_t *slot = vs_nodemap_put(&known, at.node, &found);
-    if (!slot) ok = false;
-    else memcpy(slot, &sum, sizeof sum);
   }
-  uint64_t *word = ok ? vs_nodemap_get(&known, ref.node) : NULL;
-  if (word) memcpy(count, word, sizeof *count);
+  if (ok) *out = sums[count - 1];
+  if (sums) vs_store_realloc(s, sums, room * sizeof *sums, 0);
   vs_walk_free(w);
   vs_nodemap_free(&known);
-  return word != NULL;
+  return ok;
 }
 
 /* ---- what geometry.scm leaves for C: parameter objects ---- */

@@ -1,0 +1,63 @@
+/* Owns one interpreter's outside: what the embedder gave, memory, files, sources kept for messages, the interrupt flag. visualscheme.c is
+ * the public face of it; vm->host and vm->config.user both point to it. */
+#ifndef VS_BIND_SESSION_H
+#define VS_BIND_SESSION_H
+
+#include <stdatomic.h>
+#include <stdio.h>
+
+#include "bind/bind.h"
+#include "visualscheme.h"
+#include "vm/port.h"
+
+/* The text of a source, for the line that a message shows. */
+typedef struct { char *name, *text; size_t name_bytes, length, room; unsigned first_line; } vs_source;
+
+enum { VS_STREAMS = 64 };
+typedef struct {
+  bool open, reading;
+  FILE *file;               /* being written, or a large file being read */
+  char *text; size_t length, at; /* a file read whole: freed by free() */
+} vs_stream;
+
+typedef struct {
+  vs_bind bind;             /* first: vm->host points to it */
+  vs_options options;
+  size_t bytes, peak;       /* handed out by the allocator, heap and model together */
+  atomic_bool interrupted;
+  bool exit_requested;
+  int exit_code;
+  uint64_t output;          /* bytes printed in this evaluation */
+  bool output_over;         /* the limit was met */
+  double told_progress;     /* clock of the last progress call */
+  const char *phase;        /* what a progress line says while the program runs */
+  vs_stream stream[VS_STREAMS];
+  vs_source *sources;
+  size_t source_count, source_room;
+  char why[256];            /* of the last failed file operation */
+  double evaluate_seconds, write_seconds;
+  vs_value program;         /* the environment of the one program (old space: does not move; anchored) */
+  size_t units_run;
+} vs_session;
+
+static inline vs_session *vs_session_of(const vs *vm) { return (vs_session *)vm->host; }
+
+/* ---- host.c ---- */
+void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes);  /* of the VM and of the store */
+double vs_session_clock(void *session);                                            /* seconds, monotonic */
+bool vs_session_interrupted(void *session);
+extern const vs_io vs_session_io;
+/* A whole file as malloc'ed text; false: *why. Kept as a source. */
+bool vs_session_read(vs_session *s, const char *path, char **text, size_t *length, const char **why);
+bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line, const char *text, size_t length);
+void vs_session_close_files(vs_session *s);
+void vs_session_free_sources(vs_session *s);
+
+/* ---- report.c ---- */
+vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool usage /* its own fault is the caller's: exit 2 */);
+vs_outcome vs_session_report_error(vs_session *s, const vs_error *e);
+void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, const vs_origin *origin, const char *message);
+void vs_session_report_at(vs_session *s, vs_severity severity, vs_outcome outcome, const char *file, uint32_t line, uint32_t column, const char *message);
+void vs_session_warn(void *session, const vs_origin *origin, const char *message); /* vs_bind.warn */
+
+#endif
