@@ -36,11 +36,17 @@ bool vs_port_write(vs *vm, vs_value port, const char *bytes, size_t n);
 /* *c = code point, or -1 at the end */
 bool vs_port_read_char(vs *vm, vs_value port, int32_t *c);
 bool vs_port_peek_char(vs *vm, vs_value port, int32_t *c);
+/* At least `wanted` bytes if there are so many, from *at; they stay in the port: move its `position`. */
+bool vs_port_fill(vs *vm, vs_value port, size_t wanted, const uint8_t **at, size_t *count);
 bool vs_port_close(vs *vm, vs_value port);
+/* The parameter object of the current input (0), output (1) or error port (2). */
+bool vs_port_parameter(vs *vm, int stream, vs_value *out);
 /* the current ports: parameters' values, else the standard ones */
 vs_value vs_port_current_output(vs *vm);
+vs_value vs_port_current_input(vs *vm);
 
-/* Makes the three standard ports (vm->at.standard_...). Called once, before the natives are defined. */
+/* Makes the three standard ports and their parameters (vm->at.standard_..., vm->at.lib) unless that was done. The procedures do it when
+   they are first used. */
 bool vs_port_setup(vs *vm);
 
 /* A whole file as BYTES (accounted, limits hold); an error names the file. For load, include and ports. */

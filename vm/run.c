@@ -82,7 +82,7 @@ static bool make_case(vs *vm, const vs_value *at, size_t n, vs_value *out) {
   return true;
 }
 
-static vs_value parameter_value(const vs *vm, vs_value parameter) {
+vs_value vs_parameter_value(const vs *vm, vs_value parameter) {
   for (vs_value l = vm->parameters; vs_is_pair(l); l = vs_cdr(l))
     if (vs_car(vs_car(l)) == parameter) return vs_cdr(vs_car(l));
   return vs_as_parameter(parameter)->value;
@@ -565,7 +565,7 @@ call: {
           vs_fail(vm, vm->sym.arity, "a parameter takes no arguments, got %zu; parameterize sets it", n);
           goto fail_above;
         }
-        v = parameter_value(vm, f);
+        v = vs_parameter_value(vm, f);
         if (tail) goto give;
         w[1] = ret;
         base = w + 2;

@@ -11,6 +11,9 @@ bool vs_run(vs *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value
 
 /* vm-front's driver: defines load, eval, ... as natives and runs a file through vs_run. */
 
+/* What calling a parameter gives now. */
+vs_value vs_parameter_value(const vs *vm, vs_value parameter);
+
 /* The chain of calls now active, innermost first, at most `max`: list of (name . place) pairs; name symbol or #f, place a
    fixnum vs_pos. For natives such as `error`; conditions made by vs_fail have it already. */
 bool vs_call_chain(vs *vm, size_t max, vs_value *out);

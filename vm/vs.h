@@ -33,6 +33,7 @@ typedef struct vs_config {
   void *user;
   size_t memory_limit;       /* bytes, 0 = none */
   uint64_t step_limit;       /* calls and loop turns, 0 = none */
+  uint64_t output_limit;     /* bytes that the program may print or write, 0 = none */
   double time_limit;         /* seconds by the clock below, 0 = none */
   double (*clock)(void *user);                 /* seconds, monotonic; NULL: no time limit */
   bool (*interrupted)(void *user);             /* polled; true once = raise an interrupt */
@@ -73,6 +74,7 @@ struct vs {
   int64_t fuel;                    /* turns until the next poll */
   uint64_t steps;                  /* turns taken, up to the last poll */
   double started;
+  uint64_t written;                /* bytes printed and written so far */
   size_t fail_after;               /* debug: refuse the n-th allocation from now; 0 = off */
 
   /* collector (gc.c) */
