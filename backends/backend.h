@@ -46,6 +46,7 @@ struct vs_emitter {
   const vs_export_options *options;
   const vs_backend *backend;
   vs_error *error;
+  const char *path;    /* of the file being made, for names beside it; NULL: there is none */
   void *state;         /* the back-end's own, made by begin and freed by close */
   vs_facets facets;
   vs_bounds bounds;    /* of everything drawn; never empty */
@@ -73,8 +74,8 @@ struct vs_backend {
   bool (*solid)(vs_emitter *e, const vs_solid_mesh *solid);
   /* Runs a worker on the written text. NULL: the text is the output. */
   bool (*render)(vs_emitter *e, const char *text_path, const char *output_path);
-  /* Writes what belongs beside the output (an .mtl); path is the final one. NULL: nothing. */
-  bool (*beside)(vs_emitter *e, const char *path);
+  /* Writes what belongs beside e->path (an .mtl), after the text. NULL: nothing. */
+  bool (*beside)(vs_emitter *e);
   bool keep_origins;    /* the text's lines are remembered with the origins of what they hold */
   bool verbatim;        /* every node is shown as it is, empty ones too, and the children of all kinds are gone into */
   const char *omit[VS_MIXED]; /* a vs_class that the format leaves out, and why: said once */
@@ -104,6 +105,9 @@ const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line);
 /* Memory of the emitter's state, from the store's allocator; grows by half. Items of `size`; false: out of memory, error set. */
 bool vs_emit_grow(vs_emitter *e, void *array, size_t *room, size_t need, size_t size);
 void vs_emit_release(vs_emitter *e, void *array, size_t room, size_t size);
+
+/* Writes another file, whole or not at all, with e->out turned to it while `fill` runs. */
+bool vs_emit_file(vs_emitter *e, const char *path, bool (*fill)(vs_emitter *e));
 
 /* ---- lower.c ---- */
 /* Simpler kinds for ref's node, one new reference; NULL: cannot be or failed, and the error says so. Not memoised: the driver does that. */

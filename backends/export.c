@@ -110,6 +110,27 @@ static char *export_join(const char *a, const char *b, unsigned long number) {
   return text;
 }
 
+bool vs_emit_file(vs_emitter *e, const char *path, bool (*fill)(vs_emitter *e)) {
+  char *temporary = export_join(path, ".tmp-", (unsigned long)getpid());
+  if (temporary == NULL) return vs_emit_no_memory(e);
+  vs_writer *was = e->out;
+  export_file f = { open(temporary, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666), 0 };
+  bool ok = f.file >= 0 || export_problem(e->error, path, errno);
+  if (ok) {
+    e->out = export_writer(e, export_file_sink, &f);
+    ok = e->out != NULL && fill(e) && vs_writer_flush(e->out);
+    free(e->out);
+    if (ok && fsync(f.file) != 0 && errno != EINVAL && errno != EROFS) f.problem = errno;
+    if (close(f.file) != 0 && f.problem == 0) f.problem = errno;
+    if (f.problem == 0 && ok && rename(temporary, path) != 0) f.problem = errno;
+    if (f.problem != 0) ok = export_problem(e->error, path, f.problem);
+    if (!ok) unlink(temporary);
+  }
+  e->out = was;
+  free(temporary);
+  return ok;
+}
+
 /* The scene of a rendered format into a private folder, the worker, and the picture at output. */
 static bool export_render(vs_emitter *e, const char *output) {
   const char *base = getenv("TMPDIR");
@@ -172,7 +193,7 @@ static bool export_named(vs_emitter *e, const char *path) {
     ok = e->backend->render == NULL ? export_to_file(e, file, path, true) : export_render(e, temporary);
     if (close(file) != 0 && ok) ok = export_problem(e->error, path, errno);
     if (ok && e->backend->render != NULL) ok = export_sync(temporary, e->error, path);
-    ok = ok && (e->backend->beside == NULL || e->backend->beside(e, path));
+    ok = ok && (e->backend->beside == NULL || e->backend->beside(e));
     if (ok && rename(temporary, linked != NULL ? linked : path) != 0) ok = export_problem(e->error, path, errno);
     if (!ok) unlink(temporary);
   }
@@ -189,9 +210,6 @@ static bool export_render_to(vs_emitter *e, vs_sink_fn *sink, void *context) {
   bool ok = export_render(e, name);
   char *part = ok ? malloc(VS_WRITER_ROOM) : NULL;
   if (ok && part == NULL) ok = vs_emit_no_memory(e);
-  close(file);
-  file = ok ? open(name, O_RDONLY | O_CLOEXEC) : -1; /* POV-Ray may have made a new file of that name */
-  if (ok && file < 0) ok = export_problem(e->error, name, errno);
   while (ok) {
     ssize_t count = read(file, part, VS_WRITER_ROOM);
     if (count < 0 && errno == EINTR) continue;
@@ -199,7 +217,7 @@ static bool export_render_to(vs_emitter *e, vs_sink_fn *sink, void *context) {
     if (count <= 0) break;
     if (!sink(context, part, (size_t)count)) ok = vs_error_set(e->error, VS_ERROR_FILE, NULL, "the output could not be written");
   }
-  if (file >= 0) close(file);
+  close(file);
   unlink(name);
   free(part);
   return ok;
@@ -243,6 +261,7 @@ bool vs_export(const vs_scene *scene, const vs_format *format, const char *path,
   vs_export_options defaults;
   vs_export_options_init(&defaults);
   vs_emitter emitter = export_emitter(scene, format, options != NULL ? options : &defaults, e);
+  emitter.path = path;
   bool ok = export_named(&emitter, path);
   export_close(&emitter);
   return ok;

@@ -1,0 +1,168 @@
+/* Owns the formats of bare triangles: binary STL, OBJ with its .mtl, OFF. All get the union of the drawing's solids from the kernel.
+ *
+ * STL's numbers are 32-bit: triangles whose corners fall together there are left out, which keeps a closed surface closed. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "backends/backend.h"
+
+static bool mesh_begin(vs_emitter *e) { return !e->out->failed; }
+static bool mesh_end(vs_emitter *e) { return !e->out->failed; }
+
+#define MESH_OMIT(format)                                                                                                       \
+  .omit = { [VS_CURVE] = format " holds solids: curves are left out", [VS_REGION_CLASS] = format " holds solids: flat regions are left out", \
+            [VS_SURFACE] = format " holds solids: open surfaces are left out" }
+
+/* ---- STL ---- */
+
+static bool stl_same(const vs_mesh *m, uint32_t a, uint32_t b) {
+  vs_vec3 p = m->vertices[a], q = m->vertices[b];
+  return (float)p.x == (float)q.x && (float)p.y == (float)q.y && (float)p.z == (float)q.z;
+}
+
+static bool stl_needle(const vs_mesh *m, const uint32_t t[3]) { return stl_same(m, t[0], t[1]) || stl_same(m, t[1], t[2]) || stl_same(m, t[2], t[0]); }
+
+static unsigned char *stl_u32(unsigned char *to, uint32_t x) {
+  for (int i = 0; i < 4; i++) *to++ = (unsigned char)(x >> (8 * i));
+  return to;
+}
+
+static unsigned char *stl_vector(unsigned char *to, vs_vec3 v) {
+  const float numbers[] = { (float)v.x + 0.0f, (float)v.y + 0.0f, (float)v.z + 0.0f }; /* + 0: -0 becomes 0 */
+  for (int i = 0; i < 3; i++) {
+    uint32_t bits;
+    memcpy(&bits, &numbers[i], sizeof bits);
+    to = stl_u32(to, bits);
+  }
+  return to;
+}
+
+static bool stl_solid(vs_emitter *e, const vs_solid_mesh *solid) {
+  const vs_mesh *m = &solid->mesh;
+  unsigned char head[84] = "binary STL by VisualScheme, lengths in ";
+  strncat((char *)head, e->scene->units != NULL ? e->scene->units : "m", 8);
+  size_t count = 0;
+  for (size_t i = 0; i < m->triangle_count; i++) count += !stl_needle(m, m->triangles[i]);
+  if (count > UINT32_MAX) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than an STL file can hold");
+  stl_u32(head + 80, (uint32_t)count);
+  vs_put(e->out, head, sizeof head);
+  for (size_t i = 0; i < m->triangle_count && !e->out->failed; i++) {
+    const uint32_t *t = m->triangles[i];
+    if (stl_needle(m, t)) continue;
+    vs_vec3 a = m->vertices[t[0]], b = m->vertices[t[1]], c = m->vertices[t[2]], normal = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
+    double length = vs_v3_length(normal);
+    normal = length > 0 ? vs_v3_scale(normal, 1 / length) : vs_v3(0, 0, 0);
+    unsigned char record[50] = { 0 };
+    stl_vector(stl_vector(stl_vector(stl_vector(record, normal), a), b), c);
+    vs_put(e->out, record, sizeof record);
+  }
+  return !e->out->failed;
+}
+
+const vs_backend vs_backend_stl = { .begin = mesh_begin, .end = mesh_end, .solid = stl_solid, MESH_OMIT("STL") };
+
+/* ---- OFF ---- */
+
+static void mesh_vertex(vs_writer *w, const char *before, vs_vec3 v) {
+  vs_put_triple(w, before, v, " ", "\n");
+}
+
+static bool off_solid(vs_emitter *e, const vs_solid_mesh *solid) {
+  const vs_mesh *m = &solid->mesh;
+  vs_putf(e->out, "OFF\n%lu %lu 0\n", (unsigned long)m->vertex_count, (unsigned long)m->triangle_count);
+  for (size_t i = 0; i < m->vertex_count; i++) mesh_vertex(e->out, "", m->vertices[i]);
+  for (size_t i = 0; i < m->triangle_count; i++)
+    vs_putf(e->out, "3 %lu %lu %lu\n", (unsigned long)m->triangles[i][0], (unsigned long)m->triangles[i][1], (unsigned long)m->triangles[i][2]);
+  return !e->out->failed;
+}
+
+const vs_backend vs_backend_off = { .begin = mesh_begin, .end = mesh_end, .solid = off_solid, MESH_OMIT("OFF") };
+
+/* ---- OBJ ---- */
+
+/* A material's word: its number and the plain letters of its name, so that no name breaks a line or meets another. */
+static void obj_material_name(vs_emitter *e, const vs_material *m) {
+  if (m == NULL) {
+    vs_puts(e->out, "plain");
+    return;
+  }
+  vs_putf(e->out, "m%lu", (unsigned long)vs_emit_material_number(e, m));
+  if (m->name[0] != '\0') vs_puts(e->out, "_");
+  for (const char *c = m->name; *c != '\0'; c++)
+    vs_put(e->out, (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9') ? c : "_", 1);
+}
+
+static char *obj_library(const char *path) {
+  size_t length = strlen(path);
+  char *name = malloc(length + 5);
+  if (name == NULL) return NULL;
+  memcpy(name, path, length + 1);
+  char *dot = strrchr(name, '.'), *slash = strrchr(name, '/');
+  if (dot == NULL || (slash != NULL && dot < slash)) dot = name + length;
+  memcpy(dot, ".mtl", 5);
+  return name;
+}
+
+static bool obj_solid(vs_emitter *e, const vs_solid_mesh *solid) {
+  const vs_mesh *m = &solid->mesh;
+  vs_writer *w = e->out;
+  vs_puts(w, "# made by VisualScheme; Z is up\n");
+  if (e->path != NULL) {
+    char *library = obj_library(e->path);
+    if (library == NULL) return vs_emit_no_memory(e);
+    const char *slash = strrchr(library, '/');
+    vs_puts(w, "mtllib ");
+    for (const char *c = slash != NULL ? slash + 1 : library; *c != '\0'; c++)
+      if (*c != '\n' && *c != '\r') vs_put(w, c, 1);
+    vs_puts(w, "\n");
+    free(library);
+  }
+  for (size_t i = 0; i < m->vertex_count; i++) mesh_vertex(w, "v ", m->vertices[i]);
+  /* One group a material, in the materials' order: `parts` may name one several times. */
+  size_t materials = vs_emit_material_count(e);
+  for (size_t paint = 0; paint <= materials; paint++) {
+    const vs_material *material = paint > 0 ? vs_emit_material_at(e, paint) : NULL;
+    bool begun = false;
+    for (size_t i = 0; i < m->triangle_count && !w->failed; i++) {
+      uint32_t tag = m->tags != NULL ? m->tags[i] : 0;
+      if ((tag < solid->part_count ? solid->parts[tag] : NULL) != material) continue;
+      if (!begun && e->path != NULL) {
+        vs_puts(w, "usemtl ");
+        obj_material_name(e, material);
+        vs_puts(w, "\n");
+      }
+      begun = true;
+      const uint32_t *t = m->triangles[i];
+      vs_putf(w, "f %lu %lu %lu\n", 1 + (unsigned long)t[0], 1 + (unsigned long)t[1], 1 + (unsigned long)t[2]);
+    }
+  }
+  return !w->failed;
+}
+
+static bool obj_fill_library(vs_emitter *e) {
+  vs_writer *w = e->out;
+  for (size_t i = 0; i <= vs_emit_material_count(e); i++) {
+    const vs_material *m = i > 0 ? vs_emit_material_at(e, i) : NULL;
+    vs_puts(w, "newmtl ");
+    obj_material_name(e, m);
+    vs_puts(w, "\nKd ");
+    vs_put_triple(w, "", m != NULL ? vs_v3(m->red, m->green, m->blue) : vs_v3(0.86, 0.85, 0.83), " ", "\nKs ");
+    double gloss = m != NULL ? 0.5 * (1 - m->roughness) : 0.1;
+    vs_put_triple(w, "", vs_v3(gloss, gloss, gloss), " ", "\nNs ");
+    vs_put_number(w, m != NULL ? 2 + 198 * (1 - m->roughness) * (1 - m->roughness) : 10);
+    vs_puts(w, "\nd ");
+    vs_put_number(w, m != NULL ? 1 - 0.8 * m->transparency : 1);
+    vs_puts(w, "\nillum 2\n");
+  }
+  return !w->failed;
+}
+
+static bool obj_beside(vs_emitter *e) {
+  char *library = obj_library(e->path);
+  if (library == NULL) return vs_emit_no_memory(e);
+  bool ok = vs_emit_file(e, library, obj_fill_library);
+  free(library);
+  return ok;
+}
+
+const vs_backend vs_backend_obj = { .begin = mesh_begin, .end = mesh_end, .solid = obj_solid, .beside = obj_beside, MESH_OMIT("OBJ") };

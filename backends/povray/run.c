@@ -1,0 +1,268 @@
+/* Owns the running of POV-Ray: its private folder, the process, its progress and its complaints.
+ *
+ * POV-Ray says everything on standard error: progress in pieces that begin with a carriage return, messages as
+ *   File '/tmp/.../scene.pov' line 12: Parse Error: ...
+ * wrapped at 80 columns with one space in front of what continues. It ends with 0 after warnings that mean a wrong picture, so any is a
+ * failure here. A message's line leads, by the table that the driver kept, to the place in the user's model.
+ * It runs in a process group of its own, so that an interrupt stops it by our hand, after which nothing of it is left on the disk. */
+#define _XOPEN_SOURCE 700
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "backends/povray/povray.h"
+
+enum { POV_TEXT_ROOM = 1 << 16, POV_PATH_ROOM = 4096 };
+
+typedef struct {
+  char folder[POV_PATH_ROOM - 64];
+  char picture[POV_PATH_ROOM], ini[POV_PATH_ROOM], state[POV_PATH_ROOM];
+  pid_t process;
+  int errors;                /* our end of its standard error */
+  char text[POV_TEXT_ROOM];  /* messages, without the progress; cut at the front if ever too long */
+  size_t used;
+  char piece[256];           /* of the progress: since the last carriage return */
+  size_t piece_used;
+  bool in_piece;
+  double fraction;
+} pov_run;
+
+static double run_now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* ---- what it says ---- */
+
+static void run_piece(pov_run *r) {
+  unsigned long done, all;
+  r->piece[r->piece_used] = '\0';
+  if (sscanf(r->piece, "Rendered %lu of %lu", &done, &all) == 2 && all > 0) r->fraction = (double)done / (double)all;
+  r->piece_used = 0;
+}
+
+static void run_hear(pov_run *r, const char *bytes, size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    char c = bytes[i];
+    if (c == '\r' || c == '\n') {
+      if (r->in_piece) run_piece(r);
+      r->in_piece = c == '\r';
+    }
+    if (c == '\r') continue;
+    if (r->in_piece) {
+      if (r->piece_used + 1 < sizeof r->piece) r->piece[r->piece_used++] = c;
+      continue;
+    }
+    if (r->used + 1 >= sizeof r->text) { /* the newest matters: errors come last */
+      memmove(r->text, r->text + sizeof r->text / 2, r->used - sizeof r->text / 2);
+      r->used -= sizeof r->text / 2;
+    }
+    r->text[r->used++] = c;
+  }
+  r->text[r->used] = '\0';
+}
+
+/* Joins lines that were wrapped. */
+static void run_unwrap(char *text) {
+  char *to = text;
+  for (const char *from = text; *from != '\0'; from++)
+    if (!(from[0] == '\n' && from[1] == ' ')) *to++ = *from;
+  *to = '\0';
+}
+
+/* The first complaint about the scene: its line there, and the message, which is cut out of the text. */
+static const char *run_complaint(char *text, unsigned long *line) {
+  for (char *at = text; (at = strstr(at, "File '")) != NULL; at++) {
+    char *end = strchr(at, '\n'), *number = strstr(at, "' line ");
+    if (end != NULL) *end = '\0';
+    if (number != NULL && (end == NULL || number < end)) {
+      char *after;
+      *line = strtoul(number + 7, &after, 10);
+      if (strncmp(after, ": ", 2) == 0) return after + 2;
+    }
+    if (end != NULL) *end = '\n';
+  }
+  return NULL;
+}
+
+static const char *run_last_line(char *text) {
+  size_t length = strlen(text);
+  while (length > 0 && (text[length - 1] == '\n' || text[length - 1] == ' ')) text[--length] = '\0';
+  char *line = strrchr(text, '\n');
+  return line != NULL ? line + 1 : text;
+}
+
+/* ---- the process ---- */
+
+static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene, char format) {
+  int pipe_ends[2];
+  if (pipe(pipe_ends) != 0) return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "cannot talk to POV-Ray: no pipe");
+  int width = e->options->width > 0 ? e->options->width : 1024, height = e->options->height > 0 ? e->options->height : 768;
+  char wide[24], high[24], out[POV_PATH_ROOM + 8], kind[8], home[POV_PATH_ROOM], ini[POV_PATH_ROOM + 8], path[POV_PATH_ROOM];
+  snprintf(wide, sizeof wide, "+W%d", width);
+  snprintf(high, sizeof high, "+H%d", height);
+  snprintf(out, sizeof out, "+O%s", r->picture);
+  snprintf(kind, sizeof kind, format == 'N' ? "+FN8" : "+FE");
+  snprintf(home, sizeof home, "HOME=%s", r->folder);
+  snprintf(ini, sizeof ini, "POVINI=%s", r->ini);
+  const char *where = getenv("PATH");
+  snprintf(path, sizeof path, "PATH=%s", where != NULL ? where : "/usr/local/bin:/usr/bin:/bin");
+  char *smooth[] = { "+A0.15", "+AM2", "+R2" };
+  if (e->options->quality == VS_RENDER_DRAFT) smooth[0] = "-A", smooth[1] = smooth[2] = NULL;
+  else if (e->options->quality == VS_RENDER_FINAL) smooth[0] = "+A0.05", smooth[2] = "+R3";
+  char *arguments[] = { "povray", (char *)(uintptr_t)scene, wide, high, out, kind, "-D", "-GA", "+GF", "+GW", smooth[0], smooth[1], smooth[2], NULL };
+  char *environment[] = { home, ini, path, "LC_ALL=C", NULL };
+  posix_spawn_file_actions_t files;
+  posix_spawnattr_t attributes;
+  sigset_t signals;
+  posix_spawn_file_actions_init(&files);
+  posix_spawnattr_init(&attributes);
+  posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&files, pipe_ends[1], 2);
+  posix_spawn_file_actions_addclose(&files, pipe_ends[0]);
+  if (pipe_ends[1] > 2) posix_spawn_file_actions_addclose(&files, pipe_ends[1]);
+  sigemptyset(&signals);
+  posix_spawnattr_setsigmask(&attributes, &signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGPIPE);
+  sigaddset(&signals, SIGTERM);
+  posix_spawnattr_setsigdefault(&attributes, &signals);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+  int problem = posix_spawnp(&r->process, "povray", &files, &attributes, arguments, environment);
+  posix_spawn_file_actions_destroy(&files);
+  posix_spawnattr_destroy(&attributes);
+  close(pipe_ends[1]);
+  r->errors = pipe_ends[0];
+  if (problem == 0) return true;
+  close(r->errors);
+  if (problem == ENOENT)
+    return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray is not installed: pictures need the package povray (sudo apt-get install povray)");
+  return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray did not start: %s", strerror(problem));
+}
+
+/* Ends it, hard if it does not listen within two seconds; its exit status either way. */
+static int run_stop(pov_run *r) {
+  int status = 0;
+  kill(-r->process, SIGTERM);
+  for (int i = 0; i < 100; i++) {
+    if (waitpid(r->process, &status, WNOHANG) == r->process) return status;
+    nanosleep(&(struct timespec){ .tv_nsec = 20000000 }, NULL);
+  }
+  kill(-r->process, SIGKILL);
+  while (waitpid(r->process, &status, 0) < 0 && errno == EINTR) continue;
+  return status;
+}
+
+/* Listens until it ends. False: stopped, and the error says why. */
+static bool run_listen(vs_emitter *e, pov_run *r, int *status) {
+  double begun = run_now(), told = 0;
+  for (;;) {
+    struct pollfd wait = { .fd = r->errors, .events = POLLIN };
+    char bytes[4096];
+    int ready = poll(&wait, 1, 100);
+    if (ready > 0) {
+      ssize_t count = read(r->errors, bytes, sizeof bytes);
+      if (count > 0) run_hear(r, bytes, (size_t)count);
+      if (count == 0) break;
+    }
+    double now = run_now();
+    if (now - told > 0.1) {
+      told = now;
+      if (!vs_emit_progress(e, "rendering", r->fraction)) {
+        *status = run_stop(r);
+        return false;
+      }
+    }
+    if (e->options->worker_seconds > 0 && now - begun > e->options->worker_seconds) {
+      *status = run_stop(r);
+      return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray was stopped after %g seconds", e->options->worker_seconds);
+    }
+  }
+  while (waitpid(r->process, status, 0) < 0 && errno == EINTR) continue;
+  return true;
+}
+
+/* ---- the picture ---- */
+
+static bool run_copy(vs_emitter *e, const char *from_path, const char *to_path) {
+  int from = open(from_path, O_RDONLY | O_CLOEXEC);
+  if (from < 0) return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray made no picture");
+  int to = open(to_path, O_WRONLY | O_TRUNC | O_CLOEXEC);
+  bool ok = to >= 0;
+  char bytes[16384];
+  while (ok) {
+    ssize_t count = read(from, bytes, sizeof bytes);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) ok = false;
+    if (count <= 0) break;
+    for (ssize_t sent = 0, part; ok && sent < count; sent += part) {
+      part = write(to, bytes + sent, (size_t)(count - sent));
+      if (part < 0 && errno == EINTR) part = 0;
+      else if (part <= 0) ok = false;
+    }
+  }
+  int problem = errno;
+  close(from);
+  if (to >= 0 && close(to) != 0 && ok) ok = false, problem = errno;
+  return ok || vs_error_set(e->error, VS_ERROR_FILE, NULL, "the picture could not be written: %s",
+                            problem == ENOSPC ? "the disk is full" : strerror(problem));
+}
+
+static bool run_judge(vs_emitter *e, pov_run *r, int status) {
+  unsigned long line = 0;
+  run_unwrap(r->text);
+  const char *complaint = run_complaint(r->text, &line);
+  if (complaint != NULL)
+    return vs_error_set(e->error, VS_ERROR_WORKER, vs_emit_line_origin(e, (uint32_t)line), "POV-Ray: %s", complaint);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return true;
+  if (WIFSIGNALED(status)) return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray was ended by signal %d", WTERMSIG(status));
+  return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray failed: %s", run_last_line(r->text));
+}
+
+static bool run_prepare(vs_emitter *e, pov_run *r, const char *scene, char format) {
+  const char *slash = strrchr(scene, '/');
+  size_t length = slash != NULL ? (size_t)(slash - scene) : 0;
+  if (length == 0 || length >= sizeof r->folder) return vs_error_set(e->error, VS_ERROR_FILE, NULL, "the temporary folder's name is too long");
+  memcpy(r->folder, scene, length);
+  r->folder[length] = '\0';
+  snprintf(r->picture, sizeof r->picture, "%s/picture.%s", r->folder, format == 'N' ? "png" : "exr");
+  snprintf(r->ini, sizeof r->ini, "%s/povray.ini", r->folder);
+  snprintf(r->state, sizeof r->state, "%s/picture.pov-state", r->folder);
+  static const char words[] = "Library_Path=\"/usr/share/povray-3.7/include\"\n";
+  int file = open(r->ini, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  bool ok = file >= 0 && write(file, words, sizeof words - 1) == (ssize_t)(sizeof words - 1);
+  if (file >= 0 && close(file) != 0) ok = false;
+  return ok || vs_error_set(e->error, VS_ERROR_FILE, NULL, "cannot write %s: %s", r->ini, errno == ENOSPC ? "the disk is full" : strerror(errno));
+}
+
+static bool run_render(vs_emitter *e, const char *scene, const char *output, char format) {
+  pov_run *r = calloc(1, sizeof *r);
+  if (r == NULL) return vs_emit_no_memory(e);
+  int status = 0;
+  bool ok = run_prepare(e, r, scene, format) && run_spawn(e, r, scene, format);
+  if (ok) {
+    ok = run_listen(e, r, &status) && run_judge(e, r, status);
+    close(r->errors);
+  }
+  ok = ok && run_copy(e, r->picture, output);
+  unlink(r->picture);
+  unlink(r->ini);
+  unlink(r->state);
+  free(r);
+  return ok;
+}
+
+bool vs_povray_render_png(vs_emitter *e, const char *scene, const char *output) { return run_render(e, scene, output, 'N'); }
+bool vs_povray_render_exr(vs_emitter *e, const char *scene, const char *output) { return run_render(e, scene, output, 'E'); }
