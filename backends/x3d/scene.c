@@ -1,0 +1,313 @@
+/* Owns what an X3D scene holds: the model turned to Y up, view, light, background, materials; and the two bare formats.
+ *
+ * Coordinates of triangle sets are rounded to a decimal step near 1e-7 of the drawing, normals to 1e-3: viewers hold them as 32-bit
+ * numbers, and a page half the size opens twice as fast. */
+#include <math.h>
+#include <stdio.h>
+
+#include "backends/view.h"
+#include "backends/x3d/x3d.h"
+
+static const double half_turn = 3.14159265358979323846;
+
+/* ---- small conversions ---- */
+
+static vs_vec3 scene_up_y(vs_vec3 v) { return vs_v3(v.x, v.z, -v.y); }
+
+/* Axis and angle of a rotation given by its columns, through the quaternion, whose largest part is found first: sound at half turns. */
+static double scene_axis(const vs_vec3 c[3], vs_vec3 *axis) {
+  double m[3][3] = { { c[0].x, c[1].x, c[2].x }, { c[0].y, c[1].y, c[2].y }, { c[0].z, c[1].z, c[2].z } };
+  double q[4] = { 1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2], 1 - m[0][0] + m[1][1] - m[2][2], 1 - m[0][0] - m[1][1] + m[2][2] };
+  int most = 0;
+  for (int i = 1; i < 4; i++)
+    if (q[i] > q[most]) most = i;
+  double a[4]; /* w x y z, not yet of unit length */
+  switch (most) {
+  case 0: a[0] = q[0]; a[1] = m[2][1] - m[1][2]; a[2] = m[0][2] - m[2][0]; a[3] = m[1][0] - m[0][1]; break;
+  case 1: a[0] = m[2][1] - m[1][2]; a[1] = q[1]; a[2] = m[0][1] + m[1][0]; a[3] = m[0][2] + m[2][0]; break;
+  case 2: a[0] = m[0][2] - m[2][0]; a[1] = m[0][1] + m[1][0]; a[2] = q[2]; a[3] = m[1][2] + m[2][1]; break;
+  default: a[0] = m[1][0] - m[0][1]; a[1] = m[0][2] + m[2][0]; a[2] = m[1][2] + m[2][1]; a[3] = q[3]; break;
+  }
+  double sine = sqrt(a[1] * a[1] + a[2] * a[2] + a[3] * a[3]);
+  if (sine < 1e-12 * fabs(a[0])) {
+    *axis = vs_v3(0, 0, 1);
+    return 0;
+  }
+  *axis = vs_v3_scale(vs_v3(a[1], a[2], a[3]), 1 / sine);
+  double angle = 2 * atan2(sine, a[0]);
+  return angle > half_turn ? angle - 2 * half_turn : angle;
+}
+
+/* ---- materials ---- */
+
+static void scene_appearance(vs_emitter *e, size_t number, bool *said, bool line) {
+  char name[32];
+  snprintf(name, sizeof name, "%s%zu", line ? "L" : "M", number);
+  if (*said) {
+    vs_x3d_use(e, "appearance", "Appearance", name);
+    return;
+  }
+  *said = true;
+  const vs_material *m = number > 0 ? vs_emit_material_at(e, number) : NULL;
+  vs_vec3 color = m != NULL ? vs_v3(m->red, m->green, m->blue) : line ? vs_v3(0.15, 0.18, 0.22) : vs_v3(0.86, 0.85, 0.83);
+  double gloss = m != NULL ? 1 - m->roughness : 0.1;
+  vs_x3d_node(e, "appearance", "Appearance", name);
+  vs_x3d_node(e, "material", "Material", NULL);
+  if (line) {
+    vs_x3d_vector(e, "diffuseColor", vs_v3(0, 0, 0));
+    vs_x3d_vector(e, "emissiveColor", color);
+  } else {
+    bool metal = m != NULL && m->metallic > 0.5;
+    vs_x3d_vector(e, "diffuseColor", metal ? vs_v3_scale(color, 0.8) : color);
+    vs_x3d_vector(e, "specularColor", metal ? vs_v3_scale(color, 0.25 + 0.5 * gloss) : vs_v3_scale(vs_v3(1, 1, 1), 0.45 * gloss * gloss));
+    vs_x3d_number(e, "shininess", 0.05 + 0.75 * gloss * gloss);
+    vs_x3d_number(e, "ambientIntensity", 0.9);
+    if (m != NULL && m->transparency > 0) vs_x3d_number(e, "transparency", 0.72 * m->transparency);
+  }
+  vs_x3d_end(e, "Material", false);
+  vs_x3d_end(e, "Appearance", false);
+}
+
+/* ---- shapes ---- */
+
+/* Have the form's own fields room for these half sizes? Where not, they are the Transform's scale and the form is the unit's. */
+static bool scene_fits(vs_x3d_form form, vs_vec3 size) {
+  bool even = fabs(size.x - size.z) < 1e-9 * size.x;
+  return form == VS_X3D_BOX || (even && (form != VS_X3D_SPHERE || fabs(size.x - size.y) < 1e-9 * size.x));
+}
+
+static void scene_form(vs_emitter *e, vs_x3d_form form, vs_vec3 size) {
+  static const char *const words[] = { [VS_X3D_BOX] = "Box", [VS_X3D_SPHERE] = "Sphere", [VS_X3D_CYLINDER] = "Cylinder", [VS_X3D_CONE] = "Cone" };
+  vs_x3d_node(e, "geometry", words[form], NULL);
+  switch (form) {
+  case VS_X3D_BOX: vs_x3d_vector(e, "size", vs_v3_scale(size, 2)); break;
+  case VS_X3D_SPHERE: vs_x3d_number(e, "radius", size.x); break;
+  case VS_X3D_CYLINDER: case VS_X3D_CONE:
+    vs_x3d_number(e, form == VS_X3D_CONE ? "bottomRadius" : "radius", size.x);
+    vs_x3d_number(e, "height", 2 * size.y);
+    break;
+  }
+  vs_x3d_end(e, words[form], false);
+}
+
+static void scene_item(vs_emitter *e, const vs_x3d_item *item, bool *said) {
+  vs_vec3 columns[3], axis;
+  double lengths[3];
+  for (int i = 0; i < 3; i++) {
+    vs_vec3 c = vs_v3(item->place.m[0][i], item->place.m[1][i], item->place.m[2][i]);
+    lengths[i] = vs_v3_length(c);
+    columns[i] = vs_v3_scale(c, 1 / lengths[i]);
+  }
+  /* All forms are their own mirror images in x: a mirrored placement is a plain one of the other hand. */
+  if (vs_affine_determinant(&item->place) < 0) columns[0] = vs_v3_scale(columns[0], -1);
+  double angle = scene_axis(columns, &axis);
+  vs_vec3 size = vs_v3(lengths[0], lengths[1], lengths[2]), one = vs_v3(1, 1, 1);
+  bool fits = scene_fits(item->form, size);
+  size_t number = vs_emit_material_number(e, item->material);
+  vs_x3d_node(e, NULL, "Transform", NULL);
+  vs_x3d_vector(e, "translation", vs_v3(item->place.m[0][3], item->place.m[1][3], item->place.m[2][3]));
+  if (angle != 0) vs_x3d_turn(e, "rotation", axis, angle);
+  if (!fits) vs_x3d_vector(e, "scale", size);
+  vs_x3d_children(e);
+  vs_x3d_node(e, NULL, "Shape", NULL);
+  scene_appearance(e, number, said, false);
+  scene_form(e, item->form, fits ? size : one);
+  vs_x3d_end(e, "Shape", false);
+  vs_x3d_end(e, "Transform", true);
+}
+
+/* ---- batches ---- */
+
+static void scene_rounded(vs_writer *w, vs_vec3 v, double steps) {
+  const double xyz[] = { v.x, v.y, v.z };
+  for (int i = 0; i < 3; i++) {
+    if (i > 0) vs_puts(w, " ");
+    vs_put_number(w, round(xyz[i] * steps) / steps);
+  }
+}
+
+static void scene_wrap(vs_writer *w, size_t item, size_t per_line) {
+  if (item > 0) vs_puts(w, item % per_line == 0 ? "\n" : " ");
+}
+
+static void scene_points(vs_emitter *e, const char *field, const char *node, const char *many, const vs_vec3 *at, size_t count, double steps) {
+  vs_x3d_node(e, field, node, NULL);
+  vs_x3d_field(e, many, true);
+  for (size_t i = 0; i < count && !e->out->failed; i++) {
+    scene_wrap(e->out, i, 8);
+    scene_rounded(e->out, at[i], steps);
+  }
+  vs_x3d_field_end(e, true);
+  vs_x3d_end(e, node, false);
+}
+
+/* Steps a unit: a power of ten, so that the rounded numbers are short. */
+static double scene_steps(const vs_emitter *e) {
+  double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
+  return pow(10, 7 - ceil(log10(diagonal > 0 ? diagonal : 1)));
+}
+
+static void scene_triangles(vs_emitter *e, size_t number, const vs_x3d_batch *b, bool *said) {
+  vs_x3d_node(e, NULL, "Shape", NULL);
+  scene_appearance(e, number, said, false);
+  vs_x3d_node(e, "geometry", "IndexedTriangleSet", NULL);
+  vs_x3d_words(e, "solid", "false"); /* open surfaces are seen from both sides */
+  vs_x3d_field(e, "index", true);
+  for (size_t i = 0; i < b->triangle_count && !e->out->failed; i++) {
+    scene_wrap(e->out, i, 12);
+    for (int k = 0; k < 3; k++) {
+      if (k > 0) vs_puts(e->out, " ");
+      vs_put_u32(e->out, b->triangles[i][k]);
+    }
+  }
+  vs_x3d_field_end(e, true);
+  scene_points(e, "coord", "Coordinate", "point", b->vertices, b->vertex_count, scene_steps(e));
+  scene_points(e, "normal", "Normal", "vector", b->normals, b->vertex_count, 1000);
+  vs_x3d_end(e, "IndexedTriangleSet", false);
+  vs_x3d_end(e, "Shape", false);
+}
+
+static void scene_lines(vs_emitter *e, size_t number, const vs_x3d_batch *b) {
+  bool said = false;
+  vs_x3d_node(e, NULL, "Shape", NULL);
+  scene_appearance(e, number, &said, true);
+  vs_x3d_node(e, "geometry", "IndexedLineSet", NULL);
+  vs_x3d_field(e, "coordIndex", true);
+  for (size_t i = 0; i < b->line_count && !e->out->failed; i++) {
+    scene_wrap(e->out, i, 24);
+    if (b->lines[i] == UINT32_MAX) vs_puts(e->out, "-1");
+    else vs_put_u32(e->out, b->lines[i]);
+  }
+  vs_x3d_field_end(e, true);
+  scene_points(e, "coord", "Coordinate", "point", b->points, b->point_count, scene_steps(e));
+  vs_x3d_end(e, "IndexedLineSet", false);
+  vs_x3d_end(e, "Shape", false);
+}
+
+/* ---- round the model ---- */
+
+static void scene_background(vs_emitter *e) {
+  double c[3] = { 0.62, 0.76, 0.92 };
+  if (e->scene->has_sky)
+    for (int i = 0; i < 3; i++) c[i] = e->scene->sky[i];
+  vs_x3d_node(e, NULL, "Background", NULL);
+  vs_x3d_field(e, "skyColor", true);
+  vs_put_triple(e->out, "", vs_v3(c[0], c[1], c[2]), " ", " ");
+  vs_put_triple(e->out, "", vs_v3(0.4 + 0.6 * c[0], 0.4 + 0.6 * c[1], 0.4 + 0.6 * c[2]), " ", " ");
+  vs_puts(e->out, "0.95 0.96 0.97");
+  vs_x3d_field_end(e, true);
+  vs_x3d_field(e, "skyAngle", true);
+  vs_puts(e->out, "1.05 1.57");
+  vs_x3d_field_end(e, true);
+  vs_x3d_field(e, "groundColor", true);
+  vs_puts(e->out, "0.78 0.78 0.77 0.87 0.87 0.86 0.95 0.96 0.97");
+  vs_x3d_field_end(e, true);
+  vs_x3d_field(e, "groundAngle", true);
+  vs_puts(e->out, "0.9 1.57");
+  vs_x3d_field_end(e, true);
+  vs_x3d_end(e, "Background", false);
+}
+
+static void scene_light(vs_emitter *e, vs_vec3 towards, double intensity, double ambient, const char *color) {
+  vs_x3d_node(e, NULL, "DirectionalLight", NULL);
+  vs_x3d_vector(e, "direction", scene_up_y(vs_v3_scale(towards, -1)));
+  vs_x3d_number(e, "intensity", intensity);
+  vs_x3d_number(e, "ambientIntensity", ambient);
+  vs_x3d_words(e, "color", color);
+  vs_x3d_words(e, "global", "true");
+  vs_x3d_end(e, "DirectionalLight", false);
+}
+
+static void scene_view(vs_emitter *e, const vs_look *l, double aspect) {
+  double across = l->angle;
+  vs_vec3 eye = l->eye;
+  if (l->parallel) { /* from far through a long lens: every viewer turns that as well as any other view */
+    across = 0.1;
+    eye = vs_v3_sub(l->target, vs_v3_scale(l->forward, l->width / 2 / tan(across / 2)));
+  }
+  vs_vec3 axis, columns[3] = { scene_up_y(l->right), scene_up_y(l->up), scene_up_y(vs_v3_scale(l->forward, -1)) };
+  double angle = scene_axis(columns, &axis);
+  vs_x3d_node(e, NULL, "Viewpoint", NULL);
+  vs_x3d_text(e, "description", "model", false);
+  vs_x3d_vector(e, "position", scene_up_y(eye));
+  vs_x3d_turn(e, "orientation", axis, angle);
+  vs_x3d_number(e, "fieldOfView", aspect > 1 ? 2 * atan(tan(across / 2) / aspect) : across); /* of the shorter side */
+  vs_x3d_vector(e, "centerOfRotation", scene_up_y(vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5)));
+  vs_x3d_end(e, "Viewpoint", false);
+}
+
+static void scene_ground(vs_emitter *e, bool *said) {
+  double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
+  vs_vec3 middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
+  double reach = 8 * diagonal, z = e->scene->ground_z - 2e-4 * diagonal; /* below what stands on it, by what depth buffers tell apart */
+  vs_vec3 corners[4] = { { middle.x - reach, middle.y - reach, z }, { middle.x + reach, middle.y - reach, z }, { middle.x + reach, middle.y + reach, z },
+                         { middle.x - reach, middle.y + reach, z } };
+  vs_x3d_node(e, NULL, "Shape", NULL);
+  scene_appearance(e, vs_emit_material_number(e, e->scene->ground_material), said, false);
+  vs_x3d_node(e, "geometry", "IndexedFaceSet", NULL);
+  vs_x3d_words(e, "solid", "false");
+  vs_x3d_field(e, "coordIndex", true);
+  vs_puts(e->out, "0 1 2 3 -1");
+  vs_x3d_field_end(e, true);
+  scene_points(e, "coord", "Coordinate", "point", corners, 4, scene_steps(e));
+  vs_x3d_end(e, "IndexedFaceSet", false);
+  vs_x3d_end(e, "Shape", false);
+}
+
+bool vs_x3d_scene(vs_emitter *e) {
+  vs_x3d *x = e->state;
+  if (!vs_x3d_finish(e)) return false;
+  double aspect = e->options->width > 0 && e->options->height > 0 ? (double)e->options->width / e->options->height : 4.0 / 3;
+  vs_look look = vs_look_find(e->scene, &e->bounds, aspect);
+  vs_vec3 sun = vs_look_sun(e->scene, &look);
+  /* Materials are said once, by the first that needs one: items, then batches, then the ground. */
+  size_t numbers = x->batch_count;
+  bool *said = vs_store_realloc(e->scene->store, NULL, 0, numbers * sizeof *said);
+  if (said == NULL) return vs_emit_no_memory(e);
+  for (size_t i = 0; i < numbers; i++) said[i] = false;
+  scene_background(e);
+  vs_x3d_node(e, NULL, "NavigationInfo", NULL);
+  vs_x3d_field(e, "type", true);
+  vs_puts(e->out, "\"EXAMINE\" \"ANY\"");
+  vs_x3d_field_end(e, true);
+  vs_x3d_words(e, "headlight", "false");
+  vs_x3d_end(e, "NavigationInfo", false);
+  scene_view(e, &look, aspect);
+  scene_light(e, sun, 0.72, 0.3, "1 0.97 0.9");
+  scene_light(e, vs_v3(-sun.x, -sun.y, 0.35), 0.22, 0, "0.8 0.88 1");
+  scene_light(e, vs_v3_scale(look.forward, -1), 0.18, 0, "1 1 1");
+  vs_x3d_node(e, NULL, "Transform", "model");
+  vs_x3d_words(e, "rotation", "1 0 0 -1.57079632679");
+  vs_x3d_children(e);
+  for (size_t i = 0; i < x->item_count && !e->out->failed; i++) scene_item(e, &x->items[i], &said[vs_emit_material_number(e, x->items[i].material)]);
+  for (size_t i = 0; i < x->batch_count && !e->out->failed; i++) {
+    if (x->batches[i].triangle_count > 0) scene_triangles(e, i, &x->batches[i], &said[i]);
+    if (x->batches[i].point_count > 0) scene_lines(e, i, &x->batches[i]);
+  }
+  if (e->scene->has_ground) scene_ground(e, &said[vs_emit_material_number(e, e->scene->ground_material)]);
+  vs_x3d_end(e, "Transform", true);
+  vs_emit_release(e, said, numbers, sizeof *said);
+  return !e->out->failed;
+}
+
+/* ---- the two bare formats ---- */
+
+static bool scene_begin_xml(vs_emitter *e) { return vs_x3d_open(e, VS_X3D_XML); }
+static bool scene_begin_classic(vs_emitter *e) { return vs_x3d_open(e, VS_X3D_CLASSIC); }
+
+static bool scene_end_xml(vs_emitter *e) {
+  vs_x3d *x = e->state;
+  vs_puts(e->out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D profile='Immersive' version='3.3'>\n  <head>\n    <meta name='title' content='");
+  vs_x3d_escape(e->out, e->scene->title);
+  vs_puts(e->out, "'/>\n    <meta name='generator' content='VisualScheme'/>\n  </head>\n  <Scene>\n");
+  x->depth = 2;
+  return vs_x3d_scene(e) && vs_puts(e->out, "  </Scene>\n</X3D>\n");
+}
+
+static bool scene_end_classic(vs_emitter *e) {
+  vs_puts(e->out, "#X3D V3.3 utf8\nPROFILE Immersive\n");
+  return vs_x3d_scene(e) && !e->out->failed;
+}
+
+const vs_backend vs_backend_x3d = { .begin = scene_begin_xml, .end = scene_end_xml, .close = vs_x3d_close, .emit = { VS_X3D_EMIT } };
+const vs_backend vs_backend_x3dv = { .begin = scene_begin_classic, .end = scene_end_classic, .close = vs_x3d_close, .emit = { VS_X3D_EMIT } };

@@ -1,0 +1,85 @@
+/* Owns what the files of the X3D back-end share. collect.c: the drawing as shapes; text.c: the two notations; scene.c: what is written;
+ * page.c: the web page round it.
+ *
+ * Viewers draw a Shape slowly and a triangle fast: past some ten thousand Shapes they crawl. So everything is collected first. Few
+ * enough boxes, spheres, cylinders and cones become nodes of their own; all else becomes one triangle set and one line set a material. */
+#ifndef VS_BACKENDS_X3D_H
+#define VS_BACKENDS_X3D_H
+
+#include "backends/backend.h"
+
+enum { VS_X3D_NATIVE_MAX = 1500 }; /* Shapes of their own, at most */
+
+/* ---- collect.c ---- */
+
+typedef enum { VS_X3D_BOX, VS_X3D_SPHERE, VS_X3D_CYLINDER, VS_X3D_CONE } vs_x3d_form; /* unit forms: half sizes 1, on X3D's Y */
+
+typedef struct {
+  vs_ref ref;
+  vs_affine placement;         /* of the node */
+  const vs_material *material;
+  vs_x3d_form form;
+  vs_affine place;             /* of the unit form */
+} vs_x3d_item;
+
+/* All that one material paints; number 0: no material. */
+typedef struct {
+  vs_vec3 *vertices, *normals; /* side by side */
+  size_t vertex_count, vertex_room, normal_room;
+  uint32_t (*triangles)[3];
+  size_t triangle_count, triangle_room;
+  vs_vec3 *points;             /* of lines */
+  size_t point_count, point_room;
+  uint32_t *lines;             /* indices into points, UINT32_MAX ends a line */
+  size_t line_count, line_room;
+} vs_x3d_batch;
+
+typedef enum { VS_X3D_XML, VS_X3D_CLASSIC, VS_X3D_PAGE } vs_x3d_notation; /* PAGE: XML as an HTML parser wants it */
+
+typedef struct {
+  vs_x3d_notation notation;
+  bool bake;                   /* too many: everything becomes triangles */
+  vs_x3d_item *items;
+  size_t item_count, item_room;
+  vs_x3d_batch *batches;       /* one a material and one for none */
+  size_t batch_count;
+  /* text.c */
+  size_t depth;
+  bool in_tag;
+} vs_x3d;
+
+bool vs_x3d_open(vs_emitter *e, vs_x3d_notation notation); /* makes e->state */
+void vs_x3d_close(vs_emitter *e);
+bool vs_x3d_finish(vs_emitter *e); /* bakes what has to be after all */
+vs_emit_fn vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean;
+
+/* A NULL function is lowered: curves to polylines. Everything solid or thin becomes triangles in vs_x3d_leaf. */
+#define VS_X3D_EMIT                                                                                                                  \
+  [VS_LINE] = { vs_x3d_line, NULL }, [VS_REGION] = { vs_x3d_leaf, NULL }, [VS_BOX] = { vs_x3d_leaf, NULL }, [VS_WEDGE] = { vs_x3d_leaf, NULL }, \
+  [VS_SPHERE] = { vs_x3d_leaf, NULL }, [VS_CYLINDER] = { vs_x3d_leaf, NULL }, [VS_CONE] = { vs_x3d_leaf, NULL },                      \
+  [VS_CUT_CONE] = { vs_x3d_leaf, NULL }, [VS_PYRAMID] = { vs_x3d_leaf, NULL }, [VS_TORUS] = { vs_x3d_leaf, NULL },                    \
+  [VS_POLYFACE_MESH] = { vs_x3d_leaf, NULL }, [VS_EXTRUDE] = { vs_x3d_leaf, NULL }, [VS_SWEEP] = { vs_x3d_leaf, NULL },               \
+  [VS_THICKEN] = { vs_x3d_leaf, NULL }, [VS_TRANSFORM] = { vs_x3d_through, NULL }, [VS_MATERIAL] = { vs_x3d_through, NULL },          \
+  [VS_LAYER] = { vs_x3d_through, NULL }, [VS_UNION] = { vs_x3d_through, NULL }, [VS_INTERSECTION] = { vs_x3d_boolean, NULL },         \
+  [VS_DIFFERENCE] = { vs_x3d_boolean, NULL }
+
+/* ---- text.c: nodes and fields in the notation of e->state ---- */
+
+/* field: the parent's field that the node stands in; NULL: in its list of children. def NULL: no name. */
+void vs_x3d_node(vs_emitter *e, const char *field, const char *type, const char *def);
+void vs_x3d_use(vs_emitter *e, const char *field, const char *type, const char *name);
+void vs_x3d_children(vs_emitter *e); /* a list of children follows; fields must have come before */
+void vs_x3d_end(vs_emitter *e, const char *type, bool had_children);
+void vs_x3d_field(vs_emitter *e, const char *name, bool many); /* then the value, then: */
+void vs_x3d_field_end(vs_emitter *e, bool many);
+void vs_x3d_words(vs_emitter *e, const char *name, const char *value); /* a field in both notations alike: numbers, true, false */
+void vs_x3d_text(vs_emitter *e, const char *name, const char *value, bool many);   /* a string */
+void vs_x3d_number(vs_emitter *e, const char *name, double value);
+void vs_x3d_vector(vs_emitter *e, const char *name, vs_vec3 value);
+void vs_x3d_turn(vs_emitter *e, const char *name, vs_vec3 axis, double angle);
+void vs_x3d_escape(vs_writer *w, const char *text); /* for XML and HTML, attributes too */
+
+/* ---- scene.c ---- */
+bool vs_x3d_scene(vs_emitter *e); /* the Scene's content */
+
+#endif
