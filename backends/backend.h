@@ -53,6 +53,7 @@ struct vs_emitter {
   size_t depth;        /* of nesting now, for indentation */
   size_t child_count;  /* at VS_PHASE_ENTER: operands that will follow, at least 1; 1 only for a placement or paint */
   size_t child_index;  /* which operand of its parent this node is */
+  const vs_node *body;   /* the template that is being written, or NULL */
   const vs_node *parent; /* the operation round this node, or NULL */
   bool smooth;         /* this mesh stands for a curved thing: shade it round */
   bool in_boolean;     /* inside an intersection or a difference */

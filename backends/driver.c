@@ -428,6 +428,7 @@ static void drive_reset(vs_emitter *e) {
   e->child_count = e->child_index = 0;
   e->smooth = e->in_boolean = false;
   e->material = NULL;
+  e->body = e->parent = NULL;
   e->placement = vs_affine_identity();
 }
 
@@ -439,6 +440,7 @@ static bool drive_definitions(vs_emitter *e) {
     drive_reset(e);
     if (!drive_mark(e, &entry.ref) || !e->backend->define(e, entry.definition, &entry.ref, true)) return false;
     e->depth = 1;
+    e->body = entry.ref.node;
     if (!drive_walk(e, &entry.ref, true) || !e->backend->define(e, entry.definition, &entry.ref, false)) return false;
   }
   return true;

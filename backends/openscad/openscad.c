@@ -1,7 +1,8 @@
 /* Owns the OpenSCAD back-end: a readable program with real CSG, modules for what stands in several places, polyhedra for the rest.
  *
  * Facts it minds: OpenSCAD's polyhedra are clockwise seen from outside; two and three dimensions must not mix, so solids alone are written; the
- * outermost color() wins there, the innermost material here, so colours go to the highest subtrees without paint of their own. */
+ * outermost color() wins there, the innermost material here, so colours go to the highest subtrees without paint of their own. A module
+ * that is painted in part is handed its user's colour for the rest as $paint. */
 #include <math.h>
 
 #include "backends/backend.h"
@@ -21,28 +22,40 @@ static void scad_translate(vs_emitter *e, vs_vec3 by) {
   vs_puts(e->out, ") ");
 }
 
-static void scad_matrix(vs_emitter *e, const vs_affine *a) {
+static void scad_matrix(vs_emitter *e, const vs_affine *a, const char *after) {
   vs_puts(e->out, "multmatrix([");
   for (int row = 0; row < 3; row++)
     for (int column = 0; column < 4; column++) scad_number(e, column == 0 ? "[" : ", ", a->m[row][column]), vs_puts(e->out, column == 3 ? "], " : "");
-  vs_puts(e->out, "[0, 0, 0, 1]]) ");
+  vs_puts(e->out, "[0, 0, 0, 1]])");
+  vs_puts(e->out, after);
 }
 
 static void scad_place(vs_emitter *e, const vs_affine *a) {
   if (vs_affine_is_translation(a)) scad_translate(e, vs_v3(a->m[0][3], a->m[1][3], a->m[2][3]));
-  else scad_matrix(e, a);
+  else scad_matrix(e, a, " ");
 }
+
+static void scad_color(vs_emitter *e, const vs_material *m) {
+  vs_puts(e->out, "[");
+  vs_put_triple(e->out, "", vs_v3(m->red, m->green, m->blue), ", ", "");
+  if (m->transparency > 0) scad_number(e, ", ", 1 - 0.8 * m->transparency);
+  vs_puts(e->out, "]");
+}
+
+static bool scad_is_mixed(vs_emitter *e, const vs_node *n) { return vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n); }
 
 /* Opens a statement: indentation, and the colour where this is the highest node that it covers whole. */
 static void scad_open(vs_emitter *e, const vs_node *n) {
   vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40));
-  const vs_material *m = e->material;
   bool covered = e->parent != NULL && e->parent->kind != VS_MATERIAL && !vs_emit_is_painted(e, e->parent);
-  if (m == NULL || covered || vs_emit_is_painted(e, n)) return;
-  vs_puts(e->out, "color(");
-  scad_point(e, vs_v3(m->red, m->green, m->blue));
-  if (m->transparency > 0) scad_number(e, ", ", 1 - 0.8 * m->transparency);
-  vs_puts(e->out, ") ");
+  if (covered || vs_emit_is_painted(e, n)) return;
+  if (e->material != NULL) {
+    vs_puts(e->out, "color(");
+    scad_color(e, e->material);
+    vs_puts(e->out, ") ");
+  } else if (e->body != NULL && scad_is_mixed(e, e->body)) {
+    vs_puts(e->out, "color($paint) ");
+  }
 }
 
 /* ---- primitives ---- */
@@ -225,7 +238,7 @@ static vs_emit_status scad_extrude(vs_emitter *e, const vs_ref *ref, vs_phase ph
         place.m[row][2] = along[row];
         place.m[row][3] += from[row];
       }
-      scad_matrix(e, &place);
+      scad_matrix(e, &place, " ");
       vs_puts(e->out, "linear_extrude(height = 1) ");
     }
     scad_polygon(e, &o, &back);
@@ -238,15 +251,22 @@ static vs_emit_status scad_extrude(vs_emitter *e, const vs_ref *ref, vs_phase ph
 
 static vs_emit_status scad_transform(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   if (phase == VS_PHASE_LEAVE) return VS_EMITTED;
+  const vs_affine *a = &VS_AS(transform, ref->node)->matrix;
   scad_open(e, ref->node);
-  scad_place(e, &VS_AS(transform, ref->node)->matrix);
-  vs_puts(e->out, "\n");
+  if (vs_affine_is_translation(a)) {
+    vs_puts(e->out, "translate(");
+    scad_point(e, vs_v3(a->m[0][3], a->m[1][3], a->m[2][3]));
+    vs_puts(e->out, ")\n");
+  } else {
+    scad_matrix(e, a, "\n");
+  }
   return scad_done(e);
 }
 
-/* Paint is said by the children (scad_open); a layer has no meaning there. */
+/* Paint is said by the children (scad_open); a layer has no meaning there. What is inside stands no deeper. */
 static vs_emit_status scad_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
-  (void)ref, (void)phase;
+  (void)ref;
+  e->depth += phase == VS_PHASE_ENTER ? SIZE_MAX : 1;
   return scad_done(e);
 }
 
@@ -262,13 +282,21 @@ static vs_emit_status scad_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase)
 }
 
 static bool scad_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) {
-  (void)ref;
+  if (open && e->state == NULL && scad_is_mixed(e, ref->node)) {
+    e->state = e; /* said */
+    vs_puts(e->out, "$paint = [0.86, 0.85, 0.83]; // of what has no colour\n\n");
+  }
   return open ? vs_putf(e->out, "module part%lu() {\n", (unsigned long)id) : vs_puts(e->out, "}\n\n");
 }
 
 static bool scad_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
   scad_open(e, ref->node);
-  return vs_putf(e->out, "part%lu();\n", (unsigned long)id);
+  vs_putf(e->out, "part%lu(", (unsigned long)id);
+  if (e->material != NULL && scad_is_mixed(e, ref->node)) {
+    vs_puts(e->out, "$paint = ");
+    scad_color(e, e->material);
+  }
+  return vs_puts(e->out, ");\n");
 }
 
 static bool scad_begin(vs_emitter *e) {

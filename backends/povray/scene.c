@@ -116,7 +116,7 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   double far = 20 * diagonal;
   vs_puts(w, "light_source {\n");
   pov_vector(w, "  ", vs_v3_add(middle, vs_v3_scale(sun, far)));
-  vs_puts(w, "\n  color rgb <1, 0.93, 0.8> * 1.9\n  parallel\n");
+  vs_puts(w, "\n  color rgb <1, 0.94, 0.84> * 1.6\n  parallel\n");
   pov_vector(w, "  point_at ", middle);
   if (e->options->quality != VS_RENDER_DRAFT) {
     pov_vector(w, "\n  area_light ", vs_v3_scale(across, 0.012 * far));
@@ -126,7 +126,10 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   vs_puts(w, "\n}\n");
   if (e->options->quality == VS_RENDER_DRAFT) { /* no radiosity: a second, shadowless light from the other side fills */
     pov_vector(w, "light_source { ", vs_v3_add(middle, vs_v3(-sun.x * far, -sun.y * far, sun.z * far)));
-    vs_puts(w, " color rgb <0.34, 0.38, 0.45> shadowless parallel ");
+    vs_puts(w, " color rgb <0.4, 0.44, 0.5> shadowless parallel ");
+    pov_vector(w, "point_at ", middle);
+    pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3_scale(l->forward, far)));
+    vs_puts(w, " color rgb 0.22 shadowless parallel ");
     pov_vector(w, "point_at ", middle);
     vs_puts(w, " }\n");
   }
@@ -164,8 +167,8 @@ static void pov_ground(vs_emitter *e, double diagonal) {
 static const char *pov_radiosity(vs_render_quality q) {
   switch (q) {
   case VS_RENDER_DRAFT: break;
-  case VS_RENDER_GOOD: return "radiosity { count 35 error_bound 0.9 recursion_limit 1 pretrace_start 0.08 pretrace_end 0.02 gray_threshold 0.3 brightness 1 }\n";
-  case VS_RENDER_FINAL: return "radiosity { count 80 error_bound 0.5 recursion_limit 2 pretrace_start 0.08 pretrace_end 0.01 gray_threshold 0.3 brightness 1 }\n";
+  case VS_RENDER_GOOD: return "radiosity { count 35 error_bound 0.9 recursion_limit 1 pretrace_start 0.08 pretrace_end 0.02 gray_threshold 0.3 brightness 0.8 }\n";
+  case VS_RENDER_FINAL: return "radiosity { count 80 error_bound 0.5 recursion_limit 2 pretrace_start 0.08 pretrace_end 0.01 gray_threshold 0.3 brightness 0.8 }\n";
   }
   return "";
 }

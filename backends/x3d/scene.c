@@ -266,6 +266,11 @@ bool vs_x3d_scene(vs_emitter *e) {
   if (said == NULL) return vs_emit_no_memory(e);
   for (size_t i = 0; i < numbers; i++) said[i] = false;
   scene_background(e);
+  if (x->notation == VS_X3D_PAGE) { /* x3dom's own node: colours as they are said, which is how all others show them */
+    vs_x3d_node(e, NULL, "Environment", NULL);
+    vs_x3d_words(e, "gammaCorrectionDefault", "none");
+    vs_x3d_end(e, "Environment", false);
+  }
   vs_x3d_node(e, NULL, "NavigationInfo", NULL);
   vs_x3d_field(e, "type", true);
   vs_puts(e->out, "\"EXAMINE\" \"ANY\"");
@@ -273,9 +278,9 @@ bool vs_x3d_scene(vs_emitter *e) {
   vs_x3d_words(e, "headlight", "false");
   vs_x3d_end(e, "NavigationInfo", false);
   scene_view(e, &look, aspect);
-  scene_light(e, sun, 0.72, 0.3, "1 0.97 0.9");
-  scene_light(e, vs_v3(-sun.x, -sun.y, 0.35), 0.22, 0, "0.8 0.88 1");
-  scene_light(e, vs_v3_scale(look.forward, -1), 0.18, 0, "1 1 1");
+  scene_light(e, sun, 0.8, 0.35, "1 0.97 0.9");
+  scene_light(e, vs_v3(-sun.x, -sun.y, 0.35), 0.3, 0, "0.85 0.92 1");
+  scene_light(e, vs_v3_scale(look.forward, -1), 0.22, 0, "1 1 1");
   vs_x3d_node(e, NULL, "Transform", "model");
   vs_x3d_words(e, "rotation", "1 0 0 -1.57079632679");
   vs_x3d_children(e);
