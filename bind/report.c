@@ -87,7 +87,7 @@ static const char *file_name(vs_session *s, vs_pos place) {
   return kept;
 }
 
-static bool span_of(vs_session *s, vs_pos place, vs_span *out) {
+bool vs_session_span(vs_session *s, vs_pos place, vs_span *out) {
   *out = (vs_span){ .file = file_name(s, place), .line = vs_pos_line(place), .column = vs_pos_col(place) };
   if (!out->file) *out = (vs_span){ 0 };
   return out->file != NULL;
@@ -108,7 +108,7 @@ static size_t callers(vs_session *s, vs_value chain, vs_span at, vs_diagnostic_n
   for (vs_value l = chain; vs_is_pair(l) && n < NOTES; l = vs_cdr(l)) {
     vs_value link = vs_car(l);
     vs_span span;
-    if (!vs_is_pair(link) || !vs_is_fixnum(vs_cdr(link)) || !span_of(s, vs_pos_of(vs_cdr(link)), &span)) continue;
+    if (!vs_is_pair(link) || !vs_is_fixnum(vs_cdr(link)) || !vs_session_span(s, vs_pos_of(vs_cdr(link)), &span)) continue;
     if (span.file == before_file && span.line == before_line && span.column == before_column) continue;
     before_file = span.file, before_line = span.line, before_column = span.column;
     char text[160];
@@ -136,10 +136,10 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   if (is_condition) {
     const vs_condition *c = vs_as_condition(r[0]);
     outcome = outcome_of(s, c->kind, usage);
-    if (!span_of(s, c->place, &at)) /* inside the library: the first call of the user's own */
+    if (!vs_session_span(s, c->place, &at)) /* inside the library: the first call of the user's own */
       for (vs_value l = c->chain; vs_is_pair(l) && !at.file; l = vs_cdr(l)) {
         vs_value link = vs_car(l);
-        if (vs_is_pair(link) && vs_is_fixnum(vs_cdr(link))) span_of(s, vs_pos_of(vs_cdr(link)), &at);
+        if (vs_is_pair(link) && vs_is_fixnum(vs_cdr(link))) vs_session_span(s, vs_pos_of(vs_cdr(link)), &at);
       }
     count = callers(s, vs_as_condition(r[0])->chain, at, notes);
   }
@@ -152,7 +152,7 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
       vs_span span;
       char *text;
       size_t bytes;
-      if (!vs_is_pair(more) || !vs_is_fixnum(vs_car(more)) || !vs_is_string(vs_cdr(more)) || !span_of(s, vs_pos_of(vs_car(more)), &span)) continue;
+      if (!vs_is_pair(more) || !vs_is_fixnum(vs_car(more)) || !vs_is_string(vs_cdr(more)) || !vs_session_span(s, vs_pos_of(vs_car(more)), &span)) continue;
       if (!vs_bind_text(vm, vs_cdr(more), &text, &bytes)) break;
       tell(s, VS_SEVERITY_ERROR, outcome, span, text, NULL, 0);
       vs_mem(vm, text, bytes, 0);

@@ -55,6 +55,7 @@ void vs_session_free_sources(vs_session *s);
 
 /* ---- report.c ---- */
 vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool usage /* its own fault is the caller's: exit 2 */);
+bool vs_session_span(vs_session *s, vs_pos place, vs_span *out); /* false: nowhere in the user sources */
 vs_outcome vs_session_report_error(vs_session *s, const vs_error *e);
 void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, const vs_origin *origin, const char *message);
 void vs_session_report_at(vs_session *s, vs_severity severity, vs_outcome outcome, const char *file, uint32_t line, uint32_t column, const char *message);

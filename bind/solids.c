@@ -2,7 +2,7 @@
 #include "bind/bind.h"
 
 #include "geometry/frame.h"
-#include "model/mesh.h"
+#include "geometry/polyface.h"
 
 #define REAL(i) (f->arg[i].real)
 #define POINT(i) (f->arg[i].point)
@@ -112,41 +112,14 @@ vs_status vs_p_make_prism(vs_frame *f, vs_value *out) { return pyramid(f, REAL(1
 
 /* ---- faces ---- */
 
-/* Turns each face round: corners in the opposite order. */
-static void turn(uint32_t *starts, uint32_t *corner, size_t count) {
-  for (size_t i = 0; i < count; i++)
-    for (uint32_t a = starts[i], b = starts[i + 1] - 1; a < b; a++, b--) {
-      uint32_t c = corner[a];
-      corner[a] = corner[b], corner[b] = c;
-    }
-}
-
-/* Does it close, by fans of triangles? If it does and is inside out, it is turned. */
-static vs_status look(vs_frame *f, const vs_vec3 *at, size_t points, uint32_t *starts, uint32_t *corner, size_t count, bool *closed) {
-  vs_mesh m = { 0 };
-  bool known = true, room = true;
-  for (size_t i = 0; room && i < points; i++) room = vs_mesh_add_vertex(&m, at[i], NULL);
-  for (size_t i = 0; room && i < count; i++)
-    for (uint32_t c = starts[i] + 1; room && c + 1 < starts[i + 1]; c++) room = vs_mesh_add_triangle(&m, corner[starts[i]], corner[c], corner[c + 1]);
-  *closed = room && vs_mesh_closed(&m, &known);
-  if (*closed && vs_mesh_volume(&m) < 0) turn(starts, corner, count);
-  vs_mesh_free(&m);
-  return room && known ? VS_OK : vs_fail_memory(f->vm);
-}
-
-static vs_status polyface(vs_frame *f, const vs_vec3 *at, size_t points, uint32_t *starts, uint32_t *corner, size_t count, vs_value *out) {
-  struct vs_polyface_mesh d = { 0 };
-  bool closed;
+static vs_status polyface(vs_frame *f, const vs_vec3 *at, size_t points, const uint32_t *starts, const uint32_t *corner, size_t count, vs_value *out) {
+  vs_error e = { 0 };
   if (points > UINT32_MAX || count > UINT32_MAX) return vs_fail_memory(f->vm);
-  if (!look(f, at, points, starts, corner, count, &closed)) return VS_ERROR;
-  d.closed = closed;
-  vs_points *p = vs_points_new(f->bind->store, at, points);
-  vs_faces *faces = vs_faces_new(f->bind->store, starts, count, corner, starts[count]);
-  d.points = p, d.faces = faces;
-  vs_node *n = p && faces ? vs_node_new(f->bind->store, VS_POLYFACE_MESH, &d, NULL, 0) : NULL;
-  if (p) vs_points_release(f->bind->store, p);
-  if (faces) vs_faces_release(f->bind->store, faces);
-  return vs_bind_node(f, n, out);
+  vs_node *n = vs_polyface_make(f->bind->store, at, points, starts, count, corner, &e);
+  if (!n) return vs_bind_error(f, &e);
+  if (!vs_bind_is_empty(n)) return vs_bind_node(f, n, out);
+  vs_node_release(n);
+  return vs_bind_empty(f, "the faces have no area", out);
 }
 
 vs_status vs_p_make_polyface_mesh(vs_frame *f, vs_value *out) {
@@ -175,7 +148,7 @@ vs_status vs_p_make_irregular_pyramid(vs_frame *f, vs_value *out) {
   for (size_t i = 1; i + 1 < n; i++) spread = vs_v3_add(spread, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
   if (vs_v3_dot(spread, vs_v3_sub(at[n], at[0])) == 0) return vs_bind_empty(f, "the apex lies in the plane of the base", out);
   starts[0] = 0;
-  for (size_t i = 0; i < n; i++) corner[i] = (uint32_t)(n - 1 - i); /* the base, seen from below; look() turns all of it if need be */
+  for (size_t i = 0; i < n; i++) corner[i] = (uint32_t)(n - 1 - i); /* the base, seen from below; all of it is turned if need be */
   starts[1] = (uint32_t)n;
   for (size_t i = 0; i < n; i++) {
     uint32_t *c = corner + n + 3 * i;
