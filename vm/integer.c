@@ -12,7 +12,7 @@
 _Static_assert(GMP_LIMB_BITS == 64 && GMP_NAIL_BITS == 0, "limbs are the bignum's 64-bit words");
 
 static bool int_too_large(vs *vm) {
-  return vs_fail(vm, vm->sym.limit, "the number would have more than %d million digits", VS_INT_MAX_LIMBS / 1000000 * 20);
+  return vs_fail(vm, vm->sym.range, "the number would have more than %d million digits", VS_INT_MAX_LIMBS / 1000000 * 20);
 }
 
 void vs_int_look(vs_value v, vs_int_view *w) {

@@ -110,7 +110,7 @@ static bool exact_power(vs *vm, vs_value base, vs_value exponent, vs_value *out)
     if (base == vs_fix(1)) return *out = base, true;
     if (base == vs_fix(-1)) return *out = vs_fix(vs_int_is_odd(exponent) ? -1 : 1), true;
     if (base == vs_fix(0) && !negative) return *out = base, true;
-    return vs_fail(vm, vm->sym.limit, "the power would be too large");
+    return vs_fail(vm, vm->sym.range, "the power would be too large");
   }
   uint64_t n = (uint64_t)(negative ? -vs_fixnum(exponent) : vs_fixnum(exponent));
   bool ratio = vs_is_ratio(base);

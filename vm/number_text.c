@@ -275,7 +275,7 @@ static bool scaled_number(const scan *in, const unsigned char *digits, size_t n,
     double log_value = ((double)n + (double)exponent) * log2(in->radix);
     if (log_value > 1100 || log_value < -1200) return *out = vs_flonum((in->negative ? -1 : 1) * (log_value > 0 ? HUGE_VAL : 0.0)), true;
   } else if (exponent > 1000000 || exponent < -1000000) {
-    return vs_fail(vm, vm->sym.limit, "the exponent of an exact number is too large");
+    return vs_fail(vm, vm->sym.range, "the exponent of an exact number is too large");
   }
   /* more digits than can matter: the rest becomes one sticky digit */
   enum { KEEP = 1200 };

@@ -4,10 +4,8 @@
    A port for output into memory collects in `buffer`, `position` is how much; every other hands its bytes to the host. */
 #include "vm/port.h"
 
+#include "vm/lib.h"
 #include "vm/run.h"
-
-/* vm->at.lib is a vector: the parameters of the current ports, then what random.c keeps */
-enum { LIB_INPUT, LIB_OUTPUT, LIB_ERROR };
 
 static bool port_new(vs *vm, uint32_t flags, int64_t host, const vs_value *name, vs_value *out) {
   vs_port *p = (vs_port *)(void *)vs_gc_alloc(vm, VS_T_PORT, VS_WORDS(vs_port));
@@ -31,31 +29,30 @@ static bool port_standard(vs *vm, const char *name, int stream, uint32_t flags, 
   p->value = *port;
   p->converter = VS_FALSE;
   p->name = r[0];
-  vs_vector *lib = vs_as_vector(vm->at.lib);
-  vs_gc_store(vm, lib, &lib->at[slot], vs_from_object(p));
+  vs_lib_set(vm, slot, vs_from_object(p));
   return true;
 }
 
 bool vs_port_setup(vs *vm) {
-  if (vs_is_vector(vm->at.lib) && vs_as_vector(vm->at.lib)->at[LIB_ERROR] != VS_FALSE) return true;
-  return (vs_is_vector(vm->at.lib) || vs_make_vector(vm, 4, VS_FALSE, &vm->at.lib)) &&
-         port_standard(vm, "current-input-port", VS_IO_STDIN, VS_PORT_INPUT, &vm->at.standard_in, LIB_INPUT) &&
-         port_standard(vm, "current-output-port", VS_IO_STDOUT, VS_PORT_OUTPUT, &vm->at.standard_out, LIB_OUTPUT) &&
-         port_standard(vm, "current-error-port", VS_IO_STDERR, VS_PORT_OUTPUT, &vm->at.standard_error, LIB_ERROR);
+  if (vs_lib_get(vm, VS_LIB_ERROR) != VS_FALSE) return true;
+  return vs_lib_open(vm) &&
+         port_standard(vm, "current-input-port", VS_IO_STDIN, VS_PORT_INPUT, &vm->at.standard_in, VS_LIB_INPUT) &&
+         port_standard(vm, "current-output-port", VS_IO_STDOUT, VS_PORT_OUTPUT, &vm->at.standard_out, VS_LIB_OUTPUT) &&
+         port_standard(vm, "current-error-port", VS_IO_STDERR, VS_PORT_OUTPUT, &vm->at.standard_error, VS_LIB_ERROR);
 }
 
 bool vs_port_parameter(vs *vm, int stream, vs_value *out) {
   if (!vs_port_setup(vm)) return false;
-  *out = vs_as_vector(vm->at.lib)->at[stream];
+  *out = vs_lib_get(vm, VS_LIB_INPUT + stream);
   return true;
 }
 
-static vs_value port_current(vs *vm, int stream) {
+static vs_value port_current(vs *vm, int slot) {
   if (!vs_port_setup(vm)) return VS_FALSE;
-  return vs_parameter_value(vm, vs_as_vector(vm->at.lib)->at[stream]);
+  return vs_parameter_value(vm, vs_lib_get(vm, slot));
 }
-vs_value vs_port_current_output(vs *vm) { return port_current(vm, LIB_OUTPUT); }
-vs_value vs_port_current_input(vs *vm) { return port_current(vm, LIB_INPUT); }
+vs_value vs_port_current_output(vs *vm) { return port_current(vm, VS_LIB_OUTPUT); }
+vs_value vs_port_current_input(vs *vm) { return port_current(vm, VS_LIB_INPUT); }
 
 /* ---- files ---- */
 

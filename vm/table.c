@@ -94,7 +94,7 @@ static bool table_reserve(vs *vm, const vs_value *table) {
   uint32_t room = (uint32_t)(table_entries(t)->length / 3);
   if (t->used < room) return true;
   uint32_t new_room = t->count > room / 2 ? room * 2 : room;
-  if (new_room > UINT32_MAX / 16) return vs_fail(vm, vm->sym.limit, "the hash table would be too large");
+  if (new_room > UINT32_MAX / 16) return vs_fail(vm, vm->sym.range, "the hash table would be too large");
   if (room > 4096 && !vs_poll(vm, room)) return false;
   VS_ROOTS(vm, r, 2);
   if (!vs_make_vector(vm, (size_t)new_room * 3, VS_VACANT, &r[0]) || !vs_make_bytes(vm, (size_t)new_room * 2 * 4, &r[1])) return false;
