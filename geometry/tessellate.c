@@ -2,6 +2,7 @@
 #include "geometry/tessellate.h"
 
 #include "geometry/solids.h"
+#include "geometry/swept.h"
 
 /* A placement's child; NULL for what is a leaf here. Appearance changes no shape. */
 static const vs_ref *vs_tessellate_below(const vs_node *n, vs_affine *placed) {
@@ -20,6 +21,7 @@ static const vs_ref *vs_tessellate_below(const vs_node *n, vs_affine *placed) {
 
 static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
   bool ok = false;
+  if (n->class_ == VS_NOTHING) return true;
   switch ((vs_kind)n->kind) {
     case VS_EMPTY: return true;
     case VS_BOX: ok = vs_solid_box(out, VS_AS(box, n)->p, VS_AS(box, n)->q); break;
@@ -57,7 +59,29 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
       break;
     }
     case VS_POLYFACE_MESH: ok = vs_solid_polyface(out, VS_AS(polyface_mesh, n)->points, VS_AS(polyface_mesh, n)->faces); break;
-    case VS_REGION: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
+    case VS_REGION: {
+      vs_outline o;
+      if (!vs_region_outline(n, f, &o, e)) return false;
+      ok = vs_outline_mesh(&o, out);
+      vs_outline_free(&o);
+      break;
+    }
+    case VS_THICKEN:
+      if (n->children[0].node->class_ == VS_SURFACE) {
+        vs_mesh surface = { 0 };
+        /* A surface is no thickening: this comes back here once, never deeper. */
+        if (!vs_tessellate(n->children[0].node, f, &surface, e)) return vs_mesh_free(&surface), false;
+        ok = vs_thicken_surface(&surface, VS_AS(thicken, n)->width, out);
+        vs_mesh_free(&surface);
+        break;
+      } /* fall through */
+    case VS_EXTRUDE: case VS_SWEEP: {
+      vs_swept plan;
+      if (!vs_swept_plan(n, f, &plan, e)) return false;
+      ok = vs_swept_mesh(&plan, out);
+      vs_swept_free(&plan);
+      break;
+    }
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a %s has no faces", vs_kind_get((vs_kind)n->kind)->name);
     case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
       return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s is not one solid: its parts are to be meshed apart", vs_kind_get((vs_kind)n->kind)->name);

@@ -15,9 +15,14 @@ typedef struct { vs_vec3 *at; size_t count, room; bool closed; } vs_polyline;
 void vs_polyline_free(vs_polyline *p);
 bool vs_curve_sample(const vs_node *curve, const vs_facets *f, vs_polyline *out, vs_error *e);
 
-/* A region (or a closed curve taken as filled) as loops in one plane: outer loops counter-clockwise about the normal, holes clockwise. */
-typedef struct { vs_polyline *loops; size_t count; vs_vec3 point, normal; } vs_outline;
+/* A region (or a closed curve taken as filled) as loops in one plane: outer loops counter-clockwise about the normal, holes clockwise,
+ * each hole after the outer loop that holds it. The normal of a plane looks up; of a vertical one along +Y, or along +X where that lies in it.
+ * frame: columns 0 and 1 span the plane, 2 is the normal, 3 the plane's point nearest the origin. An open curve (profiles of surfaces) is
+ * one loop that is not closed. */
+typedef struct { vs_polyline *loops; bool *hole; size_t count; vs_vec3 point, normal; vs_affine frame; } vs_outline;
 void vs_outline_free(vs_outline *o);
 bool vs_region_outline(const vs_node *region, const vs_facets *f, vs_outline *out, vs_error *e);
+/* Area and centroid of the sampled outline; of an open one its length and middle. */
+double vs_outline_measure(const vs_outline *o, vs_vec3 *centroid);
 
 #endif

@@ -1,0 +1,390 @@
+/* Owns what extrude, sweep and thicken have in common: a planar profile carried through sections, and the mesh between them.
+ *
+ * Plan first, triangles second. A section is an affine map of the profile's plane; at a corner of a path it lies in the mitre plane (normal
+ * m = a + b for directions a arriving, b leaving): a profile vector d across b becomes d - b (d.m)/(b.m), so that both arms keep the
+ * profile's true width. Smooth paths have a = b and stay square to it. A section scaled to nothing is an apex. Corners sharper than about
+ * 174 degrees are not mitred (the mitre would be longer than twenty profiles); the arms then fold over each other. */
+#include "geometry/swept.h"
+
+#include <stdlib.h>
+
+#include "geometry/curve.h"
+
+static const double full_turn = 6.28318530717958647693;
+
+void vs_swept_free(vs_swept *s) {
+  free(s->profile);
+  free(s->sizes);
+  free(s->hole);
+  free(s->sections);
+  *s = (vs_swept){ 0 };
+}
+
+static bool vs_swept_add(vs_swept *s, vs_section section) {
+  if (s->section_count == s->section_room) {
+    size_t room = s->section_room ? s->section_room * 2 : 16;
+    vs_section *grown = realloc(s->sections, room * sizeof *grown);
+    if (!grown) return false;
+    s->sections = grown;
+    s->section_room = room;
+  }
+  s->sections[s->section_count++] = section;
+  return true;
+}
+
+vs_section vs_section_between(const vs_section *a, const vs_section *b, double t) {
+  double k = 1 - t;
+  return (vs_section){ vs_v3_add(vs_v3_scale(a->x, k), vs_v3_scale(b->x, t)), vs_v3_add(vs_v3_scale(a->y, k), vs_v3_scale(b->y, t)),
+                       vs_v3_add(vs_v3_scale(a->at, k), vs_v3_scale(b->at, t)) };
+}
+
+/* ---- profiles ---- */
+
+typedef struct { vs_vec3 x, y, normal, origin; vs_vec2 base; double reach; /* of the profile about base */ } vs_profile_plane;
+
+static vs_vec2 vs_profile_flat(const vs_profile_plane *p, vs_vec3 at) {
+  vs_vec3 d = vs_v3_sub(at, p->origin);
+  return (vs_vec2){ vs_v3_dot(d, p->x), vs_v3_dot(d, p->y) };
+}
+
+static bool vs_swept_room(vs_swept *s, size_t points, size_t loops) {
+  s->profile = malloc(points * sizeof *s->profile);
+  s->sizes = malloc(loops * sizeof *s->sizes);
+  s->hole = malloc(loops * sizeof *s->hole);
+  return s->profile && s->sizes && s->hole;
+}
+
+static bool vs_swept_profile(vs_swept *s, const vs_node *profile, const vs_facets *f, const vs_vec3 *base, vs_profile_plane *plane, vs_error *e) {
+  vs_outline o;
+  if (!vs_region_outline(profile, f, &o, e)) return false;
+  size_t points = 0;
+  for (size_t l = 0; l < o.count; l++) points += o.loops[l].count;
+  bool ok = vs_swept_room(s, points, o.count) || vs_error_memory(e, NULL);
+  if (ok) {
+    vs_vec3 centroid;
+    vs_outline_measure(&o, &centroid);
+    double (*m)[4] = o.frame.m;
+    *plane = (vs_profile_plane){ { m[0][0], m[1][0], m[2][0] }, { m[0][1], m[1][1], m[2][1] }, o.normal, { m[0][3], m[1][3], m[2][3] }, { 0, 0 }, 0 };
+    plane->base = vs_profile_flat(plane, base ? *base : centroid);
+    s->filled = o.loops[0].closed;
+    for (size_t l = 0; l < o.count; l++) {
+      s->sizes[l] = o.loops[l].count;
+      s->hole[l] = o.hole[l];
+      for (size_t i = 0; i < o.loops[l].count; i++) {
+        vs_vec2 p = vs_profile_flat(plane, o.loops[l].at[i]);
+        s->profile[s->profile_count++] = p;
+        plane->reach = fmax(plane->reach, hypot(p.x - plane->base.x, p.y - plane->base.y));
+      }
+    }
+    s->loop_count = o.count;
+  }
+  vs_outline_free(&o);
+  return ok;
+}
+
+static bool vs_swept_disc(vs_swept *s, double radius, int n) {
+  if (!vs_swept_room(s, (size_t)n, 1)) return false;
+  for (int i = 0; i < n; i++) {
+    double sine, cosine;
+    vs_turn_sincos(i, n, &sine, &cosine);
+    s->profile[i] = (vs_vec2){ radius * cosine, radius * sine };
+  }
+  s->profile_count = s->sizes[0] = (size_t)n;
+  s->hole[0] = false;
+  s->loop_count = 1;
+  s->filled = true;
+  return true;
+}
+
+/* ---- along a path ---- */
+
+/* A straight edge of length l that turns by da becomes a saddle, which two triangles miss by l da / 4 in its middle. So a twist cuts the
+ * whole way into n steps (returned; 1 without a twist) and each edge into k pieces such that l/k twist/n / 4 keeps the tolerance, n and k
+ * alike large; and no fewer steps than facets in as much of a turn. With segments given the edges stay whole. 0: no memory. */
+static size_t vs_swept_refine(vs_swept *s, double twist, double scale, double reach, const vs_facets *f) {
+  enum { MOST = 2000 };
+  double widest = fmax(1, fabs(scale)), longest = 0;
+  if (twist == 0) return 1;
+  for (size_t l = 0, first = 0; l < s->loop_count; first += s->sizes[l], l++)
+    for (size_t i = 0; i + (s->filled ? 0 : 1) < s->sizes[l]; i++) {
+      vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % s->sizes[l]];
+      longest = fmax(longest, hypot(q.x - p.x, q.y - p.y));
+    }
+  double n = ceil(fabs(twist) / full_turn * vs_facets_turn(f, reach * widest, 0) - 1e-9), saddle = fabs(twist) * widest / (4 * f->tolerance);
+  if (f->segments <= 0) n = fmax(n, ceil(sqrt(saddle * longest)));
+  n = n < 1 ? 1 : n > MOST ? MOST : n;
+  if (f->segments > 0) return (size_t)n;
+  vs_vec2 *fine = NULL;
+  size_t total = 0;
+  for (int pass = 0; pass < 2; pass++) { /* count, then fill */
+    if (pass && !(fine = malloc(total * sizeof *fine))) return 0;
+    total = 0;
+    for (size_t l = 0, first = 0; l < s->loop_count; l++) {
+      size_t size = s->sizes[l], begin = total;
+      for (size_t i = 0; i < size; i++) {
+        vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % size];
+        double pieces = ceil(saddle * hypot(q.x - p.x, q.y - p.y) / n - 1e-9);
+        size_t k = pieces < 1 || (!s->filled && i + 1 == size) ? 1 : pieces > MOST ? MOST : (size_t)pieces;
+        for (size_t j = 0; j < k; j++, total++) {
+          double t = (double)j / (double)k;
+          if (pass) fine[total] = (vs_vec2){ p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t };
+        }
+      }
+      first += size;
+      if (pass) s->sizes[l] = total - begin;
+    }
+  }
+  free(s->profile);
+  s->profile = fine;
+  s->profile_count = total;
+  return (size_t)n;
+}
+
+static size_t vs_swept_share(size_t steps, double share) { /* of the steps, those of a stretch that is this part of the way */
+  double n = ceil((double)steps * share - 1e-9);
+  return n < 1 ? 1 : (size_t)n;
+}
+
+static vs_section vs_swept_section(const vs_path_point *p, vs_vec3 x, double angle, double scale, vs_vec2 base) {
+  double sine, cosine;
+  vs_sincos(angle, &sine, &cosine);
+  vs_vec3 b = p->leaving, y = vs_v3_cross(b, x), m = vs_v3_add(p->arriving, b);
+  vs_vec3 u = vs_v3_scale(vs_v3_add(vs_v3_scale(x, cosine), vs_v3_scale(y, sine)), scale);
+  vs_vec3 v = vs_v3_scale(vs_v3_add(vs_v3_scale(y, cosine), vs_v3_scale(x, -sine)), scale);
+  double along = vs_v3_dot(b, m);
+  if (along > 0.005 && !vs_v3_equal(p->arriving, b)) {
+    u = vs_v3_sub(u, vs_v3_scale(b, vs_v3_dot(u, m) / along));
+    v = vs_v3_sub(v, vs_v3_scale(b, vs_v3_dot(v, m) / along));
+  }
+  vs_vec3 at = vs_v3_sub(p->at, vs_v3_add(vs_v3_scale(u, base.x), vs_v3_scale(v, base.y)));
+  return (vs_section){ u, v, at };
+}
+
+/* path is used up: its points are refined where a twist needs it. x: the profile's first direction at the start. */
+static bool vs_swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, double scale, vs_vec2 base, double reach, const vs_facets *f, vs_error *e) {
+  vs_path fine = { 0 };
+  vs_vec3 *carried = NULL;
+  bool ok = true;
+  bool joins = path->closed && scale == 1 && fabs(twist - full_turn * nearbyint(twist / full_turn)) < 1e-9;
+  size_t stretches = path->closed ? path->count : path->count - 1, all_steps = vs_swept_refine(s, twist, scale, reach, f);
+  ok = all_steps > 0;
+  if (!path->closed) { /* ends stand square */
+    path->at[0].arriving = path->at[0].leaving;
+    path->at[path->count - 1].leaving = path->at[path->count - 1].arriving;
+  }
+  for (size_t i = 0; ok && i < stretches; i++) {
+    const vs_path_point *p = &path->at[i], *q = &path->at[i + 1 < path->count ? i + 1 : 0];
+    vs_vec3 way = vs_v3_sub(q->at, p->at);
+    size_t steps = vs_swept_share(all_steps, vs_v3_length(way) / path->length);
+    ok = vs_path_add(&fine, p->at, p->arriving, p->leaving);
+    for (size_t k = 1; ok && k < steps; k++) {
+      double t = (double)k / (double)steps;
+      vs_vec3 d = vs_v3_unit(vs_v3_add(vs_v3_scale(p->leaving, 1 - t), vs_v3_scale(q->arriving, t)));
+      ok = vs_path_add(&fine, vs_v3_add(p->at, vs_v3_scale(way, t)), d, d);
+    }
+  }
+  const vs_path_point *last = path->closed ? &path->at[0] : &path->at[path->count - 1];
+  bool ends = !joins; /* a closed path whose ends do not match gets its first point again */
+  if (ends) ok = ok && vs_path_add(&fine, last->at, last->arriving, last->leaving);
+  fine.closed = joins;
+  if (ok) vs_path_measure(&fine);
+  carried = ok ? malloc(fine.count * sizeof *carried) : NULL;
+  ok = ok && carried;
+  if (ok) vs_frame_transport(fine.at, fine.count, joins, fine.length, x, carried);
+  for (size_t i = 0; ok && i < fine.count; i++) {
+    double t = fine.length > 0 ? fine.at[i].along / fine.length : 0;
+    ok = vs_swept_add(s, vs_swept_section(&fine.at[i], carried[i], twist * t, 1 + (scale - 1) * t, base));
+  }
+  s->joined = joins;
+  vs_path_free(&fine);
+  free(carried);
+  return ok || vs_error_memory(e, NULL);
+}
+
+/* ---- the three kinds ---- */
+
+/* along a vector, or along a path without turning */
+static bool vs_swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
+  const struct vs_extrude *x = VS_AS(extrude, n);
+  vs_profile_plane plane = { 0 };
+  vs_path path = { 0 };
+  vs_affine identity = vs_affine_identity();
+  vs_vec3 none = { 0, 0, 0 };
+  bool curve = n->child_count > 1, ok = true, turns = x->twist != 0 || x->scale != 1;
+  if (x->taper != 0) return vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: a taper is not there yet; #:scale narrows about the middle");
+  ok = vs_swept_profile(s, n->children[0].node, f, NULL, &plane, e);
+  if (ok && curve) ok = vs_curve_path(n->children[1].node, &identity, f, &path, e);
+  else if (ok) ok = (vs_path_add(&path, none, none, none) && vs_path_add(&path, x->along, none, none)) || vs_error_memory(e, NULL);
+  if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: the curve to follow is a point");
+  if (ok) vs_path_measure(&path);
+  vs_vec3 middle = vs_v3_add(plane.origin, vs_v3_add(vs_v3_scale(plane.x, plane.base.x), vs_v3_scale(plane.y, plane.base.y)));
+  vs_vec3 way = ok ? vs_v3_sub(path.at[path.count - 1].at, path.at[0].at) : none;
+  double rises = vs_v3_dot(vs_v3_unit(way), plane.normal), hand = rises < 0 ? -1 : 1; /* the twist goes about the way of travel */
+  if (ok && !curve && s->filled && fabs(rises) < 1e-9)
+    ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: the amount lies in the profile's own plane, whose normal is (vxyz %.6g %.6g %.6g)", plane.normal.x, plane.normal.y, plane.normal.z);
+  s->joined = ok && path.closed && !turns;
+  size_t all_steps = ok ? vs_swept_refine(s, x->twist, x->scale, plane.reach, f) : 1;
+  if (!all_steps) ok = vs_error_memory(e, NULL);
+  for (size_t i = 0; ok && i < path.count + (path.closed && turns); i++) {
+    bool round = i == path.count;
+    vs_vec3 p = path.at[round ? 0 : i].at;
+    double until = round ? path.length : path.at[i].along, from = i ? path.at[i - 1].along : 0;
+    vs_vec3 before = i ? path.at[i - 1].at : p;
+    size_t steps = i && path.length > 0 ? vs_swept_share(all_steps, (until - from) / path.length) : 1;
+    for (size_t k = 1; ok && k <= steps; k++) {
+      double part = (double)k / (double)steps, t = path.length > 0 ? (from + (until - from) * part) / path.length : 0, sine, cosine;
+      vs_vec3 at = k == steps ? p : vs_v3_add(before, vs_v3_scale(vs_v3_sub(p, before), part));
+      vs_vec3 shift = vs_v3_sub(at, path.at[0].at);
+      if (x->center && !curve) shift = vs_v3_sub(shift, vs_v3_scale(x->along, 0.5));
+      vs_section section = { plane.x, plane.y, vs_v3_add(plane.origin, shift) };
+      if (turns) {
+        double scale = 1 + (x->scale - 1) * t;
+        vs_sincos(hand * x->twist * t, &sine, &cosine);
+        section.x = vs_v3_scale(vs_v3_add(vs_v3_scale(plane.x, cosine), vs_v3_scale(plane.y, sine)), scale);
+        section.y = vs_v3_scale(vs_v3_add(vs_v3_scale(plane.y, cosine), vs_v3_scale(plane.x, -sine)), scale);
+        vs_vec3 off = vs_v3_add(vs_v3_scale(section.x, plane.base.x), vs_v3_scale(section.y, plane.base.y));
+        if (t > 0) section.at = vs_v3_add(shift, vs_v3_sub(middle, off));
+      }
+      ok = vs_swept_add(s, section) || vs_error_memory(e, NULL);
+    }
+  }
+  vs_path_free(&path);
+  return ok;
+}
+
+static bool vs_swept_sweep(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
+  const struct vs_sweep *w = VS_AS(sweep, n);
+  vs_profile_plane plane = { 0 };
+  vs_path path = { 0 };
+  vs_affine identity = vs_affine_identity();
+  bool ok = vs_swept_profile(s, n->children[0].node, f, w->has_base ? &w->base : NULL, &plane, e) &&
+            vs_curve_path(n->children[1].node, &identity, f, &path, e);
+  if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-sweep: the path is a point");
+  if (ok) {
+    vs_affine turn = vs_frame_turn(plane.normal, path.at[0].leaving);
+    ok = vs_swept_along(s, &path, vs_affine_vector(&turn, plane.x), w->twist, w->scale, plane.base, plane.reach, f, e);
+  }
+  vs_path_free(&path);
+  return ok;
+}
+
+static bool vs_swept_thicken(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
+  const struct vs_thicken *t = VS_AS(thicken, n);
+  const vs_node *what = n->children[0].node;
+  if (what->class_ != VS_CURVE) {
+    vs_profile_plane plane = { 0 };
+    if (!vs_swept_profile(s, what, f, NULL, &plane, e)) return false;
+    vs_vec3 half = vs_v3_scale(plane.normal, t->width / 2);
+    return (vs_swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_sub(plane.origin, half) }) &&
+            vs_swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_add(plane.origin, half) })) || vs_error_memory(e, NULL);
+  }
+  vs_path path = { 0 };
+  vs_affine identity = vs_affine_identity();
+  bool ok = vs_curve_path(what, &identity, f, &path, e);
+  if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-thicken: the curve is a point");
+  ok = ok && (vs_swept_disc(s, t->width / 2, vs_facets_turn(f, t->width / 2, t->segments)) || vs_error_memory(e, NULL));
+  if (ok) {
+    vs_affine square = vs_frame_on_axis(path.at[0].at, path.at[0].leaving);
+    vs_vec3 x = { square.m[0][0], square.m[1][0], square.m[2][0] };
+    ok = vs_swept_along(s, &path, x, 0, 1, (vs_vec2){ 0, 0 }, t->width / 2, f, e);
+  }
+  vs_path_free(&path);
+  return ok;
+}
+
+bool vs_swept_plan(const vs_node *n, const vs_facets *f, vs_swept *out, vs_error *e) {
+  *out = (vs_swept){ 0 };
+  bool ok = n->kind == VS_EXTRUDE ? vs_swept_extrude(out, n, f, e) : n->kind == VS_SWEEP ? vs_swept_sweep(out, n, f, e) : vs_swept_thicken(out, n, f, e);
+  if (!ok) vs_swept_free(out);
+  return ok;
+}
+
+/* ---- triangles ---- */
+
+static bool vs_section_is_apex(const vs_section *s) { return vs_v3_dot(s->x, s->x) + vs_v3_dot(s->y, s->y) == 0; }
+
+static bool vs_swept_facet(vs_mesh *out, uint32_t a, uint32_t b, uint32_t c) {
+  return a == b || b == c || c == a || vs_mesh_add_triangle(out, a, b, c);
+}
+
+static double vs_swept_distance(const vs_mesh *m, uint32_t a, uint32_t b) {
+  vs_vec3 d = vs_v3_sub(m->vertices[a], m->vertices[b]);
+  return vs_v3_dot(d, d);
+}
+
+static bool vs_swept_caps(const vs_swept *s, const uint32_t *row, vs_mesh *out, bool turned) {
+  bool ok = true;
+  for (size_t l = 0, first = 0; ok && l < s->loop_count;) {
+    size_t end = l + 1, points = s->sizes[l];
+    while (end < s->loop_count && s->hole[end]) points += s->sizes[end++];
+    ok = vs_triangulate(s->profile + first, s->sizes + l, end - l, out, row + first, turned);
+    first += points;
+    l = end;
+  }
+  return ok;
+}
+
+bool vs_swept_mesh(const vs_swept *s, vs_mesh *out) {
+  size_t n = s->profile_count, first_triangle = out->triangle_count, rows = s->section_count + s->joined;
+  uint32_t *index = malloc(2 * n * sizeof *index), *start = malloc(n * sizeof *start), *low = index, *high = index ? index + n : NULL;
+  bool ok = index && start;
+  for (size_t r = 0; ok && r < rows; r++) {
+    const vs_section *section = &s->sections[r < s->section_count ? r : 0];
+    if (r == s->section_count) {
+      for (size_t i = 0; i < n; i++) high[i] = start[i];
+    } else if (vs_section_is_apex(section)) {
+      uint32_t tip;
+      ok = vs_mesh_add_vertex(out, section->at, &tip);
+      for (size_t i = 0; ok && i < n; i++) high[i] = tip;
+    } else {
+      for (size_t i = 0; ok && i < n; i++) {
+        vs_vec2 p = s->profile[i];
+        ok = vs_mesh_add_vertex(out, vs_v3_add(vs_v3_add(vs_v3_scale(section->x, p.x), vs_v3_scale(section->y, p.y)), section->at), &high[i]);
+      }
+    }
+    for (size_t i = 0; ok && r == 0 && i < n; i++) start[i] = high[i];
+    if (ok && s->filled && !s->joined && (r == 0 || r + 1 == rows) && !vs_section_is_apex(section)) ok = vs_swept_caps(s, high, out, r == 0);
+    for (size_t l = 0, first = 0; ok && r && l < s->loop_count; first += s->sizes[l], l++) {
+      for (size_t i = 0; ok && i + (s->filled ? 0 : 1) < s->sizes[l]; i++) {
+        size_t p = first + i, q = first + (i + 1 == s->sizes[l] ? 0 : i + 1);
+        bool other = low[p] != low[q] && high[p] != high[q] && vs_swept_distance(out, low[q], high[p]) < vs_swept_distance(out, low[p], high[q]) * (1 - 1e-9);
+        ok = other ? vs_swept_facet(out, low[p], low[q], high[p]) && vs_swept_facet(out, low[q], high[q], high[p])
+                   : vs_swept_facet(out, low[p], low[q], high[q]) && vs_swept_facet(out, low[p], high[q], high[p]);
+      }
+    }
+    uint32_t *swap = low;
+    low = high;
+    high = swap;
+  }
+  free(index);
+  free(start);
+  if (!ok || !s->filled) return ok;
+  vs_mesh added = { .vertices = out->vertices, .triangles = out->triangles + first_triangle, .triangle_count = out->triangle_count - first_triangle };
+  if (vs_mesh_volume(&added) < 0) vs_mesh_turn(out, first_triangle);
+  return true;
+}
+
+bool vs_outline_mesh(const vs_outline *o, vs_mesh *out) {
+  size_t n = 0;
+  for (size_t l = 0; l < o->count; l++) n += o->loops[l].count;
+  vs_swept flat = { .loop_count = o->count, .profile_count = n, .hole = o->hole };
+  uint32_t *row = malloc((n ? n : 1) * sizeof *row);
+  flat.profile = malloc((n ? n : 1) * sizeof *flat.profile);
+  flat.sizes = malloc((o->count ? o->count : 1) * sizeof *flat.sizes);
+  bool ok = row && flat.profile && flat.sizes;
+  size_t k = 0;
+  for (size_t l = 0; ok && l < o->count; l++) {
+    flat.sizes[l] = o->loops[l].count;
+    for (size_t i = 0; ok && i < o->loops[l].count; i++, k++) {
+      vs_vec3 p = o->loops[l].at[i];
+      flat.profile[k] = (vs_vec2){ p.x * o->frame.m[0][0] + p.y * o->frame.m[1][0] + p.z * o->frame.m[2][0],
+                                   p.x * o->frame.m[0][1] + p.y * o->frame.m[1][1] + p.z * o->frame.m[2][1] };
+      ok = vs_mesh_add_vertex(out, p, &row[k]);
+    }
+  }
+  ok = ok && vs_swept_caps(&flat, row, out, false);
+  free(row);
+  free(flat.profile);
+  free(flat.sizes);
+  return ok;
+}
