@@ -36,7 +36,7 @@ struct vs_bind {
   vs_store *store;
   vs_scene scene;
   /* top-level values: the model if nothing was drawn; each may be a list. `returned` are references of our own */
-  struct { vs_node *node; const vs_origin *origin; vs_pos place; } *returned;
+  struct { vs_node *node; const vs_origin *origin; } *returned;
   size_t returned_count, returned_room;
   bool drew;                       /* draw was called: what was returned does not count */
   uint64_t *told;                  /* warnings given: hashes of place and kind, open addressing, 0 free */
@@ -57,12 +57,14 @@ void vs_bind_close(vs_bind *b);
 void vs_bind_clear_drawing(vs_bind *b);
 static inline vs_bind *vs_bind_of(vs *vm) { return (vs_bind *)vm->host; }
 
+/* All tables of natives above the VM, NULL-terminated: for vs_config, here and where the image is made. */
+const vs_native_table *const *vs_bind_tables(void);
 bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum); /* false: out of memory */
 
 extern const vs_native_table vs_bind_table, vs_bind_reserved_table;
 
 /* A top-level expression's value: remembers the objects in it. False: error set. */
-bool vs_bind_returned(vs_bind *b, vs_value v, vs_pos place);
+bool vs_bind_returned(vs_bind *b, vs_value v);
 /* Brings the scene up to date: what was drawn, else what was returned; warns of objects thrown away. False: out of memory. */
 bool vs_bind_finish(vs_bind *b, bool *uses_returned);
 

@@ -36,8 +36,7 @@ typedef struct {
   size_t source_count, source_room;
   char why[256];            /* of the last failed file operation */
   double evaluate_seconds, write_seconds;
-  vs_value program;         /* the environment of the one program (old space: does not move; anchored) */
-  size_t units_run;
+  unsigned flags;           /* VS_EVAL_... of the evaluation under way */
 } vs_session;
 
 static inline vs_session *vs_session_of(const vs *vm) { return (vs_session *)vm->host; }

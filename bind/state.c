@@ -4,6 +4,11 @@
 
 #include "model/nodemap.h"
 
+const vs_native_table *const *vs_bind_tables(void) {
+  static const vs_native_table *const tables[] = { &vs_bind_table, &vs_bind_reserved_table, NULL };
+  return tables;
+}
+
 bool vs_bind_open(vs_bind *b, vs *vm, vs_store *store) {
   *b = (vs_bind){ .vm = vm, .store = vs_store_retain(store) };
   vs_scene_init(&b->scene, store);
@@ -38,7 +43,7 @@ void vs_bind_clear_drawing(vs_bind *b) {
   b->drew = false;
 }
 
-static bool remember(vs_bind *b, vs_ref ref, vs_pos place) {
+static bool remember(vs_bind *b, vs_ref ref) {
   if (b->returned_count == b->returned_room) {
     size_t room = b->returned_room ? b->returned_room * 2 : 16;
     void *more = vs_store_realloc(b->store, b->returned, b->returned_room * sizeof *b->returned, room * sizeof *b->returned);
@@ -46,22 +51,21 @@ static bool remember(vs_bind *b, vs_ref ref, vs_pos place) {
     b->returned = more, b->returned_room = room;
   }
   b->returned[b->returned_count].node = vs_node_retain(ref.node);
-  b->returned[b->returned_count].origin = ref.origin;
-  b->returned[b->returned_count++].place = place;
+  b->returned[b->returned_count++].origin = ref.origin;
   return true;
 }
 
 /* A list counts when all in it are objects: other lists are the program's own data. */
-bool vs_bind_returned(vs_bind *b, vs_value v, vs_pos place) {
+bool vs_bind_returned(vs_bind *b, vs_value v) {
   vs_shape *s = vs_bind_shape(v);
-  if (s) return remember(b, s->ref, place);
+  if (s) return remember(b, s->ref);
   if (!vs_is_pair(v)) return true;
   vs_frame f = { .vm = b->vm, .bind = b };
   vs_ref *ref;
   size_t n;
   vs_value bad = VS_ABSENT;
   bool ok = vs_bind_refs(&f, v, &ref, &n, &bad);
-  for (size_t i = 0; ok && i < n; i++) ok = remember(b, ref[i], place);
+  for (size_t i = 0; ok && i < n; i++) ok = remember(b, ref[i]);
   if (!ok && bad != VS_ABSENT) ok = true;
   vs_bind_scratch_free(&f);
   return ok;
