@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "vm/inline.h"
+#include "vm/number.h"
 #include "vm/signature.h"
 
 /* ---- signatures ---- */
@@ -109,16 +110,19 @@ bool vs_flat_arith(vs *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out)
   uint32_t ta = vs_is(a, VS_T_FLAT) ? vs_as_flat(a)->h.flags : 0, tb = vs_is(b, VS_T_FLAT) ? vs_as_flat(b)->h.flags : 0;
   const char *word[] = {"add", "subtract", "multiply", "divide"};
   const char *joint[] = {"and", "from", "and", "by"};
-  bool numbers = (ta || vs_is_double(a) || vs_is_fixnum(a)) && (tb || vs_is_double(b) || vs_is_fixnum(b));
+  double number = 0;   /* the operand that is no record; a ratio or a bignum too */
+  vs_value other = ta ? b : a;
+  bool numbers = (ta && tb) || (vs_is_number(other) && vs_number_double(vm, other, &number));
   int rule = vm->flat && numbers ? vm->flat->at[op][ta][tb].rule : VS_RULE_NONE;
+  if (op == VS_OP_SUB && !ta && a != vs_fix(0)) rule = VS_RULE_NONE;   /* only (- x), which is 0 - x */
   if (rule == VS_RULE_NONE) {
     if (op == VS_OP_SUB) return vs_fail(vm, vm->sym.type, "cannot subtract %s from %s", vs_noun(vm, b), vs_noun(vm, a));
     return vs_fail(vm, vm->sym.type, "cannot %s %s %s %s", word[op], vs_noun(vm, a), joint[op], vs_noun(vm, b));
   }
   size_t n = ta ? vs_flat_count(vs_as_flat(a)) : vs_flat_count(vs_as_flat(b));
   for (size_t i = 0; i < n; i++) {
-    x[i] = ta ? vs_as_flat(a)->at[i] : vs_is_double(a) ? vs_double(a) : (double)vs_fixnum(a);
-    y[i] = tb ? vs_as_flat(b)->at[i] : vs_is_double(b) ? vs_double(b) : (double)vs_fixnum(b);
+    x[i] = ta ? vs_as_flat(a)->at[i] : number;
+    y[i] = tb ? vs_as_flat(b)->at[i] : number;
     x[i] = rule == VS_RULE_ADD ? x[i] + y[i] : rule == VS_RULE_SUB ? x[i] - y[i] : rule == VS_RULE_MUL ? x[i] * y[i] : x[i] / y[i];
   }
   return vs_make_flat(vm, vm->flat->at[op][ta][tb].tag, x, n, out);
