@@ -58,8 +58,8 @@ fi
 case " $* " in *" build "*)
   if [ ! -f node_modules/x3dom/x3dom.js ]; then
     echo "Fetching x3dom with npm"
-    npm install --ignore-scripts --no-package-lock --no-audit --no-fund --silent ||
-      echo "npm could not fetch x3dom: web pages (.html) will not be available; run 'npm install --ignore-scripts' and build again" >&2
+    npm ci --ignore-scripts --no-audit --no-fund --silent ||
+      echo "npm could not fetch x3dom: web pages (.html) will not be available; run 'npm ci --ignore-scripts' and build again" >&2
   fi ;;
 esac
 exit 0
