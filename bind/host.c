@@ -195,8 +195,6 @@ static ptrdiff_t read_stream(void *session, int64_t i, void *to, size_t room) {
 
 static bool write_console(vs_session *s, const char *bytes, size_t n) {
   const vs_host *h = &s->options.host;
-  s->output += n;
-  if (s->options.limit_output && s->output > s->options.limit_output) return s->output_over = true, false;
   return !h->output || h->output(h->context, bytes, n);
 }
 

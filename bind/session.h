@@ -27,8 +27,6 @@ typedef struct {
   atomic_bool interrupted;
   bool exit_requested;
   int exit_code;
-  uint64_t output;          /* bytes printed in this evaluation */
-  bool output_over;         /* the limit was met */
   double told_progress;     /* clock of the last progress call */
   const char *phase;        /* what a progress line says while the program runs */
   vs_stream stream[VS_STREAMS];
