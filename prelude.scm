@@ -4,6 +4,214 @@
 ; Names that begin with % are not visible to programs. Procedures without procedure arguments are C (vm/). Lists are walked left to
 ; right and results built without mutation, so a continuation captured in the middle may be re-entered any number of times.
 
+; ---- syntax ----
+; What needs no C: rules over the core syntax of vm/forms.def and the procedures % of vm/control.c.
+
+(define-syntax define-syntax-rule
+  (syntax-rules ()
+    ((_ (name . pattern) template) (define-syntax name (syntax-rules () ((_ . pattern) template))))))
+
+(define-syntax call-with-values-of          ; (call-with-values-of expression formals body ...)
+  (syntax-rules ()
+    ((_ expression formals . body) (call-with-values (lambda () expression) (lambda formals . body)))))
+
+(define-syntax receive
+  (syntax-rules ()
+    ((_ formals expression . body) (call-with-values-of expression formals . body))))
+
+(define-syntax let*-values
+  (syntax-rules ()
+    ((_ () . body) (let () . body))
+    ((_ ((formals expression) . more) . body) (call-with-values-of expression formals (let*-values more . body)))))
+
+; The formals of a clause get fresh names first, so that no expression sees a name bound by another clause.
+(define-syntax let-values
+  (syntax-rules ()
+    ((_ (((name) expression) ...) . body) (let ((name expression) ...) . body))
+    ((_ ((formals expression)) . body) (call-with-values-of expression formals . body))
+    ((_ (clause ...) . body) (%let-values (clause ...) () . body))))
+(define-syntax %let-values
+  (syntax-rules ()
+    ((_ () ((name value) ...) . body) (let ((name value) ...) . body))
+    ((_ ((formals expression) . more) bound . body) (%let-values-formals formals () expression more bound . body))))
+(define-syntax %let-values-formals
+  (syntax-rules ()
+    ((_ () (fresh ...) expression more bound . body)
+     (call-with-values-of expression (fresh ...) (%let-values more bound . body)))
+    ((_ (name . names) (fresh ...) expression more (pair ...) . body)
+     (%let-values-formals names (fresh ... x) expression more (pair ... (name x)) . body))
+    ((_ rest (fresh ...) expression more (pair ...) . body)
+     (call-with-values-of expression (fresh ... . x) (%let-values more (pair ... (rest x)) . body)))))
+
+(define-syntax define-values
+  (syntax-rules ()
+    ((_ () expression) (define unused (call-with-values-of expression () #f)))
+    ((_ (name) expression) (define name (call-with-values-of expression (x) x)))
+    ((_ (name . names) expression) (%define-values (name . names) () expression))
+    ((_ rest expression) (define rest (call-with-values-of expression x x)))))
+(define-syntax %define-values
+  (syntax-rules ()
+    ((_ () (name ...) expression)
+     (begin (define found (call-with-values-of expression list-of-values (%count-values list-of-values '(name ...) #f)))
+            (define name (%next-value found)) ...))
+    ((_ (name . names) (known ...) expression) (%define-values names (known ... name) expression))
+    ((_ rest (name ...) expression)
+     (begin (define found (call-with-values-of expression list-of-values (%count-values list-of-values '(name ...) #t)))
+            (define name (%next-value found)) ...
+            (define rest (car found))))))
+; the values in a box of one pair, taken off one by one
+(define (%count-values values names rest?)
+  (if (or (< (length values) (length names)) (and (not rest?) (> (length values) (length names))))
+      (error (string-append "define-values: expected " (number->string (length names)) (if rest? " or more" "")
+                            (if (= (length names) 1) " value" " values") ", got")
+             (length values)))
+  (list values))
+(define (%next-value box)
+  (let ((value (car (car box))))
+    (set-car! box (cdr (car box)))
+    value))
+
+(define-syntax parameterize
+  (syntax-rules ()
+    ((_ ((parameter value) ...) . body) (%parameterize (list parameter ...) (list value ...) (lambda () . body)))))
+
+(define-syntax delay-force (syntax-rules () ((_ expression) (%lazy (lambda () expression)))))
+(define-syntax make-lazy (syntax-rules () ((_ expression) (delay-force expression))))
+(define-syntax delay (syntax-rules () ((_ expression) (delay-force (%kept-promise expression)))))
+(define-syntax cons-stream (syntax-rules () ((_ first rest) (cons first (delay rest)))))
+
+(define-syntax let/cc (syntax-rules () ((_ k . body) (call-with-current-continuation (lambda (k) . body)))))
+(define-syntax let/ec (syntax-rules () ((_ k . body) (call-with-current-continuation (lambda (k) . body)))))
+
+(define-syntax case*
+  (syntax-rules ()
+    ((_ object clause ...) (let ((x object)) (%case* x clause ...)))))
+(define-syntax %case*
+  (syntax-rules (else =>)
+    ((_ x) (if #f #f))
+    ((_ x (else => procedure)) (procedure x))
+    ((_ x (else value ...)) (begin value ...))
+    ((_ x (predicate => procedure) clause ...) (if (predicate x) (procedure x) (%case* x clause ...)))
+    ((_ x (predicate value ...) clause ...) (if (predicate x) (begin value ...) (%case* x clause ...)))))
+
+(define-syntax guard
+  (syntax-rules ()
+    ((_ (name clause ...) . body)
+     ((call-with-current-continuation
+       (lambda (leave)
+         (with-exception-handler
+          (lambda (condition)
+            ((call-with-current-continuation
+              (lambda (resume)
+                (leave (lambda () (let ((name condition)) (%guard-clauses (resume (lambda () (raise-continuable condition))) clause ...))))))))
+          (lambda ()
+            (call-with-values (lambda () . body)
+              (lambda results (leave (lambda () (apply values results)))))))))))))
+(define-syntax %guard-clauses
+  (syntax-rules (else =>)
+    ((_ again) again)
+    ((_ again (else value ...)) (begin value ...))
+    ((_ again (test => procedure) clause ...) (let ((x test)) (if x (procedure x) (%guard-clauses again clause ...))))
+    ((_ again (test) clause ...) (let ((x test)) (if x x (%guard-clauses again clause ...))))
+    ((_ again (test value ...) clause ...) (if test (begin value ...) (%guard-clauses again clause ...)))))
+
+; ---- for: clauses (name sequence) side by side, for* nested; #:when guards what follows it ----
+; A sequence is a list, a vector, a string, a hash table, a number (0 to n - 1), or (in-range a b step), (in-list l), (in-vector v) ...
+; In for, names side by side walk together; in for*, every clause is a loop of its own.
+(define-syntax for (syntax-rules () ((_ clauses . body) (begin (%for-each clauses (let () . body)) (if #f #f)))))
+(define-syntax for* (syntax-rules () ((_ clauses . body) (begin (%for-each* clauses (let () . body)) (if #f #f)))))
+(define-syntax for/list
+  (syntax-rules () ((_ clauses . body) (let ((found '())) (%for-each clauses (set! found (cons (let () . body) found))) (reverse found)))))
+(define-syntax for*/list
+  (syntax-rules () ((_ clauses . body) (let ((found '())) (%for-each* clauses (set! found (cons (let () . body) found))) (reverse found)))))
+(define-syntax for/vector (syntax-rules () ((_ clauses . body) (list->vector (for/list clauses . body)))))
+(define-syntax for/sum
+  (syntax-rules () ((_ clauses . body) (let ((sum 0)) (%for-each clauses (set! sum (+ sum (let () . body)))) sum))))
+(define-syntax for*/sum
+  (syntax-rules () ((_ clauses . body) (let ((sum 0)) (%for-each* clauses (set! sum (+ sum (let () . body)))) sum))))
+(define-syntax for/and
+  (syntax-rules () ((_ clauses . body) (let/ec leave (let ((last #t)) (%for-each clauses (begin (set! last (let () . body)) (if (not last) (leave #f)))) last)))))
+(define-syntax for/or
+  (syntax-rules () ((_ clauses . body) (let/ec leave (%for-each clauses (let ((x (let () . body))) (if x (leave x)))) #f))))
+(define-syntax for/fold
+  (syntax-rules ()
+    ((_ ((name start)) clauses . body) (let ((name start)) (%for-each clauses (set! name (let () . body))) name))
+    ((_ ((name start) ...) clauses . body)
+     (let ((name start) ...) (%for-each clauses (%set-values (name ...) (let () . body))) (values name ...)))))
+(define-syntax %set-values
+  (syntax-rules () ((_ (name ...) expression) (%set-values-from (name ...) () expression))))
+(define-syntax %set-values-from
+  (syntax-rules ()
+    ((_ () ((name x) ...) expression) (call-with-values-of expression (x ...) (set! name x) ...))
+    ((_ (name . names) (pair ...) expression) (%set-values-from names (pair ... (name x)) expression))))
+
+(define-syntax %for-each*
+  (syntax-rules ()
+    ((_ () action) action)
+    ((_ (#:when test . more) action) (if test (%for-each* more action)))
+    ((_ (#:unless test . more) action) (if test #f (%for-each* more action)))
+    ((_ (clause . more) action) (%for-one clause (%for-each* more action)))))
+(define-syntax %for-each
+  (syntax-rules ()
+    ((_ () action) action)
+    ((_ (#:when test . more) action) (if test (%for-each more action)))
+    ((_ (#:unless test . more) action) (if test #f (%for-each more action)))
+    ((_ (clause #:when . more) action) (%for-one clause (%for-each (#:when . more) action)))
+    ((_ (clause #:unless . more) action) (%for-one clause (%for-each (#:unless . more) action)))
+    ((_ (clause) action) (%for-one clause action))
+    ((_ (clause . more) action) (%for-together (clause . more) () action))))
+; one name: the ranges run without making a list
+(define-syntax %for-one
+  (syntax-rules (in-range in-list in-naturals)
+    ((_ (name (in-range end)) action) (let ((to end)) (do ((i 0 (+ i 1))) ((>= i to)) (let ((name i)) action))))
+    ((_ (name (in-range start end)) action) (let ((from start) (to end)) (do ((i from (+ i 1))) ((>= i to)) (let ((name i)) action))))
+    ((_ (name (in-range start end step)) action)
+     (let ((from start) (to end) (by step))
+       (do ((i from (+ i by))) ((if (< by 0) (<= i to) (>= i to))) (let ((name i)) action))))
+    ((_ (name (in-naturals)) action) (do ((i 0 (+ i 1))) (#f) (let ((name i)) action)))
+    ((_ ((name ...) sequence) action) (let next ((l (%sequence sequence))) (if (pair? l) (begin (apply (lambda (name ...) action) (car l)) (next (cdr l))))))
+    ((_ (name sequence) action) (let next ((l (%sequence sequence))) (if (pair? l) (begin (let ((name (car l))) action) (next (cdr l))))))))
+; several: lists, until the shortest ends; a #:when behind some of them guards the rest
+(define-syntax %for-together
+  (syntax-rules ()
+    ((_ () ((name sequence l) ...) action)
+     (let next ((l (%sequence sequence)) ...)
+       (if (and (pair? l) ...) (begin (let ((name (car l)) ...) action) (next (cdr l) ...)))))
+    ((_ (#:when . more) done action) (%for-together () done (%for-each (#:when . more) action)))
+    ((_ (#:unless . more) done action) (%for-together () done (%for-each (#:unless . more) action)))
+    ((_ ((name sequence) . more) (done ...) action) (%for-together more (done ... (name sequence l)) action))))
+(define (in-range start . more)
+  (let* ((from (if (pair? more) start 0))
+         (to (if (pair? more) (car more) start))
+         (by (if (and (pair? more) (pair? (cdr more))) (cadr more) 1)))
+    (let next ((i from) (found '()))
+      (if (if (< by 0) (<= i to) (>= i to)) (reverse found) (next (+ i by) (cons i found))))))
+(define (in-list l) l)
+(define (in-vector v) (vector->list v))
+(define (in-string s) (string->list s))
+(define (in-hash h) (map (lambda (p) (list (car p) (cdr p))) (hash->list h)))
+(define (in-naturals . start) (error "in-naturals: it stands only as the one sequence of a clause: (for ((i (in-naturals))) ...)"))
+(define (%sequence s)
+  (cond ((pair? s) s)
+        ((null? s) s)
+        ((vector? s) (vector->list s))
+        ((string? s) (string->list s))
+        ((and (exact-integer? s) (>= s 0)) (iota s))
+        ((bytevector? s) (let next ((i (- (bytevector-length s) 1)) (l '())) (if (< i 0) l (next (- i 1) (cons (bytevector-u8-ref s i) l)))))
+        ((hash? s) (in-hash s))
+        (else (error "for: expected a list, a vector, a string, a hash table or a count, got" s))))
+
+; ---- contracts: (list-of p), (and p q), (or p q) in parameter lists; a predicate that raises counts as false ----
+(define (%holds? p x) (call-with-current-continuation (lambda (k) (with-exception-handler (lambda (e) (k #f)) (lambda () (p x))))))
+(define (list-of p) (lambda (l) (and (list? l) (let next ((l l)) (or (null? l) (and (p (car l)) (next (cdr l))))))))
+(define (%contract-and . ps) (lambda (x) (let next ((ps ps)) (or (null? ps) (and (%holds? (car ps) x) (next (cdr ps)))))))
+(define (%contract-or . ps) (lambda (x) (let next ((ps ps)) (and (pair? ps) (or (%holds? (car ps) x) (next (cdr ps)))))))
+
+; ---- macros by renaming ----
+(define (%expand-by-renaming transformer form home use)
+  (let ((table (list '())))
+    (transformer form (lambda (id) (%rename table home id)) (lambda (a b) (%same-identifier? use a b)))))
+
 ; ---- checks: the same wording as C's ----
 
 (define (%need-procedure who name f)

@@ -230,6 +230,8 @@ static vs_status make_promise(vs *vm, vs_value *a, int n, vs_value *out) {
   return new_promise(vm, VS_TRUE, &a[0], out);
 }
 static vs_status lazy(vs *vm, vs_value *a, int n, vs_value *out) { (void)n; return new_promise(vm, VS_FALSE, &a[0], out); }
+/* as make-promise, but a promise of a promise stays one: for delay */
+static vs_status kept_promise(vs *vm, vs_value *a, int n, vs_value *out) { (void)n; return new_promise(vm, VS_TRUE, &a[0], out); }
 static vs_status is_promise(vs *vm, vs_value *a, int n, vs_value *out) { (void)vm; (void)n; *out = vs_bool(vs_is(a[0], VS_T_PROMISE)); return VS_OK; }
 
 static vs_value promise_root(vs_value p) {
@@ -316,6 +318,7 @@ static const vs_native_def defs[] = {
   {"%parameterize", "parameters values thunk", parameterize, 2, NULL},
   {"make-promise", "value", make_promise, 0, "a promise that is kept already"},
   {"%lazy", "thunk", lazy, 0, NULL},
+  {"%kept-promise", "value", kept_promise, 0, NULL},
   {"promise?", "v", is_promise, 0, NULL},
   {"force", "promise", force, 1, "the value of a promise"},
   {"any?", "v", any, 0, "true of everything"},

@@ -18,7 +18,8 @@
   A(files)         /* vector of file names (strings), position files index it; slot 0 is #f */ \
   A(libraries)     /* vm-front: name -> environment */ \
   A(core)          /* vm-front: the environment natives are defined in */ \
-  A(front)         /* vm-front: whatever else must last */ \
+  A(program)       /* the host's program environment */ \
+  A(required)      /* list of (path . #t) of the files that were required; #f instead while one is being loaded */ \
   A(lib)           /* vm-lib: whatever must last */ \
   A(host)          /* bind: whatever must last */ \
   A(standard_out) A(standard_in) A(standard_error)    /* ports */ \
@@ -40,6 +41,9 @@ typedef struct vs_config {
   const struct vs_native_table *const *tables; /* natives besides the VM's own, NULL-terminated; same order as when the image was made */
   const struct vs_image *image;                /* a heap image to start from, or NULL */
   const struct vs_io *io;                      /* files, console, time of day (port.h), called with `user`; NULL: none of them */
+  const char *library_path;  /* folders for load, include and require, ':' between them, or NULL; living as long as the interpreter */
+  /* The value of a top-level expression of the program or of a file it loaded; false: the error is set. NULL: nobody wants it. */
+  bool (*value)(vs *vm, vs_value v, vs_pos place);
 } vs_config;
 
 struct vs_gc_block;
@@ -97,6 +101,10 @@ struct vs {
     VS_ANCHORS(A)
 #undef A
   } at;
+
+  /* expander */
+  uint64_t aliases;                /* renamed identifiers made: their hash */
+  int64_t expansions;              /* top-level forms expanded */
 
   void *host;                      /* the embedder's own context */
   vs_config config;

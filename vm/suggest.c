@@ -1,0 +1,63 @@
+/* Owns the advice for names that are not defined: words of other languages (foreign.def) and near names. */
+#include "vm/unit.h"
+#include "vm/native.h"
+
+#include <ctype.h>
+#include <strings.h>
+
+static const struct { const char *word, *name, *form; } foreign[] = {
+#define FOREIGN(word, name, form) {word, name, form},
+#include "vm/foreign.def"
+#undef FOREIGN
+};
+
+enum { LONGEST = 48 };
+
+/* Edit distance ignoring case, a swap of neighbours counting one; more than `limit` is limit + 1. */
+static int distance(const char *a, size_t n, const char *b, size_t m, int limit) {
+  int row[3][LONGEST + 1];
+  if (n > LONGEST || m > LONGEST || (n > m ? n - m : m - n) > (size_t)limit) return limit + 1;
+  for (size_t j = 0; j <= m; j++) row[0][j] = (int)j;
+  for (size_t i = 1; i <= n; i++) {
+    int *now = row[i % 3], *up = row[(i - 1) % 3], *up2 = row[(i + 1) % 3], least = now[0] = (int)i;
+    for (size_t j = 1; j <= m; j++) {
+      int ca = tolower((unsigned char)a[i - 1]), cb = tolower((unsigned char)b[j - 1]);
+      int d = up[j - 1] + (ca != cb);
+      if (up[j] + 1 < d) d = up[j] + 1;
+      if (now[j - 1] + 1 < d) d = now[j - 1] + 1;
+      if (i > 1 && j > 1 && ca == tolower((unsigned char)b[j - 2]) && cb == tolower((unsigned char)a[i - 2]) && up2[j - 2] + 1 < d) d = up2[j - 2] + 1;
+      now[j] = d;
+      if (d < least) least = d;
+    }
+    if (least > limit) return limit + 1;
+  }
+  return row[n % 3][m];
+}
+
+typedef struct { const vs_symbol *wanted, *best; int distance, count; } search;
+
+static bool consider(void *context, vs_value symbol, vs_value binding) {
+  search *s = context;
+  (void)binding;
+  const vs_symbol *name = vs_as_symbol(symbol);
+  int d = distance(s->wanted->name, s->wanted->length, name->name, name->length, s->distance);
+  /* ties: the name that sorts first, so that the advice does not depend on the order of a table */
+  if (d > s->distance || (d == s->distance && s->best && strcmp(name->name, s->best->name) >= 0)) return true;
+  s->best = name;
+  s->distance = d;
+  return true;
+}
+
+bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t) {
+  (void)vm;
+  if (!vs_is_symbol(symbol)) return true;
+  const vs_symbol *wanted = vs_as_symbol(symbol);
+  for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++)
+    if (!strcasecmp(foreign[i].word, wanted->name))
+      return foreign[i].name[0] ? vs_text_puts(t, "; ") && vs_text_puts(t, foreign[i].name) && vs_text_puts(t, " is the name here: ") && vs_text_puts(t, foreign[i].form)
+                                : vs_text_puts(t, "; write ") && vs_text_puts(t, foreign[i].form);
+  if (!vs_is(env, VS_T_ENVIRONMENT) || wanted->length < 2) return true;
+  search s = {.wanted = wanted, .distance = wanted->length <= 3 ? 1 : wanted->length <= 7 ? 2 : 3};
+  vs_environment_each(env, consider, &s);
+  return !s.best || (vs_text_puts(t, "; did you mean ") && vs_text_put(t, s.best->name, s.best->length) && vs_text_puts(t, "?"));
+}
