@@ -156,7 +156,7 @@ size_t vs_double_text(double d, char out[VS_DOUBLE_TEXT]) {
   }
   unsigned char digits[VS_DOUBLE_TEXT] = {0};
   int point, n = decimal_digits(d, digits, &point);
-  if (point > 21 || point < -6) {                       /* d.ddde+x */
+  if (point > 21 || point < -5) {                       /* d.ddde+x */
     *p++ = (char)('0' + digits[0]);
     if (n > 1) *p++ = '.';
     for (int i = 1; i < n; i++) *p++ = (char)('0' + digits[i]);
