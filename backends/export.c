@@ -232,7 +232,6 @@ bool vs_export_to(const vs_scene *scene, const vs_format *format, vs_sink_fn *si
   vs_export_options_init(&defaults);
   vs_error unread = { VS_ERROR_NONE, NULL, "" };
   vs_emitter emitter = export_emitter(scene, format, options != NULL ? options : &defaults, e != NULL ? e : &unread);
-  if (format->backend->beside != NULL) return vs_error_set(e, VS_ERROR_FILE, NULL, "%s is written as two files: give it a name", format->name);
   bool ok;
   if (format->backend->render != NULL) {
     ok = export_render_to(&emitter, sink, context);

@@ -243,7 +243,17 @@ static void scene_ground(vs_emitter *e, bool *said) {
   vs_vec3 corners[4] = { { middle.x - reach, middle.y - reach, z }, { middle.x + reach, middle.y - reach, z }, { middle.x + reach, middle.y + reach, z },
                          { middle.x - reach, middle.y + reach, z } };
   vs_x3d_node(e, NULL, "Shape", NULL);
-  scene_appearance(e, vs_emit_material_number(e, e->scene->ground_material), said, false);
+  if (e->scene->ground_material != NULL) {
+    scene_appearance(e, vs_emit_material_number(e, e->scene->ground_material), said, false);
+  } else { /* a shade darker than what stands on it */
+    vs_x3d_node(e, "appearance", "Appearance", NULL);
+    vs_x3d_node(e, "material", "Material", NULL);
+    vs_x3d_vector(e, "diffuseColor", vs_v3(0.7, 0.7, 0.68));
+    vs_x3d_vector(e, "specularColor", vs_v3(0, 0, 0));
+    vs_x3d_number(e, "ambientIntensity", 0.9);
+    vs_x3d_end(e, "Material", false);
+    vs_x3d_end(e, "Appearance", false);
+  }
   vs_x3d_node(e, "geometry", "IndexedFaceSet", NULL);
   vs_x3d_words(e, "solid", "false");
   vs_x3d_field(e, "coordIndex", true);
@@ -278,7 +288,7 @@ bool vs_x3d_scene(vs_emitter *e) {
   vs_x3d_words(e, "headlight", "false");
   vs_x3d_end(e, "NavigationInfo", false);
   scene_view(e, &look, aspect);
-  scene_light(e, sun, 0.8, 0.35, "1 0.97 0.9");
+  scene_light(e, sun, 0.8, 0.35, "1 0.985 0.95");
   scene_light(e, vs_v3(-sun.x, -sun.y, 0.35), 0.3, 0, "0.85 0.92 1");
   scene_light(e, vs_v3_scale(look.forward, -1), 0.22, 0, "1 1 1");
   vs_x3d_node(e, NULL, "Transform", "model");
