@@ -89,7 +89,7 @@ bool vs_put_spaces(vs_writer *w, size_t count) {
 static size_t number_plain(double x, char *out) {
   static const double power[] = { 1, 10, 100, 1000, 1e4, 1e5, 1e6 };
   double size = fabs(x);
-  if (!(size < 1e6)) return 0;
+  if (!(size < 1e6 && size >= 1e-3)) return 0; /* below, the exponent's form is shorter */
   for (int decimals = 0; decimals <= 6; decimals++) {
     double scaled = size * power[decimals];
     uint64_t k = (uint64_t)scaled;

@@ -88,7 +88,10 @@ static const char *run_complaint(char *text, unsigned long *line) {
     if (number != NULL && (end == NULL || number < end)) {
       char *after;
       *line = strtoul(number + 7, &after, 10);
-      if (strncmp(after, ": ", 2) == 0) return after + 2;
+      if (strncmp(after, ": ", 2) == 0) { /* "Possible Parse Error: " says nothing to a modeller */
+        const char *kind = strstr(after + 2, "Error: ");
+        return kind != NULL && kind - after < 24 ? kind + 7 : after + 2;
+      }
     }
     if (end != NULL) *end = '\n';
   }
@@ -120,7 +123,7 @@ static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene, char format)
   char *smooth[] = { "+A0.15", "+AM2", "+R2" };
   if (e->options->quality == VS_RENDER_DRAFT) smooth[0] = "-A", smooth[1] = smooth[2] = NULL;
   else if (e->options->quality == VS_RENDER_FINAL) smooth[0] = "+A0.05", smooth[2] = "+R3";
-  char *arguments[] = { "povray", (char *)(uintptr_t)scene, wide, high, out, kind, "-D", "-GA", "+GF", "+GW", smooth[0], smooth[1], smooth[2], NULL };
+  char *arguments[] = { "povray", (char *)(uintptr_t)scene, wide, high, out, kind, "-D", "-GD", "-GR", "-GS", smooth[0], smooth[1], smooth[2], NULL };
   char *environment[] = { home, ini, path, "LC_ALL=C", NULL };
   posix_spawn_file_actions_t files;
   posix_spawnattr_t attributes;
