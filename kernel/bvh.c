@@ -1,0 +1,147 @@
+/* Owns the bounding volume hierarchy: a complete tree over the Morton order of the boxes' centres.
+ *
+ * Cost: a radix sort and one pass up; a pair query walks from the top for every block of four, so n log n for boxes that meet few others. */
+#include "kernel/bvh.h"
+
+#include <string.h>
+
+enum { BLOCK = 4, STACK = 80 };
+
+static uint64_t spread(uint64_t x) { /* 21 bits to every third */
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffffu;
+  x = (x | x << 16) & 0x1f0000ff0000ffu;
+  x = (x | x << 8) & 0x100f00f00f00f00fu;
+  x = (x | x << 4) & 0x10c30c30c30c30c3u;
+  return (x | x << 2) & 0x1249249249249249u;
+}
+
+typedef struct { uint64_t code; uint32_t item; } coded;
+
+static bool sort_morton(vs_kernel *k, vs_bvh *t) {
+  coded *a = NULL, *b = NULL;
+  size_t ar = 0, br = 0;
+  uint32_t n = t->count;
+  bool ok = VS_ROOM(k, a, ar, (size_t)n + 1) && VS_ROOM(k, b, br, (size_t)n + 1);
+  if (ok) {
+    int64_t low[3] = { INT64_MAX, INT64_MAX, INT64_MAX }, high[3] = { INT64_MIN, INT64_MIN, INT64_MIN };
+    for (uint32_t i = 0; i < n; i++)
+      for (int j = 0; j < 3; j++) {
+        int64_t c = (int64_t)t->boxes[i].min[j] + t->boxes[i].max[j];
+        if (c < low[j]) low[j] = c;
+        if (c > high[j]) high[j] = c;
+      }
+    int shift = 0;
+    for (int j = 0; j < 3; j++)
+      while (n && (high[j] - low[j]) >> shift > 0x1fffff) shift++;
+    for (uint32_t i = 0; i < n; i++) {
+      uint64_t code = 0;
+      for (int j = 0; j < 3; j++) code |= spread((uint64_t)((int64_t)t->boxes[i].min[j] + t->boxes[i].max[j] - low[j]) >> shift) << j;
+      a[i] = (coded){ code, i };
+    }
+    for (int pass = 0; pass < 6; pass++) { /* 63 bits, 11 a pass */
+      uint32_t counts[2048] = { 0 }, sum = 0;
+      for (uint32_t i = 0; i < n; i++) counts[a[i].code >> (11 * pass) & 2047]++;
+      for (int j = 0; j < 2048; j++) {
+        uint32_t c = counts[j];
+        counts[j] = sum;
+        sum += c;
+      }
+      for (uint32_t i = 0; i < n; i++) b[counts[a[i].code >> (11 * pass) & 2047]++] = a[i];
+      coded *swap = a;
+      a = b;
+      b = swap;
+    }
+    for (uint32_t i = 0; i < n; i++) t->order[i] = a[i].item, t->sorted[i] = t->boxes[a[i].item];
+  }
+  VS_FREE(k, a, ar);
+  VS_FREE(k, b, br);
+  return ok;
+}
+
+static vs_box join(const vs_box *a, const vs_box *b) {
+  vs_box r = *a;
+  for (int j = 0; j < 3; j++) {
+    if (b->min[j] < r.min[j]) r.min[j] = b->min[j];
+    if (b->max[j] > r.max[j]) r.max[j] = b->max[j];
+  }
+  return r;
+}
+
+bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_box *boxes, uint32_t count) {
+  t->boxes = boxes;
+  t->count = count;
+  t->level_count = 0;
+  if (!VS_ROOM(k, t->order, t->order_room, (size_t)count + 1) || !VS_ROOM(k, t->sorted, t->sorted_room, (size_t)count + 1) ||
+      !VS_ROOM(k, t->nodes, t->node_room, (size_t)count + 40) || !sort_morton(k, t))
+    return false;
+  uint32_t n = (count + BLOCK - 1) / BLOCK, at = 0;
+  for (uint32_t level = 0; n; level++) {
+    t->first[level] = at;
+    t->size[level] = n;
+    t->level_count = level + 1;
+    for (uint32_t i = 0; i < n; i++) {
+      if (level == 0) {
+        vs_box b = t->sorted[i * BLOCK];
+        for (uint32_t j = i * BLOCK + 1; j < count && j < (i + 1) * BLOCK; j++) b = join(&b, &t->sorted[j]);
+        t->nodes[at++] = b;
+      } else {
+        const vs_box *below = t->nodes + t->first[level - 1];
+        bool two = 2 * i + 1 < t->size[level - 1];
+        t->nodes[at++] = two ? join(&below[2 * i], &below[2 * i + 1]) : below[2 * i];
+      }
+    }
+    if (n == 1) break;
+    n = (n + 1) / 2;
+  }
+  return true;
+}
+
+/* Calls visit for every block from `from` on whose box meets `box`. */
+#define WALK(t, box, from, visit)                                                                                         \
+  do {                                                                                                                   \
+    struct { uint32_t level, i; } stack[STACK];                                                                          \
+    int top = 0;                                                                                                         \
+    if ((t)->level_count) stack[top].level = (t)->level_count - 1, stack[top++].i = 0;                                   \
+    while (top) {                                                                                                        \
+      uint32_t level_ = stack[--top].level, i_ = stack[top].i;                                                           \
+      if ((((uint64_t)i_ + 1) << level_) <= (from) || !vs_box_meet(&(t)->nodes[(t)->first[level_] + i_], (box))) continue; \
+      if (level_ == 0) {                                                                                                 \
+        uint32_t block = i_;                                                                                             \
+        visit                                                                                                            \
+      } else {                                                                                                           \
+        if (2 * i_ + 1 < (t)->size[level_ - 1]) stack[top].level = level_ - 1, stack[top++].i = 2 * i_ + 1;              \
+        stack[top].level = level_ - 1, stack[top++].i = 2 * i_;                                                          \
+      }                                                                                                                  \
+    }                                                                                                                    \
+  } while (0)
+
+static uint32_t block_end(const vs_bvh *t, uint32_t block) { return (block + 1) * BLOCK < t->count ? (block + 1) * BLOCK : t->count; }
+
+bool vs_bvh_pairs(const vs_bvh *t, vs_bvh_pair_fn *fn, void *context) {
+  uint32_t blocks = t->level_count ? t->size[0] : 0;
+  for (uint32_t a = 0; a < blocks; a++) {
+    const vs_box *box = &t->nodes[a];
+    WALK(t, box, a, {
+      for (uint32_t i = a * BLOCK; i < block_end(t, a); i++)
+        for (uint32_t j = block == a ? i + 1 : block * BLOCK; j < block_end(t, block); j++)
+          if (vs_box_meet(&t->sorted[i], &t->sorted[j]) && !fn(context, t->order[i], t->order[j])) return false;
+    });
+  }
+  return true;
+}
+
+bool vs_bvh_query(const vs_bvh *t, const vs_box *box, vs_bvh_hit_fn *fn, void *context) {
+  WALK(t, box, 0, {
+    for (uint32_t j = block * BLOCK; j < block_end(t, block); j++)
+      if (vs_box_meet(&t->sorted[j], box) && !fn(context, t->order[j])) return false;
+  });
+  return true;
+}
+
+void vs_bvh_free(vs_kernel *k, vs_bvh *t) {
+  VS_FREE(k, t->order, t->order_room);
+  VS_FREE(k, t->sorted, t->sorted_room);
+  VS_FREE(k, t->nodes, t->node_room);
+  t->count = t->level_count = 0;
+}

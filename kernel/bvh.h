@@ -1,0 +1,32 @@
+/* Owns the index of boxes: all pairs that meet, and all that a box meets. It only finds candidates; nothing is ever cut by it. */
+#ifndef VS_KERNEL_BVH_H
+#define VS_KERNEL_BVH_H
+
+#include "kernel/memory.h"
+
+typedef struct { int32_t min[3], max[3]; } vs_box;
+
+static inline bool vs_box_meet(const vs_box *a, const vs_box *b) {
+  return a->min[0] <= b->max[0] && b->min[0] <= a->max[0] && a->min[1] <= b->max[1] && b->min[1] <= a->max[1] && a->min[2] <= b->max[2] &&
+         b->min[2] <= a->max[2];
+}
+
+/* Items in Morton order, in blocks of four; level l+1 has one box for two of level l. */
+typedef struct {
+  const vs_box *boxes;  /* the caller's, in his order */
+  uint32_t *order;      /* his numbers, sorted */
+  vs_box *sorted, *nodes;
+  size_t order_room, sorted_room, node_room;
+  uint32_t count, level_count, first[34]; /* where each level's nodes begin; blocks are level 0 */
+  uint32_t size[34];
+} vs_bvh;
+
+typedef bool vs_bvh_pair_fn(void *context, uint32_t a, uint32_t b); /* false stops */
+typedef bool vs_bvh_hit_fn(void *context, uint32_t a);
+
+bool vs_bvh_build(vs_kernel *k, vs_bvh *tree, const vs_box *boxes, uint32_t count); /* tree zeroed, or built before (its room is used again) */
+bool vs_bvh_pairs(const vs_bvh *tree, vs_bvh_pair_fn *fn, void *context);           /* each unordered pair once */
+bool vs_bvh_query(const vs_bvh *tree, const vs_box *box, vs_bvh_hit_fn *fn, void *context);
+void vs_bvh_free(vs_kernel *k, vs_bvh *tree);
+
+#endif

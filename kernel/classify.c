@@ -1,0 +1,395 @@
+/* Owns the classification: which faces of the arrangement bound the result.
+ *
+ * Plan: (1) at every edge the faces are sorted around it, and the sides that look at each other belong to one cell (union-find); (2) for
+ * each connected set of cells one line is shot through one face, over the input triangles: the winding numbers of all leaves on one side of
+ * it; (3) a walk over the cells, entering and leaving leaves as their faces are crossed, evaluates the expression in each cell; (4) a face is
+ * kept where its two cells differ. The walk also sums a random number per winding: two ways into a cell must agree, or the
+ * arrangement is broken and an error says so.
+ *
+ * Around an edge. D is the direction from the smaller point number to the larger. A use that runs along D has its face to the left, in
+ * direction n x D; one against D in -n x D. So with m = n or -n the face lies at m x D, turning counter-clockwise about D leaves it
+ * through the side that m points to, and faces come in the order of the angle of m, seen along any axis in which D is not 0. */
+#include "kernel/cluster.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef struct {
+  vs_kernel *k;
+  vs_cluster *c;
+  vs_expression *e;
+  VS_LIST(uint32_t) order, scratch;
+  VS_LIST(uint32_t) side;   /* union-find: 2 * face (+ side), 2 * face + 1 (- side); then the cell's number */
+  VS_LIST(uint32_t) first, borders; /* cell -> its faces */
+  VS_LIST(uint32_t) use_first, uses_by_face;
+  VS_LIST(uint64_t) sum;    /* of a cell */
+  VS_LIST(uint8_t) state;   /* of a cell: 1 in a walked component, 2 walked, 4 inside */
+  VS_LIST(uint32_t) queue;
+  struct { uint32_t cell, next, face; } *stack;
+  size_t stack_room;
+  VS_LIST(vs_cover) found;  /* windings that the line found */
+  uint32_t cells;
+  /* the line */
+  uint32_t face;
+  int axis;
+  bool degenerate;
+  vs_homogeneous at;
+  int64_t u, v;
+} walk;
+
+static bool use_before(const void *context, uint32_t a, uint32_t b) {
+  const vs_use *x = (const vs_use *)context + a, *y = (const vs_use *)context + b;
+  uint32_t xl = x->from < x->to ? x->from : x->to, xh = x->from < x->to ? x->to : x->from;
+  uint32_t yl = y->from < y->to ? y->from : y->to, yh = y->from < y->to ? y->to : y->from;
+  if (xl != yl) return xl < yl;
+  return xh != yh ? xh < yh : a < b;
+}
+
+/* ---- 1: cells ---- */
+
+typedef struct { int64_t x, y; uint32_t ccw, cw; } around;
+
+static bool turns_before(const around *a, const around *b) { /* by angle from +x */
+  bool lower_a = a->y < 0 || (a->y == 0 && a->x < 0), lower_b = b->y < 0 || (b->y == 0 && b->x < 0);
+  if (lower_a != lower_b) return lower_b;
+  return (vs_i128)a->x * b->y - (vs_i128)a->y * b->x > 0;
+}
+
+static bool sort_edge(walk *w, uint32_t *uses, size_t count) {
+  enum { MANY = 64 };
+  vs_cluster *c = w->c;
+  around few[MANY], *all = few;
+  size_t room = 0;
+  if (count > MANY) {
+    all = NULL;
+    if (!VS_ROOM(w->k, all, room, count)) return false;
+  }
+  const vs_use *use = &c->uses.at[uses[0]];
+  uint32_t low = use->from < use->to ? use->from : use->to, high = use->from < use->to ? use->to : use->from;
+  vs_points_view view = vs_points_of(&c->points);
+  int axis = 0, sign = 0;
+  int64_t best = -1;
+  for (int a = 0; a < 3; a++) {
+    int64_t d = view.at[high].fixed[a] - view.at[low].fixed[a], size = d < 0 ? -d : d;
+    if (size > best) best = size, axis = a;
+  }
+  sign = vs_compare(view, high, low, axis);
+  for (int a = 0; sign == 0 && a < 3; a++) axis = a, sign = vs_compare(view, high, low, a);
+  int x = (axis + 1) % 3, y = (axis + 2) % 3;
+  for (size_t i = 0; i < count; i++) {
+    use = &c->uses.at[uses[i]];
+    const vs_plane *p = &c->planes.all.at[c->faces.at[use->face].plane];
+    int64_t s = use->from == low ? 1 : -1;
+    around a = { s * p->n[sign > 0 ? x : y], s * p->n[sign > 0 ? y : x], 2 * use->face + (s < 0), 2 * use->face + (s > 0) };
+    size_t j = i;
+    for (; j > 0 && turns_before(&a, &all[j - 1]); j--) all[j] = all[j - 1];
+    all[j] = a;
+  }
+  bool ok = true;
+  for (size_t i = 0; i < count; i++) {
+    const around *a = &all[i], *b = &all[(i + 1) % count];
+    if (i + 1 < count && !turns_before(a, b)) ok = VS_BROKEN(w->k, "two faces lie on each other");
+    vs_unite(w->side.at, a->ccw, b->cw);
+  }
+  if (all != few) VS_FREE(w->k, all, room);
+  return ok;
+}
+
+static bool make_cells(walk *w) {
+  vs_cluster *c = w->c;
+  vs_kernel *k = w->k;
+  size_t n = c->uses.count, f = c->faces.count;
+  if (f >= UINT32_MAX / 2 || n >= UINT32_MAX) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
+  if (!VS_ROOM(k, w->order.at, w->order.room, n + 1) || !VS_ROOM(k, w->scratch.at, w->scratch.room, n + 1) ||
+      !VS_ROOM(k, w->side.at, w->side.room, 2 * f + 1))
+    return false;
+  for (uint32_t i = 0; i < n; i++) w->order.at[i] = i;
+  for (uint32_t i = 0; i < 2 * f; i++) w->side.at[i] = i;
+  vs_kernel_sort(w->order.at, w->scratch.at, n, use_before, c->uses.at);
+  for (size_t i = 0, end; i < n; i = end) {
+    const vs_use *a = &c->uses.at[w->order.at[i]];
+    for (end = i + 1; end < n; end++) {
+      const vs_use *b = &c->uses.at[w->order.at[end]];
+      if (!(a->from == b->from && a->to == b->to) && !(a->from == b->to && a->to == b->from)) break;
+    }
+    if (end - i == 2) {
+      const vs_use *b = &c->uses.at[w->order.at[i + 1]];
+      bool along = a->from < a->to, with = b->from < b->to;
+      uint32_t a_ccw = 2 * a->face + !along, b_ccw = 2 * b->face + !with;
+      vs_unite(w->side.at, a_ccw, b_ccw ^ 1);
+      vs_unite(w->side.at, b_ccw, a_ccw ^ 1);
+    } else if (!sort_edge(w, w->order.at + i, end - i)) {
+      return false;
+    }
+    if (!vs_kernel_poll(k, 0.7)) return false;
+  }
+  w->cells = 0;
+  for (uint32_t i = 0; i < 2 * f; i++) { /* roots are the smallest of their sets: number them on the way */
+    uint32_t root = w->side.at[i] == i ? i : vs_find(w->side.at, i);
+    w->side.at[i] = root;
+  }
+  if (!VS_ROOM(k, w->queue.at, w->queue.room, 2 * f + 1)) return false;
+  for (uint32_t i = 0; i < 2 * f; i++) w->queue.at[i] = w->side.at[i] == i ? w->cells++ : w->queue.at[w->side.at[i]];
+  memcpy(w->side.at, w->queue.at, 2 * f * sizeof *w->side.at);
+
+  uint32_t cells = w->cells;
+  if (!VS_ROOM(k, w->first.at, w->first.room, (size_t)cells + 2) || !VS_ROOM(k, w->borders.at, w->borders.room, 2 * f + 1) ||
+      !VS_ROOM(k, w->sum.at, w->sum.room, (size_t)cells + 1) || !VS_ROOM(k, w->state.at, w->state.room, (size_t)cells + 1) ||
+      !VS_ROOM(k, w->use_first.at, w->use_first.room, f + 2) || !VS_ROOM(k, w->uses_by_face.at, w->uses_by_face.room, n + 1))
+    return false;
+  memset(w->first.at, 0, ((size_t)cells + 2) * sizeof(uint32_t));
+  memset(w->state.at, 0, (size_t)cells + 1);
+  for (size_t i = 0; i < 2 * f; i++) w->first.at[w->side.at[i] + 2]++;
+  for (size_t i = 2; i < (size_t)cells + 2; i++) w->first.at[i] += w->first.at[i - 1];
+  for (uint32_t i = 0; i < 2 * f; i++) w->borders.at[w->first.at[w->side.at[i] + 1]++] = i / 2;
+  memset(w->use_first.at, 0, (f + 2) * sizeof(uint32_t));
+  for (size_t i = 0; i < n; i++) w->use_first.at[c->uses.at[i].face + 2]++;
+  for (size_t i = 2; i < f + 2; i++) w->use_first.at[i] += w->use_first.at[i - 1];
+  for (uint32_t i = 0; i < n; i++) w->uses_by_face.at[w->use_first.at[c->uses.at[i].face + 1]++] = i;
+  return true;
+}
+
+/* ---- 2: the line ---- */
+
+/* Is the line's (u, v) inside the face? Exact; on its boundary counts as no. The line's point is the last of the table. */
+static bool strictly_inside(walk *w, vs_points_view view, uint32_t face, uint32_t probe, int au, int av) {
+  vs_cluster *c = w->c;
+  bool inside = false;
+  for (uint32_t i = w->use_first.at[face]; i < w->use_first.at[face + 1]; i++) {
+    const vs_use *use = &c->uses.at[w->uses_by_face.at[i]];
+    bool up_a = vs_compare(view, use->from, probe, av) > 0, up_b = vs_compare(view, use->to, probe, av) > 0;
+    int turn = vs_orient2d(view, use->from, use->to, probe, au, av);
+    if (turn == 0) return false;
+    if (up_a != up_b && (turn > 0) == up_b) inside = !inside;
+  }
+  return inside;
+}
+
+/* A place inside the face, seen along axis: halfway between the crossings of a line v = const with the boundary, where they are widest apart. */
+static bool aim(walk *w, uint32_t face, int attempt) {
+  vs_cluster *c = w->c;
+  vs_plane p = c->planes.all.at[c->faces.at[face].plane];
+  int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3;
+  int64_t low = INT64_MAX, high = INT64_MIN;
+  uint32_t begin = w->use_first.at[face], end = w->use_first.at[face + 1];
+  for (uint32_t i = begin; i < end; i++) {
+    int64_t y = c->points.all.at[c->uses.at[w->uses_by_face.at[i]].from].fixed[av];
+    if (y < low) low = y;
+    if (y > high) high = y;
+  }
+  if (high - low < 4) return false;
+  static const double parts[] = { 0.4871, 0.2613, 0.7382, 0.1137, 0.8891, 0.3719, 0.6323, 0.0523, 0.9467 };
+  w->v = low + (int64_t)((double)(high - low) * parts[attempt]);
+  w->found.count = 0;
+  double best = -1, from = 0;
+  VS_LIST(double) at = { 0 };
+  bool ok = true;
+  for (uint32_t i = begin; ok && i < end; i++) {
+    const vs_use *use = &c->uses.at[w->uses_by_face.at[i]];
+    const vs_point *a = &c->points.all.at[use->from], *b = &c->points.all.at[use->to];
+    if ((a->fixed[av] > w->v) == (b->fixed[av] > w->v)) continue;
+    double t = (double)(w->v - a->fixed[av]) / (double)(b->fixed[av] - a->fixed[av]);
+    double x = (double)a->fixed[au] + t * (double)(b->fixed[au] - a->fixed[au]);
+    ok = VS_PUSH(w->k, at, x);
+    for (size_t j = at.count - 1; ok && j > 0 && at.at[j - 1] > at.at[j]; j--) {
+      double swap = at.at[j];
+      at.at[j] = at.at[j - 1];
+      at.at[j - 1] = swap;
+    }
+  }
+  for (size_t i = 0; ok && i + 1 < at.count; i += 2)
+    if (at.at[i + 1] - at.at[i] > best) best = at.at[i + 1] - at.at[i], from = at.at[i];
+  VS_DROP(w->k, at);
+  if (!ok || best < 4) return false;
+  w->u = (int64_t)(from + best * 0.4937);
+  vs_plane_lift(&p, w->axis, w->u, w->v, &w->at);
+  return true;
+}
+
+static bool shoot(void *context, uint32_t triangle) {
+  walk *w = context;
+  vs_cluster *c = w->c;
+  const vs_soup_triangle *t = &c->triangles.at[triangle];
+  const vs_plane *p = &c->planes.all.at[t->plane];
+  int64_t n = p->n[w->axis];
+  if (n == 0) return true;
+  int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3, turns = 0;
+  for (int i = 0; i < 3; i++) {
+    const vs_point *a = &c->points.all.at[t->v[i]], *b = &c->points.all.at[t->v[(i + 1) % 3]];
+    vs_i128 s = (vs_i128)(b->fixed[au] - a->fixed[au]) * (w->v - a->fixed[av]) - (vs_i128)(b->fixed[av] - a->fixed[av]) * (w->u - a->fixed[au]);
+    turns |= s > 0 ? 1 : s < 0 ? 2 : 4;
+  }
+  if ((turns & 3) == 3) return true;
+  if (turns & 4) {
+    w->degenerate = true; /* through an edge: aim again */
+    return false;
+  }
+  int side = vs_homogeneous_side(p, &w->at);
+  if (side == 0 || (side > 0) == (n > 0)) return true; /* not above */
+  return VS_PUSH(w->k, w->found, ((vs_cover){ t->leaf, (n > 0) != t->flip ? 1 : -1 }));
+}
+
+/* Fills found with the windings just above the face along axis, and says which of its sides that is. */
+static bool look(walk *w, uint32_t face, uint32_t *side, bool *done) {
+  vs_cluster *c = w->c;
+  const vs_plane *p = &c->planes.all.at[c->faces.at[face].plane];
+  w->axis = p->k;
+  *side = 2 * face + (p->n[p->k] < 0);
+  *done = false;
+  for (int attempt = 0; attempt < 9 && !*done; attempt++) {
+    if (!aim(w, face, attempt)) {
+      if (w->k->error->status != VS_KERNEL_FINE) return false;
+      continue;
+    }
+    vs_point probe = { .big = VS_POINT_EXACT, .next = VS_NONE };
+    int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3;
+    probe.fixed[au] = w->u;
+    probe.fixed[av] = w->v;
+    if (!VS_PUSH(w->k, c->points.all, probe)) return false; /* at the end for a moment, in no chain */
+    bool inside = strictly_inside(w, vs_points_of(&c->points), face, (uint32_t)c->points.all.count - 1, au, av);
+    c->points.all.count--;
+    if (!inside) continue;
+    vs_box box;
+    box.min[w->axis] = -(1 << VS_GRID_BITS);
+    box.max[w->axis] = 1 << VS_GRID_BITS;
+    box.min[au] = (int32_t)(w->u >> VS_FIXED_BITS);
+    box.max[au] = box.min[au] + 1;
+    box.min[av] = (int32_t)(w->v >> VS_FIXED_BITS);
+    box.max[av] = box.min[av] + 1;
+    w->degenerate = false;
+    w->found.count = 0;
+    if (vs_bvh_query(&c->bvh, &box, shoot, w)) *done = true;
+    else if (!w->degenerate) return false;
+  }
+  return true;
+}
+
+/* ---- 3: the walk ---- */
+
+static uint64_t leaf_key(uint32_t leaf) {
+  uint64_t h = ((uint64_t)leaf + 1) * 0x9e3779b97f4a7c15u;
+  h = (h ^ h >> 30) * 0xbf58476d1ce4e5b9u;
+  return (h ^ h >> 27) | 1;
+}
+
+static bool pass(walk *w, uint32_t face, int32_t sign, uint64_t *sum) { /* sign 1: from + to - */
+  const vs_face *f = &w->c->faces.at[face];
+  for (uint32_t i = 0; i < f->cover_count; i++) {
+    vs_cover cover = w->c->covers.at[f->cover + i];
+    *sum += leaf_key(cover.leaf) * (uint64_t)(int64_t)(sign * cover.delta);
+    if (!vs_expression_add(w->k, w->e, cover.leaf, sign * cover.delta)) return false;
+  }
+  return true;
+}
+
+static bool walk_from(walk *w, uint32_t cell) {
+  uint64_t sum = 0;
+  for (size_t i = 0; i < w->found.count; i++) {
+    sum += leaf_key(w->found.at[i].leaf) * (uint64_t)(int64_t)w->found.at[i].delta;
+    if (!vs_expression_add(w->k, w->e, w->found.at[i].leaf, w->found.at[i].delta)) return false;
+  }
+  size_t depth = 0;
+  if (!VS_ROOM(w->k, w->stack, w->stack_room, 1)) return false;
+  w->stack[depth].cell = cell;
+  w->stack[depth].face = VS_NONE;
+  w->stack[depth++].next = w->first.at[cell];
+  w->sum.at[cell] = sum;
+  w->state.at[cell] = (uint8_t)(3 | (vs_expression_value(w->e) ? 4 : 0));
+  while (depth) {
+    uint32_t here = w->stack[depth - 1].cell;
+    if (w->stack[depth - 1].next == w->first.at[here + 1]) {
+      uint32_t back = w->stack[--depth].face; /* came through it; go back */
+      if (back != VS_NONE && !pass(w, back, w->side.at[2 * back] == here ? 1 : -1, &sum)) return false;
+      continue;
+    }
+    uint32_t face = w->borders.at[w->stack[depth - 1].next++];
+    uint32_t plus = w->side.at[2 * face], minus = w->side.at[2 * face + 1];
+    if (plus == minus) return VS_BROKEN(w->k, "a face has one side");
+    uint32_t other = plus == here ? minus : plus;
+    if (!pass(w, face, plus == here ? 1 : -1, &sum)) return false;
+    if (w->state.at[other] & 2) {
+      if (w->sum.at[other] != sum) return VS_BROKEN(w->k, "two ways into a cell disagree");
+      if (!pass(w, face, plus == here ? -1 : 1, &sum)) return false;
+      continue;
+    }
+    w->sum.at[other] = sum;
+    w->state.at[other] = (uint8_t)(3 | (vs_expression_value(w->e) ? 4 : 0));
+    if (!VS_ROOM(w->k, w->stack, w->stack_room, depth + 1)) return false;
+    w->stack[depth].cell = other;
+    w->stack[depth].face = face;
+    w->stack[depth++].next = w->first.at[other];
+    if (!vs_kernel_poll(w->k, 0.8)) return false;
+  }
+  for (size_t i = 0; i < w->found.count; i++)
+    if (!vs_expression_add(w->k, w->e, w->found.at[i].leaf, -w->found.at[i].delta)) return false;
+  return true;
+}
+
+/* Twice the face's area as its plane's main axis sees it, in fixed units squared; about. */
+static double about_area(const walk *w, uint32_t face) {
+  const vs_cluster *c = w->c;
+  const vs_plane *p = &c->planes.all.at[c->faces.at[face].plane];
+  uint32_t begin = w->use_first.at[face], end = w->use_first.at[face + 1];
+  if (begin == end) return 0;
+  const vs_point *o = &c->points.all.at[c->uses.at[w->uses_by_face.at[begin]].from];
+  double sum = 0;
+  for (uint32_t i = begin; i < end; i++) {
+    const vs_use *use = &c->uses.at[w->uses_by_face.at[i]];
+    const vs_point *a = &c->points.all.at[use->from], *b = &c->points.all.at[use->to];
+    sum += (double)(a->fixed[p->u] - o->fixed[p->u]) * (double)(b->fixed[p->v] - o->fixed[p->v]) -
+           (double)(a->fixed[p->v] - o->fixed[p->v]) * (double)(b->fixed[p->u] - o->fixed[p->u]);
+  }
+  return sum;
+}
+
+static bool walk_component(walk *w, uint32_t start) {
+  size_t head = 0, tail = 0;
+  double best = -1;
+  uint32_t face = VS_NONE, side;
+  bool done = false;
+  w->queue.at[tail++] = start;
+  w->state.at[start] = 1;
+  while (head < tail) {
+    uint32_t cell = w->queue.at[head++];
+    for (uint32_t i = w->first.at[cell]; i < w->first.at[cell + 1]; i++) {
+      uint32_t f = w->borders.at[i], plus = w->side.at[2 * f], other = plus == cell ? w->side.at[2 * f + 1] : plus;
+      double area = about_area(w, f);
+      if (area > best) best = area, face = f;
+      if (w->state.at[other]) continue;
+      w->state.at[other] = 1;
+      w->queue.at[tail++] = other;
+    }
+  }
+  if (!look(w, face, &side, &done)) return false;
+  for (size_t i = 0; !done && i < tail; i++) /* unlucky with the largest: try them all */
+    for (uint32_t j = w->first.at[w->queue.at[i]]; !done && j < w->first.at[w->queue.at[i] + 1]; j++)
+      if (!look(w, w->borders.at[j], &side, &done)) return false;
+  if (!done) return VS_BROKEN(w->k, "no face to look through");
+  return walk_from(w, w->side.at[side]);
+}
+
+bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
+  walk w = { .k = k, .c = c, .e = e };
+  bool ok = make_cells(&w);
+  for (uint32_t i = 0; ok && i < w.cells; i++)
+    if (w.state.at[i] == 0) ok = walk_component(&w, i);
+  ok = ok && VS_ROOM(k, c->kept.at, c->kept.room, c->faces.count + 1);
+  for (uint32_t f = 0; ok && f < c->faces.count; f++) {
+    bool plus = w.state.at[w.side.at[2 * f]] & 4, minus = w.state.at[w.side.at[2 * f + 1]] & 4;
+    c->kept.at[f] = plus == minus ? 0 : plus ? 2 : 1;
+    c->faces.at[f].tag = c->problem->leaves[c->covers.at[c->faces.at[f].cover].leaf].tag; /* the earliest leaf's */
+  }
+  VS_DROP(k, w.order);
+  VS_DROP(k, w.scratch);
+  VS_DROP(k, w.side);
+  VS_DROP(k, w.first);
+  VS_DROP(k, w.borders);
+  VS_DROP(k, w.use_first);
+  VS_DROP(k, w.uses_by_face);
+  VS_DROP(k, w.sum);
+  VS_DROP(k, w.state);
+  VS_DROP(k, w.queue);
+  VS_FREE(k, w.stack, w.stack_room);
+  VS_DROP(k, w.found);
+  return ok;
+}

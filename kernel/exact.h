@@ -1,0 +1,101 @@
+/* Owns the exact numbers: fixed-width integers, planes, points, and the predicates that decide everything else.
+ *
+ * Notation. Coordinates are counted in steps of the cluster's grid; input vertices are integers, |x| <= 2^25.
+ *   plane   n.x = d, n primitive: |n| <= 2^52, |d| <= 2^79
+ *   point   X/W, W > 0. Of an input vertex W = 1; of edge x plane |X| < 2^107, W < 2^81; of three planes |X| < 2^184, W < 2^159.
+ *   fixed   floor(X/W * 2^32) per coordinate: a number of 58 bits that every point has, the same for equal points whatever their
+ *           names. It is key and filter in one: a predicate on the fixed numbers in __int128 has an error of a few units that is known, so it
+ *           falls back to the wide integers only where points lie within 2^-32 steps of each other, a line or a plane.
+ * A point whose three remainders are zero is `exact`: its fixed numbers are all there is, and nothing is stored beside them.
+ * Widest results: a point against a plane 240 bits; one coordinate of two points 344; the orientation of three in a plane 531. */
+#ifndef VS_KERNEL_EXACT_H
+#define VS_KERNEL_EXACT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+__extension__ typedef __int128 vs_i128;
+__extension__ typedef unsigned __int128 vs_u128;
+
+enum { VS_FIXED_BITS = 32, VS_GRID_BITS = 25, VS_LIMBS = 3 };
+#define VS_POINT_EXACT UINT32_MAX
+
+typedef struct {
+  int64_t n[3];
+  vs_i128 d;
+  uint8_t k, u, v; /* k: where |n| is largest; (u, v): the other two axes, in the order that keeps counter-clockwise as seen from n */
+} vs_plane;
+
+typedef struct {
+  uint64_t x[3][VS_LIMBS], w[VS_LIMBS]; /* two's complement, least limb first; w > 0 */
+} vs_homogeneous;
+
+typedef struct {
+  int64_t fixed[3];
+  uint32_t big; /* which vs_homogeneous, or VS_POINT_EXACT */
+  uint32_t next; /* of the table's chain; owned by points.c */
+} vs_point;
+
+/* A view of all points, for the predicates. */
+typedef struct {
+  const vs_point *at;
+  const vs_homogeneous *big;
+} vs_points_view;
+
+static inline int vs_sign128(vs_i128 x) { return (x > 0) - (x < 0); }
+
+/* the plane through three integer points, from a; false where they lie on one line */
+bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3], vs_plane *out, bool *flipped);
+void vs_plane_axes(vs_plane *p);
+/* the plane through the integer points a and b along axis k; not primitive; a and b differ in another axis */
+void vs_plane_along(const int32_t a[3], const int32_t b[3], int k, vs_plane *out);
+int vs_orient3d(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int32_t d[3]); /* sign of det(b-a, c-a, d-a) */
+
+/* Where the line a b meets the plane, its sides known to differ; and where three planes meet. False: they do not in one point. */
+bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_homogeneous *out);
+bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out);
+/* fixed numbers of a point; true where they are all of it */
+bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]);
+bool vs_homogeneous_equal(const vs_homogeneous *a, const vs_homogeneous *b);
+int vs_homogeneous_side(const vs_plane *p, const vs_homogeneous *h);
+/* the point of the plane p over (u, v), fixed numbers, seen along axis k; n[k] is not 0 */
+void vs_plane_lift(const vs_plane *p, int k, int64_t u, int64_t v, vs_homogeneous *out);
+
+static inline bool vs_point_exact(const vs_point *p) { return p->big == VS_POINT_EXACT; }
+static inline int32_t vs_point_grid(const vs_point *p, int axis) { return (int32_t)(p->fixed[axis] >> VS_FIXED_BITS); }
+
+int vs_side_slow(vs_points_view v, const vs_plane *p, uint32_t x);
+/* sign of n.x - d */
+static inline int vs_side(vs_points_view v, const vs_plane *p, uint32_t x) {
+  const vs_point *q = &v.at[x];
+  vs_i128 s = (vs_i128)p->n[0] * q->fixed[0] + (vs_i128)p->n[1] * q->fixed[1] + (vs_i128)p->n[2] * q->fixed[2] - p->d * ((vs_i128)1 << VS_FIXED_BITS);
+  if (vs_point_exact(q)) return vs_sign128(s);
+  vs_i128 low = s, high = s; /* every fixed number is short by less than 1 */
+  for (int i = 0; i < 3; i++) {
+    if (p->n[i] < 0) low += p->n[i];
+    else high += p->n[i];
+  }
+  return low > 0 ? 1 : high < 0 ? -1 : vs_side_slow(v, p, x);
+}
+
+int vs_compare_slow(vs_points_view v, uint32_t a, uint32_t b, int axis);
+static inline int vs_compare(vs_points_view v, uint32_t a, uint32_t b, int axis) {
+  int64_t x = v.at[a].fixed[axis], y = v.at[b].fixed[axis];
+  if (x != y) return x < y ? -1 : 1;
+  if (a == b || (vs_point_exact(&v.at[a]) && vs_point_exact(&v.at[b]))) return 0;
+  return vs_compare_slow(v, a, b, axis);
+}
+
+int vs_orient2d_slow(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v);
+/* sign of the area of a b c seen in the axes (u, v): 1 where c lies left of a->b */
+static inline int vs_orient2d(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v) {
+  const vs_point *p = &v.at[a], *q = &v.at[b], *r = &v.at[c];
+  int64_t ax = q->fixed[axis_u] - p->fixed[axis_u], ay = q->fixed[axis_v] - p->fixed[axis_v];
+  int64_t bx = r->fixed[axis_u] - p->fixed[axis_u], by = r->fixed[axis_v] - p->fixed[axis_v];
+  vs_i128 det = (vs_i128)ax * by - (vs_i128)ay * bx;
+  if (vs_point_exact(p) && vs_point_exact(q) && vs_point_exact(r)) return vs_sign128(det);
+  vs_i128 error = (vs_i128)(ax < 0 ? -ax : ax) + (by < 0 ? -by : by) + (ay < 0 ? -ay : ay) + (bx < 0 ? -bx : bx) + 2;
+  return det > error ? 1 : det < -error ? -1 : vs_orient2d_slow(v, a, b, c, axis_u, axis_v);
+}
+
+#endif

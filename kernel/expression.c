@@ -1,0 +1,140 @@
+/* Owns flattening and incremental evaluation of the boolean expression. No recursion: terms come operands first. */
+#include "kernel/expression.h"
+
+/* While building: what each term has become. */
+typedef struct {
+  VS_LIST(uint32_t) uses;   /* how many terms use it */
+  VS_LIST(uint32_t) pairs;  /* (operand, user * 2 + taken off), two numbers each */
+  VS_LIST(uint32_t) stack;  /* operands still to be looked into: term * 2 + taken off */
+  VS_LIST(uint8_t) live;    /* reached from the root and not absorbed */
+} building;
+
+/* Can `inner`, an operand of `outer` (taken off or not), give its own operands to it? */
+static bool absorbed(const vs_kernel_problem *p, const building *b, vs_term_kind outer, bool off, uint32_t inner) {
+  vs_term_kind kind = p->terms[inner].kind;
+  if (b->uses.at[inner] != 1) return false;
+  if (outer == VS_TERM_UNION || (outer == VS_TERM_DIFFERENCE && off)) return kind == VS_TERM_UNION;
+  return kind == outer; /* an intersection in one, or a difference as the first of one */
+}
+
+static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_expression *e, uint32_t user) {
+  const vs_kernel_term *t = &p->terms[user];
+  b->stack.count = 0;
+  for (uint32_t i = t->count; i-- > 0;)
+    if (!VS_PUSH(k, b->stack, p->operands[t->first + i] * 2 + (t->kind == VS_TERM_DIFFERENCE && i > 0))) return false;
+  while (b->stack.count) {
+    uint32_t top = b->stack.at[--b->stack.count], inner = top / 2;
+    bool off = top & 1;
+    if (absorbed(p, b, t->kind, off, inner)) {
+      const vs_kernel_term *s = &p->terms[inner];
+      for (uint32_t i = s->count; i-- > 0;)
+        if (!VS_PUSH(k, b->stack, p->operands[s->first + i] * 2 + (off || (s->kind == VS_TERM_DIFFERENCE && i > 0)))) return false;
+      if (s->kind == VS_TERM_INTERSECTION && s->count == 0) e->need.at[user] = UINT32_MAX; /* never true */
+      continue;
+    }
+    b->live.at[inner] = 1;
+    if (!off && e->need.at[user] != UINT32_MAX) e->need.at[user]++;
+    if (!VS_PUSH(k, b->pairs, inner) || !VS_PUSH(k, b->pairs, user * 2 + off)) return false;
+  }
+  return true;
+}
+
+bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem *p) {
+  building b = { 0 };
+  uint32_t n = p->term_count;
+  bool ok = VS_ROOM(k, e->kind.at, e->kind.room, (size_t)n + 1) && VS_ROOM(k, e->need.at, e->need.room, (size_t)n + 1) &&
+            VS_ROOM(k, e->positive.at, e->positive.room, (size_t)n + 1) && VS_ROOM(k, e->negative.at, e->negative.room, (size_t)n + 1) &&
+            VS_ROOM(k, e->user_first.at, e->user_first.room, (size_t)n + 2) && VS_ROOM(k, b.uses.at, b.uses.room, (size_t)n + 1) &&
+            VS_ROOM(k, b.live.at, b.live.room, (size_t)n + 1) && VS_ROOM(k, e->winding.at, e->winding.room, (size_t)p->leaf_count + 1) &&
+            VS_ROOM(k, e->leaf_first.at, e->leaf_first.room, (size_t)p->leaf_count + 2) && VS_ROOM(k, e->leaf_terms.at, e->leaf_terms.room, (size_t)n + 1);
+  if (ok) {
+    for (uint32_t i = 0; i < n; i++) {
+      e->kind.at[i] = (uint8_t)p->terms[i].kind;
+      e->need.at[i] = e->positive.at[i] = e->negative.at[i] = 0;
+      b.uses.at[i] = 0;
+      b.live.at[i] = i + 1 == n;
+    }
+    for (uint32_t i = 0; i < n + 2; i++) e->user_first.at[i] = 0;
+    for (uint32_t i = 0; i < p->leaf_count; i++) e->winding.at[i] = 0;
+    for (uint32_t i = 0; i < p->leaf_count + 2; i++) e->leaf_first.at[i] = 0;
+    e->root = n ? n - 1 : 0;
+    for (uint32_t i = n; i-- > 0;) { /* users before operands: whether a term is reached is known when its turn comes */
+      if (p->terms[i].kind == VS_TERM_LEAF) continue;
+      for (uint32_t j = 0; j < p->terms[i].count; j++) b.uses.at[p->operands[p->terms[i].first + j]]++;
+    }
+    for (uint32_t i = n; ok && i-- > 0;)
+      if (b.live.at[i] && p->terms[i].kind != VS_TERM_LEAF) ok = collect(k, p, &b, e, i);
+  }
+  if (ok && VS_ROOM(k, e->users.at, e->users.room, b.pairs.count / 2 + 1)) { /* bucket the pairs by operand, the leaves' terms by leaf */
+    for (size_t i = 0; i < b.pairs.count; i += 2) e->user_first.at[b.pairs.at[i] + 1]++;
+    for (uint32_t i = 0; i < n; i++) e->user_first.at[i + 1] += e->user_first.at[i];
+    for (size_t i = b.pairs.count; i > 0; i -= 2) e->users.at[--e->user_first.at[b.pairs.at[i - 2] + 1]] = b.pairs.at[i - 1];
+    for (uint32_t i = 0; i < n; i++) e->user_first.at[i] = e->user_first.at[i + 1];
+    if (n) e->user_first.at[n] = (uint32_t)(b.pairs.count / 2);
+    uint32_t live = 0;
+    for (uint32_t i = 0; i < n; i++)
+      if (b.live.at[i] && p->terms[i].kind == VS_TERM_LEAF) e->leaf_first.at[p->terms[i].first + 1]++, live++;
+    for (uint32_t i = 0; i < p->leaf_count; i++) e->leaf_first.at[i + 1] += e->leaf_first.at[i];
+    for (uint32_t i = n; i-- > 0;)
+      if (b.live.at[i] && p->terms[i].kind == VS_TERM_LEAF) e->leaf_terms.at[--e->leaf_first.at[p->terms[i].first + 1]] = i;
+    for (uint32_t i = 0; i < p->leaf_count; i++) e->leaf_first.at[i] = e->leaf_first.at[i + 1];
+    e->leaf_first.at[p->leaf_count] = live;
+  } else {
+    ok = false;
+  }
+  VS_DROP(k, b.uses);
+  VS_DROP(k, b.pairs);
+  VS_DROP(k, b.stack);
+  VS_DROP(k, b.live);
+  return ok;
+}
+
+static bool value(const vs_expression *e, uint32_t term) {
+  switch ((vs_term_kind)e->kind.at[term]) {
+  case VS_TERM_LEAF:
+  case VS_TERM_UNION: return e->positive.at[term] > 0;
+  case VS_TERM_INTERSECTION: return e->need.at[term] && e->positive.at[term] == e->need.at[term];
+  case VS_TERM_DIFFERENCE: return e->positive.at[term] > 0 && e->negative.at[term] == 0;
+  }
+  return false;
+}
+
+bool vs_expression_value(const vs_expression *e) { return e->kind.at && value(e, e->root); }
+
+bool vs_expression_add(vs_kernel *k, vs_expression *e, uint32_t leaf, int32_t delta) {
+  bool before = e->winding.at[leaf] > 0;
+  e->winding.at[leaf] += delta;
+  bool now = e->winding.at[leaf] > 0;
+  if (before == now) return true;
+  e->stack.count = 0;
+  for (uint32_t i = e->leaf_first.at[leaf]; i < e->leaf_first.at[leaf + 1]; i++) {
+    uint32_t t = e->leaf_terms.at[i];
+    e->positive.at[t] = now;
+    if (!VS_PUSH(k, e->stack, t * 2 + now)) return false;
+  }
+  while (e->stack.count) { /* turns still to be told to the users; in a DAG a term may turn and turn back */
+    uint32_t t = e->stack.at[--e->stack.count] / 2;
+    bool up = e->stack.at[e->stack.count] & 1;
+    for (uint32_t i = e->user_first.at[t]; i < e->user_first.at[t + 1]; i++) {
+      uint32_t user = e->users.at[i] / 2;
+      uint32_t *count = e->users.at[i] & 1 ? &e->negative.at[user] : &e->positive.at[user];
+      bool old = value(e, user);
+      *count += up ? 1u : UINT32_MAX;
+      if (value(e, user) != old && !VS_PUSH(k, e->stack, user * 2 + !old)) return false;
+    }
+  }
+  return true;
+}
+
+void vs_expression_free(vs_kernel *k, vs_expression *e) {
+  VS_DROP(k, e->kind);
+  VS_DROP(k, e->need);
+  VS_DROP(k, e->positive);
+  VS_DROP(k, e->negative);
+  VS_DROP(k, e->user_first);
+  VS_DROP(k, e->users);
+  VS_DROP(k, e->winding);
+  VS_DROP(k, e->leaf_first);
+  VS_DROP(k, e->leaf_terms);
+  VS_DROP(k, e->stack);
+}

@@ -1,0 +1,97 @@
+/* Owns the cluster's frame: the linear part most leaves share, in which their boxes are boxes again.
+ *
+ * A leaf's linear part is split into a rotation and scales along its own axes, where its columns are orthogonal. Two rotations that agree to
+ * 1e-12 up to a signed permutation of axes are one: so a quarter turn, a mirror image and the same turn computed in another way all fall
+ * together. The frame is the majority's; leaves of it get exact permutations and scales, and only their translation is turned. */
+#include "kernel/cluster.h"
+
+#include <math.h>
+
+enum { CANDIDATES = 64 };
+
+typedef struct { double r[3][3]; uint32_t votes; } candidate;
+
+/* Columns' lengths into scale, and their directions into r; false where they are not orthogonal. */
+static bool split(const vs_affine *a, double r[3][3], double scale[3]) {
+  for (int j = 0; j < 3; j++) {
+    int nonzero = 0;
+    double one = 0;
+    for (int i = 0; i < 3; i++)
+      if (a->m[i][j] != 0) nonzero++, one = fabs(a->m[i][j]);
+    scale[j] = nonzero == 1 ? one : sqrt(a->m[0][j] * a->m[0][j] + a->m[1][j] * a->m[1][j] + a->m[2][j] * a->m[2][j]);
+    if (fabs(scale[j] - 1) < 1e-13) scale[j] = 1;
+    if (!(scale[j] > 0) || !isfinite(scale[j])) return false;
+    for (int i = 0; i < 3; i++) r[i][j] = a->m[i][j] / scale[j];
+  }
+  for (int j = 0; j < 3; j++) {
+    int l = (j + 1) % 3;
+    if (fabs(r[0][j] * r[0][l] + r[1][j] * r[1][l] + r[2][j] * r[2][l]) > 1e-12) return false;
+  }
+  return true;
+}
+
+/* frame^T r as an exact signed permutation; false where it is none */
+static bool permutation(double frame[3][3], double r[3][3], double p[3][3]) {
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) {
+      double x = frame[0][i] * r[0][j] + frame[1][i] * r[1][j] + frame[2][i] * r[2][j];
+      double whole = floor(x + 0.5);
+      if (fabs(x - whole) > 1e-12) return false;
+      p[i][j] = whole;
+    }
+  return true;
+}
+
+bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
+  (void)k;
+  candidate all[CANDIDATES] = { { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, 0 } };
+  int count = 1, best = 0;
+  double r[3][3], scale[3], p[3][3];
+  for (uint32_t i = 0; i < c->leaf_count; i++) {
+    if (!split(&c->problem->leaves[c->leaves[i]].placement, r, scale)) continue;
+    int j = 0;
+    while (j < count && !permutation(all[j].r, r, p)) j++;
+    if (j == CANDIDATES) continue;
+    if (j == count) {
+      for (int x = 0; x < 3; x++)
+        for (int y = 0; y < 3; y++) all[j].r[x][y] = r[x][y];
+      all[count++].votes = 0;
+    }
+    all[j].votes++;
+  }
+  for (int j = 1; j < count; j++)
+    if (all[j].votes > all[best].votes) best = j;
+
+  candidate *f = &all[best];
+  double det = f->r[0][0] * (f->r[1][1] * f->r[2][2] - f->r[1][2] * f->r[2][1]) - f->r[0][1] * (f->r[1][0] * f->r[2][2] - f->r[1][2] * f->r[2][0]) +
+               f->r[0][2] * (f->r[1][0] * f->r[2][1] - f->r[1][1] * f->r[2][0]);
+  c->grid.framed = best != 0;
+  c->grid.frame = vs_affine_identity();
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) {
+      if (det < 0 && j == 2) f->r[i][j] = -f->r[i][j];
+      c->grid.frame.m[i][j] = f->r[i][j];
+    }
+  for (uint32_t i = 0; i < c->leaf_count; i++) {
+    const vs_affine *a = &c->problem->leaves[c->leaves[i]].placement;
+    vs_affine *o = &to_frame[i];
+    bool member = split(a, r, scale) && permutation(f->r, r, p);
+    for (int x = 0; x < 3; x++)
+      for (int y = 0; y < 4; y++) {
+        if (member && y < 3) o->m[x][y] = p[x][y] * scale[y];
+        else if (!c->grid.framed) o->m[x][y] = a->m[x][y];
+        else o->m[x][y] = f->r[0][x] * a->m[0][y] + f->r[1][x] * a->m[1][y] + f->r[2][x] * a->m[2][y];
+      }
+  }
+  return true;
+}
+
+vs_vec3 vs_grid_world(const vs_grid *g, const vs_point *p) {
+  double x[3];
+  for (int i = 0; i < 3; i++) {
+    double whole = (double)(p->fixed[i] >> VS_FIXED_BITS), part = (double)(p->fixed[i] & 0xffffffff) * 0x1p-32;
+    x[i] = (whole + g->offset[i] + part) * g->unit / g->scale;
+  }
+  vs_vec3 v = vs_v3(x[0], x[1], x[2]);
+  return g->framed ? vs_affine_point(&g->frame, v) : v;
+}

@@ -1,0 +1,50 @@
+/* Owns the face of the mesh kernel: exact booleans of closed triangle meshes; knows nothing of nodes (solid.h does).
+ *
+ * The expression is a list of terms, operands before users, the last term the root: a DAG of any width and depth. Everything
+ * is evaluated in one exact arrangement per cluster of leaves that touch, not pair by pair; see manual/internals.md. */
+#ifndef VS_KERNEL_H
+#define VS_KERNEL_H
+
+#include "model/mesh.h"
+
+typedef struct {
+  const vs_mesh *mesh;  /* closed, counter-clockwise seen from outside; may be shared by leaves; may cross itself (overlaps count as inside) */
+  vs_affine placement;
+  uint32_t tag;         /* the result's triangles carry it; coplanar faces of equal tag are merged */
+} vs_kernel_leaf;
+
+typedef enum { VS_TERM_LEAF, VS_TERM_UNION, VS_TERM_INTERSECTION, VS_TERM_DIFFERENCE /* the first less all others */ } vs_term_kind;
+typedef struct {
+  vs_term_kind kind;
+  uint32_t first;       /* LEAF: the leaf; else the first of its operands */
+  uint32_t count;       /* of operands (term numbers, smaller than this term's own); 0 is the empty solid */
+} vs_kernel_term;
+
+typedef struct {
+  const vs_kernel_leaf *leaves;
+  const vs_kernel_term *terms;
+  const uint32_t *operands;
+  uint32_t leaf_count, term_count, operand_count;
+} vs_kernel_problem;
+
+typedef struct {
+  bool (*progress)(void *context, double done); /* done in 0..1; false stops the work; may be NULL. Called some hundred times a second */
+  void *context;
+  size_t max_bytes;     /* of the kernel's own memory; 0: no limit */
+  size_t max_triangles; /* of the result; 0: no limit */
+} vs_kernel_options;
+
+typedef enum {
+  VS_KERNEL_FINE, VS_KERNEL_OPEN, VS_KERNEL_INSIDE_OUT, VS_KERNEL_NOT_FINITE, VS_KERNEL_OUT_OF_MEMORY, VS_KERNEL_LIMIT, VS_KERNEL_INTERRUPTED,
+  VS_KERNEL_INTERNAL /* a self-check failed: a fault of the kernel, never a wrong result */
+} vs_kernel_status;
+typedef struct {
+  vs_kernel_status status;
+  uint32_t leaf;        /* OPEN, INSIDE_OUT, NOT_FINITE: which one */
+  char message[200];    /* plain English without a place */
+} vs_kernel_error;
+
+/* Appends to out (tags filled; a closed chain by index, oriented, free of T-junctions). options may be NULL. On false, out is as before. */
+bool vs_kernel_evaluate(const vs_kernel_problem *problem, const vs_kernel_options *options, vs_mesh *out, vs_kernel_error *error);
+
+#endif

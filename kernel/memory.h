@@ -1,0 +1,36 @@
+/* Owns the kernel's context: accounted memory, the error, progress and interrupts. Every working array hangs off it or off a task. */
+#ifndef VS_KERNEL_MEMORY_H
+#define VS_KERNEL_MEMORY_H
+
+#include "kernel/kernel.h"
+
+typedef struct {
+  const vs_kernel_options *options; /* or NULL */
+  vs_kernel_error *error;
+  size_t bytes;       /* held by grown arrays */
+  uint32_t ticks;     /* since the last call of progress */
+  double done, share; /* progress before this cluster, and what the cluster adds */
+} vs_kernel;
+
+bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const char *format, ...) __attribute__((format(printf, 4, 5)));
+#define VS_BROKEN(k, why) vs_kernel_fail(k, VS_KERNEL_INTERNAL, 0, "the solids could not be combined: %s (a fault of vs, please report the model)", why)
+
+/* Makes room for `need` elements of `size` bytes in the array whose address stands in *slot; *room is in elements. */
+bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t size);
+void vs_kernel_free(vs_kernel *k, void *slot, size_t *room, size_t size);
+#define VS_ROOM(k, array, room, need) ((need) <= (room) || vs_kernel_grow(k, &(array), &(room), need, sizeof *(array)))
+#define VS_FREE(k, array, room) vs_kernel_free(k, &(array), &(room), sizeof *(array))
+
+/* An array with its counts, for the many that only grow. */
+#define VS_LIST(type) struct { type *at; size_t count, room; }
+#define VS_PUSH(k, list, value) (VS_ROOM(k, (list).at, (list).room, (list).count + 1) && ((list).at[(list).count++] = (value), true))
+#define VS_DROP(k, list) ((list).count = 0, VS_FREE(k, (list).at, (list).room))
+
+bool vs_kernel_report(vs_kernel *k, double part); /* part of the cluster done, 0..1; false: interrupted */
+static inline bool vs_kernel_poll(vs_kernel *k, double part) { return (++k->ticks & 1023) != 0 || vs_kernel_report(k, part); }
+
+/* Stable merge sort of numbers by a strict order; scratch as large as the array. */
+typedef bool vs_less_fn(const void *context, uint32_t a, uint32_t b);
+void vs_kernel_sort(uint32_t *at, uint32_t *scratch, size_t count, vs_less_fn *less, const void *context);
+
+#endif

@@ -1,0 +1,430 @@
+/* Owns the arrangement in one plane: a group of facets and the cuts in them become faces that nothing crosses, each with its cover.
+ *
+ * Plan for a group: (1) segments: the facets' boundary edges and the cuts, each lying in a second plane, its `side`; (2) all crossings and
+ * contacts of segments whose boxes meet, as points on both; (3) split every segment at its points; equal pieces become one edge, which
+ * carries what each leaf's cover changes by from its right to its left; (4) a sweep names the faces on both sides of every edge;
+ * (5) covers by walking from the outside inwards. Facets that nothing touches become faces as they are. */
+#include "kernel/cluster.h"
+#include "kernel/sweep.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { FEW = 24 }; /* up to so many segments all pairs are tried */
+
+typedef struct {
+  vs_plane side;
+  uint32_t p, q;
+  uint32_t leaf;   /* of a boundary edge: the left of p->q has one more of it than the right; VS_NONE for a cut */
+  uint8_t axis;    /* along which p and q are well apart */
+  bool edge;       /* between input vertices */
+} segment;
+typedef struct { uint32_t segment, point; } incidence;
+typedef struct { uint32_t l, r, leaf; int32_t delta; } piece; /* local vertices; delta: above less below */
+
+typedef struct {
+  vs_kernel *k;
+  vs_cluster *c;
+  uint32_t plane_id;
+  vs_plane plane;
+  VS_LIST(segment) segments;
+  VS_LIST(incidence) on;
+  VS_LIST(vs_box) boxes;
+  vs_bvh bvh;
+  VS_LIST(uint32_t) list, scratch;
+  VS_LIST(uint32_t) local;       /* of a point, in the group at hand; kept from group to group, never cleared */
+  VS_LIST(piece) pieces;
+  VS_LIST(uint32_t) payload;     /* of each sweep edge: its first piece; one more */
+  VS_LIST(uint32_t) above, below, face; /* of each edge, then union-find; face: what the sweep's face became */
+  VS_LIST(uint32_t) face_first, face_edges, queue;
+  VS_LIST(vs_cover) cover;       /* of local faces */
+  VS_LIST(uint32_t) cover_first, cover_count;
+  vs_sweep sweep;
+} plane_work;
+
+static vs_points_view view(const plane_work *w) { return vs_points_of(&w->c->points); }
+
+/* ---- 1: segments ---- */
+
+static bool add_segment(plane_work *w, uint32_t p, uint32_t q, uint32_t leaf, const vs_plane *side) {
+  segment s = { .p = p, .q = q, .leaf = leaf, .edge = side == NULL };
+  const vs_point *a = &w->c->points.all.at[p], *b = &w->c->points.all.at[q];
+  int64_t du = a->fixed[w->plane.u] - b->fixed[w->plane.u], dv = a->fixed[w->plane.v] - b->fixed[w->plane.v];
+  s.axis = (du < 0 ? -du : du) >= (dv < 0 ? -dv : dv) ? w->plane.u : w->plane.v;
+  if (du == 0 && dv == 0) { /* closer than a fixed number can say */
+    s.axis = vs_compare(view(w), p, q, w->plane.u) ? w->plane.u : w->plane.v;
+  }
+  if (side) s.side = *side;
+  else {
+    int32_t x[3], y[3];
+    vs_points_grid(&w->c->points, p, x);
+    vs_points_grid(&w->c->points, q, y);
+    vs_plane_along(x, y, w->plane.k, &s.side);
+  }
+  return VS_PUSH(w->k, w->segments, s);
+}
+
+static bool add_facet(plane_work *w, const vs_facet *f) {
+  for (uint32_t i = f[0].first; i < f[1].first; i++) {
+    const vs_soup_triangle *t = &w->c->triangles.at[w->c->facet_triangles.at[i]];
+    for (int j = 0; j < 3; j++)
+      if (!(t->inner >> j & 1) && !add_segment(w, t->v[j], t->v[(j + 1) % 3], t->leaf, NULL)) return false;
+  }
+  return true;
+}
+
+/* ---- 2: crossings ---- */
+
+static bool put(plane_work *w, uint32_t s, uint32_t point) {
+  const segment *x = &w->segments.at[s];
+  if (x->p == point || x->q == point) return true;
+  return VS_PUSH(w->k, w->on, ((incidence){ s, point }));
+}
+
+static bool within(const plane_work *w, const segment *s, uint32_t x) { /* x on the line of s */
+  return vs_compare(view(w), s->p, x, s->axis) * vs_compare(view(w), x, s->q, s->axis) > 0;
+}
+
+static int side_of(const plane_work *w, const segment *s, uint32_t x) {
+  return x == s->p || x == s->q ? 0 : vs_side(view(w), &s->side, x);
+}
+
+static bool cross(void *context, uint32_t i, uint32_t j) {
+  plane_work *w = context;
+  if (!vs_kernel_poll(w->k, 0.5)) return false;
+  if (i > j) {
+    uint32_t t = i;
+    i = j;
+    j = t;
+  }
+  const segment *s = &w->segments.at[i], *t = &w->segments.at[j];
+  if (s->p == s->q) { /* a touched point */
+    return t->p == t->q || side_of(w, t, s->p) != 0 || !within(w, t, s->p) || put(w, j, s->p);
+  }
+  if (t->p == t->q) return side_of(w, s, t->p) != 0 || !within(w, s, t->p) || put(w, i, t->p);
+  int a = side_of(w, s, t->p), b = side_of(w, s, t->q);
+  if (a * b > 0) return true;
+  if (a == 0 && b == 0) {
+    return (!within(w, s, t->p) || put(w, i, t->p)) && (!within(w, s, t->q) || put(w, i, t->q)) && (!within(w, t, s->p) || put(w, j, s->p)) &&
+           (!within(w, t, s->q) || put(w, j, s->q));
+  }
+  int c = side_of(w, t, s->p), d = side_of(w, t, s->q);
+  if (c * d > 0) return true;
+  if (a == 0) return c * d >= 0 || put(w, i, t->p);
+  if (b == 0) return c * d >= 0 || put(w, i, t->q);
+  if (c == 0) return put(w, j, s->p);
+  if (d == 0) return put(w, j, s->q);
+  vs_homogeneous h;
+  uint32_t x;
+  int32_t e[3], f[3];
+  bool met;
+  if (s->edge || t->edge) {
+    const segment *edge = s->edge ? s : t, *other = s->edge ? t : s;
+    vs_points_grid(&w->c->points, edge->p, e);
+    vs_points_grid(&w->c->points, edge->q, f);
+    met = vs_meet_edge(e, f, &other->side, &h);
+  } else {
+    met = vs_meet_planes(&w->plane, &s->side, &t->side, &h);
+  }
+  if (!met) return VS_BROKEN(w->k, "two cuts do not meet");
+  return vs_points_add(w->k, &w->c->points, &h, &x) && put(w, i, x) && put(w, j, x);
+}
+
+static bool crossings(plane_work *w) {
+  uint32_t n = (uint32_t)w->segments.count;
+  w->on.count = w->boxes.count = 0;
+  if (!VS_ROOM(w->k, w->boxes.at, w->boxes.room, n)) return false;
+  for (uint32_t i = 0; i < n; i++) {
+    vs_box *b = &w->boxes.at[i];
+    const vs_point *p = &w->c->points.all.at[w->segments.at[i].p], *q = &w->c->points.all.at[w->segments.at[i].q];
+    for (int a = 0; a < 3; a++) {
+      int64_t x = p->fixed[a], y = q->fixed[a];
+      b->min[a] = (int32_t)((x < y ? x : y) >> VS_FIXED_BITS);
+      b->max[a] = (int32_t)((x < y ? y : x) >> VS_FIXED_BITS) + 1;
+    }
+  }
+  if (n > FEW) return vs_bvh_build(w->k, &w->bvh, w->boxes.at, n) && vs_bvh_pairs(&w->bvh, cross, w);
+  for (uint32_t i = 0; i < n; i++)
+    for (uint32_t j = i + 1; j < n; j++)
+      if (vs_box_meet(&w->boxes.at[i], &w->boxes.at[j]) && !cross(w, i, j)) return false;
+  return true;
+}
+
+/* ---- 3: pieces ---- */
+
+static bool on_before(const void *context, uint32_t x, uint32_t y) {
+  const plane_work *w = context;
+  const incidence *a = &w->on.at[x], *b = &w->on.at[y];
+  if (a->segment != b->segment) return a->segment < b->segment;
+  const segment *s = &w->segments.at[a->segment];
+  return vs_compare(view(w), a->point, b->point, s->axis) * vs_compare(view(w), s->p, s->q, s->axis) > 0;
+}
+
+static int piece_order(const void *a, const void *b) {
+  const piece *x = a, *y = b;
+  if (x->l != y->l) return x->l < y->l ? -1 : 1;
+  if (x->r != y->r) return x->r < y->r ? -1 : 1;
+  if (x->leaf != y->leaf) return x->leaf < y->leaf ? -1 : 1;
+  return x->delta < y->delta ? -1 : x->delta > y->delta;
+}
+
+
+static bool add_piece(plane_work *w, uint32_t p, uint32_t q, uint32_t leaf) {
+  uint32_t a = w->local.at[p], b = w->local.at[q];
+  return VS_PUSH(w->k, w->pieces, ((piece){ a < b ? a : b, a < b ? b : a, leaf, leaf == VS_NONE ? 0 : a < b ? 1 : -1 }));
+}
+
+static bool split(plane_work *w) {
+  size_t n = w->segments.count, m = w->on.count, ends = 2 * n + m;
+  vs_kernel *k = w->k;
+  if (!VS_ROOM(k, w->list.at, w->list.room, ends) || !VS_ROOM(k, w->scratch.at, w->scratch.room, ends) ||
+      !VS_ROOM(k, w->local.at, w->local.room, w->c->points.all.count))
+    return false;
+  uint32_t *list = w->list.at;
+  for (size_t i = 0; i < n; i++) list[2 * i] = w->segments.at[i].p, list[2 * i + 1] = w->segments.at[i].q;
+  for (size_t i = 0; i < m; i++) list[2 * n + i] = w->on.at[i].point;
+  /* points lead to local numbers: once each into the order */
+  size_t unique = 0;
+  for (size_t i = 0; i < ends; i++) w->local.at[list[i]] = VS_NONE;
+  for (size_t i = 0; i < ends; i++)
+    if (w->local.at[list[i]] == VS_NONE) w->local.at[list[i]] = 0, list[unique++] = list[i];
+  w->sweep.points = view(w);
+  w->sweep.u = w->plane.u;
+  w->sweep.v = w->plane.v;
+  if (!vs_sweep_order(k, &w->sweep, list, unique, w->scratch.at)) return false;
+  for (uint32_t i = 0; i < w->sweep.vertices.count; i++) w->local.at[w->sweep.vertices.at[i]] = i;
+
+  for (size_t i = 0; i < m; i++) list[i] = (uint32_t)i;
+  vs_kernel_sort(list, w->scratch.at, m, on_before, w);
+  w->pieces.count = 0;
+  size_t o = 0;
+  for (uint32_t i = 0; i < n; i++) {
+    const segment *s = &w->segments.at[i];
+    uint32_t from = s->p;
+    for (; o < m && w->on.at[list[o]].segment == i; o++) {
+      uint32_t x = w->on.at[list[o]].point;
+      if (x == from) continue;
+      if (!add_piece(w, from, x, s->leaf)) return false;
+      from = x;
+    }
+    if (from != s->q && !add_piece(w, from, s->q, s->leaf)) return false;
+  }
+  qsort(w->pieces.at, w->pieces.count, sizeof *w->pieces.at, piece_order); /* equal pieces are equal in all: one result */
+  w->sweep.edges.count = w->payload.count = 0;
+  size_t kept = 0;
+  for (size_t i = 0, end; i < w->pieces.count; i = end) { /* one edge per (l, r), with one piece per leaf whose delta is not 0 */
+    piece first = w->pieces.at[i];
+    if (!VS_PUSH(k, w->sweep.edges, ((vs_sweep_edge){ first.l, first.r })) || !VS_PUSH(k, w->payload, (uint32_t)kept)) return false;
+    for (end = i; end < w->pieces.count && w->pieces.at[end].l == first.l && w->pieces.at[end].r == first.r;) {
+      piece sum = w->pieces.at[end++];
+      while (end < w->pieces.count && w->pieces.at[end].l == first.l && w->pieces.at[end].r == first.r && w->pieces.at[end].leaf == sum.leaf)
+        sum.delta += w->pieces.at[end++].delta;
+      if (sum.leaf != VS_NONE && sum.delta != 0) w->pieces.at[kept++] = sum;
+    }
+  }
+  w->pieces.count = kept;
+  return VS_PUSH(k, w->payload, (uint32_t)kept);
+}
+
+/* ---- 4: faces ---- */
+
+static bool name_faces(plane_work *w) {
+  vs_kernel *k = w->k;
+  size_t m = w->sweep.edges.count;
+  if (!VS_ROOM(k, w->above.at, w->above.room, m) || !VS_ROOM(k, w->below.at, w->below.room, m) || !vs_sweep_begin(k, &w->sweep)) return false;
+  w->face.count = 0;
+  if (!VS_PUSH(k, w->face, 0u)) return false; /* 0: outside */
+  vs_sweep_event e;
+  while (vs_sweep_next(k, &w->sweep, &e)) {
+    uint32_t low = e.below == VS_NONE ? 0 : w->above.at[e.below], high = e.above == VS_NONE ? 0 : w->below.at[e.above];
+    if (e.left_count == 0) {
+      if (vs_find(w->face.at, low) != vs_find(w->face.at, high)) return VS_BROKEN(k, "a face has two names");
+    } else if (e.right_count == 0) {
+      vs_unite(w->face.at, low, high);
+    }
+    for (uint32_t i = 0; i < e.right_count; i++) {
+      w->below.at[e.rights[i]] = low;
+      if (i + 1 < e.right_count) {
+        low = (uint32_t)w->face.count;
+        if (!VS_PUSH(k, w->face, low)) return false;
+      } else {
+        low = high;
+      }
+      w->above.at[e.rights[i]] = low;
+    }
+  }
+  if (!vs_sweep_done(&w->sweep)) return false;
+  uint32_t count = 0; /* unions made the smaller number the root: compact in order */
+  for (uint32_t f = 0; f < w->face.count; f++) w->face.at[f] = vs_find(w->face.at, f) == f ? f : vs_find(w->face.at, f);
+  if (!VS_ROOM(k, w->list.at, w->list.room, w->face.count)) return false;
+  for (uint32_t f = 0; f < w->face.count; f++) w->list.at[f] = w->face.at[f] == f ? count++ : w->list.at[w->face.at[f]];
+  for (size_t i = 0; i < m; i++) w->above.at[i] = w->list.at[w->above.at[i]], w->below.at[i] = w->list.at[w->below.at[i]];
+  w->face.count = count;
+  return true;
+}
+
+/* ---- 5: covers ---- */
+
+/* The neighbour's cover changed by what the edge carries; sign: 1 going up through it. */
+static bool step_cover(plane_work *w, uint32_t from, uint32_t to, uint32_t edge, int sign) {
+  w->cover_first.at[to] = (uint32_t)w->cover.count;
+  uint32_t i = w->cover_first.at[from], i_end = i + w->cover_count.at[from], j = w->payload.at[edge], j_end = w->payload.at[edge + 1];
+  while (i < i_end || j < j_end) {
+    vs_cover next = { VS_NONE, 0 };
+    uint32_t a = i < i_end ? w->cover.at[i].leaf : VS_NONE, b = j < j_end ? w->pieces.at[j].leaf : VS_NONE;
+    next.leaf = a < b ? a : b;
+    if (a == next.leaf) next.delta += w->cover.at[i++].delta;
+    if (b == next.leaf) next.delta += sign * w->pieces.at[j++].delta;
+    if (next.delta && !VS_PUSH(w->k, w->cover, next)) return false;
+  }
+  w->cover_count.at[to] = (uint32_t)w->cover.count - w->cover_first.at[to];
+  return true;
+}
+
+static bool covers(plane_work *w) {
+  vs_kernel *k = w->k;
+  size_t m = w->sweep.edges.count, faces = w->face.count;
+  if (!VS_ROOM(k, w->face_first.at, w->face_first.room, faces + 2) || !VS_ROOM(k, w->face_edges.at, w->face_edges.room, 2 * m + 1) ||
+      !VS_ROOM(k, w->cover_first.at, w->cover_first.room, faces) || !VS_ROOM(k, w->cover_count.at, w->cover_count.room, faces) ||
+      !VS_ROOM(k, w->queue.at, w->queue.room, faces))
+    return false;
+  uint32_t *first = w->face_first.at;
+  memset(first, 0, (faces + 2) * sizeof *first);
+  for (size_t e = 0; e < m; e++) first[w->above.at[e] + 2]++, first[w->below.at[e] + 2]++;
+  for (size_t f = 2; f < faces + 2; f++) first[f] += first[f - 1];
+  for (uint32_t e = 0; e < m; e++) {
+    w->face_edges.at[first[w->above.at[e] + 1]++] = e;
+    w->face_edges.at[first[w->below.at[e] + 1]++] = e;
+  }
+  for (size_t f = 0; f < faces; f++) w->cover_count.at[f] = VS_NONE;
+  w->cover.count = 0;
+  w->cover_first.at[0] = w->cover_count.at[0] = 0;
+  size_t head = 0, tail = 0;
+  w->queue.at[tail++] = 0;
+  while (head < tail) {
+    uint32_t f = w->queue.at[head++];
+    for (uint32_t i = first[f]; i < first[f + 1]; i++) {
+      uint32_t e = w->face_edges.at[i], up = w->above.at[e], down = w->below.at[e], other = up == f ? down : up;
+      if (w->cover_count.at[other] != VS_NONE) continue;
+      if (!step_cover(w, f, other, e, other == up ? 1 : -1)) return false;
+      w->queue.at[tail++] = other;
+    }
+  }
+  return tail == faces || VS_BROKEN(k, "a face cannot be reached");
+}
+
+static bool give_faces(plane_work *w) {
+  vs_kernel *k = w->k;
+  vs_cluster *c = w->c;
+  for (uint32_t f = 0; f < w->face.count; f++) {
+    w->queue.at[f] = VS_NONE;
+    if (w->cover_count.at[f] == 0) continue;
+    w->queue.at[f] = (uint32_t)c->faces.count;
+    vs_face face = { w->plane_id, (uint32_t)c->covers.count, w->cover_count.at[f], VS_NONE, 0 };
+    if (!VS_PUSH(k, c->faces, face)) return false;
+    for (uint32_t i = 0; i < w->cover_count.at[f]; i++)
+      if (!VS_PUSH(k, c->covers, w->cover.at[w->cover_first.at[f] + i])) return false;
+  }
+  for (size_t e = 0; e < w->sweep.edges.count; e++) {
+    uint32_t l = w->sweep.vertices.at[w->sweep.edges.at[e].l], r = w->sweep.vertices.at[w->sweep.edges.at[e].r];
+    uint32_t up = w->queue.at[w->above.at[e]], down = w->queue.at[w->below.at[e]];
+    if (up != VS_NONE && !VS_PUSH(k, c->uses, ((vs_use){ l, r, up }))) return false;
+    if (down != VS_NONE && !VS_PUSH(k, c->uses, ((vs_use){ r, l, down }))) return false;
+  }
+  return true;
+}
+
+/* ---- the groups ---- */
+
+static bool give_facet(plane_work *w, uint32_t facet) { /* untouched */
+  vs_cluster *c = w->c;
+  const vs_facet *f = &c->facets.at[facet];
+  vs_face face = { f->plane, (uint32_t)c->covers.count, 1, facet, 0 };
+  vs_cover cover = { f->leaf, f->flip ? -1 : 1 };
+  if (!VS_PUSH(w->k, c->covers, cover) || !VS_PUSH(w->k, c->faces, face)) return false;
+  for (uint32_t i = f[0].first; i < f[1].first; i++) {
+    const vs_soup_triangle *t = &c->triangles.at[c->facet_triangles.at[i]];
+    for (int j = 0; j < 3; j++) {
+      uint32_t a = t->v[j], b = t->v[(j + 1) % 3];
+      if (t->inner >> j & 1) continue;
+      if (!VS_PUSH(w->k, c->uses, ((vs_use){ f->flip ? b : a, f->flip ? a : b, (uint32_t)c->faces.count - 1 }))) return false;
+    }
+  }
+  return true;
+}
+
+static bool cut_before(const void *context, uint32_t a, uint32_t b) {
+  const vs_cluster *c = context;
+  const vs_cut *x = &c->cuts.at[a], *y = &c->cuts.at[b];
+  uint32_t g = c->facets.at[x->facet].group, h = c->facets.at[y->facet].group;
+  if (g != h) return g < h;
+  uint32_t xl = x->p < x->q ? x->p : x->q, xh = x->p < x->q ? x->q : x->p, yl = y->p < y->q ? y->p : y->q, yh = y->p < y->q ? y->q : y->p;
+  if (xl != yl) return xl < yl;
+  return xh != yh ? xh < yh : x->plane < y->plane;
+}
+
+static bool facet_before(const void *context, uint32_t a, uint32_t b) {
+  const vs_cluster *c = context;
+  uint32_t g = c->facets.at[a].group, h = c->facets.at[b].group;
+  return g != h ? g < h : a < b;
+}
+
+bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
+  plane_work w = { .k = k, .c = c };
+  VS_LIST(uint32_t) facets = { 0 }, cuts = { 0 }, scratch = { 0 };
+  uint32_t n = (uint32_t)c->facets.count, m = (uint32_t)c->cuts.count;
+  bool ok = VS_ROOM(k, facets.at, facets.room, (size_t)n + 1) && VS_ROOM(k, cuts.at, cuts.room, (size_t)m + 1) &&
+            VS_ROOM(k, scratch.at, scratch.room, (size_t)(n > m ? n : m) + 1);
+  if (ok) {
+    for (uint32_t i = 0; i < n; i++) facets.at[i] = i;
+    for (uint32_t i = 0; i < m; i++) cuts.at[i] = i;
+    vs_kernel_sort(facets.at, scratch.at, n, facet_before, c);
+    vs_kernel_sort(cuts.at, scratch.at, m, cut_before, c);
+  }
+  for (uint32_t i = 0, j = 0, end; ok && i < n; i = end) {
+    uint32_t group = c->facets.at[facets.at[i]].group;
+    for (end = i + 1; end < n && c->facets.at[facets.at[end]].group == group;) end++;
+    ok = vs_kernel_poll(k, 0.2 + 0.5 * i / n);
+    if (end == i + 1 && !c->facets.at[group].touched) {
+      ok = ok && give_facet(&w, group);
+      continue;
+    }
+    w.plane_id = c->facets.at[group].plane;
+    w.plane = c->planes.all.at[w.plane_id];
+    w.segments.count = 0;
+    for (uint32_t f = i; ok && f < end; f++) ok = add_facet(&w, &c->facets.at[facets.at[f]]);
+    uint32_t p = VS_NONE, q = VS_NONE;
+    for (; ok && j < m && c->facets.at[c->cuts.at[cuts.at[j]].facet].group == group; j++) {
+      const vs_cut *cut = &c->cuts.at[cuts.at[j]];
+      uint32_t low = cut->p < cut->q ? cut->p : cut->q, high = cut->p < cut->q ? cut->q : cut->p;
+      if (low == p && high == q) continue;
+      p = low;
+      q = high;
+      ok = add_segment(&w, p, q, VS_NONE, &c->planes.all.at[cut->plane]);
+    }
+    ok = ok && crossings(&w) && split(&w) && name_faces(&w) && covers(&w) && give_faces(&w);
+  }
+  VS_DROP(k, facets);
+  VS_DROP(k, cuts);
+  VS_DROP(k, scratch);
+  VS_DROP(k, w.segments);
+  VS_DROP(k, w.on);
+  VS_DROP(k, w.boxes);
+  vs_bvh_free(k, &w.bvh);
+  VS_DROP(k, w.list);
+  VS_DROP(k, w.scratch);
+  VS_DROP(k, w.local);
+  VS_DROP(k, w.pieces);
+  VS_DROP(k, w.payload);
+  VS_DROP(k, w.above);
+  VS_DROP(k, w.below);
+  VS_DROP(k, w.face);
+  VS_DROP(k, w.face_first);
+  VS_DROP(k, w.face_edges);
+  VS_DROP(k, w.queue);
+  VS_DROP(k, w.cover);
+  VS_DROP(k, w.cover_first);
+  VS_DROP(k, w.cover_count);
+  vs_sweep_free(k, &w.sweep);
+  return ok;
+}

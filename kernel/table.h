@@ -1,0 +1,35 @@
+/* Owns the tables of a cluster that make equal things one: points by their exact place, planes by their exact equation. */
+#ifndef VS_KERNEL_TABLE_H
+#define VS_KERNEL_TABLE_H
+
+#include "kernel/exact.h"
+#include "kernel/memory.h"
+
+#define VS_NONE UINT32_MAX
+
+typedef struct {
+  VS_LIST(vs_point) all;
+  VS_LIST(vs_homogeneous) big;
+  uint32_t *heads; /* chains by hash of the fixed numbers; a power of two */
+  size_t head_room, head_count;
+} vs_points_table;
+
+typedef struct {
+  VS_LIST(vs_plane) all;
+  VS_LIST(uint32_t) next;
+  uint32_t *heads;
+  size_t head_room, head_count;
+} vs_planes_table;
+
+static inline vs_points_view vs_points_of(const vs_points_table *t) { return (vs_points_view){ t->all.at, t->big.at }; }
+
+bool vs_points_integer(vs_kernel *k, vs_points_table *t, const int32_t at[3], uint32_t *id);
+/* The number of the point, an older one where it lies in the same place. */
+bool vs_points_add(vs_kernel *k, vs_points_table *t, const vs_homogeneous *h, uint32_t *id);
+void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]); /* of an input vertex */
+void vs_points_free(vs_kernel *k, vs_points_table *t);
+
+bool vs_planes_add(vs_kernel *k, vs_planes_table *t, const vs_plane *p, uint32_t *id);
+void vs_planes_free(vs_kernel *k, vs_planes_table *t);
+
+#endif

@@ -1,0 +1,54 @@
+/* Owns a small program: evaluates .sx files with the kernel and prints for each its volume, triangles, closedness and seconds.
+ * usage: run_sx [-o out.stl] FILE... */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "tests/oracle/sx.h"
+
+static char *slurp(const char *path) {
+  FILE *f = fopen(path, "rb");
+  if (!f) return NULL;
+  size_t n = 0, room = 1 << 16;
+  char *text = malloc(room);
+  for (size_t got; text && (got = fread(text + n, 1, room - n - 1, f)) > 0;) {
+    n += got;
+    if (room - n < 2) text = realloc(text, room *= 2);
+  }
+  if (text) text[n] = 0;
+  fclose(f);
+  return text;
+}
+
+int main(int argc, char **argv) {
+  const char *stl = NULL;
+  int failures = 0;
+  for (int i = 1; i < argc; i++) {
+    if (!strcmp(argv[i], "-o") && i + 1 < argc) { stl = argv[++i]; continue; }
+    char *text = slurp(argv[i]);
+    sx_problem p;
+    if (!text || !sx_parse(text, &p)) { fprintf(stderr, "%s: cannot read\n", argv[i]); return 2; }
+    vs_mesh m = { 0 };
+    vs_kernel_error e;
+    struct timespec a, b;
+    clock_gettime(CLOCK_MONOTONIC, &a);
+    bool fine = vs_kernel_evaluate(&p.problem, NULL, &m, &e), sure = true;
+    clock_gettime(CLOCK_MONOTONIC, &b);
+    if (fine) {
+      bool closed = vs_mesh_closed(&m, &sure);
+      printf("%s volume %.12g triangles %zu %s %.3f s\n", argv[i], vs_mesh_volume(&m), m.triangle_count, closed ? "closed" : "OPEN",
+             (double)(b.tv_sec - a.tv_sec) + 1e-9 * (double)(b.tv_nsec - a.tv_nsec));
+      failures += !closed;
+      if (stl && !sx_write_stl(&m, stl)) fprintf(stderr, "cannot write %s\n", stl);
+    } else {
+      printf("%s ERROR leaf %u: %s\n", argv[i], e.leaf, e.message);
+      failures++;
+    }
+    fflush(stdout);
+    vs_mesh_free(&m);
+    sx_free(&p);
+    free(text);
+  }
+  return failures != 0;
+}
