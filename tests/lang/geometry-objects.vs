@@ -14,7 +14,7 @@
 (show (make-line (list origin (xyz 1 0 0)) (xyz 1 1 0))) ; expect: (make-line (list (xyz 0 0 0) (xyz 1 0 0) (xyz 1 1 0)))
 (show (make-line origin (xyz 1 0 0) (xyz 1 1 0) origin)) ; expect: (make-polygon (list (xyz 0 0 0) (xyz 1 0 0) (xyz 1 1 0)))
 (show (make-rectangle origin (xyz 2 1 0)))             ; expect: (make-polygon (list (xyz 0 0 0) (xyz 2 0 0) (xyz 2 1 0) (xyz 0 1 0)))
-(show (make-arc origin 1 0 pi))                        ; expect: (make-arc (xyz 0 0 0) 1 0 3.14159265358979)
+(show (make-arc origin 1 0 pi))                        ; expect: (make-arc (xyz 0 0 0) 1 0 3.141592653589793)
 (show (make-arc origin 1 2pi))                         ; expect: (make-circle (xyz 0 0 0) 1)
 (show (make-spline origin (xyz 1 0 0) (xyz 1 1 1)))    ; expect: (make-spline (list (xyz 0 0 0) (xyz 1 0 0) (xyz 1 1 1)))
 (show (make-spline (list origin (xyz 1 0 0)) uz -pi/2)) ; expect: (make-spline (list (xyz 0 0 0) (xyz 1 0 0)) (vxyz 0 0 1) (vxyz 0 -1 0))
