@@ -493,11 +493,12 @@ call: {
         const vs_native *native = vs_as_native(f);
         size_t given = n, total = n;
         bool laid_out = vs_native_laid_out(native);
-        if (tail && (laid_out || native->def->slots)) {                   /* apply, call/cc ... must not keep the frame; plain ones keep it for the error's place */
+        if (tail && native->def->slots) {                   /* apply, call/cc ... must not keep the frame; plain ones keep it for the error's place */
           memmove(base, w + 2, n * sizeof *w);
           base[-2] = f;
           w = base - 2; ret = base[-1];
           tail = false;
+          pc = NULL;                            /* its code is left: the native returns to the caller's */
         } else if (tail) {
           ret = vs_ret_make((size_t)(w - base), (size_t)(pc - vs_code_ins(vs_as_code(vs_as_closure(base[-2])->code))));
         }
