@@ -1,0 +1,257 @@
+/* Owns bounds: of leaves under an affine map exactly, of sets from those of their parts.
+ *
+ * Row i of the map, a_i, gives coordinate i: a disc of radius r across the unit vector n reaches r*sqrt(|a_i|^2 - (a_i.n)^2) to each side of
+ * its centre, a ball r*|a_i|. */
+#include <stdlib.h>
+
+#include "geometry/curve.h"
+#include "geometry/measure.h"
+#include "geometry/swept.h"
+
+static vs_vec3 vs_row(const vs_affine *a, int i) { return vs_v3(a->m[i][0], a->m[i][1], a->m[i][2]); }
+
+static void vs_bounds_add_reach(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 reach) {
+  vs_vec3 c = vs_affine_point(a, center);
+  vs_bounds_add(b, vs_v3_sub(c, reach));
+  vs_bounds_add(b, vs_v3_add(c, reach));
+}
+
+static void vs_bounds_add_disc(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 normal, double r) {
+  vs_vec3 n = vs_v3_unit(normal);
+  double reach[3];
+  for (int i = 0; i < 3; i++) reach[i] = r * vs_v3_length(vs_v3_cross(vs_row(a, i), n));
+  vs_bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
+}
+
+static void vs_bounds_add_ball(vs_bounds *b, const vs_affine *a, vs_vec3 center, double ring, double r) { /* ring: of the circle its centre runs on */
+  double reach[3];
+  for (int i = 0; i < 3; i++) reach[i] = ring * hypot(a->m[i][0], a->m[i][1]) + r * vs_v3_length(vs_row(a, i));
+  vs_bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
+}
+
+static void vs_bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_arc *arc) {
+  double low = fmin(arc->start, arc->end), high = fmax(arc->start, arc->end), pi = 3.14159265358979323846;
+  double angles[8] = { low, high };
+  int n = 2;
+  for (int i = 0; i < 3; i++)
+    for (int k = 0; k < 2; k++) {
+      double angle = atan2(a->m[i][1], a->m[i][0]) + k * pi;
+      angle += 2 * pi * ceil((low - angle) / (2 * pi));
+      if (angle <= high) angles[n++] = angle;
+    }
+  for (int i = 0; i < n; i++) {
+    double s, c;
+    vs_sincos(angles[i], &s, &c);
+    vs_bounds_add(b, vs_affine_point(a, vs_v3(arc->center.x + arc->radius * c, arc->center.y + arc->radius * s, arc->center.z)));
+  }
+}
+
+static void vs_bounds_add_points(vs_bounds *b, const vs_affine *a, const vs_vec3 *at, size_t n) {
+  for (size_t i = 0; i < n; i++) vs_bounds_add(b, vs_affine_point(a, at[i]));
+}
+
+static double vs_bounds_fineness(const vs_bounds *b) { /* for what has to be sampled: finer than any default drawing of it */
+  double d = vs_bounds_diagonal(b);
+  return d > 0 && isfinite(d) ? d / 65536 : 1e-6;
+}
+
+/* Upright extrusions follow their profile exactly; other swept solids are sampled. children: the bounds of all children together. */
+static bool vs_bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+  vs_facets f = { vs_bounds_fineness(children), 0 };
+  vs_swept plan;
+  if (n->kind == VS_THICKEN && n->children[0].node->class_ == VS_SURFACE) {
+    vs_mesh m = { 0 };
+    bool ok = vs_tessellate(n, &f, &m, e);
+    if (ok) vs_bounds_add_points(b, a, m.vertices, m.vertex_count);
+    vs_mesh_free(&m);
+    return ok;
+  }
+  f.tolerance *= 4; /* a twist costs the inverse of it */
+  if (!vs_swept_plan(n, &f, &plan, e)) return false;
+  for (size_t i = 0; i < plan.section_count; i++) {
+    const vs_section *s = &plan.sections[i];
+    for (size_t k = 0; k < plan.profile_count; k++) {
+      vs_vec2 p = plan.profile[k];
+      vs_bounds_add(b, vs_affine_point(a, vs_v3_add(vs_v3_add(vs_v3_scale(s->x, p.x), vs_v3_scale(s->y, p.y)), s->at)));
+    }
+  }
+  vs_swept_free(&plan);
+  return true;
+}
+
+static bool vs_bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs_error *e) {
+  vs_bounds knots = vs_bounds_empty();
+  vs_polyline line = { 0 };
+  vs_bounds_add_points(&knots, a, VS_AS(spline, n)->points->at, VS_AS(spline, n)->points->count);
+  vs_facets f = { vs_bounds_fineness(&knots), 0 };
+  bool ok = vs_curve_sample(n, &f, &line, e);
+  if (ok) vs_bounds_add_points(b, a, line.at, line.count);
+  vs_polyline_free(&line);
+  return ok;
+}
+
+/* Bounds of a leaf under a. children: those of its children in their own coordinates, for swept solids. False with *leaf true: failed. */
+static bool vs_bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *children, vs_bounds *b, bool *leaf, vs_error *e) {
+  *leaf = true;
+  switch ((vs_kind)n->kind) {
+    case VS_EMPTY: return true;
+    case VS_LINE: vs_bounds_add_points(b, a, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count); return true;
+    case VS_ARC: vs_bounds_add_arc(b, a, VS_AS(arc, n)); return true;
+    case VS_CIRCLE: vs_bounds_add_disc(b, a, VS_AS(circle, n)->center, vs_v3(0, 0, 1), VS_AS(circle, n)->radius); return true;
+    case VS_SPLINE: return vs_bounds_spline(b, a, n, e);
+    case VS_BOX: {
+      const struct vs_box *x = VS_AS(box, n);
+      for (int i = 0; i < 8; i++) vs_bounds_add(b, vs_affine_point(a, vs_v3(i & 1 ? x->q.x : x->p.x, i & 2 ? x->q.y : x->p.y, i & 4 ? x->q.z : x->p.z)));
+      return true;
+    }
+    case VS_WEDGE: {
+      const struct vs_wedge *x = VS_AS(wedge, n);
+      vs_vec3 at[6] = { { x->p.x, x->p.y, x->p.z }, { x->q.x, x->p.y, x->p.z }, { x->p.x, x->q.y, x->p.z },
+                        { x->q.x, x->q.y, x->p.z }, { x->p.x, x->p.y, x->q.z }, { x->p.x, x->q.y, x->q.z } };
+      vs_bounds_add_points(b, a, at, 6);
+      return true;
+    }
+    case VS_SPHERE: vs_bounds_add_ball(b, a, VS_AS(sphere, n)->center, 0, VS_AS(sphere, n)->radius); return true;
+    case VS_TORUS: vs_bounds_add_ball(b, a, VS_AS(torus, n)->center, VS_AS(torus, n)->radius, VS_AS(torus, n)->tube_radius); return true;
+    case VS_CYLINDER: {
+      const struct vs_cylinder *c = VS_AS(cylinder, n);
+      vs_vec3 axis = vs_v3_sub(c->top, c->base);
+      vs_bounds_add_disc(b, a, c->base, axis, c->radius);
+      vs_bounds_add_disc(b, a, c->top, axis, c->radius);
+      return true;
+    }
+    case VS_CONE: {
+      const struct vs_cone *c = VS_AS(cone, n);
+      vs_bounds_add_disc(b, a, c->base, vs_v3_sub(c->apex, c->base), c->radius);
+      vs_bounds_add(b, vs_affine_point(a, c->apex));
+      return true;
+    }
+    case VS_CUT_CONE: {
+      const struct vs_cut_cone *c = VS_AS(cut_cone, n);
+      vs_vec3 axis = vs_v3_sub(c->top, c->base);
+      vs_bounds_add_disc(b, a, c->base, axis, c->base_radius);
+      vs_bounds_add_disc(b, a, c->top, axis, c->top_radius);
+      return true;
+    }
+    case VS_PYRAMID: {
+      vs_mesh m = { 0 };
+      vs_facets any = { 1, 0 };
+      bool ok = vs_tessellate(n, &any, &m, e);
+      if (ok) vs_bounds_add_points(b, a, m.vertices, m.vertex_count);
+      vs_mesh_free(&m);
+      return ok;
+    }
+    case VS_POLYFACE_MESH: vs_bounds_add_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count); return true;
+    case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
+      return n->class_ == VS_NOTHING || vs_bounds_add_swept(b, a, n, children, e);
+    case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
+  }
+  *leaf = false;
+  return true;
+}
+
+/* ---- the memo, children before parents ---- */
+
+void vs_bounds_memo_free(vs_bounds_memo *m) {
+  vs_store *s = m->places.store;
+  if (m->at) vs_store_realloc(s, m->at, m->room * sizeof *m->at, 0);
+  vs_nodemap_free(&m->places);
+  *m = (vs_bounds_memo){ .places = { .store = s } };
+}
+
+static bool vs_bounds_memo_put(vs_bounds_memo *m, const vs_node *n, const vs_bounds *b) {
+  if (m->count == m->room) {
+    size_t room = m->room ? m->room * 2 : 64;
+    vs_bounds *grown = vs_store_realloc(m->places.store, m->at, m->room * sizeof *grown, room * sizeof *grown);
+    if (!grown) return false;
+    m->at = grown;
+    m->room = room;
+  }
+  uint64_t *place = vs_nodemap_put(&m->places, n, NULL);
+  if (!place) return false;
+  *place = m->count;
+  m->at[m->count++] = *b;
+  return true;
+}
+
+static const vs_bounds *vs_bounds_memo_known(const vs_bounds_memo *m, const vs_node *n) {
+  const uint64_t *place = vs_nodemap_get(&m->places, n);
+  return place ? &m->at[*place] : NULL;
+}
+
+/* All children are known. */
+static bool vs_bounds_of(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
+  vs_affine placed = vs_affine_identity();
+  vs_bounds children = vs_bounds_empty();
+  bool leaf;
+  *b = vs_bounds_empty();
+  for (uint32_t i = 0; i < n->child_count; i++) vs_bounds_unite(&children, vs_bounds_memo_known(m, n->children[i].node));
+  if (n->kind == VS_TRANSFORM) { /* a placed primitive has its own formula; only few steps are looked through, or chains cost their square */
+    const vs_node *below = n;
+    for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || below->kind == VS_MATERIAL || below->kind == VS_LAYER); steps++) {
+      if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
+      below = below->children[0].node;
+    }
+    bool swept = below->kind == VS_EXTRUDE || below->kind == VS_SWEEP || below->kind == VS_THICKEN;
+    if (!swept && !vs_bounds_leaf(below, &placed, &children, b, &leaf, e)) return false;
+    if (swept || !leaf) *b = vs_bounds_transform(&children, &VS_AS(transform, n)->matrix);
+    return true;
+  }
+  if (!vs_bounds_leaf(n, &placed, &children, b, &leaf, e)) return false;
+  if (leaf) return true;
+  *b = children;
+  if (n->kind == VS_DIFFERENCE && n->child_count) *b = *vs_bounds_memo_known(m, n->children[0].node);
+  for (uint32_t i = 0; n->kind == VS_INTERSECTION && i < n->child_count; i++) vs_bounds_meet(b, vs_bounds_memo_known(m, n->children[i].node));
+  return true;
+}
+
+bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e) {
+  const vs_bounds *known = vs_bounds_memo_known(m, n);
+  vs_ref at;
+  vs_walk_event ev;
+  if (known) {
+    *out = *known;
+    return true;
+  }
+  vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
+  bool ok = w || vs_error_memory(e, NULL);
+  while (ok && (ev = vs_walk_next(w, &at, NULL)) != VS_WALK_DONE) {
+    vs_bounds b;
+    if (ev == VS_WALK_FAILED) ok = vs_error_memory(e, NULL);
+    else if (vs_bounds_memo_known(m, at.node)) {
+      if (ev == VS_WALK_ENTER) vs_walk_skip(w);
+    } else if (ev == VS_WALK_LEAVE) {
+      ok = vs_bounds_of(m, at.node, &b, e);
+      if (!ok && e && !e->origin) e->origin = at.origin;
+      ok = ok && (vs_bounds_memo_put(m, at.node, &b) || vs_error_memory(e, NULL));
+      if (ok && at.node == n) *out = b;
+    }
+  }
+  vs_walk_free(w);
+  return ok;
+}
+
+bool vs_node_bounds(const vs_node *n, vs_bounds *out, vs_error *e) {
+  vs_bounds_memo m = { .places = { .store = n->store } };
+  bool ok = vs_bounds_memo_get(&m, n, out, e);
+  vs_bounds_memo_free(&m);
+  return ok;
+}
+
+bool vs_line_clip(vs_vec3 p, vs_vec3 d, bool ray, const vs_bounds *b, vs_vec3 *from, vs_vec3 *to) {
+  double low = ray ? 0 : -INFINITY, high = INFINITY;
+  double at[3] = { p.x, p.y, p.z }, way[3] = { d.x, d.y, d.z }, min[3] = { b->min.x, b->min.y, b->min.z }, max[3] = { b->max.x, b->max.y, b->max.z };
+  for (int i = 0; i < 3; i++) {
+    if (way[i] == 0) {
+      if (at[i] < min[i] || at[i] > max[i]) return false;
+      continue;
+    }
+    double t = (min[i] - at[i]) / way[i], u = (max[i] - at[i]) / way[i];
+    low = fmax(low, fmin(t, u));
+    high = fmin(high, fmax(t, u));
+  }
+  if (!(low < high) || !isfinite(low) || !isfinite(high)) return false;
+  *from = vs_v3_add(p, vs_v3_scale(d, low));
+  *to = vs_v3_add(p, vs_v3_scale(d, high));
+  return true;
+}

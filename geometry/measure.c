@@ -1,0 +1,166 @@
+/* Owns measures by formula: volume, area, length, centroid. */
+#include "geometry/measure.h"
+
+#include "geometry/curve.h"
+#include "geometry/tessellate.h"
+
+static const double pi = 3.14159265358979323846;
+
+static void vs_measure_frustum(vs_measure *m, vs_vec3 base, double r, vs_vec3 top, double s) {
+  vs_vec3 axis = vs_v3_sub(top, base);
+  double h = vs_v3_length(axis), weight = r * r + r * s + s * s;
+  m->volume = pi * h * weight / 3;
+  m->area = pi * (r * r + s * s + (r + s) * hypot(h, r - s));
+  m->centroid = vs_v3_add(base, vs_v3_scale(axis, weight > 0 ? (r * r + 2 * r * s + 3 * s * s) / (4 * weight) : 0.5));
+}
+
+static void vs_measure_pyramid(vs_measure *m, const struct vs_pyramid *p) {
+  vs_vec3 axis = vs_v3_sub(p->top, p->base);
+  double h = vs_v3_length(axis), n = p->sides, r = p->base_radius, s = p->top_radius, step = pi / n;
+  double polygon = n / 2 * sin(2 * step), weight = r * r + r * s + s * s; /* area of the n-gon of circumradius 1 */
+  m->volume = polygon * h * weight / 3;
+  m->area = polygon * (r * r + s * s) + n * sin(step) * (r + s) * hypot(h, (r - s) * cos(step));
+  m->centroid = vs_v3_add(p->base, vs_v3_scale(axis, weight > 0 ? (r * r + 2 * r * s + 3 * s * s) / (4 * weight) : 0.5));
+}
+
+static bool vs_measure_curve(const vs_node *n, const vs_affine *placed, vs_measure *m, vs_error *e) {
+  vs_bounds b;
+  vs_path path = { 0 };
+  vs_vec3 sum = { 0, 0, 0 };
+  if (!vs_node_bounds(n, &b, e)) return false;
+  vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-8, 1e-300), 0 };
+  if (!vs_curve_path(n, placed, &f, &path, e)) {
+    vs_path_free(&path);
+    return false;
+  }
+  for (size_t i = 0; i + (path.closed ? 0 : 1) < path.count; i++) {
+    vs_vec3 p = path.at[i].at, q = path.at[i + 1 < path.count ? i + 1 : 0].at;
+    double d = vs_v3_length(vs_v3_sub(q, p));
+    sum = vs_v3_add(sum, vs_v3_scale(vs_v3_add(p, q), d / 2));
+  }
+  m->length = path.length;
+  m->centroid = path.length > 0 ? vs_v3_scale(sum, 1 / path.length) : path.count ? path.at[0].at : sum;
+  m->known = true;
+  vs_path_free(&path);
+  return true;
+}
+
+static bool vs_measure_region(const vs_node *n, vs_measure *m, vs_error *e) {
+  vs_bounds b;
+  vs_outline o;
+  if (!vs_node_bounds(n, &b, e)) return false;
+  vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
+  if (!vs_region_outline(n, &f, &o, e)) return false;
+  m->area = vs_outline_measure(&o, &m->centroid);
+  m->known = m->area_known = true;
+  vs_outline_free(&o);
+  return true;
+}
+
+/* Lengths are all multiplied by the same k: then areas are too, by k squared */
+static bool vs_measure_even(const vs_affine *a, double *k) {
+  vs_vec3 c[3];
+  for (int j = 0; j < 3; j++) c[j] = vs_v3(a->m[0][j], a->m[1][j], a->m[2][j]);
+  *k = vs_v3_length(c[0]);
+  double slack = 1e-12 * *k * *k;
+  for (int j = 0; j < 3; j++)
+    if (fabs(vs_v3_dot(c[j], c[j]) - *k * *k) > slack || fabs(vs_v3_dot(c[j], c[(j + 1) % 3])) > slack) return false;
+  return true;
+}
+
+bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
+  vs_affine placed = vs_affine_identity();
+  const vs_node *whole = n;
+  *m = (vs_measure){ 0 };
+  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || (n->kind == VS_UNION && n->child_count == 1)) {
+    if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
+    n = n->children[0].node;
+  }
+  m->known = m->area_known = true;
+  switch ((vs_kind)n->kind) {
+    case VS_EMPTY: return true;
+    case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: {
+      vs_affine identity = vs_affine_identity();
+      m->area_known = false;
+      if (!vs_measure_curve(whole, &identity, m, e)) return false;
+      if (n->kind == VS_CIRCLE || n->kind == VS_ARC) { /* exact where the placement keeps it round */
+        double k, angle = n->kind == VS_CIRCLE ? 2 * pi : fabs(VS_AS(arc, n)->end - VS_AS(arc, n)->start);
+        if (vs_measure_even(&placed, &k)) m->length = k * angle * (n->kind == VS_CIRCLE ? VS_AS(circle, n)->radius : VS_AS(arc, n)->radius);
+      }
+      return true;
+    }
+    case VS_REGION: {
+      if (!vs_measure_region(whole, m, e)) return false;
+      double k;
+      if (n->child_count == 1 && n->children[0].node->kind == VS_CIRCLE && vs_measure_even(&placed, &k)) {
+        double r = k * VS_AS(circle, n->children[0].node)->radius;
+        m->area = pi * r * r;
+      }
+      return true;
+    }
+    case VS_BOX: {
+      vs_vec3 d = vs_v3_sub(VS_AS(box, n)->q, VS_AS(box, n)->p);
+      m->volume = d.x * d.y * d.z;
+      m->area = 2 * (d.x * d.y + d.y * d.z + d.z * d.x);
+      m->centroid = vs_v3_add(VS_AS(box, n)->p, vs_v3_scale(d, 0.5));
+      break;
+    }
+    case VS_WEDGE: {
+      vs_vec3 d = vs_v3_sub(VS_AS(wedge, n)->q, VS_AS(wedge, n)->p);
+      m->volume = d.x * d.y * d.z / 2;
+      m->area = d.x * d.y + d.y * d.z + d.z * d.x + d.y * hypot(d.x, d.z);
+      m->centroid = vs_v3_add(VS_AS(wedge, n)->p, vs_v3(d.x / 3, d.y / 2, d.z / 3));
+      break;
+    }
+    case VS_SPHERE: {
+      double r = VS_AS(sphere, n)->radius;
+      m->volume = 4 * pi / 3 * r * r * r;
+      m->area = 4 * pi * r * r;
+      m->centroid = VS_AS(sphere, n)->center;
+      break;
+    }
+    case VS_TORUS: {
+      double r = VS_AS(torus, n)->radius, t = VS_AS(torus, n)->tube_radius;
+      m->volume = 2 * pi * pi * r * t * t;
+      m->area = 4 * pi * pi * r * t;
+      if (t > r) { /* what lies beyond the axis, turned round it */
+        double a = acos(-r / t), s = sin(a);
+        m->volume = 2 * pi * (r * t * t * (a - s * cos(a)) + 2.0 / 3 * t * t * t * s * s * s);
+        m->area = 4 * pi * t * (r * a + t * s);
+      }
+      m->centroid = VS_AS(torus, n)->center;
+      break;
+    }
+    case VS_CYLINDER: vs_measure_frustum(m, VS_AS(cylinder, n)->base, VS_AS(cylinder, n)->radius, VS_AS(cylinder, n)->top, VS_AS(cylinder, n)->radius); break;
+    case VS_CONE: vs_measure_frustum(m, VS_AS(cone, n)->base, VS_AS(cone, n)->radius, VS_AS(cone, n)->apex, 0); break;
+    case VS_CUT_CONE:
+      vs_measure_frustum(m, VS_AS(cut_cone, n)->base, VS_AS(cut_cone, n)->base_radius, VS_AS(cut_cone, n)->top, VS_AS(cut_cone, n)->top_radius);
+      break;
+    case VS_PYRAMID: vs_measure_pyramid(m, VS_AS(pyramid, n)); break;
+    case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION:
+    case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
+      *m = (vs_measure){ 0 };
+      return true;
+  }
+  double k;
+  m->volume *= fabs(vs_affine_determinant(&placed));
+  m->area_known = vs_measure_even(&placed, &k);
+  m->area *= m->area_known ? k * k : 0;
+  m->centroid = vs_affine_point(&placed, m->centroid);
+  return true;
+}
+
+void vs_mesh_measure(const vs_mesh *mesh, vs_measure *out) {
+  *out = (vs_measure){ .known = true, .area_known = true, .volume = vs_mesh_volume(mesh), .area = vs_mesh_area(mesh) };
+  if (!mesh->triangle_count) return;
+  vs_vec3 o = mesh->vertices[mesh->triangles[0][0]], sum = { 0, 0, 0 };
+  double six = 0;
+  for (size_t i = 0; i < mesh->triangle_count; i++) {
+    vs_vec3 p[3];
+    for (int k = 0; k < 3; k++) p[k] = vs_v3_sub(mesh->vertices[mesh->triangles[i][k]], o);
+    double v = vs_v3_dot(p[0], vs_v3_cross(p[1], p[2]));
+    six += v;
+    sum = vs_v3_add(sum, vs_v3_scale(vs_v3_add(vs_v3_add(p[0], p[1]), p[2]), v / 4));
+  }
+  out->centroid = six != 0 ? vs_v3_add(o, vs_v3_scale(sum, 1 / six)) : o;
+}
