@@ -110,7 +110,7 @@ static vs_status tail_run(vs *vm, vs_value forms, vs_value env, bool tell) {
   VS_ROOTS(vm, r, 3);
   vs_value procedure;
   r[0] = forms; r[1] = env; r[2] = vs_bool(tell);
-  return core_value(vm, "%run", &procedure) && vs_tailcall(vm, procedure, 3, r);
+  return core_value(vm, "%run", &procedure) ? vs_tailcall(vm, procedure, 3, r) : VS_ERROR;
 }
 
 static vs_status eval(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -118,7 +118,7 @@ static vs_status eval(vs *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   vs_value env = n > 1 ? a[1] : vm->at.program;
   if (!vs_is(env, VS_T_ENVIRONMENT)) return vs_fail_type(vm, 1, "an environment", env);
-  return vs_cons(vm, a[0], VS_NIL, &r[0]) && tail_run(vm, r[0], n > 1 ? a[1] : vm->at.program, false);
+  return vs_cons(vm, a[0], VS_NIL, &r[0]) ? tail_run(vm, r[0], n > 1 ? a[1] : vm->at.program, false) : VS_ERROR;
 }
 
 static vs_status interaction(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -160,7 +160,7 @@ static vs_status er_transformer(vs *vm, vs_value *a, int n, vs_value *out) {
 static vs_status eval_transformer(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n; (void)out;
   VS_ROOTS(vm, r, 1);
-  return vs_cons(vm, a[0], VS_NIL, &r[0]) && tail_run(vm, r[0], a[1], false);
+  return vs_cons(vm, a[0], VS_NIL, &r[0]) ? tail_run(vm, r[0], a[1], false) : VS_ERROR;
 }
 
 /* (%rename table env id): table is a list with one element, an association list from id to alias */
@@ -251,7 +251,7 @@ static vs_status load_path(vs *vm, vs_value name, uint32_t from, vs_value env, b
   vs_text_open(vm, &path, 0);
   bool ok = vs_unit_path(vm, name, from, &path) && vs_text_end(&path) && vs_unit_read(vm, path.at, &r[0]);
   vs_text_close(&path);
-  return ok && tail_run(vm, r[0], r[1], tell);
+  return ok ? tail_run(vm, r[0], r[1], tell) : VS_ERROR;
 }
 
 static vs_status load(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -264,7 +264,7 @@ static vs_status load(vs *vm, vs_value *a, int n, vs_value *out) {
 static vs_status load_library(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n; (void)out;
   VS_ROOTS(vm, r, 1);
-  return vs_program_new(vm, &r[0]) && load_path(vm, a[0], 0, r[0], false);
+  return vs_program_new(vm, &r[0]) ? load_path(vm, a[0], 0, r[0], false) : VS_ERROR;
 }
 
 static vs_status register_library(vs *vm, vs_value *a, int n, vs_value *out) {
