@@ -376,6 +376,7 @@ bool vs_expansion_begin(vs_expansion *x, vs_value form, vs_value env, vs_pos pos
 }
 
 vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value) {
+  x->vm->native = NULL;      /* errors are the program's, not those of the native that runs this */
   while (x->count) {
     x->now = x->tasks[--x->count];
     bool ok = true;
@@ -393,7 +394,13 @@ vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value) {
     case VS_TASK_CASE: ok = vs_case_step(x); break;
     }
     if (x->now.waiting) return push_task(x, &x->now) ? VS_EXPAND_CALL : VS_EXPAND_ERROR;
-    if (!ok) { x->count = 0; x->now = no_task; return VS_EXPAND_ERROR; }
+    if (!ok) {
+      vs_value c = x->vm->condition;      /* what was not raised as a syntax error: a file that is not there */
+      if (vs_is(c, VS_T_CONDITION) && !vs_as_condition(c)->place) vs_as_condition(c)->place = x->now.pos;
+      x->count = 0;
+      x->now = no_task;
+      return VS_EXPAND_ERROR;
+    }
   }
   x->now = no_task;
   return x->result;

@@ -3,6 +3,7 @@
    Registers of the machine are C locals: base (the frame's registers), pc, k (its constants). Whatever can allocate or fail is given
    them first: SAVE. After anything that can allocate, values are read again from registers; code and constants do not move. */
 #include "vm/run.h"
+#include "vm/unit.h"
 
 #include <stdio.h>
 
@@ -48,7 +49,12 @@ bool vs_poll(vs *vm, uint64_t work) {
 
 /* ---- the cases that the loop hands out ---- */
 static bool fail_undefined(vs *vm, vs_value name) {
-  return vs_fail(vm, vm->sym.unbound, "%s is not defined", vs_is_symbol(name) ? vs_as_symbol(name)->name : "a variable");
+  vs_text advice;                       /* words of other languages, near names */
+  vs_text_open(vm, &advice, 300);
+  bool ok = vs_suggest(vm, vm->at.program, name, &advice) && vs_text_end(&advice) &&
+            vs_fail(vm, vm->sym.unbound, "%s is not defined%s", vs_is_symbol(name) ? vs_as_symbol(name)->name : "a variable", advice.at);
+  vs_text_close(&advice);
+  return ok;
 }
 
 static bool fail_early(vs *vm, vs_value name) {

@@ -48,6 +48,7 @@ static vs_status run(vs *vm, vs_value *a, int n, vs_value *out) {
       if (!vs_is_pair(a[RUN_FORMS])) break;
       vs_pos pos = vs_element_pos(a[RUN_FORMS], false, 0);
       a[RUN_PLACE] = vs_fix((int64_t)pos);
+      vm->top_place = pos;
       if (!vs_expansion_begin(x, vs_car(a[RUN_FORMS]), a[RUN_ENV], pos)) return VS_ERROR;
       a[RUN_SERIAL] = vs_fix(x->serial);
     }
@@ -414,7 +415,12 @@ static bool run_forms(vs *vm, vs_value forms, vs_value env, bool tell, vs_value 
   VS_ROOTS(vm, r, 4);
   vs_value procedure;
   r[0] = forms; r[1] = env; r[2] = vs_bool(tell);
-  return core_value(vm, "%run", &procedure) && vs_run(vm, procedure, 3, r, last ? last : &r[3]);
+  vm->top_place = 0;
+  if (!core_value(vm, "%run", &procedure)) return false;
+  if (vs_run(vm, procedure, 3, r, last ? last : &r[3])) return true;
+  vs_value c = vm->condition;           /* tail calls may have left no place: then it is the top-level form's */
+  if (vs_is(c, VS_T_CONDITION) && c != vm->at.no_memory && !vs_as_condition(c)->place) vs_as_condition(c)->place = vm->top_place;
+  return false;
 }
 
 bool vs_library_load(vs *vm, const char *name, const char *text, size_t size) {

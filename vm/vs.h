@@ -105,6 +105,7 @@ struct vs {
   /* expander */
   uint64_t aliases;                /* renamed identifiers made: their hash */
   int64_t expansions;              /* top-level forms expanded */
+  uint64_t top_place;              /* vs_pos of the top-level form begun last */
 
   void *host;                      /* the embedder's own context */
   vs_config config;
