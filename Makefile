@@ -50,12 +50,29 @@ $(BUILD)/obj/assets.o: $(BUILD)/assets.s
 	@mkdir -p $(@D)
 	$(CC) -c $< -o $@
 
-$(BUILD)/libvisualscheme.a: $(LIB_OBJ)
+# The heap image: a stage-0 interpreter, made of the same objects, loads the language's own sources and writes down what it then holds.
+LIBRARY   = prelude.scm $(wildcard bind/*.scm)
+STAGE0    = $(filter-out $(BUILD)/obj/visualscheme.o,$(LIB_OBJ)) $(BUILD)/obj/scripts/stage0.o
+
+$(BUILD)/stage0: $(STAGE0)
+	$(CC) $(CFLAGS) -o $@ $(STAGE0) $(LDFLAGS) $(LDLIBS)
+
+$(BUILD)/library.img: $(BUILD)/stage0 $(LIBRARY)
+	$(BUILD)/stage0 $@ $(LIBRARY)
+
+$(BUILD)/library_image.c: $(BUILD)/library.img
+	@printf '#include "vm/image.h"\n__asm__(".section .rodata\\n.balign 16\\nvs_library_words:\\n.incbin \\"$<\\"\\n.previous");\nextern const uint64_t vs_library_words[] __attribute__((visibility("hidden")));\nextern const vs_image vs_library_image;\nconst vs_image vs_library_image = { vs_library_words, %d };\n' $$(($$(wc -c < $<) / 8)) > $@
+
+$(BUILD)/obj/library_image.o: $(BUILD)/library_image.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -c $< -o $@
+
+$(BUILD)/libvisualscheme.a: $(LIB_OBJ) $(BUILD)/obj/library_image.o
 	@mkdir -p $(@D); rm -f $@
 	ar rcs $@ $^
 
-$(BUILD)/libvisualscheme.so: $(LIB_OBJ) visualscheme.map
-	$(CC) $(CFLAGS) -shared -Wl,-soname,libvisualscheme.so.0 -Wl,--version-script=visualscheme.map -Wl,--no-undefined -o $@ $(LIB_OBJ) $(LDFLAGS) $(LDLIBS)
+$(BUILD)/libvisualscheme.so: $(LIB_OBJ) $(BUILD)/obj/library_image.o visualscheme.map
+	$(CC) $(CFLAGS) -shared -Wl,-soname,libvisualscheme.so.0 -Wl,--version-script=visualscheme.map -Wl,--no-undefined -o $@ $(LIB_OBJ) $(BUILD)/obj/library_image.o $(LDFLAGS) $(LDLIBS)
 
 $(BUILD)/vs: $(CLI_OBJ) $(BUILD)/libvisualscheme.a
 	$(CC) $(CFLAGS) -o $@ $(CLI_OBJ) $(BUILD)/libvisualscheme.a $(LDFLAGS) $(CLI_LIBS) $(LDLIBS)
@@ -126,4 +143,4 @@ help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
 
 .PHONY: all demo test units check quick asan ubsan stress layers bless bench install clean help
--include $(OBJECTS:.o=.d) $(UNIT_BIN:=.d)
+-include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)
