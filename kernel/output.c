@@ -170,7 +170,7 @@ static bool write(writer *w, vs_mesh *out) {
     t->sides.count = 0;
     for (uint32_t i = w->first.at[f]; i < w->first.at[f + 1]; i++)
       if (!VS_PUSH(w->k, t->sides, w->sides.at[w->by_face.at[i]])) return false;
-    if (!vs_triangulate(w->k, t, &c->points, &c->planes.all.at[face->plane])) return false;
+    if (!vs_plane_triangulate(w->k, t, &c->points, &c->planes.all.at[face->plane])) return false;
     for (size_t i = 0; i < t->triangles.count; i++)
       if (!triangle(w, out, t->triangles.at[i], turned, face->tag)) return false;
     if (!vs_kernel_poll(w->k, 0.9)) return false;

@@ -135,7 +135,7 @@ static int boundary_order(const void *a, const void *b) {
   return x->inside < y->inside ? -1 : x->inside > y->inside;
 }
 
-bool vs_triangulate(vs_kernel *k, vs_triangulation *t, const vs_points_table *points, const vs_plane *plane) {
+bool vs_plane_triangulate(vs_kernel *k, vs_triangulation *t, const vs_points_table *points, const vs_plane *plane) {
   cutter c = { k, t };
   size_t n = t->sides.count;
   t->triangles.count = t->nodes.count = t->boundary.count = t->sweep.edges.count = 0;

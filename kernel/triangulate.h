@@ -20,7 +20,7 @@ typedef struct {
   VS_LIST(vs_chain) chains;            /* of the interval above each edge */
 } vs_triangulation;
 
-bool vs_triangulate(vs_kernel *k, vs_triangulation *t, const vs_points_table *points, const vs_plane *plane);
+bool vs_plane_triangulate(vs_kernel *k, vs_triangulation *t, const vs_points_table *points, const vs_plane *plane);
 void vs_triangulation_free(vs_kernel *k, vs_triangulation *t);
 
 #endif
