@@ -1,0 +1,45 @@
+; R7RS 6.11 and 4.2.7: exceptions
+(load "lib/check.vs")
+
+(check (call/cc (lambda (k) (with-exception-handler (lambda (e) (k (list 'caught e))) (lambda () (+ 1 (raise 'an-error)))))) => (caught an-error))
+(check (with-exception-handler
+        (lambda (con) (cond ((string? con) 42) (else 7)))
+        (lambda () (+ (raise-continuable "should be a number") 23))) => 65)
+(check (with-exception-handler (lambda (e) 10) (lambda () (+ 1 (raise-continuable 'c)))) => 11)
+(check-error (with-exception-handler (lambda (e) 'ignored) (lambda () (+ 1 (raise 'oops)))))
+(check (guard (condition ((assq 'a condition) => cdr) ((assq 'b condition))) (raise (list (cons 'a 42)))) => 42)
+(check (guard (condition ((assq 'a condition) => cdr) ((assq 'b condition))) (raise (list (cons 'b 23)))) => (b . 23))
+(check (guard (e (#t 'any)) (car 5)) => any)
+(check (guard (e ((symbol? e) (list 'sym e)) ((string? e) (list 'str e))) (raise 'boom)) => (sym boom))
+(check (guard (e ((string? e) 'outer)) (guard (e2 ((number? e2) 'inner)) (raise "s"))) => outer)
+(check (guard (e (else (list 'else e))) (raise 1)) => (else 1))
+(check (guard (e (#f 'never)) 'fine) => fine)
+(check (guard (e (else 'x)) (values 1) 2) => 2)
+(check (guard (e ((error-object? e) (list (error-object-message e) (error-object-irritants e)))) (error "bad thing:" 1 "two" 'three)) => ("bad thing:" (1 "two" three)))
+(check (error-object? 5) => #f)
+(check (guard (e (#t (error-object? e))) (car 5)) => #t)
+(check (guard (e (#t (error-object? e))) (vector-ref (vector 1 2) 9)) => #t)
+(check (guard (e (#t (string? (error-object-message e)))) (undefined-variable-here)) => #t)
+(check (guard (e ((read-error? e) 'read)) (read (open-input-string "(1 2"))) => read)
+(check (guard (e ((read-error? e) 'read)) (read (open-input-string ")"))) => read)
+(check (guard (e ((file-error? e) 'file)) (open-input-file "/no/such/file")) => file)
+(check (guard (e (#t (list (file-error? e) (read-error? e)))) (raise 'x)) => (#f #f))
+; the handler runs in the outer handler's reach; after-thunks run on the way to guard
+(check (let ((trace '()))
+         (guard (e (#t (set! trace (cons 'guarded trace))))
+           (dynamic-wind (lambda () (set! trace (cons 'in trace))) (lambda () (raise 'x)) (lambda () (set! trace (cons 'out trace)))))
+         (reverse trace)) => (in out guarded))
+; a guard that no clause takes raises again, in the raise's own dynamic extent
+(check (with-exception-handler (lambda (e) 42) (lambda () (+ 1 (guard (e2 (#f 'no)) (raise-continuable 'c))))) => 43)
+(check (call/cc (lambda (k) (with-exception-handler (lambda (e) (k (list 'first e))) (lambda () (with-exception-handler (lambda (e) (raise (list 'second e))) (lambda () (raise 'a))))))) => (first (second a)))
+(check (guard (e ((string? e) e)) (guard (e ((number? e) e)) (raise "deep"))) => "deep")
+(check (let loop ((i 0)) (if (= i 10000) 'done (begin (guard (e (#t 'ok)) (raise i)) (loop (+ i 1))))) => done)
+(check (guard (e (#t 'caught)) (with-exception-handler (lambda (e) (raise 'other)) (lambda () (error "x")))) => caught)
+(check (guard (e ((symbol? e) e)) (parameterize () (raise 'through-parameterize))) => through-parameterize)
+(check (let ((p (make-parameter 1))) (guard (e (#t (p))) (parameterize ((p 2)) (raise 'x)))) => 1)
+; PLT's error
+(check (guard (e (#t (error-object-message e))) (error 'my-proc "bad value ~s" 5)) => "my-proc: bad value 5")
+(check (guard (e (#t (error-object? e))) (assert (= 1 2))) => #t)
+
+(checked)
+; expect: all hold: 31
