@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "backends/backend.h"
+#include "kernel/solid.h"
 
 void vs_solid_mesh_free(vs_solid_mesh *s) {
   vs_mesh_free(&s->mesh);
@@ -80,9 +81,21 @@ bool vs_lower_is_round(const vs_node *n) {
   return false;
 }
 
+static bool progress(void *context, double done) { return vs_emit_progress(context, "meshing", done); }
+
+/* The kernel's answer for the union of refs. */
+static bool lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_solid_mesh *out, vs_error *why) {
+  vs_kernel_options options = { .progress = progress, .context = e };
+  vs_solid solid;
+  if (!vs_solid_evaluate(refs, count, &e->facets, &options, &solid, why)) return false;
+  *out = (vs_solid_mesh){ solid.mesh, solid.parts, solid.part_count };
+  return true;
+}
+
 bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid_mesh *out) {
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  if (vs_tessellate(ref->node, &e->facets, &out->mesh, &why)) return true;
+  bool boolean = ref->node->kind == VS_UNION || ref->node->kind == VS_INTERSECTION || ref->node->kind == VS_DIFFERENCE;
+  if (boolean ? lower_solids(e, ref, 1, out, &why) : vs_tessellate(ref->node, &e->facets, &out->mesh, &why)) return true;
   if (e->error != NULL) {
     *e->error = why;
     if (why.origin == NULL && why.kind == VS_ERROR_MODEL) e->error->origin = ref->origin;
@@ -91,6 +104,8 @@ bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid_mesh *out) {
 }
 
 bool vs_lower_scene(vs_emitter *e, vs_solid_mesh *out) {
-  (void)out;
-  return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "meshes of whole drawings are not there yet");
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
+  if (lower_solids(e, e->scene->drawn, e->scene->drawn_count, out, &why)) return true;
+  if (e->error != NULL) *e->error = why;
+  return false;
 }

@@ -28,6 +28,9 @@ typedef struct {
   struct { uint32_t cell, next, face; } *stack;
   size_t stack_room;
   VS_LIST(vs_cover) found;  /* windings that the line found */
+  VS_LIST(uint32_t) active; /* leaves we are in; place: of a leaf in it */
+  VS_LIST(uint32_t) place;
+  VS_LIST(uint32_t) owner;  /* of a cell inside the result: the earliest leaf that is not taken off there */
   uint32_t cells;
   /* the line */
   uint32_t face;
@@ -272,12 +275,36 @@ static uint64_t leaf_key(uint32_t leaf) {
   return (h ^ h >> 27) | 1;
 }
 
+static bool turn_leaf(walk *w, uint32_t leaf, int32_t delta) {
+  bool before = w->e->winding.at[leaf] > 0;
+  if (!vs_expression_add(w->k, w->e, leaf, delta)) return false;
+  bool now = w->e->winding.at[leaf] > 0;
+  if (before == now || w->e->taken_off.at[leaf]) return true;
+  if (now) {
+    w->place.at[leaf] = (uint32_t)w->active.count;
+    return VS_PUSH(w->k, w->active, leaf);
+  }
+  uint32_t last = w->active.at[--w->active.count];
+  w->active.at[w->place.at[leaf]] = last;
+  w->place.at[last] = w->place.at[leaf];
+  return true;
+}
+
+static void arrive(walk *w, uint32_t cell, uint64_t sum) {
+  bool inside = vs_expression_value(w->e);
+  w->sum.at[cell] = sum;
+  w->state.at[cell] = (uint8_t)(3 | (inside ? 4 : 0));
+  w->owner.at[cell] = VS_NONE;
+  for (size_t i = 0; inside && i < w->active.count; i++)
+    if (w->active.at[i] < w->owner.at[cell]) w->owner.at[cell] = w->active.at[i];
+}
+
 static bool pass(walk *w, uint32_t face, int32_t sign, uint64_t *sum) { /* sign 1: from + to - */
   const vs_face *f = &w->c->faces.at[face];
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
     *sum += leaf_key(cover.leaf) * (uint64_t)(int64_t)(sign * cover.delta);
-    if (!vs_expression_add(w->k, w->e, cover.leaf, sign * cover.delta)) return false;
+    if (!turn_leaf(w, cover.leaf, sign * cover.delta)) return false;
   }
   return true;
 }
@@ -286,15 +313,14 @@ static bool walk_from(walk *w, uint32_t cell) {
   uint64_t sum = 0;
   for (size_t i = 0; i < w->found.count; i++) {
     sum += leaf_key(w->found.at[i].leaf) * (uint64_t)(int64_t)w->found.at[i].delta;
-    if (!vs_expression_add(w->k, w->e, w->found.at[i].leaf, w->found.at[i].delta)) return false;
+    if (!turn_leaf(w, w->found.at[i].leaf, w->found.at[i].delta)) return false;
   }
   size_t depth = 0;
   if (!VS_ROOM(w->k, w->stack, w->stack_room, 1)) return false;
   w->stack[depth].cell = cell;
   w->stack[depth].face = VS_NONE;
   w->stack[depth++].next = w->first.at[cell];
-  w->sum.at[cell] = sum;
-  w->state.at[cell] = (uint8_t)(3 | (vs_expression_value(w->e) ? 4 : 0));
+  arrive(w, cell, sum);
   while (depth) {
     uint32_t here = w->stack[depth - 1].cell;
     if (w->stack[depth - 1].next == w->first.at[here + 1]) {
@@ -312,8 +338,7 @@ static bool walk_from(walk *w, uint32_t cell) {
       if (!pass(w, face, plus == here ? -1 : 1, &sum)) return false;
       continue;
     }
-    w->sum.at[other] = sum;
-    w->state.at[other] = (uint8_t)(3 | (vs_expression_value(w->e) ? 4 : 0));
+    arrive(w, other, sum);
     if (!VS_ROOM(w->k, w->stack, w->stack_room, depth + 1)) return false;
     w->stack[depth].cell = other;
     w->stack[depth].face = face;
@@ -321,7 +346,7 @@ static bool walk_from(walk *w, uint32_t cell) {
     if (!vs_kernel_poll(w->k, 0.8)) return false;
   }
   for (size_t i = 0; i < w->found.count; i++)
-    if (!vs_expression_add(w->k, w->e, w->found.at[i].leaf, -w->found.at[i].delta)) return false;
+    if (!turn_leaf(w, w->found.at[i].leaf, -w->found.at[i].delta)) return false;
   return true;
 }
 
@@ -370,14 +395,17 @@ static bool walk_component(walk *w, uint32_t start) {
 
 bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   walk w = { .k = k, .c = c, .e = e };
-  bool ok = make_cells(&w);
+  bool ok = make_cells(&w) && VS_ROOM(k, w.place.at, w.place.room, (size_t)c->problem->leaf_count + 1) &&
+            VS_ROOM(k, w.owner.at, w.owner.room, (size_t)w.cells + 1);
   for (uint32_t i = 0; ok && i < w.cells; i++)
     if (w.state.at[i] == 0) ok = walk_component(&w, i);
   ok = ok && VS_ROOM(k, c->kept.at, c->kept.room, c->faces.count + 1);
   for (uint32_t f = 0; ok && f < c->faces.count; f++) {
     bool plus = w.state.at[w.side.at[2 * f]] & 4, minus = w.state.at[w.side.at[2 * f + 1]] & 4;
     c->kept.at[f] = plus == minus ? 0 : plus ? 2 : 1;
-    c->faces.at[f].tag = c->problem->leaves[c->covers.at[c->faces.at[f].cover].leaf].tag; /* the earliest leaf's */
+    uint32_t leaf = c->covers.at[c->faces.at[f].cover].leaf, owner = w.owner.at[w.side.at[2 * f + minus]]; /* the earliest has it */
+    if (c->problem->leaves[leaf].bare && e->taken_off.at[leaf] && c->kept.at[f] && owner != VS_NONE) leaf = owner;
+    c->faces.at[f].tag = c->problem->leaves[leaf].tag;
   }
   VS_DROP(k, w.order);
   VS_DROP(k, w.scratch);
@@ -391,5 +419,8 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   VS_DROP(k, w.queue);
   VS_FREE(k, w.stack, w.stack_room);
   VS_DROP(k, w.found);
+  VS_DROP(k, w.active);
+  VS_DROP(k, w.place);
+  VS_DROP(k, w.owner);
   return ok;
 }

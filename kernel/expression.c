@@ -46,7 +46,8 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
             VS_ROOM(k, e->positive.at, e->positive.room, (size_t)n + 1) && VS_ROOM(k, e->negative.at, e->negative.room, (size_t)n + 1) &&
             VS_ROOM(k, e->user_first.at, e->user_first.room, (size_t)n + 2) && VS_ROOM(k, b.uses.at, b.uses.room, (size_t)n + 1) &&
             VS_ROOM(k, b.live.at, b.live.room, (size_t)n + 1) && VS_ROOM(k, e->winding.at, e->winding.room, (size_t)p->leaf_count + 1) &&
-            VS_ROOM(k, e->leaf_first.at, e->leaf_first.room, (size_t)p->leaf_count + 2) && VS_ROOM(k, e->leaf_terms.at, e->leaf_terms.room, (size_t)n + 1);
+            VS_ROOM(k, e->leaf_first.at, e->leaf_first.room, (size_t)p->leaf_count + 2) && VS_ROOM(k, e->leaf_terms.at, e->leaf_terms.room, (size_t)n + 1) &&
+            VS_ROOM(k, e->taken_off.at, e->taken_off.room, (size_t)p->leaf_count + 1);
   if (ok) {
     for (uint32_t i = 0; i < n; i++) {
       e->kind.at[i] = (uint8_t)p->terms[i].kind;
@@ -79,6 +80,11 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
       if (b.live.at[i] && p->terms[i].kind == VS_TERM_LEAF) e->leaf_terms.at[--e->leaf_first.at[p->terms[i].first + 1]] = i;
     for (uint32_t i = 0; i < p->leaf_count; i++) e->leaf_first.at[i] = e->leaf_first.at[i + 1];
     e->leaf_first.at[p->leaf_count] = live;
+    for (uint32_t i = n; i-- > 0;) { /* users first: `uses` becomes whether the term is taken off, as its first user has it */
+      uint32_t first = e->user_first.at[i];
+      b.uses.at[i] = first < e->user_first.at[i + 1] ? b.uses.at[e->users.at[first] / 2] ^ (e->users.at[first] & 1) : 0;
+      if (p->terms[i].kind == VS_TERM_LEAF) e->taken_off.at[p->terms[i].first] = (uint8_t)b.uses.at[i];
+    }
   } else {
     ok = false;
   }
@@ -136,5 +142,6 @@ void vs_expression_free(vs_kernel *k, vs_expression *e) {
   VS_DROP(k, e->winding);
   VS_DROP(k, e->leaf_first);
   VS_DROP(k, e->leaf_terms);
+  VS_DROP(k, e->taken_off);
   VS_DROP(k, e->stack);
 }

@@ -16,6 +16,7 @@ typedef struct {
   VS_LIST(uint32_t) users;    /* term * 2 + 1 where it is taken off there */
   VS_LIST(int32_t) winding;   /* of each leaf */
   VS_LIST(uint32_t) leaf_first, leaf_terms; /* the terms that are the leaf */
+  VS_LIST(uint8_t) taken_off; /* of each leaf: 1 where it makes the result smaller */
   VS_LIST(uint32_t) stack;
   uint32_t root;
 } vs_expression;

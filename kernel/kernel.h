@@ -11,6 +11,7 @@ typedef struct {
   const vs_mesh *mesh;  /* closed, counter-clockwise seen from outside; may be shared by leaves; may cross itself (overlaps count as inside) */
   vs_affine placement;
   uint32_t tag;         /* the result's triangles carry it; coplanar faces of equal tag are merged */
+  bool bare;            /* where it is taken off something, the faces it makes have that thing's tag instead of its own */
 } vs_kernel_leaf;
 
 typedef enum { VS_TERM_LEAF, VS_TERM_UNION, VS_TERM_INTERSECTION, VS_TERM_DIFFERENCE /* the first less all others */ } vs_term_kind;

@@ -122,7 +122,7 @@ static uint32_t leaf(reader *r, const frame *f, const vs_affine *at) {
     p->meshes[p->mesh_count++] = mesh;
   }
   p->leaves = more(p->leaves, &p->leaf_room, p->problem.leaf_count + 1u, sizeof *p->leaves);
-  p->leaves[p->problem.leaf_count] = (vs_kernel_leaf){ mesh, *at, 0 };
+  p->leaves[p->problem.leaf_count] = (vs_kernel_leaf){ mesh, *at, 0, false };
   uint32_t term = add_term(p, VS_TERM_LEAF, NULL, 0);
   p->terms[term].first = p->problem.leaf_count++;
   return term;

@@ -1,0 +1,204 @@
+/* Owns the walk over a model's nodes that turns them into a kernel problem.
+ *
+ * Every path of the DAG gives its own leaves and terms; a mesh is made once per distinct primitive (equal by value, at equal facets). The
+ * walk keeps its own stack: a model may be hundreds of thousands deep. */
+#include "kernel/solid.h"
+
+#include <stdlib.h>
+
+#include "kernel/memory.h"
+
+enum { BUCKETS = 4096 };
+
+typedef struct { vs_affine placement; const vs_material *material; size_t first; /* of its operands in `pending` */ } level;
+typedef struct { const vs_node *node; vs_facets facets; vs_mesh *mesh; size_t next; /* one more; 0: none */ } meshed;
+
+typedef struct {
+  vs_kernel k;
+  const vs_facets *facets;
+  vs_error *error;
+  VS_LIST(vs_kernel_leaf) leaves;
+  VS_LIST(const vs_origin *) origins; /* of the leaves */
+  VS_LIST(vs_kernel_term) terms;
+  VS_LIST(uint32_t) operands;
+  VS_LIST(uint32_t) pending;          /* terms that wait for their operation */
+  VS_LIST(level) levels;              /* of the nodes the walk is in */
+  VS_LIST(meshed) meshes;
+  VS_LIST(const vs_material *) parts;
+  size_t buckets[BUCKETS];            /* of meshes by hash; one more */
+} builder;
+
+static bool full(builder *b) {
+  return vs_kernel_fail(&b->k, VS_KERNEL_LIMIT, 0, "the model has too many parts to mesh");
+}
+
+static bool add_term(builder *b, vs_term_kind kind, uint32_t first, size_t count) {
+  if (b->terms.count >= INT32_MAX) return full(b);
+  return VS_PUSH(&b->k, b->terms, ((vs_kernel_term){ kind, first, (uint32_t)count })) && VS_PUSH(&b->k, b->pending, (uint32_t)b->terms.count - 1);
+}
+
+/* Makes the pending terms from `first` on the operands of a new one, which then is pending itself. */
+static bool close_term(builder *b, vs_term_kind kind, size_t first) {
+  size_t count = b->pending.count - first, at = b->operands.count;
+  if (at + count >= UINT32_MAX) return full(b);
+  for (size_t i = 0; i < count; i++)
+    if (!VS_PUSH(&b->k, b->operands, b->pending.at[first + i])) return false;
+  b->pending.count = first;
+  return add_term(b, kind, (uint32_t)at, count);
+}
+
+static bool part_of(builder *b, const vs_material *m, uint32_t *tag) {
+  for (size_t i = b->parts.count; i-- > 0;)
+    if (b->parts.at[i] == m) {
+      *tag = (uint32_t)i;
+      return true;
+    }
+  *tag = (uint32_t)b->parts.count;
+  return VS_PUSH(&b->k, b->parts, m);
+}
+
+static bool mesh_of(builder *b, const vs_ref *ref, const vs_facets *facets, vs_mesh **mesh) {
+  size_t *bucket = &b->buckets[(ref->node->hash ^ ref->node->hash >> 32) % BUCKETS];
+  for (size_t i = *bucket; i; i = b->meshes.at[i - 1].next) {
+    const meshed *m = &b->meshes.at[i - 1];
+    if (m->facets.tolerance != facets->tolerance || m->facets.segments != facets->segments) continue;
+    bool sure = true;
+    if (m->node != ref->node && (m->node->hash != ref->node->hash || !vs_node_equal(m->node, ref->node, &sure))) {
+      if (!sure) return vs_error_memory(b->error, NULL);
+      continue;
+    }
+    *mesh = m->mesh;
+    return true;
+  }
+  *mesh = calloc(1, sizeof **mesh);
+  if (!*mesh) return vs_error_memory(b->error, NULL);
+  if (!VS_PUSH(&b->k, b->meshes, ((meshed){ ref->node, *facets, *mesh, *bucket }))) {
+    free(*mesh);
+    return false;
+  }
+  *bucket = b->meshes.count;
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
+  if (vs_tessellate(ref->node, facets, *mesh, &why)) return true;
+  if (!why.origin) why.origin = ref->origin;
+  if (b->error) *b->error = why;
+  return false;
+}
+
+static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
+  vs_facets facets = vs_facets_placed(b->facets, &at->placement);
+  vs_kernel_leaf leaf = { NULL, at->placement, 0, at->material == NULL };
+  vs_mesh *mesh;
+  if (b->leaves.count >= UINT32_MAX) return full(b);
+  if (!mesh_of(b, ref, &facets, &mesh) || !part_of(b, at->material, &leaf.tag)) return false;
+  leaf.mesh = mesh;
+  return VS_PUSH(&b->k, b->leaves, leaf) && VS_PUSH(&b->k, b->origins, ref->origin) && add_term(b, VS_TERM_LEAF, (uint32_t)b->leaves.count - 1, 0);
+}
+
+typedef enum { PLAIN, PLACED, JOINED } role; /* a primitive; one child seen in another way; an operation on many */
+
+static role role_of(const vs_node *n) {
+  switch ((vs_kind)n->kind) {
+  case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: return PLACED;
+  case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return JOINED;
+  case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
+  case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
+  case VS_THICKEN: case VS_KIND_COUNT: break;
+  }
+  return PLAIN;
+}
+
+static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
+  const vs_node *n = ref->node;
+  level now = { vs_affine_identity(), NULL, b->pending.count };
+  if (b->levels.count) {
+    const level *up = &b->levels.at[b->levels.count - 1];
+    now.placement = up->placement;
+    now.material = up->material;
+  }
+  if (n->kind == VS_TRANSFORM) now.placement = vs_affine_multiply(&now.placement, &VS_AS(transform, n)->matrix);
+  if (n->kind == VS_MATERIAL) now.material = VS_AS(material, n)->material;
+  if (!VS_PUSH(&b->k, b->levels, now)) return false;
+  bool solid = n->class_ == VS_SOLID || n->class_ == VS_MIXED;
+  if (solid && role_of(n) != PLAIN) return true;
+  vs_walk_skip(walk);
+  return solid ? add_leaf(b, ref, &now) : add_term(b, VS_TERM_UNION, 0, 0); /* no solid: as an operand, nothing */
+}
+
+static bool leave(builder *b, const vs_ref *ref) {
+  const vs_node *n = ref->node;
+  size_t first = b->levels.at[--b->levels.count].first;
+  if (role_of(n) != JOINED || !(n->class_ == VS_SOLID || n->class_ == VS_MIXED)) return true;
+  return close_term(b, n->kind == VS_UNION ? VS_TERM_UNION : n->kind == VS_INTERSECTION ? VS_TERM_INTERSECTION : VS_TERM_DIFFERENCE, first);
+}
+
+static bool walk_one(builder *b, const vs_ref *root) {
+  vs_walk *walk = vs_walk_new(root->node->store, *root);
+  if (!walk) return vs_error_memory(b->error, root->origin);
+  vs_ref ref;
+  bool ok = true;
+  for (vs_walk_event e; ok && (e = vs_walk_next(walk, &ref, NULL)) != VS_WALK_DONE;) {
+    if (e == VS_WALK_FAILED) ok = vs_error_memory(b->error, root->origin);
+    else ok = e == VS_WALK_ENTER ? enter(b, walk, &ref) : leave(b, &ref);
+    ok = ok && vs_kernel_poll(&b->k, 0);
+  }
+  vs_walk_free(walk);
+  return ok;
+}
+
+static vs_error_kind kind_of(vs_kernel_status s) {
+  switch (s) {
+  case VS_KERNEL_FINE: return VS_ERROR_NONE;
+  case VS_KERNEL_OPEN: case VS_KERNEL_INSIDE_OUT: case VS_KERNEL_NOT_FINITE: case VS_KERNEL_LIMIT: return VS_ERROR_MODEL;
+  case VS_KERNEL_OUT_OF_MEMORY: case VS_KERNEL_INTERNAL: return VS_ERROR_MEMORY;
+  case VS_KERNEL_INTERRUPTED: return VS_ERROR_INTERRUPT;
+  }
+  return VS_ERROR_MEMORY;
+}
+
+void vs_solid_free(vs_solid *s) {
+  vs_mesh_free(&s->mesh);
+  free(s->parts);
+  *s = (vs_solid){ .part_count = 0 };
+}
+
+bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_solid *out, vs_error *error) {
+  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
+  *out = (vs_solid){ .part_count = 0 };
+  builder *b = calloc(1, sizeof *b);
+  if (!b) return vs_error_memory(error, NULL);
+  b->k = (vs_kernel){ .options = options, .error = &why };
+  b->facets = facets;
+  b->error = error;
+  bool ok = true;
+  for (size_t i = 0; ok && i < count; i++) ok = walk_one(b, &refs[i]);
+  ok = ok && close_term(b, VS_TERM_UNION, 0);
+  if (ok) {
+    vs_kernel_problem problem = { b->leaves.at, b->terms.at, b->operands.at, (uint32_t)b->leaves.count, (uint32_t)b->terms.count, (uint32_t)b->operands.count };
+    ok = vs_kernel_evaluate(&problem, options, &out->mesh, &why);
+  }
+  if (ok) {
+    out->parts = b->parts.at;
+    out->part_count = b->parts.count;
+    b->parts.at = NULL;
+  } else {
+    if (why.status != VS_KERNEL_FINE) {
+      bool placed = why.status == VS_KERNEL_OPEN || why.status == VS_KERNEL_INSIDE_OUT || why.status == VS_KERNEL_NOT_FINITE;
+      vs_error_set(error, kind_of(why.status), placed && why.leaf < b->origins.count ? b->origins.at[why.leaf] : NULL, "%s", why.message);
+    }
+    vs_mesh_free(&out->mesh);
+  }
+  for (size_t i = 0; i < b->meshes.count; i++) {
+    vs_mesh_free(b->meshes.at[i].mesh);
+    free(b->meshes.at[i].mesh);
+  }
+  VS_DROP(&b->k, b->leaves);
+  VS_DROP(&b->k, b->origins);
+  VS_DROP(&b->k, b->terms);
+  VS_DROP(&b->k, b->operands);
+  VS_DROP(&b->k, b->pending);
+  VS_DROP(&b->k, b->levels);
+  VS_DROP(&b->k, b->meshes);
+  VS_DROP(&b->k, b->parts);
+  free(b);
+  return ok;
+}
