@@ -722,3 +722,9 @@
 
 (define (call-with-escape-continuation f) (call/cc f))
 (define call/ec call-with-escape-continuation)
+
+; ---- the ports that printing and reading use ----
+
+(define current-input-port (%port-parameter 0))
+(define current-output-port (%port-parameter 1))
+(define current-error-port (%port-parameter 2))

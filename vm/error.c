@@ -26,14 +26,6 @@ static vs_status error(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_ERROR;
 }
 
-static vs_status assertion_failed(vs *vm, vs_value *a, int n, vs_value *out) {
-  (void)out;
-  VS_ROOTS(vm, r, 1);
-  vm->native = NULL;
-  if (n == 0) return vs_fail(vm, vm->sym.error, "assertion failed");
-  return vs_cons(vm, a[0], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.error, r[0], "assertion failed:");
-}
-
 static vs_status is_error(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, *out = vs_bool(is_condition(a[0])), VS_OK; }
 static vs_status is_kind(vs_value v, vs_value kind, vs_value *out) {
   return *out = vs_bool(is_condition(v) && vs_as_condition(v)->kind == kind), VS_OK;
@@ -93,7 +85,6 @@ static vs_status emergency_exit(vs *vm, vs_value *a, int n, vs_value *out) { ret
 
 static const vs_native_def defs[] = {
     {"error", "message . irritants", error, 0, "end with this message; or (error 'who \"format\" v ...)"},
-    {"%assertion-failed", "[expression]", assertion_failed, 0, NULL},
     {"error-object? error? exn? condition?", "x", is_error, 0, NULL},
     {"read-error?", "x", is_read_error, 0, NULL},
     {"file-error?", "x", is_file_error, 0, NULL},

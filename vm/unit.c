@@ -316,31 +316,6 @@ static vs_status assertion_failed(vs *vm, vs_value *a, int n, vs_value *out) {
   return vs_cons(vm, a[0], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.error, r[0], "assertion failed:");
 }
 
-/* a datum from a port, fed to the scanner character by character until it is whole */
-static vs_status read(vs *vm, vs_value *a, int n, vs_value *out) {
-  VS_ROOTS(vm, r, 1);
-  r[0] = n > 0 ? a[0] : vm->at.standard_in;
-  if (!vs_is(r[0], VS_T_PORT)) return vs_fail_type(vm, 0, "a port", r[0]);
-  vs_text t;
-  vs_scan s;
-  vs_text_open(vm, &t, 0);
-  vs_scan_open(vm, &s);
-  bool ok = true;
-  for (bool more = true; ok && more;) {
-    int32_t c;
-    vs_scan_result result;
-    ok = vs_port_peek_char(vm, r[0], &c);
-    if (!ok || c < 0) break;
-    ok = vs_scan_feed(&s, (uint32_t)c, &result);
-    more = result == VS_SCAN_MORE;
-    if (ok && result != VS_SCAN_WHOLE) ok = vs_text_char(&t, (uint32_t)c) && vs_port_read_char(vm, r[0], &c) && vs_poll(vm, 1);
-  }
-  vs_scan_close(&s);
-  ok = ok && vs_read_datum(vm, t.at ? t.at : "", t.count, out, NULL);
-  vs_text_close(&t);
-  return ok;
-}
-
 static const vs_native_def defs[] = {
   {"%run", "forms env tell", run, RUN_SLOTS, NULL},
   {"eval", "expression [environment]", eval, 0, "the value of an expression"},
@@ -359,7 +334,6 @@ static const vs_native_def defs[] = {
   {"%require", "path env", require, 1, NULL},
   {"%assertion-failed", "form", assertion_failed, 0, NULL},
   {"features", "", features, 0, "what cond-expand knows"},
-  {"read", "[port]", read, 0, "the next datum"},
   {0}
 };
 const vs_native_table vs_unit_natives = {"unit", defs};
