@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+enum { MOST_ARGUMENTS = 2000 };
 enum { DEPTH_LIMIT = 180 };   /* tasks deep; a task adds at most two levels of tree (VS_AST_DEPTH) */
 
 static const struct { const char *name, *shape; int rewrite; } form_table[] = {
@@ -228,6 +229,29 @@ bool vs_form_set(vs_expansion *x) {
 /* ---- applications ---- */
 static bool is_keyword(vs_value v) { return vs_is_symbol(v) && vs_as_symbol(v)->length > 2 && !memcmp(vs_as_symbol(v)->name, "#:", 2); }
 
+/* More arguments than a frame should hold: (apply f (append (list ...) (list ...) ...)), as in a mesh written out as data. */
+static bool long_application(vs_expansion *x, size_t n) {
+  vs_pos pos = x->now.pos;
+  size_t lists = (n + MOST_ARGUMENTS - 1) / MOST_ARGUMENTS;
+  vs_node *apply = vs_expand_call(x, "apply", 2, pos), *append = vs_expand_call(x, "append", lists, pos);
+  if (!apply || !append) return false;
+  *x->now.into = apply;
+  apply->as.call.at[1] = append;
+  bool ok = vs_expand_nth(x, 0, x->now.env, &apply->as.call.at[0]);
+  vs_value l = vs_cdr(x->now.form);
+  for (size_t i = 0; ok && i < lists; i++) {
+    size_t count = n - i * MOST_ARGUMENTS < MOST_ARGUMENTS ? n - i * MOST_ARGUMENTS : MOST_ARGUMENTS;
+    VS_ROOTS(x->vm, r, 1);
+    r[0] = l;
+    vs_node *list = append->as.call.at[i] = vs_expand_call(x, "list", count, pos);
+    if (!list) return false;
+    l = r[0];
+    for (size_t k = 0; ok && k < count; k++, l = vs_cdr(l))
+      ok = vs_expand_push(x, VS_TASK_EXPR, vs_car(l), x->now.env, vs_element_pos(l, false, pos), &list->as.call.at[k], x->now.depth + 3);
+  }
+  return ok;
+}
+
 static bool application(vs_expansion *x) {
   vs *vm = x->vm;
   vs_value form = x->now.form;
@@ -242,6 +266,7 @@ static bool application(vs_expansion *x) {
     l = vs_cdr(l);
   }
   size_t n = (size_t)length - 1 - keys, plain = 0, keyed = n - keys;
+  if (n > MOST_ARGUMENTS && !keys) return long_application(x, n);
   vs_node *call = vs_expand_many(x, VS_AST_CALL, n, x->now.pos);
   if (!call) return false;
   *x->now.into = call;
@@ -285,7 +310,7 @@ static bool application(vs_expansion *x) {
 static bool use_macro(vs_expansion *x, vs_value macro, vs_value form, vs_pos pos, vs_value *out, bool *wait) {
   vs *vm = x->vm;
   *wait = false;
-  if (!vs_poll(vm, 16)) return false;
+  if (!vs_poll(vm, 256)) return false;
   if (vs_as_macro(macro)->kind == vs_fix(VS_MACRO_RULES)) return vs_rules_expand(x, macro, form, x->now.env, pos, out);
   /* (transformer form rename compare): both procedures are made by a procedure of the library from the two environments */
   VS_ROOTS(vm, r, 4);

@@ -38,7 +38,7 @@ static vs_status run(vs *vm, vs_value *a, int n, vs_value *out) {
     break;
   case RUNNING:
     a[RUN_VALUE] = came;
-    if (a[RUN_TELL] == VS_TRUE && vm->config.value && !vm->config.value(vm, came, vs_pos_of(a[RUN_PLACE]))) return VS_ERROR;
+    if (a[RUN_TELL] != VS_FALSE && vm->config.value && !vm->config.value(vm, came, vs_pos_of(a[RUN_PLACE]))) return VS_ERROR;
     break;
   case RUNNING_DEFINITION: a[RUN_VALUE] = VS_UNSPECIFIC; break;
   default: break;
@@ -95,7 +95,7 @@ static vs_status run(vs *vm, vs_value *a, int n, vs_value *out) {
       break;
     }
   }
-  *out = a[RUN_VALUE];
+  *out = a[RUN_TELL] == VS_UNSPECIFIC ? VS_UNSPECIFIC : a[RUN_VALUE];     /* what load ran was told already */
   return VS_OK;
 }
 
@@ -107,10 +107,11 @@ static bool core_value(vs *vm, const char *name, vs_value *out) {
 }
 
 /* ---- eval ---- */
-static vs_status tail_run(vs *vm, vs_value forms, vs_value env, bool tell) {
+/* tell: #f nobody, #t the host, #unspecific the host and not the caller */
+static vs_status tail_run(vs *vm, vs_value forms, vs_value env, vs_value tell) {
   VS_ROOTS(vm, r, 3);
   vs_value procedure;
-  r[0] = forms; r[1] = env; r[2] = vs_bool(tell);
+  r[0] = forms; r[1] = env; r[2] = tell;
   return core_value(vm, "%run", &procedure) ? vs_tailcall(vm, procedure, 3, r) : VS_ERROR;
 }
 
@@ -119,7 +120,7 @@ static vs_status eval(vs *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   vs_value env = n > 1 ? a[1] : vm->at.program;
   if (!vs_is(env, VS_T_ENVIRONMENT)) return vs_fail_type(vm, 1, "an environment", env);
-  return vs_cons(vm, a[0], VS_NIL, &r[0]) ? tail_run(vm, r[0], n > 1 ? a[1] : vm->at.program, false) : VS_ERROR;
+  return vs_cons(vm, a[0], VS_NIL, &r[0]) ? tail_run(vm, r[0], n > 1 ? a[1] : vm->at.program, VS_FALSE) : VS_ERROR;
 }
 
 static vs_status interaction(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -161,7 +162,7 @@ static vs_status er_transformer(vs *vm, vs_value *a, int n, vs_value *out) {
 static vs_status eval_transformer(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n; (void)out;
   VS_ROOTS(vm, r, 1);
-  return vs_cons(vm, a[0], VS_NIL, &r[0]) ? tail_run(vm, r[0], a[1], false) : VS_ERROR;
+  return vs_cons(vm, a[0], VS_NIL, &r[0]) ? tail_run(vm, r[0], a[1], VS_FALSE) : VS_ERROR;
 }
 
 /* (%rename table env id): table is a list with one element, an association list from id to alias */
@@ -200,6 +201,29 @@ static bool exists(vs *vm, vs_text *path) {
   return vs_text_end(path) && vm->config.io && vm->config.io->exists && vm->config.io->exists(vm->config.user, path->at);
 }
 
+/* a/./b and a/c/../b are a/b, so that one file has one name */
+static void normalise(vs_text *path) {
+  char *s = path->at;
+  size_t n = path->count, out = 0, i = 0;
+  while (i < n) {
+    size_t end = i;
+    while (end < n && s[end] != '/') end++;
+    size_t length = end - i;
+    bool dot = length == 1 && s[i] == '.', up = length == 2 && s[i] == '.' && s[i + 1] == '.';
+    size_t last = out > 1 ? out - 1 : 0;                   /* the folder before, if it is one to leave */
+    while (last > 0 && s[last - 1] != '/') last--;
+    bool can = up && out > 1 && !(out - last == 3 && s[last] == '.' && s[last + 1] == '.');
+    if (can) out = last;
+    else if (!dot && (length || out == 0)) {
+      memmove(s + out, s + i, length);
+      out += length;
+      if (end < n) s[out++] = '/';
+    }
+    i = end + 1;
+  }
+  path->count = out;
+}
+
 bool vs_unit_path(vs *vm, vs_value name, uint32_t from, vs_text *path) {
   vs_text plain, base;
   vs_text_open(vm, &plain, 0);
@@ -225,6 +249,7 @@ bool vs_unit_path(vs *vm, vs_value name, uint32_t from, vs_text *path) {
   }
   vs_text_close(&plain);
   vs_text_close(&base);
+  if (ok) normalise(path);
   return ok;       /* not found: the first place, whose absence the reading reports */
 }
 
@@ -245,7 +270,7 @@ bool vs_unit_read(vs *vm, const char *path, vs_value *forms) {
   return ok;
 }
 
-static vs_status load_path(vs *vm, vs_value name, uint32_t from, vs_value env, bool tell) {
+static vs_status load_path(vs *vm, vs_value name, uint32_t from, vs_value env, vs_value tell) {
   VS_ROOTS(vm, r, 2);
   r[1] = env;
   vs_text path;
@@ -259,13 +284,13 @@ static vs_status load(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   if (!vs_is_string(a[0])) return vs_fail_type(vm, 0, "the name of a file", a[0]);
   if (n > 1 && !vs_is(a[1], VS_T_ENVIRONMENT)) return vs_fail_type(vm, 1, "an environment", a[1]);
-  return load_path(vm, a[0], vs_pos_file(vs_call_place(vm)), n > 1 ? a[1] : vm->at.program, true);
+  return load_path(vm, a[0], vs_pos_file(vs_call_place(vm)), n > 1 ? a[1] : vm->at.program, VS_UNSPECIFIC);
 }
 
 static vs_status load_library(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n; (void)out;
   VS_ROOTS(vm, r, 1);
-  return vs_program_new(vm, &r[0]) ? load_path(vm, a[0], 0, r[0], false) : VS_ERROR;
+  return vs_program_new(vm, &r[0]) ? load_path(vm, a[0], 0, r[0], VS_FALSE) : VS_ERROR;
 }
 
 static vs_status register_library(vs *vm, vs_value *a, int n, vs_value *out) {
