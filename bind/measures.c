@@ -1,0 +1,66 @@
+/* Owns the measures of objects: volume, area, length, centroid, by formula where geometry has one, else of the
+ * solid mesh that every back-end would write. */
+#include "bind/bind.h"
+
+#include "geometry/measure.h"
+#include "geometry/tessellate.h"
+#include "kernel/solid.h"
+
+static bool keep_going(void *vm, double done) {
+  (void)done;
+  return vs_poll(vm, UINT64_C(1) << 20); /* false: the condition is set */
+}
+
+/* of the triangles that every back-end would write */
+static vs_status measure_mesh(vs_frame *f, vs_measure *m) {
+  vs_error e = { 0 };
+  vs_bounds b;
+  vs_solid solid = { 0 };
+  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind) };
+  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
+  if (facets.tolerance <= 0) facets.tolerance = vs_facets_tolerance(&b);
+  vs_kernel_options options = { .progress = keep_going, .context = f->vm };
+  if (!vs_solid_evaluate(&f->arg[0].ref, 1, &facets, &options, &solid, &e)) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
+  vs_mesh_measure(&solid.mesh, m);
+  vs_solid_free(&solid);
+  return VS_OK;
+}
+
+static vs_status measure(vs_frame *f, vs_measure *m, bool area) {
+  vs_error e = { 0 };
+  const vs_node *n = f->arg[0].ref.node;
+  *m = (vs_measure){ 0 };
+  if (!vs_node_measure(n, m, &e)) return vs_bind_error(f, &e);
+  if (m->known && (!area || m->area_known)) return VS_OK;
+  if (n->class_ == VS_SOLID) return measure_mesh(f, m);
+  const char *kind = vs_kind_get((vs_kind)n->kind)->name;
+  return vs_fail(f->vm, f->vm->sym.error, "there is no measure yet of %s %s that is no solid", strchr("aeiou", *kind) ? "an" : "a", kind);
+}
+
+vs_status vs_p_volume(vs_frame *f, vs_value *out) {
+  vs_measure m;
+  vs_class c = (vs_class)f->arg[0].ref.node->class_;
+  if (c == VS_NOTHING) return vs_bind_real(f, 0, out);
+  if (c != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
+  return measure(f, &m, false) && vs_bind_real(f, m.volume, out);
+}
+
+vs_status vs_p_area(vs_frame *f, vs_value *out) {
+  vs_measure m;
+  vs_class c = (vs_class)f->arg[0].ref.node->class_;
+  if (c == VS_NOTHING) return vs_bind_real(f, 0, out);
+  if (c != VS_SOLID && c != VS_REGION_CLASS && c != VS_SURFACE) return vs_bind_refuse(f, "o", "a solid, a region or a surface", f->arg[0].value);
+  return measure(f, &m, true) && vs_bind_real(f, m.area, out);
+}
+
+vs_status vs_p_curve_length(vs_frame *f, vs_value *out) {
+  vs_measure m;
+  if (f->arg[0].ref.node->class_ == VS_NOTHING) return vs_bind_real(f, 0, out);
+  return measure(f, &m, false) && vs_bind_real(f, m.length, out);
+}
+
+vs_status vs_p_centroid(vs_frame *f, vs_value *out) {
+  vs_measure m;
+  if (vs_bind_is_empty(f->arg[0].ref.node)) return vs_bind_refuse(f, "o", "more than nothing", f->arg[0].value);
+  return measure(f, &m, false) && vs_bind_point(f, m.centroid, out);
+}
