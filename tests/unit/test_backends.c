@@ -1,0 +1,646 @@
+/* Owns the tests of backends/ that need no interpreter: numbers, the tree and its reading back, each format's words, files that appear whole
+ * or not at all, and the workers: POV-Ray's pictures and complaints, OpenSCAD's reading of our programs. */
+#define _XOPEN_SOURCE 700
+#include <locale.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "backends/export.h"
+#include "backends/tree/read.h"
+#include "tests/unit/scenes.h"
+
+/* ---- a sink into memory ---- */
+
+typedef struct { char *text; size_t used, room; } memory;
+
+static bool memory_sink(void *context, const void *bytes, size_t count) {
+  memory *m = context;
+  if (m->used + count + 1 > m->room) {
+    m->room = 2 * (m->used + count + 1);
+    m->text = realloc(m->text, m->room);
+    if (m->text == NULL) return false;
+  }
+  memcpy(m->text + m->used, bytes, count);
+  m->used += count;
+  m->text[m->used] = '\0';
+  return true;
+}
+
+static int warnings;
+static char last_warning[256];
+static void count_warning(void *context, const vs_origin *origin, const char *message) {
+  (void)context, (void)origin;
+  warnings++;
+  snprintf(last_warning, sizeof last_warning, "%s", message);
+}
+
+/* The drawing in a format; the caller frees. NULL: failed, e says why. */
+static char *written_quietly(test_model *m, const char *format, size_t *length, vs_error *e) {
+  memory out = { NULL, 0, 0 };
+  vs_export_options options;
+  vs_export_options_init(&options);
+  options.warn = count_warning;
+  if (!vs_export_to(&m->scene, vs_export_format_find(format), memory_sink, &out, &options, e)) {
+    free(out.text);
+    return NULL;
+  }
+  if (length != NULL) *length = out.used;
+  return out.text;
+}
+
+static char *written(test_model *m, const char *format) {
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  char *text = written_quietly(m, format, NULL, &e);
+  if (text == NULL) fail_msg("%s: %s", format, e.message);
+  return text;
+}
+
+static void assert_holds(const char *text, const char *part) {
+  if (strstr(text, part) == NULL) fail_msg("no `%s` in:\n%.4000s", part, text);
+}
+
+static void assert_lacks(const char *text, const char *part) {
+  if (strstr(text, part) != NULL) fail_msg("`%s` in:\n%.4000s", part, text);
+}
+
+/* ---- numbers ---- */
+
+static void test_numbers(void **state) {
+  (void)state;
+  static const struct { double x; const char *text; } cases[] = {
+    { 0, "0" }, { -0.0, "0" }, { 1, "1" }, { -1, "-1" }, { 0.1, "0.1" }, { -0.5, "-0.5" }, { 1.0 / 3, "0.333333333333" }, { 2.0 / 3, "0.666666666667" },
+    { 123456.789, "123456.789" }, { 1e21, "1e21" }, { 1e-5, "1e-5" }, { 1.5e-7, "1.5e-7" }, { 6.123233995736766e-17, "6.12323399574e-17" },
+    { 123456789012345.0, "1.23456789012e14" }, { 999999.9999999, "1000000" }, { 1e5, "100000" }, { 1e-320, "9.99988867183e-321" }, { 0.3, "0.3" },
+    { 0.1 + 0.2, "0.3" }, { 4503599627370497.5, "4.50359962737e15" }, { 1e308 * 10, "0" },
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    char text[VS_NUMBER_ROOM];
+    size_t length = vs_number_text(cases[i].x, text);
+    assert_int_equal(length, strlen(text));
+    assert_string_equal(text, cases[i].text);
+  }
+  /* All agree with twelve digits of printf, whichever way they were found. */
+  uint64_t seed = 12345;
+  for (int i = 0; i < 200000; i++) {
+    seed = seed * UINT64_C(6364136223846793005) + 1442695040888963407;
+    double x = (double)(int64_t)seed / (double)(UINT64_C(1) << (20 + i % 44));
+    if (i % 3 == 0) x = round(x * 1000) / 1000;
+    char text[VS_NUMBER_ROOM], wide[64];
+    vs_number_text(x, text);
+    snprintf(wide, sizeof wide, "%.12g", x);
+    if (strtod(text, NULL) != strtod(wide, NULL)) fail_msg("%s is not %s", text, wide);
+    if (strlen(text) > strlen(wide)) fail_msg("%s is longer than %s", text, wide);
+  }
+}
+
+static void test_numbers_locale(void **state) {
+  (void)state;
+  if (setlocale(LC_NUMERIC, "de_DE.UTF-8") == NULL && setlocale(LC_NUMERIC, "fr_FR.UTF-8") == NULL) {
+    printf("skip numbers under a comma locale: none is installed\n");
+    skip();
+  }
+  char text[VS_NUMBER_ROOM];
+  vs_number_text(1.0 / 3, text);
+  setlocale(LC_NUMERIC, "C");
+  assert_string_equal(text, "0.333333333333");
+}
+
+/* ---- the tree ---- */
+
+static void test_tree_reads_back(void **state) {
+  (void)state;
+  for (int kind = 0; kind < VS_KIND_COUNT; kind++) {
+    test_model m, back;
+    test_model_open(&m);
+    vs_ref one = test_any(&m, (vs_kind)kind);
+    vs_node_retain(one.node);
+    vs_ref other = one;
+    test_draw(&m, one);
+    test_draw(&m, other);
+    char *text = written(&m, "tree");
+    assert_holds(text, vs_kind_get((vs_kind)kind)->name);
+    test_model_open(&back);
+    vs_error e = { VS_ERROR_NONE, NULL, "" };
+    if (!vs_tree_read(&back.scene, text, strlen(text), &e)) fail_msg("%s\n%s", e.message, text);
+    char *again = written(&back, "tree");
+    assert_string_equal(again, text);
+    assert_int_equal(back.scene.drawn_count, 2);
+    free(again);
+    free(text);
+    test_model_close(&back);
+    test_model_close(&m);
+  }
+}
+
+static void test_tree_golden(void **state) {
+  (void)state;
+  test_model m;
+  test_model_open(&m);
+  vs_ref shared = test_pair(&m, VS_UNION, test_box(&m, 0, 0, 0, 1, 2, 3), test_paint(&m, "#ff8000", test_sphere(&m, 0, 0, 4, 0.5)));
+  vs_node_retain(shared.node);
+  test_draw(&m, shared);
+  test_draw(&m, test_move(&m, 5, 0, 0, shared));
+  char *text = written(&m, "tree");
+  assert_holds(text,
+    "(tree 1 \"model\"\n"
+    "  (define t1\n"
+    "    (unite\n"
+    "      (box (p 0 0 0) (q 1 2 3))\n"
+    "      (with-material (material ");
+  assert_holds(text, "        (sphere (c 0 0 4) (r 0.5) (segments 0)))))\n  (draw t1)\n  (draw (transform (matrix 1 0 0 5 0 1 0 0 0 0 1 0)\n    t1)))\n");
+  free(text);
+  test_model_close(&m);
+}
+
+static void test_tree_refuses(void **state) {
+  (void)state;
+  static const char *const bad[] = {
+    "", "(", "(tree", "(tree 2 \"x\")", "(tree 1 \"x", "(tree 1 \"x\" (draw))", "(tree 1 \"x\" (draw (box)))", "(tree 1 \"x\" (draw (ball (r 1))))",
+    "(tree 1 \"x\" (draw (sphere (c 0 0) (r 1) (segments 0))))", "(tree 1 \"x\" (draw t1))", "(tree 1 \"x\" (define t2 (empty-object)))",
+    "(tree 1 \"x\" (draw (sphere (c 0 0 0) (r one) (segments 0))))", "(tree 1 \"x\" (draw (unite (box (p 0 0 0) (q 1 1 1))))",
+    "(tree 1 \"x\" (draw (line (points (0 0 0) (1 1)) (closed #f))))", "(tree 1 \"x\" (draw (line (points) (closed maybe))))",
+  };
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    test_model m;
+    test_model_open(&m);
+    vs_error e = { VS_ERROR_NONE, NULL, "" };
+    if (vs_tree_read(&m.scene, bad[i], strlen(bad[i]), &e)) fail_msg("this was read: %s", bad[i]);
+    assert_int_equal(e.kind, VS_ERROR_MODEL);
+    assert_true(e.message[0] != '\0');
+    test_model_close(&m);
+  }
+}
+
+/* ---- each format's words ---- */
+
+static void test_povray_words(void **state) {
+  (void)state;
+  test_model m;
+  test_model_open(&m);
+  test_draw(&m, test_box(&m, 0, 0, 0, 1, 2, 3));
+  test_draw(&m, test_sphere(&m, 1, 2, 3, 4));
+  test_draw(&m, test_cylinder(&m, vs_v3(0, 0, 0), vs_v3(0, 0, 2), 0.5));
+  test_draw(&m, test_node(&m, 1, VS_CONE, &(struct vs_cone){ .apex = { 0, 0, 1 }, .radius = 2 }, NULL, 0));
+  test_draw(&m, test_node(&m, 1, VS_CUT_CONE, &(struct vs_cut_cone){ .base_radius = 1, .top = { 0, 0, 1 }, .top_radius = 1 }, NULL, 0));
+  test_draw(&m, test_node(&m, 1, VS_TORUS, &(struct vs_torus){ .center = { 1, 1, 1 }, .radius = 3, .tube_radius = 1 }, NULL, 0));
+  test_draw(&m, test_paint(&m, "red", test_pair(&m, VS_DIFFERENCE, test_box(&m, 0, 0, 0, 1, 1, 1), test_sphere(&m, 0, 0, 0, 0.5))));
+  char *text = written(&m, "pov");
+  assert_holds(text, "box { <0, 0, 0>, <1, 2, 3> }\n");
+  assert_holds(text, "sphere { <1, 2, 3>, 4 }\n");
+  assert_holds(text, "cylinder { <0, 0, 0>, <0, 0, 2>, 0.5 }\n");
+  assert_holds(text, "cone { <0, 0, 0>, 2, <0, 0, 1>, 0 }\n");
+  assert_holds(text, "cylinder { <0, 0, 0>, <0, 0, 1>, 1 }\n"); /* POV-Ray's cone takes no equal radii */
+  assert_holds(text, "torus { 3, 1 rotate 90*x translate <1, 1, 1> }\n");
+  assert_holds(text, "object {\n  difference {\n    box { <0, 0, 0>, <1, 1, 1> }\n    sphere { <0, 0, 0>, 0.5 }\n  }\n  material { M1_red }\n}\n");
+  free(text);
+  test_model_close(&m);
+}
+
+static void test_openscad_words(void **state) {
+  (void)state;
+  test_model m;
+  test_model_open(&m);
+  test_draw(&m, test_box(&m, 1, 0, 0, 2, 2, 3));
+  test_draw(&m, test_node(&m, 1, VS_PYRAMID, &(struct vs_pyramid){ .base_radius = 2, .sides = 5, .top = { 0, 0, 1 } }, NULL, 0));
+  test_draw(&m, test_node(&m, 1, VS_WEDGE, &(struct vs_wedge){ .q = { 1, 1, 1 } }, NULL, 0));
+  test_draw(&m, test_paint(&m, "#ff0000", test_pair(&m, VS_DIFFERENCE, test_box(&m, 0, 0, 0, 1, 1, 1), test_paint(&m, "#00ff00", test_sphere(&m, 0, 0, 0, 0.5)))));
+  char *text = written(&m, "scad");
+  assert_holds(text, "translate([1, 0, 0]) cube([1, 2, 3]);\n");
+  assert_holds(text, "cylinder(h = 1, r1 = 2, r2 = 0, $fn = 5);\n");
+  assert_holds(text, "polyhedron(points = [");
+  assert_holds(text, "difference() {\n  color([1, 0, 0]) cube([1, 1, 1]);\n  color([0, 1, 0]) sphere(r = 0.5, $fn = ");
+  free(text);
+  test_model_close(&m);
+}
+
+static void test_x3d_words(void **state) {
+  (void)state;
+  test_model m;
+  test_model_open(&m);
+  m.scene.title = vs_store_text(m.store, "<a&'b'>", 7);
+  test_draw(&m, test_paint(&m, "#ff0000", test_box(&m, 0, 0, 0, 1, 2, 3)));
+  test_draw(&m, test_paint(&m, "#ff0000", test_sphere(&m, 5, 0, 0, 2)));
+  char *text = written(&m, "x3d");
+  assert_holds(text, "content='&lt;a&amp;&#39;b&#39;&gt;'");
+  assert_holds(text, "<Transform translation='0.5 1 1.5'>");
+  assert_holds(text, "<Box size='1 2 3'/>");
+  assert_holds(text, "<Sphere radius='2'/>");
+  assert_holds(text, "<Appearance USE='M1'></Appearance>");
+  free(text);
+  text = written(&m, "x3dv");
+  assert_holds(text, "geometry Box {\n");
+  assert_holds(text, "appearance USE M1\n");
+  free(text);
+  test_model_close(&m);
+}
+
+/* What is one operand, empty, or of a class the format leaves out never reaches the text as an operation of nothing. */
+static void test_left_out(void **state) {
+  (void)state;
+  test_model m;
+  test_model_open(&m);
+  vs_ref nothing = test_node(&m, 1, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0), line = test_any(&m, VS_LINE);
+  test_draw(&m, test_pair(&m, VS_UNION, test_pair(&m, VS_DIFFERENCE, test_box(&m, 0, 0, 0, 1, 1, 1), nothing), line));
+  warnings = 0;
+  char *text = written(&m, "scad");
+  assert_lacks(text, "union");
+  assert_lacks(text, "difference");
+  assert_holds(text, "\ncube([1, 1, 1]);\n");
+  assert_int_equal(warnings, 1);
+  assert_holds(last_warning, "curves are left out");
+  free(text);
+  test_model_close(&m);
+
+  test_model_open(&m);
+  test_draw(&m, test_any(&m, VS_LINE));
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  assert_null(written_quietly(&m, "scad", NULL, &e));
+  assert_int_equal(e.kind, VS_ERROR_MODEL);
+  test_model_close(&m);
+}
+
+static void test_templates(void **state) {
+  (void)state;
+  test_model m;
+  test_model_open(&m);
+  vs_ref shared = test_pair(&m, VS_UNION, test_box(&m, 0, 0, 0, 1, 1, 1), test_sphere(&m, 0, 0, 2, 1));
+  for (int i = 0; i < 3; i++) {
+    vs_node_retain(shared.node);
+    test_draw(&m, test_move(&m, 3.0 * i + 1, 0, 0, shared));
+  }
+  vs_node_release(shared.node);
+  char *text = written(&m, "pov");
+  const char *first = strstr(text, "box {");
+  assert_non_null(first);
+  assert_null(strstr(first + 1, "box {"));
+  assert_holds(text, "#declare T1 =\n  union {\n");
+  assert_holds(text, "object {\n  object { T1 }\n  translate <4, 0, 0>\n}\n");
+  free(text);
+  text = written(&m, "scad");
+  assert_holds(text, "module part1() {\n  union() {\n");
+  assert_holds(text, "translate([7, 0, 0])\n  part1();\n");
+  free(text);
+  test_model_close(&m);
+}
+
+static void test_singular(void **state) {
+  (void)state;
+  test_model m;
+  test_model_open(&m);
+  vs_ref box = test_box(&m, 0, 0, 0, 1, 1, 1);
+  vs_affine flat = vs_affine_scaling(vs_v3(0, 0, 0), vs_v3(1, 1, 0));
+  test_draw(&m, test_node(&m, 77, VS_TRANSFORM, &(struct vs_transform){ .matrix = flat }, &box, 1));
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  assert_null(written_quietly(&m, "pov", NULL, &e));
+  assert_int_equal(e.kind, VS_ERROR_MODEL);
+  assert_non_null(e.origin);
+  assert_int_equal(e.origin->line, 77);
+  test_model_close(&m);
+}
+
+/* ---- depth ---- */
+
+static void test_deep(void **state) {
+  (void)state;
+  enum { depth = 200000 };
+  test_model m;
+  test_model_open(&m);
+  vs_ref all = test_box(&m, 0, 0, 0, 1, 1, 1);
+  for (int i = 1; i <= depth; i++) {
+    vs_ref next = i % 2 == 0 ? test_box(&m, i, 0, 0, i + 1, 1, 1) : test_sphere(&m, i, 0, 0, 0.25);
+    all = test_pair(&m, i % 2 == 0 ? VS_UNION : VS_DIFFERENCE, all, next);
+  }
+  test_draw(&m, all);
+  static const char *const formats[] = { "tree", "pov", "scad" };
+  for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
+    char *text = written(&m, formats[i]);
+    /* No line stands deeper than a subtree may nest. */
+    size_t deepest = 0, indent = 0;
+    bool start = true;
+    for (const char *c = text; *c != '\0'; c++) {
+      if (*c == '\n') start = true, indent = 0;
+      else if (start && *c == ' ') indent++;
+      else start = false;
+      if (indent > deepest) deepest = indent;
+    }
+    assert_true(deepest <= 130);
+    free(text);
+  }
+  test_model_close(&m);
+}
+
+/* ---- memory ---- */
+
+static void test_no_memory(void **state) {
+  (void)state;
+  static const char *const formats[] = { "tree", "pov", "scad", "x3d" };
+  for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
+    test_model m;
+    test_model_open(&m);
+    vs_ref shared = test_pair(&m, VS_UNION, test_box(&m, 0, 0, 0, 1, 1, 1), test_paint(&m, "steel", test_any(&m, VS_WEDGE)));
+    vs_node_retain(shared.node);
+    test_draw(&m, shared);
+    test_draw(&m, test_move(&m, 1, 2, 3, shared));
+    test_draw(&m, test_any(&m, VS_PYRAMID));
+    char *good = written(&m, formats[f]), *text = NULL;
+    size_t bytes = vs_store_bytes(m.store);
+    int failures = 0;
+    for (size_t n = 1; text == NULL; n++) {
+      assert_true(n < 10000);
+      vs_error e = { VS_ERROR_NONE, NULL, "" };
+      vs_store_fail_at(m.store, n);
+      text = written_quietly(&m, formats[f], NULL, &e);
+      vs_store_fail_at(m.store, 0);
+      if (text == NULL) {
+        assert_int_equal(e.kind, VS_ERROR_MEMORY);
+        failures++;
+      }
+      assert_int_equal(vs_store_bytes(m.store), bytes);
+    }
+    assert_true(failures > 3);
+    assert_string_equal(text, good);
+    free(text);
+    free(good);
+    test_model_close(&m);
+  }
+}
+
+/* ---- files ---- */
+
+typedef struct { char folder[64], path[128]; } place;
+
+static void place_open(place *p, const char *name) {
+  snprintf(p->folder, sizeof p->folder, "/tmp/vs-test-XXXXXX");
+  assert_non_null(mkdtemp(p->folder));
+  snprintf(p->path, sizeof p->path, "%s/%s", p->folder, name);
+}
+
+static int place_files(place *p) {
+  char command[256], answer[32] = "";
+  snprintf(command, sizeof command, "ls -A %s | wc -l", p->folder);
+  FILE *f = popen(command, "r");
+  assert_non_null(f);
+  assert_non_null(fgets(answer, sizeof answer, f));
+  pclose(f);
+  return atoi(answer);
+}
+
+static void place_close(place *p) {
+  unlink(p->path);
+  rmdir(p->folder);
+}
+
+static void test_files(void **state) {
+  (void)state;
+  test_model m;
+  test_model_open(&m);
+  test_draw(&m, test_box(&m, 0, 0, 0, 1, 1, 1));
+  place p;
+  place_open(&p, "out.pov");
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  assert_true(vs_export(&m.scene, NULL, p.path, NULL, &e));
+  assert_int_equal(place_files(&p), 1);
+
+  /* A failure leaves what stood there, and nothing else. */
+  struct stat before, after;
+  assert_int_equal(stat(p.path, &before), 0);
+  vs_ref box = test_box(&m, 0, 0, 0, 1, 1, 1);
+  vs_affine flat = vs_affine_scaling(vs_v3(0, 0, 0), vs_v3(1, 0, 1));
+  test_draw(&m, test_node(&m, 77, VS_TRANSFORM, &(struct vs_transform){ .matrix = flat }, &box, 1));
+  assert_false(vs_export(&m.scene, NULL, p.path, NULL, &e));
+  assert_int_equal(stat(p.path, &after), 0);
+  assert_int_equal(before.st_ino, after.st_ino);
+  assert_int_equal(before.st_size, after.st_size);
+  assert_int_equal(place_files(&p), 1);
+
+  assert_false(vs_export(&m.scene, NULL, p.folder, NULL, &e));
+  assert_int_equal(e.kind, VS_ERROR_FILE);
+  assert_false(vs_export(&m.scene, vs_export_format_find("tree"), p.folder, NULL, &e));
+  assert_holds(e.message, "it is a folder");
+  assert_false(vs_export(&m.scene, NULL, "/nowhere/at/all/x.pov", NULL, &e)); /* before anything is made */
+  assert_int_equal(e.kind, VS_ERROR_FILE);
+  assert_false(vs_export(&m.scene, NULL, "x.unknown", NULL, &e));
+  assert_int_equal(e.kind, VS_ERROR_FILE);
+  test_model_close(&m);
+  test_model_open(&m);
+  test_draw(&m, test_box(&m, 0, 0, 0, 1, 1, 1));
+  if (access("/dev/full", W_OK) == 0) {
+    assert_false(vs_export(&m.scene, vs_export_format_find("tree"), "/dev/full", NULL, &e));
+    assert_int_equal(e.kind, VS_ERROR_FILE);
+    assert_holds(e.message, "the disk is full");
+  }
+  place_close(&p);
+  test_model_close(&m);
+}
+
+static void test_formats(void **state) {
+  (void)state;
+  assert_null(vs_export_format_find("jpg"));
+  assert_string_equal(vs_export_format_find("a/b.c/house.PNG")->suffix, "png");
+  assert_string_equal(vs_export_format_find("openscad")->suffix, "scad");
+  for (size_t i = 0; i < vs_export_format_count(); i++)
+    for (size_t k = 0; k < i; k++) assert_string_not_equal(vs_export_format_at(i)->suffix, vs_export_format_at(k)->suffix);
+}
+
+/* ---- workers ---- */
+
+static bool installed(const char *program) {
+  char command[128];
+  snprintf(command, sizeof command, "command -v %s > /dev/null 2>&1", program);
+  if (system(command) == 0) return true;
+  printf("skip: %s is not installed\n", program);
+  return false;
+}
+
+static bool stop_rendering(void *context, const char *stage, double fraction) {
+  (void)context, (void)fraction;
+  return strcmp(stage, "rendering") != 0;
+}
+
+static void test_povray_missing(void **state) {
+  (void)state;
+  test_model m;
+  test_model_open(&m);
+  test_draw(&m, test_box(&m, 0, 0, 0, 1, 1, 1));
+  place p;
+  place_open(&p, "out.png");
+  char *path = strdup(getenv("PATH"));
+  setenv("PATH", "/nowhere", 1);
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  bool ok = vs_export(&m.scene, NULL, p.path, NULL, &e);
+  setenv("PATH", path, 1);
+  free(path);
+  assert_false(ok);
+  assert_int_equal(e.kind, VS_ERROR_WORKER);
+  assert_holds(e.message, "povray");
+  assert_int_equal(place_files(&p), 0);
+  place_close(&p);
+  test_model_close(&m);
+}
+
+static void test_povray_complains(void **state) {
+  (void)state;
+  if (!installed("povray")) skip();
+  test_model m;
+  test_model_open(&m);
+  test_draw(&m, test_box(&m, 0, 0, 0, 1, 1, 1));
+  vs_ref thin = test_node(&m, 123, VS_CYLINDER, &(struct vs_cylinder){ .top = { 0, 0, 1e-13 }, .radius = 1 }, NULL, 0); /* too thin for POV-Ray */
+  test_draw(&m, test_pair(&m, VS_UNION, test_sphere(&m, 0, 0, 0, 1), thin));
+  place p;
+  place_open(&p, "out.png");
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  assert_false(vs_export(&m.scene, NULL, p.path, NULL, &e));
+  assert_int_equal(e.kind, VS_ERROR_WORKER);
+  assert_non_null(e.origin);
+  assert_int_equal(e.origin->line, 123);
+  assert_holds(e.message, "POV-Ray: Degenerate cylinder");
+  assert_int_equal(place_files(&p), 0);
+  place_close(&p);
+  test_model_close(&m);
+}
+
+static void test_povray_stops(void **state) {
+  (void)state;
+  if (!installed("povray")) skip();
+  test_model m;
+  test_model_open(&m);
+  test_draw(&m, test_sphere(&m, 0, 0, 0, 1));
+  place p;
+  place_open(&p, "out.png");
+  vs_export_options options;
+  vs_export_options_init(&options);
+  options.progress = stop_rendering;
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  assert_false(vs_export(&m.scene, NULL, p.path, &options, &e));
+  assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
+  assert_int_equal(place_files(&p), 0);
+  options.progress = NULL;
+  options.worker_seconds = 1e-6;
+  options.width = options.height = 2000;
+  assert_false(vs_export(&m.scene, NULL, p.path, &options, &e));
+  assert_int_equal(e.kind, VS_ERROR_WORKER);
+  assert_int_equal(place_files(&p), 0);
+  place_close(&p);
+  test_model_close(&m);
+}
+
+/* A red sphere before a pale sky: red in the middle, none in the corner. POV-Ray reads the picture back and says its colours. */
+static void test_povray_picture(void **state) {
+  (void)state;
+  if (!installed("povray")) skip();
+  test_model m;
+  test_model_open(&m);
+  test_draw(&m, test_paint(&m, "#ff0000", test_sphere(&m, 10, 20, 30, 2)));
+  place p, q;
+  place_open(&p, "out.png");
+  vs_export_options options;
+  vs_export_options_init(&options);
+  options.width = 80, options.height = 60;
+  options.quality = VS_RENDER_DRAFT;
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  if (!vs_export(&m.scene, NULL, p.path, &options, &e)) fail_msg("%s", e.message);
+  place_open(&q, "probe.pov");
+  FILE *f = fopen(q.path, "w");
+  assert_non_null(f);
+  fprintf(f,
+    "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare F = function { pigment { image_map { png \"%s\" } } };\n"
+    "#declare A = F(0.5, 0.5, 0);\n#declare B = F(0.02, 0.02, 0);\n"
+    "#debug concat(\"\\nprobe \", str(A.red, 0, 3), \" \", str(A.green, 0, 3), \" \", str(B.red, 0, 3), \" \", str(B.green, 0, 3), \"\\n\")\n",
+    p.path);
+  fclose(f);
+  char command[512], line[512];
+  snprintf(command, sizeof command, "HOME=%s povray %s +L/usr/share/povray-3.7/include +W1 +H1 -D -F 2>&1", q.folder, q.path);
+  double a_red = -1, a_green = -1, b_red = -1, b_green = -1;
+  FILE *said = popen(command, "r");
+  while (said != NULL && fgets(line, sizeof line, said) != NULL) sscanf(line, "probe %lf %lf %lf %lf", &a_red, &a_green, &b_red, &b_green);
+  pclose(said);
+  assert_true(a_red > 0.3 && a_green < 0.1);
+  assert_true(b_red > 0.3 && b_green > 0.3);
+  place_close(&p);
+  place_close(&q);
+  test_model_close(&m);
+}
+
+/* Every kind that POV-Ray gets, alone and inside a subtraction, turned and squeezed: it must parse and draw without a complaint. */
+static void test_povray_takes_all(void **state) {
+  (void)state;
+  if (!installed("povray")) skip();
+  test_model m;
+  test_model_open(&m);
+  static const vs_kind kinds[] = { VS_BOX, VS_WEDGE, VS_SPHERE, VS_CYLINDER, VS_CONE, VS_CUT_CONE, VS_PYRAMID, VS_TORUS, VS_POLYFACE_MESH };
+  for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+    for (int form = 0; form < 3; form++) {
+      vs_ref r = test_any(&m, kinds[i]);
+      if (form > 0) r = test_pair(&m, form == 1 ? VS_DIFFERENCE : VS_INTERSECTION, r, test_sphere(&m, 0, 0, 0, 2));
+      vs_affine turn = vs_affine_rotation(vs_v3(0, 0, 0), vs_v3(1, 2, 3), 1), squeeze = vs_affine_scaling(vs_v3(0, 0, 0), vs_v3(1, -2, 0.5));
+      vs_affine both = vs_affine_multiply(&turn, &squeeze);
+      r = test_node(&m, 10, VS_TRANSFORM, &(struct vs_transform){ .matrix = both }, &r, 1);
+      test_draw(&m, test_paint(&m, form == 2 ? "glass" : "brick", r));
+    }
+  place p;
+  place_open(&p, "out.exr");
+  vs_export_options options;
+  vs_export_options_init(&options);
+  options.width = 40, options.height = 30;
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  if (!vs_export(&m.scene, NULL, p.path, &options, &e)) fail_msg("%s", e.message);
+  struct stat info;
+  assert_int_equal(stat(p.path, &info), 0);
+  assert_true(info.st_size > 1000);
+  place_close(&p);
+  test_model_close(&m);
+}
+
+static void test_openscad_takes_all(void **state) {
+  (void)state;
+  if (!installed("openscad")) skip();
+  test_model m;
+  test_model_open(&m);
+  static const vs_kind kinds[] = { VS_BOX, VS_WEDGE, VS_SPHERE, VS_CYLINDER, VS_CONE, VS_CUT_CONE, VS_PYRAMID, VS_TORUS, VS_POLYFACE_MESH };
+  for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+    vs_ref r = test_any(&m, kinds[i]);
+    vs_node_retain(r.node);
+    test_draw(&m, test_paint(&m, "gold", test_move(&m, 30.0 * (double)i, 0, 0, r)));
+    test_draw(&m, test_move(&m, 0, 50, 0, test_pair(&m, VS_DIFFERENCE, r, test_sphere(&m, 0, 0, 0, 2))));
+  }
+  place p, q;
+  place_open(&p, "out.scad");
+  place_open(&q, "out.csg");
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  if (!vs_export(&m.scene, NULL, p.path, NULL, &e)) fail_msg("%s", e.message);
+  char command[512], line[512];
+  snprintf(command, sizeof command, "HOME=%s openscad --hardwarnings -o %s %s 2>&1", q.folder, q.path, p.path);
+  FILE *said = popen(command, "r");
+  assert_non_null(said);
+  while (fgets(line, sizeof line, said) != NULL)
+    if (strstr(line, "ERROR") != NULL || strstr(line, "WARNING") != NULL) fail_msg("openscad: %s", line);
+  assert_int_equal(pclose(said), 0);
+  struct stat info;
+  assert_int_equal(stat(q.path, &info), 0);
+  assert_true(info.st_size > 1000);
+  place_close(&p);
+  snprintf(command, sizeof command, "rm -rf %s", q.folder);
+  assert_int_equal(system(command), 0);
+  test_model_close(&m);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_numbers), cmocka_unit_test(test_numbers_locale), cmocka_unit_test(test_tree_reads_back), cmocka_unit_test(test_tree_golden),
+    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words),
+    cmocka_unit_test(test_left_out), cmocka_unit_test(test_templates), cmocka_unit_test(test_singular), cmocka_unit_test(test_deep),
+    cmocka_unit_test(test_no_memory), cmocka_unit_test(test_files), cmocka_unit_test(test_formats), cmocka_unit_test(test_povray_missing),
+    cmocka_unit_test(test_povray_complains), cmocka_unit_test(test_povray_stops), cmocka_unit_test(test_povray_picture),
+    cmocka_unit_test(test_povray_takes_all), cmocka_unit_test(test_openscad_takes_all),
+  };
+  return cmocka_run_group_tests_name("backends", tests, NULL, NULL);
+}
