@@ -618,7 +618,7 @@ native_done:
         ret = w[1];
       }
       w[0] = vm->call_procedure;
-      memcpy(w + 2, vm->call_args, n * sizeof *w);
+      if (n) memcpy(w + 2, vm->call_args, n * sizeof *w);
       vm->call_count = 0;
       vm->call_procedure = VS_FALSE;
       base = w + 2;
@@ -750,7 +750,7 @@ bool vs_run(vs *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value
   vs_value *w = vm->stack;
   w[0] = procedure;
   w[1] = VS_TAG_FIXNUM << 48 | VS_RET_STOP;
-  memcpy(w + 2, argv, n * sizeof *argv);
+  if (n) memcpy(w + 2, argv, n * sizeof *argv);
   vm->top = w + 2 + n;
   vm->under = VS_FALSE;
   if (vm->config.clock) vm->started = vm->config.clock(vm->config.user);
