@@ -278,8 +278,9 @@ bool vs_environment_cell(vs *vm, const vs_meaning *m, vs_value *cell) {
   vs_value value = m->kind == VS_MEANS_CELL ? vs_as_cell(m->value)->value : VS_UNDEFINED;
   if (!vs_make_cell(vm, vs_identifier_symbol(m->id), value, &r[2])) return false;
   if (m->kind == VS_MEANS_CELL) vs_object_of(r[2])->flags |= VS_F_CONSTANT;
-  *cell = r[2];
-  return vs_environment_bind(vm, r[0], r[1], r[2]);
+  if (!vs_environment_bind(vm, r[0], r[1], r[2])) return false;
+  *cell = r[2];        /* not earlier: binding may move it */
+  return true;
 }
 
 bool vs_environment_define(vs *vm, vs_value env, vs_value id, vs_value *cell) {
@@ -293,8 +294,9 @@ bool vs_environment_define(vs *vm, vs_value env, vs_value id, vs_value *cell) {
   vs_meaning m = vs_environment_find(env, id);      /* (define sqrt (traced sqrt)): until then it is what was imported */
   vs_value before = own == VS_VACANT && m.foreign && m.kind == VS_MEANS_CELL ? vs_as_cell(m.value)->value : VS_UNDEFINED;
   if (!vs_make_cell(vm, vs_identifier_symbol(id), before, &r[2])) return false;
-  *cell = r[2];
-  return vs_environment_bind(vm, r[0], r[1], r[2]);
+  if (!vs_environment_bind(vm, r[0], r[1], r[2])) return false;
+  *cell = r[2];        /* not earlier: binding may move it */
+  return true;
 }
 
 vs_value vs_environment_value(vs_value env, vs_value symbol) {
