@@ -221,12 +221,8 @@ typedef struct scan {
   bool negative;
 } scan;
 
-/* Digits from p on, then R5RS' # for digits not known; the end. *hashes: there were some. */
-static const char *scan_digits(const scan *in, const char *p, bool *hashes) {
-  const char *from = p;
-  *hashes = false;
+static const char *scan_digits(const scan *in, const char *p) {
   while (p < in->end && digit_value(*p, in->radix) >= 0) p++;
-  if (p > from) while (p < in->end && *p == '#') p++, *hashes = true;
   return p;
 }
 
@@ -234,21 +230,21 @@ static bool integer_of(const scan *in, const char *from, const char *to, vs_valu
   size_t n = (size_t)(to - from);
   if (n <= 12) {
     int64_t v = 0;
-    for (; from < to; from++) v = v * in->radix + (*from == '#' ? 0 : digit_value(*from, in->radix));
+    for (; from < to; from++) v = v * in->radix + digit_value(*from, in->radix);
     return vs_number_from_int64(in->vm, v, out);
   }
   unsigned char *digits = vs_mem(in->vm, NULL, 0, n);
   if (!digits) return vs_fail_memory(in->vm);
-  for (size_t i = 0; i < n; i++) digits[i] = (unsigned char)(from[i] == '#' ? 0 : digit_value(from[i], in->radix));
+  for (size_t i = 0; i < n; i++) digits[i] = (unsigned char)digit_value(from[i], in->radix);
   bool ok = vs_int_from_digits(in->vm, digits, n, in->radix, false, out);
   vs_mem(in->vm, digits, n, 0);
   return ok;
 }
 
-static bool finish_exact(const scan *in, vs_value v, bool inexact, vs_value *out) {
+static bool finish_exact(const scan *in, vs_value v, vs_value *out) {
   VS_ROOTS(in->vm, r, 1);
   r[0] = v;
-  if (in->exactness ? in->exactness == 'i' : inexact) {
+  if (in->exactness == 'i') {
     double d;
     if (!vs_number_double(in->vm, r[0], &d)) return false;
     *out = vs_flonum(in->negative ? -d : d);
@@ -292,7 +288,7 @@ static bool scaled_number(const scan *in, const unsigned char *digits, size_t n,
       !vs_int_power(vm, vs_fix(in->radix), (uint64_t)(exponent < 0 ? -exponent : exponent), &r[1]))
     return false;
   if (exact)
-    return (exponent < 0 ? vs_number_ratio(vm, r[0], r[1], &r[0]) : vs_int_mul(vm, r[0], r[1], &r[0])) && finish_exact(in, r[0], false, out);
+    return (exponent < 0 ? vs_number_ratio(vm, r[0], r[1], &r[0]) : vs_int_mul(vm, r[0], r[1], &r[0])) && finish_exact(in, r[0], out);
   double d;
   if (exponent < 0) {
     if (!vs_int_ratio_double(vm, r[0], r[1], &d)) return false;
@@ -307,11 +303,9 @@ static bool scaled_number(const scan *in, const unsigned char *digits, size_t n,
 static bool scan_decimal(const scan *in, const char *p, vs_value *out) {
   const char *whole = p, *point = NULL;
   size_t n = 0;
-  bool hashes = false;
   for (; p < in->end; p++) {
     if (*p == '.' && !point) point = p;
-    else if (*p == '#' && n) n++, hashes = true;
-    else if (!hashes && digit_value(*p, in->radix) >= 0) n++;
+    else if (digit_value(*p, in->radix) >= 0) n++;
     else break;
   }
   const char *digits_end = p;
@@ -329,14 +323,14 @@ static bool scan_decimal(const scan *in, const char *p, vs_value *out) {
       if (exponent < INT64_C(1000000000000)) exponent = exponent * 10 + (*p - '0');
     }
     if (minus) exponent = -exponent;
-  } else if (!point && !hashes) {
+  } else if (!point) {
     return true;                                  /* a plain integer was tried before */
   }
   unsigned char small[64], *digits = n <= sizeof small ? small : vs_mem(in->vm, NULL, 0, n);
   if (!digits) return vs_fail_memory(in->vm);
   size_t i = 0;
   for (p = whole; p < digits_end; p++)
-    if (*p != '.') digits[i++] = (unsigned char)(*p == '#' ? 0 : digit_value(*p, in->radix));
+    if (*p != '.') digits[i++] = (unsigned char)digit_value(*p, in->radix);
   if (point) exponent -= digits_end - point - 1;
   bool ok = scaled_number(in, digits, n, exponent, out);
   if (digits != small) vs_mem(in->vm, digits, n, 0);
@@ -373,16 +367,15 @@ bool vs_number_parse(vs *vm, const char *s, size_t n, int radix, vs_value *out) 
     *out = vs_flonum(!inf ? NAN : in.negative ? -HUGE_VAL : HUGE_VAL);
     return true;
   }
-  bool hashes, more_hashes = false;
-  const char *stop = scan_digits(&in, p, &hashes);
+  const char *stop = scan_digits(&in, p);
   VS_ROOTS(vm, r, 2);
-  if (stop == in.end && stop > p && !hashes) return integer_of(&in, p, stop, &r[0]) && finish_exact(&in, r[0], false, out);
+  if (stop == in.end && stop > p) return integer_of(&in, p, stop, &r[0]) && finish_exact(&in, r[0], out);
   if (stop > p && stop < in.end && *stop == '/') {
-    const char *den = stop + 1, *den_end = scan_digits(&in, den, &more_hashes);
+    const char *den = stop + 1, *den_end = scan_digits(&in, den);
     if (den_end == den || den_end != in.end) return true;
     if (!integer_of(&in, p, stop, &r[0]) || !integer_of(&in, den, den_end, &r[1])) return false;
     if (r[1] == vs_fix(0)) return true;
-    return vs_number_ratio(vm, r[0], r[1], &r[0]) && finish_exact(&in, r[0], hashes || more_hashes, out);
+    return vs_number_ratio(vm, r[0], r[1], &r[0]) && finish_exact(&in, r[0], out);
   }
   return scan_decimal(&in, p, out);
 }
