@@ -11,7 +11,7 @@ typedef struct vs_var_info {
   vs_node *frame;            /* the LAMBDA in whose frame it has a register */
   vs_node *fix;              /* the FIX that binds it, or NULL */
   uint32_t ready;            /* moment from which it has its value; 0 for parameters and LET */
-  bool boxed;                /* its register holds a box: assigned and captured, or captured before it has a value */
+  bool boxed;                /* captured before it has a value; so its register holds a box, as that of every assigned variable does */
   bool early;                /* some reference may come before it has its value */
   bool loop;                 /* bound to a LAMBDA that runs in the frame; calls of it are jumps */
   bool emitted;              /* loop: `top` is known */

@@ -21,7 +21,8 @@ typedef struct compiler { vs_emit e; struct job *jobs; } compiler;
 static bool gen(compiler *c, vs_node *n, uint32_t to);
 static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list);
 
-static bool boxed(const vs_var *v) { return vs_info(v)->boxed || (v->assigned && v->captured); }
+/* Assigned variables are places, also for a continuation that copies the frame back: they live in the heap. */
+static bool boxed(const vs_var *v) { return vs_info(v)->boxed || v->assigned; }
 static bool is_value(uint32_t to) { return to < TAIL; }
 static vs_value pool(const compiler *c, uint32_t i) { return c->e.ast->pool[i]; }
 
@@ -84,7 +85,7 @@ static bool load_global(compiler *c, const vs_node *n, uint32_t to) {
 
 /* a register that holds n's value for the next instruction: a local's own, or a temporary */
 static bool operand(compiler *c, vs_node *n, uint32_t *reg) {
-  if (n->kind == VS_AST_LOCAL && !n->flag && !n->as.var->assigned && !boxed(n->as.var) && vs_info(n->as.var)->frame == c->e.frame) {
+  if (n->kind == VS_AST_LOCAL && !n->flag && !boxed(n->as.var) && vs_info(n->as.var)->frame == c->e.frame) {
     *reg = n->as.var->reg;
     return true;
   }
@@ -516,13 +517,9 @@ static bool gen_set(compiler *c, vs_node *n, uint32_t to) {
   vs_var *v = n->as.set.var;
   uint32_t keep = e->next, value, box;
   if (!vs_emit_register(e, &value) || !gen(c, n->as.set.value, value)) return false;
-  if (boxed(v)) {
-    box = v->reg;
-    if (vs_info(v)->frame != e->frame && (!vs_emit_register(e, &box) || !load_raw(c, v, box))) return false;
-    if (!vs_emit_op(e, VS_O_SETBOX, box, value, 0)) return false;
-  } else if (!vs_emit_op(e, VS_O_MOVE, v->reg, value, 0)) {
-    return false;
-  }
+  box = v->reg;
+  if (vs_info(v)->frame != e->frame && (!vs_emit_register(e, &box) || !load_raw(c, v, box))) return false;
+  if (!vs_emit_op(e, VS_O_SETBOX, box, value, 0)) return false;
   if (to != EFFECT && (!load_value(c, VS_UNSPECIFIC, is_value(to) ? to : value) || !finish(c, is_value(to) ? to : value, to))) return false;
   e->next = keep;
   return true;
