@@ -14,6 +14,7 @@
 #include "backends/emit.h"
 #include "backends/export.h"
 #include "geometry/tessellate.h"
+#include "kernel/solid.h"
 #include "model/mesh.h"
 #include "model/node.h"
 #include "model/scene.h"
@@ -31,14 +32,6 @@ typedef enum { VS_PHASE_LEAF, VS_PHASE_ENTER, VS_PHASE_LEAVE } vs_phase;
 typedef struct vs_emitter vs_emitter;
 typedef struct vs_drive vs_drive; /* the driver's own, driver.c */
 typedef vs_emit_status vs_emit_fn(vs_emitter *e, const vs_ref *ref, vs_phase phase);
-
-/* Triangles of a node with what to paint them: tag t of the mesh is painted with parts[t]. */
-typedef struct {
-  vs_mesh mesh;
-  const vs_material **parts; /* NULL entries: no material of its own */
-  size_t part_count;
-} vs_solid_mesh;
-void vs_solid_mesh_free(vs_solid_mesh *s);
 
 struct vs_emitter {
   vs_writer *out;
@@ -72,7 +65,7 @@ struct vs_backend {
   bool (*define)(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
   bool (*use)(vs_emitter *e, uint32_t id, const vs_ref *ref);
   /* Formats of triangles alone get the union of the drawing's solids instead of a walk. */
-  bool (*solid)(vs_emitter *e, const vs_solid_mesh *solid);
+  bool (*solid)(vs_emitter *e, const vs_solid *solid);
   /* Runs a worker on the written text. NULL: the text is the output. */
   bool (*render)(vs_emitter *e, const char *text_path, const char *output_path);
   /* Writes what belongs beside e->path (an .mtl), after the text. NULL: nothing. */
@@ -93,7 +86,7 @@ bool vs_emit_no_memory(vs_emitter *e);
 bool vs_emit_progress(vs_emitter *e, const char *stage, double fraction); /* false: interrupted, and the error says so */
 /* Triangles of any node of solids and surfaces in its own coordinates: booleans by the kernel, the rest by geometry. Kept for nodes that
  * stand in several places; valid until the next call. NULL: failed. */
-const vs_solid_mesh *vs_emit_mesh(vs_emitter *e, const vs_ref *ref);
+const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref);
 /* What the text must paint: does anything in the node lack a material of its own; does anything have one? */
 bool vs_emit_is_bare(const vs_emitter *e, const vs_node *n);
 bool vs_emit_is_painted(const vs_emitter *e, const vs_node *n);
@@ -114,9 +107,9 @@ bool vs_emit_file(vs_emitter *e, const char *path, bool (*fill)(vs_emitter *e));
 /* Simpler kinds for ref's node, one new reference; NULL: cannot be or failed, and the error says so. Not memoised: the driver does that. */
 vs_node *vs_lower(vs_emitter *e, const vs_ref *ref);
 /* Triangles of a node, as vs_emit_mesh but made anew; out is empty before, and the caller's to free also after a failure. */
-bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid_mesh *out);
+bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out);
 /* The union of all solids that are drawn. */
-bool vs_lower_scene(vs_emitter *e, vs_solid_mesh *out);
+bool vs_lower_scene(vs_emitter *e, vs_solid *out);
 /* Is this node's shape round somewhere, so that its triangles should be shaded smoothly? */
 bool vs_lower_is_round(const vs_node *n);
 

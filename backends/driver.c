@@ -18,7 +18,7 @@ typedef struct {
   bool vain, cut;
   bool bare, painted;   /* something in it has no material of its own; something has */
   vs_node *lowered;     /* retained, or NULL */
-  vs_solid_mesh *mesh;
+  vs_solid *mesh;
 } drive_entry;
 
 typedef struct {
@@ -47,7 +47,7 @@ struct vs_drive {
   size_t material_count, material_room;
   const char **said;    /* warnings given, by address */
   size_t said_count, said_room;
-  vs_solid_mesh scratch; /* the mesh of a node without entry, until the next is asked for */
+  vs_solid scratch; /* the mesh of a node without entry, until the next is asked for */
   uint32_t ticks;
 };
 
@@ -491,9 +491,9 @@ bool vs_drive_scene(vs_emitter *e) {
   drive_reset(e);
   if (!e->backend->begin(e)) return false;
   if (e->backend->solid != NULL) {
-    vs_solid_mesh mesh = { .part_count = 0 };
+    vs_solid mesh = { .part_count = 0 };
     bool ok = vs_lower_scene(e, &mesh) && e->backend->solid(e, &mesh);
-    vs_solid_mesh_free(&mesh);
+    vs_solid_free(&mesh);
     return ok && e->backend->end(e);
   }
   if (!drive_definitions(e)) return false;
@@ -510,12 +510,12 @@ bool vs_drive_scene(vs_emitter *e) {
   return e->backend->end(e) && !e->out->failed;
 }
 
-const vs_solid_mesh *vs_emit_mesh(vs_emitter *e, const vs_ref *ref) {
+const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref) {
   drive_entry *entry = drive_find(e, ref->node);
   if (entry != NULL && entry->mesh != NULL) return entry->mesh;
-  vs_solid_mesh made = { .part_count = 0 };
+  vs_solid made = { .part_count = 0 };
   if (!vs_lower_mesh(e, ref, &made)) {
-    vs_solid_mesh_free(&made);
+    vs_solid_free(&made);
     return NULL;
   }
   if (entry != NULL && entry->uses > 1) {
@@ -525,7 +525,7 @@ const vs_solid_mesh *vs_emit_mesh(vs_emitter *e, const vs_ref *ref) {
       return entry->mesh;
     }
   }
-  vs_solid_mesh_free(&e->drive->scratch); /* also where remembering failed: that costs time, no more */
+  vs_solid_free(&e->drive->scratch); /* also where remembering failed: that costs time, no more */
   e->drive->scratch = made;
   return &e->drive->scratch;
 }
@@ -536,10 +536,10 @@ void vs_drive_free(vs_emitter *e) {
   for (size_t i = 0; i < d->entry_count; i++) {
     vs_node_release(d->entries[i].lowered);
     if (d->entries[i].mesh == NULL) continue;
-    vs_solid_mesh_free(d->entries[i].mesh);
+    vs_solid_free(d->entries[i].mesh);
     vs_emit_release(e, d->entries[i].mesh, 1, sizeof *d->entries[i].mesh);
   }
-  vs_solid_mesh_free(&d->scratch);
+  vs_solid_free(&d->scratch);
   vs_nodemap_free(&d->index);
   vs_nodemap_free(&d->paints);
   vs_emit_release(e, d->materials, d->material_room, sizeof *d->materials);

@@ -4,13 +4,6 @@
 #include <stdlib.h>
 
 #include "backends/backend.h"
-#include "kernel/solid.h"
-
-void vs_solid_mesh_free(vs_solid_mesh *s) {
-  vs_mesh_free(&s->mesh);
-  free(s->parts);
-  *s = (vs_solid_mesh){ .part_count = 0 };
-}
 
 static vs_node *lower_polyline(vs_emitter *e, const vs_ref *ref) {
   vs_store *store = e->scene->store;
@@ -58,9 +51,9 @@ vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
     return lower_polyline(e, ref);
   case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_EXTRUDE:
   case VS_SWEEP: case VS_THICKEN: case VS_REGION: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: {
-    vs_solid_mesh m = { .part_count = 0 };
+    vs_solid m = { .part_count = 0 };
     vs_node *made = vs_lower_mesh(e, ref, &m) ? lower_polyface(e, &m.mesh, ref->node->class_ == VS_SOLID) : NULL;
-    vs_solid_mesh_free(&m);
+    vs_solid_free(&m);
     return made;
   }
   case VS_EMPTY: case VS_LINE: case VS_POLYFACE_MESH: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT:
@@ -81,31 +74,20 @@ bool vs_lower_is_round(const vs_node *n) {
   return false;
 }
 
-static bool progress(void *context, double done) { return vs_emit_progress(context, "meshing", done); }
+static bool lower_progress(void *context, double done) { return vs_emit_progress(context, "meshing", done); }
 
-/* The kernel's answer for the union of refs. */
-static bool lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_solid_mesh *out, vs_error *why) {
-  vs_kernel_options options = { .progress = progress, .context = e };
-  vs_solid solid;
-  if (!vs_solid_evaluate(refs, count, &e->facets, &options, &solid, why)) return false;
-  *out = (vs_solid_mesh){ solid.mesh, solid.parts, solid.part_count };
-  return true;
+static bool lower_booleans(vs_emitter *e, const vs_ref *refs, size_t count, vs_solid *out) {
+  vs_kernel_options options = { .progress = lower_progress, .context = e };
+  return vs_solid_evaluate(refs, count, &e->facets, &options, out, e->error);
 }
 
-bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid_mesh *out) {
+bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out) {
+  if (vs_kind_get((vs_kind)ref->node->kind)->level == VS_LEVEL_OPERATION) return lower_booleans(e, ref, 1, out);
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  bool boolean = ref->node->kind == VS_UNION || ref->node->kind == VS_INTERSECTION || ref->node->kind == VS_DIFFERENCE;
-  if (boolean ? lower_solids(e, ref, 1, out, &why) : vs_tessellate(ref->node, &e->facets, &out->mesh, &why)) return true;
-  if (e->error != NULL) {
-    *e->error = why;
-    if (why.origin == NULL && why.kind == VS_ERROR_MODEL) e->error->origin = ref->origin;
-  }
+  if (vs_tessellate(ref->node, &e->facets, &out->mesh, &why)) return true;
+  *e->error = why;
+  if (why.origin == NULL && why.kind == VS_ERROR_MODEL) e->error->origin = ref->origin;
   return false;
 }
 
-bool vs_lower_scene(vs_emitter *e, vs_solid_mesh *out) {
-  vs_error why = { VS_ERROR_NONE, NULL, "" };
-  if (lower_solids(e, e->scene->drawn, e->scene->drawn_count, out, &why)) return true;
-  if (e->error != NULL) *e->error = why;
-  return false;
-}
+bool vs_lower_scene(vs_emitter *e, vs_solid *out) { return lower_booleans(e, e->scene->drawn, e->scene->drawn_count, out); }

@@ -37,7 +37,7 @@ static unsigned char *stl_vector(unsigned char *to, vs_vec3 v) {
   return to;
 }
 
-static bool stl_solid(vs_emitter *e, const vs_solid_mesh *solid) {
+static bool stl_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   unsigned char head[84] = "binary STL by VisualScheme, lengths in ";
   strncat((char *)head, e->scene->units != NULL ? e->scene->units : "m", 8);
@@ -67,7 +67,7 @@ static void mesh_vertex(vs_writer *w, const char *before, vs_vec3 v) {
   vs_put_triple(w, before, v, " ", "\n");
 }
 
-static bool off_solid(vs_emitter *e, const vs_solid_mesh *solid) {
+static bool off_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   vs_putf(e->out, "OFF\n%lu %lu 0\n", (unsigned long)m->vertex_count, (unsigned long)m->triangle_count);
   for (size_t i = 0; i < m->vertex_count; i++) mesh_vertex(e->out, "", m->vertices[i]);
@@ -103,7 +103,7 @@ static char *obj_library(const char *path) {
   return name;
 }
 
-static bool obj_solid(vs_emitter *e, const vs_solid_mesh *solid) {
+static bool obj_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   vs_writer *w = e->out;
   vs_puts(w, "# made by VisualScheme; Z is up\n");

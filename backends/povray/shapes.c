@@ -177,7 +177,7 @@ vs_emit_status vs_povray_polyface(vs_emitter *e, const vs_ref *ref, vs_phase pha
   for (uint32_t i = 0; i < p->faces->count && triangles; i++) triangles = starts[i] == 3 * i;
   if (triangles)
     return pov_mesh(e, p->points->at, p->points->count, (const uint32_t (*)[3])(const void *)vs_faces_corners(p->faces), p->faces->count, p->closed);
-  const vs_solid_mesh *m = vs_emit_mesh(e, ref);
+  const vs_solid *m = vs_emit_mesh(e, ref);
   if (m == NULL) return VS_FAILED;
   return pov_mesh(e, m->mesh.vertices, m->mesh.vertex_count, (const uint32_t (*)[3])m->mesh.triangles, m->mesh.triangle_count, p->closed);
 }

@@ -45,7 +45,7 @@ static vs_vec3 collect_normal(const vs_affine *a, vs_vec3 n) {
   return length > 0 ? vs_v3_scale(out, 1 / length) : n;
 }
 
-static bool collect_triangles(vs_emitter *e, const vs_solid_mesh *m, const vs_affine *place, const vs_material *material, double crease) {
+static bool collect_triangles(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_material *material, double crease) {
   vs_x3d *x = e->state;
   const vs_mesh *mesh = &m->mesh;
   vs_shading s;
@@ -90,7 +90,7 @@ static bool collect_triangles(vs_emitter *e, const vs_solid_mesh *m, const vs_af
 }
 
 static bool collect_bake(vs_emitter *e, const vs_ref *ref, const vs_affine *place, const vs_material *material) {
-  const vs_solid_mesh *m = vs_emit_mesh(e, ref);
+  const vs_solid *m = vs_emit_mesh(e, ref);
   bool boolean = ref->node->kind == VS_INTERSECTION || ref->node->kind == VS_DIFFERENCE;
   return m != NULL && collect_triangles(e, m, place, material, boolean || vs_lower_is_round(ref->node) ? 0.6 : 0.05);
 }
