@@ -219,7 +219,7 @@
 
 ; The end of a walk over `whole` that stopped at `rest`: a proper list ends in ().
 (define (%need-end who whole rest)
-  (if (not (null? rest)) (error who "list must be a list, got ~s" whole)))
+  (if (not (null? rest)) (error who "expected a list, got ~s" whole)))
 
 (define (%need-index who name n)
   (if (not (and (exact-integer? n) (>= n 0))) (error who "~a must be an exact integer from 0 on, got ~s" name n)))

@@ -106,7 +106,10 @@ vs_status vs_fail_type(vs *vm, int arg, const char *expected, vs_value got) {
   char name[64];
   vs_signature_parameter(vm->native && vm->native->def ? vm->native->def->signature : "", arg, name, sizeof name);
   if (got == VS_ABSENT) return vs_fail(vm, vm->sym.type, "%s must be given: %s", name, expected);
-  return vs_cons(vm, got, VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "%s must be %s, got", name, expected);
+  if (!vs_cons(vm, got, VS_NIL, &r[0])) return VS_ERROR;
+  const char *noun = strncmp(expected, "a ", 2) == 0 ? expected + 2 : strncmp(expected, "an ", 3) == 0 ? expected + 3 : "";
+  if (strcmp(name, noun) == 0) return vs_fail_with(vm, vm->sym.type, r[0], "expected %s, got", expected);      /* not "pair must be a pair" */
+  return vs_fail_with(vm, vm->sym.type, r[0], "%s must be %s, got", name, expected);
 }
 
 vs_status vs_fail_range(vs *vm, int arg, vs_value got, int64_t low, int64_t high) {
