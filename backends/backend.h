@@ -43,6 +43,8 @@ struct vs_emitter {
   void *state;         /* the back-end's own, made by begin and freed by close */
   vs_facets facets;
   vs_bounds bounds;    /* of everything drawn; never empty */
+  vs_bounds *boxes;    /* of its parts: tighter together than the one; what a camera frames */
+  size_t box_count, box_room;
   size_t depth;        /* of nesting now, for indentation */
   size_t child_count;  /* at VS_PHASE_ENTER: operands that will follow, at least 1; 1 only for a placement or paint */
   size_t child_index;  /* which operand of its parent this node is */

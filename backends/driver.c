@@ -446,23 +446,43 @@ static bool drive_definitions(vs_emitter *e) {
   return true;
 }
 
+static void drive_include(vs_bounds *all, const vs_bounds *b) {
+  all->min = vs_v3(fmin(all->min.x, b->min.x), fmin(all->min.y, b->min.y), fmin(all->min.z, b->min.z));
+  all->max = vs_v3(fmax(all->max.x, b->max.x), fmax(all->max.y, b->max.y), fmax(all->max.z, b->max.z));
+}
+
+/* The bounds of the things drawn, and of the parts of unions among them where that is not too many: a cross of two beams is framed
+ * tighter by two boxes than by one. */
+static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo) {
+  enum { most = 4096 };
+  const vs_node *n = ref->node;
+  while (n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
+  bool parts = n->kind == VS_UNION && n->child_count + e->box_count <= most;
+  size_t count = parts ? n->child_count : 1;
+  if (!vs_emit_grow(e, &e->boxes, &e->box_room, e->box_count + count, sizeof *e->boxes)) return false;
+  for (size_t i = 0; i < count; i++) {
+    vs_bounds b;
+    const vs_ref *part = parts ? &n->children[i] : ref;
+    if (drive_vain(e, part)) continue;
+    if (!vs_bounds_memo_get(memo, part->node, &b, e->error)) return false;
+    if (b.min.x > b.max.x) continue;
+    if (e->box_count == 0) e->bounds = b;
+    else drive_include(&e->bounds, &b);
+    if (e->box_count >= most) drive_include(&e->boxes[most - 1], &b); /* the rest is one box */
+    else e->boxes[e->box_count++] = b;
+  }
+  return true;
+}
+
 static bool drive_bounds(vs_emitter *e) {
   if (e->backend->verbatim) return true;
-  bool any = false;
-  for (size_t i = 0; i < e->scene->drawn_count; i++) {
-    vs_bounds b;
-    if (drive_vain(e, &e->scene->drawn[i])) continue;
-    if (!vs_node_bounds(e->scene->drawn[i].node, &b, e->error)) return false;
-    if (b.min.x > b.max.x) continue;
-    if (any) {
-      e->bounds.min = vs_v3(fmin(e->bounds.min.x, b.min.x), fmin(e->bounds.min.y, b.min.y), fmin(e->bounds.min.z, b.min.z));
-      e->bounds.max = vs_v3(fmax(e->bounds.max.x, b.max.x), fmax(e->bounds.max.y, b.max.y), fmax(e->bounds.max.z, b.max.z));
-    } else {
-      e->bounds = b;
-    }
-    any = true;
-  }
-  if (!any) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing holds nothing that this format can show");
+  vs_bounds_memo memo = { .places.store = e->scene->store };
+  bool ok = true;
+  for (size_t i = 0; i < e->scene->drawn_count && ok; i++)
+    if (!drive_vain(e, &e->scene->drawn[i])) ok = drive_boxes(e, &e->scene->drawn[i], &memo);
+  vs_bounds_memo_free(&memo);
+  if (!ok) return false;
+  if (e->box_count == 0) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing holds nothing that this format can show");
   const double *low = &e->bounds.min.x, *high = &e->bounds.max.x;
   for (int i = 0; i < 3; i++)
     if (!isfinite(low[i]) || !isfinite(high[i])) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing is infinitely large");
@@ -548,6 +568,9 @@ void vs_drive_free(vs_emitter *e) {
   vs_emit_release(e, d->frames, d->frame_room, sizeof *d->frames);
   vs_emit_release(e, d->lines, d->line_room, sizeof *d->lines);
   vs_emit_release(e, d->said, d->said_room, sizeof *d->said);
+  vs_emit_release(e, e->boxes, e->box_room, sizeof *e->boxes);
+  e->boxes = NULL;
+  e->box_count = e->box_room = 0;
   vs_emit_release(e, d, 1, sizeof *d);
   e->drive = NULL;
 }

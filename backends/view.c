@@ -20,27 +20,29 @@ static void look_axes(vs_look *l, vs_vec3 forward, vs_vec3 up) {
   l->up = vs_v3_cross(l->right, l->forward);
 }
 
-static void look_frame(vs_look *l, const vs_bounds *b, double aspect) {
+static void look_frame(vs_look *l, const vs_bounds *b, const vs_bounds *boxes, size_t box_count, double aspect) {
   const double margin = 1.08;
   vs_vec3 middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5);
   double diagonal = vs_v3_length(vs_v3_sub(b->max, b->min));
   double tx = tan(l->angle / 2) / margin, ty = tan(l->angle / 2) / aspect / margin;
-  double right = -INFINITY, left = -INFINITY, top = -INFINITY, bottom = -INFINITY, wide = 0, high = 0;
-  for (int i = 0; i < 8; i++) {
-    vs_vec3 corner = vs_v3_sub(vs_v3((i & 1) ? b->max.x : b->min.x, (i & 2) ? b->max.y : b->min.y, (i & 4) ? b->max.z : b->min.z), middle);
+  double right = -INFINITY, left = -INFINITY, top = -INFINITY, bottom = -INFINITY;
+  double x_min = INFINITY, x_max = -INFINITY, y_min = INFINITY, y_max = -INFINITY;
+  for (size_t i = 0; i < 8 * box_count; i++) {
+    const vs_bounds *box = &boxes[i / 8];
+    vs_vec3 corner = vs_v3_sub(vs_v3((i & 1) ? box->max.x : box->min.x, (i & 2) ? box->max.y : box->min.y, (i & 4) ? box->max.z : box->min.z), middle);
     double x = vs_v3_dot(corner, l->right), y = vs_v3_dot(corner, l->up), z = vs_v3_dot(corner, l->forward);
     right = fmax(right, x - z * tx);
     left = fmax(left, -x - z * tx);
     top = fmax(top, y - z * ty);
     bottom = fmax(bottom, -y - z * ty);
-    wide = fmax(wide, fabs(x));
-    high = fmax(high, fabs(y));
+    x_min = fmin(x_min, x), x_max = fmax(x_max, x);
+    y_min = fmin(y_min, y), y_max = fmax(y_max, y);
   }
   if (l->parallel) {
-    l->width = 2 * margin * fmax(wide, high * aspect);
+    l->width = margin * fmax(x_max - x_min, (y_max - y_min) * aspect);
     if (!(l->width > 0)) l->width = 1;
-    l->target = middle;
-    l->eye = vs_v3_sub(middle, vs_v3_scale(l->forward, 2 * diagonal + l->width));
+    l->target = vs_v3_add(middle, vs_v3_add(vs_v3_scale(l->right, (x_min + x_max) / 2), vs_v3_scale(l->up, (y_min + y_max) / 2)));
+    l->eye = vs_v3_sub(l->target, vs_v3_scale(l->forward, 2 * diagonal + l->width));
     return;
   }
   double distance = fmax((right + left) / (2 * tx), (top + bottom) / (2 * ty));
@@ -50,7 +52,7 @@ static void look_frame(vs_look *l, const vs_bounds *b, double aspect) {
   l->eye = vs_v3_sub(l->target, vs_v3_scale(l->forward, distance));
 }
 
-vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, double aspect) {
+vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bounds *boxes, size_t box_count, double aspect) {
   const double film = 36; /* mm: the width of a 35 mm picture */
   vs_look l = { .angle = 2 * atan(film / 2 / 45) };
   vs_vec3 up = vs_v3(0, 0, 1), north = vs_v3(0, 1, 0);
@@ -70,7 +72,7 @@ vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, double aspe
   case VS_VIEW_RIGHT: l.parallel = true; look_axes(&l, vs_v3(-1, 0, 0), up); break;
   case VS_VIEW_ISO: l.parallel = true; look_axes(&l, vs_v3(-1, 1, -1), up); break;
   }
-  look_frame(&l, bounds, aspect);
+  look_frame(&l, bounds, boxes, box_count, aspect);
   return l;
 }
 

@@ -12,8 +12,8 @@ typedef struct {
   double width;               /* of the visible rectangle, model units; parallel */
 } vs_look;
 
-/* aspect: width by height of the picture. bounds: of the drawing. */
-vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, double aspect);
+/* aspect: width by height of the picture. bounds: of the drawing, which the look centres on; boxes: of its parts, at least one. */
+vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bounds *boxes, size_t box_count, double aspect);
 /* Unit vector towards the sun; without a sun in the scene a good one for this look: over the viewer's left shoulder. */
 vs_vec3 vs_look_sun(const vs_scene *scene, const vs_look *look);
 

@@ -184,7 +184,7 @@ bool vs_povray_begin(vs_emitter *e) {
   vs_puts(w, "global_settings {\n  assumed_gamma 1\n  max_trace_level 12\n  ");
   vs_puts(w, pov_radiosity(e->options->quality));
   vs_puts(w, "}\n#default { texture { pigment { color srgb <0.86, 0.85, 0.83> } finish { ambient 0 diffuse 0.82 } } }\n\n");
-  vs_look look = vs_look_find(e->scene, &e->bounds, (double)width / height);
+  vs_look look = vs_look_find(e->scene, &e->bounds, e->boxes, e->box_count, (double)width / height);
   pov_camera(e, &look);
   pov_sun(e, &look, diagonal);
   pov_sky(e);
