@@ -1,0 +1,243 @@
+/* Owns the tests of the passes: drawings made at random stay the same solids, and each pass does what it is for. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "geometry/measure.h"
+#include "model/passes/passes.h"
+
+#define NODE(lower, upper, ...) vs_node_new(s, VS_##upper, &(struct vs_##lower){ __VA_ARGS__, 0 }, NULL, 0)
+enum { ALL = (1 << VS_PASS_COUNT) - 1 };
+
+static bool bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) { return vs_bounds_memo_get(context, n, out, e); }
+
+static vs_pass_stats run(vs_store *s, vs_ref *ref, unsigned passes) {
+  vs_bounds_memo memo = { .places = { .store = s } };
+  vs_pass_options o = { passes, bounds, &memo };
+  vs_pass_stats stats;
+  vs_error e = { 0 };
+  if (!vs_passes_run(s, ref, 1, &o, &stats, &e)) fail_msg("%s", e.message);
+  vs_bounds_memo_free(&memo);
+  return stats;
+}
+
+static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node **kids, size_t count) { /* takes the kids over */
+  vs_ref refs[64];
+  for (size_t i = 0; i < count; i++) refs[i] = (vs_ref){ kids[i], NULL };
+  vs_node *n = vs_node_new(s, kind, data, refs, count);
+  for (size_t i = 0; i < count; i++) vs_node_release(kids[i]);
+  return n;
+}
+static vs_node *two(vs_store *s, vs_kind kind, vs_node *a, vs_node *b) { return over(s, kind, NULL, (vs_node *[]){ a, b }, 2); }
+static vs_node *moved(vs_store *s, vs_affine a, vs_node *n) { return over(s, VS_TRANSFORM, &(struct vs_transform){ .matrix = a }, &n, 1); }
+static vs_node *shifted(vs_store *s, double x, double y, double z, vs_node *n) { return moved(s, vs_affine_translation(vs_v3(x, y, z)), n); }
+
+static void sets_become_flat(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_node *sum = NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0);
+  for (int i = 1; i < 1000; i++) sum = two(s, VS_UNION, sum, NODE(sphere, SPHERE, { i, 0, 0 }, 1, 0));
+  vs_ref r = { sum, NULL };
+  run(s, &r, 1 << VS_PASS_FLATTEN);
+  assert_int_equal(r.node->child_count, 1000);
+  for (uint32_t i = 0; i < 1000; i++) assert_true(VS_AS(sphere, r.node->children[i].node)->center.x == i);
+  vs_node_release(r.node);
+  vs_node *cut = two(s, VS_DIFFERENCE, two(s, VS_DIFFERENCE, NODE(sphere, SPHERE, { 0, 0, 0 }, 3, 0), NODE(sphere, SPHERE, { 1, 0, 0 }, 1, 0)),
+                     two(s, VS_UNION, NODE(sphere, SPHERE, { 2, 0, 0 }, 1, 0), NODE(sphere, SPHERE, { 3, 0, 0 }, 1, 0)));
+  r = (vs_ref){ cut, NULL };
+  vs_pass_stats stats = run(s, &r, 1 << VS_PASS_FLATTEN);
+  assert_int_equal(r.node->kind, VS_DIFFERENCE);
+  assert_int_equal(r.node->child_count, 4);
+  assert_true(stats.commands_before == 7 && stats.commands_after == 7 && stats.changed[VS_PASS_FLATTEN] == 1);
+  vs_node_release(r.node);
+  vs_store_release(s);
+}
+
+static void templates_are_not_undone(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_node *pair = two(s, VS_UNION, NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0), NODE(sphere, SPHERE, { 2, 0, 0 }, 1, 0));
+  vs_ref r = { two(s, VS_UNION, shifted(s, 5, 0, 0, vs_node_retain(pair)), vs_node_retain(pair)), NULL };
+  run(s, &r, ALL);
+  assert_int_equal(r.node->child_count, 2);
+  assert_ptr_equal(r.node->children[1].node, pair);
+  assert_ptr_equal(r.node->children[0].node->children[0].node, pair);
+  vs_node_release(r.node);
+  vs_node_release(pair);
+  vs_store_release(s);
+}
+
+static void placements_fold(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_affine quarter = vs_affine_rotation(vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1.57079632679489661923), tilt = vs_affine_rotation(vs_v3(0, 0, 0), vs_v3(1, 1, 0), 0.3);
+  vs_ref r = { shifted(s, 1, 0, 0, moved(s, quarter, shifted(s, 1, 1, 1, NODE(box, BOX, { 0, 0, 0 }, { 2, 1, 1 })))), NULL };
+  run(s, &r, 1 << VS_PASS_FOLD);
+  assert_int_equal(r.node->kind, VS_BOX);
+  assert_true(vs_v3_equal(VS_AS(box, r.node)->p, vs_v3(-1, 1, 1)) && vs_v3_equal(VS_AS(box, r.node)->q, vs_v3(0, 3, 2)));
+  vs_node_release(r.node);
+  r = (vs_ref){ moved(s, tilt, NODE(box, BOX, { 0, 0, 0 }, { 2, 1, 1 })), NULL };
+  run(s, &r, 1 << VS_PASS_FOLD);
+  assert_int_equal(r.node->kind, VS_TRANSFORM);
+  vs_node_release(r.node);
+  r = (vs_ref){ moved(s, tilt, NODE(cylinder, CYLINDER, { 0, 0, 0 }, { 0, 0, 2 }, 1, 0)), NULL };
+  run(s, &r, 1 << VS_PASS_FOLD);
+  assert_int_equal(r.node->kind, VS_CYLINDER);
+  assert_true(VS_AS(cylinder, r.node)->radius == 1);
+  vs_node_release(r.node);
+  r = (vs_ref){ moved(s, tilt, NODE(cylinder, CYLINDER, { 0, 0, 0 }, { 0, 0, 2 }, 1, 6)), NULL }; /* six facets that the modeller chose */
+  run(s, &r, 1 << VS_PASS_FOLD);
+  assert_int_equal(r.node->kind, VS_TRANSFORM);
+  vs_node_release(r.node);
+  vs_store_release(s);
+}
+
+static void nothing_is_pruned_away_but_nothing(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_node *none = vs_node_new(s, VS_EMPTY, NULL, NULL, 0);
+  vs_node *kids[] = { NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0), NODE(sphere, SPHERE, { 9, 0, 0 }, 1, 0), NODE(sphere, SPHERE, { 1, 0, 0 }, 1, 0), vs_node_retain(none) };
+  vs_ref r = { two(s, VS_UNION, over(s, VS_DIFFERENCE, NULL, kids, 4), shifted(s, 1, 2, 3, none)), NULL };
+  run(s, &r, 1 << VS_PASS_PRUNE);
+  assert_int_equal(r.node->kind, VS_DIFFERENCE);
+  assert_int_equal(r.node->child_count, 2);
+  vs_node_release(r.node);
+  r = (vs_ref){ two(s, VS_INTERSECTION, NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0), NODE(sphere, SPHERE, { 9, 0, 0 }, 1, 0)), NULL };
+  run(s, &r, 1 << VS_PASS_PRUNE);
+  assert_int_equal(r.node->kind, VS_EMPTY);
+  vs_node_release(r.node);
+  vs_store_release(s);
+}
+
+static vs_node *column(vs_store *s, double x, double y) {
+  vs_node *parts[] = { NODE(cylinder, CYLINDER, { x, y, 0 }, { x, y, 4 }, 0.3, 0), NODE(box, BOX, { x - 0.4, y - 0.4, 4 }, { x + 0.4, y + 0.4, 4.2 }),
+                       NODE(cut_cone, CUT_CONE, { x, y, 3.5 }, 0.3, { x, y, 4 }, 0.4, 0) };
+  return over(s, VS_UNION, NULL, parts, 3);
+}
+
+static void copies_become_a_template(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_node *columns[49];
+  for (int i = 0; i < 49; i++) columns[i] = column(s, i % 7 * 3.3 + 0.1, i / 7 * 2.7 - 0.7);
+  vs_ref r = { over(s, VS_UNION, NULL, columns, 49), NULL };
+  vs_bounds before, after;
+  assert_true(vs_node_bounds(r.node, &before, NULL));
+  vs_pass_stats stats = run(s, &r, 1 << VS_PASS_SHARE);
+  assert_int_equal(stats.changed[VS_PASS_SHARE], 48);
+  assert_true(stats.commands_before == 49 * 5 + 48);
+  assert_true(stats.commands_after == 5 + 1 + 49 + 48 + 48); /* one column, its template, its uses, their places, the union */
+  assert_true(vs_node_bounds(r.node, &after, NULL));
+  assert_true(vs_v3_length(vs_v3_sub(before.max, after.max)) < 1e-9 && vs_v3_length(vs_v3_sub(before.min, after.min)) < 1e-9);
+  vs_node_release(r.node);
+  vs_store_release(s);
+}
+
+/* ---- at random ---- */
+
+static uint64_t draw(uint64_t *seed) {
+  *seed ^= *seed << 13;
+  *seed ^= *seed >> 7;
+  *seed ^= *seed << 17;
+  return *seed >> 16;
+}
+static double real(uint64_t *seed) { return (double)(draw(seed) % 33) / 8 - 2; }
+
+static vs_node *random_leaf(vs_store *s, uint64_t *seed) {
+  vs_vec3 p = { real(seed), real(seed), real(seed) }, d = { real(seed) + 2.1, real(seed) + 2.1, real(seed) + 2.1 }, q = vs_v3_add(p, d);
+  switch (draw(seed) % 8) {
+    case 0: return NODE(box, BOX, p, q);
+    case 1: return NODE(sphere, SPHERE, p, d.x, 0);
+    case 2: return NODE(cylinder, CYLINDER, p, q, d.x / 2, draw(seed) % 2 ? 0 : 5);
+    case 3: return NODE(cone, CONE, p, q, d.x, 0);
+    case 4: return NODE(wedge, WEDGE, p, q);
+    case 5: return NODE(torus, TORUS, p, d.x, d.y / 3, 0);
+    case 6: return NODE(pyramid, PYRAMID, p, d.x, 5, q, d.y / 2);
+    default: return vs_node_new(s, VS_EMPTY, NULL, NULL, 0);
+  }
+}
+
+static vs_node *random_tree(vs_store *s, uint64_t *seed) {
+  vs_node *stock[14];
+  for (int i = 0; i < 8; i++) stock[i] = random_leaf(s, seed);
+  for (int i = 8; i < 14; i++) {
+    vs_node *kids[4];
+    size_t n = 1 + draw(seed) % 4;
+    for (size_t k = 0; k < n; k++) kids[k] = vs_node_retain(stock[draw(seed) % (uint64_t)i]);
+    static const vs_kind sets[] = { VS_UNION, VS_INTERSECTION, VS_DIFFERENCE, VS_UNION };
+    stock[i] = over(s, sets[draw(seed) % 4], NULL, kids, n);
+    vs_affine a = draw(seed) % 3 == 0   ? vs_affine_translation(vs_v3(real(seed), real(seed), real(seed)))
+                  : draw(seed) % 2 == 0 ? vs_affine_rotation(vs_v3(real(seed), 0, 0), vs_v3(real(seed) + 2.5, real(seed), 1), (double)(draw(seed) % 8) * 0.78539816339744830962)
+                                        : vs_affine_scaling(vs_v3(0, 0, 0), vs_v3(1, draw(seed) % 2 ? -2 : 1, 0.5));
+    if (draw(seed) % 2) stock[i] = moved(s, a, stock[i]);
+  }
+  vs_node *top = two(s, VS_UNION, vs_node_retain(stock[13]), vs_node_retain(stock[12]));
+  for (int i = 0; i < 14; i++) vs_node_release(stock[i]);
+  return top;
+}
+
+static void random_solids_stay_what_they_are(void **state) {
+  (void)state;
+  uint64_t seed = 0x9E3779B97F4A7C15u;
+  size_t inside = 0, differ = 0;
+  for (int round = 0; round < 150; round++) {
+    vs_store *s = vs_store_new(NULL, NULL);
+    vs_ref r = { random_tree(s, &seed), NULL };
+    vs_inside *before = vs_inside_new(r.node, NULL);
+    run(s, &r, round % 2 ? ALL : 1u << (round / 2 % VS_PASS_COUNT));
+    vs_inside *after = vs_inside_new(r.node, NULL);
+    assert_true(before && after);
+    for (int i = 0; i < 400; i++) { /* off the corners that the solids share, or rounding decides */
+      vs_vec3 p = { real(&seed) * 1.3 + 0.0137, real(&seed) * 1.3 + 0.0171, real(&seed) * 1.3 + 0.0113 };
+      bool was = vs_inside_test(before, p);
+      inside += was;
+      differ += was != vs_inside_test(after, p);
+    }
+    vs_inside_free(before);
+    vs_inside_free(after);
+    vs_node_release(r.node);
+    vs_store_release(s);
+  }
+  assert_true(inside > 1000);
+  assert_int_equal(differ, 0);
+}
+
+static void deep_trees_and_short_memory(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_node *deep = NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0);
+  for (int i = 0; i < 200000; i++) deep = i % 2 ? shifted(s, 1, 0, 0, deep) : over(s, VS_UNION, NULL, &deep, 1);
+  vs_ref r = { deep, NULL };
+  run(s, &r, ALL);
+  assert_int_equal(r.node->kind, VS_SPHERE);
+  assert_true(VS_AS(sphere, r.node)->center.x == 100000);
+  vs_node_release(r.node);
+  uint64_t seed = 7;
+  r.node = random_tree(s, &seed);
+  vs_node *was = r.node;
+  bool done = false;
+  for (size_t n = 1; !done; n++) { /* every allocation fails in turn: the drawing is then as it was, and nothing is lost */
+    vs_pass_options o = { ALL, NULL, NULL };
+    vs_error e = { 0 };
+    size_t held = vs_store_bytes(s);
+    vs_store_fail_at(s, n);
+    done = vs_passes_run(s, &r, 1, &o, NULL, &e);
+    vs_store_fail_at(s, 0);
+    if (!done) assert_true(e.kind == VS_ERROR_MEMORY && r.node == was && vs_store_bytes(s) == held);
+  }
+  vs_node_release(r.node);
+  vs_store_release(s);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(sets_become_flat), cmocka_unit_test(templates_are_not_undone), cmocka_unit_test(placements_fold),
+    cmocka_unit_test(nothing_is_pruned_away_but_nothing), cmocka_unit_test(copies_become_a_template),
+    cmocka_unit_test(random_solids_stay_what_they_are), cmocka_unit_test(deep_trees_and_short_memory),
+  };
+  return cmocka_run_group_tests_name("model passes", tests, NULL, NULL);
+}
