@@ -66,25 +66,25 @@ static vs_status read_string(vs *vm, vs_value *a, int n, vs_value *out) {
   return vs_arg_index(vm, a, 0, 0, VS_FIXNUM_MAX, &k) && in_port(vm, a, n, 1, 0, &port) && read_some(vm, port, k, false, out);
 }
 
-/* One datum. From the console characters are taken until it is whole; else the text at hand is read. */
+/* One datum: characters are taken until it is whole. What was whole may turn out to be a directive (#!fold-case): then on, with it. */
 static vs_status read_(vs *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   if (!in_port(vm, a, n, 0, 0, &r[0])) return VS_ERROR;
   vs_text t;
-  vs_scan s;
   vs_text_open(vm, &t, 0);
-  vs_scan_open(vm, &s);
-  vs_scan_result result = VS_SCAN_MORE;
-  bool ok = true;
-  while (ok && result == VS_SCAN_MORE) {
-    int32_t c;
-    if (!(ok = vs_port_peek_char(vm, r[0], &c)) || c < 0) break;
-    ok = vs_scan_feed(&s, (uint32_t)c, &result);
-    if (ok && result != VS_SCAN_WHOLE) ok = vs_port_read_char(vm, r[0], &c) && vs_text_char(&t, (uint32_t)c);
+  bool ok = true, end = false;
+  for (*out = VS_EOF; ok && !end && *out == VS_EOF;) {
+    vs_scan s;
+    vs_scan_open(vm, &s);
+    for (vs_scan_result result = VS_SCAN_MORE; ok && result == VS_SCAN_MORE;) {
+      int32_t c;
+      if (!(ok = vs_port_peek_char(vm, r[0], &c)) || (end = c < 0)) break;
+      ok = vs_scan_feed(&s, (uint32_t)c, &result);
+      if (ok && result != VS_SCAN_WHOLE) ok = vs_port_read_char(vm, r[0], &c) && vs_text_char(&t, (uint32_t)c) && vs_poll(vm, 1);
+    }
+    vs_scan_close(&s);
+    ok = ok && vs_read_datum(vm, t.at ? t.at : "", t.count, out, NULL);
   }
-  size_t used;
-  ok = ok && vs_read_datum(vm, t.at ? t.at : "", t.count, out, &used);
-  vs_scan_close(&s);
   vs_text_close(&t);
   return ok;
 }
