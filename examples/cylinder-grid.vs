@@ -17,8 +17,8 @@
 (define row (repeat cylinder count (vxyz 1 0 0)))
 (define grid (repeat row count (vxyz 0 1 0)))
 
-(draw (with-material copper grid))
+(draw (with-material plaster grid))
 
-(ground 0 #:material plaster)
-(sun #:azimuth 300 #:altitude 24)
-(camera (xyz (* count 0.46) -9 6.5) (xyz (* count 0.53) (* count 0.28) 0) #:lens 30)
+(ground 0 #:material stone)
+(sun #:azimuth 285 #:altitude 22)
+(camera (xyz (* count -0.06) (* count -0.16) (* count 0.25)) (xyz (* count 0.42) (* count 0.4) 0) #:lens 32)

@@ -45,5 +45,5 @@
 (draw (with-material stone (unite (map step '(1 2 3)))))
 
 (ground -1.05 #:material grass)
-(sun #:azimuth 230 #:altitude 38)
-(camera (xyz 1 -21 4.5) (xyz 7.2 0 3.6) #:lens 32)
+(sun #:azimuth 238 #:altitude 32)
+(camera (xyz 2 -19 2.2) (xyz 7.4 0 3.9) #:lens 30)

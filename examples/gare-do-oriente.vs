@@ -128,6 +128,6 @@
 (draw (unite (map tracks (iota rows))))
 
 (units 'm)
-(ground -1.1 #:material asphalt)
-(sun #:azimuth 215 #:altitude 42)
-(camera (xyz -52 -30 9) (xyz 45 50 15) #:lens 28)
+(ground -1.1 #:material (make-material #:name "ballast" #:color "#8f8b84"))
+(sun #:azimuth 222 #:altitude 38)
+(camera (xyz -33 -30 6) (xyz 40 34 13) #:lens 26)

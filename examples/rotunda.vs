@@ -106,5 +106,5 @@
 
 (units 'm)
 (ground -0.6 #:material grass)
-(sun #:azimuth 205 #:altitude 50)
-(camera (xyz 34 -84 47) (xyz -3 0 14.5) #:lens 35)
+(sun #:azimuth 147 #:altitude 40)
+(camera (xyz 30 -104 40) (xyz -7 0 16.5) #:lens 41)

@@ -5,7 +5,7 @@
 ;
 ;   vs twisted-tower.vs -D floors=30 -D turn=90 -o tower.html
 
-(define-parameter floors 46 #:min 3 #:max 120 #:label "number of floors")
+(define-parameter floors 34 #:min 3 #:max 120 #:label "number of floors")
 (define-parameter turn 120.0 #:min -360 #:max 360 #:label "turn from foot to top, degrees")
 (define-parameter side 32.0 #:min 10 #:max 60 #:label "width of a floor, metres")
 
@@ -48,5 +48,5 @@
 
 (units 'm)
 (ground -2.2 #:material grass)
-(sun #:azimuth 150 #:altitude 36)
-(camera (xyz 150 -190 38) (xyz 0 0 78) #:lens 35)
+(sun #:azimuth 205 #:altitude 36)
+(camera (xyz 118 -168 20) (xyz 2 0 57) #:lens 40)
