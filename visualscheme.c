@@ -132,11 +132,14 @@ static vs_outcome finish(vs_session *s, bool ok, bool usage) {
   return ok ? VS_OUTCOME_DONE : vs_session_report_condition(s, vm->condition, usage);
 }
 
+/* An interrupt that came while nothing ran ends the next evaluation before it begins. */
+static bool may_run(vs_session *s) { return !vs_session_interrupted(s) || vs_fail(s->bind.vm, s->bind.vm->sym.interrupt, "interrupted"); }
+
 vs_outcome vs_eval_text(vs *vm, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags) {
   vs_session *s = vs_session_of(vm);
   begin(s, flags);
   if (!vs_session_keep_source(s, name, first_line, text, length)) return finish(s, vs_fail_memory(vm), false);
-  return finish(s, vs_program_text(vm, name, first_line, text, length, &vm->value), false);
+  return finish(s, may_run(s) && vs_program_text(vm, name, first_line, text, length, &vm->value), false);
 }
 
 /* "out/house.vs" names the drawing "house" */
@@ -159,7 +162,7 @@ vs_outcome vs_eval_file(vs *vm, const char *path, unsigned flags) {
     s->phase = NULL;
     return VS_OUTCOME_USAGE;
   }
-  bool ok = set_title(s, path) || vs_fail_memory(vm);
+  bool ok = may_run(s) && (set_title(s, path) || vs_fail_memory(vm));
   vs_outcome outcome = finish(s, ok && vs_program_text(vm, path, 1, text, length, &vm->value), false);
   free(text);
   return outcome;

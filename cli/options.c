@@ -276,8 +276,9 @@ static bool reachable(const cli_target *t) {
   if (!folder) return true; /* the writer will say what is wrong */
   memcpy(folder, t->path, length);
   strcpy(folder + length, slash ? (length ? "" : "/") : ".");
-  bool ok = access(folder, W_OK | X_OK) == 0;
-  if (!ok) fprintf(stderr, "vs: %s: cannot write into the folder %s: %s\n", t->path, folder, strerror(errno));
+  bool found = stat(folder, &status) == 0, ok = found && S_ISDIR(status.st_mode) && access(folder, W_OK | X_OK) == 0;
+  if (found && !S_ISDIR(status.st_mode)) errno = ENOTDIR;
+  if (!ok) fprintf(stderr, "vs: %s: cannot write into %s: %s\n", t->path, folder, strerror(errno));
   free(folder);
   return ok;
 }

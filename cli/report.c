@@ -27,6 +27,26 @@ static const char *next_character(const char *at) {
   return at;
 }
 
+/* Length in bytes of the well-formed UTF-8 character at c, or 0. */
+static int well_formed(const char *c) {
+  unsigned char first = (unsigned char)*c;
+  int length = first < 0x80 ? 1 : first >= 0xC2 && first < 0xE0 ? 2 : (first & 0xF0) == 0xE0 ? 3 : first >= 0xF0 && first < 0xF5 ? 4 : 0;
+  for (int i = 1; i < length; i++)
+    if (((unsigned char)c[i] & 0xC0) != 0x80) return 0;
+  return length;
+}
+
+/* Text of a source file that may hold anything: what a terminal could take amiss becomes a blank or a question mark. */
+static void print_safely(const char *from, const char *to) {
+  while (from < to) {
+    int length = well_formed(from);
+    if (length == 0) fputc('?', stderr), from++;
+    else if (length == 1) fputc((unsigned char)*from < ' ' && *from != '\t' ? ' ' : *from == 127 ? '?' : *from, stderr), from++;
+    else
+      for (; length; length--) fputc(*from++, stderr);
+  }
+}
+
 static void print_place(const vs_span *at) {
   if (!at->file) return;
   fputs(at->file, stderr);
@@ -44,7 +64,7 @@ static void print_source(const vs_diagnostic *d) {
   for (end = line; *end && *end != '\n' && *end != '\r' && shown < WINDOW; shown++) end = next_character(end);
   bool rest = *end && *end != '\n' && *end != '\r';
   fprintf(stderr, "%5" PRIu32 " | %s", d->at.line, first > 1 ? "..." : "");
-  for (const char *c = line; c < end; c++) fputc((unsigned char)*c < ' ' && *c != '\t' ? ' ' : *c, stderr);
+  print_safely(line, end);
   fputs(rest ? "...\n" : "\n", stderr);
   if (!d->at.column) return;
   fputs("      | ", stderr);
@@ -74,10 +94,12 @@ void cli_report_diagnostic(cli_reporter *r, const vs_diagnostic *d) {
 
 void cli_report_progress(cli_reporter *r, const vs_progress *p) {
   if (!r->progress) return;
-  fputs("\r\033[K", stderr);
-  if (p->subject) fprintf(stderr, "%s: ", p->subject);
-  fputs(p->phase, stderr);
-  if (p->fraction >= 0) fprintf(stderr, " %.0f%%", floor(p->fraction * 100));
+  char line[sizeof r->line], percent[16] = "";
+  if (p->fraction >= 0) snprintf(percent, sizeof percent, " %.0f%%", floor(p->fraction * 100));
+  snprintf(line, sizeof line, "%s%s%s%s", p->subject ? p->subject : "", p->subject ? ": " : "", p->phase, percent);
+  if (r->shown && strcmp(line, r->line) == 0) return;
+  memcpy(r->line, line, sizeof line);
+  fprintf(stderr, "\r\033[K%s", line);
   fflush(stderr);
   r->shown = true;
 }

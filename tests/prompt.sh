@@ -24,7 +24,7 @@ type_keys <<'END'
 END
 if [ "$(cat "$work/code")" = 77 ]; then echo "skip prompt: no pseudo-terminal here"; exit; fi
 check "continuation line" "42"
-check "error" "car: expected a pair, got 5"
+check "error" "prompt:3:1: car: "
 check "completion" "(make-sphere (xyz 0 0 0) 1)"
 check "goes on after an interrupt" '"after the interrupt"'
 check "goes on after errors" "43"

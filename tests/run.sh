@@ -64,11 +64,11 @@ suite_compilers() {
 }
 
 for suite in $SUITES; do
-  suite_"$suite" | tee -a "$log" | if [ "${2:-}" = VERBOSE ]; then cat; else grep -v '^ok '; fi
+  suite_"$suite" | tee -a "$log" | if [ "${2:-}" = VERBOSE ]; then cat; else grep -a -v '^ok '; fi
 done
 
-passed=$(grep -c '^ok ' "$log")
-failed=$(grep -c '^not ok ' "$log")
-skipped=$(grep -c '^skip ' "$log")
+passed=$(grep -a -c '^ok ' "$log")
+failed=$(grep -a -c '^not ok ' "$log")
+skipped=$(grep -a -c '^skip ' "$log")
 if [ "$skipped" = 0 ]; then echo "$passed passed, $failed failed"; else echo "$passed passed, $failed failed, $skipped skipped"; fi
 [ "$failed" = 0 ] && [ "$passed" != 0 ]
