@@ -8,6 +8,7 @@
 
 #include "backends/export.h"
 #include "geometry/measure.h"
+#include "geometry/optimise.h"
 #include "vm/image.h"
 #include "vm/number.h"
 #include "vm/printer.h"
@@ -332,8 +333,11 @@ const vs_format_info *vs_format_find(const char *text) {
 /* ---- writing ---- */
 
 const char *const *vs_pass_list(size_t *count) {
-  static const char *const names[] = { NULL };
-  *count = 0;
+  static const char *const names[] = {
+#define VS_PASS(upper, lower, doc) #lower,
+#include "model/passes/passes.def"
+  };
+  *count = sizeof names / sizeof *names;
   return names;
 }
 
@@ -399,7 +403,8 @@ static vs_outcome write_to(vs *vm, const char *path, const char *format_name, co
   e.safe = s->options.untrusted || s->options.limit_time > 0 || s->options.limit_memory || s->options.limit_steps || s->options.limit_output;
   apply(&o, &scene, &e);
   double from = vs_session_clock(s);
-  bool ok = to ? vs_export_to(&scene, format, sink, to, &e, &error) : vs_export(&scene, format, path, &e, &error);
+  bool ok = vs_scene_optimise(&scene, o.passes, &s->passes, &error);
+  ok = ok && (to ? vs_export_to(&scene, format, sink, to, &e, &error) : vs_export(&scene, format, path, &e, &error));
   s->write_seconds += vs_session_clock(s) - from;
   scene_done(s, &scene);
   return ok ? VS_OUTCOME_DONE : vs_session_report_error(s, &error);
@@ -426,6 +431,10 @@ size_t vs_statistics(const vs *vm, vs_statistic *out, size_t room) {
     { "steps", (double)vm->steps, "" },
     { "objects.drawn", (double)s->bind.scene.drawn_count, "" },
     { "objects.returned", (double)s->bind.returned_count, "" },
+    { "commands.before", s->passes.commands_before, "" }, /* of the drawing last written, before and after the passes */
+    { "commands.after", s->passes.commands_after, "" },
+#define VS_PASS(upper, lower, doc) { "passes." #lower, (double)s->passes.changed[VS_PASS_##upper], "" },
+#include "model/passes/passes.def"
   };
   size_t n = sizeof all / sizeof *all;
   memcpy(out, all, (n < room ? n : room) * sizeof *out);

@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "bind/bind.h"
+#include "model/passes/passes.h"
 #include "visualscheme.h"
 #include "vm/port.h"
 
@@ -34,6 +35,7 @@ typedef struct {
   size_t source_count, source_room;
   char why[256];            /* of the last failed file operation */
   double evaluate_seconds, write_seconds;
+  vs_pass_stats passes; /* of the drawing last written */
   unsigned flags;           /* VS_EVAL_... of the evaluation under way */
 } vs_session;
 
