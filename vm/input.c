@@ -66,13 +66,18 @@ static vs_status read_string(vs *vm, vs_value *a, int n, vs_value *out) {
   return vs_arg_index(vm, a, 0, 0, VS_FIXNUM_MAX, &k) && in_port(vm, a, n, 1, 0, &port) && read_some(vm, port, k, false, out);
 }
 
+static bool ends_in(const vs_text *t, const char *s) {
+  size_t n = strlen(s);
+  return t->count >= n && !memcmp(t->at + t->count - n, s, n);
+}
+
 /* One datum: characters are taken until it is whole. What was whole may turn out to be a directive (#!fold-case): then on, with it. */
 static vs_status read_(vs *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   if (!in_port(vm, a, n, 0, 0, &r[0])) return VS_ERROR;
   vs_text t;
   vs_text_open(vm, &t, 0);
-  bool ok = true, end = false;
+  bool ok = !(vs_as_port(r[0])->flags & VS_PORT_FOLD) || vs_text_puts(&t, "#!fold-case "), end = false;
   for (*out = VS_EOF; ok && !end && *out == VS_EOF;) {
     vs_scan s;
     vs_scan_open(vm, &s);
@@ -84,6 +89,8 @@ static vs_status read_(vs *vm, vs_value *a, int n, vs_value *out) {
     }
     vs_scan_close(&s);
     ok = ok && vs_read_datum(vm, t.at ? t.at : "", t.count, out, NULL);
+    if (ends_in(&t, "#!fold-case")) vs_as_port(r[0])->flags |= VS_PORT_FOLD;
+    if (ends_in(&t, "#!no-fold-case")) vs_as_port(r[0])->flags &= ~(uint32_t)VS_PORT_FOLD;
   }
   vs_text_close(&t);
   return ok;

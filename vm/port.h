@@ -26,7 +26,8 @@ typedef struct vs_io {
 } vs_io;
 
 enum {                       /* vs_port.flags */
-  VS_PORT_INPUT = 1, VS_PORT_OUTPUT = 2, VS_PORT_BINARY = 4, VS_PORT_CLOSED = 8, VS_PORT_STRING = 16, VS_PORT_EOF = 32
+  VS_PORT_INPUT = 1, VS_PORT_OUTPUT = 2, VS_PORT_BINARY = 4, VS_PORT_CLOSED = 8, VS_PORT_STRING = 16, VS_PORT_EOF = 32,
+  VS_PORT_FOLD = 64            /* #!fold-case was read */
 };
 
 bool vs_port_open_file(vs *vm, vs_value path, vs_io_mode mode, uint32_t flags, vs_value *out);

@@ -116,7 +116,7 @@ static bool skip(reader *r) {
     else if (c == ';') skip_line(r);
     else if (c == '#' && peek(r, 1) == '|') skip_block(r);
     else if (c == '#' && r->size - r->at > 5 && !memcmp(r->text + r->at, "#lang", 5) && peek(r, 5) <= ' ') skip_line(r);
-    else if (c == '#' && peek(r, 1) == '!' && r->at == 0) skip_line(r);
+    else if (c == '#' && peek(r, 1) == '!' && r->at == 0 && (peek(r, 2) == '/' || peek(r, 2) == ' ')) skip_line(r);      /* #!/usr/bin/env vs */
     else if (c == '#' && peek(r, 1) == '!') {
       size_t start = r->at;
       r->at += 2;
