@@ -75,6 +75,7 @@ vs *vs_new(const vs_options *options) {
   vs_store *store = vs_store_new(store_memory, s);
   vs *vm = store && (path || !path_bytes) ? vs_open_vm(&config) : NULL;
   bool ok = vm && vs_bind_open(&s->bind, vm, store) && vs_flat_register(vm, &rules) && vs_front_open(vm) && vs_program_new(vm, &vm->at.program);
+  if (ok) s->bind.library_files = vs_bind_file_count(vm);
   if (store) vs_store_release(store); /* bind holds it */
   s->bind.warn = vs_session_warn, s->bind.warn_context = s;
   if (ok) return vm;
@@ -122,6 +123,13 @@ static bool is_exit(vs_value condition) {
   return vs_is_symbol(c->kind) && !strcmp(vs_as_symbol(c->kind)->name, "exit") && vs_is_fixnum(c->payload);
 }
 
+/* an interrupt that came when nothing ran */
+static bool was_interrupted(vs_session *s) {
+  if (!atomic_exchange(&s->interrupted, false)) return false;
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_INTERRUPTED, NULL, 0, 0, "interrupted");
+  return true;
+}
+
 static vs_outcome finish(vs_session *s, bool ok, bool usage) {
   vs *vm = s->bind.vm;
   s->phase = NULL;
@@ -138,6 +146,7 @@ static bool may_run(vs_session *s) { return !vs_session_interrupted(s) || vs_fai
 
 vs_outcome vs_eval_text(vs *vm, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags) {
   vs_session *s = vs_session_of(vm);
+  if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
   begin(s, flags);
   if (!vs_session_keep_source(s, name, first_line, text, length)) return finish(s, vs_fail_memory(vm), false);
   return finish(s, may_run(s) && vs_program_text(vm, name, first_line, text, length, &vm->value), false);
@@ -157,6 +166,7 @@ vs_outcome vs_eval_file(vs *vm, const char *path, unsigned flags) {
   char *text;
   size_t length;
   const char *why;
+  if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
   begin(s, flags);
   if (!vs_session_read(s, path, &text, &length, &why)) {
     vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, path, 0, 0, why);

@@ -46,6 +46,7 @@ struct vs_bind {
   size_t parameter_count, parameter_room;
   vs_bind_setting *settings;
   size_t setting_count, setting_room;
+  uint32_t library_files;          /* files with smaller numbers are the language's own */
   bool bad_parameter;              /* the error under way is a -D value's fault: exit 2 */
   /* the host: shows a warning; origin NULL is nowhere */
   void (*warn)(void *context, const vs_origin *origin, const char *message);
@@ -76,8 +77,9 @@ static inline vs_shape *vs_bind_shape(vs_value v) { return (vs_shape *)vs_foreig
 /* Where the running native was called from, and its callers. NULL: not known (or out of memory: then nothing worse happens). */
 const vs_origin *vs_bind_origin(vs_bind *b);
 vs_status vs_bind_wrap(vs_bind *b, vs_node *node /* taken over; NULL: out of memory */, vs_value *out);
-/* Is this the name of one of the language's own sources? They are not the user's business: places in them are passed over. */
-bool vs_bind_is_library(const char *file);
+/* A position's file as text of the store; NULL: nowhere, or one of the language's own sources: places in those are not the user's business. */
+const char *vs_bind_file_name(vs_bind *b, vs_pos place);
+uint32_t vs_bind_file_count(vs *vm); /* files that have a number */
 /* once a place and `kind` (any constant text); nothing when it could not be formatted */
 void vs_bind_warn(vs_bind *b, const char *kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 bool vs_bind_text(vs *vm, vs_value string_or_symbol, char **out, size_t *bytes); /* UTF-8 with NUL from vs_mem; *bytes to give back */

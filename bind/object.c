@@ -52,26 +52,32 @@ const vs_foreign_type vs_paint_type = { "a material", paint_release, NULL, NULL,
 
 enum { CHAIN = 8 };
 
-bool vs_bind_is_library(const char *file) {
-  const char *slash = strrchr(file, '/');
-  if (slash) file = slash + 1;
-  return !strcmp(file, "prelude.scm") || !strcmp(file, "geometry.scm");
+uint32_t vs_bind_file_count(vs *vm) {
+  vs_value files = vm->at.files;
+  uint32_t n = vs_is_vector(files) ? (uint32_t)vs_as_vector(files)->length : 0;
+  while (n > 1 && !vs_is_string(vs_as_vector(files)->at[n - 1])) n--; /* the vector has room to grow */
+  return n;
+}
+
+const char *vs_bind_file_name(vs_bind *b, vs_pos place) {
+  vs_value files = b->vm->at.files;
+  uint32_t number = vs_pos_file(place);
+  if (number < b->library_files || number == 0 || !vs_is_vector(files) || number >= vs_as_vector(files)->length) return NULL;
+  vs_value name = vs_as_vector(files)->at[number];
+  char *text;
+  size_t bytes;
+  if (!vs_is_string(name) || !vs_bind_text(b->vm, name, &text, &bytes)) return NULL;
+  const char *kept = vs_store_text(b->store, text, bytes - 1);
+  vs_mem(b->vm, text, bytes, 0);
+  return kept;
 }
 
 static const vs_origin *intern_chain(vs_bind *b, const vs_pos *place, size_t n) {
   const vs_origin *o = NULL;
   for (size_t i = n; i-- > 0;) {
-    vs_value files = b->vm->at.files;
-    uint32_t file = vs_pos_file(place[i]);
-    if (!file || !vs_is_vector(files) || file >= vs_as_vector(files)->length) continue;
-    char *name;
-    size_t bytes;
-    if (!vs_is_string(vs_as_vector(files)->at[file]) || !vs_bind_text(b->vm, vs_as_vector(files)->at[file], &name, &bytes)) continue;
-    if (!vs_bind_is_library(name)) {
-      const vs_origin *next = vs_store_origin(b->store, name, vs_pos_line(place[i]), vs_pos_col(place[i]), o);
-      if (next) o = next;
-    }
-    vs_mem(b->vm, name, bytes, 0);
+    const char *file = vs_bind_file_name(b, place[i]);
+    const vs_origin *next = file ? vs_store_origin(b->store, file, vs_pos_line(place[i]), vs_pos_col(place[i]), o) : NULL;
+    if (next) o = next;
   }
   return o;
 }

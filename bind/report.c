@@ -73,22 +73,8 @@ vs_outcome vs_session_report_error(vs_session *s, const vs_error *e) {
 
 /* ---- conditions ---- */
 
-/* The name of a position's file as text of the store; NULL: nowhere, or in the language's own library. */
-static const char *file_name(vs_session *s, vs_pos place) {
-  vs *vm = s->bind.vm;
-  uint32_t number = vs_pos_file(place);
-  if (!number || !vs_is_vector(vm->at.files) || number >= vs_as_vector(vm->at.files)->length) return NULL;
-  vs_value name = vs_as_vector(vm->at.files)->at[number];
-  char *text;
-  size_t bytes;
-  if (!vs_is_string(name) || !vs_bind_text(vm, name, &text, &bytes)) return NULL;
-  const char *kept = vs_bind_is_library(text) ? NULL : vs_store_text(s->bind.store, text, bytes - 1);
-  vs_mem(vm, text, bytes, 0);
-  return kept;
-}
-
 bool vs_session_span(vs_session *s, vs_pos place, vs_span *out) {
-  *out = (vs_span){ .file = file_name(s, place), .line = vs_pos_line(place), .column = vs_pos_col(place) };
+  *out = (vs_span){ .file = vs_bind_file_name(&s->bind, place), .line = vs_pos_line(place), .column = vs_pos_col(place) };
   if (!out->file) *out = (vs_span){ 0 };
   return out->file != NULL;
 }
