@@ -252,6 +252,16 @@ static bool long_application(vs_expansion *x, size_t n) {
   return ok;
 }
 
+/* an error of the call, not of the text: it can be handled */
+static bool given_twice(vs_expansion *x, vs_value name) {
+  char text[300];
+  VS_ROOTS(x->vm, r, 1);
+  int n = snprintf(text, sizeof text, "#:%.200s is given twice", vs_as_symbol(name)->name);
+  vs_node *call = vs_expand_call(x, "error", 1, x->now.pos);
+  return call && (*x->now.into = call) && vs_string_from_utf8(x->vm, text, (size_t)n, &r[0]) &&
+         (call->as.call.at[0] = vs_ast_constant(&x->ast, r[0], x->now.pos)) != NULL;
+}
+
 static bool application(vs_expansion *x) {
   vs *vm = x->vm;
   vs_value form = x->now.form;
@@ -283,7 +293,7 @@ static bool application(vs_expansion *x) {
       memcpy(copy, s->name + 2, s->length - 2);
       if (!vs_intern(vm, copy, s->length - 2, &name)) return false;
       for (size_t i = 0; i < k; i++)
-        if (vs_as_vector(r[0])->at[i] == name) return vs_expand_fail(x, x->now.pos, VS_ABSENT, "#:%s is given twice", vs_as_symbol(name)->name);
+        if (vs_as_vector(r[0])->at[i] == name) return given_twice(x, name);
       vs_gc_store(vm, vs_as_vector(r[0]), &vs_as_vector(r[0])->at[k++], name);
       l = vs_cdr(l);
     }

@@ -48,6 +48,7 @@ static bool begin(vs_scan *s, uint32_t c, vs_scan_result *r) {
   if (is_blank(c) || c == '\'' || c == '`' || c == ',' || (c == '@' && s->escaped)) { s->escaped = c == ','; return true; }
   s->escaped = false;
   if (c == ';') { s->state = LINE; return true; }
+  if (c == '#') { s->state = HASH; return true; }
   s->any = true;
   if (c == '(' || c == '[') return push(s, c);
   if (c == ')' || c == ']') {
@@ -57,7 +58,7 @@ static bool begin(vs_scan *s, uint32_t c, vs_scan_result *r) {
     *r = ended(s, VS_SCAN_WHOLE_WITH);
     return true;
   }
-  s->state = c == '"' ? STRING : c == '|' ? BARS : c == '#' ? HASH : ATOM;
+  s->state = c == '"' ? STRING : c == '|' ? BARS : ATOM;
   return true;
 }
 
@@ -68,6 +69,7 @@ again:
   switch (s->state) {
   case BLANK: ok = begin(s, c, result); break;
   case HASH:                                       /* the character after # */
+    s->any = s->any || (c != '|' && c != ';' && c != '!');
     if (c == ';') { s->wanted += s->depth == 0; s->state = BLANK; }
     else if (c == '|') { s->state = BLOCK; s->comment = 1; s->after_hash = 0; }
     else if (c == '\\') s->state = CHARACTER;

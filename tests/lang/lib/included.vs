@@ -1,0 +1,2 @@
+(define i1 1)
+(define i2 2)

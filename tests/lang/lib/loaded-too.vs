@@ -1,0 +1,1 @@
+(define loaded-y 2)

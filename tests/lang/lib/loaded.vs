@@ -1,0 +1,2 @@
+(define loaded-x 1)
+(load "loaded-too.vs")

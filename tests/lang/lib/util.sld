@@ -1,0 +1,4 @@
+(define-library (lib util)
+  (export double)
+  (import (scheme base))
+  (begin (define (double x) (* 2 x))))
