@@ -135,7 +135,7 @@ static bool expand_kept(vs_expansion *x, vs_value kept, vs_node **into, uint32_t
   r[0] = kept;
   vs_var *var = (vs_var *)(uintptr_t)vs_fixnum(v->at[0]);
   vs_value name = x->ast.pool[var->name];
-  return vs_expand_lambda(x, v->at[3], v->at[1], x->now.env, name, pos, into, depth);
+  return vs_expand_lambda(x, v->at[3], true, v->at[1], x->now.env, name, pos, into);
 }
 
 static bool finish_body(vs_expansion *x) {
@@ -280,7 +280,7 @@ bool vs_top_step(vs_expansion *x) {
     if (!n || !vs_environment_define(vm, x->now.env, r[1], &cell) || !vs_ast_const(&x->ast, cell, &n->as.global.cell)) return false;
     *x->now.into = n;
     x->definition = true;
-    if (procedure) return vs_expand_lambda(x, r[2], r[3], x->now.env, vs_identifier_symbol(r[1]), pos, &n->as.global.value, 1);
+    if (procedure) return vs_expand_lambda(x, r[2], true, r[3], x->now.env, vs_identifier_symbol(r[1]), pos, &n->as.global.value);
     if (!vs_expand_push(x, VS_TASK_EXPR, r[3], x->now.env, pos, &n->as.global.value, 1)) return false;
     return (vs_expand_top(x)->var = vs_ast_var(&x->ast, vs_identifier_symbol(r[1]))) != NULL;       /* a lambda takes its name from it */
   }

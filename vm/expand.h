@@ -89,8 +89,9 @@ vs_node *vs_expand_call(vs_expansion *x, const char *name, size_t n, vs_pos pos)
 vs_node *vs_expand_ref(vs_expansion *x, vs_value id, vs_value env, vs_pos pos);
 bool vs_expand_var(vs_expansion *x, vs_value id, vs_value scope, vs_var **var);     /* a new variable, bound in scope */
 bool vs_expand_scope(vs_expansion *x, vs_value env, vs_value *out);
-/* Reads a parameter list and a body into a LAMBDA node with a wrapped LET for contracts if need be: *into. form: (params body ...) */
-bool vs_expand_lambda(vs_expansion *x, vs_value params, vs_value body, vs_value env, vs_value name, vs_pos pos, vs_node **into, uint32_t depth);
+/* A parameter list and a body become a LAMBDA, in a LET of its contracts if need be. tail: the list stood behind a name, as in
+   (define (name . params) ...): then [ ] around all of it is a rest parameter with its predicate. */
+bool vs_expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name, vs_pos pos, vs_node **into);
 /* the transformer spec to a MACRO, or a call that yields it. *done false: it must be called (x->procedure), put `waiting` */
 bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_value *macro, bool *done);
 bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_value *macro);

@@ -14,7 +14,7 @@ typedef struct {
 } parameter;
 
 /* The parameters of a lambda while it is built; their values are rooted. */
-typedef struct { vs *vm; parameter *at; size_t count, room; vs_value *values; struct vs_roots roots; bool rest; } parameters;
+typedef struct { vs *vm; parameter *at; size_t count, room; vs_value *values; struct vs_roots roots; bool rest, tail; } parameters;
 
 static bool is_keyword(vs_value v) { return vs_is_symbol(v) && vs_as_symbol(v)->length > 2 && !memcmp(vs_as_symbol(v)->name, "#:", 2); }
 
@@ -36,10 +36,6 @@ static bool specification(vs_expansion *x, parameters *p, vs_value spec, vs_pos 
   if (n < 2 || n > (rest ? 2 : 3) || !vs_is_identifier(vs_car(spec)))
     return vs_expand_fail(x, pos, spec, rest ? "the rest parameter is a name or [name predicate], not" : "a parameter is a name, [name predicate] or [name predicate default], not");
   vs_value id = vs_car(spec), predicate = vs_car(vs_cdr(spec)), fallback = n == 3 ? vs_car(vs_cdr(vs_cdr(spec))) : VS_ABSENT;
-  if (!vs_is_identifier(predicate) && !vs_is_pair(predicate)) {
-    const char *name = vs_as_symbol(vs_identifier_symbol(id))->name;
-    return vs_expand_fail(x, pos, spec, n == 2 ? "the second of [%s ...] is a predicate; an argument with a default is written [%s any? default], not" : "the second of [%s ...] is a predicate, any? checks nothing: [%s any? default], not", name, name);
-  }
   return add(p, id, predicate, fallback, pos, keyword);
 }
 
@@ -47,7 +43,7 @@ static bool specification(vs_expansion *x, parameters *p, vs_value spec, vs_pos 
 static bool parse(vs_expansion *x, parameters *p, vs_value list, vs_pos outer) {
   vs_value l = list;
   bool optional = false, keyed = false;
-  for (bool first = true; vs_is_pair(l); l = vs_cdr(l), first = false) {
+  for (bool first = !p->tail; vs_is_pair(l); l = vs_cdr(l), first = false) {
     vs_pos pos = vs_element_pos(l, false, outer);
     vs_value spec = vs_car(l);
     if (!first && (vs_object_of(l)->flags & VS_F_SQUARE)) { p->rest = true; return specification(x, p, l, vs_pair_pos(l) ? vs_pair_pos(l) : outer, 0, true); }
@@ -104,7 +100,7 @@ static bool predicate(vs_expansion *x, vs_value form, vs_value env, vs_pos pos, 
 /* reads ids and forms out of the list again: allocation has moved them */
 static void reload(parameters *p, vs_value list) {
   size_t i = 0;
-  bool first = true;
+  bool first = !p->tail;
   for (vs_value l = list; i < p->count; first = false) {
     vs_value spec = l;
     if (vs_is_pair(l) && (first || !(vs_object_of(l)->flags & VS_F_SQUARE))) { spec = vs_car(l); l = vs_cdr(l); }
@@ -138,7 +134,7 @@ static bool is_constant(vs_value form, vs_value env) {
   return m.kind == VS_MEANS_CELL && (vs_object_of(m.value)->flags & VS_F_CONSTANT) && vs_as_cell(m.value)->value != VS_UNDEFINED;
 }
 
-static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs_pos pos, vs_node **into, uint32_t depth) {
+static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs_pos pos, vs_node **into) {
   /* r: 0 list, 1 body, 2 env, 3 the scope of the lambda, 4 scratch */
   vs *vm = x->vm;
   uint32_t who;
@@ -213,16 +209,15 @@ static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs
     *into = seq;
     into = &seq->as.seq.at[checks];
   }
-  (void)depth;
   return vs_expand_body(x, r[1], r[3], pos, into, 2);     /* a lambda's depth is its own */
 }
 
-bool vs_expand_lambda(vs_expansion *x, vs_value params, vs_value body, vs_value env, vs_value name, vs_pos pos, vs_node **into, uint32_t depth) {
+bool vs_expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name, vs_pos pos, vs_node **into) {
   vs *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   r[0] = params; r[1] = body; r[2] = env;
-  parameters p = {.vm = vm};
-  bool ok = parse(x, &p, r[0], vs_form_pos(params, pos)) && build(x, &p, r, name, pos, into, depth);
+  parameters p = {.vm = vm, .tail = tail};
+  bool ok = parse(x, &p, r[0], vs_form_pos(params, pos)) && build(x, &p, r, name, pos, into);
   if (p.at) vs_mem(vm, p.at, p.room * sizeof *p.at, 0);
   return ok;
 }
@@ -232,7 +227,7 @@ static vs_value task_name(vs_expansion *x) { return x->now.var ? x->ast.pool[x->
 bool vs_form_lambda(vs_expansion *x) {
   if (vs_list_length(x->now.form) < 3) return vs_expand_shape(x, VS_FORM_lambda);
   vs_value rest = vs_cdr(x->now.form);
-  return vs_expand_lambda(x, vs_car(rest), vs_cdr(rest), x->now.env, task_name(x), x->now.pos, x->now.into, x->now.depth);
+  return vs_expand_lambda(x, vs_car(rest), false, vs_cdr(rest), x->now.env, task_name(x), x->now.pos, x->now.into);
 }
 bool vs_form_lambda_letter(vs_expansion *x) { return vs_form_lambda(x); }
 
@@ -253,7 +248,7 @@ bool vs_form_case_lambda(vs_expansion *x) {
     for (vs_value l = vs_car(clause); vs_is_pair(l); l = vs_cdr(l))
       if (!vs_is_identifier(vs_car(l)) || is_keyword(vs_car(l)))
         return vs_expand_fail(x, vs_element_pos(l, false, x->now.pos), vs_car(l), "the parameters of case-lambda are plain names, not");
-    ok = vs_expand_lambda(x, vs_car(clause), vs_cdr(clause), x->now.env, name, vs_form_pos(clause, x->now.pos), &node->as.clauses.at[i], x->now.depth);
+    ok = vs_expand_lambda(x, vs_car(clause), false, vs_cdr(clause), x->now.env, name, vs_form_pos(clause, x->now.pos), &node->as.clauses.at[i]);
   }
   return ok;
 }

@@ -20,6 +20,17 @@ static vs_status call_list(vs *vm, vs_value procedure, vs_value list) {
   return VS_CALL;
 }
 
+/* root -> (let ((value root)) value) */
+static bool keep_frame(vs_expansion *x) {
+  vs_value name;
+  vs_node *let = vs_expand_many(x, VS_AST_LET, 1, x->root->pos);
+  if (!let || !vs_intern_c(x->vm, "value", &name) || !(let->as.let.vars[0] = vs_ast_var(&x->ast, name)) ||
+      !(let->as.let.body = vs_ast_local(&x->ast, let->as.let.vars[0], x->root->pos))) return false;
+  let->as.let.values[0] = x->root;
+  x->root = let;
+  return true;
+}
+
 static vs_status run(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (a[RUN_PHASE] == VS_FALSE) {
@@ -59,6 +70,8 @@ static vs_status run(vs *vm, vs_value *a, int n, vs_value *out) {
     case VS_EXPAND_CALL: a[RUN_PHASE] = vs_fix(TRANSFORMING); return call_list(vm, x->procedure, x->args);
     case VS_EXPAND_NODE: {
       VS_ROOTS(vm, r, 1);
+      /* a call at top level keeps its frame, so that errors can tell where they were called from */
+      if (a[RUN_TELL] != VS_FALSE && x->root->kind == VS_AST_CALL && !keep_frame(x)) return VS_ERROR;
       if (!vs_compile(vm, &x->ast, x->root, &r[0])) return VS_ERROR;
       vs_ast_clear(&x->ast);
       a[RUN_FORMS] = vs_cdr(a[RUN_FORMS]);
