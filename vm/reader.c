@@ -227,7 +227,6 @@ static bool close_frame(reader *r, vs_value *out) {
       else if (vs_is_fixnum(e) && vs_fixnum(e) >= 0 && vs_fixnum(e) < 256) vs_as_bytes(*out)->at[i] = (uint8_t)vs_fixnum(e);
       else problem(r, f.pos, "a bytevector holds integers from 0 to 255");
     }
-    if (r->located) vs_object_of(*out)->flags |= VS_F_IMMUTABLE;     /* a literal of a program */
     if (r->located) vs_object_of(*out)->flags |= VS_F_IMMUTABLE;      /* a literal of a program */
   }
   pop(r);
@@ -502,7 +501,6 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
       ok = read_delimited(r, '"', &t) && vs_string_from_utf8(r->vm, t.at ? t.at : "", t.count, out);
       if (ok && r->located) vs_object_of(*out)->flags |= VS_F_IMMUTABLE;
       vs_text_close(&t);
-      if (ok && r->located) vs_object_of(*out)->flags |= VS_F_IMMUTABLE;
       break;
     }
     case '#': { bool prefix; ok = read_hash(r, out, &prefix); got = !prefix; break; }
