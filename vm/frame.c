@@ -28,6 +28,7 @@ vs_value *vs_frame_flush(vs *vm, vs_value *w, size_t n, size_t need) {
     vm->stack = stack;
     vm->stack_end = stack + more;
     vm->top = stack + 2 + n;
+    memset(stack + room, 0, (more - room) * sizeof *stack);
   }
   return vm->stack;
 }

@@ -35,10 +35,15 @@ struct vs_gc_block {
   struct vs_gc_block *next;
   uint32_t words;                     /* of one cell */
   uint32_t used;                      /* bytes of data cut into cells so far */
-  uint64_t unused[2];
+  struct vs_gc_chunk *chunk;
+  uint64_t unused;
   uint64_t data[];
 };
-struct vs_gc_chunk { struct vs_gc_chunk *next, *open; uint64_t fresh; /* blocks never used yet; `open` links chunks that have some */ uint64_t unused; };
+struct vs_gc_chunk {
+  struct vs_gc_chunk *next, *open;    /* `open` links the chunks that have fresh blocks */
+  uint32_t fresh, live;               /* blocks never used yet; blocks in use, counted while sweeping */
+  uint64_t leaving;                   /* is about to be given back */
+};
 struct vs_gc_large { struct vs_gc_large *next; size_t bytes; };
 
 struct free_cell { vs_object h; struct free_cell *next; };
@@ -106,10 +111,11 @@ static bool gc_add_chunk(vs *vm) {
 }
 
 /* enough spare blocks that promoting the whole nursery cannot fail */
+static size_t gc_blocks_needed(const vs *vm) { return vm->nursery_bytes / (BLOCK_DATA - BLOCK_DATA / 4) + CLASSES + 1; }
+
 static bool gc_reserve(vs *vm) {
   struct vs_gc *gc = vm->gc;
-  size_t need = vm->nursery_bytes / (BLOCK_DATA - BLOCK_DATA / 4) + CLASSES + 1;
-  while (gc->spares < need)
+  while (gc->spares < gc_blocks_needed(vm))
     if (!gc_add_chunk(vm)) return false;
   return true;
 }
@@ -124,6 +130,7 @@ static struct vs_gc_block *gc_block(vs *vm) {
     struct vs_gc_chunk *c = gc->open;
     b = (struct vs_gc_block *)(void *)((char *)(c + 1) + (size_t)(CHUNK_BLOCKS - c->fresh) * BLOCK);
     if (--c->fresh == 0) gc->open = c->open;
+    b->chunk = c;
   }
   gc->spares--;
   b->next = gc->blocks; gc->blocks = b;
@@ -186,7 +193,11 @@ vs_object *vs_gc_alloc_old(vs *vm, int type, size_t words) {
   /* so that this object can be remembered without fail */
   if (!gc_grow(vm, &gc->remembered, &gc->remembered_room, gc->remembered_count, sizeof *gc->remembered)) return NULL;
   vs_object *o = words <= CLASS_MAX ? gc_cell(vm, words) : gc_large(vm, words);
-  if (!o) return NULL;
+  if (!o) {                                    /* refused: perhaps there is garbage */
+    vs_gc_major(vm);
+    o = words <= CLASS_MAX ? gc_cell(vm, words) : gc_large(vm, words);
+    if (!o) return NULL;
+  }
   gc_init(o, type, words > CLASS_MAX ? GC_LARGE : 0, words);
   if (vs_layout[type].first) vs_gc_remember(vm, o);     /* its first stores come without the barrier */
   return o;
@@ -204,7 +215,10 @@ static vs_object *gc_alloc_slow(vs *vm, int type, size_t words) {
     if (gc->ready) vs_gc_minor(vm);
     if (gc->old_bytes + gc->external > gc->major_at || gc_over_limit(vm, 0)) vs_gc_major(vm);
     if (!gc->ready) {
-      if (!gc_reserve(vm)) return NULL;
+      if (!gc_reserve(vm)) {
+        vs_gc_major(vm);
+        if (!gc_reserve(vm)) return NULL;
+      }
       gc->ready = true;
     }
     if (gc_over_limit(vm, 0)) { vs_fail_memory(vm); return NULL; }
@@ -442,6 +456,27 @@ static void major_rescan(vs *vm, vs_object *o) {
   major_drain(vm);
 }
 
+/* gives chunks back that have no block in use, as long as enough spare ones stay */
+static void major_give_back(vs *vm) {
+  struct vs_gc *gc = vm->gc;
+  size_t keep = gc_blocks_needed(vm), leaving = 0;
+  for (struct vs_gc_chunk *c = gc->chunks; c; c = c->next) c->live = 0;
+  for (struct vs_gc_block *b = gc->blocks; b; b = b->next) b->chunk->live++;
+  for (struct vs_gc_chunk *c = gc->chunks; c; c = c->next) {
+    c->leaving = c->live == 0 && gc->spares - leaving >= keep + CHUNK_BLOCKS;
+    if (c->leaving) leaving += CHUNK_BLOCKS;
+  }
+  if (!leaving) return;
+  gc->spares -= leaving;
+  for (struct vs_gc_block **b = &gc->spare; *b;)
+    if ((*b)->chunk->leaving) *b = (*b)->next; else b = &(*b)->next;
+  for (struct vs_gc_chunk **c = &gc->open; *c;)
+    if ((*c)->leaving) *c = (*c)->open; else c = &(*c)->open;
+  for (struct vs_gc_chunk **link = &gc->chunks, *c; (c = *link);)
+    if (c->leaving) { *link = c->next; vs_mem(vm, c, sizeof *c + (size_t)CHUNK_BLOCKS * BLOCK, 0); }
+    else link = &c->next;
+}
+
 static void major_sweep(vs *vm) {
   struct vs_gc *gc = vm->gc;
   size_t live = 0;
@@ -489,6 +524,7 @@ static void major_sweep(vs *vm) {
     i += (size_t)o->words * 8;
   }
   gc->old_bytes = live;
+  major_give_back(vm);
 }
 
 void vs_gc_major(vs *vm) {

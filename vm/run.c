@@ -760,6 +760,7 @@ bool vs_run(vs *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value
   vm->steps -= (uint64_t)(vm->fuel > 0 ? vm->fuel : 0);       /* those taken, not those granted */
   reset(vm);
   if (ok) *out = result;
+  else if (vm->condition == vm->at.no_memory) vs_gc_major(vm);    /* what the program held is free now */
   return ok;
 }
 

@@ -10,7 +10,7 @@ extern const vs_native_table vs_control_natives;
 #if VS_DEBUG_SMALL
 enum { STACK_SLOTS = 1024 };
 #else
-enum { STACK_SLOTS = 16 << 10 };
+enum { STACK_SLOTS = 8 << 10 };
 #endif
 
 /* natives that the run loop calls by itself */
@@ -55,6 +55,7 @@ vs *vs_open_vm(const vs_config *config) {
   if (vm->stack) {
     vm->stack_end = vm->stack + STACK_SLOTS;
     vm->top = vm->stack;
+    memset(vm->stack, 0, STACK_SLOTS * sizeof *vm->stack);       /* slots are traced before they are written */
   }
   if (!vm->stack || !vs_gc_open(vm) || !(config->image ? vs_image_load(vm, config->image) : fresh(vm))) {
     vs_close_vm(vm);
