@@ -122,7 +122,7 @@ static const struct example examples[] = {
   {"(define (f a) (define (ev n) (if (= n 0) a (od (- n 1)))) (define (od n) (if (= n 0) #f (ev (- n 1)))) (ev 10)) (f 'yes)", "yes"},
   {"(letrec ((a (lambda () b)) (b 2)) (a))", "2"},
   {"(letrec ((a b) (b 2)) a)", "error: b is used before it has a value"},
-  {"(define (f) (g)) (define (g) (car 5)) (f)", "error: car: pair must be a pair, got 5"},
+  {"(define (f) (g)) (define (g) (car 5)) (f)", "error: car: expected a pair, got 5"},
   {"((lambda (x #:k [y any? 2]) (list x y)) 1)", "(1 2)"},
   {"(define (f x #:k [y any? 2] . r) (list x y r)) (f 1 2 #:k 3)", "(1 3 (2))"},
   {"(define (f x) x) (f 1 2)", "error: f needs 1 argument, got 2"},
@@ -182,7 +182,7 @@ static void an_error_does_not_end_it(void **state) {
   (void)state;
   vs *vm = open_plain();
   assert_string_equal(run(vm, "(define x 5) (dynamic-wind (lambda () 0) (lambda () (with-exception-handler (lambda (e) (car e)) (lambda () (car x)))) (lambda () 0))"),
-                      "error: car: pair must be a pair, got #<error \"car: pair must be a pair, got\" (5)>");
+                      "error: car: expected a pair, got #<error \"car: expected a pair, got\" (5)>");
   assert_string_equal(run(vm, "x"), "5");
   vs_close_vm(vm);
 }
