@@ -199,18 +199,6 @@ bool vs_environment_bind(vs *vm, vs_value env, vs_value id, vs_value binding) {
   return true;
 }
 
-bool vs_environment_import(vs *vm, vs_value env, vs_value from, vs_value mapping) {
-  VS_ROOTS(vm, r, 2);
-  r[0] = env;
-  if (mapping == VS_TRUE)                       /* once is enough */
-    for (vs_value l = vs_as_environment(env)->imports; vs_is_pair(l); l = vs_cdr(l))
-      if (vs_car(vs_car(l)) == from && vs_cdr(vs_car(l)) == VS_TRUE) return true;
-  if (!vs_cons(vm, from, mapping, &r[1]) || !vs_cons(vm, r[1], vs_as_environment(r[0])->imports, &r[1])) return false;
-  vs_environment *e = vs_as_environment(r[0]);
-  vs_gc_store(vm, e, &e->imports, r[1]);
-  return true;
-}
-
 static bool is_private(vs_value symbol) { return vs_as_symbol(symbol)->name[0] == '%'; }
 
 /* What library `env` exports as `name` (a symbol); VS_VACANT if nothing. Libraries re-export by a table onto their imports, so this follows
@@ -236,6 +224,32 @@ static vs_value exported(vs_value env, vs_value name, int depth) {
   if (inside == VS_VACANT) return VS_VACANT;
   vs_value own = vs_idtable_get(e->table, inside);
   return own != VS_VACANT || !vs_is(inside, VS_T_SYMBOL) ? own : imported(env, inside, depth);
+}
+
+/* What code refers to already but was nowhere defined may be among what has just been imported. */
+static void settle_undefined(vs *vm, vs_value env) {
+  vs_vector *table = vs_as_vector(vs_as_environment(env)->table);
+  for (size_t i = 1; i < table->length; i += 2) {
+    vs_value cell = table->at[i + 1];
+    if (table->at[i] == VS_VACANT || !vs_is_symbol(table->at[i]) || !vs_is(cell, VS_T_CELL) || vs_as_cell(cell)->value != VS_UNDEFINED) continue;
+    vs_value found = imported(env, table->at[i], 0);
+    if (found == VS_VACANT) continue;
+    if (vs_is(found, VS_T_CELL)) vs_gc_store(vm, vs_as_cell(cell), &vs_as_cell(cell)->value, vs_as_cell(found)->value);
+    else vs_gc_store(vm, table, &table->at[i + 1], found);
+  }
+}
+
+bool vs_environment_import(vs *vm, vs_value env, vs_value from, vs_value mapping) {
+  VS_ROOTS(vm, r, 2);
+  r[0] = env;
+  if (mapping == VS_TRUE)                       /* once is enough */
+    for (vs_value l = vs_as_environment(env)->imports; vs_is_pair(l); l = vs_cdr(l))
+      if (vs_car(vs_car(l)) == from && vs_cdr(vs_car(l)) == VS_TRUE) return true;
+  if (!vs_cons(vm, from, mapping, &r[1]) || !vs_cons(vm, r[1], vs_as_environment(r[0])->imports, &r[1])) return false;
+  vs_environment *e = vs_as_environment(r[0]);
+  vs_gc_store(vm, e, &e->imports, r[1]);
+  settle_undefined(vm, r[0]);
+  return true;
 }
 
 vs_meaning vs_environment_find(vs_value env, vs_value id) {

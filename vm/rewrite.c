@@ -147,6 +147,21 @@ bool vs_form_include(vs_expansion *x, vs_value *form) {
 }
 bool vs_form_include_ci(vs_expansion *x, vs_value *form) { return vs_form_include(x, form); }
 
+/* (syntax-error "message" form ...): what a macro says of its use */
+bool vs_form_syntax_error(vs_expansion *x, vs_value *form) {
+  vs *vm = x->vm;
+  vs_value l = vs_cdr(*form);
+  if (vs_list_length(*form) < 2 || !vs_is_string(vs_car(l))) return vs_expand_fail(x, x->now.pos, *form, "syntax-error is written %s, not", vs_form_shape(VS_FORM_syntax_error));
+  VS_ROOTS(vm, r, 1);
+  r[0] = vs_cdr(l);
+  vs_text t;
+  vs_text_open(vm, &t, 300);
+  bool ok = vs_text_string(&t, vs_car(l)) && vs_text_end(&t) && vs_strip(vm, r[0], &r[0]) &&
+            vs_fail_at(vm, vm->sym.syntax, x->now.pos, r[0], "%s", t.at);
+  vs_text_close(&t);
+  return ok;
+}
+
 /* ---- cond-expand ---- */
 static const char *const features[] = {"r7rs", "full-unicode", "ratios", "exact-closed", "visualscheme", "syntax-rules", NULL};
 

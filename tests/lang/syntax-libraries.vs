@@ -27,4 +27,8 @@
 (require srfi/1)
 (check 6 (eval '(* 2 3) (environment '(only (scheme base) *))))
 (check 'unbound (guard (e (#t 'unbound)) (eval '(+ 2 3) (environment '(only (scheme base) *)))))
+(define (early) (late-name 20))           ; referred to before it is imported
+(import (prefix (only (lib util) double) late-))
+(import (rename (lib util) (double late-name)))
+(check 40 (early))
 (display failures) (newline)   ; expect: 0
