@@ -9,6 +9,7 @@
 #include "vm/native.h"
 #include "vm/run.h"
 
+#include "geometry/measure.h"
 #include "model/scene.h"
 
 /* ---- flat records (flat.c) ---- */
@@ -47,6 +48,7 @@ struct vs_bind {
   vs_bind_setting *settings;
   size_t setting_count, setting_room;
   uint32_t library_files;          /* files with smaller numbers are the language's own */
+  vs_inside_cache *inside;         /* what contains? has prepared; NULL at first */
   bool bad_parameter;              /* the error under way is a -D value's fault: exit 2 */
   /* the host: shows a warning; origin NULL is nowhere */
   void (*warn)(void *context, const vs_origin *origin, const char *message);

@@ -133,6 +133,6 @@ vs_status vs_p_contains(vs_frame *f, vs_value *out) {
   vs_error e = { 0 };
   if (n->class_ == VS_NOTHING) return truth(false, out);
   if (n->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
-  if (!vs_node_contains(n, f->arg[1].point, &inside, &e)) return vs_bind_error(f, &e);
+  if (!vs_inside_cached(&f->bind->inside, n, f->arg[1].point, &inside, &e)) return vs_bind_error(f, &e);
   return truth(inside, out);
 }

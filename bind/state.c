@@ -30,6 +30,7 @@ void vs_bind_close(vs_bind *b) {
   for (size_t i = 0; i < b->parameter_count; i++) vs_store_realloc(s, b->parameters[i].choices, b->parameters[i].choice_count * sizeof *b->parameters->choices, 0);
   vs_store_realloc(s, b->parameters, b->parameter_room * sizeof *b->parameters, 0);
   vs_store_realloc(s, b->settings, b->setting_room * sizeof *b->settings, 0);
+  vs_inside_cache_free(b->inside);
   vs_scene_free(&b->scene);
   vs_store_release(s);
   *b = (vs_bind){ 0 };

@@ -31,6 +31,7 @@ struct vs_inside {
   vs_inside_part *parts;
   size_t count, room, first;
   vs_inside_level *stack;
+  size_t cost; /* of all this, in bytes, nearly */
 };
 
 /* ---- formulas ---- */
@@ -273,6 +274,9 @@ vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
         ok = place || vs_error_memory(e, NULL);
         if (place) *place = v->count - 1;
         ok = ok && vs_bounds_memo_get(&bounds, at.node, &part->bounds, e) && vs_inside_prepare(part, &places, e);
+        v->cost += sizeof *part + at.node->child_count * sizeof(size_t);
+        if (part->plan) v->cost += part->plan->section_count * (sizeof(vs_section) + sizeof(vs_bounds)) + part->plan->profile_count * sizeof(vs_vec2);
+        if (part->facets) v->cost += part->facets->vertex_count * sizeof(vs_vec3) + part->facets->triangle_count * 3 * sizeof(uint32_t);
         if (!ok && e && !e->origin) e->origin = at.origin;
       }
     }
@@ -342,5 +346,40 @@ bool vs_node_contains(const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
   if (!v) return false;
   *inside = vs_inside_test(v, p);
   vs_inside_free(v);
+  return true;
+}
+
+/* ---- asking in any order ---- */
+
+enum { CACHE_SLOTS = 8192, CACHE_BYTES = 50 << 20 };
+struct vs_inside_cache { size_t bytes; vs_inside *at[CACHE_SLOTS]; };
+
+static void vs_inside_cache_clear(vs_inside_cache *c) {
+  for (size_t i = 0; i < CACHE_SLOTS; i++) {
+    vs_inside_free(c->at[i]);
+    c->at[i] = NULL;
+  }
+  c->bytes = 0;
+}
+
+void vs_inside_cache_free(vs_inside_cache *c) {
+  if (c) vs_inside_cache_clear(c);
+  free(c);
+}
+
+bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
+  if (!*cache && !(*cache = calloc(1, sizeof **cache))) return vs_error_memory(e, NULL);
+  vs_inside_cache *c = *cache;
+  vs_inside **slot = &c->at[(n->hash ^ n->hash >> 32) % CACHE_SLOTS]; /* equal nodes are one shape: either's answer serves */
+  if (!*slot || ((*slot)->root != n && !((*slot)->root->hash == n->hash && vs_node_equal((*slot)->root, n, NULL)))) {
+    vs_inside *new = vs_inside_new(n, e);
+    if (!new) return false;
+    if (c->bytes + new->cost > CACHE_BYTES) vs_inside_cache_clear(c);
+    if (*slot) c->bytes -= (*slot)->cost;
+    vs_inside_free(*slot);
+    *slot = new;
+    c->bytes += new->cost;
+  }
+  *inside = vs_inside_test(*slot, p);
   return true;
 }

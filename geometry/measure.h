@@ -25,6 +25,11 @@ typedef struct vs_inside vs_inside;
 vs_inside *vs_inside_new(const vs_node *n, vs_error *e);
 bool vs_inside_test(vs_inside *v, vs_vec3 p);
 void vs_inside_free(vs_inside *v);
+/* vs_node_contains for one who asks about the same few thousand nodes in any order: what was prepared is kept, up to some 50 MB, with a
+ * reference to its node. *cache is NULL at first. */
+typedef struct vs_inside_cache vs_inside_cache;
+bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool *inside, vs_error *e);
+void vs_inside_cache_free(vs_inside_cache *cache);
 
 /* ---- measures ---- */
 

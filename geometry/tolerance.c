@@ -1,7 +1,7 @@
 /* Owns how finely curves are cut. */
 #include "geometry/tolerance.h"
 
-enum { LEAST_TURN = 32, MOST_TURN = 16384 };
+enum { LEAST_TURN = 32, MOST_TURN = 4096 };
 
 double vs_facets_tolerance(const vs_bounds *drawing) {
   double diagonal = vs_bounds_diagonal(drawing);

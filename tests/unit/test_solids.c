@@ -74,7 +74,7 @@ static void facets_keep_their_height(void **state) {
   for (double r = 1e-3; r < 1e6; r *= 3) {
     int n = vs_facets_turn(&fine, r, 0);
     assert_true(n >= 32 && n % 4 == 0);
-    if (n < 16384) assert_true(r * (1 - cos(pi / n)) <= 1e-4 * (1 + 1e-9));
+    if (n < 4096) assert_true(r * (1 - cos(pi / n)) <= 1e-4 * (1 + 1e-9));
   }
   vs_bounds b = { { 0, 0, 0 }, { 3, 4, 0 } };
   assert_true(vs_facets_tolerance(&b) == 1.0 / 1024);
