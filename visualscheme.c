@@ -138,7 +138,13 @@ static vs_outcome finish(vs_session *s, bool ok, bool usage) {
     s->exit_requested = ok = true;
     s->exit_code = (int)vs_fixnum(vs_as_condition(vm->condition)->payload);
   }
-  return ok ? VS_OUTCOME_DONE : vs_session_report_condition(s, vm->condition, usage);
+  if (ok) return VS_OUTCOME_DONE;
+  vs_outcome outcome = vs_session_report_condition(s, vm->condition, usage);
+  if (outcome == VS_OUTCOME_MACHINE) {
+    vm->condition = vm->value = VS_FALSE;
+    vs_gc_major(vm); /* what filled the memory is garbage now: the interpreter goes on */
+  }
+  return outcome;
 }
 
 /* An interrupt that came while nothing ran ends the next evaluation before it begins. */

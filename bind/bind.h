@@ -47,6 +47,7 @@ struct vs_bind {
   size_t parameter_count, parameter_room;
   vs_bind_setting *settings;
   size_t setting_count, setting_room;
+  size_t refused;                  /* allocations that were refused so far: tells "no such" from "no memory" */
   uint32_t library_files;          /* files with smaller numbers are the language's own */
   vs_inside_cache *inside;         /* what contains? has prepared; NULL at first */
   bool bad_parameter;              /* the error under way is a -D value's fault: exit 2 */

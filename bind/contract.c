@@ -349,8 +349,9 @@ static vs_status convert_material(vs_frame *f, const vs_bind_param *p, vs_value 
   if (!vs_is_string(v) && !vs_is_symbol(v)) return refuse_kind(f, p, v);
   vs_arg name;
   if (!convert_text(f, p, v, &name)) return VS_ERROR;
+  size_t refused = f->bind->refused;
   out->material = vs_store_ready_material(f->bind->store, name.text.at);
-  return out->material ? VS_OK : refuse_kind(f, p, v);
+  return out->material ? VS_OK : f->bind->refused != refused ? vs_fail_memory(f->vm) : refuse_kind(f, p, v);
 }
 
 static vs_status convert_real(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {

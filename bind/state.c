@@ -10,7 +10,7 @@ const vs_native_table *const *vs_bind_tables(void) {
 }
 
 bool vs_bind_open(vs_bind *b, vs *vm, vs_store *store) {
-  *b = (vs_bind){ .vm = vm, .store = vs_store_retain(store) };
+  *b = (vs_bind){ .vm = vm, .store = vs_store_retain(store), .refused = b->refused };
   vs_scene_init(&b->scene, store);
   vm->host = b;
   return true;

@@ -138,8 +138,7 @@ static bool push(reader *r, frame_kind kind, vs_pos pos, char open, quote_kind q
     r->frames = frames;
     vs_value *slots = vs_mem(r->vm, r->slots, 2 * r->room * sizeof *slots, 2 * room * sizeof *slots);
     if (!slots) {   /* keep the two in step */
-      frames = vs_mem(r->vm, r->frames, room * sizeof *frames, (r->room ? r->room : 1) * sizeof *frames);
-      if (frames) r->frames = frames;
+      r->frames = vs_mem(r->vm, frames, room * sizeof *frames, r->room * sizeof *frames);
       return false;
     }
     r->slots = r->roots.slots = slots;

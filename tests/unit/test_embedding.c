@@ -1,0 +1,111 @@
+/* Owns the test that memory may run out anywhere: the n-th allocation of a whole session is refused, for every n in turn; nothing crashes,
+ * the failure is told as an outcome, and everything is given back. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "visualscheme.h"
+
+typedef struct { long left; /* allocations until one is refused; negative: never */ size_t live, blocks; int told; } budget;
+
+static void *take(void *context, void *old, size_t old_size, size_t new_size) {
+  budget *b = context;
+  if (new_size > old_size && b->left >= 0 && b->left-- == 0) return NULL;
+  if (new_size == 0) {
+    if (old) b->blocks--;
+    b->live -= old_size;
+    free(old);
+    return NULL;
+  }
+  void *p = realloc(old, new_size);
+  assert_non_null(p);
+  if (!old) b->blocks++;
+  b->live += new_size - old_size;
+  return p;
+}
+
+static void told(void *context, const vs_diagnostic *d) {
+  budget *b = context;
+  assert_non_null(d->message);
+  b->told++;
+}
+static bool drop(void *context, const void *bytes, size_t count) {
+  (void)context, (void)bytes, (void)count;
+  return true;
+}
+
+static const char program[] =
+  "(define-parameter n 3 #:min 1 #:max 9)\n"
+  "(define (column p [r positive? 0.5]) (with-material 'concrete (make-cylinder p 3 r)))\n"
+  "(draw (unite (map column (line-sequence (xyz 0 0 0) (xyz 9 0 0) n))))\n"
+  "(draw (subtract (make-box (xyz 0 0 3) (xyz 9 1 4)) (make-sphere (xyz 4 0 3) 1)))\n"
+  "(draw (do-sweep (make-circle (xyz 0 0 0) 1/4) (make-spline (list (xyz 0 0 0) (xyz 1 0 4) (xyz 9 0 5))) 0 0.5))\n"
+  "(make-cylinder (xyz 0 0 0) (xyz 0 0 0) 1)\n";
+
+/* true: it went through */
+static bool session(budget *b) {
+  vs_options o = vs_options_default();
+  o.alloc = take, o.alloc_context = b;
+  o.host.context = b, o.host.diagnose = told;
+  vs *s = vs_new(&o);
+  bool ok = s != NULL;
+  if (ok) ok = vs_parameter_set(s, "n", "4");
+  if (ok) {
+    vs_outcome outcome = vs_eval_text(s, "text", 1, program, sizeof program - 1, 0);
+    assert_true(outcome == VS_OUTCOME_DONE || outcome == VS_OUTCOME_MACHINE);
+    ok = outcome == VS_OUTCOME_DONE;
+  }
+  vs_summary summary;
+  if (ok) ok = vs_drawing_summary(s, &summary) == VS_OUTCOME_DONE;
+  if (ok) {
+    vs_outcome outcome = vs_write_drawing_to(s, "povray", NULL, drop, b);
+    assert_true(outcome == VS_OUTCOME_DONE || outcome == VS_OUTCOME_MACHINE);
+    ok = outcome == VS_OUTCOME_DONE;
+  }
+  vs_free(s);
+  return ok;
+}
+
+static void test_refusals(void **state) {
+  (void)state;
+  long n = 0, step = 1;
+  for (;; n += step) {
+    budget b = { .left = n };
+    bool ok = session(&b);
+    assert_int_equal(b.live, 0);
+    assert_int_equal(b.blocks, 0);
+    if (b.left >= 0) { /* nothing was refused: the program needs fewer */
+      assert_true(ok);
+      break;
+    }
+    if (n > 400) step = 7; /* later ones are alike: bound the time */
+  }
+  assert_true(n > 20);
+}
+
+static void test_limit(void **state) { /* the limit counts the model too, and the interpreter lives on */
+  (void)state;
+  budget b = { .left = -1 };
+  vs_options o = vs_options_default();
+  o.limit_memory = 24u << 20;
+  o.host.context = &b, o.host.diagnose = told;
+  vs *s = vs_new(&o);
+  assert_non_null(s);
+  static const char hungry[] = "(let loop ((n 0) (l '())) (loop (+ n 1) (cons (make-sphere (xyz 0 0 n) 1) l)))";
+  static const char lists[] = "(let loop ((l '())) (loop (cons 1 l)))";
+  assert_int_equal(vs_eval_text(s, "lists", 1, lists, sizeof lists - 1, 0), VS_OUTCOME_MACHINE);
+  assert_int_equal(vs_eval_text(s, "after", 1, "(+ 1 2)", 7, 0), VS_OUTCOME_DONE);
+  assert_int_equal(vs_eval_text(s, "objects", 1, hungry, sizeof hungry - 1, 0), VS_OUTCOME_MACHINE);
+  assert_int_equal(vs_eval_text(s, "after", 1, "(make-sphere (xyz 0 0 0) 1)", 27, 0), VS_OUTCOME_DONE);
+  vs_free(s);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_refusals), cmocka_unit_test(test_limit) };
+  return cmocka_run_group_tests_name("embedding", tests, NULL, NULL);
+}
