@@ -431,6 +431,30 @@ static void depth(vs *vm) {
   }
 }
 
+/* Every row with its n-th allocation refused, for every n that it makes: an error each time, or the usual result; then all works again. */
+static void starve(vs *vm, const row *rows) {
+  for (const row *p = rows; p->expression; p++) {
+    VS_ROOTS(vm, r, 1);
+    size_t used;
+    bool refused = true;
+    for (size_t n = 1; refused && n < 400; n++) {
+      assert_true(vs_read_datum(vm, p->expression, strlen(p->expression), &input, &used));
+      vs_gc_fail_after(vm, n);
+      bool ok = eval(vm, input, &r[0]);
+      refused = vm->fail_after == 0;
+      vs_gc_fail_after(vm, 0);
+      if (refused && !ok) assert_true(vs_is(vm->condition, VS_T_CONDITION));
+    }
+  }
+  check(vm, rows);
+}
+static void starved(vs *vm) {
+  starve(vm, numbers);
+  starve(vm, texts);
+  starve(vm, objects);
+}
+
+static void test_starved(void **state) { (void)state, with_vm(starved); }
 static void test_numbers(void **state) { (void)state, with_vm(run_numbers); }
 static void test_texts(void **state) { (void)state, with_vm(run_texts); }
 static void test_objects(void **state) { (void)state, with_vm(run_objects); }
@@ -444,6 +468,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_numbers), cmocka_unit_test(test_texts), cmocka_unit_test(test_objects), cmocka_unit_test(test_round_trips),
       cmocka_unit_test(test_division), cmocka_unit_test(test_tables), cmocka_unit_test(test_cycles), cmocka_unit_test(test_depth),
+      cmocka_unit_test(test_starved),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
