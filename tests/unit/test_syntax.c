@@ -122,9 +122,7 @@ static void test_whole(void **state) {
 }
 
 /* places of pairs and atoms, and depth far beyond the C stack */
-static void test_places(void **state) {
-  (void)state;
-  vs *vm = machine();
+static void check_places(vs *vm) {
   VS_ROOTS(vm, r, 2);
   const char *text = "\n (a \xC3\xA4 (b\n  c))";
   uint32_t file;
@@ -143,6 +141,12 @@ static void test_places(void **state) {
   for (vs_value v = vs_car(r[0]); vs_is_pair(v); v = vs_car(v)) depth++;
   assert_int_equal(depth, DEPTH - 1);
   free(deep);
+}
+
+static void test_places(void **state) {
+  (void)state;
+  vs *vm = machine();
+  check_places(vm);
   vs_close_vm(vm);
 }
 
