@@ -1,0 +1,146 @@
+/* Owns the tests of geometry/ when memory runs out: each of its calls to the C library's allocator fails in turn; what comes back is an error of
+ * kind memory, and nothing is lost. The allocator is replaced for this program; where a sanitizer has replaced it already the test is skipped. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "geometry/measure.h"
+#include "geometry/polyface.h"
+#include "geometry/tessellate.h"
+
+#if defined(__SANITIZE_ADDRESS__)
+#define REPLACED 0
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define REPLACED 0
+#endif
+#endif
+#if !defined(REPLACED) && defined(__GLIBC__)
+#define REPLACED 1
+#elif !defined(REPLACED)
+#define REPLACED 0
+#endif
+
+static size_t fail_at, held; /* counted only while fail_at is set */
+
+#if REPLACED
+void *__libc_malloc(size_t n);
+void *__libc_calloc(size_t n, size_t size);
+void *__libc_realloc(void *p, size_t n);
+void __libc_free(void *p);
+
+static bool refused(void) {
+  if (!fail_at) return false;
+  if (fail_at > 1) return fail_at--, held++, false;
+  return true; /* this one and all after it */
+}
+void *malloc(size_t n) { return refused() ? NULL : __libc_malloc(n); }
+void *calloc(size_t n, size_t size) { return refused() ? NULL : __libc_calloc(n, size); }
+void *realloc(void *p, size_t n) {
+  if (!refused()) {
+    if (fail_at && p) held--; /* one block became another */
+    return __libc_realloc(p, n);
+  }
+  return NULL;
+}
+void free(void *p) {
+  if (fail_at && p) held--;
+  __libc_free(p);
+}
+#endif
+
+#define NODE(lower, upper, ...) vs_node_new(s, VS_##upper, &(struct vs_##lower){ __VA_ARGS__, 0 }, NULL, 0)
+
+static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node *a, vs_node *b) { /* takes a and b over */
+  vs_ref refs[2] = { { a, NULL }, { b, NULL } };
+  vs_node *n = vs_node_new(s, kind, data, refs, b ? 2 : 1);
+  vs_node_release(a);
+  vs_node_release(b);
+  return n;
+}
+
+static vs_node *curve(vs_store *s, bool spline) {
+  vs_vec3 at[] = { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0 }, { 1, 2, 0 } };
+  vs_points *p = vs_points_new(s, at, 4);
+  vs_node *n = spline ? NODE(spline, SPLINE, p, true, { 0, 0, 0 }, { 0, 0, 0 }, 0) : NODE(line, LINE, p, true);
+  vs_points_release(s, p);
+  return n;
+}
+
+static bool task(const vs_node *n, vs_error *e) {
+  vs_facets f = { 0.01, 0 };
+  vs_mesh m = { 0 };
+  vs_bounds b;
+  bool inside, closed_ok, ok = vs_tessellate(n, &f, &m, e);
+  if (ok && !vs_mesh_closed(&m, &closed_ok)) ok = closed_ok ? vs_error_set(e, VS_ERROR_MODEL, NULL, "open") : vs_error_memory(e, NULL);
+  vs_mesh_free(&m);
+  return ok && vs_node_bounds(n, &b, e) && vs_node_contains(n, vs_v3(1, 1, 1), &inside, e);
+}
+
+static void run_short(const vs_node *n) {
+  bool done = false;
+  size_t tries = 1;
+  for (; !done; tries++) {
+    vs_error e = { 0 };
+    held = 0;
+    fail_at = tries;
+    done = task(n, &e);
+    fail_at = 0;
+    if (!done && e.kind != VS_ERROR_MEMORY) fail_msg("%s", e.message);
+    assert_int_equal(held, 0);
+    assert_true(tries < 5000);
+  }
+  assert_true(tries > 4);
+}
+
+static void every_allocation_fails_in_turn(void **state) {
+  (void)state;
+  if (!REPLACED) skip();
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_vec3 quad[] = { { 0, 0, 0 }, { 2, 0, 1 }, { 2, 3, 1 }, { 0, 3, 0 } };
+  uint32_t starts[] = { 0, 4 }, corners[] = { 0, 1, 2, 3 };
+  struct vs_extrude up = { .along = { 0, 0, 3 }, .scale = 1, .twist = 0.5 };
+  struct vs_sweep plain = { .scale = 1 };
+  struct vs_thicken thick = { .width = 0.5 };
+  vs_node *hole = NODE(circle, CIRCLE, { 2, 1, 0 }, 0.5, 0);
+  vs_ref loops[] = { { curve(s, false), NULL }, { hole, NULL } };
+  vs_node *region = vs_node_new(s, VS_REGION, NULL, loops, 2);
+  vs_node_release(loops[0].node);
+  vs_node_release(hole);
+  vs_node *all[] = { NODE(torus, TORUS, { 0, 0, 0 }, 3, 1, 0), over(s, VS_EXTRUDE, &up, region, NULL), over(s, VS_SWEEP, &plain, NODE(circle, CIRCLE, { 0, 0, 0 }, 0.2, 0), curve(s, true)),
+                     over(s, VS_THICKEN, &thick, curve(s, false), NULL), over(s, VS_THICKEN, &thick, vs_polyface_make(s, quad, 4, starts, 1, corners, NULL), NULL) };
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    run_short(all[i]);
+    vs_node_release(all[i]);
+  }
+  vs_store_release(s);
+}
+
+static void making_a_polyface_fails_in_turn(void **state) {
+  (void)state;
+  if (!REPLACED) skip();
+  vs_vec3 cube[8];
+  for (int i = 0; i < 8; i++) cube[i] = vs_v3(i & 1, (i >> 1) & 1, (i >> 2) & 1);
+  uint32_t starts[] = { 0, 4, 8, 12, 16, 20, 24 }, inward[] = { 0, 1, 3, 2, 4, 6, 7, 5, 0, 4, 5, 1, 2, 3, 7, 6, 0, 2, 6, 4, 1, 5, 7, 3 };
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_node *n = NULL;
+  for (size_t tries = 1; !n; tries++) {
+    vs_error e = { 0 };
+    size_t bytes = vs_store_bytes(s);
+    held = 0;
+    fail_at = tries;
+    n = vs_polyface_make(s, cube, 8, starts, 6, inward, &e);
+    fail_at = 0;
+    if (!n) assert_true(e.kind == VS_ERROR_MEMORY && held == 0 && vs_store_bytes(s) == bytes);
+  }
+  vs_node_release(n);
+  vs_store_release(s);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = { cmocka_unit_test(every_allocation_fails_in_turn), cmocka_unit_test(making_a_polyface_fails_in_turn) };
+  return cmocka_run_group_tests_name("geometry short of memory", tests, NULL, NULL);
+}
