@@ -4,7 +4,7 @@
  *   File '/tmp/.../scene.pov' line 12: Parse Error: ...
  * wrapped at 80 columns with one space in front of what continues. It ends with 0 after warnings that mean a wrong picture, so any is a
  * failure here. A message's line leads, by the table that the driver kept, to the place in the user's model.
- * It runs in a process group of its own, so that an interrupt stops it by our hand, after which nothing of it is left on the disk. */
+ * It stays in our process group: what ends us from outside (the terminal, timeout) ends it too. */
 #define _XOPEN_SOURCE 700
 #include <errno.h>
 #include <fcntl.h>
@@ -141,8 +141,7 @@ static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene, char format)
   sigaddset(&signals, SIGPIPE);
   sigaddset(&signals, SIGTERM);
   posix_spawnattr_setsigdefault(&attributes, &signals);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   int problem = posix_spawnp(&r->process, "povray", &files, &attributes, arguments, environment);
   posix_spawn_file_actions_destroy(&files);
   posix_spawnattr_destroy(&attributes);
@@ -158,12 +157,12 @@ static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene, char format)
 /* Ends it, hard if it does not listen within two seconds; its exit status either way. */
 static int run_stop(pov_run *r) {
   int status = 0;
-  kill(-r->process, SIGTERM);
+  kill(r->process, SIGTERM);
   for (int i = 0; i < 100; i++) {
     if (waitpid(r->process, &status, WNOHANG) == r->process) return status;
     nanosleep(&(struct timespec){ .tv_nsec = 20000000 }, NULL);
   }
-  kill(-r->process, SIGKILL);
+  kill(r->process, SIGKILL);
   while (waitpid(r->process, &status, 0) < 0 && errno == EINTR) continue;
   return status;
 }
@@ -194,7 +193,7 @@ static bool run_listen(vs_emitter *e, pov_run *r, int *status) {
     }
   }
   while (waitpid(r->process, status, 0) < 0 && errno == EINTR) continue;
-  return true;
+  return vs_emit_progress(e, "rendering", r->fraction); /* an interrupt may have ended it before us */
 }
 
 /* ---- the picture ---- */
