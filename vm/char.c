@@ -29,7 +29,8 @@ static vs_status integer_to_char(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- case ---- */
 
-static uint32_t char_up(uint32_t c) { return (uint32_t)utf8proc_toupper((utf8proc_int32_t)c); }
+/* of one character: what upcases to two (the sharp s) stays */
+static uint32_t char_up(uint32_t c) { return c == 0xDF ? c : (uint32_t)utf8proc_toupper((utf8proc_int32_t)c); }
 static uint32_t char_down(uint32_t c) { return (uint32_t)utf8proc_tolower((utf8proc_int32_t)c); }
 static uint32_t char_fold(uint32_t c) { return c == 0x130 || c == 0x131 ? c : char_down(char_up(c)); } /* the dotted and dotless i stay apart */
 

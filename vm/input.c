@@ -66,9 +66,20 @@ static vs_status read_string(vs *vm, vs_value *a, int n, vs_value *out) {
   return vs_arg_index(vm, a, 0, 0, VS_FIXNUM_MAX, &k) && in_port(vm, a, n, 1, 0, &port) && read_some(vm, port, k, false, out);
 }
 
-static bool ends_in(const vs_text *t, const char *s) {
-  size_t n = strlen(s);
-  return t->count >= n && !memcmp(t->at + t->count - n, s, n);
+/* The directives that a datum's text begins with hold for what the port gives later, too. */
+static void keep_directives(const vs_text *t, uint32_t *flags) {
+  static const struct { const char *text; bool fold; } directives[] = {{"#!fold-case", true}, {"#!no-fold-case", false}};
+  for (size_t i = 0; i < t->count;) {
+    size_t n = t->at[i] <= ' ' && t->at[i] > 0;
+    for (size_t k = 0; !n && k < 2; k++) {
+      size_t length = strlen(directives[k].text);
+      if (t->count - i < length || memcmp(t->at + i, directives[k].text, length)) continue;
+      *flags = directives[k].fold ? *flags | VS_PORT_FOLD : *flags & ~(uint32_t)VS_PORT_FOLD;
+      n = length;
+    }
+    if (!n) break;
+    i += n;
+  }
 }
 
 /* One datum: characters are taken until it is whole. What was whole may turn out to be a directive (#!fold-case): then on, with it. */
@@ -89,8 +100,7 @@ static vs_status read_(vs *vm, vs_value *a, int n, vs_value *out) {
     }
     vs_scan_close(&s);
     ok = ok && vs_read_datum(vm, t.at ? t.at : "", t.count, out, NULL);
-    if (ends_in(&t, "#!fold-case")) vs_as_port(r[0])->flags |= VS_PORT_FOLD;
-    if (ends_in(&t, "#!no-fold-case")) vs_as_port(r[0])->flags &= ~(uint32_t)VS_PORT_FOLD;
+    keep_directives(&t, &vs_as_port(r[0])->flags);
   }
   vs_text_close(&t);
   return ok;

@@ -1,0 +1,33 @@
+; Characters beyond ASCII, reading from ports, files and bytes.
+(load "r7rs/lib/check.vs")
+
+(check (char-upcase #\xdf) => #\xdf)
+(check (string-upcase "stra\xdf;e") => "STRASSE")
+(check (string-downcase "\x391;\x3a3;") => "\x3b1;\x3c2;")
+(check (char-foldcase #\x3a3) => #\x3c3)
+(check (string-length "\x3bb;\x1f600;") => 2)
+(check (let ((s (make-string 3 #\a))) (string-set! s 1 #\x3bb) s) => "a\x3bb;a")
+(check (string->utf8 "\x3bb;") => #u8(206 187))
+(check (utf8->string #u8(97 255 98)) => "a\xfffd;b")
+
+(define (lines-of text) (let ((p (open-input-string text))) (let loop ((acc '())) (let ((l (read-line p))) (if (eof-object? l) (reverse acc) (loop (cons l acc)))))))
+(check (lines-of "a\n\nb\r\nc") => ("a" "" "b" "c"))
+(check (lines-of "") => ())
+(define (data-of text) (let ((p (open-input-string text))) (let loop ((acc '())) (let ((d (read p))) (if (eof-object? d) (reverse acc) (loop (cons d acc)))))))
+(check (data-of "(a . b) #;skipped 12 \"x\" ; comment\n #(1 2) #\\a |b c|") => ((a . b) 12 "x" #(1 2) #\a |b c|))
+(check (data-of "#!fold-case ABC Def #!no-fold-case Ghi") => (abc def Ghi))
+(check (guard (e ((read-error? e) 'bad)) (data-of "(a b")) => bad)
+(check (let ((p (open-input-string "#0=(a . #0#)"))) (let ((x (read p))) (eq? x (cdr x)))) => #t)
+(check (let ((p (open-input-string "hello world"))) (let* ((a (read-string 5 p)) (b (peek-char p)) (c (read-char p))) (list a b c (read-string 100 p) (eof-object? (read-char p)))))
+       => ("hello" #\space #\space "world" #t))
+(check (call-with-port (open-output-bytevector) (lambda (p) (write-u8 65 p) (write-bytevector #u8(1 2 3) p 1) (get-output-bytevector p))) => #u8(65 2 3))
+(check (let ((p (open-input-bytevector #u8(1 2 3)))) (list (read-u8 p) (peek-u8 p) (read-bytevector 9 p) (eof-object? (read-u8 p)))) => (1 2 #u8(2 3) #t))
+(check-error (read-char (open-input-bytevector #u8(1))))
+(check-error (read-u8 (open-input-string "a")))
+(check-error (display 1 (open-input-string "a")))
+(check-error (let ((p (open-input-string "a"))) (close-port p) (read-char p)))
+(check (guard (e ((file-error? e) 'no-file)) (open-input-file "no such file.txt")) => no-file)
+(check (file-exists? "no such file.txt") => #f)
+
+(checked)
+; expect: all hold: 23
