@@ -288,9 +288,13 @@ static bool scene_of(vs_session *s, vs_scene *out) {
   out->drawn_count = n, out->drawn_room = n + 1;
   for (size_t i = 0; i < n; i++)
     out->drawn[i] = returned ? (vs_ref){ s->bind.returned[i].node, s->bind.returned[i].origin } : s->bind.scene.drawn[i];
+  for (size_t i = 0; i < n; i++) vs_node_retain(out->drawn[i].node); /* the passes put others in their place */
   return true;
 }
-static void scene_done(vs_session *s, vs_scene *scene) { vs_session_memory(s, scene->drawn, scene->drawn_room * sizeof *scene->drawn, 0); }
+static void scene_done(vs_session *s, vs_scene *scene) {
+  for (size_t i = 0; i < scene->drawn_count; i++) vs_node_release(scene->drawn[i].node);
+  vs_session_memory(s, scene->drawn, scene->drawn_room * sizeof *scene->drawn, 0);
+}
 
 static vs_outcome out_of_memory(vs_session *s) {
   vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, NULL, 0, 0, "out of memory");
