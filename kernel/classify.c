@@ -18,7 +18,7 @@ typedef struct {
   vs_kernel *k;
   vs_cluster *c;
   vs_expression *e;
-  VS_LIST(uint32_t) order, scratch;
+  VS_LIST(uint32_t) order;
   VS_LIST(uint32_t) side;   /* union-find: 2 * face (+ side), 2 * face + 1 (- side); then the cell's number */
   VS_LIST(uint32_t) first, borders; /* cell -> its faces */
   VS_LIST(uint32_t) use_first, uses_by_face;
@@ -39,14 +39,6 @@ typedef struct {
   vs_homogeneous at;
   int64_t u, v;
 } walk;
-
-static bool use_before(const void *context, uint32_t a, uint32_t b) {
-  const vs_use *x = (const vs_use *)context + a, *y = (const vs_use *)context + b;
-  uint32_t xl = x->from < x->to ? x->from : x->to, xh = x->from < x->to ? x->to : x->from;
-  uint32_t yl = y->from < y->to ? y->from : y->to, yh = y->from < y->to ? y->to : y->from;
-  if (xl != yl) return xl < yl;
-  return xh != yh ? xh < yh : a < b;
-}
 
 /* ---- 1: cells ---- */
 
@@ -103,17 +95,16 @@ static bool make_cells(walk *w) {
   vs_kernel *k = w->k;
   size_t n = c->uses.count, f = c->faces.count;
   if (f >= UINT32_MAX / 2 || n >= UINT32_MAX) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
-  if (!VS_ROOM(k, w->order.at, w->order.room, n + 1) || !VS_ROOM(k, w->scratch.at, w->scratch.room, n + 1) ||
-      !VS_ROOM(k, w->side.at, w->side.room, 2 * f + 1))
+  if (!VS_ROOM(k, w->order.at, w->order.room, n + 1) || !VS_ROOM(k, w->side.at, w->side.room, 2 * f + 1))
     return false;
   for (uint32_t i = 0; i < n; i++) w->order.at[i] = i;
   for (uint32_t i = 0; i < 2 * f; i++) w->side.at[i] = i;
-  vs_kernel_sort(w->order.at, w->scratch.at, n, use_before, c->uses.at);
+  if (!vs_uses_sort(k, c->uses.at, w->order.at, n, c->points.all.count)) return false;
   for (size_t i = 0, end; i < n; i = end) {
     const vs_use *a = &c->uses.at[w->order.at[i]];
     for (end = i + 1; end < n; end++) {
       const vs_use *b = &c->uses.at[w->order.at[end]];
-      if (!(a->from == b->from && a->to == b->to) && !(a->from == b->to && a->to == b->from)) break;
+      if (!vs_use_same_edge(a, b)) break;
     }
     if (end - i == 2) {
       const vs_use *b = &c->uses.at[w->order.at[i + 1]];
@@ -299,11 +290,21 @@ static void arrive(walk *w, uint32_t cell, uint64_t sum) {
     if (w->active.at[i] < w->owner.at[cell]) w->owner.at[cell] = w->active.at[i];
 }
 
-static bool pass(walk *w, uint32_t face, int32_t sign, uint64_t *sum) { /* sign 1: from + to - */
+/* What the sum changes by on the way from the + side of a face to its - side. */
+static uint64_t change(const walk *w, uint32_t face) {
+  const vs_face *f = &w->c->faces.at[face];
+  uint64_t sum = 0;
+  for (uint32_t i = 0; i < f->cover_count; i++) {
+    vs_cover cover = w->c->covers.at[f->cover + i];
+    sum += leaf_key(cover.leaf) * (uint64_t)(int64_t)cover.delta;
+  }
+  return sum;
+}
+
+static bool pass(walk *w, uint32_t face, int32_t sign) { /* sign 1: from + to - */
   const vs_face *f = &w->c->faces.at[face];
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
-    *sum += leaf_key(cover.leaf) * (uint64_t)(int64_t)(sign * cover.delta);
     if (!turn_leaf(w, cover.leaf, sign * cover.delta)) return false;
   }
   return true;
@@ -325,20 +326,19 @@ static bool walk_from(walk *w, uint32_t cell) {
     uint32_t here = w->stack[depth - 1].cell;
     if (w->stack[depth - 1].next == w->first.at[here + 1]) {
       uint32_t back = w->stack[--depth].face; /* came through it; go back */
-      if (back != VS_NONE && !pass(w, back, w->side.at[2 * back] == here ? 1 : -1, &sum)) return false;
+      if (back != VS_NONE && !pass(w, back, w->side.at[2 * back] == here ? 1 : -1)) return false;
       continue;
     }
     uint32_t face = w->borders.at[w->stack[depth - 1].next++];
     uint32_t plus = w->side.at[2 * face], minus = w->side.at[2 * face + 1];
     if (plus == minus) return VS_BROKEN(w->k, "a face has one side");
     uint32_t other = plus == here ? minus : plus;
-    if (!pass(w, face, plus == here ? 1 : -1, &sum)) return false;
     if (w->state.at[other] & 2) {
-      if (w->sum.at[other] != sum) return VS_BROKEN(w->k, "two ways into a cell disagree");
-      if (!pass(w, face, plus == here ? -1 : 1, &sum)) return false;
+      if (plus == here && w->sum.at[minus] != w->sum.at[plus] + change(w, face)) return VS_BROKEN(w->k, "two ways into a cell disagree");
       continue;
     }
-    arrive(w, other, sum);
+    if (!pass(w, face, plus == here ? 1 : -1)) return false;
+    arrive(w, other, w->sum.at[here] + (plus == here ? change(w, face) : (uint64_t)0 - change(w, face)));
     if (!VS_ROOM(w->k, w->stack, w->stack_room, depth + 1)) return false;
     w->stack[depth].cell = other;
     w->stack[depth].face = face;
@@ -408,7 +408,6 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
     c->faces.at[f].tag = c->problem->leaves[leaf].tag;
   }
   VS_DROP(k, w.order);
-  VS_DROP(k, w.scratch);
   VS_DROP(k, w.side);
   VS_DROP(k, w.first);
   VS_DROP(k, w.borders);

@@ -77,6 +77,12 @@ void vs_cluster_free(vs_kernel *k, vs_cluster *c);
 
 vs_vec3 vs_grid_world(const vs_grid *g, const vs_point *p);
 
+/* Sorts numbers of uses by edge, in place: by the smaller end through buckets, each bucket by the larger. */
+bool vs_uses_sort(vs_kernel *k, const vs_use *uses, uint32_t *at, size_t count, size_t point_count);
+static inline bool vs_use_same_edge(const vs_use *a, const vs_use *b) {
+  return (a->from == b->from && a->to == b->to) || (a->from == b->to && a->to == b->from);
+}
+
 /* union-find with path halving; the smaller number becomes the root, so results do not depend on the order of unions */
 static inline uint32_t vs_find(uint32_t *parent, uint32_t x) {
   while (parent[x] != x) x = parent[x] = parent[parent[x]];

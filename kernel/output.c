@@ -8,7 +8,7 @@
 typedef struct {
   vs_kernel *k;
   vs_cluster *c;
-  VS_LIST(uint32_t) uses, scratch;   /* of kept faces, sorted by edge */
+  VS_LIST(uint32_t) uses;            /* of kept faces, sorted by edge */
   VS_LIST(uint32_t) edge_first;      /* of edges that stay, into uses; one more */
   VS_LIST(uint32_t) parent;          /* of faces, union-find */
   VS_LIST(uint32_t) edges;           /* of a point: two numbers, the first edges that stay */
@@ -21,14 +21,6 @@ typedef struct {
   vs_triangulation triangulation;
 } writer;
 
-static bool use_before(const void *context, uint32_t a, uint32_t b) {
-  const vs_use *x = (const vs_use *)context + a, *y = (const vs_use *)context + b;
-  uint32_t xl = x->from < x->to ? x->from : x->to, xh = x->from < x->to ? x->to : x->from;
-  uint32_t yl = y->from < y->to ? y->from : y->to, yh = y->from < y->to ? y->to : y->from;
-  if (xl != yl) return xl < yl;
-  return xh != yh ? xh < yh : a < b;
-}
-
 static const vs_use *use_at(const writer *w, size_t i) { return &w->c->uses.at[w->uses.at[i]]; }
 
 /* Merges over the edges between two coplanar faces of one tag that look the same way; the other edges stay. */
@@ -38,16 +30,16 @@ static bool merge(writer *w) {
   for (uint32_t i = 0; i < c->uses.count; i++)
     if (c->kept.at[c->uses.at[i].face] && !VS_PUSH(k, w->uses, i)) return false;
   size_t n = w->uses.count, stay = 0;
-  if (!VS_ROOM(k, w->scratch.at, w->scratch.room, n + 1) || !VS_ROOM(k, w->parent.at, w->parent.room, c->faces.count + 1) ||
+  if (!VS_ROOM(k, w->parent.at, w->parent.room, c->faces.count + 1) ||
       !VS_ROOM(k, w->whole.at, w->whole.room, c->faces.count + 1))
     return false;
-  vs_kernel_sort(w->uses.at, w->scratch.at, n, use_before, c->uses.at);
+  if (!vs_uses_sort(k, c->uses.at, w->uses.at, n, c->points.all.count)) return false;
   for (uint32_t f = 0; f < c->faces.count; f++) w->parent.at[f] = f, w->whole.at[f] = c->faces.at[f].facet != VS_NONE;
   for (size_t i = 0, end; i < n; i = end) {
     const vs_use *a = use_at(w, i);
     for (end = i + 1; end < n; end++) {
       const vs_use *b = use_at(w, end);
-      if (!(a->from == b->from && a->to == b->to) && !(a->from == b->to && a->to == b->from)) break;
+      if (!vs_use_same_edge(a, b)) break;
     }
     if (end - i == 2) {
       const vs_use *b = use_at(w, i + 1);
@@ -182,7 +174,6 @@ bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
   writer w = { .k = k, .c = c };
   bool ok = merge(&w) && drop_corners(&w) && make_sides(&w) && write(&w, out);
   VS_DROP(k, w.uses);
-  VS_DROP(k, w.scratch);
   VS_DROP(k, w.edge_first);
   VS_DROP(k, w.parent);
   VS_DROP(k, w.edges);

@@ -209,7 +209,7 @@ static bool split(plane_work *w) {
     }
     if (from != s->q && !add_piece(w, from, s->q, s->leaf)) return false;
   }
-  qsort(w->pieces.at, w->pieces.count, sizeof *w->pieces.at, piece_order); /* equal pieces are equal in all: one result */
+  if (w->pieces.count) qsort(w->pieces.at, w->pieces.count, sizeof *w->pieces.at, piece_order); /* equal pieces are equal in all: one result */
   w->sweep.edges.count = w->payload.count = 0;
   size_t kept = 0;
   for (size_t i = 0, end; i < w->pieces.count; i = end) { /* one edge per (l, r), with one piece per leaf whose delta is not 0 */
@@ -356,8 +356,6 @@ static bool give_facet(plane_work *w, uint32_t facet) { /* untouched */
 static bool cut_before(const void *context, uint32_t a, uint32_t b) {
   const vs_cluster *c = context;
   const vs_cut *x = &c->cuts.at[a], *y = &c->cuts.at[b];
-  uint32_t g = c->facets.at[x->facet].group, h = c->facets.at[y->facet].group;
-  if (g != h) return g < h;
   uint32_t xl = x->p < x->q ? x->p : x->q, xh = x->p < x->q ? x->q : x->p, yl = y->p < y->q ? y->p : y->q, yh = y->p < y->q ? y->q : y->p;
   if (xl != yl) return xl < yl;
   return xh != yh ? xh < yh : x->plane < y->plane;
@@ -371,17 +369,20 @@ static bool facet_before(const void *context, uint32_t a, uint32_t b) {
 
 bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   plane_work w = { .k = k, .c = c };
-  VS_LIST(uint32_t) facets = { 0 }, cuts = { 0 }, scratch = { 0 };
+  VS_LIST(uint32_t) facets = { 0 }, cuts = { 0 }, scratch = { 0 }, first = { 0 }; /* first: cuts of a group */
   uint32_t n = (uint32_t)c->facets.count, m = (uint32_t)c->cuts.count;
   bool ok = VS_ROOM(k, facets.at, facets.room, (size_t)n + 1) && VS_ROOM(k, cuts.at, cuts.room, (size_t)m + 1) &&
-            VS_ROOM(k, scratch.at, scratch.room, (size_t)(n > m ? n : m) + 1);
+            VS_ROOM(k, scratch.at, scratch.room, (size_t)(n > m ? n : m) + 1) && VS_ROOM(k, first.at, first.room, (size_t)n + 2);
   if (ok) {
     for (uint32_t i = 0; i < n; i++) facets.at[i] = i;
-    for (uint32_t i = 0; i < m; i++) cuts.at[i] = i;
     vs_kernel_sort(facets.at, scratch.at, n, facet_before, c);
-    vs_kernel_sort(cuts.at, scratch.at, m, cut_before, c);
+    for (uint32_t i = 0; i < n + 2; i++) first.at[i] = 0;
+    for (uint32_t i = 0; i < m; i++) first.at[c->facets.at[c->cuts.at[i].facet].group + 2]++;
+    for (uint32_t i = 2; i < n + 2; i++) first.at[i] += first.at[i - 1];
+    for (uint32_t i = 0; i < m; i++) cuts.at[first.at[c->facets.at[c->cuts.at[i].facet].group + 1]++] = i;
+    for (uint32_t i = 0; i < n; i++) vs_kernel_sort(cuts.at + first.at[i], scratch.at, first.at[i + 1] - first.at[i], cut_before, c);
   }
-  for (uint32_t i = 0, j = 0, end; ok && i < n; i = end) {
+  for (uint32_t i = 0, end; ok && i < n; i = end) {
     uint32_t group = c->facets.at[facets.at[i]].group;
     for (end = i + 1; end < n && c->facets.at[facets.at[end]].group == group;) end++;
     ok = vs_kernel_poll(k, 0.2 + 0.5 * i / n);
@@ -394,7 +395,7 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
     w.segments.count = 0;
     for (uint32_t f = i; ok && f < end; f++) ok = add_facet(&w, &c->facets.at[facets.at[f]]);
     uint32_t p = VS_NONE, q = VS_NONE;
-    for (; ok && j < m && c->facets.at[c->cuts.at[cuts.at[j]].facet].group == group; j++) {
+    for (uint32_t j = first.at[group]; ok && j < first.at[group + 1]; j++) {
       const vs_cut *cut = &c->cuts.at[cuts.at[j]];
       uint32_t low = cut->p < cut->q ? cut->p : cut->q, high = cut->p < cut->q ? cut->q : cut->p;
       if (low == p && high == q) continue;
@@ -407,6 +408,7 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, facets);
   VS_DROP(k, cuts);
   VS_DROP(k, scratch);
+  VS_DROP(k, first);
   VS_DROP(k, w.segments);
   VS_DROP(k, w.on);
   VS_DROP(k, w.boxes);

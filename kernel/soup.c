@@ -87,7 +87,7 @@ static bool weld(vs_kernel *k, vs_cluster *c, soup *s) {
       s->grid[i][a] = (int32_t)whole;
       if (fabs(x - whole) > 0.5 - near && !VS_PUSH(k, s->borders, ((border){ x, (uint32_t)i }))) return false;
     }
-    qsort(s->borders.at, s->borders.count, sizeof *s->borders.at, by_place); /* equal places sort by index: one result */
+    if (s->borders.count) qsort(s->borders.at, s->borders.count, sizeof *s->borders.at, by_place); /* equal places sort by index: one result */
     for (size_t i = 0, first = 0; i < s->borders.count; i++) {
       if (s->borders.at[i].at - s->borders.at[first].at > near) first = i;
       s->grid[s->borders.at[i].index][a] = (int32_t)floor(s->borders.at[first].at + 0.5);

@@ -157,7 +157,7 @@ bool vs_plane_triangulate(vs_kernel *k, vs_triangulation *t, const vs_points_tab
     uint32_t a = t->local.at[t->sides.at[i].from], b = t->local.at[t->sides.at[i].to];
     if (!VS_PUSH(k, t->boundary, ((vs_boundary){ a < b ? a : b, a < b ? b : a, a < b ? 1 : 2 }))) return false;
   }
-  qsort(t->boundary.at, t->boundary.count, sizeof *t->boundary.at, boundary_order);
+  if (n) qsort(t->boundary.at, t->boundary.count, sizeof *t->boundary.at, boundary_order);
   size_t kept = 0;
   for (size_t i = 0; i < t->boundary.count; i++) {
     vs_boundary b = t->boundary.at[i];
