@@ -1,0 +1,416 @@
+/* Owns the tests of the mesh kernel: exact numbers against GMP, booleans against the rational oracle, degenerate cases, errors and limits. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <gmp.h>
+
+#include "kernel/exact.h"
+#include "tests/oracle/oracle.c"
+#include "tests/oracle/sx.c"
+
+static uint64_t seed = 88172645463325252u;
+static uint64_t random_bits(void) {
+  seed ^= seed << 13;
+  seed ^= seed >> 7;
+  return seed ^= seed << 17;
+}
+static int32_t span(int32_t low, int32_t high) { return low + (int32_t)((random_bits() >> 11) % (uint64_t)(high - low + 1)); }
+
+/* ---- exact numbers ---- */
+
+static void set_wide(mpz_t z, const uint64_t *limbs, size_t n) {
+  mpz_import(z, n, -1, 8, 0, 0, limbs);
+  if (limbs[n - 1] >> 63) {
+    mpz_t power;
+    mpz_init_set_ui(power, 1);
+    mpz_mul_2exp(power, power, 64 * n);
+    mpz_sub(z, z, power);
+    mpz_clear(power);
+  }
+}
+static void set_128(mpz_t z, vs_i128 x) {
+  uint64_t limbs[2] = { (uint64_t)(vs_u128)x, (uint64_t)((vs_u128)x >> 64) };
+  set_wide(z, limbs, 2);
+}
+
+static void random_plane(vs_plane *p, int32_t most) {
+  bool flipped;
+  int32_t v[3][3];
+  do
+    for (int i = 0; i < 9; i++) v[i / 3][i % 3] = span(-most, most);
+  while (!vs_plane_through(v[0], v[1], v[2], p, &flipped));
+}
+
+static void test_planes_meet(void **state) {
+  (void)state;
+  mpz_t w, x, n[3][3], d[3], sum, t;
+  mpz_inits(w, x, sum, t, NULL);
+  int inside = 0;
+  for (int i = 0; i < 3; i++) mpz_inits(d[i], n[i][0], n[i][1], n[i][2], NULL);
+  for (int round = 0; round < 3000; round++) {
+    int32_t most = round % 3 ? (1 << VS_GRID_BITS) : 5;
+    vs_plane p[3];
+    vs_homogeneous h;
+    for (int i = 0; i < 3; i++) random_plane(&p[i], most);
+    if (!vs_meet_planes(&p[0], &p[1], &p[2], &h)) continue;
+    set_wide(w, h.w, VS_LIMBS);
+    assert_true(mpz_sgn(w) > 0);
+    for (int i = 0; i < 3; i++) { /* every plane holds the point */
+      set_128(sum, -p[i].d);
+      mpz_mul(sum, sum, w);
+      for (int a = 0; a < 3; a++) {
+        set_wide(x, h.x[a], VS_LIMBS);
+        mpz_set_si(t, p[i].n[a]);
+        mpz_addmul(sum, t, x);
+      }
+      assert_int_equal(mpz_sgn(sum), 0);
+      assert_int_equal(vs_homogeneous_side(&p[i], &h), 0);
+    }
+    bool far = false, remainders = false; /* out of the grid: the kernel never asks */
+    int64_t fixed[3], want[3];
+    for (int a = 0; a < 3; a++) {
+      set_wide(x, h.x[a], VS_LIMBS);
+      mpz_mul_2exp(x, x, VS_FIXED_BITS);
+      mpz_fdiv_qr(x, t, x, w);
+      far = far || mpz_sizeinbase(x, 2) > 58;
+      want[a] = mpz_get_si(x);
+      remainders = remainders || mpz_sgn(t) != 0;
+    }
+    if (far) continue;
+    inside++;
+    assert_int_equal(vs_homogeneous_fix(&h, fixed), !remainders);
+    for (int a = 0; a < 3; a++) assert_int_equal(fixed[a], want[a]);
+  }
+  assert_true(inside > 1000);
+  mpz_clears(w, x, sum, t, NULL);
+  for (int i = 0; i < 3; i++) mpz_clears(d[i], n[i][0], n[i][1], n[i][2], NULL);
+}
+
+/* Predicates on points with and without remainders, many of them next to a plane or a line. */
+static void test_predicates(void **state) {
+  (void)state;
+  mpq_t c[3][3], s, t, u;
+  mpq_inits(s, t, u, NULL);
+  for (int i = 0; i < 9; i++) mpq_init(c[i / 3][i % 3]);
+  int zeros = 0;
+  for (int round = 0; round < 3000; round++) {
+    int32_t most = round % 2 ? 3 : 1 << 24;
+    vs_point points[3];
+    vs_homogeneous big[3];
+    for (uint32_t i = 0; i < 3; i++) {
+      int32_t a[3], b[3], inside = most;
+      vs_plane p;
+      do { /* a place on an edge within the grid */
+        random_plane(&p, most);
+        for (int j = 0; j < 3; j++) a[j] = span(-inside, inside), b[j] = span(-inside, inside);
+        points[i].big = VS_POINT_EXACT;
+        for (int j = 0; j < 3; j++) points[i].fixed[j] = (int64_t)a[j] * ((int64_t)1 << VS_FIXED_BITS);
+      } while (vs_side((vs_points_view){ points, big }, &p, i) >= 0 || !vs_meet_edge(a, b, &p, &big[i]) ||
+               (vs_i128)p.n[0] * b[0] + (vs_i128)p.n[1] * b[1] + (vs_i128)p.n[2] * b[2] <= p.d);
+      points[i].big = vs_homogeneous_fix(&big[i], points[i].fixed) ? VS_POINT_EXACT : i;
+      for (int j = 0; j < 3; j++) {
+        set_wide(mpq_numref(c[i][j]), big[i].x[j], VS_LIMBS);
+        set_wide(mpq_denref(c[i][j]), big[i].w, VS_LIMBS);
+        mpq_canonicalize(c[i][j]);
+      }
+    }
+    vs_points_view view = { points, big };
+    for (int axis = 0; axis < 3; axis++) {
+      int want = mpq_cmp(c[0][axis], c[1][axis]);
+      assert_int_equal(vs_compare(view, 0, 1, axis), (want > 0) - (want < 0));
+    }
+    mpq_set_ui(s, 0, 1); /* (1 - 0) x (2 - 0) in x and y */
+    mpq_sub(t, c[1][0], c[0][0]);
+    mpq_sub(u, c[2][1], c[0][1]);
+    mpq_mul(s, t, u);
+    mpq_sub(t, c[1][1], c[0][1]);
+    mpq_sub(u, c[2][0], c[0][0]);
+    mpq_mul(t, t, u);
+    assert_int_equal(vs_orient2d(view, 0, 1, 2, 0, 1), mpq_cmp(s, t) > 0 ? 1 : mpq_cmp(s, t) < 0 ? -1 : 0);
+    vs_plane p;
+    random_plane(&p, most);
+    set_128(mpq_numref(s), -p.d);
+    mpz_set_ui(mpq_denref(s), 1);
+    for (int j = 0; j < 3; j++) {
+      mpq_set_si(t, p.n[j], 1);
+      mpq_mul(t, t, c[0][j]);
+      mpq_add(s, s, t);
+    }
+    assert_int_equal(vs_side(view, &p, 0), mpq_sgn(s));
+    zeros += mpq_sgn(s) == 0;
+  }
+  assert_true(zeros > 0);
+  mpq_clears(s, t, u, NULL);
+  for (int i = 0; i < 9; i++) mpq_clear(c[i / 3][i % 3]);
+}
+
+/* ---- booleans ---- */
+
+static void check_mesh(const vs_mesh *m) {
+  bool sure;
+  assert_true(vs_mesh_closed(m, &sure));
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    const uint32_t *t = m->triangles[i];
+    assert_true(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
+    assert_true(t[0] < m->vertex_count && t[1] < m->vertex_count && t[2] < m->vertex_count);
+  }
+}
+
+static double volume_of(const char *text, size_t *triangles) {
+  sx_problem p;
+  vs_mesh m = { 0 };
+  vs_kernel_error e;
+  assert_true(sx_parse(text, &p));
+  if (!vs_kernel_evaluate(&p.problem, NULL, &m, &e)) fail_msg("%s", e.message);
+  check_mesh(&m);
+  double v = vs_mesh_volume(&m);
+  if (triangles) *triangles = m.triangle_count;
+  vs_mesh_free(&m);
+  sx_free(&p);
+  return v;
+}
+
+static void near(double a, double b, double relative) {
+  if (fabs(a - b) > relative * fmax(1, fabs(b))) fail_msg("%.17g is not %.17g", a, b);
+}
+
+/* A tetrahedron, box or double pyramid with small integer corners: many coplanar faces, shared corners, edges that touch. */
+static void random_convex(vs_mesh *m, int32_t most) {
+  *m = (vs_mesh){ 0 };
+  int32_t v[4][3];
+  int what = span(0, 2);
+  if (what == 0) {
+    double a[3];
+    int32_t at[3];
+    for (int i = 0; i < 3; i++) at[i] = span(-most, most - 1), a[i] = span(1, most - at[i]);
+    make(m, "box", a);
+    for (size_t i = 0; i < m->vertex_count; i++) m->vertices[i] = vs_v3_add(m->vertices[i], vs_v3(at[0], at[1], at[2]));
+    return;
+  }
+  int32_t six;
+  do {
+    for (int i = 0; i < 12; i++) v[i / 3][i % 3] = span(-most, most);
+    int32_t p[3][3];
+    for (int i = 0; i < 9; i++) p[i / 3][i % 3] = v[i / 3 + 1][i % 3] - v[0][i % 3];
+    six = p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) - p[0][1] * (p[1][0] * p[2][2] - p[1][2] * p[2][0]) +
+          p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
+  } while (six == 0);
+  for (int i = 0; i < 4; i++) vertex(m, v[i][0], v[i][1], v[i][2]);
+  static const uint32_t faces[4][3] = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 0, 3, 2 } };
+  for (int i = 0; i < 4; i++) face(m, faces[i][six > 0 ? 0 : 2], faces[i][1], faces[i][six > 0 ? 2 : 0]);
+}
+
+static void test_against_oracle(void **state) {
+  (void)state;
+  int solid = 0;
+  for (int round = 0; round < 40; round++) {
+    vs_mesh meshes[5];
+    vs_kernel_leaf leaves[5];
+    vs_kernel_term terms[16];
+    uint32_t operands[64], count = (uint32_t)span(2, 4), term = count, operand = 0;
+    int32_t most = round % 3 == 0 ? 3 : round % 3 == 1 ? 6 : 40;
+    for (uint32_t i = 0; i < count; i++) {
+      random_convex(&meshes[i], most);
+      leaves[i] = (vs_kernel_leaf){ &meshes[i], vs_affine_identity(), i, false };
+      terms[i] = (vs_kernel_term){ VS_TERM_LEAF, i, 0 };
+    }
+    for (int i = 0; i < 4; i++) { /* each operation on two or three earlier terms, whichever; the last is the root */
+      uint32_t n = (uint32_t)span(2, 3);
+      terms[term] = (vs_kernel_term){ (vs_term_kind)span(1, 3), operand, n };
+      for (uint32_t j = 0; j < n; j++) operands[operand++] = j == 0 ? term - 1 : (uint32_t)span(0, (int32_t)term - 1);
+      term++;
+    }
+    vs_kernel_problem p = { leaves, terms, operands, count, term, operand };
+    vs_mesh m = { 0 };
+    vs_kernel_error e;
+    if (!vs_kernel_evaluate(&p, NULL, &m, &e)) fail_msg("round %d: %s", round, e.message);
+    check_mesh(&m);
+    double want = oracle_volume(&p, most + 1);
+    near(vs_mesh_volume(&m), want, 1e-9);
+    solid += want > 0;
+    vs_mesh_free(&m);
+    for (uint32_t i = 0; i < count; i++) vs_mesh_free(&meshes[i]);
+  }
+  assert_true(solid > 12);
+}
+
+static void test_cubes_become_one(void **state) {
+  (void)state;
+  static const char *const turns[] = { "(union", "(rotate 33 21 17", "(rotate 0 90 45" };
+  for (int turned = 0; turned < 3; turned++) {
+    char text[32768] = "";
+    int n = snprintf(text, sizeof text, "(union ");
+    for (int i = 0; i < 216; i++)
+      n += snprintf(text + n, sizeof text - (size_t)n, "%s (translate %d %d %d (box 1 1 1)))", turns[turned], i % 6, i / 6 % 6, i / 36);
+    snprintf(text + n, sizeof text - (size_t)n, ")");
+    size_t triangles;
+    near(volume_of(text, &triangles), 216, 1e-12);
+    assert_int_equal(triangles, 12);
+  }
+}
+
+static void test_equal_turns_written_differently(void **state) {
+  (void)state;
+  size_t triangles;
+  near(volume_of("(union (rotate 33 21 17 (box 2 1 1)) (rotate 0 0 17 (rotate 0 21 0 (rotate 33 0 0 (translate 0 1 0 (box 2 1 1))))) "
+                 "(rotate 393 -339 377 (translate 0 0 1 (box 2 2 1))))", &triangles), 8, 1e-9);
+  assert_int_equal(triangles, 12);
+}
+
+static void test_identities(void **state) {
+  (void)state;
+  const char *a = "(rotate 10 20 30 (sphere 3 16))", *b = "(translate 1 .5 .25 (cyl 4 2 1 12))";
+  char text[600];
+  size_t triangles;
+  snprintf(text, sizeof text, "(difference %s %s)", a, a);
+  near(volume_of(text, &triangles), 0, 0);
+  assert_int_equal(triangles, 0);
+  double va = volume_of(a, NULL), vb = volume_of(b, NULL);
+  snprintf(text, sizeof text, "(union %s %s)", a, a);
+  near(volume_of(text, NULL), va, 1e-12);
+  snprintf(text, sizeof text, "(union %s %s)", a, b);
+  double both = volume_of(text, NULL);
+  snprintf(text, sizeof text, "(intersection %s %s)", a, b);
+  double common = volume_of(text, NULL);
+  near(both + common, va + vb, 1e-7);
+  snprintf(text, sizeof text, "(difference %s (difference %s %s))", a, a, b);
+  near(volume_of(text, NULL), common, 1e-7);
+  assert_true(common > 1 && common < vb);
+}
+
+/* A plate of 20 grid steps in a model of 300 units; voids; a solid that crosses itself. */
+static void test_thin_and_nested(void **state) {
+  (void)state;
+  near(volume_of("(union (cbox 300 300 .0001) (translate 0 0 5 (cbox 1 1 20)))", NULL), 9 + 20 - .0001, 1e-9);
+  near(volume_of("(difference (box 10 10 10) (translate 1 1 1 (box 8 8 8)) )", NULL), 488, 1e-12);
+  near(volume_of("(union (difference (box 10 10 10) (translate 1 1 1 (box 8 8 8))) (translate 3 3 3 (box 1 1 1)))", NULL), 489, 1e-12);
+  near(volume_of("(union (translate 5 5 5 (box 1 1 1)) (box 10 10 10))", NULL), 1000, 1e-12);
+  size_t triangles;
+  near(volume_of("(union (box 1 1 1) (translate 1 1 0 (box 1 1 1)) (translate 1 1 1 (scale -1 -1 -1 (box .5 .5 .5))))", &triangles), 2, 1e-12);
+}
+
+static void test_tags(void **state) {
+  (void)state;
+  sx_problem p;
+  assert_true(sx_parse("(difference (box 4 4 4) (translate 1 1 1 (box 2 2 8)))", &p));
+  for (int bare = 0; bare < 2; bare++) {
+    p.leaves[0].tag = 7;
+    p.leaves[1].tag = 9;
+    p.leaves[1].bare = bare;
+    vs_mesh m = { 0 };
+    vs_kernel_error e;
+    assert_true(vs_kernel_evaluate(&p.problem, NULL, &m, &e));
+    size_t cutter = 0;
+    for (size_t i = 0; i < m.triangle_count; i++) {
+      assert_true(m.tags[i] == 7 || m.tags[i] == 9);
+      cutter += m.tags[i] == 9;
+    }
+    assert_int_equal(cutter, bare ? 0 : 10);
+    vs_mesh_free(&m);
+  }
+  sx_free(&p);
+}
+
+static void test_wide_and_deep(void **state) {
+  (void)state;
+  enum { DEEP = 200000, WIDE = 100000 };
+  vs_mesh box = { 0 };
+  double size[3] = { 1, 1, 1 };
+  make(&box, "box", size);
+  vs_kernel_leaf *leaves = calloc(WIDE, sizeof *leaves);
+  vs_kernel_term *terms = calloc(2 * DEEP + 2, sizeof *terms);
+  uint32_t *operands = calloc(2 * DEEP + 2, sizeof *operands);
+  assert_true(leaves && terms && operands);
+  vs_mesh m = { 0 };
+  vs_kernel_error e;
+  for (uint32_t i = 0; i < WIDE; i++) {
+    leaves[i] = (vs_kernel_leaf){ &box, vs_affine_translation(vs_v3(3.0 * (i % 1000), 3.0 * (i / 1000), 0)), 0, false };
+    terms[i] = (vs_kernel_term){ VS_TERM_LEAF, i, 0 };
+    operands[i] = i;
+  }
+  terms[WIDE] = (vs_kernel_term){ VS_TERM_UNION, 0, WIDE };
+  vs_kernel_problem wide = { leaves, terms, operands, WIDE, WIDE + 1, WIDE };
+  assert_true(vs_kernel_evaluate(&wide, NULL, &m, &e));
+  assert_int_equal(m.triangle_count, 12 * WIDE);
+  vs_mesh_free(&m);
+  /* ((a - b) u a) - b ... that deep */
+  for (uint32_t i = 0; i < 2; i++) terms[i] = (vs_kernel_term){ VS_TERM_LEAF, i, 0 };
+  leaves[1].placement = vs_affine_translation(vs_v3(0.5, 0.5, 0.5));
+  for (uint32_t i = 0; i < DEEP; i++) {
+    terms[2 + i] = (vs_kernel_term){ i % 2 ? VS_TERM_UNION : VS_TERM_DIFFERENCE, 2 * i, 2 };
+    operands[2 * i] = i ? 1 + i : 0;
+    operands[2 * i + 1] = i % 2 ? 0 : 1;
+  }
+  vs_kernel_problem deep = { leaves, terms, operands, 2, DEEP + 2, 2 * DEEP };
+  assert_true(vs_kernel_evaluate(&deep, NULL, &m, &e));
+  near(vs_mesh_volume(&m), 1, 1e-12);
+  vs_mesh_free(&m);
+  vs_mesh_free(&box);
+  free(leaves);
+  free(terms);
+  free(operands);
+}
+
+static bool stop(void *context, double done) {
+  (void)done;
+  return --*(int *)context > 0;
+}
+
+static void test_errors(void **state) {
+  (void)state;
+  sx_problem p;
+  vs_mesh m = { 0 };
+  vs_kernel_error e;
+  assert_true(sx_parse("(union (box 1 1 1) (translate 5 0 0 (sphere 1 8)))", &p));
+  p.meshes[1]->triangle_count--;
+  assert_false(vs_kernel_evaluate(&p.problem, NULL, &m, &e));
+  assert_int_equal(e.status, VS_KERNEL_OPEN);
+  assert_int_equal(e.leaf, 1);
+  assert_int_equal(m.triangle_count, 0);
+  p.meshes[1]->triangle_count++;
+  vs_mesh_turn(p.meshes[0], 0);
+  assert_false(vs_kernel_evaluate(&p.problem, NULL, &m, &e));
+  assert_int_equal(e.status, VS_KERNEL_INSIDE_OUT);
+  assert_int_equal(e.leaf, 0);
+  vs_mesh_turn(p.meshes[0], 0);
+  p.leaves[0].placement.m[0][0] = -1; /* a mirror image is no solid inside out */
+  assert_true(vs_kernel_evaluate(&p.problem, NULL, &m, &e));
+  p.leaves[0].placement.m[0][3] = NAN;
+  size_t before = m.triangle_count;
+  assert_false(vs_kernel_evaluate(&p.problem, NULL, &m, &e));
+  assert_int_equal(e.status, VS_KERNEL_NOT_FINITE);
+  assert_int_equal(m.triangle_count, before);
+  vs_mesh_free(&m);
+  sx_free(&p);
+  assert_true(sx_parse("(difference (sphere 3 32) (translate 1 1 1 (sphere 3 32)))", &p));
+  vs_kernel_options limits = { .max_triangles = 10 };
+  assert_false(vs_kernel_evaluate(&p.problem, &limits, &m, &e));
+  assert_int_equal(e.status, VS_KERNEL_LIMIT);
+  for (size_t bytes = 1000; bytes < 3000000; bytes *= 3) { /* fails somewhere else each time, and cleanly */
+    limits = (vs_kernel_options){ .max_bytes = bytes };
+    if (!vs_kernel_evaluate(&p.problem, &limits, &m, &e)) assert_int_equal(e.status, VS_KERNEL_LIMIT);
+    else assert_true(bytes > 200000);
+  }
+  for (int ticks = 1; ticks < 6; ticks++) {
+    int left = ticks;
+    limits = (vs_kernel_options){ .progress = stop, .context = &left };
+    assert_false(vs_kernel_evaluate(&p.problem, &limits, &m, &e));
+    assert_int_equal(e.status, VS_KERNEL_INTERRUPTED);
+  }
+  vs_mesh_free(&m);
+  sx_free(&p);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_planes_meet), cmocka_unit_test(test_predicates), cmocka_unit_test(test_against_oracle),
+    cmocka_unit_test(test_cubes_become_one), cmocka_unit_test(test_equal_turns_written_differently), cmocka_unit_test(test_identities),
+    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_errors),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
