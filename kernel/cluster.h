@@ -14,12 +14,14 @@
 #include "kernel/expression.h"
 #include "kernel/table.h"
 
+enum { VS_BESIDE_FLAT = 8 }; /* next to a triangle that the grid has made a line */
+
 typedef struct {
   uint32_t v[3];   /* counter-clockwise seen from outside its leaf */
   uint32_t leaf;   /* of the problem */
   uint32_t plane, facet;
   bool flip;       /* the leaf's outward normal is the plane's reversed */
-  uint8_t inner;   /* bit i: the edge from v[i] to the next lies inside the facet */
+  uint8_t inner;   /* bit i: the edge from v[i] to the next lies inside the facet; VS_BESIDE_FLAT */
 } vs_soup_triangle;
 
 typedef struct {

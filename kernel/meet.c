@@ -115,7 +115,10 @@ static bool meet(void *context, uint32_t first, uint32_t second) {
     return true;
   }
   int shared = corner_of(b, a->v[0]) + corner_of(b, a->v[1]) + corner_of(b, a->v[2]);
-  if (shared >= 2) return true;
+  if (shared >= 2) { /* an edge of both; it may run inside the facet of one */
+    uint32_t p = corner_of(b, a->v[0]) ? a->v[0] : a->v[1], q = corner_of(b, a->v[2]) ? a->v[2] : a->v[1];
+    return leave(m, a, p, q, b->plane) && leave(m, b, p, q, a->plane);
+  }
   vs_points_view view = vs_points_of(&m->c->points);
   int sa[3], sb[3], all;
   const vs_plane *pa = &m->c->planes.all.at[a->plane], *pb = &m->c->planes.all.at[b->plane];

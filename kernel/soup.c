@@ -158,6 +158,10 @@ static bool add_leaf(vs_kernel *k, vs_cluster *c, soup *s, uint32_t i) {
       balance += s->edges.at[s->order[end]].face & 1 ? 1 : -1;
     if (balance != 0)
       return vs_kernel_fail(k, VS_KERNEL_OPEN, leaf, "the solid is not closed: a face is missing, or turned the other way, along an edge");
+    bool flat = false;
+    for (uint32_t x = e; x < end; x++) flat = flat || s->edges.at[s->order[x]].face >= VS_NONE - 1;
+    for (uint32_t x = e; flat && x < end; x++) /* a triangle that has become a line lay here: the others may have to be split along it */
+      if (s->edges.at[s->order[x]].face < VS_NONE - 1) all[s->edges.at[s->order[x]].face / 6].inner |= VS_BESIDE_FLAT;
     for (uint32_t x = e; x < end; x++)
       for (uint32_t y = x + 1; y < end; y++) {
         uint32_t fx = s->edges.at[s->order[x]].face, fy = s->edges.at[s->order[y]].face;
@@ -179,6 +183,7 @@ static bool add_leaf(vs_kernel *k, vs_cluster *c, soup *s, uint32_t i) {
     } else {
       all[t].facet = all[root].facet; /* the root is the smallest */
     }
+    if (all[t].inner & VS_BESIDE_FLAT) c->facets.at[all[t].facet].touched = true;
   }
   return true;
 }

@@ -294,6 +294,24 @@ static void test_thin_and_nested(void **state) {
   near(volume_of("(union (box 1 1 1) (translate 1 1 0 (box 1 1 1)) (translate 1 1 1 (scale -1 -1 -1 (box .5 .5 .5))))", &triangles), 2, 1e-12);
 }
 
+/* An edge that lies on the diagonal between two triangles of another solid's face still divides that face. */
+static void test_edge_on_diagonal(void **state) {
+  (void)state;
+  sx_problem p;
+  vs_mesh m = { 0 };
+  vs_kernel_error e;
+  assert_true(sx_parse("(union (box 1 1 1) (box 2 2 2))", &p));
+  vs_mesh *t = p.meshes[1];
+  t->vertex_count = t->triangle_count = 0;
+  vertex(t, 0, 0, 1), vertex(t, 1, 1, 1), vertex(t, 1, 0, 2), vertex(t, 0, 1, 2);
+  face(t, 0, 1, 2), face(t, 0, 3, 1), face(t, 1, 3, 2), face(t, 0, 2, 3);
+  if (!vs_kernel_evaluate(&p.problem, NULL, &m, &e)) fail_msg("%s", e.message);
+  check_mesh(&m);
+  near(vs_mesh_volume(&m), 4.0 / 3, 1e-12);
+  vs_mesh_free(&m);
+  sx_free(&p);
+}
+
 static void test_tags(void **state) {
   (void)state;
   sx_problem p;
@@ -410,7 +428,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_planes_meet), cmocka_unit_test(test_predicates), cmocka_unit_test(test_against_oracle),
     cmocka_unit_test(test_cubes_become_one), cmocka_unit_test(test_equal_turns_written_differently), cmocka_unit_test(test_identities),
-    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_errors),
+    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_errors),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
