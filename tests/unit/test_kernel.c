@@ -303,11 +303,11 @@ static void test_edge_on_diagonal(void **state) {
   assert_true(sx_parse("(union (box 1 1 1) (box 2 2 2))", &p));
   vs_mesh *t = p.meshes[1];
   t->vertex_count = t->triangle_count = 0;
-  vertex(t, 0, 0, 1), vertex(t, 1, 1, 1), vertex(t, 1, 0, 2), vertex(t, 0, 1, 2);
-  face(t, 0, 1, 2), face(t, 0, 3, 1), face(t, 1, 3, 2), face(t, 0, 2, 3);
+  vertex(t, 0, 0, 1), vertex(t, 1, 1, 1), vertex(t, 1, 0, 2), vertex(t, 1, 0, 0); /* through the box's top, an edge on its diagonal */
+  face(t, 0, 2, 1), face(t, 0, 1, 3), face(t, 1, 2, 3), face(t, 0, 3, 2);
   if (!vs_kernel_evaluate(&p.problem, NULL, &m, &e)) fail_msg("%s", e.message);
   check_mesh(&m);
-  near(vs_mesh_volume(&m), 4.0 / 3, 1e-12);
+  near(vs_mesh_volume(&m), 7.0 / 6, 1e-12);
   vs_mesh_free(&m);
   sx_free(&p);
 }
