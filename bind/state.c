@@ -73,10 +73,19 @@ bool vs_bind_returned(vs_bind *b, vs_value v) {
 }
 
 /* was it drawn too, then or later, itself or as a part? Only the first is looked for: a part drawn alone is rare */
-static bool drawn(const vs_bind *b, const vs_node *n) {
+static bool drawn_itself(const vs_bind *b, const vs_node *n) {
   for (size_t i = 0; i < b->scene.drawn_count; i++)
     if (b->scene.drawn[i].node == n) return true;
   return false;
+}
+
+/* (draw a list) draws its objects and returns their union */
+static bool drawn(const vs_bind *b, const vs_node *n) {
+  if (drawn_itself(b, n)) return true;
+  if (n->kind != VS_UNION) return false;
+  for (uint32_t i = 0; i < n->child_count; i++)
+    if (!drawn_itself(b, n->children[i].node)) return false;
+  return true;
 }
 
 bool vs_bind_finish(vs_bind *b, bool *uses_returned) {
