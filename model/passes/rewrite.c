@@ -170,8 +170,10 @@ bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
   for (int k = 0; ok && k < VS_PASS_COUNT; k++) {
     if (!(options->passes >> k & 1)) continue;
     vs_rewrite w = { .store = s, .options = options, .error = e, .uses = { .store = s } };
+    if (k == VS_PASS_FLATTEN) ok = vs_flatten_begin(&w, work, count);
     if (k == VS_PASS_SHARE) ok = vs_share_begin(&w, work, count);
     ok = ok && vs_rewrite_run(&w, passes[k], work, count);
+    if (k == VS_PASS_FLATTEN) vs_flatten_end(&w);
     if (k == VS_PASS_SHARE) vs_share_end(&w);
     if (stats) stats->changed[k] = w.changed;
   }

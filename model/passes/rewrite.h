@@ -28,6 +28,8 @@ vs_rewrite_fn vs_pass_flatten, vs_pass_fold, vs_pass_prune, vs_pass_share;
 /* Calls visit for every distinct node, children before parents, in the order in which vs_rewrite_run comes to them. */
 typedef bool vs_visit_fn(void *context, vs_ref at, vs_error *e);
 bool vs_rewrite_visit(vs_store *s, const vs_ref *refs, size_t count, vs_visit_fn *visit, void *context, vs_error *e);
+bool vs_flatten_begin(vs_rewrite *w, const vs_ref *refs, size_t count); /* makes w->state */
+void vs_flatten_end(vs_rewrite *w);
 bool vs_share_begin(vs_rewrite *w, const vs_ref *refs, size_t count); /* makes w->state */
 void vs_share_end(vs_rewrite *w);
 
