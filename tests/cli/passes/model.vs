@@ -1,0 +1,5 @@
+(define (s x) (make-sphere (xyz x 0 0) 1))
+(draw (unite (unite (unite (s 1)) (unite (s 2) (s 3))) (s 4)))
+(draw (subtract (subtract (subtract (s 1) (s 2)) (unite (s 3) (s 4))) (s 5)))
+(define both (unite (s 6) (s 7)))
+(draw (unite both (do-move both (vxyz 0 5 0))))
