@@ -28,7 +28,7 @@ static bool take_value(vs *vm, vs_value v, vs_pos place) {
   vs_session *s = vs_session_of(vm);
   (void)place;
   const vs_host *h = &s->options.host;
-  if (!vs_bind_returned(&s->bind, v)) return false;
+  if (!vs_bind_returned(&s->bind, v, s->flags & VS_EVAL_PRINT)) return false;
   if (!(s->flags & VS_EVAL_PRINT) || !h->value || v == VS_UNSPECIFIC) return true;
   vs_text t;
   VS_ROOTS(vm, r, 1);
@@ -138,7 +138,7 @@ static vs_outcome finish(vs_session *s, bool ok, bool usage) {
     s->exit_requested = ok = true;
     s->exit_code = (int)vs_fixnum(vs_as_condition(vm->condition)->payload);
   }
-  if (ok) return VS_OUTCOME_DONE;
+  if (ok) return vs_bind_finish(&s->bind), VS_OUTCOME_DONE; /* tells what was thrown away */
   vs_outcome outcome = vs_session_report_condition(s, vm->condition, usage);
   if (outcome == VS_OUTCOME_MACHINE) {
     vm->condition = vm->value = VS_FALSE;
@@ -278,9 +278,8 @@ void vs_drawing_clear(vs *vm) { vs_bind_clear_drawing(&vs_session_of(vm)->bind);
 
 /* A scene to look at or write: the drawing, or what was returned where nothing was drawn. Its array is the caller's to give back. */
 static bool scene_of(vs_session *s, vs_scene *out) {
-  bool returned;
   *out = s->bind.scene;
-  if (!vs_bind_finish(&s->bind, &returned)) return false;
+  bool returned = vs_bind_finish(&s->bind);
   out->tolerance = vs_bind_tolerance(&s->bind);
   size_t n = returned ? s->bind.returned_count : s->bind.scene.drawn_count;
   out->drawn = vs_session_memory(s, NULL, 0, (n + 1) * sizeof *out->drawn);

@@ -37,7 +37,7 @@ struct vs_bind {
   vs_store *store;
   vs_scene scene;
   /* top-level values: the model if nothing was drawn; each may be a list. `returned` are references of our own */
-  struct { vs_node *node; const vs_origin *origin; } *returned;
+  struct { vs_node *node; const vs_origin *origin; bool shown; } *returned; /* shown: printed at the prompt, so not thrown away */
   size_t returned_count, returned_room;
   bool drew;                       /* draw was called: what was returned does not count */
   uint64_t *told;                  /* warnings given: hashes of place and kind, open addressing, 0 free */
@@ -68,9 +68,9 @@ bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum); /* 
 extern const vs_native_table vs_bind_table, vs_bind_reserved_table;
 
 /* A top-level expression's value: remembers the objects in it. False: error set. */
-bool vs_bind_returned(vs_bind *b, vs_value v);
-/* Brings the scene up to date: what was drawn, else what was returned; warns of objects thrown away. False: out of memory. */
-bool vs_bind_finish(vs_bind *b, bool *uses_returned);
+bool vs_bind_returned(vs_bind *b, vs_value v, bool shown);
+/* Is the model what top-level expressions returned (nothing was drawn)? If not, warns of what they threw away. */
+bool vs_bind_finish(vs_bind *b);
 
 /* ---- objects (object.c) ---- */
 typedef struct { vs_ref ref; } vs_shape; /* what a Scheme object wraps; owns a reference to the node */

@@ -44,7 +44,7 @@ void vs_bind_clear_drawing(vs_bind *b) {
   b->drew = false;
 }
 
-static bool remember(vs_bind *b, vs_ref ref) {
+static bool remember(vs_bind *b, vs_ref ref, bool shown) {
   if (b->returned_count == b->returned_room) {
     size_t room = b->returned_room ? b->returned_room * 2 : 16;
     void *more = vs_store_realloc(b->store, b->returned, b->returned_room * sizeof *b->returned, room * sizeof *b->returned);
@@ -52,21 +52,22 @@ static bool remember(vs_bind *b, vs_ref ref) {
     b->returned = more, b->returned_room = room;
   }
   b->returned[b->returned_count].node = vs_node_retain(ref.node);
+  b->returned[b->returned_count].shown = shown;
   b->returned[b->returned_count++].origin = ref.origin;
   return true;
 }
 
 /* A list counts when all in it are objects: other lists are the program's own data. */
-bool vs_bind_returned(vs_bind *b, vs_value v) {
+bool vs_bind_returned(vs_bind *b, vs_value v, bool shown) {
   vs_shape *s = vs_bind_shape(v);
-  if (s) return remember(b, s->ref);
+  if (s) return remember(b, s->ref, shown);
   if (!vs_is_pair(v)) return true;
   vs_frame f = { .vm = b->vm, .bind = b };
   vs_ref *ref;
   size_t n;
   vs_value bad = VS_ABSENT;
   bool ok = vs_bind_refs(&f, v, &ref, &n, &bad);
-  for (size_t i = 0; ok && i < n; i++) ok = remember(b, ref[i]);
+  for (size_t i = 0; ok && i < n; i++) ok = remember(b, ref[i], shown);
   if (!ok && bad != VS_ABSENT) ok = true;
   vs_bind_scratch_free(&f);
   return ok;
@@ -88,14 +89,13 @@ static bool drawn(const vs_bind *b, const vs_node *n) {
   return true;
 }
 
-bool vs_bind_finish(vs_bind *b, bool *uses_returned) {
-  *uses_returned = !b->drew;
+bool vs_bind_finish(vs_bind *b) {
   if (!b->drew) return true;
   for (size_t i = 0; i < b->returned_count; i++)
-    if (!drawn(b, b->returned[i].node) && !vs_bind_is_empty(b->returned[i].node) && b->warn)
+    if (!b->returned[i].shown && !drawn(b, b->returned[i].node) && !vs_bind_is_empty(b->returned[i].node) && b->warn)
       b->warn(b->warn_context, b->returned[i].origin, "this object is made and thrown away: others are drawn, this one is not; unite them, or (draw ...) it too");
   forget_returned(b);
-  return true;
+  return false;
 }
 
 /* ---- counting: sums, one per shared node, so that a DAG costs what it has nodes ---- */
