@@ -46,4 +46,4 @@
 
 (ground -1.05 #:material grass)
 (sun #:azimuth 238 #:altitude 32)
-(camera (xyz 2 -19 2.2) (xyz 7.4 0 3.9) #:lens 30)
+(camera (xyz 2.4 -20.5 2.4) (xyz 7.3 0 4.0) #:lens 29)

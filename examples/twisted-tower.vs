@@ -49,4 +49,4 @@
 (units 'm)
 (ground -2.2 #:material grass)
 (sun #:azimuth 205 #:altitude 36)
-(camera (xyz 118 -168 20) (xyz 2 0 57) #:lens 40)
+(camera (xyz 118 -168 20) (xyz 2 0 57) #:lens 33)
