@@ -456,6 +456,6 @@ size_t vs_statistics(const vs *vm, vs_statistic *out, size_t room) {
 #include "model/passes/passes.def"
   };
   size_t n = sizeof all / sizeof *all;
-  memcpy(out, all, (n < room ? n : room) * sizeof *out);
+  if (room) memcpy(out, all, (n < room ? n : room) * sizeof *out);
   return n;
 }
