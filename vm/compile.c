@@ -11,6 +11,7 @@
 #include "vm/analyse.h"
 #include "vm/emit.h"
 #include "vm/inline.h"
+#include "vm/unit.h"
 
 #define EFFECT (UINT32_MAX - 1)
 #define TAIL (UINT32_MAX - 2)
@@ -339,6 +340,12 @@ static bool window(compiler *c, uint32_t count, bool reuse, uint32_t to, uint32_
   return vs_emit_register(e, &slot);
 }
 
+/* A word of another language that nobody defined: looked up before the operands, so that (defun f (x) x) complains of defun and not of f. */
+static bool unknown_word(const compiler *c, const vs_node *global) {
+  const vs_cell *cell = vs_as_cell(pool(c, global->as.global.cell));
+  return cell->value == VS_UNDEFINED && vs_is_foreign_word(cell->name);
+}
+
 static bool gen_call(compiler *c, vs_node *n, uint32_t to, bool fresh) {
   vs_emit *e = &c->e;
   vs_node *f = n->as.call.callee;
@@ -348,7 +355,7 @@ static bool gen_call(compiler *c, vs_node *n, uint32_t to, bool fresh) {
   if (!gen_inline(c, n, to, &done)) return false;
   if (done) return true;
   if (!window(c, n->count, fresh, to, &w)) return false;
-  bool far = w >= VS_NEAR || n->count > 250 || n->as.call.keywords, global = f->kind == VS_AST_GLOBAL && !far;
+  bool far = w >= VS_NEAR || n->count > 250 || n->as.call.keywords, global = f->kind == VS_AST_GLOBAL && !far && !unknown_word(c, f);
   e->fresh = VS_NO_REGISTER;
   if (!global) {
     if (!gen(c, f, w)) return false;

@@ -3,6 +3,7 @@
    Registers of the machine are C locals: base (the frame's registers), pc, k (its constants). Whatever can allocate or fail is given
    them first: SAVE. After anything that can allocate, values are read again from registers; code and constants do not move. */
 #include "vm/run.h"
+#include "vm/number.h"
 #include "vm/unit.h"
 
 #include <stdio.h>
@@ -64,7 +65,9 @@ static bool fail_early(vs *vm, vs_value name) {
 static bool fail_callee(vs *vm, vs_value f) {
   VS_ROOTS(vm, r, 1);
   if (f == VS_UNDEFINED || f == VS_ABSENT) return fail_early(vm, VS_FALSE);
-  return vs_cons(vm, f, VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "this is no procedure and cannot be called:");
+  const char *what = vs_is_number(f) ? "a number cannot be called (a list is written (list 1 2 3), a gvector (vxyz 1 2 3)):"
+                                     : "this is no procedure and cannot be called:";
+  return vs_cons(vm, f, VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "%s", what);
 }
 
 static bool make_closure(vs *vm, vs_value *base, const vs_value *k, const uint32_t *captures, vs_value code, vs_value *out) {

@@ -48,14 +48,22 @@ static bool consider(void *context, vs_value symbol, vs_value binding) {
   return true;
 }
 
+static int foreign_word(const char *name) {
+  for (int i = 0; i < (int)(sizeof foreign / sizeof *foreign); i++)
+    if (!strcasecmp(foreign[i].word, name)) return i;
+  return -1;
+}
+
+bool vs_is_foreign_word(vs_value symbol) { return vs_is_symbol(symbol) && foreign_word(vs_as_symbol(symbol)->name) >= 0; }
+
 bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t) {
   (void)vm;
   if (!vs_is_symbol(symbol)) return true;
   const vs_symbol *wanted = vs_as_symbol(symbol);
-  for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++)
-    if (!strcasecmp(foreign[i].word, wanted->name))
-      return foreign[i].name[0] ? vs_text_puts(t, "; ") && vs_text_puts(t, foreign[i].name) && vs_text_puts(t, " is the name here: ") && vs_text_puts(t, foreign[i].form)
-                                : vs_text_puts(t, "; write ") && vs_text_puts(t, foreign[i].form);
+  int i = foreign_word(wanted->name);
+  if (i >= 0)
+    return foreign[i].name[0] ? vs_text_puts(t, "; ") && vs_text_puts(t, foreign[i].name) && vs_text_puts(t, " is the name here: ") && vs_text_puts(t, foreign[i].form)
+                              : vs_text_puts(t, "; write ") && vs_text_puts(t, foreign[i].form);
   if (!vs_is(env, VS_T_ENVIRONMENT) || wanted->length < 2) return true;
   search s = {.wanted = wanted, .distance = wanted->length <= 3 ? 1 : wanted->length <= 7 ? 2 : 3};
   vs_environment_each(env, consider, &s);

@@ -30,5 +30,6 @@ bool vs_unit_read(vs *vm, const char *path, vs_value *forms);
 /* What to say of a name that is not defined, appended to t: " (did you mean make-box?)", "; unite is the name here: (unite a b ...)". Nothing if
    nothing comes to mind. */
 bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t);
+bool vs_is_foreign_word(vs_value symbol); /* of foreign.def */
 
 #endif
