@@ -355,7 +355,11 @@ static bool gen_call(compiler *c, vs_node *n, uint32_t to, bool fresh) {
   if (!gen_inline(c, n, to, &done)) return false;
   if (done) return true;
   if (!window(c, n->count, fresh, to, &w)) return false;
-  bool far = w >= VS_NEAR || n->count > 250 || n->as.call.keywords, global = f->kind == VS_AST_GLOBAL && !far && !unknown_word(c, f);
+  bool far = w >= VS_NEAR || n->count > 250 || n->as.call.keywords, global = f->kind == VS_AST_GLOBAL && !far;
+  if (global && unknown_word(c, f)) {
+    global = false;
+    f->pos = n->pos; /* the place that other names in a call's head get */
+  }
   e->fresh = VS_NO_REGISTER;
   if (!global) {
     if (!gen(c, f, w)) return false;
