@@ -87,7 +87,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const vs_facets *facets, vs_m
 static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
   vs_facets facets = vs_facets_placed(b->facets, &at->placement);
   vs_kernel_leaf leaf = { NULL, at->placement, 0, at->material == NULL };
-  vs_mesh *mesh;
+  vs_mesh *mesh = NULL;
   if (b->leaves.count >= UINT32_MAX) return full(b);
   if (!mesh_of(b, ref, &facets, &mesh) || !part_of(b, at->material, &leaf.tag)) return false;
   leaf.mesh = mesh;
