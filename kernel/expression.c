@@ -47,11 +47,12 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
             VS_ROOM(k, e->user_first.at, e->user_first.room, (size_t)n + 2) && VS_ROOM(k, b.uses.at, b.uses.room, (size_t)n + 1) &&
             VS_ROOM(k, b.live.at, b.live.room, (size_t)n + 1) && VS_ROOM(k, e->winding.at, e->winding.room, (size_t)p->leaf_count + 1) &&
             VS_ROOM(k, e->leaf_first.at, e->leaf_first.room, (size_t)p->leaf_count + 2) && VS_ROOM(k, e->leaf_terms.at, e->leaf_terms.room, (size_t)n + 1) &&
-            VS_ROOM(k, e->taken_off.at, e->taken_off.room, (size_t)p->leaf_count + 1);
+            VS_ROOM(k, e->taken_off.at, e->taken_off.room, (size_t)p->leaf_count + 1) && VS_ROOM(k, e->waits.at, e->waits.room, (size_t)n + 1);
   if (ok) {
     for (uint32_t i = 0; i < n; i++) {
       e->kind.at[i] = (uint8_t)p->terms[i].kind;
       e->need.at[i] = e->positive.at[i] = e->negative.at[i] = 0;
+      e->waits.at[i] = 0;
       b.uses.at[i] = 0;
       b.live.at[i] = i + 1 == n;
     }
@@ -107,12 +108,55 @@ static bool value(const vs_expression *e, uint32_t term) {
 
 bool vs_expression_value(const vs_expression *e) { return e->kind.at && value(e, e->root); }
 
+/* ---- a leaf that stands in several terms: least term first, so that each is looked at once, after all of its operands ---- */
+
+static bool wait_push(vs_kernel *k, vs_expression *e, uint32_t term) {
+  if (e->waits.at[term]) return true;
+  e->waits.at[term] = value(e, term) ? 3 : 1;
+  if (!VS_PUSH(k, e->stack, term)) return false;
+  uint32_t *heap = e->stack.at, i = (uint32_t)e->stack.count - 1;
+  for (; i && heap[(i - 1) / 2] > term; i = (i - 1) / 2) heap[i] = heap[(i - 1) / 2];
+  heap[i] = term;
+  return true;
+}
+
+static uint32_t wait_pop(vs_expression *e) {
+  uint32_t *heap = e->stack.at, top = heap[0], last = heap[--e->stack.count], n = (uint32_t)e->stack.count, i = 0;
+  for (uint32_t child; (child = 2 * i + 1) < n; i = child) {
+    if (child + 1 < n && heap[child + 1] < heap[child]) child++;
+    if (heap[child] >= last) break;
+    heap[i] = heap[child];
+  }
+  if (n) heap[i] = last;
+  return top;
+}
+
+static bool add_to_several(vs_kernel *k, vs_expression *e, uint32_t leaf, bool now) {
+  for (uint32_t i = e->leaf_first.at[leaf]; i < e->leaf_first.at[leaf + 1]; i++) {
+    if (!wait_push(k, e, e->leaf_terms.at[i])) return false;
+    e->positive.at[e->leaf_terms.at[i]] = now;
+  }
+  while (e->stack.count) {
+    uint32_t t = wait_pop(e);
+    bool old = e->waits.at[t] == 3, up = value(e, t);
+    e->waits.at[t] = 0;
+    if (old == up) continue;
+    for (uint32_t i = e->user_first.at[t]; i < e->user_first.at[t + 1]; i++) {
+      uint32_t user = e->users.at[i] / 2;
+      if (!wait_push(k, e, user)) return false;
+      *(e->users.at[i] & 1 ? &e->negative.at[user] : &e->positive.at[user]) += up ? 1u : UINT32_MAX;
+    }
+  }
+  return true;
+}
+
 bool vs_expression_add(vs_kernel *k, vs_expression *e, uint32_t leaf, int32_t delta) {
   bool before = e->winding.at[leaf] > 0;
   e->winding.at[leaf] += delta;
   bool now = e->winding.at[leaf] > 0;
   if (before == now) return true;
   e->stack.count = 0;
+  if (e->leaf_first.at[leaf + 1] - e->leaf_first.at[leaf] > 1) return add_to_several(k, e, leaf, now);
   for (uint32_t i = e->leaf_first.at[leaf]; i < e->leaf_first.at[leaf + 1]; i++) {
     uint32_t t = e->leaf_terms.at[i];
     e->positive.at[t] = now;
@@ -144,4 +188,5 @@ void vs_expression_free(vs_kernel *k, vs_expression *e) {
   VS_DROP(k, e->leaf_terms);
   VS_DROP(k, e->taken_off);
   VS_DROP(k, e->stack);
+  VS_DROP(k, e->waits);
 }

@@ -18,6 +18,7 @@ typedef struct {
   VS_LIST(uint32_t) leaf_first, leaf_terms; /* the terms that are the leaf */
   VS_LIST(uint8_t) taken_off; /* of each leaf: 1 where it makes the result smaller */
   VS_LIST(uint32_t) stack;
+  VS_LIST(uint8_t) waits;     /* of each term, for a leaf that stands in several: 1 in the heap, 2 it was true then */
   uint32_t root;
 } vs_expression;
 

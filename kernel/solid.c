@@ -1,16 +1,24 @@
 /* Owns the walk over a model's nodes that turns them into a kernel problem.
  *
- * Every path of the DAG gives its own leaves and terms; a mesh is made once per distinct primitive (equal by value, at equal facets). The
- * walk keeps its own stack: a model may be hundreds of thousands deep. */
+ * Every path of the DAG gives its own terms; a mesh is made once per distinct primitive (equal by value, at equal facets), and the same mesh at the
+ * same place in the same paint is one leaf, however often it stands in the expression. The walk keeps its own stack: a model may be hundreds of
+ * thousands deep. */
 #include "kernel/solid.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "kernel/memory.h"
 
 enum { BUCKETS = 4096 };
 
-typedef struct { vs_affine placement; const vs_material *material; size_t first; /* of its operands in `pending` */ } level;
+typedef struct {
+  vs_affine placement;
+  const vs_material *material;
+  size_t first;    /* of its operands in `pending` */
+  bool difference; /* its operands past the first are taken off */
+  bool off;        /* what stands here makes the whole smaller */
+} level;
 typedef struct { const vs_node *node; vs_facets facets; vs_mesh *mesh; size_t next; /* one more; 0: none */ } meshed;
 
 typedef struct {
@@ -26,6 +34,8 @@ typedef struct {
   VS_LIST(meshed) meshes;
   VS_LIST(const vs_material *) parts;
   size_t buckets[BUCKETS];            /* of meshes by hash; one more */
+  VS_LIST(uint32_t) twins;            /* leaves by mesh, placement, paint and side, open addressing; one more, 0 free */
+  VS_LIST(uint8_t) off;               /* of each leaf: level.off */
 } builder;
 
 static bool full(builder *b) {
@@ -84,14 +94,57 @@ static bool mesh_of(builder *b, const vs_ref *ref, const vs_facets *facets, vs_m
   return false;
 }
 
+static uint64_t leaf_hash(const vs_kernel_leaf *leaf, bool off) {
+  uint64_t h = (uint64_t)(uintptr_t)leaf->mesh ^ ((uint64_t)leaf->tag << 1 | off) << 40;
+  for (int i = 0; i < 12; i++) {
+    double x = leaf->placement.m[i / 4][i % 4] + 0.0; /* -0 is 0 */
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    h = (h ^ bits) * UINT64_C(0x9E3779B97F4A7C15);
+    h ^= h >> 29;
+  }
+  return h;
+}
+
+static bool leaf_same(const vs_kernel_leaf *a, const vs_kernel_leaf *b) {
+  for (int i = 0; i < 12; i++)
+    if (a->placement.m[i / 4][i % 4] != b->placement.m[i / 4][i % 4]) return false;
+  return a->mesh == b->mesh && a->tag == b->tag;
+}
+
+/* where the leaf stands in `twins`, or the free place for it */
+static size_t twin_slot(const builder *b, const vs_kernel_leaf *leaf, bool off) {
+  size_t mask = b->twins.count - 1, i = (size_t)leaf_hash(leaf, off) & mask;
+  for (; b->twins.at[i]; i = (i + 1) & mask) {
+    uint32_t other = b->twins.at[i] - 1;
+    if (b->off.at[other] == off && leaf_same(&b->leaves.at[other], leaf)) break;
+  }
+  return i;
+}
+
+static bool twins_grow(builder *b) {
+  size_t slots = b->twins.count ? b->twins.count * 2 : 64;
+  if (!VS_ROOM(&b->k, b->twins.at, b->twins.room, slots)) return false;
+  memset(b->twins.at, 0, slots * sizeof *b->twins.at);
+  b->twins.count = slots;
+  for (uint32_t i = 0; i < b->leaves.count; i++) b->twins.at[twin_slot(b, &b->leaves.at[i], b->off.at[i])] = i + 1;
+  return true;
+}
+
 static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
   vs_facets facets = vs_facets_placed(b->facets, &at->placement);
   vs_kernel_leaf leaf = { NULL, at->placement, 0, at->material == NULL };
   vs_mesh *mesh = NULL;
-  if (b->leaves.count >= UINT32_MAX) return full(b);
+  if (b->leaves.count >= UINT32_MAX - 1) return full(b);
   if (!mesh_of(b, ref, &facets, &mesh) || !part_of(b, at->material, &leaf.tag)) return false;
   leaf.mesh = mesh;
-  return VS_PUSH(&b->k, b->leaves, leaf) && VS_PUSH(&b->k, b->origins, ref->origin) && add_term(b, VS_TERM_LEAF, (uint32_t)b->leaves.count - 1, 0);
+  if ((b->leaves.count + 1) * 2 > b->twins.count && !twins_grow(b)) return false;
+  size_t slot = twin_slot(b, &leaf, at->off);
+  if (!b->twins.at[slot]) {
+    if (!VS_PUSH(&b->k, b->leaves, leaf) || !VS_PUSH(&b->k, b->origins, ref->origin) || !VS_PUSH(&b->k, b->off, (uint8_t)at->off)) return false;
+    b->twins.at[slot] = (uint32_t)b->leaves.count;
+  }
+  return add_term(b, VS_TERM_LEAF, b->twins.at[slot] - 1, 0);
 }
 
 typedef enum { PLAIN, PLACED, JOINED } role; /* a primitive; one child seen in another way; an operation on many */
@@ -109,11 +162,12 @@ static role role_of(const vs_node *n) {
 
 static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
   const vs_node *n = ref->node;
-  level now = { vs_affine_identity(), NULL, b->pending.count };
+  level now = { vs_affine_identity(), NULL, b->pending.count, n->kind == VS_DIFFERENCE, false };
   if (b->levels.count) {
     const level *up = &b->levels.at[b->levels.count - 1];
     now.placement = up->placement;
     now.material = up->material;
+    now.off = up->off != (up->difference && b->pending.count > up->first);
   }
   if (n->kind == VS_TRANSFORM) now.placement = vs_affine_multiply(&now.placement, &VS_AS(transform, n)->matrix);
   if (n->kind == VS_MATERIAL) now.material = VS_AS(material, n)->material;
@@ -193,6 +247,8 @@ bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets
   }
   VS_DROP(&b->k, b->leaves);
   VS_DROP(&b->k, b->origins);
+  VS_DROP(&b->k, b->twins);
+  VS_DROP(&b->k, b->off);
   VS_DROP(&b->k, b->terms);
   VS_DROP(&b->k, b->operands);
   VS_DROP(&b->k, b->pending);
