@@ -121,8 +121,15 @@ layers: $(LIB_OBJ) $(CLI_OBJ) ## check that includes follow the layers' arrows a
 bless: all ## rewrite the expected results of tests/cli from what the program does now; read the diff
 	BLESS=1 SUITES=cli sh tests/run.sh $(BUILD)
 
-bench: all ## time starting up beside Lua and Guile
+$(BUILD)/measure: bench/measure.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $< -o $@
+
+bench: ## install Guile, Lua and Chez Scheme, and time programs and start-up beside theirs: two minutes
+	sh scripts/install.sh build bench
+	$(MAKE) all $(BUILD)/measure
 	sh bench/startup.sh $(BUILD)/vs
+	sh bench/run.sh $(BUILD)/vs $(BUILD)/measure
 
 # ---- installing ----
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the start-up measurement: an empty program in vs, Lua and Guile, 200 runs each, milliseconds a run. `bench/startup.sh build/vs`.
+# Owns the start-up measurement: an empty program in vs, Lua, Guile and Chez Scheme, 50 runs each, milliseconds a run. `bench/startup.sh build/vs`.
 set -u
 vs=$1
 empty=$(mktemp) || exit 1
@@ -9,11 +9,12 @@ measure() {
   if ! command -v "$1" >/dev/null 2>&1; then echo "$name: not installed"; return; fi
   "$@" > /dev/null 2>&1 || { echo "$name: failed"; return; }
   begin=$(date +%s%N); i=0
-  while [ $i -lt 200 ]; do "$@" > /dev/null 2>&1; i=$((i + 1)); done
+  while [ $i -lt 50 ]; do "$@" > /dev/null 2>&1; i=$((i + 1)); done
   end=$(date +%s%N)
-  echo "$name $begin $end" | awk '{ printf "%-8s %6.2f ms\n", $1, ($3 - $2) / 200e6 }'
+  echo "$name $begin $end" | awk '{ printf "%-8s %6.2f ms\n", $1, ($3 - $2) / 50e6 }'
 }
 measure "true" /bin/true
 measure vs "$vs" --quiet "$empty"
 measure lua5.4 lua5.4 "$empty"
 measure guile guile --no-auto-compile "$empty"
+measure chez chezscheme --script "$empty"

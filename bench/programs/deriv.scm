@@ -1,0 +1,15 @@
+; Symbols, lists and map: the derivative of a polynomial, many times.
+(define (deriv a)
+  (cond ((not (pair? a)) (if (eq? a 'x) 1 0))
+        ((eq? (car a) '+) (cons '+ (map deriv (cdr a))))
+        ((eq? (car a) '-) (cons '- (map deriv (cdr a))))
+        ((eq? (car a) '*)
+         (list '* a (cons '+ (map (lambda (a) (list '/ (deriv a) a)) (cdr a)))))
+        ((eq? (car a) '/)
+         (list '-
+               (list '/ (deriv (cadr a)) (caddr a))
+               (list '/ (cadr a) (list '* (caddr a) (caddr a) (deriv (caddr a))))))
+        (else 'unknown)))
+(define (size a) (if (pair? a) (+ 1 (size (car a)) (size (cdr a))) 1))
+(define polynomial '(+ (* 3 x x) (* a x x) (* b x) 5))
+(write (do ((i 0 (+ i 1)) (sum 0 (+ sum (size (cdr (deriv polynomial)))))) ((= i 100000) sum)))

@@ -1,0 +1,15 @@
+; Floating point in loop variables.
+(define (turns cx cy limit)
+  (let loop ((x 0.0) (y 0.0) (n 0))
+    (let ((xx (* x x)) (yy (* y y)))
+      (if (or (= n limit) (> (+ xx yy) 4.0))
+          n
+          (loop (+ (- xx yy) cx) (+ (* 2.0 x y) cy) (+ n 1))))))
+(define (picture size limit)
+  (let ((step (/ 3.0 size)))
+    (do ((j 0 (+ j 1))
+         (sum 0 (do ((i 0 (+ i 1))
+                     (sum sum (+ sum (turns (+ -2.0 (* step i)) (+ -1.5 (* step j)) limit))))
+                    ((= i size) sum))))
+        ((= j size) sum))))
+(write (picture 300 100))

@@ -1,0 +1,13 @@
+; Numbers into text, text into longer text, and characters counted.
+(define (line i) (string-append "<point id=\"" (number->string i) "\" x=\"" (number->string (* i 17)) "\"/>"))
+(define (join lines) (apply string-append lines))
+(define (count-char c s)
+  (let ((n (string-length s)))
+    (do ((i 0 (+ i 1)) (found 0 (if (char=? (string-ref s i) c) (+ found 1) found))) ((= i n) found))))
+(define (round-trip)
+  (let loop ((i 0) (lines '()))
+    (if (< i 2000)
+        (loop (+ i 1) (cons (line i) lines))
+        (let ((text (join (reverse lines))))
+          (+ (string-length text) (count-char #\7 text) (length (string->list (substring text 0 5000))))))))
+(write (do ((i 0 (+ i 1)) (sum 0 (+ sum (round-trip)))) ((= i 40) sum)))

@@ -1,0 +1,17 @@
+; The points and gvectors of the language that the geometry programs use, for a Scheme that has xyz, vxyz and their selectors
+; as records.
+(define origin (xyz 0.0 0.0 0.0))
+(define (p+v p v) (xyz (+ (cx p) (vx v)) (+ (cy p) (vy v)) (+ (cz p) (vz v))))
+(define (p-p q p) (vxyz (- (cx q) (cx p)) (- (cy q) (cy p)) (- (cz q) (cz p))))
+(define (v+v a b) (vxyz (+ (vx a) (vx b)) (+ (vy a) (vy b)) (+ (vz a) (vz b))))
+(define (dot a b) (+ (* (vx a) (vx b)) (* (vy a) (vy b)) (* (vz a) (vz b))))
+(define (cross a b)
+  (vxyz (- (* (vy a) (vz b)) (* (vz a) (vy b)))
+        (- (* (vz a) (vx b)) (* (vx a) (vz b)))
+        (- (* (vx a) (vy b)) (* (vy a) (vx b)))))
+(define (vlength v) (sqrt (dot v v)))
+(define (unitize v) (let ((l (vlength v))) (vxyz (/ (vx v) l) (/ (vy v) l) (/ (vz v) l))))
+(define (distance p q) (vlength (p-p q p)))
+(define (intermediate-point p q t)
+  (xyz (+ (cx p) (* t (- (cx q) (cx p)))) (+ (cy p) (* t (- (cy q) (cy p)))) (+ (cz p) (* t (- (cz q) (cz p))))))
+(define (+cyl p rho phi z) (xyz (+ (cx p) (* rho (cos phi))) (+ (cy p) (* rho (sin phi))) (+ (cz p) z)))
