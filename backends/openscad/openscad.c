@@ -247,6 +247,54 @@ static vs_emit_status scad_extrude(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return scad_done(e);
 }
 
+/* ---- what has no thickness: shown thin, and said so ---- */
+
+static double scad_thin(const vs_emitter *e) { return 0.0012 * vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min)); }
+
+static vs_emit_status scad_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_line *l = VS_AS(line, ref->node);
+  double radius = scad_thin(e);
+  uint32_t count = l->points->count, pieces = l->closed ? count : count - 1;
+  if (!(radius > 0) || count == 0) return VS_EMITTED;
+  scad_open(e, ref->node);
+  vs_puts(e->out, "union() {\n");
+  for (uint32_t i = 0; i < count; i++) {
+    vs_vec3 a = l->points->at[i], axis = vs_v3_sub(l->points->at[(i + 1) % count], a);
+    double length = vs_v3_length(axis);
+    vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40) + 2);
+    scad_translate(e, a);
+    scad_number(e, "sphere(r = ", radius);
+    vs_puts(e->out, ", $fn = 8);\n");
+    if (i >= pieces || !(length > 1e-6 * radius)) continue;
+    vs_affine place = vs_frame_on_axis(a, axis);
+    vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40) + 2);
+    scad_place(e, &place);
+    scad_number(e, "cylinder(h = ", length);
+    scad_number(e, ", r = ", radius);
+    vs_puts(e->out, ", $fn = 8);\n");
+  }
+  vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40));
+  vs_puts(e->out, "}\n");
+  return scad_done(e);
+}
+
+static vs_emit_status scad_region(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  vs_outline o = { .count = 0 };
+  if (!vs_region_outline(ref->node, &e->facets, &o, e->error)) return VS_FAILED;
+  vs_affine plane = o.normal.x == 0 && o.normal.y == 0 ? vs_affine_translation(vs_v3(0, 0, o.point.z)) : vs_frame_on_axis(o.point, o.normal), back;
+  if (o.count > 0 && vs_affine_invert(&plane, &back)) {
+    scad_open(e, ref->node);
+    scad_place(e, &plane);
+    scad_number(e, "linear_extrude(height = ", scad_thin(e));
+    vs_puts(e->out, ", center = true) ");
+    scad_polygon(e, &o, &back);
+  }
+  vs_outline_free(&o);
+  return scad_done(e);
+}
+
 /* ---- operations ---- */
 
 static vs_emit_status scad_transform(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
@@ -310,9 +358,10 @@ static bool scad_end(vs_emitter *e) { return !e->out->failed; }
 
 const vs_backend vs_backend_openscad = {
   .begin = scad_begin, .end = scad_end, .define = scad_define, .use = scad_use,
-  .omit = { [VS_CURVE] = "OpenSCAD programs hold solids: curves are left out", [VS_REGION_CLASS] = "OpenSCAD programs hold solids: flat regions are left out",
-            [VS_SURFACE] = "OpenSCAD programs hold solids: open surfaces are left out" },
+  .omit = { [VS_SURFACE] = "OpenSCAD programs hold solids: open surfaces are left out" },
   .emit = {
+    [VS_LINE] = { scad_line, "OpenSCAD programs hold solids: curves are drawn as thin rods" },
+    [VS_REGION] = { scad_region, "OpenSCAD programs hold solids: flat regions are drawn as thin slabs" },
     [VS_BOX] = { scad_box, NULL }, [VS_SPHERE] = { scad_sphere, NULL }, [VS_CYLINDER] = { scad_cylinder, NULL }, [VS_CONE] = { scad_cone, NULL },
     [VS_CUT_CONE] = { scad_cut_cone, NULL }, [VS_PYRAMID] = { scad_pyramid, NULL }, [VS_TORUS] = { scad_torus, NULL },
     [VS_POLYFACE_MESH] = { scad_polyface, NULL }, [VS_EXTRUDE] = { scad_extrude, NULL }, [VS_TRANSFORM] = { scad_transform, NULL },

@@ -243,28 +243,49 @@ static void test_x3d_words(void **state) {
   test_model_close(&m);
 }
 
+/* one triangle, which encloses nothing */
+static vs_ref open_surface(test_model *m) {
+  const vs_vec3 at[] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+  struct vs_polyface_mesh data = { .points = vs_points_new(m->scene.store, at, 3),
+                                   .faces = vs_faces_new(m->scene.store, (const uint32_t[]){ 0, 3 }, 1, (const uint32_t[]){ 0, 1, 2 }, 3) };
+  vs_ref ref = test_node(m, 1, VS_POLYFACE_MESH, &data, NULL, 0);
+  vs_points_release(m->scene.store, data.points);
+  vs_faces_release(m->scene.store, data.faces);
+  return ref;
+}
+
 /* What is one operand, empty, or of a class the format leaves out never reaches the text as an operation of nothing. */
 static void test_left_out(void **state) {
   (void)state;
   test_model m;
   test_model_open(&m);
-  vs_ref nothing = test_node(&m, 1, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0), line = test_any(&m, VS_LINE);
-  test_draw(&m, test_pair(&m, VS_UNION, test_pair(&m, VS_DIFFERENCE, test_box(&m, 0, 0, 0, 1, 1, 1), nothing), line));
+  vs_ref nothing = test_node(&m, 1, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0), surface = open_surface(&m);
+  test_draw(&m, test_pair(&m, VS_UNION, test_pair(&m, VS_DIFFERENCE, test_box(&m, 0, 0, 0, 1, 1, 1), nothing), surface));
   warnings = 0;
   char *text = written(&m, "scad");
   assert_lacks(text, "union");
   assert_lacks(text, "difference");
   assert_holds(text, "\ncube([1, 1, 1]);\n");
   assert_int_equal(warnings, 1);
-  assert_holds(last_warning, "curves are left out");
+  assert_holds(last_warning, "open surfaces are left out");
   free(text);
   test_model_close(&m);
 
   test_model_open(&m);
-  test_draw(&m, test_any(&m, VS_LINE));
+  test_draw(&m, open_surface(&m));
   vs_error e = { VS_ERROR_NONE, NULL, "" };
   assert_null(written_quietly(&m, "scad", NULL, &e));
   assert_int_equal(e.kind, VS_ERROR_MODEL);
+  test_model_close(&m);
+
+  test_model_open(&m); /* a curve has no thickness there: it is shown with some, and that is said */
+  test_draw(&m, test_any(&m, VS_LINE));
+  warnings = 0;
+  text = written(&m, "scad");
+  assert_holds(text, "cylinder(h = ");
+  assert_int_equal(warnings, 1);
+  assert_holds(last_warning, "drawn as thin rods");
+  free(text);
   test_model_close(&m);
 }
 
