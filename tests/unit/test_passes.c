@@ -26,7 +26,7 @@ static vs_pass_stats run(vs_store *s, vs_ref *ref, unsigned passes) {
 }
 
 static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node **kids, size_t count) { /* takes the kids over */
-  vs_ref refs[64];
+  vs_ref refs[64] = { { NULL, NULL } };
   for (size_t i = 0; i < count; i++) refs[i] = (vs_ref){ kids[i], NULL };
   vs_node *n = vs_node_new(s, kind, data, refs, count);
   for (size_t i = 0; i < count; i++) vs_node_release(kids[i]);
