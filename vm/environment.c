@@ -182,6 +182,7 @@ static bool environment(vs *vm, vs_value name, vs_value parent, vs_value data, v
   vs_environment *e = (vs_environment *)(void *)vs_gc_alloc(vm, VS_T_ENVIRONMENT, VS_WORDS(vs_environment));
   if (!e) return false;
   e->name = r[0]; e->table = r[3]; e->imports = VS_NIL; e->exports = VS_TRUE; e->parent = r[1]; e->data = r[2];
+  e->top = r[1] == VS_FALSE || vs_is_top(r[1]) ? r[1] : vs_as_environment(r[1])->top;
   *out = vs_from_object(e);
   return true;
 }
@@ -193,6 +194,7 @@ bool vs_environment_bind(vs *vm, vs_value env, vs_value id, vs_value binding) {
   VS_ROOTS(vm, r, 2);
   r[0] = env;
   r[1] = vs_as_environment(env)->table;
+  if (!vs_is_top(env)) vs_object_of(id)->flags |= VS_F_LOCAL;
   if (!vs_idtable_put(vm, &r[1], id, binding)) return false;
   vs_environment *e = vs_as_environment(r[0]);
   vs_gc_store(vm, e, &e->table, r[1]);
@@ -255,6 +257,8 @@ bool vs_environment_import(vs *vm, vs_value env, vs_value from, vs_value mapping
 vs_meaning vs_environment_find(vs_value env, vs_value id) {
   for (;;) {
     vs_value own = VS_VACANT;
+    /* Most names of a program stand for what the top level means by them: those skip the scopes, however deep they nest. */
+    if (!vs_is_top(env) && !(vs_object_of(id)->flags & VS_F_LOCAL)) env = vs_as_environment(env)->top;
     while (!vs_is_top(env)) {
       own = vs_idtable_get(vs_as_environment(env)->table, id);
       if (own != VS_VACANT) break;

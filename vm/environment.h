@@ -3,7 +3,7 @@
    An identifier is a symbol or an ALIAS, a name that a macro expansion renamed: it stands for its `name` in the macro's environment `env`
    unless something binds the alias itself.
 
-   Environments form chains by `parent`. A local scope's `data` is the number of the expansion that made it, its bindings are fixnum
+   Environments form chains by `parent`; `top` is where a local scope's chain ends, #f in a top-level environment. A local scope's `data` is the number of the expansion that made it, its bindings are fixnum
    addresses of vs_var of that expansion's tree, or MACROs. A top-level environment (parent #f) binds CELLs and MACROs; `imports` is a list of
    (environment . #t) or (environment . table from local name to its name there); `exports` is #t (everything whose name does not
    begin with %) or a table from outside name to inside name; `name` is #f or what the library is called.

@@ -82,6 +82,7 @@ enum {                          /* vs_object.flags */
   VS_F_WIDE       = 4,          /* string: 4 bytes a character, else 1 byte (Latin-1) */
   VS_F_CONSTANT   = 4,          /* cell: imported or registered, never assigned: calls to it may be inlined */
   VS_F_UNINTERNED = 4,          /* symbol: from generate-uninterned-symbol */
+  VS_F_LOCAL      = 8,          /* symbol, alias: some local scope has bound it */
   VS_F_NEGATIVE   = 4           /* bignum */
 };
 
@@ -184,7 +185,7 @@ typedef struct { vs_object h; vs_value under; uint64_t depth, count; vs_value at
 typedef struct { vs_object h; vs_value stack; uint64_t depth; vs_value winders, handlers, parameters, ret; } vs_continuation;
 
 /* Expander objects: fields are vm-front's business, all traced. */
-typedef struct { vs_object h; vs_value name, table, imports, exports, parent, data; } vs_environment;
+typedef struct { vs_object h; vs_value name, table, imports, exports, parent, top, data; } vs_environment;
 typedef struct { vs_object h; vs_value kind, transformer, env, data; } vs_macro;
 typedef struct { vs_object h; vs_value name, env, data; uint64_t mark; } vs_alias;      /* a renamed identifier */
 
