@@ -110,7 +110,7 @@ void vs_interrupt_clear(vs *vm) { atomic_store(&vs_session_of(vm)->interrupted, 
 static void begin(vs_session *s, unsigned flags) {
   s->flags = flags;
   vs *vm = s->bind.vm;
-  vm->steps = 0;
+  vm->steps = vm->written = 0;
   vm->started = vs_session_clock(s);
   s->bind.bad_parameter = false;
   s->phase = "evaluating", s->told_progress = vm->started;

@@ -115,7 +115,7 @@ typedef struct {
   double limit_time;      /* seconds of one evaluation; 0: no limit, here and below */
   size_t limit_memory;    /* bytes of heap and model together */
   uint64_t limit_steps;   /* calls and loop turns of one evaluation */
-  size_t limit_output;    /* bytes the program may print */
+  size_t limit_output;    /* bytes that one evaluation may print */
   bool untrusted;         /* no file access but read_file, no native text */
   const char *library_path; /* folders for load and require, ':' between them; NULL: none */
 } vs_options;

@@ -14,12 +14,12 @@ void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes
   vs_session *s = session;
   const vs_options *o = &s->options;
   if (bytes > old_bytes && o->limit_memory && (bytes - old_bytes > o->limit_memory || s->bytes > o->limit_memory - (bytes - old_bytes)))
-    return s->bind.refused++, NULL;
+    return s->bind.refused++, s->limited = true, NULL;
   void *p = NULL;
   if (o->alloc) p = o->alloc(o->alloc_context, old, old_bytes, bytes);
   else if (bytes) p = realloc(old, bytes);
   else free(old);
-  if (bytes && !p) return s->bind.refused++, NULL;
+  if (bytes && !p) return s->bind.refused++, s->limited = false, NULL;
   s->bytes += bytes - old_bytes;
   if (s->bytes > s->peak) s->peak = s->bytes;
   return p;

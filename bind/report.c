@@ -118,10 +118,15 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   bool is_condition = vs_is(r[0], VS_T_CONDITION);
   vs_text t;
   vs_text_open(vm, &t, 4000);
+  char limit[96];
   const char *message = vs_print_condition(vm, r[0], &t) && vs_text_end(&t) ? t.at : "out of memory";
   if (is_condition) {
     const vs_condition *c = vs_as_condition(r[0]);
     outcome = outcome_of(s, c->kind, usage);
+    if (c->kind == vm->sym.memory && (vm->over_limit || s->limited)) {
+      snprintf(limit, sizeof limit, "out of memory: stopped at %.12g MB, the limit", (double)s->options.limit_memory / 1048576);
+      message = limit;
+    }
     if (!vs_session_span(s, c->place, &at)) /* inside the library: the first call of the user's own */
       for (vs_value l = c->chain; vs_is_pair(l) && !at.file; l = vs_cdr(l)) {
         vs_value link = vs_car(l);

@@ -25,6 +25,7 @@ typedef struct {
   vs_bind bind;             /* first: vm->host points to it */
   vs_options options;
   size_t bytes, peak;       /* handed out by the allocator, heap and model together */
+  bool limited;             /* the last refusal of memory was the limit's, not the machine's */
   atomic_bool interrupted;
   bool exit_requested;
   int exit_code;

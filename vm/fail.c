@@ -29,6 +29,7 @@ const char *vs_noun(vs *vm, vs_value v) {
 
 vs_status vs_fail_memory(vs *vm) {
   vm->condition = vm->at.no_memory;
+  vm->over_limit = false;
   return VS_ERROR;
 }
 

@@ -5,12 +5,19 @@
 #include "vm/gc.h"
 #include "vm/run.h"
 
+/* the window is the innermost frame that is whole: the error's call chain begins with its caller */
+static vs_value *flush_failed(vs *vm, vs_value *w) {
+  vm->base = w + 2;
+  vm->pc = NULL;
+  return NULL;
+}
+
 vs_value *vs_frame_flush(vs *vm, vs_value *w, size_t n, size_t need) {
   size_t count = (size_t)(w - vm->stack);
   vm->top = w + 2 + n;
   if (count) {
     vs_stack *s = (vs_stack *)(void *)vs_gc_alloc(vm, VS_T_STACK, VS_WORDS(vs_stack) + count);
-    if (!s) return NULL;
+    if (!s) return flush_failed(vm, w);
     s->under = vm->under; s->depth = vm->under_depth; s->count = count;
     memcpy(s->at, vm->stack, count * sizeof *s->at);
     w[1] |= VS_RET_UNDER;
@@ -24,7 +31,7 @@ vs_value *vs_frame_flush(vs *vm, vs_value *w, size_t n, size_t need) {
   if (need + VS_FRAME_SLACK > room) {
     size_t more = need + need / 2 + VS_FRAME_SLACK;
     vs_value *stack = vs_mem(vm, vm->stack, room * sizeof *stack, more * sizeof *stack);
-    if (!stack) return NULL;
+    if (!stack) return flush_failed(vm, w);
     vm->stack = stack;
     vm->stack_end = stack + more;
     vm->top = stack + 2 + n;
@@ -85,6 +92,14 @@ bool vs_call_chain(vs *vm, size_t max, vs_value *out) {
     if (!vs_cons(vm, at[n].name, vs_fix((int64_t)at[n].place), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])) return false;
   *out = r[0];
   return true;
+}
+
+size_t vs_call_links(vs *vm, vs_value *name, vs_pos *place, size_t max) {
+  enum { MOST = 64 };
+  struct link at[MOST];
+  size_t n = chain(vm, at, max < MOST ? max : MOST);
+  for (size_t i = 0; i < n; i++) { name[i] = at[i].name; place[i] = at[i].place; }
+  return n;
 }
 
 size_t vs_call_places(vs *vm, vs_pos *place, size_t max) {

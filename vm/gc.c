@@ -75,11 +75,16 @@ static void *default_memory(void *user, void *p, size_t old_bytes, size_t bytes)
   return realloc(p, bytes);
 }
 
+static void gc_fail_limit(vs *vm) {
+  vs_fail_memory(vm);
+  vm->over_limit = true;
+}
+
 void *vs_mem(vs *vm, void *p, size_t old_bytes, size_t bytes) {
   void *(*memory)(void *, void *, size_t, size_t) = vm->config.memory ? vm->config.memory : default_memory;
   if (bytes > old_bytes) {
     if (vm->fail_after && --vm->fail_after == 0) { vs_fail_memory(vm); return NULL; }
-    if (vm->config.memory_limit && vm->bytes + (bytes - old_bytes) > vm->config.memory_limit) { vs_fail_memory(vm); return NULL; }
+    if (vm->config.memory_limit && vm->bytes + (bytes - old_bytes) > vm->config.memory_limit) { gc_fail_limit(vm); return NULL; }
   }
   void *q = memory(vm->config.user, p, old_bytes, bytes);
   if (bytes && !q) { vs_fail_memory(vm); return NULL; }
@@ -221,7 +226,7 @@ static vs_object *gc_alloc_slow(vs *vm, int type, size_t words) {
       }
       gc->ready = true;
     }
-    if (gc_over_limit(vm, 0)) { vs_fail_memory(vm); return NULL; }
+    if (gc_over_limit(vm, 0)) { gc_fail_limit(vm); return NULL; }
   }
   gc_hold_down(vm);
   vs_object *o = (vs_object *)(void *)vm->free;
@@ -268,7 +273,7 @@ bool vs_make_foreign(vs *vm, const struct vs_foreign_type *type, void *object, s
     gc->external_minor = gc->external + (32u << 20);
   }
   vs_foreign *f = NULL;
-  if (gc_over_limit(vm, 0)) vs_fail_memory(vm);
+  if (gc_over_limit(vm, 0)) gc_fail_limit(vm);
   else if (gc_grow(vm, &gc->young_foreign, &gc->young_room, gc->young_count, sizeof *gc->young_foreign) &&
            (!type->trace || gc_grow(vm, &gc->tracing, &gc->tracing_room, gc->tracing_count + gc->young_count, sizeof *gc->tracing)))
     f = (vs_foreign *)(void *)vs_gc_alloc(vm, VS_T_FOREIGN, VS_WORDS(vs_foreign));

@@ -724,8 +724,7 @@ raise:
   n = 1; kw = VS_FALSE; tail = false;
   goto call;
 
-stack_full:
-  vs_fail_memory(vm);
+stack_full:                               /* whoever was refused the memory has said so */
 uncaught:
   return false;
 #pragma GCC diagnostic pop
@@ -741,6 +740,25 @@ static void reset(vs *vm) {
   vm->call_count = 0;
   vm->call_procedure = VS_FALSE;
   vm->winders = vm->handlers = vm->parameters = VS_NIL;
+}
+
+/* Memory is out and nobody caught it: what the program held is given up, and then there is room to say where that was. */
+static void fail_memory_placed(vs *vm) {
+  enum { CALLERS = 16 };
+  VS_ROOTS(vm, r, CALLERS + 2);
+  vs_pos place[CALLERS] = {0};
+  size_t n = vs_call_links(vm, r, place, CALLERS);
+  reset(vm);
+  vm->value = VS_UNSPECIFIC;              /* may be the half of a native's result */
+  vs_gc_major(vm);
+  vs_value *link = r + CALLERS, *chain = r + CALLERS + 1;
+  *chain = VS_NIL;
+  for (size_t i = n; i--;)
+    if (!vs_cons(vm, r[i], vs_fix((int64_t)place[i]), link) || !vs_cons(vm, *link, *chain, chain)) return;
+  vs_fail_at(vm, vm->sym.memory, place[0], VS_NIL, "out of memory");
+  if (vm->condition == vm->at.no_memory) return;
+  vs_condition *c = vs_as_condition(vm->condition);
+  vs_gc_store(vm, c, &c->chain, *chain);
 }
 
 bool vs_run(vs *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value *out) {
@@ -761,9 +779,9 @@ bool vs_run(vs *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value
   vs_value result = VS_UNSPECIFIC;
   bool ok = loop(vm, w, n, &result);
   vm->steps -= (uint64_t)(vm->fuel > 0 ? vm->fuel : 0);       /* those taken, not those granted */
+  if (!ok && vm->condition == vm->at.no_memory) fail_memory_placed(vm);
   reset(vm);
   if (ok) *out = result;
-  else if (vm->condition == vm->at.no_memory) vs_gc_major(vm);    /* what the program held is free now */
   return ok;
 }
 

@@ -78,7 +78,8 @@ struct vs {
   int64_t fuel;                    /* turns until the next poll */
   uint64_t steps;                  /* turns taken, up to the last poll */
   double started;
-  uint64_t written;                /* bytes printed and written so far */
+  uint64_t written;                /* bytes printed and written by this evaluation */
+  bool over_limit;                 /* the last refusal of memory was the limit's, not the machine's */
   size_t fail_after;               /* debug: refuse the n-th allocation from now; 0 = off */
 
   /* collector (gc.c) */

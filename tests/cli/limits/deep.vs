@@ -1,0 +1,3 @@
+(define (depth n)
+  (+ 1 (depth n)))
+(display (depth 0))

@@ -1,0 +1,2 @@
+(define (double text) (double (string-append text text)))
+(double "abc")

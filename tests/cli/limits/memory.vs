@@ -1,0 +1,2 @@
+(define (hoard kept) (hoard (cons 1.5 kept)))
+(hoard '())

@@ -1,0 +1,2 @@
+(define (chatter) (display "la la ") (chatter))
+(chatter)

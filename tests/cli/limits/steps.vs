@@ -1,0 +1,2 @@
+(define (climb n) (climb (+ n 1)))
+(climb 0)
