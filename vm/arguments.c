@@ -1,14 +1,53 @@
 /* Owns the arranging of arguments that are not simply as many as required. */
 #include "vm/arguments.h"
+#include "vm/signature.h"
+
+#include <stdio.h>
+#include <string.h>
 
 static const char *name_of(vs_value name) { return vs_is_symbol(name) ? vs_as_symbol(name)->name : "the procedure"; }
 
-static bool fail_count(vs *vm, vs_value name, size_t min, size_t max, size_t got) {
+/* what is asked for, as it is written: " (from to [step])"; too much to show is left out */
+typedef struct { char text[160]; size_t used; } wanted;
+
+static void want(wanted *w, const char *before, const char *name, size_t length, const char *after) {
+  int n = snprintf(w->text + w->used, sizeof w->text - w->used, "%s%s%.*s%s", w->used ? " " : " (", before, (int)length, name, after);
+  w->used = n < 0 || w->used + (size_t)n + 2 > sizeof w->text ? sizeof w->text : w->used + (size_t)n;
+}
+
+static const char *want_end(wanted *w) {
+  if (!w->used || w->used >= sizeof w->text) return "";
+  memcpy(w->text + w->used, ")", 2);
+  return w->text;
+}
+
+static const char *want_closure(const vs_code *code, wanted *w) {
+  const vs_vector *names = vs_as_vector(code->params);
+  for (size_t i = 0; i < names->length && w->used < sizeof w->text; i++) {
+    bool keyword = i >= code->required + code->optional && i < code->required + code->optional + code->keywords;
+    bool rest = i >= code->required + code->optional + code->keywords, optional = !rest && !keyword && i >= code->required;
+    if (!vs_is_symbol(names->at[i])) return "";
+    const char *name = vs_as_symbol(names->at[i])->name;
+    if (!keyword) want(w, optional ? "[" : "", name, strlen(name), optional ? "]" : rest ? " ..." : "");
+  }
+  return want_end(w);
+}
+
+static const char *want_native(const vs_native *native, wanted *w) {
+  const char *at = native->def ? native->def->signature : "", *name;
+  int depth = 0;
+  size_t length;
+  for (vs_signature_kind kind; w->used < sizeof w->text && (kind = vs_signature_next(&at, &depth, &name, &length)) != VS_SIG_END;)
+    if (kind != VS_SIG_KEYWORD) want(w, kind == VS_SIG_OPTIONAL ? "[" : "", name, length, kind == VS_SIG_OPTIONAL ? "]" : kind == VS_SIG_REST ? " ..." : "");
+  return want_end(w);
+}
+
+static bool fail_count(vs *vm, vs_value name, size_t min, size_t max, const char *names, size_t got) {
   const char *who = name_of(name);
-  if (max == SIZE_MAX) return vs_fail(vm, vm->sym.arity, "%s needs at least %zu argument%s, got %zu", who, min, min == 1 ? "" : "s", got);
+  if (max == SIZE_MAX) return vs_fail(vm, vm->sym.arity, "%s needs at least %zu argument%s%s, got %zu", who, min, min == 1 ? "" : "s", names, got);
   if (min == max && min == 0) return vs_fail(vm, vm->sym.arity, "%s takes no arguments, got %zu", who, got);
-  if (min == max) return vs_fail(vm, vm->sym.arity, "%s needs %zu argument%s, got %zu", who, min, min == 1 ? "" : "s", got);
-  return vs_fail(vm, vm->sym.arity, "%s needs %zu to %zu arguments, got %zu", who, min, max, got);
+  if (min == max) return vs_fail(vm, vm->sym.arity, "%s needs %zu argument%s%s, got %zu", who, min, min == 1 ? "" : "s", names, got);
+  return vs_fail(vm, vm->sym.arity, "%s needs %zu to %zu arguments%s, got %zu", who, min, max, names, got);
 }
 
 static bool fail_keyword(vs *vm, vs_value name, vs_value keyword) {
@@ -47,7 +86,7 @@ bool vs_arguments_closure(vs *vm, const vs_code *code, vs_value *a, size_t n, vs
   size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count, given = n - named;
   size_t most = code->required + code->optional, rest = most + code->keywords;
   bool has_rest = (code->flags & VS_CODE_REST) != 0;
-  if (given < code->required || (given > most && !has_rest)) return fail_count(vm, code->name, code->required, has_rest ? SIZE_MAX : most, given);
+  if (given < code->required || (given > most && !has_rest)) return fail_count(vm, code->name, code->required, has_rest ? SIZE_MAX : most, want_closure(code, &(wanted){0}), given);
   if (named && !code->keywords) return fail_keyword(vm, code->name, vs_as_keywords(kw)->name[0]);
   if (named && !stash(vm, a, n, named)) return false;
   VS_ROOTS(vm, r, 1);
@@ -65,7 +104,7 @@ bool vs_arguments_native(vs *vm, const vs_native *native, vs_value *a, size_t n,
   size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count, positional = n - named;
   size_t max = native->max == UINT32_MAX ? SIZE_MAX : native->max;
   *given = *total = positional;
-  if (positional < native->min || positional > max) return fail_count(vm, native->name, native->min, max, positional);
+  if (positional < native->min || positional > max) return fail_count(vm, native->name, native->min, max, want_native(native, &(wanted){0}), positional);
   if (named && native->keywords == VS_FALSE) return fail_keyword(vm, native->name, vs_as_keywords(kw)->name[0]);
   if (!vs_native_laid_out(native)) return true;
   if (named && !stash(vm, a, n, named)) return false;

@@ -461,8 +461,8 @@ static const vs_native_def defs[] = {
   { "take-right", "list k", list_take_right, 0, "the last k elements" },
   { "drop-right", "list k", list_drop_right, 0, "list without its last k elements" },
   { "split-at", "list k", list_split_at, 0, "two values: (take list k) (drop list k)" },
-  { "list-ref", "list k", list_ref, 0, "the k-th element, counted from 0" },
-  { "list-set!", "list k value", list_set, 0, NULL },
+  { "list-ref", "list index", list_ref, 0, "the element at index, counted from 0" },
+  { "list-set!", "list index value", list_set, 0, NULL },
 #define N(k, name) { #name, "list", list_##name, 0, NULL },
   NTHS(N)
 #undef N

@@ -66,7 +66,7 @@ static bool fail_callee(vs *vm, vs_value f) {
   VS_ROOTS(vm, r, 1);
   if (f == VS_UNDEFINED || f == VS_ABSENT) return fail_early(vm, VS_FALSE);
   const char *what = vs_is_number(f) ? "a number cannot be called (a list is written (list 1 2 3), a gvector (vxyz 1 2 3)):"
-                                     : "this is no procedure and cannot be called:";
+                                     : "this is no procedure and cannot be called (one parenthesis too many around it?):";
   return vs_cons(vm, f, VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "%s", what);
 }
 

@@ -56,7 +56,7 @@
 (check-true (let ((a (current-milliseconds))) (<= a (current-milliseconds))))
 
 (check (said (car 5)) => "car: expected a pair, got 5")
-(check (said (vector-ref (vector 1 2) 2)) => "vector-ref: k must be from 0 to 1, got 2")
+(check (said (vector-ref (vector 1 2) 2)) => "vector-ref: index must be from 0 to 1, got 2")
 (check (said (string-ref "" 0)) => "string-ref: the string is empty")
 (check (said (+ 1 "a")) => "+: expected a number, got \"a\"")
 (check (said (sqrt -4)) => "sqrt: expected a number that is not negative, got -4")

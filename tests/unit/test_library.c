@@ -279,7 +279,7 @@ static const row objects[] = {
     {"(format \"a\" 1)", "error: format: the format uses 0 of the 1 values"},
     {"(error \"no good:\" 1 \"x\")", "error: no good: 1 \"x\""},
     {"(error 'tower \"~a floors\" 3)", "error: tower: 3 floors"},
-    {"(string-ref \"abc\" 3)", "error: string-ref: k must be from 0 to 2, got 3"},
+    {"(string-ref \"abc\" 3)", "error: string-ref: index must be from 0 to 2, got 3"},
     {"(read-line (open-input-string \"ab\\ncd\"))", "\"ab\""},
     {"(read (open-input-string \" (a . b) c\"))", "(a . b)"},
     {"(read-char (open-input-string \"\"))", "#<eof>"},
