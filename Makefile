@@ -38,6 +38,9 @@ $(BUILD)/obj/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
 
+# gcc would make the ends of all instructions one: a jump to a jump, and one guess where to go next instead of one each.
+$(BUILD)/obj/vm/run.o: CFLAGS += $(if $(findstring clang,$(shell $(CC) --version)),,-fno-crossjumping --param max-goto-duplication-insns=20 --param max-grow-copy-bb-insns=50)
+
 $(BUILD)/assets.s: $(wildcard $(ASSETS)) Makefile
 	@mkdir -p $(@D)
 	@for f in $(ASSETS); do n=vs_asset_$$(basename $$f | tr .- __); \

@@ -123,23 +123,15 @@ static inline bool to_double(vs_value v, double *d) {
   return false;
 }
 
-/* a op b for fixnums and doubles; false: something else, or a fixnum overflows */
-static inline bool quick(vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
+static inline bool both_fixnums(vs_value a, vs_value b) {
+  return (((a ^ VS_TAG_FIXNUM << 48) | (b ^ VS_TAG_FIXNUM << 48)) >> 48) == 0;
+}
+
+/* a op b for doubles, or fixnums in the one's place; false: something else */
+static inline bool quick_double(vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   double x, y;
-  if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
-    int64_t i = vs_fixnum(a), j = vs_fixnum(b), r;
-    switch (op) {
-      case VS_OP_ADD: r = i + j; break;
-      case VS_OP_SUB: r = i - j; break;
-      case VS_OP_MUL: if (__builtin_mul_overflow(i, j, &r)) return false; break;
-      case VS_OP_DIV: if (j == 0 || i % j) return false; r = i / j; break;
-      default: return false;
-    }
-    if (!vs_fits_fixnum(r)) return false;
-    *out = vs_fix(r);
-    return true;
-  }
-  if (!to_double(a, &x) || !to_double(b, &y)) return false;
+  if (vs_is_double(a) && vs_is_double(b)) { x = vs_double(a); y = vs_double(b); }
+  else if (!to_double(a, &x) || !to_double(b, &y)) return false;
   switch (op) {
     case VS_OP_ADD: x += y; break;
     case VS_OP_SUB: x -= y; break;
@@ -152,15 +144,36 @@ static inline bool quick(vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   return true;
 }
 
+/* a op b for fixnums and doubles; false: something else, or a fixnum overflows. Sums are made in the upper 48 bits, where overflow is
+   the machine's. */
+static inline bool quick(vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
+  if (!both_fixnums(a, b)) return quick_double(op, a, b, out);
+  int64_t i, j, r;
+  switch (op) {
+    case VS_OP_ADD: if (__builtin_add_overflow((int64_t)(a << 16), (int64_t)(b << 16), &r)) return false; break;
+    case VS_OP_SUB: if (__builtin_sub_overflow((int64_t)(a << 16), (int64_t)(b << 16), &r)) return false; break;
+    case VS_OP_MUL: if (__builtin_mul_overflow((int64_t)(a << 16), vs_fixnum(b), &r)) return false; break;
+    case VS_OP_DIV:
+      i = vs_fixnum(a); j = vs_fixnum(b);
+      if (j == 0 || i % j || !vs_fits_fixnum(i / j)) return false;
+      *out = vs_fix(i / j);
+      return true;
+    default: return false;
+  }
+  *out = VS_TAG_FIXNUM << 48 | (uint64_t)r >> 16;
+  return true;
+}
+
 typedef enum { LT, LE, GT, GE, EQ } relation;
 /* 0, 1, or -1: not for fixnums and doubles */
 static inline int compare(relation rel, vs_value a, vs_value b) {
-  if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
-    int64_t i = vs_fixnum(a), j = vs_fixnum(b);
+  if (both_fixnums(a, b)) {
+    int64_t i = (int64_t)(a << 16), j = (int64_t)(b << 16);
     switch (rel) { case LT: return i < j; case LE: return i <= j; case GT: return i > j; case GE: return i >= j; case EQ: return i == j; }
   }
   double x, y;
-  if (!to_double(a, &x) || !to_double(b, &y)) return -1;
+  if (vs_is_double(a) && vs_is_double(b)) { x = vs_double(a); y = vs_double(b); }
+  else if (!to_double(a, &x) || !to_double(b, &y)) return -1;
   switch (rel) { case LT: return x < y; case LE: return x <= y; case GT: return x > y; case GE: return x >= y; case EQ: return x == y; }
   return -1;
 }
@@ -209,6 +222,38 @@ static bool loop(vs *vm, vs_value *w, size_t n, vs_value *out) {
 #define REGISTERS (vs_as_code(vs_as_closure(base[-2])->code)->registers)
 #define SAVE (vm->base = base, vm->pc = pc, vm->top = base + REGISTERS, vm->native = NULL)
 #define BRANCH_IF(truth) do { if ((truth) == (bool)C) pc += (int32_t)*pc + 1; else pc++; NEXT; } while (0)
+
+/* A call of a closure that takes just what it is given, with room on the stack: most calls. All others go the long way, to `call`. */
+#define PLAIN(f, count, at)                                                                                \
+  const vs_code *callee = vs_is(f, VS_T_CLOSURE) ? vs_as_code(vs_as_closure(f)->code) : NULL;              \
+  bool plain = callee && callee->flags & VS_CODE_SIMPLE && callee->required == (count) &&                  \
+               vm->stack_end - (at) >= (ptrdiff_t)((size_t)callee->registers + 2 + VS_FRAME_SLACK)
+#define ENTER do {                                                                                         \
+    pc = vs_code_ins(callee);                                                                              \
+    k = vs_code_consts(callee);                                                                            \
+    if (--vm->fuel <= 0) { SAVE; if (!poll(vm)) goto fail; }                                               \
+    NEXT;                                                                                                  \
+  } while (0)
+#define HERE ((size_t)(pc - vs_code_ins(vs_as_code(vs_as_closure(base[-2])->code))))
+#define CALL_WINDOW do {                                                                                   \
+    w = &RA; n = B;                                                                                        \
+    PLAIN(w[0], n, w);                                                                                     \
+    ret = vs_ret_make(A, HERE);                                                                            \
+    if (plain) { w[1] = ret; base = w + 2; ENTER; }                                                        \
+    kw = VS_FALSE; tail = false;                                                                           \
+    goto call;                                                                                             \
+  } while (0)
+#define TAIL_WINDOW do {                                                                                   \
+    w = &RA; n = B;                                                                                        \
+    PLAIN(w[0], n, base - 2);                                                                              \
+    if (plain) {                                                                                           \
+      base[-2] = w[0];                                                                                     \
+      for (size_t i = 0; i < n; i++) base[i] = w[2 + i];                                                   \
+      ENTER;                                                                                               \
+    }                                                                                                      \
+    kw = VS_FALSE; tail = true;                                                                            \
+    goto call;                                                                                             \
+  } while (0)
 
   goto call;
 
@@ -280,24 +325,21 @@ static bool loop(vs *vm, vs_value *w, size_t n, vs_value *out) {
             vs_as_symbol(k[*pc])->name);
     goto fail;
 
-  OP(CALL): w = &RA; n = B; kw = VS_FALSE; tail = false; ret = vs_ret_make(A, (size_t)(pc - vs_code_ins(vs_as_code(vs_as_closure(base[-2])->code)))); goto call;
+  OP(CALL): CALL_WINDOW;
   OP(CALLG): {
     vs_value g = vs_as_cell(k[*pc])->value;
     if (g == VS_UNDEFINED) { SAVE; fail_undefined(vm, vs_as_cell(k[*pc])->name); goto fail; }
     pc++;
     RA = g;
-    w = &RA; n = B; kw = VS_FALSE; tail = false;
-    ret = vs_ret_make(A, (size_t)(pc - vs_code_ins(vs_as_code(vs_as_closure(base[-2])->code))));
-    goto call;
+    CALL_WINDOW;
   }
-  OP(TAIL): w = &RA; n = B; kw = VS_FALSE; tail = true; goto call;
+  OP(TAIL): TAIL_WINDOW;
   OP(TAILG): {
     vs_value g = vs_as_cell(k[*pc])->value;
     if (g == VS_UNDEFINED) { SAVE; fail_undefined(vm, vs_as_cell(k[*pc])->name); goto fail; }
     pc++;
     RA = g;
-    w = &RA; n = B; kw = VS_FALSE; tail = true;
-    goto call;
+    TAIL_WINDOW;
   }
   OP(CALLX):
     w = base + pc[0]; n = pc[1]; kw = pc[2] ? k[pc[2] - 1] : VS_FALSE; tail = A != 0;
