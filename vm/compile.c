@@ -192,13 +192,18 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
       }
       break;
     case VS_WAY_EFFECT:
-      if (n->count != row->args || to != EFFECT) return true;
+      if (n->count != row->args) return true;
       *done = true;
       for (unsigned i = 0; i < 3; i++)
         if (!operand(c, n->as.call.at[i], &r[i])) return false;
+      if (to != EFFECT && !landing(c, to, &target)) return false;
       for (unsigned i = 0; i < 3; i++)
         if (!near(c, &r[i], i)) return false;
-      if (!stands_for(c, n) || !vs_emit_word(e, VS_INS(row->op, r[0], r[1], r[2]))) return false;
+      if (!stands_for(c, n) || !vs_emit_word(e, VS_INS(to == EFFECT ? row->op : row->many, r[0], r[1], r[2]))) return false;
+      if (to != EFFECT) {
+        if (!vs_emit_word(e, target)) return false;
+        break;
+      }
       e->next = keep;
       return true;
     case VS_WAY_MAKE: {

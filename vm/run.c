@@ -6,12 +6,14 @@
 #include "vm/number.h"
 #include "vm/unit.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "vm/arguments.h"
 #include "vm/code.h"
 #include "vm/compile.h"
 #include "vm/frame.h"
+#include "vm/string.h"
 
 enum { POLL_TURNS = 20000 };
 
@@ -446,13 +448,30 @@ static bool loop(vs *vm, vs_value *w, size_t n, vs_value *out) {
     RA = vs_as_vector(x)->at[vs_fixnum(i)];
     NEXT;
   }
-  OP(VSET): {
-    vs_value x = RA, i = RB;
-    if (!vs_is_vector(x) || vs_object_of(x)->flags & VS_F_IMMUTABLE || !vs_is_fixnum(i) || (uint64_t)vs_fixnum(i) >= vs_as_vector(x)->length)
-      goto generic;
-    vs_gc_store(vm, vs_as_vector(x), &vs_as_vector(x)->at[vs_fixnum(i)], RC);
+#define VECTOR_SET                                                                                         \
+    vs_value x = RA, i = RB;                                                                               \
+    if (!vs_is_vector(x) || vs_object_of(x)->flags & VS_F_IMMUTABLE || !vs_is_fixnum(i) || (uint64_t)vs_fixnum(i) >= vs_as_vector(x)->length) \
+      goto generic;                                                                                        \
+    vs_gc_store(vm, vs_as_vector(x), &vs_as_vector(x)->at[vs_fixnum(i)], RC)
+  OP(VSET): { VECTOR_SET; NEXT; }
+  OP(VSETV): { VECTOR_SET; base[*pc++] = VS_UNSPECIFIC; NEXT; }
+  OP(SREF): {
+    vs_value x = RB, i = RC;
+    if (!vs_is(x, VS_T_STRING) || !vs_is_fixnum(i) || (uint64_t)vs_fixnum(i) >= vs_as_string(x)->length) goto generic;
+    RA = VS_CHAR(vs_string_at(x, (size_t)vs_fixnum(i)));
     NEXT;
   }
+  OP(JCHAREQ): if (!vs_is_char(RA) || !vs_is_char(RB)) goto generic; BRANCH_IF(RA == RB);
+#define DIVIDED(expression) {                                                                              \
+    int64_t i = vs_fixnum(RB), j = vs_fixnum(RC);                                                          \
+    if (!both_fixnums(RB, RC) || j <= 0) goto generic;                                                     \
+    RA = vs_fix(expression);                                                                               \
+    NEXT;                                                                                                  \
+  }
+  OP(QUOTIENT): DIVIDED(i / j)
+  OP(REMAINDER): DIVIDED(i % j)
+  OP(MODULO): DIVIDED(i % j + (i % j < 0 ? j : 0))
+  OP(SQRT): if (!vs_is_double(RB) || !(vs_double(RB) > 0)) goto generic; RA = vs_flonum_raw(sqrt(vs_double(RB))); NEXT;
   OP(MAKEFLAT): {
     double d[VS_FLAT_FIELDS];
     if (!vm->flat || !flat_numbers(&RB, C, d)) goto generic;
@@ -467,7 +486,7 @@ static bool loop(vs *vm, vs_value *w, size_t n, vs_value *out) {
     RA = vs_flonum_raw(vs_as_flat(x)->at[vm->flat->getter[C].index]);
     NEXT;
   }
-  OP(G_ABC): OP(G_AB): OP(G_ABI): OP(G_N): OP(G_N1): OP(G_JABC): OP(G_JAI): OP(G_JA): OP(G_SET): goto generic;
+  OP(G_ABC): OP(G_AB): OP(G_ABI): OP(G_N): OP(G_N1): OP(G_JABC): OP(G_JAI): OP(G_JA): OP(G_SET): OP(G_SETV): goto generic;
   OP(NONE): goto generic;                 /* never emitted */
 
   /* the instruction at pc - 1 by calling its procedure */
@@ -486,7 +505,7 @@ generic: {
       case VS_O_G_JABC: w[2] = RA; w[3] = RB; n = 2; break;
       case VS_O_G_JAI: w[2] = RA; w[3] = IMM_B; n = 2; break;
       case VS_O_G_JA: w[2] = RA; n = 1; break;
-      case VS_O_G_SET: w[2] = RA; w[3] = RB; w[4] = RC; n = 3; break;
+      case VS_O_G_SET: case VS_O_G_SETV: w[2] = RA; w[3] = RB; w[4] = RC; n = 3; break;
       default: n = 0; break;
     }
     goto call;
@@ -728,6 +747,7 @@ give: {
         switch (vs_op_generic(ins & 255)) {
           case VS_O_G_JABC: case VS_O_G_JAI: case VS_O_G_JA: pc++; BRANCH_IF(v != VS_FALSE);
           case VS_O_G_SET: pc++; NEXT;
+          case VS_O_G_SETV: base[pc[1]] = v; pc += 2; NEXT;
           case VS_O_G_N1: RA = v; pc += 2; NEXT;
           default: RA = v; pc++; NEXT;
         }
