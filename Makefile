@@ -88,6 +88,10 @@ $(BUILD)/tools/%: tests/tools/%.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(PNG_LIBS) -lm
 
+$(BUILD)/tools/names: tests/tools/names.c visualscheme.h $(BUILD)/libvisualscheme.a
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
+
 # ---- what a fresh machine needs: scripts/packages.list, installed by the two commands below and by nothing else ----
 
 demo: ## install what is missing, build, and make a picture, a web page, a program and a mesh of a station under out/

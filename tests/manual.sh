@@ -17,3 +17,43 @@ for program in "$work"/step-*.vs; do
 done
 "$BUILD/vs" < "$work/questions" > "$work/said" 2>&1
 if diff "$work/answers" "$work/said" > "$work/diff"; then echo "ok manual/tutorial:prompt"; else echo "not ok manual/tutorial:prompt"; sed 's/^/    /' "$work/diff"; fi
+
+# The reference. A heading of level 3 opens an entry: what stands in it between backticks, `name` or `(name argument ...)`, is described.
+# Every name a program sees is described, once, and nothing else is.
+sed -n '/^### /p' manual/language/*.md | grep -o '`[^`]*`' | sed 's/^`(\{0,1\}//; s/[ )`].*//' | sort > "$work/described"
+"$BUILD/tools/names" | sort > "$work/names"
+uniq -d "$work/described" > "$work/twice"
+sort -u "$work/described" | comm -13 - "$work/names" > "$work/missing"
+sort -u "$work/described" | comm -23 - "$work/names" > "$work/unknown"
+for list in twice missing unknown; do
+  if [ -s "$work/names" ] && [ ! -s "$work/$list" ]; then echo "ok manual/language:names:$list"
+  else echo "not ok manual/language:names:$list"; tr '\n' ' ' < "$work/$list" | fold -s -w 120 | sed 's/^/    /'; echo; fi
+done
+
+# One page a kind of model/prims.def, named as the kind is.
+sed -n 's/^VS_KIND([A-Z_0-9]*, [a-z_0-9]*, "\([^"]*\)".*/\1/p' model/prims.def | sort > "$work/kinds"
+ls manual/primitives | sed 's/\.md$//' | sort > "$work/pages"
+if [ -s "$work/kinds" ] && diff "$work/kinds" "$work/pages" > "$work/diff"; then echo "ok manual/primitives:pages"
+else echo "not ok manual/primitives:pages differ from prims.def"; sed 's/^/    /' "$work/diff"; fi
+
+# What the examples say is what happens.
+for page in manual/language/*.md manual/primitives/*.md; do
+  name=${page#manual/}
+  cat tests/manual/doctest.vs > "$work/page.vs"
+  awk -v page="$name" -f tests/manual/doctest.awk "$page" > "$work/calls"
+  cat "$work/calls" >> "$work/page.vs"
+  timeout 60 "$BUILD/vs" --quiet "$work/page.vs" > "$work/said" 2> "$work/errors" < /dev/null
+  cat "$work/said"
+  [ "$(grep -c '^ok \|^not ok ' "$work/said")" = "$(wc -l < "$work/calls")" ] ||
+    { echo "not ok manual/$name: stopped early"; sed 's/^/    /' "$work/errors"; }
+  [ -s "$work/calls" ] || echo "not ok manual/$name: has no example"
+done
+
+# The last block of a primitive's page is a program, and every kind of back-end takes it without a word.
+for page in manual/primitives/*.md; do
+  name=${page#manual/}
+  awk '/^```scheme$/ { inside = 1; text = ""; next } /^```$/ { inside = 0 } inside { text = text $0 "\n" } END { printf "%s", text }' "$page" > "$work/example.vs"
+  if timeout 60 "$BUILD/vs" --quiet "$work/example.vs" -o "$work/out.pov" -o "$work/out.scad" -o "$work/out.x3d" > "$work/said" 2>&1 &&
+     [ ! -s "$work/said" ]; then echo "ok manual/$name:program"
+  else echo "not ok manual/$name:program"; sed 's/^/    /' "$work/said"; fi
+done

@@ -1,0 +1,19 @@
+/* names: every name that a program sees when it begins, one a line, as the prompt's completion knows them. The test of the manual's
+ * reference compares them with what the manual describes. */
+#include "visualscheme.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+static bool print_name(void *context, const char *name) {
+  return name[0] == '%' || fprintf(context, "%s\n", name) > 0;
+}
+
+int main(void) {
+  vs_options options = vs_options_default();
+  vs *scheme = vs_new(&options);
+  if (!scheme) return EXIT_FAILURE;
+  size_t count = vs_complete(scheme, "", print_name, stdout);
+  vs_free(scheme);
+  return count && !fflush(stdout) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
