@@ -475,6 +475,15 @@ static bool loop(vs *vm, vs_value *w, size_t n, vs_value *out) {
   OP(MAKEFLAT): {
     double d[VS_FLAT_FIELDS];
     if (!vm->flat || !flat_numbers(&RB, C, d)) goto generic;
+    size_t words = VS_WORDS(vs_flat) + C;
+    if (vm->end - vm->free >= (ptrdiff_t)(words * 8)) {
+      vs_flat *f = (vs_flat *)(void *)vm->free;
+      vm->free += words * 8;
+      f->h = (vs_object){VS_T_FLAT, 0, vm->flat->maker[*pc++].tag, (uint32_t)words};
+      for (size_t i = 0; i < C; i++) f->at[i] = d[i];
+      RA = vs_from_object(f);
+      NEXT;
+    }
     SAVE;
     if (!vs_make_flat(vm, vm->flat->maker[*pc].tag, d, C, &RA)) goto fail;
     pc++;
