@@ -2,8 +2,11 @@
  *
  * Each distinct node gets an anchor, a point of it that moves along when it is moved, and a key of 128 bits: a hash of kind, fields and
  * children's keys in which every position stands relative to the anchor. Equal keys are equal shapes (two that differ meet in one key once
- * in 2^64 models; nothing else is compared). The same part written at two places differs by rounding: positions are rounded to 2^-40 of the
- * drawing's largest number before they are hashed, other numbers to 40 bits; what falls on either side of a step is not shared.
+ * in 2^64 models; nothing else is compared). The same part written at two places differs by rounding: of positions that lie within 2^-40 of
+ * the drawing's largest number the first one met stands for all in the hash (a grid alone would part the neighbours on either side of a
+ * step, and a tree of a thousand numbers has such a pair soon); other numbers go to 40 bits in the same way.
+ *
+ * What is only moved, and a set of one, is the shape within: it has that one's key, and no copy of its own.
  *
  * d copies of c commands cost d*c apart and c + 2*d with a template, d uses and d - 1 placements: shared where that is less. The first copy
  * met is the template, so that parts of shared parts settle by themselves. */
@@ -19,16 +22,21 @@ typedef struct {
   vs_share_key key;
   vs_vec3 anchor;
   double cost;        /* commands */
+  bool alias;         /* the shape of its child, elsewhere */
   size_t group;       /* the first entry with this key */
   size_t copies;      /* of the group, at its first entry */
   vs_node *result;    /* what that first entry became; not retained: the rewriting holds it */
 } vs_share_entry;
+typedef struct { double step, first; } vs_share_step; /* first NaN: free */
 typedef struct {
   vs_store *store;
   vs_share_entry *at;
   size_t count, room;
   vs_nodemap places;
   double quantum;
+  vs_share_step *steps; /* a hash table: steps of a quantum, and the first number met in each, in quanta */
+  size_t step_count, step_room;
+  bool starved;         /* the table could not grow */
 } vs_share;
 
 /* ---- rounding and hashing ---- */
@@ -38,22 +46,62 @@ static void vs_share_mix(vs_share_key *k, uint64_t v) {
   k->b = vs_hash_mix(k->b ^ UINT64_C(0xA5A5A5A5A5A5A5A5), v);
 }
 
-static void vs_share_mix_place(vs_share_key *k, double x, double quantum) {
-  double steps = floor(x / quantum + 0.3819660113); /* what modellers write lies on neither side of such a step */
-  vs_share_mix(k, vs_hash_real(6, steps));
+static vs_share_step *vs_share_find(const vs_share *s, double step) {
+  size_t i = (size_t)vs_hash_real(6, step) & (s->step_room - 1);
+  while (!isnan(s->steps[i].first) && s->steps[i].step != step) i = (i + 1) & (s->step_room - 1);
+  return &s->steps[i];
 }
 
-static void vs_share_mix_vector(vs_share_key *k, vs_vec3 v, double quantum) {
-  vs_share_mix_place(k, v.x, quantum);
-  vs_share_mix_place(k, v.y, quantum);
-  vs_share_mix_place(k, v.z, quantum);
+static bool vs_share_grow(vs_share *s) {
+  vs_share_step *old = s->steps;
+  size_t old_room = s->step_room, room = old_room ? 2 * old_room : 256;
+  vs_share_step *grown = room <= SIZE_MAX / 2 / sizeof *grown ? vs_store_realloc(s->store, NULL, 0, room * sizeof *grown) : NULL;
+  if (!grown) return false;
+  for (size_t i = 0; i < room; i++) grown[i] = (vs_share_step){ 0, (double)NAN };
+  s->steps = grown;
+  s->step_room = room;
+  for (size_t i = 0; i < old_room; i++)
+    if (!isnan(old[i].first)) *vs_share_find(s, old[i].step) = old[i];
+  vs_store_realloc(s->store, old, old_room * sizeof *old, 0);
+  return true;
 }
 
-static void vs_share_mix_real(vs_share_key *k, double x) {
+/* The number that stands for x, both in quanta: the nearest one met in x's step or within half a quantum beside it; else x, from now on. */
+static double vs_share_snap(vs_share *s, double x) {
+  if (!isfinite(x) || s->starved) return 0;
+  double step = floor(x), best = (double)NAN, reach = 1;
+  for (int side = -1; side <= 1 && s->step_room; side++) {
+    double first = vs_share_find(s, step + side)->first; /* NaN is near nothing */
+    if (fabs(first - x) < (side ? fmin(reach, 0.5) : reach)) reach = fabs(first - x), best = first;
+  }
+  if (!isnan(best)) return best;
+  if (2 * (s->step_count + 1) > s->step_room && !vs_share_grow(s)) {
+    s->starved = true;
+    return 0;
+  }
+  *vs_share_find(s, step) = (vs_share_step){ step, x };
+  s->step_count++;
+  return x;
+}
+
+static void vs_share_mix_place(vs_share *s, vs_share_key *k, double x, double quantum) { vs_share_mix(k, vs_hash_real(6, vs_share_snap(s, x / quantum))); }
+
+static void vs_share_mix_vector(vs_share *s, vs_share_key *k, vs_vec3 v) {
+  vs_share_mix_place(s, k, v.x, s->quantum);
+  vs_share_mix_place(s, k, v.y, s->quantum);
+  vs_share_mix_place(s, k, v.z, s->quantum);
+}
+
+static void vs_share_mix_real(vs_share *s, vs_share_key *k, double x) {
   int exponent;
-  double mantissa = frexp(x, &exponent);
-  if (!isfinite(x) || x == 0) vs_share_mix(k, vs_hash_real(7, x));
-  else vs_share_mix_place(k, ldexp(mantissa, 40), 1), vs_share_mix(k, (uint64_t)(int64_t)exponent);
+  double mantissa = ldexp(frexp(x, &exponent), 40);
+  if (!isfinite(x) || x == 0) {
+    vs_share_mix(k, vs_hash_real(7, x));
+    return;
+  }
+  if (fabs(mantissa) > ldexp(1, 40) - 0.5) mantissa /= 2, exponent++; /* just below a power of two is that power */
+  vs_share_mix(k, (uint64_t)(int64_t)exponent);
+  vs_share_mix_place(s, k, mantissa, 1);
 }
 
 /* ---- keys ---- */
@@ -72,24 +120,24 @@ static vs_vec3 vs_share_anchor(const vs_share *s, const vs_node *n, const vs_kin
   return n->child_count ? vs_share_of(s, n->children[0].node)->anchor : vs_v3(0, 0, 0);
 }
 
-static void vs_share_mix_fields(const vs_share *s, vs_share_key *k, const vs_node *n, const vs_kind_info *info, vs_vec3 anchor) {
+static void vs_share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, const vs_kind_info *info, vs_vec3 anchor) {
   vs_vec3 from = n->kind == VS_SWEEP ? vs_v3(0, 0, 0) : anchor; /* the profile of a sweep and its base stay where they are drawn */
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)n->data + info->fields[i].offset;
     switch (info->fields[i].type) {
-      case VS_FIELD_real: vs_share_mix_real(k, *(const double *)at); break;
+      case VS_FIELD_real: vs_share_mix_real(s, k, *(const double *)at); break;
       case VS_FIELD_integer: vs_share_mix(k, (uint64_t)(int64_t)*(const int32_t *)at); break;
       case VS_FIELD_boolean: vs_share_mix(k, *(const bool *)at); break;
-      case VS_FIELD_point: vs_share_mix_vector(k, vs_v3_sub(*(const vs_vec3 *)at, from), s->quantum); break;
-      case VS_FIELD_vector: vs_share_mix_vector(k, *(const vs_vec3 *)at, s->quantum); break;
+      case VS_FIELD_point: vs_share_mix_vector(s, k, vs_v3_sub(*(const vs_vec3 *)at, from)); break;
+      case VS_FIELD_vector: vs_share_mix_vector(s, k, *(const vs_vec3 *)at); break;
       case VS_FIELD_affine: /* the linear part; the rest is in the anchor */
         for (int r = 0; r < 3; r++)
-          for (int c = 0; c < 3; c++) vs_share_mix_place(k, ((const vs_affine *)at)->m[r][c], ldexp(1, -40));
+          for (int c = 0; c < 3; c++) vs_share_mix_place(s, k, ((const vs_affine *)at)->m[r][c], ldexp(1, -40));
         break;
       case VS_FIELD_points: {
         const vs_points *p = *(const vs_points *const *)at;
         vs_share_mix(k, p->count);
-        for (uint32_t j = 0; j < p->count; j++) vs_share_mix_vector(k, vs_v3_sub(p->at[j], from), s->quantum);
+        for (uint32_t j = 0; j < p->count; j++) vs_share_mix_vector(s, k, vs_v3_sub(p->at[j], from));
         break;
       }
       case VS_FIELD_faces: {
@@ -101,6 +149,12 @@ static void vs_share_mix_fields(const vs_share *s, vs_share_key *k, const vs_nod
       case VS_FIELD_material: vs_share_mix(k, vs_material_hash(*(const vs_material *const *)at)); break;
     }
   }
+}
+
+static bool vs_share_is_alias(const vs_node *n) {
+  if (n->kind == VS_TRANSFORM) return vs_affine_is_translation(&VS_AS(transform, n)->matrix);
+  bool set = n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE;
+  return set && n->child_count == 1 && n->children[0].node->class_ == n->class_; /* the union of one closed curve is a region */
 }
 
 static bool vs_share_enter(void *context, vs_ref at, vs_error *e) {
@@ -123,10 +177,17 @@ static bool vs_share_enter(void *context, vs_ref at, vs_error *e) {
     const vs_share_entry *child = vs_share_of(s, n->children[i].node);
     vs_share_mix(&x.key, child->key.a);
     vs_share_mix(&x.key, child->key.b);
-    if (n->kind == VS_SWEEP) vs_share_mix_vector(&x.key, i ? vs_v3(0, 0, 0) : child->anchor, s->quantum);
-    else if (n->kind != VS_TRANSFORM && (n->kind != VS_EXTRUDE || i == 0)) vs_share_mix_vector(&x.key, vs_v3_sub(child->anchor, x.anchor), s->quantum);
+    if (n->kind == VS_SWEEP) vs_share_mix_vector(s, &x.key, i ? vs_v3(0, 0, 0) : child->anchor);
+    else if (n->kind != VS_TRANSFORM && (n->kind != VS_EXTRUDE || i == 0)) vs_share_mix_vector(s, &x.key, vs_v3_sub(child->anchor, x.anchor));
     if (info->level == VS_LEVEL_OPERATION) x.cost += child->cost;
   }
+  if (vs_share_is_alias(n)) {
+    const vs_share_entry *within = vs_share_of(s, n->children[0].node);
+    x.alias = true;
+    x.key = within->key;
+    x.cost = within->cost;
+  }
+  if (s->starved) return vs_error_memory(e, at.origin);
   if (x.cost > 1e15) x.cost = 1e15; /* a DAG's paths may be without number */
   uint64_t *place = vs_nodemap_put(&s->places, n, NULL);
   if (!place) return vs_error_memory(e, at.origin);
@@ -167,9 +228,11 @@ static int vs_share_compare(const void *p, const void *q) {
 static bool vs_share_group(vs_share *s) {
   vs_share_order *order = vs_store_realloc(s->store, NULL, 0, (s->count + 1) * sizeof *order);
   if (!order) return false;
-  for (size_t i = 0; i < s->count; i++) order[i] = (vs_share_order){ s->at[i].key, i };
-  qsort(order, s->count, sizeof *order, vs_share_compare);
-  for (size_t i = 0, first = 0; i < s->count; i++) {
+  size_t count = 0;
+  for (size_t i = 0; i < s->count; i++)
+    if (!s->at[i].alias) order[count++] = (vs_share_order){ s->at[i].key, i };
+  qsort(order, count, sizeof *order, vs_share_compare);
+  for (size_t i = 0, first = 0; i < count; i++) {
     if (order[i].key.a != order[first].key.a || order[i].key.b != order[first].key.b) first = i;
     s->at[order[i].entry].group = order[first].entry;
     s->at[order[first].entry].copies++;
@@ -194,6 +257,7 @@ void vs_share_end(vs_rewrite *w) {
   vs_share *s = w->state;
   if (!s) return;
   vs_nodemap_free(&s->places);
+  vs_store_realloc(w->store, s->steps, s->step_room * sizeof *s->steps, 0);
   vs_store_realloc(w->store, s->at, s->room * sizeof *s->at, 0);
   vs_store_realloc(w->store, s, sizeof *s, 0);
 }

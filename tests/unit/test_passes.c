@@ -26,7 +26,7 @@ static vs_pass_stats run(vs_store *s, vs_ref *ref, unsigned passes) {
 }
 
 static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node **kids, size_t count) { /* takes the kids over */
-  vs_ref refs[64] = { { NULL, NULL } };
+  vs_ref refs[256] = { { NULL, NULL } };
   for (size_t i = 0; i < count; i++) refs[i] = (vs_ref){ kids[i], NULL };
   vs_node *n = vs_node_new(s, kind, data, refs, count);
   for (size_t i = 0; i < count; i++) vs_node_release(kids[i]);
@@ -137,6 +137,36 @@ static void copies_become_a_template(void **state) {
   vs_store_release(s);
 }
 
+/* A tree written again at other places has other last bits, and some of its numbers fall on either side of any step. */
+static void copies_survive_rounding_and_flattening(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_node *trees[12], *rods[150];
+  for (int t = 0; t < 12; t++) {
+    for (int i = 0; i < 150; i++) {
+      double x = t * 36.955181300451 + 0.7, a = 0.1 * i;
+      rods[i] = NODE(cylinder, CYLINDER, { x, sin(a), 11 + a }, { x + 18.47 * cos(a), 3 * sin(7 * a), 25.5 + sin(3 * a) }, 0.12, 12);
+    }
+    trees[t] = over(s, VS_UNION, NULL, rods, 150);
+    if (t == 7) trees[t] = shifted(s, 0, 0, 0.1, over(s, VS_UNION, NULL, &trees[t], 1)); /* what is only moved is the same shape */
+  }
+  vs_ref r = { over(s, VS_UNION, NULL, trees, 12), NULL };
+  vs_bounds before, after;
+  assert_true(vs_node_bounds(r.node, &before, NULL));
+  run(s, &r, ALL);
+  assert_int_equal(r.node->child_count, 12);
+  const vs_node *first = r.node->children[0].node;
+  assert_int_equal(first->kind, VS_UNION);
+  for (int t = 1; t < 12; t++) {
+    assert_int_equal(r.node->children[t].node->kind, VS_TRANSFORM);
+    assert_ptr_equal(r.node->children[t].node->children[0].node, first);
+  }
+  assert_true(vs_node_bounds(r.node, &after, NULL));
+  assert_true(vs_v3_length(vs_v3_sub(before.max, after.max)) < 1e-9 && vs_v3_length(vs_v3_sub(before.min, after.min)) < 1e-9);
+  vs_node_release(r.node);
+  vs_store_release(s);
+}
+
 /* ---- at random ---- */
 
 static uint64_t draw(uint64_t *seed) {
@@ -236,7 +266,7 @@ static void deep_trees_and_short_memory(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(sets_become_flat), cmocka_unit_test(templates_are_not_undone), cmocka_unit_test(placements_fold),
-    cmocka_unit_test(nothing_is_pruned_away_but_nothing), cmocka_unit_test(copies_become_a_template),
+    cmocka_unit_test(nothing_is_pruned_away_but_nothing), cmocka_unit_test(copies_become_a_template), cmocka_unit_test(copies_survive_rounding_and_flattening),
     cmocka_unit_test(random_solids_stay_what_they_are), cmocka_unit_test(deep_trees_and_short_memory),
   };
   return cmocka_run_group_tests_name("model passes", tests, NULL, NULL);
