@@ -132,7 +132,7 @@ $(BUILD)/measure: bench/measure.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $< -o $@
 
-bench: ## install Guile, Lua and Chez Scheme, and time programs and start-up beside theirs: two minutes
+bench: ## install Guile, Lua and Chez Scheme, and time programs and start-up beside theirs: five minutes
 	sh scripts/install.sh build bench
 	$(MAKE) all $(BUILD)/measure
 	sh bench/startup.sh $(BUILD)/vs

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Owns the comparison: every program of bench/programs in vs, Guile without and with its JIT, Lua and Chez Scheme, one after the other
-# in one run; a table on standard output. `bench/run.sh build/vs build/measure [PROGRAM...]`; RUNS=n sets the runs of each (7).
+# in one run; a table on standard output. `bench/run.sh build/vs build/measure [PROGRAM...]`; RUNS=n sets the runs of each (5).
 #
 # A time is the median of the processor time of whole runs less that of an empty program in the same system; Guile's programs are compiled
 # to its bytecode before, its collector has one thread (so that no time is counted twice). A program whose printed result differs from
@@ -8,7 +8,7 @@
 set -u
 vs=$(realpath "$1") measure=$(realpath "$2"); shift 2
 cd "$(dirname "$0")/.." || exit 1
-runs=${RUNS:-7}
+runs=${RUNS:-5}
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 systems="vs guile guile-jit lua chez"
