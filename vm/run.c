@@ -448,6 +448,13 @@ static bool loop(vs *vm, vs_value *w, size_t n, vs_value *out) {
     RA = vs_as_vector(x)->at[vs_fixnum(i)];
     NEXT;
   }
+  OP(VREFI): {
+    vs_value x = RB;
+    int8_t i = (int8_t)C;
+    if (!vs_is_vector(x) || i < 0 || (uint64_t)i >= vs_as_vector(x)->length) goto generic;
+    RA = vs_as_vector(x)->at[i];
+    NEXT;
+  }
 #define VECTOR_SET                                                                                         \
     vs_value x = RA, i = RB;                                                                               \
     if (!vs_is_vector(x) || vs_object_of(x)->flags & VS_F_IMMUTABLE || !vs_is_fixnum(i) || (uint64_t)vs_fixnum(i) >= vs_as_vector(x)->length) \
