@@ -246,8 +246,9 @@ bool vs_form_case_lambda(vs_expansion *x) {
     vs_value clause = vs_car(r[0]);
     if (vs_list_length(clause) < 2) return vs_expand_fail(x, vs_element_pos(r[0], false, x->now.pos), clause, "case-lambda is written %s; this is no clause:", vs_form_shape(VS_FORM_case_lambda));
     for (vs_value l = vs_car(clause); vs_is_pair(l); l = vs_cdr(l))
-      if ((!vs_is_identifier(vs_car(l)) && !(vs_list_length(vs_car(l)) == 2 && vs_is_identifier(vs_car(vs_car(l))))) || is_keyword(vs_car(l)))
-        return vs_expand_fail(x, vs_element_pos(l, false, x->now.pos), vs_car(l), "the parameters of case-lambda are names or [name predicate], not");
+      if ((!vs_is_identifier(vs_car(l)) && !(vs_list_length(vs_car(l)) == 2 && vs_is_identifier(vs_car(vs_car(l))) && vs_is_identifier(vs_car(vs_cdr(vs_car(l)))))) ||
+          is_keyword(vs_car(l)))             /* a made predicate would put a let around the clause, which must be a lambda */
+        return vs_expand_fail(x, vs_element_pos(l, false, x->now.pos), vs_car(l), "the parameters of case-lambda are names or [name predicate], the predicate named too, not");
     ok = vs_expand_lambda(x, vs_car(clause), false, vs_cdr(clause), x->now.env, name, vs_form_pos(clause, x->now.pos), &node->as.clauses.at[i]);
   }
   return ok;

@@ -200,7 +200,7 @@ bool vs_library_define(vs_expansion *x) {
       for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) if (!vs_cons(vm, vs_car(r[L_A]), r[L_FORMS], &r[L_FORMS])) return false;
     } else if (is_word(head, "import") || is_word(head, "include") || is_word(head, "include-ci")) {
       r[L_A] = d;      /* under the library's own name for it: in the new environment nothing is called so yet */
-      if (!vs_core_name(vm, is_word(head, "import") ? "import" : "include", &r[L_B]) || !vs_cons_at(vm, r[L_B], vs_cdr(r[L_A]), pos, &r[L_B]) ||
+      if (!vs_core_name(vm, is_word(head, "import") ? "import" : is_word(head, "include") ? "include" : "include-ci", &r[L_B]) || !vs_cons_at(vm, r[L_B], vs_cdr(r[L_A]), pos, &r[L_B]) ||
           !vs_cons(vm, r[L_B], r[L_FORMS], &r[L_FORMS])) return false;
     } else if (is_word(head, "cond-expand")) {
       if (!vs_cond_expand(x, d, &r[L_A])) return false;
@@ -211,7 +211,7 @@ bool vs_library_define(vs_expansion *x) {
       for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) {
         vs_text path;
         vs_text_open(vm, &path, 0);
-        bool ok = vs_is_string(vs_car(r[L_A])) && vs_unit_path(vm, vs_car(r[L_A]), vs_pos_file(pos), &path) && vs_text_end(&path) && vs_unit_read(vm, path.at, &r[L_B]);
+        bool ok = vs_is_string(vs_car(r[L_A])) && vs_unit_path(vm, vs_car(r[L_A]), vs_pos_file(pos), &path) && vs_text_end(&path) && vs_unit_read(vm, path.at, false, &r[L_B]);
         vs_text_close(&path);
         if (!ok) return vs_is_string(vs_car(r[L_A])) ? false : vs_expand_fail(x, pos, vs_car(r[L_A]), "a file name is a string, not");
         r[L_C] = VS_NIL;

@@ -641,11 +641,12 @@ static bool report(reader *r) {
   return false;
 }
 
-bool vs_read_all(vs *vm, const char *text, size_t size, uint32_t file, uint32_t line, vs_value *forms) {
+bool vs_read_all(vs *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold, vs_value *forms) {
   if (!check_utf8(vm, text, size, file, line)) return false;
   VS_ROOTS(vm, v, 3);                                  /* head, last, datum */
   reader r;
   start(&r, vm, text, size, file, line, true);
+  r.fold = fold;
   struct vs_roots labels = {NULL, vm, &r.labels, 1};
   labels.next = vm->roots;
   vm->roots = &labels;

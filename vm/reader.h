@@ -12,8 +12,9 @@
 bool vs_file_number(vs *vm, const char *name, size_t bytes, uint32_t *number);
 
 /* All data of a text, in order, as one located list. A text with mistakes gives one condition of kind `read` for the first; its payload is a
-   list of (place . message) of the others, in order. `line` is the number of the text's first line. */
-bool vs_read_all(vs *vm, const char *text, size_t size, uint32_t file, uint32_t line, vs_value *forms);
+   list of (place . message) of the others, in order. `line` is the number of the text's first line; fold: as
+   after #!fold-case. */
+bool vs_read_all(vs *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold, vs_value *forms);
 
 /* The first datum of a text, unlocated, or VS_EOF. *used: bytes up to its end. */
 bool vs_read_datum(vs *vm, const char *text, size_t size, vs_value *out, size_t *used);

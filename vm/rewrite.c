@@ -125,7 +125,7 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
 }
 
 /* (include "a" "b") -> (begin forms of a, forms of b) */
-bool vs_form_include(vs_expansion *x, vs_value *form) {
+static bool include(vs_expansion *x, vs_value *form, bool fold) {
   vs *vm = x->vm;
   vs_pos pos = x->now.pos;
   if (vs_list_length(*form) < 2) return vs_expand_fail(x, pos, *form, "include is written %s, not", vs_form_shape(VS_FORM_include));
@@ -136,7 +136,7 @@ bool vs_form_include(vs_expansion *x, vs_value *form) {
     if (!vs_is_string(vs_car(r[0]))) return vs_expand_fail(x, pos, vs_car(r[0]), "include wants the name of a file as a string, not");
     vs_text path;
     vs_text_open(vm, &path, 0);
-    bool ok = vs_unit_path(vm, vs_car(r[0]), vs_pos_file(pos), &path) && vs_text_end(&path) && vs_unit_read(vm, path.at, &r[2]);
+    bool ok = vs_unit_path(vm, vs_car(r[0]), vs_pos_file(pos), &path) && vs_text_end(&path) && vs_unit_read(vm, path.at, fold, &r[2]);
     vs_text_close(&path);
     if (!ok) return false;
     for (; vs_is_pair(r[2]); r[2] = vs_cdr(r[2])) if (!vs_cons_at(vm, vs_car(r[2]), r[1], vs_pair_pos(r[2]), &r[1])) return false;
@@ -145,7 +145,8 @@ bool vs_form_include(vs_expansion *x, vs_value *form) {
   for (; vs_is_pair(r[1]); r[1] = vs_cdr(r[1])) if (!vs_cons_at(vm, vs_car(r[1]), r[3], vs_pair_pos(r[1]), &r[3])) return false;
   return vs_core_name(vm, "begin", &r[2]) && vs_cons_at(vm, r[2], r[3], pos, form);
 }
-bool vs_form_include_ci(vs_expansion *x, vs_value *form) { return vs_form_include(x, form); }
+bool vs_form_include(vs_expansion *x, vs_value *form) { return include(x, form, false); }
+bool vs_form_include_ci(vs_expansion *x, vs_value *form) { return include(x, form, true); }
 
 /* (syntax-error "message" form ...): what a macro says of its use */
 bool vs_form_syntax_error(vs_expansion *x, vs_value *form) {

@@ -266,19 +266,19 @@ bool vs_unit_path(vs *vm, vs_value name, uint32_t from, vs_text *path) {
   return ok;       /* not found: the first place, whose absence the reading reports */
 }
 
-static bool read_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, vs_value *forms) {
+static bool read_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold, vs_value *forms) {
   uint32_t file;
-  return vs_file_number(vm, name, strlen(name), &file) && vs_read_all(vm, text, size, file, line, forms);
+  return vs_file_number(vm, name, strlen(name), &file) && vs_read_all(vm, text, size, file, line, fold, forms);
 }
 
-bool vs_unit_read(vs *vm, const char *path, vs_value *forms) {
+bool vs_unit_read(vs *vm, const char *path, bool fold, vs_value *forms) {
   VS_ROOTS(vm, r, 1);
   if (!vs_io_read_file(vm, path, &r[0])) return false;
   size_t size = (size_t)vs_as_bytes(r[0])->length;
   char *text = vs_mem(vm, NULL, 0, size + 1);        /* the reader allocates, the bytes may move */
   if (!text) return false;
   memcpy(text, vs_as_bytes(r[0])->at, size);
-  bool ok = read_text(vm, path, 1, text, size, forms);
+  bool ok = read_text(vm, path, 1, text, size, fold, forms);
   vs_mem(vm, text, size + 1, 0);
   return ok;
 }
@@ -288,7 +288,7 @@ static vs_status load_path(vs *vm, vs_value name, uint32_t from, vs_value env, v
   r[1] = env;
   vs_text path;
   vs_text_open(vm, &path, 0);
-  bool ok = vs_unit_path(vm, name, from, &path) && vs_text_end(&path) && vs_unit_read(vm, path.at, &r[0]);
+  bool ok = vs_unit_path(vm, name, from, &path) && vs_text_end(&path) && vs_unit_read(vm, path.at, false, &r[0]);
   vs_text_close(&path);
   return ok ? tail_run(vm, r[0], r[1], tell) : VS_ERROR;
 }
@@ -325,7 +325,7 @@ static vs_status require(vs *vm, vs_value *a, int n, vs_value *out) {
       ok = vs_text_string(&u, vs_car(vs_car(l)));
       known = ok && u.count == t.count && !memcmp(u.at, t.at, t.count);
     }
-    ok = ok && vs_text_end(&t) && (known || vs_unit_read(vm, t.at, &r[0]));
+    ok = ok && vs_text_end(&t) && (known || vs_unit_read(vm, t.at, false, &r[0]));
     vs_text_close(&t);
     vs_text_close(&u);
     if (!ok) return VS_ERROR;
@@ -437,7 +437,7 @@ static bool run_forms(vs *vm, vs_value forms, vs_value env, bool tell, vs_value 
 
 bool vs_library_load(vs *vm, const char *name, const char *text, size_t size) {
   VS_ROOTS(vm, r, 1);
-  return read_text(vm, name, 1, text, size, &r[0]) && run_forms(vm, r[0], vm->at.core, false, NULL);
+  return read_text(vm, name, 1, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.core, false, NULL);
 }
 
 void vs_library_done(vs *vm) { vs_environment_seal(vm->at.core); }
@@ -454,10 +454,10 @@ static bool forget_unfinished(vs *vm) {
 
 bool vs_program_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, vs_value *last) {
   VS_ROOTS(vm, r, 1);
-  return forget_unfinished(vm) && read_text(vm, name, line, text, size, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
+  return forget_unfinished(vm) && read_text(vm, name, line, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
 }
 
 bool vs_program_file(vs *vm, const char *path, vs_value *last) {
   VS_ROOTS(vm, r, 1);
-  return forget_unfinished(vm) && vs_unit_read(vm, path, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
+  return forget_unfinished(vm) && vs_unit_read(vm, path, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
 }

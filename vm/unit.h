@@ -24,8 +24,8 @@ bool vs_program_file(vs *vm, const char *path, vs_value *last);
 
 /* The path of a file that the text `from` (a file number, 0: none) names: beside it, else along vm->config.library_path. */
 bool vs_unit_path(vs *vm, vs_value name, uint32_t from, vs_text *path);
-/* The forms of a file. */
-bool vs_unit_read(vs *vm, const char *path, vs_value *forms);
+/* The forms of a file; fold: its letters are read as small ones (include-ci). */
+bool vs_unit_read(vs *vm, const char *path, bool fold, vs_value *forms);
 
 /* What to say of a name that is not defined, appended to t: " (did you mean make-box?)", "; unite is the name here: (unite a b ...)". Nothing if
    nothing comes to mind. */

@@ -126,7 +126,7 @@ static void check_places(vs *vm) {
   VS_ROOTS(vm, r, 2);
   const char *text = "\n (a \xC3\xA4 (b\n  c))";
   uint32_t file;
-  assert_true(vs_file_number(vm, "p.vs", 4, &file) && vs_read_all(vm, text, strlen(text), file, 1, &r[0]));
+  assert_true(vs_file_number(vm, "p.vs", 4, &file) && vs_read_all(vm, text, strlen(text), file, 1, false, &r[0]));
   vs_value form = vs_car(r[0]);
   assert_true(vs_pair_pos(form) == vs_pos_make(file, 2, 2));
   assert_true(vs_pair_pos(vs_cdr(vs_cdr(form))) == vs_pos_make(file, 2, 7));          /* columns count characters */
@@ -136,7 +136,7 @@ static void check_places(vs *vm) {
   assert_non_null(deep);
   memset(deep, '(', DEPTH);
   memset(deep + DEPTH, ')', DEPTH);
-  assert_true(vs_read_all(vm, deep, 2 * DEPTH, file, 1, &r[0]));
+  assert_true(vs_read_all(vm, deep, 2 * DEPTH, file, 1, false, &r[0]));
   size_t depth = 0;
   for (vs_value v = vs_car(r[0]); vs_is_pair(v); v = vs_car(v)) depth++;
   assert_int_equal(depth, DEPTH - 1);
