@@ -9,12 +9,13 @@
 #include "cli/nearby.h"
 #include "cli/session.h"
 
-/* A signal handler gets no context: the command's one global is the interpreter that SIGINT interrupts. */
+/* A signal handler gets no context: the command's only globals are the interpreter that a signal interrupts, and what came so far.
+ * SIGINT ends what runs; SIGTERM and SIGHUP end the prompt as well. None kills at once, so that half-written files and POV-Ray go too. */
 static vs *volatile interrupted_by_signal;
-static volatile sig_atomic_t interrupts;
+static volatile sig_atomic_t interrupts, ended;
 
 static void on_interrupt(int signal_number) {
-  (void)signal_number;
+  if (signal_number != SIGINT) ended = 1;
   if (++interrupts > 3) _exit(VS_OUTCOME_INTERRUPTED); /* someone leans on the key: whatever is stuck, end */
   if (interrupted_by_signal) vs_interrupt(interrupted_by_signal);
 }
@@ -75,6 +76,10 @@ static vs_outcome run_source(cli_session *c, const cli_source *source) {
   if (strcmp(source->text, "-") != 0) return vs_eval_file(c->scheme, source->text, 0);
   size_t length;
   char *text = read_all(stdin, &length);
+  if (!text && errno == EINTR) {
+    fputs("vs: interrupted\n", stderr);
+    return VS_OUTCOME_INTERRUPTED;
+  }
   if (!text) {
     fprintf(stderr, "vs: standard input: %s\n", strerror(errno));
     return VS_OUTCOME_USAGE;
@@ -171,7 +176,7 @@ int main(int argc, char **argv) {
     if (verdict == CLI_STOP && fflush(stdout) == 0) return VS_OUTCOME_DONE;
     return VS_OUTCOME_USAGE;
   }
-  cli_session session = {.options = &options, .output = options.to_stdout ? stderr : stdout};
+  cli_session session = {.options = &options, .output = options.to_stdout ? stderr : stdout, .ended = &ended};
   session.reporter.progress = !options.quiet && isatty(STDERR_FILENO);
   options.interpreter.host = (vs_host){.context = &session, .output = print_output, .input = read_input, .diagnose = print_diagnostic, .progress = print_progress, .value = print_value};
   session.scheme = vs_new(&options.interpreter);
@@ -181,18 +186,22 @@ int main(int argc, char **argv) {
   } else {
     interrupted_by_signal = session.scheme;
     struct sigaction action = {.sa_handler = on_interrupt};
-    struct sigaction old;
     sigemptyset(&action.sa_mask);
-    if (sigaction(SIGINT, NULL, &old) == 0 && old.sa_handler != SIG_IGN) sigaction(SIGINT, &action, NULL);
+    static const int heard[] = {SIGINT, SIGTERM, SIGHUP};
+    for (size_t i = 0; i < sizeof heard / sizeof *heard; i++) {
+      struct sigaction old; /* nohup and background jobs of a script ignore some: that stays */
+      if (sigaction(heard[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) sigaction(heard[i], &action, NULL);
+    }
     outcome = run_batch(&session);
     int code;
     if (vs_exit_requested(session.scheme, &code)) {
       if (outcome == VS_OUTCOME_DONE) session.exit_code = code;
-    } else if (options.interactive || options.source_count == 0) {
+    } else if (!ended && (options.interactive || options.source_count == 0)) {
       interrupts = 0;
       outcome = cli_repl(&session);
       vs_exit_requested(session.scheme, &session.exit_code);
     }
+    if (ended) outcome = VS_OUTCOME_INTERRUPTED;
     interrupted_by_signal = NULL;
     vs_free(session.scheme);
   }

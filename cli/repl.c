@@ -265,10 +265,11 @@ vs_outcome cli_repl(cli_session *c) {
   bool going = true;
   int code;
   vs_outcome outcome = VS_OUTCOME_DONE;
-  while (going && !vs_exit_requested(c->scheme, &code)) {
+  while (going && !*c->ended && !vs_exit_requested(c->scheme, &code)) {
     fflush(stdout);
     size_t length = 0;
     const char *line = next_line(c, pending.length ? ". " : "> ", &length);
+    if (!line && *c->ended) break;
     if (!line && errno == EINTR && c->editor) { /* ctrl-C drops what was typed */
       vs_interrupt_clear(c->scheme);
       putchar('\n');

@@ -2,6 +2,8 @@
 #ifndef VS_CLI_SESSION_H
 #define VS_CLI_SESSION_H
 
+#include <signal.h>
+
 #include "cli/options.h"
 #include "cli/report.h"
 
@@ -15,6 +17,7 @@ typedef struct {
   bool output_failed;         /* said once */
   int exit_code;              /* of (exit n); 0 */
   char *line; size_t line_room; /* standard input, line by line */
+  const volatile sig_atomic_t *ended; /* not 0: the system wants the command to end */
   struct cli_editor *editor;  /* NULL: no prompt is being shown */
 } cli_session;
 

@@ -9,7 +9,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 BUILD=${1:-build}
 case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
-SUITES=${SUITES:-unit lang cli prompt manual workers embed layers compilers}
+SUITES=${SUITES:-unit lang cli prompt signals manual workers embed layers compilers}
 export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LC_ALL=C.UTF-8
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -45,6 +45,7 @@ suite_unit() {
 suite_lang()      { sh tests/lang.sh; }
 suite_cli()       { sh tests/cli.sh; }
 suite_prompt()    { sh tests/prompt.sh; }
+suite_signals()   { sh tests/signals.sh; }
 suite_manual()    { sh tests/manual.sh; }
 suite_workers()   { for t in tests/workers/*.sh; do [ -f "$t" ] && sh "$t"; done; }
 suite_embed()     { [ ! -f tests/embed.sh ] || sh tests/embed.sh; }

@@ -140,6 +140,7 @@ static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene, char format)
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGPIPE);
   sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGHUP);
   posix_spawnattr_setsigdefault(&attributes, &signals);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   int problem = posix_spawnp(&r->process, "povray", &files, &attributes, arguments, environment);

@@ -1,0 +1,43 @@
+#!/bin/sh
+# Owns the test of what ends the command from outside: SIGTERM and SIGHUP stop it in order, with 130, and leave no half-written file and no
+# POV-Ray behind. (SIGINT is the prompt's test: a script's background jobs ignore it.)
+case signals in *"$ONLY"*) ;; *) exit ;; esac
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/tmp"
+export TMPDIR="$work/tmp"
+model='(for-each (lambda (i) (draw (make-sphere (xyz (* 3 i) 0 0) 1))) (iota 20000))'
+
+# Waits up to ten seconds for a command to succeed.
+await() { for i in $(seq 200); do "$@" && return; sleep 0.05; done; return 1; }
+begun() { [ -n "$(ls "$work" | grep '^out')" ]; }
+has_child() { child=$(pgrep -P "$process"); [ -n "$child" ]; }
+gone() { ! kill -0 "$child" 2>/dev/null; }
+
+# name, the exit code; nothing but the messages may be left in the folders
+judge() {
+  left=$(ls -A "$work/tmp"; ls -A "$work" | grep -v '^tmp$\|^messages$')
+  if [ "$2" = 130 ] && [ -z "$left" ]; then echo "ok signals:$1"
+  else echo "not ok signals:$1: ended with $2, leaving: $left"; sed 's/^/    /' "$work/messages"; fi
+  rm -rf "$work"/out*
+}
+
+for signal in TERM HUP; do
+  "$BUILD/vs" -q -e '(let loop () (loop))' > "$work/messages" 2>&1 & process=$!
+  sleep 0.5; kill -$signal $process; wait $process
+  judge "$signal while it evaluates" $?
+
+  sleep 2 | "$BUILD/vs" -q > "$work/messages" 2>&1 & process=$!
+  sleep 0.5; kill -$signal $process; wait $process
+  judge "$signal while it waits for input" $?
+
+  "$BUILD/vs" -q -e "$model" -o "$work/out.stl" > "$work/messages" 2>&1 & process=$!
+  await begun; kill -$signal $process; wait $process
+  judge "$signal while it writes" $?
+
+  if ! command -v povray >/dev/null 2>&1 || ! command -v pgrep >/dev/null 2>&1; then echo "skip signals:$signal while POV-Ray runs: no povray or no pgrep"; continue; fi
+  "$BUILD/vs" -q examples/gare-do-oriente.vs -o "$work/out.png" > "$work/messages" 2>&1 & process=$!
+  await has_child; kill -$signal $process; wait $process
+  judge "$signal while POV-Ray runs" $?
+  if await gone; then echo "ok signals:POV-Ray is gone after $signal"; else echo "not ok signals:POV-Ray outlives $signal"; kill "$child"; fi
+done
