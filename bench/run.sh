@@ -2,7 +2,7 @@
 # Owns the comparison: every program of bench/programs in vs, Guile without and with its JIT, Lua and Chez Scheme, one after the other
 # in one run; a table on standard output. `bench/run.sh build/vs build/measure [PROGRAM...]`; RUNS=n sets the runs of each (5).
 #
-# A time is the median of the processor time of whole runs less that of an empty program in the same system; Guile's programs are compiled
+# A time is the median of the processor time of whole runs less that of an empty program in the same system just after; Guile's programs are compiled
 # to its bytecode before, its collector has one thread (so that no time is counted twice). A program whose printed result differs from
 # vs' is an error.
 set -u
@@ -61,7 +61,8 @@ for program in "$@"; do
     result=$(tr -d '[:space:]' < "$work/result")
     [ "$system" = vs ] && expected=$result
     [ "$result" = "$expected" ] || { echo "$program in $system: $result, but vs has $expected" >&2; bad=1; }
-    echo "$program $system $(cat "$work/line")" >> "$work/figures"
+    timed "$runs" "$system" empty 2> "$work/start" > /dev/null      # in the same seconds, so that both bear the same load
+    echo "$program $system $(cat "$work/line" "$work/start" | tr '\n' ' ')" >> "$work/figures"
   done
 done
 
