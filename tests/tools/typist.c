@@ -5,6 +5,7 @@
 #define _GNU_SOURCE /* posix_openpt and friends, and TIOCSCTTY */
 #include <fcntl.h>
 #include <poll.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,6 +68,7 @@ int main(int argc, char **argv) {
     ioctl(own, TIOCSWINSZ, &size);
     dup2(own, 0), dup2(own, 1), dup2(own, 2);
     close(terminal);
+    signal(SIGINT, SIG_DFL); /* a test run started in the background ignores it, and so would the program */
     execvp(argv[1], argv + 1);
     _exit(127);
   }
