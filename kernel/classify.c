@@ -285,6 +285,7 @@ static void arrive(walk *w, uint32_t cell, uint64_t sum) {
   bool inside = vs_expression_value(w->e);
   w->sum.at[cell] = sum;
   w->state.at[cell] = (uint8_t)(3 | (inside ? 4 : 0));
+  if (w->c->inspect) w->c->wound.at[cell] = w->e->winding.at[w->c->leaves[0]];
   w->owner.at[cell] = VS_NONE;
   for (size_t i = 0; inside && i < w->active.count; i++)
     if (w->active.at[i] < w->owner.at[cell]) w->owner.at[cell] = w->active.at[i];
@@ -396,7 +397,7 @@ static bool walk_component(walk *w, uint32_t start) {
 bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   walk w = { .k = k, .c = c, .e = e };
   bool ok = make_cells(&w) && VS_ROOM(k, w.place.at, w.place.room, (size_t)c->problem->leaf_count + 1) &&
-            VS_ROOM(k, w.owner.at, w.owner.room, (size_t)w.cells + 1);
+            VS_ROOM(k, w.owner.at, w.owner.room, (size_t)w.cells + 1) && (!c->inspect || VS_ROOM(k, c->wound.at, c->wound.room, (size_t)w.cells + 1));
   for (uint32_t i = 0; ok && i < w.cells; i++)
     if (w.state.at[i] == 0) ok = walk_component(&w, i);
   ok = ok && VS_ROOM(k, c->kept.at, c->kept.room, c->faces.count + 1);
@@ -406,6 +407,14 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
     uint32_t leaf = c->covers.at[c->faces.at[f].cover].leaf, owner = w.owner.at[w.side.at[2 * f + minus]]; /* the earliest has it */
     if (c->problem->leaves[leaf].bare && e->taken_off.at[leaf] && c->kept.at[f] && owner != VS_NONE) leaf = owner;
     c->faces.at[f].tag = c->problem->leaves[leaf].tag;
+  }
+  if (ok && c->inspect) {
+    c->wound.count = w.cells;
+    c->side_cell.count = 2 * c->faces.count;
+    c->side_cell.room = w.side.room;
+    c->side_cell.at = w.side.at; /* handed over */
+    w.side.at = NULL;
+    w.side.room = 0;
   }
   VS_DROP(k, w.order);
   VS_DROP(k, w.side);

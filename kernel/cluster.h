@@ -20,6 +20,7 @@ typedef struct {
   uint32_t v[3];   /* counter-clockwise seen from outside its leaf */
   uint32_t leaf;   /* of the problem */
   uint32_t plane, facet;
+  uint32_t source; /* which of its mesh's triangles */
   bool flip;       /* the leaf's outward normal is the plane's reversed */
   uint8_t inner;   /* bit i: the edge from v[i] to the next lies inside the facet; VS_BESIDE_FLAT */
 } vs_soup_triangle;
@@ -66,6 +67,9 @@ typedef struct {
   VS_LIST(vs_cover) covers;
   VS_LIST(vs_use) uses;
   VS_LIST(uint8_t) kept; /* a face: 0 no, 1 outside is its + side, 2 its - side */
+  bool inspect;          /* of one leaf, which may be inside out: the next two are wanted */
+  VS_LIST(uint32_t) side_cell; /* 2 * face (+ side), 2 * face + 1 (- side) -> cell */
+  VS_LIST(int32_t) wound;      /* of a cell: the leaf's winding number */
 } vs_cluster;
 
 /* The steps, in order. All false on error. */

@@ -92,6 +92,8 @@ void vs_cluster_free(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, c->covers);
   VS_DROP(k, c->uses);
   VS_DROP(k, c->kept);
+  VS_DROP(k, c->side_cell);
+  VS_DROP(k, c->wound);
 }
 
 static bool use_before(const void *context, uint32_t a, uint32_t b) { /* of one smaller end */

@@ -113,7 +113,7 @@ static bool add_leaf(vs_kernel *k, vs_cluster *c, soup *s, uint32_t i) {
     if (!vs_points_integer(k, &c->points, s->grid[start + j], &s->ids.at[j])) return false;
   for (size_t t = 0; t < l->mesh->triangle_count; t++) {
     const uint32_t *corner = l->mesh->triangles[t];
-    vs_soup_triangle tri = { .leaf = leaf, .facet = VS_NONE };
+    vs_soup_triangle tri = { .leaf = leaf, .facet = VS_NONE, .source = (uint32_t)t };
     int32_t at[3][3];
     for (int j = 0; j < 3; j++) {
       uint32_t from = corner[mirrored ? 2 - j : j];
@@ -142,7 +142,7 @@ static bool add_leaf(vs_kernel *k, vs_cluster *c, soup *s, uint32_t i) {
     }
     if (!vs_planes_add(k, &c->planes, &plane, &tri.plane) || !VS_PUSH(k, c->triangles, tri) || !VS_PUSH(k, c->boxes, box)) return false;
   }
-  if (volume < 0) return vs_kernel_fail(k, VS_KERNEL_INSIDE_OUT, leaf, "the solid is inside out: its faces should run counter-clockwise seen from outside");
+  if (volume < 0 && !c->inspect) return vs_kernel_fail(k, VS_KERNEL_INSIDE_OUT, leaf, "the solid is inside out: its faces should run counter-clockwise seen from outside");
 
   uint32_t edges = (uint32_t)s->edges.count, triangles = (uint32_t)c->triangles.count - base;
   if (!VS_ROOM(k, s->order, s->order_room, (size_t)edges + 3u * triangles + 1) || !VS_ROOM(k, s->scratch, s->scratch_room, (size_t)edges + 1)) return false;

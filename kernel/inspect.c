@@ -1,0 +1,252 @@
+/* Owns the inspection of a mesh: edges in double, as they came; windings in the exact arrangement of the mesh with itself.
+ *
+ * Every cell of that arrangement has a winding number. A cell that has a wrong one but is thinner than two steps of the grid is what rounding makes of
+ * faces that touch, and passes. Triangles beside the others are the ones to name. */
+#include "kernel/inspect.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "kernel/cluster.h"
+
+/* ---- open edges ---- */
+
+typedef struct { uint32_t low, high, triangle; int32_t way; } directed;
+
+static int compare_vertices(const vs_vec3 *a, const vs_vec3 *b) {
+  if (a->x != b->x) return a->x < b->x ? -1 : 1;
+  if (a->y != b->y) return a->y < b->y ? -1 : 1;
+  return a->z != b->z ? (a->z < b->z ? -1 : 1) : 0;
+}
+
+static bool vertex_before(const void *context, uint32_t a, uint32_t b) {
+  const vs_vec3 *v = context;
+  int c = compare_vertices(&v[a], &v[b]);
+  return c ? c < 0 : a < b;
+}
+
+static bool directed_before(const void *context, uint32_t a, uint32_t b) {
+  const directed *e = context, *x = &e[a], *y = &e[b];
+  if (x->low != y->low) return x->low < y->low;
+  return x->high != y->high ? x->high < y->high : x->triangle < y->triangle;
+}
+
+static bool by_triangle(vs_mesh_flaw *list, size_t *count, vs_mesh_flaw flaw) { /* keeps the first few; false where the triangle is listed */
+  size_t held = *count < VS_FLAWS_LISTED ? *count : VS_FLAWS_LISTED, i = held;
+  while (i > 0 && list[i - 1].triangle > flaw.triangle) i--;
+  if (i < VS_FLAWS_LISTED) {
+    size_t last = held < VS_FLAWS_LISTED ? held : VS_FLAWS_LISTED - 1;
+    memmove(&list[i + 1], &list[i], (last - i) * sizeof *list);
+    list[i] = flaw;
+  }
+  ++*count;
+  return true;
+}
+
+static bool open_edges(vs_kernel *k, const vs_mesh *m, vs_mesh_flaws *out) {
+  VS_LIST(uint32_t) order = { 0 }, scratch = { 0 }, same = { 0 };
+  VS_LIST(directed) edges = { 0 };
+  size_t n = m->vertex_count, most = 3 * m->triangle_count, room = (n > most ? n : most) + 1;
+  bool ok = VS_ROOM(k, order.at, order.room, room) && VS_ROOM(k, scratch.at, scratch.room, room) && VS_ROOM(k, same.at, same.room, n + 1) &&
+            VS_ROOM(k, edges.at, edges.room, most + 1);
+  for (size_t i = 0; ok && i < n; i++) {
+    const vs_vec3 *v = &m->vertices[i];
+    if (!isfinite(v->x) || !isfinite(v->y) || !isfinite(v->z)) ok = vs_kernel_fail(k, VS_KERNEL_NOT_FINITE, 0, "a corner is not at a finite place");
+    order.at[i] = (uint32_t)i;
+  }
+  if (ok) {
+    vs_kernel_sort(order.at, scratch.at, n, vertex_before, m->vertices);
+    for (size_t i = 0; i < n; i++) {
+      bool again = i && compare_vertices(&m->vertices[order.at[i]], &m->vertices[order.at[i - 1]]) == 0;
+      same.at[order.at[i]] = again ? same.at[order.at[i - 1]] : order.at[i];
+    }
+    for (uint32_t t = 0; t < m->triangle_count; t++)
+      for (int j = 0; j < 3; j++) {
+        uint32_t a = same.at[m->triangles[t][j]], b = same.at[m->triangles[t][(j + 1) % 3]];
+        if (a != b) edges.at[edges.count++] = (directed){ a < b ? a : b, a < b ? b : a, t, a < b ? 1 : -1 };
+      }
+    for (size_t i = 0; i < edges.count; i++) order.at[i] = (uint32_t)i;
+    vs_kernel_sort(order.at, scratch.at, edges.count, directed_before, edges.at);
+  }
+  for (size_t i = 0, end; ok && i < edges.count; i = end) {
+    const directed *first = &edges.at[order.at[i]];
+    int32_t balance = 0;
+    for (end = i; end < edges.count && edges.at[order.at[end]].low == first->low && edges.at[order.at[end]].high == first->high; end++)
+      balance += edges.at[order.at[end]].way;
+    if (balance != 0) {
+      const vs_vec3 *a = &m->vertices[first->low], *b = &m->vertices[first->high];
+      vs_mesh_flaw flaw = { first->triangle, vs_v3((a->x + b->x) / 2, (a->y + b->y) / 2, (a->z + b->z) / 2), 0 };
+      for (size_t j = i; j < end; j++) /* the first that is too much */
+        if ((edges.at[order.at[j]].way > 0) == (balance > 0)) {
+          flaw.triangle = edges.at[order.at[j]].triangle;
+          break;
+        }
+      by_triangle(out->open, &out->open_count, flaw);
+    }
+    ok = vs_kernel_poll(k, 0);
+  }
+  VS_DROP(k, order);
+  VS_DROP(k, scratch);
+  VS_DROP(k, same);
+  VS_DROP(k, edges);
+  return ok;
+}
+
+/* ---- windings ---- */
+
+typedef struct { double volume, area; } cell;
+typedef struct {
+  vs_kernel *k;
+  vs_cluster *c;
+  uint32_t face;
+  int64_t at[3]; /* fixed, in the face */
+  uint32_t found;
+} search;
+
+static bool holds(void *context, uint32_t t) {
+  search *s = context;
+  const vs_soup_triangle *triangle = &s->c->triangles.at[t];
+  if (triangle->plane != s->c->faces.at[s->face].plane) return true;
+  const vs_plane *p = &s->c->planes.all.at[triangle->plane];
+  bool left = true, right = true;
+  for (int i = 0; i < 3; i++) {
+    const vs_point *a = &s->c->points.all.at[triangle->v[i]], *b = &s->c->points.all.at[triangle->v[(i + 1) % 3]];
+    double turn = (double)(b->fixed[p->u] - a->fixed[p->u]) * (double)(s->at[p->v] - a->fixed[p->v]) -
+                  (double)(b->fixed[p->v] - a->fixed[p->v]) * (double)(s->at[p->u] - a->fixed[p->u]);
+    left = left && turn >= 0;
+    right = right && turn <= 0;
+  }
+  if ((left || right) && triangle->source < s->found) s->found = triangle->source;
+  return true;
+}
+
+/* A place in the face, in fixed numbers: on the line half way up, half way through its widest stretch; about. */
+static void inside_of(const vs_cluster *c, uint32_t face, const uint32_t *uses, size_t count, int64_t at[3]) {
+  const vs_plane *p = &c->planes.all.at[c->faces.at[face].plane];
+  double low = INFINITY, high = -INFINITY, best = -1, u = 0, v;
+  for (size_t i = 0; i < count; i++) {
+    double y = (double)c->points.all.at[c->uses.at[uses[i]].from].fixed[p->v];
+    low = fmin(low, y);
+    high = fmax(high, y);
+  }
+  v = low + 0.4871 * (high - low);
+  for (size_t i = 0; i < count; i++) { /* each crossing with the next one to its right */
+    double x[2] = { 0, INFINITY };
+    for (int pass = 0; pass < 2; pass++)
+      for (size_t j = pass ? 0 : i; j < (pass ? count : i + 1); j++) {
+        const vs_use *use = &c->uses.at[uses[j]];
+        const vs_point *a = &c->points.all.at[use->from], *b = &c->points.all.at[use->to];
+        double ay = (double)a->fixed[p->v], by = (double)b->fixed[p->v];
+        if ((ay > v) == (by > v)) {
+          if (!pass) x[0] = NAN;
+          continue;
+        }
+        double cross = (double)a->fixed[p->u] + (v - ay) / (by - ay) * (double)(b->fixed[p->u] - a->fixed[p->u]);
+        if (!pass) x[0] = ay > by ? cross : NAN; /* the face lies left of the use: going down, to its right in u */
+        else if (cross > x[0] && cross < x[1]) x[1] = cross;
+      }
+    if (isfinite(x[0]) && isfinite(x[1]) && x[1] - x[0] > best) best = x[1] - x[0], u = (x[0] + x[1]) / 2;
+  }
+  at[p->u] = (int64_t)u;
+  at[p->v] = (int64_t)v;
+  at[p->k] = (int64_t)(((double)p->d * 0x1p32 - (double)p->n[p->u] * u - (double)p->n[p->v] * v) / (double)p->n[p->k]);
+}
+
+/* Volumes and areas of the cells, in steps. */
+static void measure_cells(const vs_cluster *c, const double origin[3], cell *cells) {
+  for (size_t i = 0; i < c->uses.count; i++) {
+    const vs_use *use = &c->uses.at[i];
+    const vs_plane *p = &c->planes.all.at[c->faces.at[use->face].plane];
+    const vs_point *a = &c->points.all.at[use->from], *b = &c->points.all.at[use->to];
+    double x[2][3], length = sqrt((double)p->n[0] * (double)p->n[0] + (double)p->n[1] * (double)p->n[1] + (double)p->n[2] * (double)p->n[2]);
+    double height = (double)p->d;
+    for (int j = 0; j < 3; j++) {
+      x[0][j] = (double)a->fixed[j] * 0x1p-32 - origin[j];
+      x[1][j] = (double)b->fixed[j] * 0x1p-32 - origin[j];
+      height -= (double)p->n[j] * origin[j];
+    }
+    double seen = (x[0][p->u] * x[1][p->v] - x[0][p->v] * x[1][p->u]) / 2; /* summed over the uses: the area along k */
+    double area = seen * length / fabs((double)p->n[p->k]), volume = area * height / length / 3;
+    cell *plus = &cells[c->side_cell.at[2 * use->face]], *minus = &cells[c->side_cell.at[2 * use->face + 1]];
+    plus->area += area;
+    minus->area += area;
+    minus->volume += volume; /* the plane's normal points out of the cell on the - side */
+    plus->volume -= volume;
+  }
+}
+
+static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
+  VS_LIST(cell) cells = { 0 };
+  VS_LIST(uint32_t) first = { 0 }, by_face = { 0 };
+  VS_LIST(uint8_t) named = { 0 };
+  size_t n = c->wound.count, f = c->faces.count;
+  bool ok = VS_ROOM(k, cells.at, cells.room, n + 1) && VS_ROOM(k, first.at, first.room, f + 2) && VS_ROOM(k, by_face.at, by_face.room, c->uses.count + 1) &&
+            VS_ROOM(k, named.at, named.room, c->problem->leaves[0].mesh->triangle_count + 1);
+  if (ok && c->uses.count) {
+    double origin[3];
+    for (int j = 0; j < 3; j++) origin[j] = (double)c->points.all.at[c->uses.at[0].from].fixed[j] * 0x1p-32;
+    memset(cells.at, 0, (n + 1) * sizeof *cells.at);
+    memset(named.at, 0, c->problem->leaves[0].mesh->triangle_count + 1);
+    memset(first.at, 0, (f + 2) * sizeof *first.at);
+    measure_cells(c, origin, cells.at);
+    for (size_t i = 0; i < c->uses.count; i++) first.at[c->uses.at[i].face + 2]++;
+    for (size_t i = 2; i < f + 2; i++) first.at[i] += first.at[i - 1];
+    for (uint32_t i = 0; i < c->uses.count; i++) by_face.at[first.at[c->uses.at[i].face + 1]++] = i;
+  }
+  for (uint32_t i = 0; ok && i < 2 * f; i++) {
+    uint32_t at = c->side_cell.at[i];
+    int32_t winding = c->wound.at[at];
+    if ((winding == 0 || winding == 1) || fabs(cells.at[at].volume) <= cells.at[at].area) continue; /* half the area times two steps */
+    if (winding < out->least) out->least = winding;
+    if (winding > out->most) out->most = winding;
+    search s = { k, c, i / 2, { 0 }, VS_NONE };
+    inside_of(c, i / 2, by_face.at + first.at[i / 2], first.at[i / 2 + 1] - first.at[i / 2], s.at);
+    vs_box box;
+    for (int j = 0; j < 3; j++) box.min[j] = (int32_t)(s.at[j] >> VS_FIXED_BITS) - 1, box.max[j] = box.min[j] + 3;
+    ok = vs_bvh_query(&c->bvh, &box, holds, &s) && vs_kernel_poll(k, 0.9);
+    if (s.found == VS_NONE || named.at[s.found]) continue;
+    named.at[s.found] = 1;
+    vs_point place = { .fixed = { s.at[0], s.at[1], s.at[2] } };
+    by_triangle(out->wound, &out->wound_count, (vs_mesh_flaw){ s.found, vs_grid_world(&c->grid, &place), winding });
+  }
+  VS_DROP(k, cells);
+  VS_DROP(k, first);
+  VS_DROP(k, by_face);
+  VS_DROP(k, named);
+  return ok;
+}
+
+bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs_mesh_flaws *out, vs_kernel_error *error) {
+  vs_kernel_error ignored;
+  vs_kernel k = { .options = options, .error = error ? error : &ignored, .share = 1 };
+  *k.error = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };
+  *out = (vs_mesh_flaws){ 0 };
+  if (mesh->triangle_count == 0) return true;
+  if (!open_edges(&k, mesh, out)) return false;
+  out->volume = vs_mesh_volume(mesh);
+  if (out->open_count) return true;
+
+  
+  vs_kernel_leaf leaf = { mesh, vs_affine_identity(), 0, false };
+  vs_kernel_term term = { VS_TERM_LEAF, 0, 0 };
+  vs_kernel_problem problem = { &leaf, &term, NULL, 1, 1, 0 };
+  uint32_t only = 0;
+  vs_cluster c = { .problem = &problem, .leaves = &only, .leaf_count = 1, .inspect = true };
+  vs_expression e = { 0 };
+  bool ok = vs_expression_build(&k, &e, &problem) && vs_soup_build(&k, &c) && vs_meet_triangles(&k, &c) && vs_arrange_planes(&k, &c) &&
+            vs_classify_faces(&k, &c, &e);
+  for (size_t i = 0; ok && i < c.wound.count; i++)
+    if (c.wound.at[i] == 1) out->most = 1;
+  ok = ok && name_triangles(&k, &c, out);
+  vs_cluster_free(&k, &c);
+  vs_expression_free(&k, &e);
+  return ok;
+}
+
+bool vs_kernel_resolve(const vs_mesh *mesh, uint32_t tag, const vs_kernel_options *options, vs_mesh *out, vs_kernel_error *error) {
+  vs_kernel_leaf leaf = { mesh, vs_affine_identity(), tag, false };
+  vs_kernel_term term = { VS_TERM_LEAF, 0, 0 };
+  vs_kernel_problem problem = { &leaf, &term, NULL, 1, 1, 0 };
+  return vs_kernel_evaluate(&problem, options, out, error);
+}

@@ -1,0 +1,122 @@
+/* Owns the tests of what is asked of a mesh before it may be a solid, and of making one that crosses itself simple. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "kernel/inspect.h"
+#include "tests/oracle/sx.c"
+
+/* Puts the leaves of the .sx text into one mesh, each at its place; those past `turned` inside out. */
+static void join(vs_mesh *m, const char *text, uint32_t turned) {
+  sx_problem p;
+  assert_true(sx_parse(text, &p));
+  for (uint32_t i = 0; i < p.problem.leaf_count; i++) {
+    const vs_kernel_leaf *l = &p.problem.leaves[i];
+    uint32_t base = (uint32_t)m->vertex_count;
+    size_t first = m->triangle_count;
+    for (size_t j = 0; j < l->mesh->vertex_count; j++) assert_true(vs_mesh_add_vertex(m, vs_affine_point(&l->placement, l->mesh->vertices[j]), NULL));
+    for (size_t j = 0; j < l->mesh->triangle_count; j++) {
+      const uint32_t *t = l->mesh->triangles[j];
+      assert_true(vs_mesh_add_triangle(m, base + t[0], base + t[1], base + t[2]));
+    }
+    if (i >= turned) vs_mesh_turn(m, first);
+  }
+  sx_free(&p);
+}
+
+static vs_mesh_flaws inspect(const char *text, uint32_t turned, double volume) {
+  vs_mesh m = { 0 }, made = { 0 };
+  vs_mesh_flaws f;
+  vs_kernel_error e;
+  join(&m, text, turned);
+  if (!vs_kernel_inspect(&m, NULL, &f, &e)) fail_msg("%s: %s", text, e.message);
+  if (volume >= 0) {
+    if (!vs_kernel_resolve(&m, 3, NULL, &made, &e)) fail_msg("%s: %s", text, e.message);
+    if (!(fabs(vs_mesh_volume(&made) - volume) < 1e-6 * volume)) fail_msg("%s: %.12g is not %.12g", text, vs_mesh_volume(&made), volume);
+    vs_mesh_flaws again;
+    assert_true(vs_kernel_inspect(&made, NULL, &again, &e));
+    assert_true(vs_mesh_flawless(&again));
+    for (size_t i = 0; i < made.triangle_count; i++) assert_int_equal(made.tags[i], 3);
+  }
+  vs_mesh_free(&m);
+  vs_mesh_free(&made);
+  return f;
+}
+
+static void test_simple(void **state) {
+  (void)state;
+  static const char *const good[] = {
+    "(box 1 2 3)", "(sphere 2 32)", "(rotate 33 21 17 (sphere 2 32))", "(union (box 1 1 1) (translate 2 0 0 (box 1 1 1)))",
+    "(union (box 1 1 1) (translate 1 0 0 (box 1 1 1)))", "(union (box 1 1 1) (translate 1 1 0 (box 1 1 1)))", "(torus 3 1 24 12)",
+    "(rotate 10 20 30 (union (box 1 1 1) (translate 1 1 1 (box 1 1 1))))" };
+  for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+    vs_mesh_flaws f = inspect(good[i], 9, -1);
+    if (!vs_mesh_flawless(&f) || f.least != 0 || f.most != 1) fail_msg("%s: %zu open, %zu wound %d..%d", good[i], f.open_count, f.wound_count, f.least, f.most);
+  }
+  vs_mesh_flaws f = inspect("(union (box 3 3 3) (translate 1 1 1 (box 1 1 1)))", 1, 26); /* a cavity */
+  assert_true(vs_mesh_flawless(&f));
+}
+
+static void test_wound(void **state) {
+  (void)state;
+  vs_mesh_flaws f = inspect("(union (box 2 2 2) (translate 1 1 1 (box 2 2 2)))", 9, 15);
+  assert_true(f.wound_count > 0);
+  assert_int_equal(f.most, 2);
+  for (size_t i = 0; i < f.wound_count && i < VS_FLAWS_LISTED; i++) {
+    assert_true(i == 0 || f.wound[i - 1].triangle < f.wound[i].triangle);
+    vs_vec3 at = f.wound[i].at; /* on the little cube that both have */
+    assert_true(at.x >= 1 && at.y >= 1 && at.z >= 1 && at.x <= 2 && at.y <= 2 && at.z <= 2);
+    assert_int_equal(f.wound[i].winding, 2);
+  }
+  f = inspect("(union (box 2 2 2) (box 2 2 2))", 9, 8); /* the same faces twice: nothing crosses, and yet */
+  assert_int_equal(f.most, 2);
+  assert_true(f.wound_count > 0);
+  f = inspect("(union (box 3 3 3) (translate 1 1 1 (box 1 1 1)))", 9, 27);
+  assert_int_equal(f.most, 2);
+  assert_int_equal(f.wound_count, 6);
+  f = inspect("(box 1 1 1)", 0, -1);
+  assert_int_equal(f.least, -1);
+  assert_int_equal(f.wound_count, 6);
+  assert_true(f.volume < 0);
+  f = inspect("(union (box 2 2 2) (translate 5 0 0 (box 1 1 1)))", 1, 8); /* a shell inside out, outside */
+  assert_int_equal(f.least, -1);
+  assert_int_equal(f.wound_count, 6);
+  f = inspect("(union (rotate 12 34 56 (sphere 2 32)) (translate 1.5 0 0 (sphere 1 32)))", 9, -1);
+  assert_int_equal(f.most, 2);
+}
+
+static void test_open(void **state) {
+  (void)state;
+  vs_mesh m = { 0 };
+  vs_mesh_flaws f;
+  vs_kernel_error e;
+  join(&m, "(box 1 1 1)", 9);
+  m.triangle_count--;
+  assert_true(vs_kernel_inspect(&m, NULL, &f, &e));
+  assert_int_equal(f.open_count, 3);
+  assert_true(f.open[0].triangle <= f.open[1].triangle && f.open[2].triangle < 11);
+  vs_mesh made = { 0 };
+  assert_false(vs_kernel_resolve(&m, 0, NULL, &made, &e));
+  assert_int_equal(e.status, VS_KERNEL_OPEN);
+  m.triangle_count++;
+  uint32_t swap = m.triangles[3][0];
+  m.triangles[3][0] = m.triangles[3][1];
+  m.triangles[3][1] = swap; /* one face turned round */
+  assert_true(vs_kernel_inspect(&m, NULL, &f, &e));
+  assert_int_equal(f.open_count, 3);
+  m.vertices[2].x = NAN;
+  assert_false(vs_kernel_inspect(&m, NULL, &f, &e));
+  assert_int_equal(e.status, VS_KERNEL_NOT_FINITE);
+  vs_mesh_free(&m);
+  vs_mesh_free(&made);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_simple), cmocka_unit_test(test_wound), cmocka_unit_test(test_open) };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
