@@ -1,0 +1,21 @@
+/* Owns dlopen and dlsym. */
+#define _GNU_SOURCE /* RTLD_NODELETE */
+#include "geometry/dynamic.h"
+
+#include <dlfcn.h>
+#include <string.h>
+
+bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *names, size_t count, void *functions, vs_error *e) {
+  void *handle = NULL;
+  for (const char *const *file = library->files; !handle && *file; file++) handle = dlopen(*file, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  if (!handle)
+    return vs_error_set(e, VS_ERROR_WORKER, NULL, "%s: the library %s is missing; it is in the package %s", library->purpose, library->files[0], library->package);
+  bool ok = true;
+  for (size_t i = 0; ok && i < count; i++) {
+    void *found = dlsym(handle, names[i].symbol);
+    memcpy((char *)functions + names[i].offset, &found, sizeof found); /* ISO C has no cast from an object's address to a function's */
+    if (!found) ok = vs_error_set(e, VS_ERROR_WORKER, NULL, "%s: the library %s is too old: it has no %s", library->purpose, library->files[0], names[i].symbol);
+  }
+  dlclose(handle); /* stays loaded all the same */
+  return ok;
+}
