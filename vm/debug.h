@@ -2,7 +2,8 @@
 #ifndef VS_DEBUG_H
 #define VS_DEBUG_H
 
-#ifndef VS_DEBUG_STRESS        /* collect the nursery at every n-th allocation (1 = every one); 0 = off */
+#ifndef VS_DEBUG_STRESS        /* 1 = collect the nursery at every allocation (fewer while the stack is very deep), and the whole heap, with a
+                                  check of it, once for so many (gc.c); what is freed is overwritten; 0 = off */
 #define VS_DEBUG_STRESS 0
 #endif
 #ifndef VS_DEBUG_CHECK         /* walk and check the whole heap after every collection */

@@ -22,6 +22,9 @@ enum {
   CHUNK_BLOCKS = 64,
   GC_MARK = 1, GC_REMEMBERED = 2, GC_FREE = 4, GC_MOVED = 8, GC_LARGE = 16
 };
+/* Collecting at every allocation costs what the roots cost, and a deep recursion or nest has a million of them: past STRESS_VISITS the next
+   minor collections are left out in proportion. So are the whole collections, each with a check of the heap: one for so many bytes of it. */
+enum { STRESS_VISITS = 2048, STRESS_BYTES = 256 };
 #if VS_DEBUG_SMALL
 enum { NURSERY = 32 << 10, FIRST_MAJOR = 256 << 10 };
 #else
@@ -66,6 +69,7 @@ struct vs_gc {
   vs_object *grey;                              /* minor worklist: corpses, linked */
   struct mark_entry *marks; size_t mark_count, mark_room; bool mark_lost;
   char *image; size_t image_bytes;              /* objects loaded from a heap image */
+  size_t visits, minor_in, whole_in;            /* under VS_DEBUG_STRESS: what the last minor collection visited; allocations until the next ones */
 };
 
 /* ---- memory from the host ---- */
@@ -185,6 +189,20 @@ static vs_object *gc_init(vs_object *o, int type, unsigned gc, size_t words) {
   return o;
 }
 
+/* under VS_DEBUG_STRESS: the collections due before this allocation, and perhaps no room left: gc_alloc_slow sees to that */
+static void gc_stress(vs *vm) {
+  struct vs_gc *gc = vm->gc;
+  if (gc->whole_in-- == 0) {
+    vs_gc_major(vm);
+    if (!vs_gc_check(vm)) __builtin_trap();
+    gc->whole_in = (gc->old_bytes + gc->image_bytes) / STRESS_BYTES + vm->collections % 7;     /* not in step with a loop */
+  } else if (gc->minor_in-- == 0) {
+    vs_gc_minor(vm);
+    if (gc->old_bytes + gc->external > gc->major_at) vs_gc_major(vm);
+    gc->minor_in = gc->visits / STRESS_VISITS;
+  }
+}
+
 static bool gc_over_limit(const vs *vm, size_t more) {
   return vm->config.memory_limit && vm->bytes + vm->gc->external + more > vm->config.memory_limit;
 }
@@ -194,6 +212,7 @@ vs_object *vs_gc_alloc_old(vs *vm, int type, size_t words) {
   if (words < 2) words = 2;
   if (words > UINT32_MAX) { vs_fail_memory(vm); return NULL; }
   if (vm->fail_after && --vm->fail_after == 0) { gc_hold_down(vm); vs_fail_memory(vm); return NULL; }
+  if (VS_DEBUG_STRESS && gc->whole_in-- == 0) { gc->whole_in = 0; gc_stress(vm); }
   if (gc->old_bytes + gc->external + words * 8 > gc->major_at || (words > CLASS_MAX && gc_over_limit(vm, words * 8))) vs_gc_major(vm);
   /* so that this object can be remembered without fail */
   if (!gc_grow(vm, &gc->remembered, &gc->remembered_room, gc->remembered_count, sizeof *gc->remembered)) return NULL;
@@ -212,11 +231,12 @@ static vs_object *gc_alloc_slow(vs *vm, int type, size_t words) {
   struct vs_gc *gc = vm->gc;
   size_t bytes = words * sizeof(uint64_t);
   if (words > CLASS_MAX) {
-    if (VS_DEBUG_STRESS) vs_gc_minor(vm);
+    if (VS_DEBUG_STRESS) gc_stress(vm);
     return vs_gc_alloc_old(vm, type, words);
   }
   if (vm->fail_after && --vm->fail_after == 0) { gc_hold_down(vm); vs_fail_memory(vm); return NULL; }
-  if (VS_DEBUG_STRESS || !gc->ready || (size_t)(gc->nursery_end - vm->free) < bytes) {
+  if (VS_DEBUG_STRESS) gc_stress(vm);
+  if (!gc->ready || (size_t)(gc->nursery_end - vm->free) < bytes) {
     if (gc->ready) vs_gc_minor(vm);
     if (gc->old_bytes + gc->external > gc->major_at || gc_over_limit(vm, 0)) vs_gc_major(vm);
     if (!gc->ready) {
@@ -321,6 +341,7 @@ static void gc_visit_roots(vs *vm, gc_visit *visit) {
 /* ---- minor collection ---- */
 static void minor_visit(vs *vm, vs_value *slot) {
   vs_value v = *slot;
+  if (VS_DEBUG_STRESS) vm->gc->visits++;
   if (!vs_is_object(v) || !vs_gc_is_young(vm, vs_object_of(v))) return;
   vs_object *o = vs_object_of(v);
   uint64_t *corpse = (uint64_t *)(void *)o;
@@ -377,6 +398,7 @@ void vs_gc_minor(vs *vm) {
   struct vs_gc *gc = vm->gc;
   if (!gc->ready) return;      /* nothing was allocated */
   gc->grey = NULL;
+  gc->visits = (size_t)(vm->stack_end - vm->top) / 16;      /* these are wiped */
   gc_visit_roots(vm, minor_visit);
   if (gc->remembered_lost) gc_walk_old(vm, minor_remembered);
   else for (size_t i = 0; i < gc->remembered_count; i++) minor_remembered(vm, gc->remembered[i]);
@@ -496,6 +518,7 @@ static void major_sweep(vs *vm) {
       if (o->gc & GC_MARK) { o->gc &= (uint8_t)~GC_MARK; cells++; continue; }
       if (!(o->gc & GC_FREE)) {
         if (o->type == VS_T_FOREIGN) gc_finalize(vm, o);
+        if (VS_DEBUG_STRESS || VS_DEBUG_CHECK) memset(o, 0xAB, step);
         o->gc = GC_FREE;
       }
       struct free_cell *f = (struct free_cell *)(void *)o;

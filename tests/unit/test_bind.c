@@ -16,7 +16,8 @@ typedef struct {
   vs *vm;
   vs_bind bind;
   vs_store *store;
-  vs_value names[NAMES], procedures[NAMES]; /* neither moves */
+  vs_value names[NAMES], procedures[NAMES];
+  struct vs_roots kept[2]; /* of these two */
   size_t count;
   char text[512]; /* of the last value or condition */
   char warning[512];
@@ -44,6 +45,10 @@ static int setup(void **state) {
   vs_bind_flat_rules(&rules);
   assert_true(w->vm && w->store && vs_flat_register(w->vm, &rules) && vs_bind_open(&w->bind, w->vm, w->store));
   w->bind.warn = warn, w->bind.warn_context = w;
+  w->kept[0] = (struct vs_roots){ NULL, w->vm, w->names, NAMES };
+  w->kept[1] = (struct vs_roots){ NULL, w->vm, w->procedures, NAMES };
+  vs_gc_link(&w->kept[0]);
+  vs_gc_link(&w->kept[1]);
   assert_true(vs_native_define(w->vm, &vs_bind_table, define, w));
   *state = w;
   return 0;
