@@ -11,24 +11,24 @@
   (syntax-rules ()
     ((_ (name . pattern) template) (define-syntax name (syntax-rules () ((_ . pattern) template))))))
 
-(define-syntax call-with-values-of          ; (call-with-values-of expression formals body ...)
+(define-syntax %call-with-values-of          ; (%call-with-values-of expression formals body ...)
   (syntax-rules ()
     ((_ expression formals . body) (call-with-values (lambda () expression) (lambda formals . body)))))
 
 (define-syntax receive
   (syntax-rules ()
-    ((_ formals expression . body) (call-with-values-of expression formals . body))))
+    ((_ formals expression . body) (%call-with-values-of expression formals . body))))
 
 (define-syntax let*-values
   (syntax-rules ()
     ((_ () . body) (let () . body))
-    ((_ ((formals expression) . more) . body) (call-with-values-of expression formals (let*-values more . body)))))
+    ((_ ((formals expression) . more) . body) (%call-with-values-of expression formals (let*-values more . body)))))
 
 ; The formals of a clause get fresh names first, so that no expression sees a name bound by another clause.
 (define-syntax let-values
   (syntax-rules ()
     ((_ (((name) expression) ...) . body) (let ((name expression) ...) . body))
-    ((_ ((formals expression)) . body) (call-with-values-of expression formals . body))
+    ((_ ((formals expression)) . body) (%call-with-values-of expression formals . body))
     ((_ (clause ...) . body) (%let-values (clause ...) () . body))))
 (define-syntax %let-values
   (syntax-rules ()
@@ -37,26 +37,26 @@
 (define-syntax %let-values-formals
   (syntax-rules ()
     ((_ () (fresh ...) expression more bound . body)
-     (call-with-values-of expression (fresh ...) (%let-values more bound . body)))
+     (%call-with-values-of expression (fresh ...) (%let-values more bound . body)))
     ((_ (name . names) (fresh ...) expression more (pair ...) . body)
      (%let-values-formals names (fresh ... x) expression more (pair ... (name x)) . body))
     ((_ rest (fresh ...) expression more (pair ...) . body)
-     (call-with-values-of expression (fresh ... . x) (%let-values more (pair ... (rest x)) . body)))))
+     (%call-with-values-of expression (fresh ... . x) (%let-values more (pair ... (rest x)) . body)))))
 
 (define-syntax define-values
   (syntax-rules ()
-    ((_ () expression) (define unused (call-with-values-of expression () #f)))
-    ((_ (name) expression) (define name (call-with-values-of expression (x) x)))
+    ((_ () expression) (define unused (%call-with-values-of expression () #f)))
+    ((_ (name) expression) (define name (%call-with-values-of expression (x) x)))
     ((_ (name . names) expression) (%define-values (name . names) () expression))
-    ((_ rest expression) (define rest (call-with-values-of expression x x)))))
+    ((_ rest expression) (define rest (%call-with-values-of expression x x)))))
 (define-syntax %define-values
   (syntax-rules ()
     ((_ () (name ...) expression)
-     (begin (define found (call-with-values-of expression list-of-values (%count-values list-of-values '(name ...) #f)))
+     (begin (define found (%call-with-values-of expression list-of-values (%count-values list-of-values '(name ...) #f)))
             (define name (%next-value found)) ...))
     ((_ (name . names) (known ...) expression) (%define-values names (known ... name) expression))
     ((_ rest (name ...) expression)
-     (begin (define found (call-with-values-of expression list-of-values (%count-values list-of-values '(name ...) #t)))
+     (begin (define found (%call-with-values-of expression list-of-values (%count-values list-of-values '(name ...) #t)))
             (define name (%next-value found)) ...
             (define rest (car found))))))
 ; the values in a box of one pair, taken off one by one
@@ -76,7 +76,6 @@
     ((_ ((parameter value) ...) . body) (%parameterize (list parameter ...) (list value ...) (lambda () . body)))))
 
 (define-syntax delay-force (syntax-rules () ((_ expression) (%lazy (lambda () expression)))))
-(define-syntax make-lazy (syntax-rules () ((_ expression) (delay-force expression))))
 (define-syntax delay (syntax-rules () ((_ expression) (delay-force (%kept-promise expression)))))
 (define-syntax cons-stream (syntax-rules () ((_ first rest) (cons first (delay rest)))))
 
@@ -142,7 +141,7 @@
   (syntax-rules () ((_ (name ...) expression) (%set-values-from (name ...) () expression))))
 (define-syntax %set-values-from
   (syntax-rules ()
-    ((_ () ((name x) ...) expression) (call-with-values-of expression (x ...) (set! name x) ...))
+    ((_ () ((name x) ...) expression) (%call-with-values-of expression (x ...) (set! name x) ...))
     ((_ (name . names) (pair ...) expression) (%set-values-from names (pair ... (name x)) expression))))
 
 (define-syntax %for-each*
@@ -752,6 +751,21 @@
 (define (symbol<? a b . more)
   (apply string<? (symbol->string a) (symbol->string b) (map symbol->string more)))
 
+; ---- complex numbers, of which there are the real ones: names of (scheme complex) ----
+
+(define (real-part x) (%need-real 'real-part 'x x) x)
+(define (imag-part x) (%need-real 'imag-part 'x x) 0)
+(define (%angle x)
+  (%need-real 'angle 'x x)
+  (if (negative? x) pi (if (exact? x) 0 0.0)))
+(define (make-rectangular x y)
+  (%need-real 'make-rectangular 'x x)
+  (if (and (number? y) (exact? y) (zero? y)) x (error 'make-rectangular "y must be 0, there are no complex numbers, got ~s" y)))
+(define (make-polar r angle)
+  (%need-real 'make-polar 'r r)
+  (if (and (number? angle) (exact? angle) (zero? angle)) r (error 'make-polar "angle must be 0, there are no complex numbers, got ~s" angle)))
+(define (%need-real who name x) (if (not (number? x)) (error who "~a must be a number, got ~s" name x)))
+
 ; ---- the rest of SRFI 1 ----
 
 (define empty '())
@@ -837,6 +851,9 @@
   (let ((same? (if (pair? same) (car same) equal?)))
     (remove (lambda (entry) (same? key (car entry))) alist)))
 (define alist-delete! alist-delete)
+(define %concatenate! concatenate)
+(define (%unzip4 lists) (values (map first lists) (map second lists) (map third lists) (map fourth lists)))
+(define (%unzip5 lists) (values (map first lists) (map second lists) (map third lists) (map fourth lists) (map fifth lists)))
 
 (define (%in? same? x list) (any (lambda (y) (same? y x)) list))
 (define (lset<= same? . lists)
@@ -860,6 +877,15 @@
   (reduce (lambda (b a)
             (append (filter (lambda (x) (not (%in? same? x a))) b) (filter (lambda (x) (not (%in? same? x b))) a)))
           '() lists))
+
+(define (%lset-diff+intersection same? list . others)
+  (%need-procedure 'lset-diff+intersection 'same? same?)
+  (partition (lambda (x) (not (any (lambda (o) (%in? same? x o)) others))) list))
+(define %lset-union! lset-union)
+(define %lset-intersection! lset-intersection)
+(define %lset-difference! lset-difference)
+(define %lset-xor! lset-xor)
+(define %lset-diff+intersection! %lset-diff+intersection)
 
 ; ---- lists and vectors in PLT's and MIT's words ----
 
@@ -924,8 +950,13 @@
 
 ; ---- hash tables in SRFI 69's words ----
 
-(define (make-hash-table . ignored) (make-hash))
-(define (alist->hash-table alist . ignored) (make-hash (reverse alist)))
+; the equivalence: eq? and eqv? as they are, any other stands for equal?
+(define (make-hash-table . equivalence)
+  (if (and (pair? equivalence) (memq (car equivalence) (list eq? eqv? =))) (make-hasheqv) (make-hash)))
+(define (alist->hash-table alist . equivalence)
+  (let ((table (apply make-hash-table equivalence)))
+    (for-each (lambda (entry) (if (not (hash-has-key? table (car entry))) (hash-set! table (car entry) (cdr entry)))) alist)
+    table))
 (define (hash-table-ref table key . failure)
   (if (and (pair? failure) (car failure)) (hash-ref table key (car failure)) (hash-ref table key)))
 (define (hash-table-ref/default table key default) (%hash-get table key default))
@@ -938,7 +969,45 @@
   (%need-procedure 'hash-table-fold 'f f)
   (fold (lambda (entry acc) (f (car entry) (cdr entry) acc)) init (hash->list table)))
 
+; ... of which these are seen only through (srfi 69), where `hash` is another procedure than here
+(define (%hash x . bound) (if (pair? bound) (modulo (equal-hash x) (car bound)) (equal-hash x)))
+(define %string-hash %hash)
+(define (%string-ci-hash s . bound) (apply %hash (string-foldcase s) bound))
+(define %hash-by-identity %hash)
+(define (%hash-table-equivalence-function table) (if (%hash-eqv? table) eqv? equal?))
+(define (%hash-table-hash-function table) %hash)
+(define (%hash-table-merge! to from)
+  (hash-for-each from (lambda (key value) (if (not (hash-has-key? to key)) (hash-set! to key value))))
+  to)
+
 ; ---- small syntax of other Schemes ----
+
+(define-syntax and-let*                     ; SRFI 2
+  (syntax-rules ()
+    ((_ ()) #t)
+    ((_ () . body) (let () . body))
+    ((_ ((name expression))) expression)
+    ((_ ((expression))) expression)
+    ((_ (name)) name)
+    ((_ ((name expression) . more) . body) (let ((name expression)) (if name (and-let* more . body) #f)))
+    ((_ ((expression) . more) . body) (if expression (and-let* more . body) #f))
+    ((_ (name . more) . body) (if name (and-let* more . body) #f))))
+
+; SRFI 26, seen as cut and cute where (srfi 26) is imported. In %cut-more: names of the slots so far, the parts of the call so far.
+(define-syntax %cut (syntax-rules () ((_ . parts) (%cut-more () () . parts))))
+(define-syntax %cut-more
+  (syntax-rules (<> <...>)
+    ((_ (slot ...) (f part ...)) (lambda (slot ...) ((begin f) part ...)))
+    ((_ (slot ...) (f part ...) <...>) (lambda (slot ... . rest) (apply f part ... rest)))
+    ((_ (slot ...) (part ...) <> . more) (%cut-more (slot ... x) (part ... x) . more))
+    ((_ slots (part ...) expression . more) (%cut-more slots (part ... expression) . more))))
+(define-syntax %cute (syntax-rules () ((_ . parts) (%cute-more () () () . parts))))
+(define-syntax %cute-more
+  (syntax-rules (<> <...>)
+    ((_ kept (slot ...) (f part ...)) (let kept (lambda (slot ...) (f part ...))))
+    ((_ kept (slot ...) (f part ...) <...>) (let kept (lambda (slot ... . rest) (apply f part ... rest))))
+    ((_ kept (slot ...) (part ...) <> . more) (%cute-more kept (slot ... x) (part ... x) . more))
+    ((_ (bound ...) slots (part ...) expression . more) (%cute-more (bound ... (x expression)) slots (part ... x) . more))))
 
 (define-syntax begin0
   (syntax-rules ()

@@ -155,7 +155,7 @@ vs_outcome vs_eval_text(vs *vm, const char *name, unsigned first_line, const cha
   if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
   begin(s, flags);
   if (!vs_session_keep_source(s, name, first_line, text, length)) return finish(s, vs_fail_memory(vm), false);
-  return finish(s, may_run(s) && vs_program_text(vm, name, first_line, text, length, &vm->value), false);
+  return finish(s, may_run(s) && vs_program_text(vm, name, first_line, text, length, flags & VS_EVAL_PRINT, &vm->value), false);
 }
 
 /* "out/house.vs" names the drawing "house" */
@@ -180,7 +180,7 @@ vs_outcome vs_eval_file(vs *vm, const char *path, unsigned flags) {
     return VS_OUTCOME_USAGE;
   }
   bool ok = may_run(s) && (set_title(s, path) || vs_fail_memory(vm));
-  vs_outcome outcome = finish(s, ok && vs_program_text(vm, path, 1, text, length, &vm->value), false);
+  vs_outcome outcome = finish(s, ok && vs_program_text(vm, path, 1, text, length, false, &vm->value), false);
   free(text);
   return outcome;
 }

@@ -184,6 +184,11 @@ static vs_status hash_keys(vs *vm, vs_value *a, int n, vs_value *out) { return (
 static vs_status hash_values(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, hash_list(vm, a, LIST_VALUES, out); }
 static vs_status hash_to_list(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, hash_list(vm, a, LIST_PAIRS, out); }
 
+static vs_status hash_is_eqv(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  return vs_arg_type(vm, a, 0, VS_T_TABLE) ? (*out = vs_bool(vs_as_table(a[0])->kind != VS_TABLE_EQUAL), VS_OK) : VS_ERROR;
+}
+
 static vs_status hash_copy(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_arg_type(vm, a, 0, VS_T_TABLE) || !vs_make_table(vm, vs_as_table(a[0])->kind, out)) return VS_ERROR;
@@ -227,6 +232,7 @@ static const vs_native_def defs[] = {
     {"hash-keys hash-table-keys", "table", hash_keys, 0, "the keys, in the order of their insertion"},
     {"hash-values hash-table-values", "table", hash_values, 0, NULL},
     {"hash->list hash-table->alist", "table", hash_to_list, 0, "pairs of key and value, in the order of insertion"},
+    {"%hash-eqv?", "table", hash_is_eqv, 0, NULL},
     {"hash-copy hash-table-copy", "table", hash_copy, 0, NULL},
     {NULL, NULL, NULL, 0, NULL},
 };

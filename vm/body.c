@@ -265,7 +265,9 @@ bool vs_top_step(vs_expansion *x) {
   x->now.form = r[0];
   x->now.pos = pos;
   if (!vs_is_top(x->now.env)) return vs_expand_push(x, VS_TASK_EXPR, r[0], x->now.env, pos, x->now.into, 0);   /* a transformer of a body */
-  int form = m.kind == VS_MEANS_MACRO ? (int)vs_fixnum(vs_as_macro(m.value)->kind) : -1;
+  int form = m.kind == VS_MEANS_MACRO ? (int)vs_fixnum(vs_as_macro(m.value)->kind) : vs_unit_word(&m);
+  if (form != VS_FORM_begin && form != VS_FORM_import && form != VS_FORM_define_library && vs_environment_intake(x->now.env) == VS_INTAKE_FRESH)
+    vs_environment_set_intake(x->now.env, VS_INTAKE_OPEN);        /* it does not begin with an import */
   switch (form) {
   case VS_FORM_begin:
     if (vs_list_length(r[0]) < 0) return vs_expand_shape(x, VS_FORM_begin);

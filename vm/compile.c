@@ -345,10 +345,12 @@ static bool window(compiler *c, uint32_t count, bool reuse, uint32_t to, uint32_
   return vs_emit_register(e, &slot);
 }
 
-/* A word of another language that nobody defined: looked up before the operands, so that (defun f (x) x) complains of defun and not of f. */
+/* A word of another language, or of a library that was not imported, that nobody defined: looked up before the operands, so that
+   (defun f (x) x) complains of defun and not of f. */
 static bool unknown_word(const compiler *c, const vs_node *global) {
   const vs_cell *cell = vs_as_cell(pool(c, global->as.global.cell));
-  return cell->value == VS_UNDEFINED && vs_is_foreign_word(cell->name);
+  return cell->value == VS_UNDEFINED && vs_is_symbol(cell->name) &&
+         (vs_is_foreign_word(cell->name) || vs_idtable_get(vs_as_environment(c->e.ast->vm->at.core)->table, cell->name) != VS_VACANT);
 }
 
 static bool gen_call(compiler *c, vs_node *n, uint32_t to, bool fresh) {

@@ -228,29 +228,88 @@ static vs_value exported(vs_value env, vs_value name, int depth) {
   return own != VS_VACANT || !vs_is(inside, VS_T_SYMBOL) ? own : imported(env, inside, depth);
 }
 
-/* What code refers to already but was nowhere defined may be among what has just been imported. */
-static void settle_undefined(vs *vm, vs_value env) {
+/* ---- imports ---- */
+vs_intake vs_environment_intake(vs_value env) {
+  vs_value data = vs_as_environment(env)->data;
+  return vs_is_fixnum(data) ? (vs_intake)vs_fixnum(data) : VS_INTAKE_STRICT;
+}
+void vs_environment_set_intake(vs_value env, vs_intake intake) { vs_as_environment(env)->data = vs_fix((int64_t)intake); }
+void vs_environment_forget_imports(vs_value env) { vs_as_environment(env)->imports = VS_NIL; }
+
+/* what `from` gives for the local name, VS_VACANT: nothing */
+static vs_value offered(vs_value from, vs_value mapping, vs_value name) {
+  vs_value there = mapping == VS_TRUE ? name : vs_idtable_get(mapping, name);
+  return there == VS_VACANT ? VS_VACANT : exported(from, there, 0);
+}
+
+static bool same_binding(vs_value a, vs_value b) {
+  if (a == b) return true;
+  if (!vs_is(a, VS_T_CELL) || !vs_is(b, VS_T_CELL)) return false;
+  return (vs_object_of(a)->flags & vs_object_of(b)->flags & VS_F_CONSTANT) && vs_as_cell(a)->value == vs_as_cell(b)->value;
+}
+
+/* A name that env would get from two libraries in two meanings, VS_VACANT: none. What the whole library has gives way to any other. */
+static vs_value find_clash(vs *vm, vs_value env, vs_value from, vs_value mapping) {
+  const vs_environment *e = vs_as_environment(env);
+  vs_value names = mapping != VS_TRUE ? mapping : vs_as_environment(from)->exports != VS_TRUE ? vs_as_environment(from)->exports : vs_as_environment(from)->table;
+  vs_value key, value;
+  if (e->imports == VS_NIL) return VS_VACANT;
+  for (size_t i = 0; vs_idtable_slot(names, i, &key, &value); i++) {
+    if (key == VS_VACANT || !vs_is_symbol(key) || is_private(key)) continue;
+    vs_value before = VS_VACANT, now;
+    for (vs_value l = e->imports; before == VS_VACANT && vs_is_pair(l); l = vs_cdr(l))
+      if (vs_car(vs_car(l)) != vm->at.core) before = offered(vs_car(vs_car(l)), vs_cdr(vs_car(l)), key);
+    if (before != VS_VACANT && (now = offered(from, mapping, key)) != VS_VACANT && !same_binding(before, now)) return key;
+  }
+  return VS_VACANT;
+}
+
+/* Brings the names that env's code refers to already in line with what is being imported: cells of what was nowhere defined and copies of
+   constants get the new value. A definition of env's own is an error in *clash, replaced at the prompt, and stays where the new
+   meaning is only the whole library's. look: only looks for the clash. */
+static void settle(vs *vm, vs_value env, vs_value from, vs_value mapping, bool look, vs_value *clash) {
   vs_vector *table = vs_as_vector(vs_as_environment(env)->table);
+  vs_intake intake = vs_environment_intake(env);
   for (size_t i = 1; i < table->length; i += 2) {
     vs_value cell = table->at[i + 1];
-    if (table->at[i] == VS_VACANT || !vs_is_symbol(table->at[i]) || !vs_is(cell, VS_T_CELL) || vs_as_cell(cell)->value != VS_UNDEFINED) continue;
-    vs_value found = imported(env, table->at[i], 0);
-    if (found == VS_VACANT) continue;
-    if (vs_is(found, VS_T_CELL)) vs_gc_store(vm, vs_as_cell(cell), &vs_as_cell(cell)->value, vs_as_cell(found)->value);
+    if (table->at[i] == VS_VACANT || !vs_is_symbol(table->at[i])) continue;
+    vs_value found = offered(from, mapping, table->at[i]);
+    if (found == VS_VACANT || found == cell) continue;
+    bool undefined = vs_is(cell, VS_T_CELL) && vs_as_cell(cell)->value == VS_UNDEFINED;
+    bool constant = vs_is(cell, VS_T_CELL) && vs_object_of(cell)->flags & VS_F_CONSTANT;
+    if (!undefined && !constant) {
+      if (vs_idtable_get(vs_as_environment(vm->at.core)->table, table->at[i]) == found) continue;
+      if (intake != VS_INTAKE_PROMPT) { if (*clash == VS_VACANT) *clash = table->at[i]; continue; }
+    }
+    if (look || (constant && vs_is(found, VS_T_CELL) && vs_as_cell(cell)->value == vs_as_cell(found)->value)) continue;
+    if (constant) vs_cell_redefine(vm, cell);
+    if (vs_is(cell, VS_T_CELL) && vs_is(found, VS_T_CELL)) vs_gc_store(vm, vs_as_cell(cell), &vs_as_cell(cell)->value, vs_as_cell(found)->value);
     else vs_gc_store(vm, table, &table->at[i + 1], found);
   }
 }
 
-bool vs_environment_import(vs *vm, vs_value env, vs_value from, vs_value mapping) {
-  VS_ROOTS(vm, r, 2);
-  r[0] = env;
-  if (mapping == VS_TRUE)                       /* once is enough */
-    for (vs_value l = vs_as_environment(env)->imports; vs_is_pair(l); l = vs_cdr(l))
-      if (vs_car(vs_car(l)) == from && vs_cdr(vs_car(l)) == VS_TRUE) return true;
-  if (!vs_cons(vm, from, mapping, &r[1]) || !vs_cons(vm, r[1], vs_as_environment(r[0])->imports, &r[1])) return false;
+bool vs_environment_import(vs *vm, vs_value env, vs_value from, vs_value mapping, bool whole, vs_value *clash, bool *own) {
+  VS_ROOTS(vm, r, 4);
+  r[0] = env; r[1] = from; r[2] = mapping;
+  *clash = VS_VACANT;
+  *own = false;
+  vs_value last = VS_NIL;
+  for (vs_value l = vs_as_environment(env)->imports; vs_is_pair(l); l = vs_cdr(l)) {
+    if (mapping == VS_TRUE && vs_car(vs_car(l)) == from && vs_cdr(vs_car(l)) == VS_TRUE && (whole || l == vs_as_environment(env)->imports)) return true;
+    last = l;                                   /* once is enough */
+  }
+  if (vs_environment_intake(env) == VS_INTAKE_STRICT && !whole) *clash = find_clash(vm, env, from, mapping);
+  if (*clash == VS_VACANT && !whole) { settle(vm, env, from, mapping, true, clash); *own = *clash != VS_VACANT; }
+  if (*clash != VS_VACANT) return true;
+  if (!vs_cons(vm, r[1], r[2], &r[3]) || !vs_cons(vm, r[3], whole ? VS_NIL : vs_as_environment(r[0])->imports, &r[3])) return false;
   vs_environment *e = vs_as_environment(r[0]);
-  vs_gc_store(vm, e, &e->imports, r[1]);
-  settle_undefined(vm, r[0]);
+  if (!whole || last == VS_NIL) vs_gc_store(vm, e, &e->imports, r[3]);
+  else {                                        /* behind all others */
+    for (last = e->imports; vs_is_pair(vs_cdr(last));) last = vs_cdr(last);
+    vs_gc_store(vm, vs_as_pair(last), &vs_as_pair(last)->cdr, r[3]);
+  }
+  settle(vm, r[0], r[1], r[2], false, clash);
+  *clash = VS_VACANT;
   return true;
 }
 
@@ -355,6 +414,6 @@ bool vs_environment_each(vs_value env, bool (*each)(void *, vs_value, vs_value),
 void vs_environment_seal(vs_value env) {
   vs_value key, value;
   for (size_t i = 0; vs_idtable_slot(vs_as_environment(env)->table, i, &key, &value); i++)
-    if (key != VS_VACANT && vs_is(value, VS_T_CELL) && vs_as_cell(value)->value != VS_UNDEFINED)
+    if (key != VS_VACANT && vs_is(value, VS_T_CELL) && vs_as_cell(value)->value != VS_UNDEFINED && !(vs_object_of(value)->flags & VS_F_ASSIGNED))
       vs_object_of(value)->flags |= VS_F_CONSTANT;
 }

@@ -6,7 +6,8 @@
    Environments form chains by `parent`; `top` is where a local scope's chain ends, #f in a top-level environment. A local scope's `data` is the number of the expansion that made it, its bindings are fixnum
    addresses of vs_var of that expansion's tree, or MACROs. A top-level environment (parent #f) binds CELLs and MACROs; `imports` is a list of
    (environment . #t) or (environment . table from local name to its name there); `exports` is #t (everything whose name does not
-   begin with %) or a table from outside name to inside name; `name` is #f or what the library is called.
+   begin with %) or a table from outside name to inside name; `name` is #f or what the library is called; `data` says how it takes imports
+   (vs_intake).
 
    A program shares the cells of what it imports until it assigns or defines the name: constants (cells with VS_F_CONSTANT) are copied
    into a cell of its own at the first reference, so that all code of the program, also what was compiled before, sees a new
@@ -38,7 +39,19 @@ bool vs_datum_any(vs *vm, vs_value datum, bool (*test)(vs *vm, vs_value v), bool
 bool vs_environment_new(vs *vm, vs_value name, vs_value *out);                                /* top-level, no imports */
 bool vs_scope_new(vs *vm, vs_value parent, int64_t serial, vs_value *out);                    /* local */
 bool vs_environment_bind(vs *vm, vs_value env, vs_value id, vs_value binding);                /* in its own table */
-bool vs_environment_import(vs *vm, vs_value env, vs_value from, vs_value mapping);            /* mapping #t or a table */
+/* How a top-level environment takes imports.
+     STRICT   what a library and `environment` see: just what they import. One name from two libraries is an error.
+     FRESH    a program at its beginning: it sees the whole library; if it begins with an import it becomes STRICT and loses that
+     OPEN     a program past its beginning: an import adds, and wins over what was imported before
+     PROMPT   the same, and an import also wins over the prompt's own definitions */
+typedef enum { VS_INTAKE_STRICT, VS_INTAKE_FRESH, VS_INTAKE_OPEN, VS_INTAKE_PROMPT } vs_intake;
+vs_intake vs_environment_intake(vs_value env);
+void vs_environment_set_intake(vs_value env, vs_intake intake);
+
+/* mapping #t or a table from local name to its name in `from`. whole: `from` is the whole library, which gives way to everything else.
+   *clash: VS_VACANT, or a name that cannot be imported because it means something else already; *own: by a definition of env's own. */
+bool vs_environment_import(vs *vm, vs_value env, vs_value from, vs_value mapping, bool whole, vs_value *clash, bool *own);
+void vs_environment_forget_imports(vs_value env);
 static inline bool vs_is_top(vs_value env) { return vs_as_environment(env)->parent == VS_FALSE; }
 
 typedef enum { VS_MEANS_NOTHING, VS_MEANS_LOCAL, VS_MEANS_MACRO, VS_MEANS_CELL } vs_meaning_kind;
@@ -63,7 +76,7 @@ vs_value vs_environment_value(vs_value env, vs_value symbol);
 /* Calls each(context, symbol, length) for every name that a program in env can use (no % names), until it returns false. */
 bool vs_environment_each(vs_value env, bool (*each)(void *context, vs_value symbol, vs_value binding), void *context);
 
-/* Marks everything defined in env so far as constant: a finished library. */
+/* Marks everything defined in env so far, but not what its code assigns, as constant: a finished library. */
 void vs_environment_seal(vs_value env);
 
 #endif

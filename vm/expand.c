@@ -1,6 +1,7 @@
 /* Owns the expander's machine: tasks, expressions, applications, macro uses (expand.h). */
 #include "vm/expand.h"
 #include "vm/printer.h"
+#include "vm/unit.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -8,12 +9,9 @@
 enum { MOST_ARGUMENTS = 2000 };
 enum { DEPTH_LIMIT = 180 };   /* tasks deep; a task adds at most two levels of tree (VS_AST_DEPTH) */
 
-static const struct { const char *name, *shape; int rewrite; } form_table[] = {
-#define REWRITE_CORE 0
-#define REWRITE_DEFINITION 0
-#define REWRITE_AUXILIARY 0
-#define REWRITE_REWRITE 1
-#define VS_FORM(id, name, kind, shape) {name, shape, REWRITE_##kind},
+enum { KIND_CORE, KIND_DEFINITION, KIND_AUXILIARY, KIND_REWRITE };
+static const struct { const char *name, *shape; bool rewrite, auxiliary; } form_table[] = {
+#define VS_FORM(id, name, kind, shape) {name, shape, KIND_##kind == KIND_REWRITE, KIND_##kind == KIND_AUXILIARY},
 #include "vm/forms.def"
 #undef VS_FORM
 };
@@ -44,7 +42,7 @@ static rewrite_fn *const rewrite_table[] = {
 static void trace(vs *vm, void *object, void (*mark)(vs *vm, vs_value *slot)) {
   vs_expansion *x = object;
   mark(vm, &x->now.form); mark(vm, &x->now.env); mark(vm, &x->now.acc);
-  mark(vm, &x->procedure); mark(vm, &x->args); mark(vm, &x->forms);
+  mark(vm, &x->procedure); mark(vm, &x->args); mark(vm, &x->forms); mark(vm, &x->later);
   for (size_t i = 0; i < x->count; i++) { mark(vm, &x->tasks[i].form); mark(vm, &x->tasks[i].env); mark(vm, &x->tasks[i].acc); }
 }
 
@@ -65,7 +63,7 @@ bool vs_expansion_make(vs *vm, vs_value *out) {
   memset(x, 0, sizeof *x);
   x->vm = vm;
   x->now = no_task;
-  x->procedure = x->args = x->forms = VS_UNSPECIFIC;
+  x->procedure = x->args = x->forms = x->later = VS_UNSPECIFIC;
   return vs_make_foreign(vm, &vs_expansion_type, x, sizeof *x, out);
 }
 
@@ -147,7 +145,36 @@ vs_node *vs_expand_call(vs_expansion *x, const char *name, size_t n, vs_pos pos)
 bool vs_is_form(vs_value env, vs_value id, int form) {
   if (!vs_is_identifier(id)) return false;
   vs_meaning m = vs_environment_find(env, id);
-  return m.kind == VS_MEANS_MACRO && vs_as_macro(m.value)->kind == vs_fix(form);
+  if (m.kind == VS_MEANS_MACRO) return vs_as_macro(m.value)->kind == vs_fix(form);
+  /* else, =>, ... and the like mean what they look like also where they were not imported */
+  return m.kind == VS_MEANS_NOTHING && form_table[form].auxiliary && !strcmp(vs_as_symbol(vs_identifier_symbol(id))->name, form_table[form].name);
+}
+
+/* ---- syntax that was not imported ---- */
+int vs_unit_word(const vs_meaning *m) {
+  const char *name = m->kind == VS_MEANS_NOTHING && vs_is_symbol(m->id) ? vs_as_symbol(m->id)->name : "";
+  return !strcmp(name, "import") ? VS_FORM_import : !strcmp(name, "define-library") ? VS_FORM_define_library : -1;
+}
+
+static bool defines(vs_value form, vs_value name) {
+  if (!vs_is_pair(form) || !vs_is_symbol(vs_car(form)) || !vs_is_pair(vs_cdr(form)) || strncmp(vs_as_symbol(vs_car(form))->name, "define", 6)) return false;
+  vs_value what = vs_car(vs_cdr(form));
+  while (vs_is_pair(what)) what = vs_car(what);
+  return what == name;
+}
+
+/* A call of what is not defined, under a name that the library has for syntax: to expand its operands would lead to errors beside the
+   point. Unless a later form of the unit defines the name: then it is a procedure. */
+static bool check_imported(vs_expansion *x, vs_value id, vs_pos pos) {
+  vs *vm = x->vm;
+  vs_value name = vs_identifier_symbol(id), known = vs_idtable_get(vs_as_environment(vm->at.core)->table, name);
+  if (known == VS_VACANT || !vs_is(known, VS_T_MACRO) || *vs_as_symbol(name)->name == '%') return true;
+  for (vs_value l = x->later; vs_is_pair(l); l = vs_cdr(l)) if (defines(vs_car(l), name)) return true;
+  vs_text t;
+  vs_text_open(vm, &t, 300);
+  bool ok = vs_library_advice(vm, name, &t) && vs_text_end(&t) && vs_fail_at(vm, vm->sym.unbound, pos, VS_NIL, "%s is not defined%s", vs_as_symbol(name)->name, t.at);
+  vs_text_close(&t);
+  return ok;
 }
 
 static bool not_an_expression(vs_expansion *x, vs_value id, const vs_meaning *m, vs_pos pos) {
@@ -221,7 +248,9 @@ bool vs_form_set(vs_expansion *x) {
     return vs_expand_nth(x, 2, x->now.env, &n->as.set.value);
   }
   vs_value cell;
-  if (!vs_environment_cell(x->vm, &m, &cell) || !(n = global(x, VS_AST_SETGLOBAL, cell, x->now.pos))) return false;
+  if (!vs_environment_cell(x->vm, &m, &cell)) return false;
+  if (!m.foreign) vs_object_of(cell)->flags |= VS_F_ASSIGNED;
+  if (!(n = global(x, VS_AST_SETGLOBAL, cell, x->now.pos))) return false;
   *x->now.into = n;
   return vs_expand_nth(x, 2, x->now.env, &n->as.global.value);
 }
@@ -341,6 +370,7 @@ bool vs_expand_settle(vs_expansion *x, vs_value *form, vs_meaning *m, vs_pos *po
     *pos = vs_form_pos(*form, *pos);
     if (!vs_is_pair(*form) || !vs_is_identifier(vs_car(*form))) return true;
     *m = vs_environment_find(x->now.env, vs_car(*form));
+    if (m->kind == VS_MEANS_NOTHING) return (x->now.kind == VS_TASK_TOP && vs_unit_word(m) >= 0) || check_imported(x, vs_car(*form), *pos);
     if (m->kind != VS_MEANS_MACRO) return true;
     vs_value kind = vs_as_macro(m->value)->kind;
     if (vs_fixnum(kind) >= 0 && !form_table[vs_fixnum(kind)].rewrite) return true;
@@ -398,7 +428,7 @@ static bool expression(vs_expansion *x) {
 bool vs_expansion_begin(vs_expansion *x, vs_value form, vs_value env, vs_pos pos) {
   x->count = 0;
   x->now = no_task;
-  x->procedure = x->args = x->forms = VS_UNSPECIFIC;
+  x->procedure = x->args = x->forms = x->later = VS_UNSPECIFIC;
   x->root = NULL;
   x->definition = false;
   x->serial = ++x->vm->expansions;

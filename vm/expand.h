@@ -57,6 +57,7 @@ typedef struct vs_expansion {
   bool definition;         /* NODE: of a definition: no value worth telling */
   vs_value procedure, args;   /* CALL, RUN: what to call and the list of arguments */
   vs_value forms;          /* FORMS: to be expanded instead, one after the other */
+  vs_value later;          /* the top-level forms behind this one: what is not defined yet may be there */
   int poll;
 } vs_expansion;
 
@@ -110,6 +111,10 @@ bool vs_make_form_list(vs *vm, vs_value *out, size_t n, const vs_value *items); 
 /* Expands macros at the head of *form until it is core syntax, an application or no pair; *m is the head's meaning. False also when the task
    has to wait (x->now.waiting is set then). */
 bool vs_expand_settle(vs_expansion *x, vs_value *form, vs_meaning *m, vs_pos *pos);
+
+/* The words import and define-library structure a program also where nothing was imported that binds them: their form, or -1. m: what the head
+   of a top-level form means. */
+int vs_unit_word(const vs_meaning *m);
 
 /* the steps of the tasks, and the value that one of them waited for */
 bool vs_body_step(vs_expansion *x);

@@ -9,42 +9,26 @@
 
 static bool is_word(vs_value v, const char *word) { return vs_is_identifier(v) && !strcmp(vs_as_symbol(vs_identifier_symbol(v))->name, word); }
 
-/* libraries that are the one built-in library under other names: (scheme anything), (srfi n), (visualscheme anything) */
-static bool is_built_in(vs_value name) {
-  static const char *const scheme[] = {"base", "case-lambda", "char", "complex", "cxr", "eval", "file", "inexact", "lazy", "load",
-                                       "process-context", "read", "repl", "time", "write", "r5rs", "list", "hash-table"};
-  static const int srfi[] = {0, 1, 2, 6, 8, 9, 16, 23, 26, 28, 30, 34, 39, 46, 62, 69, 87};
-  if (vs_is_symbol(name)) {          /* PLT: srfi/1, racket/list ... */
-    const char *s = vs_as_symbol(name)->name;
-    if (!strncmp(s, "srfi/", 5)) {
-      for (size_t i = 0; i < sizeof srfi / sizeof *srfi; i++) { char n[16]; snprintf(n, sizeof n, "%d", srfi[i]); if (!strcmp(s + 5, n)) return true; }
-      return false;
-    }
-    return !strcmp(s, "scheme") || !strncmp(s, "scheme/", 7) || !strcmp(s, "racket") || !strncmp(s, "racket/", 7) || !strncmp(s, "mzlib/", 6) || !strcmp(s, "visualscheme");
-  }
-  if (!vs_is_pair(name)) return false;
-  vs_value rest = vs_cdr(name);
-  if (is_word(vs_car(name), "visualscheme")) return true;
-  if (!vs_is_pair(rest)) return false;
-  if (is_word(vs_car(name), "scheme")) {
-    for (size_t i = 0; i < sizeof scheme / sizeof *scheme; i++) if (is_word(vs_car(rest), scheme[i])) return vs_cdr(rest) == VS_NIL;
-  } else if (is_word(vs_car(name), "srfi")) {
-    for (size_t i = 0; i < sizeof srfi / sizeof *srfi; i++) if (vs_car(rest) == vs_fix(srfi[i])) return true;
-  }
-  return false;
-}
+static bool library_path(vs *vm, vs_value name, uint32_t from, vs_text *path, bool *found);
 
-vs_value vs_library_find(vs *vm, vs_value name) {
+bool vs_library_find(vs *vm, vs_value name, vs_value *env) {
   for (vs_value l = vm->at.libraries; vs_is_pair(l); l = vs_cdr(l)) {
     bool same;
-    if (vs_equal(vm, vs_car(vs_car(l)), name, &same) && same) return vs_cdr(vs_car(l));
+    if (!vs_equal(vm, vs_car(vs_car(l)), name, &same)) return false;
+    if (same) { *env = vs_cdr(vs_car(l)); return true; }
   }
-  return is_built_in(name) ? vm->at.core : VS_FALSE;
+  return vs_library_built_in(vm, name, env);
 }
 
-bool vs_library_known(vs *vm, vs_value name) {
-  VS_ROOTS(vm, r, 1);
-  return vs_strip(vm, name, &r[0]) && vs_library_find(vm, r[0]) != VS_FALSE;
+bool vs_library_known(vs *vm, vs_value name, uint32_t from) {
+  VS_ROOTS(vm, r, 2);
+  if (!vs_strip(vm, name, &r[0]) || !vs_library_find(vm, r[0], &r[1])) return false;
+  if (r[1] != VS_FALSE) return true;
+  vs_text t;
+  vs_text_open(vm, &t, 0);
+  bool found, ok = library_path(vm, r[0], from, &t, &found);
+  vs_text_close(&t);
+  return ok && found;
 }
 
 bool vs_library_register(vs *vm, vs_value name, vs_value env) {
@@ -62,6 +46,23 @@ static bool not_exported(vs *vm, vs_pos pos, vs_value symbol) {
   return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: this library has no %s", vs_is_symbol(symbol) ? vs_as_symbol(symbol)->name : "such name");
 }
 
+/* `name`: what the library is called */
+static bool take(vs *vm, vs_value env, vs_value from, vs_value mapping, vs_value name, vs_pos pos) {
+  VS_ROOTS(vm, r, 1);
+  r[0] = name;
+  vs_value clash;
+  bool own;
+  if (!vs_environment_import(vm, env, from, mapping, from == vm->at.core && mapping == VS_TRUE, &clash, &own)) return false;
+  if (clash == VS_VACANT) return true;
+  vs_text t;
+  vs_text_open(vm, &t, 300);
+  const char *text = vs_as_symbol(clash)->name, *why = own ? "is defined here already" : "was imported already, with another meaning";
+  bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &t) && vs_text_end(&t) &&
+            vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: %s %s; (except %s %s) leaves it out, rename or prefix keep both", text, why, t.at, text);
+  vs_text_close(&t);
+  return ok;
+}
+
 bool vs_library_import_set(vs *vm, vs_value set, vs_value env, vs_pos pos, vs_value *missing) {
   VS_ROOTS(vm, r, 8);      /* the set, env, stack of modifiers, library, table, table, name, scratch */
   r[0] = set; r[1] = env; r[2] = VS_NIL;
@@ -72,9 +73,10 @@ bool vs_library_import_set(vs *vm, vs_value set, vs_value env, vs_pos pos, vs_va
     if (!vs_cons(vm, r[0], r[2], &r[2])) return false;
     r[0] = vs_car(vs_cdr(r[0]));
   }
-  r[3] = vs_library_find(vm, r[0]);
+  r[7] = r[0];
+  if (!vs_library_find(vm, r[0], &r[3])) return false;
   if (r[3] == VS_FALSE) { *missing = r[0]; return true; }
-  if (r[2] == VS_NIL) return vs_environment_import(vm, r[1], r[3], VS_TRUE);
+  if (r[2] == VS_NIL) return take(vm, r[1], r[3], VS_TRUE, r[7], pos);
   /* a table from local name to the library's */
   if (!vs_idtable_new(vm, &r[4])) return false;
   for (size_t i = 0;; i++) {
@@ -98,6 +100,13 @@ bool vs_library_import_set(vs *vm, vs_value set, vs_value env, vs_pos pos, vs_va
       r[4] = r[5];
       continue;
     }
+    if (!prefix)
+      for (vs_value l = r[6]; vs_is_pair(l); l = vs_cdr(l)) {
+        vs_value id = except ? vs_car(l) : vs_list_length(vs_car(l)) == 2 ? vs_car(vs_car(l)) : VS_FALSE;
+        if (!vs_is_symbol(id) || (!except && !vs_is_symbol(vs_car(vs_cdr(vs_car(l))))))
+          return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: it is written %s", except ? "(except (library name) name ...)" : "(rename (library name) (name new-name) ...)");
+        if (vs_idtable_get(r[4], id) == VS_VACANT) return not_exported(vm, pos, id);
+      }
     for (size_t i = 0;; i++) {
       vs_value k, v, local;
       if (!vs_idtable_slot(r[4], i, &k, &v)) break;
@@ -113,13 +122,15 @@ bool vs_library_import_set(vs *vm, vs_value set, vs_value env, vs_pos pos, vs_va
         if (!vs_idtable_slot(r[4], i, &k, &v)) break;
       } else for (vs_value l = r[6]; vs_is_pair(l); l = vs_cdr(l)) {
         if (except) drop = drop || vs_car(l) == k;
-        else if (vs_list_length(vs_car(l)) == 2 && vs_car(vs_car(l)) == k) local = vs_car(vs_cdr(vs_car(l)));
+        else if (vs_car(vs_car(l)) == k) local = vs_car(vs_cdr(vs_car(l)));
       }
+      if (!drop && vs_idtable_get(r[5], local) != VS_VACANT)
+        return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: two names would become %s", vs_as_symbol(local)->name);
       if (!drop && !vs_idtable_put(vm, &r[5], local, v)) return false;
     }
     r[4] = r[5];
   }
-  return vs_environment_import(vm, r[1], r[3], r[4]);
+  return take(vm, r[1], r[3], r[4], r[7], pos);
 }
 
 /* (a b 1) as a/b/1.sld */
@@ -129,6 +140,19 @@ static bool library_file(vs *vm, vs_value name, vs_text *t) {
     ok = (first || vs_text_put(t, "/", 1)) && vs_print(vm, vs_car(name), VS_PRINT_DISPLAY, t);
   }
   return ok && vs_text_puts(t, ".sld");
+}
+
+/* The place of the file that may define a library, beside the file `from` or along the library path. */
+static bool library_path(vs *vm, vs_value name, uint32_t from, vs_text *path, bool *found) {
+  VS_ROOTS(vm, r, 1);
+  vs_text t;
+  *found = false;
+  if (!vs_is_pair(name)) return true;
+  vs_text_open(vm, &t, 0);
+  bool ok = library_file(vm, name, &t) && vs_text_to_string(&t, &r[0]) && vs_unit_path(vm, r[0], from, path) && vs_text_end(path);
+  vs_text_close(&t);
+  *found = ok && vm->config.io && vm->config.io->exists && vm->config.io->exists(vm->config.user, path->at);
+  return ok;
 }
 
 static bool core_value(vs *vm, const char *name, vs_value *out) {
@@ -143,6 +167,10 @@ bool vs_library_import(vs_expansion *x) {
   vs *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   if (vs_list_length(x->now.form) < 1) return vs_expand_shape(x, VS_FORM_import);
+  if (vs_environment_intake(x->now.env) == VS_INTAKE_FRESH) {        /* a program that begins with an import sees what it imports */
+    vs_environment_forget_imports(x->now.env);
+    vs_environment_set_intake(x->now.env, VS_INTAKE_STRICT);
+  }
   r[0] = vs_cdr(x->now.form);
   for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
     vs_pos pos = vs_element_pos(r[0], false, x->now.pos);
@@ -151,16 +179,14 @@ bool vs_library_import(vs_expansion *x) {
     /* not there: its file may define it; then once more */
     vs_text t;
     vs_text_open(vm, &t, 0);
-    bool found = vs_is_pair(r[1]), ok = !found || (library_file(vm, r[1], &t) && vs_text_to_string(&t, &r[2]));
-    t.count = 0;
-    if (ok && found) ok = vs_unit_path(vm, r[2], vs_pos_file(x->now.pos), &t) && vs_text_end(&t);
-    found = ok && found && vm->config.io && vm->config.io->exists && vm->config.io->exists(vm->config.user, t.at);
-    if (found) ok = vs_text_to_string(&t, &r[2]);
+    bool found, ok = library_path(vm, r[1], vs_pos_file(x->now.pos), &t, &found);
+    if (ok && found) ok = vs_text_to_string(&t, &r[2]);
     vs_text_close(&t);
     if (!ok) return false;
     if (!found || x->now.n) return vs_expand_fail(x, pos, r[1], "import: there is no library");
-    if (!core_value(vm, "%load-library", &r[3]) || !vs_cons(vm, r[2], VS_NIL, &r[4]) || !vs_cons(vm, r[3], r[4], &r[4]) || !vs_cons(vm, x->now.form, VS_NIL, &r[2]) ||
-        !vs_cons(vm, r[4], r[2], &x->forms)) return false;
+    if (!core_value(vm, "%load-library", &r[3]) || !vs_cons(vm, r[2], VS_NIL, &r[4]) || !vs_cons(vm, r[3], r[4], &r[4])) return false;
+    if (!vs_core_name(vm, "import", &r[2]) || !vs_cons_at(vm, r[2], vs_cdr(x->now.form), x->now.pos, &r[2])) return false;
+    if (!vs_cons(vm, r[2], VS_NIL, &r[2]) || !vs_cons(vm, r[4], r[2], &x->forms)) return false;
     x->result = VS_EXPAND_FORMS;
     return true;
   }
@@ -258,14 +284,14 @@ bool vs_library_require(vs_expansion *x) {
   vs_value spec = vs_car(vs_cdr(x->now.form));
   vs_pos pos = vs_element_pos(vs_cdr(x->now.form), false, x->now.pos);
   if (!vs_is_string(spec)) {
-    /* PLT's (lib "..."), (only-in ...), (prefix-in ...) around something built in: all of it is there anyway */
-    for (int i = 0; i < 8 && vs_is_pair(spec) && vs_list_length(spec) > 1 && !vs_library_known(vm, spec); i++) {
+    /* PLT's (lib "..."), (only-in ...), (prefix-in ...) around something built in */
+    for (int i = 0; i < 8 && vs_is_pair(spec) && vs_list_length(spec) > 1 && !vs_library_is_built_in(spec); i++) {
       if (is_word(vs_car(spec), "lib") || is_word(vs_car(spec), "planet")) { spec = VS_FALSE; break; }
       spec = is_word(vs_car(spec), "prefix-in") && vs_list_length(spec) > 2 ? vs_car(vs_cdr(vs_cdr(spec))) : vs_car(vs_cdr(spec));
     }
-    if (spec == VS_FALSE || !vs_library_known(vm, spec)) return vs_expand_fail(x, pos, vs_car(vs_cdr(x->now.form)), "require: this is not built in, and a file is named by a string:");
+    if (spec == VS_FALSE || !vs_library_is_built_in(spec)) return vs_expand_fail(x, pos, vs_car(vs_cdr(x->now.form)), "require: this is not built in, and a file is named by a string:");
     x->result = VS_EXPAND_NOTHING;
-    return true;
+    return vs_library_import_set(vm, spec, x->now.env, pos, &r[1]);      /* (srfi 26) has names that are seen in no other way */
   }
   vs_text path;
   vs_text_open(vm, &path, 0);

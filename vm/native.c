@@ -56,21 +56,21 @@ void vs_signature_parameter(const char *text, int arg, char *name, size_t size) 
 }
 
 /* ---- procedures ---- */
-static bool native_make(vs *vm, const vs_native_def *def, vs_value *out) {
+/* symbol: which of the names of def this one goes by; errors say it */
+static bool native_make(vs *vm, const vs_native_def *def, vs_value symbol, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   vs_signature g = vs_signature_read(def->signature);
-  size_t first = strcspn(def->name, " ");
-  r[1] = VS_FALSE;
-  if (!vs_intern(vm, def->name, first, &r[0]) || (g.keywords && !vs_make_vector(vm, g.keywords, VS_FALSE, &r[1]))) return false;
+  r[0] = symbol; r[1] = VS_FALSE;
+  if (g.keywords && !vs_make_vector(vm, g.keywords, VS_FALSE, &r[1])) return false;
   const char *text = def->signature, *name;
   size_t length;
   int depth = 0;
   uint32_t k = 0;
   for (vs_signature_kind kind; (kind = vs_signature_next(&text, &depth, &name, &length)) != VS_SIG_END;)
     if (kind == VS_SIG_KEYWORD) {
-      vs_value symbol;
-      if (!vs_intern(vm, name, length, &symbol)) return false;
-      vs_gc_store(vm, vs_as_vector(r[1]), &vs_as_vector(r[1])->at[k++], symbol);
+      vs_value keyword;
+      if (!vs_intern(vm, name, length, &keyword)) return false;
+      vs_gc_store(vm, vs_as_vector(r[1]), &vs_as_vector(r[1])->at[k++], keyword);
     }
   vs_native *n = (vs_native *)(void *)vs_gc_alloc_old(vm, VS_T_NATIVE, VS_WORDS(vs_native));
   if (!n) return false;
@@ -78,7 +78,7 @@ static bool native_make(vs *vm, const vs_native_def *def, vs_value *out) {
   n->min = g.required;
   n->max = g.rest ? UINT32_MAX : g.required + g.optional;
   n->name = r[0]; n->keywords = r[1];
-  vs_inline_find(vm, def->name, first, &n->inlined, &n->inlined_arg);
+  vs_inline_find(vm, def->name, strcspn(def->name, " "), &n->inlined, &n->inlined_arg);
   *out = vs_from_object(n);
   return true;
 }
@@ -87,10 +87,9 @@ bool vs_native_define(vs *vm, const vs_native_table *table,
                       bool (*define)(vs *vm, void *context, vs_value symbol, vs_value procedure), void *context) {
   VS_ROOTS(vm, r, 2);
   for (const vs_native_def *def = table->defs; def->name; def++) {
-    if (!native_make(vm, def, &r[0])) return false;
     for (const char *s = def->name; *s;) {
       size_t n = strcspn(s, " ");
-      if (!vs_intern(vm, s, n, &r[1]) || !define(vm, context, r[1], r[0])) return false;
+      if (!vs_intern(vm, s, n, &r[1]) || !native_make(vm, def, r[1], &r[0]) || !define(vm, context, r[1], r[0])) return false;
       s += n;
       while (*s == ' ') s++;
     }

@@ -43,7 +43,7 @@ enum { VS_ERROR = 0, VS_OK = 1, VS_TAILCALL = 2, VS_CALL = 3, VS_THROW = 4, VS_U
 typedef vs_status vs_native_fn(vs *vm, vs_value *a, int n, vs_value *out);
 
 typedef struct vs_native_def {
-  const char *name;          /* several names of one procedure: "call/cc call-with-current-continuation"; the first is shown */
+  const char *name;          /* or several: "call/cc call-with-current-continuation": a procedure for each, whose errors say its name */
   const char *signature;
   vs_native_fn *fn;
   int slots;

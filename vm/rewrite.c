@@ -3,6 +3,8 @@
 #include "vm/library.h"
 #include "vm/unit.h"
 
+#include <stdio.h>
+
 bool vs_core_name(vs *vm, const char *name, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   return vs_intern_c(vm, name, &r[0]) && vs_make_alias(vm, r[0], vm->at.core, out);
@@ -164,15 +166,28 @@ bool vs_form_syntax_error(vs_expansion *x, vs_value *form) {
 }
 
 /* ---- cond-expand ---- */
-static const char *const features[] = {"r7rs", "full-unicode", "ratios", "exact-closed", "visualscheme", "syntax-rules", NULL};
+static const char *const features[] = {"r7rs", "full-unicode", "ratios", "exact-closed", "ieee-float", "visualscheme", "syntax-rules", NULL};
+
+static bool add_feature(vs *vm, vs_value *list, const char *name) {
+  VS_ROOTS(vm, r, 1);
+  return vs_intern_c(vm, name, &r[0]) && vs_cons(vm, r[0], *list, list);
+}
+static bool add_srfi(vs *vm, void *list, int number) {
+  char name[32];
+  snprintf(name, sizeof name, "srfi-%d", number);
+  return add_feature(vm, list, name);
+}
 
 bool vs_features(vs *vm, vs_value *out) {
-  VS_ROOTS(vm, r, 2);
+  VS_ROOTS(vm, r, 1);
   r[0] = VS_NIL;
-  for (size_t i = 0; features[i]; i++) if (!vs_intern_c(vm, features[i], &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])) return false;
+  if (!vs_library_each_srfi(vm, add_srfi, &r[0])) return false;
+  for (size_t i = 0; features[i]; i++) if (!add_feature(vm, &r[0], features[i])) return false;
   *out = r[0];
   return true;
 }
+
+static bool is_other_number(vs *vm, void *number, int n) { return (void)vm, n != *(const int *)number; }
 
 static bool is_word(vs_value v, const char *word) { return vs_is_identifier(v) && !strcmp(vs_as_symbol(vs_identifier_symbol(v))->name, word); }
 
@@ -182,7 +197,8 @@ static int holds(vs_expansion *x, vs_value q, int depth) {
   if (vs_is_identifier(q)) {
     if (is_word(q, "else")) return 1;
     for (size_t i = 0; features[i]; i++) if (is_word(q, features[i])) return 1;
-    return 0;
+    int number;
+    return sscanf(vs_as_symbol(vs_identifier_symbol(q))->name, "srfi-%d", &number) == 1 && !vs_library_each_srfi(x->vm, is_other_number, &number);
   }
   int64_t n = vs_list_length(q);
   if (n < 1) return vs_expand_fail(x, x->now.pos, q, "cond-expand: a requirement is a name, (and ...), (or ...), (not ...) or (library (name)), not") - 1;
@@ -196,7 +212,7 @@ static int holds(vs_expansion *x, vs_value q, int depth) {
     return conjunction;
   }
   if (is_word(head, "not") && n == 2) { int h = holds(x, vs_car(vs_cdr(q)), depth + 1); return h < 0 ? h : !h; }
-  if (is_word(head, "library") && n == 2) return vs_library_known(x->vm, vs_car(vs_cdr(q)));
+  if (is_word(head, "library") && n == 2) return vs_library_known(x->vm, vs_car(vs_cdr(q)), vs_pos_file(x->now.pos));
   return vs_expand_fail(x, x->now.pos, q, "cond-expand: a requirement is a name, (and ...), (or ...), (not ...) or (library (name)), not") - 1;
 }
 

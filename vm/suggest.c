@@ -57,14 +57,15 @@ static int foreign_word(const char *name) {
 bool vs_is_foreign_word(vs_value symbol) { return vs_is_symbol(symbol) && foreign_word(vs_as_symbol(symbol)->name) >= 0; }
 
 bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t) {
-  (void)vm;
   if (!vs_is_symbol(symbol)) return true;
   const vs_symbol *wanted = vs_as_symbol(symbol);
   int i = foreign_word(wanted->name);
   if (i >= 0)
     return foreign[i].name[0] ? vs_text_puts(t, "; ") && vs_text_puts(t, foreign[i].name) && vs_text_puts(t, " is the name here: ") && vs_text_puts(t, foreign[i].form)
                               : vs_text_puts(t, "; write ") && vs_text_puts(t, foreign[i].form);
-  if (!vs_is(env, VS_T_ENVIRONMENT) || wanted->length < 2) return true;
+  size_t before = t->count;
+  if (!vs_library_advice(vm, symbol, t)) return false;
+  if (t->count > before || !vs_is(env, VS_T_ENVIRONMENT) || wanted->length < 2) return true;
   search s = {.wanted = wanted, .distance = wanted->length <= 3 ? 1 : wanted->length <= 7 ? 2 : 3};
   vs_environment_each(env, consider, &s);
   return !s.best || (vs_text_puts(t, "; did you mean ") && vs_text_put(t, s.best->name, s.best->length) && vs_text_puts(t, "?"));

@@ -61,6 +61,7 @@ static vs_status run(vs *vm, vs_value *a, int n, vs_value *out) {
       a[RUN_PLACE] = vs_fix((int64_t)pos);
       vm->top_place = pos;
       if (!vs_expansion_begin(x, vs_car(a[RUN_FORMS]), a[RUN_ENV], pos)) return VS_ERROR;
+      x->later = vs_cdr(a[RUN_FORMS]);
       a[RUN_SERIAL] = vs_fix(x->serial);
     }
     stepping = false;
@@ -142,10 +143,23 @@ static vs_status interaction(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status report_environment(vs *vm, vs_value *a, int n, vs_value *out) {
-  (void)a; (void)n;
-  return vs_program_new(vm, out);
+/* (scheme-report-environment 5), (null-environment 5): what R5RS has, and of that the syntax */
+static vs_status report(vs *vm, vs_value *a, int n, bool syntax, vs_value *out) {
+  VS_ROOTS(vm, r, 5);
+  if (n && a[0] != vs_fix(5)) return vs_fail_type(vm, 0, "5, the one report with such an environment ((environment '(scheme base) ...) is R7RS' way)", a[0]);
+  if (!vs_intern_c(vm, "r5rs", &r[0]) || !vs_cons(vm, r[0], VS_NIL, &r[1]) || !vs_intern_c(vm, "scheme", &r[0]) || !vs_cons(vm, r[0], r[1], &r[1]) ||
+      !vs_library_find(vm, r[1], &r[2]) || !vs_idtable_new(vm, &r[3]) || !vs_environment_new(vm, VS_FALSE, &r[4])) return VS_ERROR;
+  vs_value name, binding, clash;
+  for (size_t i = 0; vs_idtable_slot(vs_as_environment(r[2])->table, i, &name, &binding); i++)
+    if (name != VS_VACANT && (!syntax || vs_is(binding, VS_T_MACRO)) && !vs_idtable_put(vm, &r[3], name, name)) return VS_ERROR;
+  bool own;
+  if (!vs_environment_import(vm, r[4], r[2], r[3], false, &clash, &own)) return VS_ERROR;
+  vs_environment_set_intake(r[4], VS_INTAKE_OPEN);
+  *out = r[4];
+  return VS_OK;
 }
+static vs_status report_environment(vs *vm, vs_value *a, int n, vs_value *out) { return report(vm, a, n, false, out); }
+static vs_status null_environment(vs *vm, vs_value *a, int n, vs_value *out) { return report(vm, a, n, true, out); }
 
 static vs_status environment(vs *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
@@ -358,7 +372,8 @@ static const vs_native_def defs[] = {
   {"%run", "forms env tell", run, RUN_SLOTS, NULL},
   {"eval", "expression [environment]", eval, 0, "the value of an expression"},
   {"interaction-environment", "", interaction, 0, "the environment of the program"},
-  {"scheme-report-environment null-environment", "[version]", report_environment, 0, "a fresh environment with the whole library"},
+  {"scheme-report-environment", "[version]", report_environment, 0, "a fresh environment with the names of R5RS"},
+  {"null-environment", "[version]", null_environment, 0, "a fresh environment with the syntax of R5RS"},
   {"environment", ". imports", environment, 0, "a fresh environment with these imports"},
   {"er-macro-transformer", "procedure", er_transformer, 0, "a macro by explicit renaming: (procedure form rename compare)"},
   {"%eval-transformer", "spec env", eval_transformer, 0, NULL},
@@ -418,7 +433,11 @@ bool vs_front_open(vs *vm) {
 
 bool vs_program_new(vs *vm, vs_value *env) {
   VS_ROOTS(vm, r, 1);
-  if (!vs_environment_new(vm, VS_FALSE, &r[0]) || !vs_environment_import(vm, r[0], vm->at.core, VS_TRUE)) return false;
+  vs_value clash;
+  bool own;
+  if (!vs_environment_new(vm, VS_FALSE, &r[0])) return false;
+  vs_environment_set_intake(r[0], VS_INTAKE_FRESH);
+  if (!vs_environment_import(vm, r[0], vm->at.core, VS_TRUE, true, &clash, &own)) return false;
   *env = r[0];
   return true;
 }
@@ -452,8 +471,9 @@ static bool forget_unfinished(vs *vm) {
   return true;
 }
 
-bool vs_program_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, vs_value *last) {
+bool vs_program_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt, vs_value *last) {
   VS_ROOTS(vm, r, 1);
+  if (prompt) vs_environment_set_intake(vm->at.program, VS_INTAKE_PROMPT);
   return forget_unfinished(vm) && read_text(vm, name, line, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
 }
 

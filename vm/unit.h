@@ -17,9 +17,9 @@ void vs_library_done(vs *vm);
 /* A program: an environment that imports the whole library. vm->at.program is that of the host. */
 bool vs_program_new(vs *vm, vs_value *env);
 
-/* Runs a text or a file in vm->at.program; `line` is the number of its first line. *last: the value of the last form. Values of top-level
-   expressions go to vm->config.value. False: vm->condition. */
-bool vs_program_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, vs_value *last);
+/* Runs a text or a file in vm->at.program; `line` is the number of its first line; prompt: it was typed at one, so its imports add (environment.h).
+   *last: the value of the last form. Values of top-level expressions go to vm->config.value. False: vm->condition. */
+bool vs_program_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt, vs_value *last);
 bool vs_program_file(vs *vm, const char *path, vs_value *last);
 
 /* The path of a file that the text `from` (a file number, 0: none) names: beside it, else along vm->config.library_path. */
@@ -30,6 +30,8 @@ bool vs_unit_read(vs *vm, const char *path, bool fold, vs_value *forms);
 /* What to say of a name that is not defined, appended to t: " (did you mean make-box?)", "; unite is the name here: (unite a b ...)". Nothing if
    nothing comes to mind. */
 bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t);
+/* "; (import (scheme write)) brings it" appended to t, where a built-in library has the name */
+bool vs_library_advice(vs *vm, vs_value symbol, vs_text *t);
 bool vs_is_foreign_word(vs_value symbol); /* of foreign.def */
 
 #endif

@@ -83,6 +83,7 @@ enum {                          /* vs_object.flags */
   VS_F_CONSTANT   = 4,          /* cell: imported or registered, never assigned: calls to it may be inlined */
   VS_F_UNINTERNED = 4,          /* symbol: from generate-uninterned-symbol */
   VS_F_LOCAL      = 8,          /* symbol, alias: some local scope has bound it */
+  VS_F_ASSIGNED   = 8,          /* cell: its own unit has a set! of it: who imports it shares it */
   VS_F_NEGATIVE   = 4           /* bignum */
 };
 

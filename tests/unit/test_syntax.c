@@ -40,7 +40,7 @@ static int drop_prelude(void **state) { (void)state; free(prelude); return 0; }
 static void run(vs *vm, const char *program, char *out, size_t room) {
   vs_value last;
   out[0] = 0;
-  if (vs_program_text(vm, "p.vs", 1, program, strlen(program), &last)) return;
+  if (vs_program_text(vm, "p.vs", 1, program, strlen(program), false, &last)) return;
   assert_true(vs_is(vm->condition, VS_T_CONDITION));
   vs_text t;
   vs_text_open(vm, &t, 0);
@@ -160,11 +160,11 @@ static void test_no_memory(void **state) {
   vs_value last;
   for (size_t n = 1; n < 100000; n += n < 200 ? 1 : 7) {
     vs_gc_fail_after(vm, n);
-    bool ok = vs_program_text(vm, "p.vs", 1, program, strlen(program), &last);
+    bool ok = vs_program_text(vm, "p.vs", 1, program, strlen(program), false, &last);
     vs_gc_fail_after(vm, 0);
     if (ok) break;
   }
-  assert_true(vs_program_text(vm, "p.vs", 1, program, strlen(program), &last));
+  assert_true(vs_program_text(vm, "p.vs", 1, program, strlen(program), false, &last));
   vs_close_vm(vm);
 }
 
