@@ -34,6 +34,9 @@ PROGRAM   = $(if $(wildcard visualscheme.c),$(BUILD)/vs)
 
 all: $(BUILD)/libvisualscheme.a $(PROGRAM) ## build the library and the program, build/vs
 
+# FreeType's headers have a folder of their own. The library itself is loaded when the first text is made.
+$(BUILD)/obj/geometry/font.o: CFLAGS += $(shell pkg-config --cflags freetype2 2>/dev/null || echo -I/usr/include/freetype2)
+
 $(BUILD)/obj/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -MMD -MP -c $< -o $@

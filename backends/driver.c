@@ -168,7 +168,7 @@ static bool drive_op_vain(vs_emitter *e, const vs_node *n) {
     for (size_t i = 0; i < n->child_count; i++)
       if (!drive_vain(e, &n->children[i])) return false;
     return true;
-  case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
+  case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
   case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE:
   case VS_SWEEP: case VS_THICKEN: case VS_KIND_COUNT:
     break;
@@ -237,7 +237,7 @@ static bool drive_is_short(const vs_node *n) {
   switch ((vs_kind)n->kind) {
   case VS_EMPTY: case VS_BOX: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_TORUS: case VS_WEDGE: case VS_CIRCLE: case VS_ARC:
     return true;
-  case VS_LINE: case VS_SPLINE: case VS_REGION: case VS_PYRAMID: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
+  case VS_LINE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_PYRAMID: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
   case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
     break;
   }

@@ -117,7 +117,7 @@ vs_status vs_p_do_resize(vs_frame *f, vs_value *out) {
 static bool faces(const vs_node *n, vs_vec3 *normal) {
   vs_affine at = vs_affine_identity();
   for (;;) switch ((vs_kind)n->kind) {
-    case VS_CIRCLE: case VS_ARC: *normal = vs_v3(0, 0, 1); goto found;
+    case VS_CIRCLE: case VS_ARC: case VS_TEXT: *normal = vs_v3(0, 0, 1); goto found;
     case VS_LINE: {
       const vs_points *p = VS_AS(line, n)->points;
       *normal = vs_v3(0, 0, 0);

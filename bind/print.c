@@ -98,6 +98,17 @@ static bool named(const sink *k, const vs_node *n, const char *const *names) {
 
 static bool is_moved(const vs_affine *m) { return vs_affine_is_translation(m); }
 
+/* "(make-text" with the keywords that are not what they are anyway */
+static bool letters(const sink *k, const vs_node *n) {
+  const struct vs_letters *t = VS_AS(letters, n);
+  bool ok = text(k, "(make-text") && named(k, n, (const char *const[]){ "p", "size", "string", NULL });
+  if (*t->font) ok = ok && text(k, " #:font ") && quoted(k, t->font);
+  if (strcmp(t->align, "left")) ok = ok && text(k, " #:align '") && text(k, t->align);
+  if (strcmp(t->valign, "baseline")) ok = ok && text(k, " #:valign '") && text(k, t->valign);
+  if (t->spacing != 1) ok = ok && text(k, " #:spacing ") && number(k, t->spacing);
+  return ok;
+}
+
 /* "(make-sphere" and what stands before the children */
 static bool opening(const sink *k, const vs_node *n) {
   const char *name = vs_kind_get((vs_kind)n->kind)->name;
@@ -115,6 +126,7 @@ static bool opening(const sink *k, const vs_node *n) {
     }
     case VS_POLYFACE_MESH: return text(k, "(make-polyface-mesh") && named(k, n, (const char *const[]){ "points", "faces", NULL });
     case VS_REGION: return text(k, "(make-region");
+    case VS_TEXT: return letters(k, n);
     case VS_BOX: case VS_WEDGE: return text(k, "(make-") && text(k, name) && named(k, n, (const char *const[]){ "p", "q", NULL });
     case VS_ARC: return text(k, "(make-arc") && named(k, n, (const char *const[]){ "c", "r", "start", "end", NULL });
     case VS_CIRCLE: case VS_SPHERE: return text(k, "(make-") && text(k, name) && named(k, n, (const char *const[]){ "c", "r", NULL });

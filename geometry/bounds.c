@@ -7,6 +7,7 @@
 #include "geometry/curve.h"
 #include "geometry/measure.h"
 #include "geometry/swept.h"
+#include "geometry/text.h"
 
 static vs_vec3 vs_row(const vs_affine *a, int i) { return vs_v3(a->m[i][0], a->m[i][1], a->m[i][2]); }
 
@@ -99,6 +100,7 @@ static bool vs_bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds
     case VS_ARC: vs_bounds_add_arc(b, a, VS_AS(arc, n)); return true;
     case VS_CIRCLE: vs_bounds_add_disc(b, a, VS_AS(circle, n)->center, vs_v3(0, 0, 1), VS_AS(circle, n)->radius); return true;
     case VS_SPLINE: return vs_bounds_spline(b, a, n, e);
+    case VS_TEXT: return vs_text_bounds(n, a, b, e);
     case VS_BOX: {
       const struct vs_box *x = VS_AS(box, n);
       for (int i = 0; i < 8; i++) vs_bounds_add(b, vs_affine_point(a, vs_v3(i & 1 ? x->q.x : x->p.x, i & 2 ? x->q.y : x->p.y, i & 4 ? x->q.z : x->p.z)));

@@ -156,7 +156,7 @@ static bool vs_inside_leaf(const vs_inside_part *part, vs_vec3 p) {
     case VS_PYRAMID: return vs_inside_pyramid(q, part->height, VS_AS(pyramid, n));
     case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: return part->plan ? vs_inside_swept(part, p) : part->facets && vs_inside_facets(part->facets, p);
     case VS_POLYFACE_MESH: return part->facets && vs_inside_facets(part->facets, p);
-    case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL:
+    case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_TRANSFORM: case VS_MATERIAL:
     case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
   }
   return false;
@@ -203,7 +203,7 @@ static bool vs_inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs
   part->inverse = vs_affine_identity();
   switch ((vs_kind)n->kind) {
     case VS_EMPTY: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_TORUS: return true;
-    case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: return true; /* nothing is inside them; a profile's parts */
+    case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: return true; /* nothing is inside them; a profile's parts */
     case VS_CYLINDER: return vs_inside_prepare_axis(part, VS_AS(cylinder, n)->base, VS_AS(cylinder, n)->top);
     case VS_CONE: return vs_inside_prepare_axis(part, VS_AS(cone, n)->base, VS_AS(cone, n)->apex);
     case VS_CUT_CONE: return vs_inside_prepare_axis(part, VS_AS(cut_cone, n)->base, VS_AS(cut_cone, n)->top);
@@ -326,7 +326,7 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
           decided = first ? !answer : answer;
           if (!first) answer = !answer; /* in what is taken away: outside; clear of it: inside so far */
           break;
-        case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
+        case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
         case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
         case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT: decided = true; break;
       }

@@ -51,7 +51,7 @@ static bool vs_measure_region(const vs_node *n, vs_measure *m, vs_error *e) {
   if (!vs_node_bounds(n, &b, e)) return false;
   vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
   if (!vs_region_outline(n, &f, &o, e)) return false;
-  m->area = vs_outline_measure(&o, &m->centroid);
+  m->area = o.count ? vs_outline_measure(&o, &m->centroid) : 0;
   m->known = m->area_known = true;
   vs_outline_free(&o);
   return true;
@@ -89,6 +89,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       }
       return true;
     }
+    case VS_TEXT: return vs_measure_region(whole, m, e);
     case VS_REGION: {
       if (!vs_measure_region(whole, m, e)) return false;
       double k;

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "geometry/curve.h"
+#include "geometry/text.h"
 
 void vs_outline_free(vs_outline *o) {
   for (size_t i = 0; i < o->count; i++) vs_polyline_free(&o->loops[i]);
@@ -110,12 +111,23 @@ static bool vs_outline_plane(vs_outline *o, vs_error *e) {
   return true;
 }
 
+/* A text's loops are nested already; none is left where the letters have no ink. */
+static bool vs_text_outline(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e) {
+  if (!vs_text_loops(n, placed, f, out, e)) return false;
+  if (!out->count) return true;
+  if (!vs_outline_plane(out, e)) return vs_outline_free(out), false;
+  for (size_t i = 0; i < out->count; i++)
+    if (out->hole[i] != (vs_v3_dot(vs_polyline_area(&out->loops[i]), out->normal) < 0)) vs_polyline_turn(&out->loops[i]);
+  return true;
+}
+
 bool vs_region_outline(const vs_node *n, const vs_facets *f, vs_outline *out, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) {
     if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
     n = n->children[0].node;
   }
+  if (n->kind == VS_TEXT) return vs_text_outline(n, &placed, f, out, e);
   size_t count = n->kind == VS_REGION ? n->child_count : 1;
   vs_path *paths = calloc(count ? count : 1, sizeof *paths);
   *out = (vs_outline){ 0 };

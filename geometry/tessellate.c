@@ -12,7 +12,7 @@ static const vs_ref *vs_tessellate_below(const vs_node *n, vs_affine *placed) {
       return &n->children[0];
     case VS_MATERIAL: case VS_LAYER: return &n->children[0];
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return n->child_count == 1 ? &n->children[0] : NULL;
-    case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
+    case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
     case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
     case VS_THICKEN: case VS_KIND_COUNT: break;
   }
@@ -59,10 +59,10 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
       break;
     }
     case VS_POLYFACE_MESH: ok = vs_solid_polyface(out, VS_AS(polyface_mesh, n)->points, VS_AS(polyface_mesh, n)->faces); break;
-    case VS_REGION: {
+    case VS_REGION: case VS_TEXT: {
       vs_outline o;
       if (!vs_region_outline(n, f, &o, e)) return false;
-      ok = vs_outline_mesh(&o, out);
+      ok = !o.count || vs_outline_mesh(&o, out);
       vs_outline_free(&o);
       break;
     }

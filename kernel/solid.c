@@ -153,7 +153,7 @@ static role role_of(const vs_node *n) {
   switch ((vs_kind)n->kind) {
   case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: return PLACED;
   case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return JOINED;
-  case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
+  case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
   case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
   case VS_THICKEN: case VS_KIND_COUNT: break;
   }

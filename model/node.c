@@ -93,7 +93,7 @@ static void vs_node_classify(vs_node *n, const vs_kind_info *info) {
     case VS_PYRAMID: case VS_TORUS: break;
     case VS_LINE: if (VS_AS(line, n)->closed) n->flags |= VS_NODE_CLOSED; break;
     case VS_SPLINE: if (VS_AS(spline, n)->closed) n->flags |= VS_NODE_CLOSED; break;
-    case VS_CIRCLE: case VS_REGION: n->flags |= VS_NODE_CLOSED; break;
+    case VS_CIRCLE: case VS_REGION: case VS_TEXT: n->flags |= VS_NODE_CLOSED; break;
     case VS_POLYFACE_MESH: n->class_ = VS_AS(polyface_mesh, n)->closed ? VS_SOLID : VS_SURFACE; break;
     case VS_EXTRUDE: case VS_SWEEP:
       n->class_ = !first || first->class_ == VS_NOTHING ? VS_NOTHING : vs_node_is_planar_area(first) ? VS_SOLID : VS_SURFACE;

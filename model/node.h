@@ -121,6 +121,8 @@ void vs_store_release(vs_store *s);
 size_t vs_store_bytes(const vs_store *s); /* held now by nodes and arrays: counts towards the interpreter's memory budget */
 void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size); /* accounted; new_size 0 frees */
 void vs_store_fail_at(vs_store *s, size_t n); /* tests: the n-th allocation from now fails and so do those after it; 0: none */
+/* One place for geometry/ to keep what took time to get (fonts) for as long as the store lives; NULL at first. let_go frees it then. */
+void **vs_store_kept(vs_store *s, void (*let_go)(vs_store *s, void *kept));
 const char *vs_store_text(vs_store *s, const char *text, size_t length);            /* interned, NUL-terminated; NULL: out of memory */
 const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, uint32_t column, const vs_origin *caller); /* interned; NULL: oom */
 const vs_material *vs_store_material(vs_store *s, const vs_material *m);             /* interned by value; NULL: out of memory */

@@ -87,6 +87,7 @@ vs_store *vs_store_retain(vs_store *s) {
 
 void vs_store_release(vs_store *s) {
   if (!s || --s->refs) return;
+  if (s->kept) s->let_go(s, s->kept);
   vs_intern *tables[] = { &s->texts, &s->origins, &s->materials };
   for (int i = 0; i < 3; i++) vs_store_realloc(s, tables[i]->slots, tables[i]->room * sizeof(void *), 0);
   for (vs_block *b = s->blocks, *next; b; b = next) {
@@ -94,6 +95,11 @@ void vs_store_release(vs_store *s) {
     vs_store_realloc(s, b, sizeof *b + b->size, 0);
   }
   s->alloc(s->context, s, sizeof *s, 0);
+}
+
+void **vs_store_kept(vs_store *s, void (*let_go)(vs_store *s, void *kept)) {
+  s->let_go = let_go;
+  return &s->kept;
 }
 
 size_t vs_store_bytes(const vs_store *s) { return s->bytes; }

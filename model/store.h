@@ -15,6 +15,8 @@ struct vs_store {
   size_t fail_at; /* counts down; the allocation that reaches 0 fails, as do all after it until it is set again */
   bool failing;
   vs_intern texts, origins, materials;
+  void *kept;           /* what geometry/ keeps as long as the store lives (fonts); let_go frees it before the rest */
+  void (*let_go)(vs_store *s, void *kept);
   vs_block *blocks; /* what is interned lies here and goes with the store */
 };
 

@@ -361,6 +361,7 @@ const vs_backend vs_backend_openscad = {
   .omit = { [VS_SURFACE] = "OpenSCAD programs hold solids: open surfaces are left out" },
   .emit = {
     [VS_LINE] = { scad_line, "OpenSCAD programs hold solids: curves are drawn as thin rods" },
+    [VS_TEXT] = { scad_region, "OpenSCAD programs hold solids: flat regions are drawn as thin slabs" },
     [VS_REGION] = { scad_region, "OpenSCAD programs hold solids: flat regions are drawn as thin slabs" },
     [VS_BOX] = { scad_box, NULL }, [VS_SPHERE] = { scad_sphere, NULL }, [VS_CYLINDER] = { scad_cylinder, NULL }, [VS_CONE] = { scad_cone, NULL },
     [VS_CUT_CONE] = { scad_cut_cone, NULL }, [VS_PYRAMID] = { scad_pyramid, NULL }, [VS_TORUS] = { scad_torus, NULL },

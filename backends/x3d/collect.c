@@ -137,7 +137,7 @@ static bool collect_form(const vs_node *n, vs_x3d_form *form, vs_affine *place) 
     *place = collect_on_axis(c->base, c->apex, c->radius);
     return c->segments == 0;
   }
-  case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_WEDGE: case VS_CUT_CONE: case VS_PYRAMID:
+  case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_WEDGE: case VS_CUT_CONE: case VS_PYRAMID:
   case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
   case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
     break;

@@ -55,7 +55,7 @@ vs_emit_fn vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean;
 
 /* A NULL function is lowered: curves to polylines. Everything solid or thin becomes triangles in vs_x3d_leaf. */
 #define VS_X3D_EMIT                                                                                                                  \
-  [VS_LINE] = { vs_x3d_line, NULL }, [VS_REGION] = { vs_x3d_leaf, NULL }, [VS_BOX] = { vs_x3d_leaf, NULL }, [VS_WEDGE] = { vs_x3d_leaf, NULL }, \
+  [VS_LINE] = { vs_x3d_line, NULL }, [VS_REGION] = { vs_x3d_leaf, NULL }, [VS_TEXT] = { vs_x3d_leaf, NULL }, [VS_BOX] = { vs_x3d_leaf, NULL }, [VS_WEDGE] = { vs_x3d_leaf, NULL }, \
   [VS_SPHERE] = { vs_x3d_leaf, NULL }, [VS_CYLINDER] = { vs_x3d_leaf, NULL }, [VS_CONE] = { vs_x3d_leaf, NULL },                      \
   [VS_CUT_CONE] = { vs_x3d_leaf, NULL }, [VS_PYRAMID] = { vs_x3d_leaf, NULL }, [VS_TORUS] = { vs_x3d_leaf, NULL },                    \
   [VS_POLYFACE_MESH] = { vs_x3d_leaf, NULL }, [VS_EXTRUDE] = { vs_x3d_leaf, NULL }, [VS_SWEEP] = { vs_x3d_leaf, NULL },               \

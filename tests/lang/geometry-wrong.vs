@@ -35,5 +35,5 @@
 (fails (make-material #:roughness 2))        ; expect: make-material: roughness must be from 0 to 1, got (2)
 (fails (camera origin origin))               ; expect: camera: target must be another point than eye, got ((xyz 0 0 0))
 (fails (view-from 'inside))                  ; expect: view-from: side must be one of 'top 'bottom 'front 'back 'left 'right 'iso, got (inside)
-(fails (make-text origin 1 "a"))             ; expect: make-text: this name is reserved: it is not there yet; draw the letters with make-region ()
+(fails (do-fillet 1))             ; expect: do-fillet: this name is reserved: it is not there yet; subtract and unite cylinders along the edge ()
 (do-rotate s 'z 45)                          ; expect warning: do-rotate: 45 radians are 7.2 turns; (degrees->radians 45)?
