@@ -55,6 +55,7 @@ struct vs_emitter {
   /* Everything painted or placed so far on the way down. */
   const vs_material *material; /* or NULL */
   vs_affine placement;
+  vs_bounds reach;     /* in the coordinates of what is being written: where a half-space must be right */
   vs_drive *drive;
 };
 

@@ -26,6 +26,7 @@ typedef struct {
   size_t next, shown;   /* children: looked at, handed to the emitter */
   const vs_material *material;
   vs_affine placement;
+  vs_bounds reach;
   bool in_boolean;
   bool silent;          /* an operation with one operand left: not shown itself */
 } drive_frame;
@@ -47,6 +48,7 @@ struct vs_drive {
   size_t material_count, material_room;
   const char **said;    /* warnings given, by address */
   size_t said_count, said_room;
+  vs_bounds_memo bounds;
   vs_solid scratch; /* the mesh of a node without entry, until the next is asked for */
   uint32_t ticks;
 };
@@ -164,10 +166,12 @@ static bool drive_op_vain(vs_emitter *e, const vs_node *n) {
     for (size_t i = 0; i < n->child_count; i++)
       if (drive_vain(e, &n->children[i])) return true;
     return n->child_count == 0;
+  case VS_HULL: return n->class_ == VS_REGION_CLASS && e->backend->omit[VS_REGION_CLASS] != NULL; /* what it holds is not shown itself */
   case VS_UNION:
     for (size_t i = 0; i < n->child_count; i++)
       if (!drive_vain(e, &n->children[i])) return false;
     return true;
+  case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE:
   case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
   case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE:
   case VS_SWEEP: case VS_THICKEN: case VS_KIND_COUNT:
@@ -236,7 +240,9 @@ static bool drive_plan_leave(vs_emitter *e, const vs_ref *ref) {
 static bool drive_is_short(const vs_node *n) {
   switch ((vs_kind)n->kind) {
   case VS_EMPTY: case VS_BOX: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_TORUS: case VS_WEDGE: case VS_CIRCLE: case VS_ARC:
+  case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE:
     return true;
+  case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
   case VS_LINE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_PYRAMID: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
   case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
     break;
@@ -265,7 +271,7 @@ static bool drive_plan(vs_emitter *e) {
   uint32_t id = 0;
   for (size_t i = 0; i < d->order_count; i++) {
     drive_entry *entry = &d->entries[d->order[i]];
-    if (!entry->vain && (entry->cut || (entry->uses > 1 && !drive_is_short(entry->ref.node)))) entry->definition = ++id;
+    if (!entry->vain && (entry->cut || (entry->uses > 1 && !drive_is_short(entry->ref.node) && !(entry->ref.node->flags & VS_NODE_ENDLESS)))) entry->definition = ++id;
   }
   return true;
 }
@@ -354,6 +360,17 @@ static size_t drive_shown(vs_emitter *e, const vs_node *n) {
   return count;
 }
 
+/* What of space an operation with a half-space in it must look at: its own bounds where it has any. */
+static bool drive_reach(vs_emitter *e, const vs_node *n) {
+  vs_bounds b;
+  vs_affine back;
+  if (n->kind == VS_TRANSFORM && vs_affine_invert(&VS_AS(transform, n)->matrix, &back)) e->reach = vs_bounds_transform(&e->reach, &back);
+  if (n->flags & VS_NODE_ENDLESS || e->backend->verbatim) return true;
+  if (!vs_bounds_memo_get(&e->drive->bounds, n, &b, e->error)) return false;
+  if (n->kind != VS_TRANSFORM && !vs_bounds_is_empty(&b)) e->reach = b;
+  return true;
+}
+
 /* Shows one reference: a template's use, a leaf, or an operation, which then lies on the stack. */
 static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body) {
   vs_drive *d = e->drive;
@@ -369,7 +386,7 @@ static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body) {
     vs_emit_status status = fn != NULL ? fn(e, ref, VS_PHASE_LEAF) : VS_LOWER;
     return status == VS_EMITTED || (status == VS_LOWER && drive_lower(e, ref));
   }
-  drive_frame frame = { .ref = *ref, .material = e->material, .placement = e->placement, .in_boolean = e->in_boolean };
+  drive_frame frame = { .ref = *ref, .material = e->material, .placement = e->placement, .reach = e->reach, .in_boolean = e->in_boolean };
   bool placed = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER;
   size_t shown = drive_shown(e, n);
   frame.silent = shown == 1 && !placed && !e->backend->verbatim;
@@ -377,11 +394,13 @@ static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body) {
     e->child_count = shown;
     if (n->kind == VS_TRANSFORM) e->placement = vs_affine_multiply(&e->placement, &VS_AS(transform, n)->matrix);
     if (n->kind == VS_MATERIAL) e->material = VS_AS(material, n)->material;
+    if (n->flags & VS_NODE_CUT && !drive_reach(e, n)) return false;
     vs_emit_status status = fn != NULL ? fn(e, ref, VS_PHASE_ENTER) : VS_LOWER;
     if (status != VS_EMITTED) {
       bool ok = status == VS_WHOLE || (status == VS_LOWER && drive_lower(e, ref));
       e->material = frame.material;
       e->placement = frame.placement;
+      e->reach = frame.reach;
       return ok;
     }
     if (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE) e->in_boolean = true;
@@ -416,6 +435,7 @@ static bool drive_walk(vs_emitter *e, const vs_ref *root, bool body) {
     e->in_boolean = done.in_boolean;
     e->material = done.material;
     e->placement = done.placement;
+    e->reach = done.reach;
     if (e->backend->emit[n->kind].fn(e, &done.ref, VS_PHASE_LEAVE) != VS_EMITTED) return false;
   }
   return !e->out->failed;
@@ -430,6 +450,7 @@ static void drive_reset(vs_emitter *e) {
   e->material = NULL;
   e->body = e->parent = NULL;
   e->placement = vs_affine_identity();
+  e->reach = e->bounds;
 }
 
 static bool drive_definitions(vs_emitter *e) {
@@ -476,12 +497,12 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo) 
 
 static bool drive_bounds(vs_emitter *e) {
   if (e->backend->verbatim) return true;
-  vs_bounds_memo memo = { .places.store = e->scene->store };
-  bool ok = true;
-  for (size_t i = 0; i < e->scene->drawn_count && ok; i++)
-    if (!drive_vain(e, &e->scene->drawn[i])) ok = drive_boxes(e, &e->scene->drawn[i], &memo);
-  vs_bounds_memo_free(&memo);
-  if (!ok) return false;
+  for (size_t i = 0; i < e->scene->drawn_count; i++) {
+    const vs_ref *ref = &e->scene->drawn[i];
+    if (drive_vain(e, ref)) continue;
+    if (ref->node->flags & VS_NODE_ENDLESS) return vs_emit_fail(e, ref, VS_ENDLESS_MESSAGE);
+    if (!drive_boxes(e, ref, &e->drive->bounds)) return false;
+  }
   if (e->box_count == 0) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing holds nothing that this format can show");
   const double *low = &e->bounds.min.x, *high = &e->bounds.max.x;
   for (int i = 0; i < 3; i++)
@@ -501,7 +522,7 @@ bool vs_drive_scene(vs_emitter *e) {
   vs_drive *d = vs_store_realloc(e->scene->store, NULL, 0, sizeof *d);
   if (d == NULL) return vs_emit_no_memory(e);
   memset(d, 0, sizeof *d);
-  d->index.store = d->paints.store = e->scene->store;
+  d->index.store = d->paints.store = d->bounds.places.store = e->scene->store;
   e->drive = d;
   if (e->scene->has_ground && e->scene->ground_material != NULL && !drive_add_material(e, e->scene->ground_material)) return false;
   if (!drive_plan(e)) return false;
@@ -560,6 +581,7 @@ void vs_drive_free(vs_emitter *e) {
     vs_emit_release(e, d->entries[i].mesh, 1, sizeof *d->entries[i].mesh);
   }
   vs_solid_free(&d->scratch);
+  vs_bounds_memo_free(&d->bounds);
   vs_nodemap_free(&d->index);
   vs_nodemap_free(&d->paints);
   vs_emit_release(e, d->materials, d->material_room, sizeof *d->materials);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "backends/backend.h"
+#include "geometry/solids.h"
 
 static vs_node *lower_polyline(vs_emitter *e, const vs_ref *ref) {
   vs_store *store = e->scene->store;
@@ -49,6 +50,7 @@ vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
   switch ((vs_kind)ref->node->kind) {
   case VS_ARC: case VS_CIRCLE: case VS_SPLINE:
     return lower_polyline(e, ref);
+  case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HEIGHT_FIELD: case VS_HULL:
   case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_EXTRUDE:
   case VS_SWEEP: case VS_THICKEN: case VS_REGION: case VS_TEXT: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: {
     vs_solid m = { .part_count = 0 };
@@ -56,6 +58,16 @@ vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
     vs_solid_free(&m);
     return made;
   }
+  case VS_HALF_SPACE: {
+    const struct vs_half_space *h = VS_AS(half_space, ref->node);
+    vs_mesh m = { 0 };
+    vs_node *made = NULL;
+    if (!vs_solid_half_space(&m, h->point, h->normal, &e->reach)) vs_emit_no_memory(e);
+    else made = lower_polyface(e, &m, true);
+    vs_mesh_free(&m);
+    return made;
+  }
+  case VS_SLICE:
   case VS_EMPTY: case VS_LINE: case VS_POLYFACE_MESH: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT:
     break;
   }
@@ -65,8 +77,10 @@ vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
 
 bool vs_lower_is_round(const vs_node *n) {
   switch ((vs_kind)n->kind) {
+  case VS_E_CONE: case VS_SUPERELLIPSOID:
   case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_TORUS: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
     return true;
+  case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
   case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_PYRAMID:
   case VS_POLYFACE_MESH: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
     break;

@@ -158,6 +158,7 @@ typedef struct { double all, of[VS_INHERIT]; } vs_bind_counts;
 bool vs_bind_count(vs_ref ref, vs_bind_counts *out);
 int32_t vs_bind_segments(vs_bind *b);                   /* (current-segments), 0: by tolerance */
 double vs_bind_tolerance(vs_bind *b);                   /* (current-tolerance), 0: by the drawing size */
+vs_status vs_bind_finite(vs_frame *f, int i);           /* argument i, an object, has an end; else the error says what to do */
 vs_status vs_bind_refuse(vs_frame *f, const char *param, const char *expected, vs_value got);
 
 /* ---- building, for the functions of procedures.def (build.c) ---- */

@@ -30,6 +30,7 @@ static vs_status measure(vs_frame *f, vs_measure *m, bool area) {
   vs_error e = { 0 };
   const vs_node *n = f->arg[0].ref.node;
   *m = (vs_measure){ 0 };
+  if (!vs_bind_finite(f, 0)) return VS_ERROR;
   if (!vs_node_measure(n, m, &e)) return vs_bind_error(f, &e);
   if (m->known && (!area || m->area_known)) return VS_OK;
   if (n->class_ == VS_SOLID) return measure_mesh(f, m);

@@ -81,6 +81,17 @@ vs_status vs_p_do_scale(vs_frame *f, vs_value *out) {
   return placed(f, vs_affine_scaling(POINT(1), POINT(2)), out);
 }
 vs_status vs_p_do_mirror(vs_frame *f, vs_value *out) { return placed(f, vs_affine_mirror(f->arg[1].line.at, f->arg[1].line.direction), out); }
+/* Of solids: the intersection with the half-space. Of curves, regions and surfaces: a kind of its own. */
+vs_status vs_p_do_slice(vs_frame *f, vs_value *out) {
+  struct vs_half_space h = { .point = f->arg[1].line.at, .normal = vs_v3_unit(f->arg[1].line.direction) };
+  vs_ref pair[2] = { f->arg[0].ref };
+  if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
+  if (NODE(0)->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
+  pair[1] = (vs_ref){ vs_node_new(f->bind->store, VS_HALF_SPACE, &h, NULL, 0), vs_bind_origin(f->bind) };
+  if (!vs_bind_keep(f, pair[1].node)) return VS_ERROR;
+  return vs_bind_make(f, VS_INTERSECTION, &(struct vs_intersection){ 0 }, pair, 2, out);
+}
+
 vs_status vs_p_do_transform(vs_frame *f, vs_value *out) {
   double d = vs_affine_determinant(&f->arg[1].matrix);
   if (d == 0 || !isfinite(d)) return vs_bind_refuse(f, "matrix", "a matrix that does not flatten space", f->arg[1].value);
@@ -93,6 +104,7 @@ vs_status vs_p_do_resize(vs_frame *f, vs_value *out) {
   vs_bounds b;
   vs_error e = { 0 };
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
+  if (!vs_bind_finite(f, 0)) return VS_ERROR;
   if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);
   double size[3] = { b.max.x - b.min.x, b.max.y - b.min.y, b.max.z - b.min.z }, k[3], product = 1;
   int given = 0;
@@ -128,6 +140,7 @@ static bool faces(const vs_node *n, vs_vec3 *normal) {
     }
     case VS_TRANSFORM: at = vs_affine_multiply(&at, &VS_AS(transform, n)->matrix); n = n->children[0].node; continue;
     case VS_REGION: case VS_MATERIAL: case VS_LAYER: n = n->children[0].node; continue;
+    case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
     case VS_EMPTY: case VS_SPLINE: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID:
     case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
     case VS_KIND_COUNT: return false;

@@ -96,6 +96,16 @@ static bool named(const sink *k, const vs_node *n, const char *const *names) {
   return !s || !*(const int32_t *)(const void *)((const char *)n->data + s->offset) || (text(k, " #:segments ") && field(k, s, n->data));
 }
 
+/* rows of heights over the rectangle of the first and the last point */
+static bool height_field(const sink *k, const struct vs_height_field *h) {
+  const vs_points *p = h->points;
+  if (!text(k, "(make-height-field '(")) return false;
+  for (uint32_t i = 0; i < p->count; i++)
+    if (!text(k, i % (uint32_t)h->columns ? " " : i ? ") (" : "(") || !number(k, p->at[i].z)) return false;
+  vs_vec3 a = p->at[0], b = p->at[p->count - 1];
+  return text(k, ")) ") && triple(k, "xyz", vs_v3(a.x, a.y, 0)) && text(k, " ") && triple(k, "xyz", vs_v3(b.x, b.y, 0)) && text(k, " #:low ") && number(k, h->low);
+}
+
 static bool is_moved(const vs_affine *m) { return vs_affine_is_translation(m); }
 
 /* "(make-text" with the keywords that are not what they are anyway */
@@ -133,8 +143,16 @@ static bool opening(const sink *k, const vs_node *n) {
     case VS_CYLINDER: return text(k, "(make-cylinder") && named(k, n, (const char *const[]){ "c1", "c2", "r", NULL });
     case VS_CONE: return text(k, "(make-cone") && named(k, n, (const char *const[]){ "base", "apex", "r", NULL });
     case VS_CUT_CONE: return text(k, "(make-cut-cone") && named(k, n, (const char *const[]){ "c1", "r1", "c2", "r2", NULL });
+    case VS_E_CONE: return text(k, "(make-e-cone") && named(k, n, (const char *const[]){ "c1", "r1", "r1*", "c2", "r2", NULL });
+    case VS_SUPERELLIPSOID: return text(k, "(make-superellipsoid") && named(k, n, (const char *const[]){ "e", "n", "s", NULL });
     case VS_PYRAMID: return text(k, "(make-pyramid") && named(k, n, (const char *const[]){ "c1", "r", "n", "c2", "r2", NULL });
     case VS_TORUS: return text(k, "(make-torus") && named(k, n, (const char *const[]){ "c", "r", "tube-r", NULL });
+    case VS_HALF_SPACE:
+      return text(k, "(make-half-space (make-plane ") && triple(k, "xyz", VS_AS(half_space, n)->point) && text(k, " ") &&
+             triple(k, "vxyz", VS_AS(half_space, n)->normal) && text(k, ")");
+    case VS_HEIGHT_FIELD: return height_field(k, VS_AS(height_field, n));
+    case VS_HULL: return text(k, "(hull") && (!VS_AS(hull, n)->points->count || named(k, n, (const char *const[]){ "points", NULL }));
+    case VS_SLICE: return text(k, "(do-slice");
     case VS_EXTRUDE: return text(k, "(do-extrude");
     case VS_SWEEP: return text(k, "(do-sweep");
     case VS_THICKEN: return text(k, "(do-thicken");
@@ -160,6 +178,9 @@ static bool closing(const sink *k, const vs_node *n) {
     const struct vs_sweep *s = VS_AS(sweep, n);
     if ((s->twist != 0 || s->scale != 1) && !(text(k, " ") && number(k, s->twist) && text(k, " ") && number(k, s->scale))) return false;
     if (s->has_base && !(text(k, " #:base ") && triple(k, "xyz", s->base))) return false;
+  } else if (n->kind == VS_SLICE) {
+    const struct vs_slice *s = VS_AS(slice, n);
+    if (!text(k, " (make-plane ") || !triple(k, "xyz", s->point) || !text(k, " ") || !triple(k, "vxyz", s->normal) || !text(k, ")")) return false;
   } else if (n->kind == VS_THICKEN) {
     if (!named(k, n, (const char *const[]){ "width", NULL })) return false;
   } else if (n->kind == VS_TRANSFORM) {

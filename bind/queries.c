@@ -118,9 +118,16 @@ vs_status vs_bind_error(vs_frame *f, const vs_error *e) {
   return vs_fail(f->vm, f->vm->sym.error, "%s", *e->message ? e->message : "cannot be worked out");
 }
 
+vs_status vs_bind_finite(vs_frame *f, int i) {
+  const vs_arg *a = &f->arg[i];
+  if (!(a->ref.node->flags & VS_NODE_ENDLESS)) return VS_OK;
+  return vs_bind_refuse(f, f->procedure->form[f->form].at[i].name, "finite (a half-space has to be intersected with something that is, or subtracted from it)", a->value);
+}
+
 vs_status vs_p_bounding_box(vs_frame *f, vs_value *out) {
   vs_bounds b;
   vs_error e = { 0 };
+  if (!vs_bind_finite(f, 0)) return VS_ERROR;
   if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
   if (b.min.x > b.max.x) return truth(false, out);
   VS_ROOTS(f->vm, r, 2);

@@ -1,7 +1,6 @@
 /* Owns the constructors of solids and of surfaces of few faces. What collapses is the empty object, with a warning once a place. */
 #include "bind/bind.h"
 
-#include "geometry/frame.h"
 #include "geometry/polyface.h"
 
 #define REAL(i) (f->arg[i].real)
@@ -77,18 +76,25 @@ vs_status vs_p_make_cut_cone(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_CUT_CONE, &d, NULL, 0, out);
 }
 
-/* an elliptical cone is a round one made wider across: turned onto its axis after that */
 vs_status vs_p_make_e_cone(vs_frame *f, vs_value *out) {
-  vs_vec3 base = POINT(0), top = POINT(3), along = vs_v3_sub(top, base);
-  double r = REAL(1), across = REAL(2), r2 = REAL(4), h = vs_v3_length(along);
-  if (h == 0) return vs_bind_empty(f, "c1 and c2 are the same point", out);
-  if (r == 0 || across == 0) return vs_bind_empty(f, "r1 or r1* is 0", out);
-  struct vs_cut_cone d = { .base_radius = r, .top = vs_v3(0, 0, h), .top_radius = r2, .segments = segments(f) };
-  vs_affine frame = vs_frame_on_axis(base, along), wide = vs_affine_scaling(vs_v3(0, 0, 0), vs_v3(1, across / r, 1));
-  struct vs_transform t = { .matrix = vs_affine_multiply(&frame, &wide) };
-  vs_node *cone = vs_node_new(f->bind->store, VS_CUT_CONE, &d, NULL, 0);
-  if (!vs_bind_keep(f, cone)) return VS_ERROR;
-  return vs_bind_make(f, VS_TRANSFORM, &t, &(vs_ref){ cone, vs_bind_origin(f->bind) }, 1, out);
+  struct vs_e_cone d = { .base = POINT(0), .base_radius = REAL(1), .base_across = REAL(2), .top = POINT(3), .top_radius = REAL(4), .segments = segments(f) };
+  if (vs_v3_equal(d.base, d.top)) return vs_bind_empty(f, "c1 and c2 are the same point", out);
+  if (d.base_radius == 0 || d.base_across == 0) return vs_bind_empty(f, "r1 or r1* is 0", out);
+  return vs_bind_make(f, VS_E_CONE, &d, NULL, 0, out);
+}
+
+vs_status vs_p_make_superellipsoid(vs_frame *f, vs_value *out) {
+  struct vs_superellipsoid d = { .e = REAL(0), .n = REAL(1), .size = REAL(2), .segments = segments(f) };
+  const double least = 0.001, most = 20; /* beyond, it is a box or nothing to the last digit, and powers over- and underflow */
+  if (d.e < least || d.e > most) return vs_bind_refuse(f, "e", "from 0.001 to 20", f->arg[0].value);
+  if (d.n < least || d.n > most) return vs_bind_refuse(f, "n", "from 0.001 to 20", f->arg[1].value);
+  if (d.size == 0) return vs_bind_empty(f, "s is 0", out);
+  return vs_bind_make(f, VS_SUPERELLIPSOID, &d, NULL, 0, out);
+}
+
+vs_status vs_p_make_half_space(vs_frame *f, vs_value *out) {
+  struct vs_half_space d = { .point = f->arg[0].line.at, .normal = vs_v3_unit(f->arg[0].line.direction) };
+  return vs_bind_make(f, VS_HALF_SPACE, &d, NULL, 0, out);
 }
 
 vs_status vs_p_make_torus(vs_frame *f, vs_value *out) {

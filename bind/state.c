@@ -45,6 +45,10 @@ void vs_bind_clear_drawing(vs_bind *b) {
 }
 
 static bool remember(vs_bind *b, vs_ref ref, bool shown) {
+  if (ref.node->flags & VS_NODE_ENDLESS) { /* no drawing holds it */
+    if (!shown && b->warn) b->warn(b->warn_context, ref.origin, VS_ENDLESS_MESSAGE);
+    return true;
+  }
   if (b->returned_count == b->returned_room) {
     size_t room = b->returned_room ? b->returned_room * 2 : 16;
     void *more = vs_store_realloc(b->store, b->returned, b->returned_room * sizeof *b->returned, room * sizeof *b->returned);

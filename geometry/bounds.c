@@ -6,6 +6,7 @@
 
 #include "geometry/curve.h"
 #include "geometry/measure.h"
+#include "geometry/superellipsoid.h"
 #include "geometry/swept.h"
 #include "geometry/text.h"
 
@@ -21,6 +22,14 @@ static void vs_bounds_add_disc(vs_bounds *b, const vs_affine *a, vs_vec3 center,
   vs_vec3 n = vs_v3_unit(normal);
   double reach[3];
   for (int i = 0; i < 3; i++) reach[i] = r * vs_v3_length(vs_v3_cross(vs_row(a, i), n));
+  vs_bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
+}
+
+/* An ellipse on the frame's X and Y */
+static void vs_bounds_add_oval(vs_bounds *b, const vs_affine *a, const vs_affine *frame, vs_vec3 center, double rx, double ry) {
+  double reach[3];
+  vs_vec3 x = vs_affine_vector(frame, vs_v3(rx, 0, 0)), y = vs_affine_vector(frame, vs_v3(0, ry, 0));
+  for (int i = 0; i < 3; i++) reach[i] = hypot(vs_v3_dot(vs_row(a, i), x), vs_v3_dot(vs_row(a, i), y));
   vs_bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
 }
 
@@ -45,6 +54,19 @@ static void vs_bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_
     vs_sincos(angles[i], &s, &c);
     vs_bounds_add(b, vs_affine_point(a, vs_v3(arc->center.x + arc->radius * c, arc->center.y + arc->radius * s, arc->center.z)));
   }
+}
+
+/* All of space, less what a plane across an axis keeps off */
+static void vs_bounds_half_space(vs_bounds *b, const vs_affine *a, const struct vs_half_space *h) {
+  vs_vec3 at = h->point, n = h->normal;
+  *b = (vs_bounds){ { -INFINITY, -INFINITY, -INFINITY }, { INFINITY, INFINITY, INFINITY } };
+  if (!vs_affine_plane(a, &at, &n) || (n.x != 0) + (n.y != 0) + (n.z != 0) != 1) return;
+  if (n.x > 0) b->min.x = at.x;
+  if (n.y > 0) b->min.y = at.y;
+  if (n.z > 0) b->min.z = at.z;
+  if (n.x < 0) b->max.x = at.x;
+  if (n.y < 0) b->max.y = at.y;
+  if (n.z < 0) b->max.z = at.z;
 }
 
 static void vs_bounds_add_points(vs_bounds *b, const vs_affine *a, const vs_vec3 *at, size_t n) {
@@ -135,6 +157,19 @@ static bool vs_bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds
       vs_bounds_add_disc(b, a, c->top, axis, c->top_radius);
       return true;
     }
+    case VS_E_CONE: {
+      const struct vs_e_cone *c = VS_AS(e_cone, n);
+      vs_affine frame = vs_frame_on_axis(c->base, vs_v3_sub(c->top, c->base));
+      vs_bounds_add_oval(b, a, &frame, c->base, c->base_radius, c->base_across);
+      vs_bounds_add_oval(b, a, &frame, c->top, c->top_radius, c->top_radius * (c->base_across / c->base_radius));
+      return true;
+    }
+    case VS_SUPERELLIPSOID: {
+      double reach[3];
+      for (int i = 0; i < 3; i++) reach[i] = vs_superellipsoid_reach(VS_AS(superellipsoid, n), vs_row(a, i));
+      vs_bounds_add_reach(b, a, vs_v3(0, 0, 0), vs_v3(reach[0], reach[1], reach[2]));
+      return true;
+    }
     case VS_PYRAMID: {
       vs_mesh m = { 0 };
       vs_facets any = { 1, 0 };
@@ -143,9 +178,19 @@ static bool vs_bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds
       vs_mesh_free(&m);
       return ok;
     }
+    case VS_HALF_SPACE: vs_bounds_half_space(b, a, VS_AS(half_space, n)); return true;
+    case VS_HEIGHT_FIELD: {
+      const struct vs_height_field *h = VS_AS(height_field, n);
+      for (uint32_t i = 0; i < h->points->count; i++) {
+        vs_bounds_add(b, vs_affine_point(a, h->points->at[i]));
+        vs_bounds_add(b, vs_affine_point(a, vs_v3(h->points->at[i].x, h->points->at[i].y, h->low)));
+      }
+      return true;
+    }
     case VS_POLYFACE_MESH: vs_bounds_add_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count); return true;
     case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
       return n->class_ == VS_NOTHING || vs_bounds_add_swept(b, a, n, children, e);
+    case VS_SLICE: case VS_HULL:
     case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
   }
   *leaf = false;
@@ -202,6 +247,12 @@ static bool vs_bounds_of(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b
   if (!vs_bounds_leaf(n, &placed, &children, b, &leaf, e)) return false;
   if (leaf) return true;
   *b = children;
+  if (n->kind == VS_HULL) vs_bounds_add_points(b, &placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count);
+  if (n->kind == VS_SLICE) {
+    vs_bounds kept;
+    vs_bounds_half_space(&kept, &placed, &(struct vs_half_space){ .point = VS_AS(slice, n)->point, .normal = VS_AS(slice, n)->normal });
+    vs_bounds_meet(b, &kept);
+  }
   if (n->kind == VS_DIFFERENCE && n->child_count) *b = *vs_bounds_memo_known(m, n->children[0].node);
   for (uint32_t i = 0; n->kind == VS_INTERSECTION && i < n->child_count; i++) vs_bounds_meet(b, vs_bounds_memo_known(m, n->children[i].node));
   return true;

@@ -11,6 +11,8 @@
 
 #include "geometry/frame.h"
 #include "geometry/measure.h"
+#include "geometry/heights.h"
+#include "geometry/superellipsoid.h"
 #include "geometry/swept.h"
 
 typedef struct {
@@ -153,9 +155,18 @@ static bool vs_inside_leaf(const vs_inside_part *part, vs_vec3 p) {
     case VS_CYLINDER: return vs_inside_round(q, part->height, VS_AS(cylinder, n)->radius, VS_AS(cylinder, n)->radius);
     case VS_CONE: return vs_inside_round(q, part->height, VS_AS(cone, n)->radius, 0);
     case VS_CUT_CONE: return vs_inside_round(q, part->height, VS_AS(cut_cone, n)->base_radius, VS_AS(cut_cone, n)->top_radius);
+    case VS_E_CONE: {
+      const struct vs_e_cone *c = VS_AS(e_cone, n);
+      return vs_inside_round(vs_v3(q.x, q.y * (c->base_radius / c->base_across), q.z), part->height, c->base_radius, c->top_radius);
+    }
+    case VS_SUPERELLIPSOID: return vs_superellipsoid_holds(VS_AS(superellipsoid, n), p);
     case VS_PYRAMID: return vs_inside_pyramid(q, part->height, VS_AS(pyramid, n));
     case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: return part->plan ? vs_inside_swept(part, p) : part->facets && vs_inside_facets(part->facets, p);
     case VS_POLYFACE_MESH: return part->facets && vs_inside_facets(part->facets, p);
+    case VS_HALF_SPACE: return vs_v3_dot(VS_AS(half_space, n)->normal, vs_v3_sub(p, VS_AS(half_space, n)->point)) >= 0;
+    case VS_HEIGHT_FIELD: return vs_height_field_holds(VS_AS(height_field, n), p);
+    case VS_HULL: return part->facets && vs_inside_facets(part->facets, p);
+    case VS_SLICE:
     case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_TRANSFORM: case VS_MATERIAL:
     case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
   }
@@ -202,17 +213,18 @@ static bool vs_inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs
   const vs_node *n = part->node;
   part->inverse = vs_affine_identity();
   switch ((vs_kind)n->kind) {
-    case VS_EMPTY: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_TORUS: return true;
+    case VS_EMPTY: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_TORUS: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: return true;
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: return true; /* nothing is inside them; a profile's parts */
     case VS_CYLINDER: return vs_inside_prepare_axis(part, VS_AS(cylinder, n)->base, VS_AS(cylinder, n)->top);
     case VS_CONE: return vs_inside_prepare_axis(part, VS_AS(cone, n)->base, VS_AS(cone, n)->apex);
     case VS_CUT_CONE: return vs_inside_prepare_axis(part, VS_AS(cut_cone, n)->base, VS_AS(cut_cone, n)->top);
+    case VS_E_CONE: return vs_inside_prepare_axis(part, VS_AS(e_cone, n)->base, VS_AS(e_cone, n)->top);
     case VS_PYRAMID: return vs_inside_prepare_axis(part, VS_AS(pyramid, n)->base, VS_AS(pyramid, n)->top);
     case VS_EXTRUDE: case VS_SWEEP: return n->class_ != VS_SOLID || vs_inside_prepare_swept(part, e);
     case VS_THICKEN:
       if (n->class_ != VS_SOLID) return true;
       return n->children[0].node->class_ == VS_SURFACE ? vs_inside_prepare_facets(part, e) : vs_inside_prepare_swept(part, e);
-    case VS_POLYFACE_MESH: return n->class_ != VS_SOLID || vs_inside_prepare_facets(part, e);
+    case VS_POLYFACE_MESH: case VS_HULL: return n->class_ != VS_SOLID || vs_inside_prepare_facets(part, e);
     case VS_TRANSFORM:
       if (!vs_affine_invert(&VS_AS(transform, n)->matrix, &part->inverse)) part->bounds = vs_bounds_empty(); /* flattened: holds nothing */
       break;
@@ -326,6 +338,7 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
           decided = first ? !answer : answer;
           if (!first) answer = !answer; /* in what is taken away: outside; clear of it: inside so far */
           break;
+        case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
         case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
         case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
         case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT: decided = true; break;

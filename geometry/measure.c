@@ -2,6 +2,8 @@
 #include "geometry/measure.h"
 
 #include "geometry/curve.h"
+#include "geometry/heights.h"
+#include "geometry/superellipsoid.h"
 #include "geometry/tessellate.h"
 
 static const double pi = 3.14159265358979323846;
@@ -12,6 +14,29 @@ static void vs_measure_frustum(vs_measure *m, vs_vec3 base, double r, vs_vec3 to
   m->volume = pi * h * weight / 3;
   m->area = pi * (r * r + s * s + (r + s) * hypot(h, r - s));
   m->centroid = vs_v3_add(base, vs_v3_scale(axis, weight > 0 ? (r * r + 2 * r * s + 3 * s * s) / (4 * weight) : 0.5));
+}
+
+/* The circumference of an ellipse, by the arithmetic-geometric mean: 2 pi (a^2 - sum of 2^(k-1) c_k^2) / agm(a, b) */
+static double vs_measure_ellipse_length(double a, double b) {
+  double x = fmax(a, b), y = fmin(a, b), sum = 0, weight = 0.5;
+  if (!(y > 1e-300)) return 4 * x;
+  for (double c = sqrt((x - y) * (x + y)), square = x * x;; weight *= 2) {
+    sum += weight * c * c;
+    if (fabs(c) <= 1e-17 * x) return 2 * pi * (square - sum) / x;
+    double mean = (x + y) / 2;
+    c = (x - y) / 2;
+    y = sqrt(x * y);
+    x = mean;
+  }
+}
+
+/* With w from 1 to k, the wall's element is w sqrt(h^2 (b^2 cos^2 + a^2 sin^2) + (k - 1)^2 a^2 b^2): half of 1 + k times an ellipse's length */
+static void vs_measure_e_cone(vs_measure *m, const struct vs_e_cone *c) {
+  vs_vec3 axis = vs_v3_sub(c->top, c->base);
+  double h = vs_v3_length(axis), a = c->base_radius, b = c->base_across, k = c->top_radius / a, weight = 1 + k + k * k, slant = (k - 1) * a * b;
+  m->volume = pi * h * a * b * weight / 3;
+  m->area = pi * a * b * (1 + k * k) + (1 + k) / 2 * vs_measure_ellipse_length(hypot(h * b, slant), hypot(h * a, slant));
+  m->centroid = vs_v3_add(c->base, vs_v3_scale(axis, (1 + 2 * k + 3 * k * k) / (4 * weight)));
 }
 
 static void vs_measure_pyramid(vs_measure *m, const struct vs_pyramid *p) {
@@ -137,7 +162,21 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
     case VS_CUT_CONE:
       vs_measure_frustum(m, VS_AS(cut_cone, n)->base, VS_AS(cut_cone, n)->base_radius, VS_AS(cut_cone, n)->top, VS_AS(cut_cone, n)->top_radius);
       break;
+    case VS_E_CONE: vs_measure_e_cone(m, VS_AS(e_cone, n)); break;
+    case VS_SUPERELLIPSOID:
+      m->volume = vs_superellipsoid_volume(VS_AS(superellipsoid, n));
+      m->area = vs_measure_even(&placed, &(double){ 0 }) ? vs_superellipsoid_area(VS_AS(superellipsoid, n)) : 0;
+      break;
     case VS_PYRAMID: vs_measure_pyramid(m, VS_AS(pyramid, n)); break;
+    case VS_HEIGHT_FIELD: {
+      vs_mesh mesh = { 0 };
+      bool ok = vs_height_field_mesh(&mesh, VS_AS(height_field, n)) || vs_error_memory(e, NULL);
+      if (ok) vs_mesh_measure(&mesh, m); /* it is these triangles, exactly */
+      vs_mesh_free(&mesh);
+      if (!ok) return false;
+      break;
+    }
+    case VS_HALF_SPACE: case VS_SLICE: case VS_HULL:
     case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION:
     case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
       *m = (vs_measure){ 0 };

@@ -35,16 +35,18 @@ bool vs_solid_wedge(vs_mesh *out, vs_vec3 p, vs_vec3 q) {
 
 /* ---- rings and what spans them ---- */
 
-static bool vs_solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double r, int n) {
+static bool vs_solid_oval(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double rx, double ry, int n) {
   bool ok = true;
   for (int i = 0; ok && i < n; i++) {
     double s, c;
     vs_turn_sincos(i, n, &s, &c);
-    vs_vec3 across = vs_affine_vector(frame, vs_v3(r * c, r * s, 0));
+    vs_vec3 across = vs_affine_vector(frame, vs_v3(rx * c, ry * s, 0));
     ok = vs_mesh_add_vertex(out, vs_v3_add(center, across), NULL);
   }
   return ok;
 }
+
+static bool vs_solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double r, int n) { return vs_solid_oval(out, frame, center, r, r, n); }
 
 /* Facets between the ring that starts at vertex low and the one at high, which lies further along the axis. */
 static bool vs_solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n) {
@@ -81,14 +83,18 @@ static bool vs_solid_disc(vs_mesh *out, vs_vec3 center, uint32_t ring, uint32_t 
 }
 
 bool vs_solid_frustum(vs_mesh *out, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius, int n, bool hubs) {
+  return vs_solid_oval_frustum(out, base, base_radius, base_radius, top, top_radius, top_radius, n, hubs);
+}
+
+bool vs_solid_oval_frustum(vs_mesh *out, vs_vec3 base, double base_radius, double base_across, vs_vec3 top, double top_radius, double top_across, int n, bool hubs) {
   vs_affine frame = vs_frame_on_axis(base, vs_v3_sub(top, base));
   uint32_t first = (uint32_t)out->vertex_count, sides = (uint32_t)n, low = first, high = first, tip;
   bool ok = true;
   if (base_radius > 0) {
-    ok = vs_solid_ring(out, &frame, base, base_radius, n);
+    ok = vs_solid_oval(out, &frame, base, base_radius, base_across, n);
     high = first + sides;
   }
-  if (top_radius > 0) ok = ok && vs_solid_ring(out, &frame, top, top_radius, n);
+  if (top_radius > 0) ok = ok && vs_solid_oval(out, &frame, top, top_radius, top_across, n);
   if (base_radius > 0) ok = ok && vs_solid_disc(out, base, low, sides, true, hubs);
   if (top_radius > 0) ok = ok && vs_solid_disc(out, top, high, sides, false, hubs);
   if (base_radius > 0 && top_radius > 0) return ok && vs_solid_band(out, low, high, sides);
@@ -140,6 +146,33 @@ bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, in
   return ok && vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z - pole), &south) &&
          vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z + pole), &north) && vs_solid_fan(out, first, n, south, true) &&
          vs_solid_fan(out, first + (uint32_t)(rows - 2) * n, n, north, false);
+}
+
+/* ---- half-spaces ---- */
+
+/* Across an axis: a box. Else a prism on a triangle, whose three corners are in one plane however they are rounded. */
+bool vs_solid_half_space(vs_mesh *out, vs_vec3 point, vs_vec3 normal, const vs_bounds *reach) {
+  vs_vec3 n = vs_v3_unit(normal);
+  if (vs_bounds_is_empty(reach)) return true;
+  double diagonal = vs_bounds_diagonal(reach), margin = (diagonal > 0 ? diagonal : 1) / 32, least = INFINITY, most = -INFINITY;
+  vs_vec3 edge = vs_v3(margin, margin, margin), p = vs_v3_sub(reach->min, edge), q = vs_v3_add(reach->max, edge);
+  for (int i = 0; i < 8; i++) {
+    double side = vs_v3_dot(n, vs_v3_sub(vs_v3(i & 1 ? q.x : p.x, i & 2 ? q.y : p.y, i & 4 ? q.z : p.z), point));
+    least = fmin(least, side);
+    most = fmax(most, side);
+  }
+  if (most <= 0) return true;
+  if (least >= 0) return vs_solid_box(out, p, q);
+  if (fabs(n.x) == 1) *(n.x > 0 ? &p.x : &q.x) = point.x;
+  else if (fabs(n.y) == 1) *(n.y > 0 ? &p.y : &q.y) = point.y;
+  else if (fabs(n.z) == 1) *(n.z > 0 ? &p.z : &q.z) = point.z;
+  else {
+    vs_vec3 middle = vs_v3_scale(vs_v3_add(p, q), 0.5);
+    double radius = vs_v3_length(vs_v3_sub(q, p)) / 2, height = vs_v3_dot(n, vs_v3_sub(middle, point));
+    vs_vec3 base = vs_v3_sub(middle, vs_v3_scale(n, height));
+    return vs_solid_frustum(out, base, 2 * radius, vs_v3_add(base, vs_v3_scale(n, height + radius)), 2 * radius, 3, false);
+  }
+  return vs_solid_box(out, p, q);
 }
 
 /* ---- polyface meshes ---- */

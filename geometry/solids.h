@@ -10,8 +10,12 @@ bool vs_solid_box(vs_mesh *out, vs_vec3 p, vs_vec3 q);
 bool vs_solid_wedge(vs_mesh *out, vs_vec3 p, vs_vec3 q);
 /* Between two discs of n corners; a radius of 0 is an apex. hubs: the discs are fans about their centres. */
 bool vs_solid_frustum(vs_mesh *out, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius, int n, bool hubs);
+/* The same between two ellipses: radii along X on the axis, then across it. */
+bool vs_solid_oval_frustum(vs_mesh *out, vs_vec3 base, double base_radius, double base_across, vs_vec3 top, double top_radius, double top_across, int n, bool hubs);
 bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n);
 bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, int around, int tube_turn);
+/* What of the half-space lies in reach, and some more round it; one face is in the plane, exactly. Nothing where all of reach is outside. */
+bool vs_solid_half_space(vs_mesh *out, vs_vec3 point, vs_vec3 normal, const vs_bounds *reach);
 bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *faces);
 
 #endif

@@ -2,6 +2,8 @@
 #include "geometry/tessellate.h"
 
 #include "geometry/solids.h"
+#include "geometry/heights.h"
+#include "geometry/superellipsoid.h"
 #include "geometry/swept.h"
 
 /* A placement's child; NULL for what is a leaf here. Appearance changes no shape. */
@@ -12,6 +14,7 @@ static const vs_ref *vs_tessellate_below(const vs_node *n, vs_affine *placed) {
       return &n->children[0];
     case VS_MATERIAL: case VS_LAYER: return &n->children[0];
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return n->child_count == 1 ? &n->children[0] : NULL;
+    case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
     case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
     case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
     case VS_THICKEN: case VS_KIND_COUNT: break;
@@ -47,6 +50,14 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
       ok = vs_solid_frustum(out, a->base, a->base_radius, a->top, a->top_radius, vs_facets_turn(f, widest, a->segments), true);
       break;
     }
+    case VS_E_CONE: {
+      const struct vs_e_cone *a = VS_AS(e_cone, n);
+      double widest = fmax(a->base_radius, a->base_across) * fmax(1, a->top_radius / a->base_radius);
+      ok = vs_solid_oval_frustum(out, a->base, a->base_radius, a->base_across, a->top, a->top_radius, a->top_radius * (a->base_across / a->base_radius),
+                                 vs_facets_turn(f, widest, a->segments), true);
+      break;
+    }
+    case VS_SUPERELLIPSOID: ok = vs_superellipsoid_mesh(out, VS_AS(superellipsoid, n), f); break;
     case VS_PYRAMID: {
       const struct vs_pyramid *a = VS_AS(pyramid, n);
       ok = vs_solid_frustum(out, a->base, a->base_radius, a->top, a->top_radius, a->sides, false);
@@ -66,6 +77,9 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
       vs_outline_free(&o);
       break;
     }
+    case VS_HEIGHT_FIELD: ok = vs_height_field_mesh(out, VS_AS(height_field, n)); break;
+    case VS_HALF_SPACE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a half-space is endless: it has no faces of its own");
+    case VS_HULL: case VS_SLICE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "not yet");
     case VS_THICKEN:
       if (n->children[0].node->class_ == VS_SURFACE) {
         vs_mesh surface = { 0 };

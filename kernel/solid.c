@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "geometry/solids.h"
 #include "kernel/memory.h"
 
 enum { BUCKETS = 4096 };
@@ -36,6 +37,7 @@ typedef struct {
   size_t buckets[BUCKETS];            /* of meshes by hash; one more */
   VS_LIST(uint32_t) twins;            /* leaves by mesh, placement, paint and side, open addressing; one more, 0 free */
   VS_LIST(uint8_t) off;               /* of each leaf: level.off */
+  VS_LIST(uint32_t) mesh_numbers;     /* of each leaf: which of meshes */
 } builder;
 
 static bool full(builder *b) {
@@ -67,7 +69,7 @@ static bool part_of(builder *b, const vs_material *m, uint32_t *tag) {
   return VS_PUSH(&b->k, b->parts, m);
 }
 
-static bool mesh_of(builder *b, const vs_ref *ref, const vs_facets *facets, vs_mesh **mesh) {
+static bool mesh_of(builder *b, const vs_ref *ref, const vs_facets *facets, vs_mesh **mesh, uint32_t *number) {
   size_t *bucket = &b->buckets[(ref->node->hash ^ ref->node->hash >> 32) % BUCKETS];
   for (size_t i = *bucket; i; i = b->meshes.at[i - 1].next) {
     const meshed *m = &b->meshes.at[i - 1];
@@ -78,6 +80,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const vs_facets *facets, vs_m
       continue;
     }
     *mesh = m->mesh;
+    *number = (uint32_t)i - 1;
     return true;
   }
   *mesh = calloc(1, sizeof **mesh);
@@ -87,6 +90,8 @@ static bool mesh_of(builder *b, const vs_ref *ref, const vs_facets *facets, vs_m
     return false;
   }
   *bucket = b->meshes.count;
+  *number = (uint32_t)b->meshes.count - 1;
+  if (ref->node->kind == VS_HALF_SPACE) return true; /* made when it is known what there is to cut */
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   if (vs_tessellate(ref->node, facets, *mesh, &why)) return true;
   if (!why.origin) why.origin = ref->origin;
@@ -136,15 +141,44 @@ static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
   vs_kernel_leaf leaf = { NULL, at->placement, 0, at->material == NULL };
   vs_mesh *mesh = NULL;
   if (b->leaves.count >= UINT32_MAX - 1) return full(b);
-  if (!mesh_of(b, ref, &facets, &mesh) || !part_of(b, at->material, &leaf.tag)) return false;
+  uint32_t number = 0;
+  if (!mesh_of(b, ref, &facets, &mesh, &number) || !part_of(b, at->material, &leaf.tag)) return false;
   leaf.mesh = mesh;
   if ((b->leaves.count + 1) * 2 > b->twins.count && !twins_grow(b)) return false;
   size_t slot = twin_slot(b, &leaf, at->off);
   if (!b->twins.at[slot]) {
-    if (!VS_PUSH(&b->k, b->leaves, leaf) || !VS_PUSH(&b->k, b->origins, ref->origin) || !VS_PUSH(&b->k, b->off, (uint8_t)at->off)) return false;
+    if (!VS_PUSH(&b->k, b->leaves, leaf) || !VS_PUSH(&b->k, b->origins, ref->origin) || !VS_PUSH(&b->k, b->off, (uint8_t)at->off) ||
+        !VS_PUSH(&b->k, b->mesh_numbers, number)) return false;
     b->twins.at[slot] = (uint32_t)b->leaves.count;
   }
   return add_term(b, VS_TERM_LEAF, b->twins.at[slot] - 1, 0);
+}
+
+/* Half-spaces become solids that are right wherever one of the others is. */
+static bool bound_half_spaces(builder *b) {
+  bool any = false;
+  vs_bounds reach = vs_bounds_empty(), *own = b->meshes.count ? malloc(b->meshes.count * sizeof *own) : NULL;
+  if (b->meshes.count && !own) return vs_error_memory(b->error, NULL);
+  for (size_t i = 0; i < b->meshes.count; i++) any |= b->meshes.at[i].node->kind == VS_HALF_SPACE;
+  for (size_t i = 0; any && i < b->meshes.count; i++) own[i] = vs_mesh_bounds(b->meshes.at[i].mesh);
+  for (size_t i = 0; any && i < b->leaves.count; i++) {
+    vs_bounds placed = vs_bounds_transform(&own[b->mesh_numbers.at[i]], &b->leaves.at[i].placement);
+    vs_bounds_unite(&reach, &placed);
+  }
+  for (size_t i = 0; any && i < b->leaves.count; i++) { /* own[] of a half-space: what it must reach, over all its places */
+    vs_affine back;
+    size_t m = b->mesh_numbers.at[i];
+    if (b->meshes.at[m].node->kind != VS_HALF_SPACE || !vs_affine_invert(&b->leaves.at[i].placement, &back)) continue;
+    vs_bounds local = vs_bounds_transform(&reach, &back);
+    vs_bounds_unite(&own[m], &local);
+  }
+  bool ok = true;
+  for (size_t i = 0; any && ok && i < b->meshes.count; i++) {
+    const vs_node *n = b->meshes.at[i].node;
+    if (n->kind == VS_HALF_SPACE) ok = vs_solid_half_space(b->meshes.at[i].mesh, VS_AS(half_space, n)->point, VS_AS(half_space, n)->normal, &own[i]);
+  }
+  free(own);
+  return ok || vs_error_memory(b->error, NULL);
 }
 
 typedef enum { PLAIN, PLACED, JOINED } role; /* a primitive; one child seen in another way; an operation on many */
@@ -153,6 +187,7 @@ static role role_of(const vs_node *n) {
   switch ((vs_kind)n->kind) {
   case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: return PLACED;
   case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return JOINED;
+  case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
   case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
   case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
   case VS_THICKEN: case VS_KIND_COUNT: break;
@@ -224,8 +259,11 @@ bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets
   b->facets = facets;
   b->error = error;
   bool ok = true;
-  for (size_t i = 0; ok && i < count; i++) ok = walk_one(b, &refs[i]);
-  ok = ok && close_term(b, VS_TERM_UNION, 0);
+  for (size_t i = 0; ok && i < count; i++) {
+    ok = !(refs[i].node->flags & VS_NODE_ENDLESS) || vs_error_set(error, VS_ERROR_MODEL, refs[i].origin, VS_ENDLESS_MESSAGE);
+    ok = ok && walk_one(b, &refs[i]);
+  }
+  ok = ok && close_term(b, VS_TERM_UNION, 0) && bound_half_spaces(b);
   if (ok) {
     vs_kernel_problem problem = { b->leaves.at, b->terms.at, b->operands.at, (uint32_t)b->leaves.count, (uint32_t)b->terms.count, (uint32_t)b->operands.count };
     ok = vs_kernel_evaluate(&problem, options, &out->mesh, &why);
@@ -249,6 +287,7 @@ bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets
   VS_DROP(&b->k, b->origins);
   VS_DROP(&b->k, b->twins);
   VS_DROP(&b->k, b->off);
+  VS_DROP(&b->k, b->mesh_numbers);
   VS_DROP(&b->k, b->terms);
   VS_DROP(&b->k, b->operands);
   VS_DROP(&b->k, b->pending);

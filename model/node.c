@@ -85,12 +85,24 @@ static void vs_node_classify_union(vs_node *n) {
   n->class_ = (uint8_t)together;
 }
 
+static void vs_node_find_end(vs_node *n) {
+  uint32_t endless = 0, cut = n->kind == VS_HALF_SPACE;
+  for (uint32_t i = 0; i < n->child_count; i++) {
+    endless += (n->children[i].node->flags & VS_NODE_ENDLESS) != 0;
+    cut |= (n->children[i].node->flags & VS_NODE_CUT) != 0;
+  }
+  bool first = n->child_count && n->children[0].node->flags & VS_NODE_ENDLESS;
+  bool is = n->kind == VS_HALF_SPACE || (n->kind == VS_INTERSECTION ? n->child_count && endless == n->child_count : n->kind == VS_DIFFERENCE ? first : endless);
+  n->flags = (uint8_t)((n->flags & VS_NODE_CLOSED) | (is ? VS_NODE_ENDLESS : 0) | (cut ? VS_NODE_CUT : 0));
+}
+
 static void vs_node_classify(vs_node *n, const vs_kind_info *info) {
   const vs_node *first = n->child_count ? n->children[0].node : NULL;
   n->class_ = (uint8_t)info->class_;
   switch ((vs_kind)n->kind) {
     case VS_EMPTY: case VS_ARC: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE:
     case VS_PYRAMID: case VS_TORUS: break;
+    case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: break;
     case VS_LINE: if (VS_AS(line, n)->closed) n->flags |= VS_NODE_CLOSED; break;
     case VS_SPLINE: if (VS_AS(spline, n)->closed) n->flags |= VS_NODE_CLOSED; break;
     case VS_CIRCLE: case VS_REGION: case VS_TEXT: n->flags |= VS_NODE_CLOSED; break;
@@ -102,6 +114,14 @@ static void vs_node_classify(vs_node *n, const vs_kind_info *info) {
     case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
       n->class_ = first ? first->class_ : VS_NOTHING;
       n->flags = first ? first->flags : 0;
+      break;
+    case VS_SLICE:
+      n->class_ = first ? first->class_ : VS_NOTHING;
+      if (n->class_ == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
+      break;
+    case VS_HULL:
+      n->class_ = VS_AS(hull, n)->dimension == 3 ? VS_SOLID : VS_REGION_CLASS;
+      if (n->class_ == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
       break;
     case VS_UNION: vs_node_classify_union(n); break;
     case VS_INTERSECTION: case VS_DIFFERENCE:
@@ -115,6 +135,7 @@ static void vs_node_classify(vs_node *n, const vs_kind_info *info) {
       break;
     case VS_KIND_COUNT: break;
   }
+  if (n->child_count || n->kind == VS_HALF_SPACE) vs_node_find_end(n);
 }
 
 vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *children, size_t child_count) {

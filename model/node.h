@@ -96,7 +96,11 @@ const vs_kind_info *vs_kind_get(vs_kind kind);
 
 typedef struct { vs_node *node; const vs_origin *origin; } vs_ref;
 
-enum { VS_NODE_CLOSED = 1 /* a curve that closes, moved, coloured or bare; a region too */ };
+enum {
+  VS_NODE_CLOSED = 1,  /* a curve that closes, moved, coloured or bare; a region too */
+  VS_NODE_ENDLESS = 2, /* a half-space, or what of sets of them is not bounded by something finite */
+  VS_NODE_CUT = 4      /* a half-space stands somewhere in it */
+};
 
 struct vs_node {
   uint32_t refs;
@@ -111,6 +115,7 @@ struct vs_node {
   const void *data; /* struct vs_<kind> */
 };
 /* VS_AS(sphere, n)->radius; the caller has looked at n->kind */
+#define VS_ENDLESS_MESSAGE "the object is endless: intersect it with something finite, or subtract it from that"
 #define VS_AS(lower, n) ((const struct vs_##lower *)(n)->data)
 
 /* ---- the store ---- */

@@ -82,6 +82,16 @@ bool vs_affine_invert(const vs_affine *a, vs_affine *out) {
   return true;
 }
 
+bool vs_affine_plane(const vs_affine *a, vs_vec3 *point, vs_vec3 *normal) {
+  vs_affine back;
+  if (!vs_affine_invert(a, &back)) return false;
+  vs_vec3 n = *normal; /* normals go by the inverse transposed */
+  *normal = vs_v3(back.m[0][0] * n.x + back.m[1][0] * n.y + back.m[2][0] * n.z, back.m[0][1] * n.x + back.m[1][1] * n.y + back.m[2][1] * n.z,
+                  back.m[0][2] * n.x + back.m[1][2] * n.y + back.m[2][2] * n.z);
+  *point = vs_affine_point(a, *point);
+  return true;
+}
+
 bool vs_affine_is_translation(const vs_affine *a) {
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++)
@@ -160,6 +170,7 @@ vs_bounds vs_bounds_transform(const vs_bounds *b, const vs_affine *a) {
   for (int i = 0; i < 3; i++) {
     low[i] = high[i] = a->m[i][3];
     for (int j = 0; j < 3; j++) {
+      if (a->m[i][j] == 0) continue; /* also where that side is endless */
       double p = a->m[i][j] * lo[j], q = a->m[i][j] * hi[j];
       low[i] += fmin(p, q);
       high[i] += fmax(p, q);

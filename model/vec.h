@@ -39,6 +39,8 @@ static inline vs_vec3 vs_affine_vector(const vs_affine *a, vs_vec3 v) { /* the l
 vs_affine vs_affine_multiply(const vs_affine *a, const vs_affine *b); /* a after b */
 double vs_affine_determinant(const vs_affine *a);                     /* of the linear part; negative where it mirrors */
 bool vs_affine_invert(const vs_affine *a, vs_affine *out);            /* false where singular */
+/* The image of a plane, its normal pointing to the image of the same side. False: the map is singular; nothing is changed. */
+bool vs_affine_plane(const vs_affine *a, vs_vec3 *point, vs_vec3 *normal);
 bool vs_affine_is_translation(const vs_affine *a);                    /* linear part exactly the identity */
 vs_affine vs_affine_translation(vs_vec3 v);
 /* Rotation by angle about the axis through point along direction (need not be unit; not zero). Right-handed; multiples of a

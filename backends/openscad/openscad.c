@@ -117,10 +117,47 @@ static vs_emit_status scad_cut_cone(vs_emitter *e, const vs_ref *ref, vs_phase p
                      vs_facets_turn(&e->facets, fmax(c->base_radius, c->top_radius), c->segments));
 }
 
+static vs_emit_status scad_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_e_cone *c = VS_AS(e_cone, ref->node);
+  double wide = c->base_across / c->base_radius;
+  vs_vec3 axis = vs_v3_sub(c->top, c->base);
+  vs_affine place = vs_frame_on_axis(c->base, axis);
+  scad_open(e, ref->node);
+  scad_place(e, &place);
+  scad_number(e, "scale([1, ", wide);
+  scad_number(e, ", 1]) cylinder(h = ", vs_v3_length(axis));
+  scad_number(e, ", r1 = ", c->base_radius);
+  scad_number(e, ", r2 = ", c->top_radius);
+  vs_putf(e->out, ", $fn = %d);\n", vs_facets_turn(&e->facets, fmax(1, wide) * fmax(c->base_radius, c->top_radius), c->segments));
+  return scad_done(e);
+}
+
 static vs_emit_status scad_pyramid(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_pyramid *p = VS_AS(pyramid, ref->node);
   return scad_turned(e, ref->node, p->base, p->base_radius, p->top, p->top_radius, (int)p->sides);
+}
+
+/* A cube that stands on the plane and holds all there is to cut. */
+static vs_emit_status scad_half_space(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_half_space *h = VS_AS(half_space, ref->node);
+  vs_vec3 n = vs_v3_unit(h->normal), middle = vs_v3_scale(vs_v3_add(e->reach.min, e->reach.max), 0.5);
+  double height = vs_v3_dot(n, vs_v3_sub(middle, h->point)), half = vs_bounds_diagonal(&e->reach) * 0.5625;
+  if (height < -half) height = -half; /* nothing is cut, wherever the plane is */
+  if (height > half) height = half;
+  vs_affine place = vs_frame_on_axis(vs_v3_sub(middle, vs_v3_scale(n, height)), n);
+  /* on the plane to the last digit where it is across an axis */
+  if (fabs(height) < half)
+    for (int i = 0; i < 3; i++)
+      if (fabs(place.m[i][2]) == 1) place.m[i][3] = (&h->point.x)[i];
+  scad_open(e, ref->node);
+  scad_place(e, &place);
+  scad_translate(e, vs_v3(-half, -half, 0));
+  scad_number(e, "cube(", 2 * half);
+  vs_puts(e->out, ");\n");
+  return scad_done(e);
 }
 
 static vs_emit_status scad_torus(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
@@ -364,6 +401,8 @@ const vs_backend vs_backend_openscad = {
     [VS_TEXT] = { scad_region, "OpenSCAD programs hold solids: flat regions are drawn as thin slabs" },
     [VS_REGION] = { scad_region, "OpenSCAD programs hold solids: flat regions are drawn as thin slabs" },
     [VS_BOX] = { scad_box, NULL }, [VS_SPHERE] = { scad_sphere, NULL }, [VS_CYLINDER] = { scad_cylinder, NULL }, [VS_CONE] = { scad_cone, NULL },
+    [VS_HALF_SPACE] = { scad_half_space, NULL },
+    [VS_E_CONE] = { scad_e_cone, NULL },
     [VS_CUT_CONE] = { scad_cut_cone, NULL }, [VS_PYRAMID] = { scad_pyramid, NULL }, [VS_TORUS] = { scad_torus, NULL },
     [VS_POLYFACE_MESH] = { scad_polyface, NULL }, [VS_EXTRUDE] = { scad_extrude, NULL }, [VS_TRANSFORM] = { scad_transform, NULL },
     [VS_MATERIAL] = { scad_through, NULL }, [VS_LAYER] = { scad_through, NULL }, [VS_UNION] = { scad_csg, NULL },

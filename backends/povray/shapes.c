@@ -94,6 +94,37 @@ vs_emit_status vs_povray_cut_cone(vs_emitter *e, const vs_ref *ref, vs_phase pha
   return c->segments > 0 ? VS_LOWER : pov_cone(e, c->base, c->base_radius, c->top, c->top_radius);
 }
 
+vs_emit_status vs_povray_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_e_cone *c = VS_AS(e_cone, ref->node);
+  if (c->segments > 0) return VS_LOWER;
+  vs_vec3 axis = vs_v3_sub(c->top, c->base);
+  vs_affine place = vs_frame_on_axis(c->base, axis), wide = vs_affine_scaling(vs_v3(0, 0, 0), vs_v3(1, c->base_across / c->base_radius, 1));
+  place = vs_affine_multiply(&place, &wide);
+  bool equal = c->base_radius == c->top_radius; /* POV-Ray's cone takes no equal radii */
+  pov_open(e, equal ? "cylinder { <0, 0, 0>" : "cone { <0, 0, 0>");
+  if (!equal) pov_comma(e, c->base_radius);
+  pov_comma_point(e, vs_v3(0, 0, vs_v3_length(axis)));
+  pov_comma(e, c->top_radius);
+  vs_puts(e->out, " ");
+  pov_matrix(e, &place);
+  return pov_close(e, " }\n");
+}
+
+/* POV-Ray's exponents are ours. Outside these bounds its solver leaves holes: then the triangles that every format gets. */
+vs_emit_status vs_povray_superellipsoid(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_superellipsoid *s = VS_AS(superellipsoid, ref->node);
+  const double least = 0.1, most = 2;
+  if (s->segments > 0 || s->e < least || s->n < least || s->e > most || s->n > most) return VS_LOWER;
+  pov_open(e, "superellipsoid { <");
+  vs_put_number(e->out, s->e);
+  pov_comma(e, s->n);
+  vs_puts(e->out, "> scale ");
+  vs_put_number(e->out, s->size);
+  return pov_close(e, " }\n");
+}
+
 vs_emit_status vs_povray_torus(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_torus *t = VS_AS(torus, ref->node);
@@ -103,6 +134,17 @@ vs_emit_status vs_povray_torus(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   pov_comma(e, t->tube_radius);
   vs_puts(e->out, " rotate 90*x translate ");
   pov_point(e, t->center);
+  return pov_close(e, " }\n");
+}
+
+/* Inside a plane of POV-Ray's is what its normal points away from. */
+vs_emit_status vs_povray_half_space(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_half_space *h = VS_AS(half_space, ref->node);
+  vs_vec3 out = vs_v3_scale(vs_v3_unit(h->normal), -1);
+  pov_open(e, "plane { ");
+  pov_point(e, out);
+  pov_comma(e, vs_v3_dot(out, h->point));
   return pov_close(e, " }\n");
 }
 

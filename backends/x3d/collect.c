@@ -137,6 +137,15 @@ static bool collect_form(const vs_node *n, vs_x3d_form *form, vs_affine *place) 
     *place = collect_on_axis(c->base, c->apex, c->radius);
     return c->segments == 0;
   }
+  case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
+  case VS_E_CONE: {
+    const struct vs_e_cone *c = VS_AS(e_cone, n);
+    vs_affine wide = collect_scale(vs_v3(1, 1, c->base_across / c->base_radius)); /* X3D's Z is across the axis */
+    *form = c->top_radius == 0 ? VS_X3D_CONE : VS_X3D_CYLINDER;
+    *place = collect_on_axis(c->base, c->top, c->base_radius);
+    *place = vs_affine_multiply(place, &wide);
+    return c->segments == 0 && (c->top_radius == 0 || c->top_radius == c->base_radius);
+  }
   case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_WEDGE: case VS_CUT_CONE: case VS_PYRAMID:
   case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
   case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:

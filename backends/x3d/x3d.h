@@ -57,6 +57,7 @@ vs_emit_fn vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean;
 #define VS_X3D_EMIT                                                                                                                  \
   [VS_LINE] = { vs_x3d_line, NULL }, [VS_REGION] = { vs_x3d_leaf, NULL }, [VS_TEXT] = { vs_x3d_leaf, NULL }, [VS_BOX] = { vs_x3d_leaf, NULL }, [VS_WEDGE] = { vs_x3d_leaf, NULL }, \
   [VS_SPHERE] = { vs_x3d_leaf, NULL }, [VS_CYLINDER] = { vs_x3d_leaf, NULL }, [VS_CONE] = { vs_x3d_leaf, NULL },                      \
+  [VS_E_CONE] = { vs_x3d_leaf, NULL }, [VS_SUPERELLIPSOID] = { vs_x3d_leaf, NULL },                                                   \
   [VS_CUT_CONE] = { vs_x3d_leaf, NULL }, [VS_PYRAMID] = { vs_x3d_leaf, NULL }, [VS_TORUS] = { vs_x3d_leaf, NULL },                    \
   [VS_POLYFACE_MESH] = { vs_x3d_leaf, NULL }, [VS_EXTRUDE] = { vs_x3d_leaf, NULL }, [VS_SWEEP] = { vs_x3d_leaf, NULL },               \
   [VS_THICKEN] = { vs_x3d_leaf, NULL }, [VS_TRANSFORM] = { vs_x3d_through, NULL }, [VS_MATERIAL] = { vs_x3d_through, NULL },          \

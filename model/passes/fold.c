@@ -141,6 +141,15 @@ static vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_no
       d.top_radius *= f.scale;
       return vs_node_new(w->store, VS_CUT_CONE, &d, NULL, 0);
     }
+    case VS_E_CONE: {
+      VS_FOLD(e_cone, f.upright);
+      d.base = vs_affine_point(a, d.base);
+      d.top = vs_affine_point(a, d.top);
+      d.base_radius *= f.scale;
+      d.base_across *= f.scale;
+      d.top_radius *= f.scale;
+      return vs_node_new(w->store, VS_E_CONE, &d, NULL, 0);
+    }
     case VS_PYRAMID: {
       VS_FOLD(pyramid, f.upright);
       d.base = vs_affine_point(a, d.base);
@@ -156,6 +165,10 @@ static vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_no
       d.tube_radius *= f.scale;
       return vs_node_new(w->store, VS_TORUS, &d, NULL, 0);
     }
+    case VS_HALF_SPACE: {
+      VS_FOLD(half_space, vs_affine_plane(a, &d.point, &d.normal));
+      return vs_node_new(w->store, VS_HALF_SPACE, &d, NULL, 0);
+    }
     case VS_POLYFACE_MESH:
       if (!(fabs(vs_affine_determinant(a)) > 0)) return NULL;
       *fits = true;
@@ -163,6 +176,7 @@ static vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_no
     case VS_EMPTY:
       *fits = true;
       return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
+    case VS_SUPERELLIPSOID: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
     case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
   }

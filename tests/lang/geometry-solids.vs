@@ -1,0 +1,64 @@
+; elliptical cones, superellipsoids, half-spaces and slices: formulas against meshes, and against each other
+(define (about x y [tolerance any? 1e-9]) (displayln (near? x y (* tolerance (abs y)))))
+(define (mesh-volume o) (volume (unite o o)))
+(define (mesh-area o) (area (unite o o)))
+(define-syntax fails
+  (syntax-rules ()
+    ((_ e) (guard (c ((error-object? c) (display (error-object-message c)) (display " ") (displayln (error-object-irritants c)))) e (displayln "no error")))))
+
+(define cone (make-e-cone (xyz 1 2 3) 2 1 (xyz 3 1 6) 1))
+(displayln cone)                                   ; expect: (make-e-cone (xyz 1 2 3) 2 1 (xyz 3 1 6) 1)
+(displayln (object-kind cone))                     ; expect: e-cone
+(about (mesh-volume cone) (volume cone) 2e-3)      ; expect: #t
+(about (mesh-area cone) (area cone) 2e-3)          ; expect: #t
+(about (volume (make-e-cone origin 2 1 (xyz 0 0 3) 2)) (* 6 pi)) ; expect: #t
+(about (area (make-e-cone origin 3 3 (xyz 0 0 4) 0)) (* 24 pi))  ; expect: #t
+(displayln (bounding-box (make-e-cone origin 2 1 (xyz 0 0 3) 1))) ; expect: ((xyz -2 -1 0) (xyz 2 1 3))
+(displayln (map (lambda (x y) (contains? (make-e-cone origin 2 1 (xyz 0 0 3) 1) (xyz x y 1.5))) '(1.49 1.51 0 0) '(0 0 0.74 0.76))) ; expect: (#t #f #t #f)
+(displayln (scale (make-e-cone origin 2 1 (xyz 0 0 3) 1) 2)) ; expect: (do-transform (make-e-cone (xyz 0 0 0) 2 1 (xyz 0 0 3) 1) (make-matrix 2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1))
+(displayln (make-e-cone origin 0 1 (xyz 0 0 3) 1)) ; expect: (empty-object)
+(displayln (make-e-cone origin 1 1 origin 1))      ; expect: (empty-object)
+
+; sphere, octahedron, and what lies between
+(about (volume (make-superellipsoid 1 1 2)) (* 32/3 pi)) ; expect: #t
+(about (area (make-superellipsoid 1 1 2)) (* 16 pi))     ; expect: #t
+(about (area (make-superellipsoid 0.001 0.001 1)) 24 1e-2) ; expect: #t
+(define worst 0)
+(for* ([e '(0.05 0.3 1 1.5 2 2.5)] [n '(0.05 0.3 1 1.5 2 2.5)])
+  (define s (make-superellipsoid e n 3))
+  (set! worst (max worst (abs (- 1 (/ (mesh-volume s) (volume s)))) (abs (- 1 (/ (mesh-area s) (area s)))))))
+(displayln (< worst 4e-3))                         ; expect: #t
+(define (corner-of s) (cx (cadr (bounding-box s))))
+(about (corner-of (rotate (make-superellipsoid 2 2 1) 'z pi/4)) (/ (sqrt 2) 2)) ; expect: #t
+(about (corner-of (rotate (make-superellipsoid 3 3 1) 'z pi/4)) (/ (sqrt 2) 2)) ; expect: #t
+(about (corner-of (rotate (make-superellipsoid 0.5 1 1) 'z pi/4)) (expt 2 0.25)) ; expect: #t
+(displayln (map (lambda (d) (contains? (make-superellipsoid 0.5 0.5 1) (xyz d d d))) '(0.75 0.77))) ; expect: (#t #f)
+(fails (make-superellipsoid 0 1 1))                ; expect: make-superellipsoid: e must be positive, got (0)
+(fails (make-superellipsoid 1 21 1))               ; expect: make-superellipsoid: n must be from 0.001 to 20, got (21)
+(fails (make-superellipsoid 1 1 (/ 0. 0.)))        ; expect: make-superellipsoid: s must be finite, got (+nan.0)
+(displayln (make-superellipsoid 1 1 0))            ; expect: (empty-object)
+
+; half-spaces: exact where the plane is on the grid, alone or in sets, placed, nested
+(define cube (make-box origin (xyz 2 2 2)))
+(define askew (make-half-space (make-plane (xyz 1 1 1) (vxyz 1 1 1))))
+(displayln (volume (subtract cube askew)))         ; expect: 4.0
+(displayln (volume (intersect askew cube)))        ; expect: 4.0
+(define slab (subtract (make-half-space 'xy) (translate (make-half-space 'xy) (vxyz 0 0 0.25))))
+(displayln (volume (intersect cube slab)))         ; expect: 1.0
+(displayln (volume (intersect slab (unite cube (translate cube (vxyz 10 0 0)))))) ; expect: 2.0
+(displayln (volume (subtract cube (make-half-space (make-plane (xyz 0 0 5) uz))))) ; expect: 8.0
+(displayln (volume (subtract cube (make-half-space (make-plane (xyz 0 0 -5) uz))))) ; expect: 0.0
+(displayln (volume (intersect cube (make-half-space (make-plane (xyz 0 0 2) (- uz)))))) ; expect: 8.0
+(displayln (volume (scale (subtract cube (make-half-space (make-plane (xyz 0.5 0 0) (vxyz 3 0 0)))) '(1 2 3)))) ; expect: 12.0
+(displayln (bounding-box (do-slice cube (make-plane (xyz 0 0 0.3) (- uz))))) ; expect: ((xyz 0 0 0) (xyz 2 2 0.3))
+(displayln (map (lambda (z) (contains? (do-slice cube (make-plane (xyz 0 0 0.3) (- uz))) (xyz 1 1 z))) '(0.2 0.4))) ; expect: (#t #f)
+(about (volume (do-slice (make-sphere origin 1) (vxyz 1 2 3))) (* 2/3 pi) 5e-3) ; expect: #t
+(displayln (object-arguments (make-half-space (make-plane (xyz 1 2 3) (vxyz 0 0 9))))) ; expect: ((xyz 1 2 3) (vxyz 0 0 1))
+(displayln (equal? (make-half-space 'xy) (make-half-space uz))) ; expect: #t
+(fails (bounding-box askew))                       ; expect: bounding-box: o must be finite (a half-space has to be intersected with something that is, or subtracted from it), got ((make-half-space (make-plane (xyz 1 1 1) (vxyz 0.5773502691896258 0.5773502691896258 0.5773502691896258))))
+(fails (area (unite cube slab)))                   ; expect: area: o must be finite (a half-space has to be intersected with something that is, or subtracted from it), got ((unite (make-box (xyz 0 0 0) (xyz 2 2 2)) (subtract (make-half-space (make-plane (xyz 0 0 0) (vxyz 0 0 1))) (do-move (make-half-space (make-plane (xyz 0 0 0) (vxyz 0 0 1))) (vxyz 0 0 0.25)))))
+(fails (draw (unite cube askew)))                  ; expect: draw: the object is endless: intersect it with something finite, or subtract it from that ()
+(fails (make-half-space 'x))                       ; expect: make-half-space: plane must be a plane ('xy, 'yz, 'xz, a gvector or (make-plane point normal)), got (x)
+(fails (make-half-space (vxyz 0 0 0)))             ; expect: make-half-space: plane must be of a normal longer than 0, got ((vxyz 0 0 0))
+(fails (do-slice (make-circle origin 1) 'xy))      ; expect: do-slice: o must be a solid, got ((make-circle (xyz 0 0 0) 1))
+(make-half-space (quote xy)) ; expect warning: the object is endless: intersect it with something finite, or subtract it from that
