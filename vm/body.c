@@ -255,6 +255,21 @@ bool vs_body_resume(vs_expansion *x, vs_value value) {
 }
 
 /* ---- the top level ---- */
+/* Names that a macro's (begin (define name ...) ...) makes are bound before any of its forms is expanded, so that the first may refer to the
+   last: a name of the program would be found by its symbol, but these are known to nobody else. */
+static bool bind_renamed(vs_expansion *x, vs_value forms) {
+  VS_ROOTS(x->vm, r, 1);
+  for (r[0] = forms; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
+    vs_value f = vs_car(r[0]), cell;
+    if (!vs_is_pair(f) || !vs_is_pair(vs_cdr(f)) || !vs_is_form(x->now.env, vs_car(f), VS_FORM_define)) continue;
+    vs_value name = vs_car(vs_cdr(f));
+    while (vs_is_pair(name)) name = vs_car(name);
+    if (vs_is(name, VS_T_ALIAS) && vs_idtable_get(vs_as_environment(x->now.env)->table, name) == VS_VACANT &&
+        !vs_environment_define(x->vm, x->now.env, name, &cell)) return false;
+  }
+  return true;
+}
+
 bool vs_top_step(vs_expansion *x) {
   vs *vm = x->vm;
   VS_ROOTS(vm, r, 5);
@@ -271,7 +286,8 @@ bool vs_top_step(vs_expansion *x) {
   switch (form) {
   case VS_FORM_begin:
     if (vs_list_length(r[0]) < 0) return vs_expand_shape(x, VS_FORM_begin);
-    x->forms = vs_cdr(r[0]);
+    if (!bind_renamed(x, vs_cdr(r[0]))) return false;
+    x->forms = vs_cdr(x->now.form);
     x->result = VS_EXPAND_FORMS;
     return true;
   case VS_FORM_define: {

@@ -7,6 +7,7 @@
    The natives here keep their state in their frames (native.h, VS_CALL), so that every one may be left and entered again. */
 #include "vm/frame.h"
 #include "vm/native.h"
+#include "vm/port.h"
 #include "vm/printer.h"
 #include "vm/run.h"
 
@@ -205,6 +206,10 @@ static vs_status parameterize(vs *vm, vs_value *a, int n, vs_value *out) {
     if (!converted && vs_as_parameter(p)->converter != VS_FALSE) return vs_call(vm, vs_as_parameter(p)->converter, 1, &v);
     if (converted) v = *out;
     converted = false;
+    if (!vs_port_parameter_fits(vm, p, v)) {
+      vm->native = NULL;
+      return vs_cons(vm, v, VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "%s must be a port of its direction, got", vs_as_symbol(vs_as_parameter(p)->name)->name);
+    }
     if (!vs_cons(vm, p, v, &r[0]) || !vs_cons(vm, r[0], a[4], &a[4])) return VS_ERROR;
     a[0] = vs_cdr(a[0]); a[1] = vs_cdr(a[1]);
   }

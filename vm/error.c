@@ -64,6 +64,7 @@ static vs_status leave(vs *vm, vs_value code, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 2);
   r[0] = code == VS_TRUE || code == VS_ABSENT ? vs_fix(0) : vs_is_fixnum(code) ? vs_fix(vs_fixnum(code) & 255) : vs_fix(1);
+  if (r[0] == vs_fix(0) && vs_is_fixnum(code) && code != vs_fix(0)) r[0] = vs_fix(1);      /* 256 is no success */
   if (!vs_intern_c(vm, "exit", &r[1])) return VS_ERROR;
   vm->native = NULL;
   vs_fail(vm, r[1], "exit");

@@ -346,6 +346,8 @@ static bool equals(const char *p, const char *end, const char *lower) {
 }
 
 bool vs_number_parse(vs *vm, const char *s, size_t n, int radix, vs_value *out) {
+  /* a number plus an exact 0 of the imaginary unit is that number; there are no other complex ones */
+  if (n > 3 && is_letter(s[n - 1], 'i') && s[n - 2] == '0' && (s[n - 3] == '+' || s[n - 3] == '-') && !is_letter(s[n - 4], 'e') && s[n - 4] != '#') n -= 3;
   scan in = {.vm = vm, .s = s, .end = s + n, .radix = radix};
   bool radix_given = false;
   *out = VS_FALSE;

@@ -47,6 +47,12 @@ bool vs_port_parameter(vs *vm, int stream, vs_value *out) {
   return true;
 }
 
+bool vs_port_parameter_fits(const vs *vm, vs_value parameter, vs_value v) {
+  for (int slot = VS_LIB_INPUT; slot <= VS_LIB_ERROR; slot++)
+    if (parameter == vs_lib_get(vm, slot)) return vs_is(v, VS_T_PORT) && vs_as_port(v)->flags & (slot == VS_LIB_INPUT ? VS_PORT_INPUT : VS_PORT_OUTPUT);
+  return true;
+}
+
 static vs_value port_current(vs *vm, int slot) {
   if (!vs_port_setup(vm)) return VS_FALSE;
   return vs_parameter_value(vm, vs_lib_get(vm, slot));

@@ -42,6 +42,8 @@ bool vs_port_fill(vs *vm, vs_value port, size_t wanted, const uint8_t **at, size
 bool vs_port_close(vs *vm, vs_value port);
 /* The parameter object of the current input (0), output (1) or error port (2). */
 bool vs_port_parameter(vs *vm, int stream, vs_value *out);
+/* May the parameter have this value? A port of its direction for those three; anything for others. */
+bool vs_port_parameter_fits(const vs *vm, vs_value parameter, vs_value v);
 /* the current ports: parameters' values, else the standard ones */
 vs_value vs_port_current_output(vs *vm);
 vs_value vs_port_current_input(vs *vm);

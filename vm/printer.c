@@ -244,11 +244,18 @@ static bool put_string(vs_text *t, vs_value v) {
   return ok && vs_text_put(t, "\"", 1);
 }
 
-/* Does a name spell a number? (The syntax alone: number_text.c reads it.) */
+static bool same_letters(const char *s, const char *lower, size_t n) {
+  for (size_t i = 0; i < n; i++) if ((s[i] >= 'A' && s[i] <= 'Z' ? s[i] | 32 : s[i]) != lower[i]) return false;
+  return true;
+}
+
+/* Does a name spell a number, here or, as +i does, in other Schemes? (The syntax alone: number_text.c reads it.) */
 static bool spells_number(const char *s, size_t n) {
-  const char *end = s + n;
   bool sign = *s == '+' || *s == '-';
-  if (sign && n == 6 && (!memcmp(s + 1, "inf.0", 5) || !memcmp(s + 1, "nan.0", 5))) return true;
+  if (sign && n == 2 && (s[1] | 32) == 'i') return true;
+  if (n > 3 && (same_letters(s + n - 3, "+0i", 3) || same_letters(s + n - 3, "-0i", 3))) n -= 3;
+  const char *end = s + n;
+  if (sign && n == 6 && (same_letters(s + 1, "inf.0", 5) || same_letters(s + 1, "nan.0", 5))) return true;
   if (sign) s++;
   const char *digits = s;
   while (s < end && *s >= '0' && *s <= '9') s++;

@@ -382,7 +382,7 @@ static bool same(const reader *r, const char *word) {
 /* A token that begins with #. *skip_: it was no datum (a prefix was pushed). */
 static bool read_hash(reader *r, vs_value *out, bool *prefix) {
   static const struct { const char *word; vs_value value; } words[] = {
-    {"#t", VS_TRUE}, {"#true", VS_TRUE}, {"#f", VS_FALSE}, {"#false", VS_FALSE}, {"#!eof", VS_EOF}};
+    {"#t", VS_TRUE}, {"#true", VS_TRUE}, {"#f", VS_FALSE}, {"#false", VS_FALSE}, {"#T", VS_TRUE}, {"#F", VS_FALSE}, {"#!eof", VS_EOF}};
   vs_pos pos = place(r, r->at);
   int c = peek(r, 1);
   *prefix = true;

@@ -268,11 +268,17 @@ static vs_status bytes_fill(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* bad bytes become U+FFFD */
 static vs_status utf8_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
   vs_text t;
   if (!arg_bytes(vm, a, 0) || !vs_arg_range(vm, a, n, 1, bytes_length(a[0]), &start, &end)) return VS_ERROR;
+  if (!vs_poll(vm, (uint64_t)(end - start))) return VS_ERROR;
+  for (int64_t i = start; i < end;) {
+    uint32_t c;
+    size_t used = vs_utf8_decode((const char *)vs_as_bytes(a[0])->at + i, (size_t)(end - i), &c);
+    if (!used) return vs_fail(vm, vm->sym.range, "the bytes are not UTF-8 from index %lld on", (long long)i);
+    i += (int64_t)used;
+  }
   vs_text_open(vm, &t, 0); /* a copy: making the string may move the bytes */
   bool ok = vs_text_put(&t, (const char *)vs_as_bytes(a[0])->at + start, (size_t)(end - start)) && vs_text_to_string(&t, out);
   vs_text_close(&t);

@@ -8,7 +8,7 @@
 (check (string-length "\x3bb;\x1f600;") => 2)
 (check (let ((s (make-string 3 #\a))) (string-set! s 1 #\x3bb) s) => "a\x3bb;a")
 (check (string->utf8 "\x3bb;") => #u8(206 187))
-(check (utf8->string #u8(97 255 98)) => "a\xfffd;b")
+(check-error (utf8->string #u8(97 255 98)))
 
 (define (lines-of text) (let ((p (open-input-string text))) (let loop ((acc '())) (let ((l (read-line p))) (if (eof-object? l) (reverse acc) (loop (cons l acc)))))))
 (check (lines-of "a\n\nb\r\nc") => ("a" "" "b" "c"))
