@@ -342,10 +342,19 @@ const vs_format_info *vs_format_list(size_t *count) {
   return formats;
 }
 
+const char *vs_format_endings(void) {
+#define VS_FORMAT(suffix, backend, name, worker, binary, doc) " ." #suffix
+#define VS_NOTATION(suffix, backend, name, worker, binary, doc)
+  static const char all[] =
+#include "backends/backends.def"
+      ;
+  return all + 1;
+}
+
 const vs_format_info *vs_format_find(const char *text) {
   const vs_format *f = vs_export_format_find(text);
   for (size_t i = 0; f && i < sizeof formats / sizeof *formats; i++)
-    if (!strcmp(formats[i].suffix, f->suffix)) return &formats[i];
+    if (!strcmp(formats[i].name, f->name)) return &formats[i];
   return NULL;
 }
 
@@ -408,11 +417,7 @@ static vs_outcome write_to(vs *vm, const char *path, const char *format_name, co
   const vs_format *format = wanted ? vs_export_format_find(wanted) : NULL;
   if (!format) {
     char text[400];
-    snprintf(text, sizeof text, "%.200s: no format has this ending; there are", wanted ? wanted : "no format given");
-    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
-      size_t n = strlen(text);
-      snprintf(text + n, sizeof text - n, " .%s", formats[i].suffix);
-    }
+    snprintf(text, sizeof text, "%.200s: no format has this ending; there are %s", wanted ? wanted : "no format given", vs_format_endings());
     vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, text);
     return VS_OUTCOME_USAGE;
   }

@@ -211,6 +211,7 @@ typedef struct {
   bool binary;
 } vs_format_info;
 VS_API const vs_format_info *vs_format_list(size_t *count);
+VS_API const char *vs_format_endings(void); /* ".pov .png ...", for messages */
 VS_API const vs_format_info *vs_format_find(const char *name_or_suffix); /* "stl", ".stl", "out/a.stl" or a name; NULL: none such */
 
 /* Optimisation passes by name; bit i of a mask is the i-th name. */

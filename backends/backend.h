@@ -82,6 +82,17 @@ struct vs_backend {
 #define VS_FORMAT(suffix, backend, name, worker, binary, doc) extern const vs_backend vs_backend_##backend;
 #include "backends/backends.def"
 
+/* The rows of formats that show triangles and lines where they stand: leaf makes triangles of what is solid or thin, line takes polylines,
+ * through follows placement and paint, boolean has the kernel. What has no row is lowered: curves to polylines. */
+#define VS_EMIT_SHAPES(leaf, line, through, boolean)                                                                                 \
+  [VS_LINE] = { line, NULL }, [VS_REGION] = { leaf, NULL }, [VS_TEXT] = { leaf, NULL }, [VS_BOX] = { leaf, NULL }, [VS_WEDGE] = { leaf, NULL },                 \
+  [VS_SPHERE] = { leaf, NULL }, [VS_CYLINDER] = { leaf, NULL }, [VS_CONE] = { leaf, NULL },                                         \
+  [VS_CUT_CONE] = { leaf, NULL }, [VS_PYRAMID] = { leaf, NULL }, [VS_TORUS] = { leaf, NULL },                                       \
+  [VS_E_CONE] = { leaf, NULL }, [VS_SUPERELLIPSOID] = { leaf, NULL }, [VS_POLYFACE_MESH] = { leaf, NULL }, [VS_EXTRUDE] = { leaf, NULL }, [VS_SWEEP] = { leaf, NULL },                                  \
+  [VS_THICKEN] = { leaf, NULL }, [VS_TRANSFORM] = { through, NULL }, [VS_MATERIAL] = { through, NULL },                             \
+  [VS_LAYER] = { through, NULL }, [VS_UNION] = { through, NULL }, [VS_INTERSECTION] = { boolean, NULL },                            \
+  [VS_DIFFERENCE] = { boolean, NULL }
+
 /* ---- what emit functions may call ---- */
 bool vs_emit_fail(vs_emitter *e, const vs_ref *ref, const char *message); /* a fault of the model, at the reference; returns false */
 bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message); /* once a message (compared by address) */

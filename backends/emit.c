@@ -69,6 +69,25 @@ bool vs_put_u32(vs_writer *w, uint32_t x) {
   return vs_put(w, p, (size_t)(text + sizeof text - p));
 }
 
+unsigned char *vs_le_u32(unsigned char *to, uint32_t x) {
+  for (int i = 0; i < 4; i++) *to++ = (unsigned char)(x >> (8 * i));
+  return to;
+}
+
+unsigned char *vs_le_float(unsigned char *to, double x) {
+  float number = (float)x + 0.0f; /* + 0: -0 becomes 0 */
+  uint32_t bits;
+  memcpy(&bits, &number, sizeof bits);
+  return vs_le_u32(to, bits);
+}
+
+unsigned char *vs_le_double(unsigned char *to, double x) {
+  double number = x + 0.0;
+  uint64_t bits;
+  memcpy(&bits, &number, sizeof bits);
+  return vs_le_u32(vs_le_u32(to, (uint32_t)bits), (uint32_t)(bits >> 32));
+}
+
 bool vs_put_triple(vs_writer *w, const char *open, vs_vec3 v, const char *between, const char *close) {
   return vs_puts(w, open) && vs_put_number(w, v.x) && vs_puts(w, between) && vs_put_number(w, v.y) && vs_puts(w, between) && vs_put_number(w, v.z)
       && vs_puts(w, close);
@@ -139,4 +158,17 @@ size_t vs_number_text(double x, char out[VS_NUMBER_ROOM]) {
   }
   out[used] = '\0';
   return used;
+}
+
+void vs_put_xml(vs_writer *w, const char *text) {
+  for (; *text != '\0'; text++) switch (*text) {
+    case '<': vs_puts(w, "&lt;"); break;
+    case '>': vs_puts(w, "&gt;"); break;
+    case '&': vs_puts(w, "&amp;"); break;
+    case '"': vs_puts(w, "&quot;"); break;
+    case '\'': vs_puts(w, "&#39;"); break;
+    default: /* control characters are not XML at all */
+      if ((unsigned char)*text >= ' ') vs_put(w, text, 1);
+      else vs_puts(w, " ");
+    }
 }

@@ -37,6 +37,11 @@ bool vs_put_number(vs_writer *w, double x);
 bool vs_put_triple(vs_writer *w, const char *open, vs_vec3 v, const char *between, const char *close); /* <1, 2, 3> and the like */
 bool vs_put_spaces(vs_writer *w, size_t count);
 bool vs_put_u32(vs_writer *w, uint32_t x); /* decimal digits */
+void vs_put_xml(vs_writer *w, const char *text); /* escaped for XML and HTML, attributes too */
+/* Little-endian bytes, as the binary formats have them; each returns the place behind them. */
+unsigned char *vs_le_u32(unsigned char *to, uint32_t x);
+unsigned char *vs_le_float(unsigned char *to, double x); /* 32 bits; never -0 */
+unsigned char *vs_le_double(unsigned char *to, double x);
 
 /* The number's text, NUL-terminated; its length. Not finite: "0" (callers check first; a format must not be broken by it). */
 size_t vs_number_text(double x, char out[VS_NUMBER_ROOM]);

@@ -240,7 +240,11 @@ static bool find_format(cli_options *o, cli_target *t) {
   const char *base = strrchr(t->path, '/');
   base = base ? base + 1 : t->path;
   const char *ending = strrchr(base, '.');
-  if (!standard && ending && (t->format = vs_format_find(ending)) != NULL) return true;
+  if (!standard && ending && (t->format = vs_format_find(ending)) != NULL) {
+    const vs_format_info *said = o->format ? vs_format_find(o->format) : NULL; /* another notation behind the same ending */
+    if (said && strcmp(said->suffix, t->format->suffix) == 0) t->format = said;
+    return true;
+  }
   if (o->format) {
     if ((t->format = vs_format_find(o->format)) != NULL) return true;
     fprintf(stderr, "vs: --format %s: there is no such format;", o->format);
@@ -256,9 +260,7 @@ static bool find_format(cli_options *o, cli_target *t) {
   cli_nearby near = cli_nearby_start(o->format ? o->format : ending ? ending + 1 : "");
   for (size_t i = 0; i < count; i++) cli_nearby_offer(&near, formats[i].suffix);
   if (near.best && *near.wanted) fprintf(stderr, " perhaps .%s;", near.best);
-  fputs(" there are", stderr);
-  for (size_t i = 0; i < count; i++) fprintf(stderr, " .%s", formats[i].suffix);
-  fputc('\n', stderr);
+  fprintf(stderr, " there are %s\n", vs_format_endings());
   return false;
 }
 

@@ -202,11 +202,7 @@ static void write_file(cli_session *c, const char *path) {
   if (!*path) {
     fputs(",write needs a file name, as in ,write house.png\n", stderr);
   } else if (!target.format) {
-    size_t count;
-    const vs_format_info *formats = vs_format_list(&count);
-    fprintf(stderr, "%s: the ending says no format; there are", path);
-    for (size_t i = 0; i < count; i++) fprintf(stderr, " .%s", formats[i].suffix);
-    fputc('\n', stderr);
+    fprintf(stderr, "%s: the ending says no format; there are %s\n", path, vs_format_endings());
   } else if (cli_session_write(c, &target) == VS_OUTCOME_DONE) {
     printf("; wrote %s\n", path);
   }

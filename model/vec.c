@@ -180,3 +180,55 @@ vs_bounds vs_bounds_transform(const vs_bounds *b, const vs_affine *a) {
   r.max = vs_v3(high[0], high[1], high[2]);
   return r;
 }
+
+bool vs_affine_is_placement(const vs_affine *a) {
+  vs_vec3 c[3];
+  for (int i = 0; i < 3; i++) c[i] = vs_v3(a->m[0][i], a->m[1][i], a->m[2][i]);
+  for (int i = 0; i < 3; i++) {
+    vs_vec3 p = c[i], q = c[(i + 1) % 3];
+    if (fabs(vs_v3_dot(p, q)) > 1e-9 * vs_v3_length(p) * vs_v3_length(q)) return false;
+  }
+  return true;
+}
+
+vs_vec3 vs_affine_normal(const vs_affine *a, vs_vec3 n) {
+  vs_vec3 c0 = vs_v3(a->m[0][0], a->m[1][0], a->m[2][0]), c1 = vs_v3(a->m[0][1], a->m[1][1], a->m[2][1]), c2 = vs_v3(a->m[0][2], a->m[1][2], a->m[2][2]);
+  vs_vec3 out = vs_v3_add(vs_v3_add(vs_v3_scale(vs_v3_cross(c1, c2), n.x), vs_v3_scale(vs_v3_cross(c2, c0), n.y)), vs_v3_scale(vs_v3_cross(c0, c1), n.z));
+  if (vs_affine_determinant(a) < 0) out = vs_v3_scale(out, -1);
+  double length = vs_v3_length(out);
+  return length > 0 ? vs_v3_scale(out, 1 / length) : n;
+}
+
+void vs_rotation_quaternion(const vs_vec3 c[3], double out[4]) {
+  double m[3][3] = { { c[0].x, c[1].x, c[2].x }, { c[0].y, c[1].y, c[2].y }, { c[0].z, c[1].z, c[2].z } };
+  double q[4] = { 1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2], 1 - m[0][0] + m[1][1] - m[2][2], 1 - m[0][0] - m[1][1] + m[2][2] };
+  int most = 0;
+  for (int i = 1; i < 4; i++)
+    if (q[i] > q[most]) most = i;
+  double a[4]; /* not yet of unit length */
+  switch (most) {
+  case 0: a[0] = q[0]; a[1] = m[2][1] - m[1][2]; a[2] = m[0][2] - m[2][0]; a[3] = m[1][0] - m[0][1]; break;
+  case 1: a[0] = m[2][1] - m[1][2]; a[1] = q[1]; a[2] = m[0][1] + m[1][0]; a[3] = m[0][2] + m[2][0]; break;
+  case 2: a[0] = m[0][2] - m[2][0]; a[1] = m[0][1] + m[1][0]; a[2] = q[2]; a[3] = m[1][2] + m[2][1]; break;
+  default: a[0] = m[1][0] - m[0][1]; a[1] = m[0][2] + m[2][0]; a[2] = m[1][2] + m[2][1]; a[3] = q[3]; break;
+  }
+  double length = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + a[3] * a[3]);
+  for (int i = 0; i < 4; i++) out[i] = a[i] / length;
+}
+
+void vs_affine_split(const vs_affine *a, vs_vec3 *translation, double quaternion[4], vs_vec3 *scale) {
+  vs_vec3 c[3];
+  double length[3];
+  for (int i = 0; i < 3; i++) {
+    c[i] = vs_v3(a->m[0][i], a->m[1][i], a->m[2][i]);
+    length[i] = vs_v3_length(c[i]);
+    c[i] = vs_v3_scale(c[i], 1 / length[i]);
+  }
+  if (vs_affine_determinant(a) < 0) {
+    c[0] = vs_v3_scale(c[0], -1);
+    length[0] = -length[0];
+  }
+  *translation = vs_v3(a->m[0][3], a->m[1][3], a->m[2][3]);
+  *scale = vs_v3(length[0], length[1], length[2]);
+  vs_rotation_quaternion(c, quaternion);
+}

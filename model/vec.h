@@ -48,6 +48,14 @@ vs_affine vs_affine_translation(vs_vec3 v);
 vs_affine vs_affine_rotation(vs_vec3 point, vs_vec3 direction, double angle);
 vs_affine vs_affine_scaling(vs_vec3 center, vs_vec3 factors);
 vs_affine vs_affine_mirror(vs_vec3 point, vs_vec3 normal);
+/* Is the linear part a rotation (perhaps mirrored) after a scale along x, y and z: are the columns at right angles, to 1e-9? */
+bool vs_affine_is_placement(const vs_affine *a);
+/* Such a map as scale first, then rotation (a unit quaternion w x y z), then translation; where it mirrors, scale x is negative. */
+void vs_affine_split(const vs_affine *a, vs_vec3 *translation, double quaternion[4], vs_vec3 *scale);
+/* The unit quaternion w x y z of the rotation with these columns; found by its largest part, so sound at half turns. */
+void vs_rotation_quaternion(const vs_vec3 columns[3], double quaternion[4]);
+/* A unit normal carried along: by the inverse transpose, which is the linear part's cofactors (and its sign). */
+vs_vec3 vs_affine_normal(const vs_affine *a, vs_vec3 n);
 /* sine and cosine together, exact at multiples of pi/2 (the double nearest to k*pi/2 counts as that multiple) */
 void vs_sincos(double angle, double *sine, double *cosine);
 /* sine and cosine of index/count of a turn: quarters exact, mirror images of each other to the last bit */

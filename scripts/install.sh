@@ -55,11 +55,12 @@ if [ -n "$must$may" ]; then
   done
 fi
 
-case " $* " in *" build "*)
-  if [ ! -f node_modules/x3dom/x3dom.js ]; then
-    echo "Fetching x3dom with npm"
-    npm ci --ignore-scripts --no-audit --no-fund --silent ||
-      echo "npm could not fetch x3dom: web pages (.html) will not be available; run 'npm ci --ignore-scripts' and build again" >&2
-  fi ;;
-esac
+# What comes from npm: the viewer inside our pages when building, and the checker of .glb files for the tests.
+fetch() {
+  [ -d "node_modules/$1" ] && return
+  echo "Fetching $1 with npm"
+  npm ci --ignore-scripts --no-audit --no-fund --silent || echo "npm could not fetch $1: $2; run 'npm ci --ignore-scripts' and build again" >&2
+}
+case " $* " in *" build "*) fetch x3dom "web pages (.html) will not be available" ;; esac
+case " $* " in *" tests "*) fetch gltf-validator "the test of .glb files will be skipped" ;; esac
 exit 0

@@ -1,4 +1,4 @@
-/* Owns the formats of bare triangles: binary STL, OBJ with its .mtl, OFF. All get the union of the drawing's solids from the kernel.
+/* Owns the formats of bare triangles: STL binary and in words, OFF, PLY, OBJ with its .mtl. All get the union of the drawing's solids from the kernel.
  *
  * STL's numbers are 32-bit: triangles whose corners fall together there are left out, which keeps a closed surface closed. */
 #include <stdlib.h>
@@ -22,20 +22,12 @@ static bool stl_same(const vs_mesh *m, uint32_t a, uint32_t b) {
 
 static bool stl_needle(const vs_mesh *m, const uint32_t t[3]) { return stl_same(m, t[0], t[1]) || stl_same(m, t[1], t[2]) || stl_same(m, t[2], t[0]); }
 
-static unsigned char *stl_u32(unsigned char *to, uint32_t x) {
-  for (int i = 0; i < 4; i++) *to++ = (unsigned char)(x >> (8 * i));
-  return to;
+static vs_vec3 stl_normal(const vs_mesh *m, const uint32_t t[3]) {
+  vs_vec3 a = m->vertices[t[0]];
+  return vs_v3_unit(vs_v3_cross(vs_v3_sub(m->vertices[t[1]], a), vs_v3_sub(m->vertices[t[2]], a)));
 }
 
-static unsigned char *stl_vector(unsigned char *to, vs_vec3 v) {
-  const float numbers[] = { (float)v.x + 0.0f, (float)v.y + 0.0f, (float)v.z + 0.0f }; /* + 0: -0 becomes 0 */
-  for (int i = 0; i < 3; i++) {
-    uint32_t bits;
-    memcpy(&bits, &numbers[i], sizeof bits);
-    to = stl_u32(to, bits);
-  }
-  return to;
-}
+static unsigned char *stl_vector(unsigned char *to, vs_vec3 v) { return vs_le_float(vs_le_float(vs_le_float(to, v.x), v.y), v.z); }
 
 static bool stl_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
@@ -44,21 +36,38 @@ static bool stl_solid(vs_emitter *e, const vs_solid *solid) {
   size_t count = 0;
   for (size_t i = 0; i < m->triangle_count; i++) count += !stl_needle(m, m->triangles[i]);
   if (count > UINT32_MAX) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than an STL file can hold");
-  stl_u32(head + 80, (uint32_t)count);
+  vs_le_u32(head + 80, (uint32_t)count);
   vs_put(e->out, head, sizeof head);
   for (size_t i = 0; i < m->triangle_count && !e->out->failed; i++) {
     const uint32_t *t = m->triangles[i];
     if (stl_needle(m, t)) continue;
-    vs_vec3 a = m->vertices[t[0]], b = m->vertices[t[1]], c = m->vertices[t[2]], normal = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
-    double length = vs_v3_length(normal);
-    normal = length > 0 ? vs_v3_scale(normal, 1 / length) : vs_v3(0, 0, 0);
-    unsigned char record[50] = { 0 };
-    stl_vector(stl_vector(stl_vector(stl_vector(record, normal), a), b), c);
+    unsigned char record[50] = { 0 }, *to = stl_vector(record, stl_normal(m, t));
+    for (int k = 0; k < 3; k++) to = stl_vector(to, m->vertices[t[k]]);
     vs_put(e->out, record, sizeof record);
   }
   return !e->out->failed;
 }
 
+/* The same in words. Numbers are those of the binary form, so that the two hold one mesh. */
+static bool stl_ascii_solid(vs_emitter *e, const vs_solid *solid) {
+  const vs_mesh *m = &solid->mesh;
+  vs_writer *w = e->out;
+  vs_puts(w, "solid VisualScheme\n");
+  for (size_t i = 0; i < m->triangle_count && !w->failed; i++) {
+    const uint32_t *t = m->triangles[i];
+    if (stl_needle(m, t)) continue;
+    vs_vec3 n = stl_normal(m, t);
+    vs_put_triple(w, "facet normal ", vs_v3((float)n.x, (float)n.y, (float)n.z), " ", "\nouter loop\n");
+    for (int k = 0; k < 3; k++) {
+      vs_vec3 v = m->vertices[t[k]];
+      vs_put_triple(w, "vertex ", vs_v3((float)v.x, (float)v.y, (float)v.z), " ", "\n");
+    }
+    vs_puts(w, "endloop\nendfacet\n");
+  }
+  return vs_puts(w, "endsolid VisualScheme\n");
+}
+
+const vs_backend vs_backend_stl_ascii = { .begin = mesh_begin, .end = mesh_end, .solid = stl_ascii_solid, MESH_OMIT("STL") };
 const vs_backend vs_backend_stl = { .begin = mesh_begin, .end = mesh_end, .solid = stl_solid, MESH_OMIT("STL") };
 
 /* ---- OFF ---- */
@@ -77,6 +86,40 @@ static bool off_solid(vs_emitter *e, const vs_solid *solid) {
 }
 
 const vs_backend vs_backend_off = { .begin = mesh_begin, .end = mesh_end, .solid = off_solid, MESH_OMIT("OFF") };
+
+/* ---- PLY: binary, little-endian, coordinates as doubles; a face has its colour, for a corner may belong to faces of several ---- */
+
+static uint8_t ply_level(double x) { return (uint8_t)lround(255 * x); }
+
+static bool ply_solid(vs_emitter *e, const vs_solid *solid) {
+  const vs_mesh *m = &solid->mesh;
+  vs_writer *w = e->out;
+  vs_puts(w, "ply\nformat binary_little_endian 1.0\ncomment made by VisualScheme; Z is up, lengths in ");
+  vs_puts(w, e->scene->units);
+  vs_putf(w, "\nelement vertex %lu\nproperty double x\nproperty double y\nproperty double z\n", (unsigned long)m->vertex_count);
+  vs_putf(w, "element face %lu\nproperty list uchar uint vertex_indices\n", (unsigned long)m->triangle_count);
+  vs_puts(w, "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\nend_header\n");
+  for (size_t i = 0; i < m->vertex_count && !w->failed; i++) {
+    unsigned char record[24];
+    vs_vec3 v = m->vertices[i];
+    vs_le_double(vs_le_double(vs_le_double(record, v.x), v.y), v.z);
+    vs_put(w, record, sizeof record);
+  }
+  for (size_t i = 0; i < m->triangle_count && !w->failed; i++) {
+    uint32_t tag = m->tags != NULL ? m->tags[i] : 0;
+    vs_material paint = tag < solid->part_count && solid->parts[tag] != NULL ? *solid->parts[tag] : vs_material_of_color(0.86, 0.85, 0.83);
+    unsigned char record[17] = { 3 }, *to = record + 1;
+    for (int k = 0; k < 3; k++) to = vs_le_u32(to, m->triangles[i][k]);
+    *to++ = ply_level(paint.red);
+    *to++ = ply_level(paint.green);
+    *to++ = ply_level(paint.blue);
+    *to = ply_level(1 - 0.8 * paint.transparency);
+    vs_put(w, record, sizeof record);
+  }
+  return !w->failed;
+}
+
+const vs_backend vs_backend_ply = { .begin = mesh_begin, .end = mesh_end, .solid = ply_solid, MESH_OMIT("PLY") };
 
 /* ---- OBJ ---- */
 

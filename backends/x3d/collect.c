@@ -4,7 +4,7 @@
 
 #include "backends/shade.h"
 #include "backends/x3d/x3d.h"
-#include "geometry/frame.h"
+#include "geometry/unit.h"
 
 bool vs_x3d_open(vs_emitter *e, vs_x3d_notation notation) {
   vs_x3d *x = vs_store_realloc(e->scene->store, NULL, 0, sizeof *x);
@@ -35,15 +35,6 @@ void vs_x3d_close(vs_emitter *e) {
 }
 
 /* ---- triangles ---- */
-
-/* Normals go by the inverse transpose, which for an affine map is the cofactors of its linear part (and its sign). */
-static vs_vec3 collect_normal(const vs_affine *a, vs_vec3 n) {
-  vs_vec3 c0 = vs_v3(a->m[0][0], a->m[1][0], a->m[2][0]), c1 = vs_v3(a->m[0][1], a->m[1][1], a->m[2][1]), c2 = vs_v3(a->m[0][2], a->m[1][2], a->m[2][2]);
-  vs_vec3 out = vs_v3_add(vs_v3_add(vs_v3_scale(vs_v3_cross(c1, c2), n.x), vs_v3_scale(vs_v3_cross(c2, c0), n.y)), vs_v3_scale(vs_v3_cross(c0, c1), n.z));
-  if (vs_affine_determinant(a) < 0) out = vs_v3_scale(out, -1);
-  double length = vs_v3_length(out);
-  return length > 0 ? vs_v3_scale(out, 1 / length) : n;
-}
 
 static bool collect_triangles(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_material *material, double crease) {
   vs_x3d *x = e->state;
@@ -76,7 +67,7 @@ static bool collect_triangles(vs_emitter *e, const vs_solid *m, const vs_affine 
             && vs_emit_grow(e, &b->normals, &b->normal_room, b->vertex_count + 1, sizeof *b->normals);
           if (!ok) break;
           b->vertices[b->vertex_count] = vs_affine_point(place, mesh->vertices[mesh->triangles[i][k]]);
-          b->normals[b->vertex_count] = collect_normal(place, s.normals[corner]);
+          b->normals[b->vertex_count] = vs_affine_normal(place, s.normals[corner]);
           at[corner] = (uint32_t)b->vertex_count++;
         }
         b->triangles[b->triangle_count][mirrored ? 2 - k : k] = at[corner];
@@ -92,87 +83,36 @@ static bool collect_triangles(vs_emitter *e, const vs_solid *m, const vs_affine 
 static bool collect_bake(vs_emitter *e, const vs_ref *ref, const vs_affine *place, const vs_material *material) {
   const vs_solid *m = vs_emit_mesh(e, ref);
   bool boolean = ref->node->kind == VS_INTERSECTION || ref->node->kind == VS_DIFFERENCE;
-  return m != NULL && collect_triangles(e, m, place, material, boolean || vs_lower_is_round(ref->node) ? 0.6 : 0.05);
+  return m != NULL && collect_triangles(e, m, place, material, vs_shade_crease(boolean || vs_lower_is_round(ref->node)));
 }
 
 /* ---- unit forms ---- */
 
-static vs_affine collect_scale(vs_vec3 by) { return (vs_affine){ { { by.x, 0, 0, 0 }, { 0, by.y, 0, 0 }, { 0, 0, by.z, 0 } } }; }
-
-/* X3D's cylinders and cones stand on Y about the origin: Y to +Z, half the height, onto the axis. */
-static vs_affine collect_on_axis(vs_vec3 base, vs_vec3 top, double radius) {
-  vs_vec3 axis = vs_v3_sub(top, base);
-  double half = vs_v3_length(axis) / 2;
-  vs_affine frame = vs_frame_on_axis(vs_v3_scale(vs_v3_add(base, top), 0.5), axis);
-  vs_affine upright = { { { radius, 0, 0, 0 }, { 0, 0, -radius, 0 }, { 0, half, 0, 0 } } };
-  return vs_affine_multiply(&frame, &upright);
-}
-
-/* The unit form that the node is, and its place in the node's own coordinates; false: it is none. */
-static bool collect_form(const vs_node *n, vs_x3d_form *form, vs_affine *place) {
-  switch ((vs_kind)n->kind) {
-  case VS_BOX: {
-    const struct vs_box *b = VS_AS(box, n);
-    vs_affine size = collect_scale(vs_v3_scale(vs_v3_sub(b->q, b->p), 0.5)), middle = vs_affine_translation(vs_v3_scale(vs_v3_add(b->p, b->q), 0.5));
-    *form = VS_X3D_BOX;
-    *place = vs_affine_multiply(&middle, &size);
-    return true;
+/* The X3D form that the node is, and its place in the node's own coordinates; false: it is none. X3D's cylinders and cones stand on Y. */
+static bool collect_form(const vs_emitter *e, const vs_node *n, vs_x3d_form *form, vs_affine *place) {
+  static const vs_affine upright = { { { 1, 0, 0, 0 }, { 0, 0, -1, 0 }, { 0, 1, 0, 0 } } };
+  vs_unit_copy copy;
+  if (!vs_unit_of(n, &e->facets, &copy) || copy.faceted) return false;
+  *place = copy.place;
+  switch (copy.unit) {
+  case VS_UNIT_BOX: *form = VS_X3D_BOX; return true;
+  case VS_UNIT_SPHERE: *form = VS_X3D_SPHERE; return true;
+  case VS_UNIT_CYLINDER: *form = VS_X3D_CYLINDER; break;
+  case VS_UNIT_CONE: *form = VS_X3D_CONE; break;
+  case VS_UNIT_WEDGE: case VS_UNIT_COUNT: return false;
   }
-  case VS_SPHERE: {
-    const struct vs_sphere *s = VS_AS(sphere, n);
-    vs_affine size = collect_scale(vs_v3(s->radius, s->radius, s->radius)), middle = vs_affine_translation(s->center);
-    *form = VS_X3D_SPHERE;
-    *place = vs_affine_multiply(&middle, &size);
-    return s->segments == 0;
-  }
-  case VS_CYLINDER: {
-    const struct vs_cylinder *c = VS_AS(cylinder, n);
-    *form = VS_X3D_CYLINDER;
-    *place = collect_on_axis(c->base, c->top, c->radius);
-    return c->segments == 0;
-  }
-  case VS_CONE: {
-    const struct vs_cone *c = VS_AS(cone, n);
-    *form = VS_X3D_CONE;
-    *place = collect_on_axis(c->base, c->apex, c->radius);
-    return c->segments == 0;
-  }
-  case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
-  case VS_E_CONE: {
-    const struct vs_e_cone *c = VS_AS(e_cone, n);
-    vs_affine wide = collect_scale(vs_v3(1, 1, c->base_across / c->base_radius)); /* X3D's Z is across the axis */
-    *form = c->top_radius == 0 ? VS_X3D_CONE : VS_X3D_CYLINDER;
-    *place = collect_on_axis(c->base, c->top, c->base_radius);
-    *place = vs_affine_multiply(place, &wide);
-    return c->segments == 0 && (c->top_radius == 0 || c->top_radius == c->base_radius);
-  }
-  case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_WEDGE: case VS_CUT_CONE: case VS_PYRAMID:
-  case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
-  case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
-    break;
-  }
-  return false;
-}
-
-/* An X3D Transform says translation, rotation and scale: the columns must be at right angles. */
-static bool collect_is_placeable(const vs_affine *a) {
-  vs_vec3 c[3];
-  for (int i = 0; i < 3; i++) c[i] = vs_v3(a->m[0][i], a->m[1][i], a->m[2][i]);
-  for (int i = 0; i < 3; i++) {
-    vs_vec3 p = c[i], q = c[(i + 1) % 3];
-    if (fabs(vs_v3_dot(p, q)) > 1e-9 * vs_v3_length(p) * vs_v3_length(q)) return false;
-  }
+  *place = vs_affine_multiply(place, &upright);
   return true;
 }
 
 vs_emit_status vs_x3d_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   vs_x3d *x = e->state;
-  vs_x3d_form form;
+  vs_x3d_form form = VS_X3D_BOX;
   vs_affine place;
-  if (!x->bake && collect_form(ref->node, &form, &place)) {
+  if (!x->bake && collect_form(e, ref->node, &form, &place)) {
     place = vs_affine_multiply(&e->placement, &place);
-    if (collect_is_placeable(&place)) {
+    if (vs_affine_is_placement(&place)) {
       if (!vs_emit_grow(e, &x->items, &x->item_room, x->item_count + 1, sizeof *x->items)) return VS_FAILED;
       x->items[x->item_count++] = (vs_x3d_item){ *ref, e->placement, e->material, form, place };
       x->bake = x->item_count > VS_X3D_NATIVE_MAX;

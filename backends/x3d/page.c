@@ -32,7 +32,7 @@ static void page_facts(vs_emitter *e) {
     vs_put_number(e->out, round(xyz[i] * steps) / steps);
   }
   vs_puts(e->out, " ");
-  vs_x3d_escape(e->out, e->scene->units != NULL ? e->scene->units : "m");
+  vs_put_xml(e->out, e->scene->units != NULL ? e->scene->units : "m");
 }
 
 static bool page_scene(vs_emitter *e) {
@@ -49,7 +49,7 @@ static bool page_part(vs_emitter *e, const char *name, size_t length) {
   };
   for (size_t i = 0; i < sizeof code / sizeof *code; i++)
     if (strlen(code[i].name) == length && memcmp(code[i].name, name, length) == 0) page_code(e->out, code[i].from, code[i].end);
-  if (length == 5 && memcmp(name, "title", 5) == 0) vs_x3d_escape(e->out, e->scene->title);
+  if (length == 5 && memcmp(name, "title", 5) == 0) vs_put_xml(e->out, e->scene->title);
   if (length == 5 && memcmp(name, "facts", 5) == 0) page_facts(e);
   if (length == 5 && memcmp(name, "scene", 5) == 0) return page_scene(e);
   return !e->out->failed;
@@ -76,4 +76,4 @@ static bool page_end(vs_emitter *e) {
   return !e->out->failed;
 }
 
-const vs_backend vs_backend_html = { .begin = page_begin, .end = page_end, .close = vs_x3d_close, .emit = { VS_X3D_EMIT } };
+const vs_backend vs_backend_html = { .begin = page_begin, .end = page_end, .close = vs_x3d_close, .emit = { VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean) } };

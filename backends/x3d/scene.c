@@ -14,27 +14,14 @@ static const double half_turn = 3.14159265358979323846;
 
 static vs_vec3 scene_up_y(vs_vec3 v) { return vs_v3(v.x, v.z, -v.y); }
 
-/* Axis and angle of a rotation given by its columns, through the quaternion, whose largest part is found first: sound at half turns. */
-static double scene_axis(const vs_vec3 c[3], vs_vec3 *axis) {
-  double m[3][3] = { { c[0].x, c[1].x, c[2].x }, { c[0].y, c[1].y, c[2].y }, { c[0].z, c[1].z, c[2].z } };
-  double q[4] = { 1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2], 1 - m[0][0] + m[1][1] - m[2][2], 1 - m[0][0] - m[1][1] + m[2][2] };
-  int most = 0;
-  for (int i = 1; i < 4; i++)
-    if (q[i] > q[most]) most = i;
-  double a[4]; /* w x y z, not yet of unit length */
-  switch (most) {
-  case 0: a[0] = q[0]; a[1] = m[2][1] - m[1][2]; a[2] = m[0][2] - m[2][0]; a[3] = m[1][0] - m[0][1]; break;
-  case 1: a[0] = m[2][1] - m[1][2]; a[1] = q[1]; a[2] = m[0][1] + m[1][0]; a[3] = m[0][2] + m[2][0]; break;
-  case 2: a[0] = m[0][2] - m[2][0]; a[1] = m[0][1] + m[1][0]; a[2] = q[2]; a[3] = m[1][2] + m[2][1]; break;
-  default: a[0] = m[1][0] - m[0][1]; a[1] = m[0][2] + m[2][0]; a[2] = m[1][2] + m[2][1]; a[3] = q[3]; break;
-  }
-  double sine = sqrt(a[1] * a[1] + a[2] * a[2] + a[3] * a[3]);
-  if (sine < 1e-12 * fabs(a[0])) {
+static double scene_axis(const double q[4], vs_vec3 *axis) {
+  double sine = sqrt(q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  if (sine < 1e-12 * fabs(q[0])) {
     *axis = vs_v3(0, 0, 1);
     return 0;
   }
-  *axis = vs_v3_scale(vs_v3(a[1], a[2], a[3]), 1 / sine);
-  double angle = 2 * atan2(sine, a[0]);
+  *axis = vs_v3_scale(vs_v3(q[1], q[2], q[3]), 1 / sine);
+  double angle = 2 * atan2(sine, q[0]);
   return angle > half_turn ? angle - 2 * half_turn : angle;
 }
 
@@ -91,21 +78,15 @@ static void scene_form(vs_emitter *e, vs_x3d_form form, vs_vec3 size) {
 }
 
 static void scene_item(vs_emitter *e, const vs_x3d_item *item, bool *said) {
-  vs_vec3 columns[3], axis;
-  double lengths[3];
-  for (int i = 0; i < 3; i++) {
-    vs_vec3 c = vs_v3(item->place.m[0][i], item->place.m[1][i], item->place.m[2][i]);
-    lengths[i] = vs_v3_length(c);
-    columns[i] = vs_v3_scale(c, 1 / lengths[i]);
-  }
-  /* All forms are their own mirror images in x: a mirrored placement is a plain one of the other hand. */
-  if (vs_affine_determinant(&item->place) < 0) columns[0] = vs_v3_scale(columns[0], -1);
-  double angle = scene_axis(columns, &axis);
-  vs_vec3 size = vs_v3(lengths[0], lengths[1], lengths[2]), one = vs_v3(1, 1, 1);
+  vs_vec3 at, size, axis, one = vs_v3(1, 1, 1);
+  double turn[4];
+  vs_affine_split(&item->place, &at, turn, &size);
+  double angle = scene_axis(turn, &axis);
+  size.x = fabs(size.x); /* all forms are their own mirror images in x */
   bool fits = scene_fits(item->form, size);
   size_t number = vs_emit_material_number(e, item->material);
   vs_x3d_node(e, NULL, "Transform", NULL);
-  vs_x3d_vector(e, "translation", vs_v3(item->place.m[0][3], item->place.m[1][3], item->place.m[2][3]));
+  vs_x3d_vector(e, "translation", at);
   if (angle != 0) vs_x3d_turn(e, "rotation", axis, angle);
   if (!fits) vs_x3d_vector(e, "scale", size);
   vs_x3d_children(e);
@@ -226,7 +207,9 @@ static void scene_view(vs_emitter *e, const vs_look *l, double aspect) {
     eye = vs_v3_sub(l->target, vs_v3_scale(l->forward, l->width / 2 / tan(across / 2)));
   }
   vs_vec3 axis, columns[3] = { scene_up_y(l->right), scene_up_y(l->up), scene_up_y(vs_v3_scale(l->forward, -1)) };
-  double angle = scene_axis(columns, &axis);
+  double turn[4];
+  vs_rotation_quaternion(columns, turn);
+  double angle = scene_axis(turn, &axis);
   vs_x3d_node(e, NULL, "Viewpoint", NULL);
   vs_x3d_text(e, "description", "model", false);
   vs_x3d_vector(e, "position", scene_up_y(eye));
@@ -313,7 +296,7 @@ static bool scene_begin_classic(vs_emitter *e) { return vs_x3d_open(e, VS_X3D_CL
 static bool scene_end_xml(vs_emitter *e) {
   vs_x3d *x = e->state;
   vs_puts(e->out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D profile='Immersive' version='3.3'>\n  <head>\n    <meta name='title' content='");
-  vs_x3d_escape(e->out, e->scene->title);
+  vs_put_xml(e->out, e->scene->title);
   vs_puts(e->out, "'/>\n    <meta name='generator' content='VisualScheme'/>\n  </head>\n  <Scene>\n");
   x->depth = 2;
   return vs_x3d_scene(e) && vs_puts(e->out, "  </Scene>\n</X3D>\n");
@@ -324,5 +307,5 @@ static bool scene_end_classic(vs_emitter *e) {
   return vs_x3d_scene(e) && !e->out->failed;
 }
 
-const vs_backend vs_backend_x3d = { .begin = scene_begin_xml, .end = scene_end_xml, .close = vs_x3d_close, .emit = { VS_X3D_EMIT } };
-const vs_backend vs_backend_x3dv = { .begin = scene_begin_classic, .end = scene_end_classic, .close = vs_x3d_close, .emit = { VS_X3D_EMIT } };
+const vs_backend vs_backend_x3d = { .begin = scene_begin_xml, .end = scene_end_xml, .close = vs_x3d_close, .emit = { VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean) } };
+const vs_backend vs_backend_x3dv = { .begin = scene_begin_classic, .end = scene_end_classic, .close = vs_x3d_close, .emit = { VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean) } };

@@ -14,19 +14,6 @@ static void text_close_tag(vs_emitter *e) {
   text_state(e)->in_tag = false;
 }
 
-void vs_x3d_escape(vs_writer *w, const char *text) {
-  for (; *text != '\0'; text++) switch (*text) {
-    case '<': vs_puts(w, "&lt;"); break;
-    case '>': vs_puts(w, "&gt;"); break;
-    case '&': vs_puts(w, "&amp;"); break;
-    case '"': vs_puts(w, "&quot;"); break;
-    case '\'': vs_puts(w, "&#39;"); break;
-    default: /* control characters are not XML at all */
-      if ((unsigned char)*text >= ' ') vs_put(w, text, 1);
-      else vs_puts(w, " ");
-    }
-}
-
 void vs_x3d_node(vs_emitter *e, const char *field, const char *type, const char *def) {
   text_close_tag(e);
   text_indent(e);
@@ -113,7 +100,7 @@ void vs_x3d_text(vs_emitter *e, const char *name, const char *value, bool many) 
     vs_puts(e->out, "\"");
   } else {
     if (many) vs_puts(e->out, "\"");
-    vs_x3d_escape(e->out, value);
+    vs_put_xml(e->out, value);
     if (many) vs_puts(e->out, "\"");
   }
   vs_x3d_field_end(e, many);

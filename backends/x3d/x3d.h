@@ -53,17 +53,6 @@ void vs_x3d_close(vs_emitter *e);
 bool vs_x3d_finish(vs_emitter *e); /* bakes what has to be after all */
 vs_emit_fn vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean;
 
-/* A NULL function is lowered: curves to polylines. Everything solid or thin becomes triangles in vs_x3d_leaf. */
-#define VS_X3D_EMIT                                                                                                                  \
-  [VS_LINE] = { vs_x3d_line, NULL }, [VS_REGION] = { vs_x3d_leaf, NULL }, [VS_TEXT] = { vs_x3d_leaf, NULL }, [VS_BOX] = { vs_x3d_leaf, NULL }, [VS_WEDGE] = { vs_x3d_leaf, NULL }, \
-  [VS_SPHERE] = { vs_x3d_leaf, NULL }, [VS_CYLINDER] = { vs_x3d_leaf, NULL }, [VS_CONE] = { vs_x3d_leaf, NULL },                      \
-  [VS_E_CONE] = { vs_x3d_leaf, NULL }, [VS_SUPERELLIPSOID] = { vs_x3d_leaf, NULL },                                                   \
-  [VS_CUT_CONE] = { vs_x3d_leaf, NULL }, [VS_PYRAMID] = { vs_x3d_leaf, NULL }, [VS_TORUS] = { vs_x3d_leaf, NULL },                    \
-  [VS_POLYFACE_MESH] = { vs_x3d_leaf, NULL }, [VS_EXTRUDE] = { vs_x3d_leaf, NULL }, [VS_SWEEP] = { vs_x3d_leaf, NULL },               \
-  [VS_THICKEN] = { vs_x3d_leaf, NULL }, [VS_TRANSFORM] = { vs_x3d_through, NULL }, [VS_MATERIAL] = { vs_x3d_through, NULL },          \
-  [VS_LAYER] = { vs_x3d_through, NULL }, [VS_UNION] = { vs_x3d_through, NULL }, [VS_INTERSECTION] = { vs_x3d_boolean, NULL },         \
-  [VS_DIFFERENCE] = { vs_x3d_boolean, NULL }
-
 /* ---- text.c: nodes and fields in the notation of e->state ---- */
 
 /* field: the parent's field that the node stands in; NULL: in its list of children. def NULL: no name. */
@@ -78,7 +67,6 @@ void vs_x3d_text(vs_emitter *e, const char *name, const char *value, bool many);
 void vs_x3d_number(vs_emitter *e, const char *name, double value);
 void vs_x3d_vector(vs_emitter *e, const char *name, vs_vec3 value);
 void vs_x3d_turn(vs_emitter *e, const char *name, vs_vec3 axis, double angle);
-void vs_x3d_escape(vs_writer *w, const char *text); /* for XML and HTML, attributes too */
 
 /* ---- scene.c ---- */
 bool vs_x3d_scene(vs_emitter *e); /* the Scene's content */

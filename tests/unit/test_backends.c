@@ -469,7 +469,9 @@ static void test_formats(void **state) {
   assert_string_equal(vs_export_format_find("a/b.c/house.PNG")->suffix, "png");
   assert_string_equal(vs_export_format_find("openscad")->suffix, "scad");
   for (size_t i = 0; i < vs_export_format_count(); i++)
-    for (size_t k = 0; k < i; k++) assert_string_not_equal(vs_export_format_at(i)->suffix, vs_export_format_at(k)->suffix);
+    for (size_t k = 0; k < i; k++) assert_string_not_equal(vs_export_format_at(i)->name, vs_export_format_at(k)->name);
+  assert_string_equal(vs_export_format_find("x.stl")->name, "stl"); /* of two notations behind an ending, the first */
+  assert_string_equal(vs_export_format_find("stl-ascii")->suffix, "stl");
 }
 
 /* ---- workers ---- */

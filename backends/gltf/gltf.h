@@ -1,0 +1,54 @@
+/* Owns what the files of the glTF back-end share: collect.c makes meshes and nodes of the drawing, write.c the file of them.
+ *
+ * A geometry is triangles or lines in coordinates of its own, once in the file. A mesh is a geometry in the colour of one place (glTF's
+ * nodes cannot paint). A node places a mesh: a million copies are a million nodes and one mesh. */
+#ifndef VS_BACKENDS_GLTF_H
+#define VS_BACKENDS_GLTF_H
+
+#include "backends/backend.h"
+#include "geometry/unit.h"
+#include "model/nodemap.h"
+
+typedef struct { unsigned char *at; size_t count, room; } vs_gltf_bytes;
+
+/* Part of a geometry that has one colour. */
+typedef struct {
+  uint32_t paint;              /* material number from 1; 0: that of the place */
+  bool lines;
+  bool wide;                   /* indices of 32 bits, else of 16 */
+  uint32_t vertex_count, index_count;
+  size_t vertices, indices;    /* offsets into positions (and normals), into the indices of that width, bytes */
+  float min[3], max[3];        /* of the positions */
+} vs_gltf_primitive;
+typedef struct { uint32_t first, count; /* primitives */ uint32_t mesh; /* the first of its meshes + 1, or 0 */ } vs_gltf_geometry;
+typedef struct { uint32_t geometry, paint, next; /* another mesh of this geometry + 1, or 0 */ } vs_gltf_mesh;
+typedef struct { uint32_t mesh, layer; vs_affine place; } vs_gltf_node;
+typedef struct { uint32_t *at; size_t count, room; } vs_gltf_turns; /* geometry + 1 by facets a turn */
+
+typedef struct {
+  vs_gltf_bytes positions, normals, narrow, wide;
+  vs_gltf_primitive *primitives;
+  size_t primitive_count, primitive_room;
+  vs_gltf_geometry *geometries;
+  size_t geometry_count, geometry_room;
+  vs_gltf_mesh *meshes;
+  size_t mesh_count, mesh_room;
+  vs_gltf_node *nodes;
+  size_t node_count, node_room;
+  const char **layers;         /* names; layer 0 is none */
+  size_t layer_count, layer_room;
+  uint32_t *open_layers;       /* round the node that is visited */
+  size_t open_count, open_room;
+  vs_nodemap shapes;           /* model node -> geometry + 1 */
+  vs_gltf_turns units[VS_UNIT_COUNT];
+} vs_gltf;
+
+/* ---- collect.c ---- */
+bool vs_gltf_open(vs_emitter *e);
+void vs_gltf_close(vs_emitter *e);
+vs_emit_fn vs_gltf_leaf, vs_gltf_line, vs_gltf_through, vs_gltf_boolean;
+
+/* ---- write.c ---- */
+bool vs_gltf_write(vs_emitter *e);
+
+#endif

@@ -1,0 +1,260 @@
+/* Owns the .glb file: a header, the scene as JSON, the numbers as bytes (glTF 2.0, sections 3 and 4).
+ *
+ * The JSON's length stands before it, so it is made twice: once to be measured and once to be written. Y is up in glTF and lengths are
+ * metres: the root node turns and scales. Colours are linear there and sRGB here. */
+#include <math.h>
+#include <string.h>
+
+#include "backends/gltf/gltf.h"
+
+typedef struct { vs_emitter *e; const uint32_t *order; /* nodes by layer */ const size_t *starts; size_t views[4], view_count; } gltf_file;
+
+enum { VIEW_POSITIONS, VIEW_NORMALS, VIEW_NARROW, VIEW_WIDE, VIEW_COUNT };
+static const size_t none = (size_t)-1;
+
+/* ---- small parts of JSON ---- */
+
+static void json_text(vs_writer *w, const char *text) {
+  vs_puts(w, "\"");
+  for (const char *c = text; *c != '\0'; c++) {
+    if ((unsigned char)*c < 0x20) vs_putf(w, "\\u%04x", *c);
+    else if (*c == '"' || *c == '\\') vs_putf(w, "\\%c", *c);
+    else vs_put(w, c, 1);
+  }
+  vs_puts(w, "\"");
+}
+
+static void json_between(vs_writer *w, size_t index) {
+  if (index > 0) vs_puts(w, ",");
+}
+
+static void json_vector(vs_writer *w, const char *name, vs_vec3 v) {
+  vs_putf(w, ",\"%s\":", name);
+  vs_put_triple(w, "[", v, ",", "]");
+}
+
+static void json_turn(vs_writer *w, const double q[4]) {
+  vs_puts(w, ",\"rotation\":");
+  vs_put_triple(w, "[", vs_v3(q[1], q[2], q[3]), ",", ",");
+  vs_put_number(w, q[0]);
+  vs_puts(w, "]");
+}
+
+static double gltf_linear(double x) { return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4); } /* IEC 61966-2-1 */
+
+/* ---- its parts ---- */
+
+/* Material i is that of number i; the list ends with the lines' own, one a number: a line has no shape for light to show. */
+static void gltf_material(vs_emitter *e, vs_writer *w, size_t number, bool lines) {
+  const vs_material *m = number > 0 ? vs_emit_material_at(e, number) : NULL;
+  vs_vec3 color = m != NULL ? vs_v3(m->red, m->green, m->blue) : lines ? vs_v3(0.15, 0.18, 0.22) : vs_v3(0.86, 0.85, 0.83);
+  vs_puts(w, "{\"name\":");
+  json_text(w, m != NULL ? m->name : "plain");
+  vs_puts(w, ",\"pbrMetallicRoughness\":{\"baseColorFactor\":");
+  vs_put_triple(w, "[", vs_v3(gltf_linear(color.x), gltf_linear(color.y), gltf_linear(color.z)), ",", ",");
+  vs_put_number(w, m != NULL ? 1 - 0.8 * m->transparency : 1);
+  vs_puts(w, "],\"metallicFactor\":");
+  vs_put_number(w, m != NULL ? m->metallic : 0);
+  vs_puts(w, ",\"roughnessFactor\":");
+  vs_put_number(w, m != NULL ? m->roughness : 0.9);
+  vs_puts(w, "},\"doubleSided\":true"); /* open surfaces are seen from both sides */
+  if (m != NULL && m->transparency > 0) vs_puts(w, ",\"alphaMode\":\"BLEND\"");
+  if (lines) vs_puts(w, ",\"extensions\":{\"KHR_materials_unlit\":{}}");
+  vs_puts(w, "}");
+}
+
+static void gltf_accessor(vs_writer *w, const gltf_file *f, size_t *index, size_t view, size_t offset, size_t count, const vs_gltf_primitive *bounds) {
+  bool indices = view == VIEW_NARROW || view == VIEW_WIDE;
+  json_between(w, (*index)++);
+  vs_putf(w, "{\"bufferView\":%zu,\"byteOffset\":%zu,\"componentType\":%d,\"count\":%zu,\"type\":\"%s\"", f->views[view], offset,
+          view == VIEW_NARROW ? 5123 : view == VIEW_WIDE ? 5125 : 5126, count, indices ? "SCALAR" : "VEC3");
+  if (bounds != NULL) {
+    json_vector(w, "min", vs_v3(bounds->min[0], bounds->min[1], bounds->min[2]));
+    json_vector(w, "max", vs_v3(bounds->max[0], bounds->max[1], bounds->max[2]));
+  }
+  vs_puts(w, "}");
+}
+
+static void gltf_accessors(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
+  size_t index = 0;
+  vs_puts(w, ",\"accessors\":[");
+  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* three a primitive: 3i, 3i + 1, 3i + 2 */
+    const vs_gltf_primitive *p = &g->primitives[i];
+    gltf_accessor(w, f, &index, VIEW_POSITIONS, p->vertices, p->vertex_count, p);
+    gltf_accessor(w, f, &index, VIEW_NORMALS, p->vertices, p->vertex_count, NULL);
+    gltf_accessor(w, f, &index, p->wide ? VIEW_WIDE : VIEW_NARROW, p->indices, p->index_count, NULL);
+  }
+  vs_puts(w, "]");
+}
+
+static void gltf_meshes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
+  size_t materials = vs_emit_material_count(f->e) + 1;
+  vs_puts(w, ",\"meshes\":[");
+  for (size_t i = 0; i < g->mesh_count && !w->failed; i++) {
+    const vs_gltf_geometry *made = &g->geometries[g->meshes[i].geometry];
+    json_between(w, i);
+    vs_puts(w, "{\"primitives\":[");
+    for (size_t k = 0; k < made->count; k++) {
+      const vs_gltf_primitive *p = &g->primitives[made->first + k];
+      size_t paint = p->paint > 0 ? p->paint : g->meshes[i].paint, first = 3 * (made->first + k);
+      json_between(w, k);
+      if (p->lines) vs_putf(w, "{\"mode\":3,\"attributes\":{\"POSITION\":%zu},\"indices\":%zu,\"material\":%zu}", first, first + 2, materials + paint);
+      else vs_putf(w, "{\"attributes\":{\"POSITION\":%zu,\"NORMAL\":%zu},\"indices\":%zu,\"material\":%zu}", first, first + 1, first + 2, paint);
+    }
+    vs_puts(w, "]}");
+  }
+  vs_puts(w, "]");
+}
+
+static void gltf_node(vs_writer *w, const vs_gltf_node *n) {
+  vs_vec3 at, size;
+  double turn[4];
+  vs_affine_split(&n->place, &at, turn, &size);
+  vs_putf(w, "{\"mesh\":%u", n->mesh);
+  if (at.x != 0 || at.y != 0 || at.z != 0) json_vector(w, "translation", at);
+  if (fabs(turn[0]) < 1) json_turn(w, turn);
+  if (size.x != 1 || size.y != 1 || size.z != 1) json_vector(w, "scale", size);
+  vs_puts(w, "}");
+}
+
+static double gltf_metres(const char *unit) {
+  static const struct { const char *name; double metres; } units[] = { { "mm", 0.001 }, { "cm", 0.01 }, { "in", 0.0254 }, { "ft", 0.3048 } };
+  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+    if (strcmp(unit, units[i].name) == 0) return units[i].metres;
+  return 1;
+}
+
+/* Node 0 is the root, then come the layers, then the placed meshes in the order of f->order. */
+static void gltf_nodes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
+  size_t first = 1 + g->layer_count;
+  double unit = gltf_metres(f->e->scene->units);
+  vs_puts(w, ",\"nodes\":[{\"name\":");
+  json_text(w, f->e->scene->title);
+  vs_puts(w, ",\"rotation\":[-0.70710678118655,0,0,0.70710678118655]");
+  if (unit != 1) json_vector(w, "scale", vs_v3(unit, unit, unit));
+  for (size_t layer = 0; layer <= g->layer_count && !w->failed; layer++) {
+    if (layer > 0) {
+      vs_puts(w, ",{\"name\":");
+      json_text(w, g->layers[layer - 1]);
+    }
+    size_t count = 0;
+    for (size_t i = 1; layer == 0 && i <= g->layer_count; i++) vs_putf(w, "%s%zu", count++ > 0 ? "," : ",\"children\":[", i);
+    for (size_t i = f->starts[layer]; i < f->starts[layer + 1] && !w->failed; i++) vs_putf(w, "%s%zu", count++ > 0 ? "," : ",\"children\":[", first + i);
+    vs_puts(w, count > 0 ? "]}" : "}");
+  }
+  for (size_t i = 0; i < g->node_count && !w->failed; i++) {
+    vs_puts(w, ",");
+    gltf_node(w, &g->nodes[f->order[i]]);
+    if ((i & 0xfff) == 0 && !vs_emit_progress(f->e, "writing", -1)) w->failed = true;
+  }
+  vs_puts(w, "]");
+}
+
+static size_t padded(size_t n) { return (n + 3) & ~(size_t)3; }
+
+static void gltf_json(vs_writer *w, const gltf_file *f) {
+  vs_emitter *e = f->e;
+  const vs_gltf *g = e->state;
+  const size_t lengths[VIEW_COUNT] = { g->positions.count, g->normals.count, g->narrow.count, g->wide.count };
+  bool lines = false;
+  for (size_t i = 0; i < g->primitive_count; i++) lines |= g->primitives[i].lines;
+  vs_puts(w, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"VisualScheme\"}");
+  if (lines) vs_puts(w, ",\"extensionsUsed\":[\"KHR_materials_unlit\"]");
+  vs_puts(w, ",\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"materials\":[");
+  for (size_t i = 0; i <= vs_emit_material_count(e); i++) {
+    json_between(w, i);
+    gltf_material(e, w, i, false);
+  }
+  for (size_t i = 0; lines && i <= vs_emit_material_count(e); i++) {
+    vs_puts(w, ",");
+    gltf_material(e, w, i, true);
+  }
+  vs_puts(w, "],\"buffers\":[{\"byteLength\":");
+  size_t total = 0;
+  for (int i = 0; i < VIEW_COUNT; i++) total += padded(lengths[i]);
+  vs_putf(w, "%zu}],\"bufferViews\":[", total);
+  for (size_t i = 0, offset = 0, count = 0; i < VIEW_COUNT; offset += padded(lengths[i++])) {
+    if (f->views[i] == none) continue;
+    json_between(w, count++);
+    vs_putf(w, "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu,%s}", offset, lengths[i],
+            i <= VIEW_NORMALS ? "\"byteStride\":12,\"target\":34962" : "\"target\":34963");
+  }
+  vs_puts(w, "]");
+  gltf_accessors(w, f, g);
+  gltf_meshes(w, f, g);
+  gltf_nodes(w, f, g);
+  vs_puts(w, "}");
+}
+
+/* ---- the file ---- */
+
+static bool discard(void *context, const void *bytes, size_t count) {
+  (void)context, (void)bytes, (void)count;
+  return true;
+}
+
+/* Bytes of the JSON; 0: failed. */
+static uint64_t gltf_measure(const gltf_file *f) {
+  vs_store *store = f->e->scene->store;
+  vs_writer *w = vs_store_realloc(store, NULL, 0, sizeof *w);
+  if (w == NULL) return vs_emit_no_memory(f->e), 0;
+  vs_writer_init(w, discard, NULL);
+  gltf_json(w, f);
+  uint64_t bytes = w->failed ? 0 : w->bytes;
+  vs_store_realloc(store, w, sizeof *w, 0);
+  return bytes;
+}
+
+static bool gltf_chunks(const gltf_file *f) {
+  const vs_gltf *g = f->e->state;
+  vs_writer *w = f->e->out;
+  const vs_gltf_bytes *parts[VIEW_COUNT] = { &g->positions, &g->normals, &g->narrow, &g->wide };
+  uint64_t json = gltf_measure(f), spaces = (4 - json % 4) % 4, binary = 0;
+  if (json == 0) return false;
+  for (int i = 0; i < VIEW_COUNT; i++) binary += padded(parts[i]->count);
+  uint64_t total = 12 + 8 + json + spaces + 8 + binary;
+  if (total > UINT32_MAX) return vs_error_set(f->e->error, VS_ERROR_MODEL, NULL, "the drawing is larger than the 4 GB of a .glb file");
+  unsigned char head[20];
+  memcpy(head, "glTF", 4);
+  vs_le_u32(vs_le_u32(vs_le_u32(head + 4, 2), (uint32_t)total), (uint32_t)(json + spaces));
+  memcpy(head + 16, "JSON", 4);
+  vs_put(w, head, sizeof head);
+  gltf_json(w, f);
+  vs_put_spaces(w, (size_t)spaces);
+  vs_le_u32(head, (uint32_t)binary);
+  memcpy(head + 4, "BIN", 4);
+  vs_put(w, head, 8);
+  for (int i = 0; i < VIEW_COUNT; i++) {
+    static const unsigned char zeros[4] = { 0 };
+    vs_put(w, parts[i]->at, parts[i]->count);
+    vs_put(w, zeros, padded(parts[i]->count) - parts[i]->count);
+  }
+  return !w->failed;
+}
+
+bool vs_gltf_write(vs_emitter *e) {
+  const vs_gltf *g = e->state;
+  vs_store *store = e->scene->store;
+  const size_t lengths[VIEW_COUNT] = { g->positions.count, g->normals.count, g->narrow.count, g->wide.count };
+  size_t layers = g->layer_count + 1, room = (g->node_count + 1) * sizeof(uint32_t), starts_room = (layers + 1) * sizeof(size_t);
+  uint32_t *order = vs_store_realloc(store, NULL, 0, room);
+  size_t *starts = vs_store_realloc(store, NULL, 0, starts_room);
+  bool ok = (order != NULL && starts != NULL) || vs_emit_no_memory(e);
+  if (ok) { /* nodes by layer, else in their order */
+    memset(starts, 0, starts_room);
+    for (size_t i = 0; i < g->node_count; i++) starts[g->nodes[i].layer + 1]++;
+    for (size_t i = 1; i <= layers; i++) starts[i] += starts[i - 1];
+    for (size_t i = 0; i < g->node_count; i++) order[starts[g->nodes[i].layer]++] = (uint32_t)i;
+    for (size_t i = layers; i > 0; i--) starts[i] = starts[i - 1];
+    starts[0] = 0;
+    gltf_file f = { .e = e, .order = order, .starts = starts };
+    for (int i = 0; i < VIEW_COUNT; i++) f.views[i] = lengths[i] > 0 ? f.view_count++ : none;
+    ok = gltf_chunks(&f);
+  }
+  if (order != NULL) vs_store_realloc(store, order, room, 0);
+  if (starts != NULL) vs_store_realloc(store, starts, starts_room, 0);
+  return ok;
+}
+
+const vs_backend vs_backend_glb = { .begin = vs_gltf_open, .end = vs_gltf_write, .close = vs_gltf_close,
+                                    .emit = { VS_EMIT_SHAPES(vs_gltf_leaf, vs_gltf_line, vs_gltf_through, vs_gltf_boolean) } };

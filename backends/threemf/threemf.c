@@ -1,0 +1,176 @@
+/* Owns the .3mf package: the drawing's solids as one closed mesh with a material a triangle (3MF core 1.3), in a zip made by libzip.
+ *
+ * The model's XML is gathered in memory, packed there, and then written: a zip's directory stands at its end and libzip goes back and forth. */
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+#include <zip.h>
+
+#include "backends/backend.h"
+#include "geometry/dynamic.h"
+
+/* ---- libzip ---- */
+
+#define ZIP_FUNCTIONS(X)                                                                                                              \
+  X(zip_source_buffer_create) X(zip_open_from_source) X(zip_source_buffer) X(zip_file_add) X(zip_file_set_dostime) X(zip_close) X(zip_discard) \
+  X(zip_source_keep) X(zip_source_free) X(zip_source_open) X(zip_source_read) X(zip_source_close)
+
+typedef struct {
+#define ZIP_MEMBER(name) __typeof__(&name) name;
+  ZIP_FUNCTIONS(ZIP_MEMBER)
+#undef ZIP_MEMBER
+} zip_library;
+
+static bool zip_load(zip_library *z, vs_error *e) {
+  static const char *const files[] = { "libzip.so.4", "libzip.so.5", "libzip.so", NULL };
+  static const vs_dynamic_library library = { files, "libzip4", "writing .3mf" };
+  static const vs_dynamic_name names[] = {
+#define ZIP_NAME(name) { #name, offsetof(zip_library, name) },
+    ZIP_FUNCTIONS(ZIP_NAME)
+#undef ZIP_NAME
+  };
+  return vs_dynamic_load(&library, names, sizeof names / sizeof *names, z, e);
+}
+
+/* ---- the model ---- */
+
+static const char *unit_name(const char *unit) {
+  static const char *const names[][2] = { { "mm", "millimeter" }, { "cm", "centimeter" }, { "in", "inch" }, { "ft", "foot" } };
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    if (strcmp(unit, names[i][0]) == 0) return names[i][1];
+  return "meter";
+}
+
+static void model_materials(vs_emitter *e) {
+  vs_puts(e->out, "<basematerials id=\"1\">\n");
+  for (size_t i = 0; i <= vs_emit_material_count(e); i++) {
+    const vs_material *m = i > 0 ? vs_emit_material_at(e, i) : NULL;
+    vs_material shown = m != NULL ? *m : vs_material_of_color(0.86, 0.85, 0.83);
+    vs_puts(e->out, "<base name=\"");
+    vs_put_xml(e->out, m == NULL ? "plain" : m->name[0] != '\0' ? m->name : "color");
+    vs_putf(e->out, "\" displaycolor=\"#%02lX%02lX%02lX%02lX\"/>\n", lround(255 * shown.red), lround(255 * shown.green), lround(255 * shown.blue),
+            lround(255 * (1 - 0.8 * shown.transparency)));
+  }
+  vs_puts(e->out, "</basematerials>\n");
+}
+
+static bool model_write(vs_emitter *e, const vs_solid *solid) {
+  const vs_mesh *m = &solid->mesh;
+  vs_writer *w = e->out;
+  vs_puts(w, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" xml:lang=\"en-US\" unit=\"");
+  vs_puts(w, unit_name(e->scene->units));
+  vs_puts(w, "\">\n<metadata name=\"Title\">");
+  vs_put_xml(w, e->scene->title);
+  vs_puts(w, "</metadata>\n<metadata name=\"Application\">VisualScheme</metadata>\n<resources>\n");
+  model_materials(e);
+  vs_puts(w, "<object id=\"2\" type=\"model\" pid=\"1\" pindex=\"0\">\n<mesh>\n<vertices>\n");
+  for (size_t i = 0; i < m->vertex_count && !w->failed; i++) {
+    vs_vec3 v = m->vertices[i];
+    vs_puts(w, "<vertex x=\"");
+    vs_put_number(w, v.x);
+    vs_puts(w, "\" y=\"");
+    vs_put_number(w, v.y);
+    vs_puts(w, "\" z=\"");
+    vs_put_number(w, v.z);
+    vs_puts(w, "\"/>\n");
+  }
+  vs_puts(w, "</vertices>\n<triangles>\n");
+  for (size_t i = 0; i < m->triangle_count && !w->failed; i++) {
+    const uint32_t *t = m->triangles[i];
+    uint32_t tag = m->tags != NULL ? m->tags[i] : 0;
+    size_t paint = tag < solid->part_count ? vs_emit_material_number(e, solid->parts[tag]) : 0;
+    vs_puts(w, "<triangle v1=\"");
+    vs_put_u32(w, t[0]);
+    vs_puts(w, "\" v2=\"");
+    vs_put_u32(w, t[1]);
+    vs_puts(w, "\" v3=\"");
+    vs_put_u32(w, t[2]);
+    if (paint > 0) vs_putf(w, "\" pid=\"1\" p1=\"%zu", paint);
+    vs_puts(w, "\"/>\n");
+  }
+  vs_puts(w, "</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n<item objectid=\"2\"/>\n</build>\n</model>\n");
+  return !w->failed;
+}
+
+/* ---- the package ---- */
+
+typedef struct { vs_emitter *e; char *at; size_t count, room; } memory;
+
+static bool memory_sink(void *context, const void *bytes, size_t count) {
+  memory *m = context;
+  if (!vs_emit_grow(m->e, &m->at, &m->room, m->count + count, 1)) return false;
+  memcpy(m->at + m->count, bytes, count);
+  m->count += count;
+  return true;
+}
+
+static bool model_gather(vs_emitter *e, const vs_solid *solid, memory *out) {
+  vs_store *store = e->scene->store;
+  vs_writer *was = e->out, *w = vs_store_realloc(store, NULL, 0, sizeof *w);
+  if (w == NULL) return vs_emit_no_memory(e);
+  vs_writer_init(w, memory_sink, out);
+  e->out = w;
+  bool ok = model_write(e, solid) && vs_writer_flush(w);
+  e->out = was;
+  vs_store_realloc(store, w, sizeof *w, 0);
+  return ok;
+}
+
+static bool package_add(const zip_library *z, zip_t *zip, const char *name, const void *bytes, size_t count) {
+  zip_source_t *source = z->zip_source_buffer(zip, bytes, count, 0);
+  zip_int64_t at = source != NULL ? z->zip_file_add(zip, name, source, ZIP_FL_ENC_UTF_8) : -1;
+  if (at < 0) {
+    z->zip_source_free(source); /* a source that was added is the archive's */
+    return false;
+  }
+  return z->zip_file_set_dostime(zip, (zip_uint64_t)at, 0, 0x21, 0) == 0; /* 1980-01-01: the same model makes the same bytes */
+}
+
+/* zip_close does the packing; until then nothing that `bytes` names may go. */
+static bool package_close(const zip_library *z, zip_t *zip, const memory *model) {
+  static const char types[] =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\n"
+    "<Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>\n"
+    "<Default Extension=\"model\" ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>\n</Types>\n";
+  static const char relations[] =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\n"
+    "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n</Relationships>\n";
+  bool ok = package_add(z, zip, "[Content_Types].xml", types, sizeof types - 1) && package_add(z, zip, "_rels/.rels", relations, sizeof relations - 1)
+         && package_add(z, zip, "3D/3dmodel.model", model->at, model->count);
+  if (ok && z->zip_close(zip) == 0) return true;
+  z->zip_discard(zip);
+  return false;
+}
+
+static bool package_copy(vs_emitter *e, const zip_library *z, zip_source_t *source) {
+  char part[4096];
+  zip_int64_t count;
+  if (z->zip_source_open(source) != 0) return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "the .3mf package could not be made");
+  while ((count = z->zip_source_read(source, part, sizeof part)) > 0 && vs_put(e->out, part, (size_t)count)) continue;
+  z->zip_source_close(source);
+  return count == 0 || vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "the .3mf package could not be made");
+}
+
+static bool threemf_solid(vs_emitter *e, const vs_solid *solid) {
+  zip_library z;
+  memory model = { .e = e };
+  if (!zip_load(&z, e->error)) return false;
+  bool ok = model_gather(e, solid, &model) && vs_emit_progress(e, "writing", -1);
+  zip_source_t *package = ok ? z.zip_source_buffer_create(NULL, 0, 0, NULL) : NULL;
+  zip_t *zip = package != NULL ? z.zip_open_from_source(package, ZIP_TRUNCATE, NULL) : NULL;
+  if (ok && zip == NULL) ok = vs_emit_no_memory(e);
+  if (zip != NULL) {
+    z.zip_source_keep(package); /* closing the archive lets go of it once */
+    ok = package_close(&z, zip, &model) ? package_copy(e, &z, package) : vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "the .3mf package could not be made");
+  }
+  if (package != NULL) z.zip_source_free(package);
+  vs_emit_release(e, model.at, model.room, 1);
+  return ok && !e->out->failed;
+}
+
+static bool threemf_nothing(vs_emitter *e) { return !e->out->failed; }
+
+const vs_backend vs_backend_threemf = {
+  .begin = threemf_nothing, .end = threemf_nothing, .solid = threemf_solid,
+  .omit = { [VS_CURVE] = "3MF holds solids: curves are left out", [VS_REGION_CLASS] = "3MF holds solids: flat regions are left out",
+            [VS_SURFACE] = "3MF holds solids: open surfaces are left out" } };

@@ -1,0 +1,69 @@
+// What a mesh file holds: `node meshes.mjs FILE` prints triangles, volume and bounds of a .ply, .glb or .stl in words; a .glb goes through
+// the validator first. Ends with 1 and says why where the file is wrong.
+import { readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { resolve } from 'node:path'
+
+const file = process.argv[2], bytes = readFileSync(file)
+const fail = text => { console.log(`${file}: ${text}`); process.exit(1) }
+const triangles = [] // of three points each
+
+function ply() {
+  const text = bytes.toString('latin1'), head = text.slice(0, text.indexOf('end_header\n') + 11)
+  const count = what => Number(new RegExp(`element ${what} (\\d+)`).exec(head)[1])
+  let at = head.length
+  const points = Array.from({ length: count('vertex') }, () => [0, 8, 16].map(o => bytes.readDoubleLE(at + o)).concat(at += 24).slice(0, 3))
+  const edges = new Map()
+  for (let i = count('face'); i > 0; i--, at += 17) {
+    if (bytes[at] !== 3) fail('a face is no triangle')
+    const corners = [1, 5, 9].map(o => bytes.readUInt32LE(at + o))
+    corners.forEach((a, k) => { const key = a + ' ' + corners[(k + 1) % 3]; if (edges.has(key)) fail('an edge is used twice'); edges.set(key, 1) })
+    triangles.push(corners.map(c => points[c]))
+  }
+  for (const key of edges.keys()) if (!edges.has(key.split(' ').reverse().join(' '))) fail('the surface is open')
+  if (at !== bytes.length) fail('bytes are left over')
+}
+
+function words() {
+  const points = [...bytes.toString().matchAll(/vertex (\S+) (\S+) (\S+)/g)].map(m => m.slice(1).map(Number))
+  for (let i = 0; i < points.length; i += 3) triangles.push(points.slice(i, i + 3))
+}
+
+async function glb() {
+  const validator = createRequire(resolve('package.json'))('gltf-validator')
+  const { issues } = await validator.validateBytes(new Uint8Array(bytes))
+  if (issues.numErrors + issues.numWarnings > 0) fail(JSON.stringify(issues.messages.filter(m => m.severity < 2)))
+  const length = bytes.readUInt32LE(12), scene = JSON.parse(bytes.toString('utf8', 20, 20 + length)), start = 28 + length
+  const read = number => {
+    const a = scene.accessors[number], v = scene.bufferViews[a.bufferView], from = start + v.byteOffset + a.byteOffset
+    if (a.type === 'VEC3') return Array.from({ length: a.count }, (_, i) => [0, 4, 8].map(o => bytes.readFloatLE(from + i * v.byteStride + o)))
+    return Array.from({ length: a.count }, (_, i) => a.componentType === 5123 ? bytes.readUInt16LE(from + 2 * i) : bytes.readUInt32LE(from + 4 * i))
+  }
+  const turned = ([x, y, z, w], p) => { // q p q*
+    const t = [2 * (y * p[2] - z * p[1]), 2 * (z * p[0] - x * p[2]), 2 * (x * p[1] - y * p[0])]
+    return [p[0] + w * t[0] + y * t[2] - z * t[1], p[1] + w * t[1] + z * t[0] - x * t[2], p[2] + w * t[2] + x * t[1] - y * t[0]]
+  }
+  const walk = (number, place) => {
+    const n = scene.nodes[number], s = n.scale ?? [1, 1, 1], t = n.translation ?? [0, 0, 0]
+    const here = p => place(turned(n.rotation ?? [0, 0, 0, 1], p.map((x, i) => x * s[i])).map((x, i) => x + t[i]))
+    const mirrored = s[0] * s[1] * s[2] < 0
+    for (const p of n.mesh === undefined ? [] : scene.meshes[n.mesh].primitives) {
+      if (p.mode === 3) continue
+      const points = read(p.attributes.POSITION).map(here), index = read(p.indices)
+      for (let i = 0; i < index.length; i += 3) {
+        const t3 = [0, 1, 2].map(k => points[index[i + k]])
+        triangles.push(mirrored ? t3.reverse() : t3)
+      }
+    }
+    for (const child of n.children ?? []) walk(child, here)
+  }
+  for (const root of scene.scenes[0].nodes) walk(root, p => p)
+}
+
+await (file.endsWith('.ply') ? ply() : file.endsWith('.glb') ? glb() : words())
+let volume = 0, min = [Infinity, Infinity, Infinity], max = min.map(x => -x)
+for (const [a, b, c] of triangles) {
+  volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
+  for (const p of [a, b, c]) { min = min.map((x, i) => Math.min(x, p[i])); max = max.map((x, i) => Math.max(x, p[i])) }
+}
+console.log(`triangles ${triangles.length} volume ${volume} min ${min.join(' ')} max ${max.join(' ')}`)

@@ -1,0 +1,42 @@
+# Owns the test of the formats that other programs read back: every one holds the same solids, closed where it says so, and its own reader
+# takes it without a word: the glTF validator, OpenSCAD for 3MF.
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+vs=$BUILD/vs
+model=tests/workers/formats.vs
+
+result() {
+  if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
+}
+wanted() { case $1 in *"$ONLY"*) return 0 ;; *) return 1 ;; esac }
+wanted formats || exit 0
+
+"$vs" --quiet $model -o "$work/m.stl" -o "$work/m.ply" -o "$work/m.glb" -o "$work/m.3mf" > "$work/why" 2>&1 || echo "ended with $?" >> "$work/why"
+"$vs" --quiet $model --format stl-ascii -o "$work/words.stl" >> "$work/why" 2>&1 || echo "ended with $?" >> "$work/why"
+result formats:writes "$work/why"
+# "closed: triangles N volume V": its fourth word is the volume that all others must have
+mesh=$("$BUILD/tools/stlcheck" "$work/m.stl" 2> "$work/why") || echo "not closed: $mesh" >> "$work/why"
+result formats:stl "$work/why"
+
+same() { # name, what was printed, metres a unit, share of the volume that may differ
+  echo "$mesh $2" | awk -v name="$1" -v unit="$3" -v share="$4" '
+    { for (i = 1; i <= NF; i++) if ($i == "volume") at[++n] = $(i + 1)
+      volume = n > 1 ? at[n] / unit ^ 3 : 0
+      if (n < 1 || (volume - $4) ^ 2 > (share * $4) ^ 2) print name " holds " volume ", the mesh " $4 ": " $0 }' > "$work/why"
+  result "formats:$1" "$work/why"
+}
+if command -v node > /dev/null; then
+  same ply "$(node tests/tools/meshes.mjs "$work/m.ply" 2>&1)" 1 1e-6
+  same stl-ascii "$(node tests/tools/meshes.mjs "$work/words.stl" 2>&1)" 1 1e-6
+  if [ -d node_modules/gltf-validator ]; then
+    # copies keep the facets of their own size, and a curve and the region are there too: so the volume is not the same to the last digit
+    same glb "$(node tests/tools/meshes.mjs "$work/m.glb" 2>&1)" 0.001 1e-3
+  else echo "skip formats:glb: no gltf-validator (npm ci --ignore-scripts)"; fi
+else echo "skip formats:ply, stl-ascii, glb: no node"; fi
+
+if command -v openscad > /dev/null; then
+  echo "import(\"$work/m.3mf\");" > "$work/back.scad"
+  timeout 100 openscad -q --export-format binstl -o "$work/back.stl" "$work/back.scad" > "$work/said" 2>&1 || tail -n 3 "$work/said"
+  back=$("$BUILD/tools/stlcheck" "$work/back.stl" 2>&1)
+  same 3mf "$back" 1 1e-6
+else echo "skip formats:3mf: no openscad (package openscad)"; fi
