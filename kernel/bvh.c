@@ -118,9 +118,11 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_box *boxes, uint32_t count) 
 
 static uint32_t block_end(const vs_bvh *t, uint32_t block) { return (block + 1) * BLOCK < t->count ? (block + 1) * BLOCK : t->count; }
 
-bool vs_bvh_pairs(const vs_bvh *t, vs_bvh_pair_fn *fn, void *context) {
-  uint32_t blocks = t->level_count ? t->size[0] : 0;
-  for (uint32_t a = 0; a < blocks; a++) {
+uint32_t vs_bvh_blocks(const vs_bvh *t) { return t->level_count ? t->size[0] : 0; }
+
+bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context) {
+  uint32_t blocks = vs_bvh_blocks(t);
+  for (uint32_t a = first; a < blocks && a < end; a++) {
     const vs_box *box = &t->nodes[a];
     WALK(t, box, a, {
       for (uint32_t i = a * BLOCK; i < block_end(t, a); i++)

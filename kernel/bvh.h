@@ -25,7 +25,9 @@ typedef bool vs_bvh_pair_fn(void *context, uint32_t a, uint32_t b); /* false sto
 typedef bool vs_bvh_hit_fn(void *context, uint32_t a);
 
 bool vs_bvh_build(vs_kernel *k, vs_bvh *tree, const vs_box *boxes, uint32_t count); /* tree zeroed, or built before (its room is used again) */
-bool vs_bvh_pairs(const vs_bvh *tree, vs_bvh_pair_fn *fn, void *context);           /* each unordered pair once */
+uint32_t vs_bvh_blocks(const vs_bvh *tree);
+/* Each unordered pair once, over all ranges of blocks [first, end); an end past the last is the last. */
+bool vs_bvh_pairs(const vs_bvh *tree, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context);
 bool vs_bvh_query(const vs_bvh *tree, const vs_box *box, vs_bvh_hit_fn *fn, void *context);
 void vs_bvh_free(vs_kernel *k, vs_bvh *tree);
 

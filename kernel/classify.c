@@ -23,7 +23,7 @@ typedef struct {
   VS_LIST(uint32_t) first, borders; /* cell -> its faces */
   VS_LIST(uint32_t) use_first, uses_by_face;
   VS_LIST(uint64_t) sum;    /* of a cell */
-  VS_LIST(uint8_t) state;   /* of a cell: 1 in a walked component, 2 walked, 4 inside */
+  VS_LIST(uint8_t) state;   /* of a cell: 1 looked at, 2 walked, 4 inside, 8 settled */
   VS_LIST(uint32_t) queue;
   struct { uint32_t cell, next, face; } *stack;
   size_t stack_room;
@@ -32,12 +32,14 @@ typedef struct {
   VS_LIST(uint32_t) place;
   VS_LIST(uint32_t) owner;  /* of a cell inside the result: the earliest leaf that is not taken off there */
   uint32_t cells;
+  size_t settling;          /* leaves we are in that settle the result */
   /* the line */
   uint32_t face;
   int axis;
   bool degenerate;
   vs_homogeneous at;
   int64_t u, v;
+  vs_box column;
 } walk;
 
 /* ---- 1: cells ---- */
@@ -200,27 +202,71 @@ static bool aim(walk *w, uint32_t face, int attempt) {
   return true;
 }
 
-static bool shoot(void *context, uint32_t triangle) {
-  walk *w = context;
-  vs_cluster *c = w->c;
-  const vs_soup_triangle *t = &c->triangles.at[triangle];
-  const vs_plane *p = &c->planes.all.at[t->plane];
-  int64_t n = p->n[w->axis];
-  if (n == 0) return true;
+/* One triangle of the leaf at a place, as it lies on the grid. */
+static bool shoot(walk *w, const vs_placed *p, uint32_t leaf, bool mirrored, size_t triangle) {
+  const uint32_t *id = p->part->mesh->triangles[triangle];
+  const int32_t *at[3] = { w->c->corners[p->first + id[0]], w->c->corners[p->first + id[mirrored ? 2 : 1]], w->c->corners[p->first + id[mirrored ? 1 : 2]] };
   int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3, turns = 0;
+  int32_t u = (int32_t)(w->u >> VS_FIXED_BITS), v = (int32_t)(w->v >> VS_FIXED_BITS);
+  if ((at[0][au] > u && at[1][au] > u && at[2][au] > u) || (at[0][au] < u && at[1][au] < u && at[2][au] < u) ||
+      (at[0][av] > v && at[1][av] > v && at[2][av] > v) || (at[0][av] < v && at[1][av] < v && at[2][av] < v))
+    return true;
   for (int i = 0; i < 3; i++) {
-    const vs_point *a = &c->points.all.at[t->v[i]], *b = &c->points.all.at[t->v[(i + 1) % 3]];
-    vs_i128 s = (vs_i128)(b->fixed[au] - a->fixed[au]) * (w->v - a->fixed[av]) - (vs_i128)(b->fixed[av] - a->fixed[av]) * (w->u - a->fixed[au]);
+    const int32_t *a = at[i], *b = at[i == 2 ? 0 : i + 1];
+    vs_i128 s = (vs_i128)((int64_t)b[au] - a[au]) * (w->v - (int64_t)a[av] * ((int64_t)1 << VS_FIXED_BITS)) -
+                (vs_i128)((int64_t)b[av] - a[av]) * (w->u - (int64_t)a[au] * ((int64_t)1 << VS_FIXED_BITS));
     turns |= s > 0 ? 1 : s < 0 ? 2 : 4;
   }
   if ((turns & 3) == 3) return true;
+  vs_plane plane;
+  bool flip;
+  if (!vs_plane_through(at[0], at[1], at[2], &plane, &flip) || plane.n[w->axis] == 0) return true;
   if (turns & 4) {
     w->degenerate = true; /* through an edge: aim again */
     return false;
   }
-  int side = vs_homogeneous_side(p, &w->at);
+  int64_t n = plane.n[w->axis];
+  int side = vs_homogeneous_side(&plane, &w->at);
   if (side == 0 || (side > 0) == (n > 0)) return true; /* not above */
-  return VS_PUSH(w->k, w->found, ((vs_cover){ t->leaf, (n > 0) != t->flip ? 1 : -1 }));
+  return VS_PUSH(w->k, w->found, ((vs_cover){ leaf, (n > 0) != flip ? 1 : -1 }));
+}
+
+typedef struct { walk *w; vs_placed *placed; uint32_t leaf; bool mirrored; } shot;
+
+static bool shoot_one(void *context, uint32_t triangle) {
+  shot *s = context;
+  return shoot(s->w, s->placed, s->leaf, s->mirrored, triangle);
+}
+
+static bool index_leaf(walk *w, vs_placed *p) {
+  const vs_mesh *m = p->part->mesh;
+  if (!VS_ROOM(w->k, p->bvh_boxes, p->bvh_box_room, m->triangle_count)) return false;
+  for (size_t t = 0; t < m->triangle_count; t++) {
+    vs_box *b = &p->bvh_boxes[t];
+    for (int a = 0; a < 3; a++) {
+      b->min[a] = INT32_MAX;
+      b->max[a] = INT32_MIN;
+      for (int j = 0; j < 3; j++) {
+        int32_t x = w->c->corners[p->first + m->triangles[t][j]][a];
+        if (x < b->min[a]) b->min[a] = x;
+        if (x > b->max[a]) b->max[a] = x;
+      }
+    }
+  }
+  return vs_bvh_build(w->k, &p->bvh, p->bvh_boxes, (uint32_t)m->triangle_count);
+}
+
+static bool shoot_leaf(void *context, uint32_t place) {
+  enum { MANY = 2048 };
+  walk *w = context;
+  vs_placed *p = &w->c->placed.at[place];
+  uint32_t leaf = w->c->leaves[place];
+  shot s = { w, p, leaf, vs_affine_determinant(&w->c->problem->leaves[leaf].placement) < 0 };
+  size_t n = p->part->mesh->triangle_count;
+  if (n > MANY) return (p->bvh.level_count || index_leaf(w, p)) && vs_bvh_query(&p->bvh, &w->column, shoot_one, &s);
+  for (size_t t = 0; t < n; t++)
+    if (!shoot(w, p, leaf, s.mirrored, t)) return false;
+  return true;
 }
 
 /* Fills found with the windings just above the face along axis, and says which of its sides that is. */
@@ -243,16 +289,16 @@ static bool look(walk *w, uint32_t face, uint32_t *side, bool *done) {
     bool inside = strictly_inside(w, vs_points_of(&c->points), face, (uint32_t)c->points.all.count - 1, au, av);
     c->points.all.count--;
     if (!inside) continue;
-    vs_box box;
-    box.min[w->axis] = -(1 << VS_GRID_BITS);
-    box.max[w->axis] = 1 << VS_GRID_BITS;
-    box.min[au] = (int32_t)(w->u >> VS_FIXED_BITS);
-    box.max[au] = box.min[au] + 1;
-    box.min[av] = (int32_t)(w->v >> VS_FIXED_BITS);
-    box.max[av] = box.min[av] + 1;
+    vs_box *box = &w->column;
+    box->min[w->axis] = -(1 << VS_GRID_BITS);
+    box->max[w->axis] = 1 << VS_GRID_BITS;
+    box->min[au] = (int32_t)(w->u >> VS_FIXED_BITS);
+    box->max[au] = box->min[au] + 1;
+    box->min[av] = (int32_t)(w->v >> VS_FIXED_BITS);
+    box->max[av] = box->min[av] + 1;
     w->degenerate = false;
     w->found.count = 0;
-    if (vs_bvh_query(&c->bvh, &box, shoot, w)) *done = true;
+    if (vs_bvh_query(&c->leaf_bvh, box, shoot_leaf, w)) *done = true;
     else if (!w->degenerate) return false;
   }
   return true;
@@ -270,6 +316,7 @@ static bool turn_leaf(walk *w, uint32_t leaf, int32_t delta) {
   bool before = w->e->winding.at[leaf] > 0;
   if (!vs_expression_add(w->k, w->e, leaf, delta)) return false;
   bool now = w->e->winding.at[leaf] > 0;
+  if (before != now && w->e->forces.at[leaf]) w->settling += now ? 1 : SIZE_MAX;
   if (before == now || w->e->taken_off.at[leaf]) return true;
   if (now) {
     w->place.at[leaf] = (uint32_t)w->active.count;
@@ -282,9 +329,9 @@ static bool turn_leaf(walk *w, uint32_t leaf, int32_t delta) {
 }
 
 static void arrive(walk *w, uint32_t cell, uint64_t sum) {
-  bool inside = vs_expression_value(w->e);
+  bool inside = vs_expression_value(w->e), settled = w->settling > 0 || vs_expression_gated(w->e);
   w->sum.at[cell] = sum;
-  w->state.at[cell] = (uint8_t)(3 | (inside ? 4 : 0));
+  w->state.at[cell] = (uint8_t)(3 | (inside ? 4 : 0) | (settled ? 8 : 0));
   if (w->c->inspect) w->c->wound.at[cell] = w->e->winding.at[w->c->leaves[0]];
   w->owner.at[cell] = VS_NONE;
   for (size_t i = 0; inside && i < w->active.count; i++)
@@ -325,6 +372,7 @@ static bool walk_from(walk *w, uint32_t cell) {
   arrive(w, cell, sum);
   while (depth) {
     uint32_t here = w->stack[depth - 1].cell;
+    if (w->state.at[here] & 8) w->stack[depth - 1].next = w->first.at[here + 1]; /* settled: no way through */
     if (w->stack[depth - 1].next == w->first.at[here + 1]) {
       uint32_t back = w->stack[--depth].face; /* came through it; go back */
       if (back != VS_NONE && !pass(w, back, w->side.at[2 * back] == here ? 1 : -1)) return false;
@@ -335,7 +383,7 @@ static bool walk_from(walk *w, uint32_t cell) {
     if (plus == minus) return VS_BROKEN(w->k, "a face has one side");
     uint32_t other = plus == here ? minus : plus;
     if (w->state.at[other] & 2) {
-      if (plus == here && w->sum.at[minus] != w->sum.at[plus] + change(w, face)) return VS_BROKEN(w->k, "two ways into a cell disagree");
+      if (!(w->state.at[other] & 8) && plus == here && w->sum.at[minus] != w->sum.at[plus] + change(w, face)) return VS_BROKEN(w->k, "two ways into a cell disagree");
       continue;
     }
     if (!pass(w, face, plus == here ? 1 : -1)) return false;
@@ -368,45 +416,83 @@ static double about_area(const walk *w, uint32_t face) {
   return sum;
 }
 
-static bool walk_component(walk *w, uint32_t start) {
+/* A line to the largest face around the cell, or around those that hang together with it, then a walk from there. */
+static bool walk_component(walk *w, uint32_t start, size_t most) {
   size_t head = 0, tail = 0;
   double best = -1;
   uint32_t face = VS_NONE, side;
   bool done = false;
   w->queue.at[tail++] = start;
-  w->state.at[start] = 1;
+  w->state.at[start] |= 1;
   while (head < tail) {
     uint32_t cell = w->queue.at[head++];
     for (uint32_t i = w->first.at[cell]; i < w->first.at[cell + 1]; i++) {
       uint32_t f = w->borders.at[i], plus = w->side.at[2 * f], other = plus == cell ? w->side.at[2 * f + 1] : plus;
       double area = about_area(w, f);
       if (area > best) best = area, face = f;
-      if (w->state.at[other]) continue;
+      if (w->state.at[other] || tail >= most) continue;
       w->state.at[other] = 1;
       w->queue.at[tail++] = other;
     }
   }
+  for (size_t i = 1; i < tail; i++) w->state.at[w->queue.at[i]] = 0;
   if (!look(w, face, &side, &done)) return false;
   for (size_t i = 0; !done && i < tail; i++) /* unlucky with the largest: try them all */
     for (uint32_t j = w->first.at[w->queue.at[i]]; !done && j < w->first.at[w->queue.at[i] + 1]; j++)
       if (!look(w, w->borders.at[j], &side, &done)) return false;
   if (!done) return VS_BROKEN(w->k, "no face to look through");
-  return walk_from(w, w->side.at[side]);
+  uint32_t above = w->side.at[side], below = w->side.at[side ^ 1], through = side / 2;
+  if (!(w->state.at[above] & 2) && !walk_from(w, above)) return false;
+  if (w->state.at[below] & 2) return true;
+  const vs_face *f = &w->c->faces.at[through]; /* settled above: the face's cover leads below */
+  for (uint32_t i = 0; i < f->cover_count; i++) {
+    vs_cover cover = w->c->covers.at[f->cover + i];
+    if (!VS_PUSH(w->k, w->found, ((vs_cover){ cover.leaf, side & 1 ? -cover.delta : cover.delta }))) return false;
+  }
+  return walk_from(w, below);
+}
+
+/* Cells on the inner side of a leaf that settles what is inside of it are settled, and need no line of their own. */
+static void mark_settled(walk *w) {
+  const vs_cluster *c = w->c;
+  bool value = w->e->forced;
+  for (uint32_t f = 0; f < c->faces.count; f++)
+    for (uint32_t i = 0; i < c->faces.at[f].cover_count; i++) {
+      vs_cover cover = c->covers.at[c->faces.at[f].cover + i];
+      if (!w->e->forces.at[cover.leaf] || !c->parts->all.at[c->parts->of_leaf.at[cover.leaf]].star) continue;
+      uint32_t cell = w->side.at[2 * f + (cover.delta > 0)];
+      w->state.at[cell] = (uint8_t)(2 | 8 | (value ? 4 : 0));
+      w->owner.at[cell] = VS_NONE;
+    }
+}
+
+/* Whose tag the face has, the solid being in the cell: the earliest's. A bare leaf that is taken off gives way to the earliest that is there. */
+static uint32_t painter(const walk *w, uint32_t face, uint32_t cell) {
+  const vs_cluster *c = w->c;
+  const vs_face *f = &c->faces.at[face];
+  uint32_t leaf = c->covers.at[f->cover].leaf;
+  if (!c->kept.at[face] || !c->problem->leaves[leaf].bare || !w->e->taken_off.at[leaf]) return leaf;
+  if (!(w->state.at[cell] & 8)) return w->owner.at[cell] == VS_NONE ? leaf : w->owner.at[cell];
+  for (uint32_t i = 0; i < f->cover_count; i++) /* settled as true: by a leaf whose surface this is */
+    if (!w->e->taken_off.at[c->covers.at[f->cover + i].leaf]) return c->covers.at[f->cover + i].leaf;
+  return leaf;
 }
 
 bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   walk w = { .k = k, .c = c, .e = e };
   bool ok = make_cells(&w) && VS_ROOM(k, w.place.at, w.place.room, (size_t)c->problem->leaf_count + 1) &&
             VS_ROOM(k, w.owner.at, w.owner.room, (size_t)w.cells + 1) && (!c->inspect || VS_ROOM(k, c->wound.at, c->wound.room, (size_t)w.cells + 1));
-  for (uint32_t i = 0; ok && i < w.cells; i++)
-    if (w.state.at[i] == 0) ok = walk_component(&w, i);
+  if (ok) mark_settled(&w);
+  for (uint32_t i = 0; ok && i < w.cells; i++) {
+    enum { AROUND = 1000 };
+    if (w.state.at[i] & 2) continue;
+    ok = walk_component(&w, i, AROUND) && (w.state.at[i] & 2 || walk_component(&w, i, 1)) && vs_kernel_poll(k, 0.8); /* maybe one behind settled space */
+  }
   ok = ok && VS_ROOM(k, c->kept.at, c->kept.room, c->faces.count + 1);
   for (uint32_t f = 0; ok && f < c->faces.count; f++) {
     bool plus = w.state.at[w.side.at[2 * f]] & 4, minus = w.state.at[w.side.at[2 * f + 1]] & 4;
     c->kept.at[f] = plus == minus ? 0 : plus ? 2 : 1;
-    uint32_t leaf = c->covers.at[c->faces.at[f].cover].leaf, owner = w.owner.at[w.side.at[2 * f + minus]]; /* the earliest has it */
-    if (c->problem->leaves[leaf].bare && e->taken_off.at[leaf] && c->kept.at[f] && owner != VS_NONE) leaf = owner;
-    c->faces.at[f].tag = c->problem->leaves[leaf].tag;
+    c->faces.at[f].tag = c->problem->leaves[painter(&w, f, w.side.at[2 * f + minus])].tag;
   }
   if (ok && c->inspect) {
     c->wound.count = w.cells;

@@ -6,12 +6,17 @@
  *   face    a region of the arrangement in one plane, not cut by anything; its + side is where the plane's normal points
  *   cover   for each leaf that has the face: w(-side) = w(+side) + delta, w the leaf's winding number (inside: w > 0)
  *   use     a boundary edge of a face, directed so that the face lies left of it as seen from the + side
- *   cell    a region of space: a set of sides of faces */
+ *   cell    a region of space: a set of sides of faces
+ *   patch   a convex piece of a facet: all of it where it is convex, else one of its triangles; what is tested against each other
+ *   settled of places inside a leaf that makes the whole true (or false) by itself, or outside of a gate: what lies in there cannot show.
+ *           Triangles and cuts that are well inside settled space are left out from the start, so in there the arrangement is not to be
+ *           trusted; its border is always complete, because what lies on the border is not inside. */
 #ifndef VS_KERNEL_CLUSTER_H
 #define VS_KERNEL_CLUSTER_H
 
 #include "kernel/bvh.h"
 #include "kernel/expression.h"
+#include "kernel/part.h"
 #include "kernel/table.h"
 
 enum { VS_BESIDE_FLAT = 8 }; /* next to a triangle that the grid has made a line */
@@ -26,10 +31,17 @@ typedef struct {
 } vs_soup_triangle;
 
 typedef struct {
-  uint32_t leaf, plane, first; /* first: into facet_triangles, up to the next facet's */
+  uint32_t leaf, place, plane, first; /* place: of the leaf in the cluster; first: into facet_triangles, up to the next facet's */
   uint32_t group;  /* union-find parent, a facet */
   bool flip, touched; /* touched: something meets it; else its triangles are copied */
 } vs_facet;
+
+typedef struct {
+  uint32_t facet, place, plane, first, count; /* place: of its leaf; corners in order as seen from outside of that */
+  bool flip;
+  uint8_t inner;   /* of a triangle, as above; else 0 */
+} vs_patch;
+typedef struct { int32_t at[3]; uint32_t point; } vs_patch_corner;
 
 typedef struct { uint32_t facet, p, q, plane; } vs_cut; /* p to q lies in the facet, and in plane; p == q: a point */
 
@@ -50,17 +62,43 @@ typedef struct {
   double offset[3];   /* whole steps */
 } vs_grid;
 
+/* A leaf of the cluster, by its place in `leaves`. */
+typedef struct {
+  const vs_part *part;
+  uint32_t first;     /* of its mesh's vertices, in `corners` */
+  vs_box box;         /* in steps */
+  vs_affine to_local; /* steps -> where its part lies; filled where it is a lid */
+  double margin;      /* two steps, there */
+  bool lid;           /* convex, and settles what is inside of it */
+  bool star;          /* also on the grid: no two of its triangles touch but in corners and edges they share */
+  uint32_t lids_first, lids_count; /* into `lids`: those whose boxes meet its own */
+  vs_bvh bvh;         /* of all its triangles, made for the first line through a large leaf */
+  vs_box *bvh_boxes;
+  size_t bvh_box_room;
+} vs_placed;
+
 typedef struct {
   const vs_kernel_problem *problem;
+  const vs_parts *parts;
+  const vs_expression *expression;
   const uint32_t *leaves;
   uint32_t leaf_count;
+  const vs_bounds *gate; /* in the world: outside of it a gate is false; or NULL */
   vs_grid grid;
+  VS_LIST(vs_placed) placed;
+  int32_t (*corners)[3];  /* of every leaf's mesh, on the grid */
+  size_t corner_room;
+  vs_bvh leaf_bvh;        /* over placed[].box */
+  VS_LIST(vs_box) leaf_boxes;
+  VS_LIST(uint32_t) lids; /* places in `leaves` */
   vs_points_table points;
   vs_planes_table planes;
   VS_LIST(vs_soup_triangle) triangles;
   VS_LIST(vs_facet) facets;
   VS_LIST(uint32_t) facet_triangles;
-  VS_LIST(vs_box) boxes; /* of the triangles */
+  VS_LIST(vs_patch) patches;
+  VS_LIST(vs_patch_corner) patch_corners;
+  VS_LIST(vs_box) boxes; /* of the patches */
   vs_bvh bvh;
   VS_LIST(vs_cut) cuts;
   VS_LIST(vs_face) faces;
@@ -75,11 +113,19 @@ typedef struct {
 /* The steps, in order. All false on error. */
 bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *local_to_frame /* one a leaf of the cluster */);
 bool vs_soup_build(vs_kernel *k, vs_cluster *c);                       /* frame, weld, grid, triangles, facets */
-bool vs_meet_triangles(vs_kernel *k, vs_cluster *c);                   /* cuts, groups */
+bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /* lids; within soup_build */
+bool vs_patches_build(vs_kernel *k, vs_cluster *c);                    /* patches, boxes, bvh */
+bool vs_meet_patches(vs_kernel *k, vs_cluster *c);                     /* cuts, groups */
 bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* faces, uses */
 bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e); /* kept */
 bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out);
 void vs_cluster_free(vs_kernel *k, vs_cluster *c);
+
+/* Bit b of masks[vertex]: the leaf's vertex is well inside its b-th lid, or (the last six bits) beyond one side of the gate. */
+enum { VS_LIDS = 48 };
+bool vs_cull_vertices(vs_kernel *k, vs_cluster *c, uint32_t place, uint64_t *masks, bool *any);
+/* Is the segment, in steps, well inside a lid that is near the leaf at that place, but not the other leaf? */
+bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]);
 
 vs_vec3 vs_grid_world(const vs_grid *g, const vs_point *p);
 

@@ -39,6 +39,38 @@ static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_ex
   return true;
 }
 
+/* Which leaves and terms settle the result by themselves: a union's operand where it is true, an intersection's where it is false, and so on down. What
+ * the result is wholly made of settles nothing. */
+static bool find_forces(vs_kernel *k, vs_expression *e, const vs_kernel_problem *p, const uint8_t *live) {
+  enum { IF_TRUE = 1, IF_FALSE = 2 };
+  VS_LIST(uint8_t) flag = { 0 };
+  uint32_t n = p->term_count, root = n;
+  e->gate_count = 0;
+  if (!VS_ROOM(k, flag.at, flag.room, (size_t)n + 1) || !VS_ROOM(k, e->forces.at, e->forces.room, (size_t)p->leaf_count + 1)) return false;
+  for (uint32_t i = 0; i < p->leaf_count; i++) e->forces.at[i] = 0;
+  for (uint32_t i = 0; i < n; i++) flag.at[i] = i + 1 == n ? IF_TRUE | IF_FALSE : 0;
+  while (root && p->terms[root - 1].kind != VS_TERM_LEAF && p->terms[root - 1].count == 1) root = p->operands[p->terms[root - 1].first] + 1;
+  if (root && p->terms[root - 1].kind != VS_TERM_LEAF) {
+    e->forced = p->terms[root - 1].kind == VS_TERM_UNION;
+    for (uint32_t i = 0; i < n; i++) flag.at[i] = i + 1 == root ? IF_TRUE | IF_FALSE : 0;
+    for (uint32_t i = root; i-- > 0;) {
+      const vs_kernel_term *t = &p->terms[i];
+      if (t->kind == VS_TERM_LEAF) {
+        if (flag.at[i] & IF_TRUE) e->forces.at[t->first] = 1;
+      } else {
+        for (uint32_t j = 0; j < t->count; j++) {
+          uint8_t up = flag.at[i], *down = &flag.at[p->operands[t->first + j]];
+          if (t->kind == VS_TERM_DIFFERENCE && j > 0) *down |= up & IF_FALSE ? IF_TRUE : 0;
+          else *down |= t->count == 1 ? up : up & (t->kind == VS_TERM_UNION ? IF_TRUE : IF_FALSE);
+        }
+      }
+      if (i + 1 < root && (flag.at[i] & IF_FALSE) && live[i] && e->gate_count < VS_GATES) e->gates[e->gate_count++] = i;
+    }
+  }
+  VS_DROP(k, flag);
+  return true;
+}
+
 bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem *p) {
   building b = { 0 };
   uint32_t n = p->term_count;
@@ -66,6 +98,7 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
     }
     for (uint32_t i = n; ok && i-- > 0;)
       if (b.live.at[i] && p->terms[i].kind != VS_TERM_LEAF) ok = collect(k, p, &b, e, i);
+    ok = ok && find_forces(k, e, p, b.live.at);
   }
   if (ok && VS_ROOM(k, e->users.at, e->users.room, b.pairs.count / 2 + 1)) { /* bucket the pairs by operand, the leaves' terms by leaf */
     for (size_t i = 0; i < b.pairs.count; i += 2) e->user_first.at[b.pairs.at[i] + 1]++;
@@ -107,6 +140,12 @@ static bool value(const vs_expression *e, uint32_t term) {
 }
 
 bool vs_expression_value(const vs_expression *e) { return e->kind.at && value(e, e->root); }
+
+bool vs_expression_gated(const vs_expression *e) {
+  for (uint32_t i = 0; i < e->gate_count; i++)
+    if (!value(e, e->gates[i])) return true;
+  return false;
+}
 
 /* ---- a leaf that stands in several terms: least term first, so that each is looked at once, after all of its operands ---- */
 
@@ -189,4 +228,5 @@ void vs_expression_free(vs_kernel *k, vs_expression *e) {
   VS_DROP(k, e->taken_off);
   VS_DROP(k, e->stack);
   VS_DROP(k, e->waits);
+  VS_DROP(k, e->forces);
 }

@@ -4,6 +4,8 @@
 
 #include "kernel/memory.h"
 
+enum { VS_GATES = 8 };
+
 /* After flattening: no union in a union, no intersection in an intersection, no difference in a difference's first operand, no union in
  * its others (where the inner one has that user alone). Each term counts what makes it true, so a leaf that changes costs only
  * the terms whose value changes. */
@@ -18,6 +20,10 @@ typedef struct {
   VS_LIST(uint32_t) leaf_first, leaf_terms; /* the terms that are the leaf */
   VS_LIST(uint8_t) taken_off; /* of each leaf: 1 where it makes the result smaller */
   VS_LIST(uint32_t) stack;
+  VS_LIST(uint8_t) forces;    /* of each leaf: 1 where the result is settled inside of it, whatever the others are */
+  uint32_t gates[VS_GATES];   /* terms outside of which the result is false */
+  uint32_t gate_count;
+  bool forced;                /* what the result is where it is settled */
   VS_LIST(uint8_t) waits;     /* of each term, for a leaf that stands in several: 1 in the heap, 2 it was true then */
   uint32_t root;
 } vs_expression;
@@ -25,6 +31,7 @@ typedef struct {
 bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem *p);
 bool vs_expression_add(vs_kernel *k, vs_expression *e, uint32_t leaf, int32_t delta); /* changes its winding number */
 bool vs_expression_value(const vs_expression *e);
+bool vs_expression_gated(const vs_expression *e); /* is one of the gates false? */
 void vs_expression_free(vs_kernel *k, vs_expression *e);
 
 #endif

@@ -104,20 +104,23 @@ typedef struct {
   uint32_t found;
 } search;
 
-static bool holds(void *context, uint32_t t) {
+static bool holds(void *context, uint32_t patch) {
   search *s = context;
-  const vs_soup_triangle *triangle = &s->c->triangles.at[t];
-  if (triangle->plane != s->c->faces.at[s->face].plane) return true;
-  const vs_plane *p = &s->c->planes.all.at[triangle->plane];
-  bool left = true, right = true;
-  for (int i = 0; i < 3; i++) {
-    const vs_point *a = &s->c->points.all.at[triangle->v[i]], *b = &s->c->points.all.at[triangle->v[(i + 1) % 3]];
-    double turn = (double)(b->fixed[p->u] - a->fixed[p->u]) * (double)(s->at[p->v] - a->fixed[p->v]) -
-                  (double)(b->fixed[p->v] - a->fixed[p->v]) * (double)(s->at[p->u] - a->fixed[p->u]);
-    left = left && turn >= 0;
-    right = right && turn <= 0;
+  const vs_facet *f = &s->c->facets.at[s->c->patches.at[patch].facet];
+  if (f->plane != s->c->faces.at[s->face].plane) return true;
+  const vs_plane *p = &s->c->planes.all.at[f->plane];
+  for (uint32_t t = f[0].first; t < f[1].first; t++) {
+    const vs_soup_triangle *triangle = &s->c->triangles.at[s->c->facet_triangles.at[t]];
+    bool left = true, right = true;
+    for (int i = 0; i < 3; i++) {
+      const vs_point *a = &s->c->points.all.at[triangle->v[i]], *b = &s->c->points.all.at[triangle->v[(i + 1) % 3]];
+      double turn = (double)(b->fixed[p->u] - a->fixed[p->u]) * (double)(s->at[p->v] - a->fixed[p->v]) -
+                    (double)(b->fixed[p->v] - a->fixed[p->v]) * (double)(s->at[p->u] - a->fixed[p->u]);
+      left = left && turn >= 0;
+      right = right && turn <= 0;
+    }
+    if ((left || right) && triangle->source < s->found) s->found = triangle->source;
   }
-  if ((left || right) && triangle->source < s->found) s->found = triangle->source;
   return true;
 }
 
@@ -232,15 +235,17 @@ bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs
   vs_kernel_term term = { VS_TERM_LEAF, 0, 0 };
   vs_kernel_problem problem = { &leaf, &term, NULL, 1, 1, 0 };
   uint32_t only = 0;
-  vs_cluster c = { .problem = &problem, .leaves = &only, .leaf_count = 1, .inspect = true };
-  vs_expression e = { 0 };
-  bool ok = vs_expression_build(&k, &e, &problem) && vs_soup_build(&k, &c) && vs_meet_triangles(&k, &c) && vs_arrange_planes(&k, &c) &&
+  vs_parts parts = { .all = { 0 } };
+  vs_expression e = { .root = 0 };
+  vs_cluster c = { .problem = &problem, .parts = &parts, .expression = &e, .leaves = &only, .leaf_count = 1, .inspect = true };
+  bool ok = vs_expression_build(&k, &e, &problem) && vs_parts_prepare(&k, &parts, &problem) && vs_soup_build(&k, &c) && vs_patches_build(&k, &c) && vs_meet_patches(&k, &c) && vs_arrange_planes(&k, &c) &&
             vs_classify_faces(&k, &c, &e);
   for (size_t i = 0; ok && i < c.wound.count; i++)
     if (c.wound.at[i] == 1) out->most = 1;
   ok = ok && name_triangles(&k, &c, out);
   vs_cluster_free(&k, &c);
   vs_expression_free(&k, &e);
+  vs_parts_free(&k, &parts);
   return ok;
 }
 

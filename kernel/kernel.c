@@ -12,52 +12,46 @@ static bool join(void *parent, uint32_t a, uint32_t b) {
   return true;
 }
 
-static void leaf_bounds(const vs_kernel_leaf *l, double low[3], double high[3]) {
-  for (int a = 0; a < 3; a++) low[a] = INFINITY, high[a] = -INFINITY;
-  for (size_t i = 0; i < l->mesh->vertex_count; i++) {
-    vs_vec3 v = vs_affine_point(&l->placement, l->mesh->vertices[i]);
-    double x[3] = { v.x, v.y, v.z };
-    for (int a = 0; a < 3; a++) {
-      if (x[a] < low[a]) low[a] = x[a];
-      if (x[a] > high[a]) high[a] = x[a];
-    }
-  }
+static vs_bounds leaf_bounds(const vs_kernel_leaf *l) {
+  vs_bounds b = vs_bounds_empty();
+  for (size_t i = 0; i < l->mesh->vertex_count; i++) vs_bounds_add(&b, vs_affine_point(&l->placement, l->mesh->vertices[i]));
+  return b;
 }
 
-/* order: leaves by cluster, those without triangles left out; parent: beside it, which cluster. */
-static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, uint32_t *parent, uint32_t *order, uint32_t *count) {
-  struct { double low[3], high[3]; } *bounds = NULL, all;
+static double least(const vs_bounds *b, int axis) { return axis == 0 ? b->min.x : axis == 1 ? b->min.y : b->min.z; }
+static double most(const vs_bounds *b, int axis) { return axis == 0 ? b->max.x : axis == 1 ? b->max.y : b->max.z; }
+
+/* bounds: of every leaf, filled here. order: leaves by cluster, those without triangles left out; parent: beside it, which cluster. */
+static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, uint32_t *parent, uint32_t *order, uint32_t *count) {
   vs_box *boxes = NULL;
   uint32_t *scratch = NULL;
-  size_t bounds_room = 0, box_room = 0, scratch_room = 0;
+  size_t box_room = 0, scratch_room = 0;
   vs_bvh bvh = { 0 };
   uint32_t n = 0;
-  bool ok = VS_ROOM(k, bounds, bounds_room, (size_t)p->leaf_count + 1) && VS_ROOM(k, boxes, box_room, (size_t)p->leaf_count + 1) &&
-            VS_ROOM(k, scratch, scratch_room, (size_t)p->leaf_count + 1);
+  bool ok = VS_ROOM(k, boxes, box_room, (size_t)p->leaf_count + 1) && VS_ROOM(k, scratch, scratch_room, (size_t)p->leaf_count + 1);
   double size = 0;
-  for (int a = 0; a < 3; a++) all.low[a] = INFINITY, all.high[a] = -INFINITY;
   for (uint32_t i = 0; ok && i < p->leaf_count; i++) {
+    bounds[i] = vs_bounds_empty();
     if (p->leaves[i].mesh->triangle_count == 0) continue;
-    leaf_bounds(&p->leaves[i], bounds[n].low, bounds[n].high);
+    bounds[i] = leaf_bounds(&p->leaves[i]);
     for (int a = 0; a < 3; a++) {
-      if (!isfinite(bounds[n].low[a]) || !isfinite(bounds[n].high[a]))
+      if (!isfinite(least(&bounds[i], a)) || !isfinite(most(&bounds[i], a)))
         ok = vs_kernel_fail(k, VS_KERNEL_NOT_FINITE, i, "a corner is not at a finite place");
-      all.low[a] = fmin(all.low[a], bounds[n].low[a]);
-      all.high[a] = fmax(all.high[a], bounds[n].high[a]);
-      size = fmax(size, fmax(fabs(all.low[a]), fabs(all.high[a])));
+      size = fmax(size, fmax(fabs(least(&bounds[i], a)), fabs(most(&bounds[i], a))));
     }
     order[n++] = i;
+    ok = ok && vs_kernel_poll(k, 0);
   }
   /* boxes in steps finer than the finest grid can be coarse here, widened by two of a cluster's own steps at the largest */
   double step = size > 0 ? size * 0x1p-28 : 1;
   for (uint32_t i = 0; ok && i < n; i++)
     for (int a = 0; a < 3; a++) {
-      boxes[i].min[a] = (int32_t)floor(bounds[i].low[a] / step) - 64;
-      boxes[i].max[a] = (int32_t)ceil(bounds[i].high[a] / step) + 64;
+      boxes[i].min[a] = (int32_t)floor(least(&bounds[order[i]], a) / step) - 64;
+      boxes[i].max[a] = (int32_t)ceil(most(&bounds[order[i]], a) / step) + 64;
     }
   uint32_t *set = parent; /* by place in order, for now */
   for (uint32_t i = 0; i < n; i++) set[i] = i;
-  ok = ok && vs_bvh_build(k, &bvh, boxes, n) && vs_bvh_pairs(&bvh, join, set);
+  ok = ok && vs_bvh_build(k, &bvh, boxes, n) && vs_bvh_pairs(&bvh, 0, UINT32_MAX, join, set);
   uint32_t *start = NULL, *sorted = NULL;
   size_t start_room = 0, sorted_room = 0;
   ok = ok && VS_ROOM(k, start, start_room, (size_t)n + 2) && VS_ROOM(k, sorted, sorted_room, (size_t)n + 1);
@@ -73,7 +67,6 @@ static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, uint32_t *pa
   VS_FREE(k, sorted, sorted_room);
   *count = n;
   vs_bvh_free(k, &bvh);
-  VS_FREE(k, bounds, bounds_room);
   VS_FREE(k, boxes, box_room);
   VS_FREE(k, scratch, scratch_room);
   return ok;
@@ -85,8 +78,19 @@ void vs_cluster_free(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, c->triangles);
   VS_DROP(k, c->facets);
   VS_DROP(k, c->facet_triangles);
+  VS_DROP(k, c->patches);
+  VS_DROP(k, c->patch_corners);
   VS_DROP(k, c->boxes);
   vs_bvh_free(k, &c->bvh);
+  for (size_t i = 0; i < c->placed.count; i++) {
+    vs_bvh_free(k, &c->placed.at[i].bvh);
+    VS_FREE(k, c->placed.at[i].bvh_boxes, c->placed.at[i].bvh_box_room);
+  }
+  VS_DROP(k, c->placed);
+  VS_FREE(k, c->corners, c->corner_room);
+  vs_bvh_free(k, &c->leaf_bvh);
+  VS_DROP(k, c->leaf_boxes);
+  VS_DROP(k, c->lids);
   VS_DROP(k, c->cuts);
   VS_DROP(k, c->faces);
   VS_DROP(k, c->covers);
@@ -125,12 +129,44 @@ bool vs_uses_sort(vs_kernel *k, const vs_use *uses, uint32_t *at, size_t count, 
   return ok;
 }
 
-static bool run_cluster(vs_kernel *k, const vs_kernel_problem *p, const uint32_t *leaves, uint32_t count, vs_expression *e, vs_mesh *out) {
-  vs_cluster c = { .problem = p, .leaves = leaves, .leaf_count = count };
-  bool ok = vs_soup_build(k, &c) && vs_kernel_report(k, 0.1) && vs_meet_triangles(k, &c) && vs_kernel_report(k, 0.3) && vs_arrange_planes(k, &c) &&
-            vs_kernel_report(k, 0.7) && vs_classify_faces(k, &c, e) && vs_kernel_report(k, 0.9) && vs_output_faces(k, &c, out);
+typedef struct {
+  const vs_kernel_problem *problem;
+  vs_parts parts;
+  vs_expression expression;
+  vs_bounds gate; /* all that a gate leaves, in the world; empty where there is none */
+} whole;
+
+static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t count, vs_mesh *out) {
+  vs_cluster c = { .problem = w->problem, .parts = &w->parts, .expression = &w->expression, .leaves = leaves, .leaf_count = count };
+  if (w->expression.gate_count) c.gate = &w->gate;
+  bool ok = vs_soup_build(k, &c) && vs_patches_build(k, &c) && vs_kernel_report(k, 0.1) && vs_meet_patches(k, &c) && vs_kernel_report(k, 0.3) &&
+            vs_arrange_planes(k, &c) && vs_kernel_report(k, 0.7) && vs_classify_faces(k, &c, &w->expression) && vs_kernel_report(k, 0.9) &&
+            vs_output_faces(k, &c, out);
   vs_cluster_free(k, &c);
   return ok;
+}
+
+/* What is left where every gate is true: bounds of terms, operands first. */
+static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
+  VS_LIST(vs_bounds) terms = { 0 };
+  const vs_kernel_problem *p = w->problem;
+  if (!w->expression.gate_count) return true;
+  if (!VS_ROOM(k, terms.at, terms.room, (size_t)p->term_count + 1)) return false;
+  for (uint32_t i = 0; i < p->term_count; i++) {
+    const vs_kernel_term *t = &p->terms[i];
+    vs_bounds b = t->kind == VS_TERM_LEAF ? leaves[t->first] : vs_bounds_empty();
+    for (uint32_t j = 0; t->kind != VS_TERM_LEAF && j < t->count; j++) {
+      const vs_bounds *o = &terms.at[p->operands[t->first + j]];
+      if (j == 0) b = *o;
+      else if (t->kind == VS_TERM_UNION) vs_bounds_unite(&b, o);
+      else if (t->kind == VS_TERM_INTERSECTION) vs_bounds_meet(&b, o);
+    }
+    terms.at[i] = b;
+  }
+  w->gate = terms.at[w->expression.gates[0]];
+  for (uint32_t i = 1; i < w->expression.gate_count; i++) vs_bounds_meet(&w->gate, &terms.at[w->expression.gates[i]]);
+  VS_DROP(k, terms);
+  return true;
 }
 
 static bool want_tags(vs_kernel *k, vs_mesh *m) {
@@ -145,18 +181,22 @@ bool vs_kernel_evaluate(const vs_kernel_problem *p, const vs_kernel_options *opt
   k.error->leaf = 0;
   k.error->message[0] = 0;
   size_t vertices = out->vertex_count, triangles = out->triangle_count;
-  vs_expression e = { 0 };
+  whole w = { .problem = p, .gate = vs_bounds_empty() };
+  vs_bounds *bounds = NULL;
   uint32_t *parent = NULL, *order = NULL, n = 0;
-  size_t parent_room = 0, order_room = 0;
-  bool ok = VS_ROOM(&k, parent, parent_room, (size_t)p->leaf_count + 1) && VS_ROOM(&k, order, order_room, (size_t)p->leaf_count + 1) &&
-            want_tags(&k, out) && vs_expression_build(&k, &e, p) && find_clusters(&k, p, parent, order, &n);
+  size_t parent_room = 0, order_room = 0, bounds_room = 0, most_leaves = (size_t)p->leaf_count + 1;
+  bool ok = VS_ROOM(&k, parent, parent_room, most_leaves) && VS_ROOM(&k, order, order_room, most_leaves) && VS_ROOM(&k, bounds, bounds_room, most_leaves) &&
+            want_tags(&k, out) && vs_expression_build(&k, &w.expression, p) && find_clusters(&k, p, bounds, parent, order, &n) &&
+            find_gate(&k, &w, bounds) && vs_parts_prepare(&k, &w.parts, p);
+  VS_FREE(&k, bounds, bounds_room);
   for (uint32_t i = 0, end; ok && i < n; i = end) {
     for (end = i + 1; end < n && parent[end] == parent[i];) end++;
     k.done = (double)i / n;
     k.share = (double)(end - i) / n;
-    ok = run_cluster(&k, p, order + i, end - i, &e, out);
+    ok = run_cluster(&k, &w, order + i, end - i, out);
   }
-  vs_expression_free(&k, &e);
+  vs_expression_free(&k, &w.expression);
+  vs_parts_free(&k, &w.parts);
   VS_FREE(&k, parent, parent_room);
   VS_FREE(&k, order, order_room);
   if (!ok) out->vertex_count = vertices, out->triangle_count = triangles;

@@ -1,17 +1,29 @@
-/* Owns the meeting of triangles: finds every pair that touches and leaves in both facets the segment or point they share.
+/* Owns the meeting of patches: finds every pair that touches and leaves in both facets the segments or point they share.
  *
- * Two triangles in different planes share a segment whose ends are corners or edges of one that lie in the other. Each such end is decided by
- * integer predicates before it gets a point, so pairs that only come near cost no wide arithmetic. A contact that is a corner or a whole
- * boundary edge of a triangle already is nothing new for that triangle. Triangles of one plane unite their facets into a group. Triangles of
- * one leaf are treated as any others: a leaf may cross itself, and rounding to the grid may have folded it. */
+ * Two patches in different planes share a segment whose ends are corners or edges of one that lie in the other. Each such end is decided by
+ * integer predicates before it gets a point, so pairs that only come near cost no wide arithmetic, and a segment well inside a lid gets none. A contact
+ * that is a corner or a whole boundary edge of a patch already is nothing new for that patch. Patches of one plane unite their facets into a group.
+ * Patches of one leaf are treated as any others, unless it is a star on the grid: it may cross itself, or rounding may have folded it.
+ *
+ * Pairs are found and decided in chunks that do not know of each other; points are numbered afterwards, chunk by chunk: one result for any number of
+ * threads. */
 #include "kernel/cluster.h"
+
+typedef struct { uint32_t point, fresh; } end; /* fresh: where point is VS_NONE */
+typedef struct { vs_homogeneous at; int64_t fixed[3]; bool exact; } fresh_point;
+typedef struct { uint32_t a, b, first, count; } contact; /* count 0: coplanar, the facets go together */
 
 typedef struct {
   vs_kernel *k;
-  vs_cluster *c;
-  uint32_t *group; /* union-find over facets */
-  size_t done;
-} meeting;
+  const vs_cluster *c;
+  VS_LIST(contact) contacts;
+  VS_LIST(end) ends;
+  VS_LIST(fresh_point) fresh;
+  VS_LIST(int8_t) side_a, side_b; /* of a pair's corners */
+  double span[2][3];              /* the first and last end of the pair at hand, in steps */
+} chunk;
+
+static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { return c->patch_corners.at + p->first; }
 
 static int orient2(const int32_t a[3], const int32_t b[3], const int32_t c[3], const vs_plane *p) {
   int64_t ax = (int64_t)b[p->u] - a[p->u], ay = (int64_t)b[p->v] - a[p->v], bx = (int64_t)c[p->u] - a[p->u], by = (int64_t)c[p->v] - a[p->v];
@@ -19,136 +31,239 @@ static int orient2(const int32_t a[3], const int32_t b[3], const int32_t c[3], c
   return (s > 0) - (s < 0);
 }
 
-static bool corner_of(const vs_soup_triangle *t, uint32_t id) { return t->v[0] == id || t->v[1] == id || t->v[2] == id; }
-
-/* Which edge of t runs between the corners p and q; -1: none. */
-static int edge_of(const vs_soup_triangle *t, uint32_t p, uint32_t q) {
-  for (int i = 0; i < 3; i++)
-    if ((t->v[i] == p && t->v[(i + 1) % 3] == q) || (t->v[i] == q && t->v[(i + 1) % 3] == p)) return i;
-  return -1;
+static bool corner_of(const vs_cluster *c, const vs_patch *p, uint32_t id) {
+  const vs_patch_corner *x = corners(c, p);
+  for (uint32_t i = 0; i < p->count; i++)
+    if (x[i].point == id) return true;
+  return false;
 }
 
-static bool leave(meeting *m, const vs_soup_triangle *t, uint32_t p, uint32_t q, uint32_t plane) {
-  if (p == q ? corner_of(t, p) : false) return true;
-  int edge = edge_of(t, p, q);
-  if (edge >= 0 && !(t->inner >> edge & 1)) return true;
-  m->c->facets.at[t->facet].touched = true;
-  return VS_PUSH(m->k, m->c->cuts, ((vs_cut){ t->facet, p, q, plane }));
+/* Which edge of the patch runs between the corners p and q; VS_NONE: none. */
+static uint32_t edge_of(const vs_cluster *c, const vs_patch *x, uint32_t p, uint32_t q) {
+  const vs_patch_corner *at = corners(c, x);
+  for (uint32_t i = 0; i < x->count; i++) {
+    uint32_t a = at[i].point, b = at[i + 1 == x->count ? 0 : i + 1].point;
+    if ((a == p && b == q) || (a == q && b == p)) return i;
+  }
+  return VS_NONE;
 }
 
-/* The ends of a's crossing with b's plane that lie in b. sides: of a's corners against b's plane. */
-static bool ends(meeting *m, const vs_soup_triangle *a, int32_t at[3][3], const int sides[3], const vs_soup_triangle *b, int32_t bt[3][3],
-                 uint32_t found[6], int *count) {
-  const vs_plane *plane = &m->c->planes.all.at[b->plane];
+/* ---- a pair, within a chunk ---- */
+
+static vs_i128 height(const vs_plane *p, const int32_t at[3]) {
+  return (vs_i128)p->n[0] * at[0] + (vs_i128)p->n[1] * at[1] + (vs_i128)p->n[2] * at[2] - p->d;
+}
+
+/* Sides of a's corners against b's plane; false where all are strictly on one. */
+static bool sides(chunk *m, const vs_patch *a, const vs_plane *p, int8_t *out) {
+  const vs_patch_corner *at = corners(m->c, a);
+  bool above = false, below = false;
+  for (uint32_t i = 0; i < a->count; i++) {
+    int s = vs_sign128(height(p, at[i].at));
+    out[i] = (int8_t)s;
+    above = above || s >= 0;
+    below = below || s <= 0;
+  }
+  return above && below;
+}
+
+static void widen(chunk *m, const double at[3], uint32_t count) {
+  for (int i = 0; i < 3; i++) m->span[count ? 1 : 0][i] = at[i];
+}
+
+/* The ends of a's crossing with b's plane that lie in b; second: a is the pair's second. */
+static bool ends(chunk *m, const vs_patch *a, const int8_t *side, const vs_patch *b, uint32_t first, uint32_t second) {
+  const vs_cluster *c = m->c;
+  const vs_plane *plane = &c->planes.all.at[b->plane];
+  const vs_patch_corner *x = corners(c, a), *y = corners(c, b);
   int turn = b->flip ? -1 : 1;
-  for (int i = 0; i < 3; i++) {
-    int j = (i + 1) % 3;
-    uint32_t id;
-    if (sides[i] == 0) {
-      id = a->v[i];
-      if (!corner_of(b, id)) {
-        bool inside = true;
-        for (int e = 0; inside && e < 3; e++) inside = orient2(bt[e], bt[(e + 1) % 3], at[i], plane) * turn >= 0;
-        if (!inside) continue;
-      }
-    } else if (sides[i] * sides[j] < 0) {
+  for (uint32_t i = 0; i < a->count; i++) {
+    uint32_t j = i + 1 == a->count ? 0 : i + 1;
+    if (side[i] == 0) {
+      bool inside = true;
+      for (uint32_t e = 0; inside && e < b->count; e++)
+        inside = y[e].point == x[i].point || orient2(y[e].at, y[e + 1 == b->count ? 0 : e + 1].at, x[i].at, plane) * turn >= 0;
+      if (!inside) continue;
+      bool known = false;
+      for (size_t e = first; e < m->ends.count; e++) known = known || m->ends.at[e].point == x[i].point;
+      double at[3] = { x[i].at[0], x[i].at[1], x[i].at[2] };
+      if (known) continue;
+      widen(m, at, (uint32_t)m->ends.count - first);
+      if (!VS_PUSH(m->k, m->ends, ((end){ x[i].point, VS_NONE }))) return false;
+    } else if (side[i] * side[j] < 0) {
       int low = 0, high = 0;
-      for (int e = 0; e < 3 && low * high == 0; e++) {
-        int s = vs_orient3d(at[i], at[j], bt[e], bt[(e + 1) % 3]);
+      for (uint32_t e = 0; e < b->count && low * high == 0; e++) {
+        int s = vs_orient3d(x[i].at, x[j].at, y[e].at, y[e + 1 == b->count ? 0 : e + 1].at);
         if (s < 0) low = -1;
         if (s > 0) high = 1;
       }
       if (low * high != 0) continue;
-      vs_homogeneous h;
-      if (!vs_meet_edge(at[i], at[j], plane, &h)) return VS_BROKEN(m->k, "an edge and a plane do not meet");
-      if (!vs_points_add(m->k, &m->c->points, &h, &id)) return false;
-    } else {
-      continue;
+      double u = (double)height(plane, x[i].at), v = (double)height(plane, x[j].at), t = u / (u - v), at[3];
+      for (int e = 0; e < 3; e++) at[e] = x[i].at[e] + t * ((double)x[j].at[e] - x[i].at[e]);
+      widen(m, at, (uint32_t)m->ends.count - first);
+      if (!VS_PUSH(m->k, m->ends, ((end){ VS_NONE, i << 1 | second }))) return false; /* made into a point below */
     }
-    bool known = false;
-    for (int x = 0; x < *count; x++) known = known || found[x] == id;
-    if (!known) found[(*count)++] = id;
   }
   return true;
 }
 
-/* Triangles of one plane: do they touch in more than corners and edges that both have? */
-static void coplanar(meeting *m, vs_soup_triangle *a, vs_soup_triangle *b) {
-  const vs_plane *plane = &m->c->planes.all.at[a->plane];
-  vs_soup_triangle *t[2] = { a, b };
-  int32_t at[2][3][3];
-  uint32_t id[2][3];
-  for (int s = 0; s < 2; s++)
-    for (int i = 0; i < 3; i++) {
-      id[s][i] = t[s]->v[t[s]->flip ? 2 - i : i]; /* both counter-clockwise as seen from the plane's normal */
-      vs_points_grid(&m->c->points, id[s][i], at[s][i]);
-    }
+/* Coplanar patches: do they touch in more than corners and edges that both have? */
+static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
+  const vs_plane *plane = &c->planes.all.at[a->plane];
+  const vs_patch *t[2] = { a, b };
   bool apart = false;
-  for (int s = 0; s < 2; s++)
-    for (int i = 0; i < 3; i++) {
-      int j = (i + 1) % 3;
+  for (int s = 0; s < 2; s++) {
+    const vs_patch_corner *x = corners(c, t[s]), *y = corners(c, t[!s]);
+    int turn = t[s]->flip ? -1 : 1;
+    for (uint32_t i = 0; i < t[s]->count; i++) {
+      uint32_t j = i + 1 == t[s]->count ? 0 : i + 1;
       bool outside = true, trivial = true;
-      for (int x = 0; outside && x < 3; x++) {
-        int side = orient2(at[s][i], at[s][j], at[!s][x], plane);
+      for (uint32_t e = 0; outside && e < t[!s]->count; e++) {
+        int side = orient2(x[i].at, x[j].at, y[e].at, plane) * turn;
         outside = side <= 0;
-        if (side == 0 && id[!s][x] != id[s][i] && id[!s][x] != id[s][j]) trivial = false;
+        if (side == 0 && y[e].point != x[i].point && y[e].point != x[j].point) trivial = false;
       }
-      if (outside && trivial) return;
+      if (outside && trivial) return false;
       apart = apart || outside;
     }
-  if (apart && a->facet == b->facet) return;
-  m->c->facets.at[a->facet].touched = m->c->facets.at[b->facet].touched = true;
-  vs_unite(m->group, a->facet, b->facet);
+  }
+  return !(apart && a->facet == b->facet);
 }
 
 static bool meet(void *context, uint32_t first, uint32_t second) {
-  meeting *m = context;
-  if (!vs_kernel_poll(m->k, 0.1)) return false;
+  chunk *m = context;
+  const vs_cluster *c = m->c;
   if (first > second) { /* points are numbered in an order that does not depend on the index */
     uint32_t t = first;
     first = second;
     second = t;
   }
-  vs_soup_triangle *a = &m->c->triangles.at[first], *b = &m->c->triangles.at[second];
-  if (a->plane == b->plane) {
-    coplanar(m, a, b);
-    return true;
-  }
-  int shared = corner_of(b, a->v[0]) + corner_of(b, a->v[1]) + corner_of(b, a->v[2]);
-  if (shared >= 2) { /* an edge of both; it may run inside the facet of one */
-    uint32_t p = corner_of(b, a->v[0]) ? a->v[0] : a->v[1], q = corner_of(b, a->v[2]) ? a->v[2] : a->v[1];
-    return leave(m, a, p, q, b->plane) && leave(m, b, p, q, a->plane);
-  }
-  vs_points_view view = vs_points_of(&m->c->points);
-  int sa[3], sb[3], all;
-  const vs_plane *pa = &m->c->planes.all.at[a->plane], *pb = &m->c->planes.all.at[b->plane];
-  for (int i = 0; i < 3; i++) sb[i] = corner_of(a, b->v[i]) ? 0 : vs_side(view, pa, b->v[i]);
-  all = sb[0] + sb[1] + sb[2];
-  if (all == 3 || all == -3 || (shared && (all == 2 || all == -2))) return true;
-  for (int i = 0; i < 3; i++) sa[i] = corner_of(b, a->v[i]) ? 0 : vs_side(view, pb, a->v[i]);
-  all = sa[0] + sa[1] + sa[2];
-  if (all == 3 || all == -3 || (shared && (all == 2 || all == -2))) return true;
-  int32_t at[3][3], bt[3][3];
-  for (int i = 0; i < 3; i++) {
-    vs_points_grid(&m->c->points, a->v[i], at[i]);
-    vs_points_grid(&m->c->points, b->v[i], bt[i]);
-  }
-  uint32_t found[6];
-  int count = 0;
-  if (!ends(m, a, at, sa, b, bt, found, &count) || !ends(m, b, bt, sb, a, at, found, &count)) return false;
+  const vs_patch *a = &c->patches.at[first], *b = &c->patches.at[second];
+  if (a->place == b->place && c->placed.at[a->place].star) return true;
+  if (!vs_kernel_poll(m->k, 0.1)) return false;
+  uint32_t base = (uint32_t)m->ends.count;
+  if (a->plane == b->plane) return !overlap(c, a, b) || VS_PUSH(m->k, m->contacts, ((contact){ first, second, base, 0 }));
+  if (!VS_ROOM(m->k, m->side_a.at, m->side_a.room, a->count) || !VS_ROOM(m->k, m->side_b.at, m->side_b.room, b->count)) return false;
+  if (!sides(m, b, &c->planes.all.at[a->plane], m->side_b.at) || !sides(m, a, &c->planes.all.at[b->plane], m->side_a.at)) return true;
+  if (!ends(m, a, m->side_a.at, b, base, 0) || !ends(m, b, m->side_b.at, a, base, 1)) return false;
+  uint32_t count = (uint32_t)m->ends.count - base;
   if (count == 0) return true;
-  if (count > 2) return VS_BROKEN(m->k, "two triangles meet in more than a segment");
-  uint32_t p = found[0], q = found[count - 1];
-  return leave(m, a, p, q, b->plane) && leave(m, b, p, q, a->plane);
+  if (a->place != b->place) {
+    const double *p = m->span[0], *q = m->span[count > 1];
+    if (count <= 2 && vs_cull_segment(c, a->place, b->place, p, q)) {
+      m->ends.count = base;
+      return true;
+    }
+  }
+  for (uint32_t i = base; i < base + count; i++) {
+    end *e = &m->ends.at[i];
+    if (e->point != VS_NONE) continue;
+    const vs_patch *from = e->fresh & 1 ? b : a, *through = e->fresh & 1 ? a : b;
+    uint32_t at = e->fresh >> 1;
+    const vs_patch_corner *x = corners(c, from);
+    fresh_point made;
+    if (!vs_meet_edge(x[at].at, x[at + 1 == from->count ? 0 : at + 1].at, &c->planes.all.at[through->plane], &made.at))
+      return VS_BROKEN(m->k, "an edge and a plane do not meet");
+    made.exact = vs_homogeneous_fix(&made.at, made.fixed);
+    e->fresh = (uint32_t)m->fresh.count;
+    if (!VS_PUSH(m->k, m->fresh, made)) return false;
+  }
+  return VS_PUSH(m->k, m->contacts, ((contact){ first, second, base, count }));
 }
 
-bool vs_meet_triangles(vs_kernel *k, vs_cluster *c) {
-  meeting m = { k, c, NULL, 0 };
+/* ---- the chunks together ---- */
+
+typedef struct {
+  vs_kernel *k;
+  vs_cluster *c;
+  uint32_t *group; /* union-find over facets */
+  VS_LIST(uint32_t) line; /* the points of a contact, in order along it */
+} meeting;
+
+static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_t plane) {
+  if (p == q ? corner_of(m->c, t, p) : false) return true;
+  uint32_t edge = edge_of(m->c, t, p, q);
+  if (edge != VS_NONE && !(t->inner >> edge & 1 && edge < 3)) return true;
+  m->c->facets.at[t->facet].touched = true;
+  return VS_PUSH(m->k, m->c->cuts, ((vs_cut){ t->facet, p, q, plane }));
+}
+
+static bool absorb(meeting *m, chunk *from) {
+  vs_cluster *c = m->c;
+  for (size_t i = 0; i < from->contacts.count; i++) {
+    const contact *x = &from->contacts.at[i];
+    const vs_patch *a = &c->patches.at[x->a], *b = &c->patches.at[x->b];
+    if (x->count == 0) {
+      c->facets.at[a->facet].touched = c->facets.at[b->facet].touched = true;
+      vs_unite(m->group, a->facet, b->facet);
+      continue;
+    }
+    m->line.count = 0;
+    for (uint32_t j = x->first; j < x->first + x->count; j++) {
+      uint32_t id = from->ends.at[j].point;
+      if (id == VS_NONE) {
+        const fresh_point *f = &from->fresh.at[from->ends.at[j].fresh];
+        if (!vs_points_add_fixed(m->k, &c->points, f->fixed, f->exact ? NULL : &f->at, &id)) return false;
+      }
+      bool known = false;
+      for (size_t e = 0; e < m->line.count; e++) known = known || m->line.at[e] == id;
+      if (!known && !VS_PUSH(m->k, m->line, id)) return false;
+    }
+    uint32_t n = (uint32_t)m->line.count, *line = m->line.at;
+    if (n > 2) { /* corners in one line: sort along an axis in which they differ */
+      vs_points_view view = vs_points_of(&c->points);
+      int axis = 0;
+      while (axis < 2 && vs_compare(view, line[0], line[1], axis) == 0) axis++;
+      for (uint32_t j = 1; j < n; j++) {
+        uint32_t id = line[j], to = j;
+        for (; to > 0 && vs_compare(view, line[to - 1], id, axis) > 0; to--) line[to] = line[to - 1];
+        line[to] = id;
+      }
+    }
+    for (uint32_t j = 0; j == 0 || j + 1 < n; j++) {
+      uint32_t p = line[j], q = line[n > 1 ? j + 1 : j];
+      if (!leave(m, a, p, q, b->plane) || !leave(m, b, p, q, a->plane)) return false;
+    }
+  }
+  return true;
+}
+
+enum { CHUNK = 256, BATCH = 32 }; /* blocks of the index in a chunk; chunks at once */
+typedef struct { chunk *chunks; const vs_cluster *c; uint32_t first; } batch;
+
+static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
+  batch *b = context;
+  chunk *m = &b->chunks[index];
+  m->k = k;
+  m->c = b->c;
+  m->contacts.count = m->ends.count = m->fresh.count = 0;
+  uint32_t first = b->first + (uint32_t)index * CHUNK;
+  return vs_bvh_pairs(&b->c->bvh, first, first + CHUNK, meet, m);
+}
+
+bool vs_meet_patches(vs_kernel *k, vs_cluster *c) {
+  meeting m = { .k = k, .c = c };
+  chunk chunks[BATCH] = { { 0 } };
   size_t room = 0;
   bool ok = VS_ROOM(k, m.group, room, c->facets.count + 1);
   for (uint32_t i = 0; ok && i < c->facets.count; i++) m.group[i] = i;
-  ok = ok && vs_bvh_build(k, &c->bvh, c->boxes.at, (uint32_t)c->triangles.count) && vs_bvh_pairs(&c->bvh, meet, &m);
+  uint32_t blocks = vs_bvh_blocks(&c->bvh);
+  for (uint32_t first = 0; ok && first < blocks; first += CHUNK * BATCH) {
+    batch b = { chunks, c, first };
+    uint32_t count = (blocks - first + CHUNK - 1) / CHUNK;
+    if (count > BATCH) count = BATCH;
+    ok = vs_kernel_run(k, count, meet_chunk, &b);
+    for (uint32_t i = 0; ok && i < count; i++) ok = absorb(&m, &chunks[i]);
+  }
   for (uint32_t i = 0; ok && i < c->facets.count; i++) c->facets.at[i].group = vs_find(m.group, i);
+  for (int i = 0; i < BATCH; i++) {
+    VS_DROP(k, chunks[i].contacts);
+    VS_DROP(k, chunks[i].ends);
+    VS_DROP(k, chunks[i].fresh);
+    VS_DROP(k, chunks[i].side_a);
+    VS_DROP(k, chunks[i].side_b);
+  }
+  VS_DROP(k, m.line);
   VS_FREE(k, m.group, room);
   return ok;
 }

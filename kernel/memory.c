@@ -50,6 +50,12 @@ bool vs_kernel_report(vs_kernel *k, double part) {
   return vs_kernel_fail(k, VS_KERNEL_INTERRUPTED, 0, "interrupted while combining solids");
 }
 
+bool vs_kernel_run(vs_kernel *k, size_t count, vs_task_fn *task, void *context) {
+  for (size_t i = 0; i < count; i++)
+    if (!task(k, context, i)) return false;
+  return true;
+}
+
 void vs_kernel_sort(uint32_t *at, uint32_t *scratch, size_t count, vs_less_fn *less, const void *context) {
   enum { RUN = 8 };
   for (size_t lo = 0; lo < count; lo += RUN) {

@@ -29,6 +29,10 @@ void vs_kernel_free(vs_kernel *k, void *slot, size_t *room, size_t size);
 bool vs_kernel_report(vs_kernel *k, double part); /* part of the cluster done, 0..1; false: interrupted */
 static inline bool vs_kernel_poll(vs_kernel *k, double part) { return (++k->ticks & 1023) != 0 || vs_kernel_report(k, part); }
 
+/* Calls task(k, context, 0) to task(k, context, count - 1), in any order and at once where there are threads. k is not the caller's in each of them. */
+typedef bool vs_task_fn(vs_kernel *k, void *context, size_t index);
+bool vs_kernel_run(vs_kernel *k, size_t count, vs_task_fn *task, void *context);
+
 /* Stable merge sort of numbers by a strict order; scratch as large as the array. */
 typedef bool vs_less_fn(const void *context, uint32_t a, uint32_t b);
 void vs_kernel_sort(uint32_t *at, uint32_t *scratch, size_t count, vs_less_fn *less, const void *context);

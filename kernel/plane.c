@@ -143,7 +143,7 @@ static bool crossings(plane_work *w) {
       b->max[a] = (int32_t)((x < y ? y : x) >> VS_FIXED_BITS) + 1;
     }
   }
-  if (n > FEW) return vs_bvh_build(w->k, &w->bvh, w->boxes.at, n) && vs_bvh_pairs(&w->bvh, cross, w);
+  if (n > FEW) return vs_bvh_build(w->k, &w->bvh, w->boxes.at, n) && vs_bvh_pairs(&w->bvh, 0, UINT32_MAX, cross, w);
   for (uint32_t i = 0; i < n; i++)
     for (uint32_t j = i + 1; j < n; j++)
       if (vs_box_meet(&w->boxes.at[i], &w->boxes.at[j]) && !cross(w, i, j)) return false;

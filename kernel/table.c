@@ -29,7 +29,7 @@ static bool heads_grow(vs_kernel *k, uint32_t **heads, size_t *room, size_t *use
   return true;
 }
 
-static bool points_find(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h, uint32_t *id) {
+bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h, uint32_t *id) {
   bool grown;
   if (!heads_grow(k, &t->heads, &t->head_room, &t->head_count, t->all.count, &grown)) return false;
   if (grown)
@@ -61,13 +61,13 @@ static bool points_find(vs_kernel *k, vs_points_table *t, const int64_t fixed[3]
 bool vs_points_integer(vs_kernel *k, vs_points_table *t, const int32_t at[3], uint32_t *id) {
   int64_t fixed[3];
   for (int i = 0; i < 3; i++) fixed[i] = (int64_t)at[i] * ((int64_t)1 << VS_FIXED_BITS);
-  return points_find(k, t, fixed, NULL, id);
+  return vs_points_add_fixed(k, t, fixed, NULL, id);
 }
 
 bool vs_points_add(vs_kernel *k, vs_points_table *t, const vs_homogeneous *h, uint32_t *id) {
   int64_t fixed[3];
   bool exact = vs_homogeneous_fix(h, fixed);
-  return points_find(k, t, fixed, exact ? NULL : h, id);
+  return vs_points_add_fixed(k, t, fixed, exact ? NULL : h, id);
 }
 
 void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]) {

@@ -26,6 +26,7 @@ static inline vs_points_view vs_points_of(const vs_points_table *t) { return (vs
 bool vs_points_integer(vs_kernel *k, vs_points_table *t, const int32_t at[3], uint32_t *id);
 /* The number of the point, an older one where it lies in the same place. */
 bool vs_points_add(vs_kernel *k, vs_points_table *t, const vs_homogeneous *h, uint32_t *id);
+bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h, uint32_t *id); /* h NULL: exact */
 void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]); /* of an input vertex */
 void vs_points_free(vs_kernel *k, vs_points_table *t);
 

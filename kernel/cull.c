@@ -1,0 +1,154 @@
+/* Owns what can be left out before anything is cut: triangles and cuts that lie well inside settled space.
+ *
+ * A lid is a convex leaf that settles the result where it is true: a union's part, or a hole of a difference. A triangle whose corners are all more than
+ * two steps inside one lid is inside of it also on the grid, where every corner has moved by less than one. The same for a box that holds all
+ * of a gate, a term outside of which the result is false: it is what clips an operand far larger than the result. */
+#include "kernel/cluster.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+  vs_kernel *k;
+  vs_cluster *c;
+  VS_LIST(uint32_t) pairs; /* leaf's place, lid's place */
+} finding;
+
+static bool note(void *context, uint32_t a, uint32_t b) {
+  finding *f = context;
+  if (!vs_kernel_poll(f->k, 0)) return false;
+  if (f->c->placed.at[b].lid && (!VS_PUSH(f->k, f->pairs, a) || !VS_PUSH(f->k, f->pairs, b))) return false;
+  return !f->c->placed.at[a].lid || (VS_PUSH(f->k, f->pairs, b) && VS_PUSH(f->k, f->pairs, a));
+}
+
+static double box_size(const vs_box *b) {
+  return ((double)b->max[0] - b->min[0]) * ((double)b->max[1] - b->min[1]) * ((double)b->max[2] - b->min[2]);
+}
+
+/* Grid -> part, and how long two steps may be there. False where the placement is flat. */
+static bool find_local(const vs_grid *g, const vs_affine *to_frame, vs_placed *p) {
+  double step = g->unit / g->scale, sum = 0;
+  vs_affine inverse;
+  if (!vs_affine_invert(to_frame, &inverse)) return false;
+  for (int i = 0; i < 3; i++) {
+    p->to_local.m[i][3] = inverse.m[i][3];
+    for (int j = 0; j < 3; j++) {
+      p->to_local.m[i][j] = inverse.m[i][j] * step;
+      p->to_local.m[i][3] += inverse.m[i][j] * g->offset[j] * step;
+      sum += inverse.m[i][j] * inverse.m[i][j];
+    }
+  }
+  p->margin = 2 * step * sqrt(sum);
+  return isfinite(p->margin);
+}
+
+bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
+  finding f = { .k = k, .c = c };
+  uint32_t n = c->leaf_count;
+  if (!VS_ROOM(k, c->leaf_boxes.at, c->leaf_boxes.room, (size_t)n + 1)) return false;
+  bool any = false;
+  for (uint32_t i = 0; i < n; i++) {
+    vs_placed *p = &c->placed.at[i];
+    c->leaf_boxes.at[i] = p->box;
+    p->lid = n > 1 && c->expression->forces.at[c->leaves[i]] && p->part->convex && p->part->volume > 0 && find_local(&c->grid, &to_frame[i], p);
+    any = any || p->lid;
+    p->lids_count = 0;
+  }
+  if (!vs_bvh_build(k, &c->leaf_bvh, c->leaf_boxes.at, n)) return false;
+  if (!any) return true;
+  bool ok = vs_bvh_pairs(&c->leaf_bvh, 0, UINT32_MAX, note, &f);
+  for (size_t i = 0; ok && i < f.pairs.count; i += 2) c->placed.at[f.pairs.at[i]].lids_count++;
+  size_t sum = 0;
+  for (uint32_t i = 0; ok && i < n; i++) {
+    vs_placed *p = &c->placed.at[i];
+    p->lids_first = (uint32_t)sum;
+    sum += p->lids_count < VS_LIDS ? p->lids_count : VS_LIDS;
+    p->lids_count = 0;
+  }
+  ok = ok && VS_ROOM(k, c->lids.at, c->lids.room, sum + 1);
+  for (size_t i = 0; ok && i < f.pairs.count; i += 2) { /* the largest, largest first; equal ones by place */
+    vs_placed *p = &c->placed.at[f.pairs.at[i]];
+    uint32_t lid = f.pairs.at[i + 1], *list = c->lids.at + p->lids_first, at = p->lids_count;
+    double size = box_size(&c->placed.at[lid].box);
+    if (p->lids_count < VS_LIDS) p->lids_count++;
+    else at = VS_LIDS;
+    for (; at > 0; at--) {
+      double other = box_size(&c->placed.at[list[at - 1]].box);
+      if (other > size || (!(other < size) && list[at - 1] < lid)) break;
+      if (at < VS_LIDS) list[at] = list[at - 1];
+    }
+    if (at < VS_LIDS) list[at] = lid;
+  }
+  VS_DROP(k, f.pairs);
+  return ok;
+}
+
+/* The gate's box in steps, grown by two; false where there is none. */
+static bool gate_box(const vs_cluster *c, double low[3], double high[3]) {
+  if (!c->gate) return false;
+  double step = c->grid.unit / c->grid.scale;
+  vs_bounds b = *c->gate;
+  if (c->grid.framed) { /* the frame is a rotation: its inverse is its transpose */
+    vs_affine back = vs_affine_identity();
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j < 3; j++) back.m[i][j] = c->grid.frame.m[j][i];
+    b = vs_bounds_transform(&b, &back);
+  }
+  double x[3] = { b.min.x, b.min.y, b.min.z }, y[3] = { b.max.x, b.max.y, b.max.z };
+  for (int a = 0; a < 3; a++) {
+    low[a] = x[a] / step - c->grid.offset[a] - 4;
+    high[a] = y[a] / step - c->grid.offset[a] + 4;
+  }
+  return true;
+}
+
+static bool in_box(const vs_box *b, const double p[3]) {
+  return p[0] > b->min[0] && p[0] < b->max[0] && p[1] > b->min[1] && p[1] < b->max[1] && p[2] > b->min[2] && p[2] < b->max[2];
+}
+
+static bool in_lid(const vs_placed *lid, const double p[3], uint32_t *hint) {
+  return in_box(&lid->box, p) && vs_part_holds(lid->part, vs_affine_point(&lid->to_local, vs_v3(p[0], p[1], p[2])), lid->margin, hint);
+}
+
+bool vs_cull_vertices(vs_kernel *k, vs_cluster *c, uint32_t place, uint64_t *masks, bool *any) {
+  const vs_placed *p = &c->placed.at[place];
+  size_t count = p->part->mesh->vertex_count;
+  double low[3], high[3];
+  bool gated = gate_box(c, low, high);
+  *any = false;
+  if (gated) { /* wholly inside the gate: nothing to look at */
+    bool out = false;
+    for (int a = 0; a < 3; a++) out = out || p->box.min[a] < low[a] || p->box.max[a] > high[a];
+    gated = out;
+  }
+  if (!gated && !p->lids_count) return true;
+  uint32_t hints[VS_LIDS] = { 0 };
+  for (size_t v = 0; v < count; v++) {
+    const int32_t *at = c->corners[p->first + v];
+    double x[3] = { at[0], at[1], at[2] };
+    uint64_t mask = 0;
+    for (uint32_t i = 0; i < p->lids_count; i++)
+      if (in_lid(&c->placed.at[c->lids.at[p->lids_first + i]], x, &hints[i])) mask |= (uint64_t)1 << i;
+    for (int a = 0; gated && a < 3; a++) {
+      if (x[a] < low[a]) mask |= (uint64_t)1 << (VS_LIDS + 2 * a);
+      if (x[a] > high[a]) mask |= (uint64_t)1 << (VS_LIDS + 2 * a + 1);
+    }
+    masks[v] = mask;
+    *any = *any || mask;
+    if (!vs_kernel_poll(k, 0)) return false;
+  }
+  return true;
+}
+
+bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]) {
+  const vs_placed *leaf = &c->placed.at[place];
+  uint32_t hint = 0;
+  for (uint32_t i = 0; i < leaf->lids_count; i++) {
+    uint32_t lid = c->lids.at[leaf->lids_first + i];
+    const vs_placed *l = &c->placed.at[lid];
+    hint = 0;
+    if (lid != other && in_box(&l->box, p) && in_box(&l->box, q) && in_lid(l, p, &hint) && in_lid(l, q, &hint)) return true;
+  }
+  return false;
+}

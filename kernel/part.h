@@ -1,0 +1,34 @@
+/* Owns what is worked out once for each distinct mesh, however many leaves place it: which edges belong together, and whether a place in it can be
+ * told quickly to be inside. */
+#ifndef VS_KERNEL_PART_H
+#define VS_KERNEL_PART_H
+
+#include "kernel/table.h"
+
+typedef struct {
+  const vs_mesh *mesh;
+  uint32_t *twins;      /* of corner 3 * t + j: the corner whose edge runs the other way; NULL where the mesh closes only on the grid */
+  size_t twin_room;
+  double volume;        /* signed */
+  vs_vec3 middle;       /* the mean of the corners */
+  bool star;            /* the middle sees all of the surface from inside, each direction once: nothing crosses anything */
+  bool convex;          /* star, and so but for rounding */
+  double inner, outer;  /* convex: radii about the middle of a ball within and a ball without */
+} vs_part;
+
+typedef struct {
+  VS_LIST(vs_part) all;
+  VS_LIST(uint32_t) of_leaf;
+} vs_parts;
+
+bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *problem);
+void vs_parts_free(vs_kernel *k, vs_parts *p);
+
+/* Fills twins (3 * count of them) by the corners' numbers in id, or by their own where id is NULL; corners of one number, and an edge between
+ * them, have no twin: VS_NONE. *open: a triangle whose edge nothing answers, else VS_NONE. */
+bool vs_twins_find(vs_kernel *k, const uint32_t (*triangles)[3], size_t count, size_t vertex_count, const uint32_t *id, uint32_t *twins, uint32_t *open);
+
+/* Is q inside a convex part, further than margin from its surface? May say no where it is. hint: a triangle of it, from the last question. */
+bool vs_part_holds(const vs_part *p, vs_vec3 q, double margin, uint32_t *hint);
+
+#endif
