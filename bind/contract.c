@@ -231,6 +231,20 @@ static bool add_curve(vs_frame *f, vs_value v, void *to, bool *oom) {
   vs_shape *s = vs_bind_shape(v);
   return s && (s->ref.node->class_ == VS_CURVE || vs_bind_is_empty(s->ref.node)) && add_ref(f, v, to, oom);
 }
+/* a section: a curve, a region, or a point, which becomes a line of one point */
+static bool add_section(vs_frame *f, vs_value v, void *to, bool *oom) {
+  vs_shape *s = vs_bind_shape(v);
+  if (s) return (s->ref.node->class_ == VS_CURVE || s->ref.node->class_ == VS_REGION_CLASS || vs_bind_is_empty(s->ref.node)) && add_ref(f, v, to, oom);
+  if (!vs_is_flat(v, VS_FLAT_POINT) || !finite3(vs_as_flat(v)->at)) return false;
+  vs_vec3 at = vec_of(vs_as_flat(v)->at);
+  vs_points *p = vs_points_new(f->bind->store, &at, 1);
+  vs_node *n = p ? vs_node_new(f->bind->store, VS_LINE, &(struct vs_line){ .points = p }, NULL, 0) : NULL;
+  if (p) vs_points_release(f->bind->store, p);
+  vs_ref *slot = vs_bind_keep(f, n) ? grow_push(f, to) : NULL;
+  if (!slot) return *oom = true, false;
+  *slot = (vs_ref){ n, NULL };
+  return true;
+}
 static bool add_point(vs_frame *f, vs_value v, void *to, bool *oom) {
   if (!vs_is_flat(v, VS_FLAT_POINT) || !finite3(vs_as_flat(v)->at)) return false;
   vs_vec3 *slot = grow_push(f, to);
@@ -260,8 +274,8 @@ static vs_status refuse_item(vs_frame *f, const vs_bind_param *p, vs_value bad, 
 static vs_status convert_refs(vs_frame *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out) {
   grow g = { .size = sizeof(vs_ref) };
   vs_value bad;
-  bool curves = p->contract == VS_C_CURVES;
-  if (!flatten(f, v, n, curves ? add_curve : add_ref, &g, &bad)) return refuse_item(f, p, bad, curves ? "curve" : "object");
+  bool curves = p->contract == VS_C_CURVES, sections = p->contract == VS_C_SECTIONS;
+  if (!flatten(f, v, n, curves ? add_curve : sections ? add_section : add_ref, &g, &bad)) return refuse_item(f, p, bad, curves ? "curve" : sections ? "section" : "object");
   out->refs.at = g.at, out->refs.count = g.count;
   return VS_OK;
 }
@@ -427,7 +441,7 @@ static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg
     case VS_C_OBJECT: case VS_C_CURVE: case VS_C_PROFILE: case VS_C_FLAT: case VS_C_SOLID:
       if (!convert_object(f, p, v, out)) return VS_ERROR;
       return class_fits((vs_contract)p->contract, out->ref.node) ? VS_OK : refuse_kind(f, p, v);
-    case VS_C_OBJECTS: case VS_C_CURVES: return convert_refs(f, p, &v, 1, out);
+    case VS_C_OBJECTS: case VS_C_CURVES: case VS_C_SECTIONS: return convert_refs(f, p, &v, 1, out);
     case VS_C_POINTS: return convert_points(f, p, &v, 1, out);
     case VS_C_FACES: return convert_faces(f, p, v, out);
     case VS_C_PATH:

@@ -74,6 +74,48 @@
        (else (error 'make-spline "takes a list of points, alone or with a start and an end tangent"))))
     (else (%make-spline arguments #f #f segments))))
 
+; ---- surfaces ----
+
+; f called on nu+1 by nv+1 places; C is handed what it gave and says where that is no point.
+(define (make-surface f #:nu [nu any? #f] #:nv [nv any? #f] #:closed-u [closed-u any? #f] #:closed-v [closed-v any? #f] . more)
+  (define (count name n)
+    (cond
+      ((not n) (or (current-segments) 64))
+      ((and (exact-integer? n) (<= 1 n 10000)) n)
+      (else (error 'make-surface "~a must be an exact integer from 1 to 10000, got ~s" name n))))
+  (define (range name x)
+    (if (and (real? x) (finite? x)) x (error 'make-surface "~a must be a number and finite, got ~s" name x)))
+  (define (sample f u0 u1 v0 v1)
+    (let ((vs (division v0 v1 (count 'nv nv))))
+      (%make-surface (map (lambda (u) (map (lambda (v) (f u v)) vs)) (division u0 u1 (count 'nu nu))) u0 u1 v0 v1 #:closed-u closed-u #:closed-v closed-v)))
+  (define (over f ranges)
+    (case (length ranges)
+      ((0) (sample f 0 1 0 1))
+      ((4) (sample f (range 'u0 (first ranges)) (range 'u1 (second ranges)) (range 'v0 (third ranges)) (range 'v1 (fourth ranges))))
+      (else (error 'make-surface "takes (make-surface f [u0 u1 v0 v1]) or (make-surface fx fy fz [u0 u1 v0 v1])"))))
+  (define (coordinate name f u v)
+    (let ((x (f u v)))
+      (if (and (real? x) (finite? x)) x (error (quote make-surface) "~a must give a finite number at (u, v) = (~a, ~a), got ~s" name u v x))))
+  (cond
+    ((and (procedure? f) (pair? more) (procedure? (car more)))
+     (if (or (null? (cdr more)) (not (procedure? (cadr more))))
+         (error 'make-surface "fz must be a procedure of u and v, like fx and fy"))
+     (let ((fy (car more)) (fz (cadr more)))
+       (over (lambda (u v) (xyz (coordinate 'fx f u v) (coordinate 'fy fy u v) (coordinate 'fz fz u v))) (cddr more))))
+    ((procedure? f) (over f more))
+    ((and (pair? f) (null? more)) (%make-surface f #f #f #f #f #:closed-u closed-u #:closed-v closed-v))
+    (else (error 'make-surface "f must be a procedure of u and v, three of them, or a list of rows of points, got ~s" f))))
+
+; ---- lofts ----
+
+; The thesis' loft: sections (f x), (f (step x)) ... until (stop? x).
+(define (make-loft f start step stop?)
+  (let loop ((x start) (sections '()) (n 0))
+    (cond
+      ((stop? x) (%make-loft (reverse sections)))
+      ((> n 100000) (error 'make-loft "stop? must become true: there are more than 100000 sections, and x is ~s" x))
+      (else (loop (step x) (cons (f x) sections) (+ n 1))))))
+
 ; ---- operations ----
 
 ; Without cutters: a procedure that takes them. An empty list of cutters cuts nothing.

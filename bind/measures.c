@@ -26,6 +26,28 @@ static vs_status measure_mesh(vs_frame *f, vs_measure *m) {
   return VS_OK;
 }
 
+/* a surface: area and its centre, of fine triangles */
+static vs_status measure_surface(vs_frame *f, vs_measure *m) {
+  vs_error e = { 0 };
+  vs_bounds b;
+  vs_mesh mesh = { 0 };
+  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind) };
+  vs_vec3 sum = { 0, 0, 0 };
+  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
+  if (facets.tolerance <= 0) facets.tolerance = fmax(vs_bounds_diagonal(&b) / 65536, 1e-300);
+  if (!vs_tessellate(f->arg[0].ref.node, &facets, &mesh, &e)) return vs_mesh_free(&mesh), vs_bind_error(f, &e);
+  for (size_t i = 0; i < mesh.triangle_count; i++) {
+    vs_vec3 p = mesh.vertices[mesh.triangles[i][0]], q = mesh.vertices[mesh.triangles[i][1]], r = mesh.vertices[mesh.triangles[i][2]];
+    double w = vs_v3_length(vs_v3_cross(vs_v3_sub(q, p), vs_v3_sub(r, p))) / 2;
+    m->area += w;
+    sum = vs_v3_add(sum, vs_v3_scale(vs_v3_add(vs_v3_add(p, q), r), w / 3));
+  }
+  m->centroid = m->area > 0 ? vs_v3_scale(sum, 1 / m->area) : b.min;
+  m->known = m->area_known = true;
+  vs_mesh_free(&mesh);
+  return VS_OK;
+}
+
 static vs_status measure(vs_frame *f, vs_measure *m, bool area) {
   vs_error e = { 0 };
   const vs_node *n = f->arg[0].ref.node;
@@ -34,6 +56,7 @@ static vs_status measure(vs_frame *f, vs_measure *m, bool area) {
   if (!vs_node_measure(n, m, &e)) return vs_bind_error(f, &e);
   if (m->known && (!area || m->area_known)) return VS_OK;
   if (n->class_ == VS_SOLID) return measure_mesh(f, m);
+  if (n->class_ == VS_SURFACE && vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION) return measure_surface(f, m);
   const char *kind = vs_kind_get((vs_kind)n->kind)->name;
   return vs_fail(f->vm, f->vm->sym.error, "there is no measure yet of %s %s that is no solid", strchr("aeiou", *kind) ? "an" : "a", kind);
 }

@@ -142,6 +142,7 @@ static bool faces(const vs_node *n, vs_vec3 *normal) {
     case VS_REGION: case VS_MATERIAL: case VS_LAYER: n = n->children[0].node; continue;
     case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
     case VS_EMPTY: case VS_SPLINE: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID:
+    case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
     case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
     case VS_KIND_COUNT: return false;
   }

@@ -12,6 +12,8 @@ void vs_bind_number_text(char out[32], double d) {
   }
 }
 
+#define TURN 6.283185307179586
+
 typedef struct { bool (*put)(void *to, const char *s, size_t n); void *to; } sink;
 
 static bool text(const sink *k, const char *s) { return k->put(k->to, s, strlen(s)); }
@@ -35,6 +37,15 @@ static bool points(const sink *k, const vs_points *p) {
   for (uint32_t i = 0; i < p->count; i++)
     if (!text(k, " ") || !triple(k, "xyz", p->at[i])) return false;
   return text(k, ")");
+}
+
+static bool rows(const sink *k, const vs_points *p, size_t columns) {
+  if (!text(k, " (list")) return false;
+  for (size_t i = 0; i < p->count; i++) {
+    if (i % columns == 0 && !text(k, i ? ") (list" : " (list")) return false;
+    if (!text(k, " ") || !triple(k, "xyz", p->at[i])) return false;
+  }
+  return text(k, "))");
 }
 
 static bool faces(const sink *k, const vs_faces *f) { /* indices from 1, as the constructor takes them */
@@ -106,6 +117,10 @@ static bool height_field(const sink *k, const struct vs_height_field *h) {
   return text(k, ")) ") && triple(k, "xyz", vs_v3(a.x, a.y, 0)) && text(k, " ") && triple(k, "xyz", vs_v3(b.x, b.y, 0)) && text(k, " #:low ") && number(k, h->low);
 }
 
+static bool grid_ways(const sink *k, bool closed_u, bool closed_v) {
+  return (!closed_u || text(k, " #:closed-u #t")) && (!closed_v || text(k, " #:closed-v #t"));
+}
+
 static bool is_moved(const vs_affine *m) { return vs_affine_is_translation(m); }
 
 /* "(make-text" with the keywords that are not what they are anyway */
@@ -125,7 +140,12 @@ static bool opening(const sink *k, const vs_node *n) {
   static const char *const none[] = { NULL };
   switch ((vs_kind)n->kind) {
     case VS_EMPTY: return text(k, "(empty-object");
-    case VS_LINE: return text(k, VS_AS(line, n)->closed ? "(make-polygon" : "(make-line") && named(k, n, (const char *const[]){ "points", NULL });
+    case VS_LINE: /* one point: the apex of a loft */
+      if (VS_AS(line, n)->points->count == 1) {
+        vs_vec3 p = VS_AS(line, n)->points->at[0];
+        return text(k, "(xyz ") && number(k, p.x) && text(k, " ") && number(k, p.y) && text(k, " ") && number(k, p.z);
+      }
+      return text(k, VS_AS(line, n)->closed ? "(make-polygon" : "(make-line") && named(k, n, (const char *const[]){ "points", NULL });
     case VS_SPLINE: {
       const struct vs_spline *s = VS_AS(spline, n);
       if (!text(k, "(make-spline (list")) return false;
@@ -155,7 +175,16 @@ static bool opening(const sink *k, const vs_node *n) {
     case VS_SLICE: return text(k, "(do-slice");
     case VS_EXTRUDE: return text(k, "(do-extrude");
     case VS_SWEEP: return text(k, "(do-sweep");
-    case VS_THICKEN: return text(k, "(do-thicken");
+    case VS_THICKEN: case VS_REVOLVE: return text(k, "(do-") && text(k, name);
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return text(k, "(do-") && text(k, name) && text(k, " (list");
+    case VS_GRID_MESH: {
+      const struct vs_grid_mesh *g = VS_AS(grid_mesh, n);
+      return text(k, "(make-mesh") && rows(k, g->points, (size_t)g->columns) && grid_ways(k, g->closed_u, g->closed_v);
+    }
+    case VS_GRID_SURFACE: {
+      const struct vs_grid_surface *g = VS_AS(grid_surface, n);
+      return text(k, "(make-surface") && rows(k, g->points, (size_t)g->columns) && grid_ways(k, g->closed_u, g->closed_v);
+    }
     case VS_TRANSFORM: return text(k, is_moved(&VS_AS(transform, n)->matrix) ? "(do-move" : "(do-transform");
     case VS_MATERIAL: return text(k, *VS_AS(material, n)->material->name ? "(with-material " : "(color ") && material(k, VS_AS(material, n)->material);
     case VS_LAYER: return text(k, "(layer") && named(k, n, (const char *const[]){ "name", NULL });
@@ -181,6 +210,17 @@ static bool closing(const sink *k, const vs_node *n) {
   } else if (n->kind == VS_SLICE) {
     const struct vs_slice *s = VS_AS(slice, n);
     if (!text(k, " (make-plane ") || !triple(k, "xyz", s->point) || !text(k, " ") || !triple(k, "vxyz", s->normal) || !text(k, ")")) return false;
+  } else if (n->kind == VS_REVOLVE) {
+    const struct vs_revolve *r = VS_AS(revolve, n);
+    if (!text(k, " (make-axis ") || !triple(k, "xyz", r->at) || !text(k, " ") || !triple(k, "vxyz", r->direction) || !text(k, ")")) return false;
+    if ((r->start != 0 || r->end != TURN) && !(text(k, " ") && number(k, r->start) && text(k, " ") && number(k, r->end))) return false;
+    if (!named(k, n, (const char *const[]){ NULL })) return false;
+  } else if (n->kind == VS_LOFT) {
+    const struct vs_loft *l = VS_AS(loft, n);
+    bool held = l->start_hold > 0 || l->end_hold > 0;
+    if (!text(k, ")") || (held && !named(k, n, (const char *const[]){ "a1", "m1", "a2", "m2", NULL }))) return false;
+  } else if (n->kind == VS_RULED_LOFT || (n->kind == VS_GUIDED_LOFT && !VS_AS(guided_loft, n)->path)) {
+    if (!text(k, ")")) return false;
   } else if (n->kind == VS_THICKEN) {
     if (!named(k, n, (const char *const[]){ "width", NULL })) return false;
   } else if (n->kind == VS_TRANSFORM) {
@@ -190,22 +230,35 @@ static bool closing(const sink *k, const vs_node *n) {
   return text(k, ")");
 }
 
+/* Before a child: where a guided loft's sections end, their list does, and that of the guides begins. */
+enum { GUIDES = 1 << 30 };
+static bool between(const sink *k, uint32_t *left) {
+  if (!*left || --*left & (GUIDES - 1)) return true;
+  bool guides = *left & GUIDES;
+  *left = 0;
+  return text(k, guides ? ") (list" : ")");
+}
+
 bool vs_bind_print_node(const vs_node *n, bool (*put)(void *to, const char *s, size_t n), void *to) {
   enum { MOST = 20000 }; /* a shared tree can be exponentially long when written out */
   sink k = { put, to };
   vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
   vs_ref ref;
   size_t depth, printed = 0;
-  bool ok = w != NULL;
+  uint32_t *left = calloc((size_t)n->depth + 1, sizeof *left); /* at each depth: sections that a guided loft still has, and one */
+  bool ok = w != NULL && left != NULL;
   while (ok) {
     vs_walk_event e = vs_walk_next(w, &ref, &depth);
     if (e == VS_WALK_DONE) break;
     if (e == VS_WALK_FAILED) ok = false;
     else if (e == VS_WALK_ENTER) {
-      ok = (depth == 0 || text(&k, " ")) && opening(&k, ref.node);
+      const struct vs_guided_loft *g = ref.node->kind == VS_GUIDED_LOFT ? VS_AS(guided_loft, ref.node) : NULL;
+      left[depth] = g ? ((uint32_t)g->section_count + 1) | (g->path ? 0 : GUIDES) : 0;
+      ok = (depth == 0 || (between(&k, &left[depth - 1]) && text(&k, " "))) && opening(&k, ref.node);
       if (++printed > MOST && ok && ref.node->child_count) ok = text(&k, " ..."), vs_walk_skip(w);
     } else ok = closing(&k, ref.node);
   }
   vs_walk_free(w);
+  free(left);
   return ok;
 }

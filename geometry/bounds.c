@@ -7,6 +7,7 @@
 #include "geometry/curve.h"
 #include "geometry/measure.h"
 #include "geometry/superellipsoid.h"
+#include "geometry/revolve.h"
 #include "geometry/swept.h"
 #include "geometry/text.h"
 
@@ -102,6 +103,25 @@ static bool vs_bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node 
   return true;
 }
 
+static bool vs_bounds_add_revolve(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+  vs_facets f = { vs_bounds_fineness(children), 0 };
+  vs_revolve plan;
+  if (!vs_revolve_plan(n, &f, &plan, e)) return false;
+  vs_revolve_bounds(&plan, a, b);
+  vs_revolve_free(&plan);
+  return true;
+}
+
+/* Where only facets tell: of fine ones */
+static bool vs_bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+  vs_facets f = { vs_bounds_fineness(children) * 8, 0 };
+  vs_mesh m = { 0 };
+  bool ok = vs_tessellate(n, &f, &m, e);
+  if (ok) vs_bounds_add_points(b, a, m.vertices, m.vertex_count);
+  vs_mesh_free(&m);
+  return ok;
+}
+
 static bool vs_bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs_error *e) {
   vs_bounds knots = vs_bounds_empty();
   vs_polyline line = { 0 };
@@ -191,6 +211,10 @@ static bool vs_bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds
     case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
       return n->class_ == VS_NOTHING || vs_bounds_add_swept(b, a, n, children, e);
     case VS_SLICE: case VS_HULL:
+    case VS_REVOLVE: return n->class_ == VS_NOTHING || vs_bounds_add_revolve(b, a, n, children, e);
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return vs_bounds_add_facets(b, a, n, children, e);
+    case VS_GRID_MESH: vs_bounds_add_points(b, a, VS_AS(grid_mesh, n)->points->at, VS_AS(grid_mesh, n)->points->count); return true;
+    case VS_GRID_SURFACE: vs_bounds_add_points(b, a, VS_AS(grid_surface, n)->points->at, VS_AS(grid_surface, n)->points->count); return true;
     case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
   }
   *leaf = false;
@@ -239,7 +263,8 @@ static bool vs_bounds_of(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b
       if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
       below = below->children[0].node;
     }
-    bool swept = below->kind == VS_EXTRUDE || below->kind == VS_SWEEP || below->kind == VS_THICKEN;
+    bool swept = below->kind == VS_EXTRUDE || below->kind == VS_SWEEP || below->kind == VS_THICKEN || below->kind == VS_REVOLVE ||
+                 below->kind == VS_LOFT || below->kind == VS_RULED_LOFT || below->kind == VS_GUIDED_LOFT;
     if (!swept && !vs_bounds_leaf(below, &placed, &children, b, &leaf, e)) return false;
     if (swept || !leaf) *b = vs_bounds_transform(&children, &VS_AS(transform, n)->matrix);
     return true;

@@ -13,6 +13,7 @@
 #include "geometry/measure.h"
 #include "geometry/heights.h"
 #include "geometry/superellipsoid.h"
+#include "geometry/revolve.h"
 #include "geometry/swept.h"
 
 typedef struct {
@@ -22,6 +23,7 @@ typedef struct {
   double height;      /* of solids on an axis */
   size_t *children;   /* parts */
   vs_swept *plan;
+  vs_revolve *turned;
   vs_bounds *between; /* of each pair of sections */
   vs_mesh *facets;
 } vs_inside_part;
@@ -37,16 +39,6 @@ struct vs_inside {
 };
 
 /* ---- formulas ---- */
-
-static bool vs_inside_profile(const vs_swept *s, double u, double v) {
-  bool inside = false;
-  for (size_t l = 0, first = 0; l < s->loop_count; first += s->sizes[l], l++)
-    for (size_t i = 0; i < s->sizes[l]; i++) {
-      vs_vec2 a = s->profile[first + i], b = s->profile[first + (i + 1 == s->sizes[l] ? 0 : i + 1)];
-      if ((a.y > v) != (b.y > v) && u < a.x + (v - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-    }
-  return inside;
-}
 
 static double vs_cubic_at(const double c[4], double t) { return ((c[3] * t + c[2]) * t + c[1]) * t + c[0]; }
 
@@ -91,7 +83,7 @@ static bool vs_inside_between(const vs_swept *s, const vs_section *a, const vs_s
     double xx = vs_v3_dot(at.x, at.x), xy = vs_v3_dot(at.x, at.y), yy = vs_v3_dot(at.y, at.y), det = xx * yy - xy * xy;
     if (!(det > 1e-24 * (xx + yy) * (xx + yy))) continue; /* the section has shrunk to its apex */
     double dx_ = vs_v3_dot(d, at.x), dy_ = vs_v3_dot(d, at.y);
-    if (vs_inside_profile(s, (dx_ * yy - dy_ * xy) / det, (dy_ * xx - dx_ * xy) / det)) return true;
+    if (vs_loops_hold(s->profile, s->sizes, s->loop_count, (dx_ * yy - dy_ * xy) / det, (dy_ * xx - dx_ * xy) / det)) return true;
   }
   return false;
 }
@@ -166,6 +158,8 @@ static bool vs_inside_leaf(const vs_inside_part *part, vs_vec3 p) {
     case VS_HALF_SPACE: return vs_v3_dot(VS_AS(half_space, n)->normal, vs_v3_sub(p, VS_AS(half_space, n)->point)) >= 0;
     case VS_HEIGHT_FIELD: return vs_height_field_holds(VS_AS(height_field, n), p);
     case VS_HULL: return part->facets && vs_inside_facets(part->facets, p);
+    case VS_REVOLVE: return part->turned && vs_revolve_holds(part->turned, p);
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE: return part->facets && vs_inside_facets(part->facets, p);
     case VS_SLICE:
     case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_TRANSFORM: case VS_MATERIAL:
     case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
@@ -201,6 +195,12 @@ static bool vs_inside_prepare_facets(vs_inside_part *part, vs_error *e) {
   return part->facets ? vs_tessellate(part->node, &f, part->facets, e) : vs_error_memory(e, NULL);
 }
 
+static bool vs_inside_prepare_revolve(vs_inside_part *part, vs_error *e) {
+  vs_facets f = { fmax(vs_bounds_diagonal(&part->bounds) / 65536, 1e-300), 0 };
+  part->turned = calloc(1, sizeof *part->turned);
+  return part->turned ? vs_revolve_plan(part->node, &f, part->turned, e) : vs_error_memory(e, NULL);
+}
+
 static bool vs_inside_prepare_axis(vs_inside_part *part, vs_vec3 base, vs_vec3 top) {
   vs_vec3 axis = vs_v3_sub(top, base);
   vs_affine frame = vs_frame_on_axis(base, axis);
@@ -225,6 +225,9 @@ static bool vs_inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs
       if (n->class_ != VS_SOLID) return true;
       return n->children[0].node->class_ == VS_SURFACE ? vs_inside_prepare_facets(part, e) : vs_inside_prepare_swept(part, e);
     case VS_POLYFACE_MESH: case VS_HULL: return n->class_ != VS_SOLID || vs_inside_prepare_facets(part, e);
+    case VS_REVOLVE: return n->class_ != VS_SOLID || vs_inside_prepare_revolve(part, e);
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
+      return n->class_ != VS_SOLID || vs_inside_prepare_facets(part, e);
     case VS_TRANSFORM:
       if (!vs_affine_invert(&VS_AS(transform, n)->matrix, &part->inverse)) part->bounds = vs_bounds_empty(); /* flattened: holds nothing */
       break;
@@ -242,6 +245,8 @@ void vs_inside_free(vs_inside *v) {
     vs_inside_part *p = &v->parts[i];
     if (p->plan) vs_swept_free(p->plan);
     if (p->facets) vs_mesh_free(p->facets);
+    if (p->turned) vs_revolve_free(p->turned);
+    free(p->turned);
     free(p->plan);
     free(p->facets);
     free(p->between);
@@ -288,6 +293,7 @@ vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
         ok = ok && vs_bounds_memo_get(&bounds, at.node, &part->bounds, e) && vs_inside_prepare(part, &places, e);
         v->cost += sizeof *part + at.node->child_count * sizeof(size_t);
         if (part->plan) v->cost += part->plan->section_count * (sizeof(vs_section) + sizeof(vs_bounds)) + part->plan->profile_count * sizeof(vs_vec2);
+        if (part->turned) v->cost += part->turned->count * sizeof(vs_vec2);
         if (part->facets) v->cost += part->facets->vertex_count * sizeof(vs_vec3) + part->facets->triangle_count * 3 * sizeof(uint32_t);
         if (!ok && e && !e->origin) e->origin = at.origin;
       }
@@ -341,7 +347,8 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
         case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
         case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
         case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
-        case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT: decided = true; break;
+        case VS_THICKEN: case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
+        case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT: decided = true; break;
       }
       if (decided || top->next == above->node->child_count) {
         depth--;

@@ -4,6 +4,7 @@
 #include "geometry/curve.h"
 #include "geometry/heights.h"
 #include "geometry/superellipsoid.h"
+#include "geometry/revolve.h"
 #include "geometry/tessellate.h"
 
 static const double pi = 3.14159265358979323846;
@@ -176,6 +177,10 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       if (!ok) return false;
       break;
     }
+    case VS_REVOLVE:
+      if (!vs_revolve_measure(n, m, e)) return false;
+      break;
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
     case VS_HALF_SPACE: case VS_SLICE: case VS_HULL:
     case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION:
     case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:

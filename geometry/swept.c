@@ -9,6 +9,7 @@
 #include <stdlib.h>
 
 #include "geometry/curve.h"
+#include "geometry/grid.h"
 
 static const double full_turn = 6.28318530717958647693;
 
@@ -301,63 +302,18 @@ bool vs_swept_plan(const vs_node *n, const vs_facets *f, vs_swept *out, vs_error
 
 /* ---- triangles ---- */
 
-static bool vs_section_is_apex(const vs_section *s) { return vs_v3_dot(s->x, s->x) + vs_v3_dot(s->y, s->y) == 0; }
-
-static bool vs_swept_facet(vs_mesh *out, uint32_t a, uint32_t b, uint32_t c) {
-  return a == b || b == c || c == a || vs_mesh_add_triangle(out, a, b, c);
-}
-
-static double vs_swept_distance(const vs_mesh *m, uint32_t a, uint32_t b) {
-  vs_vec3 d = vs_v3_sub(m->vertices[a], m->vertices[b]);
-  return vs_v3_dot(d, d);
-}
-
-static bool vs_swept_caps(const vs_swept *s, const uint32_t *row, vs_mesh *out, bool turned) {
-  bool ok = true;
-  for (size_t l = 0, first = 0; ok && l < s->loop_count;) {
-    size_t end = l + 1, points = s->sizes[l];
-    while (end < s->loop_count && s->hole[end]) points += s->sizes[end++];
-    ok = vs_triangulate(s->profile + first, s->sizes + l, end - l, out, row + first, turned);
-    first += points;
-    l = end;
-  }
-  return ok;
-}
-
 bool vs_swept_mesh(const vs_swept *s, vs_mesh *out) {
-  size_t n = s->profile_count, first_triangle = out->triangle_count, rows = s->section_count + s->joined;
-  uint32_t *index = malloc(2 * n * sizeof *index), *start = malloc(n * sizeof *start), *low = index, *high = index ? index + n : NULL;
-  bool ok = index && start;
-  for (size_t r = 0; ok && r < rows; r++) {
-    const vs_section *section = &s->sections[r < s->section_count ? r : 0];
-    if (r == s->section_count) {
-      for (size_t i = 0; i < n; i++) high[i] = start[i];
-    } else if (vs_section_is_apex(section)) {
-      uint32_t tip;
-      ok = vs_mesh_add_vertex(out, section->at, &tip);
-      for (size_t i = 0; ok && i < n; i++) high[i] = tip;
-    } else {
-      for (size_t i = 0; ok && i < n; i++) {
-        vs_vec2 p = s->profile[i];
-        ok = vs_mesh_add_vertex(out, vs_v3_add(vs_v3_add(vs_v3_scale(section->x, p.x), vs_v3_scale(section->y, p.y)), section->at), &high[i]);
-      }
-    }
-    for (size_t i = 0; ok && r == 0 && i < n; i++) start[i] = high[i];
-    if (ok && s->filled && !s->joined && (r == 0 || r + 1 == rows) && !vs_section_is_apex(section)) ok = vs_swept_caps(s, high, out, r == 0);
-    for (size_t l = 0, first = 0; ok && r && l < s->loop_count; first += s->sizes[l], l++) {
-      for (size_t i = 0; ok && i + (s->filled ? 0 : 1) < s->sizes[l]; i++) {
-        size_t p = first + i, q = first + (i + 1 == s->sizes[l] ? 0 : i + 1);
-        bool other = low[p] != low[q] && high[p] != high[q] && vs_swept_distance(out, low[q], high[p]) < vs_swept_distance(out, low[p], high[q]) * (1 - 1e-9);
-        ok = other ? vs_swept_facet(out, low[p], low[q], high[p]) && vs_swept_facet(out, low[q], high[q], high[p])
-                   : vs_swept_facet(out, low[p], low[q], high[q]) && vs_swept_facet(out, low[p], high[q], high[p]);
-      }
-    }
-    uint32_t *swap = low;
-    low = high;
-    high = swap;
+  size_t n = s->profile_count, first_triangle = out->triangle_count;
+  vs_vec3 *at = malloc((n * s->section_count + 1) * sizeof *at);
+  if (!at) return false;
+  for (size_t r = 0; r < s->section_count; r++) {
+    const vs_section *section = &s->sections[r];
+    for (size_t i = 0; i < n; i++)
+      at[r * n + i] = vs_v3_add(vs_v3_add(vs_v3_scale(section->x, s->profile[i].x), vs_v3_scale(section->y, s->profile[i].y)), section->at);
   }
-  free(index);
-  free(start);
+  vs_grid g = { at, s->section_count, n, s->sizes, s->hole, s->loop_count, s->filled, s->joined, s->filled, s->profile };
+  bool ok = vs_grid_mesh(&g, out);
+  free(at);
   if (!ok || !s->filled) return ok;
   vs_mesh added = { .vertices = out->vertices, .triangles = out->triangles + first_triangle, .triangle_count = out->triangle_count - first_triangle };
   if (vs_mesh_volume(&added) < 0) vs_mesh_turn(out, first_triangle);
@@ -367,24 +323,23 @@ bool vs_swept_mesh(const vs_swept *s, vs_mesh *out) {
 bool vs_outline_mesh(const vs_outline *o, vs_mesh *out) {
   size_t n = 0;
   for (size_t l = 0; l < o->count; l++) n += o->loops[l].count;
-  vs_swept flat = { .loop_count = o->count, .profile_count = n, .hole = o->hole };
   uint32_t *row = malloc((n ? n : 1) * sizeof *row);
-  flat.profile = malloc((n ? n : 1) * sizeof *flat.profile);
-  flat.sizes = malloc((o->count ? o->count : 1) * sizeof *flat.sizes);
-  bool ok = row && flat.profile && flat.sizes;
+  vs_vec2 *flat = malloc((n ? n : 1) * sizeof *flat);
+  size_t *sizes = malloc((o->count ? o->count : 1) * sizeof *sizes);
+  bool ok = row && flat && sizes;
   size_t k = 0;
   for (size_t l = 0; ok && l < o->count; l++) {
-    flat.sizes[l] = o->loops[l].count;
+    sizes[l] = o->loops[l].count;
     for (size_t i = 0; ok && i < o->loops[l].count; i++, k++) {
       vs_vec3 p = o->loops[l].at[i];
-      flat.profile[k] = (vs_vec2){ p.x * o->frame.m[0][0] + p.y * o->frame.m[1][0] + p.z * o->frame.m[2][0],
-                                   p.x * o->frame.m[0][1] + p.y * o->frame.m[1][1] + p.z * o->frame.m[2][1] };
+      flat[k] = (vs_vec2){ p.x * o->frame.m[0][0] + p.y * o->frame.m[1][0] + p.z * o->frame.m[2][0],
+                           p.x * o->frame.m[0][1] + p.y * o->frame.m[1][1] + p.z * o->frame.m[2][1] };
       ok = vs_mesh_add_vertex(out, p, &row[k]);
     }
   }
-  ok = ok && vs_swept_caps(&flat, row, out, false);
+  ok = ok && vs_grid_cap(flat, sizes, o->hole, o->count, row, out, false);
   free(row);
-  free(flat.profile);
-  free(flat.sizes);
+  free(flat);
+  free(sizes);
   return ok;
 }

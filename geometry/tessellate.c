@@ -1,9 +1,12 @@
 /* Owns the way from a node to its triangles: follows placements down to the leaf, has the leaf meshed, brings the mesh back up. */
 #include "geometry/tessellate.h"
 
+#include "geometry/loft.h"
+#include "geometry/revolve.h"
 #include "geometry/solids.h"
 #include "geometry/heights.h"
 #include "geometry/superellipsoid.h"
+#include "geometry/surface.h"
 #include "geometry/swept.h"
 
 /* A placement's child; NULL for what is a leaf here. Appearance changes no shape. */
@@ -17,6 +20,7 @@ static const vs_ref *vs_tessellate_below(const vs_node *n, vs_affine *placed) {
     case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
     case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
     case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
+    case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
     case VS_THICKEN: case VS_KIND_COUNT: break;
   }
   return NULL;
@@ -96,6 +100,15 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
       vs_swept_free(&plan);
       break;
     }
+    case VS_REVOLVE: {
+      vs_revolve plan;
+      if (!vs_revolve_plan(n, f, &plan, e)) return false;
+      ok = vs_revolve_mesh(&plan, vs_revolve_steps(&plan, f, VS_AS(revolve, n)->segments), out);
+      vs_revolve_free(&plan);
+      break;
+    }
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return vs_loft_mesh(n, f, out, e);
+    case VS_GRID_MESH: case VS_GRID_SURFACE: ok = vs_surface_mesh(n, out); break;
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a %s has no faces", vs_kind_get((vs_kind)n->kind)->name);
     case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
       return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s is not one solid: its parts are to be meshed apart", vs_kind_get((vs_kind)n->kind)->name);

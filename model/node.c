@@ -107,9 +107,18 @@ static void vs_node_classify(vs_node *n, const vs_kind_info *info) {
     case VS_SPLINE: if (VS_AS(spline, n)->closed) n->flags |= VS_NODE_CLOSED; break;
     case VS_CIRCLE: case VS_REGION: case VS_TEXT: n->flags |= VS_NODE_CLOSED; break;
     case VS_POLYFACE_MESH: n->class_ = VS_AS(polyface_mesh, n)->closed ? VS_SOLID : VS_SURFACE; break;
-    case VS_EXTRUDE: case VS_SWEEP:
+    case VS_EXTRUDE: case VS_SWEEP: case VS_REVOLVE:
       n->class_ = !first || first->class_ == VS_NOTHING ? VS_NOTHING : vs_node_is_planar_area(first) ? VS_SOLID : VS_SURFACE;
       break;
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: { /* an apex says nothing */
+      bool areas = false;
+      uint32_t sections = n->kind == VS_GUIDED_LOFT ? (uint32_t)VS_AS(guided_loft, n)->section_count : n->child_count;
+      for (uint32_t i = 0; i < sections && i < n->child_count; i++) areas = areas || vs_node_is_planar_area(n->children[i].node);
+      n->class_ = areas ? VS_SOLID : VS_SURFACE;
+      break;
+    }
+    case VS_GRID_MESH: n->class_ = VS_AS(grid_mesh, n)->closed ? VS_SOLID : VS_SURFACE; break;
+    case VS_GRID_SURFACE: n->class_ = VS_AS(grid_surface, n)->closed ? VS_SOLID : VS_SURFACE; break;
     case VS_THICKEN: if (!first || first->class_ == VS_NOTHING) n->class_ = VS_NOTHING; break;
     case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
       n->class_ = first ? first->class_ : VS_NOTHING;

@@ -1,0 +1,74 @@
+; What is made from profiles and grids: measures against closed forms, matching, and what is refused.
+(define (ok? name got want [tolerance any? 1e-9])
+  (if (not (<= (abs (- got want)) (* tolerance (max 1 (abs want)))))
+      (printf "~a: ~a, not ~a\n" name got want)))
+(define (square z r) (make-rectangle (xyz (- r) (- r) z) (xyz r r z)))
+(define (ring z r) (make-circle (xyz 0 0 z) r))
+
+; revolutions: Pappus
+(define band (make-rectangle (xz 2 0) (xz 3 1)))
+(ok? "ring" (volume (do-revolve band 'z)) (* 5 pi))
+(ok? "ring's surface" (area (do-revolve band 'z)) (* 20 pi))
+(ok? "half" (volume (do-revolve band 'z 0 pi)) (* 5/2 pi))
+(ok? "half's surface" (area (do-revolve band 'z 0 pi)) (+ (* 10 pi) 2))
+(ok? "backwards" (volume (do-revolve band 'z 1 -1)) 5.0)
+(ok? "two turns are one" (volume (do-revolve band 'z 0 (* 2 2pi))) (* 5 pi))
+(ok? "torus" (volume (do-revolve (make-circle (xyz 5 0 0) 2) 'y)) (* 40 pi pi))
+(ok? "torus' surface" (area (do-revolve (make-circle (xyz 5 0 0) 2) 'y)) (* 40 pi pi))
+(ok? "cone" (volume (do-revolve (make-polygon (xz 0 0) (xz 3 0) (xz 0 4)) 'z)) (* 12 pi))
+(ok? "cone's surface" (area (do-revolve (make-polygon (xz 0 0) (xz 3 0) (xz 0 4)) 'z)) (* 24 pi))
+(ok? "ball of half a disc" (volume (do-revolve (make-region (make-arc origin 2 -pi/2 pi/2) (make-line (xy 0 2) (xy 0 -2))) 'y)) (* 32/3 pi) 1e-6)
+(ok? "a hole" (volume (do-revolve (make-region (make-rectangle (xy 1 0) (xy 5 4)) (make-circle (xy 3 2) 1)) 'y)) (* 2pi 3 (- 16 pi)) 1e-6)
+(define far (do-revolve (make-rectangle (xz 12 0) (xz 13 1)) (make-axis (xyz 10 0 0) uz) 0 pi/2))
+(displayln (bounding-box far)) ; expect: ((xyz 10 0 0) (xyz 13 3 1))
+(displayln (contains? far (xyz 11.8 1.8 0.5))) ; expect: #t
+(displayln (contains? far (xyz 11.8 -1.8 0.5))) ; expect: #f
+(displayln (contains? far (xyz 11 1 0.5))) ; expect: #f
+(displayln (near? (centroid (do-revolve band 'z 0 pi)) (xyz 0 (/ (* 2 19) (* 3 5/2 pi)) 0.5))) ; expect: #t
+(displayln (object-kind far)) ; expect: revolve
+(displayln (surface? (do-revolve (make-line (xz 1 0) (xz 2 3)) 'z))) ; expect: #t
+(ok? "a cone's wall" (area (do-revolve (make-line (xz 3 0) (xz 0 4)) 'z)) (* 15 pi) 1e-4)
+
+; lofts
+(ok? "frustum" (volume (do-ruled-loft (list (square 0 2) (square 3 1)))) 28)
+(ok? "pyramid" (volume (do-loft (list (square 0 3) (xyz 0 0 5)))) 60)
+(ok? "double pyramid" (volume (do-ruled-loft (list (xyz 0 0 -5) (square 0 3) (xyz 0 0 5)))) 120)
+(ok? "equal sections never bulge" (volume (do-loft (list (square 0 1) (square 1 1) (square 7 1) (square 8 1)))) 32)
+(ok? "whichever way they were drawn" (volume (do-loft (list (square 0 1) (make-polygon (xyz 1 1 2) (xyz 1 -1 2) (xyz -1 -1 2) (xyz -1 1 2))))) 8)
+(ok? "and wherever they start" (volume (do-loft (list (square 0 1) (make-polygon (xyz -1 1 2) (xyz -1 -1 2) (xyz 1 -1 2) (xyz 1 1 2))))) 8)
+(ok? "a prism of sections with more corners"
+     (volume (do-ruled-loft (list (make-rectangle (xy 0 0) (xy 2 2))
+                                  (make-polygon (xyz 0 0 3) (xyz 1 0 3) (xyz 2 0 3) (xyz 2 2 3) (xyz 0 2 3))))) 12)
+(ok? "cut cone" (volume (do-loft (list (ring 0 2) (ring 3 1)))) (* 7 pi) 3e-3)
+(ok? "a pipe" (volume (do-loft (list (make-donut origin 2 1) (make-donut (xyz 0 0 4) 2 1)))) (* 12 pi) 3e-3)
+(ok? "prismatoid: side times side over 2, by turns" (volume (do-ruled-loft (list (make-rectangle (xyz -2 -1 0) (xyz 2 1 0)) (make-rectangle (xyz -1 -2 3) (xyz 1 2 3))))) (* 3/6 (+ 8 8 (* 4 9))))
+(define (spoke i) (do-rotate (do-move (do-rotate (make-circle origin 0.5) 'x pi/2) (vxyz 3 0 0)) 'z (* i pi/4)))
+(ok? "a closed ring" (volume (do-loft (append (map spoke (iota 8)) (list (spoke 0))))) (* 2 pi pi 3 1/4) 8e-3)
+(displayln (object-kind (do-ruled-loft (list (square 0 2) (square 3 1))))) ; expect: ruled-loft
+(displayln (do-loft (list (ring 0 1) (xyz 0 0 2)) 0.5 1)) ; expect: (do-loft (list (make-circle (xyz 0 0 0) 1) (xyz 0 0 2)) 0.5 1 0 0)
+(displayln (surface? (do-loft (list (make-line origin (xy 1 0)) (make-spline (xyz 0 0 1) (xyz 1 0 2) (xyz 2 0 1)))))) ; expect: #t
+(define barrel (do-loft (list (ring 0 1) (ring 3 1)) pi/4 1 pi/4 1))
+(displayln (> (volume barrel) (* 3 pi 1.5))) ; expect: #t
+(displayln (contains? barrel (xyz 1.4 0 1.5))) ; expect: #t
+(displayln (contains? barrel (xyz 1.6 0 1.5))) ; expect: #f
+; along a straight path nothing changes; guided by straight lines neither
+(ok? "path" (volume (do-guided-loft (list (square 0 1) (square 4 1)) (make-line origin (xyz 0 0 4)))) 16)
+(ok? "guides" (volume (do-guided-loft (list (square 0 1) (square 4 1)) (list (make-line (xyz 1 0 0) (xyz 1 0 4))))) 16)
+(ok? "along a quarter of a circle" (volume (do-guided-loft (list (do-move (do-rotate (square 0 1) 'x pi/2) (vxyz 5 0 0)) (do-move (do-rotate (square 0 1) 'y pi/2) (vxyz 0 5 0))) (make-arc origin 5 0 pi/2)))
+     (* pi/2 5 4) 1e-3)
+(displayln (do-guided-loft (list (ring 0 1) (ring 4 1)) (list (make-line (xyz 1 0 0) (xyz 1 0 4)))))
+; expect: (do-guided-loft (list (make-circle (xyz 0 0 0) 1) (make-circle (xyz 0 0 4) 1)) (list (make-line (list (xyz 1 0 0) (xyz 1 0 4)))))
+
+; grids
+(define (loop z r) (map-division (lambda (a) (cyl r a z)) 0 2pi 4))
+(ok? "a prism of rows" (volume (make-mesh (list (loop 0 0) (loop 0 1) (loop 2 1) (loop 2 0)))) 4)
+(ok? "inside out is turned" (volume (make-mesh (list (loop 2 0) (loop 2 1) (loop 0 1) (loop 0 0)))) 4)
+(ok? "closed both ways" (volume (make-mesh (list (loop 0 1) (loop 0 2) (loop 1 2) (loop 1 1)) #:closed-u #t)) 6)
+(displayln (surface? (make-mesh (list (loop 0 1) (loop 2 1))))) ; expect: #t
+(ok? "its area" (area (make-mesh (list (loop 0 1) (loop 2 1)))) (* 8 (sqrt 2)))
+(ok? "ball" (volume (make-surface (lambda (u v) (sph 2 u v)) 0 2pi 0 pi)) (* 32/3 pi) 5e-3)
+(ok? "torus" (volume (make-surface (lambda (u v) (+z (pol (+ 3 (cos v)) u) (sin v))) 0 2pi 0 2pi #:nu 128 #:nv 128)) (* 6 pi pi) 2e-3)
+(displayln (object-kind (make-surface (lambda (u v) u) (lambda (u v) v) (lambda (u v) 0)))) ; expect: surface
+(displayln (surface? (make-surface (list (loop 0 1) (loop 2 1))))) ; expect: #t
+(ok? "a sheet made thick" (volume (do-thicken (make-surface (lambda (u v) (xyz u v 0)) #:nu 2 #:nv 2) 0.5)) 0.5)
+
