@@ -74,6 +74,7 @@ struct vs_backend {
   /* Writes what belongs beside e->path (an .mtl), after the text. NULL: nothing. */
   bool (*beside)(vs_emitter *e);
   bool keep_origins;    /* the text's lines are remembered with the origins of what they hold */
+  bool hulls;           /* knows hulls of solids: they are shown as operations; all others, and elsewhere all, as one shape */
   bool verbatim;        /* every node is shown as it is, empty ones too, and the children of all kinds are gone into */
   const char *omit[VS_MIXED]; /* a vs_class that the format leaves out, and why: said once */
   struct { vs_emit_fn *fn; const char *lossy; } emit[VS_KIND_COUNT]; /* lossy: said once as a warning */
@@ -88,7 +89,8 @@ struct vs_backend {
   [VS_LINE] = { line, NULL }, [VS_REGION] = { leaf, NULL }, [VS_TEXT] = { leaf, NULL }, [VS_BOX] = { leaf, NULL }, [VS_WEDGE] = { leaf, NULL },                 \
   [VS_SPHERE] = { leaf, NULL }, [VS_CYLINDER] = { leaf, NULL }, [VS_CONE] = { leaf, NULL },                                         \
   [VS_CUT_CONE] = { leaf, NULL }, [VS_PYRAMID] = { leaf, NULL }, [VS_TORUS] = { leaf, NULL },                                       \
-  [VS_E_CONE] = { leaf, NULL }, [VS_SUPERELLIPSOID] = { leaf, NULL }, [VS_POLYFACE_MESH] = { leaf, NULL }, [VS_EXTRUDE] = { leaf, NULL }, [VS_SWEEP] = { leaf, NULL },                                  \
+  [VS_E_CONE] = { leaf, NULL }, [VS_SUPERELLIPSOID] = { leaf, NULL }, [VS_HEIGHT_FIELD] = { leaf, NULL }, [VS_HULL] = { leaf, NULL },   \
+  [VS_POLYFACE_MESH] = { leaf, NULL }, [VS_EXTRUDE] = { leaf, NULL }, [VS_SWEEP] = { leaf, NULL },                                  \
   [VS_THICKEN] = { leaf, NULL }, [VS_TRANSFORM] = { through, NULL }, [VS_MATERIAL] = { through, NULL },                             \
   [VS_LAYER] = { through, NULL }, [VS_UNION] = { through, NULL }, [VS_INTERSECTION] = { boolean, NULL },                            \
   [VS_DIFFERENCE] = { boolean, NULL }

@@ -106,6 +106,12 @@ const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line) {
 /* ---- entries ---- */
 
 static bool drive_is_operation(const vs_emitter *e, const vs_node *n) {
+  if (n->kind == VS_HULL && !e->backend->verbatim) {
+    if (!e->backend->hulls || n->class_ != VS_SOLID || VS_AS(hull, n)->points->count > 0) return false;
+    for (uint32_t i = 0; i < n->child_count; i++)
+      if (n->children[i].node->class_ != VS_SOLID) return false;
+    return true;
+  }
   return vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION || (e->backend->verbatim && n->child_count > 0);
 }
 
@@ -166,8 +172,7 @@ static bool drive_op_vain(vs_emitter *e, const vs_node *n) {
     for (size_t i = 0; i < n->child_count; i++)
       if (drive_vain(e, &n->children[i])) return true;
     return n->child_count == 0;
-  case VS_HULL: return n->class_ == VS_REGION_CLASS && e->backend->omit[VS_REGION_CLASS] != NULL; /* what it holds is not shown itself */
-  case VS_UNION:
+  case VS_HULL: case VS_UNION:
     for (size_t i = 0; i < n->child_count; i++)
       if (!drive_vain(e, &n->children[i])) return false;
     return true;
@@ -391,7 +396,7 @@ static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body) {
   drive_frame frame = { .ref = *ref, .material = e->material, .placement = e->placement, .reach = e->reach, .in_boolean = e->in_boolean };
   bool placed = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER;
   size_t shown = drive_shown(e, n);
-  frame.silent = shown == 1 && !placed && !e->backend->verbatim;
+  frame.silent = shown == 1 && !placed && n->kind != VS_HULL && !e->backend->verbatim;
   if (!frame.silent) {
     e->child_count = shown;
     if (n->kind == VS_TRANSFORM) e->placement = vs_affine_multiply(&e->placement, &VS_AS(transform, n)->matrix);

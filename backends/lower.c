@@ -22,6 +22,28 @@ static vs_node *lower_polyline(vs_emitter *e, const vs_ref *ref) {
   return made;
 }
 
+/* A region as polylines */
+static vs_node *lower_region(vs_emitter *e, const vs_ref *ref) {
+  vs_store *store = e->scene->store;
+  vs_outline o = { .count = 0 };
+  if (!vs_region_outline(ref->node, &e->facets, &o, e->error)) return NULL;
+  vs_ref *loops = calloc(o.count + 1, sizeof *loops);
+  vs_node *made = NULL;
+  size_t count = 0;
+  for (bool ok = loops != NULL; ok && count < o.count; count += ok) {
+    vs_points *points = vs_points_new(store, o.loops[count].at, o.loops[count].count);
+    if (points) loops[count].node = vs_node_new(store, VS_LINE, &(struct vs_line){ .points = points, .closed = true }, NULL, 0);
+    if (points) vs_points_release(store, points);
+    ok = loops[count].node != NULL;
+  }
+  if (loops && count == o.count) made = vs_node_new(store, VS_REGION, NULL, loops, count);
+  if (!made) vs_emit_no_memory(e);
+  for (size_t i = 0; i < count; i++) vs_node_release(loops[i].node);
+  free(loops);
+  vs_outline_free(&o);
+  return made;
+}
+
 static vs_node *lower_polyface(vs_emitter *e, const vs_mesh *m, bool closed) {
   vs_store *store = e->scene->store;
   if (m->triangle_count == 0) {
@@ -47,6 +69,7 @@ static vs_node *lower_polyface(vs_emitter *e, const vs_mesh *m, bool closed) {
 }
 
 vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
+  if (ref->node->kind == VS_HULL && ref->node->class_ == VS_REGION_CLASS) return lower_region(e, ref);
   switch ((vs_kind)ref->node->kind) {
   case VS_ARC: case VS_CIRCLE: case VS_SPLINE:
     return lower_polyline(e, ref);
@@ -78,11 +101,11 @@ vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
 
 bool vs_lower_is_round(const vs_node *n) {
   switch ((vs_kind)n->kind) {
-  case VS_E_CONE: case VS_SUPERELLIPSOID:
+  case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HULL: case VS_HEIGHT_FIELD:
   case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_TORUS: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
   case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_SURFACE:
     return true;
-  case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
+  case VS_HALF_SPACE: case VS_SLICE:
   case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_PYRAMID:
   case VS_POLYFACE_MESH: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
   case VS_GRID_MESH:
@@ -99,7 +122,7 @@ static bool lower_booleans(vs_emitter *e, const vs_ref *refs, size_t count, vs_s
 }
 
 bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out) {
-  if (vs_kind_get((vs_kind)ref->node->kind)->level == VS_LEVEL_OPERATION) return lower_booleans(e, ref, 1, out);
+  if (vs_kind_get((vs_kind)ref->node->kind)->level == VS_LEVEL_OPERATION && ref->node->class_ != VS_REGION_CLASS) return lower_booleans(e, ref, 1, out);
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   if (vs_tessellate(ref->node, &e->facets, &out->mesh, &why)) return true;
   *e->error = why;

@@ -117,6 +117,7 @@ typedef struct {
     vs_ref ref;                                /* one object; a list's union */
     struct { vs_ref *at; size_t count; } refs; /* flattened lists of objects */
     struct { vs_vec3 *at; size_t count; } points;
+    struct { vs_ref *at; size_t count; vs_vec3 *points; size_t point_count; } things; /* objects, and points among them */
     struct { const vs_value *at; size_t count; } values; /* the rest as it came */
     struct { uint32_t *starts, *corners; size_t count; } faces; /* starts has count + 1 */
     const vs_material *material;

@@ -253,6 +253,12 @@ static bool add_point(vs_frame *f, vs_value v, void *to, bool *oom) {
   return true;
 }
 
+typedef struct { grow refs, points; } grow_things;
+static bool add_thing(vs_frame *f, vs_value v, void *to, bool *oom) {
+  grow_things *g = to;
+  return vs_bind_shape(v) ? add_ref(f, v, &g->refs, oom) : add_point(f, v, &g->points, oom);
+}
+
 bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad) {
   grow g = { .size = sizeof(vs_ref) };
   if (!flatten(f, &list, 1, add_ref, &g, bad)) return false;
@@ -285,6 +291,15 @@ static vs_status convert_points(vs_frame *f, const vs_bind_param *p, const vs_va
   vs_value bad;
   if (!flatten(f, v, n, add_point, &g, &bad)) return refuse_item(f, p, bad, "point");
   out->points.at = g.at, out->points.count = g.count;
+  return VS_OK;
+}
+
+static vs_status convert_things(vs_frame *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out) {
+  grow_things g = { { .size = sizeof(vs_ref) }, { .size = sizeof(vs_vec3) } };
+  vs_value bad;
+  if (!flatten(f, v, n, add_thing, &g, &bad)) return refuse_item(f, p, bad, "object");
+  out->things.at = g.refs.at, out->things.count = g.refs.count;
+  out->things.points = g.points.at, out->things.point_count = g.points.count;
   return VS_OK;
 }
 
@@ -443,6 +458,7 @@ static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg
       return class_fits((vs_contract)p->contract, out->ref.node) ? VS_OK : refuse_kind(f, p, v);
     case VS_C_OBJECTS: case VS_C_CURVES: case VS_C_SECTIONS: return convert_refs(f, p, &v, 1, out);
     case VS_C_POINTS: return convert_points(f, p, &v, 1, out);
+    case VS_C_THINGS: return convert_things(f, p, &v, 1, out);
     case VS_C_FACES: return convert_faces(f, p, v, out);
     case VS_C_PATH:
       if (vs_bind_shape(v)) {
@@ -554,6 +570,7 @@ static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
       size_t count = given > i ? (size_t)(given - i) : 0;
       *to = (vs_arg){ .given = true, .value = VS_UNSPECIFIC };
       if (p->contract == VS_C_POINTS) { if (!convert_points(f, p, rest, count, to)) return VS_ERROR; }
+      else if (p->contract == VS_C_THINGS) { if (!convert_things(f, p, rest, count, to)) return VS_ERROR; }
       else if (p->contract == VS_C_ANY) to->values.at = rest, to->values.count = count;
       else if (!convert_refs(f, p, rest, count, to)) return VS_ERROR;
       continue;

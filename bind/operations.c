@@ -1,6 +1,7 @@
 /* Owns the operations: booleans, placements, and what is made from a profile. */
 #include "bind/bind.h"
 
+#include "geometry/hull.h"
 #include "geometry/measure.h"
 
 #define REAL(i) (f->arg[i].real)
@@ -121,6 +122,45 @@ vs_status vs_p_do_resize(vs_frame *f, vs_value *out) {
   for (int i = 0; i < 3; i++)
     if (k[i] == 0) k[i] = mean;
   return placed(f, vs_affine_scaling(b.min, vs_v3(k[0], k[1], k[2])), out);
+}
+
+/* (hull o ...): of what spans space, a solid; of what lies in one plane, a region; on one line, a line */
+vs_status vs_p_hull(vs_frame *f, vs_value *out) {
+  vs_ref *child = f->arg[0].things.at;
+  size_t count = 0;
+  bool solid = false;
+  for (size_t i = 0; i < f->arg[0].things.count; i++) {
+    const vs_node *n = child[i].node;
+    if (n->class_ == VS_NOTHING) continue;
+    if (n->flags & VS_NODE_ENDLESS) return vs_fail(f->vm, f->vm->sym.range, "things must be finite: one of them is a half-space, or a set of them, without an end");
+    solid = solid || n->class_ == VS_SOLID || n->class_ == VS_MIXED;
+    child[count++] = child[i];
+  }
+  vs_points *points = vs_points_new(f->bind->store, f->arg[0].things.points, f->arg[0].things.point_count);
+  struct vs_hull d = { .points = points, .dimension = 3 };
+  vs_node *made = points ? vs_node_new(f->bind->store, VS_HULL, &d, child, count) : NULL;
+  if (points) vs_points_release(f->bind->store, points);
+  if (!vs_bind_keep(f, made)) return VS_ERROR;
+  if (solid) return vs_bind_node(f, vs_node_retain(made), out);
+  vs_bounds b;
+  vs_cloud cloud = { 0 };
+  vs_error e = { 0 };
+  vs_status ok = VS_OK;
+  if (!vs_node_bounds(made, &b, &e) || !vs_hull_cloud(made, &(vs_facets){ .tolerance = vs_facets_tolerance(&b) }, &cloud, &e)) ok = vs_bind_error(f, &e);
+  else d.dimension = vs_cloud_dimension(&cloud);
+  if (ok && d.dimension == 1) {
+    vs_polyline ends = { 0 };
+    vs_points *two = vs_cloud_polygon(&cloud, &ends) ? vs_points_new(f->bind->store, ends.at, ends.count) : NULL;
+    ok = two ? vs_bind_make(f, VS_LINE, &(struct vs_line){ .points = two }, NULL, 0, out) : vs_fail_memory(f->vm);
+    if (two) vs_points_release(f->bind->store, two);
+    vs_polyline_free(&ends);
+  } else if (ok && d.dimension < 1) ok = vs_bind_empty(f, d.dimension ? "there is nothing to hold" : "all of it is one point", out);
+  else if (ok && d.dimension == 2) {
+    d.points = VS_AS(hull, made)->points;
+    ok = vs_bind_make(f, VS_HULL, &d, child, count, out);
+  } else if (ok) ok = vs_bind_node(f, vs_node_retain(made), out);
+  vs_cloud_free(&cloud);
+  return ok;
 }
 
 /* ---- from a profile ---- */

@@ -180,8 +180,12 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
     case VS_REVOLVE:
       if (!vs_revolve_measure(n, m, e)) return false;
       break;
+    case VS_HULL:
+      if (n->class_ == VS_REGION_CLASS) return vs_measure_region(whole, m, e);
+      *m = (vs_measure){ 0 };
+      return true;
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-    case VS_HALF_SPACE: case VS_SLICE: case VS_HULL:
+    case VS_HALF_SPACE: case VS_SLICE:
     case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION:
     case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
       *m = (vs_measure){ 0 };

@@ -1,6 +1,7 @@
 /* Owns regions as loops in a plane: which loop is a hole of which, and the plane they share. */
 #include <stdlib.h>
 
+#include "geometry/hull.h"
 #include "geometry/curve.h"
 #include "geometry/text.h"
 
@@ -121,12 +122,27 @@ static bool vs_text_outline(const vs_node *n, const vs_affine *placed, const vs_
   return true;
 }
 
+static bool vs_hull_outline(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e) {
+  vs_facets inner = vs_facets_placed(f, placed);
+  vs_cloud cloud = { 0 };
+  *out = (vs_outline){ .loops = calloc(1, sizeof *out->loops), .hole = calloc(1, sizeof *out->hole), .count = 1 };
+  bool ok = (out->loops && out->hole) || vs_error_memory(e, NULL);
+  ok = ok && vs_hull_cloud(n, &inner, &cloud, e) && (vs_cloud_polygon(&cloud, &out->loops[0]) || vs_error_memory(e, NULL));
+  for (size_t i = 0; ok && i < out->loops[0].count; i++) out->loops[0].at[i] = vs_affine_point(placed, out->loops[0].at[i]);
+  ok = ok && vs_outline_plane(out, e);
+  if (ok && vs_v3_dot(vs_polyline_area(&out->loops[0]), out->normal) < 0) vs_polyline_turn(&out->loops[0]);
+  vs_cloud_free(&cloud);
+  if (!ok) vs_outline_free(out);
+  return ok;
+}
+
 bool vs_region_outline(const vs_node *n, const vs_facets *f, vs_outline *out, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) {
     if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
     n = n->children[0].node;
   }
+  if (n->kind == VS_HULL) return vs_hull_outline(n, &placed, f, out, e);
   if (n->kind == VS_TEXT) return vs_text_outline(n, &placed, f, out, e);
   size_t count = n->kind == VS_REGION ? n->child_count : 1;
   vs_path *paths = calloc(count ? count : 1, sizeof *paths);

@@ -5,6 +5,7 @@
 #include "geometry/revolve.h"
 #include "geometry/solids.h"
 #include "geometry/heights.h"
+#include "geometry/hull.h"
 #include "geometry/superellipsoid.h"
 #include "geometry/surface.h"
 #include "geometry/swept.h"
@@ -74,6 +75,15 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
       break;
     }
     case VS_POLYFACE_MESH: ok = vs_solid_polyface(out, VS_AS(polyface_mesh, n)->points, VS_AS(polyface_mesh, n)->faces); break;
+    case VS_HULL:
+      if (n->class_ == VS_SOLID) {
+        vs_cloud cloud = { 0 };
+        bool gathered = vs_hull_cloud(n, f, &cloud, e);
+        ok = gathered && vs_cloud_hull(&cloud, out);
+        vs_cloud_free(&cloud);
+        if (!gathered) return false;
+        break;
+      } /* fall through */
     case VS_REGION: case VS_TEXT: {
       vs_outline o;
       if (!vs_region_outline(n, f, &o, e)) return false;
@@ -83,7 +93,7 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
     }
     case VS_HEIGHT_FIELD: ok = vs_height_field_mesh(out, VS_AS(height_field, n)); break;
     case VS_HALF_SPACE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a half-space is endless: it has no faces of its own");
-    case VS_HULL: case VS_SLICE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "not yet");
+    case VS_SLICE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "not yet");
     case VS_THICKEN:
       if (n->children[0].node->class_ == VS_SURFACE) {
         vs_mesh surface = { 0 };

@@ -366,6 +366,14 @@ static vs_emit_status scad_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   return scad_done(e);
 }
 
+static vs_emit_status scad_hull(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  if (phase == VS_PHASE_LEAF) return VS_LOWER; /* points, curves and regions are flat there */
+  if (phase == VS_PHASE_LEAVE) return scad_csg(e, ref, phase);
+  scad_open(e, ref->node);
+  vs_puts(e->out, "hull() {\n");
+  return scad_done(e);
+}
+
 static bool scad_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) {
   if (open && e->state == NULL && scad_is_mixed(e, ref->node)) {
     e->state = e; /* said */
@@ -394,14 +402,14 @@ static bool scad_begin(vs_emitter *e) {
 static bool scad_end(vs_emitter *e) { return !e->out->failed; }
 
 const vs_backend vs_backend_openscad = {
-  .begin = scad_begin, .end = scad_end, .define = scad_define, .use = scad_use,
+  .begin = scad_begin, .end = scad_end, .define = scad_define, .use = scad_use, .hulls = true,
   .omit = { [VS_SURFACE] = "OpenSCAD programs hold solids: open surfaces are left out" },
   .emit = {
     [VS_LINE] = { scad_line, "OpenSCAD programs hold solids: curves are drawn as thin rods" },
     [VS_TEXT] = { scad_region, "OpenSCAD programs hold solids: flat regions are drawn as thin slabs" },
     [VS_REGION] = { scad_region, "OpenSCAD programs hold solids: flat regions are drawn as thin slabs" },
     [VS_BOX] = { scad_box, NULL }, [VS_SPHERE] = { scad_sphere, NULL }, [VS_CYLINDER] = { scad_cylinder, NULL }, [VS_CONE] = { scad_cone, NULL },
-    [VS_HALF_SPACE] = { scad_half_space, NULL },
+    [VS_HALF_SPACE] = { scad_half_space, NULL }, [VS_HULL] = { scad_hull, NULL },
     [VS_E_CONE] = { scad_e_cone, NULL },
     [VS_CUT_CONE] = { scad_cut_cone, NULL }, [VS_PYRAMID] = { scad_pyramid, NULL }, [VS_TORUS] = { scad_torus, NULL },
     [VS_POLYFACE_MESH] = { scad_polyface, NULL }, [VS_EXTRUDE] = { scad_extrude, NULL }, [VS_TRANSFORM] = { scad_transform, NULL },

@@ -62,3 +62,22 @@
 (fails (make-half-space (vxyz 0 0 0)))             ; expect: make-half-space: plane must be of a normal longer than 0, got ((vxyz 0 0 0))
 (fails (do-slice (make-circle origin 1) 'xy))      ; expect: do-slice: o must be a solid, got ((make-circle (xyz 0 0 0) 1))
 (make-half-space (quote xy)) ; expect warning: the object is endless: intersect it with something finite, or subtract it from that
+
+; hulls: of points, curves, regions, solids and hulls; of what is flat or thin
+(displayln (volume (hull (map (lambda (i) (xyz (modulo i 11) (modulo (quotient i 11) 11) (quotient i 121))) (iota 1331))))) ; expect: 1000.0
+(define capsule (hull (make-sphere origin 1) (make-sphere (xyz 4 0 0) 1)))
+(displayln (list (object-kind capsule) (solid? capsule) (bounding-box capsule))) ; expect: (hull #t ((xyz -1 -1 -1) (xyz 5 1 1)))
+(about (volume capsule) (* pi (+ 4/3 4)) 5e-3)     ; expect: #t
+(displayln (map (lambda (y) (contains? capsule (xyz 2 y 0))) '(0.99 1.01))) ; expect: (#t #f)
+(displayln (volume (hull (hull (make-box origin (xyz 1 1 1))) (translate (make-box origin (xyz 1 1 1)) (vxyz 2 0 0))))) ; expect: 3.0
+(displayln (volume (hull (make-rectangle origin (xy 3 3)) (translate (make-region (make-rectangle origin (xy 3 3))) (vxyz 0 0 2))))) ; expect: 18.0
+(displayln (volume (subtract (hull (make-box origin (xyz 4 4 4)) (xyz 2 2 9)) (make-box origin (xyz 4 4 4))))) ; expect: 26.666666666666668
+(define slot (hull (make-circle origin 1) (make-circle (xyz 4 0 0) 1)))
+(displayln (list (region? slot) (bounding-box slot))) ; expect: (#t ((xyz -1 -1 0) (xyz 5 1 0)))
+(about (area slot) (+ pi 8) 1e-5)                  ; expect: #t
+(about (volume (do-extrude (rotate slot 'x 1) (vxyz 0 (- (* 2 (sin 1))) (* 2 (cos 1))))) (* 2 (+ pi 8)) 5e-3) ; expect: #t
+(displayln (hull (make-line origin (xyz 1 1 1)) (xyz 2 2 2) (xyz 3 3 3))) ; expect: (make-line (list (xyz 0 0 0) (xyz 3 3 3)))
+(displayln (list (hull) (hull '()) (hull origin (list origin)) (hull (empty-object)))) ; expect: ((empty-object) (empty-object) (empty-object) (empty-object))
+(displayln (object-children (hull slot origin)))   ; expect: ((hull (make-circle (xyz 0 0 0) 1) (make-circle (xyz 4 0 0) 1)))
+(fails (hull (make-half-space 'xy) origin))        ; expect: hull: things must be finite: one of them is a half-space, or a set of them, without an end ()
+(fails (hull origin (vxyz 1 0 0)))                 ; expect: hull: things must be a point, an object or a list of them, got ((vxyz 1 0 0))
