@@ -123,7 +123,7 @@ ubsan: ## the tests under the undefined-behaviour sanitizer
 	UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(MAKE) $(call SANITIZE,undefined -fno-sanitize-recover=all,ubsan)
 
 stress: ## the tests with a collection at every allocation and the heap checked again and again: minutes
-	$(MAKE) BUILD=$(BUILD)/stress EXTRA="-DVS_DEBUG_STRESS=1 -DVS_DEBUG_SMALL=1" SUITES="unit lang" check
+	$(MAKE) BUILD=$(BUILD)/stress EXTRA="-DVS_DEBUG_STRESS=1 -DVS_DEBUG_SMALL=1" SUITES="unit lang cli manual" check
 
 layers: $(LIB_OBJ) $(CLI_OBJ) ## check that includes follow the layers' arrows and that no object has mutable globals
 	sh scripts/layers.sh $(BUILD)

@@ -14,7 +14,7 @@
 
 #include "vm/native.h"
 
-enum { MOST_LOOPS = 8, MOST_DEPTH = 1500 };
+enum { MOST_LOOPS = 24 /* one in another or beside it: any may be compiled inside any */, MOST_DEPTH = 1500 };
 
 struct tail { struct tail *parent; vs_node *fix; vs_var *var; /* the body of var's lambda, or (NULL) of fix */ };
 struct job { struct job *next; vs_node *lambda; struct tail *tail; int loops; };
@@ -70,6 +70,7 @@ static bool called(struct analysis *a, vs_var *v, const vs_node *call, struct ta
 /* t: the chain of scopes this is in tail position of, or NULL */
 static bool find_loops(struct analysis *a, vs_node *n, struct tail *t, int depth, int loops) {
   if (!n) return true;
+  if (!vs_poll(a->ast->vm, 16)) return false;
   depth++;
   switch (n->kind) {
     case VS_AST_CONST: case VS_AST_GLOBAL: return true;
@@ -125,6 +126,7 @@ static bool find_loops(struct analysis *a, vs_node *n, struct tail *t, int depth
         vs_info(v)->fix = n;
         v->value = n->as.let.values[i]->kind == VS_AST_LAMBDA ? n->as.let.values[i] : NULL;
         vs_info(v)->loop = v->value && plain(v->value) && loops < MOST_LOOPS;
+        loops += vs_info(v)->loop;
       }
       for (uint32_t i = 0; i < n->count; i++) {
         vs_var *v = n->as.let.vars[i];
@@ -133,7 +135,7 @@ static bool find_loops(struct analysis *a, vs_node *n, struct tail *t, int depth
           continue;
         }
         struct tail *own = vs_info(v)->loop ? scope(a, body, n, v) : NULL;
-        if ((vs_info(v)->loop && !own) || !add_job(a, v->value, own, own ? loops + 1 : 0)) return false;
+        if ((vs_info(v)->loop && !own) || !add_job(a, v->value, own, own ? loops : 0)) return false;
       }
       return find_loops(a, n->as.let.body, body, depth, loops);
     }
@@ -170,18 +172,47 @@ static bool make_frame(struct analysis *a, vs_node *lambda, vs_node *parent, uin
   return add_job(a, lambda, NULL, 0);
 }
 
+static uint32_t home(const vs_frame_info *f, const vs_var *v) {
+  return (uint32_t)((uintptr_t)v >> 4) * 2654435761u & (f->index_room - 1);
+}
+
+static void index_put(vs_frame_info *f, uint32_t i) {
+  uint32_t at = home(f, f->free[i]);
+  while (f->index[at]) at = (at + 1) & (f->index_room - 1);
+  f->index[at] = i + 1;
+}
+
+uint32_t vs_free_index(const vs_frame_info *f, const vs_var *v) {
+  if (!f->index_room) {
+    for (uint32_t i = 0; i < f->free_count; i++)
+      if (f->free[i] == v) return i;
+    return UINT32_MAX;
+  }
+  for (uint32_t at = home(f, v); f->index[at]; at = (at + 1) & (f->index_room - 1))
+    if (f->free[f->index[at] - 1] == v) return f->index[at] - 1;
+  return UINT32_MAX;
+}
+
+/* v is not there yet */
 static bool capture(struct analysis *a, vs_frame_info *f, vs_var *v) {
-  for (uint32_t i = 0; i < f->free_count; i++)
-    if (f->free[i] == v) return true;
   if (f->free_count == f->free_room) {
     uint32_t room = f->free_room ? f->free_room * 2 : 4;
     vs_var **at = vs_ast_alloc(a->ast, room * sizeof(vs_var *));
-    if (!at) return false;
+    bool *early = vs_ast_alloc(a->ast, room * sizeof(bool));
+    if (!at || !early) return false;
     if (f->free_count) memcpy(at, f->free, f->free_count * sizeof(vs_var *));
+    if (f->free_count) memcpy(early, f->early, f->free_count * sizeof(bool));
     f->free = at;
+    f->early = early;
     f->free_room = room;
+    if (room >= 16) {                          /* many: found by hashing from here on */
+      f->index_room = room * 2;
+      if (!(f->index = vs_ast_alloc(a->ast, f->index_room * sizeof *f->index))) return false;
+      for (uint32_t i = 0; i < f->free_count; i++) index_put(f, i);
+    }
   }
   f->free[f->free_count++] = v;
+  if (f->index_room) index_put(f, f->free_count - 1);
   return true;
 }
 
@@ -193,13 +224,17 @@ static bool use(struct analysis *a, vs_node *in, vs_var *v, bool *early) {
     *early = info->ready == VS_NOT_READY;
   } else {
     v->captured = true;
+    /* up to a frame that captures it already, which knows the answer, or to the outermost one */
     vs_node *at = in;
-    for (;;) {
-      if (!capture(a, frame_of(at), v)) return false;
-      if (frame_of(at)->parent == info->frame) break;
-      at = frame_of(at)->parent;
+    uint32_t known;
+    for (;; at = frame_of(at)->parent) {
+      vs_frame_info *f = frame_of(at);
+      if ((known = vs_free_index(f, v)) != UINT32_MAX) { *early = f->early[known]; break; }
+      if (!capture(a, f, v)) return false;
+      if (f->parent == info->frame) { *early = f->made < info->ready; known = f->free_count - 1; break; }
     }
-    *early = frame_of(at)->made < info->ready;
+    frame_of(at)->early[known] = *early;
+    for (vs_node *f = in; f != at; f = frame_of(f)->parent) frame_of(f)->early[frame_of(f)->free_count - 1] = *early;
     if (*early) info->boxed = true;
   }
   if (*early) info->early = true;
@@ -208,6 +243,7 @@ static bool use(struct analysis *a, vs_node *in, vs_var *v, bool *early) {
 
 static bool find_frames(struct analysis *a, vs_node *n, vs_node *in) {
   if (!n) return true;
+  if (!vs_poll(a->ast->vm, 16)) return false;
   bool early;
   switch (n->kind) {
     case VS_AST_CONST: case VS_AST_GLOBAL: return true;

@@ -23,9 +23,13 @@ typedef struct vs_frame_info {
   vs_node *parent;           /* the frame around it, or NULL */
   uint32_t made;             /* moment its closure is made, in the parent */
   vs_var **free; uint32_t free_count, free_room;
+  bool *early;               /* of each of them: was the frame made before it had a value? */
+  uint32_t *index, index_room;   /* of `free`, 1 + place by hash, once they are many */
   uint32_t code;             /* constant index of its code object, 1 + */
 } vs_frame_info;
 
+/* the number of a captured variable in its frame, UINT32_MAX: not captured */
+uint32_t vs_free_index(const vs_frame_info *f, const vs_var *v);
 static inline vs_var_info *vs_info(const vs_var *v) { return v->extra; }
 
 /* Prepares the tree whose outermost frame is `top` (a LAMBDA). A LOCAL with flag set afterwards needs the check for a value. */

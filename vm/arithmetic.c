@@ -75,7 +75,7 @@ static vs_status add(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!want_addable(vm, a[0])) return VS_ERROR;
   *out = a[0];
   for (int i = 1; i < n; i++)
-    if (!vs_number_add(vm, *out, a[i], out)) return VS_ERROR;
+    if (!vs_number_add(vm, *out, a[i], out) || !vs_poll_turn(vm, (uint64_t)i, 16)) return VS_ERROR;
   return VS_OK;
 }
 
@@ -84,7 +84,7 @@ static vs_status mul(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!want_addable(vm, a[0])) return VS_ERROR;
   *out = a[0];
   for (int i = 1; i < n; i++)
-    if (!vs_number_mul(vm, *out, a[i], out)) return VS_ERROR;
+    if (!vs_number_mul(vm, *out, a[i], out) || !vs_poll_turn(vm, (uint64_t)i, 16)) return VS_ERROR;
   return VS_OK;
 }
 
@@ -95,7 +95,7 @@ static vs_status sub(vs *vm, vs_value *a, int n, vs_value *out) {
   }
   *out = a[0];
   for (int i = 1; i < n; i++)
-    if (!vs_number_sub(vm, *out, a[i], out)) return VS_ERROR;
+    if (!vs_number_sub(vm, *out, a[i], out) || !vs_poll_turn(vm, (uint64_t)i, 16)) return VS_ERROR;
   return VS_OK;
 }
 
@@ -103,7 +103,7 @@ static vs_status divide(vs *vm, vs_value *a, int n, vs_value *out) {
   if (n == 1) return vs_number_div(vm, vs_fix(1), a[0], out);
   *out = a[0];
   for (int i = 1; i < n; i++)
-    if (!vs_number_div(vm, *out, a[i], out)) return VS_ERROR;
+    if (!vs_number_div(vm, *out, a[i], out) || !vs_poll_turn(vm, (uint64_t)i, 16)) return VS_ERROR;
   return VS_OK;
 }
 
@@ -137,7 +137,7 @@ static vs_status compare(vs *vm, vs_relation relation, const vs_value *a, int n,
   bool all = true, one;
   if (n == 1 && !vs_number_test(vm, relation, a[0], a[0], &one)) return VS_ERROR;
   for (int i = 0; i + 1 < n; i++) {
-    if (!vs_number_test(vm, relation, a[i], a[i + 1], &one)) return VS_ERROR;
+    if (!vs_number_test(vm, relation, a[i], a[i + 1], &one) || !vs_poll_turn(vm, (uint64_t)i, 8)) return VS_ERROR;
     all = all && one;
   }
   *out = vs_bool(all);
@@ -157,7 +157,7 @@ static vs_status extreme(vs *vm, vs_relation better, vs_value *a, int n, vs_valu
     if (!want_number(vm, a, i)) return VS_ERROR;
     inexact = inexact || vs_is_double(a[i]);
     if (vs_is_double(a[i]) && vs_double(a[i]) != vs_double(a[i])) return *out = a[i], VS_OK;
-    if (!vs_number_test(vm, better, a[i], a[best], &take)) return VS_ERROR;
+    if (!vs_number_test(vm, better, a[i], a[best], &take) || !vs_poll_turn(vm, (uint64_t)i, 8)) return VS_ERROR;
     if (take) best = i;
   }
   double d = 0;

@@ -173,7 +173,7 @@ static vs_status hash_list(vs *vm, vs_value *a, list_what what, vs_value *out) {
   for (uint32_t i = 1; vs_table_next(a[0], &position, &key, &value); i++) {
     r[2] = what == LIST_KEYS ? key : value;
     if (what == LIST_PAIRS && !vs_cons(vm, key, value, &r[2])) return VS_ERROR;
-    if (!vs_cons(vm, r[2], VS_NIL, &r[2]) || ((i & 1023) == 0 && !vs_poll(vm, 1024))) return VS_ERROR;
+    if (!vs_cons(vm, r[2], VS_NIL, &r[2]) || !vs_poll_turn(vm, i, 8)) return VS_ERROR;
     if (r[1] == VS_NIL) r[0] = r[2];
     else vs_gc_store(vm, vs_as_pair(r[1]), &vs_as_pair(r[1])->cdr, r[2]);
     r[1] = r[2];

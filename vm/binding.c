@@ -91,10 +91,10 @@ bool vs_form_letrec_star(vs_expansion *x) { return binding_form(x, VS_FORM_letre
 
 /* the first binding, then let* of the others */
 bool vs_form_let_star(vs_expansion *x) {
-  if (vs_list_length(x->now.form) < 3) return vs_expand_shape(x, VS_FORM_let_star);
+  if (!x->now.chained && vs_list_length(x->now.form) < 3) return vs_expand_shape(x, VS_FORM_let_star);
   vs_value l = vs_cdr(x->now.form);
   vs_pos pos = x->now.pos;
-  if (!check_bindings(x, vs_car(l), vs_element_pos(l, false, pos), VS_FORM_let_star, false)) return false;
+  if (!x->now.chained && !check_bindings(x, vs_car(l), vs_element_pos(l, false, pos), VS_FORM_let_star, false)) return false;
   vs_value list = vs_car(l);
   if (list == VS_NIL) return vs_expand_body(x, vs_cdr(l), x->now.env, pos, x->now.into, x->now.depth);
   VS_ROOTS(x->vm, r, 3);
@@ -110,6 +110,7 @@ bool vs_form_let_star(vs_expansion *x) {
   } else {
     if (!vs_cons_at(x->vm, vs_cdr(vs_car(l)), vs_cdr(l), vs_pair_pos(l), &r[2]) || !vs_cons_at(x->vm, vs_car(x->now.form), r[2], pos, &r[2]) ||
         !vs_expand_push(x, VS_TASK_EXPR, r[2], r[0], pos, &node->as.let.body, x->now.depth + 1)) return false;
+    vs_expand_top(x)->chained = true;
   }
   vs_value first = vs_car(vs_car(vs_cdr(x->now.form))), v = vs_cdr(first);
   if (!vs_expand_push(x, VS_TASK_EXPR, vs_car(v), x->now.env, vs_element_pos(v, false, vs_form_pos(first, pos)), &node->as.let.values[0], x->now.depth + 1)) return false;

@@ -50,12 +50,7 @@ static bool load_value(compiler *c, vs_value v, uint32_t to) {
   return k <= UINT16_MAX ? vs_emit_op(e, VS_O_CONST, to, k, 0) : vs_emit_op1(e, VS_O_CONSTX, to, 0, 0, k);
 }
 
-static uint32_t free_index(const compiler *c, const vs_var *v) {
-  const vs_frame_info *f = c->e.frame->as.lambda.extra;
-  uint32_t i = 0;
-  while (f->free[i] != v) i++;
-  return i;
-}
+static uint32_t free_index(const compiler *c, const vs_var *v) { return vs_free_index(c->e.frame->as.lambda.extra, v); }
 
 /* the variable's register or captured value as it is: a box if it is boxed */
 static bool load_raw(compiler *c, const vs_var *v, uint32_t to) {
@@ -620,6 +615,7 @@ static bool gen_if(compiler *c, vs_node *n, uint32_t to, bool fresh) {
 
 static bool gen(compiler *c, vs_node *n, uint32_t to) {
   vs_emit *e = &c->e;
+  if (!vs_poll(e->ast->vm, 16)) return false;
   bool fresh = e->fresh == to;
   uint32_t keep = e->next, r;
   e->fresh = VS_NO_REGISTER;

@@ -1,6 +1,7 @@
 /* Owns the tables, chains and imports of environments (environment.h). */
 #include "vm/environment.h"
 #include "vm/compile.h"
+#include "vm/native.h"
 
 /* ---- identifier tables ---- */
 enum { FIRST_ROOM = 4 };
@@ -175,6 +176,50 @@ bool vs_strip(vs *vm, vs_value datum, vs_value *out) {
 }
 
 /* ---- environments ---- */
+enum { SKIP = 16, DEPTH_BITS = 24 };
+
+static int64_t depth_of(vs_value env) { return vs_is_top(env) ? 0 : vs_fixnum(vs_as_environment(env)->name) & (((int64_t)1 << DEPTH_BITS) - 1); }
+static int64_t late_bindings(const vs_environment *scope) {
+  vs_value count = vs_as_environment(scope->top)->data;
+  return vs_is_fixnum(count) ? vs_fixnum(count) : 0;
+}
+static bool can_skip(const vs_environment *scope) {
+  return scope->imports != VS_NIL && vs_fixnum(scope->name) >> DEPTH_BITS == late_bindings(scope);
+}
+
+/* copies to *table, for what is not there yet: the names of `from`, which mean `scope`, or if that is VACANT what they meant there */
+static bool skip_add(vs *vm, vs_value *table, vs_value from, vs_value scope) {
+  VS_ROOTS(vm, r, 4);
+  r[0] = from; r[1] = scope;
+  for (size_t i = 0; vs_idtable_slot(r[0], i, &r[2], &r[3]); i++)
+    if (r[2] != VS_VACANT && vs_idtable_get(*table, r[2]) == VS_VACANT && !vs_idtable_put(vm, table, r[2], r[1] == VS_VACANT ? r[3] : r[1])) return false;
+  return true;
+}
+
+/* the table of a scope (a root) that has just been made */
+static bool skip_make(vs *vm, const vs_value *scope) {
+  VS_ROOTS(vm, r, 2);              /* the scope on the way out, the table */
+  int64_t depth = depth_of(*scope), span = SKIP;
+  while (depth % (span * SKIP) == 0) span *= SKIP;
+  if (!vs_idtable_new(vm, &r[1])) return false;
+  r[0] = vs_as_environment(*scope)->parent;
+  while (!vs_is_top(r[0]) && depth_of(r[0]) > depth - span) {
+    if (!skip_add(vm, &r[1], vs_as_environment(r[0])->table, r[0])) return false;
+    const vs_environment *e = vs_as_environment(r[0]);
+    if (can_skip(e)) {
+      if (!skip_add(vm, &r[1], e->imports, VS_VACANT)) return false;
+      r[0] = vs_as_environment(r[0])->exports;
+    } else {
+      r[0] = e->parent;
+    }
+  }
+  vs_environment *s = vs_as_environment(*scope);
+  vs_gc_store(vm, s, &s->imports, r[1]);
+  vs_gc_store(vm, s, &s->exports, r[0]);
+  s->name = vs_fix(late_bindings(s) << DEPTH_BITS | depth);
+  return true;
+}
+
 static bool environment(vs *vm, vs_value name, vs_value parent, vs_value data, vs_value *out) {
   VS_ROOTS(vm, r, 4);
   r[0] = name; r[1] = parent; r[2] = data;
@@ -188,13 +233,26 @@ static bool environment(vs *vm, vs_value name, vs_value parent, vs_value data, v
 }
 
 bool vs_environment_new(vs *vm, vs_value name, vs_value *out) { return environment(vm, name, VS_FALSE, VS_FALSE, out); }
-bool vs_scope_new(vs *vm, vs_value parent, int64_t serial, vs_value *out) { return environment(vm, VS_FALSE, parent, vs_fix(serial), out); }
+
+bool vs_scope_new(vs *vm, vs_value parent, int64_t serial, vs_value *out) {
+  VS_ROOTS(vm, r, 1);
+  int64_t depth = depth_of(parent) + 1;
+  if (depth >> DEPTH_BITS) return vs_fail(vm, vm->sym.syntax, "this is nested too deeply");
+  if (!vs_is_top(parent)) vs_object_of(parent)->flags |= VS_F_AROUND;
+  if (!environment(vm, vs_fix(depth), parent, vs_fix(serial), &r[0]) || (depth % SKIP == 0 && !skip_make(vm, &r[0]))) return false;
+  *out = r[0];
+  return true;
+}
 
 bool vs_environment_bind(vs *vm, vs_value env, vs_value id, vs_value binding) {
   VS_ROOTS(vm, r, 2);
   r[0] = env;
   r[1] = vs_as_environment(env)->table;
-  if (!vs_is_top(env)) vs_object_of(id)->flags |= VS_F_LOCAL;
+  if (!vs_is_top(env)) {
+    vs_environment *scope = vs_as_environment(env);
+    vs_object_of(id)->flags |= VS_F_LOCAL;
+    if (scope->h.flags & VS_F_AROUND) vs_as_environment(scope->top)->data = vs_fix(late_bindings(scope) + 1);
+  }
   if (!vs_idtable_put(vm, &r[1], id, binding)) return false;
   vs_environment *e = vs_as_environment(r[0]);
   vs_gc_store(vm, e, &e->table, r[1]);
@@ -319,9 +377,13 @@ vs_meaning vs_environment_find(vs_value env, vs_value id) {
     /* Most names of a program stand for what the top level means by them: those skip the scopes, however deep they nest. */
     if (!vs_is_top(env) && !(vs_object_of(id)->flags & VS_F_LOCAL)) env = vs_as_environment(env)->top;
     while (!vs_is_top(env)) {
-      own = vs_idtable_get(vs_as_environment(env)->table, id);
+      const vs_environment *e = vs_as_environment(env);
+      own = vs_idtable_get(e->table, id);
       if (own != VS_VACANT) break;
-      env = vs_as_environment(env)->parent;
+      if (!can_skip(e)) { env = e->parent; continue; }
+      vs_value far = vs_idtable_get(e->imports, id);
+      if (far != VS_VACANT) { env = far; own = vs_idtable_get(vs_as_environment(far)->table, id); break; }
+      env = e->exports;
     }
     if (own == VS_VACANT) own = vs_idtable_get(vs_as_environment(env)->table, id);
     if (own != VS_VACANT) {

@@ -94,7 +94,8 @@ bool vs_equal(vs *vm, vs_value a, vs_value b, bool *out) {
         same = false;
         break;
       }
-      if ((++steps & 1023) == 0 && !(ok = vs_poll(vm, 1024))) break;
+      steps++;
+      if (!(ok = vs_poll_turn(vm, steps, steps > EQUAL_STEPS_BEFORE_NOTES ? 32 : 4))) break;
       int type = vs_object_of(a)->type;
       bool known = false;
       if (steps > EQUAL_STEPS_BEFORE_NOTES && (type == VS_T_PAIR || type == VS_T_VECTOR) && !(ok = equal_note(&w, a, b, &known))) break;
@@ -108,7 +109,7 @@ bool vs_equal(vs *vm, vs_value a, vs_value b, bool *out) {
         if (type == VS_T_VECTOR) {
           const vs_vector *x = vs_as_vector(a), *y = vs_as_vector(b);
           same = x->length == y->length;
-          for (uint64_t i = x->length; same && ok && i-- > 0;) ok = equal_push(&w, x->at[i], y->at[i]);
+          for (uint64_t i = x->length; same && ok && i-- > 0;) ok = equal_push(&w, x->at[i], y->at[i]) && vs_poll_turn(vm, i, 4);
         } else if (type == VS_T_STRING) {
           same = string_equal(vs_as_string(a), vs_as_string(b));
         } else if (type == VS_T_BYTES) {

@@ -384,16 +384,20 @@ bool vs_expand_settle(vs_expansion *x, vs_value *form, vs_meaning *m, vs_pos *po
 }
 
 
+bool vs_expand_outline(vs_expansion *x) {
+  if (x->now.depth <= DEPTH_LIMIT) return true;
+  vs_node *call = vs_expand_many(x, VS_AST_CALL, 0, x->now.pos), *thunk = vs_expand_many(x, VS_AST_LAMBDA, 0, x->now.pos);
+  if (!call || !thunk) return false;
+  call->as.call.callee = thunk;
+  *x->now.into = call;
+  x->now.into = &thunk->as.lambda.body;
+  x->now.depth = 0;
+  return true;
+}
+
 static bool expression(vs_expansion *x) {
   vs *vm = x->vm;
-  if (x->now.depth > DEPTH_LIMIT && vs_is_pair(x->now.form)) {
-    vs_node *call = vs_expand_many(x, VS_AST_CALL, 0, x->now.pos), *thunk = vs_expand_many(x, VS_AST_LAMBDA, 0, x->now.pos);
-    if (!call || !thunk) return false;
-    call->as.call.callee = thunk;
-    *x->now.into = call;
-    x->now.into = &thunk->as.lambda.body;
-    x->now.depth = 0;
-  }
+  if (vs_is_pair(x->now.form) && !vs_expand_outline(x)) return false;
   VS_ROOTS(vm, r, 1);
   r[0] = x->now.form;
   vs_meaning m;
@@ -444,8 +448,8 @@ vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value) {
   x->vm->native = NULL;      /* errors are the program's, not those of the native that runs this */
   while (x->count) {
     x->now = x->tasks[--x->count];
-    bool ok = true;
-    if (x->now.waiting) {
+    bool ok = vs_poll(x->vm, 64);
+    if (ok && x->now.waiting) {
       x->now.waiting = false;
       if (x->now.kind == VS_TASK_EXPR) x->now.form = value;
       else ok = vs_body_resume(x, value);

@@ -36,6 +36,7 @@ typedef struct vs_task {
   uint8_t kind;
   bool test;         /* only the truth of the value matters */
   bool waiting;      /* a transformer was called */
+  bool chained;      /* the rest of a form whose shape has been checked: (and b c) of (and a b c) */
   uint32_t depth, n;
   vs_pos pos;        /* of the form, if the form does not know better */
   vs_node **into;
@@ -80,6 +81,8 @@ vs_task *vs_expand_top(vs_expansion *x);                               /* the ta
 bool vs_expand_nth(vs_expansion *x, int64_t nth, vs_value env, vs_node **into);
 /* the elements of `list` (a tail of the current form) into a node's `at` */
 bool vs_expand_list(vs_expansion *x, vs_value list, vs_value env, vs_node **at, uint32_t depth);
+/* Past some depth the task's form goes into a procedure called on the spot, so that what recurses over the tree stays shallow. */
+bool vs_expand_outline(vs_expansion *x);
 /* a body: definitions and expressions, in a new scope of env */
 bool vs_expand_body(vs_expansion *x, vs_value forms, vs_value env, vs_pos pos, vs_node **into, uint32_t depth);
 

@@ -41,18 +41,28 @@ bool vs_form_begin(vs_expansion *x) {
   return sequence(x, vs_cdr(x->now.form), x->now.pos, x->now.into, x->now.depth);
 }
 
-/* the rest of a chain (and, or, cond, let*): the same keyword over fewer parts */
+/* the rest of a chain (and, or, cond): the same keyword over fewer parts */
 static bool chain(vs_expansion *x, vs_value rest, vs_node **into, bool test) {
   VS_ROOTS(x->vm, r, 1);
   vs_pos pos = vs_is_pair(rest) ? vs_element_pos(rest, false, x->now.pos) : x->now.pos;
   if (!vs_cons_at(x->vm, vs_car(x->now.form), rest, pos, &r[0]) ||
       !vs_expand_push(x, VS_TASK_EXPR, r[0], x->now.env, pos, into, x->now.depth + 1)) return false;
   vs_expand_top(x)->test = test;
+  vs_expand_top(x)->chained = true;
   return true;
 }
 
+/* The length of the current form, -1 if it is no list. Of the rest of a chain only as much as matters: that it is a list is known, and asking
+   again at each of its parts would make long chains slow. */
+static int64_t parts(const vs_expansion *x) {
+  if (!x->now.chained) return vs_list_length(x->now.form);
+  int64_t n = 0;
+  for (vs_value l = x->now.form; n < 4 && vs_is_pair(l); l = vs_cdr(l)) n++;
+  return n;
+}
+
 bool vs_form_and(vs_expansion *x) {
-  int64_t n = vs_list_length(x->now.form);
+  int64_t n = parts(x);
   if (n < 1) return vs_expand_shape(x, VS_FORM_and);
   if (n == 1) return put(x, vs_ast_constant(&x->ast, VS_TRUE, x->now.pos)) != NULL;
   if (n == 2) {
@@ -77,7 +87,7 @@ static vs_node *let_temporary(vs_expansion *x, const char *name, vs_pos pos) {
 }
 
 bool vs_form_or(vs_expansion *x) {
-  int64_t n = vs_list_length(x->now.form);
+  int64_t n = parts(x);
   if (n < 1) return vs_expand_shape(x, VS_FORM_or);
   if (n == 1) return put(x, vs_ast_constant(&x->ast, VS_FALSE, x->now.pos)) != NULL;
   if (n == 2) {
@@ -135,7 +145,7 @@ bool vs_form_assert(vs_expansion *x) {
 /* ---- cond ---- */
 bool vs_form_cond(vs_expansion *x) {
   vs_value clauses = vs_cdr(x->now.form);
-  if (vs_list_length(x->now.form) < 1) return vs_expand_shape(x, VS_FORM_cond);
+  if (parts(x) < 1) return vs_expand_shape(x, VS_FORM_cond);
   if (clauses == VS_NIL) return put(x, unspecific(x, x->now.pos)) != NULL;
   vs_value clause = vs_car(clauses), more = vs_cdr(clauses), env = x->now.env;
   vs_pos pos = vs_element_pos(clauses, false, x->now.pos), outer = x->now.pos;
@@ -213,6 +223,7 @@ static vs_node *key_test(vs_expansion *x, vs_value data, vs_pos pos) {
 }
 
 bool vs_case_step(vs_expansion *x) {
+  if (!vs_expand_outline(x)) return false;
   vs_value clauses = x->now.form;
   if (clauses == VS_NIL) return put(x, unspecific(x, x->now.pos)) != NULL;
   vs_value clause = vs_car(clauses), more = vs_cdr(clauses);
@@ -296,14 +307,8 @@ bool vs_quasi_step(vs_expansion *x) {
     return push_quasi(x, r[0], pos, &call->as.call.at[0], level);
   }
   if (!vs_is_pair(form)) return vs_strip(vm, form, &r[0]) && put(x, vs_ast_constant(&x->ast, r[0], pos)) != NULL;
-  if (x->now.depth > 150) {                        /* as expressions do it: a procedure called on the spot */
-    vs_node *call = vs_expand_many(x, VS_AST_CALL, 0, pos), *thunk = vs_expand_many(x, VS_AST_LAMBDA, 0, pos);
-    if (!call || !thunk) return false;
-    call->as.call.callee = thunk;
-    put(x, call);
-    x->now.into = &thunk->as.lambda.body;
-    x->now.depth = 0;
-  }
+  if (!vs_expand_outline(x)) return false;
+  form = x->now.form;
   int kind = quasi_kind(x->now.env, form);
   if (kind == VS_FORM_unquote && level == 1) {
     vs_value l = vs_cdr(form);

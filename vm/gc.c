@@ -168,11 +168,17 @@ static vs_object *gc_cell(vs *vm, size_t words) {
   return &f->h;
 }
 
-static vs_object *gc_large(vs *vm, size_t words) {
+/* Wiped, which for a gigabyte takes long enough to poll: *stopped, the condition is not that of refused memory. */
+static vs_object *gc_large(vs *vm, size_t words, bool *stopped) {
   struct vs_gc *gc = vm->gc;
   size_t bytes = words * sizeof(uint64_t);
   struct vs_gc_large *l = vs_mem(vm, NULL, 0, sizeof *l + bytes);
   if (!l) return NULL;
+  if (!vs_poll_set(vm, l + 1, 0, bytes)) {
+    *stopped = true;
+    vs_mem(vm, l, sizeof *l + bytes, 0);
+    return NULL;
+  }
   l->next = gc->large; l->bytes = bytes; gc->large = l;
   gc->old_bytes += bytes;
   return (vs_object *)(void *)(l + 1);
@@ -184,7 +190,7 @@ static void gc_hold_down(vs *vm) {      /* while debugging, every allocation tak
 }
 
 static vs_object *gc_init(vs_object *o, int type, unsigned gc, size_t words) {
-  memset(o, 0, words * sizeof(uint64_t));
+  if (!(gc & GC_LARGE)) memset(o, 0, words * sizeof(uint64_t));       /* gc_large has done that */
   o->type = (uint8_t)type; o->gc = (uint8_t)gc; o->words = (uint32_t)words;
   return o;
 }
@@ -216,10 +222,12 @@ vs_object *vs_gc_alloc_old(vs *vm, int type, size_t words) {
   if (gc->old_bytes + gc->external + words * 8 > gc->major_at || (words > CLASS_MAX && gc_over_limit(vm, words * 8))) vs_gc_major(vm);
   /* so that this object can be remembered without fail */
   if (!gc_grow(vm, &gc->remembered, &gc->remembered_room, gc->remembered_count, sizeof *gc->remembered)) return NULL;
-  vs_object *o = words <= CLASS_MAX ? gc_cell(vm, words) : gc_large(vm, words);
+  bool stopped = false;
+  vs_object *o = words <= CLASS_MAX ? gc_cell(vm, words) : gc_large(vm, words, &stopped);
   if (!o) {                                    /* refused: perhaps there is garbage */
+    if (stopped) return NULL;
     vs_gc_major(vm);
-    o = words <= CLASS_MAX ? gc_cell(vm, words) : gc_large(vm, words);
+    o = words <= CLASS_MAX ? gc_cell(vm, words) : gc_large(vm, words, &stopped);
     if (!o) return NULL;
   }
   gc_init(o, type, words > CLASS_MAX ? GC_LARGE : 0, words);

@@ -38,7 +38,10 @@ bool vs_make_vector(vs *vm, size_t n, vs_value fill, vs_value *out) {
   vs_vector *v = (vs_vector *)(void *)vs_gc_alloc(vm, VS_T_VECTOR, 2 + n);
   if (!v) return false;
   v->length = n;
-  for (size_t i = 0; i < n; i++) v->at[i] = r[0];
+  for (size_t i = 0; i < n; i++) {
+    v->at[i] = r[0];
+    if (!vs_poll_turn(vm, i, 1)) return false;
+  }
   *out = vs_from_object(v);
   return true;
 }
@@ -58,8 +61,14 @@ bool vs_make_string(vs *vm, size_t length, uint32_t fill, vs_value *out) {
   if (length > UINT32_MAX) return vs_fail_memory(vm);
   if (!vs_make_bytes(vm, wide ? length * 4 : length, &r[0])) return false;
   vs_bytes *b = vs_as_bytes(r[0]);
-  if (wide) for (size_t i = 0; i < length; i++) memcpy(b->at + 4 * i, &fill, 4);
-  else memset(b->at, (int)fill, length);
+  if (wide) {
+    for (size_t i = 0; i < length; i++) {
+      memcpy(b->at + 4 * i, &fill, 4);
+      if (!vs_poll_turn(vm, i, 1)) return false;
+    }
+  } else if (!vs_poll_set(vm, b->at, (int)fill, length)) {
+    return false;
+  }
   vs_string *s = (vs_string *)(void *)vs_gc_alloc(vm, VS_T_STRING, VS_WORDS(vs_string));
   if (!s) return false;
   s->h.flags = wide ? VS_F_WIDE : 0;
@@ -90,17 +99,21 @@ bool vs_string_from_utf8(vs *vm, const char *text, size_t bytes, vs_value *out) 
   const unsigned char *s = (const unsigned char *)text;
   size_t length = 0, used;
   uint32_t widest = 0;
+  VS_ROOTS(vm, r, 1);
   for (size_t i = 0; i < bytes; i += used, length++) {
     uint32_t c = utf8_next(s + i, bytes - i, &used);
     if (c > widest) widest = c;
+    if (!vs_poll_turn(vm, length, 1)) return false;
   }
-  if (!vs_make_string(vm, length, widest > 255 ? widest : 0, out)) return false;
-  uint8_t *at = vs_as_bytes(vs_as_string(*out)->store)->at;
+  if (!vs_make_string(vm, length, widest > 255 ? widest : 0, &r[0])) return false;
+  uint8_t *at = vs_as_bytes(vs_as_string(r[0])->store)->at;
   for (size_t i = 0, k = 0; i < bytes; i += used, k++) {
     uint32_t c = utf8_next(s + i, bytes - i, &used);
     if (widest > 255) memcpy(at + 4 * k, &c, 4);
     else at[k] = (uint8_t)c;
+    if (!vs_poll_turn(vm, k, 1)) return false;
   }
+  *out = r[0];
   return true;
 }
 

@@ -96,7 +96,7 @@ static vs_status read_(vs *vm, vs_value *a, int n, vs_value *out) {
       int32_t c;
       if (!(ok = vs_port_peek_char(vm, r[0], &c)) || (end = c < 0)) break;
       ok = vs_scan_feed(&s, (uint32_t)c, &result);
-      if (ok && result != VS_SCAN_WHOLE) ok = vs_port_read_char(vm, r[0], &c) && vs_text_char(&t, (uint32_t)c) && vs_poll(vm, 1);
+      if (ok && result != VS_SCAN_WHOLE) ok = vs_port_read_char(vm, r[0], &c) && vs_text_char(&t, (uint32_t)c) && vs_poll(vm, 64);
     }
     vs_scan_close(&s);
     ok = ok && vs_read_datum(vm, t.at ? t.at : "", t.count, out, NULL);

@@ -43,6 +43,9 @@ static bool int_new(vs *vm, mp_size_t n, vs_value *out) {
 
 static mp_limb_t *int_limbs(vs_value v) { return vs_as_bignum(v)->limb; }
 
+/* Before multiplying n limbs in all: some 100 ns a limb when they are many, less when they are few. */
+static bool int_poll(vs *vm, mp_size_t n) { return n < 64 || vs_poll(vm, (uint64_t)n * (n < 1024 ? 4 : 32)); }
+
 /* The value of a bignum whose lowest n limbs are filled. */
 static vs_value int_settle(vs_value v, mp_size_t n, bool negative) {
   vs_bignum *b = vs_as_bignum(v);
@@ -119,8 +122,7 @@ bool vs_int_mul(vs *vm, vs_value a, vs_value b, vs_value *out) {
   vs_int_look(a, &x);
   vs_int_look(b, &y);
   if (x.n == 0 || y.n == 0) return *out = vs_fix(0), true;
-  /* work in rough steps: schoolbook below some dozens of limbs, then cheaper than that */
-  if (x.n + y.n > 64 && !vs_poll(vm, (uint64_t)(x.n + y.n))) return false;
+  if (!int_poll(vm, x.n + y.n)) return false;
   if (!int_new(vm, x.n + y.n, &r[2])) return false;
   vs_int_look(r[0], &x);
   vs_int_look(r[1], &y);
@@ -150,7 +152,7 @@ bool vs_int_divide(vs *vm, vs_value a, vs_value b, vs_value *quotient, vs_value 
     return true;
   }
   mp_size_t qn = x.n - y.n + 1, rn = y.n;
-  if (x.n > 64 && !vs_poll(vm, (uint64_t)x.n)) return false;
+  if (!int_poll(vm, x.n) || !int_poll(vm, x.n)) return false;
   if (!int_new(vm, qn, &r[2]) || !int_new(vm, rn, &r[3])) return false;
   vs_int_look(r[0], &x);
   vs_int_look(r[1], &y);
@@ -220,7 +222,8 @@ bool vs_int_gcd(vs *vm, vs_value a, vs_value b, vs_value *out) {
     mp_limb_t rest = x.n == 1 ? mpn_mod_1(y.at, y.n, one) : mpn_mod_1(x.at, x.n, one);
     return vs_number_from_uint64(vm, gcd_words(one, rest), out);
   }
-  if (x.n + y.n > 32 && !vs_poll(vm, (uint64_t)(x.n + y.n))) return false;
+  for (int i = 0; i < 8; i++)
+    if (!int_poll(vm, x.n + y.n)) return false;
   mp_size_t nx = x.n, ny = y.n, least = nx < ny ? nx : ny;
   size_t bytes = (size_t)(nx + ny) * sizeof(mp_limb_t);
   mp_limb_t *scratch = vs_mem(vm, NULL, 0, bytes);
@@ -309,6 +312,7 @@ bool vs_int_sqrt(vs *vm, vs_value a, vs_value *root, vs_value *rest) {
     *root = *rest = vs_fix(0);
     return true;
   }
+  if (!int_poll(vm, 2 * n)) return false;
   if (!int_new(vm, half, &r[1]) || !int_new(vm, n, &r[2])) return false;
   vs_int_look(r[0], &x);
   mp_size_t left = mpn_sqrtrem(int_limbs(r[1]), int_limbs(r[2]), x.at, n);
@@ -350,7 +354,48 @@ bool vs_int_bitwise(vs *vm, char op, vs_value a, vs_value b, vs_value *out) {
   return true;
 }
 
-/* ---- text ---- */
+/* ---- text ----
+   GMP's conversions are single calls without a poll, so they get pieces of PIECE digits; a longer number is divided by, or put together
+   with, the radix to the power of PIECE * 2^k: about what GMP does inside. */
+
+enum { PIECE = 20000, SQUARINGS = 14 /* PIECE * 2^14 is beyond the largest number */ };
+
+/* p[k] = radix^(PIECE * 2^k), as far as fewer digits than `digits` make it of use; how many through *count */
+static bool piece_powers(vs *vm, int radix, double digits, vs_value *p, int *count) {
+  int k = 0;
+  for (double of_one = PIECE; of_one < digits && k < SQUARINGS; of_one *= 2, k++)
+    if (!(k ? vs_int_mul(vm, p[k - 1], p[k - 1], &p[k]) : vs_int_power(vm, vs_fix(radix), PIECE, &p[0]))) return false;
+  *count = k;
+  return true;
+}
+
+/* the digits of |a|, at most some PIECE of them; zeros before it up to `width` */
+static bool print_piece(vs *vm, vs_value a, int radix, size_t width, vs_text *t) {
+  static const char digit[] = "0123456789abcdefghijklmnopqrstuvwxyz";
+  vs_int_view x;
+  vs_int_look(a, &x);
+  if (!int_poll(vm, x.n)) return false;
+  size_t limb_bytes = (size_t)(x.n + 1) * sizeof(mp_limb_t);
+  size_t room = (x.n ? mpn_sizeinbase(x.at, x.n, radix) : 1) + 2, n = 0, skip = 0;
+  mp_limb_t *copy = vs_mem(vm, NULL, 0, limb_bytes);
+  unsigned char *s = vs_mem(vm, NULL, 0, room);
+  bool ok = copy && s;
+  if (!ok) {
+    vs_fail_memory(vm);
+  } else {
+    if (x.n) {
+      mpn_copyi(copy, x.at, x.n);                                  /* mpn_get_str destroys its input */
+      n = mpn_get_str(s, radix, copy, x.n);
+    }
+    while (skip < n && s[skip] == 0) skip++;
+    for (size_t i = skip; i < n; i++) s[i] = (unsigned char)digit[s[i]];
+    for (size_t i = n - skip; ok && i < width; i++) ok = vs_text_put(t, "0", 1);
+    ok = ok && vs_text_put(t, (const char *)s + skip, n - skip);
+  }
+  if (s) vs_mem(vm, s, room, 0);
+  if (copy) vs_mem(vm, copy, limb_bytes, 0);
+  return ok;
+}
 
 bool vs_int_print(vs *vm, vs_value a, int radix, vs_text *t) {
   static const char digit[] = "0123456789abcdefghijklmnopqrstuvwxyz";
@@ -365,45 +410,71 @@ bool vs_int_print(vs *vm, vs_value a, int radix, vs_text *t) {
     while (n /= (unsigned)radix);
     return vs_text_put(t, s + i, sizeof s - i);
   }
-  VS_ROOTS(vm, r, 1);
+  VS_ROOTS(vm, p, SQUARINGS);
+  VS_ROOTS(vm, r, SQUARINGS + 2);            /* what is still to be printed, the highest digits last */
+  struct { int level; bool first; } todo[SQUARINGS + 2];
+  int count, top = 0;
   r[0] = a;
-  if (!vs_poll(vm, (uint64_t)x.n)) return false;
-  vs_int_look(r[0], &x);
-  size_t limb_bytes = (size_t)(x.n + 1) * sizeof(mp_limb_t);
-  size_t room = mpn_sizeinbase(x.at, x.n, radix) + 2;
-  mp_limb_t *copy = vs_mem(vm, NULL, 0, limb_bytes);
-  unsigned char *s = vs_mem(vm, NULL, 0, room);
-  bool ok = copy && s;
-  if (!ok) {
-    vs_fail_memory(vm);
-  } else {
-    vs_int_look(r[0], &x);
-    mpn_copyi(copy, x.at, x.n);                                    /* mpn_get_str destroys its input */
-    size_t n = mpn_get_str(s, radix, copy, x.n), skip = 0;
-    while (skip + 1 < n && s[skip] == 0) skip++;
-    for (size_t i = skip; i < n; i++) s[i] = (unsigned char)digit[s[i]];
-    ok = vs_text_put(t, (const char *)s + skip, n - skip);
+  if (!piece_powers(vm, radix, (double)vs_int_bits(a) / log2(radix), p, &count)) return false;
+  todo[0].level = count;
+  todo[0].first = true;
+  while (top >= 0) {                         /* each is below p[level - 1]^2, or at level 0 below p[0] */
+    int level = todo[top].level;
+    bool first = todo[top].first;
+    if (level == 0) {
+      if (!print_piece(vm, r[top], radix, first ? 0 : PIECE, t)) return false;
+      top--;
+      continue;
+    }
+    vs_value whole = r[top];
+    if (!vs_int_divide(vm, whole, p[level - 1], &r[top + 1], &r[top])) return false;
+    todo[top].level = todo[top + 1].level = level - 1;
+    todo[top + 1].first = first;
+    todo[top].first = first && r[top + 1] == vs_fix(0);
+    if (!todo[top].first) top++;             /* leading zeros are not printed */
   }
-  if (s) vs_mem(vm, s, room, 0);
-  if (copy) vs_mem(vm, copy, limb_bytes, 0);
-  return ok;
+  return true;
 }
 
-bool vs_int_from_digits(vs *vm, const unsigned char *digits, size_t n, int radix, bool negative, vs_value *out) {
+static bool piece_from_digits(vs *vm, const unsigned char *digits, size_t n, int radix, vs_value *out) {
   while (n && *digits == 0) digits++, n--;
   if (n <= 12) {                     /* 36^12 < 2^63 */
     int64_t v = 0;
     for (size_t i = 0; i < n; i++) v = v * radix + digits[i];
-    return vs_number_from_int64(vm, negative ? -v : v, out);
+    return vs_number_from_int64(vm, v, out);
   }
-  if (n > (size_t)VS_INT_MAX_LIMBS * 64) return int_too_large(vm);
   mp_size_t limbs = (mp_size_t)((double)n * log2(radix) / 64.0) + 2;
-  if (n > 1000 && !vs_poll(vm, n / 16)) return false;
   vs_value v;
-  if (!int_new(vm, limbs, &v)) return false;
+  if (!int_poll(vm, limbs) || !int_new(vm, limbs, &v)) return false;
   mp_size_t used = mpn_set_str(int_limbs(v), digits, n, radix);
-  *out = int_settle(v, used, negative);
+  *out = int_settle(v, used, false);
   return true;
+}
+
+bool vs_int_from_digits(vs *vm, const unsigned char *digits, size_t n, int radix, bool negative, vs_value *out) {
+  VS_ROOTS(vm, p, SQUARINGS);
+  VS_ROOTS(vm, r, 3);                        /* the pieces, the lowest first; two of them */
+  int count;
+  while (n && *digits == 0) digits++, n--;
+  if ((double)n * log2(radix) / 64 > VS_INT_MAX_LIMBS) return int_too_large(vm);
+  if (n <= PIECE) return piece_from_digits(vm, digits, n, radix, &r[1]) && (negative ? vs_int_negate(vm, r[1], out) : (*out = r[1], true));
+  size_t pieces = (n + PIECE - 1) / PIECE, end = n;
+  if (!piece_powers(vm, radix, (double)n, p, &count) || !vs_make_vector(vm, pieces, VS_FALSE, &r[0])) return false;
+  for (size_t i = 0; i < pieces; i++, end -= PIECE) {
+    size_t width = end < PIECE ? end : PIECE;
+    if (!piece_from_digits(vm, digits + end - width, width, radix, &r[1])) return false;
+    vs_gc_store(vm, vs_as_vector(r[0]), &vs_as_vector(r[0])->at[i], r[1]);
+  }
+  for (int k = 0; pieces > 1; k++, pieces = (pieces + 1) / 2)      /* two of a kind make one of the next */
+    for (size_t i = 0; i < (pieces + 1) / 2; i++) {
+      r[1] = vs_as_vector(r[0])->at[2 * i];
+      if (2 * i + 1 < pieces &&
+          (!vs_int_mul(vm, vs_as_vector(r[0])->at[2 * i + 1], p[k], &r[2]) || !vs_int_add(vm, r[2], r[1], &r[1])))
+        return false;
+      vs_gc_store(vm, vs_as_vector(r[0]), &vs_as_vector(r[0])->at[i], r[1]);
+    }
+  *out = vs_as_vector(r[0])->at[0];
+  return !negative || vs_int_negate(vm, *out, out);
 }
 
 /* ---- doubles ---- */

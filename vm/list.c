@@ -6,7 +6,7 @@
 #include "vm/native.h"
 #include "vm/number.h"
 
-enum { POLL_STEP = 1024 };
+enum { POLL_STEP = 1024, POLL_COST = 4 * POLL_STEP /* a step walks or makes a pair */ };
 
 /* ---- building ---- */
 
@@ -30,7 +30,7 @@ static void maker_end(vs *vm, vs_value *r, vs_value last) {
 /* appends copies of the first n pairs' cars of *list (a root), leaving *list at what follows */
 static bool maker_copy(vs *vm, vs_value *r, vs_value *list, int64_t n) {
   for (int64_t i = 0; i < n; i++) {
-    if (!maker_add(vm, r, vs_car(*list)) || (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_STEP))) return false;
+    if (!maker_add(vm, r, vs_car(*list)) || (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_COST))) return false;
     *list = vs_cdr(*list);
   }
   return true;
@@ -46,7 +46,7 @@ static bool arg_pairs(vs *vm, const vs_value *a, int arg, int64_t n, vs_value *a
   vs_value l = a[arg];
   for (int64_t i = 0; i < n; i++, l = vs_cdr(l)) {
     if (!vs_is_pair(l)) return vs_fail(vm, vm->sym.range, "the list is too short: it has %lld elements, %lld are wanted", (long long)i, (long long)n);
-    if (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_STEP)) return false;
+    if (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_COST)) return false;
   }
   *at = l;
   return true;
@@ -139,7 +139,7 @@ static vs_status list_make_list(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_arg_index(vm, a, 0, 0, VS_FIXNUM_MAX, &count)) return VS_ERROR;
   *out = VS_NIL;
   for (int64_t i = 0; i < count; i++)
-    if (!vs_cons(vm, n > 1 ? a[1] : VS_UNSPECIFIC, *out, out) || (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_STEP))) return VS_ERROR;
+    if (!vs_cons(vm, n > 1 ? a[1] : VS_UNSPECIFIC, *out, out) || (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_COST))) return VS_ERROR;
   return VS_OK;
 }
 
@@ -149,7 +149,7 @@ static vs_status list_numbers(vs *vm, int64_t count, const vs_value *from, const
   *out = VS_NIL;
   for (int64_t i = count; i-- > 0;) {
     if (!vs_number_mul(vm, vs_fix(i), *step, &r[0]) || !vs_number_add(vm, *from, r[0], &r[0]) || !vs_cons(vm, r[0], *out, out)) return VS_ERROR;
-    if (i % POLL_STEP == 0 && !vs_poll(vm, POLL_STEP)) return VS_ERROR;
+    if (i % POLL_STEP == 0 && !vs_poll(vm, POLL_COST)) return VS_ERROR;
   }
   return VS_OK;
 }
@@ -217,7 +217,7 @@ static vs_status list_ref(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_arg_index(vm, a, 1, 0, VS_FIXNUM_MAX, &k)) return VS_ERROR;
   if (!vs_is_pair(l) && l != VS_NIL) return vs_fail_type(vm, 0, "a list", l);
   for (int64_t i = 0; i < k && vs_is_pair(l); i++, l = vs_cdr(l))
-    if (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_STEP)) return VS_ERROR;
+    if (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_COST)) return VS_ERROR;
   if (!vs_is_pair(l)) {
     int64_t length = vs_list_length(a[0]);
     if (length < 0) return vs_fail_type(vm, 0, "a list", a[0]);
@@ -274,7 +274,7 @@ static vs_status list_last_pair(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_is_pair(a[0])) return vs_fail_type(vm, 0, "a list of one element or more", a[0]);
   vs_value l = a[0];
   for (uint64_t i = 1; vs_is_pair(vs_cdr(l)); i++, l = vs_cdr(l))
-    if (i % POLL_STEP == 0 && !vs_poll(vm, POLL_STEP)) return VS_ERROR;
+    if (i % POLL_STEP == 0 && !vs_poll(vm, POLL_COST)) return VS_ERROR;
   *out = l;
   return VS_OK;
 }
@@ -304,7 +304,7 @@ static vs_status list_reverse_onto(vs *vm, vs_value *a, vs_value tail, vs_value 
   if (!arg_list(vm, a, 0, &length)) return VS_ERROR;
   *out = tail;
   for (int64_t i = 0; i < length; i++, a[0] = vs_cdr(a[0]))
-    if (!vs_cons(vm, vs_car(a[0]), *out, out) || (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_STEP))) return VS_ERROR;
+    if (!vs_cons(vm, vs_car(a[0]), *out, out) || (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_COST))) return VS_ERROR;
   return VS_OK;
 }
 
@@ -323,7 +323,7 @@ static vs_status list_copy(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   LIST_MAKER(vm, r);
   for (uint64_t i = 1; vs_is_pair(a[0]); i++, a[0] = vs_cdr(a[0]))
-    if (!maker_add(vm, r, vs_car(a[0])) || (i % POLL_STEP == 0 && !vs_poll(vm, POLL_STEP))) return VS_ERROR;
+    if (!maker_add(vm, r, vs_car(a[0])) || (i % POLL_STEP == 0 && !vs_poll(vm, POLL_COST))) return VS_ERROR;
   maker_end(vm, r, a[0]);
   *out = r[HEAD];
   return VS_OK;
@@ -372,7 +372,7 @@ static vs_status list_flatten(vs *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, back, 1);
   back[0] = VS_NIL;
   for (uint64_t i = 1;; i++) {
-    if (i % POLL_STEP == 0 && !vs_poll(vm, POLL_STEP)) return VS_ERROR;
+    if (i % POLL_STEP == 0 && !vs_poll(vm, POLL_COST)) return VS_ERROR;
     if (vs_is_pair(a[0])) {
       vs_value first = vs_car(a[0]);
       if (vs_is_pair(first) || first == VS_NIL) {
@@ -415,7 +415,7 @@ static vs_status list_search(vs *vm, vs_value *a, same_kind kind, bool entries, 
       if (!vs_is_pair(x)) return vs_fail_type(vm, 1, "a list of pairs", a[1]);
       x = vs_car(x);
     }
-    if (!list_same(vm, kind, a[0], x, &same) || (i % POLL_STEP == 0 && !vs_poll(vm, POLL_STEP))) return VS_ERROR;
+    if (!list_same(vm, kind, a[0], x, &same) || (i % POLL_STEP == 0 && !vs_poll(vm, POLL_COST))) return VS_ERROR;
     if (same) {
       *out = entries ? vs_car(r[0]) : r[0];
       return VS_OK;

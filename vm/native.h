@@ -93,6 +93,11 @@ bool vs_list_doubles(vs *vm, vs_value list, int arg, double **out, size_t *count
 
 /* ---- limits: call it in builtins that can be long, with the work done since last time (1 = a cheap inner step) ---- */
 bool vs_poll(vs *vm, uint64_t work);
+/* the same at turn i of a loop whose turns are worth `cost` cheap steps (a step: some 5 ns) */
+static inline bool vs_poll_turn(vs *vm, uint64_t i, unsigned cost) { return (i & 1023) != 1023 || vs_poll(vm, 1024 * (uint64_t)cost); }
+/* memmove and memset in pieces, polling between them. What is larger than a piece is an object that does not move, or no object. */
+bool vs_poll_move(vs *vm, void *to, const void *from, size_t bytes);
+bool vs_poll_set(vs *vm, void *to, int byte, size_t bytes);
 
 /* ---- foreign objects ---- */
 typedef struct vs_foreign_type {

@@ -142,7 +142,7 @@ static bool walk_tree(printer *p, vs_value v, size_t budget, bool *small) {
     print_frame *f = &p->stack[p->count - 1];
     vs_value child;
     if (++steps > budget) break;
-    if ((steps & 0xFFFF) == 0 && !vs_poll(p->vm, 0x10000)) return false;
+    if (!vs_poll_turn(p->vm, steps, 8)) return false;
     if (!next_child(f->v, &f->i, &child)) {
       p->count--;
     } else if (is_compound(child)) {
@@ -160,7 +160,7 @@ static bool find_labels(printer *p, vs_value v) {
   for (size_t steps = 1; p->count; steps++) {
     print_frame *f = &p->stack[p->count - 1];
     vs_value child;
-    if ((steps & 0xFFFF) == 0 && !vs_poll(p->vm, 0x10000)) return false;
+    if (!vs_poll_turn(p->vm, steps, 8)) return false;
     if (!next_child(f->v, &f->i, &child)) {
       print_note *n = note_find(p, f->v);
       if (n->label == NOTE_OPEN) n->label = NOTE_DONE;
@@ -477,7 +477,7 @@ static bool print_compound(printer *p, vs_value v) {
       case ENTRIES: ok = step_entries(p, f); break;
       case DOT: ok = vs_text_put(p->t, " . ", 3); break;
     }
-    if ((steps & 1023) == 0) ok = ok && vs_poll(p->vm, 1024);
+    if ((steps & 1023) == 0) ok = ok && vs_poll(p->vm, 64 * 1024);         /* a number takes half a microsecond */
   }
   return ok;
 }

@@ -50,6 +50,31 @@ bool vs_poll(vs *vm, uint64_t work) {
   return vm->fuel > 0 || poll(vm);
 }
 
+enum { POLL_PIECE = 256 << 10 };        /* bytes; fresh memory is written at 1 to 2 GB a second */
+
+bool vs_poll_move(vs *vm, void *to, const void *from, size_t bytes) {
+  char *t = to;
+  const char *f = from;
+  bool back = t > f && t < f + bytes;     /* overlapping upwards: from the end */
+  for (size_t done = 0; done < bytes;) {
+    size_t n = bytes - done < POLL_PIECE ? bytes - done : POLL_PIECE, at = back ? bytes - done - n : done;
+    memmove(t + at, f + at, n);
+    done += n;
+    if (done < bytes && !vs_poll(vm, n / 8)) return false;
+  }
+  return true;
+}
+
+bool vs_poll_set(vs *vm, void *to, int byte, size_t bytes) {
+  for (size_t done = 0; done < bytes;) {
+    size_t n = bytes - done < POLL_PIECE ? bytes - done : POLL_PIECE;
+    memset((char *)to + done, byte, n);
+    done += n;
+    if (done < bytes && !vs_poll(vm, n / 8)) return false;
+  }
+  return true;
+}
+
 /* ---- the cases that the loop hands out ---- */
 static bool fail_undefined(vs *vm, vs_value name) {
   vs_text advice;                       /* words of other languages, near names */

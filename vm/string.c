@@ -38,7 +38,10 @@ bool vs_string_set(vs *vm, vs_value *s, size_t k, uint32_t c) {
     VS_ROOTS(vm, r, 1);
     size_t length = vs_as_string(*s)->length;
     if (!vs_make_string(vm, length, 0x100, &r[0])) return false;
-    for (size_t i = 0; i < length; i++) vs_string_put(r[0], i, vs_string_at(*s, i));
+    for (size_t i = 0; i < length; i++) {
+      vs_string_put(r[0], i, vs_string_at(*s, i));
+      if (!vs_poll_turn(vm, i, 1)) return false;
+    }
     vs_gc_store(vm, vs_object_of(*s), &vs_as_string(*s)->store, vs_as_string(r[0])->store);
     vs_object_of(*s)->flags |= VS_F_WIDE;
   }
@@ -50,13 +53,24 @@ bool vs_string_slice(vs *vm, const vs_value *s, size_t start, size_t end, vs_val
   uint32_t widest = widest_of(*s, start, end);
   VS_ROOTS(vm, r, 1);
   if (!vs_make_string(vm, end - start, widest > 0xFF ? widest : 0, &r[0])) return false;
-  for (size_t i = start; i < end; i++) vs_string_put(r[0], i - start, vs_string_at(*s, i));
+  if (!(vs_object_of(*s)->flags & VS_F_WIDE)) {
+    if (!vs_poll_move(vm, vs_as_bytes(vs_as_string(r[0])->store)->at, vs_as_bytes(vs_as_string(*s)->store)->at + start, end - start)) return false;
+  } else {
+    for (size_t i = start; i < end; i++) {
+      vs_string_put(r[0], i - start, vs_string_at(*s, i));
+      if (!vs_poll_turn(vm, i, 1)) return false;
+    }
+  }
   *out = r[0];
   return true;
 }
 
 int vs_string_compare(vs_value a, vs_value b) {
   size_t n = vs_as_string(a)->length, m = vs_as_string(b)->length;
+  if (!((vs_object_of(a)->flags | vs_object_of(b)->flags) & VS_F_WIDE)) {       /* bytes, in the order of their code points */
+    int order = memcmp(vs_as_bytes(vs_as_string(a)->store)->at, vs_as_bytes(vs_as_string(b)->store)->at, n < m ? n : m);
+    return order ? (order < 0 ? -1 : 1) : n < m ? -1 : n > m;
+  }
   for (size_t i = 0; i < n && i < m; i++) {
     uint32_t x = vs_string_at(a, i), y = vs_string_at(b, i);
     if (x != y) return x < y ? -1 : 1;
@@ -122,7 +136,7 @@ static vs_status string_set(vs *vm, vs_value *a, int n, vs_value *out) {
 static vs_status string_copy(vs *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
   return arg_string(vm, a, 0) && vs_arg_range(vm, a, n, 1, length_of(a[0]), &start, &end) &&
-         vs_string_slice(vm, &a[0], (size_t)start, (size_t)end, out) && vs_poll(vm, (uint64_t)(end - start) / 16);
+         vs_string_slice(vm, &a[0], (size_t)start, (size_t)end, out);
 }
 
 static vs_status string_copy_to(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -137,9 +151,9 @@ static vs_status string_copy_to(vs *vm, vs_value *a, int n, vs_value *out) {
   bool backwards = a[0] == a[2] && at > start;
   for (int64_t k = 0; k < count; k++) {
     int64_t i = backwards ? count - 1 - k : k;
-    if (!vs_string_set(vm, &a[0], (size_t)(at + i), vs_string_at(a[2], (size_t)(start + i)))) return VS_ERROR;
+    if (!vs_string_set(vm, &a[0], (size_t)(at + i), vs_string_at(a[2], (size_t)(start + i))) || !vs_poll_turn(vm, (uint64_t)k, 1)) return VS_ERROR;
   }
-  return vs_poll(vm, (uint64_t)count / 16);
+  return VS_OK;
 }
 
 static vs_status string_fill(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -148,8 +162,8 @@ static vs_status string_fill(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!arg_mutable(vm, a, 0) || !vs_arg_range(vm, a, n, 2, length_of(a[0]), &start, &end)) return VS_ERROR;
   if (!vs_is_char(a[1])) return vs_fail_type(vm, 1, "a character", a[1]);
   for (int64_t i = start; i < end; i++)
-    if (!vs_string_set(vm, &a[0], (size_t)i, vs_char(a[1]))) return VS_ERROR;
-  return vs_poll(vm, (uint64_t)(end - start) / 16);
+    if (!vs_string_set(vm, &a[0], (size_t)i, vs_char(a[1])) || !vs_poll_turn(vm, (uint64_t)i, 1)) return VS_ERROR;
+  return VS_OK;
 }
 
 static vs_status string_append(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -165,12 +179,18 @@ static vs_status string_append(vs *vm, vs_value *a, int n, vs_value *out) {
   size_t at = 0;
   for (int i = 0; i < n; i++) {
     size_t length = (size_t)length_of(a[i]);
-    if (!widest) memcpy(vs_as_bytes(vs_as_string(*out)->store)->at + at, vs_as_bytes(vs_as_string(a[i])->store)->at, length);
-    else
-      for (size_t k = 0; k < length; k++) vs_string_put(*out, at + k, vs_string_at(a[i], k));
+    if (!widest) {
+      if (!vs_poll_move(vm, vs_as_bytes(vs_as_string(*out)->store)->at + at, vs_as_bytes(vs_as_string(a[i])->store)->at, length)) return VS_ERROR;
+    } else {
+      for (size_t k = 0; k < length; k++) {
+        vs_string_put(*out, at + k, vs_string_at(a[i], k));
+        if (!vs_poll_turn(vm, k, 1)) return VS_ERROR;
+      }
+    }
     at += length;
+    if (!vs_poll(vm, length / 8)) return VS_ERROR;
   }
-  return vs_poll(vm, (uint64_t)total / 64);
+  return VS_OK;
 }
 
 static vs_status string_to_list(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -178,7 +198,7 @@ static vs_status string_to_list(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!arg_string(vm, a, 0) || !vs_arg_range(vm, a, n, 1, length_of(a[0]), &start, &end)) return VS_ERROR;
   *out = VS_NIL;
   for (int64_t i = end; i-- > start;)
-    if (!vs_cons(vm, VS_CHAR(vs_string_at(a[0], (size_t)i)), *out, out) || (i % 4096 == 0 && !vs_poll(vm, 4096))) return VS_ERROR;
+    if (!vs_cons(vm, VS_CHAR(vs_string_at(a[0], (size_t)i)), *out, out) || !vs_poll_turn(vm, (uint64_t)i, 4)) return VS_ERROR;
   return VS_OK;
 }
 
@@ -190,10 +210,15 @@ static vs_status list_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
   for (vs_value l = a[0]; vs_is_pair(l); l = vs_cdr(l)) {
     if (!vs_is_char(vs_car(l))) return vs_fail_type(vm, 0, "a list of characters", a[0]);
     if (vs_char(vs_car(l)) > widest) widest = vs_char(vs_car(l));
+    if (!vs_poll_turn(vm, (uint64_t)i++, 2)) return VS_ERROR;
   }
+  i = 0;
   if (!vs_make_string(vm, (size_t)length, widest > 0xFF ? widest : 0, out)) return VS_ERROR;
-  for (vs_value l = a[0]; i < length; l = vs_cdr(l)) vs_string_put(*out, (size_t)i++, vs_char(vs_car(l)));
-  return vs_poll(vm, (uint64_t)length / 16);
+  for (vs_value l = a[0]; i < length; l = vs_cdr(l), i++) {
+    vs_string_put(*out, (size_t)i, vs_char(vs_car(l)));
+    if (!vs_poll_turn(vm, (uint64_t)i, 2)) return VS_ERROR;
+  }
+  return VS_OK;
 }
 
 static vs_status string_reverse(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -201,7 +226,10 @@ static vs_status string_reverse(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!arg_string(vm, a, 0)) return VS_ERROR;
   size_t length = (size_t)length_of(a[0]);
   if (!vs_string_slice(vm, &a[0], 0, length, out)) return VS_ERROR;
-  for (size_t i = 0; i < length; i++) vs_string_put(*out, i, vs_string_at(a[0], length - 1 - i));
+  for (size_t i = 0; i < length; i++) {
+    vs_string_put(*out, i, vs_string_at(a[0], length - 1 - i));
+    if (!vs_poll_turn(vm, i, 1)) return VS_ERROR;
+  }
   return VS_OK;
 }
 
@@ -214,7 +242,7 @@ static bool string_fold(vs *vm, vs_value *s) {
   vs_text t;
   vs_text_open(vm, &t, 0);
   bool ok = true;
-  for (size_t i = 0; ok && i < (size_t)length_of(*s); i++) {
+  for (size_t i = 0; ok && i < (size_t)length_of(*s) && (ok = vs_poll_turn(vm, i, 16)); i++) {
     utf8proc_int32_t folded[8];
     utf8proc_ssize_t m = utf8proc_decompose_char((utf8proc_int32_t)vs_string_at(*s, i), folded, 8, UTF8PROC_CASEFOLD, NULL);
     if (m <= 0 || m > 8) ok = vs_text_char(&t, vs_string_at(*s, i));
@@ -267,7 +295,7 @@ static vs_status string_upcase(vs *vm, vs_value *a, int n, vs_value *out) {
   vs_text t;
   vs_text_open(vm, &t, 0);
   bool ok = true;
-  for (size_t i = 0; ok && i < (size_t)length_of(a[0]); i++) {
+  for (size_t i = 0; ok && i < (size_t)length_of(a[0]) && (ok = vs_poll_turn(vm, i, 8)); i++) {
     uint32_t c = vs_string_at(a[0], i);
     ok = c == 0xDF ? vs_text_puts(&t, "SS") : vs_text_char(&t, (uint32_t)utf8proc_toupper((utf8proc_int32_t)c));
   }
@@ -284,7 +312,7 @@ static vs_status string_downcase(vs *vm, vs_value *a, int n, vs_value *out) {
   vs_text_open(vm, &t, 0);
   bool ok = true;
   size_t length = (size_t)length_of(a[0]);
-  for (size_t i = 0; ok && i < length; i++) {
+  for (size_t i = 0; ok && i < length && (ok = vs_poll_turn(vm, i, 8)); i++) {
     uint32_t c = vs_string_at(a[0], i);
     bool final = c == 0x3A3 && i > 0 && is_letter(vs_string_at(a[0], i - 1)) && !(i + 1 < length && is_letter(vs_string_at(a[0], i + 1)));
     ok = vs_text_char(&t, final ? 0x3C2 : (uint32_t)utf8proc_tolower((utf8proc_int32_t)c));
@@ -303,30 +331,68 @@ static vs_status string_foldcase(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- searching ---- */
 
-/* index of the first place from `from` on where needle stands in s, -1: nowhere */
-static int64_t find_from(vs_value s, vs_value needle, int64_t from) {
-  int64_t n = length_of(s), m = length_of(needle);
-  for (int64_t i = from; i + m <= n; i++) {
-    int64_t k = 0;
-    while (k < m && vs_string_at(s, (size_t)(i + k)) == vs_string_at(needle, (size_t)k)) k++;
-    if (k == m) return i;
+/* What is sought, and for each of its beginnings the longest shorter one that also ends it (Knuth, Morris and Pratt), so that no character of
+ * the text is looked at again and again. `border` is NULL for one character. */
+typedef struct { uint32_t *border; int64_t length; } needle;
+
+static bool needle_open(vs *vm, vs_value text, needle *d) {
+  *d = (needle){ NULL, length_of(text) };
+  if (d->length < 2) return true;
+  if (!(d->border = vs_mem(vm, NULL, 0, (size_t)d->length * sizeof *d->border))) return vs_fail_memory(vm);
+  d->border[0] = 0;
+  uint32_t k = 0;
+  for (size_t i = 1; i < (size_t)d->length; i++) {
+    uint32_t c = vs_string_at(text, i);
+    while (k && vs_string_at(text, k) != c) k = d->border[k - 1];
+    if (vs_string_at(text, k) == c) k++;
+    d->border[i] = k;
+    if (!vs_poll_turn(vm, i, 2)) return false;
   }
-  return -1;
+  return true;
+}
+
+static void needle_close(vs *vm, needle *d) {
+  if (d->border) vs_mem(vm, d->border, (size_t)d->length * sizeof *d->border, 0);
+  d->border = NULL;
+}
+
+/* *at: the first place from `from` on where the text of d stands in s, -1: nowhere */
+static bool find_from(vs *vm, vs_value s, vs_value text, const needle *d, int64_t from, int64_t *at) {
+  int64_t n = length_of(s), k = 0;
+  *at = d->length == 0 && from <= n ? from : -1;
+  if (d->length == 0) return true;
+  for (int64_t i = from; i < n; i++) {
+    uint32_t c = vs_string_at(s, (size_t)i);
+    while (k && vs_string_at(text, (size_t)k) != c) k = d->border[k - 1];
+    if (vs_string_at(text, (size_t)k) == c && ++k == d->length) return *at = i + 1 - k, true;
+    if (!vs_poll_turn(vm, (uint64_t)i, 1)) return false;
+  }
+  return true;
+}
+
+/* the same for one search */
+static bool find_once(vs *vm, vs_value s, vs_value text, int64_t from, int64_t *at) {
+  needle d;
+  bool ok = needle_open(vm, text, &d) && find_from(vm, s, text, &d, from, at);
+  needle_close(vm, &d);
+  return ok;
 }
 
 static vs_status string_search(vs *vm, vs_value *a, int n, vs_value *out) {
-  int64_t start = 0;
-  if (!arg_string(vm, a, 0) || !arg_string(vm, a, 1) || (n > 2 && !vs_arg_index(vm, a, 2, 0, length_of(a[0]), &start))) return VS_ERROR;
-  int64_t at = find_from(a[0], a[1], start);
+  int64_t start = 0, at;
+  if (!arg_string(vm, a, 0) || !arg_string(vm, a, 1) || (n > 2 && !vs_arg_index(vm, a, 2, 0, length_of(a[0]), &start)) ||
+      !find_once(vm, a[0], a[1], start, &at))
+    return VS_ERROR;
   *out = at < 0 ? VS_FALSE : vs_fix(at);
-  return vs_poll(vm, (uint64_t)length_of(a[0]) / 16);
+  return VS_OK;
 }
 
 static vs_status string_contains_p(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  if (!arg_string(vm, a, 0) || !arg_string(vm, a, 1)) return VS_ERROR;
-  *out = vs_bool(find_from(a[0], a[1], 0) >= 0);
-  return vs_poll(vm, (uint64_t)length_of(a[0]) / 16);
+  int64_t at;
+  if (!arg_string(vm, a, 0) || !arg_string(vm, a, 1) || !find_once(vm, a[0], a[1], 0, &at)) return VS_ERROR;
+  *out = vs_bool(at >= 0);
+  return VS_OK;
 }
 
 static vs_status string_prefix_p(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -358,9 +424,9 @@ static vs_status string_join(vs *vm, vs_value *a, int n, vs_value *out) {
   for (vs_value l = a[0]; ok && vs_is_pair(l); l = vs_cdr(l), first = false) {
     ok = vs_is_string(vs_car(l)) || vs_fail_type(vm, 0, "a list of strings", a[0]);
     if (ok && !first) ok = n > 1 ? vs_text_string(&t, a[1]) : vs_text_puts(&t, " ");
-    ok = ok && vs_text_string(&t, vs_car(l));
+    ok = ok && vs_text_string(&t, vs_car(l)) && vs_poll(vm, 16);
   }
-  ok = ok && vs_poll(vm, t.count / 16) && vs_text_to_string(&t, out);
+  ok = ok && vs_text_to_string(&t, out);
   vs_text_close(&t);
   return ok;
 }
@@ -380,28 +446,31 @@ static vs_status string_split(vs *vm, vs_value *a, int n, vs_value *out) {
     } else if (!vs_is_string(a[1])) return vs_fail_type(vm, 1, "a string or a character", a[1]);
     if (length_of(a[1]) == 0) return vs_fail_type(vm, 1, "a string of one character or more", a[1]);
   }
-  while (start <= length) {
+  needle d = { NULL, 0 };
+  bool ok = blanks || needle_open(vm, a[1], &d);
+  while (ok && start <= length) {
     int64_t end, next;
     if (blanks) {
-      while (start < length && is_space(vs_string_at(a[0], (size_t)start))) start++;
+      while (ok && start < length && is_space(vs_string_at(a[0], (size_t)start))) ok = vs_poll_turn(vm, (uint64_t)start++, 1);
       if (start >= length) break;
-      for (end = start; end < length && !is_space(vs_string_at(a[0], (size_t)end));) end++;
+      for (end = start; ok && end < length && !is_space(vs_string_at(a[0], (size_t)end));) ok = vs_poll_turn(vm, (uint64_t)end++, 1);
       next = end;
     } else {
-      end = find_from(a[0], a[1], start);
+      ok = find_from(vm, a[0], a[1], &d, start, &end);
+      if (!ok) break;
       next = end < 0 ? length + 1 : end + length_of(a[1]);
       if (end < 0) end = length;
     }
-    if (!vs_string_slice(vm, &a[0], (size_t)start, (size_t)end, &r[2]) || !vs_cons(vm, r[2], VS_NIL, &r[2]) ||
-        !vs_poll(vm, (uint64_t)(end - start) / 16 + 1))
-      return VS_ERROR;
+    ok = ok && vs_string_slice(vm, &a[0], (size_t)start, (size_t)end, &r[2]) && vs_cons(vm, r[2], VS_NIL, &r[2]) && vs_poll(vm, 16);
+    if (!ok) break;
     if (r[0] == VS_NIL) r[0] = r[2];
     else vs_gc_store(vm, vs_object_of(r[1]), &vs_as_pair(r[1])->cdr, r[2]);
     r[1] = r[2];
     start = next;
   }
+  needle_close(vm, &d);
   *out = r[0];
-  return VS_OK;
+  return ok;
 }
 
 static vs_status string_trimmed(vs *vm, vs_value *a, bool left, bool right, vs_value *out) {
@@ -428,8 +497,10 @@ static vs_status string_padded(vs *vm, vs_value *a, int n, bool left, vs_value *
   VS_ROOTS(vm, r, 1);
   if (!vs_make_string(vm, (size_t)width, widest > 0xFF ? widest : 0, &r[0])) return VS_ERROR;
   int64_t at = left ? width - length : 0;
-  for (int64_t i = 0; i < width; i++)
+  for (int64_t i = 0; i < width; i++) {
     vs_string_put(r[0], (size_t)i, i >= at && i < at + length ? vs_string_at(a[0], (size_t)(i - at)) : fill);
+    if (!vs_poll_turn(vm, (uint64_t)i, 1)) return VS_ERROR;
+  }
   *out = r[0];
   return VS_OK;
 }
@@ -444,15 +515,17 @@ static vs_status string_replace(vs *vm, vs_value *a, int n, vs_value *out) {
   if (length_of(a[1]) == 0) return vs_fail_type(vm, 1, "a string of one character or more", a[1]);
   vs_text t;
   vs_text_open(vm, &t, 0);
-  bool ok = true;
-  int64_t length = length_of(a[0]), start = 0;
-  while (ok && start < length) {
-    int64_t at = find_from(a[0], a[1], start), end = at < 0 ? length : at;
-    for (; ok && start < end; start++) ok = vs_text_char(&t, vs_string_at(a[0], (size_t)start));
+  needle d;
+  bool ok = needle_open(vm, a[1], &d);
+  int64_t length = length_of(a[0]), start = 0, at;
+  while (ok && start < length && (ok = find_from(vm, a[0], a[1], &d, start, &at))) {
+    int64_t end = at < 0 ? length : at;
+    for (; ok && start < end; start++) ok = vs_text_char(&t, vs_string_at(a[0], (size_t)start)) && vs_poll_turn(vm, (uint64_t)start, 4);
     if (at >= 0) ok = ok && vs_text_string(&t, a[2]);
     if (at >= 0) start = at + length_of(a[1]);
     ok = ok && vs_poll(vm, 1);
   }
+  needle_close(vm, &d);
   ok = ok && vs_text_to_string(&t, out);
   vs_text_close(&t);
   return ok;

@@ -20,12 +20,12 @@ static uint64_t table_hash(vs *vm, const vs_table *t, vs_value key) {
 }
 static uint32_t hash_home(uint64_t stored, uint32_t mask) { return (uint32_t)(stored >> 1) & mask; }
 
-static void table_place(vs_table *t, uint32_t entry) {
-  uint32_t *index = table_index(t), mask = table_mask(t);
-  uint32_t i = hash_home((uint64_t)vs_fixnum(table_entries(t)->at[entry * 3 + 2]), mask);
+static void index_place(uint32_t *index, uint32_t mask, vs_value stored, uint32_t entry) {
+  uint32_t i = hash_home((uint64_t)vs_fixnum(stored), mask);
   while (index[i]) i = (i + 1) & mask;
   index[i] = entry + 1;
 }
+static void table_place(vs_table *t, uint32_t entry) { index_place(table_index(t), table_mask(t), table_entries(t)->at[entry * 3 + 2], entry); }
 
 /* takes the slot i out: entries behind it that would no longer be found move back */
 static void table_unplace(vs_table *t, uint32_t i) {
@@ -95,23 +95,23 @@ static bool table_reserve(vs *vm, const vs_value *table) {
   if (t->used < room) return true;
   uint32_t new_room = t->count > room / 2 ? room * 2 : room;
   if (new_room > UINT32_MAX / 16) return vs_fail(vm, vm->sym.range, "the hash table would be too large");
-  if (room > 4096 && !vs_poll(vm, room)) return false;
   VS_ROOTS(vm, r, 2);
   if (!vs_make_vector(vm, (size_t)new_room * 3, VS_VACANT, &r[0]) || !vs_make_bytes(vm, (size_t)new_room * 2 * 4, &r[1])) return false;
   t = vs_as_table(*table);
   table_sync(vm, t);
   vs_vector *to = vs_as_vector(r[0]), *from = table_entries(t);
-  uint32_t n = 0;
+  uint32_t n = 0, *index = (uint32_t *)(void *)vs_as_bytes(r[1])->at, mask = new_room * 2 - 1;
   for (uint32_t e = 0; e < t->used; e++) {
     if (from->at[e * 3] == VS_VACANT) continue;
     for (uint32_t k = 0; k < 3; k++) vs_gc_store(vm, to, &to->at[n * 3 + k], from->at[e * 3 + k]);
+    index_place(index, mask, to->at[n * 3 + 2], n);
     n++;
+    if (!vs_poll_turn(vm, e, 8)) return false;      /* the table is as it was */
   }
   vs_gc_store(vm, t, &t->entries, r[0]);
   vs_gc_store(vm, t, &t->index, r[1]);
   t->used = n;
   t->young = 0;                                   /* entry numbers have changed: look at all of them next time */
-  for (uint32_t e = 0; e < n; e++) table_place(t, e);
   return true;
 }
 

@@ -51,14 +51,14 @@ bool vs_text_string(vs_text *t, vs_value string) {
   if (s->h.flags & VS_F_WIDE) {
     const uint32_t *at = (const uint32_t *)(const void *)store;
     for (uint32_t i = 0; i < s->length; i++)
-      if (!vs_text_char(t, at[i])) return false;
+      if (!vs_text_char(t, at[i]) || !vs_poll_turn(t->vm, i, 4)) return false;
     return true;
   }
   for (uint32_t i = 0; i < s->length;) {
     uint32_t from = i;
-    while (i < s->length && store[i] < 0x80) i++;
-    if (i > from && !vs_text_put(t, (const char *)store + from, i - from)) return false;
-    if (i < s->length && !vs_text_char(t, store[i++])) return false;
+    while (i < s->length && store[i] < 0x80 && i - from < 65536) i++;
+    if (i > from && (!vs_text_put(t, (const char *)store + from, i - from) || (i - from >= 1024 && !vs_poll(t->vm, (i - from) / 4)))) return false;
+    if (i < s->length && store[i] >= 0x80 && (!vs_text_char(t, store[i]) || !vs_poll_turn(t->vm, i++, 4))) return false;
   }
   return true;
 }

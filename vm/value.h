@@ -84,6 +84,7 @@ enum {                          /* vs_object.flags */
   VS_F_UNINTERNED = 4,          /* symbol: from generate-uninterned-symbol */
   VS_F_LOCAL      = 8,          /* symbol, alias: some local scope has bound it */
   VS_F_ASSIGNED   = 8,          /* cell: its own unit has a set! of it: who imports it shares it */
+  VS_F_AROUND     = 4,          /* environment: other scopes lie in this one */
   VS_F_NEGATIVE   = 4           /* bignum */
 };
 

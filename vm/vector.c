@@ -4,7 +4,6 @@
 #include "vm/range.h"
 #include "vm/string.h"
 
-enum { POLL_STEP = 4096 };
 static const int64_t LONGEST = INT64_C(1) << 31; /* an object's size is 32 bits of words */
 
 static bool arg_vector(vs *vm, const vs_value *a, int arg) { return vs_arg_type(vm, a, arg, VS_T_VECTOR); }
@@ -22,8 +21,11 @@ static int64_t vector_length(vs_value v) { return (int64_t)vs_as_vector(v)->leng
 static bool vector_slice(vs *vm, const vs_value *from, int64_t start, int64_t end, vs_value *out) {
   if (!vs_make_vector(vm, (size_t)(end - start), VS_FALSE, out)) return false;
   vs_object *o = vs_object_of(*out);
-  for (int64_t i = start; i < end; i++) vs_gc_store(vm, o, &vs_as_vector(*out)->at[i - start], vs_as_vector(*from)->at[i]);
-  return vs_poll(vm, (uint64_t)(end - start) / 8);
+  for (int64_t i = start; i < end; i++) {
+    vs_gc_store(vm, o, &vs_as_vector(*out)->at[i - start], vs_as_vector(*from)->at[i]);
+    if (!vs_poll_turn(vm, (uint64_t)i, 1)) return false;
+  }
+  return true;
 }
 
 static vs_status vector_p(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -81,7 +83,7 @@ static vs_status vector_to_list(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!arg_vector(vm, a, 0) || !vs_arg_range(vm, a, n, 1, vector_length(a[0]), &start, &end)) return VS_ERROR;
   *out = VS_NIL;
   for (int64_t i = end; i-- > start;)
-    if (!vs_cons(vm, vs_as_vector(a[0])->at[i], *out, out) || (i % POLL_STEP == 0 && !vs_poll(vm, POLL_STEP))) return VS_ERROR;
+    if (!vs_cons(vm, vs_as_vector(a[0])->at[i], *out, out) || !vs_poll_turn(vm, (uint64_t)i, 4)) return VS_ERROR;
   return VS_OK;
 }
 
@@ -91,16 +93,22 @@ static vs_status list_to_vector(vs *vm, vs_value *a, int n, vs_value *out) {
   if (length < 0) return vs_fail_type(vm, 0, "a list", a[0]);
   if (!vs_make_vector(vm, (size_t)length, VS_FALSE, out)) return VS_ERROR;
   vs_value l = a[0];
-  for (int64_t i = 0; i < length; i++, l = vs_cdr(l)) vs_gc_store(vm, vs_object_of(*out), &vs_as_vector(*out)->at[i], vs_car(l));
-  return vs_poll(vm, (uint64_t)length / 8);
+  for (int64_t i = 0; i < length; i++, l = vs_cdr(l)) {
+    vs_gc_store(vm, vs_object_of(*out), &vs_as_vector(*out)->at[i], vs_car(l));
+    if (!vs_poll_turn(vm, (uint64_t)i, 2)) return VS_ERROR;
+  }
+  return VS_OK;
 }
 
 static vs_status vector_fill(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   int64_t start, end;
   if (!arg_mutable(vm, a, 0, VS_T_VECTOR) || !vs_arg_range(vm, a, n, 2, vector_length(a[0]), &start, &end)) return VS_ERROR;
-  for (int64_t i = start; i < end; i++) vs_gc_store(vm, vs_object_of(a[0]), &vs_as_vector(a[0])->at[i], a[1]);
-  return vs_poll(vm, (uint64_t)(end - start) / 8);
+  for (int64_t i = start; i < end; i++) {
+    vs_gc_store(vm, vs_object_of(a[0]), &vs_as_vector(a[0])->at[i], a[1]);
+    if (!vs_poll_turn(vm, (uint64_t)i, 1)) return VS_ERROR;
+  }
+  return VS_OK;
 }
 
 static vs_status vector_copy(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -123,8 +131,9 @@ static vs_status vector_copy_to(vs *vm, vs_value *a, int n, vs_value *out) {
   for (int64_t k = 0; k < count; k++) {
     int64_t i = backwards ? count - 1 - k : k;
     vs_gc_store(vm, to, &to->at[at + i], from->at[start + i]);
+    if (!vs_poll_turn(vm, (uint64_t)k, 1)) return VS_ERROR;
   }
-  return vs_poll(vm, (uint64_t)count / 8);
+  return VS_OK;
 }
 
 static vs_status vector_append(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -136,8 +145,11 @@ static vs_status vector_append(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_make_vector(vm, (size_t)total, VS_FALSE, out)) return VS_ERROR;
   int64_t at = 0;
   for (int i = 0; i < n; i++)
-    for (int64_t k = 0; k < vector_length(a[i]); k++) vs_gc_store(vm, vs_object_of(*out), &vs_as_vector(*out)->at[at++], vs_as_vector(a[i])->at[k]);
-  return vs_poll(vm, (uint64_t)total / 8);
+    for (int64_t k = 0; k < vector_length(a[i]); k++) {
+      vs_gc_store(vm, vs_object_of(*out), &vs_as_vector(*out)->at[at], vs_as_vector(a[i])->at[k]);
+      if (!vs_poll_turn(vm, (uint64_t)at++, 1)) return VS_ERROR;
+    }
+  return VS_OK;
 }
 
 static vs_status vector_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -148,9 +160,13 @@ static vs_status vector_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
     vs_value c = vs_as_vector(a[0])->at[i];
     if (!vs_is_char(c)) return vs_fail_type(vm, 0, "a vector of characters", a[0]);
     if (vs_char(c) > widest) widest = vs_char(c);
+    if (!vs_poll_turn(vm, (uint64_t)i, 1)) return VS_ERROR;
   }
   if (!vs_make_string(vm, (size_t)(end - start), widest, out)) return VS_ERROR;
-  for (int64_t i = start; i < end; i++) vs_string_put(*out, (size_t)(i - start), vs_char(vs_as_vector(a[0])->at[i]));
+  for (int64_t i = start; i < end; i++) {
+    vs_string_put(*out, (size_t)(i - start), vs_char(vs_as_vector(a[0])->at[i]));
+    if (!vs_poll_turn(vm, (uint64_t)i, 1)) return VS_ERROR;
+  }
   return VS_OK;
 }
 
@@ -159,7 +175,10 @@ static vs_status string_to_vector(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_arg_type(vm, a, 0, VS_T_STRING) || !vs_arg_range(vm, a, n, 1, vs_as_string(a[0])->length, &start, &end) ||
       !vs_make_vector(vm, (size_t)(end - start), VS_FALSE, out))
     return VS_ERROR;
-  for (int64_t i = start; i < end; i++) vs_as_vector(*out)->at[i - start] = VS_CHAR(vs_string_at(a[0], (size_t)i)); /* immediates: no barrier */
+  for (int64_t i = start; i < end; i++) {
+    vs_as_vector(*out)->at[i - start] = VS_CHAR(vs_string_at(a[0], (size_t)i)); /* immediates: no barrier */
+    if (!vs_poll_turn(vm, (uint64_t)i, 1)) return VS_ERROR;
+  }
   return VS_OK;
 }
 
@@ -190,8 +209,7 @@ static vs_status bytes_make(vs *vm, vs_value *a, int n, vs_value *out) {
   int64_t count;
   uint8_t fill = 0;
   if (!vs_arg_index(vm, a, 0, 0, LONGEST, &count) || (n > 1 && !arg_byte(vm, a, 1, &fill)) || !vs_make_bytes(vm, (size_t)count, out)) return VS_ERROR;
-  memset(vs_as_bytes(*out)->at, fill, (size_t)count);
-  return VS_OK;
+  return fill == 0 || vs_poll_set(vm, vs_as_bytes(*out)->at, fill, (size_t)count);
 }
 
 static vs_status bytes_bytevector(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -228,8 +246,7 @@ static vs_status bytes_set(vs *vm, vs_value *a, int n, vs_value *out) {
 static vs_status bytes_copy(vs *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
   if (!arg_bytes(vm, a, 0) || !vs_arg_range(vm, a, n, 1, bytes_length(a[0]), &start, &end) || !vs_make_bytes(vm, (size_t)(end - start), out)) return VS_ERROR;
-  memcpy(vs_as_bytes(*out)->at, vs_as_bytes(a[0])->at + start, (size_t)(end - start));
-  return VS_OK;
+  return vs_poll_move(vm, vs_as_bytes(*out)->at, vs_as_bytes(a[0])->at + start, (size_t)(end - start));
 }
 
 static vs_status bytes_copy_to(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -240,8 +257,7 @@ static vs_status bytes_copy_to(vs *vm, vs_value *a, int n, vs_value *out) {
     return VS_ERROR;
   if (end - start > bytes_length(a[0]) - at)
     return vs_fail(vm, vm->sym.range, "%lld bytes do not fit behind index %lld of a bytevector of %lld", (long long)(end - start), (long long)at, (long long)bytes_length(a[0]));
-  memmove(vs_as_bytes(a[0])->at + at, vs_as_bytes(a[2])->at + start, (size_t)(end - start));
-  return VS_OK;
+  return vs_poll_move(vm, vs_as_bytes(a[0])->at + at, vs_as_bytes(a[2])->at + start, (size_t)(end - start));
 }
 
 static vs_status bytes_append(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -253,7 +269,7 @@ static vs_status bytes_append(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_make_bytes(vm, (size_t)total, out)) return VS_ERROR;
   uint8_t *at = vs_as_bytes(*out)->at;
   for (int i = 0; i < n; i++) {
-    memcpy(at, vs_as_bytes(a[i])->at, (size_t)bytes_length(a[i]));
+    if (!vs_poll_move(vm, at, vs_as_bytes(a[i])->at, (size_t)bytes_length(a[i]))) return VS_ERROR;
     at += bytes_length(a[i]);
   }
   return VS_OK;
@@ -264,8 +280,7 @@ static vs_status bytes_fill(vs *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
   uint8_t byte;
   if (!arg_mutable(vm, a, 0, VS_T_BYTES) || !arg_byte(vm, a, 1, &byte) || !vs_arg_range(vm, a, n, 2, bytes_length(a[0]), &start, &end)) return VS_ERROR;
-  memset(vs_as_bytes(a[0])->at + start, byte, (size_t)(end - start));
-  return VS_OK;
+  return vs_poll_set(vm, vs_as_bytes(a[0])->at + start, byte, (size_t)(end - start));
 }
 
 static vs_status utf8_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -291,9 +306,9 @@ static vs_status string_to_utf8(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_arg_type(vm, a, 0, VS_T_STRING) || !vs_arg_range(vm, a, n, 1, vs_as_string(a[0])->length, &start, &end)) return VS_ERROR;
   vs_text_open(vm, &t, 0);
   bool ok = true;
-  for (int64_t i = start; ok && i < end; i++) ok = vs_text_char(&t, vs_string_at(a[0], (size_t)i));
+  for (int64_t i = start; ok && i < end; i++) ok = vs_text_char(&t, vs_string_at(a[0], (size_t)i)) && vs_poll_turn(vm, (uint64_t)i, 4);
   ok = ok && vs_make_bytes(vm, t.count, out);
-  if (ok && t.count) memcpy(vs_as_bytes(*out)->at, t.at, t.count);
+  if (ok && t.count) ok = vs_poll_move(vm, vs_as_bytes(*out)->at, t.at, t.count);
   vs_text_close(&t);
   return ok;
 }

@@ -43,6 +43,7 @@ vs *vs_open_vm(const vs_config *config) {
   memset(vm, 0, sizeof *vm);
   vm->config = *config;
   vm->bytes = sizeof *vm;
+  vm->fuel = 1 << 20;                         /* until something runs nobody asks for limits */
   vm->under = vm->call_procedure = vm->condition = vm->value = VS_FALSE;
   vm->winders = vm->handlers = vm->parameters = VS_NIL;
 #define S(field, text) vm->sym.field = VS_FALSE;
