@@ -210,12 +210,11 @@ static bool vs_bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds
     case VS_POLYFACE_MESH: vs_bounds_add_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count); return true;
     case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
       return n->class_ == VS_NOTHING || vs_bounds_add_swept(b, a, n, children, e);
-    case VS_SLICE: case VS_HULL:
     case VS_REVOLVE: return n->class_ == VS_NOTHING || vs_bounds_add_revolve(b, a, n, children, e);
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return vs_bounds_add_facets(b, a, n, children, e);
     case VS_GRID_MESH: vs_bounds_add_points(b, a, VS_AS(grid_mesh, n)->points->at, VS_AS(grid_mesh, n)->points->count); return true;
     case VS_GRID_SURFACE: vs_bounds_add_points(b, a, VS_AS(grid_surface, n)->points->at, VS_AS(grid_surface, n)->points->count); return true;
-    case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
+    case VS_SLICE: case VS_HULL: case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
   }
   *leaf = false;
   return true;
