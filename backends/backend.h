@@ -3,7 +3,8 @@
  * The driver (driver.c) walks the drawing without recursion. For every node that the format draws it calls the kind's emit function:
  * once, with phase VS_PHASE_LEAF, for what has no children to go into (a primitive, or a profile with its sweep); twice, VS_PHASE_ENTER and
  * VS_PHASE_LEAVE, round the children of an operation. A kind without a function, or one whose function answers VS_LOWER
- * before it has written anything, is replaced by simpler kinds and asked again; a shared node is lowered once.
+ * before it has written anything, is replaced by simpler kinds and asked again; a shared node is lowered once. Simpler kinds may be a tree:
+ * it is walked in the node's place.
  * Nodes that draw nothing (empty, or of a class the format leaves out) are not shown to the emitter, and a union or difference that
  * is left with one operand is that operand.
  * A format with `define` gets subtrees that stand in several places, and those cut off past a depth of VS_DEPTH_MAX, once each before
@@ -75,6 +76,7 @@ struct vs_backend {
   bool (*beside)(vs_emitter *e);
   bool keep_origins;    /* the text's lines are remembered with the origins of what they hold */
   bool hulls;           /* knows hulls of solids: they are shown as operations; all others, and elsewhere all, as one shape */
+  bool area_sets;       /* is asked about sets of regions before they are lowered to one region */
   bool verbatim;        /* every node is shown as it is, empty ones too, and the children of all kinds are gone into */
   const char *omit[VS_MIXED]; /* a vs_class that the format leaves out, and why: said once */
   struct { vs_emit_fn *fn; const char *lossy; } emit[VS_KIND_COUNT]; /* lossy: said once as a warning */
@@ -122,6 +124,8 @@ bool vs_emit_file(vs_emitter *e, const char *path, bool (*fill)(vs_emitter *e));
 /* ---- lower.c ---- */
 /* Simpler kinds for ref's node, one new reference; NULL: cannot be or failed, and the error says so. Not memoised: the driver does that. */
 vs_node *vs_lower(vs_emitter *e, const vs_ref *ref);
+/* Is this a set of regions that is to be written as one region? All but unions of several planes, or of parts painted apart. */
+bool vs_lower_as_area(const vs_emitter *e, const vs_node *n);
 /* Triangles of a node, as vs_emit_mesh but made anew; out is empty before, and the caller's to free also after a failure. */
 bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out);
 /* The union of all solids that are drawn. */

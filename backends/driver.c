@@ -46,6 +46,8 @@ struct vs_drive {
   vs_nodemap paints;    /* material -> its number */
   const vs_material **materials;
   size_t material_count, material_room;
+  vs_node **kept;       /* trees that nodes were lowered to: they are walked after the lowering */
+  size_t kept_count, kept_room;
   const char **said;    /* warnings given, by address */
   size_t said_count, said_room;
   vs_bounds_memo bounds;
@@ -176,6 +178,7 @@ static bool drive_op_vain(vs_emitter *e, const vs_node *n) {
     for (size_t i = 0; i < n->child_count; i++)
       if (!drive_vain(e, &n->children[i])) return false;
     return true;
+  case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
   case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE:
   case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
   case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE:
@@ -248,6 +251,7 @@ static bool drive_is_short(const vs_node *n) {
   case VS_EMPTY: case VS_BOX: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_TORUS: case VS_WEDGE: case VS_CIRCLE: case VS_ARC:
   case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE:
     return true;
+  case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
   case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
   case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
   case VS_LINE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_PYRAMID: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
@@ -337,6 +341,16 @@ static int drive_rank(const vs_node *n) {
   return (int)vs_kind_get((vs_kind)n->kind)->level;
 }
 
+static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body);
+
+/* Does everything in a lowered tree stand below `rank`? Such trees are as deep as lower.c makes them: a few nodes. */
+static bool drive_stands_below(const vs_node *n, int rank) {
+  if (vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION) return drive_rank(n) < rank;
+  for (size_t i = 0; i < n->child_count; i++)
+    if (!drive_stands_below(n->children[i].node, rank)) return false;
+  return true;
+}
+
 /* Asks again with simpler kinds, which must stand lower in the strict order of levels: so this ends. */
 static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
   drive_entry *entry = drive_find(e, ref->node);
@@ -344,6 +358,17 @@ static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
   vs_ref lower = { entry != NULL ? entry->lowered : NULL, ref->origin };
   if (lower.node == NULL && (lower.node = made = vs_lower(e, ref)) == NULL) return false;
   const vs_kind_info *from = vs_kind_get((vs_kind)ref->node->kind);
+  if (vs_kind_get((vs_kind)lower.node->kind)->level == VS_LEVEL_OPERATION && drive_stands_below(lower.node, drive_rank(ref->node))) {
+    if (made != NULL) {
+      if (!vs_emit_grow(e, &e->drive->kept, &e->drive->kept_room, e->drive->kept_count + 1, sizeof *e->drive->kept)) {
+        vs_node_release(made);
+        return false;
+      }
+      e->drive->kept[e->drive->kept_count++] = made;
+      if (entry != NULL && entry->uses > 1 && entry->definition == 0) entry->lowered = vs_node_retain(made);
+    }
+    return drive_enter(e, &lower, false);
+  }
   vs_emit_fn *fn = e->backend->emit[lower.node->kind].fn;
   bool was_smooth = e->smooth, ok = true;
   if (lower.node->kind != VS_EMPTY) {
@@ -402,13 +427,13 @@ static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body) {
     if (n->kind == VS_TRANSFORM) e->placement = vs_affine_multiply(&e->placement, &VS_AS(transform, n)->matrix);
     if (n->kind == VS_MATERIAL) e->material = VS_AS(material, n)->material;
     if (n->flags & VS_NODE_CUT && !drive_reach(e, n)) return false;
-    vs_emit_status status = fn != NULL ? fn(e, ref, VS_PHASE_ENTER) : VS_LOWER;
+    bool area = !e->backend->verbatim && vs_lower_as_area(e, n);
+    vs_emit_status status = fn != NULL && !(area && !e->backend->area_sets) ? fn(e, ref, VS_PHASE_ENTER) : VS_LOWER;
     if (status != VS_EMITTED) {
-      bool ok = status == VS_WHOLE || (status == VS_LOWER && drive_lower(e, ref));
       e->material = frame.material;
       e->placement = frame.placement;
       e->reach = frame.reach;
-      return ok;
+      return status == VS_WHOLE || (status == VS_LOWER && drive_lower(e, ref));
     }
     if (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE) e->in_boolean = true;
     e->depth++;
@@ -596,6 +621,8 @@ void vs_drive_free(vs_emitter *e) {
   vs_emit_release(e, d->order, d->order_room, sizeof *d->order);
   vs_emit_release(e, d->frames, d->frame_room, sizeof *d->frames);
   vs_emit_release(e, d->lines, d->line_room, sizeof *d->lines);
+  for (size_t i = 0; i < d->kept_count; i++) vs_node_release(d->kept[i]);
+  vs_emit_release(e, d->kept, d->kept_room, sizeof *d->kept);
   vs_emit_release(e, d->said, d->said_room, sizeof *d->said);
   vs_emit_release(e, e->boxes, e->box_room, sizeof *e->boxes);
   e->boxes = NULL;

@@ -4,43 +4,21 @@
 #include <stdlib.h>
 
 #include "backends/backend.h"
+#include "geometry/plane.h"
 #include "geometry/solids.h"
 
-static vs_node *lower_polyline(vs_emitter *e, const vs_ref *ref) {
-  vs_store *store = e->scene->store;
-  vs_polyline p = { .count = 0 };
-  vs_node *made = NULL;
-  if (vs_curve_sample(ref->node, &e->facets, &p, e->error)) {
-    vs_points *points = vs_points_new(store, p.at, p.count);
-    if (points != NULL) {
-      made = vs_node_new(store, VS_LINE, &(struct vs_line){ .points = points, .closed = p.closed }, NULL, 0);
-      vs_points_release(store, points);
-    }
-    if (made == NULL) vs_emit_no_memory(e);
-  }
-  vs_polyline_free(&p);
-  return made;
+static vs_node *lower_line(vs_store *store, const vs_polyline *p) {
+  vs_points *points = vs_points_new(store, p->at, p->count);
+  vs_node *line = points ? vs_node_new(store, VS_LINE, &(struct vs_line){ .points = points, .closed = p->closed }, NULL, 0) : NULL;
+  if (points) vs_points_release(store, points);
+  return line;
 }
 
-/* A region as polylines */
-static vs_node *lower_region(vs_emitter *e, const vs_ref *ref) {
-  vs_store *store = e->scene->store;
-  vs_outline o = { .count = 0 };
-  if (!vs_region_outline(ref->node, &e->facets, &o, e->error)) return NULL;
-  vs_ref *loops = calloc(o.count + 1, sizeof *loops);
+static vs_node *lower_polyline(vs_emitter *e, const vs_ref *ref) {
+  vs_polyline p = { .count = 0 };
   vs_node *made = NULL;
-  size_t count = 0;
-  for (bool ok = loops != NULL; ok && count < o.count; count += ok) {
-    vs_points *points = vs_points_new(store, o.loops[count].at, o.loops[count].count);
-    if (points) loops[count].node = vs_node_new(store, VS_LINE, &(struct vs_line){ .points = points, .closed = true }, NULL, 0);
-    if (points) vs_points_release(store, points);
-    ok = loops[count].node != NULL;
-  }
-  if (loops && count == o.count) made = vs_node_new(store, VS_REGION, NULL, loops, count);
-  if (!made) vs_emit_no_memory(e);
-  for (size_t i = 0; i < count; i++) vs_node_release(loops[i].node);
-  free(loops);
-  vs_outline_free(&o);
+  if (vs_curve_sample(ref->node, &e->facets, &p, e->error) && (made = lower_line(e->scene->store, &p)) == NULL) vs_emit_no_memory(e);
+  vs_polyline_free(&p);
   return made;
 }
 
@@ -68,10 +46,64 @@ static vs_node *lower_polyface(vs_emitter *e, const vs_mesh *m, bool closed) {
   return made;
 }
 
+/* The paint of a set's first part: a cut region shows no other. NULL: none. */
+static const vs_material *lower_paint(const vs_node *n) {
+  while (n->child_count > 0) {
+    if (n->kind == VS_MATERIAL) return VS_AS(material, n)->material;
+    n = n->children[0].node;
+  }
+  return NULL;
+}
+
+/* A set of regions as one region of polylines, painted as its first part is. */
+static vs_node *lower_region(vs_emitter *e, const vs_ref *ref) {
+  vs_store *store = e->scene->store;
+  vs_outline o = { .count = 0 };
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
+  if (!vs_region_outline(ref->node, &e->facets, &o, &why)) {
+    *e->error = why;
+    if (why.origin == NULL && why.kind == VS_ERROR_MODEL) e->error->origin = ref->origin;
+    return NULL;
+  }
+  vs_ref *loops = calloc(o.count + 1, sizeof *loops);
+  vs_node *made = NULL;
+  size_t count = 0;
+  while (loops && count < o.count && (loops[count] = (vs_ref){ lower_line(store, &o.loops[count]), ref->origin }).node) count++;
+  if (loops && count == o.count) made = vs_node_new(store, count ? VS_REGION : VS_EMPTY, NULL, loops, count);
+  const vs_material *paint = lower_paint(ref->node);
+  if (made && count && paint) {
+    struct { vs_field_material material; unsigned char end; } data = { paint, 0 };
+    vs_node *bare = made;
+    made = vs_node_new(store, VS_MATERIAL, &data, &(vs_ref){ bare, ref->origin }, 1);
+    vs_node_release(bare);
+  }
+  if (!made) vs_emit_no_memory(e);
+  for (size_t i = 0; i < count; i++) vs_node_release(loops[i].node);
+  free(loops);
+  vs_outline_free(&o);
+  return made;
+}
+
+static bool lower_is_area_set(const vs_node *n) {
+  return n->class_ == VS_REGION_CLASS && (n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE);
+}
+
+bool vs_lower_as_area(const vs_emitter *e, const vs_node *n) {
+  vs_plane plane, other;
+  if (!lower_is_area_set(n)) return false;
+  if (n->kind != VS_UNION) return true;
+  if (vs_emit_is_painted(e, n) || vs_node_plane(n, &plane) != VS_PLANE_ONE) return false;
+  for (size_t i = 0; i < n->child_count; i++)
+    if (n->children[i].node->class_ != VS_NOTHING && (vs_node_plane(n->children[i].node, &other) != VS_PLANE_ONE || !vs_plane_same(&plane, &other))) return false;
+  return true;
+}
+
 vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
-  if (ref->node->kind == VS_HULL && ref->node->class_ == VS_REGION_CLASS) return lower_region(e, ref);
+  if (lower_is_area_set(ref->node) || (ref->node->kind == VS_HULL && ref->node->class_ == VS_REGION_CLASS)) return lower_region(e, ref);
   switch ((vs_kind)ref->node->kind) {
-  case VS_ARC: case VS_CIRCLE: case VS_SPLINE:
+  case VS_OFFSET:
+    if (ref->node->class_ == VS_REGION_CLASS) return lower_region(e, ref); /* fall through */
+  case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_JOIN:
     return lower_polyline(e, ref);
   case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HEIGHT_FIELD: case VS_HULL:
   case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_EXTRUDE:
@@ -92,6 +124,7 @@ vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
     return made;
   }
   case VS_SLICE:
+  case VS_XLINE: case VS_RAY: case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* resolved before the walk */
   case VS_EMPTY: case VS_LINE: case VS_POLYFACE_MESH: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT:
     break;
   }
@@ -105,6 +138,7 @@ bool vs_lower_is_round(const vs_node *n) {
   case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_TORUS: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
   case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_SURFACE:
     return true;
+  case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
   case VS_HALF_SPACE: case VS_SLICE:
   case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_PYRAMID:
   case VS_POLYFACE_MESH: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:

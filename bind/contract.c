@@ -310,6 +310,7 @@ static vs_status convert_object(vs_frame *f, const vs_bind_param *p, vs_value v,
   vs_arg list;
   if (!convert_refs(f, p, &v, 1, &list)) return VS_ERROR;
   if (list.refs.count == 1) return out->ref = list.refs.at[0], VS_OK;
+  if (p->contract == VS_C_PROFILE && !vs_bind_fill(f, list.refs.at, list.refs.count)) return VS_ERROR; /* several closed curves are one profile */
   vs_node *n = vs_node_new(f->bind->store, list.refs.count ? VS_UNION : VS_EMPTY, list.refs.count ? (const void *)&(struct vs_union){ 0 } : &(struct vs_empty){ 0 },
                            list.refs.at, list.refs.count);
   if (!vs_bind_keep(f, n)) return VS_ERROR;

@@ -154,20 +154,3 @@ vs_status vs_p_make_donut(vs_frame *f, vs_value *out) {
   }
   return vs_bind_make(f, VS_REGION, &(struct vs_region){ 0 }, c, inner > 0 ? 2 : 1, out);
 }
-
-static bool is_closed(const vs_node *n) { return n->flags & VS_NODE_CLOSED; }
-
-/* Are there ends that do not meet? Joining sampled ends is geometry's; here only a line that plainly stays open is told at once. */
-vs_status vs_p_make_region(vs_frame *f, vs_value *out) {
-  vs_ref *c = f->arg[0].refs.at;
-  size_t n = 0, open = 0;
-  for (size_t i = 0; i < f->arg[0].refs.count; i++)
-    if (!vs_bind_is_empty(c[i].node)) {
-      open += !is_closed(c[i].node);
-      c[n++] = c[i];
-    }
-  if (n == 0) return vs_bind_empty(f, f->arg[0].refs.count ? "every curve is empty" : "there are no curves", out);
-  if (open == 1)
-    return vs_fail(f->vm, f->vm->sym.type, "curves must be closed, or open ones that meet end to end; one is open: its last point must be its first");
-  return vs_bind_make(f, VS_REGION, &(struct vs_region){ 0 }, c, n, out);
-}

@@ -1,8 +1,11 @@
 /* Owns the operations: booleans, placements, and what is made from a profile. */
 #include "bind/bind.h"
 
+#include <stdio.h>
+
 #include "geometry/hull.h"
 #include "geometry/measure.h"
+#include "geometry/plane.h"
 
 #define REAL(i) (f->arg[i].real)
 #define POINT(i) (f->arg[i].point)
@@ -12,32 +15,83 @@
 
 static vs_status same(vs_frame *f, vs_ref ref, vs_value *out) { return vs_bind_node(f, vs_node_retain(ref.node), out); }
 
-vs_status vs_p_unite(vs_frame *f, vs_value *out) {
-  size_t n = f->arg[0].refs.count;
-  if (n == 0) return vs_bind_empty(f, NULL, out);
-  if (n == 1) return same(f, f->arg[0].refs.at[0], out);
-  return vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, f->arg[0].refs.at, n, out);
-}
+/* ---- sets of areas: regions, and closed curves taken as filled ---- */
 
-/* What intersect and subtract take: solids, or regions and closed curves (taken as filled) alone. Curves become regions in place. */
-static vs_status filled(vs_frame *f, vs_ref *ref, size_t n) {
-  bool planar = false, solid = false;
+typedef enum { AREAS_NOT, AREAS_APART, AREAS_ONE_PLANE } areas;
+
+/* Are these (empty ones aside) areas, and of one plane? a and b: two whose planes differ. */
+static areas look_at_areas(const vs_ref *ref, size_t n, vs_plane *a, vs_plane *b) {
+  bool any = false;
   for (size_t i = 0; i < n; i++) {
     const vs_node *o = ref[i].node;
-    if (o->class_ == VS_SOLID) solid = true;
-    else if (o->class_ == VS_REGION_CLASS || (o->class_ == VS_CURVE && (o->flags & VS_NODE_CLOSED))) planar = true;
-    else if (o->class_ != VS_NOTHING)
-      return vs_fail(f->vm, f->vm->sym.type, "objects must be solids, or regions and closed curves of one plane; one is %s",
-                     o->class_ == VS_CURVE ? "an open curve" : o->class_ == VS_SURFACE ? "a surface" : "a union of solids with curves or surfaces");
+    if (o->class_ == VS_NOTHING) continue;
+    if (o->class_ != VS_REGION_CLASS && !(o->class_ == VS_CURVE && (o->flags & VS_NODE_CLOSED))) return AREAS_NOT;
   }
-  if (planar && solid) return vs_fail(f->vm, f->vm->sym.type, "solids and flat regions do not meet: do-extrude the regions first");
-  for (size_t i = 0; planar && i < n; i++)
+  for (size_t i = 0; i < n; i++) {
+    vs_plane here;
+    if (ref[i].node->class_ == VS_NOTHING) continue;
+    if (vs_node_plane(ref[i].node, &here) != VS_PLANE_ONE) return AREAS_NOT;
+    if (!any) *a = here;
+    else if (!vs_plane_same(a, &here)) return *b = here, AREAS_APART;
+    any = true;
+  }
+  return any ? AREAS_ONE_PLANE : AREAS_NOT;
+}
+
+/* Closed curves become regions, in place. */
+static vs_status fill(vs_frame *f, vs_ref *ref, size_t n) {
+  for (size_t i = 0; i < n; i++)
     if (ref[i].node->class_ == VS_CURVE) {
       vs_node *region = vs_node_new(f->bind->store, VS_REGION, &(struct vs_region){ 0 }, &ref[i], 1);
       if (!vs_bind_keep(f, region)) return VS_ERROR;
       ref[i].node = region;
     }
   return VS_OK;
+}
+
+vs_status vs_bind_fill(vs_frame *f, vs_ref *ref, size_t n) {
+  vs_plane a, b;
+  return look_at_areas(ref, n, &a, &b) == AREAS_ONE_PLANE ? fill(f, ref, n) : VS_OK;
+}
+
+vs_status vs_p_unite(vs_frame *f, vs_value *out) {
+  size_t n = f->arg[0].refs.count;
+  if (n == 0) return vs_bind_empty(f, NULL, out);
+  if (n == 1) return same(f, f->arg[0].refs.at[0], out);
+  if (!vs_bind_fill(f, f->arg[0].refs.at, n)) return VS_ERROR;
+  return vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, f->arg[0].refs.at, n, out);
+}
+
+static void plane_text(const vs_plane *p, char out[160]) {
+  char n[6][32];
+  vs_vec3 at = vs_v3_scale(p->normal, vs_v3_dot(p->normal, p->point)); /* its point nearest the origin: the same for all that lies in it */
+  const double d[6] = { p->normal.x, p->normal.y, p->normal.z, at.x, at.y, at.z };
+  for (int i = 0; i < 6; i++) vs_bind_number_text(n[i], round(d[i] * 1e6) / 1e6 + 0.0);
+  snprintf(out, 160, "(make-plane (xyz %.20s %.20s %.20s) (vxyz %.20s %.20s %.20s))", n[3], n[4], n[5], n[0], n[1], n[2]);
+}
+
+/* What intersect and subtract take: solids, or regions and closed curves (taken as filled) alone. Curves become regions in place. */
+static vs_status filled(vs_frame *f, vs_ref *ref, size_t n) {
+  bool planar = false, solid = false;
+  vs_plane a, b;
+  for (size_t i = 0; i < n; i++) {
+    const vs_node *o = ref[i].node;
+    if (o->class_ == VS_SOLID) solid = true;
+    else if (o->class_ == VS_REGION_CLASS || (o->class_ == VS_CURVE && (o->flags & VS_NODE_CLOSED))) planar = true;
+    else if (o->class_ != VS_NOTHING)
+      return vs_fail(f->vm, f->vm->sym.type, "objects must be solids, or regions and closed curves of one plane; one is %s",
+                     o->class_ == VS_CURVE && o->kind == VS_UNION ? "several curves" : o->class_ == VS_CURVE ? "an open curve" : o->class_ == VS_SURFACE ? "a surface" : "a union of solids with curves or surfaces");
+  }
+  if (planar && solid) return vs_fail(f->vm, f->vm->sym.type, "solids and flat regions do not meet: do-extrude the regions first");
+  if (!planar) return VS_OK;
+  switch (look_at_areas(ref, n, &a, &b)) {
+    case AREAS_ONE_PLANE: return fill(f, ref, n);
+    case AREAS_NOT: return vs_fail(f->vm, f->vm->sym.type, "objects must be solids, or regions and closed curves of one plane; one does not lie in a plane");
+    case AREAS_APART: break;
+  }
+  char one[160], other[160];
+  plane_text(&a, one), plane_text(&b, other);
+  return vs_fail(f->vm, f->vm->sym.type, "regions must lie in one plane; one lies in %s, one in %s", one, other);
 }
 
 vs_status vs_p_intersect(vs_frame *f, vs_value *out) {
@@ -165,36 +219,6 @@ vs_status vs_p_hull(vs_frame *f, vs_value *out) {
 
 /* ---- from a profile ---- */
 
-/* The direction that a flat profile faces, by what is cheap to know of it; false: not known here (geometry/ will look at it). */
-static bool faces(const vs_node *n, vs_vec3 *normal) {
-  vs_affine at = vs_affine_identity();
-  for (;;) switch ((vs_kind)n->kind) {
-    case VS_CIRCLE: case VS_ARC: case VS_TEXT: *normal = vs_v3(0, 0, 1); goto found;
-    case VS_LINE: {
-      const vs_points *p = VS_AS(line, n)->points;
-      *normal = vs_v3(0, 0, 0);
-      for (uint32_t i = 1; i + 1 < p->count; i++)
-        *normal = vs_v3_add(*normal, vs_v3_cross(vs_v3_sub(p->at[i], p->at[0]), vs_v3_sub(p->at[i + 1], p->at[0])));
-      if (vs_v3_equal(*normal, vs_v3(0, 0, 0))) return false;
-      goto found;
-    }
-    case VS_TRANSFORM: at = vs_affine_multiply(&at, &VS_AS(transform, n)->matrix); n = n->children[0].node; continue;
-    case VS_REGION: case VS_MATERIAL: case VS_LAYER: n = n->children[0].node; continue;
-    case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
-    case VS_EMPTY: case VS_SPLINE: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID:
-    case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-    case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
-    case VS_KIND_COUNT: return false;
-  }
-found:;
-  vs_affine inverse; /* normals go by the inverse transposed */
-  if (!vs_affine_invert(&at, &inverse)) return false;
-  vs_vec3 v = *normal;
-  *normal = vs_v3(inverse.m[0][0] * v.x + inverse.m[1][0] * v.y + inverse.m[2][0] * v.z, inverse.m[0][1] * v.x + inverse.m[1][1] * v.y + inverse.m[2][1] * v.z,
-                  inverse.m[0][2] * v.x + inverse.m[1][2] * v.y + inverse.m[2][2] * v.z);
-  return true;
-}
-
 vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
   struct vs_extrude d = { .taper = f->arg[2].given ? REAL(2) : 0, .twist = f->key[0].given ? f->key[0].real : 0, .scale = f->key[1].given ? f->key[1].real : 1,
                           .center = f->key[2].given && f->key[2].boolean };
@@ -212,13 +236,13 @@ vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
   double length = vs_v3_length(d.along), steep;
   if (length == 0) return vs_bind_empty(f, "the amount is 0", out);
   if (fabs(d.taper) >= 1.5707963) return vs_bind_refuse(f, "taper", "between -pi/2 and pi/2", f->arg[2].value);
-  vs_vec3 n;
-  if (faces(NODE(0), &n) && (NODE(0)->class_ == VS_REGION_CLASS || NODE(0)->flags & VS_NODE_CLOSED)) {
-    steep = fabs(vs_v3_dot(n, d.along)) / (vs_v3_length(n) * length);
+  vs_plane plane;
+  if ((NODE(0)->class_ == VS_REGION_CLASS || NODE(0)->flags & VS_NODE_CLOSED) && vs_node_plane(NODE(0), &plane) == VS_PLANE_ONE) {
+    vs_vec3 n = plane.normal;
+    steep = fabs(vs_v3_dot(n, d.along)) / length;
     if (steep < 1e-9) {
       char x[32], y[32], z[32];
-      double l = vs_v3_length(n);
-      vs_bind_number_text(x, round(n.x / l * 1e6) / 1e6), vs_bind_number_text(y, round(n.y / l * 1e6) / 1e6), vs_bind_number_text(z, round(n.z / l * 1e6) / 1e6);
+      vs_bind_number_text(x, round(n.x * 1e6) / 1e6), vs_bind_number_text(y, round(n.y * 1e6) / 1e6), vs_bind_number_text(z, round(n.z * 1e6) / 1e6);
       return vs_fail(f->vm, f->vm->sym.range, "the profile would be moved within its own plane, whose normal is (vxyz %s %s %s); give a gvector that leaves it", x, y, z);
     }
   }

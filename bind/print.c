@@ -185,6 +185,10 @@ static bool opening(const sink *k, const vs_node *n) {
       const struct vs_grid_surface *g = VS_AS(grid_surface, n);
       return text(k, "(make-surface") && rows(k, g->points, (size_t)g->columns) && grid_ways(k, g->closed_u, g->closed_v);
     }
+    case VS_JOIN: return text(k, "(join-curves");
+    case VS_XLINE: return text(k, "(make-xline") && named(k, n, (const char *const[]){ "p", "q", NULL });
+    case VS_RAY: return text(k, "(make-ray") && named(k, n, (const char *const[]){ "p", "v", NULL });
+    case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES: return text(k, "(do-") && text(k, name);
     case VS_TRANSFORM: return text(k, is_moved(&VS_AS(transform, n)->matrix) ? "(do-move" : "(do-transform");
     case VS_MATERIAL: return text(k, *VS_AS(material, n)->material->name ? "(with-material " : "(color ") && material(k, VS_AS(material, n)->material);
     case VS_LAYER: return text(k, "(layer") && named(k, n, (const char *const[]){ "name", NULL });
@@ -221,6 +225,14 @@ static bool closing(const sink *k, const vs_node *n) {
     if (!text(k, ")") || (held && !named(k, n, (const char *const[]){ "a1", "m1", "a2", "m2", NULL }))) return false;
   } else if (n->kind == VS_RULED_LOFT || (n->kind == VS_GUIDED_LOFT && !VS_AS(guided_loft, n)->path)) {
     if (!text(k, ")")) return false;
+  } else if (n->kind == VS_OFFSET) {
+    const struct vs_offset *o = VS_AS(offset, n);
+    if (!text(k, " ") || !number(k, o->distance) || (*o->corners != 'm' && !(text(k, " #:corners '") && text(k, o->corners)))) return false;
+    if (o->segments && !(text(k, " #:segments ") && number(k, o->segments))) return false;
+  } else if (n->kind == VS_SECTION || n->kind == VS_PROJECT) {
+    vs_vec3 at = n->kind == VS_SECTION ? VS_AS(section, n)->point : VS_AS(project, n)->point;
+    vs_vec3 normal = n->kind == VS_SECTION ? VS_AS(section, n)->normal : VS_AS(project, n)->normal;
+    if (!text(k, " (make-plane ") || !triple(k, "xyz", at) || !text(k, " ") || !triple(k, "vxyz", normal) || !text(k, ")")) return false;
   } else if (n->kind == VS_THICKEN) {
     if (!named(k, n, (const char *const[]){ "width", NULL })) return false;
   } else if (n->kind == VS_TRANSFORM) {

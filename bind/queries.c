@@ -2,6 +2,7 @@
 #include "bind/bind.h"
 
 #include "geometry/measure.h"
+#include "geometry/tessellate.h"
 
 static vs_status truth(bool b, vs_value *out) {
   *out = vs_bool(b);
@@ -139,7 +140,8 @@ vs_status vs_p_contains(vs_frame *f, vs_value *out) {
   bool inside = false;
   vs_error e = { 0 };
   if (n->class_ == VS_NOTHING) return truth(false, out);
-  if (n->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
+  if (n->class_ == VS_REGION_CLASS) return vs_region_contains(n, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f, &e);
+  if (n->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid or a region", f->arg[0].value);
   if (!vs_inside_cached(&f->bind->inside, n, f->arg[1].point, &inside, &e)) return vs_bind_error(f, &e);
   return truth(inside, out);
 }

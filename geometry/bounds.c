@@ -8,6 +8,7 @@
 #include "geometry/measure.h"
 #include "geometry/superellipsoid.h"
 #include "geometry/revolve.h"
+#include "geometry/planar.h"
 #include "geometry/swept.h"
 #include "geometry/text.h"
 
@@ -122,6 +123,30 @@ static bool vs_bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node
   return ok;
 }
 
+static bool vs_bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+  vs_offset_exact exact;
+  vs_affine place;
+  if (vs_offset_round(n, &place, &exact)) {
+    place = vs_affine_multiply(a, &place);
+    if (exact.node.kind == VS_CIRCLE) vs_bounds_add_disc(b, &place, exact.arc.center, vs_v3(0, 0, 1), exact.arc.radius);
+    else vs_bounds_add_arc(b, &place, &exact.arc);
+    return true;
+  }
+  vs_facets f = { vs_bounds_fineness(children), 0 };
+  if (n->class_ == VS_CURVE) {
+    vs_polyline line = { 0 };
+    bool ok = vs_curve_sample(n, &f, &line, e);
+    if (ok) vs_bounds_add_points(b, a, line.at, line.count);
+    vs_polyline_free(&line);
+    return ok;
+  }
+  vs_outline o;
+  if (!vs_region_outline(n, &f, &o, e)) return false;
+  for (size_t l = 0; l < o.count; l++) vs_bounds_add_points(b, a, o.loops[l].at, o.loops[l].count);
+  vs_outline_free(&o);
+  return true;
+}
+
 static bool vs_bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs_error *e) {
   vs_bounds knots = vs_bounds_empty();
   vs_polyline line = { 0 };
@@ -208,12 +233,15 @@ static bool vs_bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds
       return true;
     }
     case VS_POLYFACE_MESH: vs_bounds_add_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count); return true;
+    case VS_XLINE: case VS_RAY: return true; /* without end: as far as the rest of the drawing */
+    case VS_OFFSET: return n->class_ == VS_NOTHING || vs_bounds_add_offset(b, a, n, children, e);
     case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
       return n->class_ == VS_NOTHING || vs_bounds_add_swept(b, a, n, children, e);
     case VS_REVOLVE: return n->class_ == VS_NOTHING || vs_bounds_add_revolve(b, a, n, children, e);
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return vs_bounds_add_facets(b, a, n, children, e);
     case VS_GRID_MESH: vs_bounds_add_points(b, a, VS_AS(grid_mesh, n)->points->at, VS_AS(grid_mesh, n)->points->count); return true;
     case VS_GRID_SURFACE: vs_bounds_add_points(b, a, VS_AS(grid_surface, n)->points->at, VS_AS(grid_surface, n)->points->count); return true;
+    case VS_JOIN: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_SLICE: case VS_HULL: case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
   }
   *leaf = false;
@@ -249,6 +277,20 @@ static const vs_bounds *vs_bounds_memo_known(const vs_bounds_memo *m, const vs_n
   return place ? &m->at[*place] : NULL;
 }
 
+/* A section lies in the plane and in its solid's box, a shadow in the shadow of that box. */
+static void vs_bounds_on_plane(vs_bounds *b, const vs_node *n) {
+  vs_bounds solid = *b, shadow = vs_bounds_empty();
+  vs_vec3 at = n->kind == VS_SECTION ? VS_AS(section, n)->point : VS_AS(project, n)->point;
+  vs_vec3 normal = vs_v3_unit(n->kind == VS_SECTION ? VS_AS(section, n)->normal : VS_AS(project, n)->normal);
+  if (vs_bounds_is_empty(b)) return;
+  for (int i = 0; i < 8; i++) {
+    vs_vec3 p = { i & 1 ? solid.max.x : solid.min.x, i & 2 ? solid.max.y : solid.min.y, i & 4 ? solid.max.z : solid.min.z };
+    vs_bounds_add(&shadow, vs_v3_sub(p, vs_v3_scale(normal, vs_v3_dot(normal, vs_v3_sub(p, at)))));
+  }
+  *b = shadow;
+  if (n->kind == VS_SECTION) vs_bounds_meet(b, &solid);
+}
+
 /* All children are known. */
 static bool vs_bounds_of(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
   vs_affine placed = vs_affine_identity();
@@ -263,7 +305,7 @@ static bool vs_bounds_of(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b
       below = below->children[0].node;
     }
     bool swept = below->kind == VS_EXTRUDE || below->kind == VS_SWEEP || below->kind == VS_THICKEN || below->kind == VS_REVOLVE ||
-                 below->kind == VS_LOFT || below->kind == VS_RULED_LOFT || below->kind == VS_GUIDED_LOFT;
+                 below->kind == VS_LOFT || below->kind == VS_RULED_LOFT || below->kind == VS_GUIDED_LOFT || below->kind == VS_OFFSET;
     if (!swept && !vs_bounds_leaf(below, &placed, &children, b, &leaf, e)) return false;
     if (swept || !leaf) *b = vs_bounds_transform(&children, &VS_AS(transform, n)->matrix);
     return true;
@@ -277,6 +319,7 @@ static bool vs_bounds_of(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b
     vs_bounds_half_space(&kept, &placed, &(struct vs_half_space){ .point = VS_AS(slice, n)->point, .normal = VS_AS(slice, n)->normal });
     vs_bounds_meet(b, &kept);
   }
+  if (n->kind == VS_SECTION || n->kind == VS_PROJECT) vs_bounds_on_plane(b, n);
   if (n->kind == VS_DIFFERENCE && n->child_count) *b = *vs_bounds_memo_known(m, n->children[0].node);
   for (uint32_t i = 0; n->kind == VS_INTERSECTION && i < n->child_count; i++) vs_bounds_meet(b, vs_bounds_memo_known(m, n->children[i].node));
   return true;
@@ -308,11 +351,26 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
   return ok;
 }
 
+/* Intersections and differences of regions: what the operands' boxes leave open, the outline knows. */
+static bool vs_bounds_of_set(const vs_node *n, vs_bounds *b, vs_error *e) {
+  vs_facets f = { vs_bounds_fineness(b), 0 };
+  vs_outline o;
+  if (!vs_region_outline(n, &f, &o, e)) return false;
+  *b = vs_bounds_empty();
+  for (size_t l = 0; l < o.count; l++)
+    for (size_t i = 0; i < o.loops[l].count; i++) vs_bounds_add(b, o.loops[l].at[i]);
+  vs_outline_free(&o);
+  return true;
+}
+
 bool vs_node_bounds(const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_bounds_memo m = { .places = { .store = n->store } };
   bool ok = vs_bounds_memo_get(&m, n, out, e);
   vs_bounds_memo_free(&m);
-  return ok;
+  const vs_node *below = n;
+  while (below->kind == VS_TRANSFORM || below->kind == VS_MATERIAL || below->kind == VS_LAYER) below = below->children[0].node;
+  bool set = below->class_ == VS_REGION_CLASS && (below->kind == VS_INTERSECTION || below->kind == VS_DIFFERENCE);
+  return ok && (!set || vs_bounds_is_empty(out) || vs_bounds_of_set(n, out, e));
 }
 
 bool vs_line_clip(vs_vec3 p, vs_vec3 d, bool ray, const vs_bounds *b, vs_vec3 *from, vs_vec3 *to) {

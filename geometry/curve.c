@@ -210,81 +210,38 @@ done:
 
 /* ---- from nodes ---- */
 
-bool vs_curve_path(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_path *out, vs_error *e) {
-  vs_affine map = *placed;
-  const vs_origin *origin = NULL;
-  bool ok = false, known = true;
-  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER ||
-         ((n->kind == VS_REGION || n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE) && n->child_count == 1)) {
-    if (n->kind == VS_TRANSFORM) map = vs_affine_multiply(&map, &VS_AS(transform, n)->matrix);
-    origin = n->children[0].origin;
-    n = n->children[0].node;
+bool vs_curve_leaf(const vs_node *n, const vs_affine *map, const vs_facets *f, vs_path *out) {
+  vs_facets inner = vs_facets_placed(f, map);
+  bool ok = false;
+  if (n->kind == VS_LINE) ok = vs_curve_line(out, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count, VS_AS(line, n)->closed);
+  if (n->kind == VS_SPLINE) ok = vs_curve_spline(out, VS_AS(spline, n), &inner);
+  if (n->kind == VS_CIRCLE) {
+    const struct vs_circle *c = VS_AS(circle, n);
+    ok = vs_curve_circle(out, c->center, c->radius, vs_facets_turn(&inner, c->radius, c->segments));
   }
-  vs_facets inner = vs_facets_placed(f, &map);
-  out->count = 0;
-  out->closed = false;
-  switch ((vs_kind)n->kind) {
-    case VS_LINE: ok = vs_curve_line(out, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count, VS_AS(line, n)->closed); break;
-    case VS_CIRCLE: {
-      const struct vs_circle *c = VS_AS(circle, n);
-      ok = vs_curve_circle(out, c->center, c->radius, vs_facets_turn(&inner, c->radius, c->segments));
-      break;
-    }
-    case VS_ARC: {
-      const struct vs_arc *a = VS_AS(arc, n);
-      ok = vs_curve_arc(out, a->center, a->radius, a->start, a->end, vs_facets_turn(&inner, a->radius, a->segments));
-      break;
-    }
-    case VS_SPLINE: ok = vs_curve_spline(out, VS_AS(spline, n), &inner); break;
-    case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-    case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
-    case VS_EMPTY: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID:
-    case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
-    case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: known = false; break;
+  if (n->kind == VS_ARC) {
+    const struct vs_arc *a = VS_AS(arc, n);
+    ok = vs_curve_arc(out, a->center, a->radius, a->start, a->end, vs_facets_turn(&inner, a->radius, a->segments));
   }
-  if (!known) return vs_error_set(e, VS_ERROR_MODEL, origin, "expected one curve, got %s", vs_kind_get((vs_kind)n->kind)->name);
-  if (!ok) return vs_error_memory(e, origin);
-  for (size_t i = 0; i < out->count; i++) {
+  for (size_t i = 0; ok && i < out->count; i++) {
     vs_path_point *p = &out->at[i];
-    p->at = vs_affine_point(&map, p->at);
-    p->arriving = vs_v3_unit(vs_affine_vector(&map, p->arriving));
-    p->leaving = vs_v3_unit(vs_affine_vector(&map, p->leaving));
+    p->at = vs_affine_point(map, p->at);
+    p->arriving = vs_v3_unit(vs_affine_vector(map, p->arriving));
+    p->leaving = vs_v3_unit(vs_affine_vector(map, p->leaving));
   }
-  vs_path_measure(out);
-  return true;
+  if (ok) vs_path_measure(out);
+  return ok;
 }
 
-static bool vs_path_near(vs_vec3 a, vs_vec3 b, double size) { return vs_v3_length(vs_v3_sub(a, b)) <= 1e-9 * size; }
+bool vs_curve_is_straight(const vs_node *n) {
+  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
+  return n->kind == VS_LINE;
+}
 
-bool vs_path_join(vs_path *paths, size_t *count, vs_error *e) {
-  for (size_t i = 0; i < *count; i++) {
-    vs_path *p = &paths[i];
-    while (!p->closed && p->count > 1) {
-      size_t k = i + 1;
-      bool turned = false;
-      if (p->count > 2 && vs_path_near(p->at[0].at, p->at[p->count - 1].at, p->length)) {
-        p->at[0].arriving = p->at[--p->count].arriving;
-        p->closed = true;
-        vs_path_measure(p);
-        break;
-      }
-      for (; k < *count; k++) {
-        if (paths[k].closed || paths[k].count < 2) continue;
-        turned = vs_path_near(p->at[p->count - 1].at, paths[k].at[paths[k].count - 1].at, p->length);
-        if (turned || vs_path_near(p->at[p->count - 1].at, paths[k].at[0].at, p->length)) break;
-      }
-      if (k == *count) break;
-      if (turned) vs_path_reverse(&paths[k]);
-      p->at[p->count - 1].leaving = paths[k].at[0].leaving;
-      for (size_t j = 1; j < paths[k].count; j++)
-        if (!vs_path_add(p, paths[k].at[j].at, paths[k].at[j].arriving, paths[k].at[j].leaving)) return vs_error_memory(e, NULL);
-      vs_path_measure(p);
-      vs_path_free(&paths[k]);
-      for (size_t j = k; j + 1 < *count; j++) paths[j] = paths[j + 1];
-      paths[--*count] = (vs_path){ 0 };
-    }
-  }
-  return true;
+bool vs_path_of_polyline(const vs_polyline *p, vs_path *out) {
+  bool ok = vs_curve_line(out, p->at, p->count, p->closed);
+  if (ok) vs_path_measure(out);
+  return ok;
 }
 
 void vs_polyline_free(vs_polyline *p) {
@@ -303,12 +260,4 @@ bool vs_polyline_from_path(const vs_path *path, vs_polyline *out) {
   out->count = path->count;
   out->closed = path->closed;
   return true;
-}
-
-bool vs_curve_sample(const vs_node *curve, const vs_facets *f, vs_polyline *out, vs_error *e) {
-  vs_path path = { 0 };
-  vs_affine identity = vs_affine_identity();
-  bool ok = vs_curve_path(curve, &identity, f, &path, e) && (vs_polyline_from_path(&path, out) || vs_error_memory(e, NULL));
-  vs_path_free(&path);
-  return ok;
 }

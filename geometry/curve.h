@@ -15,10 +15,16 @@ typedef struct {
 void vs_path_free(vs_path *p);
 bool vs_path_add(vs_path *p, vs_vec3 at, vs_vec3 arriving, vs_vec3 leaving); /* false: out of memory */
 void vs_path_measure(vs_path *p); /* fills along and length */
-/* The curve, with `placed` applied; placements, appearance and one-curve regions are followed. */
+/* A line, arc, circle or spline with map applied; false: out of memory. */
+bool vs_curve_leaf(const vs_node *curve, const vs_affine *map, const vs_facets *f, vs_path *out);
+bool vs_path_of_polyline(const vs_polyline *p, vs_path *out); /* out is empty before; false: out of memory */
+/* Any curve, with `placed` applied; placements, appearance and regions of one loop are followed (flat.c). */
 bool vs_curve_path(const vs_node *curve, const vs_affine *placed, const vs_facets *f, vs_path *out, vs_error *e);
-/* Joins open paths that meet end to end into closed ones, in place; *count becomes the number left. */
-bool vs_path_join(vs_path *paths, size_t *count, vs_error *e);
+bool vs_curve_is_straight(const vs_node *curve); /* is it a polyline, placed or bare? */
+bool vs_hull_outline(const vs_node *hull, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e); /* of a flat one */
+bool vs_text_outline(const vs_node *text, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e);
+/* Loops in one plane as an outline: takes them over (each is left empty), also where it fails. */
+bool vs_outline_of_loops(vs_polyline *loops, size_t count, vs_outline *out, vs_error *e);
 bool vs_polyline_from_path(const vs_path *path, vs_polyline *out);
 /* p turned to run the other way */
 void vs_path_reverse(vs_path *p);

@@ -4,6 +4,7 @@
 #include "geometry/curve.h"
 #include "geometry/heights.h"
 #include "geometry/superellipsoid.h"
+#include "geometry/planar.h"
 #include "geometry/revolve.h"
 #include "geometry/tessellate.h"
 
@@ -83,17 +84,6 @@ static bool vs_measure_region(const vs_node *n, vs_measure *m, vs_error *e) {
   return true;
 }
 
-/* Lengths are all multiplied by the same k: then areas are too, by k squared */
-static bool vs_measure_even(const vs_affine *a, double *k) {
-  vs_vec3 c[3];
-  for (int j = 0; j < 3; j++) c[j] = vs_v3(a->m[0][j], a->m[1][j], a->m[2][j]);
-  *k = vs_v3_length(c[0]);
-  double slack = 1e-12 * *k * *k;
-  for (int j = 0; j < 3; j++)
-    if (fabs(vs_v3_dot(c[j], c[j]) - *k * *k) > slack || fabs(vs_v3_dot(c[j], c[(j + 1) % 3])) > slack) return false;
-  return true;
-}
-
 bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   const vs_node *whole = n;
@@ -103,15 +93,32 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
     n = n->children[0].node;
   }
   m->known = m->area_known = true;
+  vs_offset_exact exact;
+  vs_affine place;
+  bool round = n->kind == VS_OFFSET && vs_offset_round(n, &place, &exact);
+  if (round) placed = vs_affine_multiply(&placed, &place);
   switch ((vs_kind)n->kind) {
     case VS_EMPTY: return true;
-    case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: {
+    case VS_XLINE: case VS_RAY: return vs_error_set(e, VS_ERROR_MODEL, NULL, "it has no end: nothing about it can be measured");
+    case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* measured as what kernel/resolve.c makes of them */
+      *m = (vs_measure){ 0 };
+      return true;
+    case VS_OFFSET:
+      if (n->class_ == VS_REGION_CLASS) {
+        double k;
+        if (!vs_measure_region(whole, m, e)) return false;
+        if (round && exact.node.kind == VS_CIRCLE && vs_affine_even(&placed, &k)) m->area = pi * k * k * exact.arc.radius * exact.arc.radius;
+        return true;
+      }
+      /* fall through */
+    case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_JOIN: {
       vs_affine identity = vs_affine_identity();
       m->area_known = false;
       if (!vs_measure_curve(whole, &identity, m, e)) return false;
+      if (round) n = &exact.node;
       if (n->kind == VS_CIRCLE || n->kind == VS_ARC) { /* exact where the placement keeps it round */
         double k, angle = n->kind == VS_CIRCLE ? 2 * pi : fabs(VS_AS(arc, n)->end - VS_AS(arc, n)->start);
-        if (vs_measure_even(&placed, &k)) m->length = k * angle * (n->kind == VS_CIRCLE ? VS_AS(circle, n)->radius : VS_AS(arc, n)->radius);
+        if (vs_affine_even(&placed, &k)) m->length = k * angle * (n->kind == VS_CIRCLE ? VS_AS(circle, n)->radius : VS_AS(arc, n)->radius);
       }
       return true;
     }
@@ -119,7 +126,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
     case VS_REGION: {
       if (!vs_measure_region(whole, m, e)) return false;
       double k;
-      if (n->child_count == 1 && n->children[0].node->kind == VS_CIRCLE && vs_measure_even(&placed, &k)) {
+      if (n->child_count == 1 && n->children[0].node->kind == VS_CIRCLE && vs_affine_even(&placed, &k)) {
         double r = k * VS_AS(circle, n->children[0].node)->radius;
         m->area = pi * r * r;
       }
@@ -166,7 +173,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
     case VS_E_CONE: vs_measure_e_cone(m, VS_AS(e_cone, n)); break;
     case VS_SUPERELLIPSOID:
       m->volume = vs_superellipsoid_volume(VS_AS(superellipsoid, n));
-      m->area = vs_measure_even(&placed, &(double){ 0 }) ? vs_superellipsoid_area(VS_AS(superellipsoid, n)) : 0;
+      m->area = vs_affine_even(&placed, &(double){ 0 }) ? vs_superellipsoid_area(VS_AS(superellipsoid, n)) : 0;
       break;
     case VS_PYRAMID: vs_measure_pyramid(m, VS_AS(pyramid, n)); break;
     case VS_HEIGHT_FIELD: {
@@ -186,14 +193,19 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       return true;
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
     case VS_HALF_SPACE: case VS_SLICE:
-    case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION:
-    case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
+      *m = (vs_measure){ 0 };
+      return true;
+    case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
+      if (n->class_ == VS_REGION_CLASS) return vs_measure_region(whole, m, e);
+      *m = (vs_measure){ 0 };
+      return true;
+    case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT:
       *m = (vs_measure){ 0 };
       return true;
   }
   double k;
   m->volume *= fabs(vs_affine_determinant(&placed));
-  m->area_known = vs_measure_even(&placed, &k);
+  m->area_known = vs_affine_even(&placed, &k);
   m->area *= m->area_known ? k * k : 0;
   m->centroid = vs_affine_point(&placed, m->centroid);
   return true;

@@ -4,6 +4,7 @@
 #include "geometry/hull.h"
 #include "geometry/curve.h"
 #include "geometry/text.h"
+#include "geometry/plane.h"
 
 void vs_outline_free(vs_outline *o) {
   for (size_t i = 0; i < o->count; i++) vs_polyline_free(&o->loops[i]);
@@ -101,9 +102,7 @@ static bool vs_outline_plane(vs_outline *o, vs_error *e) {
   }
   double size = vs_bounds_diagonal(&b), off = 0;
   if (!(vs_v3_length(most) > 1e-14 * size * size)) return vs_error_set(e, VS_ERROR_MODEL, NULL, "the curve encloses no area");
-  vs_vec3 n = vs_v3_unit(most);
-  if (n.z < -1e-9 || (fabs(n.z) <= 1e-9 && (n.y < -1e-9 || (fabs(n.y) <= 1e-9 && n.x < 0)))) n = vs_v3_scale(n, -1);
-  o->normal = vs_v3(n.x + 0.0, n.y + 0.0, n.z + 0.0);
+  o->normal = vs_plane_up(most);
   o->point = o->loops[0].at[0];
   o->frame = vs_frame_on_axis(vs_v3_scale(o->normal, vs_v3_dot(o->normal, o->point)), o->normal);
   for (size_t i = 0; i < o->count; i++)
@@ -113,7 +112,7 @@ static bool vs_outline_plane(vs_outline *o, vs_error *e) {
 }
 
 /* A text's loops are nested already; none is left where the letters have no ink. */
-static bool vs_text_outline(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e) {
+bool vs_text_outline(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e) {
   if (!vs_text_loops(n, placed, f, out, e)) return false;
   if (!out->count) return true;
   if (!vs_outline_plane(out, e)) return vs_outline_free(out), false;
@@ -122,7 +121,7 @@ static bool vs_text_outline(const vs_node *n, const vs_affine *placed, const vs_
   return true;
 }
 
-static bool vs_hull_outline(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e) {
+bool vs_hull_outline(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e) {
   vs_facets inner = vs_facets_placed(f, placed);
   vs_cloud cloud = { 0 };
   *out = (vs_outline){ .loops = calloc(1, sizeof *out->loops), .hole = calloc(1, sizeof *out->hole), .count = 1 };
@@ -136,38 +135,23 @@ static bool vs_hull_outline(const vs_node *n, const vs_affine *placed, const vs_
   return ok;
 }
 
-bool vs_region_outline(const vs_node *n, const vs_facets *f, vs_outline *out, vs_error *e) {
-  vs_affine placed = vs_affine_identity();
-  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) {
-    if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
-    n = n->children[0].node;
-  }
-  if (n->kind == VS_HULL) return vs_hull_outline(n, &placed, f, out, e);
-  if (n->kind == VS_TEXT) return vs_text_outline(n, &placed, f, out, e);
-  size_t count = n->kind == VS_REGION ? n->child_count : 1;
-  vs_path *paths = calloc(count ? count : 1, sizeof *paths);
+bool vs_outline_of_loops(vs_polyline *loops, size_t count, vs_outline *out, vs_error *e) {
   *out = (vs_outline){ 0 };
   out->loops = calloc(count ? count : 1, sizeof *out->loops);
-  bool ok = (paths && out->loops) || vs_error_memory(e, NULL);
-  for (size_t i = 0; ok && i < count; i++) ok = vs_curve_path(n->kind == VS_REGION ? n->children[i].node : n, &placed, f, &paths[i], e);
-  size_t joined = count;
-  if (n->kind == VS_REGION) ok = ok && vs_path_join(paths, &joined, e);
-  for (size_t i = 0; ok && i < joined; i++) {
-    if (paths[i].closed ? paths[i].count < 3 : n->kind == VS_REGION || paths[i].count < 2)
-      ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "make-region: the curves do not close");
-    else ok = vs_polyline_from_path(&paths[i], &out->loops[out->count++]) || vs_error_memory(e, NULL);
+  bool ok = out->loops || vs_error_memory(e, NULL);
+  for (size_t i = 0; ok && i < count; i++) {
+    out->loops[out->count++] = loops[i];
+    loops[i] = (vs_polyline){ 0 };
   }
-  if (ok && !out->count) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "make-region: no curves");
+  for (size_t i = 0; i < count; i++) vs_polyline_free(&loops[i]);
   ok = ok && vs_outline_plane(out, e) && (vs_outline_nest(out) || vs_error_memory(e, NULL));
-  for (size_t i = 0; paths && i < count; i++) vs_path_free(&paths[i]);
-  free(paths);
   if (!ok) vs_outline_free(out);
   return ok;
 }
 
 double vs_outline_measure(const vs_outline *o, vs_vec3 *centroid) {
   double total = 0;
-  vs_vec3 sum = { 0, 0, 0 }, ref = o->loops[0].at[0];
+  vs_vec3 sum = { 0, 0, 0 }, ref = o->count ? o->loops[0].at[0] : o->point;
   for (size_t l = 0; l < o->count; l++) {
     const vs_polyline *p = &o->loops[l];
     for (size_t i = 0; i + (p->closed ? 0 : 1) < p->count; i++) {

@@ -49,9 +49,9 @@ static vs_vec2 vs_profile_flat(const vs_profile_plane *p, vs_vec3 at) {
 }
 
 static bool vs_swept_room(vs_swept *s, size_t points, size_t loops) {
-  s->profile = malloc(points * sizeof *s->profile);
-  s->sizes = malloc(loops * sizeof *s->sizes);
-  s->hole = malloc(loops * sizeof *s->hole);
+  s->profile = malloc((points ? points : 1) * sizeof *s->profile); /* an empty region has none */
+  s->sizes = malloc((loops ? loops : 1) * sizeof *s->sizes);
+  s->hole = malloc((loops ? loops : 1) * sizeof *s->hole);
   return s->profile && s->sizes && s->hole;
 }
 
@@ -67,7 +67,7 @@ static bool vs_swept_profile(vs_swept *s, const vs_node *profile, const vs_facet
     double (*m)[4] = o.frame.m;
     *plane = (vs_profile_plane){ { m[0][0], m[1][0], m[2][0] }, { m[0][1], m[1][1], m[2][1] }, o.normal, { m[0][3], m[1][3], m[2][3] }, { 0, 0 }, 0 };
     plane->base = vs_profile_flat(plane, base ? *base : centroid);
-    s->filled = o.loops[0].closed;
+    s->filled = !o.count || o.loops[0].closed;
     for (size_t l = 0; l < o.count; l++) {
       s->sizes[l] = o.loops[l].count;
       s->hole[l] = o.hole[l];

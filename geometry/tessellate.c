@@ -18,6 +18,7 @@ static const vs_ref *vs_tessellate_below(const vs_node *n, vs_affine *placed) {
       return &n->children[0];
     case VS_MATERIAL: case VS_LAYER: return &n->children[0];
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return n->child_count == 1 ? &n->children[0] : NULL;
+    case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
     case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
     case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
@@ -84,6 +85,9 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
         if (!gathered) return false;
         break;
       } /* fall through */
+    case VS_OFFSET:
+      if (n->class_ == VS_CURVE) return vs_error_set(e, VS_ERROR_MODEL, NULL, "an offset curve has no faces");
+      /* fall through */
     case VS_REGION: case VS_TEXT: {
       vs_outline o;
       if (!vs_region_outline(n, f, &o, e)) return false;
@@ -119,6 +123,8 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
     }
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return vs_loft_mesh(n, f, out, e);
     case VS_GRID_MESH: case VS_GRID_SURFACE: ok = vs_surface_mesh(n, out); break;
+    case VS_SECTION: case VS_PROJECT: /* kernel/resolve.c has made regions of them before */
+    case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_EDGES:
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a %s has no faces", vs_kind_get((vs_kind)n->kind)->name);
     case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
       return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s is not one solid: its parts are to be meshed apart", vs_kind_get((vs_kind)n->kind)->name);

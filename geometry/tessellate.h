@@ -21,7 +21,11 @@ bool vs_curve_sample(const vs_node *curve, const vs_facets *f, vs_polyline *out,
  * one loop that is not closed. */
 typedef struct { vs_polyline *loops; bool *hole; size_t count; vs_vec3 point, normal; vs_affine frame; } vs_outline;
 void vs_outline_free(vs_outline *o);
+bool vs_outline_coplanar(const vs_outline *a, const vs_outline *b);
+/* No loops where the region turns out to be empty: an intersection of what does not meet. */
 bool vs_region_outline(const vs_node *region, const vs_facets *f, vs_outline *out, vs_error *e);
+/* Is p in the region's plane and in it or on its border? Of fine samples where it is round. */
+bool vs_region_contains(const vs_node *region, vs_vec3 p, bool *inside, vs_error *e);
 /* Area and centroid of the sampled outline; of an open one its length and middle. */
 double vs_outline_measure(const vs_outline *o, vs_vec3 *centroid);
 

@@ -67,21 +67,16 @@ static size_t vs_node_size(const vs_kind_info *info, size_t children) {
 
 static bool vs_node_is_planar_area(const vs_node *n) { return n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED); }
 
-/* What a set of children is together: of one class if they agree; closed curves and regions make a region. */
+/* What a set of children is together: of one class if they agree. Closed curves stay curves: who wants them filled makes regions of them. */
 static void vs_node_classify_union(vs_node *n) {
   vs_class together = VS_NOTHING;
-  bool areas = true;
   for (uint32_t i = 0; i < n->child_count; i++) {
     const vs_node *c = n->children[i].node;
     if (c->class_ == VS_NOTHING) continue;
-    areas = areas && vs_node_is_planar_area(c);
     if (together == VS_NOTHING) together = (vs_class)c->class_;
     else if (together != (vs_class)c->class_) together = VS_MIXED;
   }
-  if (together != VS_NOTHING && areas) {
-    together = VS_REGION_CLASS;
-    n->flags |= VS_NODE_CLOSED;
-  }
+  if (together == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
   n->class_ = (uint8_t)together;
 }
 
@@ -119,6 +114,16 @@ static void vs_node_classify(vs_node *n, const vs_kind_info *info) {
     }
     case VS_GRID_MESH: n->class_ = VS_AS(grid_mesh, n)->closed ? VS_SOLID : VS_SURFACE; break;
     case VS_GRID_SURFACE: n->class_ = VS_AS(grid_surface, n)->closed ? VS_SOLID : VS_SURFACE; break;
+    case VS_JOIN: if (VS_AS(join, n)->closed) n->flags |= VS_NODE_CLOSED; break;
+    case VS_XLINE: case VS_RAY: break;
+    case VS_SECTION: case VS_PROJECT: case VS_EDGES:
+      if (!first || first->class_ == VS_NOTHING) n->class_ = VS_NOTHING;
+      else if (n->class_ == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
+      break;
+    case VS_OFFSET:
+      n->class_ = !first || first->class_ == VS_NOTHING ? VS_NOTHING : VS_AS(offset, n)->filled || first->class_ == VS_REGION_CLASS ? VS_REGION_CLASS : VS_CURVE;
+      if (n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && first->flags & VS_NODE_CLOSED)) n->flags |= VS_NODE_CLOSED;
+      break;
     case VS_THICKEN: if (!first || first->class_ == VS_NOTHING) n->class_ = VS_NOTHING; break;
     case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
       n->class_ = first ? first->class_ : VS_NOTHING;

@@ -140,6 +140,16 @@ vs_affine vs_affine_mirror(vs_vec3 point, vs_vec3 normal) {
   return vs_affine_about(r, point);
 }
 
+bool vs_affine_even(const vs_affine *a, double *k) {
+  vs_vec3 c[3];
+  for (int j = 0; j < 3; j++) c[j] = vs_v3(a->m[0][j], a->m[1][j], a->m[2][j]);
+  *k = vs_v3_length(c[0]);
+  double slack = 1e-12 * *k * *k;
+  for (int j = 0; j < 3; j++)
+    if (fabs(vs_v3_dot(c[j], c[j]) - *k * *k) > slack || fabs(vs_v3_dot(c[j], c[(j + 1) % 3])) > slack) return false;
+  return true;
+}
+
 vs_bounds vs_bounds_empty(void) { return (vs_bounds){ { INFINITY, INFINITY, INFINITY }, { -INFINITY, -INFINITY, -INFINITY } }; }
 
 void vs_bounds_add(vs_bounds *b, vs_vec3 p) {

@@ -42,6 +42,7 @@ bool vs_affine_invert(const vs_affine *a, vs_affine *out);            /* false w
 /* The image of a plane, its normal pointing to the image of the same side. False: the map is singular; nothing is changed. */
 bool vs_affine_plane(const vs_affine *a, vs_vec3 *point, vs_vec3 *normal);
 bool vs_affine_is_translation(const vs_affine *a);                    /* linear part exactly the identity */
+bool vs_affine_even(const vs_affine *a, double *k);                   /* does it multiply every length by the same k? */
 vs_affine vs_affine_translation(vs_vec3 v);
 /* Rotation by angle about the axis through point along direction (need not be unit; not zero). Right-handed; multiples of a
  * quarter turn about a world axis are exact (Rodrigues' formula otherwise). */

@@ -173,9 +173,22 @@ static vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_no
       if (!(fabs(vs_affine_determinant(a)) > 0)) return NULL;
       *fits = true;
       return vs_fold_polyface(w, a, VS_AS(polyface_mesh, n));
+    case VS_XLINE: {
+      VS_FOLD(xline, f.scale > 0);
+      d.p = vs_affine_point(a, d.p);
+      d.q = vs_affine_point(a, d.q);
+      return vs_node_new(w->store, VS_XLINE, &d, NULL, 0);
+    }
+    case VS_RAY: {
+      VS_FOLD(ray, f.scale > 0);
+      d.p = vs_affine_point(a, d.p);
+      d.v = vs_affine_vector(a, d.v);
+      return vs_node_new(w->store, VS_RAY, &d, NULL, 0);
+    }
     case VS_EMPTY:
       *fits = true;
       return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
+    case VS_JOIN: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
     case VS_SUPERELLIPSOID: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
     case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:

@@ -21,7 +21,7 @@
 (fails (intersect))                          ; expect: intersect: needs at least one object: the intersection of nothing would be all of space ()
 (fails (subtract s (make-line origin (xyz 1 0 0)))) ; expect: subtract: objects must be solids, or regions and closed curves of one plane; one is an open curve ()
 (fails (subtract s circle))                  ; expect: subtract: solids and flat regions do not meet: do-extrude the regions first ()
-(fails (make-region (make-line origin (xyz 1 0 0)))) ; expect: make-region: curves must be closed, or open ones that meet end to end; one is open: its last point must be its first ()
+(fails (make-region (make-line origin (xyz 1 0 0)))) ; expect: make-region: curves must be closed, or open ones that meet end to end; one is open: it runs from (xyz 0 0 0) to (xyz 1 0 0), where no other begins ()
 (fails (make-region s))                      ; expect: make-region: curves must be a curve or a list of curves, got ((make-sphere (xyz 0 0 0) 1))
 (fails (do-extrude circle ux))               ; expect: do-extrude: the profile would be moved within its own plane, whose normal is (vxyz 0 0 1); give a gvector that leaves it ()
 (fails (do-sweep s circle))                  ; expect: do-sweep: profile must be a curve or a region, got ((make-sphere (xyz 0 0 0) 1))

@@ -1,0 +1,149 @@
+/* Owns the procedures that make regions of curves, join curves, and give curves and regions of other objects. */
+#include "bind/bind.h"
+
+#include <stdio.h>
+
+#include "geometry/join.h"
+#include "geometry/measure.h"
+#include "geometry/plane.h"
+#include "geometry/planar.h"
+
+#define POINT(i) (f->arg[i].point)
+#define NODE(i) (f->arg[i].ref.node)
+
+static bool is_closed(const vs_node *n) { return n->flags & VS_NODE_CLOSED; }
+
+static const char *point_text(vs_vec3 p, char out[112]) {
+  char n[3][32];
+  const double d[3] = { p.x, p.y, p.z };
+  for (int i = 0; i < 3; i++) vs_bind_number_text(n[i], round(d[i] * 1e6) / 1e6 + 0.0);
+  snprintf(out, 112, "(xyz %s %s %s)", n[0], n[1], n[2]);
+  return out;
+}
+
+/* ---- curves that meet end to end ---- */
+
+/* The curves of the first argument, those that are nothing left out, open ones joined; new references hang off the frame. */
+static vs_status joined(vs_frame *f, vs_ref **out, size_t *count) {
+  vs_ref *c = f->arg[0].refs.at;
+  vs_error e = { 0 };
+  size_t n = 0;
+  for (size_t i = 0; i < f->arg[0].refs.count; i++) {
+    if (vs_bind_is_empty(c[i].node)) continue;
+    if (c[i].node->kind == VS_XLINE || c[i].node->kind == VS_RAY) return vs_fail(f->vm, f->vm->sym.type, "curves must have ends or be closed; one is without end");
+    c[n++] = c[i];
+  }
+  if (!vs_curves_join(f->bind->store, c, &n, &e)) return vs_bind_error(f, &e);
+  *out = c;
+  *count = n;
+  vs_status status = VS_OK;
+  for (size_t i = 0; i < n; i++)
+    if (!vs_bind_keep(f, c[i].node)) status = VS_ERROR; /* it is released then, and so are the others */
+  return status;
+}
+
+static vs_status open_end(vs_frame *f, const vs_node *n) {
+  vs_vec3 start, end;
+  double size;
+  vs_error e = { 0 };
+  char one[112], other[112];
+  if (!vs_curve_ends(n, &start, &end, &size, &e)) return vs_bind_error(f, &e);
+  return vs_fail(f->vm, f->vm->sym.type, "curves must be closed, or open ones that meet end to end; one is open: it runs from %s to %s, where no other begins",
+                 point_text(start, one), point_text(end, other));
+}
+
+vs_status vs_p_join_curves(vs_frame *f, vs_value *out) {
+  vs_ref *c;
+  size_t n;
+  for (size_t i = 0; i < f->arg[0].refs.count; i++)
+    if (is_closed(f->arg[0].refs.at[i].node)) return vs_fail(f->vm, f->vm->sym.type, "curves must be open; one is closed");
+  if (!joined(f, &c, &n)) return VS_ERROR;
+  if (n == 0) return vs_bind_empty(f, f->arg[0].refs.count ? "every curve is empty" : "there are no curves", out);
+  if (n == 1) return vs_bind_node(f, vs_node_retain(c[0].node), out);
+  vs_vec3 start, end;
+  double size;
+  vs_error e = { 0 };
+  char one[112], other[112];
+  if (!vs_curve_ends(c[0].node, &start, &end, &size, &e)) return vs_bind_error(f, &e);
+  return vs_fail(f->vm, f->vm->sym.type, "curves must meet end to end; they make %lu curves, the first from %s to %s", (unsigned long)n, point_text(start, one), point_text(end, other));
+}
+
+/* ---- regions ---- */
+
+vs_status vs_p_make_region(vs_frame *f, vs_value *out) {
+  vs_ref *c;
+  size_t n, kept = 0;
+  vs_error e = { 0 };
+  vs_plane first = { .size = 0 }, here;
+  char text[112];
+  if (!joined(f, &c, &n)) return VS_ERROR;
+  if (n == 0) return vs_bind_empty(f, f->arg[0].refs.count ? "every curve is empty" : "there are no curves", out);
+  for (size_t i = 0; i < n; i++)
+    if (!is_closed(c[i].node)) return open_end(f, c[i].node);
+  for (size_t i = 0; i < n; i++) {
+    vs_plane_count planes = vs_node_plane(c[i].node, &here);
+    if (planes == VS_PLANE_NONE) return vs_fail(f->vm, f->vm->sym.type, "curves must lie in one plane; curve %lu leaves every plane", (unsigned long)i + 1);
+    if (planes == VS_PLANE_MANY) continue; /* all on one line: it bounds nothing */
+    if (kept && !vs_plane_same(&first, &here)) {
+      char other[112];
+      return vs_fail(f->vm, f->vm->sym.type, "curves must lie in one plane; curve 1 is in that through %s, curve %lu in that through %s", point_text(first.point, text),
+                     (unsigned long)i + 1, point_text(here.point, other));
+    }
+    if (!kept) first = here;
+    c[kept++] = c[i];
+  }
+  if (kept == 0) return vs_bind_empty(f, "the curves enclose no area", out);
+  vs_crossing x;
+  if (!vs_curves_cross(c, kept, &x, &e)) return vs_bind_error(f, &e);
+  if (x.found && x.a == x.b) return vs_fail(f->vm, f->vm->sym.range, "curves must not cross; curve %lu crosses itself at %s", (unsigned long)x.a + 1, point_text(x.at, text));
+  if (x.found) return vs_fail(f->vm, f->vm->sym.range, "curves must not cross; curves %lu and %lu cross at %s; unite, subtract or intersect their regions",
+                              (unsigned long)x.a + 1, (unsigned long)x.b + 1, point_text(x.at, text));
+  return vs_bind_make(f, VS_REGION, &(struct vs_region){ 0 }, c, kept, out);
+}
+
+/* ---- offsets ---- */
+
+/* How many loops are left: 0, 1 or more; of an open curve 0 or 1. */
+static bool what_is_left(const vs_node *n, size_t *count, vs_error *e) {
+  vs_bounds b;
+  vs_offset_exact exact;
+  vs_affine place;
+  *count = 1;
+  if (vs_offset_round(n, &place, &exact)) return true;
+  if (!vs_node_bounds(n->children[0].node, &b, e)) return false;
+  vs_facets facets = { vs_facets_tolerance(&b), 0 };
+  if (is_closed(n->children[0].node)) {
+    vs_outline o;
+    if (!vs_region_outline(n, &facets, &o, e)) return false;
+    *count = o.count;
+    vs_outline_free(&o);
+    return true;
+  }
+  vs_polyline p = { 0 };
+  bool ok = vs_curve_sample(n, &facets, &p, e);
+  *count = p.count > 1;
+  vs_polyline_free(&p);
+  return ok;
+}
+
+vs_status vs_p_do_offset(vs_frame *f, vs_value *out) {
+  static const char *const names[] = { "mitre", "round", "square" };
+  const char *corners = f->key[0].given ? f->key[0].text.at : names[0];
+  struct vs_offset d = { .distance = f->arg[1].real, .segments = f->key[1].given ? (int32_t)f->key[1].integer : vs_bind_segments(f->bind) };
+  vs_error e = { 0 };
+  vs_plane plane;
+  size_t i = 0, left;
+  while (i < 3 && strcmp(corners, names[i])) i++;
+  if (i == 3) return vs_bind_refuse(f, "corners", "'mitre, 'round or 'square", f->key[0].value);
+  if (vs_bind_is_empty(NODE(0))) return vs_bind_node(f, vs_node_retain(NODE(0)), out);
+  if (NODE(0)->kind == VS_XLINE || NODE(0)->kind == VS_RAY) return vs_bind_refuse(f, "s", "a curve with two ends or none, or a region", f->arg[0].value);
+  if (vs_node_plane(NODE(0), &plane) == VS_PLANE_NONE) return vs_bind_refuse(f, "s", "a curve or region that lies in one plane", f->arg[0].value);
+  if (d.distance == 0) return vs_bind_node(f, vs_node_retain(NODE(0)), out);
+  if (!(d.corners = vs_store_text(f->bind->store, names[i], strlen(names[i])))) return vs_fail_memory(f->vm);
+  vs_node *made = vs_node_new(f->bind->store, VS_OFFSET, &d, &f->arg[0].ref, 1);
+  if (!vs_bind_keep(f, made)) return VS_ERROR;
+  if (!what_is_left(made, &left, &e)) return vs_bind_error(f, &e);
+  if (left == 0) return vs_bind_empty(f, "nothing is left so far inside", out);
+  d.filled = left > 1 && made->class_ == VS_CURVE;
+  return d.filled ? vs_bind_make(f, VS_OFFSET, &d, &f->arg[0].ref, 1, out) : vs_bind_node(f, vs_node_retain(made), out);
+}
