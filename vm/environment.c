@@ -180,7 +180,7 @@ enum { SKIP = 16, DEPTH_BITS = 24 };
 
 static int64_t depth_of(vs_value env) { return vs_is_top(env) ? 0 : vs_fixnum(vs_as_environment(env)->name) & (((int64_t)1 << DEPTH_BITS) - 1); }
 static int64_t late_bindings(const vs_environment *scope) {
-  vs_value count = vs_as_environment(scope->top)->data;
+  vs_value count = vs_as_environment(scope->top)->top;
   return vs_is_fixnum(count) ? vs_fixnum(count) : 0;
 }
 static bool can_skip(const vs_environment *scope) {
@@ -251,7 +251,7 @@ bool vs_environment_bind(vs *vm, vs_value env, vs_value id, vs_value binding) {
   if (!vs_is_top(env)) {
     vs_environment *scope = vs_as_environment(env);
     vs_object_of(id)->flags |= VS_F_LOCAL;
-    if (scope->h.flags & VS_F_AROUND) vs_as_environment(scope->top)->data = vs_fix(late_bindings(scope) + 1);
+    if (scope->h.flags & VS_F_AROUND) vs_as_environment(scope->top)->top = vs_fix(late_bindings(scope) + 1);
   }
   if (!vs_idtable_put(vm, &r[1], id, binding)) return false;
   vs_environment *e = vs_as_environment(r[0]);

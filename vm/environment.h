@@ -7,7 +7,7 @@
    square and so on also has a table of all that the scopes around it bind, up to as many of them; a search probes that and goes on behind. When
    something is bound in a scope that others lie in already, which bodies do not do, such tables are no longer believed.
    In a scope `name` holds its depth and how many such late bindings there were when its table was made, `imports` the table (identifier to the
-   scope that binds it) or (), `exports` the scope to go on in. The count is the top-level environment's `data`.
+   scope that binds it) or (), `exports` the scope to go on in. The count is the `top` of the top-level environment.
 
    Environments form chains by `parent`; `top` is where a local scope's chain ends, #f in a top-level environment. A local scope's `data` is the number of the expansion that made it, its bindings are fixnum
    addresses of vs_var of that expansion's tree, or MACROs. A top-level environment (parent #f) binds CELLs and MACROs; `imports` is a list of
