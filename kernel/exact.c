@@ -252,7 +252,7 @@ void vs_plane_lift(const vs_plane *p, int k, int64_t u, int64_t v, vs_homogeneou
 static void load(vs_points_view v, uint32_t x, vs_homogeneous *out) {
   const vs_point *p = &v.at[x];
   if (!vs_point_exact(p)) {
-    *out = v.big[p->big];
+    *out = p->big & VS_POINT_MORE ? v.more[p->big & ~VS_POINT_MORE] : v.big[p->big];
     return;
   }
   for (int i = 0; i < 3; i++) wide_from(out->x[i], VS_LIMBS, p->fixed[i]);

@@ -19,6 +19,7 @@ __extension__ typedef unsigned __int128 vs_u128;
 
 enum { VS_FIXED_BITS = 32, VS_GRID_BITS = 25, VS_LIMBS = 3 };
 #define VS_POINT_EXACT UINT32_MAX
+#define VS_POINT_MORE (UINT32_C(1) << 31)
 
 typedef struct {
   int64_t n[3];
@@ -32,14 +33,14 @@ typedef struct {
 
 typedef struct {
   int64_t fixed[3];
-  uint32_t big; /* which vs_homogeneous, or VS_POINT_EXACT */
+  uint32_t big; /* which vs_homogeneous (with VS_POINT_MORE: of a view's `more`), or VS_POINT_EXACT */
   uint32_t next; /* of the table's chain; owned by points.c */
 } vs_point;
 
 /* A view of all points, for the predicates. */
 typedef struct {
   const vs_point *at;
-  const vs_homogeneous *big;
+  const vs_homogeneous *big, *more;
 } vs_points_view;
 
 static inline int vs_sign128(vs_i128 x) { return (x > 0) - (x < 0); }

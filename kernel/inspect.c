@@ -222,7 +222,7 @@ static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
 
 bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs_mesh_flaws *out, vs_kernel_error *error) {
   vs_kernel_error ignored;
-  vs_kernel k = { .options = options, .error = error ? error : &ignored, .share = 1 };
+  vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = vs_kernel_threads(options), .share = 1 };
   *k.error = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };
   *out = (vs_mesh_flaws){ 0 };
   if (mesh->triangle_count == 0) return true;

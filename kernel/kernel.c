@@ -139,9 +139,14 @@ typedef struct {
 static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t count, vs_mesh *out) {
   vs_cluster c = { .problem = w->problem, .parts = &w->parts, .expression = &w->expression, .leaves = leaves, .leaf_count = count };
   if (w->expression.gate_count) c.gate = &w->gate;
-  bool ok = vs_soup_build(k, &c) && vs_patches_build(k, &c) && vs_kernel_report(k, 0.1) && vs_meet_patches(k, &c) && vs_kernel_report(k, 0.3) &&
+  enum { SERIAL = 10000 }; /* triangles that are not worth a thread */
+  uint32_t threads = k->threads;
+  bool ok = vs_soup_build(k, &c);
+  if (c.triangles.count < SERIAL) k->threads = 1;
+  ok = ok && vs_patches_build(k, &c) && vs_kernel_report(k, 0.1) && vs_meet_patches(k, &c) && vs_kernel_report(k, 0.3) &&
             vs_arrange_planes(k, &c) && vs_kernel_report(k, 0.7) && vs_classify_faces(k, &c, &w->expression) && vs_kernel_report(k, 0.9) &&
             vs_output_faces(k, &c, out);
+  k->threads = threads;
   vs_cluster_free(k, &c);
   return ok;
 }
@@ -176,7 +181,7 @@ static bool want_tags(vs_kernel *k, vs_mesh *m) {
 
 bool vs_kernel_evaluate(const vs_kernel_problem *p, const vs_kernel_options *options, vs_mesh *out, vs_kernel_error *error) {
   vs_kernel_error ignored;
-  vs_kernel k = { .options = options, .error = error ? error : &ignored };
+  vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = vs_kernel_threads(options) };
   k.error->status = VS_KERNEL_FINE;
   k.error->leaf = 0;
   k.error->message[0] = 0;

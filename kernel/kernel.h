@@ -33,6 +33,7 @@ typedef struct {
   void *context;
   size_t max_bytes;     /* of the kernel's own memory; 0: no limit */
   size_t max_triangles; /* of the result; 0: no limit */
+  uint32_t threads;     /* 0: as many as there are processors; the result is the same. progress is called from the caller's alone */
 } vs_kernel_options;
 
 typedef enum {

@@ -23,14 +23,15 @@ bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t 
   if (more < need) more = need;
   size_t added = (more - *room) * size;
   if (more > SIZE_MAX / size) return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
-  if (k->options && k->options->max_bytes && k->bytes + added > k->options->max_bytes)
+  _Atomic size_t *bytes = k->owner ? &k->owner->bytes : &k->bytes;
+  if (k->options && k->options->max_bytes && *bytes + added > k->options->max_bytes)
     return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "combining the solids needs more memory than the limit of %zu MB", k->options->max_bytes >> 20);
   void *old, *grown;
   memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type */
   grown = realloc(old, more * size);
   if (!grown) return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
   memcpy(slot, &grown, sizeof grown);
-  k->bytes += added;
+  *bytes += added;
   *room = more;
   return true;
 }
@@ -40,20 +41,16 @@ void vs_kernel_free(vs_kernel *k, void *slot, size_t *room, size_t size) {
   memcpy(&old, slot, sizeof old);
   free(old);
   memcpy(slot, &none, sizeof none);
-  k->bytes -= *room * size;
+  *(k->owner ? &k->owner->bytes : &k->bytes) -= *room * size;
   *room = 0;
 }
 
 bool vs_kernel_report(vs_kernel *k, double part) {
+  if (k->owner) return !atomic_load(&k->owner->stop);
+  k->part = part;
   if (!k->options || !k->options->progress) return true;
   if (k->options->progress(k->options->context, k->done + k->share * part)) return true;
   return vs_kernel_fail(k, VS_KERNEL_INTERRUPTED, 0, "interrupted while combining solids");
-}
-
-bool vs_kernel_run(vs_kernel *k, size_t count, vs_task_fn *task, void *context) {
-  for (size_t i = 0; i < count; i++)
-    if (!task(k, context, i)) return false;
-  return true;
 }
 
 void vs_kernel_sort(uint32_t *at, uint32_t *scratch, size_t count, vs_less_fn *less, const void *context) {

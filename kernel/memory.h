@@ -4,12 +4,21 @@
 
 #include "kernel/kernel.h"
 
-typedef struct {
+#include <stdatomic.h>
+
+enum { VS_THREADS_MOST = 64 };
+
+typedef struct vs_kernel {
   const vs_kernel_options *options; /* or NULL */
   vs_kernel_error *error;
-  size_t bytes;       /* held by grown arrays */
-  uint32_t ticks;     /* since the last call of progress */
-  double done, share; /* progress before this cluster, and what the cluster adds */
+  struct vs_kernel *owner; /* of a thread's: the one whose bytes and stop count; else NULL */
+  uint32_t worker;         /* 0 is the caller's thread */
+  uint32_t threads;        /* how many may work, itself among them */
+  _Atomic size_t bytes;    /* held by grown arrays */
+  _Atomic bool stop;       /* a thread has failed, or the caller gave up: all leave */
+  uint32_t ticks;          /* since the last call of progress */
+  double done, share;      /* progress before this cluster, and what the cluster adds */
+  double part;             /* of the cluster, as last reported */
 } vs_kernel;
 
 bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const char *format, ...) __attribute__((format(printf, 4, 5)));
@@ -32,6 +41,7 @@ static inline bool vs_kernel_poll(vs_kernel *k, double part) { return (++k->tick
 /* Calls task(k, context, 0) to task(k, context, count - 1), in any order and at once where there are threads. k is not the caller's in each of them. */
 typedef bool vs_task_fn(vs_kernel *k, void *context, size_t index);
 bool vs_kernel_run(vs_kernel *k, size_t count, vs_task_fn *task, void *context);
+uint32_t vs_kernel_threads(const vs_kernel_options *options); /* how many there may be */
 
 /* Stable merge sort of numbers by a strict order; scratch as large as the array. */
 typedef bool vs_less_fn(const void *context, uint32_t a, uint32_t b);

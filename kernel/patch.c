@@ -77,8 +77,9 @@ static bool facet_patch(building *b, uint32_t facet, bool *whole) {
 
 bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
   building b = { .k = k, .c = c };
-  bool ok = VS_ROOM(k, b.next.at, b.next.room, c->points.all.count + 1);
-  for (size_t i = 0; ok && i < c->points.all.count; i++) b.next.at[i] = VS_NONE;
+  uint32_t points = (uint32_t)c->points.all.count;
+  bool ok = VS_ROOM(k, b.next.at, b.next.room, (size_t)points + 1);
+  for (uint32_t i = 0; ok && i < points; i++) b.next.at[i] = VS_NONE;
   for (uint32_t i = 0; ok && i < c->facets.count; i++) {
     uint32_t first = c->facets.at[i].first, end = c->facets.at[i + 1].first;
     bool whole = false;

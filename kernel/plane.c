@@ -3,7 +3,10 @@
  * Plan for a group: (1) segments: the facets' boundary edges and the cuts, each lying in a second plane, its `side`; (2) all crossings and
  * contacts of segments whose boxes meet, as points on both; (3) split every segment at its points; equal pieces become one edge, which
  * carries what each leaf's cover changes by from its right to its left; (4) a sweep names the faces on both sides of every edge;
- * (5) covers by walking from the outside inwards. Facets that nothing touches become faces as they are. */
+ * (5) covers by walking from the outside inwards. Facets that nothing touches become faces as they are.
+ *
+ * A group numbers its points by itself, copies of the cluster's and new ones alike, so that groups can be worked on at once; what they found is put
+ * together in the groups' order, and only there do new points get the cluster's numbers. */
 #include "kernel/cluster.h"
 #include "kernel/sweep.h"
 
@@ -22,17 +25,33 @@ typedef struct {
 typedef struct { uint32_t segment, point; } incidence;
 typedef struct { uint32_t l, r, leaf; int32_t delta; } piece; /* local vertices; delta: above less below */
 
+/* What a chunk of groups gives: points at VS_POINT_MORE and above are `fresh` ones. */
+typedef struct { vs_homogeneous at; int64_t fixed[3]; bool exact; } fresh_point;
+typedef struct {
+  VS_LIST(vs_face) faces;    /* cover counts from 0 */
+  VS_LIST(vs_cover) covers;
+  VS_LIST(vs_use) uses;      /* faces count from 0 */
+  VS_LIST(fresh_point) fresh;
+} findings;
+
+/* What a thread works with. */
 typedef struct {
   vs_kernel *k;
-  vs_cluster *c;
+  const vs_cluster *c;
+  findings *to;
   uint32_t plane_id;
   vs_plane plane;
+  VS_LIST(vs_point) points;      /* of the group; `next` chains in heads */
+  VS_LIST(uint32_t) global;      /* their numbers in the cluster; VS_POINT_MORE + i: fresh i of the chunk */
+  VS_LIST(vs_homogeneous) more;  /* of the new ones */
+  VS_LIST(uint32_t) known;       /* cluster's number -> the group's, where global says the same */
+  VS_LIST(uint32_t) heads;
   VS_LIST(segment) segments;
   VS_LIST(incidence) on;
   VS_LIST(vs_box) boxes;
   vs_bvh bvh;
   VS_LIST(uint32_t) list, scratch;
-  VS_LIST(uint32_t) local;       /* of a point, in the group at hand; kept from group to group, never cleared */
+  VS_LIST(uint32_t) local;       /* of a point: its place in the sweep */
   VS_LIST(piece) pieces;
   VS_LIST(uint32_t) payload;     /* of each sweep edge: its first piece; one more */
   VS_LIST(uint32_t) above, below, face; /* of each edge, then union-find; face: what the sweep's face became */
@@ -42,13 +61,72 @@ typedef struct {
   vs_sweep sweep;
 } plane_work;
 
-static vs_points_view view(const plane_work *w) { return vs_points_of(&w->c->points); }
+static vs_points_view view(const plane_work *w) { return (vs_points_view){ w->points.at, w->c->points.big.at, w->more.at }; }
+
+static void grid_of(const plane_work *w, uint32_t point, int32_t out[3]) { /* of an input vertex */
+  for (int i = 0; i < 3; i++) out[i] = vs_point_grid(&w->points.at[point], i);
+}
+
+/* ---- the group's points ---- */
+
+static bool own_point(plane_work *w, uint32_t global, uint32_t *point) {
+  uint32_t at = w->known.at[global];
+  if (at < w->points.count && w->global.at[at] == global) {
+    *point = at;
+    return true;
+  }
+  *point = w->known.at[global] = (uint32_t)w->points.count;
+  return VS_PUSH(w->k, w->points, w->c->points.all.at[global]) && VS_PUSH(w->k, w->global, global);
+}
+
+static size_t slot_of(const plane_work *w, const int64_t f[3]) {
+  uint64_t h = (uint64_t)f[0] * 0x9e3779b97f4a7c15u;
+  h = ((h ^ h >> 29) + (uint64_t)f[1]) * 0xbf58476d1ce4e5b9u;
+  h = ((h ^ h >> 29) + (uint64_t)f[2]) * 0x94d049bb133111ebu;
+  return (h ^ h >> 31) & (w->heads.count - 1);
+}
+
+/* All points of the group into chains; done when the first new one is looked for, and when the table is full. */
+static bool chain_points(plane_work *w) {
+  size_t want = 64;
+  while (want < 2 * w->points.count) want *= 2;
+  if (!VS_ROOM(w->k, w->heads.at, w->heads.room, want)) return false;
+  w->heads.count = want;
+  for (size_t i = 0; i < want; i++) w->heads.at[i] = VS_NONE;
+  for (uint32_t i = 0; i < w->points.count; i++) {
+    size_t slot = slot_of(w, w->points.at[i].fixed);
+    w->points.at[i].next = w->heads.at[slot];
+    w->heads.at[slot] = i;
+  }
+  return true;
+}
+
+static bool new_point(plane_work *w, const vs_homogeneous *h, uint32_t *point) {
+  fresh_point f = { .at = *h };
+  f.exact = vs_homogeneous_fix(h, f.fixed);
+  if (w->points.count >= w->heads.count && !chain_points(w)) return false;
+  size_t slot = slot_of(w, f.fixed);
+  for (uint32_t i = w->heads.at[slot]; i != VS_NONE; i = w->points.at[i].next) {
+    const vs_point *p = &w->points.at[i];
+    if (p->fixed[0] != f.fixed[0] || p->fixed[1] != f.fixed[1] || p->fixed[2] != f.fixed[2] || vs_point_exact(p) != f.exact) continue;
+    if (!f.exact && !vs_homogeneous_equal(h, p->big & VS_POINT_MORE ? &w->more.at[p->big & ~VS_POINT_MORE] : &w->c->points.big.at[p->big])) continue;
+    *point = i;
+    return true;
+  }
+  vs_point p = { { f.fixed[0], f.fixed[1], f.fixed[2] }, f.exact ? VS_POINT_EXACT : VS_POINT_MORE | (uint32_t)w->more.count, w->heads.at[slot] };
+  *point = (uint32_t)w->points.count;
+  w->heads.at[slot] = *point;
+  return (f.exact || VS_PUSH(w->k, w->more, *h)) && VS_PUSH(w->k, w->points, p) && VS_PUSH(w->k, w->global, VS_POINT_MORE | (uint32_t)w->to->fresh.count) &&
+         VS_PUSH(w->k, w->to->fresh, f);
+}
 
 /* ---- 1: segments ---- */
 
-static bool add_segment(plane_work *w, uint32_t p, uint32_t q, uint32_t leaf, const vs_plane *side) {
+static bool add_segment(plane_work *w, uint32_t from, uint32_t to, uint32_t leaf, const vs_plane *side) {
+  uint32_t p, q;
+  if (!own_point(w, from, &p) || !own_point(w, to, &q)) return false;
   segment s = { .p = p, .q = q, .leaf = leaf, .edge = side == NULL };
-  const vs_point *a = &w->c->points.all.at[p], *b = &w->c->points.all.at[q];
+  const vs_point *a = &w->points.at[p], *b = &w->points.at[q];
   int64_t du = a->fixed[w->plane.u] - b->fixed[w->plane.u], dv = a->fixed[w->plane.v] - b->fixed[w->plane.v];
   s.axis = (du < 0 ? -du : du) >= (dv < 0 ? -dv : dv) ? w->plane.u : w->plane.v;
   if (du == 0 && dv == 0) { /* closer than a fixed number can say */
@@ -57,8 +135,8 @@ static bool add_segment(plane_work *w, uint32_t p, uint32_t q, uint32_t leaf, co
   if (side) s.side = *side;
   else {
     int32_t x[3], y[3];
-    vs_points_grid(&w->c->points, p, x);
-    vs_points_grid(&w->c->points, q, y);
+    grid_of(w, p, x);
+    grid_of(w, q, y);
     vs_plane_along(x, y, w->plane.k, &s.side);
   }
   return VS_PUSH(w->k, w->segments, s);
@@ -120,14 +198,14 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
   bool met;
   if (s->edge || t->edge) {
     const segment *edge = s->edge ? s : t, *other = s->edge ? t : s;
-    vs_points_grid(&w->c->points, edge->p, e);
-    vs_points_grid(&w->c->points, edge->q, f);
+    grid_of(w, edge->p, e);
+    grid_of(w, edge->q, f);
     met = vs_meet_edge(e, f, &other->side, &h);
   } else {
     met = vs_meet_planes(&w->plane, &s->side, &t->side, &h);
   }
   if (!met) return VS_BROKEN(w->k, "two cuts do not meet");
-  return vs_points_add(w->k, &w->c->points, &h, &x) && put(w, i, x) && put(w, j, x);
+  return new_point(w, &h, &x) && put(w, i, x) && put(w, j, x);
 }
 
 static bool crossings(plane_work *w) {
@@ -136,7 +214,7 @@ static bool crossings(plane_work *w) {
   if (!VS_ROOM(w->k, w->boxes.at, w->boxes.room, n)) return false;
   for (uint32_t i = 0; i < n; i++) {
     vs_box *b = &w->boxes.at[i];
-    const vs_point *p = &w->c->points.all.at[w->segments.at[i].p], *q = &w->c->points.all.at[w->segments.at[i].q];
+    const vs_point *p = &w->points.at[w->segments.at[i].p], *q = &w->points.at[w->segments.at[i].q];
     for (int a = 0; a < 3; a++) {
       int64_t x = p->fixed[a], y = q->fixed[a];
       b->min[a] = (int32_t)((x < y ? x : y) >> VS_FIXED_BITS);
@@ -178,7 +256,7 @@ static bool split(plane_work *w) {
   size_t n = w->segments.count, m = w->on.count, ends = 2 * n + m;
   vs_kernel *k = w->k;
   if (!VS_ROOM(k, w->list.at, w->list.room, ends) || !VS_ROOM(k, w->scratch.at, w->scratch.room, ends) ||
-      !VS_ROOM(k, w->local.at, w->local.room, w->c->points.all.count))
+      !VS_ROOM(k, w->local.at, w->local.room, w->points.count))
     return false;
   uint32_t *list = w->list.at;
   for (size_t i = 0; i < n; i++) list[2 * i] = w->segments.at[i].p, list[2 * i + 1] = w->segments.at[i].q;
@@ -315,21 +393,21 @@ static bool covers(plane_work *w) {
 
 static bool give_faces(plane_work *w) {
   vs_kernel *k = w->k;
-  vs_cluster *c = w->c;
+  findings *to = w->to;
   for (uint32_t f = 0; f < w->face.count; f++) {
     w->queue.at[f] = VS_NONE;
     if (w->cover_count.at[f] == 0) continue;
-    w->queue.at[f] = (uint32_t)c->faces.count;
-    vs_face face = { w->plane_id, (uint32_t)c->covers.count, w->cover_count.at[f], VS_NONE, 0 };
-    if (!VS_PUSH(k, c->faces, face)) return false;
+    w->queue.at[f] = (uint32_t)to->faces.count;
+    vs_face face = { w->plane_id, (uint32_t)to->covers.count, w->cover_count.at[f], VS_NONE, 0 };
+    if (!VS_PUSH(k, to->faces, face)) return false;
     for (uint32_t i = 0; i < w->cover_count.at[f]; i++)
-      if (!VS_PUSH(k, c->covers, w->cover.at[w->cover_first.at[f] + i])) return false;
+      if (!VS_PUSH(k, to->covers, w->cover.at[w->cover_first.at[f] + i])) return false;
   }
   for (size_t e = 0; e < w->sweep.edges.count; e++) {
-    uint32_t l = w->sweep.vertices.at[w->sweep.edges.at[e].l], r = w->sweep.vertices.at[w->sweep.edges.at[e].r];
+    uint32_t l = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].l]], r = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].r]];
     uint32_t up = w->queue.at[w->above.at[e]], down = w->queue.at[w->below.at[e]];
-    if (up != VS_NONE && !VS_PUSH(k, c->uses, ((vs_use){ l, r, up }))) return false;
-    if (down != VS_NONE && !VS_PUSH(k, c->uses, ((vs_use){ r, l, down }))) return false;
+    if (up != VS_NONE && !VS_PUSH(k, to->uses, ((vs_use){ l, r, up }))) return false;
+    if (down != VS_NONE && !VS_PUSH(k, to->uses, ((vs_use){ r, l, down }))) return false;
   }
   return true;
 }
@@ -337,17 +415,18 @@ static bool give_faces(plane_work *w) {
 /* ---- the groups ---- */
 
 static bool give_facet(plane_work *w, uint32_t facet) { /* untouched */
-  vs_cluster *c = w->c;
+  const vs_cluster *c = w->c;
+  findings *to = w->to;
   const vs_facet *f = &c->facets.at[facet];
-  vs_face face = { f->plane, (uint32_t)c->covers.count, 1, facet, 0 };
+  vs_face face = { f->plane, (uint32_t)to->covers.count, 1, facet, 0 };
   vs_cover cover = { f->leaf, f->flip ? -1 : 1 };
-  if (!VS_PUSH(w->k, c->covers, cover) || !VS_PUSH(w->k, c->faces, face)) return false;
+  if (!VS_PUSH(w->k, to->covers, cover) || !VS_PUSH(w->k, to->faces, face)) return false;
   for (uint32_t i = f[0].first; i < f[1].first; i++) {
     const vs_soup_triangle *t = &c->triangles.at[c->facet_triangles.at[i]];
     for (int j = 0; j < 3; j++) {
       uint32_t a = t->v[j], b = t->v[(j + 1) % 3];
       if (t->inner >> j & 1) continue;
-      if (!VS_PUSH(w->k, c->uses, ((vs_use){ f->flip ? b : a, f->flip ? a : b, (uint32_t)c->faces.count - 1 }))) return false;
+      if (!VS_PUSH(w->k, to->uses, ((vs_use){ f->flip ? b : a, f->flip ? a : b, (uint32_t)to->faces.count - 1 }))) return false;
     }
   }
   return true;
@@ -361,72 +440,167 @@ static bool cut_before(const void *context, uint32_t a, uint32_t b) {
   return xh != yh ? xh < yh : x->plane < y->plane;
 }
 
-static bool facet_before(const void *context, uint32_t a, uint32_t b) {
-  const vs_cluster *c = context;
-  uint32_t g = c->facets.at[a].group, h = c->facets.at[b].group;
-  return g != h ? g < h : a < b;
+/* Facets and cuts by group, in the order of the groups' roots; chunks of them. */
+typedef struct {
+  vs_cluster *c;
+  VS_LIST(uint32_t) facets, cuts;  /* numbers, bucketed */
+  VS_LIST(uint32_t) facet_first, cut_first; /* of a root; one more */
+  VS_LIST(uint32_t) chunks;        /* roots at which they begin; one more */
+  size_t first;                    /* of the batch */
+  findings *found;
+  plane_work *works;               /* one a thread */
+} arranging;
+
+static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
+  const vs_cluster *c = w->c;
+  uint32_t begin = a->facet_first.at[root], end = a->facet_first.at[root + 1], *cuts = a->cuts.at + a->cut_first.at[root];
+  uint32_t cut_count = a->cut_first.at[root + 1] - a->cut_first.at[root];
+  if (begin == end) return true;
+  if (end == begin + 1 && !c->facets.at[root].touched) return give_facet(w, root);
+  w->plane_id = c->facets.at[root].plane;
+  w->plane = c->planes.all.at[w->plane_id];
+  w->segments.count = w->points.count = w->global.count = w->more.count = w->heads.count = 0;
+  for (uint32_t f = begin; f < end; f++)
+    if (!add_facet(w, &c->facets.at[a->facets.at[f]])) return false;
+  if (!VS_ROOM(w->k, w->scratch.at, w->scratch.room, (size_t)cut_count + 1)) return false;
+  vs_kernel_sort(cuts, w->scratch.at, cut_count, cut_before, c);
+  uint32_t p = VS_NONE, q = VS_NONE;
+  for (uint32_t j = 0; j < cut_count; j++) {
+    const vs_cut *cut = &c->cuts.at[cuts[j]];
+    uint32_t low = cut->p < cut->q ? cut->p : cut->q, high = cut->p < cut->q ? cut->q : cut->p;
+    if (low == p && high == q) continue;
+    p = low;
+    q = high;
+    if (!add_segment(w, p, q, VS_NONE, &c->planes.all.at[cut->plane])) return false;
+  }
+  return crossings(w) && split(w) && name_faces(w) && covers(w) && give_faces(w);
+}
+
+static bool arrange_chunk(vs_kernel *k, void *context, size_t index) {
+  arranging *a = context;
+  plane_work *w = &a->works[k->worker];
+  findings *to = &a->found[index];
+  w->k = k;
+  w->c = a->c;
+  w->to = to;
+  to->faces.count = to->covers.count = to->uses.count = to->fresh.count = 0;
+  if (w->known.count < a->c->points.all.count) { /* new numbers only come after the group at hand: they need no place */
+    if (!VS_ROOM(k, w->known.at, w->known.room, a->c->points.all.count)) return false;
+    for (size_t i = w->known.count; i < w->known.room; i++) w->known.at[i] = 0;
+    w->known.count = w->known.room;
+  }
+  uint32_t from = a->chunks.at[a->first + index], end = a->chunks.at[a->first + index + 1], n = (uint32_t)a->c->facets.count;
+  for (uint32_t root = from; root < end; root++)
+    if (!vs_kernel_poll(k, 0.2 + 0.5 * root / n) || !arrange_group(w, a, root)) return false;
+  return true;
+}
+
+static bool absorb(vs_kernel *k, vs_cluster *c, findings *from, uint32_t *numbers) {
+  uint32_t faces = (uint32_t)c->faces.count, covers = (uint32_t)c->covers.count;
+  for (size_t i = 0; i < from->fresh.count; i++) {
+    const fresh_point *f = &from->fresh.at[i];
+    if (!vs_points_add_fixed(k, &c->points, f->fixed, f->exact ? NULL : &f->at, &numbers[i])) return false;
+  }
+  if (!VS_ROOM(k, c->faces.at, c->faces.room, faces + from->faces.count) || !VS_ROOM(k, c->covers.at, c->covers.room, covers + from->covers.count) ||
+      !VS_ROOM(k, c->uses.at, c->uses.room, c->uses.count + from->uses.count))
+    return false;
+  for (size_t i = 0; i < from->faces.count; i++) {
+    vs_face f = from->faces.at[i];
+    f.cover += covers;
+    c->faces.at[c->faces.count++] = f;
+  }
+  for (size_t i = 0; i < from->covers.count; i++) c->covers.at[c->covers.count++] = from->covers.at[i];
+  for (size_t i = 0; i < from->uses.count; i++) {
+    vs_use u = from->uses.at[i];
+    if (u.from & VS_POINT_MORE) u.from = numbers[u.from & ~VS_POINT_MORE];
+    if (u.to & VS_POINT_MORE) u.to = numbers[u.to & ~VS_POINT_MORE];
+    u.face += faces;
+    c->uses.at[c->uses.count++] = u;
+  }
+  return true;
+}
+
+static bool bucket(vs_kernel *k, arranging *a) {
+  enum { CHUNK = 2048 }; /* facets and cuts */
+  const vs_cluster *c = a->c;
+  uint32_t n = (uint32_t)c->facets.count, m = (uint32_t)c->cuts.count, *first, sum = 0;
+  if (!VS_ROOM(k, a->facets.at, a->facets.room, (size_t)n + 1) || !VS_ROOM(k, a->cuts.at, a->cuts.room, (size_t)m + 1) ||
+      !VS_ROOM(k, a->facet_first.at, a->facet_first.room, (size_t)n + 2) || !VS_ROOM(k, a->cut_first.at, a->cut_first.room, (size_t)n + 2))
+    return false;
+  first = a->facet_first.at;
+  memset(first, 0, ((size_t)n + 2) * sizeof *first);
+  for (uint32_t i = 0; i < n; i++) first[c->facets.at[i].group + 2]++;
+  for (uint32_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
+  for (uint32_t i = 0; i < n; i++) a->facets.at[first[c->facets.at[i].group + 1]++] = i;
+  first = a->cut_first.at;
+  memset(first, 0, ((size_t)n + 2) * sizeof *first);
+  for (uint32_t i = 0; i < m; i++) first[c->facets.at[c->cuts.at[i].facet].group + 2]++;
+  for (uint32_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
+  for (uint32_t i = 0; i < m; i++) a->cuts.at[first[c->facets.at[c->cuts.at[i].facet].group + 1]++] = i;
+  for (uint32_t i = 0; i < n; i++) {
+    if (sum == 0 && !VS_PUSH(k, a->chunks, i)) return false;
+    sum += a->facet_first.at[i + 1] - a->facet_first.at[i] + a->cut_first.at[i + 1] - a->cut_first.at[i] + 1;
+    if (sum >= CHUNK) sum = 0;
+  }
+  return VS_PUSH(k, a->chunks, n);
+}
+
+static void work_free(vs_kernel *k, plane_work *w) {
+  VS_DROP(k, w->points);
+  VS_DROP(k, w->global);
+  VS_DROP(k, w->more);
+  VS_DROP(k, w->known);
+  VS_DROP(k, w->heads);
+  VS_DROP(k, w->segments);
+  VS_DROP(k, w->on);
+  VS_DROP(k, w->boxes);
+  vs_bvh_free(k, &w->bvh);
+  VS_DROP(k, w->list);
+  VS_DROP(k, w->scratch);
+  VS_DROP(k, w->local);
+  VS_DROP(k, w->pieces);
+  VS_DROP(k, w->payload);
+  VS_DROP(k, w->above);
+  VS_DROP(k, w->below);
+  VS_DROP(k, w->face);
+  VS_DROP(k, w->face_first);
+  VS_DROP(k, w->face_edges);
+  VS_DROP(k, w->queue);
+  VS_DROP(k, w->cover);
+  VS_DROP(k, w->cover_first);
+  VS_DROP(k, w->cover_count);
+  vs_sweep_free(k, &w->sweep);
 }
 
 bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
-  plane_work w = { .k = k, .c = c };
-  VS_LIST(uint32_t) facets = { 0 }, cuts = { 0 }, scratch = { 0 }, first = { 0 }; /* first: cuts of a group */
-  uint32_t n = (uint32_t)c->facets.count, m = (uint32_t)c->cuts.count;
-  bool ok = VS_ROOM(k, facets.at, facets.room, (size_t)n + 1) && VS_ROOM(k, cuts.at, cuts.room, (size_t)m + 1) &&
-            VS_ROOM(k, scratch.at, scratch.room, (size_t)(n > m ? n : m) + 1) && VS_ROOM(k, first.at, first.room, (size_t)n + 2);
-  if (ok) {
-    for (uint32_t i = 0; i < n; i++) facets.at[i] = i;
-    vs_kernel_sort(facets.at, scratch.at, n, facet_before, c);
-    for (uint32_t i = 0; i < n + 2; i++) first.at[i] = 0;
-    for (uint32_t i = 0; i < m; i++) first.at[c->facets.at[c->cuts.at[i].facet].group + 2]++;
-    for (uint32_t i = 2; i < n + 2; i++) first.at[i] += first.at[i - 1];
-    for (uint32_t i = 0; i < m; i++) cuts.at[first.at[c->facets.at[c->cuts.at[i].facet].group + 1]++] = i;
-    for (uint32_t i = 0; i < n; i++) vs_kernel_sort(cuts.at + first.at[i], scratch.at, first.at[i + 1] - first.at[i], cut_before, c);
+  enum { BATCH = 64 };
+  findings found[BATCH];
+  memset(found, 0, sizeof found);
+  arranging a = { .c = c, .found = found };
+  VS_LIST(uint32_t) numbers = { 0 };
+  size_t work_room = 0;
+  bool ok = VS_ROOM(k, a.works, work_room, k->threads);
+  if (ok) memset(a.works, 0, work_room * sizeof *a.works);
+  ok = ok && bucket(k, &a);
+  for (; ok && a.first + 1 < a.chunks.count; a.first += BATCH) {
+    size_t count = a.chunks.count - 1 - a.first < BATCH ? a.chunks.count - 1 - a.first : BATCH;
+    ok = vs_kernel_run(k, count, arrange_chunk, &a);
+    for (size_t i = 0; ok && i < count; i++)
+      ok = VS_ROOM(k, numbers.at, numbers.room, found[i].fresh.count + 1) && absorb(k, c, &found[i], numbers.at);
   }
-  for (uint32_t i = 0, end; ok && i < n; i = end) {
-    uint32_t group = c->facets.at[facets.at[i]].group;
-    for (end = i + 1; end < n && c->facets.at[facets.at[end]].group == group;) end++;
-    ok = vs_kernel_poll(k, 0.2 + 0.5 * i / n);
-    if (end == i + 1 && !c->facets.at[group].touched) {
-      ok = ok && give_facet(&w, group);
-      continue;
-    }
-    w.plane_id = c->facets.at[group].plane;
-    w.plane = c->planes.all.at[w.plane_id];
-    w.segments.count = 0;
-    for (uint32_t f = i; ok && f < end; f++) ok = add_facet(&w, &c->facets.at[facets.at[f]]);
-    uint32_t p = VS_NONE, q = VS_NONE;
-    for (uint32_t j = first.at[group]; ok && j < first.at[group + 1]; j++) {
-      const vs_cut *cut = &c->cuts.at[cuts.at[j]];
-      uint32_t low = cut->p < cut->q ? cut->p : cut->q, high = cut->p < cut->q ? cut->q : cut->p;
-      if (low == p && high == q) continue;
-      p = low;
-      q = high;
-      ok = add_segment(&w, p, q, VS_NONE, &c->planes.all.at[cut->plane]);
-    }
-    ok = ok && crossings(&w) && split(&w) && name_faces(&w) && covers(&w) && give_faces(&w);
+  for (size_t i = 0; i < BATCH; i++) {
+    VS_DROP(k, found[i].faces);
+    VS_DROP(k, found[i].covers);
+    VS_DROP(k, found[i].uses);
+    VS_DROP(k, found[i].fresh);
   }
-  VS_DROP(k, facets);
-  VS_DROP(k, cuts);
-  VS_DROP(k, scratch);
-  VS_DROP(k, first);
-  VS_DROP(k, w.segments);
-  VS_DROP(k, w.on);
-  VS_DROP(k, w.boxes);
-  vs_bvh_free(k, &w.bvh);
-  VS_DROP(k, w.list);
-  VS_DROP(k, w.scratch);
-  VS_DROP(k, w.local);
-  VS_DROP(k, w.pieces);
-  VS_DROP(k, w.payload);
-  VS_DROP(k, w.above);
-  VS_DROP(k, w.below);
-  VS_DROP(k, w.face);
-  VS_DROP(k, w.face_first);
-  VS_DROP(k, w.face_edges);
-  VS_DROP(k, w.queue);
-  VS_DROP(k, w.cover);
-  VS_DROP(k, w.cover_first);
-  VS_DROP(k, w.cover_count);
-  vs_sweep_free(k, &w.sweep);
+  for (size_t i = 0; i < work_room; i++) work_free(k, &a.works[i]);
+  VS_FREE(k, a.works, work_room);
+  VS_DROP(k, a.facets);
+  VS_DROP(k, a.cuts);
+  VS_DROP(k, a.facet_first);
+  VS_DROP(k, a.cut_first);
+  VS_DROP(k, a.chunks);
+  VS_DROP(k, numbers);
   return ok;
 }

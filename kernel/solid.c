@@ -257,7 +257,9 @@ bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets
   *out = (vs_solid){ .part_count = 0 };
   builder *b = calloc(1, sizeof *b);
   if (!b) return vs_error_memory(error, NULL);
-  b->k = (vs_kernel){ .options = options, .error = &why };
+  b->k.options = options;
+  b->k.error = &why;
+  b->k.threads = 1;
   b->facets = facets;
   b->error = error;
   bool ok = true;

@@ -21,7 +21,8 @@ typedef struct {
   uint32_t *twins, *parent;
   size_t twin_room, parent_room;
 } soup;
-enum { FLAT = UINT32_MAX, GONE = UINT32_MAX - 1 };
+#define FLAT UINT32_MAX
+#define GONE (UINT32_MAX - 1)
 
 static bool place(vs_kernel *k, vs_cluster *c, soup *s) {
   bool ok = VS_ROOM(k, s->to_frame, s->to_frame_room, c->leaf_count) && VS_ROOM(k, c->placed.at, c->placed.room, (size_t)c->leaf_count + 1) &&

@@ -52,7 +52,7 @@ bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3
     if (!VS_PUSH(k, t->big, *h)) return false;
   }
   *id = (uint32_t)t->all.count;
-  if (*id == VS_NONE) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have more than 4 billion vertices");
+  if (*id >= VS_POINT_MORE) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have more than 2 billion vertices");
   if (!VS_PUSH(k, t->all, p)) return false;
   t->heads[slot] = *id;
   return true;

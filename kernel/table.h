@@ -21,7 +21,7 @@ typedef struct {
   size_t head_room, head_count;
 } vs_planes_table;
 
-static inline vs_points_view vs_points_of(const vs_points_table *t) { return (vs_points_view){ t->all.at, t->big.at }; }
+static inline vs_points_view vs_points_of(const vs_points_table *t) { return (vs_points_view){ t->all.at, t->big.at, NULL }; }
 
 bool vs_points_integer(vs_kernel *k, vs_points_table *t, const int32_t at[3], uint32_t *id);
 /* The number of the point, an older one where it lies in the same place. */

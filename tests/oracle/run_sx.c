@@ -1,5 +1,5 @@
 /* Owns a small program: evaluates .sx files with the kernel and prints for each its volume, triangles, closedness and seconds.
- * usage: run_sx [-o out.stl] FILE... */
+ * usage: run_sx [-t threads] [-o out.stl] FILE... */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,9 +23,11 @@ static char *slurp(const char *path) {
 
 int main(int argc, char **argv) {
   const char *stl = NULL;
+  vs_kernel_options options = { .threads = 0 };
   int failures = 0;
   for (int i = 1; i < argc; i++) {
     if (!strcmp(argv[i], "-o") && i + 1 < argc) { stl = argv[++i]; continue; }
+    if (!strcmp(argv[i], "-t") && i + 1 < argc) { options.threads = (uint32_t)atoi(argv[++i]); continue; }
     char *text = slurp(argv[i]);
     sx_problem p;
     if (!text || !sx_parse(text, &p)) { fprintf(stderr, "%s: cannot read\n", argv[i]); return 2; }
@@ -33,7 +35,7 @@ int main(int argc, char **argv) {
     vs_kernel_error e;
     struct timespec a, b;
     clock_gettime(CLOCK_MONOTONIC, &a);
-    bool fine = vs_kernel_evaluate(&p.problem, NULL, &m, &e), sure = true;
+    bool fine = vs_kernel_evaluate(&p.problem, &options, &m, &e), sure = true;
     clock_gettime(CLOCK_MONOTONIC, &b);
     if (fine) {
       bool closed = vs_mesh_closed(&m, &sure);

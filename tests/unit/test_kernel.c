@@ -119,7 +119,7 @@ static void test_predicates(void **state) {
         mpq_canonicalize(c[i][j]);
       }
     }
-    vs_points_view view = { points, big };
+    vs_points_view view = { points, big, NULL };
     for (int axis = 0; axis < 3; axis++) {
       int want = mpq_cmp(c[0][axis], c[1][axis]);
       assert_int_equal(vs_compare(view, 0, 1, axis), (want > 0) - (want < 0));
@@ -379,6 +379,45 @@ static bool stop(void *context, double done) {
   return --*(int *)context > 0;
 }
 
+/* The same bytes for any number of threads. */
+static void test_threads(void **state) {
+  (void)state;
+  char text[2000] = "(difference (union";
+  for (int i = 0; i < 12; i++)
+    sprintf(text + strlen(text), " (translate %d %d %d (rotate %d 20 %d (sphere 3 64)))", (int)span(0, 6), (int)span(0, 6), (int)span(0, 6), i * 7, i * 11);
+  strcat(text, ") (translate 1 1 -9 (cyl 30 1 2 48)) (torus 4 1 64 32))");
+  sx_problem p;
+  assert_true(sx_parse(text, &p));
+  vs_mesh m[3] = { { 0 } };
+  for (uint32_t i = 0; i < 3; i++) {
+    vs_kernel_options options = { .threads = 1 + 2 * i };
+    vs_kernel_error e;
+    if (!vs_kernel_evaluate(&p.problem, &options, &m[i], &e)) fail_msg("%s", e.message);
+    check_mesh(&m[i]);
+    assert_true(m[i].triangle_count > 10000);
+    assert_int_equal(m[i].triangle_count, m[0].triangle_count);
+    assert_int_equal(m[i].vertex_count, m[0].vertex_count);
+    assert_memory_equal(m[i].vertices, m[0].vertices, m[0].vertex_count * sizeof *m[0].vertices);
+    assert_memory_equal(m[i].triangles, m[0].triangles, m[0].triangle_count * sizeof *m[0].triangles);
+    assert_memory_equal(m[i].tags, m[0].tags, m[0].triangle_count * sizeof *m[0].tags);
+  }
+  for (int i = 0; i < 3; i++) vs_mesh_free(&m[i]);
+  for (int ticks = 1; ticks < 40; ticks += 7) {
+    int left = ticks;
+    vs_kernel_options options = { .progress = stop, .context = &left, .threads = 4 };
+    vs_kernel_error e;
+    assert_false(vs_kernel_evaluate(&p.problem, &options, &m[0], &e));
+    assert_int_equal(e.status, VS_KERNEL_INTERRUPTED);
+  }
+  for (size_t bytes = 100000; bytes < 30000000; bytes *= 3) {
+    vs_kernel_options options = { .max_bytes = bytes, .threads = 4 };
+    vs_kernel_error e;
+    if (!vs_kernel_evaluate(&p.problem, &options, &m[0], &e)) assert_int_equal(e.status, VS_KERNEL_LIMIT);
+  }
+  vs_mesh_free(&m[0]);
+  sx_free(&p);
+}
+
 static void test_errors(void **state) {
   (void)state;
   sx_problem p;
@@ -428,7 +467,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_planes_meet), cmocka_unit_test(test_predicates), cmocka_unit_test(test_against_oracle),
     cmocka_unit_test(test_cubes_become_one), cmocka_unit_test(test_equal_turns_written_differently), cmocka_unit_test(test_identities),
-    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_errors),
+    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_threads), cmocka_unit_test(test_errors),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
