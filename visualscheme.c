@@ -9,6 +9,7 @@
 #include "backends/export.h"
 #include "geometry/measure.h"
 #include "geometry/optimise.h"
+#include "model/passes/settle.h"
 #include "vm/image.h"
 #include "vm/number.h"
 #include "vm/printer.h"
@@ -47,6 +48,9 @@ static bool take_value(vs *vm, vs_value v, vs_pos place) {
   return ok;
 }
 
+/* for register-drawing-function: as (vs_format_find), but no path */
+static bool is_format(const char *name) { return !strpbrk(name, "./") && vs_export_format_find(name) != NULL; }
+
 static void *store_memory(void *session, void *old, size_t old_bytes, size_t bytes) { return vs_session_memory(session, old, old_bytes, bytes); }
 
 static void *bootstrap_memory(const vs_options *o, void *old, size_t old_bytes, size_t bytes) {
@@ -77,6 +81,7 @@ vs *vs_new(const vs_options *options) {
   bool ok = vm && vs_bind_open(&s->bind, vm, store) && vs_flat_register(vm, &rules) && vs_front_open(vm) && vs_program_new(vm, &vm->at.program);
   if (ok) s->bind.library_files = vs_bind_file_count(vm);
   if (store) vs_store_release(store); /* bind holds it */
+  s->bind.is_format = is_format;
   s->bind.warn = vs_session_warn, s->bind.warn_context = s;
   if (ok) return vm;
   if (vm) vs_free(vm);
@@ -282,7 +287,7 @@ static bool scene_of(vs_session *s, vs_scene *out) {
   bool returned = vs_bind_finish(&s->bind);
   out->tolerance = vs_bind_tolerance(&s->bind);
   size_t n = returned ? s->bind.returned_count : s->bind.scene.drawn_count;
-  out->drawn = vs_session_memory(s, NULL, 0, (n + 1) * sizeof *out->drawn);
+  out->drawn = vs_store_realloc(s->bind.store, NULL, 0, (n + 1) * sizeof *out->drawn);
   if (!out->drawn) return false;
   out->drawn_count = n, out->drawn_room = n + 1;
   for (size_t i = 0; i < n; i++)
@@ -292,7 +297,21 @@ static bool scene_of(vs_session *s, vs_scene *out) {
 }
 static void scene_done(vs_session *s, vs_scene *scene) {
   for (size_t i = 0; i < scene->drawn_count; i++) vs_node_release(scene->drawn[i].node);
-  vs_session_memory(s, scene->drawn, scene->drawn_room * sizeof *scene->drawn, 0);
+  vs_store_realloc(s->bind.store, scene->drawn, scene->drawn_room * sizeof *scene->drawn, 0);
+}
+
+/* The drawing functions of the program, on the scene as this format (NULL: none) gets it. They are an evaluation of their own. */
+static vs_outcome hand_on(vs_session *s, vs_scene *scene, const vs_format *format) {
+  const char *names[4] = { NULL };
+  size_t n = 0;
+  if (!vs_bind_hands_on(&s->bind)) return VS_OUTCOME_DONE;
+  if (format) names[n++] = format->name, names[n++] = format->suffix;
+  if (format && vs_export_family(format)) names[n++] = vs_export_family(format);
+  begin(s, 0);
+  bool ok = vs_bind_hand_on(&s->bind, scene->drawn, scene->drawn_count, names);
+  s->phase = NULL;
+  if (ok) return VS_OUTCOME_DONE;
+  return s->bind.handed.kind != VS_ERROR_NONE ? vs_session_report_error(s, &s->bind.handed) : vs_session_report_condition(s, s->bind.vm->condition, false);
 }
 
 static vs_outcome out_of_memory(vs_session *s) {
@@ -325,7 +344,10 @@ vs_outcome vs_drawing_summary(vs *vm, vs_summary *out) {
   vs_error e = { 0 };
   *out = (vs_summary){ .units = s->bind.scene.units };
   if (!scene_of(s, &scene)) return out_of_memory(s);
-  bool ok = summarise(&scene, out, &e);
+  vs_outcome handed = hand_on(s, &scene, NULL);
+  if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
+  static const vs_settle_options plain = { .highlights = VS_MARKS_DROP };
+  bool ok = vs_scene_settle(&scene, &plain, &e) && summarise(&scene, out, &e);
   scene_done(s, &scene);
   return ok ? VS_OUTCOME_DONE : vs_session_report_error(s, &e);
 }
@@ -427,7 +449,9 @@ static vs_outcome write_to(vs *vm, const char *path, const char *format_name, co
   e.safe = s->options.untrusted || s->options.limit_time > 0 || s->options.limit_memory || s->options.limit_steps || s->options.limit_output;
   apply(&o, &scene, &e);
   double from = vs_session_clock(s);
-  bool ok = vs_scene_optimise(&scene, o.passes, &s->passes, &error);
+  vs_outcome handed = hand_on(s, &scene, format);
+  if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
+  bool ok = vs_export_settle(&scene, format, &e, &error) && vs_scene_optimise(&scene, o.passes, &s->passes, &error);
   ok = ok && (to ? vs_export_to(&scene, format, sink, to, &e, &error) : vs_export(&scene, format, path, &e, &error));
   s->write_seconds += vs_session_clock(s) - from;
   scene_done(s, &scene);

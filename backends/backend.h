@@ -18,6 +18,7 @@
 #include "kernel/solid.h"
 #include "model/mesh.h"
 #include "model/node.h"
+#include "model/passes/settle.h"
 #include "model/scene.h"
 
 enum { VS_DEPTH_MAX = 150 }; /* of nesting in one subtree of the output: POV-Ray and OpenSCAD die of some thousands; users read less */
@@ -74,6 +75,10 @@ struct vs_backend {
   bool (*render)(vs_emitter *e, const char *text_path, const char *output_path);
   /* Writes what belongs beside e->path (an .mtl), after the text. NULL: nothing. */
   bool (*beside)(vs_emitter *e);
+  vs_marks highlights, ghosts; /* how it shows them (settle.h) */
+  bool ghosts_in_drafts;   /* and ghosts in pictures of the draft quality alone */
+  const char *family;      /* a name for several formats, beside their own; NULL: its own alone */
+  const char *native;      /* whose text of `native` it takes, of targets.def; NULL: none */
   bool keep_origins;    /* the text's lines are remembered with the origins of what they hold */
   bool hulls;           /* knows hulls of solids: they are shown as operations; all others, and elsewhere all, as one shape */
   bool area_sets;       /* is asked about sets of regions before they are lowered to one region */

@@ -114,7 +114,7 @@ static bool drive_is_operation(const vs_emitter *e, const vs_node *n) {
       if (n->children[i].node->class_ != VS_SOLID) return false;
     return true;
   }
-  return vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION || (e->backend->verbatim && n->child_count > 0);
+  return vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION || n->kind == VS_NATIVE || n->kind == VS_HIGHLIGHT || n->kind == VS_GHOST || (e->backend->verbatim && n->child_count > 0);
 }
 
 static drive_entry *drive_find(const vs_emitter *e, const vs_node *n) {
@@ -168,7 +168,8 @@ static bool drive_add_material(vs_emitter *e, const vs_material *m) {
 static bool drive_op_vain(vs_emitter *e, const vs_node *n) {
   if (e->backend->verbatim) return false;
   switch ((vs_kind)n->kind) {
-  case VS_DIFFERENCE: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
+  case VS_NATIVE: return false;
+  case VS_DIFFERENCE: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
     return n->child_count == 0 || drive_vain(e, &n->children[0]);
   case VS_INTERSECTION:
     for (size_t i = 0; i < n->child_count; i++)
@@ -256,6 +257,7 @@ static bool drive_is_short(const vs_node *n) {
   case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
   case VS_LINE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_PYRAMID: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
   case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
+  case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
     break;
   }
   return false;
@@ -303,7 +305,7 @@ static bool drive_finite_at(const vs_field_info *f, const void *data) {
     count = 3 * (size_t)points->count;
     break;
   }
-  case VS_FIELD_integer: case VS_FIELD_boolean: case VS_FIELD_faces: case VS_FIELD_text: case VS_FIELD_material:
+  case VS_FIELD_integer: case VS_FIELD_boolean: case VS_FIELD_faces: case VS_FIELD_text: case VS_FIELD_material: case VS_FIELD_ticket:
     break;
   }
   for (size_t i = 0; i < count; i++)
@@ -419,7 +421,7 @@ static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body) {
     return status == VS_EMITTED || (status == VS_LOWER && drive_lower(e, ref));
   }
   drive_frame frame = { .ref = *ref, .material = e->material, .placement = e->placement, .reach = e->reach, .in_boolean = e->in_boolean };
-  bool placed = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER;
+  bool placed = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_NATIVE || n->kind == VS_HIGHLIGHT || n->kind == VS_GHOST;
   size_t shown = drive_shown(e, n);
   frame.silent = shown == 1 && !placed && n->kind != VS_HULL && !e->backend->verbatim;
   if (!frame.silent) {
@@ -509,7 +511,7 @@ static void drive_include(vs_bounds *all, const vs_bounds *b) {
 static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo) {
   enum { most = 4096 };
   const vs_node *n = ref->node;
-  while (n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
+  while (vs_node_is_dress(n)) n = n->children[0].node;
   bool parts = n->kind == VS_UNION && n->child_count + e->box_count <= most;
   size_t count = parts ? n->child_count : 1;
   if (!vs_emit_grow(e, &e->boxes, &e->box_room, e->box_count + count, sizeof *e->boxes)) return false;

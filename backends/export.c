@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "backends/backend.h"
+#include "geometry/measure.h"
 
 void vs_export_options_init(vs_export_options *o) { *o = (vs_export_options){ .width = 0 }; }
 
@@ -221,6 +222,22 @@ static bool export_render_to(vs_emitter *e, vs_sink_fn *sink, void *context) {
   unlink(name);
   free(part);
   return ok;
+}
+
+static bool settle_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
+  (void)context;
+  return vs_node_bounds(n, out, e);
+}
+
+const char *vs_export_family(const vs_format *format) { return format->backend->family; }
+
+bool vs_export_settle(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e) {
+  const vs_backend *b = format->backend;
+  if (b->verbatim) return true;
+  vs_settle_options o = { .highlights = b->highlights, .ghosts = b->ghosts, .target = b->native, .muted = options->safe, .said = options->warn,
+                          .said_context = options->context, .bounds = settle_bounds };
+  if (b->ghosts_in_drafts && options->quality != VS_RENDER_DRAFT) o.ghosts = VS_MARKS_DROP;
+  return vs_scene_settle(scene, &o, e);
 }
 
 static vs_emitter export_emitter(const vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e) {

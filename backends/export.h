@@ -40,6 +40,11 @@ size_t vs_export_format_count(void);
 const vs_format *vs_export_format_at(size_t index);
 const vs_format *vs_export_format_find(const char *text); /* "pov", ".pov", "a/b.pov" or "povray"; NULL: no such */
 
+const char *vs_export_family(const vs_format *format); /* "povray" for .png; NULL: none but its own names */
+
+/* What the drawing becomes for this format: only, ghost, highlight, native and user-defined kinds settled (model/passes/settle.h). Before the passes. */
+bool vs_export_settle(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e);
+
 /* Writes the drawing to a file, which appears whole or not at all ("-": standard output). format NULL: by the path's ending.
  * On false *e says why and where; nothing is left behind. */
 bool vs_export(const vs_scene *scene, const vs_format *format, const char *path, const vs_export_options *options, vs_error *e);

@@ -126,7 +126,12 @@ vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
   case VS_SLICE:
   case VS_XLINE: case VS_RAY: case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* resolved before the walk */
   case VS_EMPTY: case VS_LINE: case VS_POLYFACE_MESH: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT:
+  case VS_NATIVE: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
     break;
+  case VS_CUSTOM:
+    vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s has no drawing function for this format: (register-drawing-function %s? ...) gives it one", VS_AS(custom, ref->node)->name,
+                 VS_AS(custom, ref->node)->name);
+    return NULL;
   }
   vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s cannot be written in this format", vs_kind_get((vs_kind)ref->node->kind)->name);
   return NULL;
@@ -143,6 +148,7 @@ bool vs_lower_is_round(const vs_node *n) {
   case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_PYRAMID:
   case VS_POLYFACE_MESH: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
   case VS_GRID_MESH:
+  case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
     break;
   }
   return false;

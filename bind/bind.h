@@ -50,6 +50,12 @@ struct vs_bind {
   size_t refused;                  /* allocations that were refused so far: tells "no such" from "no memory" */
   uint32_t library_files;          /* files with smaller numbers are the language's own */
   vs_inside_cache *inside;         /* what contains? has prepared; NULL at first */
+  /* users' kinds (custom.c): the ticket of each number that some node holds, and the numbers that none holds any more */
+  vs_ticket **tickets;
+  uint32_t *gone;
+  size_t ticket_count, ticket_room, gone_count;
+  vs_error handed;                 /* what was wrong with a drawing function's result, with the object's place; kind NONE: nothing */
+  bool (*is_format)(const char *name); /* may `register-drawing-function` name it? */
   bool bad_parameter;              /* the error under way is a -D value's fault: exit 2 */
   /* the host: shows a warning; origin NULL is nowhere */
   void (*warn)(void *context, const vs_origin *origin, const char *message);
@@ -79,6 +85,7 @@ static inline vs_shape *vs_bind_shape(vs_value v) { return (vs_shape *)vs_foreig
 
 /* Where the running native was called from, and its callers. NULL: not known (or out of memory: then nothing worse happens). */
 const vs_origin *vs_bind_origin(vs_bind *b);
+vs_status vs_bind_wrap_ref(vs_bind *b, vs_ref ref /* retained */, vs_value *out); /* with the place where it was made */
 vs_status vs_bind_wrap(vs_bind *b, vs_node *node /* taken over; NULL: out of memory */, vs_value *out);
 /* A position's file as text of the store; NULL: nowhere, or one of the language's own sources: places in those are not the user's business. */
 const char *vs_bind_file_name(vs_bind *b, vs_pos place);
@@ -86,6 +93,8 @@ uint32_t vs_bind_file_count(vs *vm); /* files that have a number */
 /* once a place and `kind` (any constant text); nothing when it could not be formatted */
 void vs_bind_warn(vs_bind *b, const char *kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 bool vs_bind_text(vs *vm, vs_value string_or_symbol, char **out, size_t *bytes); /* UTF-8 with NUL from vs_mem; *bytes to give back */
+
+void vs_bind_ticket_gone(void *bind, uint32_t number); /* custom.c */
 
 /* ---- printing (print.c) ---- */
 bool vs_bind_print_node(const vs_node *n, bool (*put)(void *to, const char *s, size_t n), void *to);
@@ -161,6 +170,11 @@ int32_t vs_bind_segments(vs_bind *b);                   /* (current-segments), 0
 double vs_bind_tolerance(vs_bind *b);                   /* (current-tolerance), 0: by the drawing size */
 vs_status vs_bind_finite(vs_frame *f, int i);           /* argument i, an object, has an end; else the error says what to do */
 vs_status vs_bind_refuse(vs_frame *f, const char *param, const char *expected, vs_value got);
+
+/* Objects as drawing functions want them for a format of these names (NULL at the end): in place, new references for old. False: the condition is
+ * set. Needs one registered. */
+bool vs_bind_hands_on(const vs_bind *b); /* was a drawing function registered? */
+bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *names);
 
 /* ---- building, for the functions of procedures.def (build.c) ---- */
 vs_status vs_bind_make(vs_frame *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out);

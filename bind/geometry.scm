@@ -160,7 +160,3 @@
 (define-syntax define-parameter
   (syntax-rules ()
     ((_ name default . options) (define name (%parameter 'name default . options)))))
-
-(define-syntax define-primitive
-  (syntax-rules ()
-    ((_ . anything) (%reserved "define-primitive" "write a procedure that unites what there is"))))

@@ -31,6 +31,13 @@ vs_status vs_bind_wrap(vs_bind *b, vs_node *node, vs_value *out) {
   return vs_make_foreign(b->vm, &vs_shape_type, s, sizeof *s + (node->refs == 1 ? vs_node_bytes(node) : 0), out);
 }
 
+vs_status vs_bind_wrap_ref(vs_bind *b, vs_ref ref, vs_value *out) {
+  vs_shape *s = vs_store_realloc(b->store, NULL, 0, sizeof *s);
+  if (!s) return vs_fail_memory(b->vm);
+  s->ref = (vs_ref){ vs_node_retain(ref.node), ref.origin ? ref.origin : vs_bind_origin(b) };
+  return vs_make_foreign(b->vm, &vs_shape_type, s, sizeof *s, out);
+}
+
 /* ---- paints: interned materials, which live as long as the store ---- */
 
 static void paint_release(void *object) { (void)object; }

@@ -85,6 +85,7 @@ static bool field(const sink *k, const vs_field_info *f, const void *data) {
     case VS_FIELD_points: return points(k, *(const vs_points *const *)(const void *)at);
     case VS_FIELD_faces: return faces(k, *(const vs_faces *const *)(const void *)at);
     case VS_FIELD_text: return quoted(k, *(const char *const *)(const void *)at);
+    case VS_FIELD_ticket: return number(k, (*(const vs_ticket *const *)(const void *)at)->id);
     case VS_FIELD_material: return material(k, *(const vs_material *const *)(const void *)at);
   }
   return false;
@@ -191,6 +192,9 @@ static bool opening(const sink *k, const vs_node *n) {
     case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES: return text(k, "(do-") && text(k, name);
     case VS_TRANSFORM: return text(k, is_moved(&VS_AS(transform, n)->matrix) ? "(do-move" : "(do-transform");
     case VS_MATERIAL: return text(k, *VS_AS(material, n)->material->name ? "(with-material " : "(color ") && material(k, VS_AS(material, n)->material);
+    case VS_NATIVE: return text(k, "(native '") && text(k, VS_AS(native, n)->target) && named(k, n, (const char *const[]){ "text", NULL }) && text(k, " #:otherwise");
+    case VS_CUSTOM: return text(k, VS_AS(custom, n)->made); /* what it stands for is not shown */
+    case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY: return text(k, "(") && text(k, name);
     case VS_LAYER: return text(k, "(layer") && named(k, n, (const char *const[]){ "name", NULL });
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return text(k, "(") && text(k, name);
     case VS_KIND_COUNT: break;
@@ -200,6 +204,7 @@ static bool opening(const sink *k, const vs_node *n) {
 
 /* what stands after the children, and the closing parenthesis */
 static bool closing(const sink *k, const vs_node *n) {
+  if (n->kind == VS_CUSTOM) return true;
   if (n->kind == VS_EXTRUDE) {
     const struct vs_extrude *e = VS_AS(extrude, n);
     if (n->child_count == 1 && !(text(k, " ") && (e->along.x == 0 && e->along.y == 0 ? number(k, e->along.z) : triple(k, "vxyz", e->along)))) return false;
@@ -267,7 +272,8 @@ bool vs_bind_print_node(const vs_node *n, bool (*put)(void *to, const char *s, s
       const struct vs_guided_loft *g = ref.node->kind == VS_GUIDED_LOFT ? VS_AS(guided_loft, ref.node) : NULL;
       left[depth] = g ? ((uint32_t)g->section_count + 1) | (g->path ? 0 : GUIDES) : 0;
       ok = (depth == 0 || (between(&k, &left[depth - 1]) && text(&k, " "))) && opening(&k, ref.node);
-      if (++printed > MOST && ok && ref.node->child_count) ok = text(&k, " ..."), vs_walk_skip(w);
+      if (ref.node->kind == VS_CUSTOM) vs_walk_skip(w);
+      else if (++printed > MOST && ok && ref.node->child_count) ok = text(&k, " ..."), vs_walk_skip(w);
     } else ok = closing(&k, ref.node);
   }
   vs_walk_free(w);

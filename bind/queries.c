@@ -30,7 +30,10 @@ vs_status vs_p_is_csg(vs_frame *f, vs_value *out) { return truth(node_of(f) && i
 vs_status vs_p_is_operation(vs_frame *f, vs_value *out) { return truth(node_of(f) && is_operation(node_of(f)), out); }
 vs_status vs_p_is_primitive(vs_frame *f, vs_value *out) { return truth(node_of(f) && !is_operation(node_of(f)), out); }
 
-vs_status vs_p_object_kind(vs_frame *f, vs_value *out) { return vs_intern_c(f->vm, vs_kind_get((vs_kind)f->arg[0].ref.node->kind)->name, out); }
+vs_status vs_p_object_kind(vs_frame *f, vs_value *out) {
+  const vs_node *n = f->arg[0].ref.node;
+  return vs_intern_c(f->vm, n->kind == VS_CUSTOM ? VS_AS(custom, n)->name : vs_kind_get((vs_kind)n->kind)->name, out);
+}
 
 /* ---- fields as values ---- */
 
@@ -68,6 +71,7 @@ static vs_status field_value(vs_frame *f, const vs_field_info *i, const vs_node 
     case VS_FIELD_points: return list_points(f, *(const vs_points *const *)at, out);
     case VS_FIELD_faces: return list_faces(f, *(const vs_faces *const *)at, out);
     case VS_FIELD_text: return vs_string_from_utf8(f->vm, *(const char *const *)at, strlen(*(const char *const *)at), out);
+    case VS_FIELD_ticket: *out = vs_fix((*(const vs_ticket *const *)at)->id); return VS_OK;
     case VS_FIELD_material: {
       const vs_material *m = *(const vs_material *const *)at;
       return vs_make_foreign(f->vm, &vs_paint_type, (void *)(uintptr_t)m, 0, out);
@@ -95,7 +99,7 @@ vs_status vs_p_object_children(vs_frame *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (uint32_t i = ref.node->child_count; i-- > 0;)
-    if (!vs_poll(f->vm, 1) || !vs_bind_wrap(f->bind, vs_node_retain(ref.node->children[i].node), &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
+    if (!vs_poll(f->vm, 1) || !vs_bind_wrap_ref(f->bind, ref.node->children[i], &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
   *out = r[0];
   return VS_OK;
 }

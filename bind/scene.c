@@ -56,6 +56,10 @@ vs_status vs_p_layer(vs_frame *f, vs_value *out) {
   return around(f, VS_LAYER, &(struct vs_layer){ .name = name }, &f->arg[1], out);
 }
 
+vs_status vs_p_highlight(vs_frame *f, vs_value *out) { return around(f, VS_HIGHLIGHT, &(struct vs_highlight){ 0 }, &f->arg[0], out); }
+vs_status vs_p_ghost(vs_frame *f, vs_value *out) { return around(f, VS_GHOST, &(struct vs_ghost){ 0 }, &f->arg[0], out); }
+vs_status vs_p_only(vs_frame *f, vs_value *out) { return around(f, VS_ONLY, &(struct vs_only){ 0 }, &f->arg[0], out); }
+
 vs_status vs_p_make_material(vs_frame *f, vs_value *out) {
   const vs_arg *k = f->key; /* name color roughness metallic transparency ior */
   vs_material m = { "", .8, .8, .8, .5, 0, 0, 1.5 };

@@ -12,6 +12,7 @@ const vs_native_table *const *vs_bind_tables(void) {
 bool vs_bind_open(vs_bind *b, vs *vm, vs_store *store) {
   *b = (vs_bind){ .vm = vm, .store = vs_store_retain(store), .refused = b->refused };
   vs_scene_init(&b->scene, store);
+  vs_store_on_ticket(store, vs_bind_ticket_gone, b);
   vm->host = b;
   return true;
 }
@@ -31,6 +32,9 @@ void vs_bind_close(vs_bind *b) {
   vs_store_realloc(s, b->parameters, b->parameter_room * sizeof *b->parameters, 0);
   vs_store_realloc(s, b->settings, b->setting_room * sizeof *b->settings, 0);
   vs_inside_cache_free(b->inside);
+  vs_store_on_ticket(s, NULL, NULL);
+  vs_store_realloc(s, b->tickets, b->ticket_room * sizeof *b->tickets, 0);
+  vs_store_realloc(s, b->gone, b->ticket_room * sizeof *b->gone, 0);
   vs_scene_free(&b->scene);
   vs_store_release(s);
   *b = (vs_bind){ 0 };
@@ -104,11 +108,11 @@ bool vs_bind_finish(vs_bind *b) {
 
 /* ---- counting: sums, one per shared node, so that a DAG costs what it has nodes ---- */
 
-static bool is_transparent(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER; }
+static bool is_transparent(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_dress(n); }
 
 static vs_bind_counts count_node(const vs_node *n, const vs_nodemap *known, const vs_bind_counts *sums) {
   vs_bind_counts c = { 0 };
-  if (n->kind == VS_EMPTY) return c;
+  if (n->class_ == VS_NOTHING) return c;
   if (!is_transparent(n)) {
     c.all = 1;
     c.of[n->class_ == VS_MIXED ? VS_SOLID : n->class_] = 1;

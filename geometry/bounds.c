@@ -162,7 +162,10 @@ static bool vs_bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n,
 static bool vs_bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *children, vs_bounds *b, bool *leaf, vs_error *e) {
   *leaf = true;
   switch ((vs_kind)n->kind) {
-    case VS_EMPTY: return true;
+    case VS_EMPTY: case VS_GHOST: return true;
+    case VS_CUSTOM:
+      if (n->child_count) break;
+      return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s has no drawing function: (register-drawing-function %s? ...) gives it one", VS_AS(custom, n)->name, VS_AS(custom, n)->name);
     case VS_LINE: vs_bounds_add_points(b, a, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count); return true;
     case VS_ARC: vs_bounds_add_arc(b, a, VS_AS(arc, n)); return true;
     case VS_CIRCLE: vs_bounds_add_disc(b, a, VS_AS(circle, n)->center, vs_v3(0, 0, 1), VS_AS(circle, n)->radius); return true;
@@ -242,7 +245,8 @@ static bool vs_bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds
     case VS_GRID_MESH: vs_bounds_add_points(b, a, VS_AS(grid_mesh, n)->points->at, VS_AS(grid_mesh, n)->points->count); return true;
     case VS_GRID_SURFACE: vs_bounds_add_points(b, a, VS_AS(grid_surface, n)->points->at, VS_AS(grid_surface, n)->points->count); return true;
     case VS_JOIN: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-    case VS_SLICE: case VS_HULL: case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
+    case VS_SLICE: case VS_HULL: case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
+    case VS_NATIVE: case VS_HIGHLIGHT: case VS_ONLY: case VS_KIND_COUNT: break;
   }
   *leaf = false;
   return true;
@@ -300,7 +304,7 @@ static bool vs_bounds_of(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b
   for (uint32_t i = 0; i < n->child_count; i++) vs_bounds_unite(&children, vs_bounds_memo_known(m, n->children[i].node));
   if (n->kind == VS_TRANSFORM) { /* a placed primitive has its own formula; only few steps are looked through, or chains cost their square */
     const vs_node *below = n;
-    for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || below->kind == VS_MATERIAL || below->kind == VS_LAYER); steps++) {
+    for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || vs_node_is_dress(below)); steps++) {
       if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
       below = below->children[0].node;
     }

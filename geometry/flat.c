@@ -75,7 +75,10 @@ static bool vs_flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs
         map = vs_affine_multiply(&map, &VS_AS(transform, n)->matrix);
         ref = &n->children[0];
         continue;
-      case VS_MATERIAL: case VS_LAYER: ref = &n->children[0]; continue;
+      case VS_MATERIAL: case VS_LAYER: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY:
+        if (!vs_node_is_dress(n)) break;
+        ref = &n->children[0];
+        continue;
       case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: {
         vs_flat_value *v = vs_flat_push(f);
         return v && (vs_curve_leaf(n, &map, facets, &v->path) || vs_error_memory(f->error, ref->origin));
@@ -110,7 +113,7 @@ static bool vs_flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs
         return vs_flat_fail(f, ref, n->class_ == VS_CURVE ? "expected one curve, which join-curves makes of several" : "expected a curve or a region");
       case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE:
       case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-      case VS_EMPTY: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS:
+      case VS_EMPTY: case VS_GHOST: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS:
       case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_KIND_COUNT: break;
     }
     return vs_flat_fail(f, ref, "expected a curve or a region");

@@ -347,7 +347,7 @@ bool vs_hull_cloud(const vs_node *hull, const vs_facets *f, vs_cloud *out, vs_er
     const vs_node *n = part.ref->node;
     if (n->kind == VS_TRANSFORM) part.placed = vs_affine_multiply(&part.placed, &VS_AS(transform, n)->matrix);
     if (n->kind == VS_HULL) ok = vs_hull_add_points(out, &part.placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count, e);
-    if (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_UNION || n->kind == VS_HULL) {
+    if (n->kind == VS_TRANSFORM || vs_node_is_dress(n) || n->kind == VS_UNION || n->kind == VS_HULL) {
       if (ok && !vs_hull_room(&stack, &room, depth + n->child_count, sizeof *stack)) ok = vs_error_memory(e, NULL);
       for (uint32_t i = n->child_count; ok && i-- > 0;) stack[depth++] = (vs_hull_part){ &n->children[i], part.placed };
     } else if (ok) {

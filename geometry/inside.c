@@ -162,6 +162,7 @@ static bool vs_inside_leaf(const vs_inside_part *part, vs_vec3 p) {
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE: return part->facets && vs_inside_facets(part->facets, p);
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_SLICE:
+    case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
     case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_TRANSFORM: case VS_MATERIAL:
     case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
   }
@@ -215,7 +216,7 @@ static bool vs_inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs
   part->inverse = vs_affine_identity();
   switch ((vs_kind)n->kind) {
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-    case VS_EMPTY: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_TORUS: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: return true;
+    case VS_EMPTY: case VS_GHOST: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_TORUS: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: return true;
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: return true; /* nothing is inside them; a profile's parts */
     case VS_CYLINDER: return vs_inside_prepare_axis(part, VS_AS(cylinder, n)->base, VS_AS(cylinder, n)->top);
     case VS_CONE: return vs_inside_prepare_axis(part, VS_AS(cone, n)->base, VS_AS(cone, n)->apex);
@@ -233,7 +234,8 @@ static bool vs_inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs
     case VS_TRANSFORM:
       if (!vs_affine_invert(&VS_AS(transform, n)->matrix, &part->inverse)) part->bounds = vs_bounds_empty(); /* flattened: holds nothing */
       break;
-    case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
+    case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
+    case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY: break;
   }
   part->children = malloc((n->child_count ? n->child_count : 1) * sizeof *part->children);
   if (!part->children) return vs_error_memory(e, NULL);
@@ -317,7 +319,7 @@ vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
 /* ---- asking ---- */
 
 static bool vs_inside_is_set(const vs_node *n) {
-  return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE || n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER;
+  return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE || n->kind == VS_TRANSFORM || vs_node_is_dress(n);
 }
 
 bool vs_inside_test(vs_inside *v, vs_vec3 p) {
@@ -351,7 +353,8 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
         case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
         case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
         case VS_THICKEN: case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-        case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT: decided = true; break;
+        case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST:
+        case VS_ONLY: case VS_KIND_COUNT: decided = true; break;
       }
       if (decided || top->next == above->node->child_count) {
         depth--;

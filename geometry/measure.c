@@ -88,7 +88,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   const vs_node *whole = n;
   *m = (vs_measure){ 0 };
-  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || (n->kind == VS_UNION && n->child_count == 1)) {
+  while (n->kind == VS_TRANSFORM || vs_node_is_dress(n) || (n->kind == VS_UNION && n->child_count == 1)) {
     if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
     n = n->children[0].node;
   }
@@ -98,7 +98,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   bool round = n->kind == VS_OFFSET && vs_offset_round(n, &place, &exact);
   if (round) placed = vs_affine_multiply(&placed, &place);
   switch ((vs_kind)n->kind) {
-    case VS_EMPTY: return true;
+    case VS_EMPTY: case VS_GHOST: return true;
     case VS_XLINE: case VS_RAY: return vs_error_set(e, VS_ERROR_MODEL, NULL, "it has no end: nothing about it can be measured");
     case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* measured as what kernel/resolve.c makes of them */
       *m = (vs_measure){ 0 };
@@ -199,7 +199,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       if (n->class_ == VS_REGION_CLASS) return vs_measure_region(whole, m, e);
       *m = (vs_measure){ 0 };
       return true;
-    case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT:
+    case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY:
       *m = (vs_measure){ 0 };
       return true;
   }

@@ -90,7 +90,8 @@ vs_plane_count vs_node_plane(const vs_node *n, vs_plane *out) {
         p.more[2] = vs_v3_add(at, vs_v3(frame.m[0][1], frame.m[1][1], frame.m[2][1]));
         return vs_plane_through(&p, out);
       }
-      case VS_MATERIAL: case VS_LAYER: case VS_REGION: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_OFFSET: case VS_SLICE: break;
+      case VS_MATERIAL: case VS_LAYER: case VS_REGION: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_OFFSET: case VS_SLICE:
+      case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY: break;
       case VS_HULL: {
         vs_facets coarse = { 1, 12 };
         vs_outline o = { 0 };
@@ -118,7 +119,7 @@ vs_plane_count vs_node_plane(const vs_node *n, vs_plane *out) {
       case VS_XLINE: case VS_RAY: case VS_EDGES: return VS_PLANE_NONE;
       case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD:
       case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-      case VS_EMPTY: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS:
+      case VS_EMPTY: case VS_GHOST: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS:
       case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_KIND_COUNT: return VS_PLANE_NONE;
     }
     uint32_t first = 0;

@@ -16,11 +16,11 @@ static const vs_ref *vs_tessellate_below(const vs_node *n, vs_affine *placed) {
     case VS_TRANSFORM:
       *placed = vs_affine_multiply(placed, &VS_AS(transform, n)->matrix);
       return &n->children[0];
-    case VS_MATERIAL: case VS_LAYER: return &n->children[0];
+    case VS_MATERIAL: case VS_LAYER: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY: return n->child_count ? &n->children[0] : NULL;
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return n->child_count == 1 ? &n->children[0] : NULL;
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
-    case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
+    case VS_EMPTY: case VS_GHOST: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
     case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
     case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
     case VS_THICKEN: case VS_KIND_COUNT: break;
@@ -32,7 +32,8 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
   bool ok = false;
   if (n->class_ == VS_NOTHING) return true;
   switch ((vs_kind)n->kind) {
-    case VS_EMPTY: return true;
+    case VS_EMPTY: case VS_GHOST: return true;
+    case VS_CUSTOM: return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s has no drawing function: (register-drawing-function %s? ...) gives it one", VS_AS(custom, n)->name, VS_AS(custom, n)->name);
     case VS_BOX: ok = vs_solid_box(out, VS_AS(box, n)->p, VS_AS(box, n)->q); break;
     case VS_WEDGE: ok = vs_solid_wedge(out, VS_AS(wedge, n)->p, VS_AS(wedge, n)->q); break;
     case VS_SPHERE: {
@@ -127,6 +128,7 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_EDGES:
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a %s has no faces", vs_kind_get((vs_kind)n->kind)->name);
     case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
+    case VS_NATIVE: case VS_HIGHLIGHT: case VS_ONLY:
       return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s is not one solid: its parts are to be meshed apart", vs_kind_get((vs_kind)n->kind)->name);
   }
   return ok || vs_error_memory(e, NULL);

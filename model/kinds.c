@@ -62,6 +62,7 @@ uint64_t vs_payload_hash(const vs_kind_info *info, const void *data) {
         break;
       }
       case VS_FIELD_text: h = vs_hash_mix(h, vs_text_hash(*(const char *const *)at)); break;
+      case VS_FIELD_ticket: h = vs_hash_mix(h, (*(const vs_ticket *const *)at)->id); break;
       case VS_FIELD_material: h = vs_hash_mix(h, vs_material_hash(*(const vs_material *const *)at)); break;
     }
   }
@@ -96,6 +97,7 @@ bool vs_payload_equal(const vs_kind_info *info, const void *a, const void *b) {
         same = s == t || !strcmp(s, t);
         break;
       }
+      case VS_FIELD_ticket: same = (*(const vs_ticket *const *)x)->id == (*(const vs_ticket *const *)y)->id; break;
       case VS_FIELD_material: {
         const vs_material *m = *(const vs_material *const *)x, *n = *(const vs_material *const *)y;
         same = m == n || (!strcmp(m->name, n->name) && vs_material_hash(m) == vs_material_hash(n));
@@ -121,6 +123,7 @@ void vs_payload_adopt(const vs_kind_info *info, void *data) {
       case VS_FIELD_affine: vs_payload_no_minus_zero(&((vs_affine *)at)->m[0][0], 12); break;
       case VS_FIELD_points: vs_points_retain(*(vs_points *const *)at); break;
       case VS_FIELD_faces: vs_faces_retain(*(vs_faces *const *)at); break;
+      case VS_FIELD_ticket: (*(vs_ticket *const *)at)->refs++; break;
       case VS_FIELD_integer:
       case VS_FIELD_boolean:
       case VS_FIELD_text:
@@ -134,6 +137,7 @@ void vs_payload_drop(const vs_kind_info *info, vs_store *s, const void *data) {
     const void *at = (const char *)data + info->fields[i].offset;
     if (info->fields[i].type == VS_FIELD_points) vs_points_release(s, *(const vs_points *const *)at);
     if (info->fields[i].type == VS_FIELD_faces) vs_faces_release(s, *(const vs_faces *const *)at);
+    if (info->fields[i].type == VS_FIELD_ticket) vs_ticket_release(s, *(const vs_ticket *const *)at);
   }
 }
 

@@ -58,6 +58,19 @@ void vs_faces_release(vs_store *s, const vs_faces *f) {
   if (mine && !--mine->refs) vs_store_realloc(s, mine, vs_faces_bytes(mine), 0);
 }
 
+vs_ticket *vs_ticket_new(vs_store *s, uint32_t id) {
+  vs_ticket *t = vs_store_realloc(s, NULL, 0, sizeof *t);
+  if (t) *t = (vs_ticket){ 1, id };
+  return t;
+}
+
+void vs_ticket_release(vs_store *s, const vs_ticket *t) {
+  vs_ticket *mine = (vs_ticket *)(uintptr_t)t;
+  if (!mine || --mine->refs) return;
+  if (s->ticket_gone) s->ticket_gone(s->ticket_context, mine->id);
+  vs_store_realloc(s, mine, sizeof *mine, 0);
+}
+
 /* ---- building ---- */
 
 static size_t vs_node_payload_room(const vs_kind_info *info) { return (info->size + 7) & ~(size_t)7; }
@@ -95,7 +108,7 @@ static void vs_node_classify(vs_node *n, const vs_kind_info *info) {
   const vs_node *first = n->child_count ? n->children[0].node : NULL;
   n->class_ = (uint8_t)info->class_;
   switch ((vs_kind)n->kind) {
-    case VS_EMPTY: case VS_ARC: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE:
+    case VS_EMPTY: case VS_GHOST: case VS_ARC: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE:
     case VS_PYRAMID: case VS_TORUS: break;
     case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: break;
     case VS_LINE: if (VS_AS(line, n)->closed) n->flags |= VS_NODE_CLOSED; break;
@@ -125,9 +138,14 @@ static void vs_node_classify(vs_node *n, const vs_kind_info *info) {
       if (n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && first->flags & VS_NODE_CLOSED)) n->flags |= VS_NODE_CLOSED;
       break;
     case VS_THICKEN: if (!first || first->class_ == VS_NOTHING) n->class_ = VS_NOTHING; break;
-    case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
+    case VS_CUSTOM: case VS_NATIVE: /* what is not known is taken for solid */
+      if (!first || (n->kind == VS_NATIVE && first->class_ == VS_NOTHING)) {
+        n->class_ = VS_SOLID;
+        break;
+      } /* fall through */
+    case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_HIGHLIGHT: case VS_ONLY:
       n->class_ = first ? first->class_ : VS_NOTHING;
-      n->flags = first ? first->flags : 0;
+      n->flags |= first ? first->flags & VS_NODE_CLOSED : 0;
       break;
     case VS_SLICE:
       n->class_ = first ? first->class_ : VS_NOTHING;
@@ -174,6 +192,9 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
   *n = (vs_node){ .refs = 1, .kind = (uint16_t)kind, .child_count = (uint32_t)child_count, .depth = depth, .hash = hash,
                   .store = vs_store_retain(s), .children = kept, .data = payload };
   vs_node_classify(n, info);
+  for (size_t i = 0; i < child_count; i++) n->flags |= kept[i].node->flags & (VS_NODE_SUGAR | VS_NODE_OPEN);
+  if (info->level == VS_LEVEL_SUGAR) n->flags |= VS_NODE_SUGAR;
+  if (kind == VS_CUSTOM && !child_count) n->flags |= VS_NODE_OPEN;
   return n;
 }
 

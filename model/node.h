@@ -42,6 +42,9 @@ typedef struct { uint32_t refs, count, corner_count; uint32_t data[]; } vs_faces
 static inline const uint32_t *vs_faces_starts(const vs_faces *f) { return f->data; }
 static inline const uint32_t *vs_faces_corners(const vs_faces *f) { return f->data + f->count + 1; }
 
+/* ---- tickets: a number for something that lives elsewhere, counted so that its keeper learns when no node holds it any more ---- */
+typedef struct { uint32_t refs, id; } vs_ticket;
+
 /* ---- materials: interned by value in the store; live as long as it ---- */
 typedef struct {
   const char *name;            /* interned; "" where it has none */
@@ -61,9 +64,10 @@ typedef const vs_points *vs_field_points;
 typedef const vs_faces *vs_field_faces;
 typedef const char *vs_field_text; /* interned in the store */
 typedef const vs_material *vs_field_material;
+typedef const vs_ticket *vs_field_ticket;
 typedef enum {
   VS_FIELD_real, VS_FIELD_integer, VS_FIELD_boolean, VS_FIELD_point, VS_FIELD_vector, VS_FIELD_affine, VS_FIELD_points, VS_FIELD_faces,
-  VS_FIELD_text, VS_FIELD_material
+  VS_FIELD_text, VS_FIELD_material, VS_FIELD_ticket
 } vs_field_type;
 
 /* struct vs_sphere { ... } and so on for every kind */
@@ -99,7 +103,9 @@ typedef struct { vs_node *node; const vs_origin *origin; } vs_ref;
 enum {
   VS_NODE_CLOSED = 1,  /* a curve that closes, moved, coloured or bare; a region too */
   VS_NODE_ENDLESS = 2, /* a half-space, or what of sets of them is not bounded by something finite */
-  VS_NODE_CUT = 4      /* a half-space stands somewhere in it */
+  VS_NODE_CUT = 4,     /* a half-space stands somewhere in it */
+  VS_NODE_SUGAR = 8,   /* something of level SUGAR stands in it */
+  VS_NODE_OPEN = 16    /* a CUSTOM without a child stands in it */
 };
 
 struct vs_node {
@@ -117,6 +123,11 @@ struct vs_node {
 /* VS_AS(sphere, n)->radius; the caller has looked at n->kind */
 #define VS_ENDLESS_MESSAGE "the object is endless: intersect it with something finite, or subtract it from that"
 #define VS_AS(lower, n) ((const struct vs_##lower *)(n)->data)
+
+/* Kinds that are in space what their one child is. (A GHOST is nothing.) */
+static inline bool vs_node_is_dress(const vs_node *n) {
+  return n->child_count == 1 && (n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_NATIVE || n->kind == VS_CUSTOM || n->kind == VS_HIGHLIGHT || n->kind == VS_ONLY);
+}
 
 /* ---- the store ---- */
 typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_size); /* as realloc; new_size 0 frees; NULL: failed */
@@ -137,6 +148,10 @@ const vs_material *vs_store_ready_material(vs_store *s, const char *name); /* co
 /* ---- building. All return one new reference to the caller, NULL when out of memory. ---- */
 vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count);
 vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners, size_t corner_count);
+vs_ticket *vs_ticket_new(vs_store *s, uint32_t id);
+void vs_ticket_release(vs_store *s, const vs_ticket *t);
+/* gone(context, id) is called when the last reference to a ticket goes; NULL: nobody asks any more. It must not touch nodes. */
+void vs_store_on_ticket(vs_store *s, void (*gone)(void *context, uint32_t id), void *context);
 vs_points *vs_points_retain(vs_points *p);
 vs_faces *vs_faces_retain(vs_faces *f);
 void vs_points_release(vs_store *s, const vs_points *p);

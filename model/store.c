@@ -102,6 +102,11 @@ void **vs_store_kept(vs_store *s, void (*let_go)(vs_store *s, void *kept)) {
   return &s->kept;
 }
 
+void vs_store_on_ticket(vs_store *s, void (*gone)(void *context, uint32_t id), void *context) {
+  s->ticket_gone = gone;
+  s->ticket_context = context;
+}
+
 size_t vs_store_bytes(const vs_store *s) { return s->bytes; }
 
 void vs_store_fail_at(vs_store *s, size_t n) {

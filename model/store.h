@@ -17,6 +17,8 @@ struct vs_store {
   vs_intern texts, origins, materials;
   void *kept;           /* what geometry/ keeps as long as the store lives (fonts); let_go frees it before the rest */
   void (*let_go)(vs_store *s, void *kept);
+  void (*ticket_gone)(void *context, uint32_t id);
+  void *ticket_context;
   vs_block *blocks; /* what is interned lies here and goes with the store */
 };
 

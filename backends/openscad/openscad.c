@@ -355,6 +355,24 @@ static vs_emit_status scad_through(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return scad_done(e);
 }
 
+/* # and % stand before one statement: the child is put in braces, so that it is one whatever it is. */
+static vs_emit_status scad_mark(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40));
+  vs_puts(e->out, phase == VS_PHASE_LEAVE ? "}\n" : ref->node->kind == VS_GHOST ? "% union() {\n" : "# union() {\n");
+  return scad_done(e);
+}
+
+static vs_emit_status scad_native(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  if (phase != VS_PHASE_ENTER) return scad_done(e);
+  scad_open(e, ref->node);
+  vs_puts(e->out, "union() {\n");
+  vs_puts(e->out, VS_AS(native, ref->node)->code);
+  vs_puts(e->out, "\n");
+  vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40));
+  vs_puts(e->out, "}\n");
+  return e->out->failed ? VS_FAILED : VS_WHOLE;
+}
+
 static vs_emit_status scad_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   if (phase == VS_PHASE_LEAVE) {
     vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40));
@@ -402,6 +420,7 @@ static bool scad_begin(vs_emitter *e) {
 static bool scad_end(vs_emitter *e) { return !e->out->failed; }
 
 const vs_backend vs_backend_openscad = {
+  .highlights = VS_MARKS_KEEP, .ghosts = VS_MARKS_KEEP, .native = "openscad",
   .begin = scad_begin, .end = scad_end, .define = scad_define, .use = scad_use, .hulls = true,
   .omit = { [VS_SURFACE] = "OpenSCAD programs hold solids: open surfaces are left out" },
   .emit = {
@@ -413,7 +432,7 @@ const vs_backend vs_backend_openscad = {
     [VS_E_CONE] = { scad_e_cone, NULL },
     [VS_CUT_CONE] = { scad_cut_cone, NULL }, [VS_PYRAMID] = { scad_pyramid, NULL }, [VS_TORUS] = { scad_torus, NULL },
     [VS_POLYFACE_MESH] = { scad_polyface, NULL }, [VS_EXTRUDE] = { scad_extrude, NULL }, [VS_TRANSFORM] = { scad_transform, NULL },
-    [VS_MATERIAL] = { scad_through, NULL }, [VS_LAYER] = { scad_through, NULL }, [VS_UNION] = { scad_csg, NULL },
+    [VS_MATERIAL] = { scad_through, NULL }, [VS_LAYER] = { scad_through, NULL }, [VS_NATIVE] = { scad_native, NULL }, [VS_HIGHLIGHT] = { scad_mark, NULL }, [VS_GHOST] = { scad_mark, NULL }, [VS_UNION] = { scad_csg, NULL },
     [VS_INTERSECTION] = { scad_csg, NULL }, [VS_DIFFERENCE] = { scad_csg, NULL },
   },
 };

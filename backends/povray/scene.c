@@ -198,6 +198,7 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
 
 #define POVRAY_SHARED                                                                                                                     \
   .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, .use = vs_povray_use,                \
+  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .family = "povray", .native = "povray",               \
   .keep_origins = true,                                                                                                                   \
   .emit = {                                                                                                                               \
     [VS_LINE] = { vs_povray_line, "POV-Ray has no lines: curves are drawn as thin rods" },                                                 \
@@ -207,7 +208,7 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
     [VS_HALF_SPACE] = { vs_povray_half_space, NULL },                                                                                     \
     [VS_E_CONE] = { vs_povray_e_cone, NULL }, [VS_SUPERELLIPSOID] = { vs_povray_superellipsoid, NULL },                                    \
     [VS_TORUS] = { vs_povray_torus, NULL }, [VS_POLYFACE_MESH] = { vs_povray_polyface, NULL }, [VS_EXTRUDE] = { vs_povray_extrude, NULL }, \
-    [VS_TRANSFORM] = { vs_povray_transform, NULL }, [VS_MATERIAL] = { vs_povray_material, NULL }, [VS_LAYER] = { vs_povray_layer, NULL },  \
+    [VS_TRANSFORM] = { vs_povray_transform, NULL }, [VS_MATERIAL] = { vs_povray_material, NULL }, [VS_LAYER] = { vs_povray_layer, NULL }, [VS_NATIVE] = { vs_povray_native, NULL },  \
     [VS_UNION] = { vs_povray_csg, NULL }, [VS_INTERSECTION] = { vs_povray_csg, NULL }, [VS_DIFFERENCE] = { vs_povray_csg, NULL },          \
   }
 

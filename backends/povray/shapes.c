@@ -2,6 +2,7 @@
  * constructors refuse it or the driver leaves it out. Triangles take part in CSG by their inside_vector. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "backends/povray/povray.h"
 #include "backends/shade.h"
@@ -294,7 +295,7 @@ vs_emit_status vs_povray_region(vs_emitter *e, const vs_ref *ref, vs_phase phase
 
 /* Where every loop is straight lines, the walls are planes and a prism shows them; round walls are better as shaded triangles. */
 static bool pov_is_straight(const vs_node *profile) {
-  while (profile->kind == VS_TRANSFORM || profile->kind == VS_MATERIAL || profile->kind == VS_LAYER) profile = profile->children[0].node;
+  while (profile->kind == VS_TRANSFORM || vs_node_is_dress(profile)) profile = profile->children[0].node;
   if (profile->kind == VS_LINE) return true;
   if (profile->kind != VS_REGION || profile->child_count == 0) return false;
   for (size_t i = 0; i < profile->child_count; i++)
@@ -384,11 +385,40 @@ vs_emit_status vs_povray_layer(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   return pov_close(e, "");
 }
 
+/* Text that begins with one of these words says how the child looks; any other is an object in the child's place. */
+static bool pov_is_look(const char *text) {
+  static const char *const words[] = { "texture", "pigment", "normal", "finish", "interior", "material", "photons", "no_shadow", "hollow" };
+  while (*text == ' ' || *text == '\n' || *text == '\t' || *text == '\r') text++;
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+    size_t length = strlen(words[i]);
+    char next = strncmp(text, words[i], length) == 0 ? text[length] : 'a';
+    if (!((next >= 'a' && next <= 'z') || (next >= '0' && next <= '9') || next == '_')) return true;
+  }
+  return false;
+}
+
+vs_emit_status vs_povray_native(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  const char *code = VS_AS(native, ref->node)->code;
+  bool look = pov_is_look(code);
+  if (phase == VS_PHASE_ENTER) {
+    if (look && e->child_count == 0) return VS_WHOLE; /* nothing to be looked at */
+    pov_open(e, "object {\n");
+    if (look) return pov_close(e, "");
+  }
+  vs_puts(e->out, code);
+  vs_puts(e->out, "\n");
+  pov_open(e, "}\n");
+  vs_emit_status done = pov_close(e, "");
+  return phase == VS_PHASE_ENTER && done == VS_EMITTED ? VS_WHOLE : done;
+}
+
 vs_emit_status vs_povray_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   const vs_node *n = ref->node;
   if (phase == VS_PHASE_LEAVE) {
-    /* Where a bare cutter cuts something painted, the cut face shows what was cut. */
-    if (n->kind != VS_UNION && vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n)) pov_open(e, "  cutaway_textures\n");
+    /* Where a bare cutter cuts something painted, the cut face shows what was cut. What is cut must be painted all over: POV-Ray shows the
+     * bare parts of a difference with cutaway_textures in black. */
+    bool whole = n->kind != VS_DIFFERENCE || !vs_emit_is_bare(e, n->children[0].node);
+    if (n->kind != VS_UNION && whole && vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n)) pov_open(e, "  cutaway_textures\n");
     pov_open(e, "}\n");
     return pov_close(e, "");
   }

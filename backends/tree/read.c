@@ -164,6 +164,11 @@ static bool tree_value(tree_reader *r, vs_field_type type, void *at) {
   case VS_FIELD_points: return tree_points(r, at);
   case VS_FIELD_faces: return tree_faces(r, at);
   case VS_FIELD_text: return tree_string(r, at);
+  case VS_FIELD_ticket:
+    if (!tree_number(r, &number)) return false;
+    if (!(number >= 0 && number <= UINT32_MAX)) return tree_fail(r, "this number is too large");
+    *(vs_field_ticket *)at = vs_ticket_new(r->scene->store, (uint32_t)number);
+    return *(vs_field_ticket *)at != NULL || tree_no_memory(r);
   case VS_FIELD_material: return tree_material(r, at);
   }
   return false;
@@ -183,6 +188,7 @@ static void tree_drop(tree_reader *r, const tree_open_node *n) {
     const void *at = n->payload + n->info->fields[i].offset;
     if (n->info->fields[i].type == VS_FIELD_points && *(const vs_field_points *)at != NULL) vs_points_release(r->scene->store, *(const vs_field_points *)at);
     if (n->info->fields[i].type == VS_FIELD_faces && *(const vs_field_faces *)at != NULL) vs_faces_release(r->scene->store, *(const vs_field_faces *)at);
+    if (n->info->fields[i].type == VS_FIELD_ticket && *(const vs_field_ticket *)at != NULL) vs_ticket_release(r->scene->store, *(const vs_field_ticket *)at);
   }
 }
 

@@ -70,6 +70,7 @@ static void tree_field(vs_writer *w, const vs_field_info *f, const void *data) {
     vs_puts(w, " ");
     tree_text(w, *(const vs_field_text *)at);
     break;
+  case VS_FIELD_ticket: vs_putf(w, " %lu", (unsigned long)(*(const vs_field_ticket *)at)->id); break;
   case VS_FIELD_material: tree_material(w, *(const vs_field_material *)at); break;
   }
   vs_puts(w, ")");

@@ -307,5 +307,5 @@ static bool scene_end_classic(vs_emitter *e) {
   return vs_x3d_scene(e) && !e->out->failed;
 }
 
-const vs_backend vs_backend_x3d = { .begin = scene_begin_xml, .end = scene_end_xml, .close = vs_x3d_close, .emit = { VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean) } };
-const vs_backend vs_backend_x3dv = { .begin = scene_begin_classic, .end = scene_end_classic, .close = vs_x3d_close, .emit = { VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean) } };
+const vs_backend vs_backend_x3d = { .family = "x3d", .highlights = VS_MARKS_PAINT, .begin = scene_begin_xml, .end = scene_end_xml, .close = vs_x3d_close, .emit = { VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean) } };
+const vs_backend vs_backend_x3dv = { .family = "x3d", .highlights = VS_MARKS_PAINT, .begin = scene_begin_classic, .end = scene_end_classic, .close = vs_x3d_close, .emit = { VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean) } };

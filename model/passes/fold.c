@@ -192,7 +192,8 @@ static vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_no
     case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
     case VS_SUPERELLIPSOID: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
     case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
-    case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
+    case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
+    case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY: break;
   }
 #undef VS_FOLD
   return NULL;

@@ -112,6 +112,7 @@ static const vs_share_entry *vs_share_of(const vs_share *s, const vs_node *n) { 
 static vs_vec3 vs_share_anchor(const vs_share *s, const vs_node *n, const vs_kind_info *info) {
   if (n->kind == VS_SWEEP && n->child_count > 1) return vs_share_of(s, n->children[1].node)->anchor; /* a sweep lies where its path does */
   if (n->kind == VS_TRANSFORM) return vs_affine_point(&VS_AS(transform, n)->matrix, vs_share_of(s, n->children[0].node)->anchor);
+  if (n->kind == VS_NATIVE) return vs_v3(0, 0, 0); /* its text knows no other place */
   for (size_t i = 0; n->kind != VS_SWEEP && i < info->field_count; i++) {
     const void *at = (const char *)n->data + info->fields[i].offset;
     if (info->fields[i].type == VS_FIELD_point) return *(const vs_vec3 *)at;
@@ -146,6 +147,7 @@ static void vs_share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, 
         break;
       }
       case VS_FIELD_text: vs_share_mix(k, vs_text_hash(*(const char *const *)at)); break;
+      case VS_FIELD_ticket: vs_share_mix(k, (*(const vs_ticket *const *)at)->id); break;
       case VS_FIELD_material: vs_share_mix(k, vs_material_hash(*(const vs_material *const *)at)); break;
     }
   }
@@ -172,6 +174,7 @@ static bool vs_share_enter(void *context, vs_ref at, vs_error *e) {
   vs_share_mix(&x.key, vs_hash_bytes(9, info->name, strlen(info->name)));
   vs_share_mix(&x.key, n->child_count);
   vs_share_mix_fields(s, &x.key, n, info, x.anchor);
+  if (n->kind == VS_NATIVE) vs_share_mix(&x.key, n->hash); /* so it is shared only with its equal, not with one moved */
   if (n->child_count > 1 && info->level == VS_LEVEL_OPERATION) x.cost = n->child_count - 1;
   for (uint32_t i = 0; i < n->child_count; i++) {
     const vs_share_entry *child = vs_share_of(s, n->children[i].node);

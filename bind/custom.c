@@ -1,0 +1,146 @@
+/* Owns objects of users' kinds in C: their nodes and numbers, the rebuilding of a node with other children, and the way into the drawing functions.
+ *
+ * A number's ticket is shared by all nodes that hold the number. When the last of them goes, the number joins those that primitives.scm asks
+ * for, which then forgets what the objects were made with. */
+#include "bind/bind.h"
+
+void vs_bind_ticket_gone(void *bind, uint32_t number) {
+  vs_bind *b = bind;
+  if (number >= b->ticket_count || !b->tickets[number]) return; /* of another interpreter's tree */
+  b->tickets[number] = NULL;
+  if (b->gone_count < b->ticket_room) b->gone[b->gone_count++] = number;
+}
+
+static bool tickets_grow(vs_bind *b, size_t need) {
+  if (need <= b->ticket_room) return true;
+  size_t room = b->ticket_room + b->ticket_room / 2 + 64, old = b->ticket_room;
+  if (room < need) room = need;
+  vs_ticket **tickets = vs_store_realloc(b->store, b->tickets, old * sizeof *tickets, room * sizeof *tickets);
+  if (!tickets) return false;
+  b->tickets = tickets;
+  uint32_t *gone = vs_store_realloc(b->store, b->gone, old * sizeof *gone, room * sizeof *gone);
+  if (!gone) { /* the room is what both have: give back what one got */
+    vs_ticket **less = vs_store_realloc(b->store, tickets, room * sizeof *tickets, old ? old * sizeof *tickets : 0);
+    b->tickets = less;
+    return false;
+  }
+  b->gone = gone;
+  for (size_t i = old; i < room; i++) tickets[i] = NULL;
+  b->ticket_room = room;
+  return true;
+}
+
+vs_status vs_p_custom_new(vs_frame *f, vs_value *out) {
+  vs_bind *b = f->bind;
+  uint32_t number = (uint32_t)f->arg[2].integer;
+  vs_shape *child = vs_bind_shape(f->arg[3].value);
+  struct vs_custom d = { vs_store_text(b->store, f->arg[0].text.at, f->arg[0].text.length), vs_store_text(b->store, f->arg[1].text.at, f->arg[1].text.length), NULL, 0 };
+  if (!d.name || !d.made || !tickets_grow(b, (size_t)number + 1)) return vs_fail_memory(f->vm);
+  if (number >= b->ticket_count) b->ticket_count = (size_t)number + 1;
+  bool fresh = !b->tickets[number];
+  vs_ticket *t = fresh ? vs_ticket_new(b->store, number) : b->tickets[number];
+  if (!t) return vs_fail_memory(f->vm);
+  b->tickets[number] = t;
+  d.values = t;
+  vs_node *n = vs_node_new(b->store, VS_CUSTOM, &d, child ? &child->ref : NULL, child ? 1 : 0);
+  if (fresh) vs_ticket_release(b->store, t); /* the node holds it, or it is gone */
+  return vs_bind_node(f, n, out);
+}
+
+/* A number that no node holds any more, or #f. */
+vs_status vs_p_custom_gone(vs_frame *f, vs_value *out) {
+  vs_bind *b = f->bind;
+  while (b->gone_count && b->tickets[b->gone[b->gone_count - 1]]) b->gone_count--; /* one that has been made again since */
+  *out = b->gone_count ? vs_fix(b->gone[--b->gone_count]) : VS_FALSE;
+  return VS_OK;
+}
+
+vs_status vs_p_custom_number(vs_frame *f, vs_value *out) {
+  vs_shape *s = vs_bind_shape(f->arg[0].value);
+  *out = s && s->ref.node->kind == VS_CUSTOM ? vs_fix(VS_AS(custom, s->ref.node)->values->id) : VS_FALSE;
+  return VS_OK;
+}
+
+vs_status vs_p_custom_open(vs_frame *f, vs_value *out) {
+  vs_shape *s = vs_bind_shape(f->arg[0].value);
+  *out = vs_bool(s && s->ref.node->flags & VS_NODE_OPEN);
+  return VS_OK;
+}
+
+/* The node itself, as a number: what is one node has one. */
+vs_status vs_p_node_number(vs_frame *f, vs_value *out) {
+  *out = vs_fix((int64_t)((uintptr_t)f->arg[0].ref.node >> 3));
+  return VS_OK;
+}
+
+static const char *class_noun(const vs_node *n) {
+  switch ((vs_class)n->class_) {
+    case VS_NOTHING: return "nothing";
+    case VS_CURVE: return "a curve";
+    case VS_REGION_CLASS: return "a region";
+    case VS_SURFACE: return "a surface";
+    case VS_SOLID: return "a solid";
+    case VS_MIXED: case VS_INHERIT: break;
+  }
+  return "a union of several kinds";
+}
+
+/* The same operation on other children, made where the old ones were. Placements, dresses and unions take anything; others what they had. */
+vs_status vs_p_object_with(vs_frame *f, vs_value *out) {
+  const vs_ref *o = &f->arg[0].ref, *kids = f->arg[1].refs.at;
+  const vs_node *n = o->node;
+  size_t count = f->arg[1].refs.count;
+  bool free = n->kind == VS_TRANSFORM || n->kind == VS_UNION || n->kind == VS_GHOST || vs_node_is_dress(n);
+  if (count != n->child_count) return vs_fail(f->vm, f->vm->sym.error, "a %s has %lu children, not %lu", vs_kind_get((vs_kind)n->kind)->name, (unsigned long)n->child_count, (unsigned long)count);
+  for (size_t i = 0; i < count && !free; i++) {
+    const vs_node *was = n->children[i].node, *is = kids[i].node;
+    bool same = was->class_ == is->class_ || is->class_ == VS_NOTHING || is->class_ == VS_MIXED || (was->class_ == VS_CURVE && is->class_ == VS_REGION_CLASS);
+    if (same) continue;
+    const char *name = was->kind == VS_CUSTOM ? VS_AS(custom, was)->name : vs_kind_get((vs_kind)was->kind)->name;
+    vs_error_set(&f->bind->handed, VS_ERROR_MODEL, n->children[i].origin, "the drawing function of %s gave %s, where %s needs %s", name, class_noun(is),
+                 vs_kind_get((vs_kind)n->kind)->name, class_noun(was));
+    return vs_fail(f->vm, f->vm->sym.type, "%s", f->bind->handed.message);
+  }
+  vs_node *made = vs_node_new(f->bind->store, (vs_kind)n->kind, n->data, kids, count);
+  if (!made) return vs_fail_memory(f->vm);
+  vs_status s = vs_bind_wrap_ref(f->bind, (vs_ref){ made, o->origin }, out);
+  vs_node_release(made);
+  return s;
+}
+
+vs_status vs_p_is_format(vs_frame *f, vs_value *out) {
+  *out = vs_bool(f->bind->is_format && f->bind->is_format(f->arg[0].text.at));
+  return VS_OK;
+}
+
+/* ---- at the hand-over ---- */
+
+enum { HOST_HAND_ON = 2 }; /* where primitives.scm put its procedure when the first function was registered */
+
+bool vs_bind_hands_on(const vs_bind *b) {
+  vs_value all = b->vm->at.host;
+  return vs_is_vector(all) && vs_as_vector(all)->at[HOST_HAND_ON] != VS_FALSE;
+}
+
+bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *names) {
+  vs *vm = b->vm;
+  VS_ROOTS(vm, r, 4); /* procedure, objects, names, one of either */
+  r[0] = vs_as_vector(vm->at.host)->at[HOST_HAND_ON];
+  r[1] = r[2] = VS_NIL;
+  for (size_t i = count; i-- > 0;)
+    if (!vs_bind_wrap_ref(b, refs[i], &r[3]) || !vs_cons(vm, r[3], r[1], &r[1])) return false;
+  for (; names && *names; names++)
+    if (!vs_intern_c(vm, *names, &r[3]) || !vs_cons(vm, r[3], r[2], &r[2])) return false;
+  b->handed.kind = VS_ERROR_NONE;
+  vs_value arguments[2] = { r[1], r[2] };
+  if (!vs_run(vm, r[0], 2, arguments, &r[3])) return false;
+  vs_value l = r[3];
+  for (size_t i = 0; i < count; i++, l = vs_cdr(l)) {
+    vs_shape *s = vs_is_pair(l) ? vs_bind_shape(vs_car(l)) : NULL;
+    if (!s) return vs_fail(vm, vm->sym.error, "the drawing functions lost an object");
+    vs_node_retain(s->ref.node);
+    vs_node_release(refs[i].node);
+    refs[i] = s->ref;
+  }
+  return true;
+}

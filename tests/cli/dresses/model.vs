@@ -1,0 +1,8 @@
+(define-primitive (peg h) (make-cylinder origin h 0.25))
+(define-primitive hole place)
+(register-drawing-function hole? (lambda (o) (do-move (peg 5) (p->q origin (hole-place o)))))
+(register-drawing-function 'scad peg? (lambda (o) (make-box (xyz -0.25 -0.25 0) (xyz 0.25 0.25 (peg-h o)))))
+(draw (subtract (make-box (xyz 0 0 0) (xyz 4 4 1)) (highlight (make-hole (xyz 1 1 -1))) (make-hole (xyz 3 3 -1)))
+      (ghost (make-sphere (xyz 8 0 0) 1))
+      (do-move (native 'povray "sphere { 0, 1 }" #:otherwise (make-box origin (xyz 1 1 1))) (vxyz 0 0 2))
+      (native 'openscad "cube(7);" #:otherwise (make-box (xyz -1 -1 -1) origin)))
