@@ -57,6 +57,7 @@ static inline vs_ref test_any(test_model *m, vs_kind kind) {
   static const uint32_t starts[] = { 0, 3, 6, 9, 12 }, indices[] = { 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3 };
   vs_points *points = vs_points_new(m->store, corners, 4);
   vs_faces *faces = vs_faces_new(m->store, starts, 4, indices, 12);
+  vs_ticket *ticket = vs_ticket_new(m->store, 7);
   for (size_t i = 0; i < info->field_count; i++) {
     void *at = data + info->fields[i].offset;
     double k = 0.25 + (double)i;
@@ -69,6 +70,7 @@ static inline vs_ref test_any(test_model *m, vs_kind kind) {
     case VS_FIELD_points: *(vs_field_points *)at = points; break;
     case VS_FIELD_faces: *(vs_field_faces *)at = faces; break;
     case VS_FIELD_text: *(vs_field_text *)at = vs_store_text(m->store, "a \"b\" \\ c", 9); break;
+    case VS_FIELD_ticket: *(vs_field_ticket *)at = ticket; break;
     case VS_FIELD_material: *(vs_field_material *)at = vs_store_ready_material(m->store, "glass"); break;
     }
   }
@@ -76,13 +78,14 @@ static inline vs_ref test_any(test_model *m, vs_kind kind) {
   size_t count = 0;
   if (kind == VS_REGION || kind == VS_EXTRUDE || kind == VS_SWEEP || kind == VS_THICKEN || kind == VS_JOIN || kind == VS_OFFSET)
     children[count++] = test_node(m, 7, VS_CIRCLE, &(struct vs_circle){ .radius = 1 }, NULL, 0);
-  else if (info->level == VS_LEVEL_OPERATION || kind == VS_SECTION || kind == VS_PROJECT || kind == VS_EDGES)
+  else if (info->level >= VS_LEVEL_OPERATION || kind == VS_SECTION || kind == VS_PROJECT || kind == VS_EDGES)
     children[count++] = test_box(m, 0, 0, 0, 1, 1, 1);
   if (kind == VS_UNION || kind == VS_INTERSECTION || kind == VS_DIFFERENCE) children[count++] = test_sphere(m, 0, 0, 0, 0.5);
   if (kind == VS_SWEEP) children[count++] = test_node(m, 8, VS_LINE, &(struct vs_line){ .points = points }, NULL, 0);
   vs_ref made = test_node(m, 9, kind, data, children, count);
   vs_points_release(m->store, points);
   vs_faces_release(m->store, faces);
+  vs_ticket_release(m->store, ticket);
   return made;
 }
 
