@@ -95,7 +95,7 @@ static bool open_edges(vs_kernel *k, const vs_mesh *m, vs_mesh_flaws *out) {
 
 /* ---- windings ---- */
 
-typedef struct { double volume, area; } cell;
+typedef struct { const vs_point *origin; double volume, area; } cell;
 typedef struct {
   vs_kernel *k;
   vs_cluster *c;
@@ -156,26 +156,28 @@ static void inside_of(const vs_cluster *c, uint32_t face, const uint32_t *uses, 
   at[p->k] = (int64_t)(((double)p->d * 0x1p32 - (double)p->n[p->u] * u - (double)p->n[p->v] * v) / (double)p->n[p->k]);
 }
 
-/* Volumes and areas of the cells, in steps. */
-static void measure_cells(const vs_cluster *c, const double origin[3], cell *cells) {
-  for (size_t i = 0; i < c->uses.count; i++) {
-    const vs_use *use = &c->uses.at[i];
-    const vs_plane *p = &c->planes.all.at[c->faces.at[use->face].plane];
-    const vs_point *a = &c->points.all.at[use->from], *b = &c->points.all.at[use->to];
-    double x[2][3], length = sqrt((double)p->n[0] * (double)p->n[0] + (double)p->n[1] * (double)p->n[1] + (double)p->n[2] * (double)p->n[2]);
-    double height = (double)p->d;
-    for (int j = 0; j < 3; j++) {
-      x[0][j] = (double)a->fixed[j] * 0x1p-32 - origin[j];
-      x[1][j] = (double)b->fixed[j] * 0x1p-32 - origin[j];
-      height -= (double)p->n[j] * origin[j];
+/* Volumes and areas of the cells, in steps: cones from a corner of each cell, for it may be small and far away. */
+static void measure_cells(const vs_cluster *c, const uint32_t *first, const uint32_t *by_face, cell *cells) {
+  for (uint32_t f = 0; f < c->faces.count; f++) {
+    if (first[f] == first[f + 1]) continue;
+    const vs_plane *p = &c->planes.all.at[c->faces.at[f].plane];
+    const vs_point *o = &c->points.all.at[c->uses.at[by_face[first[f]]].from];
+    double n[3] = { (double)p->n[0], (double)p->n[1], (double)p->n[2] }, length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]), seen = 0;
+    for (uint32_t i = first[f]; i < first[f + 1]; i++) {
+      const vs_point *a = &c->points.all.at[c->uses.at[by_face[i]].from], *b = &c->points.all.at[c->uses.at[by_face[i]].to];
+      double au = (double)(a->fixed[p->u] - o->fixed[p->u]) * 0x1p-32, av = (double)(a->fixed[p->v] - o->fixed[p->v]) * 0x1p-32;
+      double bu = (double)(b->fixed[p->u] - o->fixed[p->u]) * 0x1p-32, bv = (double)(b->fixed[p->v] - o->fixed[p->v]) * 0x1p-32;
+      seen += (au * bv - av * bu) / 2; /* the area along k */
     }
-    double seen = (x[0][p->u] * x[1][p->v] - x[0][p->v] * x[1][p->u]) / 2; /* summed over the uses: the area along k */
-    double area = seen * length / fabs((double)p->n[p->k]), volume = area * height / length / 3;
-    cell *plus = &cells[c->side_cell.at[2 * use->face]], *minus = &cells[c->side_cell.at[2 * use->face + 1]];
-    plus->area += area;
-    minus->area += area;
-    minus->volume += volume; /* the plane's normal points out of the cell on the - side */
-    plus->volume -= volume;
+    double area = seen * length / fabs(n[p->k]);
+    for (uint32_t side = 0; side < 2; side++) {
+      cell *x = &cells[c->side_cell.at[2 * f + side]];
+      if (!x->origin) x->origin = o;
+      double height = 0;
+      for (int j = 0; j < 3; j++) height += n[j] * ((double)(o->fixed[j] - x->origin->fixed[j]) * 0x1p-32);
+      x->area += area;
+      x->volume += (side ? area : -area) * height / length / 3; /* the plane's normal points out of the cell on the - side */
+    }
   }
 }
 
@@ -187,21 +189,19 @@ static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
   bool ok = VS_ROOM(k, cells.at, cells.room, n + 1) && VS_ROOM(k, first.at, first.room, f + 2) && VS_ROOM(k, by_face.at, by_face.room, c->uses.count + 1) &&
             VS_ROOM(k, named.at, named.room, c->problem->leaves[0].mesh->triangle_count + 1);
   if (ok && c->uses.count) {
-    double origin[3];
-    for (int j = 0; j < 3; j++) origin[j] = (double)c->points.all.at[c->uses.at[0].from].fixed[j] * 0x1p-32;
     memset(cells.at, 0, (n + 1) * sizeof *cells.at);
     memset(named.at, 0, c->problem->leaves[0].mesh->triangle_count + 1);
     memset(first.at, 0, (f + 2) * sizeof *first.at);
-    measure_cells(c, origin, cells.at);
     for (size_t i = 0; i < c->uses.count; i++) first.at[c->uses.at[i].face + 2]++;
     for (size_t i = 2; i < f + 2; i++) first.at[i] += first.at[i - 1];
     for (uint32_t i = 0; i < c->uses.count; i++) by_face.at[first.at[c->uses.at[i].face + 1]++] = i;
+    measure_cells(c, first.at, by_face.at, cells.at);
   }
   for (uint32_t i = 0; ok && i < 2 * f; i++) {
     uint32_t at = c->side_cell.at[i];
     int32_t winding = c->wound.at[at];
     if ((winding == 0 || winding == 1) || fabs(cells.at[at].volume) <= cells.at[at].area) continue; /* half the area times two steps */
-    if (winding < out->least) out->least = winding;
+if (winding < out->least) out->least = winding;
     if (winding > out->most) out->most = winding;
     search s = { k, c, i / 2, { 0 }, VS_NONE };
     inside_of(c, i / 2, by_face.at + first.at[i / 2], first.at[i / 2 + 1] - first.at[i / 2], s.at);

@@ -110,7 +110,7 @@ static void test_predicates(void **state) {
         for (int j = 0; j < 3; j++) a[j] = span(-inside, inside), b[j] = span(-inside, inside);
         points[i].big = VS_POINT_EXACT;
         for (int j = 0; j < 3; j++) points[i].fixed[j] = (int64_t)a[j] * ((int64_t)1 << VS_FIXED_BITS);
-      } while (vs_side((vs_points_view){ points, big }, &p, i) >= 0 || !vs_meet_edge(a, b, &p, &big[i]) ||
+      } while (vs_side((vs_points_view){ points, big, NULL }, &p, i) >= 0 || !vs_meet_edge(a, b, &p, &big[i]) ||
                (vs_i128)p.n[0] * b[0] + (vs_i128)p.n[1] * b[1] + (vs_i128)p.n[2] * b[2] <= p.d);
       points[i].big = vs_homogeneous_fix(&big[i], points[i].fixed) ? VS_POINT_EXACT : i;
       for (int j = 0; j < 3; j++) {

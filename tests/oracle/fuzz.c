@@ -1,0 +1,202 @@
+/* Owns the random trees that the kernel is held against: boxes, cylinders, cones, spheres and tori, nested, turned, flush and off the grid.
+ *
+ * usage: fuzz [-v] [-s FIRST_SEED] [COUNT]
+ * For two trees a and b of each seed: every result is closed, wound around once, and the same for one thread and three; and the volumes agree with
+ * |a u b| = |a| + |b| - |a n b|, |a - b| = |a| - |a n b|, a - (a - b) = a n b, a - a = 0, a u a = a, and De Morgan's law inside a box around both. Trees
+ * of boxes alone are counted cell by cell as well. Ends with the number of seeds that failed, and says which. */
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "kernel/inspect.h"
+#include "tests/oracle/sx.h"
+
+enum { ROOM = 1 << 16, CELLS = 10 };
+
+static uint64_t state;
+static uint32_t any(uint32_t n) { /* 0 .. n-1 */
+  state ^= state << 13;
+  state ^= state >> 7;
+  state ^= state << 17;
+  return (uint32_t)((state >> 20) % n);
+}
+
+typedef struct { char at[ROOM]; size_t count; } text;
+static void say(text *t, const char *format, ...) {
+  va_list rest;
+  va_start(rest, format);
+  int n = vsnprintf(t->at + t->count, ROOM - t->count, format, rest);
+  va_end(rest);
+  t->count += n > 0 && (size_t)n < ROOM - t->count ? (size_t)n : 0;
+}
+
+/* The kinds of seed: boxes on cells; the same all turned by one angle; anything on whole numbers; anything anywhere. */
+typedef enum { CELL, TURNED, WHOLE, FREE } kind;
+
+typedef struct { uint8_t in[CELLS][CELLS][CELLS]; } cells;
+
+static double place(kind k) { return k == FREE ? any(8000) / 1000.0 : any(8); }
+
+static void leaf(text *t, kind k, cells *c) {
+  if (k == CELL || k == TURNED) {
+    uint32_t at[3], size[3];
+    for (int i = 0; i < 3; i++) at[i] = any(6), size[i] = 1 + any(4);
+    say(t, "(translate %u %u %u (box %u %u %u))", at[0], at[1], at[2], size[0], size[1], size[2]);
+    memset(c, 0, sizeof *c);
+    for (uint32_t x = at[0]; x < at[0] + size[0]; x++)
+      for (uint32_t y = at[1]; y < at[1] + size[1]; y++)
+        for (uint32_t z = at[2]; z < at[2] + size[2]; z++) c->in[x][y][z] = 1;
+    return;
+  }
+  double x = place(k), y = place(k), z = place(k);
+  say(t, "(translate %g %g %g ", x, y, z);
+  uint32_t turn = any(3);
+  if (turn == 1) say(t, "(rotate %d %d %d ", 90 * (int)any(4), 90 * (int)any(4), 90 * (int)any(4));
+  if (turn == 2) say(t, "(rotate %d %d %d ", (int)any(360), (int)any(360), (int)any(360));
+  uint32_t sides = 3 + any(14);
+  double r = k == FREE ? 0.5 + any(3000) / 1000.0 : 1 + any(3);
+  switch (any(6)) {
+  case 0: say(t, "(box %u %u %u)", 1 + any(4), 1 + any(4), 1 + any(4)); break;
+  case 1: say(t, "(cbox %u %u %u)", 1 + any(4), 1 + any(4), 1 + any(4)); break;
+  case 2: say(t, "(cyl %u %g %g %u)", 1 + any(5), r, r, sides); break;
+  case 3: say(t, "(cyl %u %g %g %u)", 1 + any(5), r, any(2) ? 0 : r / 2, sides); break;
+  case 4: say(t, "(sphere %g %u)", r, 4 + 2 * any(5)); break;
+  default: say(t, "(torus %g %g %u %u)", r + 1, 0.5 + any(2) * 0.25, 4 + any(10), 3 + any(6)); break;
+  }
+  say(t, turn ? "))" : ")");
+}
+
+static void combine(cells *a, const cells *b, int op) {
+  for (int i = 0; i < CELLS * CELLS * CELLS; i++) {
+    uint8_t *x = &((uint8_t *)a->in)[i], y = ((const uint8_t *)b->in)[i];
+    *x = op == 0 ? *x | y : op == 1 ? *x & !y : *x & y;
+  }
+}
+
+static void tree(text *t, kind k, int depth, cells *c) { /* depth at most 4 */
+  static const char *const names[] = { "union", "difference", "intersection" };
+  if (depth == 0 || any(5) == 0) {
+    leaf(t, k, c);
+    return;
+  }
+  int op = (int)any(5) * 2 / 4;
+  if (op > 2) op = 0;
+  uint32_t n = 2 + any(3);
+  say(t, "(%s", names[op]);
+  for (uint32_t i = 0; i < n; i++) {
+    cells other;
+    say(t, " ");
+    tree(t, k, depth - 1, i ? &other : c);
+    if (i) combine(c, &other, op);
+  }
+  say(t, ")");
+}
+
+static bool verbose, failed;
+static void complain(const char *what, const text *t, const char *detail) {
+  failed = true;
+  printf("  %s: %s\n    %s\n", what, detail, t->at);
+}
+
+static double volume(const char *what, const text *t) {
+  sx_problem p;
+  vs_mesh m[2] = { { 0 } };
+  vs_kernel_error e;
+  double v = NAN;
+  char detail[300];
+  if (!sx_parse(t->at, &p)) {
+    complain(what, t, "cannot be read");
+    return NAN;
+  }
+  for (uint32_t i = 0; i < 2; i++) {
+    vs_kernel_options options = { .threads = 1 + 2 * i };
+    if (!vs_kernel_evaluate(&p.problem, &options, &m[i], &e)) {
+      complain(what, t, e.message);
+      goto done;
+    }
+  }
+  if (m[0].vertex_count != m[1].vertex_count || m[0].triangle_count != m[1].triangle_count ||
+      (m[0].vertex_count && memcmp(m[0].vertices, m[1].vertices, m[0].vertex_count * sizeof *m[0].vertices) != 0) ||
+      (m[0].triangle_count && memcmp(m[0].triangles, m[1].triangles, m[0].triangle_count * sizeof *m[0].triangles) != 0))
+    complain(what, t, "three threads make something else than one");
+  vs_mesh_flaws f;
+  if (!vs_kernel_inspect(&m[0], NULL, &f, &e)) {
+    complain(what, t, e.message);
+  } else if (!vs_mesh_flawless(&f)) {
+    snprintf(detail, sizeof detail, "%zu open edges, %zu faces beside space wound %d..%d times, the first at %g %g %g", f.open_count, f.wound_count, f.least, f.most,
+             f.wound[0].at.x, f.wound[0].at.y, f.wound[0].at.z);
+    complain(what, t, detail);
+  }
+  v = vs_mesh_volume(&m[0]);
+done:
+  vs_mesh_free(&m[0]);
+  vs_mesh_free(&m[1]);
+  sx_free(&p);
+  return v;
+}
+
+static void expect(const char *what, const text *t, double a, double b, double scale) {
+  char detail[200];
+  if (fabs(a - b) <= scale) return;
+  snprintf(detail, sizeof detail, "volume %.12g, but %.12g", a, b);
+  complain(what, t, detail);
+}
+
+static void one(uint64_t seed) {
+  static text a, b, t; /* a test program may */
+  static cells ca, cb;
+  state = seed * 0x9e3779b97f4a7c15u + 0x2545f4914f6cdd1du;
+  for (int i = 0; i < 8; i++) any(2);
+  kind k = (kind)any(4);
+  a.count = b.count = 0;
+  tree(&a, k, 1 + (int)any(3), &ca);
+  tree(&b, k, 1 + (int)any(2), &cb);
+  const char *open = k == TURNED ? "(rotate 33 21 17 " : "(union ";
+  if (verbose) printf("%s\n%s\n", a.at, b.at);
+#define V(name, ...) (t.count = 0, say(&t, "%s", open), say(&t, __VA_ARGS__), say(&t, ")"), volume(name, &t))
+  double va = V("a", "%s", a.at), vb = V("b", "%s", b.at), both = V("a u b", "(union %s %s)", a.at, b.at);
+  double tolerance = (k == CELL ? 1e-9 : 1e-6) * fmax(1, va + vb);
+  if (k == CELL || k == TURNED) {
+    double count = 0;
+    for (int i = 0; i < CELLS * CELLS * CELLS; i++) count += ((uint8_t *)ca.in)[i];
+    expect("a", &a, va, count, tolerance);
+    combine(&ca, &cb, 0);
+    count = 0;
+    for (int i = 0; i < CELLS * CELLS * CELLS; i++) count += ((uint8_t *)ca.in)[i];
+    expect("a u b", &t, both, count, tolerance);
+  }
+  double common = V("a n b", "(intersection %s %s)", a.at, b.at);
+  expect("|a u b| = |a| + |b| - |a n b|", &t, both, va + vb - common, tolerance);
+  double less = V("a - b", "(difference %s %s)", a.at, b.at);
+  expect("|a - b| = |a| - |a n b|", &t, less, va - common, tolerance);
+  double again = V("a - (a - b)", "(difference %s (difference %s %s))", a.at, a.at, b.at);
+  expect("a - (a - b) = a n b", &t, again, common, tolerance);
+  expect("a - a", &a, V("a - a", "(difference %s %s)", a.at, a.at), 0, tolerance);
+  expect("a u a", &a, V("a u a", "(union %s %s)", a.at, a.at), va, tolerance);
+  const char *world = "(translate -20 -20 -20 (box 50 50 50))";
+  double outside = V("not a n not b", "(intersection (difference %s %s) (difference %s %s))", world, a.at, world, b.at);
+  expect("De Morgan", &t, outside, 125000 - both, 1e-6 * 125000);
+#undef V
+}
+
+int main(int argc, char **argv) {
+  uint64_t first = 1, count = 100, bad = 0;
+  for (int i = 1; i < argc; i++) {
+    if (!strcmp(argv[i], "-v")) verbose = true;
+    else if (!strcmp(argv[i], "-s") && i + 1 < argc) first = strtoull(argv[++i], NULL, 10);
+    else count = strtoull(argv[i], NULL, 10);
+  }
+  for (uint64_t seed = first; seed < first + count; seed++) {
+    failed = false;
+    one(seed);
+    if (failed) {
+      printf("seed %llu failed\n", (unsigned long long)seed);
+      fflush(stdout);
+      bad++;
+    }
+  }
+  printf("%llu of %llu seeds failed\n", (unsigned long long)bad, (unsigned long long)count);
+  return bad != 0;
+}
