@@ -443,6 +443,7 @@ static vs_outcome write_to(vs *vm, const char *path, const char *format_name, co
     vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, text);
     return VS_OUTCOME_USAGE;
   }
+  vs_gc_major(vm); /* nodes that only dead values still name look shared, and are remembered one by one */
   if (!scene_of(s, &scene)) return out_of_memory(s);
   vs_export_options_init(&e);
   e.context = &context, e.warn = export_warn, e.progress = export_progress;

@@ -295,13 +295,29 @@ static void vs_bounds_on_plane(vs_bounds *b, const vs_node *n) {
   if (n->kind == VS_SECTION) vs_bounds_meet(b, &solid);
 }
 
-/* All children are known. */
+/* A leaf that one parent names is worked out when that parent asks: remembering a million of them would cost more than their formulas. */
+static bool vs_bounds_is_lone_leaf(const vs_node *n) { return n->child_count == 0 && n->refs == 1; }
+
+/* Of a node whose bounds are known or need no children's. */
+static bool vs_bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
+  const vs_bounds *known = vs_bounds_is_lone_leaf(n) ? NULL : vs_bounds_memo_known(m, n);
+  vs_affine here = vs_affine_identity();
+  vs_bounds none = vs_bounds_empty();
+  bool leaf;
+  *b = known ? *known : none;
+  return known || vs_bounds_leaf(n, &here, &none, b, &leaf, e);
+}
+
+/* All children are known, or lone leaves. */
 static bool vs_bounds_of(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
   vs_affine placed = vs_affine_identity();
-  vs_bounds children = vs_bounds_empty();
+  vs_bounds children = vs_bounds_empty(), child;
   bool leaf;
   *b = vs_bounds_empty();
-  for (uint32_t i = 0; i < n->child_count; i++) vs_bounds_unite(&children, vs_bounds_memo_known(m, n->children[i].node));
+  for (uint32_t i = 0; i < n->child_count; i++) {
+    if (!vs_bounds_child(m, n->children[i].node, &child, e)) return false;
+    vs_bounds_unite(&children, &child);
+  }
   if (n->kind == VS_TRANSFORM) { /* a placed primitive has its own formula; only few steps are looked through, or chains cost their square */
     const vs_node *below = n;
     for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || vs_node_is_dress(below)); steps++) {
@@ -324,8 +340,11 @@ static bool vs_bounds_of(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b
     vs_bounds_meet(b, &kept);
   }
   if (n->kind == VS_SECTION || n->kind == VS_PROJECT) vs_bounds_on_plane(b, n);
-  if (n->kind == VS_DIFFERENCE && n->child_count) *b = *vs_bounds_memo_known(m, n->children[0].node);
-  for (uint32_t i = 0; n->kind == VS_INTERSECTION && i < n->child_count; i++) vs_bounds_meet(b, vs_bounds_memo_known(m, n->children[i].node));
+  if (n->kind == VS_DIFFERENCE && n->child_count) return vs_bounds_child(m, n->children[0].node, b, e);
+  for (uint32_t i = 0; n->kind == VS_INTERSECTION && i < n->child_count; i++) {
+    if (!vs_bounds_child(m, n->children[i].node, &child, e)) return false;
+    vs_bounds_meet(b, &child);
+  }
   return true;
 }
 
@@ -342,6 +361,7 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
   while (ok && (ev = vs_walk_next(w, &at, NULL)) != VS_WALK_DONE) {
     vs_bounds b;
     if (ev == VS_WALK_FAILED) ok = vs_error_memory(e, NULL);
+    else if (at.node != n && vs_bounds_is_lone_leaf(at.node)) continue;
     else if (vs_bounds_memo_known(m, at.node)) {
       if (ev == VS_WALK_ENTER) vs_walk_skip(w);
     } else if (ev == VS_WALK_LEAVE) {

@@ -115,6 +115,7 @@ struct vs_node {
   uint8_t flags;   /* VS_NODE_... */
   uint32_t child_count;
   uint32_t depth;  /* 1 for a leaf; saturates */
+  uint32_t slot;   /* its number in the order made last (order.h): the one thing about a node that changes */
   uint64_t hash;   /* structural */
   vs_store *store;
   const vs_ref *children;

@@ -5,47 +5,48 @@
  *
  * A set that will dissolve into the one above is passed on as it is and noted; the topmost gathers all below it in one go. So a chain of
  * n binary unions costs n, not n^2. */
+#include <string.h>
+
+#include "model/nodemap.h"
 #include "model/passes/rewrite.h"
 
 typedef struct {
   vs_store *store;
-  vs_nodemap above;     /* old node -> what kinds of set dissolve where it stands: bits 1 << kind */
+  uint64_t *above;      /* by the old node's number: what kinds of set dissolve where it stands, bits 1 << kind */
+  size_t count;
   vs_nodemap dissolves; /* new nodes that their parent shall dissolve */
 } vs_flatten;
 
 static bool vs_flatten_is_set(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }
 
-static bool vs_flatten_place(void *context, vs_ref at, vs_error *e) {
-  vs_flatten *f = context;
-  const vs_node *n = at.node;
-  for (uint32_t i = 0; vs_flatten_is_set(n) && i < n->child_count; i++) {
-    uint64_t *kinds = vs_nodemap_put(&f->above, n->children[i].node, NULL);
-    if (!kinds) return vs_error_memory(e, at.origin);
-    *kinds = UINT64_C(1) << (n->kind == VS_DIFFERENCE && i ? VS_UNION : n->kind);
-  }
-  return true;
-}
-
-bool vs_flatten_begin(vs_rewrite *w, const vs_ref *refs, size_t count) {
+bool vs_flatten_begin(vs_rewrite *w) {
+  const vs_order *o = &w->order;
   vs_flatten *f = vs_store_realloc(w->store, NULL, 0, sizeof *f);
   if (!f) return vs_error_memory(w->error, NULL);
-  *f = (vs_flatten){ .store = w->store, .above = { .store = w->store }, .dissolves = { .store = w->store } };
+  *f = (vs_flatten){ .store = w->store, .count = o->count, .dissolves = { .store = w->store } };
   w->state = f;
-  return vs_rewrite_visit(w->store, refs, count, vs_flatten_place, f, w->error);
+  f->above = vs_store_realloc(w->store, NULL, 0, (o->count + 1) * sizeof *f->above);
+  if (!f->above) return vs_error_memory(w->error, NULL);
+  memset(f->above, 0, (o->count + 1) * sizeof *f->above);
+  for (size_t k = 0; k < o->count; k++) {
+    const vs_node *n = o->at[k].node;
+    for (uint32_t i = 0; vs_flatten_is_set(n) && i < n->child_count; i++)
+      f->above[vs_order_of(n->children[i].node)] = UINT64_C(1) << (n->kind == VS_DIFFERENCE && i ? VS_UNION : n->kind);
+  }
+  return true;
 }
 
 void vs_flatten_end(vs_rewrite *w) {
   vs_flatten *f = w->state;
   if (!f) return;
-  vs_nodemap_free(&f->above);
+  if (f->above) vs_store_realloc(w->store, f->above, (f->count + 1) * sizeof *f->above, 0);
   vs_nodemap_free(&f->dissolves);
   vs_store_realloc(w->store, f, sizeof *f, 0);
 }
 
 /* Will a set of this kind in old's place dissolve into the one set that names it? */
 static bool vs_flatten_fits(const vs_rewrite *w, const vs_flatten *f, const vs_node *old, const vs_node *new) {
-  const uint64_t *kinds = vs_nodemap_get(&f->above, old);
-  return kinds && vs_rewrite_lone(w, old) && new->child_count && *kinds >> new->kind & 1;
+  return vs_rewrite_lone(w, old) && new->child_count && f->above[vs_order_of(old)] >> new->kind & 1;
 }
 
 typedef struct { const vs_ref *at; size_t left; } vs_flatten_run; /* members still to be taken */

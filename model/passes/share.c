@@ -30,9 +30,8 @@ typedef struct {
 typedef struct { double step, first; } vs_share_step; /* first NaN: free */
 typedef struct {
   vs_store *store;
-  vs_share_entry *at;
+  vs_share_entry *at; /* by the node's number */
   size_t count, room;
-  vs_nodemap places;
   double quantum;
   vs_share_step *steps; /* a hash table: steps of a quantum, and the first number met in each, in quanta */
   size_t step_count, step_room;
@@ -70,6 +69,7 @@ static bool vs_share_grow(vs_share *s) {
 static double vs_share_snap(vs_share *s, double x) {
   if (!isfinite(x) || s->starved) return 0;
   double step = floor(x), best = (double)NAN, reach = 1;
+  if (s->step_room && vs_share_find(s, step)->first == x) return x; /* nearly all: models repeat their numbers */
   for (int side = -1; side <= 1 && s->step_room; side++) {
     double first = vs_share_find(s, step + side)->first; /* NaN is near nothing */
     if (fabs(first - x) < (side ? fmin(reach, 0.5) : reach)) reach = fabs(first - x), best = first;
@@ -106,7 +106,7 @@ static void vs_share_mix_real(vs_share *s, vs_share_key *k, double x) {
 
 /* ---- keys ---- */
 
-static const vs_share_entry *vs_share_of(const vs_share *s, const vs_node *n) { return &s->at[*vs_nodemap_get(&s->places, n)]; }
+static const vs_share_entry *vs_share_of(const vs_share *s, const vs_node *n) { return &s->at[vs_order_of(n)]; }
 
 /* The node's own first point, or its first child's anchor */
 static vs_vec3 vs_share_anchor(const vs_share *s, const vs_node *n, const vs_kind_info *info) {
@@ -159,17 +159,9 @@ static bool vs_share_is_alias(const vs_node *n) {
   return set && n->child_count == 1 && n->children[0].node->class_ == n->class_; /* the union of one closed curve is a region */
 }
 
-static bool vs_share_enter(void *context, vs_ref at, vs_error *e) {
-  vs_share *s = context;
+static bool vs_share_enter(vs_share *s, vs_ref at, vs_error *e) {
   const vs_node *n = at.node;
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
-  if (s->count == s->room) {
-    size_t room = s->room ? s->room * 2 : 64;
-    vs_share_entry *grown = vs_store_realloc(s->store, s->at, s->room * sizeof *grown, room * sizeof *grown);
-    if (!grown) return vs_error_memory(e, at.origin);
-    s->at = grown;
-    s->room = room;
-  }
   vs_share_entry x = { .anchor = vs_share_anchor(s, n, info), .cost = 1, .group = s->count };
   vs_share_mix(&x.key, vs_hash_bytes(9, info->name, strlen(info->name)));
   vs_share_mix(&x.key, n->child_count);
@@ -192,9 +184,6 @@ static bool vs_share_enter(void *context, vs_ref at, vs_error *e) {
   }
   if (s->starved) return vs_error_memory(e, at.origin);
   if (x.cost > 1e15) x.cost = 1e15; /* a DAG's paths may be without number */
-  uint64_t *place = vs_nodemap_put(&s->places, n, NULL);
-  if (!place) return vs_error_memory(e, at.origin);
-  *place = s->count;
   s->at[s->count++] = x;
   return true;
 }
@@ -204,17 +193,15 @@ static void vs_share_largest(double *most, const double *x, size_t n) {
     if (isfinite(x[i])) *most = fmax(*most, fabs(x[i]));
 }
 
-static bool vs_share_measure(void *context, vs_ref at, vs_error *e) { /* the drawing's largest number */
-  const vs_kind_info *info = vs_kind_get((vs_kind)at.node->kind);
-  (void)e;
+static void vs_share_measure(double *most, const vs_node *n) { /* the drawing's largest number */
+  const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
   for (size_t i = 0; i < info->field_count; i++) {
-    const void *field = (const char *)at.node->data + info->fields[i].offset;
-    if (info->fields[i].type == VS_FIELD_point) vs_share_largest(context, field, 3);
-    if (info->fields[i].type == VS_FIELD_affine) vs_share_largest(context, field, 12);
+    const void *field = (const char *)n->data + info->fields[i].offset;
+    if (info->fields[i].type == VS_FIELD_point) vs_share_largest(most, field, 3);
+    if (info->fields[i].type == VS_FIELD_affine) vs_share_largest(most, field, 12);
     if (info->fields[i].type == VS_FIELD_points && (*(const vs_points *const *)field)->count)
-      vs_share_largest(context, &(*(const vs_points *const *)field)->at[0].x, 3 * (size_t)(*(const vs_points *const *)field)->count);
+      vs_share_largest(most, &(*(const vs_points *const *)field)->at[0].x, 3 * (size_t)(*(const vs_points *const *)field)->count);
   }
-  return true;
 }
 
 /* ---- groups ---- */
@@ -244,22 +231,27 @@ static bool vs_share_group(vs_share *s) {
   return true;
 }
 
-bool vs_share_begin(vs_rewrite *w, const vs_ref *refs, size_t count) {
+bool vs_share_begin(vs_rewrite *w) {
+  const vs_order *o = &w->order;
   vs_share *s = vs_store_realloc(w->store, NULL, 0, sizeof *s);
   if (!s) return vs_error_memory(w->error, NULL);
-  *s = (vs_share){ .store = w->store, .places = { .store = w->store } };
+  *s = (vs_share){ .store = w->store };
   w->state = s;
   double most = 0;
-  if (!vs_rewrite_visit(w->store, refs, count, vs_share_measure, &most, w->error)) return false;
+  for (size_t i = 0; i < o->count; i++) vs_share_measure(&most, o->at[i].node);
   s->quantum = most > 0 ? ldexp(most, -40) : 1;
   if (!(s->quantum > 0)) s->quantum = ldexp(1, -1000);
-  return vs_rewrite_visit(w->store, refs, count, vs_share_enter, s, w->error) && (vs_share_group(s) || vs_error_memory(w->error, NULL));
+  s->at = vs_store_realloc(w->store, NULL, 0, (o->count + 1) * sizeof *s->at);
+  if (!s->at) return vs_error_memory(w->error, NULL);
+  s->room = o->count + 1;
+  for (size_t i = 0; i < o->count; i++)
+    if (!vs_share_enter(s, o->at[i], w->error)) return false;
+  return vs_share_group(s) || vs_error_memory(w->error, NULL);
 }
 
 void vs_share_end(vs_rewrite *w) {
   vs_share *s = w->state;
   if (!s) return;
-  vs_nodemap_free(&s->places);
   vs_store_realloc(w->store, s->steps, s->step_room * sizeof *s->steps, 0);
   vs_store_realloc(w->store, s->at, s->room * sizeof *s->at, 0);
   vs_store_realloc(w->store, s, sizeof *s, 0);
@@ -267,7 +259,7 @@ void vs_share_end(vs_rewrite *w) {
 
 vs_node *vs_pass_share(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   vs_share *s = w->state;
-  vs_share_entry *mine = &s->at[*vs_nodemap_get(&s->places, n)], *first = &s->at[mine->group];
+  vs_share_entry *mine = &s->at[vs_order_of(n)], *first = &s->at[mine->group];
   (void)origin;
   double copies = (double)first->copies;
   if (mine == first || !first->result || (copies - 1) * first->cost <= 2 * copies) {
