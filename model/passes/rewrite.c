@@ -58,6 +58,13 @@ bool vs_rewrite_run(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count
   return ok;
 }
 
+bool vs_rewrite_alone(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count) {
+  w->order = (vs_order){ .store = w->store };
+  bool ok = vs_order_make(&w->order, refs, count, w->error) && vs_rewrite_run(w, fn, refs, count);
+  vs_order_free(&w->order);
+  return ok;
+}
+
 /* ---- counting ---- */
 
 static double vs_order_commands(const vs_order *o, size_t drawn) {

@@ -19,7 +19,8 @@ struct vs_rewrite {
   size_t changed;
 };
 
-bool vs_rewrite_run(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count);
+bool vs_rewrite_run(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count); /* w->order is of these references */
+bool vs_rewrite_alone(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count); /* makes and frees the order itself */
 vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids); /* n itself if its kids are its own, else a copy with kids */
 bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old); /* named once: no template */
 

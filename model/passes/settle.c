@@ -83,9 +83,9 @@ static vs_node *settle_bare(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
 }
 
 static vs_node *settle_strip(settle_walk *w, vs_ref ref) {
-  vs_rewrite r = { .store = w->store, .error = w->error, .uses = { .store = w->store } };
+  vs_rewrite r = { .store = w->store, .error = w->error };
   vs_node_retain(ref.node);
-  if (vs_rewrite_run(&r, settle_bare, &ref, 1)) return ref.node;
+  if (vs_rewrite_alone(&r, settle_bare, &ref, 1)) return ref.node;
   vs_node_release(ref.node);
   return NULL;
 }
@@ -195,11 +195,14 @@ static vs_node *settle_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
 
 typedef struct { const vs_settle_options *options; bool only; vs_ref native; } settle_kinds; /* native: the first for this program */
 
-static bool settle_look(void *context, vs_ref at, vs_error *e) {
-  settle_kinds *k = context;
-  (void)e;
-  k->only |= at.node->kind == VS_ONLY;
-  if (!k->native.node && at.node->kind == VS_NATIVE && settle_speaks(k->options, at.node)) k->native = at;
+static bool settle_look(settle_kinds *k, const vs_scene *scene, vs_error *e) {
+  vs_order o = { .store = scene->store };
+  if (!vs_order_make(&o, scene->drawn, scene->drawn_count, e)) return false;
+  for (size_t i = 0; i < o.count; i++) {
+    k->only |= o.at[i].node->kind == VS_ONLY;
+    if (!k->native.node && o.at[i].node->kind == VS_NATIVE && settle_speaks(k->options, o.at[i].node)) k->native = o.at[i];
+  }
+  vs_order_free(&o);
   return true;
 }
 
@@ -220,7 +223,7 @@ bool vs_scene_settle(vs_scene *scene, const vs_settle_options *options, vs_error
   bool sugar = false, ok = true;
   for (size_t i = 0; i < scene->drawn_count; i++) sugar |= (scene->drawn[i].node->flags & VS_NODE_SUGAR) != 0;
   if (!sugar) return true;
-  ok = vs_rewrite_visit(scene->store, scene->drawn, scene->drawn_count, settle_look, &kinds, e);
+  ok = settle_look(&kinds, scene, e);
   if (ok && options->muted && kinds.native.node && options->said)
     options->said(options->said_context, kinds.native.origin, "native: text for other programs is switched off here; what #:otherwise gives is drawn");
   for (size_t i = 0; ok && kinds.only && i < scene->drawn_count; i++) ok = settle_below(&w, scene->drawn[i], true);
@@ -231,8 +234,8 @@ bool vs_scene_settle(vs_scene *scene, const vs_settle_options *options, vs_error
   size_t before = scene->drawn_count;
   for (size_t i = 0; ok && i < before; i++) ok = settle_below(&w, scene->drawn[i], false);
   vs_settle_options all = *options;
-  vs_rewrite r = { .store = scene->store, .error = e, .state = &all, .uses = { .store = scene->store } };
-  ok = ok && vs_rewrite_run(&r, settle_node, scene->drawn, before);
+  vs_rewrite r = { .store = scene->store, .error = e, .state = &all };
+  ok = ok && vs_rewrite_alone(&r, settle_node, scene->drawn, before);
   for (size_t i = 0; ok && i < w.count; i++) ok = vs_scene_draw(scene, w.found[i]) || vs_error_memory(e, NULL);
   for (size_t i = 0; i < w.count; i++) vs_node_release(w.found[i].node);
   vs_store_realloc(w.store, w.found, w.found_room * sizeof *w.found, 0);
