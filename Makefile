@@ -87,11 +87,12 @@ $(BUILD)/unit/%: tests/unit/%.c $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -MMD -MP $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(UNIT_LIBS) $(LDLIBS)
 
-$(BUILD)/tools/%: tests/tools/%.c
+$(BUILD)/tools/%: tests/tools/%.c $(wildcard tests/tools/*.h)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(PNG_LIBS) -lm
 
-$(BUILD)/tools/names: tests/tools/names.c visualscheme.h $(BUILD)/libvisualscheme.a
+# Tools that ask the library.
+$(BUILD)/tools/names $(BUILD)/tools/reread: $(BUILD)/tools/%: tests/tools/%.c visualscheme.h $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
 
@@ -102,28 +103,32 @@ demo: ## install what is missing, build, and make a picture, a web page, a progr
 	$(MAKE) all
 	sh scripts/demo.sh $(BUILD)/vs
 
-test: ## install what the tests need, build, run them all
+test: ## install what the tests need, build, run them: of long ones a sample
 	sh scripts/install.sh build workers tests
-	$(MAKE) check
+	$(MAKE) tests
+
+check: ## as test, and the long ones whole: every shape in every variant
+	sh scripts/install.sh build workers tests
+	$(MAKE) tests LONG=1
 
 # ---- tests without installing anything ----
 
 units: $(UNIT_BIN)
 
-check: all units $(TOOL_BIN) ## run the tests with what is installed
-	sh tests/run.sh $(BUILD)
+tests: all units $(TOOL_BIN) ## run the tests with what is installed; LONG=1: the long ones whole
+	LONG=$(LONG) sh tests/run.sh $(BUILD)
 
 quick: all units # what every commit must pass in a minute
 	@for t in $(UNIT_BIN); do $$t || exit 1; done
 
-SANITIZE  = OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=$(1)" BUILD=$(BUILD)/$(2) SUITES="unit lang cli" check
+SANITIZE  = OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=$(1)" BUILD=$(BUILD)/$(2) SUITES="unit lang cli" tests
 asan: ## the tests under the address and leak sanitizer
 	$(MAKE) $(call SANITIZE,address,asan)
 ubsan: ## the tests under the undefined-behaviour sanitizer
 	UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(MAKE) $(call SANITIZE,undefined -fno-sanitize-recover=all,ubsan)
 
 stress: ## the tests with a collection at every allocation and the heap checked again and again: minutes
-	$(MAKE) BUILD=$(BUILD)/stress EXTRA="-DVS_DEBUG_STRESS=1 -DVS_DEBUG_SMALL=1" SUITES="unit lang cli manual" check
+	$(MAKE) BUILD=$(BUILD)/stress EXTRA="-DVS_DEBUG_STRESS=1 -DVS_DEBUG_SMALL=1" SUITES="unit lang cli manual" tests
 
 layers: $(LIB_OBJ) $(CLI_OBJ) ## check that includes follow the layers' arrows and that no object has mutable globals
 	sh scripts/layers.sh $(BUILD)
@@ -159,5 +164,5 @@ clean: ## remove what was built
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all demo test units check quick asan ubsan stress layers bless bench install clean help
+.PHONY: all demo test check units tests quick asan ubsan stress layers bless bench install clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)

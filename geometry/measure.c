@@ -24,7 +24,7 @@ static double vs_measure_ellipse_length(double a, double b) {
   if (!(y > 1e-300)) return 4 * x;
   for (double c = sqrt((x - y) * (x + y)), square = x * x;; weight *= 2) {
     sum += weight * c * c;
-    if (fabs(c) <= 1e-17 * x) return 2 * pi * (square - sum) / x;
+    if (fabs(c) <= 1e-15 * x) return 2 * pi * (square - sum) / x;
     double mean = (x + y) / 2;
     c = (x - y) / 2;
     y = sqrt(x * y);

@@ -2,6 +2,7 @@
 # Owns the test run: every suite in turn, one line a test, and the counts as the last line. `tests/run.sh BUILD [VERBOSE]`.
 #
 #   SUITES="unit lang cli ..."  only these          ONLY=text   only tests whose name contains it
+#   LONG=1                      what takes a sample of many cases takes all of them
 #   BLESS=1                     rewrite the goldens of tests/cli instead of comparing
 #
 # Every suite is a script or a function that prints `ok NAME`, `not ok NAME` with its reasons indented below, or `skip NAME: why`.
@@ -9,8 +10,8 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 BUILD=${1:-build}
 case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
-SUITES=${SUITES:-unit lang cli prompt signals manual workers embed layers compilers}
-export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LC_ALL=C.UTF-8
+SUITES=${SUITES:-unit lang cli prompt signals manual workers cross embed layers compilers}
+export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LONG="${LONG:-}" LC_ALL=C.UTF-8
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
@@ -48,6 +49,7 @@ suite_prompt()    { sh tests/prompt.sh; }
 suite_signals()   { sh tests/signals.sh; }
 suite_manual()    { sh tests/manual.sh; }
 suite_workers()   { for t in tests/workers/*.sh; do [ -f "$t" ] && sh "$t"; done; }
+suite_cross()     { sh tests/cross.sh; }
 suite_embed()     { [ ! -f tests/embed.sh ] || sh tests/embed.sh; }
 suite_layers() {
   if ! command -v objdump >/dev/null 2>&1; then echo "skip layers: no objdump (package binutils)"; return; fi

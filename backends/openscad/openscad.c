@@ -74,6 +74,7 @@ static vs_emit_status scad_box(vs_emitter *e, const vs_ref *ref, vs_phase phase)
 static vs_emit_status scad_sphere(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_sphere *s = VS_AS(sphere, ref->node);
+  if (s->segments > 0) return VS_LOWER; /* OpenSCAD cuts its spheres elsewhere: what is asked for in facets has ours */
   scad_open(e, ref->node);
   scad_translate(e, s->center);
   scad_number(e, "sphere(r = ", s->radius);

@@ -90,13 +90,14 @@ static void pov_material(vs_emitter *e, const vs_material *m) {
 static void pov_camera(vs_emitter *e, const vs_look *l) {
   vs_writer *w = e->out;
   vs_puts(w, "camera {\n");
-  if (l->parallel) {
+  if (l->parallel) { /* look_at turns the axes: written as vectors their last digits would not be perpendicular enough */
     vs_puts(w, "  orthographic\n");
     pov_vector(w, "  location ", l->eye);
-    pov_vector(w, "\n  direction ", l->forward);
-    pov_vector(w, "\n  right ", vs_v3_scale(l->right, l->width));
-    vs_puts(w, "\n  up ");
-    vs_put_triple(w, "<", vs_v3_scale(l->up, l->width), ", ", "> * image_height/image_width\n}\n");
+    pov_vector(w, "\n  sky ", l->up);
+    pov_word(w, "\n  right -x*", l->width, "\n");
+    pov_word(w, "  up y*", l->width, "*image_height/image_width\n");
+    pov_vector(w, "  look_at ", l->target);
+    vs_puts(w, "\n}\n");
     return;
   }
   pov_vector(w, "  location ", l->eye);

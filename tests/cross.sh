@@ -1,0 +1,109 @@
+#!/bin/sh
+# Owns holding every kind of object, on every back-end, to closed forms and to what other programs make of our files (tests/cross/README.md):
+#
+#   closed        volume, area, length, bounding box and contains? against the table's closed forms
+#   mesh          the written mesh: closed, and encloses what the closed form says
+#   tree          the tree dump reads back as the same tree
+#   openscad      OpenSCAD's mesh of our .scad against ours
+#   povray, x3d   silhouettes of our .pov in POV-Ray and our .x3d in Chromium against our mesh
+#
+# One variant a shape (plain, turned, mirrored, ...); LONG=1 takes every variant. Contact sheets stay in BUILD/cross.
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+case $ONLY in ""|cross*) ;; *) exit ;; esac
+vs=$BUILD/vs tools=$BUILD/tools sheet=tests/cross/sheet.vs
+variants=mixed
+[ -z "${LONG:-}" ] || variants='plain rotated mirrored scaled cut hollow'
+pixels=1400
+mkdir -p "$BUILD/cross"
+result() { # name, file with the reasons if it failed
+  if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
+}
+
+# What is known to fail and why stands in known.txt (name, tab, reason); what is there and passes is a failure too: take it out.
+known() {
+  awk -F '\t' -v list=tests/cross/known.txt -v only="$ONLY" 'BEGIN { while ((getline line < list) > 0) if (line !~ /^#/ && split(line, part, "\t") == 2) why[part[1]] = part[2] }
+    /^ok / && substr($0, 4) in why { print "not ok " substr($0, 4); print "    passes, but tests/cross/known.txt says: " why[substr($0, 4)]; quiet = 0; next }
+    /^not ok / && substr($0, 8) in why { quiet = 1; if (index($0, only)) print "skip " substr($0, 8) ": known: " why[substr($0, 8)]; next }
+    /^(ok|not ok|skip) / { quiet = !index($0, only) }
+    !quiet'
+}
+
+everything() {
+# ---- no kind and no constructor without a row ----
+
+timeout -s KILL 120 "$vs" --quiet $sheet -D task=kinds > "$work/met" 2> "$work/why"
+sed -n 's/^VS_KIND([A-Z_0-9]*, [a-z_0-9]*, "\([^"]*\)".*/\1/p' model/prims.def | grep -v '^empty-object$' | sort > "$work/kinds"
+sort "$work/met" | comm -13 - "$work/kinds" | while read -r kind; do grep -q "\"\(make-\|do-\|\)$kind\"" bind/reserved.def || echo "$kind"; done | sed 's/^/no shape has the kind /' >> "$work/why"
+result cross/table:kinds "$work/why"
+sed -n 's/^PROCS*([a-z0-9_]*, "\(\(make\|do\)-[^ "]*\|hull\|load-mesh\|unite\|intersect\|cylinder-from-to\).*/\1/p' bind/procedures.def |
+  grep -v -x -e make-axis -e make-plane -e make-matrix -e make-material | while read -r name; do
+  grep -q -F -e "($name " tests/cross/shapes.vs || echo "no shape is made with $name"
+done > "$work/why"
+result cross/table:constructors "$work/why"
+
+for variant in $variants; do
+  table=$work/$variant.table mesh=$work/$variant.stl
+  timeout -s KILL 120 "$vs" --quiet $sheet -D task=measure -D variant=$variant > "$work/said" 2> "$work/why" || echo "ended with $?" >> "$work/why"
+  cat "$work/said"
+  result cross/measure:$variant "$work/why"
+
+  if ! timeout -s KILL 120 "$vs" --quiet $sheet -D task=table -D variant=$variant > "$table" 2> "$work/why"; then result cross/table:$variant "$work/why"; continue; fi
+  timeout -s KILL 120 "$vs" --quiet --segments 128 $sheet -D variant=$variant -o "$mesh" > "$work/said" 2>&1 || { result cross/mesh:$variant:written "$work/said"; continue; }
+  "$tools/sheetmesh" "$table" "$mesh"
+
+  : > "$work/why"
+  timeout -s KILL 120 "$vs" --quiet $sheet -D variant=$variant -o "$work/sheet.tree" > "$work/said" 2>&1 || cat "$work/said" >> "$work/why"
+  "$tools/reread" "$work/sheet.tree" 2>> "$work/why" || echo "reading back failed" >> "$work/why"
+  result cross/tree:$variant "$work/why"
+
+  # ---- OpenSCAD: a run a shape, because it unites all of a file, slowly; a few at a time ----
+  if command -v openscad > /dev/null; then
+    awk -F '\t' '$3 == "solid" { print $1, $2 }' "$table" > "$work/list"
+    : > "$work/results"
+    cat > "$work/one" <<EOF
+index=\$1; shift; name=\$*; at=$work/scad-\$index
+timeout -s KILL 120 "$vs" --quiet --segments 32 $sheet -D variant=$variant -D only=\$index -o \$at.stl -o \$at.scad > \$at.said 2>&1
+timeout 200 openscad --export-format binstl -o \$at-theirs.stl \$at.scad > \$at.openscad 2>&1
+grep -e ERROR: -e WARNING: \$at.openscad >> \$at.said
+difference=\$("$tools/sheetdiff" \$at.stl \$at-theirs.stl 0.03) || echo "\$difference" >> \$at.said
+if [ -s \$at.said ]; then echo "not ok cross/openscad:\$name"; sed 's/^/    /' \$at.said | head -n 8; else echo "ok cross/openscad:\$name"; fi > \$at.result
+EOF
+    xargs -P 2 -I '{}' sh -c "sh $work/one {}" < "$work/list"
+    cat "$work"/scad-*.result
+    rm -f "$work"/scad-*
+  else echo "skip cross/openscad:$variant: no openscad (package openscad)"; fi
+
+  # ---- silhouettes ----
+  timeout -s KILL 120 "$vs" --quiet --tolerance 0.001 $sheet -D variant=$variant -D standin=#t -o "$work/standin.stl" > "$work/said" 2>&1 || { result cross/standin:$variant "$work/said"; continue; }
+  timeout -s KILL 120 "$vs" --quiet --size ${pixels}x$pixels $sheet -D variant=$variant -o "$work/sheet.pov" -o "$work/sheet.x3d" > "$work/said" 2>&1 || { result cross/pictures:$variant "$work/said"; continue; }
+
+  if command -v povray > /dev/null; then
+    # without its sky the background is transparent
+    sed -e '/^sky_sphere/,/^}/d' -e '/^  radiosity/d' "$work/sheet.pov" > "$work/bare.pov"
+    echo 'Library_Path="/usr/share/povray-3.7/include"' > "$work/povray.ini"
+    HOME=$work POVINI=$work/povray.ini timeout 200 povray "$work/bare.pov" +W$pixels +H$pixels -D +FN8 +UA +Q1 -A "+O$work/pov.png" > "$work/said" 2>&1
+    grep -e 'Warning:' -e 'Error:' "$work/said" > "$work/why"
+    result "cross/povray:$variant:no warning" "$work/why"
+    "$tools/sheetview" "$table" "$work/standin.stl" "$work/sheet.pov" "$work/pov.png" povray "$BUILD/cross/povray-$variant.png"
+  else echo "skip cross/povray:$variant: no povray (package povray)"; fi
+
+  browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
+  if [ -z "$browser" ]; then echo "skip cross/x3d:$variant: no chromium (package chromium)"
+  elif [ ! -f node_modules/x3dom/x3dom.js ]; then echo "skip cross/x3d:$variant: no x3dom (npm install --ignore-scripts)"
+  else
+    # The scene as it is, but without lights on white: what is there is black. HTML has no <Empty/> elements.
+    { echo "<!DOCTYPE html><html><head><meta charset='utf-8'><script src='file://$PWD/node_modules/x3dom/x3dom.js'></script>"
+      echo "<style>body { margin: 0 } x3d { border: 0; display: block }</style></head><body><x3d width='${pixels}px' height='${pixels}px' showStat='false' showLog='false'>"
+      sed -n '/<Scene>/,/<\/Scene>/p' "$work/sheet.x3d" | sed -e '/<DirectionalLight/d' -e '/<Background/d' -e 's|<\([A-Za-z]*\)\([^<>]*\)/>|<\1\2></\1>|g' \
+        -e "s|<Scene>|<scene><Background skyColor='1 1 1'></Background><Environment gammaCorrectionDefault='none'></Environment>|" -e 's|</Scene>|</scene>|'
+      echo "</x3d></body></html>"; } > "$work/page.html"
+    timeout 200 "$browser" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update \
+      --disable-sync --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$work/profile" --hide-scrollbars \
+      --window-size=$pixels,$pixels --virtual-time-budget=30000 --screenshot="$work/x3d.png" "file://$work/page.html" > "$work/said" 2>&1
+    "$tools/sheetview" "$table" "$work/standin.stl" "$work/sheet.x3d" "$work/x3d.png" x3d "$BUILD/cross/x3d-$variant.png"
+  fi
+done
+}
+
+everything | known

@@ -1,0 +1,51 @@
+/* Owns reading what `tests/cross/sheet.vs -D task=table` prints: the lattice of a sheet, and what each cell of it must hold. */
+#ifndef TESTS_TOOLS_LATTICE_H
+#define TESTS_TOOLS_LATTICE_H
+
+#include "stl.h"
+
+enum { CELLS_MOST = 2000 };
+
+typedef struct {
+  long index;            /* column + row * columns */
+  char name[120], class[16], lossy[200]; /* lossy: "-" or why its pictures are not compared */
+  double volume, area;   /* NAN: not known */
+  vec least, most;       /* its bounding box, as the program answers */
+  double within, loose;  /* how far, relatively, the volume may be off; how far, as a part of the diagonal, a side of the box may be missed */
+} cell;
+
+typedef struct {
+  int columns;
+  vec across, upwards; /* from a cell to the next in its row; from a row to the next */
+  cell *cells;
+  size_t count;
+} lattice;
+
+static inline double lattice_number(const char *text) { return strcmp(text, "-") == 0 ? NAN : strtod(text, NULL); }
+
+static inline bool lattice_read(const char *path, lattice *out) {
+  FILE *f = fopen(path, "r");
+  char line[2000];
+  *out = (lattice){.cells = calloc(CELLS_MOST, sizeof *out->cells)};
+  vec *a = &out->across, *b = &out->upwards;
+  bool good = f && out->cells && fgets(line, sizeof line, f) &&
+              sscanf(line, "lattice %d %lf %lf %lf %lf %lf %lf", &out->columns, &a->x, &a->y, &a->z, &b->x, &b->y, &b->z) == 7;
+  while (good && out->count < CELLS_MOST && fgets(line, sizeof line, f)) {
+    cell *c = &out->cells[out->count++];
+    char volume[40], area[40];
+    good = sscanf(line, "%ld\t%119[^\t]\t%15[^\t]\t%39[^\t]\t%39[^\t]\t%lf %lf %lf %lf %lf %lf\t%lf\t%lf\t%199[^\t\n]", &c->index, c->name, c->class, volume, area, &c->least.x,
+                  &c->least.y, &c->least.z, &c->most.x, &c->most.y, &c->most.z, &c->within, &c->loose, c->lossy) == 14;
+    c->volume = lattice_number(volume), c->area = lattice_number(area);
+    if (!good) fprintf(stderr, "%s: cannot read: %s", path, line);
+  }
+  if (f) fclose(f);
+  return good && out->count > 0;
+}
+
+/* The number of the cell that a place belongs to, or -1: outside. Cells are centred on the lattice's points. */
+static inline long lattice_cell(const lattice *l, vec p) {
+  double column = floor(vec_dot(p, l->across) / vec_dot(l->across, l->across) + 0.5), row = floor(vec_dot(p, l->upwards) / vec_dot(l->upwards, l->upwards) + 0.5);
+  return column < 0 || column >= l->columns || row < 0 || row > 1e6 ? -1 : (long)column + (long)row * l->columns;
+}
+
+#endif

@@ -1,0 +1,75 @@
+/* Owns comparing two meshes of one shape: `sheetdiff A.stl B.stl LIMIT` prints `volumes V W, apart D` and ends with 0 when the volumes differ by less
+ * than 0.2 % and no place of either surface is further than LIMIT from the other (a Hausdorff distance, taken at the corners, the edges'
+ * middles and the centroids of the triangles). */
+#include "stl.h"
+
+/* Squared distance of p from a triangle: the nearest point by its regions (Ericson, Real-Time Collision Detection, 5.1.5). */
+static double distance2(vec p, vec a, vec b, vec c) {
+  vec ab = vec_sub(b, a), ac = vec_sub(c, a), ap = vec_sub(p, a), near;
+  double d1 = vec_dot(ab, ap), d2 = vec_dot(ac, ap);
+  vec bp = vec_sub(p, b), cp = vec_sub(p, c);
+  double d3 = vec_dot(ab, bp), d4 = vec_dot(ac, bp), d5 = vec_dot(ab, cp), d6 = vec_dot(ac, cp);
+  double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+  if (d1 <= 0 && d2 <= 0) near = a;
+  else if (d3 >= 0 && d4 <= d3) near = b;
+  else if (d6 >= 0 && d5 <= d6) near = c;
+  else if (vc <= 0 && d1 >= 0 && d3 <= 0) near = vec_add(a, vec_scale(ab, d1 / (d1 - d3)));
+  else if (vb <= 0 && d2 >= 0 && d6 <= 0) near = vec_add(a, vec_scale(ac, d2 / (d2 - d6)));
+  else if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) near = vec_add(b, vec_scale(vec_sub(c, b), (d4 - d3) / ((d4 - d3) + (d5 - d6))));
+  else near = vec_add(a, vec_scale(vec_add(vec_scale(ab, vb), vec_scale(ac, vc)), 1 / (va + vb + vc)));
+  vec away = vec_sub(p, near);
+  return vec_dot(away, away);
+}
+
+typedef struct { vec middle; double radius; } ball;
+
+/* The furthest that a sample of `from` is from `to`. */
+static double furthest(const stl *from, const stl *to, const ball *balls) {
+  double worst = 0;
+  for (size_t i = 0; i < from->count; i++) {
+    vec a = vec_of(from->at[i].v[0]), b = vec_of(from->at[i].v[1]), c = vec_of(from->at[i].v[2]);
+    const vec samples[] = {a, b, c, vec_scale(vec_add(a, b), 0.5), vec_scale(vec_add(b, c), 0.5), vec_scale(vec_add(c, a), 0.5), vec_scale(vec_add(vec_add(a, b), c), 1. / 3)};
+    for (size_t s = 0; s < sizeof samples / sizeof *samples; s++) {
+      double best = INFINITY, reach = INFINITY;
+      for (size_t k = 0; k < to->count && best > worst * worst; k++) {
+        vec away = vec_sub(samples[s], balls[k].middle);
+        double outside = reach + balls[k].radius;
+        if (vec_dot(away, away) > outside * outside) continue;
+        const vertex *v = to->at[k].v;
+        double d = distance2(samples[s], vec_of(v[0]), vec_of(v[1]), vec_of(v[2]));
+        if (d < best) best = d, reach = sqrt(d);
+      }
+      if (best > worst * worst) worst = sqrt(best);
+    }
+  }
+  return worst;
+}
+
+static ball *make_balls(const stl *m) {
+  ball *balls = malloc((m->count + 1) * sizeof *balls);
+  for (size_t i = 0; balls && i < m->count; i++) {
+    const vertex *v = m->at[i].v;
+    balls[i].middle = vec_scale(vec_add(vec_add(vec_of(v[0]), vec_of(v[1])), vec_of(v[2])), 1. / 3);
+    balls[i].radius = 0;
+    for (int k = 0; k < 3; k++) balls[i].radius = fmax(balls[i].radius, vec_length(vec_sub(vec_of(v[k]), balls[i].middle)));
+  }
+  return balls;
+}
+
+int main(int argc, char **argv) {
+  stl a, b;
+  char why[128] = "A.stl B.stl LIMIT, please";
+  if (argc != 4 || !stl_read(argv[1], &a, why) || !stl_read(argv[2], &b, why)) {
+    printf("%s\n", why);
+    return 2;
+  }
+  ball *of_a = make_balls(&a), *of_b = make_balls(&b);
+  if (!of_a || !of_b || !a.count || !b.count) {
+    printf("%zu and %zu triangles\n", a.count, b.count);
+    return 2;
+  }
+  double v = stl_volume(a.at, a.count), w = stl_volume(b.at, b.count), d = fmax(furthest(&a, &b, of_b), furthest(&b, &a, of_a));
+  printf("volumes %.9g %.9g, apart %.9g\n", v, w, d);
+  free(of_a), free(of_b), free(a.at), free(b.at);
+  return !(fabs(v - w) <= 0.002 * fabs(w) && d <= strtod(argv[3], NULL));
+}

@@ -1,0 +1,166 @@
+/* Owns comparing a picture of a sheet of shapes with the mesh of the same sheet, seen by the same camera:
+ * `sheetview TABLE FILE.stl SCENE PICTURE.png WHAT SHEET.png` judges each cell, in the words of tests/run.sh, and leaves a contact sheet.
+ *
+ * SCENE is the .pov or .x3d that the picture was made from: the camera is read out of it, as its readers would. A .pov's picture has an alpha channel,
+ * an .x3d's is dark on white. A pixel belongs to a silhouette where its middle does; those in which picture and mesh differ must be fewer than
+ * 1 % of the mesh's silhouette in that cell. Where the outline passes the middle by less than a quarter of a pixel either is right. Curves have no silhouette to speak of: there no pixel of either may be further than four pixels from
+ * the other. In SHEET.png grey is what both have, red what only the picture has, blue what only the mesh has. */
+#include <png.h>
+
+#include "lattice.h"
+
+typedef struct {
+  bool parallel;
+  vec eye, right, up, forward; /* right and up: of length 1 / (half the picture's width), at distance 1 when not parallel; forward of length 1 */
+  int width, height;
+} camera;
+
+static vec unit(vec v) { return vec_scale(v, 1 / vec_length(v)); }
+
+static bool find_vector(const char *text, const char *word, const char *form, vec *out) {
+  const char *at = strstr(text, word);
+  return at && sscanf(at + strlen(word), form, &out->x, &out->y, &out->z) == 3;
+}
+
+static bool camera_povray(const char *text, camera *c) {
+  vec target, sky;
+  double width;
+  const char *at = strstr(text, "camera {"), *right = at ? strstr(at, "right -x*") : NULL;
+  if (!right || !strstr(at, "orthographic") || !find_vector(at, "location ", "<%lf, %lf, %lf>", &c->eye) || !find_vector(at, "look_at ", "<%lf, %lf, %lf>", &target) ||
+      !find_vector(at, "sky ", "<%lf, %lf, %lf>", &sky) || sscanf(right, "right -x*%lf", &width) != 1)
+    return false;
+  c->parallel = true;
+  c->forward = unit(vec_sub(target, c->eye));
+  vec across = unit(vec_cross(c->forward, sky));
+  c->right = vec_scale(across, 2 / width);
+  c->up = vec_scale(vec_cross(across, c->forward), 2 / width); /* the picture shows height/width of it */
+  return true;
+}
+
+/* v turned about the axis, which has length 1 */
+static vec turned(vec v, vec axis, double angle) {
+  return vec_add(vec_add(vec_scale(v, cos(angle)), vec_scale(vec_cross(axis, v), sin(angle))), vec_scale(axis, vec_dot(axis, v) * (1 - cos(angle))));
+}
+/* The scene is turned so that Y is up; our mesh is not. */
+static vec up_z(vec v) { return (vec){v.x, -v.z, v.y}; }
+
+static bool camera_x3d(const char *text, camera *c) {
+  double angle, field;
+  vec axis;
+  const char *at = strstr(text, "<Viewpoint"), *orientation = at ? strstr(at, "orientation='") : NULL, *view = at ? strstr(at, "fieldOfView='") : NULL;
+  if (!orientation || !view || !find_vector(at, "position='", "%lf %lf %lf", &c->eye) || sscanf(orientation, "orientation='%lf %lf %lf %lf", &axis.x, &axis.y, &axis.z, &angle) != 4 ||
+      sscanf(view, "fieldOfView='%lf", &field) != 1)
+    return false;
+  c->eye = up_z(c->eye);
+  c->right = vec_scale(up_z(turned((vec){1, 0, 0}, axis, angle)), 1 / tan(field / 2)); /* the picture is as wide as high */
+  c->up = vec_scale(up_z(turned((vec){0, 1, 0}, axis, angle)), 1 / tan(field / 2));
+  c->forward = up_z(turned((vec){0, 0, -1}, axis, angle));
+  return true;
+}
+
+/* Where a point is in the picture, in pixels from its upper left corner. */
+static void project(const camera *c, vec p, double *x, double *y) {
+  vec d = vec_sub(p, c->eye);
+  double depth = c->parallel ? 1 : vec_dot(d, c->forward);
+  *x = c->width * 0.5 * (1 + vec_dot(d, c->right) / depth);
+  *y = c->height * 0.5 - c->width * 0.5 * vec_dot(d, c->up) / depth;
+}
+
+/* The cell that a pixel's line of sight meets in the lattice's plane, through the origin. */
+static long pixel_cell(const camera *c, const lattice *l, int x, int y) {
+  double a = (x + 0.5) / c->width * 2 - 1, b = (c->height * 0.5 - (y + 0.5)) / (c->width * 0.5);
+  vec side = vec_add(vec_scale(c->right, a / vec_dot(c->right, c->right)), vec_scale(c->up, b / vec_dot(c->up, c->up)));
+  vec from = c->parallel ? vec_add(c->eye, side) : c->eye, along = c->parallel ? c->forward : vec_add(c->forward, side);
+  vec normal = vec_cross(l->across, l->upwards);
+  return lattice_cell(l, vec_sub(from, vec_scale(along, vec_dot(from, normal) / vec_dot(along, normal))));
+}
+
+/* Sets the bit of every pixel whose place (dx, dy) the triangle covers. */
+static void fill(const camera *c, const triangle *t, double dx, double dy, unsigned char bit, unsigned char *mask) {
+  double x[3], y[3];
+  for (int k = 0; k < 3; k++) project(c, vec_of(t->v[k]), &x[k], &y[k]);
+  int top = (int)fmax(0, ceil(fmin(fmin(y[0], y[1]), y[2]) - dy)), bottom = (int)fmin(c->height - 1, floor(fmax(fmax(y[0], y[1]), y[2]) - dy));
+  for (int row = top; row <= bottom; row++) {
+    double level = row + dy, from = INFINITY, to = -INFINITY;
+    for (int k = 0; k < 3; k++) {
+      int m = (k + 1) % 3;
+      if ((y[k] < level) == (y[m] < level)) continue;
+      double at = x[k] + (x[m] - x[k]) * (level - y[k]) / (y[m] - y[k]);
+      from = fmin(from, at), to = fmax(to, at);
+    }
+    for (int column = (int)fmax(0, ceil(from - dx)); column <= (int)fmin(c->width - 1, floor(to - dx)); column++) mask[(size_t)row * (size_t)c->width + (size_t)column] |= bit;
+  }
+}
+
+static bool near_any(const camera *c, const unsigned char *mask, int x, int y, int reach) {
+  for (int j = y - reach; j <= y + reach; j++)
+    for (int i = x - reach; i <= x + reach; i++)
+      if (i >= 0 && j >= 0 && i < c->width && j < c->height && mask[(size_t)j * (size_t)c->width + (size_t)i]) return true;
+  return false;
+}
+
+static char *read_text(const char *path) {
+  FILE *f = fopen(path, "rb");
+  size_t room = 1 << 20, used = 0, got; /* cameras stand near the top */
+  char *text = malloc(room + 1);
+  while (f && text && used < room && (got = fread(text + used, 1, room - used, f)) > 0) used += got;
+  if (f) fclose(f);
+  if (text) text[used] = 0;
+  return f ? text : NULL;
+}
+
+int main(int argc, char **argv) {
+  lattice l;
+  stl mesh;
+  camera c = {0};
+  char why[128] = "TABLE FILE.stl SCENE PICTURE.png WHAT SHEET.png, please";
+  png_image image = {.version = PNG_IMAGE_VERSION};
+  char *scene = argc == 7 ? read_text(argv[3]) : NULL;
+  bool povray = scene && strstr(argv[3], ".pov");
+  if (!scene || !lattice_read(argv[1], &l) || !stl_read(argv[2], &mesh, why) || !png_image_begin_read_from_file(&image, argv[4]) ||
+      !(povray ? camera_povray(scene, &c) : camera_x3d(scene, &c))) {
+    printf("not ok cross/%s\n    %s%s: no picture or no camera\n", argc == 7 ? argv[5] : "", why, image.message);
+    return 2;
+  }
+  image.format = PNG_FORMAT_RGBA;
+  c.width = (int)image.width, c.height = (int)image.height;
+  size_t pixels = (size_t)image.width * image.height;
+  unsigned char *picture = malloc(PNG_IMAGE_SIZE(image)), *seen = calloc(pixels, 1), *mask = calloc(pixels, 1);
+  if (!picture || !seen || !mask || !png_image_finish_read(&image, NULL, picture, 0, NULL)) {
+    printf("not ok cross/%s\n    %s\n", argv[5], image.message);
+    return 2;
+  }
+  for (size_t i = 0; i < pixels; i++) seen[i] = povray ? picture[4 * i + 3] > 127 : picture[4 * i + 1] < 160;
+  static const double places[5][2] = {{0.5, 0.5}, {0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}};
+  for (size_t i = 0; i < mesh.count; i++)
+    for (int k = 0; k < 5; k++) fill(&c, &mesh.at[i], places[k][0], places[k][1], (unsigned char)(1 << k), mask);
+  for (size_t i = 0; i < pixels; i++) mask[i] = mask[i] == 0 ? 0 : mask[i] == 31 ? 1 : seen[i]; /* the outline passes: as the picture has it */
+
+  static long whole[CELLS_MOST], only_picture[CELLS_MOST], only_mesh[CELLS_MOST], far[CELLS_MOST];
+  for (size_t i = 0; i < pixels; i++) {
+    unsigned char *to = picture + 4 * i;
+    int x = (int)(i % image.width), y = (int)(i / image.width);
+    to[0] = to[1] = to[2] = seen[i] && mask[i] ? 190 : 255, to[3] = 255;
+    if (!seen[i] && !mask[i]) continue;
+    long at = pixel_cell(&c, &l, x, y);
+    if (at < 0 || at >= CELLS_MOST) continue;
+    whole[at] += mask[i];
+    if (seen[i] == mask[i]) continue;
+    if (seen[i]) only_picture[at]++, to[0] = 220, to[1] = to[2] = 0;
+    else only_mesh[at]++, to[0] = to[1] = 0, to[2] = 220;
+    far[at] += !near_any(&c, seen[i] ? mask : seen, x, y, 4);
+  }
+  int bad = 0;
+  for (size_t i = 0; i < l.count; i++) {
+    long n = l.cells[i].index;
+    if (strcmp(l.cells[i].lossy, "-") != 0 || n < 0 || n >= CELLS_MOST) continue;
+    bool thin = strcmp(l.cells[i].class, "curve") == 0;
+    bool good = whole[n] > 20 && (thin ? far[n] == 0 : (double)(only_picture[n] + only_mesh[n]) < 0.01 * (double)whole[n]);
+    printf("%s cross/%s:%s\n", good ? "ok" : "not ok", argv[5], l.cells[i].name);
+    if (!good) printf("    of %ld pixels %ld are only in the picture and %ld only in the mesh; %ld far from the other\n", whole[n], only_picture[n], only_mesh[n], far[n]);
+    bad |= !good;
+  }
+  if (!png_image_write_to_file(&image, argv[6], 0, picture, 0, NULL)) fprintf(stderr, "sheetview: %s\n", image.message);
+  free(picture), free(seen), free(mask), free(scene), free(mesh.at), free(l.cells);
+  return bad;
+}
