@@ -175,11 +175,13 @@ static bool convert_plane(vs_value v, vs_arg *out) {
   return true;
 }
 
-/* Flattens values (each an item or a list of lists of items) by an explicit stack of list tails; add takes one item. False: *bad is what
- * is neither, or absent and the error is set. Nothing here allocates Scheme objects, so plain locals are safe. */
+/* Flattens values (each an item or a list of lists of items) by an explicit stack of lists, each with what is left of it; add takes one item.
+ * False: *bad is what is neither, or absent and the error is set. Nothing here allocates Scheme objects, so plain locals are safe.
+ * A list that contains itself makes the stack grow for ever, its lists coming round again; so each new one is compared with the one at
+ * the highest power of two below (Brent's way). */
 static bool flatten(vs_frame *f, const vs_value *values, size_t count, bool (*add)(vs_frame *, vs_value, void *, bool *oom), void *to, vs_value *bad) {
-  vs_value fixed[32], *tails = fixed;
-  size_t room = 32;
+  struct open { vs_value list, rest; } fixed[32], *open = fixed;
+  size_t room = 32, work = 0;
   for (size_t i = 0; i < count; i++) {
     size_t depth = 0;
     vs_value v = values[i];
@@ -187,20 +189,24 @@ static bool flatten(vs_frame *f, const vs_value *values, size_t count, bool (*ad
       bool oom = false;
       if (vs_is_pair(v) || v == VS_NIL) {
         if (vs_list_length(v) < 0) return *bad = v, false;
+        size_t mark = 0;
+        for (size_t power = 1; power < depth; power *= 2) mark = power;
+        if (depth && v != VS_NIL && open[mark].list == v) return *bad = v, false;
         if (depth == room) {
-          vs_value *more = vs_bind_scratch(f, room * 2 * sizeof *more);
+          struct open *more = vs_bind_scratch(f, room * 2 * sizeof *more);
           if (!more) return *bad = VS_ABSENT, false;
-          memcpy(more, tails, room * sizeof *more);
-          tails = more, room *= 2;
+          memcpy(more, open, room * sizeof *more);
+          open = more, room *= 2;
         }
-        tails[depth++] = v;
+        open[depth++] = (struct open){ v, v };
       } else if (!add(f, v, to, &oom)) {
         return *bad = oom ? VS_ABSENT : v, false;
       }
-      while (depth > 0 && tails[depth - 1] == VS_NIL) depth--;
+      while (depth > 0 && open[depth - 1].rest == VS_NIL) depth--;
       if (depth == 0) break;
-      v = vs_car(tails[depth - 1]);
-      tails[depth - 1] = vs_cdr(tails[depth - 1]);
+      if (++work % 1024 == 0 && !vs_poll(f->vm, 1024)) return *bad = VS_ABSENT, false;
+      v = vs_car(open[depth - 1].rest);
+      open[depth - 1].rest = vs_cdr(open[depth - 1].rest);
     }
   }
   return true;

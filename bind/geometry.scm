@@ -38,11 +38,21 @@
 
 (define map-division
   (case-lambda
-    ((f a b n) (map f (division a b n)))
-    ((f a b n last?) (map f (division a b n last?)))
+    ((f a b n) (map-division f a b n #t))
+    ((f a b n last?)
+     (%need-procedure 'map-division 'f f)
+     (%need-division 'map-division a b n)
+     (map f (division a b n last?)))
     ((f u0 u1 nu v0 v1 nv)
+     (%need-procedure 'map-division 'f f)
+     (%need-division 'map-division u0 u1 nu)
+     (%need-division 'map-division v0 v1 nv)
      (let ((vs (division v0 v1 nv)))
        (map (lambda (u) (map (lambda (v) (f u v)) vs)) (division u0 u1 nu))))))
+
+(define (%need-division who a b n)
+  (if (not (and (number? a) (number? b))) (error who "a range goes from a number to a number, got ~s" (if (number? a) b a)))
+  (if (not (and (exact-integer? n) (>= n 1))) (error who "a count of steps must be an exact integer from 1 on, got ~s" n)))
 
 ; The cell with corners p and q is the first of nx by ny by nz; f makes the object about each centre.
 (define (distribute-in-space f p q nx ny nz)
@@ -138,8 +148,8 @@
       (if (or (not d) (and (real? d) (positive? d)))
           d
           (error 'current-tolerance "d must be a positive number, or #f, got ~s" d)))))
-(%host-set! 0 current-segments)
-(%host-set! 1 current-tolerance)
+(%host-set! 0 (%renamed current-segments 'current-segments))
+(%host-set! 1 (%renamed current-tolerance 'current-tolerance))
 
 ; the ready materials: their names stand for them everywhere
 (define white 'white)

@@ -30,6 +30,13 @@ for list in twice missing unknown; do
   else echo "not ok manual/language:names:$list"; tr '\n' ' ' < "$work/$list" | fold -s -w 120 | sed 's/^/    /'; echo; fi
 done
 
+# Every procedure that is called wrong says so under the name it was called by, and none runs for ever on a list without an end.
+timeout 100 "$BUILD/vs" --quiet --limit-time 60 tests/manual/wrong.vs < "$work/names" > "$work/said" 2> "$work/errors"
+grep -c '^ok ' "$work/said" > "$work/count"
+grep -A 1 '^not ok' "$work/said"
+if [ "$(cat "$work/count")" -gt 600 ] && tail -n 1 "$work/said" | grep -q 'zoom-extents'; then echo "ok manual/wrong"
+else echo "not ok manual/wrong: stopped after $(tail -n 1 "$work/said")"; sed 's/^/    /' "$work/errors" | tail -n 5; fi
+
 # One page a kind of model/prims.def, named as the kind is.
 sed -n 's/^VS_KIND([A-Z_0-9]*, [a-z_0-9]*, "\([^"]*\)".*/\1/p' model/prims.def | sort > "$work/kinds"
 ls manual/primitives | sed 's/\.md$//' | sort > "$work/pages"

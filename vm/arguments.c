@@ -54,6 +54,19 @@ static bool fail_keyword(vs *vm, vs_value name, vs_value keyword) {
   return vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s", name_of(name), name_of(keyword));
 }
 
+bool vs_fail_clauses(vs *vm, const vs_case *c, size_t got) {
+  char text[400] = "";
+  size_t used = 0;
+  vs_value who = c->count ? vs_as_code(vs_as_closure(c->clause[0])->code)->name : VS_FALSE;
+  for (size_t i = 0; i < c->count && used < sizeof text; i++) {
+    wanted w = {.used = 0};
+    const char *names = want_closure(vs_as_code(vs_as_closure(c->clause[i])->code), &w);
+    int n = snprintf(text + used, sizeof text - used, "%s%s", i ? " or" : "; it takes", *names ? names : " ()");
+    used += n < 0 ? sizeof text : (size_t)n;
+  }
+  return vs_fail(vm, vm->sym.arity, "%s cannot take %zu argument%s%s", name_of(who), got, got == 1 ? "" : "s", used < sizeof text ? text : "");
+}
+
 bool vs_arguments_fit(const vs_code *code, size_t n, vs_value kw) {
   size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count;
   return n - named >= code->required && (code->flags & VS_CODE_REST || n - named <= code->required + code->optional) && (!named || code->keywords);

@@ -10,6 +10,8 @@ bool vs_arguments_closure(vs *vm, const vs_code *code, vs_value *a, size_t n, vs
 /* *given: positional arguments; *total: slots in use afterwards */
 bool vs_arguments_native(vs *vm, const vs_native *native, vs_value *a, size_t n, vs_value kw, size_t *given, size_t *total);
 static inline bool vs_native_laid_out(const vs_native *n) { return n->def->slots > 0 || n->keywords != VS_FALSE; }
+/* no clause of a case-lambda takes so many arguments: false, the error set */
+bool vs_fail_clauses(vs *vm, const vs_case *c, size_t got);
 /* does a procedure of this shape take n arguments? */
 bool vs_arguments_fit(const vs_code *code, size_t n, vs_value kw);
 

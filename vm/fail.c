@@ -151,12 +151,12 @@ bool vs_arg_type(vs *vm, const vs_value *a, int arg, int type) {
 
 /* ---- lists ---- */
 int64_t vs_list_length(vs_value list) {
-  vs_value slow = list;
-  int64_t n = 0;
-  for (; vs_is_pair(list); list = vs_cdr(list)) {
-    if (n & 1) slow = vs_cdr(slow);
-    n++;
-    if (n > 1 && slow == vs_cdr(list)) return -1;
+  vs_value mark = list;                 /* Brent's way: one pointer walks, the other jumps to it at powers of two */
+  int64_t n = 0, jump = 2;
+  while (vs_is_pair(list)) {
+    list = vs_cdr(list);
+    if (list == mark) return -1;
+    if (n++ == jump) { mark = list; jump *= 2; }
   }
   return list == VS_NIL ? n : -1;
 }

@@ -41,10 +41,26 @@ static bool arg_list(vs *vm, const vs_value *a, int arg, int64_t *length) {
   return *length >= 0 || vs_fail_type(vm, arg, "a list", a[arg]);
 }
 
+/* The last cdr of a list that ends, in () or not, VS_ABSENT of a circular one. */
+static vs_value last_cdr(vs_value list) {
+  vs_value mark = list;                 /* Brent's way: one pointer walks, the other jumps to it at powers of two */
+  for (uint64_t n = 0, jump = 2; vs_is_pair(list); n++) {
+    list = vs_cdr(list);
+    if (list == mark && vs_is_pair(list)) return VS_ABSENT;
+    if (n == jump) { mark = list; jump *= 2; }
+  }
+  return list;
+}
+
+static bool arg_ends(vs *vm, const vs_value *a, int arg) {
+  return last_cdr(a[arg]) != VS_ABSENT || vs_fail_type(vm, arg, "a list that ends", a[arg]);
+}
+
 /* a[arg] has at least n pairs in front; leaves *at behind them */
 static bool arg_pairs(vs *vm, const vs_value *a, int arg, int64_t n, vs_value *at) {
   vs_value l = a[arg];
   for (int64_t i = 0; i < n; i++, l = vs_cdr(l)) {
+    if (!vs_is_pair(l) && l != VS_NIL) return vs_fail_type(vm, arg, "a list", a[arg]);
     if (!vs_is_pair(l)) return vs_fail(vm, vm->sym.range, "the list is too short: it has %lld elements, %lld are wanted", (long long)i, (long long)n);
     if (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_COST)) return false;
   }
@@ -272,6 +288,7 @@ static vs_status list_rest(vs *vm, vs_value *a, int n, vs_value *out) {
 static vs_status list_last_pair(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_pair(a[0])) return vs_fail_type(vm, 0, "a list of one element or more", a[0]);
+  if (!arg_ends(vm, a, 0)) return VS_ERROR;
   vs_value l = a[0];
   for (uint64_t i = 1; vs_is_pair(vs_cdr(l)); i++, l = vs_cdr(l))
     if (i % POLL_STEP == 0 && !vs_poll(vm, POLL_COST)) return VS_ERROR;
@@ -322,6 +339,7 @@ static vs_status list_append_reverse(vs *vm, vs_value *a, int n, vs_value *out) 
 static vs_status list_copy(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   LIST_MAKER(vm, r);
+  if (!arg_ends(vm, a, 0)) return VS_ERROR;
   for (uint64_t i = 1; vs_is_pair(a[0]); i++, a[0] = vs_cdr(a[0]))
     if (!maker_add(vm, r, vs_car(a[0])) || (i % POLL_STEP == 0 && !vs_poll(vm, POLL_COST))) return VS_ERROR;
   maker_end(vm, r, a[0]);
@@ -365,28 +383,34 @@ static vs_status list_split_at(vs *vm, vs_value *a, int n, vs_value *out) {
   return vs_make_values(vm, a, 2, out);
 }
 
-/* all elements of lists within lists, in order; what is no list is one element. The way back is kept as a list: no recursion. */
+/* all elements of lists within lists, in order; what is no list is one element. The way back is kept as a list: no recursion. A list that
+   contains itself would be entered for ever deeper; so each list entered is compared with the one at a depth of a power of two above. */
 static vs_status list_flatten(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   LIST_MAKER(vm, r);
-  VS_ROOTS(vm, back, 1);
-  back[0] = VS_NIL;
+  VS_ROOTS(vm, at, 3);      /* what is left, the ways back, the list to compare with */
+  at[0] = a[0]; at[1] = VS_NIL; at[2] = VS_ABSENT;
+  uint64_t depth = 0, mark = 0;
+  if (!arg_ends(vm, a, 0)) return VS_ERROR;
   for (uint64_t i = 1;; i++) {
     if (i % POLL_STEP == 0 && !vs_poll(vm, POLL_COST)) return VS_ERROR;
-    if (vs_is_pair(a[0])) {
-      vs_value first = vs_car(a[0]);
+    if (vs_is_pair(at[0])) {
+      vs_value first = vs_car(at[0]);
       if (vs_is_pair(first) || first == VS_NIL) {
-        if (!vs_cons(vm, vs_cdr(a[0]), back[0], &back[0])) return VS_ERROR;
-        a[0] = vs_car(a[0]);
+        if (last_cdr(first) == VS_ABSENT || (first == at[2] && depth >= mark)) return vs_fail_type(vm, 0, "a list that does not contain itself", a[0]);
+        if (!vs_cons(vm, vs_cdr(at[0]), at[1], &at[1])) return VS_ERROR;
+        at[0] = vs_car(at[0]);
+        if (++depth >= 2 * mark) { at[2] = at[0]; mark = depth; }
       } else {
         if (!maker_add(vm, r, first)) return VS_ERROR;
-        a[0] = vs_cdr(a[0]);
+        at[0] = vs_cdr(at[0]);
       }
     } else {
-      if (a[0] != VS_NIL && !maker_add(vm, r, a[0])) return VS_ERROR;
-      if (back[0] == VS_NIL) break;
-      a[0] = vs_car(back[0]);
-      back[0] = vs_cdr(back[0]);
+      if (at[0] != VS_NIL && !maker_add(vm, r, at[0])) return VS_ERROR;
+      if (at[1] == VS_NIL) break;
+      at[0] = vs_car(at[1]);
+      at[1] = vs_cdr(at[1]);
+      if (--depth < mark) { at[2] = VS_ABSENT; mark = 0; }
     }
   }
   *out = r[HEAD];
@@ -436,14 +460,60 @@ SEARCH(memq, BY_EQ, false) SEARCH(memv, BY_EQV, false) SEARCH(member, BY_EQUAL, 
 SEARCH(assq, BY_EQ, true) SEARCH(assv, BY_EQV, true) SEARCH(assoc, BY_EQUAL, true)
 #undef SEARCH
 
+/* ---- what the procedures in Scheme ask before they walk; `who` they ask for ---- */
+
+static vs_status fail_list(vs *vm, vs_value who, vs_value list) {
+  VS_ROOTS(vm, r, 1);
+  bool circular = last_cdr(list) == VS_ABSENT;
+  vm->native = NULL;
+  if (!vs_cons(vm, list, VS_NIL, &r[0])) return VS_ERROR;
+  return vs_fail_with(vm, vm->sym.type, r[0], circular ? "%s: expected a list that ends, got" : "%s: expected a list, got", vs_as_symbol(who)->name);
+}
+
+/* a proper list */
+static vs_status need_list(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n, (void)out;
+  int64_t length = vs_list_length(a[1]);
+  return length < 0 ? fail_list(vm, a[0], a[1]) : vs_poll(vm, (uint64_t)length);
+}
+
+/* lists to be walked together: one or more, one of them proper, none that is no list at all */
+static vs_status need_lists(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n, (void)out;
+  if (a[1] == VS_NIL) {
+    vm->native = NULL;
+    return vs_fail(vm, vm->sym.arity, "%s: a list is missing", vs_as_symbol(a[0])->name);
+  }
+  vs_value bad = VS_ABSENT;
+  bool ends = false;
+  for (vs_value l = a[1]; vs_is_pair(l); l = vs_cdr(l)) {
+    vs_value list = vs_car(l);
+    if (!vs_is_pair(list) && list != VS_NIL) return fail_list(vm, a[0], list);
+    if (!ends && vs_list_length(list) >= 0) ends = true;
+    else if (!ends && bad == VS_ABSENT) bad = list;
+  }
+  return ends || fail_list(vm, a[0], bad);
+}
+
+/* asked now and then by searches, which may stop before the end of a list that has none */
+static vs_status need_end(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n, (void)out;
+  for (vs_value l = a[1]; vs_is_pair(l); l = vs_cdr(l))
+    if (vs_list_length(vs_car(l)) >= 0 || !vs_is_pair(vs_car(l))) return VS_OK;
+  return fail_list(vm, a[0], vs_car(a[1]));
+}
+
 static const vs_native_def defs[] = {
+  { "%need-list", "who list", need_list, 0, NULL },
+  { "%need-lists", "who lists", need_lists, 0, NULL },
+  { "%need-turn", "who lists", need_end, 0, NULL },
   { "cons", "a b", list_cons, 0, "a new pair" },
   { "set-car!", "pair value", list_set_car, 0, NULL },
   { "set-cdr!", "pair value", list_set_cdr, 0, NULL },
 #define P(path) { "c" #path "r", "pair", list_c##path##r, 0, NULL },
   PATHS(P)
 #undef P
-  { "null? empty?", "x", list_null_p, 0, "is x the empty list?" },
+  { "null? empty? null-list?", "x", list_null_p, 0, "is x the empty list?" },
   { "pair? cons?", "x", list_pair_p, 0, NULL },
   { "list?", "x", list_list_p, 0, "is x a proper list?" },
   { "list", ". elements", list_list, 0, "a new list of the arguments" },
@@ -457,10 +527,10 @@ static const vs_native_def defs[] = {
   { "append-reverse append-reverse!", "list tail", list_append_reverse, 0, "(append (reverse list) tail)" },
   { "list-copy", "list", list_copy, 0, NULL },
   { "list-tail drop", "list k", list_tail, 0, "list without its first k elements" },
-  { "list-head take", "list k", list_take, 0, "the first k elements" },
+  { "list-head take take!", "list k", list_take, 0, "the first k elements" },
   { "take-right", "list k", list_take_right, 0, "the last k elements" },
-  { "drop-right", "list k", list_drop_right, 0, "list without its last k elements" },
-  { "split-at", "list k", list_split_at, 0, "two values: (take list k) (drop list k)" },
+  { "drop-right drop-right!", "list k", list_drop_right, 0, "list without its last k elements" },
+  { "split-at split-at!", "list k", list_split_at, 0, "two values: (take list k) (drop list k)" },
   { "list-ref", "list index", list_ref, 0, "the element at index, counted from 0" },
   { "list-set!", "list index value", list_set, 0, NULL },
 #define N(k, name) { #name, "list", list_##name, 0, NULL },

@@ -648,8 +648,7 @@ call: {
           vm->base = pc ? base : w + 2; vm->pc = pc;
           vm->native = NULL;
           vm->top = w + 2 + n;
-          vs_value name = c->count ? vs_as_code(vs_as_closure(c->clause[0])->code)->name : VS_FALSE;
-          vs_fail(vm, vm->sym.arity, "%s cannot take %zu argument%s", vs_is_symbol(name) ? vs_as_symbol(name)->name : "the procedure", n, n == 1 ? "" : "s");
+          vs_fail_clauses(vm, c, n);
           goto fail_above;
         }
         w[0] = c->clause[i];
@@ -674,7 +673,8 @@ call: {
           vm->base = pc ? base : w + 2; vm->pc = pc;
           vm->top = w + 2 + n;
           vm->native = NULL;
-          vs_fail(vm, vm->sym.arity, "a parameter takes no arguments, got %zu; parameterize sets it", n);
+          vs_value called = vs_as_parameter(f)->name;
+          vs_fail(vm, vm->sym.arity, "%s is a parameter and takes no arguments, got %zu; parameterize sets it", vs_is_symbol(called) ? vs_as_symbol(called)->name : "this", n);
           goto fail_above;
         }
         v = vs_parameter_value(vm, f);
