@@ -1,0 +1,34 @@
+#!/bin/sh
+# Owns how the whole way grows: 2,500 to 1,000,000 cylinders, made one by one and as rows of rows, to four formats; beside it OpenSCAD's
+# .csg of the same grid, and a Guile and a Lua program that only print the scene's text. Processor seconds and MB, and the exponent
+# of time against number. `bench/growth.sh build/vs build/measure [COUNT...]`: cylinders along a side.
+set -u
+vs=$(realpath "$1") measure=$(realpath "$2"); shift 2
+cd "$(dirname "$0")/models" || exit 1
+[ $# -gt 0 ] || set -- 50 100 316 1000
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+guile --no-auto-compile -c '(use-modules (system base compile))
+  (compile-file "printer.scm" #:output-file (cadr (command-line)) #:optimization-level 2)' "$work/printer.go" > /dev/null
+timed() { "$measure" "${RUNS:-3}" "$@" 2>&1 > "$work/text" | tail -n 1; }
+
+echo "| cylinders | what | s | MB | MB written |"
+echo "|--:|---|--:|--:|--:|"
+row() { # cylinders, what, figures, file
+  echo "$3 $(wc -c < "$4")" | awk -v n="$1" -v what="$2" '{ printf "| %d | %s | %.2f | %.0f | %.1f |\n", n, what, $1 / 1000, $3 / 1024, $4 / 1e6 }'
+}
+for count in "$@"; do
+  cylinders=$((count * count))
+  for model in separate rows; do
+    for format in pov x3d stl glb; do
+      row $cylinders "$model .$format" "$(timed "$vs" --quiet -D count="$count" $model.vs -o "$work/out.$format")" "$work/out.$format"
+    done
+  done
+  row $cylinders "printed by Guile" "$(GC_MARKERS=1 timed guile --no-auto-compile -c '(load-compiled (list-ref (command-line) 2))' "$count" "$work/printer.go")" "$work/text"
+  row $cylinders "printed by Lua" "$(timed lua5.4 printer.lua "$count")" "$work/text"
+  [ "$count" -gt 316 ] || row $cylinders "OpenSCAD .csg" "$(timed openscad -q -D count="$count" -o "$work/out.csg" grid.scad)" "$work/out.csg"
+done | tee "$work/rows"
+
+printf '\nExponents of time against number, least squares:\n\n'
+awk -F' *[|] *' '$4 + 0 > 0.02 { k = $3; x = log($2); y = log($4); n[k]++; sx[k] += x; sy[k] += y; sxx[k] += x * x; sxy[k] += x * y }
+  END { for (k in n) if (n[k] > 1) printf "- %s: %.2f\n", k, (n[k] * sxy[k] - sx[k] * sy[k]) / (n[k] * sxx[k] - sx[k] ^ 2) }' "$work/rows" | sort
