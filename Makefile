@@ -140,11 +140,13 @@ $(BUILD)/measure: bench/measure.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $< -o $@
 
-bench: ## install Guile, Lua and Chez Scheme, and time programs and start-up beside theirs: five minutes
+bench: ## install Guile, Lua and Chez Scheme, and measure beside them: programs, start-up, passes, growth: ten minutes
 	sh scripts/install.sh build bench
 	$(MAKE) all $(BUILD)/measure
 	sh bench/startup.sh $(BUILD)/vs
 	sh bench/run.sh $(BUILD)/vs $(BUILD)/measure
+	sh bench/passes.sh $(BUILD)/vs $(BUILD)/measure
+	sh bench/growth.sh $(BUILD)/vs $(BUILD)/measure
 
 # ---- installing ----
 
