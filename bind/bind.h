@@ -161,6 +161,8 @@ bool vs_bind_keep(vs_frame *f, vs_node *node);     /* releases it when the call 
 bool vs_bind_number(vs *vm, vs_value v, double *out);      /* any real number; false: not one */
 bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad); /* false: *bad is no object, or error set and *bad absent */
 
+/* For what works long in the layers below: polls; false: the condition is set. context is the vs */
+bool vs_bind_keep_going(void *vm, double done);
 /* "NAME: PARAM must be EXPECTED, got VALUE" */
 vs_status vs_bind_error(vs_frame *f, const vs_error *e); /* what a layer below said */
 /* Objects: what unions hold, each placement counted; any other operation is one. By class (index VS_CURVE ...); false: out of memory */

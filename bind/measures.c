@@ -6,7 +6,7 @@
 #include "geometry/tessellate.h"
 #include "kernel/solid.h"
 
-static bool keep_going(void *vm, double done) {
+bool vs_bind_keep_going(void *vm, double done) {
   (void)done;
   return vs_poll(vm, UINT64_C(1) << 20); /* false: the condition is set */
 }
@@ -19,7 +19,7 @@ static vs_status measure_mesh(vs_frame *f, vs_measure *m) {
   vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind) };
   if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
   if (facets.tolerance <= 0) facets.tolerance = vs_facets_tolerance(&b);
-  vs_kernel_options options = { .progress = keep_going, .context = f->vm };
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
   if (!vs_solid_evaluate(&f->arg[0].ref, 1, &facets, &options, &solid, &e)) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
   vs_mesh_measure(&solid.mesh, m);
   vs_solid_free(&solid);

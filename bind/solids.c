@@ -1,7 +1,5 @@
-/* Owns the constructors of solids and of surfaces of few faces. What collapses is the empty object, with a warning once a place. */
+/* Owns the constructors of solids. What collapses is the empty object, with a warning once a place. */
 #include "bind/bind.h"
-
-#include "geometry/polyface.h"
 
 #define REAL(i) (f->arg[i].real)
 #define POINT(i) (f->arg[i].point)
@@ -115,68 +113,5 @@ static vs_status pyramid(vs_frame *f, double top_radius, vs_value *out) {
 }
 vs_status vs_p_make_pyramid(vs_frame *f, vs_value *out) { return pyramid(f, f->arg[4].given ? REAL(4) : 0, out); }
 vs_status vs_p_make_prism(vs_frame *f, vs_value *out) { return pyramid(f, REAL(1), out); }
-
-/* ---- faces ---- */
-
-static vs_status polyface(vs_frame *f, const vs_vec3 *at, size_t points, const uint32_t *starts, const uint32_t *corner, size_t count, vs_value *out) {
-  vs_error e = { 0 };
-  if (points > UINT32_MAX || count > UINT32_MAX) return vs_fail_memory(f->vm);
-  vs_node *n = vs_polyface_make(f->bind->store, at, points, starts, count, corner, &e);
-  if (!n) return vs_bind_error(f, &e);
-  if (!vs_bind_is_empty(n)) return vs_bind_node(f, n, out);
-  vs_node_release(n);
-  return vs_bind_empty(f, "the faces have no area", out);
-}
-
-vs_status vs_p_make_polyface_mesh(vs_frame *f, vs_value *out) {
-  size_t points = f->arg[0].points.count, count = f->arg[1].faces.count;
-  const uint32_t *starts = f->arg[1].faces.starts, *corner = f->arg[1].faces.corners;
-  for (size_t i = 0; i < count; i++)
-    for (uint32_t c = starts[i]; c < starts[i + 1]; c++) {
-      if (corner[c] >= points)
-        return vs_fail(f->vm, f->vm->sym.range, "face %zu asks for point %u, but there are %zu points, counted from 1", i + 1, corner[c] + 1, points);
-      for (uint32_t o = starts[i]; o < c; o++)
-        if (corner[o] == corner[c]) return vs_fail(f->vm, f->vm->sym.range, "face %zu uses point %u twice", i + 1, corner[c] + 1);
-    }
-  if (count == 0) return vs_bind_empty(f, "there are no faces", out);
-  return polyface(f, f->arg[0].points.at, points, f->arg[1].faces.starts, f->arg[1].faces.corners, count, out);
-}
-
-vs_status vs_p_make_irregular_pyramid(vs_frame *f, vs_value *out) {
-  size_t n = f->arg[0].points.count;
-  if (n < 3) return vs_bind_refuse(f, "points", "three or more corners of the base", f->arg[0].value);
-  vs_vec3 *at = vs_bind_scratch(f, (n + 1) * sizeof *at);
-  uint32_t *starts = vs_bind_scratch(f, (n + 2) * sizeof *starts), *corner = vs_bind_scratch(f, 4 * n * sizeof *corner);
-  if (!at || !starts || !corner) return VS_ERROR;
-  memcpy(at, f->arg[0].points.at, n * sizeof *at);
-  at[n] = POINT(1);
-  vs_vec3 spread = { 0, 0, 0 }; /* six volumes, against the base's first corner */
-  for (size_t i = 1; i + 1 < n; i++) spread = vs_v3_add(spread, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
-  if (vs_v3_dot(spread, vs_v3_sub(at[n], at[0])) == 0) return vs_bind_empty(f, "the apex lies in the plane of the base", out);
-  starts[0] = 0;
-  for (size_t i = 0; i < n; i++) corner[i] = (uint32_t)(n - 1 - i); /* the base, seen from below; all of it is turned if need be */
-  starts[1] = (uint32_t)n;
-  for (size_t i = 0; i < n; i++) {
-    uint32_t *c = corner + n + 3 * i;
-    c[0] = (uint32_t)i, c[1] = (uint32_t)((i + 1) % n), c[2] = (uint32_t)n;
-    starts[i + 2] = (uint32_t)(n + 3 * (i + 1));
-  }
-  return polyface(f, at, n + 1, starts, corner, n + 1, out);
-}
-
-vs_status vs_p_make_3dface(vs_frame *f, vs_value *out) {
-  vs_vec3 at[4];
-  uint32_t n = 0, starts[3] = { 0, 3, 6 }, corner[6] = { 0, 1, 2, 0, 2, 3 };
-  for (int i = 0; i < 4; i++)
-    if (!(n && vs_v3_equal(at[n - 1], POINT(i))) && !(i == 3 && n && vs_v3_equal(at[0], POINT(i)))) at[n++] = POINT(i);
-  double a = 0, b = 0, size = 0;
-  for (uint32_t i = 1; i < n; i++) size = fmax(size, vs_v3_length(vs_v3_sub(at[i], at[0])));
-  if (n >= 3) a = vs_v3_length(vs_v3_cross(vs_v3_sub(at[1], at[0]), vs_v3_sub(at[2], at[0])));
-  if (n == 4) b = vs_v3_length(vs_v3_cross(vs_v3_sub(at[2], at[0]), vs_v3_sub(at[3], at[0])));
-  double nothing = 1e-14 * size * size;
-  if (a <= nothing && b <= nothing) return vs_bind_empty(f, "all corners are on one line", out);
-  if (n == 4 && a <= nothing) memcpy(corner, corner + 3, sizeof corner / 2), b = 0; /* one of the two triangles is nothing */
-  return polyface(f, at, n, starts, corner, n == 4 && b > nothing ? 2 : 1, out);
-}
 
 vs_status vs_p_empty_object(vs_frame *f, vs_value *out) { return vs_bind_empty(f, NULL, out); }

@@ -122,6 +122,14 @@ static bool vs_polyface_agree(vs_agreement *g, const uint32_t *starts, size_t fa
   return true;
 }
 
+bool vs_polyface_orient(const uint32_t *starts, size_t face_count, const uint32_t *corners, unsigned char *turned, bool *closed) {
+  vs_agreement g = { 0 };
+  bool ok = vs_polyface_agree(&g, starts, face_count, corners, closed);
+  if (ok) memcpy(turned, g.turned, face_count);
+  vs_agreement_free(&g);
+  return ok;
+}
+
 vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, const uint32_t *starts, size_t face_count, const uint32_t *corners, vs_error *e) {
   size_t corner_count = starts[face_count], kept_faces = 0, kept_corners = 0;
   uint32_t *place = malloc((count ? count : 1) * sizeof *place);

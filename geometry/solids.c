@@ -191,7 +191,10 @@ bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *fa
       place[i] = next++;
     } else place[i] = place[place[i]];
   }
-  for (uint32_t f = 0; ok && f < faces->count; f++) {
+  size_t tagged = out->triangle_count;
+  for (uint32_t f = 0; ok && f <= faces->count; f++) {
+    for (; out->tags && tagged < out->triangle_count; tagged++) out->tags[tagged] = f - 1; /* of the face before */
+    if (f == faces->count) break;
     size_t n = 0;
     vs_vec3 normal = vs_v3(0, 0, 0);
     for (uint32_t c = starts[f]; c < starts[f + 1]; c++) {

@@ -1,0 +1,224 @@
+/* Owns the tests of reading mesh files and of mending what they hold: one cube in every format, thousands of damaged copies of each, and broken solids.
+ * An argument multiplies the damaged copies. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "geometry/polyface.h"
+#include "geometry/repair.h"
+#include "geometry/solids.h"
+
+static size_t rounds = 1;
+
+static uint64_t drawn(uint64_t *seed) { /* xorshift: the same in every run */
+  *seed ^= *seed << 13;
+  *seed ^= *seed >> 7;
+  *seed ^= *seed << 17;
+  return *seed >> 11;
+}
+
+typedef struct { const char *name; unsigned char bytes[4096]; size_t size; } sample;
+
+static void put(sample *s, const void *bytes, size_t size) {
+  memcpy(s->bytes + s->size, bytes, size);
+  s->size += size;
+}
+static void say(sample *s, const char *text) { put(s, text, strlen(text)); }
+static void put_float(sample *s, double x) {
+  float f = (float)x;
+  put(s, &f, sizeof f); /* the tests run where the least byte is first */
+}
+
+static const unsigned char quads[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
+
+static sample make(int which) {
+  sample s = { .size = 0 };
+  char line[128];
+  static const char *const names[] = { "words.stl", "bytes.stl", "a.obj", "b.off", "words.ply", "little.ply", "colour.OFF" };
+  s.name = names[which];
+  if (which == 0) say(&s, "solid a cube of one\n");
+  if (which == 1) {
+    say(&s, "solid, though in bytes");
+    memset(s.bytes + s.size, 0, 80 - s.size);
+    s.size = 80;
+    put(&s, &(uint32_t){ 12 }, 4);
+  }
+  if (which == 3) say(&s, "OFF # a cube\n8 6 12\n");
+  if (which == 6) say(&s, "COFF\n8 6 0\n");
+  if (which == 4 || which == 5) {
+    say(&s, "ply\nformat ");
+    say(&s, which == 4 ? "ascii" : "binary_little_endian");
+    say(&s, " 1.0\ncomment made by hand\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nelement face 6\n"
+            "property list uchar int vertex_indices\nend_header\n");
+  }
+  for (int i = 0; i < 8 && which > 1; i++) {
+    double x = i & 1, y = i >> 1 & 1, z = i >> 2;
+    if (which == 5) put_float(&s, x), put_float(&s, y), put_float(&s, z), put(&s, "\xff", 1);
+    else snprintf(line, sizeof line, "%s%g %g %g%s\n", which == 2 ? "v " : "", x, y, z, which == 4 ? " 255" : which == 6 ? " 1 0 0 1" : ""), say(&s, line);
+  }
+  for (int f = 0; f < 6; f++) {
+    const unsigned char *q = quads[f];
+    if (which < 2)
+      for (int half = 0; half < 2; half++) {
+        unsigned char t[3] = { q[0], q[half + 1], q[half + 2] };
+        if (which == 0) say(&s, "facet normal nan 0 0\n outer loop\n");
+        else for (int k = 0; k < 3; k++) put_float(&s, 0);
+        for (int k = 0; k < 3; k++) {
+          double x = t[k] & 1, y = t[k] >> 1 & 1, z = t[k] >> 2;
+          if (which == 0) snprintf(line, sizeof line, "  vertex %g %g %g\n", x, y, z), say(&s, line);
+          else put_float(&s, x), put_float(&s, y), put_float(&s, z);
+        }
+        if (which == 0) say(&s, " endloop\nendfacet\n");
+        else put(&s, "\0\0", 2);
+      }
+    else if (which == 2) snprintf(line, sizeof line, f % 2 ? "f %d/1/2 %d/3 \\\n %d//4 %d # side\n" : "f %d %d %d %d\n", q[0] + 1, q[1] + 1, f == 2 ? q[2] - 8 : q[2] + 1, q[3] + 1), say(&s, line);
+    else if (which == 5) {
+      put(&s, "\4", 1);
+      for (int k = 0; k < 4; k++) put(&s, &(int32_t){ q[k] }, 4);
+    } else snprintf(line, sizeof line, "4 %d %d %d %d%s\n", q[0], q[1], q[2], q[3], which == 4 ? "" : " 1 0 0"), say(&s, line);
+  }
+  if (which == 0) say(&s, "endsolid a cube of one\n");
+  return s;
+}
+
+/* A list's triangles are a closed chain. */
+static double chain_volume(const vs_face_list *l) {
+  vs_mesh m = { 0 };
+  for (size_t i = 0; i < l->point_count; i++) assert_true(vs_mesh_add_vertex(&m, l->points[i], NULL));
+  for (size_t f = 0; f < l->face_count; f++)
+    for (uint32_t c = l->starts[f] + 1; c + 1 < l->starts[f + 1]; c++) assert_true(vs_mesh_add_triangle(&m, l->corners[l->starts[f]], l->corners[c], l->corners[c + 1]));
+  assert_true(vs_mesh_closed(&m, NULL));
+  double volume = vs_mesh_volume(&m);
+  vs_mesh_free(&m);
+  return volume;
+}
+
+static void every_format(void **state) {
+  (void)state;
+  for (int which = 0; which < 7; which++) {
+    sample s = make(which);
+    vs_face_list l = { 0 };
+    vs_error e = { 0 };
+    vs_open_edges open;
+    if (!vs_mesh_file_read(s.name, s.bytes, s.size, NULL, NULL, &l, &e)) fail_msg("%s", e.message);
+    assert_int_equal(l.face_count, which < 2 ? 12 : 6);
+    assert_true(vs_face_list_compact(&l));
+    assert_int_equal(l.point_count, 8);
+    assert_true(vs_face_list_open(&l, &open) && open.count == 0);
+    assert_true(chain_volume(&l) == 1);
+    vs_face_list_free(&l);
+  }
+}
+
+static void damaged_files(void **state) {
+  (void)state;
+  uint64_t seed = 88172645463325252u;
+  size_t read = 0, refused = 0;
+  for (size_t round = 0; round < 400 * rounds; round++)
+    for (int which = 0; which < 7; which++) {
+      sample s = make(which);
+      for (uint64_t n = 1 + drawn(&seed) % 4; n > 0; n--) {
+        size_t at = (size_t)(drawn(&seed) % s.size);
+        switch (drawn(&seed) % 7) {
+          case 0: s.bytes[at] = (unsigned char)drawn(&seed); break;
+          case 1: s.bytes[at] ^= (unsigned char)(1u << drawn(&seed) % 8); break;
+          case 2: s.size = at + 1; break;
+          case 3: memmove(s.bytes + at, s.bytes + at + 1, s.size - at - 1), s.size -= s.size > 1; break;
+          case 4: s.bytes[at] = (unsigned char)"0123456789-. \nef"[drawn(&seed) % 16]; break;
+          case 5: if (at + 4 < s.size) memset(s.bytes + at, drawn(&seed) % 2 ? 0xff : 0x7f, 4); break;
+          default: { /* a piece again, somewhere else */
+            size_t from = (size_t)(drawn(&seed) % s.size), size = (size_t)(drawn(&seed) % 40);
+            if (from + size < s.size && at + size < s.size) memmove(s.bytes + at, s.bytes + from, size);
+          }
+        }
+      }
+      unsigned char *exact = malloc(s.size); /* so that reading past the end is seen */
+      memcpy(exact, s.bytes, s.size);
+      vs_face_list l = { 0 };
+      vs_error e = { 0 };
+      if (vs_mesh_file_read(s.name, exact, s.size, NULL, NULL, &l, &e)) {
+        vs_repair_notes notes;
+        vs_open_edges open;
+        read++;
+        assert_true(vs_face_list_open(&l, &open));
+        assert_true(vs_face_list_repair(&l, &notes));
+        if (l.face_count) chain_volume(&l);
+      } else {
+        assert_true(e.kind == VS_ERROR_MODEL && !strncmp(e.message, s.name, strlen(s.name)));
+        refused++;
+      }
+      vs_face_list_free(&l);
+      free(exact);
+    }
+  assert_true(read > 300 && refused > 300);
+}
+
+static vs_face_list list_of(const vs_mesh *m) {
+  vs_face_list l = { 0 };
+  for (size_t i = 0; i < m->vertex_count; i++) assert_true(vs_face_list_point(&l, m->vertices[i]));
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    for (int k = 0; k < 3; k++) assert_true(vs_face_list_corner(&l, m->triangles[i][k]));
+    assert_true(vs_face_list_close(&l));
+  }
+  return l;
+}
+
+/* Balls with faces left out, turned, doubled, and with their points torn apart: mended, their volume is nearly what it was. */
+static void broken_solids(void **state) {
+  (void)state;
+  uint64_t seed = 5;
+  for (size_t round = 0; round < 60 * rounds; round++) {
+    vs_mesh ball = { 0 }, hollow = { 0 };
+    vs_repair_notes notes;
+    assert_true(vs_solid_sphere(&ball, vs_v3(100, 0, 0), 1, 32));
+    double volume = vs_mesh_volume(&ball);
+    vs_face_list whole = list_of(&ball), l = { 0 };
+    if (round % 3 == 0) { /* a cavity */
+      assert_true(vs_solid_sphere(&hollow, vs_v3(100, 0, 0), 0.5, 32));
+      volume -= vs_mesh_volume(&hollow);
+      for (size_t i = 0; i < hollow.triangle_count; i++) {
+        for (int k = 2; k >= 0; k--) assert_true(vs_face_list_point(&whole, hollow.vertices[hollow.triangles[i][k]]) && vs_face_list_corner(&whole, (uint32_t)whole.point_count - 1));
+        assert_true(vs_face_list_close(&whole));
+      }
+    }
+    size_t dropped = 0;
+    bool first = true;
+    for (size_t f = 0; f < whole.face_count; f++) {
+      uint64_t fate = first || f == ball.triangle_count ? 99 : drawn(&seed) % 60; /* the first face of a shell says which way it looks */
+      first = false;
+      if (fate == 0 && dropped < 20) {
+        dropped++;
+        continue;
+      }
+      for (int again = 0; again < (fate == 1 ? 2 : 1); again++) {
+        for (int k = 0; k < 3; k++) {
+          vs_vec3 p = whole.points[whole.corners[whole.starts[f] + (fate == 2 ? 2 - (uint32_t)k : (uint32_t)k)]];
+          p.x += (double)(drawn(&seed) % 3) * 1e-8;
+          assert_true(vs_face_list_point(&l, p) && vs_face_list_corner(&l, (uint32_t)l.point_count - 1));
+        }
+        assert_true(vs_face_list_close(&l));
+      }
+    }
+    assert_true(vs_face_list_repair(&l, &notes));
+    double got = chain_volume(&l);
+    if (fabs(got - volume) > 0.05) fail_msg("round %zu: volume %g, not %g: %zu welded, %zu dropped, %zu turned, %zu holes", round, got, volume, notes.welded, notes.dropped, notes.turned, notes.holes);
+    assert_true(dropped == 0 || notes.holes > 0);
+    vs_mesh_free(&ball);
+    vs_mesh_free(&hollow);
+    vs_face_list_free(&whole);
+    vs_face_list_free(&l);
+  }
+}
+
+int main(int argc, char **argv) {
+  if (argc > 1) rounds = (size_t)strtoul(argv[1], NULL, 10);
+  const struct CMUnitTest tests[] = { cmocka_unit_test(every_format), cmocka_unit_test(damaged_files), cmocka_unit_test(broken_solids) };
+  return cmocka_run_group_tests_name("mesh files and mending", tests, NULL, NULL);
+}
