@@ -142,16 +142,32 @@ bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_
   for (int i = 0; i < 3; i++) oa += (vs_i128)p->n[i] * a[i], ob += (vs_i128)p->n[i] * b[i];
   vs_i128 w = oa - ob;
   if (w == 0) return false;
+  for (int i = 0; i < 3; i++) { /* along an axis to a plane across it: models are full of these */
+    int j = (i + 1) % 3, l = (i + 2) % 3;
+    if (a[j] != b[j] || a[l] != b[l] || p->n[i] != 1 || p->n[j] || p->n[l]) continue;
+    wide_from(out->x[i], VS_LIMBS, p->d);
+    wide_from(out->x[j], VS_LIMBS, a[j]);
+    wide_from(out->x[l], VS_LIMBS, a[l]);
+    wide_from(out->w, VS_LIMBS, 1);
+    return true;
+  }
   int sign = w < 0 ? -1 : 1;
   for (int i = 0; i < 3; i++) wide_from(out->x[i], VS_LIMBS, (b[i] * oa - a[i] * ob) * sign);
   wide_from(out->w, VS_LIMBS, w * sign);
   return true;
 }
 
+static bool across(const vs_plane *p) { return !p->n[(p->k + 1) % 3] && !p->n[(p->k + 2) % 3]; } /* an axis */
+
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out) {
   const vs_plane *s[3] = { p, q, r };
   uint64_t t[VS_LIMBS], a[2], b[2];
   memset(out, 0, sizeof *out);
+  if (p->n[p->k] == 1 && q->n[q->k] == 1 && r->n[r->k] == 1 && (1 << p->k | 1 << q->k | 1 << r->k) == 7 && across(p) && across(q) && across(r)) {
+    for (int i = 0; i < 3; i++) wide_from(out->x[s[i]->k], VS_LIMBS, s[i]->d);
+    out->w[0] = 1;
+    return true;
+  }
   for (int j = 0; j < 3; j++) {
     const vs_plane *x = s[(j + 1) % 3], *y = s[(j + 2) % 3];
     wide_from(a, 2, s[j]->d);
@@ -177,6 +193,10 @@ bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_
 
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]) {
   bool exact = true;
+  if (h->w[0] == 1 && !h->w[1] && !h->w[2]) { /* on the grid */
+    for (int i = 0; i < 3; i++) fixed[i] = (int64_t)(h->x[i][0] << VS_FIXED_BITS);
+    return true;
+  }
   double w = wide_double(h->w, VS_LIMBS);
   for (int i = 0; i < 3; i++) {
     uint64_t x[4], r[4], t[4], q[1];

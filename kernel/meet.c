@@ -91,15 +91,16 @@ static bool ends(chunk *m, const vs_patch *a, const int8_t *side, const vs_patch
       widen(m, at, (uint32_t)m->ends.count - first);
       if (!VS_PUSH(m->k, m->ends, ((end){ x[i].point, VS_NONE }))) return false;
     } else if (side[i] * side[j] < 0) {
-      int low = 0, high = 0;
-      for (uint32_t e = 0; e < b->count && low * high == 0; e++) {
-        int s = vs_orient3d(x[i].at, x[j].at, y[e].at, y[e + 1 == b->count ? 0 : e + 1].at);
-        if (s < 0) low = -1;
-        if (s > 0) high = 1;
-      }
-      if (low * high != 0) continue;
       double u = (double)height(plane, x[i].at), v = (double)height(plane, x[j].at), t = u / (u - v), at[3];
-      for (int e = 0; e < 3; e++) at[e] = x[i].at[e] + t * ((double)x[j].at[e] - x[i].at[e]);
+      for (int e = 0; e < 3; e++) at[e] = x[i].at[e] + t * ((double)x[j].at[e] - x[i].at[e]); /* right to 2^-24 steps: u and v are but for rounding */
+      bool inside = true;
+      for (uint32_t e = 0; inside && e < b->count; e++) {
+        const int32_t *p = y[e].at, *q = y[e + 1 == b->count ? 0 : e + 1].at;
+        double left = (((double)q[plane->u] - p[plane->u]) * (at[plane->v] - p[plane->v]) - ((double)q[plane->v] - p[plane->v]) * (at[plane->u] - p[plane->u])) * turn;
+        if (left > 64) continue; /* its error is below 2^27 * 2^-24 twice */
+        inside = left >= -64 && vs_orient3d(x[i].at, x[j].at, p, q) * side[i] * turn <= 0;
+      }
+      if (!inside) continue;
       widen(m, at, (uint32_t)m->ends.count - first);
       if (!VS_PUSH(m->k, m->ends, ((end){ VS_NONE, i << 1 | second }))) return false; /* made into a point below */
     }
