@@ -233,7 +233,7 @@ bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs
   
   vs_kernel_leaf leaf = { mesh, vs_affine_identity(), 0, false };
   vs_kernel_term term = { VS_TERM_LEAF, 0, 0 };
-  vs_kernel_problem problem = { &leaf, &term, NULL, 1, 1, 0 };
+  vs_kernel_problem problem = { .leaves = &leaf, .terms = &term, .leaf_count = 1, .term_count = 1 };
   uint32_t only = 0;
   vs_parts parts = { .all = { 0 } };
   vs_expression e = { .root = 0 };
@@ -252,6 +252,6 @@ bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs
 bool vs_kernel_resolve(const vs_mesh *mesh, uint32_t tag, const vs_kernel_options *options, vs_mesh *out, vs_kernel_error *error) {
   vs_kernel_leaf leaf = { mesh, vs_affine_identity(), tag, false };
   vs_kernel_term term = { VS_TERM_LEAF, 0, 0 };
-  vs_kernel_problem problem = { &leaf, &term, NULL, 1, 1, 0 };
+  vs_kernel_problem problem = { .leaves = &leaf, .terms = &term, .leaf_count = 1, .term_count = 1 };
   return vs_kernel_evaluate(&problem, options, out, error);
 }

@@ -3,6 +3,7 @@
  * Leaves whose boxes are apart cannot meet, so each cluster has its own frame and grid. The one expression serves all: in a cluster's cells the
  * leaves of the others are outside. */
 #include "kernel/cluster.h"
+#include "kernel/copies.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -174,36 +175,122 @@ static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
   return true;
 }
 
+static bool no_room(vs_kernel *k) { return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); }
+
 static bool want_tags(vs_kernel *k, vs_mesh *m) {
   if (m->tags || (vs_mesh_reserve(m, 0, m->triangle_count + 1) && (m->tags = calloc(m->triangle_room, sizeof *m->tags)) != NULL)) return true;
-  return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+  return no_room(k);
 }
 
-bool vs_kernel_evaluate(const vs_kernel_problem *p, const vs_kernel_options *options, vs_mesh *out, vs_kernel_error *error) {
+/* Where the results go: all into one mesh, or each original into its own. */
+typedef struct {
+  vs_mesh *one;
+  vs_kernel_copies *many;
+  VS_LIST(size_t) ranges;  /* of originals in `one`: first vertex and triangle, and how many of both */
+  VS_LIST(uint32_t) tags;  /* an original's tag -> the copy's */
+} sink;
+
+/* The original again, elsewhere. */
+static bool repeat(vs_kernel *k, vs_mesh *m, const size_t range[4], const uint32_t *tags, const vs_affine *map) {
+  size_t vertices = m->vertex_count, triangles = m->triangle_count, limit = k->options ? k->options->max_triangles : 0;
+  size_t more_vertices = vertices + range[2], more = triangles + range[3]; /* grown in large steps: copies come in thousands */
+  if (limit && more > limit) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
+  if ((more_vertices > m->vertex_room || more > m->triangle_room) && !vs_mesh_reserve(m, more_vertices + more_vertices / 2, more + more / 2)) return no_room(k);
+  uint32_t shift = (uint32_t)(vertices - range[0]);
+  for (size_t i = 0; i < range[2]; i++) m->vertices[vertices + i] = m->vertices[range[0] + i];
+  for (size_t i = 0; i < range[3]; i++) {
+    for (int j = 0; j < 3; j++) m->triangles[triangles + i][j] = m->triangles[range[1] + i][j] + shift;
+    m->tags[triangles + i] = tags[m->tags[range[1] + i]];
+  }
+  m->vertex_count = more_vertices;
+  m->triangle_count = more;
+  vs_mesh_transform_from(m, map, vertices, triangles);
+  return vs_kernel_report(k, 0);
+}
+
+static bool add_mesh(vs_kernel *k, vs_kernel_copies *c, vs_mesh **made) {
+  if (!VS_ROOM(k, c->meshes, c->mesh_room, c->mesh_count + 1)) return false;
+  *made = &c->meshes[c->mesh_count++];
+  **made = (vs_mesh){ 0 };
+  return want_tags(k, *made);
+}
+
+static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, const uint32_t *leaves, uint32_t count) {
+  uint32_t original;
+  bool is_new;
+  vs_affine map = vs_affine_identity();
+  if (!vs_copies_find(k, copies, leaves, count, &original, &is_new, &map)) return false;
+  if (to->many) {
+    vs_mesh *made;
+    if (is_new && (!add_mesh(k, to->many, &made) || !run_cluster(k, w, leaves, count, made))) return false;
+    if (to->many->meshes[original].triangle_count == 0) return true;
+    return VS_ROOM(k, to->many->copies, to->many->copy_room, to->many->copy_count + 1) &&
+           (to->many->copies[to->many->copy_count++] = (vs_kernel_copy){ original, map }, true);
+  }
+  if (!is_new) { /* a copy may have other tags, of the same paint */
+    const vs_original *o = &copies->originals.at[original];
+    for (uint32_t i = 0; i < count; i++) {
+      uint32_t from = w->problem->leaves[o->leaves[i]].tag;
+      if (from >= to->tags.count && !VS_ROOM(k, to->tags.at, to->tags.room, (size_t)from + 1)) return false;
+      to->tags.count = to->tags.count > from ? to->tags.count : (size_t)from + 1;
+      to->tags.at[from] = w->problem->leaves[leaves[i]].tag;
+    }
+    return repeat(k, to->one, to->ranges.at + 4 * (size_t)original, to->tags.at, &map);
+  }
+  size_t vertices = to->one->vertex_count, triangles = to->one->triangle_count;
+  return run_cluster(k, w, leaves, count, to->one) && VS_PUSH(k, to->ranges, vertices) && VS_PUSH(k, to->ranges, triangles) &&
+         VS_PUSH(k, to->ranges, to->one->vertex_count - vertices) && VS_PUSH(k, to->ranges, to->one->triangle_count - triangles);
+}
+
+static bool evaluate(const vs_kernel_problem *p, const vs_kernel_options *options, sink *to, vs_kernel_error *error) {
   vs_kernel_error ignored;
   vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = vs_kernel_threads(options) };
   k.error->status = VS_KERNEL_FINE;
   k.error->leaf = 0;
   k.error->message[0] = 0;
-  size_t vertices = out->vertex_count, triangles = out->triangle_count;
   whole w = { .problem = p, .gate = vs_bounds_empty() };
+  vs_copies copies = { .problem = p };
   vs_bounds *bounds = NULL;
   uint32_t *parent = NULL, *order = NULL, n = 0;
   size_t parent_room = 0, order_room = 0, bounds_room = 0, most_leaves = (size_t)p->leaf_count + 1;
   bool ok = VS_ROOM(&k, parent, parent_room, most_leaves) && VS_ROOM(&k, order, order_room, most_leaves) && VS_ROOM(&k, bounds, bounds_room, most_leaves) &&
-            want_tags(&k, out) && vs_expression_build(&k, &w.expression, p) && find_clusters(&k, p, bounds, parent, order, &n) &&
-            find_gate(&k, &w, bounds) && vs_parts_prepare(&k, &w.parts, p);
+            (to->many || want_tags(&k, to->one)) && vs_expression_build(&k, &w.expression, p) && find_clusters(&k, p, bounds, parent, order, &n) &&
+            find_gate(&k, &w, bounds) && vs_parts_prepare(&k, &w.parts, p) && vs_copies_begin(&k, &copies, p, &w.parts, &w.expression);
   VS_FREE(&k, bounds, bounds_room);
   for (uint32_t i = 0, end; ok && i < n; i = end) {
     for (end = i + 1; end < n && parent[end] == parent[i];) end++;
     k.done = (double)i / n;
     k.share = (double)(end - i) / n;
-    ok = run_cluster(&k, &w, order + i, end - i, out);
+    ok = give_cluster(&k, &w, &copies, to, order + i, end - i);
   }
+  VS_DROP(&k, to->ranges);
+  VS_DROP(&k, to->tags);
+  vs_copies_free(&k, &copies);
   vs_expression_free(&k, &w.expression);
   vs_parts_free(&k, &w.parts);
   VS_FREE(&k, parent, parent_room);
   VS_FREE(&k, order, order_room);
-  if (!ok) out->vertex_count = vertices, out->triangle_count = triangles;
   return ok;
+}
+
+bool vs_kernel_evaluate(const vs_kernel_problem *p, const vs_kernel_options *options, vs_mesh *out, vs_kernel_error *error) {
+  size_t vertices = out->vertex_count, triangles = out->triangle_count;
+  if (evaluate(p, options, &(sink){ .one = out }, error)) return true;
+  out->vertex_count = vertices;
+  out->triangle_count = triangles;
+  return false;
+}
+
+bool vs_kernel_evaluate_copies(const vs_kernel_problem *p, const vs_kernel_options *options, vs_kernel_copies *out, vs_kernel_error *error) {
+  *out = (vs_kernel_copies){ .mesh_count = 0 };
+  if (evaluate(p, options, &(sink){ .many = out }, error)) return true;
+  vs_kernel_copies_free(out);
+  return false;
+}
+
+void vs_kernel_copies_free(vs_kernel_copies *c) {
+  for (size_t i = 0; i < c->mesh_count; i++) vs_mesh_free(&c->meshes[i]);
+  free(c->meshes);
+  free(c->copies);
+  *c = (vs_kernel_copies){ .mesh_count = 0 };
 }

@@ -10,7 +10,7 @@
 typedef struct {
   const vs_mesh *mesh;  /* closed, counter-clockwise seen from outside; may be shared by leaves; may cross itself (overlaps count as inside) */
   vs_affine placement;
-  uint32_t tag;         /* the result's triangles carry it; coplanar faces of equal tag are merged */
+  uint32_t tag;         /* the result's triangles carry it; coplanar faces of equal tag, or equal paint, are merged */
   bool bare;            /* where it is taken off something, the faces it makes have that thing's tag instead of its own */
 } vs_kernel_leaf;
 
@@ -26,6 +26,7 @@ typedef struct {
   const vs_kernel_term *terms;
   const uint32_t *operands;
   uint32_t leaf_count, term_count, operand_count;
+  const uint32_t *paints; /* of each tag, or NULL: each its own; where faces of several tags become one, that has one of them */
 } vs_kernel_problem;
 
 typedef struct {
@@ -45,6 +46,18 @@ typedef struct {
   uint32_t leaf;        /* OPEN, INSIDE_OUT, NOT_FINITE: which one */
   char message[200];    /* plain English without a place */
 } vs_kernel_error;
+
+/* A result in which clusters that are copies of each other stand once: mesh and placement of each, in the order of their first leaves. */
+typedef struct { uint32_t mesh; vs_affine place; } vs_kernel_copy;
+typedef struct {
+  vs_mesh *meshes;
+  vs_kernel_copy *copies;
+  size_t mesh_count, mesh_room, copy_count, copy_room;
+} vs_kernel_copies;
+
+/* out need not be initialised; it is empty after a failure. Copies do not meet each other. */
+bool vs_kernel_evaluate_copies(const vs_kernel_problem *problem, const vs_kernel_options *options, vs_kernel_copies *out, vs_kernel_error *error);
+void vs_kernel_copies_free(vs_kernel_copies *c);
 
 /* Appends to out (tags filled; a closed chain by index, oriented, free of T-junctions). options may be NULL. On false, out is as before. */
 bool vs_kernel_evaluate(const vs_kernel_problem *problem, const vs_kernel_options *options, vs_mesh *out, vs_kernel_error *error);

@@ -1,4 +1,4 @@
-/* Owns the result's mesh: coplanar faces of one tag merged, needless corners dropped, what is left triangulated and turned to the outside.
+/* Owns the result's mesh: coplanar faces of one paint merged, needless corners dropped, what is left triangulated and turned to the outside.
  *
  * A corner is needless where exactly two borders of merged faces end, with the same faces beside both, in one line: every face there drops
  * it alike, so no T-junction appears. A facet that nothing touched and nothing merged with keeps its own triangles. */
@@ -23,7 +23,9 @@ typedef struct {
 
 static const vs_use *use_at(const writer *w, size_t i) { return &w->c->uses.at[w->uses.at[i]]; }
 
-/* Merges over the edges between two coplanar faces of one tag that look the same way; the other edges stay. */
+static bool same_paint(const vs_kernel_problem *p, uint32_t a, uint32_t b) { return a == b || (p->paints && p->paints[a] == p->paints[b]); }
+
+/* Merges over the edges between two coplanar faces of one paint that look the same way; the other edges stay. */
 static bool merge(writer *w) {
   vs_cluster *c = w->c;
   vs_kernel *k = w->k;
@@ -44,7 +46,7 @@ static bool merge(writer *w) {
     if (end - i == 2) {
       const vs_use *b = use_at(w, i + 1);
       const vs_face *f = &c->faces.at[a->face], *g = &c->faces.at[b->face];
-      if (f->plane == g->plane && c->kept.at[a->face] == c->kept.at[b->face] && f->tag == g->tag && a->from == b->to) {
+      if (f->plane == g->plane && c->kept.at[a->face] == c->kept.at[b->face] && same_paint(c->problem, f->tag, g->tag) && a->from == b->to) {
         vs_unite(w->parent.at, a->face, b->face);
         w->whole.at[a->face] = w->whole.at[b->face] = 0;
         continue;

@@ -16,6 +16,7 @@ enum { BUCKETS = 4096 };
 typedef struct {
   vs_affine placement;
   const vs_material *material;
+  const char *layer; /* interned */
   size_t first;    /* of its operands in `pending` */
   bool difference; /* its operands past the first are taken off */
   bool off;        /* what stands here makes the whole smaller */
@@ -33,7 +34,9 @@ typedef struct {
   VS_LIST(uint32_t) pending;          /* terms that wait for their operation */
   VS_LIST(level) levels;              /* of the nodes the walk is in */
   VS_LIST(meshed) meshes;
-  VS_LIST(const vs_material *) parts;
+  VS_LIST(vs_solid_part) parts;
+  VS_LIST(uint32_t) paints;           /* of each part: the first that has its material and layer */
+  VS_LIST(uint32_t) part_table, paint_table; /* of parts, open addressing; one more, 0 free */
   size_t buckets[BUCKETS];            /* of meshes by hash; one more */
   VS_LIST(uint32_t) twins;            /* leaves by mesh, placement, paint and side, open addressing; one more, 0 free */
   VS_LIST(uint8_t) off;               /* of each leaf: level.off */
@@ -59,14 +62,40 @@ static bool close_term(builder *b, vs_term_kind kind, size_t first) {
   return add_term(b, kind, (uint32_t)at, count);
 }
 
-static bool part_of(builder *b, const vs_material *m, uint32_t *tag) {
-  for (size_t i = b->parts.count; i-- > 0;)
-    if (b->parts.at[i] == m) {
-      *tag = (uint32_t)i;
-      return true;
+static bool same_part(const vs_solid_part *a, const vs_solid_part *b, bool leaf) {
+  return a->material == b->material && a->layer == b->layer && (!leaf || a->leaf.origin == b->leaf.origin);
+}
+
+static size_t part_slot(const builder *b, const uint32_t *table, size_t count, const vs_solid_part *part, bool leaf) {
+  uint64_t h = ((uint64_t)(uintptr_t)part->material >> 4) * 0x9e3779b97f4a7c15u + (leaf ? (uint64_t)(uintptr_t)part->leaf.origin >> 4 : 0);
+  h = (h ^ h >> 29) * 0xbf58476d1ce4e5b9u;
+  size_t mask = count - 1, i = (size_t)(h >> 20) & mask;
+  while (table[i] && !same_part(&b->parts.at[table[i] - 1], part, leaf)) i = (i + 1) & mask;
+  return i;
+}
+
+static bool part_of(builder *b, const vs_solid_part *part, uint32_t *tag) {
+  if (b->parts.count * 2 >= b->part_table.count) {
+    size_t slots = b->part_table.count ? b->part_table.count * 2 : 64;
+    if (!VS_ROOM(&b->k, b->part_table.at, b->part_table.room, slots) || !VS_ROOM(&b->k, b->paint_table.at, b->paint_table.room, slots)) return false;
+    memset(b->part_table.at, 0, slots * sizeof(uint32_t));
+    memset(b->paint_table.at, 0, slots * sizeof(uint32_t));
+    b->part_table.count = slots;
+    for (uint32_t i = 0; i < b->parts.count; i++) {
+      b->part_table.at[part_slot(b, b->part_table.at, slots, &b->parts.at[i], true)] = i + 1;
+      size_t paint = part_slot(b, b->paint_table.at, slots, &b->parts.at[i], false);
+      if (!b->paint_table.at[paint]) b->paint_table.at[paint] = i + 1;
     }
-  *tag = (uint32_t)b->parts.count;
-  return VS_PUSH(&b->k, b->parts, m);
+  }
+  size_t slot = part_slot(b, b->part_table.at, b->part_table.count, part, true), paint = part_slot(b, b->paint_table.at, b->part_table.count, part, false);
+  if (!b->part_table.at[slot]) {
+    if (!VS_PUSH(&b->k, b->parts, *part) || !VS_PUSH(&b->k, b->paints, 0u)) return false;
+    b->part_table.at[slot] = (uint32_t)b->parts.count;
+    if (!b->paint_table.at[paint]) b->paint_table.at[paint] = (uint32_t)b->parts.count;
+    b->paints.at[b->parts.count - 1] = b->paint_table.at[paint] - 1;
+  }
+  *tag = b->part_table.at[slot] - 1;
+  return true;
 }
 
 static bool mesh_of(builder *b, const vs_ref *ref, const vs_facets *facets, vs_mesh **mesh, uint32_t *number) {
@@ -99,8 +128,8 @@ static bool mesh_of(builder *b, const vs_ref *ref, const vs_facets *facets, vs_m
   return false;
 }
 
-static uint64_t leaf_hash(const vs_kernel_leaf *leaf, bool off) {
-  uint64_t h = (uint64_t)(uintptr_t)leaf->mesh ^ ((uint64_t)leaf->tag << 1 | off) << 40;
+static uint64_t leaf_hash(const builder *b, const vs_kernel_leaf *leaf, bool off) {
+  uint64_t h = (uint64_t)(uintptr_t)leaf->mesh ^ ((uint64_t)b->paints.at[leaf->tag] << 1 | off) << 40;
   for (int i = 0; i < 12; i++) {
     double x = leaf->placement.m[i / 4][i % 4] + 0.0; /* -0 is 0 */
     uint64_t bits;
@@ -111,18 +140,18 @@ static uint64_t leaf_hash(const vs_kernel_leaf *leaf, bool off) {
   return h;
 }
 
-static bool leaf_same(const vs_kernel_leaf *a, const vs_kernel_leaf *b) {
+static bool leaf_same(const builder *owner, const vs_kernel_leaf *a, const vs_kernel_leaf *b) {
   for (int i = 0; i < 12; i++)
     if (a->placement.m[i / 4][i % 4] != b->placement.m[i / 4][i % 4]) return false;
-  return a->mesh == b->mesh && a->tag == b->tag;
+  return a->mesh == b->mesh && owner->paints.at[a->tag] == owner->paints.at[b->tag];
 }
 
 /* where the leaf stands in `twins`, or the free place for it */
 static size_t twin_slot(const builder *b, const vs_kernel_leaf *leaf, bool off) {
-  size_t mask = b->twins.count - 1, i = (size_t)leaf_hash(leaf, off) & mask;
+  size_t mask = b->twins.count - 1, i = (size_t)leaf_hash(b, leaf, off) & mask;
   for (; b->twins.at[i]; i = (i + 1) & mask) {
     uint32_t other = b->twins.at[i] - 1;
-    if (b->off.at[other] == off && leaf_same(&b->leaves.at[other], leaf)) break;
+    if (b->off.at[other] == off && leaf_same(b, &b->leaves.at[other], leaf)) break;
   }
   return i;
 }
@@ -142,7 +171,7 @@ static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
   vs_mesh *mesh = NULL;
   if (b->leaves.count >= UINT32_MAX - 1) return full(b);
   uint32_t number = 0;
-  if (!mesh_of(b, ref, &facets, &mesh, &number) || !part_of(b, at->material, &leaf.tag)) return false;
+  if (!mesh_of(b, ref, &facets, &mesh, &number) || !part_of(b, &(vs_solid_part){ at->material, at->layer, *ref }, &leaf.tag)) return false;
   leaf.mesh = mesh;
   if ((b->leaves.count + 1) * 2 > b->twins.count && !twins_grow(b)) return false;
   size_t slot = twin_slot(b, &leaf, at->off);
@@ -200,15 +229,17 @@ static role role_of(const vs_node *n) {
 
 static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
   const vs_node *n = ref->node;
-  level now = { vs_affine_identity(), NULL, b->pending.count, n->kind == VS_DIFFERENCE, false };
+  level now = { vs_affine_identity(), NULL, NULL, b->pending.count, n->kind == VS_DIFFERENCE, false };
   if (b->levels.count) {
     const level *up = &b->levels.at[b->levels.count - 1];
     now.placement = up->placement;
     now.material = up->material;
+    now.layer = up->layer;
     now.off = up->off != (up->difference && b->pending.count > up->first);
   }
   if (n->kind == VS_TRANSFORM) now.placement = vs_affine_multiply(&now.placement, &VS_AS(transform, n)->matrix);
   if (n->kind == VS_MATERIAL) now.material = VS_AS(material, n)->material;
+  if (n->kind == VS_LAYER) now.layer = VS_AS(layer, n)->name;
   if (!VS_PUSH(&b->k, b->levels, now)) return false;
   bool solid = n->class_ == VS_SOLID || n->class_ == VS_MIXED;
   if (solid && role_of(n) != PLAIN) return true;
@@ -253,9 +284,10 @@ void vs_solid_free(vs_solid *s) {
   *s = (vs_solid){ .part_count = 0 };
 }
 
-bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_solid *out, vs_error *error) {
+/* One of the two is wanted. */
+static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_solid *one, vs_solid_copies *many,
+                     vs_error *error) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
-  *out = (vs_solid){ .part_count = 0 };
   builder *b = calloc(1, sizeof *b);
   if (!b) return vs_error_memory(error, NULL);
   b->k.options = options;
@@ -270,19 +302,17 @@ bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets
   }
   ok = ok && close_term(b, VS_TERM_UNION, 0) && bound_half_spaces(b);
   if (ok) {
-    vs_kernel_problem problem = { b->leaves.at, b->terms.at, b->operands.at, (uint32_t)b->leaves.count, (uint32_t)b->terms.count, (uint32_t)b->operands.count };
-    ok = vs_kernel_evaluate(&problem, options, &out->mesh, &why);
+    vs_kernel_problem problem = { b->leaves.at, b->terms.at, b->operands.at, (uint32_t)b->leaves.count, (uint32_t)b->terms.count,
+                                  (uint32_t)b->operands.count, b->paints.at };
+    ok = one ? vs_kernel_evaluate(&problem, options, &one->mesh, &why) : vs_kernel_evaluate_copies(&problem, options, &many->meshes, &why);
   }
   if (ok) {
-    out->parts = b->parts.at;
-    out->part_count = b->parts.count;
+    *(one ? &one->parts : &many->parts) = b->parts.at;
+    *(one ? &one->part_count : &many->part_count) = b->parts.count;
     b->parts.at = NULL;
-  } else {
-    if (why.status != VS_KERNEL_FINE) {
-      bool placed = why.status == VS_KERNEL_OPEN || why.status == VS_KERNEL_INSIDE_OUT || why.status == VS_KERNEL_NOT_FINITE;
-      vs_error_set(error, kind_of(why.status), placed && why.leaf < b->origins.count ? b->origins.at[why.leaf] : NULL, "%s", why.message);
-    }
-    vs_mesh_free(&out->mesh);
+  } else if (why.status != VS_KERNEL_FINE) {
+    bool placed = why.status == VS_KERNEL_OPEN || why.status == VS_KERNEL_INSIDE_OUT || why.status == VS_KERNEL_NOT_FINITE;
+    vs_error_set(error, kind_of(why.status), placed && why.leaf < b->origins.count ? b->origins.at[why.leaf] : NULL, "%s", why.message);
   }
   for (size_t i = 0; i < b->meshes.count; i++) {
     vs_mesh_free(b->meshes.at[i].mesh);
@@ -299,6 +329,27 @@ bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets
   VS_DROP(&b->k, b->levels);
   VS_DROP(&b->k, b->meshes);
   VS_DROP(&b->k, b->parts);
+  VS_DROP(&b->k, b->paints);
+  VS_DROP(&b->k, b->part_table);
+  VS_DROP(&b->k, b->paint_table);
   free(b);
   return ok;
+}
+
+bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_solid *out, vs_error *error) {
+  *out = (vs_solid){ .part_count = 0 };
+  if (evaluate(refs, count, facets, options, out, NULL, error)) return true;
+  vs_solid_free(out);
+  return false;
+}
+
+bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_solid_copies *out, vs_error *error) {
+  *out = (vs_solid_copies){ .part_count = 0 };
+  return evaluate(refs, count, facets, options, NULL, out, error); /* the kernel leaves nothing behind where it fails */
+}
+
+void vs_solid_copies_free(vs_solid_copies *s) {
+  vs_kernel_copies_free(&s->meshes);
+  free(s->parts);
+  *s = (vs_solid_copies){ .part_count = 0 };
 }

@@ -101,7 +101,7 @@ static bool gltf_geometry_new(vs_emitter *e, uint32_t *number) {
 
 static uint32_t gltf_paint_of(const vs_emitter *e, const vs_solid *m, size_t triangle) {
   uint32_t tag = m->mesh.tags != NULL ? m->mesh.tags[triangle] : 0;
-  return tag < m->part_count ? (uint32_t)vs_emit_material_number(e, m->parts[tag]) : 0;
+  return tag < m->part_count ? (uint32_t)vs_emit_material_number(e, m->parts[tag].material) : 0;
 }
 
 /* The triangles of one paint; at: room for the shading's normals. Corners that share a normal share a vertex. */

@@ -107,7 +107,7 @@ static bool ply_solid(vs_emitter *e, const vs_solid *solid) {
   }
   for (size_t i = 0; i < m->triangle_count && !w->failed; i++) {
     uint32_t tag = m->tags != NULL ? m->tags[i] : 0;
-    vs_material paint = tag < solid->part_count && solid->parts[tag] != NULL ? *solid->parts[tag] : vs_material_of_color(0.86, 0.85, 0.83);
+    vs_material paint = tag < solid->part_count && solid->parts[tag].material != NULL ? *solid->parts[tag].material : vs_material_of_color(0.86, 0.85, 0.83);
     unsigned char record[17] = { 3 }, *to = record + 1;
     for (int k = 0; k < 3; k++) to = vs_le_u32(to, m->triangles[i][k]);
     *to++ = ply_level(paint.red);
@@ -168,7 +168,7 @@ static bool obj_solid(vs_emitter *e, const vs_solid *solid) {
     bool begun = false;
     for (size_t i = 0; i < m->triangle_count && !w->failed; i++) {
       uint32_t tag = m->tags != NULL ? m->tags[i] : 0;
-      if ((tag < solid->part_count ? solid->parts[tag] : NULL) != material) continue;
+      if ((tag < solid->part_count ? solid->parts[tag].material : NULL) != material) continue;
       if (!begun && e->path != NULL) {
         vs_puts(w, "usemtl ");
         obj_material_name(e, material);

@@ -78,7 +78,7 @@ static bool model_write(vs_emitter *e, const vs_solid *solid) {
   for (size_t i = 0; i < m->triangle_count && !w->failed; i++) {
     const uint32_t *t = m->triangles[i];
     uint32_t tag = m->tags != NULL ? m->tags[i] : 0;
-    size_t paint = tag < solid->part_count ? vs_emit_material_number(e, solid->parts[tag]) : 0;
+    size_t paint = tag < solid->part_count ? vs_emit_material_number(e, solid->parts[tag].material) : 0;
     vs_puts(w, "<triangle v1=\"");
     vs_put_u32(w, t[0]);
     vs_puts(w, "\" v2=\"");

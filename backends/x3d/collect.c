@@ -49,7 +49,7 @@ static bool collect_triangles(vs_emitter *e, const vs_solid *m, const vs_affine 
   for (size_t paint = 0; ok && paint < x->batch_count; paint++) {
     bool any = false;
     for (size_t part = 0; part < parts && !any; part++) {
-      const vs_material *own = part < m->part_count && m->parts[part] != NULL ? m->parts[part] : material;
+      const vs_material *own = part < m->part_count && m->parts[part].material != NULL ? m->parts[part].material : material;
       any = vs_emit_material_number(e, own) == paint;
     }
     if (!any) continue;
@@ -57,7 +57,7 @@ static bool collect_triangles(vs_emitter *e, const vs_solid *m, const vs_affine 
     memset(at, 0xff, (s.normal_count + 1) * sizeof *at);
     for (size_t i = 0; ok && i < mesh->triangle_count; i++) {
       uint32_t tag = mesh->tags != NULL ? mesh->tags[i] : 0;
-      const vs_material *own = tag < m->part_count && m->parts[tag] != NULL ? m->parts[tag] : material;
+      const vs_material *own = tag < m->part_count && m->parts[tag].material != NULL ? m->parts[tag].material : material;
       if (vs_emit_material_number(e, own) != paint) continue;
       ok = vs_emit_grow(e, &b->triangles, &b->triangle_room, b->triangle_count + 1, sizeof *b->triangles);
       for (int k = 0; ok && k < 3; k++) {

@@ -225,7 +225,7 @@ static void test_against_oracle(void **state) {
       for (uint32_t j = 0; j < n; j++) operands[operand++] = j == 0 ? term - 1 : (uint32_t)span(0, (int32_t)term - 1);
       term++;
     }
-    vs_kernel_problem p = { leaves, terms, operands, count, term, operand };
+    vs_kernel_problem p = { leaves, terms, operands, count, term, operand, NULL };
     vs_mesh m = { 0 };
     vs_kernel_error e;
     if (!vs_kernel_evaluate(&p, NULL, &m, &e)) fail_msg("round %d: %s", round, e.message);
@@ -352,7 +352,7 @@ static void test_wide_and_deep(void **state) {
     operands[i] = i;
   }
   terms[WIDE] = (vs_kernel_term){ VS_TERM_UNION, 0, WIDE };
-  vs_kernel_problem wide = { leaves, terms, operands, WIDE, WIDE + 1, WIDE };
+  vs_kernel_problem wide = { leaves, terms, operands, WIDE, WIDE + 1, WIDE, NULL };
   assert_true(vs_kernel_evaluate(&wide, NULL, &m, &e));
   assert_int_equal(m.triangle_count, 12 * WIDE);
   vs_mesh_free(&m);
@@ -364,7 +364,7 @@ static void test_wide_and_deep(void **state) {
     operands[2 * i] = i ? 1 + i : 0;
     operands[2 * i + 1] = i % 2 ? 0 : 1;
   }
-  vs_kernel_problem deep = { leaves, terms, operands, 2, DEEP + 2, 2 * DEEP };
+  vs_kernel_problem deep = { leaves, terms, operands, 2, DEEP + 2, 2 * DEEP, NULL };
   assert_true(vs_kernel_evaluate(&deep, NULL, &m, &e));
   near(vs_mesh_volume(&m), 1, 1e-12);
   vs_mesh_free(&m);
@@ -372,6 +372,45 @@ static void test_wide_and_deep(void **state) {
   free(leaves);
   free(terms);
   free(operands);
+}
+
+/* Clusters that are copies stand once, also where they are turned, mirrored and painted otherwise. */
+static void test_copies(void **state) {
+  (void)state;
+  static const char one[] = "(difference (box 4 2 2) (translate 1 1 -1 (cyl 5 .5 .5 16)))";
+  char text[2000];
+  sprintf(text, "(union %s (translate 100 0 0 %s) (translate 200 7.3 0 (rotate 10 20 30 %s)) (translate 300 0 0 (scale -1 1 1 %s)) (translate 400 0 0 (box 4 2 2)))", one, one,
+          one, one);
+  sx_problem p;
+  assert_true(sx_parse(text, &p));
+  vs_kernel_copies c;
+  vs_kernel_error e;
+  vs_mesh m = { 0 };
+  if (!vs_kernel_evaluate_copies(&p.problem, NULL, &c, &e)) fail_msg("%s", e.message);
+  assert_int_equal(c.mesh_count, 2);
+  assert_int_equal(c.copy_count, 5);
+  assert_true(vs_kernel_evaluate(&p.problem, NULL, &m, &e));
+  check_mesh(&m);
+  double single = vs_mesh_volume(&c.meshes[0]), sum = 0;
+  near(vs_mesh_volume(&m), 4 * single + 16, 1e-9);
+  for (size_t i = 0; i < c.copy_count; i++) {
+    vs_mesh *from = &c.meshes[c.copies[i].mesh];
+    sum += vs_mesh_volume(from) * fabs(vs_affine_determinant(&c.copies[i].place));
+  }
+  near(sum, vs_mesh_volume(&m), 1e-9);
+  vs_vec3 at = vs_affine_point(&c.copies[2].place, c.meshes[0].vertices[0]); /* the third's first vertex: a corner of its box */
+  bool found = false;
+  for (size_t i = 0; i < m.vertex_count; i++) found = found || vs_v3_length(vs_v3_sub(m.vertices[i], at)) < 1e-9;
+  assert_true(found);
+  for (uint32_t i = 0; i < p.problem.leaf_count; i++) p.leaves[i].tag = i; /* tags that are all one paint: still copies, with the tags of their own */
+  uint32_t paints[9] = { 0 };
+  p.problem.paints = paints;
+  m.vertex_count = m.triangle_count = 0;
+  assert_true(vs_kernel_evaluate(&p.problem, NULL, &m, &e));
+  for (size_t i = 0; i < m.triangle_count; i++) assert_int_equal(m.tags[i] / 2, (uint32_t)((m.vertices[m.triangles[i][0]].x + 10) / 100));
+  vs_kernel_copies_free(&c);
+  vs_mesh_free(&m);
+  sx_free(&p);
 }
 
 static bool stop(void *context, double done) {
@@ -467,7 +506,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_planes_meet), cmocka_unit_test(test_predicates), cmocka_unit_test(test_against_oracle),
     cmocka_unit_test(test_cubes_become_one), cmocka_unit_test(test_equal_turns_written_differently), cmocka_unit_test(test_identities),
-    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_threads), cmocka_unit_test(test_errors),
+    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_threads), cmocka_unit_test(test_copies), cmocka_unit_test(test_errors),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
