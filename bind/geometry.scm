@@ -120,6 +120,9 @@
 
 ; The thesis' loft: sections (f x), (f (step x)) ... until (stop? x).
 (define (make-loft f start step stop?)
+  (%need-procedure 'make-loft 'f f)
+  (%need-procedure 'make-loft 'step step)
+  (%need-procedure 'make-loft 'stop? stop?)
   (let loop ((x start) (sections '()) (n 0))
     (cond
       ((stop? x) (%make-loft (reverse sections)))

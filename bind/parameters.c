@@ -54,7 +54,7 @@ static const char *type_name(vs_bind_parameter_type t) {
   return "one datum";
 }
 
-/* Says so at the definition's place; set: it is the command line's fault, exit 2. */
+/* set: the value is the command line's and so is the fault (exit 2); the report then shows the definition's place as a note. */
 static vs_status wrong(vs_frame *f, bool set, const char *name, const char *must, const char *got) {
   f->bind->bad_parameter = set;
   return vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s must be %s, got %s", name, must, got);
@@ -66,7 +66,14 @@ static vs_status read_setting(vs_frame *f, const char *name, const char *datum, 
   if (t == VS_P_STRING) return vs_string_from_utf8(f->vm, datum, strlen(datum), out);
   size_t bytes = strlen(datum), used = 0;
   if (!vs_read_datum(f->vm, datum, bytes, out, &used)) {
+    VS_ROOTS(f->vm, r, 1);
+    r[0] = vs_is(f->vm->condition, VS_T_CONDITION) ? vs_as_condition(f->vm->condition)->message : VS_FALSE;
+    char *text;
+    size_t length;
+    if (!vs_is_string(r[0]) || vs_as_condition(f->vm->condition)->kind != f->vm->sym.read || !vs_bind_text(f->vm, r[0], &text, &length)) return VS_ERROR;
     f->bind->bad_parameter = true;
+    vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s cannot be %s: %s", name, datum, text);
+    vs_mem(f->vm, text, length, 0);
     return VS_ERROR;
   }
   while (used < bytes && (datum[used] == ' ' || datum[used] == '\t')) used++;

@@ -91,16 +91,20 @@ static size_t callers(vs_session *s, vs_value chain, vs_span at, vs_diagnostic_n
   size_t n = 0;
   const char *before_file = at.file;
   uint32_t before_line = at.line, before_column = at.column;
+  bool gap = false;
   for (vs_value l = chain; vs_is_pair(l) && n < NOTES; l = vs_cdr(l)) {
     vs_value link = vs_car(l);
     vs_span span;
+    if (vs_is_pair(link) && vs_car(link) == VS_TRUE) gap = true;
     if (!vs_is_pair(link) || !vs_is_fixnum(vs_cdr(link)) || !vs_session_span(s, vs_pos_of(vs_cdr(link)), &span)) continue;
     if (span.file == before_file && span.line == before_line && span.column == before_column) continue;
     before_file = span.file, before_line = span.line, before_column = span.column;
     char text[160];
     vs_value name = vs_car(link);
-    if (vs_is_symbol(name)) snprintf(text, sizeof text, "called from %.120s", vs_as_symbol(name)->name);
-    else snprintf(text, sizeof text, "called from here");
+    const char *between = gap ? " (calls in between ended with a tail call)" : "";
+    if (vs_is_symbol(name)) snprintf(text, sizeof text, "called from %.100s%s", vs_as_symbol(name)->name, between);
+    else snprintf(text, sizeof text, "called from here%s", between);
+    gap = false;
     const char *kept = vs_store_text(s->bind.store, text, strlen(text));
     notes[n++] = (vs_diagnostic_note){ span, kept ? kept : "called from here" };
   }
@@ -133,6 +137,11 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
         if (vs_is_pair(link) && vs_is_fixnum(vs_cdr(link))) vs_session_span(s, vs_pos_of(vs_cdr(link)), &at);
       }
     count = callers(s, vs_as_condition(r[0])->chain, at, notes);
+    if (s->bind.bad_parameter) { /* what was set from outside is at fault, not the line that defines it */
+      notes[0] = (vs_diagnostic_note){ at, "the parameter is defined here" };
+      count = at.file != NULL;
+      at = (vs_span){ 0 };
+    }
   }
   tell(s, VS_SEVERITY_ERROR, outcome, at, message, notes, count);
   vs_text_close(&t);

@@ -300,7 +300,8 @@ static vs_status check(vs *vm, vs_value *a, int n, vs_value *out) {
     else vs_fail(vm, vm->sym.contract, "%s: in [%s %s] stands no predicate; [%s any? %s] gives %s a default and checks nothing", f, name.at, text.at, name.at, text.at, name.at);
     vs_condition *c = vs_is(vm->condition, VS_T_CONDITION) ? vs_as_condition(vm->condition) : NULL;
     if (c && predicate && vs_is_pair(c->chain) && vs_is_pair(vs_cdr(c->chain))) {      /* the fault is the caller's */
-      vs_gc_store(vm, c, &c->chain, vs_cdr(c->chain));
+      do vs_gc_store(vm, c, &c->chain, vs_cdr(c->chain));
+      while (vs_car(vs_car(c->chain)) == VS_TRUE && vs_is_pair(vs_cdr(c->chain)));
       c->place = vs_pos_of(vs_cdr(vs_car(c->chain)));
     }
   }

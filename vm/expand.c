@@ -194,6 +194,15 @@ static vs_var *local(vs_expansion *x, const vs_meaning *m, vs_value id, vs_pos p
   return (vs_var *)(uintptr_t)vs_fixnum(m->value);
 }
 
+/* What is defined nowhere may be a misspelt local name; m keeps its value over the search. */
+static bool near_local(vs_expansion *x, vs_value env, vs_meaning *m) {
+  VS_ROOTS(x->vm, r, 2);
+  r[0] = m->env; r[1] = m->id;
+  bool ok = vs_suggest_local(x->vm, env, m->id);
+  m->env = r[0]; m->id = r[1];
+  return ok;
+}
+
 vs_node *vs_expand_ref(vs_expansion *x, vs_value id, vs_value env, vs_pos pos) {
   vs_meaning m = vs_environment_find(env, id);
   if (m.kind == VS_MEANS_MACRO) { not_an_expression(x, id, &m, pos); return NULL; }
@@ -202,6 +211,7 @@ vs_node *vs_expand_ref(vs_expansion *x, vs_value id, vs_value env, vs_pos pos) {
     return var ? vs_ast_local(&x->ast, var, pos) : NULL;
   }
   vs_value cell;
+  if (m.kind == VS_MEANS_NOTHING && !vs_is_top(env) && !near_local(x, env, &m)) return NULL;
   return vs_environment_cell(x->vm, &m, &cell) ? global(x, VS_AST_GLOBAL, cell, pos) : NULL;
 }
 
@@ -248,6 +258,7 @@ bool vs_form_set(vs_expansion *x) {
     return vs_expand_nth(x, 2, x->now.env, &n->as.set.value);
   }
   vs_value cell;
+  if (m.kind == VS_MEANS_NOTHING && !vs_is_top(x->now.env) && !near_local(x, x->now.env, &m)) return false;
   if (!vs_environment_cell(x->vm, &m, &cell)) return false;
   if (!m.foreign) vs_object_of(cell)->flags |= VS_F_ASSIGNED;
   if (!(n = global(x, VS_AST_SETGLOBAL, cell, x->now.pos))) return false;

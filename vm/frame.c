@@ -65,18 +65,38 @@ static bool walk_up(struct walk *w, size_t *pc, bool *native) {
   return true;
 }
 
-struct link { vs_value name; vs_pos place; };
+struct link { vs_value name; vs_pos place; bool gap; /* calls between this one and the one before left no frames */ };
+
+/* Does the frame above stand where another procedure was called? Then that one ended with a tail call, or those it led to. Asked of calls
+   by the program's own names only: what a local variable held when it was called is not known any more, and the library's tail calls
+   of what it was given would say nothing. pc: behind the call. */
+static bool ended_in_tail_call(const vs_code *code, size_t pc, vs_value running) {
+  const uint32_t *ins = vs_code_ins(code);
+  if (pc < 2 || (ins[pc - 2] & 255) != VS_O_CALLG || ins[pc - 1] >= vs_as_vector(code->consts)->length || !vs_is(running, VS_T_CLOSURE)) return false;
+  vs_value cell = vs_code_consts(code)[ins[pc - 1]];
+  if (!vs_is(cell, VS_T_CELL) || vs_object_of(cell)->flags & VS_F_CONSTANT) return false;
+  vs_value called = vs_as_cell(cell)->value;
+  if (vs_is(called, VS_T_CLOSURE)) return vs_as_closure(called)->code != vs_as_closure(running)->code;
+  if (!vs_is(called, VS_T_CASE)) return false;
+  for (uint64_t i = 0; i < vs_as_case(called)->count; i++)
+    if (vs_as_closure(vs_as_case(called)->clause[i])->code == vs_as_closure(running)->code) return false;
+  return true;
+}
 
 static size_t chain(vs *vm, struct link *at, size_t max) {
   if (!vm->base) return 0;
   struct walk w = {vm->base, vm->under, vm->under_depth, false};
   size_t count = 0, pc = 0;
+  vs_value above = VS_FALSE;
   bool native = !vm->pc || !vs_is(w.base[-2], VS_T_CLOSURE);
   if (!native) pc = (size_t)(vm->pc - vs_code_ins(vs_as_code(vs_as_closure(w.base[-2])->code)));
   do {
+    vs_value running = above;
+    above = w.base[-2];
     if (native || !vs_is(w.base[-2], VS_T_CLOSURE)) continue;
     const vs_code *code = vs_as_code(vs_as_closure(w.base[-2])->code);
     at[count].name = code->name;
+    at[count].gap = ended_in_tail_call(code, pc, running);
     at[count++].place = vs_code_place(code, (uint32_t)(pc ? pc - 1 : 0));
   } while (count < max && walk_up(&w, &pc, &native));
   return count;
@@ -89,7 +109,8 @@ bool vs_call_chain(vs *vm, size_t max, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = VS_NIL;
   while (n--)        /* names are symbols, which do not move */
-    if (!vs_cons(vm, at[n].name, vs_fix((int64_t)at[n].place), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])) return false;
+    if (!vs_cons(vm, at[n].name, vs_fix((int64_t)at[n].place), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0]) ||
+        (at[n].gap && (!vs_cons(vm, VS_TRUE, vs_fix(0), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])))) return false;
   *out = r[0];
   return true;
 }

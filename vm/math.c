@@ -23,7 +23,39 @@ static vs_status tan_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)
 static vs_status sinh_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, function(vm, a, sinh, 0, 0, out); }
 static vs_status cosh_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, function(vm, a, cosh, 0, 1, out); }
 static vs_status tanh_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, function(vm, a, tanh, 0, 0, out); }
-static vs_status cbrt_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, function(vm, a, cbrt, 0, 0, out); }
+
+/* the C library's may be off by one in the last place, for 27 too; one step of Newton's mends that */
+static double cube_root(double x) {
+  double c = cbrt(x);
+  return c == 0 || !isfinite(c) ? c : c - (c - x / (c * c)) / 3;
+}
+
+/* the exact cube root of an exact integer in *root, VS_FALSE if there is none, or its root is beyond 10^15 */
+static bool integer_cbrt(vs *vm, vs_value n, vs_value *root) {
+  VS_ROOTS(vm, r, 2);
+  r[0] = n;
+  double d;
+  if (!vs_number_double(vm, r[0], &d)) return false;
+  *root = VS_FALSE;
+  double c = round(cbrt(d));          /* off by less than one half up to there */
+  if (!(fabs(c) <= 1e15)) return true;
+  vs_value guess = vs_fix((int64_t)c);
+  if (!vs_fits_fixnum((int64_t)c)) return true;
+  bool same;
+  if (!vs_number_mul(vm, guess, guess, &r[1]) || !vs_number_mul(vm, r[1], guess, &r[1]) || !vs_number_test(vm, VS_EQ, r[0], r[1], &same)) return false;
+  if (same) *root = guess;
+  return true;
+}
+static vs_status cbrt_(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  if (vs_is_number(a[0]) && vs_is_exact(a[0])) {
+    vs_value num, den = vs_fix(1);
+    bool ratio = vs_is_ratio(a[0]);
+    if (!integer_cbrt(vm, ratio ? vs_as_ratio(a[0])->num : a[0], &num) || (ratio && !integer_cbrt(vm, vs_as_ratio(a[0])->den, &den))) return VS_ERROR;
+    if (num != VS_FALSE && den != VS_FALSE) return ratio ? vs_number_ratio(vm, num, den, out) : (*out = num, VS_OK);
+  }
+  return function(vm, a, cube_root, 0, 0, out);
+}
 
 static vs_status arc(vs *vm, const vs_value *a, double (*f)(double), int64_t zero_at, vs_value *out) {
   double x;

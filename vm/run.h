@@ -15,7 +15,7 @@ bool vs_run(vs *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value
 vs_value vs_parameter_value(const vs *vm, vs_value parameter);
 
 /* The chain of calls now active, innermost first, at most `max`: list of (name . place) pairs; name symbol or #f, place a
-   fixnum vs_pos. For natives such as `error`; conditions made by vs_fail have it already. */
+   fixnum vs_pos; (#t . 0) before one stands for calls in between that ended with tail calls and left no frames. For natives such as `error`; conditions made by vs_fail have it already. */
 bool vs_call_chain(vs *vm, size_t max, vs_value *out);
 /* The same without allocating, names and places apart: how many were written. */
 size_t vs_call_links(vs *vm, vs_value *name, vs_pos *place, size_t max);

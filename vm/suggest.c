@@ -56,6 +56,24 @@ static int foreign_word(const char *name) {
 
 bool vs_is_foreign_word(vs_value symbol) { return vs_is_symbol(symbol) && foreign_word(vs_as_symbol(symbol)->name) >= 0; }
 
+static int tolerance(const vs_symbol *name) { return name->length <= 3 ? 1 : name->length <= 7 ? 2 : 3; }
+
+bool vs_suggest_local(vs *vm, vs_value env, vs_value symbol) {
+  if (!vs_is_symbol(symbol) || vs_as_symbol(symbol)->length < 2) return true;
+  search s = {.wanted = vs_as_symbol(symbol), .distance = tolerance(vs_as_symbol(symbol))};
+  vs_value key, value;
+  for (; !vs_is_top(env); env = vs_as_environment(env)->parent)
+    for (size_t i = 0; vs_idtable_slot(vs_as_environment(env)->table, i, &key, &value); i++)
+      if (key != VS_VACANT && vs_is_symbol(key)) consider(&s, key, value);
+  if (!s.best) return true;
+  VS_ROOTS(vm, r, 1);
+  if (!vs_is_vector(vm->at.nearby) && !vs_idtable_new(vm, &vm->at.nearby)) return false;
+  r[0] = vm->at.nearby;
+  if (!vs_idtable_put(vm, &r[0], symbol, vs_from_object(s.best))) return false;     /* symbols do not move */
+  vm->at.nearby = r[0];
+  return true;
+}
+
 bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (!vs_is_symbol(symbol)) return true;
   const vs_symbol *wanted = vs_as_symbol(symbol);
@@ -66,7 +84,12 @@ bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t) {
   size_t before = t->count;
   if (!vs_library_advice(vm, symbol, t)) return false;
   if (t->count > before || !vs_is(env, VS_T_ENVIRONMENT) || wanted->length < 2) return true;
-  search s = {.wanted = wanted, .distance = wanted->length <= 3 ? 1 : wanted->length <= 7 ? 2 : 3};
+  search s = {.wanted = wanted, .distance = tolerance(wanted)};
+  vs_value local = vs_is_vector(vm->at.nearby) ? vs_idtable_get(vm->at.nearby, symbol) : VS_VACANT;
+  if (local != VS_VACANT) {                       /* nearer by than what is only as like */
+    consider(&s, local, VS_FALSE);
+    s.distance--;
+  }
   vs_environment_each(env, consider, &s);
   return !s.best || (vs_text_puts(t, "; did you mean ") && vs_text_put(t, s.best->name, s.best->length) && vs_text_puts(t, "?"));
 }

@@ -30,6 +30,8 @@ bool vs_unit_read(vs *vm, const char *path, bool fold, vs_value *forms);
 /* What to say of a name that is not defined, appended to t: " (did you mean make-box?)", "; unite is the name here: (unite a b ...)". Nothing if
    nothing comes to mind. */
 bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t);
+/* Remembers, for vs_suggest, the name among the local variables of env that looks most like the symbol, which is not defined there. */
+bool vs_suggest_local(vs *vm, vs_value env, vs_value symbol);
 /* "; (import (scheme write)) brings it" appended to t, where a built-in library has the name */
 bool vs_library_advice(vs *vm, vs_value symbol, vs_text *t);
 bool vs_is_foreign_word(vs_value symbol); /* of foreign.def */

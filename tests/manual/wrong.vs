@@ -1,5 +1,5 @@
 ; Owns the sweep of wrong calls: reads the names that a program sees, one a line, calls each procedure with arguments that hardly any takes, one to
-; four of a kind, and none, and many, and holds that the message of the error begins with the name that was called. One line a test.
+; four of a kind, and none, and many (the text names a file that no call can make), and holds that the message of the error begins with the name that was called. One line a test.
 
 (define %page (interaction-environment))
 
@@ -25,7 +25,7 @@
 
 (define (%circular) (let ((l (list 1 2))) (set-cdr! (cdr l) l) l))
 (define (%kinds)                           ; fresh ones: some procedures change their arguments
-  (list (%circular) (list (%circular)) (let ((l (list 1 2))) (set-car! l l) l) (eof-object) -1 1.5 "x" #\a (cons 1 2) (list 'a 'b) (lambda () 1) (make-hash) (vector 1 2) (bytevector 1)))
+  (list (%circular) (list (%circular)) (let ((l (list 1 2))) (set-car! l l) l) (eof-object) -1 1.5 "no such folder/x" #\a (cons 1 2) (list 'a 'b) (lambda any 1) (make-hash) (vector 1 2) (bytevector 1)))
 
 (define (%wrong name f)
   (let ((bad '()))
