@@ -9,6 +9,7 @@
 #include "backends/export.h"
 #include "geometry/measure.h"
 #include "geometry/optimise.h"
+#include "kernel/resolve.h"
 #include "model/passes/settle.h"
 #include "vm/image.h"
 #include "vm/number.h"
@@ -314,6 +315,36 @@ static vs_outcome hand_on(vs_session *s, vs_scene *scene, const vs_format *forma
   return s->bind.handed.kind != VS_ERROR_NONE ? vs_session_report_error(s, &s->bind.handed) : vs_session_report_condition(s, s->bind.vm->condition, false);
 }
 
+static bool keep_resolving(void *session, double done) {
+  (void)done;
+  return !vs_session_interrupted(session);
+}
+
+/* Sections, shadows, edges and lines without end become what they are in space. */
+static bool resolve(vs_session *s, vs_scene *scene, vs_error *e) {
+  vs_kernel_options options = { .progress = keep_resolving, .context = s };
+  size_t count = scene->drawn_count, room = scene->drawn_room;
+  vs_scene mine = *scene; /* with an array that may grow */
+  bool needed = false;
+  for (size_t i = 0; i < count; i++) needed = needed || scene->drawn[i].node->flags & VS_NODE_UNRESOLVED;
+  if (!needed) return true;
+  mine.drawn = NULL, mine.drawn_count = mine.drawn_room = 0;
+  bool ok = true;
+  for (size_t i = 0; ok && i < count; i++) ok = vs_scene_draw(&mine, scene->drawn[i]) || vs_error_memory(e, NULL);
+  ok = ok && vs_scene_resolve(&mine, &options, e);
+  vs_ref *drawn = ok ? vs_session_memory(s, NULL, 0, (mine.drawn_count + 1) * sizeof *drawn) : NULL;
+  if (ok && !drawn) ok = vs_error_memory(e, NULL);
+  if (ok) {
+    for (size_t i = 0; i < count; i++) vs_node_release(scene->drawn[i].node);
+    vs_session_memory(s, scene->drawn, room * sizeof *scene->drawn, 0);
+    memcpy(drawn, mine.drawn, mine.drawn_count * sizeof *drawn);
+    scene->drawn = drawn, scene->drawn_count = mine.drawn_count, scene->drawn_room = mine.drawn_count + 1;
+  }
+  for (size_t i = 0; !ok && i < mine.drawn_count; i++) vs_node_release(mine.drawn[i].node);
+  vs_store_realloc(mine.store, mine.drawn, mine.drawn_room * sizeof *mine.drawn, 0);
+  return ok;
+}
+
 static vs_outcome out_of_memory(vs_session *s) {
   vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, NULL, 0, 0, "out of memory");
   return VS_OUTCOME_MACHINE;
@@ -347,7 +378,7 @@ vs_outcome vs_drawing_summary(vs *vm, vs_summary *out) {
   vs_outcome handed = hand_on(s, &scene, NULL);
   if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
   static const vs_settle_options plain = { .highlights = VS_MARKS_DROP };
-  bool ok = vs_scene_settle(&scene, &plain, &e) && summarise(&scene, out, &e);
+  bool ok = vs_scene_settle(&scene, &plain, &e) && resolve(s, &scene, &e) && summarise(&scene, out, &e);
   scene_done(s, &scene);
   return ok ? VS_OUTCOME_DONE : vs_session_report_error(s, &e);
 }
@@ -452,7 +483,8 @@ static vs_outcome write_to(vs *vm, const char *path, const char *format_name, co
   double from = vs_session_clock(s);
   vs_outcome handed = hand_on(s, &scene, format);
   if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
-  bool ok = vs_export_settle(&scene, format, &e, &error) && vs_scene_optimise(&scene, o.passes, &s->passes, &error);
+  bool ok = vs_export_settle(&scene, format, &e, &error) && (vs_export_is_verbatim(format) || resolve(s, &scene, &error)) &&
+            vs_scene_optimise(&scene, o.passes, &s->passes, &error);
   ok = ok && (to ? vs_export_to(&scene, format, sink, to, &e, &error) : vs_export(&scene, format, path, &e, &error));
   s->write_seconds += vs_session_clock(s) - from;
   scene_done(s, &scene);

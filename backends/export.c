@@ -37,6 +37,8 @@ const vs_format *vs_export_format_find(const char *text) {
   return NULL;
 }
 
+bool vs_export_is_verbatim(const vs_format *f) { return f->backend->verbatim; }
+
 /* ---- files ---- */
 
 typedef struct { int file; int problem; /* errno of the first failure */ } export_file;

@@ -181,6 +181,7 @@ bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *
 /* ---- building, for the functions of procedures.def (build.c) ---- */
 vs_status vs_bind_make(vs_frame *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out);
 vs_status vs_bind_empty(vs_frame *f, const char *why, vs_value *out); /* the empty object, with a warning once a place */
+vs_status vs_bind_resolve(vs_frame *f, int i); /* sections, shadows and edges in argument i become what they are in space */
 vs_status vs_bind_node(vs_frame *f, vs_node *node, vs_value *out);    /* takes the reference over */
 vs_status vs_bind_fill(vs_frame *f, vs_ref *ref, size_t n); /* where all are regions and closed curves of one plane, the curves become regions */
 vs_status vs_bind_point(vs_frame *f, vs_vec3 p, vs_value *out);

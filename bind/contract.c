@@ -324,8 +324,14 @@ static vs_status convert_object(vs_frame *f, const vs_bind_param *p, vs_value v,
   return VS_OK;
 }
 
+static bool has_no_end(const vs_node *n) { /* an xline or a ray, placed or bare */
+  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
+  return n->kind == VS_XLINE || n->kind == VS_RAY;
+}
+
 static bool class_fits(vs_contract c, const vs_node *n) {
   if (n->class_ == VS_NOTHING) return true;
+  if ((c == VS_C_CURVE || c == VS_C_PROFILE || c == VS_C_FLAT) && n->class_ == VS_CURVE && has_no_end(n)) return false;
   if (c == VS_C_CURVE) return n->class_ == VS_CURVE;
   if (c == VS_C_PROFILE) return n->class_ == VS_CURVE || n->class_ == VS_REGION_CLASS;
   if (c == VS_C_FLAT) return n->class_ == VS_CURVE || n->class_ == VS_REGION_CLASS || n->class_ == VS_SURFACE;

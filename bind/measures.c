@@ -4,11 +4,28 @@
 
 #include "geometry/measure.h"
 #include "geometry/tessellate.h"
-#include "kernel/solid.h"
+#include "kernel/resolve.h"
 
 bool vs_bind_keep_going(void *vm, double done) {
   (void)done;
   return vs_poll(vm, UINT64_C(1) << 20); /* false: the condition is set */
+}
+
+vs_status vs_bind_resolve(vs_frame *f, int i) {
+  vs_error e = { 0 };
+  vs_bounds b;
+  vs_ref *ref = &f->arg[i].ref, made = *ref;
+  if (!(ref->node->flags & VS_NODE_UNRESOLVED)) return VS_OK;
+  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind) };
+  if (facets.tolerance <= 0 && vs_node_bounds(ref->node, &b, &e) && vs_bounds_diagonal(&b) > 0) facets.tolerance = vs_facets_tolerance(&b) / 16;
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
+  vs_node_retain(made.node);
+  e = (vs_error){ 0 };
+  bool ok = vs_resolve(&made, 1, &facets, &options, &e);
+  if (!vs_bind_keep(f, made.node)) return VS_ERROR;
+  if (!ok) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
+  *ref = made;
+  return VS_OK;
 }
 
 /* of the triangles that every back-end would write */
@@ -63,6 +80,7 @@ static vs_status measure(vs_frame *f, vs_measure *m, bool area) {
 
 vs_status vs_p_volume(vs_frame *f, vs_value *out) {
   vs_measure m;
+  if (!vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_class c = (vs_class)f->arg[0].ref.node->class_;
   if (c == VS_NOTHING) return vs_bind_real(f, 0, out);
   if (c != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
@@ -71,20 +89,29 @@ vs_status vs_p_volume(vs_frame *f, vs_value *out) {
 
 vs_status vs_p_area(vs_frame *f, vs_value *out) {
   vs_measure m;
+  if (!vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_class c = (vs_class)f->arg[0].ref.node->class_;
   if (c == VS_NOTHING) return vs_bind_real(f, 0, out);
-  if (c != VS_SOLID && c != VS_REGION_CLASS && c != VS_SURFACE) return vs_bind_refuse(f, "o", "a solid, a region or a surface", f->arg[0].value);
+  if (c == VS_CURVE && f->arg[0].ref.node->flags & VS_NODE_CLOSED) { /* taken as filled */
+    vs_node *region = vs_node_new(f->bind->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
+    if (!vs_bind_keep(f, region)) return VS_ERROR;
+    f->arg[0].ref.node = region;
+    c = VS_REGION_CLASS;
+  }
+  if (c != VS_SOLID && c != VS_REGION_CLASS && c != VS_SURFACE) return vs_bind_refuse(f, "o", "a solid, a region, a surface or a closed curve", f->arg[0].value);
   return measure(f, &m, true) && vs_bind_real(f, m.area, out);
 }
 
 vs_status vs_p_curve_length(vs_frame *f, vs_value *out) {
   vs_measure m;
+  if (!vs_bind_resolve(f, 0)) return VS_ERROR;
   if (f->arg[0].ref.node->class_ == VS_NOTHING) return vs_bind_real(f, 0, out);
   return measure(f, &m, false) && vs_bind_real(f, m.length, out);
 }
 
 vs_status vs_p_centroid(vs_frame *f, vs_value *out) {
   vs_measure m;
+  if (!vs_bind_resolve(f, 0)) return VS_ERROR;
   if (vs_bind_is_empty(f->arg[0].ref.node)) return vs_bind_refuse(f, "o", "more than nothing", f->arg[0].value);
   return measure(f, &m, false) && vs_bind_point(f, m.centroid, out);
 }

@@ -159,8 +159,10 @@ vs_status vs_p_do_resize(vs_frame *f, vs_value *out) {
   vs_bounds b;
   vs_error e = { 0 };
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
-  if (!vs_bind_finite(f, 0)) return VS_ERROR;
+  vs_ref whole = f->arg[0].ref; /* what is placed; its size is that of what it resolves to */
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);
+  f->arg[0].ref = whole;
   double size[3] = { b.max.x - b.min.x, b.max.y - b.min.y, b.max.z - b.min.z }, k[3], product = 1;
   int given = 0;
   for (int i = 0; i < 3; i++) {

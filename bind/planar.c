@@ -101,6 +101,17 @@ vs_status vs_p_make_region(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_REGION, &(struct vs_region){ 0 }, c, kept, out);
 }
 
+/* ---- lines without end ---- */
+
+vs_status vs_p_make_xline(vs_frame *f, vs_value *out) {
+  if (vs_v3_equal(POINT(0), POINT(1))) return vs_bind_empty(f, "p and q are the same point", out);
+  return vs_bind_make(f, VS_XLINE, &(struct vs_xline){ .p = POINT(0), .q = POINT(1) }, NULL, 0, out);
+}
+
+vs_status vs_p_make_ray(vs_frame *f, vs_value *out) {
+  return vs_bind_make(f, VS_RAY, &(struct vs_ray){ .p = POINT(0), .v = POINT(1) }, NULL, 0, out);
+}
+
 /* ---- offsets ---- */
 
 /* How many loops are left: 0, 1 or more; of an open curve 0 or 1. */
@@ -146,4 +157,35 @@ vs_status vs_p_do_offset(vs_frame *f, vs_value *out) {
   if (left == 0) return vs_bind_empty(f, "nothing is left so far inside", out);
   d.filled = left > 1 && made->class_ == VS_CURVE;
   return d.filled ? vs_bind_make(f, VS_OFFSET, &d, &f->arg[0].ref, 1, out) : vs_bind_node(f, vs_node_retain(made), out);
+}
+
+/* ---- sections, shadows, edges ---- */
+
+vs_status vs_p_do_section(vs_frame *f, vs_value *out) {
+  vs_bounds b;
+  vs_error e = { 0 };
+  if (NODE(0)->class_ == VS_NOTHING) return vs_bind_empty(f, NULL, out);
+  struct vs_section d = { .point = f->arg[1].line.at, .normal = f->arg[1].line.direction };
+  if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);
+  double low = INFINITY, high = -INFINITY;
+  for (int i = 0; i < 8; i++) {
+    vs_vec3 p = { i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z };
+    double side = vs_v3_dot(vs_v3_unit(d.normal), vs_v3_sub(p, d.point));
+    low = fmin(low, side), high = fmax(high, side);
+  }
+  double slack = 1e-9 * vs_bounds_diagonal(&b);
+  if (low > slack || high < -slack) return vs_bind_empty(f, "the plane does not meet the solid", out);
+  return vs_bind_make(f, VS_SECTION, &d, &f->arg[0].ref, 1, out);
+}
+
+vs_status vs_p_do_project(vs_frame *f, vs_value *out) {
+  if (NODE(0)->class_ == VS_NOTHING) return vs_bind_empty(f, NULL, out);
+  struct vs_project d = { .point = f->arg[1].line.at, .normal = f->arg[1].line.direction };
+  return vs_bind_make(f, VS_PROJECT, &d, &f->arg[0].ref, 1, out);
+}
+
+vs_status vs_p_do_edges(vs_frame *f, vs_value *out) {
+  if (NODE(0)->class_ == VS_NOTHING) return vs_bind_empty(f, NULL, out);
+  if (NODE(0)->class_ != VS_SOLID && NODE(0)->class_ != VS_SURFACE) return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
+  return vs_bind_make(f, VS_EDGES, &(struct vs_edges){ 0 }, &f->arg[0].ref, 1, out);
 }

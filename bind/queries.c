@@ -132,7 +132,7 @@ vs_status vs_bind_finite(vs_frame *f, int i) {
 vs_status vs_p_bounding_box(vs_frame *f, vs_value *out) {
   vs_bounds b;
   vs_error e = { 0 };
-  if (!vs_bind_finite(f, 0)) return VS_ERROR;
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
   if (b.min.x > b.max.x) return truth(false, out);
   VS_ROOTS(f->vm, r, 2);
@@ -140,6 +140,7 @@ vs_status vs_p_bounding_box(vs_frame *f, vs_value *out) {
 }
 
 vs_status vs_p_contains(vs_frame *f, vs_value *out) {
+  if (!vs_bind_resolve(f, 0)) return VS_ERROR;
   const vs_node *n = f->arg[0].ref.node;
   bool inside = false;
   vs_error e = { 0 };

@@ -1,6 +1,8 @@
 /* Owns measures by formula: volume, area, length, centroid. */
 #include "geometry/measure.h"
 
+#include <stdlib.h>
+
 #include "geometry/curve.h"
 #include "geometry/heights.h"
 #include "geometry/superellipsoid.h"
@@ -82,6 +84,45 @@ static bool vs_measure_region(const vs_node *n, vs_measure *m, vs_error *e) {
   m->known = m->area_known = true;
   vs_outline_free(&o);
   return true;
+}
+
+/* Curves beside each other: lengths add up. Each leaf is measured under a placement of its own. */
+static bool vs_measure_curves(const vs_node *n, vs_measure *m, vs_error *e) {
+  vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
+  vs_affine *placed = NULL;
+  size_t room = 0, depth;
+  vs_ref at;
+  vs_vec3 sum = { 0, 0, 0 };
+  bool ok = w || vs_error_memory(e, NULL);
+  *m = (vs_measure){ .known = true };
+  for (vs_walk_event ev; ok && (ev = vs_walk_next(w, &at, &depth)) != VS_WALK_DONE;) {
+    if (ev == VS_WALK_LEAVE) continue;
+    if (depth >= room) {
+      room = 2 * depth + 8;
+      vs_affine *grown = realloc(placed, room * sizeof *grown);
+      if (grown) placed = grown;
+      else ev = VS_WALK_FAILED;
+    }
+    if (ev == VS_WALK_FAILED) {
+      ok = vs_error_memory(e, NULL);
+      break;
+    }
+    placed[depth] = depth ? placed[depth - 1] : vs_affine_identity();
+    if (at.node->kind == VS_TRANSFORM) placed[depth] = vs_affine_multiply(&placed[depth], &VS_AS(transform, at.node)->matrix);
+    if (at.node->kind == VS_TRANSFORM || at.node->kind == VS_MATERIAL || at.node->kind == VS_LAYER || at.node->kind == VS_UNION) continue;
+    vs_walk_skip(w);
+    vs_measure one;
+    vs_node *leaf = vs_node_new(at.node->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = placed[depth] }, &at, 1);
+    ok = leaf ? vs_node_measure(leaf, &one, e) : vs_error_memory(e, NULL);
+    vs_node_release(leaf);
+    if (!ok) break;
+    m->length += one.length;
+    sum = vs_v3_add(sum, vs_v3_scale(one.centroid, one.length));
+  }
+  m->centroid = m->length > 0 ? vs_v3_scale(sum, 1 / m->length) : sum;
+  vs_walk_free(w);
+  free(placed);
+  return ok;
 }
 
 bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
@@ -197,6 +238,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       return true;
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
       if (n->class_ == VS_REGION_CLASS) return vs_measure_region(whole, m, e);
+      if (n->class_ == VS_CURVE) return vs_measure_curves(whole, m, e);
       *m = (vs_measure){ 0 };
       return true;
     case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY:

@@ -62,10 +62,11 @@ bool vs_area_loop(vs_area *a, bool hole) { return vs_area_close(a, vs_area_ended
 
 #define VS_GEOS(X)                                                                                                                       \
   X(GEOS_init_r) X(GEOS_finish_r) X(GEOSContext_setErrorMessageHandler_r) X(GEOSContext_setNoticeMessageHandler_r) X(GEOSCoordSeq_create_r) \
-  X(GEOSCoordSeq_setXY_r) X(GEOSCoordSeq_getXY_r) X(GEOSCoordSeq_getSize_r) X(GEOSGeom_createLinearRing_r)  \
+  X(GEOSCoordSeq_setXY_r) X(GEOSCoordSeq_getXY_r) X(GEOSCoordSeq_getSize_r) X(GEOSGeom_createLinearRing_r)                                    \
   X(GEOSGeom_createPolygon_r) X(GEOSGeom_createCollection_r) X(GEOSGeom_destroy_r) X(GEOSGeomTypeId_r) X(GEOSGetNumGeometries_r)             \
   X(GEOSGetGeometryN_r) X(GEOSGetExteriorRing_r) X(GEOSGetNumInteriorRings_r) X(GEOSGetInteriorRingN_r) X(GEOSGeom_getCoordSeq_r)            \
-  X(GEOSUnaryUnion_r) X(GEOSIntersection_r) X(GEOSDifference_r) X(GEOSMakeValid_r)
+  X(GEOSUnaryUnion_r) X(GEOSIntersection_r) X(GEOSDifference_r) X(GEOSMakeValid_r) X(GEOSGeom_createLineString_r) X(GEOSPolygonize_r)         \
+  X(GEOSPointOnSurface_r) X(GEOSGeomGetX_r) X(GEOSGeomGetY_r)
 
 typedef struct {
 #define X(name) __typeof__(&name) name;
@@ -294,6 +295,65 @@ bool vs_area_holds(const vs_area *a, double x, double y) {
       near = fmin(near, hypot(x - p.x - t * dx, y - p.y - t * dy));
     }
   return near <= 1e-9 * size || vs_area_winding(a, x, y) > 0;
+}
+
+/* ---- chains ---- */
+
+static int vs_chain_winding(const vs_vec2 (*edges)[2], size_t count, double x, double y) {
+  int turns = 0;
+  for (size_t i = 0; i < count; i++) {
+    vs_vec2 p = edges[i][0], q = edges[i][1];
+    if ((p.y <= y) == (q.y <= y)) continue;
+    double side = (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x);
+    if (p.y <= y && side > 0) turns++;
+    if (p.y > y && side < 0) turns--;
+  }
+  return turns;
+}
+
+/* All edges noded by one union of lines; of the faces between them those that are wound round are united. */
+bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpose, vs_area *out, vs_error *e) {
+  vs_geos g;
+  if (!vs_geos_open(&g, purpose, e)) return false;
+  GEOSGeometry **lines = calloc(count + 1, sizeof *lines), **kept = NULL, *noded = NULL, *faces = NULL, *all = NULL;
+  bool ok = lines != NULL;
+  size_t done = 0, keep = 0;
+  for (; ok && done < count; done += ok) {
+    GEOSCoordSequence *s = g.GEOSCoordSeq_create_r(g.h, 2, 2);
+    for (unsigned k = 0; s && k < 2; k++) g.GEOSCoordSeq_setXY_r(g.h, s, k, edges[done][k].x, edges[done][k].y);
+    lines[done] = s ? g.GEOSGeom_createLineString_r(g.h, s) : NULL;
+    ok = lines[done] != NULL;
+  }
+  if (!ok) vs_geos_drop(&g, lines, done);
+  if (ok) noded = vs_geos_collect(&g, GEOS_MULTILINESTRING, lines, done);
+  if (noded) noded = vs_geos_unite(&g, noded);
+  if (noded) faces = g.GEOSPolygonize_r(g.h, (const GEOSGeometry *const *)&noded, 1);
+  int n = faces ? g.GEOSGetNumGeometries_r(g.h, faces) : 0;
+  if (faces) kept = calloc((size_t)n + 1, sizeof *kept);
+  ok = kept != NULL;
+  for (int i = 0; ok && i < n; i++) {
+    const GEOSGeometry *face = g.GEOSGetGeometryN_r(g.h, faces, i);
+    GEOSGeometry *inside = g.GEOSPointOnSurface_r(g.h, face);
+    double x = 0, y = 0;
+    ok = inside && g.GEOSGeomGetX_r(g.h, inside, &x) == 1 && g.GEOSGeomGetY_r(g.h, inside, &y) == 1;
+    g.GEOSGeom_destroy_r(g.h, inside);
+    if (!ok || vs_chain_winding(edges, count, x, y) == 0) continue;
+    kept[keep] = g.GEOSUnaryUnion_r(g.h, face); /* a copy: its union with itself */
+    ok = kept[keep] != NULL;
+    keep += ok;
+  }
+  if (ok) all = vs_geos_collect(&g, GEOS_GEOMETRYCOLLECTION, kept, keep);
+  else vs_geos_drop(&g, kept, keep);
+  if (all) all = vs_geos_unite(&g, all);
+  ok = (all && vs_geos_result(&g, all, out)) || vs_geos_failed(&g, purpose, e);
+  g.GEOSGeom_destroy_r(g.h, all);
+  g.GEOSGeom_destroy_r(g.h, faces);
+  g.GEOSGeom_destroy_r(g.h, noded);
+  free(kept);
+  free(lines);
+  vs_geos_close(&g);
+  if (!ok) vs_area_free(out);
+  return ok;
 }
 
 /* ---- outlines ---- */

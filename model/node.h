@@ -105,7 +105,8 @@ enum {
   VS_NODE_ENDLESS = 2, /* a half-space, or what of sets of them is not bounded by something finite */
   VS_NODE_CUT = 4,     /* a half-space stands somewhere in it */
   VS_NODE_SUGAR = 8,   /* something of level SUGAR stands in it */
-  VS_NODE_OPEN = 16    /* a CUSTOM without a child stands in it */
+  VS_NODE_OPEN = 16,   /* a CUSTOM without a child stands in it */
+  VS_NODE_UNRESOLVED = 32 /* a section, a shadow, edges or a line without end stands somewhere in it: kernel/resolve.h */
 };
 
 struct vs_node {
