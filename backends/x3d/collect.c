@@ -1,4 +1,4 @@
-/* Owns the drawing as shapes: unit forms with their placement while they are few, and batches of triangles and lines a material. */
+/* Owns the drawing as groups: unit forms and uses of templates with their placement, and batches of triangles and lines a material. */
 #include <math.h>
 #include <string.h>
 
@@ -11,33 +11,77 @@ bool vs_x3d_open(vs_emitter *e, vs_x3d_notation notation) {
   if (x == NULL) return vs_emit_no_memory(e);
   *x = (vs_x3d){ .notation = notation, .batch_count = vs_emit_material_count(e) + 1 };
   e->state = x;
-  x->batches = vs_store_realloc(e->scene->store, NULL, 0, x->batch_count * sizeof *x->batches);
-  if (x->batches == NULL) return vs_emit_no_memory(e);
-  memset(x->batches, 0, x->batch_count * sizeof *x->batches);
+  if (!vs_emit_grow(e, &x->groups, &x->group_room, 1, sizeof *x->groups)) return false;
+  x->groups[x->group_count++] = (vs_x3d_group){ .bare = true };
   return true;
 }
 
 void vs_x3d_close(vs_emitter *e) {
   vs_x3d *x = e->state;
   if (x == NULL) return;
-  for (size_t i = 0; x->batches != NULL && i < x->batch_count; i++) {
-    vs_x3d_batch *b = &x->batches[i];
-    vs_emit_release(e, b->vertices, b->vertex_room, sizeof *b->vertices);
-    vs_emit_release(e, b->normals, b->normal_room, sizeof *b->normals);
-    vs_emit_release(e, b->triangles, b->triangle_room, sizeof *b->triangles);
-    vs_emit_release(e, b->points, b->point_room, sizeof *b->points);
-    vs_emit_release(e, b->lines, b->line_room, sizeof *b->lines);
+  for (size_t k = 0; k < x->group_count; k++) {
+    vs_x3d_group *g = &x->groups[k];
+    for (size_t i = 0; g->batches != NULL && i < x->batch_count; i++) {
+      vs_x3d_batch *b = &g->batches[i];
+      vs_emit_release(e, b->vertices, b->vertex_room, sizeof *b->vertices);
+      vs_emit_release(e, b->normals, b->normal_room, sizeof *b->normals);
+      vs_emit_release(e, b->triangles, b->triangle_room, sizeof *b->triangles);
+      vs_emit_release(e, b->points, b->point_room, sizeof *b->points);
+      vs_emit_release(e, b->lines, b->line_room, sizeof *b->lines);
+    }
+    vs_emit_release(e, g->batches, x->batch_count, sizeof *g->batches);
+    vs_emit_release(e, g->items, g->item_room, sizeof *g->items);
+    vs_emit_release(e, g->uses, g->use_room, sizeof *g->uses);
+    vs_emit_release(e, g->paints, g->paint_room, sizeof *g->paints);
   }
-  vs_emit_release(e, x->batches, x->batch_count, sizeof *x->batches);
-  vs_emit_release(e, x->items, x->item_room, sizeof *x->items);
+  vs_emit_release(e, x->groups, x->group_room, sizeof *x->groups);
   vs_emit_release(e, x, 1, sizeof *x);
   e->state = NULL;
 }
 
+vs_x3d_batch *vs_x3d_batches(vs_emitter *e, vs_x3d_group *g) {
+  const vs_x3d *x = e->state;
+  if (g->batches != NULL) return g->batches;
+  g->batches = vs_store_realloc(e->scene->store, NULL, 0, x->batch_count * sizeof *g->batches);
+  if (g->batches != NULL) memset(g->batches, 0, x->batch_count * sizeof *g->batches);
+  else vs_emit_no_memory(e);
+  return g->batches;
+}
+
+static vs_x3d_group *collect_group(const vs_emitter *e) {
+  const vs_x3d *x = e->state;
+  return &x->groups[x->group];
+}
+
+/* ---- templates ---- */
+
+bool vs_x3d_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) {
+  vs_x3d *x = e->state;
+  x->group = open ? id : 0;
+  if (!open) return true;
+  if (!vs_emit_grow(e, &x->groups, &x->group_room, (size_t)id + 1, sizeof *x->groups)) return false;
+  while (x->group_count <= id) x->groups[x->group_count++] = (vs_x3d_group){ .bare = vs_emit_is_bare(e, ref->node) };
+  return true;
+}
+
+bool vs_x3d_use_template(vs_emitter *e, uint32_t id, const vs_ref *ref) {
+  vs_x3d_group *g = collect_group(e);
+  (void)ref;
+  if (!vs_emit_grow(e, &g->uses, &g->use_room, g->use_count + 1, sizeof *g->uses)) return false;
+  g->uses[g->use_count++] = (vs_x3d_placed){ id, (uint32_t)vs_emit_material_number(e, e->material), e->placement };
+  return true;
+}
+
 /* ---- triangles ---- */
 
-static bool collect_triangles(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_material *material, double crease) {
+static size_t collect_paint(const vs_emitter *e, const vs_solid *m, size_t part, uint32_t inherited) {
+  return part < m->part_count && m->parts[part].material != NULL ? vs_emit_material_number(e, m->parts[part].material) : inherited;
+}
+
+static bool collect_triangles(vs_emitter *e, vs_x3d_group *to, const vs_solid *m, const vs_affine *place, uint32_t inherited, double crease) {
   vs_x3d *x = e->state;
+  vs_x3d_batch *batches = vs_x3d_batches(e, to);
+  if (batches == NULL) return false;
   const vs_mesh *mesh = &m->mesh;
   vs_shading s;
   if (!vs_shading_make(mesh->vertices, mesh->vertex_count, (const uint32_t (*)[3])mesh->triangles, mesh->triangle_count, crease, &s)) return vs_emit_no_memory(e);
@@ -49,16 +93,14 @@ static bool collect_triangles(vs_emitter *e, const vs_solid *m, const vs_affine 
   for (size_t paint = 0; ok && paint < x->batch_count; paint++) {
     bool any = false;
     for (size_t part = 0; part < parts && !any; part++) {
-      const vs_material *own = part < m->part_count && m->parts[part].material != NULL ? m->parts[part].material : material;
-      any = vs_emit_material_number(e, own) == paint;
+      any = collect_paint(e, m, part, inherited) == paint;
     }
     if (!any) continue;
-    vs_x3d_batch *b = &x->batches[paint];
+    vs_x3d_batch *b = &batches[paint];
     memset(at, 0xff, (s.normal_count + 1) * sizeof *at);
     for (size_t i = 0; ok && i < mesh->triangle_count; i++) {
       uint32_t tag = mesh->tags != NULL ? mesh->tags[i] : 0;
-      const vs_material *own = tag < m->part_count && m->parts[tag].material != NULL ? m->parts[tag].material : material;
-      if (vs_emit_material_number(e, own) != paint) continue;
+      if (collect_paint(e, m, tag, inherited) != paint) continue;
       ok = vs_emit_grow(e, &b->triangles, &b->triangle_room, b->triangle_count + 1, sizeof *b->triangles);
       for (int k = 0; ok && k < 3; k++) {
         uint32_t corner = s.corners[i][k];
@@ -80,16 +122,20 @@ static bool collect_triangles(vs_emitter *e, const vs_solid *m, const vs_affine 
   return ok;
 }
 
-static bool collect_bake(vs_emitter *e, const vs_ref *ref, const vs_affine *place, const vs_material *material) {
+bool vs_x3d_bake_node(vs_emitter *e, vs_x3d_group *to, const vs_ref *ref, const vs_affine *place, uint32_t paint) {
   const vs_solid *m = vs_emit_mesh(e, ref);
   bool boolean = ref->node->kind == VS_INTERSECTION || ref->node->kind == VS_DIFFERENCE;
-  return m != NULL && collect_triangles(e, m, place, material, vs_shade_crease(boolean || vs_lower_is_round(ref->node)));
+  return m != NULL && collect_triangles(e, to, m, place, paint, vs_shade_crease(boolean || vs_lower_is_round(ref->node)));
+}
+
+static bool collect_here(vs_emitter *e, const vs_ref *ref) {
+  return vs_x3d_bake_node(e, collect_group(e), ref, &e->placement, (uint32_t)vs_emit_material_number(e, e->material));
 }
 
 /* ---- unit forms ---- */
 
-/* The X3D form that the node is, and its place in the node's own coordinates; false: it is none. X3D's cylinders and cones stand on Y. */
-static bool collect_form(const vs_emitter *e, const vs_node *n, vs_x3d_form *form, vs_affine *place) {
+/* X3D's cylinders and cones stand on Y. */
+bool vs_x3d_form_of(const vs_emitter *e, const vs_node *n, vs_x3d_form *form, vs_affine *place) {
   static const vs_affine upright = { { { 1, 0, 0, 0 }, { 0, 0, -1, 0 }, { 0, 1, 0, 0 } } };
   vs_unit_copy copy;
   if (!vs_unit_of(n, &e->facets, &copy) || copy.faceted) return false;
@@ -107,35 +153,23 @@ static bool collect_form(const vs_emitter *e, const vs_node *n, vs_x3d_form *for
 
 vs_emit_status vs_x3d_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
-  vs_x3d *x = e->state;
+  vs_x3d_group *g = collect_group(e);
   vs_x3d_form form = VS_X3D_BOX;
   vs_affine place;
-  if (!x->bake && collect_form(e, ref->node, &form, &place)) {
-    place = vs_affine_multiply(&e->placement, &place);
-    if (vs_affine_is_placement(&place)) {
-      if (!vs_emit_grow(e, &x->items, &x->item_room, x->item_count + 1, sizeof *x->items)) return VS_FAILED;
-      x->items[x->item_count++] = (vs_x3d_item){ *ref, e->placement, e->material, form, place };
-      x->bake = x->item_count > VS_X3D_NATIVE_MAX;
-      return VS_EMITTED;
-    }
-  }
-  return collect_bake(e, ref, &e->placement, e->material) ? VS_EMITTED : VS_FAILED;
-}
-
-bool vs_x3d_finish(vs_emitter *e) {
-  vs_x3d *x = e->state;
-  if (!x->bake) return true;
-  for (size_t i = 0; i < x->item_count; i++)
-    if (!collect_bake(e, &x->items[i].ref, &x->items[i].placement, x->items[i].material)) return false;
-  x->item_count = 0;
-  return true;
+  if (!vs_x3d_form_of(e, ref->node, &form, &place)) return collect_here(e, ref) ? VS_EMITTED : VS_FAILED;
+  place = vs_affine_multiply(&e->placement, &place);
+  if (!vs_affine_is_placement(&place)) return collect_here(e, ref) ? VS_EMITTED : VS_FAILED;
+  if (!vs_emit_grow(e, &g->items, &g->item_room, g->item_count + 1, sizeof *g->items)) return VS_FAILED;
+  g->items[g->item_count++] = (vs_x3d_item){ *ref, e->placement, (uint32_t)vs_emit_material_number(e, e->material), form };
+  return VS_EMITTED;
 }
 
 vs_emit_status vs_x3d_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
-  vs_x3d *x = e->state;
   const struct vs_line *l = VS_AS(line, ref->node);
-  vs_x3d_batch *b = &x->batches[vs_emit_material_number(e, e->material)];
+  vs_x3d_batch *batches = vs_x3d_batches(e, collect_group(e));
+  if (batches == NULL) return VS_FAILED;
+  vs_x3d_batch *b = &batches[vs_emit_material_number(e, e->material)];
   uint32_t count = l->points->count, first = (uint32_t)b->point_count;
   if (count == 0) return VS_EMITTED;
   if (!vs_emit_grow(e, &b->points, &b->point_room, b->point_count + count, sizeof *b->points)
@@ -158,5 +192,5 @@ vs_emit_status vs_x3d_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) 
 
 vs_emit_status vs_x3d_boolean(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   if (phase != VS_PHASE_ENTER) return VS_EMITTED;
-  return collect_bake(e, ref, &e->placement, e->material) ? VS_WHOLE : VS_FAILED;
+  return collect_here(e, ref) ? VS_WHOLE : VS_FAILED;
 }

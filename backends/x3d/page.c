@@ -76,4 +76,4 @@ static bool page_end(vs_emitter *e) {
   return !e->out->failed;
 }
 
-const vs_backend vs_backend_html = { .family = "x3d", .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .begin = page_begin, .end = page_end, .close = vs_x3d_close, .emit = { VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean) } };
+const vs_backend vs_backend_html = { VS_X3D_BACKEND(page_begin, page_end), .ghosts = VS_MARKS_PAINT };

@@ -77,22 +77,33 @@ static void scene_form(vs_emitter *e, vs_x3d_form form, vs_vec3 size) {
   vs_x3d_end(e, words[form], false);
 }
 
-static void scene_item(vs_emitter *e, const vs_x3d_item *item, bool *said) {
-  vs_vec3 at, size, axis, one = vs_v3(1, 1, 1);
+/* The opening of a Transform that says the placement; `size` where the form has no room for it. */
+static void scene_place(vs_emitter *e, const vs_affine *place, vs_vec3 size, bool scaled) {
+  vs_vec3 at, unread, axis;
   double turn[4];
-  vs_affine_split(&item->place, &at, turn, &size);
+  vs_affine_split(place, &at, turn, &unread);
   double angle = scene_axis(turn, &axis);
-  size.x = fabs(size.x); /* all forms are their own mirror images in x */
-  bool fits = scene_fits(item->form, size);
-  size_t number = vs_emit_material_number(e, item->material);
   vs_x3d_node(e, NULL, "Transform", NULL);
   vs_x3d_vector(e, "translation", at);
   if (angle != 0) vs_x3d_turn(e, "rotation", axis, angle);
-  if (!fits) vs_x3d_vector(e, "scale", size);
+  if (scaled) vs_x3d_vector(e, "scale", size);
   vs_x3d_children(e);
+}
+
+static void scene_item(vs_emitter *e, const vs_x3d_item *item, size_t number, bool *said) {
+  vs_vec3 at, size, one = vs_v3(1, 1, 1);
+  vs_x3d_form form;
+  vs_affine place;
+  double turn[4];
+  if (!vs_x3d_form_of(e, item->ref.node, &form, &place)) return; /* it was one when it was collected */
+  place = vs_affine_multiply(&item->placement, &place);
+  vs_affine_split(&place, &at, turn, &size);
+  size.x = fabs(size.x); /* all forms are their own mirror images in x */
+  bool fits = scene_fits(form, size);
+  scene_place(e, &place, size, !fits);
   vs_x3d_node(e, NULL, "Shape", NULL);
   scene_appearance(e, number, said, false);
-  scene_form(e, item->form, fits ? size : one);
+  scene_form(e, form, fits ? size : one);
   vs_x3d_end(e, "Shape", false);
   vs_x3d_end(e, "Transform", true);
 }
@@ -128,41 +139,108 @@ static double scene_steps(const vs_emitter *e) {
   return pow(10, 7 - ceil(log10(diagonal > 0 ? diagonal : 1)));
 }
 
-static void scene_triangles(vs_emitter *e, size_t number, const vs_x3d_batch *b, bool *said) {
+/* A geometry that several Shapes have is named, and said by the first. */
+typedef struct { char name[40]; bool again; } scene_name;
+
+static bool scene_begin_shape(vs_emitter *e, size_t number, bool *said, bool line, const char *type, const scene_name *name) {
   vs_x3d_node(e, NULL, "Shape", NULL);
-  scene_appearance(e, number, said, false);
-  vs_x3d_node(e, "geometry", "IndexedTriangleSet", NULL);
-  vs_x3d_words(e, "solid", "false"); /* open surfaces are seen from both sides */
-  vs_x3d_field(e, "index", true);
-  for (size_t i = 0; i < b->triangle_count && !e->out->failed; i++) {
-    scene_wrap(e->out, i, 12);
-    for (int k = 0; k < 3; k++) {
-      if (k > 0) vs_puts(e->out, " ");
-      vs_put_u32(e->out, b->triangles[i][k]);
+  scene_appearance(e, number, said, line);
+  if (name->again) vs_x3d_use(e, "geometry", type, name->name);
+  else vs_x3d_node(e, "geometry", type, name->name[0] != '\0' ? name->name : NULL);
+  return !name->again;
+}
+
+static void scene_triangles(vs_emitter *e, size_t number, const vs_x3d_batch *b, bool *said, const scene_name *name) {
+  if (scene_begin_shape(e, number, said, false, "IndexedTriangleSet", name)) {
+    vs_x3d_words(e, "solid", "false"); /* open surfaces are seen from both sides */
+    vs_x3d_field(e, "index", true);
+    for (size_t i = 0; i < b->triangle_count && !e->out->failed; i++) {
+      scene_wrap(e->out, i, 12);
+      for (int k = 0; k < 3; k++) {
+        if (k > 0) vs_puts(e->out, " ");
+        vs_put_u32(e->out, b->triangles[i][k]);
+      }
     }
+    vs_x3d_field_end(e, true);
+    scene_points(e, "coord", "Coordinate", "point", b->vertices, b->vertex_count, scene_steps(e));
+    scene_points(e, "normal", "Normal", "vector", b->normals, b->vertex_count, 1000);
+    vs_x3d_end(e, "IndexedTriangleSet", false);
   }
-  vs_x3d_field_end(e, true);
-  scene_points(e, "coord", "Coordinate", "point", b->vertices, b->vertex_count, scene_steps(e));
-  scene_points(e, "normal", "Normal", "vector", b->normals, b->vertex_count, 1000);
-  vs_x3d_end(e, "IndexedTriangleSet", false);
   vs_x3d_end(e, "Shape", false);
 }
 
-static void scene_lines(vs_emitter *e, size_t number, const vs_x3d_batch *b) {
-  bool said = false;
-  vs_x3d_node(e, NULL, "Shape", NULL);
-  scene_appearance(e, number, &said, true);
-  vs_x3d_node(e, "geometry", "IndexedLineSet", NULL);
-  vs_x3d_field(e, "coordIndex", true);
-  for (size_t i = 0; i < b->line_count && !e->out->failed; i++) {
-    scene_wrap(e->out, i, 24);
-    if (b->lines[i] == UINT32_MAX) vs_puts(e->out, "-1");
-    else vs_put_u32(e->out, b->lines[i]);
+static void scene_lines(vs_emitter *e, size_t number, const vs_x3d_batch *b, bool *said, const scene_name *name) {
+  if (scene_begin_shape(e, number, said, true, "IndexedLineSet", name)) {
+    vs_x3d_field(e, "coordIndex", true);
+    for (size_t i = 0; i < b->line_count && !e->out->failed; i++) {
+      scene_wrap(e->out, i, 24);
+      if (b->lines[i] == UINT32_MAX) vs_puts(e->out, "-1");
+      else vs_put_u32(e->out, b->lines[i]);
+    }
+    vs_x3d_field_end(e, true);
+    scene_points(e, "coord", "Coordinate", "point", b->points, b->point_count, scene_steps(e));
+    vs_x3d_end(e, "IndexedLineSet", false);
   }
-  vs_x3d_field_end(e, true);
-  scene_points(e, "coord", "Coordinate", "point", b->points, b->point_count, scene_steps(e));
-  vs_x3d_end(e, "IndexedLineSet", false);
   vs_x3d_end(e, "Shape", false);
+}
+
+/* ---- groups ---- */
+
+static void scene_template_name(char name[40], size_t group, uint32_t paint) {
+  snprintf(name, 40, paint > 0 ? "T%zu_%u" : "T%zu", group, paint);
+}
+
+static void scene_use(vs_emitter *e, const vs_x3d_placed *use, uint32_t paint) {
+  const vs_x3d *x = e->state;
+  vs_vec3 at, size;
+  double turn[4];
+  char name[40];
+  vs_affine_split(&use->placement, &at, turn, &size);
+  scene_place(e, &use->placement, size, size.x != 1 || size.y != 1 || size.z != 1);
+  scene_template_name(name, use->group, x->groups[use->group].bare ? paint : 0);
+  vs_x3d_use(e, NULL, "Group", name);
+  vs_x3d_end(e, "Transform", true);
+}
+
+/* What is in a group, with `paint` for what has none. variant: how often it was said before, in other paints. */
+static void scene_group(vs_emitter *e, size_t group, uint32_t paint, size_t variant, bool *said) {
+  const vs_x3d *x = e->state;
+  const vs_x3d_group *g = &x->groups[group];
+  for (size_t i = 0; i < g->item_count && !e->out->failed; i++) {
+    uint32_t number = g->items[i].paint > 0 ? g->items[i].paint : paint;
+    scene_item(e, &g->items[i], number, &said[number]);
+  }
+  for (size_t i = 0; i < g->use_count && !e->out->failed; i++) scene_use(e, &g->uses[i], g->uses[i].paint > 0 ? g->uses[i].paint : paint);
+  for (size_t i = 0; g->batches != NULL && i < x->batch_count && !e->out->failed; i++) {
+    size_t number = i > 0 ? i : paint;
+    scene_name name = { "", variant > 0 };
+    if (g->paint_count > 1) snprintf(name.name, sizeof name.name, "G%zu_%zu", group, i);
+    if (g->batches[i].triangle_count > 0) scene_triangles(e, number, &g->batches[i], &said[number], &name);
+    if (g->paint_count > 1) snprintf(name.name, sizeof name.name, "E%zu_%zu", group, i);
+    if (g->batches[i].point_count > 0) scene_lines(e, number, &g->batches[i], &said[x->batch_count + number], &name);
+  }
+}
+
+/* The templates in use, where nobody sees them: each before those that use it. */
+static void scene_templates(vs_emitter *e, bool *said) {
+  const vs_x3d *x = e->state;
+  bool any = false;
+  for (size_t k = 1; k < x->group_count; k++)
+    for (size_t i = 0; i < x->groups[k].paint_count && !e->out->failed; i++) {
+      char name[40];
+      if (!any) {
+        vs_x3d_node(e, NULL, "Switch", NULL);
+        vs_x3d_words(e, "whichChoice", "-1");
+        vs_x3d_children(e);
+      }
+      any = true;
+      scene_template_name(name, k, x->groups[k].paints[i]);
+      vs_x3d_node(e, NULL, "Group", name);
+      vs_x3d_children(e);
+      scene_group(e, k, x->groups[k].paints[i], i, said);
+      vs_x3d_end(e, "Group", true);
+    }
+  if (any) vs_x3d_end(e, "Switch", true);
 }
 
 /* ---- round the model ---- */
@@ -249,12 +327,12 @@ static void scene_ground(vs_emitter *e, bool *said) {
 
 bool vs_x3d_scene(vs_emitter *e) {
   vs_x3d *x = e->state;
-  if (!vs_x3d_finish(e)) return false;
+  if (!vs_x3d_settle(e)) return false;
   double aspect = e->options->width > 0 && e->options->height > 0 ? (double)e->options->width / e->options->height : 4.0 / 3;
   vs_look look = vs_look_find(e->scene, &e->bounds, e->boxes, e->box_count, aspect);
   vs_vec3 sun = vs_look_sun(e->scene, &look);
-  /* Materials are said once, by the first that needs one: items, then batches, then the ground. */
-  size_t numbers = x->batch_count;
+  /* Materials are said once, by the first that needs one: templates, the drawing, then the ground. */
+  size_t numbers = 2 * x->batch_count; /* of faces, then of lines */
   bool *said = vs_store_realloc(e->scene->store, NULL, 0, numbers * sizeof *said);
   if (said == NULL) return vs_emit_no_memory(e);
   for (size_t i = 0; i < numbers; i++) said[i] = false;
@@ -277,11 +355,8 @@ bool vs_x3d_scene(vs_emitter *e) {
   vs_x3d_node(e, NULL, "Transform", "model");
   vs_x3d_words(e, "rotation", "1 0 0 -1.57079632679");
   vs_x3d_children(e);
-  for (size_t i = 0; i < x->item_count && !e->out->failed; i++) scene_item(e, &x->items[i], &said[vs_emit_material_number(e, x->items[i].material)]);
-  for (size_t i = 0; i < x->batch_count && !e->out->failed; i++) {
-    if (x->batches[i].triangle_count > 0) scene_triangles(e, i, &x->batches[i], &said[i]);
-    if (x->batches[i].point_count > 0) scene_lines(e, i, &x->batches[i]);
-  }
+  scene_templates(e, said);
+  scene_group(e, 0, 0, 0, said);
   if (e->scene->has_ground) scene_ground(e, &said[vs_emit_material_number(e, e->scene->ground_material)]);
   vs_x3d_end(e, "Transform", true);
   vs_emit_release(e, said, numbers, sizeof *said);
@@ -307,5 +382,5 @@ static bool scene_end_classic(vs_emitter *e) {
   return vs_x3d_scene(e) && !e->out->failed;
 }
 
-const vs_backend vs_backend_x3d = { .family = "x3d", .highlights = VS_MARKS_PAINT, .begin = scene_begin_xml, .end = scene_end_xml, .close = vs_x3d_close, .emit = { VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean) } };
-const vs_backend vs_backend_x3dv = { .family = "x3d", .highlights = VS_MARKS_PAINT, .begin = scene_begin_classic, .end = scene_end_classic, .close = vs_x3d_close, .emit = { VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean) } };
+const vs_backend vs_backend_x3d = { VS_X3D_BACKEND(scene_begin_xml, scene_end_xml) };
+const vs_backend vs_backend_x3dv = { VS_X3D_BACKEND(scene_begin_classic, scene_end_classic) };

@@ -1,8 +1,10 @@
-/* Owns what the files of the X3D back-end share. collect.c: the drawing as shapes; text.c: the two notations; scene.c: what is written;
- * page.c: the web page round it.
+/* Owns what the files of the X3D back-end share. collect.c: the drawing as groups of shapes; bake.c: which groups become triangles;
+ * text.c: the two notations; scene.c: what is written; page.c: the web page round it.
  *
  * Viewers draw a Shape slowly and a triangle fast: past some ten thousand Shapes they crawl. So everything is collected first. Few
- * enough boxes, spheres, cylinders and cones become nodes of their own; all else becomes one triangle set and one line set a material. */
+ * enough boxes, spheres, cylinders and cones become nodes of their own; all else becomes one triangle set and one line set a material.
+ * A template is a group that stands once in the file (DEF) and is used (USE); where there would be too many Shapes the innermost
+ * templates are baked first: that costs the least text, for they are still said once. */
 #ifndef VS_BACKENDS_X3D_H
 #define VS_BACKENDS_X3D_H
 
@@ -17,12 +19,13 @@ typedef enum { VS_X3D_BOX, VS_X3D_SPHERE, VS_X3D_CYLINDER, VS_X3D_CONE } vs_x3d_
 typedef struct {
   vs_ref ref;
   vs_affine placement;         /* of the node */
-  const vs_material *material;
+  uint32_t paint;              /* material number */
   vs_x3d_form form;
-  vs_affine place;             /* of the unit form */
 } vs_x3d_item;
 
-/* All that one material paints; number 0: no material. */
+typedef struct { uint32_t group, paint; vs_affine placement; } vs_x3d_placed; /* a template's use */
+
+/* All that one material paints. Number 0: no material; inside a template that is the paint of where it is used. */
 typedef struct {
   vs_vec3 *vertices, *normals; /* side by side */
   size_t vertex_count, vertex_room, normal_room;
@@ -36,13 +39,23 @@ typedef struct {
 
 typedef enum { VS_X3D_XML, VS_X3D_CLASSIC, VS_X3D_PAGE } vs_x3d_notation; /* PAGE: XML as an HTML parser wants it */
 
+/* The drawing (group 0) or a template, by its number. */
 typedef struct {
-  vs_x3d_notation notation;
-  bool bake;                   /* too many: everything becomes triangles */
   vs_x3d_item *items;
   size_t item_count, item_room;
-  vs_x3d_batch *batches;       /* one a material and one for none */
-  size_t batch_count;
+  vs_x3d_placed *uses;
+  size_t use_count, use_room;
+  vs_x3d_batch *batches;       /* one a material and one for none; NULL: nothing is triangles */
+  bool bare;                   /* something in it takes the paint of where it is used */
+  uint32_t *paints;            /* in which it is used: only 0 where it is not bare */
+  size_t paint_count, paint_room;
+} vs_x3d_group;
+
+typedef struct {
+  vs_x3d_notation notation;
+  vs_x3d_group *groups;
+  size_t group_count, group_room, group; /* group: what is being collected */
+  size_t batch_count;          /* of each group that has batches */
   /* text.c */
   size_t depth;
   bool in_tag;
@@ -50,8 +63,20 @@ typedef struct {
 
 bool vs_x3d_open(vs_emitter *e, vs_x3d_notation notation); /* makes e->state */
 void vs_x3d_close(vs_emitter *e);
-bool vs_x3d_finish(vs_emitter *e); /* bakes what has to be after all */
 vs_emit_fn vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean;
+bool vs_x3d_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
+bool vs_x3d_use_template(vs_emitter *e, uint32_t id, const vs_ref *ref);
+/* The X3D form that a node is, and its place in the node's own coordinates; false: it is none. */
+bool vs_x3d_form_of(const vs_emitter *e, const vs_node *n, vs_x3d_form *form, vs_affine *place);
+bool vs_x3d_bake_node(vs_emitter *e, vs_x3d_group *to, const vs_ref *ref, const vs_affine *place, uint32_t paint); /* its triangles */
+vs_x3d_batch *vs_x3d_batches(vs_emitter *e, vs_x3d_group *g); /* made if there are none; NULL: out of memory */
+
+#define VS_X3D_BACKEND(begin_, end_)                                                                                                  \
+  .begin = begin_, .end = end_, .close = vs_x3d_close, .define = vs_x3d_define, .use = vs_x3d_use_template,                           \
+  .family = "x3d", .highlights = VS_MARKS_PAINT, .emit = { VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean) }
+
+/* ---- bake.c ---- */
+bool vs_x3d_settle(vs_emitter *e); /* bakes what has to be, and finds the paints of templates */
 
 /* ---- text.c: nodes and fields in the notation of e->state ---- */
 
