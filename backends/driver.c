@@ -375,8 +375,10 @@ static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
   bool was_smooth = e->smooth, ok = true;
   if (lower.node->kind != VS_EMPTY) {
     vs_emit_status status = VS_LOWER;
+    const char *lossy = e->backend->emit[lower.node->kind].lossy;
     e->smooth = vs_lower_is_round(ref->node);
-    if (fn != NULL && drive_rank(lower.node) < drive_rank(ref->node)) status = fn(e, &lower, VS_PHASE_LEAF);
+    if (fn != NULL && drive_rank(lower.node) < drive_rank(ref->node))
+      status = lossy != NULL && !vs_emit_warn_once(e, ref, lossy) ? VS_FAILED : fn(e, &lower, VS_PHASE_LEAF);
     ok = status == VS_EMITTED;
     if (status == VS_LOWER) vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s cannot be written in this format", from->name);
     e->smooth = was_smooth;

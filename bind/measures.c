@@ -73,7 +73,8 @@ static vs_status measure(vs_frame *f, vs_measure *m, bool area) {
   if (!vs_node_measure(n, m, &e)) return vs_bind_error(f, &e);
   if (m->known && (!area || m->area_known)) return VS_OK;
   if (n->class_ == VS_SOLID) return measure_mesh(f, m);
-  if (n->class_ == VS_SURFACE && vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION) return measure_surface(f, m);
+  bool placed = n->kind == VS_TRANSFORM || vs_node_is_dress(n);
+  if (n->class_ == VS_SURFACE && (placed || vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION)) return measure_surface(f, m);
   const char *kind = vs_kind_get((vs_kind)n->kind)->name;
   return vs_fail(f->vm, f->vm->sym.error, "there is no measure yet of %s %s that is no solid", strchr("aeiou", *kind) ? "an" : "a", kind);
 }

@@ -9,6 +9,7 @@
 ;             the default; 0.003 where it measures a mesh
 ;   #:facets  the volume of the mesh where the model itself asks for facets (#:segments), else the mesh approaches V
 ;   #:lossy   why no picture is compared
+;   #:alone   #t for what shows nothing, or hides all others: it stands in manual/formats.md and on no sheet
 ;
 ; Every kind of model/prims.def must stand in some row, and every procedure that makes objects: tests/cross.sh tells which does not.
 
@@ -102,6 +103,17 @@
 (shape "region/ellipse" (make-region (make-ellipse origin 3 3/2)) #:within 0.003 #:area (* 9/2 pi) #:box (box-of -3 -3/2 0 3 3/2 0))
 (shape "region/upright" (make-region (make-rectangle (xyz -2 0 -2) (xyz 2 0 2))) #:area 16 #:box (box-of -2 0 -2 2 0 2))
 
+(shape "region/crossing circles" (make-region (join-curves (make-line (xy -2 0) (xy 2 0)) (make-arc origin 2 pi))) #:area (* 2 pi) #:within 0.003)
+(shape "region/unite" (unite (make-rectangle (xy -2 -2) (xy 1 1)) (make-rectangle (xy -1 -1) (xy 2 2))) #:area 14 #:box (box-of -2 -2 0 2 2 0))
+(shape "region/intersect" (intersect (make-region (make-circle (xy -1 0) 2)) (make-region (make-rectangle (xy -1 -3) (xy 3 3)))) #:area (* 2 pi) #:within 0.003)
+(shape "region/subtract" (subtract (make-rectangle (xy -2 -2) (xy 2 2)) (make-circle origin 1)) #:area (- 16 pi) #:within 0.003)
+(shape "join-curves" (join-curves (make-line (xy -2 -3) (xy -2 0)) (make-arc origin 2 pi 0) (make-line (xy 2 0) (xy 2 -3))) #:length (+ 6 2pi) #:within 1e-4)
+(shape "offset/circle" (do-offset (make-circle origin 2) 1) #:length (* 6 pi) #:box (box-of -3 -3 0 3 3 0))
+(shape "offset/region" (do-offset (make-region (make-rectangle (xy -1 -1) (xy 1 1))) 1) #:area 16 #:box (box-of -2 -2 0 2 2 0))
+(shape "offset/round" (do-offset (make-region (make-rectangle (xy -1 -1) (xy 1 1))) 1 #:corners 'round) #:area (+ 12 pi) #:within 0.003)
+(shape "offset/square" (do-offset (make-region (make-rectangle (xy -1 -1) (xy 1 1))) 1 #:corners 'square) #:area (- 16 (* 4 1/2 (- 2 (sqrt 2)) (- 2 (sqrt 2)))) #:within 0.003)
+(shape "offset/inwards" (do-offset (make-region (make-rectangle (xy -3 -3) (xy 3 3)) (make-circle origin 1)) -1/2) #:area (- 25 (* 9/4 pi)) #:within 0.003)
+
 ; ---- from profiles ----
 
 (shape "extrude/circle" (do-extrude (make-circle origin 2) 4) #:volume (* 16 pi) #:area (* 24 pi) #:box (box-of -2 -2 0 2 2 4) #:within 0.003)
@@ -178,6 +190,15 @@
 (shape "with-material" (with-material steel (make-box origin (xyz 2 3 4))) #:volume 24 #:box (box-of 0 0 0 2 3 4))
 (shape "with-material/colour" (color "red" (make-box origin (xyz 2 3 4)) (color '(0 1 0) (make-sphere (xyz 1 1 4) 1))) #:within 0.003)
 (shape "layer" (layer "walls" (make-box origin (xyz 2 3 4))) #:volume 24 #:box (box-of 0 0 0 2 3 4))
+
+(shape "highlight" (highlight (make-box origin (xyz 2 3 4))) #:volume 24 #:lossy "it is also shown where it is cut away")
+(shape "empty-object" (empty-object) #:alone #t)
+(shape "ghost" (ghost (make-box origin (xyz 2 3 4))) #:alone #t)
+(shape "only" (only (make-box origin (xyz 2 3 4))) #:alone #t)
+(shape "native" (native 'povray "box { <0, 0, 0>, <2, 3, 4> }" #:otherwise (make-box origin (xyz 2 3 4))) #:volume 24 #:box (box-of 0 0 0 2 3 4))
+(define-primitive (arch [span positive?] [rise positive?])
+  (do-extrude (subtract (make-region (make-rectangle (xy 0 0) (xy span rise))) (make-region (make-rectangle (xy 1 -1) (xy (- span 1) (- rise 1))))) 1))
+(shape "custom" (arch 4 3) #:volume 8 #:box (box-of 0 0 0 4 3 1))
 
 ; ---- sets ----
 

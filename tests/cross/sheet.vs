@@ -1,17 +1,18 @@
-; Owns what is done with the table of shapes (shapes.vs): `vs sheet.vs -D task=... -D variant=... [-D only=N]`, all for tests/cross.sh.
+; Owns what is done with the table of shapes (shapes.vs): `vs sheet.vs -D task=... -D variant=... [-D one=N]`, all for tests/cross.sh.
 ;
 ;   task=measure   holds the program's own measures to the closed forms, in the words of tests/run.sh
 ;   task=table     prints a line a shape for tests/tools: what its cell of the sheet must hold
 ;   task=names     prints a line a shape: number, class, name
+;   task=forms     prints a line a shape: number, kind, name
 ;   task=kinds     prints the kinds of nodes that the table meets
-;   task=draw      draws the sheet; with only=N one shape, in its cell. standin=#t draws for what has no thickness something thin
+;   task=draw      draws the sheet; with one=N one shape, in its cell. standin=#t draws for what has no thickness something thin
 ;
 ; A sheet is a lattice in a plane across the view from 'iso, ten cells a row; no shape reaches out of its cell, so one run of a worker serves
 ; all shapes. variant=mixed gives each shape the next of the variants in turn.
 
-(define-parameter task "draw" #:choices '("measure" "table" "names" "kinds" "draw"))
+(define-parameter task "draw" #:choices '("measure" "table" "names" "forms" "kinds" "draw"))
 (define-parameter variant "plain" #:choices '("plain" "rotated" "mirrored" "scaled" "cut" "hollow" "mixed"))
-(define-parameter only -1)
+(define-parameter one -1)
 (define-parameter standin #f)
 (define-parameter samples 500)
 
@@ -26,17 +27,18 @@
 (define row-object second)
 (define row-forms third)
 (define row-lossy fourth)
+(define row-alone fifth)
 (define rows '())
 ; a shape that cannot be made is told of, and the others go on
 (define-syntax shape
   (syntax-rules ()
     ((_ name object . options) (add-shape name (lambda () object) . options))))
 (define (add-shape name make #:volume [volume any? #f] #:area [area any? #f] #:length [length any? #f] #:box [box any? #f] #:within [within any? 1e-9]
-               #:facets [facets any? #f] #:lossy [lossy any? #f])
+               #:facets [facets any? #f] #:lossy [lossy any? #f] #:alone [alone any? #f])
   (define object (guard (e ((error-object? e) (condition/report-string e))) (make)))
   (if (not (object? object))
       (if (string=? task "measure") (printf "not ok cross/made:~a\n    ~a\n" name object))
-      (set! rows (cons (list name object (list volume area length box within facets) lossy) rows))))
+      (set! rows (cons (list name object (list volume area length box within facets) lossy alone) rows))))
 (load "shapes.vs")
 (set! rows (reverse rows))
 
@@ -129,8 +131,8 @@
 (define (rounded x) (/ (round (* x 1000)) 1000))
 ; o with its middle in the middle of the cell, by a step of three decimals
 (define (place o index)
-  (let* ((b (bounding-box o)) (by (p->q (mid (first b) (second b)) (cell index))))
-    (do-move o (vxyz (rounded (cx by)) (rounded (cy by)) (rounded (cz by))))))
+  (let* ((b (bounding-box o)) (by (if b (p->q (mid (first b) (second b)) (cell index)))))
+    (if b (do-move o (vxyz (rounded (cx by)) (rounded (cy by)) (rounded (cz by)))) o)))
 (define (thin o)
   (case (class-of o)
     ((curve) (do-thicken o 0.3 #:segments 8))
@@ -156,7 +158,7 @@
   (let loop ((left rows) (index 0))
     (if (pair? left)
         (begin
-          (if (or (< only 0) (= only index)) (proc index (car left)))
+          (if (if (< one 0) (or (string=? task "forms") (string=? task "kinds") (not (row-alone (car left)))) (= one index)) (proc index (car left)))
           (loop (cdr left) (+ index 1))))))
 
 (define (row-variants index row)
@@ -173,6 +175,8 @@
    (each-row print-row))
   ((string=? task "names")
    (each-row (lambda (index row) (printf "~a\t~a\t~a:~a\n" index (class-of (row-object row)) (row-name row) (variant-of index row)))))
+  ((string=? task "forms")
+   (each-row (lambda (index row) (printf "~a\t~a\t~a\n" index (object-kind (row-object row)) (row-name row)))))
   ((string=? task "kinds")
    (each-row (lambda (index row) (meet-kinds (row-object row))))
    (hash-for-each kinds (lambda (kind found) (displayln kind))))

@@ -26,10 +26,12 @@ static vs_pass_stats run(vs_store *s, vs_ref *ref, unsigned passes) {
 }
 
 static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node **kids, size_t count) { /* takes the kids over */
-  vs_ref refs[256] = { { NULL, NULL } };
+  vs_ref *refs = malloc((count + 1) * sizeof *refs);
+  assert_non_null(refs);
   for (size_t i = 0; i < count; i++) refs[i] = (vs_ref){ kids[i], NULL };
   vs_node *n = vs_node_new(s, kind, data, refs, count);
   for (size_t i = 0; i < count; i++) vs_node_release(kids[i]);
+  free(refs);
   return n;
 }
 static vs_node *two(vs_store *s, vs_kind kind, vs_node *a, vs_node *b) { return over(s, kind, NULL, (vs_node *[]){ a, b }, 2); }
