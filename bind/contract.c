@@ -181,7 +181,7 @@ static bool convert_plane(vs_value v, vs_arg *out) {
  * the highest power of two below (Brent's way). */
 static bool flatten(vs_frame *f, const vs_value *values, size_t count, bool (*add)(vs_frame *, vs_value, void *, bool *oom), void *to, vs_value *bad) {
   struct open { vs_value list, rest; } fixed[32], *open = fixed;
-  size_t room = 32, work = 0;
+  size_t room = 32;
   for (size_t i = 0; i < count; i++) {
     size_t depth = 0;
     vs_value v = values[i];
@@ -204,7 +204,7 @@ static bool flatten(vs_frame *f, const vs_value *values, size_t count, bool (*ad
       }
       while (depth > 0 && open[depth - 1].rest == VS_NIL) depth--;
       if (depth == 0) break;
-      if (++work % 1024 == 0 && !vs_poll(f->vm, 1024)) return *bad = VS_ABSENT, false;
+      if (!vs_poll(f->vm, 8)) return *bad = VS_ABSENT, false;
       v = vs_car(open[depth - 1].rest);
       open[depth - 1].rest = vs_cdr(open[depth - 1].rest);
     }

@@ -81,27 +81,25 @@ bool vs_bind_returned(vs_bind *b, vs_value v, bool shown) {
   return ok;
 }
 
-/* was it drawn too, then or later, itself or as a part? Only the first is looked for: a part drawn alone is rare */
-static bool drawn_itself(const vs_bind *b, const vs_node *n) {
-  for (size_t i = 0; i < b->scene.drawn_count; i++)
-    if (b->scene.drawn[i].node == n) return true;
-  return false;
-}
-
-/* (draw a list) draws its objects and returns their union */
-static bool drawn(const vs_bind *b, const vs_node *n) {
-  if (drawn_itself(b, n)) return true;
+/* Was it drawn too, then or later, itself or as a part? Only the first is looked for: a part drawn alone is rare. (draw a list) draws its
+ * objects and returns their union. */
+static bool drawn(const vs_nodemap *all, const vs_node *n) {
+  if (vs_nodemap_get(all, n)) return true;
   if (n->kind != VS_UNION) return false;
   for (uint32_t i = 0; i < n->child_count; i++)
-    if (!drawn_itself(b, n->children[i].node)) return false;
+    if (!vs_nodemap_get(all, n->children[i].node)) return false;
   return true;
 }
 
 bool vs_bind_finish(vs_bind *b) {
   if (!b->drew) return true;
-  for (size_t i = 0; i < b->returned_count; i++)
-    if (!b->returned[i].shown && !drawn(b, b->returned[i].node) && !vs_bind_is_empty(b->returned[i].node) && b->warn)
+  vs_nodemap all = { .store = b->store };
+  bool known = b->returned_count > 0; /* without memory for the question the warnings are left out */
+  for (size_t i = 0; known && i < b->scene.drawn_count; i++) known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
+  for (size_t i = 0; known && i < b->returned_count; i++)
+    if (!b->returned[i].shown && !drawn(&all, b->returned[i].node) && !vs_bind_is_empty(b->returned[i].node) && b->warn)
       b->warn(b->warn_context, b->returned[i].origin, "this object is made and thrown away: others are drawn, this one is not; unite them, or (draw ...) it too");
+  vs_nodemap_free(&all);
   forget_returned(b);
   return false;
 }

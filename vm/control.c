@@ -121,8 +121,8 @@ static vs_status apply(vs *vm, vs_value *a, int n, vs_value *out) {
   vs_call_begin(vm, a[0]);
   for (int i = 1; i < n - 1; i++)
     if (!vs_call_push(vm, a[i])) return VS_ERROR;
-  for (; last != VS_NIL; last = vs_cdr(last))
-    if (!vs_call_push(vm, vs_car(last))) return VS_ERROR;
+  for (uint64_t i = 0; last != VS_NIL; last = vs_cdr(last), i++)
+    if (!vs_call_push(vm, vs_car(last)) || !vs_poll_turn(vm, i, 4)) return VS_ERROR;
   return VS_TAILCALL;
 }
 

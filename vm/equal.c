@@ -45,8 +45,10 @@ static bool equal_note(equal_walk *w, vs_value a, vs_value b, bool *known) {
     equal_pair *notes = vs_mem(w->vm, NULL, 0, slots * sizeof *notes);
     if (!notes) return false;
     memset(notes, 0, slots * sizeof *notes);
-    for (size_t i = 0; i < w->slots; i++)
+    bool ok = true;
+    for (size_t i = 0; i < w->slots && (ok = vs_poll_turn(w->vm, i, 4)); i++)
       if (w->notes[i].a) *equal_slot(notes, slots, w->notes[i].a, w->notes[i].b) = w->notes[i];
+    if (!ok) return vs_mem(w->vm, notes, slots * sizeof *notes, 0), false;
     if (w->notes) vs_mem(w->vm, w->notes, w->slots * sizeof *notes, 0);
     w->notes = notes;
     w->slots = slots;

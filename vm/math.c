@@ -150,8 +150,7 @@ static bool exact_power(vs *vm, vs_value base, vs_value exponent, vs_value *out)
   r[2] = ratio ? vs_as_ratio(base)->den : vs_fix(1);
   if (negative && r[1] == vs_fix(0)) return vs_fail(vm, vm->sym.divide, "0 has no negative power");
   if (!vs_int_power(vm, r[1], n, &r[1]) || !vs_int_power(vm, r[2], n, &r[2])) return false;
-  if (negative) return vs_number_ratio(vm, r[2], r[1], out);
-  return ratio ? vs_number_ratio(vm, r[1], r[2], out) : (*out = r[1], true);
+  return vs_number_lowest(vm, r[negative ? 2 : 1], r[negative ? 1 : 2], out);
 }
 
 /* The exact k-th root of an exact integer >= 0, or *out = #f. Only roots that a double can find are looked for. */

@@ -27,9 +27,16 @@ bool vs_number_ratio(vs *vm, vs_value num, vs_value den, vs_value *out) {
   VS_ROOTS(vm, r, 3);
   r[0] = num;
   r[1] = den;
-  if (vs_int_sign(den) < 0 && !(vs_int_negate(vm, r[0], &r[0]) && vs_int_negate(vm, r[1], &r[1]))) return false;
   if (!vs_int_gcd(vm, r[0], r[1], &r[2])) return false;
   if (r[2] != vs_fix(1) && !(vs_int_divide(vm, r[0], r[2], &r[0], NULL) && vs_int_divide(vm, r[1], r[2], &r[1], NULL))) return false;
+  return vs_number_lowest(vm, r[0], r[1], out);
+}
+
+bool vs_number_lowest(vs *vm, vs_value num, vs_value den, vs_value *out) {
+  VS_ROOTS(vm, r, 2);
+  r[0] = num;
+  r[1] = den;
+  if (vs_int_sign(den) < 0 && !(vs_int_negate(vm, r[0], &r[0]) && vs_int_negate(vm, r[1], &r[1]))) return false;
   if (r[1] == vs_fix(1)) return *out = r[0], true;
   vs_ratio *q = (vs_ratio *)(void *)vs_gc_alloc(vm, VS_T_RATIO, VS_WORDS(vs_ratio));
   if (!q) return false;

@@ -35,6 +35,7 @@ bool vs_number_from_int64(vs *vm, int64_t n, vs_value *out);
 bool vs_number_from_uint64(vs *vm, uint64_t n, vs_value *out);
 bool vs_number_to_int64(vs_value v, int64_t *out);                    /* an exact integer, or a double that is one, in range */
 bool vs_number_ratio(vs *vm, vs_value num, vs_value den, vs_value *out);   /* exact integers, den not 0; lowest terms */
+bool vs_number_lowest(vs *vm, vs_value num, vs_value den, vs_value *out);  /* the same of two that have no divisor in common */
 
 /* Equal in type and value, as eqv? on two numbers. Never fails. */
 bool vs_number_eqv(vs_value a, vs_value b);

@@ -240,7 +240,8 @@ static bool put_string(vs_text *t, vs_value v) {
   const uint8_t *narrow = vs_as_bytes(s->store)->at;
   const uint32_t *wide = (const uint32_t *)(const void *)narrow;
   bool ok = vs_text_put(t, "\"", 1);
-  for (uint32_t i = 0; ok && i < s->length; i++) ok = put_escaped(t, s->h.flags & VS_F_WIDE ? wide[i] : narrow[i], '"');
+  for (uint32_t i = 0; ok && i < s->length; i++)
+    ok = put_escaped(t, s->h.flags & VS_F_WIDE ? wide[i] : narrow[i], '"') && vs_poll_turn(t->vm, i, 4);
   return ok && vs_text_put(t, "\"", 1);
 }
 
@@ -328,7 +329,7 @@ static bool put_flat(vs *vm, vs_text *t, vs_value v) {
 static bool put_bytes(vs_text *t, vs_value v) {
   const vs_bytes *b = vs_as_bytes(v);
   bool ok = vs_text_put(t, "#u8(", 4);
-  for (uint64_t i = 0; ok && i < b->length; i++) ok = (i == 0 || vs_text_put(t, " ", 1)) && put_int(t, b->at[i]);
+  for (uint64_t i = 0; ok && i < b->length; i++) ok = (i == 0 || vs_text_put(t, " ", 1)) && put_int(t, b->at[i]) && vs_poll_turn(t->vm, i, 16);
   return ok && vs_text_put(t, ")", 1);
 }
 

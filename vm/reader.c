@@ -468,10 +468,15 @@ static void watch_indentation(reader *r, vs_pos pos) {
   r->blank_line = false;
 }
 
-/* Reads on until a datum of the outermost level is there: 1, 0 at the end, -1 no memory. */
+/* Reads on until a datum of the outermost level is there: 1, 0 at the end, -1 an error: no memory, a limit. */
 static int next(reader *r, vs_value *out, vs_pos *where) {
   while (skip(r)) {
     vs_pos pos = place(r, r->at);
+    if (!vs_poll(r->vm, 16)) {
+      vs_condition *c = vs_is(r->vm->condition, VS_T_CONDITION) ? vs_as_condition(r->vm->condition) : NULL;
+      if (c && !c->place) c->place = pos;
+      return -1;
+    }
     if (r->blank_line) watch_indentation(r, pos);
     else r->blank_line = false;
     r->content_line = r->line;

@@ -46,6 +46,8 @@ static bool poll(vs *vm) {
 }
 
 bool vs_poll(vs *vm, uint64_t work) {
+  work += vm->work;                           /* 64 cheap steps are a turn */
+  vm->work = work & 63;
   vm->fuel -= (int64_t)(work >> 6);
   return vm->fuel > 0 || poll(vm);
 }

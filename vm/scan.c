@@ -121,7 +121,7 @@ bool vs_read_whole(vs *vm, const char *text, size_t size, vs_text_check *out) {
     size_t n = vs_utf8_decode(text + i, size - i, &c);
     if (!n) { n = 1; c = 0xFFFD; }
     vs_scan_result r;
-    ok = vs_scan_feed(&s, c, &r);
+    ok = vs_scan_feed(&s, c, &r) && vs_poll_turn(vm, i, 4);
     if (r == VS_SCAN_BAD) { *out = (vs_text_check){VS_TEXT_BAD, 0, s.token_line, s.token_col, s.trouble}; break; }
     if (r != VS_SCAN_MORE) { any = true; s.wanted = 1; s.any = false; }
     if (r != VS_SCAN_WHOLE) i += n;                /* a delimiter that ended an atom is fed again */

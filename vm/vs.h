@@ -77,6 +77,7 @@ struct vs {
 
   /* limits */
   int64_t fuel;                    /* turns until the next poll */
+  uint64_t work;                   /* steps of builtins that are not a turn yet */
   uint64_t steps;                  /* turns taken, up to the last poll */
   double started;
   uint64_t written;                /* bytes printed and written by this evaluation */
