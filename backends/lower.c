@@ -5,6 +5,7 @@
 
 #include "backends/backend.h"
 #include "geometry/plane.h"
+#include "kernel/primitive.h"
 #include "geometry/solids.h"
 
 static vs_node *lower_line(vs_store *store, const vs_polyline *p) {
@@ -164,7 +165,8 @@ static bool lower_booleans(vs_emitter *e, const vs_ref *refs, size_t count, vs_s
 bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out) {
   if (vs_kind_get((vs_kind)ref->node->kind)->level == VS_LEVEL_OPERATION && ref->node->class_ != VS_REGION_CLASS) return lower_booleans(e, ref, 1, out);
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  if (vs_tessellate(ref->node, &e->facets, &out->mesh, &why)) return true;
+  vs_kernel_options options = { .progress = lower_progress, .context = e };
+  if (vs_primitive_mesh(ref->node, &e->facets, &options, &out->mesh, &why)) return true;
   *e->error = why;
   if (why.origin == NULL && why.kind == VS_ERROR_MODEL) e->error->origin = ref->origin;
   return false;

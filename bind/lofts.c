@@ -47,7 +47,9 @@ vs_status vs_p_do_revolve(vs_frame *f, vs_value *out) {
   if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);
   vs_facets coarse = { fmax(vs_bounds_diagonal(&b) / 64, 1e-300), 0 };
   if (!vs_revolve_plan(n, &coarse, &plan, &e)) return vs_bind_error(f, &e);
+  bool nothing = plan.count == 0;
   vs_revolve_free(&plan);
+  if (nothing) return vs_bind_empty(f, "the profile is empty", out);
   return vs_bind_node(f, vs_node_retain(n), out);
 }
 

@@ -237,6 +237,8 @@ vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
   d.along = vs_is_flat(f->arg[1].value, VS_FLAT_VECTOR) ? POINT(1) : vs_v3(0, 0, REAL(1));
   double length = vs_v3_length(d.along), steep;
   if (length == 0) return vs_bind_empty(f, "the amount is 0", out);
+  if (d.taper != 0 && (d.twist != 0 || d.scale != 1)) return vs_fail(f->vm, f->vm->sym.range, "a taper does not go with #:twist or #:scale");
+  if (d.taper != 0 && NODE(0)->class_ == VS_CURVE && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_refuse(f, "profile", "closed where there is a taper", f->arg[0].value);
   if (fabs(d.taper) >= 1.5707963) return vs_bind_refuse(f, "taper", "between -pi/2 and pi/2", f->arg[2].value);
   vs_plane plane;
   if ((NODE(0)->class_ == VS_REGION_CLASS || NODE(0)->flags & VS_NODE_CLOSED) && vs_node_plane(NODE(0), &plane) == VS_PLANE_ONE) {

@@ -93,14 +93,26 @@ static bool vs_bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node 
   }
   f.tolerance *= 4; /* a twist costs the inverse of it */
   if (!vs_swept_plan(n, &f, &plan, e)) return false;
+  vs_bounds straight = vs_bounds_empty();
   for (size_t i = 0; i < plan.section_count; i++) {
     const vs_section *s = &plan.sections[i];
     for (size_t k = 0; k < plan.profile_count; k++) {
       vs_vec2 p = plan.profile[k];
-      vs_bounds_add(b, vs_affine_point(a, vs_v3_add(vs_v3_add(vs_v3_scale(s->x, p.x), vs_v3_scale(s->y, p.y)), s->at)));
+      vs_bounds_add(&straight, vs_affine_point(a, vs_v3_add(vs_v3_add(vs_v3_scale(s->x, p.x), vs_v3_scale(s->y, p.y)), s->at)));
     }
   }
   vs_swept_free(&plan);
+  if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) { /* inwards within the straight one, which also bounds what crosses itself */
+    vs_bounds leaning = vs_bounds_empty();
+    vs_mesh m = { 0 };
+    bool ok = vs_tessellate(n, &f, &m, e);
+    if (ok) vs_bounds_add_points(&leaning, a, m.vertices, m.vertex_count);
+    vs_mesh_free(&m);
+    if (!ok) return false;
+    if (VS_AS(extrude, n)->taper > 0) vs_bounds_meet(&straight, &leaning);
+    else straight = leaning;
+  }
+  vs_bounds_unite(b, &straight);
   return true;
 }
 

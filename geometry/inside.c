@@ -223,7 +223,9 @@ static bool vs_inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs
     case VS_CUT_CONE: return vs_inside_prepare_axis(part, VS_AS(cut_cone, n)->base, VS_AS(cut_cone, n)->top);
     case VS_E_CONE: return vs_inside_prepare_axis(part, VS_AS(e_cone, n)->base, VS_AS(e_cone, n)->top);
     case VS_PYRAMID: return vs_inside_prepare_axis(part, VS_AS(pyramid, n)->base, VS_AS(pyramid, n)->top);
-    case VS_EXTRUDE: case VS_SWEEP: return n->class_ != VS_SOLID || vs_inside_prepare_swept(part, e);
+    case VS_EXTRUDE: case VS_SWEEP:
+      if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) return vs_inside_prepare_facets(part, e); /* its walls are plane */
+      return n->class_ != VS_SOLID || vs_inside_prepare_swept(part, e);
     case VS_THICKEN:
       if (n->class_ != VS_SOLID) return true;
       return n->children[0].node->class_ == VS_SURFACE ? vs_inside_prepare_facets(part, e) : vs_inside_prepare_swept(part, e);

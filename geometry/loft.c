@@ -64,6 +64,7 @@ static bool loft_read(const vs_node *n, const vs_facets *f, loft_section *s, vs_
     if (s->outline.loops[0].count < 2) return vs_error_set(e, VS_ERROR_MODEL, NULL, "a section is a curve without length");
   } else {
     if (!vs_region_outline(n, f, &s->outline, e)) return false;
+    if (!s->outline.count) return vs_error_set(e, VS_ERROR_MODEL, NULL, "the region is empty");
     s->normal = s->outline.normal;
   }
   vs_outline_measure(&s->outline, &s->center);

@@ -22,6 +22,7 @@ void vs_revolve_free(vs_revolve *r) {
 static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
   vs_vec3 far = { 0, 0, 0 };
   double size = 0, most = 0;
+  if (!o->count) return true; /* a region can turn out to be nothing */
   for (size_t l = 0; l < o->count; l++)
     for (size_t i = 0; i < o->loops[l].count; i++) {
       vs_vec3 d = vs_v3_sub(o->loops[l].at[i], r->at), across = vs_v3_sub(d, vs_v3_scale(r->axis, vs_v3_dot(d, r->axis)));
@@ -68,7 +69,7 @@ bool vs_revolve_plan(const vs_node *n, const vs_facets *f, vs_revolve *r, vs_err
   r->profile = malloc((points + 1) * sizeof *r->profile);
   r->sizes = malloc((o.count + 1) * sizeof *r->sizes);
   r->hole = malloc((o.count + 1) * sizeof *r->hole);
-  r->filled = o.loops[0].closed;
+  r->filled = !o.count || o.loops[0].closed;
   bool ok = ((r->profile && r->sizes && r->hole) || vs_error_memory(e, NULL)) && revolve_place(r, &o, e);
   vs_outline_free(&o);
   if (!ok) vs_revolve_free(r);
@@ -172,8 +173,7 @@ static void revolve_line_moments(const vs_revolve *p, revolve_moments *m) {
     }
 }
 
-/* Is the profile one circle under a map that keeps it round? Its radius then; else 0. */
-static double revolve_circle(const vs_node *n) {
+double vs_profile_circle(const vs_node *n) {
   vs_affine placed = vs_affine_identity();
   while (n->kind == VS_TRANSFORM || vs_node_is_dress(n) || (n->kind == VS_REGION && n->child_count == 1)) {
     if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
@@ -196,7 +196,7 @@ bool vs_revolve_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   if (r.filled) revolve_area_moments(&r, &area);
   revolve_line_moments(&r, &line);
   if (area.whole < 0) area = (revolve_moments){ -area.whole, -area.r, -area.rr, -area.rz };
-  double angle = fabs(r.angle), radius = revolve_circle(n->children[0].node), half = angle / 2, middle = r.start + r.angle / 2, sine, cosine;
+  double angle = fabs(r.angle), radius = vs_profile_circle(n->children[0].node), half = angle / 2, middle = r.start + r.angle / 2, sine, cosine;
   if (radius > 0) { /* the polygon's centroid is the circle's by symmetry */
     double k = turn / 2 * radius * radius / area.whole, l = turn * radius / line.whole;
     area = (revolve_moments){ area.whole * k, area.r * k, area.rr * k, area.rz * k };

@@ -27,6 +27,8 @@ void vs_revolve_bounds(const vs_revolve *r, const vs_affine *a, vs_bounds *b);
 bool vs_revolve_holds(const vs_revolve *r, vs_vec3 p); /* of a solid */
 /* Pappus, with the moments of the plan's polygon; where that stands for a circle, exactly. */
 bool vs_revolve_measure(const vs_node *n, vs_measure *m, vs_error *e);
+/* Is the profile one circle, placed so that it stays round? Its radius then, else 0. */
+double vs_profile_circle(const vs_node *profile);
 /* even-odd, in the plane of loops */
 bool vs_loops_hold(const vs_vec2 *at, const size_t *sizes, size_t loop_count, double x, double y);
 

@@ -212,7 +212,6 @@ static bool vs_swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, 
   vs_affine identity = vs_affine_identity();
   vs_vec3 none = { 0, 0, 0 };
   bool curve = n->child_count > 1, ok = true, turns = x->twist != 0 || x->scale != 1;
-  if (x->taper != 0) return vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: a taper is not there yet; #:scale narrows about the middle");
   ok = vs_swept_profile(s, n->children[0].node, f, NULL, &plane, e);
   if (ok && curve) ok = vs_curve_path(n->children[1].node, &identity, f, &path, e);
   else if (ok) ok = (vs_path_add(&path, none, none, none) && vs_path_add(&path, x->along, none, none)) || vs_error_memory(e, NULL);

@@ -9,6 +9,7 @@
 #include "geometry/superellipsoid.h"
 #include "geometry/surface.h"
 #include "geometry/swept.h"
+#include "geometry/taper.h"
 
 /* A placement's child; NULL for what is a leaf here. Appearance changes no shape. */
 static const vs_ref *vs_tessellate_below(const vs_node *n, vs_affine *placed) {
@@ -109,6 +110,7 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
         break;
       } /* fall through */
     case VS_EXTRUDE: case VS_SWEEP: {
+      if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) return vs_taper_mesh(n, f, out, e);
       vs_swept plan;
       if (!vs_swept_plan(n, f, &plan, e)) return false;
       ok = vs_swept_mesh(&plan, out);

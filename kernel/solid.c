@@ -10,6 +10,7 @@
 
 #include "geometry/solids.h"
 #include "kernel/memory.h"
+#include "kernel/primitive.h"
 
 enum { BUCKETS = 4096 };
 
@@ -122,7 +123,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const vs_facets *facets, vs_m
   *number = (uint32_t)b->meshes.count - 1;
   if (ref->node->kind == VS_HALF_SPACE) return true; /* made when it is known what there is to cut */
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  if (vs_tessellate(ref->node, facets, *mesh, &why)) return true;
+  if (vs_primitive_mesh(ref->node, facets, b->k.options, *mesh, &why)) return true;
   if (!why.origin) why.origin = ref->origin;
   if (b->error) *b->error = why;
   return false;

@@ -72,3 +72,27 @@
 (displayln (surface? (make-surface (list (loop 0 1) (loop 2 1))))) ; expect: #t
 (ok? "a sheet made thick" (volume (do-thicken (make-surface (lambda (u v) (xyz u v 0)) #:nu 2 #:nv 2) 0.5)) 0.5)
 
+
+; extrusions: leaning walls end in an apex, a ridge or a roof
+(define steep (atan 1/2))
+(ok? "cut pyramid" (volume (do-extrude (square 0 2) 2 steep)) 56/3)
+(ok? "pyramid" (volume (do-extrude (square 0 2) 9 steep)) 64/3)
+(ok? "upside down" (volume (do-extrude (square 0 2) -9 steep)) 64/3)
+(ok? "outwards" (volume (do-extrude (square 0 2) 2 (- steep))) 152/3)
+(ok? "a ridge" (volume (do-extrude (make-rectangle (xy 0 0) (xy 6 2)) 9 steep)) 32/3)
+(ok? "a roof over an L" (volume (do-extrude (make-polygon (xy 0 0) (xy 6 0) (xy 6 2) (xy 2 2) (xy 2 5) (xy 0 5)) 9 steep)) 50/3)
+(define H (make-polygon (xy 0 0) (xy 2 0) (xy 2 2) (xy 4 2) (xy 4 0) (xy 6 0) (xy 6 5) (xy 4 5) (xy 4 3) (xy 2 3) (xy 2 5) (xy 0 5)))
+(ok? "a roof over an H that falls into two" (volume (do-extrude H 9 steep)) 18.5)
+(ok? "a frame" (volume (do-extrude (make-region (square 0 3) (square 0 1)) 1 steep)) 24)
+(ok? "a cut cone" (volume (do-extrude (make-circle origin 2) 2 steep)) (* 2/3 7 pi))
+(ok? "a cone" (volume (do-extrude (make-circle origin 2) 9 steep)) (* 16/3 pi))
+(ok? "oblique" (volume (do-extrude (square 0 2) (vxyz 3 1 2) steep)) 56/3)
+(displayln (bounding-box (do-extrude (square 0 2) 9 steep #:centre #f))) ; expect: ((xyz -2 -2 0) (xyz 2 2 4.000000000000001))
+(displayln (contains? (do-extrude H 9 steep) (xyz 3 2.5 0.9))) ; expect: #t
+(displayln (contains? (do-extrude H 9 steep) (xyz 3 2.5 1.1))) ; expect: #f
+(ok? "twisted" (volume (do-extrude (square 0 2) 3 #:twist pi)) 48)
+(ok? "narrowing" (volume (do-extrude (square 0 2) 3 #:scale 1/2)) 28)
+(ok? "a prism's surface" (area (do-extrude (square 0 2) 3)) 80)
+(ok? "a cylinder's" (area (do-extrude (make-circle origin 1) 3)) (* 8 pi))
+; what overlaps itself counts once
+(ok? "a path across itself" (volume (do-sweep (square 0 1/2) (make-line origin (xy 4 0) (xy 4 4) (xy 2 4) (xy 2 -2)))) 15)
