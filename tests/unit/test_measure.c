@@ -108,6 +108,12 @@ static vs_node *example(vs_store *s, int which) {
     case 13: return over(s, VS_THICKEN, &bar, vs_polyface_make(s, quad, 4, starts, 1, corners, NULL), NULL);
     case 14: return over(s, VS_SWEEP, &plain, NODE(circle, CIRCLE, p, 0.5, 0), NODE(circle, CIRCLE, p, 4, 0));
     case 15: return over(s, VS_EXTRUDE, &(struct vs_extrude){ .along = { 0, 0, 2 }, .scale = 0 }, curve(s, l, 6, true), NULL);
+    case 16: return over(s, VS_REVOLVE, &(struct vs_revolve){ .at = { -1, 0, 0 }, .direction = { 0, 1, 0 }, .start = 0.5, .end = 4 }, curve(s, l, 6, true), NULL);
+    case 17: return over(s, VS_REVOLVE, &(struct vs_revolve){ .at = { 0, 0, 0 }, .direction = { 1, 0, 0 }, .end = 7 }, curve(s, l, 6, true), NULL);
+    case 18: return over(s, VS_EXTRUDE, &(struct vs_extrude){ .along = { 0, 1, 3 }, .scale = 1, .taper = 0.3 }, curve(s, l, 6, true), NULL);
+    case 19: return over(s, VS_EXTRUDE, &(struct vs_extrude){ .along = { 0, 1, -2 }, .scale = 1, .taper = -0.3 }, curve(s, l, 6, true), NULL);
+    case 20: return over(s, VS_LOFT, &(struct vs_loft){ .start_angle = 0.5, .start_hold = 1 }, curve(s, l, 6, true), NODE(circle, CIRCLE, q, 2, 0));
+    case 21: return over(s, VS_RULED_LOFT, NULL, curve(s, l, 6, true), NODE(circle, CIRCLE, q, 2, 0));
     default: return NULL;
   }
 }
@@ -115,7 +121,7 @@ static vs_node *example(vs_store *s, int which) {
 static void solids_agree(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
-  for (int i = 0; i < 16; i++) agree(example(s, i), i < 9);
+  for (int i = 0; i < 22; i++) agree(example(s, i), i <= 9 || (i >= 15 && i <= 17));
   vs_store_release(s);
 }
 
