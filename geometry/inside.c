@@ -5,10 +5,11 @@
  * that decides: in a drawing of disjoint parts it costs one box test a part.
  *
  * Between the sections S_0 and S_1 of a sweep a point p lies in the section t where g(t) = (X_t x Y_t) . (p - O_t) = 0, a cubic; its roots in
- * [0, 1] give (u, v) in the profile's plane. Polyface meshes and thickened surfaces are defined by facets: there the solid angle is summed. */
+ * [0, 1] give (u, v) in the profile's plane. Polyface meshes, lofts and thickened surfaces are told by facets. */
 #include <stdlib.h>
 #include <string.h>
 
+#include "geometry/facets.h"
 #include "geometry/frame.h"
 #include "geometry/measure.h"
 #include "geometry/heights.h"
@@ -25,7 +26,7 @@ typedef struct {
   vs_swept *plan;
   vs_revolve *turned;
   vs_bounds *between; /* of each pair of sections */
-  vs_mesh *facets;
+  vs_facet_index *facets;
 } vs_inside_part;
 
 typedef struct { size_t part; uint32_t next; vs_vec3 p; } vs_inside_level;
@@ -100,17 +101,6 @@ static bool vs_inside_swept(const vs_inside_part *part, vs_vec3 p) {
   return false;
 }
 
-/* The solid angle under which the facets are seen, over 4 pi (Van Oosterom and Strackee) */
-static bool vs_inside_facets(const vs_mesh *m, vs_vec3 p) {
-  double turns = 0;
-  for (size_t i = 0; i < m->triangle_count; i++) {
-    vs_vec3 a = vs_v3_sub(m->vertices[m->triangles[i][0]], p), b = vs_v3_sub(m->vertices[m->triangles[i][1]], p), c = vs_v3_sub(m->vertices[m->triangles[i][2]], p);
-    double la = vs_v3_length(a), lb = vs_v3_length(b), lc = vs_v3_length(c);
-    turns += atan2(vs_v3_dot(a, vs_v3_cross(b, c)), la * lb * lc + vs_v3_dot(a, b) * lc + vs_v3_dot(b, c) * la + vs_v3_dot(c, a) * lb);
-  }
-  return turns > 3.14159265358979323846;
-}
-
 /* q in the axis' frame: base at the origin, top at z = height; radii at both ends */
 static bool vs_inside_round(vs_vec3 q, double height, double base_radius, double top_radius) {
   if (q.z < 0 || q.z > height) return false;
@@ -153,13 +143,13 @@ static bool vs_inside_leaf(const vs_inside_part *part, vs_vec3 p) {
     }
     case VS_SUPERELLIPSOID: return vs_superellipsoid_holds(VS_AS(superellipsoid, n), p);
     case VS_PYRAMID: return vs_inside_pyramid(q, part->height, VS_AS(pyramid, n));
-    case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: return part->plan ? vs_inside_swept(part, p) : part->facets && vs_inside_facets(part->facets, p);
-    case VS_POLYFACE_MESH: return part->facets && vs_inside_facets(part->facets, p);
+    case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: return part->plan ? vs_inside_swept(part, p) : part->facets && vs_facet_index_holds(part->facets, p);
+    case VS_POLYFACE_MESH: return part->facets && vs_facet_index_holds(part->facets, p);
     case VS_HALF_SPACE: return vs_v3_dot(VS_AS(half_space, n)->normal, vs_v3_sub(p, VS_AS(half_space, n)->point)) >= 0;
     case VS_HEIGHT_FIELD: return vs_height_field_holds(VS_AS(height_field, n), p);
-    case VS_HULL: return part->facets && vs_inside_facets(part->facets, p);
+    case VS_HULL: return part->facets && vs_facet_index_holds(part->facets, p);
     case VS_REVOLVE: return part->turned && vs_revolve_holds(part->turned, p);
-    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE: return part->facets && vs_inside_facets(part->facets, p);
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE: return part->facets && vs_facet_index_holds(part->facets, p);
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_SLICE:
     case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
@@ -194,7 +184,8 @@ static bool vs_inside_prepare_swept(vs_inside_part *part, vs_error *e) {
 static bool vs_inside_prepare_facets(vs_inside_part *part, vs_error *e) {
   vs_facets f = { fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), 0 };
   part->facets = calloc(1, sizeof *part->facets);
-  return part->facets ? vs_tessellate(part->node, &f, part->facets, e) : vs_error_memory(e, NULL);
+  if (!part->facets) return vs_error_memory(e, NULL);
+  return vs_tessellate(part->node, &f, &part->facets->mesh, e) && (vs_facet_index_make(part->facets) || vs_error_memory(e, NULL));
 }
 
 static bool vs_inside_prepare_revolve(vs_inside_part *part, vs_error *e) {
@@ -250,7 +241,7 @@ void vs_inside_free(vs_inside *v) {
   for (size_t i = 0; i < v->count; i++) {
     vs_inside_part *p = &v->parts[i];
     if (p->plan) vs_swept_free(p->plan);
-    if (p->facets) vs_mesh_free(p->facets);
+    if (p->facets) vs_facet_index_free(p->facets);
     if (p->turned) vs_revolve_free(p->turned);
     free(p->turned);
     free(p->plan);
@@ -300,7 +291,7 @@ vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
         v->cost += sizeof *part + at.node->child_count * sizeof(size_t);
         if (part->plan) v->cost += part->plan->section_count * (sizeof(vs_section) + sizeof(vs_bounds)) + part->plan->profile_count * sizeof(vs_vec2);
         if (part->turned) v->cost += part->turned->count * sizeof(vs_vec2);
-        if (part->facets) v->cost += part->facets->vertex_count * sizeof(vs_vec3) + part->facets->triangle_count * 3 * sizeof(uint32_t);
+        if (part->facets) v->cost += vs_facet_index_bytes(part->facets);
         if (!ok && e && !e->origin) e->origin = at.origin;
       }
     }

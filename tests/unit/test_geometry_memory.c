@@ -111,7 +111,11 @@ static void every_allocation_fails_in_turn(void **state) {
   vs_node_release(loops[0].node);
   vs_node_release(hole);
   vs_node *all[] = { NODE(torus, TORUS, { 0, 0, 0 }, 3, 1, 0), over(s, VS_EXTRUDE, &up, region, NULL), over(s, VS_SWEEP, &plain, NODE(circle, CIRCLE, { 0, 0, 0 }, 0.2, 0), curve(s, true)),
-                     over(s, VS_THICKEN, &thick, curve(s, false), NULL), over(s, VS_THICKEN, &thick, vs_polyface_make(s, quad, 4, starts, 1, corners, NULL), NULL) };
+                     over(s, VS_THICKEN, &thick, curve(s, false), NULL), over(s, VS_THICKEN, &thick, vs_polyface_make(s, quad, 4, starts, 1, corners, NULL), NULL),
+                     over(s, VS_REVOLVE, &(struct vs_revolve){ .direction = { 0, 1, 0 }, .end = 4 }, NODE(circle, CIRCLE, { 3, 0, 0 }, 1, 0), NULL),
+                     over(s, VS_EXTRUDE, &(struct vs_extrude){ .along = { 0, 0, 1 }, .scale = 1, .taper = 0.5 }, NODE(circle, CIRCLE, { 3, 0, 0 }, 1, 6), NULL),
+                     over(s, VS_LOFT, &(struct vs_loft){ .start_angle = 1, .start_hold = 1 }, NODE(circle, CIRCLE, { 0, 0, 0 }, 1, 0), NODE(circle, CIRCLE, { 0, 0, 3 }, 1, 6)),
+                     over(s, VS_RULED_LOFT, NULL, NODE(circle, CIRCLE, { 0, 0, 0 }, 1, 0), NODE(circle, CIRCLE, { 0, 0, 3 }, 1, 6)) };
   for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
     run_short(all[i]);
     vs_node_release(all[i]);
