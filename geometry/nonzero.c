@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "geometry/planar.h"
+
 void vs_flat_loops_free(vs_flat_loops *l) {
   free(l->at);
   free(l->loops);
@@ -185,9 +187,34 @@ static bool nest(vs_flat_loops *l) {
   return ok;
 }
 
+/* ---- crossing ones ---- */
+
+static bool resolve(vs_flat_loops *l, vs_error *e) {
+  vs_area out = { 0 };
+  vs_vec2 (*edges)[2] = malloc((l->point_count + 1) * sizeof *edges);
+  size_t count = 0;
+  if (!edges) return vs_error_memory(e, NULL);
+  for (size_t i = 0; i < l->count; i++)
+    for (size_t k = 0; k < l->loops[i].count; k++, count++) {
+      edges[count][0] = l->at[l->loops[i].first + k];
+      edges[count][1] = l->at[l->loops[i].first + (k + 1) % l->loops[i].count];
+    }
+  bool ok = vs_area_of_chain((const vs_vec2 (*)[2])edges, count, "make-text", &out, e);
+  free(edges);
+  if (ok) vs_flat_loops_free(l);
+  for (size_t i = 0, first = 0; ok && i < out.loop_count; first += out.size[i++]) {
+    ok = vs_flat_loops_begin(l);
+    for (size_t k = 0; ok && k < out.size[i]; k++) ok = vs_flat_loops_add(l, out.at[first + k]);
+    if (ok) l->loops[i].hole = out.hole[i];
+    ok = ok || vs_error_memory(e, NULL);
+  }
+  vs_area_free(&out);
+  return ok;
+}
+
 bool vs_nonzero(vs_flat_loops *l, vs_error *e) {
   bool crossing;
   drop_flat(l);
   if (!any_cross(l, &crossing)) return vs_error_memory(e, NULL);
-  return nest(l) || vs_error_memory(e, NULL);
+  return crossing ? resolve(l, e) : nest(l) || vs_error_memory(e, NULL);
 }

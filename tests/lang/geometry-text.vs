@@ -43,6 +43,12 @@
 (say (< (area (make-text (xy 0 0) 1 "a")) (area (make-text (xy 0 0) 1 "\xE3;")))) ; expect: #t
 (say (region? (make-text (xy 0 0) 1 "São Paulo — Αθήνα Привет"))) ; expect: #t
 
+; letters that overlap are one area: what both cover counts once
+(define close (make-text (xy 0 0) 1 "oooo" #:spacing 0.7))
+(say (< (* 2 (area (make-text (xy 0 0) 1 "o"))) (area close) (* 4 (area (make-text (xy 0 0) 1 "o"))))) ; expect: #t
+(say (near? (area (make-text (xy 0 0) 1 "HH" #:spacing 1e-9)) (area H) 1e-6)) ; expect: #t
+(say (near? (volume (do-extrude close 2)) (* 2 (area close)) 1e-2)) ; expect: #t
+
 ; solids of it
 (define solid (do-extrude (make-text (xy 0 0) 1 "o8B") 2))
 (say (near? (volume solid) (* 2 (area (make-text (xy 0 0) 1 "o8B"))) 1e-2)) ; expect: #t
@@ -67,8 +73,8 @@
 (fails (lambda () (make-text (xy 0 0) 1 "a" #:font "./geometry-text.vs"))) ; expect: make-text: "tests/lang/geometry-text.vs" is no font with outlines
 (fails (lambda () (text-width -1 "a"))) ; expect: text-width: size must be positive, got -1
 (say (empty-object? (make-text (xy 0 0) 0 "a"))) ; expect: #t
-; expect warning 69: make-text: the size is 0
+; expect warning 75: make-text: the size is 0
 (say (empty-object? (make-text (xy 0 0) 1 " \n "))) ; expect: #t
-; expect warning 71: make-text: the text has no letters
+; expect warning 77: make-text: the text has no letters
 (say (region? (make-text (xy 0 0) 1 "漢"))) ; expect: #t
-; expect warning 73: make-text: the font has no letter 漢 (U+6F22)
+; expect warning 79: make-text: the font has no letter 漢 (U+6F22)
