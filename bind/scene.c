@@ -4,6 +4,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "vm/port.h"
+#include "vm/unit.h"
+
 /* ---- the drawing ---- */
 
 vs_status vs_p_draw(vs_frame *f, vs_value *out) {
@@ -171,11 +174,34 @@ vs_status vs_p_sun(vs_frame *f, vs_value *out) {
   return VS_OK;
 }
 
+/* The file stands beside the program; what it is shows in its first bytes. */
+static vs_status sky_image(vs_frame *f, const vs_arg *image) {
+  static const struct { const char *format; unsigned char bytes[4]; size_t count; } kinds[] = {
+    { "png", { 0x89, 'P', 'N', 'G' }, 4 }, { "jpeg", { 0xFF, 0xD8, 0xFF, 0 }, 3 }, { "exr", { 0x76, 0x2F, 0x31, 0x01 }, 4 }, { "hdr", { '#', '?', 'R', 'A' }, 4 },
+  };
+  vs *vm = f->vm;
+  vs_text path;
+  const char *name = NULL, *format = NULL;
+  VS_ROOTS(vm, r, 1);
+  vs_text_open(vm, &path, 0);
+  bool ok = vs_unit_path(vm, image->value, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path);
+  if (ok && !(name = vs_store_text(f->bind->store, path.at, path.count))) ok = vs_fail_memory(vm);
+  ok = ok && vs_io_read_file(vm, name, &r[0]);
+  for (size_t i = 0; ok && i < sizeof kinds / sizeof *kinds; i++)
+    if ((size_t)vs_as_bytes(r[0])->length > 16 && !memcmp(vs_as_bytes(r[0])->at, kinds[i].bytes, kinds[i].count)) format = kinds[i].format;
+  vs_text_close(&path);
+  if (ok && !format) return vs_bind_refuse(f, "image", "a PNG, JPEG, EXR or HDR file", image->value);
+  if (ok) f->bind->scene.sky_image = name, f->bind->scene.sky_format = format;
+  return ok ? VS_OK : VS_ERROR;
+}
+
 vs_status vs_p_sky(vs_frame *f, vs_value *out) {
   vs_scene *s = &f->bind->scene;
   (void)out;
-  if (f->key[1].given) return vs_fail(f->vm, f->vm->sym.error, "#:image is reserved: it is not there yet; use #:color");
-  if (!f->key[0].given) return vs_fail(f->vm, f->vm->sym.arity, "takes #:color");
+  if (!f->key[0].given && !f->key[1].given) return vs_fail(f->vm, f->vm->sym.arity, "takes #:color, #:image or both");
+  if (f->key[1].given && !sky_image(f, &f->key[1])) return VS_ERROR;
+  if (!f->key[1].given) s->sky_image = NULL;
+  if (!f->key[0].given) return VS_OK;
   const vs_material *m = f->key[0].material;
   s->has_sky = true, s->sky[0] = m->red, s->sky[1] = m->green, s->sky[2] = m->blue;
   return VS_OK;

@@ -18,6 +18,8 @@ typedef struct {
   double sun_azimuth, sun_altitude; /* degrees; azimuth clockwise from +Y */
   bool has_sky;
   double sky[3];             /* sRGB */
+  const char *sky_image;     /* a file with the whole sky, twice as wide as high; NULL: none */
+  const char *sky_format;    /* of it: "png" "jpeg" "exr" "hdr" */
   bool has_ground;
   double ground_z;
   const vs_material *ground_material; /* or NULL */

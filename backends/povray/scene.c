@@ -2,8 +2,10 @@
  *
  * Looks: linear light (assumed_gamma 1), a warm parallel sun (with a soft edge in the final quality), a pale sky sphere that radiosity turns into fill light, no
  * ambient term. Nothing of the user's text gets in but as letters and digits of names. */
+#define _XOPEN_SOURCE 700 /* realpath */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "backends/povray/povray.h"
 #include "backends/view.h"
@@ -136,9 +138,29 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   }
 }
 
+/* Its middle lies in the north, +Y. POV-Ray looks for files in the folder it is started in: the name is absolute. In its strings quotes and backslashes are
+ * escaped. */
+static void pov_sky_image(vs_emitter *e) {
+  vs_writer *w = e->out;
+  char *whole = realpath(e->scene->sky_image, NULL);
+  vs_puts(w, "sky_sphere {\n  pigment { image_map { ");
+  vs_puts(w, e->scene->sky_format);
+  vs_puts(w, " \"");
+  for (const char *c = whole != NULL ? whole : e->scene->sky_image; *c != '\0'; c++) {
+    if (*c == '"' || *c == '\\') vs_puts(w, "\\");
+    if ((unsigned char)*c >= ' ') vs_put(w, c, 1);
+  }
+  vs_puts(w, "\" map_type 1 interpolate 2 } rotate x*90 rotate -z*90 }\n}\n");
+  free(whole);
+}
+
 /* Seen from the middle: below the horizon a pale studio floor, at it haze, above it blue (or the model's colour). */
 static void pov_sky(vs_emitter *e) {
   vs_writer *w = e->out;
+  if (e->scene->sky_image != NULL) {
+    pov_sky_image(e);
+    return;
+  }
   double zenith[3] = { 0.46, 0.66, 0.9 }, haze[3] = { 0.93, 0.95, 0.96 };
   if (e->scene->has_sky)
     for (int i = 0; i < 3; i++) {
@@ -158,6 +180,7 @@ static void pov_ground(vs_emitter *e, double diagonal) {
   if (e->scene->ground_material != NULL) vs_povray_paint(e, e->scene->ground_material);
   else vs_puts(w, "texture { pigment { color srgb <0.77, 0.76, 0.73> } finish { ambient 0 diffuse 0.8 } }");
   vs_puts(w, "\n}\n");
+  if (e->scene->sky_image != NULL) return; /* haze is one colour, that sky is not */
   double haze[3] = { 0.93, 0.95, 0.96 };
   if (e->scene->has_sky)
     for (int i = 0; i < 3; i++) haze[i] = 0.45 + 0.55 * e->scene->sky[i];

@@ -1,0 +1,2 @@
+(draw (make-sphere origin 1))
+(sky #:image "sky \"1\".png" #:color "navy")

@@ -1,0 +1,1 @@
+(sky #:image "model.vs")
