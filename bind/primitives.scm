@@ -178,7 +178,15 @@
 
 ; ---- what C knows of nodes, through users' kinds ----
 
-(define (%drawn o) (if (%custom-open? o) (car (%hand-on (list o) '())) o))
+; who asks much asks about one object: what was drawn last is kept, until there are other functions
+(define %drawn-last (vector #f #f #f)) ; object, functions, what they gave
+(define (%drawn o)
+  (cond
+    ((not (%custom-open? o)) o)
+    ((and (eq? o (vector-ref %drawn-last 0)) (eq? %drawing-functions (vector-ref %drawn-last 1))) (vector-ref %drawn-last 2))
+    (else
+      (set! %drawn-last (vector o %drawing-functions (car (%hand-on (list o) '()))))
+      (vector-ref %drawn-last 2))))
 
 (define (object-arguments o)
   (let ((entry (and (object? o) (%custom-entry o)))) (if entry (cdr entry) (%object-arguments o))))
