@@ -74,7 +74,7 @@
 (check "one of each"
   (list (empty-object) (make-line (xy 0 0) (xy 1 1)) (make-polygon (xy 0 0) (xy 1 1) (xy 2 0)) (make-arc origin 1 0 1) (make-arc origin 1 0 1 #:segments 7) ring
         (make-spline (xy 0 0) (xy 1 1) (xy 2 0)) (make-spline (list (xy 0 0) (xy 1 1) (xy 2 0)) ux uy) (make-spline (xy 0 0) (xy 1 1) (xy 2 0) (xy 0 0))
-        (join-curves (make-line (xy 0 0) (xy 1 0)) (make-line (xy 1 0) (xy 1 1))) (make-region ring)
+        (join-curves (make-line (xy 0 0) (xy 1 0)) (make-line (xy 1 0) (xy 1 1))) (make-xline origin (xyz 1 1 1)) (make-ray origin ux) (make-region ring)
         (make-text origin 1 "Ab" #:align 'center #:valign 'top #:spacing 1.5) box (make-wedge origin (xyz 1 1 1)) (make-sphere origin 1 #:segments 9) (make-cylinder origin 3 1)
         (make-cone origin (xyz 0 0 2) 1) (make-cut-cone origin 1 (xyz 0 0 2) 0.5) (make-e-cone origin 1 2 (xyz 0 0 3) 0.5) (make-pyramid origin 1 5 (xyz 0 0 2)) (make-torus origin 3 1)
         (make-superellipsoid 0.5 0.7 2) (make-polyface-mesh (list origin (xyz 1 0 0) (xyz 0 1 0) (xyz 0 0 1)) '((1 3 2) (1 2 4) (2 3 4) (3 1 4)))
@@ -82,7 +82,7 @@
         (do-extrude (make-region ring) 2 #:twist 1 #:centre #t) (do-sweep ring (make-line origin (xyz 0 0 5)) 1 2) (do-thicken ring 0.2) (do-slice (make-sphere origin 2) 'yz) (do-revolve ring 'y 0 1)
         (do-loft (list ring (do-move ring uz) (do-move ring (vxyz 1 0 2))) 0.1 1 0 0) (do-ruled-loft (list ring (do-move ring uz)))
         (do-guided-loft (list ring (do-move ring uz)) (make-line (xyz 3 0 0) (xyz 3 0 1))) (do-offset ring 0.5) (do-offset (make-rectangle (xy 0 0) (xy 1 2)) 1 #:corners 'round)
-        (do-rotate box 'z 1) (with-material steel box) (color "#123456" box)
+        (do-section box (make-plane (xyz 0 0 1) uz)) (do-project box 'xy) (do-edges box) (do-rotate box 'z 1) (with-material steel box) (color "#123456" box)
         (with-material (make-material #:name "oak" #:roughness 0.3) box) (layer "a \"b\"" box) (native 'povray "sphere { 0, 1 }" #:otherwise box) (highlight box) (ghost box) (only box)
         (unite box ring) (intersect box (make-half-space 'xy)) (subtract box (make-sphere origin 1)) (hull box (make-sphere (xyz 5 5 5) 1) (xyz 9 9 9)) (arch 2)))
 ; expect: one of each same
