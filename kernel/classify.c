@@ -44,26 +44,13 @@ typedef struct {
 
 /* ---- 1: cells ---- */
 
-typedef struct { int64_t x, y; uint32_t ccw, cw; } around;
-
-static bool turns_before(const around *a, const around *b) { /* by angle from +x */
+bool vs_around_before(const vs_around *a, const vs_around *b) { /* by angle from +x */
   bool lower_a = a->y < 0 || (a->y == 0 && a->x < 0), lower_b = b->y < 0 || (b->y == 0 && b->x < 0);
   if (lower_a != lower_b) return lower_b;
   return (vs_i128)a->x * b->y - (vs_i128)a->y * b->x > 0;
 }
 
-static bool sort_edge(walk *w, uint32_t *uses, size_t count) {
-  enum { MANY = 64 };
-  vs_cluster *c = w->c;
-  around few[MANY], *all = few;
-  size_t room = 0;
-  if (count > MANY) {
-    all = NULL;
-    if (!VS_ROOM(w->k, all, room, count)) return false;
-  }
-  const vs_use *use = &c->uses.at[uses[0]];
-  uint32_t low = use->from < use->to ? use->from : use->to, high = use->from < use->to ? use->to : use->from;
-  vs_points_view view = vs_points_of(&c->points);
+int vs_around_axes(vs_points_view view, uint32_t low, uint32_t high, int *x, int *y) {
   int axis = 0, sign = 0;
   int64_t best = -1;
   for (int a = 0; a < 3; a++) {
@@ -72,20 +59,37 @@ static bool sort_edge(walk *w, uint32_t *uses, size_t count) {
   }
   sign = vs_compare(view, high, low, axis);
   for (int a = 0; sign == 0 && a < 3; a++) axis = a, sign = vs_compare(view, high, low, a);
-  int x = (axis + 1) % 3, y = (axis + 2) % 3;
+  *x = (axis + 1) % 3;
+  *y = (axis + 2) % 3;
+  return sign;
+}
+
+static bool sort_edge(walk *w, uint32_t *uses, size_t count) {
+  enum { MANY = 64 };
+  vs_cluster *c = w->c;
+  vs_around few[MANY], *all = few;
+  size_t room = 0;
+  if (count > MANY) {
+    all = NULL;
+    if (!VS_ROOM(w->k, all, room, count)) return false;
+  }
+  const vs_use *use = &c->uses.at[uses[0]];
+  uint32_t low = use->from < use->to ? use->from : use->to, high = use->from < use->to ? use->to : use->from;
+  vs_points_view view = vs_points_of(&c->points);
+  int x, y, sign = vs_around_axes(view, low, high, &x, &y);
   for (size_t i = 0; i < count; i++) {
     use = &c->uses.at[uses[i]];
     const vs_plane *p = &c->planes.all.at[c->faces.at[use->face].plane];
     int64_t s = use->from == low ? 1 : -1;
-    around a = { s * p->n[sign > 0 ? x : y], s * p->n[sign > 0 ? y : x], 2 * use->face + (s < 0), 2 * use->face + (s > 0) };
+    vs_around a = { s * p->n[sign > 0 ? x : y], s * p->n[sign > 0 ? y : x], 2 * use->face + (s < 0), 2 * use->face + (s > 0) };
     size_t j = i;
-    for (; j > 0 && turns_before(&a, &all[j - 1]); j--) all[j] = all[j - 1];
+    for (; j > 0 && vs_around_before(&a, &all[j - 1]); j--) all[j] = all[j - 1];
     all[j] = a;
   }
   bool ok = true;
   for (size_t i = 0; i < count; i++) {
-    const around *a = &all[i], *b = &all[(i + 1) % count];
-    if (i + 1 < count && !turns_before(a, b)) ok = VS_BROKEN(w->k, "two faces lie on each other");
+    const vs_around *a = &all[i], *b = &all[(i + 1) % count];
+    if (i + 1 < count && !vs_around_before(a, b)) ok = VS_BROKEN(w->k, "two faces lie on each other");
     vs_unite(w->side.at, a->ccw, b->cw);
   }
   if (all != few) VS_FREE(w->k, all, room);

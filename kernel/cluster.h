@@ -129,6 +129,14 @@ bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const 
 
 vs_vec3 vs_grid_world(const vs_grid *g, const vs_point *p);
 
+/* The order of faces around the edge from `low` to `high`: sign and axes in which (x, y) of their normals is looked at; see classify.c. */
+typedef struct { int64_t x, y; uint32_t ccw, cw; } vs_around; /* ccw, cw: the user's */
+int vs_around_axes(vs_points_view view, uint32_t low, uint32_t high, int *x, int *y);
+bool vs_around_before(const vs_around *a, const vs_around *b);
+
+/* Of the result's triangles from first_triangle on: sides: 2 * plane + looks against its normal, of each; points: of the vertices from first_vertex on. */
+bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle, const uint32_t *sides, const uint32_t *points);
+
 /* Sorts numbers of uses by edge, in place: by the smaller end through buckets, each bucket by the larger. */
 bool vs_uses_sort(vs_kernel *k, const vs_use *uses, uint32_t *at, size_t count, size_t point_count);
 static inline bool vs_use_same_edge(const vs_use *a, const vs_use *b) {

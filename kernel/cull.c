@@ -89,10 +89,9 @@ static bool gate_box(const vs_cluster *c, double low[3], double high[3]) {
   if (!c->gate) return false;
   double step = c->grid.unit / c->grid.scale;
   vs_bounds b = *c->gate;
-  if (c->grid.framed) { /* the frame is a rotation: its inverse is its transpose */
-    vs_affine back = vs_affine_identity();
-    for (int i = 0; i < 3; i++)
-      for (int j = 0; j < 3; j++) back.m[i][j] = c->grid.frame.m[j][i];
+  if (c->grid.framed) {
+    vs_affine back;
+    if (!vs_affine_invert(&c->grid.frame, &back)) return false;
     b = vs_bounds_transform(&b, &back);
   }
   double x[3] = { b.min.x, b.min.y, b.min.z }, y[3] = { b.max.x, b.max.y, b.max.z };

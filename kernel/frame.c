@@ -1,17 +1,18 @@
 /* Owns the cluster's frame: the linear part most leaves share, in which their boxes are boxes again.
  *
- * A leaf's linear part is split into a rotation and scales along its own axes, where its columns are orthogonal. Two rotations that agree to
+ * A leaf's linear part is split into directions, mostly a rotation, and scales along its own axes. Two of them that agree to
  * 1e-12 up to a signed permutation of axes are one: so a quarter turn, a mirror image and the same turn computed in another way all fall
- * together. The frame is the majority's; leaves of it get exact permutations and scales, and only their translation is turned. */
+ * together. The frame is the majority's; leaves of it get exact permutations and scales, and only their translation is turned. A linear part that shears
+ * serves as a frame as well, for leaves that all have it. */
 #include "kernel/cluster.h"
 
 #include <math.h>
 
 enum { CANDIDATES = 64 };
 
-typedef struct { double r[3][3]; uint32_t votes; } candidate;
+typedef struct { double r[3][3], back[3][3], unit[3]; uint32_t votes; } candidate; /* back: the inverse of r; unit: of the frame's axes */
 
-/* Columns' lengths into scale, and their directions into r; false where they are not orthogonal. */
+/* Columns' lengths into scale, and their directions into r; false where they are nearly in one plane. */
 static bool split(const vs_affine *a, double r[3][3], double scale[3]) {
   for (int j = 0; j < 3; j++) {
     int nonzero = 0;
@@ -23,18 +24,37 @@ static bool split(const vs_affine *a, double r[3][3], double scale[3]) {
     if (!(scale[j] > 0) || !isfinite(scale[j])) return false;
     for (int i = 0; i < 3; i++) r[i][j] = a->m[i][j] / scale[j];
   }
-  for (int j = 0; j < 3; j++) {
-    int l = (j + 1) % 3;
-    if (fabs(r[0][j] * r[0][l] + r[1][j] * r[1][l] + r[2][j] * r[2][l]) > 1e-12) return false;
-  }
   return true;
 }
 
-/* frame^T r as an exact signed permutation; false where it is none */
-static bool permutation(double frame[3][3], double r[3][3], double p[3][3]) {
+/* The inverse: the transpose where the columns are orthogonal to 1e-12. False where the columns are nearly in one plane: such a frame would make the grid
+ * coarse. */
+static bool invert(double r[3][3], double back[3][3], bool *rigid) {
+  bool orthogonal = true;
+  for (int j = 0; j < 3; j++) {
+    int l = (j + 1) % 3;
+    orthogonal = orthogonal && fabs(r[0][j] * r[0][l] + r[1][j] * r[1][l] + r[2][j] * r[2][l]) <= 1e-12;
+  }
+  *rigid = orthogonal;
+  if (!orthogonal) {
+    vs_affine a = vs_affine_identity(), inverse;
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j < 3; j++) a.m[i][j] = r[i][j];
+    if (fabs(vs_affine_determinant(&a)) < 0.1 || !vs_affine_invert(&a, &inverse)) return false;
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j < 3; j++) back[i][j] = inverse.m[i][j];
+    return true;
+  }
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) back[i][j] = r[j][i];
+  return true;
+}
+
+/* back * r as an exact signed permutation; false where it is none */
+static bool permutation(double back[3][3], double r[3][3], double p[3][3]) {
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++) {
-      double x = frame[0][i] * r[0][j] + frame[1][i] * r[1][j] + frame[2][i] * r[2][j];
+      double x = back[i][0] * r[0][j] + back[i][1] * r[1][j] + back[i][2] * r[2][j];
       double whole = floor(x + 0.5);
       if (fabs(x - whole) > 1e-12) return false;
       p[i][j] = whole;
@@ -44,15 +64,19 @@ static bool permutation(double frame[3][3], double r[3][3], double p[3][3]) {
 
 bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
   (void)k;
-  candidate all[CANDIDATES] = { { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, 0 } };
+  candidate all[CANDIDATES] = { { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { 1, 1, 1 }, 0 } };
   int count = 1, best = 0;
   double r[3][3], scale[3], p[3][3];
   for (uint32_t i = 0; i < c->leaf_count; i++) {
     if (!split(&c->problem->leaves[c->leaves[i]].placement, r, scale)) continue;
     int j = 0;
-    while (j < count && !permutation(all[j].r, r, p)) j++;
+    while (j < count && !permutation(all[j].back, r, p)) j++;
     if (j == CANDIDATES) continue;
     if (j == count) {
+      bool rigid;
+      if (!invert(r, all[j].back, &rigid)) continue;
+      double least = fmin(scale[0], fmin(scale[1], scale[2])), most = fmax(scale[0], fmax(scale[1], scale[2]));
+      for (int x = 0; x < 3; x++) all[j].unit[x] = rigid || most > 4 * least ? 1 : scale[x]; /* sheared alike: in the numbers they had before */
       for (int x = 0; x < 3; x++)
         for (int y = 0; y < 3; y++) all[j].r[x][y] = r[x][y];
       all[count++].votes = 0;
@@ -69,18 +93,18 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
   c->grid.frame = vs_affine_identity();
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++) {
-      if (det < 0 && j == 2) f->r[i][j] = -f->r[i][j];
-      c->grid.frame.m[i][j] = f->r[i][j];
+      if (det < 0 && j == 2) f->r[i][j] = -f->r[i][j], f->back[j][i] = -f->back[j][i];
+      c->grid.frame.m[i][j] = f->r[i][j] * f->unit[j];
     }
   for (uint32_t i = 0; i < c->leaf_count; i++) {
     const vs_affine *a = &c->problem->leaves[c->leaves[i]].placement;
     vs_affine *o = &to_frame[i];
-    bool member = split(a, r, scale) && permutation(f->r, r, p);
+    bool member = split(a, r, scale) && permutation(f->back, r, p);
     for (int x = 0; x < 3; x++)
       for (int y = 0; y < 4; y++) {
-        if (member && y < 3) o->m[x][y] = p[x][y] * scale[y];
+        if (member && y < 3) o->m[x][y] = p[x][y] * (scale[y] / f->unit[x]);
         else if (!c->grid.framed) o->m[x][y] = a->m[x][y];
-        else o->m[x][y] = f->r[0][x] * a->m[0][y] + f->r[1][x] * a->m[1][y] + f->r[2][x] * a->m[2][y];
+        else o->m[x][y] = f->back[x][0] * a->m[0][y] + f->back[x][1] * a->m[1][y] + f->back[x][2] * a->m[2][y], o->m[x][y] /= f->unit[x];
       }
   }
   return true;

@@ -18,6 +18,8 @@ typedef struct {
   VS_LIST(uint32_t) side_face;
   VS_LIST(uint8_t) whole;            /* a face: 1 still its own triangles */
   VS_LIST(uint32_t) out;             /* of a point: its vertex in the result */
+  VS_LIST(uint32_t) points;          /* of the result's new vertices */
+  VS_LIST(uint32_t) looks;           /* of its new triangles: 2 * plane + against its normal */
   vs_triangulation triangulation;
 } writer;
 
@@ -128,22 +130,24 @@ static bool make_sides(writer *w) {
 }
 
 static bool vertex(writer *w, vs_mesh *out, uint32_t point, uint32_t *index) {
-  if (w->out.at[point] == VS_NONE &&
-      !vs_mesh_add_vertex(out, vs_grid_world(&w->c->grid, &w->c->points.all.at[point]), &w->out.at[point]))
-    return vs_kernel_fail(w->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+  if (w->out.at[point] == VS_NONE) {
+    if (!vs_mesh_add_vertex(out, vs_grid_world(&w->c->grid, &w->c->points.all.at[point]), &w->out.at[point]))
+      return vs_kernel_fail(w->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+    if (!VS_PUSH(w->k, w->points, point)) return false;
+  }
   *index = w->out.at[point];
   return true;
 }
 
-static bool triangle(writer *w, vs_mesh *out, const uint32_t v[3], bool turned, uint32_t tag) {
+static bool triangle(writer *w, vs_mesh *out, const uint32_t v[3], bool turned, const vs_face *face, bool against) {
   uint32_t i[3];
   for (int j = 0; j < 3; j++)
     if (!vertex(w, out, v[turned ? 2 - j : j], &i[j])) return false;
   size_t limit = w->k->options ? w->k->options->max_triangles : 0;
   if (limit && out->triangle_count >= limit) return vs_kernel_fail(w->k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
   if (!vs_mesh_add_triangle(out, i[0], i[1], i[2])) return vs_kernel_fail(w->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
-  out->tags[out->triangle_count - 1] = tag;
-  return true;
+  out->tags[out->triangle_count - 1] = face->tag;
+  return VS_PUSH(w->k, w->looks, face->plane * 2 + against);
 }
 
 static bool write(writer *w, vs_mesh *out) {
@@ -158,7 +162,7 @@ static bool write(writer *w, vs_mesh *out) {
     if (w->whole.at[f]) {
       const vs_facet *facet = &c->facets.at[face->facet];
       for (uint32_t i = facet[0].first; i < facet[1].first; i++)
-        if (!triangle(w, out, c->triangles.at[c->facet_triangles.at[i]].v, turned != facet->flip, face->tag)) return false;
+        if (!triangle(w, out, c->triangles.at[c->facet_triangles.at[i]].v, turned != facet->flip, face, turned)) return false;
       continue;
     }
     t->sides.count = 0;
@@ -166,7 +170,7 @@ static bool write(writer *w, vs_mesh *out) {
       if (!VS_PUSH(w->k, t->sides, w->sides.at[w->by_face.at[i]])) return false;
     if (!vs_plane_triangulate(w->k, t, &c->points, &c->planes.all.at[face->plane])) return false;
     for (size_t i = 0; i < t->triangles.count; i++)
-      if (!triangle(w, out, t->triangles.at[i], turned, face->tag)) return false;
+      if (!triangle(w, out, t->triangles.at[i], turned, face, turned)) return false;
     if (!vs_kernel_poll(w->k, 0.9)) return false;
   }
   return true;
@@ -174,7 +178,9 @@ static bool write(writer *w, vs_mesh *out) {
 
 bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
   writer w = { .k = k, .c = c };
-  bool ok = merge(&w) && drop_corners(&w) && make_sides(&w) && write(&w, out);
+  size_t vertices = out->vertex_count, triangles = out->triangle_count;
+  bool ok = merge(&w) && drop_corners(&w) && make_sides(&w) && write(&w, out) && vs_kernel_report(k, 0.95) &&
+            vs_split_touching(k, c, out, vertices, triangles, w.looks.at, w.points.at);
   VS_DROP(k, w.uses);
   VS_DROP(k, w.edge_first);
   VS_DROP(k, w.parent);
@@ -186,6 +192,8 @@ bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
   VS_DROP(k, w.side_face);
   VS_DROP(k, w.whole);
   VS_DROP(k, w.out);
+  VS_DROP(k, w.points);
+  VS_DROP(k, w.looks);
   vs_triangulation_free(k, &w.triangulation);
   return ok;
 }

@@ -100,6 +100,22 @@ static void complain(const char *what, const text *t, const char *detail) {
   printf("  %s: %s\n    %s\n", what, detail, t->at);
 }
 
+static int edge_order(const void *a, const void *b) {
+  const uint32_t *x = a, *y = b;
+  return x[0] != y[0] ? (x[0] < y[0] ? -1 : 1) : x[1] < y[1] ? -1 : x[1] > y[1];
+}
+
+static bool manifold(const vs_mesh *m) { /* by index: each directed edge once */
+  size_t n = 3 * m->triangle_count, twice = 0;
+  uint32_t(*edges)[2] = malloc((n + 1) * sizeof *edges);
+  if (!edges) return false;
+  for (size_t i = 0; i < n; i++) edges[i][0] = m->triangles[i / 3][i % 3], edges[i][1] = m->triangles[i / 3][(i + 1) % 3];
+  qsort(edges, n, sizeof *edges, edge_order);
+  for (size_t i = 1; i < n; i++) twice += edge_order(edges[i - 1], edges[i]) == 0;
+  free(edges);
+  return twice == 0;
+}
+
 static double volume(const char *what, const text *t) {
   sx_problem p;
   vs_mesh m[2] = { { 0 } };
@@ -121,6 +137,8 @@ static double volume(const char *what, const text *t) {
       (m[0].vertex_count && memcmp(m[0].vertices, m[1].vertices, m[0].vertex_count * sizeof *m[0].vertices) != 0) ||
       (m[0].triangle_count && memcmp(m[0].triangles, m[1].triangles, m[0].triangle_count * sizeof *m[0].triangles) != 0))
     complain(what, t, "three threads make something else than one");
+  bool sure = true;
+  if (!vs_mesh_closed(&m[0], &sure) || !manifold(&m[0])) complain(what, t, "is not a closed manifold by index");
   vs_mesh_flaws f;
   if (!vs_kernel_inspect(&m[0], NULL, &f, &e)) {
     complain(what, t, e.message);

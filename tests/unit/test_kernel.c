@@ -262,6 +262,78 @@ static void test_equal_turns_written_differently(void **state) {
   assert_int_equal(triangles, 12);
 }
 
+/* Leaves of one common shear touch as they did before it. */
+static void test_sheared_alike(void **state) {
+  (void)state;
+  size_t triangles;
+  double straight = volume_of("(union (box 2 2 1) (translate .5 .5 1 (box 1 1 1)) (translate 2 0 0 (box 1 2 1)))", &triangles);
+  size_t sheared;
+  double v = volume_of("(scale 1.5 .75 1.25 (rotate 10 40 30 (union (box 2 2 1) (translate .5 .5 1 (box 1 1 1)) (translate 2 0 0 (box 1 2 1)))))", &sheared);
+  near(v, straight * 1.5 * .75 * 1.25, 1e-9);
+  assert_int_equal(sheared, triangles);
+}
+
+/* By index, every edge has two triangles, and every vertex one fan of them: what touches is split. */
+static void check_manifold(const vs_mesh *m) {
+  check_mesh(m);
+  size_t corners = 3 * m->triangle_count;
+  size_t *degree = calloc(m->vertex_count, sizeof *degree);
+  uint32_t(*edges)[3] = malloc(corners * sizeof *edges);
+  assert_non_null(degree);
+  assert_non_null(edges);
+  for (size_t i = 0; i < corners; i++) {
+    uint32_t a = m->triangles[i / 3][i % 3], b = m->triangles[i / 3][(i + 1) % 3];
+    edges[i][0] = a;
+    edges[i][1] = b;
+    degree[a]++;
+  }
+  for (size_t i = 0; i < corners; i++)
+    for (size_t j = i + 1; j < corners; j++) assert_false(edges[i][0] == edges[j][0] && edges[i][1] == edges[j][1]); /* each way once */
+  for (uint32_t v = 0; v < m->vertex_count; v++) { /* a walk around v comes by all of its triangles */
+    size_t start = corners, at, count = 0;
+    for (size_t i = 0; i < corners && start == corners; i++)
+      if (edges[i][0] == v) start = i;
+    if (start == corners) continue;
+    at = start;
+    do {
+      count++;
+      size_t twin = 0;
+      while (edges[twin][0] != edges[at][1] || edges[twin][1] != edges[at][0]) twin++;
+      at = twin % 3 == 2 ? twin - 2 : twin + 1;
+    } while (at != start);
+    assert_int_equal(count, degree[v]);
+  }
+  free(degree);
+  free(edges);
+}
+
+static void test_touching_is_split(void **state) {
+  (void)state;
+  static const struct { const char *text; size_t vertices, triangles; } cases[] = {
+    { "(union (box 1 1 1) (translate 1 1 0 (box 1 1 1)))", 16, 24 },                          /* along an edge */
+    { "(union (box 1 1 1) (translate 1 1 1 (box 1 1 1)))", 16, 24 },                          /* at a corner */
+    { "(rotate 33 21 17 (union (box 1 1 1) (translate 1 1 0 (box 1 1 1))))", 16, 24 },
+    { "(difference (box 4 4 4) (translate 1 1 1 (box 1 1 1)) (translate 2 2 1 (box 1 1 1)))", 0, 0 }, /* two hollows that touch along an edge */
+    { "(difference (box 2 2 1) (translate 0 0 -1 (box 1 1 3)) (translate 1 1 -1 (box 1 1 3)))", 16, 24 },
+    { "(difference (box 4 4 4) (translate 1 1 1 (box 1 1 1)) (translate 2 2 1 (box 1 1 1)) (translate 1 1 2 (box 2 2 1)))", 0, 0 },
+    { "(difference (box 3 3 3) (translate 0 0 1 (box 1 1 1)) (translate 1 1 1 (box 1 1 1)) (translate 2 2 1 (box 1 1 1)))", 0, 0 },
+    { "(union (sphere 1 8) (translate 0 0 2 (sphere 1 8)))", 0, 0 },
+    { "(difference (box 4 4 4) (translate 2 2 0 (cyl 4 1 0 12)) (translate 2 2 4 (rotate 180 0 0 (cyl 4 1 0 12))))", 0, 0 },
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    sx_problem p;
+    vs_mesh m = { 0 };
+    vs_kernel_error e;
+    assert_true(sx_parse(cases[i].text, &p));
+    if (!vs_kernel_evaluate(&p.problem, NULL, &m, &e)) fail_msg("%s: %s", cases[i].text, e.message);
+    check_manifold(&m);
+    if (cases[i].vertices) assert_int_equal(m.vertex_count, cases[i].vertices);
+    if (cases[i].triangles) assert_int_equal(m.triangle_count, cases[i].triangles);
+    vs_mesh_free(&m);
+    sx_free(&p);
+  }
+}
+
 static void test_identities(void **state) {
   (void)state;
   const char *a = "(rotate 10 20 30 (sphere 3 16))", *b = "(translate 1 .5 .25 (cyl 4 2 1 12))";
@@ -505,7 +577,7 @@ static void test_errors(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_planes_meet), cmocka_unit_test(test_predicates), cmocka_unit_test(test_against_oracle),
-    cmocka_unit_test(test_cubes_become_one), cmocka_unit_test(test_equal_turns_written_differently), cmocka_unit_test(test_identities),
+    cmocka_unit_test(test_cubes_become_one), cmocka_unit_test(test_equal_turns_written_differently), cmocka_unit_test(test_sheared_alike), cmocka_unit_test(test_touching_is_split), cmocka_unit_test(test_identities),
     cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_threads), cmocka_unit_test(test_copies), cmocka_unit_test(test_errors),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

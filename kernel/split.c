@@ -1,0 +1,239 @@
+/* Owns the splitting of vertices where the result touches itself, so that by index every edge has two triangles and every vertex one fan of them.
+ *
+ * Along an edge where four or more triangles meet, each is joined to the one across the wedge of solid between them: two cubes that touch along an edge
+ * stay two. Where the ends of the edge hold the pairs together all the same, as of two hollows that touch, they are joined across the air instead; and
+ * where that does not help either, the edge gets a vertex in its middle, one for each pair. Who is next to whom is decided exactly, by the planes; see
+ * classify.c for the order around an edge. */
+#include "kernel/cluster.h"
+
+typedef struct { uint32_t high, corner; } half; /* corner: 3 * triangle + j, the edge from j to the next */
+
+typedef struct {
+  vs_kernel *k;
+  const vs_cluster *c;
+  vs_mesh *m;
+  size_t first_vertex, first_triangle, vertices, triangles;
+  const uint32_t *sides, *points;
+  VS_LIST(uint32_t) first;
+  VS_LIST(half) halves;
+  VS_LIST(uint32_t) twins;
+  VS_LIST(uint32_t) to;        /* of a corner: the vertex it gets, counted from first_vertex */
+  VS_LIST(uint32_t) copied;    /* of the vertices behind the old ones: which they are copies of */
+  VS_LIST(uint8_t) taken;
+  VS_LIST(vs_around) around;
+  VS_LIST(vs_around) many;     /* of edges with more than two, in order; the first of each has air before it */
+  VS_LIST(uint32_t) many_first;
+  VS_LIST(uint8_t) way;        /* of such an edge */
+  VS_LIST(uint32_t) middle;    /* of a corner: the vertex in the middle of its edge, or VS_NONE */
+} splitter;
+typedef enum { SOLID, AIR, MIDDLE } joined;
+
+static uint32_t vertex_at(const splitter *s, uint32_t corner) { return s->m->triangles[s->first_triangle + corner / 3][corner % 3] - (uint32_t)s->first_vertex; }
+
+static bool starts_at(const splitter *s, uint32_t corner, uint32_t low) { return vertex_at(s, corner) == low; }
+
+static bool pair_many(splitter *s, uint32_t low, const half *halves, size_t count) {
+  vs_points_view view = vs_points_of(&s->c->points);
+  int x, y, sign = vs_around_axes(view, s->points[low], s->points[halves[0].high], &x, &y);
+  if (!VS_ROOM(s->k, s->around.at, s->around.room, count)) return false;
+  for (size_t i = 0; i < count; i++) {
+    uint32_t corner = halves[i].corner, side = s->sides[corner / 3];
+    const vs_plane *p = &s->c->planes.all.at[side / 2];
+    bool along = starts_at(s, corner, low);
+    int64_t turn = along == !(side & 1) ? 1 : -1;
+    vs_around a = { turn * p->n[sign > 0 ? x : y], turn * p->n[sign > 0 ? y : x], corner, along };
+    size_t j = i;
+    for (; j > 0 && vs_around_before(&a, &s->around.at[j - 1]); j--) s->around.at[j] = s->around.at[j - 1];
+    s->around.at[j] = a;
+  }
+  size_t begin = 0;
+  while (begin < count && s->around.at[begin].cw) begin++;
+  if (!VS_PUSH(s->k, s->many_first, (uint32_t)s->many.count) || !VS_PUSH(s->k, s->way, (uint8_t)SOLID)) return false;
+  for (size_t i = 0; i < count; i++) { /* solid follows, turning counter-clockwise, where the face runs against the edge */
+    const vs_around *a = &s->around.at[(begin + i) % count];
+    if ((bool)a->cw != (i % 2 == 1)) return VS_BROKEN(s->k, "solid lies on solid along an edge");
+    if (!VS_PUSH(s->k, s->many, *a)) return false;
+  }
+  return true;
+}
+
+static void join(splitter *s, uint32_t a, uint32_t b) {
+  s->twins.at[a] = b;
+  s->twins.at[b] = a;
+}
+
+/* Which two of an edge's faces the n-th pair is. */
+static void pair_of(const splitter *s, size_t edge, size_t n, uint32_t *a, uint32_t *b) {
+  uint32_t begin = s->many_first.at[edge], count = s->many_first.at[edge + 1] - begin;
+  size_t i = 2 * n + (s->way.at[edge] == AIR);
+  *a = s->many.at[begin + i].ccw;
+  *b = s->many.at[begin + (i + 1) % count].ccw;
+}
+
+static bool find_twins(splitter *s) {
+  uint32_t corners = (uint32_t)(3 * s->triangles);
+  size_t n = s->vertices;
+  if (!VS_ROOM(s->k, s->first.at, s->first.room, n + 2) || !VS_ROOM(s->k, s->halves.at, s->halves.room, (size_t)corners + 1) ||
+      !VS_ROOM(s->k, s->twins.at, s->twins.room, (size_t)corners + 1))
+    return false;
+  uint32_t *first = s->first.at;
+  for (size_t i = 0; i < n + 2; i++) first[i] = 0;
+  for (int pass = 0; pass < 2; pass++) {
+    for (uint32_t corner = 0; corner < corners; corner++) {
+      uint32_t a = vertex_at(s, corner), b = vertex_at(s, corner % 3 == 2 ? corner - 2 : corner + 1), low = a < b ? a : b;
+      if (!pass) first[low + 2]++;
+      else s->halves.at[first[low + 1]++] = (half){ a < b ? b : a, corner };
+    }
+    if (!pass)
+      for (size_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
+  }
+  for (uint32_t v = 0; v < n; v++) {
+    half *at = s->halves.at + first[v];
+    uint32_t count = first[v + 1] - first[v];
+    for (uint32_t gap = count > 32 ? count / 2 : 1; gap && count; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2)) /* shell sort: mostly a few, at times a hub */
+      for (uint32_t i = gap; i < count; i++) {
+        half x = at[i];
+        uint32_t j = i;
+        for (; j >= gap && (at[j - gap].high != x.high ? at[j - gap].high > x.high : at[j - gap].corner > x.corner); j -= gap) at[j] = at[j - gap];
+        at[j] = x;
+      }
+    for (uint32_t i = 0, end; i < count; i = end) {
+      for (end = i + 1; end < count && at[end].high == at[i].high;) end++;
+      if (end - i == 2 && starts_at(s, at[i].corner, v) != starts_at(s, at[i + 1].corner, v)) {
+        join(s, at[i].corner, at[i + 1].corner);
+      } else if ((end - i) % 2) {
+        return VS_BROKEN(s->k, "the result is not closed");
+      } else if (!pair_many(s, v, at + i, end - i)) {
+        return false;
+      }
+    }
+  }
+  return VS_PUSH(s->k, s->many_first, (uint32_t)s->many.count);
+}
+
+/* One fan keeps the vertex, the first by corner; the others get copies of it. */
+static bool find_fans(splitter *s) {
+  uint32_t corners = (uint32_t)(3 * s->triangles);
+  if (!VS_ROOM(s->k, s->to.at, s->to.room, (size_t)corners + 1) || !VS_ROOM(s->k, s->taken.at, s->taken.room, s->vertices + 1)) return false;
+  for (size_t i = 0; i < s->vertices; i++) s->taken.at[i] = 0;
+  for (uint32_t i = 0; i < corners; i++) s->to.at[i] = VS_NONE;
+  s->copied.count = 0;
+  for (uint32_t corner = 0; corner < corners; corner++) {
+    if (s->to.at[corner] != VS_NONE) continue;
+    uint32_t v = vertex_at(s, corner), to = v, at = corner;
+    if (s->taken.at[v]) {
+      to = (uint32_t)(s->vertices + s->copied.count);
+      if (!VS_PUSH(s->k, s->copied, v)) return false;
+    }
+    s->taken.at[v] = 1;
+    do {
+      s->to.at[at] = to;
+      uint32_t twin = s->twins.at[at];
+      at = twin % 3 == 2 ? twin - 2 : twin + 1; /* the same vertex in the next triangle */
+    } while (at != corner);
+  }
+  return true;
+}
+
+static uint32_t next_of(uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+
+/* Have two pairs at the edge the same two ends? */
+static bool still_held(const splitter *s, size_t edge) {
+  size_t pairs = (s->many_first.at[edge + 1] - s->many_first.at[edge]) / 2;
+  for (size_t i = 0; i < pairs; i++)
+    for (size_t j = i + 1; j < pairs; j++) {
+      uint32_t a, b, c, d;
+      pair_of(s, edge, i, &a, &b);
+      pair_of(s, edge, j, &c, &d);
+      uint32_t a0 = s->to.at[a], a1 = s->to.at[next_of(a)], c0 = s->to.at[c], c1 = s->to.at[next_of(c)];
+      if ((a0 == c0 && a1 == c1) || (a0 == c1 && a1 == c0)) return true;
+    }
+  return false;
+}
+
+static bool join_many(splitter *s) {
+  for (bool again = true; again;) {
+    again = false;
+    for (size_t e = 0; e < s->way.count; e++)
+      for (size_t i = 0; i < (s->many_first.at[e + 1] - s->many_first.at[e]) / 2; i++) {
+        uint32_t a, b;
+        pair_of(s, e, i, &a, &b);
+        join(s, a, b);
+      }
+    if (!find_fans(s)) return false;
+    for (size_t e = 0; e < s->way.count; e++)
+      if (s->way.at[e] < MIDDLE && still_held(s, e)) s->way.at[e]++, again = true; /* ends: each edge goes on twice at most */
+  }
+  return true;
+}
+
+static bool no_room(splitter *s) { return vs_kernel_fail(s->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); }
+
+/* A triangle with new vertices in some of its edges, cut so that none of the pieces is flat. */
+static bool cut_triangle(splitter *s, uint32_t t) {
+  vs_mesh *m = s->m;
+  size_t at = s->first_triangle + t;
+  uint32_t v[3], mid[3], tag = m->tags[at], made[4][3], count = 0, n = 0, first = 0;
+  for (uint32_t j = 0; j < 3; j++) n += s->middle.at[3 * t + j] != VS_NONE;
+  if (n == 0) return true;
+  while (s->middle.at[3 * t + first] == VS_NONE || (n == 2 && s->middle.at[3 * t + (first + 1) % 3] == VS_NONE)) first++;
+  for (uint32_t j = 0; j < 3; j++) v[j] = m->triangles[at][(first + j) % 3], mid[j] = s->middle.at[3 * t + (first + j) % 3];
+#define PIECE(a, b, c) (made[count][0] = (a), made[count][1] = (b), made[count++][2] = (c))
+  if (n == 1) PIECE(mid[0], v[1], v[2]), PIECE(mid[0], v[2], v[0]);
+  if (n == 2) PIECE(mid[0], v[1], mid[1]), PIECE(mid[0], mid[1], v[2]), PIECE(mid[0], v[2], v[0]);
+  if (n == 3) PIECE(mid[0], v[1], mid[1]), PIECE(mid[1], v[2], mid[2]), PIECE(mid[2], v[0], mid[0]), PIECE(mid[0], mid[1], mid[2]);
+#undef PIECE
+  for (int j = 0; j < 3; j++) m->triangles[at][j] = made[0][j];
+  for (uint32_t i = 1; i < count; i++) {
+    if (!vs_mesh_add_triangle(m, made[i][0], made[i][1], made[i][2])) return no_room(s);
+    m->tags[m->triangle_count - 1] = tag;
+  }
+  return true;
+}
+
+static bool write(splitter *s) {
+  uint32_t corners = (uint32_t)(3 * s->triangles);
+  vs_mesh *m = s->m;
+  for (size_t i = 0; i < s->copied.count; i++)
+    if (!vs_mesh_add_vertex(m, m->vertices[s->first_vertex + s->copied.at[i]], NULL)) return no_room(s);
+  for (uint32_t i = 0; i < corners; i++) m->triangles[s->first_triangle + i / 3][i % 3] = s->to.at[i] + (uint32_t)s->first_vertex;
+  bool any = false;
+  for (size_t e = 0; e < s->way.count; e++) any = any || s->way.at[e] == MIDDLE;
+  if (!any) return true;
+  if (!VS_ROOM(s->k, s->middle.at, s->middle.room, corners)) return false;
+  for (uint32_t i = 0; i < corners; i++) s->middle.at[i] = VS_NONE;
+  for (size_t e = 0; e < s->way.count; e++) {
+    if (s->way.at[e] != MIDDLE) continue;
+    uint32_t begin = s->many_first.at[e], low = s->m->triangles[s->first_triangle + s->many.at[begin].ccw / 3][s->many.at[begin].ccw % 3];
+    uint32_t corner = next_of(s->many.at[begin].ccw), high = s->m->triangles[s->first_triangle + corner / 3][corner % 3];
+    vs_vec3 at = vs_v3_scale(vs_v3_add(m->vertices[low], m->vertices[high]), 0.5); /* the same for all pairs: by place the result stays closed */
+    for (size_t i = 0; i < (s->many_first.at[e + 1] - begin) / 2; i++) {
+      uint32_t a, b, vertex;
+      pair_of(s, e, i, &a, &b);
+      if (!vs_mesh_add_vertex(m, at, &vertex)) return no_room(s);
+      s->middle.at[a] = s->middle.at[b] = vertex;
+    }
+  }
+  for (uint32_t t = 0; t < s->triangles; t++)
+    if (!cut_triangle(s, t)) return false;
+  return true;
+}
+
+bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle, const uint32_t *sides, const uint32_t *points) {
+  splitter s = { .k = k, .c = c, .m = m, .first_vertex = first_vertex, .first_triangle = first_triangle, .vertices = m->vertex_count - first_vertex,
+                 .triangles = m->triangle_count - first_triangle, .sides = sides, .points = points };
+  if (s.triangles >= UINT32_MAX / 3) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
+  bool ok = find_twins(&s) && join_many(&s) && write(&s);
+  VS_DROP(k, s.first);
+  VS_DROP(k, s.halves);
+  VS_DROP(k, s.twins);
+  VS_DROP(k, s.to);
+  VS_DROP(k, s.copied);
+  VS_DROP(k, s.taken);
+  VS_DROP(k, s.around);
+  VS_DROP(k, s.many);
+  VS_DROP(k, s.many_first);
+  VS_DROP(k, s.way);
+  VS_DROP(k, s.middle);
+  return ok;
+}
