@@ -71,6 +71,7 @@ struct vs_backend {
   bool (*use)(vs_emitter *e, uint32_t id, const vs_ref *ref);
   /* Formats of triangles alone get the union of the drawing's solids instead of a walk. */
   bool (*solid)(vs_emitter *e, const vs_solid *solid);
+  bool (*copies)(vs_emitter *e, const vs_solid_copies *copies); /* the same with equal parts once; instead of solid */
   /* Runs a worker on the written text. NULL: the text is the output. */
   bool (*render)(vs_emitter *e, const char *text_path, const char *output_path);
   /* Writes what belongs beside e->path (an .mtl), after the text. NULL: nothing. */
@@ -133,8 +134,9 @@ vs_node *vs_lower(vs_emitter *e, const vs_ref *ref);
 bool vs_lower_as_area(const vs_emitter *e, const vs_node *n);
 /* Triangles of a node, as vs_emit_mesh but made anew; out is empty before, and the caller's to free also after a failure. */
 bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out);
-/* The union of all solids that are drawn. */
+/* The union of all solids that are drawn; the same with equal parts once. */
 bool vs_lower_scene(vs_emitter *e, vs_solid *out);
+bool vs_lower_copies(vs_emitter *e, vs_solid_copies *out);
 /* Is this node's shape round somewhere, so that its triangles should be shaded smoothly? */
 bool vs_lower_is_round(const vs_node *n);
 

@@ -573,6 +573,12 @@ bool vs_drive_scene(vs_emitter *e) {
     vs_solid_free(&mesh);
     return ok && e->backend->end(e);
   }
+  if (e->backend->copies != NULL) {
+    vs_solid_copies parts = { .part_count = 0 };
+    bool ok = vs_lower_copies(e, &parts) && e->backend->copies(e, &parts);
+    vs_solid_copies_free(&parts);
+    return ok && e->backend->end(e);
+  }
   if (!drive_definitions(e)) return false;
   for (size_t i = 0; i < e->scene->drawn_count; i++) {
     const vs_ref *ref = &e->scene->drawn[i];

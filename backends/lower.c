@@ -173,3 +173,8 @@ bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out) {
 }
 
 bool vs_lower_scene(vs_emitter *e, vs_solid *out) { return lower_booleans(e, e->scene->drawn, e->scene->drawn_count, out); }
+
+bool vs_lower_copies(vs_emitter *e, vs_solid_copies *out) {
+  vs_kernel_options options = { .progress = lower_progress, .context = e };
+  return vs_solid_evaluate_copies(e->scene->drawn, e->scene->drawn_count, &e->facets, &options, out, e->error);
+}

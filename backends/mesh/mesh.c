@@ -13,6 +13,12 @@ static bool mesh_end(vs_emitter *e) { return !e->out->failed; }
   .omit = { [VS_CURVE] = format " holds solids: curves are left out", [VS_REGION_CLASS] = format " holds solids: flat regions are left out", \
             [VS_SURFACE] = format " holds solids: open surfaces are left out" }
 
+/* The number of the triangle's part; part_count where it has none. */
+static size_t mesh_part(const vs_solid *solid, size_t triangle) {
+  size_t tag = solid->mesh.tags != NULL ? solid->mesh.tags[triangle] : 0;
+  return tag < solid->part_count ? tag : solid->part_count;
+}
+
 /* ---- STL ---- */
 
 static bool stl_same(const vs_mesh *m, uint32_t a, uint32_t b) {
@@ -146,6 +152,87 @@ static char *obj_library(const char *path) {
   return name;
 }
 
+/* A layer's name as one word on its line. */
+static void obj_group(vs_writer *w, const char *layer) {
+  vs_puts(w, "g ");
+  for (const char *c = layer; *c != '\0'; c++) vs_put(w, (unsigned char)*c <= ' ' ? "_" : c, 1);
+  vs_puts(w, "\n");
+}
+
+/* Triangles by layer, then material, both in the order in which they are met. */
+typedef struct {
+  const char **layers; /* the first is NULL: no layer */
+  size_t layer_count, layer_room;
+  uint32_t *keys, *order;  /* of the parts; the triangles in their new order */
+  size_t *starts;      /* in order, by key; key = layer * (materials + 1) + material number */
+  size_t key_count;
+} obj_groups;
+
+static void obj_groups_free(vs_emitter *e, obj_groups *g, const vs_solid *solid) {
+  vs_emit_release(e, g->layers, g->layer_room, sizeof *g->layers);
+  vs_emit_release(e, g->keys, solid->part_count + 1, sizeof *g->keys);
+  vs_emit_release(e, g->order, solid->mesh.triangle_count + 1, sizeof *g->order);
+  vs_emit_release(e, g->starts, g->key_count + 2, sizeof *g->starts);
+}
+
+static bool obj_layer(vs_emitter *e, obj_groups *g, const char *name, size_t *number) {
+  for (*number = 0; *number < g->layer_count; (*number)++)
+    if (g->layers[*number] == name) return true;
+  if (!vs_emit_grow(e, &g->layers, &g->layer_room, g->layer_count + 1, sizeof *g->layers)) return false;
+  g->layers[g->layer_count++] = name;
+  return true;
+}
+
+static bool obj_groups_make(vs_emitter *e, const vs_solid *solid, obj_groups *g) {
+  const vs_mesh *m = &solid->mesh;
+  vs_store *store = e->scene->store;
+  size_t paints = vs_emit_material_count(e) + 1, layer;
+  if (!obj_layer(e, g, NULL, &layer)) return false;
+  for (size_t i = 0; i < solid->part_count; i++)
+    if (!obj_layer(e, g, solid->parts[i].layer, &layer)) return false;
+  g->keys = vs_store_realloc(store, NULL, 0, (solid->part_count + 1) * sizeof *g->keys);
+  g->order = vs_store_realloc(store, NULL, 0, (m->triangle_count + 1) * sizeof *g->order);
+  g->key_count = g->layer_count * paints;
+  g->starts = vs_store_realloc(store, NULL, 0, (g->key_count + 2) * sizeof *g->starts);
+  if (g->keys == NULL || g->order == NULL || g->starts == NULL) return vs_emit_no_memory(e);
+  for (size_t i = 0; i < solid->part_count; i++) {
+    if (!obj_layer(e, g, solid->parts[i].layer, &layer)) return false;
+    g->keys[i] = (uint32_t)(layer * paints + vs_emit_material_number(e, solid->parts[i].material));
+  }
+  g->keys[solid->part_count] = 0; /* of triangles without a part */
+  memset(g->starts, 0, (g->key_count + 2) * sizeof *g->starts);
+  for (size_t i = 0; i < m->triangle_count; i++) g->starts[g->keys[mesh_part(solid, i)] + 2]++;
+  for (size_t i = 2; i < g->key_count + 2; i++) g->starts[i] += g->starts[i - 1];
+  for (size_t i = 0; i < m->triangle_count; i++) g->order[g->starts[g->keys[mesh_part(solid, i)] + 1]++] = (uint32_t)i;
+  return true;
+}
+
+static bool obj_faces(vs_emitter *e, const vs_solid *solid, const obj_groups *g) {
+  size_t paints = vs_emit_material_count(e) + 1, last_layer = 0;
+  vs_writer *w = e->out;
+  for (size_t key = 0; key < g->key_count && !w->failed; key++) {
+    if (g->starts[key] == g->starts[key + 1]) continue;
+    const char *layer = g->layers[key / paints];
+    if (key / paints != last_layer) obj_group(w, layer != NULL ? layer : "default");
+    last_layer = key / paints;
+    if (e->path != NULL) {
+      vs_puts(w, "usemtl ");
+      obj_material_name(e, key % paints > 0 ? vs_emit_material_at(e, key % paints) : NULL);
+      vs_puts(w, "\n");
+    }
+    for (size_t i = g->starts[key]; i < g->starts[key + 1] && !w->failed; i++) {
+      const uint32_t *t = solid->mesh.triangles[g->order[i]];
+      vs_puts(w, "f");
+      for (int k = 0; k < 3; k++) {
+        vs_puts(w, " ");
+        vs_put_u32(w, 1 + t[k]);
+      }
+      vs_puts(w, "\n");
+    }
+  }
+  return !w->failed;
+}
+
 static bool obj_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   vs_writer *w = e->out;
@@ -161,25 +248,10 @@ static bool obj_solid(vs_emitter *e, const vs_solid *solid) {
     free(library);
   }
   for (size_t i = 0; i < m->vertex_count; i++) mesh_vertex(w, "v ", m->vertices[i]);
-  /* One group a material, in the materials' order: `parts` may name one several times. */
-  size_t materials = vs_emit_material_count(e);
-  for (size_t paint = 0; paint <= materials; paint++) {
-    const vs_material *material = paint > 0 ? vs_emit_material_at(e, paint) : NULL;
-    bool begun = false;
-    for (size_t i = 0; i < m->triangle_count && !w->failed; i++) {
-      uint32_t tag = m->tags != NULL ? m->tags[i] : 0;
-      if ((tag < solid->part_count ? solid->parts[tag].material : NULL) != material) continue;
-      if (!begun && e->path != NULL) {
-        vs_puts(w, "usemtl ");
-        obj_material_name(e, material);
-        vs_puts(w, "\n");
-      }
-      begun = true;
-      const uint32_t *t = m->triangles[i];
-      vs_putf(w, "f %lu %lu %lu\n", 1 + (unsigned long)t[0], 1 + (unsigned long)t[1], 1 + (unsigned long)t[2]);
-    }
-  }
-  return !w->failed;
+  obj_groups groups = { .key_count = 0 };
+  bool ok = obj_groups_make(e, solid, &groups) && obj_faces(e, solid, &groups);
+  obj_groups_free(e, &groups, solid);
+  return ok;
 }
 
 static bool obj_fill_library(vs_emitter *e) {

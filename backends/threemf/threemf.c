@@ -1,5 +1,7 @@
-/* Owns the .3mf package: the drawing's solids as one closed mesh with a material a triangle (3MF core 1.3), in a zip made by libzip.
+/* Owns the .3mf package (3MF core 1.3): the drawing's solids as closed meshes with a material a triangle, in a zip made by libzip.
  *
+ * Every distinct part is an object that stands once; one more object has its copies as components. Readers differ in what they make of a
+ * placement that mirrors: such copies are placements of a mirrored twin of the mesh.
  * The model's XML is gathered in memory, packed there, and then written: a zip's directory stands at its end and libzip goes back and forth. */
 #include <math.h>
 #include <stddef.h>
@@ -54,20 +56,29 @@ static void model_materials(vs_emitter *e) {
   vs_puts(e->out, "</basematerials>\n");
 }
 
-static bool model_write(vs_emitter *e, const vs_solid *solid) {
-  const vs_mesh *m = &solid->mesh;
+static void model_triangle(vs_emitter *e, const vs_solid_copies *c, const vs_mesh *m, size_t index, bool twin) {
   vs_writer *w = e->out;
-  vs_puts(w, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" xml:lang=\"en-US\" unit=\"");
-  vs_puts(w, unit_name(e->scene->units));
-  vs_puts(w, "\">\n<metadata name=\"Title\">");
-  vs_put_xml(w, e->scene->title);
-  vs_puts(w, "</metadata>\n<metadata name=\"Application\">VisualScheme</metadata>\n<resources>\n");
-  model_materials(e);
-  vs_puts(w, "<object id=\"2\" type=\"model\" pid=\"1\" pindex=\"0\">\n<mesh>\n<vertices>\n");
+  const uint32_t *t = m->triangles[index];
+  uint32_t tag = m->tags != NULL ? m->tags[index] : 0;
+  size_t paint = tag < c->part_count ? vs_emit_material_number(e, c->parts[tag].material) : 0;
+  static const char *const names[3] = { "<triangle v1=\"", "\" v2=\"", "\" v3=\"" };
+  for (int k = 0; k < 3; k++) {
+    vs_puts(w, names[k]);
+    vs_put_u32(w, t[twin ? 2 - k : k]);
+  }
+  if (paint > 0) vs_putf(w, "\" pid=\"1\" p1=\"%zu", paint);
+  vs_puts(w, "\"/>\n");
+}
+
+/* twin: mirrored in x, and turned the right side out again. */
+static void model_object(vs_emitter *e, const vs_solid_copies *c, size_t mesh, size_t id, bool twin) {
+  const vs_mesh *m = &c->meshes.meshes[mesh];
+  vs_writer *w = e->out;
+  vs_putf(w, "<object id=\"%zu\" type=\"model\" pid=\"1\" pindex=\"0\">\n<mesh>\n<vertices>\n", id);
   for (size_t i = 0; i < m->vertex_count && !w->failed; i++) {
     vs_vec3 v = m->vertices[i];
     vs_puts(w, "<vertex x=\"");
-    vs_put_number(w, v.x);
+    vs_put_number(w, twin ? -v.x : v.x);
     vs_puts(w, "\" y=\"");
     vs_put_number(w, v.y);
     vs_puts(w, "\" z=\"");
@@ -75,20 +86,43 @@ static bool model_write(vs_emitter *e, const vs_solid *solid) {
     vs_puts(w, "\"/>\n");
   }
   vs_puts(w, "</vertices>\n<triangles>\n");
-  for (size_t i = 0; i < m->triangle_count && !w->failed; i++) {
-    const uint32_t *t = m->triangles[i];
-    uint32_t tag = m->tags != NULL ? m->tags[i] : 0;
-    size_t paint = tag < solid->part_count ? vs_emit_material_number(e, solid->parts[tag].material) : 0;
-    vs_puts(w, "<triangle v1=\"");
-    vs_put_u32(w, t[0]);
-    vs_puts(w, "\" v2=\"");
-    vs_put_u32(w, t[1]);
-    vs_puts(w, "\" v3=\"");
-    vs_put_u32(w, t[2]);
-    if (paint > 0) vs_putf(w, "\" pid=\"1\" p1=\"%zu", paint);
-    vs_puts(w, "\"/>\n");
+  for (size_t i = 0; i < m->triangle_count && !w->failed; i++) model_triangle(e, c, m, i, twin);
+  vs_puts(w, "</triangles>\n</mesh>\n</object>\n");
+}
+
+static size_t model_id(size_t mesh, bool twin) { return 2 + 2 * mesh + twin; }
+
+static void model_component(vs_emitter *e, const vs_kernel_copy *copy) {
+  bool twin = vs_affine_determinant(&copy->place) < 0;
+  vs_putf(e->out, "<component objectid=\"%zu\" transform=\"", model_id(copy->mesh, twin));
+  for (int column = 0; column < 4; column++)
+    for (int row = 0; row < 3; row++) {
+      if (column > 0 || row > 0) vs_puts(e->out, " ");
+      vs_put_number(e->out, twin && column == 0 ? -copy->place.m[row][column] : copy->place.m[row][column]);
+    }
+  vs_puts(e->out, "\"/>\n");
+}
+
+/* plain, twins: which of each mesh are placed somewhere; room for mesh_count each, all false. */
+static bool model_write(vs_emitter *e, const vs_solid_copies *c, bool *plain, bool *twins) {
+  const vs_kernel_copies *k = &c->meshes;
+  vs_writer *w = e->out;
+  vs_puts(w, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" xml:lang=\"en-US\" unit=\"");
+  vs_puts(w, unit_name(e->scene->units));
+  vs_puts(w, "\">\n<metadata name=\"Title\">");
+  vs_put_xml(w, e->scene->title);
+  vs_puts(w, "</metadata>\n<metadata name=\"Application\">VisualScheme</metadata>\n<resources>\n");
+  model_materials(e);
+  for (size_t i = 0; i < k->copy_count; i++) (vs_affine_determinant(&k->copies[i].place) < 0 ? twins : plain)[k->copies[i].mesh] = true;
+  for (size_t i = 0; i < k->mesh_count; i++) {
+    if (plain[i]) model_object(e, c, i, model_id(i, false), false);
+    if (twins[i]) model_object(e, c, i, model_id(i, true), true);
+    if (!vs_emit_progress(e, "writing", -1)) return false;
   }
-  vs_puts(w, "</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n<item objectid=\"2\"/>\n</build>\n</model>\n");
+  size_t whole = model_id(k->mesh_count, false);
+  vs_putf(w, "<object id=\"%zu\" type=\"model\">\n<components>\n", whole);
+  for (size_t i = 0; i < k->copy_count && !w->failed; i++) model_component(e, &k->copies[i]);
+  vs_putf(w, "</components>\n</object>\n</resources>\n<build>\n<item objectid=\"%zu\"/>\n</build>\n</model>\n", whole);
   return !w->failed;
 }
 
@@ -104,15 +138,21 @@ static bool memory_sink(void *context, const void *bytes, size_t count) {
   return true;
 }
 
-static bool model_gather(vs_emitter *e, const vs_solid *solid, memory *out) {
+static bool model_gather(vs_emitter *e, const vs_solid_copies *c, memory *out) {
   vs_store *store = e->scene->store;
+  size_t room = 2 * c->meshes.mesh_count + 1;
   vs_writer *was = e->out, *w = vs_store_realloc(store, NULL, 0, sizeof *w);
-  if (w == NULL) return vs_emit_no_memory(e);
-  vs_writer_init(w, memory_sink, out);
-  e->out = w;
-  bool ok = model_write(e, solid) && vs_writer_flush(w);
-  e->out = was;
-  vs_store_realloc(store, w, sizeof *w, 0);
+  bool *placed = vs_store_realloc(store, NULL, 0, room);
+  bool ok = (w != NULL && placed != NULL) || vs_emit_no_memory(e);
+  if (ok) {
+    memset(placed, 0, room);
+    vs_writer_init(w, memory_sink, out);
+    e->out = w;
+    ok = model_write(e, c, placed, placed + c->meshes.mesh_count) && vs_writer_flush(w);
+    e->out = was;
+  }
+  if (placed != NULL) vs_store_realloc(store, placed, room, 0);
+  if (w != NULL) vs_store_realloc(store, w, sizeof *w, 0);
   return ok;
 }
 
@@ -151,11 +191,11 @@ static bool package_copy(vs_emitter *e, const zip_library *z, zip_source_t *sour
   return count == 0 || vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "the .3mf package could not be made");
 }
 
-static bool threemf_solid(vs_emitter *e, const vs_solid *solid) {
+static bool threemf_copies(vs_emitter *e, const vs_solid_copies *c) {
   zip_library z;
   memory model = { .e = e };
   if (!zip_load(&z, e->error)) return false;
-  bool ok = model_gather(e, solid, &model) && vs_emit_progress(e, "writing", -1);
+  bool ok = model_gather(e, c, &model) && vs_emit_progress(e, "writing", -1);
   zip_source_t *package = ok ? z.zip_source_buffer_create(NULL, 0, 0, NULL) : NULL;
   zip_t *zip = package != NULL ? z.zip_open_from_source(package, ZIP_TRUNCATE, NULL) : NULL;
   if (ok && zip == NULL) ok = vs_emit_no_memory(e);
@@ -171,6 +211,6 @@ static bool threemf_solid(vs_emitter *e, const vs_solid *solid) {
 static bool threemf_nothing(vs_emitter *e) { return !e->out->failed; }
 
 const vs_backend vs_backend_threemf = {
-  .begin = threemf_nothing, .end = threemf_nothing, .solid = threemf_solid,
+  .begin = threemf_nothing, .end = threemf_nothing, .copies = threemf_copies,
   .omit = { [VS_CURVE] = "3MF holds solids: curves are left out", [VS_REGION_CLASS] = "3MF holds solids: flat regions are left out",
             [VS_SURFACE] = "3MF holds solids: open surfaces are left out" } };
