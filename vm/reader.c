@@ -6,7 +6,9 @@
 
    An unclosed parenthesis is found at the end of the text, too late to be of help. So the reader remembers the first line
    that begins at or left of the column of a parenthesis that is still open: by the indentation, that one should have been closed on
-   the line before. */
+   the line before. And the text is then read once more, each (define at the left margin beginning anew (`anew`), so that every
+   form that was left open is reported and not the first alone. A quote that is missing turns all strings behind it inside out; so the
+   reader remembers the first string over several lines whose end touches a word: that is where it probably began. */
 #include "vm/reader.h"
 #include "vm/number.h"
 #include "vm/text.h"
@@ -47,6 +49,9 @@ typedef struct {
   /* the first line whose indentation contradicts the parentheses */
   vs_pos suspect; uint32_t suspect_line;
   uint32_t content_line;     /* of the last token */
+  bool cut;                  /* a string or |symbol| swallowed the rest: what is open then is no mistake of its own */
+  bool anew, left_open;      /* the second reading; a form was open at the end, or where one began anew */
+  vs_pos odd_string; uint32_t odd_end;   /* the string that probably swallowed the quote of the next, and the line where it ended */
   vs_pos last_top; uint32_t last_close_line; bool stray; vs_pos stray_top; uint32_t stray_line;
 } reader;
 
@@ -318,6 +323,7 @@ static bool read_escape(reader *r, vs_text *t) {
 
 static bool read_delimited(reader *r, char end, vs_text *t) {
   vs_pos pos = place(r, r->at);
+  uint32_t first_line = r->line;
   r->at++;
   while (r->at < r->size) {
     size_t run = r->at;
@@ -326,12 +332,21 @@ static bool read_delimited(reader *r, char end, vs_text *t) {
     int c = peek(r, 0);
     if (c < 0) break;
     r->at++;
-    if (c == end) return true;
+    if (c == end) {
+      if (end == '"' && !r->odd_string && r->line != first_line && !is_delimiter(r)) { r->odd_string = pos; r->odd_end = r->line; }
+      return true;
+    }
     if (c == '\\') { if (!read_escape(r, t)) return false; }
     else if (c == '\n') { newline(r, r->at); if (!vs_text_put(t, "\n", 1)) return false; }
     else if (peek(r, 0) != '\n' && !vs_text_put(t, "\n", 1)) return false;       /* \r alone */
   }
-  problem(r, pos, end == '"' ? "this string is never closed: a \" is missing" : "this |symbol is never closed: a | is missing");
+  if (end == '"' && r->odd_string)
+    problem(r, r->odd_string, "this string goes on to line %u; a \" is missing, probably on line %u", r->odd_end, vs_pos_line(r->odd_string));
+  else {
+    r->odd_string = 0;
+    problem(r, pos, end == '"' ? "this string is never closed: a \" is missing" : "this |symbol is never closed: a | is missing");
+  }
+  r->cut = true;
   return true;
 }
 
@@ -432,7 +447,9 @@ static bool read_hash(reader *r, vs_value *out, bool *prefix) {
 static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) {
   *got = false;
   while (r->depth && r->frames[r->depth - 1].kind >= QUOTE) {     /* '), #;) */
-    problem(r, r->frames[r->depth - 1].pos, "a datum is missing here, before the %c", c);
+    if (r->frames[r->depth - 1].quote == QUOTE_PLAIN)
+      problem(r, r->frames[r->depth - 1].pos, "a datum is missing behind this '; a text stands between double quotes, \"like this\"");
+    else problem(r, r->frames[r->depth - 1].pos, "a datum is missing here, before the %c", c);
     pop(r);
   }
   if (!r->depth) {
@@ -468,6 +485,29 @@ static void watch_indentation(reader *r, vs_pos pos) {
   r->blank_line = false;
 }
 
+/* The innermost of the first `count` things is open where all should be closed. */
+static void never_closed(reader *r, size_t count) {
+  if (!count) return;
+  r->left_open = true;
+  const frame *f = &r->frames[count - 1];
+  char close = f->open == '(' ? ')' : ']';
+  if (r->suspect) problem(r, r->suspect, "this parenthesis is never closed; by the indentation a %c is missing at the end of line %u", close, r->suspect_line);
+  else if (count > 1 && r->frames[0].kind <= BYTEVECTOR)
+    problem(r, f->pos, "this parenthesis is never closed (%zu are open at the end): a %c is missing", count, close);
+  else problem(r, f->pos, "this parenthesis is never closed: a %c is missing", close);
+}
+
+/* In the second reading: what is open where a definition begins at the margin ends there. */
+static void begin_anew(reader *r, vs_pos pos) {
+  static const char word[] = "(define";
+  if (vs_pos_col(pos) != 1 || r->size - r->at < sizeof word || memcmp(r->text + r->at, word, sizeof word - 1)) return;
+  size_t count = r->depth;
+  while (count > 0 && r->frames[count - 1].kind >= QUOTE) count--;
+  never_closed(r, count);
+  while (r->depth) pop(r);
+  r->suspect = 0;
+}
+
 /* Reads on until a datum of the outermost level is there: 1, 0 at the end, -1 an error: no memory, a limit. */
 static int next(reader *r, vs_value *out, vs_pos *where) {
   while (skip(r)) {
@@ -477,8 +517,10 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
       if (c && !c->place) c->place = pos;
       return -1;
     }
-    if (r->blank_line) watch_indentation(r, pos);
-    else r->blank_line = false;
+    if (r->blank_line) {
+      watch_indentation(r, pos);
+      if (r->anew && r->depth) begin_anew(r, pos);
+    }
     r->content_line = r->line;
     if (!r->depth) { *where = pos; if (r->text[r->at] != ')' && r->text[r->at] != ']') r->last_top = pos; }
     char c = r->text[r->at];
@@ -526,18 +568,11 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
     if (!deliver(r, out, pos, &done)) return -1;
     if (done) { r->last_close_line = r->line; return 1; }
   }
-  if (r->depth) {
+  if (r->depth && !r->cut) {
     size_t i = r->depth;
     while (i > 0 && r->frames[i - 1].kind >= QUOTE) i--;
     if (i != r->depth) problem(r, r->frames[r->depth - 1].pos, "a datum is missing behind this");
-    if (i > 0) {
-      frame *f = &r->frames[i - 1];
-      char close = f->open == '(' ? ')' : ']';
-      if (r->suspect) problem(r, r->suspect, "this parenthesis is never closed; by the indentation a %c is missing at the end of line %u", close, r->suspect_line);
-      else if (i > 1 && r->frames[0].kind <= BYTEVECTOR)
-        problem(r, f->pos, "this parenthesis is never closed (%zu are open at the end): a %c is missing", i, close);
-      else problem(r, f->pos, "this parenthesis is never closed: a %c is missing", close);
-    }
+    never_closed(r, i);
   }
   return 0;
 }
@@ -646,12 +681,12 @@ static bool report(reader *r) {
   return false;
 }
 
-bool vs_read_all(vs *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold, vs_value *forms) {
-  if (!check_utf8(vm, text, size, file, line)) return false;
+static bool read_all(vs *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold, bool anew, bool *again, vs_value *forms) {
   VS_ROOTS(vm, v, 3);                                  /* head, last, datum */
   reader r;
   start(&r, vm, text, size, file, line, true);
   r.fold = fold;
+  r.anew = anew;
   struct vs_roots labels = {NULL, vm, &r.labels, 1};
   labels.next = vm->roots;
   vm->roots = &labels;
@@ -672,9 +707,16 @@ bool vs_read_all(vs *vm, const char *text, size_t size, uint32_t file, uint32_t 
   ok = ok && got == 0;
   vm->roots = labels.next;
   finish(&r);
-  if (ok && r.problems) return report(&r);
+  *again = ok && r.left_open && !anew;
+  if (ok && r.problems) return *again ? false : report(&r);
   *forms = v[0];
   return ok;
+}
+
+bool vs_read_all(vs *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold, vs_value *forms) {
+  bool again;
+  if (!check_utf8(vm, text, size, file, line)) return false;
+  return read_all(vm, text, size, file, line, fold, false, &again, forms) || (again && read_all(vm, text, size, file, line, fold, true, &again, forms));
 }
 
 bool vs_read_datum(vs *vm, const char *text, size_t size, vs_value *out, size_t *used) {

@@ -1,0 +1,4 @@
+(define a 1)
+#| a comment that
+never ends
+(define b 2)

@@ -1,0 +1,5 @@
+(define (f x)
+  (let ([a 1)
+        [b 2])
+    (+ a b x)))
+(f 1)

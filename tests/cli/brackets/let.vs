@@ -1,0 +1,7 @@
+(define (f x)
+  (if (> x 0)
+      (let ((y (* x 2))
+        (display y)
+        y)
+      0))
+(f 1)

@@ -1,0 +1,4 @@
+(define name "tower)
+(define (f x)
+  (display "hello"))
+(f 1)

@@ -1,0 +1,5 @@
+(define (f)
+  (display "one")
+  (display "two)
+  (display "three"))
+(f)
