@@ -134,7 +134,8 @@ static bool is_constant(vs_value form, vs_value env) {
   return m.kind == VS_MEANS_CELL && (vs_object_of(m.value)->flags & VS_F_CONSTANT) && vs_as_cell(m.value)->value != VS_UNDEFINED;
 }
 
-static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs_pos pos, vs_node **into) {
+/* *outer: where the LET of the contracts goes, and then its body */
+static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs_pos pos, vs_node ***outer, vs_node **into) {
   /* r: 0 list, 1 body, 2 env, 3 the scope of the lambda, 4 scratch */
   vs *vm = x->vm;
   uint32_t who;
@@ -148,8 +149,10 @@ static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs
   vs_node *let = NULL;
   if (contracts) {
     if (!(let = vs_expand_many(x, VS_AST_LET, contracts, pos))) return false;
-    *into = let;
-    into = &let->as.let.body;
+    bool same = *outer == into;
+    **outer = let;
+    *outer = &let->as.let.body;
+    if (same) into = *outer;
   }
   vs_node *lambda = vs_expand_many(x, VS_AST_LAMBDA, p->count - p->rest, pos);
   if (!lambda) return false;
@@ -212,14 +215,19 @@ static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs
   return vs_expand_body(x, r[1], r[3], pos, into, 2);     /* a lambda's depth is its own */
 }
 
-bool vs_expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name, vs_pos pos, vs_node **into) {
+static bool expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name, vs_pos pos, vs_node ***outer, vs_node **into) {
   vs *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   r[0] = params; r[1] = body; r[2] = env;
   parameters p = {.vm = vm, .tail = tail};
-  bool ok = parse(x, &p, r[0], vs_form_pos(params, pos)) && build(x, &p, r, name, pos, into);
+  bool ok = parse(x, &p, r[0], vs_form_pos(params, pos)) && build(x, &p, r, name, pos, outer, into);
   if (p.at) vs_mem(vm, p.at, p.room * sizeof *p.at, 0);
   return ok;
+}
+
+bool vs_expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name, vs_pos pos, vs_node **into) {
+  vs_node **outer = into;
+  return expand_lambda(x, params, tail, body, env, name, pos, &outer, into);
 }
 
 static vs_value task_name(vs_expansion *x) { return x->now.var ? x->ast.pool[x->now.var->name] : VS_FALSE; }
@@ -238,18 +246,15 @@ bool vs_form_case_lambda(vs_expansion *x) {
   if (!node) return false;
   vs_value name = task_name(x);
   if (name != VS_FALSE) { uint32_t index; if (!vs_ast_const(&x->ast, name, &index)) return false; node->as.clauses.name = 1 + index; }
-  *x->now.into = node;
   VS_ROOTS(x->vm, r, 1);
   bool ok = true;
   size_t i = 0;
+  vs_node **outer = x->now.into;        /* the LETs of all clauses' contracts stand around the whole */
   for (r[0] = vs_cdr(x->now.form); ok && vs_is_pair(r[0]); r[0] = vs_cdr(r[0]), i++) {
     vs_value clause = vs_car(r[0]);
     if (vs_list_length(clause) < 2) return vs_expand_fail(x, vs_element_pos(r[0], false, x->now.pos), clause, "case-lambda is written %s; this is no clause:", vs_form_shape(VS_FORM_case_lambda));
-    for (vs_value l = vs_car(clause); vs_is_pair(l); l = vs_cdr(l))
-      if ((!vs_is_identifier(vs_car(l)) && !(vs_list_length(vs_car(l)) == 2 && vs_is_identifier(vs_car(vs_car(l))) && vs_is_identifier(vs_car(vs_cdr(vs_car(l)))))) ||
-          is_keyword(vs_car(l)))             /* a made predicate would put a let around the clause, which must be a lambda */
-        return vs_expand_fail(x, vs_element_pos(l, false, x->now.pos), vs_car(l), "the parameters of case-lambda are names or [name predicate], the predicate named too, not");
-    ok = vs_expand_lambda(x, vs_car(clause), false, vs_cdr(clause), x->now.env, name, vs_form_pos(clause, x->now.pos), &node->as.clauses.at[i]);
+    ok = expand_lambda(x, vs_car(clause), false, vs_cdr(clause), x->now.env, name, vs_form_pos(clause, x->now.pos), &outer, &node->as.clauses.at[i]);
   }
+  *outer = node;
   return ok;
 }

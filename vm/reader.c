@@ -705,8 +705,16 @@ static bool read_all(vs *vm, const char *text, size_t size, uint32_t file, uint3
     v[1] = v[2];
   }
   ok = ok && got == 0;
+  vs_pos reached = place(&r, r.at);
   vm->roots = labels.next;
   finish(&r);
+  if (!ok && vm->condition == vm->at.no_memory) {       /* what was read is given up; then there is room to say how far it went */
+    v[0] = v[1] = v[2] = VS_NIL;
+    bool over_limit = vm->over_limit;
+    vs_gc_major(vm);
+    vs_fail_at(vm, vm->sym.memory, reached, VS_NIL, "out of memory");
+    vm->over_limit = over_limit;
+  }
   *again = ok && r.left_open && !anew;
   if (ok && r.problems) return *again ? false : report(&r);
   *forms = v[0];

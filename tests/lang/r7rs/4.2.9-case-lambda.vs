@@ -26,4 +26,21 @@
 (import (prefix (loud) l:))
 (check (l:quiet-sum 2 3) => 5)
 
-(checked) ; expect: all hold: 17
+
+; contracts, defaults and keywords as in lambda
+(define (shown p)
+  (case-lambda (([a (list-of p)]) (list 'list a))
+               (([a (or p string?)] [b number? (+ 1 2)]) (list a b))
+               ((a b c #:k [k (and number? even?) 2]) (list a b c k))))
+(define f (shown symbol?))
+(check (f '(x y)) => (list (x y)))
+(check-error (f '(1)))
+(check (f 'x 5) => (x 5))
+(check (f "x" 5) => ("x" 5))
+(check-error (f 1 5))
+(check-error (f 'x 'y))
+(check-error (f))
+(define g (case-lambda ((a) (list a)) ((a b c [d any? (* 2 c)]) (list a b c d)) ((a b #:k [k number?]) (list 'k a b k))))
+(check (list (g 1) (g 1 2 3) (g 1 2 3 4) (g 1 2 #:k 5)) => ((1) (1 2 3 6) (1 2 3 4) (k 1 2 5)))
+(check-error (g 1 2))
+(checked) ; expect: all hold: 26
