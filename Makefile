@@ -37,6 +37,9 @@ all: $(BUILD)/libvisualscheme.a $(PROGRAM) ## build the library and the program,
 # FreeType's headers have a folder of their own. The library itself is loaded when the first text is made.
 $(BUILD)/obj/geometry/font.o: CFLAGS += $(shell pkg-config --cflags freetype2 2>/dev/null || echo -I/usr/include/freetype2)
 
+# So do OpenEXR's, whose library is loaded with the first EXR picture.
+$(BUILD)/obj/geometry/raster_exr.o: CFLAGS += $(shell pkg-config --cflags-only-I OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
+
 $(BUILD)/obj/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -MMD -MP -c $< -o $@

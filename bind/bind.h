@@ -178,6 +178,10 @@ vs_status vs_bind_refuse(vs_frame *f, const char *param, const char *expected, v
 bool vs_bind_hands_on(const vs_bind *b); /* was a drawing function registered? */
 bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *names);
 
+/* ---- files (files.c) ---- */
+/* All of a file beside the program that names it, as a bytevector; *shown: its name without folders, the store's. */
+vs_status vs_bind_file(vs_frame *f, const vs_arg *name, vs_value *bytes, const char **shown);
+
 /* ---- building, for the functions of procedures.def (build.c) ---- */
 vs_status vs_bind_make(vs_frame *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out);
 vs_status vs_bind_empty(vs_frame *f, const char *why, vs_value *out); /* the empty object, with a warning once a place */

@@ -8,8 +8,6 @@
 #include "geometry/repair.h"
 #include "geometry/solids.h"
 #include "kernel/inspect.h"
-#include "vm/port.h"
-#include "vm/unit.h"
 
 #define POINT(i) (f->arg[i].point)
 
@@ -222,21 +220,12 @@ vs_status vs_p_make_3dface(vs_frame *f, vs_value *out) {
 
 static bool keep_reading(void *vm) { return vs_poll(vm, 1 << 16); } /* false: the condition is set */
 
-/* The file stands beside the program that names it. */
 static vs_status read_list(vs_frame *f, const char **name, vs_face_list *l) {
-  vs *vm = f->vm;
-  vs_text path;
   vs_error e = { 0 };
-  VS_ROOTS(vm, r, 1);
-  vs_text_open(vm, &path, 0);
-  vs_status ok = vs_unit_path(vm, f->arg[0].value, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path) ? VS_OK : VS_ERROR;
-  if (ok) ok = vs_io_read_file(vm, path.at, &r[0]) ? VS_OK : VS_ERROR;
-  if (ok && !vs_mesh_file_read(*name, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length, keep_reading, vm, l, &e)) ok = e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
-  vs_text_close(&path);
-  if (ok && !vs_face_list_compact(l)) ok = vs_fail_memory(vm);
-  const char *slash = strrchr(*name, '/');
-  if (slash) *name = slash + 1;
-  return ok;
+  VS_ROOTS(f->vm, r, 1);
+  if (!vs_bind_file(f, &f->arg[0], &r[0], name)) return VS_ERROR;
+  if (!vs_mesh_file_read(*name, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length, keep_reading, f->vm, l, &e)) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
+  return vs_face_list_compact(l) ? VS_OK : vs_fail_memory(f->vm);
 }
 
 vs_status vs_p_load_mesh(vs_frame *f, vs_value *out) {

@@ -1,0 +1,27 @@
+/* Owns reading pictures as numbers: PNG and EXR, one number a pixel, for height fields. */
+#ifndef VS_GEOMETRY_RASTER_H
+#define VS_GEOMETRY_RASTER_H
+
+#include "model/node.h"
+
+enum { VS_RASTER_MOST = 1 << 26 }; /* pixels */
+
+typedef struct {
+  double *at; /* row by row from the top: of a PNG 0 for black to 1 for white, of an EXR what stands in it */
+  uint32_t columns, rows;
+  vs_store *store; /* whose memory it is */
+} vs_raster;
+void vs_raster_free(vs_raster *r);
+
+/* All of a file that is in memory; by its first bytes. Grey is taken as it is, of colours the luminance (Rec. 709) of the numbers as they stand; an EXR's
+ * Y, else its one channel, else the luminance of R, G and B. name: for messages, without folders. Out need not be initialised and is empty after a failure. The libraries
+ * are loaded at the first use. */
+bool vs_raster_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_raster *out, vs_error *e);
+
+/* The two readers; room for the pixels comes from vs_raster_room. */
+bool vs_raster_room(vs_raster *r, const char *name, uint64_t columns, uint64_t rows, vs_error *e);
+bool vs_raster_png(vs_raster *r, const char *name, const unsigned char *bytes, size_t size, vs_error *e);
+bool vs_raster_exr(vs_raster *r, const char *name, const unsigned char *bytes, size_t size, vs_error *e);
+static inline double vs_raster_luminance(double red, double green, double blue) { return 0.2126 * red + 0.7152 * green + 0.0722 * blue; }
+
+#endif
