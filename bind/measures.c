@@ -90,7 +90,7 @@ vs_status vs_p_volume(vs_frame *f, vs_value *out) {
 
 vs_status vs_p_area(vs_frame *f, vs_value *out) {
   vs_measure m;
-  if (!vs_bind_resolve(f, 0)) return VS_ERROR;
+  if (f->arg[0].ref.node->class_ != VS_CURVE && !vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_class c = (vs_class)f->arg[0].ref.node->class_;
   if (c == VS_NOTHING) return vs_bind_real(f, 0, out);
   if (c == VS_CURVE && f->arg[0].ref.node->flags & VS_NODE_CLOSED) { /* taken as filled */

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "geometry/hull.h"
+#include "geometry/join.h"
 #include "geometry/measure.h"
 #include "geometry/plane.h"
 
@@ -42,6 +43,15 @@ static areas look_at_areas(const vs_ref *ref, size_t n, vs_plane *a, vs_plane *b
 static vs_status fill(vs_frame *f, vs_ref *ref, size_t n) {
   for (size_t i = 0; i < n; i++)
     if (ref[i].node->class_ == VS_CURVE) {
+      vs_crossing x;
+      vs_error e = { 0 };
+      if (!vs_curves_cross(&ref[i], 1, &x, &e)) return vs_bind_error(f, &e);
+      if (x.found) {
+        char at[3][32];
+        const double d[3] = { x.at.x, x.at.y, x.at.z };
+        for (int k = 0; k < 3; k++) vs_bind_number_text(at[k], round(d[k] * 1e6) / 1e6 + 0.0);
+        return vs_fail(f->vm, f->vm->sym.range, "a closed curve that is taken as filled must not cross itself; one does at (xyz %s %s %s)", at[0], at[1], at[2]);
+      }
       vs_node *region = vs_node_new(f->bind->store, VS_REGION, &(struct vs_region){ 0 }, &ref[i], 1);
       if (!vs_bind_keep(f, region)) return VS_ERROR;
       ref[i].node = region;

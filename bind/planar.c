@@ -144,16 +144,27 @@ vs_status vs_p_do_offset(vs_frame *f, vs_value *out) {
   vs_error e = { 0 };
   vs_plane plane;
   size_t i = 0, left;
+  vs_ref whole = f->arg[0].ref;
   while (i < 3 && strcmp(corners, names[i])) i++;
   if (i == 3) return vs_bind_refuse(f, "corners", "'mitre, 'round or 'square", f->key[0].value);
   if (vs_bind_is_empty(NODE(0))) return vs_bind_node(f, vs_node_retain(NODE(0)), out);
   if (NODE(0)->kind == VS_XLINE || NODE(0)->kind == VS_RAY) return vs_bind_refuse(f, "s", "a curve with two ends or none, or a region", f->arg[0].value);
   if (vs_node_plane(NODE(0), &plane) == VS_PLANE_NONE) return vs_bind_refuse(f, "s", "a curve or region that lies in one plane", f->arg[0].value);
+  vs_bounds box;
+  if (!vs_bind_resolve(f, 0)) return VS_ERROR;
+  if (!vs_node_bounds(NODE(0), &box, &e)) return vs_bind_error(f, &e);
+  if (!(fabs(d.distance) + vs_bounds_diagonal(&box) < 1e100)) return vs_fail(f->vm, f->vm->sym.range, "the numbers are too large: the curve and d must stay below 1e100");
+  f->arg[0].ref = whole;
   if (d.distance == 0) return vs_bind_node(f, vs_node_retain(NODE(0)), out);
   if (!(d.corners = vs_store_text(f->bind->store, names[i], strlen(names[i])))) return vs_fail_memory(f->vm);
   vs_node *made = vs_node_new(f->bind->store, VS_OFFSET, &d, &f->arg[0].ref, 1);
   if (!vs_bind_keep(f, made)) return VS_ERROR;
-  if (!what_is_left(made, &left, &e)) return vs_bind_error(f, &e);
+  f->arg[0].ref.node = made;
+  if (!vs_bind_resolve(f, 0)) return VS_ERROR;
+  vs_node *plain = NODE(0);
+  f->arg[0].ref = whole;
+  if (plain->class_ == VS_NOTHING) left = 0;
+  else if (!what_is_left(plain, &left, &e)) return vs_bind_error(f, &e);
   if (left == 0) return vs_bind_empty(f, "nothing is left so far inside", out);
   d.filled = left > 1 && made->class_ == VS_CURVE;
   return d.filled ? vs_bind_make(f, VS_OFFSET, &d, &f->arg[0].ref, 1, out) : vs_bind_node(f, vs_node_retain(made), out);
@@ -164,6 +175,7 @@ vs_status vs_p_do_offset(vs_frame *f, vs_value *out) {
 vs_status vs_p_do_section(vs_frame *f, vs_value *out) {
   vs_bounds b;
   vs_error e = { 0 };
+  if (!vs_bind_finite(f, 0)) return VS_ERROR;
   if (NODE(0)->class_ == VS_NOTHING) return vs_bind_empty(f, NULL, out);
   struct vs_section d = { .point = f->arg[1].line.at, .normal = f->arg[1].line.direction };
   if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);
@@ -179,12 +191,14 @@ vs_status vs_p_do_section(vs_frame *f, vs_value *out) {
 }
 
 vs_status vs_p_do_project(vs_frame *f, vs_value *out) {
+  if (!vs_bind_finite(f, 0)) return VS_ERROR;
   if (NODE(0)->class_ == VS_NOTHING) return vs_bind_empty(f, NULL, out);
   struct vs_project d = { .point = f->arg[1].line.at, .normal = f->arg[1].line.direction };
   return vs_bind_make(f, VS_PROJECT, &d, &f->arg[0].ref, 1, out);
 }
 
 vs_status vs_p_do_edges(vs_frame *f, vs_value *out) {
+  if (!vs_bind_finite(f, 0)) return VS_ERROR;
   if (NODE(0)->class_ == VS_NOTHING) return vs_bind_empty(f, NULL, out);
   if (NODE(0)->class_ != VS_SOLID && NODE(0)->class_ != VS_SURFACE) return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
   return vs_bind_make(f, VS_EDGES, &(struct vs_edges){ 0 }, &f->arg[0].ref, 1, out);

@@ -116,6 +116,27 @@ static bool vs_cross_edges(const vs_cross_edge *p, const vs_cross_edge *q, vs_ve
   return false;
 }
 
+/* Is the direction q in the sector from p counter-clockwise to r? Clearly so, or clearly not: *sure */
+static bool vs_cross_between(vs_vec2 p, vs_vec2 r, vs_vec2 q, bool *sure) {
+  const double turn = 6.28318530717958647693, near = 0.05;
+  double from = atan2(p.y, p.x), to = atan2(r.y, r.x) - from, at = atan2(q.y, q.x) - from;
+  to -= turn * floor(to / turn);
+  at -= turn * floor(at / turn);
+  *sure = *sure && at > near && at < turn - near && fabs(at - to) > near;
+  return at < to;
+}
+
+/* The end of p lies on q: do the two strands through that point change sides there? next: of p, and of q where its end is the point too */
+static bool vs_cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, const vs_cross_edge *q, const vs_cross_edge *next_q) {
+  double slack = fmax(p->slack, q->slack), dx = q->b.x - q->a.x, dy = q->b.y - q->a.y, length = hypot(dx, dy);
+  double along = ((p->b.x - q->a.x) * dx + (p->b.y - q->a.y) * dy) / length;
+  if (fabs(vs_cross_side(q, p->b)) > slack || along <= slack || along > length + slack) return false; /* at q's start it is the edge before that ends there */
+  vs_vec2 v = p->b, in = { p->a.x - v.x, p->a.y - v.y }, out = { next_p->b.x - v.x, next_p->b.y - v.y };
+  vs_vec2 end = along >= length - slack ? next_q->b : q->b, come = { q->a.x - v.x, q->a.y - v.y }, go = { end.x - v.x, end.y - v.y };
+  bool sure = true, one = vs_cross_between(in, out, come, &sure), other = vs_cross_between(in, out, go, &sure);
+  return sure && one != other;
+}
+
 /* Where curves touch, one may pass to the other's inside through the point of touch: then it has points clearly inside and clearly outside.
  * Where neither has either, they lie on each other. */
 static bool vs_cross_through(const vs_cross_edge *edges, size_t count, size_t a, size_t b, vs_vec2 *at) {
@@ -191,6 +212,11 @@ bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_erro
     }
   }
   if (ok && edge_count) qsort(edges, edge_count, sizeof *edges, vs_cross_compare);
+  /* after[starts[curve] + place]: where the edge that follows it stands now */
+  size_t *after = malloc((total + 1) * sizeof *after), *starts = malloc((count + 1) * sizeof *starts);
+  ok = ok && ((after && starts) || vs_error_memory(e, NULL));
+  for (size_t i = 0, start = 0; ok && i < count; start += loops[i++].count) starts[i] = start;
+  for (size_t i = 0; ok && i < edge_count; i++) after[starts[edges[i].curve] + (edges[i].place ? edges[i].place - 1 : edges[i].last)] = i;
   double widest = 0;
   for (size_t i = 0; i < edge_count; i++) widest = fmax(widest, edges[i].high - edges[i].low);
   for (size_t i = 0; ok && !out->found && i < edge_count; i++)
@@ -202,6 +228,12 @@ bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_erro
       size_t a = edges[i].curve < edges[k].curve ? edges[i].curve : edges[k].curve, b = edges[i].curve < edges[k].curve ? edges[k].curve : edges[i].curve;
       if (vs_cross_edges(&edges[i], &edges[k], &at, &touch)) {
         *out = (vs_crossing){ a, b, vs_affine_point(&frame, vs_v3(at.x, at.y, 0)), true };
+        break;
+      }
+      const vs_cross_edge *p = &edges[i], *q = &edges[k];
+      if (touch && (vs_cross_at_end(p, &edges[after[starts[p->curve] + p->place]], q, &edges[after[starts[q->curve] + q->place]]) ||
+                    vs_cross_at_end(q, &edges[after[starts[q->curve] + q->place]], p, &edges[after[starts[p->curve] + p->place]]))) {
+        *out = (vs_crossing){ a, b, vs_affine_point(&frame, vs_v3(q->b.x, q->b.y, 0)), true };
         break;
       }
       if (!touch || a == b || touch_count == 64) continue;
@@ -221,5 +253,7 @@ bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_erro
   for (size_t i = 0; loops && i < count; i++) vs_polyline_free(&loops[i]);
   free(loops);
   free(edges);
+  free(after);
+  free(starts);
   return ok;
 }

@@ -41,6 +41,14 @@ static bool vs_outline_loop_holds(const vs_affine *frame, const vs_polyline *p, 
   return inside;
 }
 
+/* Does loop p hold loop q? They do not cross but may touch: so the middles of q's edges vote, thirty of them at most. */
+static bool vs_outline_loop_in(const vs_affine *frame, const vs_polyline *p, const vs_polyline *q) {
+  size_t step = q->count / 30 + 1, votes = 0, asked = 0;
+  for (size_t i = 0; i < q->count; i += step, asked++)
+    votes += vs_outline_loop_holds(frame, p, vs_v3_scale(vs_v3_add(q->at[i], q->at[i + 1 < q->count ? i + 1 : 0]), 0.5));
+  return 2 * votes > asked;
+}
+
 /* An open profile that is straight has many planes: the vertical one then, or for an upright line the plane XZ. */
 static vs_vec3 vs_outline_normal_of_open(const vs_polyline *p) {
   vs_vec3 sum = { 0, 0, 0 }, along = { 0, 0, 0 };
@@ -64,11 +72,11 @@ static bool vs_outline_nest(vs_outline *o) {
   o->hole = calloc(n, sizeof *o->hole);
   bool ok = depth && parent && sorted && o->hole;
   for (size_t i = 0; ok && i < n; i++)
-    for (size_t j = 0; j < n; j++) depth[i] += i != j && vs_outline_loop_holds(&o->frame, &o->loops[j], o->loops[i].at[0]);
+    for (size_t j = 0; j < n; j++) depth[i] += i != j && vs_outline_loop_in(&o->frame, &o->loops[j], &o->loops[i]);
   for (size_t i = 0; ok && i < n; i++) {
     parent[i] = i;
     for (size_t j = 0; j < n && depth[i] % 2; j++)
-      if (depth[j] + 1 == depth[i] && vs_outline_loop_holds(&o->frame, &o->loops[j], o->loops[i].at[0])) parent[i] = j;
+      if (depth[j] + 1 == depth[i] && vs_outline_loop_in(&o->frame, &o->loops[j], &o->loops[i])) parent[i] = j;
   }
   for (size_t i = 0; ok && i < n; i++) {
     if (depth[i] % 2) continue;

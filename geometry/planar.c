@@ -248,6 +248,10 @@ static GEOSGeometry *vs_geos_unite(vs_geos *g, GEOSGeometry *a) {
 
 bool vs_area_combine(vs_area_operation operation, const vs_area *operands, size_t count, const char *purpose, vs_area *out, vs_error *e) {
   vs_geos g;
+  for (size_t i = 0; i < count; i++)
+    for (size_t k = 0; k < operands[i].count; k++)
+      if (!(fabs(operands[i].at[k].x) < 1e100 && fabs(operands[i].at[k].y) < 1e100))
+        return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s: the numbers are too large: coordinates must stay below 1e100", purpose);
   if (!vs_geos_open(&g, purpose, e)) return false;
   size_t first = operation == VS_AREA_UNION ? count : 1, next = first;
   GEOSGeometry *made = vs_geos_polygons(&g, operands, first);

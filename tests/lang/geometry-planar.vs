@@ -1,0 +1,87 @@
+; regions, offsets, sections, shadows and edges: what they are, held to closed forms
+(define (close? a b . within) (if (<= (abs (- a b)) (* (if (null? within) 1e-9 (car within)) (abs b))) 'right (list a b)))
+(define sq (make-rectangle (xy 0 0) (xy 4 4)))
+(define b (make-circle (xy 4 4) 2))
+(define (tilt o) (do-rotate o (vxyz 1 2 3) 1))
+(displayln (list (close? (area (unite sq b)) (+ 16 (* 3 pi)) 1e-6) (close? (area (intersect sq b)) pi 1e-6) (close? (area (subtract sq b)) (- 16 pi) 1e-6)))
+; expect: (right right right)
+(displayln (list (close? (area (unite (tilt sq) (tilt b))) (+ 16 (* 3 pi)) 1e-6) (close? (area (tilt (subtract sq b))) (- 16 pi) 1e-6)))
+; expect: (right right)
+(displayln (bounding-box (intersect sq b)))
+; expect: ((xyz 2 2 0) (xyz 4 4 0))
+(displayln (list (region? (unite sq b)) (region? (unite sq (make-circle (xyz 0 0 1) 1))) (curve? (unite sq (make-circle (xyz 0 0 1) 1))) (curve? (do-move (list sq b) ux))))
+; expect: (#t #f #t #t)
+(displayln (list (close? (volume (do-extrude (subtract sq b) 2)) (* 2 (- 16 pi)) 1e-3) (volume (do-extrude (subtract sq sq) 2)) (area (subtract sq sq))))
+; expect: (right 0.0 0.0)
+(displayln (map (lambda (p) (contains? (subtract sq b) p)) (list (xy 1 1) (xy 3.9 3.9) (xyz 1 1 1) (xy 0 0))))
+; expect: (#t #f #f #t)
+; holes at any nesting, and touching
+(displayln (area (make-region (make-rectangle (xy 0 0) (xy 10 10)) (make-rectangle (xy 1 1) (xy 9 9)) (make-rectangle (xy 2 2) (xy 8 8)) (make-rectangle (xy 3 3) (xy 7 7)))))
+; expect: 56.0
+(displayln (close? (area (make-region (make-circle origin 2) (make-circle (xy 1 0) 1))) (* 3 pi) 1e-6))
+; expect: right
+(displayln (area (make-region (make-rectangle (xy 0 0) (xy 1 1)) (make-rectangle (xy 1 0) (xy 2 1)))))
+; expect: 2.0
+; joined
+(displayln (list (close? (area (make-region (make-arc origin 2 pi) (make-line (xy 2 0) (xy -2 0)))) (* 2 pi) 1e-6)
+                 (close? (area (make-region (make-line (xy 4 4) (xy 0 0)) (make-line (xy 0 0) (xy 4 0) (xy 4 4)))) 8)))
+; expect: (right right)
+(displayln (close? (curve-length (join-curves (make-line (xy 4 4) (xy 4 0)) (make-arc origin 4 0 -pi) (make-line (xy 4 4) (xy 0 9)))) (+ 4 (* 4 pi) (sqrt 41)) 1e-6))
+; expect: right
+(displayln (object-kind (join-curves (make-line (xy 4 4) (xy 4 0)) (make-line (xy 0 0) (xy 4 0)))))
+; expect: join-curves
+; offsets
+(define (grown d corners) (area (do-offset (make-region sq) d #:corners corners)))
+(displayln (list (close? (grown 1 'mitre) 36) (close? (grown 1 'round) (+ 32 pi) 1e-6) (close? (grown 1 'square) (- 36 (* 4 (expt (- (sqrt 2) 1) 2)))) (close? (grown -1 'round) 4)))
+; expect: (right right right right)
+(displayln (list (close? (curve-length (do-offset (make-circle origin 2) 1)) (* 6 pi)) (close? (curve-length (do-offset (do-scale (make-circle origin 1) 2) -1)) 2pi)
+                 (close? (area (do-offset (do-offset (make-circle origin 2) 1) -2)) pi 1e-6)))
+; expect: (right right right)
+(displayln (list (close? (curve-length (do-offset (make-arc origin 2 pi) 1)) pi) (close? (curve-length (do-offset (make-arc origin 2 0 -pi) 1)) (* 3 pi))))
+; expect: (right right)
+(displayln (list (curve-length (do-offset (make-line (xy 0 0) (xy 4 0) (xy 4 4)) 1)) (curve-length (do-offset (make-line (xy 0 0) (xy 4 0) (xy 4 4)) -1))
+                 (close? (curve-length (do-offset (make-line (xy 0 0) (xy 4 0) (xy 4 4)) -1 #:corners 'round)) (+ 8 pi/2) 1e-6)))
+; expect: (6.0 10.0 right)
+(displayln (map (lambda (line) (bounding-box (do-offset line 1))) (list (make-line (xy 0 0) (xy 4 0)) (make-line (xz 0 0) (xz 0 4)) (make-line (xz 0 0) (xz 4 0) (xz 4 4)))))
+; expect: (((xyz 0 1 0) (xyz 4 1 0)) ((xyz 1 0 0) (xyz 1 0 4)) ((xyz 0 0 -1) (xyz 5 0 4)))
+(displayln (list (close? (area (do-offset (make-donut origin 2 4) 1)) (* 24 pi) 1e-6) (close? (area (do-offset (make-donut origin 2 4) 2.5 #:corners 'round)) (* pi 6.5 6.5) 1e-6)))
+; expect: (right right)
+(define dumbbell (make-polygon (xy 0 0) (xy 4 0) (xy 4 1.5) (xy 8 1.5) (xy 8 0) (xy 12 0) (xy 12 4) (xy 8 4) (xy 8 2.5) (xy 4 2.5) (xy 4 4) (xy 0 4)))
+(displayln (list (curve? (do-offset dumbbell -0.4)) (region? (do-offset dumbbell -0.6)) (close? (area (do-offset dumbbell -0.6)) (* 2 2.8 2.8))))
+; expect: (#t #t right)
+(displayln (close? (area (do-offset (do-offset (make-region sq) 1 #:corners 'round) -1)) 16 1e-6))
+; expect: right
+(displayln (close? (area (tilt (do-offset (tilt (make-region sq)) 1))) 36))
+; expect: right
+(displayln (do-offset sq 1 #:corners 'square))
+; expect: (do-offset (make-polygon (list (xyz 0 0 0) (xyz 4 0 0) (xyz 4 4 0) (xyz 0 4 0))) 1 #:corners 'square)
+; sections, shadows
+(define box (make-box origin (xyz 4 4 4)))
+(define (level z) (make-plane (xyz 0 0 z) uz))
+(displayln (list (area (do-section box (level 2))) (area (do-section box (level 4))) (area (do-section box 'xy)) (close? (area (do-section box (vxyz 1 -1 0))) (* 16 (sqrt 2)))))
+; expect: (16.0 16.0 16.0 right)
+(displayln (list (close? (area (do-section (make-sphere origin 2) 'xz)) (* 4 pi) 1e-3) (close? (area (do-section (make-torus origin 3 1) 'xy)) (* 12 pi) 1e-3)
+                 (close? (area (do-section (make-torus origin 3 1) 'xz)) 2pi 1e-3)))
+; expect: (right right right)
+(displayln (list (area (do-section (subtract box (make-box (xyz 1 1 -1) (xyz 3 3 9))) (level 4))) (area (do-section (subtract box (make-box (xyz 1 1 -4) (xyz 3 3 0))) 'xy))))
+; expect: (12.0 16.0)
+(displayln (list (close? (area (do-project box (vxyz 1 1 1))) (* 16 (sqrt 3))) (close? (area (do-project (make-torus origin 3 1) 'xy)) (* 12 pi) 1e-3)
+                 (area (do-project (unite (make-box origin (xyz 1 1 1)) (make-box (xyz 0.5 0 5) (xyz 3 1 6))) 'xy))))
+; expect: (right right 3.0)
+(displayln (list (volume (do-extrude (do-section box (level 2)) 3)) (contains? (do-section box (level 2)) (xyz 1 1 2)) (bounding-box (do-section (make-cylinder origin 4 2) (level 1)))))
+; expect: (48.0 #t ((xyz -2 -2 1) (xyz 2 2 1)))
+(displayln (list (close? (area (subtract (do-section box 'xy) (make-circle (xy 2 2) 1))) (- 16 pi) 1e-6) (area (do-offset (do-section box 'xy) 1))))
+; expect: (right 36.0)
+(displayln (do-section box 'xz))
+; expect: (do-section (make-box (xyz 0 0 0) (xyz 4 4 4)) (make-plane (xyz 0 0 0) (vxyz 0 1 0)))
+; edges
+(displayln (list (curve-length (do-edges box)) (close? (curve-length (do-edges (make-cylinder origin 2 3))) (* 12 pi)) (close? (curve-length (do-edges (make-cone origin (xyz 0 0 2) 3))) (* 6 pi))
+                 (curve-length (do-edges (make-sphere origin 1))) (curve-length (do-edges (make-3dface (xy 0 0) (xy 1 0) (xy 1 1) (xy 0 1))))))
+; expect: (48.0 right right 0.0 4.0)
+(displayln (close? (curve-length (do-edges (subtract box (make-cylinder (xyz 2 2 -1) 9 1)))) (+ 48 (* 4 pi)) 1e-3))
+; expect: right
+(displayln (close? (volume (do-thicken (do-edges (do-move box ux)) 0.02)) (* 48 pi 1e-4) 0.02))
+; expect: right
+; lines without ends
+(displayln (list (make-xline origin (xyz 1 2 3)) (make-ray origin uz) (bounding-box (make-xline origin (xyz 1 2 3))) (curve? (make-ray origin uz))))
+; expect: ((make-xline (xyz 0 0 0) (xyz 1 2 3)) (make-ray (xyz 0 0 0) (vxyz 0 0 1)) #f #t)
