@@ -21,9 +21,51 @@ vs_affine vs_bind_affine(const double *sixteen) {
   return m;
 }
 
-vs_status vs_bind_node(vs_frame *f, vs_node *node, vs_value *out) { return vs_bind_wrap(f->bind, node, out); }
+/* Lengths end at 1e60: their third power, and what placements make of it, must still be a number. */
+static bool too_large(double d) { return !(fabs(d) <= 1e60); }
+
+/* The field of a node's data that no drawing could hold, or NULL. Angles are fields as well: none is that large in earnest. */
+static const char *largest_field(vs_kind kind, const void *data) {
+  const vs_kind_info *k = vs_kind_get(kind);
+  for (size_t i = 0; i < k->field_count; i++) {
+    const void *at = (const char *)data + k->fields[i].offset;
+    const double *numbers = at;
+    size_t count = 0;
+    switch (k->fields[i].type) {
+      case VS_FIELD_real: count = 1; break;
+      case VS_FIELD_point: case VS_FIELD_vector: count = 3; break;
+      case VS_FIELD_affine: count = 12; break;
+      case VS_FIELD_points: {
+        const vs_points *points = *(const vs_field_points *)at;
+        if (points) numbers = &points->at[0].x, count = 3 * (size_t)points->count;
+        break;
+      }
+      case VS_FIELD_integer: case VS_FIELD_boolean: case VS_FIELD_faces: case VS_FIELD_text: case VS_FIELD_material: case VS_FIELD_ticket: break;
+    }
+    for (size_t j = 0; j < count; j++)
+      if (too_large(numbers[j])) return k->fields[i].argument;
+  }
+  return NULL;
+}
+
+/* A placement's matrix comes from the last argument, unless that is what was given. */
+static vs_status refuse_large(vs_frame *f, const char *field) {
+  const vs_bind_param *p = f->procedure->form[f->form].at;
+  bool given = strcmp(field, "matrix") != 0;
+  for (int i = 0; !given && p[i].mode != VS_ARG_END; i++) given = strcmp(p[i].name, field) == 0;
+  if (!given && f->count > 0) field = p[f->count - 1].name;
+  return vs_fail(f->vm, f->vm->sym.range, "%s is too large: lengths end at 1e60", field);
+}
+
+vs_status vs_bind_node(vs_frame *f, vs_node *node, vs_value *out) {
+  const char *large = node ? largest_field((vs_kind)node->kind, node->data) : NULL;
+  if (large) return vs_node_release(node), refuse_large(f, large);
+  return vs_bind_wrap(f->bind, node, out);
+}
 
 vs_status vs_bind_make(vs_frame *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out) {
+  const char *large = data ? largest_field(kind, data) : NULL;
+  if (large) return refuse_large(f, large);
   return vs_bind_wrap(f->bind, vs_node_new(f->bind->store, kind, data, children, n), out);
 }
 

@@ -405,6 +405,7 @@ static vs_status convert_real(vs_frame *f, const vs_bind_param *p, vs_value v, v
 static vs_status convert_integer(vs_frame *f, const vs_bind_param *p, vs_value v, int64_t low, int64_t high, vs_arg *out) {
   if (!vs_is_fixnum(v)) return refuse_kind(f, p, v);
   out->integer = vs_fixnum(v);
+  if (out->integer > high && high == INT32_MAX) return vs_bind_refuse(f, p->name, "at most 2147483647", v);
   return out->integer >= low && out->integer <= high ? VS_OK : refuse_condition(f, p, v);
 }
 

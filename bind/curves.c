@@ -38,7 +38,12 @@ static bool tidy(vs_vec3 *at, size_t *count) {
 }
 
 static vs_status polyline(vs_frame *f, vs_vec3 *at, size_t n, bool close, vs_value *out) {
-  if (n < 2) return vs_bind_refuse(f, "points", "two points or more", f->arg[0].value == VS_UNSPECIFIC && n == 0 ? VS_NIL : f->arg[0].value);
+  if (n < 2) {
+    VS_ROOTS(f->vm, r, 1);
+    r[0] = VS_NIL;
+    if (n == 1 && !vs_bind_point(f, at[0], &r[0])) return VS_ERROR;
+    return vs_bind_refuse(f, "points", "two points or more", r[0]);
+  }
   bool closed = tidy(at, &n) || close;
   if (n < 2) return vs_bind_empty(f, "all points are the same", out);
   if (closed && n < 3) {

@@ -65,7 +65,7 @@ static vs_status measure_surface(vs_frame *f, vs_measure *m) {
   return VS_OK;
 }
 
-static vs_status measure(vs_frame *f, vs_measure *m, bool area) {
+static vs_status measure_any(vs_frame *f, vs_measure *m, bool area) {
   vs_error e = { 0 };
   const vs_node *n = f->arg[0].ref.node;
   *m = (vs_measure){ 0 };
@@ -77,6 +77,13 @@ static vs_status measure(vs_frame *f, vs_measure *m, bool area) {
   if (n->class_ == VS_SURFACE && (placed || vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION)) return measure_surface(f, m);
   const char *kind = vs_kind_get((vs_kind)n->kind)->name;
   return vs_fail(f->vm, f->vm->sym.error, "there is no measure yet of %s %s that is no solid", strchr("aeiou", *kind) ? "an" : "a", kind);
+}
+
+static vs_status measure(vs_frame *f, vs_measure *m, bool area) {
+  if (!measure_any(f, m, area)) return VS_ERROR;
+  vs_vec3 c = m->centroid;
+  if (isfinite(m->volume) && isfinite(area ? m->area : 0) && isfinite(m->length) && isfinite(c.x) && isfinite(c.y) && isfinite(c.z)) return VS_OK;
+  return vs_bind_refuse(f, "o", "smaller: what is asked for is beyond all numbers", f->arg[0].value);
 }
 
 vs_status vs_p_volume(vs_frame *f, vs_value *out) {

@@ -137,6 +137,17 @@ static vs_status finished(vs_frame *f, vs_node *n, vs_value *out) { /* takes n o
 static vs_status polyface(vs_frame *f, const vs_vec3 *at, size_t points, const uint32_t *starts, const uint32_t *corner, size_t count, vs_value *out) {
   vs_error e = { 0 };
   if (points > UINT32_MAX || count > UINT32_MAX) return vs_fail_memory(f->vm);
+  double size = 0, widest = 0;
+  for (size_t i = 0; i < count; i++) {
+    vs_vec3 a = at[corner[starts[i]]], sum = { 0, 0, 0 };
+    for (uint32_t c = starts[i] + 1; c < starts[i + 1]; c++) {
+      vs_vec3 d = vs_v3_sub(at[corner[c]], a);
+      size = fmax(size, vs_v3_length(d));
+      if (c + 1 < starts[i + 1]) sum = vs_v3_add(sum, vs_v3_cross(d, vs_v3_sub(at[corner[c + 1]], a)));
+    }
+    widest = fmax(widest, vs_v3_length(sum));
+  }
+  if (widest <= 1e-14 * size * size) return vs_bind_empty(f, "the faces have no area", out);
   vs_node *n = vs_polyface_make(f->bind->store, at, points, starts, count, corner, &e);
   if (!n) return vs_bind_error(f, &e);
   if (n->class_ == VS_SOLID) {
@@ -188,7 +199,21 @@ vs_status vs_p_make_irregular_pyramid(vs_frame *f, vs_value *out) {
   at[n] = POINT(1);
   vs_vec3 spread = { 0, 0, 0 }; /* six volumes, against the base's first corner */
   for (size_t i = 1; i + 1 < n; i++) spread = vs_v3_add(spread, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
-  if (vs_v3_dot(spread, vs_v3_sub(at[n], at[0])) == 0) return vs_bind_empty(f, "the apex lies in the plane of the base", out);
+  double size = 0, up = 0, off = 0, widest = 0; /* of the base; the apex's height; how far corners leave the plane; the widest triangle */
+  vs_vec3 normal = vs_v3_unit(spread);
+  for (size_t i = 1; i < n; i++) {
+    vs_vec3 d = vs_v3_sub(at[i], at[0]);
+    size = fmax(size, vs_v3_length(d));
+    for (size_t j = 1; j < i && j < 3; j++) widest = fmax(widest, vs_v3_length(vs_v3_cross(d, vs_v3_sub(at[j], at[0]))));
+    off = fmax(off, fabs(vs_v3_dot(normal, d)));
+  }
+  if (vs_v3_length(spread) <= 1e-12 * size * size) {
+    if (widest > 1e-9 * size * size) return vs_bind_refuse(f, "points", "corners that go round the base without crossing", f->arg[0].value);
+    return vs_bind_empty(f, "the base has no area", out);
+  }
+  if (off > 1e-6 * size) return vs_bind_refuse(f, "points", "corners in one plane", f->arg[0].value);
+  up = fabs(vs_v3_dot(normal, vs_v3_sub(at[n], at[0])));
+  if (up <= 1e-12 * size) return vs_bind_empty(f, "the apex lies in the plane of the base", out);
   starts[0] = 0;
   for (size_t i = 0; i < n; i++) corner[i] = (uint32_t)(n - 1 - i); /* the base, seen from below; all of it is turned if need be */
   starts[1] = (uint32_t)n;

@@ -7,6 +7,7 @@
 #include "geometry/join.h"
 #include "geometry/measure.h"
 #include "geometry/plane.h"
+#include "geometry/tessellate.h"
 
 #define REAL(i) (f->arg[i].real)
 #define POINT(i) (f->arg[i].point)
@@ -231,17 +232,79 @@ vs_status vs_p_hull(vs_frame *f, vs_value *out) {
 
 /* ---- from a profile ---- */
 
+enum { MOST_TURNS = 1000 };
+
+static vs_status check_twist(vs_frame *f, double twist, vs_value got) {
+  if (fabs(twist) <= 2 * 3.14159265358979 * MOST_TURNS) return VS_OK;
+  return vs_bind_refuse(f, "twist", "at most 1000 turns (6283 radians)", got);
+}
+
+/* A region was looked at when it was made; circles need no look. */
+static vs_status check_uncrossed(vs_frame *f) {
+  const vs_node *n = NODE(0);
+  vs_crossing x;
+  vs_error e = { 0 };
+  while (n->kind == VS_TRANSFORM) n = n->children[0].node;
+  if (n->kind == VS_CIRCLE || n->kind == VS_UNION) return VS_OK;
+  if (!vs_curves_cross(&f->arg[0].ref, 1, &x, &e)) return vs_bind_error(f, &e);
+  if (!x.found) return VS_OK;
+  char at[3][32];
+  const double p[] = { x.at.x, x.at.y, x.at.z };
+  for (int i = 0; i < 3; i++) vs_bind_number_text(at[i], round(p[i] * 1e6) / 1e6);
+  return vs_fail(f->vm, f->vm->sym.range, "profile must not cross itself; it does at (xyz %s %s %s)", at[0], at[1], at[2]);
+}
+
+/* Closed profiles and regions lie in one plane. *empty: they enclose nothing, and *out is that. */
+static vs_status check_profile(vs_frame *f, vs_plane *plane, bool *empty, vs_value *out) {
+  const vs_node *n = NODE(0);
+  *empty = false;
+  plane->normal = vs_v3(0, 0, 0); /* none: an open curve */
+  if (n->class_ != VS_REGION_CLASS && !(n->flags & VS_NODE_CLOSED)) return VS_OK;
+  switch (vs_node_plane(n, plane)) {
+    case VS_PLANE_ONE: return n->class_ == VS_CURVE ? check_uncrossed(f) : VS_OK;
+    case VS_PLANE_MANY: return *empty = true, vs_bind_empty(f, "the profile encloses no area", out);
+    case VS_PLANE_NONE: break;
+  }
+  return vs_bind_refuse(f, "profile", "in one plane", f->arg[0].value);
+}
+
+/* A coarse look at a curve: does it leave the plane through its start with this normal, or the line along it? */
+typedef enum { LEAVES_PLANE, LEAVES_LINE } leaving;
+static vs_status leaves(vs_frame *f, const vs_node *curve, leaving what, vs_vec3 direction, bool *out) {
+  vs_facets coarse = { 1e300, 8 };
+  vs_polyline line = { 0 };
+  vs_error e = { 0 };
+  if (!vs_curve_sample(curve, &coarse, &line, &e)) return vs_polyline_free(&line), vs_bind_error(f, &e);
+  vs_vec3 d = vs_v3_unit(direction);
+  double size = 0, away = 0;
+  for (size_t i = 1; i < line.count; i++) {
+    vs_vec3 v = vs_v3_sub(line.at[i], line.at[0]);
+    size = fmax(size, vs_v3_length(v));
+    away = fmax(away, what == LEAVES_PLANE ? fabs(vs_v3_dot(d, v)) : vs_v3_length(vs_v3_cross(d, v)));
+  }
+  vs_polyline_free(&line);
+  *out = away > 1e-9 * size;
+  return VS_OK;
+}
+
 vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
   struct vs_extrude d = { .taper = f->arg[2].given ? REAL(2) : 0, .twist = f->key[0].given ? f->key[0].real : 0, .scale = f->key[1].given ? f->key[1].real : 1,
                           .center = f->key[2].given && f->key[2].boolean };
   vs_ref child[2] = { f->arg[0].ref };
   bool path = vs_bind_shape(f->arg[1].value) != NULL;
+  vs_plane plane;
+  bool empty, leaving_it;
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
+  if (!check_twist(f, d.twist, f->key[0].value) || !check_profile(f, &plane, &empty, out)) return VS_ERROR;
+  if (empty) return VS_OK;
+  bool flat = vs_v3_length(plane.normal) > 0;
   if (path) {
     child[1] = f->arg[1].ref;
     if (vs_bind_is_empty(child[1].node)) return vs_bind_empty(f, "the path is empty", out);
     if (d.taper != 0) return vs_fail(f->vm, f->vm->sym.range, "a taper goes with a number or a gvector, not with a curve");
     if (d.twist != 0 || d.scale != 1) return vs_fail(f->vm, f->vm->sym.range, "#:twist and #:scale go with a number or a gvector; along a curve use do-sweep");
+    if (flat && !leaves(f, child[1].node, LEAVES_PLANE, plane.normal, &leaving_it)) return VS_ERROR;
+    if (flat && !leaving_it) return vs_bind_refuse(f, "amount", "a curve that leaves the profile's plane", f->arg[1].value);
     return vs_bind_make(f, VS_EXTRUDE, &d, child, 2, out);
   }
   d.along = vs_is_flat(f->arg[1].value, VS_FLAT_VECTOR) ? POINT(1) : vs_v3(0, 0, REAL(1));
@@ -250,8 +313,9 @@ vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
   if (d.taper != 0 && (d.twist != 0 || d.scale != 1)) return vs_fail(f->vm, f->vm->sym.range, "a taper does not go with #:twist or #:scale");
   if (d.taper != 0 && NODE(0)->class_ == VS_CURVE && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_refuse(f, "profile", "closed where there is a taper", f->arg[0].value);
   if (fabs(d.taper) >= 1.5707963) return vs_bind_refuse(f, "taper", "between -pi/2 and pi/2", f->arg[2].value);
-  vs_plane plane;
-  if ((NODE(0)->class_ == VS_REGION_CLASS || NODE(0)->flags & VS_NODE_CLOSED) && vs_node_plane(NODE(0), &plane) == VS_PLANE_ONE) {
+  if (!flat && !leaves(f, NODE(0), LEAVES_LINE, d.along, &leaving_it)) return VS_ERROR;
+  if (!flat && !leaving_it) return vs_bind_empty(f, "a straight line is moved along itself", out);
+  if (flat) {
     vs_vec3 n = plane.normal;
     steep = fabs(vs_v3_dot(n, d.along)) / length;
     if (steep < 1e-9) {
@@ -269,6 +333,10 @@ vs_status vs_p_do_sweep(vs_frame *f, vs_value *out) {
   vs_ref child[2] = { f->arg[0].ref, f->arg[1].ref };
   if (vs_bind_is_empty(NODE(0))) return vs_bind_empty(f, "the profile is empty", out);
   if (vs_bind_is_empty(NODE(1))) return vs_bind_empty(f, "the path is empty", out);
+  vs_plane plane;
+  bool empty;
+  if (!check_twist(f, d.twist, f->arg[2].value) || !check_profile(f, &plane, &empty, out)) return VS_ERROR;
+  if (empty) return VS_OK;
   return vs_bind_make(f, VS_SWEEP, &d, child, 2, out);
 }
 

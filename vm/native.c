@@ -118,6 +118,7 @@ bool vs_flat_arith(vs *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out)
     if (op == VS_OP_SUB) return vs_fail(vm, vm->sym.type, "cannot subtract %s from %s", vs_noun(vm, b), vs_noun(vm, a));
     return vs_fail(vm, vm->sym.type, "cannot %s %s %s %s", word[op], vs_noun(vm, a), joint[op], vs_noun(vm, b));
   }
+  if (rule == VS_RULE_DIV && !tb && number == 0) return vs_fail(vm, vm->sym.divide, "division by zero");
   size_t n = ta ? vs_flat_count(vs_as_flat(a)) : vs_flat_count(vs_as_flat(b));
   for (size_t i = 0; i < n; i++) {
     x[i] = ta ? vs_as_flat(a)->at[i] : number;

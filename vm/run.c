@@ -126,12 +126,13 @@ vs_value vs_parameter_value(const vs *vm, vs_value parameter) {
   return vs_as_parameter(parameter)->value;
 }
 
-/* a flat record from n numbers in registers; false if one is none (no error set) */
+/* a flat record from n finite numbers in registers; false if one is none: then the library's procedure says so (no error set) */
 static bool flat_numbers(const vs_value *at, size_t n, double *d) {
   for (size_t i = 0; i < n; i++) {
     if (vs_is_double(at[i])) d[i] = vs_double(at[i]);
     else if (vs_is_fixnum(at[i])) d[i] = (double)vs_fixnum(at[i]);
     else return false;
+    if (!(d[i] - d[i] == 0)) return false;
   }
   return true;
 }
@@ -143,6 +144,7 @@ static bool flat_rule(const vs *vm, vs_flat_op op, vs_value a, vs_value b) {
   bool fa = flat_operand(a), fb = flat_operand(b);
   if (!(fa || fb) || !vm->flat) return false;
   if (!(fa || vs_is_double(a) || vs_is_fixnum(a)) || !(fb || vs_is_double(b) || vs_is_fixnum(b))) return false;
+  if (op == VS_OP_DIV && (b == vs_fix(0) || (vs_is_double(b) && vs_double(b) == 0))) return false; /* the library's / says so */
   return vm->flat->at[op][fa ? vs_as_flat(a)->h.flags : 0][fb ? vs_as_flat(b)->h.flags : 0].rule != VS_RULE_NONE;
 }
 

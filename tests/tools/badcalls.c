@@ -1,0 +1,317 @@
+/* Owns holding every procedure of the geometry to its contracts: `badcalls TABLE` makes, from the table of procedures itself, a call with one bad
+ * argument for each parameter of each form in each way that its contract can be broken, evaluates them all in one interpreter, and expects an error
+ * at the call's line and column that begins with the procedure's name and names the parameter and the value. Before that the same call with a
+ * good argument has to succeed, or the bad one would prove nothing. Then the lines of TABLE (tests/bad/calls.txt) are held to what they say.
+ *
+ * A contract's good and bad arguments stand below; what only one procedure wants stands in `special`. Words of tests/run.sh. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bind/bind.h"
+#include "visualscheme.h"
+
+enum { BAD_MOST = 24, TEXT_MOST = 8000 };
+
+/* ---- arguments ---- */
+
+typedef struct {
+  const char *good[4];      /* of the first, second ... argument of this contract in a call; the last serves on */
+  const char *bad[BAD_MOST];
+} samples;
+
+/* Bad for nearly all. */
+#define NO_NUMBER "\"wide\"", "'wide", "'()", "(list 1 2)", "car", "(if #f #f)", "(xyz 1 2 3)"
+#define NOT_FINITE "+nan.0", "+inf.0", "-inf.0"
+#define NO_OBJECT "5", "\"box\"", "'box", "(xyz 1 2 3)", "(if #f #f)", "car"
+
+static const samples contracts[] = {
+  [VS_C_ANY] = { { "1" }, { NULL } },
+  [VS_C_REAL] = { { "1.5" }, { NO_NUMBER, "#f", NOT_FINITE } },
+  [VS_C_RADIUS] = { { "2", "1" }, { NO_NUMBER, "#f", NOT_FINITE, "-1", "-1/1000" } },
+  [VS_C_POSITIVE] = { { "2" }, { NO_NUMBER, "#f", NOT_FINITE, "-1", "0", "0." } },
+  [VS_C_ANGLE] = { { "1/2", "1" }, { NO_NUMBER, "#f", NOT_FINITE } },
+  [VS_C_DEGREES] = { { "30" }, { NO_NUMBER, "#f", NOT_FINITE } },
+  [VS_C_UNIT] = { { "1/2" }, { NO_NUMBER, "#f", NOT_FINITE, "-1/10", "11/10" } },
+  [VS_C_SOME] = { { "3" }, { NO_NUMBER, "#f", NOT_FINITE, "0", "-1", "3/2", "2.5" } },
+  [VS_C_NATURAL] = { { "3" }, { NO_NUMBER, "#f", NOT_FINITE, "-1", "3/2", "2.5" } },
+  [VS_C_SIDES] = { { "5" }, { NO_NUMBER, "#f", NOT_FINITE, "-3", "0", "2", "7/2", "100001", "(expt 10 30)" } },
+  [VS_C_SEGMENTS] = { { "8" }, { NO_NUMBER, NOT_FINITE, "-3", "0", "2", "7/2", "100001", "(expt 10 30)" } },
+  [VS_C_BOOLEAN] = { { "#t" }, { "\"yes\"", "'yes", "0", "'()" } },
+  [VS_C_TEXT] = { { "\"a\"" }, { "5", "'()", "(list \"a\")", "(xyz 1 2 3)", "#f", "car" } },
+  [VS_C_NAME] = { { "'a" }, { "5", "\"a\"", "'()", "#f", "car" } },
+  [VS_C_POINT] = { { "(xyz 0 0 0)", "(xyz 3 2 4)", "(xyz 5 0 1)", "(xyz 1 7 2)" }, { "5", "\"here\"", "'here", "(list 1 2 3)", "(vxyz 1 2 3)", "'()", "#f", "(if #f #f)", "far-point" } },
+  [VS_C_VECTOR] = { { "(vxyz 1 2 3)", "(vxyz 3 1 0)" }, { "5", "\"up\"", "'z", "(list 1 2 3)", "(xyz 1 2 3)", "'()", "#f", "(if #f #f)", "far-vector" } },
+  [VS_C_DIRECTION] = { { "(vxyz 0 0 1)", "(vxyz 1 0 1)" }, { "5", "\"up\"", "'z", "(list 1 2 3)", "(xyz 1 2 3)", "#f", "(vxyz 0 0 0)", "far-vector" } },
+  [VS_C_PLACE] = { { "(xyz 1 2 3)" }, { "5", "\"here\"", "'here", "(list 1 2 3)", "#f" } },
+  [VS_C_AXIS] = { { "'z" }, { "5", "\"z\"", "'w", "(list 0 0 1)", "(xyz 0 0 1)", "#f", "(vxyz 0 0 0)", "far-vector" } },
+  [VS_C_PLANE] = { { "'yz" }, { "5", "\"xy\"", "'x", "(list 0 0 1)", "(xyz 0 0 1)", "#f", "(vxyz 0 0 0)", "far-vector" } },
+  [VS_C_MATRIX] = { { "(translation-matrix (vxyz 1 2 3))" }, { "5", "\"m\"", "'()", "(list 1 0 0 0)", "(vxyz 1 2 3)", "#f" } },
+  [VS_C_FACTOR] = { { "2" }, { "\"big\"", "'big", "car", NOT_FINITE, "-1", "0", "'()", "(list 1 2)", "(list 1 2 3 4)", "(list 1 0 1)", "(list 1 -1 1)", "(list 1 +inf.0 1)", "(vxyz 1 0 1)", "far-vector" } },
+  [VS_C_OBJECT] = { { "ball", "brick2" }, { NO_OBJECT, "(list ball 5)" } },
+  [VS_C_OBJECTS] = { { "ball", "brick2" }, { NO_OBJECT, "(list ball 5)" } },
+  [VS_C_CURVE] = { { "rail" }, { NO_OBJECT, "ball", "plate" } },
+  [VS_C_CURVES] = { { "ring" }, { NO_OBJECT, "ball", "(list ring 5)" } },
+  [VS_C_PROFILE] = { { "ring" }, { NO_OBJECT, "ball" } },
+  [VS_C_FLAT] = { { "plate" }, { NO_OBJECT, "ball" } },
+  [VS_C_SOLID] = { { "ball" }, { NO_OBJECT, "ring", "plate" } },
+  [VS_C_POINTS] = { { "(list (xy 0 0) (xy 4 0) (xy 4 3) (xy 0 3))" }, { "5", "\"here\"", "(list (xy 0 0) 5 (xy 1 1))", "(list (xy 0 0) (vxyz 1 0 0) (xy 1 1))", "#f", "ball", "(list (xy 0 0) far-point (xy 1 1))" } },
+  [VS_C_THINGS] = { { "ball" }, { "5", "\"box\"", "'box", "car", "(list ball 5)", "far-point" } },
+  [VS_C_FACES] = { { "'((1 2 3) (1 3 4))" }, { "5", "'faces", "'(1 2 3)", "'((1 2))", "'((1 2 a))", "'((0 1 2))", "'((-1 1 2))", "'((1 2 1.5))", "'((1 2 3) . 4)" } },
+  [VS_C_SECTIONS] = { { "(list ring (do-move ring (vxyz 0 0 3)))" }, { "5", "'rings", "(list ring 5)", "(list ring ball)", "car" } },
+  [VS_C_PATH] = { { "3" }, { "\"up\"", "'z", "(xyz 1 2 3)", "ball", "plate", "car", NOT_FINITE, "far-vector" } },
+  [VS_C_TANGENT] = { { "ux" }, { "\"up\"", "'z", "(xyz 1 2 3)", "ball", "+nan.0", "(vxyz 0 0 0)", "far-vector" } },
+  [VS_C_MATERIAL] = { { "'steel" }, { "5", "'unobtainium", "\"unobtainium\"", "'()", "ball", "#f" } },
+  [VS_C_COLOR] = { { "\"red\"" }, { "5", "\"no such colour\"", "\"#12345\"", "\"#12345g\"", "(list 1 0)", "(list 1 0 2)", "(list 1 0 -1)", "(list 1 0 +nan.0)", "(list 1 0 'a)", "#f", "'()" } },
+  [VS_C_NUMERIC] = { { "1", "2" }, { "\"a\"", "'a", "'()", "#f", "ball" } },
+};
+
+/* Good arguments that one procedure wants: "procedure", "parameter". NULL: the parameter is left to tests/bad/calls.txt. */
+static const struct { const char *procedure, *parameter, *good; } special[] = {
+  { "make-matrix", "m00", "1" }, { "make-matrix", "m11", "1" }, { "make-matrix", "m22", "1" }, { "make-matrix", "m33", "1" },
+  { "make-matrix", "m30", "0" }, { "make-matrix", "m31", "0" }, { "make-matrix", "m32", "0" },
+  { "make-torus", "r", "3" }, { "make-rectangle", "q", "(xyz 3 2 0)" },
+  { "make-plane", "r", "(xyz 0 5 1)" }, { "v+v", "v", "ux" }, { "matrix*", "b", "(scaling-matrix 2)" },
+  { "camera", "target", "(xyz 9 9 9)" }, { "view-from", "side", "'top" }, { "units", "unit", "'mm" }, { "sky", "image", NULL },
+  { "native", "target", "'povray" }, { "native", "text", "\"sphere { 0, 1 }\"" },
+  { "make-text", "font", "\"DejaVu Sans\"" }, { "text-width", "font", "\"DejaVu Sans\"" }, { "make-text", "align", "'left" }, { "make-text", "valign", "'top" },
+  { "join-curves", "curves", "rail" }, { "make-superellipsoid", "e", "1" }, { "make-superellipsoid", "n", "1" },
+  { "do-revolve", "s", "(make-circle (xyz 5 0 0) 1)" }, { "do-revolve", "axis", "'y" }, { "do-offset", "corners", "'round" },
+  { "do-resize", "dx", NULL }, { "do-resize", "dy", NULL }, { "do-resize", "dz", NULL }, { "make-mesh", "rows", NULL },
+  { "do-guided-loft", "guides", "bar" }, { "do-guided-loft", "path", NULL },  { "curve-length", "c", "rail" },
+  { "load-mesh", "file", NULL }, { "load-mesh", "repair", NULL }, { "make-mesh", "closed-u", NULL }, { "make-mesh", "closed-v", NULL },
+  { "sun", "azimuth", NULL }, { "sun", "altitude", NULL }, { "sun", "latitude", NULL }, { "sun", "longitude", NULL }, { "sun", "date", NULL }, { "sun", "time", NULL },
+};
+
+/* What is bad for one form and right for another. */
+static const struct { const char *procedure, *bad; } right[] = { { "make-cylinder", "5" }, { "make-cylinder", "(xyz 1 2 3)" } };
+
+static bool is_right(const char *procedure, const char *bad) {
+  for (size_t i = 0; i < sizeof right / sizeof *right; i++)
+    if (strcmp(right[i].procedure, procedure) == 0 && strcmp(right[i].bad, bad) == 0) return true;
+  return false;
+}
+
+static const char *first_definitions =
+  "(define ball (make-sphere origin 1))"
+  "(define brick2 (make-box (xyz 0 0 0) (xyz 1 2 3)))"
+  "(define ring (make-circle origin 1))"
+  "(define plate (make-region (make-rectangle (xy 0 0) (xy 2 1))))"
+  "(define rail (make-line (xyz 0 0 0) (xyz 0 0 5)))"
+  "(define bar (list (make-line (xyz 1 0 0) (xyz 1 0 3))))"
+  "(define far-vector (* 1e300 (* 1e300 (vxyz 1 0 0))))"
+  "(define far-point (+ origin far-vector))";
+
+/* ---- evaluating ---- */
+
+typedef struct {
+  char error[TEXT_MOST], warning[TEXT_MOST];
+  vs_span at; /* of the error */
+} said;
+
+static void hear(void *context, const vs_diagnostic *d) {
+  said *s = context;
+  if (d->severity == VS_SEVERITY_NOTE) return;
+  char *to = d->severity == VS_SEVERITY_ERROR ? s->error : s->warning;
+  if (d->severity == VS_SEVERITY_ERROR) s->at = d->at;
+  snprintf(to, TEXT_MOST, "%s", d->message);
+}
+
+static vs *scheme;
+static said heard;
+static unsigned line;
+static int passed, failed;
+
+static void fresh(void) {
+  vs_free(scheme);
+  vs_options o = vs_options_default();
+  o.host.context = &heard;
+  o.host.diagnose = hear;
+  o.limit_time = 20;
+  o.limit_memory = (size_t)2000 << 20;
+  scheme = vs_new(&o);
+  if (!scheme || vs_eval_text(scheme, "first", 1, first_definitions, strlen(first_definitions), 0) != VS_OUTCOME_DONE) {
+    printf("not ok bad/definitions\n    %s\n", heard.error);
+    exit(1);
+  }
+}
+
+/* What was defined stays, what was drawn goes. A line of its own for each, so that warnings that are said once a place are said. */
+static vs_outcome evaluate(const char *text) {
+  heard = (said){ .at = { NULL, 0, 0, 0, 0 } };
+  vs_drawing_clear(scheme);
+  return vs_eval_text(scheme, "bad", ++line, text, strlen(text), 0);
+}
+
+static void result(bool good, const char *name, const char *why) {
+  if (good) {
+    passed++;
+    return;
+  }
+  failed++;
+  printf("not ok bad/%s\n    %s\n", name, why);
+  if (heard.error[0]) printf("    error: %.600s\n", heard.error);
+  if (heard.warning[0]) printf("    warning: %.600s\n", heard.warning);
+}
+
+static bool at_call(void) { return heard.at.file && strcmp(heard.at.file, "bad") == 0 && heard.at.line == line && heard.at.column >= 1; }
+
+/* ---- calls from the table of procedures ---- */
+
+static bool special_find(const char *procedure, const char *parameter, const char **good) {
+  for (size_t i = 0; i < sizeof special / sizeof *special; i++)
+    if (strcmp(special[i].procedure, procedure) == 0 && strcmp(special[i].parameter, parameter) == 0) return *good = special[i].good, true;
+  return false;
+}
+
+static void append(char *text, const char *more) {
+  size_t used = strlen(text);
+  snprintf(text + used, TEXT_MOST - used, "%s", more);
+}
+
+/* The call (name argument ... #:key argument), with `bad` for positional parameter `at`, or for keyword `key`. */
+static void make_call(char *text, const char *name, const vs_procedure *p, const vs_form *form, int at, int key, const char *bad) {
+  int met[sizeof contracts / sizeof *contracts] = { 0 };
+  *text = 0;
+  append(text, "(");
+  append(text, name);
+  for (int i = 0; form->at[i].mode != VS_ARG_END; i++) {
+    const vs_bind_param *q = &form->at[i];
+    const char *good = NULL;
+    if (!special_find(name, q->name, &good) || !good) {
+      const char *const *all = contracts[q->contract].good;
+      int n = met[q->contract];
+      while (n > 0 && (n > 3 || !all[n])) n--;
+      good = all[n];
+    }
+    met[q->contract]++;
+    if (q->mode == VS_ARG_OPTIONAL && i > at) break; /* optional ones only up to the one that is meant */
+    append(text, " ");
+    append(text, i == at && bad ? bad : good);
+  }
+  if (key >= 0) {
+    const vs_bind_param *q = &p->key[key];
+    const char *good = NULL;
+    if (!special_find(name, q->name, &good) || !good) good = contracts[q->contract].good[0];
+    append(text, " #:");
+    append(text, q->name);
+    append(text, " ");
+    append(text, bad ? bad : good);
+  }
+  append(text, ")");
+}
+
+/* The parameter's name, or what stands in its place in another form that takes as many: which form was meant cannot be known. */
+static bool names_parameter(const vs_procedure *p, const vs_bind_param *meant, int at) {
+  if (strstr(heard.error, meant->name)) return true;
+  for (int f = 0; at >= 0 && f < VS_MAX_FORMS && p->form[f].used; f++)
+    for (int i = 0; p->form[f].at[i].mode != VS_ARG_END; i++)
+      if (i == at && strstr(heard.error, p->form[f].at[i].name)) return true;
+  return strstr(heard.error, ": takes (") != NULL && p->form[1].used;
+}
+
+static void try_parameter(const char *name, const vs_procedure *p, const vs_form *form, int at, int key) {
+  const vs_bind_param *q = key >= 0 ? &p->key[key] : &form->at[at];
+  const char *unused = "", *const *bad = contracts[q->contract].bad;
+  char call[TEXT_MOST], label[TEXT_MOST], prefix[100];
+  if (!bad[0] || (special_find(name, q->name, &unused) && !unused)) return;
+  make_call(call, name, p, form, at, key, NULL);
+  if (evaluate(call) != VS_OUTCOME_DONE) {
+    result(false, call, "a good call fails: give its arguments in tests/tools/badcalls.c");
+    return;
+  }
+  snprintf(prefix, sizeof prefix, "%s: ", name);
+  for (int i = 0; i < BAD_MOST && bad[i]; i++) {
+    make_call(call, name, p, form, at, key, bad[i]);
+    snprintf(label, sizeof label, "%.300s", call);
+    vs_outcome outcome = evaluate(call);
+    if (outcome == VS_OUTCOME_DONE) result(is_right(name, bad[i]), label, "it is taken");
+    else if (outcome != VS_OUTCOME_MODEL) result(false, label, "does not end as a fault of the model");
+    else if (strncmp(heard.error, prefix, strlen(prefix)) != 0) result(false, label, "the error does not begin with the procedure's name");
+    else if (!names_parameter(p, q, at)) result(false, label, "the error does not name the parameter");
+    else if (!at_call()) result(false, label, "the error is not at the call");
+    else result(true, label, "");
+  }
+}
+
+/* ---- lines of the table ---- */
+
+/* EXPRESSION ; error: TEXT      an error at its place whose message contains TEXT
+ *            ; empty: TEXT      the empty object, and a warning at its place that contains TEXT
+ *            ; warning: TEXT    a value, and a warning that contains TEXT
+ *            ; value: V         written as V, without a warning
+ *            ; fine             a value without a warning: what looks bad and is not
+ *            ; define           something for the lines below
+ * A line that says nothing shows what comes. */
+static void try_line(char *text) {
+  char *says = NULL, *next = text;
+  static char wrapped[2 * TEXT_MOST + 200];
+  while ((next = strstr(next, " ; ")) != NULL) says = next, next += 3;
+  if (!says) { /* show what comes, for who writes the table */
+    text[strcspn(text, "\n")] = 0;
+    vs_outcome outcome = evaluate(text);
+    if (outcome != VS_OUTCOME_DONE) printf("%s ; error: %s\n", text, heard.error);
+    else if (heard.warning[0]) printf("%s ; warning: %s\n", text, heard.warning);
+    else printf("%s ; value: ?\n", text);
+    result(false, text, "says nothing of what must come");
+    return;
+  }
+  *says = 0;
+  says += 3;
+  says[strcspn(says, "\n")] = 0;
+  char *wanted = strchr(says, ':');
+  if (wanted) *wanted++ = 0, wanted += *wanted == ' ';
+  if (strcmp(says, "define") == 0 || strcmp(says, "fine") == 0) {
+    evaluate(text);
+    result(!heard.error[0] && !heard.warning[0], text, "is not taken as it is");
+  } else if (strcmp(says, "error") == 0) {
+    vs_outcome outcome = evaluate(text);
+    if (outcome != VS_OUTCOME_MODEL) result(false, text, outcome == VS_OUTCOME_DONE ? "it is taken" : "does not end as a fault of the model");
+    else if (!wanted || !strstr(heard.error, wanted)) result(false, text, wanted);
+    else result(at_call(), text, "the error is not at the call");
+  } else if (strcmp(says, "empty") == 0) {
+    snprintf(wrapped, sizeof wrapped, "(if (not (empty-object? %s)) (error \"not empty\"))", text);
+    evaluate(wrapped);
+    if (heard.error[0]) result(false, text, "is not the empty object");
+    else result(wanted && heard.warning[0] && strstr(heard.warning, wanted), text, wanted);
+  } else if (strcmp(says, "warning") == 0) {
+    evaluate(text);
+    result(!heard.error[0] && wanted && strstr(heard.warning, wanted), text, wanted);
+  } else if (strcmp(says, "value") == 0) {
+    snprintf(wrapped, sizeof wrapped, "(let ((v %s)) (if (not (equal? (call-with-output-string (lambda (p) (write v p))) \"%s\")) (error \"got\" v)))", text, wanted ? wanted : "");
+    evaluate(wrapped);
+    result(!heard.error[0] && !heard.warning[0], text, wanted);
+  } else {
+    result(false, text, "must say error, empty, warning, value, fine or define");
+  }
+}
+
+int main(int argc, char **argv) {
+  fresh();
+  for (int i = 0; vs_bind_defs[i].name; i++) {
+    char name[64];
+    size_t length = strcspn(vs_bind_defs[i].name, " ");
+    if (vs_bind_defs[i].name[0] == '%' || length >= sizeof name) continue;
+    memcpy(name, vs_bind_defs[i].name, length);
+    name[length] = 0;
+    const vs_procedure *p = &vs_bind_procedures[i];
+    for (int f = 0; f < VS_MAX_FORMS && p->form[f].used; f++)
+      for (int at = 0; p->form[f].at[at].mode != VS_ARG_END; at++) try_parameter(name, p, &p->form[f], at, -1);
+    for (int key = 0; p->key[key].mode != VS_ARG_END; key++) try_parameter(name, p, &p->form[0], -1, key);
+  }
+  printf("%s bad/contracts: %d calls with a bad argument each\n", failed ? "not ok" : "ok", passed + failed);
+  int contract_failures = failed;
+  passed = failed = 0;
+  FILE *f = argc == 2 ? fopen(argv[1], "r") : NULL;
+  static char text[TEXT_MOST];
+  if (!f) {
+    printf("not ok bad/calls: no table\n");
+    return 1;
+  }
+  while (fgets(text, sizeof text, f))
+    if (text[0] != ';' && text[0] != '\n') try_line(text);
+  fclose(f);
+  printf("%s bad/calls: %d lines\n", failed ? "not ok" : "ok", passed + failed);
+  vs_free(scheme);
+  return contract_failures || failed;
+}
