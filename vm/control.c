@@ -157,7 +157,11 @@ static vs_status raise_either(vs *vm, vs_value *a, int n, bool continuable) {
     }
     a[1] = vm->handlers;
     vs_value handler = vs_car(vm->handlers);
-    if (vs_is(handler, VS_T_CONTINUATION)) {
+    if (vs_is(handler, VS_T_CONTINUATION)) {          /* a contract's predicate: what it raises makes #f, but memory that is out says nothing of the value */
+      if (vs_is(a[0], VS_T_CONDITION) && vs_as_condition(a[0])->kind == vm->sym.memory) {
+        vm->handlers = vs_cdr(vm->handlers);
+        return vs_fail_object(vm, a[0]);
+      }
       vs_value with[2] = {handler, VS_FALSE};
       return vs_tailcall(vm, vm->at.throw, 2, with);
     }
