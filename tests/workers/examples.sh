@@ -12,7 +12,8 @@ rotunda 400000
 arcade 200000
 vase 200000
 lofted-tower 40000 -D height=20 -D turn=0
-gare-do-oriente 1000000 -D columns=1 -D rows=1'
+gare-do-oriente 1000000 -D columns=1 -D rows=1
+city 100000 -D blocks=2 -D tallest=6'
 
 result() { # name, file with the reasons if it failed
   if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
