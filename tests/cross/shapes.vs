@@ -28,6 +28,8 @@
         (let ((c (/ (- x y) 2)))
           (loop (/ (+ x y) 2) (sqrt (* x y)) (* 2 power) (+ sum (* power c c)))))))
 
+(define (square z r) (make-rectangle (xyz (- r) (- r) z) (xyz r r z)))
+
 ; ---- solids ----
 
 (shape "box" (make-box (xyz -2 -1 0) (xyz 2 2 3)) #:volume 36 #:area 66 #:box (box-of -2 -1 0 2 2 3))
@@ -140,6 +142,13 @@
 (shape "extrude/twist" (do-extrude (make-rectangle (xy -2 -2) (xy 2 2)) 4 #:twist pi/2) #:volume 64 #:within 0.02)
 (shape "extrude/scale" (do-extrude (make-rectangle (xy -2 -2) (xy 2 2)) 4 #:scale 1/2) #:volume (* 64 7/12) #:box (box-of -2 -2 0 2 2 4) #:within 1e-6)
 (shape "extrude/to a point" (do-extrude (make-rectangle (xy -2 -2) (xy 2 2)) 4 #:scale 0) #:volume 64/3 #:within 1e-6)
+(shape "extrude/taper" (do-extrude (square -2 2) 2 (atan 1/2)) #:volume 56/3 #:area (+ 16 4 (* 12 (sqrt 5))) #:box (box-of -2 -2 -2 2 2 0) #:within 1e-6)
+(shape "extrude/taper to a point" (do-extrude (square -2 2) 9 (atan 1/2)) #:volume 64/3 #:within 1e-6)
+(shape "extrude/taper to a ridge" (do-extrude (make-rectangle (xy -3 -1) (xy 3 1)) 9 (atan 1/2)) #:volume 32/3 #:within 1e-6)
+(shape "extrude/taper to a roof of two parts" (do-extrude (make-polygon (xy 0 0) (xy 2 0) (xy 2 2) (xy 4 2) (xy 4 0) (xy 6 0) (xy 6 5) (xy 4 5) (xy 4 3) (xy 2 3) (xy 2 5) (xy 0 5)) 9 (atan 1/2))
+  #:volume 37/2 #:within 1e-6 #:box (box-of 0 0 0 6 5 2))
+(shape "extrude/taper outwards" (do-extrude (square -2 1) 2 (atan -1/2)) #:volume (* 2/3 (+ 4 16 8)) #:box (box-of -2 -2 -2 2 2 0) #:within 1e-6)
+(shape "extrude/taper of a circle" (do-extrude (make-circle origin 2) 2 (atan 1/2)) #:volume (frustum-volume 2 2 1))
 (shape "extrude/curve" (do-extrude (make-rectangle (xy -1 -1) (xy 1 1)) (make-line origin (xyz 0 0 2) (xyz 2 0 4))) #:volume 16 #:within 1e-6)
 (shape "extrude/surface" (do-extrude (make-line (xy -2 -2) (xy 2 -2) (xy 2 2)) 3) #:box (box-of -2 -2 0 2 2 3))
 (shape "sweep/straight" (do-sweep (make-rectangle (xy -1 -1) (xy 1 1)) (make-line (xyz 0 -2 0) (xyz 0 2 3))) #:volume 20 #:within 1e-6)
@@ -160,7 +169,6 @@
 (shape "revolve/circle" (do-revolve (make-circle (xyz 2 0 0) 3/4) 'y) #:volume (* 2 pi pi 2 9/16) #:area (* 4 pi pi 2 3/4))
 (shape "revolve/hole" (do-revolve (make-donut (xyz 2 0 0) 1/2 1) 'y) #:volume (* 4 pi pi 3/4) #:area (* 4 pi pi 2 3/2) #:within 0.003)
 (shape "revolve/surface" (do-revolve (make-line (xz 1 -2) (xz 2 2)) 'z) #:area (* 3 pi (sqrt 17)) #:within 0.003 #:box (box-of -2 -2 -2 2 2 2))
-(define (square z r) (make-rectangle (xyz (- r) (- r) z) (xyz r r z)))
 (shape "loft/straight" (do-loft (list (square -2 2) (square 2 1))) #:volume 112/3 #:area (+ 16 4 (* 24 1/2 (sqrt 17) 1)) #:box (box-of -2 -2 -2 2 2 2) #:within 1e-6)
 (shape "loft/equal sections" (loft-objects (square -2 1) (square -1 1) (square 2 1)) #:volume 16 #:area 40 #:within 1e-6)
 (shape "loft/apex" (do-loft (list (make-circle (xyz 0 0 -2) 2) (xyz 0 0 2))) #:volume (* 16/3 pi) #:area (frustum-area 4 2 0) #:within 0.006)
