@@ -97,7 +97,7 @@ static bool vs_inside_swept(const vs_inside_part *part, vs_vec3 p) {
   const vs_swept *s = part->plan;
   size_t n = s->joined ? s->section_count : s->section_count - 1;
   for (size_t i = 0; i < n; i++)
-    if (vs_bounds_hold(&part->between[i], p) && vs_inside_between(s, &s->sections[i], &s->sections[i + 1 == s->section_count ? 0 : i + 1], p)) return true;
+    if (!s->sections[i].ends && vs_bounds_hold(&part->between[i], p) && vs_inside_between(s, &s->sections[i], &s->sections[i + 1 == s->section_count ? 0 : i + 1], p)) return true;
   return false;
 }
 

@@ -3,7 +3,8 @@
  * Plan first, triangles second. A section is an affine map of the profile's plane; at a corner of a path it lies in the mitre plane (normal
  * m = a + b for directions a arriving, b leaving): a profile vector d across b becomes d - b (d.m)/(b.m), so that both arms keep the
  * profile's true width. Smooth paths have a = b and stay square to it. A section scaled to nothing is an apex. Corners sharper than about
- * 174 degrees are not mitred (the mitre would be longer than twenty profiles); the arms then fold over each other. */
+ * 174 degrees are not mitred (the mitre would be longer than twenty profiles): there one piece ends square and another begins. So does an
+ * extrusion where its curve turns back: what is drawn one way and what is drawn the other are solids of their own that overlap. */
 #include "geometry/swept.h"
 
 #include <stdlib.h>
@@ -36,7 +37,7 @@ static bool vs_swept_add(vs_swept *s, vs_section section) {
 vs_section vs_section_between(const vs_section *a, const vs_section *b, double t) {
   double k = 1 - t;
   return (vs_section){ vs_v3_add(vs_v3_scale(a->x, k), vs_v3_scale(b->x, t)), vs_v3_add(vs_v3_scale(a->y, k), vs_v3_scale(b->y, t)),
-                       vs_v3_add(vs_v3_scale(a->at, k), vs_v3_scale(b->at, t)) };
+                       vs_v3_add(vs_v3_scale(a->at, k), vs_v3_scale(b->at, t)), false };
 }
 
 /* ---- profiles ---- */
@@ -153,13 +154,15 @@ static vs_section vs_swept_section(const vs_path_point *p, vs_vec3 x, double ang
   vs_vec3 u = vs_v3_scale(vs_v3_add(vs_v3_scale(x, cosine), vs_v3_scale(y, sine)), scale);
   vs_vec3 v = vs_v3_scale(vs_v3_add(vs_v3_scale(y, cosine), vs_v3_scale(x, -sine)), scale);
   double along = vs_v3_dot(b, m);
-  if (along > 0.005 && !vs_v3_equal(p->arriving, b)) {
+  if (!vs_v3_equal(p->arriving, b)) {
     u = vs_v3_sub(u, vs_v3_scale(b, vs_v3_dot(u, m) / along));
     v = vs_v3_sub(v, vs_v3_scale(b, vs_v3_dot(v, m) / along));
   }
   vs_vec3 at = vs_v3_sub(p->at, vs_v3_add(vs_v3_scale(u, base.x), vs_v3_scale(v, base.y)));
-  return (vs_section){ u, v, at };
+  return (vs_section){ u, v, at, false };
 }
+
+static bool vs_swept_turns_back(const vs_path_point *p) { return 1 + vs_v3_dot(p->arriving, p->leaving) <= 0.005; }
 
 /* path is used up: its points are refined where a twist needs it. x: the profile's first direction at the start. */
 static bool vs_swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, double scale, vs_vec2 base, double reach, const vs_facets *f, vs_error *e) {
@@ -192,17 +195,48 @@ static bool vs_swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, 
   carried = ok ? malloc(fine.count * sizeof *carried) : NULL;
   ok = ok && carried;
   if (ok) vs_frame_transport(fine.at, fine.count, joins, fine.length, x, carried);
-  for (size_t i = 0; ok && i < fine.count; i++) {
-    double t = fine.length > 0 ? fine.at[i].along / fine.length : 0;
-    ok = vs_swept_add(s, vs_swept_section(&fine.at[i], carried[i], twist * t, 1 + (scale - 1) * t, base));
+  bool broken = false;
+  for (size_t i = 0; ok && i < fine.count + broken; i++) {
+    bool round = i == fine.count; /* a closed path in pieces ends where it began */
+    vs_path_point p = fine.at[round ? 0 : i];
+    double t = round ? 1 : fine.length > 0 ? fine.at[i].along / fine.length : 0;
+    if (joins && i == 0) for (size_t k = 0; k < fine.count; k++) broken = broken || vs_swept_turns_back(&fine.at[k]);
+    if (vs_swept_turns_back(&p) && (i > 0 || ends)) {
+      vs_path_point end = { p.at, p.arriving, p.arriving, p.along };
+      vs_vec3 across = carried[i ? i - 1 : 0];
+      across = vs_v3_unit(vs_v3_sub(across, vs_v3_scale(p.arriving, vs_v3_dot(across, p.arriving))));
+      ok = vs_swept_add(s, vs_swept_section(&end, across, twist * t, 1 + (scale - 1) * t, base));
+      if (ok) s->sections[s->section_count - 1].ends = true;
+      if (round || (ends && i + 1 == fine.count)) break;
+    }
+    if (vs_swept_turns_back(&p)) p.arriving = p.leaving;
+    ok = ok && vs_swept_add(s, vs_swept_section(&p, carried[round ? 0 : i], twist * t, 1 + (scale - 1) * t, base));
   }
-  s->joined = joins;
+  s->joined = joins && !broken;
   vs_path_free(&fine);
   free(carried);
   return ok || vs_error_memory(e, NULL);
 }
 
 /* ---- the three kinds ---- */
+
+/* Along a path without turning, filled: pieces that each go to one side of the profile's plane. What moves within the plane fills nothing. */
+static bool vs_swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs_path *path, vs_error *e) {
+  double side = 0;
+  size_t stretches = path->closed ? path->count : path->count - 1;
+  bool ok = true;
+  for (size_t i = 0; ok && i < stretches; i++) {
+    vs_vec3 from = vs_v3_sub(path->at[i].at, path->at[0].at), to = vs_v3_sub(path->at[i + 1 < path->count ? i + 1 : 0].at, path->at[0].at);
+    double rise = vs_v3_dot(vs_v3_sub(to, from), plane->normal), now = fabs(rise) <= 1e-9 * path->length ? 0 : rise < 0 ? -1 : 1;
+    if (now != side && s->section_count) s->sections[s->section_count - 1].ends = true;
+    if (now != side && now != 0) ok = vs_swept_add(s, (vs_section){ plane->x, plane->y, vs_v3_add(plane->origin, from), false });
+    if (now != 0) ok = ok && vs_swept_add(s, (vs_section){ plane->x, plane->y, vs_v3_add(plane->origin, to), false });
+    side = now;
+  }
+  if (!ok) return vs_error_memory(e, NULL);
+  return s->section_count || vs_error_set(e, VS_ERROR_MODEL, NULL, "the profile would be moved within its own plane, whose normal is (vxyz %.6g %.6g %.6g)", plane->normal.x,
+                                          plane->normal.y, plane->normal.z);
+}
 
 /* along a vector, or along a path without turning */
 static bool vs_swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
@@ -217,6 +251,11 @@ static bool vs_swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, 
   else if (ok) ok = (vs_path_add(&path, none, none, none) && vs_path_add(&path, x->along, none, none)) || vs_error_memory(e, NULL);
   if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: the curve to follow is a point");
   if (ok) vs_path_measure(&path);
+  if (ok && curve && s->filled && !turns) {
+    ok = vs_swept_pieces(s, &plane, &path, e);
+    vs_path_free(&path);
+    return ok;
+  }
   vs_vec3 middle = vs_v3_add(plane.origin, vs_v3_add(vs_v3_scale(plane.x, plane.base.x), vs_v3_scale(plane.y, plane.base.y)));
   vs_vec3 way = ok ? vs_v3_sub(path.at[path.count - 1].at, path.at[0].at) : none;
   double rises = vs_v3_dot(vs_v3_unit(way), plane.normal), hand = rises < 0 ? -1 : 1; /* the twist goes about the way of travel */
@@ -236,7 +275,7 @@ static bool vs_swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, 
       vs_vec3 at = k == steps ? p : vs_v3_add(before, vs_v3_scale(vs_v3_sub(p, before), part));
       vs_vec3 shift = vs_v3_sub(at, path.at[0].at);
       if (x->center && !curve) shift = vs_v3_sub(shift, vs_v3_scale(x->along, 0.5));
-      vs_section section = { plane.x, plane.y, vs_v3_add(plane.origin, shift) };
+      vs_section section = { plane.x, plane.y, vs_v3_add(plane.origin, shift), false };
       if (turns) {
         double scale = 1 + (x->scale - 1) * t;
         vs_sincos(hand * x->twist * t, &sine, &cosine);
@@ -275,8 +314,8 @@ static bool vs_swept_thicken(vs_swept *s, const vs_node *n, const vs_facets *f, 
     vs_profile_plane plane = { 0 };
     if (!vs_swept_profile(s, what, f, NULL, &plane, e)) return false;
     vs_vec3 half = vs_v3_scale(plane.normal, t->width / 2);
-    return (vs_swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_sub(plane.origin, half) }) &&
-            vs_swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_add(plane.origin, half) })) || vs_error_memory(e, NULL);
+    return (vs_swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_sub(plane.origin, half), false }) &&
+            vs_swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_add(plane.origin, half), false })) || vs_error_memory(e, NULL);
   }
   vs_path path = { 0 };
   vs_affine identity = vs_affine_identity();
@@ -302,7 +341,7 @@ bool vs_swept_plan(const vs_node *n, const vs_facets *f, vs_swept *out, vs_error
 /* ---- triangles ---- */
 
 bool vs_swept_mesh(const vs_swept *s, vs_mesh *out) {
-  size_t n = s->profile_count, first_triangle = out->triangle_count;
+  size_t n = s->profile_count;
   vs_vec3 *at = malloc((n * s->section_count + 1) * sizeof *at);
   if (!at) return false;
   for (size_t r = 0; r < s->section_count; r++) {
@@ -310,13 +349,18 @@ bool vs_swept_mesh(const vs_swept *s, vs_mesh *out) {
     for (size_t i = 0; i < n; i++)
       at[r * n + i] = vs_v3_add(vs_v3_add(vs_v3_scale(section->x, s->profile[i].x), vs_v3_scale(section->y, s->profile[i].y)), section->at);
   }
-  vs_grid g = { at, s->section_count, n, s->sizes, s->hole, s->loop_count, s->filled, s->joined, s->filled, s->profile };
-  bool ok = vs_grid_mesh(&g, out);
+  bool ok = true;
+  for (size_t first = 0, end; ok && first < s->section_count; first = end) {
+    for (end = first; end + 1 < s->section_count && !s->sections[end].ends; end++) {}
+    end++;
+    size_t first_triangle = out->triangle_count;
+    vs_grid g = { at + first * n, end - first, n, s->sizes, s->hole, s->loop_count, s->filled, s->joined, s->filled, s->profile };
+    ok = vs_grid_mesh(&g, out);
+    vs_mesh added = { .vertices = out->vertices, .triangles = out->triangles + first_triangle, .triangle_count = out->triangle_count - first_triangle };
+    if (ok && s->filled && vs_mesh_volume(&added) < 0) vs_mesh_turn(out, first_triangle);
+  }
   free(at);
-  if (!ok || !s->filled) return ok;
-  vs_mesh added = { .vertices = out->vertices, .triangles = out->triangles + first_triangle, .triangle_count = out->triangle_count - first_triangle };
-  if (vs_mesh_volume(&added) < 0) vs_mesh_turn(out, first_triangle);
-  return true;
+  return ok;
 }
 
 bool vs_outline_mesh(const vs_outline *o, vs_mesh *out) {

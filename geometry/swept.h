@@ -7,7 +7,7 @@
 
 /* Section i maps the profile's plane into space: (u, v) -> x * u + y * v + at. Between neighbours the map goes linearly: that, and not the
  * triangles, is what the solid is. */
-typedef struct { vs_vec3 x, y, at; } vs_section;
+typedef struct { vs_vec3 x, y, at; bool ends; /* a piece: nothing lies between this section and the next */ } vs_section;
 typedef struct {
   vs_vec2 *profile;   /* loops one behind the other; outer ones counter-clockwise, each followed by its holes */
   size_t *sizes;      /* of the loops */

@@ -96,3 +96,5 @@
 (ok? "a cylinder's" (area (do-extrude (make-circle origin 1) 3)) (* 8 pi))
 ; what overlaps itself counts once
 (ok? "a path across itself" (volume (do-sweep (square 0 1/2) (make-line origin (xy 4 0) (xy 4 4) (xy 2 4) (xy 2 -2)))) 15)
+(displayln (< 4.15 (volume (do-sweep (square 0 1/2) (make-line origin (xy 4 0) (xyz 0 1/10 0)))) 4.25)) ; expect: #t
+(ok? "out and back along a curve" (volume (do-extrude (make-rectangle (xz -1 -1) (xz 1 1)) (make-line origin (xyz 0 5 0) (xyz 4 5 0) (xyz 4 0 0)))) 40)
