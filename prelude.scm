@@ -22,14 +22,16 @@
 (define-syntax let*-values
   (syntax-rules ()
     ((_ () . body) (let () . body))
-    ((_ ((formals expression) . more) . body) (%call-with-values-of expression formals (let*-values more . body)))))
+    ((_ ((formals expression) . more) . body) (%call-with-values-of expression formals (let*-values more . body)))
+    ((_ . other) (syntax-error "let*-values is written (let*-values (((name ...) expression) ...) body ...)"))))
 
 ; The formals of a clause get fresh names first, so that no expression sees a name bound by another clause.
 (define-syntax let-values
   (syntax-rules ()
     ((_ (((name) expression) ...) . body) (let ((name expression) ...) . body))
     ((_ ((formals expression)) . body) (%call-with-values-of expression formals . body))
-    ((_ (clause ...) . body) (%let-values (clause ...) () . body))))
+    ((_ ((formals expression) ...) . body) (%let-values ((formals expression) ...) () . body))
+    ((_ . other) (syntax-error "let-values is written (let-values (((name ...) expression) ...) body ...)"))))
 (define-syntax %let-values
   (syntax-rules ()
     ((_ () ((name value) ...) . body) (let ((name value) ...) . body))
@@ -91,7 +93,8 @@
     ((_ x (else => procedure)) (procedure x))
     ((_ x (else value ...)) (begin value ...))
     ((_ x (predicate => procedure) clause ...) (if (predicate x) (procedure x) (%case* x clause ...)))
-    ((_ x (predicate value ...) clause ...) (if (predicate x) (begin value ...) (%case* x clause ...)))))
+    ((_ x (predicate value ...) clause ...) (if (predicate x) (begin value ...) (%case* x clause ...)))
+    ((_ x other . more) (syntax-error "a clause of case* is [predicate value ...] or [predicate => procedure], not" other))))
 
 (define-syntax guard
   (syntax-rules ()
@@ -112,7 +115,8 @@
     ((_ again (else value ...)) (begin value ...))
     ((_ again (test => procedure) clause ...) (let ((x test)) (if x (procedure x) (%guard-clauses again clause ...))))
     ((_ again (test) clause ...) (let ((x test)) (if x x (%guard-clauses again clause ...))))
-    ((_ again (test value ...) clause ...) (if test (begin value ...) (%guard-clauses again clause ...)))))
+    ((_ again (test value ...) clause ...) (if test (begin value ...) (%guard-clauses again clause ...)))
+    ((_ again other . more) (syntax-error "a clause of guard is (test value ...), not" other))))
 
 ; ---- for: clauses (name sequence) side by side, for* nested; #:when guards what follows it ----
 ; A sequence is a list, a vector, a string, a hash table, a number (0 to n - 1), or (in-range a b step), (in-list l), (in-vector v) ...
@@ -149,7 +153,11 @@
     ((_ () action) action)
     ((_ (#:when test . more) action) (if test (%for-each* more action)))
     ((_ (#:unless test . more) action) (if test #f (%for-each* more action)))
-    ((_ (clause . more) action) (%for-one clause (%for-each* more action)))))
+    ((_ (clause . more) action) (%for-one clause (%for-each* more action)))
+    ((_ . other) (%for-written))))
+(define-syntax %for-written
+  (syntax-rules ()
+    ((_) (syntax-error "a loop is written (for ([name sequence] ...) body ...), with #:when test between its clauses where wanted"))))
 (define-syntax %for-each
   (syntax-rules ()
     ((_ () action) action)
@@ -158,7 +166,8 @@
     ((_ (clause #:when . more) action) (%for-one clause (%for-each (#:when . more) action)))
     ((_ (clause #:unless . more) action) (%for-one clause (%for-each (#:unless . more) action)))
     ((_ (clause) action) (%for-one clause action))
-    ((_ (clause . more) action) (%for-together (clause . more) () action))))
+    ((_ (clause . more) action) (%for-together (clause . more) () action))
+    ((_ . other) (%for-written))))
 ; one name: the ranges run without making a list
 (define-syntax %for-one
   (syntax-rules (in-range in-list in-naturals)
@@ -169,7 +178,8 @@
        (do ((i from (+ i by))) ((if (< by 0) (<= i to) (>= i to))) (let ((name i)) action))))
     ((_ (name (in-naturals)) action) (do ((i 0 (+ i 1))) (#f) (let ((name i)) action)))
     ((_ ((name ...) sequence) action) (let next ((l (%sequence sequence))) (if (pair? l) (begin (apply (lambda (name ...) action) (car l)) (next (cdr l))))))
-    ((_ (name sequence) action) (let next ((l (%sequence sequence))) (if (pair? l) (begin (let ((name (car l))) action) (next (cdr l))))))))
+    ((_ (name sequence) action) (let next ((l (%sequence sequence))) (if (pair? l) (begin (let ((name (car l))) action) (next (cdr l))))))
+    ((_ . other) (%for-written))))
 ; several: lists, until the shortest ends; a #:when behind some of them guards the rest
 (define-syntax %for-together
   (syntax-rules ()
@@ -178,7 +188,8 @@
        (if (and (pair? l) ...) (begin (let ((name (car l)) ...) action) (next (cdr l) ...)))))
     ((_ (#:when . more) done action) (%for-together () done (%for-each (#:when . more) action)))
     ((_ (#:unless . more) done action) (%for-together () done (%for-each (#:unless . more) action)))
-    ((_ ((name sequence) . more) (done ...) action) (%for-together more (done ... (name sequence l)) action))))
+    ((_ ((name sequence) . more) (done ...) action) (%for-together more (done ... (name sequence l)) action))
+    ((_ . other) (%for-written))))
 (define (in-range start . more)
   (let* ((from (if (pair? more) start 0))
          (to (if (pair? more) (car more) start))

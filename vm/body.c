@@ -40,6 +40,8 @@ bool vs_define_parts(vs_expansion *x, vs_value form, vs_value env, vs_value *nam
   if (n == 2) return vs_expand_fail(x, pos, VS_ABSENT, "define: %s gets no value; it is written (define %s value)", text, text);
   if (n > 3) {
     vs_value second = vs_car(r[1]);
+    if (n == 4 && vs_is_symbol(second) && !strcmp(vs_as_symbol(second)->name, "="))
+      return vs_expand_fail(x, pos, VS_ABSENT, "define: it is written (define %s value), without =", text);
     if (second == VS_NIL || (vs_is_pair(second) && vs_is_identifier(vs_car(second))))
       return vs_expand_fail(x, pos, VS_ABSENT, "define: a procedure is written (define (%s%s) body ...), its name inside the parentheses of its parameters", text,
                             second == VS_NIL ? "" : " parameter ...");

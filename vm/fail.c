@@ -119,6 +119,7 @@ vs_status vs_fail_range(vs *vm, int arg, vs_value got, int64_t low, int64_t high
   vs_signature_parameter(vm->native && vm->native->def ? vm->native->def->signature : "", arg, name, sizeof name);
   if (!vs_cons(vm, got, VS_NIL, &r[0])) return VS_ERROR;
   if (high < low) return vs_fail_with(vm, vm->sym.range, r[0], "%s is out of range, there is nothing to choose from, got", name);
+  if (high == VS_FIXNUM_MAX) return vs_fail_with(vm, vm->sym.range, r[0], "%s must be %lld or more, got", name, (long long)low);
   return vs_fail_with(vm, vm->sym.range, r[0], "%s must be from %lld to %lld, got", name, (long long)low, (long long)high);
 }
 

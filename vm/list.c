@@ -97,7 +97,9 @@ static vs_status list_path(vs *vm, vs_value *a, const char *path, size_t length,
   for (size_t i = length; i-- > 0;) {
     if (!vs_is_pair(v)) {
       if (v == a[0]) return vs_fail_type(vm, 0, "a pair", v);
-      return vs_fail_type(vm, 0, length - i == 2 ? "a pair whose part is a pair" : "a pair deep enough", a[0]);
+      size_t tails = strspn(path + 1, "d");        /* cddr, cadr, caddr ... are about lists of so many elements */
+      static const char *const lists[] = {"a list of two elements or more", "a list of three elements or more", "a list of four elements or more"};
+      return vs_fail_type(vm, 0, tails == length - 1 ? lists[length - 2] : length - i == 2 ? "a pair whose part is a pair" : "a pair deep enough", a[0]);
     }
     v = path[i] == 'a' ? vs_car(v) : vs_cdr(v);
   }

@@ -49,6 +49,7 @@ typedef struct {
   /* the first line whose indentation contradicts the parentheses */
   vs_pos suspect; uint32_t suspect_line;
   uint32_t content_line;     /* of the last token */
+  uint32_t comma_line;       /* where a comma between elements was last complained of */
   bool cut;                  /* a string or |symbol| swallowed the rest: what is open then is no mistake of its own */
   bool anew, left_open;      /* the second reading; a form was open at the end, or where one began anew */
   vs_pos odd_string; uint32_t odd_end;   /* the string that probably swallowed the quote of the next, and the line where it ended */
@@ -375,7 +376,10 @@ static bool read_symbol(reader *r, vs_value *out) {
     if (ok && vs_is_number(*out) && !r->quasi && peek(r, 0) == ',' && peek(r, 1) >= '0' && peek(r, 1) <= '9') {
       size_t more = 1;
       while (peek(r, more) >= '0' && peek(r, more) <= '9') more++;
-      problem(r, pos, "a decimal point is a point: %.*s.%.*s instead of %.*s", (int)length, s, (int)(more - 1), s + length + 1, (int)(length + more), s);
+      if (peek(r, more) == ',' || (r->depth && r->frames[r->depth - 1].open == '[')) {      /* [1,2,3] */
+        problem(r, pos, "no commas stand between elements, only blanks: (list 1 2 3), or (xyz 1 2 3) for a point");
+        while (peek(r, more) >= 0 && (peek(r, more) == ',' || peek(r, more) == '.' || (peek(r, more) >= '0' && peek(r, more) <= '9'))) more++;
+      } else problem(r, pos, "a decimal point is a point: %.*s.%.*s instead of %.*s", (int)length, s, (int)(more - 1), s + length + 1, (int)(length + more), s);
       r->at += more;
     }
   }
@@ -536,6 +540,14 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
     case '`': r->at++; ok = push(r, QUOTE, pos, 0, QUASI); got = false; break;
     case ',': {
       bool splice = peek(r, 1) == '@';
+      char before = r->at ? r->text[r->at - 1] : ' ';
+      if (r->located && !r->quasi && peek(r, 1) == ' ' && before > ' ' && !strchr("([{'`,;", before)) {      /* (list 1, 2, 3) */
+        if (r->comma_line != r->line) problem(r, pos, "no commas stand between elements, only blanks: (list 1 2 3)");
+        r->comma_line = r->line;
+        r->at++;
+        got = false;
+        break;
+      }
       r->at += splice ? 2 : 1;
       ok = push(r, QUOTE, pos, 0, splice ? SPLICE : UNQUOTE);
       got = false;

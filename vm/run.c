@@ -91,12 +91,26 @@ static bool fail_early(vs *vm, vs_value name) {
   return vs_fail(vm, vm->sym.unbound, "%s is used before it has a value", vs_is_symbol(name) ? vs_as_symbol(name)->name : "a variable");
 }
 
-static bool fail_callee(vs *vm, vs_value f) {
+/* the operator between its operands, as other languages have it: (5 + 3) */
+static const char *operator_name(vs_value v) {
+  vs_value name = vs_is(v, VS_T_NATIVE) ? vs_as_native(v)->name : VS_FALSE;
+  const char *s = vs_is_symbol(name) ? vs_as_symbol(name)->name : "";
+  return *s && strspn(s, "+-*/<>=") == strlen(s) ? s : NULL;
+}
+
+/* f cannot be called; at[0..n) are the arguments */
+static bool fail_callee(vs *vm, vs_value f, const vs_value *at, size_t n) {
   VS_ROOTS(vm, r, 1);
   if (f == VS_UNDEFINED || f == VS_ABSENT) return fail_early(vm, VS_FALSE);
+  const char *operator = n == 2 ? operator_name(at[0]) : NULL;
+  if (!vs_cons(vm, f, VS_NIL, &r[0])) return false;
+  if (operator) return vs_fail_with(vm, vm->sym.type, r[0], "the operator stands first, (%s a b); this cannot be called:", operator);
+  if (vs_is_symbol(f))
+    return vs_fail_with(vm, vm->sym.type, r[0], "a symbol is no procedure and cannot be called; the procedure is written without the quote:");
+  if (vs_is_string(f)) return vs_fail_with(vm, vm->sym.type, r[0], "a text cannot be called; a call is written (procedure argument ...):");
   const char *what = vs_is_number(f) ? "a number cannot be called (a list is written (list 1 2 3), a gvector (vxyz 1 2 3)):"
                                      : "this is no procedure and cannot be called (one parenthesis too many around it?):";
-  return vs_cons(vm, f, VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "%s", what);
+  return vs_fail_with(vm, vm->sym.type, r[0], "%s", what);
 }
 
 static bool make_closure(vs *vm, vs_value *base, const vs_value *k, const uint32_t *captures, vs_value code, vs_value *out) {
@@ -695,7 +709,7 @@ no_procedure:
   vm->base = pc ? base : w + 2; vm->pc = pc;
   vm->top = w + 2 + n;
   vm->native = NULL;
-  fail_callee(vm, w[0]);
+  fail_callee(vm, w[0], w + 2, n);
 fail_above:                               /* an error of the caller at base, found while its window was in use */
   if (pc) goto fail;
   ret = w[1];                             /* the caller is a native or in the heap: in place of what it called */

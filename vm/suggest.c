@@ -81,6 +81,14 @@ bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (i >= 0)
     return foreign[i].name[0] ? vs_text_puts(t, "; ") && vs_text_puts(t, foreign[i].name) && vs_text_puts(t, " is the name here: ") && vs_text_puts(t, foreign[i].form)
                               : vs_text_puts(t, "; write ") && vs_text_puts(t, foreign[i].form);
+  size_t sign = strcspn(wanted->name, "+*/<>=");          /* i+1, n*2, a<b: one name, because no blanks are in it */
+  const char *name = wanted->name;
+  if (sign && sign + 1 < wanted->length && (name[sign + 1] == '=' ? sign + 2 < wanted->length : true) && isalnum((unsigned char)name[sign - 1])) {
+    size_t width = name[sign + 1] == '=' ? 2 : 1;
+    if (isalnum((unsigned char)name[sign + width]) && strcspn(name + sign + width, "+*/<>=") == wanted->length - sign - width)
+      return vs_text_puts(t, "; it is one name; write (") && vs_text_put(t, name + sign, width) && vs_text_puts(t, " ") && vs_text_put(t, name, sign) &&
+             vs_text_puts(t, " ") && vs_text_puts(t, name + sign + width) && vs_text_puts(t, ")");
+  }
   size_t before = t->count;
   if (!vs_library_advice(vm, symbol, t)) return false;
   if (t->count > before || !vs_is(env, VS_T_ENVIRONMENT) || wanted->length < 2) return true;
