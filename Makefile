@@ -151,6 +151,9 @@ bench: ## install Guile, Lua and Chez Scheme, and measure beside them: programs,
 	sh bench/passes.sh $(BUILD)/vs $(BUILD)/measure
 	sh bench/growth.sh $(BUILD)/vs $(BUILD)/measure
 
+manual: all ## make build/manual: the manual as web pages, with a picture of every kind of object (POV-Ray)
+	sh scripts/manual.sh $(BUILD)
+
 # ---- installing ----
 
 install: all $(BUILD)/libvisualscheme.so ## install the program, the library and its header below PREFIX (default /usr/local)
@@ -169,5 +172,5 @@ clean: ## remove what was built
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all demo test check units tests quick asan ubsan stress layers bless bench install clean help
+.PHONY: all demo test check units tests quick asan ubsan stress layers bless bench manual install clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)

@@ -1,0 +1,86 @@
+#!/bin/sh
+# Owns the making of the manual to be read: BUILD/manual, HTML pages of manual/*.md. Each kind of model/prims.def has a page with its forms and contracts,
+# what it is in the tree, an example, and the picture that the example makes; the tutorial has the pictures of its steps.
+#
+#   scripts/manual.sh BUILD        KINDS="sphere text"  only these      QUALITY=draft      PICTURES=no  no pictures
+set -u
+cd "$(dirname "$0")/.." || exit 1
+BUILD=$1
+vs=$BUILD/vs out=$BUILD/manual
+mkdir -p "$out/primitives" "$out/language" || exit 1
+cp scripts/manual.css manual/*.jpg "$out/"
+failed=$out/failed
+: > "$failed"
+pictures=${PICTURES:-yes}
+if [ "$pictures" = yes ] && ! command -v povray > /dev/null; then
+  echo "no pictures: POV-Ray is missing (package povray)" >&2
+  pictures=no
+fi
+
+# The kinds with their class, in the table's order: "sphere SOLID"; and one kind's fields: "c point, r real".
+kinds() { sed -n 's/^VS_KIND([A-Z_0-9]*, [a-z_0-9]*, "\([^"]*\)", \([A-Z]*\), .*/\1 \2/p' model/prims.def; }
+fields() {
+  awk -v kind="$1" 'index($0, "VS_KIND(") == 1 { split($0, part, "\""); here = part[2] == kind }
+    here && match($0, /VS_FIELD\([a-z]+/) { type = substr($0, RSTART + 9, RLENGTH - 9); split($0, part, "\""); printf "%s<code>%s</code> %s", sep, part[2], type; sep = ", " }' model/prims.def
+}
+block() { awk -v n="$2" '/^```scheme$/ { inside = 1; text = ""; count++; next } /^```$/ { if (inside && count == n) printf "%s", text; inside = 0 } inside { text = text $0 "\n" }' "$1"; }
+blocks() { grep -c '^```scheme$' "$1"; }
+
+# picture PROGRAM PICTURE SOURCE: made anew where the source or vs is newer
+picture() {
+  [ "$pictures" = yes ] || return 0
+  if [ "$2" -nt "$3" ] && [ "$2" -nt "$vs" ]; then return 0; fi
+  timeout 300 "$vs" --quiet --quality "${QUALITY:-good}" --size 640x480 "$1" -o "$2" 2> "$1.said" || { echo "$3: no picture" >> "$failed"; cat "$1.said" >> "$failed"; }
+}
+
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+
+kinds | while read -r kind class; do
+  [ -z "${KINDS:-}" ] || case " $KINDS " in *" $kind "*) ;; *) continue ;; esac
+  page=manual/primitives/$kind.md
+  block "$page" "$(blocks "$page")" > "$work/$kind.vs"
+  picture "$work/$kind.vs" "$out/primitives/$kind.png" "$page"
+  after=
+  [ ! -f "$out/primitives/$kind.png" ] || after="<p><img class='picture' src='$kind.png' alt='what the program draws'></p>"
+  what=$(echo "$class" | tr '[:upper:]' '[:lower:]')
+  [ "$what" != inherit ] || what="what its parts make it"
+  with=$(fields "$kind")
+  after="$after<p class='facts'>In the tree: <code>$kind</code>, $what${with:+; $with}.</p>"
+  awk -v title="$kind" -v root=../ -v after="$after" -f scripts/manual.awk "$page" > "$out/primitives/$kind.html"
+done
+
+for page in manual/language/*.md; do
+  name=$(basename "$page" .md)
+  awk -v title="$name" -v root=../ -f scripts/manual.awk "$page" > "$out/language/$([ "$name" = README ] && echo index || echo "$name").html"
+done
+
+# The tutorial: what a block can use is what the blocks before it in its step defined.
+if [ -z "${KINDS:-}" ]; then
+  awk -v work="$work" '/^## / { text = "" } /^```scheme$/ { inside = 1; n++; next } /^```$/ && inside { inside = 0; file = work "/tutorial-" n ".vs"; printf "%s", text > file; close(file); next }
+    inside { text = text $0 "\n" }' manual/tutorial.md
+  for program in "$work"/tutorial-*.vs; do picture "$program" "$out/$(basename "$program" .vs).png" manual/tutorial.md; done
+fi
+for page in manual/*.md; do
+  name=$(basename "$page" .md)
+  awk -v title="$name" -v root= -v pictures="$name" -v folder="$out" -f scripts/manual.awk "$page" > "$out/$name.html"
+done
+
+# The first page: where to go, and a sheet of all kinds by what they are.
+{
+  printf '%s\n' '# VisualScheme' '' '- [Tutorial](tutorial.md): from nothing to a tower with parameters' '- [Language](language/README.md): every procedure and form' \
+    '- [How it is built](internals.md)' '' '## Kinds of objects' ''
+} > "$work/index.md"
+sheet=$(for class in CURVE REGION SURFACE SOLID INHERIT NOTHING; do
+  case $class in CURVE) say=Curves ;; REGION) say=Regions ;; SURFACE) say=Surfaces ;; SOLID) say=Solids ;; INHERIT) say='Made from others' ;; NOTHING) say=Nothing ;; esac
+  list=$(kinds | awk -v class="$class" '$2 == class { print $1 }')
+  [ -n "$list" ] || continue
+  echo "<h3>$say</h3><div class='sheet'>"
+  for kind in $list; do echo "<a href='primitives/$kind.html'><img src='primitives/$kind.png' alt=''>$kind</a>"; done
+  echo '</div>'
+done)
+awk -v title=VisualScheme -v root= -v after="$(echo "$sheet" | tr '\n' ' ')" -f scripts/manual.awk "$work/index.md" > "$out/index.html"
+
+if [ -s "$failed" ]; then cat "$failed" >&2; exit 1; fi
+rm -f "$failed"
+echo "$out/index.html"
