@@ -64,3 +64,9 @@ for page in manual/primitives/*.md; do
      awk '/curves are drawn as thin rods$/ { skip = 3 } skip-- > 0 { next } { print }' "$work/all" > "$work/said" && [ ! -s "$work/said" ]; then echo "ok manual/$name:program"
   else echo "not ok manual/$name:program"; sed 's/^/    /' "$work/all"; fi
 done
+
+# The manual to be read: every kind has its page, and the pages have what they should. Without pictures: those take a minute.
+if PICTURES=no KINDS="sphere text" sh scripts/manual.sh "$BUILD" > "$work/said" 2>&1 &&
+   grep -q '<code>(make-sphere c r)</code>: c a point' "$BUILD/manual/primitives/sphere.html" && grep -q 'In the tree: <code>sphere</code>, solid; <code>c</code> point, <code>r</code> real' "$BUILD/manual/primitives/sphere.html" &&
+   grep -q "href='primitives/text.html'" "$BUILD/manual/index.html" && [ -s "$BUILD/manual/language/index.html" ] && ! grep -q '`' "$BUILD/manual/tutorial.html"
+then echo "ok manual:pages"; else echo "not ok manual:pages"; sed 's/^/    /' "$work/said"; fi
