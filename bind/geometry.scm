@@ -96,6 +96,8 @@
   (define (range name x)
     (if (and (real? x) (finite? x)) x (error 'make-surface "~a must be a number and finite, got ~s" name x)))
   (define (sample f u0 u1 v0 v1)
+    (if (> (* (+ 1 (count 'nu nu)) (+ 1 (count 'nv nv))) 50000000)
+        (error 'make-surface "nu and nv must make at most 50 million points"))
     (let ((vs (division v0 v1 (count 'nv nv))))
       (%make-surface (map (lambda (u) (map (lambda (v) (f u v)) vs)) (division u0 u1 (count 'nu nu))) u0 u1 v0 v1 #:closed-u closed-u #:closed-v closed-v)))
   (define (over f ranges)

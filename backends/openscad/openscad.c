@@ -7,6 +7,7 @@
 
 #include "backends/backend.h"
 #include "geometry/frame.h"
+#include "geometry/revolve.h"
 
 static vs_emit_status scad_done(vs_emitter *e) { return e->out->failed ? VS_FAILED : VS_EMITTED; }
 static void scad_point(vs_emitter *e, vs_vec3 p) { vs_put_triple(e->out, "[", p, ", ", "]"); }
@@ -240,6 +241,58 @@ static void scad_polygon(vs_emitter *e, const vs_outline *o, const vs_affine *ba
   vs_puts(e->out, ");\n");
 }
 
+/* The loops of a revolution's profile: distances from the axis and heights. */
+static void scad_profile(vs_emitter *e, const vs_revolve *r) {
+  vs_puts(e->out, "polygon([");
+  for (size_t i = 0; i < r->count; i++) {
+    scad_wrap(e, i, 8);
+    scad_number(e, "[", r->profile[i].x);
+    scad_number(e, ", ", r->profile[i].y);
+    vs_puts(e->out, "]");
+  }
+  vs_puts(e->out, "]");
+  for (size_t l = 0, at = 0; r->loop_count > 1 && l < r->loop_count; l++) {
+    vs_puts(e->out, l == 0 ? ", [[" : "], [");
+    for (size_t k = 0; k < r->sizes[l]; k++) {
+      if (k > 0) vs_puts(e->out, ", ");
+      vs_put_u32(e->out, (uint32_t)at++);
+    }
+  }
+  vs_puts(e->out, r->loop_count > 1 ? "]]);\n" : ");\n");
+}
+
+/* rotate_extrude turns from +X; its whole turn begins at -X, which an even number of facets does not show. Of a part of a turn it makes
+ * floor($fn angle/360) facets. */
+static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  vs_revolve r;
+  if (ref->node->class_ != VS_SOLID) return VS_LOWER;
+  if (!vs_revolve_plan(ref->node, &e->facets, &r, e->error)) return VS_FAILED;
+  size_t steps = vs_revolve_steps(&r, &e->facets, VS_AS(revolve, ref->node)->segments);
+  bool odd = r.full && (steps % 2 != 0 || r.start != 0);
+  if (r.count > 0 && !odd) {
+    double degrees = fabs(r.angle) * (180 / 3.14159265358979323846), from = r.angle < 0 ? r.start + r.angle : r.start, sine, cosine;
+    vs_sincos(r.full ? 0 : from, &sine, &cosine);
+    vs_affine place = { { { 0 } } };
+    const double axis[] = { r.axis.x, r.axis.y, r.axis.z }, out[] = { r.out.x, r.out.y, r.out.z }, side[] = { r.side.x, r.side.y, r.side.z }, at[] = { r.at.x, r.at.y, r.at.z };
+    for (int i = 0; i < 3; i++) {
+      place.m[i][0] = out[i] * cosine + side[i] * sine;
+      place.m[i][1] = side[i] * cosine - out[i] * sine;
+      place.m[i][2] = axis[i];
+      place.m[i][3] = at[i];
+    }
+    scad_open(e, ref->node);
+    scad_place(e, &place);
+    vs_puts(e->out, "rotate_extrude(");
+    if (!r.full) scad_number(e, "angle = ", degrees);
+    vs_putf(e->out, "%s$fn = %.0f) ", r.full ? "" : ", ", r.full ? (double)steps : ceil((double)steps * 360 / degrees + 1e-6));
+    scad_profile(e, &r);
+  }
+  bool nothing = r.count == 0;
+  vs_revolve_free(&r);
+  return nothing || !odd ? scad_done(e) : VS_LOWER;
+}
+
 static vs_emit_status scad_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const vs_node *n = ref->node, *profile = n->children[0].node;
@@ -431,7 +484,7 @@ const vs_backend vs_backend_openscad = {
     [VS_BOX] = { scad_box, NULL }, [VS_SPHERE] = { scad_sphere, NULL }, [VS_CYLINDER] = { scad_cylinder, NULL }, [VS_CONE] = { scad_cone, NULL },
     [VS_HALF_SPACE] = { scad_half_space, NULL }, [VS_HULL] = { scad_hull, NULL },
     [VS_E_CONE] = { scad_e_cone, NULL },
-    [VS_CUT_CONE] = { scad_cut_cone, NULL }, [VS_PYRAMID] = { scad_pyramid, NULL }, [VS_TORUS] = { scad_torus, NULL },
+    [VS_CUT_CONE] = { scad_cut_cone, NULL }, [VS_PYRAMID] = { scad_pyramid, NULL }, [VS_TORUS] = { scad_torus, NULL }, [VS_REVOLVE] = { scad_revolve, NULL },
     [VS_POLYFACE_MESH] = { scad_polyface, NULL }, [VS_EXTRUDE] = { scad_extrude, NULL }, [VS_TRANSFORM] = { scad_transform, NULL },
     [VS_MATERIAL] = { scad_through, NULL }, [VS_LAYER] = { scad_through, NULL }, [VS_NATIVE] = { scad_native, NULL }, [VS_HIGHLIGHT] = { scad_mark, NULL }, [VS_GHOST] = { scad_mark, NULL }, [VS_UNION] = { scad_csg, NULL },
     [VS_INTERSECTION] = { scad_csg, NULL }, [VS_DIFFERENCE] = { scad_csg, NULL },

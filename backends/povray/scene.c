@@ -231,7 +231,7 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
     [VS_CYLINDER] = { vs_povray_cylinder, NULL }, [VS_CONE] = { vs_povray_cone, NULL }, [VS_CUT_CONE] = { vs_povray_cut_cone, NULL },      \
     [VS_HALF_SPACE] = { vs_povray_half_space, NULL },                                                                                     \
     [VS_E_CONE] = { vs_povray_e_cone, NULL }, [VS_SUPERELLIPSOID] = { vs_povray_superellipsoid, NULL },                                    \
-    [VS_TORUS] = { vs_povray_torus, NULL }, [VS_POLYFACE_MESH] = { vs_povray_polyface, NULL }, [VS_EXTRUDE] = { vs_povray_extrude, NULL }, \
+    [VS_TORUS] = { vs_povray_torus, NULL }, [VS_REVOLVE] = { vs_povray_revolve, NULL }, [VS_POLYFACE_MESH] = { vs_povray_polyface, NULL }, [VS_EXTRUDE] = { vs_povray_extrude, NULL }, \
     [VS_TRANSFORM] = { vs_povray_transform, NULL }, [VS_MATERIAL] = { vs_povray_material, NULL }, [VS_LAYER] = { vs_povray_layer, NULL }, [VS_NATIVE] = { vs_povray_native, NULL },  \
     [VS_UNION] = { vs_povray_csg, NULL }, [VS_INTERSECTION] = { vs_povray_csg, NULL }, [VS_DIFFERENCE] = { vs_povray_csg, NULL },          \
   }

@@ -7,6 +7,7 @@
 #include "backends/povray/povray.h"
 #include "backends/shade.h"
 #include "geometry/frame.h"
+#include "geometry/revolve.h"
 
 static void pov_indent(vs_emitter *e) { vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40)); }
 static void pov_open(vs_emitter *e, const char *word) {
@@ -342,6 +343,35 @@ vs_emit_status vs_povray_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phas
   }
   vs_outline_free(&o);
   return pov_close(e, "");
+}
+
+/* A whole turn of one straight-edged loop: a lathe, whose profile is x and y and turns about y. Round profiles are better as shaded triangles. */
+vs_emit_status vs_povray_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const vs_node *n = ref->node;
+  vs_revolve r;
+  if (n->class_ != VS_SOLID || VS_AS(revolve, n)->segments > 0 || !pov_is_straight(n->children[0].node)) return VS_LOWER;
+  if (!vs_revolve_plan(n, &e->facets, &r, e->error)) return VS_FAILED;
+  bool fits = r.full && r.loop_count == 1;
+  if (fits) {
+    pov_open(e, "lathe { linear_spline ");
+    vs_put_u32(e->out, (uint32_t)r.count + 1);
+    vs_puts(e->out, ",\n");
+    pov_open(e, "  ");
+    for (size_t i = 0; i <= r.count; i++) {
+      vs_puts(e->out, i ? ", <" : "<");
+      vs_put_number(e->out, r.profile[i % r.count].x);
+      pov_comma(e, r.profile[i % r.count].y);
+      vs_puts(e->out, ">");
+    }
+    vs_affine place = { { { r.out.x, r.axis.x, -r.side.x, r.at.x }, { r.out.y, r.axis.y, -r.side.y, r.at.y }, { r.out.z, r.axis.z, -r.side.z, r.at.z } } };
+    vs_puts(e->out, "\n");
+    pov_open(e, "  ");
+    pov_matrix(e, &place);
+    vs_puts(e->out, " }\n");
+  }
+  vs_revolve_free(&r);
+  return fits ? pov_close(e, "") : VS_LOWER;
 }
 
 /* ---- operations ---- */

@@ -174,3 +174,5 @@
 ; expect: do-loft: section 1: the region is empty ()
 (displayln (volume (do-extrude apart 1 0.1)))
 ; expect: 0.0
+(fails (make-surface (lambda (u v) (xyz u v 0)) #:nu 10000 #:nv 10000))
+; expect: make-surface: nu and nv must make at most 50 million points ()
