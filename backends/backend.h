@@ -15,6 +15,7 @@
 #include "backends/emit.h"
 #include "backends/export.h"
 #include "geometry/tessellate.h"
+#include "kernel/settle.h"
 #include "kernel/solid.h"
 #include "model/mesh.h"
 #include "model/node.h"
@@ -69,9 +70,10 @@ struct vs_backend {
   /* Template `id` from 1. open: before its body; !open: after it. Both or neither. */
   bool (*define)(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
   bool (*use)(vs_emitter *e, uint32_t id, const vs_ref *ref);
-  /* Formats of triangles alone get the union of the drawing's solids instead of a walk. */
+  /* Formats of triangles alone get the union of the drawing's solids instead of a walk, settled for their numbers (kernel/settle.h). */
   bool (*solid)(vs_emitter *e, const vs_solid *solid);
   bool (*copies)(vs_emitter *e, const vs_solid_copies *copies); /* the same with equal parts once; instead of solid */
+  vs_numbers numbers;
   /* Runs a worker on the written text. NULL: the text is the output. */
   bool (*render)(vs_emitter *e, const char *text_path, const char *output_path);
   /* Writes what belongs beside e->path (an .mtl), after the text. NULL: nothing. */

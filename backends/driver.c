@@ -5,6 +5,7 @@
  * Templates are the entries that stand in several places, and those where the text has become VS_DEPTH_MAX deep; their order is the
  * plan's, so a template comes after those that it uses.
  * Walk: a stack of frames, one an operation that is open. */
+#include <stdio.h>
 #include <string.h>
 
 #include "backends/backend.h"
@@ -554,6 +555,17 @@ static bool drive_all_vain(vs_emitter *e) {
   return true;
 }
 
+/* What the format's numbers cannot hold apart is made one; what they fold is said. */
+static bool drive_settle(vs_emitter *e, vs_mesh *m) {
+  vs_settled what;
+  char message[160];
+  if (!vs_mesh_settle(m, e->backend->numbers, &what)) return vs_emit_no_memory(e);
+  if (what.folded == 0 || e->options->warn == NULL) return true;
+  snprintf(message, sizeof message, "rounding to this format's numbers folds %zu triangles, the first near %g %g %g", what.folded, what.at.x, what.at.y, what.at.z);
+  e->options->warn(e->options->context, NULL, message);
+  return true;
+}
+
 bool vs_drive_scene(vs_emitter *e) {
   vs_drive *d = vs_store_realloc(e->scene->store, NULL, 0, sizeof *d);
   if (d == NULL) return vs_emit_no_memory(e);
@@ -569,13 +581,15 @@ bool vs_drive_scene(vs_emitter *e) {
   if (!e->backend->begin(e)) return false;
   if (e->backend->solid != NULL) {
     vs_solid mesh = { .part_count = 0 };
-    bool ok = vs_lower_scene(e, &mesh) && e->backend->solid(e, &mesh);
+    bool ok = vs_lower_scene(e, &mesh) && drive_settle(e, &mesh.mesh) && e->backend->solid(e, &mesh);
     vs_solid_free(&mesh);
     return ok && e->backend->end(e);
   }
   if (e->backend->copies != NULL) {
     vs_solid_copies parts = { .part_count = 0 };
-    bool ok = vs_lower_copies(e, &parts) && e->backend->copies(e, &parts);
+    bool ok = vs_lower_copies(e, &parts);
+    for (size_t i = 0; ok && i < parts.meshes.mesh_count; i++) ok = drive_settle(e, &parts.meshes.meshes[i]);
+    ok = ok && e->backend->copies(e, &parts);
     vs_solid_copies_free(&parts);
     return ok && e->backend->end(e);
   }

@@ -73,8 +73,8 @@ static bool stl_ascii_solid(vs_emitter *e, const vs_solid *solid) {
   return vs_puts(w, "endsolid VisualScheme\n");
 }
 
-const vs_backend vs_backend_stl_ascii = { .begin = mesh_begin, .end = mesh_end, .solid = stl_ascii_solid, MESH_OMIT("STL") };
-const vs_backend vs_backend_stl = { .begin = mesh_begin, .end = mesh_end, .solid = stl_solid, MESH_OMIT("STL") };
+const vs_backend vs_backend_stl_ascii = { .begin = mesh_begin, .end = mesh_end, .solid = stl_ascii_solid, .numbers = VS_NUMBERS_SINGLE, MESH_OMIT("STL") };
+const vs_backend vs_backend_stl = { .begin = mesh_begin, .end = mesh_end, .solid = stl_solid, .numbers = VS_NUMBERS_SINGLE, MESH_OMIT("STL") };
 
 /* ---- OFF ---- */
 
@@ -91,7 +91,7 @@ static bool off_solid(vs_emitter *e, const vs_solid *solid) {
   return !e->out->failed;
 }
 
-const vs_backend vs_backend_off = { .begin = mesh_begin, .end = mesh_end, .solid = off_solid, MESH_OMIT("OFF") };
+const vs_backend vs_backend_off = { .begin = mesh_begin, .end = mesh_end, .solid = off_solid, .numbers = VS_NUMBERS_DIGITS, MESH_OMIT("OFF") };
 
 /* ---- PLY: binary, little-endian, coordinates as doubles; a face has its colour, for a corner may belong to faces of several ---- */
 
@@ -280,4 +280,4 @@ static bool obj_beside(vs_emitter *e) {
   return ok;
 }
 
-const vs_backend vs_backend_obj = { .begin = mesh_begin, .end = mesh_end, .solid = obj_solid, .beside = obj_beside, MESH_OMIT("OBJ") };
+const vs_backend vs_backend_obj = { .begin = mesh_begin, .end = mesh_end, .solid = obj_solid, .numbers = VS_NUMBERS_DIGITS, .beside = obj_beside, MESH_OMIT("OBJ") };

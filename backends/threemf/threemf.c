@@ -211,6 +211,6 @@ static bool threemf_copies(vs_emitter *e, const vs_solid_copies *c) {
 static bool threemf_nothing(vs_emitter *e) { return !e->out->failed; }
 
 const vs_backend vs_backend_threemf = {
-  .begin = threemf_nothing, .end = threemf_nothing, .copies = threemf_copies,
+  .begin = threemf_nothing, .end = threemf_nothing, .copies = threemf_copies, .numbers = VS_NUMBERS_DIGITS,
   .omit = { [VS_CURVE] = "3MF holds solids: curves are left out", [VS_REGION_CLASS] = "3MF holds solids: flat regions are left out",
             [VS_SURFACE] = "3MF holds solids: open surfaces are left out" } };

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "kernel/inspect.h"
+#include "kernel/settle.h"
 #include "tests/oracle/sx.c"
 
 /* Puts the leaves of the .sx text into one mesh, each at its place; those past `turned` inside out. */
@@ -116,7 +117,41 @@ static void test_open(void **state) {
   vs_mesh_free(&made);
 }
 
+/* Corners closer than the format's numbers: collapsed, still closed, the same solid. */
+static void test_settle(void **state) {
+  (void)state;
+  vs_mesh m = { 0 };
+  vs_settled s;
+  bool sure;
+  join(&m, "(sphere 2 32)", 9);
+  size_t triangles = m.triangle_count, vertices = m.vertex_count;
+  double volume = vs_mesh_volume(&m);
+  assert_true(vs_mesh_settle(&m, VS_NUMBERS_SINGLE, &s));
+  assert_int_equal(s.collapsed + s.folded, 0);
+  assert_int_equal(m.triangle_count, triangles);
+  for (uint32_t t = 0; t < triangles; t += 211) { /* an edge of a few triangles becomes all but nothing: pulled to its other end */
+    uint32_t *v = m.triangles[t];
+    m.vertices[v[1]] = vs_v3_add(m.vertices[v[0]], vs_v3(1e-9, 0, -1e-9));
+  }
+  double pulled = vs_mesh_volume(&m);
+  assert_true(vs_mesh_settle(&m, VS_NUMBERS_DIGITS, &s));
+  assert_int_equal(s.collapsed, 0); /* 12 digits hold them apart */
+  assert_true(vs_mesh_settle(&m, VS_NUMBERS_SINGLE, &s));
+  assert_int_equal(s.collapsed, 4); /* the fifth would turn a triangle over */;
+  assert_int_equal(m.triangle_count, triangles - 2 * s.collapsed);
+  assert_int_equal(m.vertex_count, vertices - s.collapsed);
+  assert_true(vs_mesh_closed(&m, &sure));
+  assert_true(fabs(vs_mesh_volume(&m) - pulled) < 1e-6 && pulled < volume);
+  vs_mesh_free(&m);
+  join(&m, "(cyl 1 1 0 3)", 9); /* a tetrahedron smaller than its numbers stays one: nothing may be left of it but sheets */
+  for (size_t i = 0; i < m.vertex_count; i++) m.vertices[i] = vs_v3_add(vs_v3(1000, 1000, 1000), vs_v3_scale(m.vertices[i], 1e-6));
+  assert_true(vs_mesh_settle(&m, VS_NUMBERS_SINGLE, &s));
+  assert_int_equal(m.triangle_count, 4);
+  assert_true(vs_mesh_closed(&m, &sure));
+  vs_mesh_free(&m);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(test_simple), cmocka_unit_test(test_wound), cmocka_unit_test(test_open) };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_simple), cmocka_unit_test(test_wound), cmocka_unit_test(test_open), cmocka_unit_test(test_settle) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
