@@ -143,13 +143,14 @@ $(BUILD)/measure: bench/measure.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $< -o $@
 
-bench: ## install Guile, Lua and Chez Scheme, and measure beside them: programs, start-up, passes, growth: ten minutes
+bench: ## install Guile, Lua and Chez Scheme, and measure beside them: programs, start-up, passes, growth; the kernel beside Manifold and OpenSCAD: half an hour
 	sh scripts/install.sh build bench
 	$(MAKE) all $(BUILD)/measure
 	sh bench/startup.sh $(BUILD)/vs
 	sh bench/run.sh $(BUILD)/vs $(BUILD)/measure
 	sh bench/passes.sh $(BUILD)/vs $(BUILD)/measure
 	sh bench/growth.sh $(BUILD)/vs $(BUILD)/measure
+	sh bench/kernel/run.sh $(BUILD)/vs $(BUILD)/measure
 
 manual: all ## make build/manual: the manual as web pages, with a picture of every kind of object (POV-Ray)
 	sh scripts/manual.sh $(BUILD)

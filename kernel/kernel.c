@@ -148,6 +148,7 @@ static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t
             vs_arrange_planes(k, &c) && vs_kernel_report(k, 0.7) && vs_classify_faces(k, &c, &w->expression) && vs_kernel_report(k, 0.9) &&
             vs_output_faces(k, &c, out);
   k->threads = threads;
+  if (!ok && k->error->status == VS_KERNEL_INTERNAL) k->error->leaf = leaves[0]; /* the nearest thing to a place */
   vs_cluster_free(k, &c);
   return ok;
 }

@@ -43,7 +43,7 @@ typedef enum {
 } vs_kernel_status;
 typedef struct {
   vs_kernel_status status;
-  uint32_t leaf;        /* OPEN, INSIDE_OUT, NOT_FINITE: which one */
+  uint32_t leaf;        /* OPEN, INSIDE_OUT, NOT_FINITE: which one; INTERNAL: one of those concerned */
   char message[200];    /* plain English without a place */
 } vs_kernel_error;
 

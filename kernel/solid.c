@@ -272,8 +272,9 @@ static bool walk_one(builder *b, const vs_ref *root) {
 static vs_error_kind kind_of(vs_kernel_status s) {
   switch (s) {
   case VS_KERNEL_FINE: return VS_ERROR_NONE;
-  case VS_KERNEL_OPEN: case VS_KERNEL_INSIDE_OUT: case VS_KERNEL_NOT_FINITE: case VS_KERNEL_LIMIT: return VS_ERROR_MODEL;
-  case VS_KERNEL_OUT_OF_MEMORY: case VS_KERNEL_INTERNAL: return VS_ERROR_MEMORY;
+  case VS_KERNEL_OPEN: case VS_KERNEL_INSIDE_OUT: case VS_KERNEL_NOT_FINITE: case VS_KERNEL_LIMIT: case VS_KERNEL_INTERNAL:
+    return VS_ERROR_MODEL;
+  case VS_KERNEL_OUT_OF_MEMORY: return VS_ERROR_MEMORY;
   case VS_KERNEL_INTERRUPTED: return VS_ERROR_INTERRUPT;
   }
   return VS_ERROR_MEMORY;
@@ -312,7 +313,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
     *(one ? &one->part_count : &many->part_count) = b->parts.count;
     b->parts.at = NULL;
   } else if (why.status != VS_KERNEL_FINE) {
-    bool placed = why.status == VS_KERNEL_OPEN || why.status == VS_KERNEL_INSIDE_OUT || why.status == VS_KERNEL_NOT_FINITE;
+    bool placed = why.status == VS_KERNEL_OPEN || why.status == VS_KERNEL_INSIDE_OUT || why.status == VS_KERNEL_NOT_FINITE || why.status == VS_KERNEL_INTERNAL;
     vs_error_set(error, kind_of(why.status), placed && why.leaf < b->origins.count ? b->origins.at[why.leaf] : NULL, "%s", why.message);
   }
   for (size_t i = 0; i < b->meshes.count; i++) {

@@ -23,8 +23,8 @@ static uint32_t any(uint32_t n) { /* 0 .. n-1 */
   return (uint32_t)((state >> 20) % n);
 }
 
-typedef struct { char at[ROOM]; size_t count; } text;
-static void say(text *t, const char *format, ...) {
+typedef struct { char at[ROOM]; size_t count; } program;
+static void say(program *t, const char *format, ...) {
   va_list rest;
   va_start(rest, format);
   int n = vsnprintf(t->at + t->count, ROOM - t->count, format, rest);
@@ -33,13 +33,13 @@ static void say(text *t, const char *format, ...) {
 }
 
 /* The kinds of seed: boxes on cells; the same all turned by one angle; anything on whole numbers; anything anywhere. */
-typedef enum { CELL, TURNED, WHOLE, FREE } kind;
+typedef enum { CELL, TURNED, WHOLE, FREE } seed_kind;
 
 typedef struct { uint8_t in[CELLS][CELLS][CELLS]; } cells;
 
-static double place(kind k) { return k == FREE ? any(8000) / 1000.0 : any(8); }
+static double place(seed_kind k) { return k == FREE ? any(8000) / 1000.0 : any(8); }
 
-static void leaf(text *t, kind k, cells *c) {
+static void add_leaf(program *t, seed_kind k, cells *c) {
   if (k == CELL || k == TURNED) {
     uint32_t at[3], size[3];
     for (int i = 0; i < 3; i++) at[i] = any(6), size[i] = 1 + any(4);
@@ -75,10 +75,10 @@ static void combine(cells *a, const cells *b, int op) {
   }
 }
 
-static void tree(text *t, kind k, int depth, cells *c) { /* depth at most 4 */
+static void add_tree(program *t, seed_kind k, int depth, cells *c) { /* depth at most 4 */
   static const char *const names[] = { "union", "difference", "intersection" };
   if (depth == 0 || any(5) == 0) {
-    leaf(t, k, c);
+    add_leaf(t, k, c);
     return;
   }
   int op = (int)any(5) * 2 / 4;
@@ -88,14 +88,14 @@ static void tree(text *t, kind k, int depth, cells *c) { /* depth at most 4 */
   for (uint32_t i = 0; i < n; i++) {
     cells other;
     say(t, " ");
-    tree(t, k, depth - 1, i ? &other : c);
+    add_tree(t, k, depth - 1, i ? &other : c);
     if (i) combine(c, &other, op);
   }
   say(t, ")");
 }
 
 static bool verbose, failed;
-static void complain(const char *what, const text *t, const char *detail) {
+static void complain(const char *what, const program *t, const char *detail) {
   failed = true;
   printf("  %s: %s\n    %s\n", what, detail, t->at);
 }
@@ -116,7 +116,7 @@ static bool manifold(const vs_mesh *m) { /* by index: each directed edge once */
   return twice == 0;
 }
 
-static double volume(const char *what, const text *t) {
+static double volume(const char *what, const program *t) {
   sx_problem p;
   vs_mesh m[2] = { { 0 } };
   vs_kernel_error e;
@@ -155,7 +155,7 @@ done:
   return v;
 }
 
-static void expect(const char *what, const text *t, double a, double b, double scale) {
+static void expect(const char *what, const program *t, double a, double b, double scale) {
   char detail[200];
   if (fabs(a - b) <= scale) return;
   snprintf(detail, sizeof detail, "volume %.12g, but %.12g", a, b);
@@ -163,14 +163,14 @@ static void expect(const char *what, const text *t, double a, double b, double s
 }
 
 static void one(uint64_t seed) {
-  static text a, b, t; /* a test program may */
+  static program a, b, t; /* a test program may */
   static cells ca, cb;
   state = seed * 0x9e3779b97f4a7c15u + 0x2545f4914f6cdd1du;
   for (int i = 0; i < 8; i++) any(2);
-  kind k = (kind)any(4);
+  seed_kind k = (seed_kind)any(4);
   a.count = b.count = 0;
-  tree(&a, k, 1 + (int)any(3), &ca);
-  tree(&b, k, 1 + (int)any(2), &cb);
+  add_tree(&a, k, 1 + (int)any(3), &ca);
+  add_tree(&b, k, 1 + (int)any(2), &cb);
   const char *open = k == TURNED ? "(rotate 33 21 17 " : "(union ";
   if (verbose) printf("%s\n%s\n", a.at, b.at);
 #define V(name, ...) (t.count = 0, say(&t, "%s", open), say(&t, __VA_ARGS__), say(&t, ")"), volume(name, &t))
@@ -199,6 +199,7 @@ static void one(uint64_t seed) {
 #undef V
 }
 
+#ifndef FUZZ_AS_A_TEST
 int main(int argc, char **argv) {
   uint64_t first = 1, count = 100, bad = 0;
   for (int i = 1; i < argc; i++) {
@@ -218,3 +219,4 @@ int main(int argc, char **argv) {
   printf("%llu of %llu seeds failed\n", (unsigned long long)bad, (unsigned long long)count);
   return bad != 0;
 }
+#endif
