@@ -7,6 +7,7 @@
 
 #include "backends/backend.h"
 #include "geometry/frame.h"
+#include "geometry/plane.h"
 #include "geometry/revolve.h"
 
 static vs_emit_status scad_done(vs_emitter *e) { return e->out->failed ? VS_FAILED : VS_EMITTED; }
@@ -293,6 +294,92 @@ static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return nothing || !odd ? scad_done(e) : VS_LOWER;
 }
 
+/* ---- sets of regions that lie level: OpenSCAD's own two dimensions ---- */
+
+static bool scad_is_set(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }
+
+/* Is this a set of regions parallel to XY, through placements that keep them so, of a size that can be read? Its height in *z. */
+static bool scad_is_level(vs_emitter *e, const vs_ref *root, double *z) {
+  enum { MOST = 2000, DEEPEST = 60 };
+  vs_plane plane;
+  const vs_node *n = root->node, *set = n;
+  while (set->kind == VS_TRANSFORM || set->kind == VS_LAYER || set->kind == VS_MATERIAL) set = set->children[0].node;
+  if (!scad_is_set(set) || n->class_ != VS_REGION_CLASS || n->depth > DEEPEST || vs_emit_is_painted(e, n) || !vs_lower_as_area(e, set)) return false;
+  if (vs_node_plane(n, &plane) != VS_PLANE_ONE || plane.normal.z < 1 - 1e-12) return false;
+  *z = plane.point.z;
+  vs_walk *w = vs_walk_new(n->store, *root);
+  vs_ref at;
+  size_t count = 0;
+  bool level = w != NULL;
+  for (vs_walk_event ev; level && (ev = vs_walk_next(w, &at, NULL)) != VS_WALK_DONE;) {
+    if (ev != VS_WALK_ENTER) level = ev == VS_WALK_LEAVE;
+    else if (at.node->kind == VS_TRANSFORM) {
+      const vs_affine *m = &VS_AS(transform, at.node)->matrix;
+      level = m->m[0][2] == 0 && m->m[1][2] == 0 && m->m[2][0] == 0 && m->m[2][1] == 0;
+    } else if (!scad_is_set(at.node) && at.node->kind != VS_LAYER && at.node->kind != VS_MATERIAL) vs_walk_skip(w);
+    level = level && ++count < MOST;
+  }
+  vs_walk_free(w);
+  return level;
+}
+
+/* One region in its own coordinates, of which z is forgotten */
+static bool scad_flat_leaf(vs_emitter *e, const vs_node *n) {
+  const vs_node *only = n->kind == VS_REGION && n->child_count == 1 ? n->children[0].node : NULL;
+  vs_affine back = vs_affine_identity();
+  vs_outline o = { .count = 0 };
+  if (only != NULL && only->kind == VS_CIRCLE) {
+    const struct vs_circle *c = VS_AS(circle, only);
+    scad_translate(e, vs_v3(c->center.x, c->center.y, 0));
+    scad_number(e, "circle(r = ", c->radius);
+    return vs_putf(e->out, ", $fn = %d);\n", vs_facets_turn(&e->facets, c->radius, c->segments));
+  }
+  if (!vs_region_outline(n, &e->facets, &o, e->error)) return false;
+  if (o.count > 0) scad_polygon(e, &o, &back);
+  else vs_puts(e->out, "square(0);\n");
+  vs_outline_free(&o);
+  return !e->out->failed;
+}
+
+/* The set, on the line that has been begun: a walk of its own, because what is shared is defined as solids. */
+static bool scad_flat(vs_emitter *e, const vs_ref *root) {
+  vs_walk *w = vs_walk_new(root->node->store, *root);
+  vs_ref at;
+  size_t depth = 0, base = e->depth;
+  bool ok = w != NULL || vs_emit_no_memory(e);
+  for (vs_walk_event ev; ok && (ev = vs_walk_next(w, &at, NULL)) != VS_WALK_DONE;) {
+    const vs_node *n = at.node;
+    if (ev == VS_WALK_FAILED) ok = vs_emit_no_memory(e);
+    else if (ev == VS_WALK_LEAVE) {
+      if (!scad_is_set(n)) continue;
+      depth--;
+      vs_put_spaces(e->out, 2 * (base + depth < 40 ? base + depth : 40));
+      vs_puts(e->out, "}\n");
+    } else {
+      bool through = n->kind == VS_LAYER || n->kind == VS_MATERIAL || n->kind == VS_TRANSFORM;
+      bool begun = depth == 0 || e->child_index == SIZE_MAX; /* something stands on the line already */
+      if (!begun && n->class_ != VS_NOTHING) vs_put_spaces(e->out, 2 * (base + depth < 40 ? base + depth : 40));
+      e->child_index = 0;
+      e->depth = base + depth;
+      if (n->class_ == VS_NOTHING) {
+        vs_walk_skip(w);
+      } else if (through) {
+        if (n->kind == VS_TRANSFORM) scad_place(e, &VS_AS(transform, n)->matrix);
+        e->child_index = SIZE_MAX;
+      } else if (scad_is_set(n)) {
+        vs_puts(e->out, n->kind == VS_UNION ? "union() {\n" : n->kind == VS_INTERSECTION ? "intersection() {\n" : "difference() {\n");
+        depth++;
+      } else {
+        vs_walk_skip(w);
+        ok = scad_flat_leaf(e, n);
+      }
+    }
+  }
+  e->depth = base;
+  vs_walk_free(w);
+  return ok && !e->out->failed;
+}
+
 static vs_emit_status scad_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const vs_node *n = ref->node, *profile = n->children[0].node;
@@ -309,6 +396,14 @@ static vs_emit_status scad_extrude(vs_emitter *e, const vs_ref *ref, vs_phase ph
     scad_number(e, ") circle(r = ", c->radius);
     vs_putf(e->out, ", $fn = %d);\n", vs_facets_turn(&e->facets, c->radius, c->segments));
     return scad_done(e);
+  }
+  double z;
+  if (upright && scad_is_level(e, &n->children[0], &z)) {
+    scad_open(e, n);
+    scad_translate(e, vs_v3_add(vs_v3(0, 0, z), start));
+    scad_number(e, "linear_extrude(height = ", x->along.z);
+    vs_puts(e->out, ") ");
+    return scad_flat(e, &n->children[0]) ? VS_EMITTED : VS_FAILED;
   }
   vs_outline o = { .count = 0 };
   if (!vs_region_outline(n->children[0].node, &e->facets, &o, e->error)) return VS_FAILED;
@@ -433,6 +528,16 @@ static vs_emit_status scad_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase)
     vs_puts(e->out, "}\n");
     return scad_done(e);
   }
+  if (vs_lower_as_area(e, ref->node)) {
+    double z;
+    if (!scad_is_level(e, ref, &z)) return VS_LOWER;
+    if (!vs_emit_warn_once(e, ref, vs_backend_openscad.emit[VS_REGION].lossy)) return VS_FAILED;
+    scad_open(e, ref->node);
+    scad_translate(e, vs_v3(0, 0, z));
+    scad_number(e, "linear_extrude(height = ", scad_thin(e));
+    vs_puts(e->out, ", center = true) ");
+    return scad_flat(e, ref) ? VS_WHOLE : VS_FAILED;
+  }
   scad_open(e, ref->node);
   vs_puts(e->out, ref->node->kind == VS_UNION ? "union() {\n" : ref->node->kind == VS_INTERSECTION ? "intersection() {\n" : "difference() {\n");
   return scad_done(e);
@@ -475,7 +580,7 @@ static bool scad_end(vs_emitter *e) { return !e->out->failed; }
 
 const vs_backend vs_backend_openscad = {
   .highlights = VS_MARKS_KEEP, .ghosts = VS_MARKS_KEEP, .native = "openscad",
-  .begin = scad_begin, .end = scad_end, .define = scad_define, .use = scad_use, .hulls = true,
+  .begin = scad_begin, .end = scad_end, .define = scad_define, .use = scad_use, .hulls = true, .area_sets = true,
   .omit = { [VS_SURFACE] = "OpenSCAD programs hold solids: open surfaces are left out" },
   .emit = {
     [VS_LINE] = { scad_line, "OpenSCAD programs hold solids: curves are drawn as thin rods" },
