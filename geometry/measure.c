@@ -6,6 +6,7 @@
 #include "geometry/curve.h"
 #include "geometry/heights.h"
 #include "geometry/superellipsoid.h"
+#include "geometry/moments.h"
 #include "geometry/planar.h"
 #include "geometry/revolve.h"
 #include "geometry/tessellate.h"
@@ -32,6 +33,13 @@ static double vs_measure_ellipse_length(double a, double b) {
     y = sqrt(x * y);
     x = mean;
   }
+}
+
+/* A circle placed anyhow is an ellipse: its half axes are the singular values of what the map does to the circle's plane. */
+static double vs_measure_placed_circle(const vs_affine *a, double r) {
+  vs_vec3 u = { a->m[0][0], a->m[1][0], a->m[2][0] }, v = { a->m[0][1], a->m[1][1], a->m[2][1] };
+  double p = vs_v3_dot(u, u), q = vs_v3_dot(v, v), s = vs_v3_dot(u, v), mean = (p + q) / 2, off = hypot((p - q) / 2, s), most = sqrt(mean + off);
+  return vs_measure_ellipse_length(r * most, most > 0 ? r * vs_v3_length(vs_v3_cross(u, v)) / most : 0);
 }
 
 /* With w from 1 to k, the wall's element is w sqrt(h^2 (b^2 cos^2 + a^2 sin^2) + (k - 1)^2 a^2 b^2): half of 1 + k times an ellipse's length */
@@ -80,10 +88,11 @@ static bool vs_measure_region(const vs_node *n, vs_measure *m, vs_error *e) {
   if (!vs_node_bounds(n, &b, e)) return false;
   vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
   if (!vs_region_outline(n, &f, &o, e)) return false;
-  m->area = o.count ? vs_outline_measure(&o, &m->centroid) : 0;
+  bool exact, ok = vs_region_moments(n, &o, &m->area, &m->centroid, &exact, e);
+  if (ok && !exact) m->area = o.count ? vs_outline_measure(&o, &m->centroid) : 0;
   m->known = m->area_known = true;
   vs_outline_free(&o);
-  return true;
+  return ok;
 }
 
 /* Curves beside each other: lengths add up. Each leaf is measured under a placement of its own. */
@@ -178,12 +187,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       *m = (vs_measure){ 0 };
       return true;
     case VS_OFFSET:
-      if (n->class_ == VS_REGION_CLASS) {
-        double k;
-        if (!vs_measure_region(whole, m, e)) return false;
-        if (round && exact.node.kind == VS_CIRCLE && vs_affine_even(&placed, &k)) m->area = pi * k * k * exact.arc.radius * exact.arc.radius;
-        return true;
-      }
+      if (n->class_ == VS_REGION_CLASS) return vs_measure_region(whole, m, e);
       /* fall through */
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_JOIN: {
       vs_affine identity = vs_affine_identity();
@@ -193,19 +197,11 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       if (n->kind == VS_CIRCLE || n->kind == VS_ARC) { /* exact where the placement keeps it round */
         double k, angle = n->kind == VS_CIRCLE ? 2 * pi : fabs(VS_AS(arc, n)->end - VS_AS(arc, n)->start);
         if (vs_affine_even(&placed, &k)) m->length = k * angle * (n->kind == VS_CIRCLE ? VS_AS(circle, n)->radius : VS_AS(arc, n)->radius);
+        else if (n->kind == VS_CIRCLE) m->length = vs_measure_placed_circle(&placed, VS_AS(circle, n)->radius);
       }
       return true;
     }
-    case VS_TEXT: return vs_measure_region(whole, m, e);
-    case VS_REGION: {
-      if (!vs_measure_region(whole, m, e)) return false;
-      double k;
-      if (n->child_count == 1 && n->children[0].node->kind == VS_CIRCLE && vs_affine_even(&placed, &k)) {
-        double r = k * VS_AS(circle, n->children[0].node)->radius;
-        m->area = pi * r * r;
-      }
-      return true;
-    }
+    case VS_TEXT: case VS_REGION: return vs_measure_region(whole, m, e);
     case VS_BOX: {
       vs_vec3 d = vs_v3_sub(VS_AS(box, n)->q, VS_AS(box, n)->p);
       m->volume = d.x * d.y * d.z;
