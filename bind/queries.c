@@ -129,18 +129,6 @@ vs_status vs_bind_finite(vs_frame *f, int i) {
   return vs_bind_refuse(f, f->procedure->form[f->form].at[i].name, "finite (a half-space has to be intersected with something that is, or subtracted from it)", a->value);
 }
 
-vs_status vs_p_bounding_box(vs_frame *f, vs_value *out) {
-  vs_bounds b;
-  vs_error e = { 0 };
-  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
-  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
-  if (b.min.x > b.max.x) return truth(false, out);
-  vs_vec3 size = vs_v3_sub(b.max, b.min);
-  if (!isfinite(size.x) || !isfinite(size.y) || !isfinite(size.z)) return vs_bind_refuse(f, "o", "smaller: its corners are beyond all numbers", f->arg[0].value);
-  VS_ROOTS(f->vm, r, 2);
-  return vs_bind_point(f, b.max, &r[0]) && vs_cons(f->vm, r[0], VS_NIL, &r[1]) && vs_bind_point(f, b.min, &r[0]) && vs_cons(f->vm, r[0], r[1], out);
-}
-
 vs_status vs_p_contains(vs_frame *f, vs_value *out) {
   if (!vs_bind_resolve(f, 0)) return VS_ERROR;
   const vs_node *n = f->arg[0].ref.node;

@@ -55,7 +55,7 @@ while IFS='	' read -r index kind name; do
     else word="*$(sed -n 's/^[^ ]*:[0-9]*: //p; s/^vs: //p' "$work/said" | head -n 1)*"; fi
     printf '%s\t%s\t%s\n' "$kind" "$format" "$word"
   done
-done < "$work/rows" > "$work/found"
+done < "$work/rows" | sort -u > "$work/found" # in an order of its own, whichever shape came first
 
 echo '| kind | POV-Ray | OpenSCAD | X3D | glTF | meshes |'
 echo '|---|---|---|---|---|---|'

@@ -145,7 +145,7 @@
     (printf "~a\t~a:~a\t~a\t~a\t~a\t~a\t~a\t~a\t~a\n" index (row-name row) name (class-of o) (if v (exact->inexact v) "-")
             (let ((a (and (solid? o) (not (facets-of row)) (varied-area (area-of row) name)))) (if a (exact->inexact a) "-"))
             (string-join (map (lambda (c) (format "~a ~a ~a" (cx c) (cy c) (cz c))) b) " ")
-            (max 0.005 (* 1. (within-of row))) (if (and (string=? name "plain") (corners-of row)) 0.012 1)
+            (max 0.005 (* 1. (within-of row))) (if (facets-of row) 1 0.012)
             (or (row-lossy row) (and (eq? (class-of o) 'mixed) "of several classes") "-"))))
 
 ; the kinds in a tree
@@ -184,4 +184,4 @@
    (view-from 'iso)
    (each-row (lambda (index row)
                (let ((o (place (vary (row-object row) (variant-of index row)) index)))
-                 (draw (if standin (thin o) o)))))))
+                 (draw (cond ((not standin) o) ((row-lossy row) '()) (else (thin o)))))))))
