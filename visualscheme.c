@@ -161,7 +161,7 @@ vs_outcome vs_eval_text(vs *vm, const char *name, unsigned first_line, const cha
   if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
   begin(s, flags);
   if (!vs_session_keep_source(s, name, first_line, text, length)) return finish(s, vs_fail_memory(vm), false);
-  return finish(s, may_run(s) && vs_program_text(vm, name, first_line, text, length, flags & VS_EVAL_PRINT, &vm->value), false);
+  return finish(s, may_run(s) && vs_program_text(vm, name, first_line, text, length, !(flags & VS_EVAL_PROGRAM), &vm->value), false);
 }
 
 /* "out/house.vs" names the drawing "house" */

@@ -135,7 +135,8 @@ VS_API void vs_interrupt_clear(vs *s);
 
 /* flags */
 enum {
-  VS_EVAL_PRINT = 1u /* hand the values of top-level expressions to `value` (the REPL) */
+  VS_EVAL_PRINT = 1u,  /* hand the values of top-level expressions to `value` (the REPL) */
+  VS_EVAL_PROGRAM = 2u /* the text is a whole program, as a file is: if it begins with an import it sees just what it imports; else imports add */
 };
 
 /* Both evaluate every top-level form in the one program of this interpreter, in order, and stop at the first error. Objects that top-level

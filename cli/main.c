@@ -84,7 +84,7 @@ static vs_outcome run_source(cli_session *c, const cli_source *source) {
     fprintf(stderr, "vs: standard input: %s\n", strerror(errno));
     return VS_OUTCOME_USAGE;
   }
-  vs_outcome outcome = vs_eval_text(c->scheme, "standard-input", 1, text, length, 0);
+  vs_outcome outcome = vs_eval_text(c->scheme, "standard-input", 1, text, length, VS_EVAL_PROGRAM);
   free(text);
   return outcome;
 }

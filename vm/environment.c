@@ -336,7 +336,7 @@ static void settle(vs *vm, vs_value env, vs_value from, vs_value mapping, bool l
     bool undefined = vs_is(cell, VS_T_CELL) && vs_as_cell(cell)->value == VS_UNDEFINED;
     bool constant = vs_is(cell, VS_T_CELL) && vs_object_of(cell)->flags & VS_F_CONSTANT;
     if (!undefined && !constant) {
-      if (vs_idtable_get(vs_as_environment(vm->at.core)->table, table->at[i]) == found) continue;
+      if (intake != VS_INTAKE_PROMPT && vs_idtable_get(vs_as_environment(vm->at.core)->table, table->at[i]) == found) continue;
       if (intake != VS_INTAKE_PROMPT) { if (*clash == VS_VACANT) *clash = table->at[i]; continue; }
     }
     if (look || (constant && vs_is(found, VS_T_CELL) && vs_as_cell(cell)->value == vs_as_cell(found)->value)) continue;
