@@ -6,6 +6,8 @@
 #include "geometry/hull.h"
 #include "geometry/join.h"
 #include "geometry/measure.h"
+#include "geometry/slice.h"
+#include "kernel/resolve.h"
 #include "geometry/plane.h"
 #include "geometry/tessellate.h"
 
@@ -147,12 +149,19 @@ vs_status vs_p_do_scale(vs_frame *f, vs_value *out) {
   return placed(f, vs_affine_scaling(POINT(1), POINT(2)), out);
 }
 vs_status vs_p_do_mirror(vs_frame *f, vs_value *out) { return placed(f, vs_affine_mirror(f->arg[1].line.at, f->arg[1].line.direction), out); }
-/* Of solids: the intersection with the half-space. Of curves, regions and surfaces: a kind of its own. */
+/* Of solids: the intersection with the half-space; of regions: with what of their plane lies there. Of curves and surfaces: a kind of its own. */
 vs_status vs_p_do_slice(vs_frame *f, vs_value *out) {
   struct vs_half_space h = { .point = f->arg[1].line.at, .normal = vs_v3_unit(f->arg[1].line.direction) };
   vs_ref pair[2] = { f->arg[0].ref };
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
-  if (NODE(0)->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
+  vs_plane flat;
+  vs_bounds b;
+  vs_error e = { 0 };
+  if (NODE(0)->class_ == VS_REGION_CLASS && !(NODE(0)->flags & VS_NODE_UNRESOLVED) && NODE(0)->kind != VS_UNION && vs_node_plane(NODE(0), &flat) == VS_PLANE_ONE) {
+    if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);
+    return vs_bind_node(f, vs_slice_region(f->arg[0].ref, &flat, &b, h.point, h.normal), out);
+  }
+  if (NODE(0)->class_ != VS_SOLID) return vs_bind_make(f, VS_SLICE, &(struct vs_slice){ .point = h.point, .normal = h.normal }, pair, 1, out);
   pair[1] = (vs_ref){ vs_node_new(f->bind->store, VS_HALF_SPACE, &h, NULL, 0), vs_bind_origin(f->bind) };
   if (!vs_bind_keep(f, pair[1].node)) return VS_ERROR;
   return vs_bind_make(f, VS_INTERSECTION, &(struct vs_intersection){ 0 }, pair, 2, out);
@@ -213,7 +222,9 @@ vs_status vs_p_hull(vs_frame *f, vs_value *out) {
   vs_cloud cloud = { 0 };
   vs_error e = { 0 };
   vs_status ok = VS_OK;
-  if (!vs_node_bounds(made, &b, &e) || !vs_hull_cloud(made, &(vs_facets){ .tolerance = vs_facets_tolerance(&b) }, &cloud, &e)) ok = vs_bind_error(f, &e);
+  vs_ref whole = { vs_node_retain(made), vs_bind_origin(f->bind) }; /* what it resolves to shows how far it spans */
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
+  if (!vs_resolve(&whole, 1, &(vs_facets){ .tolerance = 0 }, &options, &e) || !vs_node_bounds(whole.node, &b, &e) || !vs_hull_cloud(whole.node, &(vs_facets){ .tolerance = vs_facets_tolerance(&b) }, &cloud, &e)) ok = vs_bind_error(f, &e);
   else d.dimension = vs_cloud_dimension(&cloud);
   if (ok && d.dimension == 1) {
     vs_polyline ends = { 0 };
@@ -227,6 +238,7 @@ vs_status vs_p_hull(vs_frame *f, vs_value *out) {
     ok = vs_bind_make(f, VS_HULL, &d, child, count, out);
   } else if (ok) ok = vs_bind_node(f, vs_node_retain(made), out);
   vs_cloud_free(&cloud);
+  vs_node_release(whole.node);
   return ok;
 }
 

@@ -327,7 +327,7 @@ static bool vs_hull_add_leaf(vs_cloud *out, const vs_node *n, const vs_affine *p
     for (size_t i = 0; ok && i < o.count; i++) ok = vs_hull_add_points(out, placed, o.loops[i].at, o.loops[i].count, e);
     vs_outline_free(&o);
   } else if (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE) {
-    return vs_error_set(e, VS_ERROR_MODEL, NULL, "the hull of an intersection or a difference is not there yet");
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "the hull of an intersection or a difference needs its mesh");
   } else if (n->class_ == VS_SOLID || n->class_ == VS_SURFACE) {
     vs_mesh m = { 0 };
     ok = vs_tessellate(n, &inner, &m, e) && vs_hull_add_points(out, placed, m.vertices, m.vertex_count, e);

@@ -16,7 +16,7 @@ bool vs_cloud_hull(const vs_cloud *c, vs_mesh *out);
 bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out);
 
 /* The points whose hull the node's is, in its own coordinates: corners of what it holds, as finely as f asks. Sets of solids other than unions are the
- * kernel's to mesh: they are an error here. */
+ * kernel's to mesh (kernel/resolve.h): they are an error here. */
 bool vs_hull_cloud(const vs_node *hull, const vs_facets *f, vs_cloud *out, vs_error *e);
 
 #endif

@@ -99,7 +99,7 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
     }
     case VS_HEIGHT_FIELD: ok = vs_height_field_mesh(out, VS_AS(height_field, n)); break;
     case VS_HALF_SPACE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a half-space is endless: it has no faces of its own");
-    case VS_SLICE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "not yet");
+    case VS_SLICE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a slice is made by kernel/resolve.c before");
     case VS_THICKEN:
       if (n->children[0].node->class_ == VS_SURFACE) {
         vs_mesh surface = { 0 };

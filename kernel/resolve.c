@@ -5,6 +5,7 @@
 
 #include "geometry/frame.h"
 #include "geometry/measure.h"
+#include "geometry/slice.h"
 #include "kernel/section.h"
 
 typedef struct {
@@ -199,6 +200,154 @@ static vs_node *edges_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
+static vs_node *polyface(vs_store *s, const vs_mesh *m, bool closed) {
+  if (!m->triangle_count) return nothing(s);
+  uint32_t *starts = malloc((m->triangle_count + 1) * sizeof *starts);
+  vs_points *points = starts ? vs_points_new(s, m->vertices, m->vertex_count) : NULL;
+  for (size_t i = 0; starts && i <= m->triangle_count; i++) starts[i] = (uint32_t)(3 * i);
+  vs_faces *faces = points ? vs_faces_new(s, starts, m->triangle_count, &m->triangles[0][0], 3 * m->triangle_count) : NULL;
+  vs_node *n = faces ? vs_node_new(s, VS_POLYFACE_MESH, &(struct vs_polyface_mesh){ .points = points, .faces = faces, .closed = closed }, NULL, 0) : NULL;
+  vs_faces_release(s, faces);
+  vs_points_release(s, points);
+  free(starts);
+  return n;
+}
+
+/* A hull whose carved parts are meshes */
+static vs_node *hull_of(const resolver *r, const vs_ref *ref) {
+  const vs_node *n = ref->node;
+  vs_ref *kids = calloc(n->child_count + (size_t)1, sizeof *kids);
+  bool ok = kids != NULL || vs_error_memory(r->error, ref->origin);
+  for (uint32_t i = 0; ok && i < n->child_count; i++) {
+    vs_solid solid = { .part_count = 0 };
+    vs_ref child = { now(r, n->children[i].node), n->children[i].origin };
+    kids[i].origin = child.origin;
+    if (!(child.node->flags & VS_NODE_CARVED)) kids[i].node = vs_node_retain(child.node);
+    else ok = mesh_of(r, child, &solid) && ((kids[i].node = polyface(r->store, &solid.mesh, true)) || vs_error_memory(r->error, child.origin));
+    vs_solid_free(&solid);
+  }
+  vs_node *made = ok ? vs_node_new(r->store, VS_HULL, n->data, kids, n->child_count) : NULL;
+  if (ok && !made) vs_error_memory(r->error, ref->origin);
+  for (uint32_t i = 0; kids && i < n->child_count; i++) vs_node_release(kids[i].node);
+  free(kids);
+  return made;
+}
+
+/* ---- slices of what is thin ---- */
+
+typedef struct {
+  const resolver *r;
+  const struct vs_slice *plane;
+  const vs_origin *origin;
+  const vs_material *material; /* of what is being cut */
+  vs_ref *at;                  /* the pieces */
+  size_t count, room;
+} pieces;
+
+static bool keep_piece(pieces *p, vs_node *n) { /* takes n over */
+  vs_store *s = p->r->store;
+  if (n && p->material) {
+    struct { vs_field_material material; unsigned char end; } paint = { p->material, 0 };
+    vs_node *bare = n;
+    n = vs_node_new(s, VS_MATERIAL, &paint, &(vs_ref){ bare, p->origin }, 1);
+    vs_node_release(bare);
+  }
+  if (n && p->count == p->room) {
+    size_t room = p->room ? p->room * 2 : 8;
+    vs_ref *grown = realloc(p->at, room * sizeof *grown);
+    if (grown) p->at = grown, p->room = room;
+    else vs_node_release(n), n = NULL;
+  }
+  if (!n) return vs_error_memory(p->r->error, p->origin);
+  p->at[p->count++] = (vs_ref){ n, p->origin };
+  return true;
+}
+
+static bool keep_line(void *context, const vs_polyline *piece) {
+  pieces *p = context;
+  return keep_piece(p, line(p->r->store, piece));
+}
+
+/* One part that is of one class; placed: from its coordinates to the slice's */
+static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
+  const vs_node *n = part.node;
+  vs_store *s = p->r->store;
+  vs_facets f;
+  if (n->class_ == VS_NOTHING) return true;
+  vs_ref whole = { vs_node_new(s, VS_TRANSFORM, &(struct vs_transform){ .matrix = *placed }, &part, 1), part.origin };
+  if (!whole.node) return vs_error_memory(p->r->error, part.origin);
+  bool ok = facets_for(p->r, whole.node, &f);
+  if (ok && n->class_ == VS_CURVE) {
+    vs_polyline q = { 0 };
+    ok = vs_curve_sample(whole.node, &f, &q, p->r->error) &&
+         (vs_slice_polyline(&q, p->plane->point, p->plane->normal, keep_line, p) || vs_error_memory(p->r->error, part.origin));
+    vs_polyline_free(&q);
+  } else if (ok && n->class_ == VS_SURFACE) {
+    vs_mesh m = { 0 }, cut = { 0 };
+    ok = vs_tessellate(whole.node, &f, &m, p->r->error) && (vs_slice_mesh(&m, p->plane->point, p->plane->normal, &cut) || vs_error_memory(p->r->error, part.origin));
+    ok = ok && (!cut.triangle_count || keep_piece(p, polyface(s, &cut, false)));
+    vs_mesh_free(&m);
+    vs_mesh_free(&cut);
+  } else if (ok && n->class_ == VS_REGION_CLASS) {
+    vs_outline o;
+    vs_bounds b;
+    ok = vs_region_outline(whole.node, &f, &o, p->r->error);
+    if (ok) {
+      vs_plane flat = { .point = o.point, .normal = o.normal };
+      ok = vs_node_bounds(whole.node, &b, p->r->error) && (!o.count || keep_piece(p, vs_slice_region(whole, &flat, &b, p->plane->point, p->plane->normal)));
+      vs_outline_free(&o);
+    }
+  } else if (ok && n->class_ == VS_SOLID) {
+    vs_ref pair[2] = { whole, { vs_node_new(s, VS_HALF_SPACE, &(struct vs_half_space){ .point = p->plane->point, .normal = p->plane->normal }, NULL, 0), part.origin } };
+    ok = keep_piece(p, pair[1].node ? vs_node_new(s, VS_INTERSECTION, &(struct vs_intersection){ 0 }, pair, 2) : NULL);
+    vs_node_release(pair[1].node);
+  }
+  vs_node_release(whole.node);
+  return ok;
+}
+
+static vs_node *slice_of(const resolver *r, const vs_ref *ref) {
+  typedef struct { vs_affine placed; const vs_material *material; } level;
+  vs_ref child = { now(r, ref->node->children[0].node), ref->node->children[0].origin }, at;
+  pieces p = { .r = r, .plane = VS_AS(slice, ref->node), .origin = ref->origin };
+  vs_walk *w = vs_walk_new(r->store, child);
+  level *levels = NULL;
+  size_t room = 0, depth;
+  bool ok = w || vs_error_memory(r->error, ref->origin);
+  for (vs_walk_event ev; ok && (ev = vs_walk_next(w, &at, &depth)) != VS_WALK_DONE;) {
+    if (ev == VS_WALK_LEAVE) continue;
+    if (depth >= room) {
+      room = 2 * depth + 8;
+      level *grown = realloc(levels, room * sizeof *grown);
+      if (grown) levels = grown;
+      else ev = VS_WALK_FAILED;
+    }
+    if (ev == VS_WALK_FAILED) {
+      ok = vs_error_memory(r->error, ref->origin);
+      break;
+    }
+    levels[depth] = depth ? levels[depth - 1] : (level){ vs_affine_identity(), NULL };
+    const vs_node *n = at.node;
+    bool solid = n->class_ == VS_SOLID || n->class_ == VS_NOTHING;
+    if (!solid && (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_UNION)) {
+      if (n->kind == VS_TRANSFORM) levels[depth].placed = vs_affine_multiply(&levels[depth].placed, &VS_AS(transform, n)->matrix);
+      if (n->kind == VS_MATERIAL) levels[depth].material = VS_AS(material, n)->material;
+      continue;
+    }
+    vs_walk_skip(w);
+    p.material = levels[depth].material;
+    p.origin = at.origin;
+    ok = slice_part(&p, at, &levels[depth].placed);
+  }
+  vs_walk_free(w);
+  free(levels);
+  vs_node *made = NULL;
+  if (ok && !(made = of_children(r->store, VS_UNION, p.at, p.count, true))) vs_error_memory(r->error, ref->origin);
+  for (size_t i = 0; !ok && i < p.count; i++) vs_node_release(p.at[i].node);
+  free(p.at);
+  return made;
+}
+
 /* Bars round several curves are several bars. */
 static vs_node *thickened(const resolver *r, const vs_node *n, const vs_ref *child) {
   vs_ref *bars = malloc((child->node->child_count + (size_t)1) * sizeof *bars);
@@ -230,8 +379,8 @@ static vs_node *rebuilt(const resolver *r, const vs_node *n) {
 static bool resolve_one(resolver *r, const vs_ref *ref) {
   const vs_node *n = ref->node;
   vs_node *made;
-  if (n->kind == VS_SECTION || n->kind == VS_PROJECT || n->kind == VS_EDGES) {
-    made = n->kind == VS_EDGES ? edges_of(r, ref) : flat_of(r, ref);
+  if (n->kind == VS_SECTION || n->kind == VS_PROJECT || n->kind == VS_EDGES || n->kind == VS_SLICE || n->kind == VS_HULL) {
+    made = n->kind == VS_EDGES ? edges_of(r, ref) : n->kind == VS_SLICE ? slice_of(r, ref) : n->kind == VS_HULL ? hull_of(r, ref) : flat_of(r, ref);
     if (!made) {
       if (r->error && !r->error->origin) r->error->origin = ref->origin;
       return false;

@@ -95,15 +95,19 @@ static void vs_node_classify_union(vs_node *n) {
 
 static void vs_node_find_end(vs_node *n) {
   uint32_t endless = 0, cut = n->kind == VS_HALF_SPACE;
-  bool unresolved = n->kind == VS_SECTION || n->kind == VS_PROJECT || n->kind == VS_EDGES || n->kind == VS_XLINE || n->kind == VS_RAY;
+  bool unresolved = n->kind == VS_SECTION || n->kind == VS_PROJECT || n->kind == VS_EDGES || n->kind == VS_XLINE || n->kind == VS_RAY || n->kind == VS_SLICE;
+  bool carved = n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE);
   for (uint32_t i = 0; i < n->child_count; i++) {
     endless += (n->children[i].node->flags & VS_NODE_ENDLESS) != 0;
     cut |= (n->children[i].node->flags & VS_NODE_CUT) != 0;
     unresolved |= (n->children[i].node->flags & VS_NODE_UNRESOLVED) != 0;
+    carved |= (n->children[i].node->flags & VS_NODE_CARVED) != 0;
   }
+  if (n->kind == VS_HULL) unresolved |= carved;
   bool first = n->child_count && n->children[0].node->flags & VS_NODE_ENDLESS;
   bool is = n->kind == VS_HALF_SPACE || (n->kind == VS_INTERSECTION ? n->child_count && endless == n->child_count : n->kind == VS_DIFFERENCE ? first : endless);
-  n->flags = (uint8_t)((n->flags & VS_NODE_CLOSED) | (is ? VS_NODE_ENDLESS : 0) | (cut ? VS_NODE_CUT : 0) | (unresolved ? VS_NODE_UNRESOLVED : 0));
+  n->flags = (uint8_t)((n->flags & VS_NODE_CLOSED) | (is ? VS_NODE_ENDLESS : 0) | (cut ? VS_NODE_CUT : 0) | (unresolved ? VS_NODE_UNRESOLVED : 0) |
+                       (carved ? VS_NODE_CARVED : 0));
 }
 
 static void vs_node_classify(vs_node *n, const vs_kind_info *info) {

@@ -191,6 +191,7 @@
 (shape "hull/points" (hull (xyz 0 0 0) (xyz 4 0 0) (xyz 0 4 0) (xyz 0 0 4) (xyz 1 1 1)) #:volume 64/6 #:area (+ 24 (* 8 (sqrt 3))) #:box (box-of 0 0 0 4 4 4))
 (shape "hull/boxes" (hull (make-box origin (xyz 1 1 1)) (make-box (xyz 3 0 0) (xyz 4 1 1))) #:volume 4 #:box (box-of 0 0 0 4 1 1))
 (shape "hull/spheres" (hull (make-sphere (xyz -1 0 0) 3/2) (make-sphere (xyz 1 0 0) 3/2)) #:volume (+ (* 9/2 pi) (* 2 9/4 pi)) #:within 0.01)
+(shape "hull/carved" (hull (subtract (make-box (xyz -2 -2 -2) (xyz 2 2 2)) (make-box origin (xyz 3 3 3)))) #:volume 188/3 #:box (box-of -2 -2 -2 2 2 2))
 (shape "hull/region" (hull (xy -2 -2) (xy 2 -2) (xy 2 2) (xy -2 2) origin) #:area 16)
 (shape "text" (make-text (xy 0 0) 2 "Ha") #:lossy "its letters come from a font")
 (shape "text/extruded" (do-extrude (make-text (xy 0 0) 2 "é") 1))
@@ -223,9 +224,15 @@
 
 ; ---- sets ----
 
+(shape "height-field" (make-height-field '((0 1 0) (1 2 1) (0 1 0)) (xyz -2 -2 0) (xyz 2 2 0) #:low -1) #:volume 32 #:box (box-of -2 -2 -1 2 2 2))
+(shape "height-field/island" (make-height-field '((0 0 0) (0 3 0) (0 0 0)) (xyz -2 -2 0) (xyz 2 2 0)) #:volume 12 #:box (box-of -2 -2 0 2 2 3))
+(shape "polyface-mesh/load-mesh" (do-scale (load-mesh "../lang/lib/meshes/cube.off") 4) #:volume 64 #:area 96 #:box (box-of 0 0 0 4 4 4))
 (shape "half-space/intersect" (intersect (make-box (xyz -2 -2 -2) (xyz 2 2 2)) (make-half-space (make-plane (xyz 0 0 1) (vxyz 0 0 -1)))) #:volume 48)
 (shape "half-space/subtract" (subtract (make-sphere origin 5/2) (make-half-space (make-plane origin (vxyz 1 1 1)))) #:volume (* 2/3 pi 125/8) #:within 0.01)
 (shape "slice" (do-slice (make-box (xyz -2 -2 -2) (xyz 2 2 2)) (make-plane origin (vxyz 1 1 1))) #:volume 32)
+(shape "slice/curve" (do-slice (make-line (xyz -2 -2 0) (xyz 2 -2 0) (xyz 2 2 0) (xyz -2 2 0)) (make-plane (xyz 1 0 0) ux)) #:length 6 #:box (box-of 1 -2 0 2 2 0))
+(shape "slice/region" (do-slice (make-region (make-rectangle (xy -3 -2) (xy 3 2)) (make-rectangle (xy -1 -1) (xy 1 1))) 'yz) #:area 10 #:box (box-of 0 -2 0 3 2 0))
+(shape "slice/surface" (do-slice (make-3dface (xyz -2 -2 0) (xyz 2 -2 0) (xyz 2 2 3) (xyz -2 2 3)) 'yz) #:area 10 #:box (box-of 0 -2 0 2 2 3))
 (shape "slice/round" (do-slice (make-cylinder (xyz 0 0 -2) 4 2) 'xz) #:volume (* 8 pi) #:within 0.003)
 
 (shape "unite" (unite (make-box origin (xyz 3 3 3)) (make-box (xyz 1 1 1) (xyz 4 4 4))) #:volume 46 #:box (box-of 0 0 0 4 4 4) #:area (- 108 24))

@@ -60,7 +60,23 @@
 (fails (draw (unite cube askew)))                  ; expect: draw: the object is endless: intersect it with something finite, or subtract it from that ()
 (fails (make-half-space 'x))                       ; expect: make-half-space: plane must be a plane ('xy, 'yz, 'xz, a gvector or (make-plane point normal)), got (x)
 (fails (make-half-space (vxyz 0 0 0)))             ; expect: make-half-space: plane must be of a normal longer than 0, got ((vxyz 0 0 0))
-(fails (do-slice (make-circle origin 1) 'xy))      ; expect: do-slice: o must be a solid, got ((make-circle (xyz 0 0 0) 1))
+
+; slices of what is thin: pieces of curves and surfaces, regions, and unions of several
+(define right (make-plane (xyz 0.5 0 0) ux))
+(define bow (do-slice (make-circle origin 1) right))
+(displayln (list (object-kind bow) (curve? bow) (near? (curve-length bow) (* 2/3 pi) 1e-3))) ; expect: (slice #t #t)
+(displayln (curve-length (do-slice (make-line (xyz 0 0 0) (xyz 1 1 0) (xyz 2 0 0) (xyz 3 1 0)) (make-plane (xyz 0 0.5 0) uy)))) ; expect: 2.121320343559643
+(displayln (bounding-box (do-slice (make-rectangle (xy -1 -1) (xy 1 1)) right))) ; expect: ((xyz 0.5 -1 0) (xyz 1 1 0))
+(displayln (curve-length (do-slice (make-rectangle (xy -1 -1) (xy 1 1)) 'yz))) ; expect: 4.0
+(displayln (curve-length (do-slice (make-rectangle (xy -1 -1) (xy 1 1)) 'xy))) ; expect: 8.0
+(displayln (area (do-slice (make-region (make-rectangle (xy -1 -1) (xy 1 1)) (make-circle origin 0.5)) right))) ; expect: 1.0
+(displayln (do-slice (make-region (make-circle origin 1)) (make-plane (xyz 0 0 1) uz))) ; expect: (empty-object)
+(displayln (do-slice (make-region (make-circle origin 1)) (make-plane (xyz -5 0 0) ux))) ; expect: (make-region (make-circle (xyz 0 0 0) 1))
+(displayln (bounding-box (do-slice (make-circle origin 1) (make-plane (xyz 5 0 0) ux)))) ; expect: #f
+(define sail (do-slice (make-3dface (xyz -1 -1 0) (xyz 1 -1 0) (xyz 1 1 1) (xyz -1 1 1)) right))
+(displayln (list (surface? sail) (near? (area sail) (* 1/2 (sqrt 5))) (bounding-box sail))) ; expect: (#t #t ((xyz 0.5 -1 0) (xyz 1 1 1)))
+(displayln (bounding-box (do-slice (list (make-box origin (xyz 1 1 1)) (make-line (xyz -1 0 0) (xyz 2 0 0)) (make-region (make-circle (xyz 0 0 3) 1))) right))) ; expect: ((xyz 0.5 -1 0) (xyz 2 1 3))
+(displayln (volume (do-extrude (do-slice (make-region (make-rectangle (xy -1 -1) (xy 1 1))) right) 3))) ; expect: 3.0
 (make-half-space (quote xy)) ; expect warning: the object is endless: intersect it with something finite, or subtract it from that
 
 ; hulls: of points, curves, regions, solids and hulls; of what is flat or thin
@@ -81,3 +97,31 @@
 (displayln (object-children (hull slot origin)))   ; expect: ((hull (make-circle (xyz 0 0 0) 1) (make-circle (xyz 4 0 0) 1)))
 (fails (hull (make-half-space 'xy) origin))        ; expect: hull: things must be finite: one of them is a half-space, or a set of them, without an end ()
 (fails (hull origin (vxyz 1 0 0)))                 ; expect: hull: things must be a point, an object or a list of them, got ((vxyz 1 0 0))
+(define carved (subtract (make-box origin (xyz 2 2 2)) (make-box (xyz 1 1 1) (xyz 3 3 3))))
+(displayln (list (volume (hull carved)) (contains? (hull carved) (xyz 1.9 1.9 1.9)))) ; expect: (7.833333333333333 #f)
+(displayln (volume (hull (translate (unite carved (make-sphere origin 1)) (vxyz 5 0 0)) (make-box (xyz 4 -1 -1) (xyz 7 2 2))))) ; expect: 27.0
+(displayln (volume (hull (intersect (hull carved) (make-box origin (xyz 1 1 1))) (xyz 0 0 2)))) ; expect: 1.3333333333333333
+(displayln (volume (subtract (hull carved origin) (make-box origin (xyz 1 1 1))))) ; expect: 6.833333333333333
+
+; placements: exact quarter turns, factors and sizes that flatten are refused
+(define brick (make-box (xyz 1 0 0) (xyz 4 2 1)))
+(displayln (bounding-box (rotate brick 'z pi/2)))    ; expect: ((xyz -2 1 0) (xyz 0 4 1))
+(displayln (bounding-box (rotate (rotate brick 'x (/ pi 2)) 'y (* 3 pi/2)))) ; expect: ((xyz -2 -1 1) (xyz 0 0 4))
+(displayln (bounding-box (do-rotate brick (xyz 1 0 0) (vxyz 0 0 1) pi))) ; expect: ((xyz -2 -2 0) (xyz 1 0 1))
+(displayln (bounding-box (do-mirror brick 'yz)))     ; expect: ((xyz -4 0 0) (xyz -1 2 1))
+(displayln (bounding-box (do-scale brick (xyz 1 0 0) '(2 1 3)))) ; expect: ((xyz 1 0 0) (xyz 7 2 3))
+(displayln (bounding-box (do-scale brick (vxyz 2 2 2)))) ; expect: ((xyz 2 0 0) (xyz 8 4 2))
+(displayln (bounding-box (do-resize brick 6 #f #f))) ; expect: ((xyz 1 0 0) (xyz 7 4 2))
+(displayln (bounding-box (do-resize brick 6 2 #f)))  ; expect: ((xyz 1 0 0) (xyz 7 2 1.4142135623730951))
+(displayln (bounding-box (do-resize (rotate (make-sphere origin 1) 'z 1) 1 2 3))) ; expect: ((xyz -1 -1 -1) (xyz 0 1 2))
+(displayln (volume (do-transform brick (make-matrix 1 1 0 0 0 1 0 0 0 0 -2 0 0 0 0 1)))) ; expect: 12.0
+(fails (do-scale brick '(1 0 1)))                    ; expect: do-scale: factor must be positive, got ((1 0 1))
+(fails (do-scale brick -1))                          ; expect: do-scale: factor must be positive, got (-1)
+(fails (do-scale brick '(1 2)))                      ; expect: do-scale: factor must be a number, a list of three numbers or a gvector, got ((1 2))
+(fails (do-resize brick 0 #f #f))                    ; expect: do-resize: dx must be positive, or #f, got (0)
+(fails (do-resize brick #f -2 #f))                   ; expect: do-resize: dy must be positive, or #f, got (-2)
+(fails (do-resize brick #f #f #f))                   ; expect: do-resize: one of dx, dy, dz must be a number ()
+(fails (do-resize (make-circle origin 1) #f #f 2))   ; expect: do-resize: dz must be #f: the object is flat in that direction, got (2)
+(fails (do-transform brick (make-matrix 1 0 0 0 0 1 0 0 0 0 0 0 0 0 0 1))) ; expect: do-transform: matrix must be a matrix that does not flatten space, got ((make-matrix 1 0 0 0 0 1 0 0 0 0 0 0 0 0 0 1))
+(fails (do-move brick (vxyz (/ 1. 0.) 0 0)))         ; expect: do-move: v must be of finite coordinates, got ((vxyz +inf.0 0 0))
+(fails (do-mirror brick 'up))                        ; expect: do-mirror: plane must be a plane ('xy, 'yz, 'xz, a gvector or (make-plane point normal)), got (up)
