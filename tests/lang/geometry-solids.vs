@@ -123,5 +123,5 @@
 (fails (do-resize brick #f #f #f))                   ; expect: do-resize: one of dx, dy, dz must be a number ()
 (fails (do-resize (make-circle origin 1) #f #f 2))   ; expect: do-resize: dz must be #f: the object is flat in that direction, got (2)
 (fails (do-transform brick (make-matrix 1 0 0 0 0 1 0 0 0 0 0 0 0 0 0 1))) ; expect: do-transform: matrix must be a matrix that does not flatten space, got ((make-matrix 1 0 0 0 0 1 0 0 0 0 0 0 0 0 0 1))
-(fails (do-move brick (vxyz (/ 1. 0.) 0 0)))         ; expect: do-move: v must be of finite coordinates, got ((vxyz +inf.0 0 0))
+(fails (do-move brick (xyz 1 0 0)))                  ; expect: do-move: v must be a gvector ((vxyz 1 0 0)?), got ((xyz 1 0 0))
 (fails (do-mirror brick 'up))                        ; expect: do-mirror: plane must be a plane ('xy, 'yz, 'xz, a gvector or (make-plane point normal)), got (up)
