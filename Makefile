@@ -148,6 +148,7 @@ bench: ## install Guile, Lua and Chez Scheme, and measure beside them: programs,
 	$(MAKE) all $(BUILD)/measure
 	sh bench/startup.sh $(BUILD)/vs
 	sh bench/run.sh $(BUILD)/vs $(BUILD)/measure
+	sh bench/memory.sh $(BUILD)/vs
 	sh bench/passes.sh $(BUILD)/vs $(BUILD)/measure
 	sh bench/growth.sh $(BUILD)/vs $(BUILD)/measure
 	sh bench/kernel/run.sh $(BUILD)/vs $(BUILD)/measure
