@@ -126,7 +126,7 @@ quick: all units # what every commit must pass in a minute
 
 SANITIZE  = OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=$(1)" BUILD=$(BUILD)/$(2) SUITES="unit lang cli" tests
 asan: ## the tests under the address and leak sanitizer
-	$(MAKE) $(call SANITIZE,address,asan)
+	$(MAKE) $(call SANITIZE,address,asan) LDFLAGS="-Wl,--no-as-needed -lstdc++" # GEOS comes later and throws: the sanitizer must know of C++ from the start
 ubsan: ## the tests under the undefined-behaviour sanitizer
 	UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(MAKE) $(call SANITIZE,undefined -fno-sanitize-recover=all,ubsan)
 

@@ -24,6 +24,7 @@ bool vs_writer_flush(vs_writer *w) {
 
 bool vs_put(vs_writer *w, const void *bytes, size_t count) {
   if (w->failed) return false;
+  if (count == 0) return true; /* bytes may be NULL then */
   w->bytes += count;
   if (w->limit > 0 && w->bytes > w->limit) {
     w->full = w->failed = true;

@@ -184,7 +184,7 @@ typedef struct {
 static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_t plane) {
   if (p == q ? corner_of(m->c, t, p) : false) return true;
   uint32_t edge = edge_of(m->c, t, p, q);
-  if (edge != VS_NONE && !(t->inner >> edge & 1 && edge < 3)) return true;
+  if (edge != VS_NONE && !(edge < 3 && (t->inner >> edge & 1))) return true;
   m->c->facets.at[t->facet].touched = true;
   return VS_PUSH(m->k, m->c->cuts, ((vs_cut){ t->facet, p, q, plane }));
 }
