@@ -556,6 +556,11 @@ static void major_sweep(vs *vm) {
   }
   for (size_t i = 0; i < gc->image_bytes;) {
     vs_object *o = (vs_object *)(void *)(gc->image + i);
+    size_t slots = 0;
+    if (VS_DEBUG_STRESS || VS_DEBUG_CHECK) { /* the image is not swept: what is dead in it must not be taken for a user of what it named */
+      vs_value *slot = vs_layout_slots(o, &slots);
+      while (!(o->gc & GC_MARK) && slots > 0) slot[--slots] = VS_FALSE;
+    }
     o->gc &= (uint8_t)~GC_MARK;
     i += (size_t)o->words * 8;
   }
