@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "geometry/curve.h"
+#include "geometry/heights.h"
 #include "geometry/measure.h"
 #include "geometry/superellipsoid.h"
 #include "geometry/revolve.h"
@@ -242,6 +243,7 @@ static bool vs_bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds
     case VS_HEIGHT_FIELD: {
       const struct vs_height_field *h = VS_AS(height_field, n);
       for (uint32_t i = 0; i < h->points->count; i++) {
+        if (!vs_height_field_uses(h, i)) continue;
         vs_bounds_add(b, vs_affine_point(a, h->points->at[i]));
         vs_bounds_add(b, vs_affine_point(a, vs_v3(h->points->at[i].x, h->points->at[i].y, h->low)));
       }

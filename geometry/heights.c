@@ -68,6 +68,16 @@ bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
   return ok;
 }
 
+bool vs_height_field_uses(const struct vs_height_field *h, uint32_t i) {
+  static const int to[][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 0 }, { -1, -1 }, { 0, -1 } }; /* itself, then round it */
+  int64_t columns = h->columns, rows = columns > 0 ? h->points->count / columns : 0, x = i % columns, y = i / columns;
+  for (size_t k = 0; k < sizeof to / sizeof *to; k++) {
+    int64_t u = x + to[k][0], v = y + to[k][1];
+    if (u >= 0 && u < columns && v >= 0 && v < rows && h->points->at[v * columns + u].z > h->low) return true;
+  }
+  return false;
+}
+
 bool vs_height_field_holds(const struct vs_height_field *h, vs_vec3 p) {
   const vs_vec3 *at = h->points->at;
   uint32_t columns = (uint32_t)h->columns, rows = columns ? h->points->count / columns : 0;

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "backends/backend.h"
+#include "backends/openscad/apart.h"
 #include "geometry/frame.h"
 #include "geometry/plane.h"
 #include "geometry/revolve.h"
@@ -191,12 +192,16 @@ static void scad_wrap(vs_emitter *e, size_t item, size_t per_line) {
 static vs_emit_status scad_polyface(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_polyface_mesh *p = VS_AS(polyface_mesh, ref->node);
-  const uint32_t *starts = vs_faces_starts(p->faces), *corners = vs_faces_corners(p->faces);
+  vs_apart apart = { 0 };
+  if (p->closed && !vs_apart_make(p, &apart)) return vs_emit_no_memory(e), VS_FAILED;
+  const uint32_t *starts = vs_faces_starts(p->faces), *corners = apart.corners ? apart.corners : vs_faces_corners(p->faces);
+  const vs_vec3 *points = apart.points ? apart.points : p->points->at;
+  size_t count = apart.points ? apart.count : p->points->count;
   scad_open(e, ref->node);
   vs_puts(e->out, "polyhedron(points = [");
-  for (size_t i = 0; i < p->points->count; i++) {
+  for (size_t i = 0; i < count; i++) {
     scad_wrap(e, i, 6);
-    scad_point(e, p->points->at[i]);
+    scad_point(e, points[i]);
   }
   vs_puts(e->out, "],\n");
   vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40) + 2);
@@ -210,6 +215,7 @@ static vs_emit_status scad_polyface(vs_emitter *e, const vs_ref *ref, vs_phase p
     vs_puts(e->out, "]");
   }
   vs_puts(e->out, "], convexity = 10);\n");
+  vs_apart_free(&apart);
   return scad_done(e);
 }
 
@@ -262,6 +268,14 @@ static void scad_profile(vs_emitter *e, const vs_revolve *r) {
   vs_puts(e->out, r->loop_count > 1 ? "]]);\n" : ");\n");
 }
 
+/* Whether the profile touches the axis with a corner alone: turned, it meets itself in that point, which OpenSCAD refuses in a boolean. */
+static bool scad_pinches(const vs_revolve *r) {
+  for (size_t l = 0, first = 0; l < r->loop_count; first += r->sizes[l++])
+    for (size_t i = 0, n = r->sizes[l]; i < n; i++)
+      if (r->profile[first + i].x == 0 && r->profile[first + (i + 1) % n].x != 0 && r->profile[first + (i + n - 1) % n].x != 0) return true;
+  return false;
+}
+
 /* rotate_extrude turns from +X; its whole turn begins at -X, which an even number of facets does not show. Of a part of a turn it makes
  * floor($fn angle/360) facets. */
 static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
@@ -270,7 +284,7 @@ static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase ph
   if (ref->node->class_ != VS_SOLID) return VS_LOWER;
   if (!vs_revolve_plan(ref->node, &e->facets, &r, e->error)) return VS_FAILED;
   size_t steps = vs_revolve_steps(&r, &e->facets, VS_AS(revolve, ref->node)->segments);
-  bool odd = r.full && (steps % 2 != 0 || r.start != 0);
+  bool odd = r.full && (steps % 2 != 0 || r.start != 0 || scad_pinches(&r));
   if (r.count > 0 && !odd) {
     double degrees = fabs(r.angle) * (180 / 3.14159265358979323846), from = r.angle < 0 ? r.start + r.angle : r.start, sine, cosine;
     vs_sincos(r.full ? 0 : from, &sine, &cosine);

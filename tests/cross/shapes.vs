@@ -71,6 +71,16 @@
   (make-polyface-mesh (list (xyz 0 0 0) (xyz 4 0 0) (xyz 4 4 0) (xyz 3 4 0) (xyz 3 1 0) (xyz 0 1 0) (xyz 0 0 2) (xyz 4 0 2) (xyz 4 4 2) (xyz 3 4 2) (xyz 3 1 2) (xyz 0 1 2))
     '((6 5 4 3 2 1) (7 8 9 10 11 12) (1 2 8 7) (2 3 9 8) (3 4 10 9) (4 5 11 10) (5 6 12 11) (6 1 7 12)))
   #:volume 14 #:area (+ 14 32))
+(shape "polyface-mesh/apex to apex"
+  (make-polyface-mesh (list origin (xyz 3 0 0) (xyz 0 3 0) (xyz 0 0 3) (xyz -3 0 0) (xyz 0 -3 0) (xyz 0 0 -3)) '((1 3 2) (1 2 4) (1 4 3) (2 3 4) (1 5 6) (1 6 7) (1 7 5) (5 7 6)))
+  #:volume 9 #:area (+ 27 (* 9 (sqrt 3))) #:box (box-of -3 -3 -3 3 3 3))
+(shape "polyface-mesh/edge to edge"
+  (make-polyface-mesh (list (xyz 0 0 -2) (xyz 0 0 2) (xyz 3 0 0) (xyz 0 3 0) (xyz -3 0 0) (xyz 0 -3 0)) '((1 2 3) (1 4 2) (1 3 4) (2 4 3) (1 2 5) (1 6 2) (1 5 6) (2 6 5)))
+  #:volume 12 #:box (box-of -3 -3 -2 3 3 2))
+(shape "polyface-mesh/each face its own points"
+  (make-polyface-mesh (list origin (xyz 4 0 0) (xyz 0 4 0) origin (xyz 4 0 0) (xyz 0 0 4) origin (xyz 0 4 0) (xyz 0 0 4) (xyz 4 0 0) (xyz 0 4 0) (xyz 0 0 4))
+    '((1 3 2) (4 5 6) (7 9 8) (10 11 12)))
+  #:volume 64/6 #:area (+ 24 (* 8 (sqrt 3))))
 
 ; ---- surfaces ----
 
@@ -168,6 +178,7 @@
 (shape "revolve/poles" (do-revolve (make-polygon (xz 0 -2) (xz 2 0) (xz 0 2)) 'z) #:volume (* 16/3 pi) #:area (* 8 pi (sqrt 2)) #:box (box-of -2 -2 -2 2 2 2))
 (shape "revolve/circle" (do-revolve (make-circle (xyz 2 0 0) 3/4) 'y) #:volume (* 2 pi pi 2 9/16) #:area (* 4 pi pi 2 3/4))
 (shape "revolve/hole" (do-revolve (make-donut (xyz 2 0 0) 1/2 1) 'y) #:volume (* 4 pi pi 3/4) #:area (* 4 pi pi 2 3/2) #:within 0.003)
+(shape "revolve/touching the axis" (do-revolve (make-polygon (xz 0 0) (xz 3 -3/2) (xz 3 3/2)) 'z) #:volume (* 18 pi) #:box (box-of -3 -3 -3/2 3 3 3/2))
 (shape "revolve/surface" (do-revolve (make-line (xz 1 -2) (xz 2 2)) 'z) #:area (* 3 pi (sqrt 17)) #:within 0.003 #:box (box-of -2 -2 -2 2 2 2))
 (shape "loft/straight" (do-loft (list (square -2 2) (square 2 1))) #:volume 112/3 #:area (+ 16 4 (* 24 1/2 (sqrt 17) 1)) #:box (box-of -2 -2 -2 2 2 2) #:within 1e-6)
 (shape "loft/equal sections" (loft-objects (square -2 1) (square -1 1) (square 2 1)) #:volume 16 #:area 40 #:within 1e-6)

@@ -115,8 +115,9 @@
     (compare "volume" row name (lambda () (volume o)) (varied-volume (if (string=? name "hollow") (or (facets-of row) (volume-of row)) (volume-of row)) whole name) meshed)
     (compare (if (curve? whole) "length" "area") row name (lambda () (if (curve? o) (curve-length o) (area o)))
              (if (curve? whole) (varied-area (length-of row) name) (varied-area (area-of row) name)) within)
+    ; of a mesh, like the hollow: what asks for facets is cut as its facets
     (if (and (string=? name "cut") (solid? whole))
-        (compare "cut and the rest" row name (lambda () (+ (volume o) (volume (intersect whole (eighth whole))))) (volume-of row) meshed))
+        (compare "cut and the rest" row name (lambda () (+ (volume o) (volume (intersect whole (eighth whole))))) (or (facets-of row) (volume-of row)) meshed))
     (if (and (solid? o) (not (string=? name "cut")) (varied-volume (volume-of row) whole name))
         (let* ((b (bounding-box o)) (d (p->q (first b) (second b))) (room (* (cx d) (cy d) (cz d))) (wanted (varied-volume (volume-of row) whole name)) ; of the round thing: points know no facets
                (got (chance-volume o)))
