@@ -4,6 +4,7 @@
  * M_i at its knots: the tridiagonal system of textbooks, with natural ends (M = 0), given unit tangents, or all round (Sherman-Morrison).
  * Samples a span needs: |S''| is largest at one end of it, so chords of parameter length d stay within d*d/8*max(|M_i|, |M_{i+1}|). */
 #include "geometry/curve.h"
+#include "model/room.h"
 
 #include <stdlib.h>
 
@@ -15,13 +16,7 @@ void vs_path_free(vs_path *p) {
 }
 
 bool vs_path_add(vs_path *p, vs_vec3 at, vs_vec3 arriving, vs_vec3 leaving) {
-  if (p->count == p->room) {
-    size_t room = p->room ? p->room * 2 : 32;
-    vs_path_point *grown = realloc(p->at, room * sizeof *grown);
-    if (!grown) return false;
-    p->at = grown;
-    p->room = room;
-  }
+  if (!VS_GROW(p->at, p->room, p->count + 1)) return false;
   p->at[p->count++] = (vs_path_point){ at, arriving, leaving, 0 };
   return true;
 }
@@ -250,12 +245,7 @@ void vs_polyline_free(vs_polyline *p) {
 }
 
 bool vs_polyline_from_path(const vs_path *path, vs_polyline *out) {
-  if (out->room < path->count) {
-    vs_vec3 *grown = realloc(out->at, path->count * sizeof *grown);
-    if (!grown) return false;
-    out->at = grown;
-    out->room = path->count;
-  }
+  if (!VS_GROW(out->at, out->room, path->count)) return false;
   for (size_t i = 0; i < path->count; i++) out->at[i] = path->at[i].at;
   out->count = path->count;
   out->closed = path->closed;

@@ -7,6 +7,7 @@
 #include "geometry/curve.h"
 #include "geometry/measure.h"
 #include "geometry/planar.h"
+#include "model/room.h"
 
 typedef struct {
   bool filled;         /* an outline; else a path */
@@ -41,25 +42,13 @@ static bool vs_flat_fail(vs_flat *f, const vs_ref *ref, const char *what) {
 }
 
 static vs_flat_value *vs_flat_push(vs_flat *f) {
-  if (f->value_count == f->value_room) {
-    size_t room = f->value_room ? f->value_room * 2 : 8;
-    vs_flat_value *grown = realloc(f->values, room * sizeof *grown);
-    if (!grown) return vs_error_memory(f->error, NULL), NULL;
-    f->values = grown;
-    f->value_room = room;
-  }
+  if (!VS_GROW(f->values, f->value_room, f->value_count + 1)) return vs_error_memory(f->error, NULL), NULL;
   f->values[f->value_count] = (vs_flat_value){ 0 };
   return &f->values[f->value_count++];
 }
 
 static bool vs_flat_open(vs_flat *f, const vs_ref *ref, const vs_affine *map, const vs_facets *facets) {
-  if (f->frame_count == f->frame_room) {
-    size_t room = f->frame_room ? f->frame_room * 2 : 8;
-    vs_flat_frame *grown = realloc(f->frames, room * sizeof *grown);
-    if (!grown) return vs_error_memory(f->error, NULL);
-    f->frames = grown;
-    f->frame_room = room;
-  }
+  if (!VS_GROW(f->frames, f->frame_room, f->frame_count + 1)) return vs_error_memory(f->error, NULL);
   f->frames[f->frame_count++] = (vs_flat_frame){ ref, 0, f->value_count, *map, vs_affine_identity(), *facets };
   return true;
 }

@@ -9,6 +9,7 @@
  *
  * In a plane: Andrew's chain, on the same grid. Cost: n log n for points as models have them. */
 #include "geometry/hull.h"
+#include "model/room.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -21,13 +22,7 @@ void vs_cloud_free(vs_cloud *c) {
 }
 
 bool vs_cloud_add(vs_cloud *c, vs_vec3 p) {
-  if (c->count == c->room) {
-    size_t room = c->room ? c->room * 2 : 64;
-    vs_vec3 *grown = room < UINT32_MAX / 4 ? realloc(c->at, room * sizeof *grown) : NULL;
-    if (!grown) return false;
-    c->at = grown;
-    c->room = room;
-  }
+  if (c->count >= UINT32_MAX / 4 || !VS_GROW(c->at, c->room, c->count + 1)) return false;
   c->at[c->count++] = p;
   return true;
 }
@@ -108,20 +103,8 @@ typedef struct {
   uint32_t *leaving;               /* of each point: the new face whose horizon edge starts there */
 } vs_quickhull;
 
-static bool vs_hull_room(void *slot, size_t *room, size_t need, size_t size) {
-  if (need <= *room) return true;
-  void *old, *grown;
-  size_t more = need + need / 2 + 64;
-  memcpy(&old, slot, sizeof old);
-  grown = more < UINT32_MAX ? realloc(old, more * size) : NULL;
-  if (!grown) return false;
-  memcpy(slot, &grown, sizeof grown);
-  *room = more;
-  return true;
-}
-
 static bool vs_hull_face_new(vs_quickhull *h, uint32_t a, uint32_t b, uint32_t c, uint32_t *out) {
-  if (!vs_hull_room(&h->faces, &h->room, h->count + 1, sizeof *h->faces)) return false;
+  if (!VS_GROW(h->faces, h->room, h->count + 1)) return false;
   h->faces[h->count] = (vs_hull_face){ .v = { a, b, c }, .next = { NOBODY, NOBODY, NOBODY }, .above = NOBODY };
   *out = (uint32_t)h->count++;
   return true;
@@ -154,7 +137,7 @@ static bool vs_hull_start(vs_quickhull *h, const uint32_t corner[4], size_t poin
 /* The faces that p takes with it, into waiting; the edges round them into horizon. */
 static bool vs_hull_take(vs_quickhull *h, uint32_t first, uint32_t p, uint32_t step, size_t *taken, size_t *edges) {
   *taken = *edges = 0;
-  if (!vs_hull_room(&h->waiting, &h->waiting_room, 1, sizeof *h->waiting)) return false;
+  if (!VS_GROW(h->waiting, h->waiting_room, 1)) return false;
   h->waiting[(*taken)++] = first;
   h->faces[first].mark = step;
   for (size_t at = 0; at < *taken; at++) {
@@ -163,7 +146,7 @@ static bool vs_hull_take(vs_quickhull *h, uint32_t first, uint32_t p, uint32_t s
       uint32_t other = h->faces[f].next[k];
       if (h->faces[other].mark == step) continue;
       if (vs_steps_volume(h->steps, h->faces[other].v, p) < 0) continue;
-      if (!vs_hull_room(&h->waiting, &h->waiting_room, *taken + 1, sizeof *h->waiting)) return false;
+      if (!VS_GROW(h->waiting, h->waiting_room, *taken + 1)) return false;
       h->faces[other].mark = step;
       h->waiting[(*taken)++] = other;
     }
@@ -172,7 +155,7 @@ static bool vs_hull_take(vs_quickhull *h, uint32_t first, uint32_t p, uint32_t s
     for (uint32_t k = 0; k < 3; k++) {
       uint32_t f = h->waiting[at];
       if (h->faces[h->faces[f].next[k]].mark == step) continue;
-      if (!vs_hull_room(&h->horizon, &h->horizon_room, 2 * (*edges + 1), sizeof *h->horizon)) return false;
+      if (!VS_GROW(h->horizon, h->horizon_room, 2 * (*edges + 1))) return false;
       h->horizon[2 * *edges] = f;
       h->horizon[2 * (*edges)++ + 1] = k;
     }
@@ -348,7 +331,7 @@ bool vs_hull_cloud(const vs_node *hull, const vs_facets *f, vs_cloud *out, vs_er
     if (n->kind == VS_TRANSFORM) part.placed = vs_affine_multiply(&part.placed, &VS_AS(transform, n)->matrix);
     if (n->kind == VS_HULL) ok = vs_hull_add_points(out, &part.placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count, e);
     if (n->kind == VS_TRANSFORM || vs_node_is_dress(n) || n->kind == VS_UNION || n->kind == VS_HULL) {
-      if (ok && !vs_hull_room(&stack, &room, depth + n->child_count, sizeof *stack)) ok = vs_error_memory(e, NULL);
+      if (ok && !VS_GROW(stack, room, depth + n->child_count)) ok = vs_error_memory(e, NULL);
       for (uint32_t i = n->child_count; ok && i-- > 0;) stack[depth++] = (vs_hull_part){ &n->children[i], part.placed };
     } else if (ok) {
       ok = vs_hull_add_leaf(out, n, &part.placed, f, e);

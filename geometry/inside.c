@@ -16,6 +16,7 @@
 #include "geometry/superellipsoid.h"
 #include "geometry/revolve.h"
 #include "geometry/swept.h"
+#include "model/room.h"
 
 typedef struct {
   const vs_node *node;
@@ -272,15 +273,7 @@ vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
     else if (vs_nodemap_get(&places, at.node)) {
       if (ev == VS_WALK_ENTER) vs_walk_skip(w);
     } else if (ev == VS_WALK_LEAVE) {
-      if (v->count == v->room) {
-        size_t room = v->room ? v->room * 2 : 64;
-        vs_inside_part *grown = realloc(v->parts, room * sizeof *grown);
-        if (!grown) ok = vs_error_memory(e, NULL);
-        else {
-          v->parts = grown;
-          v->room = room;
-        }
-      }
+      ok = VS_GROW(v->parts, v->room, v->count + 1) || vs_error_memory(e, NULL);
       if (ok) {
         vs_inside_part *part = &v->parts[v->count++];
         *part = (vs_inside_part){ .node = at.node };

@@ -10,6 +10,7 @@
 #include "geometry/planar.h"
 #include "geometry/revolve.h"
 #include "geometry/tessellate.h"
+#include "model/room.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -106,13 +107,7 @@ static bool vs_measure_curves(const vs_node *n, vs_measure *m, vs_error *e) {
   *m = (vs_measure){ .known = true };
   for (vs_walk_event ev; ok && (ev = vs_walk_next(w, &at, &depth)) != VS_WALK_DONE;) {
     if (ev == VS_WALK_LEAVE) continue;
-    if (depth >= room) {
-      room = 2 * depth + 8;
-      vs_affine *grown = realloc(placed, room * sizeof *grown);
-      if (grown) placed = grown;
-      else ev = VS_WALK_FAILED;
-    }
-    if (ev == VS_WALK_FAILED) {
+    if (ev == VS_WALK_FAILED || !VS_GROW(placed, room, depth + 1)) {
       ok = vs_error_memory(e, NULL);
       break;
     }

@@ -6,6 +6,7 @@
 
 #include "geometry/ply.h"
 #include "geometry/scan.h"
+#include "model/room.h"
 
 /* ---- the list ---- */
 
@@ -16,32 +17,20 @@ void vs_face_list_free(vs_face_list *l) {
   *l = (vs_face_list){ 0 };
 }
 
-static bool face_list_room(void *slot, size_t *room, size_t need, size_t size) {
-  if (need <= *room) return true;
-  void *old, *grown;
-  size_t more = need + need / 2 + 64;
-  memcpy(&old, slot, sizeof old);
-  grown = more < UINT32_MAX ? realloc(old, more * size) : NULL;
-  if (!grown) return false;
-  memcpy(slot, &grown, sizeof grown);
-  *room = more;
-  return true;
-}
-
 bool vs_face_list_point(vs_face_list *l, vs_vec3 p) {
-  if (!face_list_room(&l->points, &l->point_room, l->point_count + 1, sizeof *l->points)) return false;
+  if (!VS_GROW(l->points, l->point_room, l->point_count + 1)) return false;
   l->points[l->point_count++] = p;
   return true;
 }
 
 bool vs_face_list_corner(vs_face_list *l, uint32_t point) {
-  if (!face_list_room(&l->corners, &l->corner_room, l->corner_count + 1, sizeof *l->corners)) return false;
+  if (!VS_GROW(l->corners, l->corner_room, l->corner_count + 1)) return false;
   l->corners[l->corner_count++] = point;
   return true;
 }
 
 bool vs_face_list_close(vs_face_list *l) {
-  if (!face_list_room(&l->starts, &l->start_room, l->face_count + 2, sizeof *l->starts)) return false;
+  if (!VS_GROW(l->starts, l->start_room, l->face_count + 2)) return false;
   if (!l->face_count) l->starts[0] = 0;
   if (l->corner_count - l->starts[l->face_count] < 3) l->corner_count = l->starts[l->face_count];
   else l->starts[++l->face_count] = (uint32_t)l->corner_count;

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include "geometry/planar.h"
+#include "model/room.h"
 
 static const double turn = 6.28318530717958647693;
 
@@ -16,13 +17,7 @@ typedef struct { piece *at; size_t count, room; } pieces;
 typedef struct { double area, x, y; } moments;
 
 static bool add(pieces *p, piece one) {
-  if (p->count == p->room) {
-    size_t room = p->room ? p->room * 2 : 16;
-    piece *grown = realloc(p->at, room * sizeof *grown);
-    if (!grown) return false;
-    p->at = grown;
-    p->room = room;
-  }
+  if (!VS_GROW(p->at, p->room, p->count + 1)) return false;
   p->at[p->count++] = one;
   return true;
 }

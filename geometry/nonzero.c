@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "geometry/planar.h"
+#include "model/room.h"
 
 void vs_flat_loops_free(vs_flat_loops *l) {
   free(l->at);
@@ -17,13 +18,7 @@ void vs_flat_loops_free(vs_flat_loops *l) {
 }
 
 bool vs_flat_loops_begin(vs_flat_loops *l) {
-  if (l->count == l->room) {
-    size_t room = l->room ? 2 * l->room : 32;
-    vs_flat_loop *grown = realloc(l->loops, room * sizeof *grown);
-    if (!grown) return false;
-    l->loops = grown;
-    l->room = room;
-  }
+  if (!VS_GROW(l->loops, l->room, l->count + 1)) return false;
   l->loops[l->count++] = (vs_flat_loop){ l->point_count, 0, false };
   return true;
 }
@@ -32,13 +27,7 @@ bool vs_flat_loops_add(vs_flat_loops *l, vs_vec2 p) {
   vs_flat_loop *loop = l->count ? &l->loops[l->count - 1] : NULL;
   if (!loop) return true; /* before the first contour begins */
   if (loop->count && l->at[l->point_count - 1].x == p.x && l->at[l->point_count - 1].y == p.y) return true;
-  if (l->point_count == l->point_room) {
-    size_t room = l->point_room ? 2 * l->point_room : 256;
-    vs_vec2 *grown = realloc(l->at, room * sizeof *grown);
-    if (!grown) return false;
-    l->at = grown;
-    l->point_room = room;
-  }
+  if (!VS_GROW(l->at, l->point_room, l->point_count + 1)) return false;
   l->at[l->point_count++] = p;
   loop->count++;
   return true;

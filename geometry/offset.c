@@ -12,6 +12,7 @@
 #include "geometry/frame.h"
 #include "geometry/planar.h"
 #include "geometry/plane.h"
+#include "model/room.h"
 
 enum { MITRE_MOST = 100 }; /* in offsets: a sharper corner is cut square */
 
@@ -26,13 +27,7 @@ typedef struct {
 } vs_offsetter;
 
 static bool vs_offset_push(vs_vec2 **at, size_t *count, size_t *room, double x, double y) {
-  if (*count == *room) {
-    size_t more = *room ? *room * 2 : 32;
-    vs_vec2 *grown = realloc(*at, more * sizeof *grown);
-    if (!grown) return false;
-    *at = grown;
-    *room = more;
-  }
+  if (!VS_GROW(*at, *room, *count + 1)) return false;
   (*at)[(*count)++] = (vs_vec2){ x, y };
   return true;
 }

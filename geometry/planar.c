@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "geometry/dynamic.h"
+#include "model/room.h"
 
 void vs_area_free(vs_area *a) {
   free(a->at);
@@ -18,13 +19,7 @@ void vs_area_free(vs_area *a) {
 }
 
 bool vs_area_point(vs_area *a, double x, double y) {
-  if (a->count == a->room) {
-    size_t room = a->room ? a->room * 2 : 64;
-    vs_vec2 *grown = realloc(a->at, room * sizeof *grown);
-    if (!grown) return false;
-    a->at = grown;
-    a->room = room;
-  }
+  if (!VS_GROW(a->at, a->room, a->count + 1)) return false;
   a->at[a->count++] = (vs_vec2){ x, y };
   return true;
 }

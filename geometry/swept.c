@@ -11,6 +11,7 @@
 
 #include "geometry/curve.h"
 #include "geometry/grid.h"
+#include "model/room.h"
 
 static const double full_turn = 6.28318530717958647693;
 
@@ -23,13 +24,7 @@ void vs_swept_free(vs_swept *s) {
 }
 
 static bool vs_swept_add(vs_swept *s, vs_section section) {
-  if (s->section_count == s->section_room) {
-    size_t room = s->section_room ? s->section_room * 2 : 16;
-    vs_section *grown = realloc(s->sections, room * sizeof *grown);
-    if (!grown) return false;
-    s->sections = grown;
-    s->section_room = room;
-  }
+  if (!VS_GROW(s->sections, s->section_room, s->section_count + 1)) return false;
   s->sections[s->section_count++] = section;
   return true;
 }

@@ -13,6 +13,7 @@
 #include <stdlib.h>
 
 #include "geometry/triangulate.h"
+#include "model/room.h"
 
 typedef struct { uint32_t *at; size_t count, room; } taper_chain;
 
@@ -50,13 +51,7 @@ static double taper_cross(vs_vec2 a, vs_vec2 b) { return a.x * b.y - a.y * b.x; 
 
 static bool taper_push(taper_chain *c, uint32_t v) {
   if (c->count && c->at[c->count - 1] == v) return true;
-  if (c->count == c->room) {
-    size_t room = c->room ? c->room * 2 : 4;
-    uint32_t *grown = realloc(c->at, room * sizeof *grown);
-    if (!grown) return false;
-    c->at = grown;
-    c->room = room;
-  }
+  if (!VS_GROW(c->at, c->room, c->count + 1)) return false;
   c->at[c->count++] = v;
   return true;
 }
@@ -116,13 +111,7 @@ static bool taper_sooner(const taper_event *a, const taper_event *b) {
 
 static bool taper_expect(taper *t, taper_event e) {
   if (!(e.d < t->end)) return true;
-  if (t->event_count == t->event_room) {
-    size_t room = t->event_room ? t->event_room * 2 : 64;
-    taper_event *grown = realloc(t->events, room * sizeof *grown);
-    if (!grown) return false;
-    t->events = grown;
-    t->event_room = room;
-  }
+  if (!VS_GROW(t->events, t->event_room, t->event_count + 1)) return false;
   size_t i = t->event_count++;
   for (; i && taper_sooner(&e, &t->events[(i - 1) / 2]); i = (i - 1) / 2) t->events[i] = t->events[(i - 1) / 2];
   t->events[i] = e;
@@ -237,13 +226,7 @@ static bool taper_split(taper *t, size_t p, size_t wall, double d) {
   vs_vec2 at = taper_corner(t, p, d);
   size_t ahead = taper_piece_at(t, wall, at, d, p, q);
   if (ahead == SIZE_MAX || t->count >= 3 * t->walls) return true; /* each corner splits once; more is rounding's doing */
-  if (t->count == t->room) {
-    size_t room = t->room * 2;
-    taper_edge *grown = realloc(t->edges, room * sizeof *grown);
-    if (!grown) return false;
-    t->edges = grown;
-    t->room = room;
-  }
+  if (!VS_GROW(t->edges, t->room, t->count + 1)) return false;
   size_t behind = t->count++;
   taper_edge *e = &t->edges[ahead], *l = &t->edges[behind];
   *l = (taper_edge){ .normal = e->normal, .way = e->way, .line = e->line, .before = e->before, .left = e->left, .next_piece = e->next_piece };

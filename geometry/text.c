@@ -13,6 +13,7 @@
 #include <utf8proc.h>
 
 #include "geometry/nonzero.h"
+#include "model/room.h"
 
 /* ---- setting ---- */
 
@@ -22,13 +23,7 @@ void vs_text_plan_free(vs_text_plan *p) {
 }
 
 static bool text_push(vs_text_plan *p, const vs_glyph *g, double x, double y) {
-  if (p->count == p->room) {
-    size_t room = p->room ? 2 * p->room : 32;
-    vs_text_glyph *grown = realloc(p->at, room * sizeof *grown);
-    if (!grown) return false;
-    p->at = grown;
-    p->room = room;
-  }
+  if (!VS_GROW(p->at, p->room, p->count + 1)) return false;
   p->at[p->count++] = (vs_text_glyph){ g, x, y };
   return true;
 }

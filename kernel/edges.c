@@ -3,6 +3,7 @@
 
 #include "geometry/polyface.h"
 #include "kernel/section.h"
+#include "model/room.h"
 
 static const double sharp = 0.86602540378443865; /* the cosine of 30 degrees */
 
@@ -83,26 +84,14 @@ static bool runs_on(const vs_mesh *m, const arm *arms, size_t count, const arm *
 }
 
 static bool add_point(vs_polyline *p, vs_vec3 at) {
-  if (p->count == p->room) {
-    size_t room = p->room ? p->room * 2 : 4;
-    vs_vec3 *grown = realloc(p->at, room * sizeof *grown);
-    if (!grown) return false;
-    p->at = grown;
-    p->room = room;
-  }
+  if (!VS_GROW(p->at, p->room, p->count + 1)) return false;
   p->at[p->count++] = at;
   return true;
 }
 
 /* Follows the line from an arm on to its end, or all round. */
 static bool follow(const vs_mesh *m, const arm *arms, size_t count, const arm *start, bool *used, vs_polylines *out) {
-  if (out->count == out->room) {
-    size_t room = out->room ? out->room * 2 : 16;
-    vs_polyline *grown = realloc(out->at, room * sizeof *grown);
-    if (!grown) return false;
-    out->at = grown;
-    out->room = room;
-  }
+  if (!VS_GROW(out->at, out->room, out->count + 1)) return false;
   vs_polyline *p = &out->at[out->count++];
   *p = (vs_polyline){ 0 };
   bool ok = add_point(p, m->vertices[start->from]);

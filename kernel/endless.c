@@ -3,6 +3,7 @@
 
 #include "geometry/measure.h"
 #include "kernel/resolve.h"
+#include "model/room.h"
 
 typedef struct { vs_vec3 p, way; bool ray; const vs_material *material; const char *layer; const vs_origin *origin; } endless;
 typedef struct { endless *at; size_t count, room; } endless_list;
@@ -21,13 +22,7 @@ static bool collect(vs_ref root, endless_list *out, vs_error *e) {
       vs_walk_skip(w);
       continue;
     }
-    if (depth >= room) {
-      room = 2 * depth + 8;
-      endless_level *grown = realloc(levels, room * sizeof *grown);
-      if (grown) levels = grown;
-      else ev = VS_WALK_FAILED;
-    }
-    if (ev == VS_WALK_FAILED) {
+    if (ev == VS_WALK_FAILED || !VS_GROW(levels, room, depth + 1)) {
       ok = vs_error_memory(e, root.origin);
       break;
     }
@@ -37,13 +32,10 @@ static bool collect(vs_ref root, endless_list *out, vs_error *e) {
     if (at.node->kind == VS_MATERIAL) now->material = VS_AS(material, at.node)->material;
     if (at.node->kind == VS_LAYER) now->layer = VS_AS(layer, at.node)->name;
     if (at.node->kind != VS_XLINE && at.node->kind != VS_RAY) continue;
-    if (out->count == out->room) {
-      size_t more = out->room ? out->room * 2 : 8;
-      endless *grown = realloc(out->at, more * sizeof *grown);
-      if (!grown) ok = vs_error_memory(e, root.origin);
-      else out->at = grown, out->room = more;
+    if (!VS_GROW(out->at, out->room, out->count + 1)) {
+      ok = vs_error_memory(e, root.origin);
+      break;
     }
-    if (!ok) break;
     bool ray = at.node->kind == VS_RAY;
     vs_vec3 p = ray ? VS_AS(ray, at.node)->p : VS_AS(xline, at.node)->p, way = ray ? VS_AS(ray, at.node)->v : vs_v3_sub(VS_AS(xline, at.node)->q, p);
     out->at[out->count++] = (endless){ vs_affine_point(&now->placed, p), vs_affine_vector(&now->placed, way), ray, now->material, now->layer, at.origin };

@@ -7,6 +7,7 @@
 #include "geometry/measure.h"
 #include "geometry/slice.h"
 #include "kernel/section.h"
+#include "model/room.h"
 
 typedef struct {
   vs_store *store;
@@ -29,13 +30,7 @@ static vs_node *now(const resolver *r, vs_node *n) {
 /* Takes the new node over. */
 static bool remember(resolver *r, const vs_node *old, vs_node *new) {
   if (!new) return vs_error_memory(r->error, NULL);
-  if (r->made_count == r->made_room) {
-    size_t room = r->made_room ? r->made_room * 2 : 16;
-    vs_node **grown = realloc(r->made, room * sizeof *grown);
-    if (!grown) return vs_node_release(new), vs_error_memory(r->error, NULL);
-    r->made = grown;
-    r->made_room = room;
-  }
+  if (!VS_GROW(r->made, r->made_room, r->made_count + 1)) return vs_node_release(new), vs_error_memory(r->error, NULL);
   r->made[r->made_count++] = new;
   uint64_t *place = vs_nodemap_put(&r->known, old, NULL);
   if (!place) return vs_error_memory(r->error, NULL);
@@ -94,13 +89,7 @@ static bool surfaces(const resolver *r, vs_ref root, const vs_facets *f, vs_mesh
   bool ok = w || vs_error_memory(r->error, root.origin);
   for (vs_walk_event ev; ok && (ev = vs_walk_next(w, &at, &depth)) != VS_WALK_DONE;) {
     if (ev == VS_WALK_LEAVE) continue;
-    if (depth >= room) {
-      room = 2 * depth + 8;
-      level *grown = realloc(levels, room * sizeof *grown);
-      if (grown) levels = grown;
-      else ev = VS_WALK_FAILED;
-    }
-    if (ev == VS_WALK_FAILED) {
+    if (ev == VS_WALK_FAILED || !VS_GROW(levels, room, depth + 1)) {
       ok = vs_error_memory(r->error, root.origin);
       break;
     }
@@ -252,12 +241,7 @@ static bool keep_piece(pieces *p, vs_node *n) { /* takes n over */
     n = vs_node_new(s, VS_MATERIAL, &paint, &(vs_ref){ bare, p->origin }, 1);
     vs_node_release(bare);
   }
-  if (n && p->count == p->room) {
-    size_t room = p->room ? p->room * 2 : 8;
-    vs_ref *grown = realloc(p->at, room * sizeof *grown);
-    if (grown) p->at = grown, p->room = room;
-    else vs_node_release(n), n = NULL;
-  }
+  if (n && !VS_GROW(p->at, p->room, p->count + 1)) vs_node_release(n), n = NULL;
   if (!n) return vs_error_memory(p->r->error, p->origin);
   p->at[p->count++] = (vs_ref){ n, p->origin };
   return true;
@@ -316,13 +300,7 @@ static vs_node *slice_of(const resolver *r, const vs_ref *ref) {
   bool ok = w || vs_error_memory(r->error, ref->origin);
   for (vs_walk_event ev; ok && (ev = vs_walk_next(w, &at, &depth)) != VS_WALK_DONE;) {
     if (ev == VS_WALK_LEAVE) continue;
-    if (depth >= room) {
-      room = 2 * depth + 8;
-      level *grown = realloc(levels, room * sizeof *grown);
-      if (grown) levels = grown;
-      else ev = VS_WALK_FAILED;
-    }
-    if (ev == VS_WALK_FAILED) {
+    if (ev == VS_WALK_FAILED || !VS_GROW(levels, room, depth + 1)) {
       ok = vs_error_memory(r->error, ref->origin);
       break;
     }

@@ -15,18 +15,13 @@
 #include "geometry/frame.h"
 #include "geometry/plane.h"
 #include "geometry/planar.h"
+#include "model/room.h"
 
 typedef struct { vs_vec2 (*at)[2]; size_t count, room; } chain;
 
 static bool chain_add(chain *c, vs_vec2 p, vs_vec2 q) {
   if (p.x == q.x && p.y == q.y) return true;
-  if (c->count == c->room) {
-    size_t room = c->room ? c->room * 2 : 256;
-    vs_vec2 (*grown)[2] = realloc(c->at, room * sizeof *grown);
-    if (!grown) return false;
-    c->at = grown;
-    c->room = room;
-  }
+  if (!VS_GROW(c->at, c->room, c->count + 1)) return false;
   c->at[c->count][0] = p;
   c->at[c->count++][1] = q;
   return true;

@@ -2,6 +2,7 @@
 #include <utf8proc.h>
 
 #include "vm/native.h"
+#include "vm/order.h"
 
 static bool arg_char(vs *vm, const vs_value *a, int arg) { return vs_is_char(a[arg]) || vs_fail_type(vm, arg, "a character", a[arg]); }
 
@@ -46,33 +47,22 @@ CASE(upcase, char_up) CASE(downcase, char_down) CASE(foldcase, char_fold)
 
 /* ---- order ---- */
 
-typedef enum { LESS, LESS_EQUAL, EQUAL, GREATER_EQUAL, GREATER } char_order;
-
-static vs_status char_compare(vs *vm, const vs_value *a, int n, char_order order, bool fold, vs_value *out) {
+static vs_status char_compare(vs *vm, const vs_value *a, int n, vs_order order, bool fold, vs_value *out) {
   bool holds = true;
   for (int i = 0; i < n; i++)
     if (!arg_char(vm, a, i)) return VS_ERROR;
   for (int i = 0; holds && i + 1 < n; i++) {
     uint32_t x = vs_char(a[i]), y = vs_char(a[i + 1]);
     if (fold) x = char_fold(x), y = char_fold(y);
-    switch (order) {
-    case LESS: holds = x < y; break;
-    case LESS_EQUAL: holds = x <= y; break;
-    case EQUAL: holds = x == y; break;
-    case GREATER_EQUAL: holds = x >= y; break;
-    case GREATER: holds = x > y; break;
-    }
+    holds = vs_order_holds(order, (x > y) - (x < y));
   }
   *out = vs_bool(holds);
   return VS_OK;
 }
 
-#define ORDERS(O) \
-  O(lt, LESS, false) O(le, LESS_EQUAL, false) O(eq, EQUAL, false) O(ge, GREATER_EQUAL, false) O(gt, GREATER, false) \
-  O(ci_lt, LESS, true) O(ci_le, LESS_EQUAL, true) O(ci_eq, EQUAL, true) O(ci_ge, GREATER_EQUAL, true) O(ci_gt, GREATER, true)
 #define O(name, order, fold)                                                                                                     \
   static vs_status char_##name(vs *vm, vs_value *a, int n, vs_value *out) { return char_compare(vm, a, n, order, fold, out); }
-ORDERS(O)
+VS_ORDERS(O)
 #undef O
 
 /* ---- categories ---- */

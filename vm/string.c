@@ -7,6 +7,7 @@
 
 #include <utf8proc.h>
 
+#include "vm/order.h"
 #include "vm/range.h"
 #include "vm/text.h"
 
@@ -235,8 +236,6 @@ static vs_status string_reverse(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- order ---- */
 
-typedef enum { LESS, LESS_EQUAL, EQUAL, GREATER_EQUAL, GREATER } string_order;
-
 /* *s becomes its full case folding (ß is ss) */
 static bool string_fold(vs *vm, vs_value *s) {
   vs_text t;
@@ -254,32 +253,22 @@ static bool string_fold(vs *vm, vs_value *s) {
   return ok;
 }
 
-static vs_status string_compare(vs *vm, vs_value *a, int n, string_order order, bool fold, vs_value *out) {
+static vs_status string_compare(vs *vm, vs_value *a, int n, vs_order order, bool fold, vs_value *out) {
   bool holds = true;
   for (int i = 0; i < n; i++)
     if (!arg_string(vm, a, i)) return VS_ERROR;
   for (int i = 0; fold && i < n; i++)
     if (!string_fold(vm, &a[i])) return VS_ERROR;
   for (int i = 0; holds && i + 1 < n; i++) {
-    int c = vs_string_compare(a[i], a[i + 1]);
-    switch (order) {
-    case LESS: holds = c < 0; break;
-    case LESS_EQUAL: holds = c <= 0; break;
-    case EQUAL: holds = c == 0; break;
-    case GREATER_EQUAL: holds = c >= 0; break;
-    case GREATER: holds = c > 0; break;
-    }
+    holds = vs_order_holds(order, vs_string_compare(a[i], a[i + 1]));
   }
   *out = vs_bool(holds);
   return VS_OK;
 }
 
-#define ORDERS(O) \
-  O(lt, LESS, false) O(le, LESS_EQUAL, false) O(eq, EQUAL, false) O(ge, GREATER_EQUAL, false) O(gt, GREATER, false) \
-  O(ci_lt, LESS, true) O(ci_le, LESS_EQUAL, true) O(ci_eq, EQUAL, true) O(ci_ge, GREATER_EQUAL, true) O(ci_gt, GREATER, true)
 #define O(name, order, fold)                                                                                                         \
   static vs_status string_##name(vs *vm, vs_value *a, int n, vs_value *out) { return string_compare(vm, a, n, order, fold, out); }
-ORDERS(O)
+VS_ORDERS(O)
 #undef O
 
 /* ---- case ---- */

@@ -1,6 +1,7 @@
 /* Owns the reading of tree dumps. Driven by the table of kinds as the writing is: a node's fields come in the table's order, then its
  * children. Open nodes lie on a stack of their own, so depth costs memory and never the C stack. */
 #include "backends/tree/read.h"
+#include "model/room.h"
 
 #include <stddef.h>
 #include <stdlib.h>
@@ -36,15 +37,7 @@ static bool tree_fail(tree_reader *r, const char *what) {
 static bool tree_no_memory(tree_reader *r) { return vs_error_set(r->error, VS_ERROR_MEMORY, NULL, "out of memory while reading a tree"); }
 
 static bool tree_grow(tree_reader *r, void *array, size_t *room, size_t need, size_t size) {
-  if (need <= *room) return true;
-  size_t more = 2 * *room + 16;
-  void *old, *fresh;
-  memcpy(&old, array, sizeof old);
-  fresh = realloc(old, more * size);
-  if (fresh == NULL) return tree_no_memory(r);
-  memcpy(array, &fresh, sizeof fresh);
-  *room = more;
-  return true;
+  return need <= *room || vs_room_grow(array, room, need, size) || tree_no_memory(r);
 }
 
 /* ---- tokens ---- */

@@ -10,28 +10,11 @@
 #include "geometry/measure.h"
 #include "geometry/polyface.h"
 #include "geometry/tessellate.h"
-
-#if defined(__SANITIZE_ADDRESS__)
-#define REPLACED 0
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define REPLACED 0
-#endif
-#endif
-#if !defined(REPLACED) && defined(__GLIBC__)
-#define REPLACED 1
-#elif !defined(REPLACED)
-#define REPLACED 0
-#endif
+#include "tests/unit/allocator.h"
 
 static size_t fail_at, held; /* counted only while fail_at is set */
 
 #if REPLACED
-void *__libc_malloc(size_t n);
-void *__libc_calloc(size_t n, size_t size);
-void *__libc_realloc(void *p, size_t n);
-void __libc_free(void *p);
-
 static bool refused(void) {
   if (!fail_at) return false;
   if (fail_at > 1) return fail_at--, held++, false;

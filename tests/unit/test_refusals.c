@@ -13,20 +13,8 @@
 #include <cmocka.h>
 
 #include "visualscheme.h"
+#include "tests/unit/allocator.h"
 #include "vm/gc.h"
-
-#if defined(__SANITIZE_ADDRESS__)
-#define REPLACED 0
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define REPLACED 0
-#endif
-#endif
-#if !defined(REPLACED) && defined(__GLIBC__)
-#define REPLACED 1
-#elif !defined(REPLACED)
-#define REPLACED 0
-#endif
 
 /* which request is refused next: left counts down to it; good: all after it too */
 typedef struct { long left; bool on, good, refused; } refusal;
@@ -40,9 +28,6 @@ static bool refuse(refusal *r) {
 }
 
 #if REPLACED
-void *__libc_malloc(size_t n);
-void *__libc_calloc(size_t n, size_t size);
-void *__libc_realloc(void *p, size_t n);
 void *malloc(size_t n) { return refuse(&library) ? NULL : __libc_malloc(n); }
 void *calloc(size_t n, size_t size) { return refuse(&library) ? NULL : __libc_calloc(n, size); }
 void *realloc(void *p, size_t n) { return n && refuse(&library) ? NULL : __libc_realloc(p, n); }

@@ -1,0 +1,28 @@
+/* Owns whether a test program may replace the C library's allocator: with glibc, unless a sanitizer has done so already. What is replaced calls the
+ * names below. */
+#ifndef VS_TEST_ALLOCATOR_H
+#define VS_TEST_ALLOCATOR_H
+
+#include <stddef.h>
+
+#if defined(__SANITIZE_ADDRESS__)
+#define REPLACED 0
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define REPLACED 0
+#endif
+#endif
+#if !defined(REPLACED) && defined(__GLIBC__)
+#define REPLACED 1
+#elif !defined(REPLACED)
+#define REPLACED 0
+#endif
+
+#if REPLACED
+void *__libc_malloc(size_t n);
+void *__libc_calloc(size_t n, size_t size);
+void *__libc_realloc(void *p, size_t n);
+void __libc_free(void *p);
+#endif
+
+#endif

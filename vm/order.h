@@ -1,0 +1,26 @@
+/* Owns the five orders that characters and strings are compared by, as they are and with case folded: char<? … string-ci>?. */
+#ifndef VS_ORDER_H
+#define VS_ORDER_H
+
+#include <stdbool.h>
+
+typedef enum { VS_LESS, VS_LESS_EQUAL, VS_EQUAL, VS_GREATER_EQUAL, VS_GREATER } vs_order;
+
+/* O(name, order, folded) */
+#define VS_ORDERS(O) \
+  O(lt, VS_LESS, false) O(le, VS_LESS_EQUAL, false) O(eq, VS_EQUAL, false) O(ge, VS_GREATER_EQUAL, false) O(gt, VS_GREATER, false) \
+  O(ci_lt, VS_LESS, true) O(ci_le, VS_LESS_EQUAL, true) O(ci_eq, VS_EQUAL, true) O(ci_ge, VS_GREATER_EQUAL, true) O(ci_gt, VS_GREATER, true)
+
+/* sign: of the first compared with the second; below 0 where it comes earlier */
+static inline bool vs_order_holds(vs_order order, int sign) {
+  switch (order) {
+  case VS_LESS: return sign < 0;
+  case VS_LESS_EQUAL: return sign <= 0;
+  case VS_EQUAL: return sign == 0;
+  case VS_GREATER_EQUAL: return sign >= 0;
+  case VS_GREATER: return sign > 0;
+  }
+  return false;
+}
+
+#endif
