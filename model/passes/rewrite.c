@@ -32,6 +32,7 @@ static bool vs_rewrite_node(vs_rewrite *w, vs_rewrite_fn *fn, size_t index, vs_r
   for (uint32_t i = 0; i < at.node->child_count; i++) kids[i] = vs_rewritten_ref(results, at.node->children[i]);
   results[index].origin = NULL;
   results[index].node = fn(w, at.node, kids, &results[index].origin);
+  if (w->order.uses[index] > 1) results[index].origin = NULL; /* several calls named it: each keeps its own */
   if (results[index].node) return true;
   if (e->kind == VS_ERROR_NONE) vs_error_memory(e, at.origin);
   if (!e->origin) e->origin = at.origin;

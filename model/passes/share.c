@@ -8,8 +8,8 @@
  *
  * What is only moved, and a set of one, is the shape within: it has that one's key, and no copy of its own.
  *
- * d copies of c commands cost d*c apart and c + 2*d with a template, d uses and d - 1 placements: shared where that is less. The first copy
- * met is the template, so that parts of shared parts settle by themselves. */
+ * d copies of c commands cost d*c apart and c + 2*d with a template, d uses and d - 1 placements: shared where that is less. Of parts that are templates
+ * whatever becomes of the copies, a copy has the uses alone. The first copy met is the template, so that parts of shared parts settle by themselves. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,10 +21,11 @@ typedef struct { uint64_t a, b; } vs_share_key;
 typedef struct {
   vs_share_key key;
   vs_vec3 anchor;
-  double cost;        /* commands */
+  double cost;        /* commands that a copy of it is, where what is a template anyway is its use */
   bool alias;         /* the shape of its child, elsewhere */
   size_t group;       /* the first entry with this key */
   size_t copies;      /* of the group, at its first entry */
+  double named;       /* references to any of the group, at its first entry */
   vs_node *result;    /* what that first entry became; not retained: the rewriting holds it */
 } vs_share_entry;
 typedef struct { double step, first; } vs_share_step; /* first NaN: free */
@@ -126,7 +127,10 @@ static void vs_share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, 
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)n->data + info->fields[i].offset;
     switch (info->fields[i].type) {
-      case VS_FIELD_real: vs_share_mix_real(s, k, *(const double *)at); break;
+      case VS_FIELD_real:
+        if (n->kind == VS_HEIGHT_FIELD) vs_share_mix_place(s, k, *(const double *)at - from.z, s->quantum); /* its foot is a height like any other */
+        else vs_share_mix_real(s, k, *(const double *)at);
+        break;
       case VS_FIELD_integer: vs_share_mix(k, (uint64_t)(int64_t)*(const int32_t *)at); break;
       case VS_FIELD_boolean: vs_share_mix(k, *(const bool *)at); break;
       case VS_FIELD_point: vs_share_mix_vector(s, k, vs_v3_sub(*(const vs_vec3 *)at, from)); break;
@@ -162,28 +166,24 @@ static bool vs_share_is_alias(const vs_node *n) {
 static bool vs_share_enter(vs_share *s, vs_ref at, vs_error *e) {
   const vs_node *n = at.node;
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
-  vs_share_entry x = { .anchor = vs_share_anchor(s, n, info), .cost = 1, .group = s->count };
+  vs_share_entry x = { .anchor = vs_share_anchor(s, n, info), .group = s->count };
   vs_share_mix(&x.key, vs_hash_bytes(9, info->name, strlen(info->name)));
   vs_share_mix(&x.key, n->child_count);
   vs_share_mix_fields(s, &x.key, n, info, x.anchor);
   if (n->kind == VS_NATIVE) vs_share_mix(&x.key, n->hash); /* so it is shared only with its equal, not with one moved */
-  if (n->child_count > 1 && info->level == VS_LEVEL_OPERATION) x.cost = n->child_count - 1;
   for (uint32_t i = 0; i < n->child_count; i++) {
     const vs_share_entry *child = vs_share_of(s, n->children[i].node);
     vs_share_mix(&x.key, child->key.a);
     vs_share_mix(&x.key, child->key.b);
     if (n->kind == VS_SWEEP) vs_share_mix_vector(s, &x.key, i ? vs_v3(0, 0, 0) : child->anchor);
     else if (n->kind != VS_TRANSFORM && (n->kind != VS_EXTRUDE || i == 0)) vs_share_mix_vector(s, &x.key, vs_v3_sub(child->anchor, x.anchor));
-    if (info->level == VS_LEVEL_OPERATION) x.cost += child->cost;
   }
   if (vs_share_is_alias(n)) {
     const vs_share_entry *within = vs_share_of(s, n->children[0].node);
     x.alias = true;
     x.key = within->key;
-    x.cost = within->cost;
   }
   if (s->starved) return vs_error_memory(e, at.origin);
-  if (x.cost > 1e15) x.cost = 1e15; /* a DAG's paths may be without number */
   s->at[s->count++] = x;
   return true;
 }
@@ -213,6 +213,25 @@ static int vs_share_compare(const void *p, const void *q) {
   if (x->key.a != y->key.a) return x->key.a < y->key.a ? -1 : 1;
   if (x->key.b != y->key.b) return x->key.b < y->key.b ? -1 : 1;
   return x->entry < y->entry ? -1 : x->entry > y->entry;
+}
+
+static bool vs_share_pays(const vs_share_entry *first) {
+  double copies = (double)first->copies;
+  return (copies - 1) * first->cost > 2 * copies;
+}
+
+/* What a copy of n costs. A part that more places name than n's copies will be a template whatever becomes of n: then n saves its uses alone. */
+static double vs_share_cost(const vs_share *s, const vs_node *n, double named) {
+  const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
+  double cost = 1;
+  if (info->level != VS_LEVEL_OPERATION) return cost;
+  if (n->child_count > 1) cost = n->child_count - 1;
+  for (uint32_t i = 0; i < n->child_count; i++) {
+    const vs_share_entry *child = vs_share_of(s, n->children[i].node), *first = &s->at[child->group];
+    bool template = first->named > named && (vs_share_pays(first) || first->named > (double)first->copies);
+    cost += template ? fmin(child->cost, first->copies > 1 ? 2 : 1) : child->cost;
+  }
+  return fmin(cost, 1e15); /* a DAG's paths may be without number */
 }
 
 static bool vs_share_group(vs_share *s) {
@@ -246,7 +265,10 @@ bool vs_share_begin(vs_rewrite *w) {
   s->room = o->count + 1;
   for (size_t i = 0; i < o->count; i++)
     if (!vs_share_enter(s, o->at[i], w->error)) return false;
-  return vs_share_group(s) || vs_error_memory(w->error, NULL);
+  if (!vs_share_group(s)) return vs_error_memory(w->error, NULL);
+  for (size_t i = 0; i < o->count; i++) s->at[s->at[i].group].named += o->uses[i];
+  for (size_t i = 0; i < o->count; i++) s->at[i].cost = vs_share_cost(s, o->at[i].node, s->at[s->at[i].group].named);
+  return true;
 }
 
 void vs_share_end(vs_rewrite *w) {
@@ -261,8 +283,7 @@ vs_node *vs_pass_share(vs_rewrite *w, const vs_node *n, const vs_ref *kids, cons
   vs_share *s = w->state;
   vs_share_entry *mine = &s->at[vs_order_of(n)], *first = &s->at[mine->group];
   (void)origin;
-  double copies = (double)first->copies;
-  if (mine == first || !first->result || (copies - 1) * first->cost <= 2 * copies) {
+  if (mine == first || !first->result || !vs_share_pays(first)) {
     vs_node *kept = vs_rewrite_keep(w, n, kids);
     if (mine == first) first->result = kept;
     return kept;
@@ -271,5 +292,5 @@ vs_node *vs_pass_share(vs_rewrite *w, const vs_node *n, const vs_ref *kids, cons
   vs_vec3 shift = vs_v3_sub(mine->anchor, first->anchor);
   if (fmax(fabs(shift.x), fmax(fabs(shift.y), fabs(shift.z))) < 2 * s->quantum) return vs_node_retain(first->result);
   struct vs_transform moved = { .matrix = vs_affine_translation(shift) };
-  return vs_node_new(w->store, VS_TRANSFORM, &moved, &(vs_ref){ first->result, NULL }, 1);
+  return vs_node_new(w->store, VS_TRANSFORM, &moved, &(vs_ref){ first->result, w->order.at[vs_order_of(n)].origin }, 1);
 }

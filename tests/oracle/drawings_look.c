@@ -1,0 +1,388 @@
+/* Owns what a random drawing is, apart from how its tree is written: see drawings.h.
+ *
+ * A look is the tree with every path on its own: sets and, below them, places: primitives with the map, paint and dress that the path gives them. Two
+ * looks are compared place by place, and at points: a point belongs to the first member of a union that holds it, to all members of an intersection, to
+ * what is cut of a difference; a point that was cut away, to the first cutter that holds it. So a pass that changes an order, a paint or a part's
+ * place is seen, whatever it does to the tree. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/oracle/drawings.h"
+
+#include "model/order.h"
+
+enum { PARTS_MOST = 1500, WINNERS = 6 };
+
+typedef struct {
+  const vs_node *node;
+  vs_affine map;           /* from its coordinates to the drawing's */
+  vs_affine back;
+  const vs_material *material; /* the innermost; NULL: none */
+  const char *layer;
+  uint64_t dress;          /* of native, custom, highlight, only and ghost on the way */
+  vs_bounds bounds;
+  size_t path, path_count; /* origins of the references to it, in `paths` */
+  size_t shared;           /* path_count, or where on it the first node with several users is */
+  vs_inside *inside;       /* NULL: holds nothing */
+  bool ghost;
+} part;
+
+typedef struct { const vs_node *node; size_t part; /* + 1; 0: a set */ size_t next; /* the entry after all of its own */ } entry;
+
+struct drawing_look {
+  entry *entries;
+  size_t entry_count, entry_room;
+  part *parts;
+  size_t part_count, part_room;
+  const vs_origin **paths;
+  size_t path_count, path_room;
+  size_t *match; /* of each part: which of the other look's it is (drawing_same_parts) */
+};
+
+/* ---- what is remembered of nodes ---- */
+
+typedef struct { vs_node *node; vs_inside *inside; } asked;
+typedef struct { vs_node *node; vs_affine map; vs_bounds bounds; } bounded;
+struct drawing_memo {
+  asked *asked;
+  size_t asked_count, asked_room;
+  bounded *bounded;
+  size_t bounded_count, bounded_room;
+};
+
+static void grow(void *array, size_t *room, size_t count, size_t size) {
+  void *old;
+  if (count < *room) return;
+  memcpy(&old, array, sizeof old);
+  *room = *room ? *room * 2 : 64;
+  old = realloc(old, *room * size);
+  if (!old) abort();
+  memcpy(array, &old, sizeof old);
+}
+
+drawing_memo *drawing_memo_new(void) {
+  drawing_memo *m = calloc(1, sizeof *m);
+  if (!m) abort();
+  return m;
+}
+
+void drawing_memo_free(drawing_memo *m) {
+  for (size_t i = 0; i < m->asked_count; i++) {
+    vs_inside_free(m->asked[i].inside);
+    vs_node_release(m->asked[i].node);
+  }
+  for (size_t i = 0; i < m->bounded_count; i++) vs_node_release(m->bounded[i].node);
+  free(m->asked);
+  free(m->bounded);
+  free(m);
+}
+
+static vs_inside *inside_of(drawing_memo *m, const vs_node *n) {
+  if (n->class_ != VS_SOLID) return NULL;
+  for (size_t i = 0; i < m->asked_count; i++)
+    if (m->asked[i].node == n) return m->asked[i].inside;
+  grow(&m->asked, &m->asked_room, m->asked_count, sizeof *m->asked);
+  m->asked[m->asked_count] = (asked){ vs_node_retain((vs_node *)(uintptr_t)n), vs_inside_new(n, NULL) };
+  return m->asked[m->asked_count++].inside;
+}
+
+static vs_bounds bounds_of(drawing_memo *m, const vs_node *n, const vs_affine *map) {
+  vs_bounds b = vs_bounds_empty();
+  for (size_t i = 0; i < m->bounded_count; i++)
+    if (m->bounded[i].node == n && !memcmp(&m->bounded[i].map, map, sizeof *map)) return m->bounded[i].bounds;
+  vs_node *placed = vs_node_new(n->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = *map }, &(vs_ref){ (vs_node *)(uintptr_t)n, NULL }, 1);
+  if (!placed) abort();
+  if (!vs_node_bounds(placed, &b, NULL)) b = vs_bounds_empty();
+  vs_node_release(placed);
+  grow(&m->bounded, &m->bounded_room, m->bounded_count, sizeof *m->bounded);
+  m->bounded[m->bounded_count++] = (bounded){ vs_node_retain((vs_node *)(uintptr_t)n), *map, b };
+  return b;
+}
+
+/* ---- looking ---- */
+
+typedef struct {
+  drawing_look *look;
+  drawing_memo *memo;
+  const vs_order *order;
+  const vs_origin *path[256];
+  size_t depth, shared;
+} looker;
+
+static bool is_set(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }
+
+static void look_part(looker *w, vs_ref ref, const part *here) {
+  drawing_look *l = w->look;
+  grow(&l->parts, &l->part_room, l->part_count, sizeof *l->parts);
+  part *p = &l->parts[l->part_count++];
+  *p = *here;
+  p->node = ref.node;
+  if (!vs_affine_invert(&p->map, &p->back)) p->back = vs_affine_identity();
+  p->bounds = bounds_of(w->memo, ref.node, &p->map);
+  p->path = l->path_count;
+  p->path_count = w->depth;
+  p->shared = w->shared < w->depth ? w->shared : w->depth;
+  for (size_t i = 0; i < w->depth; i++) {
+    grow(&l->paths, &l->path_room, l->path_count, sizeof *l->paths);
+    l->paths[l->path_count++] = w->path[i];
+  }
+}
+
+static bool look_at(looker *w, vs_ref ref, part here) { /* test trees are shallow: it may recurse */
+  drawing_look *l = w->look;
+  const vs_node *n = ref.node;
+  if (l->part_count >= PARTS_MOST || l->entry_count >= 4 * PARTS_MOST || w->depth == sizeof w->path / sizeof *w->path) return false;
+  size_t was_shared = w->shared;
+  bool ok = true;
+  w->path[w->depth++] = ref.origin;
+  if (w->order->uses[vs_order_of(n)] > 1 && w->shared > w->depth - 1) w->shared = w->depth - 1;
+  if (n->kind == VS_TRANSFORM) here.map = vs_affine_multiply(&here.map, &VS_AS(transform, n)->matrix);
+  if (n->kind == VS_MATERIAL) here.material = VS_AS(material, n)->material;
+  if (n->kind == VS_LAYER) here.layer = VS_AS(layer, n)->name;
+  bool through = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_SUGAR;
+  if (vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_SUGAR) { /* its own words, and where they are said */
+    here.dress = here.dress * 31 + n->kind + 1;
+    here.ghost = here.ghost || n->kind == VS_GHOST;
+    if (n->kind == VS_NATIVE) look_part(w, ref, &here);
+  }
+  if (through) {
+    for (uint32_t i = 0; ok && i < n->child_count; i++) ok = look_at(w, n->children[i], here);
+  } else if (n->kind != VS_EMPTY) {
+    size_t at = l->entry_count++;
+    grow(&l->entries, &l->entry_room, l->entry_count, sizeof *l->entries);
+    l->entries[at] = (entry){ n, 0, 0 };
+    if (is_set(n)) {
+      for (uint32_t i = 0; ok && i < n->child_count; i++) {
+        /* Members that are nothing keep their turn: a set's first is what it cuts */
+        size_t before = l->entry_count;
+        ok = look_at(w, n->children[i], here);
+        if (ok && l->entry_count == before) {
+          grow(&l->entries, &l->entry_room, l->entry_count + 1, sizeof *l->entries);
+          l->entries[before] = (entry){ NULL, 0, before + 1 };
+          l->entry_count++;
+        }
+      }
+    } else {
+      here.inside = here.ghost ? NULL : inside_of(w->memo, n);
+      look_part(w, ref, &here);
+      l->entries[at].part = l->part_count;
+    }
+    l->entries[at].next = l->entry_count;
+  }
+  w->depth--;
+  w->shared = was_shared;
+  return ok;
+}
+
+drawing_look *drawing_look_new(const drawing *d, drawing_memo *m) {
+  drawing_look *l = calloc(1, sizeof *l);
+  vs_order order = { .store = d->at[0].node->store };
+  if (!l || !vs_order_make(&order, d->at, d->count, NULL)) abort();
+  looker *w = calloc(1, sizeof *w);
+  if (!w) abort();
+  *w = (looker){ .look = l, .memo = m, .order = &order, .shared = SIZE_MAX };
+  bool ok = true;
+  for (size_t i = 0; ok && i < d->count; i++) ok = look_at(w, d->at[i], (part){ .map = vs_affine_identity() });
+  free(w);
+  vs_order_free(&order);
+  if (ok) return l;
+  drawing_look_free(l);
+  return NULL;
+}
+
+void drawing_look_free(drawing_look *l) {
+  if (!l) return;
+  free(l->entries);
+  free(l->parts);
+  free(l->paths);
+  free(l->match);
+  free(l);
+}
+
+vs_vec3 drawing_look_point(const drawing_look *l, double which, double x, double y, double z) {
+  vs_vec3 p = { 8 * x - 4, 8 * y - 4, 8 * z - 4 };
+  const part *at = l->part_count ? &l->parts[(size_t)(which * (double)l->part_count)] : NULL;
+  if (!at || vs_bounds_is_empty(&at->bounds) || !isfinite(vs_bounds_diagonal(&at->bounds))) return p;
+  const vs_bounds *b = &at->bounds;
+  return vs_v3(b->min.x + x * (b->max.x - b->min.x), b->min.y + y * (b->max.y - b->min.y), b->min.z + z * (b->max.z - b->min.z));
+}
+
+/* ---- comparing parts ---- */
+
+static const char *name_of(const part *p) { return vs_kind_get((vs_kind)p->node->kind)->name; }
+
+/* Bounds of a placed one are the box round a box, or of samples: where a pass folds the place in they become tighter. */
+static bool bounds_are_loose(const vs_node *n) {
+  return n->kind == VS_SPLINE || n->child_count > 0;
+}
+
+static bool near(vs_vec3 a, vs_vec3 b, double slack) { return fabs(a.x - b.x) <= slack && fabs(a.y - b.y) <= slack && fabs(a.z - b.z) <= slack; }
+
+static bool same_bounds(const part *a, const part *b) { /* b: after */
+  vs_bounds x = a->bounds, y = b->bounds;
+  if (vs_bounds_is_empty(&x) || vs_bounds_is_empty(&y)) return vs_bounds_is_empty(&x) == vs_bounds_is_empty(&y);
+  if (a->node->kind == VS_HALF_SPACE) { /* its plane instead */
+    vs_vec3 p = VS_AS(half_space, a->node)->point, n = VS_AS(half_space, a->node)->normal, q = VS_AS(half_space, b->node)->point, k = VS_AS(half_space, b->node)->normal;
+    return vs_affine_plane(&a->map, &p, &n) && vs_affine_plane(&b->map, &q, &k) && near(vs_v3_unit(n), vs_v3_unit(k), 1e-9) &&
+           fabs(vs_v3_dot(vs_v3_unit(n), vs_v3_sub(p, q))) < 1e-9 * (1 + vs_v3_length(p) + vs_v3_length(q));
+  }
+  double size = 1 + vs_v3_length(x.min) + vs_v3_length(x.max), slack = 1e-9 * size;
+  if (!bounds_are_loose(a->node)) return near(x.min, y.min, slack) && near(x.max, y.max, slack);
+  slack = 1e-4 * size;
+  return y.min.x >= x.min.x - slack && y.min.y >= x.min.y - slack && y.min.z >= x.min.z - slack && y.max.x <= x.max.x + slack && y.max.y <= x.max.y + slack && y.max.z <= x.max.z + slack;
+}
+
+static bool same_map(const vs_affine *a, const vs_affine *b) {
+  for (int i = 0; i < 12; i++)
+    if (fabs(a->m[i / 4][i % 4] - b->m[i / 4][i % 4]) > 1e-9 * (1 + fabs(a->m[i / 4][i % 4]))) return false;
+  return true;
+}
+
+/* NULL, or what is not the same. */
+static const char *difference_of(const part *a, const part *b) {
+  if (a->node->kind != b->node->kind) return "kind";
+  if (a->material != b->material) return "material";
+  if (a->layer != b->layer) return "layer";
+  if (a->dress != b->dress) return "dress";
+  if (a->node->kind == VS_NATIVE) return VS_AS(native, a->node)->code == VS_AS(native, b->node)->code && same_map(&a->map, &b->map) ? NULL : "place of native text";
+  return same_bounds(a, b) ? NULL : "bounds";
+}
+
+static uint32_t line_at(const drawing_look *l, const part *p, size_t i) { return l->paths[p->path + i] ? l->paths[p->path + i]->line : 0; }
+
+/* What of its path no template stands on is of the part's own; the primitive keeps its maker's unless it is in a template, or was (made): then what is left
+ * of the template may have the origin of its use, and where the use that it was made from is gone (pruned), its parts those of that. */
+static const char *origin_trouble(const drawing_look *before, const part *a, const drawing_look *after, const part *b, bool made, bool pruned) {
+  size_t last = b->path_count - 1, k = 0;
+  for (size_t i = 0; i <= last; i++)
+    if (!line_at(after, b, i)) return "a reference has no origin";
+  size_t own = b->shared < last ? b->shared : last;
+  for (size_t i = 0; i <= own; i++) {
+    while (k < a->path_count && line_at(before, a, k) != line_at(after, b, i)) k++;
+    if (k == a->path_count && (!pruned || i == 0)) return "a reference has the origin of another";
+  }
+  if (!made && a->shared >= a->path_count && b->shared > last && line_at(before, a, a->path_count - 1) != line_at(after, b, last)) return "the primitive has another origin";
+  return NULL;
+}
+
+bool drawing_same_parts(const drawing_look *before, const drawing_look *after, bool less, bool templates, char *why, size_t room) {
+  size_t k = 0;
+  drawing_look *later = (drawing_look *)(uintptr_t)after;
+  free(later->match);
+  later->match = calloc(after->part_count + 1, sizeof *later->match);
+  if (!later->match) abort();
+  for (size_t i = 0; i < after->part_count; i++, k++) {
+    const part *b = &after->parts[i];
+    const char *what = k < before->part_count ? difference_of(&before->parts[k], b) : "number";
+    const char *first = what;
+    size_t at = k;
+    while (less && what && k + 1 < before->part_count) what = difference_of(&before->parts[++k], b);
+    if (what || k >= before->part_count) {
+      const part *a = at < before->part_count ? &before->parts[at] : NULL;
+      snprintf(why, room, "part %zu, %s of line %u: another %s (it was part %zu, %s of line %u)", i, name_of(b), (unsigned)line_at(after, b, b->path_count - 1), first ? first : "?", at,
+               a ? name_of(a) : "none", a ? (unsigned)line_at(before, a, a->path_count - 1) : 0u);
+      return false;
+    }
+    what = origin_trouble(before, &before->parts[k], after, b, templates, templates && less);
+    /* where parts may be gone, one gone may look like this one: then another of the same looks is meant */
+    for (size_t other = k + 1; what && less && other < before->part_count; other++)
+      if (!difference_of(&before->parts[other], b) && !origin_trouble(before, &before->parts[other], after, b, templates, templates && less)) what = NULL, k = other;
+    if (what) {
+      snprintf(why, room, "part %zu, %s of line %u: %s", i, name_of(b), (unsigned)line_at(before, &before->parts[k], before->parts[k].path_count - 1), what);
+      return false;
+    }
+    later->match[i] = k;
+  }
+  if (!less && k != before->part_count) {
+    snprintf(why, room, "there were %zu parts, and are %zu", before->part_count, after->part_count);
+    return false;
+  }
+  return true;
+}
+
+/* ---- comparing at points ---- */
+
+typedef struct { bool in; size_t count, who[WINNERS]; } verdict;
+
+static size_t next_of(const drawing_look *l, size_t at) { return l->entries[at].next; }
+
+static void add_winners(verdict *v, const verdict *more) {
+  for (size_t i = 0; i < more->count && v->count < WINNERS; i++) v->who[v->count++] = more->who[i];
+}
+
+static verdict verdict_at(const drawing_look *l, size_t at, vs_vec3 p) {
+  const entry *e = &l->entries[at];
+  verdict v = { 0 };
+  if (!e->node) return v;
+  if (e->part) {
+    const part *x = &l->parts[e->part - 1];
+    v.in = x->inside && vs_inside_test(x->inside, vs_affine_point(&x->back, p));
+    if (v.in) v.who[v.count++] = e->part - 1;
+    return v;
+  }
+  size_t first = at + 1;
+  if (e->node->kind == VS_DIFFERENCE) {
+    if (first < e->next) v = verdict_at(l, first, p);
+    for (size_t k = v.in ? next_of(l, first) : e->next; k < e->next; k = next_of(l, k)) {
+      verdict cut = verdict_at(l, k, p);
+      if (!cut.in) continue;
+      cut.in = false;
+      return cut;
+    }
+    return v;
+  }
+  if (e->node->kind == VS_INTERSECTION) {
+    bool all = first < e->next;
+    for (size_t k = first; all && k < e->next; k = next_of(l, k)) {
+      verdict x = verdict_at(l, k, p);
+      if (next_of(l, first) == e->next) return x;
+      all = x.in;
+      add_winners(&v, &x);
+    }
+    v.in = all;
+    if (!all) v.count = 0;
+    return v;
+  }
+  for (size_t k = first; k < e->next; k = next_of(l, k)) {
+    verdict x = verdict_at(l, k, p);
+    if (x.in) return x;
+    if (!v.count) v = x;
+  }
+  return v;
+}
+
+static verdict verdict_of(const drawing_look *l, vs_vec3 p) { /* the drawing is the union of what is drawn */
+  verdict v = { 0 };
+  for (size_t k = 0; k < l->entry_count; k = next_of(l, k)) {
+    verdict x = verdict_at(l, k, p);
+    if (x.in) return x;
+    if (!v.count) v = x;
+  }
+  return v;
+}
+
+static bool verdicts_equal(const verdict *a, const drawing_look *before, const verdict *b, const size_t *match) {
+  if (a->in != b->in || a->count != b->count) return false;
+  for (size_t i = 0; i < a->count; i++)
+    if (difference_of(&before->parts[a->who[i]], &before->parts[match ? match[b->who[i]] : b->who[i]])) return false;
+  return true;
+}
+
+bool drawing_same_at(drawing_look *before, drawing_look *after, vs_vec3 p, bool *inside, bool *close, char *why, size_t room) {
+  const double step = 2e-3;
+  verdict a = verdict_of(before, p), b = verdict_of(after, p);
+  *inside = a.in;
+  *close = false;
+  if (verdicts_equal(&a, before, &b, after->match)) return true;
+  for (int i = 0; i < 26; i++) { /* a cube round it */
+    int k = i < 13 ? i : i + 1;
+    verdict there = verdict_of(before, vs_v3(p.x + (k % 3 - 1) * step, p.y + (k / 3 % 3 - 1) * step, p.z + (k / 9 - 1) * step));
+    if (verdicts_equal(&a, before, &there, NULL)) continue;
+    *close = true;
+    return true;
+  }
+  snprintf(why, room, "at %.4f %.4f %.4f it was %s by part %d, and is %s by part %d", p.x, p.y, p.z, a.in ? "inside" : "outside", a.count ? (int)a.who[0] : -1, b.in ? "inside" : "outside",
+           b.count ? (int)after->match[b.who[0]] : -1);
+  return false;
+}
