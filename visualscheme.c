@@ -10,6 +10,7 @@
 #include "geometry/measure.h"
 #include "geometry/optimise.h"
 #include "kernel/resolve.h"
+#include "model/cache.h"
 #include "model/passes/settle.h"
 #include "vm/image.h"
 #include "vm/number.h"
@@ -82,6 +83,10 @@ vs *vs_new(const vs_options *options) {
   bool ok = vm && vs_bind_open(&s->bind, vm, store) && vs_flat_register(vm, &rules) && vs_front_open(vm) && vs_program_new(vm, &vm->at.program);
   if (ok) s->bind.library_files = vs_bind_file_count(vm);
   if (store) vs_store_release(store); /* bind holds it */
+  if (ok && o.cache != SIZE_MAX) { /* without memory for it, nothing is kept */
+    enum { USUAL = 256 };
+    vs_cache_new(store, o.cache ? o.cache : o.limit_memory ? o.limit_memory / 4 : (size_t)USUAL << 20);
+  }
   s->bind.is_format = is_format;
   s->bind.warn = vs_session_warn, s->bind.warn_context = s;
   if (ok) return vm;
@@ -115,6 +120,7 @@ void vs_interrupt_clear(vs *vm) { atomic_store(&vs_session_of(vm)->interrupted, 
 /* limits count from here; what the last evaluation left behind is forgotten */
 static void begin(vs_session *s, unsigned flags) {
   s->flags = flags;
+  vs_cache_turn(vs_store_cache(s->bind.store), true);
   vs *vm = s->bind.vm;
   vm->steps = vm->written = 0;
   vm->started = vs_session_clock(s);
@@ -480,6 +486,7 @@ static vs_outcome write_to(vs *vm, const char *path, const char *format_name, co
   e.context = &context, e.warn = export_warn, e.progress = export_progress;
   e.safe = s->options.untrusted || s->options.limit_time > 0 || s->options.limit_memory || s->options.limit_steps || s->options.limit_output;
   apply(&o, &scene, &e);
+  vs_cache_turn(vs_store_cache(s->bind.store), !o.last);
   double from = vs_session_clock(s);
   vs_outcome handed = hand_on(s, &scene, format);
   if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
@@ -502,6 +509,7 @@ vs_outcome vs_write_drawing_to(vs *vm, const char *format, const vs_output_optio
 
 size_t vs_statistics(const vs *vm, vs_statistic *out, size_t room) {
   const vs_session *s = vs_session_of(vm);
+  const vs_cache_stats cache = vs_cache_count(vs_store_cache(s->bind.store));
   const vs_statistic all[] = {
     { "time.evaluate", s->evaluate_seconds, "s" },
     { "time.write", s->write_seconds, "s" },
@@ -510,6 +518,14 @@ size_t vs_statistics(const vs *vm, vs_statistic *out, size_t room) {
     { "memory.model", (double)vs_store_bytes(s->bind.store), "bytes" },
     { "heap.collections", (double)vm->collections, "" },
     { "steps", (double)vm->steps, "" },
+#define VS_CACHED(upper, lower, doc) \
+  { "cache." #lower ".hits", (double)cache.hits[VS_CACHED_##upper], "" }, { "cache." #lower ".misses", (double)cache.misses[VS_CACHED_##upper], "" },
+#include "model/cache.def"
+    { "cache.entries", (double)cache.entries, "" },
+    { "cache.bytes", (double)cache.bytes, "bytes" },
+    { "cache.peak", (double)cache.peak, "bytes" },
+    { "cache.evicted", (double)cache.evicted, "" },
+    { "cache.refused", (double)cache.refused, "" },
     { "objects.drawn", (double)s->bind.scene.drawn_count, "" },
     { "objects.returned", (double)s->bind.returned_count, "" },
     { "commands.before", s->passes.commands_before, "" }, /* of the drawing last written, before and after the passes */

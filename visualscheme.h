@@ -116,6 +116,7 @@ typedef struct {
   size_t limit_memory;    /* bytes of heap and model together */
   uint64_t limit_steps;   /* calls and loop turns of one evaluation */
   size_t limit_output;    /* bytes that one evaluation may print */
+  size_t cache;           /* bytes of results kept for later drawings and outputs (meshes): 0: 256 MB, or a quarter of limit_memory; SIZE_MAX: keep nothing */
   bool untrusted;         /* no file access but read_file, no native text */
   const char *library_path; /* folders for load and require, ':' between them; NULL: none */
 } vs_options;
@@ -229,6 +230,7 @@ typedef struct {
   double tolerance;      /* chord height in model units; 0: the model's, or the rule's */
   int segments;          /* facets a turn; 0: by tolerance */
   unsigned passes;       /* a mask; VS_PASSES_ALL by default */
+  bool last;             /* no drawing and no output follows: nothing is kept for them */
 } vs_output_options;
 VS_API vs_output_options vs_output_options_default(void);
 

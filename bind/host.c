@@ -8,20 +8,31 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "model/cache.h"
+
 /* ---- memory ---- */
 
-void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes) {
-  vs_session *s = session;
+static void *session_memory(vs_session *s, void *old, size_t old_bytes, size_t bytes) {
   const vs_options *o = &s->options;
   if (bytes > old_bytes && o->limit_memory && (bytes - old_bytes > o->limit_memory || s->bytes > o->limit_memory - (bytes - old_bytes)))
-    return s->bind.refused++, s->limited = true, NULL;
+    return s->limited = true, NULL;
   void *p = NULL;
   if (o->alloc) p = o->alloc(o->alloc_context, old, old_bytes, bytes);
   else if (bytes) p = realloc(old, bytes);
   else free(old);
-  if (bytes && !p) return s->bind.refused++, s->limited = false, NULL;
+  if (bytes && !p) return s->limited = false, NULL;
   s->bytes += bytes - old_bytes;
   if (s->bytes > s->peak) s->peak = s->bytes;
+  return p;
+}
+
+/* What is only kept for later gives way to what is needed now. */
+void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes) {
+  vs_session *s = session;
+  void *p = session_memory(s, old, old_bytes, bytes);
+  if (p || !bytes) return p;
+  if (s->bind.store && vs_cache_shrink(vs_store_cache(s->bind.store), bytes)) p = session_memory(s, old, old_bytes, bytes);
+  if (!p) s->bind.refused++;
   return p;
 }
 

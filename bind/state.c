@@ -2,6 +2,7 @@
  * expressions returned. */
 #include "bind/bind.h"
 
+#include "model/cache.h"
 #include "model/nodemap.h"
 
 const vs_native_table *const *vs_bind_tables(void) {
@@ -36,6 +37,7 @@ void vs_bind_close(vs_bind *b) {
   vs_store_realloc(s, b->tickets, b->ticket_room * sizeof *b->tickets, 0);
   vs_store_realloc(s, b->gone, b->ticket_room * sizeof *b->gone, 0);
   vs_scene_free(&b->scene);
+  vs_cache_free(vs_store_cache(s)); /* holds nodes */
   vs_store_release(s);
   *b = (vs_bind){ 0 };
 }

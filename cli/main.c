@@ -135,6 +135,7 @@ vs_outcome cli_session_write(cli_session *c, const cli_target *t) {
 static vs_outcome write_all(cli_session *c) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   for (size_t i = 0; i < c->options->target_count && outcome != VS_OUTCOME_INTERRUPTED; i++) {
+    c->options->output.last = i + 1 == c->options->target_count && !c->options->interactive;
     vs_outcome one = cli_session_write(c, &c->options->targets[i]);
     if (one == VS_OUTCOME_INTERRUPTED || outcome == VS_OUTCOME_DONE) outcome = one;
   }

@@ -42,7 +42,7 @@ static bool reach(vs_kernel *k, vs_copies *c, uint32_t term) {
   return put(k, c, c->number.at[term]);
 }
 
-static bool put_terms(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t count) {
+bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t count) {
   const vs_expression *e = c->expression;
   bool ok = true;
   c->terms.count = 0;
@@ -57,6 +57,7 @@ static bool put_terms(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32
       ok = reach(k, c, e->users.at[j] / 2) && (c->keys.at[c->keys.count - 1] |= (uint64_t)(e->users.at[j] & 1) << 32, true);
     ok = ok && put(k, c, UINT64_MAX) && vs_kernel_poll(k, 0);
   }
+  for (uint32_t i = 0; ok && i < e->gate_count; i++) ok = put(k, c, c->number.at[e->gates[i]]);
   for (size_t i = 0; i < c->terms.count; i++) c->number.at[c->terms.at[i]] = VS_NONE;
   return ok;
 }
@@ -75,7 +76,7 @@ bool vs_copies_find(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t
     if (!put(k, c, count)) return false;
     for (uint32_t i = 0; i < count; i++)
       if (!put_leaf(k, c, leaves[i], &back, ldexp(1, exponent))) return false;
-    if (!put_terms(k, c, leaves, count)) return false;
+    if (!vs_copies_put_terms(k, c, leaves, count)) return false;
     for (size_t i = start; i < c->keys.count; i++) {
       hash = (hash ^ c->keys.at[i]) * 0x9e3779b97f4a7c15u;
       hash ^= hash >> 29;

@@ -4,9 +4,12 @@
  * leaves of the others are outside. */
 #include "kernel/cluster.h"
 #include "kernel/copies.h"
+#include "kernel/remember.h"
+#include "model/cache.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static bool join(void *parent, uint32_t a, uint32_t b) {
   vs_unite(parent, a, b);
@@ -135,6 +138,9 @@ typedef struct {
   vs_parts parts;
   vs_expression expression;
   vs_bounds gate; /* all that a gate leaves, in the world; empty where there is none */
+  vs_bounds *bounds; /* of the leaves; NULL once nobody asks */
+  vs_remember remember;
+  vs_kernel_counts counts;
 } whole;
 
 static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t count, vs_mesh *out) {
@@ -174,6 +180,24 @@ static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
   for (uint32_t i = 1; i < w->expression.gate_count; i++) vs_bounds_meet(&w->gate, &terms.at[w->expression.gates[i]]);
   VS_DROP(k, terms);
   return true;
+}
+
+/* Does a gate leave out something of the cluster? */
+static bool gate_cuts(const whole *w, const uint32_t *leaves, uint32_t count) {
+  if (!w->expression.gate_count) return false;
+  vs_bounds all = w->gate;
+  for (uint32_t i = 0; i < count; i++) vs_bounds_unite(&all, &w->bounds[leaves[i]]);
+  return memcmp(&all, &w->gate, sizeof all) != 0;
+}
+
+/* The cluster as it was made before, or made now. */
+static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, const uint32_t *leaves, uint32_t count, vs_mesh *out) {
+  bool asked = w->bounds != NULL, found = false;
+  size_t vertices = out->vertex_count, triangles = out->triangle_count;
+  if (asked && !vs_remember_key(k, &w->remember, copies, leaves, count, gate_cuts(w, leaves, count) ? &w->gate : NULL, &asked)) return false;
+  if (asked && !vs_remember_find(k, &w->remember, out, &found)) return false;
+  ++*(found ? &w->counts.remembered : &w->counts.combined);
+  return found || (run_cluster(k, w, leaves, count, out) && (!asked || vs_remember_keep(k, &w->remember, out, vertices, triangles)));
 }
 
 static bool no_room(vs_kernel *k) { return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); }
@@ -221,9 +245,11 @@ static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, co
   bool is_new;
   vs_affine map = vs_affine_identity();
   if (!vs_copies_find(k, copies, leaves, count, &original, &is_new, &map)) return false;
+  w->counts.clusters++;
+  w->counts.copied += !is_new;
   if (to->many) {
     vs_mesh *made;
-    if (is_new && (!add_mesh(k, to->many, &made) || !run_cluster(k, w, leaves, count, made))) return false;
+    if (is_new && (!add_mesh(k, to->many, &made) || !make_cluster(k, w, copies, leaves, count, made))) return false;
     if (to->many->meshes[original].triangle_count == 0) return true;
     return VS_ROOM(k, to->many->copies, to->many->copy_room, to->many->copy_count + 1) &&
            (to->many->copies[to->many->copy_count++] = (vs_kernel_copy){ original, map }, true);
@@ -239,8 +265,16 @@ static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, co
     return repeat(k, to->one, to->ranges.at + 4 * (size_t)original, to->tags.at, &map);
   }
   size_t vertices = to->one->vertex_count, triangles = to->one->triangle_count;
-  return run_cluster(k, w, leaves, count, to->one) && VS_PUSH(k, to->ranges, vertices) && VS_PUSH(k, to->ranges, triangles) &&
+  return make_cluster(k, w, copies, leaves, count, to->one) && VS_PUSH(k, to->ranges, vertices) && VS_PUSH(k, to->ranges, triangles) &&
          VS_PUSH(k, to->ranges, to->one->vertex_count - vertices) && VS_PUSH(k, to->ranges, to->one->triangle_count - triangles);
+}
+
+static void count_in(vs_kernel_counts *sum, const vs_kernel_counts *c, size_t peak) {
+  sum->clusters += c->clusters;
+  sum->combined += c->combined;
+  sum->copied += c->copied;
+  sum->remembered += c->remembered;
+  if (peak > sum->peak) sum->peak = peak;
 }
 
 static bool evaluate(const vs_kernel_problem *p, const vs_kernel_options *options, sink *to, vs_kernel_error *error) {
@@ -257,13 +291,17 @@ static bool evaluate(const vs_kernel_problem *p, const vs_kernel_options *option
   bool ok = VS_ROOM(&k, parent, parent_room, most_leaves) && VS_ROOM(&k, order, order_room, most_leaves) && VS_ROOM(&k, bounds, bounds_room, most_leaves) &&
             (to->many || want_tags(&k, to->one)) && vs_expression_build(&k, &w.expression, p) && find_clusters(&k, p, bounds, parent, order, &n) &&
             find_gate(&k, &w, bounds) && vs_parts_prepare(&k, &w.parts, p) && vs_copies_begin(&k, &copies, p, &w.parts, &w.expression);
-  VS_FREE(&k, bounds, bounds_room);
+  w.bounds = ok && options && vs_cache_asks(options->cache) && p->identities ? bounds : NULL;
+  if (!w.bounds) VS_FREE(&k, bounds, bounds_room);
   for (uint32_t i = 0, end; ok && i < n; i = end) {
     for (end = i + 1; end < n && parent[end] == parent[i];) end++;
     k.done = (double)i / n;
     k.share = (double)(end - i) / n;
     ok = give_cluster(&k, &w, &copies, to, order + i, end - i);
   }
+  if (options && options->counts) count_in(options->counts, &w.counts, k.peak);
+  vs_remember_free(&k, &w.remember);
+  VS_FREE(&k, bounds, bounds_room);
   VS_DROP(&k, to->ranges);
   VS_DROP(&k, to->tags);
   vs_copies_free(&k, &copies);

@@ -6,6 +6,7 @@
 #define VS_KERNEL_H
 
 #include "model/mesh.h"
+#include "model/node.h"
 
 typedef struct {
   const vs_mesh *mesh;  /* closed, counter-clockwise seen from outside; may be shared by leaves; may cross itself (overlaps count as inside) */
@@ -27,13 +28,24 @@ typedef struct {
   const uint32_t *operands;
   uint32_t leaf_count, term_count, operand_count;
   const uint32_t *paints; /* of each tag, or NULL: each its own; where faces of several tags become one, that has one of them */
+  const uint64_t *identities; /* of each leaf's mesh: numbers that are equal for equal meshes alone, ever; 0 where it has none. NULL: none has */
 } vs_kernel_problem;
+
+typedef struct {
+  size_t clusters;   /* of solids that touch; of those: */
+  size_t combined;   /* worked out */
+  size_t copied;     /* as another of the same problem, elsewhere */
+  size_t remembered; /* found in the cache */
+  size_t peak;       /* the most bytes held at a time */
+} vs_kernel_counts;
 
 typedef struct {
   bool (*progress)(void *context, double done); /* done in 0..1; false stops the work; may be NULL. Called some hundred times a second */
   void *context;
   size_t max_bytes;     /* of the kernel's own memory; 0: no limit */
   size_t max_triangles; /* of the result; 0: no limit */
+  vs_cache *cache;   /* where clusters are looked up and kept (model/cache.h); NULL: nowhere */
+  vs_kernel_counts *counts; /* added to, but for the peak, which only rises; NULL: nobody asks */
   uint32_t threads;     /* 0: as many as there are processors; the result is the same. progress is called from the caller's alone */
 } vs_kernel_options;
 

@@ -15,6 +15,7 @@ typedef struct vs_kernel {
   uint32_t worker;         /* 0 is the caller's thread */
   uint32_t threads;        /* how many may work, itself among them */
   _Atomic size_t bytes;    /* held by grown arrays */
+  _Atomic size_t peak;     /* the most of them so far */
   _Atomic bool stop;       /* a thread has failed, or the caller gave up: all leave */
   uint32_t ticks;          /* since the last call of progress */
   double done, share;      /* progress before this cluster, and what the cluster adds */

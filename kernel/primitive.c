@@ -1,6 +1,9 @@
 /* Owns the triangles of one primitive as a good solid. */
 #include "kernel/primitive.h"
 
+#include <string.h>
+
+#include "geometry/solids.h"
 #include "kernel/inspect.h"
 
 /* Kinds whose meshes may overlap themselves; placements are looked through. */
@@ -32,5 +35,55 @@ bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_opt
   if (!vs_kernel_resolve(out, 0, options, &whole, &why)) return failed(&why, e);
   vs_mesh_free(out);
   *out = whole;
+  return true;
+}
+
+/* ---- shared ---- */
+
+typedef struct { uint64_t vertices, triangles; } header; /* then the vertices, then the corners, each at a sixteen (cache.c) */
+
+static void view(const vs_cached *held, vs_mesh *out) {
+  header h;
+  memcpy(&h, held->data, sizeof h);
+  unsigned char *at = (unsigned char *)(uintptr_t)held->data + sizeof h;
+  *out = (vs_mesh){ .vertex_count = (size_t)h.vertices, .triangle_count = (size_t)h.triangles };
+  out->vertices = (vs_vec3 *)(void *)at;
+  out->triangles = (uint32_t (*)[3])(void *)(at + ((h.vertices * sizeof *out->vertices + 15) & ~(size_t)15));
+}
+
+static void keep(vs_cache *cache, const vs_cache_key *key, vs_mesh *out, const vs_cached **held) {
+  header h = { out->vertex_count, out->triangle_count };
+  const vs_cache_piece pieces[] = { { &h, sizeof h }, { out->vertices, out->vertex_count * sizeof *out->vertices }, { out->triangles, out->triangle_count * sizeof *out->triangles } };
+  *held = vs_cache_keep(cache, key, pieces, 3);
+  if (!*held) return;
+  vs_mesh_free(out);
+  view(*held, out);
+}
+
+static uint64_t bits_of(double d) {
+  uint64_t bits;
+  memcpy(&bits, &d, sizeof bits);
+  return bits;
+}
+
+bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, const vs_cached **held, vs_error *e) {
+  const uint64_t words[] = { bits_of(f->tolerance), (uint64_t)(int64_t)f->segments };
+  const vs_cache_key key = { VS_CACHED_PRIMITIVE, n, words, 2 };
+  *held = cache ? vs_cache_find(cache, &key) : NULL;
+  if (*held) return view(*held, out), true;
+  if (!vs_primitive_mesh(n, f, options, out, e)) return false;
+  if (cache) keep(cache, &key, out, held);
+  return true;
+}
+
+bool vs_half_space_shared(vs_cache *cache, vs_node *n, const vs_bounds *reach, vs_mesh *out, const vs_cached **held) {
+  const double sides[] = { reach->min.x, reach->min.y, reach->min.z, reach->max.x, reach->max.y, reach->max.z };
+  uint64_t words[6];
+  for (int i = 0; i < 6; i++) words[i] = bits_of(sides[i]);
+  const vs_cache_key key = { VS_CACHED_PRIMITIVE, n, words, 6 };
+  *held = cache ? vs_cache_find(cache, &key) : NULL;
+  if (*held) return view(*held, out), true;
+  if (!vs_solid_half_space(out, VS_AS(half_space, n)->point, VS_AS(half_space, n)->normal, reach)) return false;
+  if (cache) keep(cache, &key, out, held);
   return true;
 }

@@ -4,9 +4,16 @@
 
 #include "geometry/tessellate.h"
 #include "kernel/kernel.h"
+#include "model/cache.h"
 
 /* As vs_tessellate, into an empty mesh; where a sweep, loft or surface overlaps itself, it becomes what it winds around more than 0 times. The
  * error has no origin where geometry/ gave none. options may be NULL. */
 bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, vs_error *e);
+
+/* The same, looked up in the cache and kept there: *held then is what out's arrays lie in, until the caller lets it go, and out must be neither changed nor
+ * freed. *held NULL: out is the caller's own. cache NULL: there is none. */
+bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, const vs_cached **held, vs_error *e);
+/* So for the part of a half-space that is in reach. False: out of memory. */
+bool vs_half_space_shared(vs_cache *cache, vs_node *n, const vs_bounds *reach, vs_mesh *out, const vs_cached **held);
 
 #endif

@@ -11,6 +11,7 @@
 #include "geometry/solids.h"
 #include "kernel/memory.h"
 #include "kernel/primitive.h"
+#include "model/cache.h"
 
 enum { BUCKETS = 4096 };
 
@@ -22,7 +23,13 @@ typedef struct {
   bool difference; /* its operands past the first are taken off */
   bool off;        /* what stands here makes the whole smaller */
 } level;
-typedef struct { const vs_node *node; vs_facets facets; vs_mesh *mesh; size_t next; /* one more; 0: none */ } meshed;
+typedef struct {
+  const vs_node *node;
+  vs_facets facets;
+  vs_mesh *mesh;
+  const vs_cached *held; /* mesh's arrays are the cache's; NULL: its own */
+  size_t next;           /* one more; 0: none */
+} meshed;
 
 typedef struct {
   vs_kernel k;
@@ -42,6 +49,8 @@ typedef struct {
   VS_LIST(uint32_t) twins;            /* leaves by mesh, placement, paint and side, open addressing; one more, 0 free */
   VS_LIST(uint8_t) off;               /* of each leaf: level.off */
   VS_LIST(uint32_t) mesh_numbers;     /* of each leaf: which of meshes */
+  VS_LIST(uint64_t) identities;       /* of each leaf's mesh */
+  vs_cache *cache;                    /* or NULL */
 } builder;
 
 static bool full(builder *b) {
@@ -115,7 +124,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const vs_facets *facets, vs_m
   }
   *mesh = calloc(1, sizeof **mesh);
   if (!*mesh) return vs_error_memory(b->error, NULL);
-  if (!VS_PUSH(&b->k, b->meshes, ((meshed){ ref->node, *facets, *mesh, *bucket }))) {
+  if (!VS_PUSH(&b->k, b->meshes, ((meshed){ ref->node, *facets, *mesh, NULL, *bucket }))) {
     free(*mesh);
     return false;
   }
@@ -123,7 +132,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const vs_facets *facets, vs_m
   *number = (uint32_t)b->meshes.count - 1;
   if (ref->node->kind == VS_HALF_SPACE) return true; /* made when it is known what there is to cut */
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  if (vs_primitive_mesh(ref->node, facets, b->k.options, *mesh, &why)) return true;
+  if (vs_primitive_shared(b->cache, ref->node, facets, b->k.options, *mesh, &b->meshes.at[*number].held, &why)) return true;
   if (!why.origin) why.origin = ref->origin;
   if (b->error) *b->error = why;
   return false;
@@ -203,10 +212,9 @@ static bool bound_half_spaces(builder *b) {
     vs_bounds_unite(&own[m], &local);
   }
   bool ok = true;
-  for (size_t i = 0; any && ok && i < b->meshes.count; i++) {
-    const vs_node *n = b->meshes.at[i].node;
-    if (n->kind == VS_HALF_SPACE) ok = vs_solid_half_space(b->meshes.at[i].mesh, VS_AS(half_space, n)->point, VS_AS(half_space, n)->normal, &own[i]);
-  }
+  for (size_t i = 0; any && ok && i < b->meshes.count; i++)
+    if (b->meshes.at[i].node->kind == VS_HALF_SPACE)
+      ok = vs_half_space_shared(b->cache, (vs_node *)(uintptr_t)b->meshes.at[i].node, &own[i], b->meshes.at[i].mesh, &b->meshes.at[i].held);
   free(own);
   return ok || vs_error_memory(b->error, NULL);
 }
@@ -292,6 +300,10 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   builder *b = calloc(1, sizeof *b);
   if (!b) return vs_error_memory(error, NULL);
+  vs_kernel_options mine = options ? *options : (vs_kernel_options){ .progress = NULL };
+  if (count && !mine.cache) mine.cache = vs_store_cache(refs[0].node->store);
+  options = &mine;
+  b->cache = vs_cache_asks(mine.cache) ? mine.cache : NULL;
   b->k.options = options;
   b->k.error = &why;
   b->k.threads = 1;
@@ -303,9 +315,13 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
     ok = ok && walk_one(b, &refs[i]);
   }
   ok = ok && close_term(b, VS_TERM_UNION, 0) && bound_half_spaces(b);
+  for (size_t i = 0; ok && b->cache && i < b->leaves.count; i++) {
+    const vs_cached *held = b->meshes.at[b->mesh_numbers.at[i]].held;
+    ok = VS_PUSH(&b->k, b->identities, held ? held->serial : 0);
+  }
   if (ok) {
     vs_kernel_problem problem = { b->leaves.at, b->terms.at, b->operands.at, (uint32_t)b->leaves.count, (uint32_t)b->terms.count,
-                                  (uint32_t)b->operands.count, b->paints.at };
+                                  (uint32_t)b->operands.count, b->paints.at, b->identities.at };
     ok = one ? vs_kernel_evaluate(&problem, options, &one->mesh, &why) : vs_kernel_evaluate_copies(&problem, options, &many->meshes, &why);
   }
   if (ok) {
@@ -317,7 +333,8 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
     vs_error_set(error, kind_of(why.status), placed && why.leaf < b->origins.count ? b->origins.at[why.leaf] : NULL, "%s", why.message);
   }
   for (size_t i = 0; i < b->meshes.count; i++) {
-    vs_mesh_free(b->meshes.at[i].mesh);
+    if (b->meshes.at[i].held) vs_cache_let_go(b->cache, b->meshes.at[i].held);
+    else vs_mesh_free(b->meshes.at[i].mesh);
     free(b->meshes.at[i].mesh);
   }
   VS_DROP(&b->k, b->leaves);
@@ -325,6 +342,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
   VS_DROP(&b->k, b->twins);
   VS_DROP(&b->k, b->off);
   VS_DROP(&b->k, b->mesh_numbers);
+  VS_DROP(&b->k, b->identities);
   VS_DROP(&b->k, b->terms);
   VS_DROP(&b->k, b->operands);
   VS_DROP(&b->k, b->pending);

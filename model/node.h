@@ -14,6 +14,7 @@
 
 typedef struct vs_store vs_store;
 typedef struct vs_node vs_node;
+typedef struct vs_cache vs_cache; /* cache.h */
 
 /* ---- errors that C layers return: one message, and where in the user's model (NULL: nowhere) ---- */
 typedef struct vs_origin vs_origin;

@@ -1,0 +1,291 @@
+/* Owns the tests of the world cache: found by value and never by hash alone, least recently used out first, within its bound, and lost where memory is refused. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "model/cache.h"
+#include "visualscheme.h"
+
+/* ---- by itself ---- */
+
+static vs_node *sphere(vs_store *s, double radius) {
+  vs_node *n = vs_node_new(s, VS_SPHERE, &(struct vs_sphere){ .radius = radius }, NULL, 0);
+  assert_non_null(n);
+  return n;
+}
+
+static const vs_cached *keep(vs_cache *c, vs_node *n, uint64_t word, size_t bytes) {
+  char *data = calloc(1, bytes);
+  assert_non_null(data);
+  memcpy(data, &word, sizeof word);
+  const vs_cached *r = vs_cache_keep(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, &word, 1 }, &(vs_cache_piece){ data, bytes }, 1);
+  free(data);
+  return r;
+}
+
+static bool holds(vs_cache *c, vs_node *n, uint64_t word) {
+  const vs_cached *r = vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, &word, 1 });
+  if (r) assert_memory_equal(r->data, &word, sizeof word);
+  vs_cache_let_go(c, r);
+  return r != NULL;
+}
+
+static void test_equality(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_cache *c = vs_cache_new(s, 1 << 20);
+  vs_node *a = sphere(s, 1), *b = sphere(s, 1), *other = sphere(s, 2);
+  vs_cache_let_go(c, keep(c, a, 7, 100));
+  assert_true(holds(c, b, 7)); /* another node of equal value */
+  assert_false(holds(c, b, 8));
+  assert_false(holds(c, NULL, 7));
+  other->hash = a->hash; /* as if hashes met: what is not equal is not found */
+  assert_false(holds(c, other, 7));
+  uint64_t words[] = { 7, 0 };
+  assert_null(vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, b, words, 2 }));
+  assert_null(vs_cache_find(c, &(vs_cache_key){ VS_CACHED_CLUSTER, b, words, 1 }));
+  const vs_cached *first = keep(c, NULL, 1, 16), *second = keep(c, NULL, 2, 16);
+  assert_true(first->serial != second->serial && first->serial && second->serial);
+  vs_cache_let_go(c, first);
+  vs_cache_let_go(c, second);
+  vs_node_release(a), vs_node_release(b), vs_node_release(other);
+  assert_int_equal(vs_cache_count(c).hits[VS_CACHED_PRIMITIVE], 1);
+  vs_cache_free(c);
+  assert_null(vs_store_cache(s));
+  assert_int_equal(vs_store_bytes(s), 0);
+  vs_store_release(s);
+}
+
+static void test_bound(void **state) {
+  (void)state;
+  enum { ONE = 10000, LIMIT = 100000 };
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_cache *c = vs_cache_new(s, LIMIT);
+  for (uint64_t i = 0; i < 50; i++) { /* each its own turn */
+    vs_cache_turn(c, true);
+    vs_node *n = sphere(s, 1 + (double)i);
+    vs_cache_let_go(c, keep(c, n, i, ONE));
+    vs_node_release(n);
+    assert_true(vs_cache_count(c).bytes <= LIMIT);
+    assert_true(vs_store_bytes(s) < LIMIT + 4096); /* dead nodes too are within the bound */
+    if (i > 0) {
+      vs_node *again = sphere(s, 1);
+      assert_true(holds(c, again, 0)); /* asked for in every turn: the others go */
+      vs_node_release(again);
+    }
+  }
+  assert_true(vs_cache_count(c).evicted > 35);
+  assert_true(vs_cache_count(c).entries >= 8);
+  vs_cache_turn(c, true); /* within one turn nothing asked for goes, and what is too much is not kept */
+  size_t kept = 0;
+  for (uint64_t i = 100; i < 150; i++) {
+    const vs_cached *r = keep(c, NULL, i, ONE);
+    kept += r != NULL;
+    vs_cache_let_go(c, r);
+  }
+  assert_in_range(kept, 8, 10);
+  for (uint64_t i = 100; i < 100 + kept; i++) assert_true(holds(c, NULL, i));
+  assert_null(keep(c, NULL, 999, LIMIT));
+  const vs_cached *held = vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, NULL, (uint64_t[]){ 101 }, 1 });
+  assert_true(vs_cache_shrink(c, SIZE_MAX)); /* pressure takes all, but for what is in use */
+  assert_int_equal(vs_cache_count(c).entries, 1);
+  assert_false(vs_cache_shrink(c, SIZE_MAX));
+  vs_cache_let_go(c, held);
+  vs_cache_turn(c, false); /* asks, keeps nothing */
+  assert_true(holds(c, NULL, 101));
+  assert_null(keep(c, NULL, 5000, 16));
+  vs_cache_free(c);
+  vs_store_release(s);
+}
+
+static void test_refused(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_cache *c = vs_cache_new(s, 1 << 20);
+  vs_node *leaf = sphere(s, 1), *n = leaf;
+  for (int i = 0; i < 200; i++) { /* a deep one, so that the counting of its bytes asks too */
+    vs_ref both[] = { { n, NULL }, { leaf, NULL } };
+    vs_node *up = vs_node_new(s, VS_UNION, &(struct vs_union){ 0 }, both, 2);
+    if (n != leaf) vs_node_release(n);
+    n = up;
+  }
+  bool kept = false;
+  size_t refusals = 0;
+  for (size_t at = 1; !kept; at++) {
+    vs_store_fail_at(s, at);
+    const vs_cached *r = keep(c, n, 3, 64);
+    kept = r != NULL;
+    refusals += !kept;
+    vs_cache_let_go(c, r);
+    vs_store_fail_at(s, 0);
+    assert_int_equal(vs_cache_count(c).entries, kept);
+    assert_int_equal(holds(c, n, 3), kept);
+  }
+  assert_true(refusals > 3);
+  vs_cache_free(c);
+  vs_node_release(n);
+  vs_node_release(leaf);
+  assert_int_equal(vs_store_bytes(s), 0);
+  vs_store_release(s);
+}
+
+/* ---- through the interpreter: after a change, what did not change is neither tessellated nor combined again, and the bytes are a fresh process' ---- */
+
+typedef struct { char *at; size_t count; } bytes;
+
+static bool collect(void *context, const void *from, size_t count) {
+  bytes *b = context;
+  char *grown = realloc(b->at, b->count + count + 1);
+  if (!grown) return false;
+  memcpy(grown + b->count, from, count);
+  b->at = grown, b->count += count;
+  return true;
+}
+
+static double statistic(vs *s, const char *key) {
+  vs_statistic all[256];
+  size_t n = vs_statistics(s, all, 256);
+  for (size_t i = 0; i < n; i++)
+    if (!strcmp(all[i].key, key)) return all[i].value;
+  fail_msg("no statistic %s", key);
+  return 0;
+}
+
+static void say(void *context, const vs_diagnostic *d) {
+  (void)context;
+  if (d->severity == VS_SEVERITY_ERROR) fprintf(stderr, "%s\n", d->message);
+}
+
+static vs *session(size_t cache) {
+  vs_options o = vs_options_default();
+  o.host.diagnose = say;
+  o.cache = cache;
+  vs *s = vs_new(&o);
+  assert_non_null(s);
+  return s;
+}
+
+static void run(vs *s, const char *text) { assert_int_equal(vs_eval_text(s, "test", 1, text, strlen(text), 0), VS_OUTCOME_DONE); }
+
+static bytes written(vs *s, const char *format, bool last) {
+  bytes b = { NULL, 0 };
+  vs_output_options o = vs_output_options_default();
+  o.last = last;
+  assert_int_equal(vs_write_drawing_to(s, format, &o, collect, &b), VS_OUTCOME_DONE);
+  assert_true(b.count > 0);
+  return b;
+}
+
+/* Forty parts, each a cluster of three that is no copy of another; part k has another radius where changed. */
+enum { PARTS = 40 };
+static const char *const parts =
+    "(define (part i r) (subtract (unite (make-box (xyz (* 10 i) 0 0) (xyz (+ (* 10 i) 5 (* i 0.01)) 5 5)) (make-sphere (xyz (* 10 i) 0 0) r)) (make-cylinder (xyz (+ (* 10 i) 2) 2 -1) 7 1)))"
+    "(define (model k r) (erase-all) (for ([i (in-range 40)]) (draw (part i (if (= i k) r 2)))))";
+
+static void test_incremental(void **state) {
+  (void)state;
+  static const char *const formats[] = { "stl", "glb", "3mf", "obj", "x3d", "povray", "openscad" };
+  for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
+    vs *s = session(0);
+    run(s, parts);
+    run(s, "(model 7 2)");
+    bytes first = written(s, formats[f], false);
+    double combined = statistic(s, "cache.clusters.misses"), meshed = statistic(s, "cache.primitives.misses");
+    run(s, "(model 7 3)");
+    bytes second = written(s, formats[f], false);
+    if (!strcmp(formats[f], "stl")) {
+      assert_true(combined == PARTS);
+      assert_true(statistic(s, "cache.clusters.misses") == PARTS + 1); /* the changed one */
+    }
+    if (combined > 0) {
+      assert_true(combined >= PARTS);
+      assert_true(statistic(s, "cache.clusters.misses") - combined <= 1);
+      assert_true(statistic(s, "cache.primitives.misses") - meshed <= 1);
+    }
+    run(s, "(model 7 2)"); /* and back: nothing at all */
+    double before = statistic(s, "cache.clusters.misses"), was = statistic(s, "cache.primitives.misses");
+    bytes third = written(s, formats[f], false);
+    assert_true(statistic(s, "cache.clusters.misses") == before && statistic(s, "cache.primitives.misses") == was);
+    assert_int_equal(third.count, first.count);
+    assert_memory_equal(third.at, first.at, first.count);
+    vs_free(s);
+    vs *fresh = session(SIZE_MAX); /* keeps nothing */
+    run(fresh, parts);
+    run(fresh, "(model 7 3)");
+    bytes other = written(fresh, formats[f], true);
+    assert_true(statistic(fresh, "cache.bytes") == 0);
+    assert_int_equal(other.count, second.count);
+    assert_memory_equal(other.at, second.at, other.count);
+    vs_free(fresh);
+    free(first.at), free(second.at), free(third.at), free(other.at);
+  }
+}
+
+/* Tags are the problem's own, paints the cluster's: parts in other order, other colours, other layers. */
+static void test_tags(void **state) {
+  (void)state;
+  static const char *const programs[] = {
+    "(define (p i) (unite (make-box (xyz (* 10 i) 0 0) (xyz (+ (* 10 i) 5) 5 5)) (make-sphere (xyz (* 10 i) 0 0) 3)))"
+    "(define (go a b c) (erase-all) (draw (color a (p 0)) (color b (p 1.5)) (layer c (p 3.25))))",
+    "(go \"red\" \"blue\" \"x\")", "(go \"blue\" \"red\" \"y\")", "(erase-all) (draw (p 3.25) (color \"green\" (p 1.5)) (p 0))",
+    "(erase-all) (draw (unite (color \"red\" (make-box (xyz 0 0 0) (xyz 5 5 5))) (color \"blue\" (make-sphere (xyz 0 0 0) 3))))",
+    "(erase-all) (draw (unite (make-box (xyz 0 0 0) (xyz 5 5 5)) (make-sphere (xyz 0 0 0) 3)))",
+  };
+  static const char *const formats[] = { "obj", "ply", "3mf" };
+  for (size_t f = 0; f < 3; f++) {
+    vs *s = session(0);
+    run(s, programs[0]);
+    for (size_t i = 1; i < sizeof programs / sizeof *programs; i++) {
+      run(s, programs[i]);
+      bytes kept = written(s, formats[f], false), again = written(s, formats[f], false);
+      vs *fresh = session(SIZE_MAX);
+      run(fresh, programs[0]);
+      run(fresh, programs[i]);
+      bytes alone = written(fresh, formats[f], true);
+      assert_int_equal(kept.count, alone.count);
+      assert_memory_equal(kept.at, alone.at, alone.count);
+      assert_int_equal(again.count, alone.count);
+      assert_memory_equal(again.at, alone.at, alone.count);
+      vs_free(fresh);
+      free(kept.at), free(again.at), free(alone.at);
+    }
+    assert_true(statistic(s, "cache.clusters.hits") > 0);
+    vs_free(s);
+  }
+}
+
+/* A limit on memory is for the program: what is kept for later makes way. */
+static void test_limit(void **state) {
+  (void)state;
+  vs_options o = vs_options_default();
+  o.limit_memory = (size_t)24 << 20;
+  o.host.diagnose = say;
+  vs *s = vs_new(&o);
+  assert_non_null(s);
+  run(s, parts);
+  run(s, "(model 7 2)");
+  bytes b = written(s, "stl", false);
+  free(b.at);
+  assert_true(statistic(s, "cache.bytes") > 100000);
+  double room = (double)o.limit_memory - statistic(s, "memory.now") + statistic(s, "cache.bytes") / 2;
+  char text[200];
+  snprintf(text, sizeof text, "(define kept (make-bytevector %.0f 0))", room);
+  run(s, text);
+  assert_true(statistic(s, "cache.evicted") > 0);
+  run(s, "(set! kept #f)");
+  b = written(s, "stl", false);
+  free(b.at);
+  vs_free(s);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_equality), cmocka_unit_test(test_bound), cmocka_unit_test(test_refused),
+                                      cmocka_unit_test(test_incremental), cmocka_unit_test(test_tags), cmocka_unit_test(test_limit) };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
