@@ -18,10 +18,9 @@ typedef struct {
   vs_kernel *k;
   vs_cluster *c;
   vs_expression *e;
-  VS_LIST(uint32_t) order;
-  VS_LIST(uint32_t) side;   /* union-find: 2 * face (+ side), 2 * face + 1 (- side); then the cell's number */
+  VS_LIST(_Atomic uint32_t) sets; /* union-find: 2 * face (+ side), 2 * face + 1 (- side) */
+  VS_LIST(uint32_t) side;         /* of each: its cell */
   VS_LIST(uint32_t) first, borders; /* cell -> its faces */
-  VS_LIST(uint32_t) use_first, uses_by_face;
   VS_LIST(uint64_t) sum;    /* of a cell */
   VS_LIST(uint8_t) state;   /* of a cell: 1 looked at, 2 walked, 4 inside, 8 settled */
   VS_LIST(uint32_t) queue;
@@ -64,21 +63,21 @@ int vs_around_axes(vs_points_view view, uint32_t low, uint32_t high, int *x, int
   return sign;
 }
 
-static bool sort_edge(walk *w, uint32_t *uses, size_t count) {
+static bool sort_edge(vs_kernel *k, walk *w, const vs_half *halves, size_t count) {
   enum { MANY = 64 };
-  vs_cluster *c = w->c;
+  const vs_cluster *c = w->c;
   vs_around few[MANY], *all = few;
   size_t room = 0;
   if (count > MANY) {
     all = NULL;
-    if (!VS_ROOM(w->k, all, room, count)) return false;
+    if (!VS_ROOM(k, all, room, count)) return false;
   }
-  const vs_use *use = &c->uses.at[uses[0]];
+  const vs_use *use = &c->uses.at[halves[0].item];
   uint32_t low = use->from < use->to ? use->from : use->to, high = use->from < use->to ? use->to : use->from;
   vs_points_view view = vs_points_of(&c->points);
   int x, y, sign = vs_around_axes(view, low, high, &x, &y);
   for (size_t i = 0; i < count; i++) {
-    use = &c->uses.at[uses[i]];
+    use = &c->uses.at[halves[i].item];
     const vs_plane *p = &c->planes.all.at[c->faces.at[use->face].plane];
     int64_t s = use->from == low ? 1 : -1;
     vs_around a = { s * p->n[sign > 0 ? x : y], s * p->n[sign > 0 ? y : x], 2 * use->face + (s < 0), 2 * use->face + (s > 0) };
@@ -89,11 +88,38 @@ static bool sort_edge(walk *w, uint32_t *uses, size_t count) {
   bool ok = true;
   for (size_t i = 0; i < count; i++) {
     const vs_around *a = &all[i], *b = &all[(i + 1) % count];
-    if (i + 1 < count && !vs_around_before(a, b)) ok = VS_BROKEN(w->k, "two faces lie on each other");
-    vs_unite(w->side.at, a->ccw, b->cw);
+    if (i + 1 < count && !vs_around_before(a, b)) ok = VS_BROKEN(k, "two faces lie on each other");
+    vs_unite_shared(w->sets.at, a->ccw, b->cw);
   }
-  if (all != few) VS_FREE(w->k, all, room);
+  if (all != few) VS_FREE(k, all, room);
   return ok;
+}
+
+/* Unites the sides that look at each other along the edges whose smaller ends are in the range. */
+static bool join_range(vs_kernel *k, void *context, size_t range) {
+  walk *w = context;
+  const vs_cluster *c = w->c;
+  const vs_halves *h = &c->edges;
+  for (uint32_t i = h->first.at[vs_halves_begin(h, range)], low = vs_halves_begin(h, range), stop = h->first.at[vs_halves_begin(h, range + 1)], end; i < stop; i = end) {
+    while (i >= h->first.at[low + 1]) low++;
+    const vs_half *at = h->at.at + i;
+    for (end = i + 1; end < h->first.at[low + 1] && h->at.at[end].high == at->high;) end++;
+    if (end - i == 2) {
+      const vs_use *a = &c->uses.at[at[0].item], *b = &c->uses.at[at[1].item];
+      uint32_t a_ccw = 2 * a->face + (a->from != low), b_ccw = 2 * b->face + (b->from != low);
+      vs_unite_shared(w->sets.at, a_ccw, b_ccw ^ 1);
+      vs_unite_shared(w->sets.at, b_ccw, a_ccw ^ 1);
+    } else if (!sort_edge(k, w, at, end - i)) {
+      return false;
+    }
+    if (!vs_kernel_poll(k, 0.7)) return false;
+  }
+  return true;
+}
+
+static void ends_of_uses(const void *context, uint32_t begin, uint32_t count, uint32_t (*ends)[2]) {
+  const vs_use *use = (const vs_use *)context + begin;
+  for (uint32_t i = 0; i < count; i++) ends[i][0] = use[i].from, ends[i][1] = use[i].to;
 }
 
 static bool make_cells(walk *w) {
@@ -101,51 +127,28 @@ static bool make_cells(walk *w) {
   vs_kernel *k = w->k;
   size_t n = c->uses.count, f = c->faces.count;
   if (f >= UINT32_MAX / 2 || n >= UINT32_MAX) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
-  if (!VS_ROOM(k, w->order.at, w->order.room, n + 1) || !VS_ROOM(k, w->side.at, w->side.room, 2 * f + 1))
+  if (!VS_ROOM(k, w->sets.at, w->sets.room, 2 * f + 1)) return false;
+  for (uint32_t i = 0; i < 2 * f; i++) atomic_init(&w->sets.at[i], i);
+  if (!vs_halves_sort(k, &c->edges, (uint32_t)c->points.all.count, (uint32_t)n, ends_of_uses, c->uses.at) || !vs_kernel_run(k, c->edges.ranges, join_range, w) ||
+      !VS_ROOM(k, w->side.at, w->side.room, 2 * f + 1))
     return false;
-  for (uint32_t i = 0; i < n; i++) w->order.at[i] = i;
-  for (uint32_t i = 0; i < 2 * f; i++) w->side.at[i] = i;
-  if (!vs_uses_sort(k, c->uses.at, w->order.at, n, c->points.all.count)) return false;
-  for (size_t i = 0, end; i < n; i = end) {
-    const vs_use *a = &c->uses.at[w->order.at[i]];
-    for (end = i + 1; end < n; end++) {
-      const vs_use *b = &c->uses.at[w->order.at[end]];
-      if (!vs_use_same_edge(a, b)) break;
-    }
-    if (end - i == 2) {
-      const vs_use *b = &c->uses.at[w->order.at[i + 1]];
-      bool along = a->from < a->to, with = b->from < b->to;
-      uint32_t a_ccw = 2 * a->face + !along, b_ccw = 2 * b->face + !with;
-      vs_unite(w->side.at, a_ccw, b_ccw ^ 1);
-      vs_unite(w->side.at, b_ccw, a_ccw ^ 1);
-    } else if (!sort_edge(w, w->order.at + i, end - i)) {
-      return false;
-    }
-    if (!vs_kernel_poll(k, 0.7)) return false;
-  }
   w->cells = 0;
   for (uint32_t i = 0; i < 2 * f; i++) { /* roots are the smallest of their sets: number them on the way */
-    uint32_t root = w->side.at[i] == i ? i : vs_find(w->side.at, i);
-    w->side.at[i] = root;
+    uint32_t root = vs_find_shared(w->sets.at, i);
+    w->side.at[i] = root == i ? w->cells++ : w->side.at[root];
   }
-  if (!VS_ROOM(k, w->queue.at, w->queue.room, 2 * f + 1)) return false;
-  for (uint32_t i = 0; i < 2 * f; i++) w->queue.at[i] = w->side.at[i] == i ? w->cells++ : w->queue.at[w->side.at[i]];
-  memcpy(w->side.at, w->queue.at, 2 * f * sizeof *w->side.at);
+  VS_DROP(k, w->sets);
 
   uint32_t cells = w->cells;
   if (!VS_ROOM(k, w->first.at, w->first.room, (size_t)cells + 2) || !VS_ROOM(k, w->borders.at, w->borders.room, 2 * f + 1) ||
       !VS_ROOM(k, w->sum.at, w->sum.room, (size_t)cells + 1) || !VS_ROOM(k, w->state.at, w->state.room, (size_t)cells + 1) ||
-      !VS_ROOM(k, w->use_first.at, w->use_first.room, f + 2) || !VS_ROOM(k, w->uses_by_face.at, w->uses_by_face.room, n + 1))
+      !VS_ROOM(k, w->queue.at, w->queue.room, (size_t)cells + 1))
     return false;
   memset(w->first.at, 0, ((size_t)cells + 2) * sizeof(uint32_t));
   memset(w->state.at, 0, (size_t)cells + 1);
   for (size_t i = 0; i < 2 * f; i++) w->first.at[w->side.at[i] + 2]++;
   for (size_t i = 2; i < (size_t)cells + 2; i++) w->first.at[i] += w->first.at[i - 1];
   for (uint32_t i = 0; i < 2 * f; i++) w->borders.at[w->first.at[w->side.at[i] + 1]++] = i / 2;
-  memset(w->use_first.at, 0, (f + 2) * sizeof(uint32_t));
-  for (size_t i = 0; i < n; i++) w->use_first.at[c->uses.at[i].face + 2]++;
-  for (size_t i = 2; i < f + 2; i++) w->use_first.at[i] += w->use_first.at[i - 1];
-  for (uint32_t i = 0; i < n; i++) w->uses_by_face.at[w->use_first.at[c->uses.at[i].face + 1]++] = i;
   return true;
 }
 
@@ -155,8 +158,8 @@ static bool make_cells(walk *w) {
 static bool strictly_inside(walk *w, vs_points_view view, uint32_t face, uint32_t probe, int au, int av) {
   vs_cluster *c = w->c;
   bool inside = false;
-  for (uint32_t i = w->use_first.at[face]; i < w->use_first.at[face + 1]; i++) {
-    const vs_use *use = &c->uses.at[w->uses_by_face.at[i]];
+  for (uint32_t i = c->faces.at[face].use, end = i + c->faces.at[face].use_count; i < end; i++) {
+    const vs_use *use = &c->uses.at[i];
     bool up_a = vs_compare(view, use->from, probe, av) > 0, up_b = vs_compare(view, use->to, probe, av) > 0;
     int turn = vs_orient2d(view, use->from, use->to, probe, au, av);
     if (turn == 0) return false;
@@ -171,9 +174,9 @@ static bool aim(walk *w, uint32_t face, int attempt) {
   vs_plane p = c->planes.all.at[c->faces.at[face].plane];
   int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3;
   int64_t low = INT64_MAX, high = INT64_MIN;
-  uint32_t begin = w->use_first.at[face], end = w->use_first.at[face + 1];
+  uint32_t begin = c->faces.at[face].use, end = begin + c->faces.at[face].use_count;
   for (uint32_t i = begin; i < end; i++) {
-    int64_t y = c->points.all.at[c->uses.at[w->uses_by_face.at[i]].from].fixed[av];
+    int64_t y = c->points.all.at[c->uses.at[i].from].fixed[av];
     if (y < low) low = y;
     if (y > high) high = y;
   }
@@ -185,7 +188,7 @@ static bool aim(walk *w, uint32_t face, int attempt) {
   VS_LIST(double) at = { 0 };
   bool ok = true;
   for (uint32_t i = begin; ok && i < end; i++) {
-    const vs_use *use = &c->uses.at[w->uses_by_face.at[i]];
+    const vs_use *use = &c->uses.at[i];
     const vs_point *a = &c->points.all.at[use->from], *b = &c->points.all.at[use->to];
     if ((a->fixed[av] > w->v) == (b->fixed[av] > w->v)) continue;
     double t = (double)(w->v - a->fixed[av]) / (double)(b->fixed[av] - a->fixed[av]);
@@ -407,12 +410,12 @@ static bool walk_from(walk *w, uint32_t cell) {
 static double about_area(const walk *w, uint32_t face) {
   const vs_cluster *c = w->c;
   const vs_plane *p = &c->planes.all.at[c->faces.at[face].plane];
-  uint32_t begin = w->use_first.at[face], end = w->use_first.at[face + 1];
+  uint32_t begin = c->faces.at[face].use, end = begin + c->faces.at[face].use_count;
   if (begin == end) return 0;
-  const vs_point *o = &c->points.all.at[c->uses.at[w->uses_by_face.at[begin]].from];
+  const vs_point *o = &c->points.all.at[c->uses.at[begin].from];
   double sum = 0;
   for (uint32_t i = begin; i < end; i++) {
-    const vs_use *use = &c->uses.at[w->uses_by_face.at[i]];
+    const vs_use *use = &c->uses.at[i];
     const vs_point *a = &c->points.all.at[use->from], *b = &c->points.all.at[use->to];
     sum += (double)(a->fixed[p->u] - o->fixed[p->u]) * (double)(b->fixed[p->v] - o->fixed[p->v]) -
            (double)(a->fixed[p->v] - o->fixed[p->v]) * (double)(b->fixed[p->u] - o->fixed[p->u]);
@@ -420,19 +423,21 @@ static double about_area(const walk *w, uint32_t face) {
   return sum;
 }
 
-/* A line to the largest face around the cell, or around those that hang together with it, then a walk from there. */
+/* A line to the largest of the first faces around the cell, and around those that hang together with it, then a walk from there. */
 static bool walk_component(walk *w, uint32_t start, size_t most) {
-  size_t head = 0, tail = 0;
+  enum { FACES = 256 };
+  size_t head = 0, tail = 0, seen = 0;
   double best = -1;
   uint32_t face = VS_NONE, side;
   bool done = false;
   w->queue.at[tail++] = start;
   w->state.at[start] |= 1;
-  while (head < tail) {
+  while (head < tail && seen < FACES) {
     uint32_t cell = w->queue.at[head++];
-    for (uint32_t i = w->first.at[cell]; i < w->first.at[cell + 1]; i++) {
+    for (uint32_t i = w->first.at[cell]; i < w->first.at[cell + 1] && seen < FACES; i++) {
       uint32_t f = w->borders.at[i], plus = w->side.at[2 * f], other = plus == cell ? w->side.at[2 * f + 1] : plus;
       double area = about_area(w, f);
+      seen++;
       if (area > best) best = area, face = f;
       if (w->state.at[other] || tail >= most) continue;
       w->state.at[other] = 1;
@@ -506,12 +511,10 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
     w.side.at = NULL;
     w.side.room = 0;
   }
-  VS_DROP(k, w.order);
+  VS_DROP(k, w.sets);
   VS_DROP(k, w.side);
   VS_DROP(k, w.first);
   VS_DROP(k, w.borders);
-  VS_DROP(k, w.use_first);
-  VS_DROP(k, w.uses_by_face);
   VS_DROP(k, w.sum);
   VS_DROP(k, w.state);
   VS_DROP(k, w.queue);

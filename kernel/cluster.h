@@ -16,6 +16,7 @@
 
 #include "kernel/bvh.h"
 #include "kernel/expression.h"
+#include "kernel/halves.h"
 #include "kernel/part.h"
 #include "kernel/table.h"
 
@@ -51,6 +52,7 @@ typedef struct {
   uint32_t cover, cover_count;
   uint32_t facet;  /* whose triangles it is, or VS_NONE */
   uint32_t tag;
+  uint32_t use, use_count; /* its boundary: into uses, in one piece */
 } vs_face;
 typedef struct { uint32_t from, to, face; } vs_use;
 
@@ -104,6 +106,7 @@ typedef struct {
   VS_LIST(vs_face) faces;
   VS_LIST(vs_cover) covers;
   VS_LIST(vs_use) uses;
+  vs_halves edges;       /* the uses by edge */
   VS_LIST(uint8_t) kept; /* a face: 0 no, 1 outside is its + side, 2 its - side */
   bool inspect;          /* of one leaf, which may be inside out: the next two are wanted */
   VS_LIST(uint32_t) side_cell; /* 2 * face (+ side), 2 * face + 1 (- side) -> cell */
@@ -136,12 +139,6 @@ bool vs_around_before(const vs_around *a, const vs_around *b);
 
 /* Of the result's triangles from first_triangle on: sides: 2 * plane + looks against its normal, of each; points: of the vertices from first_vertex on. */
 bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle, const uint32_t *sides, const uint32_t *points);
-
-/* Sorts numbers of uses by edge, in place: by the smaller end through buckets, each bucket by the larger. */
-bool vs_uses_sort(vs_kernel *k, const vs_use *uses, uint32_t *at, size_t count, size_t point_count);
-static inline bool vs_use_same_edge(const vs_use *a, const vs_use *b) {
-  return (a->from == b->from && a->to == b->to) || (a->from == b->to && a->to == b->from);
-}
 
 /* union-find with path halving; the smaller number becomes the root, so results do not depend on the order of unions */
 static inline uint32_t vs_find(uint32_t *parent, uint32_t x) {

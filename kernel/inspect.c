@@ -125,11 +125,13 @@ static bool holds(void *context, uint32_t patch) {
 }
 
 /* A place in the face, in fixed numbers: on the line half way up, half way through its widest stretch; about. */
-static void inside_of(const vs_cluster *c, uint32_t face, const uint32_t *uses, size_t count, int64_t at[3]) {
+static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
   const vs_plane *p = &c->planes.all.at[c->faces.at[face].plane];
+  const vs_use *uses = c->uses.at + c->faces.at[face].use;
+  size_t count = c->faces.at[face].use_count;
   double low = INFINITY, high = -INFINITY, best = -1, u = 0, v;
   for (size_t i = 0; i < count; i++) {
-    double y = (double)c->points.all.at[c->uses.at[uses[i]].from].fixed[p->v];
+    double y = (double)c->points.all.at[uses[i].from].fixed[p->v];
     low = fmin(low, y);
     high = fmax(high, y);
   }
@@ -138,7 +140,7 @@ static void inside_of(const vs_cluster *c, uint32_t face, const uint32_t *uses, 
     double x[2] = { 0, INFINITY };
     for (int pass = 0; pass < 2; pass++)
       for (size_t j = pass ? 0 : i; j < (pass ? count : i + 1); j++) {
-        const vs_use *use = &c->uses.at[uses[j]];
+        const vs_use *use = &uses[j];
         const vs_point *a = &c->points.all.at[use->from], *b = &c->points.all.at[use->to];
         double ay = (double)a->fixed[p->v], by = (double)b->fixed[p->v];
         if ((ay > v) == (by > v)) {
@@ -157,14 +159,15 @@ static void inside_of(const vs_cluster *c, uint32_t face, const uint32_t *uses, 
 }
 
 /* Volumes and areas of the cells, in steps: cones from a corner of each cell, for it may be small and far away. */
-static void measure_cells(const vs_cluster *c, const uint32_t *first, const uint32_t *by_face, cell *cells) {
+static void measure_cells(const vs_cluster *c, cell *cells) {
   for (uint32_t f = 0; f < c->faces.count; f++) {
-    if (first[f] == first[f + 1]) continue;
+    uint32_t begin = c->faces.at[f].use, end = begin + c->faces.at[f].use_count;
+    if (begin == end) continue;
     const vs_plane *p = &c->planes.all.at[c->faces.at[f].plane];
-    const vs_point *o = &c->points.all.at[c->uses.at[by_face[first[f]]].from];
+    const vs_point *o = &c->points.all.at[c->uses.at[begin].from];
     double n[3] = { (double)p->n[0], (double)p->n[1], (double)p->n[2] }, length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]), seen = 0;
-    for (uint32_t i = first[f]; i < first[f + 1]; i++) {
-      const vs_point *a = &c->points.all.at[c->uses.at[by_face[i]].from], *b = &c->points.all.at[c->uses.at[by_face[i]].to];
+    for (uint32_t i = begin; i < end; i++) {
+      const vs_point *a = &c->points.all.at[c->uses.at[i].from], *b = &c->points.all.at[c->uses.at[i].to];
       double au = (double)(a->fixed[p->u] - o->fixed[p->u]) * 0x1p-32, av = (double)(a->fixed[p->v] - o->fixed[p->v]) * 0x1p-32;
       double bu = (double)(b->fixed[p->u] - o->fixed[p->u]) * 0x1p-32, bv = (double)(b->fixed[p->v] - o->fixed[p->v]) * 0x1p-32;
       seen += (au * bv - av * bu) / 2; /* the area along k */
@@ -183,28 +186,23 @@ static void measure_cells(const vs_cluster *c, const uint32_t *first, const uint
 
 static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
   VS_LIST(cell) cells = { 0 };
-  VS_LIST(uint32_t) first = { 0 }, by_face = { 0 };
   VS_LIST(uint8_t) named = { 0 };
   size_t n = c->wound.count, f = c->faces.count;
-  bool ok = VS_ROOM(k, cells.at, cells.room, n + 1) && VS_ROOM(k, first.at, first.room, f + 2) && VS_ROOM(k, by_face.at, by_face.room, c->uses.count + 1) &&
+  bool ok = VS_ROOM(k, cells.at, cells.room, n + 1) &&
             VS_ROOM(k, named.at, named.room, c->problem->leaves[0].mesh->triangle_count + 1);
   if (ok && c->uses.count) {
     memset(cells.at, 0, (n + 1) * sizeof *cells.at);
     memset(named.at, 0, c->problem->leaves[0].mesh->triangle_count + 1);
-    memset(first.at, 0, (f + 2) * sizeof *first.at);
-    for (size_t i = 0; i < c->uses.count; i++) first.at[c->uses.at[i].face + 2]++;
-    for (size_t i = 2; i < f + 2; i++) first.at[i] += first.at[i - 1];
-    for (uint32_t i = 0; i < c->uses.count; i++) by_face.at[first.at[c->uses.at[i].face + 1]++] = i;
-    measure_cells(c, first.at, by_face.at, cells.at);
+    measure_cells(c, cells.at);
   }
   for (uint32_t i = 0; ok && i < 2 * f; i++) {
     uint32_t at = c->side_cell.at[i];
     int32_t winding = c->wound.at[at];
     if ((winding == 0 || winding == 1) || fabs(cells.at[at].volume) <= cells.at[at].area) continue; /* half the area times two steps */
-if (winding < out->least) out->least = winding;
+    if (winding < out->least) out->least = winding;
     if (winding > out->most) out->most = winding;
     search s = { k, c, i / 2, { 0 }, VS_NONE };
-    inside_of(c, i / 2, by_face.at + first.at[i / 2], first.at[i / 2 + 1] - first.at[i / 2], s.at);
+    inside_of(c, i / 2, s.at);
     vs_box box;
     for (int j = 0; j < 3; j++) box.min[j] = (int32_t)(s.at[j] >> VS_FIXED_BITS) - 1, box.max[j] = box.min[j] + 3;
     ok = vs_bvh_query(&c->bvh, &box, holds, &s) && vs_kernel_poll(k, 0.9);
@@ -214,8 +212,6 @@ if (winding < out->least) out->least = winding;
     by_triangle(out->wound, &out->wound_count, (vs_mesh_flaw){ s.found, vs_grid_world(&c->grid, &place), winding });
   }
   VS_DROP(k, cells);
-  VS_DROP(k, first);
-  VS_DROP(k, by_face);
   VS_DROP(k, named);
   return ok;
 }

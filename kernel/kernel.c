@@ -99,38 +99,10 @@ void vs_cluster_free(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, c->faces);
   VS_DROP(k, c->covers);
   VS_DROP(k, c->uses);
+  vs_halves_free(k, &c->edges);
   VS_DROP(k, c->kept);
   VS_DROP(k, c->side_cell);
   VS_DROP(k, c->wound);
-}
-
-static bool use_before(const void *context, uint32_t a, uint32_t b) { /* of one smaller end */
-  const vs_use *x = (const vs_use *)context + a, *y = (const vs_use *)context + b;
-  uint32_t xh = x->from < x->to ? x->to : x->from, yh = y->from < y->to ? y->to : y->from;
-  return xh != yh ? xh < yh : a < b;
-}
-
-bool vs_uses_sort(vs_kernel *k, const vs_use *uses, uint32_t *at, size_t count, size_t point_count) {
-  uint32_t *first = NULL, *scratch = NULL;
-  size_t first_room = 0, scratch_room = 0;
-  bool ok = VS_ROOM(k, first, first_room, point_count + 2) && VS_ROOM(k, scratch, scratch_room, count + 1);
-  if (ok) {
-    for (size_t i = 0; i < point_count + 2; i++) first[i] = 0;
-    for (size_t i = 0; i < count; i++) {
-      const vs_use *u = &uses[at[i]];
-      first[(u->from < u->to ? u->from : u->to) + 2]++;
-      scratch[i] = at[i];
-    }
-    for (size_t i = 2; i < point_count + 2; i++) first[i] += first[i - 1];
-    for (size_t i = 0; i < count; i++) {
-      const vs_use *u = &uses[scratch[i]];
-      at[first[(u->from < u->to ? u->from : u->to) + 1]++] = scratch[i];
-    }
-    for (size_t p = 0; p < point_count; p++) vs_kernel_sort(at + first[p], scratch, first[p + 1] - first[p], use_before, uses);
-  }
-  VS_FREE(k, first, first_room);
-  VS_FREE(k, scratch, scratch_room);
-  return ok;
 }
 
 typedef struct {

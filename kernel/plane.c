@@ -398,16 +398,18 @@ static bool give_faces(plane_work *w) {
     w->queue.at[f] = VS_NONE;
     if (w->cover_count.at[f] == 0) continue;
     w->queue.at[f] = (uint32_t)to->faces.count;
-    vs_face face = { w->plane_id, (uint32_t)to->covers.count, w->cover_count.at[f], VS_NONE, 0 };
-    if (!VS_PUSH(k, to->faces, face)) return false;
+    uint32_t begin = w->face_first.at[f], end = w->face_first.at[f + 1];
+    vs_face face = { w->plane_id, (uint32_t)to->covers.count, w->cover_count.at[f], VS_NONE, 0, (uint32_t)to->uses.count, end - begin };
+    if (!VS_PUSH(k, to->faces, face) || !VS_ROOM(k, to->uses.at, to->uses.room, to->uses.count + face.use_count)) return false;
     for (uint32_t i = 0; i < w->cover_count.at[f]; i++)
       if (!VS_PUSH(k, to->covers, w->cover.at[w->cover_first.at[f] + i])) return false;
-  }
-  for (size_t e = 0; e < w->sweep.edges.count; e++) {
-    uint32_t l = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].l]], r = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].r]];
-    uint32_t up = w->queue.at[w->above.at[e]], down = w->queue.at[w->below.at[e]];
-    if (up != VS_NONE && !VS_PUSH(k, to->uses, ((vs_use){ l, r, up }))) return false;
-    if (down != VS_NONE && !VS_PUSH(k, to->uses, ((vs_use){ r, l, down }))) return false;
+    for (uint32_t i = begin; i < end; i++) {
+      uint32_t e = w->face_edges.at[i];
+      uint32_t l = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].l]], r = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].r]];
+      bool second = i > begin && w->face_edges.at[i - 1] == e; /* the face is on both sides of it */
+      vs_use use = w->above.at[e] == f && !second ? (vs_use){ l, r, w->queue.at[f] } : (vs_use){ r, l, w->queue.at[f] };
+      to->uses.at[to->uses.count++] = use;
+    }
   }
   return true;
 }
@@ -418,18 +420,18 @@ static bool give_facet(plane_work *w, uint32_t facet) { /* untouched */
   const vs_cluster *c = w->c;
   findings *to = w->to;
   const vs_facet *f = &c->facets.at[facet];
-  vs_face face = { f->plane, (uint32_t)to->covers.count, 1, facet, 0 };
+  vs_face face = { f->plane, (uint32_t)to->covers.count, 1, facet, 0, (uint32_t)to->uses.count, 0 };
   vs_cover cover = { f->leaf, f->flip ? -1 : 1 };
-  if (!VS_PUSH(w->k, to->covers, cover) || !VS_PUSH(w->k, to->faces, face)) return false;
   for (uint32_t i = f[0].first; i < f[1].first; i++) {
     const vs_soup_triangle *t = &c->triangles.at[c->facet_triangles.at[i]];
     for (int j = 0; j < 3; j++) {
       uint32_t a = t->v[j], b = t->v[(j + 1) % 3];
       if (t->inner >> j & 1) continue;
-      if (!VS_PUSH(w->k, to->uses, ((vs_use){ f->flip ? b : a, f->flip ? a : b, (uint32_t)to->faces.count - 1 }))) return false;
+      if (!VS_PUSH(w->k, to->uses, ((vs_use){ f->flip ? b : a, f->flip ? a : b, (uint32_t)to->faces.count }))) return false;
     }
   }
-  return true;
+  face.use_count = (uint32_t)to->uses.count - face.use;
+  return VS_PUSH(w->k, to->covers, cover) && VS_PUSH(w->k, to->faces, face);
 }
 
 static bool cut_before(const void *context, uint32_t a, uint32_t b) {
@@ -496,7 +498,7 @@ static bool arrange_chunk(vs_kernel *k, void *context, size_t index) {
 }
 
 static bool absorb(vs_kernel *k, vs_cluster *c, findings *from, uint32_t *numbers) {
-  uint32_t faces = (uint32_t)c->faces.count, covers = (uint32_t)c->covers.count;
+  uint32_t faces = (uint32_t)c->faces.count, covers = (uint32_t)c->covers.count, uses = (uint32_t)c->uses.count;
   for (size_t i = 0; i < from->fresh.count; i++) {
     const fresh_point *f = &from->fresh.at[i];
     if (!vs_points_add_fixed(k, &c->points, f->fixed, f->exact ? NULL : &f->at, &numbers[i])) return false;
@@ -507,6 +509,7 @@ static bool absorb(vs_kernel *k, vs_cluster *c, findings *from, uint32_t *number
   for (size_t i = 0; i < from->faces.count; i++) {
     vs_face f = from->faces.at[i];
     f.cover += covers;
+    f.use += uses;
     c->faces.at[c->faces.count++] = f;
   }
   for (size_t i = 0; i < from->covers.count; i++) c->covers.at[c->covers.count++] = from->covers.at[i];

@@ -33,8 +33,9 @@ static vs_vec3 corner(const settling *s, uint32_t v) {
 }
 
 static bool near(double a, double b, vs_numbers numbers) {
-  double d = fabs(a - b);
-  return d == 0 || d < 2 * unit(fmax(fabs(a), fabs(b)), numbers);
+  double d = fabs(a - b), most = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
+  if (d > most * 1e-6) return false; /* nearly all are: no format's unit is that large */
+  return d == 0 || d < 2 * unit(most, numbers);
 }
 
 static bool too_short(const settling *s, uint32_t a, uint32_t b) {
@@ -89,7 +90,7 @@ static size_t collapse_round(settling *s) {
   for (uint32_t t = 0; t < m->triangle_count; t++)
     for (int j = 0; j < 3 && !s->gone[t]; j++) {
       uint32_t a = m->triangles[t][j], b = m->triangles[t][(j + 1) % 3];
-      if (a > b || s->busy[a] || s->busy[b] || !too_short(s, a, b)) continue; /* each edge runs upwards in one of its two triangles */
+      if (a > b || s->busy[a] || s->busy[b] || !too_short(s, a, b)) continue;
       if (!allowed(s, a, b)) continue;
       for (int end = 0; end < 2; end++)
         for (uint32_t i = s->first[end ? b : a]; i < s->first[(end ? b : a) + 1]; i++)
@@ -131,7 +132,11 @@ bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, vs_settled *out) {
   settling s = { .m = m, .numbers = numbers };
   *out = (vs_settled){ 0 };
   bool any = false;
-  for (size_t i = 0; i < 3 * m->triangle_count && !any; i++) any = too_short(&s, m->triangles[i / 3][i % 3], m->triangles[i / 3][(i + 1) % 3]);
+  for (size_t t = 0; t < m->triangle_count && !any; t++)
+    for (int j = 0; j < 3 && !any; j++) {
+      uint32_t a = m->triangles[t][j], b = m->triangles[t][j == 2 ? 0 : j + 1];
+      any = a < b && too_short(&s, a, b); /* each edge runs upwards in one of its two triangles */
+    }
   if (any) {
     s.first = malloc((m->vertex_count + 2) * sizeof *s.first);
     s.around = malloc((3 * m->triangle_count + 1) * sizeof *s.around);

@@ -6,7 +6,9 @@
  * classify.c for the order around an edge. */
 #include "kernel/cluster.h"
 
-typedef struct { uint32_t high, corner; } half; /* corner: 3 * triangle + j, the edge from j to the next */
+#include <string.h>
+
+typedef struct { VS_LIST(uint32_t) at; } crowded; /* of a range: the halves where edges with other than two triangles begin */
 
 typedef struct {
   vs_kernel *k;
@@ -14,9 +16,11 @@ typedef struct {
   vs_mesh *m;
   size_t first_vertex, first_triangle, vertices, triangles;
   const uint32_t *sides, *points;
-  VS_LIST(uint32_t) first;
-  VS_LIST(half) halves;
+  vs_halves halves;            /* items are corners: 3 * triangle + j, the edge from j to the next */
+  VS_LIST(crowded) crowded;
   VS_LIST(uint32_t) twins;
+  VS_LIST(uint32_t) lead, fan; /* of a vertex: its first corner, and how many it has */
+  _Atomic bool touching;       /* a vertex has several fans */
   VS_LIST(uint32_t) to;        /* of a corner: the vertex it gets, counted from first_vertex */
   VS_LIST(uint32_t) copied;    /* of the vertices behind the old ones: which they are copies of */
   VS_LIST(uint8_t) taken;
@@ -32,12 +36,12 @@ static uint32_t vertex_at(const splitter *s, uint32_t corner) { return s->m->tri
 
 static bool starts_at(const splitter *s, uint32_t corner, uint32_t low) { return vertex_at(s, corner) == low; }
 
-static bool pair_many(splitter *s, uint32_t low, const half *halves, size_t count) {
+static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t count) {
   vs_points_view view = vs_points_of(&s->c->points);
   int x, y, sign = vs_around_axes(view, s->points[low], s->points[halves[0].high], &x, &y);
   if (!VS_ROOM(s->k, s->around.at, s->around.room, count)) return false;
   for (size_t i = 0; i < count; i++) {
-    uint32_t corner = halves[i].corner, side = s->sides[corner / 3];
+    uint32_t corner = halves[i].item, side = s->sides[corner / 3];
     const vs_plane *p = &s->c->planes.all.at[side / 2];
     bool along = starts_at(s, corner, low);
     int64_t turn = along == !(side & 1) ? 1 : -1;
@@ -70,45 +74,79 @@ static void pair_of(const splitter *s, size_t edge, size_t n, uint32_t *a, uint3
   *b = s->many.at[begin + (i + 1) % count].ccw;
 }
 
+static uint32_t next_of(uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+
+static void ends_of_corners(const void *context, uint32_t begin, uint32_t count, uint32_t (*ends)[2]) {
+  const splitter *s = context;
+  for (uint32_t i = 0; i < count; i++) {
+    uint32_t t = (begin + i) / 3, j = (begin + i) % 3;
+    const uint32_t *v = s->m->triangles[s->first_triangle + t];
+    ends[i][0] = v[j] - (uint32_t)s->first_vertex;
+    ends[i][1] = v[j == 2 ? 0 : j + 1] - (uint32_t)s->first_vertex;
+  }
+}
+
+static bool join_range(vs_kernel *k, void *context, size_t range) {
+  splitter *s = context;
+  const vs_halves *h = &s->halves;
+  uint32_t low = vs_halves_begin(h, range), stop = h->first.at[vs_halves_begin(h, range + 1)];
+  for (uint32_t i = h->first.at[low], end; i < stop; i = end) {
+    while (i >= h->first.at[low + 1]) low++;
+    const vs_half *at = h->at.at + i;
+    for (end = i + 1; end < h->first.at[low + 1] && h->at.at[end].high == at->high;) end++;
+    if (end - i == 2 && starts_at(s, at[0].item, low) != starts_at(s, at[1].item, low)) join(s, at[0].item, at[1].item);
+    else if (!VS_PUSH(k, s->crowded.at[range].at, i)) return false;
+  }
+  return vs_kernel_report(k, k->part);
+}
+
 static bool find_twins(splitter *s) {
   uint32_t corners = (uint32_t)(3 * s->triangles);
-  size_t n = s->vertices;
-  if (!VS_ROOM(s->k, s->first.at, s->first.room, n + 2) || !VS_ROOM(s->k, s->halves.at, s->halves.room, (size_t)corners + 1) ||
-      !VS_ROOM(s->k, s->twins.at, s->twins.room, (size_t)corners + 1))
+  vs_halves *h = &s->halves;
+  if (!vs_halves_sort(s->k, h, (uint32_t)s->vertices, corners, ends_of_corners, s) || !VS_ROOM(s->k, s->twins.at, s->twins.room, (size_t)corners + 1) ||
+      !VS_ROOM(s->k, s->crowded.at, s->crowded.room, h->ranges))
     return false;
-  uint32_t *first = s->first.at;
-  for (size_t i = 0; i < n + 2; i++) first[i] = 0;
-  for (int pass = 0; pass < 2; pass++) {
-    for (uint32_t corner = 0; corner < corners; corner++) {
-      uint32_t a = vertex_at(s, corner), b = vertex_at(s, corner % 3 == 2 ? corner - 2 : corner + 1), low = a < b ? a : b;
-      if (!pass) first[low + 2]++;
-      else s->halves.at[first[low + 1]++] = (half){ a < b ? b : a, corner };
+  memset(s->crowded.at, 0, h->ranges * sizeof *s->crowded.at);
+  s->crowded.count = h->ranges;
+  if (!vs_kernel_run(s->k, h->ranges, join_range, s)) return false;
+  for (uint32_t r = 0; r < h->ranges; r++)
+    for (size_t e = 0, low = vs_halves_begin(h, r); e < s->crowded.at[r].at.count; e++) {
+      uint32_t i = s->crowded.at[r].at.at[e], end = i + 1;
+      while (i >= h->first.at[low + 1]) low++;
+      while (end < h->first.at[low + 1] && h->at.at[end].high == h->at.at[i].high) end++;
+      if ((end - i) % 2) return VS_BROKEN(s->k, "the result is not closed");
+      if (!pair_many(s, (uint32_t)low, h->at.at + i, end - i)) return false;
     }
-    if (!pass)
-      for (size_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
-  }
-  for (uint32_t v = 0; v < n; v++) {
-    half *at = s->halves.at + first[v];
-    uint32_t count = first[v + 1] - first[v];
-    for (uint32_t gap = count > 32 ? count / 2 : 1; gap && count; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2)) /* shell sort: mostly a few, at times a hub */
-      for (uint32_t i = gap; i < count; i++) {
-        half x = at[i];
-        uint32_t j = i;
-        for (; j >= gap && (at[j - gap].high != x.high ? at[j - gap].high > x.high : at[j - gap].corner > x.corner); j -= gap) at[j] = at[j - gap];
-        at[j] = x;
-      }
-    for (uint32_t i = 0, end; i < count; i = end) {
-      for (end = i + 1; end < count && at[end].high == at[i].high;) end++;
-      if (end - i == 2 && starts_at(s, at[i].corner, v) != starts_at(s, at[i + 1].corner, v)) {
-        join(s, at[i].corner, at[i + 1].corner);
-      } else if ((end - i) % 2) {
-        return VS_BROKEN(s->k, "the result is not closed");
-      } else if (!pair_many(s, v, at + i, end - i)) {
-        return false;
-      }
-    }
-  }
   return VS_PUSH(s->k, s->many_first, (uint32_t)s->many.count);
+}
+
+enum { VERTICES = 1 << 14 };
+static bool count_fans(vs_kernel *k, void *context, size_t chunk) { /* the first corner's fan holds all of a vertex's corners, or it touches itself there */
+  splitter *s = context;
+  size_t begin = chunk * VERTICES, end = s->vertices - begin < VERTICES ? s->vertices : begin + VERTICES;
+  for (size_t v = begin; v < end && !atomic_load_explicit(&s->touching, memory_order_relaxed); v++) {
+    uint32_t at = s->lead.at[v], n = 0;
+    if (s->fan.at[v] == 0) continue;
+    do at = next_of(s->twins.at[at]), n++; while (at != s->lead.at[v]);
+    if (n != s->fan.at[v]) atomic_store_explicit(&s->touching, true, memory_order_relaxed);
+  }
+  return vs_kernel_report(k, k->part);
+}
+
+/* Is there anything to split at all? Mostly not. */
+static bool look_for_touching(splitter *s) {
+  if (s->way.count) {
+    atomic_store(&s->touching, true);
+    return true;
+  }
+  uint32_t corners = (uint32_t)(3 * s->triangles);
+  if (!VS_ROOM(s->k, s->lead.at, s->lead.room, s->vertices + 1) || !VS_ROOM(s->k, s->fan.at, s->fan.room, s->vertices + 1)) return false;
+  for (size_t v = 0; v < s->vertices; v++) s->fan.at[v] = 0;
+  for (uint32_t corner = 0; corner < corners; corner++) {
+    uint32_t v = vertex_at(s, corner);
+    if (s->fan.at[v]++ == 0) s->lead.at[v] = corner;
+  }
+  return vs_kernel_run(s->k, (s->vertices + VERTICES - 1) / VERTICES, count_fans, s);
 }
 
 /* One fan keeps the vertex, the first by corner; the others get copies of it. */
@@ -128,14 +166,11 @@ static bool find_fans(splitter *s) {
     s->taken.at[v] = 1;
     do {
       s->to.at[at] = to;
-      uint32_t twin = s->twins.at[at];
-      at = twin % 3 == 2 ? twin - 2 : twin + 1; /* the same vertex in the next triangle */
+      at = next_of(s->twins.at[at]); /* the same vertex in the next triangle */
     } while (at != corner);
   }
   return true;
 }
-
-static uint32_t next_of(uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
 /* Have two pairs at the edge the same two ends? */
 static bool still_held(const splitter *s, size_t edge) {
@@ -223,9 +258,12 @@ bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t fir
   splitter s = { .k = k, .c = c, .m = m, .first_vertex = first_vertex, .first_triangle = first_triangle, .vertices = m->vertex_count - first_vertex,
                  .triangles = m->triangle_count - first_triangle, .sides = sides, .points = points };
   if (s.triangles >= UINT32_MAX / 3) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
-  bool ok = find_twins(&s) && join_many(&s) && write(&s);
-  VS_DROP(k, s.first);
-  VS_DROP(k, s.halves);
+  bool ok = find_twins(&s) && look_for_touching(&s) && (!atomic_load(&s.touching) || (join_many(&s) && write(&s)));
+  vs_halves_free(k, &s.halves);
+  for (size_t i = 0; i < s.crowded.count; i++) VS_DROP(k, s.crowded.at[i].at);
+  VS_DROP(k, s.crowded);
+  VS_DROP(k, s.lead);
+  VS_DROP(k, s.fan);
   VS_DROP(k, s.twins);
   VS_DROP(k, s.to);
   VS_DROP(k, s.copied);

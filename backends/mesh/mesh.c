@@ -44,14 +44,19 @@ static bool stl_solid(vs_emitter *e, const vs_solid *solid) {
   if (count > UINT32_MAX) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than an STL file can hold");
   vs_le_u32(head + 80, (uint32_t)count);
   vs_put(e->out, head, sizeof head);
+  enum { RECORD = 50, MANY = 80 };
+  unsigned char records[RECORD * MANY] = { 0 }, *to = records; /* many at once: the writer looks at every call */
   for (size_t i = 0; i < m->triangle_count && !e->out->failed; i++) {
     const uint32_t *t = m->triangles[i];
     if (stl_needle(m, t)) continue;
-    unsigned char record[50] = { 0 }, *to = stl_vector(record, stl_normal(m, t));
+    to = stl_vector(to, stl_normal(m, t));
     for (int k = 0; k < 3; k++) to = stl_vector(to, m->vertices[t[k]]);
-    vs_put(e->out, record, sizeof record);
+    to += 2; /* no attribute */
+    if (to < records + sizeof records) continue;
+    vs_put(e->out, records, sizeof records);
+    to = records;
   }
-  return !e->out->failed;
+  return vs_put(e->out, records, (size_t)(to - records));
 }
 
 /* The same in words. Numbers are those of the binary form, so that the two hold one mesh. */

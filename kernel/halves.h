@@ -1,0 +1,46 @@
+/* Owns the sorting of directed edges by their ends, for all who ask what meets along an edge. */
+#ifndef VS_KERNEL_HALVES_H
+#define VS_KERNEL_HALVES_H
+
+#include "kernel/table.h"
+
+typedef struct { uint32_t high, item; } vs_half; /* an edge seen from its smaller end */
+
+typedef struct {
+  VS_LIST(vs_half) at;      /* by smaller end, then larger end, then item */
+  VS_LIST(uint32_t) first;  /* of each point: its edges to larger ones; one more */
+  uint32_t shift, ranges;   /* points fall into ranges, 1 << shift of them in each but the last: tasks for threads */
+} vs_halves;
+
+/* Gives the ends of the items from `begin` on, `count` of them; equal ends where an item has none. */
+typedef void vs_ends_fn(const void *context, uint32_t begin, uint32_t count, uint32_t (*ends)[2]);
+bool vs_halves_sort(vs_kernel *k, vs_halves *h, uint32_t points, uint32_t items, vs_ends_fn *ends, const void *context);
+void vs_halves_free(vs_kernel *k, vs_halves *h);
+
+/* The points of a range: from its first to before the next one's first. */
+static inline uint32_t vs_halves_begin(const vs_halves *h, size_t range) {
+  uint32_t points = (uint32_t)h->first.count - 1;
+  return range >= h->ranges ? points : (uint32_t)range << h->shift;
+}
+
+/* Union-find that threads may share: the smaller number becomes the root, so the sets' names depend on nothing but the sets. */
+static inline uint32_t vs_find_shared(_Atomic uint32_t *parent, uint32_t x) {
+  for (;;) {
+    uint32_t up = atomic_load_explicit(&parent[x], memory_order_relaxed);
+    if (up == x) return x;
+    uint32_t over = atomic_load_explicit(&parent[up], memory_order_relaxed);
+    if (over != up) atomic_store_explicit(&parent[x], over, memory_order_relaxed); /* some ancestor, whoever writes last */
+    x = over;
+  }
+}
+static inline void vs_unite_shared(_Atomic uint32_t *parent, uint32_t a, uint32_t b) {
+  for (;;) {
+    a = vs_find_shared(parent, a);
+    b = vs_find_shared(parent, b);
+    if (a == b) return;
+    uint32_t low = a < b ? a : b, high = a < b ? b : a, expected = high;
+    if (atomic_compare_exchange_strong_explicit(&parent[high], &expected, low, memory_order_relaxed, memory_order_relaxed)) return;
+  }
+}
+
+#endif
