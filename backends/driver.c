@@ -329,12 +329,14 @@ static bool drive_check(vs_emitter *e, const vs_ref *ref) {
 static bool drive_mark(vs_emitter *e, const vs_ref *ref) {
   vs_drive *d = e->drive;
   if (!e->backend->keep_origins) return true;
-  if (d->line_count > 0 && d->lines[d->line_count - 1].line == e->out->line) {
+  if (d->line_count > 0 && d->lines[d->line_count - 1].origin == ref->origin) return true; /* an entry holds up to the next */
+  uint32_t line = vs_writer_line(e->out);
+  if (d->line_count > 0 && d->lines[d->line_count - 1].line == line) {
     d->lines[d->line_count - 1].origin = ref->origin;
     return true;
   }
   if (!vs_emit_grow(e, &d->lines, &d->line_room, d->line_count + 1, sizeof *d->lines)) return false;
-  d->lines[d->line_count++] = (drive_line){ e->out->line, ref->origin };
+  d->lines[d->line_count++] = (drive_line){ line, ref->origin };
   return true;
 }
 
@@ -572,6 +574,7 @@ bool vs_drive_scene(vs_emitter *e) {
   memset(d, 0, sizeof *d);
   d->index.store = d->paints.store = d->bounds.places.store = e->scene->store;
   e->drive = d;
+  e->out->keeps_lines = e->backend->keep_origins;
   if (e->scene->has_ground && e->scene->ground_material != NULL && !drive_add_material(e, e->scene->ground_material)) return false;
   if (!drive_plan(e)) return false;
   if (e->scene->drawn_count == 0 && !e->backend->verbatim) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "nothing is drawn");

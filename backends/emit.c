@@ -1,4 +1,4 @@
-/* Owns the writer and the one spelling of numbers. See emit.h. */
+/* Owns the writer. See emit.h. */
 #include "backends/emit.h"
 
 #include <stdarg.h>
@@ -11,37 +11,54 @@ void vs_writer_init(vs_writer *w, vs_sink_fn *sink, void *context) {
   w->used = 0;
   w->bytes = 0;
   w->limit = 0;
+  w->counted = 0;
   w->line = 1;
-  w->failed = w->full = false;
+  w->failed = w->full = w->keeps_lines = false;
+}
+
+uint32_t vs_writer_line(vs_writer *w) {
+  const char *p = w->buffer + w->counted, *end = w->buffer + w->used;
+  for (; p < end && (p = memchr(p, '\n', (size_t)(end - p))) != NULL; p++) w->line++;
+  w->counted = w->used;
+  return w->line;
 }
 
 bool vs_writer_flush(vs_writer *w) {
   if (w->failed) return false;
+  if (w->keeps_lines) vs_writer_line(w);
   if (w->used > 0 && !w->sink(w->context, w->buffer, w->used)) w->failed = true;
-  w->used = 0;
+  w->used = w->counted = 0;
   return !w->failed;
+}
+
+static bool writer_counts(vs_writer *w, size_t count) {
+  w->bytes += count;
+  if (w->limit == 0 || w->bytes <= w->limit) return true;
+  w->full = w->failed = true;
+  return false;
+}
+
+bool vs_writer_filled(vs_writer *w, const char *end) {
+  size_t count = (size_t)(end - (w->buffer + w->used));
+  if (!writer_counts(w, count)) return false;
+  w->used += count;
+  return true;
 }
 
 bool vs_put(vs_writer *w, const void *bytes, size_t count) {
   if (w->failed) return false;
   if (count == 0) return true; /* bytes may be NULL then */
-  w->bytes += count;
-  if (w->limit > 0 && w->bytes > w->limit) {
-    w->full = w->failed = true;
-    return false;
-  }
-  const char *from = bytes;
-  for (const char *p = from, *end = from + count; (p = memchr(p, '\n', (size_t)(end - p))) != NULL; p++) w->line++;
-  while (count > 0) {
+  if (!writer_counts(w, count)) return false;
+  for (const char *from = bytes;;) {
     size_t part = VS_WRITER_ROOM - w->used;
     if (part > count) part = count;
     memcpy(w->buffer + w->used, from, part);
     w->used += part;
     from += part;
     count -= part;
-    if (w->used == VS_WRITER_ROOM && !vs_writer_flush(w)) return false;
+    if (count == 0) return true;
+    if (!vs_writer_flush(w)) return false;
   }
-  return true;
 }
 
 bool vs_puts(vs_writer *w, const char *text) { return vs_put(w, text, strlen(text)); }
@@ -60,8 +77,8 @@ bool vs_putf(vs_writer *w, const char *format, ...) {
 }
 
 bool vs_put_number(vs_writer *w, double x) {
-  char text[VS_NUMBER_ROOM];
-  return vs_put(w, text, vs_number_text(x, text));
+  char *to = vs_writer_room(w, VS_NUMBER_ROOM);
+  return to != NULL && vs_writer_filled(w, vs_number_write(to, x));
 }
 
 bool vs_put_u32(vs_writer *w, uint32_t x) {
@@ -102,63 +119,6 @@ bool vs_put_spaces(vs_writer *w, size_t count) {
     count -= part;
   }
   return !w->failed;
-}
-
-/* Most coordinates are whole or have a few decimals. Such an x is k / 10^d with |k| < 10^12, where x * 10^d rounds to k and k / 10^d
- * rounds back to x: then the digits of k are the answer and printf is not needed. Everything else goes through %.12g. */
-static size_t number_plain(double x, char *out) {
-  static const double power[] = { 1, 10, 100, 1000, 1e4, 1e5, 1e6 };
-  double size = fabs(x);
-  if (!(size < 1e6 && size >= 1e-3)) return 0; /* below, the exponent's form is shorter */
-  for (int decimals = 0; decimals <= 6; decimals++) {
-    double scaled = size * power[decimals];
-    uint64_t k = (uint64_t)scaled;
-    if ((double)k / power[decimals] != size) {
-      k++; /* the product may have been rounded down to just below a whole number */
-      if ((double)k / power[decimals] != size) continue;
-    }
-    char digits[24], *p = digits + sizeof digits;
-    for (int i = 0; i < decimals; i++, k /= 10) *--p = (char)('0' + k % 10);
-    if (decimals > 0) *--p = '.';
-    do *--p = (char)('0' + k % 10); while ((k /= 10) > 0);
-    if (x < 0) *--p = '-';
-    size_t length = (size_t)(digits + sizeof digits - p);
-    memcpy(out, p, length);
-    out[length] = '\0';
-    return length;
-  }
-  return 0;
-}
-
-size_t vs_number_text(double x, char out[VS_NUMBER_ROOM]) {
-  if (x == 0 || !isfinite(x)) {
-    out[0] = '0';
-    out[1] = '\0';
-    return 1;
-  }
-  size_t plain = number_plain(x, out);
-  if (plain > 0) return plain;
-  char text[64];
-  int length = snprintf(text, sizeof text, "%.12g", x);
-  /* The host's locale may have put a comma there; and the exponent is spelled without plus sign and leading zeros. */
-  size_t used = 0;
-  for (int i = 0; i < length && used + 1 < VS_NUMBER_ROOM; i++) {
-    char c = text[i];
-    bool digit = c >= '0' && c <= '9';
-    if (c == 'e') {
-      out[used++] = c;
-      i++;
-      if (text[i] == '-') out[used++] = '-';
-      while (i + 1 < length && (text[i] == '-' || text[i] == '+' || text[i] == '0')) i++;
-      i--;
-    } else if (digit || c == '-') {
-      out[used++] = c;
-    } else if (used == 0 || out[used - 1] != '.') {
-      out[used++] = '.'; /* whatever the locale's sign is, however many bytes */
-    }
-  }
-  out[used] = '\0';
-  return used;
 }
 
 void vs_put_xml(vs_writer *w, const char *text) {

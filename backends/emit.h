@@ -1,4 +1,4 @@
-/* Owns text on its way out: a buffered writer over any sink, numbers in their one spelling, indentation, line counting.
+/* Owns text on its way out: a buffered writer over any sink, numbers in their one spelling (number_text.c), indentation, line counting.
  *
  * A writer remembers its first failure; every call after that does nothing and returns false, so an emitter may print freely and
  * look once. Numbers are the shortest text of at most 12 significant digits, a point as decimal sign whatever the locale, never -0. */
@@ -8,6 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "model/vec.h"
 
@@ -21,15 +22,27 @@ typedef struct {
   size_t used;
   uint64_t bytes;  /* handed over or waiting: the size so far */
   uint64_t limit;  /* no more bytes than this; 0: any number */
-  uint32_t line;   /* the line being written, from 1 */
+  size_t counted;  /* of the buffer: newlines up to there are in `line` */
+  uint32_t line;   /* as far as counted: vs_writer_line */
   bool failed, full; /* full: stopped by the limit */
+  bool keeps_lines;  /* somebody will ask vs_writer_line */
   char buffer[VS_WRITER_ROOM];
 } vs_writer;
 
 void vs_writer_init(vs_writer *w, vs_sink_fn *sink, void *context);
 bool vs_writer_flush(vs_writer *w);
+uint32_t vs_writer_line(vs_writer *w); /* the line being written, from 1; of a writer that keeps_lines */
 
-bool vs_put(vs_writer *w, const void *bytes, size_t count); /* binary is fine; newlines are counted */
+/* For what is written a million times: room for `most` bytes (at most VS_WRITER_ROOM) in the buffer, to be filled from there; vs_writer_filled says
+ * how far. NULL: the writer has failed. */
+static inline char *vs_writer_room(vs_writer *w, size_t most) {
+  if (w->failed || (VS_WRITER_ROOM - w->used < most && !vs_writer_flush(w))) return NULL;
+  return w->buffer + w->used;
+}
+bool vs_writer_filled(vs_writer *w, const char *end);
+#define VS_WRITE(to, literal) (memcpy(to, literal, sizeof literal - 1), (to) += sizeof literal - 1) /* into such room */
+
+bool vs_put(vs_writer *w, const void *bytes, size_t count); /* binary is fine */
 bool vs_puts(vs_writer *w, const char *text);
 /* As printf, for short things that hold no doubles: names, integers, fixed words. Longer than 1 KB is a failure. */
 bool vs_putf(vs_writer *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -45,5 +58,7 @@ unsigned char *vs_le_double(unsigned char *to, double x);
 
 /* The number's text, NUL-terminated; its length. Not finite: "0" (callers check first; a format must not be broken by it). */
 size_t vs_number_text(double x, char out[VS_NUMBER_ROOM]);
+/* The same without a NUL; the place behind it. Writes within VS_NUMBER_ROOM bytes, some behind the text. */
+char *vs_number_write(char *to, double x);
 
 #endif

@@ -223,7 +223,6 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
 #define POVRAY_SHARED                                                                                                                     \
   .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, .use = vs_povray_use,                \
   .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .family = "povray", .native = "povray",               \
-  .keep_origins = true,                                                                                                                   \
   .emit = {                                                                                                                               \
     [VS_LINE] = { vs_povray_line, "POV-Ray has no lines: curves are drawn as thin rods" },                                                 \
     [VS_ARC] = { NULL, NULL }, [VS_CIRCLE] = { NULL, NULL }, [VS_SPLINE] = { NULL, NULL },                                                 \
@@ -237,5 +236,5 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
   }
 
 const vs_backend vs_backend_povray = { POVRAY_SHARED };
-const vs_backend vs_backend_povray_png = { POVRAY_SHARED, .render = vs_povray_render_png };
-const vs_backend vs_backend_povray_exr = { POVRAY_SHARED, .render = vs_povray_render_exr };
+const vs_backend vs_backend_povray_png = { POVRAY_SHARED, .render = vs_povray_render_png, .keep_origins = true };
+const vs_backend vs_backend_povray_exr = { POVRAY_SHARED, .render = vs_povray_render_exr, .keep_origins = true };

@@ -18,6 +18,43 @@ static vs_emit_status pov_close(vs_emitter *e, const char *word) {
   vs_puts(e->out, word);
   return e->out->failed ? VS_FAILED : VS_EMITTED;
 }
+/* Primitives are what a drawing may have a million of: their text is made in the writer's own buffer. */
+enum { POV_POINT_ROOM = 3 * VS_NUMBER_ROOM + 8, POV_SHAPE_ROOM = 80 + 32 + 2 * POV_POINT_ROOM + 2 * VS_NUMBER_ROOM };
+
+static char *pov_write_point(char *to, vs_vec3 p) {
+  *to++ = '<';
+  to = vs_number_write(to, p.x);
+  VS_WRITE(to, ", ");
+  to = vs_number_write(to, p.y);
+  VS_WRITE(to, ", ");
+  to = vs_number_write(to, p.z);
+  *to++ = '>';
+  return to;
+}
+static char *pov_write_comma_point(char *to, vs_vec3 p) {
+  VS_WRITE(to, ", ");
+  return pov_write_point(to, p);
+}
+static char *pov_write_comma(char *to, double x) {
+  VS_WRITE(to, ", ");
+  return vs_number_write(to, x);
+}
+
+/* Room for one such shape, and its indentation and word (of at most 32 letters) in it. NULL: failed. */
+static char *pov_begin(vs_emitter *e, const char *word, size_t length) {
+  char *to = vs_writer_room(e->out, POV_SHAPE_ROOM);
+  if (to == NULL) return NULL;
+  size_t indent = 2 * (e->depth < 40 ? e->depth : 40);
+  memset(to, ' ', indent);
+  memcpy(to + indent, word, length);
+  return to + indent + length;
+}
+#define POV_BEGIN(e, word) pov_begin(e, word, sizeof word - 1)
+static vs_emit_status pov_finish(vs_emitter *e, char *to) {
+  VS_WRITE(to, " }\n");
+  return vs_writer_filled(e->out, to) ? VS_EMITTED : VS_FAILED;
+}
+
 static void pov_point(vs_emitter *e, vs_vec3 p) { vs_put_triple(e->out, "<", p, ", ", ">"); }
 static void pov_comma_point(vs_emitter *e, vs_vec3 p) {
   vs_puts(e->out, ", ");
@@ -43,10 +80,17 @@ static void pov_matrix(vs_emitter *e, const vs_affine *a) {
 
 vs_emit_status vs_povray_box(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
-  pov_open(e, "box { ");
-  pov_point(e, VS_AS(box, ref->node)->p);
-  pov_comma_point(e, VS_AS(box, ref->node)->q);
-  return pov_close(e, " }\n");
+  char *to = POV_BEGIN(e, "box { ");
+  if (to == NULL) return VS_FAILED;
+  to = pov_write_point(to, VS_AS(box, ref->node)->p);
+  return pov_finish(e, pov_write_comma_point(to, VS_AS(box, ref->node)->q));
+}
+
+static vs_emit_status pov_sphere(vs_emitter *e, vs_vec3 center, double radius) {
+  char *to = POV_BEGIN(e, "sphere { ");
+  if (to == NULL) return VS_FAILED;
+  to = pov_write_point(to, center);
+  return pov_finish(e, pov_write_comma(to, radius));
 }
 
 /* A number of facets that the model asks for is part of the shape: then it is these facets, not the round thing. */
@@ -54,34 +98,31 @@ vs_emit_status vs_povray_sphere(vs_emitter *e, const vs_ref *ref, vs_phase phase
   (void)phase;
   const struct vs_sphere *s = VS_AS(sphere, ref->node);
   if (s->segments > 0) return VS_LOWER;
-  pov_open(e, "sphere { ");
-  pov_point(e, s->center);
-  pov_comma(e, s->radius);
-  return pov_close(e, " }\n");
+  return pov_sphere(e, s->center, s->radius);
 }
 
-static vs_emit_status pov_cylinder(vs_emitter *e, vs_vec3 base, vs_vec3 top, double radius, const char *close) {
-  pov_open(e, "cylinder { ");
-  pov_point(e, base);
-  pov_comma_point(e, top);
-  pov_comma(e, radius);
-  return pov_close(e, close);
+static vs_emit_status pov_cylinder(vs_emitter *e, vs_vec3 base, vs_vec3 top, double radius) {
+  char *to = POV_BEGIN(e, "cylinder { ");
+  if (to == NULL) return VS_FAILED;
+  to = pov_write_point(to, base);
+  to = pov_write_comma_point(to, top);
+  return pov_finish(e, pov_write_comma(to, radius));
 }
 
 vs_emit_status vs_povray_cylinder(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_cylinder *c = VS_AS(cylinder, ref->node);
-  return c->segments > 0 ? VS_LOWER : pov_cylinder(e, c->base, c->top, c->radius, " }\n");
+  return c->segments > 0 ? VS_LOWER : pov_cylinder(e, c->base, c->top, c->radius);
 }
 
 static vs_emit_status pov_cone(vs_emitter *e, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius) {
-  if (base_radius == top_radius) return pov_cylinder(e, base, top, base_radius, " }\n"); /* POV-Ray's cone takes no equal radii */
-  pov_open(e, "cone { ");
-  pov_point(e, base);
-  pov_comma(e, base_radius);
-  pov_comma_point(e, top);
-  pov_comma(e, top_radius);
-  return pov_close(e, " }\n");
+  if (base_radius == top_radius) return pov_cylinder(e, base, top, base_radius); /* POV-Ray's cone takes no equal radii */
+  char *to = POV_BEGIN(e, "cone { ");
+  if (to == NULL) return VS_FAILED;
+  to = pov_write_point(to, base);
+  to = pov_write_comma(to, base_radius);
+  to = pov_write_comma_point(to, top);
+  return pov_finish(e, pov_write_comma(to, top_radius));
 }
 
 vs_emit_status vs_povray_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
@@ -238,18 +279,10 @@ vs_emit_status vs_povray_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) 
   e->depth++;
   for (uint32_t i = 0; i < count; i++) {
     vs_vec3 a = l->points->at[i], b = l->points->at[(i + 1) % count];
-    pov_open(e, "sphere { ");
-    pov_point(e, a);
-    pov_comma(e, radius);
-    vs_puts(e->out, " }\n");
-    if (i < pieces && vs_v3_length(vs_v3_sub(b, a)) > 1e-6 * radius) pov_cylinder(e, a, b, radius, " }\n");
+    pov_sphere(e, a, radius);
+    if (i < pieces && vs_v3_length(vs_v3_sub(b, a)) > 1e-6 * radius) pov_cylinder(e, a, b, radius);
   }
-  if (count == 1) { /* a union of one is a warning */
-    pov_open(e, "sphere { ");
-    pov_point(e, l->points->at[0]);
-    pov_comma(e, radius);
-    vs_puts(e->out, " }\n");
-  }
+  if (count == 1) pov_sphere(e, l->points->at[0], radius); /* a union of one is a warning */
   e->depth--;
   pov_open(e, "}\n");
   return pov_close(e, "");
@@ -319,7 +352,7 @@ vs_emit_status vs_povray_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phas
   const struct vs_circle *circle = pov_circle(n->children[0].node);
   if (circle != NULL && x->along.x == 0 && x->along.y == 0) {
     vs_vec3 base = vs_v3_add(circle->center, start);
-    return pov_cylinder(e, base, vs_v3_add(base, x->along), circle->radius, " }\n");
+    return pov_cylinder(e, base, vs_v3_add(base, x->along), circle->radius);
   }
   if (!pov_is_straight(n->children[0].node)) return VS_LOWER;
   vs_outline o = { .count = 0 };
