@@ -186,16 +186,19 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
   if (data) memcpy(payload, data, info->size);
   else memset(payload, 0, info->size);
   vs_payload_adopt(info, payload);
-  uint64_t hash = vs_hash_mix(vs_hash_bytes(4, info->name, strlen(info->name)), vs_payload_hash(info, payload));
+  uint64_t hash = vs_hash_mix(vs_hash_mix(4, (uint64_t)kind), vs_payload_hash(info, payload)), form = vs_hash_mix(10, (uint64_t)kind);
   uint32_t depth = 1;
   for (size_t i = 0; i < child_count; i++) {
     kept[i] = children[i];
     vs_node_retain(kept[i].node);
     hash = vs_hash_mix(hash, kept[i].node->hash);
+    form = vs_hash_mix(form, kept[i].node->form);
     uint32_t below = kept[i].node->depth;
     if (below >= depth) depth = below == UINT32_MAX ? below : below + 1;
   }
-  *n = (vs_node){ .refs = 1, .kind = (uint16_t)kind, .child_count = (uint32_t)child_count, .depth = depth, .hash = hash,
+  bool same = child_count == 1 && (kind == VS_TRANSFORM || kind == VS_UNION || kind == VS_INTERSECTION || kind == VS_DIFFERENCE);
+  if (same) form = kept[0].node->form; /* only moved, or a set of one: the shape within */
+  *n = (vs_node){ .refs = 1, .kind = (uint16_t)kind, .child_count = (uint32_t)child_count, .depth = depth, .form = (uint32_t)form, .hash = hash,
                   .store = vs_store_retain(s), .children = kept, .data = payload };
   vs_node_classify(n, info);
   for (size_t i = 0; i < child_count; i++) n->flags |= kept[i].node->flags & (VS_NODE_SUGAR | VS_NODE_OPEN);

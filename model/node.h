@@ -120,6 +120,7 @@ struct vs_node {
   uint32_t child_count;
   uint32_t depth;  /* 1 for a leaf; saturates */
   uint32_t slot;   /* its number in the order made last (order.h): the one thing about a node that changes */
+  uint32_t form;   /* hash of what it is made of, whatever its numbers and places: what could be copies of one another have one form */
   uint64_t hash;   /* structural */
   vs_store *store;
   const vs_ref *children;

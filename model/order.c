@@ -3,9 +3,7 @@
 
 #include "model/store.h"
 
-typedef struct { vs_ref ref; uint32_t next; } order_level;
-
-static bool order_has(const vs_order *o, const vs_node *n) { return n->slot < o->count && o->at[n->slot].node == n; }
+typedef struct { vs_ref ref; uint32_t next; bool inner; } order_level;
 
 static bool order_grow(vs_order *o) {
   size_t room = o->room ? o->room * 2 : 64;
@@ -13,36 +11,65 @@ static bool order_grow(vs_order *o) {
   vs_ref *at = vs_store_realloc(o->store, o->at, o->room * sizeof *at, room * sizeof *at);
   if (!at) return false;
   o->at = at;
-  uint32_t *uses = vs_store_realloc(o->store, o->uses, o->room * sizeof *uses, room * sizeof *uses);
-  if (!uses) { /* the two keep one size */
+  vs_order_note *note = vs_store_realloc(o->store, o->note, o->room * sizeof *note, room * sizeof *note);
+  if (!note) { /* the two keep one size */
     at = vs_store_realloc(o->store, o->at, room * sizeof *at, o->room * sizeof *at);
     if (at || !o->room) o->at = at;
     return false;
   }
-  o->uses = uses;
+  o->note = note;
   o->room = room;
   return true;
 }
 
-/* Its children are numbered. */
-static bool order_add(vs_order *o, vs_ref ref) {
+/* Its children have been met. inner: some have numbers. */
+static bool order_add(vs_order *o, vs_ref ref, bool inner) {
   if (o->count == o->room && !order_grow(o)) return false;
   ref.node->slot = (uint32_t)o->count;
-  o->uses[o->count] = 0;
+  o->note[o->count] = (vs_order_note){ 0, inner };
   o->at[o->count++] = ref;
-  for (uint32_t i = 0; i < ref.node->child_count; i++) o->uses[ref.node->children[i].node->slot]++;
+  o->empty |= ref.node->kind == VS_EMPTY;
+  for (uint32_t i = 0; inner && i < ref.node->child_count; i++) {
+    const vs_node *child = ref.node->children[i].node;
+    if (vs_order_has(o, child)) o->note[child->slot].uses++;
+  }
   return true;
+}
+
+static void order_pass_by(vs_order *o, const vs_node *leaf) {
+  bool empty = leaf->kind == VS_EMPTY;
+  o->empty |= empty;
+  o->lone += !empty;
+}
+
+/* The next child that needs a number; the lone leaves before it are counted. */
+static bool order_next(vs_order *o, order_level *top, vs_ref *child) {
+  const vs_node *n = top->ref.node;
+  while (top->next < n->child_count) {
+    *child = n->children[top->next++];
+    if (!vs_order_is_lone(child->node)) {
+      top->inner = true;
+      return true;
+    }
+    order_pass_by(o, child->node);
+  }
+  return false;
 }
 
 bool vs_order_make(vs_order *o, const vs_ref *refs, size_t count, vs_error *e) {
   order_level *levels = NULL;
   size_t depth = 0, room = 0;
   bool ok = true;
-  o->count = 0;
+  o->count = o->lone = 0;
+  o->empty = false;
   for (size_t i = 0; ok && i < count; i++) {
     vs_ref at = refs[i];
+    if (vs_order_is_lone(at.node)) {
+      order_pass_by(o, at.node);
+      continue;
+    }
     for (bool down = true; ok;) {
-      if (down && !order_has(o, at.node) && at.node->child_count) {
+      if (down && !vs_order_has(o, at.node) && at.node->child_count) {
         if (depth == room) {
           size_t more = room ? room * 2 : 64;
           order_level *grown = vs_store_realloc(o->store, levels, room * sizeof *levels, more * sizeof *levels);
@@ -50,17 +77,19 @@ bool vs_order_make(vs_order *o, const vs_ref *refs, size_t count, vs_error *e) {
           levels = grown;
           room = more;
         }
-        levels[depth++] = (order_level){ at, 0 };
-      } else if (down && !order_has(o, at.node)) {
-        ok = order_add(o, at);
+        levels[depth++] = (order_level){ .ref = at };
+      } else if (down && !vs_order_has(o, at.node)) {
+        ok = order_add(o, at, false);
       }
       if (!ok || !depth) break;
       order_level *top = &levels[depth - 1];
-      down = top->next < top->ref.node->child_count;
-      if (down) at = top->ref.node->children[top->next++];
-      else ok = order_add(o, levels[--depth].ref);
+      down = order_next(o, top, &at);
+      if (!down) {
+        depth--;
+        ok = order_add(o, top->ref, top->inner);
+      }
     }
-    if (ok) o->uses[refs[i].node->slot]++;
+    if (ok) o->note[refs[i].node->slot].uses++;
   }
   vs_store_realloc(o->store, levels, room * sizeof *levels, 0);
   if (ok) return true;
@@ -70,6 +99,6 @@ bool vs_order_make(vs_order *o, const vs_ref *refs, size_t count, vs_error *e) {
 
 void vs_order_free(vs_order *o) {
   vs_store_realloc(o->store, o->at, o->room * sizeof *o->at, 0);
-  vs_store_realloc(o->store, o->uses, o->room * sizeof *o->uses, 0);
+  vs_store_realloc(o->store, o->note, o->room * sizeof *o->note, 0);
   *o = (vs_order){ .store = o->store };
 }

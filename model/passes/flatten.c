@@ -30,8 +30,8 @@ bool vs_flatten_begin(vs_rewrite *w) {
   memset(f->above, 0, (o->count + 1) * sizeof *f->above);
   for (size_t k = 0; k < o->count; k++) {
     const vs_node *n = o->at[k].node;
-    for (uint32_t i = 0; vs_flatten_is_set(n) && i < n->child_count; i++)
-      f->above[vs_order_of(n->children[i].node)] = UINT64_C(1) << (n->kind == VS_DIFFERENCE && i ? VS_UNION : n->kind);
+    for (uint32_t i = 0; o->note[k].inner && vs_flatten_is_set(n) && i < n->child_count; i++)
+      if (vs_order_has(o, n->children[i].node)) f->above[vs_order_of(n->children[i].node)] = UINT64_C(1) << (n->kind == VS_DIFFERENCE && i ? VS_UNION : n->kind);
   }
   return true;
 }
@@ -46,7 +46,7 @@ void vs_flatten_end(vs_rewrite *w) {
 
 /* Will a set of this kind in old's place dissolve into the one set that names it? */
 static bool vs_flatten_fits(const vs_rewrite *w, const vs_flatten *f, const vs_node *old, const vs_node *new) {
-  return vs_rewrite_lone(w, old) && new->child_count && f->above[vs_order_of(old)] >> new->kind & 1;
+  return new->child_count && vs_rewrite_lone(w, old) && f->above[vs_order_of(old)] >> new->kind & 1;
 }
 
 typedef struct { const vs_ref *at; size_t left; } vs_flatten_run; /* members still to be taken */
@@ -88,7 +88,7 @@ static bool vs_flatten_gather(const vs_flatten *f, const vs_ref *kids, size_t ki
 static vs_node *vs_flatten_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   const vs_flatten *f = w->state;
   bool plain = true;
-  for (uint32_t i = 0; plain && i < n->child_count; i++) plain = !vs_nodemap_get(&f->dissolves, kids[i].node);
+  for (uint32_t i = 0; plain && kids != n->children && i < n->child_count; i++) plain = !vs_nodemap_get(&f->dissolves, kids[i].node);
   if (plain) return vs_rewrite_keep(w, n, kids);
   size_t count;
   if (!vs_flatten_gather(f, kids, n->child_count, NULL, &count)) return NULL;

@@ -28,7 +28,10 @@ vs_node *vs_pass_prune(vs_rewrite *w, const vs_node *n, const vs_ref *kids, cons
     case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_SLICE:
     case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
       return n->child_count && vs_prune_empty(kids[0].node) ? vs_prune_to_nothing(w) : vs_rewrite_keep(w, n, kids);
-    case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: break;
+    case VS_UNION:
+      if (!w->order.empty && n->child_count && (kids == n->children || !w->changed)) return vs_rewrite_keep(w, n, kids); /* nothing was or became empty */
+      break;
+    case VS_INTERSECTION: case VS_DIFFERENCE: break;
     case VS_JOIN: case VS_XLINE: case VS_RAY:
     case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_HULL:
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:

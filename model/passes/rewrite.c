@@ -11,28 +11,33 @@ const vs_pass_info *vs_pass_get(vs_pass_kind pass) {
   return &passes[pass];
 }
 
-bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old) { return w->order.uses[vs_order_of(old)] == 1; }
+bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old) { return vs_order_uses(&w->order, old) == 1; }
 
 /* ---- rewriting ---- */
 
 vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   bool same = true;
-  for (uint32_t i = 0; same && i < n->child_count; i++) same = kids[i].node == n->children[i].node;
+  for (uint32_t i = 0; same && kids != n->children && i < n->child_count; i++) same = kids[i].node == n->children[i].node;
   return same ? vs_node_retain((vs_node *)(uintptr_t)n) : vs_node_new(w->store, (vs_kind)n->kind, n->data, kids, n->child_count);
 }
 
-static vs_ref vs_rewritten_ref(const vs_rewritten *results, vs_ref old) {
+static vs_ref vs_rewritten_ref(const vs_rewrite *w, const vs_rewritten *results, vs_ref old) {
+  if (!vs_order_has(&w->order, old.node)) return old; /* a lone leaf */
   const vs_rewritten *new = &results[vs_order_of(old.node)];
   return (vs_ref){ new->node, new->origin ? new->origin : old.origin };
 }
 
-static bool vs_rewrite_node(vs_rewrite *w, vs_rewrite_fn *fn, size_t index, vs_rewritten *results, vs_ref *kids) {
+static bool vs_rewrite_node(vs_rewrite *w, vs_rewrite_fn *fn, size_t index, vs_rewritten *results, vs_ref *room) {
   vs_ref at = w->order.at[index];
   vs_error *e = w->error;
-  for (uint32_t i = 0; i < at.node->child_count; i++) kids[i] = vs_rewritten_ref(results, at.node->children[i]);
+  const vs_ref *kids = at.node->children;
+  if (w->order.note[index].inner) {
+    for (uint32_t i = 0; i < at.node->child_count; i++) room[i] = vs_rewritten_ref(w, results, at.node->children[i]);
+    kids = room;
+  }
   results[index].origin = NULL;
   results[index].node = fn(w, at.node, kids, &results[index].origin);
-  if (w->order.uses[index] > 1) results[index].origin = NULL; /* several calls named it: each keeps its own */
+  if (w->order.note[index].uses > 1) results[index].origin = NULL; /* several calls named it: each keeps its own */
   if (results[index].node) return true;
   if (e->kind == VS_ERROR_NONE) vs_error_memory(e, at.origin);
   if (!e->origin) e->origin = at.origin;
@@ -42,13 +47,13 @@ static bool vs_rewrite_node(vs_rewrite *w, vs_rewrite_fn *fn, size_t index, vs_r
 bool vs_rewrite_run(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count) {
   size_t nodes = w->order.count, widest = 1, done = 0;
   for (size_t i = 0; i < nodes; i++)
-    if (w->order.at[i].node->child_count > widest) widest = w->order.at[i].node->child_count;
+    if (w->order.note[i].inner && w->order.at[i].node->child_count > widest) widest = w->order.at[i].node->child_count;
   vs_rewritten *results = vs_store_realloc(w->store, NULL, 0, (nodes + 1) * sizeof *results);
   vs_ref *kids = vs_store_realloc(w->store, NULL, 0, widest * sizeof *kids);
   bool ok = (results && kids) || vs_error_memory(w->error, NULL);
   while (ok && done < nodes && (ok = vs_rewrite_node(w, fn, done, results, kids))) done++;
   for (size_t i = 0; ok && i < count; i++) {
-    vs_ref new = vs_rewritten_ref(results, refs[i]);
+    vs_ref new = vs_rewritten_ref(w, results, refs[i]);
     kids[0] = refs[i];
     refs[i] = (vs_ref){ vs_node_retain(new.node), new.origin };
     vs_node_release(kids[0].node);
@@ -69,7 +74,7 @@ bool vs_rewrite_alone(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t cou
 /* ---- counting ---- */
 
 static double vs_order_commands(const vs_order *o, size_t drawn) {
-  double commands = drawn > 1 ? (double)(drawn - 1) : 0; /* the drawing is the union of what was drawn */
+  double commands = (drawn > 1 ? (double)(drawn - 1) : 0) + (double)o->lone; /* the drawing is the union of what was drawn */
   for (size_t i = 0; i < o->count; i++) {
     const vs_node *n = o->at[i].node;
     switch (vs_kind_get((vs_kind)n->kind)->level) {
@@ -79,7 +84,7 @@ static double vs_order_commands(const vs_order *o, size_t drawn) {
         else if (n->child_count > 1) commands += n->child_count - 1;
         break;
     }
-    if (o->uses[i] > 1) commands += 1 + (double)o->uses[i];
+    if (o->note[i].uses > 1) commands += 1 + (double)o->note[i].uses;
   }
   return commands;
 }
@@ -117,7 +122,7 @@ bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
     vs_rewrite w = { .store = s, .options = options, .error = e, .order = order };
     if (k == VS_PASS_FLATTEN) ok = vs_flatten_begin(&w);
     if (k == VS_PASS_SHARE) ok = vs_share_begin(&w);
-    ok = ok && vs_rewrite_run(&w, passes[k], work, count);
+    ok = ok && (w.idle || vs_rewrite_run(&w, passes[k], work, count));
     if (k == VS_PASS_FLATTEN) vs_flatten_end(&w);
     if (k == VS_PASS_SHARE) vs_share_end(&w);
     if (stats) stats->changed[k] = w.changed;

@@ -17,12 +17,14 @@ struct vs_rewrite {
   vs_error *error;  /* a pass that returns NULL has set it, or memory ran out */
   vs_order order;   /* of the drawing before the pass */
   size_t changed;
+  bool idle;        /* its begin has seen that it would change nothing */
 };
 
 bool vs_rewrite_run(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count); /* w->order is of these references */
 bool vs_rewrite_alone(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count); /* makes and frees the order itself */
 vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids); /* n itself if its kids are its own, else a copy with kids */
 bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old); /* named once: no template */
+/* Lone leaves (order.h) are not shown to a pass. Where a node has no other children, kids are the node's own array. */
 
 vs_rewrite_fn vs_pass_flatten, vs_pass_fold, vs_pass_prune, vs_pass_share;
 bool vs_flatten_begin(vs_rewrite *w); /* makes w->state */

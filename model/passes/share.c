@@ -3,10 +3,13 @@
  * Each distinct node gets an anchor, a point of it that moves along when it is moved, and a key of 128 bits: a hash of kind, fields and
  * children's keys in which every position stands relative to the anchor. Equal keys are equal shapes (two that differ meet in one key once
  * in 2^64 models; nothing else is compared). The same part written at two places differs by rounding: of positions that lie within 2^-40 of
- * the drawing's largest number the first one met stands for all in the hash (a grid alone would part the neighbours on either side of a
+ * the largest number the first one met stands for all in the hash (a grid alone would part the neighbours on either side of a
  * step, and a tree of a thousand numbers has such a pair soon); other numbers go to 40 bits in the same way.
  *
  * What is only moved, and a set of one, is the shape within: it has that one's key, and no copy of its own.
+ *
+ * Only what stands a second time needs a key. Nodes know their form, a hash without numbers and places: where no other node has a set's form, and it
+ * lies in none that is looked at, nothing of it is looked at. So a million primitives in one set cost nothing here.
  *
  * d copies of c commands cost d*c apart and c + 2*d with a template, d uses and d - 1 placements: shared where that is less. Of parts that are templates
  * whatever becomes of the copies, a copy has the uses alone. The first copy met is the template, so that parts of shared parts settle by themselves. */
@@ -23,6 +26,7 @@ typedef struct {
   vs_vec3 anchor;
   double cost;        /* commands that a copy of it is, where what is a template anyway is its use */
   bool alias;         /* the shape of its child, elsewhere */
+  bool wanted;        /* its key is asked for */
   size_t group;       /* the first entry with this key */
   size_t copies;      /* of the group, at its first entry */
   double named;       /* references to any of the group, at its first entry */
@@ -31,6 +35,7 @@ typedef struct {
 typedef struct { double step, first; } vs_share_step; /* first NaN: free */
 typedef struct {
   vs_store *store;
+  const vs_order *order;
   vs_share_entry *at; /* by the node's number */
   size_t count, room;
   double quantum;
@@ -107,19 +112,22 @@ static void vs_share_mix_real(vs_share *s, vs_share_key *k, double x) {
 
 /* ---- keys ---- */
 
-static const vs_share_entry *vs_share_of(const vs_share *s, const vs_node *n) { return &s->at[vs_order_of(n)]; }
+/* What a child's parent must know of it: kept, or of a lone leaf worked out when it is asked for. */
+typedef struct { vs_share_key key; vs_vec3 anchor; } vs_share_child;
+
+static vs_share_child vs_share_of(vs_share *s, const vs_node *n);
 
 /* The node's own first point, or its first child's anchor */
-static vs_vec3 vs_share_anchor(const vs_share *s, const vs_node *n, const vs_kind_info *info) {
-  if (n->kind == VS_SWEEP && n->child_count > 1) return vs_share_of(s, n->children[1].node)->anchor; /* a sweep lies where its path does */
-  if (n->kind == VS_TRANSFORM) return vs_affine_point(&VS_AS(transform, n)->matrix, vs_share_of(s, n->children[0].node)->anchor);
+static vs_vec3 vs_share_anchor(vs_share *s, const vs_node *n, const vs_kind_info *info) {
+  if (n->kind == VS_SWEEP && n->child_count > 1) return vs_share_of(s, n->children[1].node).anchor; /* a sweep lies where its path does */
+  if (n->kind == VS_TRANSFORM) return vs_affine_point(&VS_AS(transform, n)->matrix, vs_share_of(s, n->children[0].node).anchor);
   if (n->kind == VS_NATIVE) return vs_v3(0, 0, 0); /* its text knows no other place */
   for (size_t i = 0; n->kind != VS_SWEEP && i < info->field_count; i++) {
     const void *at = (const char *)n->data + info->fields[i].offset;
     if (info->fields[i].type == VS_FIELD_point) return *(const vs_vec3 *)at;
     if (info->fields[i].type == VS_FIELD_points && (*(const vs_points *const *)at)->count) return (*(const vs_points *const *)at)->at[0];
   }
-  return n->child_count ? vs_share_of(s, n->children[0].node)->anchor : vs_v3(0, 0, 0);
+  return n->child_count ? vs_share_of(s, n->children[0].node).anchor : vs_v3(0, 0, 0);
 }
 
 static void vs_share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, const vs_kind_info *info, vs_vec3 anchor) {
@@ -163,28 +171,82 @@ static bool vs_share_is_alias(const vs_node *n) {
   return set && n->child_count == 1 && n->children[0].node->class_ == n->class_; /* the union of one closed curve is a region */
 }
 
-static bool vs_share_enter(vs_share *s, vs_ref at, vs_error *e) {
-  const vs_node *n = at.node;
+/* Of a node whose children have theirs. */
+static void vs_share_find_key(vs_share *s, const vs_node *n, vs_share_key *key, vs_vec3 *anchor) {
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
-  vs_share_entry x = { .anchor = vs_share_anchor(s, n, info), .group = s->count };
-  vs_share_mix(&x.key, vs_hash_bytes(9, info->name, strlen(info->name)));
-  vs_share_mix(&x.key, n->child_count);
-  vs_share_mix_fields(s, &x.key, n, info, x.anchor);
-  if (n->kind == VS_NATIVE) vs_share_mix(&x.key, n->hash); /* so it is shared only with its equal, not with one moved */
-  for (uint32_t i = 0; i < n->child_count; i++) {
-    const vs_share_entry *child = vs_share_of(s, n->children[i].node);
-    vs_share_mix(&x.key, child->key.a);
-    vs_share_mix(&x.key, child->key.b);
-    if (n->kind == VS_SWEEP) vs_share_mix_vector(s, &x.key, i ? vs_v3(0, 0, 0) : child->anchor);
-    else if (n->kind != VS_TRANSFORM && (n->kind != VS_EXTRUDE || i == 0)) vs_share_mix_vector(s, &x.key, vs_v3_sub(child->anchor, x.anchor));
-  }
+  *anchor = vs_share_anchor(s, n, info);
   if (vs_share_is_alias(n)) {
-    const vs_share_entry *within = vs_share_of(s, n->children[0].node);
-    x.alias = true;
-    x.key = within->key;
+    *key = vs_share_of(s, n->children[0].node).key;
+    return;
   }
-  if (s->starved) return vs_error_memory(e, at.origin);
+  *key = (vs_share_key){ 0, 0 };
+  vs_share_mix(key, vs_hash_bytes(9, info->name, strlen(info->name)));
+  vs_share_mix(key, n->child_count);
+  vs_share_mix_fields(s, key, n, info, *anchor);
+  if (n->kind == VS_NATIVE) vs_share_mix(key, n->hash); /* so it is shared only with its equal, not with one moved */
+  for (uint32_t i = 0; i < n->child_count; i++) {
+    vs_share_child child = vs_share_of(s, n->children[i].node);
+    vs_share_mix(key, child.key.a);
+    vs_share_mix(key, child.key.b);
+    if (n->kind == VS_SWEEP) vs_share_mix_vector(s, key, i ? vs_v3(0, 0, 0) : child.anchor);
+    else if (n->kind != VS_TRANSFORM && (n->kind != VS_EXTRUDE || i == 0)) vs_share_mix_vector(s, key, vs_v3_sub(child.anchor, *anchor));
+  }
+}
+
+static vs_share_child vs_share_of(vs_share *s, const vs_node *n) {
+  vs_share_child c;
+  if (vs_order_has(s->order, n)) {
+    const vs_share_entry *x = &s->at[vs_order_of(n)];
+    return (vs_share_child){ x->key, x->anchor };
+  }
+  vs_share_find_key(s, n, &c.key, &c.anchor); /* a leaf: this goes no deeper */
+  return c;
+}
+
+/* What it is, without its key, and its cost apart, which is the most it can be; children come before. */
+static void vs_share_enter(vs_share *s, const vs_node *n, bool inner) {
+  bool set = vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION;
+  vs_share_entry x = { .cost = 1, .group = s->count, .alias = vs_share_is_alias(n) };
+  if (set && n->child_count > 1) x.cost = n->child_count - 1;
+  if (set && !inner) x.cost += n->child_count;
+  for (uint32_t i = 0; set && inner && i < n->child_count; i++) {
+    const vs_node *child = n->children[i].node;
+    x.cost += vs_order_has(s->order, child) ? s->at[vs_order_of(child)].cost : 1;
+  }
+  if (x.cost > 1e15) x.cost = 1e15; /* a DAG's paths may be without number */
   s->at[s->count++] = x;
+}
+
+/* Worth a template if there are enough of them. */
+static bool vs_share_is_worth(const vs_share_entry *x) { return !x->alias && x->cost > 2; }
+
+static int vs_share_by_form(const void *p, const void *q) {
+  uint64_t x = *(const uint64_t *)p, y = *(const uint64_t *)q;
+  return x < y ? -1 : x > y;
+}
+
+/* Marks what may have a copy, by its form, and all that lies in it. *any: is there something? False: out of memory. */
+static bool vs_share_want(vs_share *s, bool *any) {
+  const vs_order *o = s->order;
+  size_t count = 0;
+  uint64_t *forms = vs_store_realloc(s->store, NULL, 0, (s->count + 1) * sizeof *forms);
+  if (!forms) return false;
+  for (size_t i = 0; i < s->count; i++)
+    if (vs_share_is_worth(&s->at[i])) forms[count++] = (uint64_t)o->at[i].node->form << 32 | i;
+  qsort(forms, count, sizeof *forms, vs_share_by_form);
+  *any = false;
+  for (size_t i = 0; i < count; i++) {
+    uint64_t form = forms[i] >> 32;
+    bool again = (i > 0 && forms[i - 1] >> 32 == form) || (i + 1 < count && forms[i + 1] >> 32 == form);
+    s->at[forms[i] & UINT32_MAX].wanted = again;
+    *any |= again;
+  }
+  vs_store_realloc(s->store, forms, (s->count + 1) * sizeof *forms, 0);
+  for (size_t i = s->count; i-- > 0;) {
+    const vs_node *n = o->at[i].node;
+    for (uint32_t k = 0; s->at[i].wanted && o->note[i].inner && k < n->child_count; k++)
+      if (vs_order_has(o, n->children[k].node)) s->at[vs_order_of(n->children[k].node)].wanted = true;
+  }
   return true;
 }
 
@@ -193,7 +255,7 @@ static void vs_share_largest(double *most, const double *x, size_t n) {
     if (isfinite(x[i])) *most = fmax(*most, fabs(x[i]));
 }
 
-static void vs_share_measure(double *most, const vs_node *n) { /* the drawing's largest number */
+static void vs_share_measure(double *most, const vs_node *n) { /* the largest number of a place in it */
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
   for (size_t i = 0; i < info->field_count; i++) {
     const void *field = (const char *)n->data + info->fields[i].offset;
@@ -221,13 +283,19 @@ static bool vs_share_pays(const vs_share_entry *first) {
 }
 
 /* What a copy of n costs. A part that more places name than n's copies will be a template whatever becomes of n: then n saves its uses alone. */
-static double vs_share_cost(const vs_share *s, const vs_node *n, double named) {
-  const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
+static double vs_share_cost(const vs_share *s, size_t index, double named) {
+  const vs_node *n = s->order->at[index].node;
   double cost = 1;
-  if (info->level != VS_LEVEL_OPERATION) return cost;
+  if (vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION) return cost;
   if (n->child_count > 1) cost = n->child_count - 1;
+  if (!s->order->note[index].inner) return cost + n->child_count;
   for (uint32_t i = 0; i < n->child_count; i++) {
-    const vs_share_entry *child = vs_share_of(s, n->children[i].node), *first = &s->at[child->group];
+    const vs_node *below = n->children[i].node;
+    if (!vs_order_has(s->order, below)) {
+      cost++;
+      continue;
+    }
+    const vs_share_entry *child = &s->at[vs_order_of(below)], *first = &s->at[child->group];
     bool template = first->named > named && (vs_share_pays(first) || first->named > (double)first->copies);
     cost += template ? fmin(child->cost, first->copies > 1 ? 2 : 1) : child->cost;
   }
@@ -239,7 +307,7 @@ static bool vs_share_group(vs_share *s) {
   if (!order) return false;
   size_t count = 0;
   for (size_t i = 0; i < s->count; i++)
-    if (!s->at[i].alias) order[count++] = (vs_share_order){ s->at[i].key, i };
+    if (s->at[i].wanted && !s->at[i].alias) order[count++] = (vs_share_order){ s->at[i].key, i };
   qsort(order, count, sizeof *order, vs_share_compare);
   for (size_t i = 0, first = 0; i < count; i++) {
     if (order[i].key.a != order[first].key.a || order[i].key.b != order[first].key.b) first = i;
@@ -254,20 +322,33 @@ bool vs_share_begin(vs_rewrite *w) {
   const vs_order *o = &w->order;
   vs_share *s = vs_store_realloc(w->store, NULL, 0, sizeof *s);
   if (!s) return vs_error_memory(w->error, NULL);
-  *s = (vs_share){ .store = w->store };
+  *s = (vs_share){ .store = w->store, .order = o };
   w->state = s;
-  double most = 0;
-  for (size_t i = 0; i < o->count; i++) vs_share_measure(&most, o->at[i].node);
-  s->quantum = most > 0 ? ldexp(most, -40) : 1;
-  if (!(s->quantum > 0)) s->quantum = ldexp(1, -1000);
   s->at = vs_store_realloc(w->store, NULL, 0, (o->count + 1) * sizeof *s->at);
   if (!s->at) return vs_error_memory(w->error, NULL);
   s->room = o->count + 1;
-  for (size_t i = 0; i < o->count; i++)
-    if (!vs_share_enter(s, o->at[i], w->error)) return false;
+  for (size_t i = 0; i < o->count; i++) vs_share_enter(s, o->at[i].node, o->note[i].inner);
+  bool any;
+  if (!vs_share_want(s, &any)) return vs_error_memory(w->error, NULL);
+  w->idle = !any;
+  if (!any) return true;
+  double most = 0;
+  for (size_t i = 0; i < o->count; i++) {
+    const vs_node *n = o->at[i].node;
+    if (!s->at[i].wanted) continue;
+    vs_share_measure(&most, n);
+    for (uint32_t k = 0; k < n->child_count; k++)
+      if (!vs_order_has(o, n->children[k].node)) vs_share_measure(&most, n->children[k].node);
+  }
+  s->quantum = most > 0 ? ldexp(most, -40) : 1;
+  if (!(s->quantum > 0)) s->quantum = ldexp(1, -1000);
+  for (size_t i = 0; i < o->count; i++) {
+    if (s->at[i].wanted) vs_share_find_key(s, o->at[i].node, &s->at[i].key, &s->at[i].anchor);
+    if (s->starved) return vs_error_memory(w->error, o->at[i].origin);
+  }
   if (!vs_share_group(s)) return vs_error_memory(w->error, NULL);
-  for (size_t i = 0; i < o->count; i++) s->at[s->at[i].group].named += o->uses[i];
-  for (size_t i = 0; i < o->count; i++) s->at[i].cost = vs_share_cost(s, o->at[i].node, s->at[s->at[i].group].named);
+  for (size_t i = 0; i < o->count; i++) s->at[s->at[i].group].named += o->note[i].uses;
+  for (size_t i = 0; i < o->count; i++) s->at[i].cost = vs_share_cost(s, i, s->at[s->at[i].group].named);
   return true;
 }
 

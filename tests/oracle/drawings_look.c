@@ -136,7 +136,7 @@ static bool look_at(looker *w, vs_ref ref, part here) { /* test trees are shallo
   size_t was_shared = w->shared;
   bool ok = true;
   w->path[w->depth++] = ref.origin;
-  if (w->order->uses[vs_order_of(n)] > 1 && w->shared > w->depth - 1) w->shared = w->depth - 1;
+  if (vs_order_uses(w->order, n) > 1 && w->shared > w->depth - 1) w->shared = w->depth - 1;
   if (n->kind == VS_TRANSFORM) here.map = vs_affine_multiply(&here.map, &VS_AS(transform, n)->matrix);
   if (n->kind == VS_MATERIAL) here.material = VS_AS(material, n)->material;
   if (n->kind == VS_LAYER) here.layer = VS_AS(layer, n)->name;
