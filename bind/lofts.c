@@ -39,7 +39,8 @@ vs_status vs_p_do_revolve(vs_frame *f, vs_value *out) {
   vs_error e = { 0 };
   vs_bounds b;
   d.segments = f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->bind);
-  if (f->form == 1) d.start = REAL(2), d.end = REAL(3);
+  if (f->arg[2].given) d.start = REAL(2);
+  if (f->arg[3].given) d.end = REAL(3);
   if (vs_bind_is_empty(NODE(0))) return vs_bind_empty(f, "the profile is empty", out);
   if (d.start == d.end) return vs_bind_empty(f, "start and end are the same", out);
   vs_node *n = vs_node_new(f->bind->store, VS_REVOLVE, &d, &f->arg[0].ref, 1);

@@ -74,12 +74,13 @@ bool vs_grid_mesh(const vs_grid *g, vs_mesh *out) {
     bool back = r == g->rows; /* the first row again */
     const vs_vec3 *at = g->at + (back ? 0 : r) * n;
     if (back) for (size_t i = 0; i < n; i++) high[i] = start[i];
+    else if (g->seam && r && r + 1 == rows) for (size_t i = 0; i < n; i++) high[i] = start[g->seam[i]];
     else ok = grid_row(g, at, r ? at - n : NULL, r ? low : NULL, high, out);
     if (ok && !r) for (size_t i = 0; i < n; i++) start[i] = high[i];
     if (ok && g->joined && !back && r + 1 == g->rows) /* poles of the whole turn */
       for (size_t i = 0; i < n; i++)
         if (vs_v3_equal(at[i], g->at[i])) high[i] = start[i];
-    if (ok && g->capped && !g->joined && (r == 0 || r + 1 == rows)) ok = grid_fill(g, at, high, out, r == 0);
+    if (ok && g->capped && !g->joined && !g->seam && (r == 0 || r + 1 == rows)) ok = grid_fill(g, at, high, out, r == 0);
     for (size_t l = 0, first = 0; ok && r && l < g->loop_count; first += g->sizes[l], l++)
       for (size_t i = 0; ok && i + (g->round ? 0 : 1) < g->sizes[l]; i++) {
         size_t p = first + i, q = first + (i + 1 == g->sizes[l] ? 0 : i + 1);

@@ -14,6 +14,7 @@ typedef struct {
   size_t loop_count;
   bool round;          /* the loops close; else they are open strips */
   bool joined;         /* the last row goes on to the first */
+  const size_t *seam;  /* else NULL, or: the last row stands where the first does, its point i where that has seam[i] */
   bool capped;         /* the first and the last row are filled */
   const vs_vec2 *flat; /* one row in its plane, for the caps; NULL: each in the plane that its points tell */
 } vs_grid;

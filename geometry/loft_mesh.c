@@ -272,7 +272,7 @@ bool vs_loft_mesh(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *
     bool straight = n->kind == VS_RULED_LOFT || (l.rows < 3 && !held);
     ok = (straight ? loft_straight_rows(&l, k, &rows) : loft_smooth_rows(n, &l, f, k, &rows)) || vs_error_memory(e, NULL);
   }
-  vs_grid g = { rows.at, rows.rows, rows.columns, l.sizes, l.hole, l.loop_count, l.round, l.joined, l.round, NULL };
+  vs_grid g = { rows.at, rows.rows, rows.columns, l.sizes, l.hole, l.loop_count, l.round, l.joined, NULL, l.round, NULL };
   ok = ok && (vs_grid_mesh(&g, out) || vs_error_memory(e, NULL));
   if (ok && l.round) {
     vs_mesh added = { .vertices = out->vertices, .triangles = out->triangles + first, .triangle_count = out->triangle_count - first };

@@ -11,6 +11,8 @@
 
 #include "geometry/curve.h"
 #include "geometry/grid.h"
+#include "geometry/overturn.h"
+#include "geometry/revolve.h"
 #include "model/room.h"
 
 static const double full_turn = 6.28318530717958647693;
@@ -20,6 +22,7 @@ void vs_swept_free(vs_swept *s) {
   free(s->sizes);
   free(s->hole);
   free(s->sections);
+  free(s->seam);
   *s = (vs_swept){ 0 };
 }
 
@@ -157,6 +160,34 @@ static vs_section vs_swept_section(const vs_path_point *p, vs_vec3 x, double ang
   return (vs_section){ u, v, at, false };
 }
 
+/* Is the profile, turned by `angle` about base, itself? Then its point i comes to lie on point seam[i]. False: out of memory. */
+static bool vs_swept_seam(vs_swept *s, vs_vec2 base, double angle, double reach) {
+  size_t *seam = malloc(s->profile_count * sizeof *seam);
+  double sine, cosine, near = 1e-9 * reach;
+  bool whole = seam != NULL;
+  vs_sincos(angle, &sine, &cosine);
+  for (size_t l = 0, first = 0; whole && l < s->loop_count; first += s->sizes[l], l++) {
+    bool found = false;
+    for (size_t k = 0, other = 0; !found && k < s->loop_count; other += s->sizes[k], k++) {
+      if (s->sizes[k] != s->sizes[l] || s->hole[k] != s->hole[l]) continue;
+      for (size_t shift = 0; !found && shift < s->sizes[l]; shift++) {
+        found = true;
+        for (size_t i = 0; found && i < s->sizes[l]; i++) {
+          vs_vec2 p = s->profile[first + i], q = s->profile[other + (i + shift) % s->sizes[l]];
+          double x = p.x - base.x, y = p.y - base.y;
+          found = hypot(base.x + x * cosine - y * sine - q.x, base.y + x * sine + y * cosine - q.y) <= near;
+          if (found) seam[first + i] = other + (i + shift) % s->sizes[l];
+        }
+      }
+    }
+    whole = found;
+  }
+  bool ok = seam != NULL;
+  if (whole) s->seam = seam;
+  else free(seam);
+  return ok;
+}
+
 static bool vs_swept_turns_back(const vs_path_point *p) { return 1 + vs_v3_dot(p->arriving, p->leaving) <= 0.005; }
 
 /* path is used up: its points are refined where a twist needs it. x: the profile's first direction at the start. */
@@ -164,9 +195,13 @@ static bool vs_swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, 
   vs_path fine = { 0 };
   vs_vec3 *carried = NULL;
   bool ok = true;
-  bool joins = path->closed && scale == 1 && fabs(twist - full_turn * nearbyint(twist / full_turn)) < 1e-9;
+  double rest = twist - full_turn * nearbyint(twist / full_turn);
+  bool meets = path->closed && scale == 1, joins = meets && fabs(rest) < 1e-9;
   size_t stretches = path->closed ? path->count : path->count - 1, all_steps = vs_swept_refine(s, twist, scale, reach, f);
   ok = all_steps > 0;
+  for (size_t i = 0; i < path->count; i++) meets = meets && !vs_swept_turns_back(&path->at[i]);
+  if (ok && meets && !joins && s->filled) ok = vs_swept_seam(s, base, rest, reach);
+  bool seam = s->seam != NULL; /* a square after a quarter turn is itself: the ends meet */
   if (!path->closed) { /* ends stand square */
     path->at[0].arriving = path->at[0].leaving;
     path->at[path->count - 1].leaving = path->at[path->count - 1].arriving;
@@ -189,7 +224,8 @@ static bool vs_swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, 
   if (ok) vs_path_measure(&fine);
   carried = ok ? malloc(fine.count * sizeof *carried) : NULL;
   ok = ok && carried;
-  if (ok) vs_frame_transport(fine.at, fine.count, joins, fine.length, x, carried);
+  if (ok) vs_frame_transport(fine.at, fine.count - seam, joins || seam, fine.length, x, carried);
+  if (ok && seam) carried[fine.count - 1] = carried[0];
   bool broken = false;
   for (size_t i = 0; ok && i < fine.count + broken; i++) {
     bool round = i == fine.count; /* a closed path in pieces ends where it began */
@@ -208,9 +244,29 @@ static bool vs_swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, 
     ok = ok && vs_swept_add(s, vs_swept_section(&p, carried[round ? 0 : i], twist * t, 1 + (scale - 1) * t, base));
   }
   s->joined = joins && !broken;
+  s->across = true;
   vs_path_free(&fine);
   free(carried);
   return ok || vs_error_memory(e, NULL);
+}
+
+/* The path, sampled so that what the profile draws on the outside of its bends keeps the tolerance too: a stretch that turns by d rises over its chord
+ * by 1 - cos(d/2) of the radius, there the path's own and the profile's reach. */
+static bool vs_swept_path(const vs_node *curve, const vs_facets *f, double reach, vs_path *path, vs_error *e) {
+  vs_affine identity = vs_affine_identity();
+  double most = 0;
+  if (!vs_curve_path(curve, &identity, f, path, e)) return false;
+  if (f->segments > 0) return true;
+  for (size_t i = 0; i + !path->closed < path->count; i++) {
+    const vs_path_point *p = &path->at[i], *q = &path->at[i + 1 < path->count ? i + 1 : 0];
+    double turn = vs_v3_length(vs_v3_sub(q->arriving, p->leaving)); /* 2 sin(d/2) */
+    most = fmax(most, turn * turn / 8 * (reach + vs_v3_length(vs_v3_sub(q->at, p->at)) / fmax(turn, 1e-9)));
+  }
+  if (most <= f->tolerance * 1.01) return true;
+  vs_facets fine = { f->tolerance * fmax(f->tolerance / most, 1.0 / 4096), 0 };
+  vs_path_free(path);
+  *path = (vs_path){ 0 };
+  return vs_curve_path(curve, &identity, &fine, path, e);
 }
 
 /* ---- the three kinds ---- */
@@ -290,13 +346,15 @@ static bool vs_swept_sweep(vs_swept *s, const vs_node *n, const vs_facets *f, vs
   const struct vs_sweep *w = VS_AS(sweep, n);
   vs_profile_plane plane = { 0 };
   vs_path path = { 0 };
-  vs_affine identity = vs_affine_identity();
   bool ok = vs_swept_profile(s, n->children[0].node, f, w->has_base ? &w->base : NULL, &plane, e) &&
-            vs_curve_path(n->children[1].node, &identity, f, &path, e);
+            vs_swept_path(n->children[1].node, f, plane.reach * fmax(1, w->scale), &path, e);
   if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-sweep: the path is a point");
   if (ok) {
     vs_affine turn = vs_frame_turn(plane.normal, path.at[0].leaving);
-    ok = vs_swept_along(s, &path, vs_affine_vector(&turn, plane.x), w->twist, w->scale, plane.base, plane.reach, f, e);
+    const vs_node *c = n->children[0].node;
+    while (c->child_count == 1) c = c->children[0].node;
+    bool round = path.closed && !w->has_base && vs_profile_circle(n->children[0].node) > 0 && c->kind == VS_CIRCLE && VS_AS(circle, c)->segments <= 0; /* its twist is not to be seen */
+    ok = vs_swept_along(s, &path, vs_affine_vector(&turn, plane.x), round ? 0 : w->twist, w->scale, plane.base, plane.reach, f, e);
   }
   vs_path_free(&path);
   return ok;
@@ -313,8 +371,7 @@ static bool vs_swept_thicken(vs_swept *s, const vs_node *n, const vs_facets *f, 
             vs_swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_add(plane.origin, half), false })) || vs_error_memory(e, NULL);
   }
   vs_path path = { 0 };
-  vs_affine identity = vs_affine_identity();
-  bool ok = vs_curve_path(what, &identity, f, &path, e);
+  bool ok = vs_swept_path(what, f, t->width / 2, &path, e);
   if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-thicken: the curve is a point");
   ok = ok && (vs_swept_disc(s, t->width / 2, vs_facets_turn(f, t->width / 2, t->segments)) || vs_error_memory(e, NULL));
   if (ok) {
@@ -336,25 +393,36 @@ bool vs_swept_plan(const vs_node *n, const vs_facets *f, vs_swept *out, vs_error
 /* ---- triangles ---- */
 
 bool vs_swept_mesh(const vs_swept *s, vs_mesh *out) {
-  size_t n = s->profile_count;
-  vs_vec3 *at = malloc((n * s->section_count + 1) * sizeof *at);
-  if (!at) return false;
-  for (size_t r = 0; r < s->section_count; r++) {
-    const vs_section *section = &s->sections[r];
-    for (size_t i = 0; i < n; i++)
+  size_t n = s->profile_count, rows = s->section_count, steps = 0;
+  vs_vec3 *at = malloc((n * (rows + 1) + 1) * sizeof *at);
+  bool *turns = calloc(rows + 1, sizeof *turns), ok = at && turns; /* from this section to the next: overturn.h */
+  vs_bounds b = vs_bounds_empty();
+  for (size_t r = 0; ok && r <= rows; r++) {
+    const vs_section *section = &s->sections[r < rows ? r : 0];
+    for (size_t i = 0; i < n; i++) {
       at[r * n + i] = vs_v3_add(vs_v3_add(vs_v3_scale(section->x, s->profile[i].x), vs_v3_scale(section->y, s->profile[i].y)), section->at);
+      vs_bounds_add(&b, at[r * n + i]);
+    }
   }
-  bool ok = true;
-  for (size_t first = 0, end; ok && first < s->section_count; first = end) {
-    for (end = first; end + 1 < s->section_count && !s->sections[end].ends; end++) {}
-    end++;
+  double size = ok ? vs_bounds_diagonal(&b) : 0;
+  for (size_t r = 0; ok && s->across && s->filled && r + !s->joined < rows; r++)
+    steps += turns[r] = !s->sections[r].ends && vs_overturns(s, at, r, size);
+  bool joined = s->joined && !steps;
+  if (s->joined && steps) rows++; /* in pieces: the first section stands at the end again */
+  for (size_t first = 0, end; ok && first < rows; first = end + 1) {
     size_t first_triangle = out->triangle_count;
-    vs_grid g = { at + first * n, end - first, n, s->sizes, s->hole, s->loop_count, s->filled, s->joined, s->filled, s->profile };
-    ok = vs_grid_mesh(&g, out);
+    for (end = first; end + 1 < rows && !turns[end] && !(end < s->section_count && s->sections[end].ends); end++) {}
+    vs_grid g = { at + first * n, end + 1 - first, n, s->sizes, s->hole, s->loop_count, s->filled, joined, steps ? NULL : s->seam, s->filled, s->profile };
+    ok = end == first || vs_grid_mesh(&g, out);
     vs_mesh added = { .vertices = out->vertices, .triangles = out->triangles + first_triangle, .triangle_count = out->triangle_count - first_triangle };
     if (ok && s->filled && vs_mesh_volume(&added) < 0) vs_mesh_turn(out, first_triangle);
+    if (!ok || !turns[end]) continue;
+    for (first = end; turns[end]; end++) {}
+    ok = vs_overturn_mesh(s, at, first, end, size, out);
+    end--; /* the last of them begins what follows */
   }
   free(at);
+  free(turns);
   return ok;
 }
 

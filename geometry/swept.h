@@ -17,6 +17,8 @@ typedef struct {
   vs_section *sections;
   size_t section_count, section_room;
   bool joined;        /* the last section goes on to the first */
+  size_t *seam;       /* not NULL: the last section is the first again, turned, and its point i lies on point seam[i] of that */
+  bool across;        /* the sections stand across a path, x and y right-handed about the way */
 } vs_swept;
 
 void vs_swept_free(vs_swept *s);

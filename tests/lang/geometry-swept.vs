@@ -12,6 +12,7 @@
 (ok? "half" (volume (do-revolve band 'z 0 pi)) (* 5/2 pi))
 (ok? "half's surface" (area (do-revolve band 'z 0 pi)) (+ (* 10 pi) 2))
 (ok? "backwards" (volume (do-revolve band 'z 1 -1)) 5.0)
+(ok? "from an angle on" (volume (do-revolve band 'z pi)) (* 5/2 pi))
 (ok? "two turns are one" (volume (do-revolve band 'z 0 (* 2 2pi))) (* 5 pi))
 (ok? "torus" (volume (do-revolve (make-circle (xyz 5 0 0) 2) 'y)) (* 40 pi pi))
 (ok? "torus' surface" (area (do-revolve (make-circle (xyz 5 0 0) 2) 'y)) (* 40 pi pi))
@@ -98,3 +99,21 @@
 (ok? "a path across itself" (volume (do-sweep (square 0 1/2) (make-line origin (xy 4 0) (xy 4 4) (xy 2 4) (xy 2 -2)))) 15)
 (displayln (< 4.15 (volume (do-sweep (square 0 1/2) (make-line origin (xy 4 0) (xyz 0 1/10 0)))) 4.25)) ; expect: #t
 (ok? "out and back along a curve" (volume (do-extrude (make-rectangle (xz -1 -1) (xz 1 1)) (make-line origin (xyz 0 5 0) (xyz 4 5 0) (xyz 4 0 0)))) 40)
+
+; bends tighter than the profile: the union of all that it passes through
+; a square of side 2 whose middle is 1/2 from the line that it turns about: its parts beyond the line and on this side of it
+(define beyond 9/4)
+(define before 1/4)
+(define bent (make-arc origin 1/2 pi))
+(define two (make-rectangle (xy -1 -1) (xy 1 1)))
+(ok? "half a turn about a line through the profile" (volume (do-sweep two bent)) (* pi (+ beyond before)) 6e-3)
+(ok? "a whole turn hides the inner part" (volume (do-sweep two (make-circle origin 1/2))) (* 2pi beyond) 6e-3)
+(ok? "a bar bent so" (volume (do-thicken (make-arc origin 1/2 pi/2 #:segments 24) 2 #:segments 24)) 2.86299 0.03)
+(ok? "a frame" (volume (do-sweep (make-region (make-rectangle (xy -2 -1) (xy 2 1)) (make-rectangle (xy -1 -1/2) (xy 1 1/2))) (make-arc origin 1/2 pi/2)))
+     (* pi/4 (- (* 2 (+ 9/4 25/4)) (+ 1/4 9/4))) 3e-3)
+
+; closed paths with a twist after which the profile is itself again
+(define ring-path (make-circle origin 6))
+(ok? "a square after a quarter turn" (area (do-sweep (make-rectangle (xy -1 -1) (xy 1 1)) ring-path pi/2)) (* 8 12 pi) 6e-3)
+(ok? "a band with one side" (volume (do-sweep (make-rectangle (xy -1 -1/5) (xy 1 1/5)) ring-path pi)) (* 0.8 12 pi) 2e-3)
+(ok? "no twist of a circle is to be seen" (area (do-sweep (make-circle origin 1) ring-path 1)) (area (do-sweep (make-circle origin 1) ring-path)))
