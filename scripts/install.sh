@@ -59,7 +59,7 @@ fi
 fetch() {
   [ -d "node_modules/$1" ] && return
   echo "Fetching $1 with npm"
-  npm ci --ignore-scripts --no-audit --no-fund --silent || echo "npm could not fetch $1: $2; run 'npm ci --ignore-scripts' and build again" >&2
+  npm ci --ignore-scripts --no-audit --no-fund --loglevel=error > /dev/null || echo "npm could not fetch $1: $2; run 'npm ci --ignore-scripts' and build again" >&2
 }
 case " $* " in *" build "*) fetch x3dom "web pages (.html) will not be available" ;; esac
 case " $* " in *" tests "*) fetch gltf-validator "the test of .glb files will be skipped" ;; esac

@@ -265,7 +265,7 @@ static bool spells_number(const char *s, size_t n) {
     for (digits = ++s; s < end && *s >= '0' && *s <= '9';) s++;
     return s == end && s > digits;
   }
-  if (s < end && *s == '.') for (digits = ++s; s < end && *s >= '0' && *s <= '9'; part++) s++;
+  if (s < end && *s == '.') for (s++; s < end && *s >= '0' && *s <= '9'; part++) s++;
   if (whole + part == 0) return false;
   if (s < end && strchr("eEsSfFdDlL", *s)) {
     s++;
