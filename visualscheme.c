@@ -53,6 +53,15 @@ static bool take_value(vs *vm, vs_value v, vs_pos place) {
 /* for register-drawing-function: as (vs_format_find), but no path */
 static bool is_format(const char *name) { return !strpbrk(name, "./") && vs_export_format_find(name) != NULL; }
 
+static double tally_clock(void *session) { return vs_session_clock(session); }
+
+/* The phases of source text are the first of the table, in the same order. */
+static vs_vm_phase vm_phase(void *session, vs_vm_phase phase) {
+  vs_work_phase was = vs_tally_enter(&((vs_session *)session)->tally, (vs_work_phase)phase);
+  return was <= VS_WORK_RUN ? (vs_vm_phase)was : VS_VM_RUN;
+}
+_Static_assert((int)VS_WORK_READ == VS_VM_READ && (int)VS_WORK_EXPAND == VS_VM_EXPAND && (int)VS_WORK_COMPILE == VS_VM_COMPILE && (int)VS_WORK_RUN == VS_VM_RUN, "tally.def");
+
 static void *store_memory(void *session, void *old, size_t old_bytes, size_t bytes) { return vs_session_memory(session, old, old_bytes, bytes); }
 
 static void *bootstrap_memory(const vs_options *o, void *old, size_t old_bytes, size_t bytes) {
@@ -66,6 +75,7 @@ vs *vs_new(const vs_options *options) {
   if (!s) return NULL;
   memset(s, 0, sizeof *s);
   s->options = o;
+  s->tally = (vs_tally){ .clock = tally_clock, .context = s, .held = &s->bytes, .now = VS_WORK_NONE, .since = vs_session_clock(s) };
   atomic_init(&s->interrupted, false);
   size_t path_bytes = o.library_path ? strlen(o.library_path) + 1 : 0;
   char *path = path_bytes ? vs_session_memory(s, NULL, 0, path_bytes) : NULL;
@@ -73,7 +83,7 @@ vs *vs_new(const vs_options *options) {
   s->options.library_path = path;
   vs_config config = {
     .memory = vs_session_memory, .user = s, .memory_limit = o.limit_memory, .step_limit = o.limit_steps, .output_limit = o.limit_output, .time_limit = o.limit_time,
-    .clock = vs_session_clock, .interrupted = vs_session_interrupted, .tables = vs_bind_tables(), .image = &vs_library_image,
+    .phase = vm_phase, .clock = vs_session_clock, .interrupted = vs_session_interrupted, .tables = vs_bind_tables(), .image = &vs_library_image,
     .io = &vs_session_io, .value = take_value, .library_path = path,
   };
   vs_flat_rules rules;
@@ -83,6 +93,7 @@ vs *vs_new(const vs_options *options) {
   bool ok = vm && vs_bind_open(&s->bind, vm, store) && vs_flat_register(vm, &rules) && vs_front_open(vm) && vs_program_new(vm, &vm->at.program);
   if (ok) s->bind.library_files = vs_bind_file_count(vm);
   if (store) vs_store_release(store); /* bind holds it */
+  if (ok) vs_store_set_tally(store, &s->tally);
   if (ok && o.cache != SIZE_MAX) { /* without memory for it, nothing is kept */
     enum { USUAL = 256 };
     vs_cache_new(store, o.cache ? o.cache : o.limit_memory ? o.limit_memory / 4 : (size_t)USUAL << 20);
@@ -106,6 +117,7 @@ void vs_free(vs *vm) {
   vs_bind_close(&s->bind);
   vs_session_close_files(s);
   vs_session_free_sources(s);
+  vs_session_free_outputs(s);
   char *path = (char *)(uintptr_t)s->options.library_path;
   if (path) vs_session_memory(s, path, strlen(path) + 1, 0);
   vs_options o = s->options;
@@ -122,6 +134,7 @@ static void begin(vs_session *s, unsigned flags) {
   s->flags = flags;
   vs_cache_turn(vs_store_cache(s->bind.store), true);
   vs *vm = s->bind.vm;
+  vs_tally_enter(&s->tally, VS_WORK_RUN);
   vm->steps = vm->written = 0;
   vm->started = vs_session_clock(s);
   s->bind.bad_parameter = false;
@@ -145,6 +158,7 @@ static bool was_interrupted(vs_session *s) {
 static vs_outcome finish(vs_session *s, bool ok, bool usage) {
   vs *vm = s->bind.vm;
   s->phase = NULL;
+  vs_tally_enter(&s->tally, VS_WORK_NONE);
   s->evaluate_seconds += vs_session_clock(s) - vm->started;
   if (!ok && is_exit(vm->condition)) {
     s->exit_requested = ok = true;
@@ -189,6 +203,7 @@ vs_outcome vs_eval_file(vs *vm, const char *path, unsigned flags) {
   if (!vs_session_read(s, path, &text, &length, &why)) {
     vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, path, 0, 0, why);
     s->phase = NULL;
+    vs_tally_enter(&s->tally, VS_WORK_NONE);
     return VS_OUTCOME_USAGE;
   }
   bool ok = may_run(s) && (set_title(s, path) || vs_fail_memory(vm));
@@ -317,6 +332,7 @@ static vs_outcome hand_on(vs_session *s, vs_scene *scene, const vs_format *forma
   begin(s, 0);
   bool ok = vs_bind_hand_on(&s->bind, scene->drawn, scene->drawn_count, names);
   s->phase = NULL;
+  vs_tally_enter(&s->tally, VS_WORK_PASSES);
   if (ok) return VS_OUTCOME_DONE;
   return s->bind.handed.kind != VS_ERROR_NONE ? vs_session_report_error(s, &s->bind.handed) : vs_session_report_condition(s, s->bind.vm->condition, false);
 }
@@ -375,8 +391,7 @@ static bool summarise(const vs_scene *scene, vs_summary *out, vs_error *e) {
   return true;
 }
 
-vs_outcome vs_drawing_summary(vs *vm, vs_summary *out) {
-  vs_session *s = vs_session_of(vm);
+static vs_outcome drawing_summary(vs_session *s, vs_summary *out) {
   vs_scene scene;
   vs_error e = { 0 };
   *out = (vs_summary){ .units = s->bind.scene.units };
@@ -387,6 +402,14 @@ vs_outcome vs_drawing_summary(vs *vm, vs_summary *out) {
   bool ok = vs_scene_settle(&scene, &plain, &e) && resolve(s, &scene, &e) && summarise(&scene, out, &e);
   scene_done(s, &scene);
   return ok ? VS_OUTCOME_DONE : vs_session_report_error(s, &e);
+}
+
+vs_outcome vs_drawing_summary(vs *vm, vs_summary *out) {
+  vs_session *s = vs_session_of(vm);
+  vs_tally_enter(&s->tally, VS_WORK_PASSES);
+  vs_outcome outcome = drawing_summary(s, out);
+  vs_tally_enter(&s->tally, VS_WORK_NONE);
+  return outcome;
 }
 
 /* ---- formats ---- */
@@ -465,13 +488,35 @@ static bool sink(void *context, const void *bytes, size_t count) {
   return c->write(c->context, bytes, count);
 }
 
-static vs_outcome write_to(vs *vm, const char *path, const char *format_name, const vs_output_options *options, callback_sink *to) {
-  vs_session *s = vs_session_of(vm);
-  vs_output_options o = options ? *options : vs_output_options_default();
+/* With its record begun. */
+static vs_outcome write_one(vs_session *s, const char *path, const vs_format *format, const vs_output_options *o, callback_sink *to) {
   vs_export_options e;
   vs_scene scene;
   vs_error error = { 0 };
   export_context context = { s, path, 0 };
+  vs_output_record *record = &s->outputs[s->output_count - 1];
+  vs_tally_enter(&s->tally, VS_WORK_RUN);
+  vs_gc_major(s->bind.vm); /* nodes that only dead values still name look shared, and are remembered one by one */
+  vs_tally_enter(&s->tally, VS_WORK_PASSES);
+  if (!scene_of(s, &scene)) return out_of_memory(s);
+  vs_export_options_init(&e);
+  e.context = &context, e.warn = export_warn, e.progress = export_progress;
+  e.safe = s->options.untrusted || s->options.limit_time > 0 || s->options.limit_memory || s->options.limit_steps || s->options.limit_output;
+  apply(o, &scene, &e);
+  vs_outcome handed = hand_on(s, &scene, format);
+  if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
+  vs_cache_turn(vs_store_cache(s->bind.store), !o->last);
+  bool ok = vs_export_settle(&scene, format, &e, &error) && (vs_export_is_verbatim(format) || resolve(s, &scene, &error)) &&
+            (!o->count || vs_session_output_nodes(s, &scene, o->passes, &error)) && vs_scene_optimise(&scene, o->passes, &record->passes, &error);
+  vs_tally_enter(&s->tally, VS_WORK_EMIT);
+  ok = ok && (to ? vs_export_to(&scene, format, sink, to, &e, &error) : vs_export(&scene, format, path, &e, &error));
+  scene_done(s, &scene);
+  return ok ? VS_OUTCOME_DONE : vs_session_report_error(s, &error);
+}
+
+static vs_outcome write_to(vs *vm, const char *path, const char *format_name, const vs_output_options *options, callback_sink *to) {
+  vs_session *s = vs_session_of(vm);
+  vs_output_options o = options ? *options : vs_output_options_default();
   const char *wanted = format_name ? format_name : path;
   const vs_format *format = wanted ? vs_export_format_find(wanted) : NULL;
   if (!format) {
@@ -480,22 +525,12 @@ static vs_outcome write_to(vs *vm, const char *path, const char *format_name, co
     vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, text);
     return VS_OUTCOME_USAGE;
   }
-  vs_gc_major(vm); /* nodes that only dead values still name look shared, and are remembered one by one */
-  if (!scene_of(s, &scene)) return out_of_memory(s);
-  vs_export_options_init(&e);
-  e.context = &context, e.warn = export_warn, e.progress = export_progress;
-  e.safe = s->options.untrusted || s->options.limit_time > 0 || s->options.limit_memory || s->options.limit_steps || s->options.limit_output;
-  apply(&o, &scene, &e);
-  vs_cache_turn(vs_store_cache(s->bind.store), !o.last);
+  if (!vs_session_output_begin(s, path, format->name)) return out_of_memory(s);
   double from = vs_session_clock(s);
-  vs_outcome handed = hand_on(s, &scene, format);
-  if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
-  bool ok = vs_export_settle(&scene, format, &e, &error) && (vs_export_is_verbatim(format) || resolve(s, &scene, &error)) &&
-            vs_scene_optimise(&scene, o.passes, &s->passes, &error);
-  ok = ok && (to ? vs_export_to(&scene, format, sink, to, &e, &error) : vs_export(&scene, format, path, &e, &error));
+  vs_outcome outcome = write_one(s, path, format, &o, to);
   s->write_seconds += vs_session_clock(s) - from;
-  scene_done(s, &scene);
-  return ok ? VS_OUTCOME_DONE : vs_session_report_error(s, &error);
+  vs_session_output_end(s, outcome == VS_OUTCOME_DONE);
+  return outcome;
 }
 
 vs_outcome vs_write_drawing(vs *vm, const char *path, const char *format, const vs_output_options *o) { return write_to(vm, path, format, o, NULL); }
@@ -503,37 +538,4 @@ vs_outcome vs_write_drawing(vs *vm, const char *path, const char *format, const 
 vs_outcome vs_write_drawing_to(vs *vm, const char *format, const vs_output_options *o, bool (*write)(void *context, const void *bytes, size_t count), void *context) {
   callback_sink to = { write, context };
   return write_to(vm, NULL, format, o, &to);
-}
-
-/* ---- statistics ---- */
-
-size_t vs_statistics(const vs *vm, vs_statistic *out, size_t room) {
-  const vs_session *s = vs_session_of(vm);
-  const vs_cache_stats cache = vs_cache_count(vs_store_cache(s->bind.store));
-  const vs_statistic all[] = {
-    { "time.evaluate", s->evaluate_seconds, "s" },
-    { "time.write", s->write_seconds, "s" },
-    { "memory.now", (double)s->bytes, "bytes" },
-    { "memory.peak", (double)s->peak, "bytes" },
-    { "memory.model", (double)vs_store_bytes(s->bind.store), "bytes" },
-    { "heap.collections", (double)vm->collections, "" },
-    { "steps", (double)vm->steps, "" },
-#define VS_CACHED(upper, lower, doc) \
-  { "cache." #lower ".hits", (double)cache.hits[VS_CACHED_##upper], "" }, { "cache." #lower ".misses", (double)cache.misses[VS_CACHED_##upper], "" },
-#include "model/cache.def"
-    { "cache.entries", (double)cache.entries, "" },
-    { "cache.bytes", (double)cache.bytes, "bytes" },
-    { "cache.peak", (double)cache.peak, "bytes" },
-    { "cache.evicted", (double)cache.evicted, "" },
-    { "cache.refused", (double)cache.refused, "" },
-    { "objects.drawn", (double)s->bind.scene.drawn_count, "" },
-    { "objects.returned", (double)s->bind.returned_count, "" },
-    { "commands.before", s->passes.commands_before, "" }, /* of the drawing last written, before and after the passes */
-    { "commands.after", s->passes.commands_after, "" },
-#define VS_PASS(upper, lower, doc) { "passes." #lower, (double)s->passes.changed[VS_PASS_##upper], "" },
-#include "model/passes/passes.def"
-  };
-  size_t n = sizeof all / sizeof *all;
-  if (room) memcpy(out, all, (n < room ? n : room) * sizeof *out);
-  return n;
 }

@@ -230,6 +230,7 @@ typedef struct {
   double tolerance;      /* chord height in model units; 0: the model's, or the rule's */
   int segments;          /* facets a turn; 0: by tolerance */
   unsigned passes;       /* a mask; VS_PASSES_ALL by default */
+  bool count;            /* count nodes, and commands with and without each pass, for the statistics: the passes run once more for each */
   bool last;             /* no drawing and no output follows: nothing is kept for them */
 } vs_output_options;
 VS_API vs_output_options vs_output_options_default(void);
@@ -248,8 +249,18 @@ typedef struct {
   double value;
   const char *unit;  /* "s", "bytes", "" (a count) */
 } vs_statistic;
-/* Of everything since vs_new, in a fixed order. Copies at most room of them to out, returns how many there are. */
+/* Of everything since vs_new, in a fixed order; the manual's page on the command says what each key means. A value that was not counted is a
+ * NaN. Copies at most room of them to out, returns how many there are. */
 VS_API size_t vs_statistics(const vs *s, vs_statistic *out, size_t room);
+
+typedef struct {
+  const char *path;   /* "" where it went into a callback */
+  const char *format; /* as vs_format_info.name */
+  bool done;          /* false: it failed */
+} vs_output_info;
+/* The same of single outputs, the latest 64, oldest first; keys are those of vs_statistics that belong to one output. False: no such index. *count is how many there are,
+ * whatever room is. */
+VS_API bool vs_output_statistics(const vs *s, size_t index, vs_output_info *info, vs_statistic *out, size_t room, size_t *count);
 
 #ifdef __cplusplus
 }

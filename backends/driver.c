@@ -11,6 +11,7 @@
 #include "backends/backend.h"
 #include "geometry/measure.h"
 #include "model/nodemap.h"
+#include "model/tally.h"
 
 typedef struct {
   vs_ref ref;           /* where it was met first */
@@ -561,7 +562,11 @@ static bool drive_all_vain(vs_emitter *e) {
 static bool drive_settle(vs_emitter *e, vs_mesh *m) {
   vs_settled what;
   char message[160];
-  if (!vs_mesh_settle(m, e->backend->numbers, &what)) return vs_emit_no_memory(e);
+  vs_tally *tally = vs_store_tally(e->scene->store);
+  vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
+  bool settled = vs_mesh_settle(m, e->backend->numbers, &what);
+  vs_tally_enter(tally, was);
+  if (!settled) return vs_emit_no_memory(e);
   if (what.folded == 0 || e->options->warn == NULL) return true;
   snprintf(message, sizeof message, "rounding to this format's numbers folds %zu triangles, the first near %g %g %g", what.folded, what.at.x, what.at.y, what.at.z);
   e->options->warn(e->options->context, NULL, message);

@@ -16,6 +16,7 @@
 
 #include "backends/backend.h"
 #include "geometry/measure.h"
+#include "model/tally.h"
 
 void vs_export_options_init(vs_export_options *o) { *o = (vs_export_options){ .width = 0 }; }
 
@@ -70,6 +71,8 @@ static bool export_problem(vs_error *e, const char *path, int problem) {
 static bool export_text(vs_emitter *e, vs_writer *w) {
   e->out = w;
   bool ok = vs_drive_scene(e) && vs_writer_flush(w);
+  vs_tally *tally = vs_store_tally(e->scene->store);
+  if (ok && tally != NULL && e->backend->render == NULL) tally->written += w->bytes;
   if (!ok && w->full) vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the output is larger than its limit of %llu MB", (unsigned long long)(w->limit >> 20));
   return ok;
 }
@@ -122,6 +125,7 @@ bool vs_emit_file(vs_emitter *e, const char *path, bool (*fill)(vs_emitter *e)) 
   if (ok) {
     e->out = export_writer(e, export_file_sink, &f);
     ok = e->out != NULL && fill(e) && vs_writer_flush(e->out);
+    if (ok && vs_store_tally(e->scene->store) != NULL) vs_store_tally(e->scene->store)->written += e->out->bytes;
     free(e->out);
     if (ok && fsync(f.file) != 0 && errno != EINVAL && errno != EROFS) f.problem = errno;
     if (close(f.file) != 0 && f.problem == 0) f.problem = errno;
@@ -150,7 +154,12 @@ static bool export_render(vs_emitter *e, const char *output) {
     int file = open(text, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
     ok = file >= 0 ? export_to_file(e, file, text, false) : export_problem(e->error, text, errno);
     if (file >= 0 && close(file) != 0 && ok) ok = export_problem(e->error, text, errno);
+    vs_tally *tally = vs_store_tally(e->scene->store);
+    vs_work_phase was = vs_tally_enter(tally, VS_WORK_WORKER);
+    struct stat picture;
     ok = ok && e->backend->render(e, text, output);
+    if (ok && tally != NULL && stat(output, &picture) == 0) tally->written += (uint64_t)picture.st_size;
+    vs_tally_enter(tally, was);
   }
   if (text != NULL) unlink(text);
   if (made) rmdir(folder);

@@ -2,11 +2,13 @@
  *
  * Triangles come from one place for every format: geometry/ for what has a formula, kernel/ for booleans. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "backends/backend.h"
 #include "geometry/plane.h"
 #include "kernel/primitive.h"
 #include "geometry/solids.h"
+#include "model/tally.h"
 
 static vs_node *lower_line(vs_store *store, const vs_polyline *p) {
   vs_points *points = vs_points_new(store, p->at, p->count);
@@ -99,7 +101,7 @@ bool vs_lower_as_area(const vs_emitter *e, const vs_node *n) {
   return true;
 }
 
-vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
+static vs_node *lower_node(vs_emitter *e, const vs_ref *ref) {
   if (lower_is_area_set(ref->node) || (ref->node->kind == VS_HULL && ref->node->class_ == VS_REGION_CLASS)) return lower_region(e, ref);
   switch ((vs_kind)ref->node->kind) {
   case VS_OFFSET:
@@ -138,6 +140,14 @@ vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
   return NULL;
 }
 
+vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
+  vs_tally *tally = vs_store_tally(e->scene->store);
+  vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
+  vs_node *made = lower_node(e, ref);
+  vs_tally_enter(tally, was);
+  return made;
+}
+
 bool vs_lower_is_round(const vs_node *n) {
   switch ((vs_kind)n->kind) {
   case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HULL: case VS_HEIGHT_FIELD:
@@ -162,11 +172,37 @@ static bool lower_booleans(vs_emitter *e, const vs_ref *refs, size_t count, vs_s
   return vs_solid_evaluate(refs, count, &e->facets, &options, out, e->error);
 }
 
+/* What takes longer to make than to find is kept for other outputs. */
+static bool lower_primitive(vs_emitter *e, vs_node *n, const vs_kernel_options *options, vs_mesh *out, vs_error *why) {
+  vs_cache *cache = vs_store_cache(e->scene->store);
+  vs_level level = vs_kind_get((vs_kind)n->kind)->level;
+  if (!vs_cache_asks(cache) || (level != VS_LEVEL_SWEPT && n->class_ != VS_REGION_CLASS && n->kind != VS_HULL)) return vs_primitive_mesh(n, &e->facets, options, out, why);
+  const vs_cached *held;
+  vs_mesh m = { 0 };
+  if (!vs_primitive_shared(cache, n, &e->facets, options, &m, &held, why)) {
+    vs_mesh_free(&m);
+    return false;
+  }
+  if (held == NULL) {
+    *out = m;
+    return true;
+  }
+  bool ok = vs_mesh_reserve(out, m.vertex_count, m.triangle_count);
+  if (ok && m.triangle_count > 0) {
+    memcpy(out->vertices, m.vertices, m.vertex_count * sizeof *m.vertices);
+    memcpy(out->triangles, m.triangles, m.triangle_count * sizeof *m.triangles);
+    out->vertex_count = m.vertex_count;
+    out->triangle_count = m.triangle_count;
+  }
+  vs_cache_let_go(cache, held);
+  return ok || vs_error_memory(why, NULL);
+}
+
 bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out) {
   if (vs_kind_get((vs_kind)ref->node->kind)->level == VS_LEVEL_OPERATION && ref->node->class_ != VS_REGION_CLASS) return lower_booleans(e, ref, 1, out);
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   vs_kernel_options options = { .progress = lower_progress, .context = e };
-  if (vs_primitive_mesh(ref->node, &e->facets, &options, &out->mesh, &why)) return true;
+  if (lower_primitive(e, ref->node, &options, &out->mesh, &why)) return true;
   *e->error = why;
   if (why.origin == NULL && why.kind == VS_ERROR_MODEL) e->error->origin = ref->origin;
   return false;

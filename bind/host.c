@@ -22,7 +22,7 @@ static void *session_memory(vs_session *s, void *old, size_t old_bytes, size_t b
   else free(old);
   if (bytes && !p) return s->limited = false, NULL;
   s->bytes += bytes - old_bytes;
-  if (s->bytes > s->peak) s->peak = s->bytes;
+  if (s->bytes > s->tally.high) s->tally.high = s->bytes;
   return p;
 }
 

@@ -7,7 +7,10 @@
 #include <stdio.h>
 
 #include "bind/bind.h"
+#include "model/cache.h"
 #include "model/passes/passes.h"
+#include "model/scene.h"
+#include "model/tally.h"
 #include "visualscheme.h"
 #include "vm/port.h"
 
@@ -21,10 +24,23 @@ typedef struct {
   char *text; size_t length, at; /* a file read whole: freed by free() */
 } vs_stream;
 
+/* What one output took and what was counted of it. NAN: was not counted. */
+typedef struct {
+  char *path; size_t path_bytes; /* path "" where it went into a callback */
+  const char *format;       /* the library's */
+  bool done;
+  vs_tally tally;           /* the differences that it made; peaks its own */
+  double nodes, distinct;   /* of the drawing, as a tree; by value */
+  vs_pass_stats passes;
+  double alone[VS_PASS_COUNT], without[VS_PASS_COUNT]; /* commands with this pass only; with all others that were asked for */
+  vs_cache_stats cache;     /* hits and misses: the differences */
+} vs_output_record;
+
 typedef struct {
   vs_bind bind;             /* first: vm->host points to it */
   vs_options options;
-  size_t bytes, peak;       /* handed out by the allocator, heap and model together */
+  size_t bytes;             /* handed out by the allocator, heap and model together */
+  vs_tally tally;           /* what took how long, and how much of them */
   bool limited;             /* the last refusal of memory was the limit's, not the machine's */
   atomic_bool interrupted;
   bool exit_requested;
@@ -36,7 +52,8 @@ typedef struct {
   size_t source_count, source_room;
   char why[256];            /* of the last failed file operation */
   double evaluate_seconds, write_seconds;
-  vs_pass_stats passes; /* of the drawing last written */
+  vs_output_record *outputs; /* of the last ones, oldest first */
+  size_t output_count, output_room;
   unsigned flags;           /* VS_EVAL_... of the evaluation under way */
 } vs_session;
 
@@ -52,6 +69,13 @@ bool vs_session_read(vs_session *s, const char *path, char **text, size_t *lengt
 bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line, const char *text, size_t length);
 void vs_session_close_files(vs_session *s);
 void vs_session_free_sources(vs_session *s);
+
+/* ---- statistics.c ---- */
+/* Round an output: begin before anything is done for it, count when the drawing is ready for the passes, end when it is written or has failed. False: out of memory. */
+bool vs_session_output_begin(vs_session *s, const char *path, const char *format);
+bool vs_session_output_nodes(vs_session *s, const vs_scene *scene, unsigned passes, vs_error *e);
+void vs_session_output_end(vs_session *s, bool done);
+void vs_session_free_outputs(vs_session *s);
 
 /* ---- report.c ---- */
 vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool usage /* its own fault is the caller's: exit 2 */);

@@ -163,7 +163,7 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
     if (!parse_whole(v, 3, 1000000, &whole)) return bad("--segments", v, "a whole number, 3 or more");
     o->output.segments = (int)whole;
     return true;
-  case OPTION_STATS: o->stats = true; o->stats_json = v != NULL; return only_json("--stats", v);
+  case OPTION_STATS: o->stats = o->output.count = true; o->stats_json = v != NULL; return only_json("--stats", v);
   case OPTION_PARAMETERS: o->parameters = true; return only_json("--parameters", v);
   case OPTION_LIMIT_TIME: return (parse_real(v, 0, &o->interpreter.limit_time) && o->interpreter.limit_time > 0) || bad("--limit-time", v, "seconds above 0");
   case OPTION_LIMIT_MEMORY:

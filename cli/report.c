@@ -7,6 +7,7 @@
  *        | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
  *   house.vs:20:1: called from (tower 5)                                                                                     */
 #include "cli/report.h"
+#include "cli/json.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -137,27 +138,7 @@ void cli_report_summary(const char *title, const vs_summary *s) {
   fputc('\n', stderr);
 }
 
-/* ---- JSON and statistics: written only, so a library would be more to carry than these lines ---- */
-
-static void json_text(FILE *to, const char *text) {
-  fputc('"', to);
-  for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
-    if (*c == '"' || *c == '\\') fprintf(to, "\\%c", *c);
-    else if (*c < ' ') fprintf(to, "\\u%04x", *c);
-    else fputc(*c, to);
-  }
-  fputc('"', to);
-}
-
-static void json_number(FILE *to, double v) {
-  char text[40];
-  for (int digits = 15; digits <= 17; digits++) {
-    snprintf(text, sizeof text, "%.*g", digits, v);
-    double back;
-    if (sscanf(text, "%lf", &back) == 1 && back == v) break;
-  }
-  fputs(isfinite(v) ? text : "null", to);
-}
+/* ---- parameters ---- */
 
 /* A value as the model wrote it: numbers JSON knows and booleans as such, all else (1/3, symbols, lists) as text. */
 static void json_datum(FILE *to, vs_parameter_type type, const char *datum) {
@@ -166,10 +147,10 @@ static void json_datum(FILE *to, vs_parameter_type type, const char *datum) {
   char rest;
   if ((type == VS_PARAMETER_INTEGER || type == VS_PARAMETER_REAL) && sscanf(datum, "%lf%c", &v, &rest) == 1 && isfinite(v) && strspn(datum, "+-.0123456789eE") == strlen(datum)) {
     if (type == VS_PARAMETER_INTEGER) fputs(*datum == '+' ? datum + 1 : datum, to);
-    else json_number(to, v);
+    else cli_json_number(to, v);
     return;
   }
-  json_text(to, datum);
+  cli_json_text(to, datum);
 }
 
 void cli_report_parameters(FILE *to, vs *s) {
@@ -180,22 +161,22 @@ void cli_report_parameters(FILE *to, vs *s) {
   fputc('[', to);
   for (size_t i = 0; i < count && vs_parameter_get(s, i, &p); i++) {
     fprintf(to, "%s\n  {\"name\": ", i ? "," : "");
-    json_text(to, p.name);
+    cli_json_text(to, p.name);
     fputs(", \"label\": ", to);
-    json_text(to, p.label);
+    cli_json_text(to, p.label);
     fputs(", \"group\": ", to);
-    json_text(to, p.group);
+    cli_json_text(to, p.group);
     fprintf(to, ", \"type\": \"%s\", \"value\": ", types[p.type]);
     json_datum(to, p.type, p.value);
     fputs(", \"default\": ", to);
     json_datum(to, p.type, p.default_value);
     if (p.has_range) {
       fputs(", \"min\": ", to);
-      json_number(to, p.min);
+      cli_json_number(to, p.min);
       fputs(", \"max\": ", to);
-      json_number(to, p.max);
+      cli_json_number(to, p.max);
       fputs(", \"step\": ", to);
-      json_number(to, p.step);
+      cli_json_number(to, p.step);
     }
     if (p.choices) {
       fputs(", \"choices\": [", to);
@@ -207,31 +188,10 @@ void cli_report_parameters(FILE *to, vs *s) {
     }
     if (p.at.file) {
       fputs(", \"file\": ", to);
-      json_text(to, p.at.file);
+      cli_json_text(to, p.at.file);
       fprintf(to, ", \"line\": %" PRIu32, p.at.line);
     }
     fputc('}', to);
   }
   fputs(count ? "\n]\n" : "]\n", to);
-}
-
-void cli_report_statistics(vs *s, bool json) {
-  enum { ROOM = 256 };
-  vs_statistic list[ROOM];
-  size_t count = vs_statistics(s, list, ROOM);
-  if (count > ROOM) count = ROOM;
-  if (json) fputc('{', stderr);
-  for (size_t i = 0; i < count; i++) {
-    if (json) {
-      if (i) fputs(", ", stderr);
-      json_text(stderr, list[i].key);
-      fputs(": ", stderr);
-      json_number(stderr, list[i].value);
-    } else if (strcmp(list[i].unit, "s") == 0) {
-      fprintf(stderr, "  %-28s %12.3f ms\n", list[i].key, list[i].value * 1000);
-    } else {
-      fprintf(stderr, "  %-28s %12.0f %s\n", list[i].key, list[i].value, list[i].unit);
-    }
-  }
-  if (json) fputs("}\n", stderr);
 }

@@ -18,7 +18,7 @@ void cli_report_progress(cli_reporter *r, const vs_progress *p);
 void cli_report_settle(cli_reporter *r); /* takes the progress line away */
 /* "house.vs: 3 solids, 4 x 5.5 x 2 m, from (0 0 0) to (4 5.5 2)" */
 void cli_report_summary(const char *title, const vs_summary *s);
-void cli_report_statistics(vs *s, bool json);
+void cli_report_statistics(vs *s, bool json); /* statistics.c */
 void cli_report_parameters(FILE *to, vs *s); /* JSON */
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "geometry/solids.h"
 #include "kernel/inspect.h"
+#include "model/tally.h"
 
 /* Kinds whose meshes may overlap themselves; placements are looked through. */
 static bool may_overlap(const vs_node *n) {
@@ -61,7 +62,7 @@ static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   return ok;
 }
 
-bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, vs_error *e) {
+static bool primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, vs_error *e) {
   vs_mesh_flaws flaws;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   vs_mesh whole = { 0 };
@@ -74,6 +75,14 @@ bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_opt
   vs_mesh_free(out);
   *out = whole;
   return drop_flakes(out, 1e-6 * vs_bounds_diagonal(&b), e);
+}
+
+bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, vs_error *e) {
+  vs_tally *tally = vs_store_tally(n->store);
+  vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
+  bool ok = primitive_mesh(n, f, options, out, e);
+  vs_tally_enter(tally, was);
+  return ok;
 }
 
 /* ---- shared ---- */

@@ -12,6 +12,7 @@
 #include "kernel/memory.h"
 #include "kernel/primitive.h"
 #include "model/cache.h"
+#include "model/tally.h"
 
 enum { BUCKETS = 4096 };
 
@@ -294,12 +295,26 @@ void vs_solid_free(vs_solid *s) {
   *s = (vs_solid){ .part_count = 0 };
 }
 
+static void tally_up(vs_tally *t, const vs_kernel_counts *c, const vs_solid *one, const vs_solid_copies *many) {
+  if (!t) return;
+  t->clusters += c->clusters;
+  t->combined += c->combined;
+  t->copied += c->copied;
+  t->remembered += c->remembered;
+  if (one) t->triangles += one->mesh.triangle_count;
+  for (size_t i = 0; many && i < many->meshes.mesh_count; i++) t->triangles += many->meshes.meshes[i].triangle_count;
+  vs_tally_also(t, c->peak);
+}
+
 /* One of the two is wanted. */
 static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_solid *one, vs_solid_copies *many,
                      vs_error *error) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   builder *b = calloc(1, sizeof *b);
   if (!b) return vs_error_memory(error, NULL);
+  vs_tally *tally = count ? vs_store_tally(refs[0].node->store) : NULL;
+  vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
+  vs_kernel_counts counts = { 0 };
   vs_kernel_options mine = options ? *options : (vs_kernel_options){ .progress = NULL };
   if (count && !mine.cache) mine.cache = vs_store_cache(refs[0].node->store);
   options = &mine;
@@ -322,6 +337,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
   if (ok) {
     vs_kernel_problem problem = { b->leaves.at, b->terms.at, b->operands.at, (uint32_t)b->leaves.count, (uint32_t)b->terms.count,
                                   (uint32_t)b->operands.count, b->paints.at, b->identities.at };
+    mine.counts = &counts;
     ok = one ? vs_kernel_evaluate(&problem, options, &one->mesh, &why) : vs_kernel_evaluate_copies(&problem, options, &many->meshes, &why);
   }
   if (ok) {
@@ -337,6 +353,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
     else vs_mesh_free(b->meshes.at[i].mesh);
     free(b->meshes.at[i].mesh);
   }
+  tally_up(tally, &counts, one, many);
   VS_DROP(&b->k, b->leaves);
   VS_DROP(&b->k, b->origins);
   VS_DROP(&b->k, b->twins);
@@ -353,6 +370,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
   VS_DROP(&b->k, b->part_table);
   VS_DROP(&b->k, b->paint_table);
   free(b);
+  vs_tally_enter(tally, was);
   return ok;
 }
 

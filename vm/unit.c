@@ -31,8 +31,9 @@ static bool keep_frame(vs_expansion *x) {
   return true;
 }
 
-static vs_status run(vs *vm, vs_value *a, int n, vs_value *out) {
-  (void)n;
+static vs_vm_phase enter_phase(vs *vm, vs_vm_phase phase) { return vm->config.phase ? vm->config.phase(vm->config.user, phase) : phase; }
+
+static vs_status step_forms(vs *vm, vs_value *a, vs_value *out) {
   if (a[RUN_PHASE] == VS_FALSE) {
     if (!vs_is(a[RUN_ENV], VS_T_ENVIRONMENT)) return vs_fail_type(vm, RUN_ENV, "an environment", a[RUN_ENV]);
     if (!vs_expansion_make(vm, &a[RUN_X])) return VS_ERROR;
@@ -65,6 +66,7 @@ static vs_status run(vs *vm, vs_value *a, int n, vs_value *out) {
       a[RUN_SERIAL] = vs_fix(x->serial);
     }
     stepping = false;
+    enter_phase(vm, VS_VM_EXPAND);
     vs_expand_result result = vs_expansion_step(x, came);
     switch (result) {
     case VS_EXPAND_ERROR: return VS_ERROR;
@@ -73,6 +75,7 @@ static vs_status run(vs *vm, vs_value *a, int n, vs_value *out) {
       VS_ROOTS(vm, r, 1);
       /* a call at top level keeps its frame, so that errors can tell where they were called from */
       if (a[RUN_TELL] != VS_FALSE && x->root->kind == VS_AST_CALL && !keep_frame(x)) return VS_ERROR;
+      enter_phase(vm, VS_VM_COMPILE);
       if (!vs_compile(vm, &x->ast, x->root, &r[0])) return VS_ERROR;
       vs_ast_clear(&x->ast);
       a[RUN_FORMS] = vs_cdr(a[RUN_FORMS]);
@@ -111,6 +114,14 @@ static vs_status run(vs *vm, vs_value *a, int n, vs_value *out) {
   }
   *out = a[RUN_TELL] == VS_UNSPECIFIC ? VS_UNSPECIFIC : a[RUN_VALUE];     /* what load ran was told already */
   return VS_OK;
+}
+
+/* What a macro's procedure does while it is called counts as the program's. */
+static vs_status run(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  vs_status status = step_forms(vm, a, out);
+  enter_phase(vm, VS_VM_RUN);
+  return status;
 }
 
 static bool core_value(vs *vm, const char *name, vs_value *out) {
@@ -282,7 +293,10 @@ bool vs_unit_path(vs *vm, vs_value name, uint32_t from, vs_text *path) {
 
 static bool read_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold, vs_value *forms) {
   uint32_t file;
-  return vs_file_number(vm, name, strlen(name), &file) && vs_read_all(vm, text, size, file, line, fold, forms);
+  vs_vm_phase was = enter_phase(vm, VS_VM_READ);
+  bool ok = vs_file_number(vm, name, strlen(name), &file) && vs_read_all(vm, text, size, file, line, fold, forms);
+  enter_phase(vm, was);
+  return ok;
 }
 
 bool vs_unit_read(vs *vm, const char *path, bool fold, vs_value *forms) {

@@ -29,6 +29,8 @@
   A(no_memory)     /* the condition raised when there is no room to make one */ \
   A(stop)          /* procedure of the bottom frame */
 
+typedef enum { VS_VM_READ, VS_VM_EXPAND, VS_VM_COMPILE, VS_VM_RUN } vs_vm_phase; /* of source text; RUN: the program itself */
+
 typedef struct vs_config {
   /* Every byte comes from here: p NULL makes, bytes 0 frees, else resizes; NULL refuses. NULL uses realloc and free. */
   void *(*memory)(void *user, void *p, size_t old_bytes, size_t bytes);
@@ -37,6 +39,7 @@ typedef struct vs_config {
   uint64_t step_limit;       /* calls and loop turns, 0 = none */
   uint64_t output_limit;     /* bytes that the program may print or write, 0 = none */
   double time_limit;         /* seconds by the clock below, 0 = none */
+  vs_vm_phase (*phase)(void *user, vs_vm_phase phase); /* told when another begins, says which one ends; NULL: nobody asks */
   double (*clock)(void *user);                 /* seconds, monotonic; NULL: no time limit */
   bool (*interrupted)(void *user);             /* polled; true once = raise an interrupt */
   const struct vs_native_table *const *tables; /* natives besides the VM's own, NULL-terminated; same order as when the image was made */

@@ -1,0 +1,25 @@
+/* Owns the writing of JSON: text and numbers. Nothing is read, so a library would be more to carry than these lines. */
+#include "cli/json.h"
+
+#include <math.h>
+#include <string.h>
+
+void cli_json_text(FILE *to, const char *text) {
+  fputc('"', to);
+  for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
+    if (*c == '"' || *c == '\\') fprintf(to, "\\%c", *c);
+    else if (*c < ' ') fprintf(to, "\\u%04x", *c);
+    else fputc(*c, to);
+  }
+  fputc('"', to);
+}
+
+void cli_json_number(FILE *to, double v) {
+  char text[40];
+  for (int digits = 15; digits <= 17; digits++) {
+    snprintf(text, sizeof text, "%.*g", digits, v);
+    double back;
+    if (sscanf(text, "%lf", &back) == 1 && back == v) break;
+  }
+  fputs(isfinite(v) ? text : "null", to);
+}

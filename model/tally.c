@@ -1,0 +1,29 @@
+/* Owns the account of a run: see tally.h. */
+#include "model/tally.h"
+
+#include "model/store.h"
+
+vs_tally *vs_store_tally(const vs_store *s) { return s->tally; }
+void vs_store_set_tally(vs_store *s, vs_tally *t) { s->tally = t; }
+
+vs_work_phase vs_tally_enter(vs_tally *t, vs_work_phase p) {
+  if (!t) return p;
+  vs_work_phase was = t->now;
+  if (was == p) return was;
+  double now = t->clock(t->context);
+  vs_phase_use *u = &t->of[was];
+  u->seconds += now - t->since;
+  u->growth += (double)*t->held - (double)t->from;
+  if (t->high > u->peak) u->peak = t->high;
+  if (t->high > t->peak) t->peak = t->high;
+  t->now = p;
+  t->since = now;
+  t->from = t->high = *t->held;
+  return was;
+}
+
+void vs_tally_also(vs_tally *t, size_t bytes) {
+  if (t && *t->held + bytes > t->of[t->now].peak) t->of[t->now].peak = *t->held + bytes;
+}
+
+size_t vs_tally_peak(const vs_tally *t) { return t->high > t->peak ? t->high : t->peak; }
