@@ -32,6 +32,8 @@ vs_vec3 drawing_look_point(const drawing_look *l, double which, double x, double
 /* Is `after` what `before` was: the same primitives in order (where less is allowed, some may be gone; where templates were
  * made, a primitive may have the origin of its place), places, bounds, paint, origins? Else why. */
 bool drawing_same_parts(const drawing_look *before, const drawing_look *after, bool less, bool templates, char *why, size_t room);
+/* The same set of its parts, whatever they were; after drawing_same_parts. Where parts that cannot meet are left out it is not. */
+bool drawing_same_sets(drawing_look *before, drawing_look *after, uint64_t seed, char *why, size_t room);
 /* The same at p: inside or not, and by which primitives. *close: p is so near a surface that both answers are right. */
 bool drawing_same_at(drawing_look *before, drawing_look *after, vs_vec3 p, bool *inside, bool *close, char *why, size_t room);
 

@@ -26,6 +26,7 @@ typedef struct {
   size_t shared;           /* path_count, or where on it the first node with several users is */
   vs_inside *inside;       /* NULL: holds nothing */
   bool ghost;
+  uint32_t coins;
 } part;
 
 typedef struct { const vs_node *node; size_t part; /* + 1; 0: a set */ size_t next; /* the entry after all of its own */ } entry;
@@ -37,6 +38,7 @@ struct drawing_look {
   size_t part_count, part_room;
   const vs_origin **paths;
   size_t path_count, path_room;
+  int trial;     /* -1: a part holds what it holds; else whether it holds a point is bit `trial` of its coins */
   size_t *match; /* of each part: which of the other look's it is (drawing_same_parts) */
 };
 
@@ -178,6 +180,7 @@ static bool look_at(looker *w, vs_ref ref, part here) { /* test trees are shallo
 drawing_look *drawing_look_new(const drawing *d, drawing_memo *m) {
   drawing_look *l = calloc(1, sizeof *l);
   vs_order order = { .store = d->at[0].node->store };
+  if (l) l->trial = -1;
   if (!l || !vs_order_make(&order, d->at, d->count, NULL)) abort();
   looker *w = calloc(1, sizeof *w);
   if (!w) abort();
@@ -204,7 +207,9 @@ vs_vec3 drawing_look_point(const drawing_look *l, double which, double x, double
   vs_vec3 p = { 8 * x - 4, 8 * y - 4, 8 * z - 4 };
   const part *at = l->part_count ? &l->parts[(size_t)(which * (double)l->part_count)] : NULL;
   if (!at || vs_bounds_is_empty(&at->bounds) || !isfinite(vs_bounds_diagonal(&at->bounds))) return p;
-  const vs_bounds *b = &at->bounds;
+  vs_bounds both = at->bounds, *b = &both;
+  if (at + 1 < l->parts + l->part_count && x + y < z + 1) vs_bounds_meet(&both, &at[1].bounds); /* where two meet, there is more to get wrong */
+  if (vs_bounds_is_empty(&both)) both = at->bounds;
   return vs_v3(b->min.x + x * (b->max.x - b->min.x), b->min.y + y * (b->max.y - b->min.y), b->min.z + z * (b->max.z - b->min.z));
 }
 
@@ -239,6 +244,43 @@ static bool same_map(const vs_affine *a, const vs_affine *b) {
   return true;
 }
 
+/* Six times the volume within the faces: negative where they look inwards. What a placement mirrors is turned when it is meshed. */
+static double facing(const part *p) {
+  const struct vs_polyface_mesh *m = VS_AS(polyface_mesh, p->node);
+  const uint32_t *starts = vs_faces_starts(m->faces), *corners = vs_faces_corners(m->faces);
+  double six = 0;
+  for (uint32_t f = 0; f < m->faces->count; f++)
+    for (uint32_t i = starts[f] + 1; i + 1 < starts[f + 1]; i++)
+      six += vs_v3_dot(m->points->at[corners[starts[f]]], vs_v3_cross(m->points->at[corners[i]], m->points->at[corners[i + 1]]));
+  return six;
+}
+
+static bool holds_at(const part *x, vs_vec3 p) { return vs_inside_test(x->inside, vs_affine_point(&x->back, p)); }
+
+static bool same_inside(const part *a, const part *b) {
+  if (a->node->kind == VS_POLYFACE_MESH && VS_AS(polyface_mesh, a->node)->closed && (facing(a) > 0) != (facing(b) > 0)) return false;
+  if (!a->inside || !b->inside) return a->inside == b->inside;
+  if (a->node == b->node && !memcmp(&a->map, &b->map, sizeof a->map)) return true;
+  vs_bounds box = a->node->kind == VS_HALF_SPACE ? (vs_bounds){ { -4, -4, -4 }, { 4, 4, 4 } } : a->bounds;
+  if (vs_bounds_is_empty(&box)) return true;
+  for (int i = 0; i < 7; i++) { /* by Halton's sequence: in every part of the box */
+    double at[3], step = 1e-4 * vs_bounds_diagonal(&box);
+    static const int bases[] = { 2, 3, 5 };
+    for (int axis = 0; axis < 3; axis++) {
+      double f = 1;
+      at[axis] = 0.013;
+      for (int k = i + 1; k; k /= bases[axis]) at[axis] += (f /= bases[axis]) * (k % bases[axis]);
+    }
+    vs_vec3 p = { box.min.x + at[0] * (box.max.x - box.min.x), box.min.y + at[1] * (box.max.y - box.min.y), box.min.z + at[2] * (box.max.z - box.min.z) };
+    bool was = holds_at(a, p), close = false;
+    if (was == holds_at(b, p)) continue;
+    for (int k = 0; !close && k < 27; k++)
+      close = holds_at(a, vs_v3(p.x + (k % 3 - 1) * step, p.y + (k / 3 % 3 - 1) * step, p.z + (k / 9 - 1) * step)) != was;
+    if (!close) return false;
+  }
+  return true;
+}
+
 /* NULL, or what is not the same. */
 static const char *difference_of(const part *a, const part *b) {
   if (a->node->kind != b->node->kind) return "kind";
@@ -246,7 +288,14 @@ static const char *difference_of(const part *a, const part *b) {
   if (a->layer != b->layer) return "layer";
   if (a->dress != b->dress) return "dress";
   if (a->node->kind == VS_NATIVE) return VS_AS(native, a->node)->code == VS_AS(native, b->node)->code && same_map(&a->map, &b->map) ? NULL : "place of native text";
-  return same_bounds(a, b) ? NULL : "bounds";
+  const vs_kind_info *info = vs_kind_get((vs_kind)a->node->kind);
+  for (size_t i = 0; i < info->field_count; i++) { /* what no map changes */
+    const char *x = (const char *)a->node->data + info->fields[i].offset, *y = (const char *)b->node->data + info->fields[i].offset;
+    vs_field_type type = info->fields[i].type;
+    size_t size = type == VS_FIELD_integer ? sizeof(vs_field_integer) : type == VS_FIELD_boolean ? sizeof(vs_field_boolean) : type == VS_FIELD_text ? sizeof(vs_field_text) : 0;
+    if (memcmp(x, y, size) != 0) return info->fields[i].argument;
+  }
+  return !same_bounds(a, b) ? "bounds" : same_inside(a, b) ? NULL : "shape";
 }
 
 static uint32_t line_at(const drawing_look *l, const part *p, size_t i) { return l->paths[p->path + i] ? l->paths[p->path + i]->line : 0; }
@@ -317,7 +366,7 @@ static verdict verdict_at(const drawing_look *l, size_t at, vs_vec3 p) {
   if (!e->node) return v;
   if (e->part) {
     const part *x = &l->parts[e->part - 1];
-    v.in = x->inside && vs_inside_test(x->inside, vs_affine_point(&x->back, p));
+    v.in = l->trial >= 0 ? x->inside && x->coins >> l->trial & 1 : x->inside && vs_inside_test(x->inside, vs_affine_point(&x->back, p));
     if (v.in) v.who[v.count++] = e->part - 1;
     return v;
   }
@@ -367,6 +416,24 @@ static bool verdicts_equal(const verdict *a, const drawing_look *before, const v
   for (size_t i = 0; i < a->count; i++)
     if (difference_of(&before->parts[a->who[i]], &before->parts[match ? match[b->who[i]] : b->who[i]])) return false;
   return true;
+}
+
+/* Whatever its parts are, the same set of them: each part holds a point or not, as a coin falls. */
+bool drawing_same_sets(drawing_look *before, drawing_look *after, uint64_t seed, char *why, size_t room) {
+  bool same = true;
+  for (size_t i = 0; i < before->part_count; i++) {
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    before->parts[i].coins = (uint32_t)(seed >> 32);
+  }
+  for (size_t i = 0; i < after->part_count; i++) after->parts[i].coins = before->parts[after->match[i]].coins;
+  for (before->trial = after->trial = 0; same && before->trial < 32; before->trial++, after->trial++) {
+    verdict a = verdict_of(before, vs_v3(0, 0, 0)), b = verdict_of(after, vs_v3(0, 0, 0));
+    same = a.in == b.in && a.count == b.count;
+    for (size_t i = 0; same && i < a.count; i++) same = a.who[i] == after->match[b.who[i]];
+    if (!same) snprintf(why, room, "of other parts it would be another set: part %d, now part %d", a.count ? (int)a.who[0] : -1, b.count ? (int)after->match[b.who[0]] : -1);
+  }
+  before->trial = after->trial = -1;
+  return same;
 }
 
 bool drawing_same_at(drawing_look *before, drawing_look *after, vs_vec3 p, bool *inside, bool *close, char *why, size_t room) {

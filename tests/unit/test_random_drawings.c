@@ -15,7 +15,7 @@
 #include "tests/oracle/drawings_look.c"
 #include "tests/oracle/drawings_make.c"
 
-enum { SETS = 1 << VS_PASS_COUNT, POINTS = 24 };
+enum { SETS = 1 << VS_PASS_COUNT, POINTS = 40 };
 
 typedef struct { size_t drawings, looked, points, inside, close, changed[VS_PASS_COUNT], volumes; char why[400]; unsigned passes; uint64_t points_seed; bool volume; } trial;
 
@@ -77,6 +77,7 @@ static bool differs(void *context, const drawing *d) {
     goto done;
   }
   if (!drawing_same_parts(was, is, less, t->passes >> VS_PASS_SHARE & 1, t->why, sizeof t->why)) goto done;
+  if (!less && !drawing_same_sets(was, is, t->points_seed, t->why, sizeof t->why)) goto done;
   uint64_t state = t->points_seed;
   for (int i = 0; i < POINTS; i++) {
     double r[4] = { fraction(&state), fraction(&state), fraction(&state), fraction(&state) };
@@ -161,7 +162,7 @@ static void passes_keep_what_is_drawn(void **state) {
   if (count == 1) return;
   /* it has looked at something */
   assert_true(t.looked > 5 * t.drawings && t.inside * 10 > t.points && t.close * 2000 < t.points && t.volumes * 40 > t.drawings);
-  for (int k = 0; k < VS_PASS_COUNT; k++) assert_true(t.changed[k] > count);
+  for (int k = 0; k < VS_PASS_COUNT; k++) assert_true(t.changed[k] > count / 2);
 }
 
 int main(void) {
