@@ -136,8 +136,8 @@ stress: ## the tests with a collection at every allocation and the heap checked 
 layers: $(LIB_OBJ) $(CLI_OBJ) ## check that includes follow the layers' arrows and that no object has mutable globals
 	sh scripts/layers.sh $(BUILD)
 
-bless: all ## rewrite the expected results of tests/cli from what the program does now; read the diff
-	BLESS=1 SUITES=cli sh tests/run.sh $(BUILD)
+bless: all ## rewrite the expected results of tests/cli and tests/cross from what the program does now; read the diff
+	BLESS=1 SUITES="cli cross" sh tests/run.sh $(BUILD)
 
 $(BUILD)/measure: bench/measure.c
 	@mkdir -p $(@D)

@@ -507,7 +507,8 @@ static vs_outcome write_one(vs_session *s, const char *path, const vs_format *fo
   if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
   vs_cache_turn(vs_store_cache(s->bind.store), !o->last);
   bool ok = vs_export_settle(&scene, format, &e, &error) && (vs_export_is_verbatim(format) || resolve(s, &scene, &error)) &&
-            (!o->count || vs_session_output_nodes(s, &scene, o->passes, &error)) && vs_scene_optimise(&scene, o->passes, &record->passes, &error);
+            (!o->count || vs_session_output_nodes(s, &scene, o->passes, &error)) && vs_scene_optimise(&scene, o->passes, &record->passes, &error) &&
+            vs_export_prepare(&scene, format, &error);
   vs_tally_enter(&s->tally, VS_WORK_EMIT);
   ok = ok && (to ? vs_export_to(&scene, format, sink, to, &e, &error) : vs_export(&scene, format, path, &e, &error));
   scene_done(s, &scene);

@@ -4,6 +4,7 @@
  * target last. Rendered formats write their text into a private folder (povray/run.c) and the picture to such a file. */
 #define _XOPEN_SOURCE 700
 #include "backends/export.h"
+#include "backends/flush.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -250,6 +251,8 @@ bool vs_export_settle(vs_scene *scene, const vs_format *format, const vs_export_
   if (b->ghosts_in_drafts && options->quality != VS_RENDER_DRAFT) o.ghosts = VS_MARKS_DROP;
   return vs_scene_settle(scene, &o, e);
 }
+
+bool vs_export_prepare(vs_scene *scene, const vs_format *format, vs_error *e) { return !format->backend->parts_flush || vs_scene_part_flush(scene, e); }
 
 static vs_emitter export_emitter(const vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e) {
   return (vs_emitter){ .scene = scene, .options = options, .backend = format->backend, .error = e };

@@ -184,6 +184,8 @@ vs_status vs_bind_file(vs_frame *f, const vs_arg *name, vs_value *bytes, const c
 
 /* ---- building, for the functions of procedures.def (build.c) ---- */
 vs_status vs_bind_make(vs_frame *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out);
+/* For argument 0 that is several curves or surfaces (geometry/parts.h): the union of what one makes of each. */
+vs_status vs_bind_each_part(vs_frame *f, vs_procedure_fn *one, vs_value *out);
 vs_status vs_bind_empty(vs_frame *f, const char *why, vs_value *out); /* the empty object, with a warning once a place */
 vs_status vs_bind_resolve(vs_frame *f, int i); /* sections, shadows and edges in argument i become what they are in space */
 vs_status vs_bind_node(vs_frame *f, vs_node *node, vs_value *out);    /* takes the reference over */

@@ -1,5 +1,6 @@
 /* Owns the small steps that every procedure of the geometry ends with: make a value, make a node, give the empty object. */
 #include "bind/bind.h"
+#include "geometry/parts.h"
 
 vs_status vs_bind_point(vs_frame *f, vs_vec3 p, vs_value *out) { return vs_make_flat(f->vm, VS_FLAT_POINT, (const double[]){ p.x, p.y, p.z }, 3, out); }
 vs_status vs_bind_vector(vs_frame *f, vs_vec3 p, vs_value *out) { return vs_make_flat(f->vm, VS_FLAT_VECTOR, (const double[]){ p.x, p.y, p.z }, 3, out); }
@@ -67,6 +68,24 @@ vs_status vs_bind_make(vs_frame *f, vs_kind kind, const void *data, const vs_ref
   const char *large = data ? largest_field(kind, data) : NULL;
   if (large) return refuse_large(f, large);
   return vs_bind_wrap(f->bind, vs_node_new(f->bind->store, kind, data, children, n), out);
+}
+
+vs_status vs_bind_each_part(vs_frame *f, vs_procedure_fn *one, vs_value *out) {
+  vs_ref whole = f->arg[0].ref, *parts;
+  size_t count, made = 0;
+  vs_status status = VS_OK;
+  if (!vs_several_parts(whole, &parts, &count)) return vs_bind_node(f, NULL, out);
+  for (; status == VS_OK && made < count; made++) { /* a part gives its place to what is made of it */
+    f->arg[0].ref = parts[made];
+    status = one(f, out);
+    if (status != VS_OK) break;
+    vs_node_release(parts[made].node);
+    parts[made].node = vs_node_retain(vs_bind_shape(*out)->ref.node);
+  }
+  f->arg[0].ref = whole;
+  if (status == VS_OK) status = vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, parts, count, out);
+  vs_several_free(parts, count);
+  return status;
 }
 
 vs_status vs_bind_empty(vs_frame *f, const char *why, vs_value *out) {

@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 
+#include "geometry/parts.h"
 #include "geometry/revolve.h"
 #include "geometry/surface.h"
 #include "geometry/tessellate.h"
@@ -43,6 +44,7 @@ vs_status vs_p_do_revolve(vs_frame *f, vs_value *out) {
   if (f->arg[3].given) d.end = REAL(3);
   if (vs_bind_is_empty(NODE(0))) return vs_bind_empty(f, "the profile is empty", out);
   if (d.start == d.end) return vs_bind_empty(f, "start and end are the same", out);
+  if (vs_is_several(NODE(0)) && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_each_part(f, vs_p_do_revolve, out);
   vs_node *n = vs_node_new(f->bind->store, VS_REVOLVE, &d, &f->arg[0].ref, 1);
   if (!vs_bind_keep(f, n)) return VS_ERROR;
   if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);

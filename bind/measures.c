@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "geometry/measure.h"
+#include "geometry/parts.h"
 #include "geometry/tessellate.h"
 #include "kernel/resolve.h"
 
@@ -45,7 +46,7 @@ static vs_status measure_mesh(vs_frame *f, vs_measure *m) {
   return VS_OK;
 }
 
-/* a surface: area and its centre, of fine triangles */
+/* a surface, or several: area and its centre, of fine triangles */
 static vs_status measure_surface(vs_frame *f, vs_measure *m) {
   vs_error e = { 0 };
   vs_bounds b;
@@ -54,7 +55,13 @@ static vs_status measure_surface(vs_frame *f, vs_measure *m) {
   vs_vec3 sum = { 0, 0, 0 };
   if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
   if (facets.tolerance <= 0) facets.tolerance = fmax(vs_bounds_diagonal(&b) / 65536, 1e-300);
-  if (!vs_tessellate(f->arg[0].ref.node, &facets, &mesh, &e)) return vs_mesh_free(&mesh), vs_bind_error(f, &e);
+  vs_ref *parts;
+  size_t count;
+  if (!vs_several_parts(f->arg[0].ref, &parts, &count)) return vs_bind_node(f, NULL, &(vs_value){ 0 });
+  bool ok = true;
+  for (size_t i = 0; ok && i < count; i++) ok = vs_tessellate(parts[i].node, &facets, &mesh, &e);
+  vs_several_free(parts, count);
+  if (!ok) return vs_mesh_free(&mesh), vs_bind_error(f, &e);
   for (size_t i = 0; i < mesh.triangle_count; i++) {
     vs_vec3 p = mesh.vertices[mesh.triangles[i][0]], q = mesh.vertices[mesh.triangles[i][1]], r = mesh.vertices[mesh.triangles[i][2]];
     double w = vs_v3_length(vs_v3_cross(vs_v3_sub(q, p), vs_v3_sub(r, p))) / 2;
@@ -75,7 +82,7 @@ static vs_status measure_any(vs_frame *f, vs_measure *m, bool area) {
   if (!vs_node_measure(n, m, &e)) return vs_bind_error(f, &e);
   if (m->known && (!area || m->area_known)) return VS_OK;
   if (n->class_ == VS_SOLID) return measure_mesh(f, m);
-  bool placed = n->kind == VS_TRANSFORM || vs_node_is_dress(n);
+  bool placed = n->kind == VS_TRANSFORM || vs_node_is_dress(n) || n->kind == VS_UNION;
   if (n->class_ == VS_SURFACE && (placed || vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION)) return measure_surface(f, m);
   const char *kind = vs_kind_get((vs_kind)n->kind)->name;
   return vs_fail(f->vm, f->vm->sym.error, "there is no measure yet of %s %s that is no solid", strchr("aeiou", *kind) ? "an" : "a", kind);

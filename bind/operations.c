@@ -6,6 +6,7 @@
 #include "geometry/hull.h"
 #include "geometry/join.h"
 #include "geometry/measure.h"
+#include "geometry/parts.h"
 #include "geometry/slice.h"
 #include "kernel/resolve.h"
 #include "geometry/plane.h"
@@ -307,6 +308,7 @@ vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
   vs_plane plane;
   bool empty, leaving_it;
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
+  if (vs_is_several(NODE(0)) && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_each_part(f, vs_p_do_extrude, out);
   if (!check_twist(f, d.twist, f->key[0].value) || !check_profile(f, &plane, &empty, out)) return VS_ERROR;
   if (empty) return VS_OK;
   bool flat = vs_v3_length(plane.normal) > 0;
@@ -356,5 +358,6 @@ vs_status vs_p_do_thicken(vs_frame *f, vs_value *out) {
   struct vs_thicken d = { .width = REAL(1), .segments = f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->bind) };
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
   if (d.width == 0) return vs_bind_empty(f, "the width is 0", out);
+  if (vs_is_several(NODE(0))) return vs_bind_each_part(f, vs_p_do_thicken, out);
   return vs_bind_make(f, VS_THICKEN, &d, &f->arg[0].ref, 1, out);
 }

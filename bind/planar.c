@@ -5,6 +5,7 @@
 
 #include "geometry/join.h"
 #include "geometry/measure.h"
+#include "geometry/parts.h"
 #include "geometry/plane.h"
 #include "geometry/planar.h"
 
@@ -148,6 +149,7 @@ vs_status vs_p_do_offset(vs_frame *f, vs_value *out) {
   while (i < 3 && strcmp(corners, names[i])) i++;
   if (i == 3) return vs_bind_refuse(f, "corners", "'mitre, 'round or 'square", f->key[0].value);
   if (vs_bind_is_empty(NODE(0))) return vs_bind_node(f, vs_node_retain(NODE(0)), out);
+  if (vs_is_several(NODE(0)) && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_each_part(f, vs_p_do_offset, out);
   if (NODE(0)->kind == VS_XLINE || NODE(0)->kind == VS_RAY) return vs_bind_refuse(f, "s", "a curve with two ends or none, or a region", f->arg[0].value);
   if (vs_node_plane(NODE(0), &plane) == VS_PLANE_NONE) return vs_bind_refuse(f, "s", "a curve or region that lies in one plane", f->arg[0].value);
   vs_bounds box;

@@ -5,6 +5,7 @@
 
 #include "geometry/frame.h"
 #include "geometry/measure.h"
+#include "geometry/parts.h"
 #include "geometry/slice.h"
 #include "kernel/section.h"
 #include "model/room.h"
@@ -327,15 +328,17 @@ static vs_node *slice_of(const resolver *r, const vs_ref *ref) {
 }
 
 /* Bars round several curves are several bars. */
-static vs_node *thickened(const resolver *r, const vs_node *n, const vs_ref *child) {
-  vs_ref *bars = malloc((child->node->child_count + (size_t)1) * sizeof *bars);
-  if (!bars) return NULL;
-  for (uint32_t i = 0; i < child->node->child_count; i++) {
-    vs_ref curve = child->node->children[i];
-    bars[i] = (vs_ref){ vs_node_new(r->store, VS_THICKEN, n->data, &curve, 1), child->origin };
+static vs_node *thickened(const resolver *r, const vs_node *n, vs_ref whole) {
+  vs_ref *parts;
+  size_t count;
+  if (!vs_several_parts(whole, &parts, &count)) return NULL;
+  for (size_t i = 0; i < count; i++) {
+    vs_node *curve = parts[i].node;
+    parts[i].node = vs_node_new(r->store, VS_THICKEN, n->data, &parts[i], 1);
+    vs_node_release(curve);
   }
-  vs_node *made = of_children(r->store, VS_UNION, bars, child->node->child_count, true);
-  free(bars);
+  vs_node *made = of_children(r->store, VS_UNION, parts, count, true);
+  free(parts);
   return made;
 }
 
@@ -348,7 +351,7 @@ static vs_node *rebuilt(const resolver *r, const vs_node *n) {
     gone = gone || (i == 0 && kids[i].node->kind == VS_EMPTY);
   }
   bool profile = n->kind == VS_EXTRUDE || n->kind == VS_SWEEP || n->kind == VS_THICKEN || n->kind == VS_OFFSET || n->kind == VS_REVOLVE;
-  vs_node *made = profile && gone ? nothing(r->store) : n->kind == VS_THICKEN && kids[0].node->kind == VS_UNION && kids[0].node->class_ == VS_CURVE ? thickened(r, n, kids)
+  vs_node *made = profile && gone ? nothing(r->store) : n->kind == VS_THICKEN && vs_is_several(kids[0].node) ? thickened(r, n, kids[0])
                                                       : vs_node_new(r->store, (vs_kind)n->kind, n->data, kids, n->child_count);
   free(kids);
   return made;

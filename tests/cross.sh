@@ -3,9 +3,9 @@
 #
 #   closed        volume, area, length, bounding box and contains? against the table's closed forms
 #   mesh          the written mesh: closed, and encloses what the closed form says
-#   tree          the tree dump reads back as the same tree
+#   tree          the tree dump is the golden tests/cross/shapes.tree, and reads back as the same tree
 #   openscad      OpenSCAD's mesh of our .scad against ours
-#   povray, x3d   silhouettes of our .pov in POV-Ray and our .x3d in Chromium against our mesh
+#   povray, x3d   silhouettes of our .pov in POV-Ray and of our page's X3D in Chromium against our mesh
 #
 # One variant a shape (plain, turned, mirrored, ...); LONG=1 takes every variant. Contact sheets stay in BUILD/cross.
 work=$(mktemp -d) || exit 1
@@ -14,7 +14,7 @@ case $ONLY in ""|cross*) ;; *) exit ;; esac
 vs=$BUILD/vs tools=$BUILD/tools sheet=tests/cross/sheet.vs
 variants=mixed
 [ -z "${LONG:-}" ] || variants='plain rotated mirrored scaled cut hollow'
-pixels=1400
+pixels=4000
 mkdir -p "$BUILD/cross"
 result() { # name, file with the reasons if it failed
   if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
@@ -56,6 +56,16 @@ diff manual/formats.md "$work/formats.md" >> "$work/why"
 [ ! -s "$work/why" ] || echo "BLESS=1 SUITES=cross sh tests/run.sh build writes the page anew" >> "$work/why"
 result "cross/formats:manual/formats.md is current" "$work/why"
 
+# ---- the tree of every shape, as git has it ----
+
+# long lists of points stand there as their length and checksum
+timeout -s KILL 120 "$vs" --quiet $sheet -D task=tree -o "$work/shapes.tree" > "$work/said" 2>&1
+awk 'length($0) <= 600 { print; next } { printf "%s ... %d characters, ", substr($0, 1, 200), length($0); fflush(); print | "cksum"; close("cksum") }' "$work/shapes.tree" > "$work/shapes.short"
+[ -z "$BLESS" ] || cp "$work/shapes.short" tests/cross/shapes.tree
+diff tests/cross/shapes.tree "$work/shapes.short" > "$work/why"
+[ ! -s "$work/why" ] || echo "BLESS=1 SUITES=cross sh tests/run.sh build writes it anew; read the diff" >> "$work/why"
+result "cross/tree:golden" "$work/why"
+
 for variant in $variants; do
   table=$work/$variant.table mesh=$work/$variant.stl
   timeout -s KILL 120 "$vs" --quiet $sheet -D task=measure -D variant=$variant > "$work/said" 2> "$work/why" || echo "ended with $?" >> "$work/why"
@@ -90,7 +100,7 @@ EOF
 
   # ---- silhouettes ----
   timeout -s KILL 120 "$vs" --quiet --tolerance 0.001 $sheet -D variant=$variant -D standin=#t -o "$work/standin.stl" > "$work/said" 2>&1 || { result cross/standin:$variant "$work/said"; continue; }
-  timeout -s KILL 120 "$vs" --quiet --size ${pixels}x$pixels $sheet -D variant=$variant -o "$work/sheet.pov" -o "$work/sheet.x3d" > "$work/said" 2>&1 || { result cross/pictures:$variant "$work/said"; continue; }
+  timeout -s KILL 120 "$vs" --quiet --quality draft --size ${pixels}x$pixels $sheet -D variant=$variant -o "$work/sheet.pov" -o "$work/sheet.html" > "$work/said" 2>&1 || { result cross/pictures:$variant "$work/said"; continue; }
 
   if command -v povray > /dev/null; then
     # without its sky the background is transparent
@@ -106,16 +116,15 @@ EOF
   if [ -z "$browser" ]; then echo "skip cross/x3d:$variant: no chromium (package chromium)"
   elif [ ! -f node_modules/x3dom/x3dom.js ]; then echo "skip cross/x3d:$variant: no x3dom (npm install --ignore-scripts)"
   else
-    # The scene as it is, but without lights on white: what is there is black. HTML has no <Empty/> elements.
+    # The page's scene as it is, but without lights on white: what is there is dark.
     { echo "<!DOCTYPE html><html><head><meta charset='utf-8'><script src='file://$PWD/node_modules/x3dom/x3dom.js'></script>"
       echo "<style>body { margin: 0 } x3d { border: 0; display: block }</style></head><body><x3d width='${pixels}px' height='${pixels}px' showStat='false' showLog='false'>"
-      sed -n '/<Scene>/,/<\/Scene>/p' "$work/sheet.x3d" | sed -e '/<DirectionalLight/d' -e '/<Background/d' -e 's|<\([A-Za-z]*\)\([^<>]*\)/>|<\1\2></\1>|g' \
-        -e "s|<Scene>|<scene><Background skyColor='1 1 1'></Background><Environment gammaCorrectionDefault='none'></Environment>|" -e 's|</Scene>|</scene>|'
+      sed -n '/^<scene>/,/^<\/scene>/p' "$work/sheet.html" | sed -e '/<DirectionalLight/d' -e "s|<Background.*|<Background skyColor='1 1 1'></Background>|"
       echo "</x3d></body></html>"; } > "$work/page.html"
     timeout 200 "$browser" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update \
       --disable-sync --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$work/profile" --hide-scrollbars \
       --window-size=$pixels,$pixels --virtual-time-budget=30000 --screenshot="$work/x3d.png" "file://$work/page.html" > "$work/said" 2>&1
-    "$tools/sheetview" "$table" "$work/standin.stl" "$work/sheet.x3d" "$work/x3d.png" x3d "$BUILD/cross/x3d-$variant.png"
+    "$tools/sheetview" "$table" "$work/standin.stl" "$work/page.html" "$work/x3d.png" x3d "$BUILD/cross/x3d-$variant.png"
   fi
 done
 }

@@ -1,4 +1,4 @@
-/* Owns, for model/passes/ alone, the one loop that all passes are run by. */
+/* Owns, for model/passes/ and backends/flush.c, the one loop that all passes are run by. */
 #ifndef VS_MODEL_PASSES_REWRITE_H
 #define VS_MODEL_PASSES_REWRITE_H
 

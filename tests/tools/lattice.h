@@ -8,7 +8,7 @@ enum { CELLS_MOST = 2000 };
 
 typedef struct {
   long index;            /* column + row * columns */
-  char name[120], class[16], lossy[200]; /* lossy: "-" or why its pictures are not compared */
+  char name[120], class[16]; /* class: solid, region, surface, curve or mixed */
   double volume, area;   /* NAN: not known */
   vec least, most;       /* its bounding box, as the program answers */
   double within, loose;  /* how far, relatively, the volume may be off; how far, as a part of the diagonal, a side of the box may be missed */
@@ -33,8 +33,8 @@ static inline bool lattice_read(const char *path, lattice *out) {
   while (good && out->count < CELLS_MOST && fgets(line, sizeof line, f)) {
     cell *c = &out->cells[out->count++];
     char volume[40], area[40];
-    good = sscanf(line, "%ld\t%119[^\t]\t%15[^\t]\t%39[^\t]\t%39[^\t]\t%lf %lf %lf %lf %lf %lf\t%lf\t%lf\t%199[^\t\n]", &c->index, c->name, c->class, volume, area, &c->least.x,
-                  &c->least.y, &c->least.z, &c->most.x, &c->most.y, &c->most.z, &c->within, &c->loose, c->lossy) == 14;
+    good = sscanf(line, "%ld\t%119[^\t]\t%15[^\t]\t%39[^\t]\t%39[^\t]\t%lf %lf %lf %lf %lf %lf\t%lf\t%lf", &c->index, c->name, c->class, volume, area, &c->least.x,
+                  &c->least.y, &c->least.z, &c->most.x, &c->most.y, &c->most.z, &c->within, &c->loose) == 13;
     c->volume = lattice_number(volume), c->area = lattice_number(area);
     if (!good) fprintf(stderr, "%s: cannot read: %s", path, line);
   }
