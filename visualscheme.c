@@ -26,6 +26,11 @@ const char *vs_version(void) { return VS_VERSION; }
 
 vs_options vs_options_default(void) { return (vs_options){ .library_path = NULL }; }
 
+static vs_outcome out_of_memory(vs_session *s) {
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, NULL, 0, 0, "out of memory");
+  return VS_OUTCOME_MACHINE;
+}
+
 /* A top-level expression's value: the model if nothing is drawn, and what the prompt shows. */
 static bool take_value(vs *vm, vs_value v, vs_pos place) {
   vs_session *s = vs_session_of(vm);
@@ -69,6 +74,12 @@ static void *bootstrap_memory(const vs_options *o, void *old, size_t old_bytes, 
   return bytes ? realloc(old, bytes) : (free(old), NULL);
 }
 
+static bool open_program(vs *vm) {
+  vs_flat_rules rules;
+  vs_bind_flat_rules(&rules);
+  return vs_flat_register(vm, &rules) && vs_front_open(vm) && vs_program_new(vm, &vm->at.program);
+}
+
 vs *vs_new(const vs_options *options) {
   vs_options o = options ? *options : vs_options_default();
   vs_session *s = bootstrap_memory(&o, NULL, 0, sizeof *s);
@@ -86,11 +97,9 @@ vs *vs_new(const vs_options *options) {
     .phase = vm_phase, .clock = vs_session_clock, .interrupted = vs_session_interrupted, .tables = vs_bind_tables(), .image = &vs_library_image,
     .io = &vs_session_io, .value = take_value, .library_path = path,
   };
-  vs_flat_rules rules;
-  vs_bind_flat_rules(&rules);
   vs_store *store = vs_store_new(store_memory, s);
   vs *vm = store && (path || !path_bytes) ? vs_open_vm(&config) : NULL;
-  bool ok = vm && vs_bind_open(&s->bind, vm, store) && vs_flat_register(vm, &rules) && vs_front_open(vm) && vs_program_new(vm, &vm->at.program);
+  bool ok = vm && vs_bind_open(&s->bind, vm, store) && open_program(vm);
   if (ok) s->bind.library_files = vs_bind_file_count(vm);
   if (store) vs_store_release(store); /* bind holds it */
   if (ok) vs_store_set_tally(store, &s->tally);
@@ -107,6 +116,22 @@ vs *vs_new(const vs_options *options) {
     bootstrap_memory(&o, s, sizeof *s, 0);
   }
   return NULL;
+}
+
+vs_outcome vs_restart(vs *vm) {
+  vs_session *s = vs_session_of(vm);
+  vs *fresh = vs_open_vm(&vm->config);
+  if (fresh) fresh->host = s;
+  if (!fresh || !open_program(fresh)) {
+    if (fresh) vs_close_vm(fresh);
+    return out_of_memory(s);
+  }
+  vs old = *vm; /* nothing of an interpreter that rests points to itself */
+  *vm = *fresh, *fresh = old;
+  vs_close_vm(fresh); /* lets go of the objects, which hold nodes */
+  vs_bind_restart(&s->bind);
+  s->exit_requested = false;
+  return VS_OUTCOME_DONE;
 }
 
 void vs_free(vs *vm) {
@@ -365,11 +390,6 @@ static bool resolve(vs_session *s, vs_scene *scene, vs_error *e) {
   for (size_t i = 0; !ok && i < mine.drawn_count; i++) vs_node_release(mine.drawn[i].node);
   vs_store_realloc(mine.store, mine.drawn, mine.drawn_room * sizeof *mine.drawn, 0);
   return ok;
-}
-
-static vs_outcome out_of_memory(vs_session *s) {
-  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, NULL, 0, 0, "out of memory");
-  return VS_OUTCOME_MACHINE;
 }
 
 static bool summarise(const vs_scene *scene, vs_summary *out, vs_error *e) {

@@ -146,6 +146,11 @@ VS_API vs_outcome vs_eval_file(vs *s, const char *path, unsigned flags);
 /* name: for diagnostics ("house.vs", "-e"); first_line: the number of the text's first line there. Relative loads start at name's folder. */
 VS_API vs_outcome vs_eval_text(vs *s, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags);
 
+/* Begins anew, as after vs_new: definitions, what was required, parameters, drawing, camera and the like and random numbers are forgotten. What
+ * vs_parameter_set gave stays, and so do kept meshes, options, statistics. For running a changed file, or the same with other
+ * parameters: what it writes then are the bytes of a fresh process, in the time that the change takes. Out of memory: all is as it was. */
+VS_API vs_outcome vs_restart(vs *s);
+
 /* The program called (exit code): the evaluation ended there with VS_OUTCOME_DONE and nothing more should be run. False: it did not. code: 0 for
  * (exit) and (exit #t), 1 for (exit #f), else what was given. */
 VS_API bool vs_exit_requested(const vs *s, int *code);

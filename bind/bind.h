@@ -64,6 +64,7 @@ struct vs_bind {
 
 bool vs_bind_open(vs_bind *b, vs *vm, vs_store *store); /* zeroed b; false: out of memory */
 void vs_bind_close(vs_bind *b);
+void vs_bind_restart(vs_bind *b); /* as just opened, but for the settings of parameters; the old heap is gone */
 void vs_bind_clear_drawing(vs_bind *b);
 static inline vs_bind *vs_bind_of(vs *vm) { return (vs_bind *)vm->host; }
 

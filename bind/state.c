@@ -23,20 +23,36 @@ static void forget_returned(vs_bind *b) {
   b->returned_count = 0;
 }
 
-void vs_bind_close(vs_bind *b) {
+/* What one run of a program leaves behind. */
+static void forget_run(vs_bind *b) {
   vs_store *s = b->store;
-  if (!s) return;
   forget_returned(b);
   vs_store_realloc(s, b->returned, b->returned_room * sizeof *b->returned, 0);
   vs_store_realloc(s, b->told, b->told_room * sizeof *b->told, 0);
   for (size_t i = 0; i < b->parameter_count; i++) vs_store_realloc(s, b->parameters[i].choices, b->parameters[i].choice_count * sizeof *b->parameters->choices, 0);
   vs_store_realloc(s, b->parameters, b->parameter_room * sizeof *b->parameters, 0);
-  vs_store_realloc(s, b->settings, b->setting_room * sizeof *b->settings, 0);
   vs_inside_cache_free(b->inside);
   vs_store_on_ticket(s, NULL, NULL);
   vs_store_realloc(s, b->tickets, b->ticket_room * sizeof *b->tickets, 0);
   vs_store_realloc(s, b->gone, b->ticket_room * sizeof *b->gone, 0);
   vs_scene_free(&b->scene);
+}
+
+void vs_bind_restart(vs_bind *b) {
+  forget_run(b);
+  vs_bind kept = *b;
+  *b = (vs_bind){ .vm = kept.vm, .store = kept.store, .settings = kept.settings, .setting_count = kept.setting_count, .setting_room = kept.setting_room, .refused = kept.refused,
+                  .library_files = kept.library_files, .is_format = kept.is_format, .warn = kept.warn, .warn_context = kept.warn_context };
+  for (size_t i = 0; i < b->setting_count; i++) b->settings[i].used = false;
+  vs_scene_init(&b->scene, b->store);
+  vs_store_on_ticket(b->store, vs_bind_ticket_gone, b);
+}
+
+void vs_bind_close(vs_bind *b) {
+  vs_store *s = b->store;
+  if (!s) return;
+  forget_run(b);
+  vs_store_realloc(s, b->settings, b->setting_room * sizeof *b->settings, 0);
   vs_cache_free(vs_store_cache(s)); /* holds nodes */
   vs_store_release(s);
   *b = (vs_bind){ 0 };

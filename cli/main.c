@@ -148,21 +148,35 @@ static const char *title(const cli_options *o) {
   return "-e";
 }
 
-static vs_outcome run_batch(cli_session *c) {
+/* All sources, and what they draw in a line. again: the prompt asks for it. */
+static vs_outcome run_sources(cli_session *c, bool again) {
   cli_options *o = c->options;
-  vs_outcome outcome = set_parameters(c) ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
-  for (size_t i = 0; i < o->source_count && outcome == VS_OUTCOME_DONE && !vs_exit_requested(c->scheme, &c->exit_code); i++)
-    outcome = run_source(c, &o->sources[i]);
+  cli_source model = {CLI_SOURCE_FILE, c->model};
+  const cli_source *sources = c->model ? &model : o->sources;
+  size_t count = c->model ? 1 : o->source_count;
+  vs_outcome outcome = VS_OUTCOME_DONE;
+  for (size_t i = 0; i < count && outcome == VS_OUTCOME_DONE && !vs_exit_requested(c->scheme, &c->exit_code); i++) outcome = run_source(c, &sources[i]);
   cli_report_settle(&c->reporter);
-  if (outcome == VS_OUTCOME_DONE && !all_parameters_used(c)) outcome = VS_OUTCOME_USAGE;
-  if (outcome == VS_OUTCOME_DONE && !o->quiet && o->source_count) {
+  if (outcome == VS_OUTCOME_DONE && !again && !all_parameters_used(c)) outcome = VS_OUTCOME_USAGE; /* later what was set may be for another model */
+  if (outcome == VS_OUTCOME_DONE && !o->quiet && count) {
     vs_summary summary;
     outcome = vs_drawing_summary(c->scheme, &summary);
     if (outcome == VS_OUTCOME_DONE) {
       fflush(stdout);
-      cli_report_summary(title(o), &summary);
+      cli_report_summary(c->model ? c->model : title(o), &summary);
     }
   }
+  return outcome;
+}
+
+vs_outcome cli_session_run(cli_session *c) {
+  vs_outcome outcome = vs_restart(c->scheme);
+  return outcome == VS_OUTCOME_DONE ? run_sources(c, true) : outcome;
+}
+
+static vs_outcome run_batch(cli_session *c) {
+  cli_options *o = c->options;
+  vs_outcome outcome = set_parameters(c) ? run_sources(c, false) : VS_OUTCOME_USAGE;
   if (outcome == VS_OUTCOME_DONE && o->parameters) cli_report_parameters(stdout, c->scheme);
   if (outcome == VS_OUTCOME_DONE) outcome = write_all(c);
   if (o->stats) cli_report_statistics(c->scheme, o->stats_json);
@@ -207,6 +221,7 @@ int main(int argc, char **argv) {
     vs_free(session.scheme);
   }
   free(session.line);
+  free(session.model);
   cli_options_free(&options);
   if (fflush(stdout) != 0 && !session.output_failed) {
     fprintf(stderr, "vs: standard output: %s\n", strerror(errno));

@@ -208,6 +208,84 @@ static void write_file(cli_session *c, const char *path) {
   }
 }
 
+/* FILE, or what was run last, from the start. */
+static vs_outcome run_model(cli_session *c, const char *path) {
+  const cli_options *o = c->options;
+  if (*path && access(path, R_OK) != 0) {
+    fprintf(stderr, "%s: %s\n", path, strerror(errno));
+    return VS_OUTCOME_USAGE;
+  }
+  if (*path) {
+    char *copy = strdup(path);
+    if (!copy) {
+      fputs("vs: out of memory\n", stderr);
+      return VS_OUTCOME_MACHINE;
+    }
+    free(c->model);
+    c->model = copy;
+  } else if (!c->model && !o->source_count) {
+    fputs(",run needs a file, as in ,run house.vs; after that ,run alone does\n", stderr);
+    return VS_OUTCOME_USAGE;
+  }
+  for (size_t i = 0; !c->model && i < o->source_count; i++)
+    if (o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") == 0) {
+      fputs("standard input cannot be read again; ,run needs a file\n", stderr);
+      return VS_OUTCOME_USAGE;
+    }
+  vs_outcome outcome = cli_session_run(c);
+  vs_interrupt_clear(c->scheme);
+  return outcome;
+}
+
+/* NAME VALUE: a parameter of the model, which then runs again. */
+static void set_parameter(cli_session *c, char *rest) {
+  size_t length = strcspn(rest, " \t"), count = vs_parameter_count(c->scheme);
+  char *value = rest + length + strspn(rest + length, " \t");
+  vs_parameter_info p;
+  if (!length || !*value) {
+    fputs(",set needs a parameter and a value, as in ,set floors 12; ,parameters lists them\n", stderr);
+    return;
+  }
+  rest[length] = 0;
+  cli_nearby near = cli_nearby_start(rest);
+  bool known = false;
+  char *was = NULL;
+  for (size_t i = 0; i < count && vs_parameter_get(c->scheme, i, &p); i++) {
+    cli_nearby_offer(&near, p.name);
+    if (strcmp(p.name, rest) != 0) continue;
+    known = true;
+    was = strdup(p.value);
+  }
+  if (!known) {
+    fprintf(stderr, "there is no parameter %s", rest);
+    if (near.best) fprintf(stderr, "; perhaps %s", near.best);
+    fputs("; ,parameters lists them\n", stderr);
+  } else if (!c->model && !c->options->source_count) {
+    fprintf(stderr, "%s was defined at the prompt; do that again: (define-parameter %s %s)\n", rest, rest, value);
+  } else if (vs_parameter_set(c->scheme, rest, value) && run_model(c, "") == VS_OUTCOME_USAGE && was && vs_parameter_set(c->scheme, rest, was)) { /* refused: as before */
+    printf("; %s stays %s\n", rest, was);
+    run_model(c, "");
+  }
+  free(was);
+}
+
+/* A line each: name, value, what it may be, label. */
+static void list_parameters(cli_session *c) {
+  size_t count = vs_parameter_count(c->scheme);
+  vs_parameter_info p;
+  for (size_t i = 0; i < count && vs_parameter_get(c->scheme, i, &p); i++) {
+    printf("  %-16s %-10s", p.name, p.value);
+    if (p.choices) {
+      for (size_t k = 0; k < p.choice_count; k++) printf("%s%s", k ? " " : "one of ", p.choices[k]);
+    } else if (p.has_range) {
+      printf("%.6g to %.6g", p.min, p.max);
+    }
+    if (strcmp(p.label, p.name) != 0) printf("  (%s)", p.label);
+    putchar('\n');
+  }
+  if (!count) puts("; there are no parameters; (define-parameter name default) makes one");
+}
+
 static void show_drawing(cli_session *c) {
   vs_summary summary;
   if (vs_drawing_summary(c->scheme, &summary) == VS_OUTCOME_DONE) cli_report_summary("drawing", &summary);
@@ -219,12 +297,14 @@ static void show_drawing(cli_session *c) {
   COMMAND(write, " FILE", "write the drawing, by the file's ending", write_file(c, rest))                   \
   COMMAND(drawing, "", "count the drawing's objects and measure it", show_drawing(c))                       \
   COMMAND(clear, "", "empty the drawing", vs_drawing_clear(c->scheme))                                      \
-  COMMAND(parameters, "", "list the model's parameters", cli_report_parameters(stdout, c->scheme))          \
+  COMMAND(run, " FILE", "run a file from the start; alone: the same again, as it is now", run_model(c, rest)) \
+  COMMAND(parameters, "", "list the model's parameters", list_parameters(c))                               \
+  COMMAND(set, " NAME VALUE", "set a parameter and run the model again", set_parameter(c, rest))            \
   COMMAND(stats, "", "count what was done so far", cli_report_statistics(c->scheme, false))                 \
   COMMAND(help, "", "this", command_help())
 
 static void command_help(void) {
-#define COMMAND(name, argument, help, action) printf("  ,%-12s %s\n", #name argument, help);
+#define COMMAND(name, argument, help, action) printf("  ,%-16s %s\n", #name argument, help);
   COMMANDS(COMMAND)
 #undef COMMAND
   puts("Anything else is a program: (draw (make-sphere (xyz 0 0 0) 1)). Tab completes names.");

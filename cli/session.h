@@ -18,9 +18,12 @@ typedef struct {
   int exit_code;              /* of (exit n); 0 */
   char *line; size_t line_room; /* standard input, line by line */
   const volatile sig_atomic_t *ended; /* not 0: the system wants the command to end */
+  char *model;                /* the file that ,run was given; NULL: what the command line named */
   struct cli_editor *editor;  /* NULL: no prompt is being shown */
 } cli_session;
 
+/* Runs what the command line named, or model, from the start: definitions, drawing and the rest are forgotten first. Then the summary. */
+vs_outcome cli_session_run(cli_session *c);
 /* Writes the drawing as the target says. */
 vs_outcome cli_session_write(cli_session *c, const cli_target *t);
 

@@ -260,6 +260,81 @@ static void test_tags(void **state) {
   }
 }
 
+/* Begun anew, an interpreter knows nothing of before but parameters and meshes. */
+static void test_restart(void **state) {
+  (void)state;
+  static const char model[] =
+      "(define-parameter k 3) (define-primitive (knob [r number?]) (make-sphere (xyz 0 0 0) r)) (camera (xyz 9 9 9) (xyz 0 0 0)) (view-from 'top)"
+      "(register-drawing-function knob? (lambda (o) (do-move (make-box (xyz 0 0 0) (xyz 1 1 1)) (vxyz 0 0 (random 5)))))"
+      "(for ([i (in-range 12)]) (draw (subtract (make-box (xyz (* 9 i) 0 0) (xyz (+ (* 9 i) 5 (random 1.0)) 5 5)) (make-sphere (xyz (* 9 i) 0 0) (if (= i k) 3 2)))))"
+      "(draw (knob 1)) (define mine 5)";
+  vs *s = session(0), *fresh = session(SIZE_MAX);
+  run(s, model);
+  bytes a = written(s, "stl", false);
+  double clusters = statistic(s, "cache.clusters.misses");
+  assert_true(vs_parameter_set(s, "k", "4"));
+  for (int i = 0; i < 3; i++) {
+    assert_int_equal(vs_restart(s), VS_OUTCOME_DONE);
+    assert_int_equal(vs_parameter_count(s), 0);
+    vs_summary sum;
+    assert_int_equal(vs_drawing_summary(s, &sum), VS_OUTCOME_DONE);
+    assert_int_equal(sum.objects, 0);
+    assert_int_not_equal(vs_eval_text(s, "test", 1, "mine", 4, 0), VS_OUTCOME_DONE);
+    run(s, model);
+  }
+  bytes b = written(s, "stl", false), pov = written(s, "povray", false);
+  assert_true(statistic(s, "cache.clusters.misses") - clusters <= 2); /* of twelve and one: the two that changed */
+  assert_true(vs_parameter_set(fresh, "k", "4"));
+  run(fresh, model);
+  bytes c = written(fresh, "stl", true), pov_too = written(fresh, "povray", true);
+  assert_int_equal(b.count, c.count);
+  assert_memory_equal(b.at, c.at, b.count);
+  assert_int_equal(pov.count, pov_too.count);
+  assert_memory_equal(pov.at, pov_too.at, pov.count);
+  assert_int_equal(a.count, b.count); /* as many triangles, elsewhere */
+  free(a.at), free(b.at), free(c.at), free(pov.at), free(pov_too.at);
+  vs_free(s);
+  vs_free(fresh);
+}
+
+/* Refused memory leaves an interpreter as it was. */
+typedef struct { long left; bool on; } refusal;
+
+static void *refusing(void *context, void *old, size_t old_size, size_t new_size) {
+  refusal *r = context;
+  (void)old_size;
+  if (!new_size) return free(old), NULL;
+  if (r->on && new_size > old_size && r->left-- <= 0) return NULL;
+  return realloc(old, new_size);
+}
+
+static void test_restart_refused(void **state) {
+  (void)state;
+  refusal r = { 0, false };
+  vs_options o = vs_options_default();
+  o.alloc = refusing, o.alloc_context = &r;
+  vs *s = vs_new(&o);
+  assert_non_null(s);
+  run(s, parts);
+  run(s, "(define mine 5) (model 3 1)");
+  long refusals = 0;
+  for (vs_outcome outcome = VS_OUTCOME_MACHINE; outcome != VS_OUTCOME_DONE; refusals++) {
+    r = (refusal){ refusals, true };
+    outcome = vs_restart(s);
+    r.on = false;
+    if (outcome == VS_OUTCOME_DONE) break;
+    assert_int_equal(outcome, VS_OUTCOME_MACHINE);
+    if (refusals % 7 == 0) run(s, "(if (not (= mine 5)) (error \"lost\"))");
+    vs_summary sum;
+    assert_int_equal(vs_drawing_summary(s, &sum), VS_OUTCOME_DONE);
+    assert_int_equal(sum.objects, PARTS);
+  }
+  assert_true(refusals > 5);
+  run(s, parts);
+  run(s, "(model 3 1)");
+  vs_free(s);
+}
+
 /* A limit on memory is for the program: what is kept for later makes way. */
 static void test_limit(void **state) {
   (void)state;
@@ -286,6 +361,7 @@ static void test_limit(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(test_equality), cmocka_unit_test(test_bound), cmocka_unit_test(test_refused),
-                                      cmocka_unit_test(test_incremental), cmocka_unit_test(test_tags), cmocka_unit_test(test_limit) };
+                                      cmocka_unit_test(test_incremental), cmocka_unit_test(test_tags), cmocka_unit_test(test_restart),
+                                      cmocka_unit_test(test_restart_refused), cmocka_unit_test(test_limit) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
