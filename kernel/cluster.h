@@ -115,7 +115,8 @@ typedef struct {
 
 /* The steps, in order. All false on error. */
 bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *local_to_frame /* one a leaf of the cluster */);
-bool vs_soup_build(vs_kernel *k, vs_cluster *c);                       /* frame, weld, grid, triangles, facets */
+bool vs_soup_build(vs_kernel *k, vs_cluster *c);                       /* frame, weld, grid; and the next */
+bool vs_facets_build(vs_kernel *k, vs_cluster *c);                     /* triangles, facets */
 bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /* lids; within soup_build */
 bool vs_patches_build(vs_kernel *k, vs_cluster *c);                    /* patches, boxes, bvh */
 bool vs_meet_patches(vs_kernel *k, vs_cluster *c);                     /* cuts, groups */
@@ -126,7 +127,8 @@ void vs_cluster_free(vs_kernel *k, vs_cluster *c);
 
 /* Bit b of masks[vertex]: the leaf's vertex is well inside its b-th lid, or (the last six bits) beyond one side of the gate. */
 enum { VS_LIDS = 48 };
-bool vs_cull_vertices(vs_kernel *k, vs_cluster *c, uint32_t place, uint64_t *masks, bool *any);
+bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t begin, size_t end, uint64_t *masks);
+bool vs_cull_needed(const vs_cluster *c, uint32_t place); /* false: all masks would be 0 */
 /* Is the segment, in steps, well inside a lid that is near the leaf at that place, but not the other leaf? */
 bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]);
 

@@ -110,20 +110,22 @@ static bool in_lid(const vs_placed *lid, const double p[3], uint32_t *hint) {
   return in_box(&lid->box, p) && vs_part_holds(lid->part, vs_affine_point(&lid->to_local, vs_v3(p[0], p[1], p[2])), lid->margin, hint);
 }
 
-bool vs_cull_vertices(vs_kernel *k, vs_cluster *c, uint32_t place, uint64_t *masks, bool *any) {
+bool vs_cull_needed(const vs_cluster *c, uint32_t place) {
   const vs_placed *p = &c->placed.at[place];
-  size_t count = p->part->mesh->vertex_count;
+  double low[3], high[3];
+  if (p->lids_count) return true;
+  bool out = false;
+  if (gate_box(c, low, high)) /* wholly inside the gate: nothing to look at */
+    for (int a = 0; a < 3; a++) out = out || p->box.min[a] < low[a] || p->box.max[a] > high[a];
+  return out;
+}
+
+bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t begin, size_t end, uint64_t *masks) {
+  const vs_placed *p = &c->placed.at[place];
   double low[3], high[3];
   bool gated = gate_box(c, low, high);
-  *any = false;
-  if (gated) { /* wholly inside the gate: nothing to look at */
-    bool out = false;
-    for (int a = 0; a < 3; a++) out = out || p->box.min[a] < low[a] || p->box.max[a] > high[a];
-    gated = out;
-  }
-  if (!gated && !p->lids_count) return true;
   uint32_t hints[VS_LIDS] = { 0 };
-  for (size_t v = 0; v < count; v++) {
+  for (size_t v = begin; v < end; v++) {
     const int32_t *at = c->corners[p->first + v];
     double x[3] = { at[0], at[1], at[2] };
     uint64_t mask = 0;
@@ -134,7 +136,6 @@ bool vs_cull_vertices(vs_kernel *k, vs_cluster *c, uint32_t place, uint64_t *mas
       if (x[a] > high[a]) mask |= (uint64_t)1 << (VS_LIDS + 2 * a + 1);
     }
     masks[v] = mask;
-    *any = *any || mask;
     if (!vs_kernel_poll(k, 0)) return false;
   }
   return true;

@@ -120,6 +120,9 @@ static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t
   if (w->expression.gate_count) c.gate = &w->gate;
   enum { SERIAL = 10000 }; /* triangles that are not worth a thread */
   uint32_t threads = k->threads;
+  size_t triangles = 0;
+  for (uint32_t i = 0; i < count; i++) triangles += w->problem->leaves[leaves[i]].mesh->triangle_count;
+  if (triangles < SERIAL) k->threads = 1;
   bool ok = vs_soup_build(k, &c);
   if (c.triangles.count < SERIAL) k->threads = 1;
   ok = ok && vs_patches_build(k, &c) && vs_kernel_report(k, 0.1) && vs_meet_patches(k, &c) && vs_kernel_report(k, 0.3) &&

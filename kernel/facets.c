@@ -1,0 +1,254 @@
+/* Owns the way from corners on the grid to triangles and facets: what is culled or flat is left out, coplanar neighbours become one; and that each leaf is
+ * closed.
+ *
+ * Leaves are worked on in batches, a batch in spans of triangles that threads share: (1) masks of what covers the corners; (2) planes of the triangles
+ * that stay; (3) which neighbours lie in one plane. Then, one after the other, triangles get the numbers of their points, planes and facets: so they do not
+ * depend on the threads. Points and planes that only culled or flat triangles have are never made. */
+#include "kernel/cluster.h"
+
+enum { SPAN = 1 << 12, BATCH = 1 << 17 /* triangles */ };
+#define FLAT UINT32_MAX
+#define GONE (UINT32_MAX - 1)
+
+typedef struct {
+  vs_plane plane;
+  uint32_t source; /* of its mesh's triangles */
+  bool flip;
+  uint8_t inner;
+} found_triangle;
+typedef struct {
+  uint32_t place, first, end; /* of its leaf, and of that one's triangles */
+  uint32_t base;              /* number in the batch of the first that was found */
+  VS_LIST(found_triangle) found;
+} span;
+typedef struct {
+  const uint32_t *twins;
+  uint32_t triangles, vertices; /* where the leaf's begin, in `number` and in `masks` */
+  uint32_t span;                /* its first */
+  bool mirrored, masked;
+} batch_leaf;
+
+typedef struct {
+  vs_cluster *c;
+  uint32_t first, end;          /* places of the batch's leaves */
+  VS_LIST(batch_leaf) leaves;
+  VS_LIST(span) spans;
+  size_t span_count;            /* that were ever made: they keep their room */
+  VS_LIST(uint64_t) masks;
+  VS_LIST(uint32_t) number;     /* of a mesh's triangle: among those that its span found; FLAT, GONE */
+  VS_LIST(_Atomic uint32_t) sets; /* of found triangles: which hang together in one plane */
+  VS_LIST(uint32_t) facet;      /* of found triangles that are the first of theirs */
+  VS_LIST(uint32_t) ids;        /* point numbers of one leaf's vertices, or VS_NONE */
+  VS_LIST(uint32_t) twins;      /* of leaves whose part has none */
+} facets;
+
+static uint32_t turned(bool mirrored, uint32_t j) { return mirrored ? 2 - j : j; }
+/* the edge of a mesh's triangle that edge j of ours is, and the other way round */
+static uint32_t turned_edge(bool mirrored, uint32_t j) { return mirrored ? (4 - j) % 3 : j; }
+
+/* Of the leaf at a place: which corners stand for which edges, see vs_twins_find. */
+static bool find_twins(vs_kernel *k, facets *f, uint32_t place) {
+  vs_cluster *c = f->c;
+  const vs_mesh *m = c->placed.at[place].part->mesh;
+  uint32_t open, *twins = f->twins.at + f->twins.count;
+  f->twins.count += 3 * m->triangle_count;
+  for (size_t j = 0; j < m->vertex_count; j++) /* by place on the grid */
+    if (!vs_points_integer(k, &c->points, c->corners[c->placed.at[place].first + j], &f->ids.at[j])) return false;
+  if (!vs_twins_find(k, (const uint32_t(*)[3])m->triangles, m->triangle_count, c->points.all.count, f->ids.at, twins, &open)) return false;
+  return open == VS_NONE ||
+         vs_kernel_fail(k, VS_KERNEL_OPEN, c->leaves[place], "the solid is not closed: a face is missing, or turned the other way, along an edge");
+}
+
+/* ---- in spans ---- */
+
+static bool mask_span(vs_kernel *k, void *context, size_t index) { /* the vertices are shared out among the leaf's spans */
+  facets *f = context;
+  const span *s = &f->spans.at[index];
+  const batch_leaf *l = &f->leaves.at[s->place - f->first];
+  size_t triangles = f->c->placed.at[s->place].part->mesh->triangle_count, vertices = f->c->placed.at[s->place].part->mesh->vertex_count;
+  return !l->masked ||
+         vs_cull_vertices(k, f->c, s->place, vertices * s->first / triangles, vertices * s->end / triangles, f->masks.at + l->vertices);
+}
+
+static bool find_span(vs_kernel *k, void *context, size_t index) {
+  facets *f = context;
+  const vs_cluster *c = f->c;
+  span *s = &f->spans.at[index];
+  const batch_leaf *l = &f->leaves.at[s->place - f->first];
+  const vs_placed *p = &c->placed.at[s->place];
+  const uint64_t *masks = f->masks.at + l->vertices;
+  uint32_t *number = f->number.at + l->triangles;
+  s->found.count = 0;
+  for (uint32_t t = s->first; t < s->end; t++) {
+    const uint32_t *v = p->part->mesh->triangles[t];
+    number[t] = GONE;
+    if (l->masked && (masks[v[0]] & masks[v[1]] & masks[v[2]])) continue;
+    const int32_t(*at)[3] = (const int32_t(*)[3])c->corners + p->first;
+    found_triangle made = { .source = t };
+    number[t] = FLAT;
+    if (!vs_plane_through(at[v[turned(l->mirrored, 0)]], at[v[1]], at[v[turned(l->mirrored, 2)]], &made.plane, &made.flip)) continue;
+    number[t] = (uint32_t)s->found.count;
+    if (!VS_PUSH(k, s->found, made)) return false;
+  }
+  return vs_kernel_report(k, 0);
+}
+
+static bool same_plane(const found_triangle *a, const found_triangle *b) {
+  return a->plane.n[0] == b->plane.n[0] && a->plane.n[1] == b->plane.n[1] && a->plane.n[2] == b->plane.n[2] && a->plane.d == b->plane.d && a->flip == b->flip;
+}
+
+static bool join_span(vs_kernel *k, void *context, size_t index) {
+  facets *f = context;
+  const span *s = &f->spans.at[index];
+  const batch_leaf *l = &f->leaves.at[s->place - f->first];
+  for (uint32_t i = 0; i < s->found.count; i++) {
+    found_triangle *a = &s->found.at[i];
+    for (uint32_t j = 0; j < 3; j++) {
+      uint32_t twin = l->twins[3 * (size_t)a->source + turned_edge(l->mirrored, j)];
+      if (twin == VS_NONE || twin / 3 == a->source) continue;
+      uint32_t number = f->number.at[l->triangles + twin / 3];
+      if (number == FLAT) a->inner |= VS_BESIDE_FLAT; /* a triangle that has become a line lies here: this one may have to be split along it */
+      if (number >= GONE) continue;
+      const span *other = &f->spans.at[l->span + twin / 3 / SPAN];
+      const found_triangle *b = &other->found.at[number];
+      if (!same_plane(a, b)) continue;
+      a->inner |= (uint8_t)(1u << j); /* the other one finds the same */
+      if (a->source < b->source) vs_unite_shared(f->sets.at, s->base + i, other->base + number);
+    }
+  }
+  return vs_kernel_report(k, 0);
+}
+
+/* ---- in order ---- */
+
+static bool give_span(vs_kernel *k, facets *f, const span *s) {
+  vs_cluster *c = f->c;
+  const batch_leaf *l = &f->leaves.at[s->place - f->first];
+  const vs_placed *p = &c->placed.at[s->place];
+  uint32_t leaf = c->leaves[s->place];
+  if (!VS_ROOM(k, c->triangles.at, c->triangles.room, c->triangles.count + s->found.count)) return false;
+  for (uint32_t i = 0; i < s->found.count; i++) {
+    const found_triangle *from = &s->found.at[i];
+    vs_soup_triangle t = { .leaf = leaf, .source = from->source, .flip = from->flip, .inner = from->inner };
+    const uint32_t *corner = p->part->mesh->triangles[from->source];
+    for (uint32_t j = 0; j < 3; j++) {
+      uint32_t v = corner[turned(l->mirrored, j)], *id = &f->ids.at[v];
+      if (*id == VS_NONE && !vs_points_integer(k, &c->points, c->corners[p->first + v], id)) return false;
+      t.v[j] = *id;
+    }
+    uint32_t root = vs_find_shared(f->sets.at, s->base + i);
+    if (root == s->base + i) { /* the first of its facet */
+      f->facet.at[root] = (uint32_t)c->facets.count;
+      vs_facet made = { .leaf = leaf, .place = s->place, .group = (uint32_t)c->facets.count, .flip = from->flip };
+      if (!vs_planes_add(k, &c->planes, &from->plane, &made.plane) || !VS_PUSH(k, c->facets, made)) return false;
+    }
+    t.facet = f->facet.at[root];
+    t.plane = c->facets.at[t.facet].plane;
+    if (t.inner & VS_BESIDE_FLAT) c->facets.at[t.facet].touched = true;
+    c->triangles.at[c->triangles.count++] = t;
+  }
+  return vs_kernel_report(k, 0);
+}
+
+static bool plan_leaf(vs_kernel *k, facets *f, uint32_t place, size_t *triangles, size_t *vertices) {
+  vs_cluster *c = f->c;
+  const vs_part *part = c->placed.at[place].part;
+  batch_leaf l = { part->twins, (uint32_t)*triangles, (uint32_t)*vertices, (uint32_t)f->spans.count,
+                   vs_affine_determinant(&c->problem->leaves[c->leaves[place]].placement) < 0, vs_cull_needed(c, place) };
+  uint32_t n = (uint32_t)part->mesh->triangle_count;
+  if (part->volume < -1e-13 * part->outer * part->outer * part->outer && !c->inspect)
+    return vs_kernel_fail(k, VS_KERNEL_INSIDE_OUT, c->leaves[place], "the solid is inside out: its faces should run counter-clockwise seen from outside");
+  for (uint32_t t = 0; t < n; t += SPAN) {
+    span made = { .place = place, .first = t, .end = n - t < SPAN ? n : t + SPAN };
+    if (f->spans.count < f->span_count) { /* an earlier batch's, whose room stays */
+      span *s = &f->spans.at[f->spans.count++];
+      s->place = place;
+      s->first = made.first;
+      s->end = made.end;
+    } else {
+      if (!VS_PUSH(k, f->spans, made)) return false;
+      f->span_count = f->spans.count;
+    }
+  }
+  *triangles += n;
+  *vertices += part->mesh->vertex_count;
+  return VS_PUSH(k, f->leaves, l);
+}
+
+static bool do_batch(vs_kernel *k, facets *f) {
+  vs_cluster *c = f->c;
+  size_t triangles = 0, vertices = 0, bare = 0, most = 0, found = 0;
+  for (uint32_t i = f->first; i < f->end; i++) {
+    const vs_part *part = c->placed.at[i].part;
+    if (!part->twins) bare += 3 * part->mesh->triangle_count;
+    if (part->mesh->vertex_count > most) most = part->mesh->vertex_count;
+    if (!plan_leaf(k, f, i, &triangles, &vertices)) return false;
+  }
+  f->twins.count = 0;
+  if (!VS_ROOM(k, f->masks.at, f->masks.room, vertices + 1) || !VS_ROOM(k, f->number.at, f->number.room, triangles + 1) ||
+      !VS_ROOM(k, f->ids.at, f->ids.room, most + 1) || !VS_ROOM(k, f->twins.at, f->twins.room, bare + 1))
+    return false;
+  for (uint32_t i = f->first; i < f->end; i++) {
+    batch_leaf *l = &f->leaves.at[i - f->first];
+    if (l->twins) continue;
+    l->twins = f->twins.at + f->twins.count;
+    if (!find_twins(k, f, i)) return false;
+  }
+  if (!vs_kernel_run(k, f->spans.count, mask_span, f) || !vs_kernel_run(k, f->spans.count, find_span, f)) return false;
+  for (size_t i = 0; i < f->spans.count; i++) {
+    f->spans.at[i].base = (uint32_t)found;
+    found += f->spans.at[i].found.count;
+  }
+  if (!VS_ROOM(k, f->sets.at, f->sets.room, found + 1) || !VS_ROOM(k, f->facet.at, f->facet.room, found + 1)) return false;
+  for (uint32_t i = 0; i < found; i++) atomic_init(&f->sets.at[i], i);
+  if (!vs_kernel_run(k, f->spans.count, join_span, f)) return false;
+  for (size_t i = 0; i < f->spans.count; i++) {
+    const span *s = &f->spans.at[i];
+    if (s->first == 0)
+      for (size_t v = 0, n = c->placed.at[s->place].part->mesh->vertex_count; v < n; v++) f->ids.at[v] = VS_NONE;
+    if (!give_span(k, f, s)) return false;
+  }
+  return true;
+}
+
+/* facet_triangles: the triangles by facet */
+static bool index_facets(vs_kernel *k, vs_cluster *c) {
+  size_t n = c->triangles.count, f = c->facets.count;
+  vs_facet last = { .leaf = VS_NONE };
+  if (!VS_PUSH(k, c->facets, last) || !VS_ROOM(k, c->facet_triangles.at, c->facet_triangles.room, n + 1)) return false;
+  for (size_t t = 0; t < n; t++) c->facets.at[c->triangles.at[t].facet + 1].first++;
+  for (size_t i = 1; i <= f; i++) c->facets.at[i].first += c->facets.at[i - 1].first;
+  for (size_t t = n; t-- > 0;) { /* filled from the end: each bucket's end moves down to its beginning */
+    uint32_t facet = c->triangles.at[t].facet;
+    c->facet_triangles.at[--c->facets.at[facet + 1].first] = (uint32_t)t;
+  }
+  for (size_t i = 0; i < f; i++) c->facets.at[i].first = c->facets.at[i + 1].first;
+  c->facets.at[f].first = (uint32_t)n;
+  c->facet_triangles.count = n;
+  c->facets.count = f; /* the sentinel stays readable behind it */
+  return true;
+}
+
+bool vs_facets_build(vs_kernel *k, vs_cluster *c) {
+  facets f = { .c = c };
+  bool ok = true;
+  size_t triangles = 0;
+  for (uint32_t i = 0; ok && i < c->leaf_count; i++) {
+    triangles += c->placed.at[i].part->mesh->triangle_count;
+    f.end = i + 1;
+    if (triangles < BATCH && i + 1 < c->leaf_count) continue;
+    ok = do_batch(k, &f);
+    f.first = f.end;
+    f.leaves.count = f.spans.count = triangles = 0;
+  }
+  for (size_t i = 0; i < f.span_count; i++) VS_DROP(k, f.spans.at[i].found);
+  VS_DROP(k, f.leaves);
+  VS_DROP(k, f.spans);
+  VS_DROP(k, f.masks);
+  VS_DROP(k, f.number);
+  VS_DROP(k, f.sets);
+  VS_DROP(k, f.facet);
+  VS_DROP(k, f.ids);
+  VS_DROP(k, f.twins);
+  return ok && index_facets(k, c);
+}
