@@ -16,10 +16,27 @@ static uint64_t spread(uint64_t x) { /* 21 bits to every third */
   return (x | x << 2) & 0x1249249249249249u;
 }
 
-typedef struct { uint64_t code; uint32_t item; } coded;
+enum { AXIS_BITS = 10 }; /* at most: code and item fit 64 bits */
+
+static int length(uint64_t x) { return x ? 64 - __builtin_clzll(x) : 0; }
+
+/* By how much coordinates are coarsened, the same along all axes: the rest tells `count` boxes apart, and has some more bits where they crowd. */
+static int code_shift(uint32_t count, const int64_t range[3], int *bits) {
+  for (int shift = 0;; shift++) {
+    int sum = 0;
+    *bits = 0;
+    for (int j = 0; j < 3; j++) {
+      int n = length((uint64_t)range[j] >> shift);
+      sum += n;
+      if (n > *bits) *bits = n;
+    }
+    if (*bits <= AXIS_BITS && sum <= length(count) + 10) return shift;
+  }
+}
 
 static bool sort_morton(vs_kernel *k, vs_bvh *t) {
-  coded *a = NULL, *b = NULL;
+  enum { DIGIT = 10, FEW = 64 };
+  uint64_t *a = NULL, *b = NULL; /* code << 32 | item */
   size_t ar = 0, br = 0;
   uint32_t n = t->count;
   bool ok = VS_ROOM(k, a, ar, (size_t)n + 1) && VS_ROOM(k, b, br, (size_t)n + 1);
@@ -31,28 +48,36 @@ static bool sort_morton(vs_kernel *k, vs_bvh *t) {
         if (c < low[j]) low[j] = c;
         if (c > high[j]) high[j] = c;
       }
-    int shift = 0;
-    for (int j = 0; j < 3; j++)
-      while (n && (high[j] - low[j]) >> shift > 0x1fffff) shift++;
+    int64_t range[3] = { n ? high[0] - low[0] : 0, n ? high[1] - low[1] : 0, n ? high[2] - low[2] : 0 };
+    int bits, shift = code_shift(n, range, &bits);
     for (uint32_t i = 0; i < n; i++) {
       uint64_t code = 0;
       for (int j = 0; j < 3; j++) code |= spread((uint64_t)((int64_t)t->boxes[i].min[j] + t->boxes[i].max[j] - low[j]) >> shift) << j;
-      a[i] = (coded){ code, i };
+      a[i] = code << 32 | i;
     }
-    for (int pass = 0; pass < 6; pass++) { /* 63 bits, 11 a pass */
-      uint32_t counts[2048] = { 0 }, sum = 0;
-      for (uint32_t i = 0; i < n; i++) counts[a[i].code >> (11 * pass) & 2047]++;
-      for (int j = 0; j < 2048; j++) {
-        uint32_t c = counts[j];
-        counts[j] = sum;
-        sum += c;
+    if (n <= FEW) {
+      for (uint32_t i = 1; i < n; i++) {
+        uint64_t x = a[i];
+        uint32_t to = i;
+        for (; to > 0 && a[to - 1] > x; to--) a[to] = a[to - 1];
+        a[to] = x;
       }
-      for (uint32_t i = 0; i < n; i++) b[counts[a[i].code >> (11 * pass) & 2047]++] = a[i];
-      coded *swap = a;
-      a = b;
-      b = swap;
+    } else {
+      for (int from = 32; from < 32 + 3 * bits; from += DIGIT) {
+        uint32_t counts[1 << DIGIT] = { 0 }, sum = 0;
+        for (uint32_t i = 0; i < n; i++) counts[a[i] >> from & ((1 << DIGIT) - 1)]++;
+        for (int j = 0; j < 1 << DIGIT; j++) {
+          uint32_t c = counts[j];
+          counts[j] = sum;
+          sum += c;
+        }
+        for (uint32_t i = 0; i < n; i++) b[counts[a[i] >> from & ((1 << DIGIT) - 1)]++] = a[i];
+        uint64_t *swap = a;
+        a = b;
+        b = swap;
+      }
     }
-    for (uint32_t i = 0; i < n; i++) t->order[i] = a[i].item, t->sorted[i] = t->boxes[a[i].item];
+    for (uint32_t i = 0; i < n; i++) t->order[i] = (uint32_t)a[i], t->sorted[i] = t->boxes[(uint32_t)a[i]];
   }
   VS_FREE(k, a, ar);
   VS_FREE(k, b, br);
