@@ -2,7 +2,8 @@
  *
  * A lid is a convex leaf that settles the result where it is true: a union's part, or a hole of a difference. A triangle whose corners are all more than
  * two steps inside one lid is inside of it also on the grid, where every corner has moved by less than one. The same for a box that holds all
- * of a gate, a term outside of which the result is false: it is what clips an operand far larger than the result. */
+ * of a gate, a term outside of which the result is false: it is what clips an operand far larger than the result. Boxes of patches, by which pairs are found,
+ * are those of what lids leave of them: the rod that ends in two joints is seen between them alone. */
 #include "kernel/cluster.h"
 
 #include <math.h>
@@ -151,4 +152,58 @@ bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const 
     if (lid != other && in_box(&l->box, p) && in_box(&l->box, q) && in_lid(l, p, &hint) && in_lid(l, q, &hint)) return true;
   }
   return false;
+}
+
+/* What is left of a convex outline without a ball of the given radius about the part's middle: places along its edges, in order; they span what is left. For
+ * a place in the outline and outside of the ball lies on a chord that the ball does not meet, and the chord's ends are on edges. */
+static uint32_t clip_outline(const vs_placed *lid, double radius, double (*at)[3], uint32_t n, uint32_t room) {
+  double (*out)[3] = at + room; /* the other half of the caller's array */
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < n; i++) {
+    const double *p = at[i], *q = at[i + 1 == n ? 0 : i + 1];
+    vs_vec3 d = vs_v3_sub(vs_affine_point(&lid->to_local, vs_v3(p[0], p[1], p[2])), lid->part->middle);
+    vs_vec3 e = vs_affine_vector(&lid->to_local, vs_v3(q[0] - p[0], q[1] - p[1], q[2] - p[2]));
+    double a = vs_v3_dot(e, e), b = vs_v3_dot(d, e), c = vs_v3_dot(d, d) - radius * radius, square = b * b - a * c, from = 1, to = 1;
+    if (square > 0 && a > 0) from = (-b - sqrt(square)) / a, to = (-b + sqrt(square)) / a;
+    if (to <= 0) from = to = 1;
+    if (count + 3 > room) return 0;
+    if (from > 0) out[count][0] = p[0], out[count][1] = p[1], out[count++][2] = p[2];
+    for (int end = 0; end < 2; end++) {
+      double t = end ? to : from;
+      if (t <= 0 || t >= 1) continue;
+      for (int x = 0; x < 3; x++) out[count][x] = p[x] + t * (q[x] - p[x]);
+      count++;
+    }
+  }
+  memcpy(at, out, count * sizeof *at);
+  return count;
+}
+
+void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *corners, uint32_t count, vs_box *box) {
+  enum { ROOM = 48 };
+  const vs_placed *leaf = &c->placed.at[place];
+  double at[2 * ROOM][3];
+  bool begun = false;
+  for (uint32_t i = 0; count <= ROOM / 2 && i < leaf->lids_count; i++) {
+    const vs_placed *lid = &c->placed.at[c->lids.at[leaf->lids_first + i]];
+    double radius = (lid->part->inner - lid->margin) * (1 - 1e-9), size = 0, other = 0;
+    if (!(radius > 0) || !vs_box_meet(&lid->box, box)) continue;
+    for (int a = 0; a < 3; a++) {
+      size = fmax(size, (double)box->max[a] - box->min[a]);
+      other = fmax(other, (double)lid->box.max[a] - lid->box.min[a]);
+    }
+    if (size < other / 2) continue; /* little to gain */
+    for (uint32_t j = 0; !begun && j < count; j++)
+      for (int a = 0; a < 3; a++) at[j][a] = corners[j].at[a];
+    begun = true;
+    uint32_t left = clip_outline(lid, radius, at, count, ROOM);
+    if (!left) return;
+    count = left;
+    for (int a = 0; a < 3; a++) {
+      double low = INFINITY, high = -INFINITY;
+      for (uint32_t j = 0; j < count; j++) low = fmin(low, at[j][a]), high = fmax(high, at[j][a]);
+      if (floor(low) - 1 > box->min[a]) box->min[a] = (int32_t)floor(low) - 1;
+      if (ceil(high) + 1 < box->max[a]) box->max[a] = (int32_t)ceil(high) + 1;
+    }
+  }
 }

@@ -22,6 +22,7 @@ static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner
       if (x < box.min[a]) box.min[a] = x;
       if (x > box.max[a]) box.max[a] = x;
     }
+  if (c->placed.at[p.place].lids_count) vs_cull_box(c, p.place, c->patch_corners.at + first, p.count, &box);
   return VS_PUSH(b->k, c->patches, p) && VS_PUSH(b->k, c->boxes, box);
 }
 
