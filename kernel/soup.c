@@ -88,10 +88,11 @@ static bool place(vs_kernel *k, vs_cluster *c, soup *s) {
     sum += p.part->mesh->vertex_count;
     if (sum >= UINT32_MAX / 4) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many vertices");
   }
+  size_t chunks = (sum + SPAN - 1) / SPAN;
+  if (!VS_ROOM(k, s->placed.at, s->placed.room, sum + 1) || !VS_ROOM(k, s->chunks.at, s->chunks.room, chunks + 1)) return false;
   s->placed.count = sum;
-  s->chunks.count = (sum + SPAN - 1) / SPAN;
-  if (!VS_ROOM(k, s->placed.at, s->placed.room, sum + 1) || !VS_ROOM(k, s->chunks.at, s->chunks.room, s->chunks.count + 1)) return false;
-  memset(s->chunks.at, 0, s->chunks.room * sizeof *s->chunks.at);
+  s->chunks.count = chunks;
+  memset(s->chunks.at, 0, (chunks + 1) * sizeof *s->chunks.at);
   return vs_kernel_run(k, s->chunks.count, place_chunk, s);
 }
 
