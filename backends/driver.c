@@ -15,13 +15,17 @@
 
 typedef struct {
   vs_ref ref;           /* where it was met first */
-  uint32_t uses, height;
+  uint32_t uses, height; /* of an operation while its children are met: the highest of them */
+  uint32_t shown;       /* of an operation: children that are not vain */
   uint32_t definition;  /* template number from 1, or 0 */
   bool vain, cut;
+  bool first_vain, some_vain; /* of its children */
   bool bare, painted;   /* something in it has no material of its own; something has */
   vs_node *lowered;     /* retained, or NULL */
   vs_solid *mesh;
 } drive_entry;
+
+typedef struct { size_t entry; uint32_t next; } drive_step; /* of the plan: an entry whose children from next on are to be met */
 
 typedef struct {
   vs_ref ref;
@@ -41,8 +45,11 @@ struct vs_drive {
   size_t entry_count, entry_room;
   uint32_t *order;      /* entries, children first */
   size_t order_count, order_room;
+  drive_step *steps;
+  size_t step_count, step_room;
   drive_frame *frames;
   size_t frame_count, frame_room;
+  bool operation[VS_KIND_COUNT]; /* kinds that are operations whatever they hold */
   drive_line *lines;
   size_t line_count, line_room;
   vs_nodemap paints;    /* material -> its number */
@@ -109,33 +116,44 @@ const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line) {
 
 /* ---- entries ---- */
 
+static void drive_find_operations(vs_drive *d) {
+  for (int kind = 0; kind < VS_KIND_COUNT; kind++)
+    d->operation[kind] = vs_kind_get((vs_kind)kind)->level == VS_LEVEL_OPERATION || kind == VS_NATIVE || kind == VS_HIGHLIGHT || kind == VS_GHOST;
+}
+
+static bool drive_hull_is_operation(const vs_emitter *e, const vs_node *n) {
+  if (!e->backend->hulls || n->class_ != VS_SOLID || VS_AS(hull, n)->points->count > 0) return false;
+  for (uint32_t i = 0; i < n->child_count; i++)
+    if (n->children[i].node->class_ != VS_SOLID) return false;
+  return true;
+}
+
 static bool drive_is_operation(const vs_emitter *e, const vs_node *n) {
-  if (n->kind == VS_HULL && !e->backend->verbatim) {
-    if (!e->backend->hulls || n->class_ != VS_SOLID || VS_AS(hull, n)->points->count > 0) return false;
-    for (uint32_t i = 0; i < n->child_count; i++)
-      if (n->children[i].node->class_ != VS_SOLID) return false;
-    return true;
-  }
-  return vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION || n->kind == VS_NATIVE || n->kind == VS_HIGHLIGHT || n->kind == VS_GHOST || (e->backend->verbatim && n->child_count > 0);
+  if (e->backend->verbatim && n->child_count > 0) return true;
+  return n->kind == VS_HULL && !e->backend->verbatim ? drive_hull_is_operation(e, n) : e->drive->operation[n->kind];
 }
 
-static drive_entry *drive_find(const vs_emitter *e, const vs_node *n) {
-  const vs_drive *d = e->drive;
-  if (n->refs < 2 && !drive_is_operation(e, n)) return NULL;
-  const uint64_t *at = vs_nodemap_get(&d->index, n);
-  return at != NULL ? &d->entries[*at - 1] : NULL;
-}
+/* What is known of a node wherever it stands. A leaf with one owner has no entry. */
+typedef struct { drive_entry *entry; bool operation, vain; } drive_view;
 
-static bool drive_leaf_vain(vs_emitter *e, const vs_ref *ref) {
-  const vs_node *n = ref->node;
+static bool drive_leaf_vain(const vs_emitter *e, const vs_node *n) {
   if (e->backend->verbatim) return false;
   return n->kind == VS_EMPTY || n->class_ == VS_NOTHING || (n->class_ < VS_MIXED && e->backend->omit[n->class_] != NULL);
 }
 
-static bool drive_vain(vs_emitter *e, const vs_ref *ref) {
-  const drive_entry *entry = drive_find(e, ref->node);
-  return entry != NULL ? entry->vain : drive_leaf_vain(e, ref);
+static inline drive_view drive_look(const vs_emitter *e, const vs_node *n) {
+  const vs_drive *d = e->drive;
+  drive_view v = { NULL, drive_is_operation(e, n), false };
+  if (n->refs > 1 || v.operation) {
+    const uint64_t *at = vs_nodemap_get(&d->index, n);
+    if (at != NULL) v.entry = &d->entries[*at - 1];
+  }
+  v.vain = v.entry != NULL ? v.entry->vain : drive_leaf_vain(e, n);
+  return v;
 }
+
+static drive_entry *drive_find(const vs_emitter *e, const vs_node *n) { return drive_look(e, n).entry; }
+static bool drive_vain(const vs_emitter *e, const vs_ref *ref) { return drive_look(e, ref->node).vain; }
 
 bool vs_emit_is_bare(const vs_emitter *e, const vs_node *n) {
   const drive_entry *entry = drive_find(e, n);
@@ -167,20 +185,15 @@ static bool drive_add_material(vs_emitter *e, const vs_material *m) {
   return true;
 }
 
-static bool drive_op_vain(vs_emitter *e, const vs_node *n) {
+static bool drive_op_vain(const vs_emitter *e, const drive_entry *entry) {
+  const vs_node *n = entry->ref.node;
   if (e->backend->verbatim) return false;
   switch ((vs_kind)n->kind) {
   case VS_NATIVE: return false;
   case VS_DIFFERENCE: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
-    return n->child_count == 0 || drive_vain(e, &n->children[0]);
-  case VS_INTERSECTION:
-    for (size_t i = 0; i < n->child_count; i++)
-      if (drive_vain(e, &n->children[i])) return true;
-    return n->child_count == 0;
-  case VS_HULL: case VS_UNION:
-    for (size_t i = 0; i < n->child_count; i++)
-      if (!drive_vain(e, &n->children[i])) return false;
-    return true;
+    return n->child_count == 0 || entry->first_vain;
+  case VS_INTERSECTION: return n->child_count == 0 || entry->some_vain;
+  case VS_HULL: case VS_UNION: return entry->shown == 0;
   case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
   case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE:
   case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
@@ -194,57 +207,106 @@ static bool drive_op_vain(vs_emitter *e, const vs_node *n) {
 
 /* ---- the plan ---- */
 
-/* Meets a reference: its entry's uses go up; a node met first is pushed. Leaves with one owner are looked at and forgotten. */
-static bool drive_plan_meet(vs_emitter *e, const vs_ref *ref) {
-  vs_drive *d = e->drive;
+/* A child has been met, and all that is in it; child NULL: it has no entry. */
+static void drive_plan_add(drive_entry *parent, const drive_entry *child, bool vain, bool first) {
+  uint32_t height = child == NULL || child->cut ? 1 : child->height;
+  if (height > parent->height) parent->height = height;
+  parent->some_vain |= vain;
+  parent->first_vain |= vain && first;
+  if (vain) return;
+  parent->shown++;
+  parent->bare |= child == NULL || child->bare;
+  parent->painted |= child != NULL && child->painted;
+}
+
+static bool drive_plan_omitted(vs_emitter *e, const vs_ref *ref) {
   const vs_node *n = ref->node;
-  bool operation = drive_is_operation(e, n);
-  bool omitted = !operation && n->kind != VS_EMPTY && n->class_ < VS_MIXED && e->backend->omit[n->class_] != NULL;
-  if (omitted && !vs_emit_warn_once(e, ref, e->backend->omit[n->class_])) return false;
-  if (n->refs < 2 && !operation) return true;
+  if (n->kind == VS_EMPTY || n->class_ >= VS_MIXED || e->backend->omit[n->class_] == NULL) return true;
+  return vs_emit_warn_once(e, ref, e->backend->omit[n->class_]);
+}
+
+/* Meets a reference: its entry's uses go up; a node met first is pushed, and counts for its parent when it is left. */
+static bool drive_plan_meet(vs_emitter *e, const vs_ref *ref, bool operation, size_t parent, bool first) {
+  vs_drive *d = e->drive;
   bool found;
-  uint64_t *at = vs_nodemap_put(&d->index, n, &found);
+  if (!operation && !drive_plan_omitted(e, ref)) return false;
+  uint64_t *at = vs_nodemap_put(&d->index, ref->node, &found);
   if (at == NULL) return vs_emit_no_memory(e);
   if (found) {
-    d->entries[*at - 1].uses++;
+    drive_entry *entry = &d->entries[*at - 1];
+    entry->uses++;
+    if (parent != SIZE_MAX) drive_plan_add(&d->entries[parent], entry, entry->vain, first);
     return true;
   }
   if (!vs_emit_grow(e, &d->entries, &d->entry_room, d->entry_count + 1, sizeof *d->entries)) return false;
-  d->entries[d->entry_count++] = (drive_entry){ .ref = *ref, .uses = 1, .height = 1 };
+  d->entries[d->entry_count++] = (drive_entry){ .ref = *ref, .uses = 1 };
   *at = d->entry_count;
-  if (!vs_emit_grow(e, &d->frames, &d->frame_room, d->frame_count + 1, sizeof *d->frames)) return false;
-  d->frames[d->frame_count++] = (drive_frame){ .ref = *ref };
+  if (!vs_emit_grow(e, &d->steps, &d->step_room, d->step_count + 1, sizeof *d->steps)) return false;
+  d->steps[d->step_count++] = (drive_step){ d->entry_count - 1, 0 };
   return true;
 }
 
-static bool drive_plan_leave(vs_emitter *e, const vs_ref *ref) {
+static bool drive_plan_leave(vs_emitter *e, size_t index) {
   vs_drive *d = e->drive;
-  const vs_node *n = ref->node;
-  drive_entry *entry = drive_find(e, n);
+  drive_entry *entry = &d->entries[index];
+  const vs_node *n = entry->ref.node;
   if (drive_is_operation(e, n)) {
-    entry->vain = drive_op_vain(e, n);
-    uint32_t height = 0;
-    for (size_t i = 0; i < n->child_count; i++) {
-      const drive_entry *child = drive_find(e, n->children[i].node);
-      uint32_t h = child == NULL ? 1 : child->cut ? 1 : child->height;
-      if (h > height) height = h;
-      if (drive_vain(e, &n->children[i])) continue;
-      entry->bare |= child == NULL || child->bare;
-      entry->painted |= child != NULL && child->painted;
-    }
+    entry->vain = drive_op_vain(e, entry);
     if (n->kind == VS_MATERIAL && !entry->vain) {
       entry->bare = false;
       entry->painted = true;
       if (!drive_add_material(e, VS_AS(material, n)->material)) return false;
     }
-    entry->height = height + 1;
+    entry->height++;
     entry->cut = entry->height >= VS_DEPTH_MAX;
   } else {
-    entry->vain = drive_leaf_vain(e, ref);
+    entry->vain = drive_leaf_vain(e, n);
     entry->bare = true;
+    entry->height = 1;
+  }
+  if (d->step_count > 0) {
+    const drive_step *above = &d->steps[d->step_count - 1];
+    drive_plan_add(&d->entries[above->entry], entry, entry->vain, above->next == 1);
   }
   if (!vs_emit_grow(e, &d->order, &d->order_room, d->order_count + 1, sizeof *d->order)) return false;
-  d->order[d->order_count++] = (uint32_t)(entry - d->entries);
+  d->order[d->order_count++] = (uint32_t)index;
+  return (++d->ticks & 0xfff) != 0 || vs_emit_progress(e, "writing", -1);
+}
+
+/* The children of an entry, up to one that has to be gone into. */
+static bool drive_plan_children(vs_emitter *e, drive_step *step, bool *pushed) {
+  vs_drive *d = e->drive;
+  size_t index = step->entry, depth = d->step_count;
+  const vs_node *n = d->entries[index].ref.node;
+  while (step->next < n->child_count) {
+    const vs_ref *child = &n->children[step->next++];
+    bool operation = drive_is_operation(e, child->node), first = step->next == 1;
+    if (child->node->refs < 2 && !operation) { /* looked at and forgotten */
+      if (!drive_plan_omitted(e, child)) return false;
+      drive_plan_add(&d->entries[index], NULL, drive_leaf_vain(e, child->node), first);
+      if ((++d->ticks & 0xfff) == 0 && !vs_emit_progress(e, "writing", -1)) return false;
+      continue;
+    }
+    if (!drive_plan_meet(e, child, operation, index, first)) return false;
+    if (d->step_count > depth) return *pushed = true; /* and step may be elsewhere */
+  }
+  return true;
+}
+
+static bool drive_plan_below(vs_emitter *e, const vs_ref *ref) {
+  vs_drive *d = e->drive;
+  bool operation = drive_is_operation(e, ref->node);
+  if (ref->node->refs < 2 && !operation) return drive_plan_omitted(e, ref);
+  if (!drive_plan_meet(e, ref, operation, SIZE_MAX, false)) return false;
+  while (d->step_count > 0) {
+    drive_step *top = &d->steps[d->step_count - 1];
+    size_t index = top->entry;
+    bool pushed = false;
+    if (drive_is_operation(e, d->entries[index].ref.node) && !drive_plan_children(e, top, &pushed)) return false;
+    if (pushed) continue;
+    d->step_count--;
+    if (!drive_plan_leave(e, index)) return false;
+  }
   return true;
 }
 
@@ -267,21 +329,8 @@ static bool drive_is_short(const vs_node *n) {
 
 static bool drive_plan(vs_emitter *e) {
   vs_drive *d = e->drive;
-  for (size_t i = 0; i < e->scene->drawn_count; i++) {
-    if (!drive_plan_meet(e, &e->scene->drawn[i])) return false;
-    while (d->frame_count > 0) {
-      drive_frame *top = &d->frames[d->frame_count - 1];
-      const vs_node *n = top->ref.node;
-      if (drive_is_operation(e, n) && top->next < n->child_count) {
-        if (!drive_plan_meet(e, &n->children[top->next++])) return false;
-        continue;
-      }
-      vs_ref ref = top->ref;
-      d->frame_count--;
-      if (!drive_plan_leave(e, &ref)) return false;
-      if ((++d->ticks & 0xfff) == 0 && !vs_emit_progress(e, "writing", -1)) return false;
-    }
-  }
+  for (size_t i = 0; i < e->scene->drawn_count; i++)
+    if (!drive_plan_below(e, &e->scene->drawn[i])) return false;
   if (e->backend->define == NULL) return true;
   uint32_t id = 0;
   for (size_t i = 0; i < d->order_count; i++) {
@@ -293,7 +342,7 @@ static bool drive_plan(vs_emitter *e) {
 
 /* ---- the walk ---- */
 
-static bool drive_finite_at(const vs_field_info *f, const void *data) {
+static inline bool drive_finite_at(const vs_field_info *f, const void *data) {
   const char *at = (const char *)data + f->offset;
   const double *numbers = (const double *)(const void *)at;
   size_t count = 0;
@@ -394,8 +443,9 @@ static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
   return ok;
 }
 
-static size_t drive_shown(vs_emitter *e, const vs_node *n) {
+static size_t drive_shown(const vs_emitter *e, const vs_node *n, const drive_entry *entry) {
   size_t count = 0;
+  if (entry != NULL) return entry->shown;
   for (size_t i = 0; i < n->child_count; i++) count += !drive_vain(e, &n->children[i]);
   return count;
 }
@@ -411,24 +461,22 @@ static bool drive_reach(vs_emitter *e, const vs_node *n) {
   return true;
 }
 
-/* Shows one reference: a template's use, a leaf, or an operation, which then lies on the stack. */
-static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body) {
+/* Shows one reference that is not vain: a template's use, a leaf, or an operation, which then lies on the stack. */
+static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool body) {
   vs_drive *d = e->drive;
   const vs_node *n = ref->node;
-  if (drive_vain(e, ref)) return true;
   if ((++d->ticks & 0xfff) == 0 && !vs_emit_progress(e, "writing", -1)) return false;
   if (!drive_check(e, ref) || !drive_mark(e, ref)) return false;
-  const drive_entry *entry = drive_find(e, n);
-  if (entry != NULL && entry->definition > 0 && !body) return e->backend->use(e, entry->definition, ref);
+  if (view.entry != NULL && view.entry->definition > 0 && !body) return e->backend->use(e, view.entry->definition, ref);
   if (e->backend->emit[n->kind].lossy != NULL && !vs_emit_warn_once(e, ref, e->backend->emit[n->kind].lossy)) return false;
   vs_emit_fn *fn = e->backend->emit[n->kind].fn;
-  if (!drive_is_operation(e, n)) {
+  if (!view.operation) {
     vs_emit_status status = fn != NULL ? fn(e, ref, VS_PHASE_LEAF) : VS_LOWER;
     return status == VS_EMITTED || (status == VS_LOWER && drive_lower(e, ref));
   }
   drive_frame frame = { .ref = *ref, .material = e->material, .placement = e->placement, .reach = e->reach, .in_boolean = e->in_boolean };
   bool placed = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_NATIVE || n->kind == VS_HIGHLIGHT || n->kind == VS_GHOST;
-  size_t shown = drive_shown(e, n);
+  size_t shown = drive_shown(e, n, view.entry);
   frame.silent = shown == 1 && !placed && n->kind != VS_HULL && !e->backend->verbatim;
   if (!frame.silent) {
     e->child_count = shown;
@@ -451,6 +499,11 @@ static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body) {
   return true;
 }
 
+static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body) {
+  drive_view view = drive_look(e, ref->node);
+  return view.vain || drive_show(e, ref, view, body);
+}
+
 static bool drive_walk(vs_emitter *e, const vs_ref *root, bool body) {
   vs_drive *d = e->drive;
   e->child_index = 0;
@@ -461,11 +514,12 @@ static bool drive_walk(vs_emitter *e, const vs_ref *root, bool body) {
     const vs_node *n = top->ref.node;
     if (top->next < n->child_count) {
       const vs_ref *child = &n->children[top->next++];
-      if (drive_vain(e, child)) continue;
+      drive_view view = drive_look(e, child->node);
+      if (view.vain) continue;
       e->child_index = top->silent ? e->child_index : top->shown;
       e->parent = n;
       top->shown++;
-      if (!drive_enter(e, child, false)) return false; /* may move the frames */
+      if (!drive_show(e, child, view, false)) return false; /* may move the frames */
       continue;
     }
     drive_frame done = *top;
@@ -579,6 +633,7 @@ bool vs_drive_scene(vs_emitter *e) {
   memset(d, 0, sizeof *d);
   d->index.store = d->paints.store = d->bounds.places.store = e->scene->store;
   e->drive = d;
+  drive_find_operations(d);
   e->out->keeps_lines = e->backend->keep_origins;
   if (e->scene->has_ground && e->scene->ground_material != NULL && !drive_add_material(e, e->scene->ground_material)) return false;
   if (!drive_plan(e)) return false;
@@ -651,6 +706,7 @@ void vs_drive_free(vs_emitter *e) {
   vs_emit_release(e, d->materials, d->material_room, sizeof *d->materials);
   vs_emit_release(e, d->entries, d->entry_room, sizeof *d->entries);
   vs_emit_release(e, d->order, d->order_room, sizeof *d->order);
+  vs_emit_release(e, d->steps, d->step_room, sizeof *d->steps);
   vs_emit_release(e, d->frames, d->frame_room, sizeof *d->frames);
   vs_emit_release(e, d->lines, d->line_room, sizeof *d->lines);
   for (size_t i = 0; i < d->kept_count; i++) vs_node_release(d->kept[i]);

@@ -312,9 +312,46 @@ static void vs_bounds_on_plane(vs_bounds *b, const vs_node *n) {
 /* A leaf that one parent names is worked out when that parent asks: remembering a million of them would cost more than their formulas. */
 static bool vs_bounds_is_lone_leaf(const vs_node *n) { return n->child_count == 0 && n->refs == 1; }
 
+/* Of the commonest primitives where they stand, by the formulas above with the identity for a: what a drawing may hold a million of. */
+static bool vs_bounds_plain(const vs_node *n, vs_bounds *b) {
+  vs_vec3 at[2], reach[2];
+  switch ((int)n->kind) {
+    case VS_BOX:
+      *b = (vs_bounds){ VS_AS(box, n)->p, VS_AS(box, n)->p };
+      vs_bounds_add(b, VS_AS(box, n)->q);
+      return true;
+    case VS_SPHERE: {
+      double r = VS_AS(sphere, n)->radius;
+      at[0] = at[1] = VS_AS(sphere, n)->center;
+      reach[0] = reach[1] = vs_v3(r, r, r);
+      break;
+    }
+    case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: {
+      bool cut = n->kind == VS_CUT_CONE, cone = n->kind == VS_CONE;
+      at[0] = cut ? VS_AS(cut_cone, n)->base : cone ? VS_AS(cone, n)->base : VS_AS(cylinder, n)->base;
+      at[1] = cut ? VS_AS(cut_cone, n)->top : cone ? VS_AS(cone, n)->apex : VS_AS(cylinder, n)->top;
+      double r = cut ? VS_AS(cut_cone, n)->base_radius : cone ? VS_AS(cone, n)->radius : VS_AS(cylinder, n)->radius;
+      double far = cut ? VS_AS(cut_cone, n)->top_radius : cone ? 0 : r;
+      vs_vec3 u = vs_v3_unit(vs_v3_sub(at[1], at[0]));
+      vs_vec3 across = vs_v3(sqrt(u.z * u.z + u.y * u.y), sqrt(u.z * u.z + u.x * u.x), sqrt(u.y * u.y + u.x * u.x));
+      reach[0] = vs_v3_scale(across, r), reach[1] = vs_v3_scale(across, far);
+      break;
+    }
+    default: return false; /* the others have theirs above */
+  }
+  *b = vs_bounds_empty();
+  for (int i = 0; i < 2; i++) {
+    vs_bounds_add(b, vs_v3_sub(at[i], reach[i]));
+    vs_bounds_add(b, vs_v3_add(at[i], reach[i]));
+  }
+  return true;
+}
+
 /* Of a node whose bounds are known or need no children's. */
 static bool vs_bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
-  const vs_bounds *known = vs_bounds_is_lone_leaf(n) ? NULL : vs_bounds_memo_known(m, n);
+  bool lone = vs_bounds_is_lone_leaf(n);
+  if (lone && vs_bounds_plain(n, b)) return true;
+  const vs_bounds *known = lone ? NULL : vs_bounds_memo_known(m, n);
   vs_affine here = vs_affine_identity();
   vs_bounds none = vs_bounds_empty();
   bool leaf;
@@ -362,30 +399,44 @@ static bool vs_bounds_of(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b
   return true;
 }
 
+typedef struct { vs_ref ref; uint32_t next; } vs_bounds_step;
+
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e) {
+  vs_store *s = m->places.store;
   const vs_bounds *known = vs_bounds_memo_known(m, n);
-  vs_ref at;
-  vs_walk_event ev;
   if (known) {
     *out = *known;
     return true;
   }
-  vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
-  bool ok = w || vs_error_memory(e, NULL);
-  while (ok && (ev = vs_walk_next(w, &at, NULL)) != VS_WALK_DONE) {
-    vs_bounds b;
-    if (ev == VS_WALK_FAILED) ok = vs_error_memory(e, NULL);
-    else if (at.node != n && vs_bounds_is_lone_leaf(at.node)) continue;
-    else if (vs_bounds_memo_known(m, at.node)) {
-      if (ev == VS_WALK_ENTER) vs_walk_skip(w);
-    } else if (ev == VS_WALK_LEAVE) {
-      ok = vs_bounds_of(m, at.node, &b, e);
-      if (!ok && e && !e->origin) e->origin = at.origin;
-      ok = ok && (vs_bounds_memo_put(m, at.node, &b) || vs_error_memory(e, NULL));
-      if (ok && at.node == n) *out = b;
+  size_t depth = 1, room = 16;
+  vs_bounds_step *steps = vs_store_realloc(s, NULL, 0, room * sizeof *steps);
+  if (!steps) return vs_error_memory(e, NULL);
+  steps[0] = (vs_bounds_step){ { (vs_node *)(uintptr_t)n, NULL }, 0 };
+  bool ok = true;
+  while (ok && depth) {
+    vs_bounds_step *top = &steps[depth - 1];
+    const vs_node *at = top->ref.node;
+    while (top->next < at->child_count && (vs_bounds_is_lone_leaf(at->children[top->next].node) || vs_bounds_memo_known(m, at->children[top->next].node))) top->next++;
+    if (top->next < at->child_count) {
+      vs_ref below = at->children[top->next++];
+      if (depth == room) {
+        vs_bounds_step *grown = vs_store_realloc(s, steps, room * sizeof *steps, 2 * room * sizeof *steps);
+        ok = grown || vs_error_memory(e, NULL);
+        if (!ok) break;
+        steps = grown;
+        room *= 2;
+      }
+      steps[depth++] = (vs_bounds_step){ below, 0 };
+      continue;
     }
+    vs_bounds b;
+    ok = vs_bounds_of(m, at, &b, e);
+    if (!ok && e && !e->origin) e->origin = top->ref.origin;
+    ok = ok && (vs_bounds_memo_put(m, at, &b) || vs_error_memory(e, NULL));
+    if (ok && at == n) *out = b;
+    depth--;
   }
-  vs_walk_free(w);
+  vs_store_realloc(s, steps, room * sizeof *steps, 0);
   return ok;
 }
 

@@ -42,7 +42,8 @@ void vs_turn_sincos(int index, int count, double *sine, double *cosine) {
 }
 
 vs_vec3 vs_v3_unit(vs_vec3 v) {
-  double most = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+  double x = fabs(v.x), y = fabs(v.y), z = fabs(v.z), most = x > y ? x : y;
+  if (z > most) most = z;
   if (!(most > 0)) return vs_v3(0, 0, 0);
   v = vs_v3(v.x / most, v.y / most, v.z / most); /* first, so that nothing over- or underflows and axes stay exact */
   return vs_v3_scale(v, 1 / vs_v3_length(v));
@@ -148,19 +149,6 @@ bool vs_affine_even(const vs_affine *a, double *k) {
   for (int j = 0; j < 3; j++)
     if (fabs(vs_v3_dot(c[j], c[j]) - *k * *k) > slack || fabs(vs_v3_dot(c[j], c[(j + 1) % 3])) > slack) return false;
   return true;
-}
-
-vs_bounds vs_bounds_empty(void) { return (vs_bounds){ { INFINITY, INFINITY, INFINITY }, { -INFINITY, -INFINITY, -INFINITY } }; }
-
-void vs_bounds_add(vs_bounds *b, vs_vec3 p) {
-  b->min = vs_v3(fmin(b->min.x, p.x), fmin(b->min.y, p.y), fmin(b->min.z, p.z));
-  b->max = vs_v3(fmax(b->max.x, p.x), fmax(b->max.y, p.y), fmax(b->max.z, p.z));
-}
-
-void vs_bounds_unite(vs_bounds *b, const vs_bounds *other) {
-  if (vs_bounds_is_empty(other)) return;
-  vs_bounds_add(b, other->min);
-  vs_bounds_add(b, other->max);
 }
 
 void vs_bounds_meet(vs_bounds *b, const vs_bounds *o) {

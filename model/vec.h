@@ -64,9 +64,16 @@ void vs_turn_sincos(int index, int count, double *sine, double *cosine);
 vs_vec3 vs_v3_unit(vs_vec3 v); /* axes stay exact; the zero vector stays zero */
 
 static inline bool vs_bounds_is_empty(const vs_bounds *b) { return b->min.x > b->max.x; }
-vs_bounds vs_bounds_empty(void);
-void vs_bounds_add(vs_bounds *b, vs_vec3 p);
-void vs_bounds_unite(vs_bounds *b, const vs_bounds *other);
+static inline vs_bounds vs_bounds_empty(void) { return (vs_bounds){ { INFINITY, INFINITY, INFINITY }, { -INFINITY, -INFINITY, -INFINITY } }; }
+static inline void vs_bounds_add(vs_bounds *b, vs_vec3 p) { /* what is not a number is left out, as by fmin, which is a call */
+  b->min = vs_v3(p.x < b->min.x ? p.x : b->min.x, p.y < b->min.y ? p.y : b->min.y, p.z < b->min.z ? p.z : b->min.z);
+  b->max = vs_v3(p.x > b->max.x ? p.x : b->max.x, p.y > b->max.y ? p.y : b->max.y, p.z > b->max.z ? p.z : b->max.z);
+}
+static inline void vs_bounds_unite(vs_bounds *b, const vs_bounds *other) {
+  if (vs_bounds_is_empty(other)) return;
+  vs_bounds_add(b, other->min);
+  vs_bounds_add(b, other->max);
+}
 void vs_bounds_meet(vs_bounds *b, const vs_bounds *other); /* what both hold */
 double vs_bounds_diagonal(const vs_bounds *b);             /* 0 where empty */
 vs_bounds vs_bounds_transform(const vs_bounds *b, const vs_affine *a);
