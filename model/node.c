@@ -179,7 +179,7 @@ static void vs_node_classify(vs_node *n, const vs_kind_info *info) {
 vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *children, size_t child_count) {
   const vs_kind_info *info = vs_kind_get(kind);
   if (!info || child_count > UINT32_MAX || child_count > (SIZE_MAX - vs_node_size(info, 0)) / sizeof(vs_ref)) return NULL;
-  vs_node *n = vs_store_realloc(s, NULL, 0, vs_node_size(info, child_count));
+  vs_node *n = vs_store_piece(s, vs_node_size(info, child_count));
   if (!n) return NULL;
   unsigned char *payload = (unsigned char *)(n + 1);
   vs_ref *kept = (vs_ref *)(void *)(payload + vs_node_payload_room(info));
@@ -228,7 +228,7 @@ void vs_node_release(vs_node *n) {
       child->data = dead;
       dead = child;
     }
-    vs_store_realloc(s, n, vs_node_size(info, n->child_count), 0);
+    vs_store_piece_free(s, n, vs_node_size(info, n->child_count));
     vs_store_release(s);
   }
 }

@@ -142,6 +142,9 @@ vs_store *vs_store_retain(vs_store *s);
 void vs_store_release(vs_store *s);
 size_t vs_store_bytes(const vs_store *s); /* held now by nodes and arrays: counts towards the interpreter's memory budget */
 void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size); /* accounted; new_size 0 frees */
+/* Small things of which there may be millions (piece.c); freed with the size they were asked for. NULL: out of memory. */
+void *vs_store_piece(vs_store *s, size_t bytes);
+void vs_store_piece_free(vs_store *s, void *piece, size_t bytes);
 void vs_store_fail_at(vs_store *s, size_t n); /* tests: the n-th allocation from now fails and so do those after it; 0: none */
 /* One place for geometry/ to keep what took time to get (fonts) for as long as the store lives; NULL at first. let_go frees it then. */
 void **vs_store_kept(vs_store *s, void (*let_go)(vs_store *s, void *kept));

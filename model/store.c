@@ -94,6 +94,7 @@ void vs_store_release(vs_store *s) {
     next = b->next;
     vs_store_realloc(s, b, sizeof *b + b->size, 0);
   }
+  vs_store_slabs_free(s);
   s->alloc(s->context, s, sizeof *s, 0);
 }
 

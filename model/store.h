@@ -6,6 +6,9 @@
 
 typedef struct { void **slots; size_t count, room; } vs_intern; /* open addressing, room a power of two */
 typedef struct vs_block vs_block;
+typedef struct vs_slab vs_slab;
+typedef struct vs_piece vs_piece;
+enum { VS_PIECE_MOST = 256 }; /* bytes; larger ones are allocations of their own */
 
 struct vs_store {
   size_t refs; /* of its owners and of every node */
@@ -22,6 +25,9 @@ struct vs_store {
   void (*ticket_gone)(void *context, uint32_t id);
   void *ticket_context;
   vs_block *blocks; /* what is interned lies here and goes with the store */
+  vs_slab *slabs;   /* piece.c: the first is being cut */
+  size_t slab_bytes, piece_count;
+  vs_piece *given_back[VS_PIECE_MOST / 8 + 1]; /* by size in words */
 };
 
 static inline uint64_t vs_hash_mix(uint64_t h, uint64_t v) {
@@ -30,6 +36,7 @@ static inline uint64_t vs_hash_mix(uint64_t h, uint64_t v) {
   h *= UINT64_C(0xD6E8FEB86659FD93);
   return h ^ h >> 32;
 }
+void vs_store_slabs_free(vs_store *s);
 uint64_t vs_hash_bytes(uint64_t h, const void *bytes, size_t size);
 uint64_t vs_hash_real(uint64_t h, double d);
 uint64_t vs_text_hash(const char *interned); /* kept with the text */
