@@ -345,19 +345,11 @@ static bool drive_plan(vs_emitter *e) {
 static inline bool drive_finite_at(const vs_field_info *f, const void *data) {
   const char *at = (const char *)data + f->offset;
   const double *numbers = (const double *)(const void *)at;
-  size_t count = 0;
-  switch (f->type) {
-  case VS_FIELD_real: count = 1; break;
-  case VS_FIELD_point: case VS_FIELD_vector: count = 3; break;
-  case VS_FIELD_affine: count = 12; break;
-  case VS_FIELD_points: {
+  size_t count = vs_field_reals[f->type];
+  if (f->type == VS_FIELD_points) {
     const vs_points *points = *(const vs_field_points *)(const void *)at;
     numbers = &points->at[0].x;
     count = 3 * (size_t)points->count;
-    break;
-  }
-  case VS_FIELD_integer: case VS_FIELD_boolean: case VS_FIELD_faces: case VS_FIELD_text: case VS_FIELD_material: case VS_FIELD_ticket:
-    break;
   }
   for (size_t i = 0; i < count; i++)
     if (!isfinite(numbers[i])) return false;

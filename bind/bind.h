@@ -42,7 +42,8 @@ struct vs_bind {
   bool drew;                       /* draw was called: what was returned does not count */
   uint64_t *told;                  /* warnings given: hashes of place and kind, open addressing, 0 free */
   size_t told_count, told_room;
-  struct { uint64_t key; const vs_origin *origin; } recent[64]; /* origins of call chains seen last */
+  struct { uint64_t key; const vs_origin *origin; } recent[64]; /* origins of call chains seen last, since that collection */
+  uint64_t recent_collection;
   vs_bind_parameter *parameters;
   size_t parameter_count, parameter_room;
   vs_bind_setting *settings;

@@ -31,17 +31,10 @@ static const char *largest_field(vs_kind kind, const void *data) {
   for (size_t i = 0; i < k->field_count; i++) {
     const void *at = (const char *)data + k->fields[i].offset;
     const double *numbers = at;
-    size_t count = 0;
-    switch (k->fields[i].type) {
-      case VS_FIELD_real: count = 1; break;
-      case VS_FIELD_point: case VS_FIELD_vector: count = 3; break;
-      case VS_FIELD_affine: count = 12; break;
-      case VS_FIELD_points: {
-        const vs_points *points = *(const vs_field_points *)at;
-        if (points) numbers = &points->at[0].x, count = 3 * (size_t)points->count;
-        break;
-      }
-      case VS_FIELD_integer: case VS_FIELD_boolean: case VS_FIELD_faces: case VS_FIELD_text: case VS_FIELD_material: case VS_FIELD_ticket: break;
+    size_t count = vs_field_reals[k->fields[i].type];
+    if (k->fields[i].type == VS_FIELD_points) {
+      const vs_points *points = *(const vs_field_points *)at;
+      if (points) numbers = &points->at[0].x, count = 3 * (size_t)points->count;
     }
     for (size_t j = 0; j < count; j++)
       if (too_large(numbers[j])) return k->fields[i].argument;

@@ -55,7 +55,7 @@ const vs_foreign_type vs_paint_type = { "a material", paint_release, NULL, NULL,
 
 /* ---- origins ----
  * The chain of calls that led here, outermost last, cut to CHAIN callers: enough to find the call in the user's own text, and a bound on
- * the work per object. The same chain is looked up by the hash of its places before it is interned call by call. */
+ * the work per object. The same chain is looked up by its key before it is interned call by call. */
 
 enum { CHAIN = 8 };
 
@@ -90,12 +90,15 @@ static const vs_origin *intern_chain(vs_bind *b, const vs_pos *place, size_t n) 
 }
 
 const vs_origin *vs_bind_origin(vs_bind *b) {
-  vs_pos place[CHAIN];
-  size_t n = vs_call_places(b->vm, place, CHAIN);
-  uint64_t key = n;
-  for (size_t i = 0; i < n; i++) key = (key ^ place[i]) * UINT64_C(0x9E3779B97F4A7C15), key ^= key >> 29;
+  uint64_t key = vs_call_key(b->vm, CHAIN);
   size_t slot = key % (sizeof b->recent / sizeof *b->recent);
+  if (b->recent_collection != b->vm->collections) { /* code may have gone, and other code be where it was */
+    memset(b->recent, 0, sizeof b->recent);
+    b->recent_collection = b->vm->collections;
+  }
   if (b->recent[slot].key != key || !b->recent[slot].origin) {
+    vs_pos place[CHAIN];
+    size_t n = vs_call_places(b->vm, place, CHAIN);
     b->recent[slot].origin = intern_chain(b, place, n);
     b->recent[slot].key = key;
   }

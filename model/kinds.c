@@ -34,8 +34,17 @@ const vs_kind_info *vs_kind_get(vs_kind kind) {
   return NULL;
 }
 
+const unsigned char vs_field_reals[] = { [VS_FIELD_real] = 1, [VS_FIELD_point] = 3, [VS_FIELD_vector] = 3, [VS_FIELD_affine] = 12, [VS_FIELD_ticket] = 0 };
+
+/* One product a number: what comes of it is mixed well at the end. */
 static uint64_t vs_payload_hash_reals(uint64_t h, const double *reals, size_t count) {
-  for (size_t i = 0; i < count; i++) h = vs_hash_real(h, reals[i]);
+  for (size_t i = 0; i < count; i++) {
+    uint64_t v;
+    double d = reals[i] + 0.0; /* -0 is 0 */
+    memcpy(&v, &d, sizeof v);
+    h = (h ^ v) * UINT64_C(0x9E3779B97F4A7C15);
+    h ^= h >> 29;
+  }
   return h;
 }
 
@@ -43,13 +52,15 @@ uint64_t vs_payload_hash(const vs_kind_info *info, const void *data) {
   uint64_t h = 3;
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)data + info->fields[i].offset;
+    size_t reals = vs_field_reals[info->fields[i].type];
+    if (reals) {
+      h = vs_payload_hash_reals(h, at, reals);
+      continue;
+    }
     switch (info->fields[i].type) {
-      case VS_FIELD_real: h = vs_hash_real(h, *(const double *)at); break;
+      case VS_FIELD_real: case VS_FIELD_point: case VS_FIELD_vector: case VS_FIELD_affine: break; /* above */
       case VS_FIELD_integer: h = vs_hash_mix(h, (uint64_t)(int64_t)*(const int32_t *)at); break;
       case VS_FIELD_boolean: h = vs_hash_mix(h, *(const bool *)at); break;
-      case VS_FIELD_point:
-      case VS_FIELD_vector: h = vs_payload_hash_reals(h, &((const vs_vec3 *)at)->x, 3); break;
-      case VS_FIELD_affine: h = vs_payload_hash_reals(h, &((const vs_affine *)at)->m[0][0], 12); break;
       case VS_FIELD_points: {
         const vs_points *p = *(const vs_points *const *)at;
         h = vs_hash_mix(h, p->count);
@@ -116,18 +127,13 @@ static void vs_payload_no_minus_zero(double *reals, size_t count) {
 void vs_payload_adopt(const vs_kind_info *info, void *data) {
   for (size_t i = 0; i < info->field_count; i++) {
     void *at = (char *)data + info->fields[i].offset;
+    vs_payload_no_minus_zero(at, vs_field_reals[info->fields[i].type]);
     switch (info->fields[i].type) {
-      case VS_FIELD_real: vs_payload_no_minus_zero(at, 1); break;
-      case VS_FIELD_point:
-      case VS_FIELD_vector: vs_payload_no_minus_zero(&((vs_vec3 *)at)->x, 3); break;
-      case VS_FIELD_affine: vs_payload_no_minus_zero(&((vs_affine *)at)->m[0][0], 12); break;
       case VS_FIELD_points: vs_points_retain(*(vs_points *const *)at); break;
       case VS_FIELD_faces: vs_faces_retain(*(vs_faces *const *)at); break;
       case VS_FIELD_ticket: (*(vs_ticket *const *)at)->refs++; break;
-      case VS_FIELD_integer:
-      case VS_FIELD_boolean:
-      case VS_FIELD_text:
-      case VS_FIELD_material: break;
+      case VS_FIELD_real: case VS_FIELD_point: case VS_FIELD_vector: case VS_FIELD_affine: case VS_FIELD_integer: case VS_FIELD_boolean:
+      case VS_FIELD_text: case VS_FIELD_material: break;
     }
   }
 }

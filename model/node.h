@@ -70,6 +70,7 @@ typedef enum {
   VS_FIELD_real, VS_FIELD_integer, VS_FIELD_boolean, VS_FIELD_point, VS_FIELD_vector, VS_FIELD_affine, VS_FIELD_points, VS_FIELD_faces,
   VS_FIELD_text, VS_FIELD_material, VS_FIELD_ticket
 } vs_field_type;
+extern const unsigned char vs_field_reals[]; /* by type: doubles that lie in the field itself, or 0 */
 
 /* struct vs_sphere { ... } and so on for every kind */
 #define VS_KIND(upper, lower, name, class_, level) struct vs_##lower {

@@ -131,6 +131,22 @@ size_t vs_call_places(vs *vm, vs_pos *place, size_t max) {
   return n;
 }
 
+uint64_t vs_call_key(vs *vm, size_t max) {
+  if (!vm->base) return 0;
+  struct walk w = {vm->base, vm->under, vm->under_depth, false};
+  size_t count = 0, pc = 0;
+  uint64_t key = max;
+  bool native = !vm->pc || !vs_is(w.base[-2], VS_T_CLOSURE);
+  if (!native) pc = (size_t)(vm->pc - vs_code_ins(vs_as_code(vs_as_closure(w.base[-2])->code)));
+  do {
+    if (native || !vs_is(w.base[-2], VS_T_CLOSURE)) continue;
+    key = (key ^ vs_as_closure(w.base[-2])->code ^ (uint64_t)pc << 48) * UINT64_C(0x9E3779B97F4A7C15);
+    key ^= key >> 29;
+    count++;
+  } while (count < max && walk_up(&w, &pc, &native));
+  return key;
+}
+
 vs_pos vs_call_place(vs *vm) {
   struct link at[1];
   return chain(vm, at, 1) ? at[0].place : 0;

@@ -21,6 +21,8 @@ bool vs_call_chain(vs *vm, size_t max, vs_value *out);
 size_t vs_call_links(vs *vm, vs_value *name, vs_pos *place, size_t max);
 /* The places alone, without allocating: how many were written. */
 size_t vs_call_places(vs *vm, vs_pos *place, size_t max);
+/* A hash of where those calls are, for less than the places cost; the same chain has the same until vm->collections changes. */
+uint64_t vs_call_key(vs *vm, size_t max);
 /* Place of the call that the running native was made from. */
 vs_pos vs_call_place(vs *vm);
 
