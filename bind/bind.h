@@ -191,6 +191,7 @@ vs_status vs_bind_each_part(vs_frame *f, vs_procedure_fn *one, vs_value *out);
 vs_status vs_bind_empty(vs_frame *f, const char *why, vs_value *out); /* the empty object, with a warning once a place */
 vs_status vs_bind_resolve(vs_frame *f, int i); /* sections, shadows and edges in argument i become what they are in space */
 vs_status vs_bind_node(vs_frame *f, vs_node *node, vs_value *out);    /* takes the reference over */
+vs_status vs_bind_uncrossed(vs_frame *f, vs_ref ref, const char *what); /* a closed curve that crosses itself is refused; what: what it is */
 vs_status vs_bind_fill(vs_frame *f, vs_ref *ref, size_t n); /* where all are regions and closed curves of one plane, the curves become regions */
 vs_status vs_bind_point(vs_frame *f, vs_vec3 p, vs_value *out);
 vs_status vs_bind_vector(vs_frame *f, vs_vec3 p, vs_value *out);

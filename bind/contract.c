@@ -280,6 +280,8 @@ static vs_status refuse_item(vs_frame *f, const vs_bind_param *p, vs_value bad, 
   char text[96];
   snprintf(text, sizeof text, "%s", contracts[p->contract].noun);
   if (!strcmp(item, "point") && vs_is_flat(bad, VS_FLAT_VECTOR)) return refuse_hint(f, p->name, text, bad, "(+ origin v)");
+  bool holds_points = p->contract == VS_C_POINTS || p->contract == VS_C_THINGS || p->contract == VS_C_SECTIONS;
+  if (holds_points && vs_is_flat(bad, VS_FLAT_POINT)) return vs_bind_refuse(f, p->name, "of finite coordinates", bad);
   return vs_bind_refuse(f, p->name, text, bad);
 }
 

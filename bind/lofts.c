@@ -45,6 +45,7 @@ vs_status vs_p_do_revolve(vs_frame *f, vs_value *out) {
   if (vs_bind_is_empty(NODE(0))) return vs_bind_empty(f, "the profile is empty", out);
   if (d.start == d.end) return vs_bind_empty(f, "start and end are the same", out);
   if (vs_is_several(NODE(0)) && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_each_part(f, vs_p_do_revolve, out);
+  if (!vs_bind_uncrossed(f, f->arg[0].ref, "s")) return VS_ERROR;
   vs_node *n = vs_node_new(f->bind->store, VS_REVOLVE, &d, &f->arg[0].ref, 1);
   if (!vs_bind_keep(f, n)) return VS_ERROR;
   if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);
@@ -66,6 +67,9 @@ static vs_status sections(vs_frame *f, vs_ref *all, size_t *count, vs_value *out
   if (given < 2) return vs_bind_refuse(f, "sections", "two sections or more", f->arg[0].value == VS_UNSPECIFIC ? VS_NIL : f->arg[0].value);
   for (size_t i = 0; i < given; i++)
     if (!vs_bind_is_empty(all[i].node)) {
+      char what[40];
+      snprintf(what, sizeof what, "section %zu", i + 1);
+      if (!vs_bind_uncrossed(f, all[i], what)) return VS_ERROR;
       all[n] = all[i];
       if (!all[n++].origin) all[n - 1].origin = origin;
     }

@@ -110,6 +110,7 @@ vs_status vs_p_area(vs_frame *f, vs_value *out) {
   vs_class c = (vs_class)f->arg[0].ref.node->class_;
   if (c == VS_NOTHING) return vs_bind_real(f, 0, out);
   if (c == VS_CURVE && f->arg[0].ref.node->flags & VS_NODE_CLOSED) { /* taken as filled */
+    if (!vs_bind_uncrossed(f, f->arg[0].ref, "a closed curve that is taken as filled")) return VS_ERROR;
     vs_node *region = vs_node_new(f->bind->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
     if (!vs_bind_keep(f, region)) return VS_ERROR;
     f->arg[0].ref.node = region;

@@ -43,19 +43,27 @@ static areas look_at_areas(const vs_ref *ref, size_t n, vs_plane *a, vs_plane *b
   return any ? AREAS_ONE_PLANE : AREAS_NOT;
 }
 
+/* A region was looked at when it was made; open curves may do as they like; circles need no look. */
+vs_status vs_bind_uncrossed(vs_frame *f, vs_ref ref, const char *what) {
+  const vs_node *n = ref.node;
+  vs_crossing x;
+  vs_error e = { 0 };
+  if (n->class_ != VS_CURVE || !(n->flags & VS_NODE_CLOSED) || n->flags & VS_NODE_UNRESOLVED) return VS_OK;
+  while (n->kind == VS_TRANSFORM) n = n->children[0].node;
+  if (n->kind == VS_CIRCLE || n->kind == VS_UNION) return VS_OK;
+  if (!vs_curves_cross(&ref, 1, &x, &e)) return vs_bind_error(f, &e);
+  if (!x.found) return VS_OK;
+  char at[3][32];
+  const double p[] = { x.at.x, x.at.y, x.at.z };
+  for (int i = 0; i < 3; i++) vs_bind_number_text(at[i], round(p[i] * 1e6) / 1e6 + 0.0);
+  return vs_fail(f->vm, f->vm->sym.range, "%s must not cross itself; it does at (xyz %s %s %s)", what, at[0], at[1], at[2]);
+}
+
 /* Closed curves become regions, in place. */
 static vs_status fill(vs_frame *f, vs_ref *ref, size_t n) {
   for (size_t i = 0; i < n; i++)
     if (ref[i].node->class_ == VS_CURVE) {
-      vs_crossing x;
-      vs_error e = { 0 };
-      if (!vs_curves_cross(&ref[i], 1, &x, &e)) return vs_bind_error(f, &e);
-      if (x.found) {
-        char at[3][32];
-        const double d[3] = { x.at.x, x.at.y, x.at.z };
-        for (int k = 0; k < 3; k++) vs_bind_number_text(at[k], round(d[k] * 1e6) / 1e6 + 0.0);
-        return vs_fail(f->vm, f->vm->sym.range, "a closed curve that is taken as filled must not cross itself; one does at (xyz %s %s %s)", at[0], at[1], at[2]);
-      }
+      if (!vs_bind_uncrossed(f, ref[i], "a closed curve that is taken as filled")) return VS_ERROR;
       vs_node *region = vs_node_new(f->bind->store, VS_REGION, &(struct vs_region){ 0 }, &ref[i], 1);
       if (!vs_bind_keep(f, region)) return VS_ERROR;
       ref[i].node = region;
@@ -252,21 +260,6 @@ static vs_status check_twist(vs_frame *f, double twist, vs_value got) {
   return vs_bind_refuse(f, "twist", "at most 1000 turns (6283 radians)", got);
 }
 
-/* A region was looked at when it was made; circles need no look. */
-static vs_status check_uncrossed(vs_frame *f) {
-  const vs_node *n = NODE(0);
-  vs_crossing x;
-  vs_error e = { 0 };
-  while (n->kind == VS_TRANSFORM) n = n->children[0].node;
-  if (n->kind == VS_CIRCLE || n->kind == VS_UNION) return VS_OK;
-  if (!vs_curves_cross(&f->arg[0].ref, 1, &x, &e)) return vs_bind_error(f, &e);
-  if (!x.found) return VS_OK;
-  char at[3][32];
-  const double p[] = { x.at.x, x.at.y, x.at.z };
-  for (int i = 0; i < 3; i++) vs_bind_number_text(at[i], round(p[i] * 1e6) / 1e6);
-  return vs_fail(f->vm, f->vm->sym.range, "profile must not cross itself; it does at (xyz %s %s %s)", at[0], at[1], at[2]);
-}
-
 /* Closed profiles and regions lie in one plane. *empty: they enclose nothing, and *out is that. */
 static vs_status check_profile(vs_frame *f, vs_plane *plane, bool *empty, vs_value *out) {
   const vs_node *n = NODE(0);
@@ -274,7 +267,7 @@ static vs_status check_profile(vs_frame *f, vs_plane *plane, bool *empty, vs_val
   plane->normal = vs_v3(0, 0, 0); /* none: an open curve */
   if (n->class_ != VS_REGION_CLASS && !(n->flags & VS_NODE_CLOSED)) return VS_OK;
   switch (vs_node_plane(n, plane)) {
-    case VS_PLANE_ONE: return n->class_ == VS_CURVE ? check_uncrossed(f) : VS_OK;
+    case VS_PLANE_ONE: return vs_bind_uncrossed(f, f->arg[0].ref, "profile");
     case VS_PLANE_MANY: return *empty = true, vs_bind_empty(f, "the profile encloses no area", out);
     case VS_PLANE_NONE: break;
   }

@@ -153,7 +153,7 @@ vs_status vs_p_do_offset(vs_frame *f, vs_value *out) {
   if (NODE(0)->kind == VS_XLINE || NODE(0)->kind == VS_RAY) return vs_bind_refuse(f, "s", "a curve with two ends or none, or a region", f->arg[0].value);
   if (vs_node_plane(NODE(0), &plane) == VS_PLANE_NONE) return vs_bind_refuse(f, "s", "a curve or region that lies in one plane", f->arg[0].value);
   vs_bounds box;
-  if (!vs_bind_resolve(f, 0)) return VS_ERROR;
+  if (!vs_bind_resolve(f, 0) || !vs_bind_uncrossed(f, f->arg[0].ref, "s")) return VS_ERROR;
   if (!vs_node_bounds(NODE(0), &box, &e)) return vs_bind_error(f, &e);
   if (!(fabs(d.distance) + vs_bounds_diagonal(&box) < 1e100)) return vs_fail(f->vm, f->vm->sym.range, "the numbers are too large: the curve and d must stay below 1e100");
   f->arg[0].ref = whole;

@@ -211,6 +211,27 @@ static bool names_parameter(const vs_procedure *p, const vs_bind_param *meant, i
   return strstr(heard.error, ": takes (") != NULL && p->form[1].used;
 }
 
+/* What the value of an expression is written as, from the message of an error made of it. */
+static const char *written_as(const char *expression) {
+  static char text[2 * TEXT_MOST];
+  snprintf(text, sizeof text, "(error (call-with-output-string (lambda (p) (write %s p))))", expression);
+  evaluate(text);
+  snprintf(text, sizeof text, "%s", heard.error);
+  return text;
+}
+
+/* "..., got VALUE", where a long value may end in dots; of a list also the element at fault. What is no value is said to be none. */
+static bool names_value(const char *value, const char *error) {
+  const char *got = strstr(error, "got ");
+  if (!got) return strcmp(value, "#<void>") == 0 && strstr(error, "gave no value");
+  size_t same = 0;
+  got += 4;
+  while (got[same] && got[same] == value[same]) same++;
+  if (!value[same] || (same >= 12 && strncmp(got + same, "...", 3) == 0)) return true;
+  const char *element = value[0] == '(' ? strstr(value, got) : NULL;
+  return element && (element[-1] == ' ' || element[-1] == '(') && strchr(" )", element[strlen(got)]);
+}
+
 static void try_parameter(const char *name, const vs_procedure *p, const vs_form *form, int at, int key) {
   const vs_bind_param *q = key >= 0 ? &p->key[key] : &form->at[at];
   const char *unused = "", *const *bad = contracts[q->contract].bad;
@@ -231,7 +252,13 @@ static void try_parameter(const char *name, const vs_procedure *p, const vs_form
     else if (strncmp(heard.error, prefix, strlen(prefix)) != 0) result(false, label, "the error does not begin with the procedure's name");
     else if (!names_parameter(p, q, at)) result(false, label, "the error does not name the parameter");
     else if (!at_call()) result(false, label, "the error is not at the call");
-    else result(true, label, "");
+    else {
+      said mine = heard;
+      static char value[2 * TEXT_MOST];
+      snprintf(value, sizeof value, "%s", written_as(bad[i]));
+      heard = mine;
+      result(names_value(value, mine.error), label, value);
+    }
   }
 }
 
