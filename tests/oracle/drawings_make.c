@@ -14,6 +14,7 @@ typedef struct {
   vs_affine frame; /* leaves are written where this puts them, as a program would that computes its points */
   bool turned;     /* the frame is more than a shift */
   double nudge;    /* lengths are so much longer: what looks like a copy and is none */
+  bool more;       /* and there is one facet more */
 } maker;
 
 static uint32_t any(maker *m, uint32_t n) { /* 0 .. n-1 */
@@ -237,7 +238,7 @@ static vs_ref swept(maker *m) {
 
 static vs_ref solid_leaf(maker *m) {
   vs_vec3 p = vector(m), d = sizes(m), q = vs_v3_add(p, d);
-  int segments = any(m, 3) ? 0 : m->nudge > 0 ? 6 : 5;
+  int segments = any(m, 3) ? 0 : m->more ? 6 : 5;
   switch (any(m, 18)) {
     case 0: case 1: return framed(m, LEAF(box, BOX, .p = still(m, p), .q = still(m, q)));
     case 2: return framed(m, LEAF(wedge, WEDGE, .p = still(m, p), .q = still(m, q)));
@@ -246,7 +247,7 @@ static vs_ref solid_leaf(maker *m) {
     case 7: return LEAF(cone, CONE, .base = put(m, p), .apex = put(m, q), .radius = d.x, .segments = m->turned ? 0 : segments);
     case 8: return LEAF(cut_cone, CUT_CONE, .base = put(m, p), .top = put(m, q), .base_radius = d.x, .top_radius = d.y / 2);
     case 9: return framed(m, LEAF(e_cone, E_CONE, .base = still(m, p), .top = still(m, any(m, 2) ? q : vs_v3(p.x, p.y, q.z)), .base_radius = d.x, .base_across = d.y, .top_radius = d.z / 2));
-    case 10: return framed(m, LEAF(pyramid, PYRAMID, .base = still(m, p), .base_radius = d.x, .sides = 3 + (int)any(m, 4) + (m->nudge > 0), .top = still(m, q), .top_radius = any(m, 2) ? 0 : d.y));
+    case 10: return framed(m, LEAF(pyramid, PYRAMID, .base = still(m, p), .base_radius = d.x, .sides = 3 + (int)any(m, 4) + m->more, .top = still(m, q), .top_radius = any(m, 2) ? 0 : d.y));
     case 11: return framed(m, LEAF(torus, TORUS, .center = still(m, p), .radius = d.x + d.y / 3, .tube_radius = d.y / 3, .segments = segments));
     case 12: return framed(m, LEAF(superellipsoid, SUPERELLIPSOID, .e = 0.5 + d.x / 4, .n = 0.5 + d.y / 4, .size = d.z));
     case 13: return m->turned ? framed(m, hull(m)) : grid(m, VS_HEIGHT_FIELD);
@@ -308,10 +309,12 @@ static vs_ref copies(maker *m) {
     if (i == 3 && turned) m->frame = vs_affine_mirror(vs_v3(0, 1, 0), vs_v3(1, 0.5, 0));
     m->turned = turned;
     for (size_t k = 0; k < count; k++) {
-      m->nudge = i == 1 && k == odd ? 0.0625 : 0;
+      m->more = i == 1 && k == odd;
+      m->nudge = m->more && n > 2 ? 0.0625 : 0;
       parts[k] = any(m, 6) ? solid_leaf(m) : dressed(m, solid_leaf(m));
     }
     m->nudge = 0;
+    m->more = false;
     static const vs_kind sets[] = { VS_UNION, VS_UNION, VS_DIFFERENCE };
     kids[i] = node(m, sets[any(m, 3)], NULL, parts, count);
   }
@@ -369,7 +372,7 @@ static vs_ref beside(maker *m) {
 }
 
 drawing drawing_make(vs_store *s, uint64_t seed) {
-  maker made = { s, seed * 0x9e3779b97f4a7c15u + 0x2545f4914f6cdd1du, 0, vs_affine_identity(), false, 0 }, *m = &made;
+  maker made = { s, seed * 0x9e3779b97f4a7c15u + 0x2545f4914f6cdd1du, 0, vs_affine_identity(), false, 0, false }, *m = &made;
   drawing d = { .count = 1 + any(m, DRAWN_MOST) };
   for (int i = 0; i < 8; i++) any(m, 2);
   for (size_t i = 0; i < d.count; i++) {
