@@ -95,7 +95,7 @@ $(BUILD)/tools/%: tests/tools/%.c $(wildcard tests/tools/*.h)
 	$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(PNG_LIBS) -lm
 
 # Tools that ask the library.
-$(BUILD)/tools/names $(BUILD)/tools/reread $(BUILD)/tools/badcalls: $(BUILD)/tools/%: tests/tools/%.c visualscheme.h $(BUILD)/libvisualscheme.a
+$(BUILD)/tools/names $(BUILD)/tools/reread $(BUILD)/tools/exrdiff $(BUILD)/tools/badcalls: $(BUILD)/tools/%: tests/tools/%.c visualscheme.h $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
 

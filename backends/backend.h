@@ -85,6 +85,7 @@ struct vs_backend {
   bool keep_origins;    /* the text's lines are remembered with the origins of what they hold */
   bool parts_flush;     /* its program keeps skins where faces in one plane are cut: they are parted before (flush.h) */
   bool hulls;           /* knows hulls of solids: they are shown as operations; all others, and elsewhere all, as one shape */
+  bool groups;          /* large sets are handed over as trees of boxes (vs_sets_group) */
   bool area_sets;       /* is asked about sets of regions before they are lowered to one region */
   bool verbatim;        /* every node is shown as it is, empty ones too, and the children of all kinds are gone into */
   const char *omit[VS_MIXED]; /* a vs_class that the format leaves out, and why: said once */

@@ -60,6 +60,8 @@ struct vs_drive {
   const char **said;    /* warnings given, by address */
   size_t said_count, said_room;
   vs_bounds_memo bounds;
+  vs_scene grouped; /* what is drawn instead of the scene given, where sets are grouped: its references are our own */
+  const vs_scene *given; /* then; else NULL */
   vs_solid scratch; /* the mesh of a node without entry, until the next is asked for */
   uint32_t ticks;
 };
@@ -598,6 +600,33 @@ static bool drive_bounds(vs_emitter *e) {
   return true;
 }
 
+/* What has no bounds is not grouped; its own error comes when it is meshed. */
+static bool drive_part_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
+  *out = vs_bounds_empty();
+  if (n->flags & VS_NODE_ENDLESS || vs_bounds_memo_get(context, n, out, &why) || why.kind == VS_ERROR_MODEL) return true;
+  if (e) *e = why;
+  return false;
+}
+
+static bool drive_group(vs_emitter *e) {
+  vs_drive *d = e->drive;
+  size_t count = e->scene->drawn_count;
+  vs_bounds_memo memo = { .places = { .store = e->scene->store } };
+  vs_pass_options options = { 0, drive_part_bounds, &memo };
+  vs_ref *drawn = vs_store_realloc(e->scene->store, NULL, 0, (count + 1) * sizeof *drawn);
+  if (drawn == NULL) return vs_emit_no_memory(e);
+  for (size_t i = 0; i < count; i++) drawn[i] = (vs_ref){ vs_node_retain(e->scene->drawn[i].node), e->scene->drawn[i].origin };
+  d->grouped = *e->scene;
+  d->given = e->scene;
+  d->grouped.drawn = drawn;
+  d->grouped.drawn_room = count + 1;
+  e->scene = &d->grouped;
+  bool ok = vs_sets_group(e->scene->store, drawn, count, &options, e->error);
+  vs_bounds_memo_free(&memo);
+  return ok;
+}
+
 static bool drive_all_vain(vs_emitter *e) {
   for (size_t i = 0; i < e->scene->drawn_count; i++)
     if (!drive_vain(e, &e->scene->drawn[i])) return false;
@@ -628,6 +657,7 @@ bool vs_drive_scene(vs_emitter *e) {
   drive_find_operations(d);
   e->out->keeps_lines = e->backend->keep_origins;
   if (e->scene->has_ground && e->scene->ground_material != NULL && !drive_add_material(e, e->scene->ground_material)) return false;
+  if (e->backend->groups && !drive_group(e)) return false;
   if (!drive_plan(e)) return false;
   if (e->scene->drawn_count == 0 && !e->backend->verbatim) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "nothing is drawn");
   if (drive_all_vain(e) && !e->backend->verbatim) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing holds nothing that this format can show");
@@ -692,6 +722,9 @@ void vs_drive_free(vs_emitter *e) {
     vs_emit_release(e, d->entries[i].mesh, 1, sizeof *d->entries[i].mesh);
   }
   vs_solid_free(&d->scratch);
+  for (size_t i = 0; i < d->grouped.drawn_count; i++) vs_node_release(d->grouped.drawn[i].node);
+  vs_emit_release(e, d->grouped.drawn, d->grouped.drawn_room, sizeof *d->grouped.drawn);
+  if (d->given != NULL) e->scene = d->given;
   vs_bounds_memo_free(&d->bounds);
   vs_nodemap_free(&d->index);
   vs_nodemap_free(&d->paints);

@@ -222,7 +222,7 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
 
 #define POVRAY_SHARED                                                                                                                     \
   .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, .use = vs_povray_use,                \
-  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, .family = "povray", .native = "povray",               \
+  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, .family = "povray", .native = "povray", .groups = true,            \
   .emit = {                                                                                                                               \
     [VS_LINE] = { vs_povray_line, "POV-Ray has no lines: curves are drawn as thin rods" },                                                 \
     [VS_ARC] = { NULL, NULL }, [VS_CIRCLE] = { NULL, NULL }, [VS_SPLINE] = { NULL, NULL },                                                 \

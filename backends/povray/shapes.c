@@ -482,6 +482,15 @@ vs_emit_status vs_povray_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
      * bare parts of a difference with cutaway_textures in black. */
     bool whole = n->kind != VS_DIFFERENCE || !vs_emit_is_bare(e, n->children[0].node);
     if (n->kind != VS_UNION && whole && vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n)) pov_open(e, "  cutaway_textures\n");
+    /* POV-Ray tries the parts of a difference for every ray unless they are bounded by hand; what is intersected with a box lies in it */
+    if (n->kind == VS_INTERSECTION && e->in_boolean && n->children[0].node->kind == VS_BOX) {
+      const struct vs_box *b = VS_AS(box, n->children[0].node);
+      vs_vec3 more = vs_v3_scale(vs_v3_sub(b->q, b->p), 1e-4);
+      pov_open(e, "  bounded_by { box { ");
+      pov_point(e, vs_v3_sub(b->p, more));
+      pov_comma_point(e, vs_v3_add(b->q, more));
+      vs_puts(e->out, " } }\n");
+    }
     pov_open(e, "}\n");
     return pov_close(e, "");
   }

@@ -169,6 +169,69 @@ static void copies_survive_rounding_and_flattening(void **state) {
   vs_store_release(s);
 }
 
+/* Large sets as trees of boxes, for POV-Ray: the same solid, and none looks through many parts. */
+static void large_sets_become_trees_of_boxes(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_node *kids[402];
+  struct { vs_field_material material; unsigned char end; } red = { vs_store_ready_material(s, "red"), 0 };
+  vs_node *painted = NODE(sphere, SPHERE, { 10, 10, 2 }, 0.5, 0);
+  kids[0] = NODE(box, BOX, { -1, -1, 0 }, { 21, 21, 2 });
+  for (int i = 0; i < 400; i++) kids[i + 1] = NODE(sphere, SPHERE, { i % 20 + 0.3 * (i % 7), i / 20, 2 }, 0.4 + 0.01 * (i % 5), 0);
+  kids[401] = over(s, VS_MATERIAL, &red, &painted, 1);
+  vs_ref r = { two(s, VS_UNION, over(s, VS_DIFFERENCE, NULL, kids, 402), NODE(sphere, SPHERE, { 0, 0, 9 }, 1, 0)), NULL };
+  vs_inside *before = vs_inside_new(r.node, NULL);
+  vs_bounds_memo memo = { .places = { .store = s } };
+  vs_pass_options o = { 0, bounds, &memo };
+  vs_node *was = vs_node_retain(r.node);
+  assert_true(vs_sets_group(s, &r, 1, &o, NULL));
+  const vs_node *cut = r.node->children[0].node;
+  assert_int_equal(cut->kind, VS_DIFFERENCE);
+  assert_int_equal(cut->child_count, 3); /* what is cut, the painted one, all others */
+  assert_int_equal(cut->children[1].node->kind, VS_MATERIAL);
+  vs_ref level[64] = { cut->children[2] };
+  size_t open = 1, leaves = 0;
+  while (open) {
+    const vs_node *n = level[--open].node;
+    leaves += n->kind == VS_SPHERE;
+    if (n->kind == VS_SPHERE) continue;
+    assert_int_equal(n->kind, VS_INTERSECTION);
+    assert_int_equal(n->children[0].node->kind, VS_BOX);
+    const vs_node *both = n->children[1].node;
+    assert_true(both->kind == VS_UNION && both->child_count <= 5);
+    for (uint32_t i = 0; i < both->child_count; i++) level[open++] = both->children[i];
+  }
+  assert_int_equal(leaves, 400);
+  vs_inside *after = vs_inside_new(r.node, NULL);
+  uint64_t seed = 5;
+  size_t holes = 0;
+  for (int i = 0; i < 20000; i++) {
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    vs_vec3 p = { (double)(seed >> 40) / 16777216 * 22 - 1, (double)(seed >> 20 & 0xfffff) / 1048576 * 22 - 1, (double)(seed >> 8 & 0xfff) / 4096 * 2.2 };
+    bool in = vs_inside_test(before, p);
+    holes += !in && p.z < 2;
+    assert_int_equal(in, vs_inside_test(after, p));
+  }
+  assert_true(holes > 500);
+  vs_inside_free(before);
+  vs_inside_free(after);
+  vs_node_release(r.node);
+  r.node = was;
+  for (size_t n = 1, done = 0; !done; n++) {
+    vs_error e = { 0 };
+    vs_bounds_memo_free(&memo);
+    size_t held = vs_store_bytes(s);
+    vs_store_fail_at(s, n);
+    done = vs_sets_group(s, &r, 1, &o, &e);
+    vs_store_fail_at(s, 0);
+    vs_bounds_memo_free(&memo);
+    if (!done) assert_true(e.kind == VS_ERROR_MEMORY && r.node == was && vs_store_bytes(s) == held);
+    n += n / 8;
+  }
+  vs_node_release(r.node);
+  vs_store_release(s);
+}
+
 /* ---- at random ---- */
 
 static uint64_t draw(uint64_t *seed) {
@@ -268,7 +331,7 @@ static void deep_trees_and_short_memory(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(sets_become_flat), cmocka_unit_test(templates_are_not_undone), cmocka_unit_test(placements_fold),
-    cmocka_unit_test(nothing_is_pruned_away_but_nothing), cmocka_unit_test(copies_become_a_template), cmocka_unit_test(copies_survive_rounding_and_flattening),
+    cmocka_unit_test(nothing_is_pruned_away_but_nothing), cmocka_unit_test(copies_become_a_template), cmocka_unit_test(copies_survive_rounding_and_flattening), cmocka_unit_test(large_sets_become_trees_of_boxes),
     cmocka_unit_test(random_solids_stay_what_they_are), cmocka_unit_test(deep_trees_and_short_memory),
   };
   return cmocka_run_group_tests_name("model passes", tests, NULL, NULL);

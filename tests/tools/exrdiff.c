@@ -1,0 +1,39 @@
+/* Owns the comparison of two EXR pictures as numbers: `exrdiff A.exr B.exr` prints how many pixels there are, how many differ in luminance by more than a
+ * hundredth, the mean of all differences, and the largest with its place. Ends with 0 when both can be read and are of one size. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "geometry/raster.h"
+
+static bool take(vs_store *s, const char *path, vs_raster *r) {
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  FILE *f = fopen(path, "rb");
+  unsigned char *bytes = f ? malloc(1 << 26) : NULL;
+  size_t size = bytes ? fread(bytes, 1, 1 << 26, f) : 0;
+  bool ok = size && vs_raster_read(s, path, bytes, size, r, &e);
+  if (!ok) fprintf(stderr, "exrdiff: %s: %s\n", path, size ? e.message : "cannot be read");
+  if (f) fclose(f);
+  free(bytes);
+  return ok;
+}
+
+int main(int argc, char **argv) {
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_raster a = { 0 }, b = { 0 };
+  if (argc != 3 || !take(s, argv[1], &a) || !take(s, argv[2], &b)) return 2;
+  if (a.columns != b.columns || a.rows != b.rows) return fprintf(stderr, "exrdiff: they have different sizes\n"), 1;
+  size_t count = (size_t)a.columns * a.rows, differ = 0, at = 0;
+  double sum = 0, most = 0;
+  for (size_t i = 0; i < count; i++) {
+    double d = fabs(a.at[i] - b.at[i]);
+    sum += d;
+    differ += d > 0.01;
+    if (d > most) most = d, at = i;
+  }
+  printf("%zu pixels, %zu differ, mean %.6f, largest %.6f at %zu %zu\n", count, differ, sum / (double)count, most, at % a.columns, at / a.columns);
+  vs_raster_free(&a);
+  vs_raster_free(&b);
+  vs_store_release(s);
+  return 0;
+}

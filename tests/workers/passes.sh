@@ -1,0 +1,76 @@
+# Owns the test that passes change no picture and no volume: every example without passes and with all of them, drawn by POV-Ray in the draft quality (the
+# others guess, and differ from run to run) as numbers, and meshed. A sample, or with LONG=1 every example, and each pass alone.
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+vs=$BUILD/vs
+
+# name, then what makes it small
+examples='doric-columns
+cylinder-grid -D count=9
+rotunda
+gare-do-oriente -D columns=1 -D rows=1'
+[ -z "${LONG:-}" ] || examples="$examples
+twisted-tower -D floors=6
+arcade
+vase
+lofted-tower -D height=20 -D turn=0
+city -D blocks=2 -D tallest=6"
+ways='-O'
+[ -z "${LONG:-}" ] || ways='-O -Ofold -Oshare -Oflatten -Oprune'
+
+result() {
+  if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
+}
+wanted() { case $1 in *"$ONLY"*) return 0 ;; *) return 1 ;; esac }
+
+# An example that is not above is not looked at: say so.
+if [ -n "${LONG:-}" ] && wanted passes/examples; then
+  for f in examples/*.vs; do
+    name=$(basename "$f" .vs)
+    echo "$examples" | grep -q "^$name\( \|\$\)" || echo "$name is not compared"
+  done > "$work/why"
+  result passes/examples "$work/why"
+fi
+
+# Every set of passes on every back-end: the same closed volume, and only the passes that were asked for have done something.
+if wanted passes/switches; then
+  model=tests/workers/formats.vs
+  : > "$work/why"
+  volume=
+  for fold in '' fold,; do for flatten in '' flatten,; do for prune in '' prune,; do for share in '' share,; do
+    set=$fold$flatten$prune$share
+    set=${set%,}
+    "$vs" --quiet "-O${set:-0}" --stats=json $model -o "$work/m.stl" -o "$work/m.pov" -o "$work/m.scad" -o "$work/m.x3d" -o "$work/m.html" -o "$work/m.glb" -o "$work/m.3mf" -o "$work/m.obj" \
+      -o "$work/m.ply" -o "$work/m.off" > "$work/said" 2> "$work/stats" || echo "-O${set:-0} ended with $?: $(head -n 1 "$work/stats")" >> "$work/why"
+    for pass in fold flatten prune share; do
+      count=$(sed -n "s/.*\"passes.$pass\": \([0-9]*\).*/\1/p" "$work/stats" | head -n 1)
+      case ,$set, in
+        *,$pass,*) [ -n "$count" ] || echo "-O$set: no count of $pass" >> "$work/why" ;;
+        *) [ "$count" = 0 ] || echo "-O${set:-0}: $pass was not asked for and did ${count:-nothing that is counted}" >> "$work/why" ;;
+      esac
+    done
+    now=$("$BUILD/tools/stlcheck" "$work/m.stl" 2>&1 | awk '{ print $4 }')
+    volume=${volume:-$now}
+    echo "$volume $now" | awk -v set="${set:-0}" '!($1 > 0 && ($1 - $2)^2 < (1e-4 * $1)^2) { print "-O" set ": volume " $2 ", not " $1 }' >> "$work/why"
+  done; done; done; done
+  result passes/switches "$work/why"
+fi
+
+echo "$examples" | while read -r name arguments; do
+  test=passes/$name
+  wanted "$test" || continue
+  if ! command -v povray > /dev/null; then echo "skip $test: no povray (package povray)"; continue; fi
+  # shellcheck disable=SC2086
+  "$vs" --quiet --quality draft --size 160x120 -O0 $arguments examples/$name.vs -o "$work/plain.exr" -o "$work/plain.stl" > "$work/why" 2>&1 || echo "-O0 ended with $?" >> "$work/why"
+  for way in $ways; do
+    # shellcheck disable=SC2086
+    "$vs" --quiet --quality draft --size 160x120 $way $arguments examples/$name.vs -o "$work/way.exr" -o "$work/way.stl" >> "$work/why" 2>&1 || echo "$way ended with $?" >> "$work/why"
+    # Numbers in the scene may differ in their last digit, so at an edge a pixel of a thousand may be sampled otherwise
+    "$BUILD/tools/exrdiff" "$work/plain.exr" "$work/way.exr" 2>> "$work/why" |
+      awk -v way="$way" '!($1 > 0 && $3 * 1000 <= $1 && $6 + 0 < 0.0001) { print way ": another picture: " $0 }' >> "$work/why"
+    echo "$("$BUILD/tools/stlcheck" "$work/plain.stl" 2>&1) $("$BUILD/tools/stlcheck" "$work/way.stl" 2>&1)" |
+      awk -v way="$way" '{ for (i = 1; i <= NF; i++) if ($i == "volume") v[++n] = $(i + 1)
+        if (n != 2 || !(v[1] > 0) || (v[1] - v[2])^2 > (1e-4 * v[1])^2) print way ": another volume: " $0 }' >> "$work/why"
+  done
+  result "$test" "$work/why"
+done
