@@ -92,7 +92,7 @@ $(BUILD)/unit/%: tests/unit/%.c $(BUILD)/libvisualscheme.a
 
 $(BUILD)/tools/%: tests/tools/%.c $(wildcard tests/tools/*.h)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(PNG_LIBS) -lm
+	$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(PNG_LIBS) $(call pkg,gmp,-lgmp) -lm
 
 # Tools that ask the library.
 $(BUILD)/tools/names $(BUILD)/tools/reread $(BUILD)/tools/exrdiff $(BUILD)/tools/badcalls: $(BUILD)/tools/%: tests/tools/%.c visualscheme.h $(BUILD)/libvisualscheme.a

@@ -642,8 +642,14 @@ static bool drive_settle(vs_emitter *e, vs_mesh *m) {
   bool settled = vs_mesh_settle(m, e->backend->numbers, &what);
   vs_tally_enter(tally, was);
   if (!settled) return vs_emit_no_memory(e);
-  if (what.folded == 0 || e->options->warn == NULL) return true;
-  snprintf(message, sizeof message, "rounding to this format's numbers folds %zu triangles, the first near %g %g %g", what.folded, what.at.x, what.at.y, what.at.z);
+  if (e->options->warn == NULL) return true;
+  if (what.dropped != 0) {
+    snprintf(message, sizeof message, "%zu slivers are left out: thinner than this format's numbers tell apart, the first near %g %g %g", what.dropped, what.dropped_at.x,
+             what.dropped_at.y, what.dropped_at.z);
+    e->options->warn(e->options->context, NULL, message);
+  }
+  if (what.met == 0) return true;
+  snprintf(message, sizeof message, "rounded to this format's numbers, %zu triangles meet others that they only come near to, the first near %g %g %g", what.met, what.at.x, what.at.y, what.at.z);
   e->options->warn(e->options->context, NULL, message);
   return true;
 }

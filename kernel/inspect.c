@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "kernel/apart.h"
 #include "kernel/cluster.h"
 
 /* ---- open edges ---- */
@@ -50,11 +51,7 @@ static bool open_edges(vs_kernel *k, const vs_mesh *m, vs_mesh_flaws *out) {
   size_t n = m->vertex_count, most = 3 * m->triangle_count, room = (n > most ? n : most) + 1;
   bool ok = VS_ROOM(k, order.at, order.room, room) && VS_ROOM(k, scratch.at, scratch.room, room) && VS_ROOM(k, same.at, same.room, n + 1) &&
             VS_ROOM(k, edges.at, edges.room, most + 1);
-  for (size_t i = 0; ok && i < n; i++) {
-    const vs_vec3 *v = &m->vertices[i];
-    if (!isfinite(v->x) || !isfinite(v->y) || !isfinite(v->z)) ok = vs_kernel_fail(k, VS_KERNEL_NOT_FINITE, 0, "a corner is not at a finite place");
-    order.at[i] = (uint32_t)i;
-  }
+  for (size_t i = 0; ok && i < n; i++) order.at[i] = (uint32_t)i;
   if (ok) {
     vs_kernel_sort(order.at, scratch.at, n, vertex_before, m->vertices);
     for (size_t i = 0; i < n; i++) {
@@ -216,17 +213,90 @@ static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
   return ok;
 }
 
+/* ---- what is plainly good ---- */
+
+static bool meets(void *context, uint32_t a, uint32_t b) {
+  (void)a, (void)b;
+  *(bool *)context = true;
+  return false;
+}
+
+/* Does every shell enclose space of its own: looking outwards, boxes apart? */
+static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
+  enum { FEW = 64 };
+  const vs_mesh *m = p->mesh;
+  VS_LIST(uint32_t) shell = { 0 };
+  VS_LIST(vs_bounds) bounds = { 0 };
+  VS_LIST(double) volumes = { 0 };
+  size_t n = m->triangle_count, count = 0;
+  bool ok = VS_ROOM(k, shell.at, shell.room, n) && VS_ROOM(k, bounds.at, bounds.room, FEW) && VS_ROOM(k, volumes.at, volumes.room, FEW);
+  *apart = ok;
+  for (uint32_t t = 0; ok && t < n; t++) shell.at[t] = t;
+  for (uint32_t i = 0; ok && i < 3 * n; i++)
+    if (p->twins[i] != VS_NONE) vs_unite(shell.at, i / 3, p->twins[i] / 3);
+  for (uint32_t t = 0; ok && *apart && t < n; t++) { /* roots come first: numbers of shells take their places */
+    uint32_t root = vs_find(shell.at, t);
+    if (root != t) continue;
+    if (count == FEW) *apart = false;
+    else bounds.at[count] = vs_bounds_empty(), volumes.at[count++] = 0;
+  }
+  VS_LIST(uint32_t) number = { 0 };
+  ok = ok && VS_ROOM(k, number.at, number.room, n);
+  for (uint32_t t = 0, next = 0; ok && *apart && t < n; t++) {
+    uint32_t root = vs_find(shell.at, t);
+    number.at[t] = root == t ? next++ : number.at[root];
+    vs_vec3 v[3];
+    for (int i = 0; i < 3; i++) vs_bounds_add(&bounds.at[number.at[t]], v[i] = vs_v3_sub(m->vertices[m->triangles[t][i]], m->vertices[m->triangles[root][0]]));
+    volumes.at[number.at[t]] += vs_v3_dot(v[0], vs_v3_cross(v[1], v[2])) / 6;
+  }
+  for (uint32_t t = 0; ok && *apart && t < n; t++) /* back to where they stand */
+    if (vs_find(shell.at, t) == t) {
+      vs_bounds *b = &bounds.at[number.at[t]];
+      b->min = vs_v3_add(b->min, m->vertices[m->triangles[t][0]]);
+      b->max = vs_v3_add(b->max, m->vertices[m->triangles[t][0]]);
+    }
+  for (size_t i = 0; ok && i < count && *apart; i++) {
+    vs_vec3 size = vs_v3_sub(bounds.at[i].max, bounds.at[i].min);
+    *apart = volumes.at[i] > 1e-9 * size.x * size.y * size.z;
+    for (size_t j = 0; j < i; j++) {
+      vs_bounds both = bounds.at[i];
+      vs_bounds_meet(&both, &bounds.at[j]);
+      *apart = *apart && vs_bounds_is_empty(&both);
+    }
+  }
+  VS_DROP(k, number);
+  VS_DROP(k, shell);
+  VS_DROP(k, bounds);
+  VS_DROP(k, volumes);
+  return ok;
+}
+
+/* *good: closed, nothing meets anything, and no shell lies in another: told in doubles, as most meshes can be. */
+static bool plainly_good(vs_kernel *k, const vs_part *p, bool *good) {
+  bool met = false;
+  size_t edges = 0;
+  *good = false;
+  if (!p->twins) return true;
+  if (p->star) {
+    *good = true;
+    return true;
+  }
+  if (!shells_apart(k, p, good) || !*good) return k->error->status == VS_KERNEL_FINE;
+  if (!vs_mesh_meetings(k, p->mesh, meets, &met, &edges) && !met) return false;
+  *good = !met && 2 * edges == 3 * p->mesh->triangle_count; /* where four triangles share an edge, who answers whom is chance */
+  return true;
+}
+
 bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs_mesh_flaws *out, vs_kernel_error *error) {
   vs_kernel_error ignored;
   vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = vs_kernel_threads(options), .share = 1 };
   *k.error = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };
   *out = (vs_mesh_flaws){ 0 };
   if (mesh->triangle_count == 0) return true;
-  if (!open_edges(&k, mesh, out)) return false;
-  out->volume = vs_mesh_volume(mesh);
-  if (out->open_count) return true;
-
-  
+  for (size_t i = 0; i < mesh->vertex_count; i++) {
+    const vs_vec3 *v = &mesh->vertices[i];
+    if (!isfinite(v->x) || !isfinite(v->y) || !isfinite(v->z)) return vs_kernel_fail(&k, VS_KERNEL_NOT_FINITE, 0, "a corner is not at a finite place");
+  }
   vs_kernel_leaf leaf = { mesh, vs_affine_identity(), 0, false };
   vs_kernel_term term = { VS_TERM_LEAF, 0, 0 };
   vs_kernel_problem problem = { .leaves = &leaf, .terms = &term, .leaf_count = 1, .term_count = 1 };
@@ -234,11 +304,17 @@ bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs
   vs_parts parts = { .all = { 0 } };
   vs_expression e = { .root = 0 };
   vs_cluster c = { .problem = &problem, .parts = &parts, .expression = &e, .leaves = &only, .leaf_count = 1, .inspect = true };
-  bool ok = vs_expression_build(&k, &e, &problem) && vs_parts_prepare(&k, &parts, &problem) && vs_soup_build(&k, &c) && vs_patches_build(&k, &c) && vs_meet_patches(&k, &c) && vs_arrange_planes(&k, &c) &&
-            vs_classify_faces(&k, &c, &e);
-  for (size_t i = 0; ok && i < c.wound.count; i++)
-    if (c.wound.at[i] == 1) out->most = 1;
-  ok = ok && name_triangles(&k, &c, out);
+  bool good = false, ok = vs_parts_prepare(&k, &parts, &problem) && plainly_good(&k, &parts.all.at[0], &good);
+  if (good) out->most = 1;
+  ok = ok && (good || parts.all.at[0].twins || open_edges(&k, mesh, out));
+  out->volume = vs_mesh_volume(mesh);
+  if (ok && !good && !out->open_count) {
+    ok = vs_expression_build(&k, &e, &problem) && vs_soup_build(&k, &c) && vs_patches_build(&k, &c) && vs_meet_patches(&k, &c) && vs_arrange_planes(&k, &c) &&
+         vs_classify_faces(&k, &c, &e);
+    for (size_t i = 0; ok && i < c.wound.count; i++)
+      if (c.wound.at[i] == 1) out->most = 1;
+    ok = ok && name_triangles(&k, &c, out);
+  }
   vs_cluster_free(&k, &c);
   vs_expression_free(&k, &e);
   vs_parts_free(&k, &parts);

@@ -4,16 +4,20 @@
 
 #include "kernel/kernel.h"
 
-typedef enum { VS_NUMBERS_DOUBLE, VS_NUMBERS_DIGITS /* 12 significant */, VS_NUMBERS_SINGLE } vs_numbers;
+typedef enum { VS_NUMBERS_DOUBLE, VS_NUMBERS_DIGITS /* 12 significant */, VS_NUMBERS_SINGLE /* 32 bits */, VS_NUMBERS_SOUP /* the same, without indices */ } vs_numbers;
 
 typedef struct {
   size_t collapsed;       /* edges */
-  size_t folded;          /* triangles that rounding turns over by more than it moves corners */
+  size_t flipped;         /* edges, of triangles lower than rounding moves their corners */
+  size_t met;             /* triangles that, rounded, may meet others near where edges were too short or triangles too low; as far as doubles can tell */
   vs_vec3 at;             /* of the first of them */
+  size_t dropped;         /* shells thinner than the numbers tell apart */
+  vs_vec3 dropped_at;
 } vs_settled;
 
-/* Collapses edges of less than two units of the last place, where both the surface's kind and every triangle's side allow it, in at most three rounds.
- * m: closed and manifold by index; stays so. Its corners stay doubles: rounding them is the writer's. False: out of memory. */
+/* Collapses edges of less than two units of the last place, where both the surface's kind and every triangle's side allow it, and flips the longest edges of triangles
+ * that are lower than that, in at most three rounds.
+ * m: closed and manifold by index; stays so, but for SOUP, where a closed chain is all that counts. Its corners stay doubles: rounding them is the writer's. False: out of memory. */
 bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, vs_settled *out);
 
 #endif

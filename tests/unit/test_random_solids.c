@@ -21,6 +21,7 @@ static void test_random_trees(void **unused) {
     bad += failed;
   }
   assert_int_equal(bad, 0);
+  assert_true(results > 7 * count && said * FEW <= results);
 }
 
 int main(void) {

@@ -1,0 +1,17 @@
+/* Owns the quick proof that a mesh does not meet itself: pairs of triangles, in doubles, with the errors that doubles have. It says yes or does not know. */
+#ifndef VS_KERNEL_APART_H
+#define VS_KERNEL_APART_H
+
+#include "kernel/memory.h"
+
+/* Have the two nothing in common but the corners, or the edge, that they share by place? False also where that cannot be told in doubles: where they touch,
+ * are folded onto each other, or one has no area. */
+bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *shared); /* *shared: how many corners */
+
+typedef bool vs_meeting_fn(void *context, uint32_t a, uint32_t b); /* false stops */
+
+/* Calls fn for every pair of the mesh's triangles that may not be apart. False where that was stopped, by fn, the caller or for want of memory.
+ * *edges: how many of the other pairs share an edge. */
+bool vs_mesh_meetings(vs_kernel *k, const vs_mesh *m, vs_meeting_fn *fn, void *context, size_t *edges);
+
+#endif

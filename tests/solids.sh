@@ -1,0 +1,21 @@
+#!/bin/sh
+# Owns the look at written meshes for places where they meet themselves (tests/tools/crossings.c), in .off and in .stl with its 32-bit numbers: the kernel's
+# workloads (bench/kernel). LONG=1: all but the largest of them.
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+case $ONLY in ""|solids*) ;; *) exit ;; esac
+vs=$BUILD/vs here=bench/kernel
+if ! command -v node > /dev/null; then echo "skip solids: no node (package nodejs)"; exit; fi
+node $here/gen.mjs "$work" > "$work/said" 2>&1 || { echo "not ok solids: the workloads cannot be made"; exit; }
+small='b_grid_overlap_5 c_wall_50 d_menger_2 e_sphere_minus_32 e2_sphere_nearcoinc_32 f_spheres_20 g_cubes_5 g2_checker_8 h_torus_64 i_twist_40 i_twist_200 j_truss_512 k_tower_5 l_drill_50 m_arcade_10'
+names=$small
+[ -z "${LONG:-}" ] || names=$(sed 1d "$work/INDEX.tsv" | cut -f1 | grep -v -e torus_1024 -e truss_8220 -e menger_4 -e minus_256 -e spheres_1000 -e nearcoinc_128 -e disjoint_100)
+for name in $names; do
+  case solids/$name in *"$ONLY"*) ;; *) continue ;; esac
+  : > "$work/why"
+  cat $here/suite.vs "$work/sx/$name.sx" > "$work/$name.vs"
+  timeout 300 "$vs" --quiet "$work/$name.vs" -o "$work/$name.off" -o "$work/$name.stl" 2> "$work/said" || echo "ended with $?" > "$work/why"
+  [ -s "$work/why" ] || timeout 300 "$BUILD/tools/crossings" -q "$work/$name.off" "$work/$name.stl" > "$work/why" 2>&1
+  if [ -s "$work/why" ]; then echo "not ok solids/$name"; cat "$work/said" "$work/why" | head -n 12 | sed 's/^/    /'; else echo "ok solids/$name"; fi
+  rm -f "$work/$name".*
+done
