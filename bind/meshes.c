@@ -8,6 +8,8 @@
 #include "geometry/repair.h"
 #include "geometry/solids.h"
 #include "kernel/inspect.h"
+#include "model/cache.h"
+#include "model/tally.h"
 
 #define POINT(i) (f->arg[i].point)
 
@@ -33,7 +35,7 @@ static void place_text(char text[112], vs_vec3 p) {
 }
 
 /* The triangles of a closed polyface mesh, tagged by face. *flawless: nothing overlaps. */
-static vs_status inspect(vs_frame *f, const vs_node *n, vs_mesh *mesh, vs_mesh_flaws *flaws, bool *flawless) {
+static vs_status inspect(vs_frame *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *flaws, bool *flawless) {
   const struct vs_polyface_mesh *d = VS_AS(polyface_mesh, n);
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
   vs_kernel_error why;
@@ -43,11 +45,20 @@ static vs_status inspect(vs_frame *f, const vs_node *n, vs_mesh *mesh, vs_mesh_f
   *flaws = (vs_mesh_flaws){ 0 };
   *flawless = true;
   if (is_convex(mesh)) return VS_OK;
-  if (!vs_kernel_inspect(mesh, &options, flaws, &why)) {
+  vs_cache *cache = vs_store_cache(f->bind->store);
+  const vs_cache_key key = { VS_CACHED_CHECK, n, NULL, 0 };
+  const vs_cached *held = vs_cache_find(cache, &key);
+  vs_cache_let_go(cache, held);
+  if (held) return VS_OK;
+  vs_work_phase was = vs_tally_enter(vs_store_tally(f->bind->store), VS_WORK_MESH);
+  bool looked = vs_kernel_inspect(mesh, &options, flaws, &why);
+  vs_tally_enter(vs_store_tally(f->bind->store), was);
+  if (!looked) {
     if (why.status == VS_KERNEL_INTERRUPTED) return VS_ERROR; /* the condition is set */
     return why.status == VS_KERNEL_OUT_OF_MEMORY ? vs_fail_memory(f->vm) : vs_fail(f->vm, f->vm->sym.range, "%s", why.message);
   }
   *flawless = vs_mesh_flawless(flaws);
+  if (*flawless) vs_cache_let_go(cache, vs_cache_keep(cache, &key, NULL, 0));
   return VS_OK;
 }
 

@@ -151,7 +151,7 @@ static void drawings(vs *s) {
 static void kept(const table *all) {
   char kinds[NAMES][KEY];
   size_t count = names_of(all, "cache.", ".hits", kinds);
-  fprintf(stderr, "%-22s%*s%*s\n", "kept meshes", WIDE, "found", WIDE, "made");
+  fprintf(stderr, "%-22s%*s%*s\n", "kept before", WIDE, "found", WIDE, "made");
   for (size_t i = 0; i < count; i++) {
     row(kinds[i]);
     cell(get(all, "cache.", kinds[i], ".hits"), 0);
@@ -162,9 +162,10 @@ static void kept(const table *all) {
 
 /* Is the key in one of the tables? */
 static bool tabled(const char *key) {
-  static const char *const prefixes[] = { "commands.", "passes.", "nodes", "time.", "cache.primitives.", "cache.clusters.", "triangles", "bytes" };
+  static const char *const prefixes[] = { "commands.", "passes.", "nodes", "time.", "triangles", "bytes" };
   size_t length = strlen(key);
   if (strncmp(key, "memory.", 7) == 0) return strchr(key + 7, '.') != NULL;
+  if (strncmp(key, "cache.", 6) == 0) return strchr(key + 6, '.') != NULL;
   if (strcmp(key, "time.evaluate") == 0 || strcmp(key, "time.write") == 0) return false;
   for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++)
     if (length >= strlen(prefixes[i]) && strncmp(key, prefixes[i], strlen(prefixes[i])) == 0) return true;

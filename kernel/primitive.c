@@ -107,14 +107,8 @@ static void keep(vs_cache *cache, const vs_cache_key *key, vs_mesh *out, const v
   view(*held, out);
 }
 
-static uint64_t bits_of(double d) {
-  uint64_t bits;
-  memcpy(&bits, &d, sizeof bits);
-  return bits;
-}
-
 bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, const vs_cached **held, vs_error *e) {
-  const uint64_t words[] = { bits_of(f->tolerance), (uint64_t)(int64_t)f->segments };
+  const uint64_t words[] = { vs_cache_real(f->tolerance), (uint64_t)(int64_t)f->segments };
   const vs_cache_key key = { VS_CACHED_PRIMITIVE, n, words, 2 };
   *held = cache ? vs_cache_find(cache, &key) : NULL;
   if (*held) return view(*held, out), true;
@@ -126,7 +120,7 @@ bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const 
 bool vs_half_space_shared(vs_cache *cache, vs_node *n, const vs_bounds *reach, vs_mesh *out, const vs_cached **held) {
   const double sides[] = { reach->min.x, reach->min.y, reach->min.z, reach->max.x, reach->max.y, reach->max.z };
   uint64_t words[6];
-  for (int i = 0; i < 6; i++) words[i] = bits_of(sides[i]);
+  for (int i = 0; i < 6; i++) words[i] = vs_cache_real(sides[i]);
   const vs_cache_key key = { VS_CACHED_PRIMITIVE, n, words, 6 };
   *held = cache ? vs_cache_find(cache, &key) : NULL;
   if (*held) return view(*held, out), true;

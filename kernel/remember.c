@@ -24,11 +24,7 @@ static bool place_of(vs_kernel *k, uint32_t **places, size_t *count, size_t *roo
 
 static bool put(vs_kernel *k, vs_remember *r, uint64_t word) { return VS_PUSH(k, r->words, word); }
 
-static bool put_real(vs_kernel *k, vs_remember *r, double d) {
-  uint64_t bits;
-  memcpy(&bits, &d, sizeof bits);
-  return put(k, r, bits);
-}
+static bool put_real(vs_kernel *k, vs_remember *r, double d) { return put(k, r, vs_cache_real(d)); }
 
 static bool put_leaf(vs_kernel *k, vs_remember *r, const vs_copies *c, uint32_t leaf) {
   const vs_kernel_leaf *l = &c->problem->leaves[leaf];

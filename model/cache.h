@@ -9,6 +9,8 @@
 #ifndef VS_MODEL_CACHE_H
 #define VS_MODEL_CACHE_H
 
+#include <string.h>
+
 #include "model/node.h"
 
 typedef enum {
@@ -20,6 +22,11 @@ typedef enum {
 typedef struct { vs_cached_kind kind; vs_node *node; const uint64_t *words; size_t count; } vs_cache_key;
 typedef struct { uint64_t serial; const void *data; size_t size; } vs_cached; /* data: aligned for anything */
 typedef struct { const void *at; size_t size; } vs_cache_piece;
+static inline uint64_t vs_cache_real(double d) { /* as a word of a key: equal bits are equal */
+  uint64_t bits;
+  memcpy(&bits, &d, sizeof bits);
+  return bits;
+}
 
 typedef struct {
   size_t hits[VS_CACHED_KINDS], misses[VS_CACHED_KINDS];

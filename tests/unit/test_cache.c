@@ -227,6 +227,27 @@ static void test_incremental(void **state) {
   }
 }
 
+/* Measures and checks too, and only of equal things. */
+static void test_measures(void **state) {
+  (void)state;
+  static const char define[] =
+      "(define (o r) (subtract (make-box (xyz 0 0 0) (xyz 5 5 5)) (make-sphere (xyz 0 0 0) r)))"
+      "(define (ask r) (list (volume (o r)) (area (o r)) (centroid (o r)) (bounding-box (do-rotate (o r) 'z 0.3))))"
+      "(define (l z) (make-polyface-mesh (list (xyz 0 0 0) (xyz 2 0 0) (xyz 2 1 0) (xyz 1 1 0) (xyz 1 2 0) (xyz 0 2 0) (xyz 0 0 z) (xyz 2 0 z) (xyz 2 1 z) (xyz 1 1 z) (xyz 1 2 z) (xyz 0 2 z))"
+      " '((6 5 4 3 2 1) (7 8 9 10 11 12) (1 2 8 7) (2 3 9 8) (3 4 10 9) (4 5 11 10) (5 6 12 11) (6 1 7 12))))"
+      "(define first (ask 3)) (define other (ask 2))";
+  vs *s = session(0);
+  run(s, define);
+  double asked = statistic(s, "cache.measures.misses"), found = statistic(s, "cache.measures.hits");
+  assert_true(asked >= 4);
+  run(s, "(if (not (equal? first (ask 3))) (error \"other\")) (if (equal? first other) (error \"the same\"))");
+  assert_true(statistic(s, "cache.measures.misses") == asked);
+  assert_true(statistic(s, "cache.measures.hits") >= found + 3);
+  run(s, "(l 1) (l 2) (l 1)");
+  assert_true(statistic(s, "cache.checks.misses") == 2 && statistic(s, "cache.checks.hits") == 1);
+  vs_free(s);
+}
+
 /* Tags are the problem's own, paints the cluster's: parts in other order, other colours, other layers. */
 static void test_tags(void **state) {
   (void)state;
@@ -361,7 +382,7 @@ static void test_limit(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(test_equality), cmocka_unit_test(test_bound), cmocka_unit_test(test_refused),
-                                      cmocka_unit_test(test_incremental), cmocka_unit_test(test_tags), cmocka_unit_test(test_restart),
+                                      cmocka_unit_test(test_incremental), cmocka_unit_test(test_measures), cmocka_unit_test(test_tags), cmocka_unit_test(test_restart),
                                       cmocka_unit_test(test_restart_refused), cmocka_unit_test(test_limit) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
