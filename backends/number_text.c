@@ -22,12 +22,19 @@ static void number_digits(char *end, uint64_t k, int count) {
 }
 
 static char *number_whole(char *to, uint64_t k) {
+  int count = 5;
   if (k < 10) {
     *to++ = (char)('0' + k);
     return to;
   }
-  int count = 2;
-  for (uint64_t power = 100; k >= power; power *= 10) count++; /* k < 10^12 */
+  if (k < 10000) {
+    count = k < 100 ? 2 : k < 1000 ? 3 : 4;
+    unsigned low = (unsigned)k % 100, high = (unsigned)k / 100;
+    if (count > 2) memcpy(to, count == 3 ? pairs + 2 * high + 1 : pairs + 2 * high, 2);
+    memcpy(to + count - 2, pairs + 2 * low, 2);
+    return to + count;
+  }
+  for (uint64_t power = 100000; k >= power; power *= 10) count++; /* k < 10^12 */
   number_digits(to + count, k, count);
   return to + count;
 }
@@ -125,7 +132,7 @@ char *vs_number_write(char *to, double x) {
     *to++ = '0';
     return to;
   }
-  if (size < 1e12 && (double)(uint64_t)size == size) {
+  if (size < 1e12 && (double)(int64_t)size == size) {
     if (x < 0) *to++ = '-';
     return number_whole(to, (uint64_t)size);
   }

@@ -212,11 +212,21 @@ static bool flatten(vs_frame *f, const vs_value *values, size_t count, bool (*ad
   return true;
 }
 
-/* a growing array in scratch: old ones stay until the call ends, together they are as large as the last */
+/* a growing array in scratch: in its place where it is the newest there, else anew, and the old one stays until the call ends */
 typedef struct { void *at; size_t count, room, size; } grow;
 static void *grow_push(vs_frame *f, grow *g) {
   if (g->count == g->room) {
     size_t room = g->room ? g->room * 2 : 8;
+    struct vs_scratch *last = f->scratch;
+    if (g->at && last && (void *)last->data == g->at) {
+      size_t bytes = sizeof *last + room * g->size;
+      last = vs_mem(f->vm, last, last->bytes, bytes);
+      if (!last) return (void)vs_fail_memory(f->vm), NULL;
+      last->bytes = bytes;
+      f->scratch = last;
+      g->at = last->data, g->room = room;
+      return (char *)g->at + g->size * g->count++;
+    }
     void *at = vs_bind_scratch(f, room * g->size);
     if (!at) return NULL;
     if (g->count) memcpy(at, g->at, g->count * g->size);
@@ -560,6 +570,7 @@ static int choose_form(vs_frame *f, const vs_value *a, int n) {
     if (f->procedure->form[1].used)
       for (; fits < n && form->at[fits].mode != VS_ARG_END && looks_like(f, (vs_contract)form->at[fits].contract, a[fits]); fits++) {}
     if (fits > best_fits) best = i, best_fits = fits;
+    if (fits == n) break;
   }
   if (best < 0) refuse_count(f, a, n);
   return best;

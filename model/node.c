@@ -73,6 +73,8 @@ void vs_ticket_release(vs_store *s, const vs_ticket *t) {
 
 /* ---- building ---- */
 
+enum { AHEAD = 8 }; /* children that the processor is told of before they are looked at */
+
 static size_t vs_node_payload_room(const vs_kind_info *info) { return (info->size + 7) & ~(size_t)7; }
 static size_t vs_node_size(const vs_kind_info *info, size_t children) {
   return sizeof(vs_node) + vs_node_payload_room(info) + children * sizeof(vs_ref);
@@ -80,37 +82,34 @@ static size_t vs_node_size(const vs_kind_info *info, size_t children) {
 
 static bool vs_node_is_planar_area(const vs_node *n) { return n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED); }
 
-/* What a set of children is together: of one class if they agree. Closed curves stay curves: who wants them filled makes regions of them. */
-static void vs_node_classify_union(vs_node *n) {
-  vs_class together = VS_NOTHING;
-  for (uint32_t i = 0; i < n->child_count; i++) {
-    const vs_node *c = n->children[i].node;
-    if (c->class_ == VS_NOTHING) continue;
-    if (together == VS_NOTHING) together = (vs_class)c->class_;
-    else if (together != (vs_class)c->class_) together = VS_MIXED;
-  }
-  if (together == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
-  n->class_ = (uint8_t)together;
+/* What the children of a node have in common, gathered as they are taken: a million of them are looked at once. */
+typedef struct {
+  vs_class together; /* of one class if they agree, else MIXED; what draws nothing does not count */
+  bool nothing;      /* one draws nothing */
+  uint8_t any, all;  /* flags of some; of every one */
+} vs_node_family;
+
+static void vs_node_join_family(vs_node_family *f, const vs_node *child) {
+  vs_class c = (vs_class)child->class_;
+  f->any |= child->flags;
+  f->all &= child->flags;
+  if (c == VS_NOTHING) f->nothing = true;
+  else if (f->together == VS_NOTHING) f->together = c;
+  else if (f->together != c) f->together = VS_MIXED;
 }
 
-static void vs_node_find_end(vs_node *n) {
-  uint32_t endless = 0, cut = n->kind == VS_HALF_SPACE;
-  bool unresolved = n->kind == VS_SECTION || n->kind == VS_PROJECT || n->kind == VS_EDGES || n->kind == VS_XLINE || n->kind == VS_RAY || n->kind == VS_SLICE;
-  bool carved = n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE);
-  for (uint32_t i = 0; i < n->child_count; i++) {
-    endless += (n->children[i].node->flags & VS_NODE_ENDLESS) != 0;
-    cut |= (n->children[i].node->flags & VS_NODE_CUT) != 0;
-    unresolved |= (n->children[i].node->flags & VS_NODE_UNRESOLVED) != 0;
-    carved |= (n->children[i].node->flags & VS_NODE_CARVED) != 0;
-  }
-  if (n->kind == VS_HULL) unresolved |= carved;
-  bool first = n->child_count && n->children[0].node->flags & VS_NODE_ENDLESS;
-  bool is = n->kind == VS_HALF_SPACE || (n->kind == VS_INTERSECTION ? n->child_count && endless == n->child_count : n->kind == VS_DIFFERENCE ? first : endless);
+static void vs_node_find_end(vs_node *n, const vs_node_family *f) {
+  bool cut = n->kind == VS_HALF_SPACE || f->any & VS_NODE_CUT;
+  bool carved = (n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)) || f->any & VS_NODE_CARVED;
+  bool unresolved = n->kind == VS_SECTION || n->kind == VS_PROJECT || n->kind == VS_EDGES || n->kind == VS_XLINE || n->kind == VS_RAY || n->kind == VS_SLICE ||
+                    f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && carved);
+  bool first = n->child_count && n->children[0].node->flags & VS_NODE_ENDLESS, all = n->child_count && f->all & VS_NODE_ENDLESS;
+  bool is = n->kind == VS_HALF_SPACE || (n->kind == VS_INTERSECTION ? all : n->kind == VS_DIFFERENCE ? first : f->any & VS_NODE_ENDLESS);
   n->flags = (uint8_t)((n->flags & VS_NODE_CLOSED) | (is ? VS_NODE_ENDLESS : 0) | (cut ? VS_NODE_CUT : 0) | (unresolved ? VS_NODE_UNRESOLVED : 0) |
                        (carved ? VS_NODE_CARVED : 0));
 }
 
-static void vs_node_classify(vs_node *n, const vs_kind_info *info) {
+static void vs_node_classify(vs_node *n, const vs_kind_info *info, const vs_node_family *family) {
   const vs_node *first = n->child_count ? n->children[0].node : NULL;
   n->class_ = (uint8_t)info->class_;
   switch ((vs_kind)n->kind) {
@@ -161,19 +160,21 @@ static void vs_node_classify(vs_node *n, const vs_kind_info *info) {
       n->class_ = VS_AS(hull, n)->dimension == 3 ? VS_SOLID : VS_REGION_CLASS;
       if (n->class_ == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
       break;
-    case VS_UNION: vs_node_classify_union(n); break;
+    case VS_UNION: /* closed curves stay curves: who wants them filled makes regions of them */
+      n->class_ = (uint8_t)family->together;
+      if (family->together == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
+      break;
     case VS_INTERSECTION: case VS_DIFFERENCE:
       n->class_ = first ? first->class_ : VS_NOTHING;
       if (first && vs_node_is_planar_area(first)) {
         n->class_ = VS_REGION_CLASS;
         n->flags |= VS_NODE_CLOSED;
       }
-      for (uint32_t i = 0; n->kind == VS_INTERSECTION && i < n->child_count; i++)
-        if (n->children[i].node->class_ == VS_NOTHING) n->class_ = VS_NOTHING;
+      if (n->kind == VS_INTERSECTION && family->nothing) n->class_ = VS_NOTHING;
       break;
     case VS_KIND_COUNT: break;
   }
-  if (n->child_count || n->kind == VS_HALF_SPACE || n->kind == VS_XLINE || n->kind == VS_RAY) vs_node_find_end(n);
+  if (n->child_count || n->kind == VS_HALF_SPACE || n->kind == VS_XLINE || n->kind == VS_RAY) vs_node_find_end(n, family);
 }
 
 vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *children, size_t child_count) {
@@ -188,20 +189,22 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
   vs_payload_adopt(info, payload);
   uint64_t hash = vs_hash_mix(vs_hash_mix(4, (uint64_t)kind), vs_payload_hash(info, payload)), form = vs_hash_mix(10, (uint64_t)kind);
   uint32_t depth = 1;
+  vs_node_family family = { .together = VS_NOTHING, .all = UINT8_MAX };
   for (size_t i = 0; i < child_count; i++) {
+    if (child_count - i > AHEAD) __builtin_prefetch(children[i + AHEAD].node);
     kept[i] = children[i];
-    vs_node_retain(kept[i].node);
-    hash = vs_hash_mix(hash, kept[i].node->hash);
-    form = vs_hash_mix(form, kept[i].node->form);
-    uint32_t below = kept[i].node->depth;
-    if (below >= depth) depth = below == UINT32_MAX ? below : below + 1;
+    vs_node *child = vs_node_retain(kept[i].node);
+    hash = vs_hash_mix(hash, child->hash);
+    form = vs_hash_mix(form, child->form);
+    if (child->depth >= depth) depth = child->depth == UINT32_MAX ? UINT32_MAX : child->depth + 1;
+    vs_node_join_family(&family, child);
   }
   bool same = child_count == 1 && (kind == VS_TRANSFORM || kind == VS_UNION || kind == VS_INTERSECTION || kind == VS_DIFFERENCE);
   if (same) form = kept[0].node->form; /* only moved, or a set of one: the shape within */
   *n = (vs_node){ .refs = 1, .kind = (uint16_t)kind, .child_count = (uint32_t)child_count, .depth = depth, .form = (uint32_t)form, .hash = hash,
                   .store = vs_store_retain(s), .children = kept, .data = payload };
-  vs_node_classify(n, info);
-  for (size_t i = 0; i < child_count; i++) n->flags |= kept[i].node->flags & (VS_NODE_SUGAR | VS_NODE_OPEN);
+  vs_node_classify(n, info, &family);
+  n->flags |= family.any & (VS_NODE_SUGAR | VS_NODE_OPEN);
   if (info->level == VS_LEVEL_SUGAR) n->flags |= VS_NODE_SUGAR;
   if (kind == VS_CUSTOM && !child_count) n->flags |= VS_NODE_OPEN;
   return n;

@@ -355,12 +355,17 @@ static void minor_visit(vs *vm, vs_value *slot) {
   uint64_t *corpse = (uint64_t *)(void *)o;
   if (!(o->gc & GC_MOVED)) {
     vs_object *copy = gc_cell(vm, o->words);      /* the spare blocks are there: does not fail */
+    uint64_t *to = (uint64_t *)(void *)copy;
+    bool traced = vs_layout[o->type].first != 0;
     size_t words = o->words;
-    memcpy(copy, o, words * sizeof(uint64_t));
-    /* header: GC_MOVED in its low bytes, above them the next corpse; word 1: the new address */
-    corpse[0] = (uint64_t)(uintptr_t)vm->gc->grey << 16 | (uint64_t)GC_MOVED << 8;
+    for (size_t i = 0; i < words; i++) to[i] = corpse[i];     /* mostly a few: less than a call */
+    /* header: GC_MOVED in its low bytes, above them the next corpse; word 1: the new address. What names nothing is done. */
+    corpse[0] = (uint64_t)GC_MOVED << 8;
     corpse[1] = (uint64_t)(uintptr_t)copy;
-    vm->gc->grey = o;
+    if (traced) {
+      corpse[0] |= (uint64_t)(uintptr_t)vm->gc->grey << 16;
+      vm->gc->grey = o;
+    }
   }
   *slot = vs_from_object((void *)(uintptr_t)corpse[1]);
 }

@@ -1,6 +1,10 @@
-; No model at all: the text of separate.vs' scene, printed.
+; No model at all: the text of separate.vs' scene from its union on, printed.
+(use-modules (ice-9 textual-ports))
 (define count (string->number (cadr (command-line))))
+(define port (current-output-port))
+(put-string port "union {\n")
 (do ((j 0 (+ j 1))) ((= j count))
   (do ((i 0 (+ i 1))) ((= i count))
     (let ((x (number->string (* 3 i))) (y (number->string (* 3 j))))
-      (for-each display (list "cylinder { <" x ", " y ", 0>, <" x ", " y ", 2>, 1 }\n")))))
+      (put-string port (string-append "  cylinder { <" x ", " y ", 0>, <" x ", " y ", 2>, 1 }\n")))))
+(put-string port "}\n")
