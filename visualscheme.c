@@ -367,6 +367,8 @@ static bool keep_resolving(void *session, double done) {
   return !vs_session_interrupted(session);
 }
 
+static void warn_resolving(void *session, const vs_origin *origin, const char *message) { vs_session_warn(session, origin, message); }
+
 /* Sections, shadows, edges and lines without end become what they are in space. */
 static bool resolve(vs_session *s, vs_scene *scene, vs_error *e) {
   vs_kernel_options options = { .progress = keep_resolving, .context = s };
@@ -378,7 +380,7 @@ static bool resolve(vs_session *s, vs_scene *scene, vs_error *e) {
   mine.drawn = NULL, mine.drawn_count = mine.drawn_room = 0;
   bool ok = true;
   for (size_t i = 0; ok && i < count; i++) ok = vs_scene_draw(&mine, scene->drawn[i]) || vs_error_memory(e, NULL);
-  ok = ok && vs_scene_resolve(&mine, &options, e);
+  ok = ok && vs_scene_resolve(&mine, &options, &(vs_resolve_notes){ warn_resolving, s }, e);
   vs_ref *drawn = ok ? vs_session_memory(s, NULL, 0, (mine.drawn_count + 1) * sizeof *drawn) : NULL;
   if (ok && !drawn) ok = vs_error_memory(e, NULL);
   if (ok) {

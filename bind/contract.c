@@ -122,6 +122,8 @@ static vs_status refuse_hint(vs_frame *f, const char *param, const char *expecte
   return vs_bind_refuse(f, param, text, got);
 }
 
+static vs_status convert_text(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out);
+
 /* The kind is wrong. Where a point and a gvector were taken for each other, say how to write the other. */
 static vs_status refuse_kind(vs_frame *f, const vs_bind_param *p, vs_value got) {
   bool wants_vector = p->contract == VS_C_VECTOR || p->contract == VS_C_DIRECTION || p->contract == VS_C_PATH, wants_point = p->contract == VS_C_POINT;
@@ -130,6 +132,13 @@ static vs_status refuse_kind(vs_frame *f, const vs_bind_param *p, vs_value got) 
     char x[32], y[32], z[32], hint[128];
     vs_bind_number_text(x, d[0]), vs_bind_number_text(y, d[1]), vs_bind_number_text(z, d[2]);
     snprintf(hint, sizeof hint, "(%s %s %s %s)", wants_vector ? "vxyz" : "xyz", x, y, z);
+    return refuse_hint(f, p->name, contracts[p->contract].noun, got, hint);
+  }
+  vs_arg word; /* 'walls for "walls", "top" for 'top */
+  if (((p->contract == VS_C_TEXT && vs_is_symbol(got)) || (p->contract == VS_C_NAME && vs_is_string(got))) && convert_text(f, p, got, &word) && word.text.length < 40 &&
+      strcspn(word.text.at, " \t\n\"'()") == word.text.length) {
+    char hint[64];
+    snprintf(hint, sizeof hint, p->contract == VS_C_TEXT ? "\"%s\"" : "'%s", word.text.at);
     return refuse_hint(f, p->name, contracts[p->contract].noun, got, hint);
   }
   return vs_bind_refuse(f, p->name, contracts[p->contract].noun, got);
@@ -459,7 +468,7 @@ static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg
       if (!vs_is_flat(v, VS_FLAT_POINT) && !vs_is_flat(v, VS_FLAT_VECTOR)) return refuse_kind(f, p, v);
       return out->point = vec_of(vs_as_flat(v)->at), VS_OK;
     case VS_C_NUMERIC:
-      if (vs_is_flat(v, VS_FLAT_POINT) || vs_is_flat(v, VS_FLAT_VECTOR)) return out->point = vec_of(vs_as_flat(v)->at), VS_OK;
+      if (vs_is(v, VS_T_FLAT)) return VS_OK;
       return vs_bind_number(f->vm, v, &out->real) ? VS_OK : refuse_kind(f, p, v);
     case VS_C_AXIS: case VS_C_PLANE:
       if (!(p->contract == VS_C_AXIS ? convert_axis : convert_plane)(v, out)) return refuse_kind(f, p, v);

@@ -34,6 +34,13 @@
 (define uy (vxyz 0 1 0))
 (define uz (vxyz 0 0 1))
 
+; lists too: bounding boxes, sequences of points
+(define (near? a b [tolerance any? 1e-9])
+  (cond
+    ((and (pair? a) (pair? b)) (and (near? (car a) (car b) tolerance) (near? (cdr a) (cdr b) tolerance)))
+    ((or (null? a) (null? b) (pair? a) (pair? b)) (and (null? a) (null? b)))
+    (else (%near? a b tolerance))))
+
 ; ---- sequences ----
 
 (define map-division

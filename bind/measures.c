@@ -7,6 +7,7 @@
 #include "geometry/measure.h"
 #include "geometry/parts.h"
 #include "geometry/tessellate.h"
+#include "kernel/measure.h"
 #include "kernel/resolve.h"
 #include "model/cache.h"
 
@@ -32,9 +33,9 @@ vs_status vs_bind_resolve(vs_frame *f, int i) {
   return VS_OK;
 }
 
-/* ---- what triangles say, kept: a program that runs again asks again ---- */
+/* ---- what was worked out, kept: a program that runs again asks again ---- */
 
-enum { MESH_MEASURE, MESH_BOUNDS };
+enum { MESH_BOUNDS, SOLID_MEASURE /* and one for each vs_ask */ };
 
 static bool known(vs_frame *f, uint64_t what, const vs_facets *facets, void *out, size_t size) {
   vs_cache *cache = vs_store_cache(f->bind->store);
@@ -52,20 +53,14 @@ static void keep(vs_frame *f, uint64_t what, const vs_facets *facets, const void
   vs_cache_let_go(cache, vs_cache_keep(cache, &(vs_cache_key){ VS_CACHED_MEASURE, f->arg[0].ref.node, words, 3 }, &(vs_cache_piece){ at, size }, 1));
 }
 
-/* of the triangles that every back-end would write */
-static vs_status measure_mesh(vs_frame *f, vs_measure *m) {
+static vs_status measure_solid(vs_frame *f, vs_measure *m, vs_ask ask) {
   vs_error e = { 0 };
-  vs_bounds b;
-  vs_solid solid = { 0 };
   vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind) };
-  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
-  if (facets.tolerance <= 0) facets.tolerance = vs_facets_tolerance(&b);
-  if (known(f, MESH_MEASURE, &facets, m, sizeof *m)) return VS_OK;
+  uint64_t what = SOLID_MEASURE + (uint64_t)ask;
+  if (known(f, what, &facets, m, sizeof *m)) return VS_OK;
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
-  if (!vs_solid_evaluate(&f->arg[0].ref, 1, &facets, &options, &solid, &e)) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
-  vs_mesh_measure(&solid.mesh, m);
-  vs_solid_free(&solid);
-  keep(f, MESH_MEASURE, &facets, m, sizeof *m);
+  if (!vs_solid_measure(f->arg[0].ref, ask, facets.tolerance, &options, m, &e)) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
+  keep(f, what, &facets, m, sizeof *m);
   return VS_OK;
 }
 
@@ -97,34 +92,36 @@ static vs_status measure_surface(vs_frame *f, vs_measure *m) {
   return VS_OK;
 }
 
-static vs_status measure_any(vs_frame *f, vs_measure *m, bool area) {
+static vs_status measure_any(vs_frame *f, vs_measure *m, vs_ask ask) {
   vs_error e = { 0 };
   const vs_node *n = f->arg[0].ref.node;
   *m = (vs_measure){ 0 };
   if (!vs_bind_finite(f, 0)) return VS_ERROR;
   if (!vs_node_measure(n, m, &e)) return vs_bind_error(f, &e);
-  if (m->known && (!area || m->area_known)) return VS_OK;
-  if (n->class_ == VS_SOLID) return measure_mesh(f, m);
+  if (m->known && (ask != VS_ASK_AREA || m->area_known)) return VS_OK;
+  if (n->class_ == VS_SOLID) return measure_solid(f, m, ask);
   bool placed = n->kind == VS_TRANSFORM || vs_node_is_dress(n) || n->kind == VS_UNION;
   if (n->class_ == VS_SURFACE && (placed || vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION)) return measure_surface(f, m);
   const char *kind = vs_kind_get((vs_kind)n->kind)->name;
   return vs_fail(f->vm, f->vm->sym.error, "there is no measure yet of %s %s that is no solid", strchr("aeiou", *kind) ? "an" : "a", kind);
 }
 
-static vs_status measure(vs_frame *f, vs_measure *m, bool area) {
-  if (!measure_any(f, m, area)) return VS_ERROR;
+static vs_status measure(vs_frame *f, vs_measure *m, vs_ask ask) {
+  if (!measure_any(f, m, ask)) return VS_ERROR;
   vs_vec3 c = m->centroid;
-  if (isfinite(m->volume) && isfinite(area ? m->area : 0) && isfinite(m->length) && isfinite(c.x) && isfinite(c.y) && isfinite(c.z)) return VS_OK;
+  if (isfinite(m->volume) && isfinite(ask == VS_ASK_AREA ? m->area : 0) && isfinite(m->length) && isfinite(c.x) && isfinite(c.y) && isfinite(c.z)) return VS_OK;
   return vs_bind_refuse(f, "o", "smaller: what is asked for is beyond all numbers", f->arg[0].value);
 }
 
 vs_status vs_p_volume(vs_frame *f, vs_value *out) {
   vs_measure m;
-  if (!vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_class c = (vs_class)f->arg[0].ref.node->class_;
+  if (c == VS_CURVE || c == VS_REGION_CLASS || c == VS_SURFACE) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
+  if (!vs_bind_resolve(f, 0)) return VS_ERROR;
+  c = (vs_class)f->arg[0].ref.node->class_;
   if (c == VS_NOTHING) return vs_bind_real(f, 0, out);
   if (c != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
-  return measure(f, &m, false) && vs_bind_real(f, m.volume, out);
+  return measure(f, &m, VS_ASK_VOLUME) && vs_bind_real(f, m.volume, out);
 }
 
 vs_status vs_p_area(vs_frame *f, vs_value *out) {
@@ -140,21 +137,25 @@ vs_status vs_p_area(vs_frame *f, vs_value *out) {
     c = VS_REGION_CLASS;
   }
   if (c != VS_SOLID && c != VS_REGION_CLASS && c != VS_SURFACE) return vs_bind_refuse(f, "o", "a solid, a region, a surface or a closed curve", f->arg[0].value);
-  return measure(f, &m, true) && vs_bind_real(f, m.area, out);
+  return measure(f, &m, VS_ASK_AREA) && vs_bind_real(f, m.area, out);
 }
 
 vs_status vs_p_curve_length(vs_frame *f, vs_value *out) {
   vs_measure m;
   if (!vs_bind_resolve(f, 0)) return VS_ERROR;
   if (f->arg[0].ref.node->class_ == VS_NOTHING) return vs_bind_real(f, 0, out);
-  return measure(f, &m, false) && vs_bind_real(f, m.length, out);
+  return measure(f, &m, VS_ASK_VOLUME) && vs_bind_real(f, m.length, out);
 }
 
 vs_status vs_p_centroid(vs_frame *f, vs_value *out) {
   vs_measure m;
   if (!vs_bind_resolve(f, 0)) return VS_ERROR;
-  if (vs_bind_is_empty(f->arg[0].ref.node)) return vs_bind_refuse(f, "o", "more than nothing", f->arg[0].value);
-  return measure(f, &m, false) && vs_bind_point(f, m.centroid, out);
+  vs_bounds b;
+  vs_error e = { 0 };
+  if (!vs_bind_finite(f, 0)) return VS_ERROR;
+  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
+  if (vs_bind_is_empty(f->arg[0].ref.node) || vs_bounds_is_empty(&b)) return vs_bind_refuse(f, "o", "more than nothing", f->arg[0].value);
+  return measure(f, &m, VS_ASK_CENTROID) && vs_bind_point(f, m.centroid, out);
 }
 
 /* ---- the bounding box ----

@@ -103,14 +103,17 @@ static vs_vec3 between(vs_vec3 p, vs_vec3 q, double t) { return t == 1 ? q : vs_
 vs_status vs_p_mid(vs_frame *f, vs_value *out) { return vs_bind_point(f, between(P(0), P(1), .5), out); }
 vs_status vs_p_intermediate_point(vs_frame *f, vs_value *out) { return vs_bind_point(f, between(P(0), P(1), X(2)), out); }
 
+/* Two numbers, or two of a kind: numbers, axes, planes and matrices by their largest difference, points and gvectors by how far they are apart */
 vs_status vs_p_near(vs_frame *f, vs_value *out) {
-  double tolerance = f->arg[2].given ? X(2) : 1e-9;
+  double tolerance = f->arg[2].given ? X(2) : 1e-9, apart = 0;
   vs_value a = f->arg[0].value, b = f->arg[1].value;
   bool flat = vs_is(a, VS_T_FLAT);
   if (flat != vs_is(b, VS_T_FLAT) || (flat && vs_as_flat(a)->h.flags != vs_as_flat(b)->h.flags)) return *out = VS_FALSE, VS_OK;
-  vs_vec3 d = flat ? vs_v3_sub(P(0), P(1)) : vs_v3(X(0) == X(1) ? 0 : X(0) - X(1), 0, 0);
-  *out = vs_bool(hypot(hypot(d.x, d.y), d.z) <= tolerance);
-  return VS_OK;
+  if (!flat) return *out = vs_bool(X(0) == X(1) || fabs(X(0) - X(1)) <= tolerance), VS_OK;
+  const double *p = vs_as_flat(a)->at, *q = vs_as_flat(b)->at;
+  if (vs_is_flat(a, VS_FLAT_POINT) || vs_is_flat(a, VS_FLAT_VECTOR)) apart = hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]);
+  else for (size_t i = 0; i < (vs_is_flat(a, VS_FLAT_MATRIX) ? 16 : 6); i++) apart = fmax(apart, fabs(p[i] - q[i]));
+  return *out = vs_bool(apart <= tolerance), VS_OK;
 }
 
 static vs_status is_tag(vs_frame *f, uint32_t tag, vs_value *out) {

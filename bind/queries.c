@@ -136,7 +136,12 @@ vs_status vs_p_contains(vs_frame *f, vs_value *out) {
   vs_error e = { 0 };
   if (n->class_ == VS_NOTHING) return truth(false, out);
   if (n->class_ == VS_REGION_CLASS) return vs_region_contains(n, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f, &e);
-  if (n->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid or a region", f->arg[0].value);
+  if (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED) { /* taken as filled */
+    vs_node *region = vs_node_new(f->bind->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
+    if (!vs_bind_keep(f, region)) return VS_ERROR;
+    return vs_region_contains(region, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f, &e);
+  }
+  if (n->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid, a region or a closed curve", f->arg[0].value);
   if (!vs_inside_cached(&f->bind->inside, n, f->arg[1].point, &inside, &e)) return vs_bind_error(f, &e);
   return truth(inside, out);
 }

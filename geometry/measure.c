@@ -129,36 +129,114 @@ static bool vs_measure_curves(const vs_node *n, vs_measure *m, vs_error *e) {
   return ok;
 }
 
+/* Is the curve one straight stretch? *along goes from its start to its end then. */
+static bool vs_measure_straight(const vs_node *curve, vs_vec3 *along, bool *straight, vs_error *e) {
+  vs_affine identity = vs_affine_identity();
+  vs_path path = { 0 };
+  *straight = vs_curve_is_straight(curve);
+  if (!*straight) return true;
+  bool ok = vs_curve_path(curve, &identity, &(vs_facets){ 1, 0 }, &path, e);
+  *straight = ok && path.count == 2 && !path.closed;
+  if (*straight) *along = vs_v3_sub(path.at[1].at, path.at[0].at);
+  vs_path_free(&path);
+  return ok;
+}
+
 /* Along a vector: by Cavalieri a twist is no matter, and the sections' area goes with the square of the scale. False: failed. *known: there is a
  * formula. */
 static bool vs_measure_extrude(const vs_node *n, vs_measure *m, bool *known, vs_error *e) {
   const struct vs_extrude *x = VS_AS(extrude, n);
   const vs_node *profile = n->children[0].node;
   double radius = vs_profile_circle(profile), k = x->scale - 1, border = 0;
+  vs_vec3 along = x->along;
   vs_outline o;
   vs_bounds b;
-  *known = n->class_ == VS_SOLID && n->child_count == 1 && (x->taper == 0 || radius > 0);
+  *known = n->class_ == VS_SOLID && (x->taper == 0 || radius > 0);
+  if (*known && n->child_count > 1 && !vs_measure_straight(n->children[1].node, &along, known, e)) return false;
   if (!*known) return true;
   if (!vs_node_bounds(profile, &b, e) || !vs_measure_region(profile, m, e)) return false;
   vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
   if (!vs_region_outline(profile, &f, &o, e)) return false;
-  double height = fabs(vs_v3_dot(o.normal, x->along)), lean = fabs(vs_v3_length(x->along) - height);
+  double height = fabs(vs_v3_dot(o.normal, along)), lean = fabs(vs_v3_length(along) - height);
   for (size_t l = 0; l < o.count; l++)
     for (size_t i = 0; i < o.loops[l].count; i++) border += vs_v3_length(vs_v3_sub(o.loops[l].at[(i + 1) % o.loops[l].count], o.loops[l].at[i]));
   vs_outline_free(&o);
   double area = radius > 0 ? pi * radius * radius : m->area, inwards = x->taper != 0 ? height * tan(x->taper) : 0;
-  vs_vec3 base = x->center ? vs_v3_sub(m->centroid, vs_v3_scale(x->along, 0.5)) : m->centroid;
+  vs_vec3 base = x->center && n->child_count == 1 ? vs_v3_sub(m->centroid, vs_v3_scale(along, 0.5)) : m->centroid;
   if (radius > 0) border = 2 * pi * radius;
   if (x->taper != 0) { /* a cut cone, oblique if need be: heights are the same */
     double top = fmax(radius - inwards, 0), part = inwards > radius ? radius / inwards : 1;
-    vs_measure_frustum(m, base, radius, vs_v3_add(base, vs_v3_scale(x->along, part)), top);
+    vs_measure_frustum(m, base, radius, vs_v3_add(base, vs_v3_scale(along, part)), top);
     m->volume = pi * height * part * (radius * radius + radius * top + top * top) / 3;
   } else {
     m->volume = area * height * (1 + k + k * k / 3);
     m->area = border * height + 2 * area;
-    m->centroid = vs_v3_add(base, vs_v3_scale(x->along, (0.5 + 2 * k / 3 + k * k / 4) / (1 + k + k * k / 3)));
+    m->centroid = vs_v3_add(base, vs_v3_scale(along, (0.5 + 2 * k / 3 + k * k / 4) / (1 + k + k * k / 3)));
   }
   m->area_known = lean <= 1e-12 * height && x->twist == 0 && x->scale == 1;
+  return true;
+}
+
+/* The way of a sweep: how long, whether it closes, has corners, or turns back somewhere */
+typedef struct { double length; bool closed, corners, back; } vs_way;
+
+static bool vs_measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
+  vs_measure m;
+  vs_bounds b;
+  vs_path path = { 0 };
+  vs_affine identity = vs_affine_identity();
+  *way = (vs_way){ 0 };
+  if (!vs_node_measure(curve, &m, e) || !vs_node_bounds(curve, &b, e)) return false;
+  vs_facets f = { vs_facets_tolerance(&b), 0 };
+  bool ok = vs_curve_path(curve, &identity, &f, &path, e);
+  way->length = m.length;
+  way->closed = path.closed;
+  for (size_t i = path.closed ? 0 : 1; ok && i + !path.closed < path.count; i++) {
+    double turn = vs_v3_dot(path.at[i].arriving, path.at[i].leaving);
+    way->corners = way->corners || turn < 1 - 1e-12;
+    way->back = way->back || turn < -0.99;
+  }
+  vs_path_free(&path);
+  return ok;
+}
+
+/* By Pappus, for every smooth path and every mitred corner: area times length, with the square of the scale on the way; the wall is the border times the
+ * length where the border's own middle rides on the path too. */
+bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
+  bool bar = n->kind == VS_THICKEN;
+  const vs_node *profile = n->children[0].node;
+  vs_way way;
+  *m = (vs_measure){ 0 };
+  if (n->class_ != VS_SOLID || (n->kind != VS_SWEEP && !bar) || (bar ? profile->class_ != VS_CURVE : VS_AS(sweep, n)->has_base)) return true;
+  if (!vs_measure_way(bar ? profile : n->children[1].node, &way, e)) return false;
+  double twist = bar ? 0 : VS_AS(sweep, n)->twist, scale = bar ? 1 : VS_AS(sweep, n)->scale, border = 0;
+  if (way.back || !(way.length > 0) || (way.corners && (twist != 0 || scale != 1))) return true;
+  double radius = bar ? VS_AS(thicken, n)->width / 2 : vs_profile_circle(profile);
+  bool even = true;
+  if (radius > 0) {
+    m->area = pi * radius * radius, border = 2 * pi * radius;
+  } else {
+    vs_outline o;
+    vs_bounds b;
+    vs_vec3 middle = { 0, 0, 0 };
+    if (!vs_node_bounds(profile, &b, e) || !vs_measure_region(profile, m, e)) return false;
+    vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
+    if (!vs_region_outline(profile, &f, &o, e)) return false;
+    for (size_t l = 0; l < o.count; l++)
+      for (size_t i = 0; i < o.loops[l].count; i++) {
+        vs_vec3 p = o.loops[l].at[i], q = o.loops[l].at[(i + 1) % o.loops[l].count];
+        double d = vs_v3_length(vs_v3_sub(q, p));
+        middle = vs_v3_add(middle, vs_v3_scale(vs_v3_add(p, q), d / 2));
+        border += d;
+      }
+    vs_outline_free(&o);
+    even = border > 0 && vs_v3_length(vs_v3_sub(vs_v3_scale(middle, 1 / border), m->centroid)) <= 1e-9 * vs_bounds_diagonal(&b);
+  }
+  double ends = way.closed && scale == 1 && (twist == 0 || radius > 0) ? 0 : 2 * m->area;
+  m->known = m->area > 0;
+  m->area_known = even && twist == 0 && scale == 1;
+  m->volume = m->area * way.length * (1 + scale + scale * scale) / 3;
+  m->area = border * way.length + ends;
   return true;
 }
 
@@ -191,6 +269,14 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       if (round) n = &exact.node;
       if (n->kind == VS_CIRCLE || n->kind == VS_ARC) { /* exact where the placement keeps it round */
         double k, angle = n->kind == VS_CIRCLE ? 2 * pi : fabs(VS_AS(arc, n)->end - VS_AS(arc, n)->start);
+        bool full = angle >= 2 * pi * (1 - 1e-15);
+        vs_vec3 middle = n->kind == VS_CIRCLE ? VS_AS(circle, n)->center : VS_AS(arc, n)->center;
+        if (full) m->centroid = vs_affine_point(&placed, middle);
+        else if (vs_affine_even(&placed, &k)) { /* r sin(a/2) / (a/2) from the centre, halfway between the ends */
+          double mean = (VS_AS(arc, n)->start + VS_AS(arc, n)->end) / 2, away = VS_AS(arc, n)->radius * sin(angle / 2) / (angle / 2), sine, cosine;
+          vs_sincos(mean, &sine, &cosine);
+          m->centroid = vs_affine_point(&placed, vs_v3_add(middle, vs_v3(away * cosine, away * sine, 0)));
+        }
         if (vs_affine_even(&placed, &k)) m->length = k * angle * (n->kind == VS_CIRCLE ? VS_AS(circle, n)->radius : VS_AS(arc, n)->radius);
         else if (n->kind == VS_CIRCLE) m->length = vs_measure_placed_circle(&placed, VS_AS(circle, n)->radius);
       }

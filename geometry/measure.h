@@ -43,6 +43,8 @@ typedef struct {
 } vs_measure;
 /* By formula where there is one: primitives and their placements, curves, regions. Splines and curved outlines are measured by fine samples. */
 bool vs_node_measure(const vs_node *n, vs_measure *out, vs_error *e);
+/* Of a sweep or a round bar as if it did not overlap itself; not known without a formula. No centroid. */
+bool vs_sweep_measure(const vs_node *n, vs_measure *out, vs_error *e);
 void vs_mesh_measure(const vs_mesh *m, vs_measure *out); /* a closed mesh */
 
 /* The part of the line through p along d (a ray: only forwards) that lies in b. False: none. */

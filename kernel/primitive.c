@@ -62,6 +62,16 @@ static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   return ok;
 }
 
+bool vs_primitive_overlaps(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, bool *overlaps, vs_error *e) {
+  vs_mesh m = { 0 };
+  vs_mesh_flaws flaws = { 0 };
+  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
+  bool ok = vs_tessellate(n, f, &m, e) && (!m.triangle_count || vs_kernel_inspect(&m, options, &flaws, &why) || failed(&why, e));
+  *overlaps = flaws.wound_count > 0;
+  vs_mesh_free(&m);
+  return ok;
+}
+
 static bool primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, vs_error *e) {
   vs_mesh_flaws flaws;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };

@@ -14,6 +14,7 @@ typedef struct {
   vs_store *store;
   const vs_facets *facets;
   const vs_kernel_options *options;
+  const vs_resolve_notes *notes; /* or NULL */
   vs_error *error;
   vs_nodemap known;    /* old node -> new one, which made holds */
   vs_node **made;
@@ -366,6 +367,8 @@ static bool resolve_one(resolver *r, const vs_ref *ref) {
       if (r->error && !r->error->origin) r->error->origin = ref->origin;
       return false;
     }
+    if (n->kind == VS_EDGES && made->kind == VS_EMPTY && r->notes)
+      r->notes->warn(r->notes->context, ref->origin, "do-edges: no faces meet at an angle: nothing is made (the empty object)");
   } else {
     made = n->kind == VS_XLINE || n->kind == VS_RAY ? nothing(r->store) : rebuilt(r, n);
   }
@@ -373,8 +376,12 @@ static bool resolve_one(resolver *r, const vs_ref *ref) {
 }
 
 bool vs_resolve(vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_error *e) {
+  return vs_resolve_noting(refs, count, facets, options, NULL, e);
+}
+
+bool vs_resolve_noting(vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, const vs_resolve_notes *notes, vs_error *e) {
   bool ok = true;
-  resolver r = { .facets = facets, .options = options, .error = e };
+  resolver r = { .facets = facets, .options = options, .notes = notes, .error = e };
   for (size_t i = 0; ok && i < count; i++) {
     if (!is_unresolved(refs[i].node)) continue;
     r.store = r.known.store = refs[i].node->store;
