@@ -36,10 +36,13 @@
 
 ; lists too: bounding boxes, sequences of points
 (define (near? a b [tolerance any? 1e-9])
-  (cond
-    ((and (pair? a) (pair? b)) (and (near? (car a) (car b) tolerance) (near? (cdr a) (cdr b) tolerance)))
-    ((or (null? a) (null? b) (pair? a) (pair? b)) (and (null? a) (null? b)))
-    (else (%near? a b tolerance))))
+  (let near ((a a) (b b) (depth 0))
+    (if (and (list? a) (list? b) (< depth 100)) ; lists in circles are none, or come to an end here
+        (let loop ((p a) (q b))
+          (if (or (null? p) (null? q))
+              (and (null? p) (null? q))
+              (and (near (car p) (car q) (+ depth 1)) (loop (cdr p) (cdr q)))))
+        (%near? a b tolerance))))
 
 ; ---- sequences ----
 

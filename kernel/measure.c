@@ -29,6 +29,7 @@ typedef struct {
   VS_LIST(part) parts;        /* of the job at hand */
   VS_LIST(vs_ref) rest[2];    /* to be meshed: what counts, what is taken off; references of our own */
   VS_LIST(vs_node *) made;    /* for jobs; ours */
+  bool rough;                 /* something overlaps itself: finer meshes of it take long to unite */
   double volume, area;
   vs_vec3 moment;
   vs_error *error;
@@ -64,6 +65,7 @@ static bool formula(measuring *m, vs_node *n, vs_measure *out) {
     vs_facets f = { m->tolerance > 0 ? m->tolerance : vs_facets_tolerance(&b), 0 };
     if (out->known && !vs_primitive_overlaps(n, &f, m->k.options, &overlaps, m->error)) return false;
     out->known = out->known && !overlaps;
+    m->rough = m->rough || overlaps;
   }
   if (!VS_PUSH(&m->k, m->formulas, *out)) return memory(m);
   *vs_nodemap_put(&m->known, n, NULL) = m->formulas.count;
@@ -301,7 +303,7 @@ static bool mesh_rest(measuring *m, int which, const vs_bounds *drawing) {
     size_t triangles = solid.mesh.triangle_count;
     vs_solid_free(&solid);
     double finer = fmin(CHEAP / fmax((double)triangles, 1), 64);
-    if (m->tolerance > 0 || finer < 2) break;
+    if (m->tolerance > 0 || m->rough || finer < 2) break;
     f.tolerance = ldexp(f.tolerance, -(int)floor(log2(finer)));
   }
   add(m, one.volume, one.area, one.centroid, which ? -1 : 1);

@@ -12,7 +12,7 @@
 (displayln (volume (subtract cube (translate cube (vxyz 0.5 0.5 0.5))))) ; expect: 0.875
 (fails (load-mesh "lib/meshes/nothing.stl"))         ; expect: load-mesh: cannot open tests/lang/lib/meshes/nothing.stl: no such file ()
 (fails (load-mesh "lib/meshes/cube.dxf"))            ; expect: load-mesh: file must be a name that ends in .stl, .obj, .off or .ply, got (lib/meshes/cube.dxf)
-(fails (load-mesh 'cube))                            ; expect: load-mesh: file must be a string, got (cube)
+(fails (load-mesh 'cube))                            ; expect: load-mesh: file must be a string ("cube"?), got (cube)
 (fails (load-mesh "lib/meshes/open.off"))            ; expect: load-mesh: open.off: the mesh is open at the edge from (xyz 1 0 0) to (xyz 1 1 0) of face 1, and at 3 edges more; #:repair #t closes it ()
 (fails (load-mesh "lib/meshes/bad.stl"))             ; expect: load-mesh: bad.stl: line 6: expected a number, got "x" ()
 (fails (load-mesh "lib/meshes/index.obj"))           ; expect: load-mesh: index.obj: face 4 asks for point 5, but there are 4 ()

@@ -65,7 +65,7 @@
 (fails (lambda () (make-text (xy 0 0) -1 "a"))) ; expect: make-text: size must be positive, got -1
 (fails (lambda () (make-text (xy 0 0) +inf.0 "a"))) ; expect: make-text: size must be finite, got +inf.0
 (fails (lambda () (make-text 5 1 "a"))) ; expect: make-text: p must be a point, got 5
-(fails (lambda () (make-text (xy 0 0) 1 'a))) ; expect: make-text: string must be a string, got a
+(fails (lambda () (make-text (xy 0 0) 1 'a))) ; expect: make-text: string must be a string ("a"?), got a
 (fails (lambda () (make-text (xy 0 0) 1 "a" #:spacing 0))) ; expect: make-text: spacing must be positive, got 0
 (fails (lambda () (make-text (xy 0 0) 1 "a" #:valign 'upper))) ; expect: make-text: valign must be one of 'baseline 'top 'center 'bottom, got upper
 (fails (lambda () (make-text (xy 0 0) 1 "a" #:font "no-such.ttf"))) ; expect: make-text: cannot open tests/lang/no-such.ttf: no such file
