@@ -7,6 +7,7 @@
 #include "geometry/join.h"
 #include "geometry/measure.h"
 #include "geometry/parts.h"
+#include "geometry/parts.h"
 #include "geometry/plane.h"
 #include "geometry/planar.h"
 #include "model/room.h"
@@ -26,68 +27,36 @@ static const char *point_text(vs_vec3 p, char out[112]) {
 
 /* ---- curves that meet end to end ---- */
 
-/* The curves in a union of them, each where it stands; adds them to out where that is not NULL. References hang off the frame. */
-static vs_status spread(vs_frame *f, vs_ref root, vs_ref *out, size_t *count) {
-  vs_walk *w = vs_walk_new(f->bind->store, root);
-  vs_affine *placed = NULL;
-  size_t room = 0, depth;
-  vs_ref at;
-  vs_status status = w ? VS_OK : vs_fail_memory(f->vm);
-  for (vs_walk_event ev; status && (ev = vs_walk_next(w, &at, &depth)) != VS_WALK_DONE;) {
-    if (ev == VS_WALK_LEAVE) continue;
-    if (ev == VS_WALK_FAILED || !VS_GROW(placed, room, depth + 1)) {
-      status = vs_fail_memory(f->vm);
-      break;
-    }
-    placed[depth] = depth ? placed[depth - 1] : vs_affine_identity();
-    if (at.node->kind == VS_TRANSFORM) placed[depth] = vs_affine_multiply(&placed[depth], &VS_AS(transform, at.node)->matrix);
-    if (at.node->kind == VS_TRANSFORM || at.node->kind == VS_UNION || vs_node_is_dress(at.node)) continue;
-    vs_walk_skip(w);
-    if (out) {
-      vs_node *n = vs_node_new(f->bind->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = placed[depth] }, &at, 1);
-      if (!vs_bind_keep(f, n)) status = VS_ERROR;
-      out[*count] = (vs_ref){ n, at.origin };
-    }
-    (*count)++;
-  }
-  vs_walk_free(w);
-  free(placed);
-  return status;
-}
-
-static bool is_several(const vs_node *n) { /* curves that were united: nothing else of this class stands for many */
-  while (n->kind == VS_TRANSFORM || vs_node_is_dress(n)) n = n->children[0].node;
-  return n->kind == VS_UNION && n->class_ == VS_CURVE;
-}
-
-/* Curves that were united stand beside each other, and so do edges of a solid: each counts for itself. */
+/* Curves that were united stand beside each other, and so do edges of a solid: each counts for itself. References hang off the frame. */
 static vs_status each_apart(vs_frame *f) {
-  vs_ref *refs = f->arg[0].refs.at, *all = NULL;
-  size_t given = f->arg[0].refs.count, count = 0, many = 0;
-  vs_arg whole = f->arg[0];
+  vs_arg given = f->arg[0];
+  vs_ref *refs = given.refs.at, *all = NULL;
+  size_t count = 0, room = 0;
   vs_status status = VS_OK;
-  for (size_t i = 0; status && i < given; i++) {
-    if (!(refs[i].node->flags & VS_NODE_UNRESOLVED) || refs[i].node->kind == VS_XLINE || refs[i].node->kind == VS_RAY) continue;
-    f->arg[0].ref = refs[i];
-    status = vs_bind_resolve(f, 0);
-    refs[i] = f->arg[0].ref;
-    f->arg[0] = whole;
+  for (size_t i = 0; status && i < given.refs.count; i++) {
+    vs_ref *parts = NULL;
+    size_t n = 0;
+    if (refs[i].node->flags & VS_NODE_UNRESOLVED && refs[i].node->kind != VS_XLINE && refs[i].node->kind != VS_RAY) {
+      f->arg[0].ref = refs[i];
+      status = vs_bind_resolve(f, 0);
+      refs[i] = f->arg[0].ref;
+      f->arg[0] = given;
+    }
+    if (status && !(vs_several_parts(refs[i], &parts, &n) && VS_GROW(all, room, count + n))) status = vs_fail_memory(f->vm);
+    for (size_t k = 0; k < n; k++) {
+      if (status) all[count++] = parts[k];
+      if (!vs_bind_keep(f, vs_node_retain(parts[k].node))) status = VS_ERROR;
+    }
+    vs_several_free(parts, n);
   }
-  for (size_t i = 0; status && i < given; i++) {
-    many += is_several(refs[i].node);
-    if (is_several(refs[i].node)) status = spread(f, refs[i], NULL, &count);
-    else count++;
+  if (status && count != given.refs.count) {
+    vs_ref *kept = vs_bind_scratch(f, (count + 1) * sizeof *kept);
+    if (kept && count) memcpy(kept, all, count * sizeof *kept);
+    if (!kept) status = VS_ERROR;
+    else f->arg[0].refs.at = kept, f->arg[0].refs.count = count;
   }
-  if (!status || !many) return status;
-  all = vs_bind_scratch(f, (count + 1) * sizeof *all);
-  count = 0;
-  for (size_t i = 0; all && status && i < given; i++) {
-    if (is_several(refs[i].node)) status = spread(f, refs[i], all, &count);
-    else all[count++] = refs[i];
-  }
-  if (!all || !status) return VS_ERROR;
-  f->arg[0].refs.at = all, f->arg[0].refs.count = count;
-  return VS_OK;
+  free(all);
+  return status;
 }
 
 /* The curves of the first argument, those that are nothing left out, open ones joined; new references hang off the frame. */

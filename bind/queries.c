@@ -137,6 +137,7 @@ vs_status vs_p_contains(vs_frame *f, vs_value *out) {
   if (n->class_ == VS_NOTHING) return truth(false, out);
   if (n->class_ == VS_REGION_CLASS) return vs_region_contains(n, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f, &e);
   if (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED) { /* taken as filled */
+    if (!vs_bind_uncrossed(f, f->arg[0].ref, "a closed curve that is taken as filled")) return VS_ERROR;
     vs_node *region = vs_node_new(f->bind->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
     if (!vs_bind_keep(f, region)) return VS_ERROR;
     return vs_region_contains(region, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f, &e);

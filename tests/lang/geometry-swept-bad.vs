@@ -53,7 +53,7 @@
 (fails (do-loft (list circle (make-sphere origin 1))))
 ; expect: do-loft: sections must be a list of curves, regions and points, got ((make-sphere (xyz 0 0 0) 1))
 (fails (do-loft (list circle (+ origin (* nan ux)))))
-; expect: do-loft: sections must be a list of curves, regions and points, got ((xyz +nan.0 +nan.0 +nan.0))
+; expect: do-loft: sections must be of finite coordinates, got ((xyz +nan.0 +nan.0 +nan.0))
 (fails (do-loft (list circle (ring 2)) "a"))
 ; expect: do-loft: a1 must be a number of radians, got (a)
 (fails (do-loft (list circle (ring 2)) 0 -1))
