@@ -1,4 +1,4 @@
-/* Owns fold: nested placements multiply, a moved primitive becomes a primitive elsewhere.
+/* Owns, for fold (carry.c), the primitives: what each becomes under a map.
  *
  * A kind is closed under some maps only: a box under those that keep axes, a round solid under those that keep circles, polyhedra and polylines
  * under all. Where the modeller gave the facets (segments) a turn would move their corners: then only shifts and even scales fold. */
@@ -12,6 +12,7 @@ typedef struct {
   bool axes;    /* a signed permutation of the axes, with any scales */
   bool plain;   /* axes kept each in its place and sense */
   bool level;   /* even, and Z stays vertical */
+  bool about_z; /* level, right-handed, and Z up */
   double scale;
 } vs_fold_map;
 
@@ -30,9 +31,12 @@ static vs_fold_map vs_fold_look(const vs_affine *a) {
   }
   f.upright = f.even && f.plain;
   f.level = f.even && a->m[0][2] == 0 && a->m[1][2] == 0;
+  f.about_z = f.level && a->m[2][2] > 0 && vs_affine_determinant(a) > 0;
   if (!(fabs(vs_affine_determinant(a)) > 0)) f = (vs_fold_map){ 0 };
   return f;
 }
+
+bool vs_fold_is_upright(const vs_affine *a) { return vs_fold_look(a).upright; }
 
 static vs_node *vs_fold_points(vs_rewrite *w, const vs_affine *a, const vs_points *old, vs_points **new) {
   *new = vs_points_new(w->store, old->at, old->count);
@@ -68,9 +72,20 @@ static vs_node *vs_fold_polyface(vs_rewrite *w, const vs_affine *a, const struct
   return n;
 }
 
-/* The primitive n under a, or NULL with *fits false where that is no primitive of its kind. */
-static vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, bool *fits) {
+/* Does a keep discs across the axis discs across its image? *k: by how much it makes them larger. */
+static bool vs_fold_discs(const vs_affine *a, vs_vec3 axis, double *k) {
+  vs_vec3 u = vs_v3_unit(axis), p = vs_v3_unit(vs_v3_cross(u, fabs(u.x) < 0.7 ? vs_v3(1, 0, 0) : vs_v3(0, 1, 0))), q = vs_v3_cross(u, p);
+  vs_vec3 au = vs_affine_vector(a, u), ap = vs_affine_vector(a, p), aq = vs_affine_vector(a, q);
+  double square = vs_v3_dot(ap, ap), slack = 1e-13 * square, along = 1e-13 * sqrt(square) * vs_v3_length(au);
+  *k = sqrt(square);
+  if (fabs(*k - 1) < 1e-14) *k = 1;
+  return square > 0 && vs_v3_dot(au, au) > 0 && fabs(vs_v3_dot(aq, aq) - square) <= slack && fabs(vs_v3_dot(ap, aq)) <= slack && fabs(vs_v3_dot(ap, au)) <= along &&
+         fabs(vs_v3_dot(aq, au)) <= along;
+}
+
+vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, bool *fits) {
   vs_fold_map f = vs_fold_look(a);
+  double k = f.scale; /* of discs */
   *fits = false;
 #define VS_FOLD(lower, condition)                       \
   struct vs_##lower d = *VS_AS(lower, n);               \
@@ -93,9 +108,12 @@ static vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_no
       return vs_node_new(w->store, VS_CIRCLE, &d, NULL, 0);
     }
     case VS_ARC: {
-      VS_FOLD(arc, f.upright);
+      VS_FOLD(arc, d.segments ? f.upright : f.upright || f.about_z);
+      double turn = f.upright ? 0 : atan2(a->m[1][0], a->m[0][0]);
       d.center = vs_affine_point(a, d.center);
       d.radius *= f.scale;
+      d.start += turn;
+      d.end += turn;
       return vs_node_new(w->store, VS_ARC, &d, NULL, 0);
     }
     case VS_BOX: {
@@ -120,34 +138,37 @@ static vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_no
       return vs_node_new(w->store, VS_SPHERE, &d, NULL, 0);
     }
     case VS_CYLINDER: {
-      VS_FOLD(cylinder, d.segments ? f.upright : f.even);
+      VS_FOLD(cylinder, d.segments ? f.upright : f.even || vs_fold_discs(a, vs_v3_sub(d.top, d.base), &k));
       d.base = vs_affine_point(a, d.base);
       d.top = vs_affine_point(a, d.top);
-      d.radius *= f.scale;
+      d.radius *= k;
       return vs_node_new(w->store, VS_CYLINDER, &d, NULL, 0);
     }
     case VS_CONE: {
-      VS_FOLD(cone, d.segments ? f.upright : f.even);
+      VS_FOLD(cone, d.segments ? f.upright : f.even || vs_fold_discs(a, vs_v3_sub(d.apex, d.base), &k));
       d.base = vs_affine_point(a, d.base);
       d.apex = vs_affine_point(a, d.apex);
-      d.radius *= f.scale;
+      d.radius *= k;
       return vs_node_new(w->store, VS_CONE, &d, NULL, 0);
     }
     case VS_CUT_CONE: {
-      VS_FOLD(cut_cone, d.segments ? f.upright : f.even);
+      VS_FOLD(cut_cone, d.segments ? f.upright : f.even || vs_fold_discs(a, vs_v3_sub(d.top, d.base), &k));
       d.base = vs_affine_point(a, d.base);
       d.top = vs_affine_point(a, d.top);
-      d.base_radius *= f.scale;
-      d.top_radius *= f.scale;
+      d.base_radius *= k;
+      d.top_radius *= k;
       return vs_node_new(w->store, VS_CUT_CONE, &d, NULL, 0);
     }
     case VS_E_CONE: {
-      VS_FOLD(e_cone, f.upright);
+      struct vs_e_cone d = *VS_AS(e_cone, n);
+      bool stands = d.top.x == d.base.x && d.top.y == d.base.y && d.top.z > d.base.z; /* its ellipse lies along X and Y */
+      *fits = f.upright || (f.plain && stands);
+      if (!*fits) return NULL;
       d.base = vs_affine_point(a, d.base);
       d.top = vs_affine_point(a, d.top);
-      d.base_radius *= f.scale;
-      d.base_across *= f.scale;
-      d.top_radius *= f.scale;
+      d.base_radius *= a->m[0][0];
+      d.base_across *= a->m[1][1];
+      d.top_radius *= a->m[0][0];
       return vs_node_new(w->store, VS_E_CONE, &d, NULL, 0);
     }
     case VS_PYRAMID: {
@@ -185,47 +206,42 @@ static vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_no
       d.v = vs_affine_vector(a, d.v);
       return vs_node_new(w->store, VS_RAY, &d, NULL, 0);
     }
+    case VS_SPLINE: { /* its parameter is the length of chords: similar points, similar curve */
+      VS_FOLD(spline, f.even);
+      vs_points *points;
+      vs_fold_points(w, a, d.points, &points);
+      d.points = points;
+      d.start_tangent = vs_affine_vector(a, d.start_tangent);
+      d.end_tangent = vs_affine_vector(a, d.end_tangent);
+      vs_node *spline = points ? vs_node_new(w->store, VS_SPLINE, &d, NULL, 0) : NULL;
+      vs_points_release(w->store, points);
+      return spline;
+    }
+    case VS_SUPERELLIPSOID: { /* it knows no other place than the origin */
+      VS_FOLD(superellipsoid, f.upright && a->m[0][3] == 0 && a->m[1][3] == 0 && a->m[2][3] == 0);
+      d.size *= f.scale;
+      return vs_node_new(w->store, VS_SUPERELLIPSOID, &d, NULL, 0);
+    }
+    case VS_HEIGHT_FIELD: {
+      VS_FOLD(height_field, f.plain);
+      vs_points *points;
+      vs_fold_points(w, a, d.points, &points);
+      d.points = points;
+      d.low = a->m[2][2] * d.low + a->m[2][3];
+      vs_node *field = points ? vs_node_new(w->store, VS_HEIGHT_FIELD, &d, NULL, 0) : NULL;
+      vs_points_release(w->store, points);
+      return field;
+    }
     case VS_EMPTY:
       *fits = true;
       return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
     case VS_JOIN: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-    case VS_SUPERELLIPSOID: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
-    case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
+    case VS_SLICE: case VS_HULL:
+    case VS_REGION: case VS_TEXT: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
     case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY: break;
   }
 #undef VS_FOLD
   return NULL;
-}
-
-static bool vs_fold_is_identity(const vs_affine *a) {
-  return vs_affine_is_translation(a) && a->m[0][3] == 0 && a->m[1][3] == 0 && a->m[2][3] == 0;
-}
-
-vs_node *vs_pass_fold(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
-  if (n->kind != VS_TRANSFORM) return vs_rewrite_keep(w, n, kids);
-  const vs_affine *a = &VS_AS(transform, n)->matrix;
-  const vs_node *below = kids[0].node;
-  bool lone = vs_rewrite_lone(w, n->children[0].node), fits = false;
-  if (vs_fold_is_identity(a)) {
-    w->changed++;
-    *origin = kids[0].origin;
-    return vs_node_retain(kids[0].node);
-  }
-  if (!lone) return vs_rewrite_keep(w, n, kids);
-  if (below->kind == VS_TRANSFORM) {
-    struct vs_transform both = { .matrix = vs_affine_multiply(a, &VS_AS(transform, below)->matrix) };
-    w->changed++;
-    if (vs_fold_is_identity(&both.matrix)) {
-      *origin = below->children[0].origin;
-      return vs_node_retain(below->children[0].node);
-    }
-    return vs_node_new(w->store, VS_TRANSFORM, &both, below->children, 1);
-  }
-  vs_node *folded = vs_fold_primitive(w, a, below, &fits);
-  if (!fits) return vs_rewrite_keep(w, n, kids);
-  w->changed++;
-  *origin = kids[0].origin; /* messages speak of the call that made the primitive */
-  return folded;
 }

@@ -99,11 +99,20 @@ bool vs_commands_count(vs_store *s, const vs_ref *refs, size_t count, double *co
 
 /* ---- all of them ---- */
 
-bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_pass_stats *stats, vs_error *e) {
+static bool vs_pass_once(vs_pass_kind k, vs_rewrite *w, vs_ref *refs, size_t count) {
   static vs_rewrite_fn *const passes[] = {
 #define VS_PASS(upper, lower, doc) vs_pass_##lower,
 #include "model/passes/passes.def"
   };
+  bool ok = k == VS_PASS_SHARE ? vs_share_begin(w) : k == VS_PASS_FLATTEN ? vs_flatten_begin(w) : k != VS_PASS_FOLD || vs_fold_begin(w);
+  ok = ok && (w->idle || vs_rewrite_run(w, passes[k], refs, count));
+  if (k == VS_PASS_SHARE) vs_share_end(w);
+  if (k == VS_PASS_FLATTEN) vs_flatten_end(w);
+  if (k == VS_PASS_FOLD) vs_fold_end(w);
+  return ok;
+}
+
+bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_pass_stats *stats, vs_error *e) {
   vs_error local;
   if (!e) e = &local;
   e->kind = VS_ERROR_NONE;
@@ -117,16 +126,17 @@ bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
   vs_order order = { .store = s };
   bool ok = vs_order_make(&order, work, count, e);
   if (ok && stats) stats->commands_before = vs_order_commands(&order, count);
+  bool nests = false;
   for (int k = 0; ok && k < VS_PASS_COUNT; k++) {
     if (!(options->passes >> k & 1)) continue;
     vs_rewrite w = { .store = s, .options = options, .error = e, .order = order };
-    if (k == VS_PASS_FLATTEN) ok = vs_flatten_begin(&w);
-    if (k == VS_PASS_SHARE) ok = vs_share_begin(&w);
-    ok = ok && (w.idle || vs_rewrite_run(&w, passes[k], work, count));
-    if (k == VS_PASS_FLATTEN) vs_flatten_end(&w);
-    if (k == VS_PASS_SHARE) vs_share_end(&w);
-    if (stats) stats->changed[k] = w.changed;
+    ok = vs_pass_once((vs_pass_kind)k, &w, work, count);
+    if (stats) stats->changed[k] += w.changed;
     if (ok && w.changed) ok = vs_order_make(&order, work, count, e); /* else the drawing is what it was, node for node */
+    if (k == VS_PASS_FOLD && w.nests && !nests && options->passes >> VS_PASS_FLATTEN & 1) {
+      nests = true;
+      k = VS_PASS_FLATTEN - 1; /* once more from there: what was between sets is gone */
+    }
   }
   if (ok && stats) stats->commands_after = vs_order_commands(&order, count);
   vs_order_free(&order);

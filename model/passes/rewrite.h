@@ -17,6 +17,7 @@ struct vs_rewrite {
   vs_error *error;  /* a pass that returns NULL has set it, or memory ran out */
   vs_order order;   /* of the drawing before the pass */
   size_t changed;
+  bool nests;       /* fold: a placement has gone from round a set, which may be a member of its kind of set now */
   bool idle;        /* its begin has seen that it would change nothing */
 };
 
@@ -27,6 +28,12 @@ bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old); /* named once: no
 /* Lone leaves (order.h) are not shown to a pass. Where a node has no other children, kids are the node's own array. */
 
 vs_rewrite_fn vs_pass_flatten, vs_pass_fold, vs_pass_prune, vs_pass_share;
+/* The primitive n under a; NULL: with *fits false where that is no primitive of its kind, else out of memory. */
+vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, bool *fits);
+/* Does a only shift, and make all alike larger or smaller? */
+bool vs_fold_is_upright(const vs_affine *a);
+bool vs_fold_begin(vs_rewrite *w); /* makes w->state */
+void vs_fold_end(vs_rewrite *w);
 bool vs_flatten_begin(vs_rewrite *w); /* makes w->state */
 void vs_flatten_end(vs_rewrite *w);
 bool vs_share_begin(vs_rewrite *w); /* makes w->state */

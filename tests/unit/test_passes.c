@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -94,6 +95,124 @@ static void placements_fold(void **state) {
   r = (vs_ref){ moved(s, tilt, NODE(cylinder, CYLINDER, { 0, 0, 0 }, { 0, 0, 2 }, 1, 6)), NULL }; /* six facets that the modeller chose */
   run(s, &r, 1 << VS_PASS_FOLD);
   assert_int_equal(r.node->kind, VS_TRANSFORM);
+  vs_node_release(r.node);
+  vs_store_release(s);
+}
+
+/* What a kind is closed under, and what it is not: r is released. */
+static void folds_to(vs_store *s, vs_affine a, vs_node *n, vs_kind kind) {
+  vs_ref r = { moved(s, a, n), NULL };
+  vs_bounds before, after;
+  assert_true(vs_node_bounds(r.node, &before, NULL));
+  run(s, &r, 1 << VS_PASS_FOLD);
+  assert_int_equal(r.node->kind, kind);
+  assert_true(vs_node_bounds(r.node, &after, NULL));
+  assert_true(vs_v3_length(vs_v3_sub(before.max, after.max)) < 1e-9 && vs_v3_length(vs_v3_sub(before.min, after.min)) < 1e-9);
+  vs_node_release(r.node);
+}
+
+static void kinds_fold_under_what_they_are_closed_under(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_vec3 o = { 0, 0, 0 }, heights[] = { { 0, 0, 1 }, { 1, 0, 2 }, { 0, 1, 1 }, { 1, 1, 3 } };
+  vs_affine turn = vs_affine_rotation(o, vs_v3(0, 0, 1), 0.3), tilt = vs_affine_rotation(o, vs_v3(1, 2, 0), 0.3), uneven = vs_affine_scaling(o, vs_v3(2, 3, 4));
+  vs_affine tall = vs_affine_scaling(o, vs_v3(2, 2, 5)), larger = vs_affine_scaling(o, vs_v3(3, 3, 3)), mirror = vs_affine_mirror(vs_v3(1, 2, 3), vs_v3(1, 1, 2));
+  folds_to(s, uneven, NODE(box, BOX, { 0, 0, 0 }, { 1, 2, 3 }), VS_BOX);
+  folds_to(s, turn, NODE(box, BOX, { 0, 0, 0 }, { 1, 2, 3 }), VS_TRANSFORM);
+  folds_to(s, uneven, NODE(wedge, WEDGE, { 0, 0, 0 }, { 1, 2, 3 }), VS_WEDGE);
+  folds_to(s, vs_affine_mirror(o, vs_v3(1, 0, 0)), NODE(wedge, WEDGE, { 0, 0, 0 }, { 1, 2, 3 }), VS_TRANSFORM);
+  folds_to(s, mirror, NODE(sphere, SPHERE, { 1, 2, 3 }, 2, 0), VS_SPHERE);
+  folds_to(s, tall, NODE(sphere, SPHERE, { 1, 2, 3 }, 2, 0), VS_TRANSFORM);
+  folds_to(s, tall, NODE(cylinder, CYLINDER, { 1, 2, 3 }, { 1, 2, 5 }, 2, 0), VS_CYLINDER);
+  folds_to(s, tall, NODE(cylinder, CYLINDER, { 1, 2, 3 }, { 2, 2, 5 }, 2, 0), VS_TRANSFORM);
+  folds_to(s, uneven, NODE(cylinder, CYLINDER, { 1, 2, 3 }, { 1, 2, 5 }, 2, 0), VS_TRANSFORM);
+  folds_to(s, tall, NODE(cone, CONE, { 1, 2, 3 }, { 1, 2, 5 }, 2, 0), VS_CONE);
+  folds_to(s, mirror, NODE(cut_cone, CUT_CONE, { 1, 2, 3 }, 2, { 1, 4, 5 }, 1, 0), VS_CUT_CONE);
+  folds_to(s, uneven, NODE(e_cone, E_CONE, { 1, 2, 3 }, 2, 1, { 1, 2, 5 }, 1, 7), VS_E_CONE);
+  folds_to(s, uneven, NODE(e_cone, E_CONE, { 1, 2, 3 }, 2, 1, { 1, 3, 5 }, 1, 0), VS_TRANSFORM);
+  folds_to(s, turn, NODE(torus, TORUS, { 1, 2, 3 }, 2, 1, 0), VS_TORUS);
+  folds_to(s, tilt, NODE(torus, TORUS, { 1, 2, 3 }, 2, 1, 0), VS_TRANSFORM);
+  folds_to(s, larger, NODE(superellipsoid, SUPERELLIPSOID, 0.5, 0.5, 2, 0), VS_SUPERELLIPSOID);
+  folds_to(s, vs_affine_translation(vs_v3(1, 0, 0)), NODE(superellipsoid, SUPERELLIPSOID, 0.5, 0.5, 2, 0), VS_TRANSFORM);
+  folds_to(s, larger, NODE(pyramid, PYRAMID, { 1, 2, 3 }, 2, 5, { 1, 4, 5 }, 1), VS_PYRAMID);
+  folds_to(s, turn, NODE(arc, ARC, { 1, 2, 3 }, 2, 0.5, 2, 0), VS_ARC);
+  folds_to(s, turn, NODE(circle, CIRCLE, { 1, 2, 3 }, 2, 0), VS_TRANSFORM); /* it begins elsewhere: what is swept along it is seen to */
+  vs_points *points = vs_points_new(s, heights, 4);
+  folds_to(s, mirror, NODE(line, LINE, points, false), VS_LINE);
+  folds_to(s, tilt, NODE(spline, SPLINE, points, false, { 0, 0, 0 }, { 0, 0, 0 }, 0), VS_SPLINE);
+  folds_to(s, uneven, NODE(spline, SPLINE, points, false, { 0, 0, 0 }, { 0, 0, 0 }, 32), VS_TRANSFORM);
+  folds_to(s, uneven, NODE(height_field, HEIGHT_FIELD, points, 2, -1), VS_HEIGHT_FIELD);
+  folds_to(s, turn, NODE(height_field, HEIGHT_FIELD, points, 2, -1), VS_TRANSFORM);
+  vs_points *corners = vs_points_new(s, (vs_vec3[]){ { 1, 0, 0 }, { 2, 0, 0 }, { 1, 3, 0 } }, 3);
+  struct vs_extrude up = { .along = { 0, 1, 3 }, .scale = 1 };
+  for (int i = 0; i < 2; i++) {
+    vs_node *line = NODE(line, LINE, corners, true);
+    folds_to(s, i ? turn : larger, over(s, VS_EXTRUDE, &up, &line, 1), i ? VS_TRANSFORM : VS_EXTRUDE);
+  }
+  vs_points_release(s, corners);
+  vs_points_release(s, points);
+  vs_store_release(s);
+}
+
+static vs_node *painted(vs_store *s, const char *name, vs_node *n) {
+  struct { vs_field_material material; unsigned char end; } data = { vs_store_ready_material(s, name), 0 };
+  return over(s, VS_MATERIAL, &data, &n, 1);
+}
+static vs_node *layered(vs_store *s, const char *name, vs_node *n) { return over(s, VS_LAYER, &(struct vs_layer){ .name = vs_store_text(s, name, strlen(name)) }, &n, 1); }
+
+static void placements_go_through_what_takes_them_in(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_ref r = { shifted(s, 1, 2, 3, painted(s, "red", layered(s, "roof", NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0)))), NULL };
+  vs_pass_stats stats = run(s, &r, 1 << VS_PASS_FOLD);
+  assert_true(stats.commands_before == 4 && stats.commands_after == 3);
+  assert_int_equal(r.node->kind, VS_MATERIAL);
+  assert_int_equal(r.node->children[0].node->children[0].node->kind, VS_SPHERE);
+  vs_node_release(r.node);
+  vs_node *cut = two(s, VS_DIFFERENCE, NODE(sphere, SPHERE, { 0, 0, 0 }, 2, 0), shifted(s, 0, 0, 1, NODE(torus, TORUS, { 0, 0, 0 }, 1, 0.5, 6)));
+  r = (vs_ref){ shifted(s, 1, 2, 3, cut), NULL };
+  stats = run(s, &r, 1 << VS_PASS_FOLD);
+  assert_int_equal(r.node->kind, VS_DIFFERENCE);
+  assert_true(stats.commands_after == 3 && VS_AS(torus, r.node->children[1].node)->center.z == 4);
+  vs_node_release(r.node);
+  /* a box does not take a turn in: nothing would be saved */
+  vs_affine turn = vs_affine_rotation(vs_v3(0, 0, 0), vs_v3(0, 0, 1), 0.3);
+  r = (vs_ref){ moved(s, turn, two(s, VS_UNION, NODE(sphere, SPHERE, { 0, 0, 0 }, 2, 0), NODE(box, BOX, { 0, 0, 0 }, { 1, 1, 1 }))), NULL };
+  run(s, &r, 1 << VS_PASS_FOLD);
+  assert_int_equal(r.node->kind, VS_TRANSFORM);
+  vs_node_release(r.node);
+  /* a sum moved between sums is one with them */
+  r = (vs_ref){ two(s, VS_UNION, NODE(sphere, SPHERE, { 9, 0, 0 }, 2, 0), shifted(s, 1, 0, 0, two(s, VS_UNION, NODE(sphere, SPHERE, { 0, 0, 0 }, 2, 0), NODE(sphere, SPHERE, { 4, 0, 0 }, 1, 0)))), NULL };
+  stats = run(s, &r, ALL);
+  assert_true(r.node->child_count == 3 && stats.commands_before == 6 && stats.commands_after == 5);
+  vs_node_release(r.node);
+  vs_store_release(s);
+}
+
+static void paint_rises(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_node *kids[6];
+  for (int i = 0; i < 6; i++) kids[i] = painted(s, "red", layered(s, i < 4 ? "roof" : "wall", NODE(sphere, SPHERE, { i, 0, 0 }, 1, 0)));
+  vs_ref r = { over(s, VS_UNION, NULL, kids, 6), NULL };
+  vs_pass_stats stats = run(s, &r, 1 << VS_PASS_FOLD);
+  assert_int_equal(r.node->kind, VS_MATERIAL); /* all six */
+  assert_true(stats.commands_before == 23 && stats.commands_after == 14);
+  vs_node_release(r.node);
+  for (int i = 0; i < 6; i++) kids[i] = painted(s, i == 2 ? "green" : "red", NODE(sphere, SPHERE, { i, 0, 0 }, 1, 0));
+  r = (vs_ref){ over(s, VS_UNION, NULL, kids, 6), NULL };
+  run(s, &r, 1 << VS_PASS_FOLD);
+  assert_true(r.node->kind == VS_UNION && r.node->child_count == 3); /* red, green, red: which comes first is seen where they overlap */
+  assert_int_equal(r.node->children[0].node->children[0].node->child_count, 2);
+  assert_int_equal(r.node->children[2].node->children[0].node->child_count, 3);
+  vs_node_release(r.node);
+  r = (vs_ref){ two(s, VS_UNION, painted(s, "glass", NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0)), painted(s, "glass", NODE(sphere, SPHERE, { 1, 0, 0 }, 1, 0))), NULL };
+  run(s, &r, 1 << VS_PASS_FOLD);
+  assert_int_equal(r.node->kind, VS_UNION); /* panes that touch stay two */
+  vs_node_release(r.node);
+  r = (vs_ref){ painted(s, "red", painted(s, "green", NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0))), NULL };
+  run(s, &r, 1 << VS_PASS_FOLD);
+  assert_true(r.node->children[0].node->kind == VS_SPHERE && VS_AS(material, r.node)->material == vs_store_ready_material(s, "green"));
   vs_node_release(r.node);
   vs_store_release(s);
 }
@@ -330,7 +449,8 @@ static void deep_trees_and_short_memory(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(sets_become_flat), cmocka_unit_test(templates_are_not_undone), cmocka_unit_test(placements_fold),
+    cmocka_unit_test(sets_become_flat), cmocka_unit_test(templates_are_not_undone), cmocka_unit_test(placements_fold), cmocka_unit_test(kinds_fold_under_what_they_are_closed_under),
+    cmocka_unit_test(placements_go_through_what_takes_them_in), cmocka_unit_test(paint_rises),
     cmocka_unit_test(nothing_is_pruned_away_but_nothing), cmocka_unit_test(copies_become_a_template), cmocka_unit_test(copies_survive_rounding_and_flattening), cmocka_unit_test(large_sets_become_trees_of_boxes),
     cmocka_unit_test(random_solids_stay_what_they_are), cmocka_unit_test(deep_trees_and_short_memory),
   };
