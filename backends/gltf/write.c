@@ -28,16 +28,20 @@ static void json_between(vs_writer *w, size_t index) {
   if (index > 0) vs_puts(w, ",");
 }
 
-static void json_vector(vs_writer *w, const char *name, vs_vec3 v) {
-  vs_putf(w, ",\"%s\":", name);
-  vs_put_triple(w, "[", v, ",", "]");
+static char *json_write_triple(char *to, vs_vec3 v) {
+  *to++ = '[';
+  to = vs_number_write(to, v.x);
+  *to++ = ',';
+  to = vs_number_write(to, v.y);
+  *to++ = ',';
+  return vs_number_write(to, v.z);
 }
 
-static void json_turn(vs_writer *w, const double q[4]) {
-  vs_puts(w, ",\"rotation\":");
-  vs_put_triple(w, "[", vs_v3(q[1], q[2], q[3]), ",", ",");
-  vs_put_number(w, q[0]);
-  vs_puts(w, "]");
+static void json_vector(vs_writer *w, const char *name, vs_vec3 v) {
+  vs_puts(w, ",\"");
+  vs_puts(w, name);
+  vs_puts(w, "\":");
+  vs_put_triple(w, "[", v, ",", "]");
 }
 
 static double gltf_linear(double x) { return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4); } /* IEC 61966-2-1 */
@@ -106,15 +110,39 @@ static void gltf_meshes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   vs_puts(w, "]");
 }
 
+/* One of what may be a million, made in the writer's own buffer. */
 static void gltf_node(vs_writer *w, const vs_gltf_node *n) {
   vs_vec3 at, size;
   double turn[4];
   vs_affine_split(&n->place, &at, turn, &size);
-  vs_putf(w, "{\"mesh\":%u", n->mesh);
-  if (at.x != 0 || at.y != 0 || at.z != 0) json_vector(w, "translation", at);
-  if (fabs(turn[0]) < 1) json_turn(w, turn);
-  if (size.x != 1 || size.y != 1 || size.z != 1) json_vector(w, "scale", size);
-  vs_puts(w, "}");
+  char *to = vs_writer_room(w, 12 * VS_NUMBER_ROOM + 80);
+  if (to == NULL) return;
+  VS_WRITE(to, ",{\"mesh\":");
+  to = vs_number_write(to, n->mesh);
+  if (at.x != 0 || at.y != 0 || at.z != 0) {
+    VS_WRITE(to, ",\"translation\":");
+    to = json_write_triple(to, at);
+    *to++ = ']';
+  }
+  if (fabs(turn[0]) < 1) {
+    VS_WRITE(to, ",\"rotation\":");
+    to = json_write_triple(to, vs_v3(turn[1], turn[2], turn[3]));
+    *to++ = ',';
+    to = vs_number_write(to, turn[0]);
+    *to++ = ']';
+  }
+  if (size.x != 1 || size.y != 1 || size.z != 1) {
+    VS_WRITE(to, ",\"scale\":");
+    to = json_write_triple(to, size);
+    *to++ = ']';
+  }
+  *to++ = '}';
+  vs_writer_filled(w, to);
+}
+
+static void gltf_child(vs_writer *w, size_t *count, size_t node) {
+  vs_puts(w, (*count)++ > 0 ? "," : ",\"children\":[");
+  vs_put_number(w, (double)node);
 }
 
 static double gltf_metres(const char *unit) {
@@ -138,12 +166,11 @@ static void gltf_nodes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
       json_text(w, g->layers[layer - 1]);
     }
     size_t count = 0;
-    for (size_t i = 1; layer == 0 && i <= g->layer_count; i++) vs_putf(w, "%s%zu", count++ > 0 ? "," : ",\"children\":[", i);
-    for (size_t i = f->starts[layer]; i < f->starts[layer + 1] && !w->failed; i++) vs_putf(w, "%s%zu", count++ > 0 ? "," : ",\"children\":[", first + i);
+    for (size_t i = 1; layer == 0 && i <= g->layer_count; i++) gltf_child(w, &count, i);
+    for (size_t i = f->starts[layer]; i < f->starts[layer + 1] && !w->failed; i++) gltf_child(w, &count, first + i);
     vs_puts(w, count > 0 ? "]}" : "}");
   }
   for (size_t i = 0; i < g->node_count && !w->failed; i++) {
-    vs_puts(w, ",");
     gltf_node(w, &g->nodes[f->order[i]]);
     if ((i & 0xfff) == 0 && !vs_emit_progress(f->e, "writing", -1)) w->failed = true;
   }
