@@ -10,7 +10,6 @@
 #include "kernel/cluster.h"
 
 typedef struct { uint32_t point, fresh; } end; /* fresh: where point is VS_NONE */
-typedef struct { vs_homogeneous at; int64_t fixed[3]; bool exact; } fresh_point;
 typedef struct { uint32_t a, b, first, count; } contact; /* count 0: coplanar, the facets go together */
 
 typedef struct {
@@ -18,7 +17,7 @@ typedef struct {
   const vs_cluster *c;
   VS_LIST(contact) contacts;
   VS_LIST(end) ends;
-  VS_LIST(fresh_point) fresh;
+  VS_LIST(vs_fresh_point) fresh;
   VS_LIST(int8_t) side_a, side_b; /* of a pair's corners */
   double span[2][3];              /* the first and last end of the pair at hand, in steps */
 } chunk;
@@ -162,10 +161,10 @@ static bool meet(void *context, uint32_t first, uint32_t second) {
     const vs_patch *from = e->fresh & 1 ? b : a, *through = e->fresh & 1 ? a : b;
     uint32_t at = e->fresh >> 1;
     const vs_patch_corner *x = corners(c, from);
-    fresh_point made;
+    vs_fresh_point made;
     if (!vs_meet_edge(x[at].at, x[at + 1 == from->count ? 0 : at + 1].at, &c->planes.all.at[through->plane], &made.at))
       return VS_BROKEN(m->k, "an edge and a plane do not meet");
-    made.exact = vs_homogeneous_fix(&made.at, made.fixed);
+    vs_fresh_fill(&made);
     e->fresh = (uint32_t)m->fresh.count;
     if (!VS_PUSH(m->k, m->fresh, made)) return false;
   }
@@ -179,6 +178,8 @@ typedef struct {
   vs_cluster *c;
   uint32_t *group; /* union-find over facets */
   VS_LIST(uint32_t) line; /* the points of a contact, in order along it */
+  VS_LIST(uint32_t) ids;  /* of a chunk's fresh points */
+  chunk chunks[VS_PIPELINE_WINDOW];
 } meeting;
 
 static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_t plane) {
@@ -189,8 +190,11 @@ static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_
   return VS_PUSH(m->k, m->c->cuts, ((vs_cut){ t->facet, p, q, plane }));
 }
 
-static bool absorb(meeting *m, chunk *from) {
+static bool absorb(vs_kernel *k, void *context, size_t index) {
+  meeting *m = context;
   vs_cluster *c = m->c;
+  const chunk *from = &m->chunks[index % VS_PIPELINE_WINDOW];
+  if (!VS_ROOM(k, m->ids.at, m->ids.room, from->fresh.count + 1) || !vs_points_add_all(k, &c->points, NULL, from->fresh.at, from->fresh.count, m->ids.at)) return false;
   for (size_t i = 0; i < from->contacts.count; i++) {
     const contact *x = &from->contacts.at[i];
     const vs_patch *a = &c->patches.at[x->a], *b = &c->patches.at[x->b];
@@ -201,11 +205,7 @@ static bool absorb(meeting *m, chunk *from) {
     }
     m->line.count = 0;
     for (uint32_t j = x->first; j < x->first + x->count; j++) {
-      uint32_t id = from->ends.at[j].point;
-      if (id == VS_NONE) {
-        const fresh_point *f = &from->fresh.at[from->ends.at[j].fresh];
-        if (!vs_points_add_fixed(m->k, &c->points, f->fixed, f->exact ? NULL : &f->at, &id)) return false;
-      }
+      uint32_t id = from->ends.at[j].point == VS_NONE ? m->ids.at[from->ends.at[j].fresh] : from->ends.at[j].point;
       bool known = false;
       for (size_t e = 0; e < m->line.count; e++) known = known || m->line.at[e] == id;
       if (!known && !VS_PUSH(m->k, m->line, id)) return false;
@@ -229,42 +229,34 @@ static bool absorb(meeting *m, chunk *from) {
   return true;
 }
 
-enum { CHUNK = 256, BATCH = 32 }; /* blocks of the index in a chunk; chunks at once */
-typedef struct { chunk *chunks; const vs_cluster *c; uint32_t first; } batch;
+enum { CHUNK = 256 }; /* blocks of the index */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
-  batch *b = context;
-  chunk *m = &b->chunks[index];
+  meeting *all = context;
+  chunk *m = &all->chunks[index % VS_PIPELINE_WINDOW];
   m->k = k;
-  m->c = b->c;
+  m->c = all->c;
   m->contacts.count = m->ends.count = m->fresh.count = 0;
-  uint32_t first = b->first + (uint32_t)index * CHUNK;
-  return vs_bvh_pairs(&b->c->bvh, first, first + CHUNK, meet, m);
+  uint32_t first = (uint32_t)index * CHUNK;
+  return vs_bvh_pairs(&all->c->bvh, first, first + CHUNK, meet, m);
 }
 
 bool vs_meet_patches(vs_kernel *k, vs_cluster *c) {
   meeting m = { .k = k, .c = c };
-  chunk chunks[BATCH] = { { 0 } };
   size_t room = 0;
   bool ok = VS_ROOM(k, m.group, room, c->facets.count + 1);
   for (uint32_t i = 0; ok && i < c->facets.count; i++) m.group[i] = i;
-  uint32_t blocks = vs_bvh_blocks(&c->bvh);
-  for (uint32_t first = 0; ok && first < blocks; first += CHUNK * BATCH) {
-    batch b = { chunks, c, first };
-    uint32_t count = (blocks - first + CHUNK - 1) / CHUNK;
-    if (count > BATCH) count = BATCH;
-    ok = vs_kernel_run(k, count, meet_chunk, &b);
-    for (uint32_t i = 0; ok && i < count; i++) ok = absorb(&m, &chunks[i]);
-  }
+  ok = ok && vs_kernel_pipeline(k, ((size_t)vs_bvh_blocks(&c->bvh) + CHUNK - 1) / CHUNK, meet_chunk, absorb, &m);
   for (uint32_t i = 0; ok && i < c->facets.count; i++) c->facets.at[i].group = vs_find(m.group, i);
-  for (int i = 0; i < BATCH; i++) {
-    VS_DROP(k, chunks[i].contacts);
-    VS_DROP(k, chunks[i].ends);
-    VS_DROP(k, chunks[i].fresh);
-    VS_DROP(k, chunks[i].side_a);
-    VS_DROP(k, chunks[i].side_b);
+  for (int i = 0; i < VS_PIPELINE_WINDOW; i++) {
+    VS_DROP(k, m.chunks[i].contacts);
+    VS_DROP(k, m.chunks[i].ends);
+    VS_DROP(k, m.chunks[i].fresh);
+    VS_DROP(k, m.chunks[i].side_a);
+    VS_DROP(k, m.chunks[i].side_b);
   }
   VS_DROP(k, m.line);
+  VS_DROP(k, m.ids);
   VS_FREE(k, m.group, room);
   return ok;
 }

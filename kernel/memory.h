@@ -42,6 +42,10 @@ static inline bool vs_kernel_poll(vs_kernel *k, double part) { return (++k->tick
 /* Calls task(k, context, 0) to task(k, context, count - 1), in any order and at once where there are threads. k is not the caller's in each of them. */
 typedef bool vs_task_fn(vs_kernel *k, void *context, size_t index);
 bool vs_kernel_run(vs_kernel *k, size_t count, vs_task_fn *task, void *context);
+/* The same, and taker(k, context, i) in the caller's thread for every i in order, after its task and while later ones are still done. What a task leaves may
+ * lie in place i % VS_PIPELINE_WINDOW: no more wait to be taken. Tasks must not read what the taker changes. */
+enum { VS_PIPELINE_WINDOW = 64 };
+bool vs_kernel_pipeline(vs_kernel *k, size_t count, vs_task_fn *task, vs_task_fn *taker, void *context);
 uint32_t vs_kernel_threads(const vs_kernel_options *options); /* how many there may be */
 
 /* Stable merge sort of numbers by a strict order; scratch as large as the array. */

@@ -26,12 +26,11 @@ typedef struct { uint32_t segment, point; } incidence;
 typedef struct { uint32_t l, r, leaf; int32_t delta; } piece; /* local vertices; delta: above less below */
 
 /* What a chunk of groups gives: points at VS_POINT_MORE and above are `fresh` ones. */
-typedef struct { vs_homogeneous at; int64_t fixed[3]; bool exact; } fresh_point;
 typedef struct {
   VS_LIST(vs_face) faces;    /* cover counts from 0 */
   VS_LIST(vs_cover) covers;
   VS_LIST(vs_use) uses;      /* faces count from 0 */
-  VS_LIST(fresh_point) fresh;
+  VS_LIST(vs_fresh_point) fresh;
 } findings;
 
 /* What a thread works with. */
@@ -79,12 +78,7 @@ static bool own_point(plane_work *w, uint32_t global, uint32_t *point) {
   return VS_PUSH(w->k, w->points, w->c->points.all.at[global]) && VS_PUSH(w->k, w->global, global);
 }
 
-static size_t slot_of(const plane_work *w, const int64_t f[3]) {
-  uint64_t h = (uint64_t)f[0] * 0x9e3779b97f4a7c15u;
-  h = ((h ^ h >> 29) + (uint64_t)f[1]) * 0xbf58476d1ce4e5b9u;
-  h = ((h ^ h >> 29) + (uint64_t)f[2]) * 0x94d049bb133111ebu;
-  return (h ^ h >> 31) & (w->heads.count - 1);
-}
+static size_t slot_of(const plane_work *w, const int64_t f[3]) { return vs_points_hash(f) & (w->heads.count - 1); }
 
 /* All points of the group into chains; done when the first new one is looked for, and when the table is full. */
 static bool chain_points(plane_work *w) {
@@ -102,10 +96,10 @@ static bool chain_points(plane_work *w) {
 }
 
 static bool new_point(plane_work *w, const vs_homogeneous *h, uint32_t *point) {
-  fresh_point f = { .at = *h };
-  f.exact = vs_homogeneous_fix(h, f.fixed);
+  vs_fresh_point f = { .at = *h };
+  vs_fresh_fill(&f);
   if (w->points.count >= w->heads.count && !chain_points(w)) return false;
-  size_t slot = slot_of(w, f.fixed);
+  size_t slot = f.hash & (w->heads.count - 1);
   for (uint32_t i = w->heads.at[slot]; i != VS_NONE; i = w->points.at[i].next) {
     const vs_point *p = &w->points.at[i];
     if (p->fixed[0] != f.fixed[0] || p->fixed[1] != f.fixed[1] || p->fixed[2] != f.fixed[2] || vs_point_exact(p) != f.exact) continue;
@@ -448,9 +442,10 @@ typedef struct {
   VS_LIST(uint32_t) facets, cuts;  /* numbers, bucketed */
   VS_LIST(uint32_t) facet_first, cut_first; /* of a root; one more */
   VS_LIST(uint32_t) chunks;        /* roots at which they begin; one more */
-  size_t first;                    /* of the batch */
-  findings *found;
+  findings found[VS_PIPELINE_WINDOW];
   plane_work *works;               /* one a thread */
+  vs_points_table points;          /* those found, on top of the cluster's */
+  VS_LIST(uint32_t) numbers;       /* of a chunk's fresh points */
 } arranging;
 
 static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
@@ -481,28 +476,31 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
 static bool arrange_chunk(vs_kernel *k, void *context, size_t index) {
   arranging *a = context;
   plane_work *w = &a->works[k->worker];
-  findings *to = &a->found[index];
+  findings *to = &a->found[index % VS_PIPELINE_WINDOW];
   w->k = k;
   w->c = a->c;
   w->to = to;
   to->faces.count = to->covers.count = to->uses.count = to->fresh.count = 0;
-  if (w->known.count < a->c->points.all.count) { /* new numbers only come after the group at hand: they need no place */
+  if (w->known.count < a->c->points.all.count) {
     if (!VS_ROOM(k, w->known.at, w->known.room, a->c->points.all.count)) return false;
     for (size_t i = w->known.count; i < w->known.room; i++) w->known.at[i] = 0;
     w->known.count = w->known.room;
   }
-  uint32_t from = a->chunks.at[a->first + index], end = a->chunks.at[a->first + index + 1], n = (uint32_t)a->c->facets.count;
+  uint32_t from = a->chunks.at[index], end = a->chunks.at[index + 1], n = (uint32_t)a->c->facets.count;
   for (uint32_t root = from; root < end; root++)
     if (!vs_kernel_poll(k, 0.2 + 0.5 * root / n) || !arrange_group(w, a, root)) return false;
   return true;
 }
 
-static bool absorb(vs_kernel *k, vs_cluster *c, findings *from, uint32_t *numbers) {
+static bool absorb(vs_kernel *k, void *context, size_t index) {
+  arranging *a = context;
+  vs_cluster *c = a->c;
+  const findings *from = &a->found[index % VS_PIPELINE_WINDOW];
   uint32_t faces = (uint32_t)c->faces.count, covers = (uint32_t)c->covers.count, uses = (uint32_t)c->uses.count;
-  for (size_t i = 0; i < from->fresh.count; i++) {
-    const fresh_point *f = &from->fresh.at[i];
-    if (!vs_points_add_fixed(k, &c->points, f->fixed, f->exact ? NULL : &f->at, &numbers[i])) return false;
-  }
+  if (!VS_ROOM(k, a->numbers.at, a->numbers.room, from->fresh.count + 1) ||
+      !vs_points_add_all(k, &a->points, &c->points, from->fresh.at, from->fresh.count, a->numbers.at))
+    return false;
+  const uint32_t *numbers = a->numbers.at;
   if (!VS_ROOM(k, c->faces.at, c->faces.room, faces + from->faces.count) || !VS_ROOM(k, c->covers.at, c->covers.room, covers + from->covers.count) ||
       !VS_ROOM(k, c->uses.at, c->uses.room, c->uses.count + from->uses.count))
     return false;
@@ -576,34 +574,25 @@ static void work_free(vs_kernel *k, plane_work *w) {
 }
 
 bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
-  enum { BATCH = 64 };
-  findings found[BATCH];
-  memset(found, 0, sizeof found);
-  arranging a = { .c = c, .found = found };
-  VS_LIST(uint32_t) numbers = { 0 };
+  arranging a = { .c = c };
   size_t work_room = 0;
   bool ok = VS_ROOM(k, a.works, work_room, k->threads);
   if (ok) memset(a.works, 0, work_room * sizeof *a.works);
-  ok = ok && bucket(k, &a);
-  for (; ok && a.first + 1 < a.chunks.count; a.first += BATCH) {
-    size_t count = a.chunks.count - 1 - a.first < BATCH ? a.chunks.count - 1 - a.first : BATCH;
-    ok = vs_kernel_run(k, count, arrange_chunk, &a);
-    for (size_t i = 0; ok && i < count; i++)
-      ok = VS_ROOM(k, numbers.at, numbers.room, found[i].fresh.count + 1) && absorb(k, c, &found[i], numbers.at);
-  }
-  for (size_t i = 0; i < BATCH; i++) {
-    VS_DROP(k, found[i].faces);
-    VS_DROP(k, found[i].covers);
-    VS_DROP(k, found[i].uses);
-    VS_DROP(k, found[i].fresh);
+  ok = ok && bucket(k, &a) && vs_kernel_pipeline(k, a.chunks.count - 1, arrange_chunk, absorb, &a) && vs_points_append(k, &c->points, &a.points);
+  for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
+    VS_DROP(k, a.found[i].faces);
+    VS_DROP(k, a.found[i].covers);
+    VS_DROP(k, a.found[i].uses);
+    VS_DROP(k, a.found[i].fresh);
   }
   for (size_t i = 0; i < work_room; i++) work_free(k, &a.works[i]);
   VS_FREE(k, a.works, work_room);
+  vs_points_free(k, &a.points);
   VS_DROP(k, a.facets);
   VS_DROP(k, a.cuts);
   VS_DROP(k, a.facet_first);
   VS_DROP(k, a.cut_first);
   VS_DROP(k, a.chunks);
-  VS_DROP(k, numbers);
+  VS_DROP(k, a.numbers);
   return ok;
 }

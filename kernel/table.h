@@ -14,6 +14,14 @@ typedef struct {
   size_t head_room, head_count;
 } vs_points_table;
 
+/* A point that somebody has found, and has no number yet. */
+typedef struct {
+  vs_homogeneous at;
+  int64_t fixed[3];
+  uint64_t hash; /* of fixed */
+  bool exact;
+} vs_fresh_point;
+
 typedef struct {
   VS_LIST(vs_plane) all;
   VS_LIST(uint32_t) next;
@@ -27,6 +35,11 @@ bool vs_points_integer(vs_kernel *k, vs_points_table *t, const int32_t at[3], ui
 /* The number of the point, an older one where it lies in the same place. */
 bool vs_points_add(vs_kernel *k, vs_points_table *t, const vs_homogeneous *h, uint32_t *id);
 bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h, uint32_t *id); /* h NULL: exact */
+uint64_t vs_points_hash(const int64_t fixed[3]);
+void vs_fresh_fill(vs_fresh_point *f); /* the rest from `at` */
+/* The numbers of many, in order. base: a table that goes before it and stays as it is, or NULL: then what is not there has base's count added. */
+bool vs_points_add_all(vs_kernel *k, vs_points_table *t, const vs_points_table *base, const vs_fresh_point *fresh, size_t count, uint32_t *ids);
+bool vs_points_append(vs_kernel *k, vs_points_table *t, vs_points_table *more); /* more was made on top of t, and is empty afterwards */
 void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]); /* of an input vertex */
 void vs_points_free(vs_kernel *k, vs_points_table *t);
 

@@ -7,34 +7,99 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { MOST = VS_THREADS_MOST };
+enum { MOST = VS_THREADS_MOST, WINDOW = VS_PIPELINE_WINDOW };
 
 typedef struct {
   vs_kernel *k;
   vs_task_fn *task;
   void *context;
-  size_t count;
-  _Atomic size_t next;
-  pthread_mutex_t lock; /* of the rest */
-  pthread_cond_t done;
+  size_t count, window;   /* window: how many tasks' results may wait to be taken; 0: nobody takes them */
+  _Atomic size_t next, taken;
+  _Atomic bool *ready;    /* of a result, by its task's number modulo window */
+  pthread_mutex_t lock;   /* of the rest */
+  pthread_cond_t done, space; /* a thread or a result is done; a result was taken */
   size_t running, failed; /* failed: the least task that did */
   vs_kernel_error error;
 } crew;
 typedef struct { crew *crew; vs_kernel k; vs_kernel_error error; } worker;
 
+static bool do_task(crew *c, vs_kernel *k, size_t i) {
+  if (c->task(k, c->context, i)) {
+    if (!c->window) return true;
+    pthread_mutex_lock(&c->lock);
+    atomic_store(&c->ready[i % c->window], true);
+    pthread_cond_signal(&c->done);
+    pthread_mutex_unlock(&c->lock);
+    return true;
+  }
+  pthread_mutex_lock(&c->lock);
+  if (k->error->status != VS_KERNEL_FINE && i < c->failed) { /* one that was only stopped has nothing to say */
+    c->failed = i;
+    c->error = *k->error;
+  }
+  atomic_store(&c->k->stop, true);
+  pthread_cond_broadcast(&c->space);
+  pthread_mutex_unlock(&c->lock);
+  return false;
+}
+
 static void work(crew *c, vs_kernel *k) {
   for (;;) {
     size_t i = atomic_fetch_add(&c->next, 1);
-    if (i >= c->count || atomic_load(&c->k->stop)) return;
-    if (c->task(k, c->context, i)) continue;
-    pthread_mutex_lock(&c->lock);
-    if (k->error->status != VS_KERNEL_FINE && i < c->failed) { /* one that was only stopped has nothing to say */
-      c->failed = i;
-      c->error = *k->error;
+    if (i >= c->count) return;
+    if (c->window && i >= atomic_load(&c->taken) + c->window) {
+      pthread_mutex_lock(&c->lock);
+      while (i >= atomic_load(&c->taken) + c->window && !atomic_load(&c->k->stop)) pthread_cond_wait(&c->space, &c->lock);
+      pthread_mutex_unlock(&c->lock);
     }
+    if (atomic_load(&c->k->stop) || !do_task(c, k, i)) return;
+  }
+}
+
+static void stop(crew *c) {
+  pthread_mutex_lock(&c->lock);
+  atomic_store(&c->k->stop, true);
+  pthread_cond_broadcast(&c->space);
+  pthread_mutex_unlock(&c->lock);
+}
+
+/* Waits a little for something to be done. */
+static void wait_a_while(crew *c) {
+  struct timespec until;
+  clock_gettime(CLOCK_REALTIME, &until);
+  until.tv_nsec += 20000000;
+  if (until.tv_nsec >= 1000000000) until.tv_sec++, until.tv_nsec -= 1000000000;
+  if (pthread_cond_timedwait(&c->done, &c->lock, &until) != ETIMEDOUT || atomic_load(&c->k->stop)) return;
+  pthread_mutex_unlock(&c->lock);
+  if (!vs_kernel_report(c->k, c->k->part)) stop(c);
+  pthread_mutex_lock(&c->lock);
+}
+
+/* Takes results in order, and works where the next one is not there yet. */
+static void take(crew *c, vs_task_fn *taker) {
+  vs_kernel *k = c->k;
+  for (size_t at = 0; at < c->count && !atomic_load(&k->stop);) {
+    if (atomic_load(&c->ready[at % c->window])) {
+      atomic_store(&c->ready[at % c->window], false);
+      if (!taker(k, c->context, at)) {
+        stop(c);
+        return;
+      }
+      at++;
+      pthread_mutex_lock(&c->lock);
+      atomic_store(&c->taken, at);
+      pthread_cond_broadcast(&c->space); /* whoever waits may not be the next */
+      pthread_mutex_unlock(&c->lock);
+      continue;
+    }
+    size_t i = atomic_load(&c->next);
+    if (i < c->count && i < at + c->window) {
+      if (atomic_compare_exchange_strong(&c->next, &i, i + 1) && !do_task(c, k, i)) return;
+      continue;
+    }
+    pthread_mutex_lock(&c->lock);
+    if (!atomic_load(&c->ready[at % c->window]) && !atomic_load(&k->stop)) wait_a_while(c);
     pthread_mutex_unlock(&c->lock);
-    atomic_store(&c->k->stop, true);
-    return;
   }
 }
 
@@ -53,20 +118,17 @@ uint32_t vs_kernel_threads(const vs_kernel_options *options) {
   return n < 1 ? 1 : n > MOST ? MOST : (uint32_t)n;
 }
 
-bool vs_kernel_run(vs_kernel *k, size_t count, vs_task_fn *task, void *context) {
-  if (k->threads < 2 || count < 2) {
-    for (size_t i = 0; i < count; i++)
-      if (!task(k, context, i)) return false;
-    return true;
-  }
-  crew c = { .k = k, .task = task, .context = context, .count = count, .failed = SIZE_MAX };
+static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_task_fn *taker, void *context) {
+  _Atomic bool ready[WINDOW] = { false };
+  crew c = { .k = k, .task = task, .context = context, .count = count, .window = window, .ready = ready, .failed = SIZE_MAX };
   worker workers[MOST];
   pthread_t threads[MOST];
   uint32_t started = 0;
   atomic_store(&k->stop, false);
-  if (pthread_mutex_init(&c.lock, NULL) != 0) return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
-  if (pthread_cond_init(&c.done, NULL) != 0) {
-    pthread_mutex_destroy(&c.lock);
+  bool made = pthread_mutex_init(&c.lock, NULL) == 0, can_done = made && pthread_cond_init(&c.done, NULL) == 0;
+  if (!can_done || pthread_cond_init(&c.space, NULL) != 0) {
+    if (can_done) pthread_cond_destroy(&c.done);
+    if (made) pthread_mutex_destroy(&c.lock);
     return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
   }
   for (uint32_t i = 1; i < k->threads && i < count; i++) {
@@ -87,24 +149,30 @@ bool vs_kernel_run(vs_kernel *k, size_t count, vs_task_fn *task, void *context) 
   }
   uint32_t own = k->threads;
   k->threads = 1; /* a task has no threads of its own */
-  work(&c, k);
+  if (taker) take(&c, taker);
+  else work(&c, k);
   k->threads = own;
   pthread_mutex_lock(&c.lock);
-  while (c.running) { /* wait, and keep reporting */
-    struct timespec until;
-    clock_gettime(CLOCK_REALTIME, &until);
-    until.tv_nsec += 20000000;
-    if (until.tv_nsec >= 1000000000) until.tv_sec++, until.tv_nsec -= 1000000000;
-    if (pthread_cond_timedwait(&c.done, &c.lock, &until) == ETIMEDOUT && !atomic_load(&k->stop)) {
-      pthread_mutex_unlock(&c.lock);
-      if (!vs_kernel_report(k, k->part)) atomic_store(&k->stop, true);
-      pthread_mutex_lock(&c.lock);
-    }
-  }
+  while (c.running) wait_a_while(&c); /* and keep reporting */
   pthread_mutex_unlock(&c.lock);
   for (uint32_t i = 0; i < started; i++) pthread_join(threads[i], NULL);
+  pthread_cond_destroy(&c.space);
   pthread_cond_destroy(&c.done);
   pthread_mutex_destroy(&c.lock);
   if (k->error->status == VS_KERNEL_FINE && c.failed != SIZE_MAX) *k->error = c.error;
   return !atomic_load(&k->stop);
+}
+
+bool vs_kernel_run(vs_kernel *k, size_t count, vs_task_fn *task, void *context) {
+  if (k->threads >= 2 && count >= 2) return run(k, count, 0, task, NULL, context);
+  for (size_t i = 0; i < count; i++)
+    if (!task(k, context, i)) return false;
+  return true;
+}
+
+bool vs_kernel_pipeline(vs_kernel *k, size_t count, vs_task_fn *task, vs_task_fn *taker, void *context) {
+  if (k->threads >= 2 && count >= 2) return run(k, count, WINDOW, task, taker, context);
+  for (size_t i = 0; i < count; i++)
+    if (!task(k, context, i) || !taker(k, context, i)) return false;
+  return true;
 }
