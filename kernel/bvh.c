@@ -34,9 +34,47 @@ static int code_shift(uint32_t count, const int64_t range[3], int *bits) {
   }
 }
 
+enum { CHUNK = 1 << 14, MANY = 1 << 16 /* boxes that are worth threads */ };
+
+typedef struct {
+  vs_bvh *t;
+  uint64_t *code;       /* code << 32 | item */
+  int64_t low[3];
+  int shift;
+} coding;
+
+static uint32_t chunk_end(const vs_bvh *t, size_t index) { return (index + 1) * CHUNK < t->count ? (uint32_t)(index + 1) * CHUNK : t->count; }
+
+static bool code_chunk(vs_kernel *k, void *context, size_t index) {
+  (void)k;
+  coding *c = context;
+  for (uint32_t i = (uint32_t)index * CHUNK, end = chunk_end(c->t, index); i < end; i++) {
+    const vs_box *b = &c->t->boxes[i];
+    uint64_t code = 0;
+    for (int j = 0; j < 3; j++) code |= spread((uint64_t)((int64_t)b->min[j] + b->max[j] - c->low[j]) >> c->shift) << j;
+    c->code[i] = code << 32 | i;
+  }
+  return true;
+}
+
+static bool gather_chunk(vs_kernel *k, void *context, size_t index) {
+  (void)k;
+  coding *c = context;
+  vs_bvh *t = c->t;
+  for (uint32_t i = (uint32_t)index * CHUNK, end = chunk_end(t, index); i < end; i++) t->order[i] = (uint32_t)c->code[i], t->sorted[i] = t->boxes[t->order[i]];
+  return true;
+}
+
+static bool in_chunks(vs_kernel *k, vs_task_fn *task, coding *c) {
+  size_t chunks = ((size_t)c->t->count + CHUNK - 1) / CHUNK;
+  if (c->t->count >= MANY) return vs_kernel_run(k, chunks, task, c);
+  for (size_t i = 0; i < chunks; i++) task(k, c, i);
+  return true;
+}
+
 static bool sort_morton(vs_kernel *k, vs_bvh *t) {
   enum { DIGIT = 10, FEW = 64 };
-  uint64_t *a = NULL, *b = NULL; /* code << 32 | item */
+  uint64_t *a = NULL, *b = NULL;
   size_t ar = 0, br = 0;
   uint32_t n = t->count;
   bool ok = VS_ROOM(k, a, ar, (size_t)n + 1) && VS_ROOM(k, b, br, (size_t)n + 1);
@@ -49,12 +87,9 @@ static bool sort_morton(vs_kernel *k, vs_bvh *t) {
         if (c > high[j]) high[j] = c;
       }
     int64_t range[3] = { n ? high[0] - low[0] : 0, n ? high[1] - low[1] : 0, n ? high[2] - low[2] : 0 };
-    int bits, shift = code_shift(n, range, &bits);
-    for (uint32_t i = 0; i < n; i++) {
-      uint64_t code = 0;
-      for (int j = 0; j < 3; j++) code |= spread((uint64_t)((int64_t)t->boxes[i].min[j] + t->boxes[i].max[j] - low[j]) >> shift) << j;
-      a[i] = code << 32 | i;
-    }
+    int bits;
+    coding c = { t, a, { low[0], low[1], low[2] }, code_shift(n, range, &bits) };
+    ok = in_chunks(k, code_chunk, &c);
     if (n <= FEW) {
       for (uint32_t i = 1; i < n; i++) {
         uint64_t x = a[i];
@@ -67,9 +102,9 @@ static bool sort_morton(vs_kernel *k, vs_bvh *t) {
         uint32_t counts[1 << DIGIT] = { 0 }, sum = 0;
         for (uint32_t i = 0; i < n; i++) counts[a[i] >> from & ((1 << DIGIT) - 1)]++;
         for (int j = 0; j < 1 << DIGIT; j++) {
-          uint32_t c = counts[j];
+          uint32_t count = counts[j];
           counts[j] = sum;
-          sum += c;
+          sum += count;
         }
         for (uint32_t i = 0; i < n; i++) b[counts[a[i] >> from & ((1 << DIGIT) - 1)]++] = a[i];
         uint64_t *swap = a;
@@ -77,7 +112,8 @@ static bool sort_morton(vs_kernel *k, vs_bvh *t) {
         b = swap;
       }
     }
-    for (uint32_t i = 0; i < n; i++) t->order[i] = (uint32_t)a[i], t->sorted[i] = t->boxes[(uint32_t)a[i]];
+    c.code = a;
+    ok = ok && in_chunks(k, gather_chunk, &c);
   }
   VS_FREE(k, a, ar);
   VS_FREE(k, b, br);
@@ -119,6 +155,7 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_box *boxes, uint32_t count) 
     if (n == 1) break;
     n = (n + 1) / 2;
   }
+  t->boxes = NULL;
   return true;
 }
 

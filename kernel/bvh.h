@@ -13,7 +13,7 @@ static inline bool vs_box_meet(const vs_box *a, const vs_box *b) {
 
 /* Items in Morton order, in blocks of four; level l+1 has one box for two of level l. */
 typedef struct {
-  const vs_box *boxes;  /* the caller's, in his order */
+  const vs_box *boxes;  /* the caller's, in his order; only while it is built */
   uint32_t *order;      /* his numbers, sorted */
   vs_box *sorted, *nodes;
   size_t order_room, sorted_room, node_room;

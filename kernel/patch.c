@@ -4,41 +4,58 @@
  * of them ends in a new point on a diagonal that nobody asked for. */
 #include "kernel/cluster.h"
 
+#include <string.h>
+
+/* What a thread works with. */
 typedef struct {
   vs_kernel *k;
-  vs_cluster *c;
+  const vs_cluster *c;
+  struct made *to;
   VS_LIST(uint32_t) next;   /* of a point on the facet's border; VS_NONE outside of facet_patch */
   VS_LIST(uint32_t) border; /* points where borders begin */
 } building;
 
+typedef struct made { /* of a chunk of facets; corners count from 0 */
+  VS_LIST(vs_patch) patches;
+  VS_LIST(vs_patch_corner) corners;
+  VS_LIST(vs_box) boxes;
+} made;
+
+typedef struct {
+  vs_cluster *c;
+  made made[VS_PIPELINE_WINDOW];
+  building *works; /* one a thread */
+} patching;
+
 static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner) {
-  vs_cluster *c = b->c;
+  const vs_cluster *c = b->c;
   const vs_facet *f = &c->facets.at[facet];
-  vs_patch p = { facet, f->place, f->plane, first, (uint32_t)c->patch_corners.count - first, f->flip, inner };
+  vs_patch p = { facet, f->place, f->plane, first, (uint32_t)b->to->corners.count - first, f->flip, inner };
   vs_box box = { { INT32_MAX, INT32_MAX, INT32_MAX }, { INT32_MIN, INT32_MIN, INT32_MIN } };
-  for (uint32_t i = first; i < c->patch_corners.count; i++)
+  for (uint32_t i = first; i < b->to->corners.count; i++)
     for (int a = 0; a < 3; a++) {
-      int32_t x = c->patch_corners.at[i].at[a];
+      int32_t x = b->to->corners.at[i].at[a];
       if (x < box.min[a]) box.min[a] = x;
       if (x > box.max[a]) box.max[a] = x;
     }
-  if (c->placed.at[p.place].lids_count) vs_cull_box(c, p.place, c->patch_corners.at + first, p.count, &box);
-  return VS_PUSH(b->k, c->patches, p) && VS_PUSH(b->k, c->boxes, box);
+  if (c->placed.at[p.place].lids_count) vs_cull_box(c, p.place, b->to->corners.at + first, p.count, &box);
+  return VS_PUSH(b->k, b->to->patches, p) && VS_PUSH(b->k, b->to->boxes, box);
 }
 
 static bool add_corner(building *b, uint32_t point) {
   vs_patch_corner corner = { { 0 }, point };
   vs_points_grid(&b->c->points, point, corner.at);
-  return VS_PUSH(b->k, b->c->patch_corners, corner);
+  return VS_PUSH(b->k, b->to->corners, corner);
 }
 
 /* Is the ring of corners from `first` on convex? Corners in one line are allowed, turning back is not, and it goes around once. */
-static bool convex(const vs_cluster *c, const vs_facet *f, uint32_t first) {
-  const vs_plane *p = &c->planes.all.at[f->plane];
-  uint32_t n = (uint32_t)c->patch_corners.count - first;
+static bool convex(const building *b, const vs_facet *f, uint32_t first) {
+  const vs_plane *p = &b->c->planes.all.at[f->plane];
+  const vs_patch_corner *at = b->to->corners.at + first;
+  uint32_t n = (uint32_t)b->to->corners.count - first;
   int falls = 0;
   for (uint32_t i = 0; i < n; i++) {
-    const int32_t *x = c->patch_corners.at[first + i].at, *y = c->patch_corners.at[first + (i + 1) % n].at, *z = c->patch_corners.at[first + (i + 2) % n].at;
+    const int32_t *x = at[i].at, *y = at[(i + 1) % n].at, *z = at[(i + 2) % n].at;
     int64_t ax = (int64_t)y[p->u] - x[p->u], ay = (int64_t)y[p->v] - x[p->v], bx = (int64_t)z[p->u] - y[p->u], by = (int64_t)z[p->v] - y[p->v];
     int64_t turn = ax * by - ay * bx;
     if (f->flip ? turn > 0 : turn < 0) return false;
@@ -49,9 +66,9 @@ static bool convex(const vs_cluster *c, const vs_facet *f, uint32_t first) {
 }
 
 static bool facet_patch(building *b, uint32_t facet, bool *whole) {
-  vs_cluster *c = b->c;
+  const vs_cluster *c = b->c;
   const vs_facet *f = &c->facets.at[facet];
-  uint32_t first = (uint32_t)c->patch_corners.count;
+  uint32_t first = (uint32_t)b->to->corners.count;
   bool simple = true;
   b->border.count = 0;
   for (uint32_t i = f[0].first; i < f[1].first; i++) {
@@ -70,30 +87,80 @@ static bool facet_patch(building *b, uint32_t facet, bool *whole) {
     if (at == VS_NONE || (at == b->border.at[0] && i + 1 < b->border.count)) simple = false;
   }
   for (size_t i = 0; i < b->border.count; i++) b->next.at[b->border.at[i]] = VS_NONE;
-  *whole = simple && b->border.count >= 3 && at == b->border.at[0] && convex(c, f, first);
+  *whole = simple && b->border.count >= 3 && at == b->border.at[0] && convex(b, f, first);
   if (*whole) return add_patch(b, facet, first, 0);
-  c->patch_corners.count = first;
+  b->to->corners.count = first;
+  return true;
+}
+
+enum { CHUNK = 4096 }; /* facets */
+
+static bool make_chunk(vs_kernel *k, void *context, size_t index) {
+  patching *p = context;
+  const vs_cluster *c = p->c;
+  building *b = &p->works[k->worker];
+  made *to = &p->made[index % VS_PIPELINE_WINDOW];
+  b->k = k;
+  b->c = c;
+  b->to = to;
+  to->patches.count = to->corners.count = to->boxes.count = 0;
+  if (!b->next.count) {
+    if (!VS_ROOM(k, b->next.at, b->next.room, c->points.all.count + 1)) return false;
+    for (size_t i = 0; i < c->points.all.count; i++) b->next.at[i] = VS_NONE;
+    b->next.count = c->points.all.count;
+  }
+  for (size_t i = index * CHUNK; i < (index + 1) * CHUNK && i < c->facets.count; i++) {
+    uint32_t first = c->facets.at[i].first, end = c->facets.at[i + 1].first;
+    bool whole = false;
+    if (!vs_kernel_poll(k, 0.1) || (end - first > 1 && !facet_patch(b, (uint32_t)i, &whole))) return false;
+    for (uint32_t t = first; !whole && t < end; t++) {
+      const vs_soup_triangle *triangle = &c->triangles.at[c->facet_triangles.at[t]];
+      uint32_t at = (uint32_t)to->corners.count;
+      for (int j = 0; j < 3; j++)
+        if (!add_corner(b, triangle->v[j])) return false;
+      if (!add_patch(b, (uint32_t)i, at, triangle->inner)) return false;
+    }
+  }
+  return true;
+}
+
+static bool take_chunk(vs_kernel *k, void *context, size_t index) {
+  patching *p = context;
+  vs_cluster *c = p->c;
+  const made *from = &p->made[index % VS_PIPELINE_WINDOW];
+  size_t corners = c->patch_corners.count, patches = c->patches.count;
+  if (!VS_ROOM(k, c->patches.at, c->patches.room, patches + from->patches.count) || !VS_ROOM(k, c->boxes.at, c->boxes.room, patches + from->patches.count) ||
+      !VS_ROOM(k, c->patch_corners.at, c->patch_corners.room, corners + from->corners.count))
+    return false;
+  if (corners + from->corners.count >= UINT32_MAX) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
+  for (size_t i = 0; i < from->patches.count; i++) {
+    c->patches.at[patches + i] = from->patches.at[i];
+    c->patches.at[patches + i].first += (uint32_t)corners;
+    c->boxes.at[patches + i] = from->boxes.at[i];
+  }
+  if (from->corners.count) memcpy(c->patch_corners.at + corners, from->corners.at, from->corners.count * sizeof *from->corners.at);
+  c->patches.count = c->boxes.count = patches + from->patches.count;
+  c->patch_corners.count = corners + from->corners.count;
   return true;
 }
 
 bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
-  building b = { .k = k, .c = c };
-  uint32_t points = (uint32_t)c->points.all.count;
-  bool ok = VS_ROOM(k, b.next.at, b.next.room, (size_t)points + 1);
-  for (uint32_t i = 0; ok && i < points; i++) b.next.at[i] = VS_NONE;
-  for (uint32_t i = 0; ok && i < c->facets.count; i++) {
-    uint32_t first = c->facets.at[i].first, end = c->facets.at[i + 1].first;
-    bool whole = false;
-    ok = vs_kernel_poll(k, 0.1) && (end - first < 2 || facet_patch(&b, i, &whole));
-    for (uint32_t t = first; ok && !whole && t < end; t++) {
-      const vs_soup_triangle *triangle = &c->triangles.at[c->facet_triangles.at[t]];
-      uint32_t at = (uint32_t)c->patch_corners.count;
-      for (int j = 0; ok && j < 3; j++) ok = add_corner(&b, triangle->v[j]);
-      ok = ok && add_patch(&b, i, at, triangle->inner);
-    }
+  patching p = { .c = c };
+  size_t room = 0;
+  bool ok = VS_ROOM(k, p.works, room, k->threads);
+  if (ok) memset(p.works, 0, room * sizeof *p.works);
+  ok = ok && vs_kernel_pipeline(k, (c->facets.count + CHUNK - 1) / CHUNK, make_chunk, take_chunk, &p) &&
+       vs_bvh_build(k, &c->bvh, c->boxes.at, (uint32_t)c->patches.count);
+  VS_DROP(k, c->boxes); /* the index has its own */
+  for (size_t i = 0; i < room; i++) {
+    VS_DROP(k, p.works[i].next);
+    VS_DROP(k, p.works[i].border);
   }
-  ok = ok && c->patch_corners.count < UINT32_MAX && vs_bvh_build(k, &c->bvh, c->boxes.at, (uint32_t)c->patches.count);
-  VS_DROP(k, b.next);
-  VS_DROP(k, b.border);
+  VS_FREE(k, p.works, room);
+  for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
+    VS_DROP(k, p.made[i].patches);
+    VS_DROP(k, p.made[i].corners);
+    VS_DROP(k, p.made[i].boxes);
+  }
   return ok;
 }
