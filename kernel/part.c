@@ -173,6 +173,19 @@ bool vs_part_holds(const vs_part *p, vs_vec3 q, double margin, uint32_t *hint) {
 
 /* ---- all of a problem ---- */
 
+enum { CHUNK = 8 }; /* meshes */
+static bool look_at(vs_kernel *k, void *context, size_t chunk) {
+  vs_parts *p = context;
+  for (size_t i = chunk * CHUNK; i < (chunk + 1) * CHUNK && i < p->all.count; i++) {
+    vs_part *part = &p->all.at[i];
+    if (part->mesh->triangle_count != 0 && !find_twins(k, part)) return false;
+    part->volume = part->mesh->triangle_count != 0 ? vs_mesh_volume(part->mesh) : 0;
+    find_shape(part);
+    if (!vs_kernel_report(k, 0)) return false;
+  }
+  return true;
+}
+
 bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *problem) {
   size_t slots = 64;
   while (slots < 2 * (size_t)problem->leaf_count) slots *= 2;
@@ -186,17 +199,19 @@ bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *proble
     while (table[slot] != VS_NONE && p->all.at[table[slot]].mesh != mesh) slot = (slot + 1) & (slots - 1);
     if (table[slot] == VS_NONE) {
       vs_part part = { .mesh = mesh };
-      ok = VS_PUSH(k, p->all, part) && (mesh->triangle_count == 0 || find_twins(k, &p->all.at[p->all.count - 1]));
-      if (!ok) break;
-      vs_part *made = &p->all.at[p->all.count - 1];
-      made->volume = mesh->triangle_count ? vs_mesh_volume(mesh) : 0;
-      find_shape(made);
+      ok = VS_PUSH(k, p->all, part);
       table[slot] = (uint32_t)p->all.count - 1;
-      ok = vs_kernel_report(k, 0);
     }
     p->of_leaf.at[i] = table[slot];
   }
   VS_FREE(k, table, table_room);
+  enum { SERIAL = 10000 }; /* triangles that are not worth a thread */
+  size_t triangles = 0;
+  uint32_t threads = k->threads;
+  for (size_t i = 0; i < p->all.count; i++) triangles += p->all.at[i].mesh->triangle_count;
+  if (triangles < SERIAL) k->threads = 1;
+  ok = ok && vs_kernel_run(k, (p->all.count + CHUNK - 1) / CHUNK, look_at, p);
+  k->threads = threads;
   return ok;
 }
 
