@@ -155,8 +155,10 @@ bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const 
 }
 
 /* What is left of a convex outline without a ball of the given radius about the part's middle: places along its edges, in order; they span what is left. For
- * a place in the outline and outside of the ball lies on a chord that the ball does not meet, and the chord's ends are on edges. */
+ * a place in the outline and outside of the ball lies on a chord that the ball does not meet, and the chord's ends are on edges. A corner on the ball, as
+ * another ball of the same kind leaves it, stays: one too many does no harm. 0: nothing is left, or it cannot be told. */
 static uint32_t clip_outline(const vs_placed *lid, double radius, double (*at)[3], uint32_t n, uint32_t room) {
+  static const double SURELY = 1e-6, FAR = 1e6; /* of the radius squared: what rounding cannot undo, up to so far away */
   double (*out)[3] = at + room; /* the other half of the caller's array */
   uint32_t count = 0;
   for (uint32_t i = 0; i < n; i++) {
@@ -166,8 +168,8 @@ static uint32_t clip_outline(const vs_placed *lid, double radius, double (*at)[3
     double a = vs_v3_dot(e, e), b = vs_v3_dot(d, e), c = vs_v3_dot(d, d) - radius * radius, square = b * b - a * c, from = 1, to = 1;
     if (square > 0 && a > 0) from = (-b - sqrt(square)) / a, to = (-b + sqrt(square)) / a;
     if (to <= 0) from = to = 1;
-    if (count + 3 > room) return 0;
-    if (from > 0) out[count][0] = p[0], out[count][1] = p[1], out[count++][2] = p[2];
+    if (count + 3 > room || c > FAR * radius * radius) return 0;
+    if (c > -SURELY * radius * radius) out[count][0] = p[0], out[count][1] = p[1], out[count++][2] = p[2];
     for (int end = 0; end < 2; end++) {
       double t = end ? to : from;
       if (t <= 0 || t >= 1) continue;

@@ -11,6 +11,7 @@ typedef struct {
   vs_kernel *k;
   const vs_cluster *c;
   struct made *to;
+  const uint32_t *alone;
   VS_LIST(uint32_t) next;   /* of a point on the facet's border; VS_NONE outside of facet_patch */
   VS_LIST(uint32_t) border; /* points where borders begin */
 } building;
@@ -25,6 +26,7 @@ typedef struct {
   vs_cluster *c;
   made made[VS_PIPELINE_WINDOW];
   building *works; /* one a thread */
+  VS_LIST(uint32_t) alone; /* of a plane: its facet, or SEVERAL */
 } patching;
 
 static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner) {
@@ -38,7 +40,8 @@ static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner
       if (x < box.min[a]) box.min[a] = x;
       if (x > box.max[a]) box.max[a] = x;
     }
-  if (c->placed.at[p.place].lids_count) vs_cull_box(c, p.place, b->to->corners.at + first, p.count, &box);
+  /* Facets in one plane are cut by each other's borders also where they do not show: else two faces could lie on each other there. */
+  if (c->placed.at[p.place].lids_count && b->alone[p.plane] == facet) vs_cull_box(c, p.place, b->to->corners.at + first, p.count, &box);
   return VS_PUSH(b->k, b->to->patches, p) && VS_PUSH(b->k, b->to->boxes, box);
 }
 
@@ -94,6 +97,7 @@ static bool facet_patch(building *b, uint32_t facet, bool *whole) {
 }
 
 enum { CHUNK = 4096 }; /* facets */
+#define SEVERAL (UINT32_MAX - 1)
 
 static bool make_chunk(vs_kernel *k, void *context, size_t index) {
   patching *p = context;
@@ -103,6 +107,7 @@ static bool make_chunk(vs_kernel *k, void *context, size_t index) {
   b->k = k;
   b->c = c;
   b->to = to;
+  b->alone = p->alone.at;
   to->patches.count = to->corners.count = to->boxes.count = 0;
   if (!b->next.count) {
     if (!VS_ROOM(k, b->next.at, b->next.room, c->points.all.count + 1)) return false;
@@ -149,6 +154,12 @@ bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
   size_t room = 0;
   bool ok = VS_ROOM(k, p.works, room, k->threads);
   if (ok) memset(p.works, 0, room * sizeof *p.works);
+  ok = ok && VS_ROOM(k, p.alone.at, p.alone.room, c->planes.all.count + 1);
+  if (ok) memset(p.alone.at, 0xff, (c->planes.all.count + 1) * sizeof *p.alone.at);
+  for (uint32_t i = 0; ok && i < c->facets.count; i++) {
+    uint32_t *of = &p.alone.at[c->facets.at[i].plane];
+    *of = *of == VS_NONE ? i : SEVERAL;
+  }
   ok = ok && vs_kernel_pipeline(k, (c->facets.count + CHUNK - 1) / CHUNK, make_chunk, take_chunk, &p) &&
        vs_bvh_build(k, &c->bvh, c->boxes.at, (uint32_t)c->patches.count);
   VS_DROP(k, c->boxes); /* the index has its own */
@@ -157,6 +168,7 @@ bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
     VS_DROP(k, p.works[i].border);
   }
   VS_FREE(k, p.works, room);
+  VS_DROP(k, p.alone);
   for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, p.made[i].patches);
     VS_DROP(k, p.made[i].corners);
