@@ -366,6 +366,20 @@ static void test_thin_and_nested(void **state) {
   near(volume_of("(union (box 1 1 1) (translate 1 1 0 (box 1 1 1)) (translate 1 1 1 (scale -1 -1 -1 (box .5 .5 .5))))", &triangles), 2, 1e-12);
 }
 
+/* Parts that stand twice in one place, and end in joints that cover their ends: what clips the one is where the other ends. */
+static void test_twice_in_place(void **state) {
+  (void)state;
+#define JOINT "(translate 0.681 0.233 6.874 (rotate 238 354 241 (sphere 3.346 12)))"
+#define RODS                                                                                                                                  \
+  "(translate 5.17 6.81 1.071 (cyl 5 2.267 2.267 16)) (translate 3.632 0.301 6.409 (rotate 0 180 270 (cyl 5 2.952 0 12))) "                     \
+  "(difference (translate 7.084 2.868 5.635 (torus 3.329 0.75 10 3)) (translate 0.037 2.306 3.573 (rotate 351 208 191 (cyl 1 3.41 3.41 7)))) " \
+  "(translate 0.85 2.046 6.242 (rotate 290 68 236 (cyl 5 2.02 2.02 14))) (translate 2.313 0.789 2.559 (box 4 4 4)) "
+  double once = volume_of("(union " JOINT RODS ")", NULL);
+  near(once, 314.323924834, 1e-6);
+  near(volume_of("(union " JOINT RODS JOINT ")", NULL), once, 1e-9);
+  near(volume_of("(union " JOINT RODS JOINT RODS ")", NULL), once, 1e-9);
+}
+
 /* An edge that lies on the diagonal between two triangles of another solid's face still divides that face. */
 static void test_edge_on_diagonal(void **state) {
   (void)state;
@@ -578,7 +592,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_planes_meet), cmocka_unit_test(test_predicates), cmocka_unit_test(test_against_oracle),
     cmocka_unit_test(test_cubes_become_one), cmocka_unit_test(test_equal_turns_written_differently), cmocka_unit_test(test_sheared_alike), cmocka_unit_test(test_touching_is_split), cmocka_unit_test(test_identities),
-    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_threads), cmocka_unit_test(test_copies), cmocka_unit_test(test_errors),
+    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_twice_in_place), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_threads), cmocka_unit_test(test_copies), cmocka_unit_test(test_errors),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
