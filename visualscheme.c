@@ -38,11 +38,20 @@ static bool take_value(vs *vm, vs_value v, vs_pos place) {
   const vs_host *h = &s->options.host;
   if (!vs_bind_returned(&s->bind, v, s->flags & VS_EVAL_PRINT)) return false;
   if (!(s->flags & VS_EVAL_PRINT) || !h->value || v == VS_UNSPECIFIC) return true;
-  vs_text t;
+  enum { MOST = 4000 }; /* bytes: a drawing of thousands of parts is no answer to read */
+  vs_text shown, t;
   VS_ROOTS(vm, r, 1);
   r[0] = v;
+  vs_text_open(vm, &shown, MOST);
   vs_text_open(vm, &t, 0);
-  bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &t);
+  bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &shown) && vs_text_put(&t, shown.at ? shown.at : "", shown.count) && (!shown.cut || vs_text_puts(&t, " ..."));
+  vs_bind_counts parts;
+  vs_shape *object = shown.cut ? vs_bind_shape(r[0]) : NULL;
+  if (ok && object && vs_bind_count(object->ref, &parts)) { /* (unite ... ; 3000 objects */
+    char text[60];
+    snprintf(text, sizeof text, " ; %.15g object%s", parts.all, parts.all == 1 ? "" : "s");
+    ok = vs_text_puts(&t, text);
+  }
   if (ok && vs_is_ratio(r[0])) { /* 1/3 ; 0.333333 */
     double d;
     char text[40];
@@ -50,7 +59,8 @@ static bool take_value(vs *vm, vs_value v, vs_pos place) {
     snprintf(text, sizeof text, " ; %.6g", d);
     ok = ok && vs_text_puts(&t, text);
   }
-  if (ok) h->value(h->context, t.at, t.count);
+  if (ok && t.count) h->value(h->context, t.at, t.count); /* (values) is nothing to show */
+  vs_text_close(&shown);
   vs_text_close(&t);
   return ok;
 }
@@ -515,7 +525,7 @@ static vs_outcome write_one(vs_session *s, const char *path, const vs_format *fo
   vs_export_options e;
   vs_scene scene;
   vs_error error = { 0 };
-  export_context context = { s, path, 0 };
+  export_context context = { s, path, vs_session_clock(s) }; /* what is quick needs no word on the way */
   vs_output_record *record = &s->outputs[s->output_count - 1];
   vs_tally_enter(&s->tally, VS_WORK_RUN);
   vs_gc_major(s->bind.vm); /* nodes that only dead values still name look shared, and are remembered one by one */

@@ -97,7 +97,7 @@ typedef struct {
   void (*progress)(void *context, const vs_progress *p);
   /* Polled every few milliseconds; true interrupts what runs. (vs_interrupt does the same from outside.) */
   bool (*poll)(void *context);
-  /* A top-level expression's value, printed as the REPL shows it ("1/3 ; 0.333333"), when VS_EVAL_PRINT is set; once a value. */
+  /* A top-level expression's value, printed as the REPL shows it ("1/3 ; 0.333333"), when VS_EVAL_PRINT is set; once a value. A long one ends in " ...". */
   void (*value)(void *context, const char *text, size_t length);
   /* Reads a whole source file for load, include, require, load-mesh and vs_eval_file. True: *text was allocated with malloc and
    * now belongs to the interpreter, which frees it. False: *why says so ("no such file"); static or living until the next call.

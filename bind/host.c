@@ -124,19 +124,47 @@ static void drop(vs_session *s, vs_source *source) {
   vs_session_memory(s, source->text, source->room, 0);
 }
 
+static size_t count_lines(const char *text, size_t length) {
+  size_t lines = 0;
+  for (size_t i = 0; i < length; i++) lines += text[i] == '\n';
+  return lines;
+}
+
+/* Lines typed one after the other at a prompt are one text: an error in a procedure shows its line later too. Blank lines stand for those in between. False: they are not, or
+ * there is no memory for it. */
+static bool continue_source(vs_session *s, vs_source *old, unsigned first_line, const char *text, size_t length) {
+  enum { MOST = 1 << 18 };
+  size_t gap;
+  if (first_line <= old->first_line || !old->length || old->text[old->length - 1] != '\n') return false;
+  if (first_line < old->first_line + old->lines) return false;
+  gap = first_line - old->first_line - old->lines;
+  if (gap > MOST || length > MOST || old->length + gap + length > MOST) return false;
+  char *grown = vs_session_memory(s, old->text, old->room, old->length + gap + length + 1);
+  if (!grown) return false;
+  old->room = old->length + gap + length + 1;
+  old->text = grown;
+  memset(grown + old->length, '\n', gap);
+  memcpy(grown + old->length + gap, text, length);
+  old->length += gap + length;
+  old->lines += gap + count_lines(text, length);
+  grown[old->length] = 0;
+  return true;
+}
+
 /* A long text is kept up to a bound: past it messages do without the line. */
 bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line, const char *text, size_t length) {
   enum { MOST = 1 << 22 };
   size_t i = 0, bytes = strlen(name) + 1, room = length < MOST ? length : MOST;
   if (room > 0 && !memchr(text, '\n', room) && room == MOST) room = 0; /* one endless line: binary */
   while (i < s->source_count && strcmp(s->sources[i].name, name)) i++;
+  if (i < s->source_count && continue_source(s, &s->sources[i], first_line, text, length)) return true;
   if (i == s->source_room) {
     size_t more = i ? 2 * i : 4;
     vs_source *grown = vs_session_memory(s, s->sources, i * sizeof *grown, more * sizeof *grown);
     if (!grown) return false;
     s->sources = grown, s->source_room = more;
   }
-  vs_source fresh = { .name = vs_session_memory(s, NULL, 0, bytes), .name_bytes = bytes, .length = room, .room = room + 1, .first_line = first_line };
+  vs_source fresh = { .name = vs_session_memory(s, NULL, 0, bytes), .name_bytes = bytes, .length = room, .room = room + 1, .lines = count_lines(text, room), .first_line = first_line };
   if (fresh.name) fresh.text = vs_session_memory(s, NULL, 0, fresh.room);
   if (!fresh.text) {
     if (fresh.name) vs_session_memory(s, fresh.name, bytes, 0);

@@ -15,7 +15,7 @@
 #include "vm/port.h"
 
 /* The text of a source, for the line that a message shows. */
-typedef struct { char *name, *text; size_t name_bytes, length, room; unsigned first_line; } vs_source;
+typedef struct { char *name, *text; size_t name_bytes, length, room, lines /* that end in it */; unsigned first_line; } vs_source;
 
 enum { VS_STREAMS = 64 };
 typedef struct {

@@ -25,6 +25,7 @@ static void on_interrupt(int signal_number) {
 static bool print_output(void *context, const char *text, size_t length) {
   cli_session *c = context;
   cli_report_settle(&c->reporter);
+  if (length) c->midline = text[length - 1] != '\n';
   if (fwrite(text, 1, length, c->output) == length) return true;
   if (!c->output_failed) fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
   c->output_failed = true;

@@ -300,7 +300,7 @@ static void show_drawing(cli_session *c) {
   COMMAND(run, " FILE", "run a file from the start; alone: the same again, as it is now", run_model(c, rest)) \
   COMMAND(parameters, "", "list the model's parameters", list_parameters(c))                               \
   COMMAND(set, " NAME VALUE", "set a parameter and run the model again", set_parameter(c, rest))            \
-  COMMAND(stats, "", "count what was done so far", cli_report_statistics(c->scheme, false))                 \
+  COMMAND(stats, " json", "tell what was done so far, in tables or as JSON", cli_report_statistics(c->scheme, strcmp(rest, "json") == 0)) \
   COMMAND(help, "", "this", command_help())
 
 static void command_help(void) {
@@ -344,6 +344,8 @@ vs_outcome cli_repl(cli_session *c) {
   while (going && !*c->ended && !vs_exit_requested(c->scheme, &code)) {
     fflush(stdout);
     size_t length = 0;
+    if (c->editor && c->midline) putchar('\n'); /* the prompt begins a line */
+    c->midline = false;
     const char *line = next_line(c, pending.length ? ". " : "> ", &length);
     if (!line && *c->ended) break;
     if (!line && errno == EINTR && c->editor) { /* ctrl-C drops what was typed */
@@ -364,9 +366,10 @@ vs_outcome cli_repl(cli_session *c) {
       going = false;
       if (c->editor) putchar('\n');
     }
-    if (pending.length && pending.length == length && pending.at[0] == ',') {
+    size_t blanks = pending.length && pending.length == length ? strspn(pending.at, " \t") : 0;
+    if (pending.length && pending.length == length && pending.at[blanks] == ',') {
       while (length && strchr("\r\n \t", pending.at[length - 1])) pending.at[--length] = 0;
-      run_command(c, pending.at + 1, &going);
+      run_command(c, pending.at + blanks + 1, &going);
       pending.length = 0;
       continue;
     }

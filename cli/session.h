@@ -15,6 +15,7 @@ typedef struct {
   cli_reporter reporter;
   FILE *output;               /* where the program prints */
   bool output_failed;         /* said once */
+  bool midline;               /* what was printed last did not end a line */
   int exit_code;              /* of (exit n); 0 */
   char *line; size_t line_room; /* standard input, line by line */
   const volatile sig_atomic_t *ended; /* not 0: the system wants the command to end */

@@ -19,6 +19,11 @@ type_keys <<'END'
 (define (spin n) (spin n))\n(spin 1)\n
 \x03
 "after the interrupt"\n
+(display "no line's end")\n
+(values)\n
+  ,drawing\n
+(define (late x) (car x))\n
+(late 'pair)\n
 (+ 40 3)\n
 ,quit\n
 END
@@ -28,6 +33,9 @@ check "error" "prompt:3:1: car: "
 check "completion" "(make-sphere (xyz 0 0 0) 1)"
 check "goes on after an interrupt" '"after the interrupt"'
 check "goes on after errors" "43"
+check "the prompt begins a line" "> (values)"
+check "a command after blanks" "drawing: 1 object"
+check "the line of an earlier error" "| (define (late x) (car x))"
 if [ "$(cat "$work/code")" = 0 ]; then echo "ok prompt:ends with 0"; else echo "not ok prompt:ends with $(cat "$work/code")"; fi
 
 printf '%s\n' '\e[A\e[A\n' ',quit\n' > "$work/keys"
