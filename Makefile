@@ -94,6 +94,10 @@ $(BUILD)/tools/%: tests/tools/%.c $(wildcard tests/tools/*.h)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(PNG_LIBS) $(call pkg,gmp,-lgmp) -lm
 
+$(BUILD)/tools/zipped: tests/tools/zipped.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(call pkg,libzip,-lzip)
+
 # Tools that ask the library.
 $(BUILD)/tools/names $(BUILD)/tools/reread $(BUILD)/tools/exrdiff $(BUILD)/tools/badcalls: $(BUILD)/tools/%: tests/tools/%.c visualscheme.h $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)

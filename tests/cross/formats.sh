@@ -5,7 +5,7 @@
 # What is in italics is the warning with which the format leaves the kind out or shows it as something else.
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
-vs=$BUILD/vs sheet=tests/cross/sheet.vs
+vs=$BUILD/vs tools=$BUILD/tools sheet=tests/cross/sheet.vs
 formats='pov scad x3d glb stl'
 
 cat <<'EOF'
@@ -19,11 +19,36 @@ echo '|---|---|'
 sed -n 's/^VS_\(FORMAT\|NOTATION\)(\([^,]*\), [^,]*, "\([^"]*\)", [^,]*, [^,]*, "\(.*\)")$/\1 \2 \3 \4/p' backends/backends.def | while read -r sort suffix name doc; do
   if [ "$sort" = FORMAT ]; then echo "| \`.$suffix\` | $doc |"; else echo "| \`--format $name\` | $doc |"; fi
 done
+
+# What of an object's looks comes along: one box of a made material, in a layer, in millimetres; the words by which it is known again.
+cat > "$work/looks.vs" <<'EOF'
+(units 'mm)
+(draw (layer "walls" (with-material (make-material #:name "oak" #:color "#804020") (make-box (xyz 0 0 0) (xyz 1 1 1)))))
+EOF
+said() { if grep -a -q -e "$1" "$work/looks.words"; then printf ' | yes'; else printf ' | -'; fi; }
+echo
+echo '| ending | colours | names of materials | layers | units |'
+echo '|---|---|---|---|---|'
+for format in pov scad x3d html glb 3mf obj ply off stl tree; do
+  rm -f "$work"/looks.[!v]*
+  "$vs" --quiet "$work/looks.vs" -o "$work/looks.$format"
+  case $format in
+    3mf) "$tools/zipped" "$work/looks.3mf" > "$work/looks.words" ;;
+    obj) cat "$work/looks.obj" "$work/looks.mtl" > "$work/looks.words" ;;
+    *) cp "$work/looks.$format" "$work/looks.words" ;;
+  esac
+  printf '| `.%s`' $format
+  said 'rgb <\|color(\|diffuseColor=\|baseColorFactor\|olor="#\|^Kd\|property uchar red\|0\.501960784314 0\.25'
+  said 'oak'
+  said 'walls'
+  said '[^a-z]mm\($\|[^a-z]\)\|millimeter\|"scale":\[0.001'
+  echo ' |'
+done
 cat <<'EOF'
 
 *native*: in the format's own words, so that it stays round and can be edited there. *triangles*: lowered to them, as fine as `--tolerance` says. *lines*: to
 straight pieces. Where several stand, it depends on the form: a tapered extrusion is triangles where a straight one is not. What is in italics is
-the warning that the program gives: nothing is left out in silence. `.png` and `.exr` are POV-Ray's; `.x3dv` and `.html` hold what `.x3d` does;
+the warning that the program gives: no shape is left out in silence, but looks that a format has no words for are. `.png` and `.exr` are POV-Ray's; `.x3dv` and `.html` hold what `.x3d` does;
 all that is made of bare triangles (`.stl .3mf .obj .ply .off`) holds the union of the drawing's solids. `.tree` holds everything as it is.
 
 EOF

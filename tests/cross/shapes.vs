@@ -9,7 +9,7 @@
 ;             the default; 0.003 where it measures a mesh
 ;   #:facets  the volume of the mesh where the model itself asks for facets (#:segments), else the mesh approaches V
 ;   #:shown   what pictures show instead: with what is highlighted or a ghost
-;   #:alone   #t for what shows nothing, or hides all others: it stands in manual/formats.md and on no sheet
+;   #:alone   #t for what shows nothing, has no ends, or hides all others: it stands in manual/formats.md and on no sheet
 ;
 ; Every kind of model/prims.def must stand in some row, and every procedure that makes objects: tests/cross.sh tells which does not.
 
@@ -411,6 +411,8 @@
 (shape "highlight/cut away" (subtract (make-box (xyz -2 -2 -1) (xyz 2 2 1)) (highlight (make-cylinder (xyz 0 0 -2) 4 1))) #:volume (- 32 (* 2 pi)) #:within 0.003
   #:shown (unite (make-box (xyz -2 -2 -1) (xyz 2 2 1)) (make-cylinder (xyz 0 0 -2) 4 1)))
 (shape "empty-object" (empty-object) #:alone #t)
+(shape "xline" (make-xline origin (xyz 1 1 0)) #:alone #t)
+(shape "ray" (make-ray origin (vxyz 1 0 1)) #:alone #t)
 (shape "ghost/beside" (unite (make-box (xyz -2 -2 -2) (xyz 2 2 -1)) (make-box (xyz -2 -2 1) (xyz 2 2 2)) (ghost (make-cylinder (xyz 0 0 -1) 2 1))) #:volume 32
   #:shown (unite (make-box (xyz -2 -2 -2) (xyz 2 2 -1)) (make-box (xyz -2 -2 1) (xyz 2 2 2)) (make-cylinder (xyz 0 0 -1) 2 1)))
 (shape "ghost" (ghost (make-box origin (xyz 2 3 4))) #:alone #t)
