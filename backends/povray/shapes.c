@@ -507,7 +507,8 @@ bool vs_povray_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) 
 bool vs_povray_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
   (void)ref;
   pov_indent(e);
-  return vs_putf(e->out, "object { T%lu }\n", (unsigned long)id);
+  bool placed = e->parent != NULL && e->parent->kind == VS_TRANSFORM; /* which has opened the object */
+  return vs_putf(e->out, placed ? "T%lu\n" : "object { T%lu }\n", (unsigned long)id);
 }
 
 bool vs_povray_item(vs_emitter *e, size_t index, bool end) {

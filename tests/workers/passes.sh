@@ -60,11 +60,12 @@ echo "$examples" | while read -r name arguments; do
   test=passes/$name
   wanted "$test" || continue
   if ! command -v povray > /dev/null; then echo "skip $test: no povray (package povray)"; continue; fi
+  : > "$work/why"
   # shellcheck disable=SC2086
-  "$vs" --quiet --quality draft --size 160x120 -O0 $arguments examples/$name.vs -o "$work/plain.exr" -o "$work/plain.stl" > "$work/why" 2>&1 || echo "-O0 ended with $?" >> "$work/why"
+  "$vs" --quiet --quality draft --size 160x120 -O0 $arguments examples/$name.vs -o "$work/plain.exr" -o "$work/plain.stl" > "$work/said" 2>&1 || sed "s/^/-O0 failed: /" "$work/said" >> "$work/why"
   for way in $ways; do
     # shellcheck disable=SC2086
-    "$vs" --quiet --quality draft --size 160x120 $way $arguments examples/$name.vs -o "$work/way.exr" -o "$work/way.stl" >> "$work/why" 2>&1 || echo "$way ended with $?" >> "$work/why"
+    "$vs" --quiet --quality draft --size 160x120 $way $arguments examples/$name.vs -o "$work/way.exr" -o "$work/way.stl" > "$work/said" 2>&1 || sed "s/^/$way failed: /" "$work/said" >> "$work/why"
     # Numbers in the scene may differ in their last digit, so at an edge a pixel of a thousand may be sampled otherwise
     "$BUILD/tools/exrdiff" "$work/plain.exr" "$work/way.exr" 2>> "$work/why" |
       awk -v way="$way" '!($1 > 0 && $3 * 1000 <= $1 && $6 + 0 < 0.0001) { print way ": another picture: " $0 }' >> "$work/why"
