@@ -321,7 +321,7 @@ static void test_templates(void **state) {
   assert_non_null(first);
   assert_null(strstr(first + 1, "box {"));
   assert_holds(text, "#declare T1 =\n  union {\n");
-  assert_holds(text, "object {\n  object { T1 }\n  translate <4, 0, 0>\n}\n");
+  assert_holds(text, "object {\n  T1\n  translate <4, 0, 0>\n}\n");
   free(text);
   text = written(&m, "scad");
   assert_holds(text, "module part1() {\n  union() {\n");
