@@ -1,68 +1,118 @@
 #!/bin/sh
-# Owns the comparison of the mesh kernel with Manifold (manifold-3d, WebAssembly) and OpenSCAD, and how its time grows.
-# `bench/kernel/run.sh build/vs build/measure [WORKLOAD ...]`; RUNS=3 is how often ours runs, SCAD=20 how many seconds OpenSCAD gets (0: none).
+# Owns the comparison of the mesh kernel with Manifold and OpenSCAD, and how its time grows. Some 20 minutes on a quiet machine.
+# `bench/kernel/run.sh build/vs build/measure [WORKLOAD ...]`; RUNS=3 is how often ours runs, SCAD=20 how many seconds OpenSCAD gets (0: none), WASM=120 manifold-3d.
 #
-# All times are processor seconds (user and system, all threads): other work on the machine then matters less. Ours is the whole process, from the
-# program's text to the STL file; what reading and evaluating it took is beside it. Manifold's is from its tree to the triangles. OpenSCAD's is the whole process.
+#   vs s       elapsed seconds from the tree to the written .stl, the median of the runs; beside it what reading and evaluating the program took
+#   cpu s, MB  of the whole process, all threads
+#   native     Manifold 3.5.1, whole process from ready facets, taken on another machine (native.tsv)
+#   wasm       manifold-3d, from its tree to the triangles in memory, without starting its module; OpenSCAD: the whole process, processor seconds
+# OpenSCAD is not asked again for larger members of a family once one has not finished.
 set -u
+usage() { echo "usage: bench/kernel/run.sh VS MEASURE [WORKLOAD ...]" >&2; exit 1; }
 cd "$(dirname "$0")/../.." || exit 1
+[ $# -ge 2 ] || usage
+for program in "$1" "$2"; do [ -x "$program" ] || { echo "run.sh: there is no program $program (make all $2)" >&2; exit 1; }; done
+command -v node > /dev/null || { echo "run.sh: there is no node (package nodejs)" >&2; exit 1; }
 vs=$PWD/$1 measure=$PWD/$2; shift 2
-runs=${RUNS:-3} limit=${SCAD:-20} work=$PWD/build/bench-kernel here=$PWD/bench/kernel
+runs=${RUNS:-3} limit=${SCAD:-20} patience=${WASM:-120} work=$PWD/build/bench-kernel here=$PWD/bench/kernel
 mkdir -p "$work" && cd "$work" || exit 1
 node "$here/gen.mjs" "$work" > /dev/null || exit 1
 if [ ! -f node_modules/manifold-3d/manifold.js ]; then
   cp "$here/package.json" . && npm install --no-package-lock --no-audit --no-fund --silent || echo "manifold-3d could not be fetched: its columns stay empty" >&2
 fi
+command -v openscad > /dev/null || { echo "openscad is not installed: its columns stay empty" >&2; limit=0; }
 [ $# -gt 0 ] || set -- $(sed 1d INDEX.tsv | cut -f1)
 
-echo "| workload | vs s | of it evaluating | vs MB | triangles | closed | Manifold s | MB | triangles | closed | Manifold / vs | OpenSCAD s | MB |"
-echo "|---|--:|--:|--:|--:|---|--:|--:|--:|---|--:|--:|--:|"
+# the median of the numbers given as lines
+median() { sort -n | awk '{ x[NR] = $1 } END { if (NR) print NR % 2 ? x[(NR + 1) / 2] : (x[NR / 2] + x[NR / 2 + 1]) / 2 }'; }
+# what the program wrote of that name, once a run
+stat_of() { sed -n "s/.*}\], .*\"$1\": *\([0-9.e-]*\).*/\1/p" stats | median; }
+
+echo "| workload | vs s | + evaluating | cpu s | MB | triangles | closed | native s | MB | native / vs | wasm s | MB | triangles | closed | wasm / vs | OpenSCAD s | MB |"
+echo "|---|--:|--:|--:|--:|--:|---|--:|--:|--:|--:|--:|--:|---|--:|--:|--:|"
 : > figures
+failed=0 gave_up=
 for name in "$@"; do
+  [ -f "sx/$name.sx" ] || { echo "run.sh: there is no workload $name" >&2; exit 1; }
   cat "$here/suite.vs" "sx/$name.sx" > "$name.vs"
-  "$measure" "$runs" "$vs" --quiet "$name.vs" --stats=json -o "$name.stl" 2> stats > /dev/null
-  ours=$(tail -n 1 stats)
-  evaluate=$(sed -n 's/.*"time.evaluate": *\([0-9.e-]*\).*/\1/p' stats | head -n 1)
-  solid=$(node "$here/closed.mjs" "$name.stl" 2>/dev/null || echo "- failed")
-  theirs= scad=
+  rm -f "$name.stl"
+  : > stats
+  for run in $(seq "$runs"); do "$measure" 1 "$vs" --quiet "$name.vs" --stats=json -o "$name.stl" 2>> stats > /dev/null; done
+  ours="$(grep '^[0-9]' stats | cut -d' ' -f1 | median) 0 $(grep '^[0-9]' stats | cut -d' ' -f3 | sort -n | tail -n 1)" phase=$(stat_of time.write) evaluate=$(stat_of time.evaluate)
+  if [ ! -s "$name.stl" ] || [ -z "$phase" ]; then
+    echo "run.sh: vs failed on $name: $(head -n 2 stats)" >&2
+    failed=1
+    continue
+  fi
+  solid=$(node --max-old-space-size=8192 "$here/closed.mjs" "$name.stl" 2> /dev/null || echo "- failed")
+  native=$(awk -F '\t' -v name="$name" '$1 == name { print $2, $3 }' "$here/native.tsv")
+  theirs= scad= family=${name%_*}
   if [ -f node_modules/manifold-3d/manifold.js ]; then
-    theirs=$(timeout 600 "$measure" 1 node "$here/manifold.mjs" . "sx/$name.sx" 2> memory; tail -n 1 memory)
+    theirs=$(timeout "$patience" "$measure" 1 node "$here/manifold.mjs" . "sx/$name.sx" 2> memory; tail -n 1 memory)
   fi
-  if [ "$limit" -gt 0 ] && command -v openscad > /dev/null; then
-    "$measure" 1 timeout "$limit" openscad -o "$name.scad.stl" "scad/$name.scad" 2> memory > /dev/null && scad=$(tail -n 1 memory)
-  fi
-  rm -f "$name.stl" "$name.scad.stl"
-  printf '%s\n%s\n%s\n%s\n%s\n' "$ours" "$evaluate" "$solid" "$theirs" "$scad" | awk -v name="$name" -v figures=figures '
+  case " $gave_up " in *" $family "*) ;; *)
+    if [ "$limit" -gt 0 ]; then
+      "$measure" 1 timeout "$limit" openscad -o "$name.scad.stl" "scad/$name.scad" 2> memory > /dev/null
+      if [ -s "$name.scad.stl" ]; then scad=$(tail -n 1 memory); else gave_up="$gave_up $family"; fi
+    fi ;;
+  esac
+  rm -f "$name.stl" "$name.scad.stl" "$name.vs"
+  printf '%s\n' "name $name" "ours $ours" "phase $phase" "evaluate $evaluate" "solid $solid" "native $native" "scad $scad" "$theirs" | awk -v figures=figures '
     # measure writes: processor ms, elapsed ms, kilobytes
-    function seconds(line) { split(line, f, " "); return f[1] ~ /^[0-9.]+$/ ? sprintf("%.3f", f[1] / 1000) : "" }
-    function megabytes(line) { split(line, f, " "); return f[3] ~ /^[0-9.]+$/ ? sprintf("%.0f", f[3] / 1024) : "" }
-    { line[NR] = $0 }
+    function seconds(x) { return x ~ /^[0-9.]+$/ ? sprintf(x < 10000 ? "%.3f" : "%.1f", x / 1000) : "" }
+    function megabytes(x) { return x ~ /^[0-9.]+$/ ? sprintf("%.0f", x / 1024) : "" }
+    function ratio(x) { return x > 0 && phase > 0 ? sprintf("%.1f", x / phase) : "" }
+    $1 == "name" { name = $2 }
+    $1 == "ours" { cpu = seconds($2); mb = megabytes($4) }
+    $1 == "phase" { phase = $2 }
+    $1 == "evaluate" { evaluate = $2 }
+    $1 == "solid" { count = $2; closed = $3 }
+    $1 == "native" { native = $2; native_mb = $3 }
+    $1 == "scad" { scad = seconds($2); scad_mb = megabytes($4) }
+    /^\{/ { json = $0 }
+    json != "" && /^[0-9]/ { wasm_mb = megabytes($3) }
     END {
-      ours = seconds(line[1]); mb = megabytes(line[1]); split(line[3], s, " ")
-      json = 0; memory = ""; scad = line[NR]
-      for (i = 4; i < NR; i++) { if (line[i] ~ /^\{/) json = line[i]; else if (json != 0 && line[i] ~ /^[0-9]/) memory = megabytes(line[i]) }
-      if (json != 0) {
-        match(json, /"seconds":[0-9.e-]+/); time = substr(json, RSTART + 10, RLENGTH - 10)
-        match(json, /"triangles":[0-9]+/); count = substr(json, RSTART + 12, RLENGTH - 12)
-        closed = json ~ /"closed":true/ ? "yes" : "no"
-        ratio = ours > 0 ? sprintf("%.1f", time / ours) : ""; time = sprintf("%.3f", time)
-        print name, ours, time > figures ".one"
-      }
-      printf "| %s | %s | %.3f | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", name, ours, line[2], mb, s[1], s[2], time, memory, count, closed, ratio, seconds(scad), megabytes(scad)
+      if (match(json, /"seconds":[0-9.e-]+/)) wasm = substr(json, RSTART + 10, RLENGTH - 10)
+      if (match(json, /"triangles":[0-9]+/)) wasm_count = substr(json, RSTART + 12, RLENGTH - 12)
+      if (json != "") wasm_closed = json ~ /"closed":true/ ? "yes" : "no"
+      printf "| %s | %.3f | %.3f | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", name, phase, evaluate, cpu, mb, count, closed,
+        native, native_mb, ratio(native), wasm == "" ? "" : sprintf("%.3f", wasm), wasm_mb, wasm_count, wasm_closed, ratio(wasm), scad, scad_mb
+      print name, phase, mb, native == "" ? "-" : native, native_mb == "" ? "-" : native_mb, wasm == "" ? "-" : wasm, scad == "" ? "-" : scad > figures ".one"
     }'
-  echo "$name $(echo "$ours" | awk '{ print $1 / 1000 }')" >> grown
-  [ -f figures.one ] && cat figures.one >> figures && rm -f figures.one
+  cat figures.one >> figures && rm -f figures.one
 done
+[ -s figures ] || { echo "run.sh: nothing was measured" >&2; exit 1; }
 echo
-awk '{ if ($2 > 0) { sum += log($3 / $2); n++ } } END { if (n) printf "Manifold / vs, geometric mean of %d: %.1f\n", n, exp(sum / n) }' figures
-# time ~ N^e between the ends of each family
 awk '
-  function size(name, p) { n = split(name, p, "_"); return p[n] }
-  { name = $1; N = size(name); family = substr(name, 1, length(name) - length(N) - 1)
-    if (family ~ /^b2?_/) N = N * N
-    if (family == "f_spheres" && N == 100) next   # its spheres have twice the facets
-    if (!(family in low) || N < low[family]) { low[family] = N; at_low[family] = $2 }
-    if (!(family in high) || N > high[family]) { high[family] = N; at_high[family] = $2 } }
-  END { for (family in low) if (family ~ /^(b_grid_overlap|c_wall|f_spheres|j_truss)$/ && high[family] > low[family] && at_low[family] > 0)
-      printf "%s: from N = %d to %d, time grows as N^%.2f\n", family, low[family], high[family], log(at_high[family] / at_low[family]) / log(high[family] / low[family]) }' grown | sort
-rm -f grown figures memory stats
+  # groups of the aims; each of whole names
+  BEGIN {
+    group[1] = "all"; member[1] = ".*"; aim[1] = "5"
+    group[2] = "many small parts (b d f_1000 j l)"; member[2] = "^(b_.*|d_.*|f_spheres_1000|j_.*|l_.*)$"; aim[2] = "8"
+    group[3] = "instanced and disjoint (a k m)"; member[3] = "^(a|k|m)_.*$"; aim[3] = "10"
+    group[4] = "two large meshes (e_256 h_1024)"; member[4] = "^(e_sphere_minus_256|h_torus_1024)$"; aim[4] = "1"
+    group[5] = "near-coincident (e2)"; member[5] = "^e2_.*$"; aim[5] = "1"
+    print "Geometric means; the aim is against native Manifold, whose figures are of another machine.\n"
+    print "| group | native / vs | of | aim | native MB / vs MB | wasm / vs | of | OpenSCAD / vs | of |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|"
+  }
+  { for (g = 1; g <= 5; g++) if ($1 ~ member[g] && $2 > 0) {
+      if ($4 != "-") { native[g] += log($4 / $2); n[g]++; memory[g] += log($5 / $3) }
+      if ($6 != "-") { wasm[g] += log($6 / $2); m[g]++ }
+      if ($7 != "-") { scad[g] += log($7 / $2); s[g]++ } } }
+  function mean(sum, count) { return count ? sprintf("%.1f", exp(sum / count)) : "" }
+  END { for (g = 1; g <= 5; g++) if (n[g] + m[g] + s[g])
+    printf "| %s | %s | %d | %s | %s | %s | %d | %s | %d |\n", group[g], mean(native[g], n[g]), n[g], aim[g], mean(memory[g], n[g]), mean(wasm[g], m[g]), m[g], mean(scad[g], s[g]), s[g] }' figures
+echo
+# time ~ N^e, fitted by least squares over a family; beside it the e of N log N between its ends
+awk '
+  { name = $1; parts = split(name, p, "_"); N = p[parts]; family = substr(name, 1, length(name) - length(N) - 1)
+    if (family ~ /^b_/) N = N * N
+    if (name == "f_spheres_100") next   # its spheres have twice the facets
+    if (family !~ /^(b_grid_overlap|c_wall|f_spheres|j_truss)$/ || $2 <= 0) next
+    x = log(N); y = log($2); k[family]++; sx[family] += x; sy[family] += y; sxx[family] += x * x; sxy[family] += x * y
+    if (!(family in low) || N < low[family]) low[family] = N
+    if (!(family in high) || N > high[family]) high[family] = N }
+  END { for (f in k) if (k[f] > 1 && high[f] > low[f])
+      printf "%s: over %d sizes from N = %d to %d, time grows as N^%.2f; N log N would be N^%.2f\n", f, k[f], low[f], high[f],
+        (k[f] * sxy[f] - sx[f] * sy[f]) / (k[f] * sxx[f] - sx[f] * sx[f]), log(high[f] * log(high[f]) / (low[f] * log(low[f]))) / log(high[f] / low[f]) }' figures | sort
+rm -f figures memory stats
+exit $failed
