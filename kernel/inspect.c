@@ -276,11 +276,8 @@ static bool plainly_good(vs_kernel *k, const vs_part *p, bool *good) {
   bool met = false;
   size_t edges = 0;
   *good = false;
+  if (p->star) return *good = true;
   if (!p->twins) return true;
-  if (p->star) {
-    *good = true;
-    return true;
-  }
   if (!shells_apart(k, p, good) || !*good) return k->error->status == VS_KERNEL_FINE;
   if (!vs_mesh_meetings(k, p->mesh, meets, &met, &edges) && !met) return false;
   *good = !met && 2 * edges == 3 * p->mesh->triangle_count; /* where four triangles share an edge, who answers whom is chance */
@@ -304,7 +301,7 @@ bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs
   vs_parts parts = { .all = { 0 } };
   vs_expression e = { .root = 0 };
   vs_cluster c = { .problem = &problem, .parts = &parts, .expression = &e, .leaves = &only, .leaf_count = 1, .inspect = true };
-  bool good = false, ok = vs_parts_prepare(&k, &parts, &problem) && plainly_good(&k, &parts.all.at[0], &good);
+  bool good = false, ok = vs_parts_prepare(&k, &parts, &problem, &only, &only, 1) && plainly_good(&k, &parts.all.at[0], &good);
   if (good) out->most = 1;
   ok = ok && (good || parts.all.at[0].twins || open_edges(&k, mesh, out));
   out->volume = vs_mesh_volume(mesh);

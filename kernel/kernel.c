@@ -165,21 +165,55 @@ static bool gate_cuts(const whole *w, const uint32_t *leaves, uint32_t count) {
   return memcmp(&all, &w->gate, sizeof all) != 0;
 }
 
+static bool no_room(vs_kernel *k) { return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); }
+
+static bool want_tags(vs_kernel *k, vs_mesh *m) {
+  if (m->tags || (vs_mesh_reserve(m, 0, m->triangle_count + 1) && (m->tags = calloc(m->triangle_room, sizeof *m->tags)) != NULL)) return true;
+  return no_room(k);
+}
+
+/* A leaf that touches nothing, and in which nothing touches anything, stands as it is or not at all: nothing is to be computed. */
+static bool stands_alone(const whole *w, const uint32_t *leaves, uint32_t count) {
+  enum { FLAT = 1 << 20 }; /* turned by less than that, its faces are still those that were looked at */
+  const vs_kernel_leaf *l = &w->problem->leaves[leaves[0]];
+  if (count != 1 || !w->parts.all.at[w->parts.of_leaf.at[leaves[0]]].star) return false;
+  double size = 1;
+  for (int i = 0; i < 3; i++) size *= sqrt(l->placement.m[0][i] * l->placement.m[0][i] + l->placement.m[1][i] * l->placement.m[1][i] + l->placement.m[2][i] * l->placement.m[2][i]);
+  return fabs(vs_affine_determinant(&l->placement)) * FLAT > size;
+}
+
+static bool place_leaf(vs_kernel *k, whole *w, uint32_t leaf, vs_mesh *out) {
+  const vs_kernel_leaf *l = &w->problem->leaves[leaf];
+  const vs_mesh *m = l->mesh;
+  size_t vertices = out->vertex_count, triangles = out->triangle_count, limit = k->options ? k->options->max_triangles : 0;
+  size_t more_vertices = vertices + m->vertex_count, more = triangles + m->triangle_count;
+  if (!vs_expression_add(k, &w->expression, leaf, 1)) return false;
+  bool inside = vs_expression_value(&w->expression);
+  if (!vs_expression_add(k, &w->expression, leaf, -1)) return false;
+  if (!inside) return true;
+  if (limit && more > limit) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
+  if (more_vertices > UINT32_MAX) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has too many corners");
+  if ((more_vertices > out->vertex_room || more > out->triangle_room) && !vs_mesh_reserve(out, more_vertices + vertices / 2, more + triangles / 2)) return no_room(k);
+  for (size_t i = 0; i < m->vertex_count; i++) out->vertices[vertices + i] = m->vertices[i];
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    for (int j = 0; j < 3; j++) out->triangles[triangles + i][j] = m->triangles[i][j] + (uint32_t)vertices;
+    out->tags[triangles + i] = l->tag;
+  }
+  out->vertex_count = more_vertices;
+  out->triangle_count = more;
+  vs_mesh_transform_from(out, &l->placement, vertices, triangles);
+  return true;
+}
+
 /* The cluster as it was made before, or made now. */
 static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, const uint32_t *leaves, uint32_t count, vs_mesh *out) {
+  if (stands_alone(w, leaves, count)) return w->counts.combined++, place_leaf(k, w, leaves[0], out);
   bool asked = w->bounds != NULL, found = false;
   size_t vertices = out->vertex_count, triangles = out->triangle_count;
   if (asked && !vs_remember_key(k, &w->remember, copies, leaves, count, gate_cuts(w, leaves, count) ? &w->gate : NULL, &asked)) return false;
   if (asked && !vs_remember_find(k, &w->remember, out, &found)) return false;
   ++*(found ? &w->counts.remembered : &w->counts.combined);
   return found || (run_cluster(k, w, leaves, count, out) && (!asked || vs_remember_keep(k, &w->remember, out, vertices, triangles)));
-}
-
-static bool no_room(vs_kernel *k) { return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); }
-
-static bool want_tags(vs_kernel *k, vs_mesh *m) {
-  if (m->tags || (vs_mesh_reserve(m, 0, m->triangle_count + 1) && (m->tags = calloc(m->triangle_room, sizeof *m->tags)) != NULL)) return true;
-  return no_room(k);
 }
 
 /* Where the results go: all into one mesh, or each original into its own. */
@@ -265,7 +299,7 @@ static bool evaluate(const vs_kernel_problem *p, const vs_kernel_options *option
   size_t parent_room = 0, order_room = 0, bounds_room = 0, most_leaves = (size_t)p->leaf_count + 1;
   bool ok = VS_ROOM(&k, parent, parent_room, most_leaves) && VS_ROOM(&k, order, order_room, most_leaves) && VS_ROOM(&k, bounds, bounds_room, most_leaves) &&
             (to->many || want_tags(&k, to->one)) && vs_expression_build(&k, &w.expression, p) && find_clusters(&k, p, bounds, parent, order, &n) &&
-            find_gate(&k, &w, bounds) && vs_parts_prepare(&k, &w.parts, p) && vs_copies_begin(&k, &copies, p, &w.parts, &w.expression);
+            find_gate(&k, &w, bounds) && vs_parts_prepare(&k, &w.parts, p, order, parent, n) && vs_copies_begin(&k, &copies, p, &w.parts, &w.expression);
   w.bounds = ok && options && vs_cache_asks(options->cache) && p->identities ? bounds : NULL;
   if (!w.bounds) VS_FREE(&k, bounds, bounds_room);
   for (uint32_t i = 0, end; ok && i < n; i = end) {

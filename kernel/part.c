@@ -106,11 +106,10 @@ static bool find_twins(vs_kernel *k, vs_part *p) {
 
 static double det(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_dot(vs_v3_cross(a, b), c); }
 
-static void find_shape(vs_part *p) {
-  enum { GLOBAL = 1 << 16 };
+static void find_star(vs_part *p) {
   const vs_mesh *m = p->mesh;
   size_t n = m->triangle_count, vertices = m->vertex_count;
-  double angle = 0, size;
+  double angle = 0, size, six = 0;
   p->middle = vs_v3(0, 0, 0);
   p->outer = 0;
   p->inner = INFINITY;
@@ -126,10 +125,20 @@ static void find_shape(vs_part *p) {
     double volume = det(a, b, c), area = vs_v3_length(normal), la = vs_v3_length(a), lb = vs_v3_length(b), lc = vs_v3_length(c);
     if (!(volume > 1e-9 * size * area) || p->twins[3 * t] == VS_NONE || p->twins[3 * t + 1] == VS_NONE || p->twins[3 * t + 2] == VS_NONE) return;
     p->inner = fmin(p->inner, volume / area);
+    six += volume;
     angle += 2 * atan2(volume, la * lb * lc + vs_v3_dot(a, b) * lc + vs_v3_dot(b, c) * la + vs_v3_dot(c, a) * lb);
   }
   if (fabs(angle / (12.566370614359172) - 1) > 0.01) return;
+  p->volume = six / 6;
   p->star = true;
+}
+
+static void find_convex(vs_part *p) {
+  enum { GLOBAL = 1 << 16 };
+  const vs_mesh *m = p->mesh;
+  size_t n = m->triangle_count, vertices = m->vertex_count;
+  double size = p->outer;
+  if (!p->star) return;
   bool global = n * vertices <= GLOBAL; /* else each edge by itself, held to what double can do, so that many cannot add up */
   for (size_t t = 0; t < n; t++) {
     vs_vec3 a = m->vertices[m->triangles[t][0]], normal = vs_v3_cross(vs_v3_sub(m->vertices[m->triangles[t][1]], a), vs_v3_sub(m->vertices[m->triangles[t][2]], a));
@@ -178,15 +187,18 @@ static bool look_at(vs_kernel *k, void *context, size_t chunk) {
   vs_parts *p = context;
   for (size_t i = chunk * CHUNK; i < (chunk + 1) * CHUNK && i < p->all.count; i++) {
     vs_part *part = &p->all.at[i];
-    if (part->mesh->triangle_count != 0 && !find_twins(k, part)) return false;
-    part->volume = part->mesh->triangle_count != 0 ? vs_mesh_volume(part->mesh) : 0;
-    find_shape(part);
+    if (part->mesh->triangle_count == 0) continue;
+    if (!find_twins(k, part)) return false;
+    find_star(part);
+    if (!part->star) part->volume = vs_mesh_volume(part->mesh);
+    else if (part->joined) find_convex(part);
+    else VS_FREE(k, part->twins, part->twin_room); /* it stands as it is */
     if (!vs_kernel_report(k, 0)) return false;
   }
   return true;
 }
 
-bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *problem) {
+bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *problem, const uint32_t *order, const uint32_t *cluster, uint32_t count) {
   size_t slots = 64;
   while (slots < 2 * (size_t)problem->leaf_count) slots *= 2;
   uint32_t *table = NULL;
@@ -199,12 +211,14 @@ bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *proble
     while (table[slot] != VS_NONE && p->all.at[table[slot]].mesh != mesh) slot = (slot + 1) & (slots - 1);
     if (table[slot] == VS_NONE) {
       vs_part part = { .mesh = mesh };
-      ok = VS_PUSH(k, p->all, part);
+      ok = VS_PUSH(k, p->all, part) && vs_kernel_poll(k, 0);
       table[slot] = (uint32_t)p->all.count - 1;
     }
     p->of_leaf.at[i] = table[slot];
   }
   VS_FREE(k, table, table_room);
+  for (uint32_t i = 0; ok && i < count; i++)
+    if ((i > 0 && cluster[i - 1] == cluster[i]) || (i + 1 < count && cluster[i + 1] == cluster[i])) p->all.at[p->of_leaf.at[order[i]]].joined = true;
   enum { SERIAL = 10000 }; /* triangles that are not worth a thread */
   size_t triangles = 0;
   uint32_t threads = k->threads;

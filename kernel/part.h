@@ -12,8 +12,9 @@ typedef struct {
   double volume;        /* signed */
   vs_vec3 middle;       /* the mean of the corners */
   bool star;            /* the middle sees all of the surface from inside, each direction once: nothing crosses anything */
-  bool convex;          /* star, and so but for rounding */
+  bool convex;          /* star, and so but for rounding; where it is joined */
   double inner, outer;  /* convex: radii about the middle of a ball within and a ball without */
+  bool joined;          /* a leaf of it touches another; a star that is not has no twins and does not know whether it is convex: it stands as it is */
 } vs_part;
 
 typedef struct {
@@ -21,7 +22,8 @@ typedef struct {
   VS_LIST(uint32_t) of_leaf;
 } vs_parts;
 
-bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *problem);
+/* order: leaves by cluster, and cluster beside it, count of both. */
+bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *problem, const uint32_t *order, const uint32_t *cluster, uint32_t count);
 void vs_parts_free(vs_kernel *k, vs_parts *p);
 
 /* Fills twins (3 * count of them) by the corners' numbers in id, or by their own where id is NULL; corners of one number, and an edge between

@@ -344,7 +344,7 @@ static void test_identities(void **state) {
   assert_int_equal(triangles, 0);
   double va = volume_of(a, NULL), vb = volume_of(b, NULL);
   snprintf(text, sizeof text, "(union %s %s)", a, a);
-  near(volume_of(text, NULL), va, 1e-12);
+  near(volume_of(text, NULL), va, 1e-7); /* alone it stands as it is, else on the grid */
   snprintf(text, sizeof text, "(union %s %s)", a, b);
   double both = volume_of(text, NULL);
   snprintf(text, sizeof text, "(intersection %s %s)", a, b);
