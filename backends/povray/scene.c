@@ -113,17 +113,15 @@ static void pov_camera(vs_emitter *e, const vs_look *l) {
 static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   vs_writer *w = e->out;
   vs_vec3 sun = vs_look_sun(e->scene, l), middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
-  vs_vec3 across = vs_v3_cross(sun, fabs(sun.z) < 0.9 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0));
-  across = vs_v3_scale(across, 1 / vs_v3_length(across));
-  vs_vec3 over = vs_v3_cross(across, sun);
   double far = 20 * diagonal;
   vs_puts(w, "light_source {\n");
   pov_vector(w, "  ", vs_v3_add(middle, vs_v3_scale(sun, far)));
   vs_puts(w, "\n  color rgb <1, 0.94, 0.84> * 1.6\n  parallel\n");
   pov_vector(w, "  point_at ", middle);
   if (e->options->quality == VS_RENDER_FINAL) { /* a soft edge costs several times all the rest */
-    pov_vector(w, "\n  area_light ", vs_v3_scale(across, 0.012 * far));
-    pov_vector(w, ", ", vs_v3_scale(over, 0.012 * far));
+    /* orient turns it to what it lights; only lengths count, and POV-Ray wants them equal to 1e-10, which digits of turned vectors are not */
+    pov_vector(w, "\n  area_light ", vs_v3(0.012 * far, 0, 0));
+    pov_vector(w, ", ", vs_v3(0, 0.012 * far, 0));
     vs_puts(w, ", 3, 3 adaptive 1 circular orient");
   }
   vs_puts(w, "\n}\n");
