@@ -130,6 +130,27 @@ static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   return !(apart && a->facet == b->facet);
 }
 
+/* Triangles of one leaf in different planes, that share corners as neighbours do: are these all they share? Those with an edge in common share the line of
+ * their planes, and so the edge alone; with one corner, where the rest of one lies to one side of the other. Only where it is quick to say. */
+static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
+  if (a->count != 3 || b->count != 3) return false;
+  const vs_patch_corner *x = corners(c, a), *y = corners(c, b);
+  uint32_t shared = 0, in_a = 0, in_b = 0; /* bits of corners */
+  for (uint32_t i = 0; i < 3; i++)
+    for (uint32_t j = 0; j < 3; j++)
+      if (x[i].point == y[j].point) shared++, in_a |= 1u << i, in_b |= 1u << j;
+  static const uint8_t edge[8] = { [3] = 1, [6] = 2, [5] = 4 }; /* of two corners: the bit of the edge between */
+  if (shared == 2) return !(a->inner & edge[in_a]) && !(b->inner & edge[in_b]);
+  if (shared != 1) return false;
+  for (int side = 0; side < 2; side++) {
+    const vs_plane *p = &c->planes.all.at[side ? b->plane : a->plane];
+    const vs_patch_corner *at = side ? x : y;
+    uint32_t own = side ? in_a : in_b, i = own == 1 ? 1 : 0, j = own == 4 ? 1 : 2;
+    if (vs_sign128(height(p, at[i].at)) * vs_sign128(height(p, at[j].at)) > 0) return true;
+  }
+  return false;
+}
+
 static bool meet(void *context, uint32_t first, uint32_t second) {
   chunk *m = context;
   const vs_cluster *c = m->c;
@@ -142,6 +163,7 @@ static bool meet(void *context, uint32_t first, uint32_t second) {
   if (a->place == b->place && c->placed.at[a->place].star) return true;
   if (!vs_kernel_poll(m->k, 0.1)) return false;
   uint32_t base = (uint32_t)m->ends.count;
+  if (a->place == b->place && a->plane != b->plane && only_neighbours(c, a, b)) return true;
   if (a->plane == b->plane) return !overlap(c, a, b) || VS_PUSH(m->k, m->contacts, ((contact){ first, second, base, 0 }));
   if (!VS_ROOM(m->k, m->side_a.at, m->side_a.room, a->count) || !VS_ROOM(m->k, m->side_b.at, m->side_b.room, b->count)) return false;
   if (!sides(m, b, &c->planes.all.at[a->plane], m->side_b.at) || !sides(m, a, &c->planes.all.at[b->plane], m->side_a.at)) return true;
