@@ -183,13 +183,22 @@ static uint32_t block_end(const vs_bvh *t, uint32_t block) { return (block + 1) 
 uint32_t vs_bvh_blocks(const vs_bvh *t) { return t->level_count ? t->size[0] : 0; }
 
 bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context) {
+  enum { GROUP = 4 }; /* blocks that go down together */
   uint32_t blocks = vs_bvh_blocks(t);
-  for (uint32_t a = first; a < blocks && a < end; a++) {
-    const vs_box *box = &t->nodes[a];
-    WALK(t, box, a, {
-      for (uint32_t i = a * BLOCK; i < block_end(t, a); i++)
-        for (uint32_t j = block == a ? i + 1 : block * BLOCK; j < block_end(t, block); j++)
-          if (vs_box_meet(&t->sorted[i], &t->sorted[j]) && !fn(context, t->order[i], t->order[j])) return false;
+  if (end > blocks) end = blocks;
+  for (uint32_t from = first; from < end; from += GROUP) {
+    uint32_t stop = from + GROUP < end ? from + GROUP : end;
+    vs_box all = t->nodes[from];
+    for (uint32_t a = from + 1; a < stop; a++) all = join(&all, &t->nodes[a]);
+    WALK(t, &all, from, {
+      for (uint32_t a = from; a < stop && a <= block; a++) {
+        if (a != block && !vs_box_meet(&t->nodes[a], &t->nodes[block])) continue;
+        for (uint32_t j = block * BLOCK; j < block_end(t, block); j++) {
+          if (!vs_box_meet(&t->nodes[a], &t->sorted[j])) continue;
+          for (uint32_t i = a * BLOCK, last = block == a ? j : block_end(t, a); i < last; i++)
+            if (vs_box_meet(&t->sorted[i], &t->sorted[j]) && !fn(context, t->order[i], t->order[j])) return false;
+        }
+      }
     });
   }
   return true;

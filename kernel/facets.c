@@ -12,6 +12,7 @@ enum { SPAN = 1 << 12, BATCH = 1 << 17 /* triangles */ };
 
 typedef struct {
   vs_plane plane;
+  uint64_t hash;   /* of the plane */
   uint32_t source; /* of its mesh's triangles */
   bool flip;
   uint8_t inner;
@@ -88,6 +89,7 @@ static bool find_span(vs_kernel *k, void *context, size_t index) {
     number[t] = FLAT;
     if (!vs_plane_through(at[v[turned(l->mirrored, 0)]], at[v[1]], at[v[turned(l->mirrored, 2)]], &made.plane, &made.flip)) continue;
     number[t] = (uint32_t)s->found.count;
+    made.hash = vs_planes_hash(&made.plane);
     if (!VS_PUSH(k, s->found, made)) return false;
   }
   return vs_kernel_report(k, 0);
@@ -122,6 +124,7 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
 /* ---- in order ---- */
 
 static bool give_span(vs_kernel *k, facets *f, const span *s) {
+  enum { FAR = 16, NEAR = 8 };
   vs_cluster *c = f->c;
   const batch_leaf *l = &f->leaves.at[s->place - f->first];
   const vs_placed *p = &c->placed.at[s->place];
@@ -129,6 +132,8 @@ static bool give_span(vs_kernel *k, facets *f, const span *s) {
   if (!VS_ROOM(k, c->triangles.at, c->triangles.room, c->triangles.count + s->found.count)) return false;
   for (uint32_t i = 0; i < s->found.count; i++) {
     const found_triangle *from = &s->found.at[i];
+    if (i + FAR < s->found.count) vs_planes_ahead(&c->planes, from[FAR].hash, false);
+    if (i + NEAR < s->found.count) vs_planes_ahead(&c->planes, from[NEAR].hash, true);
     vs_soup_triangle t = { .leaf = leaf, .source = from->source, .flip = from->flip, .inner = from->inner };
     const uint32_t *corner = p->part->mesh->triangles[from->source];
     for (uint32_t j = 0; j < 3; j++) {
@@ -140,7 +145,7 @@ static bool give_span(vs_kernel *k, facets *f, const span *s) {
     if (root == s->base + i) { /* the first of its facet */
       f->facet.at[root] = (uint32_t)c->facets.count;
       vs_facet made = { .leaf = leaf, .place = s->place, .group = (uint32_t)c->facets.count, .flip = from->flip };
-      if (!vs_planes_add(k, &c->planes, &from->plane, &made.plane) || !VS_PUSH(k, c->facets, made)) return false;
+      if (!vs_planes_add(k, &c->planes, &from->plane, from->hash, &made.plane) || !VS_PUSH(k, c->facets, made)) return false;
     }
     t.facet = f->facet.at[root];
     t.plane = c->facets.at[t.facet].plane;
@@ -201,7 +206,9 @@ static bool do_batch(vs_kernel *k, facets *f) {
   }
   if (!VS_ROOM(k, f->sets.at, f->sets.room, found + 1) || !VS_ROOM(k, f->facet.at, f->facet.room, found + 1)) return false;
   for (uint32_t i = 0; i < found; i++) atomic_init(&f->sets.at[i], i);
-  if (!vs_kernel_run(k, f->spans.count, join_span, f)) return false;
+  if (!vs_kernel_run(k, f->spans.count, join_span, f) || !vs_planes_expect(k, &c->planes, found) ||
+      !vs_points_expect(k, &c->points, vertices < found ? vertices : found))
+    return false;
   for (size_t i = 0; i < f->spans.count; i++) {
     const span *s = &f->spans.at[i];
     if (s->first == 0)

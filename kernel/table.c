@@ -11,11 +11,6 @@ static uint64_t mix(uint64_t h, uint64_t x) {
 
 uint64_t vs_points_hash(const int64_t f[3]) { return mix(mix(mix(1, (uint64_t)f[0]), (uint64_t)f[1]), (uint64_t)f[2]); }
 
-static uint64_t hash_plane(const vs_plane *p) {
-  uint64_t h = mix(mix(mix(1, (uint64_t)p->n[0]), (uint64_t)p->n[1]), (uint64_t)p->n[2]);
-  return mix(mix(h, (uint64_t)(vs_u128)p->d), (uint64_t)((vs_u128)p->d >> 64));
-}
-
 /* Doubles the heads when `count` elements would fill them; the caller chains anew when *grown. */
 static bool heads_grow(vs_kernel *k, uint32_t **heads, size_t *room, size_t *used, size_t count, bool *grown) {
   *grown = false;
@@ -29,9 +24,9 @@ static bool heads_grow(vs_kernel *k, uint32_t **heads, size_t *room, size_t *use
   return true;
 }
 
-static bool points_grow(vs_kernel *k, vs_points_table *t) {
+static bool points_grow(vs_kernel *k, vs_points_table *t, size_t count) {
   bool grown;
-  if (!heads_grow(k, &t->heads, &t->head_room, &t->head_count, t->all.count, &grown)) return false;
+  if (!heads_grow(k, &t->heads, &t->head_room, &t->head_count, count, &grown)) return false;
   if (grown)
     for (uint32_t i = 0; i < t->all.count; i++) {
       size_t slot = vs_points_hash(t->all.at[i].fixed) & (t->head_count - 1);
@@ -67,7 +62,7 @@ static bool points_insert(vs_kernel *k, vs_points_table *t, uint64_t hash, const
 
 bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h, uint32_t *id) {
   uint64_t hash = vs_points_hash(fixed);
-  if (!points_grow(k, t)) return false;
+  if (!points_grow(k, t, t->all.count)) return false;
   *id = points_find(t, hash, fixed, h);
   return *id != VS_NONE || points_insert(k, t, hash, fixed, h, id);
 }
@@ -88,11 +83,13 @@ static void look_ahead(const vs_points_table *t, const vs_fresh_point *fresh, si
   }
 }
 
+bool vs_points_expect(vs_kernel *k, vs_points_table *t, size_t more) { return points_grow(k, t, t->all.count + more); }
+
 bool vs_points_add_all(vs_kernel *k, vs_points_table *t, const vs_points_table *base, const vs_fresh_point *fresh, size_t count, uint32_t *ids) {
   for (size_t i = 0; i < count; i++) {
     const vs_fresh_point *f = &fresh[i];
     const vs_homogeneous *h = f->exact ? NULL : &f->at;
-    if (!points_grow(k, t)) return false;
+    if (!points_grow(k, t, t->all.count)) return false;
     if (base) look_ahead(base, fresh, i, count);
     look_ahead(t, fresh, i, count);
     ids[i] = base ? points_find(base, f->hash, f->fixed, h) : VS_NONE;
@@ -143,16 +140,29 @@ void vs_points_free(vs_kernel *k, vs_points_table *t) {
   t->head_count = 0;
 }
 
-bool vs_planes_add(vs_kernel *k, vs_planes_table *t, const vs_plane *p, uint32_t *id) {
+uint64_t vs_planes_hash(const vs_plane *p) {
+  uint64_t h = mix(mix(mix(1, (uint64_t)p->n[0]), (uint64_t)p->n[1]), (uint64_t)p->n[2]);
+  return mix(mix(h, (uint64_t)(vs_u128)p->d), (uint64_t)((vs_u128)p->d >> 64));
+}
+
+/* Heads for so many, chained anew where there are more of them than before. */
+static bool planes_grow(vs_kernel *k, vs_planes_table *t, size_t count) {
   bool grown;
-  if (!heads_grow(k, &t->heads, &t->head_room, &t->head_count, t->all.count, &grown)) return false;
+  if (!heads_grow(k, &t->heads, &t->head_room, &t->head_count, count, &grown)) return false;
   if (grown)
     for (uint32_t i = 0; i < t->all.count; i++) {
-      size_t slot = hash_plane(&t->all.at[i]) & (t->head_count - 1);
+      size_t slot = vs_planes_hash(&t->all.at[i]) & (t->head_count - 1);
       t->next.at[i] = t->heads[slot];
       t->heads[slot] = i;
     }
-  size_t slot = hash_plane(p) & (t->head_count - 1);
+  return true;
+}
+
+bool vs_planes_expect(vs_kernel *k, vs_planes_table *t, size_t more) { return planes_grow(k, t, t->all.count + more); }
+
+bool vs_planes_add(vs_kernel *k, vs_planes_table *t, const vs_plane *p, uint64_t hash, uint32_t *id) {
+  if (!planes_grow(k, t, t->all.count)) return false;
+  size_t slot = hash & (t->head_count - 1);
   for (uint32_t i = t->heads[slot]; i != VS_NONE; i = t->next.at[i]) {
     const vs_plane *q = &t->all.at[i];
     if (q->n[0] == p->n[0] && q->n[1] == p->n[1] && q->n[2] == p->n[2] && q->d == p->d) {

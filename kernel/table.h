@@ -43,7 +43,17 @@ bool vs_points_append(vs_kernel *k, vs_points_table *t, vs_points_table *more); 
 void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]); /* of an input vertex */
 void vs_points_free(vs_kernel *k, vs_points_table *t);
 
-bool vs_planes_add(vs_kernel *k, vs_planes_table *t, const vs_plane *p, uint32_t *id);
+uint64_t vs_planes_hash(const vs_plane *p);
+bool vs_planes_add(vs_kernel *k, vs_planes_table *t, const vs_plane *p, uint64_t hash, uint32_t *id);
+/* So many more may come: the tables need not grow on the way. */
+bool vs_planes_expect(vs_kernel *k, vs_planes_table *t, size_t more);
+bool vs_points_expect(vs_kernel *k, vs_points_table *t, size_t more);
+/* What is asked for soon is better in the cache by then: heads far ahead, first elements near ahead. */
+static inline void vs_planes_ahead(const vs_planes_table *t, uint64_t hash, bool near) {
+  const uint32_t *head = &t->heads[hash & (t->head_count - 1)];
+  if (!near) __builtin_prefetch(head);
+  else if (*head != VS_NONE) __builtin_prefetch(&t->all.at[*head]);
+}
 void vs_planes_free(vs_kernel *k, vs_planes_table *t);
 
 #endif
