@@ -46,6 +46,7 @@ struct vs_emitter {
   void *state;         /* the back-end's own, made by begin and freed by close */
   vs_facets facets;
   vs_bounds bounds;    /* of everything drawn; never empty */
+  double unit;            /* POV-Ray: how long a model unit is in its scene; see scene.c */
   vs_bounds *boxes;    /* of its parts: tighter together than the one; what a camera frames */
   size_t box_count, box_room;
   size_t depth;        /* of nesting now, for indentation */

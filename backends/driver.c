@@ -597,6 +597,15 @@ static bool drive_bounds(vs_emitter *e) {
     if (!isfinite(low[i]) || !isfinite(high[i])) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing is infinitely large");
   e->facets.segments = e->scene->segments;
   e->facets.tolerance = e->scene->tolerance > 0 ? e->scene->tolerance : vs_facets_tolerance(&e->bounds);
+  double most = 0;
+  for (int i = 0; i < 3; i++) most = fmax(most, fmax(fabs(low[i]), fabs(high[i])));
+  bool single = e->backend->numbers == VS_NUMBERS_SINGLE || e->backend->numbers == VS_NUMBERS_SOUP;
+  double step = ldexp(1, ilogb(most > 0 ? most : 1) - 23);
+  if (single && step > vs_facets_tolerance(&e->bounds) / 8 && e->options->warn != NULL) {
+    char message[200];
+    snprintf(message, sizeof message, "the drawing is far from the origin for its size: this format's numbers have steps of %.3g there; move it nearer, or write .obj, .off or .glb", step);
+    e->options->warn(e->options->context, NULL, message);
+  }
   return true;
 }
 

@@ -112,7 +112,7 @@ static void pov_camera(vs_emitter *e, const vs_look *l) {
 
 static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   vs_writer *w = e->out;
-  vs_vec3 sun = vs_look_sun(e->scene, l), middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
+  vs_vec3 sun = vs_look_sun(e->scene, l), middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5 * e->unit);
   double far = 20 * diagonal;
   vs_puts(w, "light_source {\n");
   pov_vector(w, "  ", vs_v3_add(middle, vs_v3_scale(sun, far)));
@@ -174,7 +174,7 @@ static void pov_sky(vs_emitter *e) {
 static void pov_ground(vs_emitter *e, double diagonal) {
   vs_writer *w = e->out;
   double lift = 1e-5 * diagonal; /* what stands on the ground shares its plane: keep the ground just below */
-  pov_word(w, "plane {\n  z, ", e->scene->ground_z - lift, "\n  ");
+  pov_word(w, "plane {\n  z, ", e->scene->ground_z * e->unit - lift, "\n  ");
   if (e->scene->ground_material != NULL) vs_povray_paint(e, e->scene->ground_material);
   else vs_puts(w, "texture { pigment { color srgb <0.77, 0.76, 0.73> } finish { ambient 0 diffuse 0.8 } }");
   vs_puts(w, "\n}\n");
@@ -195,11 +195,16 @@ static const char *pov_radiosity(vs_render_quality q) {
   return "";
 }
 
+/* POV-Ray has absolute tolerances: what is much smaller than a unit has holes, meshes of millions of units are not seen at all. Such drawings are written in
+ * other units, a power of ten, in which they are some tens across. */
+static double pov_unit(double diagonal) { return diagonal > 0.1 && diagonal < 1e5 ? 1 : pow(10, 1 - floor(log10(diagonal))); }
+
 bool vs_povray_begin(vs_emitter *e) {
   vs_writer *w = e->out;
   int width = e->options->width > 0 ? e->options->width : 1024, height = e->options->height > 0 ? e->options->height : 768;
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   if (!(diagonal > 0)) diagonal = 1;
+  e->unit = pov_unit(diagonal);
   vs_puts(w, "// ");
   pov_name(w, e->scene->title);
   vs_putf(w, ": a scene for POV-Ray 3.7, made by VisualScheme\n// povray +W%d +H%d +A0.1 THIS-FILE\n#version 3.7;\n", width, height);
@@ -207,6 +212,13 @@ bool vs_povray_begin(vs_emitter *e) {
   vs_puts(w, pov_radiosity(e->options->quality));
   vs_puts(w, "}\n#default { texture { pigment { color srgb <0.86, 0.85, 0.83> } finish { ambient 0 diffuse 0.82 } } }\n\n");
   vs_look look = vs_look_find(e->scene, &e->bounds, e->boxes, e->box_count, (double)width / height);
+  look.eye = vs_v3_scale(look.eye, e->unit), look.target = vs_v3_scale(look.target, e->unit), look.width *= e->unit;
+  diagonal *= e->unit;
+  if (e->unit != 1) {
+    vs_puts(w, "// ");
+    vs_put_number(w, 1 / e->unit);
+    vs_puts(w, " units of the model are one here\n");
+  }
   pov_camera(e, &look);
   pov_sun(e, &look, diagonal);
   pov_sky(e);

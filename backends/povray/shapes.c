@@ -55,6 +55,9 @@ static vs_emit_status pov_finish(vs_emitter *e, char *to) {
   return vs_writer_filled(e->out, to) ? VS_EMITTED : VS_FAILED;
 }
 
+/* Lengths and places in the units of the scene */
+static vs_vec3 pov_at(const vs_emitter *e, vs_vec3 p) { return e->unit == 1 ? p : vs_v3_scale(p, e->unit); }
+
 static void pov_point(vs_emitter *e, vs_vec3 p) { vs_put_triple(e->out, "<", p, ", ", ">"); }
 static void pov_comma_point(vs_emitter *e, vs_vec3 p) {
   vs_puts(e->out, ", ");
@@ -65,13 +68,13 @@ static void pov_comma(vs_emitter *e, double x) {
   vs_put_number(e->out, x);
 }
 
-/* POV-Ray multiplies row vectors: columns of ours are its rows. */
+/* POV-Ray multiplies row vectors: columns of ours are its rows. The translation is in model units. */
 static void pov_matrix(vs_emitter *e, const vs_affine *a) {
   vs_puts(e->out, "matrix <");
   for (int column = 0; column < 4; column++)
     for (int row = 0; row < 3; row++) {
       if (column + row > 0) vs_puts(e->out, row == 0 ? ",  " : ", ");
-      vs_put_number(e->out, a->m[row][column]);
+      vs_put_number(e->out, column == 3 ? a->m[row][column] * e->unit : a->m[row][column]);
     }
   vs_puts(e->out, ">");
 }
@@ -82,15 +85,15 @@ vs_emit_status vs_povray_box(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   char *to = POV_BEGIN(e, "box { ");
   if (to == NULL) return VS_FAILED;
-  to = pov_write_point(to, VS_AS(box, ref->node)->p);
-  return pov_finish(e, pov_write_comma_point(to, VS_AS(box, ref->node)->q));
+  to = pov_write_point(to, pov_at(e, VS_AS(box, ref->node)->p));
+  return pov_finish(e, pov_write_comma_point(to, pov_at(e, VS_AS(box, ref->node)->q)));
 }
 
 static vs_emit_status pov_sphere(vs_emitter *e, vs_vec3 center, double radius) {
   char *to = POV_BEGIN(e, "sphere { ");
   if (to == NULL) return VS_FAILED;
-  to = pov_write_point(to, center);
-  return pov_finish(e, pov_write_comma(to, radius));
+  to = pov_write_point(to, pov_at(e, center));
+  return pov_finish(e, pov_write_comma(to, radius * e->unit));
 }
 
 /* A number of facets that the model asks for is part of the shape: then it is these facets, not the round thing. */
@@ -104,9 +107,9 @@ vs_emit_status vs_povray_sphere(vs_emitter *e, const vs_ref *ref, vs_phase phase
 static vs_emit_status pov_cylinder(vs_emitter *e, vs_vec3 base, vs_vec3 top, double radius) {
   char *to = POV_BEGIN(e, "cylinder { ");
   if (to == NULL) return VS_FAILED;
-  to = pov_write_point(to, base);
-  to = pov_write_comma_point(to, top);
-  return pov_finish(e, pov_write_comma(to, radius));
+  to = pov_write_point(to, pov_at(e, base));
+  to = pov_write_comma_point(to, pov_at(e, top));
+  return pov_finish(e, pov_write_comma(to, radius * e->unit));
 }
 
 vs_emit_status vs_povray_cylinder(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
@@ -119,10 +122,10 @@ static vs_emit_status pov_cone(vs_emitter *e, vs_vec3 base, double base_radius, 
   if (base_radius == top_radius) return pov_cylinder(e, base, top, base_radius); /* POV-Ray's cone takes no equal radii */
   char *to = POV_BEGIN(e, "cone { ");
   if (to == NULL) return VS_FAILED;
-  to = pov_write_point(to, base);
-  to = pov_write_comma(to, base_radius);
-  to = pov_write_comma_point(to, top);
-  return pov_finish(e, pov_write_comma(to, top_radius));
+  to = pov_write_point(to, pov_at(e, base));
+  to = pov_write_comma(to, base_radius * e->unit);
+  to = pov_write_comma_point(to, pov_at(e, top));
+  return pov_finish(e, pov_write_comma(to, top_radius * e->unit));
 }
 
 vs_emit_status vs_povray_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
@@ -146,9 +149,9 @@ vs_emit_status vs_povray_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase
   place = vs_affine_multiply(&place, &wide);
   bool equal = c->base_radius == c->top_radius; /* POV-Ray's cone takes no equal radii */
   pov_open(e, equal ? "cylinder { <0, 0, 0>" : "cone { <0, 0, 0>");
-  if (!equal) pov_comma(e, c->base_radius);
-  pov_comma_point(e, vs_v3(0, 0, vs_v3_length(axis)));
-  pov_comma(e, c->top_radius);
+  if (!equal) pov_comma(e, c->base_radius * e->unit);
+  pov_comma_point(e, vs_v3(0, 0, vs_v3_length(axis) * e->unit));
+  pov_comma(e, c->top_radius * e->unit);
   vs_puts(e->out, " ");
   pov_matrix(e, &place);
   return pov_close(e, " }\n");
@@ -164,7 +167,7 @@ vs_emit_status vs_povray_superellipsoid(vs_emitter *e, const vs_ref *ref, vs_pha
   vs_put_number(e->out, s->e);
   pov_comma(e, s->n);
   vs_puts(e->out, "> scale ");
-  vs_put_number(e->out, s->size);
+  vs_put_number(e->out, s->size * e->unit);
   return pov_close(e, " }\n");
 }
 
@@ -173,10 +176,10 @@ vs_emit_status vs_povray_torus(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   const struct vs_torus *t = VS_AS(torus, ref->node);
   if (t->segments > 0) return VS_LOWER;
   pov_open(e, "torus { ");
-  vs_put_number(e->out, t->radius);
-  pov_comma(e, t->tube_radius);
+  vs_put_number(e->out, t->radius * e->unit);
+  pov_comma(e, t->tube_radius * e->unit);
   vs_puts(e->out, " rotate 90*x translate ");
-  pov_point(e, t->center);
+  pov_point(e, pov_at(e, t->center));
   return pov_close(e, " }\n");
 }
 
@@ -187,7 +190,7 @@ vs_emit_status vs_povray_half_space(vs_emitter *e, const vs_ref *ref, vs_phase p
   vs_vec3 out = vs_v3_scale(vs_v3_unit(h->normal), -1);
   pov_open(e, "plane { ");
   pov_point(e, out);
-  pov_comma(e, vs_v3_dot(out, h->point));
+  pov_comma(e, vs_v3_dot(out, h->point) * e->unit);
   return pov_close(e, " }\n");
 }
 
@@ -218,17 +221,25 @@ static void pov_triples(vs_emitter *e, const char *word, const vs_vec3 *v, const
   vs_puts(e->out, "}\n");
 }
 
-static void pov_points(vs_emitter *e, const char *word, const vs_vec3 *at, size_t count) {
+static void pov_points(vs_emitter *e, const char *word, const vs_vec3 *at, size_t count, vs_vec3 from, double unit) {
   pov_open(e, word);
   vs_put_u32(e->out, (uint32_t)count);
   for (size_t i = 0; i < count; i++) {
     vs_puts(e->out, i % 4 == 0 ? ",\n" : ", ");
     if (i % 4 == 0) pov_indent(e);
-    vs_put_triple(e->out, "<", at[i], ",", ">");
+    vs_put_triple(e->out, "<", unit == 1 ? vs_v3_sub(at[i], from) : vs_v3_scale(vs_v3_sub(at[i], from), unit), ",", ">");
   }
   vs_puts(e->out, "\n");
   pov_indent(e);
   vs_puts(e->out, "}\n");
+}
+
+/* POV-Ray keeps the corners of meshes in single precision: those of what is far away for its size are written from its first corner on. */
+static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
+  vs_bounds b = vs_bounds_empty();
+  for (size_t i = 0; i < count; i++) vs_bounds_add(&b, v[i]);
+  vs_vec3 middle = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5);
+  return count > 0 && vs_v3_length(middle) > 100 * vs_bounds_diagonal(&b) ? v[0] : vs_v3(0, 0, 0);
 }
 
 static vs_emit_status pov_mesh(vs_emitter *e, const vs_vec3 *v, size_t vertex_count, const uint32_t (*t)[3], size_t count, bool closed) {
@@ -243,11 +254,17 @@ static vs_emit_status pov_mesh(vs_emitter *e, const vs_vec3 *v, size_t vertex_co
   }
   pov_open(e, "mesh2 {\n");
   e->depth++;
-  pov_points(e, "vertex_vectors { ", v, vertex_count);
-  if (e->smooth) pov_points(e, "normal_vectors { ", s.normals, s.normal_count);
+  vs_vec3 from = pov_far(v, vertex_count);
+  pov_points(e, "vertex_vectors { ", v, vertex_count, from, e->unit);
+  if (e->smooth) pov_points(e, "normal_vectors { ", s.normals, s.normal_count, vs_v3(0, 0, 0), 1);
   pov_triples(e, "face_indices { ", v, t, t, count, kept);
   if (e->smooth) pov_triples(e, "normal_indices { ", v, t, (const uint32_t (*)[3])s.corners, count, kept);
   if (closed) pov_open(e, "inside_vector <0.2317, 0.4951, 0.8372>\n"); /* askew, so that it seldom runs along an edge */
+  if (!vs_v3_equal(from, vs_v3(0, 0, 0))) {
+    pov_open(e, "translate ");
+    pov_point(e, pov_at(e, from));
+    vs_puts(e->out, "\n");
+  }
   e->depth--;
   vs_shading_free(&s);
   pov_open(e, "}\n");
@@ -302,8 +319,8 @@ static void pov_loops(vs_emitter *e, const vs_outline *o, const vs_affine *back)
     for (size_t k = 0; k <= o->loops[i].count; k++) {
       vs_vec3 p = vs_affine_point(back, o->loops[i].at[k % o->loops[i].count]);
       vs_puts(e->out, k == 0 ? "<" : ", <");
-      vs_put_number(e->out, p.x);
-      pov_comma(e, p.y);
+      vs_put_number(e->out, p.x * e->unit);
+      pov_comma(e, p.y * e->unit);
       vs_puts(e->out, ">");
     }
   }
@@ -363,7 +380,7 @@ vs_emit_status vs_povray_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phas
     vs_affine place = plane;
     const double along[] = { x->along.x, x->along.y, x->along.z }, from[] = { start.x, start.y, start.z };
     for (int row = 0; row < 3; row++) {
-      place.m[row][1] = along[row];
+      place.m[row][1] = along[row] * e->unit;
       place.m[row][2] = plane.m[row][1];
       place.m[row][3] += from[row];
     }
@@ -393,8 +410,8 @@ vs_emit_status vs_povray_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phas
     pov_open(e, "  ");
     for (size_t i = 0; i <= r.count; i++) {
       vs_puts(e->out, i ? ", <" : "<");
-      vs_put_number(e->out, r.profile[i % r.count].x);
-      pov_comma(e, r.profile[i % r.count].y);
+      vs_put_number(e->out, r.profile[i % r.count].x * e->unit);
+      pov_comma(e, r.profile[i % r.count].y * e->unit);
       vs_puts(e->out, ">");
     }
     vs_affine place = { { { r.out.x, r.axis.x, -r.side.x, r.at.x }, { r.out.y, r.axis.y, -r.side.y, r.at.y }, { r.out.z, r.axis.z, -r.side.z, r.at.z } } };
@@ -418,7 +435,7 @@ vs_emit_status vs_povray_transform(vs_emitter *e, const vs_ref *ref, vs_phase ph
   pov_open(e, "  ");
   if (vs_affine_is_translation(a)) {
     vs_puts(e->out, "translate ");
-    pov_point(e, vs_v3(a->m[0][3], a->m[1][3], a->m[2][3]));
+    pov_point(e, pov_at(e, vs_v3(a->m[0][3], a->m[1][3], a->m[2][3])));
   } else {
     pov_matrix(e, a);
   }
@@ -470,6 +487,11 @@ vs_emit_status vs_povray_native(vs_emitter *e, const vs_ref *ref, vs_phase phase
   }
   vs_puts(e->out, code);
   vs_puts(e->out, "\n");
+  if (!look && e->unit != 1) {
+    pov_open(e, "scale ");
+    vs_put_number(e->out, e->unit);
+    vs_puts(e->out, "\n");
+  }
   pov_open(e, "}\n");
   vs_emit_status done = pov_close(e, "");
   return phase == VS_PHASE_ENTER && done == VS_EMITTED ? VS_WHOLE : done;
@@ -487,8 +509,8 @@ vs_emit_status vs_povray_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
       const struct vs_box *b = VS_AS(box, n->children[0].node);
       vs_vec3 more = vs_v3_scale(vs_v3_sub(b->q, b->p), 1e-4);
       pov_open(e, "  bounded_by { box { ");
-      pov_point(e, vs_v3_sub(b->p, more));
-      pov_comma_point(e, vs_v3_add(b->q, more));
+      pov_point(e, pov_at(e, vs_v3_sub(b->p, more)));
+      pov_comma_point(e, pov_at(e, vs_v3_add(b->q, more)));
       vs_puts(e->out, " } }\n");
     }
     pov_open(e, "}\n");

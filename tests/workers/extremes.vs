@@ -1,0 +1,11 @@
+; One model in five sizes and places: tests/workers/extremes.sh holds the pictures to each other.
+(define-parameter size 1.0 #:min 0 #:max 1e9)
+(define-parameter away 0.0 #:min 0 #:max 1e9)
+(define (at x y z) (xyz (+ away (* size x)) (+ away (* size y)) (+ away (* size z))))
+(draw (subtract (make-box (at 0 0 0) (at 4 4 4)) (make-sphere (at 4 4 4) (* size 2)) (make-cylinder (at 2 2 -1) (at 2 2 5) (* size 0.5))))
+(draw (color "red" (do-sweep (make-circle origin (* size 0.3)) (make-spline (at 6 0 0) (at 6 2 3) (at 6 4 0)))))
+(draw (do-extrude (do-offset (make-rectangle (at 8 0 0) (at 10 3 0)) (* size 0.5) #:corners 'round) (* size 2)))
+(draw (do-revolve (do-move (make-rectangle (xz 0 0) (xz (* size 1) (* size 2))) (p->q origin (at 12 6 0))) (make-axis (at 12 6 0) uz)))
+(draw (do-move (make-torus origin (* size 2) (* size 0.5)) (p->q origin (at 4 9 1))))
+(draw (make-cone (at 0 8 0) (at 0 8 3) size))
+(draw (do-extrude (make-polygon (at 8 6 0) (at 10 6 0) (at 8 9 0)) size))
