@@ -359,8 +359,69 @@ static bool vs_bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds
   return known || vs_bounds_leaf(n, &here, &none, b, &leaf, e);
 }
 
+static bool vs_bounds_is_axial(const vs_affine *a) { /* boxes become boxes */
+  for (int i = 0; i < 3; i++)
+    if ((a->m[i][0] != 0) + (a->m[i][1] != 0) + (a->m[i][2] != 0) > 1) return false;
+  return true;
+}
+
+static bool vs_bounds_is_swept(const vs_node *n) { /* formulas that cost more than a box round the box */
+  if (n->kind == VS_EXTRUDE && n->child_count == 1) {
+    const vs_node *profile = n->children[0].node;
+    while (profile->kind == VS_REGION && profile->child_count == 1) profile = profile->children[0].node;
+    return profile->kind != VS_LINE || VS_AS(extrude, n)->taper != 0;
+  }
+  return n->kind == VS_EXTRUDE || n->kind == VS_SWEEP || n->kind == VS_THICKEN || n->kind == VS_REVOLVE || n->kind == VS_LOFT || n->kind == VS_RULED_LOFT ||
+         n->kind == VS_GUIDED_LOFT || n->kind == VS_OFFSET;
+}
+
+static bool vs_bounds_is_set(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }
+
+/* A set under a map that turns it, part by part: what it becomes must not depend on whether it was turned as a whole. All in it are known. *done: it was not
+ * too much or too deep; all in all a memo does TURNED_MOST such steps. */
+enum { TURNED_DEEP = 32, TURNED_EACH = 2048, TURNED_MOST = 1 << 20 };
+static bool vs_bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *map, vs_bounds *out, bool *done, vs_error *e) {
+  struct { const vs_node *node; vs_affine map; uint32_t next; vs_bounds all; } level[TURNED_DEEP];
+  size_t depth = 1, steps = 0;
+  vs_bounds b = vs_bounds_empty(), box;
+  bool leaf;
+  level[0].node = n, level[0].map = *map, level[0].next = 0, level[0].all = b;
+  while (depth) {
+    *done = depth < TURNED_DEEP && ++steps < TURNED_EACH && m->turned + steps < TURNED_MOST;
+    if (!*done) break;
+    size_t top = depth - 1;
+    const vs_node *at = level[top].node;
+    bool down = vs_bounds_is_set(at) && level[top].next < at->child_count && !(at->kind == VS_DIFFERENCE && level[top].next > 0);
+    if (vs_bounds_is_set(at) && level[top].next) { /* b is a member's */
+      if (at->kind == VS_INTERSECTION && level[top].next > 1) vs_bounds_meet(&level[top].all, &b);
+      else vs_bounds_unite(&level[top].all, &b);
+    }
+    if (at->kind == VS_TRANSFORM) {
+      level[top].map = vs_affine_multiply(&level[top].map, &VS_AS(transform, at)->matrix);
+      level[top].node = at->children[0].node;
+    } else if (vs_node_is_dress(at)) {
+      level[top].node = at->children[0].node;
+    } else if (down) {
+      level[depth].node = at->children[level[top].next++].node;
+      level[depth].map = level[top].map;
+      level[depth].next = 0;
+      level[depth++].all = vs_bounds_empty();
+    } else if (vs_bounds_is_set(at)) {
+      b = level[--depth].all;
+    } else {
+      b = vs_bounds_empty();
+      if (!vs_bounds_child(m, at, &box, e) || (!vs_bounds_is_swept(at) && !vs_bounds_leaf(at, &level[top].map, &box, &b, &leaf, e))) return false;
+      if (vs_bounds_is_swept(at) || !leaf) b = vs_bounds_transform(&box, &level[top].map);
+      depth--;
+    }
+  }
+  m->turned += steps;
+  *out = b;
+  return true;
+}
+
 /* All children are known, or lone leaves. */
-static bool vs_bounds_of(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
+static bool vs_bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   vs_bounds children = vs_bounds_empty(), child;
   bool leaf;
@@ -375,8 +436,10 @@ static bool vs_bounds_of(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b
       if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
       below = below->children[0].node;
     }
-    bool swept = below->kind == VS_EXTRUDE || below->kind == VS_SWEEP || below->kind == VS_THICKEN || below->kind == VS_REVOLVE ||
-                 below->kind == VS_LOFT || below->kind == VS_RULED_LOFT || below->kind == VS_GUIDED_LOFT || below->kind == VS_OFFSET;
+    bool swept = vs_bounds_is_swept(below), done = false;
+    if (vs_bounds_is_set(below) && !(below->flags & VS_NODE_ENDLESS) && !vs_bounds_is_axial(&placed) && !vs_bounds_turned(m, below, &placed, b, &done, e)) return false;
+    if (done) return true;
+    *b = vs_bounds_empty();
     if (!swept && !vs_bounds_leaf(below, &placed, &children, b, &leaf, e)) return false;
     if (swept || !leaf) *b = vs_bounds_transform(&children, &VS_AS(transform, n)->matrix);
     return true;

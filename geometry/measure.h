@@ -8,11 +8,11 @@
 
 /* ---- bounds ---- */
 
-/* Bounds of the node in its own coordinates; exact for the primitives, moved ones too; safe (may be larger) for CSG under turns; those of
+/* Bounds of the node in its own coordinates; exact for the primitives, moved ones too, and for sets of them under turns; safe (may be larger) where those are very large; those of
  * sweeps and splines are of fine samples. Iterative, each shared node once. */
 bool vs_node_bounds(const vs_node *n, vs_bounds *out, vs_error *e);
 /* The same for many nodes of one model: what was found is remembered between calls. */
-typedef struct { vs_nodemap places; vs_bounds *at; size_t count, room; } vs_bounds_memo; /* { .places.store = s } is an empty one */
+typedef struct { vs_nodemap places; vs_bounds *at; size_t count, room, turned; } vs_bounds_memo; /* { .places.store = s } is an empty one */
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e);
 void vs_bounds_memo_free(vs_bounds_memo *m);
 

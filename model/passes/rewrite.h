@@ -36,6 +36,8 @@ bool vs_fold_begin(vs_rewrite *w); /* makes w->state */
 void vs_fold_end(vs_rewrite *w);
 bool vs_flatten_begin(vs_rewrite *w); /* makes w->state */
 void vs_flatten_end(vs_rewrite *w);
+/* Is b a turned, mirrored and moved, within near? *turn: the map. *work grows by what it cost, in points. False with *starved: out of memory. */
+bool vs_turn_find(vs_store *s, const vs_node *a, const vs_node *b, double near, vs_affine *turn, size_t *work, bool *starved);
 bool vs_share_begin(vs_rewrite *w); /* makes w->state */
 void vs_share_end(vs_rewrite *w);
 

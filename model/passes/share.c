@@ -1,4 +1,4 @@
-/* Owns share: subtrees that are equal but for their place become one template and its placements.
+/* Owns share: subtrees that are equal but for their place become one template and its placements; so do those that are turned or mirrored (turn.c).
  *
  * Each distinct node gets an anchor, a point of it that moves along when it is moved, and a key of 128 bits: a hash of kind, fields and
  * children's keys in which every position stands relative to the anchor. Equal keys are equal shapes (two that differ meet in one key once
@@ -30,8 +30,10 @@ typedef struct {
   size_t group;       /* the first entry with this key */
   size_t copies;      /* of the group, at its first entry */
   double named;       /* references to any of the group, at its first entry */
+  size_t turn;        /* at a first entry: 0, or which of the turns (from 1) makes it of another group's, which it then belongs to */
   vs_node *result;    /* what that first entry became; not retained: the rewriting holds it */
 } vs_share_entry;
+typedef struct { size_t head; vs_affine map; } vs_share_turn; /* of which first entry, and by what map */
 typedef struct { double step, first; } vs_share_step; /* first NaN: free */
 typedef struct {
   vs_store *store;
@@ -41,6 +43,8 @@ typedef struct {
   double quantum;
   vs_share_step *steps; /* a hash table: steps of a quantum, and the first number met in each, in quanta */
   size_t step_count, step_room;
+  vs_share_turn *turns;
+  size_t turn_count, turn_room;
   bool starved;         /* the table could not grow */
 } vs_share;
 
@@ -277,6 +281,12 @@ static int vs_share_compare(const void *p, const void *q) {
   return x->entry < y->entry ? -1 : x->entry > y->entry;
 }
 
+/* The first entry of all that are one shape, turned or not. */
+static vs_share_entry *vs_share_head(const vs_share *s, size_t index) {
+  vs_share_entry *first = &s->at[s->at[index].group];
+  return first->turn ? &s->at[s->turns[first->turn - 1].head] : first;
+}
+
 static bool vs_share_pays(const vs_share_entry *first) {
   double copies = (double)first->copies;
   return (copies - 1) * first->cost > 2 * copies;
@@ -295,7 +305,7 @@ static double vs_share_cost(const vs_share *s, size_t index, double named) {
       cost++;
       continue;
     }
-    const vs_share_entry *child = &s->at[vs_order_of(below)], *first = &s->at[child->group];
+    const vs_share_entry *child = &s->at[vs_order_of(below)], *first = vs_share_head(s, vs_order_of(below));
     bool template = first->named > named && (vs_share_pays(first) || first->named > (double)first->copies);
     cost += template ? fmin(child->cost, first->copies > 1 ? 2 : 1) : child->cost;
   }
@@ -316,6 +326,45 @@ static bool vs_share_group(vs_share *s) {
   }
   vs_store_realloc(s->store, order, (s->count + 1) * sizeof *order, 0);
   return true;
+}
+
+static bool vs_share_add_turn(vs_share *s, size_t index, size_t head, const vs_affine *map) {
+  if (s->turn_count == s->turn_room) {
+    size_t room = s->turn_room ? 2 * s->turn_room : 16;
+    vs_share_turn *grown = vs_store_realloc(s->store, s->turns, s->turn_room * sizeof *grown, room * sizeof *grown);
+    if (!grown) return false;
+    s->turns = grown;
+    s->turn_room = room;
+  }
+  s->turns[s->turn_count++] = (vs_share_turn){ head, *map };
+  s->at[index].turn = s->turn_count;
+  s->at[head].copies += s->at[index].copies;
+  return true;
+}
+
+/* Groups that are one shape turned or mirrored become one. Of each form the first HEADS_MOST shapes are tried; all in all no more than some points for
+ * each node, so that deep trees of one form cost no square. */
+static bool vs_share_turns(vs_share *s) {
+  enum { HEADS_MOST = 6 };
+  size_t count = 0, heads[HEADS_MOST], head_count = 0, work = 0, most = 100000 + 50 * s->count;
+  uint64_t *forms = vs_store_realloc(s->store, NULL, 0, (s->count + 1) * sizeof *forms);
+  bool starved = !forms;
+  for (size_t i = 0; forms && i < s->count; i++)
+    if (s->at[i].wanted && s->at[i].group == i && vs_share_is_worth(&s->at[i])) forms[count++] = (uint64_t)s->order->at[i].node->form << 32 | i;
+  if (forms) qsort(forms, count, sizeof *forms, vs_share_by_form);
+  for (size_t i = 0; !starved && i < count && work < most; i++) {
+    size_t mine = forms[i] & UINT32_MAX;
+    bool found = false;
+    vs_affine map;
+    if (i == 0 || forms[i - 1] >> 32 != forms[i] >> 32) head_count = 0;
+    for (size_t k = 0; !found && !starved && k < head_count; k++) {
+      found = vs_turn_find(s->store, s->order->at[heads[k]].node, s->order->at[mine].node, s->quantum, &map, &work, &starved);
+      if (found && !vs_share_add_turn(s, mine, heads[k], &map)) starved = true;
+    }
+    if (!found && head_count < HEADS_MOST) heads[head_count++] = mine;
+  }
+  if (forms) vs_store_realloc(s->store, forms, (s->count + 1) * sizeof *forms, 0);
+  return !starved;
 }
 
 bool vs_share_begin(vs_rewrite *w) {
@@ -346,9 +395,9 @@ bool vs_share_begin(vs_rewrite *w) {
     if (s->at[i].wanted) vs_share_find_key(s, o->at[i].node, &s->at[i].key, &s->at[i].anchor);
     if (s->starved) return vs_error_memory(w->error, o->at[i].origin);
   }
-  if (!vs_share_group(s)) return vs_error_memory(w->error, NULL);
-  for (size_t i = 0; i < o->count; i++) s->at[s->at[i].group].named += o->note[i].uses;
-  for (size_t i = 0; i < o->count; i++) s->at[i].cost = vs_share_cost(s, i, s->at[s->at[i].group].named);
+  if (!vs_share_group(s) || !vs_share_turns(s)) return vs_error_memory(w->error, NULL);
+  for (size_t i = 0; i < o->count; i++) vs_share_head(s, i)->named += o->note[i].uses;
+  for (size_t i = 0; i < o->count; i++) s->at[i].cost = vs_share_cost(s, i, vs_share_head(s, i)->named);
   return true;
 }
 
@@ -356,22 +405,24 @@ void vs_share_end(vs_rewrite *w) {
   vs_share *s = w->state;
   if (!s) return;
   vs_store_realloc(w->store, s->steps, s->step_room * sizeof *s->steps, 0);
+  vs_store_realloc(w->store, s->turns, s->turn_room * sizeof *s->turns, 0);
   vs_store_realloc(w->store, s->at, s->room * sizeof *s->at, 0);
   vs_store_realloc(w->store, s, sizeof *s, 0);
 }
 
 vs_node *vs_pass_share(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   vs_share *s = w->state;
-  vs_share_entry *mine = &s->at[vs_order_of(n)], *first = &s->at[mine->group];
+  vs_share_entry *mine = &s->at[vs_order_of(n)], *first = &s->at[mine->group], *head = vs_share_head(s, vs_order_of(n));
   (void)origin;
-  if (mine == first || !first->result || !vs_share_pays(first)) {
+  if (mine == head || !head->result || !vs_share_pays(head)) {
     vs_node *kept = vs_rewrite_keep(w, n, kids);
-    if (mine == first) first->result = kept;
+    if (mine == head) head->result = kept;
     return kept;
   }
   w->changed++;
   vs_vec3 shift = vs_v3_sub(mine->anchor, first->anchor);
-  if (fmax(fabs(shift.x), fmax(fabs(shift.y), fabs(shift.z))) < 2 * s->quantum) return vs_node_retain(first->result);
+  if (head == first && fmax(fabs(shift.x), fmax(fabs(shift.y), fabs(shift.z))) < 2 * s->quantum) return vs_node_retain(first->result);
   struct vs_transform moved = { .matrix = vs_affine_translation(shift) };
-  return vs_node_new(w->store, VS_TRANSFORM, &moved, &(vs_ref){ first->result, w->order.at[vs_order_of(n)].origin }, 1);
+  if (head != first) moved.matrix = vs_affine_multiply(&moved.matrix, &s->turns[first->turn - 1].map);
+  return vs_node_new(w->store, VS_TRANSFORM, &moved, &(vs_ref){ head->result, w->order.at[vs_order_of(n)].origin }, 1);
 }

@@ -262,7 +262,7 @@ static vs_ref dressed(maker *m, vs_ref kid) {
   static const char *const paints[] = { "red", "green", "glass", "concrete" }, *const layers[] = { "walls", "roof", "glass" };
   switch (any(m, 10)) {
     case 0: case 1: case 2: case 3: {
-      struct { vs_field_material material; unsigned char end; } data = { vs_store_ready_material(m->s, paints[any(m, 4)]), 0 };
+      struct { vs_field_material material; unsigned char end; } data = { vs_store_ready_material(m->s, paints[(any(m, 4) + m->more) % 4]), 0 };
       return over(m, VS_MATERIAL, &data, kid);
     }
     case 4: case 5: case 6: {
@@ -310,7 +310,7 @@ static vs_ref copies(maker *m) {
     m->turned = turned;
     for (size_t k = 0; k < count; k++) {
       m->more = i == 1 && k == odd;
-      m->nudge = m->more && n > 2 ? 0.0625 : 0;
+      m->nudge = m->more && n == 3 ? 0.0625 : 0;
       parts[k] = any(m, 6) ? solid_leaf(m) : dressed(m, solid_leaf(m));
     }
     m->nudge = 0;

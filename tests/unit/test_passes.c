@@ -288,6 +288,85 @@ static void copies_survive_rounding_and_flattening(void **state) {
   vs_store_release(s);
 }
 
+/* A brace at an angle about Z through x, as a program writes it that computes its places; mirrored in the plane of X and Z on demand. */
+static vs_node *brace(vs_store *s, double x, double angle, bool mirrored, double radius) {
+  vs_affine turn = vs_affine_rotation(vs_v3(x, 1, 0), vs_v3(0, 0, 1), angle), flip = vs_affine_mirror(vs_v3(0, 0, 0), vs_v3(0, 1, 0));
+  if (mirrored) turn = vs_affine_multiply(&turn, &flip);
+  vs_vec3 at[5] = { { 5, 0, 0 }, { 7, 1, 2 }, { 6, 2, 3 }, { 5, 3, 1 }, { 5.5, 3, 4 } };
+  for (int i = 0; i < 5; i++) at[i] = vs_affine_point(&turn, at[i]);
+  vs_points *corners = vs_points_new(s, at, 3);
+  vs_node *line = NODE(line, LINE, corners, true);
+  struct vs_extrude out = { .along = vs_affine_vector(&turn, vs_v3(0.5, -0.5, 0.25)), .scale = 1 };
+  vs_node *parts[] = { NODE(cylinder, CYLINDER, at[0], at[1], 0.1, 0), NODE(cone, CONE, at[1], at[2], 0.2, 0), NODE(sphere, SPHERE, at[3], radius, 0),
+                       NODE(cut_cone, CUT_CONE, at[3], 0.1, at[4], 0.3, 0), over(s, VS_EXTRUDE, &out, &line, 1), moved(s, turn, NODE(box, BOX, { 4, 4, 4 }, { 5, 6, 7 })) };
+  vs_points_release(s, corners);
+  return over(s, VS_UNION, NULL, parts, 6);
+}
+
+static void turned_copies_become_a_template(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_node *all[14];
+  for (int i = 0; i < 12; i++) all[i] = brace(s, 3, 6.283185307179586 / 12 * i, i % 3 == 2, 0.3);
+  all[12] = brace(s, 3, 1, false, 0.3001); /* these are others: a radius, a mirrored part */
+  all[13] = two(s, VS_UNION, brace(s, 3, 2, false, 0.3), NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0));
+  vs_ref r = { over(s, VS_UNION, NULL, all, 14), NULL };
+  vs_bounds before, after;
+  assert_true(vs_node_bounds(r.node, &before, NULL));
+  vs_inside *was = vs_inside_new(r.node, NULL);
+  vs_pass_stats stats = run(s, &r, 1 << VS_PASS_SHARE);
+  assert_int_equal(stats.changed[VS_PASS_SHARE], 12); /* the eleven, and the one in the last */
+  const vs_node *first = r.node->children[0].node;
+  for (int i = 1; i < 12; i++) {
+    const vs_node *n = r.node->children[i].node;
+    assert_int_equal(n->kind, VS_TRANSFORM);
+    assert_ptr_equal(n->children[0].node, first);
+    assert_true((vs_affine_determinant(&VS_AS(transform, n)->matrix) < 0) == (i % 3 == 2));
+  }
+  const vs_affine *quarter = &VS_AS(transform, r.node->children[3].node)->matrix;
+  assert_true(quarter->m[0][0] == 0 && quarter->m[0][1] == -1 && quarter->m[1][0] == 1 && quarter->m[2][2] == 1); /* exact */
+  assert_int_equal(r.node->children[12].node->kind, VS_UNION);
+  assert_true(vs_node_bounds(r.node, &after, NULL)); /* a turned set has the bounds of its parts, not those of a turned box */
+  assert_true(vs_v3_length(vs_v3_sub(before.max, after.max)) < 1e-9 && vs_v3_length(vs_v3_sub(before.min, after.min)) < 1e-9);
+  vs_inside *is = vs_inside_new(r.node, NULL);
+  uint64_t seed = 11;
+  size_t inside = 0;
+  for (int i = 0; i < 20000; i++) {
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    vs_vec3 p = { (double)(seed >> 40) / 16777216 * 20 - 7, (double)(seed >> 20 & 0xfffff) / 1048576 * 20 - 9, (double)(seed >> 8 & 0xfff) / 4096 * 8 };
+    inside += vs_inside_test(was, p);
+    assert_int_equal(vs_inside_test(was, p), vs_inside_test(is, p));
+  }
+  assert_true(inside > 200);
+  vs_inside_free(was);
+  vs_inside_free(is);
+  vs_node_release(r.node);
+  /* every allocation fails in turn */
+  vs_node *beside[] = { brace(s, 3, 0, false, 0.3), brace(s, 3, 1, false, 0.3), brace(s, 4, 1, false, 0.3), brace(s, 3, 2, true, 0.3), brace(s, -1, 2, true, 0.3) };
+  r.node = over(s, VS_UNION, NULL, beside, 5); /* turned, and turned and moved */
+  assert_true(vs_node_bounds(r.node, &before, NULL));
+  run(s, &r, 1 << VS_PASS_SHARE);
+  assert_true(vs_node_bounds(r.node, &after, NULL));
+  for (int i = 1; i < 5; i++) assert_ptr_equal(r.node->children[i].node->children[0].node, r.node->children[0].node);
+  assert_true(vs_v3_length(vs_v3_sub(before.max, after.max)) < 1e-9 && vs_v3_length(vs_v3_sub(before.min, after.min)) < 1e-9);
+  vs_node_release(r.node);
+  vs_node *pair[] = { brace(s, 3, 0, false, 0.3), brace(s, 3, 1, false, 0.3), brace(s, 3, 2, true, 0.3) };
+  r.node = over(s, VS_UNION, NULL, pair, 3);
+  vs_node *old = r.node;
+  for (size_t n = 1, done = 0; !done; n++) {
+    vs_pass_options o = { 1 << VS_PASS_SHARE, NULL, NULL };
+    vs_error e = { 0 };
+    size_t held = vs_store_bytes(s);
+    vs_store_fail_at(s, n);
+    done = vs_passes_run(s, &r, 1, &o, NULL, &e);
+    vs_store_fail_at(s, 0);
+    if (!done) assert_true(e.kind == VS_ERROR_MEMORY && r.node == old && vs_store_bytes(s) == held);
+  }
+  assert_int_equal(r.node->children[2].node->kind, VS_TRANSFORM);
+  vs_node_release(r.node);
+  vs_store_release(s);
+}
+
 /* Large sets as trees of boxes, for POV-Ray: the same solid, and none looks through many parts. */
 static void large_sets_become_trees_of_boxes(void **state) {
   (void)state;
@@ -451,7 +530,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(sets_become_flat), cmocka_unit_test(templates_are_not_undone), cmocka_unit_test(placements_fold), cmocka_unit_test(kinds_fold_under_what_they_are_closed_under),
     cmocka_unit_test(placements_go_through_what_takes_them_in), cmocka_unit_test(paint_rises),
-    cmocka_unit_test(nothing_is_pruned_away_but_nothing), cmocka_unit_test(copies_become_a_template), cmocka_unit_test(copies_survive_rounding_and_flattening), cmocka_unit_test(large_sets_become_trees_of_boxes),
+    cmocka_unit_test(nothing_is_pruned_away_but_nothing), cmocka_unit_test(copies_become_a_template), cmocka_unit_test(copies_survive_rounding_and_flattening), cmocka_unit_test(turned_copies_become_a_template), cmocka_unit_test(large_sets_become_trees_of_boxes),
     cmocka_unit_test(random_solids_stay_what_they_are), cmocka_unit_test(deep_trees_and_short_memory),
   };
   return cmocka_run_group_tests_name("model passes", tests, NULL, NULL);
