@@ -559,9 +559,7 @@ static vs_outcome write_to(vs *vm, const char *path, const char *format_name, co
     return VS_OUTCOME_USAGE;
   }
   if (!vs_session_output_begin(s, path, format->name)) return out_of_memory(s);
-  double from = vs_session_clock(s);
   vs_outcome outcome = write_one(s, path, format, &o, to);
-  s->write_seconds += vs_session_clock(s) - from;
   vs_session_output_end(s, outcome == VS_OUTCOME_DONE);
   return outcome;
 }

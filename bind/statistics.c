@@ -52,6 +52,7 @@ void vs_session_output_end(vs_session *s, bool done) {
     r->tally.of[i] = (vs_phase_use){ all->seconds - before.seconds, all->growth - before.growth, all->peak };
     if (before.peak > all->peak) all->peak = before.peak;
   }
+  for (int i = 0; i < VS_WORK_NONE; i++) s->write_seconds += r->tally.of[i].seconds; /* without the counting, which nobody would wait for */
   r->tally.written = t->written - r->tally.written;
   r->tally.clusters = t->clusters - r->tally.clusters;
   r->tally.combined = t->combined - r->tally.combined;
