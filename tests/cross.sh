@@ -102,7 +102,7 @@ EOF
 
   # ---- silhouettes ----
   timeout -s KILL 120 "$vs" --quiet --tolerance 0.001 $sheet -D variant=$variant -D standin=#t -o "$work/standin.stl" > "$work/said" 2>&1 || { result cross/standin:$variant "$work/said"; continue; }
-  timeout -s KILL 120 "$vs" --quiet --quality draft --size ${pixels}x$pixels $sheet -D variant=$variant -o "$work/sheet.pov" -o "$work/sheet.html" > "$work/said" 2>&1 || { result cross/pictures:$variant "$work/said"; continue; }
+  timeout -s KILL 120 "$vs" --quiet --quality draft --tolerance 0.01 --size ${pixels}x$pixels $sheet -D variant=$variant -o "$work/sheet.pov" -o "$work/sheet.html" > "$work/said" 2>&1 || { result cross/pictures:$variant "$work/said"; continue; }
 
   if command -v povray > /dev/null; then
     # without its sky the background is transparent

@@ -192,5 +192,5 @@
    (each-row (lambda (index row)
                (let* ((name (variant-of index row)) (o (vary (row-object row) name)))
                  (draw (if standin
-                           (map (lambda (part) (thin (place part index o))) (parts (if (row-shown row) (vary (row-shown row) name) o)))
+                           (map (lambda (part) (thin (place (vary part name) index o))) (parts (or (row-shown row) (row-object row))))
                            (place o index o))))))))
