@@ -117,6 +117,7 @@ test: ## install what the tests need, build, run them: of long ones a sample
 check: ## as test, and the long ones whole: every shape in every variant
 	sh scripts/install.sh build workers tests
 	$(MAKE) tests LONG=1
+	$(MAKE) sanitized
 
 # ---- tests without installing anything ----
 
@@ -133,6 +134,13 @@ asan: ## the tests under the address and leak sanitizer
 	$(MAKE) $(call SANITIZE,address,asan) LDFLAGS="-Wl,--no-as-needed -lstdc++" # GEOS comes later and throws: the sanitizer must know of C++ from the start
 ubsan: ## the tests under the undefined-behaviour sanitizer
 	UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(MAKE) $(call SANITIZE,undefined -fno-sanitize-recover=all,ubsan)
+
+# The kernel alone, under both: its units and a sample of its random trees.
+KERNEL_UNITS = test_random_solids test_kernel test_inspect
+sanitized: ## the kernel's tests under the address, leak and undefined-behaviour sanitizers
+	$(MAKE) OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=address" BUILD=$(BUILD)/asan LDFLAGS="-Wl,--no-as-needed -lstdc++" $(KERNEL_UNITS:%=$(BUILD)/asan/unit/%)
+	$(MAKE) OPT="-O1 -g -fsanitize=undefined -fno-sanitize-recover=all" BUILD=$(BUILD)/ubsan $(KERNEL_UNITS:%=$(BUILD)/ubsan/unit/%)
+	for t in $(KERNEL_UNITS); do LONG= $(BUILD)/asan/unit/$$t && LONG= UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(BUILD)/ubsan/unit/$$t || exit 1; done
 
 stress: ## the tests with a collection at every allocation and the heap checked again and again: minutes
 	$(MAKE) BUILD=$(BUILD)/stress EXTRA="-DVS_DEBUG_STRESS=1 -DVS_DEBUG_SMALL=1" SUITES="unit lang cli manual" tests
