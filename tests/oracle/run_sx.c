@@ -1,5 +1,5 @@
 /* Owns a small program: evaluates .sx files with the kernel and prints for each its volume, triangles, closedness and seconds.
- * usage: run_sx [-t threads] [-o out.stl] FILE... */
+ * usage: run_sx [-t threads] [-g] [-o out.stl] FILE...; -g: also the longest time between two calls of progress, in the caller's processor time, and how far it was then */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,12 +21,29 @@ static char *slurp(const char *path) {
   return text;
 }
 
+typedef struct { double last, longest, done, at; } gaps;
+static double cpu(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+static bool watch(void *context, double done) {
+  gaps *g = context;
+  double now = cpu();
+  if (now - g->last > g->longest) g->longest = now - g->last, g->at = g->done;
+  g->last = now;
+  g->done = done;
+  return true;
+}
+
 int main(int argc, char **argv) {
   const char *stl = NULL;
   vs_kernel_options options = { .threads = 0 };
   int failures = 0;
+  gaps g = { 0 };
   for (int i = 1; i < argc; i++) {
     if (!strcmp(argv[i], "-o") && i + 1 < argc) { stl = argv[++i]; continue; }
+    if (!strcmp(argv[i], "-g")) { options.progress = watch, options.context = &g; continue; }
     if (!strcmp(argv[i], "-t") && i + 1 < argc) { options.threads = (uint32_t)atoi(argv[++i]); continue; }
     char *text = slurp(argv[i]);
     sx_problem p;
@@ -34,11 +51,14 @@ int main(int argc, char **argv) {
     vs_mesh m = { 0 };
     vs_kernel_error e;
     struct timespec a, b;
+    g = (gaps){ .last = cpu() };
     clock_gettime(CLOCK_MONOTONIC, &a);
     bool fine = vs_kernel_evaluate(&p.problem, &options, &m, &e), sure = true;
     clock_gettime(CLOCK_MONOTONIC, &b);
     if (fine) {
       bool closed = vs_mesh_closed(&m, &sure);
+      watch(&g, 1);
+      if (options.progress) printf("longest gap %.1f ms, at %.3f; ", 1e3 * g.longest, g.at);
       printf("%s volume %.12g triangles %zu %s %.3f s\n", argv[i], vs_mesh_volume(&m), m.triangle_count, closed ? "closed" : "OPEN",
              (double)(b.tv_sec - a.tv_sec) + 1e-9 * (double)(b.tv_nsec - a.tv_nsec));
       failures += !closed;
