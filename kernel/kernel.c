@@ -38,6 +38,12 @@ static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *b
     bounds[i] = vs_bounds_empty();
     if (p->leaves[i].mesh->triangle_count == 0) continue;
     bounds[i] = leaf_bounds(&p->leaves[i]);
+    if (p->within) {
+      vs_bounds part = bounds[i];
+      vs_bounds_meet(&part, &p->within[i]);
+      if (vs_bounds_is_empty(&part) && !vs_bounds_is_empty(&bounds[i])) continue;
+      bounds[i] = part;
+    }
     for (int a = 0; a < 3; a++) {
       if (!isfinite(least(&bounds[i], a)) || !isfinite(most(&bounds[i], a)))
         ok = vs_kernel_fail(k, VS_KERNEL_NOT_FINITE, i, "a corner is not at a finite place");

@@ -29,6 +29,8 @@ typedef struct {
   uint32_t leaf_count, term_count, operand_count;
   const uint32_t *paints; /* of each tag, or NULL: each its own; where faces of several tags become one, that has one of them */
   const uint64_t *identities; /* of each leaf's mesh: numbers that are equal for equal meshes alone, ever; 0 where it has none. NULL: none has */
+  const vs_bounds *within;  /* of each leaf, or NULL: where it makes a difference at all; what has no part in that is not joined to it. Leaves are larger than they need be
+                             * where they stand for something endless */
 } vs_kernel_problem;
 
 typedef struct {

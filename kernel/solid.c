@@ -23,6 +23,9 @@ typedef struct {
   size_t first;    /* of its operands in `pending` */
   bool difference; /* its operands past the first are taken off */
   bool off;        /* what stands here makes the whole smaller */
+  uint32_t scope;  /* the innermost operation around this that ends somewhere: half-spaces matter within it alone; 0 is the whole drawing */
+  const vs_node *scope_node; /* its node; NULL: the whole's */
+  vs_affine local; /* from here to there */
 } level;
 typedef struct {
   const vs_node *node;
@@ -30,7 +33,10 @@ typedef struct {
   vs_mesh *mesh;
   const vs_cached *held; /* mesh's arrays are the cache's; NULL: its own */
   size_t next;           /* one more; 0: none */
+  const vs_node *scope;  /* of a half-space, which is as large as it must be there: */
+  vs_affine local;       /* where it stands in it */
 } meshed;
+typedef struct { uint32_t leaf, scope; } scoped;
 
 typedef struct {
   vs_kernel k;
@@ -46,6 +52,9 @@ typedef struct {
   VS_LIST(vs_solid_part) parts;
   VS_LIST(uint32_t) paints;           /* of each part: the first that has its material and layer */
   VS_LIST(uint32_t) part_table, paint_table; /* of parts, open addressing; one more, 0 free */
+  VS_LIST(vs_bounds) within;          /* of each leaf, where there are half-spaces: where they matter */
+  VS_LIST(uint32_t) scopes;           /* of each, the one around it */
+  VS_LIST(scoped) scoped;             /* every place of every leaf */
   size_t buckets[BUCKETS];            /* of meshes by hash; one more */
   VS_LIST(uint32_t) twins;            /* leaves by mesh, placement, paint and side, open addressing; one more, 0 free */
   VS_LIST(uint8_t) off;               /* of each leaf: level.off */
@@ -109,12 +118,24 @@ static bool part_of(builder *b, const vs_solid_part *part, uint32_t *tag) {
   return true;
 }
 
-static bool mesh_of(builder *b, const vs_ref *ref, const vs_facets *facets, vs_mesh **mesh, uint32_t *number) {
+static bool same_place(const vs_affine *a, const vs_affine *b) {
+  for (int i = 0; i < 12; i++)
+    if (a->m[i / 4][i % 4] != b->m[i / 4][i % 4]) return false;
+  return true;
+}
+
+static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_facets *facets, vs_mesh **mesh, uint32_t *number) {
+  bool endless = ref->node->kind == VS_HALF_SPACE;
   size_t *bucket = &b->buckets[(ref->node->hash ^ ref->node->hash >> 32) % BUCKETS];
   for (size_t i = *bucket; i; i = b->meshes.at[i - 1].next) {
     const meshed *m = &b->meshes.at[i - 1];
     if (m->facets.tolerance != facets->tolerance || m->facets.segments != facets->segments) continue;
     bool sure = true;
+    if (endless && m->node->kind == VS_HALF_SPACE &&
+        (!same_place(&m->local, &at->local) || (m->scope != at->scope_node && (!m->scope || !at->scope_node || !vs_node_equal(m->scope, at->scope_node, &sure))))) {
+      if (!sure) return vs_error_memory(b->error, NULL);
+      continue;
+    }
     if (m->node != ref->node && (m->node->hash != ref->node->hash || !vs_node_equal(m->node, ref->node, &sure))) {
       if (!sure) return vs_error_memory(b->error, NULL);
       continue;
@@ -125,7 +146,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const vs_facets *facets, vs_m
   }
   *mesh = calloc(1, sizeof **mesh);
   if (!*mesh) return vs_error_memory(b->error, NULL);
-  if (!VS_PUSH(&b->k, b->meshes, ((meshed){ ref->node, *facets, *mesh, NULL, *bucket }))) {
+  if (!VS_PUSH(&b->k, b->meshes, ((meshed){ ref->node, *facets, *mesh, NULL, *bucket, at->scope_node, at->local }))) {
     free(*mesh);
     return false;
   }
@@ -182,7 +203,7 @@ static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
   vs_mesh *mesh = NULL;
   if (b->leaves.count >= UINT32_MAX - 1) return full(b);
   uint32_t number = 0;
-  if (!mesh_of(b, ref, &facets, &mesh, &number) || !part_of(b, &(vs_solid_part){ at->material, at->layer, *ref }, &leaf.tag)) return false;
+  if (!mesh_of(b, ref, at, &facets, &mesh, &number) || !part_of(b, &(vs_solid_part){ at->material, at->layer, *ref }, &leaf.tag)) return false;
   leaf.mesh = mesh;
   if ((b->leaves.count + 1) * 2 > b->twins.count && !twins_grow(b)) return false;
   size_t slot = twin_slot(b, &leaf, at->off);
@@ -191,32 +212,43 @@ static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
         !VS_PUSH(&b->k, b->mesh_numbers, number)) return false;
     b->twins.at[slot] = (uint32_t)b->leaves.count;
   }
-  return add_term(b, VS_TERM_LEAF, b->twins.at[slot] - 1, 0);
+  return VS_PUSH(&b->k, b->scoped, ((scoped){ b->twins.at[slot] - 1, at->scope })) && add_term(b, VS_TERM_LEAF, b->twins.at[slot] - 1, 0);
 }
 
-/* Half-spaces become solids that are right wherever one of the others is. */
+/* Half-spaces become solids that are right wherever what they are combined with is: within the innermost operation that ends somewhere. Where all its other
+ * leaves are outside, it is false whatever the half-space is. So each is no larger than it must be, and joins nothing that has no part in it. */
 static bool bound_half_spaces(builder *b) {
-  bool any = false;
-  vs_bounds reach = vs_bounds_empty(), *own = b->meshes.count ? malloc(b->meshes.count * sizeof *own) : NULL;
-  if (b->meshes.count && !own) return vs_error_memory(b->error, NULL);
-  for (size_t i = 0; i < b->meshes.count; i++) any |= b->meshes.at[i].node->kind == VS_HALF_SPACE;
-  for (size_t i = 0; any && i < b->meshes.count; i++) own[i] = vs_mesh_bounds(b->meshes.at[i].mesh);
-  for (size_t i = 0; any && i < b->leaves.count; i++) {
-    vs_bounds placed = vs_bounds_transform(&own[b->mesh_numbers.at[i]], &b->leaves.at[i].placement);
-    vs_bounds_unite(&reach, &placed);
+  bool any = false, ok = true;
+  for (size_t i = 0; i < b->meshes.count && !any; i++) any = b->meshes.at[i].node->kind == VS_HALF_SPACE;
+  if (!any) return true;
+  if (!VS_ROOM(&b->k, b->within.at, b->within.room, b->leaves.count + 1)) return false;
+  vs_bounds *own = malloc((b->meshes.count + 1) * sizeof *own), *reach = malloc((b->scopes.count + 1) * sizeof *reach);
+  ok = own && reach;
+  for (size_t i = 0; ok && i < b->meshes.count; i++) own[i] = vs_mesh_bounds(b->meshes.at[i].mesh);
+  for (size_t i = 0; ok && i < b->scopes.count; i++) reach[i] = vs_bounds_empty();
+  for (size_t i = 0; ok && i < b->scoped.count; i++) {
+    const scoped *s = &b->scoped.at[i];
+    vs_bounds placed = vs_bounds_transform(&own[b->mesh_numbers.at[s->leaf]], &b->leaves.at[s->leaf].placement);
+    vs_bounds_unite(&reach[s->scope], &placed);
   }
-  for (size_t i = 0; any && i < b->leaves.count; i++) { /* own[] of a half-space: what it must reach, over all its places */
+  for (size_t i = b->scopes.count; ok && i-- > 1;) vs_bounds_unite(&reach[b->scopes.at[i]], &reach[i]); /* the outer ones come first */
+  for (size_t i = 0; ok && i < b->leaves.count; i++)
+    b->within.at[i] = b->meshes.at[b->mesh_numbers.at[i]].node->kind == VS_HALF_SPACE ? vs_bounds_empty()
+                    : (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) };
+  for (size_t i = 0; ok && i < b->scoped.count; i++) { /* own[] of a half-space: what it must reach, over all its places */
+    const scoped *s = &b->scoped.at[i];
     vs_affine back;
-    size_t m = b->mesh_numbers.at[i];
-    if (b->meshes.at[m].node->kind != VS_HALF_SPACE || !vs_affine_invert(&b->leaves.at[i].placement, &back)) continue;
-    vs_bounds local = vs_bounds_transform(&reach, &back);
+    size_t m = b->mesh_numbers.at[s->leaf];
+    if (b->meshes.at[m].node->kind != VS_HALF_SPACE || !vs_affine_invert(&b->leaves.at[s->leaf].placement, &back)) continue;
+    vs_bounds local = vs_bounds_transform(&reach[s->scope], &back);
     vs_bounds_unite(&own[m], &local);
+    vs_bounds_unite(&b->within.at[s->leaf], &reach[s->scope]);
   }
-  bool ok = true;
-  for (size_t i = 0; any && ok && i < b->meshes.count; i++)
+  for (size_t i = 0; ok && i < b->meshes.count; i++)
     if (b->meshes.at[i].node->kind == VS_HALF_SPACE)
       ok = vs_half_space_shared(b->cache, (vs_node *)(uintptr_t)b->meshes.at[i].node, &own[i], b->meshes.at[i].mesh, &b->meshes.at[i].held);
   free(own);
+  free(reach);
   return ok || vs_error_memory(b->error, NULL);
 }
 
@@ -239,15 +271,28 @@ static role role_of(const vs_node *n) {
 
 static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
   const vs_node *n = ref->node;
-  level now = { vs_affine_identity(), NULL, NULL, b->pending.count, n->kind == VS_DIFFERENCE, false };
+  level now = { vs_affine_identity(), NULL, NULL, b->pending.count, n->kind == VS_DIFFERENCE, false, 0, NULL, vs_affine_identity() };
   if (b->levels.count) {
     const level *up = &b->levels.at[b->levels.count - 1];
     now.placement = up->placement;
     now.material = up->material;
     now.layer = up->layer;
+    now.scope = up->scope;
+    now.scope_node = up->scope_node;
+    now.local = up->local;
     now.off = up->off != (up->difference && b->pending.count > up->first);
   }
-  if (n->kind == VS_TRANSFORM) now.placement = vs_affine_multiply(&now.placement, &VS_AS(transform, n)->matrix);
+  if (n->kind == VS_TRANSFORM) {
+    now.placement = vs_affine_multiply(&now.placement, &VS_AS(transform, n)->matrix);
+    now.local = vs_affine_multiply(&now.local, &VS_AS(transform, n)->matrix);
+  }
+  if (b->scopes.count == 0 && !VS_PUSH(&b->k, b->scopes, 0u)) return false; /* the whole */
+  if ((n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE) && !(n->flags & VS_NODE_ENDLESS)) {
+    if (!VS_PUSH(&b->k, b->scopes, now.scope)) return false;
+    now.scope = (uint32_t)b->scopes.count - 1;
+    now.scope_node = n;
+    now.local = vs_affine_identity();
+  }
   if (n->kind == VS_MATERIAL) now.material = VS_AS(material, n)->material;
   if (n->kind == VS_LAYER) now.layer = VS_AS(layer, n)->name;
   if (!VS_PUSH(&b->k, b->levels, now)) return false;
@@ -336,7 +381,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
   }
   if (ok) {
     vs_kernel_problem problem = { b->leaves.at, b->terms.at, b->operands.at, (uint32_t)b->leaves.count, (uint32_t)b->terms.count,
-                                  (uint32_t)b->operands.count, b->paints.at, b->identities.at };
+                                  (uint32_t)b->operands.count, b->paints.at, b->identities.at, b->within.at };
     mine.counts = &counts;
     ok = one ? vs_kernel_evaluate(&problem, options, &one->mesh, &why) : vs_kernel_evaluate_copies(&problem, options, &many->meshes, &why);
   }
@@ -359,6 +404,9 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
   VS_DROP(&b->k, b->twins);
   VS_DROP(&b->k, b->off);
   VS_DROP(&b->k, b->mesh_numbers);
+  VS_DROP(&b->k, b->scopes);
+  VS_DROP(&b->k, b->within);
+  VS_DROP(&b->k, b->scoped);
   VS_DROP(&b->k, b->identities);
   VS_DROP(&b->k, b->terms);
   VS_DROP(&b->k, b->operands);

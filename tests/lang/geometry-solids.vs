@@ -125,3 +125,8 @@
 (fails (do-transform brick (make-matrix 1 0 0 0 0 1 0 0 0 0 0 0 0 0 0 1))) ; expect: do-transform: matrix must be a matrix that does not flatten space, got ((make-matrix 1 0 0 0 0 1 0 0 0 0 0 0 0 0 0 1))
 (fails (do-move brick (xyz 1 0 0)))                  ; expect: do-move: v must be a gvector ((vxyz 1 0 0)?), got ((xyz 1 0 0))
 (fails (do-mirror brick 'up))                        ; expect: do-mirror: plane must be a plane ('xy, 'yz, 'xz, a gvector or (make-plane point normal)), got (up)
+; a half-space joins nothing but what it cuts: elsewhere a turned part keeps its frame, and its flush cut leaves nothing
+(define beside-a-slice
+  (unite (do-slice (make-box (xyz -12 -2 -2) (xyz -8 2 2)) (make-plane (xyz -10 0 0) (vxyz 1 1 1)))
+         (do-rotate (subtract (make-box (xyz -2 -2 -2) (xyz 2 2 2)) (make-box (xyz -1 -2 -2) (xyz 1 2 1))) (vxyz 1 2 3) 0.4)))
+(displayln (list (near? (volume beside-a-slice) 72 1e-6) (near? (area beside-a-slice) (+ 108 (/ 96 2) (* 12 (sqrt 3))) 1e-5))) ; expect: (#t #t)

@@ -225,7 +225,7 @@ static void test_against_oracle(void **state) {
       for (uint32_t j = 0; j < n; j++) operands[operand++] = j == 0 ? term - 1 : (uint32_t)span(0, (int32_t)term - 1);
       term++;
     }
-    vs_kernel_problem p = { leaves, terms, operands, count, term, operand, NULL, NULL };
+    vs_kernel_problem p = { leaves, terms, operands, count, term, operand, NULL, NULL, NULL };
     vs_mesh m = { 0 };
     vs_kernel_error e;
     if (!vs_kernel_evaluate(&p, NULL, &m, &e)) fail_msg("round %d: %s", round, e.message);
@@ -438,7 +438,7 @@ static void test_wide_and_deep(void **state) {
     operands[i] = i;
   }
   terms[WIDE] = (vs_kernel_term){ VS_TERM_UNION, 0, WIDE };
-  vs_kernel_problem wide = { leaves, terms, operands, WIDE, WIDE + 1, WIDE, NULL, NULL };
+  vs_kernel_problem wide = { leaves, terms, operands, WIDE, WIDE + 1, WIDE, NULL, NULL, NULL };
   assert_true(vs_kernel_evaluate(&wide, NULL, &m, &e));
   assert_int_equal(m.triangle_count, 12 * WIDE);
   vs_mesh_free(&m);
@@ -450,7 +450,7 @@ static void test_wide_and_deep(void **state) {
     operands[2 * i] = i ? 1 + i : 0;
     operands[2 * i + 1] = i % 2 ? 0 : 1;
   }
-  vs_kernel_problem deep = { leaves, terms, operands, 2, DEEP + 2, 2 * DEEP, NULL, NULL };
+  vs_kernel_problem deep = { leaves, terms, operands, 2, DEEP + 2, 2 * DEEP, NULL, NULL, NULL };
   assert_true(vs_kernel_evaluate(&deep, NULL, &m, &e));
   near(vs_mesh_volume(&m), 1, 1e-12);
   vs_mesh_free(&m);
