@@ -71,6 +71,8 @@ typedef struct {
   vs_box box;         /* in steps */
   vs_affine to_local; /* steps -> where its part lies; filled where it is a lid */
   double margin;      /* two steps, there */
+  double middle[3];   /* of the part, in steps; and squares of radii about it, in steps: within the first (less the margin) is well inside, */
+  double well_inside, outside; /* beyond the second outside; -1 and infinity where the placement is no similarity */
   bool lid;           /* convex, and settles what is inside of it */
   bool star;          /* also on the grid: no two of its triangles touch but in corners and edges they share */
   uint32_t lids_first, lids_count; /* into `lids`: those whose boxes meet its own */

@@ -41,6 +41,20 @@ static bool find_local(const vs_grid *g, const vs_affine *to_frame, vs_placed *p
     }
   }
   p->margin = 2 * step * sqrt(sum);
+  vs_vec3 middle = vs_affine_point(to_frame, p->part->middle);
+  double x[3] = { middle.x, middle.y, middle.z }, scale = sqrt(sum / 3) * step; /* from steps to lengths there, where it is the same in all directions */
+  bool similar = true;
+  for (int i = 0; i < 3; i++) {
+    p->middle[i] = x[i] / step - g->offset[i];
+    for (int j = i; j < 3; j++) {
+      double dot = 0;
+      for (int r = 0; r < 3; r++) dot += inverse.m[r][i] * inverse.m[r][j];
+      similar = similar && fabs(dot - (i == j ? sum / 3 : 0)) < 1e-9 * sum;
+    }
+  }
+  double inner = (p->part->inner - p->margin) / scale * (1 - 1e-6), outer = p->part->outer / scale * (1 + 1e-6) + 1;
+  p->well_inside = similar && inner > 0 ? inner * inner : -1;
+  p->outside = similar ? outer * outer : INFINITY;
   return isfinite(p->margin);
 }
 
@@ -108,6 +122,9 @@ static bool in_box(const vs_box *b, const double p[3]) {
 }
 
 static bool in_lid(const vs_placed *lid, const double p[3], uint32_t *hint) {
+  double x = p[0] - lid->middle[0], y = p[1] - lid->middle[1], z = p[2] - lid->middle[2], square = x * x + y * y + z * z;
+  if (square > lid->outside) return false;
+  if (square < lid->well_inside) return true; /* nearly all are told by balls */
   return in_box(&lid->box, p) && vs_part_holds(lid->part, vs_affine_point(&lid->to_local, vs_v3(p[0], p[1], p[2])), lid->margin, hint);
 }
 

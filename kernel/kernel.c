@@ -121,6 +121,17 @@ typedef struct {
   vs_kernel_counts counts;
 } whole;
 
+/* What only the meeting needs; the rest of the way takes as much again. */
+static void forget_patches(vs_kernel *k, vs_cluster *c) {
+  VS_DROP(k, c->patches);
+  VS_DROP(k, c->patch_corners);
+  VS_DROP(k, c->boxes);
+  vs_bvh_free(k, &c->bvh);
+  VS_DROP(k, c->planes.next);
+  VS_FREE(k, c->planes.heads, c->planes.head_room);
+  c->planes.head_count = 0;
+}
+
 static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t count, vs_mesh *out) {
   vs_cluster c = { .problem = w->problem, .parts = &w->parts, .expression = &w->expression, .leaves = leaves, .leaf_count = count };
   if (w->expression.gate_count) c.gate = &w->gate;
@@ -131,8 +142,11 @@ static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t
   if (triangles < SERIAL) k->threads = 1;
   bool ok = vs_soup_build(k, &c);
   if (c.triangles.count < SERIAL) k->threads = 1;
-  ok = ok && vs_patches_build(k, &c) && vs_kernel_report(k, 0.1) && vs_meet_patches(k, &c) && vs_kernel_report(k, 0.3) &&
-            vs_arrange_planes(k, &c) && vs_kernel_report(k, 0.7) && vs_classify_faces(k, &c, &w->expression) && vs_kernel_report(k, 0.9) &&
+  ok = ok && vs_patches_build(k, &c) && vs_kernel_report(k, 0.1) && vs_meet_patches(k, &c) && vs_kernel_report(k, 0.3);
+  forget_patches(k, &c);
+  ok = ok && vs_arrange_planes(k, &c);
+  VS_DROP(k, c.cuts);
+  ok = ok && vs_kernel_report(k, 0.7) && vs_classify_faces(k, &c, &w->expression) && vs_kernel_report(k, 0.9) &&
             vs_output_faces(k, &c, out);
   k->threads = threads;
   if (!ok && k->error->status == VS_KERNEL_INTERNAL) k->error->leaf = leaves[0]; /* the nearest thing to a place */
