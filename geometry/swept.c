@@ -102,7 +102,7 @@ static bool vs_swept_disc(vs_swept *s, double radius, int n) {
  * whole way into n steps (returned; 1 without a twist) and each edge into k pieces such that l/k twist/n / 4 keeps the tolerance, n and k
  * alike large; and no fewer steps than facets in as much of a turn. With segments given the edges stay whole. 0: no memory. */
 static size_t vs_swept_refine(vs_swept *s, double twist, double scale, double reach, const vs_facets *f) {
-  enum { MOST = 2000 };
+  enum { MOST = 2000, MOST_STEPS = 200000, MOST_POINTS = 10000000 };
   double widest = fmax(1, fabs(scale)), longest = 0;
   if (twist == 0) return 1;
   for (size_t l = 0, first = 0; l < s->loop_count; first += s->sizes[l], l++)
@@ -112,7 +112,7 @@ static size_t vs_swept_refine(vs_swept *s, double twist, double scale, double re
     }
   double n = ceil(fabs(twist) / full_turn * vs_facets_turn(f, reach * widest, 0) - 1e-9), saddle = fabs(twist) * widest / (4 * f->tolerance);
   if (f->segments <= 0) n = fmax(n, ceil(sqrt(saddle * longest)));
-  n = n < 1 ? 1 : n > MOST ? MOST : n;
+  n = fmax(fmin(n, fmin(MOST_STEPS, MOST_POINTS / (double)(s->profile_count ? s->profile_count : 1))), 1);
   if (f->segments > 0) return (size_t)n;
   vs_vec2 *fine = NULL;
   size_t total = 0;

@@ -29,6 +29,13 @@ static const vs_ref *vs_tessellate_below(const vs_node *n, vs_affine *placed) {
   return NULL;
 }
 
+/* One shape of more triangles than this is no drawing any more; the product of two counts of facets gets there unseen. */
+static bool vs_tessellate_fits(int around, int across, const char *what, vs_error *e) {
+  double triangles = 2.0 * around * across;
+  return triangles <= 4e6 || vs_error_set(e, VS_ERROR_MODEL, NULL, "a %s of %d facets a turn has %.0f million triangles, and one shape may have 4 million: fewer #:segments, or a larger tolerance", what,
+                                          around, triangles / 1e6);
+}
+
 static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
   bool ok = false;
   if (n->class_ == VS_NOTHING) return true;
@@ -39,7 +46,9 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
     case VS_WEDGE: ok = vs_solid_wedge(out, VS_AS(wedge, n)->p, VS_AS(wedge, n)->q); break;
     case VS_SPHERE: {
       const struct vs_sphere *a = VS_AS(sphere, n);
-      ok = vs_solid_sphere(out, a->center, a->radius, vs_facets_turn(f, a->radius, a->segments));
+      int turn = vs_facets_turn(f, a->radius, a->segments);
+      if (!vs_tessellate_fits(turn, turn / 2, "sphere", e)) return false;
+      ok = vs_solid_sphere(out, a->center, a->radius, turn);
       break;
     }
     case VS_CYLINDER: {
@@ -73,8 +82,9 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
     }
     case VS_TORUS: {
       const struct vs_torus *a = VS_AS(torus, n);
-      ok = vs_solid_torus(out, a->center, a->radius, a->tube_radius, vs_facets_turn(f, a->radius + a->tube_radius, a->segments),
-                          vs_facets_turn(f, a->tube_radius, a->segments));
+      int around = vs_facets_turn(f, a->radius + a->tube_radius, a->segments), across = vs_facets_turn(f, a->tube_radius, a->segments);
+      if (!vs_tessellate_fits(around, across, "torus", e)) return false;
+      ok = vs_solid_torus(out, a->center, a->radius, a->tube_radius, around, across);
       break;
     }
     case VS_POLYFACE_MESH: ok = vs_solid_polyface(out, VS_AS(polyface_mesh, n)->points, VS_AS(polyface_mesh, n)->faces); break;
