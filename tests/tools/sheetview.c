@@ -4,7 +4,7 @@
  * SCENE is the .pov or the page that the picture was made from: the camera is read out of it, as its readers would. A .pov's picture has an alpha channel,
  * a page's is dark on white. A pixel belongs to a silhouette where its middle does; those in which picture and mesh differ must be fewer than
  * 1 % of the mesh's silhouette in that cell. Where the outline passes the middle by less than a quarter of a pixel either is right. Curves have no
- * silhouette to speak of: the mesh has thin rods there. No pixel that a rod touches may be further than one pixel from the picture, and none of the
+ * silhouette to speak of: the mesh has thin rods there. No pixel that a rod touches may be further than two pixels from the picture, and none of the
  * picture further than two from a rod, beyond the radius of the rods that POV-Ray draws for curves (0.0012 of the drawing's diagonal).
  * In SHEET.png grey is what both have, red what only the picture has, blue what only the mesh has. */
 #include <png.h>
@@ -163,7 +163,7 @@ int main(int argc, char **argv) {
     long at = pixel_cell(&c, &l, x, y);
     if (at < 0 || at >= CELLS_MOST) continue;
     whole[at] += mask[i], rods[at] += touched[i];
-    if ((seen[i] && !touched[i] && !near_any(&c, touched, x, y, 2 + rod)) || (touched[i] && !seen[i] && !near_any(&c, seen, x, y, 1))) far[at]++;
+    if ((seen[i] && !touched[i] && !near_any(&c, touched, x, y, 2 + rod)) || (touched[i] && !seen[i] && !near_any(&c, seen, x, y, 2))) far[at]++;
     if (seen[i] == mask[i]) continue;
     if (seen[i]) only_picture[at]++, to[0] = 220, to[1] = to[2] = 0;
     else only_mesh[at]++, to[0] = to[1] = 0, to[2] = 220;
