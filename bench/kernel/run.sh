@@ -3,7 +3,7 @@
 # `bench/kernel/run.sh build/vs build/measure [WORKLOAD ...]`; RUNS=3 is how often ours runs, SCAD=20 how many seconds OpenSCAD gets (0: none), WASM=120 manifold-3d.
 #
 #   vs s       elapsed seconds from the tree to the written .stl, the median of the runs; beside it what reading and evaluating the program took
-#   cpu s, MB  of the whole process, all threads
+#   cpu s, MB  of the whole process, all threads, in runs without --stats, which goes over the tree again and again
 #   native     Manifold 3.5.1, whole process from ready facets, taken on another machine (native.tsv)
 #   wasm       manifold-3d, from its tree to the triangles in memory, without starting its module; OpenSCAD: the whole process, processor seconds
 # OpenSCAD is not asked again for larger members of a family once one has not finished.
@@ -37,8 +37,8 @@ for name in "$@"; do
   cat "$here/suite.vs" "sx/$name.sx" > "$name.vs"
   rm -f "$name.stl"
   : > stats
-  for run in $(seq "$runs"); do "$measure" 1 "$vs" --quiet "$name.vs" --stats=json -o "$name.stl" 2>> stats > /dev/null; done
-  ours="$(grep '^[0-9]' stats | cut -d' ' -f1 | median) 0 $(grep '^[0-9]' stats | cut -d' ' -f3 | sort -n | tail -n 1)" phase=$(stat_of time.write) evaluate=$(stat_of time.evaluate)
+  for run in $(seq "$runs"); do "$vs" --quiet "$name.vs" --stats=json -o "$name.stl" 2>> stats > /dev/null; done
+  ours=$("$measure" "$runs" "$vs" --quiet "$name.vs" -o "$name.stl" 2> /dev/null | tail -n 1) phase=$(stat_of time.write) evaluate=$(stat_of time.evaluate)
   if [ ! -s "$name.stl" ] || [ -z "$phase" ]; then
     echo "run.sh: vs failed on $name: $(head -n 2 stats)" >&2
     failed=1
