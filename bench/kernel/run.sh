@@ -38,7 +38,7 @@ for name in "$@"; do
   rm -f "$name.stl"
   : > stats
   for run in $(seq "$runs"); do "$vs" --quiet "$name.vs" --stats=json -o "$name.stl" 2>> stats > /dev/null; done
-  ours=$("$measure" "$runs" "$vs" --quiet "$name.vs" -o "$name.stl" 2> /dev/null | tail -n 1) phase=$(stat_of time.write) evaluate=$(stat_of time.evaluate)
+  ours=$("$measure" "$runs" "$vs" --quiet "$name.vs" -o "$name.stl" 2>&1 > /dev/null | tail -n 1) phase=$(stat_of time.write) evaluate=$(stat_of time.evaluate)
   if [ ! -s "$name.stl" ] || [ -z "$phase" ]; then
     echo "run.sh: vs failed on $name: $(head -n 2 stats)" >&2
     failed=1
