@@ -180,6 +180,7 @@ static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
 /* Does a gate leave out something of the cluster? */
 static bool gate_cuts(const whole *w, const uint32_t *leaves, uint32_t count) {
   if (!w->expression.gate_count) return false;
+  if (w->problem->within) return true; /* bounds are those within the gate already */
   vs_bounds all = w->gate;
   for (uint32_t i = 0; i < count; i++) vs_bounds_unite(&all, &w->bounds[leaves[i]]);
   return memcmp(&all, &w->gate, sizeof all) != 0;

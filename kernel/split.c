@@ -133,6 +133,9 @@ static bool count_fans(vs_kernel *k, void *context, size_t chunk) { /* the first
   return vs_kernel_report(k, k->part);
 }
 
+/* Loops over corners go on for a second in large meshes. */
+static bool turn(const splitter *s, uint32_t i) { return (i & 0xFFFF) != 0xFFFF || vs_kernel_report(s->k, s->k->part); }
+
 /* Is there anything to split at all? Mostly not. */
 static bool look_for_touching(splitter *s) {
   if (s->way.count) {
@@ -145,6 +148,7 @@ static bool look_for_touching(splitter *s) {
   for (uint32_t corner = 0; corner < corners; corner++) {
     uint32_t v = vertex_at(s, corner);
     if (s->fan.at[v]++ == 0) s->lead.at[v] = corner;
+    if (!turn(s, corner)) return false;
   }
   return vs_kernel_run(s->k, (s->vertices + VERTICES - 1) / VERTICES, count_fans, s);
 }
@@ -157,6 +161,7 @@ static bool find_fans(splitter *s) {
   for (uint32_t i = 0; i < corners; i++) s->to.at[i] = VS_NONE;
   s->copied.count = 0;
   for (uint32_t corner = 0; corner < corners; corner++) {
+    if (!turn(s, corner)) return false;
     if (s->to.at[corner] != VS_NONE) continue;
     uint32_t v = vertex_at(s, corner), to = v, at = corner;
     if (s->taken.at[v]) {
@@ -250,7 +255,7 @@ static bool write(splitter *s) {
     }
   }
   for (uint32_t t = 0; t < s->triangles; t++)
-    if (!cut_triangle(s, t)) return false;
+    if (!cut_triangle(s, t) || !turn(s, t)) return false;
   return true;
 }
 
