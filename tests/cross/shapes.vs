@@ -460,7 +460,7 @@
 (shape "subtract/flush" (subtract (make-box origin (xyz 4 4 4)) (make-box (xyz 0 0 2) (xyz 2 2 4)) (make-box (xyz 3 3 0) (xyz 4 4 2))) #:volume 54 #:area 96 #:box (box-of 0 0 0 4 4 4))
 (shape "subtract/flush, turned" (do-rotate (subtract (make-box (xyz -2 -2 -2) (xyz 2 2 2)) (list (make-box (xyz -1 -2 -2) (xyz 1 2 1)))) (vxyz 1 2 3) 0.4) #:volume 40 #:area 108)
 (shape "subtract/flush and round" (subtract (make-cylinder (xyz 0 0 -2) 4 2) (subtract (make-cylinder (xyz 0 0 -1) 2 2) (make-cylinder (xyz 0 0 -1) 2 1))) #:volume (* 10 pi) #:within 0.003)
-(shape "subtract/flush with a profile" (subtract (do-extrude (make-polygon (xy -2 -2) (xy 2 -2) (xy 2 2) (xy 0 2) (xy 0 0) (xy -2 0)) 4) (do-extrude (make-polygon (xy 0 -2) (xy 2 -2) (xy 2 2)) 2)) #:volume 40)
+(shape "subtract/flush with a profile" (subtract (do-extrude (make-polygon (xy -2 -2) (xy 2 -2) (xy 2 2) (xy 1/2 2) (xy 1/2 0) (xy -2 0)) 4) (do-extrude (make-polygon (xy 0 -2) (xy 2 -2) (xy 2 2)) 2)) #:volume 36)
 (shape "intersect/flush" (intersect (make-box origin (xyz 4 4 4)) (make-box origin (xyz 2 4 4)) (make-box (xyz 0 1 0) (xyz 4 4 3))) #:volume 18 #:box (box-of 0 1 0 2 4 3))
 (shape "subtract/curried" ((subtract (make-box origin (xyz 4 4 4))) (make-box (xyz 1 1 1) (xyz 3 3 5))) #:volume 52)
 (shape "subtract/nothing" (subtract (make-wedge origin (xyz 4 4 4)) '()) #:volume 32 #:box (box-of 0 0 0 4 4 4))

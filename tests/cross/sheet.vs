@@ -115,7 +115,7 @@
 
 (define (measure-variant row name)
   (let* ((whole (row-object row)) (o (vary whole name)) (within (within-of row)) (meshed (if (member name '("cut" "hollow")) (max within 0.01) within)))
-    (compare "volume" row name (lambda () (volume o)) (varied-volume (if (string=? name "hollow") (or (facets-of row) (volume-of row)) (volume-of row)) whole name) meshed)
+    (compare "volume" row name (lambda () (volume o)) (varied-volume (volume-of row) whole name) meshed)
     (compare (if (curve? whole) "length" "area") row name (lambda () (if (curve? o) (curve-length o) (area o)))
              (if (curve? whole) (varied-area (length-of row) name) (varied-area (area-of row) name)) within)
     ; of a mesh, like the hollow: what asks for facets is cut as its facets
