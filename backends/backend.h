@@ -44,9 +44,10 @@ struct vs_emitter {
   vs_error *error;
   const char *path;    /* of the file being made, for names beside it; NULL: there is none */
   void *state;         /* the back-end's own, made by begin and freed by close */
-  vs_facets facets;
+  vs_facets drawing_facets; /* of what stands unplaced */
+  vs_facets facets;    /* in the coordinates of what is being written: finer where its placement makes it larger */
   vs_bounds bounds;    /* of everything drawn; never empty */
-  double unit;            /* POV-Ray: how long a model unit is in its scene; see scene.c */
+  double unit;         /* POV-Ray: how long a model unit is in its scene; see scene.c */
   vs_bounds *boxes;    /* of its parts: tighter together than the one; what a camera frames */
   size_t box_count, box_room;
   size_t depth;        /* of nesting now, for indentation */

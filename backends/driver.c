@@ -455,6 +455,12 @@ static bool drive_reach(vs_emitter *e, const vs_node *n) {
   return true;
 }
 
+/* What is placed below is cut into facets as fine as it comes out: the kernel does the same. */
+static void drive_place(vs_emitter *e, const vs_affine *placement) {
+  e->placement = *placement;
+  e->facets = vs_facets_placed(&e->drawing_facets, placement);
+}
+
 /* Shows one reference that is not vain: a template's use, a leaf, or an operation, which then lies on the stack. */
 static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool body) {
   vs_drive *d = e->drive;
@@ -474,14 +480,17 @@ static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool b
   frame.silent = shown == 1 && !placed && n->kind != VS_HULL && !e->backend->verbatim;
   if (!frame.silent) {
     e->child_count = shown;
-    if (n->kind == VS_TRANSFORM) e->placement = vs_affine_multiply(&e->placement, &VS_AS(transform, n)->matrix);
+    if (n->kind == VS_TRANSFORM) {
+      vs_affine placement = vs_affine_multiply(&e->placement, &VS_AS(transform, n)->matrix);
+      drive_place(e, &placement);
+    }
     if (n->kind == VS_MATERIAL) e->material = VS_AS(material, n)->material;
     if (n->flags & VS_NODE_CUT && !drive_reach(e, n)) return false;
     bool area = !e->backend->verbatim && vs_lower_as_area(e, n);
     vs_emit_status status = fn != NULL && !(area && !e->backend->area_sets) ? fn(e, ref, VS_PHASE_ENTER) : VS_LOWER;
     if (status != VS_EMITTED) {
       e->material = frame.material;
-      e->placement = frame.placement;
+      drive_place(e, &frame.placement);
       e->reach = frame.reach;
       return status == VS_WHOLE || (status == VS_LOWER && drive_lower(e, ref));
     }
@@ -522,7 +531,7 @@ static bool drive_walk(vs_emitter *e, const vs_ref *root, bool body) {
     e->depth--;
     e->in_boolean = done.in_boolean;
     e->material = done.material;
-    e->placement = done.placement;
+    drive_place(e, &done.placement);
     e->reach = done.reach;
     if (e->backend->emit[n->kind].fn(e, &done.ref, VS_PHASE_LEAVE) != VS_EMITTED) return false;
   }
@@ -537,7 +546,8 @@ static void drive_reset(vs_emitter *e) {
   e->smooth = e->in_boolean = false;
   e->material = NULL;
   e->body = e->parent = NULL;
-  e->placement = vs_affine_identity();
+  vs_affine here = vs_affine_identity();
+  drive_place(e, &here);
   e->reach = e->bounds;
 }
 
@@ -595,8 +605,9 @@ static bool drive_bounds(vs_emitter *e) {
   const double *low = &e->bounds.min.x, *high = &e->bounds.max.x;
   for (int i = 0; i < 3; i++)
     if (!isfinite(low[i]) || !isfinite(high[i])) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing is infinitely large");
-  e->facets.segments = e->scene->segments;
-  e->facets.tolerance = e->scene->tolerance > 0 ? e->scene->tolerance : vs_facets_tolerance(&e->bounds);
+  e->drawing_facets.segments = e->scene->segments;
+  e->drawing_facets.tolerance = e->scene->tolerance > 0 ? e->scene->tolerance : vs_facets_tolerance(&e->bounds);
+  e->facets = e->drawing_facets;
   double most = 0;
   for (int i = 0; i < 3; i++) most = fmax(most, fmax(fabs(low[i]), fabs(high[i])));
   bool single = e->backend->numbers == VS_NUMBERS_SINGLE || e->backend->numbers == VS_NUMBERS_SOUP;

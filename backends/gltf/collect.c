@@ -213,10 +213,9 @@ static bool gltf_shape(vs_emitter *e, const vs_ref *ref, double crease) {
 
 vs_emit_status vs_gltf_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
-  vs_facets facets = vs_facets_placed(&e->facets, &e->placement);
   vs_unit_copy copy;
   uint32_t number;
-  if (vs_unit_of(ref->node, &facets, &copy)) {
+  if (vs_unit_of(ref->node, &e->facets, &copy)) {
     vs_affine place = vs_affine_multiply(&e->placement, &copy.place);
     if (vs_affine_is_placement(&place)) return gltf_unit(e, copy.unit, copy.turn, &number) && gltf_place(e, number, &place) ? VS_EMITTED : VS_FAILED;
   }
