@@ -20,11 +20,10 @@ result() { # name, file with the reasons if it failed
   if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
 }
 
-# What is known to fail and why stands in known.txt (name, tab, reason); what is there and passes is a failure too: take it out. Only where it depends on
-# what else is in the sheet ("at times: ...") it may pass.
+# What is known to fail and why stands in known.txt (name, tab, reason); what is there and passes is a failure too: take it out.
 known() {
   awk -F '\t' -v list=tests/cross/known.txt -v only="$ONLY" 'BEGIN { while ((getline line < list) > 0) if (line !~ /^#/ && split(line, part, "\t") == 2) why[part[1]] = part[2] }
-    /^ok / && substr($0, 4) in why && why[substr($0, 4)] !~ /^at times: / { print "not ok " substr($0, 4); print "    passes, but tests/cross/known.txt says: " why[substr($0, 4)]; quiet = 0; next }
+    /^ok / && substr($0, 4) in why { print "not ok " substr($0, 4); print "    passes, but tests/cross/known.txt says: " why[substr($0, 4)]; quiet = 0; next }
     /^not ok / && substr($0, 8) in why { quiet = 1; if (index($0, only)) print "skip " substr($0, 8) ": known: " why[substr($0, 8)]; next }
     /^(ok|not ok|skip) / { quiet = !index($0, only) }
     !quiet'
