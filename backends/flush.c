@@ -90,7 +90,7 @@ static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32
     ok = add_plane(f, vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)), a, operand);
   }
   vs_mesh_free(&mesh);
-  qsort(f->planes + from, f->count - from, sizeof *f->planes, compare_planes);
+  if (f->count > from) qsort(f->planes + from, f->count - from, sizeof *f->planes, compare_planes);
   size_t kept = from;
   for (size_t i = from; i < f->count; i++)
     if (i == from || !same_plane(&f->planes[i], &f->planes[kept - 1])) f->planes[kept++] = f->planes[i];
@@ -127,7 +127,7 @@ static bool boxes_meet(const vs_bounds *a, const vs_bounds *b, double slack) {
 /* Marks operands that share a plane with an earlier one (of a difference: with the first). */
 static void mark(flush *f, bool difference, unsigned char *marked, size_t operands) {
   size_t pairs = 0;
-  qsort(f->planes, f->count, sizeof *f->planes, compare_planes);
+  if (f->count > 0) qsort(f->planes, f->count, sizeof *f->planes, compare_planes);
   for (size_t i = 0, end; i < f->count; i = end) {
     for (end = i + 1; end < f->count && same_plane(&f->planes[i], &f->planes[end]);) end++;
     for (size_t a = i; a < end && !(difference && f->planes[a].operand > 0); a++)
