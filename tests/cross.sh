@@ -12,7 +12,7 @@ work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 case $ONLY in ""|cross*) ;; *) exit ;; esac
 vs=$BUILD/vs tools=$BUILD/tools sheet=tests/cross/sheet.vs
-variants=mixed
+variants=${VARIANTS:-mixed}
 [ -z "${LONG:-}" ] || variants='plain rotated mirrored scaled cut hollow'
 pixels=4000
 mkdir -p "$BUILD/cross"

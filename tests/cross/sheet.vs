@@ -61,12 +61,12 @@
 (define solid-variants '("plain" "rotated" "cut" "mirrored" "hollow" "scaled"))
 (define thin-variants '("plain" "rotated" "mirrored" "scaled"))
 (define (row-all-variants row) (if (and (solid? (row-object row)) (not (row-shown row))) solid-variants thin-variants))
-; what pictures show instead cannot be cut as the object is: it stands plain where the variant is none of its own
+; what cannot be cut (curves beside solids; what pictures show instead of the object) stands plain where the variant is none of its own
 (define (variant-of index row)
   (let ((all (row-all-variants row)))
     (cond ((string=? variant "mixed") (list-ref all (modulo index (length all))))
-          ((and (row-shown row) (not (member variant all))) "plain")
-          (else variant))))
+          ((member variant all) variant)
+          (else "plain"))))
 
 ; the box round o, a little larger to every side
 (define (crate o)
