@@ -106,7 +106,7 @@ static bool add_operand(flush *f, const vs_node *operand, uint32_t number, bool 
   while (f->todo_count > 0 && !*too_many) {
     place at = f->todo[--f->todo_count];
     const vs_node *n = at.node;
-    bool set = n->kind == VS_UNION || n->kind == VS_DIFFERENCE || n->kind == VS_INTERSECTION;
+    bool set = vs_node_is_set(n);
     if (!set && n->kind != VS_TRANSFORM && !vs_node_is_dress(n)) {
       if (!add_part(f, n, &at.placed, number)) return false;
       *too_many = f->part_count >= PARTS_MOST;
@@ -150,7 +150,7 @@ static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle) {
   vs_mesh mesh = { 0 };
   vs_error ignored = { 0 };
   vs_vec3 sum = vs_v3(0, 0, 0);
-  bool set = n->kind == VS_UNION || n->kind == VS_DIFFERENCE || n->kind == VS_INTERSECTION || n->kind == VS_SLICE || n->flags & (VS_NODE_UNRESOLVED | VS_NODE_SUGAR);
+  bool set = vs_node_is_set(n) || n->kind == VS_SLICE || n->flags & (VS_NODE_UNRESOLVED | VS_NODE_SUGAR);
   if (!vs_node_bounds(n, b, &ignored) || vs_bounds_is_empty(b) || !isfinite(vs_bounds_diagonal(b))) return false;
   *middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5);
   if (!set && vs_tessellate(n, &coarse, &mesh, &ignored) && mesh.vertex_count > 0) {

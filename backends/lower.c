@@ -88,7 +88,7 @@ static vs_node *lower_region(vs_emitter *e, const vs_ref *ref) {
 }
 
 static bool lower_is_area_set(const vs_node *n) {
-  return n->class_ == VS_REGION_CLASS && (n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE);
+  return n->class_ == VS_REGION_CLASS && vs_node_is_set(n);
 }
 
 bool vs_lower_as_area(const vs_emitter *e, const vs_node *n) {

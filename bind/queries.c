@@ -21,12 +21,11 @@ vs_status vs_p_is_surface(vs_frame *f, vs_value *out) { return is_class(f, VS_SU
 vs_status vs_p_is_solid(vs_frame *f, vs_value *out) { return is_class(f, VS_SOLID, out); }
 vs_status vs_p_is_empty(vs_frame *f, vs_value *out) { return truth(node_of(f) && node_of(f)->kind == VS_EMPTY, out); }
 
-static bool is_boolean(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }
 static bool is_operation(const vs_node *n) {
   vs_level level = vs_kind_get((vs_kind)n->kind)->level;
   return level == VS_LEVEL_OPERATION || level == VS_LEVEL_SWEPT;
 }
-vs_status vs_p_is_csg(vs_frame *f, vs_value *out) { return truth(node_of(f) && is_boolean(node_of(f)), out); }
+vs_status vs_p_is_csg(vs_frame *f, vs_value *out) { return truth(node_of(f) && vs_node_is_set(node_of(f)), out); }
 vs_status vs_p_is_operation(vs_frame *f, vs_value *out) { return truth(node_of(f) && is_operation(node_of(f)), out); }
 vs_status vs_p_is_primitive(vs_frame *f, vs_value *out) { return truth(node_of(f) && !is_operation(node_of(f)), out); }
 

@@ -375,7 +375,6 @@ static bool vs_bounds_is_swept(const vs_node *n) { /* formulas that cost more th
          n->kind == VS_GUIDED_LOFT || n->kind == VS_OFFSET;
 }
 
-static bool vs_bounds_is_set(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }
 
 /* A set under a map that turns it, part by part: what it becomes must not depend on whether it was turned as a whole. All in it are known. *done: it was not
  * too much or too deep; all in all a memo does TURNED_MOST such steps. */
@@ -391,8 +390,8 @@ static bool vs_bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affin
     if (!*done) break;
     size_t top = depth - 1;
     const vs_node *at = level[top].node;
-    bool down = vs_bounds_is_set(at) && level[top].next < at->child_count && !(at->kind == VS_DIFFERENCE && level[top].next > 0);
-    if (vs_bounds_is_set(at) && level[top].next) { /* b is a member's */
+    bool down = vs_node_is_set(at) && level[top].next < at->child_count && !(at->kind == VS_DIFFERENCE && level[top].next > 0);
+    if (vs_node_is_set(at) && level[top].next) { /* b is a member's */
       if (at->kind == VS_INTERSECTION && level[top].next > 1) vs_bounds_meet(&level[top].all, &b);
       else vs_bounds_unite(&level[top].all, &b);
     }
@@ -406,7 +405,7 @@ static bool vs_bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affin
       level[depth].map = level[top].map;
       level[depth].next = 0;
       level[depth++].all = vs_bounds_empty();
-    } else if (vs_bounds_is_set(at)) {
+    } else if (vs_node_is_set(at)) {
       b = level[--depth].all;
     } else {
       b = vs_bounds_empty();
@@ -437,7 +436,7 @@ static bool vs_bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_e
       below = below->children[0].node;
     }
     bool swept = vs_bounds_is_swept(below), done = false;
-    if (vs_bounds_is_set(below) && !(below->flags & VS_NODE_ENDLESS) && !vs_bounds_is_axial(&placed) && !vs_bounds_turned(m, below, &placed, b, &done, e)) return false;
+    if (vs_node_is_set(below) && !(below->flags & VS_NODE_ENDLESS) && !vs_bounds_is_axial(&placed) && !vs_bounds_turned(m, below, &placed, b, &done, e)) return false;
     if (done) return true;
     *b = vs_bounds_empty();
     if (!swept && !vs_bounds_leaf(below, &placed, &children, b, &leaf, e)) return false;

@@ -305,7 +305,7 @@ vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
 /* ---- asking ---- */
 
 static bool vs_inside_is_set(const vs_node *n) {
-  return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE || n->kind == VS_TRANSFORM || vs_node_is_dress(n);
+  return vs_node_is_set(n) || n->kind == VS_TRANSFORM || vs_node_is_dress(n);
 }
 
 bool vs_inside_test(vs_inside *v, vs_vec3 p) {

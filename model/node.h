@@ -131,6 +131,9 @@ struct vs_node {
 #define VS_ENDLESS_MESSAGE "the object is endless: intersect it with something finite, or subtract it from that"
 #define VS_AS(lower, n) ((const struct vs_##lower *)(n)->data)
 
+/* The boolean operations. */
+static inline bool vs_node_is_set(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }
+
 /* Kinds that are in space what their one child is. (A GHOST is nothing.) */
 static inline bool vs_node_is_dress(const vs_node *n) {
   return n->child_count == 1 && (n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_NATIVE || n->kind == VS_CUSTOM || n->kind == VS_HIGHLIGHT || n->kind == VS_ONLY);

@@ -310,7 +310,6 @@ static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase ph
 
 /* ---- sets of regions that lie level: OpenSCAD's own two dimensions ---- */
 
-static bool scad_is_set(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }
 
 /* Is this a set of regions parallel to XY, through placements that keep them so, of a size that can be read? Its height in *z. */
 static bool scad_is_level(vs_emitter *e, const vs_ref *root, double *z) {
@@ -318,7 +317,7 @@ static bool scad_is_level(vs_emitter *e, const vs_ref *root, double *z) {
   vs_plane plane;
   const vs_node *n = root->node, *set = n;
   while (set->kind == VS_TRANSFORM || set->kind == VS_LAYER || set->kind == VS_MATERIAL) set = set->children[0].node;
-  if (!scad_is_set(set) || n->class_ != VS_REGION_CLASS || n->depth > DEEPEST || vs_emit_is_painted(e, n) || !vs_lower_as_area(e, set)) return false;
+  if (!vs_node_is_set(set) || n->class_ != VS_REGION_CLASS || n->depth > DEEPEST || vs_emit_is_painted(e, n) || !vs_lower_as_area(e, set)) return false;
   if (vs_node_plane(n, &plane) != VS_PLANE_ONE || plane.normal.z < 1 - 1e-12) return false;
   *z = plane.point.z;
   vs_walk *w = vs_walk_new(n->store, *root);
@@ -330,7 +329,7 @@ static bool scad_is_level(vs_emitter *e, const vs_ref *root, double *z) {
     else if (at.node->kind == VS_TRANSFORM) {
       const vs_affine *m = &VS_AS(transform, at.node)->matrix;
       level = m->m[0][2] == 0 && m->m[1][2] == 0 && m->m[2][0] == 0 && m->m[2][1] == 0;
-    } else if (!scad_is_set(at.node) && at.node->kind != VS_LAYER && at.node->kind != VS_MATERIAL) vs_walk_skip(w);
+    } else if (!vs_node_is_set(at.node) && at.node->kind != VS_LAYER && at.node->kind != VS_MATERIAL) vs_walk_skip(w);
     level = level && ++count < MOST;
   }
   vs_walk_free(w);
@@ -365,7 +364,7 @@ static bool scad_flat(vs_emitter *e, const vs_ref *root) {
     const vs_node *n = at.node;
     if (ev == VS_WALK_FAILED) ok = vs_emit_no_memory(e);
     else if (ev == VS_WALK_LEAVE) {
-      if (!scad_is_set(n)) continue;
+      if (!vs_node_is_set(n)) continue;
       depth--;
       vs_put_spaces(e->out, 2 * (base + depth < 40 ? base + depth : 40));
       vs_puts(e->out, "}\n");
@@ -380,7 +379,7 @@ static bool scad_flat(vs_emitter *e, const vs_ref *root) {
       } else if (through) {
         if (n->kind == VS_TRANSFORM) scad_place(e, &VS_AS(transform, n)->matrix);
         e->child_index = SIZE_MAX;
-      } else if (scad_is_set(n)) {
+      } else if (vs_node_is_set(n)) {
         vs_puts(e->out, n->kind == VS_UNION ? "union() {\n" : n->kind == VS_INTERSECTION ? "intersection() {\n" : "difference() {\n");
         depth++;
       } else {

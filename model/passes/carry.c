@@ -33,7 +33,6 @@ static bool fold_is_identity(const vs_affine *a) {
 }
 
 static bool fold_is_dress(const vs_node *n) { return n->kind == VS_MATERIAL || n->kind == VS_LAYER; }
-static bool fold_is_set(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }
 
 /* ---- placements ---- */
 
@@ -79,7 +78,7 @@ static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, 
   }
   *fits = false;
   if (fold_is_dress(n)) return way.dresses > 0 ? fold_carry_children(w, a, n, n->data, (fold_way){ way.dresses - 1, way.set }, fits) : NULL;
-  if (fold_is_set(n)) return way.set && n->class_ == VS_SOLID ? fold_carry_children(w, a, n, n->data, (fold_way){ way.dresses, false }, fits) : NULL;
+  if (vs_node_is_set(n)) return way.set && n->class_ == VS_SOLID ? fold_carry_children(w, a, n, n->data, (fold_way){ way.dresses, false }, fits) : NULL;
   if (n->kind == VS_REGION && vs_fold_is_upright(a)) return fold_carry_children(w, a, n, n->data, (fold_way){ 0, false }, fits);
   if (n->kind == VS_EXTRUDE && n->child_count == 1 && vs_fold_is_upright(a)) {
     struct vs_extrude d = *VS_AS(extrude, n);
@@ -103,7 +102,7 @@ static vs_node *fold_placed(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
   vs_node *made = fold_carry(w, a, below, (fold_way){ DRESS_MOST, true }, &fits, &own);
   if (!fits) return vs_rewrite_keep(w, n, kids);
   w->changed++;
-  w->nests = w->nests || fold_is_set(below);
+  w->nests = w->nests || vs_node_is_set(below);
   *origin = own;
   return made;
 }
@@ -191,7 +190,7 @@ vs_node *vs_pass_fold(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const
   fold_state *f = w->state;
   vs_node *new = n->kind == VS_TRANSFORM ? fold_placed(w, n, kids, origin)
                  : fold_is_dress(n)      ? fold_dress(w, n, kids, origin)
-                 : fold_is_set(n)        ? fold_set(w, n, kids)
+                 : vs_node_is_set(n)     ? fold_set(w, n, kids)
                                          : vs_rewrite_keep(w, n, kids);
   if (new && !vs_rewrite_lone(w, n) && !vs_nodemap_put(&f->shared, new, NULL)) {
     vs_node_release(new);

@@ -17,7 +17,6 @@ typedef struct {
   vs_nodemap dissolves; /* new nodes that their parent shall dissolve */
 } vs_flatten;
 
-static bool vs_flatten_is_set(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }
 
 bool vs_flatten_begin(vs_rewrite *w) {
   const vs_order *o = &w->order;
@@ -30,7 +29,7 @@ bool vs_flatten_begin(vs_rewrite *w) {
   memset(f->above, 0, (o->count + 1) * sizeof *f->above);
   for (size_t k = 0; k < o->count; k++) {
     const vs_node *n = o->at[k].node;
-    for (uint32_t i = 0; o->note[k].inner && vs_flatten_is_set(n) && i < n->child_count; i++)
+    for (uint32_t i = 0; o->note[k].inner && vs_node_is_set(n) && i < n->child_count; i++)
       if (vs_order_has(o, n->children[i].node)) f->above[vs_order_of(n->children[i].node)] = UINT64_C(1) << (n->kind == VS_DIFFERENCE && i ? VS_UNION : n->kind);
   }
   return true;
@@ -103,7 +102,7 @@ static vs_node *vs_flatten_set(vs_rewrite *w, const vs_node *n, const vs_ref *ki
 
 vs_node *vs_pass_flatten(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   vs_flatten *f = w->state;
-  if (!vs_flatten_is_set(n)) return vs_rewrite_keep(w, n, kids);
+  if (!vs_node_is_set(n)) return vs_rewrite_keep(w, n, kids);
   /* A set of one is its member: but the union of one closed curve is a region */
   bool one = n->child_count == 1 && kids[0].node->class_ == n->class_ && !vs_nodemap_get(&f->dissolves, kids[0].node);
   vs_node *new;

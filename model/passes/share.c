@@ -171,7 +171,7 @@ static void vs_share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, 
 
 static bool vs_share_is_alias(const vs_node *n) {
   if (n->kind == VS_TRANSFORM) return vs_affine_is_translation(&VS_AS(transform, n)->matrix);
-  bool set = n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE;
+  bool set = vs_node_is_set(n);
   return set && n->child_count == 1 && n->children[0].node->class_ == n->class_; /* the union of one closed curve is a region */
 }
 

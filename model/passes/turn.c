@@ -156,7 +156,7 @@ static bool turn_leaf(turner *t, const turn_step *x) {
 
 static const vs_node *turn_strip(const vs_node *n, vs_affine *to) { /* placements and sets of one */
   for (;;) {
-    bool set = n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE;
+    bool set = vs_node_is_set(n);
     if (n->kind == VS_TRANSFORM) *to = vs_affine_multiply(to, &VS_AS(transform, n)->matrix);
     else if (!set || n->child_count != 1 || n->children[0].node->class_ != n->class_) return n;
     n = n->children[0].node;
@@ -169,7 +169,7 @@ static bool turn_walk(turner *t) {
     x.a = turn_strip(x.a, &x.to_a);
     x.b = turn_strip(x.b, &x.to_b);
     if (x.a->kind != x.b->kind || x.a->child_count != x.b->child_count || x.a->class_ != x.b->class_) return false;
-    bool down = x.a->kind == VS_UNION || x.a->kind == VS_INTERSECTION || x.a->kind == VS_DIFFERENCE;
+    bool down = vs_node_is_set(x.a);
     if (x.a->kind == VS_MATERIAL) down = VS_AS(material, x.a)->material == VS_AS(material, x.b)->material;
     if (x.a->kind == VS_LAYER) down = VS_AS(layer, x.a)->name == VS_AS(layer, x.b)->name;
     if (!down && (x.a->kind == VS_MATERIAL || x.a->kind == VS_LAYER || !turn_leaf(t, &x))) return false;

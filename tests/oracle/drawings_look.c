@@ -112,7 +112,6 @@ typedef struct {
   size_t depth, shared;
 } looker;
 
-static bool is_set(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }
 
 static void look_part(looker *w, vs_ref ref, const part *here) {
   drawing_look *l = w->look;
@@ -154,7 +153,7 @@ static bool look_at(looker *w, vs_ref ref, part here) { /* test trees are shallo
     size_t at = l->entry_count++;
     grow(&l->entries, &l->entry_room, l->entry_count, sizeof *l->entries);
     l->entries[at] = (entry){ n, 0, 0 };
-    if (is_set(n)) {
+    if (vs_node_is_set(n)) {
       for (uint32_t i = 0; ok && i < n->child_count; i++) {
         /* Members that are nothing keep their turn: a set's first is what it cuts */
         size_t before = l->entry_count;
