@@ -114,7 +114,7 @@ test: ## install what the tests need, build, run them: of long ones a sample
 	sh scripts/install.sh build workers tests
 	$(MAKE) tests
 
-check: ## as test, and the long ones whole: every shape in every variant
+check: ## as test, and the long ones whole: every shape in every variant; SEEDS=FROM-TO: the kernel's random trees of these seeds, in place of 1-3000
 	sh scripts/install.sh build workers tests
 	$(MAKE) tests LONG=1
 	$(MAKE) sanitized
@@ -140,7 +140,7 @@ KERNEL_UNITS = test_random_solids test_kernel test_inspect
 sanitized: ## the kernel's tests under the address, leak and undefined-behaviour sanitizers
 	$(MAKE) OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=address" BUILD=$(BUILD)/asan LDFLAGS="-Wl,--no-as-needed -lstdc++" $(KERNEL_UNITS:%=$(BUILD)/asan/unit/%)
 	$(MAKE) OPT="-O1 -g -fsanitize=undefined -fno-sanitize-recover=all" BUILD=$(BUILD)/ubsan $(KERNEL_UNITS:%=$(BUILD)/ubsan/unit/%)
-	for t in $(KERNEL_UNITS); do LONG= $(BUILD)/asan/unit/$$t && LONG= UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(BUILD)/ubsan/unit/$$t || exit 1; done
+	for t in $(KERNEL_UNITS); do SEEDS= LONG= $(BUILD)/asan/unit/$$t && SEEDS= LONG= UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(BUILD)/ubsan/unit/$$t || exit 1; done
 
 stress: ## the tests with a collection at every allocation and the heap checked again and again: minutes
 	$(MAKE) BUILD=$(BUILD)/stress EXTRA="-DVS_DEBUG_STRESS=1 -DVS_DEBUG_SMALL=1" SUITES="unit lang cli manual" tests

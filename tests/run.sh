@@ -3,6 +3,7 @@
 #
 #   SUITES="unit lang cli ..."  only these          ONLY=text   only tests whose name contains it
 #   LONG=1                      what takes a sample of many cases takes all of them
+#   SEEDS=FROM-TO               the kernel's random trees of these seeds (0.03 s each), in place of the sample
 #   BLESS=1                     rewrite the goldens of tests/cli instead of comparing
 #
 # Every suite is a script or a function that prints `ok NAME`, `not ok NAME` with its reasons indented below, or `skip NAME: why`.
@@ -25,8 +26,8 @@ suite_unit() {
     [ -x "$program" ] || continue
     name=unit/$(basename "$program")
     case $name in *"$ONLY"*) ;; *) continue ;; esac
-    # a unit test may run workers: seconds, not minutes
-    CMOCKA_MESSAGE_OUTPUT=TAP timeout 300 "$program" > "$work/out" 2> "$work/err"
+    # a unit test may run workers: seconds, not minutes; unless many seeds were asked for
+    CMOCKA_MESSAGE_OUTPUT=TAP timeout "$([ -z "${SEEDS:-}" ] && echo 300 || echo 36000)" "$program" > "$work/out" 2> "$work/err"
     status=$?
     awk -v name="$name" '
       /^(not )?ok [0-9]+ .*# *SKIP/ { sub(/^.*# *SKIP */, ""); print "skip " name ":" $0; next }
