@@ -10,6 +10,7 @@
 #include "geometry/frame.h"
 #include "geometry/polyface.h"
 #include "geometry/triangulate.h"
+#include "model/disjoint.h"
 
 bool vs_face_list_compact(vs_face_list *l) {
   uint32_t *place = malloc((l->point_count + 1) * sizeof *place), *number = malloc((l->point_count + 1) * sizeof *number), count = 0;
@@ -322,11 +323,6 @@ static bool agree(vs_face_list *l, size_t *turned) {
   return ok;
 }
 
-static uint32_t root_of(uint32_t *parent, uint32_t x) {
-  while (parent[x] != x) x = parent[x] = parent[parent[x]];
-  return x;
-}
-
 /* Six volumes of the face's fan against the point o, and the solid angle (over two) under which it is seen from there */
 static double face_volume(const vs_face_list *l, uint32_t f, vs_vec3 o, double *angle) {
   double six = 0;
@@ -348,20 +344,17 @@ static bool turn_shells(vs_face_list *l, size_t *turned) {
   double *volume = calloc(n + 1, sizeof *volume);
   unsigned char *turn = calloc(n + 1, 1);
   bool ok = sides && shell && volume && turn;
-  for (uint32_t f = 0; ok && f < n; f++) shell[f] = f;
+  if (ok) vs_disjoint(shell, (uint32_t)n);
   for (size_t i = 1; ok && i < count; i++)
-    if (sides[i].low == sides[i - 1].low && sides[i].high == sides[i - 1].high) {
-      uint32_t a = root_of(shell, sides[i].face), b = root_of(shell, sides[i - 1].face);
-      shell[a > b ? a : b] = a > b ? b : a;
-    }
-  for (uint32_t f = 0; ok && f < n; f++) volume[root_of(shell, f)] += face_volume(l, f, l->points[l->corners[l->starts[root_of(shell, f)]]], NULL);
+    if (sides[i].low == sides[i - 1].low && sides[i].high == sides[i - 1].high) vs_unite(shell, sides[i].face, sides[i - 1].face);
+  for (uint32_t f = 0; ok && f < n; f++) volume[vs_find(shell, f)] += face_volume(l, f, l->points[l->corners[l->starts[vs_find(shell, f)]]], NULL);
   for (uint32_t s = 0; ok && s < n; s++) {
     if (shell[s] != s || !(volume[s] < 0)) continue;
     double angle = 0;
     vs_vec3 o = l->points[l->corners[l->starts[s]]];
     for (uint32_t f = 0; f < n; f++) {
       double part = 0;
-      uint32_t other = root_of(shell, f);
+      uint32_t other = vs_find(shell, f);
       if (other == s) continue;
       face_volume(l, f, o, &part);
       angle += volume[other] < 0 ? -part : part; /* as if it looked outwards */
@@ -369,7 +362,7 @@ static bool turn_shells(vs_face_list *l, size_t *turned) {
     turn[s] = !(angle > 3.14159265358979323846);
   }
   for (uint32_t f = 0; ok && f < n; f++)
-    if (turn[root_of(shell, f)]) turn_face(l, f), ++*turned;
+    if (turn[vs_find(shell, f)]) turn_face(l, f), ++*turned;
   free(sides);
   free(shell);
   free(volume);

@@ -19,6 +19,7 @@
 #include "kernel/halves.h"
 #include "kernel/part.h"
 #include "kernel/table.h"
+#include "model/disjoint.h"
 
 enum { VS_BESIDE_FLAT = 8 }; /* next to a triangle that the grid has made a line */
 
@@ -145,17 +146,5 @@ bool vs_around_before(const vs_around *a, const vs_around *b);
 
 /* Of the result's triangles from first_triangle on: sides: 2 * plane + looks against its normal, of each; points: of the vertices from first_vertex on. */
 bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle, const uint32_t *sides, const uint32_t *points);
-
-/* union-find with path halving; the smaller number becomes the root, so results do not depend on the order of unions */
-static inline uint32_t vs_find(uint32_t *parent, uint32_t x) {
-  while (parent[x] != x) x = parent[x] = parent[parent[x]];
-  return x;
-}
-static inline void vs_unite(uint32_t *parent, uint32_t a, uint32_t b) {
-  a = vs_find(parent, a);
-  b = vs_find(parent, b);
-  if (a < b) parent[b] = a;
-  else parent[a] = b;
-}
 
 #endif

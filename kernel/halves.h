@@ -3,6 +3,7 @@
 #define VS_KERNEL_HALVES_H
 
 #include "kernel/table.h"
+#include "model/disjoint.h"
 
 typedef struct { uint32_t high, item; } vs_half; /* an edge seen from its smaller end */
 
@@ -21,26 +22,6 @@ void vs_halves_free(vs_kernel *k, vs_halves *h);
 static inline uint32_t vs_halves_begin(const vs_halves *h, size_t range) {
   uint32_t points = (uint32_t)h->first.count - 1;
   return range >= h->ranges ? points : (uint32_t)range << h->shift;
-}
-
-/* Union-find that threads may share: the smaller number becomes the root, so the sets' names depend on nothing but the sets. */
-static inline uint32_t vs_find_shared(_Atomic uint32_t *parent, uint32_t x) {
-  for (;;) {
-    uint32_t up = atomic_load_explicit(&parent[x], memory_order_relaxed);
-    if (up == x) return x;
-    uint32_t over = atomic_load_explicit(&parent[up], memory_order_relaxed);
-    if (over != up) atomic_store_explicit(&parent[x], over, memory_order_relaxed); /* some ancestor, whoever writes last */
-    x = over;
-  }
-}
-static inline void vs_unite_shared(_Atomic uint32_t *parent, uint32_t a, uint32_t b) {
-  for (;;) {
-    a = vs_find_shared(parent, a);
-    b = vs_find_shared(parent, b);
-    if (a == b) return;
-    uint32_t low = a < b ? a : b, high = a < b ? b : a, expected = high;
-    if (atomic_compare_exchange_strong_explicit(&parent[high], &expected, low, memory_order_relaxed, memory_order_relaxed)) return;
-  }
 }
 
 #endif

@@ -231,7 +231,7 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
   size_t n = m->triangle_count, count = 0;
   bool ok = VS_ROOM(k, shell.at, shell.room, n) && VS_ROOM(k, bounds.at, bounds.room, FEW) && VS_ROOM(k, volumes.at, volumes.room, FEW);
   *apart = ok;
-  for (uint32_t t = 0; ok && t < n; t++) shell.at[t] = t;
+  if (ok) vs_disjoint(shell.at, (uint32_t)n);
   for (uint32_t i = 0; ok && i < 3 * n; i++)
     if (p->twins[i] != VS_NONE) vs_unite(shell.at, i / 3, p->twins[i] / 3);
   for (uint32_t t = 0; ok && *apart && t < n; t++) { /* roots come first: numbers of shells take their places */

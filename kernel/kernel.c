@@ -60,7 +60,7 @@ static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *b
       boxes[i].max[a] = (int32_t)ceil(most(&bounds[order[i]], a) / step) + 64;
     }
   uint32_t *set = parent; /* by place in order, for now */
-  for (uint32_t i = 0; i < n; i++) set[i] = i;
+  vs_disjoint(set, n);
   ok = ok && vs_bvh_build(k, &bvh, boxes, n) && vs_bvh_pairs(&bvh, 0, UINT32_MAX, join, set);
   uint32_t *start = NULL, *sorted = NULL;
   size_t start_room = 0, sorted_room = 0;

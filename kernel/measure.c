@@ -148,7 +148,8 @@ static bool cluster(measuring *m, uint32_t *set) {
   vs_bvh bvh = { 0 };
   vs_box *boxes = malloc((n + (size_t)1) * sizeof *boxes);
   int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* steps that a box is smaller by */
-  for (uint32_t i = 0; i < n; i++) vs_bounds_unite(&all, &m->parts.at[i].box), set[i] = i;
+  vs_disjoint(set, n);
+  for (uint32_t i = 0; i < n; i++) vs_bounds_unite(&all, &m->parts.at[i].box);
   double low[3] = { all.min.x, all.min.y, all.min.z }, size = fmax(fmax(all.max.x - all.min.x, all.max.y - all.min.y), all.max.z - all.min.z), step = size > 0 ? size * 0x1p-28 : 1;
   for (uint32_t i = 0; boxes && i < n; i++) {
     const vs_bounds *b = &m->parts.at[i].box;
@@ -253,11 +254,6 @@ static bool settle_parts(measuring *m, double sign, vs_ref whole) {
   return ok;
 }
 
-static bool apart(const vs_bounds *a, const vs_bounds *b, double slack) {
-  return a->max.x - b->min.x < slack || b->max.x - a->min.x < slack || a->max.y - b->min.y < slack || b->max.y - a->min.y < slack || a->max.z - b->min.z < slack ||
-         b->max.z - a->min.z < slack;
-}
-
 static bool take_apart(measuring *m, job j) {
   j.ref = below(j.ref, &j.placed);
   vs_node *n = j.ref.node;
@@ -279,8 +275,8 @@ static bool take_apart(measuring *m, job j) {
     for (uint32_t i = 0; i < n->child_count; i++) {
       part p = { n->children[i], j.placed, vs_bounds_empty(), false };
       if (!box_of(m, &p, &box[i > 0])) return false;
-      if (vs_bounds_is_empty(&box[i > 0]) || (i && apart(&box[0], &box[1], 0))) return true;
       if (i) vs_bounds_meet(&box[0], &box[1]);
+      if (vs_bounds_is_empty(&box[0])) return true;
     }
     whole = false;
   } else {

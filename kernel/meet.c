@@ -267,7 +267,7 @@ bool vs_meet_patches(vs_kernel *k, vs_cluster *c) {
   meeting m = { .k = k, .c = c };
   size_t room = 0;
   bool ok = VS_ROOM(k, m.group, room, c->facets.count + 1);
-  for (uint32_t i = 0; ok && i < c->facets.count; i++) m.group[i] = i;
+  if (ok) vs_disjoint(m.group, (uint32_t)c->facets.count);
   ok = ok && vs_kernel_pipeline(k, ((size_t)vs_bvh_blocks(&c->bvh) + CHUNK - 1) / CHUNK, meet_chunk, absorb, &m);
   for (uint32_t i = 0; ok && i < c->facets.count; i++) c->facets.at[i].group = vs_find(m.group, i);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) {

@@ -6,6 +6,7 @@
 
 #include "geometry/solids.h"
 #include "kernel/inspect.h"
+#include "kernel/shells.h"
 #include "model/tally.h"
 
 /* Kinds whose meshes may overlap themselves; placements are looked through. */
@@ -26,39 +27,20 @@ static bool failed(const vs_kernel_error *why, vs_error *e) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s", why->message);
 }
 
-static uint32_t shell_of(uint32_t *parent, uint32_t v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
-}
-
 /* Leaves out shells that are nothing but a crack or a flake: where faces of a mesh that overlaps itself lie on one another, rounding parts them by
  * some steps of the kernel's grid. thickness: a shell that is thinner on the whole goes. */
 static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
-  typedef struct { double volume, area; } shell;
-  uint32_t *parent = malloc((m->vertex_count + 1) * sizeof *parent);
-  shell *shells = calloc(m->vertex_count + 1, sizeof *shells);
-  bool ok = (parent && shells) || vs_error_memory(e, NULL);
-  for (uint32_t v = 0; ok && v < m->vertex_count; v++) parent[v] = v;
-  for (size_t t = 0; ok && t < m->triangle_count; t++)
-    for (int k = 1; k < 3; k++) parent[shell_of(parent, m->triangles[t][k])] = shell_of(parent, m->triangles[t][0]);
-  size_t kept = 0;
-  for (int pass = 0; ok && pass < 2; pass++)
-    for (size_t t = 0; t < m->triangle_count; t++) {
-      shell *s = &shells[shell_of(parent, m->triangles[t][0])];
-      if (pass) {
-        if (fabs(s->volume) <= thickness * s->area / 2) continue;
-        if (m->tags) m->tags[kept] = m->tags[t];
-        memmove(m->triangles[kept++], m->triangles[t], sizeof *m->triangles);
-        continue;
-      }
-      vs_vec3 a = m->vertices[m->triangles[t][0]], u = vs_v3_sub(m->vertices[m->triangles[t][1]], a), v = vs_v3_sub(m->vertices[m->triangles[t][2]], a);
-      vs_vec3 normal = vs_v3_cross(u, v);
-      s->area += vs_v3_length(normal) / 2;
-      s->volume += vs_v3_dot(vs_v3_sub(a, m->vertices[shell_of(parent, m->triangles[t][0])]), normal) / 6;
-    }
-  if (ok) m->triangle_count = kept;
-  free(parent);
-  free(shells);
+  vs_shells shells;
+  bool ok = vs_shells_find(m, &shells);
+  uint8_t *gone = ok ? malloc(m->triangle_count + 1) : NULL;
+  ok = gone || vs_error_memory(e, NULL);
+  for (size_t t = 0; ok && t < m->triangle_count; t++) {
+    const vs_shell *s = &shells.at[shells.of[m->triangles[t][0]]];
+    gone[t] = fabs(s->volume) <= thickness * s->area / 2;
+  }
+  if (ok) vs_mesh_squeeze(m, gone);
+  vs_shells_free(&shells);
+  free(gone);
   return ok;
 }
 

@@ -13,6 +13,8 @@
 #include <string.h>
 
 #include "kernel/apart.h"
+#include "kernel/shells.h"
+#include "model/disjoint.h"
 
 enum { ROUNDS = 3, PASSES = 3 /* of flips, in a round */ };
 
@@ -172,18 +174,6 @@ static void index_vertices(settling *s) {
   memset(s->gone, 0, m->triangle_count);
 }
 
-static void squeeze(settling *s) { /* triangles that are gone go */
-  vs_mesh *m = s->m;
-  size_t kept = 0;
-  for (size_t t = 0; t < m->triangle_count; t++) {
-    if (s->gone[t]) continue;
-    memmove(m->triangles[kept], m->triangles[t], sizeof *m->triangles);
-    if (m->tags) m->tags[kept] = m->tags[t];
-    kept++;
-  }
-  m->triangle_count = kept;
-}
-
 static size_t collapse_round(settling *s) {
   vs_mesh *m = s->m;
   size_t done = 0;
@@ -205,60 +195,38 @@ static size_t collapse_round(settling *s) {
       s->suspect[a] |= 1;
       done++;
     }
-  if (done) squeeze(s);
+  if (done) vs_mesh_squeeze(m, s->gone);
   return done;
 }
 
 /* ---- blades ---- */
 
-static uint32_t root(uint32_t *parent, uint32_t x) {
-  while (parent[x] != x) x = parent[x] = parent[parent[x]];
-  return x;
-}
-
-typedef struct { double volume, area, reach; vs_vec3 from; bool bent; } shell;
+static bool is_blade(const settling *s, const vs_shell *of) { return fabs(of->volume) < of->area * unit(of->reach, s->numbers); }
 
 /* Shells that are thinner than two units all over, and that rounding bends, would be sheets on sheets: they go, unless nothing else is there. (A thin plate far from the
  * origin, along the axes, stays as it is.) False: out of memory. */
 static bool drop_blades(settling *s, vs_settled *out) {
   vs_mesh *m = s->m;
-  uint32_t *parent = malloc((m->vertex_count + 1) * sizeof *parent);
-  shell *shells = calloc(m->vertex_count + 1, sizeof *shells);
-  size_t kept = 0;
-  if (parent && shells) {
-    for (uint32_t v = 0; v < m->vertex_count; v++) parent[v] = v;
-    for (size_t i = 0; i < 3 * m->triangle_count; i++) {
-      uint32_t a = root(parent, m->triangles[i / 3][i % 3]), b = root(parent, m->triangles[i / 3][(i + 1) % 3]);
-      if (a != b) parent[a > b ? a : b] = a < b ? a : b;
-    }
-    for (size_t t = 0; t < m->triangle_count; t++) {
-      const uint32_t *v = m->triangles[t];
-      shell *of = &shells[root(parent, v[0])];
-      vs_vec3 a = m->vertices[v[0]];
-      if (of->area == 0 && of->reach == 0) of->from = a;
-      vs_vec3 n = normal(a, m->vertices[v[1]], m->vertices[v[2]]);
-      of->volume += vs_v3_dot(n, vs_v3_sub(a, of->from)) / 6;
-      of->area += vs_v3_length(n) / 2;
-      of->reach = fmax(of->reach, fmax(reach(a), fmax(reach(m->vertices[v[1]]), reach(m->vertices[v[2]]))));
-      of->bent = of->bent || bent(s, (uint32_t)t);
-    }
-    for (size_t t = 0; t < m->triangle_count; t++) {
-      const shell *of = &shells[root(parent, m->triangles[t][0])];
-      s->gone[t] = of->bent && fabs(of->volume) < of->area * unit(of->reach, s->numbers);
-      kept += !s->gone[t];
-    }
-    if (kept > 0 && kept < m->triangle_count) {
-      for (uint32_t v = 0; v < m->vertex_count; v++) {
-        const shell *of = &shells[v];
-        if (!(of->bent && fabs(of->volume) < of->area * unit(of->reach, s->numbers))) continue; /* nothing where v is no root */
-        if (out->dropped++ == 0) out->dropped_at = of->from;
-      }
-      squeeze(s);
-    }
+  vs_shells shells;
+  bool ok = vs_shells_find(m, &shells);
+  uint8_t *goes = ok ? calloc((size_t)shells.count + 1, 1) : NULL;
+  uint32_t going = 0;
+  ok = goes != NULL;
+  for (uint32_t t = 0; ok && t < m->triangle_count; t++) {
+    uint32_t shell = shells.of[m->triangles[t][0]];
+    if (!goes[shell] && is_blade(s, &shells.at[shell]) && bent(s, t)) goes[shell] = 1;
   }
-  bool ok = parent && shells;
-  free(parent);
-  free(shells);
+  for (uint32_t i = 0; ok && i < shells.count; i++) {
+    if (!goes[i]) continue;
+    if (going++ == 0) out->dropped_at = shells.at[i].from;
+  }
+  if (ok && going && going < shells.count) {
+    for (size_t t = 0; t < m->triangle_count; t++) s->gone[t] = goes[shells.of[m->triangles[t][0]]];
+    vs_mesh_squeeze(m, s->gone);
+    out->dropped = going;
+  }
+  vs_shells_free(&shells);
+  free(goes);
   return ok;
 }
 
@@ -291,8 +259,9 @@ static bool is_met(const settling *s, uint32_t t) { /* near one that meets anoth
   return (s->suspect[v[0]] | s->suspect[v[1]] | s->suspect[v[2]]) & 2;
 }
 
-/* Corners within a few units of each other, joined by edges of triangles that rounding bends (or all) near where something meets, become one; what then is an edge, or two sheets on each other, goes. A map of corners
- * keeps a closed chain closed, but it need not be a manifold by index any more: for formats without indices. False: out of memory. */
+/* Corners within a few units of each other, joined by edges of triangles that rounding bends (or all) near where something meets, become one; what then is an
+ * edge, or two sheets on each other, goes. A map of corners keeps a closed chain closed, but it need not be a manifold by index any more: for formats without
+ * indices. False: out of memory. */
 static bool contract(settling *s, double near_units, bool all, size_t *count) {
   vs_mesh *m = s->m;
   size_t sheets_count = 0;
@@ -304,7 +273,7 @@ static bool contract(settling *s, double near_units, bool all, size_t *count) {
   for (uint32_t v = 0; ok && v < m->vertex_count; v++) parent[v] = v, boxes[v] = (vs_bounds){ m->vertices[v], m->vertices[v] };
   for (uint32_t t = 0; ok && t < m->triangle_count; t++)
     for (int j = 0; is_met(s, t) && (bent(s, t) || all) && j < 3; j++) {
-      uint32_t a = root(parent, m->triangles[t][j]), b = root(parent, m->triangles[t][(j + 1) % 3]), low = a < b ? a : b, high = a < b ? b : a;
+      uint32_t a = vs_find(parent, m->triangles[t][j]), b = vs_find(parent, m->triangles[t][(j + 1) % 3]), low = a < b ? a : b, high = a < b ? b : a;
       vs_vec3 p = m->vertices[m->triangles[t][j]], q = m->vertices[m->triangles[t][(j + 1) % 3]];
       double step = unit(fmax(reach(p), reach(q)), s->numbers);
       vs_bounds both = boxes[a];
@@ -318,7 +287,7 @@ static bool contract(settling *s, double near_units, bool all, size_t *count) {
     uint32_t *v = m->triangles[t];
     bool moved = false;
     for (int j = 0; j < 3; j++) {
-      uint32_t to = root(parent, v[j]);
+      uint32_t to = vs_find(parent, v[j]);
       moved = moved || to != v[j];
       v[j] = to;
     }
@@ -333,7 +302,7 @@ static bool contract(settling *s, double near_units, bool all, size_t *count) {
     odd = even;
     for (size_t j = i; j < even && odd < end; j++, odd++) s->gone[sheets[j].triangle] = s->gone[sheets[odd].triangle] = 1;
   }
-  if (ok && *count) squeeze(s);
+  if (ok && *count) vs_mesh_squeeze(m, s->gone);
   free(parent);
   free(boxes);
   free(sheets);

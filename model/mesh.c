@@ -2,6 +2,7 @@
 #include "model/mesh.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 void vs_mesh_free(vs_mesh *m) {
   free(m->vertices);
@@ -124,3 +125,14 @@ void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex,
 }
 
 void vs_mesh_transform(vs_mesh *m, const vs_affine *a) { vs_mesh_transform_from(m, a, 0, 0); }
+
+void vs_mesh_squeeze(vs_mesh *m, const uint8_t *gone) {
+  size_t kept = 0;
+  for (size_t t = 0; t < m->triangle_count; t++) {
+    if (gone[t]) continue;
+    memmove(m->triangles[kept], m->triangles[t], sizeof *m->triangles);
+    if (m->tags) m->tags[kept] = m->tags[t];
+    kept++;
+  }
+  m->triangle_count = kept;
+}

@@ -24,6 +24,7 @@ vs_bounds vs_mesh_bounds(const vs_mesh *m);
 bool vs_mesh_closed(const vs_mesh *m, bool *ok); /* every directed edge has its opposite, by index; ok false: out of memory */
 void vs_mesh_transform(vs_mesh *m, const vs_affine *a); /* in place; turns the triangles round where it mirrors */
 void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle); /* the rest stays */
+void vs_mesh_squeeze(vs_mesh *m, const uint8_t *gone); /* leaves out the triangles whose gone is not 0; corners stay */
 void vs_mesh_turn(vs_mesh *m, size_t first_triangle); /* inside out, from that triangle on */
 
 #endif

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "geometry/polyface.h"
+#include "model/disjoint.h"
 
 typedef struct { uint32_t low, high, corner; bool forward; double angle; } side; /* of the edge from a corner to the next of its face */
 typedef struct {
@@ -23,28 +24,16 @@ typedef struct {
   const vs_vec3 *points;
   const uint32_t *starts, *corners;
   size_t face_count, corner_count, point_count;
-  uint32_t *place, *next, *face, *group, *of; /* place: of a point; the others of a corner; group: union-find over corners; of: a first corner's fan */
+  uint32_t *place, *next, *face, *group, *of; /* place: of a point; the others of a corner; group: disjoint sets of corners; of: a first corner's fan */
   side *sides;
   fan *fans;
 } apart;
 
 static uint32_t place_of(const apart *a, uint32_t corner) { return a->place[a->corners[corner]]; }
 
-static uint32_t group_of(uint32_t *group, uint32_t i) {
-  while (group[i] != i) i = group[i] = group[group[i]];
-  return i;
-}
-
-/* The smaller number stays, so that the order of faces alone decides. */
-static void join(apart *a, uint32_t i, uint32_t j) {
-  i = group_of(a->group, i), j = group_of(a->group, j);
-  if (i < j) a->group[j] = i;
-  else a->group[i] = j;
-}
-
 static void join_sides(apart *a, const side *s, const side *t) {
-  join(a, s->corner, a->next[t->corner]);
-  join(a, a->next[s->corner], t->corner);
+  vs_unite(a->group, s->corner, a->next[t->corner]);
+  vs_unite(a->group, a->next[s->corner], t->corner);
 }
 
 static int compare_edges(const void *p, const void *q) {
@@ -109,7 +98,7 @@ static bool join_all(apart *a) {
 static size_t list_fans(apart *a, bool *touches) {
   size_t count = 0;
   for (uint32_t c = 0; c < a->corner_count; c++) { /* a group's first corner is its smallest */
-    uint32_t first = group_of(a->group, c);
+    uint32_t first = vs_find(a->group, c);
     if (first == c) a->of[c] = (uint32_t)count, a->fans[count++] = (fan){ place_of(a, c), c, 0, vs_v3(0, 0, 0), vs_v3(0, 0, 0), 0 };
     fan *f = &a->fans[a->of[first]];
     f->towards = vs_v3_add(f->towards, vs_v3_unit(vs_v3_sub(a->points[a->corners[a->next[c]]], a->points[a->corners[c]])));
@@ -153,7 +142,7 @@ static bool apart_fill(apart *a, vs_apart *out, size_t fan_count) {
     }
   }
   for (uint32_t c = 0; c < a->corner_count; c++) {
-    uint32_t at = point[group_of(a->group, c)];
+    uint32_t at = point[vs_find(a->group, c)];
     if (at != UINT32_MAX) out->corners[c] = at;
   }
   return true;
