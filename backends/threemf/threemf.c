@@ -15,7 +15,7 @@
 
 #define ZIP_FUNCTIONS(X)                                                                                                              \
   X(zip_source_buffer_create) X(zip_open_from_source) X(zip_source_buffer) X(zip_file_add) X(zip_file_set_dostime) X(zip_close) X(zip_discard) \
-  X(zip_source_keep) X(zip_source_free) X(zip_source_open) X(zip_source_read) X(zip_source_close)
+  X(zip_set_file_compression) X(zip_source_keep) X(zip_source_free) X(zip_source_open) X(zip_source_read) X(zip_source_close)
 
 typedef struct {
 #define ZIP_MEMBER(name) __typeof__(&name) name;
@@ -156,6 +156,9 @@ static bool model_gather(vs_emitter *e, const vs_solid_copies *c, memory *out) {
   return ok;
 }
 
+/* Of 1 to 9. libzip's own choice is 9, which takes seven times as long as this for 4 % less: on 22 MB of triangles 1.9 s and 0.26 s, 2.96 and 3.09 MB. */
+enum { PACKING = 5 };
+
 static bool package_add(const zip_library *z, zip_t *zip, const char *name, const void *bytes, size_t count) {
   zip_source_t *source = z->zip_source_buffer(zip, bytes, count, 0);
   zip_int64_t at = source != NULL ? z->zip_file_add(zip, name, source, ZIP_FL_ENC_UTF_8) : -1;
@@ -163,7 +166,8 @@ static bool package_add(const zip_library *z, zip_t *zip, const char *name, cons
     z->zip_source_free(source); /* a source that was added is the archive's */
     return false;
   }
-  return z->zip_file_set_dostime(zip, (zip_uint64_t)at, 0, 0x21, 0) == 0; /* 1980-01-01: the same model makes the same bytes */
+  return z->zip_set_file_compression(zip, (zip_uint64_t)at, ZIP_CM_DEFLATE, PACKING) == 0 &&
+         z->zip_file_set_dostime(zip, (zip_uint64_t)at, 0, 0x21, 0) == 0; /* 1980-01-01: the same model makes the same bytes */
 }
 
 /* zip_close does the packing; until then nothing that `bytes` names may go. */
