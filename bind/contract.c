@@ -162,27 +162,19 @@ static bool has_length(vs_vec3 v) { return v.x != 0 || v.y != 0 || v.z != 0; }
 
 static bool symbol_is(vs_value v, const char *name) { return vs_is_symbol(v) && !strcmp(vs_as_symbol(v)->name, name); }
 
-static bool convert_axis(vs_value v, vs_arg *out) {
+/* A line through the origin along x, y or z, by one of three names or by a vector; or any, by an object of that kind. */
+static bool convert_line(vs_value v, const char *const names[3], uint32_t kind, vs_arg *out) {
   out->line.at = vs_v3(0, 0, 0);
-  if (symbol_is(v, "x")) return out->line.direction = vs_v3(1, 0, 0), true;
-  if (symbol_is(v, "y")) return out->line.direction = vs_v3(0, 1, 0), true;
-  if (symbol_is(v, "z")) return out->line.direction = vs_v3(0, 0, 1), true;
+  for (int i = 0; i < 3; i++)
+    if (symbol_is(v, names[i])) return out->line.direction = vs_v3(i == 0, i == 1, i == 2), true;
   if (vs_is_flat(v, VS_FLAT_VECTOR)) return out->line.direction = vec_of(vs_as_flat(v)->at), true;
-  if (!vs_is_flat(v, VS_FLAT_AXIS)) return false;
+  if (!vs_is_flat(v, kind)) return false;
   out->line.at = vec_of(vs_as_flat(v)->at), out->line.direction = vec_of(vs_as_flat(v)->at + 3);
   return true;
 }
 
-static bool convert_plane(vs_value v, vs_arg *out) {
-  out->line.at = vs_v3(0, 0, 0);
-  if (symbol_is(v, "xy")) return out->line.direction = vs_v3(0, 0, 1), true;
-  if (symbol_is(v, "yz")) return out->line.direction = vs_v3(1, 0, 0), true;
-  if (symbol_is(v, "xz")) return out->line.direction = vs_v3(0, 1, 0), true;
-  if (vs_is_flat(v, VS_FLAT_VECTOR)) return out->line.direction = vec_of(vs_as_flat(v)->at), true;
-  if (!vs_is_flat(v, VS_FLAT_PLANE)) return false;
-  out->line.at = vec_of(vs_as_flat(v)->at), out->line.direction = vec_of(vs_as_flat(v)->at + 3);
-  return true;
-}
+static bool convert_axis(vs_value v, vs_arg *out) { return convert_line(v, (const char *const[]){ "x", "y", "z" }, VS_FLAT_AXIS, out); }
+static bool convert_plane(vs_value v, vs_arg *out) { return convert_line(v, (const char *const[]){ "yz", "xz", "xy" }, VS_FLAT_PLANE, out); } /* its normal */
 
 /* Flattens values (each an item or a list of lists of items) by an explicit stack of lists, each with what is left of it; add takes one item.
  * False: *bad is what is neither, or absent and the error is set. Nothing here allocates Scheme objects, so plain locals are safe.
