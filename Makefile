@@ -99,7 +99,7 @@ $(BUILD)/tools/zipped: tests/tools/zipped.c
 	$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(call pkg,libzip,-lzip)
 
 # Tools that ask the library.
-$(BUILD)/tools/names $(BUILD)/tools/reread $(BUILD)/tools/exrdiff $(BUILD)/tools/badcalls: $(BUILD)/tools/%: tests/tools/%.c visualscheme.h $(BUILD)/libvisualscheme.a
+$(BUILD)/tools/names $(BUILD)/tools/reread $(BUILD)/tools/exrdiff $(BUILD)/tools/badcalls $(BUILD)/tools/gaps: $(BUILD)/tools/%: tests/tools/%.c visualscheme.h $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
 
