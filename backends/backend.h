@@ -114,6 +114,9 @@ bool vs_emit_fail(vs_emitter *e, const vs_ref *ref, const char *message); /* a f
 bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message); /* once a message (compared by address) */
 bool vs_emit_no_memory(vs_emitter *e);
 bool vs_emit_progress(vs_emitter *e, const char *stage, double fraction); /* false: interrupted, and the error says so */
+void vs_emit_watch(vs_emitter *e, vs_writer *w); /* from now on w asks so, too, whenever its buffer is full */
+/* For loops that write nothing: asks now and then. */
+static inline bool vs_emit_going(vs_emitter *e, size_t turn) { return (turn & 0x3fff) != 0 || vs_emit_progress(e, "writing", -1); }
 /* Triangles of any node of solids and surfaces in its own coordinates: booleans by the kernel, the rest by geometry. Kept for nodes that
  * stand in several places; valid until the next call. NULL: failed. */
 const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref);

@@ -106,6 +106,12 @@ bool vs_emit_progress(vs_emitter *e, const char *stage, double fraction) {
   return vs_error_set(e->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
 }
 
+static bool drive_going(void *context) { return vs_emit_progress(context, "writing", -1); }
+void vs_emit_watch(vs_emitter *e, vs_writer *w) {
+  w->going = drive_going;
+  w->going_context = e;
+}
+
 const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line) {
   const vs_drive *d = e->drive;
   size_t low = 0, high = d->line_count; /* the last entry at or before the line */
@@ -653,15 +659,18 @@ static bool drive_all_vain(vs_emitter *e) {
   return true;
 }
 
+static bool drive_settling(void *context, double done) { return vs_emit_progress(context, "meshing", done); }
+
 /* What the format's numbers cannot hold apart is made one; what they fold is said. */
 static bool drive_settle(vs_emitter *e, vs_mesh *m) {
   vs_settled what;
   char message[160];
   vs_tally *tally = vs_store_tally(e->scene->store);
   vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
-  bool settled = vs_mesh_settle(m, e->backend->numbers, &what);
+  vs_kernel_error why;
+  bool settled = vs_mesh_settle(m, e->backend->numbers, &(vs_kernel_options){ .progress = drive_settling, .context = e }, &what, &why);
   vs_tally_enter(tally, was);
-  if (!settled) return vs_emit_no_memory(e);
+  if (!settled) return why.status == VS_KERNEL_INTERRUPTED ? false : vs_emit_no_memory(e);
   if (e->options->warn == NULL) return true;
   if (what.dropped != 0) {
     snprintf(message, sizeof message, "%zu slivers are left out: thinner than this format's numbers tell apart, the first near %g %g %g", what.dropped, what.dropped_at.x,

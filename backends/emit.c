@@ -14,6 +14,8 @@ void vs_writer_init(vs_writer *w, vs_sink_fn *sink, void *context) {
   w->counted = 0;
   w->line = 1;
   w->failed = w->full = w->keeps_lines = false;
+  w->going = NULL;
+  w->going_context = NULL;
 }
 
 uint32_t vs_writer_line(vs_writer *w) {
@@ -27,6 +29,7 @@ bool vs_writer_flush(vs_writer *w) {
   if (w->failed) return false;
   if (w->keeps_lines) vs_writer_line(w);
   if (w->used > 0 && !w->sink(w->context, w->buffer, w->used)) w->failed = true;
+  if (w->going != NULL && !w->going(w->going_context)) w->failed = true;
   w->used = w->counted = 0;
   return !w->failed;
 }

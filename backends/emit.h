@@ -26,6 +26,8 @@ typedef struct {
   uint32_t line;   /* as far as counted: vs_writer_line */
   bool failed, full; /* full: stopped by the limit */
   bool keeps_lines;  /* somebody will ask vs_writer_line */
+  bool (*going)(void *context); /* asked each time the buffer is full; false: fails, and who was asked knows why. NULL: goes on */
+  void *going_context;
   char buffer[VS_WRITER_ROOM];
 } vs_writer;
 

@@ -90,6 +90,7 @@ static vs_writer *export_writer(vs_emitter *e, vs_sink_fn *sink, void *context) 
     return NULL;
   }
   vs_writer_init(w, sink, context);
+  vs_emit_watch(e, w);
   w->limit = e->options->byte_limit;
   return w;
 }

@@ -21,7 +21,7 @@ static double shade_angle(const vs_vec3 *v, const uint32_t t[3], int corner) {
   return acos(fmax(-1, fmin(1, vs_v3_dot(a, b))));
 }
 
-bool vs_shading_make(const vs_vec3 *vertices, size_t vertex_count, const uint32_t (*triangles)[3], size_t triangle_count, double crease, vs_shading *out) {
+bool vs_shading_make(vs_emitter *e, const vs_vec3 *vertices, size_t vertex_count, const uint32_t (*triangles)[3], size_t triangle_count, double crease, vs_shading *out) {
   *out = (vs_shading){ .normal_count = 0 };
   size_t corner_count = 3 * triangle_count;
   vs_vec3 *faces = malloc((triangle_count + 1) * sizeof *faces);
@@ -30,19 +30,24 @@ bool vs_shading_make(const vs_vec3 *vertices, size_t vertex_count, const uint32_
   out->normals = malloc((corner_count + 1) * sizeof *out->normals);
   out->corners = malloc((triangle_count + 1) * sizeof *out->corners);
   bool ok = faces != NULL && angles != NULL && starts != NULL && around != NULL && out->normals != NULL && out->corners != NULL;
-  if (!ok) goto done;
-  for (size_t i = 0; i < triangle_count; i++) {
+  if (!ok) {
+    vs_emit_no_memory(e);
+    goto done;
+  }
+  for (size_t i = 0; ok && i < triangle_count; i++) {
     const uint32_t *t = triangles[i];
     faces[i] = shade_unit(vs_v3_cross(vs_v3_sub(vertices[t[1]], vertices[t[0]]), vs_v3_sub(vertices[t[2]], vertices[t[0]])));
     for (int k = 0; k < 3; k++) {
       angles[3 * i + (size_t)k] = shade_angle(vertices, t, k);
       starts[t[k] + 2]++;
     }
+    ok = vs_emit_going(e, i);
   }
+  if (!ok) goto done;
   for (size_t i = 2; i < vertex_count + 2; i++) starts[i] += starts[i - 1]; /* starts[v + 1] is v's first, and moves to its end */
   for (size_t c = 0; c < corner_count; c++) around[starts[triangles[c / 3][c % 3] + 1]++] = (uint32_t)c;
   double least = cos(crease);
-  for (size_t v = 0; v < vertex_count; v++) {
+  for (size_t v = 0; ok && v < vertex_count; v++) {
     size_t first_normal = out->normal_count;
     for (uint32_t i = starts[v]; i < starts[v + 1]; i++) {
       uint32_t corner = around[i];
@@ -59,6 +64,7 @@ bool vs_shading_make(const vs_vec3 *vertices, size_t vertex_count, const uint32_
       if (at == out->normal_count) out->normals[out->normal_count++] = normal;
       out->corners[corner / 3][corner % 3] = (uint32_t)at;
     }
+    ok = vs_emit_going(e, v);
   }
 done:
   free(faces);

@@ -19,6 +19,7 @@
 enum { ROUNDS = 3, PASSES = 3 /* of flips, in a round */ };
 
 typedef struct {
+  vs_kernel *k;
   vs_mesh *m;
   vs_numbers numbers;
   double coarsest;          /* two units where the mesh reaches furthest */
@@ -156,9 +157,13 @@ static bool flip(settling *s, uint32_t t) {
   return true;
 }
 
+/* Does the caller go on? Cheap enough for every triangle. */
+static bool asked(settling *s) { return s->k->error->status == VS_KERNEL_FINE && vs_kernel_poll(s->k, 1); }
+
+/* Rounds stop where the caller does not go on: the error says so. */
 static size_t flip_round(settling *s) {
   size_t done = 0;
-  for (uint32_t t = 0; t < s->m->triangle_count; t++)
+  for (uint32_t t = 0; t < s->m->triangle_count && asked(s); t++)
     if (too_thin(s, t) && bent(s, t)) done += flip(s, t);
   return done;
 }
@@ -172,12 +177,13 @@ static void index_vertices(settling *s) {
   for (size_t i = 0; i < 3 * m->triangle_count; i++) s->around[s->first[m->triangles[i / 3][i % 3] + 1]++] = (uint32_t)(i / 3);
   memset(s->busy, 0, m->vertex_count);
   memset(s->gone, 0, m->triangle_count);
+  vs_kernel_report(s->k, 1);
 }
 
 static size_t collapse_round(settling *s) {
   vs_mesh *m = s->m;
   size_t done = 0;
-  for (uint32_t t = 0; t < m->triangle_count; t++)
+  for (uint32_t t = 0; t < m->triangle_count && asked(s); t++)
     for (int j = 0; j < 3 && !s->gone[t]; j++) {
       uint32_t a = m->triangles[t][j], b = m->triangles[t][(j + 1) % 3], c;
       if (s->busy[a] || s->busy[b] || !(too_short(s, a, b) || (unsure(s, a, b) && bent(s, t)))) continue;
@@ -208,13 +214,14 @@ static bool is_blade(const settling *s, const vs_shell *of) { return fabs(of->vo
 static bool drop_blades(settling *s, vs_settled *out) {
   vs_mesh *m = s->m;
   vs_shells shells;
-  bool ok = vs_shells_find(m, &shells);
+  bool ok = vs_shells_find(m, &shells) && vs_kernel_report(s->k, 1);
   uint8_t *goes = ok ? calloc((size_t)shells.count + 1, 1) : NULL;
   uint32_t going = 0;
   ok = goes != NULL;
   for (uint32_t t = 0; ok && t < m->triangle_count; t++) {
     uint32_t shell = shells.of[m->triangles[t][0]];
     if (!goes[shell] && is_blade(s, &shells.at[shell]) && bent(s, t)) goes[shell] = 1;
+    ok = asked(s);
   }
   for (uint32_t i = 0; ok && i < shells.count; i++) {
     if (!goes[i]) continue;
@@ -338,7 +345,7 @@ static void count_met(settling *s, vs_settled *out) {
   for (uint32_t t = 0; t < m->triangle_count; t++)
     if (too_thin(s, t) && bent(s, t))
       for (int j = 0; j < 3; j++) s->suspect[m->triangles[t][j]] |= 1;
-  for (uint32_t v = 0; v < m->vertex_count; v++) {
+  for (uint32_t v = 0; v < m->vertex_count && asked(s); v++) {
     if (!(s->suspect[v] & 1)) continue;
     size_t n = gather(s, v, list, ROOM);
     for (uint32_t i = s->first[v]; i < s->first[v + 1]; i++)
@@ -372,23 +379,26 @@ static void drop_vertices(settling *s) {
   for (size_t i = 0; i < 3 * m->triangle_count; i++) m->triangles[i / 3][i % 3] = number[m->triangles[i / 3][i % 3]];
 }
 
-bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, vs_settled *out) {
+bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_settled *out, vs_kernel_error *error) {
   bool places = numbers == VS_NUMBERS_SOUP;
   if (places) numbers = VS_NUMBERS_SINGLE;
-  settling s = { .m = m, .numbers = numbers };
+  vs_kernel_error ignored;
+  vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = 1, .done = 1 };
+  settling s = { .k = &k, .m = m, .numbers = numbers };
+  *k.error = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };
   *out = (vs_settled){ 0 };
   bool any = false, ok = true;
   vs_bounds b = vs_mesh_bounds(m);
   s.coarsest = 2 * unit(larger(reach(b.min), reach(b.max)), numbers);
-  for (uint32_t t = 0; t < m->triangle_count && !any; t++) any = too_thin(&s, t) && bent(&s, t);
-  if (!any) return true;
+  for (uint32_t t = 0; t < m->triangle_count && !any && asked(&s); t++) any = too_thin(&s, t) && bent(&s, t);
+  if (!any) return k.error->status == VS_KERNEL_FINE;
   s.first = malloc((m->vertex_count + 2) * sizeof *s.first);
   s.around = malloc((3 * m->triangle_count + 1) * sizeof *s.around);
   s.busy = malloc(m->vertex_count + 1);
   s.suspect = calloc(m->vertex_count + 1, 1);
   s.gone = malloc(m->triangle_count + 1);
   ok = s.first && s.around && s.busy && s.suspect && s.gone && drop_blades(&s, out);
-  for (int round = 0; ok && round < ROUNDS; round++) {
+  for (int round = 0; ok && asked(&s) && round < ROUNDS; round++) {
     index_vertices(&s);
     size_t collapsed = collapse_round(&s), flipped = 0;
     for (int pass = 0; pass < PASSES; pass++) {
@@ -402,7 +412,7 @@ bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, vs_settled *out) {
     if (!collapsed && !flipped) break;
   }
   if (ok && numbers != VS_NUMBERS_DOUBLE) index_vertices(&s), count_met(&s, out);
-  for (int round = 0; ok && places && out->met && round < ROUNDS; round++) {
+  for (int round = 0; ok && asked(&s) && places && out->met && round < ROUNDS; round++) {
     size_t contracted = 0;
     index_vertices(&s);
     ok = contract(&s, 4 << round, round == ROUNDS - 1, &contracted);
@@ -420,5 +430,6 @@ bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, vs_settled *out) {
   free(s.busy);
   free(s.suspect);
   free(s.gone);
-  return ok;
+  if (!ok) vs_kernel_fail(&k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); /* unless it was interrupted */
+  return k.error->status == VS_KERNEL_FINE;
 }

@@ -133,7 +133,7 @@ static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *pl
   vs_shading s;
   if (!gltf_geometry_new(e, number)) return false;
   if (mesh->triangle_count > UINT32_MAX / 3) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than a glTF mesh can hold");
-  if (!vs_shading_make(mesh->vertices, mesh->vertex_count, (const uint32_t (*)[3])mesh->triangles, mesh->triangle_count, crease, &s)) return vs_emit_no_memory(e);
+  if (!vs_shading_make(e, mesh->vertices, mesh->vertex_count, (const uint32_t (*)[3])mesh->triangles, mesh->triangle_count, crease, &s)) return false;
   size_t room = s.normal_count + 3 * mesh->triangle_count;
   uint32_t *scratch = vs_store_realloc(e->scene->store, NULL, 0, (room + 1) * sizeof *scratch);
   bool ok = scratch != NULL || vs_emit_no_memory(e);

@@ -248,10 +248,7 @@ static vs_emit_status pov_mesh(vs_emitter *e, const vs_vec3 *v, size_t vertex_co
   if (kept == 0) return VS_EMITTED; /* nothing that could be seen */
   vs_shading s = { .normal_count = 0 };
   const double crease = 0.6; /* radians, some 35 degrees */
-  if (e->smooth && !vs_shading_make(v, vertex_count, t, count, crease, &s)) {
-    vs_emit_no_memory(e);
-    return VS_FAILED;
-  }
+  if (e->smooth && !vs_shading_make(e, v, vertex_count, t, count, crease, &s)) return VS_FAILED;
   pov_open(e, "mesh2 {\n");
   e->depth++;
   vs_vec3 from = pov_far(v, vertex_count);

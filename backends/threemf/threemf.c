@@ -15,7 +15,7 @@
 
 #define ZIP_FUNCTIONS(X)                                                                                                              \
   X(zip_source_buffer_create) X(zip_open_from_source) X(zip_source_buffer) X(zip_file_add) X(zip_file_set_dostime) X(zip_close) X(zip_discard) \
-  X(zip_set_file_compression) X(zip_source_keep) X(zip_source_free) X(zip_source_open) X(zip_source_read) X(zip_source_close)
+  X(zip_set_file_compression) X(zip_register_cancel_callback_with_state) X(zip_source_keep) X(zip_source_free) X(zip_source_open) X(zip_source_read) X(zip_source_close)
 
 typedef struct {
 #define ZIP_MEMBER(name) __typeof__(&name) name;
@@ -147,6 +147,7 @@ static bool model_gather(vs_emitter *e, const vs_solid_copies *c, memory *out) {
   if (ok) {
     memset(placed, 0, room);
     vs_writer_init(w, memory_sink, out);
+    vs_emit_watch(e, w);
     e->out = w;
     ok = model_write(e, c, placed, placed + c->meshes.mesh_count) && vs_writer_flush(w);
     e->out = was;
@@ -171,6 +172,8 @@ static bool package_add(const zip_library *z, zip_t *zip, const char *name, cons
 }
 
 /* zip_close does the packing; until then nothing that `bytes` names may go. */
+static int package_stops(zip_t *zip, void *context) { return (void)zip, !vs_emit_progress(context, "packing", -1); }
+
 static bool package_close(const zip_library *z, zip_t *zip, const memory *model) {
   static const char types[] =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\n"
@@ -181,6 +184,7 @@ static bool package_close(const zip_library *z, zip_t *zip, const memory *model)
     "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n</Relationships>\n";
   bool ok = package_add(z, zip, "[Content_Types].xml", types, sizeof types - 1) && package_add(z, zip, "_rels/.rels", relations, sizeof relations - 1)
          && package_add(z, zip, "3D/3dmodel.model", model->at, model->count);
+  ok = ok && z->zip_register_cancel_callback_with_state(zip, package_stops, NULL, model->e) == 0; /* asked often while it packs */
   if (ok && z->zip_close(zip) == 0) return true;
   z->zip_discard(zip);
   return false;
@@ -205,7 +209,7 @@ static bool threemf_copies(vs_emitter *e, const vs_solid_copies *c) {
   if (ok && zip == NULL) ok = vs_emit_no_memory(e);
   if (zip != NULL) {
     z.zip_source_keep(package); /* closing the archive lets go of it once */
-    ok = package_close(&z, zip, &model) ? package_copy(e, &z, package) : vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "the .3mf package could not be made");
+    ok = package_close(&z, zip, &model) ? package_copy(e, &z, package) : e->error->kind == VS_ERROR_INTERRUPT ? false : vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "the .3mf package could not be made");
   }
   if (package != NULL) z.zip_source_free(package);
   vs_emit_release(e, model.at, model.room, 1);

@@ -84,7 +84,7 @@ static bool collect_triangles(vs_emitter *e, vs_x3d_group *to, const vs_solid *m
   if (batches == NULL) return false;
   const vs_mesh *mesh = &m->mesh;
   vs_shading s;
-  if (!vs_shading_make(mesh->vertices, mesh->vertex_count, (const uint32_t (*)[3])mesh->triangles, mesh->triangle_count, crease, &s)) return vs_emit_no_memory(e);
+  if (!vs_shading_make(e, mesh->vertices, mesh->vertex_count, (const uint32_t (*)[3])mesh->triangles, mesh->triangle_count, crease, &s)) return false;
   bool mirrored = vs_affine_determinant(place) < 0, ok = true;
   /* Each entry of the normals belongs to one vertex: it is the batch's vertex, and `at` is where the batch has it, per part. */
   uint32_t *at = vs_store_realloc(e->scene->store, NULL, 0, (s.normal_count + 1) * sizeof *at);
@@ -115,6 +115,7 @@ static bool collect_triangles(vs_emitter *e, vs_x3d_group *to, const vs_solid *m
         b->triangles[b->triangle_count][mirrored ? 2 - k : k] = at[corner];
       }
       if (ok) b->triangle_count++;
+      ok = ok && vs_emit_going(e, i);
     }
   }
   vs_emit_release(e, at, s.normal_count + 1, sizeof *at);

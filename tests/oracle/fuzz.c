@@ -150,7 +150,7 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
     vs_settled settled;
     crossings_found found;
     vs_mesh own, *m = &own;
-    bool fine = copy_mesh(whole, m) && vs_mesh_settle(m, (vs_numbers)numbers, &settled);
+    bool fine = copy_mesh(whole, m) && vs_mesh_settle(m, (vs_numbers)numbers, NULL, &settled, NULL);
     crossings_point *at = malloc((m->vertex_count + 1) * sizeof *at);
     crossings_triangle *triangles = malloc((m->triangle_count + 1) * sizeof *triangles);
     size_t count = 0;

@@ -128,7 +128,7 @@ static void test_settle(void **state) {
   join(&m, "(sphere 2 32)", 9);
   size_t triangles = m.triangle_count, vertices = m.vertex_count;
   double volume = vs_mesh_volume(&m);
-  assert_true(vs_mesh_settle(&m, VS_NUMBERS_SINGLE, &s));
+  assert_true(vs_mesh_settle(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(s.collapsed + s.flipped + s.met, 0);
   assert_int_equal(m.triangle_count, triangles);
   for (uint32_t t = 0; t < triangles; t += 211) { /* an edge of a few triangles becomes all but nothing: pulled to its other end */
@@ -136,9 +136,9 @@ static void test_settle(void **state) {
     m.vertices[v[1]] = vs_v3_add(m.vertices[v[0]], vs_v3(1e-9, 0, -1e-9));
   }
   double pulled = vs_mesh_volume(&m);
-  assert_true(vs_mesh_settle(&m, VS_NUMBERS_DIGITS, &s));
+  assert_true(vs_mesh_settle(&m, VS_NUMBERS_DIGITS, NULL, &s, NULL));
   assert_int_equal(s.collapsed, 0); /* 12 digits hold them apart */
-  assert_true(vs_mesh_settle(&m, VS_NUMBERS_SINGLE, &s));
+  assert_true(vs_mesh_settle(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(s.collapsed, 5);
   assert_int_equal(m.triangle_count, triangles - 2 * s.collapsed);
   assert_int_equal(m.vertex_count, vertices - s.collapsed);
@@ -147,7 +147,7 @@ static void test_settle(void **state) {
   vs_mesh_free(&m);
   join(&m, "(cyl 1 1 0 3)", 9); /* a tetrahedron smaller than its numbers stays one: nothing may be left of it but sheets */
   for (size_t i = 0; i < m.vertex_count; i++) m.vertices[i] = vs_v3_add(vs_v3(1000, 1000, 1000), vs_v3_scale(m.vertices[i], 1e-6));
-  assert_true(vs_mesh_settle(&m, VS_NUMBERS_SINGLE, &s));
+  assert_true(vs_mesh_settle(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(m.triangle_count, 4);
   assert_true(vs_mesh_closed(&m, &sure));
   vs_mesh_free(&m);
