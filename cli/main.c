@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "cli/memory.h"
 #include "cli/nearby.h"
 #include "cli/session.h"
 
@@ -209,6 +210,7 @@ int main(int argc, char **argv) {
   cli_session session = {.options = &options, .output = options.to_stdout ? stderr : stdout, .ended = &ended};
   session.reporter.progress = !options.quiet && isatty(STDERR_FILENO);
   options.interpreter.host = (vs_host){.context = &session, .output = print_output, .input = read_input, .diagnose = print_diagnostic, .progress = print_progress, .value = print_value};
+  if (!TIDY) options.interpreter.alloc = cli_memory;
   session.scheme = vs_new(&options.interpreter);
   vs_outcome outcome = VS_OUTCOME_MACHINE;
   if (!session.scheme) {

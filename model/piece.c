@@ -19,7 +19,7 @@
 #define PIECES_APART 0
 #endif
 
-enum { SLAB_LEAST = 8 << 10, SLAB_MOST = 1 << 20 };
+enum { SLAB_LEAST = 8 << 10, HUGE_PAGE = 2 << 20, SLAB_MOST = 4 << 20 };
 
 struct vs_slab {
   vs_slab *next;
@@ -32,6 +32,7 @@ static bool slab_add(vs_store *s, size_t least) {
   size_t room = s->slab_bytes / 4;
   if (room < SLAB_LEAST) room = SLAB_LEAST;
   if (room > SLAB_MOST) room = SLAB_MOST;
+  if (room > HUGE_PAGE) room -= room % HUGE_PAGE; /* the host may have huge pages for them */
   room -= sizeof(vs_slab);
   vs_slab *slab = s->alloc(s->context, NULL, 0, sizeof *slab + room);
   if (!slab && room > least) slab = s->alloc(s->context, NULL, 0, sizeof *slab + (room = least)); /* what is left may be little */

@@ -1,7 +1,7 @@
 /* Owns the collector.
 
-   Old space: blocks of BLOCK bytes, each of one size class, cut from chunks of CHUNK_BLOCKS blocks; a class has a free list of
-   cells and one block it bumps through. Objects above the largest class are single allocations on a list. An object never
+   Old space: blocks of BLOCK bytes, each of one size class, cut from chunks of CHUNK_BLOCKS blocks, or more where the heap is large (the
+   host may have huge pages for them); a class has a free list of cells and one block it bumps through. Objects above the largest class are single allocations on a list. An object never
    leaves its place there.
 
    A minor collection must not fail half way, so the blocks it might need are set aside before the nursery is opened again
@@ -20,6 +20,7 @@ enum {
   BLOCK = 16 << 10,
   BLOCK_DATA = BLOCK - 32,
   CHUNK_BLOCKS = 64,
+  CHUNK_LEAST = 2 << 20, CHUNK_MOST = 4 << 20,      /* bytes of larger chunks */
   GC_MARK = 1, GC_REMEMBERED = 2, GC_FREE = 4, GC_MOVED = 8, GC_LARGE = 16
 };
 /* Collecting at every allocation costs what the roots cost, and a deep recursion or nest has a million of them: past STRESS_VISITS the next
@@ -45,7 +46,7 @@ struct vs_gc_block {
 struct vs_gc_chunk {
   struct vs_gc_chunk *next, *open;    /* `open` links the chunks that have fresh blocks */
   uint32_t fresh, live;               /* blocks never used yet; blocks in use, counted while sweeping */
-  uint64_t leaving;                   /* is about to be given back */
+  uint32_t count, leaving;            /* blocks; is about to be given back */
 };
 struct vs_gc_large { struct vs_gc_large *next; size_t bytes; };
 
@@ -56,6 +57,7 @@ struct vs_gc {
   struct vs_gc_block *blocks, *spare;           /* all in use; none in use */
   size_t spares;
   struct vs_gc_chunk *chunks, *open;
+  size_t chunk_bytes;                           /* of all chunks */
   struct { struct free_cell *free; struct vs_gc_block *bump; } of[CLASSES];
   uint8_t class_of[CLASS_MAX + 1];              /* by words */
   struct vs_gc_large *large;
@@ -108,15 +110,28 @@ static bool gc_grow(vs *vm, void *array, size_t *room, size_t count, size_t size
 }
 
 /* ---- old space ---- */
+static size_t chunk_size(size_t blocks) { return blocks > CHUNK_BLOCKS ? (blocks + 1) * BLOCK : sizeof(struct vs_gc_chunk) + blocks * BLOCK; }
+
+/* A quarter of what is there, in whole huge pages, their number a power of two. */
 static bool gc_add_chunk(vs *vm) {
   struct vs_gc *gc = vm->gc;
-  struct vs_gc_chunk *c = vs_mem(vm, NULL, 0, sizeof *c + (size_t)CHUNK_BLOCKS * BLOCK);
+  size_t blocks = CHUNK_BLOCKS;
+  for (size_t bytes = CHUNK_LEAST; bytes <= CHUNK_MOST && bytes <= gc->chunk_bytes / 4; bytes *= 2) blocks = bytes / BLOCK - 1;
+  struct vs_gc_chunk *c = vs_mem(vm, NULL, 0, chunk_size(blocks));
   if (!c) return false;
   c->next = gc->chunks; gc->chunks = c;
   c->open = gc->open; gc->open = c;
-  c->fresh = CHUNK_BLOCKS;
-  gc->spares += CHUNK_BLOCKS;
+  c->fresh = c->count = (uint32_t)blocks;
+  c->leaving = 0;
+  gc->spares += blocks;
+  gc->chunk_bytes += chunk_size(blocks);
   return true;
+}
+
+static void gc_drop_chunk(vs *vm, struct vs_gc_chunk *c) {
+  size_t bytes = chunk_size(c->count);
+  vm->gc->chunk_bytes -= bytes;
+  vs_mem(vm, c, bytes, 0);
 }
 
 /* enough spare blocks that promoting the whole nursery cannot fail */
@@ -137,7 +152,7 @@ static struct vs_gc_block *gc_block(vs *vm) {
     gc->spare = b->next;
   } else {
     struct vs_gc_chunk *c = gc->open;
-    b = (struct vs_gc_block *)(void *)((char *)(c + 1) + (size_t)(CHUNK_BLOCKS - c->fresh) * BLOCK);
+    b = (struct vs_gc_block *)(void *)((char *)(c + 1) + (size_t)(c->count - c->fresh) * BLOCK);
     if (--c->fresh == 0) gc->open = c->open;
     b->chunk = c;
   }
@@ -503,8 +518,8 @@ static void major_give_back(vs *vm) {
   for (struct vs_gc_chunk *c = gc->chunks; c; c = c->next) c->live = 0;
   for (struct vs_gc_block *b = gc->blocks; b; b = b->next) b->chunk->live++;
   for (struct vs_gc_chunk *c = gc->chunks; c; c = c->next) {
-    c->leaving = c->live == 0 && gc->spares - leaving >= keep + CHUNK_BLOCKS;
-    if (c->leaving) leaving += CHUNK_BLOCKS;
+    c->leaving = c->live == 0 && gc->spares - leaving >= keep + c->count;
+    if (c->leaving) leaving += c->count;
   }
   if (!leaving) return;
   gc->spares -= leaving;
@@ -513,7 +528,7 @@ static void major_give_back(vs *vm) {
   for (struct vs_gc_chunk **c = &gc->open; *c;)
     if ((*c)->leaving) *c = (*c)->open; else c = &(*c)->open;
   for (struct vs_gc_chunk **link = &gc->chunks, *c; (c = *link);)
-    if (c->leaving) { *link = c->next; vs_mem(vm, c, sizeof *c + (size_t)CHUNK_BLOCKS * BLOCK, 0); }
+    if (c->leaving) { *link = c->next; gc_drop_chunk(vm, c); }
     else link = &c->next;
 }
 
@@ -685,7 +700,7 @@ void vs_gc_close(vs *vm) {
   while (gc->chunks) {
     struct vs_gc_chunk *c = gc->chunks;
     gc->chunks = c->next;
-    vs_mem(vm, c, sizeof *c + (size_t)CHUNK_BLOCKS * BLOCK, 0);
+    gc_drop_chunk(vm, c);
   }
   if (gc->marks) vs_mem(vm, gc->marks, gc->mark_room * sizeof *gc->marks, 0);
   if (gc->remembered) vs_mem(vm, gc->remembered, gc->remembered_room * sizeof *gc->remembered, 0);
