@@ -159,14 +159,15 @@ bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t 
   return true;
 }
 
-bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]) {
+bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3], vs_cull_hints *hints) {
   const vs_placed *leaf = &c->placed.at[place];
-  uint32_t hint = 0;
   for (uint32_t i = 0; i < leaf->lids_count; i++) {
     uint32_t lid = c->lids.at[leaf->lids_first + i];
     const vs_placed *l = &c->placed.at[lid];
-    hint = 0;
-    if (lid != other && in_box(&l->box, p) && in_box(&l->box, q) && in_lid(l, p, &hint) && in_lid(l, q, &hint)) return true;
+    if (lid == other || !in_box(&l->box, p) || !in_box(&l->box, q)) continue;
+    uint32_t slot = lid % VS_CULL_HINTS;
+    if (hints->lid[slot] != lid) hints->lid[slot] = lid, hints->triangle[slot] = 0;
+    if (in_lid(l, p, &hints->triangle[slot]) && in_lid(l, q, &hints->triangle[slot])) return true;
   }
   return false;
 }

@@ -191,12 +191,40 @@ bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_
   return sign != 0;
 }
 
+static inline double near128(vs_i128 x) { return (double)(int64_t)(x >> 64) * 0x1p64 + (double)(uint64_t)x; } /* x >= 0 */
+
+/* The same where numerators fit 128 bits and the denominator 94, as they mostly do: whole steps first, then the rest. */
+static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
+  vs_i128 w = (vs_i128)((vs_u128)h->w[1] << 64 | h->w[0]);
+  for (int i = 0; i < 3; i++)
+    if (h->x[i][2] != (uint64_t)((int64_t)h->x[i][1] >> 63)) return false;
+  double per = 1 / near128(w);
+  *exact = true;
+  for (int i = 0; i < 3; i++) {
+    vs_i128 x = (vs_i128)((vs_u128)h->x[i][1] << 64 | h->x[i][0]);
+    double guess = x < 0 ? -near128(-x) * per : near128(x) * per;
+    if (fabs(guess) > 0x1p30) return false;
+    int64_t whole = (int64_t)floor(guess), rest;
+    vs_i128 r = x - w * whole;
+    for (; r < 0; whole--) r += w; /* the guesses are off by one at most */
+    for (; r >= w; whole++) r -= w;
+    rest = (int64_t)(near128(r) * per * 0x1p32);
+    r = r * ((vs_i128)1 << 32) - w * rest;
+    for (; r < 0; rest--) r += w;
+    for (; r >= w; rest++) r -= w;
+    *exact = *exact && r == 0;
+    fixed[i] = whole * ((int64_t)1 << 32) + rest;
+  }
+  return true;
+}
+
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]) {
   bool exact = true;
   if (h->w[0] == 1 && !h->w[1] && !h->w[2]) { /* on the grid */
     for (int i = 0; i < 3; i++) fixed[i] = (int64_t)(h->x[i][0] << VS_FIXED_BITS);
     return true;
   }
+  if (!h->w[2] && !(h->w[1] >> 30) && fix_narrow(h, fixed, &exact)) return exact;
   double w = wide_double(h->w, VS_LIMBS);
   for (int i = 0; i < 3; i++) {
     uint64_t x[4], r[4], t[4], q[1];

@@ -9,17 +9,36 @@
  * threads. */
 #include "kernel/cluster.h"
 
+#include <string.h>
+
 typedef struct { uint32_t point, fresh; } end; /* fresh: where point is VS_NONE */
 typedef struct { uint32_t a, b, first, count; } contact; /* count 0: coplanar, the facets go together */
+
+/* Whether an edge goes through a patch is asked by both of the triangles that have it, mostly soon after each other. */
+typedef struct {
+  uint32_t low, high, patch; /* the edge's corners, and what it may go through */
+  uint32_t fresh;            /* its point's number in the chunk; or: */
+} crossing;
+enum { CROSSINGS = 1 << 12 };
+#define PAST UINT32_MAX           /* beside the patch */
+#define THROUGH (UINT32_MAX - 1)  /* has no point yet */
+#define NEW (UINT32_MAX - 2)      /* not asked before */
+
+/* What a thread works with. */
+typedef struct {
+  VS_LIST(int8_t) side_a, side_b;   /* of a pair's corners */
+  VS_LIST(crossing) crossings;      /* the last ones, each in its place by a hash */
+} working;
 
 typedef struct {
   vs_kernel *k;
   const vs_cluster *c;
+  working *w;
   VS_LIST(contact) contacts;
   VS_LIST(end) ends;
   VS_LIST(vs_fresh_point) fresh;
-  VS_LIST(int8_t) side_a, side_b; /* of a pair's corners */
   double span[2][3];              /* the first and last end of the pair at hand, in steps */
+  vs_cull_hints hints;
 } chunk;
 
 static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { return c->patch_corners.at + p->first; }
@@ -70,6 +89,14 @@ static void widen(chunk *m, const double at[3], uint32_t count) {
   for (int i = 0; i < 3; i++) m->span[count ? 1 : 0][i] = at[i];
 }
 
+static crossing *crossing_of(chunk *m, uint32_t p, uint32_t q, uint32_t patch) {
+  uint32_t low = p < q ? p : q, high = p < q ? q : p;
+  uint64_t hash = (((uint64_t)low << 32 | high) ^ (uint64_t)patch * 0xd6e8feb86659fd93u) * 0x9e3779b97f4a7c15u;
+  crossing *x = &m->w->crossings.at[hash >> 40 & (m->w->crossings.count - 1)];
+  if (x->low != low || x->high != high || x->patch != patch) *x = (crossing){ low, high, patch, NEW };
+  return x;
+}
+
 /* The ends of a's crossing with b's plane that lie in b; second: a is the pair's second. */
 static bool ends(chunk *m, const vs_patch *a, const int8_t *side, const vs_patch *b, uint32_t first, uint32_t second) {
   const vs_cluster *c = m->c;
@@ -90,15 +117,18 @@ static bool ends(chunk *m, const vs_patch *a, const int8_t *side, const vs_patch
       widen(m, at, (uint32_t)m->ends.count - first);
       if (!VS_PUSH(m->k, m->ends, ((end){ x[i].point, VS_NONE }))) return false;
     } else if (side[i] * side[j] < 0) {
+      crossing *known = crossing_of(m, x[i].point, x[j].point, (uint32_t)(b - c->patches.at));
+      if (known->fresh == PAST) continue;
       double u = (double)height(plane, x[i].at), v = (double)height(plane, x[j].at), t = u / (u - v), at[3];
       for (int e = 0; e < 3; e++) at[e] = x[i].at[e] + t * ((double)x[j].at[e] - x[i].at[e]); /* right to 2^-24 steps: u and v are but for rounding */
-      bool inside = true;
-      for (uint32_t e = 0; inside && e < b->count; e++) {
+      bool inside = true, asked = known->fresh == NEW;
+      for (uint32_t e = 0; asked && inside && e < b->count; e++) {
         const int32_t *p = y[e].at, *q = y[e + 1 == b->count ? 0 : e + 1].at;
         double left = (((double)q[plane->u] - p[plane->u]) * (at[plane->v] - p[plane->v]) - ((double)q[plane->v] - p[plane->v]) * (at[plane->u] - p[plane->u])) * turn;
         if (left > 64) continue; /* its error is below 2^27 * 2^-24 twice */
         inside = left >= -64 && vs_orient3d(x[i].at, x[j].at, p, q) * side[i] * turn <= 0;
       }
+      if (asked) known->fresh = inside ? THROUGH : PAST;
       if (!inside) continue;
       widen(m, at, (uint32_t)m->ends.count - first);
       if (!VS_PUSH(m->k, m->ends, ((end){ VS_NONE, i << 1 | second }))) return false; /* made into a point below */
@@ -165,14 +195,14 @@ static bool meet(void *context, uint32_t first, uint32_t second) {
   uint32_t base = (uint32_t)m->ends.count;
   if (a->place == b->place && a->plane != b->plane && only_neighbours(c, a, b)) return true;
   if (a->plane == b->plane) return !overlap(c, a, b) || VS_PUSH(m->k, m->contacts, ((contact){ first, second, base, 0 }));
-  if (!VS_ROOM(m->k, m->side_a.at, m->side_a.room, a->count) || !VS_ROOM(m->k, m->side_b.at, m->side_b.room, b->count)) return false;
-  if (!sides(m, b, &c->planes.all.at[a->plane], m->side_b.at) || !sides(m, a, &c->planes.all.at[b->plane], m->side_a.at)) return true;
-  if (!ends(m, a, m->side_a.at, b, base, 0) || !ends(m, b, m->side_b.at, a, base, 1)) return false;
+  if (!VS_ROOM(m->k, m->w->side_a.at, m->w->side_a.room, a->count) || !VS_ROOM(m->k, m->w->side_b.at, m->w->side_b.room, b->count)) return false;
+  if (!sides(m, b, &c->planes.all.at[a->plane], m->w->side_b.at) || !sides(m, a, &c->planes.all.at[b->plane], m->w->side_a.at)) return true;
+  if (!ends(m, a, m->w->side_a.at, b, base, 0) || !ends(m, b, m->w->side_b.at, a, base, 1)) return false;
   uint32_t count = (uint32_t)m->ends.count - base;
   if (count == 0) return true;
   if (a->place != b->place) {
     const double *p = m->span[0], *q = m->span[count > 1];
-    if (count <= 2 && vs_cull_segment(c, a->place, b->place, p, q)) {
+    if (count <= 2 && vs_cull_segment(c, a->place, b->place, p, q, &m->hints)) {
       m->ends.count = base;
       return true;
     }
@@ -183,11 +213,17 @@ static bool meet(void *context, uint32_t first, uint32_t second) {
     const vs_patch *from = e->fresh & 1 ? b : a, *through = e->fresh & 1 ? a : b;
     uint32_t at = e->fresh >> 1;
     const vs_patch_corner *x = corners(c, from);
+    const vs_patch_corner *p = &x[at], *q = &x[at + 1 == from->count ? 0 : at + 1];
+    crossing *known = crossing_of(m, p->point, q->point, e->fresh & 1 ? first : second);
+    if (known->fresh < m->fresh.count) {
+      e->fresh = known->fresh;
+      continue;
+    }
     vs_fresh_point made;
-    if (!vs_meet_edge(x[at].at, x[at + 1 == from->count ? 0 : at + 1].at, &c->planes.all.at[through->plane], &made.at))
+    if (!vs_meet_edge(p->at, q->at, &c->planes.all.at[through->plane], &made.at))
       return VS_BROKEN(m->k, "an edge and a plane do not meet");
     vs_fresh_fill(&made);
-    e->fresh = (uint32_t)m->fresh.count;
+    e->fresh = known->fresh = (uint32_t)m->fresh.count;
     if (!VS_PUSH(m->k, m->fresh, made)) return false;
   }
   return VS_PUSH(m->k, m->contacts, ((contact){ first, second, base, count }));
@@ -202,6 +238,7 @@ typedef struct {
   VS_LIST(uint32_t) line; /* the points of a contact, in order along it */
   VS_LIST(uint32_t) ids;  /* of a chunk's fresh points */
   chunk chunks[VS_PIPELINE_WINDOW];
+  working *works; /* one a thread */
 } meeting;
 
 static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_t plane) {
@@ -258,15 +295,23 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   chunk *m = &all->chunks[index % VS_PIPELINE_WINDOW];
   m->k = k;
   m->c = all->c;
+  m->w = &all->works[k->worker];
   m->contacts.count = m->ends.count = m->fresh.count = 0;
-  uint32_t first = (uint32_t)index * CHUNK;
+  uint32_t first = (uint32_t)index * CHUNK, blocks = vs_bvh_blocks(&all->c->bvh) - first;
+  size_t crossings = 64;
+  while (crossings < CROSSINGS && crossings < 32 * (size_t)blocks) crossings *= 2;
+  if (!VS_ROOM(k, m->w->crossings.at, m->w->crossings.room, crossings)) return false;
+  memset(m->w->crossings.at, 0xff, crossings * sizeof *m->w->crossings.at); /* nobody's: what a chunk finds depends on itself alone */
+  memset(&m->hints, 0, sizeof m->hints);
+  m->w->crossings.count = crossings;
   return vs_bvh_pairs(&all->c->bvh, first, first + CHUNK, meet, m);
 }
 
 bool vs_meet_patches(vs_kernel *k, vs_cluster *c) {
   meeting m = { .k = k, .c = c };
-  size_t room = 0;
-  bool ok = VS_ROOM(k, m.group, room, c->facets.count + 1);
+  size_t room = 0, works = 0;
+  bool ok = VS_ROOM(k, m.group, room, c->facets.count + 1) && VS_ROOM(k, m.works, works, k->threads);
+  if (ok) memset(m.works, 0, works * sizeof *m.works);
   if (ok) vs_disjoint(m.group, (uint32_t)c->facets.count);
   ok = ok && vs_kernel_pipeline(k, ((size_t)vs_bvh_blocks(&c->bvh) + CHUNK - 1) / CHUNK, meet_chunk, absorb, &m);
   for (uint32_t i = 0; ok && i < c->facets.count; i++) c->facets.at[i].group = vs_find(m.group, i);
@@ -274,9 +319,13 @@ bool vs_meet_patches(vs_kernel *k, vs_cluster *c) {
     VS_DROP(k, m.chunks[i].contacts);
     VS_DROP(k, m.chunks[i].ends);
     VS_DROP(k, m.chunks[i].fresh);
-    VS_DROP(k, m.chunks[i].side_a);
-    VS_DROP(k, m.chunks[i].side_b);
   }
+  for (size_t i = 0; i < works; i++) {
+    VS_DROP(k, m.works[i].side_a);
+    VS_DROP(k, m.works[i].side_b);
+    VS_DROP(k, m.works[i].crossings);
+  }
+  VS_FREE(k, m.works, works);
   VS_DROP(k, m.line);
   VS_DROP(k, m.ids);
   VS_FREE(k, m.group, room);
