@@ -6,28 +6,21 @@
  *             edge: the surface stays a manifold of the same kind) and no triangle around it turns over
  *   flip      a triangle lower than two units gives its longest edge to its top: the neighbour behind that edge is cut in two there
  *   drop      a shell that is thinner than two units all over
- * Then what may still meet something that it does not meet before rounding is looked for beside all that was suspect. */
-#include "kernel/settle.h"
+ * Then what may still meet something that it does not meet before rounding is looked for beside all that was suspect (met.c).
+ *
+ * One look at all triangles, by threads, finds the few where there is anything to do; from then on only these are looked at, and what has changed since. */
+#include "kernel/settling.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "kernel/apart.h"
 #include "kernel/shells.h"
 #include "model/disjoint.h"
 
 enum { ROUNDS = 3, PASSES = 3 /* of flips, in a round */ };
 
-typedef struct {
-  vs_kernel *k;
-  vs_mesh *m;
-  vs_numbers numbers;
-  double coarsest;          /* two units where the mesh reaches furthest */
-  uint32_t *first, *around; /* triangles of a vertex */
-  uint8_t *busy;            /* of a vertex: something near it has changed in this round */
-  uint8_t *gone;            /* of a triangle */
-  uint8_t *suspect;         /* of a vertex: 1: a triangle here was thin, or is bent by rounding; 2: near here something meets something */
-} settling;
+typedef vs_settling settling;
 
 static double unit(double x, vs_numbers numbers) {
   int exponent;
@@ -46,10 +39,12 @@ static double rounded(double x, vs_numbers numbers) {
   }
   return x;
 }
-static vs_vec3 corner(const settling *s, uint32_t v) {
+vs_vec3 vs_settling_corner(const vs_settling *s, uint32_t v) {
   vs_vec3 p = s->m->vertices[v];
   return vs_v3(rounded(p.x, s->numbers), rounded(p.y, s->numbers), rounded(p.z, s->numbers));
 }
+
+static vs_vec3 corner(const settling *s, uint32_t v) { return vs_settling_corner(s, v); }
 
 static bool near(double a, double b, vs_numbers numbers) {
   double d = fabs(a - b), most = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
@@ -81,9 +76,11 @@ static bool bent(const settling *s, uint32_t t) {
   return !(vs_v3_dot(n, r) > 0.999 * vs_v3_length(n) * vs_v3_length(r));
 }
 
+static const uint32_t *around(const settling *s, uint32_t v) { return s->around.at + s->fans.at[v].first; }
+
 static bool is_neighbour(const settling *s, uint32_t v, uint32_t other) {
-  for (uint32_t i = s->first[v]; i < s->first[v + 1]; i++) {
-    const uint32_t *t = s->m->triangles[s->around[i]];
+  for (uint32_t i = 0; i < s->fans.at[v].count; i++) {
+    const uint32_t *t = s->m->triangles[around(s, v)[i]];
     if (t[0] == other || t[1] == other || t[2] == other) return true;
   }
   return false;
@@ -98,12 +95,140 @@ static bool too_thin(const settling *s, uint32_t t) {
   return square < least * least * longest;
 }
 
+bool vs_settling_is_noise(const vs_settling *s, uint32_t t) { return too_thin(s, t) && bent(s, t); }
+
+/* Has it an edge that may be too short? */
+static bool has_short(const settling *s, uint32_t t) {
+  const uint32_t *v = s->m->triangles[t];
+  for (int j = 0; j < 3; j++) {
+    uint32_t a = v[j], b = v[(j + 1) % 3];
+    vs_vec3 d = vs_v3_sub(s->m->vertices[a], s->m->vertices[b]);
+    if (vs_v3_dot(d, d) < 4 * s->coarsest * s->coarsest && (too_short(s, a, b) || unsure(s, a, b))) return true;
+  }
+  return false;
+}
+
+/* ---- the few that are looked at ---- */
+
+enum { TASK = 1 << 13 };
+typedef struct {
+  settling *s;
+  bool noise; /* any is */
+  struct { VS_LIST(uint32_t) at; bool noise; } found[VS_PIPELINE_WINDOW];
+} scan;
+
+static bool scan_some(vs_kernel *k, void *context, size_t index) {
+  scan *c = context;
+  const settling *s = c->s;
+  size_t begin = index * TASK, end = s->m->triangle_count - begin < TASK ? s->m->triangle_count : begin + TASK, at = index % VS_PIPELINE_WINDOW;
+  c->found[at].at.count = 0;
+  c->found[at].noise = false;
+  for (size_t t = begin; t < end; t++) {
+    bool noise = vs_settling_is_noise(s, (uint32_t)t);
+    c->found[at].noise = c->found[at].noise || noise;
+    if ((noise || has_short(s, (uint32_t)t)) && !VS_PUSH(k, c->found[at].at, (uint32_t)t)) return false;
+  }
+  return vs_kernel_report(k, 1);
+}
+
+static bool take_found(vs_kernel *k, void *context, size_t index) {
+  scan *c = context;
+  size_t at = index % VS_PIPELINE_WINDOW;
+  c->noise = c->noise || c->found[at].noise;
+  for (size_t i = 0; i < c->found[at].at.count; i++)
+    if (!VS_PUSH(k, c->s->look, c->found[at].at.at[i])) return false;
+  return true;
+}
+
+/* *any: is there any noise? */
+static bool find_look(settling *s, bool *any) {
+  scan c = { .s = s };
+  s->look.count = 0;
+  bool ok = vs_kernel_pipeline(s->k, (s->m->triangle_count + TASK - 1) / TASK, scan_some, take_found, &c);
+  for (int i = 0; i < VS_PIPELINE_WINDOW; i++) VS_DROP(s->k, c.found[i].at);
+  *any = c.noise;
+  return ok;
+}
+
+static bool look_at(settling *s, uint32_t t) {
+  if (s->listed.at[t] & 1) return true;
+  s->listed.at[t] |= 1;
+  return VS_PUSH(s->k, s->look, t);
+}
+
+static int number_order(const void *a, const void *b) {
+  uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+  return x < y ? -1 : x > y;
+}
+
+/* A round begins: nothing is busy, and what has come to be looked at stands in its place. */
+static void begin_round(settling *s) {
+  memset(s->busy.at, 0, s->m->vertex_count);
+  for (size_t i = 1; i < s->look.count; i++)
+    if (s->look.at[i - 1] > s->look.at[i]) {
+      qsort(s->look.at, s->look.count, sizeof *s->look.at, number_order);
+      return;
+    }
+}
+
+/* Fans anew, and marks of what is looked at. */
+static bool index_mesh(settling *s) {
+  const vs_mesh *m = s->m;
+  size_t n = m->vertex_count, triangles = m->triangle_count;
+  if (!VS_ROOM(s->k, s->fans.at, s->fans.room, n + 1) || !VS_ROOM(s->k, s->around.at, s->around.room, 3 * triangles + 1) ||
+      !VS_ROOM(s->k, s->listed.at, s->listed.room, triangles + 1))
+    return false;
+  memset(s->fans.at, 0, (n + 1) * sizeof *s->fans.at);
+  memset(s->listed.at, 0, triangles);
+  memset(s->gone.at, 0, triangles);
+  for (size_t t = 0; t < triangles; t++)
+    for (int j = 0; j < 3; j++) s->fans.at[m->triangles[t][j]].count++;
+  uint32_t sum = 0;
+  for (size_t v = 0; v < n; v++) {
+    s->fans.at[v].first = sum;
+    sum += s->fans.at[v].count;
+    s->fans.at[v].count = 0;
+  }
+  for (size_t t = 0; t < triangles; t++)
+    for (int j = 0; j < 3; j++) {
+      vs_fan *f = &s->fans.at[m->triangles[t][j]];
+      s->around.at[f->first + f->count++] = (uint32_t)t;
+    }
+  s->around.count = sum;
+  for (size_t i = 0; i < s->look.count; i++) s->listed.at[s->look.at[i]] = 1;
+  return vs_kernel_report(s->k, 1);
+}
+
+/* The triangle has the corner now; has it no longer. */
+static bool give(settling *s, uint32_t v, uint32_t t) {
+  vs_fan *f = &s->fans.at[v];
+  if (f->first + f->count != s->around.count) { /* to where there is room behind it */
+    if (!VS_ROOM(s->k, s->around.at, s->around.room, s->around.count + f->count + 1)) return false;
+    if (f->count) memcpy(s->around.at + s->around.count, s->around.at + f->first, f->count * sizeof *s->around.at);
+    f->first = (uint32_t)s->around.count;
+    s->around.count += f->count;
+  }
+  f->count++;
+  return VS_PUSH(s->k, s->around, t);
+}
+
+static void take_off(settling *s, uint32_t v, uint32_t t) {
+  vs_fan *f = &s->fans.at[v];
+  uint32_t *at = s->around.at + f->first, kept = 0;
+  for (uint32_t i = 0; i < f->count; i++)
+    if (at[i] != t) at[kept++] = at[i];
+  f->count = kept;
+}
+
+/* ---- short edges ---- */
+
 /* May b become a? Every triangle around b that stays must keep its side, as far as it had one. */
 static bool allowed(const settling *s, uint32_t a, uint32_t b) {
   uint32_t common = 0, both = 0;
   vs_vec3 to = s->m->vertices[a];
-  for (uint32_t i = s->first[b]; i < s->first[b + 1]; i++) {
-    const uint32_t *t = s->m->triangles[s->around[i]];
+  for (uint32_t i = 0; i < s->fans.at[b].count; i++) {
+    uint32_t other = around(s, b)[i];
+    const uint32_t *t = s->m->triangles[other];
     uint32_t j = t[0] == b ? 0 : t[1] == b ? 1 : 2, p = t[(j + 1) % 3], q = t[(j + 2) % 3];
     if (p == a || q == a) {
       both++;
@@ -111,10 +236,10 @@ static bool allowed(const settling *s, uint32_t a, uint32_t b) {
     }
     if (is_neighbour(s, a, p)) common++; /* p stands once as the next of b: each neighbour is counted once, but for the two of the edge's triangles */
     vs_vec3 before = normal(s->m->vertices[b], s->m->vertices[p], s->m->vertices[q]), after = normal(to, s->m->vertices[p], s->m->vertices[q]);
-    if (vs_v3_dot(before, after) < 0 && !(too_thin(s, s->around[i]) && bent(s, s->around[i]))) return false; /* noise may turn */
+    if (vs_v3_dot(before, after) < 0 && !vs_settling_is_noise(s, other)) return false; /* noise may turn */
   }
   /* around b, next corners: a, then p of each other triangle; the two apexes are neighbours of a, and one of them is counted above */
-  bool tetrahedron = s->first[a + 1] - s->first[a] == 3 && s->first[b + 1] - s->first[b] == 3; /* would become two sheets on each other */
+  bool tetrahedron = s->fans.at[a].count == 3 && s->fans.at[b].count == 3; /* would become two sheets on each other */
   return both == 2 && common == 1 && !tetrahedron;
 }
 
@@ -136,12 +261,13 @@ static bool flip(settling *s, uint32_t t) {
   for (int j = 0; j < 3; j++) length[j] = vs_v3_length(vs_v3_sub(m->vertices[v[(j + 1) % 3]], m->vertices[v[j]]));
   int base = length[0] >= length[1] && length[0] >= length[2] ? 0 : length[1] >= length[2] ? 1 : 2;
   uint32_t p = v[base], q = v[(base + 1) % 3], top = v[(base + 2) % 3], other = UINT32_MAX, far = 0;
-  for (uint32_t i = s->first[p]; i < s->first[p + 1]; i++) {
-    const uint32_t *w = m->triangles[s->around[i]];
+  for (uint32_t i = 0; i < s->fans.at[p].count; i++) {
+    const uint32_t *w = m->triangles[around(s, p)[i]];
     for (int j = 0; j < 3; j++)
-      if (w[j] == q && w[(j + 1) % 3] == p) other = s->around[i], far = w[(j + 2) % 3];
+      if (w[j] == q && w[(j + 1) % 3] == p) other = around(s, p)[i], far = w[(j + 2) % 3];
   }
-  if (other == UINT32_MAX || far == top || s->busy[p] || s->busy[q] || s->busy[top] || s->busy[far] || is_neighbour(s, top, far)) return false;
+  const uint8_t *busy = s->busy.at;
+  if (other == UINT32_MAX || far == top || busy[p] || busy[q] || busy[top] || busy[far] || is_neighbour(s, top, far)) return false;
   const vs_vec3 *x = m->vertices;
   vs_vec3 before = normal(x[q], x[p], x[far]), rp = corner(s, p), rq = corner(s, q), rt = corner(s, top), rf = corner(s, far);
   if (!same_side(before, x[p], x[far], x[top]) || !same_side(before, x[far], x[q], x[top])) return false;
@@ -152,57 +278,62 @@ static bool flip(settling *s, uint32_t t) {
   memcpy(m->triangles[t], one, sizeof one);
   memcpy(m->triangles[other], two, sizeof two);
   if (m->tags) m->tags[t] = m->tags[other];
-  s->busy[p] = s->busy[q] = s->busy[top] = s->busy[far] = 1;
-  s->suspect[top] |= 1;
+  s->busy.at[p] = s->busy.at[q] = s->busy.at[top] = s->busy.at[far] = 1;
+  s->suspect.at[top] |= VS_NEAR_THIN;
+  take_off(s, p, other);
+  take_off(s, q, t);
+  return give(s, top, other) && give(s, far, t) && look_at(s, t) && look_at(s, other);
+}
+
+/* The rounds count what they have done; false: out of memory. */
+static bool flip_round(settling *s, size_t *done) {
+  begin_round(s);
+  *done = 0;
+  for (size_t i = 0, n = s->look.count; i < n; i++) {
+    if (!vs_kernel_poll(s->k, 1)) return false;
+    if (!s->gone.at[s->look.at[i]] && vs_settling_is_noise(s, s->look.at[i])) *done += flip(s, s->look.at[i]);
+  }
+  return s->k->error->status == VS_KERNEL_FINE;
+}
+
+/* b becomes a: the two triangles along their edge go. */
+static bool collapse(settling *s, uint32_t a, uint32_t b) {
+  vs_mesh *m = s->m;
+  for (int end = 0; end < 2; end++)
+    for (uint32_t i = 0, v = end ? b : a; i < s->fans.at[v].count; i++)
+      for (int k = 0; k < 3; k++) s->busy.at[m->triangles[around(s, v)[i]][k]] = 1;
+  for (uint32_t i = 0; i < s->fans.at[b].count; i++) {
+    uint32_t t = around(s, b)[i], *v = m->triangles[t];
+    if (v[0] == a || v[1] == a || v[2] == a) {
+      s->gone.at[t] = 1;
+      for (int k = 0; k < 3; k++)
+        if (v[k] != b) take_off(s, v[k], t);
+    } else {
+      for (int k = 0; k < 3; k++)
+        if (v[k] == b) v[k] = a;
+      if (!give(s, a, t) || !look_at(s, t)) return false;
+    }
+  }
+  s->fans.at[b].count = 0;
+  s->suspect.at[a] |= VS_NEAR_THIN;
   return true;
 }
 
-/* Does the caller go on? Cheap enough for every triangle. */
-static bool asked(settling *s) { return s->k->error->status == VS_KERNEL_FINE && vs_kernel_poll(s->k, 1); }
-
-/* Rounds stop where the caller does not go on: the error says so. */
-static size_t flip_round(settling *s) {
-  size_t done = 0;
-  for (uint32_t t = 0; t < s->m->triangle_count && asked(s); t++)
-    if (too_thin(s, t) && bent(s, t)) done += flip(s, t);
-  return done;
-}
-
-static void index_vertices(settling *s) {
-  vs_mesh *m = s->m;
-  size_t n = (size_t)(uint32_t)m->vertex_count + 2;
-  for (size_t i = 0; i < n; i++) s->first[i] = 0;
-  for (size_t i = 0; i < 3 * m->triangle_count; i++) s->first[m->triangles[i / 3][i % 3] + 2]++;
-  for (size_t i = 2; i < n; i++) s->first[i] += s->first[i - 1];
-  for (size_t i = 0; i < 3 * m->triangle_count; i++) s->around[s->first[m->triangles[i / 3][i % 3] + 1]++] = (uint32_t)(i / 3);
-  memset(s->busy, 0, m->vertex_count);
-  memset(s->gone, 0, m->triangle_count);
-  vs_kernel_report(s->k, 1);
-}
-
-static size_t collapse_round(settling *s) {
-  vs_mesh *m = s->m;
-  size_t done = 0;
-  for (uint32_t t = 0; t < m->triangle_count && asked(s); t++)
-    for (int j = 0; j < 3 && !s->gone[t]; j++) {
-      uint32_t a = m->triangles[t][j], b = m->triangles[t][(j + 1) % 3], c;
-      if (s->busy[a] || s->busy[b] || !(too_short(s, a, b) || (unsure(s, a, b) && bent(s, t)))) continue;
-      if (a > b) c = a, a = b, b = c;
-      if (!allowed(s, a, b)) continue;
-      for (int end = 0; end < 2; end++)
-        for (uint32_t i = s->first[end ? b : a]; i < s->first[(end ? b : a) + 1]; i++)
-          for (int k = 0; k < 3; k++) s->busy[m->triangles[s->around[i]][k]] = 1;
-      for (uint32_t i = s->first[b]; i < s->first[b + 1]; i++) {
-        uint32_t *v = m->triangles[s->around[i]];
-        for (int k = 0; k < 3; k++)
-          if (v[k] == b) v[k] = a;
-        if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) s->gone[s->around[i]] = 1;
-      }
-      s->suspect[a] |= 1;
-      done++;
+static bool collapse_round(settling *s, size_t *done) {
+  const vs_mesh *m = s->m;
+  begin_round(s);
+  *done = 0;
+  for (size_t i = 0, n = s->look.count; i < n; i++) {
+    uint32_t t = s->look.at[i];
+    if (!vs_kernel_poll(s->k, 1)) return false;
+    for (int j = 0; j < 3 && !s->gone.at[t]; j++) {
+      uint32_t a = m->triangles[t][j], b = m->triangles[t][(j + 1) % 3], low = a < b ? a : b, high = a < b ? b : a;
+      if (s->busy.at[a] || s->busy.at[b] || !(too_short(s, a, b) || (unsure(s, a, b) && bent(s, t))) || !allowed(s, low, high)) continue;
+      if (!collapse(s, low, high)) return false;
+      ++*done;
     }
-  if (done) vs_mesh_squeeze(m, s->gone);
-  return done;
+  }
+  return true;
 }
 
 /* ---- blades ---- */
@@ -221,15 +352,15 @@ static bool drop_blades(settling *s, vs_settled *out) {
   for (uint32_t t = 0; ok && t < m->triangle_count; t++) {
     uint32_t shell = shells.of[m->triangles[t][0]];
     if (!goes[shell] && is_blade(s, &shells.at[shell]) && bent(s, t)) goes[shell] = 1;
-    ok = asked(s);
+    ok = vs_kernel_poll(s->k, 1);
   }
   for (uint32_t i = 0; ok && i < shells.count; i++) {
     if (!goes[i]) continue;
     if (going++ == 0) out->dropped_at = shells.at[i].from;
   }
   if (ok && going && going < shells.count) {
-    for (size_t t = 0; t < m->triangle_count; t++) s->gone[t] = goes[shells.of[m->triangles[t][0]]];
-    vs_mesh_squeeze(m, s->gone);
+    for (size_t t = 0; t < m->triangle_count; t++) s->gone.at[t] = goes[shells.of[m->triangles[t][0]]];
+    vs_mesh_squeeze(m, s->gone.at);
     out->dropped = going;
   }
   vs_shells_free(&shells);
@@ -263,7 +394,7 @@ static sheet sheet_of(const uint32_t v[3], uint32_t t) {
 
 static bool is_met(const settling *s, uint32_t t) { /* near one that meets another, as count_met found */
   const uint32_t *v = s->m->triangles[t];
-  return (s->suspect[v[0]] | s->suspect[v[1]] | s->suspect[v[2]]) & 2;
+  return (s->suspect.at[v[0]] | s->suspect.at[v[1]] | s->suspect.at[v[2]]) & VS_NEAR_MET;
 }
 
 /* Corners within a few units of each other, joined by edges of triangles that rounding bends (or all) near where something meets, become one; what then is an
@@ -298,112 +429,67 @@ static bool contract(settling *s, double near_units, bool all, size_t *count) {
       moved = moved || to != v[j];
       v[j] = to;
     }
-    s->gone[t] = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+    s->gone.at[t] = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
     for (int j = 0; j < 3; j++) moved = moved || !vs_v3_equal(boxes[v[j]].min, boxes[v[j]].max);
-    if (moved && !s->gone[t]) sheets[sheets_count++] = sheet_of(v, t);
+    if (moved && !s->gone.at[t]) sheets[sheets_count++] = sheet_of(v, t);
   }
   if (sheets_count) qsort(sheets, sheets_count, sizeof *sheets, sheet_order);
   for (size_t i = 0, end; i < sheets_count; i = end) { /* of one place: as many of either side go */
     size_t even = i, odd;
     for (end = i; end < sheets_count && memcmp(sheets[end].corner, sheets[i].corner, sizeof sheets[i].corner) == 0; end++) even += !sheets[end].odd;
     odd = even;
-    for (size_t j = i; j < even && odd < end; j++, odd++) s->gone[sheets[j].triangle] = s->gone[sheets[odd].triangle] = 1;
+    for (size_t j = i; j < even && odd < end; j++, odd++) s->gone.at[sheets[j].triangle] = s->gone.at[sheets[odd].triangle] = 1;
   }
-  if (ok && *count) vs_mesh_squeeze(m, s->gone);
+  if (ok && *count) vs_mesh_squeeze(m, s->gone.at);
   free(parent);
   free(boxes);
   free(sheets);
   return ok;
 }
 
-/* ---- what remains ---- */
+/* ---- all of it ---- */
 
-/* Triangles around a corner, and around those next to it: each once, in order. */
-static size_t gather(const settling *s, uint32_t v, uint32_t *list, size_t room) {
-  size_t n = 0;
-  for (uint32_t i = s->first[v]; i < s->first[v + 1]; i++)
-    for (int j = 0; j < 3; j++) {
-      uint32_t w = s->m->triangles[s->around[i]][j];
-      for (uint32_t k = s->first[w]; k < s->first[w + 1] && n < room; k++) {
-        uint32_t t = s->around[k];
-        size_t at = n;
-        while (at > 0 && list[at - 1] > t) at--;
-        if (at > 0 && list[at - 1] == t) continue;
-        memmove(list + at + 1, list + at, (n++ - at) * sizeof *list);
-        list[at] = t;
-      }
-    }
-  return n;
-}
-
-/* Counts triangles that rounding makes meet others near a suspect corner: of each, once. */
-static void count_met(settling *s, vs_settled *out) {
-  enum { ROOM = 96 };
-  const vs_mesh *m = s->m;
-  uint32_t list[ROOM];
-  memset(s->gone, 0, m->triangle_count);
-  for (uint32_t t = 0; t < m->triangle_count; t++)
-    if (too_thin(s, t) && bent(s, t))
-      for (int j = 0; j < 3; j++) s->suspect[m->triangles[t][j]] |= 1;
-  for (uint32_t v = 0; v < m->vertex_count && asked(s); v++) {
-    if (!(s->suspect[v] & 1)) continue;
-    size_t n = gather(s, v, list, ROOM);
-    for (uint32_t i = s->first[v]; i < s->first[v + 1]; i++)
-      for (size_t j = 0; j < n; j++) {
-        uint32_t t = s->around[i], u = list[j];
-        vs_vec3 a[3], b[3];
-        int shared;
-        if (t == u || s->gone[t]) continue;
-        for (int k = 0; k < 3; k++) a[k] = corner(s, m->triangles[t][k]), b[k] = corner(s, m->triangles[u][k]);
-        if (vs_v3_equal(a[0], a[1]) || vs_v3_equal(a[1], a[2]) || vs_v3_equal(a[2], a[0]) || vs_v3_equal(b[0], b[1]) || vs_v3_equal(b[1], b[2]) || vs_v3_equal(b[2], b[0])) continue;
-        if (vs_triangles_apart(a, b, &shared)) continue;
-        s->gone[t] = 1;
-        for (size_t k = 0; k < n; k++)
-          for (int l = 0; l < 3; l++) s->suspect[m->triangles[list[k]][l]] |= 2;
-        if (out->met++ == 0) out->at = a[0];
-      }
-  }
-}
-
-static void drop_vertices(settling *s) {
+static bool drop_vertices(settling *s) {
   vs_mesh *m = s->m;
-  uint32_t *number = s->first, count = 0;
-  memset(number, 0, m->vertex_count * sizeof *number);
-  for (size_t i = 0; i < 3 * m->triangle_count; i++) number[m->triangles[i / 3][i % 3]] = 1;
+  uint32_t count = 0;
+  VS_LIST(uint32_t) number = { 0 };
+  if (!VS_ROOM(s->k, number.at, number.room, m->vertex_count + 1)) return false;
+  memset(number.at, 0, m->vertex_count * sizeof *number.at);
+  for (size_t i = 0; i < 3 * m->triangle_count; i++) number.at[m->triangles[i / 3][i % 3]] = 1;
   for (uint32_t v = 0; v < m->vertex_count; v++)
-    if (number[v]) {
+    if (number.at[v]) {
       m->vertices[count] = m->vertices[v];
-      number[v] = count++;
+      number.at[v] = count++;
     }
   m->vertex_count = count;
-  for (size_t i = 0; i < 3 * m->triangle_count; i++) m->triangles[i / 3][i % 3] = number[m->triangles[i / 3][i % 3]];
+  for (size_t i = 0; i < 3 * m->triangle_count; i++) m->triangles[i / 3][i % 3] = number.at[m->triangles[i / 3][i % 3]];
+  VS_DROP(s->k, number);
+  return true;
 }
 
-bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_settled *out, vs_kernel_error *error) {
-  bool places = numbers == VS_NUMBERS_SOUP;
-  if (places) numbers = VS_NUMBERS_SINGLE;
-  vs_kernel_error ignored;
-  vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = 1, .done = 1 };
-  settling s = { .k = &k, .m = m, .numbers = numbers };
-  *k.error = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };
-  *out = (vs_settled){ 0 };
+/* Numbers have changed: everything is looked at anew. */
+static bool begin_again(settling *s) {
+  bool any;
+  return find_look(s, &any) && index_mesh(s);
+}
+
+static bool settle(settling *s, bool places, vs_settled *out) {
+  vs_mesh *m = s->m;
+  size_t n = m->vertex_count, collapsed, flipped, more;
   bool any = false, ok = true;
   vs_bounds b = vs_mesh_bounds(m);
-  s.coarsest = 2 * unit(larger(reach(b.min), reach(b.max)), numbers);
-  for (uint32_t t = 0; t < m->triangle_count && !any && asked(&s); t++) any = too_thin(&s, t) && bent(&s, t);
-  if (!any) return k.error->status == VS_KERNEL_FINE;
-  s.first = malloc((m->vertex_count + 2) * sizeof *s.first);
-  s.around = malloc((3 * m->triangle_count + 1) * sizeof *s.around);
-  s.busy = malloc(m->vertex_count + 1);
-  s.suspect = calloc(m->vertex_count + 1, 1);
-  s.gone = malloc(m->triangle_count + 1);
-  ok = s.first && s.around && s.busy && s.suspect && s.gone && drop_blades(&s, out);
-  for (int round = 0; ok && asked(&s) && round < ROUNDS; round++) {
-    index_vertices(&s);
-    size_t collapsed = collapse_round(&s), flipped = 0;
-    for (int pass = 0; pass < PASSES; pass++) {
-      index_vertices(&s);
-      size_t more = flip_round(&s);
+  s->coarsest = 2 * unit(larger(reach(b.min), reach(b.max)), s->numbers);
+  if (!find_look(s, &any)) return false;
+  if (!any) return true;
+  if (!VS_ROOM(s->k, s->busy.at, s->busy.room, n + 1) || !VS_ROOM(s->k, s->suspect.at, s->suspect.room, n + 1) || !VS_ROOM(s->k, s->gone.at, s->gone.room, m->triangle_count + 1))
+    return false;
+  memset(s->suspect.at, 0, n);
+  if (!drop_blades(s, out) || !(out->dropped ? begin_again(s) : index_mesh(s))) return false;
+  for (int round = 0; ok && round < ROUNDS; round++) {
+    ok = collapse_round(s, &collapsed);
+    flipped = 0;
+    for (int pass = 0; ok && pass < PASSES; pass++) {
+      ok = flip_round(s, &more);
       flipped += more;
       if (!more) break;
     }
@@ -411,25 +497,33 @@ bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *opt
     out->flipped += flipped;
     if (!collapsed && !flipped) break;
   }
-  if (ok && numbers != VS_NUMBERS_DOUBLE) index_vertices(&s), count_met(&s, out);
-  for (int round = 0; ok && asked(&s) && places && out->met && round < ROUNDS; round++) {
+  if (ok && s->numbers != VS_NUMBERS_DOUBLE) ok = vs_settling_count_met(s, out);
+  if (ok) vs_mesh_squeeze(m, s->gone.at);
+  for (int round = 0; ok && places && out->met && round < ROUNDS; round++) {
     size_t contracted = 0;
-    index_vertices(&s);
-    ok = contract(&s, 4 << round, round == ROUNDS - 1, &contracted);
+    ok = contract(s, 4 << round, round == ROUNDS - 1, &contracted);
     if (!ok || !contracted) break;
     out->collapsed += contracted;
-    index_vertices(&s);
-    out->flipped += flip_round(&s);
-    index_vertices(&s);
-    out->met = 0;
-    count_met(&s, out);
+    ok = begin_again(s) && flip_round(s, &flipped) && vs_settling_count_met(s, out);
+    out->flipped += flipped;
   }
-  if (ok && (out->collapsed || out->dropped)) drop_vertices(&s);
-  free(s.first);
-  free(s.around);
-  free(s.busy);
-  free(s.suspect);
-  free(s.gone);
-  if (!ok) vs_kernel_fail(&k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); /* unless it was interrupted */
-  return k.error->status == VS_KERNEL_FINE;
+  return ok && (out->collapsed || out->dropped ? drop_vertices(s) : true);
+}
+
+bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_settled *out, vs_kernel_error *error) {
+  enum { SERIAL = 10000 }; /* triangles that are not worth a thread */
+  vs_kernel_error ignored;
+  vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = m->triangle_count < SERIAL ? 1 : vs_kernel_threads(options), .done = 1 };
+  settling s = { .k = &k, .m = m, .numbers = numbers == VS_NUMBERS_SOUP ? VS_NUMBERS_SINGLE : numbers };
+  *k.error = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };
+  *out = (vs_settled){ 0 };
+  bool ok = settle(&s, numbers == VS_NUMBERS_SOUP, out);
+  VS_DROP(&k, s.fans);
+  VS_DROP(&k, s.around);
+  VS_DROP(&k, s.look);
+  VS_DROP(&k, s.busy);
+  VS_DROP(&k, s.gone);
+  VS_DROP(&k, s.listed);
+  VS_DROP(&k, s.suspect);
+  return ok || (vs_kernel_fail(&k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"), false);
 }

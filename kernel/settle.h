@@ -17,8 +17,8 @@ typedef struct {
 
 /* Collapses edges of less than two units of the last place, where both the surface's kind and every triangle's side allow it, and flips the longest edges of triangles
  * that are lower than that, in at most three rounds.
- * m: closed and manifold by index; stays so, but for SOUP, where a closed chain is all that counts. Its corners stay doubles: rounding them is the writer's. options and error may be NULL. False: out of
- * memory, or interrupted. */
+ * m: closed and manifold by index; stays so, but for SOUP, where a closed chain is all that counts. Its corners stay doubles: rounding them is the writer's.
+ * options and error may be NULL. False: out of memory, or interrupted; m is not to be used then. */
 bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_settled *out, vs_kernel_error *error);
 
 #endif
