@@ -10,7 +10,6 @@
 #include "kernel/cluster.h"
 #include "kernel/sweep.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 enum { FEW = 24 }; /* up to so many segments all pairs are tried */
@@ -52,6 +51,9 @@ typedef struct {
   VS_LIST(uint32_t) list, scratch;
   VS_LIST(uint32_t) local;       /* of a point: its place in the sweep */
   VS_LIST(piece) pieces;
+  VS_LIST(piece) sorted;
+  VS_LIST(uint32_t) on_first;    /* where a segment's incidences begin, or a vertex' pieces */
+  VS_LIST(vs_keyed) keyed;
   VS_LIST(uint32_t) payload;     /* of each sweep edge: its first piece; one more */
   VS_LIST(uint32_t) above, below, face; /* of each edge, then union-find; face: what the sweep's face became */
   VS_LIST(uint32_t) face_first, face_edges, queue;
@@ -224,22 +226,70 @@ static bool crossings(plane_work *w) {
 
 /* ---- 3: pieces ---- */
 
-static bool on_before(const void *context, uint32_t x, uint32_t y) {
+static bool on_before(const void *context, uint32_t x, uint32_t y) { /* of one segment */
   const plane_work *w = context;
   const incidence *a = &w->on.at[x], *b = &w->on.at[y];
-  if (a->segment != b->segment) return a->segment < b->segment;
   const segment *s = &w->segments.at[a->segment];
   return vs_compare(view(w), a->point, b->point, s->axis) * vs_compare(view(w), s->p, s->q, s->axis) > 0;
 }
 
-static int piece_order(const void *a, const void *b) {
-  const piece *x = a, *y = b;
-  if (x->l != y->l) return x->l < y->l ? -1 : 1;
-  if (x->r != y->r) return x->r < y->r ? -1 : 1;
-  if (x->leaf != y->leaf) return x->leaf < y->leaf ? -1 : 1;
-  return x->delta < y->delta ? -1 : x->delta > y->delta;
+/* The incidences by segment, and along each: into list. */
+static bool order_on(plane_work *w) {
+  size_t n = w->segments.count, m = w->on.count;
+  if (!VS_ROOM(w->k, w->on_first.at, w->on_first.room, n + 2) || !VS_ROOM(w->k, w->keyed.at, w->keyed.room, 2 * m + 1)) return false;
+  uint32_t *first = w->on_first.at, *list = w->list.at;
+  memset(first, 0, (n + 2) * sizeof *first);
+  for (size_t i = 0; i < m; i++) first[w->on.at[i].segment + 2]++;
+  for (size_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
+  for (uint32_t i = 0; i < m; i++) list[first[w->on.at[i].segment + 1]++] = i;
+  for (uint32_t i = 0; i < n; i++) {
+    uint32_t low = first[i], count = first[i + 1] - low;
+    if (count < 2) continue;
+    const segment *s = &w->segments.at[i];
+    bool down = vs_compare(view(w), s->p, s->q, s->axis) > 0;
+    vs_keyed *at = w->keyed.at;
+    for (uint32_t j = 0; j < count; j++) {
+      int64_t x = w->points.at[w->on.at[list[low + j]].point].fixed[s->axis];
+      at[j] = (vs_keyed){ down ? -x : x, list[low + j] };
+    }
+    vs_sort_keyed(at, at + m, count);
+    for (uint32_t j = 0; j < count; j++) list[low + j] = at[j].item;
+    for (uint32_t j = 0, end; j < count; j = end) { /* closer than fixed numbers can say, or the same again and again */
+      for (end = j + 1; end < count && at[end].key == at[j].key;) end++;
+      if (end > j + 1) vs_kernel_sort(list + low + j, w->scratch.at, end - j, on_before, w);
+    }
+  }
+  return true;
 }
 
+static bool piece_before(const piece *x, const piece *y) {
+  if (x->r != y->r) return x->r < y->r;
+  return x->leaf != y->leaf ? x->leaf < y->leaf : x->delta < y->delta;
+}
+
+/* The pieces by both ends, and leaf: into sorted. Equal pieces are equal in all, so there is one order. */
+static bool order_pieces(plane_work *w) {
+  enum { MANY = 64 };
+  size_t n = w->sweep.vertices.count, m = w->pieces.count;
+  if (!VS_ROOM(w->k, w->on_first.at, w->on_first.room, n + 2) || !VS_ROOM(w->k, w->sorted.at, w->sorted.room, m + 1)) return false;
+  uint32_t *first = w->on_first.at;
+  memset(first, 0, (n + 2) * sizeof *first);
+  for (size_t i = 0; i < m; i++) first[w->pieces.at[i].l + 2]++;
+  for (size_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
+  for (size_t i = 0; i < m; i++) w->sorted.at[first[w->pieces.at[i].l + 1]++] = w->pieces.at[i];
+  for (size_t v = 0; v < n; v++) {
+    piece *at = w->sorted.at + first[v];
+    uint32_t count = first[v + 1] - first[v];
+    for (uint32_t gap = count > MANY ? count / 2 : 1; gap; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2)) /* shell sort: mostly a few, at times a hub */
+      for (uint32_t i = gap; i < count; i++) {
+        piece x = at[i];
+        uint32_t j = i;
+        for (; j >= gap && piece_before(&x, &at[j - gap]); j -= gap) at[j] = at[j - gap];
+        at[j] = x;
+      }
+  }
+  return true;
+}
 
 static bool add_piece(plane_work *w, uint32_t p, uint32_t q, uint32_t leaf) {
   uint32_t a = w->local.at[p], b = w->local.at[q];
@@ -266,8 +316,7 @@ static bool split(plane_work *w) {
   if (!vs_sweep_order(k, &w->sweep, list, unique, w->scratch.at)) return false;
   for (uint32_t i = 0; i < w->sweep.vertices.count; i++) w->local.at[w->sweep.vertices.at[i]] = i;
 
-  for (size_t i = 0; i < m; i++) list[i] = (uint32_t)i;
-  vs_kernel_sort(list, w->scratch.at, m, on_before, w);
+  if (!order_on(w)) return false;
   w->pieces.count = 0;
   size_t o = 0;
   for (uint32_t i = 0; i < n; i++) {
@@ -281,16 +330,16 @@ static bool split(plane_work *w) {
     }
     if (from != s->q && !add_piece(w, from, s->q, s->leaf)) return false;
   }
-  if (w->pieces.count) qsort(w->pieces.at, w->pieces.count, sizeof *w->pieces.at, piece_order); /* equal pieces are equal in all: one result */
+  if (!order_pieces(w)) return false;
+  const piece *sorted = w->sorted.at;
   w->sweep.edges.count = w->payload.count = 0;
-  size_t kept = 0;
-  for (size_t i = 0, end; i < w->pieces.count; i = end) { /* one edge per (l, r), with one piece per leaf whose delta is not 0 */
-    piece first = w->pieces.at[i];
-    if (!VS_PUSH(k, w->sweep.edges, ((vs_sweep_edge){ first.l, first.r })) || !VS_PUSH(k, w->payload, (uint32_t)kept)) return false;
-    for (end = i; end < w->pieces.count && w->pieces.at[end].l == first.l && w->pieces.at[end].r == first.r;) {
-      piece sum = w->pieces.at[end++];
-      while (end < w->pieces.count && w->pieces.at[end].l == first.l && w->pieces.at[end].r == first.r && w->pieces.at[end].leaf == sum.leaf)
-        sum.delta += w->pieces.at[end++].delta;
+  size_t kept = 0, count = w->pieces.count;
+  for (size_t i = 0, end; i < count; i = end) { /* one edge per (l, r), with one piece per leaf whose delta is not 0 */
+    const piece *at = &sorted[i];
+    if (!VS_PUSH(k, w->sweep.edges, ((vs_sweep_edge){ at->l, at->r })) || !VS_PUSH(k, w->payload, (uint32_t)kept)) return false;
+    for (end = i; end < count && sorted[end].l == at->l && sorted[end].r == at->r;) {
+      piece sum = sorted[end++];
+      while (end < count && sorted[end].l == at->l && sorted[end].r == at->r && sorted[end].leaf == sum.leaf) sum.delta += sorted[end++].delta;
       if (sum.leaf != VS_NONE && sum.delta != 0) w->pieces.at[kept++] = sum;
     }
   }
@@ -428,14 +477,6 @@ static bool give_facet(plane_work *w, uint32_t facet) { /* untouched */
   return VS_PUSH(w->k, to->covers, cover) && VS_PUSH(w->k, to->faces, face);
 }
 
-static bool cut_before(const void *context, uint32_t a, uint32_t b) {
-  const vs_cluster *c = context;
-  const vs_cut *x = &c->cuts.at[a], *y = &c->cuts.at[b];
-  uint32_t xl = x->p < x->q ? x->p : x->q, xh = x->p < x->q ? x->q : x->p, yl = y->p < y->q ? y->p : y->q, yh = y->p < y->q ? y->q : y->p;
-  if (xl != yl) return xl < yl;
-  return xh != yh ? xh < yh : x->plane < y->plane;
-}
-
 /* Facets and cuts by group, in the order of the groups' roots; chunks of them. */
 typedef struct {
   vs_cluster *c;
@@ -450,7 +491,8 @@ typedef struct {
 
 static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   const vs_cluster *c = w->c;
-  uint32_t begin = a->facet_first.at[root], end = a->facet_first.at[root + 1], *cuts = a->cuts.at + a->cut_first.at[root];
+  uint32_t begin = a->facet_first.at[root], end = a->facet_first.at[root + 1];
+  const uint32_t *cuts = a->cuts.at + a->cut_first.at[root];
   uint32_t cut_count = a->cut_first.at[root + 1] - a->cut_first.at[root];
   if (begin == end) return true;
   if (end == begin + 1 && !c->facets.at[root].touched) return give_facet(w, root);
@@ -459,16 +501,18 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   w->segments.count = w->points.count = w->global.count = w->more.count = w->heads.count = 0;
   for (uint32_t f = begin; f < end; f++)
     if (!add_facet(w, &c->facets.at[a->facets.at[f]])) return false;
-  if (!VS_ROOM(w->k, w->scratch.at, w->scratch.room, (size_t)cut_count + 1)) return false;
-  vs_kernel_sort(cuts, w->scratch.at, cut_count, cut_before, c);
-  uint32_t p = VS_NONE, q = VS_NONE;
+  if (!VS_ROOM(w->k, w->keyed.at, w->keyed.room, 2 * (size_t)cut_count + 1)) return false;
+  vs_keyed *at = w->keyed.at;
   for (uint32_t j = 0; j < cut_count; j++) {
     const vs_cut *cut = &c->cuts.at[cuts[j]];
-    uint32_t low = cut->p < cut->q ? cut->p : cut->q, high = cut->p < cut->q ? cut->q : cut->p;
-    if (low == p && high == q) continue;
-    p = low;
-    q = high;
-    if (!add_segment(w, p, q, VS_NONE, &c->planes.all.at[cut->plane])) return false;
+    at[j] = (vs_keyed){ cut->p < cut->q ? (int64_t)cut->p << 32 | cut->q : (int64_t)cut->q << 32 | cut->p, cut->plane }; /* numbers are below 2^30 */
+  }
+  vs_sort_keyed(at, at + cut_count, cut_count);
+  for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* the same segment once, with the first of its planes */
+    uint32_t plane = at[j].item;
+    for (stop = j + 1; stop < cut_count && at[stop].key == at[j].key; stop++)
+      if (at[stop].item < plane) plane = at[stop].item;
+    if (!add_segment(w, (uint32_t)(at[j].key >> 32), (uint32_t)at[j].key, VS_NONE, &c->planes.all.at[plane])) return false;
   }
   return crossings(w) && split(w) && name_faces(w) && covers(w) && give_faces(w);
 }
@@ -560,6 +604,9 @@ static void work_free(vs_kernel *k, plane_work *w) {
   VS_DROP(k, w->scratch);
   VS_DROP(k, w->local);
   VS_DROP(k, w->pieces);
+  VS_DROP(k, w->sorted);
+  VS_DROP(k, w->on_first);
+  VS_DROP(k, w->keyed);
   VS_DROP(k, w->payload);
   VS_DROP(k, w->above);
   VS_DROP(k, w->below);

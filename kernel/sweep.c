@@ -8,10 +8,27 @@ static bool point_before(const void *context, uint32_t a, uint32_t b) {
   return sign < 0;
 }
 
+/* By the fixed numbers of u, which are in order wherever they differ; those with one number by the fixed numbers of v where that is all of them, else exactly. */
 bool vs_sweep_order(vs_kernel *k, vs_sweep *s, uint32_t *points, size_t count, uint32_t *scratch) {
-  vs_kernel_sort(points, scratch, count, point_before, s);
+  const vs_point *all = s->points.at;
   s->vertices.count = 0;
-  if (!VS_ROOM(k, s->vertices.at, s->vertices.room, count)) return false;
+  if (!VS_ROOM(k, s->vertices.at, s->vertices.room, count) || !VS_ROOM(k, s->keyed.at, s->keyed.room, 2 * count)) return false;
+  vs_keyed *at = s->keyed.at;
+  for (size_t i = 0; i < count; i++) at[i] = (vs_keyed){ all[points[i]].fixed[s->u], points[i] };
+  vs_sort_keyed(at, at + count, count);
+  for (size_t i = 0; i < count; i++) points[i] = at[i].item;
+  for (size_t i = 0, end; i < count; i = end) {
+    bool exact = vs_point_exact(&all[points[i]]);
+    for (end = i + 1; end < count && at[end].key == at[i].key; end++) exact = exact && vs_point_exact(&all[points[end]]);
+    if (end == i + 1) continue;
+    if (!exact) {
+      vs_kernel_sort(points + i, scratch, end - i, point_before, s);
+      continue;
+    }
+    for (size_t j = i; j < end; j++) at[j].key = all[points[j]].fixed[s->v];
+    vs_sort_keyed(at + i, at + count, end - i);
+    for (size_t j = i; j < end; j++) points[j] = at[j].item;
+  }
   for (size_t i = 0; i < count; i++)
     if (i == 0 || points[i] != points[i - 1]) s->vertices.at[s->vertices.count++] = points[i];
   return true;
@@ -133,4 +150,5 @@ void vs_sweep_free(vs_kernel *k, vs_sweep *s) {
   VS_DROP(k, s->arrival);
   VS_DROP(k, s->nodes);
   VS_DROP(k, s->lefts);
+  VS_DROP(k, s->keyed);
 }

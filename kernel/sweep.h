@@ -7,6 +7,7 @@
 #ifndef VS_KERNEL_SWEEP_H
 #define VS_KERNEL_SWEEP_H
 
+#include "kernel/sort.h"
 #include "kernel/table.h"
 
 typedef struct { uint32_t l, r; } vs_sweep_edge;
@@ -24,6 +25,7 @@ typedef struct {
   VS_LIST(vs_sweep_node) nodes; /* one an edge */
   VS_LIST(uint32_t) lefts;    /* of the present vertex, from below upwards */
   uint32_t root, at;
+  VS_LIST(vs_keyed) keyed;    /* to sort the vertices: twice as many */
 } vs_sweep;
 
 typedef struct {

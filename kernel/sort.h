@@ -1,0 +1,13 @@
+/* Owns the sort of items by a whole number each, where a call for each comparison would cost more than the rest. */
+#ifndef VS_KERNEL_SORT_H
+#define VS_KERNEL_SORT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct { int64_t key; uint32_t item; } vs_keyed;
+
+/* Stable; scratch: as long. */
+void vs_sort_keyed(vs_keyed *at, vs_keyed *scratch, size_t count);
+
+#endif
