@@ -3,8 +3,10 @@
  *
  * Leaves are worked on in batches, a batch in spans of triangles that threads share: (1) masks of what covers the corners; (2) planes of the triangles
  * that stay; (3) which neighbours lie in one plane. Then, one after the other, triangles get the numbers of their points, planes and facets: so they do not
- * depend on the threads. Points and planes that only culled or flat triangles have are never made. */
+ * depend on the threads; points are one task and the rest another. Points and planes that only culled or flat triangles have are never made. */
 #include "kernel/cluster.h"
+
+#include <string.h>
 
 enum { SPAN = 1 << 12, BATCH = 1 << 17 /* triangles */ };
 #define FLAT UINT32_MAX
@@ -41,6 +43,8 @@ typedef struct {
   VS_LIST(uint32_t) facet;      /* of found triangles that are the first of theirs */
   VS_LIST(uint32_t) ids;        /* point numbers of one leaf's vertices, or VS_NONE */
   VS_LIST(uint32_t) twins;      /* of leaves whose part has none */
+  VS_LIST(uint32_t) fresh;      /* vertices of a span that have no point yet */
+  size_t given;                 /* the cluster's triangles before the batch */
 } facets;
 
 static uint32_t turned(bool mirrored, uint32_t j) { return mirrored ? 2 - j : j; }
@@ -123,37 +127,64 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
 
 /* ---- in order ---- */
 
-static bool give_span(vs_kernel *k, facets *f, const span *s) {
-  enum { FAR = 16, NEAR = 8 };
+/* The triangles' points, of all spans. Numbers in the order of their first use; looked up a span at a time, so that they can be fetched ahead. */
+static bool give_points(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
-  const batch_leaf *l = &f->leaves.at[s->place - f->first];
-  const vs_placed *p = &c->placed.at[s->place];
-  uint32_t leaf = c->leaves[s->place];
-  if (!VS_ROOM(k, c->triangles.at, c->triangles.room, c->triangles.count + s->found.count)) return false;
-  for (uint32_t i = 0; i < s->found.count; i++) {
-    const found_triangle *from = &s->found.at[i];
-    if (i + FAR < s->found.count) vs_planes_ahead(&c->planes, from[FAR].hash, false);
-    if (i + NEAR < s->found.count) vs_planes_ahead(&c->planes, from[NEAR].hash, true);
-    vs_soup_triangle t = { .leaf = leaf, .source = from->source, .flip = from->flip, .inner = from->inner };
-    const uint32_t *corner = p->part->mesh->triangles[from->source];
-    for (uint32_t j = 0; j < 3; j++) {
-      uint32_t v = corner[turned(l->mirrored, j)], *id = &f->ids.at[v];
-      if (*id == VS_NONE && !vs_points_integer(k, &c->points, c->corners[p->first + v], id)) return false;
-      t.v[j] = *id;
-    }
-    uint32_t root = vs_find_shared(f->sets.at, s->base + i);
-    if (root == s->base + i) { /* the first of its facet */
-      f->facet.at[root] = (uint32_t)c->facets.count;
-      vs_facet made = { .leaf = leaf, .place = s->place, .group = (uint32_t)c->facets.count, .flip = from->flip };
-      if (!vs_planes_add(k, &c->planes, &from->plane, from->hash, &made.plane) || !VS_PUSH(k, c->facets, made)) return false;
-    }
-    t.facet = f->facet.at[root];
-    t.plane = c->facets.at[t.facet].plane;
-    if (t.inner & VS_BESIDE_FLAT) c->facets.at[t.facet].touched = true;
-    c->triangles.at[c->triangles.count++] = t;
+  vs_soup_triangle *to = c->triangles.at + f->given;
+  for (size_t index = 0; index < f->spans.count; index++) {
+    const span *s = &f->spans.at[index];
+    const batch_leaf *l = &f->leaves.at[s->place - f->first];
+    const vs_placed *p = &c->placed.at[s->place];
+    const uint32_t (*corners)[3] = (const uint32_t (*)[3])p->part->mesh->triangles;
+    if (s->first == 0) memset(f->ids.at, 0xff, p->part->mesh->vertex_count * sizeof *f->ids.at);
+    f->fresh.count = 0;
+    if (!VS_ROOM(k, f->fresh.at, f->fresh.room, 3 * s->found.count)) return false;
+    for (uint32_t i = 0; i < s->found.count; i++)
+      for (uint32_t j = 0; j < 3; j++) {
+        uint32_t v = corners[s->found.at[i].source][turned(l->mirrored, j)];
+        if (f->ids.at[v] != VS_NONE) continue;
+        f->ids.at[v] = 0;
+        f->fresh.at[f->fresh.count++] = v;
+      }
+    if (!vs_points_add_corners(k, &c->points, c->corners + p->first, f->fresh.at, f->fresh.count, f->ids.at)) return false;
+    for (uint32_t i = 0; i < s->found.count; i++, to++)
+      for (uint32_t j = 0; j < 3; j++) to->v[j] = f->ids.at[corners[s->found.at[i].source][turned(l->mirrored, j)]];
+    if (!vs_kernel_report(k, 0)) return false;
   }
-  return vs_kernel_report(k, 0);
+  return true;
 }
+
+/* The rest of them, facets and their planes, of all spans. */
+static bool give_facets(vs_kernel *k, facets *f) {
+  vs_cluster *c = f->c;
+  vs_soup_triangle *to = c->triangles.at + f->given;
+  for (size_t index = 0; index < f->spans.count; index++) {
+    const span *s = &f->spans.at[index];
+    uint32_t leaf = c->leaves[s->place];
+    for (uint32_t i = 0; i < s->found.count; i++, to++) {
+      const found_triangle *from = &s->found.at[i];
+      if (i + VS_AHEAD_FAR < s->found.count) vs_planes_ahead(&c->planes, from[VS_AHEAD_FAR].hash, false);
+      if (i + VS_AHEAD_NEAR < s->found.count) vs_planes_ahead(&c->planes, from[VS_AHEAD_NEAR].hash, true);
+      uint32_t root = vs_find_shared(f->sets.at, s->base + i);
+      if (root == s->base + i) { /* the first of its facet */
+        vs_facet made = { .leaf = leaf, .place = s->place, .group = (uint32_t)c->facets.count, .flip = from->flip };
+        f->facet.at[root] = (uint32_t)c->facets.count;
+        if (!vs_planes_add(k, &c->planes, &from->plane, from->hash, &made.plane) || !VS_PUSH(k, c->facets, made)) return false;
+      }
+      to->leaf = leaf;
+      to->source = from->source;
+      to->flip = from->flip;
+      to->inner = from->inner;
+      to->facet = f->facet.at[root];
+      to->plane = c->facets.at[to->facet].plane;
+      if (to->inner & VS_BESIDE_FLAT) c->facets.at[to->facet].touched = true;
+    }
+    if (!vs_kernel_report(k, 0)) return false;
+  }
+  return true;
+}
+
+static bool give(vs_kernel *k, void *context, size_t index) { return index ? give_facets(k, context) : give_points(k, context); } /* different fields, other tables */
 
 static bool plan_leaf(vs_kernel *k, facets *f, uint32_t place, size_t *triangles, size_t *vertices) {
   vs_cluster *c = f->c;
@@ -206,15 +237,12 @@ static bool do_batch(vs_kernel *k, facets *f) {
   }
   if (!VS_ROOM(k, f->sets.at, f->sets.room, found + 1) || !VS_ROOM(k, f->facet.at, f->facet.room, found + 1)) return false;
   for (uint32_t i = 0; i < found; i++) atomic_init(&f->sets.at[i], i);
+  f->given = c->triangles.count;
   if (!vs_kernel_run(k, f->spans.count, join_span, f) || !vs_planes_expect(k, &c->planes, found) ||
-      !vs_points_expect(k, &c->points, vertices < found ? vertices : found))
+      !vs_points_expect(k, &c->points, vertices < found ? vertices : found) || !VS_ROOM(k, c->triangles.at, c->triangles.room, f->given + found) ||
+      !vs_kernel_run(k, 2, give, f))
     return false;
-  for (size_t i = 0; i < f->spans.count; i++) {
-    const span *s = &f->spans.at[i];
-    if (s->first == 0)
-      for (size_t v = 0, n = c->placed.at[s->place].part->mesh->vertex_count; v < n; v++) f->ids.at[v] = VS_NONE;
-    if (!give_span(k, f, s)) return false;
-  }
+  c->triangles.count = f->given + found;
   return true;
 }
 
@@ -256,6 +284,7 @@ bool vs_facets_build(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, f.sets);
   VS_DROP(k, f.facet);
   VS_DROP(k, f.ids);
+  VS_DROP(k, f.fresh);
   VS_DROP(k, f.twins);
   return ok && index_facets(k, c);
 }

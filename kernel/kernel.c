@@ -127,9 +127,7 @@ static void forget_patches(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, c->patch_corners);
   VS_DROP(k, c->boxes);
   vs_bvh_free(k, &c->bvh);
-  VS_DROP(k, c->planes.next);
-  VS_FREE(k, c->planes.heads, c->planes.head_room);
-  c->planes.head_count = 0;
+  vs_planes_forget(k, &c->planes);
 }
 
 static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t count, vs_mesh *out) {

@@ -7,11 +7,19 @@
 
 #define VS_NONE UINT32_MAX
 
+/* Finds numbers by hash: open places, of which three quarters are taken at most. A place is chosen by the upper bits of what is kept of the hash, so that
+ * the next larger table has its entries in the same order, and one that is not the same is mostly told without a look at what it stands for. */
+typedef struct { uint32_t tag, item; } vs_slot; /* item: VS_NONE where it is free */
+typedef struct {
+  vs_slot *at;
+  size_t room, count; /* count: a power of two, or 0 */
+  int shift;          /* from a tag to its place */
+} vs_slots;
+
 typedef struct {
   VS_LIST(vs_point) all;
   VS_LIST(vs_homogeneous) big;
-  uint32_t *heads; /* chains by hash of the fixed numbers; a power of two */
-  size_t head_room, head_count;
+  vs_slots slots; /* by hash of the fixed numbers */
 } vs_points_table;
 
 /* A point that somebody has found, and has no number yet. */
@@ -24,14 +32,14 @@ typedef struct {
 
 typedef struct {
   VS_LIST(vs_plane) all;
-  VS_LIST(uint32_t) next;
-  uint32_t *heads;
-  size_t head_room, head_count;
+  vs_slots slots;
 } vs_planes_table;
 
 static inline vs_points_view vs_points_of(const vs_points_table *t) { return (vs_points_view){ t->all.at, t->big.at, NULL }; }
 
 bool vs_points_integer(vs_kernel *k, vs_points_table *t, const int32_t at[3], uint32_t *id);
+/* ids[v] of each of the vertices v, which lie at corners[v]. */
+bool vs_points_add_corners(vs_kernel *k, vs_points_table *t, int32_t (*corners)[3], const uint32_t *vertices, size_t count, uint32_t *ids);
 /* The number of the point, an older one where it lies in the same place. */
 bool vs_points_add(vs_kernel *k, vs_points_table *t, const vs_homogeneous *h, uint32_t *id);
 bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h, uint32_t *id); /* h NULL: exact */
@@ -48,12 +56,20 @@ bool vs_planes_add(vs_kernel *k, vs_planes_table *t, const vs_plane *p, uint64_t
 /* So many more may come: the tables need not grow on the way. */
 bool vs_planes_expect(vs_kernel *k, vs_planes_table *t, size_t more);
 bool vs_points_expect(vs_kernel *k, vs_points_table *t, size_t more);
-/* What is asked for soon is better in the cache by then: heads far ahead, first elements near ahead. */
-static inline void vs_planes_ahead(const vs_planes_table *t, uint64_t hash, bool near) {
-  const uint32_t *head = &t->heads[hash & (t->head_count - 1)];
-  if (!near) __builtin_prefetch(head);
-  else if (*head != VS_NONE) __builtin_prefetch(&t->all.at[*head]);
+/* What is asked for soon is better in the cache by then: places far ahead, what they stand for near ahead. */
+enum { VS_AHEAD_FAR = 16, VS_AHEAD_NEAR = 8 };
+static inline const vs_slot *vs_slot_of(const vs_slots *s, uint64_t hash) { return &s->at[(uint32_t)(hash >> 32) >> s->shift]; }
+static inline void vs_points_ahead(const vs_points_table *t, uint64_t hash, bool near) {
+  const vs_slot *slot = vs_slot_of(&t->slots, hash);
+  if (!near) __builtin_prefetch(slot);
+  else if (slot->tag == (uint32_t)(hash >> 32) && slot->item != VS_NONE) __builtin_prefetch(&t->all.at[slot->item]);
 }
+static inline void vs_planes_ahead(const vs_planes_table *t, uint64_t hash, bool near) {
+  const vs_slot *slot = vs_slot_of(&t->slots, hash);
+  if (!near) __builtin_prefetch(slot);
+  else if (slot->tag == (uint32_t)(hash >> 32) && slot->item != VS_NONE) __builtin_prefetch(&t->all.at[slot->item]);
+}
+void vs_planes_forget(vs_kernel *k, vs_planes_table *t); /* nothing is looked for any more: what finds it goes */
 void vs_planes_free(vs_kernel *k, vs_planes_table *t);
 
 #endif
