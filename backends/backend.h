@@ -89,6 +89,7 @@ struct vs_backend {
   bool hulls;           /* knows hulls of solids: they are shown as operations; all others, and elsewhere all, as one shape */
   bool groups;          /* large sets are handed over as trees of boxes (vs_sets_group) */
   bool area_sets;       /* is asked about sets of regions before they are lowered to one region */
+  bool keeps_text;      /* what it writes for a node is decided by what drive_key puts into a key, and by nothing that it wrote before */
   bool verbatim;        /* every node is shown as it is, empty ones too, and the children of all kinds are gone into */
   const char *omit[VS_MIXED]; /* a vs_class that the format leaves out, and why: said once */
   struct { vs_emit_fn *fn; const char *lossy; } emit[VS_KIND_COUNT]; /* lossy: said once as a warning */
@@ -127,6 +128,9 @@ bool vs_emit_is_painted(const vs_emitter *e, const vs_node *n);
 size_t vs_emit_material_count(const vs_emitter *e);
 const vs_material *vs_emit_material_at(const vs_emitter *e, size_t number);
 size_t vs_emit_material_number(const vs_emitter *e, const vs_material *m);
+/* Puts out the number of a template or a material. Text that is kept to be written again has it changed there: so those of the walk go this way alone. */
+bool vs_emit_put_template_number(vs_emitter *e, uint32_t id);
+bool vs_emit_put_material_number(vs_emitter *e, const vs_material *m);
 /* The origin of what stands on a line of the text (keep_origins), or NULL. */
 const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line);
 /* Memory of the emitter's state, from the store's allocator; grows by half. Items of `size`; false: out of memory, error set. */

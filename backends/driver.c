@@ -8,63 +8,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "backends/backend.h"
-#include "geometry/measure.h"
-#include "model/nodemap.h"
+#include "backends/drive.h"
+#include "model/cache.h"
 #include "model/tally.h"
-
-typedef struct {
-  vs_ref ref;           /* where it was met first */
-  uint32_t uses, height; /* of an operation while its children are met: the highest of them */
-  uint32_t shown;       /* of an operation: children that are not vain */
-  uint32_t definition;  /* template number from 1, or 0 */
-  bool vain, cut;
-  bool first_vain, some_vain; /* of its children */
-  bool bare, painted;   /* something in it has no material of its own; something has */
-  vs_node *lowered;     /* retained, or NULL */
-  vs_solid *mesh;
-} drive_entry;
-
-typedef struct { size_t entry; uint32_t next; } drive_step; /* of the plan: an entry whose children from next on are to be met */
-
-typedef struct {
-  vs_ref ref;
-  size_t next, shown;   /* children: looked at, handed to the emitter */
-  const vs_material *material;
-  vs_affine placement;
-  vs_bounds reach;
-  bool in_boolean;
-  bool silent;          /* an operation with one operand left: not shown itself */
-} drive_frame;
-
-typedef struct { uint32_t line; const vs_origin *origin; } drive_line;
-
-struct vs_drive {
-  vs_nodemap index;     /* node -> entry + 1 */
-  drive_entry *entries;
-  size_t entry_count, entry_room;
-  uint32_t *order;      /* entries, children first */
-  size_t order_count, order_room;
-  drive_step *steps;
-  size_t step_count, step_room;
-  drive_frame *frames;
-  size_t frame_count, frame_room;
-  bool operation[VS_KIND_COUNT]; /* kinds that are operations whatever they hold */
-  drive_line *lines;
-  size_t line_count, line_room;
-  vs_nodemap paints;    /* material -> its number */
-  const vs_material **materials;
-  size_t material_count, material_room;
-  vs_node **kept;       /* trees that nodes were lowered to: they are walked after the lowering */
-  size_t kept_count, kept_room;
-  const char **said;    /* warnings given, by address */
-  size_t said_count, said_room;
-  vs_bounds_memo bounds;
-  vs_scene grouped; /* what is drawn instead of the scene given, where sets are grouped: its references are our own */
-  const vs_scene *given; /* then; else NULL */
-  vs_solid scratch; /* the mesh of a node without entry, until the next is asked for */
-  uint32_t ticks;
-};
 
 /* ---- what emit functions may call ---- */
 
@@ -93,6 +39,7 @@ bool vs_emit_no_memory(vs_emitter *e) { return vs_error_set(e->error, VS_ERROR_M
 
 bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message) {
   vs_drive *d = e->drive;
+  vs_reuse_warned(&d->reuse, message);
   for (size_t i = 0; i < d->said_count; i++)
     if (d->said[i] == message) return true;
   if (!vs_emit_grow(e, &d->said, &d->said_room, d->said_count + 1, sizeof *d->said)) return false;
@@ -125,42 +72,15 @@ const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line) {
 /* ---- entries ---- */
 
 static void drive_find_operations(vs_drive *d) {
+  for (int kind = 0; kind < VS_KIND_COUNT; kind++) d->brief[kind] = vs_drive_is_short((vs_kind)kind);
   for (int kind = 0; kind < VS_KIND_COUNT; kind++)
     d->operation[kind] = vs_kind_get((vs_kind)kind)->level == VS_LEVEL_OPERATION || kind == VS_NATIVE || kind == VS_HIGHLIGHT || kind == VS_GHOST;
 }
 
-static bool drive_hull_is_operation(const vs_emitter *e, const vs_node *n) {
-  if (!e->backend->hulls || n->class_ != VS_SOLID || VS_AS(hull, n)->points->count > 0) return false;
-  for (uint32_t i = 0; i < n->child_count; i++)
-    if (n->children[i].node->class_ != VS_SOLID) return false;
-  return true;
+static drive_entry *drive_find(const vs_emitter *e, const vs_node *n) {
+  const uint64_t *at = n->refs > 1 || drive_is_operation(e, n) ? vs_nodemap_get(&e->drive->index, n) : NULL;
+  return at != NULL ? &e->drive->entries[*at - 1] : NULL;
 }
-
-static bool drive_is_operation(const vs_emitter *e, const vs_node *n) {
-  if (e->backend->verbatim && n->child_count > 0) return true;
-  return n->kind == VS_HULL && !e->backend->verbatim ? drive_hull_is_operation(e, n) : e->drive->operation[n->kind];
-}
-
-/* What is known of a node wherever it stands. A leaf with one owner has no entry. */
-typedef struct { drive_entry *entry; bool operation, vain; } drive_view;
-
-static bool drive_leaf_vain(const vs_emitter *e, const vs_node *n) {
-  if (e->backend->verbatim) return false;
-  return n->kind == VS_EMPTY || n->class_ == VS_NOTHING || (n->class_ < VS_MIXED && e->backend->omit[n->class_] != NULL);
-}
-
-static inline drive_view drive_look(const vs_emitter *e, const vs_node *n) {
-  const vs_drive *d = e->drive;
-  drive_view v = { NULL, drive_is_operation(e, n), false };
-  if (n->refs > 1 || v.operation) {
-    const uint64_t *at = vs_nodemap_get(&d->index, n);
-    if (at != NULL) v.entry = &d->entries[*at - 1];
-  }
-  v.vain = v.entry != NULL ? v.entry->vain : drive_leaf_vain(e, n);
-  return v;
-}
-
-static drive_entry *drive_find(const vs_emitter *e, const vs_node *n) { return drive_look(e, n).entry; }
 static bool drive_vain(const vs_emitter *e, const vs_ref *ref) { return drive_look(e, ref->node).vain; }
 
 bool vs_emit_is_bare(const vs_emitter *e, const vs_node *n) {
@@ -179,6 +99,17 @@ const vs_material *vs_emit_material_at(const vs_emitter *e, size_t number) { ret
 size_t vs_emit_material_number(const vs_emitter *e, const vs_material *m) {
   const uint64_t *at = m != NULL ? vs_nodemap_get(&e->drive->paints, m) : NULL;
   return at != NULL ? (size_t)*at : 0;
+}
+
+bool vs_emit_put_template_number(vs_emitter *e, uint32_t id) {
+  vs_reuse_numbered(&e->drive->reuse, e->out, VS_NUMBER_TEMPLATE, id);
+  return vs_put_u32(e->out, id);
+}
+
+bool vs_emit_put_material_number(vs_emitter *e, const vs_material *m) {
+  uint32_t number = (uint32_t)vs_emit_material_number(e, m);
+  vs_reuse_numbered(&e->drive->reuse, e->out, VS_NUMBER_PAINT, number);
+  return vs_put_u32(e->out, number);
 }
 
 static bool drive_add_material(vs_emitter *e, const vs_material *m) {
@@ -318,23 +249,6 @@ static bool drive_plan_below(vs_emitter *e, const vs_ref *ref) {
   return true;
 }
 
-/* A shared node is worth a template unless its own text is as short as the template's use. */
-static bool drive_is_short(const vs_node *n) {
-  switch ((vs_kind)n->kind) {
-  case VS_EMPTY: case VS_BOX: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_TORUS: case VS_WEDGE: case VS_CIRCLE: case VS_ARC:
-  case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE:
-    return true;
-  case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-  case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-  case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
-  case VS_LINE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_PYRAMID: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
-  case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
-  case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
-    break;
-  }
-  return false;
-}
-
 static bool drive_plan(vs_emitter *e) {
   vs_drive *d = e->drive;
   for (size_t i = 0; i < e->scene->drawn_count; i++)
@@ -343,8 +257,9 @@ static bool drive_plan(vs_emitter *e) {
   uint32_t id = 0;
   for (size_t i = 0; i < d->order_count; i++) {
     drive_entry *entry = &d->entries[d->order[i]];
-    if (!entry->vain && (entry->cut || (entry->uses > 1 && !drive_is_short(entry->ref.node) && !(entry->ref.node->flags & VS_NODE_ENDLESS)))) entry->definition = ++id;
+    if (!entry->vain && (entry->cut || (entry->uses > 1 && !d->brief[entry->ref.node->kind] && !(entry->ref.node->flags & VS_NODE_ENDLESS)))) entry->definition = ++id;
   }
+  if (d->reuse.cache != NULL) vs_drive_weigh(e);
   return true;
 }
 
@@ -376,18 +291,22 @@ static bool drive_check(vs_emitter *e, const vs_ref *ref) {
   return true;
 }
 
-static bool drive_mark(vs_emitter *e, const vs_ref *ref) {
+bool vs_drive_mark(vs_emitter *e, uint32_t line, const vs_origin *origin) {
   vs_drive *d = e->drive;
-  if (!e->backend->keep_origins) return true;
-  if (d->line_count > 0 && d->lines[d->line_count - 1].origin == ref->origin) return true; /* an entry holds up to the next */
-  uint32_t line = vs_writer_line(e->out);
+  if (d->line_count > 0 && d->lines[d->line_count - 1].origin == origin) return true; /* an entry holds up to the next */
   if (d->line_count > 0 && d->lines[d->line_count - 1].line == line) {
-    d->lines[d->line_count - 1].origin = ref->origin;
+    d->lines[d->line_count - 1].origin = origin;
     return true;
   }
   if (!vs_emit_grow(e, &d->lines, &d->line_room, d->line_count + 1, sizeof *d->lines)) return false;
-  d->lines[d->line_count++] = (drive_line){ line, ref->origin };
+  d->lines[d->line_count++] = (vs_reuse_line){ line, origin };
   return true;
+}
+
+static bool drive_mark(vs_emitter *e, const vs_ref *ref) {
+  const vs_drive *d = e->drive;
+  if (!e->backend->keep_origins || (d->line_count > 0 && d->lines[d->line_count - 1].origin == ref->origin)) return true;
+  return vs_drive_mark(e, vs_writer_line(e->out), ref->origin);
 }
 
 /* The strict order that lowering goes down: the table's levels, with what everything ends in below its own. */
@@ -521,6 +440,17 @@ static bool drive_walk(vs_emitter *e, const vs_ref *root, bool body) {
   while (d->frame_count > 0 && !e->out->failed) {
     drive_frame *top = &d->frames[d->frame_count - 1];
     const vs_node *n = top->ref.node;
+    if (d->reuse.open && d->frame_count == d->run_frames && top->next == d->run_until) vs_drive_run_end(e);
+    if (d->reuse.cache != NULL && !d->reuse.open && top->next >= top->asked && top->next < n->child_count) {
+      bool found;
+      size_t shown;
+      if (!vs_drive_run(e, n, n->children, n->child_count, top->next, false, &top->asked, &shown, &found)) return false;
+      if (found) {
+        top->next = top->asked;
+        top->shown += shown;
+        continue;
+      }
+    }
     if (top->next < n->child_count) {
       const vs_ref *child = &n->children[top->next++];
       drive_view view = drive_look(e, child->node);
@@ -557,16 +487,29 @@ static void drive_reset(vs_emitter *e) {
   e->reach = e->bounds;
 }
 
+/* A run that begins here, of what is drawn or of a template's body: *next behind it, where it was found. asked: before that one nothing is looked for. */
+static bool drive_root(vs_emitter *e, const vs_ref *refs, size_t count, size_t from, bool body, size_t *asked, size_t *next) {
+  bool found = false;
+  size_t shown;
+  if (e->drive->reuse.cache == NULL || e->drive->reuse.open || from < *asked) return true;
+  if (!vs_drive_run(e, NULL, refs, count, from, body, asked, &shown, &found)) return false;
+  if (found) *next = *asked;
+  return true;
+}
+
 static bool drive_definitions(vs_emitter *e) {
   vs_drive *d = e->drive;
   for (size_t i = 0; i < d->order_count; i++) {
     drive_entry entry = d->entries[d->order[i]];
     if (entry.definition == 0) continue;
+    size_t asked = 0, next = 0;
     drive_reset(e);
     if (!drive_mark(e, &entry.ref) || !e->backend->define(e, entry.definition, &entry.ref, true)) return false;
     e->depth = 1;
     e->body = entry.ref.node;
-    if (!drive_walk(e, &entry.ref, true) || !e->backend->define(e, entry.definition, &entry.ref, false)) return false;
+    if (!drive_root(e, &entry.ref, 1, 0, true, &asked, &next) || (next == 0 && !drive_walk(e, &entry.ref, true))) return false;
+    if (d->reuse.open) vs_drive_run_end(e);
+    if ( !e->backend->define(e, entry.definition, &entry.ref, false)) return false;
   }
   return true;
 }
@@ -690,6 +633,8 @@ bool vs_drive_scene(vs_emitter *e) {
   d->index.store = d->paints.store = d->bounds.places.store = e->scene->store;
   e->drive = d;
   drive_find_operations(d);
+  d->reuse = (vs_reuse){ .store = e->scene->store };
+  if (e->backend->keeps_text && vs_cache_asks(vs_store_cache(e->scene->store))) d->reuse.cache = vs_store_cache(e->scene->store);
   e->out->keeps_lines = e->backend->keep_origins;
   if (e->scene->has_ground && e->scene->ground_material != NULL && !drive_add_material(e, e->scene->ground_material)) return false;
   if (e->backend->groups && !drive_group(e)) return false;
@@ -714,15 +659,23 @@ bool vs_drive_scene(vs_emitter *e) {
     return ok && e->backend->end(e);
   }
   if (!drive_definitions(e)) return false;
-  for (size_t i = 0; i < e->scene->drawn_count; i++) {
+  for (size_t i = 0, asked = 0; i < e->scene->drawn_count; i++) {
     const vs_ref *ref = &e->scene->drawn[i];
+    size_t next = i;
     drive_reset(e);
+    if (d->reuse.open && i == d->run_until) vs_drive_run_end(e);
+    if (!drive_root(e, e->scene->drawn, e->scene->drawn_count, i, false, &asked, &next)) return false;
+    if (next > i) {
+      i = next - 1;
+      continue;
+    }
     if (drive_vain(e, ref)) continue;
     if (!drive_mark(e, ref)) return false;
     if (e->backend->item != NULL && !e->backend->item(e, i, false)) return false;
     if (!drive_walk(e, ref, false)) return false;
     if (e->backend->item != NULL && !e->backend->item(e, i, true)) return false;
   }
+  if (d->reuse.open) vs_drive_run_end(e);
   drive_reset(e);
   return e->backend->end(e) && !e->out->failed;
 }
@@ -757,6 +710,7 @@ void vs_drive_free(vs_emitter *e) {
     vs_emit_release(e, d->entries[i].mesh, 1, sizeof *d->entries[i].mesh);
   }
   vs_solid_free(&d->scratch);
+  vs_reuse_free(&d->reuse);
   for (size_t i = 0; i < d->grouped.drawn_count; i++) vs_node_release(d->grouped.drawn[i].node);
   vs_emit_release(e, d->grouped.drawn, d->grouped.drawn_room, sizeof *d->grouped.drawn);
   if (d->given != NULL) e->scene = d->given;

@@ -16,6 +16,9 @@ void vs_writer_init(vs_writer *w, vs_sink_fn *sink, void *context) {
   w->failed = w->full = w->keeps_lines = false;
   w->going = NULL;
   w->going_context = NULL;
+  w->tap = NULL;
+  w->tap_context = NULL;
+  w->tap_from = 0;
 }
 
 uint32_t vs_writer_line(vs_writer *w) {
@@ -28,6 +31,8 @@ uint32_t vs_writer_line(vs_writer *w) {
 bool vs_writer_flush(vs_writer *w) {
   if (w->failed) return false;
   if (w->keeps_lines) vs_writer_line(w);
+  if (w->tap != NULL) w->tap(w->tap_context, w->buffer + w->tap_from, w->used - w->tap_from);
+  w->tap_from = 0;
   if (w->used > 0 && !w->sink(w->context, w->buffer, w->used)) w->failed = true;
   if (w->going != NULL && !w->going(w->going_context)) w->failed = true;
   w->used = w->counted = 0;

@@ -28,6 +28,9 @@ typedef struct {
   bool keeps_lines;  /* somebody will ask vs_writer_line */
   bool (*going)(void *context); /* asked each time the buffer is full; false: fails, and who was asked knows why. NULL: goes on */
   void *going_context;
+  void (*tap)(void *context, const void *bytes, size_t count); /* gets a copy of what leaves the buffer, from tap_from on; NULL: nobody does */
+  void *tap_context;
+  size_t tap_from;
   char buffer[VS_WRITER_ROOM];
 } vs_writer;
 

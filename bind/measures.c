@@ -40,7 +40,7 @@ enum { MESH_BOUNDS, SOLID_MEASURE /* and one for each vs_ask */ };
 static bool known(vs_frame *f, uint64_t what, const vs_facets *facets, void *out, size_t size) {
   vs_cache *cache = vs_store_cache(f->bind->store);
   const uint64_t words[] = { what, vs_cache_real(facets->tolerance), (uint64_t)(int64_t)facets->segments };
-  const vs_cached *held = vs_cache_find(cache, &(vs_cache_key){ VS_CACHED_MEASURE, f->arg[0].ref.node, words, 3 });
+  const vs_cached *held = vs_cache_find(cache, &(vs_cache_key){ VS_CACHED_MEASURE, f->arg[0].ref.node, words, 3, 0 });
   if (!held) return false;
   memcpy(out, held->data, size);
   vs_cache_let_go(cache, held);
@@ -50,7 +50,7 @@ static bool known(vs_frame *f, uint64_t what, const vs_facets *facets, void *out
 static void keep(vs_frame *f, uint64_t what, const vs_facets *facets, const void *at, size_t size) {
   vs_cache *cache = vs_store_cache(f->bind->store);
   const uint64_t words[] = { what, vs_cache_real(facets->tolerance), (uint64_t)(int64_t)facets->segments };
-  vs_cache_let_go(cache, vs_cache_keep(cache, &(vs_cache_key){ VS_CACHED_MEASURE, f->arg[0].ref.node, words, 3 }, &(vs_cache_piece){ at, size }, 1));
+  vs_cache_let_go(cache, vs_cache_keep(cache, &(vs_cache_key){ VS_CACHED_MEASURE, f->arg[0].ref.node, words, 3, 0 }, &(vs_cache_piece){ at, size }, 1));
 }
 
 static vs_status measure_solid(vs_frame *f, vs_measure *m, vs_ask ask) {

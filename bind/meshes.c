@@ -46,7 +46,7 @@ static vs_status inspect(vs_frame *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *
   *flawless = true;
   if (is_convex(mesh)) return VS_OK;
   vs_cache *cache = vs_store_cache(f->bind->store);
-  const vs_cache_key key = { VS_CACHED_CHECK, n, NULL, 0 };
+  const vs_cache_key key = { VS_CACHED_CHECK, n, NULL, 0, 0 };
   const vs_cached *held = vs_cache_find(cache, &key);
   vs_cache_let_go(cache, held);
   if (held) return VS_OK;

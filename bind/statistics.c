@@ -59,6 +59,9 @@ void vs_session_output_end(vs_session *s, bool done) {
   r->tally.copied = t->copied - r->tally.copied;
   r->tally.remembered = t->remembered - r->tally.remembered;
   r->tally.triangles = t->triangles - r->tally.triangles;
+  r->tally.texts = t->texts - r->tally.texts;
+  r->tally.texts_found = t->texts_found - r->tally.texts_found;
+  r->tally.bytes_found = t->bytes_found - r->tally.bytes_found;
   for (int i = 0; i < VS_CACHED_KINDS; i++) r->cache.hits[i] = now.hits[i] - r->cache.hits[i], r->cache.misses[i] = now.misses[i] - r->cache.misses[i];
 }
 
@@ -149,6 +152,10 @@ static void add_work(list *l, const vs_tally *t) {
   add(l, "clusters.copied", (double)t->copied, "");
   add(l, "clusters.remembered", (double)t->remembered, "");
   add(l, "triangles", (double)t->triangles, "");
+  add(l, "texts", (double)t->texts, "");
+  add(l, "texts.emitted", (double)(t->texts - t->texts_found), "");
+  add(l, "texts.remembered", (double)t->texts_found, "");
+  add(l, "texts.remembered.bytes", (double)t->bytes_found, "bytes");
 }
 
 /* of the drawing of one output; r NULL: there was none */

@@ -465,6 +465,7 @@ typedef struct { vs_ref ref; uint32_t next; } vs_bounds_step;
 
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_store *s = m->places.store;
+  if (n->child_count == 0 && vs_bounds_plain(n, out)) return true; /* sooner than looked up */
   const vs_bounds *known = vs_bounds_memo_known(m, n);
   if (known) {
     *out = *known;

@@ -101,7 +101,7 @@ static void keep(vs_cache *cache, const vs_cache_key *key, vs_mesh *out, const v
 
 bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, const vs_cached **held, vs_error *e) {
   const uint64_t words[] = { vs_cache_real(f->tolerance), (uint64_t)(int64_t)f->segments };
-  const vs_cache_key key = { VS_CACHED_PRIMITIVE, n, words, 2 };
+  const vs_cache_key key = { VS_CACHED_PRIMITIVE, n, words, 2, 0 };
   *held = cache ? vs_cache_find(cache, &key) : NULL;
   if (*held) return view(*held, out), true;
   if (!vs_primitive_mesh(n, f, options, out, e)) return false;
@@ -113,7 +113,7 @@ bool vs_half_space_shared(vs_cache *cache, vs_node *n, const vs_bounds *reach, v
   const double sides[] = { reach->min.x, reach->min.y, reach->min.z, reach->max.x, reach->max.y, reach->max.z };
   uint64_t words[6];
   for (int i = 0; i < 6; i++) words[i] = vs_cache_real(sides[i]);
-  const vs_cache_key key = { VS_CACHED_PRIMITIVE, n, words, 6 };
+  const vs_cache_key key = { VS_CACHED_PRIMITIVE, n, words, 6, 0 };
   *held = cache ? vs_cache_find(cache, &key) : NULL;
   if (*held) return view(*held, out), true;
   if (!vs_solid_half_space(out, VS_AS(half_space, n)->point, VS_AS(half_space, n)->normal, reach)) return false;

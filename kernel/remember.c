@@ -59,7 +59,7 @@ bool vs_remember_key(vs_kernel *k, vs_remember *r, vs_copies *c, const uint32_t 
 }
 
 bool vs_remember_find(vs_kernel *k, vs_remember *r, vs_mesh *out, bool *found) {
-  const vs_cached *known = vs_cache_find(k->options->cache, &(vs_cache_key){ VS_CACHED_CLUSTER, NULL, r->words.at, r->words.count });
+  const vs_cached *known = vs_cache_find(k->options->cache, &(vs_cache_key){ VS_CACHED_CLUSTER, NULL, r->words.at, r->words.count, 0 });
   *found = known != NULL;
   if (!known) return true;
   header h;
@@ -105,7 +105,7 @@ bool vs_remember_keep(vs_kernel *k, vs_remember *r, const vs_mesh *out, size_t f
     { &h, sizeof h }, { out->vertices + first_vertex, (size_t)h.vertices * sizeof *out->vertices }, { corners, (size_t)h.triangles * 3 * sizeof *corners },
     { places, several ? (size_t)h.triangles * sizeof *places : 0 }
   };
-  vs_cache_let_go(cache, vs_cache_keep(cache, &(vs_cache_key){ VS_CACHED_CLUSTER, NULL, r->words.at, r->words.count }, pieces, 4));
+  vs_cache_let_go(cache, vs_cache_keep(cache, &(vs_cache_key){ VS_CACHED_CLUSTER, NULL, r->words.at, r->words.count, 0 }, pieces, 4));
   return true;
 }
 

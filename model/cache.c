@@ -86,6 +86,7 @@ bool vs_cache_asks(const vs_cache *c) { return c && (c->stats.entries > 0 || vs_
 
 static uint64_t hash_of(const vs_cache_key *k) {
   uint64_t h = vs_hash_mix(k->kind, k->node ? k->node->hash : 0);
+  if (k->hash) return vs_hash_mix(h, k->hash);
   return k->count ? vs_hash_bytes(h, k->words, k->count * sizeof *k->words) : h;
 }
 

@@ -19,7 +19,7 @@ typedef enum {
   VS_CACHED_KINDS
 } vs_cached_kind;
 
-typedef struct { vs_cached_kind kind; vs_node *node; const uint64_t *words; size_t count; } vs_cache_key;
+typedef struct { vs_cached_kind kind; vs_node *node; const uint64_t *words; size_t count; uint64_t hash; } vs_cache_key; /* hash: of the words; 0: not known */
 typedef struct { uint64_t serial; const void *data; size_t size; } vs_cached; /* data: aligned for anything */
 typedef struct { const void *at; size_t size; } vs_cache_piece;
 static inline uint64_t vs_cache_real(double d) { /* as a word of a key: equal bits are equal */

@@ -33,6 +33,7 @@ typedef struct vs_tally {
   uint64_t written;               /* bytes of outputs */
   uint64_t clusters, combined, copied, remembered; /* of solids that touch (kernel.h) */
   uint64_t triangles;             /* of their results */
+  uint64_t texts, texts_found, bytes_found; /* runs of text that were looked for in the world cache; of those, found; their bytes */
 } vs_tally;
 
 /* The phase becomes p; what it was, for the way back. t NULL: nothing is counted. */

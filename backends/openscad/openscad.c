@@ -574,7 +574,9 @@ static bool scad_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open
 
 static bool scad_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
   scad_open(e, ref->node);
-  vs_putf(e->out, "part%lu(", (unsigned long)id);
+  vs_puts(e->out, "part");
+  vs_emit_put_template_number(e, id);
+  vs_puts(e->out, "(");
   if (e->material != NULL && scad_is_mixed(e, ref->node)) {
     vs_puts(e->out, "$paint = ");
     scad_color(e, e->material);
@@ -593,7 +595,7 @@ static bool scad_end(vs_emitter *e) { return !e->out->failed; }
 
 const vs_backend vs_backend_openscad = {
   .highlights = VS_MARKS_KEEP, .ghosts = VS_MARKS_KEEP, .native = "openscad",
-  .begin = scad_begin, .end = scad_end, .define = scad_define, .use = scad_use, .hulls = true, .area_sets = true,
+  .begin = scad_begin, .end = scad_end, .define = scad_define, .use = scad_use, .hulls = true, .area_sets = true, .keeps_text = true,
   .omit = { [VS_SURFACE] = "OpenSCAD programs hold solids: open surfaces are left out" },
   .emit = {
     [VS_LINE] = { scad_line, "OpenSCAD programs hold solids: curves are drawn as thin rods" },

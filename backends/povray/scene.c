@@ -34,7 +34,8 @@ static void pov_name(vs_writer *w, const char *text) {
 }
 
 static void pov_material_name(vs_emitter *e, const vs_material *m) {
-  vs_putf(e->out, "M%lu", (unsigned long)vs_emit_material_number(e, m));
+  vs_puts(e->out, "M");
+  vs_emit_put_material_number(e, m);
   if (m->name[0] != '\0') vs_puts(e->out, "_");
   pov_name(e->out, m->name);
 }
@@ -232,7 +233,7 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
 
 #define POVRAY_SHARED                                                                                                                     \
   .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, .use = vs_povray_use,                \
-  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, .family = "povray", .native = "povray", .groups = true,            \
+  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, .family = "povray", .native = "povray", .groups = true, .keeps_text = true, \
   .emit = {                                                                                                                               \
     [VS_LINE] = { vs_povray_line, "POV-Ray has no lines: curves are drawn as thin rods" },                                                 \
     [VS_ARC] = { NULL, NULL }, [VS_CIRCLE] = { NULL, NULL }, [VS_SPLINE] = { NULL, NULL },                                                 \

@@ -527,7 +527,7 @@ bool vs_povray_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
   (void)ref;
   pov_indent(e);
   bool placed = e->parent != NULL && e->parent->kind == VS_TRANSFORM; /* which has opened the object */
-  return vs_putf(e->out, placed ? "T%lu\n" : "object { T%lu }\n", (unsigned long)id);
+  return vs_puts(e->out, placed ? "T" : "object { T") && vs_emit_put_template_number(e, id) && vs_puts(e->out, placed ? "\n" : " }\n");
 }
 
 bool vs_povray_item(vs_emitter *e, size_t index, bool end) {

@@ -117,11 +117,11 @@ static bool tree_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open
 static bool tree_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
   (void)ref;
   tree_open(e);
-  return vs_putf(e->out, "t%lu", (unsigned long)id);
+  return vs_puts(e->out, "t") && vs_emit_put_template_number(e, id);
 }
 
 const vs_backend vs_backend_tree = {
-  .begin = tree_begin, .item = tree_item, .end = tree_end, .define = tree_define, .use = tree_use, .verbatim = true,
+  .begin = tree_begin, .item = tree_item, .end = tree_end, .define = tree_define, .use = tree_use, .verbatim = true, .keeps_text = true,
   .emit = {
 #define VS_KIND(upper, lower, name, class_, level) [VS_##upper] = { tree_node, NULL },
 #define VS_FIELD(type, member, argument)

@@ -24,13 +24,13 @@ static const vs_cached *keep(vs_cache *c, vs_node *n, uint64_t word, size_t byte
   char *data = calloc(1, bytes);
   assert_non_null(data);
   memcpy(data, &word, sizeof word);
-  const vs_cached *r = vs_cache_keep(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, &word, 1 }, &(vs_cache_piece){ data, bytes }, 1);
+  const vs_cached *r = vs_cache_keep(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, &word, 1, 0 }, &(vs_cache_piece){ data, bytes }, 1);
   free(data);
   return r;
 }
 
 static bool holds(vs_cache *c, vs_node *n, uint64_t word) {
-  const vs_cached *r = vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, &word, 1 });
+  const vs_cached *r = vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, &word, 1, 0 });
   if (r) assert_memory_equal(r->data, &word, sizeof word);
   vs_cache_let_go(c, r);
   return r != NULL;
@@ -48,8 +48,8 @@ static void test_equality(void **state) {
   other->hash = a->hash; /* as if hashes met: what is not equal is not found */
   assert_false(holds(c, other, 7));
   uint64_t words[] = { 7, 0 };
-  assert_null(vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, b, words, 2 }));
-  assert_null(vs_cache_find(c, &(vs_cache_key){ VS_CACHED_CLUSTER, b, words, 1 }));
+  assert_null(vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, b, words, 2, 0 }));
+  assert_null(vs_cache_find(c, &(vs_cache_key){ VS_CACHED_CLUSTER, b, words, 1, 0 }));
   const vs_cached *first = keep(c, NULL, 1, 16), *second = keep(c, NULL, 2, 16);
   assert_true(first->serial != second->serial && first->serial && second->serial);
   vs_cache_let_go(c, first);
@@ -92,7 +92,7 @@ static void test_bound(void **state) {
   assert_in_range(kept, 8, 10);
   for (uint64_t i = 100; i < 100 + kept; i++) assert_true(holds(c, NULL, i));
   assert_null(keep(c, NULL, 999, LIMIT));
-  const vs_cached *held = vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, NULL, (uint64_t[]){ 101 }, 1 });
+  const vs_cached *held = vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, NULL, (uint64_t[]){ 101 }, 1, 0 });
   assert_true(vs_cache_shrink(c, SIZE_MAX)); /* pressure takes all, but for what is in use */
   assert_int_equal(vs_cache_count(c).entries, 1);
   assert_false(vs_cache_shrink(c, SIZE_MAX));
@@ -380,9 +380,78 @@ static void test_limit(void **state) {
   vs_free(s);
 }
 
+/* ---- text that is written again ---- */
+
+typedef struct { char text[4096]; size_t count; } heard;
+
+static void hear(void *context, const vs_diagnostic *d) {
+  heard *h = context;
+  h->count += (size_t)snprintf(h->text + h->count, sizeof h->text - h->count, "%u:%u %s|", (unsigned)d->at.line, (unsigned)d->at.column, d->message);
+  assert_true(h->count < sizeof h->text);
+}
+
+static vs *hearing(heard *h, size_t cache) {
+  vs_options o = vs_options_default();
+  o.host.diagnose = hear, o.host.context = h;
+  o.cache = cache;
+  vs *s = vs_new(&o);
+  assert_non_null(s);
+  return s;
+}
+
+/* Shapes by themselves and in a difference, painted and not, templates, thin things that formats warn of, a half-space, a mesh. a: one shape in the middle; b: something
+ * before all, with a paint and a template of its own; c: the size of it all, and with it tolerance and how thick lines are; d: the paint of the first row. */
+static const char model[] =
+    "(define (bolt h) (unite (make-cylinder (xyz 0 0 0) h 0.3) (make-box (xyz -1 -1 h) (xyz 1 1 (+ h 0.4))) (make-regular-polygon (xyz 0 0 0) 1 6)))\n"
+    "(define (nut h) (subtract (make-box (xyz -1 -1 0) (xyz 1 1 h)) (make-cylinder (xyz 0 0 -1) 9 0.5) (make-torus (xyz 0 0 0) 1 0.2)))\n"
+    "(define (model a b c d) (erase-all)\n"
+    " (when b (draw (color \"orange\" (make-sphere (xyz 30 30 3) 1)) (do-move (nut 3.5) (vxyz 5 40 0)) (do-rotate (do-move (nut 3.5) (vxyz 5 40 0)) 'z 0.3)))\n"
+    " (for ([i (in-range 300)]) (draw (color (if (even? i) d \"blue\") (make-cylinder (xyz (* 3 i) 0 0) (+ 1 (* i 0.001)) (if (= i 150) a 0.5)))))\n"
+    " (for ([i (in-range 400)]) (draw (do-rotate (do-move (if (even? i) (bolt 2.25) (nut 1.75)) (vxyz (* 4 i) 20 0)) 'z (* i 0.001))))\n"
+    " (draw (make-line (xyz 0 0 5) (xyz 1 1 6) (xyz c 3 5)) (make-circle (xyz 3 3 3) 2))\n"
+    " (draw (subtract (make-box (xyz 0 0 0) (xyz 900 9 9)) (for/list ([i (in-range 200)]) (make-sphere (xyz (* 4 i) 0 (if (= i 77) a 0)) 1.25)) (do-move (nut 1.75) (vxyz 3 3 3))))\n"
+    " (draw (intersect (make-half-space (make-plane (xyz 0 0 2) (vxyz 0 0 1))) (unite (for/list ([i (in-range 80)]) (make-sphere (xyz (* 4 i) 99 0) 5)))))\n"
+    " (draw (do-scale (unite (for/list ([i (in-range 60)]) (do-sweep (make-circle (xyz 0 0 0) 0.2) (make-line (xyz i 0 0) (xyz i 2 2) (xyz i 2 5))))) c)))\n";
+
+static void test_texts(void **state) {
+  (void)state;
+  static const char *const formats[] = { "povray", "openscad", "tree", "x3d" };
+  static const struct { const char *text; bool most; } steps[] = {
+    { "(model 0.5 #f 2 \"red\")", false }, { "(model 0.5 #f 2 \"red\")", true }, { "(model 0.4 #f 2 \"red\")", true }, { "(model 0.4 #t 2 \"red\")", true },
+    { "(model 0.4 #t 2 \"gold\")", true }, { "(model 0.4 #f 900 \"red\")", false }, { "(model 0.5 #f 2 \"red\")", true } };
+  for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
+    heard one = { "", 0 };
+    vs *s = hearing(&one, 0);
+    run(s, model);
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+      heard other = { "", 0 };
+      vs *fresh = hearing(&other, SIZE_MAX);
+      run(fresh, model);
+      run(fresh, steps[i].text);
+      run(s, steps[i].text);
+      one.count = 0;
+      double texts = statistic(s, "texts"), emitted = statistic(s, "texts.emitted");
+      bytes b = written(s, formats[f], false), c = written(fresh, formats[f], true);
+      texts = statistic(s, "texts") - texts, emitted = statistic(s, "texts.emitted") - emitted;
+      assert_int_equal(b.count, c.count);
+      assert_memory_equal(b.at, c.at, b.count);
+      assert_string_equal(one.count ? one.text : "", other.count ? other.text : "");
+      assert_true(statistic(fresh, "texts") == 0 && statistic(fresh, "cache.bytes") == 0);
+      if (strcmp(formats[f], "x3d") != 0) {
+        assert_true(texts >= 6);
+        if (i == 0) assert_true(emitted == texts);
+        if (steps[i].most) assert_true(2 * emitted <= texts);
+      }
+      free(b.at), free(c.at);
+      vs_free(fresh);
+    }
+    vs_free(s);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(test_equality), cmocka_unit_test(test_bound), cmocka_unit_test(test_refused),
                                       cmocka_unit_test(test_incremental), cmocka_unit_test(test_measures), cmocka_unit_test(test_tags), cmocka_unit_test(test_restart),
-                                      cmocka_unit_test(test_restart_refused), cmocka_unit_test(test_limit) };
+                                      cmocka_unit_test(test_restart_refused), cmocka_unit_test(test_limit), cmocka_unit_test(test_texts) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

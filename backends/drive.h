@@ -1,0 +1,112 @@
+/* Owns what the files of the driver share. driver.c: plan and walk; run.c: the runs whose text is kept. Nobody else includes this. */
+#ifndef VS_BACKENDS_DRIVE_H
+#define VS_BACKENDS_DRIVE_H
+
+#include "backends/backend.h"
+#include "backends/reuse.h"
+#include "geometry/measure.h"
+#include "model/nodemap.h"
+
+typedef struct {
+  vs_ref ref;           /* where it was met first */
+  uint32_t uses, height; /* of an operation while its children are met: the highest of them */
+  uint32_t shown;       /* of an operation: children that are not vain */
+  uint32_t definition;  /* template number from 1, or 0 */
+  uint32_t weight;      /* about how many shapes' text it is, with one for a template's use; up to HEAVY of run.c. Only where runs are looked for. */
+  bool vain, cut;
+  bool first_vain, some_vain; /* of its children */
+  bool bare, painted;   /* something in it has no material of its own; something has */
+  vs_node *lowered;     /* retained, or NULL */
+  vs_solid *mesh;
+} drive_entry;
+
+typedef struct { size_t entry; uint32_t next; } drive_step; /* of the plan: an entry whose children from next on are to be met */
+
+typedef struct {
+  vs_ref ref;
+  size_t next, shown;   /* children: looked at, handed to the emitter */
+  size_t asked;         /* children before this one are in no run that is still to be looked for */
+  const vs_material *material;
+  vs_affine placement;
+  vs_bounds reach;
+  bool in_boolean;
+  bool silent;          /* an operation with one operand left: not shown itself */
+} drive_frame;
+
+struct vs_drive {
+  vs_nodemap index;     /* node -> entry + 1 */
+  drive_entry *entries;
+  size_t entry_count, entry_room;
+  uint32_t *order;      /* entries, children first */
+  size_t order_count, order_room;
+  drive_step *steps;
+  size_t step_count, step_room;
+  drive_frame *frames;
+  size_t frame_count, frame_room;
+  bool operation[VS_KIND_COUNT]; /* kinds that are operations whatever they hold */
+  bool brief[VS_KIND_COUNT];     /* vs_drive_is_short */
+  vs_reuse_line *lines;
+  size_t line_count, line_room;
+  vs_nodemap paints;    /* material -> its number */
+  const vs_material **materials;
+  size_t material_count, material_room;
+  vs_node **kept;       /* trees that nodes were lowered to: they are walked after the lowering */
+  size_t kept_count, kept_room;
+  const char **said;    /* warnings given, by address */
+  size_t said_count, said_room;
+  vs_bounds_memo bounds;
+  vs_scene grouped; /* what is drawn instead of the scene given, where sets are grouped: its references are our own */
+  const vs_scene *given; /* then; else NULL */
+  vs_solid scratch; /* the mesh of a node without entry, until the next is asked for */
+  uint32_t ticks;
+  vs_reuse reuse;       /* runs (run.c) */
+  size_t run_frames, run_until; /* of the one being written: how many frames were open; the child before which it ends */
+  size_t run_line, run_first;   /* the line it begins on; how many lines had an origin before it */
+};
+
+/* ---- entries ---- */
+
+static inline bool drive_hull_is_operation(const vs_emitter *e, const vs_node *n) {
+  if (!e->backend->hulls || n->class_ != VS_SOLID || VS_AS(hull, n)->points->count > 0) return false;
+  for (uint32_t i = 0; i < n->child_count; i++)
+    if (n->children[i].node->class_ != VS_SOLID) return false;
+  return true;
+}
+
+static inline bool drive_is_operation(const vs_emitter *e, const vs_node *n) {
+  if (e->backend->verbatim && n->child_count > 0) return true;
+  return n->kind == VS_HULL && !e->backend->verbatim ? drive_hull_is_operation(e, n) : e->drive->operation[n->kind];
+}
+
+/* What is known of a node wherever it stands. A leaf with one owner has no entry. */
+typedef struct { drive_entry *entry; bool operation, vain; } drive_view;
+
+static inline bool drive_leaf_vain(const vs_emitter *e, const vs_node *n) {
+  if (e->backend->verbatim) return false;
+  return n->kind == VS_EMPTY || n->class_ == VS_NOTHING || (n->class_ < VS_MIXED && e->backend->omit[n->class_] != NULL);
+}
+
+/* The entry of a leaf as short as its use says nothing that is not in it: it is not looked up. */
+static inline drive_view drive_look(const vs_emitter *e, const vs_node *n) {
+  const vs_drive *d = e->drive;
+  drive_view v = { NULL, drive_is_operation(e, n), false };
+  if (v.operation || (n->refs > 1 && !d->brief[n->kind])) {
+    const uint64_t *at = vs_nodemap_get(&d->index, n);
+    if (at != NULL) v.entry = &d->entries[*at - 1];
+  }
+  v.vain = v.entry != NULL ? v.entry->vain : drive_leaf_vain(e, n);
+  return v;
+}
+
+/* ---- run.c ---- */
+
+/* A shared node is worth a template unless its own text is as short as the template's use. */
+bool vs_drive_is_short(vs_kind kind);
+void vs_drive_weigh(vs_emitter *e); /* after the plan */
+/* Which of refs from `from` on are a run: up to *until, `shown` of them not vain. found: its text has been put out. Else, where it is worth keeping, it is open
+ * until vs_drive_run_end. body: the one reference is a template's, whose inside is meant. parent NULL: what is drawn itself. */
+bool vs_drive_run(vs_emitter *e, const vs_node *parent, const vs_ref *refs, size_t count, size_t from, bool body, size_t *until, size_t *shown, bool *found);
+void vs_drive_run_end(vs_emitter *e);
+bool vs_drive_mark(vs_emitter *e, uint32_t line, const vs_origin *origin); /* what follows on this line and later ones is this origin's */
+
+#endif

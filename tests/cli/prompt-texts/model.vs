@@ -1,0 +1,8 @@
+(define-parameter bad -1)
+(for ([i (in-range 1500)])
+  (draw (make-sphere (xyz (* 3 i) 0 0) (+ 0.5 (* 0.001 i)))))
+(draw (native 'povray (if (= bad 150) "sphere { 0, much }" "sphere { 0, 1 }")))
+(for ([i (in-range 1500)])
+  (draw (make-cylinder (xyz (* 3 i) 5 0) 1 (+ 1 (* 0.001 i)))))
+(for ([i (in-range 99)])
+  (draw (native 'povray (if (= bad (+ i 201)) "sphere { 0, more }" "sphere { 0, 2 }"))))
