@@ -77,6 +77,8 @@ static vs_vm_phase vm_phase(void *session, vs_vm_phase phase) {
 }
 _Static_assert((int)VS_WORK_READ == VS_VM_READ && (int)VS_WORK_EXPAND == VS_VM_EXPAND && (int)VS_WORK_COMPILE == VS_VM_COMPILE && (int)VS_WORK_RUN == VS_VM_RUN, "tally.def");
 
+static bool keep_making(void *session) { return !vs_session_interrupted(session); }
+
 static void *store_memory(void *session, void *old, size_t old_bytes, size_t bytes) { return vs_session_memory(session, old, old_bytes, bytes); }
 
 static void *bootstrap_memory(const vs_options *o, void *old, size_t old_bytes, size_t bytes) {
@@ -113,6 +115,7 @@ vs *vs_new(const vs_options *options) {
   if (ok) s->bind.library_files = vs_bind_file_count(vm);
   if (store) vs_store_release(store); /* bind holds it */
   if (ok) vs_store_set_tally(store, &s->tally);
+  if (ok) vs_store_watch(store, keep_making, s);
   if (ok && o.cache != SIZE_MAX) { /* without memory for it, nothing is kept */
     enum { USUAL = 256 };
     vs_cache_new(store, o.cache ? o.cache : o.limit_memory ? o.limit_memory / 4 : (size_t)USUAL << 20);

@@ -75,7 +75,8 @@ static vs_status refuse_flaws(vs_frame *f, const char *file, const vs_mesh *mesh
 static vs_status refuse_open(vs_frame *f, const char *file, const vs_face_list *l) {
   vs_open_edges open;
   char from[112], to[112], more[64] = "";
-  if (!vs_face_list_open(l, &open)) return vs_fail_memory(f->vm);
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  if (!vs_face_list_open(f->bind->store, l, &open, &e)) return vs_bind_error(f, &e);
   if (!open.count) return vs_fail(f->vm, f->vm->sym.range, "%s: the faces enclose nothing, or have one side, as a Moebius strip", file);
   place_text(from, open.from), place_text(to, open.to);
   if (open.count > 1) snprintf(more, sizeof more, ", and at %zu edges more", open.count - 1);
@@ -108,7 +109,7 @@ static vs_status repaired(vs_frame *f, const char *file, vs_face_list *l, vs_nod
   vs_mesh mesh = { 0 }, whole = { 0 };
   vs_mesh_flaws flaws;
   bool flawless = true;
-  vs_status ok = vs_face_list_repair(l, &notes) ? VS_OK : vs_fail_memory(f->vm);
+  vs_status ok = vs_face_list_repair(f->bind->store, l, &notes, &e) ? VS_OK : vs_bind_error(f, &e);
   *out = NULL;
   static const uint32_t none[1] = { 0 };
   if (ok && !(*out = vs_polyface_make(f->bind->store, l->points, l->point_count, l->face_count ? l->starts : none, l->face_count, l->corners, &e))) ok = vs_bind_error(f, &e);

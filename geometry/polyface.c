@@ -1,7 +1,8 @@
 /* Owns what is to be known of points and faces before they become a node: do they close, and which way do they face?
  *
  * Edges of all faces are sorted by their two ends. Where exactly two faces meet at each edge the faces of a component are made to
- * agree with the first of them, breadth first; each component closes when all its edges are met twice, once each way. Cost: n log n. */
+ * agree with the first of them, breadth first; each component closes when all its edges are met twice, once each way. Linear, but where many edges
+ * share a point. */
 #include "geometry/polyface.h"
 
 #include <stdlib.h>
@@ -42,12 +43,41 @@ bool vs_polyface_merge(const vs_vec3 *points, size_t count, uint32_t *place) {
 
 typedef struct { uint32_t low, high, face; bool forward; } vs_side; /* forward: the face runs from low to high */
 
-static int vs_side_compare(const void *a, const void *b) {
+static int vs_side_compare(const void *a, const void *b) { /* of one low end */
   const vs_side *p = a, *q = b;
-  if (p->low != q->low) return p->low < q->low ? -1 : 1;
   if (p->high != q->high) return p->high < q->high ? -1 : 1;
   if (p->face != q->face) return p->face < q->face ? -1 : 1;
   return p->forward - q->forward;
+}
+
+/* faces' corners are numbers below points. Sorted by low end, each of which has few, and then among those; false: out of memory or interrupted. */
+static bool vs_sides_sort(vs_store *s, vs_side *sides, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, vs_error *e) {
+  uint32_t *at = calloc(points + 2, sizeof *at);
+  if (!at) return vs_error_memory(e, NULL);
+  for (int pass = 0; pass < 2; pass++) {
+    for (uint32_t f = 0; f < face_count; f++)
+      for (uint32_t c = starts[f]; c < starts[f + 1]; c++) {
+        uint32_t a = corners[c], b = corners[c + 1 == starts[f + 1] ? starts[f] : c + 1];
+        if (pass) sides[at[(a < b ? a : b) + 1]++] = (vs_side){ a < b ? a : b, a < b ? b : a, f, a < b };
+        else at[(a < b ? a : b) + 2]++;
+      }
+    for (size_t i = 2; !pass && i < points + 2; i++) at[i] += at[i - 1];
+  }
+  bool ok = true;
+  for (size_t p = 0; ok && p < points; p++) { /* at[p] is now its first: at[p + 1] has moved up to where it ends */
+    uint32_t low = at[p], count = at[p + 1] - low;
+    enum { FEW = 16 };
+    if (count > FEW) qsort(sides + low, count, sizeof *sides, vs_side_compare);
+    for (uint32_t i = 1; count <= FEW && i < count; i++) {
+      vs_side x = sides[low + i];
+      uint32_t j = low + i;
+      for (; j > low && vs_side_compare(&sides[j - 1], &x) > 0; j--) sides[j] = sides[j - 1];
+      sides[j] = x;
+    }
+    ok = vs_store_going(s, 16, e);
+  }
+  free(at);
+  return ok;
 }
 
 typedef struct {
@@ -69,20 +99,17 @@ static void vs_agreement_free(vs_agreement *g) {
   free(g->seen);
 }
 
-/* faces' corners are merged points. *closed: each edge met by exactly two faces that agree, or can be made to. turned[f] says which faces to turn. */
-static bool vs_polyface_agree(vs_agreement *g, const uint32_t *starts, size_t face_count, const uint32_t *corners, bool *closed) {
+/* faces' corners are merged points, numbers below points. *closed: each edge met by exactly two faces that agree, or can be made to. turned[f] says which faces
+ * to turn. */
+static bool vs_polyface_agree(vs_store *s, vs_agreement *g, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, bool *closed, vs_error *e) {
   size_t n = starts[face_count], room = n ? n : 1, faces = face_count ? face_count : 1;
   *g = (vs_agreement){ malloc(room * sizeof *g->sides), malloc(room * sizeof *g->mate), malloc(room * sizeof *g->of_face),
                        calloc(faces + 1, sizeof *g->starts), malloc(faces * sizeof *g->queue), calloc(faces, 1), calloc(faces, 1) };
-  if (!g->sides || !g->mate || !g->of_face || !g->starts || !g->queue || !g->turned || !g->seen) return false;
-  for (uint32_t f = 0; f < face_count; f++)
-    for (uint32_t c = starts[f]; c < starts[f + 1]; c++) {
-      uint32_t a = corners[c], b = corners[c + 1 == starts[f + 1] ? starts[f] : c + 1];
-      g->sides[c] = (vs_side){ a < b ? a : b, a < b ? b : a, f, a < b };
-    }
-  qsort(g->sides, n, sizeof *g->sides, vs_side_compare);
+  if (!g->sides || !g->mate || !g->of_face || !g->starts || !g->queue || !g->turned || !g->seen) return vs_error_memory(e, NULL);
+  if (!vs_sides_sort(s, g->sides, points, starts, face_count, corners, e)) return false;
   *closed = n > 0;
   for (size_t i = 0; i < n;) {
+    if (!vs_store_going(s, 4, e)) return false;
     size_t end = i + 1;
     while (end < n && g->sides[end].low == g->sides[i].low && g->sides[end].high == g->sides[i].high) end++;
     for (size_t k = i; k < end; k++) g->mate[k] = end - i == 2 ? (uint32_t)(k == i ? i + 1 : i) : UINT32_MAX;
@@ -103,6 +130,7 @@ static bool vs_polyface_agree(vs_agreement *g, const uint32_t *starts, size_t fa
     g->queue[tail++] = first;
     while (head < tail) {
       uint32_t f = g->queue[head++];
+      if (!vs_store_going(s, 4, e)) return false;
       uint32_t from = g->starts[f + 1], to = f + 1 < face_count ? g->starts[f + 2] : (uint32_t)n;
       for (uint32_t k = from; k < to; k++) {
         uint32_t mate = g->mate[g->of_face[k]];
@@ -122,9 +150,9 @@ static bool vs_polyface_agree(vs_agreement *g, const uint32_t *starts, size_t fa
   return true;
 }
 
-bool vs_polyface_orient(const uint32_t *starts, size_t face_count, const uint32_t *corners, unsigned char *turned, bool *closed) {
+bool vs_polyface_orient(vs_store *s, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, unsigned char *turned, bool *closed, vs_error *e) {
   vs_agreement g = { 0 };
-  bool ok = vs_polyface_agree(&g, starts, face_count, corners, closed);
+  bool ok = vs_polyface_agree(s, &g, points, starts, face_count, corners, closed, e);
   if (ok) memcpy(turned, g.turned, face_count);
   vs_agreement_free(&g);
   return ok;
@@ -140,8 +168,12 @@ vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, cons
   vs_faces *faces = NULL;
   vs_node *node = NULL;
   vs_mesh mesh = { 0 };
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
   bool closed = false, ok = place && new_starts && merged && own && vs_polyface_merge(points, count, place);
-  if (!ok) goto done;
+  if (!ok) {
+    vs_error_memory(&why, NULL);
+    goto done;
+  }
   new_starts[0] = 0;
   for (size_t f = 0; f < face_count; f++) {
     size_t begin = kept_corners;
@@ -158,7 +190,7 @@ vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, cons
     node = vs_node_new(s, VS_EMPTY, NULL, NULL, 0);
     goto done;
   }
-  ok = vs_polyface_agree(&g, new_starts, kept_faces, merged, &closed);
+  ok = vs_polyface_agree(s, &g, count, new_starts, kept_faces, merged, &closed, &why);
   if (!ok) goto done;
   for (int pass = 0; pass < 2; pass++) { /* the second turns all round, when it is inside out */
     for (size_t f = 0; f < kept_faces; f++) {
@@ -172,10 +204,11 @@ vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, cons
     vs_faces_release(s, faces);
     faces = vs_faces_new(s, new_starts, kept_faces, own, kept_corners);
     if (!at) at = vs_points_new(s, points, count);
-    if (!faces || !at) goto done;
+    if (!faces || !at || !vs_store_going(s, (uint32_t)kept_corners, &why)) goto done;
     if (!closed || pass) break;
     if (!vs_solid_polyface(&mesh, at, faces)) goto done;
     double volume = vs_mesh_volume(&mesh);
+    if (!vs_store_going(s, (uint32_t)kept_corners, &why)) goto done;
     vs_bounds b = vs_mesh_bounds(&mesh);
     double d = vs_bounds_diagonal(&b);
     if (fabs(volume) <= 1e-14 * d * d * d) closed = false; /* two sheets back to back */
@@ -184,7 +217,8 @@ vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, cons
   struct vs_polyface_mesh data = { .points = at, .faces = faces, .closed = closed };
   node = vs_node_new(s, VS_POLYFACE_MESH, &data, NULL, 0);
 done:
-  if (!node) vs_error_memory(e, NULL);
+  if (!node && why.kind != VS_ERROR_NONE && e) *e = why;
+  else if (!node) vs_error_memory(e, NULL);
   vs_mesh_free(&mesh);
   vs_agreement_free(&g);
   vs_points_release(s, at);

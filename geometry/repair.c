@@ -57,19 +57,20 @@ static size_t edge_end(const repair_side *sides, size_t count, size_t at, long *
   return end;
 }
 
-bool vs_face_list_open(const vs_face_list *l, vs_open_edges *out) {
+bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, vs_error *e) {
   vs_face_list own = { .points = l->points, .point_count = l->point_count };
   uint32_t *place = malloc((l->point_count + 1) * sizeof *place), *number = malloc((l->face_count + 1) * sizeof *number);
   unsigned char *turned = calloc(l->face_count + 1, 1);
   size_t count = 0;
   bool closed, ok = place && number && turned && vs_polyface_merge(l->points, l->point_count, place);
   *out = (vs_open_edges){ 0 };
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
   for (uint32_t f = 0; ok && f < l->face_count; f++) { /* as it is seen when the node is made: equal points are one, neighbours agree */
     for (uint32_t c = l->starts[f]; ok && c < l->starts[f + 1]; c++) ok = vs_face_list_corner(&own, place[l->corners[c]]);
     number[own.face_count] = f;
     ok = ok && vs_face_list_close(&own);
   }
-  ok = ok && (!own.face_count || vs_polyface_orient(own.starts, own.face_count, own.corners, turned, &closed));
+  ok = ok && (!own.face_count || vs_polyface_orient(s, l->point_count, own.starts, own.face_count, own.corners, turned, &closed, &why));
   repair_side *sides = ok ? list_sides(&own, &count) : NULL;
   for (size_t i = 0; sides && i < count; i++) sides[i].forward ^= turned[sides[i].face];
   for (size_t i = 0, end; sides && i < count; i = end) {
@@ -78,6 +79,8 @@ bool vs_face_list_open(const vs_face_list *l, vs_open_edges *out) {
     if (over && !out->count++) *out = (vs_open_edges){ 1, number[sides[i].face], l->points[sides[i].low], l->points[sides[i].high] };
   }
   ok = sides != NULL;
+  if (!ok && why.kind == VS_ERROR_NONE) vs_error_memory(&why, NULL);
+  if (!ok && e) *e = why;
   own.points = NULL;
   vs_face_list_free(&own);
   free(sides);
@@ -314,9 +317,9 @@ static void turn_face(vs_face_list *l, uint32_t f) {
   }
 }
 
-static bool agree(vs_face_list *l, size_t *turned) {
+static bool agree(vs_store *s, vs_face_list *l, size_t *turned, vs_error *e) {
   unsigned char *turn = calloc(l->face_count + 1, 1);
-  bool closed, ok = turn && vs_polyface_orient(l->starts, l->face_count, l->corners, turn, &closed);
+  bool closed, ok = turn && vs_polyface_orient(s, l->point_count, l->starts, l->face_count, l->corners, turn, &closed, e);
   for (uint32_t f = 0; ok && f < l->face_count; f++)
     if (turn[f]) turn_face(l, f), ++*turned;
   free(turn);
@@ -337,7 +340,7 @@ static double face_volume(const vs_face_list *l, uint32_t f, vs_vec3 o, double *
 }
 
 /* Shells of negative volume are turned, but for those inside another: these are cavities. */
-static bool turn_shells(vs_face_list *l, size_t *turned) {
+static bool turn_shells(vs_store *store, vs_face_list *l, size_t *turned, vs_error *e) {
   size_t count, n = l->face_count;
   repair_side *sides = list_sides(l, &count);
   uint32_t *shell = malloc((n + 1) * sizeof *shell);
@@ -355,6 +358,8 @@ static bool turn_shells(vs_face_list *l, size_t *turned) {
     for (uint32_t f = 0; f < n; f++) {
       double part = 0;
       uint32_t other = vs_find(shell, f);
+      ok = vs_store_going(store, 4, e);
+      if (!ok) break;
       if (other == s) continue;
       face_volume(l, f, o, &part);
       angle += volume[other] < 0 ? -part : part; /* as if it looked outwards */
@@ -370,9 +375,10 @@ static bool turn_shells(vs_face_list *l, size_t *turned) {
   return ok;
 }
 
-bool vs_face_list_repair(vs_face_list *l, vs_repair_notes *notes) {
+bool vs_face_list_repair(vs_store *s, vs_face_list *l, vs_repair_notes *notes, vs_error *e) {
   *notes = (vs_repair_notes){ 0 };
   if (!l->face_count) return true;
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
   uint32_t *place = malloc((l->point_count + 1) * sizeof *place);
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < l->point_count; i++) vs_bounds_add(&b, l->points[i]);
@@ -381,6 +387,9 @@ bool vs_face_list_repair(vs_face_list *l, vs_repair_notes *notes) {
   bool ok = place && weld(l, reach, place, &notes->welded);
   for (size_t i = 0; ok && i < l->corner_count; i++) l->corners[i] = place[l->corners[i]];
   free(place);
-  return ok && drop_faces(l, &notes->dropped) && agree(l, &notes->turned) && close_holes(l, notes) && turn_shells(l, &notes->turned) &&
-         vs_face_list_compact(l);
+  ok = ok && drop_faces(l, &notes->dropped) && agree(s, l, &notes->turned, &why) && close_holes(l, notes) && turn_shells(s, l, &notes->turned, &why) &&
+       vs_face_list_compact(l);
+  if (!ok && why.kind == VS_ERROR_NONE) vs_error_memory(&why, NULL);
+  if (!ok && e) *e = why;
+  return ok;
 }

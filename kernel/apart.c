@@ -141,6 +141,7 @@ bool vs_mesh_meetings(vs_kernel *k, const vs_mesh *m, vs_meeting_fn *fn, void *c
   double size = fmax(fmax(all.max.x - all.min.x, all.max.y - all.min.y), all.max.z - all.min.z), step = size > 0 ? size * 0x1p-28 : 1;
   bool ok = m->triangle_count < UINT32_MAX && VS_ROOM(k, boxes.at, boxes.room, m->triangle_count + 1);
   for (uint32_t t = 0; ok && t < m->triangle_count; t++) {
+    ok = vs_kernel_poll(k, k->part);
     vs_vec3 v[3], low, high;
     corners(m, t, v);
     low = vs_v3(fmin(fmin(v[0].x, v[1].x), v[2].x), fmin(fmin(v[0].y, v[1].y), v[2].y), fmin(fmin(v[0].z, v[1].z), v[2].z));

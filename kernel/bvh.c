@@ -73,7 +73,7 @@ static bool in_chunks(vs_kernel *k, vs_task_fn *task, coding *c) {
 }
 
 static bool sort_morton(vs_kernel *k, vs_bvh *t) {
-  enum { DIGIT = 10, FEW = 64 };
+  enum { DIGIT = 10, FEW = 64, LARGE = 1 << 16 };
   uint64_t *a = NULL, *b = NULL;
   size_t ar = 0, br = 0;
   uint32_t n = t->count;
@@ -110,6 +110,7 @@ static bool sort_morton(vs_kernel *k, vs_bvh *t) {
         uint64_t *swap = a;
         a = b;
         b = swap;
+        ok = ok && (n < LARGE || vs_kernel_report(k, k->part));
       }
     }
     c.code = a;

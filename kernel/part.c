@@ -34,7 +34,7 @@ bool vs_twins_find(vs_kernel *k, const uint32_t (*triangles)[3], size_t count, s
       if (!pass)
         for (size_t i = 2; i < vertex_count + 2; i++) first[i] += first[i - 1];
     }
-    for (size_t v = 0; v < vertex_count; v++) { /* few in each: each looks for the nearest before it that runs the other way and is free */
+    for (size_t v = 0; ok && v < vertex_count; v++) { /* few in each: each looks for the nearest before it that runs the other way and is free */
       uint32_t low = first[v], high = first[v + 1];
       enum { MANY = 64 };
       if (high - low > MANY) {
@@ -65,6 +65,7 @@ bool vs_twins_find(vs_kernel *k, const uint32_t (*triangles)[3], size_t count, s
       }
       for (uint32_t i = low; i < high && *open == VS_NONE; i++)
         if (twins[halves[i].corner / 2] == VS_NONE) *open = halves[i].corner / 6;
+      ok = vs_kernel_poll(k, 0);
     }
   }
   VS_FREE(k, first, first_room);
@@ -106,31 +107,34 @@ static bool find_twins(vs_kernel *k, vs_part *p) {
 
 static double det(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_dot(vs_v3_cross(a, b), c); }
 
-static void find_star(vs_part *p) {
+/* False: interrupted. */
+static bool find_star(vs_kernel *k, vs_part *p) {
   const vs_mesh *m = p->mesh;
   size_t n = m->triangle_count, vertices = m->vertex_count;
   double angle = 0, size, six = 0;
   p->middle = vs_v3(0, 0, 0);
   p->outer = 0;
   p->inner = INFINITY;
-  if (!p->twins || n < 4 || vertices < 4) return;
+  if (!p->twins || n < 4 || vertices < 4) return true;
   for (size_t i = 0; i < vertices; i++) p->middle = vs_v3_add(p->middle, m->vertices[i]);
   p->middle = vs_v3_scale(p->middle, 1 / (double)vertices);
   for (size_t i = 0; i < vertices; i++) p->outer = fmax(p->outer, vs_v3_length(vs_v3_sub(m->vertices[i], p->middle)));
   size = p->outer;
-  if (!(size > 0) || !isfinite(size)) return;
+  if (!(size > 0) || !isfinite(size)) return true;
   for (size_t t = 0; t < n; t++) {
     vs_vec3 a = vs_v3_sub(m->vertices[m->triangles[t][0]], p->middle), b = vs_v3_sub(m->vertices[m->triangles[t][1]], p->middle),
             c = vs_v3_sub(m->vertices[m->triangles[t][2]], p->middle), normal = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
     double volume = det(a, b, c), area = vs_v3_length(normal), la = vs_v3_length(a), lb = vs_v3_length(b), lc = vs_v3_length(c);
-    if (!(volume > 1e-9 * size * area) || p->twins[3 * t] == VS_NONE || p->twins[3 * t + 1] == VS_NONE || p->twins[3 * t + 2] == VS_NONE) return;
+    if (!(volume > 1e-9 * size * area) || p->twins[3 * t] == VS_NONE || p->twins[3 * t + 1] == VS_NONE || p->twins[3 * t + 2] == VS_NONE) return true;
     p->inner = fmin(p->inner, volume / area);
+    if (!vs_kernel_poll(k, 0)) return false;
     six += volume;
     angle += 2 * atan2(volume, la * lb * lc + vs_v3_dot(a, b) * lc + vs_v3_dot(b, c) * la + vs_v3_dot(c, a) * lb);
   }
-  if (fabs(angle / (12.566370614359172) - 1) > 0.01) return;
+  if (fabs(angle / (12.566370614359172) - 1) > 0.01) return true;
   p->volume = six / 6;
   p->star = true;
+  return true;
 }
 
 static void find_convex(vs_part *p) {
@@ -189,7 +193,7 @@ static bool look_at(vs_kernel *k, void *context, size_t chunk) {
     vs_part *part = &p->all.at[i];
     if (part->mesh->triangle_count == 0) continue;
     if (!find_twins(k, part)) return false;
-    find_star(part);
+    if (!find_star(k, part)) return false;
     if (!part->star) part->volume = vs_mesh_volume(part->mesh);
     else if (part->joined) find_convex(part);
     else VS_FREE(k, part->twins, part->twin_room); /* it stands as it is */

@@ -146,7 +146,7 @@ static bool take_chunk(vs_kernel *k, void *context, size_t index) {
   if (from->corners.count) memcpy(c->patch_corners.at + corners, from->corners.at, from->corners.count * sizeof *from->corners.at);
   c->patches.count = c->boxes.count = patches + from->patches.count;
   c->patch_corners.count = corners + from->corners.count;
-  return true;
+  return vs_kernel_report(k, 0.1);
 }
 
 bool vs_patches_build(vs_kernel *k, vs_cluster *c) {

@@ -145,6 +145,9 @@ vs_store *vs_store_new(vs_alloc_fn *alloc, void *context); /* alloc NULL: the C 
 vs_store *vs_store_retain(vs_store *s);
 void vs_store_release(vs_store *s);
 size_t vs_store_bytes(const vs_store *s); /* held now by nodes and arrays: counts towards the interpreter's memory budget */
+/* Who is asked in what works long whether to go on, the error's word then being that it was interrupted. NULL: nobody. */
+void vs_store_watch(vs_store *s, bool (*going)(void *context), void *context);
+bool vs_store_going(vs_store *s, uint32_t work, vs_error *e); /* asks once a million steps of a nanosecond or some have come together; s NULL: goes on */
 void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size); /* accounted; new_size 0 frees */
 /* Small things of which there may be millions (piece.c); freed with the size they were asked for. NULL: out of memory. */
 void *vs_store_piece(vs_store *s, size_t bytes);

@@ -108,6 +108,19 @@ void vs_store_on_ticket(vs_store *s, void (*gone)(void *context, uint32_t id), v
   s->ticket_context = context;
 }
 
+void vs_store_watch(vs_store *s, bool (*going)(void *context), void *context) {
+  s->going = going;
+  s->going_context = context;
+}
+
+bool vs_store_going(vs_store *s, uint32_t work, vs_error *e) {
+  enum { MANY = 1 << 20 };
+  if (!s || !s->going || (s->work += work < MANY ? work : MANY) < MANY) return true;
+  s->work = 0;
+  if (s->going(s->going_context)) return true;
+  return vs_error_set(e, VS_ERROR_INTERRUPT, NULL, "interrupted");
+}
+
 size_t vs_store_bytes(const vs_store *s) { return s->bytes; }
 
 void vs_store_fail_at(vs_store *s, size_t n) {

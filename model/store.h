@@ -20,6 +20,9 @@ struct vs_store {
   vs_intern texts, origins, materials;
   void *kept;           /* what geometry/ keeps as long as the store lives (fonts); let_go frees it before the rest */
   void (*let_go)(vs_store *s, void *kept);
+  bool (*going)(void *context); /* who may stop what works long; NULL: nobody */
+  void *going_context;
+  uint32_t work;        /* since they were asked */
   struct vs_tally *tally; /* the owner's; NULL: none (tally.h) */
   vs_cache *cache;      /* the owner's, who frees it first; NULL: none (cache.h) */
   void (*ticket_gone)(void *context, uint32_t id);

@@ -51,7 +51,7 @@ bool vs_rewrite_run(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count
   vs_rewritten *results = vs_store_realloc(w->store, NULL, 0, (nodes + 1) * sizeof *results);
   vs_ref *kids = vs_store_realloc(w->store, NULL, 0, widest * sizeof *kids);
   bool ok = (results && kids) || vs_error_memory(w->error, NULL);
-  while (ok && done < nodes && (ok = vs_rewrite_node(w, fn, done, results, kids))) done++;
+  while (ok && done < nodes && (ok = vs_store_going(w->store, VS_NODE_WORK, w->error) && vs_rewrite_node(w, fn, done, results, kids))) done++;
   for (size_t i = 0; ok && i < count; i++) {
     vs_ref new = vs_rewritten_ref(w, results, refs[i]);
     kids[0] = refs[i];

@@ -394,6 +394,7 @@ bool vs_share_begin(vs_rewrite *w) {
   for (size_t i = 0; i < o->count; i++) {
     if (s->at[i].wanted) vs_share_find_key(s, o->at[i].node, &s->at[i].key, &s->at[i].anchor);
     if (s->starved) return vs_error_memory(w->error, o->at[i].origin);
+    if (!vs_store_going(w->store, VS_NODE_WORK, w->error)) return false;
   }
   if (!vs_share_group(s) || !vs_share_turns(s)) return vs_error_memory(w->error, NULL);
   for (size_t i = 0; i < o->count; i++) vs_share_head(s, i)->named += o->note[i].uses;

@@ -111,7 +111,7 @@ static void every_format(void **state) {
     assert_int_equal(l.face_count, which < 2 ? 12 : 6);
     assert_true(vs_face_list_compact(&l));
     assert_int_equal(l.point_count, 8);
-    assert_true(vs_face_list_open(&l, &open) && open.count == 0);
+    assert_true(vs_face_list_open(NULL, &l, &open, NULL) && open.count == 0);
     assert_true(chain_volume(&l) == 1);
     vs_face_list_free(&l);
   }
@@ -147,8 +147,8 @@ static void damaged_files(void **state) {
         vs_repair_notes notes;
         vs_open_edges open;
         read++;
-        assert_true(vs_face_list_open(&l, &open));
-        assert_true(vs_face_list_repair(&l, &notes));
+        assert_true(vs_face_list_open(NULL, &l, &open, NULL));
+        assert_true(vs_face_list_repair(NULL, &l, &notes, NULL));
         if (l.face_count) chain_volume(&l);
       } else {
         assert_true(e.kind == VS_ERROR_MODEL && !strncmp(e.message, s.name, strlen(s.name)));
@@ -206,7 +206,7 @@ static void broken_solids(void **state) {
         assert_true(vs_face_list_close(&l));
       }
     }
-    assert_true(vs_face_list_repair(&l, &notes));
+    assert_true(vs_face_list_repair(NULL, &l, &notes, NULL));
     double got = chain_volume(&l);
     if (fabs(got - volume) > 0.05) fail_msg("round %zu: volume %g, not %g: %zu welded, %zu dropped, %zu turned, %zu holes", round, got, volume, notes.welded, notes.dropped, notes.turned, notes.holes);
     assert_true(dropped == 0 || notes.holes > 0);
