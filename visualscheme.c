@@ -46,8 +46,8 @@ static bool take_value(vs *vm, vs_value v, vs_pos place) {
   vs_text_open(vm, &t, 0);
   bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &shown) && vs_text_put(&t, shown.at ? shown.at : "", shown.count) && (!shown.cut || vs_text_puts(&t, " ..."));
   vs_bind_counts parts;
-  vs_shape *object = shown.cut ? vs_bind_shape(r[0]) : NULL;
-  if (ok && object && vs_bind_count(object->ref, &parts)) { /* (unite ... ; 3000 objects */
+  vs_ref object = shown.cut ? vs_bind_ref(r[0]) : (vs_ref){ NULL, NULL };
+  if (ok && object.node && vs_bind_count(object, &parts)) { /* (unite ... ; 3000 objects */
     char text[60];
     snprintf(text, sizeof text, " ; %.15g object%s", parts.all, parts.all == 1 ? "" : "s");
     ok = vs_text_puts(&t, text);

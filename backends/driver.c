@@ -282,7 +282,7 @@ static inline bool drive_finite_at(const vs_field_info *f, const void *data) {
 static bool drive_check(vs_emitter *e, const vs_ref *ref) {
   const vs_kind_info *info = vs_kind_get((vs_kind)ref->node->kind);
   for (size_t i = 0; i < info->field_count; i++)
-    if (!drive_finite_at(&info->fields[i], ref->node->data))
+    if (!drive_finite_at(&info->fields[i], vs_node_data(ref->node)))
       return vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s: %s is infinite or not a number", info->name, info->fields[i].argument);
   if (ref->node->kind == VS_TRANSFORM) {
     double size = vs_affine_determinant(&VS_AS(transform, ref->node)->matrix);

@@ -282,7 +282,7 @@ static vs_node *part_flush(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
     else if (!(now[made].node = grown(kids[made], diagonal * 0x1p-16 * (n->kind == VS_DIFFERENCE ? 1 : made)))) ok = false;
     if (!ok) break;
   }
-  vs_node *result = !ok ? NULL : any ? vs_node_new(w->store, (vs_kind)n->kind, n->data, now, n->child_count) : vs_rewrite_keep(w, n, kids);
+  vs_node *result = !ok ? NULL : any ? vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), now, n->child_count) : vs_rewrite_keep(w, n, kids);
   w->changed += ok && any;
   for (uint32_t i = 0; i < made; i++) vs_node_release(now[i].node);
   free(marked);

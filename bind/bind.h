@@ -81,9 +81,12 @@ bool vs_bind_returned(vs_bind *b, vs_value v, bool shown);
 bool vs_bind_finish(vs_bind *b);
 
 /* ---- objects (object.c) ---- */
-typedef struct { vs_ref ref; } vs_shape; /* what a Scheme object wraps; owns a reference to the node */
-extern const vs_foreign_type vs_shape_type, vs_paint_type; /* a paint wraps an interned vs_material */
-static inline vs_shape *vs_bind_shape(vs_value v) { return (vs_shape *)vs_foreign_get(v, &vs_shape_type); }
+extern const vs_foreign_type vs_shape_type, vs_paint_type; /* a shape owns a reference to a node, with its origin; a paint wraps an interned vs_material */
+/* What an object of Scheme's refers to, not retained; node NULL: v is no object. */
+static inline vs_ref vs_bind_ref(vs_value v) {
+  vs_node *node = (vs_node *)vs_foreign_get(v, &vs_shape_type);
+  return (vs_ref){ node, node ? (const vs_origin *)vs_as_foreign(v)->with : NULL };
+}
 
 /* Where the running native was called from, and its callers. NULL: not known (or out of memory: then nothing worse happens). */
 const vs_origin *vs_bind_origin(vs_bind *b);

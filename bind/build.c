@@ -52,7 +52,7 @@ static vs_status refuse_large(vs_frame *f, const char *field) {
 }
 
 vs_status vs_bind_node(vs_frame *f, vs_node *node, vs_value *out) {
-  const char *large = node ? largest_field((vs_kind)node->kind, node->data) : NULL;
+  const char *large = node ? largest_field((vs_kind)node->kind, vs_node_data(node)) : NULL;
   if (large) return vs_node_release(node), refuse_large(f, large);
   return vs_bind_wrap(f->bind, node, out);
 }
@@ -73,7 +73,7 @@ vs_status vs_bind_each_part(vs_frame *f, vs_procedure_fn *one, vs_value *out) {
     status = one(f, out);
     if (status != VS_OK) break;
     vs_node_release(parts[made].node);
-    parts[made].node = vs_node_retain(vs_bind_shape(*out)->ref.node);
+    parts[made].node = vs_node_retain(vs_bind_ref(*out).node);
   }
   f->arg[0].ref = whole;
   if (status == VS_OK) status = vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, parts, count, out);

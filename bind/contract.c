@@ -237,21 +237,21 @@ static void *grow_push(vs_frame *f, grow *g) {
 }
 
 static bool add_ref(vs_frame *f, vs_value v, void *to, bool *oom) {
-  vs_shape *s = vs_bind_shape(v);
-  if (!s) return false;
+  vs_ref ref = vs_bind_ref(v);
+  if (!ref.node) return false;
   vs_ref *slot = grow_push(f, to);
   if (!slot) return *oom = true, false;
-  *slot = s->ref;
+  *slot = ref;
   return true;
 }
 static bool add_curve(vs_frame *f, vs_value v, void *to, bool *oom) {
-  vs_shape *s = vs_bind_shape(v);
-  return s && (s->ref.node->class_ == VS_CURVE || vs_bind_is_empty(s->ref.node)) && add_ref(f, v, to, oom);
+  const vs_node *n = vs_bind_ref(v).node;
+  return n && (n->class_ == VS_CURVE || vs_bind_is_empty(n)) && add_ref(f, v, to, oom);
 }
 /* a section: a curve, a region, or a point, which becomes a line of one point */
 static bool add_section(vs_frame *f, vs_value v, void *to, bool *oom) {
-  vs_shape *s = vs_bind_shape(v);
-  if (s) return (s->ref.node->class_ == VS_CURVE || s->ref.node->class_ == VS_REGION_CLASS || vs_bind_is_empty(s->ref.node)) && add_ref(f, v, to, oom);
+  const vs_node *object = vs_bind_ref(v).node;
+  if (object) return (object->class_ == VS_CURVE || object->class_ == VS_REGION_CLASS || vs_bind_is_empty(object)) && add_ref(f, v, to, oom);
   if (!vs_is_flat(v, VS_FLAT_POINT) || !finite3(vs_as_flat(v)->at)) return false;
   vs_vec3 at = vec_of(vs_as_flat(v)->at);
   vs_points *p = vs_points_new(f->bind->store, &at, 1);
@@ -273,7 +273,7 @@ static bool add_point(vs_frame *f, vs_value v, void *to, bool *oom) {
 typedef struct { grow refs, points; } grow_things;
 static bool add_thing(vs_frame *f, vs_value v, void *to, bool *oom) {
   grow_things *g = to;
-  return vs_bind_shape(v) ? add_ref(f, v, &g->refs, oom) : add_point(f, v, &g->points, oom);
+  return vs_bind_ref(v).node ? add_ref(f, v, &g->refs, oom) : add_point(f, v, &g->points, oom);
 }
 
 bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad) {
@@ -324,8 +324,8 @@ static vs_status convert_things(vs_frame *f, const vs_bind_param *p, const vs_va
 
 /* one object, or the union of a list */
 static vs_status convert_object(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
-  vs_shape *s = vs_bind_shape(v);
-  if (s) return out->ref = s->ref, VS_OK;
+  out->ref = vs_bind_ref(v);
+  if (out->ref.node) return VS_OK;
   vs_arg list;
   if (!convert_refs(f, p, &v, 1, &list)) return VS_ERROR;
   if (list.refs.count == 1) return out->ref = list.refs.at[0], VS_OK;
@@ -488,10 +488,8 @@ static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg
     case VS_C_THINGS: return convert_things(f, p, &v, 1, out);
     case VS_C_FACES: return convert_faces(f, p, v, out);
     case VS_C_PATH:
-      if (vs_bind_shape(v)) {
-        out->ref = vs_bind_shape(v)->ref;
-        return class_fits(VS_C_CURVE, out->ref.node) ? VS_OK : refuse_kind(f, p, v);
-      }
+      out->ref = vs_bind_ref(v);
+      if (out->ref.node) return class_fits(VS_C_CURVE, out->ref.node) ? VS_OK : refuse_kind(f, p, v);
       if (!vs_is_flat(v, VS_FLAT_VECTOR)) return convert_real(f, p, v, out);
       return out->point = vec_of(vs_as_flat(v)->at), finite3(vs_as_flat(v)->at) ? VS_OK : refuse_condition(f, p, v);
     case VS_C_TANGENT:

@@ -33,7 +33,7 @@ static bool tickets_grow(vs_bind *b, size_t need) {
 vs_status vs_p_custom_new(vs_frame *f, vs_value *out) {
   vs_bind *b = f->bind;
   uint32_t number = (uint32_t)f->arg[2].integer;
-  vs_shape *child = vs_bind_shape(f->arg[3].value);
+  vs_ref child = vs_bind_ref(f->arg[3].value);
   struct vs_custom d = { vs_store_text(b->store, f->arg[0].text.at, f->arg[0].text.length), vs_store_text(b->store, f->arg[1].text.at, f->arg[1].text.length), NULL, 0 };
   if (!d.name || !d.made || !tickets_grow(b, (size_t)number + 1)) return vs_fail_memory(f->vm);
   if (number >= b->ticket_count) b->ticket_count = (size_t)number + 1;
@@ -42,7 +42,7 @@ vs_status vs_p_custom_new(vs_frame *f, vs_value *out) {
   if (!t) return vs_fail_memory(f->vm);
   b->tickets[number] = t;
   d.values = t;
-  vs_node *n = vs_node_new(b->store, VS_CUSTOM, &d, child ? &child->ref : NULL, child ? 1 : 0);
+  vs_node *n = vs_node_new(b->store, VS_CUSTOM, &d, child.node ? &child : NULL, child.node ? 1 : 0);
   if (fresh) vs_ticket_release(b->store, t); /* the node holds it, or it is gone */
   return vs_bind_node(f, n, out);
 }
@@ -56,14 +56,14 @@ vs_status vs_p_custom_gone(vs_frame *f, vs_value *out) {
 }
 
 vs_status vs_p_custom_number(vs_frame *f, vs_value *out) {
-  vs_shape *s = vs_bind_shape(f->arg[0].value);
-  *out = s && s->ref.node->kind == VS_CUSTOM ? vs_fix(VS_AS(custom, s->ref.node)->values->id) : VS_FALSE;
+  const vs_node *n = vs_bind_ref(f->arg[0].value).node;
+  *out = n && n->kind == VS_CUSTOM ? vs_fix(VS_AS(custom, n)->values->id) : VS_FALSE;
   return VS_OK;
 }
 
 vs_status vs_p_custom_open(vs_frame *f, vs_value *out) {
-  vs_shape *s = vs_bind_shape(f->arg[0].value);
-  *out = vs_bool(s && s->ref.node->flags & VS_NODE_OPEN);
+  const vs_node *n = vs_bind_ref(f->arg[0].value).node;
+  *out = vs_bool(n && n->flags & VS_NODE_OPEN);
   return VS_OK;
 }
 
@@ -101,7 +101,7 @@ vs_status vs_p_object_with(vs_frame *f, vs_value *out) {
                  vs_kind_get((vs_kind)n->kind)->name, class_noun(was));
     return vs_fail(f->vm, f->vm->sym.type, "%s", f->bind->handed.message);
   }
-  vs_node *made = vs_node_new(f->bind->store, (vs_kind)n->kind, n->data, kids, count);
+  vs_node *made = vs_node_new(f->bind->store, (vs_kind)n->kind, vs_node_data(n), kids, count);
   if (!made) return vs_fail_memory(f->vm);
   vs_status s = vs_bind_wrap_ref(f->bind, (vs_ref){ made, o->origin }, out);
   vs_node_release(made);
@@ -136,11 +136,11 @@ bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *
   if (!vs_run(vm, r[0], 2, arguments, &r[3])) return false;
   vs_value l = r[3];
   for (size_t i = 0; i < count; i++, l = vs_cdr(l)) {
-    vs_shape *s = vs_is_pair(l) ? vs_bind_shape(vs_car(l)) : NULL;
-    if (!s) return vs_fail(vm, vm->sym.error, "the drawing functions lost an object");
-    vs_node_retain(s->ref.node);
+    vs_ref made = vs_is_pair(l) ? vs_bind_ref(vs_car(l)) : (vs_ref){ NULL, NULL };
+    if (!made.node) return vs_fail(vm, vm->sym.error, "the drawing functions lost an object");
+    vs_node_retain(made.node);
     vs_node_release(refs[i].node);
-    refs[i] = s->ref;
+    refs[i] = made;
   }
   return true;
 }

@@ -107,7 +107,7 @@ vs_status vs_p_do_ruled_loft(vs_frame *f, vs_value *out) {
 
 vs_status vs_p_do_guided_loft(vs_frame *f, vs_value *out) {
   size_t n = f->arg[0].refs.count, guides = f->arg[1].refs.count;
-  bool path = vs_bind_shape(f->arg[1].value) != NULL;
+  bool path = vs_bind_ref(f->arg[1].value).node != NULL;
   if (!sections(f, f->arg[0].refs.at, &n, out)) return VS_ERROR;
   if (!n) return VS_OK;
   if (!guides) return vs_bind_refuse(f, "guides", "a curve (the path) or a list of curves", f->arg[1].value);

@@ -9,33 +9,28 @@
 
 /* ---- objects ---- */
 
-static void shape_release(void *object) {
-  vs_shape *s = object;
-  vs_store *store = vs_store_retain(s->ref.node->store); /* the node may hold the last reference to it */
-  vs_node_release(s->ref.node);
-  vs_store_piece_free(store, s, sizeof *s);
-  vs_store_release(store);
-}
-static bool shape_equal(const void *a, const void *b) { return vs_node_equal(((const vs_shape *)a)->ref.node, ((const vs_shape *)b)->ref.node, NULL); }
-static uint64_t shape_hash(const void *a) { return ((const vs_shape *)a)->ref.node->hash; }
+static void shape_release(void *object) { vs_node_release(object); }
+static bool shape_equal(const void *a, const void *b) { return vs_node_equal(a, b, NULL); }
+static uint64_t shape_hash(const void *a) { return ((const vs_node *)a)->hash; }
 static bool shape_print(vs *vm, const void *a, bool (*put)(void *to, const char *s, size_t n), void *to) {
   (void)vm;
-  return vs_bind_print_node(((const vs_shape *)a)->ref.node, put, to);
+  return vs_bind_print_node(a, put, to);
 }
 const vs_foreign_type vs_shape_type = { "an object", shape_release, shape_equal, shape_hash, shape_print, NULL, false };
 
+static vs_status wrap(vs_bind *b, vs_ref ref, size_t bytes, vs_value *out) {
+  if (!vs_make_foreign(b->vm, &vs_shape_type, ref.node, bytes, out)) return VS_ERROR;
+  vs_as_foreign(*out)->with = ref.origin;
+  return VS_OK;
+}
+
 vs_status vs_bind_wrap(vs_bind *b, vs_node *node, vs_value *out) {
-  vs_shape *s = node ? vs_store_piece(b->store, sizeof *s) : NULL;
-  if (!s) return vs_node_release(node), vs_fail_memory(b->vm);
-  s->ref = (vs_ref){ node, vs_bind_origin(b) };
-  return vs_make_foreign(b->vm, &vs_shape_type, s, sizeof *s + (node->refs == 1 ? vs_node_bytes(node) : 0), out);
+  if (!node) return vs_fail_memory(b->vm);
+  return wrap(b, (vs_ref){ node, vs_bind_origin(b) }, node->refs == 1 ? vs_node_bytes(node) : 0, out);
 }
 
 vs_status vs_bind_wrap_ref(vs_bind *b, vs_ref ref, vs_value *out) {
-  vs_shape *s = vs_store_piece(b->store, sizeof *s);
-  if (!s) return vs_fail_memory(b->vm);
-  s->ref = (vs_ref){ vs_node_retain(ref.node), ref.origin ? ref.origin : vs_bind_origin(b) };
-  return vs_make_foreign(b->vm, &vs_shape_type, s, sizeof *s, out);
+  return wrap(b, (vs_ref){ vs_node_retain(ref.node), ref.origin ? ref.origin : vs_bind_origin(b) }, 0, out);
 }
 
 /* ---- paints: interned materials, which live as long as the store ---- */

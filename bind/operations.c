@@ -297,7 +297,7 @@ vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
   struct vs_extrude d = { .taper = f->arg[2].given ? REAL(2) : 0, .twist = f->key[0].given ? f->key[0].real : 0, .scale = f->key[1].given ? f->key[1].real : 1,
                           .center = f->key[2].given && f->key[2].boolean };
   vs_ref child[2] = { f->arg[0].ref };
-  bool path = vs_bind_shape(f->arg[1].value) != NULL;
+  bool path = vs_bind_ref(f->arg[1].value).node != NULL;
   vs_plane plane;
   bool empty, leaving_it;
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);

@@ -102,10 +102,10 @@ static const vs_field_info *find(const vs_node *n, const char *argument) {
 static bool named(const sink *k, const vs_node *n, const char *const *names) {
   for (; *names; names++) {
     const vs_field_info *f = find(n, *names);
-    if (!f || !text(k, " ") || !field(k, f, n->data)) return false;
+    if (!f || !text(k, " ") || !field(k, f, vs_node_data(n))) return false;
   }
   const vs_field_info *s = find(n, "segments");
-  return !s || !*(const int32_t *)(const void *)((const char *)n->data + s->offset) || (text(k, " #:segments ") && field(k, s, n->data));
+  return !s || !*(const int32_t *)(const void *)((const char *)vs_node_data(n) + s->offset) || (text(k, " #:segments ") && field(k, s, vs_node_data(n)));
 }
 
 /* rows of heights over the rectangle of the first and the last point */

@@ -9,8 +9,7 @@ static vs_status truth(bool b, vs_value *out) {
   return VS_OK;
 }
 static const vs_node *node_of(const vs_frame *f) { /* NULL: argument 0 is no object */
-  vs_shape *s = vs_bind_shape(f->arg[0].value);
-  return s ? s->ref.node : NULL;
+  return vs_bind_ref(f->arg[0].value).node;
 }
 static vs_status is_class(const vs_frame *f, vs_class c, vs_value *out) { return truth(node_of(f) && node_of(f)->class_ == c, out); }
 
@@ -59,7 +58,7 @@ static vs_status list_faces(vs_frame *f, const vs_faces *g, vs_value *out) {
 }
 
 static vs_status field_value(vs_frame *f, const vs_field_info *i, const vs_node *n, vs_value *out) {
-  const void *at = (const char *)n->data + i->offset;
+  const void *at = (const char *)vs_node_data(n) + i->offset;
   switch (i->type) {
     case VS_FIELD_real: return vs_bind_real(f, *(const double *)at, out);
     case VS_FIELD_integer: *out = vs_fix(*(const int32_t *)at); return VS_OK;
@@ -86,7 +85,7 @@ vs_status vs_p_object_arguments(vs_frame *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (size_t i = k->field_count; i-- > 0;) {
-    if (!strcmp(k->fields[i].argument, "segments") && *(const int32_t *)(const void *)((const char *)n->data + k->fields[i].offset) == 0) continue;
+    if (!strcmp(k->fields[i].argument, "segments") && *(const int32_t *)(const void *)((const char *)vs_node_data(n) + k->fields[i].offset) == 0) continue;
     if (!field_value(f, &k->fields[i], n, &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
   }
   *out = r[0];

@@ -85,8 +85,8 @@ static bool remember(vs_bind *b, vs_ref ref, bool shown) {
 
 /* A list counts when all in it are objects: other lists are the program's own data. */
 bool vs_bind_returned(vs_bind *b, vs_value v, bool shown) {
-  vs_shape *s = vs_bind_shape(v);
-  if (s) return remember(b, s->ref, shown);
+  vs_ref one = vs_bind_ref(v);
+  if (one.node) return remember(b, one, shown);
   if (!vs_is_pair(v)) return true;
   vs_frame f = { .vm = b->vm, .bind = b };
   vs_ref *ref;

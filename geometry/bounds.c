@@ -141,7 +141,7 @@ static bool vs_bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node
   vs_affine place;
   if (vs_offset_round(n, &place, &exact)) {
     place = vs_affine_multiply(a, &place);
-    if (exact.node.kind == VS_CIRCLE) vs_bounds_add_disc(b, &place, exact.arc.center, vs_v3(0, 0, 1), exact.arc.radius);
+    if (exact.circle) vs_bounds_add_disc(b, &place, exact.arc.center, vs_v3(0, 0, 1), exact.arc.radius);
     else vs_bounds_add_arc(b, &place, &exact.arc);
     return true;
   }

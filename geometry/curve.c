@@ -205,26 +205,35 @@ done:
 
 /* ---- from nodes ---- */
 
-bool vs_curve_leaf(const vs_node *n, const vs_affine *map, const vs_facets *f, vs_path *out) {
-  vs_facets inner = vs_facets_placed(f, map);
-  bool ok = false;
-  if (n->kind == VS_LINE) ok = vs_curve_line(out, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count, VS_AS(line, n)->closed);
-  if (n->kind == VS_SPLINE) ok = vs_curve_spline(out, VS_AS(spline, n), &inner);
-  if (n->kind == VS_CIRCLE) {
-    const struct vs_circle *c = VS_AS(circle, n);
-    ok = vs_curve_circle(out, c->center, c->radius, vs_facets_turn(&inner, c->radius, c->segments));
-  }
-  if (n->kind == VS_ARC) {
-    const struct vs_arc *a = VS_AS(arc, n);
-    ok = vs_curve_arc(out, a->center, a->radius, a->start, a->end, vs_facets_turn(&inner, a->radius, a->segments));
-  }
-  for (size_t i = 0; ok && i < out->count; i++) {
+static void vs_curve_place(vs_path *out, const vs_affine *map) {
+  for (size_t i = 0; i < out->count; i++) {
     vs_path_point *p = &out->at[i];
     p->at = vs_affine_point(map, p->at);
     p->arriving = vs_v3_unit(vs_affine_vector(map, p->arriving));
     p->leaving = vs_v3_unit(vs_affine_vector(map, p->leaving));
   }
-  if (ok) vs_path_measure(out);
+  vs_path_measure(out);
+}
+
+bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_facets *f, vs_path *out) {
+  vs_facets inner = vs_facets_placed(f, map);
+  int turn = vs_facets_turn(&inner, a->radius, a->segments);
+  if (!(circle ? vs_curve_circle(out, a->center, a->radius, turn) : vs_curve_arc(out, a->center, a->radius, a->start, a->end, turn))) return false;
+  vs_curve_place(out, map);
+  return true;
+}
+
+bool vs_curve_leaf(const vs_node *n, const vs_affine *map, const vs_facets *f, vs_path *out) {
+  vs_facets inner = vs_facets_placed(f, map);
+  bool ok = false;
+  if (n->kind == VS_ARC) return vs_curve_round(VS_AS(arc, n), false, map, f, out);
+  if (n->kind == VS_CIRCLE) {
+    const struct vs_circle *c = VS_AS(circle, n);
+    return vs_curve_round(&(struct vs_arc){ .center = c->center, .radius = c->radius, .segments = c->segments }, true, map, f, out);
+  }
+  if (n->kind == VS_LINE) ok = vs_curve_line(out, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count, VS_AS(line, n)->closed);
+  if (n->kind == VS_SPLINE) ok = vs_curve_spline(out, VS_AS(spline, n), &inner);
+  if (ok) vs_curve_place(out, map);
   return ok;
 }
 

@@ -17,6 +17,8 @@ bool vs_path_add(vs_path *p, vs_vec3 at, vs_vec3 arriving, vs_vec3 leaving); /* 
 void vs_path_measure(vs_path *p); /* fills along and length */
 /* A line, arc, circle or spline with map applied; false: out of memory. */
 bool vs_curve_leaf(const vs_node *curve, const vs_affine *map, const vs_facets *f, vs_path *out);
+/* The same of an arc, or of the whole circle that it is part of. */
+bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_facets *f, vs_path *out);
 bool vs_path_of_polyline(const vs_polyline *p, vs_path *out); /* out is empty before; false: out of memory */
 /* Any curve, with `placed` applied; placements, appearance and regions of one loop are followed (flat.c). */
 bool vs_curve_path(const vs_node *curve, const vs_affine *placed, const vs_facets *f, vs_path *out, vs_error *e);

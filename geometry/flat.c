@@ -78,7 +78,7 @@ static bool vs_flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs
         if (vs_offset_round(n, &place, &exact)) {
           vs_flat_value *v = vs_flat_push(f);
           map = vs_affine_multiply(&map, &place);
-          if (!v || !(vs_curve_leaf(&exact.node, &map, facets, &v->path) || vs_error_memory(f->error, ref->origin))) return false;
+          if (!v || !(vs_curve_round(&exact.arc, exact.circle, &map, facets, &v->path) || vs_error_memory(f->error, ref->origin))) return false;
           return n->class_ == VS_CURVE || vs_flat_fill(f, ref, v);
         }
         vs_facets inner = vs_facets_placed(facets, &map); /* the distance is in the offset's own coordinates: there it is made */

@@ -266,19 +266,20 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       vs_affine identity = vs_affine_identity();
       m->area_known = false;
       if (!vs_measure_curve(whole, &identity, m, e)) return false;
-      if (round) n = &exact.node;
-      if (n->kind == VS_CIRCLE || n->kind == VS_ARC) { /* exact where the placement keeps it round */
-        double k, angle = n->kind == VS_CIRCLE ? 2 * pi : fabs(VS_AS(arc, n)->end - VS_AS(arc, n)->start);
+      if (n->kind == VS_ARC) exact = (vs_offset_exact){ false, *VS_AS(arc, n) };
+      if (n->kind == VS_CIRCLE) exact = (vs_offset_exact){ true, { .center = VS_AS(circle, n)->center, .radius = VS_AS(circle, n)->radius, .end = 2 * pi } };
+      if (round || n->kind == VS_CIRCLE || n->kind == VS_ARC) { /* exact where the placement keeps it round */
+        const struct vs_arc *a = &exact.arc;
+        double k, angle = fabs(a->end - a->start);
         bool full = angle >= 2 * pi * (1 - 1e-15);
-        vs_vec3 middle = n->kind == VS_CIRCLE ? VS_AS(circle, n)->center : VS_AS(arc, n)->center;
-        if (full) m->centroid = vs_affine_point(&placed, middle);
+        if (full) m->centroid = vs_affine_point(&placed, a->center);
         else if (vs_affine_even(&placed, &k)) { /* r sin(a/2) / (a/2) from the centre, halfway between the ends */
-          double mean = (VS_AS(arc, n)->start + VS_AS(arc, n)->end) / 2, away = VS_AS(arc, n)->radius * sin(angle / 2) / (angle / 2), sine, cosine;
+          double mean = (a->start + a->end) / 2, away = a->radius * sin(angle / 2) / (angle / 2), sine, cosine;
           vs_sincos(mean, &sine, &cosine);
-          m->centroid = vs_affine_point(&placed, vs_v3_add(middle, vs_v3(away * cosine, away * sine, 0)));
+          m->centroid = vs_affine_point(&placed, vs_v3_add(a->center, vs_v3(away * cosine, away * sine, 0)));
         }
-        if (vs_affine_even(&placed, &k)) m->length = k * angle * (n->kind == VS_CIRCLE ? VS_AS(circle, n)->radius : VS_AS(arc, n)->radius);
-        else if (n->kind == VS_CIRCLE) m->length = vs_measure_placed_circle(&placed, VS_AS(circle, n)->radius);
+        if (vs_affine_even(&placed, &k)) m->length = k * angle * a->radius;
+        else if (exact.circle) m->length = vs_measure_placed_circle(&placed, a->radius);
       }
       return true;
     }

@@ -72,7 +72,7 @@ static bool leaf(const vs_node *n, vs_affine map, pieces *out, bool *known) {
   }
   if (n->kind == VS_OFFSET && vs_offset_round(n, &place, &exact)) {
     map = vs_affine_multiply(&map, &place);
-    n = &exact.node;
+    return add(out, arc_piece(&map, exact.arc.center, exact.arc.radius, exact.arc.start, exact.circle ? turn : exact.arc.end));
   }
   if (n->kind == VS_CIRCLE) return add(out, arc_piece(&map, VS_AS(circle, n)->center, VS_AS(circle, n)->radius, 0, turn));
   if (n->kind == VS_ARC) return add(out, arc_piece(&map, VS_AS(arc, n)->center, VS_AS(arc, n)->radius, VS_AS(arc, n)->start, VS_AS(arc, n)->end));

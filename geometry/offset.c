@@ -26,6 +26,8 @@ typedef struct {
   const vs_vec2 *ways;  /* an open line's true directions at its two ends, or NULL */
 } vs_offsetter;
 
+static const double pi = 3.14159265358979323846;
+
 static bool vs_offset_push(vs_vec2 **at, size_t *count, size_t *room, double x, double y) {
   if (!VS_GROW(*at, *room, *count + 1)) return false;
   (*at)[(*count)++] = (vs_vec2){ x, y };
@@ -59,7 +61,7 @@ static bool vs_offset_join(vs_offsetter *o, vs_vec2 p, const vs_offset_edge *a, 
   bool ok = vs_offset_far(o, p, a->nx, a->ny);
   double least = 1 / cos(half);
   if (o->corners == VS_OFFSET_ROUND) {
-    int steps = (int)ceil(half / 3.14159265358979323846 * o->turn - 1e-9);
+    int steps = (int)ceil(half / pi * o->turn - 1e-9);
     for (int i = 1; ok && i < steps; i++) {
       double s, c, w = (sine < 0 ? -2 : 2) * half * i / steps;
       vs_sincos(w, &s, &c);
@@ -194,7 +196,7 @@ bool vs_line_offset(const vs_vec2 *at, size_t n, const vs_vec2 ways[2], double d
   if (ok) {
     vs_offset_edge ends[2];
     for (int k = 0; k < 2; k++) ends[k] = (vs_offset_edge){ .nx = -hand * ways[k].y, .ny = hand * ways[k].x };
-    double least = fabs(d) * (cos(3.14159265358979323846 / o.turn) - 1e-6);
+    double least = fabs(d) * (cos(pi / o.turn) - 1e-6);
     ok = vs_offset_border(&border, at, n, ends, fabs(d), least, out) || vs_error_memory(e, NULL);
     /* The border runs counter-clockwise: against the line on its left side, with it on its right. */
     for (size_t i = 0, j = out->count; ok && hand > 0 && i < j; i++) {
@@ -231,16 +233,13 @@ bool vs_offset_round(const vs_node *n, vs_affine *place, vs_offset_exact *out) {
   }
   if (n->kind == VS_CIRCLE) {
     const struct vs_circle *c = VS_AS(circle, n);
-    out->arc = (struct vs_arc){ .center = c->center, .radius = c->radius + grown / scale, .segments = c->segments };
-    out->circle = *c;
-    out->circle.radius = out->arc.radius;
+    out->arc = (struct vs_arc){ .center = c->center, .radius = c->radius + grown / scale, .end = 2 * pi, .segments = c->segments };
   } else {
     out->arc = *VS_AS(arc, n);
     out->arc.radius += (out->arc.end > out->arc.start ? -grown : grown) / scale;
     if (!level) return false;
   }
-  out->node = (vs_node){ .refs = 1, .kind = n->kind, .class_ = VS_CURVE, .flags = n->flags, .depth = 1, .store = n->store,
-                         .data = n->kind == VS_CIRCLE ? (const void *)&out->circle : &out->arc };
+  out->circle = n->kind == VS_CIRCLE;
   return out->arc.radius > 0;
 }
 

@@ -28,7 +28,7 @@ vs_node *vs_parts_within(vs_ref whole, vs_ref inner) {
   while (made && k > 0) {
     const vs_node *n = chain[--k];
     vs_ref child = { made, inner.origin };
-    made = vs_node_new(n->store, (vs_kind)n->kind, n->data, &child, 1);
+    made = vs_node_new(n->store, (vs_kind)n->kind, vs_node_data(n), &child, 1);
     vs_node_release(child.node);
   }
   free(chain);

@@ -37,8 +37,8 @@ bool vs_line_offset(const vs_vec2 *at, size_t n, const vs_vec2 ways[2], double d
                     vs_polyline *out, vs_error *e);
 
 /* The offset of a circle or arc that placements have only turned, moved and made larger or smaller, through any number of offsets: the
- * circle or arc that it is (node: as a node, to be read and not kept) and where that stands. False: it is no such thing, or nothing. */
-typedef struct { vs_node node; struct vs_circle circle; struct vs_arc arc; } vs_offset_exact;
+ * circle or arc that it is (a circle as an arc from 0 to 2 pi) and where that stands. False: it is no such thing, or nothing. */
+typedef struct { bool circle; struct vs_arc arc; } vs_offset_exact;
 bool vs_offset_round(const vs_node *offset, vs_affine *place, vs_offset_exact *out);
 /* The plane that an open line's left is seen in: columns 0 and 1, and 2 its normal, which looks up; of a straight line the plane nearest
  * to level, of an upright one XZ seen from -Y. False: it lies in no plane. */

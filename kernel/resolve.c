@@ -217,7 +217,7 @@ static vs_node *hull_of(const resolver *r, const vs_ref *ref) {
     else ok = mesh_of(r, child, &solid) && ((kids[i].node = polyface(r->store, &solid.mesh, true)) || vs_error_memory(r->error, child.origin));
     vs_solid_free(&solid);
   }
-  vs_node *made = ok ? vs_node_new(r->store, VS_HULL, n->data, kids, n->child_count) : NULL;
+  vs_node *made = ok ? vs_node_new(r->store, VS_HULL, vs_node_data(n), kids, n->child_count) : NULL;
   if (ok && !made) vs_error_memory(r->error, ref->origin);
   for (uint32_t i = 0; kids && i < n->child_count; i++) vs_node_release(kids[i].node);
   free(kids);
@@ -335,7 +335,7 @@ static vs_node *thickened(const resolver *r, const vs_node *n, vs_ref whole) {
   if (!vs_several_parts(whole, &parts, &count)) return NULL;
   for (size_t i = 0; i < count; i++) {
     vs_node *curve = parts[i].node;
-    parts[i].node = vs_node_new(r->store, VS_THICKEN, n->data, &parts[i], 1);
+    parts[i].node = vs_node_new(r->store, VS_THICKEN, vs_node_data(n), &parts[i], 1);
     vs_node_release(curve);
   }
   vs_node *made = of_children(r->store, VS_UNION, parts, count, true);
@@ -353,7 +353,7 @@ static vs_node *rebuilt(const resolver *r, const vs_node *n) {
   }
   bool profile = n->kind == VS_EXTRUDE || n->kind == VS_SWEEP || n->kind == VS_THICKEN || n->kind == VS_OFFSET || n->kind == VS_REVOLVE;
   vs_node *made = profile && gone ? nothing(r->store) : n->kind == VS_THICKEN && vs_is_several(kids[0].node) ? thickened(r, n, kids[0])
-                                                      : vs_node_new(r->store, (vs_kind)n->kind, n->data, kids, n->child_count);
+                                                      : vs_node_new(r->store, (vs_kind)n->kind, vs_node_data(n), kids, n->child_count);
   free(kids);
   return made;
 }

@@ -1,6 +1,6 @@
 /* Owns nodes and the arrays they share: building, retaining, releasing, comparing.
  *
- * A node is one allocation: header, payload, children. Releasing needs no memory and no recursion: a dead node's data pointer links the list
+ * A node is one allocation: header, children, payload. Releasing needs no memory and no recursion: a dead node's hash links the list
  * of those still to be taken apart. Comparing remembers the pairs it has found equal, so that two separately built DAGs of n nodes cost
  * n comparisons and not one for every path through them. */
 #include "model/node.h"
@@ -182,8 +182,8 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
   if (!info || child_count > UINT32_MAX || child_count > (SIZE_MAX - vs_node_size(info, 0)) / sizeof(vs_ref)) return NULL;
   vs_node *n = vs_store_piece(s, vs_node_size(info, child_count));
   if (!n) return NULL;
-  unsigned char *payload = (unsigned char *)(n + 1);
-  vs_ref *kept = (vs_ref *)(void *)(payload + vs_node_payload_room(info));
+  vs_ref *kept = (vs_ref *)(void *)(n + 1);
+  void *payload = kept + child_count;
   if (data) memcpy(payload, data, info->size);
   else memset(payload, 0, info->size);
   vs_payload_adopt(info, payload);
@@ -201,8 +201,16 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
   }
   bool same = child_count == 1 && (kind == VS_TRANSFORM || kind == VS_UNION || kind == VS_INTERSECTION || kind == VS_DIFFERENCE);
   if (same) form = kept[0].node->form; /* only moved, or a set of one: the shape within */
-  *n = (vs_node){ .refs = 1, .kind = (uint16_t)kind, .child_count = (uint32_t)child_count, .depth = depth, .form = (uint32_t)form, .hash = hash,
-                  .store = vs_store_retain(s), .children = kept, .data = payload };
+  n->refs = 1;
+  n->kind = (uint16_t)kind;
+  n->class_ = VS_NOTHING;
+  n->flags = 0;
+  n->child_count = (uint32_t)child_count;
+  n->depth = depth;
+  n->slot = 0;
+  n->form = (uint32_t)form;
+  n->hash = hash;
+  n->store = vs_store_retain(s);
   vs_node_classify(n, info, &family);
   n->flags |= family.any & (VS_NODE_SUGAR | VS_NODE_OPEN);
   if (info->level == VS_LEVEL_SUGAR) n->flags |= VS_NODE_SUGAR;
@@ -218,17 +226,17 @@ vs_node *vs_node_retain(vs_node *n) {
 void vs_node_release(vs_node *n) {
   if (!n || --n->refs) return;
   vs_node *dead = n;
-  n->data = NULL; /* from here on data links the dead; the payload still lies behind the header */
+  n->hash = 0; /* from here on it links the dead */
   while (dead) {
     n = dead;
-    dead = (vs_node *)(uintptr_t)n->data;
+    dead = (vs_node *)(uintptr_t)n->hash;
     const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
     vs_store *s = n->store;
-    vs_payload_drop(info, s, n + 1);
+    vs_payload_drop(info, s, vs_node_data(n));
     for (uint32_t i = n->child_count; i-- > 0;) {
       vs_node *child = n->children[i].node;
       if (--child->refs) continue;
-      child->data = dead;
+      child->hash = (uintptr_t)dead;
       dead = child;
     }
     vs_store_piece_free(s, n, vs_node_size(info, n->child_count));
@@ -238,7 +246,7 @@ void vs_node_release(vs_node *n) {
 
 size_t vs_node_bytes(const vs_node *n) {
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
-  return vs_node_size(info, n->child_count) + vs_payload_array_bytes(info, n->data);
+  return vs_node_size(info, n->child_count) + vs_payload_array_bytes(info, vs_node_data(n));
 }
 
 /* ---- comparing ---- */
@@ -278,7 +286,7 @@ static bool vs_pairs_note(vs_node_pairs *set, vs_node_pair pair, bool *new) {
 /* Everything about two nodes but their children's insides */
 static bool vs_node_alike(const vs_node *a, const vs_node *b) {
   return a->hash == b->hash && a->kind == b->kind && a->child_count == b->child_count && a->depth == b->depth &&
-         vs_payload_equal(vs_kind_get((vs_kind)a->kind), a->data, b->data);
+         vs_payload_equal(vs_kind_get((vs_kind)a->kind), vs_node_data(a), vs_node_data(b));
 }
 
 bool vs_node_equal(const vs_node *a, const vs_node *b, bool *ok) {

@@ -124,12 +124,13 @@ struct vs_node {
   uint32_t form;   /* hash of what it is made of, whatever its numbers and places: what could be copies of one another have one form */
   uint64_t hash;   /* structural */
   vs_store *store;
-  const vs_ref *children;
-  const void *data; /* struct vs_<kind> */
+  const vs_ref children[]; /* child_count of them; behind them lies the payload */
 };
+/* The payload: struct vs_<kind>. */
+static inline const void *vs_node_data(const vs_node *n) { return n->children + n->child_count; }
 /* VS_AS(sphere, n)->radius; the caller has looked at n->kind */
 #define VS_ENDLESS_MESSAGE "the object is endless: intersect it with something finite, or subtract it from that"
-#define VS_AS(lower, n) ((const struct vs_##lower *)(n)->data)
+#define VS_AS(lower, n) ((const struct vs_##lower *)vs_node_data(n))
 
 /* The boolean operations. */
 static inline bool vs_node_is_set(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }

@@ -307,9 +307,20 @@ void vs_gc_external(vs *vm, int64_t bytes) {
   else gc->external = (size_t)((int64_t)gc->external + bytes);
 }
 
+/* The bytes of a host's object lie in 16 bits of its header: 11 digits of them, rounded up, and by how many places they are shifted. So it
+   counts the same when it comes and when it goes. */
+enum { CHARGE_DIGITS = 11, CHARGE_MASK = (1 << CHARGE_DIGITS) - 1 };
+static uint16_t gc_charge(size_t bytes) {
+  unsigned shift = 0;
+  for (; bytes > CHARGE_MASK && shift < 31; shift++) bytes = bytes / 2 + bytes % 2;
+  return (uint16_t)(shift << CHARGE_DIGITS | (bytes & CHARGE_MASK)); /* nothing takes 4 TB */
+}
+static size_t gc_charged(uint16_t charge) { return (size_t)(charge & CHARGE_MASK) << (charge >> CHARGE_DIGITS); }
+
 bool vs_make_foreign(vs *vm, const struct vs_foreign_type *type, void *object, size_t bytes, vs_value *out) {
   struct vs_gc *gc = vm->gc;
-  vs_gc_external(vm, (int64_t)bytes);
+  uint16_t charge = gc_charge(bytes);
+  vs_gc_external(vm, (int64_t)gc_charged(charge));
   if (gc->external > gc->external_minor || gc_over_limit(vm, 0)) {
     vs_gc_minor(vm);
     if (gc->old_bytes + gc->external > gc->major_at || gc_over_limit(vm, 0)) vs_gc_major(vm);
@@ -321,11 +332,12 @@ bool vs_make_foreign(vs *vm, const struct vs_foreign_type *type, void *object, s
            (!type->trace || gc_grow(vm, &gc->tracing, &gc->tracing_room, gc->tracing_count + gc->young_count, sizeof *gc->tracing)))
     f = (vs_foreign *)(void *)vs_gc_alloc(vm, VS_T_FOREIGN, VS_WORDS(vs_foreign));
   if (!f) {
-    vs_gc_external(vm, -(int64_t)bytes);
+    vs_gc_external(vm, -(int64_t)gc_charged(charge));
     if (type->release) type->release(object);
     return false;
   }
-  f->type = type; f->object = object; f->bytes = bytes; f->data = VS_FALSE;
+  f->h.flags = charge;
+  f->type = type; f->object = object; f->with = NULL;
   gc->young_foreign[gc->young_count++] = &f->h;
   *out = vs_from_object(f);
   return true;
@@ -333,7 +345,7 @@ bool vs_make_foreign(vs *vm, const struct vs_foreign_type *type, void *object, s
 
 static void gc_finalize(vs *vm, vs_object *o) {
   vs_foreign *f = (vs_foreign *)(void *)o;
-  vs_gc_external(vm, -(int64_t)f->bytes);
+  vs_gc_external(vm, -(int64_t)gc_charged(f->h.flags));
   if (f->type->release && f->object) f->type->release(f->object);
   f->object = NULL;
 }

@@ -194,9 +194,9 @@ typedef struct { vs_object h; vs_value name, env, data; uint64_t mark; } vs_alia
 /* The constant descriptor of a call with keywords: the last `count` arguments belong to these names. */
 typedef struct { vs_object h; uint64_t count; vs_value name[]; } vs_keywords;
 
-/* One reference to an object of the host. `type` has the hooks (native.h); release(object) runs when it dies. `bytes` count
-   towards the collector's budget. `data` is a traced slot for the owner's use. */
-typedef struct { vs_object h; const struct vs_foreign_type *type; void *object; uint64_t bytes; vs_value data; } vs_foreign;
+/* One reference to an object of the host. `type` has the hooks (native.h); release(object) runs when it dies. `with` is for the owner's use, NULL
+   at first. What the object counts towards the collector's budget is in h.flags (gc.c). */
+typedef struct { vs_object h; const struct vs_foreign_type *type; void *object; const void *with; } vs_foreign;
 
 /* ---- typed access; the caller has tested the type ---- */
 #define VS_AS(name, ctype) \

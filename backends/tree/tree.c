@@ -92,7 +92,7 @@ static vs_emit_status tree_node(vs_emitter *e, const vs_ref *ref, vs_phase phase
   const vs_kind_info *info = vs_kind_get((vs_kind)ref->node->kind);
   tree_open(e);
   vs_putf(w, "(%s", info->name);
-  for (size_t i = 0; i < info->field_count; i++) tree_field(w, &info->fields[i], ref->node->data);
+  for (size_t i = 0; i < info->field_count; i++) tree_field(w, &info->fields[i], vs_node_data(ref->node));
   if (phase == VS_PHASE_LEAF) vs_puts(w, ")");
   return w->failed ? VS_FAILED : VS_EMITTED;
 }

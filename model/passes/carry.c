@@ -77,9 +77,9 @@ static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, 
     return fold_carry_placement(w, a, n, origin);
   }
   *fits = false;
-  if (fold_is_dress(n)) return way.dresses > 0 ? fold_carry_children(w, a, n, n->data, (fold_way){ way.dresses - 1, way.set }, fits) : NULL;
-  if (vs_node_is_set(n)) return way.set && n->class_ == VS_SOLID ? fold_carry_children(w, a, n, n->data, (fold_way){ way.dresses, false }, fits) : NULL;
-  if (n->kind == VS_REGION && vs_fold_is_upright(a)) return fold_carry_children(w, a, n, n->data, (fold_way){ 0, false }, fits);
+  if (fold_is_dress(n)) return way.dresses > 0 ? fold_carry_children(w, a, n, vs_node_data(n), (fold_way){ way.dresses - 1, way.set }, fits) : NULL;
+  if (vs_node_is_set(n)) return way.set && n->class_ == VS_SOLID ? fold_carry_children(w, a, n, vs_node_data(n), (fold_way){ way.dresses, false }, fits) : NULL;
+  if (n->kind == VS_REGION && vs_fold_is_upright(a)) return fold_carry_children(w, a, n, vs_node_data(n), (fold_way){ 0, false }, fits);
   if (n->kind == VS_EXTRUDE && n->child_count == 1 && vs_fold_is_upright(a)) {
     struct vs_extrude d = *VS_AS(extrude, n);
     d.along = vs_affine_vector(a, d.along);
@@ -136,7 +136,7 @@ static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, cons
   for (uint32_t i = 0; i < count; i++) members[i] = kids[i].node->children[0];
   vs_ref below = { fold_members(w, set, kind, members, count, depth), w->order.at[vs_order_of(set)].origin };
   vs_store_realloc(w->store, members, count * sizeof *members, 0);
-  vs_node *made = below.node ? vs_node_new(w->store, (vs_kind)dress->kind, dress->data, &below, 1) : NULL;
+  vs_node *made = below.node ? vs_node_new(w->store, (vs_kind)dress->kind, vs_node_data(dress), &below, 1) : NULL;
   vs_node_release(below.node);
   return made;
 }
@@ -145,7 +145,7 @@ static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, cons
  * another, and goes no deeper than depth of them. */
 static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count, int depth) {
   if (depth > 0 && fold_run(w, kids, 0, count) == count) return fold_raise(w, set, kind, kids, count, depth - 1);
-  if (depth == 0 || kind != VS_UNION) return vs_node_new(w->store, kind, set->data, kids, count);
+  if (depth == 0 || kind != VS_UNION) return vs_node_new(w->store, kind, vs_node_data(set), kids, count);
   const vs_origin *origin = w->order.at[vs_order_of(set)].origin;
   vs_ref *all = vs_store_realloc(w->store, NULL, 0, count * sizeof *all);
   uint32_t *made = vs_store_realloc(w->store, NULL, 0, count * sizeof *made); /* which of them are ours */
@@ -161,7 +161,7 @@ static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, co
     }
     kept++;
   }
-  vs_node *result = ok ? vs_node_new(w->store, kind, set->data, all, kept) : NULL;
+  vs_node *result = ok ? vs_node_new(w->store, kind, vs_node_data(set), all, kept) : NULL;
   for (uint32_t i = 0; i < ours; i++) vs_node_release(all[made[i]].node);
   if (all) vs_store_realloc(w->store, all, count * sizeof *all, 0);
   if (made) vs_store_realloc(w->store, made, count * sizeof *made, 0);

@@ -94,7 +94,7 @@ static vs_node *vs_flatten_set(vs_rewrite *w, const vs_node *n, const vs_ref *ki
   vs_ref *all = vs_store_realloc(w->store, NULL, 0, (count ? count : 1) * sizeof *all);
   if (!all) return NULL;
   size_t filled;
-  vs_node *flat = vs_flatten_gather(f, kids, n->child_count, all, &filled) ? vs_node_new(w->store, (vs_kind)n->kind, n->data, all, count) : NULL;
+  vs_node *flat = vs_flatten_gather(f, kids, n->child_count, all, &filled) ? vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), all, count) : NULL;
   vs_store_realloc(w->store, all, (count ? count : 1) * sizeof *all, 0);
   w->changed++;
   return flat;

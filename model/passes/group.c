@@ -88,7 +88,7 @@ static vs_node *group_members(vs_rewrite *w, const vs_node *n, const vs_ref *kid
     const vs_origin *origin = parts[0].ref.origin;
     vs_node *tree = group_tree(w, parts, count);
     all[kept++] = (vs_ref){ tree, origin };
-    made = tree ? vs_node_new(w->store, (vs_kind)n->kind, n->data, all, kept) : NULL;
+    made = tree ? vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), all, kept) : NULL;
     vs_node_release(tree);
     w->changed++;
   }

@@ -59,7 +59,7 @@ vs_node *vs_pass_prune(vs_rewrite *w, const vs_node *n, const vs_ref *kids, cons
     if (kept == 1 && all[0].node->class_ == n->class_) {
       *origin = all[0].origin;
       result = vs_node_retain(all[0].node);
-    } else result = vs_node_new(w->store, (vs_kind)n->kind, n->data, all, kept);
+    } else result = vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), all, kept);
   }
   vs_store_realloc(w->store, all, (n->child_count + (size_t)1) * sizeof *all, 0);
   return result;

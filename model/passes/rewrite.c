@@ -18,7 +18,7 @@ bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old) { return vs_order_
 vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   bool same = true;
   for (uint32_t i = 0; same && kids != n->children && i < n->child_count; i++) same = kids[i].node == n->children[i].node;
-  return same ? vs_node_retain((vs_node *)(uintptr_t)n) : vs_node_new(w->store, (vs_kind)n->kind, n->data, kids, n->child_count);
+  return same ? vs_node_retain((vs_node *)(uintptr_t)n) : vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), kids, n->child_count);
 }
 
 static vs_ref vs_rewritten_ref(const vs_rewrite *w, const vs_rewritten *results, vs_ref old) {

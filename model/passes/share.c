@@ -127,7 +127,7 @@ static vs_vec3 vs_share_anchor(vs_share *s, const vs_node *n, const vs_kind_info
   if (n->kind == VS_TRANSFORM) return vs_affine_point(&VS_AS(transform, n)->matrix, vs_share_of(s, n->children[0].node).anchor);
   if (n->kind == VS_NATIVE) return vs_v3(0, 0, 0); /* its text knows no other place */
   for (size_t i = 0; n->kind != VS_SWEEP && i < info->field_count; i++) {
-    const void *at = (const char *)n->data + info->fields[i].offset;
+    const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
     if (info->fields[i].type == VS_FIELD_point) return *(const vs_vec3 *)at;
     if (info->fields[i].type == VS_FIELD_points && (*(const vs_points *const *)at)->count) return (*(const vs_points *const *)at)->at[0];
   }
@@ -137,7 +137,7 @@ static vs_vec3 vs_share_anchor(vs_share *s, const vs_node *n, const vs_kind_info
 static void vs_share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, const vs_kind_info *info, vs_vec3 anchor) {
   vs_vec3 from = n->kind == VS_SWEEP ? vs_v3(0, 0, 0) : anchor; /* the profile of a sweep and its base stay where they are drawn */
   for (size_t i = 0; i < info->field_count; i++) {
-    const void *at = (const char *)n->data + info->fields[i].offset;
+    const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
     switch (info->fields[i].type) {
       case VS_FIELD_real:
         if (n->kind == VS_HEIGHT_FIELD) vs_share_mix_place(s, k, *(const double *)at - from.z, s->quantum); /* its foot is a height like any other */
@@ -262,7 +262,7 @@ static void vs_share_largest(double *most, const double *x, size_t n) {
 static void vs_share_measure(double *most, const vs_node *n) { /* the largest number of a place in it */
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
   for (size_t i = 0; i < info->field_count; i++) {
-    const void *field = (const char *)n->data + info->fields[i].offset;
+    const void *field = (const char *)vs_node_data(n) + info->fields[i].offset;
     if (info->fields[i].type == VS_FIELD_point) vs_share_largest(most, field, 3);
     if (info->fields[i].type == VS_FIELD_affine) vs_share_largest(most, field, 12);
     if (info->fields[i].type == VS_FIELD_points && (*(const vs_points *const *)field)->count)

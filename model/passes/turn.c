@@ -71,7 +71,7 @@ static bool turn_frame(turner *t, const turn_step *x) {
   vs_vec3 at[2] = { { 0, 0, 0 }, { 0, 0, 0 } };
   bool found = false, ok = x->a->kind != VS_HEIGHT_FIELD; /* its foot is a height that no field type tells */
   for (size_t i = 0; ok && i < info->field_count; i++) {
-    const char *p = (const char *)x->a->data + info->fields[i].offset, *q = (const char *)x->b->data + info->fields[i].offset;
+    const char *p = (const char *)vs_node_data(x->a) + info->fields[i].offset, *q = (const char *)vs_node_data(x->b) + info->fields[i].offset;
     switch (info->fields[i].type) {
       case VS_FIELD_real: ok = turn_near(*(const double *)(const void *)p, *(const double *)(const void *)q); break;
       case VS_FIELD_integer: ok = *(const int32_t *)(const void *)p == *(const int32_t *)(const void *)q; break;

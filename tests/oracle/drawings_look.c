@@ -289,7 +289,7 @@ static const char *difference_of(const part *a, const part *b) {
   if (a->node->kind == VS_NATIVE) return VS_AS(native, a->node)->code == VS_AS(native, b->node)->code && same_map(&a->map, &b->map) ? NULL : "place of native text";
   const vs_kind_info *info = vs_kind_get((vs_kind)a->node->kind);
   for (size_t i = 0; i < info->field_count; i++) { /* what no map changes */
-    const char *x = (const char *)a->node->data + info->fields[i].offset, *y = (const char *)b->node->data + info->fields[i].offset;
+    const char *x = (const char *)vs_node_data(a->node) + info->fields[i].offset, *y = (const char *)vs_node_data(b->node) + info->fields[i].offset;
     vs_field_type type = info->fields[i].type;
     size_t size = type == VS_FIELD_integer ? sizeof(vs_field_integer) : type == VS_FIELD_boolean ? sizeof(vs_field_boolean) : type == VS_FIELD_text ? sizeof(vs_field_text) : 0;
     if (memcmp(x, y, size) != 0) return info->fields[i].argument;

@@ -426,7 +426,7 @@ static vs_node *replaced(const vs_node *n, const vs_node *target, vs_node *with,
     same = same && kids[count].node == n->children[i].node;
     count++;
   }
-  vs_node *made = same && count == n->child_count ? vs_node_retain((vs_node *)(uintptr_t)n) : sure(vs_node_new(n->store, (vs_kind)n->kind, n->data, kids, count));
+  vs_node *made = same && count == n->child_count ? vs_node_retain((vs_node *)(uintptr_t)n) : sure(vs_node_new(n->store, (vs_kind)n->kind, vs_node_data(n), kids, count));
   for (size_t i = 0; i < count; i++) vs_node_release(kids[i].node);
   free(kids);
   return made;
