@@ -124,9 +124,9 @@
 (define-syntax for (syntax-rules () ((_ clauses . body) (begin (%for-each clauses (let () . body)) (if #f #f)))))
 (define-syntax for* (syntax-rules () ((_ clauses . body) (begin (%for-each* clauses (let () . body)) (if #f #f)))))
 (define-syntax for/list
-  (syntax-rules () ((_ clauses . body) (let ((found '())) (%for-each clauses (set! found (cons (let () . body) found))) (reverse found)))))
+  (syntax-rules () ((_ clauses . body) (let ((found '()) (captures (%captures))) (%for-each clauses (set! found (cons (let () . body) found))) (%reverse-own found captures)))))
 (define-syntax for*/list
-  (syntax-rules () ((_ clauses . body) (let ((found '())) (%for-each* clauses (set! found (cons (let () . body) found))) (reverse found)))))
+  (syntax-rules () ((_ clauses . body) (let ((found '()) (captures (%captures))) (%for-each* clauses (set! found (cons (let () . body) found))) (%reverse-own found captures)))))
 (define-syntax for/vector (syntax-rules () ((_ clauses . body) (list->vector (for/list clauses . body)))))
 (define-syntax for/sum
   (syntax-rules () ((_ clauses . body) (let ((sum 0)) (%for-each clauses (set! sum (+ sum (let () . body)))) sum))))
@@ -264,8 +264,9 @@
     ((f list)
      (%need-procedure 'map 'f f)
      (%need-list 'map list)
-     (let loop ((l list) (acc '()))
-       (if (pair? l) (loop (cdr l) (cons (f (car l)) acc)) (reverse acc))))
+     (let ((captures (%captures)))
+       (let loop ((l list) (acc '()))
+         (if (pair? l) (loop (cdr l) (cons (f (car l)) acc)) (%reverse-own acc captures)))))
     ((f list1 list2)
      (%need-procedure 'map 'f f)
      (%need-lists 'map (list list1 list2))

@@ -22,6 +22,7 @@ static bool capture(vs *vm, vs_value *out) {
   k->stack = vm->under; k->depth = vm->under_depth;
   k->winders = vm->winders; k->handlers = vm->handlers; k->parameters = vm->parameters;
   k->ret = vm->base[-1];
+  vm->captures++;
   *out = vs_from_object(k);
   return true;
 }
@@ -314,8 +315,15 @@ static vs_status check(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_ERROR;
 }
 
+static vs_status captures(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)a, (void)n;
+  *out = vs_fix((int64_t)(vm->captures & VS_FIXNUM_MAX));
+  return VS_OK;
+}
+
 static const vs_native_def defs[] = {
   {"call-with-current-continuation call/cc", "procedure", call_cc, 1, "call procedure with the rest of the computation"},
+  {"%captures", "", captures, 0, NULL},
   {"%throw", "k value", throw_, 1, NULL},
   {"dynamic-wind", "before thunk after", dynamic_wind, 2, "call thunk between before and after, however it is entered and left"},
   {"values", ". v", values, 0, "several values"},

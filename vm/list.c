@@ -332,6 +332,22 @@ static vs_status list_reverse(vs *vm, vs_value *a, int n, vs_value *out) {
   return list_reverse_onto(vm, a, VS_NIL, out);
 }
 
+/* A list that its caller made since there were a[1] continuations, and nobody else has: if there are no more now, nobody comes back to where it
+ * was half made, and it is turned round in its place. */
+static vs_status list_reverse_own(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  if (a[1] != vs_fix((int64_t)(vm->captures & VS_FIXNUM_MAX))) return list_reverse_onto(vm, a, VS_NIL, out);
+  *out = VS_NIL;
+  for (uint64_t i = 1; vs_is_pair(a[0]); i++) {
+    vs_value l = a[0];
+    a[0] = vs_cdr(l);
+    vs_gc_store(vm, vs_as_pair(l), &vs_as_pair(l)->cdr, *out);
+    *out = l;
+    if (i % POLL_STEP == 0 && !vs_poll(vm, POLL_COST)) return VS_ERROR;
+  }
+  return VS_OK;
+}
+
 static vs_status list_append_reverse(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return list_reverse_onto(vm, a, a[1], out);
@@ -526,6 +542,7 @@ static const vs_native_def defs[] = {
   { "length", "list", list_length, 0, "how many elements list has" },
   { "append append!", ". lists", list_append, 0, "the elements of all lists in one" },
   { "reverse reverse!", "list", list_reverse, 0, "the elements in the other order" },
+  { "%reverse-own", "list captures", list_reverse_own, 0, NULL },
   { "append-reverse append-reverse!", "list tail", list_append_reverse, 0, "(append (reverse list) tail)" },
   { "list-copy", "list", list_copy, 0, NULL },
   { "list-tail drop", "list k", list_tail, 0, "list without its first k elements" },

@@ -91,6 +91,7 @@ struct vs {
   struct vs_roots *roots;
   struct vs_ast *asts;             /* trees being built or compiled: their constants are roots */
   struct vs_gc *gc;
+  uint64_t captures;               /* continuations made so far: what no new one holds is entered once */
   uint64_t collections;            /* how often the nursery was emptied: addresses of young objects hold for one count */
   size_t bytes, peak_bytes;        /* of OS memory, now and at most */
 

@@ -88,3 +88,17 @@
 
 (checked)
 ; expect: all hold: 68
+; what is returned stays as it is when somebody comes back into the middle of it
+(define again #f)
+(define results '())
+(define (through make)
+  (set! again #f)
+  (set! results '())
+  (let ((list (make (lambda (x) (call/cc (lambda (k) (if (= x 2) (set! again k)) x))))))
+    (set! results (cons list results))
+    (if (< (length results) 3) (again (* 10 (length results)))))
+  results)
+(check (through (lambda (f) (map f '(1 2 3)))) => ((1 20 3) (1 10 3) (1 2 3)))
+(check (let ((l (for/list ([x 4]) (let/ec leave (if (odd? x) (leave 'odd) x))))) (list l (length l))) => ((0 odd 2 odd) 4))
+(check (let ((l (for*/list ([x 300] [y 300]) (list x y)))) (list (car l) (cadr l) (list-ref l 45000) (last l) (length l))) => ((0 0) (0 1) (150 0) (299 299) 90000))
+(check (let ((l (map (lambda (i) (list i)) (iota 100000)))) (list (car l) (last l) (length l))) => ((0) (99999) 100000))
