@@ -105,7 +105,7 @@ static void put_node(vs_emitter *e, spelling *s, const vs_ref *ref, drive_view v
   uint32_t shown = inside ? n->child_count : view.entry != NULL ? view.entry->shown : UINT32_MAX;
   if (shown == UINT32_MAX || ++s->shapes > MOST_SHAPES) r->unfit = true;
   vs_reuse_put(r, (uint64_t)shown << 32 | (inside ? TAG_WHOLE : TAG_SHOWN) | n->kind);
-  vs_reuse_put_payload(r, vs_kind_get((vs_kind)n->kind), n->data);
+  vs_reuse_put_payload(r, vs_kind_get((vs_kind)n->kind), vs_node_data(n));
   if (n->kind == VS_MATERIAL) vs_reuse_put_number(r, VS_NUMBER_PAINT, (uint32_t)vs_emit_material_number(e, VS_AS(material, n)->material));
   if (n->child_count > 0 && vs_reuse_more(r, &s->steps, &s->room, s->count + 1, sizeof *s->steps)) s->steps[s->count++] = (step){ n, 0, inside };
 }
