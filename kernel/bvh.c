@@ -1,11 +1,11 @@
-/* Owns the bounding volume hierarchy: a complete tree over the Morton order of the boxes' centres.
+/* Owns the bounding volume hierarchy: a complete tree over the Morton order of the boxes' centres, four to a node.
  *
- * Cost: a radix sort and one pass up; a pair query walks from the top for every block of four, so n log n for boxes that meet few others. */
+ * Cost: a radix sort and one pass up; a pair query walks from the top for every four blocks of four, so n log n for boxes that meet few others. */
 #include "kernel/bvh.h"
 
 #include <string.h>
 
-enum { BLOCK = 4, STACK = 80 };
+enum { BLOCK = 4, STACK = 64 };
 
 static uint64_t spread(uint64_t x) { /* 21 bits to every third */
   x &= 0x1fffff;
@@ -57,11 +57,25 @@ static bool code_chunk(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
+static void put(vs_pack *p, uint32_t lane, const vs_box *b) {
+  for (int j = 0; j < 3; j++) p->min[j][lane] = b->min[j], p->max[j][lane] = b->max[j];
+}
+
 static bool gather_chunk(vs_kernel *k, void *context, size_t index) {
+  static const vs_box nowhere = { { INT32_MAX, INT32_MAX, INT32_MAX }, { INT32_MIN, INT32_MIN, INT32_MIN } };
   (void)k;
   coding *c = context;
   vs_bvh *t = c->t;
-  for (uint32_t i = (uint32_t)index * CHUNK, end = chunk_end(t, index); i < end; i++) t->order[i] = (uint32_t)c->code[i], t->sorted[i] = t->boxes[t->order[i]];
+  for (uint32_t i = (uint32_t)index * CHUNK, end = chunk_end(t, index); i < end; i += BLOCK) {
+    vs_pack p;
+    for (uint32_t lane = 0; lane < BLOCK; lane++) {
+      uint32_t item = i + lane < end ? (uint32_t)c->code[i + lane] : UINT32_MAX;
+      if (item != UINT32_MAX) t->order[i + lane] = item;
+      put(&p, lane, item == UINT32_MAX ? &nowhere : &t->boxes[item]);
+      if (t->families) t->family[i / BLOCK][lane] = item == UINT32_MAX ? -1 : (int32_t)t->families[item];
+    }
+    t->packs[i / BLOCK] = p;
+  }
   return true;
 }
 
@@ -121,101 +135,156 @@ static bool sort_morton(vs_kernel *k, vs_bvh *t) {
   return ok;
 }
 
-static vs_box join(const vs_box *a, const vs_box *b) {
-  vs_box r = *a;
+static vs_box around(const vs_pack *p) {
+  vs_box b;
   for (int j = 0; j < 3; j++) {
-    if (b->min[j] < r.min[j]) r.min[j] = b->min[j];
-    if (b->max[j] > r.max[j]) r.max[j] = b->max[j];
+    b.min[j] = p->min[j][0];
+    b.max[j] = p->max[j][0];
+    for (int lane = 1; lane < BLOCK; lane++) {
+      if (p->min[j][lane] < b.min[j]) b.min[j] = p->min[j][lane];
+      if (p->max[j][lane] > b.max[j]) b.max[j] = p->max[j][lane];
+    }
   }
-  return r;
+  return b;
 }
 
 bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_box *boxes, uint32_t count) {
+  uint32_t n = (count + BLOCK - 1) / BLOCK, all = 0;
   t->boxes = boxes;
   t->count = count;
   t->level_count = 0;
-  if (!VS_ROOM(k, t->order, t->order_room, (size_t)count + 1) || !VS_ROOM(k, t->sorted, t->sorted_room, (size_t)count + 1) ||
-      !VS_ROOM(k, t->nodes, t->node_room, (size_t)count + 40) || !sort_morton(k, t))
-    return false;
-  uint32_t n = (count + BLOCK - 1) / BLOCK, at = 0;
-  for (uint32_t level = 0; n; level++) {
-    t->first[level] = at;
-    t->size[level] = n;
-    t->level_count = level + 1;
-    for (uint32_t i = 0; i < n; i++) {
-      if (level == 0) {
-        vs_box b = t->sorted[i * BLOCK];
-        for (uint32_t j = i * BLOCK + 1; j < count && j < (i + 1) * BLOCK; j++) b = join(&b, &t->sorted[j]);
-        t->nodes[at++] = b;
-      } else {
-        const vs_box *below = t->nodes + t->first[level - 1];
-        bool two = 2 * i + 1 < t->size[level - 1];
-        t->nodes[at++] = two ? join(&below[2 * i], &below[2 * i + 1]) : below[2 * i];
-      }
+  t->has_families = t->families != NULL;
+  for (uint32_t size = n; size; size = size > 1 ? (size + BLOCK - 1) / BLOCK : 0) {
+    t->first[t->level_count] = all;
+    t->size[t->level_count++] = size;
+    all += size;
+  }
+  bool ok = VS_ROOM(k, t->order, t->order_room, (size_t)count + 1) && VS_ROOM(k, t->packs, t->pack_room, (size_t)all + 1) &&
+            (!t->families || VS_ROOM(k, t->family, t->family_room, (size_t)n + 1)) && sort_morton(k, t);
+  for (uint32_t level = 1; ok && level < t->level_count; level++) {
+    const vs_pack *below = t->packs + t->first[level - 1];
+    vs_pack *to = t->packs + t->first[level];
+    memset(to[t->size[level] - 1].min, 0x7f, sizeof to->min); /* some may be missing in the last */
+    memset(to[t->size[level] - 1].max, 0x80, sizeof to->max);
+    for (uint32_t i = 0; i < t->size[level - 1]; i++) {
+      vs_box b = around(&below[i]);
+      put(&to[i / BLOCK], i % BLOCK, &b);
     }
-    if (n == 1) break;
-    n = (n + 1) / 2;
   }
   t->boxes = NULL;
-  return true;
+  t->families = NULL;
+  return ok;
 }
 
-/* Calls visit for every block from `from` on whose box meets `box`. */
-#define WALK(t, box, from, visit)                                                                                         \
-  do {                                                                                                                   \
-    struct { uint32_t level, i; } stack[STACK];                                                                          \
-    int top = 0;                                                                                                         \
-    if ((t)->level_count) stack[top].level = (t)->level_count - 1, stack[top++].i = 0;                                   \
-    while (top) {                                                                                                        \
-      uint32_t level_ = stack[--top].level, i_ = stack[top].i;                                                           \
-      if ((((uint64_t)i_ + 1) << level_) <= (from) || !vs_box_meet(&(t)->nodes[(t)->first[level_] + i_], (box))) continue; \
-      if (level_ == 0) {                                                                                                 \
-        uint32_t block = i_;                                                                                             \
-        visit                                                                                                            \
-      } else {                                                                                                           \
-        if (2 * i_ + 1 < (t)->size[level_ - 1]) stack[top].level = level_ - 1, stack[top++].i = 2 * i_ + 1;              \
-        stack[top].level = level_ - 1, stack[top++].i = 2 * i_;                                                          \
-      }                                                                                                                  \
-    }                                                                                                                    \
-  } while (0)
+static uint32_t bits(vs_lanes all) { /* lane i: bit i */
+  uint64_t half[2];
+  all &= (vs_lanes){ 1, 2, 4, 8 };
+  memcpy(half, &all, sizeof half);
+  half[0] |= half[1];
+  return (uint32_t)(half[0] | half[0] >> 32);
+}
 
-static uint32_t block_end(const vs_bvh *t, uint32_t block) { return (block + 1) * BLOCK < t->count ? (block + 1) * BLOCK : t->count; }
+/* Which of the four meet the box. */
+static inline vs_lanes meeting(const vs_pack *p, const vs_box *b) {
+  return (p->min[0] <= b->max[0]) & (p->max[0] >= b->min[0]) & (p->min[1] <= b->max[1]) & (p->max[1] >= b->min[1]) & (p->min[2] <= b->max[2]) &
+         (p->max[2] >= b->min[2]);
+}
+
+static vs_box box_of(const vs_pack *p, uint32_t lane) {
+  return (vs_box){ { p->min[0][lane], p->min[1][lane], p->min[2][lane] }, { p->max[0][lane], p->max[1][lane], p->max[2][lane] } };
+}
+
+static uint32_t next_bit(uint32_t *set) {
+  uint32_t lane = (uint32_t)__builtin_ctz(*set);
+  *set &= *set - 1;
+  return lane;
+}
+
+/* A walk over the blocks from `from` on in which something meets the box, in order. */
+typedef struct {
+  const vs_bvh *t;
+  vs_box box;
+  uint32_t from;
+  struct { uint32_t level, i; } stack[STACK];
+  int top;
+} descent;
+
+static void begin(descent *d, const vs_bvh *t, const vs_box *box, uint32_t from) {
+  d->t = t;
+  d->box = *box;
+  d->from = from;
+  d->top = 0;
+  if (t->level_count) d->stack[d->top].level = t->level_count - 1, d->stack[d->top++].i = 0;
+}
+
+/* met: which of the block's boxes, by bits. */
+static bool next(descent *d, uint32_t *block, uint32_t *met) {
+  const vs_bvh *t = d->t;
+  while (d->top) {
+    uint32_t level = d->stack[--d->top].level, i = d->stack[d->top].i, set = bits(meeting(&t->packs[t->first[level] + i], &d->box));
+    if (level == 0 && set) {
+      *block = i;
+      *met = set;
+      return true;
+    }
+    for (uint32_t lane = BLOCK; level && lane-- > 0;) {
+      uint32_t below = i * BLOCK + lane;
+      if (!(set >> lane & 1) || ((uint64_t)below + 1) << (2 * (level - 1)) <= d->from) continue;
+      d->stack[d->top].level = level - 1;
+      d->stack[d->top++].i = below;
+    }
+  }
+  return false;
+}
 
 uint32_t vs_bvh_blocks(const vs_bvh *t) { return t->level_count ? t->size[0] : 0; }
 
 bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context) {
   enum { GROUP = 4 }; /* blocks that go down together */
-  uint32_t blocks = vs_bvh_blocks(t);
+  uint32_t blocks = vs_bvh_blocks(t), block, met;
   if (end > blocks) end = blocks;
   for (uint32_t from = first; from < end; from += GROUP) {
     uint32_t stop = from + GROUP < end ? from + GROUP : end;
-    vs_box all = t->nodes[from];
-    for (uint32_t a = from + 1; a < stop; a++) all = join(&all, &t->nodes[a]);
-    WALK(t, &all, from, {
-      for (uint32_t a = from; a < stop && a <= block; a++) {
-        if (a != block && !vs_box_meet(&t->nodes[a], &t->nodes[block])) continue;
-        for (uint32_t j = block * BLOCK; j < block_end(t, block); j++) {
-          if (!vs_box_meet(&t->nodes[a], &t->sorted[j])) continue;
-          for (uint32_t i = a * BLOCK, last = block == a ? j : block_end(t, a); i < last; i++)
-            if (vs_box_meet(&t->sorted[i], &t->sorted[j]) && !fn(context, t->order[i], t->order[j])) return false;
-        }
+    vs_box all = around(&t->packs[from]);
+    for (uint32_t a = from + 1; a < stop; a++) {
+      vs_box b = around(&t->packs[a]);
+      for (int j = 0; j < 3; j++) {
+        if (b.min[j] < all.min[j]) all.min[j] = b.min[j];
+        if (b.max[j] > all.max[j]) all.max[j] = b.max[j];
       }
-    });
+    }
+    descent d;
+    begin(&d, t, &all, from);
+    while (next(&d, &block, &met))
+      for (uint32_t a = from; a < stop && a <= block; a++)
+        for (uint32_t left = met; left;) {
+          uint32_t j = next_bit(&left);
+          vs_box box = box_of(&t->packs[block], j);
+          vs_lanes meets = meeting(&t->packs[a], &box);
+          if (t->has_families) {
+            int32_t family = t->family[block][j];
+            if (family != -1) meets &= t->family[a] != family;
+          }
+          for (uint32_t set = bits(meets) & (a == block ? (1u << j) - 1 : 15); set;)
+            if (!fn(context, t->order[a * BLOCK + next_bit(&set)], t->order[block * BLOCK + j])) return false;
+        }
   }
   return true;
 }
 
 bool vs_bvh_query(const vs_bvh *t, const vs_box *box, vs_bvh_hit_fn *fn, void *context) {
-  WALK(t, box, 0, {
-    for (uint32_t j = block * BLOCK; j < block_end(t, block); j++)
-      if (vs_box_meet(&t->sorted[j], box) && !fn(context, t->order[j])) return false;
-  });
+  descent d;
+  uint32_t block, met;
+  begin(&d, t, box, 0);
+  while (next(&d, &block, &met))
+    while (met)
+      if (!fn(context, t->order[block * BLOCK + next_bit(&met)])) return false;
   return true;
 }
 
 void vs_bvh_free(vs_kernel *k, vs_bvh *t) {
   VS_FREE(k, t->order, t->order_room);
-  VS_FREE(k, t->sorted, t->sorted_room);
-  VS_FREE(k, t->nodes, t->node_room);
+  VS_FREE(k, t->packs, t->pack_room);
+  VS_FREE(k, t->family, t->family_room);
   t->count = t->level_count = 0;
 }

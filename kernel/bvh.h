@@ -6,19 +6,26 @@
 
 typedef struct { int32_t min[3], max[3]; } vs_box;
 
-static inline bool vs_box_meet(const vs_box *a, const vs_box *b) {
-  return a->min[0] <= b->max[0] && b->min[0] <= a->max[0] && a->min[1] <= b->max[1] && b->min[1] <= a->max[1] && a->min[2] <= b->max[2] &&
-         b->min[2] <= a->max[2];
+static inline bool vs_box_meet(const vs_box *a, const vs_box *b) { /* without a jump: which of them fails is as good as random */
+  return (a->min[0] <= b->max[0]) & (b->min[0] <= a->max[0]) & (a->min[1] <= b->max[1]) & (b->min[1] <= a->max[1]) & (a->min[2] <= b->max[2]) &
+         (b->min[2] <= a->max[2]);
 }
 
-/* Items in Morton order, in blocks of four; level l+1 has one box for two of level l. */
+/* Four boxes side by side, tested at once; one that is missing has its sides the wrong way round. */
+typedef int32_t vs_lanes __attribute__((vector_size(16)));
+typedef struct { vs_lanes min[3], max[3]; } vs_pack;
+
+/* Items in Morton order, four to a pack of level 0; a pack of level l+1 has the boxes around four packs of level l. */
 typedef struct {
-  const vs_box *boxes;  /* the caller's, in his order; only while it is built */
-  uint32_t *order;      /* his numbers, sorted */
-  vs_box *sorted, *nodes;
-  size_t order_room, sorted_room, node_room;
-  uint32_t count, level_count, first[34]; /* where each level's nodes begin; blocks are level 0 */
-  uint32_t size[34];
+  const vs_box *boxes;      /* the caller's, in his order; only while it is built */
+  const uint32_t *families; /* his: two of one family are no pair; UINT32_MAX has none. Or NULL. Only while it is built, set before */
+  uint32_t *order;          /* his numbers, sorted */
+  vs_pack *packs;
+  vs_lanes *family;         /* of the items, where there are any */
+  size_t order_room, pack_room, family_room;
+  uint32_t count, level_count, first[18]; /* where each level's packs begin */
+  uint32_t size[18];
+  bool has_families;
 } vs_bvh;
 
 typedef bool vs_bvh_pair_fn(void *context, uint32_t a, uint32_t b); /* false stops */

@@ -190,7 +190,6 @@ static bool meet(void *context, uint32_t first, uint32_t second) {
     second = t;
   }
   const vs_patch *a = &c->patches.at[first], *b = &c->patches.at[second];
-  if (a->place == b->place && c->placed.at[a->place].star) return true;
   if (!vs_kernel_poll(m->k, 0.1)) return false;
   uint32_t base = (uint32_t)m->ends.count;
   if (a->place == b->place && a->plane != b->plane && only_neighbours(c, a, b)) return true;
@@ -304,7 +303,7 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   memset(m->w->crossings.at, 0xff, crossings * sizeof *m->w->crossings.at); /* nobody's: what a chunk finds depends on itself alone */
   memset(&m->hints, 0, sizeof m->hints);
   m->w->crossings.count = crossings;
-  return vs_bvh_pairs(&all->c->bvh, first, first + CHUNK, meet, m);
+  return vs_bvh_pairs(&all->c->bvh, first, first + CHUNK, meet, m) && vs_kernel_report(k, 0.1);
 }
 
 bool vs_meet_patches(vs_kernel *k, vs_cluster *c) {

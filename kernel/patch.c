@@ -151,7 +151,8 @@ static bool take_chunk(vs_kernel *k, void *context, size_t index) {
 
 bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
   patching p = { .c = c };
-  size_t room = 0;
+  uint32_t *families = NULL;
+  size_t room = 0, family_room = 0;
   bool ok = VS_ROOM(k, p.works, room, k->threads);
   if (ok) memset(p.works, 0, room * sizeof *p.works);
   ok = ok && VS_ROOM(k, p.alone.at, p.alone.room, c->planes.all.count + 1);
@@ -161,8 +162,15 @@ bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
     *of = *of == VS_NONE ? i : SEVERAL;
   }
   ok = ok && vs_kernel_pipeline(k, (c->facets.count + CHUNK - 1) / CHUNK, make_chunk, take_chunk, &p) &&
-       vs_bvh_build(k, &c->bvh, c->boxes.at, (uint32_t)c->patches.count);
+       VS_ROOM(k, families, family_room, c->patches.count + 1);
+  for (size_t i = 0; ok && i < c->patches.count; i++) { /* no two triangles of a star touch */
+    uint32_t place = c->patches.at[i].place;
+    families[i] = c->placed.at[place].star ? place : UINT32_MAX;
+  }
+  c->bvh.families = families;
+  ok = ok && vs_bvh_build(k, &c->bvh, c->boxes.at, (uint32_t)c->patches.count);
   VS_DROP(k, c->boxes); /* the index has its own */
+  VS_FREE(k, families, family_room);
   for (size_t i = 0; i < room; i++) {
     VS_DROP(k, p.works[i].next);
     VS_DROP(k, p.works[i].border);
