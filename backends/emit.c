@@ -95,18 +95,6 @@ bool vs_put_u32(vs_writer *w, uint32_t x) {
   return vs_put(w, p, (size_t)(text + sizeof text - p));
 }
 
-unsigned char *vs_le_u32(unsigned char *to, uint32_t x) {
-  for (int i = 0; i < 4; i++) *to++ = (unsigned char)(x >> (8 * i));
-  return to;
-}
-
-unsigned char *vs_le_float(unsigned char *to, double x) {
-  float number = (float)x + 0.0f; /* + 0: -0 becomes 0 */
-  uint32_t bits;
-  memcpy(&bits, &number, sizeof bits);
-  return vs_le_u32(to, bits);
-}
-
 unsigned char *vs_le_double(unsigned char *to, double x) {
   double number = x + 0.0;
   uint64_t bits;

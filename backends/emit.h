@@ -57,8 +57,16 @@ bool vs_put_spaces(vs_writer *w, size_t count);
 bool vs_put_u32(vs_writer *w, uint32_t x); /* decimal digits */
 void vs_put_xml(vs_writer *w, const char *text); /* escaped for XML and HTML, attributes too */
 /* Little-endian bytes, as the binary formats have them; each returns the place behind them. */
-unsigned char *vs_le_u32(unsigned char *to, uint32_t x);
-unsigned char *vs_le_float(unsigned char *to, double x); /* 32 bits; never -0 */
+static inline unsigned char *vs_le_u32(unsigned char *to, uint32_t x) {
+  to[0] = (unsigned char)x, to[1] = (unsigned char)(x >> 8), to[2] = (unsigned char)(x >> 16), to[3] = (unsigned char)(x >> 24);
+  return to + 4;
+}
+static inline unsigned char *vs_le_float(unsigned char *to, double x) { /* 32 bits; never -0 */
+  float number = (float)x + 0.0f; /* + 0: -0 becomes 0 */
+  uint32_t bits;
+  memcpy(&bits, &number, sizeof bits);
+  return vs_le_u32(to, bits);
+}
 unsigned char *vs_le_double(unsigned char *to, double x);
 
 /* The number's text, NUL-terminated; its length. Not finite: "0" (callers check first; a format must not be broken by it). */

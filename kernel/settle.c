@@ -33,7 +33,7 @@ static double unit(double x, vs_numbers numbers) {
 static double rounded(double x, vs_numbers numbers) {
   double step;
   switch (numbers) {
-  case VS_NUMBERS_SINGLE: case VS_NUMBERS_SOUP: return (double)(float)x;
+  case VS_NUMBERS_SINGLE: case VS_NUMBERS_SOUP: return vs_single(x);
   case VS_NUMBERS_DIGITS: return step = unit(x, numbers), step > 0 ? round(x / step) * step : 0; /* but for double's own last place */
   case VS_NUMBERS_DOUBLE: break;
   }

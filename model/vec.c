@@ -41,6 +41,8 @@ void vs_turn_sincos(int index, int count, double *sine, double *cosine) {
   *cosine = c + 0.0;
 }
 
+double vs_single(double x) { return (double)(float)x; }
+
 vs_vec3 vs_v3_unit(vs_vec3 v) {
   double x = fabs(v.x), y = fabs(v.y), z = fabs(v.z), most = x > y ? x : y;
   if (z > most) most = z;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "backends/backend.h"
+#include "backends/spans.h"
 
 static bool mesh_begin(vs_emitter *e) { return !e->out->failed; }
 static bool mesh_end(vs_emitter *e) { return !e->out->failed; }
@@ -17,6 +18,31 @@ static bool mesh_end(vs_emitter *e) { return !e->out->failed; }
 static size_t mesh_part(const vs_solid *solid, size_t triangle) {
   size_t tag = solid->mesh.tags != NULL ? solid->mesh.tags[triangle] : 0;
   return tag < solid->part_count ? tag : solid->part_count;
+}
+
+static bool mesh_put(vs_emitter *e, size_t count, size_t most, vs_span_fn *fn, const void *context) {
+  return vs_put_spans(e->out, count, most, fn, context) || (e->out->failed ? false : vs_emit_no_memory(e));
+}
+
+/* Three numbers on the rest of a line. */
+enum { MESH_TRIPLE = 4 * VS_NUMBER_ROOM };
+static char *mesh_triple(char *to, vs_vec3 v) {
+  to = vs_number_write(to, v.x);
+  *to++ = ' ';
+  to = vs_number_write(to, v.y);
+  *to++ = ' ';
+  to = vs_number_write(to, v.z);
+  *to++ = '\n';
+  return to;
+}
+
+static char *mesh_numbers(char *to, const uint32_t t[3], uint32_t first) {
+  for (int k = 0; k < 3; k++) {
+    *to++ = ' ';
+    to = vs_number_write(to, (double)first + t[k]);
+  }
+  *to++ = '\n';
+  return to;
 }
 
 /* ---- STL ---- */
@@ -35,47 +61,60 @@ static vs_vec3 stl_normal(const vs_mesh *m, const uint32_t t[3]) {
 
 static unsigned char *stl_vector(unsigned char *to, vs_vec3 v) { return vs_le_float(vs_le_float(vs_le_float(to, v.x), v.y), v.z); }
 
-static bool stl_solid(vs_emitter *e, const vs_solid *solid) {
-  const vs_mesh *m = &solid->mesh;
-  unsigned char head[84] = "binary STL by VisualScheme, lengths in ";
-  strncat((char *)head, e->scene->units != NULL ? e->scene->units : "m", 8);
-  size_t count = 0;
-  for (size_t i = 0; i < m->triangle_count; i++) count += !stl_needle(m, m->triangles[i]);
-  if (count > UINT32_MAX) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than an STL file can hold");
-  vs_le_u32(head + 80, (uint32_t)count);
-  vs_put(e->out, head, sizeof head);
-  enum { RECORD = 50, MANY = 80 };
-  unsigned char records[RECORD * MANY] = { 0 }, *to = records; /* many at once: the writer looks at every call */
-  for (size_t i = 0; i < m->triangle_count && !e->out->failed; i++) {
+enum { STL_RECORD = 50, STL_WORDS = 12 * VS_NUMBER_ROOM + 96 };
+
+static bool stl_stays(const void *context, size_t i) {
+  const vs_mesh *m = context;
+  return !stl_needle(m, m->triangles[i]);
+}
+
+static char *stl_records(const void *context, size_t begin, size_t end, char *at) {
+  const vs_mesh *m = context;
+  unsigned char *to = (unsigned char *)at;
+  for (size_t i = begin; i < end; i++) {
     const uint32_t *t = m->triangles[i];
     if (stl_needle(m, t)) continue;
     to = stl_vector(to, stl_normal(m, t));
     for (int k = 0; k < 3; k++) to = stl_vector(to, m->vertices[t[k]]);
-    to += 2; /* no attribute */
-    if (to < records + sizeof records) continue;
-    vs_put(e->out, records, sizeof records);
-    to = records;
+    *to++ = 0; /* no attribute */
+    *to++ = 0;
   }
-  return vs_put(e->out, records, (size_t)(to - records));
+  return (char *)to;
+}
+
+static bool stl_solid(vs_emitter *e, const vs_solid *solid) {
+  const vs_mesh *m = &solid->mesh;
+  unsigned char head[84] = "binary STL by VisualScheme, lengths in ";
+  strncat((char *)head, e->scene->units != NULL ? e->scene->units : "m", 8);
+  size_t count;
+  if (!vs_count_spans(m->triangle_count, stl_stays, m, &count)) return vs_emit_no_memory(e);
+  if (count > UINT32_MAX) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than an STL file can hold");
+  vs_le_u32(head + 80, (uint32_t)count);
+  return vs_put(e->out, head, sizeof head) && mesh_put(e, m->triangle_count, STL_RECORD, stl_records, m);
 }
 
 /* The same in words. Numbers are those of the binary form, so that the two hold one mesh. */
-static bool stl_ascii_solid(vs_emitter *e, const vs_solid *solid) {
-  const vs_mesh *m = &solid->mesh;
-  vs_writer *w = e->out;
-  vs_puts(w, "solid VisualScheme\n");
-  for (size_t i = 0; i < m->triangle_count && !w->failed; i++) {
+static char *stl_words(const void *context, size_t begin, size_t end, char *to) {
+  const vs_mesh *m = context;
+  for (size_t i = begin; i < end; i++) {
     const uint32_t *t = m->triangles[i];
     if (stl_needle(m, t)) continue;
     vs_vec3 n = stl_normal(m, t);
-    vs_put_triple(w, "facet normal ", vs_v3((float)n.x, (float)n.y, (float)n.z), " ", "\nouter loop\n");
+    VS_WRITE(to, "facet normal ");
+    to = mesh_triple(to, vs_v3(vs_single(n.x), vs_single(n.y), vs_single(n.z)));
+    VS_WRITE(to, "outer loop\n");
     for (int k = 0; k < 3; k++) {
       vs_vec3 v = m->vertices[t[k]];
-      vs_put_triple(w, "vertex ", vs_v3((float)v.x, (float)v.y, (float)v.z), " ", "\n");
+      VS_WRITE(to, "vertex ");
+      to = mesh_triple(to, vs_v3(vs_single(v.x), vs_single(v.y), vs_single(v.z)));
     }
-    vs_puts(w, "endloop\nendfacet\n");
+    VS_WRITE(to, "endloop\nendfacet\n");
   }
-  return vs_puts(w, "endsolid VisualScheme\n");
+  return to;
+}
+
+static bool stl_ascii_solid(vs_emitter *e, const vs_solid *solid) {
+  return vs_puts(e->out, "solid VisualScheme\n") && mesh_put(e, solid->mesh.triangle_count, STL_WORDS, stl_words, &solid->mesh) && vs_puts(e->out, "endsolid VisualScheme\n");
 }
 
 const vs_backend vs_backend_stl_ascii = { .begin = mesh_begin, .end = mesh_end, .solid = stl_ascii_solid, .numbers = VS_NUMBERS_SOUP, MESH_OMIT("STL") };
@@ -83,17 +122,25 @@ const vs_backend vs_backend_stl = { .begin = mesh_begin, .end = mesh_end, .solid
 
 /* ---- OFF ---- */
 
-static void mesh_vertex(vs_writer *w, const char *before, vs_vec3 v) {
-  vs_put_triple(w, before, v, " ", "\n");
+static char *off_corners(const void *context, size_t begin, size_t end, char *to) {
+  const vs_mesh *m = context;
+  for (size_t i = begin; i < end; i++) to = mesh_triple(to, m->vertices[i]);
+  return to;
+}
+
+static char *off_faces(const void *context, size_t begin, size_t end, char *to) {
+  const vs_mesh *m = context;
+  for (size_t i = begin; i < end; i++) {
+    *to++ = '3';
+    to = mesh_numbers(to, m->triangles[i], 0);
+  }
+  return to;
 }
 
 static bool off_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
-  vs_putf(e->out, "OFF\n%lu %lu 0\n", (unsigned long)m->vertex_count, (unsigned long)m->triangle_count);
-  for (size_t i = 0; i < m->vertex_count; i++) mesh_vertex(e->out, "", m->vertices[i]);
-  for (size_t i = 0; i < m->triangle_count; i++)
-    vs_putf(e->out, "3 %lu %lu %lu\n", (unsigned long)m->triangles[i][0], (unsigned long)m->triangles[i][1], (unsigned long)m->triangles[i][2]);
-  return !e->out->failed;
+  return vs_putf(e->out, "OFF\n%lu %lu 0\n", (unsigned long)m->vertex_count, (unsigned long)m->triangle_count) &&
+         mesh_put(e, m->vertex_count, MESH_TRIPLE, off_corners, m) && mesh_put(e, m->triangle_count, MESH_TRIPLE, off_faces, m);
 }
 
 const vs_backend vs_backend_off = { .begin = mesh_begin, .end = mesh_end, .solid = off_solid, .numbers = VS_NUMBERS_DIGITS, MESH_OMIT("OFF") };
@@ -101,6 +148,38 @@ const vs_backend vs_backend_off = { .begin = mesh_begin, .end = mesh_end, .solid
 /* ---- PLY: binary, little-endian, coordinates as doubles; a face has its colour, for a corner may belong to faces of several ---- */
 
 static uint8_t ply_level(double x) { return (uint8_t)lround(255 * x); }
+
+enum { PLY_CORNER = 24, PLY_FACE = 17 };
+
+static char *ply_corners(const void *context, size_t begin, size_t end, char *at) {
+  const vs_mesh *m = context;
+  unsigned char *to = (unsigned char *)at;
+  for (size_t i = begin; i < end; i++) {
+    vs_vec3 v = m->vertices[i];
+    to = vs_le_double(vs_le_double(vs_le_double(to, v.x), v.y), v.z);
+  }
+  return (char *)to;
+}
+
+static char *ply_faces(const void *context, size_t begin, size_t end, char *at) {
+  const vs_solid *solid = context;
+  const vs_mesh *m = &solid->mesh;
+  unsigned char *to = (unsigned char *)at, paint[4];
+  uint32_t painted = UINT32_MAX;
+  for (size_t i = begin; i < end; i++) {
+    uint32_t tag = m->tags != NULL ? m->tags[i] : 0;
+    if (tag != painted || i == begin) {
+      vs_material p = tag < solid->part_count && solid->parts[tag].material != NULL ? *solid->parts[tag].material : vs_material_of_color(0.86, 0.85, 0.83);
+      paint[0] = ply_level(p.red), paint[1] = ply_level(p.green), paint[2] = ply_level(p.blue), paint[3] = ply_level(1 - 0.8 * p.transparency);
+      painted = tag;
+    }
+    *to++ = 3;
+    for (int k = 0; k < 3; k++) to = vs_le_u32(to, m->triangles[i][k]);
+    memcpy(to, paint, sizeof paint);
+    to += sizeof paint;
+  }
+  return (char *)to;
+}
 
 static bool ply_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
@@ -110,24 +189,7 @@ static bool ply_solid(vs_emitter *e, const vs_solid *solid) {
   vs_putf(w, "\nelement vertex %lu\nproperty double x\nproperty double y\nproperty double z\n", (unsigned long)m->vertex_count);
   vs_putf(w, "element face %lu\nproperty list uchar uint vertex_indices\n", (unsigned long)m->triangle_count);
   vs_puts(w, "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\nend_header\n");
-  for (size_t i = 0; i < m->vertex_count && !w->failed; i++) {
-    unsigned char record[24];
-    vs_vec3 v = m->vertices[i];
-    vs_le_double(vs_le_double(vs_le_double(record, v.x), v.y), v.z);
-    vs_put(w, record, sizeof record);
-  }
-  for (size_t i = 0; i < m->triangle_count && !w->failed; i++) {
-    uint32_t tag = m->tags != NULL ? m->tags[i] : 0;
-    vs_material paint = tag < solid->part_count && solid->parts[tag].material != NULL ? *solid->parts[tag].material : vs_material_of_color(0.86, 0.85, 0.83);
-    unsigned char record[17] = { 3 }, *to = record + 1;
-    for (int k = 0; k < 3; k++) to = vs_le_u32(to, m->triangles[i][k]);
-    *to++ = ply_level(paint.red);
-    *to++ = ply_level(paint.green);
-    *to++ = ply_level(paint.blue);
-    *to = ply_level(1 - 0.8 * paint.transparency);
-    vs_put(w, record, sizeof record);
-  }
-  return !w->failed;
+  return mesh_put(e, m->vertex_count, PLY_CORNER, ply_corners, m) && mesh_put(e, m->triangle_count, PLY_FACE, ply_faces, solid);
 }
 
 const vs_backend vs_backend_ply = { .begin = mesh_begin, .end = mesh_end, .solid = ply_solid, MESH_OMIT("PLY") };
@@ -212,6 +274,25 @@ static bool obj_groups_make(vs_emitter *e, const vs_solid *solid, obj_groups *g)
   return true;
 }
 
+typedef struct { const vs_mesh *m; const uint32_t *order; } obj_run;
+static char *obj_some(const void *context, size_t begin, size_t end, char *to) {
+  const obj_run *run = context;
+  for (size_t i = begin; i < end; i++) {
+    *to++ = 'f';
+    to = mesh_numbers(to, run->m->triangles[run->order[i]], 1);
+  }
+  return to;
+}
+
+static char *obj_corners(const void *context, size_t begin, size_t end, char *to) {
+  const vs_mesh *m = context;
+  for (size_t i = begin; i < end; i++) {
+    VS_WRITE(to, "v ");
+    to = mesh_triple(to, m->vertices[i]);
+  }
+  return to;
+}
+
 static bool obj_faces(vs_emitter *e, const vs_solid *solid, const obj_groups *g) {
   size_t paints = vs_emit_material_count(e) + 1, last_layer = 0;
   vs_writer *w = e->out;
@@ -225,15 +306,7 @@ static bool obj_faces(vs_emitter *e, const vs_solid *solid, const obj_groups *g)
       obj_material_name(e, key % paints > 0 ? vs_emit_material_at(e, key % paints) : NULL);
       vs_puts(w, "\n");
     }
-    for (size_t i = g->starts[key]; i < g->starts[key + 1] && !w->failed; i++) {
-      const uint32_t *t = solid->mesh.triangles[g->order[i]];
-      vs_puts(w, "f");
-      for (int k = 0; k < 3; k++) {
-        vs_puts(w, " ");
-        vs_put_u32(w, 1 + t[k]);
-      }
-      vs_puts(w, "\n");
-    }
+    if (!mesh_put(e, g->starts[key + 1] - g->starts[key], MESH_TRIPLE, obj_some, &(obj_run){ &solid->mesh, g->order + g->starts[key] })) return false;
   }
   return !w->failed;
 }
@@ -252,7 +325,7 @@ static bool obj_solid(vs_emitter *e, const vs_solid *solid) {
     vs_puts(w, "\n");
     free(library);
   }
-  for (size_t i = 0; i < m->vertex_count; i++) mesh_vertex(w, "v ", m->vertices[i]);
+  if (!mesh_put(e, m->vertex_count, MESH_TRIPLE, obj_corners, m)) return false;
   obj_groups groups = { .key_count = 0 };
   bool ok = obj_groups_make(e, solid, &groups) && obj_faces(e, solid, &groups);
   obj_groups_free(e, &groups, solid);

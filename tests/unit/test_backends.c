@@ -261,6 +261,18 @@ static void test_x3d_words(void **state) {
 }
 
 /* one triangle, which encloses nothing */
+/* The two notations of STL hold the same numbers. */
+static void test_stl_words(void **state) {
+  (void)state;
+  test_model m;
+  test_model_open(&m);
+  test_draw(&m, test_box(&m, 0.1, 0.7, 0.3, 1, 2, 3));
+  char *text = written(&m, "stl-ascii");
+  assert_holds(text, "vertex 0.10000000149 0.699999988079 0.300000011921\n");
+  free(text);
+  test_model_close(&m);
+}
+
 static vs_ref open_surface(test_model *m) {
   const vs_vec3 at[] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
   struct vs_polyface_mesh data = { .points = vs_points_new(m->scene.store, at, 3),
@@ -676,7 +688,7 @@ static void test_openscad_takes_all(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_numbers), cmocka_unit_test(test_numbers_locale), cmocka_unit_test(test_tree_reads_back), cmocka_unit_test(test_tree_golden),
-    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words),
+    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words), cmocka_unit_test(test_stl_words),
     cmocka_unit_test(test_left_out), cmocka_unit_test(test_templates), cmocka_unit_test(test_singular), cmocka_unit_test(test_deep),
     cmocka_unit_test(test_no_memory), cmocka_unit_test(test_files), cmocka_unit_test(test_formats), cmocka_unit_test(test_povray_missing),
     cmocka_unit_test(test_povray_complains), cmocka_unit_test(test_povray_stops), cmocka_unit_test(test_povray_picture),
