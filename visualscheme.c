@@ -107,7 +107,7 @@ vs *vs_new(const vs_options *options) {
   vs_config config = {
     .memory = vs_session_memory, .user = s, .memory_limit = o.limit_memory, .step_limit = o.limit_steps, .output_limit = o.limit_output, .time_limit = o.limit_time,
     .phase = vm_phase, .clock = vs_session_clock, .interrupted = vs_session_interrupted, .tables = vs_bind_tables(), .image = &vs_library_image,
-    .io = &vs_session_io, .value = take_value, .library_path = path,
+    .io = &vs_session_io, .value = take_value, .dropped = vs_bind_dropped, .library_path = path,
   };
   vs_store *store = vs_store_new(store_memory, s);
   vs *vm = store && (path || !path_bytes) ? vs_open_vm(&config) : NULL;

@@ -40,6 +40,9 @@ struct vs_bind {
   struct { vs_node *node; const vs_origin *origin; bool shown; } *returned; /* shown: printed at the prompt, so not thrown away */
   size_t returned_count, returned_room;
   bool drew;                       /* draw was called: what was returned does not count */
+  const vs_node *drawn_last;       /* what draw gave back last: an address to compare with, not a reference */
+  struct { vs_node *node; const vs_origin *origin; } dropped[16]; /* objects that bodies threw away, one a place (thrown.c); references of our own */
+  size_t dropped_count;
   uint64_t *told;                  /* warnings given: hashes of place and kind, open addressing, 0 free */
   size_t told_count, told_room;
   struct { uint64_t key; const vs_origin *origin; } recent[64]; /* origins of call chains seen last, since that collection */
@@ -80,6 +83,12 @@ bool vs_bind_returned(vs_bind *b, vs_value v, bool shown);
 /* Is the model what top-level expressions returned (nothing was drawn)? If not, warns of what they threw away. */
 bool vs_bind_finish(vs_bind *b);
 
+/* ---- what was thrown away (thrown.c) ---- */
+void vs_bind_dropped(vs *vm, vs_value v); /* a body's expression before its last gave v: for vs_config */
+void vs_bind_tell_dropped(vs_bind *b);    /* warns of those that did not become part of the model, and forgets them */
+void vs_bind_forget_dropped(vs_bind *b);
+void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origin, bool in_body);
+
 /* ---- objects (object.c) ---- */
 extern const vs_foreign_type vs_shape_type, vs_paint_type; /* a shape owns a reference to a node, with its origin; a paint wraps an interned vs_material */
 /* What an object of Scheme's refers to, not retained; node NULL: v is no object. */
@@ -95,6 +104,8 @@ vs_status vs_bind_wrap(vs_bind *b, vs_node *node /* taken over; NULL: out of mem
 /* A position's file as text of the store; NULL: nowhere, or one of the language's own sources: places in those are not the user's business. */
 const char *vs_bind_file_name(vs_bind *b, vs_pos place);
 uint32_t vs_bind_file_count(vs *vm); /* files that have a number */
+/* Was such a warning given for this place before? It counts as given from now on. */
+bool vs_bind_warned(vs_bind *b, const vs_origin *o, const char *kind);
 /* once a place and `kind` (any constant text); nothing when it could not be formatted */
 void vs_bind_warn(vs_bind *b, const char *kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 bool vs_bind_text(vs *vm, vs_value string_or_symbol, char **out, size_t *bytes); /* UTF-8 with NUL from vs_mem; *bytes to give back */

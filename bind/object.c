@@ -126,12 +126,16 @@ static bool told(vs_bind *b, uint64_t key) {
   return false;
 }
 
-void vs_bind_warn(vs_bind *b, const char *kind, const char *format, ...) {
-  const vs_origin *o = vs_bind_origin(b);
+bool vs_bind_warned(vs_bind *b, const vs_origin *o, const char *kind) {
   uint64_t key = o ? ((uint64_t)o->line << 20 | o->column) ^ (uint64_t)(uintptr_t)o->file : 0; /* the place, whoever called it */
   for (const char *c = kind; *c; c++) key = (key ^ (unsigned char)*c) * UINT64_C(0x100000001B3);
   key ^= key >> 31;
-  if (!b->warn || told(b, key)) return;
+  return told(b, key);
+}
+
+void vs_bind_warn(vs_bind *b, const char *kind, const char *format, ...) {
+  const vs_origin *o = vs_bind_origin(b);
+  if (!b->warn || vs_bind_warned(b, o, kind)) return;
   char text[512];
   va_list args;
   va_start(args, format);

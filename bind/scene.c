@@ -20,8 +20,9 @@ vs_status vs_p_draw(vs_frame *f, vs_value *out) {
   for (size_t i = 0; i < n; i++)
     if (!vs_scene_draw(&b->scene, (vs_ref){ ref[i].node, ref[i].origin ? ref[i].origin : here })) return vs_fail_memory(f->vm);
   if (n == 0) return vs_bind_empty(f, NULL, out);
-  if (n == 1) return vs_bind_node(f, vs_node_retain(ref[0].node), out);
-  return vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, ref, n, out);
+  vs_status status = n == 1 ? vs_bind_node(f, vs_node_retain(ref[0].node), out) : vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, ref, n, out);
+  if (status == VS_OK) b->drawn_last = vs_bind_ref(*out).node;
+  return status;
 }
 
 vs_status vs_p_erase_all(vs_frame *f, vs_value *out) {

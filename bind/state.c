@@ -21,6 +21,8 @@ bool vs_bind_open(vs_bind *b, vs *vm, vs_store *store) {
 static void forget_returned(vs_bind *b) {
   for (size_t i = 0; i < b->returned_count; i++) vs_node_release(b->returned[i].node);
   b->returned_count = 0;
+  vs_bind_forget_dropped(b);
+  b->drawn_last = NULL;
 }
 
 /* What one run of a program leaves behind. */
@@ -110,13 +112,14 @@ static bool drawn(const vs_nodemap *all, const vs_node *n) {
 }
 
 bool vs_bind_finish(vs_bind *b) {
+  vs_bind_tell_dropped(b);
   if (!b->drew) return true;
   vs_nodemap all = { .store = b->store };
   bool known = b->returned_count > 0; /* without memory for the question the warnings are left out */
   for (size_t i = 0; known && i < b->scene.drawn_count; i++) known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
   for (size_t i = 0; known && i < b->returned_count; i++)
-    if (!b->returned[i].shown && !drawn(&all, b->returned[i].node) && !vs_bind_is_empty(b->returned[i].node) && b->warn)
-      b->warn(b->warn_context, b->returned[i].origin, "this object is made and thrown away: others are drawn, this one is not; unite them, or (draw ...) it too");
+    if (!b->returned[i].shown && !drawn(&all, b->returned[i].node) && !vs_bind_is_empty(b->returned[i].node))
+      vs_bind_warn_thrown(b, b->returned[i].node, b->returned[i].origin, false);
   vs_nodemap_free(&all);
   forget_returned(b);
   return false;

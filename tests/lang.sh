@@ -5,6 +5,7 @@
 #   ; expect error: TEXT      an error at this line of the file whose message contains TEXT; exit code 1
 #   ; expect warning: TEXT    a warning at this line whose message contains TEXT
 #   ; expect error 12: TEXT   the same at line 12 (also `warning 12`)
+#   ; expect no other warnings
 #   ; args: -O0               further arguments of vs
 # Without an expected error the program must end with 0.
 set -u
@@ -23,7 +24,7 @@ for script in tests/lang/*.vs tests/lang/*/*.vs; do
     function contains_at(kind, line, text,   i, prefix) {
       prefix = script ":" line ":"
       for (i = 1; i <= said; i++)
-        if (index(message[i], prefix) == 1 && index(message[i], text) && (kind == "error" || index(message[i], "warning: "))) return 1
+        if (index(message[i], prefix) == 1 && index(message[i], text) && (kind == "error" || index(message[i], "warning: "))) { known[i] = 1; return 1 }
       return 0
     }
     BEGIN {
@@ -31,6 +32,7 @@ for script in tests/lang/*.vs tests/lang/*/*.vs; do
       while ((getline line < output) > 0) printed[++lines] = line
     }
     match($0, /; expect: ?/) { wanted[++wants] = substr($0, RSTART + RLENGTH); next }
+    /; expect no other warnings/ { closed = 1; checks++ }
     match($0, /; expect (error|warning)( [0-9]+)?: /) {
       head = substr($0, RSTART, RLENGTH); text = substr($0, RSTART + RLENGTH)
       kind = head ~ /error/ ? "error" : "warning"
@@ -46,6 +48,8 @@ for script in tests/lang/*.vs tests/lang/*/*.vs; do
           trouble[++troubles] = "printed line " i ": wanted `" wanted[i] "`, got `" printed[i] "`"
           if (++shown == 8) break
         }
+      for (i = 1; closed && i <= said; i++)
+        if (index(message[i], script ":") == 1 && index(message[i], ": warning: ") && !known[i]) trouble[++troubles] = "not expected: " message[i]
       if (!troubles && wants + checks == 0) trouble[++troubles] = "expects nothing: it cannot fail"
       name = script; sub(/^tests\//, "", name)
       if (!troubles) { print "ok " name; exit }

@@ -370,6 +370,12 @@ static bool loop(vs *vm, vs_value *w, size_t n, vs_value *out) {
             vs_as_symbol(k[*pc])->name);
     goto fail;
 
+  OP(DROP):
+    if (vm->config.dropped) {
+      vs_value first = vs_is_pair(RA) ? vs_as_pair(RA)->car : RA; /* (map f l) where (for-each f l) was meant */
+      if (vs_is(first, VS_T_FOREIGN)) vm->config.dropped(vm, first);
+    }
+    NEXT;
   OP(CALL): CALL_WINDOW;
   OP(CALLG): {
     vs_value g = vs_as_cell(k[*pc])->value;

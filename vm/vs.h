@@ -48,6 +48,8 @@ typedef struct vs_config {
   const char *library_path;  /* folders for load, include and require, ':' between them, or NULL; living as long as the interpreter */
   /* The value of a top-level expression of the program or of a file it loaded; false: the error is set. NULL: nobody wants it. */
   bool (*value)(vs *vm, vs_value v, vs_pos place);
+  /* A foreign object that an expression before a body's last one gave, alone or first in a list. It may not allocate in the heap. NULL: nobody wants it. */
+  void (*dropped)(vs *vm, vs_value v);
 } vs_config;
 
 struct vs_gc_block;

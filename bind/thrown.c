@@ -1,0 +1,74 @@
+/* Owns telling what a program made and threw away: objects that a body made before its last expression, or that stood at the top of a file
+ * that draws others.
+ *
+ * The run loop hands over each object that an expression before a body's last one gave, of a list the first. What `draw` just gave back is nothing of note;
+ * of the rest the first at each place is kept, for a few places, and looked for at the end of the evaluation: a program may have put it
+ * into a list of its own, and what is part of the model in the end was not thrown away. */
+#include "bind/bind.h"
+
+#include "model/nodemap.h"
+
+void vs_bind_forget_dropped(vs_bind *b) {
+  for (size_t i = 0; i < b->dropped_count; i++) vs_node_release(b->dropped[i].node);
+  b->dropped_count = 0;
+}
+
+static bool same_place(const vs_origin *a, const vs_origin *b) { return a->file == b->file && a->line == b->line && a->column == b->column; }
+
+void vs_bind_dropped(vs *vm, vs_value v) {
+  vs_bind *b = vs_bind_of(vm);
+  vs_ref ref = vs_bind_ref(v);
+  if (!ref.node || ref.node == b->drawn_last || !ref.origin || vs_bind_is_empty(ref.node)) return;
+  if (b->dropped_count == sizeof b->dropped / sizeof *b->dropped) return;
+  for (size_t i = 0; i < b->dropped_count; i++)
+    if (same_place(b->dropped[i].origin, ref.origin)) return;
+  b->dropped[b->dropped_count].node = vs_node_retain(ref.node);
+  b->dropped[b->dropped_count++].origin = ref.origin;
+}
+
+void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origin, bool in_body) {
+  if (!b->warn || vs_bind_warned(b, origin, "thrown away")) return;
+  b->warn(b->warn_context, origin,
+          node->kind == VS_TRANSFORM ? "this object is made and thrown away: do-move returns the moved object, as do-rotate and the like do; what they were given stays as it was"
+          : in_body                  ? "this object is made and thrown away: a body gives only its last value, a loop none; unite them, or (draw ...) each"
+                                     : "this object is made and thrown away: others are drawn, this one is not; unite them, or (draw ...) it too");
+}
+
+/* Takes from `left` what is found below the root. */
+static bool look_below(vs_bind *b, vs_nodemap *seen, vs_ref root, bool *left, size_t *count) {
+  vs_walk *w = vs_walk_new(b->store, root);
+  vs_ref at;
+  size_t depth;
+  bool ok = w != NULL;
+  while (ok && *count > 0) {
+    vs_walk_event e = vs_walk_next(w, &at, &depth);
+    if (e == VS_WALK_DONE) break;
+    ok = e != VS_WALK_FAILED;
+    if (!ok || e != VS_WALK_ENTER) continue;
+    bool found;
+    ok = vs_nodemap_put(seen, at.node, &found) != NULL;
+    if (found) {
+      vs_walk_skip(w);
+      continue;
+    }
+    for (size_t i = 0; i < b->dropped_count; i++)
+      if (left[i] && b->dropped[i].node == at.node) left[i] = false, --*count;
+  }
+  vs_walk_free(w);
+  return ok;
+}
+
+void vs_bind_tell_dropped(vs_bind *b) {
+  size_t count = b->dropped_count;
+  if (count == 0) return;
+  bool left[sizeof b->dropped / sizeof *b->dropped], ok = true; /* without memory for the question the warnings are left out */
+  for (size_t i = 0; i < count; i++) left[i] = true;
+  vs_nodemap seen = { .store = b->store };
+  size_t roots = b->drew ? b->scene.drawn_count : b->returned_count;
+  for (size_t i = 0; ok && i < roots && count > 0; i++)
+    ok = look_below(b, &seen, b->drew ? b->scene.drawn[i] : (vs_ref){ b->returned[i].node, b->returned[i].origin }, left, &count);
+  vs_nodemap_free(&seen);
+  for (size_t i = 0; ok && i < b->dropped_count; i++)
+    if (left[i]) vs_bind_warn_thrown(b, b->dropped[i].node, b->dropped[i].origin, true);
+  vs_bind_forget_dropped(b);
+}
