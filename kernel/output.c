@@ -94,6 +94,7 @@ static bool merge(writer *w) {
     for (size_t u = 0; u < from->uses.count; u++) w->uses.at[w->uses.count++] = from->uses.at[u];
     VS_DROP(k, from->uses);
     VS_DROP(k, from->firsts);
+    if (!vs_kernel_report(k, 0.9)) return false;
   }
   return VS_PUSH(k, w->edge_first, (uint32_t)uses);
 }
@@ -122,6 +123,7 @@ static bool drop_corners(writer *w) {
   for (size_t p = 0; p < n; p++) w->degree.at[p] = 0;
   for (uint32_t e = 0; e < edges; e++) {
     const vs_use *u = use_at(w, w->edge_first.at[e]);
+    if (!vs_kernel_poll(w->k, 0.9)) return false;
     for (int i = 0; i < 2; i++) {
       uint32_t p = i ? u->to : u->from;
       if (w->degree.at[p] < 2) w->edges.at[2 * p + w->degree.at[p]] = e;
@@ -130,6 +132,7 @@ static bool drop_corners(writer *w) {
   }
   for (uint32_t p = 0; p < n; p++) {
     bool flat;
+    if (!vs_kernel_poll(w->k, 0.9)) return false;
     if (w->degree.at[p] != 2 || !same_faces(w, w->edges.at[2 * p], w->edges.at[2 * p + 1], &flat)) continue;
     const vs_use *a = use_at(w, w->edge_first.at[w->edges.at[2 * p]]), *b = use_at(w, w->edge_first.at[w->edges.at[2 * p + 1]]);
     if (flat) { /* not on the line of two planes */
@@ -149,6 +152,7 @@ static bool make_sides(writer *w) {
   for (uint32_t e = 0; e < edges; e++)
     for (uint32_t i = w->edge_first.at[e]; i < w->edge_first.at[e + 1]; i++) {
       const vs_use *u = use_at(w, i);
+      if (!vs_kernel_poll(k, 0.9)) return false;
       uint32_t at = u->to, edge = e, root = w->parent.at[u->face];
       if (w->degree.at[u->from] == 4 || w->degree.at[at] == 4) w->whole.at[u->face] = 0;
       if (w->degree.at[u->from] == 4) continue;

@@ -477,6 +477,7 @@ static bool settle(settling *s, bool places, vs_settled *out) {
   vs_mesh *m = s->m;
   size_t n = m->vertex_count, collapsed, flipped, more;
   bool any = false, ok = true;
+  if (!vs_kernel_report(s->k, 1)) return false;
   vs_bounds b = vs_mesh_bounds(m);
   s->coarsest = 2 * unit(larger(reach(b.min), reach(b.max)), s->numbers);
   if (!find_look(s, &any)) return false;
