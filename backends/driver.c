@@ -218,7 +218,7 @@ static bool drive_plan_children(vs_emitter *e, drive_step *step, bool *pushed) {
   size_t index = step->entry, depth = d->step_count;
   const vs_node *n = d->entries[index].ref.node;
   while (step->next < n->child_count) {
-    const vs_ref *child = &n->children[step->next++];
+    const vs_ref *child = vs_node_next(n, step->next++);
     bool operation = drive_is_operation(e, child->node), first = step->next == 1;
     if (child->node->refs < 2 && !operation) { /* looked at and forgotten */
       if (!drive_plan_omitted(e, child)) return false;
@@ -452,7 +452,7 @@ static bool drive_walk(vs_emitter *e, const vs_ref *root, bool body) {
       }
     }
     if (top->next < n->child_count) {
-      const vs_ref *child = &n->children[top->next++];
+      const vs_ref *child = vs_node_next_whole(n, (uint32_t)top->next++);
       drive_view view = drive_look(e, child->node);
       if (view.vain) continue;
       e->child_index = top->silent ? e->child_index : top->shown;

@@ -23,11 +23,13 @@ vs_affine vs_bind_affine(const double *sixteen) {
 }
 
 /* Lengths end at 1e60: their third power, and what placements make of it, must still be a number. */
-static bool too_large(double d) { return !(fabs(d) <= 1e60); }
+static const double LARGEST = 1e60;
+static bool too_large(double d) { return !(fabs(d) <= LARGEST); }
 
 /* The field of a node's data that no drawing could hold, or NULL. Angles are fields as well: none is that large in earnest. */
 static const char *largest_field(vs_kind kind, const void *data) {
   const vs_kind_info *k = vs_kind_get(kind);
+  if (vs_kind_within(kind, data, LARGEST)) return NULL;
   for (size_t i = 0; i < k->field_count; i++) {
     const void *at = (const char *)data + k->fields[i].offset;
     const double *numbers = at;

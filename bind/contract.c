@@ -422,8 +422,23 @@ static vs_status convert_integer(vs_frame *f, const vs_bind_param *p, vs_value v
   return out->integer >= low && out->integer <= high ? VS_OK : refuse_condition(f, p, v);
 }
 
+/* What most arguments are, when they are as they should be; false: convert sees to it. */
+static inline bool convert_quickly(const vs_bind_param *p, vs_value v, vs_arg *out) {
+  if (p->contract == VS_C_POINT || p->contract == VS_C_VECTOR) {
+    if (!vs_is_flat(v, p->contract == VS_C_POINT ? VS_FLAT_POINT : VS_FLAT_VECTOR)) return false;
+    out->point = vec_of(vs_as_flat(v)->at);
+    return finite3(vs_as_flat(v)->at);
+  }
+  if (p->contract != VS_C_REAL && p->contract != VS_C_RADIUS && p->contract != VS_C_POSITIVE) return false;
+  if (vs_is_fixnum(v)) out->real = (double)vs_fixnum(v);
+  else if (vs_is_double(v)) out->real = vs_double(v);
+  else return false;
+  return isfinite(out->real) && (p->contract == VS_C_REAL || out->real > 0);
+}
+
 static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->given = true, out->value = v;
+  if (convert_quickly(p, v, out)) return VS_OK;
   switch ((vs_contract)p->contract) {
     case VS_C_ANY: return VS_OK;
     case VS_C_REAL: case VS_C_DEGREES: return convert_real(f, p, v, out);
@@ -508,14 +523,6 @@ static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg
 
 /* ---- choosing the form ---- */
 
-static void form_counts(const vs_form *form, int *least, int *most) {
-  *least = *most = 0;
-  for (const vs_bind_param *p = form->at; p->mode != VS_ARG_END; p++) {
-    *least += p->mode == VS_ARG_REQUIRED;
-    *most = p->mode == VS_ARG_REST ? INT32_MAX : *most + 1;
-  }
-}
-
 /* Is v of this contract's kind, by a look that cannot fail? Only what tells the forms of one procedure apart. */
 static bool looks_like(vs_frame *f, vs_contract c, vs_value v) {
   vs_arg unused;
@@ -558,16 +565,24 @@ static vs_status refuse_count(vs_frame *f, const vs_value *a, int n) {
   return vs_fail(f->vm, f->vm->sym.arity, "%s, got %d argument%s", text, n, n == 1 ? "" : "s");
 }
 
+/* How many of n arguments look like the form's first parameters (0 where there is no other form); -1: it takes fewer, or more. */
+static int form_fits(vs_frame *f, const vs_form *form, const vs_value *a, int n) {
+  int fits = f->procedure->form[1].used ? 0 : -1;
+  const vs_bind_param *p = form->at;
+  for (int i = 0; i < n && p->mode != VS_ARG_REST; i++, p++) {
+    if (p->mode == VS_ARG_END) return -1;
+    if (fits == i && looks_like(f, (vs_contract)p->contract, a[i])) fits++;
+  }
+  if (p->mode == VS_ARG_REQUIRED) return -1; /* they come first */
+  if (p->mode == VS_ARG_REST && fits >= 0 && fits < n && looks_like(f, (vs_contract)p->contract, a[fits])) fits++;
+  return fits < 0 ? 0 : fits;
+}
+
 /* the number of the form, or -1 with the error set */
 static int choose_form(vs_frame *f, const vs_value *a, int n) {
-  int best = -1, best_fits = -1, least, most;
+  int best = -1, best_fits = -1;
   for (int i = 0; i < VS_MAX_FORMS && f->procedure->form[i].used; i++) {
-    const vs_form *form = &f->procedure->form[i];
-    form_counts(form, &least, &most);
-    if (n < least || n > most) continue;
-    int fits = 0;
-    if (f->procedure->form[1].used)
-      for (; fits < n && form->at[fits].mode != VS_ARG_END && looks_like(f, (vs_contract)form->at[fits].contract, a[fits]); fits++) {}
+    int fits = form_fits(f, &f->procedure->form[i], a, n);
     if (fits > best_fits) best = i, best_fits = fits;
     if (fits == n) break;
   }

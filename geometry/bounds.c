@@ -332,8 +332,11 @@ static bool vs_bounds_plain(const vs_node *n, vs_bounds *b) {
       at[1] = cut ? VS_AS(cut_cone, n)->top : cone ? VS_AS(cone, n)->apex : VS_AS(cylinder, n)->top;
       double r = cut ? VS_AS(cut_cone, n)->base_radius : cone ? VS_AS(cone, n)->radius : VS_AS(cylinder, n)->radius;
       double far = cut ? VS_AS(cut_cone, n)->top_radius : cone ? 0 : r;
-      vs_vec3 u = vs_v3_unit(vs_v3_sub(at[1], at[0]));
-      vs_vec3 across = vs_v3(sqrt(u.z * u.z + u.y * u.y), sqrt(u.z * u.z + u.x * u.x), sqrt(u.y * u.y + u.x * u.x));
+      vs_vec3 d = vs_v3_sub(at[1], at[0]), across = vs_v3(1, 1, 0);
+      if (d.x != 0 || d.y != 0) { /* upright, the same without so much ado */
+        vs_vec3 u = vs_v3_unit(d);
+        across = vs_v3(sqrt(u.z * u.z + u.y * u.y), sqrt(u.z * u.z + u.x * u.x), sqrt(u.y * u.y + u.x * u.x));
+      }
       reach[0] = vs_v3_scale(across, r), reach[1] = vs_v3_scale(across, far);
       break;
     }
@@ -419,16 +422,12 @@ static bool vs_bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affin
   return true;
 }
 
-/* All children are known, or lone leaves. */
-static bool vs_bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
+/* All children are known, or lone leaves; `children` is round them all. */
+static bool vs_bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, vs_bounds *b, vs_error *e) {
   vs_affine placed = vs_affine_identity();
-  vs_bounds children = vs_bounds_empty(), child;
+  vs_bounds child;
   bool leaf;
   *b = vs_bounds_empty();
-  for (uint32_t i = 0; i < n->child_count; i++) {
-    if (!vs_bounds_child(m, n->children[i].node, &child, e)) return false;
-    vs_bounds_unite(&children, &child);
-  }
   if (n->kind == VS_TRANSFORM) { /* a placed primitive has its own formula; only few steps are looked through, or chains cost their square */
     const vs_node *below = n;
     for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || vs_node_is_dress(below)); steps++) {
@@ -461,7 +460,7 @@ static bool vs_bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_e
   return true;
 }
 
-typedef struct { vs_ref ref; uint32_t next; } vs_bounds_step;
+typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* round those before next */ } vs_bounds_step;
 
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_store *s = m->places.store;
@@ -474,14 +473,22 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
   size_t depth = 1, room = 16;
   vs_bounds_step *steps = vs_store_realloc(s, NULL, 0, room * sizeof *steps);
   if (!steps) return vs_error_memory(e, NULL);
-  steps[0] = (vs_bounds_step){ { (vs_node *)(uintptr_t)n, NULL }, 0 };
+  steps[0] = (vs_bounds_step){ { (vs_node *)(uintptr_t)n, NULL }, 0, vs_bounds_empty() };
   bool ok = true;
   while (ok && depth) {
     vs_bounds_step *top = &steps[depth - 1];
     const vs_node *at = top->ref.node;
-    while (top->next < at->child_count && (vs_bounds_is_lone_leaf(at->children[top->next].node) || vs_bounds_memo_known(m, at->children[top->next].node))) top->next++;
+    vs_bounds b;
+    for (; ok && top->next < at->child_count; top->next++) {
+      const vs_node *child = vs_node_next_whole(at, top->next)->node;
+      if (!vs_bounds_is_lone_leaf(child) && !vs_bounds_memo_known(m, child)) break;
+      ok = vs_bounds_child(m, child, &b, e);
+      if (ok) vs_bounds_unite(&top->children, &b);
+      else if (e && !e->origin) e->origin = top->ref.origin;
+    }
+    if (!ok) break;
     if (top->next < at->child_count) {
-      vs_ref below = at->children[top->next++];
+      vs_ref below = at->children[top->next];
       if (depth == room) {
         vs_bounds_step *grown = vs_store_realloc(s, steps, room * sizeof *steps, 2 * room * sizeof *steps);
         ok = grown || vs_error_memory(e, NULL);
@@ -489,11 +496,10 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
         steps = grown;
         room *= 2;
       }
-      steps[depth++] = (vs_bounds_step){ below, 0 };
+      steps[depth++] = (vs_bounds_step){ below, 0, vs_bounds_empty() };
       continue;
     }
-    vs_bounds b;
-    ok = vs_bounds_of(m, at, &b, e);
+    ok = vs_bounds_of(m, at, top->children, &b, e);
     if (!ok && e && !e->origin) e->origin = top->ref.origin;
     ok = ok && (vs_bounds_memo_put(m, at, &b) || vs_error_memory(e, NULL));
     if (ok && at == n) *out = b;

@@ -4,11 +4,10 @@
 
 #include "model/node.h"
 
-uint64_t vs_payload_hash(const vs_kind_info *info, const void *data);
+uint64_t vs_payload_settle(vs_kind kind, void *data); /* of a new node: retains its arrays, -0 becomes 0; its hash */
 bool vs_payload_equal(const vs_kind_info *info, const void *a, const void *b);
-void vs_payload_adopt(const vs_kind_info *info, void *data); /* retains its arrays; -0 becomes 0 */
-void vs_payload_drop(const vs_kind_info *info, vs_store *s, const void *data); /* releases its arrays */
-size_t vs_payload_array_bytes(const vs_kind_info *info, const void *data);
+void vs_payload_drop(vs_kind kind, vs_store *s, const void *data); /* releases its arrays */
+size_t vs_payload_array_bytes(vs_kind kind, const void *data);
 size_t vs_points_bytes(const vs_points *p);
 size_t vs_faces_bytes(const vs_faces *f);
 

@@ -73,8 +73,6 @@ void vs_ticket_release(vs_store *s, const vs_ticket *t) {
 
 /* ---- building ---- */
 
-enum { AHEAD = 8 }; /* children that the processor is told of before they are looked at */
-
 static size_t vs_node_payload_room(const vs_kind_info *info) { return (info->size + 7) & ~(size_t)7; }
 static size_t vs_node_size(const vs_kind_info *info, size_t children) {
   return sizeof(vs_node) + vs_node_payload_room(info) + children * sizeof(vs_ref);
@@ -186,12 +184,11 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
   void *payload = kept + child_count;
   if (data) memcpy(payload, data, info->size);
   else memset(payload, 0, info->size);
-  vs_payload_adopt(info, payload);
-  uint64_t hash = vs_hash_mix(vs_hash_mix(4, (uint64_t)kind), vs_payload_hash(info, payload)), form = vs_hash_mix(10, (uint64_t)kind);
+  uint64_t hash = vs_hash_mix(vs_hash_mix(4, (uint64_t)kind), vs_payload_settle(kind, payload)), form = vs_hash_mix(10, (uint64_t)kind);
   uint32_t depth = 1;
   vs_node_family family = { .together = VS_NOTHING, .all = UINT8_MAX };
   for (size_t i = 0; i < child_count; i++) {
-    if (child_count - i > AHEAD) __builtin_prefetch(children[i + AHEAD].node);
+    if (child_count - i > VS_NODES_AHEAD) __builtin_prefetch(children[i + VS_NODES_AHEAD].node);
     kept[i] = children[i];
     vs_node *child = vs_node_retain(kept[i].node);
     hash = vs_hash_mix(hash, child->hash);
@@ -232,7 +229,7 @@ void vs_node_release(vs_node *n) {
     dead = (vs_node *)(uintptr_t)n->hash;
     const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
     vs_store *s = n->store;
-    vs_payload_drop(info, s, vs_node_data(n));
+    vs_payload_drop((vs_kind)n->kind, s, vs_node_data(n));
     for (uint32_t i = n->child_count; i-- > 0;) {
       vs_node *child = n->children[i].node;
       if (--child->refs) continue;
@@ -246,7 +243,7 @@ void vs_node_release(vs_node *n) {
 
 size_t vs_node_bytes(const vs_node *n) {
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
-  return vs_node_size(info, n->child_count) + vs_payload_array_bytes(info, vs_node_data(n));
+  return vs_node_size(info, n->child_count) + vs_payload_array_bytes((vs_kind)n->kind, vs_node_data(n));
 }
 
 /* ---- comparing ---- */

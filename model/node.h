@@ -99,6 +99,7 @@ typedef struct {
   const vs_field_info *fields;
 } vs_kind_info;
 const vs_kind_info *vs_kind_get(vs_kind kind);
+bool vs_kind_within(vs_kind kind, const void *data, double most); /* is no number of a payload, or of its points, larger either way, or none at all? */
 
 typedef struct { vs_node *node; const vs_origin *origin; } vs_ref;
 
@@ -131,6 +132,21 @@ static inline const void *vs_node_data(const vs_node *n) { return n->children + 
 /* VS_AS(sphere, n)->radius; the caller has looked at n->kind */
 #define VS_ENDLESS_MESSAGE "the object is endless: intersect it with something finite, or subtract it from that"
 #define VS_AS(lower, n) ((const struct vs_##lower *)vs_node_data(n))
+
+/* Child i of those that are looked at one after the other: the processor is told of one to come, since there may be a million. With its payload, or of
+ * its header alone. */
+enum { VS_NODES_AHEAD = 8 };
+static inline const vs_ref *vs_node_next_whole(const vs_node *n, uint32_t i) {
+  if (n->child_count - i > VS_NODES_AHEAD) {
+    __builtin_prefetch(n->children[i + VS_NODES_AHEAD].node);
+    __builtin_prefetch((const char *)n->children[i + VS_NODES_AHEAD].node + 64);
+  }
+  return &n->children[i];
+}
+static inline const vs_ref *vs_node_next(const vs_node *n, uint32_t i) {
+  if (n->child_count - i > VS_NODES_AHEAD) __builtin_prefetch(n->children[i + VS_NODES_AHEAD].node);
+  return &n->children[i];
+}
 
 /* The boolean operations. */
 static inline bool vs_node_is_set(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }

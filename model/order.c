@@ -46,7 +46,7 @@ static void order_pass_by(vs_order *o, const vs_node *leaf) {
 static bool order_next(vs_order *o, order_level *top, vs_ref *child) {
   const vs_node *n = top->ref.node;
   while (top->next < n->child_count) {
-    *child = n->children[top->next++];
+    *child = *vs_node_next(n, top->next++);
     if (!vs_order_is_lone(child->node)) {
       top->inner = true;
       return true;
