@@ -134,11 +134,8 @@ bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t 
 bool vs_cull_needed(const vs_cluster *c, uint32_t place); /* false: all masks would be 0 */
 /* Shrinks the box of a patch of the leaf to what the balls within lids leave of it. */
 void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *corners, uint32_t count, vs_box *box);
-/* Is the segment, in steps, well inside a lid that is near the leaf at that place, but not the other leaf? hints: where in lids the last ones were, zeroed at
- * first; the answer may depend on them, so they belong to a piece of work that one thread does. */
-enum { VS_CULL_HINTS = 64 };
-typedef struct { uint32_t lid[VS_CULL_HINTS], triangle[VS_CULL_HINTS]; } vs_cull_hints;
-bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3], vs_cull_hints *hints);
+/* Is the segment, in steps, well inside a lid that is near the leaf at that place, but not the other leaf? */
+bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]);
 
 vs_vec3 vs_grid_world(const vs_grid *g, const vs_point *p);
 

@@ -18,9 +18,14 @@ typedef struct {
 
 static bool note(void *context, uint32_t a, uint32_t b) {
   finding *f = context;
+  const vs_placed *p = &f->c->placed.at[a], *q = &f->c->placed.at[b];
   if (!vs_kernel_poll(f->k, 0)) return false;
-  if (f->c->placed.at[b].lid && (!VS_PUSH(f->k, f->pairs, a) || !VS_PUSH(f->k, f->pairs, b))) return false;
-  return !f->c->placed.at[a].lid || (VS_PUSH(f->k, f->pairs, b) && VS_PUSH(f->k, f->pairs, a));
+  if (p->lid && q->lid) { /* balls whose boxes meet, at most */
+    double x = p->middle[0] - q->middle[0], y = p->middle[1] - q->middle[1], z = p->middle[2] - q->middle[2];
+    if (sqrt(x * x + y * y + z * z) > sqrt(p->outside) + sqrt(q->outside)) return true;
+  }
+  if (q->lid && (!VS_PUSH(f->k, f->pairs, a) || !VS_PUSH(f->k, f->pairs, b))) return false;
+  return !p->lid || (VS_PUSH(f->k, f->pairs, b) && VS_PUSH(f->k, f->pairs, a));
 }
 
 static double box_size(const vs_box *b) {
@@ -121,11 +126,16 @@ static bool in_box(const vs_box *b, const double p[3]) {
   return p[0] > b->min[0] && p[0] < b->max[0] && p[1] > b->min[1] && p[1] < b->max[1] && p[2] > b->min[2] && p[2] < b->max[2];
 }
 
-static bool in_lid(const vs_placed *lid, const double p[3], uint32_t *hint) {
-  double x = p[0] - lid->middle[0], y = p[1] - lid->middle[1], z = p[2] - lid->middle[2], square = x * x + y * y + z * z;
+/* The same of a place whose distance from the lid's middle, squared, is known: nearly all are told by that. */
+static bool in_lid_at(const vs_placed *lid, double square, const double p[3]) {
   if (square > lid->outside) return false;
-  if (square < lid->well_inside) return true; /* nearly all are told by balls */
-  return in_box(&lid->box, p) && vs_part_holds(lid->part, vs_affine_point(&lid->to_local, vs_v3(p[0], p[1], p[2])), lid->margin, hint);
+  if (square < lid->well_inside) return true;
+  return in_box(&lid->box, p) && vs_part_holds(lid->part, vs_affine_point(&lid->to_local, vs_v3(p[0], p[1], p[2])), lid->margin);
+}
+
+static bool in_lid(const vs_placed *lid, const double p[3]) {
+  double x = p[0] - lid->middle[0], y = p[1] - lid->middle[1], z = p[2] - lid->middle[2];
+  return in_lid_at(lid, x * x + y * y + z * z, p);
 }
 
 bool vs_cull_needed(const vs_cluster *c, uint32_t place) {
@@ -142,32 +152,41 @@ bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t 
   const vs_placed *p = &c->placed.at[place];
   double low[3], high[3];
   bool gated = gate_box(c, low, high);
-  uint32_t hints[VS_LIDS] = { 0 };
-  for (size_t v = begin; v < end; v++) {
-    const int32_t *at = c->corners[p->first + v];
-    double x[3] = { at[0], at[1], at[2] };
-    uint64_t mask = 0;
-    for (uint32_t i = 0; i < p->lids_count; i++)
-      if (in_lid(&c->placed.at[c->lids.at[p->lids_first + i]], x, &hints[i])) mask |= (uint64_t)1 << i;
-    for (int a = 0; gated && a < 3; a++) {
-      if (x[a] < low[a]) mask |= (uint64_t)1 << (VS_LIDS + 2 * a);
-      if (x[a] > high[a]) mask |= (uint64_t)1 << (VS_LIDS + 2 * a + 1);
+  enum { BLOCK = 64 };
+  double x[3][BLOCK], square[BLOCK];
+  masks += begin;
+  for (; begin < end; begin += BLOCK, masks += BLOCK) {
+    size_t n = end - begin < BLOCK ? end - begin : BLOCK;
+    for (size_t v = 0; v < n; v++) {
+      masks[v] = 0;
+      for (int a = 0; a < 3; a++) {
+        x[a][v] = c->corners[p->first + begin + v][a];
+        if (gated && x[a][v] < low[a]) masks[v] |= (uint64_t)1 << (VS_LIDS + 2 * a);
+        if (gated && x[a][v] > high[a]) masks[v] |= (uint64_t)1 << (VS_LIDS + 2 * a + 1);
+      }
     }
-    masks[v] = mask;
-    if (!vs_kernel_poll(k, 0)) return false;
+    for (size_t v = n; v < BLOCK; v++) x[0][v] = x[1][v] = x[2][v] = 0;
+    for (uint32_t i = 0; i < p->lids_count; i++) {
+      const vs_placed *lid = &c->placed.at[c->lids.at[p->lids_first + i]];
+      double mx = lid->middle[0], my = lid->middle[1], mz = lid->middle[2];
+      for (size_t v = 0; v < BLOCK; v++) { /* all of them, so that the compiler takes several at once */
+        double dx = x[0][v] - mx, dy = x[1][v] - my, dz = x[2][v] - mz;
+        square[v] = dx * dx + dy * dy + dz * dz;
+      }
+      for (size_t v = 0; v < n; v++)
+        if (square[v] <= lid->outside && in_lid_at(lid, square[v], (const double[3]){ x[0][v], x[1][v], x[2][v] })) masks[v] |= (uint64_t)1 << i;
+    }
+    if (!vs_kernel_report(k, 0)) return false;
   }
   return true;
 }
 
-bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3], vs_cull_hints *hints) {
+bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]) {
   const vs_placed *leaf = &c->placed.at[place];
   for (uint32_t i = 0; i < leaf->lids_count; i++) {
     uint32_t lid = c->lids.at[leaf->lids_first + i];
     const vs_placed *l = &c->placed.at[lid];
-    if (lid == other || !in_box(&l->box, p) || !in_box(&l->box, q)) continue;
-    uint32_t slot = lid % VS_CULL_HINTS;
-    if (hints->lid[slot] != lid) hints->lid[slot] = lid, hints->triangle[slot] = 0;
-    if (in_lid(l, p, &hints->triangle[slot]) && in_lid(l, q, &hints->triangle[slot])) return true;
+    if (lid != other && in_lid(l, p) && in_lid(l, q)) return true;
   }
   return false;
 }

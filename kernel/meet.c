@@ -38,7 +38,6 @@ typedef struct {
   VS_LIST(end) ends;
   VS_LIST(vs_fresh_point) fresh;
   double span[2][3];              /* the first and last end of the pair at hand, in steps */
-  vs_cull_hints hints;
 } chunk;
 
 static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { return c->patch_corners.at + p->first; }
@@ -201,7 +200,7 @@ static bool meet(void *context, uint32_t first, uint32_t second) {
   if (count == 0) return true;
   if (a->place != b->place) {
     const double *p = m->span[0], *q = m->span[count > 1];
-    if (count <= 2 && vs_cull_segment(c, a->place, b->place, p, q, &m->hints)) {
+    if (count <= 2 && vs_cull_segment(c, a->place, b->place, p, q)) {
       m->ends.count = base;
       return true;
     }
@@ -301,7 +300,6 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   while (crossings < CROSSINGS && crossings < 32 * (size_t)blocks) crossings *= 2;
   if (!VS_ROOM(k, m->w->crossings.at, m->w->crossings.room, crossings)) return false;
   memset(m->w->crossings.at, 0xff, crossings * sizeof *m->w->crossings.at); /* nobody's: what a chunk finds depends on itself alone */
-  memset(&m->hints, 0, sizeof m->hints);
   m->w->crossings.count = crossings;
   return vs_bvh_pairs(&all->c->bvh, first, first + CHUNK, meet, m) && vs_kernel_report(k, 0.1);
 }

@@ -155,41 +155,79 @@ static void find_convex(vs_part *p) {
   p->convex = true;
 }
 
-bool vs_part_holds(const vs_part *p, vs_vec3 q, double margin, uint32_t *hint) {
+/* Walks from a triangle to the one that the ray from the middle along d meets; false where that is too far. corner: of the last one, from the middle. */
+static bool walk_to(const vs_part *p, vs_vec3 d, uint32_t *triangle, vs_vec3 corner[3]) {
   enum { STEPS = 48 };
   const vs_mesh *m = p->mesh;
-  vs_vec3 d = vs_v3_sub(q, p->middle);
-  double square = vs_v3_dot(d, d);
-  if (square > p->outer * p->outer) return false;
-  if (margin < p->inner && square < (p->inner - margin) * (p->inner - margin)) return true;
-  uint32_t t = *hint;
   for (int step = 0; step < STEPS; step++) {
-    const uint32_t *v = m->triangles[t];
-    vs_vec3 corner[3] = { vs_v3_sub(m->vertices[v[0]], p->middle), vs_v3_sub(m->vertices[v[1]], p->middle), vs_v3_sub(m->vertices[v[2]], p->middle) };
+    const uint32_t *v = m->triangles[*triangle];
     double worst = 0;
     uint32_t across = 3;
+    for (int j = 0; j < 3; j++) corner[j] = vs_v3_sub(m->vertices[v[j]], p->middle);
     for (uint32_t j = 0; j < 3; j++) {
       double s = det(corner[j], corner[j == 2 ? 0 : j + 1], d);
       if (s < worst) worst = s, across = j;
     }
-    if (across < 3) {
-      t = p->twins[3 * t + across] / 3;
-      continue;
-    }
-    *hint = t;
-    vs_vec3 normal = vs_v3_cross(vs_v3_sub(corner[1], corner[0]), vs_v3_sub(corner[2], corner[0]));
-    return vs_v3_dot(normal, vs_v3_sub(d, corner[0])) < -margin * vs_v3_length(normal);
+    if (across == 3) return true;
+    *triangle = p->twins[3 * *triangle + across] / 3;
   }
-  *hint = t;
   return false;
+}
+
+static const uint8_t across_of[3] = { 1, 2, 0 }, up_of[3] = { 2, 0, 1 };
+
+/* The cell of the direction d. */
+static uint32_t cell_of(const vs_part *p, vs_vec3 d) {
+  double x[3] = { d.x, d.y, d.z }, size[3] = { fabs(d.x), fabs(d.y), fabs(d.z) };
+  uint32_t k = size[0] >= size[1] ? (size[0] >= size[2] ? 0 : 2) : size[1] >= size[2] ? 1 : 2, n = p->start_cells;
+  if (!(size[k] > 0)) return 0;
+  uint32_t u = (uint32_t)((x[across_of[k]] / size[k] + 1) / 2 * n), v = (uint32_t)((x[up_of[k]] / size[k] + 1) / 2 * n);
+  return ((2 * k + (x[k] < 0)) * n + (u < n ? u : n - 1)) * n + (v < n ? v : n - 1);
+}
+
+/* Where walks begin: four triangles to a cell. */
+static bool find_starts(vs_kernel *k, vs_part *p) {
+  enum { MOST = 16 };
+  double wanted = sqrt((double)p->mesh->triangle_count / 24);
+  uint32_t n = wanted > MOST ? MOST : (uint32_t)wanted, triangle = 0, at = 0;
+  if (n < 2 || !p->convex) return true;
+  if (!VS_ROOM(k, p->starts, p->start_room, 6 * (size_t)n * n)) return false;
+  p->start_cells = n;
+  for (uint32_t side = 0; side < 6; side++)
+    for (uint32_t i = 0; i < n; i++)
+      for (uint32_t j = 0; j < n; j++) {
+        double x[3];
+        vs_vec3 corner[3];
+        x[side / 2] = side & 1 ? -1 : 1;
+        x[across_of[side / 2]] = (2 * i + 1.0) / n - 1;
+        x[up_of[side / 2]] = (2 * j + 1.0) / n - 1;
+        if (j == 0 && i > 0) triangle = p->starts[at - n]; /* the row before begins near here */
+        walk_to(p, vs_v3(x[0], x[1], x[2]), &triangle, corner);
+        p->starts[at++] = triangle;
+      }
+  return true;
+}
+
+bool vs_part_holds(const vs_part *p, vs_vec3 q, double margin) {
+  vs_vec3 d = vs_v3_sub(q, p->middle), corner[3];
+  double square = vs_v3_dot(d, d);
+  if (square > p->outer * p->outer) return false;
+  if (margin < p->inner && square < (p->inner - margin) * (p->inner - margin)) return true;
+  uint32_t t = p->start_cells ? p->starts[cell_of(p, d)] : 0;
+  if (!walk_to(p, d, &t, corner)) return false;
+  vs_vec3 normal = vs_v3_cross(vs_v3_sub(corner[1], corner[0]), vs_v3_sub(corner[2], corner[0]));
+  return vs_v3_dot(normal, vs_v3_sub(d, corner[0])) < -margin * vs_v3_length(normal);
 }
 
 /* ---- all of a problem ---- */
 
-enum { CHUNK = 8 }; /* meshes */
+enum { CHUNK = 8, FEW = 64 }; /* meshes: so many are a task; so few are one each */
+static size_t in_chunk(const vs_parts *p) { return p->all.count < FEW ? 1 : CHUNK; }
+
 static bool look_at(vs_kernel *k, void *context, size_t chunk) {
   vs_parts *p = context;
-  for (size_t i = chunk * CHUNK; i < (chunk + 1) * CHUNK && i < p->all.count; i++) {
+  size_t n = in_chunk(p);
+  for (size_t i = chunk * n; i < (chunk + 1) * n && i < p->all.count; i++) {
     vs_part *part = &p->all.at[i];
     if (part->mesh->triangle_count == 0) continue;
     if (!find_twins(k, part)) return false;
@@ -197,7 +235,7 @@ static bool look_at(vs_kernel *k, void *context, size_t chunk) {
     if (!part->star) part->volume = vs_mesh_volume(part->mesh);
     else if (part->joined) find_convex(part);
     else VS_FREE(k, part->twins, part->twin_room); /* it stands as it is */
-    if (!vs_kernel_report(k, 0)) return false;
+    if (!find_starts(k, part) || !vs_kernel_report(k, 0)) return false;
   }
   return true;
 }
@@ -228,13 +266,16 @@ bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *proble
   uint32_t threads = k->threads;
   for (size_t i = 0; i < p->all.count; i++) triangles += p->all.at[i].mesh->triangle_count;
   if (triangles < SERIAL) k->threads = 1;
-  ok = ok && vs_kernel_run(k, (p->all.count + CHUNK - 1) / CHUNK, look_at, p);
+  ok = ok && vs_kernel_run(k, (p->all.count + in_chunk(p) - 1) / in_chunk(p), look_at, p);
   k->threads = threads;
   return ok;
 }
 
 void vs_parts_free(vs_kernel *k, vs_parts *p) {
-  for (size_t i = 0; i < p->all.count; i++) VS_FREE(k, p->all.at[i].twins, p->all.at[i].twin_room);
+  for (size_t i = 0; i < p->all.count; i++) {
+    VS_FREE(k, p->all.at[i].twins, p->all.at[i].twin_room);
+    VS_FREE(k, p->all.at[i].starts, p->all.at[i].start_room);
+  }
   VS_DROP(k, p->all);
   VS_DROP(k, p->of_leaf);
 }

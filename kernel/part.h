@@ -13,6 +13,9 @@ typedef struct {
   vs_vec3 middle;       /* the mean of the corners */
   bool star;            /* the middle sees all of the surface from inside, each direction once: nothing crosses anything */
   bool convex;          /* star, and so but for rounding; where it is joined */
+  uint32_t *starts;     /* convex: a triangle at or near each of some directions from the middle, by cells of a cube's sides; see part.c */
+  size_t start_room;
+  uint32_t start_cells; /* along a side's edge; 0: of so few triangles that any will do */
   double inner, outer;  /* convex: radii about the middle of a ball within and a ball without */
   bool joined;          /* a leaf of it touches another; a star that is not has no twins and does not know whether it is convex: it stands as it is */
 } vs_part;
@@ -30,7 +33,7 @@ void vs_parts_free(vs_kernel *k, vs_parts *p);
  * them, have no twin: VS_NONE. *open: a triangle whose edge nothing answers, else VS_NONE. */
 bool vs_twins_find(vs_kernel *k, const uint32_t (*triangles)[3], size_t count, size_t vertex_count, const uint32_t *id, uint32_t *twins, uint32_t *open);
 
-/* Is q inside a convex part, further than margin from its surface? May say no where it is. hint: a triangle of it, from the last question. */
-bool vs_part_holds(const vs_part *p, vs_vec3 q, double margin, uint32_t *hint);
+/* Is q inside a convex part, further than margin from its surface? May say no where it is. */
+bool vs_part_holds(const vs_part *p, vs_vec3 q, double margin);
 
 #endif
