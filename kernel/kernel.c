@@ -2,6 +2,7 @@
  *
  * Leaves whose boxes are apart cannot meet, so each cluster has its own frame and grid. The one expression serves all: in a cluster's cells the
  * leaves of the others are outside. */
+#include "kernel/clip.h"
 #include "kernel/cluster.h"
 #include "kernel/copies.h"
 #include "kernel/remember.h"
@@ -305,18 +306,21 @@ static void count_in(vs_kernel_counts *sum, const vs_kernel_counts *c, size_t pe
   if (peak > sum->peak) sum->peak = peak;
 }
 
-static bool evaluate(const vs_kernel_problem *p, const vs_kernel_options *options, sink *to, vs_kernel_error *error) {
+static bool evaluate(const vs_kernel_problem *given, const vs_kernel_options *options, sink *to, vs_kernel_error *error) {
   vs_kernel_error ignored;
   vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = vs_kernel_threads(options) };
   k.error->status = VS_KERNEL_FINE;
   k.error->leaf = 0;
   k.error->message[0] = 0;
+  vs_clipped clipped;
+  bool ok = vs_clip_leaves(&k, given, &clipped);
+  const vs_kernel_problem *p = &clipped.problem;
   whole w = { .problem = p, .gate = vs_bounds_empty() };
   vs_copies copies = { .problem = p };
   vs_bounds *bounds = NULL;
   uint32_t *parent = NULL, *order = NULL, n = 0;
   size_t parent_room = 0, order_room = 0, bounds_room = 0, most_leaves = (size_t)p->leaf_count + 1;
-  bool ok = VS_ROOM(&k, parent, parent_room, most_leaves) && VS_ROOM(&k, order, order_room, most_leaves) && VS_ROOM(&k, bounds, bounds_room, most_leaves) &&
+  ok = ok && VS_ROOM(&k, parent, parent_room, most_leaves) && VS_ROOM(&k, order, order_room, most_leaves) && VS_ROOM(&k, bounds, bounds_room, most_leaves) &&
             (to->many || want_tags(&k, to->one)) && vs_expression_build(&k, &w.expression, p) && find_clusters(&k, p, bounds, parent, order, &n) &&
             find_gate(&k, &w, bounds) && vs_parts_prepare(&k, &w.parts, p, order, parent, n) && vs_copies_begin(&k, &copies, p, &w.parts, &w.expression);
   w.bounds = ok && options && vs_cache_asks(options->cache) && p->identities ? bounds : NULL;
@@ -337,6 +341,7 @@ static bool evaluate(const vs_kernel_problem *p, const vs_kernel_options *option
   vs_parts_free(&k, &w.parts);
   VS_FREE(&k, parent, parent_room);
   VS_FREE(&k, order, order_room);
+  vs_clipped_free(&k, &clipped);
   return ok;
 }
 

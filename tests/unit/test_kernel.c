@@ -398,6 +398,34 @@ static void test_edge_on_diagonal(void **state) {
   sx_free(&p);
 }
 
+/* What is far larger than where it matters is cut down first: a grid for all of it would swallow the rest. */
+static void test_far_larger(void **state) {
+  (void)state;
+  static const struct { const char *text; double volume; } cases[] = {
+    { "(intersection (translate -5e5 -5e5 -1 (box 1e6 1e6 1)) (translate .1 .2 -.005 (box .01 .01 .01)))", 5e-7 },
+    { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (translate -5e5 -5e5 -1 (box 1e6 1e6 1)))", 5e-7 },
+    { "(rotate 33 21 17 (difference (translate .1 .2 -.005 (box .01 .01 .01)) (translate -5e5 -5e5 -1 (box 1e6 1e6 1))))", 5e-7 },
+    { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (rotate 33 21 17 (translate -5e5 -5e5 -5e5 (box 1e6 1e6 1e6))))", 0 }, /* inside of it */
+    { "(union (translate 3 0 0 (box .01 .01 .01)) (difference (translate .1 .2 -.005 (box .01 .01 .01)) (translate -5e5 -5e5 -1 (box 1e6 1e6 1))))", 1.5e-6 },
+    { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (difference (cbox 1e6 1e6 2) (translate 0 0 -2 (box 1e6 1e6 4))))", 1e-6 },
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    double v = volume_of(cases[i].text, NULL);
+    if (fabs(v - cases[i].volume) > 1e-6 * cases[i].volume) fail_msg("%s: %.12g, not %.12g", cases[i].text, v, cases[i].volume);
+  }
+  static const char *const large[] = { "(translate 0 0 -1e4 (sphere 1e4 64))", "(rotate 10 20 30 (translate 3e3 0 0 (torus 3e3 1e3 40 20)))", "(rotate 5 5 5 (translate 0 0 -9e5 (cyl 9e5 5e5 1 31)))",
+                                       "(difference (rotate 3 4 5 (cbox 1e5 1e5 1e5)) (rotate 1 1 1 (box 1e5 1e5 1e5)))" };
+  for (size_t i = 0; i < sizeof large / sizeof *large; i++) { /* what is taken off and what is left are all of it */
+    char text[400];
+    static const char detail[] = "(translate .002 .003 0 (rotate 40 30 20 (cbox .02 .01 .03)))";
+    snprintf(text, sizeof text, "(difference %s %s)", detail, large[i]);
+    double left = volume_of(text, NULL);
+    snprintf(text, sizeof text, "(intersection %s %s)", detail, large[i]);
+    double common = volume_of(text, NULL);
+    if (fabs(left + common - 6e-6) > 1e-7 * 6e-6) fail_msg("%s: %.12g and %.12g", text, left, common);
+  }
+}
+
 static void test_tags(void **state) {
   (void)state;
   sx_problem p;
@@ -592,7 +620,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_planes_meet), cmocka_unit_test(test_predicates), cmocka_unit_test(test_against_oracle),
     cmocka_unit_test(test_cubes_become_one), cmocka_unit_test(test_equal_turns_written_differently), cmocka_unit_test(test_sheared_alike), cmocka_unit_test(test_touching_is_split), cmocka_unit_test(test_identities),
-    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_twice_in_place), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_threads), cmocka_unit_test(test_copies), cmocka_unit_test(test_errors),
+    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_twice_in_place), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_far_larger), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_threads), cmocka_unit_test(test_copies), cmocka_unit_test(test_errors),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
