@@ -5,6 +5,7 @@
  * Templates are the entries that stand in several places, and those where the text has become VS_DEPTH_MAX deep; their order is the
  * plan's, so a template comes after those that it uses.
  * Walk: a stack of frames, one an operation that is open. */
+#include <float.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -265,7 +266,7 @@ static bool drive_plan(vs_emitter *e) {
 
 /* ---- the walk ---- */
 
-static inline bool drive_finite_at(const vs_field_info *f, const void *data) {
+static bool drive_finite_at(const vs_field_info *f, const void *data) {
   const char *at = (const char *)data + f->offset;
   const double *numbers = (const double *)(const void *)at;
   size_t count = vs_field_reals[f->type];
@@ -280,10 +281,12 @@ static inline bool drive_finite_at(const vs_field_info *f, const void *data) {
 }
 
 static bool drive_check(vs_emitter *e, const vs_ref *ref) {
-  const vs_kind_info *info = vs_kind_get((vs_kind)ref->node->kind);
-  for (size_t i = 0; i < info->field_count; i++)
-    if (!drive_finite_at(&info->fields[i], vs_node_data(ref->node)))
-      return vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s: %s is infinite or not a number", info->name, info->fields[i].argument);
+  if (!vs_kind_within((vs_kind)ref->node->kind, vs_node_data(ref->node), DBL_MAX)) {
+    const vs_kind_info *info = vs_kind_get((vs_kind)ref->node->kind);
+    size_t i = 0;
+    while (i + 1 < info->field_count && drive_finite_at(&info->fields[i], vs_node_data(ref->node))) i++;
+    return vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s: %s is infinite or not a number", info->name, info->fields[i].argument);
+  }
   if (ref->node->kind == VS_TRANSFORM) {
     double size = vs_affine_determinant(&VS_AS(transform, ref->node)->matrix);
     if (size == 0 || !isfinite(size)) return vs_emit_fail(e, ref, "the transformation flattens the object to nothing");

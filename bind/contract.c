@@ -422,23 +422,8 @@ static vs_status convert_integer(vs_frame *f, const vs_bind_param *p, vs_value v
   return out->integer >= low && out->integer <= high ? VS_OK : refuse_condition(f, p, v);
 }
 
-/* What most arguments are, when they are as they should be; false: convert sees to it. */
-static inline bool convert_quickly(const vs_bind_param *p, vs_value v, vs_arg *out) {
-  if (p->contract == VS_C_POINT || p->contract == VS_C_VECTOR) {
-    if (!vs_is_flat(v, p->contract == VS_C_POINT ? VS_FLAT_POINT : VS_FLAT_VECTOR)) return false;
-    out->point = vec_of(vs_as_flat(v)->at);
-    return finite3(vs_as_flat(v)->at);
-  }
-  if (p->contract != VS_C_REAL && p->contract != VS_C_RADIUS && p->contract != VS_C_POSITIVE) return false;
-  if (vs_is_fixnum(v)) out->real = (double)vs_fixnum(v);
-  else if (vs_is_double(v)) out->real = vs_double(v);
-  else return false;
-  return isfinite(out->real) && (p->contract == VS_C_REAL || out->real > 0);
-}
-
 static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->given = true, out->value = v;
-  if (convert_quickly(p, v, out)) return VS_OK;
   switch ((vs_contract)p->contract) {
     case VS_C_ANY: return VS_OK;
     case VS_C_REAL: case VS_C_DEGREES: return convert_real(f, p, v, out);
@@ -590,17 +575,46 @@ static int choose_form(vs_frame *f, const vs_value *a, int n) {
   return best;
 }
 
+/* Points and numbers that are as they should be, which most calls take: the form chosen and its arguments converted in one go, as choose_form and
+ * convert do. False: those see to it. */
+typedef enum { QUICK_FITS, QUICK_OTHER /* looks_like says no */, QUICK_UNSURE } quick;
+static inline quick convert_quickly(const vs_bind_param *p, vs_value v, vs_arg *out) {
+  out->given = true, out->value = v;
+  if (p->contract == VS_C_POINT) {
+    if (!vs_is_flat(v, VS_FLAT_POINT)) return QUICK_OTHER;
+    out->point = vec_of(vs_as_flat(v)->at);
+    return finite3(vs_as_flat(v)->at) ? QUICK_FITS : QUICK_UNSURE;
+  }
+  if (p->contract != VS_C_REAL && p->contract != VS_C_RADIUS && p->contract != VS_C_POSITIVE) return QUICK_UNSURE;
+  if (vs_is_fixnum(v)) out->real = (double)vs_fixnum(v);
+  else if (vs_is_double(v)) out->real = vs_double(v);
+  else return vs_is(v, VS_T_FLAT) ? QUICK_OTHER : QUICK_UNSURE;
+  return isfinite(out->real) && (p->contract == VS_C_REAL || out->real > 0) ? QUICK_FITS : QUICK_UNSURE;
+}
+
+static bool enter_quickly(vs_frame *f, const vs_value *a, int n) {
+  for (f->form = 0; f->form < VS_MAX_FORMS && f->procedure->form[f->form].used; f->form++) {
+    const vs_bind_param *p = f->procedure->form[f->form].at;
+    quick fits = QUICK_FITS;
+    int i = 0;
+    for (; i < n && fits == QUICK_FITS; i++, p++)
+      if (p->mode == VS_ARG_REST) fits = QUICK_UNSURE;
+      else fits = p->mode == VS_ARG_END ? QUICK_OTHER : convert_quickly(p, a[i], &f->arg[i]);
+    if (fits == QUICK_UNSURE || p->mode == VS_ARG_REST) return false;
+    if (fits == QUICK_OTHER || p->mode == VS_ARG_REQUIRED) continue;
+    for (; p->mode == VS_ARG_OPTIONAL; i++, p++) f->arg[i] = (vs_arg){ .given = false, .value = VS_ABSENT };
+    f->count = i;
+    return p->mode == VS_ARG_END;
+  }
+  return false;
+}
+
 /* ---- the one native ---- */
 
-static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
-  bool keyed = f->procedure->key[0].mode != VS_ARG_END;
-  int given = n, places = 0;
-  if (keyed) { /* a[] holds every positional place, then the keywords */
-    places = (int)((const vs_native *)(const void *)f->vm->native)->max;
-    for (given = 0; given < places && a[given] != VS_ABSENT; given++) {}
-  }
+/* The form's arguments, one by one. */
+static bool enter_slowly(vs_frame *f, const vs_value *a, int given) {
   f->form = choose_form(f, a, given);
-  if (f->form < 0) return VS_ERROR;
+  if (f->form < 0) return false;
   const vs_form *form = &f->procedure->form[f->form];
   for (int i = 0; form->at[i].mode != VS_ARG_END; i++) {
     const vs_bind_param *p = &form->at[i];
@@ -610,15 +624,26 @@ static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
       const vs_value *rest = a + i;
       size_t count = given > i ? (size_t)(given - i) : 0;
       *to = (vs_arg){ .given = true, .value = VS_UNSPECIFIC };
-      if (p->contract == VS_C_POINTS) { if (!convert_points(f, p, rest, count, to)) return VS_ERROR; }
-      else if (p->contract == VS_C_THINGS) { if (!convert_things(f, p, rest, count, to)) return VS_ERROR; }
+      if (p->contract == VS_C_POINTS) { if (!convert_points(f, p, rest, count, to)) return false; }
+      else if (p->contract == VS_C_THINGS) { if (!convert_things(f, p, rest, count, to)) return false; }
       else if (p->contract == VS_C_ANY) to->values.at = rest, to->values.count = count;
-      else if (!convert_refs(f, p, rest, count, to)) return VS_ERROR;
+      else if (!convert_refs(f, p, rest, count, to)) return false;
       continue;
     }
     if (i >= given) *to = (vs_arg){ .given = false, .value = VS_ABSENT };
-    else if (!convert(f, p, a[i], to)) return VS_ERROR;
+    else if (!convert(f, p, a[i], to)) return false;
   }
+  return true;
+}
+
+static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
+  bool keyed = f->procedure->key[0].mode != VS_ARG_END;
+  int given = n, places = 0;
+  if (keyed) { /* a[] holds every positional place, then the keywords */
+    places = (int)((const vs_native *)(const void *)f->vm->native)->max;
+    for (given = 0; given < places && a[given] != VS_ABSENT; given++) {}
+  }
+  if (!enter_quickly(f, a, given) && !enter_slowly(f, a, given)) return VS_ERROR;
   for (int i = 0; f->procedure->key[i].mode != VS_ARG_END; i++) {
     vs_value v = a[places + i];
     if (v == VS_ABSENT) f->key[i] = (vs_arg){ .given = false, .value = VS_ABSENT };

@@ -136,14 +136,23 @@ uint64_t vs_call_key(vs *vm, size_t max) {
   struct walk w = {vm->base, vm->under, vm->under_depth, false};
   size_t count = 0, pc = 0;
   uint64_t key = max;
-  bool native = !vm->pc || !vs_is(w.base[-2], VS_T_CLOSURE);
+  bool native = !vm->pc || !vs_is(w.base[-2], VS_T_CLOSURE), up = true;
   if (!native) pc = (size_t)(vm->pc - vs_code_ins(vs_as_code(vs_as_closure(w.base[-2])->code)));
-  do {
-    if (native || !vs_is(w.base[-2], VS_T_CLOSURE)) continue;
-    key = (key ^ vs_as_closure(w.base[-2])->code ^ (uint64_t)pc << 48) * UINT64_C(0x9E3779B97F4A7C15);
-    key ^= key >> 29;
-    count++;
-  } while (count < max && walk_up(&w, &pc, &native));
+  while (up && count < max) {
+    if (!native && vs_is(w.base[-2], VS_T_CLOSURE)) {
+      key = (key ^ vs_as_closure(w.base[-2])->code ^ (uint64_t)pc << 48) * UINT64_C(0x9E3779B97F4A7C15);
+      key ^= key >> 29;
+      count++;
+    }
+    vs_value ret = w.base[-1];
+    if (w.force || ret & VS_RET_FLAGS) {
+      up = walk_up(&w, &pc, &native);
+    } else { /* what most calls return to, without a call */
+      pc = vs_ret_pc(ret);
+      native = false;
+      w.base -= vs_ret_distance(ret) + 2;
+    }
+  }
   return key;
 }
 

@@ -553,6 +553,8 @@ static void major_sweep(vs *vm) {
     unsigned k = gc->class_of[b->words];
     struct free_cell *head = gc->of[k].free;
     size_t cells = 0, step = b->words * 8u;
+    bool stays = false;                        /* cells of a block that goes as a whole are not linked */
+    for (size_t at = 0; at < b->used && !stays; at += step) stays = (((vs_object *)(void *)((char *)b->data + at))->gc & GC_MARK) != 0;
     for (size_t at = 0; at < b->used; at += step) {
       vs_object *o = (vs_object *)(void *)((char *)b->data + at);
       if (o->gc & GC_MARK) { o->gc &= (uint8_t)~GC_MARK; cells++; continue; }
@@ -561,6 +563,7 @@ static void major_sweep(vs *vm) {
         if (VS_DEBUG_STRESS || VS_DEBUG_CHECK) memset(o, 0xAB, step);
         o->gc = GC_FREE;
       }
+      if (!stays) continue;
       struct free_cell *f = (struct free_cell *)(void *)o;
       f->next = head; head = f;
     }
