@@ -8,10 +8,8 @@
 #include <string.h>
 
 typedef struct { VS_LIST(uint32_t) uses, firsts; } found_edges; /* of a range */
-typedef struct { /* what was triangulated: how many triangles of each face, and all of them */
-  VS_LIST(uint32_t) counts;
-  struct { uint32_t (*at)[3]; size_t count, room; } triangles;
-} cut_chunk;
+typedef struct { uint32_t v[3], tag, look; } cut_triangle; /* v: points; look: 2 * plane + against its normal */
+typedef struct { VS_LIST(cut_triangle) at; } cut_chunk;
 
 typedef struct {
   vs_kernel *k;
@@ -23,15 +21,14 @@ typedef struct {
   VS_LIST(uint32_t) parent;          /* of a face: the first of those it is merged with */
   VS_LIST(uint32_t) edges;           /* of a point: two numbers, the first edges that stay */
   VS_LIST(uint8_t) degree;           /* of a point: 0, 1, 2, 3 for more; 4: needless */
-  VS_LIST(uint32_t) first, by_face;  /* sides of merged faces, bucketed by the face's root */
-  struct { vs_border *at; size_t count, room; } sides;
-  VS_LIST(uint32_t) side_face;
+  VS_LIST(uint32_t) edge_of;         /* of a use of the cluster: its edge, or VS_NONE where that does not stay */
+  VS_LIST(uint32_t) next;            /* of a face: the next that is merged with it, or VS_NONE */
   VS_LIST(_Atomic uint8_t) whole;    /* a face: 1 still its own triangles */
   VS_LIST(uint32_t) out;             /* of a point: its vertex in the result */
   VS_LIST(uint32_t) points;          /* of the result's new vertices */
   VS_LIST(uint32_t) looks;           /* of its new triangles: 2 * plane + against its normal */
   VS_LIST(uint32_t) chunk_first;     /* of chunks of faces; one more */
-  VS_LIST(cut_chunk) chunks;
+  cut_chunk chunks[VS_PIPELINE_WINDOW];
   VS_LIST(vs_triangulation) cutters; /* one a thread */
   vs_mesh *mesh;
   size_t first_vertex;               /* of the mesh, that is ours */
@@ -96,6 +93,7 @@ static bool merge(writer *w) {
     VS_DROP(k, from->firsts);
     if (!vs_kernel_report(k, 0.9)) return false;
   }
+  vs_halves_free(k, &c->edges); /* nobody asks again */
   return VS_PUSH(k, w->edge_first, (uint32_t)uses);
 }
 
@@ -116,57 +114,90 @@ static bool same_faces(writer *w, uint32_t e, uint32_t f, bool *flat) {
 
 static uint32_t other_end(const vs_use *u, uint32_t p) { return u->from == p ? u->to : u->from; }
 
+enum { POINTS = 1 << 14 };
+static bool drop_some_corners(vs_kernel *k, void *context, size_t chunk) {
+  writer *w = context;
+  const vs_cluster *c = w->c;
+  size_t n = c->points.all.count, begin = chunk * POINTS, end = n - begin < POINTS ? n : begin + POINTS;
+  for (size_t p = begin; p < end; p++) {
+    bool flat;
+    if (w->degree.at[p] != 2 || !same_faces(w, w->edges.at[2 * p], w->edges.at[2 * p + 1], &flat)) continue;
+    const vs_use *a = use_at(w, w->edge_first.at[w->edges.at[2 * p]]), *b = use_at(w, w->edge_first.at[w->edges.at[2 * p + 1]]);
+    if (flat) { /* not on the line of two planes */
+      const vs_plane *plane = &c->planes.all.at[c->faces.at[a->face].plane];
+      if (vs_orient2d(vs_points_of(&c->points), other_end(a, (uint32_t)p), (uint32_t)p, other_end(b, (uint32_t)p), plane->u, plane->v) != 0) continue;
+    }
+    w->degree.at[p] = 4;
+  }
+  return vs_kernel_report(k, 0.9);
+}
+
 static bool drop_corners(writer *w) {
   vs_cluster *c = w->c;
   size_t n = c->points.all.count, edges = w->edge_first.count - 1;
   if (!VS_ROOM(w->k, w->edges.at, w->edges.room, 2 * n + 1) || !VS_ROOM(w->k, w->degree.at, w->degree.room, n + 1)) return false;
-  for (size_t p = 0; p < n; p++) w->degree.at[p] = 0;
+  memset(w->degree.at, 0, n);
   for (uint32_t e = 0; e < edges; e++) {
     const vs_use *u = use_at(w, w->edge_first.at[e]);
-    if (!vs_kernel_poll(w->k, 0.9)) return false;
     for (int i = 0; i < 2; i++) {
       uint32_t p = i ? u->to : u->from;
       if (w->degree.at[p] < 2) w->edges.at[2 * p + w->degree.at[p]] = e;
       if (w->degree.at[p] < 3) w->degree.at[p]++;
     }
-  }
-  for (uint32_t p = 0; p < n; p++) {
-    bool flat;
     if (!vs_kernel_poll(w->k, 0.9)) return false;
-    if (w->degree.at[p] != 2 || !same_faces(w, w->edges.at[2 * p], w->edges.at[2 * p + 1], &flat)) continue;
-    const vs_use *a = use_at(w, w->edge_first.at[w->edges.at[2 * p]]), *b = use_at(w, w->edge_first.at[w->edges.at[2 * p + 1]]);
-    if (flat) { /* not on the line of two planes */
-      const vs_plane *plane = &c->planes.all.at[c->faces.at[a->face].plane];
-      if (vs_orient2d(vs_points_of(&c->points), other_end(a, p), p, other_end(b, p), plane->u, plane->v) != 0) continue;
-    }
-    w->degree.at[p] = 4;
   }
+  return vs_kernel_run(w->k, (n + POINTS - 1) / POINTS, drop_some_corners, w);
+}
+
+enum { EDGES = 1 << 14 };
+static bool name_edges(vs_kernel *k, void *context, size_t chunk) {
+  writer *w = context;
+  size_t n = w->edge_first.count - 1, begin = chunk * EDGES, end = n - begin < EDGES ? n : begin + EDGES;
+  for (size_t e = begin; e < end; e++)
+    for (uint32_t i = w->edge_first.at[e]; i < w->edge_first.at[e + 1]; i++) w->edge_of.at[w->uses.at[i]] = (uint32_t)e;
+  return vs_kernel_report(k, 0.9);
+}
+
+/* What leads from a face to its border. */
+static bool link_faces(writer *w) {
+  const vs_cluster *c = w->c;
+  size_t faces = c->faces.count, uses = c->uses.count;
+  if (!VS_ROOM(w->k, w->edge_of.at, w->edge_of.room, uses + 1) || !VS_ROOM(w->k, w->next.at, w->next.room, faces + 1)) return false;
+  memset(w->edge_of.at, 0xff, uses * sizeof *w->edge_of.at); /* VS_NONE */
+  memset(w->next.at, 0xff, faces * sizeof *w->next.at);
+  for (size_t f = faces; f-- > 0;) {
+    uint32_t root = w->parent.at[f];
+    if (root != f) w->next.at[f] = w->next.at[root], w->next.at[root] = (uint32_t)f;
+    if (!vs_kernel_poll(w->k, 0.9)) return false;
+  }
+  return vs_kernel_run(w->k, (w->edge_first.count - 1 + EDGES - 1) / EDGES, name_edges, w);
+}
+
+/* Does the face keep all of its corners? */
+static bool has_all_corners(const writer *w, uint32_t f) {
+  const vs_face *face = &w->c->faces.at[f];
+  for (uint32_t i = face->use; i < face->use + face->use_count; i++)
+    if (w->degree.at[w->c->uses.at[i].from] == 4) return false;
   return true;
 }
 
-/* Borders from corner to corner, for every use that begins at a corner. */
-static bool make_sides(writer *w) {
-  vs_cluster *c = w->c;
-  vs_kernel *k = w->k;
-  size_t edges = w->edge_first.count - 1, faces = c->faces.count;
-  for (uint32_t e = 0; e < edges; e++)
-    for (uint32_t i = w->edge_first.at[e]; i < w->edge_first.at[e + 1]; i++) {
-      const vs_use *u = use_at(w, i);
-      if (!vs_kernel_poll(k, 0.9)) return false;
-      uint32_t at = u->to, edge = e, root = w->parent.at[u->face];
-      if (w->degree.at[u->from] == 4 || w->degree.at[at] == 4) w->whole.at[u->face] = 0;
-      if (w->degree.at[u->from] == 4) continue;
+/* The border of what the face is merged with, from corner to corner. */
+static bool gather_sides(vs_kernel *k, const writer *w, uint32_t f, vs_triangulation *t) {
+  const vs_cluster *c = w->c;
+  t->sides.count = 0;
+  for (; f != VS_NONE; f = w->next.at[f]) {
+    if (!vs_kernel_poll(k, 0.9)) return false;
+    for (uint32_t i = c->faces.at[f].use, end = i + c->faces.at[f].use_count; i < end; i++) {
+      const vs_use *u = &c->uses.at[i];
+      uint32_t edge = w->edge_of.at[i], at = u->to;
+      if (edge == VS_NONE || w->degree.at[u->from] == 4) continue;
       while (w->degree.at[at] == 4) {
         edge = w->edges.at[2 * at] == edge ? w->edges.at[2 * at + 1] : w->edges.at[2 * at];
         at = other_end(use_at(w, w->edge_first.at[edge]), at);
       }
-      if (!VS_PUSH(k, w->sides, ((vs_border){ u->from, at })) || !VS_PUSH(k, w->side_face, root)) return false;
+      if (!VS_PUSH(k, t->sides, ((vs_border){ u->from, at }))) return false;
     }
-  if (!VS_ROOM(k, w->first.at, w->first.room, faces + 2) || !VS_ROOM(k, w->by_face.at, w->by_face.room, w->sides.count + 1)) return false;
-  for (size_t f = 0; f < faces + 2; f++) w->first.at[f] = 0;
-  for (size_t i = 0; i < w->sides.count; i++) w->first.at[w->side_face.at[i] + 2]++;
-  for (size_t f = 2; f < faces + 2; f++) w->first.at[f] += w->first.at[f - 1];
-  for (uint32_t i = 0; i < w->sides.count; i++) w->by_face.at[w->first.at[w->side_face.at[i] + 1]++] = i;
+  }
   return true;
 }
 
@@ -174,58 +205,56 @@ static bool make_sides(writer *w) {
 
 static bool is_shown(const writer *w, uint32_t f) { return w->c->kept.at[f] && w->parent.at[f] == f; }
 
-/* Faces that need triangulating, in chunks of about so many borders. */
+static size_t facet_size(const writer *w, uint32_t f) {
+  const vs_facet *facet = &w->c->facets.at[w->c->faces.at[f].facet];
+  return facet[1].first - facet[0].first;
+}
+
+/* Faces, in chunks of about so many borders. */
 static bool make_chunks(writer *w) {
-  enum { CHUNK = 4096 };
-  uint32_t sum = 0, faces = (uint32_t)w->c->faces.count;
+  enum { CHUNK = 8192 };
+  size_t sum = 0;
+  uint32_t faces = (uint32_t)w->c->faces.count;
   for (uint32_t f = 0; f < faces; f++) {
     if (sum == 0 && !VS_PUSH(w->k, w->chunk_first, f)) return false;
-    sum += is_shown(w, f) && !w->whole.at[f] ? w->first.at[f + 1] - w->first.at[f] : 0;
+    if (w->c->kept.at[f]) sum += w->c->faces.at[f].use_count;
     if (sum >= CHUNK) sum = 0;
   }
-  size_t n = w->chunk_first.count;
-  if (!VS_PUSH(w->k, w->chunk_first, faces) || !VS_ROOM(w->k, w->chunks.at, w->chunks.room, n + 1) || !VS_ROOM(w->k, w->cutters.at, w->cutters.room, w->k->threads)) return false;
-  memset(w->chunks.at, 0, (n + 1) * sizeof *w->chunks.at);
+  if (!VS_PUSH(w->k, w->chunk_first, faces) || !VS_ROOM(w->k, w->cutters.at, w->cutters.room, w->k->threads)) return false;
   memset(w->cutters.at, 0, w->k->threads * sizeof *w->cutters.at);
-  w->chunks.count = n;
   w->cutters.count = w->k->threads;
   return true;
 }
 
 static bool triangulate_chunk(vs_kernel *k, void *context, size_t index) {
   writer *w = context;
-  cut_chunk *to = &w->chunks.at[index];
+  const vs_cluster *c = w->c;
+  cut_chunk *to = &w->chunks[index % VS_PIPELINE_WINDOW];
   vs_triangulation *t = &w->cutters.at[k->worker];
+  to->at.count = 0;
   for (uint32_t f = w->chunk_first.at[index]; f < w->chunk_first.at[index + 1]; f++) {
-    if (!is_shown(w, f) || w->whole.at[f]) continue;
-    t->sides.count = 0;
-    for (uint32_t i = w->first.at[f]; i < w->first.at[f + 1]; i++)
-      if (!VS_PUSH(k, t->sides, w->sides.at[w->by_face.at[i]])) return false;
-    if (!vs_plane_triangulate(k, t, &w->c->points, &w->c->planes.all.at[w->c->faces.at[f].plane])) return false;
-    size_t n = t->triangles.count;
-    if (!VS_PUSH(k, to->counts, (uint32_t)n) || !VS_ROOM(k, to->triangles.at, to->triangles.room, to->triangles.count + n)) return false;
-    if (n) memcpy(to->triangles.at + to->triangles.count, t->triangles.at, n * sizeof *t->triangles.at);
-    to->triangles.count += n;
+    if (!is_shown(w, f)) continue;
+    const vs_face *face = &c->faces.at[f];
+    bool against = c->kept.at[f] == 2, whole = w->whole.at[f] && has_all_corners(w, f), turned = against;
+    size_t n;
+    if (whole) {
+      turned = against != c->facets.at[face->facet].flip;
+      n = facet_size(w, f);
+    } else {
+      if (!gather_sides(k, w, f, t) || !vs_plane_triangulate(k, t, &c->points, &c->planes.all.at[face->plane])) return false;
+      n = t->triangles.count;
+    }
+    if (!VS_ROOM(k, to->at.at, to->at.room, to->at.count + n)) return false;
+    for (size_t i = 0; i < n; i++) {
+      const uint32_t *v = whole ? c->triangles.at[c->facet_triangles.at[c->facets.at[face->facet].first + i]].v : t->triangles.at[i];
+      to->at.at[to->at.count++] = (cut_triangle){ { v[turned ? 2 : 0], v[1], v[turned ? 0 : 2] }, face->tag, face->plane * 2 + against };
+    }
     if (!vs_kernel_poll(k, 0.9)) return false;
   }
   return true;
 }
 
 static bool no_room(writer *w) { return vs_kernel_fail(w->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); }
-
-static void triangle(writer *w, vs_mesh *out, const uint32_t v[3], bool turned, const vs_face *face, bool against) {
-  uint32_t *to = out->triangles[out->triangle_count];
-  for (int j = 0; j < 3; j++) {
-    uint32_t point = v[turned ? 2 - j : j], *index = &w->out.at[point];
-    if (*index == VS_NONE) {
-      *index = (uint32_t)(w->first_vertex + w->points.count);
-      w->points.at[w->points.count++] = point;
-    }
-    to[j] = *index;
-  }
-  out->tags[out->triangle_count++] = face->tag;
-  w->looks.at[w->looks.count++] = face->plane * 2 + against;
-}
 
 enum { PLACES = 1 << 14 };
 static bool place_chunk(vs_kernel *k, void *context, size_t index) {
@@ -235,44 +264,51 @@ static bool place_chunk(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, k->part);
 }
 
-/* Room for all there will be: in large steps, since clusters come one after the other into one mesh. */
-static bool make_room(writer *w, vs_mesh *out, size_t triangles) {
-  size_t limit = w->k->options ? w->k->options->max_triangles : 0, all = out->triangle_count + triangles;
+/* In large steps, since clusters come one after the other into one mesh. */
+static bool reserve(writer *w, vs_mesh *out, size_t triangles) {
+  return triangles <= out->triangle_room || vs_mesh_reserve(out, 0, out->triangle_count ? triangles + triangles / 2 : triangles) || no_room(w);
+}
+
+static bool make_room(writer *w, vs_mesh *out, size_t more) {
+  size_t limit = w->k->options ? w->k->options->max_triangles : 0, all = out->triangle_count + more;
   if (limit && all > limit) return vs_kernel_fail(w->k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
   if (all >= UINT32_MAX) return vs_kernel_fail(w->k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
-  if (all > out->triangle_room && !vs_mesh_reserve(out, 0, out->triangle_count ? all + all / 2 : all)) return no_room(w);
-  return VS_ROOM(w->k, w->looks.at, w->looks.room, triangles + 1);
+  return reserve(w, out, all) && VS_ROOM(w->k, w->looks.at, w->looks.room, w->looks.count + more + 1);
+}
+
+/* Writes what was cut; points are numbered as they come. */
+static bool take_chunk(vs_kernel *k, void *context, size_t index) {
+  writer *w = context;
+  const cut_chunk *from = &w->chunks[index % VS_PIPELINE_WINDOW];
+  vs_mesh *out = w->mesh;
+  if (!make_room(w, out, from->at.count)) return false;
+  for (size_t i = 0; i < from->at.count; i++) {
+    const cut_triangle *t = &from->at.at[i];
+    uint32_t *to = out->triangles[out->triangle_count];
+    for (int j = 0; j < 3; j++) {
+      uint32_t *number = &w->out.at[t->v[j]];
+      if (*number == VS_NONE) {
+        *number = (uint32_t)(w->first_vertex + w->points.count);
+        w->points.at[w->points.count++] = t->v[j];
+      }
+      to[j] = *number;
+    }
+    out->tags[out->triangle_count++] = t->tag;
+    w->looks.at[w->looks.count++] = t->look;
+  }
+  return vs_kernel_report(k, 0.9);
 }
 
 static bool write(writer *w, vs_mesh *out) {
-  vs_cluster *c = w->c;
-  size_t triangles = 0, points = c->points.all.count;
-  if (!make_chunks(w) || !vs_kernel_run(w->k, w->chunks.count, triangulate_chunk, w)) return false;
-  for (uint32_t f = 0; f < c->faces.count; f++)
-    if (is_shown(w, f) && w->whole.at[f]) triangles += c->facets.at[c->faces.at[f].facet + 1].first - c->facets.at[c->faces.at[f].facet].first;
-  for (size_t i = 0; i < w->chunks.count; i++) triangles += w->chunks.at[i].triangles.count;
-  if (!make_room(w, out, triangles) || !VS_ROOM(w->k, w->out.at, w->out.room, points + 1) || !VS_ROOM(w->k, w->points.at, w->points.room, points + 1)) return false;
-  for (size_t p = 0; p < points; p++) w->out.at[p] = VS_NONE;
+  size_t points = w->c->points.all.count, corners = 0;
+  size_t limit = w->k->options ? w->k->options->max_triangles : 0;
+  for (size_t p = 0; p < points; p++) corners += w->degree.at[p] % 4 != 0;
+  size_t about = limit && limit < 2 * corners ? limit : 2 * corners; /* triangles, by Euler, but for holes and shells */
+  if (!make_chunks(w) || !reserve(w, out, out->triangle_count + about) || !VS_ROOM(w->k, w->looks.at, w->looks.room, about + 1) || !VS_ROOM(w->k, w->out.at, w->out.room, points + 1) || !VS_ROOM(w->k, w->points.at, w->points.room, points + 1)) return false;
+  memset(w->out.at, 0xff, points * sizeof *w->out.at); /* VS_NONE */
   w->mesh = out;
   w->first_vertex = out->vertex_count;
-  for (size_t i = 0; i < w->chunks.count; i++) {
-    cut_chunk *from = &w->chunks.at[i];
-    uint32_t (*cut)[3] = from->triangles.at, *count = from->counts.at;
-    for (uint32_t f = w->chunk_first.at[i]; f < w->chunk_first.at[i + 1]; f++) {
-      if (!is_shown(w, f)) continue;
-      const vs_face *face = &c->faces.at[f];
-      bool turned = c->kept.at[f] == 2;
-      if (w->whole.at[f]) {
-        const vs_facet *facet = &c->facets.at[face->facet];
-        for (uint32_t t = facet[0].first; t < facet[1].first; t++) triangle(w, out, c->triangles.at[c->facet_triangles.at[t]].v, turned != facet->flip, face, turned);
-      } else {
-        for (uint32_t n = *count++; n > 0; n--) triangle(w, out, *cut++, turned, face, turned);
-      }
-      if (!vs_kernel_poll(w->k, 0.9)) return false;
-    }
-    VS_DROP(w->k, from->triangles);
-    VS_DROP(w->k, from->counts);
-  }
+  if (!vs_kernel_pipeline(w->k, w->chunk_first.count - 1, triangulate_chunk, take_chunk, w)) return false;
   size_t vertices = w->first_vertex + w->points.count;
   if (vertices > out->vertex_room && !vs_mesh_reserve(out, w->first_vertex ? vertices + vertices / 2 : vertices, 0)) return no_room(w);
   out->vertex_count = vertices;
@@ -282,7 +318,7 @@ static bool write(writer *w, vs_mesh *out) {
 bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
   writer w = { .k = k, .c = c };
   size_t vertices = out->vertex_count, triangles = out->triangle_count;
-  bool ok = merge(&w) && drop_corners(&w) && make_sides(&w) && write(&w, out) && vs_kernel_report(k, 0.95) &&
+  bool ok = merge(&w) && drop_corners(&w) && link_faces(&w) && write(&w, out) && vs_kernel_report(k, 0.95) &&
             vs_split_touching(k, c, out, vertices, triangles, w.looks.at, w.points.at);
   for (size_t i = 0; i < w.found.count; i++) {
     VS_DROP(k, w.found.at[i].uses);
@@ -295,21 +331,15 @@ bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
   VS_DROP(k, w.parent);
   VS_DROP(k, w.edges);
   VS_DROP(k, w.degree);
-  VS_DROP(k, w.first);
-  VS_DROP(k, w.by_face);
-  VS_DROP(k, w.sides);
-  VS_DROP(k, w.side_face);
+  VS_DROP(k, w.edge_of);
+  VS_DROP(k, w.next);
   VS_DROP(k, w.whole);
   VS_DROP(k, w.out);
   VS_DROP(k, w.points);
   VS_DROP(k, w.looks);
-  for (size_t i = 0; i < w.chunks.count; i++) {
-    VS_DROP(k, w.chunks.at[i].counts);
-    VS_DROP(k, w.chunks.at[i].triangles);
-  }
+  for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) VS_DROP(k, w.chunks[i].at);
   for (size_t i = 0; i < w.cutters.count; i++) vs_triangulation_free(k, &w.cutters.at[i]);
   VS_DROP(k, w.chunk_first);
-  VS_DROP(k, w.chunks);
   VS_DROP(k, w.cutters);
   return ok;
 }

@@ -19,8 +19,8 @@ typedef struct {
   vs_halves halves;            /* items are corners: 3 * triangle + j, the edge from j to the next */
   VS_LIST(crowded) crowded;
   VS_LIST(uint32_t) twins;
-  VS_LIST(uint32_t) lead, fan; /* of a vertex: its first corner, and how many it has */
-  _Atomic bool touching;       /* a vertex has several fans */
+  VS_LIST(_Atomic uint32_t) lead; /* of a vertex: one of its corners */
+  _Atomic size_t seen;         /* corners in the fans of those */
   VS_LIST(uint32_t) to;        /* of a corner: the vertex it gets, counted from first_vertex */
   VS_LIST(uint32_t) copied;    /* of the vertices behind the old ones: which they are copies of */
   VS_LIST(uint8_t) taken;
@@ -94,8 +94,12 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
     while (i >= h->first.at[low + 1]) low++;
     const vs_half *at = h->at.at + i;
     for (end = i + 1; end < h->first.at[low + 1] && h->at.at[end].high == at->high;) end++;
-    if (end - i == 2 && starts_at(s, at[0].item, low) != starts_at(s, at[1].item, low)) join(s, at[0].item, at[1].item);
-    else if (!VS_PUSH(k, s->crowded.at[range].at, i)) return false;
+    bool first = starts_at(s, at[0].item, low);
+    if (end - i == 2 && first != starts_at(s, at[1].item, low)) {
+      join(s, at[0].item, at[1].item);
+      atomic_store_explicit(&s->lead.at[low], at[!first].item, memory_order_relaxed); /* whoever comes last */
+      atomic_store_explicit(&s->lead.at[at->high], at[first].item, memory_order_relaxed);
+    } else if (!VS_PUSH(k, s->crowded.at[range].at, i)) return false;
   }
   return vs_kernel_report(k, k->part);
 }
@@ -103,7 +107,7 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
 static bool find_twins(splitter *s) {
   uint32_t corners = (uint32_t)(3 * s->triangles);
   vs_halves *h = &s->halves;
-  if (!vs_halves_sort(s->k, h, (uint32_t)s->vertices, corners, ends_of_corners, s) || !VS_ROOM(s->k, s->twins.at, s->twins.room, (size_t)corners + 1) ||
+  if (!vs_halves_sort(s->k, h, (uint32_t)s->vertices, corners, ends_of_corners, s) || !VS_ROOM(s->k, s->twins.at, s->twins.room, (size_t)corners + 1) || !VS_ROOM(s->k, s->lead.at, s->lead.room, s->vertices + 1) ||
       !VS_ROOM(s->k, s->crowded.at, s->crowded.room, h->ranges))
     return false;
   memset(s->crowded.at, 0, h->ranges * sizeof *s->crowded.at);
@@ -121,15 +125,14 @@ static bool find_twins(splitter *s) {
 }
 
 enum { VERTICES = 1 << 14 };
-static bool count_fans(vs_kernel *k, void *context, size_t chunk) { /* the first corner's fan holds all of a vertex's corners, or it touches itself there */
+static bool count_fans(vs_kernel *k, void *context, size_t chunk) { /* where one fan of each vertex has all corners, nothing touches itself */
   splitter *s = context;
-  size_t begin = chunk * VERTICES, end = s->vertices - begin < VERTICES ? s->vertices : begin + VERTICES;
-  for (size_t v = begin; v < end && !atomic_load_explicit(&s->touching, memory_order_relaxed); v++) {
-    uint32_t at = s->lead.at[v], n = 0;
-    if (s->fan.at[v] == 0) continue;
-    do at = next_of(s->twins.at[at]), n++; while (at != s->lead.at[v]);
-    if (n != s->fan.at[v]) atomic_store_explicit(&s->touching, true, memory_order_relaxed);
+  size_t begin = chunk * VERTICES, end = s->vertices - begin < VERTICES ? s->vertices : begin + VERTICES, n = 0;
+  for (size_t v = begin; v < end; v++) {
+    uint32_t lead = atomic_load_explicit(&s->lead.at[v], memory_order_relaxed), at = lead;
+    do at = next_of(s->twins.at[at]), n++; while (at != lead);
   }
+  atomic_fetch_add(&s->seen, n);
   return vs_kernel_report(k, k->part);
 }
 
@@ -137,20 +140,12 @@ static bool count_fans(vs_kernel *k, void *context, size_t chunk) { /* the first
 static bool turn(const splitter *s, uint32_t i) { return (i & 0xFFFF) != 0xFFFF || vs_kernel_report(s->k, s->k->part); }
 
 /* Is there anything to split at all? Mostly not. */
-static bool look_for_touching(splitter *s) {
-  if (s->way.count) {
-    atomic_store(&s->touching, true);
-    return true;
-  }
-  uint32_t corners = (uint32_t)(3 * s->triangles);
-  if (!VS_ROOM(s->k, s->lead.at, s->lead.room, s->vertices + 1) || !VS_ROOM(s->k, s->fan.at, s->fan.room, s->vertices + 1)) return false;
-  for (size_t v = 0; v < s->vertices; v++) s->fan.at[v] = 0;
-  for (uint32_t corner = 0; corner < corners; corner++) {
-    uint32_t v = vertex_at(s, corner);
-    if (s->fan.at[v]++ == 0) s->lead.at[v] = corner;
-    if (!turn(s, corner)) return false;
-  }
-  return vs_kernel_run(s->k, (s->vertices + VERTICES - 1) / VERTICES, count_fans, s);
+static bool look_for_touching(splitter *s, bool *touching) {
+  *touching = s->way.count > 0;
+  if (*touching) return true;
+  if (!vs_kernel_run(s->k, (s->vertices + VERTICES - 1) / VERTICES, count_fans, s)) return false;
+  *touching = atomic_load(&s->seen) != 3 * s->triangles;
+  return true;
 }
 
 /* One fan keeps the vertex, the first by corner; the others get copies of it. */
@@ -263,12 +258,11 @@ bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t fir
   splitter s = { .k = k, .c = c, .m = m, .first_vertex = first_vertex, .first_triangle = first_triangle, .vertices = m->vertex_count - first_vertex,
                  .triangles = m->triangle_count - first_triangle, .sides = sides, .points = points };
   if (s.triangles >= UINT32_MAX / 3) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
-  bool ok = find_twins(&s) && look_for_touching(&s) && (!atomic_load(&s.touching) || (join_many(&s) && write(&s)));
+  bool touching, ok = find_twins(&s) && look_for_touching(&s, &touching) && (!touching || (join_many(&s) && write(&s)));
   vs_halves_free(k, &s.halves);
   for (size_t i = 0; i < s.crowded.count; i++) VS_DROP(k, s.crowded.at[i].at);
   VS_DROP(k, s.crowded);
   VS_DROP(k, s.lead);
-  VS_DROP(k, s.fan);
   VS_DROP(k, s.twins);
   VS_DROP(k, s.to);
   VS_DROP(k, s.copied);

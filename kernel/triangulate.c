@@ -3,7 +3,9 @@
  * Each interval between two neighbouring edges of the status that is inside the polygon keeps a chain: the border, from the left end of its
  * lower edge to the left end of its upper edge, of what lies to the right and is not cut into triangles yet. x falls from the chain's
  * rightmost corner to both ends, and every other corner between is reflex, so a new vertex at one end sees corners one after the other, and
- * a new vertex in the middle sees the rightmost. n log n, all decisions exact; no corner is left out, so neighbours have no T-junctions. */
+ * a new vertex in the middle sees the rightmost. n log n, all decisions exact; no corner is left out, so neighbours have no T-junctions.
+ *
+ * Most faces have a few corners and one border with a lower and an upper side: one chain, and no status. */
 #include "kernel/triangulate.h"
 
 #include <stdlib.h>
@@ -128,6 +130,74 @@ static bool step(cutter *c, const vs_sweep_event *e) {
   return true;
 }
 
+/* ---- small faces: one border that goes right below and comes back above ---- */
+
+enum { SMALL = 32 };
+
+static bool before(const vs_sweep *s, uint32_t a, uint32_t b) {
+  int sign = vs_compare(s->points, a, b, s->u);
+  return sign < 0 || (sign == 0 && vs_compare(s->points, a, b, s->v) < 0);
+}
+
+/* The sides as one loop from its first corner in the sweep's order on; *last: where its last corner is. False: they are something else. */
+static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t *last) {
+  uint32_t n = (uint32_t)t->sides.count, first = 0, at = 0;
+  const vs_border *sides = t->sides.at;
+  if (n < 3 || n > SMALL) return false;
+  for (uint32_t i = 1; i < n; i++)
+    if (before(&t->sweep, sides[i].from, sides[first].from)) first = i;
+  at = first;
+  for (uint32_t i = 0; i < n; i++) {
+    uint32_t next = n;
+    loop[i] = sides[at].from;
+    for (uint32_t j = 0; j < n; j++) {
+      if (sides[j].from != sides[at].to) continue;
+      if (next != n) return false; /* it touches itself there */
+      next = j;
+    }
+    if (next == n || (next == first) != (i == n - 1)) return false;
+    at = next;
+  }
+  uint32_t i = 1;
+  while (i < n && before(&t->sweep, loop[i - 1], loop[i])) i++;
+  *last = i - 1;
+  while (i < n && before(&t->sweep, loop[i], loop[i - 1])) i++;
+  return i == n;
+}
+
+/* The sweep for such a face, whose one chain is an array: the same triangles. */
+static bool cut_loop(cutter *c, const uint32_t *loop, uint32_t last) {
+  vs_triangulation *t = c->t;
+  const vs_sweep *s = &t->sweep;
+  uint32_t n = (uint32_t)t->sides.count, chain[2 * SMALL + 1], head = SMALL, tail = SMALL, low = 1, high = n - 1;
+  if (!VS_ROOM(c->k, t->triangles.at, t->triangles.room, n)) return false;
+  uint32_t (*to)[3] = t->triangles.at;
+  size_t count = 0;
+#define TURN(x, y, z) (vs_orient2d(s->points, (x), (y), (z), s->u, s->v) > 0)
+#define EMIT(x, y, z) (to[count][0] = (x), to[count][1] = (y), to[count++][2] = (z))
+  chain[head] = loop[0];
+  while (low < last || high > last) {
+    bool below = low < last && (high == last || before(s, loop[low], loop[high]));
+    uint32_t v = below ? loop[low++] : loop[high--];
+    if (below) {
+      for (; head < tail && TURN(chain[head + 1], chain[head], v); head++) EMIT(chain[head + 1], chain[head], v);
+      chain[--head] = v;
+    } else {
+      for (; head < tail && TURN(v, chain[tail], chain[tail - 1]); tail--) EMIT(v, chain[tail], chain[tail - 1]);
+      chain[++tail] = v;
+    }
+  }
+  for (size_t was = SIZE_MAX; head < tail && was != count;) {
+    was = count;
+    for (; head < tail && TURN(loop[last], chain[tail], chain[tail - 1]); tail--) EMIT(loop[last], chain[tail], chain[tail - 1]);
+    for (; head < tail && TURN(chain[head + 1], chain[head], loop[last]); head++) EMIT(chain[head + 1], chain[head], loop[last]);
+  }
+#undef TURN
+#undef EMIT
+  t->triangles.count = count;
+  return head == tail || VS_BROKEN(c->k, "a face does not close");
+}
+
 static int boundary_order(const void *a, const void *b) {
   const vs_boundary *x = a, *y = b;
   if (x->l != y->l) return x->l < y->l ? -1 : 1;
@@ -138,7 +208,12 @@ static int boundary_order(const void *a, const void *b) {
 bool vs_plane_triangulate(vs_kernel *k, vs_triangulation *t, const vs_points_table *points, const vs_plane *plane) {
   cutter c = { k, t };
   size_t n = t->sides.count;
+  uint32_t loop[SMALL], last;
   t->triangles.count = t->nodes.count = t->boundary.count = t->sweep.edges.count = 0;
+  t->sweep.points = vs_points_of(points);
+  t->sweep.u = plane->u;
+  t->sweep.v = plane->v;
+  if (find_loop(t, loop, &last)) return cut_loop(&c, loop, last);
   if (!VS_ROOM(k, t->list.at, t->list.room, 2 * n + 1) || !VS_ROOM(k, t->scratch.at, t->scratch.room, 2 * n + 1) ||
       !VS_ROOM(k, t->local.at, t->local.room, points->all.count) || !VS_ROOM(k, t->chains.at, t->chains.room, n + 1))
     return false;
@@ -148,9 +223,6 @@ bool vs_plane_triangulate(vs_kernel *k, vs_triangulation *t, const vs_points_tab
     uint32_t p = i & 1 ? t->sides.at[i / 2].to : t->sides.at[i / 2].from;
     if (t->local.at[p] == VS_NONE) t->local.at[p] = 0, t->list.at[unique++] = p;
   }
-  t->sweep.points = vs_points_of(points);
-  t->sweep.u = plane->u;
-  t->sweep.v = plane->v;
   if (!vs_sweep_order(k, &t->sweep, t->list.at, unique, t->scratch.at)) return false;
   for (uint32_t i = 0; i < t->sweep.vertices.count; i++) t->local.at[t->sweep.vertices.at[i]] = i;
   for (size_t i = 0; i < n; i++) {
