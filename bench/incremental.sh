@@ -1,14 +1,14 @@
 #!/bin/sh
 # Owns the measurement of what writing again costs: a drawing written first, written again, written after one parameter changed (the program runs again),
-# and by a fresh process with that parameter. Milliseconds by the clock, of the output alone: passes, meshes, the file. The last column holds
-# the changed file against the fresh one. `bench/incremental.sh build/vs`.
+# and by a fresh process with that parameter. Milliseconds by the clock, of the output alone: passes, meshes, the file; of them those of the text in brackets. Then how many
+# clusters and pieces of text the changed drawing has, and how many were made again. The last column holds the changed file against the fresh one. `bench/incremental.sh build/vs`.
 set -u
 vs=$(realpath "$1")
 cd "$(dirname "$0")/.." || exit 1
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
-echo "| drawing | change | format | first, ms | again | changed | fresh | clusters | of them combined again | same bytes |"
-echo "|---|---|---|--:|--:|--:|--:|--:|--:|---|"
+echo "| drawing | change | format | first, ms | again | changed | fresh | clusters | of them combined again | texts | of them written again | same bytes |"
+echo "|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|---|"
 row() { # model parameter value format...
   model=$1 name=$2 value=$3; shift 3
   for format; do
@@ -24,12 +24,14 @@ row() { # model parameter value format...
           m = split(output[i], part, /, /)
           for (k = 1; k <= m; k++) { split(part[k], kv, /: /); gsub(/"/, "", kv[1]); value[o, kv[1]] = kv[2] } } }
       END { printf "| %s | %s | .%s", model, change, format
-            for (i = 1; i <= 4; i++) printf " | %.0f", value[i, "time.total"] * 1000
-            printf " | %d | %d | %s |\n", value[3, "clusters"], value[3, "clusters.combined"], same }' "$work/said"
+            for (i = 1; i <= 4; i++) printf " | %.0f (%.0f)", value[i, "time.total"] * 1000, value[i, "time.emit"] * 1000
+            printf " | %d | %d | %d | %d | %s |\n", value[3, "clusters"], value[3, "clusters.combined"], value[3, "texts"], value[3, "texts.emitted"], same }' "$work/said"
   done
 }
 row bench/models/village.vs door 1.2 stl 3mf obj
 row examples/arcade.vs bays 6 stl glb
 row examples/gare-do-oriente.vs trunk 12 stl glb html
 row examples/rotunda.vs coffers 24 stl
-row examples/city.vs tallest 45 glb
+row examples/city.vs tallest 45 glb pov scad html
+row bench/models/village.vs door 1.2 pov scad
+row bench/models/posts.vs height 2 pov scad

@@ -9,16 +9,20 @@ double vs_facets_tolerance(const vs_bounds *drawing) {
   return ldexp(1, (int)nearbyint(log2(diagonal / 4000)));
 }
 
-int vs_facets_turn(const vs_facets *f, double r, int segments) {
-  if (!segments) segments = f->segments;
-  if (segments > 0) return segments < 3 ? 3 : segments > MOST_TURN ? MOST_TURN : segments;
-  if (!(r > f->tolerance)) return LEAST_TURN;
+int vs_facets_turn_least(const vs_facets *f, double r, int least) {
+  if (!(r > f->tolerance)) return least;
   /* r (1 - cos(pi/n)) <= tolerance */
   double half_angle = acos(1 - f->tolerance / r);
   double n = ceil(3.14159265358979323846 / half_angle - 1e-9);
   if (!(n < MOST_TURN)) return MOST_TURN;
   int whole = ((int)n + 3) / 4 * 4;
-  return whole < LEAST_TURN ? LEAST_TURN : whole;
+  return whole < least ? least : whole;
+}
+
+int vs_facets_turn(const vs_facets *f, double r, int segments) {
+  if (!segments) segments = f->segments;
+  if (segments > 0) return segments < 3 ? 3 : segments > MOST_TURN ? MOST_TURN : segments;
+  return vs_facets_turn_least(f, r, LEAST_TURN);
 }
 
 vs_facets vs_facets_placed(const vs_facets *f, const vs_affine *a) {

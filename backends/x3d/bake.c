@@ -32,7 +32,7 @@ static bool bake_append(vs_emitter *e, vs_x3d_batch *to, const vs_x3d_batch *fro
 static bool bake_items(vs_emitter *e, vs_x3d_group *g) {
   for (size_t i = 0; i < g->item_count; i++) {
     if ((i & 0xff) == 0 && !vs_emit_progress(e, "meshing", -1)) return false;
-    if (!vs_x3d_bake_node(e, g, &g->items[i].ref, &g->items[i].placement, g->items[i].paint)) return false;
+    if (!vs_x3d_bake_item(e, g, &g->items[i])) return false;
   }
   g->item_count = 0;
   return true;
@@ -97,9 +97,87 @@ static bool bake_sheared(vs_emitter *e) {
   return true;
 }
 
+/* Bytes that a form is as triangles with so many facets a turn, about: corners with their normals, and three numbers a triangle. */
+static double bake_bytes(vs_x3d_form form, double facets) {
+  switch (form) {
+  case VS_X3D_BOX: break;
+  case VS_X3D_SPHERE: return 40 * facets * facets;
+  case VS_X3D_CYLINDER: case VS_X3D_CONE: return 200 * facets;
+  }
+  return 1100;
+}
+
+/* Of all forms, cut into `least` facets a turn or, where the drawing's tolerance asks for it, more. */
+static double bake_estimate(const vs_emitter *e, int least) {
+  const vs_x3d *x = e->state;
+  double bytes = 0;
+  for (size_t k = 0; k < x->group_count; k++)
+    for (size_t i = 0; i < x->groups[k].item_count; i++) {
+      const vs_x3d_item *item = &x->groups[k].items[i];
+      bytes += bake_bytes(item->form, vs_x3d_facets(e, item, least));
+    }
+  return bytes;
+}
+
+/* Tens of thousands of forms would be hundreds of megabytes, which take a browser minutes: they are small in the picture, and cut coarsely. A number of facets that
+ * the user asked for holds. */
+static bool bake_coarsely(vs_emitter *e) {
+  static const int least[] = { 32, 16, 12, VS_X3D_COARSEST };
+  vs_x3d *x = e->state;
+  size_t i = 0;
+  if (e->drawing_facets.segments > 0) return true;
+  while (i + 1 < sizeof least / sizeof *least && bake_estimate(e, least[i]) > VS_X3D_BAKED_MOST) i++;
+  x->least = i > 0 ? least[i] : 0;
+  return i == 0 || vs_emit_warn_once(e, NULL, "so many shapes are shown as triangles that small round ones are cut coarsely here; parts that are made once and placed several times keep their facets");
+}
+
+static double bake_text(const vs_x3d *x, const vs_x3d_group *g) {
+  double bytes = 0;
+  for (size_t i = 0; g->batches != NULL && i < x->batch_count; i++) {
+    const vs_x3d_batch *b = &g->batches[i];
+    bytes += 40.0 * (double)b->vertex_count + 20.0 * (double)b->triangle_count + 30.0 * (double)b->point_count;
+  }
+  return bytes;
+}
+
+/* All that is left are the drawing's uses of baked templates. They become triangles too, those first that take the least text for a Shape: until there are few Shapes, or
+ * the text is long. What stays is used, which viewers draw slowly, but a file of all its copies they would not open. */
+static bool bake_cheapest(vs_emitter *e, const double *shapes, double many) {
+  vs_x3d *x = e->state;
+  vs_x3d_group *g = &x->groups[0];
+  double *price = vs_store_realloc(e->scene->store, NULL, 0, x->group_count * sizeof *price);
+  if (price == NULL) return vs_emit_no_memory(e);
+  double most = VS_X3D_BAKED_MOST, bytes = 0;
+  for (size_t k = 0; k < x->group_count; k++) price[k] = bake_text(x, &x->groups[k]);
+  for (size_t i = 0; i < g->use_count; i++) bytes += price[g->uses[i].group];
+  bool all = bytes <= most, ok = !all || bake_uses(e, g);
+  bytes = 0;
+  for (double limit = 64; ok && g->use_count > 0 && many > VS_X3D_NATIVE_MAX; limit *= 2) { /* bytes a Shape */
+    size_t kept = 0;
+    bool dearer = false;
+    for (size_t i = 0; ok && i < g->use_count; i++) {
+      vs_x3d_placed use = g->uses[i];
+      bool cheap = price[use.group] <= limit * shapes[use.group];
+      dearer |= !cheap;
+      if (!cheap || many <= VS_X3D_NATIVE_MAX || bytes + price[use.group] > most) {
+        g->uses[kept++] = use;
+        continue;
+      }
+      bytes += price[use.group];
+      many -= shapes[use.group];
+      ok = bake_use(e, g, &use);
+    }
+    g->use_count = kept;
+    if (!dearer) break;
+  }
+  vs_emit_release(e, price, x->group_count, sizeof *price);
+  return ok;
+}
+
 static bool bake_until_few(vs_emitter *e, double *shapes) {
   vs_x3d *x = e->state;
   bool few = bake_count(x, shapes) <= VS_X3D_NATIVE_MAX;
+  if (!few && !bake_coarsely(e)) return false;
   for (size_t k = 1; !few && k < x->group_count; k++) {
     if (!bake_items(e, &x->groups[k]) || !bake_uses(e, &x->groups[k])) return false;
     /* counting costs the number of templates: not after every one where they are many */
@@ -107,7 +185,8 @@ static bool bake_until_few(vs_emitter *e, double *shapes) {
   }
   if (few) return true;
   if (!bake_items(e, &x->groups[0])) return false;
-  return bake_count(x, shapes) <= VS_X3D_NATIVE_MAX || bake_uses(e, &x->groups[0]);
+  double many = bake_count(x, shapes);
+  return many <= VS_X3D_NATIVE_MAX || bake_cheapest(e, shapes, many);
 }
 
 /* ---- paints ---- */

@@ -11,6 +11,10 @@
 #include "backends/backend.h"
 
 enum { VS_X3D_NATIVE_MAX = 1500 }; /* Shapes of their own, at most */
+/* Bytes of baked forms, about, from which on they are cut coarsely, and beyond which copies of templates stay copies: x3dom shows some 2 MB of triangles in a second. */
+#define VS_X3D_BAKED_MOST 30e6
+enum { VS_X3D_COARSEST = 8 };        /* facets a turn */
+#define VS_X3D_COARSE_CREASE 1.0     /* radians: more than from one such facet to the next, less than from a wall to its lid */
 
 /* ---- collect.c ---- */
 
@@ -56,6 +60,7 @@ typedef struct {
   vs_x3d_group *groups;
   size_t group_count, group_room, group; /* group: what is being collected */
   size_t batch_count;          /* of each group that has batches */
+  int least;                   /* facets a turn, at least, of round forms that are baked; 0: as everywhere */
   /* text.c */
   size_t depth;
   bool in_tag;
@@ -69,6 +74,8 @@ bool vs_x3d_use_template(vs_emitter *e, uint32_t id, const vs_ref *ref);
 /* The X3D form that a node is, and its place in the node's own coordinates; false: it is none. */
 bool vs_x3d_form_of(const vs_emitter *e, const vs_node *n, vs_x3d_form *form, vs_affine *place);
 bool vs_x3d_bake_node(vs_emitter *e, vs_x3d_group *to, const vs_ref *ref, const vs_affine *place, uint32_t paint); /* its triangles */
+bool vs_x3d_bake_item(vs_emitter *e, vs_x3d_group *to, const vs_x3d_item *item);
+int vs_x3d_facets(const vs_emitter *e, const vs_x3d_item *item, int least); /* a turn, of a round form baked so */
 vs_x3d_batch *vs_x3d_batches(vs_emitter *e, vs_x3d_group *g); /* made if there are none; NULL: out of memory */
 
 #define VS_X3D_BACKEND(begin_, end_)                                                                                                  \
