@@ -2,6 +2,7 @@
  *
  * Leaves whose boxes are apart cannot meet, so each cluster has its own frame and grid. The one expression serves all: in a cluster's cells the
  * leaves of the others are outside. */
+#include "kernel/check.h"
 #include "kernel/clip.h"
 #include "kernel/cluster.h"
 #include "kernel/copies.h"
@@ -136,19 +137,21 @@ static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t
   if (w->expression.gate_count) c.gate = &w->gate;
   enum { SERIAL = 10000 }; /* triangles that are not worth a thread */
   uint32_t threads = k->threads;
-  size_t triangles = 0;
+  size_t triangles = 0, first = out->triangle_count;
   for (uint32_t i = 0; i < count; i++) triangles += w->problem->leaves[leaves[i]].mesh->triangle_count;
   if (triangles < SERIAL) k->threads = 1;
-  bool ok = vs_soup_build(k, &c);
+  vs_check check = { .leaves = { 0 } };
+  bool ok = vs_soup_build(k, &c) && vs_check_leaves(k, &c, &check, &w->counts);
   if (c.triangles.count < SERIAL) k->threads = 1;
   ok = ok && vs_patches_build(k, &c) && vs_kernel_report(k, 0.1) && vs_meet_patches(k, &c) && vs_kernel_report(k, 0.3);
   forget_patches(k, &c);
   ok = ok && vs_arrange_planes(k, &c);
   VS_DROP(k, c.cuts);
   ok = ok && vs_kernel_report(k, 0.7) && vs_classify_faces(k, &c, &w->expression) && vs_kernel_report(k, 0.9) &&
-            vs_output_faces(k, &c, out);
+            vs_output_faces(k, &c, out) && vs_check_result(k, &c, &check, out, first);
   k->threads = threads;
   if (!ok && k->error->status == VS_KERNEL_INTERNAL) k->error->leaf = leaves[0]; /* the nearest thing to a place */
+  vs_check_free(k, &check);
   vs_cluster_free(k, &c);
   return ok;
 }
@@ -303,6 +306,8 @@ static void count_in(vs_kernel_counts *sum, const vs_kernel_counts *c, size_t pe
   sum->combined += c->combined;
   sum->copied += c->copied;
   sum->remembered += c->remembered;
+  if (sum->coarse == 0) sum->coarse_leaf = c->coarse_leaf, sum->coarse_step = c->coarse_step, sum->coarse_by = c->coarse_by;
+  sum->coarse += c->coarse;
   if (peak > sum->peak) sum->peak = peak;
 }
 

@@ -39,6 +39,9 @@ typedef struct {
   size_t copied;     /* as another of the same problem, elsewhere */
   size_t remembered; /* found in the cache */
   size_t peak;       /* the most bytes held at a time */
+  size_t coarse;     /* leaves whose volume the grid has changed by more than a hundredth: too small for what they touch; and of the first of them: */
+  uint32_t coarse_leaf;
+  double coarse_step, coarse_by; /* how wide a step is; how much it changed the volume, as a part of that */
 } vs_kernel_counts;
 
 typedef struct {
@@ -47,6 +50,7 @@ typedef struct {
   size_t max_bytes;     /* of the kernel's own memory; 0: no limit */
   size_t max_triangles; /* of the result; 0: no limit */
   vs_cache *cache;   /* where clusters are looked up and kept (model/cache.h); NULL: nowhere */
+  void (*warn)(void *context, const vs_origin *origin, const char *message); /* of what is done all the same, by vs_solid_evaluate; may be NULL */
   vs_kernel_counts *counts; /* added to, but for the peak, which only rises; NULL: nobody asks */
   uint32_t threads;     /* 0: as many as there are processors; the result is the same. progress is called from the caller's alone */
 } vs_kernel_options;

@@ -5,6 +5,8 @@
  * thousands deep. */
 #include "kernel/solid.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -384,6 +386,13 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
                                   (uint32_t)b->operands.count, b->paints.at, b->identities.at, b->within.at };
     mine.counts = &counts;
     ok = one ? vs_kernel_evaluate(&problem, options, &one->mesh, &why) : vs_kernel_evaluate_copies(&problem, options, &many->meshes, &why);
+  }
+  if (ok && counts.coarse && mine.warn) {
+    char message[200];
+    snprintf(message, sizeof message, "too small for what it touches: all of that is worked out in steps of %.3g, which makes this part %.0f %% %s (and %zu more parts)", counts.coarse_step,
+             100 * fabs(counts.coarse_by), counts.coarse_by > 0 ? "larger" : "smaller", counts.coarse - 1);
+    if (counts.coarse == 1) *strstr(message, " (and") = 0;
+    mine.warn(mine.context, b->origins.at[counts.coarse_leaf], message);
   }
   if (ok) {
     *(one ? &one->parts : &many->parts) = b->parts.at;

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 #include <gmp.h>
 
+#include "kernel/check.h"
 #include "kernel/exact.h"
 #include "tests/oracle/oracle.c"
 #include "tests/oracle/sx.c"
@@ -426,6 +427,62 @@ static void test_far_larger(void **state) {
   }
 }
 
+/* The kernel's own look at its result: right ones pass; where a part is lost, doubled or turned over it says that it failed. */
+static void test_self_check(void **state) {
+  (void)state;
+  static const char *const texts[] = {
+    "(union (box 4 4 4) (translate 2 2 2 (sphere 3 16)) (translate 20 0 0 (box 1 1 1)))", "(rotate 33 21 17 (difference (box 4 4 4) (translate 3 3 3 (box 2 2 2))))",
+    "(union (difference (box 4 4 4) (translate 3 3 3 (sphere 1 8))) (intersection (box 9 1 1) (translate 3 0 0 (box 9 9 9))))",
+  };
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+    sx_problem p;
+    vs_mesh m = { 0 };
+    vs_kernel_error e;
+    assert_true(sx_parse(texts[i], &p));
+    uint32_t leaves[8], same[8] = { 0 }, n = p.problem.leaf_count;
+    for (uint32_t j = 0; j < n; j++) leaves[j] = j;
+    assert_true(vs_kernel_evaluate(&p.problem, NULL, &m, &e));
+    size_t whole = m.triangle_count;
+    for (int fault = 0; fault < 4; fault++) {
+      vs_kernel k = { .error = &e, .threads = 1 };
+      vs_parts parts = { .all = { 0 } };
+      vs_expression expression = { .root = 0 };
+      vs_check check = { .leaves = { 0 } };
+      vs_kernel_counts counts = { 0 };
+      vs_cluster c = { .problem = &p.problem, .parts = &parts, .expression = &expression, .leaves = leaves, .leaf_count = n };
+      e = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };
+      assert_true(vs_parts_prepare(&k, &parts, &p.problem, leaves, same, n) && vs_expression_build(&k, &expression, &p.problem) && vs_soup_build(&k, &c));
+      assert_true(vs_check_leaves(&k, &c, &check, &counts));
+      assert_int_equal(counts.coarse, 0);
+      if (fault == 1) m.triangle_count = 0;
+      if (fault == 2) vs_mesh_turn(&m, 0);
+      if (fault == 3)
+        for (size_t v = 0; v < m.vertex_count; v++) m.vertices[v] = vs_v3_scale(m.vertices[v], 3);
+      assert_int_equal(vs_check_result(&k, &c, &check, &m, 0), fault == 0);
+      assert_int_equal(e.status, fault ? VS_KERNEL_INTERNAL : VS_KERNEL_FINE);
+      m.triangle_count = whole;
+      if (fault == 2) vs_mesh_turn(&m, 0);
+      vs_check_free(&k, &check);
+      vs_cluster_free(&k, &c);
+      vs_expression_free(&k, &expression);
+      vs_parts_free(&k, &parts);
+    }
+    vs_mesh_free(&m);
+    sx_free(&p);
+  }
+  sx_problem p; /* a part that the grid of what it touches makes another */
+  vs_mesh m = { 0 };
+  vs_kernel_error e;
+  vs_kernel_counts counts = { 0 };
+  vs_kernel_options options = { .counts = &counts };
+  assert_true(sx_parse("(difference (cbox 1e6 1e6 2) (translate 0 0 .995 (box .01 .01 1)))", &p));
+  assert_true(vs_kernel_evaluate(&p.problem, &options, &m, &e));
+  assert_int_equal(counts.coarse, 1);
+  assert_int_equal(counts.coarse_leaf, 1);
+  vs_mesh_free(&m);
+  sx_free(&p);
+}
+
 static void test_tags(void **state) {
   (void)state;
   sx_problem p;
@@ -620,7 +677,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_planes_meet), cmocka_unit_test(test_predicates), cmocka_unit_test(test_against_oracle),
     cmocka_unit_test(test_cubes_become_one), cmocka_unit_test(test_equal_turns_written_differently), cmocka_unit_test(test_sheared_alike), cmocka_unit_test(test_touching_is_split), cmocka_unit_test(test_identities),
-    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_twice_in_place), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_far_larger), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_threads), cmocka_unit_test(test_copies), cmocka_unit_test(test_errors),
+    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_twice_in_place), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_far_larger), cmocka_unit_test(test_self_check), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_threads), cmocka_unit_test(test_copies), cmocka_unit_test(test_errors),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
