@@ -75,14 +75,11 @@ static uint64_t gcd64(uint64_t a, uint64_t b) {
   if (!a || !b) return a | b;
   int shift = __builtin_ctzll(a | b);
   a >>= __builtin_ctzll(a);
-  while (b) {
+  while (b) { /* without a jump on which is larger */
     b >>= __builtin_ctzll(b);
-    if (a > b) {
-      uint64_t t = a;
-      a = b;
-      b = t;
-    }
-    b -= a;
+    uint64_t less = a < b ? a : b, more = a < b ? b : a;
+    a = less;
+    b = more - less;
   }
   return a << shift;
 }
@@ -106,7 +103,8 @@ bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3]
   for (int i = 0; i < 3; i++) {
     int u = (i + 1) % 3, v = (i + 2) % 3;
     out->n[i] = p[u] * q[v] - p[v] * q[u];
-    if (g != 1) g = gcd64(g, (uint64_t)(out->n[i] < 0 ? -out->n[i] : out->n[i]));
+    uint64_t size = (uint64_t)(out->n[i] < 0 ? -out->n[i] : out->n[i]);
+    if (g != 1) g = gcd64(g, g ? size % g : size); /* of two large numbers it is mostly small */
   }
   if (g == 0) return false;
   int64_t first = out->n[0] ? out->n[0] : out->n[1] ? out->n[1] : out->n[2];

@@ -213,7 +213,7 @@ static bool plan_leaf(vs_kernel *k, facets *f, uint32_t place, size_t *triangles
 
 static bool do_batch(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
-  size_t triangles = 0, vertices = 0, bare = 0, most = 0, found = 0;
+  size_t triangles = 0, vertices = 0, bare = 0, most = 0, found = 0, roots = 0;
   for (uint32_t i = f->first; i < f->end; i++) {
     const vs_part *part = c->placed.at[i].part;
     if (!part->twins) bare += 3 * part->mesh->triangle_count;
@@ -238,8 +238,10 @@ static bool do_batch(vs_kernel *k, facets *f) {
   if (!VS_ROOM(k, f->sets.at, f->sets.room, found + 1) || !VS_ROOM(k, f->facet.at, f->facet.room, found + 1)) return false;
   for (uint32_t i = 0; i < found; i++) atomic_init(&f->sets.at[i], i);
   f->given = c->triangles.count;
-  if (!vs_kernel_run(k, f->spans.count, join_span, f) || !vs_planes_expect(k, &c->planes, found) ||
-      !vs_points_expect(k, &c->points, vertices < found ? vertices : found) || !VS_ROOM(k, c->triangles.at, c->triangles.room, f->given + found) ||
+  if (!vs_kernel_run(k, f->spans.count, join_span, f)) return false;
+  for (uint32_t i = 0; i < found; i++) roots += vs_find_shared(f->sets.at, i) == i;
+  if (!vs_planes_expect(k, &c->planes, roots) || !vs_points_expect(k, &c->points, vertices < found ? vertices : found) ||
+      !VS_ROOM(k, c->triangles.at, c->triangles.room, f->given + found) || !VS_ROOM(k, c->facets.at, c->facets.room, c->facets.count + roots + 1) ||
       !vs_kernel_run(k, 2, give, f))
     return false;
   c->triangles.count = f->given + found;

@@ -161,6 +161,9 @@ bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
     uint32_t *of = &p.alone.at[c->facets.at[i].plane];
     *of = *of == VS_NONE ? i : SEVERAL;
   }
+  size_t least = c->facets.count; /* as many patches, and triangles' corners */
+  ok = ok && VS_ROOM(k, c->patches.at, c->patches.room, least) && VS_ROOM(k, c->boxes.at, c->boxes.room, least) &&
+       VS_ROOM(k, c->patch_corners.at, c->patch_corners.room, 3 * least);
   ok = ok && vs_kernel_pipeline(k, (c->facets.count + CHUNK - 1) / CHUNK, make_chunk, take_chunk, &p) &&
        VS_ROOM(k, families, family_room, c->patches.count + 1);
   for (size_t i = 0; ok && i < c->patches.count; i++) { /* no two triangles of a star touch */

@@ -502,9 +502,12 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   for (uint32_t f = begin; f < end; f++)
     if (!add_facet(w, &c->facets.at[a->facets.at[f]])) return false;
   if (!VS_ROOM(w->k, w->keyed.at, w->keyed.room, 2 * (size_t)cut_count + 1)) return false;
+  enum { AHEAD = 12 };
   vs_keyed *at = w->keyed.at;
+  size_t left = c->cuts.count - a->cut_first.at[root];
   for (uint32_t j = 0; j < cut_count; j++) {
     const vs_cut *cut = &c->cuts.at[cuts[j]];
+    if (j + AHEAD < left) __builtin_prefetch(&c->cuts.at[cuts[j + AHEAD]]); /* the next group's, too */
     at[j] = (vs_keyed){ cut->p < cut->q ? (int64_t)cut->p << 32 | cut->q : (int64_t)cut->q << 32 | cut->p, cut->plane }; /* numbers are below 2^30 */
   }
   vs_sort_keyed(at, at + cut_count, cut_count);
@@ -625,7 +628,9 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   size_t work_room = 0;
   bool ok = VS_ROOM(k, a.works, work_room, k->threads);
   if (ok) memset(a.works, 0, work_room * sizeof *a.works);
-  ok = ok && bucket(k, &a) && vs_kernel_pipeline(k, a.chunks.count - 1, arrange_chunk, absorb, &a) && vs_points_append(k, &c->points, &a.points);
+  size_t least = c->facets.count; /* as many faces, or nearly */
+  ok = ok && bucket(k, &a) && VS_ROOM(k, c->faces.at, c->faces.room, least) && VS_ROOM(k, c->covers.at, c->covers.room, least) &&
+       VS_ROOM(k, c->uses.at, c->uses.room, 3 * least) && vs_kernel_pipeline(k, a.chunks.count - 1, arrange_chunk, absorb, &a) && vs_points_append(k, &c->points, &a.points);
   for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, a.found[i].faces);
     VS_DROP(k, a.found[i].covers);
