@@ -45,6 +45,7 @@ typedef struct {
 } vs_patch;
 typedef struct { int32_t at[3]; uint32_t point; } vs_patch_corner;
 
+typedef struct { uint32_t low, high; } vs_edge; /* input vertices */
 typedef struct { uint32_t facet, p, q, plane; } vs_cut; /* p to q lies in the facet, and in plane; p == q: a point */
 
 typedef struct { uint32_t leaf; int32_t delta; } vs_cover;
@@ -106,6 +107,7 @@ typedef struct {
   VS_LIST(vs_box) boxes; /* of the patches */
   vs_bvh bvh;
   VS_LIST(vs_cut) cuts;
+  VS_LIST(vs_edge) edge_of; /* of a point: one that it lies on, where meeting made it; else both ends are 0. Until planes are arranged */
   VS_LIST(vs_face) faces;
   VS_LIST(vs_cover) covers;
   VS_LIST(vs_use) uses;

@@ -269,7 +269,7 @@ static int compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis) {
 }
 
 bool vs_homogeneous_equal(const vs_homogeneous *a, const vs_homogeneous *b) {
-  return compare(a, b, 0) == 0 && compare(a, b, 1) == 0 && compare(a, b, 2) == 0;
+  return memcmp(a, b, sizeof *a) == 0 || (compare(a, b, 0) == 0 && compare(a, b, 1) == 0 && compare(a, b, 2) == 0);
 }
 
 int vs_homogeneous_side(const vs_plane *p, const vs_homogeneous *h) {

@@ -66,17 +66,23 @@ static inline bool vs_point_exact(const vs_point *p) { return p->big == VS_POINT
 static inline int32_t vs_point_grid(const vs_point *p, int axis) { return (int32_t)(p->fixed[axis] >> VS_FIXED_BITS); }
 
 int vs_side_slow(vs_points_view v, const vs_plane *p, uint32_t x);
-/* sign of n.x - d */
-static inline int vs_side(vs_points_view v, const vs_plane *p, uint32_t x) {
+/* Tries to tell the sign of n.x - d from the point's fixed numbers. */
+static inline bool vs_side_quick(vs_points_view v, const vs_plane *p, uint32_t x, int *sign) {
   const vs_point *q = &v.at[x];
   vs_i128 s = (vs_i128)p->n[0] * q->fixed[0] + (vs_i128)p->n[1] * q->fixed[1] + (vs_i128)p->n[2] * q->fixed[2] - p->d * ((vs_i128)1 << VS_FIXED_BITS);
-  if (vs_point_exact(q)) return vs_sign128(s);
+  *sign = vs_sign128(s);
+  if (vs_point_exact(q)) return true;
   vs_i128 low = s, high = s; /* every fixed number is short by less than 1 */
   for (int i = 0; i < 3; i++) {
     if (p->n[i] < 0) low += p->n[i];
     else high += p->n[i];
   }
-  return low > 0 ? 1 : high < 0 ? -1 : vs_side_slow(v, p, x);
+  return low > 0 || high < 0;
+}
+/* sign of n.x - d */
+static inline int vs_side(vs_points_view v, const vs_plane *p, uint32_t x) {
+  int sign;
+  return vs_side_quick(v, p, x, &sign) ? sign : vs_side_slow(v, p, x);
 }
 
 int vs_compare_slow(vs_points_view v, uint32_t a, uint32_t b, int axis);

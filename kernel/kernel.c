@@ -104,6 +104,7 @@ void vs_cluster_free(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, c->leaf_boxes);
   VS_DROP(k, c->lids);
   VS_DROP(k, c->cuts);
+  VS_DROP(k, c->edge_of);
   VS_DROP(k, c->faces);
   VS_DROP(k, c->covers);
   VS_DROP(k, c->uses);
@@ -147,6 +148,7 @@ static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t
   forget_patches(k, &c);
   ok = ok && vs_arrange_planes(k, &c);
   VS_DROP(k, c.cuts);
+  VS_DROP(k, c.edge_of);
   ok = ok && vs_kernel_report(k, 0.7) && vs_classify_faces(k, &c, &w->expression) && vs_kernel_report(k, 0.9) &&
             vs_output_faces(k, &c, out) && vs_check_result(k, &c, &check, out, first);
   k->threads = threads;

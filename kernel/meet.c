@@ -37,6 +37,7 @@ typedef struct {
   VS_LIST(contact) contacts;
   VS_LIST(end) ends;
   VS_LIST(vs_fresh_point) fresh;
+  VS_LIST(vs_edge) edges;         /* that those are on */
   double span[2][3];              /* the first and last end of the pair at hand, in steps */
 } chunk;
 
@@ -222,7 +223,8 @@ static bool meet(void *context, uint32_t first, uint32_t second) {
       return VS_BROKEN(m->k, "an edge and a plane do not meet");
     vs_fresh_fill(&made);
     e->fresh = known->fresh = (uint32_t)m->fresh.count;
-    if (!VS_PUSH(m->k, m->fresh, made)) return false;
+    vs_edge edge = { p->point < q->point ? p->point : q->point, p->point < q->point ? q->point : p->point };
+    if (!VS_PUSH(m->k, m->fresh, made) || !VS_PUSH(m->k, m->edges, edge)) return false;
   }
   return VS_PUSH(m->k, m->contacts, ((contact){ first, second, base, count }));
 }
@@ -251,7 +253,12 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
   meeting *m = context;
   vs_cluster *c = m->c;
   const chunk *from = &m->chunks[index % VS_PIPELINE_WINDOW];
-  if (!VS_ROOM(k, m->ids.at, m->ids.room, from->fresh.count + 1) || !vs_points_add_all(k, &c->points, NULL, from->fresh.at, from->fresh.count, m->ids.at)) return false;
+  if (!VS_ROOM(k, m->ids.at, m->ids.room, from->fresh.count + 1) ||
+      !vs_points_add_all(k, &c->points, NULL, from->fresh.at, from->fresh.count, m->ids.at) ||
+      !VS_ROOM(k, c->edge_of.at, c->edge_of.room, c->points.all.count))
+    return false;
+  for (; c->edge_of.count < c->points.all.count;) c->edge_of.at[c->edge_of.count++] = (vs_edge){ 0, 0 };
+  for (size_t i = 0; i < from->fresh.count; i++) c->edge_of.at[m->ids.at[i]] = from->edges.at[i];
   for (size_t i = 0; i < from->contacts.count; i++) {
     const contact *x = &from->contacts.at[i];
     const vs_patch *a = &c->patches.at[x->a], *b = &c->patches.at[x->b];
@@ -294,7 +301,7 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   m->k = k;
   m->c = all->c;
   m->w = &all->works[k->worker];
-  m->contacts.count = m->ends.count = m->fresh.count = 0;
+  m->contacts.count = m->ends.count = m->fresh.count = m->edges.count = 0;
   uint32_t first = (uint32_t)index * CHUNK, blocks = vs_bvh_blocks(&all->c->bvh) - first;
   size_t crossings = 64;
   while (crossings < CROSSINGS && crossings < 32 * (size_t)blocks) crossings *= 2;
@@ -316,6 +323,7 @@ bool vs_meet_patches(vs_kernel *k, vs_cluster *c) {
     VS_DROP(k, m.chunks[i].contacts);
     VS_DROP(k, m.chunks[i].ends);
     VS_DROP(k, m.chunks[i].fresh);
+    VS_DROP(k, m.chunks[i].edges);
   }
   for (size_t i = 0; i < works; i++) {
     VS_DROP(k, m.works[i].side_a);

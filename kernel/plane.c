@@ -160,7 +160,15 @@ static bool within(const plane_work *w, const segment *s, uint32_t x) { /* x on 
 }
 
 static int side_of(const plane_work *w, const segment *s, uint32_t x) {
-  return x == s->p || x == s->q ? 0 : vs_side(view(w), &s->side, x);
+  int sign;
+  if (x == s->p || x == s->q) return 0;
+  if (vs_side_quick(view(w), &s->side, x, &sign)) return sign;
+  uint32_t p = w->global.at[s->p], q = w->global.at[s->q], point = w->global.at[x];
+  if (s->edge && point < w->c->edge_of.count) { /* most cuts end on an edge: known by its name */
+    const vs_edge *e = &w->c->edge_of.at[point];
+    if ((e->low == p && e->high == q) || (e->low == q && e->high == p)) return 0;
+  }
+  return vs_side_slow(view(w), &s->side, x);
 }
 
 static bool cross(void *context, uint32_t i, uint32_t j) {
