@@ -136,7 +136,7 @@ ubsan: ## the tests under the undefined-behaviour sanitizer
 	UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(MAKE) $(call SANITIZE,undefined -fno-sanitize-recover=all,ubsan)
 
 # The kernel alone, under both: its units and a sample of its random trees.
-KERNEL_UNITS = test_random_solids test_kernel test_inspect
+KERNEL_UNITS = test_random_solids test_kernel test_kernel_refusals test_inspect
 sanitized: ## the kernel's tests under the address, leak and undefined-behaviour sanitizers
 	$(MAKE) OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=address" BUILD=$(BUILD)/asan LDFLAGS="-Wl,--no-as-needed -lstdc++" $(KERNEL_UNITS:%=$(BUILD)/asan/unit/%)
 	$(MAKE) OPT="-O1 -g -fsanitize=undefined -fno-sanitize-recover=all" BUILD=$(BUILD)/ubsan $(KERNEL_UNITS:%=$(BUILD)/ubsan/unit/%)

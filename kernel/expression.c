@@ -46,7 +46,7 @@ static bool find_forces(vs_kernel *k, vs_expression *e, const vs_kernel_problem 
   VS_LIST(uint8_t) flag = { 0 };
   uint32_t n = p->term_count, root = n;
   e->gate_count = 0;
-  if (!VS_ROOM(k, flag.at, flag.room, (size_t)n + 1) || !VS_ROOM(k, e->forces.at, e->forces.room, (size_t)p->leaf_count + 1)) return false;
+  if (!VS_ROOM(k, e->forces.at, e->forces.room, (size_t)p->leaf_count + 1) || !VS_ROOM(k, flag.at, flag.room, (size_t)n + 1)) return false;
   for (uint32_t i = 0; i < p->leaf_count; i++) e->forces.at[i] = 0;
   for (uint32_t i = 0; i < n; i++) flag.at[i] = i + 1 == n ? IF_TRUE | IF_FALSE : 0;
   while (root && p->terms[root - 1].kind != VS_TERM_LEAF && p->terms[root - 1].count == 1) root = p->operands[p->terms[root - 1].first] + 1;
