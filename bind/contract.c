@@ -575,6 +575,12 @@ static int choose_form(vs_frame *f, const vs_value *a, int n) {
   return best;
 }
 
+/* Every reading of what is absent gives 0: but for a matrix, which nobody reads then. */
+static inline void set_absent(vs_arg *to) {
+  to->given = false, to->value = VS_ABSENT;
+  to->line.at = to->line.direction = vs_v3(0, 0, 0);
+}
+
 /* Points and numbers that are as they should be, which most calls take: the form chosen and its arguments converted in one go, as choose_form and
  * convert do. False: those see to it. */
 typedef enum { QUICK_FITS, QUICK_OTHER /* looks_like says no */, QUICK_UNSURE } quick;
@@ -602,7 +608,7 @@ static bool enter_quickly(vs_frame *f, const vs_value *a, int n) {
       else fits = p->mode == VS_ARG_END ? QUICK_OTHER : convert_quickly(p, a[i], &f->arg[i]);
     if (fits == QUICK_UNSURE || p->mode == VS_ARG_REST) return false;
     if (fits == QUICK_OTHER || p->mode == VS_ARG_REQUIRED) continue;
-    for (; p->mode == VS_ARG_OPTIONAL; i++, p++) f->arg[i] = (vs_arg){ .given = false, .value = VS_ABSENT };
+    for (; p->mode == VS_ARG_OPTIONAL; i++, p++) set_absent(&f->arg[i]);
     f->count = i;
     return p->mode == VS_ARG_END;
   }
@@ -630,7 +636,7 @@ static bool enter_slowly(vs_frame *f, const vs_value *a, int given) {
       else if (!convert_refs(f, p, rest, count, to)) return false;
       continue;
     }
-    if (i >= given) *to = (vs_arg){ .given = false, .value = VS_ABSENT };
+    if (i >= given) set_absent(to);
     else if (!convert(f, p, a[i], to)) return false;
   }
   return true;
@@ -646,7 +652,7 @@ static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
   if (!enter_quickly(f, a, given) && !enter_slowly(f, a, given)) return VS_ERROR;
   for (int i = 0; f->procedure->key[i].mode != VS_ARG_END; i++) {
     vs_value v = a[places + i];
-    if (v == VS_ABSENT) f->key[i] = (vs_arg){ .given = false, .value = VS_ABSENT };
+    if (v == VS_ABSENT) set_absent(&f->key[i]);
     else if (!convert(f, &f->procedure->key[i], v, &f->key[i])) return VS_ERROR;
   }
   return f->procedure->fn(f, out);

@@ -135,7 +135,7 @@ static inline const void *vs_node_data(const vs_node *n) { return n->children + 
 
 /* Child i of those that are looked at one after the other: the processor is told of one to come, since there may be a million. With its payload, or of
  * its header alone. */
-enum { VS_NODES_AHEAD = 8 };
+enum { VS_NODES_AHEAD = 24 };
 static inline const vs_ref *vs_node_next_whole(const vs_node *n, uint32_t i) {
   if (n->child_count - i > VS_NODES_AHEAD) {
     __builtin_prefetch(n->children[i + VS_NODES_AHEAD].node);
