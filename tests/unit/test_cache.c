@@ -449,9 +449,45 @@ static void test_texts(void **state) {
   }
 }
 
+/* Refused memory loses text that would be kept, or the output; never a byte of one that is said to be done. */
+static void test_texts_refused(void **state) {
+  (void)state;
+  static const char drawn[] = "(define (bolt i) (unite (make-box (xyz i 0 0) (xyz (+ i 1) 1 2)) (make-sphere (xyz i 0 0) 0.7) (make-cylinder (xyz i 0 0) 5 0.2)))"
+                              "(for ([i (in-range 60)]) (draw (color (if (even? i) \"red\" \"blue\") (make-sphere (xyz i 9 0) (+ 1 (* i 0.01)))) (do-rotate (bolt 3) 'z i)))";
+  refusal r = { 0, false };
+  vs_options o = vs_options_default();
+  o.alloc = refusing, o.alloc_context = &r;
+  vs *plain = session(SIZE_MAX);
+  run(plain, drawn);
+  bytes want = written(plain, "povray", true);
+  vs_free(plain);
+  size_t done = 0, failed = 0;
+  for (long left = 0; left < 400 && done < 40; left++) {
+    vs *s = vs_new(&o);
+    assert_non_null(s);
+    run(s, drawn);
+    vs_output_options w = vs_output_options_default();
+    for (int again = 0; again < 2; again++) { /* kept; and found, where it was */
+      bytes b = { NULL, 0 };
+      r = (refusal){ left, again == 0 };
+      vs_outcome outcome = vs_write_drawing_to(s, "povray", &w, collect, &b);
+      r.on = false;
+      assert_true(outcome == VS_OUTCOME_DONE || outcome == VS_OUTCOME_MACHINE);
+      *(outcome == VS_OUTCOME_DONE ? &done : &failed) += again == 0;
+      if (outcome == VS_OUTCOME_DONE) assert_int_equal(b.count, want.count);
+      if (outcome == VS_OUTCOME_DONE) assert_memory_equal(b.at, want.at, want.count);
+      if (again) assert_int_equal(outcome, VS_OUTCOME_DONE);
+      free(b.at);
+    }
+    vs_free(s);
+  }
+  assert_true(failed > 5 && done > 5);
+  free(want.at);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(test_equality), cmocka_unit_test(test_bound), cmocka_unit_test(test_refused),
                                       cmocka_unit_test(test_incremental), cmocka_unit_test(test_measures), cmocka_unit_test(test_tags), cmocka_unit_test(test_restart),
-                                      cmocka_unit_test(test_restart_refused), cmocka_unit_test(test_limit), cmocka_unit_test(test_texts) };
+                                      cmocka_unit_test(test_restart_refused), cmocka_unit_test(test_limit), cmocka_unit_test(test_texts), cmocka_unit_test(test_texts_refused) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
