@@ -175,9 +175,7 @@ static void begin_round(settling *s) {
 static bool index_mesh(settling *s) {
   const vs_mesh *m = s->m;
   size_t n = m->vertex_count, triangles = m->triangle_count;
-  if (!VS_ROOM(s->k, s->fans.at, s->fans.room, n + 1) || !VS_ROOM(s->k, s->around.at, s->around.room, 3 * triangles + 1) ||
-      !VS_ROOM(s->k, s->listed.at, s->listed.room, triangles + 1))
-    return false;
+  if (!VS_ROOM(s->k, s->fans.at, s->fans.room, n + 1) || !VS_ROOM(s->k, s->around.at, s->around.room, 3 * triangles + 1)) return false;
   memset(s->fans.at, 0, (n + 1) * sizeof *s->fans.at);
   memset(s->listed.at, 0, triangles);
   memset(s->gone.at, 0, triangles);
@@ -473,6 +471,10 @@ static bool begin_again(settling *s) {
   return find_look(s, &any) && index_mesh(s);
 }
 
+static bool count_met(settling *s, vs_settled *out) {
+  return vs_settling_count_met(s, out) && (s->numbers != VS_NUMBERS_SINGLE || vs_settling_count_between(s, out));
+}
+
 static bool settle(settling *s, bool places, vs_settled *out) {
   vs_mesh *m = s->m;
   size_t n = m->vertex_count, collapsed, flipped, more;
@@ -481,10 +483,17 @@ static bool settle(settling *s, bool places, vs_settled *out) {
   vs_bounds b = vs_mesh_bounds(m);
   s->coarsest = 2 * unit(larger(reach(b.min), reach(b.max)), s->numbers);
   if (!find_look(s, &any)) return false;
-  if (!any) return true;
-  if (!VS_ROOM(s->k, s->busy.at, s->busy.room, n + 1) || !VS_ROOM(s->k, s->suspect.at, s->suspect.room, n + 1) || !VS_ROOM(s->k, s->gone.at, s->gone.room, m->triangle_count + 1))
+  if (!any && s->numbers != VS_NUMBERS_SINGLE) return true;
+  if (!VS_ROOM(s->k, s->busy.at, s->busy.room, n + 1) || !VS_ROOM(s->k, s->suspect.at, s->suspect.room, n + 1) || !VS_ROOM(s->k, s->gone.at, s->gone.room, m->triangle_count + 1) ||
+      !VS_ROOM(s->k, s->listed.at, s->listed.room, m->triangle_count + 1))
     return false;
   memset(s->suspect.at, 0, n);
+  if (!any) {
+    memset(s->gone.at, 0, m->triangle_count);
+    memset(s->listed.at, 0, m->triangle_count);
+    if (!vs_settling_count_between(s, out)) return false;
+    if (!out->met || !places) return true;
+  }
   if (!drop_blades(s, out) || !(out->dropped ? begin_again(s) : index_mesh(s))) return false;
   for (int round = 0; ok && round < ROUNDS; round++) {
     ok = collapse_round(s, &collapsed);
@@ -498,14 +507,14 @@ static bool settle(settling *s, bool places, vs_settled *out) {
     out->flipped += flipped;
     if (!collapsed && !flipped) break;
   }
-  if (ok && s->numbers != VS_NUMBERS_DOUBLE) ok = vs_settling_count_met(s, out);
+  if (ok && s->numbers != VS_NUMBERS_DOUBLE) ok = count_met(s, out);
   if (ok) vs_mesh_squeeze(m, s->gone.at);
   for (int round = 0; ok && places && out->met && round < ROUNDS; round++) {
     size_t contracted = 0;
     ok = contract(s, 4 << round, round == ROUNDS - 1, &contracted);
     if (!ok || !contracted) break;
     out->collapsed += contracted;
-    ok = begin_again(s) && flip_round(s, &flipped) && vs_settling_count_met(s, out);
+    ok = begin_again(s) && flip_round(s, &flipped) && count_met(s, out);
     out->flipped += flipped;
   }
   return ok && (out->collapsed || out->dropped ? drop_vertices(s) : true);

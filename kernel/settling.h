@@ -26,6 +26,8 @@ typedef struct {
 vs_vec3 vs_settling_corner(const vs_settling *s, uint32_t v); /* rounded */
 /* Marks what is thin now, then counts triangles that, rounded, meet others near a suspect corner: of each, once. */
 bool vs_settling_count_met(vs_settling *s, vs_settled *out);
+/* Adds those of different shells, wherever. */
+bool vs_settling_count_between(vs_settling *s, vs_settled *out);
 
 /* Is it lower than rounding may move its corners by, and turned by that more than two or three degrees? */
 bool vs_settling_is_noise(const vs_settling *s, uint32_t t);

@@ -153,6 +153,29 @@ static void test_settle(void **state) {
   vs_mesh_free(&m);
 }
 
+/* Two turned cubes flush but for less than 32 bits tell apart, shifted along each other: no triangle is thin, and yet they meet as such numbers. */
+static void test_between(void **state) {
+  (void)state;
+  static const double gaps[] = { 1e-9, 1e-3 };
+  for (int i = 0; i < 2; i++) {
+    vs_mesh m = { 0 };
+    vs_settled s;
+    join(&m, "(union (rotate 33 21 17 (translate 20 1 5 (box 2 2 2))) (rotate 33 21 17 (translate 20 1 5 (box 2 2 2))))", 9);
+    size_t n = m.vertex_count / 2;
+    vs_vec3 along[3];
+    for (size_t v = 1, found = 0; v < n && found < 3; v++) {
+      along[found] = vs_v3_sub(m.vertices[v], m.vertices[0]);
+      found += fabs(vs_v3_length(along[found]) - 2) < 1e-6;
+    }
+    for (size_t v = n; v < 2 * n; v++)
+      m.vertices[v] = vs_v3_add(m.vertices[v], vs_v3_add(vs_v3_scale(along[0], 1 + gaps[i] / 2), vs_v3_add(vs_v3_scale(along[1], 0.31), vs_v3_scale(along[2], 0.17))));
+    assert_true(vs_mesh_settle(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
+    assert_int_equal(s.collapsed + s.flipped + s.dropped, 0);
+    assert_int_equal(s.met > 0, i == 0);
+    vs_mesh_free(&m);
+  }
+}
+
 /* What is said to be apart in doubles is apart: random triangles with corners in few places, and a little off them, against exact signs. */
 static void test_apart(void **state) {
   (void)state;
@@ -185,6 +208,6 @@ static void test_apart(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(test_simple), cmocka_unit_test(test_wound), cmocka_unit_test(test_open), cmocka_unit_test(test_settle), cmocka_unit_test(test_apart) };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_simple), cmocka_unit_test(test_wound), cmocka_unit_test(test_open), cmocka_unit_test(test_settle), cmocka_unit_test(test_between), cmocka_unit_test(test_apart) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
