@@ -61,16 +61,6 @@ static inline void wide_from(uint64_t *r, int n, vs_i128 x) {
   for (int i = 2; i < n; i++) r[i] = x < 0 ? UINT64_MAX : 0;
 }
 
-static double wide_double(const uint64_t *a, int n) {
-  uint64_t m[9];
-  bool negative = a[n - 1] >> 63;
-  memcpy(m, a, (size_t)n * sizeof *a);
-  if (negative) wide_negate(m, n);
-  double x = 0;
-  for (int i = n - 1; i >= 0; i--) x = x * 0x1p64 + (double)m[i];
-  return negative ? -x : x;
-}
-
 static uint64_t gcd64(uint64_t a, uint64_t b) {
   if (!a || !b) return a | b;
   int shift = __builtin_ctzll(a | b);
@@ -155,11 +145,19 @@ bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_
   return true;
 }
 
+/* r += a * b, modulo 2^192 */
+static inline void add_product(uint64_t r[3], vs_i128 a, vs_i128 b) {
+  uint64_t a0 = (uint64_t)a, a1 = (uint64_t)(a >> 64), b0 = (uint64_t)b, b1 = (uint64_t)(b >> 64);
+  vs_u128 low = (vs_u128)a0 * b0, one = (vs_u128)a0 * b1, two = (vs_u128)a1 * b0;
+  vs_u128 middle = (low >> 64) + (uint64_t)one + (uint64_t)two;
+  uint64_t high = a1 * b1 + (uint64_t)(one >> 64) + (uint64_t)(two >> 64) + (uint64_t)(middle >> 64) - (b < 0 ? a0 : 0) - (a < 0 ? b0 : 0);
+  wide_add(r, (const uint64_t[3]){ (uint64_t)low, (uint64_t)middle, high }, 3);
+}
+
 static bool across(const vs_plane *p) { return !p->n[(p->k + 1) % 3] && !p->n[(p->k + 2) % 3]; } /* an axis */
 
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out) {
   const vs_plane *s[3] = { p, q, r };
-  uint64_t t[VS_LIMBS], a[2], b[2];
   memset(out, 0, sizeof *out);
   if (p->n[p->k] == 1 && q->n[q->k] == 1 && r->n[r->k] == 1 && (1 << p->k | 1 << q->k | 1 << r->k) == 7 && across(p) && across(q) && across(r)) {
     for (int i = 0; i < 3; i++) wide_from(out->x[s[i]->k], VS_LIMBS, s[i]->d);
@@ -168,17 +166,11 @@ bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_
   }
   for (int j = 0; j < 3; j++) {
     const vs_plane *x = s[(j + 1) % 3], *y = s[(j + 2) % 3];
-    wide_from(a, 2, s[j]->d);
     for (int i = 0; i < 3; i++) {
       int u = (i + 1) % 3, v = (i + 2) % 3;
-      wide_from(b, 2, (vs_i128)x->n[u] * y->n[v] - (vs_i128)x->n[v] * y->n[u]);
-      wide_mul(t, VS_LIMBS, a, 2, b, 2);
-      wide_add(out->x[i], t, VS_LIMBS);
-      if (j == 0) { /* W = n_p . (n_q x n_r) */
-        uint64_t n[1] = { (uint64_t)p->n[i] };
-        wide_mul(t, VS_LIMBS, b, 2, n, 1);
-        wide_add(out->w, t, VS_LIMBS);
-      }
+      vs_i128 cross = (vs_i128)x->n[u] * y->n[v] - (vs_i128)x->n[v] * y->n[u];
+      add_product(out->x[i], s[j]->d, cross);
+      if (j == 0) add_product(out->w, p->n[i], cross); /* W = n_p . (n_q x n_r) */
     }
   }
   int sign = wide_sign(out->w, VS_LIMBS);
@@ -216,46 +208,48 @@ static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
   return true;
 }
 
+static inline double near192(const uint64_t x[3]) { return ((double)x[2] * 0x1p64 + (double)x[1]) * 0x1p64 + (double)x[0]; } /* x >= 0 */
+
+/* r -= w * q, where q >= 0 */
+static inline void take_times(uint64_t r[3], const uint64_t w[3], uint64_t q) {
+  vs_u128 t = (vs_u128)w[0] * q, u = (vs_u128)w[1] * q + (uint64_t)(t >> 64);
+  uint64_t product[3] = { (uint64_t)t, (uint64_t)u, w[2] * q + (uint64_t)(u >> 64) };
+  wide_sub(r, product, 3);
+}
+
+/* q: a guess of floor(r / w), off by one or so; the quotient, and what remains in r. */
+static inline int64_t divide(uint64_t r[3], const uint64_t w[3], int64_t q) {
+  take_times(r, w, (uint64_t)q);
+  for (; wide_sign(r, 3) < 0; q--) wide_add(r, w, 3);
+  for (;; q++) {
+    uint64_t less[3] = { r[0], r[1], r[2] };
+    wide_sub(less, w, 3);
+    if (wide_sign(less, 3) < 0) return q;
+    memcpy(r, less, sizeof less);
+  }
+}
+
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]) {
+  enum { UP = 30 }; /* so many binary places: added to have no negative numbers */
   bool exact = true;
   if (h->w[0] == 1 && !h->w[1] && !h->w[2]) { /* on the grid */
     for (int i = 0; i < 3; i++) fixed[i] = (int64_t)(h->x[i][0] << VS_FIXED_BITS);
     return true;
   }
   if (!h->w[2] && !(h->w[1] >> 30) && fix_narrow(h, fixed, &exact)) return exact;
-  double w = wide_double(h->w, VS_LIMBS);
-  for (int i = 0; i < 3; i++) {
-    uint64_t x[4], r[4], t[4], q[1];
-    double guess = wide_double(h->x[i], VS_LIMBS) / w * 0x1p32;
-    int64_t f = (int64_t)floor(guess);
-    x[0] = h->x[i][0] << 32;
-    x[1] = h->x[i][1] << 32 | h->x[i][0] >> 32;
-    x[2] = h->x[i][2] << 32 | h->x[i][1] >> 32;
-    x[3] = (uint64_t)((int64_t)h->x[i][2] >> 32);
-    for (;;) { /* the guess is off by a few units: the remainder says by how many */
-      memcpy(r, x, sizeof r);
-      q[0] = (uint64_t)f;
-      wide_mul(t, 4, h->w, VS_LIMBS, q, 1);
-      wide_sub(r, t, 4);
-      int sign = wide_sign(r, 4);
-      if (sign < 0) {
-        double off = floor(wide_double(r, 4) / w);
-        f += off > -1 ? -1 : (int64_t)off;
-        continue;
-      }
-      memcpy(t, h->w, sizeof h->w);
-      t[3] = 0;
-      wide_negate(t, 4);
-      wide_add(t, r, 4); /* r - w */
-      if (wide_sign(t, 4) >= 0) {
-        double off = floor(wide_double(r, 4) / w);
-        f += off < 1 ? 1 : (int64_t)off;
-        continue;
-      }
-      exact = exact && sign == 0;
-      break;
-    }
-    fixed[i] = f;
+  const uint64_t *w = h->w, up[3] = { w[0] << UP, w[1] << UP | w[0] >> (64 - UP), w[2] << UP | w[1] >> (64 - UP) };
+  double per = 1 / near192(w);
+  exact = true;
+  for (int i = 0; i < 3; i++) { /* whole steps first, then the rest: below 2^191 all the way */
+    uint64_t r[3] = { h->x[i][0], h->x[i][1], h->x[i][2] };
+    wide_add(r, up, 3);
+    int64_t whole = divide(r, w, (int64_t)(near192(r) * per)) - ((int64_t)1 << UP);
+    r[2] = r[2] << 32 | r[1] >> 32;
+    r[1] = r[1] << 32 | r[0] >> 32;
+    r[0] <<= 32;
+    int64_t rest = divide(r, w, (int64_t)(near192(r) * per));
+    exact = exact && !(r[0] | r[1] | r[2]);
+    fixed[i] = whole * ((int64_t)1 << VS_FIXED_BITS) + rest;
   }
   return exact;
 }
