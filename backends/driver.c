@@ -545,6 +545,8 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo) 
   return true;
 }
 
+static bool drive_nothing(vs_emitter *e) { return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing holds nothing that this format can show"); }
+
 static bool drive_bounds(vs_emitter *e) {
   if (e->backend->verbatim) return true;
   for (size_t i = 0; i < e->scene->drawn_count; i++) {
@@ -553,7 +555,7 @@ static bool drive_bounds(vs_emitter *e) {
     if (ref->node->flags & VS_NODE_ENDLESS) return vs_emit_fail(e, ref, VS_ENDLESS_MESSAGE);
     if (!drive_boxes(e, ref, &e->drive->bounds)) return false;
   }
-  if (e->box_count == 0) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing holds nothing that this format can show");
+  if (e->box_count == 0) return drive_nothing(e);
   const double *low = &e->bounds.min.x, *high = &e->bounds.max.x;
   for (int i = 0; i < 3; i++)
     if (!isfinite(low[i]) || !isfinite(high[i])) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing is infinitely large");
@@ -643,19 +645,19 @@ bool vs_drive_scene(vs_emitter *e) {
   if (e->backend->groups && !drive_group(e)) return false;
   if (!drive_plan(e)) return false;
   if (e->scene->drawn_count == 0 && !e->backend->verbatim) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "nothing is drawn");
-  if (drive_all_vain(e) && !e->backend->verbatim) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing holds nothing that this format can show");
+  if (drive_all_vain(e) && !e->backend->verbatim) return drive_nothing(e);
   if (!drive_bounds(e)) return false;
   drive_reset(e);
   if (!e->backend->begin(e)) return false;
   if (e->backend->solid != NULL) {
     vs_solid mesh = { .part_count = 0 };
-    bool ok = vs_lower_scene(e, &mesh) && drive_settle(e, &mesh.mesh) && e->backend->solid(e, &mesh);
+    bool ok = vs_lower_scene(e, &mesh) && (mesh.mesh.triangle_count > 0 || drive_nothing(e)) && drive_settle(e, &mesh.mesh) && e->backend->solid(e, &mesh);
     vs_solid_free(&mesh);
     return ok && e->backend->end(e);
   }
   if (e->backend->copies != NULL) {
     vs_solid_copies parts = { .part_count = 0 };
-    bool ok = vs_lower_copies(e, &parts);
+    bool ok = vs_lower_copies(e, &parts) && (parts.meshes.copy_count > 0 || drive_nothing(e));
     for (size_t i = 0; ok && i < parts.meshes.mesh_count; i++) ok = drive_settle(e, &parts.meshes.meshes[i]);
     ok = ok && e->backend->copies(e, &parts);
     vs_solid_copies_free(&parts);

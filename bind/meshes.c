@@ -42,7 +42,7 @@ static vs_status inspect(vs_frame *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *
   if (!vs_mesh_reserve(mesh, d->points->count, 2 * (size_t)d->faces->corner_count) || !(mesh->tags = calloc(mesh->triangle_room ? mesh->triangle_room : 1, sizeof *mesh->tags)) ||
       !vs_solid_polyface(mesh, d->points, d->faces))
     return vs_fail_memory(f->vm);
-  *flaws = (vs_mesh_flaws){ 0 };
+  *flaws = (vs_mesh_flaws){ .most = 1 };
   *flawless = true;
   if (is_convex(mesh)) return VS_OK;
   vs_cache *cache = vs_store_cache(f->bind->store);
@@ -169,7 +169,10 @@ static vs_status polyface(vs_frame *f, const vs_vec3 *at, size_t points, const u
     vs_status ok = inspect(f, n, &mesh, &flaws, &flawless);
     if (ok && !flawless) ok = refuse_flaws(f, "", &mesh, &flaws);
     vs_mesh_free(&mesh);
-    if (!ok) return vs_node_release(n), VS_ERROR;
+    bool nothing = flawless && flaws.most < 1;
+    if (!ok || nothing) vs_node_release(n);
+    if (!ok) return VS_ERROR;
+    if (nothing) return vs_bind_empty(f, "the faces enclose nothing", out);
   }
   return finished(f, n, out);
 }

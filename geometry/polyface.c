@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "geometry/solids.h"
+#include "model/disjoint.h"
 
 /* ---- equal points ---- */
 
@@ -150,6 +151,27 @@ static bool vs_polyface_agree(vs_store *s, vs_agreement *g, size_t points, const
   return true;
 }
 
+/* Does no shell of it enclose anything: sheets back to back? Shells that only cancel each other out do. least: what counts as nothing. False: out of memory. */
+static bool vs_mesh_is_flat(const vs_mesh *m, double least, bool *flat) {
+  uint32_t n = (uint32_t)m->vertex_count, *shell = malloc(((size_t)n + 1) * sizeof *shell);
+  double *volume = calloc((size_t)n + 1, sizeof *volume);
+  bool ok = shell && volume;
+  *flat = true;
+  if (ok) vs_disjoint(shell, n);
+  for (size_t t = 0; ok && t < m->triangle_count; t++)
+    for (int j = 1; j < 3; j++) vs_unite(shell, m->triangles[t][0], m->triangles[t][j]);
+  for (size_t t = 0; ok && t < m->triangle_count; t++) {
+    const uint32_t *v = m->triangles[t];
+    uint32_t root = vs_find(shell, v[0]);
+    vs_vec3 o = m->vertices[root];
+    volume[root] += vs_v3_dot(vs_v3_sub(m->vertices[v[0]], o), vs_v3_cross(vs_v3_sub(m->vertices[v[1]], o), vs_v3_sub(m->vertices[v[2]], o))) / 6;
+  }
+  for (uint32_t v = 0; ok && v < n && *flat; v++) *flat = fabs(volume[v]) <= least;
+  free(shell);
+  free(volume);
+  return ok;
+}
+
 bool vs_polyface_orient(vs_store *s, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, unsigned char *turned, bool *closed, vs_error *e) {
   vs_agreement g = { 0 };
   bool ok = vs_polyface_agree(s, &g, points, starts, face_count, corners, closed, e);
@@ -211,7 +233,9 @@ vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, cons
     if (!vs_store_going(s, (uint32_t)kept_corners, &why)) goto done;
     vs_bounds b = vs_mesh_bounds(&mesh);
     double d = vs_bounds_diagonal(&b);
-    if (fabs(volume) <= 1e-14 * d * d * d) closed = false; /* two sheets back to back */
+    bool flat = false;
+    if (fabs(volume) <= 1e-14 * d * d * d && !vs_mesh_is_flat(&mesh, 1e-14 * d * d * d, &flat)) goto done;
+    if (flat) closed = false;
     if (volume >= 0 || !closed) break;
   }
   struct vs_polyface_mesh data = { .points = at, .faces = faces, .closed = closed };

@@ -118,6 +118,11 @@
 ; boxes sharing a face, kept
 (try (make-polyface-mesh (append (cube 0 1) (cube 1 1)) (append faces (further 8 faces)))) ; expect: (solid 2.0)
 (try (make-polyface-mesh (append (cube 0 1) (cube 1 1)) (append faces (further 8 faces)) #:repair #t)) ; expect: (solid 2.0)
+; of one size, apart, one of them inside out
+(try (make-polyface-mesh (append (cube 0 1) (cube 3 1)) (append faces (further 8 (map reverse faces))))) ; expect: make-polyface-mesh: the faces are inside out in part: at face 7, near (xyz 3.5 0.4871 0) and at 5 places more; #:repair #t makes one solid of them
+(try (make-polyface-mesh (append (cube 0 1) (cube 3 1)) (append faces (further 8 (map reverse faces))) #:repair #t)) ; expect: (solid 2.0)
+; the same all but in one place
+(try (make-polyface-mesh (append (cube 0 1) (cube 1e-9 1)) (append faces (further 8 (map reverse faces))))) ; expect: (empty 0)
 ; boxes overlapping coplanar
 (try (make-polyface-mesh (append (cube 0 1) (cube .5 1)) (append faces (further 8 faces)))) ; expect: make-polyface-mesh: the faces cross or overlap: at face 1, near (xyz 0.75 0.4871 0) and at 5 places more; #:repair #t makes one solid of them
 (try (make-polyface-mesh (append (cube 0 1) (cube .5 1)) (append faces (further 8 faces)) #:repair #t)) ; expect: (solid 1.5)
