@@ -79,10 +79,15 @@ static int by_value(const void *a, const void *b) {
 }
 
 /* The tree's size, and how many different values stand in it, told apart by their hashes of 64 bits. */
+/* Lone leaves have no number in the order: each is one node, in one place. */
 static bool count_nodes(const vs_scene *scene, double *all, double *distinct, vs_error *e) {
   vs_order order = { .store = scene->store };
   if (!vs_order_make(&order, scene->drawn, scene->drawn_count, e)) return false;
-  uint64_t *hashes = malloc((order.count + 1) * sizeof *hashes);
+  size_t lone = 0, count = order.count;
+  for (size_t i = 0; i < order.count; i++)
+    for (uint32_t k = 0; k < order.at[i].node->child_count; k++) lone += !vs_order_has(&order, order.at[i].node->children[k].node);
+  for (size_t i = 0; i < scene->drawn_count; i++) lone += !vs_order_has(&order, scene->drawn[i].node);
+  uint64_t *hashes = malloc((order.count + lone + 1) * sizeof *hashes);
   double *sizes = malloc((order.count + 1) * sizeof *sizes);
   bool ok = hashes && sizes;
   *all = *distinct = 0;
@@ -90,11 +95,19 @@ static bool count_nodes(const vs_scene *scene, double *all, double *distinct, vs
     const vs_node *n = order.at[i].node;
     hashes[i] = n->hash;
     sizes[i] = 1;
-    for (uint32_t k = 0; k < n->child_count; k++) sizes[i] += sizes[vs_order_of(n->children[k].node)];
+    for (uint32_t k = 0; k < n->child_count; k++) {
+      const vs_node *child = n->children[k].node;
+      if (vs_order_has(&order, child)) sizes[i] += sizes[vs_order_of(child)];
+      else sizes[i]++, hashes[count++] = child->hash;
+    }
   }
-  for (size_t i = 0; ok && i < scene->drawn_count; i++) *all += sizes[vs_order_of(scene->drawn[i].node)];
-  if (ok && order.count) qsort(hashes, order.count, sizeof *hashes, by_value);
-  for (size_t i = 0; ok && i < order.count; i++) *distinct += i == 0 || hashes[i] != hashes[i - 1];
+  for (size_t i = 0; ok && i < scene->drawn_count; i++) {
+    const vs_node *root = scene->drawn[i].node;
+    if (vs_order_has(&order, root)) *all += sizes[vs_order_of(root)];
+    else ++*all, hashes[count++] = root->hash;
+  }
+  if (ok && count) qsort(hashes, count, sizeof *hashes, by_value);
+  for (size_t i = 0; ok && i < count; i++) *distinct += i == 0 || hashes[i] != hashes[i - 1];
   free(hashes);
   free(sizes);
   vs_order_free(&order);

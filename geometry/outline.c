@@ -41,6 +41,25 @@ static bool vs_outline_loop_holds(const vs_affine *frame, const vs_polyline *p, 
   return inside;
 }
 
+typedef struct { double low[2], high[2]; } vs_loop_box; /* in the plane */
+
+static vs_loop_box vs_outline_box(const vs_affine *frame, const vs_polyline *p) {
+  vs_loop_box b = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
+  for (int k = 0; k < 2; k++) {
+    vs_vec3 x = { frame->m[0][k], frame->m[1][k], frame->m[2][k] };
+    for (size_t i = 0; i < p->count; i++) {
+      double u = vs_v3_dot(p->at[i], x);
+      b.low[k] = fmin(b.low[k], u);
+      b.high[k] = fmax(b.high[k], u);
+    }
+  }
+  return b;
+}
+
+static bool vs_outline_apart(const vs_loop_box *a, const vs_loop_box *b) {
+  return a->high[0] < b->low[0] || b->high[0] < a->low[0] || a->high[1] < b->low[1] || b->high[1] < a->low[1];
+}
+
 /* Does loop p hold loop q? They do not cross but may touch: so the middles of q's edges vote, thirty of them at most. */
 static bool vs_outline_loop_in(const vs_affine *frame, const vs_polyline *p, const vs_polyline *q) {
   size_t step = q->count / 30 + 1, votes = 0, asked = 0;
@@ -69,14 +88,16 @@ static bool vs_outline_nest(vs_outline *o) {
   size_t n = o->count, done = 0;
   size_t *depth = calloc(n, sizeof *depth), *parent = malloc(n * sizeof *parent);
   vs_polyline *sorted = malloc(n * sizeof *sorted);
+  vs_loop_box *box = malloc(n * sizeof *box); /* most loops of a perforated sheet are plainly apart */
   o->hole = calloc(n, sizeof *o->hole);
-  bool ok = depth && parent && sorted && o->hole;
+  bool ok = depth && parent && sorted && box && o->hole;
+  for (size_t i = 0; ok && i < n; i++) box[i] = vs_outline_box(&o->frame, &o->loops[i]);
   for (size_t i = 0; ok && i < n; i++)
-    for (size_t j = 0; j < n; j++) depth[i] += i != j && vs_outline_loop_in(&o->frame, &o->loops[j], &o->loops[i]);
+    for (size_t j = 0; j < n; j++) depth[i] += i != j && !vs_outline_apart(&box[i], &box[j]) && vs_outline_loop_in(&o->frame, &o->loops[j], &o->loops[i]);
   for (size_t i = 0; ok && i < n; i++) {
     parent[i] = i;
     for (size_t j = 0; j < n && depth[i] % 2; j++)
-      if (depth[j] + 1 == depth[i] && vs_outline_loop_in(&o->frame, &o->loops[j], &o->loops[i])) parent[i] = j;
+      if (depth[j] + 1 == depth[i] && !vs_outline_apart(&box[i], &box[j]) && vs_outline_loop_in(&o->frame, &o->loops[j], &o->loops[i])) parent[i] = j;
   }
   for (size_t i = 0; ok && i < n; i++) {
     if (depth[i] % 2) continue;
@@ -97,6 +118,7 @@ static bool vs_outline_nest(vs_outline *o) {
   free(depth);
   free(parent);
   free(sorted);
+  free(box);
   return ok;
 }
 

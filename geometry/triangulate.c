@@ -4,42 +4,108 @@
  * sees it, which is walked both ways. An ear is a convex corner whose triangle holds no other corner, borders included: so a corner
  * in the middle of a straight edge never ends up inside another triangle's side. After an ear the next corner is passed over, so that
  * a circle is halved again and again instead of becoming a fan of splinters. Where rounding or a crossing loop leaves no ear, the
- * most convex corner is cut all the same: the boundary stays right, which is what closedness needs. */
+ * most convex corner is cut all the same: the boundary stays right, which is what closedness needs.
+ *
+ * Rings of many thousand corners are ordinary: perforated sheets, maps, text. So reflex corners, the only ones that can be inside an ear and
+ * nearest to it, stand in a tree; and a corner whose triangle holds one waits for that one: it is no ear before the other is cut or convex.
+ * What is left to try is a set of places along the ring. */
 #include "geometry/triangulate.h"
 
 #include <stdlib.h>
 
-typedef struct { size_t point, next, prev; bool reflex; } vs_corner;
+#include "geometry/marks.h"
+#include "geometry/point_tree.h"
+
+static const size_t none = SIZE_MAX;
+
+typedef struct { uint32_t point, next, prev; } vs_corner; /* walked round for every hole: kept small */
+typedef struct {
+  size_t place;             /* along the ring, from corner 0 on, before anything was cut */
+  size_t awaited;           /* the reflex corner in this one's triangle, or none */
+  size_t waiting;           /* the first of the corners that wait for this one, linked by later and earlier */
+  size_t later, earlier;
+} vs_ear;
 typedef struct {
   const vs_vec2 *at;
   vs_corner *corners;
+  vs_ear *ears; /* what else is known of each corner */
   size_t count;
+  size_t *by_place;  /* corners along the ring */
+  size_t *points;    /* the corners' */
+  vs_point_tree tree; /* of corners; those are on that are in the ring and reflex */
+  vs_marks open;     /* places of corners that may be ears */
   double flat; /* twice the area under which a triangle counts as none */
 } vs_ring;
 
-static double vs_ring_turn(const vs_ring *r, size_t a, size_t b, size_t c) { /* twice the signed area */
-  vs_vec2 p = r->at[r->corners[a].point], q = r->at[r->corners[b].point], s = r->at[r->corners[c].point];
-  return (q.x - p.x) * (s.y - p.y) - (q.y - p.y) * (s.x - p.x);
+static vs_vec2 vs_ring_at(const vs_ring *r, size_t c) { return r->at[r->corners[c].point]; }
+
+static double vs_ring_turn(const vs_ring *r, size_t a, size_t b, size_t c) { return vs_vec2_turn(vs_ring_at(r, a), vs_ring_at(r, b), vs_ring_at(r, c)); }
+
+/* ---- waiting ---- */
+
+static void vs_ring_wait(vs_ring *r, size_t c, size_t on) {
+  vs_ear *k = &r->ears[c], *other = &r->ears[on];
+  k->awaited = on;
+  k->earlier = none;
+  k->later = other->waiting;
+  if (k->later != none) r->ears[k->later].earlier = c;
+  other->waiting = c;
+  vs_marks_set(&r->open, k->place, false);
 }
 
-static bool vs_ring_same_place(const vs_ring *r, size_t a, size_t b) {
-  vs_vec2 p = r->at[r->corners[a].point], q = r->at[r->corners[b].point];
-  return p.x == q.x && p.y == q.y;
+static void vs_ring_wait_no_more(vs_ring *r, size_t c) {
+  vs_ear *k = &r->ears[c];
+  if (k->awaited == none) return;
+  if (k->later != none) r->ears[k->later].earlier = k->earlier;
+  if (k->earlier != none) r->ears[k->earlier].later = k->later;
+  else r->ears[k->awaited].waiting = k->later;
+  k->awaited = none;
 }
 
-static void vs_ring_look(vs_ring *r, size_t c) {
-  r->corners[c].reflex = vs_ring_turn(r, r->corners[c].prev, c, r->corners[c].next) <= r->flat;
-}
-
-static bool vs_ring_is_ear(const vs_ring *r, size_t b) {
-  if (r->corners[b].reflex) return false;
-  size_t a = r->corners[b].prev, c = r->corners[b].next;
-  for (size_t p = r->corners[c].next; p != a; p = r->corners[p].next) {
-    if (!r->corners[p].reflex) continue; /* the nearest corner inside, if there is one, is not convex */
-    if (vs_ring_same_place(r, p, a) || vs_ring_same_place(r, p, b) || vs_ring_same_place(r, p, c)) continue;
-    if (vs_ring_turn(r, a, b, p) >= -r->flat && vs_ring_turn(r, b, c, p) >= -r->flat && vs_ring_turn(r, c, a, p) >= -r->flat) return false;
+static void vs_ring_release(vs_ring *r, size_t c) { /* all that wait for c */
+  for (size_t w = r->ears[c].waiting; w != none; w = r->ears[c].waiting) {
+    vs_ring_wait_no_more(r, w);
+    vs_marks_set(&r->open, r->ears[w].place, true);
   }
-  return true;
+}
+
+/* ---- ears ---- */
+
+static void vs_ring_look(vs_ring *r, size_t c) { /* c or a neighbour is new */
+  bool reflex = vs_ring_turn(r, r->corners[c].prev, c, r->corners[c].next) <= r->flat;
+  vs_ring_wait_no_more(r, c);
+  if (!reflex) vs_ring_release(r, c);
+  vs_point_tree_switch(&r->tree, c, reflex);
+  vs_marks_set(&r->open, r->ears[c].place, !reflex);
+}
+
+/* an open corner; where it is no ear it waits */
+static bool vs_ring_is_ear(vs_ring *r, size_t b) {
+  size_t inside = vs_point_tree_in(&r->tree, vs_ring_at(r, r->corners[b].prev), vs_ring_at(r, b), vs_ring_at(r, r->corners[b].next), r->flat);
+  if (inside != SIZE_MAX) vs_ring_wait(r, b, inside);
+  return inside == SIZE_MAX;
+}
+
+/* The first ear along the ring from `at` on, round to it again; none: there is no ear. */
+static size_t vs_ring_next_ear(vs_ring *r, size_t at) {
+  size_t place = r->ears[at].place, end = none;
+  for (int turn = 0; turn < 2; turn++, end = place) {
+    for (size_t p = vs_marks_next(&r->open, turn ? 0 : place); p != SIZE_MAX && (turn == 0 || p < end); p = vs_marks_next(&r->open, p + 1))
+      if (vs_ring_is_ear(r, r->by_place[p])) return r->by_place[p];
+  }
+  return none;
+}
+
+static void vs_ring_cut(vs_ring *r, size_t ear) {
+  uint32_t prev = r->corners[ear].prev, next = r->corners[ear].next;
+  vs_ring_wait_no_more(r, ear);
+  vs_point_tree_switch(&r->tree, ear, false);
+  vs_marks_set(&r->open, r->ears[ear].place, false);
+  r->corners[prev].next = next;
+  r->corners[next].prev = prev;
+  vs_ring_release(r, ear);
+  vs_ring_look(r, prev);
+  vs_ring_look(r, next);
 }
 
 /* A corner of the ring that the hole's leftmost corner can be joined to: shoot a ray to -x, take the edge it meets first, and of that
@@ -95,11 +161,11 @@ static size_t vs_ring_bridge(const vs_ring *r, size_t start, size_t hole) {
 
 /* ring corner a -> hole corner b -> round the hole -> copy of b -> copy of a -> on */
 static void vs_ring_splice(vs_ring *r, size_t a, size_t b) {
-  size_t a2 = r->count++, b2 = r->count++, after = r->corners[a].next, last = r->corners[b].prev;
-  r->corners[a2] = (vs_corner){ r->corners[a].point, after, b2, false };
-  r->corners[b2] = (vs_corner){ r->corners[b].point, a2, last, false };
-  r->corners[a].next = b;
-  r->corners[b].prev = a;
+  uint32_t a2 = (uint32_t)r->count++, b2 = (uint32_t)r->count++, after = r->corners[a].next, last = r->corners[b].prev;
+  r->corners[a2] = (vs_corner){ r->corners[a].point, after, b2 };
+  r->corners[b2] = (vs_corner){ r->corners[b].point, a2, last };
+  r->corners[a].next = (uint32_t)b;
+  r->corners[b].prev = (uint32_t)a;
   r->corners[after].prev = a2;
   r->corners[last].next = b2;
 }
@@ -113,13 +179,10 @@ static int vs_hole_compare(const void *a, const void *b) {
 }
 
 static bool vs_ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const uint32_t *index, bool turned) {
-  size_t at = start, tried = 0;
-  while (left >= 3) {
-    size_t ear = at;
-    if (!vs_ring_is_ear(r, at)) {
-      at = r->corners[at].next;
-      if (++tried < left) continue;
-      double best = -INFINITY; /* no ear left: the corner of largest area goes */
+  for (size_t at = start; left >= 3; left--) {
+    size_t ear = vs_ring_next_ear(r, at);
+    if (ear == none) { /* the corner of largest area goes */
+      double best = -INFINITY;
       size_t i = at;
       do {
         double turn = vs_ring_turn(r, r->corners[i].prev, i, r->corners[i].next);
@@ -129,18 +192,28 @@ static bool vs_ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, cons
         }
         i = r->corners[i].next;
       } while (i != at);
+      if (ear == none) ear = at; /* not a number */
     }
     size_t prev = r->corners[ear].prev, next = r->corners[ear].next;
     uint32_t a = index[r->corners[prev].point], b = index[r->corners[ear].point], c = index[r->corners[next].point];
     if (a != b && b != c && c != a && !vs_mesh_add_triangle(m, a, turned ? c : b, turned ? b : c)) return false;
-    r->corners[prev].next = next;
-    r->corners[next].prev = prev;
-    vs_ring_look(r, prev);
-    vs_ring_look(r, next);
-    left--;
-    tried = 0;
+    vs_ring_cut(r, ear);
     at = r->corners[next].next;
   }
+  return true;
+}
+
+/* Along the ring: where each corner is, and which may be ears. */
+static bool vs_ring_begin(vs_ring *r, size_t total, size_t size) {
+  for (size_t i = 0; i < r->count; i++) r->points[i] = i < total ? i : r->corners[i].point; /* loops that were left out have none */
+  if (!vs_point_tree_make(&r->tree, r->at, r->points, r->count) || !vs_marks_make(&r->open, size)) return false;
+  size_t c = 0;
+  for (size_t place = 0; place < size; place++, c = r->corners[c].next) {
+    r->ears[c].place = place;
+    r->ears[c].awaited = r->ears[c].waiting = none;
+    r->by_place[place] = c;
+  }
+  for (size_t place = 0; place < size; place++) vs_ring_look(r, r->by_place[place]);
   return true;
 }
 
@@ -150,16 +223,21 @@ bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, v
   for (size_t l = 0; l < loop_count; l++) total += sizes[l];
   for (size_t i = 1; i < total; i++) extent = fmax(extent, fmax(fabs(at[i].x - at[0].x), fabs(at[i].y - at[0].y)));
   if (loop_count == 0 || sizes[0] < 3) return true;
-  vs_ring r = { at, NULL, 0, 1e-14 * extent * extent };
-  r.corners = malloc((total + 2 * loop_count) * sizeof *r.corners);
+  size_t most = total + 2 * loop_count;
+  if (most > UINT32_MAX) return false; /* a mesh has no more vertices */
+  vs_ring r = { .at = at, .flat = 1e-14 * extent * extent };
+  r.corners = malloc(most * sizeof *r.corners);
+  r.ears = malloc(most * sizeof *r.ears);
+  r.by_place = malloc(2 * most * sizeof *r.by_place);
+  r.points = r.by_place + (r.by_place ? most : 0);
   vs_hole *holes = malloc(loop_count * sizeof *holes);
-  bool ok = r.corners && holes;
+  bool ok = r.corners && r.ears && r.by_place && holes;
   size_t hole_count = 0, ring_size = sizes[0];
   for (size_t l = 0, first = 0; ok && l < loop_count; first += sizes[l], l++) {
     size_t n = sizes[l], leftmost = first;
     if (l && n < 3) continue;
     for (size_t i = 0; i < n; i++) {
-      r.corners[first + i] = (vs_corner){ first + i, first + (i + 1) % n, first + (i + n - 1) % n, false };
+      r.corners[first + i] = (vs_corner){ (uint32_t)(first + i), (uint32_t)(first + (i + 1) % n), (uint32_t)(first + (i + n - 1) % n) };
       if (at[first + i].x < at[leftmost].x || (at[first + i].x == at[leftmost].x && at[first + i].y < at[leftmost].y)) leftmost = first + i;
     }
     if (l) holes[hole_count++] = (vs_hole){ leftmost, at[leftmost] };
@@ -169,14 +247,14 @@ bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, v
   if (ok) {
     qsort(holes, hole_count, sizeof *holes, vs_hole_compare);
     for (size_t i = 0; i < hole_count; i++) vs_ring_splice(&r, vs_ring_bridge(&r, 0, holes[i].corner), holes[i].corner);
-    size_t c = 0;
-    do {
-      vs_ring_look(&r, c);
-      c = r.corners[c].next;
-    } while (c != 0);
-    ok = vs_ring_clip(&r, 0, ring_size, m, index, turned);
+    ok = vs_ring_begin(&r, total, ring_size);
+    ok = ok && vs_ring_clip(&r, 0, ring_size, m, index, turned);
   }
+  vs_point_tree_free(&r.tree);
+  vs_marks_free(&r.open);
   free(holes);
+  free(r.by_place);
+  free(r.ears);
   free(r.corners);
   return ok;
 }

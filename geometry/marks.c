@@ -1,0 +1,51 @@
+/* Owns sets of small numbers as words of bits, under them words that say which words are not empty, and so on up to one word. */
+#include "geometry/marks.h"
+
+#include <stdlib.h>
+
+bool vs_marks_make(vs_marks *m, size_t count) {
+  size_t words = 0, n = count;
+  *m = (vs_marks){ .levels = 0 };
+  do {
+    n = n / 64 + 1;
+    words += n;
+    m->levels++;
+  } while (n > 1);
+  uint64_t *at = calloc(words, sizeof *at);
+  if (!at) return false;
+  n = count;
+  for (int k = 0; k < m->levels; k++) {
+    n = n / 64 + 1;
+    m->level[k] = at;
+    at += n;
+  }
+  return true;
+}
+
+void vs_marks_free(vs_marks *m) {
+  free(m->level[0]);
+  *m = (vs_marks){ .levels = 0 };
+}
+
+void vs_marks_set(vs_marks *m, size_t i, bool in) {
+  for (int k = 0; k < m->levels; k++, i /= 64) {
+    uint64_t *word = &m->level[k][i / 64], bit = UINT64_C(1) << i % 64;
+    if (in) *word |= bit;
+    else if ((*word &= ~bit) != 0) return; /* the word has others: above nothing changes */
+  }
+}
+
+static int marks_first(uint64_t word) { return __builtin_ctzll(word); }
+
+/* No level is left by i: each has a word more than it needs. */
+size_t vs_marks_next(const vs_marks *m, size_t from) {
+  size_t i = from;
+  for (int k = 0; k < m->levels; k++, i = i / 64 + 1) { /* up: is there one from i on in its word? */
+    uint64_t rest = m->level[k][i / 64] & ~UINT64_C(0) << i % 64;
+    if (rest == 0) continue;
+    i = i / 64 * 64 + (size_t)marks_first(rest);
+    while (k-- > 0) i = i * 64 + (size_t)marks_first(m->level[k][i]); /* down: to the first in it */
+    return i;
+  }
+  return SIZE_MAX;
+}
