@@ -196,6 +196,7 @@ vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, cons
     vs_error_memory(&why, NULL);
     goto done;
   }
+  if (!vs_store_going(s, (uint32_t)corner_count, &why)) goto done;
   new_starts[0] = 0;
   for (size_t f = 0; f < face_count; f++) {
     size_t begin = kept_corners;

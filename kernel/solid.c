@@ -146,6 +146,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fac
     *number = (uint32_t)i - 1;
     return true;
   }
+  if (!vs_kernel_report(&b->k, 0)) return false; /* one shape may have a million triangles */
   *mesh = calloc(1, sizeof **mesh);
   if (!*mesh) return vs_error_memory(b->error, NULL);
   if (!VS_PUSH(&b->k, b->meshes, ((meshed){ ref->node, *facets, *mesh, NULL, *bucket, at->scope_node, at->local }))) {

@@ -283,5 +283,6 @@ bool vs_gltf_write(vs_emitter *e) {
   return ok;
 }
 
+/* No .numbers: they are 32-bit, but every shape lies about its own middle, and a vertex stands once for each normal, so that there is no mesh to be settled: .glb is for looking at. */
 const vs_backend vs_backend_glb = { .begin = vs_gltf_open, .end = vs_gltf_write, .close = vs_gltf_close,
                                     .emit = { VS_EMIT_SHAPES(vs_gltf_leaf, vs_gltf_line, vs_gltf_through, vs_gltf_boolean) } };
