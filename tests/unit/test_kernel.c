@@ -240,21 +240,6 @@ static void test_against_oracle(void **state) {
   assert_true(solid > 12);
 }
 
-static void test_cubes_become_one(void **state) {
-  (void)state;
-  static const char *const turns[] = { "(union", "(rotate 33 21 17", "(rotate 0 90 45" };
-  for (int turned = 0; turned < 3; turned++) {
-    char text[32768] = "";
-    int n = snprintf(text, sizeof text, "(union ");
-    for (int i = 0; i < 216; i++)
-      n += snprintf(text + n, sizeof text - (size_t)n, "%s (translate %d %d %d (box 1 1 1)))", turns[turned], i % 6, i / 6 % 6, i / 36);
-    snprintf(text + n, sizeof text - (size_t)n, ")");
-    size_t triangles;
-    near(volume_of(text, &triangles), 216, 1e-12);
-    assert_int_equal(triangles, 12);
-  }
-}
-
 static void test_equal_turns_written_differently(void **state) {
   (void)state;
   size_t triangles;
@@ -306,6 +291,64 @@ static void check_manifold(const vs_mesh *m) {
   }
   free(degree);
   free(edges);
+}
+
+/* 16^3 unit cubes that share faces are one box, an L, or two halves of their own tags, with the least triangles there are and no other vertex than the corners. */
+static void test_cubes_become_one(void **state) {
+  (void)state;
+  enum { SIDE = 16, ALL = SIDE * SIDE * SIDE };
+  enum { BOX, ELL, HALVES, SHAPES };
+  static const struct { double volume; size_t triangles, vertices, tagged[2]; } want[SHAPES] = {
+    [BOX] = { 4096, 12, 8, { 12, 0 } },
+    [ELL] = { 3072, 20, 12, { 20, 0 } },      /* an L of 6 corners: 2 ends of 6 - 2, 6 sides of 2 */
+    [HALVES] = { 4096, 20, 12, { 10, 10 } },  /* each half: an end and 4 sides of 2; what they share is inside */
+  };
+  const vs_affine turns[] = { vs_affine_identity(), vs_affine_rotation(vs_v3(0, 0, 0), vs_v3(0, 0, 1), .5), vs_affine_rotation(vs_v3(.3, -7, 2), vs_v3(1, 2.3, -.7), .6180339) };
+  vs_mesh cube = { 0 };
+  double size[3] = { 1, 1, 1 };
+  make(&cube, "box", size);
+  vs_kernel_leaf *leaves = calloc(ALL, sizeof *leaves);
+  vs_kernel_term *terms = calloc(ALL + 1, sizeof *terms);
+  uint32_t *operands = calloc(ALL, sizeof *operands);
+  assert_true(leaves && terms && operands);
+  for (int shape = 0; shape < SHAPES; shape++)
+    for (size_t turn = 0; turn < sizeof turns / sizeof *turns; turn++) {
+      uint32_t n = 0;
+      for (int i = 0; i < ALL; i++) {
+        int x = i % SIDE, y = i / SIDE % SIDE, z = i / SIDE / SIDE;
+        if (shape == ELL && x >= SIDE / 2 && y >= SIDE / 2) continue;
+        vs_affine at = vs_affine_translation(vs_v3(x, y, z));
+        leaves[n] = (vs_kernel_leaf){ &cube, vs_affine_multiply(&turns[turn], &at), shape == HALVES && x >= SIDE / 2, false };
+        terms[n] = (vs_kernel_term){ VS_TERM_LEAF, n, 0 };
+        operands[n] = n;
+        n++;
+      }
+      terms[n] = (vs_kernel_term){ VS_TERM_UNION, 0, n };
+      vs_kernel_problem p = { leaves, terms, operands, n, n + 1, n, NULL, NULL, NULL };
+      vs_mesh m = { 0 };
+      vs_kernel_error e;
+      if (!vs_kernel_evaluate(&p, NULL, &m, &e)) fail_msg("%s", e.message);
+      check_manifold(&m);
+      near(vs_mesh_volume(&m), want[shape].volume, 1e-9);
+      assert_int_equal(m.triangle_count, want[shape].triangles);
+      assert_int_equal(m.vertex_count, want[shape].vertices);
+      size_t tagged[2] = { 0 };
+      for (size_t i = 0; i < m.triangle_count; i++) {
+        vs_vec3 v[3];
+        double longest = 0;
+        for (int k = 0; k < 3; k++) v[k] = m.vertices[m.triangles[i][k]];
+        for (int k = 0; k < 3; k++) longest = fmax(longest, vs_v3_length(vs_v3_sub(v[k], v[(k + 1) % 3])));
+        assert_true(vs_v3_length(vs_v3_cross(vs_v3_sub(v[1], v[0]), vs_v3_sub(v[2], v[0]))) > 2 * longest); /* higher than 2: no sliver */
+        assert_true(m.tags[i] < 2);
+        tagged[m.tags[i]]++;
+      }
+      assert_memory_equal(tagged, want[shape].tagged, sizeof tagged);
+      vs_mesh_free(&m);
+    }
+  vs_mesh_free(&cube);
+  free(leaves);
+  free(terms);
+  free(operands);
 }
 
 static void test_touching_is_split(void **state) {
