@@ -1,10 +1,11 @@
 /* Owns the random trees that the kernel is held against: boxes, cylinders, cones, spheres and tori, nested, turned, flush and off the grid.
  *
- * usage: fuzz [-v] [-s FIRST_SEED] [COUNT]
+ * usage: fuzz [-v] [-s FIRST_SEED] [COUNT]; fuzz -p cell|turned|spelt SEED
  * For two trees a and b of each seed: every result is closed, wound around once, meets itself nowhere (tests/tools/crossings.h: as doubles, as 12 digits, as
  * 32-bit numbers), and is the same for one thread and three; and the volumes agree with
  * |a u b| = |a| + |b| - |a n b|, |a - b| = |a| - |a n b|, a - (a - b) = a n b, a - a = 0, a u a = a, and De Morgan's law inside a box around both. Trees
- * of boxes alone are counted cell by cell as well. Ends with the number of seeds that failed, and says which. */
+ * of boxes alone are counted cell by cell as well. Ends with the number of seeds that failed, and says which.
+ * -p prints one of these as a program in the language, which stands after bench/kernel/suite.vs. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -233,11 +234,21 @@ static void expect(const char *what, const program *t, double a, double b, doubl
   complain(what, t, detail);
 }
 
+static void sow(uint64_t seed) {
+  state = seed * 0x9e3779b97f4a7c15u + 0x2545f4914f6cdd1du;
+  for (int i = 0; i < 8; i++) any(2);
+}
+
+static double count_of(const cells *c) {
+  double count = 0;
+  for (int i = 0; i < CELLS * CELLS * CELLS; i++) count += ((const uint8_t *)c->in)[i];
+  return count;
+}
+
 static void one(uint64_t seed) {
   static program a, b, t; /* a test program may */
   static cells ca, cb;
-  state = seed * 0x9e3779b97f4a7c15u + 0x2545f4914f6cdd1du;
-  for (int i = 0; i < 8; i++) any(2);
+  sow(seed);
   seed_kind k = (seed_kind)any(KINDS);
   a.count = b.count = 0;
   add_tree(&a, k, 1 + (int)any(3), &ca);
@@ -248,13 +259,9 @@ static void one(uint64_t seed) {
   double va = V("a", "%s", a.at), vb = V("b", "%s", b.at), both = V("a u b", "(union %s %s)", a.at, b.at);
   double tolerance = (k == CELL ? 1e-9 : 1e-6) * fmax(1, va + vb);
   if (k <= SPELT) {
-    double count = 0;
-    for (int i = 0; i < CELLS * CELLS * CELLS; i++) count += ((uint8_t *)ca.in)[i];
-    expect("a", &a, va, count, tolerance);
+    expect("a", &a, va, count_of(&ca), tolerance);
     combine(&ca, &cb, 0);
-    count = 0;
-    for (int i = 0; i < CELLS * CELLS * CELLS; i++) count += ((uint8_t *)ca.in)[i];
-    expect("a u b", &t, both, count, tolerance);
+    expect("a u b", &t, both, count_of(&ca), tolerance);
   }
   double common = V("a n b", "(intersection %s %s)", a.at, b.at);
   expect("|a u b| = |a| + |b| - |a n b|", &t, both, va + vb - common, tolerance);
@@ -271,8 +278,28 @@ static void one(uint64_t seed) {
 }
 
 #ifndef FUZZ_AS_A_TEST
+/* One with cells to count: the first line has its volume and how far from it is right, and the program says so if its own is not. */
+static int print(const char *name, uint64_t seed) {
+  static const char *const names[] = { [CELL] = "cell", [TURNED] = "turned", [SPELT] = "spelt" };
+  static program t; /* a test program may */
+  static cells c;
+  int k = CELL;
+  while (k <= SPELT && strcmp(names[k], name) != 0) k++;
+  if (k > SPELT) return fprintf(stderr, "fuzz: there is no kind %s\n", name), 2;
+  sow(seed);
+  do {
+    t.count = 0;
+    add_tree(&t, (seed_kind)k, 4, &c);
+  } while (count_of(&c) == 0); /* an empty one cannot be written */
+  double right = k == CELL ? 1e-9 : 1e-6;
+  printf("; volume %g within %g\n(define o %s%s%s)\n", count_of(&c), right, k == TURNED ? "(rotate 33 21 17 " : "", t.at, k == TURNED ? ")" : "");
+  printf("(unless (<= (abs (- (volume o) %g)) %g) (printf \"volume ~a\\n\" (volume o)))\n(draw o)\n", count_of(&c), right * count_of(&c));
+  return 0;
+}
+
 int main(int argc, char **argv) {
   uint64_t first = 1, count = 100, bad = 0;
+  if (argc == 4 && !strcmp(argv[1], "-p")) return print(argv[2], strtoull(argv[3], NULL, 10));
   for (int i = 1; i < argc; i++) {
     if (!strcmp(argv[i], "-v")) verbose = true;
     else if (!strcmp(argv[i], "-s") && i + 1 < argc) first = strtoull(argv[++i], NULL, 10);

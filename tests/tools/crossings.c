@@ -1,6 +1,6 @@
 /* Owns the judgement whether written meshes meet themselves: binary .stl (32-bit corners) and .off (numbers as text).
  *
- * `crossings [-q] FILE...` prints a line a file: how many triangles, and how many faults of each kind there are (crossings.h), with the first of each; -q: only of
+ * `crossings [-q] FILE...` prints a line a file: how many triangles, what they enclose, and how many faults of each kind there are (crossings.h), with the first of each; -q: only of
  * files with faults. Also whether each edge, by place, is walked as often one way as the other. Ends with 1 when there are faults, 2 when a file cannot be read. */
 #include "stl.h"
 
@@ -76,6 +76,15 @@ static size_t open_edges(const soup *s) {
   return open;
 }
 
+static double volume(const soup *s) {
+  double six = 0;
+  for (size_t i = 0; i < s->count; i++) {
+    const double *a = s->points[s->triangles[i][0]], *b = s->points[s->triangles[i][1]], *c = s->points[s->triangles[i][2]];
+    six += a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return six / 6;
+}
+
 int main(int argc, char **argv) {
   bool quiet = argc > 1 && strcmp(argv[1], "-q") == 0;
   int status = 0;
@@ -90,7 +99,7 @@ int main(int argc, char **argv) {
     } else {
       size_t open = open_edges(&s), faults = open + crossings_sum(&found);
       if (!quiet || faults) {
-        printf("%s: %zu triangles", argv[i], s.count);
+        printf("%s: %zu triangles, volume %.12g", argv[i], s.count, volume(&s));
         if (open) printf(", %zu open", open);
         for (int k = 0; k < CROSSINGS_KINDS; k++) {
           if (!found.count[k]) continue;
