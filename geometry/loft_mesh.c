@@ -77,36 +77,55 @@ double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const v
 
 /* ---- lines of the wall ---- */
 
-/* Between lines that are not parallel the wall is a saddle, which two triangles miss by a quarter of its twist in the middle: it is cut into k
- * by k pieces, k * k as many as that is larger than the tolerance. */
-static double loft_saddle(const vs_loft *l, const vs_facets *f) {
+/* Between lines that are not parallel the wall is a saddle, which two triangles miss by a quarter of its twist in the middle. It is cut into k pieces from row to
+ * row, the same everywhere, and each edge of a section into as many as its own twist asks for then: the error falls by the product of both. Edges are as many
+ * as columns, in their order; open sections have one that is nobody's at each loop's end. k: 1 to 64. */
+static double loft_saddle(const vs_loft *l, const vs_facets *f, uint32_t *edges) {
+  enum { MOST = 64 };
   double most = 0;
   size_t pieces = l->joined ? l->rows : l->rows - 1, n = l->columns;
-  for (size_t i = 0; i < pieces; i++)
+  for (int pass = 0; pass < 2; pass++) { /* k; then the edges' */
+    double k = fmin(fmax(ceil(sqrt(most / f->tolerance) - 1e-9), 1), MOST);
+    if (pass && (f->segments > 0 || k == 1)) return 1;
     for (size_t loop = 0, first = 0; loop < l->loop_count; first += l->sizes[loop++])
-      for (size_t c = first; c + (l->round ? 0 : 1) < first + l->sizes[loop]; c++) {
-        size_t d = c + 1 == first + l->sizes[loop] ? first : c + 1, next = (i + 1) % l->rows;
-        vs_vec3 p = vs_v3_sub(l->at[i * n + d], l->at[i * n + c]), q = vs_v3_sub(l->at[next * n + c], l->at[i * n + c]), across = vs_v3_unit(vs_v3_cross(p, q));
-        vs_vec3 twist = vs_v3_sub(vs_v3_sub(l->at[next * n + d], l->at[next * n + c]), p);
-        most = fmax(most, fabs(vs_v3_dot(twist, across)) / 4); /* the part that leaves the plane */
+      for (size_t c = first; c < first + l->sizes[loop]; c++) {
+        size_t d = c + 1 == first + l->sizes[loop] ? first : c + 1;
+        double here = 0;
+        for (size_t i = 0; i < pieces && (l->round || d > c); i++) {
+          size_t next = (i + 1) % l->rows;
+          vs_vec3 p = vs_v3_sub(l->at[i * n + d], l->at[i * n + c]), q = vs_v3_sub(l->at[next * n + c], l->at[i * n + c]), across = vs_v3_unit(vs_v3_cross(p, q));
+          vs_vec3 twist = vs_v3_sub(vs_v3_sub(l->at[next * n + d], l->at[next * n + c]), p);
+          here = fmax(here, fabs(vs_v3_dot(twist, across)) / 4); /* the part that leaves the plane */
+        }
+        most = fmax(most, here);
+        edges[c] = (uint32_t)fmin(fmax(ceil(here / (f->tolerance * k) - 1e-9), 1), MOST);
       }
-  double k = f->segments > 0 ? 1 : ceil(sqrt(most / f->tolerance) - 1e-9);
-  return k < 1 ? 1 : k > 64 ? 64 : k;
+    if (pass) return k;
+  }
+  return 1;
 }
 
-static bool loft_refine_columns(vs_loft *l, size_t k) {
+static bool loft_refine_columns(vs_loft *l, const uint32_t *edges) {
   size_t columns = 0;
-  for (size_t loop = 0; loop < l->loop_count; loop++) columns += l->round ? l->sizes[loop] * k : (l->sizes[loop] - 1) * k + 1;
+  for (size_t loop = 0, first = 0; loop < l->loop_count; first += l->sizes[loop++])
+    for (size_t c = 0; c < l->sizes[loop]; c++) columns += !l->round && c + 1 == l->sizes[loop] ? 1 : edges[first + c];
   vs_vec3 *at = malloc((l->rows * columns + 1) * sizeof *at);
   if (!at) return false;
   for (size_t i = 0, to = 0; i < l->rows; i++)
-    for (size_t loop = 0, first = i * l->columns; loop < l->loop_count; first += l->sizes[loop++])
+    for (size_t loop = 0, first = 0; loop < l->loop_count; first += l->sizes[loop++])
       for (size_t c = 0; c < l->sizes[loop]; c++) {
         bool last = c + 1 == l->sizes[loop];
-        vs_vec3 p = l->at[first + c], q = l->at[last ? first : first + c + 1];
-        for (size_t j = 0; j < (last && !l->round ? 1 : k); j++) at[to++] = j ? vs_v3_add(p, vs_v3_scale(vs_v3_sub(q, p), (double)j / (double)k)) : p;
+        const vs_vec3 *row = l->at + i * l->columns;
+        vs_vec3 p = row[first + c], q = row[last ? first : first + c + 1];
+        uint32_t k = last && !l->round ? 1 : edges[first + c];
+        for (uint32_t j = 0; j < k; j++) at[to++] = j ? vs_v3_add(p, vs_v3_scale(vs_v3_sub(q, p), (double)j / (double)k)) : p;
       }
-  for (size_t loop = 0; loop < l->loop_count; loop++) l->sizes[loop] = l->round ? l->sizes[loop] * k : (l->sizes[loop] - 1) * k + 1;
+  for (size_t loop = 0, first = 0; loop < l->loop_count; loop++) {
+    size_t size = 0, was = l->sizes[loop];
+    for (size_t c = 0; c < was; c++) size += !l->round && c + 1 == was ? 1 : edges[first + c];
+    l->sizes[loop] = size;
+    first += was;
+  }
   free(l->at);
   l->at = at;
   l->columns = columns;
@@ -263,8 +282,10 @@ bool vs_loft_mesh(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *
   vs_loft_rows rows = { 0 };
   size_t first = out->triangle_count, count = n->kind == VS_GUIDED_LOFT ? (size_t)VS_AS(guided_loft, n)->section_count : n->child_count;
   if (!vs_loft_match(n, count, f, &l, e)) return false;
-  double k = loft_saddle(&l, f);
-  bool ok = k <= 1 || loft_refine_columns(&l, (size_t)k) || vs_error_memory(e, NULL);
+  uint32_t *edges = malloc((l.columns + 1) * sizeof *edges);
+  double k = edges ? loft_saddle(&l, f, edges) : 1;
+  bool ok = (edges && (k <= 1 || loft_refine_columns(&l, edges))) || vs_error_memory(e, NULL);
+  free(edges);
   rows.columns = l.columns;
   if (ok && n->kind == VS_GUIDED_LOFT) ok = VS_AS(guided_loft, n)->path ? vs_loft_along_path(n, &l, f, &rows, e) : vs_loft_along_guides(n, &l, f, &rows, e);
   else if (ok) {
