@@ -541,13 +541,18 @@ static vs_outcome write_one(vs_session *s, const char *path, const vs_format *fo
   vs_outcome handed = hand_on(s, &scene, format);
   if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
   vs_cache_turn(vs_store_cache(s->bind.store), !o->last);
+  s->writing = true, s->late = false; /* the drawing functions had the time of an evaluation */
+  s->write_began = vs_session_clock(s), s->write_worker = s->tally.of[VS_WORK_WORKER].seconds;
   bool ok = vs_export_settle(&scene, format, &e, &error) && (vs_export_is_verbatim(format) || resolve(s, &scene, &error)) &&
             (!o->count || vs_session_output_nodes(s, &scene, o->passes, &error)) && vs_scene_optimise(&scene, o->passes, &record->passes, &error) &&
             vs_export_prepare(&scene, format, &error);
   vs_tally_enter(&s->tally, VS_WORK_EMIT);
   ok = ok && (to ? vs_export_to(&scene, format, sink, to, &e, &error) : vs_export(&scene, format, path, &e, &error));
+  s->writing = false;
   scene_done(s, &scene);
-  return ok ? VS_OUTCOME_DONE : vs_session_report_error(s, &error);
+  if (ok) return VS_OUTCOME_DONE;
+  if (s->late && error.kind == VS_ERROR_INTERRUPT) vs_error_set(&error, VS_ERROR_MEMORY, NULL, "the output: stopped after %g seconds, the limit", s->options.limit_time);
+  return vs_session_report_error(s, &error);
 }
 
 static vs_outcome write_to(vs *vm, const char *path, const char *format_name, const vs_output_options *options, callback_sink *to) {

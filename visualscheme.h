@@ -112,7 +112,7 @@ typedef struct {
   vs_host host;
   vs_alloc_fn *alloc;     /* NULL: the C library's */
   void *alloc_context;
-  double limit_time;      /* seconds of one evaluation; 0: no limit, here and below */
+  double limit_time;      /* seconds of one evaluation, and of one output without its worker's; 0: no limit, here and below */
   size_t limit_memory;    /* bytes of heap and model together */
   uint64_t limit_steps;   /* calls and loop turns of one evaluation */
   size_t limit_output;    /* bytes that one evaluation may print */

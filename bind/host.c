@@ -45,9 +45,17 @@ double vs_session_clock(void *session) {
   return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
 
+/* Has the output under way had its time? A worker's is its own: a picture takes longer than the model. */
+static bool write_late(vs_session *s) {
+  if (!s->writing || s->options.limit_time <= 0 || s->tally.now == VS_WORK_WORKER) return false;
+  double took = vs_session_clock(s) - s->write_began - (s->tally.of[VS_WORK_WORKER].seconds - s->write_worker);
+  return s->late = s->late || took > s->options.limit_time;
+}
+
 bool vs_session_interrupted(void *session) {
   vs_session *s = session;
   const vs_host *h = &s->options.host;
+  if (write_late(s)) return true;
   if (h->progress && s->phase) {
     double now = vs_session_clock(s);
     if (now - s->told_progress > .1) {

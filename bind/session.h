@@ -52,6 +52,8 @@ typedef struct {
   size_t source_count, source_room;
   char why[256];            /* of the last failed file operation */
   double evaluate_seconds, write_seconds;
+  bool writing, late;       /* an output is under way; it was stopped by the limit of time */
+  double write_began, write_worker; /* clock when it began; what workers had taken by then, in seconds */
   vs_output_record *outputs; /* of the last ones, oldest first */
   size_t output_count, output_room;
   unsigned flags;           /* VS_EVAL_... of the evaluation under way */
