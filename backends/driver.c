@@ -6,6 +6,7 @@
  * plan's, so a template comes after those that it uses.
  * Walk: a stack of frames, one an operation that is open. */
 #include <float.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -49,7 +50,10 @@ bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message) {
   return true;
 }
 
+/* Each thing drawn has one share of the whole. What begins anew within it (its parts, what its numbers fold) takes nothing back. */
 bool vs_emit_progress(vs_emitter *e, const char *stage, double fraction) {
+  vs_drive *d = e->drive;
+  if (d != NULL && fraction >= 0 && strcmp(stage, "meshing") == 0) d->told = fraction = fmax(d->told, d->from + d->share * fraction);
   if (e->options->progress == NULL || e->options->progress(e->options->context, stage, fraction)) return true;
   return vs_error_set(e->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
 }
@@ -636,6 +640,7 @@ bool vs_drive_scene(vs_emitter *e) {
   if (d == NULL) return vs_emit_no_memory(e);
   memset(d, 0, sizeof *d);
   d->index.store = d->paints.store = d->bounds.places.store = e->scene->store;
+  d->share = 1;
   e->drive = d;
   drive_find_operations(d);
   d->reuse = (vs_reuse){ .store = e->scene->store };
@@ -663,10 +668,12 @@ bool vs_drive_scene(vs_emitter *e) {
     vs_solid_copies_free(&parts);
     return ok && e->backend->end(e);
   }
+  d->share = 1 / ((double)e->scene->drawn_count + 1); /* the definitions have the first */
   if (!drive_definitions(e)) return false;
   for (size_t i = 0, asked = 0; i < e->scene->drawn_count; i++) {
     const vs_ref *ref = &e->scene->drawn[i];
     size_t next = i;
+    d->from = (double)(i + 1) * d->share;
     drive_reset(e);
     if (d->reuse.open && i == d->run_until) vs_drive_run_end(e);
     if (!drive_root(e, e->scene->drawn, e->scene->drawn_count, i, false, &asked, &next)) return false;

@@ -1,0 +1,87 @@
+/* Owns the tests of what a host is told while a mesh is made: how far it is, never less than before; and that an interrupt from within ends it, without a file. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "visualscheme.h"
+
+typedef struct {
+  vs *s;
+  int told, steps;    /* calls while meshing; of them, those that were further than before */
+  double done, until; /* the last fraction; at which one to interrupt */
+  char said[200], wrong[200];
+} watch;
+
+static void follow(void *context, const vs_progress *p) {
+  watch *w = context;
+  if (strcmp(p->phase, "meshing") != 0 || p->fraction < 0) return;
+  if (p->fraction < w->done || p->fraction > 1) snprintf(w->wrong, sizeof w->wrong, "%g after %g", p->fraction, w->done);
+  w->told++;
+  w->steps += p->fraction > w->done;
+  w->done = p->fraction;
+  if (w->done >= w->until) vs_interrupt(w->s);
+}
+static void tell(void *context, const vs_diagnostic *d) {
+  if (d->severity == VS_SEVERITY_ERROR) snprintf(((watch *)context)->said, sizeof ((watch *)context)->said, "%s", d->message);
+}
+
+/* The host is told ten times a second: these take a second or more. Triangles are made of all at once, a .glb thing by thing. */
+static const char single[] =
+  "(draw (subtract (make-sphere (xyz 0 0 0) 10 #:segments 500) (make-torus (xyz 0 0 3) 8 3 #:segments 500)))";
+static const char several[] =
+  "(for-each (lambda (i) (draw (subtract (make-sphere (xyz (* 30 i) 0 0) 10 #:segments 300) (make-torus (xyz (* 30 i) 0 3) 8 (+ 3 (/ i 9)) #:segments 300)))) (iota 5))";
+static const struct { const char *drawing, *ending; } outputs[] = { { single, "off" }, { several, "off" }, { several, "3mf" }, { several, "glb" }, { several, "x3d" } };
+
+static const char *place(const char *ending) {
+  static char path[64];
+  snprintf(path, sizeof path, "/tmp/vs-progress-%ld.%s", (long)getpid(), ending);
+  return path;
+}
+
+static vs_outcome write_it(watch *w, const char *drawing, const char *ending, double until) {
+  vs_options o = vs_options_default();
+  *w = (watch){ .until = until };
+  o.host.context = w, o.host.progress = follow, o.host.diagnose = tell;
+  w->s = vs_new(&o);
+  assert_non_null(w->s);
+  assert_int_equal(vs_eval_text(w->s, "model", 1, drawing, strlen(drawing), 0), VS_OUTCOME_DONE);
+  return vs_write_drawing(w->s, place(ending), NULL, NULL);
+}
+
+static void test_grows(void **state) {
+  (void)state;
+  for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++) {
+    watch w;
+    assert_int_equal(write_it(&w, outputs[i].drawing, outputs[i].ending, 2), VS_OUTCOME_DONE);
+    assert_int_equal(unlink(place(outputs[i].ending)), 0);
+    if (w.wrong[0]) fail_msg("%s of %s: %s", outputs[i].ending, outputs[i].drawing, w.wrong);
+    if (w.told < 3 || w.steps < 2 || w.done < 0.5) fail_msg("%s: told %d times, %d steps, the last %g", outputs[i].ending, w.told, w.steps, w.done);
+    vs_free(w.s);
+  }
+}
+
+static void test_interrupt(void **state) {
+  (void)state;
+  static const double until[] = { 0, 0.5 };
+  for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i += 3)
+    for (size_t k = 0; k < sizeof until / sizeof *until; k++) {
+      watch w;
+      assert_int_equal(write_it(&w, outputs[i].drawing, outputs[i].ending, until[k]), VS_OUTCOME_INTERRUPTED);
+      assert_non_null(strstr(w.said, "interrupted"));
+      assert_true(w.done >= until[k]);
+      assert_int_equal(access(place(outputs[i].ending), F_OK), -1);
+      assert_int_equal(vs_eval_text(w.s, "after", 1, "(+ 1 2)", 7, 0), VS_OUTCOME_DONE);
+      vs_free(w.s);
+    }
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_grows), cmocka_unit_test(test_interrupt) };
+  return cmocka_run_group_tests_name("progress", tests, NULL, NULL);
+}
