@@ -50,8 +50,14 @@ static bool fail_count(vs *vm, vs_value name, size_t min, size_t max, const char
   return vs_fail(vm, vm->sym.arity, "%s needs %zu to %zu arguments%s, got %zu", who, min, max, names, got);
 }
 
-static bool fail_keyword(vs *vm, vs_value name, vs_value keyword) {
-  return vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s", name_of(name), name_of(keyword));
+/* names: of the keywords that there are, `count` symbols */
+static bool fail_keyword(vs *vm, vs_value name, vs_value keyword, const vs_value *names, size_t count) {
+  wanted w = {.used = 0};
+  for (size_t i = 0; i < count && w.used < sizeof w.text; i++)
+    if (vs_is_symbol(names[i])) want(&w, "#:", vs_as_symbol(names[i])->name, strlen(vs_as_symbol(names[i])->name), "");
+  const char *there = want_end(&w);
+  if (!*there) return vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s", name_of(name), name_of(keyword));
+  return vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s; it has %.*s", name_of(name), name_of(keyword), (int)strlen(there) - 3, there + 2); /* without parentheses */
 }
 
 bool vs_fail_clauses(vs *vm, const vs_case *c, size_t got) {
@@ -87,7 +93,7 @@ static bool place(vs *vm, vs_value who, vs_value kw, const vs_value *names, size
   for (size_t i = 0; k && i < k->count; i++) {
     size_t j = 0;
     while (j < count && names[j] != k->name[i]) j++;
-    if (j == count) return fail_keyword(vm, who, k->name[i]);
+    if (j == count) return fail_keyword(vm, who, k->name[i], names, count);
     if (at[j] != VS_ABSENT) return vs_fail(vm, vm->sym.arity, "%s got #:%s twice", name_of(who), name_of(k->name[i]));
     at[j] = vm->call_args[i];
   }
@@ -100,7 +106,7 @@ bool vs_arguments_closure(vs *vm, const vs_code *code, vs_value *a, size_t n, vs
   size_t most = code->required + code->optional, rest = most + code->keywords;
   bool has_rest = (code->flags & VS_CODE_REST) != 0;
   if (given < code->required || (given > most && !has_rest)) return fail_count(vm, code->name, code->required, has_rest ? SIZE_MAX : most, want_closure(code, &(wanted){0}), given);
-  if (named && !code->keywords) return fail_keyword(vm, code->name, vs_as_keywords(kw)->name[0]);
+  if (named && !code->keywords) return fail_keyword(vm, code->name, vs_as_keywords(kw)->name[0], NULL, 0);
   if (named && !stash(vm, a, n, named)) return false;
   VS_ROOTS(vm, r, 1);
   r[0] = VS_NIL;
@@ -118,7 +124,7 @@ bool vs_arguments_native(vs *vm, const vs_native *native, vs_value *a, size_t n,
   size_t max = native->max == UINT32_MAX ? SIZE_MAX : native->max;
   *given = *total = positional;
   if (positional < native->min || positional > max) return fail_count(vm, native->name, native->min, max, want_native(native, &(wanted){0}), positional);
-  if (named && native->keywords == VS_FALSE) return fail_keyword(vm, native->name, vs_as_keywords(kw)->name[0]);
+  if (named && native->keywords == VS_FALSE) return fail_keyword(vm, native->name, vs_as_keywords(kw)->name[0], NULL, 0);
   if (!vs_native_laid_out(native)) return true;
   if (named && !stash(vm, a, n, named)) return false;
   for (size_t i = positional; i < max; i++) a[i] = VS_ABSENT;
