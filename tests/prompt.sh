@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the prompt's test on a terminal: editing, history, completion, ctrl-C, errors that do not end it.
+# Owns the prompt's test on a terminal: editing, history, completion, ctrl-C, errors that do not end it, how far a mesh is.
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 export HOME="$work" XDG_STATE_HOME="$work/state" TERM=xterm LSAN_OPTIONS=detect_leaks=0 # libedit keeps its prompt and its tables
@@ -41,3 +41,19 @@ if [ "$(cat "$work/code")" = 0 ]; then echo "ok prompt:ends with 0"; else echo "
 printf '%s\n' '\e[A\e[A\n' ',quit\n' > "$work/keys"
 type_keys < "$work/keys"
 check "history of the last session" "43"
+
+# how far a mesh is stands in one line; ctrl-C ends it, and leaves no file
+mkdir "$work/out"
+cat > "$work/keys" <<KEYS
+(draw (subtract (make-sphere (xyz 0 0 0) 10 #:segments 1200) (make-torus (xyz 0 0 3) 8 3 #:segments 1200)))\n
+,write $work/out/mesh.off\n
+\x03
+(string-append "after" " the mesh")\n
+,quit\n
+KEYS
+type_keys < "$work/keys"
+check "progress of a mesh" "out/mesh.off: meshing 0%"
+check "a mesh is interrupted" "interrupted"
+check "goes on after a mesh" '"after the mesh"'
+left=$(ls -A "$work/out")
+if [ -z "$left" ]; then echo "ok prompt:a stopped mesh leaves nothing"; else echo "not ok prompt:a stopped mesh leaves $left"; fi
