@@ -139,12 +139,15 @@ asan: ## the tests under the address and leak sanitizer
 ubsan: ## the tests under the undefined-behaviour sanitizer
 	UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(MAKE) $(call SANITIZE,undefined -fno-sanitize-recover=all,ubsan)
 
-# The kernel alone, under both: its units and a sample of its random trees.
-KERNEL_UNITS = test_random_solids test_kernel test_kernel_refusals test_inspect
+# The kernel alone, under both: its units, a sample of its random trees, and files as the program writes them.
+KERNEL_UNITS = test_random_solids test_kernel test_kernel_refusals test_inspect test_progress
+KERNEL_TESTS = $(KERNEL_UNITS:%=unit/%) vs tools/crossings tools/fuzz
 sanitized: ## the kernel's tests under the address, leak and undefined-behaviour sanitizers
-	$(MAKE) OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=address" BUILD=$(BUILD)/asan LDFLAGS="-Wl,--no-as-needed -lstdc++" $(KERNEL_UNITS:%=$(BUILD)/asan/unit/%)
-	$(MAKE) OPT="-O1 -g -fsanitize=undefined -fno-sanitize-recover=all" BUILD=$(BUILD)/ubsan $(KERNEL_UNITS:%=$(BUILD)/ubsan/unit/%)
+	$(MAKE) OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=address" BUILD=$(BUILD)/asan LDFLAGS="-Wl,--no-as-needed -lstdc++" $(KERNEL_TESTS:%=$(BUILD)/asan/%)
+	$(MAKE) OPT="-O1 -g -fsanitize=undefined -fno-sanitize-recover=all" BUILD=$(BUILD)/ubsan $(KERNEL_TESTS:%=$(BUILD)/ubsan/%)
 	for t in $(KERNEL_UNITS); do SEEDS= LONG= $(BUILD)/asan/unit/$$t && SEEDS= LONG= UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(BUILD)/ubsan/unit/$$t || exit 1; done
+	LONG= SUITES=solids sh tests/run.sh $(BUILD)/asan
+	LONG= UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 SUITES=solids sh tests/run.sh $(BUILD)/ubsan
 
 stress: ## the tests with a collection at every allocation and the heap checked again and again: minutes
 	$(MAKE) BUILD=$(BUILD)/stress EXTRA="-DVS_DEBUG_STRESS=1 -DVS_DEBUG_SMALL=1" SUITES="unit lang cli manual" tests
@@ -191,5 +194,5 @@ clean: ## remove what was built
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all demo test check units tests quick asan ubsan stress layers bless bench manual install clean help
+.PHONY: all demo test check units tests quick asan ubsan sanitized stress layers bless bench manual install clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)
