@@ -113,9 +113,10 @@ typedef struct {
   vs_alloc_fn *alloc;     /* NULL: the C library's */
   void *alloc_context;
   double limit_time;      /* seconds of one evaluation, and of one output without its worker's; 0: no limit, here and below */
-  size_t limit_memory;    /* bytes of heap and model together */
+  size_t limit_memory;    /* bytes of heap and model together, and of what combining solids for an output takes beside them */
   uint64_t limit_steps;   /* calls and loop turns of one evaluation */
   size_t limit_output;    /* bytes that one evaluation may print */
+  size_t limit_triangles; /* of the mesh of one output */
   size_t cache;           /* bytes of results kept for later drawings and outputs (meshes): 0: 256 MB, or a quarter of limit_memory; SIZE_MAX: keep nothing */
   bool untrusted;         /* no file access but read_file, no native text */
   const char *library_path; /* folders for load and require, ':' between them; NULL: none */

@@ -16,6 +16,7 @@ typedef struct {
   vs_render_quality quality;
   uint64_t byte_limit; /* of one output; 0: none */
   double worker_seconds; /* a worker program is stopped after so long; 0: never */
+  size_t mesh_bytes, mesh_triangles; /* what combining solids may take, and how many a mesh may have; 0: no limit */
   bool safe;          /* limits are on: nothing of the user's reaches a target as directives */
   void *context;      /* for the calls below, any of which may be NULL */
   /* Something the output does not show as modelled; said once a reason. origin may be NULL. */

@@ -170,6 +170,10 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
     if (!parse_real(v, 1e-6, &real) || real > 1e9) return bad("--limit-memory", v, "megabytes above 0");
     o->interpreter.limit_memory = (size_t)(real * 1048576);
     return true;
+  case OPTION_LIMIT_TRIANGLES:
+    if (!parse_whole(v, 1, LONG_MAX, &whole)) return bad("--limit-triangles", v, "a whole number above 0");
+    o->interpreter.limit_triangles = (size_t)whole;
+    return true;
   case OPTION_LIMIT_STEPS:
     if (!parse_whole(v, 1, LONG_MAX, &whole)) return bad("--limit-steps", v, "a whole number above 0");
     o->interpreter.limit_steps = (uint64_t)whole;

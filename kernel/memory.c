@@ -25,7 +25,7 @@ bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t 
   if (more > SIZE_MAX / size) return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
   _Atomic size_t *bytes = k->owner ? &k->owner->bytes : &k->bytes;
   if (k->options && k->options->max_bytes && *bytes + added > k->options->max_bytes)
-    return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "combining the solids needs more memory than the limit of %zu MB", k->options->max_bytes >> 20);
+    return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "combining the solids needs more than the %zu MB that the limit on memory leaves", k->options->max_bytes >> 20);
   void *old, *grown;
   memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type */
   grown = realloc(old, more * size);

@@ -329,9 +329,9 @@ static bool walk_one(builder *b, const vs_ref *root) {
 static vs_error_kind kind_of(vs_kernel_status s) {
   switch (s) {
   case VS_KERNEL_FINE: return VS_ERROR_NONE;
-  case VS_KERNEL_OPEN: case VS_KERNEL_INSIDE_OUT: case VS_KERNEL_NOT_FINITE: case VS_KERNEL_LIMIT: case VS_KERNEL_INTERNAL:
+  case VS_KERNEL_OPEN: case VS_KERNEL_INSIDE_OUT: case VS_KERNEL_NOT_FINITE: case VS_KERNEL_INTERNAL:
     return VS_ERROR_MODEL;
-  case VS_KERNEL_OUT_OF_MEMORY: return VS_ERROR_MEMORY;
+  case VS_KERNEL_OUT_OF_MEMORY: case VS_KERNEL_LIMIT: return VS_ERROR_MEMORY;
   case VS_KERNEL_INTERRUPTED: return VS_ERROR_INTERRUPT;
   }
   return VS_ERROR_MEMORY;
