@@ -17,16 +17,7 @@
 /* ---- what emit functions may call ---- */
 
 bool vs_emit_grow(vs_emitter *e, void *array, size_t *room, size_t need, size_t size) {
-  if (need <= *room) return true;
-  size_t more = *room + *room / 2 + 16;
-  if (more < need) more = need;
-  void *old, *fresh = NULL;
-  memcpy(&old, array, sizeof old);
-  if (more <= SIZE_MAX / size) fresh = vs_store_realloc(e->scene->store, old, *room * size, more * size);
-  if (fresh == NULL) return vs_emit_no_memory(e);
-  memcpy(array, &fresh, sizeof fresh);
-  *room = more;
-  return true;
+  return vs_store_grow(e->scene->store, array, room, need, size) || vs_emit_no_memory(e);
 }
 
 void vs_emit_release(vs_emitter *e, void *array, size_t room, size_t size) {

@@ -10,19 +10,9 @@ enum {
 /* ---- keys ---- */
 
 bool vs_reuse_more(vs_reuse *r, void *array, size_t *room, size_t need, size_t size) {
-  if (need <= *room) return true;
-  size_t more = *room + *room / 2 + 64;
-  if (more < need) more = need;
-  void *old, *fresh = NULL;
-  memcpy(&old, array, sizeof old);
-  if (more <= SIZE_MAX / size) fresh = vs_store_realloc(r->store, old, *room * size, more * size);
-  if (fresh == NULL) {
-    r->unfit = true;
-    return false;
-  }
-  memcpy(array, &fresh, sizeof fresh);
-  *room = more;
-  return true;
+  if (vs_store_grow(r->store, array, room, need, size)) return true;
+  r->unfit = true;
+  return false;
 }
 
 bool vs_reuse_grow(vs_reuse *r, size_t need) {

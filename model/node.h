@@ -129,8 +129,8 @@ struct vs_node {
 };
 /* The payload: struct vs_<kind>. */
 static inline const void *vs_node_data(const vs_node *n) { return n->children + n->child_count; }
-/* VS_AS(sphere, n)->radius; the caller has looked at n->kind */
 #define VS_ENDLESS_MESSAGE "the object is endless: intersect it with something finite, or subtract it from that"
+/* VS_AS(sphere, n)->radius; the caller has looked at n->kind */
 #define VS_AS(lower, n) ((const struct vs_##lower *)vs_node_data(n))
 
 /* Child i of those that are looked at one after the other: the processor is told of one to come, since there may be a million. With its payload, or of
@@ -166,6 +166,8 @@ size_t vs_store_bytes(const vs_store *s); /* held now by nodes and arrays: count
 void vs_store_watch(vs_store *s, bool (*going)(void *context), void *context);
 bool vs_store_going(vs_store *s, uint32_t work, vs_error *e); /* asks once a million steps of a nanosecond or some have come together; s NULL: goes on */
 void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size); /* accounted; new_size 0 frees */
+/* Makes room for `need` elements of `size` bytes in the store's array whose address stands in *slot; *room is in elements. False: no memory, nothing is changed. */
+bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t size);
 /* Small things of which there may be millions (piece.c); freed with the size they were asked for. NULL: out of memory. */
 void *vs_store_piece(vs_store *s, size_t bytes);
 void vs_store_piece_free(vs_store *s, void *piece, size_t bytes);

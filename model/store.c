@@ -277,3 +277,16 @@ const vs_material *vs_store_material(vs_store *s, const vs_material *m) {
   }
   return *slot;
 }
+
+bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t size) {
+  if (need <= *room) return true;
+  size_t more = *room + *room / 2 + 16;
+  if (more < need) more = need;
+  void *old, *fresh;
+  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type */
+  fresh = more <= SIZE_MAX / size ? vs_store_realloc(s, old, *room * size, more * size) : NULL;
+  if (fresh == NULL) return false;
+  memcpy(slot, &fresh, sizeof fresh);
+  *room = more;
+  return true;
+}
