@@ -71,7 +71,7 @@ static bool points_insert(vs_kernel *k, vs_points_table *t, uint64_t hash, size_
 
 bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h, uint32_t *id) {
   uint64_t hash = vs_points_hash(fixed);
-  size_t slot;
+  size_t slot = 0;
   if (!slots_grow(k, &t->slots, t->all.count)) return false;
   *id = points_find(t, hash, fixed, h, &slot);
   return *id != VS_NONE || points_insert(k, t, hash, slot, fixed, h, id);
