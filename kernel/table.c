@@ -47,7 +47,7 @@ static inline uint32_t slots_next(const vs_slots *s, uint32_t tag, size_t *at) {
 /* slot: where it would be, where it is not found. */
 static uint32_t points_find(const vs_points_table *t, uint64_t hash, const int64_t fixed[3], const vs_homogeneous *h, size_t *slot) {
   uint32_t tag = (uint32_t)(hash >> 32), i;
-  if (!t->slots.count) return VS_NONE;
+  if (!t->slots.count) return *slot = 0, VS_NONE;
   for (*slot = tag >> t->slots.shift; (i = slots_next(&t->slots, tag, slot)) != VS_NONE; *slot = (*slot + 1) & (t->slots.count - 1)) {
     const vs_point *p = &t->all.at[i];
     if (p->fixed[0] != fixed[0] || p->fixed[1] != fixed[1] || p->fixed[2] != fixed[2] || vs_point_exact(p) != (h == NULL)) continue;
@@ -71,7 +71,7 @@ static bool points_insert(vs_kernel *k, vs_points_table *t, uint64_t hash, size_
 
 bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h, uint32_t *id) {
   uint64_t hash = vs_points_hash(fixed);
-  size_t slot = 0;
+  size_t slot;
   if (!slots_grow(k, &t->slots, t->all.count)) return false;
   *id = points_find(t, hash, fixed, h, &slot);
   return *id != VS_NONE || points_insert(k, t, hash, slot, fixed, h, id);
