@@ -4,7 +4,8 @@
 #
 #   vs s       elapsed seconds from the tree to the written .stl, the median of the runs; beside it what reading and evaluating the program took
 #   cpu s, MB  of the whole process, all threads, in runs without --stats, which goes over the tree again and again
-#   native     Manifold 3.5.1, whole process from ready facets, taken on another machine (native.tsv)
+#   native     Manifold's library, from its tree to the triangles in memory, elapsed, all threads; MANIFOLD=FOLDER, its sources (include/, src/), is built with TBB
+#   elsewhere  Manifold 3.5.1, whole process from ready facets, taken on another machine (native.tsv)
 #   wasm       manifold-3d, from its tree to the triangles in memory, without starting its module; OpenSCAD: the whole process, processor seconds
 # OpenSCAD is not asked again for larger members of a family once one has not finished.
 set -u
@@ -20,6 +21,9 @@ node "$here/gen.mjs" "$work" > /dev/null || exit 1
 if [ ! -f node_modules/manifold-3d/manifold.js ]; then
   cp "$here/package.json" . && npm install --no-package-lock --no-audit --no-fund --silent || echo "manifold-3d could not be fetched: its columns stay empty" >&2
 fi
+if [ -n "${MANIFOLD-}" ] && [ ! -x native ]; then # two minutes, once
+  g++ -std=c++17 -O3 -DNDEBUG -DMANIFOLD_PAR=1 -I"$MANIFOLD/include" "$here/native.cc" "$MANIFOLD"/src/*.cpp -o native -ltbb || echo "Manifold could not be built: its columns stay empty" >&2
+fi
 command -v openscad > /dev/null || { echo "openscad is not installed: its columns stay empty" >&2; limit=0; }
 [ $# -gt 0 ] || set -- $(sed 1d INDEX.tsv | cut -f1)
 
@@ -28,8 +32,8 @@ median() { sort -n | awk '{ x[NR] = $1 } END { if (NR) print NR % 2 ? x[(NR + 1)
 # what the program wrote of that name, once a run
 stat_of() { sed -n "s/.*}\], .*\"$1\": *\([0-9.e-]*\).*/\1/p" stats | median; }
 
-echo "| workload | vs s | + evaluating | cpu s | MB | triangles | closed | native s | MB | native / vs | wasm s | MB | triangles | closed | wasm / vs | OpenSCAD s | MB |"
-echo "|---|--:|--:|--:|--:|--:|---|--:|--:|--:|--:|--:|--:|---|--:|--:|--:|"
+echo "| workload | vs s | + evaluating | cpu s | MB | triangles | closed | native s | MB | native / vs | elsewhere s | MB | elsewhere / vs | wasm s | MB | triangles | closed | wasm / vs | OpenSCAD s | MB |"
+echo "|---|--:|--:|--:|--:|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|--:|--:|--:|"
 : > figures
 failed=0 gave_up=
 for name in "$@"; do
@@ -45,8 +49,12 @@ for name in "$@"; do
     continue
   fi
   solid=$(node --max-old-space-size=8192 "$here/closed.mjs" "$name.stl" 2> /dev/null || echo "- failed")
-  native=$(awk -F '\t' -v name="$name" '$1 == name { print $2, $3 }' "$here/native.tsv")
-  theirs= scad= family=${name%_*}
+  elsewhere=$(awk -F '\t' -v name="$name" '$1 == name { print $2, $3 }' "$here/native.tsv")
+  native= theirs= scad= family=${name%_*}
+  if [ -x native ]; then
+    native=$(for run in $(seq "$runs"); do timeout "$patience" ./native "sx/$name.sx"; done | sed 's/.*"seconds": \([0-9.]*\),.*/\1/' | median)
+    native="$native $(timeout "$patience" "$measure" 1 ./native "sx/$name.sx" 2>&1 > /dev/null | tail -n 1 | awk '{ printf "%.0f", $3 / 1024 }')"
+  fi
   if [ -f node_modules/manifold-3d/manifold.js ]; then
     theirs=$(timeout "$patience" "$measure" 1 node "$here/manifold.mjs" . "sx/$name.sx" 2> memory; tail -n 1 memory)
   fi
@@ -57,7 +65,7 @@ for name in "$@"; do
     fi ;;
   esac
   rm -f "$name.stl" "$name.scad.stl" "$name.vs"
-  printf '%s\n' "name $name" "ours $ours" "phase $phase" "evaluate $evaluate" "solid $solid" "native $native" "scad $scad" "$theirs" | awk -v figures=figures '
+  printf '%s\n' "name $name" "ours $ours" "phase $phase" "evaluate $evaluate" "solid $solid" "native $native" "elsewhere $elsewhere" "scad $scad" "$theirs" | awk -v figures=figures '
     # measure writes: processor ms, elapsed ms, kilobytes
     function seconds(x) { return x ~ /^[0-9.]+$/ ? sprintf(x < 10000 ? "%.3f" : "%.1f", x / 1000) : "" }
     function megabytes(x) { return x ~ /^[0-9.]+$/ ? sprintf("%.0f", x / 1024) : "" }
@@ -68,6 +76,7 @@ for name in "$@"; do
     $1 == "evaluate" { evaluate = $2 }
     $1 == "solid" { count = $2; closed = $3 }
     $1 == "native" { native = $2; native_mb = $3 }
+    $1 == "elsewhere" { elsewhere = $2; elsewhere_mb = $3 }
     $1 == "scad" { scad = seconds($2); scad_mb = megabytes($4) }
     /^\{/ { json = $0 }
     json != "" && /^[0-9]/ { wasm_mb = megabytes($3) }
@@ -75,9 +84,9 @@ for name in "$@"; do
       if (match(json, /"seconds":[0-9.e-]+/)) wasm = substr(json, RSTART + 10, RLENGTH - 10)
       if (match(json, /"triangles":[0-9]+/)) wasm_count = substr(json, RSTART + 12, RLENGTH - 12)
       if (json != "") wasm_closed = json ~ /"closed":true/ ? "yes" : "no"
-      printf "| %s | %.3f | %.3f | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", name, phase, evaluate, cpu, mb, count, closed,
-        native, native_mb, ratio(native), wasm == "" ? "" : sprintf("%.3f", wasm), wasm_mb, wasm_count, wasm_closed, ratio(wasm), scad, scad_mb
-      print name, phase, mb, native == "" ? "-" : native, native_mb == "" ? "-" : native_mb, wasm == "" ? "-" : wasm, scad == "" ? "-" : scad > figures ".one"
+      printf "| %s | %.3f | %.3f | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", name, phase, evaluate, cpu, mb, count, closed,
+        native, native_mb, ratio(native), elsewhere, elsewhere_mb, ratio(elsewhere), wasm == "" ? "" : sprintf("%.3f", wasm), wasm_mb, wasm_count, wasm_closed, ratio(wasm), scad, scad_mb
+      print name, phase, mb, native == "" ? "-" : native, native_mb == "" ? "-" : native_mb, elsewhere == "" ? "-" : elsewhere, wasm == "" ? "-" : wasm, scad == "" ? "-" : scad > figures ".one"
     }'
   cat figures.one >> figures && rm -f figures.one
 done
@@ -91,16 +100,17 @@ awk '
     group[3] = "instanced and disjoint (a k m)"; member[3] = "^(a|k|m)_.*$"; aim[3] = "10"
     group[4] = "two large meshes (e_256 h_1024)"; member[4] = "^(e_sphere_minus_256|h_torus_1024)$"; aim[4] = "1"
     group[5] = "near-coincident (e2)"; member[5] = "^e2_.*$"; aim[5] = "1"
-    print "Geometric means; the aim is against native Manifold, whose figures are of another machine.\n"
-    print "| group | native / vs | of | aim | native MB / vs MB | wasm / vs | of | OpenSCAD / vs | of |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|"
+    print "Geometric means; the aim is against native Manifold.\n"
+    print "| group | aim | native / vs | of | native MB / vs MB | elsewhere / vs | of | wasm / vs | of | OpenSCAD / vs | of |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
   }
   { for (g = 1; g <= 5; g++) if ($1 ~ member[g] && $2 > 0) {
       if ($4 != "-") { native[g] += log($4 / $2); n[g]++; memory[g] += log($5 / $3) }
-      if ($6 != "-") { wasm[g] += log($6 / $2); m[g]++ }
-      if ($7 != "-") { scad[g] += log($7 / $2); s[g]++ } } }
+      if ($6 != "-") { elsewhere[g] += log($6 / $2); e[g]++ }
+      if ($7 != "-") { wasm[g] += log($7 / $2); m[g]++ }
+      if ($8 != "-") { scad[g] += log($8 / $2); s[g]++ } } }
   function mean(sum, count) { return count ? sprintf("%.1f", exp(sum / count)) : "" }
-  END { for (g = 1; g <= 5; g++) if (n[g] + m[g] + s[g])
-    printf "| %s | %s | %d | %s | %s | %s | %d | %s | %d |\n", group[g], mean(native[g], n[g]), n[g], aim[g], mean(memory[g], n[g]), mean(wasm[g], m[g]), m[g], mean(scad[g], s[g]), s[g] }' figures
+  END { for (g = 1; g <= 5; g++) if (n[g] + e[g] + m[g] + s[g])
+    printf "| %s | %s | %s | %d | %s | %s | %d | %s | %d | %s | %d |\n", group[g], aim[g], mean(native[g], n[g]), n[g], mean(memory[g], n[g]), mean(elsewhere[g], e[g]), e[g], mean(wasm[g], m[g]), m[g], mean(scad[g], s[g]), s[g] }' figures
 echo
 # time ~ N^e, fitted by least squares over a family; beside it the e of N log N between its ends
 awk '
