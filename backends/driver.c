@@ -611,8 +611,10 @@ static bool drive_settle(vs_emitter *e, vs_mesh *m) {
   vs_tally *tally = vs_store_tally(e->scene->store);
   vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
   vs_kernel_error why;
-  bool settled = vs_mesh_settle(m, e->backend->numbers, &(vs_kernel_options){ .progress = drive_settling, .context = e }, &what, &why);
+  vs_kernel_counts counts = { 0 };
+  bool settled = vs_mesh_settle(m, e->backend->numbers, &(vs_kernel_options){ .progress = drive_settling, .context = e, .counts = &counts }, &what, &why);
   vs_tally_enter(tally, was);
+  vs_solid_tally_steps(e->scene->store, &counts);
   if (!settled) return why.status == VS_KERNEL_INTERRUPTED ? false : vs_emit_no_memory(e);
   if (e->options->warn == NULL) return true;
   if (what.dropped != 0) {

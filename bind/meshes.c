@@ -8,6 +8,7 @@
 #include "geometry/repair.h"
 #include "geometry/solids.h"
 #include "kernel/inspect.h"
+#include "kernel/solid.h"
 #include "model/cache.h"
 #include "model/tally.h"
 
@@ -37,7 +38,8 @@ static void place_text(char text[112], vs_vec3 p) {
 /* The triangles of a closed polyface mesh, tagged by face. *flawless: nothing overlaps. */
 static vs_status inspect(vs_frame *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *flaws, bool *flawless) {
   const struct vs_polyface_mesh *d = VS_AS(polyface_mesh, n);
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
+  vs_kernel_counts counts = { 0 };
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm, .counts = &counts };
   vs_kernel_error why;
   if (!vs_mesh_reserve(mesh, d->points->count, 2 * (size_t)d->faces->corner_count) || !(mesh->tags = calloc(mesh->triangle_room ? mesh->triangle_room : 1, sizeof *mesh->tags)) ||
       !vs_solid_polyface(mesh, d->points, d->faces))
@@ -53,6 +55,7 @@ static vs_status inspect(vs_frame *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *
   vs_work_phase was = vs_tally_enter(vs_store_tally(f->bind->store), VS_WORK_MESH);
   bool looked = vs_kernel_inspect(mesh, &options, flaws, &why);
   vs_tally_enter(vs_store_tally(f->bind->store), was);
+  vs_solid_tally_steps(f->bind->store, &counts);
   if (!looked) {
     if (why.status == VS_KERNEL_INTERRUPTED) return VS_ERROR; /* the condition is set */
     return why.status == VS_KERNEL_OUT_OF_MEMORY ? vs_fail_memory(f->vm) : vs_fail(f->vm, f->vm->sym.range, "%s", why.message);

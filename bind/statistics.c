@@ -59,6 +59,7 @@ void vs_session_output_end(vs_session *s, bool done) {
   r->tally.copied = t->copied - r->tally.copied;
   r->tally.remembered = t->remembered - r->tally.remembered;
   r->tally.triangles = t->triangles - r->tally.triangles;
+  for (int i = 0; i < VS_STEP_COUNT; i++) r->tally.steps[i] = t->steps[i] - r->tally.steps[i];
   r->tally.texts = t->texts - r->tally.texts;
   r->tally.texts_found = t->texts_found - r->tally.texts_found;
   r->tally.bytes_found = t->bytes_found - r->tally.bytes_found;
@@ -155,6 +156,8 @@ static void add_work(list *l, const vs_tally *t) {
 #define VS_PHASE(upper, lower, doc) add(l, "time." #lower, t->of[VS_WORK_##upper].seconds, "s");
 #include "model/tally.def"
   add(l, "time.total", total, "s");
+#define VS_STEP(upper, lower, doc) add(l, "time.mesh." #lower, t->steps[VS_STEP_##upper], "s");
+#include "model/steps.def"
 #define VS_PHASE(upper, lower, doc)                                                    \
   add(l, "memory." #lower ".peak", (double)t->of[VS_WORK_##upper].peak, "bytes");       \
   add(l, "memory." #lower ".growth", t->of[VS_WORK_##upper].growth, "bytes");

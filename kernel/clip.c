@@ -199,24 +199,17 @@ static bool is_far_larger(const vs_bounds *leaf, const vs_bounds *region, vs_bou
   return reach > 0 && isfinite(size) && size > FAR * reach;
 }
 
-bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_clipped *out) {
+bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, vs_clipped *out) {
   *out = (vs_clipped){ .problem = *p };
   bool any = false, ok = true;
   for (uint32_t i = 0; !any && i < p->term_count; i++) any = (p->terms[i].kind == VS_TERM_INTERSECTION || p->terms[i].kind == VS_TERM_DIFFERENCE) && p->terms[i].count > 1;
   if (!any) return true;
-  VS_LIST(vs_bounds) bounds = { 0 }, regions = { 0 };
+  VS_LIST(vs_bounds) regions = { 0 };
   clipper c = { .k = k };
-  ok = VS_ROOM(k, bounds.at, bounds.room, (size_t)p->leaf_count + 1) && VS_ROOM(k, regions.at, regions.room, (size_t)p->leaf_count + 1);
-  for (uint32_t i = 0; ok && i < p->leaf_count; i++) {
-    const vs_kernel_leaf *l = &p->leaves[i];
-    bounds.at[i] = vs_bounds_empty();
-    for (size_t v = 0; v < l->mesh->vertex_count; v++) vs_bounds_add(&bounds.at[i], vs_affine_point(&l->placement, l->mesh->vertices[v]));
-    ok = vs_kernel_report(k, 0);
-  }
-  ok = ok && find_regions(k, p, bounds.at, regions.at);
+  ok = VS_ROOM(k, regions.at, regions.room, (size_t)p->leaf_count + 1) && find_regions(k, p, bounds, regions.at);
   for (uint32_t i = 0; ok && i < p->leaf_count; i++) {
     vs_bounds box;
-    if (!is_far_larger(&bounds.at[i], &regions.at[i], &box)) continue;
+    if (!is_far_larger(&bounds[i], &regions.at[i], &box)) continue;
     if (!out->leaves.count) { /* the first: the others are what they were */
       ok = VS_ROOM(k, out->leaves.at, out->leaves.room, (size_t)p->leaf_count + 1) && VS_ROOM(k, out->identities.at, out->identities.room, (size_t)p->leaf_count + 1) &&
            VS_ROOM(k, out->clips.at, out->clips.room, (size_t)p->leaf_count + 1); /* leaves point into these: they must not move */
@@ -232,8 +225,8 @@ bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_clipped *out) {
     ok = cut_leaf(k, &c, &p->leaves[i], &box, clip);
     out->leaves.at[i].mesh = &clip->mesh;
     out->identities.at[i] = 0; /* nobody else's */
+    bounds[i] = vs_mesh_placed_bounds(&clip->mesh, &p->leaves[i].placement);
   }
-  VS_DROP(k, bounds);
   VS_DROP(k, regions);
   VS_DROP(k, c.vertices);
   VS_DROP(k, c.corners);

@@ -289,6 +289,7 @@ bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs
   vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = vs_kernel_threads(options), .share = 1 };
   *k.error = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };
   *out = (vs_mesh_flaws){ 0 };
+  vs_kernel_time(&k, options && options->counts ? options->counts->seconds : NULL);
   if (mesh->triangle_count == 0) return true;
   for (size_t i = 0; i < mesh->vertex_count; i++) {
     const vs_vec3 *v = &mesh->vertices[i];
@@ -312,6 +313,7 @@ bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs
       if (c.wound.at[i] == 1) out->most = 1;
     ok = ok && name_triangles(&k, &c, out);
   }
+  vs_kernel_lap(&k, VS_STEP_INSPECT);
   vs_cluster_free(&k, &c);
   vs_expression_free(&k, &e);
   vs_parts_free(&k, &parts);

@@ -6,6 +6,7 @@
 #include "kernel/clip.h"
 #include "kernel/cluster.h"
 #include "kernel/copies.h"
+#include "kernel/place.h"
 #include "kernel/remember.h"
 #include "model/cache.h"
 
@@ -18,16 +19,35 @@ static bool join(void *parent, uint32_t a, uint32_t b) {
   return true;
 }
 
-static vs_bounds leaf_bounds(const vs_kernel_leaf *l) {
-  vs_bounds b = vs_bounds_empty();
-  for (size_t i = 0; i < l->mesh->vertex_count; i++) vs_bounds_add(&b, vs_affine_point(&l->placement, l->mesh->vertices[i]));
-  return b;
-}
-
 static double least(const vs_bounds *b, int axis) { return axis == 0 ? b->min.x : axis == 1 ? b->min.y : b->min.z; }
 static double most(const vs_bounds *b, int axis) { return axis == 0 ? b->max.x : axis == 1 ? b->max.y : b->max.z; }
 
-/* bounds: of every leaf, filled here. order: leaves by cluster, those without triangles left out; parent: beside it, which cluster. */
+enum { SERIAL = 10000 /* triangles, or corners, that are not worth a thread */, LEAVES = 16 /* a task's */ };
+
+typedef struct { const vs_kernel_problem *problem; vs_bounds *bounds; } bounding;
+
+static bool bound_some(vs_kernel *k, void *context, size_t index) {
+  const bounding *b = context;
+  size_t begin = index * LEAVES, end = b->problem->leaf_count - begin < LEAVES ? b->problem->leaf_count : begin + LEAVES;
+  for (size_t i = begin; i < end; i++) {
+    const vs_kernel_leaf *l = &b->problem->leaves[i];
+    b->bounds[i] = l->mesh->triangle_count ? vs_mesh_placed_bounds(l->mesh, &l->placement) : vs_bounds_empty();
+    if (!vs_kernel_report(k, 0)) return false;
+  }
+  return true;
+}
+
+static bool bound_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds) {
+  size_t corners = 0;
+  uint32_t threads = k->threads;
+  for (uint32_t i = 0; i < p->leaf_count; i++) corners += p->leaves[i].mesh->vertex_count;
+  if (corners < SERIAL) k->threads = 1;
+  bool ok = vs_kernel_run(k, ((size_t)p->leaf_count + LEAVES - 1) / LEAVES, bound_some, &(bounding){ p, bounds });
+  k->threads = threads;
+  return ok;
+}
+
+/* bounds: of every leaf; becomes that of the part that matters. order: leaves by cluster, those without triangles left out; parent: beside it, which cluster. */
 static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, uint32_t *parent, uint32_t *order, uint32_t *count) {
   vs_box *boxes = NULL;
   uint32_t *scratch = NULL;
@@ -37,9 +57,7 @@ static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *b
   bool ok = VS_ROOM(k, boxes, box_room, (size_t)p->leaf_count + 1) && VS_ROOM(k, scratch, scratch_room, (size_t)p->leaf_count + 1);
   double size = 0;
   for (uint32_t i = 0; ok && i < p->leaf_count; i++) {
-    bounds[i] = vs_bounds_empty();
     if (p->leaves[i].mesh->triangle_count == 0) continue;
-    bounds[i] = leaf_bounds(&p->leaves[i]);
     if (p->within) {
       vs_bounds part = bounds[i];
       vs_bounds_meet(&part, &p->within[i]);
@@ -121,6 +139,7 @@ typedef struct {
   vs_bounds gate; /* all that a gate leaves, in the world; empty where there is none */
   vs_bounds *bounds; /* of the leaves; NULL once nobody asks */
   vs_remember remember;
+  vs_placing placing;
   vs_kernel_counts counts;
 } whole;
 
@@ -136,25 +155,25 @@ static void forget_patches(vs_kernel *k, vs_cluster *c) {
 static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t count, vs_mesh *out) {
   vs_cluster c = { .problem = w->problem, .parts = &w->parts, .expression = &w->expression, .leaves = leaves, .leaf_count = count };
   if (w->expression.gate_count) c.gate = &w->gate;
-  enum { SERIAL = 10000 }; /* triangles that are not worth a thread */
   uint32_t threads = k->threads;
   size_t triangles = 0, first = out->triangle_count;
   for (uint32_t i = 0; i < count; i++) triangles += w->problem->leaves[leaves[i]].mesh->triangle_count;
   if (triangles < SERIAL) k->threads = 1;
   vs_check check = { .leaves = { 0 } };
-  bool ok = vs_soup_build(k, &c) && vs_check_leaves(k, &c, &check, &w->counts);
+  bool ok = vs_soup_build(k, &c) && vs_check_leaves(k, &c, &check, &w->counts) && vs_kernel_lap(k, VS_STEP_GRID);
   if (c.triangles.count < SERIAL) k->threads = 1;
-  ok = ok && vs_patches_build(k, &c) && vs_kernel_report(k, 0.1) && vs_meet_patches(k, &c) && vs_kernel_report(k, 0.3);
+  ok = ok && vs_patches_build(k, &c) && vs_kernel_lap(k, VS_STEP_PATCHES) && vs_kernel_report(k, 0.1) && vs_meet_patches(k, &c) && vs_kernel_report(k, 0.3);
   forget_patches(k, &c);
-  ok = ok && vs_arrange_planes(k, &c);
+  ok = ok && vs_kernel_lap(k, VS_STEP_MEET) && vs_arrange_planes(k, &c);
   VS_DROP(k, c.cuts);
   VS_DROP(k, c.edge_of);
-  ok = ok && vs_kernel_report(k, 0.7) && vs_classify_faces(k, &c, &w->expression) && vs_kernel_report(k, 0.9) &&
-            vs_output_faces(k, &c, out) && vs_check_result(k, &c, &check, out, first);
+  ok = ok && vs_kernel_lap(k, VS_STEP_ARRANGE) && vs_kernel_report(k, 0.7) && vs_classify_faces(k, &c, &w->expression) && vs_kernel_lap(k, VS_STEP_CLASSIFY) &&
+       vs_kernel_report(k, 0.9) && vs_output_faces(k, &c, out) && vs_check_result(k, &c, &check, out, first);
   k->threads = threads;
   if (!ok && k->error->status == VS_KERNEL_INTERNAL) k->error->leaf = leaves[0]; /* the nearest thing to a place */
   vs_check_free(k, &check);
   vs_cluster_free(k, &c);
+  vs_kernel_lap(k, VS_STEP_OUTPUT);
   return ok;
 }
 
@@ -207,32 +226,20 @@ static bool stands_alone(const whole *w, const uint32_t *leaves, uint32_t count)
   return fabs(vs_affine_determinant(&l->placement)) * FLAT > size;
 }
 
-static bool place_leaf(vs_kernel *k, whole *w, uint32_t leaf, vs_mesh *out) {
-  const vs_kernel_leaf *l = &w->problem->leaves[leaf];
-  const vs_mesh *m = l->mesh;
-  size_t vertices = out->vertex_count, triangles = out->triangle_count, limit = k->options ? k->options->max_triangles : 0;
-  size_t more_vertices = vertices + m->vertex_count, more = triangles + m->triangle_count;
-  if (!vs_expression_add(k, &w->expression, leaf, 1)) return false;
+/* Makes room for it in the result of that number, if it is in the result at all. */
+static bool place_leaf(vs_kernel *k, whole *w, const uint32_t *leaf, vs_mesh *out, uint32_t into) {
+  const vs_kernel_leaf *l = &w->problem->leaves[*leaf];
+  vs_placement p = { .mesh = l->mesh, .from = { 0, 0, l->mesh->vertex_count, l->mesh->triangle_count }, .into = into, .vertex = out->vertex_count, .triangle = out->triangle_count,
+                     .map = l->placement, .leaves = leaf };
+  if (!vs_expression_add(k, &w->expression, *leaf, 1)) return false;
   bool inside = vs_expression_value(&w->expression);
-  if (!vs_expression_add(k, &w->expression, leaf, -1)) return false;
-  if (!inside) return true;
-  if (limit && more > limit) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
-  if (more_vertices > UINT32_MAX) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has too many corners");
-  if ((more_vertices > out->vertex_room || more > out->triangle_room) && !vs_mesh_reserve(out, more_vertices + vertices / 2, more + triangles / 2)) return no_room(k);
-  for (size_t i = 0; i < m->vertex_count; i++) out->vertices[vertices + i] = m->vertices[i];
-  for (size_t i = 0; i < m->triangle_count; i++) {
-    for (int j = 0; j < 3; j++) out->triangles[triangles + i][j] = m->triangles[i][j] + (uint32_t)vertices;
-    out->tags[triangles + i] = l->tag;
-  }
-  out->vertex_count = more_vertices;
-  out->triangle_count = more;
-  vs_mesh_transform_from(out, &l->placement, vertices, triangles);
-  return true;
+  if (!vs_expression_add(k, &w->expression, *leaf, -1)) return false;
+  return !inside || (vs_placing_room(k, out, p.from.vertices, p.from.triangles) && VS_PUSH(k, w->placing.meshes, p));
 }
 
 /* The cluster as it was made before, or made now. */
-static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, const uint32_t *leaves, uint32_t count, vs_mesh *out) {
-  if (stands_alone(w, leaves, count)) return w->counts.combined++, place_leaf(k, w, leaves[0], out);
+static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, const uint32_t *leaves, uint32_t count, vs_mesh *out, uint32_t into) {
+  if (stands_alone(w, leaves, count)) return w->counts.combined++, place_leaf(k, w, leaves, out, into);
   bool asked = w->bounds != NULL, found = false;
   size_t vertices = out->vertex_count, triangles = out->triangle_count;
   if (asked && !vs_remember_key(k, &w->remember, copies, leaves, count, gate_cuts(w, leaves, count) ? &w->gate : NULL, &asked)) return false;
@@ -245,27 +252,8 @@ static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, const uint32
 typedef struct {
   vs_mesh *one;
   vs_kernel_copies *many;
-  VS_LIST(size_t) ranges;  /* of originals in `one`: first vertex and triangle, and how many of both */
-  VS_LIST(uint32_t) tags;  /* an original's tag -> the copy's */
+  VS_LIST(vs_range) ranges; /* of originals in `one` */
 } sink;
-
-/* The original again, elsewhere. */
-static bool repeat(vs_kernel *k, vs_mesh *m, const size_t range[4], const uint32_t *tags, const vs_affine *map) {
-  size_t vertices = m->vertex_count, triangles = m->triangle_count, limit = k->options ? k->options->max_triangles : 0;
-  size_t more_vertices = vertices + range[2], more = triangles + range[3]; /* grown in large steps: copies come in thousands */
-  if (limit && more > limit) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
-  if ((more_vertices > m->vertex_room || more > m->triangle_room) && !vs_mesh_reserve(m, more_vertices + more_vertices / 2, more + more / 2)) return no_room(k);
-  uint32_t shift = (uint32_t)(vertices - range[0]);
-  for (size_t i = 0; i < range[2]; i++) m->vertices[vertices + i] = m->vertices[range[0] + i];
-  for (size_t i = 0; i < range[3]; i++) {
-    for (int j = 0; j < 3; j++) m->triangles[triangles + i][j] = m->triangles[range[1] + i][j] + shift;
-    m->tags[triangles + i] = tags[m->tags[range[1] + i]];
-  }
-  m->vertex_count = more_vertices;
-  m->triangle_count = more;
-  vs_mesh_transform_from(m, map, vertices, triangles);
-  return vs_kernel_report(k, 0);
-}
 
 static bool add_mesh(vs_kernel *k, vs_kernel_copies *c, vs_mesh **made) {
   if (!VS_ROOM(k, c->meshes, c->mesh_room, c->mesh_count + 1)) return false;
@@ -279,28 +267,26 @@ static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, co
   bool is_new;
   vs_affine map = vs_affine_identity();
   if (!vs_copies_find(k, copies, leaves, count, &original, &is_new, &map)) return false;
+  vs_kernel_lap(k, VS_STEP_CLUSTERS);
   w->counts.clusters++;
   w->counts.copied += !is_new;
   if (to->many) {
     vs_mesh *made;
-    if (is_new && (!add_mesh(k, to->many, &made) || !make_cluster(k, w, copies, leaves, count, made))) return false;
+    if (is_new && (!add_mesh(k, to->many, &made) || !make_cluster(k, w, copies, leaves, count, made, original))) return false;
     if (to->many->meshes[original].triangle_count == 0) return true;
     return VS_ROOM(k, to->many->copies, to->many->copy_room, to->many->copy_count + 1) &&
            (to->many->copies[to->many->copy_count++] = (vs_kernel_copy){ original, map }, true);
   }
   if (!is_new) { /* a copy may have other tags, of the same paint */
-    const vs_original *o = &copies->originals.at[original];
-    for (uint32_t i = 0; i < count; i++) {
-      uint32_t from = w->problem->leaves[o->leaves[i]].tag;
-      if (from >= to->tags.count && !VS_ROOM(k, to->tags.at, to->tags.room, (size_t)from + 1)) return false;
-      to->tags.count = to->tags.count > from ? to->tags.count : (size_t)from + 1;
-      to->tags.at[from] = w->problem->leaves[leaves[i]].tag;
-    }
-    return repeat(k, to->one, to->ranges.at + 4 * (size_t)original, to->tags.at, &map);
+    vs_placement p = { .from = to->ranges.at[original], .vertex = to->one->vertex_count, .triangle = to->one->triangle_count, .map = map,
+                       .were = copies->originals.at[original].leaves, .leaves = leaves, .leaf_count = count };
+    return vs_placing_room(k, to->one, p.from.vertices, p.from.triangles) && VS_PUSH(k, w->placing.again, p) && vs_kernel_report(k, 0);
   }
-  size_t vertices = to->one->vertex_count, triangles = to->one->triangle_count;
-  return make_cluster(k, w, copies, leaves, count, to->one) && VS_PUSH(k, to->ranges, vertices) && VS_PUSH(k, to->ranges, triangles) &&
-         VS_PUSH(k, to->ranges, to->one->vertex_count - vertices) && VS_PUSH(k, to->ranges, to->one->triangle_count - triangles);
+  vs_range range = { .vertex = to->one->vertex_count, .triangle = to->one->triangle_count };
+  if (!make_cluster(k, w, copies, leaves, count, to->one, 0)) return false;
+  range.vertices = to->one->vertex_count - range.vertex;
+  range.triangles = to->one->triangle_count - range.triangle;
+  return VS_PUSH(k, to->ranges, range);
 }
 
 static void count_in(vs_kernel_counts *sum, const vs_kernel_counts *c, size_t peak) {
@@ -310,6 +296,7 @@ static void count_in(vs_kernel_counts *sum, const vs_kernel_counts *c, size_t pe
   sum->remembered += c->remembered;
   if (sum->coarse == 0) sum->coarse_leaf = c->coarse_leaf, sum->coarse_step = c->coarse_step, sum->coarse_by = c->coarse_by;
   sum->coarse += c->coarse;
+  for (int i = 0; i < VS_STEP_COUNT; i++) sum->seconds[i] += c->seconds[i];
   if (peak > sum->peak) sum->peak = peak;
 }
 
@@ -319,17 +306,18 @@ static bool evaluate(const vs_kernel_problem *given, const vs_kernel_options *op
   k.error->status = VS_KERNEL_FINE;
   k.error->leaf = 0;
   k.error->message[0] = 0;
-  vs_clipped clipped;
-  bool ok = vs_clip_leaves(&k, given, &clipped);
+  vs_clipped clipped = { .problem = *given };
   const vs_kernel_problem *p = &clipped.problem;
   whole w = { .problem = p, .gate = vs_bounds_empty() };
+  vs_kernel_time(&k, options && options->counts ? w.counts.seconds : NULL);
   vs_copies copies = { .problem = p };
   vs_bounds *bounds = NULL;
   uint32_t *parent = NULL, *order = NULL, n = 0;
   size_t parent_room = 0, order_room = 0, bounds_room = 0, most_leaves = (size_t)p->leaf_count + 1;
-  ok = ok && VS_ROOM(&k, parent, parent_room, most_leaves) && VS_ROOM(&k, order, order_room, most_leaves) && VS_ROOM(&k, bounds, bounds_room, most_leaves) &&
-            (to->many || want_tags(&k, to->one)) && vs_expression_build(&k, &w.expression, p) && find_clusters(&k, p, bounds, parent, order, &n) &&
-            find_gate(&k, &w, bounds) && vs_parts_prepare(&k, &w.parts, p, order, parent, n) && vs_copies_begin(&k, &copies, p, &w.parts, &w.expression);
+  bool ok = VS_ROOM(&k, parent, parent_room, most_leaves) && VS_ROOM(&k, order, order_room, most_leaves) && VS_ROOM(&k, bounds, bounds_room, most_leaves) &&
+            (to->many || want_tags(&k, to->one)) && bound_leaves(&k, given, bounds) && vs_clip_leaves(&k, given, bounds, &clipped) &&
+            vs_expression_build(&k, &w.expression, p) && find_clusters(&k, p, bounds, parent, order, &n) && find_gate(&k, &w, bounds) && vs_kernel_lap(&k, VS_STEP_CLUSTERS) &&
+            vs_parts_prepare(&k, &w.parts, p, order, parent, n) && vs_kernel_lap(&k, VS_STEP_PARTS) && vs_copies_begin(&k, &copies, p, &w.parts, &w.expression);
   w.bounds = ok && options && vs_cache_asks(options->cache) && p->identities ? bounds : NULL;
   if (!w.bounds) VS_FREE(&k, bounds, bounds_room);
   for (uint32_t i = 0, end; ok && i < n; i = end) {
@@ -338,11 +326,13 @@ static bool evaluate(const vs_kernel_problem *given, const vs_kernel_options *op
     k.share = (double)(end - i) / n;
     ok = give_cluster(&k, &w, &copies, to, order + i, end - i);
   }
+  ok = ok && vs_kernel_lap(&k, VS_STEP_CLUSTERS) && vs_placing_finish(&k, &w.placing, p->leaves, to->one ? to->one : to->many->meshes) &&
+       vs_kernel_lap(&k, VS_STEP_PLACE);
   if (options && options->counts) count_in(options->counts, &w.counts, k.peak);
   vs_remember_free(&k, &w.remember);
   VS_FREE(&k, bounds, bounds_room);
   VS_DROP(&k, to->ranges);
-  VS_DROP(&k, to->tags);
+  vs_placing_free(&k, &w.placing);
   vs_copies_free(&k, &copies);
   vs_expression_free(&k, &w.expression);
   vs_parts_free(&k, &w.parts);

@@ -7,6 +7,7 @@
 
 #include "model/mesh.h"
 #include "model/node.h"
+#include "model/tally.h"
 
 typedef struct {
   const vs_mesh *mesh;  /* closed, counter-clockwise seen from outside; may be shared by leaves; may cross itself (overlaps count as inside) */
@@ -42,6 +43,7 @@ typedef struct {
   size_t coarse;     /* leaves whose volume the grid has changed by more than a hundredth: too small for what they touch; and of the first of them: */
   uint32_t coarse_leaf;
   double coarse_step, coarse_by; /* how wide a step is; how much it changed the volume, as a part of that */
+  double seconds[VS_STEP_COUNT]; /* of its steps */
 } vs_kernel_counts;
 
 typedef struct {

@@ -20,6 +20,7 @@ typedef struct vs_kernel {
   uint32_t ticks;          /* since the last call of progress */
   double done, share;      /* progress before this cluster, and what the cluster adds */
   double part;             /* of the cluster, as last reported */
+  double *laps, since;     /* seconds of each step (vs_step), and when the one that goes on began; NULL: nobody asks */
 } vs_kernel;
 
 bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const char *format, ...) __attribute__((format(printf, 4, 5)));
@@ -38,6 +39,10 @@ void vs_kernel_free(vs_kernel *k, void *slot, size_t *room, size_t size);
 
 bool vs_kernel_report(vs_kernel *k, double part); /* part of the cluster done, 0..1; false: interrupted */
 static inline bool vs_kernel_poll(vs_kernel *k, double part) { return (++k->ticks & 1023) != 0 || vs_kernel_report(k, part); }
+
+/* A step ends, the first one begun by vs_kernel_time: its seconds are added to what it had. True, so that it may stand between steps. */
+void vs_kernel_time(vs_kernel *k, double laps[VS_STEP_COUNT]);
+bool vs_kernel_lap(vs_kernel *k, vs_step step);
 
 /* Calls task(k, context, 0) to task(k, context, count - 1), in any order and at once where there are threads. k is not the caller's in each of them. */
 typedef bool vs_task_fn(vs_kernel *k, void *context, size_t index);

@@ -527,7 +527,9 @@ bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *opt
   settling s = { .k = &k, .m = m, .numbers = numbers == VS_NUMBERS_SOUP ? VS_NUMBERS_SINGLE : numbers };
   *k.error = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };
   *out = (vs_settled){ 0 };
+  vs_kernel_time(&k, options && options->counts ? options->counts->seconds : NULL);
   bool ok = settle(&s, numbers == VS_NUMBERS_SOUP, out);
+  vs_kernel_lap(&k, VS_STEP_SETTLE);
   VS_DROP(&k, s.fans);
   VS_DROP(&k, s.around);
   VS_DROP(&k, s.look);

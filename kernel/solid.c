@@ -343,6 +343,11 @@ void vs_solid_free(vs_solid *s) {
   *s = (vs_solid){ .part_count = 0 };
 }
 
+void vs_solid_tally_steps(vs_store *s, const vs_kernel_counts *counts) {
+  vs_tally *t = vs_store_tally(s);
+  for (int i = 0; t && i < VS_STEP_COUNT; i++) t->steps[i] += counts->seconds[i];
+}
+
 static void tally_up(vs_tally *t, const vs_kernel_counts *c, const vs_solid *one, const vs_solid_copies *many) {
   if (!t) return;
   t->clusters += c->clusters;
@@ -373,6 +378,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
   b->facets = facets;
   b->error = error;
   bool ok = true;
+  vs_kernel_time(&b->k, counts.seconds);
   for (size_t i = 0; ok && i < count; i++) {
     ok = !(refs[i].node->flags & VS_NODE_ENDLESS) || vs_error_set(error, VS_ERROR_MODEL, refs[i].origin, VS_ENDLESS_MESSAGE);
     ok = ok && walk_one(b, &refs[i]);
@@ -382,6 +388,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
     const vs_cached *held = b->meshes.at[b->mesh_numbers.at[i]].held;
     ok = VS_PUSH(&b->k, b->identities, held ? held->serial : 0);
   }
+  vs_kernel_lap(&b->k, VS_STEP_SHAPES);
   if (ok) {
     vs_kernel_problem problem = { b->leaves.at, b->terms.at, b->operands.at, (uint32_t)b->leaves.count, (uint32_t)b->terms.count,
                                   (uint32_t)b->operands.count, b->paints.at, b->identities.at, b->within.at };
@@ -409,6 +416,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
     free(b->meshes.at[i].mesh);
   }
   tally_up(tally, &counts, one, many);
+  if (count) vs_solid_tally_steps(refs[0].node->store, &counts);
   VS_DROP(&b->k, b->leaves);
   VS_DROP(&b->k, b->origins);
   VS_DROP(&b->k, b->twins);

@@ -33,5 +33,7 @@ bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets
 void vs_solid_free(vs_solid *s);
 bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_solid_copies *out, vs_error *error);
 void vs_solid_copies_free(vs_solid_copies *s);
+/* Adds the seconds of the kernel's steps to the account of whoever owns the store. */
+void vs_solid_tally_steps(vs_store *s, const vs_kernel_counts *counts);
 
 #endif

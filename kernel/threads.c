@@ -1,5 +1,5 @@
 /* Owns the threads: tasks handed out one by one to as many as there are processors. What a task makes depends on its number alone, so the result
- * does not depend on who did it. The caller's thread works too, and is the only one that reports progress. */
+ * does not depend on who did it. The caller's thread works too, and is the only one that reports progress. And the clock, which only accounts are made by. */
 #include "kernel/memory.h"
 
 #include <errno.h>
@@ -111,6 +111,25 @@ static void *begin(void *argument) {
   pthread_cond_signal(&w->crew->done);
   pthread_mutex_unlock(&w->crew->lock);
   return NULL;
+}
+
+static double now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+void vs_kernel_time(vs_kernel *k, double laps[VS_STEP_COUNT]) {
+  k->laps = laps;
+  if (laps) k->since = now();
+}
+
+bool vs_kernel_lap(vs_kernel *k, vs_step step) {
+  if (!k->laps) return true;
+  double at = now();
+  k->laps[step] += at - k->since;
+  k->since = at;
+  return true;
 }
 
 uint32_t vs_kernel_threads(const vs_kernel_options *options) {

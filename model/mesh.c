@@ -82,6 +82,12 @@ vs_bounds vs_mesh_bounds(const vs_mesh *m) {
   return b;
 }
 
+vs_bounds vs_mesh_placed_bounds(const vs_mesh *m, const vs_affine *a) {
+  vs_bounds b = vs_bounds_empty();
+  for (size_t i = 0; i < m->vertex_count; i++) vs_bounds_add(&b, vs_affine_point(a, m->vertices[i]));
+  return b;
+}
+
 static int vs_mesh_compare_keys(const void *a, const void *b) {
   uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
   return x < y ? -1 : x > y;

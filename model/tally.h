@@ -15,6 +15,12 @@ typedef enum {
   VS_WORK_COUNT
 } vs_work_phase;
 
+typedef enum {
+#define VS_STEP(upper, lower, doc) VS_STEP_##upper,
+#include "model/steps.def"
+  VS_STEP_COUNT
+} vs_step;
+
 typedef struct {
   double seconds;
   double growth; /* bytes held at its ends less those at its beginnings */
@@ -33,6 +39,7 @@ typedef struct vs_tally {
   uint64_t written;               /* bytes of outputs */
   uint64_t clusters, combined, copied, remembered; /* of solids that touch (kernel.h) */
   uint64_t triangles;             /* of their results */
+  double steps[VS_STEP_COUNT];    /* seconds, of MESH's */
   uint64_t texts, texts_found, bytes_found; /* runs of text that were looked for in the world cache; of those, found; their bytes */
 } vs_tally;
 
