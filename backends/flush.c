@@ -2,8 +2,8 @@
  * round walls too, where they lie in each other, since equal round parts have equal facets. Parts whose boxes do not meet do not matter.
  *
  * What is flush grows: an operand's parts one by one, each in its own coordinates, so that all its faces move outwards. In a difference only what is cut
- * away grows, so nothing that stays moves; in an intersection one of each two that are flush. Solids on an axis grow as what they are, others about their
- * middle: walls that look towards it, of a shape with notches, come out a little short.
+ * away grows, so nothing that stays moves: what is flush with what it cuts, and what meets an earlier cutter face to face; in an intersection one of each two
+ * that are flush. Solids on an axis grow as what they are, others about their middle: walls that look towards it, of a shape with notches, come out a little short.
  *
  * Cost: the facets of each distinct difference, once, and a sort. */
 #include "backends/flush.h"
@@ -20,7 +20,7 @@
 
 enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* of one set; beyond, everything in it counts as flush */
 
-typedef struct { int64_t key[4]; uint32_t operand, part; } face_plane;
+typedef struct { int64_t key[4]; uint32_t turned, operand, part; } face_plane; /* turned: the face looks against the key's normal */
 typedef struct { const vs_node *node; vs_affine placed; } place; /* on the way down to parts */
 
 typedef struct {
@@ -44,23 +44,25 @@ static int compare_planes(const void *p, const void *q) {
   const face_plane *a = p, *b = q;
   for (int i = 0; i < 4; i++)
     if (a->key[i] != b->key[i]) return a->key[i] < b->key[i] ? -1 : 1;
+  if (a->turned != b->turned) return a->turned < b->turned ? -1 : 1;
   if (a->operand != b->operand) return a->operand < b->operand ? -1 : 1;
   return a->part < b->part ? -1 : a->part > b->part;
 }
 
 static bool same_plane(const face_plane *a, const face_plane *b) { return memcmp(a->key, b->key, sizeof a->key) == 0; }
 
-/* Either side. Whole numbers by rounding at places that no model chooses: what differs by rounding alone lies on one side of them, all but surely. */
+/* Of both sides the same. Whole numbers by rounding at places that no model chooses: what differs by rounding alone lies on one side of them, all but surely. */
 static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
   vs_vec3 n = vs_v3_unit(normal);
   double first = fabs(n.x) > 1e-7 ? n.x : fabs(n.y) > 1e-7 ? n.y : n.z, h;
   if (!(vs_v3_length(n) > 0.5)) return true;
-  if (first < 0) n = vs_v3_scale(n, -1);
+  bool turned = first < 0;
+  if (turned) n = vs_v3_scale(n, -1);
   h = vs_v3_dot(n, vs_v3_sub(at, f->middle)) / f->step;
   if (!(fabs(h) < 1e15)) return true;
   if (!VS_GROW(f->planes, f->room, f->count + 1)) return false;
   f->planes[f->count++] = (face_plane){ { (int64_t)floor(n.x * 1e6 + 0.3137), (int64_t)floor(n.y * 1e6 + 0.3137), (int64_t)floor(n.z * 1e6 + 0.3137), (int64_t)floor(h + 0.3137) },
-                                        operand, (uint32_t)(f->part_count - 1) };
+                                        turned, operand, (uint32_t)(f->part_count - 1) };
   return true;
 }
 
@@ -93,7 +95,7 @@ static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32
   if (f->count > from) qsort(f->planes + from, f->count - from, sizeof *f->planes, compare_planes);
   size_t kept = from;
   for (size_t i = from; i < f->count; i++)
-    if (i == from || !same_plane(&f->planes[i], &f->planes[kept - 1])) f->planes[kept++] = f->planes[i];
+    if (i == from || f->planes[i].turned != f->planes[kept - 1].turned || !same_plane(&f->planes[i], &f->planes[kept - 1])) f->planes[kept++] = f->planes[i];
   f->count = kept;
   return ok;
 }
@@ -124,21 +126,26 @@ static bool boxes_meet(const vs_bounds *a, const vs_bounds *b, double slack) {
          b->min.z - slack <= a->max.z;
 }
 
-/* Marks operands that share a plane with an earlier one (of a difference: with the first). */
+/* Marks operands that share a plane with an earlier one: any of an intersection; of a difference with the first, and with a cutter that they meet face to face (POV-Ray keeps
+ * a skin between two such). */
 static void mark(flush *f, bool difference, unsigned char *marked, size_t operands) {
   size_t pairs = 0;
   if (f->count > 0) qsort(f->planes, f->count, sizeof *f->planes, compare_planes);
-  for (size_t i = 0, end; i < f->count; i = end) {
+  for (size_t i = 0, end, turned; i < f->count; i = end) {
     for (end = i + 1; end < f->count && same_plane(&f->planes[i], &f->planes[end]);) end++;
-    for (size_t a = i; a < end && !(difference && f->planes[a].operand > 0); a++)
-      for (size_t b = a + 1; b < end; b++) {
+    for (turned = i; turned < end && !f->planes[turned].turned;) turned++;
+    for (size_t a = i; a < end; a++) {
+      bool cutter = difference && f->planes[a].operand > 0;
+      for (size_t b = !difference ? a + 1 : !cutter ? i : a < turned ? turned : end; b < end; b++) {
         if (++pairs > PAIRS_MOST) {
           memset(marked + 1, 1, operands - 1);
           return;
         }
-        if (f->planes[a].operand == f->planes[b].operand || marked[f->planes[b].operand]) continue;
-        marked[f->planes[b].operand] = boxes_meet(&f->boxes[f->planes[a].part], &f->boxes[f->planes[b].part], f->step);
+        const face_plane *p = &f->planes[a], *q = &f->planes[b];
+        uint32_t later = p->operand > q->operand ? p->operand : q->operand;
+        if (p->operand != q->operand && !marked[later]) marked[later] = boxes_meet(&f->boxes[p->part], &f->boxes[q->part], f->step);
       }
+    }
   }
 }
 

@@ -4,8 +4,8 @@
 
 #include "model/scene.h"
 
-/* In each difference and intersection of the scene, what shares a plane with what it cuts becomes larger by 2^-16 of that. The surface that stays is
- * where it was. */
+/* In each difference and intersection of the scene, what shares a plane with what it cuts becomes larger by 2^-16 of that, and so does a cutter that
+ * meets another one face to face. The surface that stays is where it was. */
 bool vs_scene_part_flush(vs_scene *scene, vs_error *e);
 
 #endif

@@ -222,6 +222,24 @@ static void test_povray_words(void **state) {
   test_model_close(&m);
 }
 
+/* POV-Ray keeps a skin between two cutters that meet face to face, and where one is flush with what it cuts: the later one grows. Beside each other, or one plane under both, is no harm. */
+static void test_povray_skins(void **state) {
+  (void)state;
+  test_model m;
+  test_model_open(&m);
+  vs_ref cutters[4] = { test_box(&m, -1, -9, -9, 12, 9, 9), test_cylinder(&m, vs_v3(0, 0, 0), vs_v3(5, 0, 0), 1), test_cylinder(&m, vs_v3(5, 0, 0), vs_v3(10, 0, 0), 1),
+                        test_cylinder(&m, vs_v3(0, 4, 0), vs_v3(5, 4, 0), 1) };
+  test_draw(&m, test_node(&m, 1, VS_DIFFERENCE, &(struct vs_difference){ 0 }, cutters, 4));
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  assert_true(vs_export_prepare(&m.scene, vs_export_format_find("pov"), &e));
+  char *text = written(&m, "pov");
+  assert_holds(text, "  cylinder { <0, 0, 0>, <5, 0, 0>, 1 }\n");
+  assert_holds(text, "  cylinder { <4.99");
+  assert_holds(text, "  cylinder { <0, 4, 0>, <5, 4, 0>, 1 }\n");
+  free(text);
+  test_model_close(&m);
+}
+
 static void test_openscad_words(void **state) {
   (void)state;
   test_model m;
@@ -688,7 +706,7 @@ static void test_openscad_takes_all(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_numbers), cmocka_unit_test(test_numbers_locale), cmocka_unit_test(test_tree_reads_back), cmocka_unit_test(test_tree_golden),
-    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words), cmocka_unit_test(test_stl_words),
+    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_povray_skins), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words), cmocka_unit_test(test_stl_words),
     cmocka_unit_test(test_left_out), cmocka_unit_test(test_templates), cmocka_unit_test(test_singular), cmocka_unit_test(test_deep),
     cmocka_unit_test(test_no_memory), cmocka_unit_test(test_files), cmocka_unit_test(test_formats), cmocka_unit_test(test_povray_missing),
     cmocka_unit_test(test_povray_complains), cmocka_unit_test(test_povray_stops), cmocka_unit_test(test_povray_picture),
