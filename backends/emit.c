@@ -57,6 +57,11 @@ bool vs_put(vs_writer *w, const void *bytes, size_t count) {
   if (w->failed) return false;
   if (count == 0) return true; /* bytes may be NULL then */
   if (!writer_counts(w, count)) return false;
+  if (count >= VS_WRITER_ROOM / 2 && w->tap == NULL && !w->keeps_lines) { /* nobody looks at it on the way */
+    if (!vs_writer_flush(w)) return false;
+    if (!w->sink(w->context, bytes, count)) w->failed = true;
+    return !w->failed;
+  }
   for (const char *from = bytes;;) {
     size_t part = VS_WRITER_ROOM - w->used;
     if (part > count) part = count;

@@ -89,9 +89,9 @@ bool vs_solid_frustum(vs_mesh *out, vs_vec3 base, double base_radius, vs_vec3 to
 bool vs_solid_oval_frustum(vs_mesh *out, vs_vec3 base, double base_radius, double base_across, vs_vec3 top, double top_radius, double top_across, int n, bool hubs) {
   vs_affine frame = vs_frame_on_axis(base, vs_v3_sub(top, base));
   uint32_t first = (uint32_t)out->vertex_count, sides = (uint32_t)n, low = first, high = first, tip;
-  bool ok = true;
+  bool ok = vs_mesh_reserve(out, out->vertex_count + 2 * (size_t)sides + 2, out->triangle_count + 4 * (size_t)sides);
   if (base_radius > 0) {
-    ok = vs_solid_oval(out, &frame, base, base_radius, base_across, n);
+    ok = ok && vs_solid_oval(out, &frame, base, base_radius, base_across, n);
     high = first + sides;
   }
   if (top_radius > 0) ok = ok && vs_solid_oval(out, &frame, top, top_radius, top_across, n);
@@ -183,7 +183,8 @@ bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *fa
   vs_vec2 *flat = malloc((faces->corner_count ? faces->corner_count : 1) * sizeof *flat);
   uint32_t *ring = malloc((faces->corner_count ? faces->corner_count : 1) * sizeof *ring);
   uint32_t base = (uint32_t)out->vertex_count;
-  bool ok = place && flat && ring && vs_polyface_merge(points->at, points->count, place);
+  size_t triangles = faces->corner_count > 2 * (size_t)faces->count ? faces->corner_count - 2 * (size_t)faces->count : 0;
+  bool ok = place && flat && ring && vs_mesh_reserve(out, out->vertex_count + points->count, out->triangle_count + triangles) && vs_polyface_merge(points->at, points->count, place);
   uint32_t next = base;
   for (uint32_t i = 0; ok && i < points->count; i++) { /* place[i]: first the earliest equal point, then the vertex it became */
     if (place[i] == i) {

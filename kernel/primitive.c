@@ -99,14 +99,28 @@ static void keep(vs_cache *cache, const vs_cache_key *key, vs_mesh *out, const v
   view(*held, out);
 }
 
-bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, const vs_cached **held, vs_error *e) {
+bool vs_primitive_find(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh *out, const vs_cached **held) {
   const uint64_t words[] = { vs_cache_real(f->tolerance), (uint64_t)(int64_t)f->segments };
-  const vs_cache_key key = { VS_CACHED_PRIMITIVE, n, words, 2, 0 };
-  *held = cache ? vs_cache_find(cache, &key) : NULL;
-  if (*held) return view(*held, out), true;
+  *held = cache ? vs_cache_find(cache, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, words, 2, 0 }) : NULL;
+  if (*held) view(*held, out);
+  return *held != NULL;
+}
+
+void vs_primitive_keep(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh *out, const vs_cached **held) {
+  const uint64_t words[] = { vs_cache_real(f->tolerance), (uint64_t)(int64_t)f->segments };
+  if (cache) keep(cache, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, words, 2, 0 }, out, held);
+}
+
+bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, const vs_cached **held, vs_error *e) {
+  if (vs_primitive_find(cache, n, f, out, held)) return true;
   if (!vs_primitive_mesh(n, f, options, out, e)) return false;
-  if (cache) keep(cache, &key, out, held);
+  vs_primitive_keep(cache, n, f, out, held);
   return true;
+}
+
+bool vs_primitive_is_plain(const vs_node *n) {
+  return n->kind == VS_BOX || n->kind == VS_WEDGE || n->kind == VS_SPHERE || n->kind == VS_CYLINDER || n->kind == VS_CONE || n->kind == VS_CUT_CONE || n->kind == VS_E_CONE ||
+         n->kind == VS_PYRAMID || n->kind == VS_TORUS || n->kind == VS_POLYFACE_MESH;
 }
 
 bool vs_half_space_shared(vs_cache *cache, vs_node *n, const vs_bounds *reach, vs_mesh *out, const vs_cached **held) {

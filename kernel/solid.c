@@ -35,6 +35,7 @@ typedef struct {
   vs_mesh *mesh;
   const vs_cached *held; /* mesh's arrays are the cache's; NULL: its own */
   size_t next;           /* one more; 0: none */
+  const vs_origin *origin;
   const vs_node *scope;  /* of a half-space, which is as large as it must be there: */
   vs_affine local;       /* where it stands in it */
 } meshed;
@@ -62,6 +63,7 @@ typedef struct {
   VS_LIST(uint8_t) off;               /* of each leaf: level.off */
   VS_LIST(uint32_t) mesh_numbers;     /* of each leaf: which of meshes */
   VS_LIST(uint64_t) identities;       /* of each leaf's mesh */
+  VS_LIST(uint32_t) plain;            /* meshes that are made by threads in the end */
   vs_cache *cache;                    /* or NULL */
 } builder;
 
@@ -149,17 +151,60 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fac
   if (!vs_kernel_report(&b->k, 0)) return false; /* one shape may have a million triangles */
   *mesh = calloc(1, sizeof **mesh);
   if (!*mesh) return vs_error_memory(b->error, NULL);
-  if (!VS_PUSH(&b->k, b->meshes, ((meshed){ ref->node, *facets, *mesh, NULL, *bucket, at->scope_node, at->local }))) {
+  if (!VS_PUSH(&b->k, b->meshes, ((meshed){ ref->node, *facets, *mesh, NULL, *bucket, ref->origin, at->scope_node, at->local }))) {
     free(*mesh);
     return false;
   }
   *bucket = b->meshes.count;
   *number = (uint32_t)b->meshes.count - 1;
   if (ref->node->kind == VS_HALF_SPACE) return true; /* made when it is known what there is to cut */
+  if (vs_primitive_is_plain(ref->node)) return vs_primitive_find(b->cache, ref->node, facets, *mesh, &b->meshes.at[*number].held) || VS_PUSH(&b->k, b->plain, *number);
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   if (vs_primitive_shared(b->cache, ref->node, facets, b->k.options, *mesh, &b->meshes.at[*number].held, &why)) return true;
   if (!why.origin) why.origin = ref->origin;
   if (b->error) *b->error = why;
+  return false;
+}
+
+/* ---- plain meshes ---- */
+
+enum { FEW = 64, CHUNK = 8 /* so few are a task each, else so many together */, CURVED = 100 /* triangles, by and large */, SERIAL = 10000 /* are not worth a thread */ };
+
+typedef struct { const builder *b; size_t chunk; } making;
+
+static bool make_some(vs_kernel *k, void *context, size_t index) {
+  const making *all = context;
+  const builder *b = all->b;
+  for (size_t i = index * all->chunk; i < (index + 1) * all->chunk && i < b->plain.count; i++) {
+    const meshed *m = &b->meshes.at[b->plain.at[i]];
+    if (!vs_kernel_report(k, 0)) return false; /* one shape may have a million triangles */
+    if (!vs_tessellate(m->node, &m->facets, m->mesh, NULL)) return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, (uint32_t)i, "out of memory while combining solids");
+  }
+  return true;
+}
+
+/* All that the walk has left. */
+static bool make_plain(builder *b) {
+  making all = { b, b->plain.count < FEW ? 1 : CHUNK };
+  size_t faces = 0;
+  for (size_t i = 0; i < b->plain.count; i++) {
+    const vs_node *n = b->meshes.at[b->plain.at[i]].node;
+    faces += n->kind == VS_POLYFACE_MESH ? VS_AS(polyface_mesh, n)->faces->count : CURVED;
+  }
+  if (faces >= SERIAL) b->k.threads = vs_kernel_threads(b->k.options);
+  bool ok = vs_kernel_run(&b->k, (b->plain.count + all.chunk - 1) / all.chunk, make_some, &all);
+  b->k.threads = 1;
+  for (size_t i = 0; ok && i < b->plain.count; i++) {
+    meshed *m = &b->meshes.at[b->plain.at[i]];
+    vs_primitive_keep(b->cache, (vs_node *)(uintptr_t)m->node, &m->facets, m->mesh, &m->held);
+  }
+  if (ok || b->k.error->status != VS_KERNEL_OUT_OF_MEMORY) return ok;
+  const meshed *m = &b->meshes.at[b->plain.at[b->k.error->leaf]]; /* once more, for what it has to say */
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
+  if (vs_tessellate(m->node, &m->facets, m->mesh, &why)) return false;
+  if (!why.origin) why.origin = m->origin;
+  if (b->error) *b->error = why;
+  b->k.error->status = VS_KERNEL_FINE;
   return false;
 }
 
@@ -383,7 +428,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
     ok = !(refs[i].node->flags & VS_NODE_ENDLESS) || vs_error_set(error, VS_ERROR_MODEL, refs[i].origin, VS_ENDLESS_MESSAGE);
     ok = ok && walk_one(b, &refs[i]);
   }
-  ok = ok && close_term(b, VS_TERM_UNION, 0) && bound_half_spaces(b);
+  ok = ok && make_plain(b) && close_term(b, VS_TERM_UNION, 0) && bound_half_spaces(b);
   for (size_t i = 0; ok && b->cache && i < b->leaves.count; i++) {
     const vs_cached *held = b->meshes.at[b->mesh_numbers.at[i]].held;
     ok = VS_PUSH(&b->k, b->identities, held ? held->serial : 0);
@@ -426,6 +471,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
   VS_DROP(&b->k, b->within);
   VS_DROP(&b->k, b->scoped);
   VS_DROP(&b->k, b->identities);
+  VS_DROP(&b->k, b->plain);
   VS_DROP(&b->k, b->terms);
   VS_DROP(&b->k, b->operands);
   VS_DROP(&b->k, b->pending);

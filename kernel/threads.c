@@ -178,7 +178,7 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
   pthread_cond_destroy(&c.space);
   pthread_cond_destroy(&c.done);
   pthread_mutex_destroy(&c.lock);
-  if (k->error->status == VS_KERNEL_FINE && c.failed != SIZE_MAX) *k->error = c.error;
+  if (k->error->status != VS_KERNEL_INTERRUPTED && c.failed != SIZE_MAX) *k->error = c.error; /* the caller's own task may not be the first that failed */
   return !atomic_load(&k->stop);
 }
 

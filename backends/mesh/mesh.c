@@ -47,12 +47,16 @@ static char *mesh_numbers(char *to, const uint32_t t[3], uint32_t first) {
 
 /* ---- STL ---- */
 
-static bool stl_same(const vs_mesh *m, uint32_t a, uint32_t b) {
-  vs_vec3 p = m->vertices[a], q = m->vertices[b];
-  return (float)p.x == (float)q.x && (float)p.y == (float)q.y && (float)p.z == (float)q.z;
-}
+static bool stl_same(const float *p, const float *q) { return p[0] == q[0] && p[1] == q[1] && p[2] == q[2]; }
 
-static bool stl_needle(const vs_mesh *m, const uint32_t t[3]) { return stl_same(m, t[0], t[1]) || stl_same(m, t[1], t[2]) || stl_same(m, t[2], t[0]); }
+static bool stl_needle(const vs_mesh *m, const uint32_t t[3]) {
+  float at[3][3];
+  for (int k = 0; k < 3; k++) {
+    const vs_vec3 *v = &m->vertices[t[k]];
+    at[k][0] = (float)v->x, at[k][1] = (float)v->y, at[k][2] = (float)v->z;
+  }
+  return stl_same(at[0], at[1]) || stl_same(at[1], at[2]) || stl_same(at[2], at[0]);
+}
 
 static vs_vec3 stl_normal(const vs_mesh *m, const uint32_t t[3]) {
   vs_vec3 a = m->vertices[t[0]];
