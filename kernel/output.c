@@ -38,6 +38,17 @@ static const vs_use *use_at(const writer *w, size_t i) { return &w->c->uses.at[w
 
 static bool same_paint(const vs_kernel_problem *p, uint32_t a, uint32_t b) { return a == b || (p->paints && p->paints[a] == p->paints[b]); }
 
+/* What is asked for soon, from all over memory. */
+VS_AHEAD merge_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
+  enum { USE = 24, FACE = 12 };
+  const vs_half *at = c->edges.at.at + i;
+  if (i + USE >= stop) return;
+  __builtin_prefetch(&c->uses.at[at[USE].item]);
+  uint32_t face = c->uses.at[at[FACE].item].face;
+  __builtin_prefetch(&c->kept.at[face]);
+  __builtin_prefetch(&c->faces.at[face]);
+}
+
 /* Merges over the edges between two coplanar faces of one paint that look the same way; the other edges stay. */
 static bool merge_range(vs_kernel *k, void *context, size_t range) {
   writer *w = context;
@@ -48,8 +59,10 @@ static bool merge_range(vs_kernel *k, void *context, size_t range) {
   for (uint32_t i = h->first.at[low], end; i < stop; i = end) {
     while (i >= h->first.at[low + 1]) low++;
     uint32_t first = (uint32_t)to->uses.count, high = h->at.at[i].high;
-    for (end = i; end < h->first.at[low + 1] && h->at.at[end].high == high; end++)
+    for (end = i; end < h->first.at[low + 1] && h->at.at[end].high == high; end++) {
+      merge_ahead(c, end, stop);
       if (c->kept.at[c->uses.at[h->at.at[end].item].face] && !VS_PUSH(k, to->uses, h->at.at[end].item)) return false;
+    }
     size_t count = to->uses.count - first;
     if (count == 2) {
       const vs_use *a = &c->uses.at[to->uses.at[first]], *b = &c->uses.at[to->uses.at[first + 1]];
@@ -132,12 +145,23 @@ static bool drop_some_corners(vs_kernel *k, void *context, size_t chunk) {
   return vs_kernel_report(k, 0.9);
 }
 
+VS_AHEAD corners_ahead(const writer *w, uint32_t e, size_t edges) {
+  enum { USE = 24, POINT = 12 };
+  if (e + USE >= edges) return;
+  __builtin_prefetch(use_at(w, w->edge_first.at[e + USE]));
+  const vs_use *u = use_at(w, w->edge_first.at[e + POINT]);
+  uint32_t p = u->from < u->to ? u->to : u->from; /* the smaller ends come in order */
+  __builtin_prefetch(&w->degree.at[p], 1);
+  __builtin_prefetch(&w->edges.at[2 * p], 1);
+}
+
 static bool drop_corners(writer *w) {
   vs_cluster *c = w->c;
   size_t n = c->points.all.count, edges = w->edge_first.count - 1;
   if (!VS_ROOM(w->k, w->edges.at, w->edges.room, 2 * n + 1) || !VS_ROOM(w->k, w->degree.at, w->degree.room, n + 1)) return false;
   memset(w->degree.at, 0, n);
   for (uint32_t e = 0; e < edges; e++) {
+    corners_ahead(w, e, edges);
     const vs_use *u = use_at(w, w->edge_first.at[e]);
     for (int i = 0; i < 2; i++) {
       uint32_t p = i ? u->to : u->from;

@@ -86,6 +86,16 @@ static void ends_of_corners(const void *context, uint32_t begin, uint32_t count,
   }
 }
 
+/* What is asked for soon, from all over memory. */
+VS_AHEAD join_ahead(const splitter *s, uint32_t i, uint32_t stop) {
+  enum { FAR = 16 };
+  if (i + FAR >= stop) return;
+  const vs_half *h = &s->halves.at.at[i + FAR];
+  __builtin_prefetch(s->m->triangles[s->first_triangle + h->item / 3]);
+  __builtin_prefetch(&s->twins.at[h->item], 1);
+  __builtin_prefetch(&s->lead.at[h->high], 1);
+}
+
 static bool join_range(vs_kernel *k, void *context, size_t range) {
   splitter *s = context;
   const vs_halves *h = &s->halves;
@@ -94,6 +104,7 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
     while (i >= h->first.at[low + 1]) low++;
     const vs_half *at = h->at.at + i;
     for (end = i + 1; end < h->first.at[low + 1] && h->at.at[end].high == at->high;) end++;
+    for (uint32_t j = i; j < end; j++) join_ahead(s, j, stop);
     bool first = starts_at(s, at[0].item, low);
     if (end - i == 2 && first != starts_at(s, at[1].item, low)) {
       join(s, at[0].item, at[1].item);
@@ -129,6 +140,7 @@ static bool count_fans(vs_kernel *k, void *context, size_t chunk) { /* where one
   splitter *s = context;
   size_t begin = chunk * VERTICES, end = s->vertices - begin < VERTICES ? s->vertices : begin + VERTICES, n = 0;
   for (size_t v = begin; v < end; v++) {
+    if (end - v > 12) __builtin_prefetch(&s->twins.at[atomic_load_explicit(&s->lead.at[v + 12], memory_order_relaxed)]);
     uint32_t lead = atomic_load_explicit(&s->lead.at[v], memory_order_relaxed), at = lead;
     do at = next_of(s->twins.at[at]), n++; while (at != lead);
   }
