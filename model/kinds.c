@@ -67,7 +67,7 @@ static uint64_t vs_settle_points(uint64_t h, const vs_points *const *at) {
 }
 static uint64_t vs_settle_faces(uint64_t h, const vs_faces *const *at) {
   vs_faces *f = vs_faces_retain((vs_faces *)(uintptr_t)*at);
-  return vs_hash_bytes(h, f->data, (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data);
+  return vs_hash_mix(h, f->hash);
 }
 static uint64_t vs_settle_text(uint64_t h, const char *const *at) { return vs_hash_mix(h, vs_text_hash(*at)); }
 static uint64_t vs_settle_material(uint64_t h, const vs_material *const *at) { return vs_hash_mix(h, vs_material_hash(*at)); }
@@ -190,7 +190,7 @@ bool vs_payload_equal(const vs_kind_info *info, const void *a, const void *b) {
       }
       case VS_FIELD_faces: {
         const vs_faces *f = *(const vs_faces *const *)x, *g = *(const vs_faces *const *)y;
-        same = f == g || (f->count == g->count && f->corner_count == g->corner_count &&
+        same = f == g || (f->hash == g->hash && f->count == g->count && f->corner_count == g->corner_count &&
                           !memcmp(f->data, g->data, (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data));
         break;
       }

@@ -25,6 +25,8 @@ vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count) {
   return p;
 }
 
+static void vs_faces_settle(vs_faces *f) { f->hash = vs_hash_bytes(8, f->data, (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data); }
+
 vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners, size_t corner_count) {
   if (count >= UINT32_MAX || corner_count > UINT32_MAX || count + corner_count > SIZE_MAX / sizeof *starts - 8) return NULL;
   vs_faces *f = vs_store_realloc(s, NULL, 0, sizeof *f + (count + 1 + corner_count) * sizeof *starts);
@@ -34,6 +36,21 @@ vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const 
   f->corner_count = (uint32_t)corner_count;
   memcpy(f->data, starts, (count + 1) * sizeof *starts);
   if (corner_count) memcpy(f->data + count + 1, corners, corner_count * sizeof *corners);
+  vs_faces_settle(f);
+  return f;
+}
+
+vs_faces *vs_faces_turned(vs_store *s, const vs_faces *old) {
+  vs_faces *f = vs_faces_new(s, vs_faces_starts(old), old->count, vs_faces_corners(old), old->corner_count);
+  if (!f) return NULL;
+  uint32_t *corners = f->data + f->count + 1;
+  for (uint32_t i = 0; i < f->count; i++)
+    for (uint32_t a = f->data[i], b = f->data[i + 1]; a + 1 < b; a++) {
+      uint32_t swap = corners[a];
+      corners[a] = corners[--b];
+      corners[b] = swap;
+    }
+  vs_faces_settle(f);
   return f;
 }
 

@@ -39,7 +39,7 @@ struct vs_origin {
 
 /* ---- shared arrays: immutable once made, reference counted ---- */
 typedef struct { uint32_t refs, count; vs_vec3 at[]; } vs_points;
-typedef struct { uint32_t refs, count, corner_count; uint32_t data[]; } vs_faces; /* data: count+1 starts, then corner_count indices */
+typedef struct { uint32_t refs, count, corner_count; uint64_t hash; uint32_t data[]; } vs_faces; /* data: count+1 starts, then corner_count indices; hash: of these */
 static inline const uint32_t *vs_faces_starts(const vs_faces *f) { return f->data; }
 static inline const uint32_t *vs_faces_corners(const vs_faces *f) { return f->data + f->count + 1; }
 
@@ -183,6 +183,7 @@ const vs_material *vs_store_ready_material(vs_store *s, const char *name); /* co
 /* ---- building. All return one new reference to the caller, NULL when out of memory. ---- */
 vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count);
 vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners, size_t corner_count);
+vs_faces *vs_faces_turned(vs_store *s, const vs_faces *f); /* seen from the other side */
 vs_ticket *vs_ticket_new(vs_store *s, uint32_t id);
 void vs_ticket_release(vs_store *s, const vs_ticket *t);
 /* gone(context, id) is called when the last reference to a ticket goes; NULL: nobody asks any more. It must not touch nodes. */

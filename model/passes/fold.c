@@ -54,15 +54,7 @@ static vs_node *vs_fold_polyface(vs_rewrite *w, const vs_affine *a, const struct
   vs_node *n = NULL;
   vs_fold_points(w, a, old->points, &points);
   if (points && vs_affine_determinant(a) < 0) {
-    faces = vs_faces_new(w->store, vs_faces_starts(old->faces), old->faces->count, vs_faces_corners(old->faces), old->faces->corner_count);
-    for (uint32_t f = 0; faces && f < faces->count; f++) {
-      uint32_t *corners = faces->data + faces->count + 1;
-      for (uint32_t i = faces->data[f], j = faces->data[f + 1]; i + 1 < j; i++) {
-        uint32_t swap = corners[i];
-        corners[i] = corners[--j];
-        corners[j] = swap;
-      }
-    }
+    faces = vs_faces_turned(w->store, old->faces);
     new.faces = faces;
   }
   new.points = points;

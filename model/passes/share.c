@@ -11,6 +11,9 @@
  * Only what stands a second time needs a key. Nodes know their form, a hash without numbers and places: where no other node has a set's form, and it
  * lies in none that is looked at, nothing of it is looked at. So a million primitives in one set cost nothing here.
  *
+ * Keys are made twice. The first ones see no more than some points of each array: nearly all shapes of a thousand points differ in these. Where two are equal,
+ * whole ones are made.
+ *
  * d copies of c commands cost d*c apart and c + 2*d with a template, d uses and d - 1 placements: shared where that is less. Of parts that are templates
  * whatever becomes of the copies, a copy has the uses alone. The first copy met is the template, so that parts of shared parts settle by themselves. */
 #include <math.h>
@@ -27,6 +30,7 @@ typedef struct {
   double cost;        /* commands that a copy of it is, where what is a template anyway is its use */
   bool alias;         /* the shape of its child, elsewhere */
   bool wanted;        /* its key is asked for */
+  bool again;         /* another has the same sketch */
   size_t group;       /* the first entry with this key */
   size_t copies;      /* of the group, at its first entry */
   double named;       /* references to any of the group, at its first entry */
@@ -35,9 +39,17 @@ typedef struct {
 } vs_share_entry;
 typedef struct { size_t head; vs_affine map; } vs_share_turn; /* of which first entry, and by what map */
 typedef struct { double step, first; } vs_share_step; /* first NaN: free */
+/* What a child's parent must know of it: kept, or of a lone leaf worked out when it is asked for, of a long one not at once again. */
+typedef struct { vs_share_key key; vs_vec3 anchor; } vs_share_child;
+typedef struct { const vs_node *node; vs_share_child of; } vs_share_leaf;
+
+enum { SKETCHED = 16 /* points of an array that count at first */, LONG = 1024 /* bytes */, LEAVES = 64 };
+
 typedef struct {
   vs_store *store;
   const vs_order *order;
+  vs_share_leaf leaves[LEAVES]; /* by hash: the last long one */
+  bool sketches, sketched; /* keys are made of the first points of arrays alone; some had more */
   vs_share_entry *at; /* by the node's number */
   size_t count, room;
   double quantum;
@@ -116,9 +128,6 @@ static void vs_share_mix_real(vs_share *s, vs_share_key *k, double x) {
 
 /* ---- keys ---- */
 
-/* What a child's parent must know of it: kept, or of a lone leaf worked out when it is asked for. */
-typedef struct { vs_share_key key; vs_vec3 anchor; } vs_share_child;
-
 static vs_share_child vs_share_of(vs_share *s, const vs_node *n);
 
 /* The node's own first point, or its first child's anchor */
@@ -154,12 +163,12 @@ static void vs_share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, 
       case VS_FIELD_points: {
         const vs_points *p = *(const vs_points *const *)at;
         vs_share_mix(k, p->count);
-        for (uint32_t j = 0; j < p->count; j++) vs_share_mix_vector(s, k, vs_v3_sub(p->at[j], from));
+        s->sketched |= s->sketches && p->count > SKETCHED;
+        for (uint32_t j = 0; j < p->count && (j < SKETCHED || !s->sketches); j++) vs_share_mix_vector(s, k, vs_v3_sub(p->at[j], from));
         break;
       }
       case VS_FIELD_faces: {
-        const vs_faces *f = *(const vs_faces *const *)at;
-        vs_share_mix(k, vs_hash_bytes(8, f->data, (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data));
+        vs_share_mix(k, (*(const vs_faces *const *)at)->hash);
         break;
       }
       case VS_FIELD_text: vs_share_mix(k, vs_text_hash(*(const char *const *)at)); break;
@@ -198,13 +207,15 @@ static void vs_share_find_key(vs_share *s, const vs_node *n, vs_share_key *key, 
 }
 
 static vs_share_child vs_share_of(vs_share *s, const vs_node *n) {
-  vs_share_child c;
   if (vs_order_has(s->order, n)) {
     const vs_share_entry *x = &s->at[vs_order_of(n)];
     return (vs_share_child){ x->key, x->anchor };
   }
-  vs_share_find_key(s, n, &c.key, &c.anchor); /* a leaf: this goes no deeper */
-  return c;
+  vs_share_leaf lone, *held = vs_node_bytes(n) > LONG ? &s->leaves[n->hash % LEAVES] : &lone;
+  if (held != &lone && held->node && (held->node == n || vs_node_equal(held->node, n, NULL))) return held->of;
+  vs_share_find_key(s, n, &held->of.key, &held->of.anchor); /* a leaf: this goes no deeper */
+  held->node = n;
+  return held->of;
 }
 
 /* What it is, without its key, and its cost apart, which is the most it can be; children come before. */
@@ -316,8 +327,11 @@ static bool vs_share_group(vs_share *s) {
   vs_share_order *order = vs_store_realloc(s->store, NULL, 0, (s->count + 1) * sizeof *order);
   if (!order) return false;
   size_t count = 0;
-  for (size_t i = 0; i < s->count; i++)
+  for (size_t i = 0; i < s->count; i++) {
+    s->at[i].group = i;
+    s->at[i].copies = 0;
     if (s->at[i].wanted && !s->at[i].alias) order[count++] = (vs_share_order){ s->at[i].key, i };
+  }
   qsort(order, count, sizeof *order, vs_share_compare);
   for (size_t i = 0, first = 0; i < count; i++) {
     if (order[i].key.a != order[first].key.a || order[i].key.b != order[first].key.b) first = i;
@@ -326,6 +340,29 @@ static bool vs_share_group(vs_share *s) {
   }
   vs_store_realloc(s->store, order, (s->count + 1) * sizeof *order, 0);
   return true;
+}
+
+/* Keys of all that are wanted, or of those whose sketches are not theirs alone. */
+static bool vs_share_keys(vs_share *s, bool again, vs_error *e) {
+  const vs_order *o = s->order;
+  for (size_t i = 0; i < LEAVES; i++) s->leaves[i].node = NULL;
+  for (size_t i = 0; i < s->count; i++) {
+    if (again ? s->at[i].again : s->at[i].wanted) vs_share_find_key(s, o->at[i].node, &s->at[i].key, &s->at[i].anchor);
+    if (s->starved) return vs_error_memory(e, o->at[i].origin);
+    if (!vs_store_going(s->store, VS_NODE_WORK, e)) return false;
+  }
+  return vs_share_group(s) || vs_error_memory(e, NULL);
+}
+
+/* Marks what has another's sketch, and all that lies in it. */
+static void vs_share_doubt(vs_share *s) {
+  const vs_order *o = s->order;
+  for (size_t i = 0; i < s->count; i++) s->at[i].again = s->at[i].wanted && !s->at[i].alias && s->at[s->at[i].group].copies > 1;
+  for (size_t i = s->count; i-- > 0;) {
+    const vs_node *n = o->at[i].node;
+    for (uint32_t k = 0; s->at[i].again && o->note[i].inner && k < n->child_count; k++)
+      if (vs_order_has(o, n->children[k].node)) s->at[vs_order_of(n->children[k].node)].again = true;
+  }
 }
 
 static bool vs_share_add_turn(vs_share *s, size_t index, size_t head, const vs_affine *map) {
@@ -391,12 +428,14 @@ bool vs_share_begin(vs_rewrite *w) {
   }
   s->quantum = most > 0 ? ldexp(most, -40) : 1;
   if (!(s->quantum > 0)) s->quantum = ldexp(1, -1000);
-  for (size_t i = 0; i < o->count; i++) {
-    if (s->at[i].wanted) vs_share_find_key(s, o->at[i].node, &s->at[i].key, &s->at[i].anchor);
-    if (s->starved) return vs_error_memory(w->error, o->at[i].origin);
-    if (!vs_store_going(w->store, VS_NODE_WORK, w->error)) return false;
+  s->sketches = true;
+  if (!vs_share_keys(s, false, w->error)) return false;
+  s->sketches = false;
+  if (s->sketched) {
+    vs_share_doubt(s);
+    if (!vs_share_keys(s, true, w->error)) return false;
   }
-  if (!vs_share_group(s) || !vs_share_turns(s)) return vs_error_memory(w->error, NULL);
+  if (!vs_share_turns(s)) return vs_error_memory(w->error, NULL);
   for (size_t i = 0; i < o->count; i++) vs_share_head(s, i)->named += o->note[i].uses;
   for (size_t i = 0; i < o->count; i++) s->at[i].cost = vs_share_cost(s, i, vs_share_head(s, i)->named);
   return true;

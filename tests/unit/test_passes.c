@@ -259,6 +259,37 @@ static void copies_become_a_template(void **state) {
 }
 
 /* A tree written again at other places has other last bits, and some of its numbers fall on either side of any step. */
+/* A strip of 40 points whose last is off by some, with two holes. */
+static vs_node *strip(vs_store *s, double x, double off) {
+  enum { POINTS = 40 };
+  vs_vec3 at[POINTS];
+  uint32_t starts[POINTS - 1], corners[3 * (POINTS - 2)];
+  for (int i = 0; i < POINTS; i++) at[i] = vs_v3(x + i / 2 * 0.25, i % 2, i == POINTS - 1 ? off : 0);
+  for (uint32_t i = 0; i < POINTS - 1; i++) starts[i] = 3 * i;
+  for (uint32_t i = 0; i < 3 * (POINTS - 2); i++) corners[i] = i / 3 + i % 3;
+  vs_points *points = vs_points_new(s, at, POINTS);
+  vs_faces *faces = vs_faces_new(s, starts, POINTS - 2, corners, 3 * (POINTS - 2));
+  vs_node *n = vs_node_new(s, VS_POLYFACE_MESH, &(struct vs_polyface_mesh){ .points = points, .faces = faces }, NULL, 0);
+  vs_points_release(s, points);
+  vs_faces_release(s, faces);
+  return over(s, VS_DIFFERENCE, NULL, (vs_node *[]){ n, NODE(sphere, SPHERE, { x, 0, 0 }, 0.125, 0), NODE(sphere, SPHERE, { x + 1, 0, 0 }, 0.125, 0) }, 3);
+}
+
+static void long_arrays_count_to_their_ends(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_node *kids[9];
+  for (int i = 0; i < 9; i++) kids[i] = strip(s, 16.0 * i, i < 4 ? 0 : i < 8 ? 0.5 : 0.75);
+  vs_ref r = { over(s, VS_UNION, NULL, kids, 9), NULL };
+  vs_pass_stats stats = run(s, &r, 1 << VS_PASS_SHARE);
+  assert_int_equal(stats.changed[VS_PASS_SHARE], 6);
+  for (uint32_t i = 0; i < 9; i++) assert_int_equal(r.node->children[i].node->kind, i == 0 || i == 4 || i == 8 ? VS_DIFFERENCE : VS_TRANSFORM);
+  assert_ptr_equal(r.node->children[3].node->children[0].node, r.node->children[0].node);
+  assert_ptr_equal(r.node->children[7].node->children[0].node, r.node->children[4].node);
+  vs_node_release(r.node);
+  vs_store_release(s);
+}
+
 static void copies_survive_rounding_and_flattening(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -530,7 +561,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(sets_become_flat), cmocka_unit_test(templates_are_not_undone), cmocka_unit_test(placements_fold), cmocka_unit_test(kinds_fold_under_what_they_are_closed_under),
     cmocka_unit_test(placements_go_through_what_takes_them_in), cmocka_unit_test(paint_rises),
-    cmocka_unit_test(nothing_is_pruned_away_but_nothing), cmocka_unit_test(copies_become_a_template), cmocka_unit_test(copies_survive_rounding_and_flattening), cmocka_unit_test(turned_copies_become_a_template), cmocka_unit_test(large_sets_become_trees_of_boxes),
+    cmocka_unit_test(nothing_is_pruned_away_but_nothing), cmocka_unit_test(copies_become_a_template), cmocka_unit_test(long_arrays_count_to_their_ends), cmocka_unit_test(copies_survive_rounding_and_flattening), cmocka_unit_test(turned_copies_become_a_template), cmocka_unit_test(large_sets_become_trees_of_boxes),
     cmocka_unit_test(random_solids_stay_what_they_are), cmocka_unit_test(deep_trees_and_short_memory),
   };
   return cmocka_run_group_tests_name("model passes", tests, NULL, NULL);
