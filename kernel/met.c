@@ -1,18 +1,27 @@
-/* Owns the search for triangles that rounding has made meet. Beside what was suspect corners are looked at by threads; where something meets something the
- * caller's thread says what, in order. Shells that come near each other are looked at whole: what is flush but for the last place, as two hollows whose
- * edges all but touch, is in nobody's neighbourhood and need not be thin.
+/* Owns the search for triangles that rounding has made meet, anywhere in the mesh.
  *
- * Nearly all pairs are told apart by their boxes, or by the plane of one of them; apart.c has the rest. */
+ * What rounding makes cross lies within some units of each other before. Where two sheets of a surface that does not meet itself are that near, there are two that look
+ * away from each other, or across: between sheets that look the same way there is another, and where they end beside each other, so do the walls at their ends. So
+ * what looks the same way is not tried, and that is nearly all that touches: the triangles of one plane, and neighbours on what is round. Triangles lower than some
+ * units are tried against everything, for which way they look is chance.
+ *   run      up to 16 triangles that stand in a row in the mesh, touch, and look the same way but for 15 degrees; or a low one by itself
+ *   slab     the stretch along a run's middle normal in which all its corners lie
+ *   level    of runs: in a plane across an axis; the others are open. Such a plane stays one when each coordinate is rounded by itself, and coordinates keep
+ *            their order: so two that are level do not come to cross, and what is in a level run's plane stays there. (Where two such planes are less than
+ *            two units apart, nothing counts as level.)
+ * The index has the open runs' boxes. Two runs are apart where one's corners lie beyond the other's slab, on one side, but for corners they share. Of the rest the
+ * pieces are tried that lie in each other's slabs: by boxes, then triangle by triangle by boxes and planes, and apart.c has what these do not tell. */
 #include "kernel/apart.h"
 #include "kernel/bvh.h"
 #include "kernel/settling.h"
 #include "kernel/table.h"
-#include "model/disjoint.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-enum { ROOM = 96 /* triangles around a corner and its neighbours */, TASK = 64 /* corners */ };
+enum { NOT_LEVEL = 3, OPEN = 0, LEVEL = 1, RUN = 16, TRIANGLES = 1 << 13 };
+#define ALIKE 0.85f /* the cosine of the angle between runs that look the same way */
 
 /* A triangle, mostly as rounded. */
 typedef struct {
@@ -22,12 +31,38 @@ typedef struct {
   bool flat; /* two corners are one */
 } sheet;
 
+typedef float floats __attribute__((vector_size(16)));
+typedef int32_t truths __attribute__((vector_size(16)));
+typedef struct { floats x, y, z; uint32_t corner[4]; } corners; /* four of a run's, as seen from the mesh's middle; the last one again where there are fewer */
+enum { FOURS = (3 * RUN + 3) / 4 };
+
+typedef struct {
+  uint32_t first, first_four, first_place;
+  uint8_t count, fours;          /* of triangles; of corners, by fours; of places there are three a triangle: which of the corners */
+  bool is_low;                   /* one triangle, a low one */
+  uint8_t level;                 /* all of it has one x (0), y (1) or z (2), this one: */
+  double value;
+  float normal[3], low, high;    /* its slab, and the margin on either side */
+} run;
+
+typedef struct { VS_LIST(run) at; VS_LIST(vs_box) boxes; } runs;
+typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* kinds: OPEN, LEVEL */
+typedef struct { uint32_t a, b; } pair;
+
 typedef struct {
   vs_settling *s;
   vs_settled *out;
-  VS_LIST(uint32_t) corners; /* suspect, in order */
-  struct { uint32_t at[TASK], count; } met[VS_PIPELINE_WINDOW]; /* those where something meets something */
-} suspects;
+  vs_vec3 middle;
+  double step;                   /* of boxes */
+  double low;                    /* triangles lower than that are low */
+  float margin;                  /* beyond a slab is further than that; errors of floats are less */
+  made all;
+  vs_bvh bvh;                    /* of the open ones */
+  made found[VS_PIPELINE_WINDOW];
+  struct { VS_LIST(pair) at; } met[VS_PIPELINE_WINDOW];
+} search;
+
+/* ---- pairs of triangles ---- */
 
 static vs_vec3 magnitudes(vs_vec3 p, vs_vec3 q) {
   vs_vec3 a = vs_v3(fabs(p.x), fabs(p.y), fabs(p.z)), b = vs_v3(fabs(q.x), fabs(q.y), fabs(q.z));
@@ -78,266 +113,340 @@ static bool apart(const sheet *a, const sheet *b) {
   return beside(a, b) || beside(b, a) || vs_triangles_apart(a->at, b->at, &shared);
 }
 
-/* Triangles around a corner, and around those next to it: each once, in order. */
-static size_t gather(const vs_settling *s, uint32_t v, uint32_t *list) {
-  size_t n = 0;
-  for (uint32_t i = 0; i < s->fans.at[v].count; i++)
-    for (int j = 0; j < 3; j++) {
-      const vs_fan *f = &s->fans.at[s->m->triangles[s->around.at[s->fans.at[v].first + i]][j]];
-      for (uint32_t k = 0; k < f->count && n < ROOM; k++) {
-        uint32_t t = s->around.at[f->first + k];
-        size_t at = n;
-        while (at > 0 && list[at - 1] > t) at--;
-        if (at > 0 && list[at - 1] == t) continue;
-        memmove(list + at + 1, list + at, (n++ - at) * sizeof *list);
-        list[at] = t;
-      }
-    }
-  return n;
+/* ---- runs ---- */
+
+typedef struct { vs_vec3 at[3], normal; vs_bounds box; bool low; } facet;
+
+static facet facet_of(const search *c, uint32_t t) {
+  facet f;
+  f.box = vs_bounds_empty();
+  for (int i = 0; i < 3; i++) vs_bounds_add(&f.box, f.at[i] = c->s->m->vertices[c->s->m->triangles[t][i]]);
+  vs_vec3 a = vs_v3_sub(f.at[1], f.at[0]), b = vs_v3_sub(f.at[2], f.at[1]), d = vs_v3_sub(f.at[0], f.at[2]);
+  f.normal = vs_v3_cross(a, b);
+  double x = vs_v3_dot(a, a), y = vs_v3_dot(b, b), z = vs_v3_dot(d, d), longest = x > y ? x : y;
+  f.low = vs_v3_dot(f.normal, f.normal) < c->low * c->low * (z > longest ? z : longest);
+  return f;
 }
 
-/* Does anything around the corner meet anything? */
-static bool meets(const vs_settling *s, uint32_t v) {
-  uint32_t list[ROOM];
-  sheet all[ROOM];
-  size_t n = gather(s, v, list);
-  for (size_t i = 0; i < n; i++) load(s, list[i], &all[i]);
-  for (size_t i = 0; i < n; i++) {
-    const uint32_t *t = s->m->triangles[list[i]];
-    if (all[i].flat || (t[0] != v && t[1] != v && t[2] != v)) continue;
-    for (size_t j = 0; j < n; j++)
-      if (j != i && !all[j].flat && !apart(&all[i], &all[j])) return true;
+static bool bounds_touch(const vs_bounds *a, const vs_bounds *b) {
+  return (a->min.x <= b->max.x) & (b->min.x <= a->max.x) & (a->min.y <= b->max.y) & (b->min.y <= a->max.y) & (a->min.z <= b->max.z) & (b->min.z <= a->max.z);
+}
+
+/* Do the normals differ by less than 15 degrees? */
+static bool alike(vs_vec3 a, vs_vec3 b) {
+  double d = vs_v3_dot(a, b);
+  return d > 0 && d * d > 0.933 * vs_v3_dot(a, a) * vs_v3_dot(b, b);
+}
+
+static vs_box box_of(const search *c, const vs_bounds *w) {
+  double wide = 2 * c->s->coarsest, scale = 1 / c->step;
+  vs_vec3 low = vs_v3_scale(vs_v3_sub(w->min, c->middle), scale), high = vs_v3_scale(vs_v3_sub(w->max, c->middle), scale);
+  int32_t more = (int32_t)(wide * scale) + 1;
+  return (vs_box){ { (int32_t)low.x - more, (int32_t)low.y - more, (int32_t)low.z - more }, { (int32_t)high.x + more, (int32_t)high.y + more, (int32_t)high.z + more } };
+}
+
+/* What a run is made of, until it ends; its corners, nearly all of them once. */
+typedef struct {
+  run r;
+  vs_vec3 normal;
+  vs_bounds box;
+  corners four[FOURS];
+  uint32_t count, last[64];
+} making;
+
+static bool gather(vs_kernel *k, const search *c, uint32_t t, const facet *f, made *to, making *g) {
+  for (int i = 0; i < 3; i++) {
+    uint32_t v = c->s->m->triangles[t][i], n = g->last[v & 63];
+    if (n >= g->count || g->four[n / 4].corner[n % 4] != v) {
+      n = g->last[v & 63] = g->count++;
+      vs_vec3 at = vs_v3_sub(f->at[i], c->middle);
+      corners *p = &g->four[n / 4];
+      for (uint32_t j = n % 4; j < 4; j++) p->x[j] = (float)at.x, p->y[j] = (float)at.y, p->z[j] = (float)at.z, p->corner[j] = v;
+    }
+    if (!VS_PUSH(k, to->places, (uint8_t)n)) return false;
   }
+  return true;
+}
+
+static floats heights(const run *r, const corners *p) { return r->normal[0] * p->x + r->normal[1] * p->y + r->normal[2] * p->z; }
+
+static bool end_run(vs_kernel *k, const search *c, made *to, making *g) {
+  double length = vs_v3_length(g->normal);
+  vs_vec3 n = length > 0 ? vs_v3_scale(g->normal, 1 / length) : vs_v3(1, 0, 0);
+  const vs_bounds *b = &g->box;
+  run *r = &g->r;
+  r->normal[0] = (float)n.x, r->normal[1] = (float)n.y, r->normal[2] = (float)n.z;
+  r->low = INFINITY, r->high = -INFINITY;
+  r->fours = (uint8_t)((g->count + 3) / 4);
+  r->first_four = (uint32_t)to->fours.count;
+  if (!VS_ROOM(k, to->fours.at, to->fours.room, to->fours.count + FOURS)) return false;
+  for (uint32_t i = 0; i < r->fours; i++) {
+    floats h = heights(r, &g->four[i]);
+    for (int j = 0; j < 4; j++) {
+      if (h[j] < r->low) r->low = h[j];
+      if (h[j] > r->high) r->high = h[j];
+    }
+    to->fours.at[to->fours.count++] = g->four[i];
+  }
+  r->low -= c->margin;
+  r->high += c->margin;
+  r->level = r->is_low || c->s->storeys_near ? NOT_LEVEL : b->min.x == b->max.x ? 0 : b->min.y == b->max.y ? 1 : b->min.z == b->max.z ? 2 : NOT_LEVEL;
+  r->value = r->level == 0 ? b->min.x : r->level == 1 ? b->min.y : b->min.z;
+  runs *kind = &to->kinds[r->level == NOT_LEVEL ? OPEN : LEVEL];
+  return VS_PUSH(k, kind->at, *r) && VS_PUSH(k, kind->boxes, box_of(c, b));
+}
+
+static bool make_runs(vs_kernel *k, void *context, size_t index) {
+  search *c = context;
+  made *to = &c->found[index % VS_PIPELINE_WINDOW];
+  size_t count = c->s->m->triangle_count, begin = index * TRIANGLES, end = count - begin < TRIANGLES ? count : begin + TRIANGLES;
+  making g;
+  run *r = &g.r;
+  r->count = 0;
+  for (int i = 0; i < 2; i++) to->kinds[i].at.count = to->kinds[i].boxes.count = 0;
+  to->fours.count = to->places.count = 0;
+  for (size_t t = begin; t < end; t++) {
+    if (c->s->gone.at[t]) continue;
+    facet f = facet_of(c, (uint32_t)t);
+    if (r->count && (r->count == RUN || f.low || r->is_low || t != r->first + r->count || !alike(f.normal, g.normal) || !bounds_touch(&g.box, &f.box))) {
+      if (!end_run(k, c, to, &g)) return false;
+      r->count = 0;
+    }
+    if (r->count == 0) {
+      *r = (run){ .first = (uint32_t)t, .first_place = (uint32_t)to->places.count, .is_low = f.low };
+      g.normal = vs_v3(0, 0, 0);
+      g.box = vs_bounds_empty();
+      g.count = 0;
+      memset(g.last, 0xff, sizeof g.last);
+    }
+    r->count++;
+    g.normal = vs_v3_add(g.normal, f.normal);
+    vs_bounds_unite(&g.box, &f.box);
+    if (!gather(k, c, (uint32_t)t, &f, to, &g)) return false;
+  }
+  return (!r->count || end_run(k, c, to, &g)) && vs_kernel_report(k, 1);
+}
+
+static bool take_kind(vs_kernel *k, const made *all, runs *to, const runs *from) {
+  size_t n = to->at.count, more = from->at.count;
+  if (!VS_ROOM(k, to->at.at, to->at.room, n + more + 1) || !VS_ROOM(k, to->boxes.at, to->boxes.room, n + more + 1)) return false;
+  for (size_t i = 0; i < more; i++) {
+    run r = from->at.at[i];
+    r.first_four += (uint32_t)all->fours.count;
+    r.first_place += (uint32_t)all->places.count;
+    to->at.at[n + i] = r;
+    to->boxes.at[n + i] = from->boxes.at[i];
+  }
+  to->at.count = to->boxes.count = n + more;
+  return true;
+}
+
+static bool take_runs(vs_kernel *k, void *context, size_t index) {
+  search *c = context;
+  made *from = &c->found[index % VS_PIPELINE_WINDOW], *to = &c->all;
+  size_t fours = to->fours.count, places = to->places.count;
+  if (!take_kind(k, to, &to->kinds[OPEN], &from->kinds[OPEN]) || !take_kind(k, to, &to->kinds[LEVEL], &from->kinds[LEVEL]) ||
+      !VS_ROOM(k, to->fours.at, to->fours.room, fours + from->fours.count + 1) || !VS_ROOM(k, to->places.at, to->places.room, places + from->places.count + 1))
+    return false;
+  if (from->fours.count) memcpy(to->fours.at + fours, from->fours.at, from->fours.count * sizeof *from->fours.at);
+  if (from->places.count) memcpy(to->places.at + places, from->places.at, from->places.count);
+  to->fours.count += from->fours.count;
+  to->places.count += from->places.count;
+  return true;
+}
+
+static void drop_made(vs_kernel *k, made *m) {
+  for (int i = 0; i < 2; i++) {
+    VS_DROP(k, m->kinds[i].at);
+    VS_DROP(k, m->kinds[i].boxes);
+  }
+  VS_DROP(k, m->fours);
+  VS_DROP(k, m->places);
+}
+
+/* ---- pairs of runs ---- */
+
+static uint32_t bits(truths all) { /* lane i: bit i */
+  uint64_t half[2];
+  all &= (truths){ 1, 2, 4, 8 };
+  memcpy(half, &all, sizeof half);
+  half[0] |= half[1];
+  return (uint32_t)(half[0] | half[0] >> 32);
+}
+
+static bool has_corner(const search *c, const run *r, uint32_t corner) { /* or it lies in its plane, and stays in it */
+  vs_vec3 p = c->s->m->vertices[corner];
+  if (r->level != NOT_LEVEL && (r->level == 0 ? p.x : r->level == 1 ? p.y : p.z) == r->value) return true;
+  for (const corners *four = c->all.fours.at + r->first_four, *end = four + r->fours; four < end; four++)
+    if (four->corner[0] == corner || four->corner[1] == corner || four->corner[2] == corner || four->corner[3] == corner) return true;
   return false;
 }
 
-static bool look(vs_kernel *k, void *context, size_t index) {
-  suspects *s = context;
-  size_t begin = index * TASK, end = s->corners.count - begin < TASK ? s->corners.count : begin + TASK;
-  uint32_t *met = s->met[index % VS_PIPELINE_WINDOW].at, *count = &s->met[index % VS_PIPELINE_WINDOW].count;
-  *count = 0;
-  for (size_t i = begin; i < end; i++)
-    if (meets(s->s, s->corners.at[i])) met[(*count)++] = s->corners.at[i];
-  return vs_kernel_report(k, 1);
+/* Are b's corners beyond a's slab, on one side, but for those that are a's as well? */
+static bool beyond(const search *c, const run *a, const run *b) {
+  uint32_t above = 0, below = 0, shared = 0;
+  for (const corners *four = c->all.fours.at + b->first_four, *end = four + b->fours; four < end; four++) {
+    floats h = heights(a, four);
+    uint32_t over = bits(h > a->high), under = bits(h < a->low), within = 15 & ~(over | under);
+    above |= over;
+    below |= under;
+    if (above && below) return false;
+    for (; within; within &= within - 1, shared++)
+      if (!has_corner(c, a, four->corner[__builtin_ctz(within)])) return false;
+  }
+  return (above || below) && !(shared && (a->is_low || b->is_low));
 }
 
-/* Counts what meets around the corners that a task found. */
-static bool take(vs_kernel *k, void *context, size_t index) {
-  suspects *all = context;
-  vs_settling *s = all->s;
-  (void)k;
-  for (uint32_t i = 0; i < all->met[index % VS_PIPELINE_WINDOW].count; i++) {
-    uint32_t v = all->met[index % VS_PIPELINE_WINDOW].at[i], list[ROOM];
-    size_t n = gather(s, v, list);
-    for (size_t a = 0; a < n; a++) {
-      const uint32_t *t = s->m->triangles[list[a]];
-      sheet one, other;
-      load(s, list[a], &one);
-      if (one.flat || (t[0] != v && t[1] != v && t[2] != v)) continue;
-      for (size_t b = 0; b < n && !(s->listed.at[list[a]] & 2); b++) {
-        if (b == a || (load(s, list[b], &other), other.flat) || apart(&one, &other)) continue;
-        s->listed.at[list[a]] |= 2;
-        for (size_t j = 0; j < n; j++)
-          for (int l = 0; l < 3; l++) s->suspect.at[s->m->triangles[list[j]][l]] |= VS_NEAR_MET;
-        if (all->out->met++ == 0) all->out->at = one.at[0];
-      }
-    }
+/* The part of a triangle that lies in a slab; its sheet is made when it is asked for. */
+typedef struct { float min[3], max[3]; sheet rounded; uint32_t triangle; bool made; } piece;
+
+static void add_place(piece *p, float x, float y, float z) {
+  float at[3] = { x, y, z };
+  for (int i = 0; i < 3; i++) {
+    p->min[i] = at[i] < p->min[i] ? at[i] : p->min[i];
+    p->max[i] = at[i] > p->max[i] ? at[i] : p->max[i];
   }
+}
+
+/* Where the edge from i to j goes through the height. */
+static void add_through(piece *p, const corners *four, const float *h, uint32_t i, uint32_t j, float height) {
+  const corners *a = &four[i / 4], *b = &four[j / 4];
+  uint32_t x = i % 4, y = j % 4;
+  if ((h[i] < height) == (h[j] < height)) return;
+  float part = (height - h[i]) / (h[j] - h[i]);
+  add_place(p, a->x[x] + part * (b->x[y] - a->x[x]), a->y[x] + part * (b->y[y] - a->y[x]), a->z[x] + part * (b->z[y] - a->z[x]));
+}
+
+/* The pieces of a run in another's slab. */
+static uint32_t cut(const search *c, const run *r, const run *slab, piece *to) {
+  const corners *four = c->all.fours.at + r->first_four;
+  const uint8_t *place = c->all.places.at + r->first_place;
+  float h[4 * FOURS], low = slab->low, high = slab->high;
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < r->fours; i++) {
+    floats of = heights(slab, &four[i]);
+    memcpy(h + 4 * i, &of, sizeof of);
+  }
+  for (uint32_t t = 0; t < r->count; t++, place += 3) {
+    if ((h[place[0]] > high && h[place[1]] > high && h[place[2]] > high) || (h[place[0]] < low && h[place[1]] < low && h[place[2]] < low)) continue;
+    piece *p = &to[count++];
+    p->triangle = r->first + t;
+    p->made = false;
+    for (int i = 0; i < 3; i++) p->min[i] = INFINITY, p->max[i] = -INFINITY;
+    for (int i = 0; i < 3; i++) {
+      uint32_t at = place[i], next = place[i == 2 ? 0 : i + 1];
+      if (h[at] >= low && h[at] <= high) add_place(p, four[at / 4].x[at % 4], four[at / 4].y[at % 4], four[at / 4].z[at % 4]);
+      add_through(p, four, h, at, next, low);
+      add_through(p, four, h, at, next, high);
+    }
+    for (int i = 0; i < 3; i++) p->min[i] -= c->margin, p->max[i] += c->margin;
+  }
+  return count;
+}
+
+static bool pieces_touch(const piece *a, const piece *b) {
+  return (a->min[0] <= b->max[0]) & (b->min[0] <= a->max[0]) & (a->min[1] <= b->max[1]) & (b->min[1] <= a->max[1]) & (a->min[2] <= b->max[2]) & (b->min[2] <= a->max[2]);
+}
+
+static const sheet *sheet_of(const search *c, piece *p) {
+  if (!p->made) load(c->s, p->triangle, &p->rounded);
+  p->made = true;
+  return &p->rounded;
+}
+
+typedef struct { vs_kernel *k; search *c; size_t at; const run *level; } looking;
+
+static bool try_triangles(looking *l, const sheet *x, const sheet *y, bool sure) {
+  const vs_settling *s = l->c->s;
+  if (x->flat || y->flat || apart(x, y)) return true;
+  if (sure) {
+    sheet p, q;
+    load_exact(s, x->triangle, &p);
+    load_exact(s, y->triangle, &q);
+    if (!apart(&p, &q)) return true; /* they touch as it is */
+  }
+  return VS_PUSH(l->k, l->c->met[l->at].at, ((pair){ x->triangle, y->triangle }));
+}
+
+static bool try_runs(looking *l, const run *a, const run *b) {
+  const search *c = l->c;
+  piece of_a[RUN], of_b[RUN];
+  uint32_t a_count = cut(c, a, b, of_a), b_count = a_count ? cut(c, b, a, of_b) : 0;
+  for (uint32_t i = 0; i < a_count; i++)
+    for (uint32_t j = 0; j < b_count; j++)
+      if (pieces_touch(&of_a[i], &of_b[j]) && !try_triangles(l, sheet_of(c, &of_a[i]), sheet_of(c, &of_b[j]), !a->is_low && !b->is_low)) return false;
   return true;
 }
 
-/* ---- between shells ---- */
-
-typedef struct { uint32_t a, b; } pair;
-typedef struct {
-  vs_settling *s;
-  vs_settled *out;
-  VS_LIST(_Atomic uint32_t) set; /* of a vertex: disjoint sets */
-  VS_LIST(uint32_t) live;        /* triangles that are not gone */
-  VS_LIST(vs_box) boxes;         /* of them, as rounded, and a little wider */
-  VS_LIST(uint32_t) shells;      /* of them; VS_NONE where no other is near */
-  VS_LIST(uint32_t) number;      /* of a vertex: its shell */
-  vs_bvh bvh, near;              /* of triangles that are near another shell; of shells */
-  vs_bounds all;
-  double step;                   /* of boxes */
-  struct { VS_LIST(pair) at; } met[VS_PIPELINE_WINDOW];
-} between;
-
-enum { TRIANGLES = 1 << 14, BLOCKS = 512 };
-
-static bool unite_some(vs_kernel *k, void *context, size_t index) {
-  between *b = context;
-  size_t n = b->live.count, begin = index * TRIANGLES, end = n - begin < TRIANGLES ? n : begin + TRIANGLES;
-  for (size_t i = begin; i < end; i++) {
-    const uint32_t *v = b->s->m->triangles[b->live.at[i]];
-    vs_unite_shared(b->set.at, v[0], v[1]);
-    vs_unite_shared(b->set.at, v[0], v[2]);
-  }
-  return vs_kernel_report(k, 1);
-}
-
-static vs_box box_of(const between *b, const vs_bounds *w) {
-  vs_vec3 low = vs_v3_scale(vs_v3_sub(w->min, b->all.min), 1 / b->step), high = vs_v3_scale(vs_v3_sub(w->max, b->all.min), 1 / b->step);
-  return (vs_box){ { (int32_t)low.x - 1, (int32_t)low.y - 1, (int32_t)low.z - 1 }, { (int32_t)high.x + 1, (int32_t)high.y + 1, (int32_t)high.z + 1 } };
-}
-
-typedef struct { uint32_t shell; bool other; } own;
-static bool found_other(void *context, uint32_t shell) {
-  own *o = context;
-  o->other = shell != o->shell;
-  return !o->other;
-}
-
-static bool box_some(vs_kernel *k, void *context, size_t index) {
-  between *b = context;
-  size_t n = b->live.count, begin = index * TRIANGLES, end = n - begin < TRIANGLES ? n : begin + TRIANGLES;
-  for (size_t i = begin; i < end; i++) {
-    const uint32_t *v = b->s->m->triangles[b->live.at[i]];
-    vs_bounds w = vs_bounds_empty();
-    for (int j = 0; j < 3; j++) vs_bounds_add(&w, vs_settling_corner(b->s, v[j]));
-    own o = { b->number.at[v[0]], false };
-    b->boxes.at[i] = box_of(b, &w);
-    vs_bvh_query(&b->near, &b->boxes.at[i], found_other, &o);
-    b->shells.at[i] = o.other ? o.shell : VS_NONE;
-    if (!vs_kernel_poll(k, 1)) return false;
-  }
-  return true;
-}
-
-static bool found_one(void *context, uint32_t a, uint32_t b) {
-  (void)a, (void)b;
-  *(bool *)context = true;
-  return false; /* enough */
-}
-
-/* Do the boxes of any two shells meet? Else nothing of theirs does. */
-static bool shells_near(vs_kernel *k, between *b, bool *near) {
-  const vs_settling *s = b->s;
-  uint32_t n = (uint32_t)s->m->vertex_count, count = 0;
-  VS_LIST(vs_bounds) bounds = { 0 };
-  VS_LIST(vs_box) boxes = { 0 };
-  uint32_t *number;
-  bool ok = VS_ROOM(k, b->number.at, b->number.room, (size_t)n + 1);
-  number = b->number.at;
-  for (uint32_t v = 0; ok && v < n; v++) { /* roots are the smallest of their sets */
-    uint32_t root = vs_find_shared(b->set.at, v);
-    if (root == v) ok = VS_PUSH(k, bounds, vs_bounds_empty());
-    if (!ok) break;
-    number[v] = root == v ? count++ : number[root];
-    vs_bounds_add(&bounds.at[number[v]], s->m->vertices[v]);
-    ok = vs_kernel_poll(k, 1);
-  }
-  *near = false;
-  if (ok && count > 1) {
-    ok = VS_ROOM(k, boxes.at, boxes.room, (size_t)count + 1);
-    for (uint32_t i = 0; ok && i < count; i++) {
-      vs_bounds *w = &bounds.at[i];
-      double wide = s->coarsest;
-      *w = (vs_bounds){ vs_v3_sub(w->min, vs_v3(wide, wide, wide)), vs_v3_add(w->max, vs_v3(wide, wide, wide)) };
-      vs_bounds_meet(w, &b->all);
-      boxes.at[i] = box_of(b, w);
-    }
-    ok = ok && vs_bvh_build(k, &b->near, boxes.at, count) && (vs_bvh_pairs(&b->near, 0, UINT32_MAX, found_one, near) || *near);
-  }
-  VS_DROP(k, bounds);
-  VS_DROP(k, boxes);
-  return ok;
-}
-
-typedef struct { vs_kernel *k; between *b; size_t at; } looking;
-static bool look_pair(void *context, uint32_t a, uint32_t b) {
-  looking *l = context;
-  const vs_settling *s = l->b->s;
-  sheet x, y;
+static bool look_pair(looking *l, const run *a, const run *b) {
   if (!vs_kernel_poll(l->k, 1)) return false;
-  load(s, l->b->live.at[a < b ? a : b], &x);
-  load(s, l->b->live.at[a < b ? b : a], &y);
-  if (x.flat || y.flat || apart(&x, &y)) return true;
-  load_exact(s, x.triangle, &x);
-  load_exact(s, y.triangle, &y);
-  if (!apart(&x, &y)) return true; /* they touch as it is */
-  return VS_PUSH(l->k, l->b->met[l->at].at, ((pair){ x.triangle, y.triangle }));
+  float same = a->normal[0] * b->normal[0] + a->normal[1] * b->normal[1] + a->normal[2] * b->normal[2];
+  return (same > ALIKE && !a->is_low && !b->is_low) || beyond(l->c, a, b) || beyond(l->c, b, a) || try_runs(l, a, b);
 }
 
-static bool look_between(vs_kernel *k, void *context, size_t index) {
-  between *b = context;
-  looking l = { k, b, index % VS_PIPELINE_WINDOW };
-  b->met[l.at].at.count = 0;
-  return vs_bvh_pairs(&b->bvh, (uint32_t)index * BLOCKS, ((uint32_t)index + 1) * BLOCKS, look_pair, &l) && vs_kernel_report(k, 1);
+static bool look_open(void *context, uint32_t first, uint32_t second) {
+  looking *l = context;
+  const run *all = l->c->all.kinds[OPEN].at.at;
+  return look_pair(l, &all[first < second ? first : second], &all[first < second ? second : first]);
 }
 
-static bool take_between(vs_kernel *k, void *context, size_t index) {
-  between *b = context;
-  vs_settling *s = b->s;
+static bool look_level(void *context, uint32_t open) {
+  looking *l = context;
+  return look_pair(l, l->level, &l->c->all.kinds[OPEN].at.at[open]);
+}
+
+enum { BLOCKS = 256, QUERIES = 1024 };
+
+/* First the pairs of open runs, then those of level ones with open ones. */
+static size_t open_tasks(const search *c) { return ((size_t)vs_bvh_blocks(&c->bvh) + BLOCKS - 1) / BLOCKS; }
+
+static bool look(vs_kernel *k, void *context, size_t index) {
+  search *c = context;
+  const runs *level = &c->all.kinds[LEVEL];
+  looking l = { k, c, index % VS_PIPELINE_WINDOW, NULL };
+  size_t open = open_tasks(c), begin = (index - open) * QUERIES, end = begin + QUERIES;
+  c->met[l.at].at.count = 0;
+  if (index < open) return vs_bvh_pairs(&c->bvh, (uint32_t)index * BLOCKS, ((uint32_t)index + 1) * BLOCKS, look_open, &l) && vs_kernel_report(k, 1);
+  for (size_t i = begin; i < level->at.count && i < end; i++) {
+    l.level = &level->at.at[i];
+    if (!vs_bvh_query(&c->bvh, &level->boxes.at[i], look_level, &l)) return false;
+  }
+  return vs_kernel_report(k, 1);
+}
+
+static bool take(vs_kernel *k, void *context, size_t index) {
+  search *c = context;
+  vs_settling *s = c->s;
   (void)k;
-  for (size_t i = 0; i < b->met[index % VS_PIPELINE_WINDOW].at.count; i++) {
-    pair p = b->met[index % VS_PIPELINE_WINDOW].at.at[i];
+  for (size_t i = 0; i < c->met[index % VS_PIPELINE_WINDOW].at.count; i++) {
+    pair p = c->met[index % VS_PIPELINE_WINDOW].at.at[i];
     for (int end = 0; end < 2; end++) {
       uint32_t t = end ? p.b : p.a;
       if (s->listed.at[t] & 2) continue;
       s->listed.at[t] |= 2;
-      for (int j = 0; j < 3; j++) s->suspect.at[s->m->triangles[t][j]] |= VS_NEAR_MET;
-      if (b->out->met++ == 0) b->out->at = vs_settling_corner(s, s->m->triangles[t][0]);
+      for (int j = 0; j < 3; j++) s->near_met.at[s->m->triangles[t][j]] = 1;
+      if (c->out->met++ == 0) c->out->at = vs_settling_corner(s, s->m->triangles[t][0]);
     }
   }
   return true;
 }
 
-bool vs_settling_count_between(vs_settling *s, vs_settled *out) {
-  vs_kernel *k = s->k;
-  const vs_mesh *m = s->m;
-  between b = { .s = s, .out = out, .all = vs_mesh_bounds(m) };
-  size_t n = m->vertex_count, room = m->triangle_count + 1, tasks;
-  bool near = false, ok = VS_ROOM(k, b.set.at, b.set.room, n + 1) && VS_ROOM(k, b.live.at, b.live.room, room);
-  vs_vec3 wide = vs_v3(s->coarsest, s->coarsest, s->coarsest);
-  b.all = (vs_bounds){ vs_v3_sub(b.all.min, wide), vs_v3_add(b.all.max, wide) };
-  b.step = fmax(fmax(b.all.max.x - b.all.min.x, b.all.max.y - b.all.min.y), b.all.max.z - b.all.min.z) * 0x1p-28;
-  if (!(b.step > 0)) b.step = 1;
-  for (uint32_t v = 0; ok && v < n; v++) atomic_init(&b.set.at[v], v);
-  for (uint32_t t = 0; ok && t < m->triangle_count; t++)
-    if (!s->gone.at[t]) b.live.at[b.live.count++] = t;
-  tasks = (b.live.count + TRIANGLES - 1) / TRIANGLES;
-  ok = ok && vs_kernel_run(k, tasks, unite_some, &b) && shells_near(k, &b, &near);
-  if (ok && near) {
-    ok = VS_ROOM(k, b.boxes.at, b.boxes.room, room) && VS_ROOM(k, b.shells.at, b.shells.room, room) && vs_kernel_run(k, tasks, box_some, &b);
-    size_t kept = 0;
-    for (size_t i = 0; ok && i < b.live.count; i++) {
-      if (b.shells.at[i] == VS_NONE) continue;
-      b.live.at[kept] = b.live.at[i];
-      b.boxes.at[kept] = b.boxes.at[i];
-      b.shells.at[kept++] = b.shells.at[i];
-    }
-    b.live.count = kept;
-    b.bvh.families = b.shells.at;
-    ok = ok && vs_bvh_build(k, &b.bvh, b.boxes.at, (uint32_t)b.live.count) &&
-         vs_kernel_pipeline(k, ((size_t)vs_bvh_blocks(&b.bvh) + BLOCKS - 1) / BLOCKS, look_between, take_between, &b);
-  }
-  for (int i = 0; i < VS_PIPELINE_WINDOW; i++) VS_DROP(k, b.met[i].at);
-  vs_bvh_free(k, &b.bvh);
-  vs_bvh_free(k, &b.near);
-  VS_DROP(k, b.number);
-  VS_DROP(k, b.set);
-  VS_DROP(k, b.live);
-  VS_DROP(k, b.boxes);
-  VS_DROP(k, b.shells);
-  return ok;
-}
-
-/* ---- beside what was suspect ---- */
-
 bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
-  suspects all = { .s = s, .out = out };
-  bool ok = true;
+  enum { LOW = 4 /* twice as many units */, MARGIN = 128 };
+  vs_kernel *k = s->k;
+  vs_vec3 size = vs_v3_sub(s->bounds.max, s->bounds.min);
+  double extent = fmax(fmax(size.x, fmax(size.y, size.z)), 4 * s->coarsest);
+  search c = { .s = s, .out = out, .middle = vs_v3_scale(vs_v3_add(s->bounds.min, s->bounds.max), 0.5), .step = extent > 0 ? extent * 0x1p-28 : 1,
+               .low = LOW * s->coarsest, .margin = (float)(MARGIN * s->coarsest + 16 * 0x1p-24 * extent) };
+  const runs *level = &c.all.kinds[LEVEL], *open = &c.all.kinds[OPEN];
   out->met = 0;
   for (size_t t = 0; t < s->m->triangle_count; t++) s->listed.at[t] &= 1;
-  for (size_t i = 0; i < s->look.count; i++) {
-    uint32_t t = s->look.at[i];
-    if (s->gone.at[t] || !vs_settling_is_noise(s, t)) continue;
-    for (int j = 0; j < 3; j++) s->suspect.at[s->m->triangles[t][j]] |= VS_NEAR_THIN;
-  }
-  for (uint32_t v = 0; ok && v < s->m->vertex_count; v++)
-    if (s->suspect.at[v] & VS_NEAR_THIN) ok = VS_PUSH(s->k, all.corners, v);
-  ok = ok && vs_kernel_pipeline(s->k, (all.corners.count + TASK - 1) / TASK, look, take, &all);
-  VS_DROP(s->k, all.corners);
+  bool ok = vs_kernel_pipeline(k, (s->m->triangle_count + TRIANGLES - 1) / TRIANGLES, make_runs, take_runs, &c);
+  for (int i = 0; i < VS_PIPELINE_WINDOW; i++) drop_made(k, &c.found[i]);
+  ok = ok && vs_bvh_build(k, &c.bvh, open->boxes.at, (uint32_t)open->boxes.count) &&
+       vs_kernel_pipeline(k, open->at.count ? open_tasks(&c) + (level->at.count + QUERIES - 1) / QUERIES : 0, look, take, &c);
+  for (int i = 0; i < VS_PIPELINE_WINDOW; i++) VS_DROP(k, c.met[i].at);
+  vs_bvh_free(k, &c.bvh);
+  drop_made(k, &c.all);
   return ok;
 }

@@ -6,7 +6,7 @@
  *             edge: the surface stays a manifold of the same kind) and no triangle around it turns over
  *   flip      a triangle lower than two units gives its longest edge to its top: the neighbour behind that edge is cut in two there
  *   drop      a shell that is thinner than two units all over
- * Then what may still meet something that it does not meet before rounding is looked for beside all that was suspect (met.c).
+ * Then what may still meet something that it does not meet before rounding is looked for everywhere (met.c).
  *
  * One look at all triangles, by threads, finds the few where there is anything to do; from then on only these are looked at, and what has changed since. */
 #include "kernel/settling.h"
@@ -110,42 +110,83 @@ static bool has_short(const settling *s, uint32_t t) {
 
 /* ---- the few that are looked at ---- */
 
+typedef struct { double value; int axis; } storey; /* a plane across an axis */
+
 enum { TASK = 1 << 13 };
+typedef struct { VS_LIST(uint32_t) look; VS_LIST(storey) storeys; bool noise, level; } found_some;
 typedef struct {
   settling *s;
   bool noise; /* any is */
-  struct { VS_LIST(uint32_t) at; bool noise; } found[VS_PIPELINE_WINDOW];
+  VS_LIST(storey) storeys;
+  found_some found[VS_PIPELINE_WINDOW];
 } scan;
+
+/* Notes the plane across an axis that the triangle lies in, unless it is the one that was noted last for that axis. False: no memory; *level: there is one. */
+static bool find_storey(vs_kernel *k, const settling *s, uint32_t t, storey last[3], found_some *to, bool *level) {
+  const uint32_t *v = s->m->triangles[t];
+  vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]];
+  int axis = a.x == b.x && a.x == c.x ? 0 : a.y == b.y && a.y == c.y ? 1 : 2;
+  double value = axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+  *level = axis < 2 || (a.z == b.z && a.z == c.z);
+  if (!*level || last[axis].value == value) return true;
+  last[axis] = (storey){ value, axis };
+  return VS_PUSH(k, to->storeys, last[axis]);
+}
 
 static bool scan_some(vs_kernel *k, void *context, size_t index) {
   scan *c = context;
   const settling *s = c->s;
-  size_t begin = index * TASK, end = s->m->triangle_count - begin < TASK ? s->m->triangle_count : begin + TASK, at = index % VS_PIPELINE_WINDOW;
-  c->found[at].at.count = 0;
-  c->found[at].noise = false;
+  size_t begin = index * TASK, end = s->m->triangle_count - begin < TASK ? s->m->triangle_count : begin + TASK;
+  found_some *to = &c->found[index % VS_PIPELINE_WINDOW];
+  storey last[3] = { { NAN, 0 }, { NAN, 0 }, { NAN, 0 } };
+  to->look.count = to->storeys.count = 0;
+  to->noise = false;
+  to->level = true;
   for (size_t t = begin; t < end; t++) {
-    bool noise = vs_settling_is_noise(s, (uint32_t)t);
-    c->found[at].noise = c->found[at].noise || noise;
-    if ((noise || has_short(s, (uint32_t)t)) && !VS_PUSH(k, c->found[at].at, (uint32_t)t)) return false;
+    bool noise = vs_settling_is_noise(s, (uint32_t)t), level;
+    to->noise = to->noise || noise;
+    if ((noise || has_short(s, (uint32_t)t)) && !VS_PUSH(k, to->look, (uint32_t)t)) return false;
+    if (!find_storey(k, s, (uint32_t)t, last, to, &level)) return false;
+    to->level = to->level && level;
   }
   return vs_kernel_report(k, 1);
 }
 
 static bool take_found(vs_kernel *k, void *context, size_t index) {
   scan *c = context;
-  size_t at = index % VS_PIPELINE_WINDOW;
-  c->noise = c->noise || c->found[at].noise;
-  for (size_t i = 0; i < c->found[at].at.count; i++)
-    if (!VS_PUSH(k, c->s->look, c->found[at].at.at[i])) return false;
+  const found_some *from = &c->found[index % VS_PIPELINE_WINDOW];
+  c->noise = c->noise || from->noise;
+  c->s->level = c->s->level && from->level;
+  for (size_t i = 0; i < from->look.count; i++)
+    if (!VS_PUSH(k, c->s->look, from->look.at[i])) return false;
+  for (size_t i = 0; i < from->storeys.count; i++)
+    if (!VS_PUSH(k, c->storeys, from->storeys.at[i])) return false;
   return true;
+}
+
+static int storey_order(const void *a, const void *b) {
+  const storey *x = a, *y = b;
+  if (x->axis != y->axis) return x->axis < y->axis ? -1 : 1;
+  return x->value < y->value ? -1 : x->value > y->value;
 }
 
 /* *any: is there any noise? */
 static bool find_look(settling *s, bool *any) {
   scan c = { .s = s };
   s->look.count = 0;
+  s->level = true;
+  s->storeys_near = false;
   bool ok = vs_kernel_pipeline(s->k, (s->m->triangle_count + TASK - 1) / TASK, scan_some, take_found, &c);
-  for (int i = 0; i < VS_PIPELINE_WINDOW; i++) VS_DROP(s->k, c.found[i].at);
+  if (ok && c.storeys.count) qsort(c.storeys.at, c.storeys.count, sizeof *c.storeys.at, storey_order);
+  for (size_t i = 1; ok && i < c.storeys.count; i++) {
+    const storey *x = &c.storeys.at[i - 1], *y = &c.storeys.at[i];
+    s->storeys_near = s->storeys_near || (x->axis == y->axis && x->value != y->value && y->value - x->value < s->coarsest);
+  }
+  for (int i = 0; i < VS_PIPELINE_WINDOW; i++) {
+    VS_DROP(s->k, c.found[i].look);
+    VS_DROP(s->k, c.found[i].storeys);
+  }
+  VS_DROP(s->k, c.storeys);
   *any = c.noise;
   return ok;
 }
@@ -277,7 +318,6 @@ static bool flip(settling *s, uint32_t t) {
   memcpy(m->triangles[other], two, sizeof two);
   if (m->tags) m->tags[t] = m->tags[other];
   s->busy.at[p] = s->busy.at[q] = s->busy.at[top] = s->busy.at[far] = 1;
-  s->suspect.at[top] |= VS_NEAR_THIN;
   take_off(s, p, other);
   take_off(s, q, t);
   return give(s, top, other) && give(s, far, t) && look_at(s, t) && look_at(s, other);
@@ -313,7 +353,6 @@ static bool collapse(settling *s, uint32_t a, uint32_t b) {
     }
   }
   s->fans.at[b].count = 0;
-  s->suspect.at[a] |= VS_NEAR_THIN;
   return true;
 }
 
@@ -390,9 +429,9 @@ static sheet sheet_of(const uint32_t v[3], uint32_t t) {
   return s;
 }
 
-static bool is_met(const settling *s, uint32_t t) { /* near one that meets another, as count_met found */
+static bool is_met(const settling *s, uint32_t t) { /* near one that meets another */
   const uint32_t *v = s->m->triangles[t];
-  return (s->suspect.at[v[0]] | s->suspect.at[v[1]] | s->suspect.at[v[2]]) & VS_NEAR_MET;
+  return s->near_met.at[v[0]] || s->near_met.at[v[1]] || s->near_met.at[v[2]];
 }
 
 /* Corners within a few units of each other, joined by edges of triangles that rounding bends (or all) near where something meets, become one; what then is an
@@ -471,27 +510,23 @@ static bool begin_again(settling *s) {
   return find_look(s, &any) && index_mesh(s);
 }
 
-static bool count_met(settling *s, vs_settled *out) {
-  return vs_settling_count_met(s, out) && (s->numbers != VS_NUMBERS_SINGLE || vs_settling_count_between(s, out));
-}
-
 static bool settle(settling *s, bool places, vs_settled *out) {
   vs_mesh *m = s->m;
   size_t n = m->vertex_count, collapsed, flipped, more;
   bool any = false, ok = true;
   if (!vs_kernel_report(s->k, 1)) return false;
-  vs_bounds b = vs_mesh_bounds(m);
-  s->coarsest = 2 * unit(larger(reach(b.min), reach(b.max)), s->numbers);
+  s->bounds = vs_mesh_bounds(m);
+  s->coarsest = 2 * unit(larger(reach(s->bounds.min), reach(s->bounds.max)), s->numbers);
   if (!find_look(s, &any)) return false;
-  if (!any && s->numbers != VS_NUMBERS_SINGLE) return true;
-  if (!VS_ROOM(s->k, s->busy.at, s->busy.room, n + 1) || !VS_ROOM(s->k, s->suspect.at, s->suspect.room, n + 1) || !VS_ROOM(s->k, s->gone.at, s->gone.room, m->triangle_count + 1) ||
+  if (!any && (s->numbers == VS_NUMBERS_DOUBLE || (s->level && !s->storeys_near))) return true;
+  if (!VS_ROOM(s->k, s->busy.at, s->busy.room, n + 1) || !VS_ROOM(s->k, s->near_met.at, s->near_met.room, n + 1) || !VS_ROOM(s->k, s->gone.at, s->gone.room, m->triangle_count + 1) ||
       !VS_ROOM(s->k, s->listed.at, s->listed.room, m->triangle_count + 1))
     return false;
-  memset(s->suspect.at, 0, n);
+  memset(s->near_met.at, 0, n);
   if (!any) {
     memset(s->gone.at, 0, m->triangle_count);
     memset(s->listed.at, 0, m->triangle_count);
-    if (!vs_settling_count_between(s, out)) return false;
+    if (!vs_settling_count_met(s, out)) return false;
     if (!out->met || !places) return true;
   }
   if (!drop_blades(s, out) || !(out->dropped ? begin_again(s) : index_mesh(s))) return false;
@@ -507,14 +542,14 @@ static bool settle(settling *s, bool places, vs_settled *out) {
     out->flipped += flipped;
     if (!collapsed && !flipped) break;
   }
-  if (ok && s->numbers != VS_NUMBERS_DOUBLE) ok = count_met(s, out);
+  if (ok && s->numbers != VS_NUMBERS_DOUBLE) ok = vs_settling_count_met(s, out);
   if (ok) vs_mesh_squeeze(m, s->gone.at);
   for (int round = 0; ok && places && out->met && round < ROUNDS; round++) {
     size_t contracted = 0;
     ok = contract(s, 4 << round, round == ROUNDS - 1, &contracted);
     if (!ok || !contracted) break;
     out->collapsed += contracted;
-    ok = begin_again(s) && flip_round(s, &flipped) && count_met(s, out);
+    ok = begin_again(s) && flip_round(s, &flipped) && vs_settling_count_met(s, out);
     out->flipped += flipped;
   }
   return ok && (out->collapsed || out->dropped ? drop_vertices(s) : true);
@@ -536,6 +571,6 @@ bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *opt
   VS_DROP(&k, s.busy);
   VS_DROP(&k, s.gone);
   VS_DROP(&k, s.listed);
-  VS_DROP(&k, s.suspect);
+  VS_DROP(&k, s.near_met);
   return ok || (vs_kernel_fail(&k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"), false);
 }

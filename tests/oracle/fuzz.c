@@ -109,7 +109,7 @@ static void add_tree(program *t, seed_kind k, int depth, cells *c) { /* depth at
 }
 
 static bool verbose, failed;
-static uint64_t results, said; /* how many there were; of them, how many meet themselves as 32-bit numbers, with a warning */
+static uint64_t results, said; /* how many there were; of them, how many meet themselves in the numbers of a format, with a warning */
 static void complain(const char *what, const program *t, const char *detail) {
   failed = true;
   printf("  %s: %s\n    %s\n", what, detail, t->at);
@@ -173,8 +173,8 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
       complain(what, t, "out of memory");
     } else if (numbers == VS_NUMBERS_DOUBLE && crossings_sum(&found) == found.count[CROSSINGS_TOUCHING]) {
       touches = found.count[CROSSINGS_TOUCHING] > 0;
-    } else if (numbers >= VS_NUMBERS_SINGLE && crossings_sum(&found) > (touches ? found.count[CROSSINGS_TOUCHING] : 0) && settled.met) {
-      said++; /* blades that 24 bits cannot hold: the writer warns */
+    } else if (numbers != VS_NUMBERS_DOUBLE && crossings_sum(&found) > (touches ? found.count[CROSSINGS_TOUCHING] : 0) && settled.met) {
+      said++; /* what those numbers cannot hold apart: the writer warns */
     } else if (crossings_sum(&found) > (touches ? found.count[CROSSINGS_TOUCHING] : 0)) {
       int n = snprintf(detail, sizeof detail, "meets itself as %s (%zu triangles, %zu said):", as[numbers], count, settled.met);
       for (int k = 0; k < CROSSINGS_KINDS; k++)
@@ -314,7 +314,7 @@ int main(int argc, char **argv) {
       bad++;
     }
   }
-  printf("%llu of %llu results meet themselves in 32 bits, and say so\n", (unsigned long long)said, (unsigned long long)results);
+  printf("%llu times one of %llu results meets itself in a format's numbers, and says so\n", (unsigned long long)said, (unsigned long long)results);
   printf("%llu of %llu seeds failed\n", (unsigned long long)bad, (unsigned long long)count);
   return bad != 0 || said * FEW > results;
 }

@@ -176,6 +176,35 @@ static void test_between(void **state) {
   }
 }
 
+/* A ring that is open by a gap: its two ends are flush but for less than the numbers tell apart, far from each other along the one shell. Turned, rounding makes them
+ * meet; along the axes it cannot, unless both ends come to one plane. */
+static void test_ends(void **state) {
+  (void)state;
+  static const char ring[] = "(union (box 5 1 1) (box 1 1 5) (translate 0 0 4 (box 5 1 1)) (translate 4 0 0 (box 1 1 2)) (translate 4.31 0.23 2.5 (box 0.5 0.5 2)))";
+  static const struct { double gap; vs_numbers numbers; bool turned, meets; } cases[] = {
+    { 1e-9, VS_NUMBERS_SINGLE, true, true }, { 1e-3, VS_NUMBERS_SINGLE, true, false }, { 1e-9, VS_NUMBERS_DIGITS, true, false }, { 1e-12, VS_NUMBERS_DIGITS, true, true },
+    { 1e-9, VS_NUMBERS_SINGLE, false, true }, { 1e-6, VS_NUMBERS_SINGLE, false, false } };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    sx_problem p;
+    vs_mesh m = { 0 };
+    vs_settled s;
+    vs_kernel_error e;
+    vs_affine turn = vs_affine_rotation(vs_v3(1, 2, 3), vs_v3(3, 1, 2), 1);
+    assert_true(sx_parse(ring, &p));
+    assert_true(vs_kernel_evaluate(&p.problem, NULL, &m, &e));
+    sx_free(&p);
+    size_t moved = 0;
+    for (size_t v = 0; v < m.vertex_count; v++)
+      if (fabs(m.vertices[v].z - 2.5) < 1e-6) m.vertices[v].z = 2 + cases[i].gap, moved++;
+    assert_int_equal(moved, 4);
+    if (cases[i].turned) vs_mesh_transform(&m, &turn);
+    assert_true(vs_mesh_settle(&m, cases[i].numbers, NULL, &s, NULL));
+    assert_int_equal(s.collapsed + s.flipped + s.dropped, 0);
+    assert_int_equal(s.met > 0, cases[i].meets);
+    vs_mesh_free(&m);
+  }
+}
+
 /* What is said to be apart in doubles is apart: random triangles with corners in few places, and a little off them, against exact signs. */
 static void test_apart(void **state) {
   (void)state;
@@ -208,6 +237,6 @@ static void test_apart(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(test_simple), cmocka_unit_test(test_wound), cmocka_unit_test(test_open), cmocka_unit_test(test_settle), cmocka_unit_test(test_between), cmocka_unit_test(test_apart) };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_simple), cmocka_unit_test(test_wound), cmocka_unit_test(test_open), cmocka_unit_test(test_settle), cmocka_unit_test(test_between), cmocka_unit_test(test_ends), cmocka_unit_test(test_apart) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

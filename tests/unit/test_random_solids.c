@@ -23,7 +23,7 @@ static void test_random_trees(void **unused) {
     bad += failed;
     if (failed) print_message("seed %llu failed\n", (unsigned long long)seed);
   }
-  if (asked && *asked) print_message("seeds %llu to %llu: %llu failed; %llu of %llu results meet themselves in 32 bits, and say so\n", from, to, bad, (unsigned long long)said, (unsigned long long)results);
+  if (asked && *asked) print_message("seeds %llu to %llu: %llu failed; %llu times one of %llu results meets itself in a format's numbers, and says so\n", from, to, bad, (unsigned long long)said, (unsigned long long)results);
   assert_int_equal(bad, 0);
   assert_true(results > 7 * (to - from + 1) && (said == 0 || said * FEW <= results));
 }
