@@ -57,12 +57,7 @@ static bool code_chunk(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-static void put(vs_pack *p, uint32_t lane, const vs_box *b) {
-  for (int j = 0; j < 3; j++) p->min[j][lane] = b->min[j], p->max[j][lane] = b->max[j];
-}
-
 static bool gather_chunk(vs_kernel *k, void *context, size_t index) {
-  static const vs_box nowhere = { { INT32_MAX, INT32_MAX, INT32_MAX }, { INT32_MIN, INT32_MIN, INT32_MIN } };
   (void)k;
   coding *c = context;
   vs_bvh *t = c->t;
@@ -71,7 +66,7 @@ static bool gather_chunk(vs_kernel *k, void *context, size_t index) {
     for (uint32_t lane = 0; lane < BLOCK; lane++) {
       uint32_t item = i + lane < end ? (uint32_t)c->code[i + lane] : UINT32_MAX;
       if (item != UINT32_MAX) t->order[i + lane] = item;
-      put(&p, lane, item == UINT32_MAX ? &nowhere : &t->boxes[item]);
+      vs_pack_put(&p, lane, item == UINT32_MAX ? &vs_box_nowhere : &t->boxes[item]);
       if (t->families) t->family[i / BLOCK][lane] = item == UINT32_MAX ? -1 : (int32_t)t->families[item];
     }
     t->packs[i / BLOCK] = p;
@@ -168,26 +163,12 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_box *boxes, uint32_t count) 
     memset(to[t->size[level] - 1].max, 0x80, sizeof to->max);
     for (uint32_t i = 0; i < t->size[level - 1]; i++) {
       vs_box b = around(&below[i]);
-      put(&to[i / BLOCK], i % BLOCK, &b);
+      vs_pack_put(&to[i / BLOCK], i % BLOCK, &b);
     }
   }
   t->boxes = NULL;
   t->families = NULL;
   return ok;
-}
-
-static uint32_t bits(vs_lanes all) { /* lane i: bit i */
-  uint64_t half[2];
-  all &= (vs_lanes){ 1, 2, 4, 8 };
-  memcpy(half, &all, sizeof half);
-  half[0] |= half[1];
-  return (uint32_t)(half[0] | half[0] >> 32);
-}
-
-/* Which of the four meet the box. */
-static inline vs_lanes meeting(const vs_pack *p, const vs_box *b) {
-  return (p->min[0] <= b->max[0]) & (p->max[0] >= b->min[0]) & (p->min[1] <= b->max[1]) & (p->max[1] >= b->min[1]) & (p->min[2] <= b->max[2]) &
-         (p->max[2] >= b->min[2]);
 }
 
 static vs_box box_of(const vs_pack *p, uint32_t lane) {
@@ -221,17 +202,18 @@ static void begin(descent *d, const vs_bvh *t, const vs_box *box, uint32_t from)
 static bool next(descent *d, uint32_t *block, uint32_t *met) {
   const vs_bvh *t = d->t;
   while (d->top) {
-    uint32_t level = d->stack[--d->top].level, i = d->stack[d->top].i, set = bits(meeting(&t->packs[t->first[level] + i], &d->box));
-    if (level == 0 && set) {
+    uint32_t level = d->stack[--d->top].level, i = d->stack[d->top].i, set = vs_pack_bits(vs_pack_meeting(&t->packs[t->first[level] + i], &d->box));
+    if (level == 0) {
       *block = i;
       *met = set;
-      return true;
+      if (set) return true;
+      continue;
     }
-    for (uint32_t lane = BLOCK; level && lane-- > 0;) {
+    for (uint32_t lane = BLOCK; lane-- > 0;) { /* without a jump: each is written, and stays where it is met */
       uint32_t below = i * BLOCK + lane;
-      if (!(set >> lane & 1) || ((uint64_t)below + 1) << (2 * (level - 1)) <= d->from) continue;
       d->stack[d->top].level = level - 1;
-      d->stack[d->top++].i = below;
+      d->stack[d->top].i = below;
+      d->top += (int)(set >> lane & (((uint64_t)below + 1) << (2 * (level - 1)) > d->from));
     }
   }
   return false;
@@ -256,18 +238,19 @@ bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn 
     descent d;
     begin(&d, t, &all, from);
     while (next(&d, &block, &met))
-      for (uint32_t a = from; a < stop && a <= block; a++)
-        for (uint32_t left = met; left;) {
-          uint32_t j = next_bit(&left);
-          vs_box box = box_of(&t->packs[block], j);
-          vs_lanes meets = meeting(&t->packs[a], &box);
+      for (uint32_t left = met; left;) {
+        uint32_t j = next_bit(&left);
+        vs_box box = box_of(&t->packs[block], j);
+        for (uint32_t a = from; a < stop && a <= block; a++) {
+          vs_lanes meets = vs_pack_meeting(&t->packs[a], &box);
           if (t->has_families) {
             int32_t family = t->family[block][j];
             if (family != -1) meets &= t->family[a] != family;
           }
-          for (uint32_t set = bits(meets) & (a == block ? (1u << j) - 1 : 15); set;)
+          for (uint32_t set = vs_pack_bits(meets) & (a == block ? (1u << j) - 1 : 15); set;)
             if (!fn(context, t->order[a * BLOCK + next_bit(&set)], t->order[block * BLOCK + j])) return false;
         }
+      }
   }
   return true;
 }

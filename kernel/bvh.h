@@ -4,6 +4,8 @@
 
 #include "kernel/memory.h"
 
+#include <string.h>
+
 typedef struct { int32_t min[3], max[3]; } vs_box;
 
 static inline bool vs_box_meet(const vs_box *a, const vs_box *b) { /* without a jump: which of them fails is as good as random */
@@ -14,6 +16,27 @@ static inline bool vs_box_meet(const vs_box *a, const vs_box *b) { /* without a 
 /* Four boxes side by side, tested at once; one that is missing has its sides the wrong way round. */
 typedef int32_t vs_lanes __attribute__((vector_size(16)));
 typedef struct { vs_lanes min[3], max[3]; } vs_pack;
+
+static const vs_box vs_box_nowhere = { { INT32_MAX, INT32_MAX, INT32_MAX }, { INT32_MIN, INT32_MIN, INT32_MIN } };
+static inline void vs_pack_put(vs_pack *p, uint32_t lane, const vs_box *b) {
+  for (int j = 0; j < 3; j++) p->min[j][lane] = b->min[j], p->max[j][lane] = b->max[j];
+}
+/* Which of the four meet the box, and which hold it; all bits of a lane are set, or none. */
+static inline vs_lanes vs_pack_meeting(const vs_pack *p, const vs_box *b) { /* as machines compare: greater, or not */
+  return ~((p->min[0] > b->max[0]) | (p->max[0] < b->min[0]) | (p->min[1] > b->max[1]) | (p->max[1] < b->min[1]) | (p->min[2] > b->max[2]) |
+           (p->max[2] < b->min[2]));
+}
+static inline vs_lanes vs_pack_holding(const vs_pack *p, const vs_box *b) { /* with something to spare on all sides */
+  return (p->min[0] < b->min[0]) & (p->max[0] > b->max[0]) & (p->min[1] < b->min[1]) & (p->max[1] > b->max[1]) & (p->min[2] < b->min[2]) &
+         (p->max[2] > b->max[2]);
+}
+static inline uint32_t vs_pack_bits(vs_lanes all) { /* lane i: bit i */
+  uint64_t half[2];
+  all &= (vs_lanes){ 1, 2, 4, 8 };
+  memcpy(half, &all, sizeof half);
+  half[0] |= half[1];
+  return (uint32_t)(half[0] | half[0] >> 32);
+}
 
 /* Items in Morton order, four to a pack of level 0; a pack of level l+1 has the boxes around four packs of level l. */
 typedef struct {

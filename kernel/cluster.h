@@ -77,7 +77,7 @@ typedef struct {
   double well_inside, outside; /* beyond the second outside; -1 and infinity where the placement is no similarity */
   bool lid;           /* convex, and settles what is inside of it */
   bool star;          /* also on the grid: no two of its triangles touch but in corners and edges they share */
-  uint32_t lids_first, lids_count; /* into `lids`: those whose boxes meet its own */
+  uint32_t lids_first, lids_count; /* into `lids`, from a multiple of four on: those whose boxes meet its own */
   vs_bvh bvh;         /* of all its triangles, made for the first line through a large leaf */
   vs_box *bvh_boxes;
   size_t bvh_box_room;
@@ -97,6 +97,7 @@ typedef struct {
   vs_bvh leaf_bvh;        /* over placed[].box */
   VS_LIST(vs_box) leaf_boxes;
   VS_LIST(uint32_t) lids; /* places in `leaves` */
+  VS_LIST(vs_pack) lid_boxes; /* theirs, by four */
   vs_points_table points;
   vs_planes_table planes;
   VS_LIST(vs_soup_triangle) triangles;

@@ -83,10 +83,10 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
   for (uint32_t i = 0; ok && i < n; i++) {
     vs_placed *p = &c->placed.at[i];
     p->lids_first = (uint32_t)sum;
-    sum += p->lids_count < VS_LIDS ? p->lids_count : VS_LIDS;
+    sum += p->lids_count < VS_LIDS ? (p->lids_count + 3) / 4 * 4 : VS_LIDS; /* their boxes are in fours */
     p->lids_count = 0;
   }
-  ok = ok && VS_ROOM(k, c->lids.at, c->lids.room, sum + 1);
+  ok = ok && VS_ROOM(k, c->lids.at, c->lids.room, sum + 1) && VS_ROOM(k, c->lid_boxes.at, c->lid_boxes.room, sum / 4 + 1);
   for (size_t i = 0; ok && i < f.pairs.count; i += 2) { /* the largest, largest first; equal ones by place */
     vs_placed *p = &c->placed.at[f.pairs.at[i]];
     uint32_t lid = f.pairs.at[i + 1], *list = c->lids.at + p->lids_first, at = p->lids_count;
@@ -99,6 +99,13 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
       if (at < VS_LIDS) list[at] = list[at - 1];
     }
     if (at < VS_LIDS) list[at] = lid;
+  }
+  for (uint32_t i = 0; ok && i < n; i++) {
+    const vs_placed *p = &c->placed.at[i];
+    for (uint32_t j = 0; j < (p->lids_count + 3) / 4 * 4; j++) {
+      uint32_t at = p->lids_first + j;
+      vs_pack_put(&c->lid_boxes.at[at / 4], at % 4, j < p->lids_count ? &c->placed.at[c->lids.at[at]].box : &vs_box_nowhere);
+    }
   }
   VS_DROP(k, f.pairs);
   return ok;
@@ -183,11 +190,14 @@ bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t 
 
 bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]) {
   const vs_placed *leaf = &c->placed.at[place];
-  for (uint32_t i = 0; i < leaf->lids_count; i++) {
-    uint32_t lid = c->lids.at[leaf->lids_first + i];
-    const vs_placed *l = &c->placed.at[lid];
-    if (lid != other && in_lid(l, p) && in_lid(l, q)) return true;
-  }
+  vs_box box; /* well inside a lid is a step inside its box, or more */
+  for (int a = 0; a < 3 && leaf->lids_count; a++) box.min[a] = (int32_t)floor(p[a] < q[a] ? p[a] : q[a]), box.max[a] = (int32_t)ceil(p[a] > q[a] ? p[a] : q[a]);
+  for (uint32_t i = 0; i < leaf->lids_count; i += 4)
+    for (uint32_t set = vs_pack_bits(vs_pack_holding(&c->lid_boxes.at[(leaf->lids_first + i) / 4], &box)); set; set &= set - 1) {
+      uint32_t lid = c->lids.at[leaf->lids_first + i + (uint32_t)__builtin_ctz(set)];
+      const vs_placed *l = &c->placed.at[lid];
+      if (lid != other && in_lid(l, p) && in_lid(l, q)) return true;
+    }
   return false;
 }
 

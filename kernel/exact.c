@@ -154,6 +154,11 @@ static inline void add_product(uint64_t r[3], vs_i128 a, vs_i128 b) {
   wide_add(r, (const uint64_t[3]){ (uint64_t)low, (uint64_t)middle, high }, 3);
 }
 
+void vs_homogeneous_integer(const int32_t at[3], vs_homogeneous *out) {
+  for (int i = 0; i < 3; i++) wide_from(out->x[i], VS_LIMBS, at[i]);
+  wide_from(out->w, VS_LIMBS, 1);
+}
+
 static bool across(const vs_plane *p) { return !p->n[(p->k + 1) % 3] && !p->n[(p->k + 2) % 3]; } /* an axis */
 
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out) {
@@ -254,7 +259,7 @@ bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]) {
   return exact;
 }
 
-static int compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis) {
+int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis) {
   uint64_t s[6], t[6];
   wide_mul(s, 6, a->x[axis], VS_LIMBS, b->w, VS_LIMBS);
   wide_mul(t, 6, b->x[axis], VS_LIMBS, a->w, VS_LIMBS);
@@ -263,7 +268,7 @@ static int compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis) {
 }
 
 bool vs_homogeneous_equal(const vs_homogeneous *a, const vs_homogeneous *b) {
-  return memcmp(a, b, sizeof *a) == 0 || (compare(a, b, 0) == 0 && compare(a, b, 1) == 0 && compare(a, b, 2) == 0);
+  return memcmp(a, b, sizeof *a) == 0 || (vs_homogeneous_compare(a, b, 0) == 0 && vs_homogeneous_compare(a, b, 1) == 0 && vs_homogeneous_compare(a, b, 2) == 0);
 }
 
 int vs_homogeneous_side(const vs_plane *p, const vs_homogeneous *h) {
@@ -309,7 +314,7 @@ int vs_compare_slow(vs_points_view v, uint32_t a, uint32_t b, int axis) {
   vs_homogeneous g, h;
   load(v, a, &g);
   load(v, b, &h);
-  return compare(&g, &h, axis);
+  return vs_homogeneous_compare(&g, &h, axis);
 }
 
 int vs_orient2d_slow(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v) {

@@ -57,6 +57,8 @@ bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out);
 /* fixed numbers of a point; true where they are all of it */
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]);
+void vs_homogeneous_integer(const int32_t at[3], vs_homogeneous *out);
+int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis); /* sign of a - b */
 bool vs_homogeneous_equal(const vs_homogeneous *a, const vs_homogeneous *b);
 int vs_homogeneous_side(const vs_plane *p, const vs_homogeneous *h);
 /* the point of the plane p over (u, v), fixed numbers, seen along axis k; n[k] is not 0 */

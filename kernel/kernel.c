@@ -121,6 +121,7 @@ void vs_cluster_free(vs_kernel *k, vs_cluster *c) {
   vs_bvh_free(k, &c->leaf_bvh);
   VS_DROP(k, c->leaf_boxes);
   VS_DROP(k, c->lids);
+  VS_DROP(k, c->lid_boxes);
   VS_DROP(k, c->cuts);
   VS_DROP(k, c->edge_of);
   VS_DROP(k, c->faces);

@@ -1,33 +1,37 @@
 /* Owns the meeting of patches: finds every pair that touches and leaves in both facets the segments or point they share.
  *
- * Two patches in different planes share a segment whose ends are corners or edges of one that lie in the other. Each such end is decided by
- * integer predicates before it gets a point, so pairs that only come near cost no wide arithmetic, and a segment well inside a lid gets none. A contact
- * that is a corner or a whole boundary edge of a patch already is nothing new for that patch. Patches of one plane unite their facets into a group.
+ * Two patches in different planes can only meet on the line of these planes. Each covers a piece of it, from one of its corners or edges to another; what
+ * both cover is what they share. Heights over a plane and places along the line are doubles with a bound on their error, and whole numbers decide
+ * what is within it: pairs that only come near cost no wide arithmetic, and a segment well inside a lid gets no points. A contact that is a corner or a
+ * whole boundary edge of a patch already is nothing new for that patch. Patches of one plane unite their facets into a group.
  * Patches of one leaf are treated as any others, unless it is a star on the grid: it may cross itself, or rounding may have folded it.
  *
  * Pairs are found and decided in chunks that do not know of each other; points are numbered afterwards, chunk by chunk: one result for any number of
  * threads. */
 #include "kernel/cluster.h"
 
+#include <math.h>
 #include <string.h>
 
-typedef struct { uint32_t point, fresh; } end; /* fresh: where point is VS_NONE */
-typedef struct { uint32_t a, b, first, count; } contact; /* count 0: coplanar, the facets go together */
-
-/* Whether an edge goes through a patch is asked by both of the triangles that have it, mostly soon after each other. */
+/* What two patches share, or a part of it between corners on it. */
 typedef struct {
-  uint32_t low, high, patch; /* the edge's corners, and what it may go through */
-  uint32_t fresh;            /* its point's number in the chunk; or: */
+  uint32_t a, b, p, q; /* p, q: its ends, points; with FRESH: of the chunk's */
+  uint32_t cut;        /* bit 0: it is new in a, bit 1: in b; 0: coplanar, the facets go together */
+} contact;
+#define FRESH (UINT32_C(1) << 31)
+
+/* Where an edge goes through a patch is wanted by both of the triangles that have it, mostly soon after each other. */
+typedef struct {
+  uint32_t low, high, patch; /* the edge's corners, and what it goes through */
+  uint32_t fresh;            /* the point's number in the chunk, or VS_NONE */
 } crossing;
 enum { CROSSINGS = 1 << 12 };
-#define PAST UINT32_MAX           /* beside the patch */
-#define THROUGH (UINT32_MAX - 1)  /* has no point yet */
-#define NEW (UINT32_MAX - 2)      /* not asked before */
 
 /* What a thread works with. */
 typedef struct {
-  VS_LIST(int8_t) side_a, side_b;   /* of a pair's corners */
-  VS_LIST(crossing) crossings;      /* the last ones, each in its place by a hash */
+  VS_LIST(double) heights[2];     /* of a pair's corners, over the other's plane */
+  VS_LIST(crossing) crossings;    /* the last ones, each in its place by a hash */
+  VS_LIST(vs_patch_corner) line;  /* corners within what a pair shares, in order */
 } working;
 
 typedef struct {
@@ -35,10 +39,8 @@ typedef struct {
   const vs_cluster *c;
   working *w;
   VS_LIST(contact) contacts;
-  VS_LIST(end) ends;
   VS_LIST(vs_fresh_point) fresh;
   VS_LIST(vs_edge) edges;         /* that those are on */
-  double span[2][3];              /* the first and last end of the pair at hand, in steps */
 } chunk;
 
 static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { return c->patch_corners.at + p->first; }
@@ -68,73 +70,136 @@ static uint32_t edge_of(const vs_cluster *c, const vs_patch *x, uint32_t p, uint
 
 /* ---- a pair, within a chunk ---- */
 
+/* A patch against the plane of another. */
+typedef struct {
+  const vs_patch *of, *other;
+  double *height;                /* of each of its corners: their signs are right, and 0 is 0 */
+  double error;                  /* of heights that are not 0, at most */
+  uint32_t on, first_on, last_on; /* corners in the plane: how many, and two of them */
+  bool above, below;             /* are there any */
+} facing;
+
 static vs_i128 height(const vs_plane *p, const int32_t at[3]) {
   return (vs_i128)p->n[0] * at[0] + (vs_i128)p->n[1] * at[1] + (vs_i128)p->n[2] * at[2] - p->d;
 }
 
-/* Sides of a's corners against b's plane; false where all are strictly on one. */
-static bool sides(chunk *m, const vs_patch *a, const vs_plane *p, int8_t *out) {
-  const vs_patch_corner *at = corners(m->c, a);
-  bool above = false, below = false;
-  for (uint32_t i = 0; i < a->count; i++) {
-    int s = vs_sign128(height(p, at[i].at));
-    out[i] = (int8_t)s;
-    above = above || s >= 0;
-    below = below || s <= 0;
+/* Heights as doubles, from a corner of the other patch: normals of 52 bits and differences of 26 are exact. Their three products are right to 2^-53 of
+ * themselves and so are two sums: the error is below 2^-51 of the products' sizes together, and nothing where these are below 2^53. */
+static void face_to(const vs_cluster *c, facing *f) {
+  const vs_plane *p = &c->planes.all.at[f->other->plane];
+  const vs_patch_corner *x = corners(c, f->of);
+  const int32_t *from = corners(c, f->other)->at;
+  const double n[3] = { (double)p->n[0], (double)p->n[1], (double)p->n[2] };
+  double most = (fabs(n[0]) + fabs(n[1]) + fabs(n[2])) * (2 << VS_GRID_BITS), error = most < 0x1p53 ? 0 : most * 0x1p-51;
+  f->error = error;
+  f->on = 0;
+  f->above = f->below = false;
+  for (uint32_t i = 0; i < f->of->count; i++) {
+    double h = n[0] * (x[i].at[0] - from[0]) + n[1] * (x[i].at[1] - from[1]) + n[2] * (x[i].at[2] - from[2]);
+    if (fabs(h) <= error) h = (double)height(p, x[i].at);
+    f->height[i] = h;
+    f->above |= h > 0;
+    f->below |= h < 0;
+    if (h != 0) continue;
+    if (!f->on++) f->first_on = i;
+    f->last_on = i;
   }
-  return above && below;
-}
-
-static void widen(chunk *m, const double at[3], uint32_t count) {
-  for (int i = 0; i < 3; i++) m->span[count ? 1 : 0][i] = at[i];
 }
 
 static crossing *crossing_of(chunk *m, uint32_t p, uint32_t q, uint32_t patch) {
   uint32_t low = p < q ? p : q, high = p < q ? q : p;
   uint64_t hash = (((uint64_t)low << 32 | high) ^ (uint64_t)patch * 0xd6e8feb86659fd93u) * 0x9e3779b97f4a7c15u;
   crossing *x = &m->w->crossings.at[hash >> 40 & (m->w->crossings.count - 1)];
-  if (x->low != low || x->high != high || x->patch != patch) *x = (crossing){ low, high, patch, NEW };
+  if (x->low != low || x->high != high || x->patch != patch) *x = (crossing){ low, high, patch, VS_NONE };
   return x;
 }
 
-/* The ends of a's crossing with b's plane that lie in b; second: a is the pair's second. */
-static bool ends(chunk *m, const vs_patch *a, const int8_t *side, const vs_patch *b, uint32_t first, uint32_t second) {
-  const vs_cluster *c = m->c;
-  const vs_plane *plane = &c->planes.all.at[b->plane];
-  const vs_patch_corner *x = corners(c, a), *y = corners(c, b);
-  int turn = b->flip ? -1 : 1;
-  for (uint32_t i = 0; i < a->count; i++) {
-    uint32_t j = i + 1 == a->count ? 0 : i + 1;
-    if (side[i] == 0) {
-      bool inside = true;
-      for (uint32_t e = 0; inside && e < b->count; e++)
-        inside = y[e].point == x[i].point || orient2(y[e].at, y[e + 1 == b->count ? 0 : e + 1].at, x[i].at, plane) * turn >= 0;
-      if (!inside) continue;
-      bool known = false;
-      for (size_t e = first; e < m->ends.count; e++) known = known || m->ends.at[e].point == x[i].point;
-      double at[3] = { x[i].at[0], x[i].at[1], x[i].at[2] };
-      if (known) continue;
-      widen(m, at, (uint32_t)m->ends.count - first);
-      if (!VS_PUSH(m->k, m->ends, ((end){ x[i].point, VS_NONE }))) return false;
-    } else if (side[i] * side[j] < 0) {
-      crossing *known = crossing_of(m, x[i].point, x[j].point, (uint32_t)(b - c->patches.at));
-      if (known->fresh == PAST) continue;
-      double u = (double)height(plane, x[i].at), v = (double)height(plane, x[j].at), t = u / (u - v), at[3];
-      for (int e = 0; e < 3; e++) at[e] = x[i].at[e] + t * ((double)x[j].at[e] - x[i].at[e]); /* right to 2^-24 steps: u and v are but for rounding */
-      bool inside = true, asked = known->fresh == NEW;
-      for (uint32_t e = 0; asked && inside && e < b->count; e++) {
-        const int32_t *p = y[e].at, *q = y[e + 1 == b->count ? 0 : e + 1].at;
-        double left = (((double)q[plane->u] - p[plane->u]) * (at[plane->v] - p[plane->v]) - ((double)q[plane->v] - p[plane->v]) * (at[plane->u] - p[plane->u])) * turn;
-        if (left > 64) continue; /* its error is below 2^27 * 2^-24 twice */
-        inside = left >= -64 && vs_orient3d(x[i].at, x[j].at, p, q) * side[i] * turn <= 0;
-      }
-      if (asked) known->fresh = inside ? THROUGH : PAST;
-      if (!inside) continue;
-      widen(m, at, (uint32_t)m->ends.count - first);
-      if (!VS_PUSH(m->k, m->ends, ((end){ VS_NONE, i << 1 | second }))) return false; /* made into a point below */
-    }
+/* Where the line of two planes enters or leaves a patch of one of them: at a corner, or between that and the next. */
+typedef struct {
+  const facing *f;
+  uint32_t corner, next; /* next: the same at a corner */
+  double at, error;      /* its coordinate along the axis that is looked at */
+} end;
+
+static bool is_corner(const end *e) { return e->corner == e->next; }
+
+/* The exact place. */
+static bool end_place(const vs_cluster *c, const end *e, vs_homogeneous *out) {
+  const vs_patch_corner *x = corners(c, e->f->of);
+  return vs_meet_edge(x[e->corner].at, x[e->next].at, &c->planes.all.at[e->f->other->plane], out);
+}
+
+/* Which comes first along the axis; 0: they are one point. */
+static int compare(const vs_cluster *c, const end *a, const end *b, int axis) {
+  double d = a->at - b->at, error = a->error + b->error;
+  if (fabs(d) > error || error <= 0) return (d > 0) - (d < 0);
+  vs_homogeneous p, q;
+  for (int i = 0; i < 2; i++) {
+    const end *e = i ? b : a;
+    vs_homogeneous *to = i ? &q : &p;
+    if (is_corner(e)) vs_homogeneous_integer(corners(c, e->f->of)[e->corner].at, to);
+    else end_place(c, e, to);
   }
-  return true;
+  return vs_homogeneous_compare(&p, &q, axis);
+}
+
+/* How far along its edge an end lies. */
+static double fraction(const end *e) {
+  double u = e->f->height[e->corner], v = e->f->height[e->next];
+  return is_corner(e) ? 0 : u / (u - v);
+}
+
+/* The piece of the line that the patch covers. A crossing's fraction t = u / (u - v) is off by less than 3 errors of a height / |u - v|, as t <= 1, and by
+ * rounding, which comes to less than 2^-24 steps along the edge. */
+static void cover(const vs_cluster *c, const facing *f, int axis, end *low, end *high) {
+  const vs_patch_corner *x = corners(c, f->of);
+  const double *h = f->height;
+  bool begun = false;
+  for (uint32_t i = 0, n = f->of->count; i < n; i++) {
+    uint32_t j = i + 1 == n ? 0 : i + 1;
+    if (h[i] != 0 && h[i] * h[j] >= 0) continue;
+    end e = { f, i, h[i] != 0 ? j : i, x[i].at[axis], 0 };
+    double d = (double)x[e.next].at[axis] - x[i].at[axis];
+    if (d != 0) {
+      e.at += fraction(&e) * d;
+      e.error = 0x1p-24 + 4 * f->error * fabs(d) / fabs(h[i] - h[j]);
+    }
+    if (!begun) *low = *high = e;
+    else if (compare(c, &e, low, axis) < 0) *low = e;
+    else if (compare(c, &e, high, axis) > 0) *high = e;
+    begun = true;
+  }
+}
+
+/* An axis that the planes' line is not across. */
+static int axis_of(const vs_plane *p, const vs_plane *q) {
+  double most = 0, bound = 0;
+  int best = 0;
+  for (int i = 0; i < 3; i++) {
+    int u = (i + 1) % 3, v = (i + 2) % 3;
+    double s = (double)p->n[u] * (double)q->n[v], t = (double)p->n[v] * (double)q->n[u];
+    if (fabs(s) + fabs(t) > bound) bound = fabs(s) + fabs(t);
+    if (fabs(s - t) > most) most = fabs(s - t), best = i;
+  }
+  if (most > bound * 0x1p-50) return best;
+  for (best = 0; best < 2; best++) { /* the planes differ: it is one of them */
+    int u = (best + 1) % 3, v = (best + 2) % 3;
+    if ((vs_i128)p->n[u] * q->n[v] != (vs_i128)p->n[v] * q->n[u]) break;
+  }
+  return best;
+}
+
+/* In steps; false where that is off by too much to say what holds it. */
+static bool end_at(const vs_cluster *c, const end *e, double at[3]) {
+  const vs_patch_corner *x = corners(c, e->f->of);
+  const double *h = e->f->height;
+  double t = fraction(e), length = 0;
+  for (int i = 0; i < 3; i++) {
+    double d = (double)x[e->next].at[i] - x[e->corner].at[i];
+    at[i] = x[e->corner].at[i] + t * d;
+    length = fmax(length, fabs(d));
+  }
+  return is_corner(e) || 4 * e->f->error * length <= 0.25 * fabs(h[e->corner] - h[e->next]);
 }
 
 /* Coplanar patches: do they touch in more than corners and edges that both have? */
@@ -160,25 +225,137 @@ static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   return !(apart && a->facet == b->facet);
 }
 
-/* Triangles of one leaf in different planes, that share corners as neighbours do: are these all they share? Those with an edge in common share the line of
- * their planes, and so the edge alone; with one corner, where the rest of one lies to one side of the other. Only where it is quick to say. */
+/* Triangles that have an edge in common share the line of their planes, and so the edge alone. */
 static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   if (a->count != 3 || b->count != 3) return false;
   const vs_patch_corner *x = corners(c, a), *y = corners(c, b);
-  uint32_t shared = 0, in_a = 0, in_b = 0; /* bits of corners */
+  uint32_t in_a = 0, in_b = 0; /* bits of corners */
   for (uint32_t i = 0; i < 3; i++)
-    for (uint32_t j = 0; j < 3; j++)
-      if (x[i].point == y[j].point) shared++, in_a |= 1u << i, in_b |= 1u << j;
+    for (uint32_t j = 0; j < 3; j++) {
+      uint32_t same = x[i].point == y[j].point;
+      in_a |= same << i, in_b |= same << j;
+    }
   static const uint8_t edge[8] = { [3] = 1, [6] = 2, [5] = 4 }; /* of two corners: the bit of the edge between */
-  if (shared == 2) return !(a->inner & edge[in_a]) && !(b->inner & edge[in_b]);
-  if (shared != 1) return false;
-  for (int side = 0; side < 2; side++) {
-    const vs_plane *p = &c->planes.all.at[side ? b->plane : a->plane];
-    const vs_patch_corner *at = side ? x : y;
-    uint32_t own = side ? in_a : in_b, i = own == 1 ? 1 : 0, j = own == 4 ? 1 : 2;
-    if (vs_sign128(height(p, at[i].at)) * vs_sign128(height(p, at[j].at)) > 0) return true;
+  return edge[in_a] && edge[in_b] && !(a->inner & edge[in_a]) && !(b->inner & edge[in_b]);
+}
+
+/* Is what lies between the points new for the patch? Not if it is a corner, or an edge of its facet. */
+static bool is_new(const vs_cluster *c, const vs_patch *x, uint32_t p, uint32_t q) {
+  if (p == q) return !corner_of(c, x, p);
+  uint32_t edge = edge_of(c, x, p, q);
+  return edge == VS_NONE || (edge < 3 && (x->inner >> edge & 1));
+}
+
+/* Where it only touches the other's plane: is that of both already? */
+static bool only_touches(const vs_cluster *c, const facing *f) {
+  if ((f->above && f->below) || f->on > 2) return false;
+  const vs_patch_corner *x = corners(c, f->of);
+  uint32_t p = x[f->first_on].point, q = x[f->last_on].point;
+  return !is_new(c, f->other, p, q) && !is_new(c, f->of, p, q);
+}
+
+/* The end's point, made where nobody has yet. */
+static bool end_point(chunk *m, const end *e, uint32_t *id) {
+  const vs_patch_corner *p = &corners(m->c, e->f->of)[e->corner], *q = &corners(m->c, e->f->of)[e->next];
+  *id = p->point;
+  if (p == q) return true;
+  crossing *known = crossing_of(m, p->point, q->point, (uint32_t)(e->f->other - m->c->patches.at));
+  if (known->fresh == VS_NONE) {
+    vs_fresh_point made;
+    if (!end_place(m->c, e, &made.at)) return VS_BROKEN(m->k, "an edge and a plane do not meet");
+    vs_fresh_fill(&made);
+    known->fresh = (uint32_t)m->fresh.count;
+    vs_edge edge = { known->low, known->high };
+    if (!VS_PUSH(m->k, m->fresh, made) || !VS_PUSH(m->k, m->edges, edge)) return false;
   }
-  return false;
+  *id = FRESH | known->fresh;
+  return true;
+}
+
+/* Where several edges lie in line: the corners of f on the line between its ends, into `line`. One that is an end is that end. */
+static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *high) {
+  const vs_patch_corner *x = corners(m->c, f->of);
+  for (uint32_t i = 0; f->on > 2 && i < f->of->count; i++) {
+    if (f->height[i] != 0) continue;
+    end e = { f, i, i, x[i].at[axis], 0 };
+    int above = compare(m->c, &e, low, axis), below = compare(m->c, high, &e, axis);
+    if (above == 0) *low = e;
+    if (below == 0) *high = e;
+    if (above <= 0 || below <= 0) continue;
+    size_t to = m->w->line.count;
+    if (!VS_PUSH(m->k, m->w->line, x[i])) return false;
+    vs_patch_corner *line = m->w->line.at;
+    for (; to > 0 && line[to - 1].at[axis] > x[i].at[axis]; to--) line[to] = line[to - 1];
+    line[to] = x[i];
+    if (to > 0 && line[to - 1].point == x[i].point) { /* the other has it, too */
+      m->w->line.count--;
+      memmove(line + to, line + to + 1, (m->w->line.count - to) * sizeof *line);
+    }
+  }
+  return true;
+}
+
+/* The same for points on the line of two planes, where its corners on that are known. */
+static bool is_new_on(const vs_cluster *c, const facing *f, uint32_t p, uint32_t q) {
+  const vs_patch_corner *x = corners(c, f->of);
+  if (f->on > 2) return is_new(c, f->of, p, q);
+  if (p == q) return !f->on || (x[f->first_on].point != p && x[f->last_on].point != p);
+  if (f->on < 2 || x[f->first_on].point + x[f->last_on].point != p + q || (x[f->first_on].point != p && x[f->last_on].point != p)) return true;
+  uint32_t between = f->last_on - f->first_on, edge = between == 1 ? f->first_on : f->last_on;
+  return (between != 1 && between + 1 != f->of->count) || (edge < 3 && (f->of->inner >> edge & 1));
+}
+
+/* Bit 0: what lies between the points is new in the first, bit 1: in the second. A fresh point is no corner of either: one that is would be that corner. */
+static uint32_t new_in(const vs_cluster *c, const facing f[2], uint32_t p, uint32_t q) {
+  if ((p | q) & FRESH) return 3;
+  return (uint32_t)is_new_on(c, &f[0], p, q) | (uint32_t)is_new_on(c, &f[1], p, q) << 1;
+}
+
+static bool add_contact(chunk *m, const facing f[2], uint32_t p, uint32_t q) {
+  const vs_patch *first = m->c->patches.at;
+  uint32_t cut = new_in(m->c, f, p, q);
+  return !cut || VS_PUSH(m->k, m->contacts, ((contact){ (uint32_t)(f[0].of - first), (uint32_t)(f[1].of - first), p, q, cut }));
+}
+
+static uint32_t corner_point(const vs_cluster *c, const end *e) { return corners(c, e->f->of)[e->corner].point; }
+
+/* Patches of different planes. */
+static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
+  const vs_cluster *c = m->c;
+  const vs_patch *t[2] = { a, b };
+  facing f[2];
+  end low[2], high[2];
+  for (int i = 0; i < 2; i++) {
+    int which = (t[1]->count < t[0]->count) ^ i; /* the one with less corners first: mostly it says enough */
+    if (!VS_ROOM(m->k, m->w->heights[which].at, m->w->heights[which].room, t[which]->count)) return false;
+    f[which] = (facing){ .of = t[which], .other = t[!which], .height = m->w->heights[which].at };
+    face_to(c, &f[which]);
+    if ((!f[which].on && !(f[which].above && f[which].below)) || only_touches(c, &f[which])) return true;
+  }
+  int axis = axis_of(&c->planes.all.at[t[0]->plane], &c->planes.all.at[t[1]->plane]);
+  for (int i = 0; i < 2; i++) cover(c, &f[i], axis, &low[i], &high[i]);
+  int below = compare(c, &low[0], &low[1], axis), above = compare(c, &high[1], &high[0], axis);
+  end from = low[below < 0 || (below == 0 && !is_corner(&low[0]))], to = high[above < 0 || (above == 0 && !is_corner(&high[0]))];
+  int length = compare(c, &to, &from, axis);
+  if (length < 0) return true;
+  if (length == 0 && !is_corner(&from)) from = to; /* the one that is a corner, if any is */
+  if (length == 0) to = from;
+  if (is_corner(&from) && is_corner(&to) && !new_in(c, f, corner_point(c, &from), corner_point(c, &to))) return true;
+  if (t[0]->place != t[1]->place) {
+    double p[3], q[3];
+    if (end_at(c, &from, p) && end_at(c, &to, q) && vs_cull_segment(c, t[0]->place, t[1]->place, p, q)) return true;
+  }
+  m->w->line.count = 0;
+  for (int i = 0; length && i < 2; i++)
+    if (!corners_between(m, &f[i], axis, &from, &to)) return false;
+  uint32_t p, q;
+  if (!end_point(m, &from, &p)) return false;
+  if (!length) return add_contact(m, f, p, p);
+  for (size_t i = 0; i < m->w->line.count; i++, p = q) {
+    q = m->w->line.at[i].point;
+    if (!add_contact(m, f, p, q)) return false;
+  }
+  return end_point(m, &to, &q) && add_contact(m, f, p, q);
 }
 
 static bool meet(void *context, uint32_t first, uint32_t second) {
@@ -191,42 +368,8 @@ static bool meet(void *context, uint32_t first, uint32_t second) {
   }
   const vs_patch *a = &c->patches.at[first], *b = &c->patches.at[second];
   if (!vs_kernel_poll(m->k, 0.1)) return false;
-  uint32_t base = (uint32_t)m->ends.count;
-  if (a->place == b->place && a->plane != b->plane && only_neighbours(c, a, b)) return true;
-  if (a->plane == b->plane) return !overlap(c, a, b) || VS_PUSH(m->k, m->contacts, ((contact){ first, second, base, 0 }));
-  if (!VS_ROOM(m->k, m->w->side_a.at, m->w->side_a.room, a->count) || !VS_ROOM(m->k, m->w->side_b.at, m->w->side_b.room, b->count)) return false;
-  if (!sides(m, b, &c->planes.all.at[a->plane], m->w->side_b.at) || !sides(m, a, &c->planes.all.at[b->plane], m->w->side_a.at)) return true;
-  if (!ends(m, a, m->w->side_a.at, b, base, 0) || !ends(m, b, m->w->side_b.at, a, base, 1)) return false;
-  uint32_t count = (uint32_t)m->ends.count - base;
-  if (count == 0) return true;
-  if (a->place != b->place) {
-    const double *p = m->span[0], *q = m->span[count > 1];
-    if (count <= 2 && vs_cull_segment(c, a->place, b->place, p, q)) {
-      m->ends.count = base;
-      return true;
-    }
-  }
-  for (uint32_t i = base; i < base + count; i++) {
-    end *e = &m->ends.at[i];
-    if (e->point != VS_NONE) continue;
-    const vs_patch *from = e->fresh & 1 ? b : a, *through = e->fresh & 1 ? a : b;
-    uint32_t at = e->fresh >> 1;
-    const vs_patch_corner *x = corners(c, from);
-    const vs_patch_corner *p = &x[at], *q = &x[at + 1 == from->count ? 0 : at + 1];
-    crossing *known = crossing_of(m, p->point, q->point, e->fresh & 1 ? first : second);
-    if (known->fresh < m->fresh.count) {
-      e->fresh = known->fresh;
-      continue;
-    }
-    vs_fresh_point made;
-    if (!vs_meet_edge(p->at, q->at, &c->planes.all.at[through->plane], &made.at))
-      return VS_BROKEN(m->k, "an edge and a plane do not meet");
-    vs_fresh_fill(&made);
-    e->fresh = known->fresh = (uint32_t)m->fresh.count;
-    vs_edge edge = { p->point < q->point ? p->point : q->point, p->point < q->point ? q->point : p->point };
-    if (!VS_PUSH(m->k, m->fresh, made) || !VS_PUSH(m->k, m->edges, edge)) return false;
-  }
-  return VS_PUSH(m->k, m->contacts, ((contact){ first, second, base, count }));
+  if (a->plane == b->plane) return !overlap(c, a, b) || VS_PUSH(m->k, m->contacts, ((contact){ first, second, 0, 0, 0 }));
+  return (a->place == b->place && only_neighbours(c, a, b)) || share(m, a, b);
 }
 
 /* ---- the chunks together ---- */
@@ -235,16 +378,12 @@ typedef struct {
   vs_kernel *k;
   vs_cluster *c;
   uint32_t *group; /* union-find over facets */
-  VS_LIST(uint32_t) line; /* the points of a contact, in order along it */
   VS_LIST(uint32_t) ids;  /* of a chunk's fresh points */
   chunk chunks[VS_PIPELINE_WINDOW];
   working *works; /* one a thread */
 } meeting;
 
 static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_t plane) {
-  if (p == q ? corner_of(m->c, t, p) : false) return true;
-  uint32_t edge = edge_of(m->c, t, p, q);
-  if (edge != VS_NONE && !(edge < 3 && (t->inner >> edge & 1))) return true;
   m->c->facets.at[t->facet].touched = true;
   return VS_PUSH(m->k, m->c->cuts, ((vs_cut){ t->facet, p, q, plane }));
 }
@@ -262,38 +401,18 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
   for (size_t i = 0; i < from->contacts.count; i++) {
     const contact *x = &from->contacts.at[i];
     const vs_patch *a = &c->patches.at[x->a], *b = &c->patches.at[x->b];
-    if (x->count == 0) {
+    if (!x->cut) {
       c->facets.at[a->facet].touched = c->facets.at[b->facet].touched = true;
       vs_unite(m->group, a->facet, b->facet);
       continue;
     }
-    m->line.count = 0;
-    for (uint32_t j = x->first; j < x->first + x->count; j++) {
-      uint32_t id = from->ends.at[j].point == VS_NONE ? m->ids.at[from->ends.at[j].fresh] : from->ends.at[j].point;
-      bool known = false;
-      for (size_t e = 0; e < m->line.count; e++) known = known || m->line.at[e] == id;
-      if (!known && !VS_PUSH(m->k, m->line, id)) return false;
-    }
-    uint32_t n = (uint32_t)m->line.count, *line = m->line.at;
-    if (n > 2) { /* corners in one line: sort along an axis in which they differ */
-      vs_points_view view = vs_points_of(&c->points);
-      int axis = 0;
-      while (axis < 2 && vs_compare(view, line[0], line[1], axis) == 0) axis++;
-      for (uint32_t j = 1; j < n; j++) {
-        uint32_t id = line[j], to = j;
-        for (; to > 0 && vs_compare(view, line[to - 1], id, axis) > 0; to--) line[to] = line[to - 1];
-        line[to] = id;
-      }
-    }
-    for (uint32_t j = 0; j == 0 || j + 1 < n; j++) {
-      uint32_t p = line[j], q = line[n > 1 ? j + 1 : j];
-      if (!leave(m, a, p, q, b->plane) || !leave(m, b, p, q, a->plane)) return false;
-    }
+    uint32_t p = x->p & FRESH ? m->ids.at[x->p & ~FRESH] : x->p, q = x->q & FRESH ? m->ids.at[x->q & ~FRESH] : x->q;
+    if ((x->cut & 1 && !leave(m, a, p, q, b->plane)) || (x->cut & 2 && !leave(m, b, p, q, a->plane))) return false;
   }
   return true;
 }
 
-enum { CHUNK = 256 }; /* blocks of the index */
+enum { CHUNK = 64 }; /* blocks of the index: what one large patch meets is in one of them */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   meeting *all = context;
@@ -301,7 +420,7 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   m->k = k;
   m->c = all->c;
   m->w = &all->works[k->worker];
-  m->contacts.count = m->ends.count = m->fresh.count = m->edges.count = 0;
+  m->contacts.count = m->fresh.count = m->edges.count = 0;
   uint32_t first = (uint32_t)index * CHUNK, blocks = vs_bvh_blocks(&all->c->bvh) - first;
   size_t crossings = 64;
   while (crossings < CROSSINGS && crossings < 32 * (size_t)blocks) crossings *= 2;
@@ -321,17 +440,15 @@ bool vs_meet_patches(vs_kernel *k, vs_cluster *c) {
   for (uint32_t i = 0; ok && i < c->facets.count; i++) c->facets.at[i].group = vs_find(m.group, i);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, m.chunks[i].contacts);
-    VS_DROP(k, m.chunks[i].ends);
     VS_DROP(k, m.chunks[i].fresh);
     VS_DROP(k, m.chunks[i].edges);
   }
   for (size_t i = 0; i < works; i++) {
-    VS_DROP(k, m.works[i].side_a);
-    VS_DROP(k, m.works[i].side_b);
+    for (int side = 0; side < 2; side++) VS_DROP(k, m.works[i].heights[side]);
+    VS_DROP(k, m.works[i].line);
     VS_DROP(k, m.works[i].crossings);
   }
   VS_FREE(k, m.works, works);
-  VS_DROP(k, m.line);
   VS_DROP(k, m.ids);
   VS_FREE(k, m.group, room);
   return ok;

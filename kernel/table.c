@@ -88,7 +88,7 @@ bool vs_points_add_all(vs_kernel *k, vs_points_table *t, const vs_points_table *
   for (size_t i = 0; i < count; i++) {
     const vs_fresh_point *f = &fresh[i];
     const vs_homogeneous *h = f->exact ? NULL : &f->at;
-    size_t slot;
+    size_t slot = 0;
     if (!slots_grow(k, &t->slots, t->all.count)) return false;
     for (int table = base && base->slots.count ? 0 : 1; table < 2; table++) {
       if (i + VS_AHEAD_FAR < count) vs_points_ahead(table ? t : base, f[VS_AHEAD_FAR].hash, false);
@@ -127,7 +127,7 @@ bool vs_points_integer(vs_kernel *k, vs_points_table *t, const int32_t at[3], ui
 bool vs_points_add_corners(vs_kernel *k, vs_points_table *t, int32_t (*corners)[3], const uint32_t *vertices, size_t count, uint32_t *ids) {
   enum { BLOCK = 64 };
   for (size_t begin = 0; begin < count; begin += BLOCK) {
-    size_t n = count - begin < BLOCK ? count - begin : BLOCK, slot;
+    size_t n = count - begin < BLOCK ? count - begin : BLOCK, slot = 0;
     int64_t fixed[BLOCK][3];
     uint64_t hash[BLOCK];
     if (!slots_grow(k, &t->slots, t->all.count + n)) return false;
