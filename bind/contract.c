@@ -351,6 +351,13 @@ static bool class_fits(vs_contract c, const vs_node *n) {
   return c != VS_C_SOLID || n->class_ == VS_SOLID;
 }
 
+/* A list of three, as nearly all faces are? */
+static bool has_three(vs_value v) {
+  for (int i = 0; i < 3; i++, v = vs_cdr(v))
+    if (!vs_is_pair(v)) return false;
+  return v == VS_NIL;
+}
+
 static vs_status convert_faces(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   int64_t count = vs_list_length(v);
   if (count < 0) return refuse_kind(f, p, v);
@@ -360,7 +367,8 @@ static vs_status convert_faces(vs_frame *f, const vs_bind_param *p, vs_value v, 
   *slot = 0;
   for (vs_value l = v; l != VS_NIL; l = vs_cdr(l)) {
     vs_value face = vs_car(l);
-    if (vs_list_length(face) < 3) return refuse_kind(f, p, face);
+    if (!has_three(face) && vs_list_length(face) < 3) return refuse_kind(f, p, face);
+    if (!vs_poll(f->vm, 16)) return VS_ERROR;
     for (vs_value c = face; c != VS_NIL; c = vs_cdr(c)) {
       vs_value index = vs_car(c);
       if (!vs_is_fixnum(index) || vs_fixnum(index) < 1 || vs_fixnum(index) > UINT32_MAX)

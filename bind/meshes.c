@@ -35,15 +35,13 @@ static void place_text(char text[112], vs_vec3 p) {
   snprintf(text, 112, "(xyz %s %s %s)", x, y, z);
 }
 
-/* The triangles of a closed polyface mesh, tagged by face. *flawless: nothing overlaps. */
+/* mesh: the triangles of a closed polyface mesh, tagged by face, or empty: then they are made. *flawless: nothing overlaps. */
 static vs_status inspect(vs_frame *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *flaws, bool *flawless) {
   const struct vs_polyface_mesh *d = VS_AS(polyface_mesh, n);
   vs_kernel_counts counts = { 0 };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm, .counts = &counts };
   vs_kernel_error why;
-  if (!vs_mesh_reserve(mesh, d->points->count, 2 * (size_t)d->faces->corner_count) || !(mesh->tags = calloc(mesh->triangle_room ? mesh->triangle_room : 1, sizeof *mesh->tags)) ||
-      !vs_solid_polyface(mesh, d->points, d->faces))
-    return vs_fail_memory(f->vm);
+  if (!mesh->tags && (!(mesh->tags = malloc(sizeof *mesh->tags)) || !vs_solid_polyface(mesh, d->points, d->faces))) return vs_fail_memory(f->vm);
   *flaws = (vs_mesh_flaws){ .most = 1 };
   *flawless = true;
   if (is_convex(mesh)) return VS_OK;
@@ -163,10 +161,10 @@ static vs_status polyface(vs_frame *f, const vs_vec3 *at, size_t points, const u
     widest = fmax(widest, vs_v3_length(sum));
   }
   if (widest <= 1e-14 * size * size) return vs_bind_empty(f, "the faces have no area", out);
-  vs_node *n = vs_polyface_make(f->bind->store, at, points, starts, count, corner, &e);
+  vs_mesh mesh = { 0 };
+  vs_node *n = vs_polyface_make_mesh(f->bind->store, at, points, starts, count, corner, &mesh, &e);
   if (!n) return vs_bind_error(f, &e);
   if (n->class_ == VS_SOLID) {
-    vs_mesh mesh = { 0 };
     vs_mesh_flaws flaws;
     bool flawless = true;
     vs_status ok = inspect(f, n, &mesh, &flaws, &flawless);
@@ -285,7 +283,7 @@ vs_status vs_p_load_mesh(vs_frame *f, vs_value *out) {
     vs_mesh mesh = { 0 };
     vs_mesh_flaws flaws;
     bool flawless = true;
-    n = vs_polyface_make(f->bind->store, l.points, l.point_count, l.starts, l.face_count, l.corners, &e);
+    n = vs_polyface_make_mesh(f->bind->store, l.points, l.point_count, l.starts, l.face_count, l.corners, &mesh, &e);
     if (!n) ok = vs_bind_error(f, &e);
     else if (n->class_ != VS_SOLID) ok = refuse_open(f, name, &l);
     else ok = inspect(f, n, &mesh, &flaws, &flawless);

@@ -100,10 +100,49 @@ static void vs_agreement_free(vs_agreement *g) {
   free(g->seen);
 }
 
+/* Is each edge met by two faces, once each way? Then all agree, and nothing else is to be found out: so most meshes are. Which ends the edges from each
+ * low end have, and which way they run, sorted: twos of one end and either way. *agreed may be false where they do. False: out of memory or interrupted. */
+static bool vs_polyface_agreed(vs_store *s, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, bool *agreed, vs_error *e) {
+  enum { FEW = 32 };
+  size_t n = starts[face_count];
+  *agreed = false;
+  if (n == 0 || points > UINT32_MAX / 2) return true;
+  uint32_t *at = calloc(points + 2, sizeof *at), *ends = malloc(n * sizeof *ends); /* 2 * high + runs from high to low */
+  bool ok = (at && ends) || vs_error_memory(e, NULL);
+  for (int pass = 0; ok && pass < 2; pass++) {
+    for (size_t f = 0; f < face_count; f++)
+      for (uint32_t c = starts[f]; c < starts[f + 1]; c++) {
+        uint32_t a = corners[c], b = corners[c + 1 == starts[f + 1] ? starts[f] : c + 1];
+        if (pass) ends[at[(a < b ? a : b) + 1]++] = a < b ? 2 * b : 2 * a + 1;
+        else at[(a < b ? a : b) + 2]++;
+      }
+    for (size_t i = 2; !pass && i < points + 2; i++) at[i] += at[i - 1];
+    ok = vs_store_going(s, (uint32_t)n, e);
+  }
+  *agreed = ok;
+  for (size_t p = 0; ok && *agreed && p < points; p++) {
+    uint32_t low = at[p], count = at[p + 1] - low;
+    *agreed = count <= FEW && count % 2 == 0;
+    for (uint32_t i = 1; *agreed && i < count; i++) {
+      uint32_t x = ends[low + i], j = low + i;
+      for (; j > low && ends[j - 1] > x; j--) ends[j] = ends[j - 1];
+      ends[j] = x;
+    }
+    for (uint32_t i = 0; *agreed && i < count; i += 2)
+      *agreed = ends[low + i] % 2 == 0 && ends[low + i + 1] == ends[low + i] + 1 && (i == 0 || ends[low + i] != ends[low + i - 2]);
+    ok = vs_store_going(s, 16, e);
+  }
+  free(at);
+  free(ends);
+  return ok;
+}
+
 /* faces' corners are merged points, numbers below points. *closed: each edge met by exactly two faces that agree, or can be made to. turned[f] says which faces
  * to turn. */
 static bool vs_polyface_agree(vs_store *s, vs_agreement *g, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, bool *closed, vs_error *e) {
   size_t n = starts[face_count], room = n ? n : 1, faces = face_count ? face_count : 1;
+  if (!vs_polyface_agreed(s, points, starts, face_count, corners, closed, e)) return false;
+  if (*closed) return (g->turned = calloc(faces, 1)) || vs_error_memory(e, NULL);
   *g = (vs_agreement){ malloc(room * sizeof *g->sides), malloc(room * sizeof *g->mate), malloc(room * sizeof *g->of_face),
                        calloc(faces + 1, sizeof *g->starts), malloc(faces * sizeof *g->queue), calloc(faces, 1), calloc(faces, 1) };
   if (!g->sides || !g->mate || !g->of_face || !g->starts || !g->queue || !g->turned || !g->seen) return vs_error_memory(e, NULL);
@@ -180,7 +219,7 @@ bool vs_polyface_orient(vs_store *s, size_t points, const uint32_t *starts, size
   return ok;
 }
 
-vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, const uint32_t *starts, size_t face_count, const uint32_t *corners, vs_error *e) {
+vs_node *vs_polyface_make_mesh(vs_store *s, const vs_vec3 *points, size_t count, const uint32_t *starts, size_t face_count, const uint32_t *corners, vs_mesh *out, vs_error *e) {
   size_t corner_count = starts[face_count], kept_faces = 0, kept_corners = 0;
   uint32_t *place = malloc((count ? count : 1) * sizeof *place);
   uint32_t *new_starts = malloc((face_count + 1) * sizeof *new_starts);
@@ -191,7 +230,7 @@ vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, cons
   vs_node *node = NULL;
   vs_mesh mesh = { 0 };
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  bool closed = false, ok = place && new_starts && merged && own && vs_polyface_merge(points, count, place);
+  bool closed = false, turned = false, ok = place && new_starts && merged && own && vs_polyface_merge(points, count, place);
   if (!ok) {
     vs_error_memory(&why, NULL);
     goto done;
@@ -228,8 +267,9 @@ vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, cons
     faces = vs_faces_new(s, new_starts, kept_faces, own, kept_corners);
     if (!at) at = vs_points_new(s, points, count);
     if (!faces || !at || !vs_store_going(s, (uint32_t)kept_corners, &why)) goto done;
-    if (!closed || pass) break;
-    if (!vs_solid_polyface(&mesh, at, faces)) goto done;
+    turned = pass > 0;
+    if (!closed || turned) break;
+    if ((out && !(mesh.tags = malloc(sizeof *mesh.tags))) || !vs_solid_polyface_merged(&mesh, at, faces, place)) goto done;
     double volume = vs_mesh_volume(&mesh);
     if (!vs_store_going(s, (uint32_t)kept_corners, &why)) goto done;
     vs_bounds b = vs_mesh_bounds(&mesh);
@@ -241,6 +281,7 @@ vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, cons
   }
   struct vs_polyface_mesh data = { .points = at, .faces = faces, .closed = closed };
   node = vs_node_new(s, VS_POLYFACE_MESH, &data, NULL, 0);
+  if (out && node && closed && !turned) *out = mesh, mesh = (vs_mesh){ 0 };
 done:
   if (!node && why.kind != VS_ERROR_NONE && e) *e = why;
   else if (!node) vs_error_memory(e, NULL);
@@ -253,4 +294,8 @@ done:
   free(merged);
   free(own);
   return node;
+}
+
+vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, const uint32_t *starts, size_t face_count, const uint32_t *corners, vs_error *e) {
+  return vs_polyface_make_mesh(s, points, count, starts, face_count, corners, NULL, e);
 }

@@ -2,6 +2,7 @@
 #ifndef VS_GEOMETRY_POLYFACE_H
 #define VS_GEOMETRY_POLYFACE_H
 
+#include "model/mesh.h"
 #include "model/node.h"
 
 /* place[i] = the first point with i's coordinates. False: out of memory. */
@@ -15,5 +16,8 @@ bool vs_polyface_orient(vs_store *s, size_t points, const uint32_t *starts, size
  * different ones and the face is dropped. Faces that disagree with their neighbours are turned, and the whole of them if it closes inside
  * out; equal points count as one. Nothing left: the empty node. NULL: e says why. */
 vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, const uint32_t *starts, size_t face_count, const uint32_t *corners, vs_error *e);
+
+/* The same; mesh, empty before, becomes its triangles, tagged by face, where they were needed on the way: else it stays empty. */
+vs_node *vs_polyface_make_mesh(vs_store *s, const vs_vec3 *points, size_t count, const uint32_t *starts, size_t face_count, const uint32_t *corners, vs_mesh *mesh, vs_error *e);
 
 #endif

@@ -178,13 +178,20 @@ bool vs_solid_half_space(vs_mesh *out, vs_vec3 point, vs_vec3 normal, const vs_b
 /* ---- polyface meshes ---- */
 
 bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *faces) {
+  uint32_t *place = malloc((points->count ? points->count : 1) * sizeof *place);
+  bool ok = place && vs_polyface_merge(points->at, points->count, place) && vs_solid_polyface_merged(out, points, faces, place);
+  free(place);
+  return ok;
+}
+
+/* Equal points become one vertex. */
+bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_faces *faces, uint32_t *place) {
   const uint32_t *starts = vs_faces_starts(faces), *corners = vs_faces_corners(faces);
-  uint32_t *place = malloc((points->count ? points->count : 1) * sizeof *place); /* equal points become one vertex */
   vs_vec2 *flat = malloc((faces->corner_count ? faces->corner_count : 1) * sizeof *flat);
   uint32_t *ring = malloc((faces->corner_count ? faces->corner_count : 1) * sizeof *ring);
   uint32_t base = (uint32_t)out->vertex_count;
   size_t triangles = faces->corner_count > 2 * (size_t)faces->count ? faces->corner_count - 2 * (size_t)faces->count : 0;
-  bool ok = place && flat && ring && vs_mesh_reserve(out, out->vertex_count + points->count, out->triangle_count + triangles) && vs_polyface_merge(points->at, points->count, place);
+  bool ok = flat && ring && vs_mesh_reserve(out, out->vertex_count + points->count, out->triangle_count + triangles);
   uint32_t next = base;
   for (uint32_t i = 0; ok && i < points->count; i++) { /* place[i]: first the earliest equal point, then the vertex it became */
     if (place[i] == i) {
@@ -227,7 +234,6 @@ bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *fa
     }
     ok = vs_triangulate(flat, &n, 1, out, ring, false);
   }
-  free(place);
   free(flat);
   free(ring);
   return ok;

@@ -18,5 +18,6 @@ bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, in
 bool vs_solid_half_space(vs_mesh *out, vs_vec3 point, vs_vec3 normal, const vs_bounds *reach);
 /* Where out has tags, each triangle gets its face's number, from 0. */
 bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *faces);
+bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_faces *faces, uint32_t *place); /* place: of vs_polyface_merge; used up */
 
 #endif
