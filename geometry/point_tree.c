@@ -1,4 +1,4 @@
-/* Owns the tree of points that a triangle is looked up in. */
+/* Owns the tree of points that triangles and boxes are looked up in. */
 #include "geometry/point_tree.h"
 
 #include <stdlib.h>
@@ -90,15 +90,27 @@ static bool tree_beyond(const vs_point_box *b, vs_vec2 p, vs_vec2 q, double flat
   return vs_vec2_turn(p, q, most) < -2 * flat;
 }
 
+/* A box that holds every point of the triangle, its margin with it: of a point's three shares in the corners none is less than -flat by the area, so none more than 1 and twice that. */
+static vs_point_box tree_around(vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat) {
+  vs_point_box box = { fmin(a.x, fmin(b.x, c.x)), fmin(a.y, fmin(b.y, c.y)), fmax(a.x, fmax(b.x, c.x)), fmax(a.y, fmax(b.y, c.y)), 0 };
+  double area = vs_vec2_turn(a, b, c), share = area > 0 ? 3 * flat / area : INFINITY;
+  if (!(share < 1)) return (vs_point_box){ -INFINITY, -INFINITY, INFINITY, INFINITY, 0 };
+  double x = share * (box.max_x - box.min_x), y = share * (box.max_y - box.min_y);
+  return (vs_point_box){ box.min_x - x, box.min_y - y, box.max_x + x, box.max_y + y, 0 };
+}
+
+static bool tree_apart(const vs_point_box *a, const vs_point_box *b) { return a->min_x > b->max_x || a->max_x < b->min_x || a->min_y > b->max_y || a->max_y < b->min_y; }
+
 static bool tree_same(vs_vec2 p, vs_vec2 q) { return p.x == q.x && p.y == q.y; }
 
 size_t vs_point_tree_in(const vs_point_tree *t, vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat) {
+  vs_point_box all = tree_around(a, b, c, flat);
   size_t stack[2 * 64], depth = 0; /* a node is replaced by two, one level down */
   stack[depth++] = 1;
   while (depth > 0) {
     size_t node = stack[--depth];
     const vs_point_box *box = &t->boxes[node];
-    if (box->on == 0 || tree_beyond(box, a, b, flat) || tree_beyond(box, b, c, flat) || tree_beyond(box, c, a, flat)) continue;
+    if (box->on == 0 || tree_apart(box, &all) || tree_beyond(box, a, b, flat) || tree_beyond(box, b, c, flat) || tree_beyond(box, c, a, flat)) continue;
     if (node < t->leaves) {
       stack[depth++] = 2 * node + 1;
       stack[depth++] = 2 * node;
@@ -112,4 +124,24 @@ size_t vs_point_tree_in(const vs_point_tree *t, vs_vec2 a, vs_vec2 b, vs_vec2 c,
     }
   }
   return SIZE_MAX;
+}
+
+void vs_point_tree_each(const vs_point_tree *t, const vs_point_box *box, void (*found)(void *context, size_t item), void *context) {
+  size_t stack[2 * 64], depth = 0;
+  stack[depth++] = 1;
+  while (depth > 0) {
+    size_t node = stack[--depth];
+    const vs_point_box *b = &t->boxes[node];
+    if (b->on == 0 || tree_apart(b, box)) continue;
+    if (node < t->leaves) {
+      stack[depth++] = 2 * node + 1;
+      stack[depth++] = 2 * node;
+      continue;
+    }
+    size_t first = (node - t->leaves) * POINT_TREE_LEAF;
+    for (size_t i = first; i < first + POINT_TREE_LEAF && i < t->count; i++) {
+      vs_vec2 p = t->at[t->point[t->order[i]]];
+      if (t->is_on[i] && p.x >= box->min_x && p.x <= box->max_x && p.y >= box->min_y && p.y <= box->max_y) found(context, t->order[i]);
+    }
+  }
 }

@@ -1,4 +1,4 @@
-/* Owns the question whether one of many points, some of them switched off, lies in a triangle. */
+/* Owns the questions which of many points, some of them switched off, lie in a triangle or in a box. */
 #ifndef VS_GEOMETRY_POINT_TREE_H
 #define VS_GEOMETRY_POINT_TREE_H
 
@@ -23,6 +23,9 @@ void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on);
 /* An item that is on and for which twice the area of the triangles (a, b, p), (b, c, p) and (c, a, p) is -flat or more, and that is
  * at none of the places a, b, c; SIZE_MAX: there is none. */
 size_t vs_point_tree_in(const vs_point_tree *t, vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat);
+
+/* Calls found for each item that is on and lies in the box, borders included. */
+void vs_point_tree_each(const vs_point_tree *t, const vs_point_box *box, void (*found)(void *context, size_t item), void *context);
 
 /* twice the signed area */
 static inline double vs_vec2_turn(vs_vec2 p, vs_vec2 q, vs_vec2 s) { return (q.x - p.x) * (s.y - p.y) - (q.y - p.y) * (s.x - p.x); }

@@ -1,4 +1,4 @@
-/* Owns the tests of areas in a plane: sets, offsets, open lines, chains; and of what is read off meshes: sections, shadows, edges. */
+/* Owns the tests of areas in a plane: sets, offsets, open lines, chains, sheets of holes cut into triangles; and of what is read off meshes: sections, shadows, edges. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -9,7 +9,9 @@
 #include <cmocka.h>
 
 #include "geometry/planar.h"
+#include "geometry/point_tree.h"
 #include "geometry/solids.h"
+#include "geometry/triangulate.h"
 #include "kernel/section.h"
 
 static const vs_facets fine = { 1e-5, 0 };
@@ -107,9 +109,46 @@ static void read_off_meshes(void **state) {
   vs_mesh_free(&box);
 }
 
+/* A sheet of 22,500 holes, which takes a second: walking round the ring for each would take half a minute, and trying corners where holes touch minutes. Rows that stand level and staggered, diamonds and squares, some that touch in a corner. */
+static void sheets_of_holes(void **state) {
+  (void)state;
+  enum { ROWS = 150, HOLES = ROWS * ROWS, CORNERS = 4 + 4 * HOLES };
+  static vs_vec2 at[CORNERS];
+  static size_t sizes[HOLES + 1];
+  static uint32_t index[CORNERS];
+  vs_mesh m = { 0 };
+  double taken = 0, area = 0;
+  at[0] = (vs_vec2){ 0, 0 }, at[1] = (vs_vec2){ ROWS + 1, 0 }, at[2] = (vs_vec2){ ROWS + 1, ROWS + 1 }, at[3] = (vs_vec2){ 0, ROWS + 1 };
+  sizes[0] = 4;
+  for (int i = 0; i < HOLES; i++) {
+    int row = i / ROWS, column = i % ROWS;
+    double r = row % 3 == 0 ? 0.5 : 0.25, x = column + 1, y = row + 1 + (row % 3 == 1 ? 0.2 * (column % 2) : 0);
+    bool square = row % 3 == 2;
+    for (int k = 0; k < 4; k++) { /* clockwise */
+      double dx = square ? (k == 0 || k == 1 ? -r : r) : k == 0 ? -r : k == 2 ? r : 0, dy = square ? (k == 1 || k == 2 ? r : -r) : k == 1 ? r : k == 3 ? -r : 0;
+      at[4 + 4 * i + k] = (vs_vec2){ x + dx, y + dy };
+    }
+    sizes[i + 1] = 4;
+    taken += square ? 4 * r * r : 2 * r * r;
+  }
+  for (uint32_t i = 0; i < CORNERS; i++) {
+    assert_true(vs_mesh_add_vertex(&m, vs_v3(at[i].x, at[i].y, 0), NULL));
+    index[i] = i;
+  }
+  assert_true(vs_triangulate(at, sizes, HOLES + 1, &m, index, false));
+  assert_int_equal(m.triangle_count, CORNERS + 2 * HOLES - 2);
+  for (size_t i = 0; i < m.triangle_count; i++) {
+    double turn = vs_vec2_turn(at[m.triangles[i][0]], at[m.triangles[i][1]], at[m.triangles[i][2]]);
+    assert_true(turn >= -1e-9);
+    area += turn / 2;
+  }
+  assert_true(fabs(area - ((ROWS + 1.0) * (ROWS + 1) - taken)) < 1e-6);
+  vs_mesh_free(&m);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(sets_of_areas), cmocka_unit_test(offsets), cmocka_unit_test(chains_wind), cmocka_unit_test(read_off_meshes),
+    cmocka_unit_test(sets_of_areas), cmocka_unit_test(offsets), cmocka_unit_test(chains_wind), cmocka_unit_test(read_off_meshes), cmocka_unit_test(sheets_of_holes),
   };
   return cmocka_run_group_tests_name("areas in a plane", tests, NULL, NULL);
 }
