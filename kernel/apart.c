@@ -78,7 +78,7 @@ static bool parted(vs_vec3 d, const vs_vec3 a[3], const vs_vec3 b[3]) { /* along
   return low[0] - high[1] > 2 * SURE * error || low[1] - high[0] > 2 * SURE * error;
 }
 
-static bool strangers_apart(const vs_vec3 a[3], const vs_vec3 b[3]) {
+bool vs_triangles_parted(const vs_vec3 a[3], const vs_vec3 b[3]) {
   vs_vec3 p[3], q[3], e[3], f[3];
   for (int i = 0; i < 3; i++) p[i] = vs_v3_sub(a[i], a[0]), q[i] = vs_v3_sub(b[i], a[0]);
   for (int i = 0; i < 3; i++) e[i] = vs_v3_sub(p[(i + 1) % 3], p[i]), f[i] = vs_v3_sub(q[(i + 1) % 3], q[i]);
@@ -100,7 +100,7 @@ bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *count) {
         of_a[shared] = i, of_b[shared++] = j;
       }
   *count = shared;
-  if (shared == 0) return strangers_apart(a, b);
+  if (shared == 0) return vs_triangles_parted(a, b);
   if (shared == 2) return of_a[0] != of_a[1] && of_b[0] != of_b[1] && not_folded(a[of_a[0]], a[of_a[1]], a[3 - of_a[0] - of_a[1]], b[3 - of_b[0] - of_b[1]]);
   vs_vec3 o = a[of_a[0]], x[2], y[2];
   for (int i = 0; i < 2; i++) x[i] = vs_v3_sub(a[(of_a[0] + 1 + i) % 3], o), y[i] = vs_v3_sub(b[(of_b[0] + 1 + i) % 3], o);

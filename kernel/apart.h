@@ -8,6 +8,9 @@
  * are folded onto each other, or one has no area. */
 bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *shared); /* *shared: how many corners */
 
+/* Have they nothing in common at all? */
+bool vs_triangles_parted(const vs_vec3 a[3], const vs_vec3 b[3]);
+
 typedef bool vs_meeting_fn(void *context, uint32_t a, uint32_t b); /* false stops */
 
 /* Calls fn for every pair of the mesh's triangles that may not be apart. False where that was stopped, by fn, the caller or for want of memory.

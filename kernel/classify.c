@@ -39,7 +39,16 @@ typedef struct {
   vs_homogeneous at;
   int64_t u, v;
   vs_box column;
+  vs_use probe[3];          /* the border of a region's triangle */
 } walk;
+
+/* Where lines go through: a face, or one triangle of a region. */
+typedef struct {
+  vs_plane plane;
+  bool flip;                /* the face's + side is the plane's - side */
+  const vs_use *uses;
+  uint32_t count;
+} outline;
 
 /* ---- 1: cells ---- */
 
@@ -115,7 +124,10 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
     const vs_half *at = h->at.at + i;
     for (end = i + 1; end < h->first.at[low + 1] && h->at.at[end].high == at->high;) end++;
     for (uint32_t j = i; j < end; j++) look_ahead(c, j, stop);
-    if (end - i == 2) {
+    if (end - i == 1) { /* what lies across was left out */
+      uint32_t face = c->uses.at[at->item].face;
+      vs_unite_shared(w->sets.at, 2 * face, 2 * face + 1);
+    } else if (end - i == 2) {
       const vs_use *a = &c->uses.at[at[0].item], *b = &c->uses.at[at[1].item];
       uint32_t a_ccw = 2 * a->face + (a->from != low), b_ccw = 2 * b->face + (b->from != low);
       vs_unite_shared(w->sets.at, a_ccw, b_ccw ^ 1);
@@ -143,6 +155,8 @@ static bool make_cells(walk *w) {
   if (!vs_halves_sort(k, &c->edges, (uint32_t)c->points.all.count, (uint32_t)n, ends_of_uses, c->uses.at) || !vs_kernel_run(k, c->edges.ranges, join_range, w) ||
       !VS_ROOM(k, w->side.at, w->side.room, 2 * f + 1))
     return false;
+  for (size_t i = 0; i < c->regions.count; i++)
+    if (c->regions.at[i].open) vs_unite_shared(w->sets.at, 2 * c->regions.at[i].face, 2 * c->regions.at[i].face + 1);
   w->cells = 0;
   for (uint32_t i = 0; i < 2 * f; i++) { /* roots are the smallest of their sets: number them on the way */
     uint32_t root = vs_find_shared(w->sets.at, i);
@@ -165,12 +179,37 @@ static bool make_cells(walk *w) {
 
 /* ---- 2: the line ---- */
 
-/* Is the line's (u, v) inside the face? Exact; on its boundary counts as no. The line's point is the last of the table. */
-static bool strictly_inside(walk *w, vs_points_view view, uint32_t face, uint32_t probe, int au, int av) {
+/* The corners of a region's triangle are put behind all points, for a moment. */
+static bool outline_of(walk *w, uint32_t face, outline *o) {
   vs_cluster *c = w->c;
+  const vs_face *f = &c->faces.at[face];
+  *o = (outline){ .uses = c->uses.at + f->use, .count = f->use_count };
+  if (f->plane != VS_NONE) {
+    o->plane = c->planes.all.at[f->plane];
+    return true;
+  }
+  const vs_region *r = &c->regions.at[f->facet];
+  const vs_placed *p = &c->placed.at[r->place];
+  bool mirrored = vs_affine_determinant(&c->problem->leaves[c->leaves[r->place]].placement) < 0;
+  const uint32_t *v = p->part->mesh->triangles[r->triangle];
+  const int32_t *at[3] = { c->corners[p->first + v[0]], c->corners[p->first + v[mirrored ? 2 : 1]], c->corners[p->first + v[mirrored ? 1 : 2]] };
+  if (!vs_plane_through(at[0], at[1], at[2], &o->plane, &o->flip)) return VS_BROKEN(w->k, "a plain triangle is flat");
+  o->uses = w->probe;
+  o->count = 3;
+  for (uint32_t j = 0; j < 3; j++) {
+    vs_point corner = { .big = VS_POINT_EXACT, .next = VS_NONE };
+    for (int a = 0; a < 3; a++) corner.fixed[a] = (int64_t)at[j][a] * ((int64_t)1 << VS_FIXED_BITS);
+    w->probe[j] = (vs_use){ (uint32_t)c->points.all.count, (uint32_t)c->points.all.count + (j == 2 ? (uint32_t)-2 : 1), face };
+    if (!VS_PUSH(w->k, c->points.all, corner)) return false;
+  }
+  return true;
+}
+
+/* Is the line's (u, v) inside the outline? Exact; on its boundary counts as no. The line's point is the last of the table. */
+static bool strictly_inside(vs_points_view view, const outline *o, uint32_t probe, int au, int av) {
   bool inside = false;
-  for (uint32_t i = c->faces.at[face].use, end = i + c->faces.at[face].use_count; i < end; i++) {
-    const vs_use *use = &c->uses.at[i];
+  for (uint32_t i = 0; i < o->count; i++) {
+    const vs_use *use = &o->uses[i];
     bool up_a = vs_compare(view, use->from, probe, av) > 0, up_b = vs_compare(view, use->to, probe, av) > 0;
     int turn = vs_orient2d(view, use->from, use->to, probe, au, av);
     if (turn == 0) return false;
@@ -179,15 +218,13 @@ static bool strictly_inside(walk *w, vs_points_view view, uint32_t face, uint32_
   return inside;
 }
 
-/* A place inside the face, seen along axis: halfway between the crossings of a line v = const with the boundary, where they are widest apart. */
-static bool aim(walk *w, uint32_t face, int attempt) {
+/* A place inside the outline, seen along axis: halfway between the crossings of a line v = const with the boundary, where they are widest apart. */
+static bool aim(walk *w, const outline *o, int attempt) {
   vs_cluster *c = w->c;
-  vs_plane p = c->planes.all.at[c->faces.at[face].plane];
   int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3;
   int64_t low = INT64_MAX, high = INT64_MIN;
-  uint32_t begin = c->faces.at[face].use, end = begin + c->faces.at[face].use_count;
-  for (uint32_t i = begin; i < end; i++) {
-    int64_t y = c->points.all.at[c->uses.at[i].from].fixed[av];
+  for (uint32_t i = 0; i < o->count; i++) {
+    int64_t y = c->points.all.at[o->uses[i].from].fixed[av];
     if (y < low) low = y;
     if (y > high) high = y;
   }
@@ -198,8 +235,8 @@ static bool aim(walk *w, uint32_t face, int attempt) {
   double best = -1, from = 0;
   VS_LIST(double) at = { 0 };
   bool ok = true;
-  for (uint32_t i = begin; ok && i < end; i++) {
-    const vs_use *use = &c->uses.at[i];
+  for (uint32_t i = 0; ok && i < o->count; i++) {
+    const vs_use *use = &o->uses[i];
     const vs_point *a = &c->points.all.at[use->from], *b = &c->points.all.at[use->to];
     if ((a->fixed[av] > w->v) == (b->fixed[av] > w->v)) continue;
     double t = (double)(w->v - a->fixed[av]) / (double)(b->fixed[av] - a->fixed[av]);
@@ -216,7 +253,7 @@ static bool aim(walk *w, uint32_t face, int attempt) {
   VS_DROP(w->k, at);
   if (!ok || best < 4) return false;
   w->u = (int64_t)(from + best * 0.4937);
-  vs_plane_lift(&p, w->axis, w->u, w->v, &w->at);
+  vs_plane_lift(&o->plane, w->axis, w->u, w->v, &w->at);
   return true;
 }
 
@@ -288,14 +325,13 @@ static bool shoot_leaf(void *context, uint32_t place) {
 }
 
 /* Fills found with the windings just above the face along axis, and says which of its sides that is. */
-static bool look(walk *w, uint32_t face, uint32_t *side, bool *done) {
+static bool look_through(walk *w, uint32_t face, const outline *o, uint32_t *side, bool *done) {
   vs_cluster *c = w->c;
-  const vs_plane *p = &c->planes.all.at[c->faces.at[face].plane];
-  w->axis = p->k;
-  *side = 2 * face + (p->n[p->k] < 0);
+  w->axis = o->plane.k;
+  *side = 2 * face + ((o->plane.n[w->axis] < 0) != o->flip);
   *done = false;
   for (int attempt = 0; attempt < 9 && !*done; attempt++) {
-    if (!aim(w, face, attempt)) {
+    if (!aim(w, o, attempt)) {
       if (w->k->error->status != VS_KERNEL_FINE) return false;
       continue;
     }
@@ -304,7 +340,7 @@ static bool look(walk *w, uint32_t face, uint32_t *side, bool *done) {
     probe.fixed[au] = w->u;
     probe.fixed[av] = w->v;
     if (!VS_PUSH(w->k, c->points.all, probe)) return false; /* at the end for a moment, in no chain */
-    bool inside = strictly_inside(w, vs_points_of(&c->points), face, (uint32_t)c->points.all.count - 1, au, av);
+    bool inside = strictly_inside(vs_points_of(&c->points), o, (uint32_t)c->points.all.count - 1, au, av);
     c->points.all.count--;
     if (!inside) continue;
     vs_box *box = &w->column;
@@ -320,6 +356,14 @@ static bool look(walk *w, uint32_t face, uint32_t *side, bool *done) {
     else if (!w->degenerate) return false;
   }
   return true;
+}
+
+static bool look(walk *w, uint32_t face, uint32_t *side, bool *done) {
+  size_t points = w->c->points.all.count;
+  outline o;
+  bool ok = outline_of(w, face, &o) && look_through(w, face, &o, side, done);
+  w->c->points.all.count = points;
+  return ok;
 }
 
 /* ---- 3: the walk ---- */
@@ -417,9 +461,10 @@ static bool walk_from(walk *w, uint32_t cell) {
   return true;
 }
 
-/* Twice the face's area as its plane's main axis sees it, in fixed units squared; about. */
+/* Twice the face's area as its plane's main axis sees it, in fixed units squared; about. Of a region any number: its triangle is a large one. */
 static double about_area(const walk *w, uint32_t face) {
   const vs_cluster *c = w->c;
+  if (c->faces.at[face].plane == VS_NONE) return INFINITY;
   const vs_plane *p = &c->planes.all.at[c->faces.at[face].plane];
   uint32_t begin = c->faces.at[face].use, end = begin + c->faces.at[face].use_count;
   if (begin == end) return 0;

@@ -7,6 +7,8 @@
  *   cover   for each leaf that has the face: w(-side) = w(+side) + delta, w the leaf's winding number (inside: w > 0)
  *   use     a boundary edge of a face, directed so that the face lies left of it as seen from the + side
  *   cell    a region of space: a set of sides of faces
+ *   plain   a triangle of a leaf that nothing meets: it has no facet nor face of its own; see plain.c
+ *   region  plain triangles of a leaf that hang together: one face, which lies in no plane; its + side is outside of the leaf
  *   patch   a convex piece of a facet: all of it where it is convex, else one of its triangles; what is tested against each other
  *   settled of places inside a leaf that makes the whole true (or false) by itself, or outside of a gate: what lies in there cannot show.
  *           Triangles and cuts that are well inside settled space are left out from the start, so in there the arrangement is not to be
@@ -50,13 +52,20 @@ typedef struct { uint32_t facet, p, q, plane; } vs_cut; /* p to q lies in the fa
 
 typedef struct { uint32_t leaf; int32_t delta; } vs_cover;
 typedef struct {
-  uint32_t plane;
+  uint32_t plane;  /* VS_NONE: it is a region */
   uint32_t cover, cover_count;
-  uint32_t facet;  /* whose triangles it is, or VS_NONE */
+  uint32_t facet;  /* whose triangles it is, or VS_NONE; or which region */
   uint32_t tag;
   uint32_t use, use_count; /* its boundary: into uses, in one piece */
 } vs_face;
 typedef struct { uint32_t from, to, face; } vs_use;
+
+typedef struct {
+  uint32_t place, face;     /* of its leaf; what it is among the faces, once planes are arranged */
+  uint32_t count, triangle; /* how many triangles; a large one, of its mesh */
+  bool open;                /* its surface goes on where things were left out */
+} vs_region;
+enum { VS_ARRANGED, VS_CULLED, VS_PLAIN }; /* what becomes of a leaf's triangle */
 
 /* the frame and grid: world = frame * ((grid + offset) * step) */
 typedef struct {
@@ -70,6 +79,8 @@ typedef struct {
 typedef struct {
   const vs_part *part;
   uint32_t first;     /* of its mesh's vertices, in `corners` */
+  size_t first_triangle; /* in `fate` */
+  bool searched;      /* some may be plain */
   vs_box box;         /* in steps */
   vs_affine to_local; /* steps -> where its part lies; filled where it is a lid */
   double margin;      /* two steps, there */
@@ -98,6 +109,11 @@ typedef struct {
   VS_LIST(vs_box) leaf_boxes;
   VS_LIST(uint32_t) lids; /* places in `leaves` */
   VS_LIST(vs_pack) lid_boxes; /* theirs, by four */
+  VS_LIST(_Atomic uint8_t) fate; /* of every leaf's mesh's triangles; empty: all are arranged */
+  size_t plain_count;
+  VS_LIST(uint32_t) region_of;   /* of those that are plain */
+  VS_LIST(vs_region) regions;
+  VS_LIST(uint32_t) point_of;    /* of every leaf's mesh's vertices, where some triangles are plain and others are not; else VS_NONE */
   vs_points_table points;
   vs_planes_table planes;
   VS_LIST(vs_soup_triangle) triangles;
@@ -122,11 +138,13 @@ typedef struct {
 /* The steps, in order. All false on error. */
 bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *local_to_frame /* one a leaf of the cluster */);
 bool vs_soup_build(vs_kernel *k, vs_cluster *c);                       /* frame, weld, grid; and the next */
+bool vs_plain_find(vs_kernel *k, vs_cluster *c);                       /* fate; and the next */
 bool vs_facets_build(vs_kernel *k, vs_cluster *c);                     /* triangles, facets */
 bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /* lids; within soup_build */
 bool vs_patches_build(vs_kernel *k, vs_cluster *c);                    /* patches, boxes, bvh */
 bool vs_meet_patches(vs_kernel *k, vs_cluster *c);                     /* cuts, groups */
 bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* faces, uses */
+bool vs_plain_regions(vs_kernel *k, vs_cluster *c);                    /* regions, and their faces and uses */
 bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e); /* kept */
 bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out);
 void vs_cluster_free(vs_kernel *k, vs_cluster *c);
@@ -140,6 +158,10 @@ void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *cor
 /* Is the segment, in steps, well inside a lid that is near the leaf at that place, but not the other leaf? */
 bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]);
 
+/* Of the kept regions: how many triangles; and appends them. number: of each point, its vertex in the result. */
+size_t vs_plain_kept(const vs_cluster *c);
+bool vs_plain_copy(vs_kernel *k, vs_cluster *c, vs_mesh *out, const uint32_t *number);
+
 vs_vec3 vs_grid_world(const vs_grid *g, const vs_point *p);
 
 /* The order of faces around the edge from `low` to `high`: sign and axes in which (x, y) of their normals is looked at; see classify.c. */
@@ -147,7 +169,9 @@ typedef struct { int64_t x, y; uint32_t ccw, cw; } vs_around; /* ccw, cw: the us
 int vs_around_axes(vs_points_view view, uint32_t low, uint32_t high, int *x, int *y);
 bool vs_around_before(const vs_around *a, const vs_around *b);
 
-/* Of the result's triangles from first_triangle on: sides: 2 * plane + looks against its normal, of each; points: of the vertices from first_vertex on. */
-bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle, const uint32_t *sides, const uint32_t *points);
+/* Of the result's triangles from first_triangle on: sides: 2 * plane + looks against its normal, of each; points: of the vertices from first_vertex on.
+ * rim: of a point: plain triangles go on from here, which have not been written yet; so many edges are still without their second triangle. Or NULL. */
+bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle, const uint32_t *sides, const uint32_t *points,
+                       const uint8_t *rim, size_t rim_edges);
 
 #endif

@@ -1,8 +1,8 @@
-/* Owns the way from corners on the grid to triangles and facets: what is culled or flat is left out, coplanar neighbours become one; and that each leaf is
+/* Owns the way from corners on the grid to triangles and facets: what is culled, plain or flat is left out, coplanar neighbours become one; and that each leaf is
  * closed.
  *
- * Leaves are worked on in batches, a batch in spans of triangles that threads share: (1) masks of what covers the corners; (2) planes of the triangles
- * that stay; (3) which neighbours lie in one plane. Then, one after the other, triangles get the numbers of their points, planes and facets: so they do not
+ * Leaves are worked on in batches, a batch in spans of triangles that threads share: (1) planes of the triangles
+ * that stay; (2) which neighbours lie in one plane. Then, one after the other, triangles get the numbers of their points, planes and facets: so they do not
  * depend on the threads; points are one task and the rest another. Points and planes that only culled or flat triangles have are never made. */
 #include "kernel/cluster.h"
 
@@ -10,7 +10,7 @@
 
 enum { SPAN = 1 << 12, BATCH = 1 << 17 /* triangles */ };
 #define FLAT UINT32_MAX
-#define GONE (UINT32_MAX - 1)
+#define GONE (UINT32_MAX - 1) /* culled, or plain */
 
 typedef struct {
   vs_plane plane;
@@ -26,9 +26,9 @@ typedef struct {
 } span;
 typedef struct {
   const uint32_t *twins;
-  uint32_t triangles, vertices; /* where the leaf's begin, in `number` and in `masks` */
-  uint32_t span;                /* its first */
-  bool mirrored, masked;
+  uint32_t triangles; /* where the leaf's begin, in `number` */
+  uint32_t span;      /* its first */
+  bool mirrored;
 } batch_leaf;
 
 typedef struct {
@@ -37,7 +37,6 @@ typedef struct {
   VS_LIST(batch_leaf) leaves;
   VS_LIST(span) spans;
   size_t span_count;            /* that were ever made: they keep their room */
-  VS_LIST(uint64_t) masks;
   VS_LIST(uint32_t) number;     /* of a mesh's triangle: among those that its span found; FLAT, GONE */
   VS_LIST(_Atomic uint32_t) sets; /* of found triangles: which hang together in one plane */
   VS_LIST(uint32_t) facet;      /* of found triangles that are the first of theirs */
@@ -66,28 +65,19 @@ static bool find_twins(vs_kernel *k, facets *f, uint32_t place) {
 
 /* ---- in spans ---- */
 
-static bool mask_span(vs_kernel *k, void *context, size_t index) { /* the vertices are shared out among the leaf's spans */
-  facets *f = context;
-  const span *s = &f->spans.at[index];
-  const batch_leaf *l = &f->leaves.at[s->place - f->first];
-  size_t triangles = f->c->placed.at[s->place].part->mesh->triangle_count, vertices = f->c->placed.at[s->place].part->mesh->vertex_count;
-  return !l->masked ||
-         vs_cull_vertices(k, f->c, s->place, vertices * s->first / triangles, vertices * s->end / triangles, f->masks.at + l->vertices);
-}
-
 static bool find_span(vs_kernel *k, void *context, size_t index) {
   facets *f = context;
   const vs_cluster *c = f->c;
   span *s = &f->spans.at[index];
   const batch_leaf *l = &f->leaves.at[s->place - f->first];
   const vs_placed *p = &c->placed.at[s->place];
-  const uint64_t *masks = f->masks.at + l->vertices;
+  const _Atomic uint8_t *fate = c->fate.count ? c->fate.at + p->first_triangle : NULL;
   uint32_t *number = f->number.at + l->triangles;
   s->found.count = 0;
   for (uint32_t t = s->first; t < s->end; t++) {
     const uint32_t *v = p->part->mesh->triangles[t];
     number[t] = GONE;
-    if (l->masked && (masks[v[0]] & masks[v[1]] & masks[v[2]])) continue;
+    if (fate && atomic_load_explicit(&fate[t], memory_order_relaxed) != VS_ARRANGED) continue;
     const int32_t(*at)[3] = (const int32_t(*)[3])c->corners + p->first;
     found_triangle made = { .source = t };
     number[t] = FLAT;
@@ -147,6 +137,7 @@ static bool give_points(vs_kernel *k, facets *f) {
         f->fresh.at[f->fresh.count++] = v;
       }
     if (!vs_points_add_corners(k, &c->points, c->corners + p->first, f->fresh.at, f->fresh.count, f->ids.at)) return false;
+    for (size_t i = 0; c->point_of.count && i < f->fresh.count; i++) c->point_of.at[p->first + f->fresh.at[i]] = f->ids.at[f->fresh.at[i]];
     for (uint32_t i = 0; i < s->found.count; i++, to++)
       for (uint32_t j = 0; j < 3; j++) to->v[j] = f->ids.at[corners[s->found.at[i].source][turned(l->mirrored, j)]];
     if (!vs_kernel_report(k, 0)) return false;
@@ -189,8 +180,7 @@ static bool give(vs_kernel *k, void *context, size_t index) { return index ? giv
 static bool plan_leaf(vs_kernel *k, facets *f, uint32_t place, size_t *triangles, size_t *vertices) {
   vs_cluster *c = f->c;
   const vs_part *part = c->placed.at[place].part;
-  batch_leaf l = { part->twins, (uint32_t)*triangles, (uint32_t)*vertices, (uint32_t)f->spans.count,
-                   vs_affine_determinant(&c->problem->leaves[c->leaves[place]].placement) < 0, vs_cull_needed(c, place) };
+  batch_leaf l = { part->twins, (uint32_t)*triangles, (uint32_t)f->spans.count, vs_affine_determinant(&c->problem->leaves[c->leaves[place]].placement) < 0 };
   uint32_t n = (uint32_t)part->mesh->triangle_count;
   if (part->volume < -1e-13 * part->outer * part->outer * part->outer && !c->inspect)
     return vs_kernel_fail(k, VS_KERNEL_INSIDE_OUT, c->leaves[place], "the solid is inside out: its faces should run counter-clockwise seen from outside");
@@ -221,7 +211,7 @@ static bool do_batch(vs_kernel *k, facets *f) {
     if (!plan_leaf(k, f, i, &triangles, &vertices)) return false;
   }
   f->twins.count = 0;
-  if (!VS_ROOM(k, f->masks.at, f->masks.room, vertices + 1) || !VS_ROOM(k, f->number.at, f->number.room, triangles + 1) ||
+  if (!VS_ROOM(k, f->number.at, f->number.room, triangles + 1) ||
       !VS_ROOM(k, f->ids.at, f->ids.room, most + 1) || !VS_ROOM(k, f->twins.at, f->twins.room, bare + 1))
     return false;
   for (uint32_t i = f->first; i < f->end; i++) {
@@ -230,7 +220,7 @@ static bool do_batch(vs_kernel *k, facets *f) {
     l->twins = f->twins.at + f->twins.count;
     if (!find_twins(k, f, i)) return false;
   }
-  if (!vs_kernel_run(k, f->spans.count, mask_span, f) || !vs_kernel_run(k, f->spans.count, find_span, f)) return false;
+  if (!vs_kernel_run(k, f->spans.count, find_span, f)) return false;
   for (size_t i = 0; i < f->spans.count; i++) {
     f->spans.at[i].base = (uint32_t)found;
     found += f->spans.at[i].found.count;
@@ -281,7 +271,6 @@ bool vs_facets_build(vs_kernel *k, vs_cluster *c) {
   for (size_t i = 0; i < f.span_count; i++) VS_DROP(k, f.spans.at[i].found);
   VS_DROP(k, f.leaves);
   VS_DROP(k, f.spans);
-  VS_DROP(k, f.masks);
   VS_DROP(k, f.number);
   VS_DROP(k, f.sets);
   VS_DROP(k, f.facet);

@@ -116,6 +116,10 @@ void vs_cluster_free(vs_kernel *k, vs_cluster *c) {
     vs_bvh_free(k, &c->placed.at[i].bvh);
     VS_FREE(k, c->placed.at[i].bvh_boxes, c->placed.at[i].bvh_box_room);
   }
+  VS_DROP(k, c->fate);
+  VS_DROP(k, c->region_of);
+  VS_DROP(k, c->regions);
+  VS_DROP(k, c->point_of);
   VS_DROP(k, c->placed);
   VS_FREE(k, c->corners, c->corner_room);
   vs_bvh_free(k, &c->leaf_bvh);
@@ -162,10 +166,10 @@ static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t
   if (triangles < SERIAL) k->threads = 1;
   vs_check check = { .leaves = { 0 } };
   bool ok = vs_soup_build(k, &c) && vs_check_leaves(k, &c, &check, &w->counts) && vs_kernel_lap(k, VS_STEP_GRID);
-  if (c.triangles.count < SERIAL) k->threads = 1;
+  if (c.triangles.count + c.plain_count < SERIAL) k->threads = 1;
   ok = ok && vs_patches_build(k, &c) && vs_kernel_lap(k, VS_STEP_PATCHES) && vs_kernel_report(k, 0.1) && vs_meet_patches(k, &c) && vs_kernel_report(k, 0.3);
   forget_patches(k, &c);
-  ok = ok && vs_kernel_lap(k, VS_STEP_MEET) && vs_arrange_planes(k, &c);
+  ok = ok && vs_kernel_lap(k, VS_STEP_MEET) && vs_arrange_planes(k, &c) && vs_plain_regions(k, &c);
   VS_DROP(k, c.cuts);
   VS_DROP(k, c.edge_of);
   ok = ok && vs_kernel_lap(k, VS_STEP_ARRANGE) && vs_kernel_report(k, 0.7) && vs_classify_faces(k, &c, &w->expression) && vs_kernel_lap(k, VS_STEP_CLASSIFY) &&

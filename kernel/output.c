@@ -21,6 +21,8 @@ typedef struct {
   VS_LIST(uint32_t) parent;          /* of a face: the first of those it is merged with */
   VS_LIST(uint32_t) edges;           /* of a point: two numbers, the first edges that stay */
   VS_LIST(uint8_t) degree;           /* of a point: 0, 1, 2, 3 for more; 4: needless */
+  VS_LIST(uint8_t) rim;              /* of a point, where there are regions: 1 a kept one's rim goes through it */
+  size_t rim_edges;
   VS_LIST(uint32_t) edge_of;         /* of a use of the cluster: its edge, or VS_NONE where that does not stay */
   VS_LIST(uint32_t) next;            /* of a face: the next that is merged with it, or VS_NONE */
   VS_LIST(_Atomic uint8_t) whole;    /* a face: 1 still its own triangles */
@@ -91,7 +93,7 @@ static bool merge(writer *w) {
   w->found.count = ranges;
   for (uint32_t f = 0; f < faces; f++) {
     atomic_init(&w->sets.at[f], f);
-    atomic_init(&w->whole.at[f], c->faces.at[f].facet != VS_NONE);
+    atomic_init(&w->whole.at[f], c->faces.at[f].plane != VS_NONE && c->faces.at[f].facet != VS_NONE);
   }
   if (!vs_kernel_run(k, ranges, merge_range, w)) return false;
   for (size_t i = 0; i < ranges; i++) uses += w->found.at[i].uses.count, edges += w->found.at[i].firsts.count;
@@ -160,9 +162,16 @@ static bool drop_corners(writer *w) {
   size_t n = c->points.all.count, edges = w->edge_first.count - 1;
   if (!VS_ROOM(w->k, w->edges.at, w->edges.room, 2 * n + 1) || !VS_ROOM(w->k, w->degree.at, w->degree.room, n + 1)) return false;
   memset(w->degree.at, 0, n);
+  if (c->regions.count) {
+    if (!VS_ROOM(w->k, w->rim.at, w->rim.room, n + 1)) return false;
+    memset(w->rim.at, 0, n + 1);
+    w->rim.count = n;
+  }
   for (uint32_t e = 0; e < edges; e++) {
     corners_ahead(w, e, edges);
     const vs_use *u = use_at(w, w->edge_first.at[e]);
+    for (uint32_t i = w->edge_first.at[e]; w->rim.count && i < w->edge_first.at[e + 1]; i++) /* plain triangles have these corners, and others */
+      if (c->faces.at[use_at(w, i)->face].plane == VS_NONE) w->degree.at[u->from] = w->degree.at[u->to] = 3, w->rim.at[u->from] = w->rim.at[u->to] = 1, w->rim_edges++;
     for (int i = 0; i < 2; i++) {
       uint32_t p = i ? u->to : u->from;
       if (w->degree.at[p] < 2) w->edges.at[2 * p + w->degree.at[p]] = e;
@@ -227,7 +236,7 @@ static bool gather_sides(vs_kernel *k, const writer *w, uint32_t f, vs_triangula
 
 /* ---- triangles ---- */
 
-static bool is_shown(const writer *w, uint32_t f) { return w->c->kept.at[f] && w->parent.at[f] == f; }
+static bool is_shown(const writer *w, uint32_t f) { return w->c->kept.at[f] && w->parent.at[f] == f && w->c->faces.at[f].plane != VS_NONE; }
 
 static size_t facet_size(const writer *w, uint32_t f) {
   const vs_facet *facet = &w->c->facets.at[w->c->faces.at[f].facet];
@@ -278,7 +287,7 @@ static bool triangulate_chunk(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-static bool no_room(writer *w) { return vs_kernel_fail(w->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); }
+static bool no_room(const writer *w) { return vs_kernel_fail(w->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); }
 
 enum { PLACES = 1 << 14 };
 static bool place_chunk(vs_kernel *k, void *context, size_t index) {
@@ -289,15 +298,15 @@ static bool place_chunk(vs_kernel *k, void *context, size_t index) {
 }
 
 /* In large steps, since clusters come one after the other into one mesh. */
-static bool reserve(writer *w, vs_mesh *out, size_t triangles) {
+static bool reserve(const writer *w, vs_mesh *out, size_t triangles) {
   return triangles <= out->triangle_room || vs_mesh_reserve(out, 0, out->triangle_count ? triangles + triangles / 2 : triangles) || no_room(w);
 }
 
-static bool make_room(writer *w, vs_mesh *out, size_t more) {
+static bool make_room(const writer *w, vs_mesh *out, size_t more) {
   size_t limit = w->k->options ? w->k->options->max_triangles : 0, all = out->triangle_count + more;
   if (limit && all > limit) return vs_kernel_fail(w->k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
   if (all >= UINT32_MAX) return vs_kernel_fail(w->k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
-  return reserve(w, out, all) && VS_ROOM(w->k, w->looks.at, w->looks.room, w->looks.count + more + 1);
+  return reserve(w, out, all);
 }
 
 /* Writes what was cut; points are numbered as they come. */
@@ -305,7 +314,7 @@ static bool take_chunk(vs_kernel *k, void *context, size_t index) {
   writer *w = context;
   const cut_chunk *from = &w->chunks[index % VS_PIPELINE_WINDOW];
   vs_mesh *out = w->mesh;
-  if (!make_room(w, out, from->at.count)) return false;
+  if (!make_room(w, out, from->at.count) || !VS_ROOM(k, w->looks.at, w->looks.room, w->looks.count + from->at.count + 1)) return false;
   for (size_t i = 0; i < from->at.count; i++) {
     const cut_triangle *t = &from->at.at[i];
     uint32_t *to = out->triangles[out->triangle_count];
@@ -339,11 +348,16 @@ static bool write(writer *w, vs_mesh *out) {
   return vs_kernel_run(w->k, (w->points.count + PLACES - 1) / PLACES, place_chunk, w);
 }
 
+static bool copy_plain(writer *w, vs_mesh *out) {
+  size_t more = vs_plain_kept(w->c);
+  return more == 0 || (make_room(w, out, more) && vs_plain_copy(w->k, w->c, out, w->out.at));
+}
+
 bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
   writer w = { .k = k, .c = c };
   size_t vertices = out->vertex_count, triangles = out->triangle_count;
   bool ok = merge(&w) && drop_corners(&w) && link_faces(&w) && write(&w, out) && vs_kernel_report(k, 0.95) &&
-            vs_split_touching(k, c, out, vertices, triangles, w.looks.at, w.points.at);
+            vs_split_touching(k, c, out, vertices, triangles, w.looks.at, w.points.at, w.rim.count ? w.rim.at : NULL, w.rim_edges) && copy_plain(&w, out);
   for (size_t i = 0; i < w.found.count; i++) {
     VS_DROP(k, w.found.at[i].uses);
     VS_DROP(k, w.found.at[i].firsts);
@@ -355,6 +369,7 @@ bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
   VS_DROP(k, w.parent);
   VS_DROP(k, w.edges);
   VS_DROP(k, w.degree);
+  VS_DROP(k, w.rim);
   VS_DROP(k, w.edge_of);
   VS_DROP(k, w.next);
   VS_DROP(k, w.whole);

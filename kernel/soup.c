@@ -183,5 +183,5 @@ bool vs_soup_build(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, s.placed);
   VS_FREE(k, s.to_frame, s.to_frame_room);
   VS_DROP(k, s.borders);
-  return ok && vs_facets_build(k, c);
+  return ok && vs_plain_find(k, c) && vs_facets_build(k, c);
 }

@@ -14,8 +14,10 @@ typedef struct {
   vs_kernel *k;
   const vs_cluster *c;
   vs_mesh *m;
-  size_t first_vertex, first_triangle, vertices, triangles;
+  size_t first_vertex, first_triangle, vertices, triangles, rim_edges;
   const uint32_t *sides, *points;
+  const uint8_t *rim;          /* see cluster.h; nothing touches there, and vertices stay one */
+  _Atomic size_t open;         /* edges along it */
   vs_halves halves;            /* items are corners: 3 * triangle + j, the edge from j to the next */
   VS_LIST(crowded) crowded;
   VS_LIST(uint32_t) twins;
@@ -74,6 +76,8 @@ static void pair_of(const splitter *s, size_t edge, size_t n, uint32_t *a, uint3
   *b = s->many.at[begin + (i + 1) % count].ccw;
 }
 
+static bool on_rim(const splitter *s, uint32_t vertex) { return s->rim && s->rim[s->points[vertex]]; }
+
 static uint32_t next_of(uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
 static void ends_of_corners(const void *context, uint32_t begin, uint32_t count, uint32_t (*ends)[2]) {
@@ -99,6 +103,7 @@ VS_AHEAD join_ahead(const splitter *s, uint32_t i, uint32_t stop) {
 static bool join_range(vs_kernel *k, void *context, size_t range) {
   splitter *s = context;
   const vs_halves *h = &s->halves;
+  size_t open = 0;
   uint32_t low = vs_halves_begin(h, range), stop = h->first.at[vs_halves_begin(h, range + 1)];
   for (uint32_t i = h->first.at[low], end; i < stop; i = end) {
     while (i >= h->first.at[low + 1]) low++;
@@ -110,8 +115,12 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
       join(s, at[0].item, at[1].item);
       atomic_store_explicit(&s->lead.at[low], at[!first].item, memory_order_relaxed); /* whoever comes last */
       atomic_store_explicit(&s->lead.at[at->high], at[first].item, memory_order_relaxed);
+    } else if (end - i == 1 && on_rim(s, low) && on_rim(s, at->high)) {
+      s->twins.at[at[0].item] = VS_NONE;
+      open++;
     } else if (!VS_PUSH(k, s->crowded.at[range].at, i)) return false;
   }
+  if (open) atomic_fetch_add(&s->open, open);
   return vs_kernel_report(k, k->part);
 }
 
@@ -124,6 +133,7 @@ static bool find_twins(splitter *s) {
   memset(s->crowded.at, 0, h->ranges * sizeof *s->crowded.at);
   s->crowded.count = h->ranges;
   if (!vs_kernel_run(s->k, h->ranges, join_range, s)) return false;
+  if (atomic_load(&s->open) != s->rim_edges) return VS_BROKEN(s->k, "the result is not closed");
   for (uint32_t r = 0; r < h->ranges; r++)
     for (size_t e = 0, low = vs_halves_begin(h, r); e < s->crowded.at[r].at.count; e++) {
       uint32_t i = s->crowded.at[r].at.at[e], end = i + 1;
@@ -141,6 +151,7 @@ static bool count_fans(vs_kernel *k, void *context, size_t chunk) { /* where one
   size_t begin = chunk * VERTICES, end = s->vertices - begin < VERTICES ? s->vertices : begin + VERTICES, n = 0;
   for (size_t v = begin; v < end; v++) {
     if (end - v > 12) __builtin_prefetch(&s->twins.at[atomic_load_explicit(&s->lead.at[v + 12], memory_order_relaxed)]);
+    if (on_rim(s, (uint32_t)v)) continue;
     uint32_t lead = atomic_load_explicit(&s->lead.at[v], memory_order_relaxed), at = lead;
     do at = next_of(s->twins.at[at]), n++; while (at != lead);
   }
@@ -156,7 +167,12 @@ static bool look_for_touching(splitter *s, bool *touching) {
   *touching = s->way.count > 0;
   if (*touching) return true;
   if (!vs_kernel_run(s->k, (s->vertices + VERTICES - 1) / VERTICES, count_fans, s)) return false;
-  *touching = atomic_load(&s->seen) != 3 * s->triangles;
+  size_t seen = atomic_load(&s->seen);
+  for (uint32_t i = 0; s->rim && i < 3 * s->triangles; i++) {
+    seen += on_rim(s, vertex_at(s, i));
+    if (!turn(s, i)) return false;
+  }
+  *touching = seen != 3 * s->triangles;
   return true;
 }
 
@@ -171,6 +187,10 @@ static bool find_fans(splitter *s) {
     if (!turn(s, corner)) return false;
     if (s->to.at[corner] != VS_NONE) continue;
     uint32_t v = vertex_at(s, corner), to = v, at = corner;
+    if (on_rim(s, v)) {
+      s->to.at[corner] = v;
+      continue;
+    }
     if (s->taken.at[v]) {
       to = (uint32_t)(s->vertices + s->copied.count);
       if (!VS_PUSH(s->k, s->copied, v)) return false;
@@ -266,9 +286,10 @@ static bool write(splitter *s) {
   return true;
 }
 
-bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle, const uint32_t *sides, const uint32_t *points) {
+bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle, const uint32_t *sides, const uint32_t *points,
+                       const uint8_t *rim, size_t rim_edges) {
   splitter s = { .k = k, .c = c, .m = m, .first_vertex = first_vertex, .first_triangle = first_triangle, .vertices = m->vertex_count - first_vertex,
-                 .triangles = m->triangle_count - first_triangle, .sides = sides, .points = points };
+                 .triangles = m->triangle_count - first_triangle, .sides = sides, .points = points, .rim = rim, .rim_edges = rim_edges };
   if (s.triangles >= UINT32_MAX / 3) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
   bool touching, ok = find_twins(&s) && look_for_touching(&s, &touching) && (!touching || (join_many(&s) && write(&s)));
   vs_halves_free(k, &s.halves);

@@ -410,6 +410,46 @@ static void test_thin_and_nested(void **state) {
   near(volume_of("(union (box 1 1 1) (translate 1 1 0 (box 1 1 1)) (translate 1 1 1 (scale -1 -1 -1 (box .5 .5 .5))))", &triangles), 2, 1e-12);
 }
 
+/* Where nothing meets a large leaf its triangles are copied; where the leaf is there twice, all of them are arranged: the result is the same. */
+static void test_plain(void **state) {
+  (void)state;
+#define RING "(torus 10 3 32 16)"
+#define OTHER "(translate 1 .3 .2 (rotate 25 0 0 (torus 10 2.5 32 16)))"
+#define BALL "(translate 8 1 1 (rotate 20 30 40 (sphere 4 24)))"
+#define SPINDLE "(torus 1 3 32 16)"
+#define WITHIN "(rotate 3 2 1 (torus 10 1 32 16))"
+#define LINK "(translate 10 0 0 (rotate 90 0 0 (torus 10 3 32 16)))"
+#define TWICE(x) "(union " x x ")"
+  static const char *const cases[][2] = { /* the same twice */
+    { "(difference " RING OTHER ")", "(difference " TWICE(RING) TWICE(OTHER) ")" },
+    { "(scale -1 1 1 (intersection " RING OTHER "))", "(scale -1 1 1 (intersection " TWICE(RING) TWICE(OTHER) "))" },
+    { "(union " RING "(scale -1 1 1 " BALL ") " BALL ")", "(union " TWICE(RING) "(scale -1 1 1 " BALL ") " BALL BALL "(scale -1 1 1 " BALL "))" },
+    { "(difference " RING BALL ")", "(difference " TWICE(RING) TWICE(BALL) ")" },
+    { "(difference " BALL RING ")", "(difference " TWICE(BALL) TWICE(RING) ")" },
+    { SPINDLE, TWICE(SPINDLE) },                                                        /* it meets itself */
+    { "(difference (box 20 20 3) " SPINDLE ")", "(difference (box 20 20 3) " TWICE(SPINDLE) ")" },
+    { "(difference " RING WITHIN ")", "(difference " TWICE(RING) TWICE(WITHIN) ")" },   /* surfaces that nothing meets at all */
+    { "(difference (scale 1 -1 1 " RING ") " WITHIN ")", "(difference " TWICE("(scale 1 -1 1 " RING ")") TWICE(WITHIN) ")" },
+    { "(union (difference " RING WITHIN ") " LINK ")", "(union (difference " TWICE(RING) TWICE(WITHIN) ") " TWICE(LINK) ")" },
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    vs_mesh m[2] = { { 0 } };
+    for (int j = 0; j < 2; j++) {
+      sx_problem p;
+      vs_kernel_error e;
+      assert_true(sx_parse(cases[i][j], &p));
+      if (!vs_kernel_evaluate(&p.problem, NULL, &m[j], &e)) fail_msg("%s: %s", cases[i][j], e.message);
+      check_manifold(&m[j]);
+      sx_free(&p);
+    }
+    near(vs_mesh_volume(&m[0]), vs_mesh_volume(&m[1]), 1e-9);
+    assert_int_equal(m[0].triangle_count, m[1].triangle_count);
+    assert_int_equal(m[0].vertex_count, m[1].vertex_count);
+    vs_mesh_free(&m[0]);
+    vs_mesh_free(&m[1]);
+  }
+}
+
 /* Parts that stand twice in one place, and end in joints that cover their ends: what clips the one is where the other ends. */
 static void test_twice_in_place(void **state) {
   (void)state;
@@ -720,7 +760,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_planes_meet), cmocka_unit_test(test_predicates), cmocka_unit_test(test_against_oracle),
     cmocka_unit_test(test_cubes_become_one), cmocka_unit_test(test_equal_turns_written_differently), cmocka_unit_test(test_sheared_alike), cmocka_unit_test(test_touching_is_split), cmocka_unit_test(test_identities),
-    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_twice_in_place), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_far_larger), cmocka_unit_test(test_self_check), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_threads), cmocka_unit_test(test_copies), cmocka_unit_test(test_errors),
+    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_plain), cmocka_unit_test(test_twice_in_place), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_far_larger), cmocka_unit_test(test_self_check), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_threads), cmocka_unit_test(test_copies), cmocka_unit_test(test_errors),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
