@@ -8,16 +8,14 @@
  *   slab     the stretch along a run's middle normal in which all its corners lie
  *   level    of runs: in a plane across an axis; the others are open. Such a plane stays one when each coordinate is rounded by itself, and coordinates keep
  *            their order: so two that are level do not come to cross, and what is in a level run's plane stays there. (Where two such planes are less than
- *            two units apart, nothing counts as level.)
- * The index has the open runs' boxes. Two runs are apart where one's corners lie beyond the other's slab, on one side, but for corners they share. Of the rest the
+ *            two units apart, nothing counts as level.) A mesh's planes of that kind are its storeys
+ * The index has the open runs' boxes; those that a storey may touch or go through have one of their own, for what is level. Two runs are apart where one's corners lie beyond the other's slab, on one side, but for corners they share. Of the rest the
  * pieces are tried that lie in each other's slabs: by boxes, then triangle by triangle by boxes and planes, and apart.c has what these do not tell. */
 #include "kernel/apart.h"
 #include "kernel/bvh.h"
 #include "kernel/settling.h"
-#include "kernel/table.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { NOT_LEVEL = 3, OPEN = 0, LEVEL = 1, RUN = 16, TRIANGLES = 1 << 13 };
@@ -40,6 +38,7 @@ typedef struct {
   uint32_t first, first_four, first_place;
   uint8_t count, fours;          /* of triangles; of corners, by fours; of places there are three a triangle: which of the corners */
   bool is_low;                   /* one triangle, a low one */
+  bool busy;                     /* open, and goes through a storey or nearly touches one */
   uint8_t level;                 /* all of it has one x (0), y (1) or z (2), this one: */
   double value;
   float normal[3], low, high;    /* its slab, and the margin on either side */
@@ -57,7 +56,9 @@ typedef struct {
   double low;                    /* triangles lower than that are low */
   float margin;                  /* beyond a slab is further than that; errors of floats are less */
   made all;
-  vs_bvh bvh;                    /* of the open ones */
+  VS_LIST(uint32_t) busy;        /* open runs */
+  VS_LIST(vs_box) busy_boxes;
+  vs_bvh bvh, busy_bvh;          /* of the open ones */
   made found[VS_PIPELINE_WINDOW];
   struct { VS_LIST(pair) at; } met[VS_PIPELINE_WINDOW];
 } search;
@@ -170,6 +171,27 @@ static bool gather(vs_kernel *k, const search *c, uint32_t t, const facet *f, ma
 
 static floats heights(const run *r, const corners *p) { return r->normal[0] * p->x + r->normal[1] * p->y + r->normal[2] * p->z; }
 
+static double coordinate(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+/* Has it corners on either side of a storey, or off it by less than the margin? Else what is level is apart from it. */
+static bool is_busy(const search *c, const run *r, const vs_bounds *box, const corners *four) {
+  const vs_settling *s = c->s;
+  if (r->is_low) return true;
+  for (int axis = 0; axis < 3; axis++) {
+    double low = coordinate(box->min, axis), high = coordinate(box->max, axis);
+    for (size_t i = vs_settling_storey(s, axis, low - c->margin); i < s->storeys.count; i++) {
+      double value = s->storeys.at[i].value;
+      if (s->storeys.at[i].axis != axis || value > high + c->margin) break;
+      if (value != low && value != high) return true;
+      for (uint32_t j = 0; j < 4u * r->fours; j++) {
+        double x = coordinate(s->m->vertices[four[j / 4].corner[j % 4]], axis);
+        if (x != value && fabs(x - value) <= c->margin) return true;
+      }
+    }
+  }
+  return false;
+}
+
 static bool end_run(vs_kernel *k, const search *c, made *to, making *g) {
   double length = vs_v3_length(g->normal);
   vs_vec3 n = length > 0 ? vs_v3_scale(g->normal, 1 / length) : vs_v3(1, 0, 0);
@@ -190,8 +212,11 @@ static bool end_run(vs_kernel *k, const search *c, made *to, making *g) {
   }
   r->low -= c->margin;
   r->high += c->margin;
-  r->level = r->is_low || c->s->storeys_near ? NOT_LEVEL : b->min.x == b->max.x ? 0 : b->min.y == b->max.y ? 1 : b->min.z == b->max.z ? 2 : NOT_LEVEL;
-  r->value = r->level == 0 ? b->min.x : r->level == 1 ? b->min.y : b->min.z;
+  r->level = r->is_low ? NOT_LEVEL : b->min.x == b->max.x ? 0 : b->min.y == b->max.y ? 1 : b->min.z == b->max.z ? 2 : NOT_LEVEL;
+  r->value = coordinate(b->min, r->level);
+  size_t storey = r->level == NOT_LEVEL ? 0 : vs_settling_storey(c->s, r->level, r->value);
+  if (r->level != NOT_LEVEL && (storey == c->s->storeys.count || c->s->storeys.at[storey].value != r->value)) r->level = NOT_LEVEL;
+  r->busy = r->level == NOT_LEVEL && is_busy(c, r, b, g->four);
   runs *kind = &to->kinds[r->level == NOT_LEVEL ? OPEN : LEVEL];
   return VS_PUSH(k, kind->at, *r) && VS_PUSH(k, kind->boxes, box_of(c, b));
 }
@@ -244,6 +269,8 @@ static bool take_kind(vs_kernel *k, const made *all, runs *to, const runs *from)
 static bool take_runs(vs_kernel *k, void *context, size_t index) {
   search *c = context;
   made *from = &c->found[index % VS_PIPELINE_WINDOW], *to = &c->all;
+  for (size_t i = 0; i < from->kinds[OPEN].at.count; i++)
+    if (from->kinds[OPEN].at.at[i].busy && (!VS_PUSH(k, c->busy, (uint32_t)(to->kinds[OPEN].at.count + i)) || !VS_PUSH(k, c->busy_boxes, from->kinds[OPEN].boxes.at[i]))) return false;
   size_t fours = to->fours.count, places = to->places.count;
   if (!take_kind(k, to, &to->kinds[OPEN], &from->kinds[OPEN]) || !take_kind(k, to, &to->kinds[LEVEL], &from->kinds[LEVEL]) ||
       !VS_ROOM(k, to->fours.at, to->fours.room, fours + from->fours.count + 1) || !VS_ROOM(k, to->places.at, to->places.room, places + from->places.count + 1))
@@ -276,7 +303,7 @@ static uint32_t bits(truths all) { /* lane i: bit i */
 
 static bool has_corner(const search *c, const run *r, uint32_t corner) { /* or it lies in its plane, and stays in it */
   vs_vec3 p = c->s->m->vertices[corner];
-  if (r->level != NOT_LEVEL && (r->level == 0 ? p.x : r->level == 1 ? p.y : p.z) == r->value) return true;
+  if (r->level != NOT_LEVEL && coordinate(p, r->level) == r->value) return true;
   for (const corners *four = c->all.fours.at + r->first_four, *end = four + r->fours; four < end; four++)
     if (four->corner[0] == corner || four->corner[1] == corner || four->corner[2] == corner || four->corner[3] == corner) return true;
   return false;
@@ -390,14 +417,14 @@ static bool look_open(void *context, uint32_t first, uint32_t second) {
   return look_pair(l, &all[first < second ? first : second], &all[first < second ? second : first]);
 }
 
-static bool look_level(void *context, uint32_t open) {
+static bool look_level(void *context, uint32_t busy) {
   looking *l = context;
-  return look_pair(l, l->level, &l->c->all.kinds[OPEN].at.at[open]);
+  return look_pair(l, l->level, &l->c->all.kinds[OPEN].at.at[l->c->busy.at[busy]]);
 }
 
 enum { BLOCKS = 256, QUERIES = 1024 };
 
-/* First the pairs of open runs, then those of level ones with open ones. */
+/* First the pairs of open runs, then those of level ones with busy ones. */
 static size_t open_tasks(const search *c) { return ((size_t)vs_bvh_blocks(&c->bvh) + BLOCKS - 1) / BLOCKS; }
 
 static bool look(vs_kernel *k, void *context, size_t index) {
@@ -409,7 +436,7 @@ static bool look(vs_kernel *k, void *context, size_t index) {
   if (index < open) return vs_bvh_pairs(&c->bvh, (uint32_t)index * BLOCKS, ((uint32_t)index + 1) * BLOCKS, look_open, &l) && vs_kernel_report(k, 1);
   for (size_t i = begin; i < level->at.count && i < end; i++) {
     l.level = &level->at.at[i];
-    if (!vs_bvh_query(&c->bvh, &level->boxes.at[i], look_level, &l)) return false;
+    if (!vs_bvh_query(&c->busy_bvh, &level->boxes.at[i], look_level, &l)) return false;
   }
   return vs_kernel_report(k, 1);
 }
@@ -443,10 +470,13 @@ bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
   for (size_t t = 0; t < s->m->triangle_count; t++) s->listed.at[t] &= 1;
   bool ok = vs_kernel_pipeline(k, (s->m->triangle_count + TRIANGLES - 1) / TRIANGLES, make_runs, take_runs, &c);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) drop_made(k, &c.found[i]);
-  ok = ok && vs_bvh_build(k, &c.bvh, open->boxes.at, (uint32_t)open->boxes.count) &&
-       vs_kernel_pipeline(k, open->at.count ? open_tasks(&c) + (level->at.count + QUERIES - 1) / QUERIES : 0, look, take, &c);
+  ok = ok && vs_bvh_build(k, &c.bvh, open->boxes.at, (uint32_t)open->boxes.count) && vs_bvh_build(k, &c.busy_bvh, c.busy_boxes.at, (uint32_t)c.busy.count) &&
+       vs_kernel_pipeline(k, open_tasks(&c) + (c.busy.count ? (level->at.count + QUERIES - 1) / QUERIES : 0), look, take, &c);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) VS_DROP(k, c.met[i].at);
   vs_bvh_free(k, &c.bvh);
+  vs_bvh_free(k, &c.busy_bvh);
+  VS_DROP(k, c.busy);
+  VS_DROP(k, c.busy_boxes);
   drop_made(k, &c.all);
   return ok;
 }

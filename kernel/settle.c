@@ -110,26 +110,23 @@ static bool has_short(const settling *s, uint32_t t) {
 
 /* ---- the few that are looked at ---- */
 
-typedef struct { double value; int axis; } storey; /* a plane across an axis */
-
 enum { TASK = 1 << 13 };
-typedef struct { VS_LIST(uint32_t) look; VS_LIST(storey) storeys; bool noise, level; } found_some;
+typedef struct { VS_LIST(uint32_t) look; VS_LIST(vs_storey) storeys; bool noise, level; } found_some;
 typedef struct {
   settling *s;
   bool noise; /* any is */
-  VS_LIST(storey) storeys;
   found_some found[VS_PIPELINE_WINDOW];
 } scan;
 
 /* Notes the plane across an axis that the triangle lies in, unless it is the one that was noted last for that axis. False: no memory; *level: there is one. */
-static bool find_storey(vs_kernel *k, const settling *s, uint32_t t, storey last[3], found_some *to, bool *level) {
+static bool find_storey(vs_kernel *k, const settling *s, uint32_t t, vs_storey last[3], found_some *to, bool *level) {
   const uint32_t *v = s->m->triangles[t];
   vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]];
   int axis = a.x == b.x && a.x == c.x ? 0 : a.y == b.y && a.y == c.y ? 1 : 2;
   double value = axis == 0 ? a.x : axis == 1 ? a.y : a.z;
   *level = axis < 2 || (a.z == b.z && a.z == c.z);
   if (!*level || last[axis].value == value) return true;
-  last[axis] = (storey){ value, axis };
+  last[axis] = (vs_storey){ value, axis };
   return VS_PUSH(k, to->storeys, last[axis]);
 }
 
@@ -138,7 +135,7 @@ static bool scan_some(vs_kernel *k, void *context, size_t index) {
   const settling *s = c->s;
   size_t begin = index * TASK, end = s->m->triangle_count - begin < TASK ? s->m->triangle_count : begin + TASK;
   found_some *to = &c->found[index % VS_PIPELINE_WINDOW];
-  storey last[3] = { { NAN, 0 }, { NAN, 0 }, { NAN, 0 } };
+  vs_storey last[3] = { { NAN, 0 }, { NAN, 0 }, { NAN, 0 } };
   to->look.count = to->storeys.count = 0;
   to->noise = false;
   to->level = true;
@@ -160,33 +157,53 @@ static bool take_found(vs_kernel *k, void *context, size_t index) {
   for (size_t i = 0; i < from->look.count; i++)
     if (!VS_PUSH(k, c->s->look, from->look.at[i])) return false;
   for (size_t i = 0; i < from->storeys.count; i++)
-    if (!VS_PUSH(k, c->storeys, from->storeys.at[i])) return false;
+    if (!VS_PUSH(k, c->s->storeys, from->storeys.at[i])) return false;
   return true;
 }
 
 static int storey_order(const void *a, const void *b) {
-  const storey *x = a, *y = b;
+  const vs_storey *x = a, *y = b;
   if (x->axis != y->axis) return x->axis < y->axis ? -1 : 1;
   return x->value < y->value ? -1 : x->value > y->value;
+}
+
+static void sort_storeys(settling *s) {
+  vs_storey *at = s->storeys.at;
+  size_t kept = 0;
+  bool near = false;
+  if (s->storeys.count) qsort(at, s->storeys.count, sizeof *at, storey_order);
+  for (size_t i = 0; i < s->storeys.count; i++) {
+    bool same = kept && at[kept - 1].axis == at[i].axis;
+    if (same && at[kept - 1].value == at[i].value) continue;
+    near = near || (same && at[i].value - at[kept - 1].value < s->coarsest);
+    at[kept++] = at[i];
+  }
+  s->storeys.count = near ? 0 : kept;
+  s->level = s->level && !near;
+}
+
+size_t vs_settling_storey(const vs_settling *s, int axis, double value) {
+  vs_storey sought = { value, axis };
+  size_t low = 0, high = s->storeys.count;
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    if (storey_order(&s->storeys.at[middle], &sought) < 0) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }
 
 /* *any: is there any noise? */
 static bool find_look(settling *s, bool *any) {
   scan c = { .s = s };
-  s->look.count = 0;
+  s->look.count = s->storeys.count = 0;
   s->level = true;
-  s->storeys_near = false;
   bool ok = vs_kernel_pipeline(s->k, (s->m->triangle_count + TASK - 1) / TASK, scan_some, take_found, &c);
-  if (ok && c.storeys.count) qsort(c.storeys.at, c.storeys.count, sizeof *c.storeys.at, storey_order);
-  for (size_t i = 1; ok && i < c.storeys.count; i++) {
-    const storey *x = &c.storeys.at[i - 1], *y = &c.storeys.at[i];
-    s->storeys_near = s->storeys_near || (x->axis == y->axis && x->value != y->value && y->value - x->value < s->coarsest);
-  }
+  sort_storeys(s);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(s->k, c.found[i].look);
     VS_DROP(s->k, c.found[i].storeys);
   }
-  VS_DROP(s->k, c.storeys);
   *any = c.noise;
   return ok;
 }
@@ -518,7 +535,7 @@ static bool settle(settling *s, bool places, vs_settled *out) {
   s->bounds = vs_mesh_bounds(m);
   s->coarsest = 2 * unit(larger(reach(s->bounds.min), reach(s->bounds.max)), s->numbers);
   if (!find_look(s, &any)) return false;
-  if (!any && (s->numbers == VS_NUMBERS_DOUBLE || (s->level && !s->storeys_near))) return true;
+  if (!any && (s->numbers == VS_NUMBERS_DOUBLE || s->level)) return true;
   if (!VS_ROOM(s->k, s->busy.at, s->busy.room, n + 1) || !VS_ROOM(s->k, s->near_met.at, s->near_met.room, n + 1) || !VS_ROOM(s->k, s->gone.at, s->gone.room, m->triangle_count + 1) ||
       !VS_ROOM(s->k, s->listed.at, s->listed.room, m->triangle_count + 1))
     return false;
@@ -572,5 +589,6 @@ bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *opt
   VS_DROP(&k, s.gone);
   VS_DROP(&k, s.listed);
   VS_DROP(&k, s.near_met);
+  VS_DROP(&k, s.storeys);
   return ok || (vs_kernel_fail(&k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"), false);
 }
