@@ -18,7 +18,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { NOT_LEVEL = 3, OPEN = 0, LEVEL = 1, RUN = 16, TRIANGLES = 1 << 13 };
+enum { NOT_ITS = 255, NOT_LEVEL = 3, OPEN = 0, LEVEL = 1, RUN = 16, TRIANGLES = 1 << 13 };
 #define ALIKE 0.85f /* the cosine of the angle between runs that look the same way */
 
 /* A triangle, mostly as rounded. */
@@ -301,27 +301,51 @@ static uint32_t bits(truths all) { /* lane i: bit i */
   return (uint32_t)(half[0] | half[0] >> 32);
 }
 
-static bool has_corner(const search *c, const run *r, uint32_t corner) { /* or it lies in its plane, and stays in it */
-  vs_vec3 p = c->s->m->vertices[corner];
-  if (r->level != NOT_LEVEL && coordinate(p, r->level) == r->value) return true;
-  for (const corners *four = c->all.fours.at + r->first_four, *end = four + r->fours; four < end; four++)
-    if (four->corner[0] == corner || four->corner[1] == corner || four->corner[2] == corner || four->corner[3] == corner) return true;
+/* Which of the run's corners it is; NOT_ITS: none. */
+static uint32_t place_of(const search *c, const run *r, uint32_t corner) {
+  const corners *four = c->all.fours.at + r->first_four;
+  for (uint32_t i = 0; i < 4u * r->fours; i++)
+    if (four[i / 4].corner[i % 4] == corner) return i;
+  return NOT_ITS;
+}
+
+static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /* by places */
+  const uint8_t *place = c->all.places.at + r->first_place;
+  for (uint32_t t = 0; t < r->count; t++, place += 3)
+    if ((place[0] == p || place[1] == p || place[2] == p) && (place[0] == q || place[1] == q || place[2] == q)) return true;
   return false;
 }
 
-/* Are b's corners beyond a's slab, on one side, but for those that are a's as well? */
+/* Are b's corners beyond a's slab, on one side, but for what they share: corners, and edges between them? In a level run's plane anything may lie, for it stays there. */
 static bool beyond(const search *c, const run *a, const run *b) {
-  uint32_t above = 0, below = 0, shared = 0;
-  for (const corners *four = c->all.fours.at + b->first_four, *end = four + b->fours; four < end; four++) {
-    floats h = heights(a, four);
+  uint32_t above = 0, below = 0, in[4 * FOURS]; /* in: which of a's corners one of b's is */
+  uint64_t shared = 0;
+  bool touches = false;
+  const corners *four = c->all.fours.at + b->first_four;
+  for (uint32_t i = 0; i < b->fours; i++) {
+    floats h = heights(a, &four[i]);
     uint32_t over = bits(h > a->high), under = bits(h < a->low), within = 15 & ~(over | under);
     above |= over;
     below |= under;
     if (above && below) return false;
-    for (; within; within &= within - 1, shared++)
-      if (!has_corner(c, a, four->corner[__builtin_ctz(within)])) return false;
+    for (; within; within &= within - 1) {
+      uint32_t at = 4 * i + (uint32_t)__builtin_ctz(within), corner = four[i].corner[at % 4];
+      touches = true;
+      if (a->level != NOT_LEVEL && coordinate(c->s->m->vertices[corner], a->level) == a->value) continue;
+      if ((in[at] = place_of(c, a, corner)) == NOT_ITS) return false;
+      shared |= UINT64_C(1) << at;
+    }
   }
-  return (above || below) && !(shared && (a->is_low || b->is_low));
+  if (!(above || below) || (touches && (a->is_low || b->is_low))) return false;
+  const uint8_t *place = c->all.places.at + b->first_place;
+  for (uint32_t t = 0; shared & (shared - 1) && t < b->count; t++, place += 3) {
+    if (shared >> place[0] & shared >> place[1] & shared >> place[2] & 1) return false;
+    for (int i = 0; i < 3; i++) {
+      uint32_t p = place[i], q = place[i == 2 ? 0 : i + 1];
+      if (shared >> p & shared >> q & 1 && !has_edge(c, a, in[p], in[q])) return false;
+    }
+  }
+  return true;
 }
 
 /* The part of a triangle that lies in a slab; its sheet is made when it is asked for. */
