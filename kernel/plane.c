@@ -1,9 +1,9 @@
 /* Owns the arrangement in one plane: a group of facets and the cuts in them become faces that nothing crosses, each with its cover.
  *
  * Plan for a group: (1) segments: the facets' boundary edges and the cuts, each lying in a second plane, its `side`; (2) all crossings and
- * contacts of segments whose boxes meet, as points on both; (3) split every segment at its points; equal pieces become one edge, which
- * carries what each leaf's cover changes by from its right to its left; (4) a sweep names the faces on both sides of every edge;
- * (5) covers by walking from the outside inwards. Facets that nothing touches become faces as they are.
+ * contacts of segments whose boxes meet, as points on both, first of the edges, then of the cuts that lie on none; (3) split every segment at
+ * its points; equal pieces become one edge, which carries what each leaf's cover changes by from its right to its left; (4) a sweep names the
+ * faces on both sides of every edge; (5) covers by walking from the outside inwards. Facets that nothing touches become faces as they are.
  *
  * A group numbers its points by itself, copies of the cluster's and new ones alike, so that groups can be worked on at once; what they found is put
  * together in the groups' order, and only there do new points get the cluster's numbers. */
@@ -15,11 +15,10 @@
 enum { FEW = 24 }; /* up to so many segments all pairs are tried */
 
 typedef struct {
-  vs_plane side;
   uint32_t p, q;
   uint32_t leaf;   /* of a boundary edge: the left of p->q has one more of it than the right; VS_NONE for a cut */
+  uint32_t side;   /* of a cut: the second plane it lies in; VS_NONE for an edge between input vertices */
   uint8_t axis;    /* along which p and q are well apart */
-  bool edge;       /* between input vertices */
 } segment;
 typedef struct { uint32_t segment, point; } incidence;
 typedef struct { uint32_t l, r, leaf; int32_t delta; } piece; /* local vertices; delta: above less below */
@@ -44,8 +43,11 @@ typedef struct {
   VS_LIST(vs_homogeneous) more;  /* of the new ones */
   VS_LIST(uint32_t) known;       /* cluster's number -> the group's, where global says the same */
   VS_LIST(uint32_t) heads;
-  VS_LIST(segment) segments;
+  VS_LIST(segment) segments;     /* boundary edges, then cuts */
   VS_LIST(incidence) on;
+  VS_LIST(uint32_t) families;    /* of segments: 0 where they are tried against each other already */
+  VS_LIST(uint32_t) through;     /* of a point: the first of `holds` that has a segment it is on, as an end or within */
+  VS_LIST(incidence) holds;      /* point: the next of them */
   VS_LIST(vs_box) boxes;
   vs_bvh bvh;
   VS_LIST(uint32_t) list, scratch;
@@ -118,31 +120,36 @@ static bool new_point(plane_work *w, const vs_homogeneous *h, uint32_t *point) {
 
 /* ---- 1: segments ---- */
 
-static bool add_segment(plane_work *w, uint32_t from, uint32_t to, uint32_t leaf, const vs_plane *side) {
-  uint32_t p, q;
-  if (!own_point(w, from, &p) || !own_point(w, to, &q)) return false;
-  segment s = { .p = p, .q = q, .leaf = leaf, .edge = side == NULL };
+static bool add_segment(plane_work *w, uint32_t p, uint32_t q, uint32_t leaf, uint32_t side) {
+  segment s = { .p = p, .q = q, .leaf = leaf, .side = side };
   const vs_point *a = &w->points.at[p], *b = &w->points.at[q];
   int64_t du = a->fixed[w->plane.u] - b->fixed[w->plane.u], dv = a->fixed[w->plane.v] - b->fixed[w->plane.v];
   s.axis = (du < 0 ? -du : du) >= (dv < 0 ? -dv : dv) ? w->plane.u : w->plane.v;
   if (du == 0 && dv == 0) { /* closer than a fixed number can say */
     s.axis = vs_compare(view(w), p, q, w->plane.u) ? w->plane.u : w->plane.v;
   }
-  if (side) s.side = *side;
-  else {
-    int32_t x[3], y[3];
-    grid_of(w, p, x);
-    grid_of(w, q, y);
-    vs_plane_along(x, y, w->plane.k, &s.side);
-  }
   return VS_PUSH(w->k, w->segments, s);
+}
+
+static void side_plane(const plane_work *w, const segment *s, vs_plane *out) {
+  int32_t x[3], y[3];
+  if (s->side != VS_NONE) {
+    *out = w->c->planes.all.at[s->side];
+    return;
+  }
+  grid_of(w, s->p, x);
+  grid_of(w, s->q, y);
+  vs_plane_along(x, y, w->plane.k, out);
 }
 
 static bool add_facet(plane_work *w, const vs_facet *f) {
   for (uint32_t i = f[0].first; i < f[1].first; i++) {
     const vs_soup_triangle *t = &w->c->triangles.at[w->c->facet_triangles.at[i]];
-    for (int j = 0; j < 3; j++)
-      if (!(t->inner >> j & 1) && !add_segment(w, t->v[j], t->v[(j + 1) % 3], t->leaf, NULL)) return false;
+    for (int j = 0; j < 3; j++) {
+      uint32_t p, q;
+      if (t->inner >> j & 1) continue;
+      if (!own_point(w, t->v[j], &p) || !own_point(w, t->v[(j + 1) % 3], &q) || !add_segment(w, p, q, t->leaf, VS_NONE)) return false;
+    }
   }
   return true;
 }
@@ -159,16 +166,50 @@ static bool within(const plane_work *w, const segment *s, uint32_t x) { /* x on 
   return vs_compare(view(w), s->p, x, s->axis) * vs_compare(view(w), x, s->q, s->axis) > 0;
 }
 
-static int side_of(const plane_work *w, const segment *s, uint32_t x) {
-  int sign;
-  if (x == s->p || x == s->q) return 0;
-  if (vs_side_quick(view(w), &s->side, x, &sign)) return sign;
+/* Tries to tell on which side of s, seen in the plane, the point lies. */
+static bool side_quick(const plane_work *w, const segment *s, uint32_t x, int *sign) {
+  *sign = 0;
+  if (x == s->p || x == s->q || vs_orient2d_quick(view(w), s->p, s->q, x, w->plane.u, w->plane.v, sign)) return true;
   uint32_t p = w->global.at[s->p], q = w->global.at[s->q], point = w->global.at[x];
-  if (s->edge && point < w->c->edge_of.count) { /* most cuts end on an edge: known by its name */
-    const vs_edge *e = &w->c->edge_of.at[point];
-    if ((e->low == p && e->high == q) || (e->low == q && e->high == p)) return 0;
+  if (s->side != VS_NONE || point >= w->c->edge_of.count) return false;
+  const vs_edge *e = &w->c->edge_of.at[point]; /* most cuts end on an edge: known by its name */
+  *sign = 0;
+  return (e->low == p && e->high == q) || (e->low == q && e->high == p);
+}
+
+/* The sides of s on which t's ends lie; the signs count among each other alone. */
+static void sides_of(const plane_work *w, const segment *s, const segment *t, int *a, int *b) {
+  bool known_a = side_quick(w, s, t->p, a), known_b = side_quick(w, s, t->q, b);
+  if (known_a && known_b) return;
+  vs_plane side;
+  side_plane(w, s, &side);
+  if (!known_a || *a) *a = vs_side(view(w), &side, t->p);
+  if (!known_b || *b) *b = vs_side(view(w), &side, t->q);
+}
+
+static bool lies_on(const plane_work *w, const segment *s, uint32_t x) { /* but not on its ends */
+  int sign;
+  if (!side_quick(w, s, x, &sign)) {
+    vs_plane side;
+    side_plane(w, s, &side);
+    sign = vs_side(view(w), &side, x);
   }
-  return vs_side_slow(view(w), &s->side, x);
+  return sign == 0 && within(w, s, x);
+}
+
+/* Where they cross each other within. */
+static bool meet(const plane_work *w, const segment *s, const segment *t, vs_homogeneous *out) {
+  vs_plane a, b;
+  const segment *edge = s->side == VS_NONE ? s : t, *other = edge == s ? t : s;
+  side_plane(w, other, &b);
+  if (edge->side == VS_NONE) {
+    int32_t p[3], q[3];
+    grid_of(w, edge->p, p);
+    grid_of(w, edge->q, q);
+    return vs_meet_edge(p, q, &b, out);
+  }
+  side_plane(w, edge, &a);
+  return vs_meet_planes(&w->plane, &a, &b, out);
 }
 
 static bool cross(void *context, uint32_t i, uint32_t j) {
@@ -180,41 +221,31 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
     j = t;
   }
   const segment *s = &w->segments.at[i], *t = &w->segments.at[j];
-  if (s->p == s->q) { /* a touched point */
-    return t->p == t->q || side_of(w, t, s->p) != 0 || !within(w, t, s->p) || put(w, j, s->p);
-  }
-  if (t->p == t->q) return side_of(w, s, t->p) != 0 || !within(w, s, t->p) || put(w, i, t->p);
-  int a = side_of(w, s, t->p), b = side_of(w, s, t->q);
+  if (s->p == s->q) return t->p == t->q || !lies_on(w, t, s->p) || put(w, j, s->p); /* a touched point */
+  if (t->p == t->q) return !lies_on(w, s, t->p) || put(w, i, t->p);
+  int a, b, c, d;
+  sides_of(w, s, t, &a, &b);
   if (a * b > 0) return true;
   if (a == 0 && b == 0) {
     return (!within(w, s, t->p) || put(w, i, t->p)) && (!within(w, s, t->q) || put(w, i, t->q)) && (!within(w, t, s->p) || put(w, j, s->p)) &&
            (!within(w, t, s->q) || put(w, j, s->q));
   }
-  int c = side_of(w, t, s->p), d = side_of(w, t, s->q);
+  uint32_t end = a == 0 ? t->p : t->q; /* of t, which lies on the line of s */
+  if (a * b == 0 && (end == s->p || end == s->q)) return true;
+  sides_of(w, t, s, &c, &d);
   if (c * d > 0) return true;
-  if (a == 0) return c * d >= 0 || put(w, i, t->p);
-  if (b == 0) return c * d >= 0 || put(w, i, t->q);
-  if (c == 0) return put(w, j, s->p);
-  if (d == 0) return put(w, j, s->q);
+  if (a * b == 0) return c * d == 0 || put(w, i, end);
+  if (c * d == 0) return put(w, j, c == 0 ? s->p : s->q);
   vs_homogeneous h;
   uint32_t x;
-  int32_t e[3], f[3];
-  bool met;
-  if (s->edge || t->edge) {
-    const segment *edge = s->edge ? s : t, *other = s->edge ? t : s;
-    grid_of(w, edge->p, e);
-    grid_of(w, edge->q, f);
-    met = vs_meet_edge(e, f, &other->side, &h);
-  } else {
-    met = vs_meet_planes(&w->plane, &s->side, &t->side, &h);
-  }
-  if (!met) return VS_BROKEN(w->k, "two cuts do not meet");
+  if (!meet(w, s, t, &h)) return VS_BROKEN(w->k, "two cuts do not meet");
   return new_point(w, &h, &x) && put(w, i, x) && put(w, j, x);
 }
 
-static bool crossings(plane_work *w) {
+/* All pairs but those of the first `tried` segments, which were tried before. */
+static bool crossings(plane_work *w, uint32_t tried) {
   uint32_t n = (uint32_t)w->segments.count;
-  w->on.count = w->boxes.count = 0;
+  if (n == tried) return true;
   if (!VS_ROOM(w->k, w->boxes.at, w->boxes.room, n)) return false;
   for (uint32_t i = 0; i < n; i++) {
     vs_box *b = &w->boxes.at[i];
@@ -225,11 +256,45 @@ static bool crossings(plane_work *w) {
       b->max[a] = (int32_t)((x < y ? y : x) >> VS_FIXED_BITS) + 1;
     }
   }
-  if (n > FEW) return vs_bvh_build(w->k, &w->bvh, w->boxes.at, n) && vs_bvh_pairs(&w->bvh, 0, UINT32_MAX, cross, w);
+  if (n > FEW) {
+    if (!VS_ROOM(w->k, w->families.at, w->families.room, n)) return false;
+    for (uint32_t i = 0; i < n; i++) w->families.at[i] = i < tried ? 0 : UINT32_MAX;
+    w->bvh.families = tried ? w->families.at : NULL;
+    return vs_bvh_build(w->k, &w->bvh, w->boxes.at, n) && vs_bvh_pairs(&w->bvh, 0, UINT32_MAX, cross, w);
+  }
   for (uint32_t i = 0; i < n; i++)
-    for (uint32_t j = i + 1; j < n; j++)
+    for (uint32_t j = i < tried ? tried : i + 1; j < n; j++)
       if (vs_box_meet(&w->boxes.at[i], &w->boxes.at[j]) && !cross(w, i, j)) return false;
   return true;
+}
+
+static bool hold(plane_work *w, uint32_t s, uint32_t point) {
+  uint32_t *at = &w->through.at[point];
+  if (!VS_PUSH(w->k, w->holds, ((incidence){ s, *at }))) return false;
+  *at = (uint32_t)w->holds.count - 1;
+  return true;
+}
+
+/* The segments so far, by the points on them. */
+static bool index_points(plane_work *w) {
+  size_t points = w->points.count;
+  if (!VS_ROOM(w->k, w->through.at, w->through.room, points)) return false;
+  memset(w->through.at, 0xff, points * sizeof *w->through.at); /* VS_NONE */
+  w->through.count = points;
+  w->holds.count = 0;
+  for (uint32_t i = 0; i < w->segments.count; i++)
+    if (!hold(w, i, w->segments.at[i].p) || !hold(w, i, w->segments.at[i].q)) return false;
+  for (size_t i = 0; i < w->on.count; i++)
+    if (!hold(w, w->on.at[i].segment, w->on.at[i].point)) return false;
+  return true;
+}
+
+/* Is there a segment that both points are on? */
+static bool joined(const plane_work *w, uint32_t p, uint32_t q) {
+  for (uint32_t i = w->through.at[p]; i != VS_NONE; i = w->holds.at[i].point)
+    for (uint32_t j = w->through.at[q]; j != VS_NONE; j = w->holds.at[j].point)
+      if (w->holds.at[i].segment == w->holds.at[j].segment) return true;
+  return false;
 }
 
 /* ---- 3: pieces ---- */
@@ -485,12 +550,14 @@ static bool give_facet(plane_work *w, uint32_t facet) { /* untouched */
   return VS_PUSH(w->k, to->covers, cover) && VS_PUSH(w->k, to->faces, face);
 }
 
+typedef struct { uint32_t from, end; } chunk; /* of roots */
+
 /* Facets and cuts by group, in the order of the groups' roots; chunks of them. */
 typedef struct {
   vs_cluster *c;
   VS_LIST(uint32_t) facets, cuts;  /* numbers, bucketed */
   VS_LIST(uint32_t) facet_first, cut_first; /* of a root; one more */
-  VS_LIST(uint32_t) chunks;        /* roots at which they begin; one more */
+  VS_LIST(chunk) chunks;
   findings found[VS_PIPELINE_WINDOW];
   plane_work *works;               /* one a thread */
   vs_points_table points;          /* those found, on top of the cluster's */
@@ -506,26 +573,43 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   if (end == begin + 1 && !c->facets.at[root].touched) return give_facet(w, root);
   w->plane_id = c->facets.at[root].plane;
   w->plane = c->planes.all.at[w->plane_id];
-  w->segments.count = w->points.count = w->global.count = w->more.count = w->heads.count = 0;
+  w->segments.count = w->points.count = w->global.count = w->more.count = w->heads.count = w->on.count = 0;
   for (uint32_t f = begin; f < end; f++)
     if (!add_facet(w, &c->facets.at[a->facets.at[f]])) return false;
   if (!VS_ROOM(w->k, w->keyed.at, w->keyed.room, 2 * (size_t)cut_count + 1)) return false;
-  enum { AHEAD = 12 };
+  enum { AHEAD = 12, NEAR = 6 };
   vs_keyed *at = w->keyed.at;
   size_t left = c->cuts.count - a->cut_first.at[root];
   for (uint32_t j = 0; j < cut_count; j++) {
     const vs_cut *cut = &c->cuts.at[cuts[j]];
-    if (j + AHEAD < left) __builtin_prefetch(&c->cuts.at[cuts[j + AHEAD]]); /* the next group's, too */
+    if (j + AHEAD < left) { /* the next group's, too */
+      __builtin_prefetch(&c->cuts.at[cuts[j + AHEAD]]);
+      const vs_cut *near = &c->cuts.at[cuts[j + NEAR]];
+      __builtin_prefetch(&c->points.all.at[near->p]);
+      __builtin_prefetch(&c->points.all.at[near->q]);
+      __builtin_prefetch(&w->known.at[near->p], 1);
+      __builtin_prefetch(&w->known.at[near->q], 1);
+    }
     at[j] = (vs_keyed){ cut->p < cut->q ? (int64_t)cut->p << 32 | cut->q : (int64_t)cut->q << 32 | cut->p, cut->plane }; /* numbers are below 2^30 */
   }
   vs_sort_keyed(at, at + cut_count, cut_count);
+  uint32_t kept = 0, tried = 0;
   for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* the same segment once, with the first of its planes */
-    uint32_t plane = at[j].item;
+    uint32_t plane = at[j].item, p, q;
     for (stop = j + 1; stop < cut_count && at[stop].key == at[j].key; stop++)
       if (at[stop].item < plane) plane = at[stop].item;
-    if (!add_segment(w, (uint32_t)(at[j].key >> 32), (uint32_t)at[j].key, VS_NONE, &c->planes.all.at[plane])) return false;
+    if (!own_point(w, (uint32_t)(at[j].key >> 32), &p) || !own_point(w, (uint32_t)at[j].key, &q)) return false;
+    at[kept++] = (vs_keyed){ (int64_t)p << 32 | q, plane };
   }
-  return crossings(w) && split(w) && name_faces(w) && covers(w) && give_faces(w);
+  if (end > begin + 1) { /* solids side by side: most cuts lie on an edge, between points that edges have among each other, and are needless */
+    if (!crossings(w, 0) || !index_points(w)) return false;
+    tried = (uint32_t)w->segments.count;
+  }
+  for (uint32_t j = 0; j < kept; j++) {
+    uint32_t p = (uint32_t)(at[j].key >> 32), q = (uint32_t)at[j].key;
+    if ((!tried || !joined(w, p, q)) && !add_segment(w, p, q, VS_NONE, at[j].item)) return false;
+  }
+  return crossings(w, tried) && split(w) && name_faces(w) && covers(w) && give_faces(w);
 }
 
 static bool arrange_chunk(vs_kernel *k, void *context, size_t index) {
@@ -541,9 +625,9 @@ static bool arrange_chunk(vs_kernel *k, void *context, size_t index) {
     for (size_t i = w->known.count; i < w->known.room; i++) w->known.at[i] = 0;
     w->known.count = w->known.room;
   }
-  uint32_t from = a->chunks.at[index], end = a->chunks.at[index + 1], n = (uint32_t)a->c->facets.count;
-  for (uint32_t root = from; root < end; root++)
-    if (!vs_kernel_poll(k, 0.2 + 0.5 * root / n) || !arrange_group(w, a, root)) return false;
+  chunk part = a->chunks.at[index];
+  for (uint32_t root = part.from; root < part.end; root++)
+    if (!vs_kernel_poll(k, 0.2 + 0.5 * (double)index / (double)a->chunks.count) || !arrange_group(w, a, root)) return false;
   return true;
 }
 
@@ -577,9 +661,9 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
 }
 
 static bool bucket(vs_kernel *k, arranging *a) {
-  enum { CHUNK = 2048 }; /* facets and cuts */
+  enum { CHUNK = 2048, LARGE = 4 * CHUNK }; /* facets and cuts */
   const vs_cluster *c = a->c;
-  uint32_t n = (uint32_t)c->facets.count, m = (uint32_t)c->cuts.count, *first, sum = 0;
+  uint32_t n = (uint32_t)c->facets.count, m = (uint32_t)c->cuts.count, *first;
   if (!VS_ROOM(k, a->facets.at, a->facets.room, (size_t)n + 1) || !VS_ROOM(k, a->cuts.at, a->cuts.room, (size_t)m + 1) ||
       !VS_ROOM(k, a->facet_first.at, a->facet_first.room, (size_t)n + 2) || !VS_ROOM(k, a->cut_first.at, a->cut_first.room, (size_t)n + 2))
     return false;
@@ -593,12 +677,17 @@ static bool bucket(vs_kernel *k, arranging *a) {
   for (uint32_t i = 0; i < m; i++) first[c->facets.at[c->cuts.at[i].facet].group + 2]++;
   for (uint32_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
   for (uint32_t i = 0; i < m; i++) a->cuts.at[first[c->facets.at[c->cuts.at[i].facet].group + 1]++] = i;
-  for (uint32_t i = 0; i < n; i++) {
-    if (sum == 0 && !VS_PUSH(k, a->chunks, i)) return false;
-    sum += a->facet_first.at[i + 1] - a->facet_first.at[i] + a->cut_first.at[i + 1] - a->cut_first.at[i] + 1;
-    if (sum >= CHUNK) sum = 0;
-  }
-  return VS_PUSH(k, a->chunks, n);
+  for (int large = 1; large >= 0; large--) /* what takes long begins first */
+    for (uint32_t i = 0, end; i < n; i = end) {
+      uint32_t size = 0;
+      for (end = i; end < n && size < CHUNK; end++) {
+        uint32_t more = a->facet_first.at[end + 1] - a->facet_first.at[end] + a->cut_first.at[end + 1] - a->cut_first.at[end] + 1;
+        if (more >= LARGE && end > i) break;
+        size += more;
+      }
+      if ((size >= LARGE) == large && !VS_PUSH(k, a->chunks, ((chunk){ i, end }))) return false;
+    }
+  return true;
 }
 
 static void work_free(vs_kernel *k, plane_work *w) {
@@ -609,6 +698,9 @@ static void work_free(vs_kernel *k, plane_work *w) {
   VS_DROP(k, w->heads);
   VS_DROP(k, w->segments);
   VS_DROP(k, w->on);
+  VS_DROP(k, w->families);
+  VS_DROP(k, w->through);
+  VS_DROP(k, w->holds);
   VS_DROP(k, w->boxes);
   vs_bvh_free(k, &w->bvh);
   VS_DROP(k, w->list);
@@ -638,7 +730,7 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   if (ok) memset(a.works, 0, work_room * sizeof *a.works);
   size_t least = c->facets.count; /* as many faces, or nearly */
   ok = ok && bucket(k, &a) && VS_ROOM(k, c->faces.at, c->faces.room, least) && VS_ROOM(k, c->covers.at, c->covers.room, least) &&
-       VS_ROOM(k, c->uses.at, c->uses.room, 3 * least) && vs_kernel_pipeline(k, a.chunks.count - 1, arrange_chunk, absorb, &a) && vs_points_append(k, &c->points, &a.points);
+       VS_ROOM(k, c->uses.at, c->uses.room, 3 * least) && vs_kernel_pipeline(k, a.chunks.count, arrange_chunk, absorb, &a) && vs_points_append(k, &c->points, &a.points);
   for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, a.found[i].faces);
     VS_DROP(k, a.found[i].covers);
