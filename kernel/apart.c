@@ -109,49 +109,74 @@ bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *count) {
 
 /* ---- all pairs ---- */
 
+enum { SERIAL = 10000 /* triangles that are not worth a thread */, TRIANGLES = 1 << 13, BLOCKS = 512 /* of a task */ };
+
 typedef struct {
-  vs_kernel *k;
   const vs_mesh *m;
-  vs_meeting_fn *fn;
-  void *context;
-  size_t edges;
+  vs_bounds all;
+  double step; /* of boxes */
+  VS_LIST(vs_box) boxes;
+  vs_bvh bvh;
+  _Atomic bool met;
+  _Atomic size_t edges;
 } search;
+typedef struct { vs_kernel *k; const vs_mesh *m; bool met; size_t edges; } looking;
 
 static void corners(const vs_mesh *m, uint32_t t, vs_vec3 to[3]) {
   for (int i = 0; i < 3; i++) to[i] = m->vertices[m->triangles[t][i]];
 }
 
 static bool look(void *context, uint32_t a, uint32_t b) {
-  search *s = context;
+  looking *l = context;
   vs_vec3 x[3], y[3];
-  corners(s->m, a, x);
-  corners(s->m, b, y);
   int shared = 0;
-  if (!vs_kernel_poll(s->k, s->k->part)) return false;
-  if (!vs_triangles_apart(x, y, &shared)) return s->fn(s->context, a, b);
-  s->edges += shared == 2;
-  return true;
+  corners(l->m, a, x);
+  corners(l->m, b, y);
+  if (!vs_kernel_poll(l->k, l->k->part)) return false;
+  l->met = !vs_triangles_apart(x, y, &shared);
+  l->edges += shared == 2;
+  return !l->met;
 }
 
-bool vs_mesh_meetings(vs_kernel *k, const vs_mesh *m, vs_meeting_fn *fn, void *context, size_t *edges) {
-  VS_LIST(vs_box) boxes = { 0 };
-  vs_bvh bvh = { 0 };
-  search s = { k, m, fn, context, 0 };
-  vs_bounds all = vs_mesh_bounds(m);
-  double size = fmax(fmax(all.max.x - all.min.x, all.max.y - all.min.y), all.max.z - all.min.z), step = size > 0 ? size * 0x1p-28 : 1;
-  bool ok = m->triangle_count < UINT32_MAX && VS_ROOM(k, boxes.at, boxes.room, m->triangle_count + 1);
-  for (uint32_t t = 0; ok && t < m->triangle_count; t++) {
-    ok = vs_kernel_poll(k, k->part);
-    vs_vec3 v[3], low, high;
-    corners(m, t, v);
-    low = vs_v3(fmin(fmin(v[0].x, v[1].x), v[2].x), fmin(fmin(v[0].y, v[1].y), v[2].y), fmin(fmin(v[0].z, v[1].z), v[2].z));
-    high = vs_v3(fmax(fmax(v[0].x, v[1].x), v[2].x), fmax(fmax(v[0].y, v[1].y), v[2].y), fmax(fmax(v[0].z, v[1].z), v[2].z));
-    boxes.at[t] = (vs_box){ { (int32_t)((low.x - all.min.x) / step), (int32_t)((low.y - all.min.y) / step), (int32_t)((low.z - all.min.z) / step) },
-                            { (int32_t)((high.x - all.min.x) / step) + 1, (int32_t)((high.y - all.min.y) / step) + 1, (int32_t)((high.z - all.min.z) / step) + 1 } };
+static bool look_some(vs_kernel *k, void *context, size_t index) {
+  search *s = context;
+  looking l = { k, s->m, false, 0 };
+  if (atomic_load(&s->met)) return true;
+  if (!vs_bvh_pairs(&s->bvh, (uint32_t)index * BLOCKS, ((uint32_t)index + 1) * BLOCKS, look, &l) && !l.met) return false;
+  if (l.met) atomic_store(&s->met, true);
+  atomic_fetch_add(&s->edges, l.edges);
+  return vs_kernel_report(k, k->part);
+}
+
+static bool box_some(vs_kernel *k, void *context, size_t index) {
+  search *s = context;
+  size_t begin = index * TRIANGLES, end = s->m->triangle_count - begin < TRIANGLES ? s->m->triangle_count : begin + TRIANGLES;
+  vs_vec3 from = s->all.min;
+  for (size_t t = begin; t < end; t++) {
+    vs_vec3 v[3];
+    vs_bounds w = vs_bounds_empty();
+    corners(s->m, (uint32_t)t, v);
+    for (int i = 0; i < 3; i++) vs_bounds_add(&w, v[i]);
+    s->boxes.at[t] = (vs_box){ { (int32_t)((w.min.x - from.x) / s->step), (int32_t)((w.min.y - from.y) / s->step), (int32_t)((w.min.z - from.z) / s->step) },
+                               { (int32_t)((w.max.x - from.x) / s->step) + 1, (int32_t)((w.max.y - from.y) / s->step) + 1, (int32_t)((w.max.z - from.z) / s->step) + 1 } };
   }
-  ok = ok && vs_bvh_build(k, &bvh, boxes.at, (uint32_t)m->triangle_count) && vs_bvh_pairs(&bvh, 0, UINT32_MAX, look, &s);
-  *edges = s.edges;
-  vs_bvh_free(k, &bvh);
-  VS_DROP(k, boxes);
+  return vs_kernel_report(k, k->part);
+}
+
+bool vs_mesh_is_apart(vs_kernel *k, const vs_mesh *m, bool *apart, size_t *edges) {
+  search s = { .m = m, .all = vs_mesh_bounds(m) };
+  vs_vec3 d = vs_v3_sub(s.all.max, s.all.min);
+  double size = fmax(fmax(d.x, d.y), d.z);
+  uint32_t threads = k->threads;
+  s.step = size > 0 ? size * 0x1p-28 : 1;
+  if (m->triangle_count < SERIAL) k->threads = 1;
+  bool ok = m->triangle_count < UINT32_MAX && VS_ROOM(k, s.boxes.at, s.boxes.room, m->triangle_count + 1) &&
+            vs_kernel_run(k, (m->triangle_count + TRIANGLES - 1) / TRIANGLES, box_some, &s) && vs_bvh_build(k, &s.bvh, s.boxes.at, (uint32_t)m->triangle_count) &&
+            vs_kernel_run(k, ((size_t)vs_bvh_blocks(&s.bvh) + BLOCKS - 1) / BLOCKS, look_some, &s);
+  k->threads = threads;
+  *apart = ok && !atomic_load(&s.met);
+  *edges = atomic_load(&s.edges);
+  vs_bvh_free(k, &s.bvh);
+  VS_DROP(k, s.boxes);
   return ok;
 }

@@ -11,10 +11,7 @@ bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *shared); /*
 /* Have they nothing in common at all? */
 bool vs_triangles_parted(const vs_vec3 a[3], const vs_vec3 b[3]);
 
-typedef bool vs_meeting_fn(void *context, uint32_t a, uint32_t b); /* false stops */
-
-/* Calls fn for every pair of the mesh's triangles that may not be apart. False where that was stopped, by fn, the caller or for want of memory.
- * *edges: how many of the other pairs share an edge. */
-bool vs_mesh_meetings(vs_kernel *k, const vs_mesh *m, vs_meeting_fn *fn, void *context, size_t *edges);
+/* *apart: are all pairs of the mesh's triangles? *edges: how many pairs share an edge then. False where that was stopped, or for want of memory. */
+bool vs_mesh_is_apart(vs_kernel *k, const vs_mesh *m, bool *apart, size_t *edges);
 
 #endif

@@ -215,12 +215,6 @@ static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
 
 /* ---- what is plainly good ---- */
 
-static bool meets(void *context, uint32_t a, uint32_t b) {
-  (void)a, (void)b;
-  *(bool *)context = true;
-  return false;
-}
-
 /* Does every shell enclose space of its own: looking outwards, boxes apart? */
 static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
   enum { FEW = 64 };
@@ -273,14 +267,14 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
 
 /* *good: closed, nothing meets anything, and no shell lies in another: told in doubles, as most meshes can be. */
 static bool plainly_good(vs_kernel *k, const vs_part *p, bool *good) {
-  bool met = false;
-  size_t edges = 0;
+  bool apart;
+  size_t edges;
   *good = false;
   if (p->star) return *good = true;
   if (!p->twins) return true;
   if (!shells_apart(k, p, good) || !*good) return k->error->status == VS_KERNEL_FINE;
-  if (!vs_mesh_meetings(k, p->mesh, meets, &met, &edges) && !met) return false;
-  *good = !met && 2 * edges == 3 * p->mesh->triangle_count; /* where four triangles share an edge, who answers whom is chance */
+  if (!vs_mesh_is_apart(k, p->mesh, &apart, &edges)) return false;
+  *good = apart && 2 * edges == 3 * p->mesh->triangle_count; /* where four triangles share an edge, who answers whom is chance */
   return true;
 }
 
