@@ -225,7 +225,8 @@ static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   return !(apart && a->facet == b->facet);
 }
 
-/* Triangles that have an edge in common share the line of their planes, and so the edge alone. */
+/* Triangles of one leaf in different planes, that share corners as neighbours do: are these all they share? Those with an edge in common share the line of
+ * their planes, and so the edge alone; with one corner, where the rest of one lies to one side of the other. Only where it is quick to say. */
 static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   if (a->count != 3 || b->count != 3) return false;
   const vs_patch_corner *x = corners(c, a), *y = corners(c, b);
@@ -236,7 +237,15 @@ static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_pat
       in_a |= same << i, in_b |= same << j;
     }
   static const uint8_t edge[8] = { [3] = 1, [6] = 2, [5] = 4 }; /* of two corners: the bit of the edge between */
-  return edge[in_a] && edge[in_b] && !(a->inner & edge[in_a]) && !(b->inner & edge[in_b]);
+  if (edge[in_a]) return !(a->inner & edge[in_a]) && !(b->inner & edge[in_b]);
+  if (!in_a) return false;
+  for (int side = 0; side < 2; side++) {
+    const vs_plane *p = &c->planes.all.at[side ? b->plane : a->plane];
+    const vs_patch_corner *at = side ? x : y;
+    uint32_t own = side ? in_a : in_b, i = own == 1 ? 1 : 0, j = own == 4 ? 1 : 2;
+    if (vs_sign128(height(p, at[i].at)) * vs_sign128(height(p, at[j].at)) > 0) return true;
+  }
+  return false;
 }
 
 /* Is what lies between the points new for the patch? Not if it is a corner, or an edge of its facet. */
