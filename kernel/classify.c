@@ -312,15 +312,15 @@ static bool index_leaf(walk *w, vs_placed *p) {
 }
 
 static bool shoot_leaf(void *context, uint32_t place) {
-  enum { MANY = 2048 };
+  enum { MANY = 2048, OFTEN = 16 }; /* lines that cost what an index does */
   walk *w = context;
   vs_placed *p = &w->c->placed.at[place];
   uint32_t leaf = w->c->leaves[place];
   shot s = { w, p, leaf, vs_affine_determinant(&w->c->problem->leaves[leaf].placement) < 0 };
   size_t n = p->part->mesh->triangle_count;
-  if (n > MANY) return (p->bvh.level_count || index_leaf(w, p)) && vs_bvh_query(&p->bvh, &w->column, shoot_one, &s);
+  if (n > MANY && p->lines++ >= OFTEN) return (p->bvh.level_count || index_leaf(w, p)) && vs_bvh_query(&p->bvh, &w->column, shoot_one, &s);
   for (size_t t = 0; t < n; t++)
-    if (!shoot(w, p, leaf, s.mirrored, t)) return false;
+    if (!shoot(w, p, leaf, s.mirrored, t) || !vs_kernel_poll(w->k, 0.8)) return false;
   return true;
 }
 

@@ -89,7 +89,8 @@ typedef struct {
   bool lid;           /* convex, and settles what is inside of it */
   bool star;          /* also on the grid: no two of its triangles touch but in corners and edges they share */
   uint32_t lids_first, lids_count; /* into `lids`, from a multiple of four on: those whose boxes meet its own */
-  vs_bvh bvh;         /* of all its triangles, made for the first line through a large leaf */
+  uint32_t lines;     /* that a large leaf was asked for; and the index of its triangles, made when they were many */
+  vs_bvh bvh;
   vs_box *bvh_boxes;
   size_t bvh_box_room;
 } vs_placed;
