@@ -607,7 +607,7 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   }
   for (uint32_t j = 0; j < kept; j++) {
     uint32_t p = (uint32_t)(at[j].key >> 32), q = (uint32_t)at[j].key;
-    if ((!tried || !joined(w, p, q)) && !add_segment(w, p, q, VS_NONE, at[j].item)) return false;
+    if (!vs_kernel_poll(w->k, 0.5) || ((!tried || !joined(w, p, q)) && !add_segment(w, p, q, VS_NONE, at[j].item))) return false;
   }
   return crossings(w, tried) && split(w) && name_faces(w) && covers(w) && give_faces(w);
 }
