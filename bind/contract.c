@@ -134,6 +134,9 @@ static vs_status refuse_kind(vs_frame *f, const vs_bind_param *p, vs_value got) 
     snprintf(hint, sizeof hint, "(%s %s %s %s)", wants_vector ? "vxyz" : "xyz", x, y, z);
     return refuse_hint(f, p->name, contracts[p->contract].noun, got, hint);
   }
+  const vs_bind_param *first = f->procedure->form[0].at;
+  if (p->contract == VS_C_ANGLE && first->mode != VS_ARG_END && first->contract == VS_C_SECTIONS && vs_bind_ref(got).node)
+    return refuse_hint(f, p->name, contracts[p->contract].noun, got, "the sections stand in one list: (list section ...)");
   vs_arg word; /* 'walls for "walls", "top" for 'top */
   if (((p->contract == VS_C_TEXT && vs_is_symbol(got)) || (p->contract == VS_C_NAME && vs_is_string(got))) && convert_text(f, p, got, &word) && word.text.length < 40 &&
       strcspn(word.text.at, " \t\n\"'()") == word.text.length) {
@@ -396,6 +399,28 @@ static vs_status convert_text(vs_frame *f, const vs_bind_param *p, vs_value v, v
   return kept ? VS_OK : VS_ERROR;
 }
 
+/* What was meant: "#f80", or a name with a slip. */
+static vs_status refuse_material(vs_frame *f, const vs_bind_param *p, vs_value got, const char *name) {
+  char hint[64];
+  const char *near = vs_nearest_word(name, vs_ready_material_name);
+  if (name[0] == '#' && strlen(name) == 4 && strspn(name + 1, "0123456789abcdefABCDEF") == 3)
+    snprintf(hint, sizeof hint, "\"#%c%c%c%c%c%c\"", name[1], name[1], name[2], name[2], name[3], name[3]);
+  else if (near) snprintf(hint, sizeof hint, "\"%s\"", near);
+  else return refuse_kind(f, p, got);
+  return refuse_hint(f, p->name, contracts[p->contract].noun, got, hint);
+}
+
+/* Three numbers, not all from 0 to 1: from 0 to 255 they are what other programs take. */
+static vs_status refuse_parts(vs_frame *f, const vs_bind_param *p, vs_value got) {
+  double c[3];
+  char hint[96];
+  vs_value l = got;
+  for (int i = 0; i < 3; i++, l = vs_cdr(l))
+    if (!vs_bind_number(f->vm, vs_car(l), &c[i]) || !(c[i] >= 0 && c[i] <= 255)) return refuse_kind(f, p, got);
+  snprintf(hint, sizeof hint, "(list %.3g %.3g %.3g)", c[0] / 255, c[1] / 255, c[2] / 255);
+  return refuse_hint(f, p->name, contracts[p->contract].noun, got, hint);
+}
+
 /* a material from a paint, or from a name; a colour also from three numbers */
 static vs_status convert_material(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->material = vs_foreign_get(v, &vs_paint_type);
@@ -404,7 +429,7 @@ static vs_status convert_material(vs_frame *f, const vs_bind_param *p, vs_value 
     double c[3];
     vs_value l = v;
     for (int i = 0; i < 3; i++, l = vs_cdr(l))
-      if (!vs_bind_number(f->vm, vs_car(l), &c[i]) || !(c[i] >= 0 && c[i] <= 1)) return refuse_kind(f, p, v);
+      if (!vs_bind_number(f->vm, vs_car(l), &c[i]) || !(c[i] >= 0 && c[i] <= 1)) return refuse_parts(f, p, v);
     vs_material m = { "", c[0], c[1], c[2], .5, 0, 0, 1.5 };
     out->material = vs_store_material(f->bind->store, &m);
     return out->material ? VS_OK : vs_fail_memory(f->vm);
@@ -414,7 +439,7 @@ static vs_status convert_material(vs_frame *f, const vs_bind_param *p, vs_value 
   if (!convert_text(f, p, v, &name)) return VS_ERROR;
   size_t refused = f->bind->refused;
   out->material = vs_store_ready_material(f->bind->store, name.text.at);
-  return out->material ? VS_OK : f->bind->refused != refused ? vs_fail_memory(f->vm) : refuse_kind(f, p, v);
+  return out->material ? VS_OK : f->bind->refused != refused ? vs_fail_memory(f->vm) : refuse_material(f, p, v, name.text.at);
 }
 
 static vs_status convert_real(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {

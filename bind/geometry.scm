@@ -131,7 +131,11 @@
 ; ---- lofts ----
 
 ; The thesis' loft: sections (f x), (f (step x)) ... until (stop? x).
-(define (make-loft f start step stop?)
+(define (make-loft f . rest)
+  (if (not (= (length rest) 3))
+      (error 'make-loft "takes (make-loft f start step stop?), got ~a argument~a; through sections that are there already: (do-loft (list section ...))" (+ 1 (length rest)) (if (null? rest) "" "s")))
+  (%make-loft-of f (first rest) (second rest) (third rest)))
+(define (%make-loft-of f start step stop?)
   (%need-procedure 'make-loft 'f f)
   (%need-procedure 'make-loft 'step step)
   (%need-procedure 'make-loft 'stop? stop?)

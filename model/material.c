@@ -3,6 +3,16 @@
 
 #include "model/node.h"
 
+static const struct { const char *name; vs_material material; } ready[] = {
+#define VS_READY_MATERIAL(name, red, green, blue, roughness, metallic, transparency, ior) \
+  { #name, { #name, red, green, blue, roughness, metallic, transparency, ior } },
+#include "model/materials.def"
+};
+static const struct { const char *name; unsigned rgb; } colors[] = {
+#define VS_COLOR(name, rgb) { #name, rgb },
+#include "model/colors.def"
+};
+
 static const double plain_roughness = 0.6, plain_ior = 1.5; /* of a material that is just a colour: matt paint */
 
 vs_material vs_material_of_color(double red, double green, double blue) {
@@ -26,15 +36,6 @@ static bool vs_material_same_name(const char *table, const char *given) { /* CSS
 }
 
 const vs_material *vs_store_ready_material(vs_store *s, const char *name) {
-  static const struct { const char *name; vs_material material; } ready[] = {
-#define VS_READY_MATERIAL(name, red, green, blue, roughness, metallic, transparency, ior) \
-    { #name, { #name, red, green, blue, roughness, metallic, transparency, ior } },
-#include "model/materials.def"
-  };
-  static const struct { const char *name; unsigned rgb; } colors[] = {
-#define VS_COLOR(name, rgb) { #name, rgb },
-#include "model/colors.def"
-  };
   for (size_t i = 0; i < sizeof ready / sizeof *ready; i++)
     if (!strcmp(name, ready[i].name)) return vs_store_material(s, &ready[i].material);
   if (name[0] == '#' && strlen(name) == 7) {
@@ -49,4 +50,9 @@ const vs_material *vs_store_ready_material(vs_store *s, const char *name) {
   for (size_t i = 0; i < sizeof colors / sizeof *colors; i++)
     if (vs_material_same_name(colors[i].name, name)) return vs_material_hex(s, colors[i].rgb, colors[i].name);
   return NULL;
+}
+
+const char *vs_ready_material_name(size_t i) {
+  size_t materials = sizeof ready / sizeof *ready;
+  return i < materials ? ready[i].name : i < materials + sizeof colors / sizeof *colors ? colors[i - materials].name : NULL;
 }

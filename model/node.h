@@ -179,6 +179,7 @@ const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, u
 const vs_material *vs_store_material(vs_store *s, const vs_material *m);             /* interned by value; NULL: out of memory */
 vs_material vs_material_of_color(double red, double green, double blue); /* sRGB; matt paint, no name */
 const vs_material *vs_store_ready_material(vs_store *s, const char *name); /* concrete, glass, ... or a CSS colour name, or "#rrggbb"; NULL: no such */
+const char *vs_ready_material_name(size_t i); /* those names one by one, NULL after the last */
 
 /* ---- building. All return one new reference to the caller, NULL when out of memory. ---- */
 vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count);

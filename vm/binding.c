@@ -1,5 +1,6 @@
 /* Owns the core syntax that binds: let let* letrec letrec* do, named let, let-syntax letrec-syntax. */
 #include "vm/expand.h"
+#include "vm/unit.h"
 
 /* The bindings of `what` are ((name value) ...); PLT's and beginners' mistakes get a message that shows the right form. */
 static bool check_bindings(vs_expansion *x, vs_value list, vs_pos outer, int form, bool step) {
@@ -64,6 +65,17 @@ static bool named_let(vs_expansion *x) {
          push_values(x, vs_car(vs_cdr(vs_cdr(x->now.form))), x->now.env, call->as.call.at, NULL, x->now.depth + 2);
 }
 
+/* A name of this let that means nothing around it: should it turn out to be used there, in a value that follows, let* was meant. */
+static bool mention_let_star(vs_expansion *x, vs_value list) {
+  VS_ROOTS(x->vm, r, 2);
+  for (r[0] = list; vs_is_pair(vs_cdr(r[0])); r[0] = vs_cdr(r[0])) {
+    r[1] = vs_car(vs_car(r[0]));
+    if (!vs_is_symbol(r[1]) || vs_environment_find(x->now.env, r[1]).kind != VS_MEANS_NOTHING) continue;
+    if (!vs_suggest_let_star(x->vm, r[1])) return false;
+  }
+  return true;
+}
+
 static bool binding_form(vs_expansion *x, int form, int kind) {
   vs_value l = vs_cdr(x->now.form);
   int64_t parts = vs_list_length(x->now.form);
@@ -80,6 +92,7 @@ static bool binding_form(vs_expansion *x, int form, int kind) {
   vs_node *node = vs_expand_many(x, kind, n, pos);
   if (!node || !vs_expand_scope(x, x->now.env, &r[0]) || !bind_names(x, vs_car(vs_cdr(x->now.form)), r[0], node->as.let.vars)) return false;
   *x->now.into = node;
+  if (kind == VS_AST_LET && n > 1 && !mention_let_star(x, vs_car(vs_cdr(x->now.form)))) return false;
   l = vs_cdr(x->now.form);
   return vs_expand_body(x, vs_cdr(l), r[0], pos, &node->as.let.body, x->now.depth + 1) &&
          push_values(x, vs_car(vs_cdr(x->now.form)), kind == VS_AST_LET ? x->now.env : r[0], node->as.let.values, node->as.let.vars, x->now.depth + 1);

@@ -56,6 +56,9 @@ typedef struct vs_native_table { const char *name; const vs_native_def *defs; /*
 bool vs_native_define(vs *vm, const vs_native_table *table,
                       bool (*define)(vs *vm, void *context, vs_value symbol, vs_value procedure), void *context);
 
+/* Of the words nth(0), nth(1) ... to the first NULL, the one that is most like the wanted one, as in advice for names that are not defined; NULL: none is. */
+const char *vs_nearest_word(const char *wanted, const char *(*nth)(size_t i));
+
 /* ---- calling (see above). argv are copied. ---- */
 vs_status vs_call(vs *vm, vs_value procedure, size_t n, const vs_value *argv);       /* returns VS_CALL */
 vs_status vs_tailcall(vs *vm, vs_value procedure, size_t n, const vs_value *argv);   /* returns VS_TAILCALL */

@@ -108,7 +108,8 @@ static bool fail_callee(vs *vm, vs_value f, const vs_value *at, size_t n) {
   if (vs_is_symbol(f))
     return vs_fail_with(vm, vm->sym.type, r[0], "a symbol is no procedure and cannot be called; the procedure is written without the quote:");
   if (vs_is_string(f)) return vs_fail_with(vm, vm->sym.type, r[0], "a text cannot be called; a call is written (procedure argument ...):");
-  const char *what = vs_is_number(f) ? "a number cannot be called (a list is written (list 1 2 3), a gvector (vxyz 1 2 3)):"
+  const char *what = vs_is_number(f) && n == 0 ? "a number cannot be called; a name that stands for one is written without parentheses:"
+                     : vs_is_number(f) ? "a number cannot be called (a list is written (list 1 2 3), a point (xyz 1 2 3), a gvector (vxyz 1 2 3)):"
                                      : "this is no procedure and cannot be called (one parenthesis too many around it?):";
   return vs_fail_with(vm, vm->sym.type, r[0], "%s", what);
 }

@@ -48,6 +48,19 @@ static bool consider(void *context, vs_value symbol, vs_value binding) {
   return true;
 }
 
+static int tolerance(size_t length) { return length <= 3 ? 1 : length <= 7 ? 2 : 3; }
+
+const char *vs_nearest_word(const char *wanted, const char *(*nth)(size_t)) {
+  const char *best = NULL;
+  size_t length = strlen(wanted);
+  int least = tolerance(length) + 1;
+  for (size_t i = 0; nth(i); i++) {
+    int d = distance(wanted, length, nth(i), strlen(nth(i)), least);
+    if (d < least) least = d, best = nth(i);
+  }
+  return best;
+}
+
 static int foreign_word(const char *name) {
   for (int i = 0; i < (int)(sizeof foreign / sizeof *foreign); i++)
     if (!strcasecmp(foreign[i].word, name)) return i;
@@ -56,27 +69,33 @@ static int foreign_word(const char *name) {
 
 bool vs_is_foreign_word(vs_value symbol) { return vs_is_symbol(symbol) && foreign_word(vs_as_symbol(symbol)->name) >= 0; }
 
-static int tolerance(const vs_symbol *name) { return name->length <= 3 ? 1 : name->length <= 7 ? 2 : 3; }
+static bool remember(vs *vm, vs_value symbol, vs_value near) {
+  VS_ROOTS(vm, r, 1);
+  if (!vs_is_vector(vm->at.nearby) && !vs_idtable_new(vm, &vm->at.nearby)) return false;
+  r[0] = vm->at.nearby;
+  if (!vs_idtable_put(vm, &r[0], symbol, near)) return false;     /* symbols do not move */
+  vm->at.nearby = r[0];
+  return true;
+}
 
 bool vs_suggest_local(vs *vm, vs_value env, vs_value symbol) {
   if (!vs_is_symbol(symbol) || vs_as_symbol(symbol)->length < 2) return true;
-  search s = {.wanted = vs_as_symbol(symbol), .distance = tolerance(vs_as_symbol(symbol))};
+  search s = {.wanted = vs_as_symbol(symbol), .distance = tolerance(vs_as_symbol(symbol)->length)};
   vs_value key, value;
   for (; !vs_is_top(env); env = vs_as_environment(env)->parent)
     for (size_t i = 0; vs_idtable_slot(vs_as_environment(env)->table, i, &key, &value); i++)
       if (key != VS_VACANT && vs_is_symbol(key)) consider(&s, key, value);
   if (!s.best) return true;
-  VS_ROOTS(vm, r, 1);
-  if (!vs_is_vector(vm->at.nearby) && !vs_idtable_new(vm, &vm->at.nearby)) return false;
-  r[0] = vm->at.nearby;
-  if (!vs_idtable_put(vm, &r[0], symbol, vs_from_object(s.best))) return false;     /* symbols do not move */
-  vm->at.nearby = r[0];
-  return true;
+  return remember(vm, symbol, vs_from_object(s.best));
 }
+
+bool vs_suggest_let_star(vs *vm, vs_value symbol) { return remember(vm, symbol, symbol); }
 
 bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (!vs_is_symbol(symbol)) return true;
   const vs_symbol *wanted = vs_as_symbol(symbol);
+  vs_value local = vs_is_vector(vm->at.nearby) ? vs_idtable_get(vm->at.nearby, symbol) : VS_VACANT;
+  if (local == symbol) return vs_text_puts(t, " here: let names it for its body alone; write let* where a value that follows uses it");
   int i = foreign_word(wanted->name);
   if (i >= 0)
     return foreign[i].name[0] ? vs_text_puts(t, "; ") && vs_text_puts(t, foreign[i].name) && vs_text_puts(t, " is the name here: ") && vs_text_puts(t, foreign[i].form)
@@ -92,8 +111,7 @@ bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t) {
   size_t before = t->count;
   if (!vs_library_advice(vm, symbol, t)) return false;
   if (t->count > before || !vs_is(env, VS_T_ENVIRONMENT) || wanted->length < 2) return true;
-  search s = {.wanted = wanted, .distance = tolerance(wanted)};
-  vs_value local = vs_is_vector(vm->at.nearby) ? vs_idtable_get(vm->at.nearby, symbol) : VS_VACANT;
+  search s = {.wanted = wanted, .distance = tolerance(wanted->length)};
   if (local != VS_VACANT) {                       /* nearer by than what is only as like */
     consider(&s, local, VS_FALSE);
     s.distance--;

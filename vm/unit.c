@@ -473,7 +473,10 @@ bool vs_library_load(vs *vm, const char *name, const char *text, size_t size) {
   return read_text(vm, name, 1, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.core, false, NULL);
 }
 
-void vs_library_done(vs *vm) { vs_environment_seal(vm->at.core); }
+void vs_library_done(vs *vm) {
+  vs_environment_seal(vm->at.core);
+  vm->at.nearby = VS_FALSE; /* advice for programs does not come from the library's own names */
+}
 
 /* what a failed run left half loaded may be required again */
 static bool forget_unfinished(vs *vm) {

@@ -32,6 +32,8 @@ bool vs_unit_read(vs *vm, const char *path, bool fold, vs_value *forms);
 bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t);
 /* Remembers, for vs_suggest, the name among the local variables of env that looks most like the symbol, which is not defined there. */
 bool vs_suggest_local(vs *vm, vs_value env, vs_value symbol);
+/* ... the symbol itself: a let binds it, and nothing does where the let's values stand. */
+bool vs_suggest_let_star(vs *vm, vs_value symbol);
 /* "; (import (scheme write)) brings it" appended to t, where a built-in library has the name */
 bool vs_library_advice(vs *vm, vs_value symbol, vs_text *t);
 bool vs_is_foreign_word(vs_value symbol); /* of foreign.def */

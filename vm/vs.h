@@ -21,7 +21,7 @@
   A(program)       /* the host's program environment */ \
   A(required)      /* list of (path . #t) of the files that were required; #f instead while one is being loaded */ \
   A(lib)           /* vm-lib: whatever must last */ \
-  A(nearby)        /* identifier table or #f: names that were not defined where they were used -> a local name like it, for messages */ \
+  A(nearby)        /* identifier table or #f: names not defined where they are used -> a local name like it; bound by a let around which nothing is -> itself; for messages */ \
   A(host)          /* bind: whatever must last */ \
   A(standard_out) A(standard_in) A(standard_error)    /* ports */ \
   A(flat_names)    /* vector: tag -> constructor's name (symbol) or #f */ \
