@@ -410,13 +410,14 @@ static vs_status refuse_material(vs_frame *f, const vs_bind_param *p, vs_value g
   return refuse_hint(f, p->name, contracts[p->contract].noun, got, hint);
 }
 
-/* Three numbers, not all from 0 to 1: from 0 to 255 they are what other programs take. */
+/* Three numbers, not all from 0 to 1: from 0 to 255, and not all small, they are what other programs take. */
 static vs_status refuse_parts(vs_frame *f, const vs_bind_param *p, vs_value got) {
   double c[3];
   char hint[96];
   vs_value l = got;
   for (int i = 0; i < 3; i++, l = vs_cdr(l))
     if (!vs_bind_number(f->vm, vs_car(l), &c[i]) || !(c[i] >= 0 && c[i] <= 255)) return refuse_kind(f, p, got);
+  if (c[0] < 32 && c[1] < 32 && c[2] < 32) return refuse_kind(f, p, got);
   snprintf(hint, sizeof hint, "(list %.3g %.3g %.3g)", c[0] / 255, c[1] / 255, c[2] / 255);
   return refuse_hint(f, p->name, contracts[p->contract].noun, got, hint);
 }
