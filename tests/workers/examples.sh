@@ -10,6 +10,7 @@ cylinder-grid 20000 -D count=9
 twisted-tower 200000 -D floors=6
 rotunda 400000
 arcade 200000
+vaulted-hall 200000 -D bays-long=2 -D bays-deep=2
 vase 200000
 lofted-tower 40000 -D height=20 -D turn=0
 gare-do-oriente 1000000 -D columns=1 -D rows=1

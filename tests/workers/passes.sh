@@ -12,6 +12,7 @@ gare-do-oriente -D columns=1 -D rows=1'
 [ -z "${LONG:-}" ] || examples="$examples
 twisted-tower -D floors=6
 arcade
+vaulted-hall -D bays-long=2 -D bays-deep=2
 vase
 lofted-tower -D height=20 -D turn=0
 city -D blocks=2 -D tallest=6"
