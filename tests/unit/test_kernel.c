@@ -672,7 +672,41 @@ static bool stop(void *context, double done) {
   return --*(int *)context > 0;
 }
 
-/* The same bytes for any number of threads. */
+/* The same bytes for any number of threads; returns how many triangles. */
+static size_t by_threads(const vs_kernel_problem *problem) {
+  vs_mesh m[3] = { { 0 } };
+  for (uint32_t i = 0; i < 3; i++) {
+    vs_kernel_options options = { .threads = 1 + 2 * i };
+    vs_kernel_error e;
+    if (!vs_kernel_evaluate(problem, &options, &m[i], &e)) fail_msg("%s", e.message);
+    check_mesh(&m[i]);
+    assert_int_equal(m[i].triangle_count, m[0].triangle_count);
+    assert_int_equal(m[i].vertex_count, m[0].vertex_count);
+    assert_memory_equal(m[i].vertices, m[0].vertices, m[0].vertex_count * sizeof *m[0].vertices);
+    assert_memory_equal(m[i].triangles, m[0].triangles, m[0].triangle_count * sizeof *m[0].triangles);
+    assert_memory_equal(m[i].tags, m[0].tags, m[0].triangle_count * sizeof *m[0].tags);
+  }
+  size_t triangles = m[0].triangle_count;
+  for (int i = 0; i < 3; i++) vs_mesh_free(&m[i]);
+  return triangles;
+}
+
+/* What touches nothing is copied to its place by threads, and so are copies; in between are clusters that are worked out. */
+static void test_places(void **state) {
+  (void)state;
+  char text[8000] = "(union";
+  for (int i = 0; i < 20; i++) { /* spheres of their own, equal ones that are turned, and pairs that overlap, every other time alike */
+    sprintf(text + strlen(text), " (translate %d 0 0 (sphere %g 48)) (translate %d 9 0 (rotate 0 0 %d (sphere 2 48)))", 9 * i, 2 + i * 0.0625, 9 * i, 90 * i);
+    sprintf(text + strlen(text), " (translate %d 18 0 (rotate 0 0 %d (union (cbox 2 2 2) (translate 1 1 %g (cbox 2 2 2)))))", 9 * i, 90 * i, i % 2 ? 1.0 : 1 + i * 0.03125);
+  }
+  strcat(text, ")");
+  sx_problem p;
+  assert_true(sx_parse(text, &p));
+  for (uint32_t i = 0; i < p.problem.leaf_count; i += 5) p.leaves[i].placement.m[2][2] *= -1; /* some mirrored */
+  assert_true(by_threads(&p.problem) > 40 * 48 * 40);
+  sx_free(&p);
+}
+
 static void test_threads(void **state) {
   (void)state;
   char text[2000] = "(difference (union";
@@ -680,34 +714,22 @@ static void test_threads(void **state) {
     sprintf(text + strlen(text), " (translate %d %d %d (rotate %d 20 %d (sphere 3 64)))", (int)span(0, 6), (int)span(0, 6), (int)span(0, 6), i * 7, i * 11);
   strcat(text, ") (translate 1 1 -9 (cyl 30 1 2 48)) (torus 4 1 64 32))");
   sx_problem p;
+  vs_mesh m = { 0 };
   assert_true(sx_parse(text, &p));
-  vs_mesh m[3] = { { 0 } };
-  for (uint32_t i = 0; i < 3; i++) {
-    vs_kernel_options options = { .threads = 1 + 2 * i };
-    vs_kernel_error e;
-    if (!vs_kernel_evaluate(&p.problem, &options, &m[i], &e)) fail_msg("%s", e.message);
-    check_mesh(&m[i]);
-    assert_true(m[i].triangle_count > 10000);
-    assert_int_equal(m[i].triangle_count, m[0].triangle_count);
-    assert_int_equal(m[i].vertex_count, m[0].vertex_count);
-    assert_memory_equal(m[i].vertices, m[0].vertices, m[0].vertex_count * sizeof *m[0].vertices);
-    assert_memory_equal(m[i].triangles, m[0].triangles, m[0].triangle_count * sizeof *m[0].triangles);
-    assert_memory_equal(m[i].tags, m[0].tags, m[0].triangle_count * sizeof *m[0].tags);
-  }
-  for (int i = 0; i < 3; i++) vs_mesh_free(&m[i]);
+  assert_true(by_threads(&p.problem) > 10000);
   for (int ticks = 1; ticks < 40; ticks += 7) {
     int left = ticks;
     vs_kernel_options options = { .progress = stop, .context = &left, .threads = 4 };
     vs_kernel_error e;
-    assert_false(vs_kernel_evaluate(&p.problem, &options, &m[0], &e));
+    assert_false(vs_kernel_evaluate(&p.problem, &options, &m, &e));
     assert_int_equal(e.status, VS_KERNEL_INTERRUPTED);
   }
   for (size_t bytes = 100000; bytes < 30000000; bytes *= 3) {
     vs_kernel_options options = { .max_bytes = bytes, .threads = 4 };
     vs_kernel_error e;
-    if (!vs_kernel_evaluate(&p.problem, &options, &m[0], &e)) assert_int_equal(e.status, VS_KERNEL_LIMIT);
+    if (!vs_kernel_evaluate(&p.problem, &options, &m, &e)) assert_int_equal(e.status, VS_KERNEL_LIMIT);
   }
-  vs_mesh_free(&m[0]);
+  vs_mesh_free(&m);
   sx_free(&p);
 }
 
@@ -760,7 +782,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_planes_meet), cmocka_unit_test(test_predicates), cmocka_unit_test(test_against_oracle),
     cmocka_unit_test(test_cubes_become_one), cmocka_unit_test(test_equal_turns_written_differently), cmocka_unit_test(test_sheared_alike), cmocka_unit_test(test_touching_is_split), cmocka_unit_test(test_identities),
-    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_plain), cmocka_unit_test(test_twice_in_place), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_far_larger), cmocka_unit_test(test_self_check), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_threads), cmocka_unit_test(test_copies), cmocka_unit_test(test_errors),
+    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_plain), cmocka_unit_test(test_twice_in_place), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_far_larger), cmocka_unit_test(test_self_check), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_places), cmocka_unit_test(test_threads), cmocka_unit_test(test_copies), cmocka_unit_test(test_errors),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
