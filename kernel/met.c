@@ -446,6 +446,20 @@ static bool look_level(void *context, uint32_t busy) {
   return look_pair(l, l->level, &l->c->all.kinds[OPEN].at.at[l->c->busy.at[busy]]);
 }
 
+/* What contracting may touch: the corners of what meets, and those two triangles further. */
+static bool mark_around(vs_settling *s) {
+  for (uint8_t ring = 1; ring <= 2; ring++)
+    for (size_t t = 0; t < s->m->triangle_count; t++) {
+      const uint32_t *v = s->m->triangles[t];
+      bool near = false;
+      for (int i = 0; i < 3; i++) near = near || (s->near_met.at[v[i]] && s->near_met.at[v[i]] <= ring);
+      for (int i = 0; near && !s->gone.at[t] && i < 3; i++)
+        if (!s->near_met.at[v[i]]) s->near_met.at[v[i]] = (uint8_t)(ring + 1);
+      if (!vs_kernel_poll(s->k, 1)) return false;
+    }
+  return true;
+}
+
 enum { BLOCKS = 256, QUERIES = 1024 };
 
 /* First the pairs of open runs, then those of level ones with busy ones. */
@@ -502,5 +516,5 @@ bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
   VS_DROP(k, c.busy);
   VS_DROP(k, c.busy_boxes);
   drop_made(k, &c.all);
-  return ok;
+  return ok && (!out->met || mark_around(s));
 }

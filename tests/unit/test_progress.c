@@ -31,11 +31,15 @@ static void tell(void *context, const vs_diagnostic *d) {
   if (d->severity == VS_SEVERITY_ERROR) snprintf(((watch *)context)->said, sizeof ((watch *)context)->said, "%s", d->message);
 }
 
-/* The host is told ten times a second: these take a second or more. Triangles are made of all at once, a .glb thing by thing. */
+/* The host is told ten times a second: these take a second or more, since all of their triangles meet others. Triangles are made of all at once, a .glb thing by thing. */
 static const char single[] =
-  "(draw (subtract (make-sphere (xyz 0 0 0) 10 #:segments 500) (make-torus (xyz 0 0 3) 8 3 #:segments 500)))";
+  "(draw (subtract (make-box (xyz -12 -12 -12) (xyz 12 12 12))"
+  "                (unite (map (lambda (i) (do-rotate (make-sphere (xyz 0 0 0) 10 #:segments 90) (xyz 0 0 0) (vxyz 1 2 3) (* i 0.06))) (iota 4)))))";
 static const char several[] =
-  "(for-each (lambda (i) (draw (subtract (make-sphere (xyz (* 30 i) 0 0) 10 #:segments 300) (make-torus (xyz (* 30 i) 0 3) 8 (+ 3 (/ i 9)) #:segments 300)))) (iota 5))";
+  "(for-each (lambda (k) (draw (subtract (make-box (xyz (- (* 30 k) 12) -12 -12) (xyz (+ (* 30 k) 12) 12 12))"
+  "                                      (unite (map (lambda (i) (do-rotate (make-sphere (xyz (* 30 k) 0 0) 10 #:segments 50)"
+  "                                                                         (xyz (* 30 k) 0 0) (vxyz 1 2 3) (* i (+ 0.06 (/ k 100))))) (iota 4))))))"
+  "          (iota 5))";
 static const struct { const char *drawing, *ending; } outputs[] = { { single, "off" }, { several, "off" }, { several, "3mf" }, { several, "glb" }, { several, "x3d" } };
 
 static const char *place(const char *ending) {
