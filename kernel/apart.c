@@ -35,6 +35,17 @@ static bool not_folded(vs_vec3 p, vs_vec3 q, vs_vec3 x, vs_vec3 y) { /* p q the 
 
 /* ---- a corner in common ---- */
 
+/* Does a plane across the way from one to the other part them? So it does where they look away from each other. */
+static bool cones_opposed(const vs_vec3 a[2], const vs_vec3 b[2]) {
+  vs_vec3 d = vs_v3_sub(vs_v3_add(vs_v3_unit(a[0]), vs_v3_unit(a[1])), vs_v3_add(vs_v3_unit(b[0]), vs_v3_unit(b[1])));
+  for (int i = 0; i < 4; i++) {
+    vs_vec3 p = i < 2 ? a[i] : b[i - 2];
+    double x = vs_v3_dot(d, p), size = fabs(d.x * p.x) + fabs(d.y * p.y) + fabs(d.z * p.z);
+    if (!((i < 2 ? x : -x) > SURE * size)) return false;
+  }
+  return true;
+}
+
 static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* spanned by two directions each */
   int s = sign3(a[0], a[1], b[0]), t = sign3(b[0], b[1], a[0]);
   if (s && s == sign3(a[0], a[1], b[1])) return true;
@@ -55,12 +66,11 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* spanned by 
     c[i][1] = axis == 0 ? v.z : axis == 1 ? v.x : v.y;
   }
   int own[2] = { sign2(c[0], c[1]), sign2(c[2], c[3]) };
-  if (!own[0] || !own[1]) return false;
-  for (int i = 0; i < 4; i++) { /* a line along one of the directions, its own cone on one side, the other on the other */
+  for (int i = 0; own[0] && own[1] && i < 4; i++) { /* a line along one of the directions, its own cone on one side, the other on the other */
     int mine = i % 2 ? -own[i / 2] : own[i / 2], other = i < 2 ? 2 : 0;
     if (sign2(c[i], c[other]) == -mine && sign2(c[i], c[other + 1]) == -mine) return true;
   }
-  return false;
+  return cones_opposed(a, b);
 }
 
 /* ---- nothing in common ---- */

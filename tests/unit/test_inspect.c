@@ -234,6 +234,9 @@ static void test_apart(void **state) {
   }
   assert_true(said > 40000 && met > 40000); /* both happen */
   assert_true(missed * 5 < said);           /* and seldom is it not known, though so many touch */
+  const vs_vec3 opposed[6] = { { 0, 0, 0 }, { 3, 1, 1 }, { 3, -1, 1 }, { 0, 0, 0 }, { -3, -1, -1 }, { -3, 1, -1 } }; /* as around the middle of a torus without a hole */
+  int shared;
+  assert_true(vs_triangles_apart(opposed, opposed + 3, &shared));
 }
 
 int main(void) {
