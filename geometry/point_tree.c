@@ -103,21 +103,30 @@ static bool tree_apart(const vs_point_box *a, const vs_point_box *b) { return a-
 
 static bool tree_same(vs_vec2 p, vs_vec2 q) { return p.x == q.x && p.y == q.y; }
 
+/* What is still to be looked at: a node is replaced by two, one level down. */
+typedef struct { size_t stack[2 * 64], depth; } tree_walk;
+
+/* True where the node has two below it, which come next; else it is a leaf with these ranks. */
+static bool tree_down(const vs_point_tree *t, tree_walk *w, size_t node, size_t *first, size_t *end) {
+  if (node < t->leaves) {
+    w->stack[w->depth++] = 2 * node + 1;
+    w->stack[w->depth++] = 2 * node;
+    return true;
+  }
+  *first = (node - t->leaves) * POINT_TREE_LEAF;
+  *end = *first + POINT_TREE_LEAF < t->count ? *first + POINT_TREE_LEAF : t->count;
+  return false;
+}
+
 size_t vs_point_tree_in(const vs_point_tree *t, vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat) {
   vs_point_box all = tree_around(a, b, c, flat);
-  size_t stack[2 * 64], depth = 0; /* a node is replaced by two, one level down */
-  stack[depth++] = 1;
-  while (depth > 0) {
-    size_t node = stack[--depth];
+  tree_walk w;
+  w.stack[0] = w.depth = 1;
+  while (w.depth > 0) {
+    size_t node = w.stack[--w.depth], first, end;
     const vs_point_box *box = &t->boxes[node];
-    if (box->on == 0 || tree_apart(box, &all) || tree_beyond(box, a, b, flat) || tree_beyond(box, b, c, flat) || tree_beyond(box, c, a, flat)) continue;
-    if (node < t->leaves) {
-      stack[depth++] = 2 * node + 1;
-      stack[depth++] = 2 * node;
-      continue;
-    }
-    size_t first = (node - t->leaves) * POINT_TREE_LEAF;
-    for (size_t i = first; i < first + POINT_TREE_LEAF && i < t->count; i++) {
+    if (box->on == 0 || tree_apart(box, &all) || tree_beyond(box, a, b, flat) || tree_beyond(box, b, c, flat) || tree_beyond(box, c, a, flat) || tree_down(t, &w, node, &first, &end)) continue;
+    for (size_t i = first; i < end; i++) {
       vs_vec2 p = t->at[t->point[t->order[i]]];
       if (!t->is_on[i] || tree_same(p, a) || tree_same(p, b) || tree_same(p, c)) continue;
       if (vs_vec2_turn(a, b, p) >= -flat && vs_vec2_turn(b, c, p) >= -flat && vs_vec2_turn(c, a, p) >= -flat) return t->order[i];
@@ -127,19 +136,13 @@ size_t vs_point_tree_in(const vs_point_tree *t, vs_vec2 a, vs_vec2 b, vs_vec2 c,
 }
 
 void vs_point_tree_each(const vs_point_tree *t, const vs_point_box *box, void (*found)(void *context, size_t item), void *context) {
-  size_t stack[2 * 64], depth = 0;
-  stack[depth++] = 1;
-  while (depth > 0) {
-    size_t node = stack[--depth];
+  tree_walk w;
+  w.stack[0] = w.depth = 1;
+  while (w.depth > 0) {
+    size_t node = w.stack[--w.depth], first, end;
     const vs_point_box *b = &t->boxes[node];
-    if (b->on == 0 || tree_apart(b, box)) continue;
-    if (node < t->leaves) {
-      stack[depth++] = 2 * node + 1;
-      stack[depth++] = 2 * node;
-      continue;
-    }
-    size_t first = (node - t->leaves) * POINT_TREE_LEAF;
-    for (size_t i = first; i < first + POINT_TREE_LEAF && i < t->count; i++) {
+    if (b->on == 0 || tree_apart(b, box) || tree_down(t, &w, node, &first, &end)) continue;
+    for (size_t i = first; i < end; i++) {
       vs_vec2 p = t->at[t->point[t->order[i]]];
       if (t->is_on[i] && p.x >= box->min_x && p.x <= box->max_x && p.y >= box->min_y && p.y <= box->max_y) found(context, t->order[i]);
     }
