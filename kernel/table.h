@@ -59,12 +59,12 @@ bool vs_points_expect(vs_kernel *k, vs_points_table *t, size_t more);
 /* What is asked for soon is better in the cache by then: places far ahead, what they stand for near ahead. */
 enum { VS_AHEAD_FAR = 16, VS_AHEAD_NEAR = 8 };
 static inline const vs_slot *vs_slot_of(const vs_slots *s, uint64_t hash) { return &s->at[(uint32_t)(hash >> 32) >> s->shift]; }
-static inline void vs_points_ahead(const vs_points_table *t, uint64_t hash, bool near) {
+VS_AHEAD vs_points_ahead(const vs_points_table *t, uint64_t hash, bool near) {
   const vs_slot *slot = vs_slot_of(&t->slots, hash);
   if (!near) __builtin_prefetch(slot);
   else if (slot->tag == (uint32_t)(hash >> 32) && slot->item != VS_NONE) __builtin_prefetch(&t->all.at[slot->item]);
 }
-static inline void vs_planes_ahead(const vs_planes_table *t, uint64_t hash, bool near) {
+VS_AHEAD vs_planes_ahead(const vs_planes_table *t, uint64_t hash, bool near) {
   const vs_slot *slot = vs_slot_of(&t->slots, hash);
   if (!near) __builtin_prefetch(slot);
   else if (slot->tag == (uint32_t)(hash >> 32) && slot->item != VS_NONE) __builtin_prefetch(&t->all.at[slot->item]);
