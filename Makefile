@@ -18,8 +18,8 @@ CLI_LIBS  = $(call pkg,libedit,-ledit)
 PNG_LIBS  = $(call pkg,libpng,-lpng)
 UNIT_LIBS = $(call pkg,cmocka,-lcmocka)
 
-LAYERS    = vm model geometry kernel bind backends
-LIB_SRC   = $(wildcard visualscheme.c) $(foreach d,$(LAYERS),$(wildcard $(d)/*.c $(d)/*/*.c))
+LAYERS    = vm model geometry kernel solids passes bind backends session
+LIB_SRC   = $(foreach d,$(LAYERS),$(wildcard $(d)/*.c $(d)/*/*.c))
 LIB_OBJ   = $(LIB_SRC:%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/assets.o
 CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c))
 UNIT_SRC  = $(wildcard tests/unit/test_*.c)
@@ -30,15 +30,14 @@ OBJECTS   = $(LIB_OBJ) $(CLI_OBJ)
 # Files that go into the library as they are: NAME.EXT is const char vs_asset_NAME_EXT[] up to vs_asset_NAME_EXT_end[]. x3dom comes from
 # npm (scripts/install.sh); without it its two are empty, and writing a page says so.
 ASSETS    = node_modules/x3dom/x3dom.js node_modules/x3dom/x3dom.css $(wildcard viewer/*.html viewer/*.css viewer/*.js)
-PROGRAM   = $(if $(wildcard visualscheme.c),$(BUILD)/vs)
 
-all: $(BUILD)/libvisualscheme.a $(PROGRAM) ## build the library and the program, build/vs
+all: $(BUILD)/libvisualscheme.a $(BUILD)/vs ## build the library and the program, build/vs
 
 # FreeType's headers have a folder of their own. The library itself is loaded when the first text is made.
-$(BUILD)/obj/geometry/font.o: CFLAGS += $(shell pkg-config --cflags freetype2 2>/dev/null || echo -I/usr/include/freetype2)
+$(BUILD)/obj/geometry/text/font.o: CFLAGS += $(shell pkg-config --cflags freetype2 2>/dev/null || echo -I/usr/include/freetype2)
 
 # So do OpenEXR's, whose library is loaded with the first EXR picture.
-$(BUILD)/obj/geometry/raster_exr.o: CFLAGS += $(shell pkg-config --cflags-only-I OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
+$(BUILD)/obj/geometry/files/raster_exr.o: CFLAGS += $(shell pkg-config --cflags-only-I OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
 
 $(BUILD)/obj/%.o: %.c
 	@mkdir -p $(@D)
@@ -48,7 +47,7 @@ $(BUILD)/obj/%.o: %.c
 $(BUILD)/obj/kernel/%.o: OPT := $(OPT:-O2=-O3)
 
 # gcc would make the ends of all instructions one: a jump to a jump, and one guess where to go next instead of one each.
-$(BUILD)/obj/vm/run.o: CFLAGS += $(if $(findstring clang,$(shell $(CC) --version)),,-fno-crossjumping --param max-goto-duplication-insns=20 --param max-grow-copy-bb-insns=50)
+$(BUILD)/obj/vm/machine/run.o: CFLAGS += $(if $(findstring clang,$(shell $(CC) --version)),,-fno-crossjumping --param max-goto-duplication-insns=20 --param max-grow-copy-bb-insns=50)
 
 $(BUILD)/assets.s: $(wildcard $(ASSETS)) Makefile
 	@mkdir -p $(@D)
@@ -64,7 +63,7 @@ $(BUILD)/obj/assets.o: $(BUILD)/assets.s
 
 # The heap image: a stage-0 interpreter, made of the same objects, loads the language's own sources and writes down what it then holds.
 LIBRARY   = prelude.scm srfi.scm bind/geometry.scm bind/primitives.scm
-STAGE0    = $(filter-out $(BUILD)/obj/visualscheme.o,$(LIB_OBJ)) $(BUILD)/obj/scripts/stage0.o
+STAGE0    = $(filter-out $(BUILD)/obj/session/%.o,$(LIB_OBJ)) $(BUILD)/obj/scripts/stage0.o
 
 $(BUILD)/stage0: $(STAGE0)
 	$(CC) $(CFLAGS) -o $@ $(STAGE0) $(LDFLAGS) $(LDLIBS)
@@ -73,7 +72,7 @@ $(BUILD)/library.img: $(BUILD)/stage0 $(LIBRARY)
 	$(BUILD)/stage0 $@ $(LIBRARY)
 
 $(BUILD)/library_image.c: $(BUILD)/library.img
-	@printf '#include "vm/image.h"\n__asm__(".section .rodata\\n.balign 16\\nvs_library_words:\\n.incbin \\"$<\\"\\n.previous");\nextern const uint64_t vs_library_words[] __attribute__((visibility("hidden")));\nextern const vs_image vs_library_image;\nconst vs_image vs_library_image = { vs_library_words, %d };\n' $$(($$(wc -c < $<) / 8)) > $@
+	@printf '#include "vm/machine/image.h"\n__asm__(".section .rodata\\n.balign 16\\nvs_library_words:\\n.incbin \\"$<\\"\\n.previous");\nextern const uint64_t vs_library_words[] __attribute__((visibility("hidden")));\nextern const vs_image vs_library_image;\nconst vs_image vs_library_image = { vs_library_words, %d };\n' $$(($$(wc -c < $<) / 8)) > $@
 
 $(BUILD)/obj/library_image.o: $(BUILD)/library_image.c
 	@mkdir -p $(@D)

@@ -12,14 +12,14 @@
 #ifndef VS_BACKENDS_BACKEND_H
 #define VS_BACKENDS_BACKEND_H
 
-#include "backends/emit.h"
+#include "backends/writer.h"
 #include "backends/export.h"
 #include "geometry/tessellate.h"
-#include "kernel/settle.h"
-#include "kernel/solid.h"
+#include "kernel/round/rounding.h"
+#include "solids/solid_meshes.h"
 #include "model/mesh.h"
 #include "model/node.h"
-#include "model/passes/settle.h"
+#include "passes/sugar.h"
 #include "model/scene.h"
 
 enum { VS_DEPTH_MAX = 150 }; /* of nesting in one subtree of the output: POV-Ray and OpenSCAD die of some thousands; users read less */
@@ -72,7 +72,7 @@ struct vs_backend {
   /* Template `id` from 1. open: before its body; !open: after it. Both or neither. */
   bool (*define)(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
   bool (*use)(vs_emitter *e, uint32_t id, const vs_ref *ref);
-  /* Formats of triangles alone get the union of the drawing's solids instead of a walk, settled for their numbers (kernel/settle.h). */
+  /* Formats of triangles alone get the union of the drawing's solids instead of a walk, settled for their numbers (kernel/round/rounding.h). */
   bool (*solid)(vs_emitter *e, const vs_solid *solid);
   bool (*copies)(vs_emitter *e, const vs_solid_copies *copies); /* the same with equal parts once; instead of solid */
   vs_numbers numbers;

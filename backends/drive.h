@@ -4,8 +4,8 @@
 
 #include "backends/backend.h"
 #include "backends/reuse.h"
-#include "geometry/measure.h"
-#include "model/nodemap.h"
+#include "geometry/measure/node_measures.h"
+#include "model/store/nodemap.h"
 
 typedef struct {
   vs_ref ref;           /* where it was met first */

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "backends/drive.h"
-#include "model/cache.h"
+#include "model/store/cache.h"
 #include "model/tally.h"
 
 /* ---- what emit functions may call ---- */

@@ -4,7 +4,7 @@
  * target last. Rendered formats write their text into a private folder (povray/run.c) and the picture to such a file. */
 #define _XOPEN_SOURCE 700
 #include "backends/export.h"
-#include "backends/flush.h"
+#include "passes/flush.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -16,7 +16,7 @@
 #include <unistd.h>
 
 #include "backends/backend.h"
-#include "geometry/measure.h"
+#include "geometry/measure/node_measures.h"
 #include "model/tally.h"
 
 void vs_export_options_init(vs_export_options *o) { *o = (vs_export_options){ .width = 0 }; }

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "backends/emit.h"
+#include "backends/writer.h"
 #include "model/scene.h"
 
 typedef enum { VS_RENDER_GOOD, VS_RENDER_DRAFT, VS_RENDER_FINAL } vs_render_quality; /* of rendered pictures */
@@ -45,7 +45,7 @@ const char *vs_export_family(const vs_format *format); /* "povray" for .png; NUL
 
 /* What this format's program needs besides. After the passes. */
 bool vs_export_prepare(vs_scene *scene, const vs_format *format, vs_error *e);
-/* What the drawing becomes for this format: only, ghost, highlight, native and user-defined kinds settled (model/passes/settle.h). Before the passes. */
+/* What the drawing becomes for this format: only, ghost, highlight, native and user-defined kinds settled (passes/sugar.h). Before the passes. */
 bool vs_export_settle(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e);
 bool vs_export_is_verbatim(const vs_format *f); /* shows the tree as it was made: sections and the like are not resolved before */
 

@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "backends/backend.h"
-#include "geometry/plane.h"
-#include "kernel/primitive.h"
-#include "geometry/solids.h"
+#include "geometry/plane/plane.h"
+#include "solids/primitive_meshes.h"
+#include "geometry/shapes/solid_triangles.h"
 #include "model/tally.h"
 
 static vs_node *lower_line(vs_store *store, const vs_polyline *p) {

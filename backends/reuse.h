@@ -1,4 +1,4 @@
-/* Owns text that is written again: runs of what is drawn, found in the world cache (model/cache.h) by all that decides their bytes.
+/* Owns text that is written again: runs of what is drawn, found in the world cache (model/store/cache.h) by all that decides their bytes.
  *
  * The driver cuts a drawing into runs, some hundred shapes each (drive_run), and spells each out as words: the nodes' numbers, not their addresses,
  * so that a program that ran again finds what its last run wrote, and nothing holds a node for it. What is found is put out as it is; what is not is
@@ -8,8 +8,8 @@
 #ifndef VS_BACKENDS_REUSE_H
 #define VS_BACKENDS_REUSE_H
 
-#include "backends/emit.h"
-#include "model/cache.h"
+#include "backends/writer.h"
+#include "model/store/cache.h"
 
 typedef struct { uint32_t line; const vs_origin *origin; } vs_reuse_line; /* what stands on a line of the text, and on those up to the next */
 

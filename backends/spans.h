@@ -2,7 +2,7 @@
 #ifndef VS_BACKENDS_SPANS_H
 #define VS_BACKENDS_SPANS_H
 
-#include "backends/emit.h"
+#include "backends/writer.h"
 
 /* Writes the items [begin, end) from `to` on and returns the place behind them; may leave some out. */
 typedef char *vs_span_fn(const void *context, size_t begin, size_t end, char *to);

@@ -1,4 +1,4 @@
-/* Owns bind/'s own interface: the interpreter's drawing and its objects, the checked call, and what visualscheme.c needs of it.
+/* Owns bind/'s own interface: the interpreter's drawing and its objects, the checked call, and what session/visualscheme.c needs of it.
  *
  * Plan. procedures.def lists every procedure with the forms of its arguments. All of them are one C native, vs_bind_enter: it finds
  * the row of the running native, picks the form, checks and converts the arguments by contract.c, and calls the row's C function with
@@ -6,10 +6,10 @@
 #ifndef VS_BIND_H
 #define VS_BIND_H
 
-#include "vm/native.h"
-#include "vm/run.h"
+#include "vm/machine/native.h"
+#include "vm/machine/run.h"
 
-#include "geometry/measure.h"
+#include "geometry/measure/node_measures.h"
 #include "model/scene.h"
 
 /* ---- flat records (flat.c) ---- */

@@ -6,7 +6,7 @@
 
 #include <stdio.h>
 
-#include "vm/number.h"
+#include "vm/values/number.h"
 
 /* ---- the tables ---- */
 

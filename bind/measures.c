@@ -4,12 +4,12 @@
 
 #include <stdlib.h>
 
-#include "geometry/measure.h"
+#include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
 #include "geometry/tessellate.h"
-#include "kernel/measure.h"
-#include "kernel/resolve.h"
-#include "model/cache.h"
+#include "solids/solid_measures.h"
+#include "solids/resolve.h"
+#include "model/store/cache.h"
 
 bool vs_bind_keep_going(void *vm, double done) {
   (void)done;

@@ -3,9 +3,9 @@
 
 #include <stdio.h>
 
-#include "vm/number.h"
-#include "vm/printer.h"
-#include "vm/reader.h"
+#include "vm/values/number.h"
+#include "vm/values/printer.h"
+#include "vm/front/reader.h"
 
 enum { KEY_MIN, KEY_MAX, KEY_STEP, KEY_CHOICES, KEY_LABEL, KEY_GROUP };
 

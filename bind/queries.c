@@ -1,7 +1,7 @@
 /* Owns what a program can ask of an object: its kind and parts, its bounds and measures. */
 #include "bind/bind.h"
 
-#include "geometry/measure.h"
+#include "geometry/measure/node_measures.h"
 #include "geometry/tessellate.h"
 
 static vs_status truth(bool b, vs_value *out) {

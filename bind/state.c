@@ -2,8 +2,8 @@
  * expressions returned. */
 #include "bind/bind.h"
 
-#include "model/cache.h"
-#include "model/nodemap.h"
+#include "model/store/cache.h"
+#include "model/store/nodemap.h"
 
 const vs_native_table *const *vs_bind_tables(void) {
   static const vs_native_table *const tables[] = { &vs_bind_table, &vs_bind_reserved_table, NULL };

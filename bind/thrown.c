@@ -6,7 +6,7 @@
  * into a list of its own, and what is part of the model in the end was not thrown away. */
 #include "bind/bind.h"
 
-#include "model/nodemap.h"
+#include "model/store/nodemap.h"
 
 void vs_bind_forget_dropped(vs_bind *b) {
   for (size_t i = 0; i < b->dropped_count; i++) vs_node_release(b->dropped[i].node);

@@ -6,9 +6,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/memory.h"
+#include "cli/large_blocks.h"
 #include "cli/nearby.h"
-#include "cli/session.h"
+#include "cli/command.h"
 
 /* A signal handler gets no context: the command's only globals are the interpreter that a signal interrupts, and what came so far.
  * SIGINT ends what runs; SIGTERM and SIGHUP end the prompt as well. None kills at once, so that half-written files and POV-Ray go too. */

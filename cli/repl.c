@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "cli/nearby.h"
-#include "cli/session.h"
+#include "cli/command.h"
 
 enum { HISTORY_LINES = 2000 };
 

@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#include "model/room.h"
+#include "model/store/array.h"
 
 bool vs_is_wrapper(const vs_node *n) { return n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER; }
 

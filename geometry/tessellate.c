@@ -1,15 +1,15 @@
 /* Owns the way from a node to its triangles: follows placements down to the leaf, has the leaf meshed, brings the mesh back up. */
 #include "geometry/tessellate.h"
 
-#include "geometry/loft.h"
-#include "geometry/revolve.h"
-#include "geometry/solids.h"
-#include "geometry/heights.h"
-#include "geometry/hull.h"
-#include "geometry/superellipsoid.h"
-#include "geometry/surface.h"
-#include "geometry/swept.h"
-#include "geometry/taper.h"
+#include "geometry/profiles/loft.h"
+#include "geometry/profiles/revolve.h"
+#include "geometry/shapes/solid_triangles.h"
+#include "geometry/shapes/height_field.h"
+#include "geometry/shapes/hull.h"
+#include "geometry/shapes/superellipsoid.h"
+#include "geometry/profiles/surface.h"
+#include "geometry/profiles/swept.h"
+#include "geometry/profiles/taper.h"
 
 /* A placement's child; NULL for what is a leaf here. Appearance changes no shape. */
 static const vs_ref *vs_tessellate_below(const vs_node *n, vs_affine *placed) {
@@ -109,7 +109,7 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
     }
     case VS_HEIGHT_FIELD: ok = vs_height_field_mesh(out, VS_AS(height_field, n)); break;
     case VS_HALF_SPACE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a half-space is endless: it has no faces of its own");
-    case VS_SLICE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a slice is made by kernel/resolve.c before");
+    case VS_SLICE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a slice is made by solids/resolve.c before");
     case VS_THICKEN:
       if (n->children[0].node->class_ == VS_SURFACE) {
         vs_mesh surface = { 0 };
@@ -136,7 +136,7 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
     }
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return vs_loft_mesh(n, f, out, e);
     case VS_GRID_MESH: case VS_GRID_SURFACE: ok = vs_surface_mesh(n, out); break;
-    case VS_SECTION: case VS_PROJECT: /* kernel/resolve.c has made regions of them before */
+    case VS_SECTION: case VS_PROJECT: /* solids/resolve.c has made regions of them before */
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_EDGES:
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a %s has no faces", vs_kind_get((vs_kind)n->kind)->name);
     case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:

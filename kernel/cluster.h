@@ -16,12 +16,12 @@
 #ifndef VS_KERNEL_CLUSTER_H
 #define VS_KERNEL_CLUSTER_H
 
-#include "kernel/bvh.h"
+#include "kernel/mesh/bvh.h"
 #include "kernel/expression.h"
-#include "kernel/halves.h"
-#include "kernel/part.h"
-#include "kernel/table.h"
-#include "model/disjoint.h"
+#include "kernel/mesh/edge_uses.h"
+#include "kernel/distinct_meshes.h"
+#include "kernel/exact/interned.h"
+#include "model/store/disjoint.h"
 
 enum { VS_BESIDE_FLAT = 8 }; /* next to a triangle that the grid has made a line */
 

@@ -2,7 +2,7 @@
 #ifndef VS_KERNEL_MEMORY_H
 #define VS_KERNEL_MEMORY_H
 
-#include "kernel/kernel.h"
+#include "kernel/evaluate.h"
 
 #include <stdatomic.h>
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "model/store.h"
+#include "model/store/store.h"
 
 #define VS_CLASS_NOTHING VS_NOTHING
 #define VS_CLASS_CURVE VS_CURVE

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "model/kinds.h"
-#include "model/store.h"
+#include "model/store/store.h"
 
 /* ---- arrays ---- */
 

@@ -110,7 +110,7 @@ enum {
   VS_NODE_SUGAR = 8,   /* something of level SUGAR stands in it */
   VS_NODE_OPEN = 16,   /* a CUSTOM without a child stands in it */
   VS_NODE_UNRESOLVED = 32, /* what needs a solid's mesh stands somewhere in it: a section, a shadow, edges, a slice of something thin, a hull of something carved; or a
-                            * line without end: kernel/resolve.h */
+                            * line without end: solids/resolve.h */
   VS_NODE_CARVED = 64  /* an intersection or a difference of solids stands in it */
 };
 

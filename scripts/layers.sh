@@ -15,7 +15,7 @@ wrong_includes=$(awk '
     n = split(allowed[folder], prefix, " ")
     for (i = 1; i <= n; i++) if (index(header, prefix[i]) == 1) ok = 1
     if (!ok) print FILENAME ":" FNR ": a file of " folder "/ may not include \"" header "\""
-  }' scripts/layers.list $(find vm model geometry kernel bind backends cli -name '*.[ch]' 2>/dev/null))
+  }' scripts/layers.list $(find $(sed -n 's/^\([a-z]*\):.*/\1/p' scripts/layers.list) -name '*.[ch]'))
 
 # Section sizes in hexadecimal; .data.rel.ro holds constants with addresses and is read-only once loaded.
 globals=$(find "$build/obj" -path "$build/obj/cli" -prune -o -name "*.o" -print | sort | while read -r object; do

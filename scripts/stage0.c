@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "bind/bind.h"
-#include "vm/image.h"
-#include "vm/printer.h"
-#include "vm/unit.h"
+#include "vm/machine/image.h"
+#include "vm/values/printer.h"
+#include "vm/machine/program.h"
 
 static char *read_file(const char *path, size_t *size) {
   FILE *f = fopen(path, "rb");

@@ -6,8 +6,8 @@
 #define VS_BACKENDS_GLTF_H
 
 #include "backends/backend.h"
-#include "geometry/unit.h"
-#include "model/nodemap.h"
+#include "geometry/shapes/unit_forms.h"
+#include "model/store/nodemap.h"
 
 typedef struct { unsigned char *at; size_t count, room; } vs_gltf_bytes;
 

@@ -6,10 +6,10 @@
 #include <math.h>
 
 #include "backends/backend.h"
-#include "backends/openscad/apart.h"
+#include "backends/openscad/touching_corners.h"
 #include "geometry/frame.h"
-#include "geometry/plane.h"
-#include "geometry/revolve.h"
+#include "geometry/plane/plane.h"
+#include "geometry/profiles/revolve.h"
 
 static vs_emit_status scad_done(vs_emitter *e) { return e->out->failed ? VS_FAILED : VS_EMITTED; }
 static void scad_point(vs_emitter *e, vs_vec3 p) { vs_put_triple(e->out, "[", p, ", ", "]"); }

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "geometry/measure.h"
+#include "geometry/measure/node_measures.h"
 #include "model/scene.h"
 
 enum { DRAWN_MOST = 3 };

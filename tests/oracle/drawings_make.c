@@ -5,7 +5,7 @@
 #include "tests/oracle/drawings.h"
 
 #include "backends/export.h"
-#include "geometry/polyface.h"
+#include "geometry/files/polyface.h"
 
 typedef struct {
   vs_store *s;

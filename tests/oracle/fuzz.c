@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "kernel/inspect.h"
-#include "kernel/settle.h"
+#include "kernel/mesh/inspect.h"
+#include "kernel/round/rounding.h"
 #include "tests/oracle/sx.h"
 #include "tests/tools/crossings.h"
 

@@ -5,7 +5,7 @@
 #ifndef VS_TESTS_ORACLE_H
 #define VS_TESTS_ORACLE_H
 
-#include "kernel/kernel.h"
+#include "kernel/evaluate.h"
 
 /* Leaves convex, vertices integers with |x| < size after an identity placement; at most 31. */
 double oracle_volume(const vs_kernel_problem *problem, long size);

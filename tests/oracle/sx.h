@@ -2,7 +2,7 @@
 #ifndef VS_TESTS_SX_H
 #define VS_TESTS_SX_H
 
-#include "kernel/kernel.h"
+#include "kernel/evaluate.h"
 
 typedef struct {
   vs_kernel_problem problem; /* points into the arrays below */

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "geometry/raster.h"
+#include "geometry/files/raster.h"
 
 static bool take(vs_store *s, const char *path, vs_raster *r) {
   vs_error e = { VS_ERROR_NONE, NULL, "" };

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "backends/export.h"
-#include "backends/tree/read.h"
+#include "backends/tree/tree_reader.h"
 
 typedef struct { char *at; size_t used, room; } buffer;
 

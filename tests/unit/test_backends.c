@@ -15,7 +15,7 @@
 #include <cmocka.h>
 
 #include "backends/export.h"
-#include "backends/tree/read.h"
+#include "backends/tree/tree_reader.h"
 #include "tests/unit/scenes.h"
 
 /* ---- a sink into memory ---- */

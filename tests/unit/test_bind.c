@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "bind/bind.h"
-#include "vm/printer.h"
+#include "vm/values/printer.h"
 
 enum { NAMES = 512 };
 typedef struct {

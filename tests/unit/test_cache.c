@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "model/cache.h"
+#include "model/store/cache.h"
 #include "visualscheme.h"
 
 /* ---- by itself ---- */

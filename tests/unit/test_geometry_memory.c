@@ -7,8 +7,8 @@
 
 #include <cmocka.h>
 
-#include "geometry/measure.h"
-#include "geometry/polyface.h"
+#include "geometry/measure/node_measures.h"
+#include "geometry/files/polyface.h"
 #include "geometry/tessellate.h"
 #include "tests/unit/allocator.h"
 

@@ -6,9 +6,9 @@
 
 #include <cmocka.h>
 
-#include "geometry/heights.h"
-#include "geometry/hull.h"
-#include "geometry/measure.h"
+#include "geometry/shapes/height_field.h"
+#include "geometry/shapes/hull.h"
+#include "geometry/measure/node_measures.h"
 
 static double drawn(uint64_t *seed) { /* xorshift: the same points in every run */
   *seed ^= *seed << 13;

@@ -8,9 +8,9 @@
 
 #include <cmocka.h>
 
-#include "kernel/apart.h"
-#include "kernel/inspect.h"
-#include "kernel/settle.h"
+#include "kernel/mesh/triangles_apart.h"
+#include "kernel/mesh/inspect.h"
+#include "kernel/round/rounding.h"
 #include "tests/oracle/sx.c"
 #include "tests/tools/crossings.h"
 

@@ -10,7 +10,7 @@
 #include <gmp.h>
 
 #include "kernel/check.h"
-#include "kernel/exact.h"
+#include "kernel/exact/exact.h"
 #include "tests/oracle/oracle.c"
 #include "tests/oracle/sx.c"
 

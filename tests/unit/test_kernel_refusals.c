@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "kernel/settle.h"
+#include "kernel/round/rounding.h"
 #include "tests/oracle/sx.c"
 #include "tests/unit/allocator.h"
 

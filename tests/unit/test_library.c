@@ -6,14 +6,14 @@
 
 #include <cmocka.h>
 
-#include "vm/printer.h"
-#include "vm/reader.h"
-#include "vm/run.h"
-#include "vm/table.h"
-#include "vm/equal.h"
+#include "vm/values/printer.h"
+#include "vm/front/reader.h"
+#include "vm/machine/run.h"
+#include "vm/values/table.h"
+#include "vm/values/equal.h"
 
 #define VS_NATIVES(name) extern const vs_native_table vs_##name##_natives;
-#include "vm/natives.def"
+#include "vm/machine/natives.def"
 #undef VS_NATIVES
 
 static vs_value names, input;        /* roots of the test: name -> procedure; the datum being evaluated */
@@ -65,7 +65,7 @@ static void with_vm(void (*test)(vs *vm)) {
   vs_gc_link(&link2);
   assert_true(vs_make_table(vm, VS_TABLE_EQ, &names));
 #define VS_NATIVES(name) assert_true(vs_native_define(vm, &vs_##name##_natives, define, &names));
-#include "vm/natives.def"
+#include "vm/machine/natives.def"
 #undef VS_NATIVES
   test(vm);
   vs_gc_unlink(&link2);

@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "visualscheme.h"
-#include "vm/debug.h"
+#include "vm/values/debug.h"
 
 /* the program's own time, so that a busy machine does no harm */
 static double now(void) {

@@ -6,8 +6,8 @@
 
 #include <cmocka.h>
 
-#include "geometry/measure.h"
-#include "geometry/polyface.h"
+#include "geometry/measure/node_measures.h"
+#include "geometry/files/polyface.h"
 #include "geometry/tessellate.h"
 
 static const double pi = 3.14159265358979323846;

@@ -1,5 +1,5 @@
 /* Owns the tests of the command's large blocks: contents survive growing, shrinking, and crossing from the C library's blocks to mapped ones and back. */
-#include "cli/memory.c"
+#include "cli/large_blocks.c"
 
 #include <setjmp.h>
 #include <stdarg.h>

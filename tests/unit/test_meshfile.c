@@ -11,9 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "geometry/polyface.h"
-#include "geometry/repair.h"
-#include "geometry/solids.h"
+#include "geometry/files/polyface.h"
+#include "geometry/files/repair.h"
+#include "geometry/shapes/solid_triangles.h"
 
 static size_t rounds = 1;
 

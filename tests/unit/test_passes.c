@@ -8,8 +8,8 @@
 
 #include <cmocka.h>
 
-#include "geometry/measure.h"
-#include "model/passes/passes.h"
+#include "geometry/measure/node_measures.h"
+#include "passes/passes.h"
 
 #define NODE(lower, upper, ...) vs_node_new(s, VS_##upper, &(struct vs_##lower){ __VA_ARGS__, 0 }, NULL, 0)
 enum { ALL = (1 << VS_PASS_COUNT) - 1 };

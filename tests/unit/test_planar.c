@@ -8,11 +8,11 @@
 
 #include <cmocka.h>
 
-#include "geometry/planar.h"
-#include "geometry/point_tree.h"
-#include "geometry/solids.h"
-#include "geometry/triangulate.h"
-#include "kernel/section.h"
+#include "geometry/plane/areas.h"
+#include "geometry/plane/point_tree.h"
+#include "geometry/shapes/solid_triangles.h"
+#include "geometry/plane/ear_clipping.h"
+#include "solids/sections.h"
 
 static const vs_facets fine = { 1e-5, 0 };
 

@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-#include "geometry/optimise.h"
-#include "kernel/solid.h"
+#include "passes/optimise.h"
+#include "solids/solid_meshes.h"
 #include "tests/oracle/drawings.h"
 #include "tests/oracle/drawings_look.c"
 #include "tests/oracle/drawings_make.c"

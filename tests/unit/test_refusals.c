@@ -14,7 +14,7 @@
 
 #include "visualscheme.h"
 #include "tests/unit/allocator.h"
-#include "vm/gc.h"
+#include "vm/values/gc.h"
 
 /* which request is refused next: left counts down to it; good: all after it too */
 typedef struct { long left; bool on, good, refused; } refusal;

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 
 #include "geometry/frame.h"
-#include "geometry/polyface.h"
+#include "geometry/files/polyface.h"
 #include "geometry/tessellate.h"
 
 static const double pi = 3.14159265358979323846;

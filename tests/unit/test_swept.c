@@ -6,8 +6,8 @@
 
 #include <cmocka.h>
 
-#include "geometry/join.h"
-#include "geometry/polyface.h"
+#include "geometry/plane/join.h"
+#include "geometry/files/polyface.h"
 #include "geometry/tessellate.h"
 
 static const double pi = 3.14159265358979323846;

@@ -8,10 +8,10 @@
 
 #include <cmocka.h>
 
-#include "vm/port.h"
-#include "vm/printer.h"
-#include "vm/reader.h"
-#include "vm/unit.h"
+#include "vm/library/port.h"
+#include "vm/values/printer.h"
+#include "vm/front/reader.h"
+#include "vm/machine/program.h"
 
 static char *prelude;
 static size_t prelude_size;

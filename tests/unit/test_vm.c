@@ -7,10 +7,10 @@
 #include <stdlib.h>
 #include <cmocka.h>
 
-#include "vm/compile.h"
-#include "vm/printer.h"
-#include "vm/run.h"
-#include "vm/unit.h"
+#include "vm/compiler/compile.h"
+#include "vm/values/printer.h"
+#include "vm/machine/run.h"
+#include "vm/machine/program.h"
 
 static vs *open_with(vs_config config) {
   vs *vm = vs_open_vm(&config);

@@ -1,0 +1,273 @@
+/* Owns the drawing as glTF's meshes and nodes.
+ *
+ * Which places share a geometry: copies of a unit form with as many facets; and places of one model node, which is what the share pass
+ * makes of equal parts. A placement that shears cannot be said by a node: its triangles are made for that place. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "backends/gltf/gltf.h"
+#include "backends/shade.h"
+#include "geometry/measure/node_measures.h"
+
+bool vs_gltf_open(vs_emitter *e) {
+  vs_gltf *g = vs_store_realloc(e->scene->store, NULL, 0, sizeof *g);
+  if (g == NULL) return vs_emit_no_memory(e);
+  memset(g, 0, sizeof *g);
+  g->shapes.store = e->scene->store;
+  e->state = g;
+  if (e->scene->has_ground && !vs_emit_warn_once(e, NULL, "glTF: the ground is left out")) return false;
+  return true;
+}
+
+void vs_gltf_close(vs_emitter *e) {
+  vs_gltf *g = e->state;
+  if (g == NULL) return;
+  vs_gltf_bytes *bytes[] = { &g->positions, &g->normals, &g->narrow, &g->wide };
+  for (size_t i = 0; i < sizeof bytes / sizeof *bytes; i++) vs_emit_release(e, bytes[i]->at, bytes[i]->room, 1);
+  for (size_t i = 0; i < VS_UNIT_COUNT; i++) vs_emit_release(e, g->units[i].at, g->units[i].room, sizeof *g->units[i].at);
+  vs_emit_release(e, g->primitives, g->primitive_room, sizeof *g->primitives);
+  vs_emit_release(e, g->geometries, g->geometry_room, sizeof *g->geometries);
+  vs_emit_release(e, g->meshes, g->mesh_room, sizeof *g->meshes);
+  vs_emit_release(e, g->nodes, g->node_room, sizeof *g->nodes);
+  vs_emit_release(e, g->layers, g->layer_room, sizeof *g->layers);
+  vs_emit_release(e, g->open_layers, g->open_room, sizeof *g->open_layers);
+  vs_nodemap_free(&g->shapes);
+  vs_emit_release(e, g, 1, sizeof *g);
+  e->state = NULL;
+}
+
+/* ---- geometries ---- */
+
+static unsigned char *gltf_room(vs_emitter *e, vs_gltf_bytes *b, size_t count) {
+  if (!vs_emit_grow(e, &b->at, &b->room, b->count + count, 1)) return NULL;
+  b->count += count;
+  return b->at + b->count - count;
+}
+
+static bool gltf_vector(vs_emitter *e, vs_gltf_bytes *b, vs_vec3 v) {
+  unsigned char *to = gltf_room(e, b, 12);
+  if (to == NULL) return false;
+  vs_le_float(vs_le_float(vs_le_float(to, v.x), v.y), v.z);
+  return true;
+}
+
+static vs_gltf_primitive *gltf_primitive_new(vs_emitter *e, uint32_t paint) {
+  vs_gltf *g = e->state;
+  if (!vs_emit_grow(e, &g->primitives, &g->primitive_room, g->primitive_count + 1, sizeof *g->primitives)) return NULL;
+  vs_gltf_primitive *p = &g->primitives[g->primitive_count++];
+  *p = (vs_gltf_primitive){ .paint = paint, .vertices = g->positions.count,
+                            .min = { FLT_MAX, FLT_MAX, FLT_MAX }, .max = { -FLT_MAX, -FLT_MAX, -FLT_MAX } };
+  return p;
+}
+
+static bool gltf_vertex(vs_emitter *e, vs_gltf_primitive *p, vs_vec3 at, vs_vec3 normal) {
+  vs_gltf *g = e->state;
+  const float xyz[] = { (float)at.x, (float)at.y, (float)at.z };
+  for (int i = 0; i < 3; i++) {
+    p->min[i] = fminf(p->min[i], xyz[i] + 0.0f);
+    p->max[i] = fmaxf(p->max[i], xyz[i] + 0.0f);
+  }
+  p->vertex_count++;
+  return gltf_vector(e, &g->positions, at) && gltf_vector(e, &g->normals, normal); /* lines have normals too, which nobody reads: one offset for both */
+}
+
+/* The indices, which are known to fit 32 bits, in the width that the vertices need. */
+static bool gltf_indices(vs_emitter *e, vs_gltf_primitive *p, const uint32_t *index, size_t count) {
+  vs_gltf *g = e->state;
+  p->wide = p->vertex_count >= 65535; /* the largest number of a width is not an index */
+  p->index_count = (uint32_t)count;
+  vs_gltf_bytes *b = p->wide ? &g->wide : &g->narrow;
+  p->indices = b->count;
+  unsigned char *to = gltf_room(e, b, count * (p->wide ? 4 : 2));
+  if (to == NULL) return false;
+  for (size_t i = 0; i < count; i++) {
+    *to++ = (unsigned char)index[i];
+    *to++ = (unsigned char)(index[i] >> 8);
+    if (!p->wide) continue;
+    *to++ = (unsigned char)(index[i] >> 16);
+    *to++ = (unsigned char)(index[i] >> 24);
+  }
+  return true;
+}
+
+static bool gltf_geometry_new(vs_emitter *e, uint32_t *number) {
+  vs_gltf *g = e->state;
+  if (!vs_emit_grow(e, &g->geometries, &g->geometry_room, g->geometry_count + 1, sizeof *g->geometries)) return false;
+  *number = (uint32_t)g->geometry_count;
+  g->geometries[g->geometry_count++] = (vs_gltf_geometry){ .first = (uint32_t)g->primitive_count };
+  return true;
+}
+
+static uint32_t gltf_paint_of(const vs_emitter *e, const vs_solid *m, size_t triangle) {
+  uint32_t tag = m->mesh.tags != NULL ? m->mesh.tags[triangle] : 0;
+  return tag < m->part_count ? (uint32_t)vs_emit_material_number(e, m->parts[tag].material) : 0;
+}
+
+/* The triangles of one paint; at: room for the shading's normals. Corners that share a normal share a vertex. */
+static bool gltf_add_part(vs_emitter *e, const vs_solid *m, const vs_shading *s, const vs_affine *place, uint32_t paint, uint32_t *at, uint32_t *index) {
+  const vs_mesh *mesh = &m->mesh;
+  bool mirrored = vs_affine_determinant(place) < 0;
+  vs_gltf_primitive *p = NULL;
+  size_t count = 0;
+  memset(at, 0xff, s->normal_count * sizeof *at);
+  for (size_t i = 0; i < mesh->triangle_count; i++) {
+    if (gltf_paint_of(e, m, i) != paint) continue;
+    if (p == NULL && (p = gltf_primitive_new(e, paint)) == NULL) return false;
+    for (int k = 0; k < 3; k++) {
+      uint32_t corner = s->corners[i][k];
+      if (at[corner] == UINT32_MAX) {
+        at[corner] = p->vertex_count;
+        if (!gltf_vertex(e, p, vs_affine_point(place, mesh->vertices[mesh->triangles[i][k]]), vs_affine_normal(place, s->normals[corner]))) return false;
+      }
+      index[count + (size_t)(mirrored ? 2 - k : k)] = at[corner];
+    }
+    count += 3;
+  }
+  return p == NULL || gltf_indices(e, p, index, count);
+}
+
+static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *place, double crease, uint32_t *number) {
+  vs_gltf *g = e->state;
+  const vs_mesh *mesh = &m->mesh;
+  vs_shading s;
+  if (!gltf_geometry_new(e, number)) return false;
+  if (mesh->triangle_count > UINT32_MAX / 3) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than a glTF mesh can hold");
+  if (!vs_shading_make(e, mesh->vertices, mesh->vertex_count, (const uint32_t (*)[3])mesh->triangles, mesh->triangle_count, crease, &s)) return false;
+  size_t room = s.normal_count + 3 * mesh->triangle_count;
+  uint32_t *scratch = vs_store_realloc(e->scene->store, NULL, 0, (room + 1) * sizeof *scratch);
+  bool ok = scratch != NULL || vs_emit_no_memory(e);
+  for (uint32_t paint = 0; ok && paint <= vs_emit_material_count(e); paint++) {
+    bool any = paint == 0 || m->part_count > 0; /* without parts all is of the place's colour */
+    ok = !any || gltf_add_part(e, m, &s, place, paint, scratch, scratch + s.normal_count);
+  }
+  vs_emit_release(e, scratch, room + 1, sizeof *scratch);
+  vs_shading_free(&s);
+  vs_gltf_geometry *made = &g->geometries[*number];
+  made->count = (uint32_t)g->primitive_count - made->first;
+  return ok;
+}
+
+/* ---- nodes ---- */
+
+static bool gltf_place(vs_emitter *e, uint32_t geometry, const vs_affine *place) {
+  vs_gltf *g = e->state;
+  uint32_t paint = (uint32_t)vs_emit_material_number(e, e->material), mesh = g->geometries[geometry].mesh;
+  if (g->geometries[geometry].count == 0) return true;
+  while (mesh > 0 && g->meshes[mesh - 1].paint != paint) mesh = g->meshes[mesh - 1].next;
+  if (mesh == 0) {
+    if (!vs_emit_grow(e, &g->meshes, &g->mesh_room, g->mesh_count + 1, sizeof *g->meshes)) return false;
+    g->meshes[g->mesh_count++] = (vs_gltf_mesh){ geometry, paint, g->geometries[geometry].mesh };
+    g->geometries[geometry].mesh = mesh = (uint32_t)g->mesh_count;
+  }
+  if (!vs_emit_grow(e, &g->nodes, &g->node_room, g->node_count + 1, sizeof *g->nodes)) return false;
+  uint32_t layer = g->open_count > 0 ? g->open_layers[g->open_count - 1] : 0;
+  g->nodes[g->node_count++] = (vs_gltf_node){ mesh - 1, layer, *place };
+  return true;
+}
+
+static bool gltf_unit(vs_emitter *e, vs_unit unit, int turn, uint32_t *number) {
+  vs_gltf *g = e->state;
+  vs_gltf_turns *t = &g->units[unit];
+  size_t old = t->room;
+  if (!vs_emit_grow(e, &t->at, &t->room, (size_t)turn + 1, sizeof *t->at)) return false;
+  if (t->room > old) memset(t->at + old, 0, (t->room - old) * sizeof *t->at);
+  if (t->at[turn] > 0) {
+    *number = t->at[turn] - 1;
+    return true;
+  }
+  vs_solid form = { .part_count = 0 };
+  static const vs_affine here = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
+  bool ok = (vs_unit_mesh(unit, turn, &form.mesh) || vs_emit_no_memory(e)) && gltf_add_solid(e, &form, &here, vs_shade_crease(turn > 0), number);
+  vs_solid_free(&form);
+  if (ok) t->at[turn] = *number + 1;
+  return ok;
+}
+
+/* Triangles that stand where e->placement puts them, about their own middle: a viewer's 32-bit numbers are finest near zero. */
+static bool gltf_shape(vs_emitter *e, const vs_ref *ref, double crease) {
+  vs_gltf *g = e->state;
+  bool placeable = vs_affine_is_placement(&e->placement);
+  bool found = false;
+  uint64_t *known = placeable ? vs_nodemap_put(&g->shapes, ref->node, &found) : NULL;
+  if (placeable && known == NULL) return vs_emit_no_memory(e);
+  vs_bounds b;
+  if (!vs_node_bounds(ref->node, &b, e->error)) return false;
+  vs_vec3 middle = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5);
+  vs_affine home = vs_affine_translation(vs_v3_scale(middle, -1)), there = vs_affine_translation(placeable ? middle : vs_affine_point(&e->placement, middle));
+  uint32_t number;
+  if (found) {
+    number = (uint32_t)*known - 1;
+  } else {
+    const vs_solid *m = vs_emit_mesh(e, ref);
+    vs_affine place = e->placement;
+    for (int i = 0; i < 3; i++) place.m[i][3] = 0;
+    if (!placeable) home = vs_affine_multiply(&place, &home);
+    if (m == NULL || !gltf_add_solid(e, m, &home, crease, &number)) return false;
+    known = placeable ? vs_nodemap_get(&g->shapes, ref->node) : NULL;
+    if (known != NULL) *known = (uint64_t)number + 1;
+  }
+  if (placeable) there = vs_affine_multiply(&e->placement, &there);
+  return gltf_place(e, number, &there);
+}
+
+vs_emit_status vs_gltf_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  vs_unit_copy copy;
+  uint32_t number;
+  if (vs_unit_of(ref->node, &e->facets, &copy)) {
+    vs_affine place = vs_affine_multiply(&e->placement, &copy.place);
+    if (vs_affine_is_placement(&place)) return gltf_unit(e, copy.unit, copy.turn, &number) && gltf_place(e, number, &place) ? VS_EMITTED : VS_FAILED;
+  }
+  return gltf_shape(e, ref, vs_shade_crease(vs_lower_is_round(ref->node))) ? VS_EMITTED : VS_FAILED;
+}
+
+vs_emit_status vs_gltf_boolean(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  if (phase != VS_PHASE_ENTER) return VS_EMITTED;
+  return gltf_shape(e, ref, vs_shade_crease(true)) ? VS_WHOLE : VS_FAILED;
+}
+
+vs_emit_status vs_gltf_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  vs_gltf *g = e->state;
+  const struct vs_line *l = VS_AS(line, ref->node);
+  uint32_t count = l->points->count, number;
+  if (count < 2) return VS_EMITTED;
+  vs_gltf_primitive *p;
+  if (!gltf_geometry_new(e, &number) || (p = gltf_primitive_new(e, 0)) == NULL) return VS_FAILED;
+  p->lines = true;
+  vs_bounds b = vs_bounds_empty();
+  for (uint32_t i = 0; i < count; i++) vs_bounds_add(&b, vs_affine_point(&e->placement, l->points->at[i]));
+  vs_vec3 middle = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5);
+  for (uint32_t i = 0; i < count; i++)
+    if (!gltf_vertex(e, p, vs_v3_sub(vs_affine_point(&e->placement, l->points->at[i]), middle), vs_v3(0, 0, 1))) return VS_FAILED;
+  size_t room = (size_t)count + 1;
+  uint32_t *index = vs_store_realloc(e->scene->store, NULL, 0, room * sizeof *index);
+  if (index == NULL) return vs_emit_no_memory(e), VS_FAILED;
+  for (uint32_t i = 0; i <= count; i++) index[i] = i % count;
+  bool ok = gltf_indices(e, p, index, l->closed ? room : room - 1);
+  vs_emit_release(e, index, room, sizeof *index);
+  g->geometries[number].count = 1;
+  vs_affine there = vs_affine_translation(middle);
+  return ok && gltf_place(e, number, &there) ? VS_EMITTED : VS_FAILED;
+}
+
+/* Placement and paint are the emitter's; a layer holds until it is left. */
+vs_emit_status vs_gltf_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  vs_gltf *g = e->state;
+  if (ref->node->kind != VS_LAYER) return VS_EMITTED;
+  if (phase == VS_PHASE_LEAVE) {
+    g->open_count--;
+    return VS_EMITTED;
+  }
+  const char *name = VS_AS(layer, ref->node)->name;
+  uint32_t layer = 0;
+  while (layer < g->layer_count && strcmp(g->layers[layer], name) != 0) layer++;
+  if (layer == g->layer_count) {
+    if (!vs_emit_grow(e, &g->layers, &g->layer_room, g->layer_count + 1, sizeof *g->layers)) return VS_FAILED;
+    g->layers[g->layer_count++] = name;
+  }
+  if (!vs_emit_grow(e, &g->open_layers, &g->open_room, g->open_count + 1, sizeof *g->open_layers)) return VS_FAILED;
+  g->open_layers[g->open_count++] = layer + 1;
+  return VS_EMITTED;
+}

@@ -1,0 +1,536 @@
+/* Owns the POV-Ray text of every kind. What POV-Ray gets wrong in silence (degenerate shapes, lone operands) never gets here: the
+ * constructors refuse it or the driver leaves it out. Triangles take part in CSG by their inside_vector. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "backends/povray/povray.h"
+#include "backends/shade.h"
+#include "geometry/frame.h"
+#include "geometry/profiles/revolve.h"
+
+static void pov_indent(vs_emitter *e) { vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40)); }
+static void pov_open(vs_emitter *e, const char *word) {
+  pov_indent(e);
+  vs_puts(e->out, word);
+}
+static vs_emit_status pov_close(vs_emitter *e, const char *word) {
+  vs_puts(e->out, word);
+  return e->out->failed ? VS_FAILED : VS_EMITTED;
+}
+/* Primitives are what a drawing may have a million of: their text is made in the writer's own buffer. */
+enum { POV_POINT_ROOM = 3 * VS_NUMBER_ROOM + 8, POV_SHAPE_ROOM = 80 + 32 + 2 * POV_POINT_ROOM + 2 * VS_NUMBER_ROOM };
+
+static char *pov_write_point(char *to, vs_vec3 p) {
+  *to++ = '<';
+  to = vs_number_write(to, p.x);
+  VS_WRITE(to, ", ");
+  to = vs_number_write(to, p.y);
+  VS_WRITE(to, ", ");
+  to = vs_number_write(to, p.z);
+  *to++ = '>';
+  return to;
+}
+static char *pov_write_comma_point(char *to, vs_vec3 p) {
+  VS_WRITE(to, ", ");
+  return pov_write_point(to, p);
+}
+static char *pov_write_comma(char *to, double x) {
+  VS_WRITE(to, ", ");
+  return vs_number_write(to, x);
+}
+
+/* Room for one such shape, and its indentation and word (of at most 32 letters) in it. NULL: failed. */
+static char *pov_begin(vs_emitter *e, const char *word, size_t length) {
+  char *to = vs_writer_room(e->out, POV_SHAPE_ROOM);
+  if (to == NULL) return NULL;
+  size_t indent = 2 * (e->depth < 40 ? e->depth : 40);
+  memset(to, ' ', indent);
+  memcpy(to + indent, word, length);
+  return to + indent + length;
+}
+#define POV_BEGIN(e, word) pov_begin(e, word, sizeof word - 1)
+static vs_emit_status pov_finish(vs_emitter *e, char *to) {
+  VS_WRITE(to, " }\n");
+  return vs_writer_filled(e->out, to) ? VS_EMITTED : VS_FAILED;
+}
+
+/* Lengths and places in the units of the scene */
+static vs_vec3 pov_at(const vs_emitter *e, vs_vec3 p) { return e->unit == 1 ? p : vs_v3_scale(p, e->unit); }
+
+static void pov_point(vs_emitter *e, vs_vec3 p) { vs_put_triple(e->out, "<", p, ", ", ">"); }
+static void pov_comma_point(vs_emitter *e, vs_vec3 p) {
+  vs_puts(e->out, ", ");
+  pov_point(e, p);
+}
+static void pov_comma(vs_emitter *e, double x) {
+  vs_puts(e->out, ", ");
+  vs_put_number(e->out, x);
+}
+
+/* POV-Ray multiplies row vectors: columns of ours are its rows. The translation is in model units. */
+static void pov_matrix(vs_emitter *e, const vs_affine *a) {
+  vs_puts(e->out, "matrix <");
+  for (int column = 0; column < 4; column++)
+    for (int row = 0; row < 3; row++) {
+      if (column + row > 0) vs_puts(e->out, row == 0 ? ",  " : ", ");
+      vs_put_number(e->out, column == 3 ? a->m[row][column] * e->unit : a->m[row][column]);
+    }
+  vs_puts(e->out, ">");
+}
+
+/* ---- primitives ---- */
+
+vs_emit_status vs_povray_box(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  char *to = POV_BEGIN(e, "box { ");
+  if (to == NULL) return VS_FAILED;
+  to = pov_write_point(to, pov_at(e, VS_AS(box, ref->node)->p));
+  return pov_finish(e, pov_write_comma_point(to, pov_at(e, VS_AS(box, ref->node)->q)));
+}
+
+static vs_emit_status pov_sphere(vs_emitter *e, vs_vec3 center, double radius) {
+  char *to = POV_BEGIN(e, "sphere { ");
+  if (to == NULL) return VS_FAILED;
+  to = pov_write_point(to, pov_at(e, center));
+  return pov_finish(e, pov_write_comma(to, radius * e->unit));
+}
+
+/* A number of facets that the model asks for is part of the shape: then it is these facets, not the round thing. */
+vs_emit_status vs_povray_sphere(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_sphere *s = VS_AS(sphere, ref->node);
+  if (s->segments > 0) return VS_LOWER;
+  return pov_sphere(e, s->center, s->radius);
+}
+
+static vs_emit_status pov_cylinder(vs_emitter *e, vs_vec3 base, vs_vec3 top, double radius) {
+  char *to = POV_BEGIN(e, "cylinder { ");
+  if (to == NULL) return VS_FAILED;
+  to = pov_write_point(to, pov_at(e, base));
+  to = pov_write_comma_point(to, pov_at(e, top));
+  return pov_finish(e, pov_write_comma(to, radius * e->unit));
+}
+
+vs_emit_status vs_povray_cylinder(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_cylinder *c = VS_AS(cylinder, ref->node);
+  return c->segments > 0 ? VS_LOWER : pov_cylinder(e, c->base, c->top, c->radius);
+}
+
+static vs_emit_status pov_cone(vs_emitter *e, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius) {
+  if (base_radius == top_radius) return pov_cylinder(e, base, top, base_radius); /* POV-Ray's cone takes no equal radii */
+  char *to = POV_BEGIN(e, "cone { ");
+  if (to == NULL) return VS_FAILED;
+  to = pov_write_point(to, pov_at(e, base));
+  to = pov_write_comma(to, base_radius * e->unit);
+  to = pov_write_comma_point(to, pov_at(e, top));
+  return pov_finish(e, pov_write_comma(to, top_radius * e->unit));
+}
+
+vs_emit_status vs_povray_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_cone *c = VS_AS(cone, ref->node);
+  return c->segments > 0 ? VS_LOWER : pov_cone(e, c->base, c->radius, c->apex, 0);
+}
+
+vs_emit_status vs_povray_cut_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_cut_cone *c = VS_AS(cut_cone, ref->node);
+  return c->segments > 0 ? VS_LOWER : pov_cone(e, c->base, c->base_radius, c->top, c->top_radius);
+}
+
+vs_emit_status vs_povray_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_e_cone *c = VS_AS(e_cone, ref->node);
+  if (c->segments > 0) return VS_LOWER;
+  vs_vec3 axis = vs_v3_sub(c->top, c->base);
+  vs_affine place = vs_frame_on_axis(c->base, axis), wide = vs_affine_scaling(vs_v3(0, 0, 0), vs_v3(1, c->base_across / c->base_radius, 1));
+  place = vs_affine_multiply(&place, &wide);
+  bool equal = c->base_radius == c->top_radius; /* POV-Ray's cone takes no equal radii */
+  pov_open(e, equal ? "cylinder { <0, 0, 0>" : "cone { <0, 0, 0>");
+  if (!equal) pov_comma(e, c->base_radius * e->unit);
+  pov_comma_point(e, vs_v3(0, 0, vs_v3_length(axis) * e->unit));
+  pov_comma(e, c->top_radius * e->unit);
+  vs_puts(e->out, " ");
+  pov_matrix(e, &place);
+  return pov_close(e, " }\n");
+}
+
+/* POV-Ray's exponents are ours. Outside these bounds its solver leaves holes: then the triangles that every format gets. */
+vs_emit_status vs_povray_superellipsoid(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_superellipsoid *s = VS_AS(superellipsoid, ref->node);
+  const double least = 0.1, most = 2;
+  if (s->segments > 0 || s->e < least || s->n < least || s->e > most || s->n > most) return VS_LOWER;
+  pov_open(e, "superellipsoid { <");
+  vs_put_number(e->out, s->e);
+  pov_comma(e, s->n);
+  vs_puts(e->out, "> scale ");
+  vs_put_number(e->out, s->size * e->unit);
+  return pov_close(e, " }\n");
+}
+
+vs_emit_status vs_povray_torus(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_torus *t = VS_AS(torus, ref->node);
+  if (t->segments > 0) return VS_LOWER;
+  pov_open(e, "torus { ");
+  vs_put_number(e->out, t->radius * e->unit);
+  pov_comma(e, t->tube_radius * e->unit);
+  vs_puts(e->out, " rotate 90*x translate ");
+  pov_point(e, pov_at(e, t->center));
+  return pov_close(e, " }\n");
+}
+
+/* Inside a plane of POV-Ray's is what its normal points away from. */
+vs_emit_status vs_povray_half_space(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_half_space *h = VS_AS(half_space, ref->node);
+  vs_vec3 out = vs_v3_scale(vs_v3_unit(h->normal), -1);
+  pov_open(e, "plane { ");
+  pov_point(e, out);
+  pov_comma(e, vs_v3_dot(out, h->point) * e->unit);
+  return pov_close(e, " }\n");
+}
+
+/* ---- triangles ---- */
+
+static bool pov_needle(const vs_vec3 *v, const uint32_t t[3]) {
+  vs_vec3 a = vs_v3_sub(v[t[1]], v[t[0]]), b = vs_v3_sub(v[t[2]], v[t[0]]);
+  double longest = fmax(vs_v3_length(a), vs_v3_length(b));
+  return !(vs_v3_length(vs_v3_cross(a, b)) > 1e-12 * longest * longest);
+}
+
+/* Index triples, ten a line; needles are left out: POV-Ray complains of them and they show nothing. */
+static void pov_triples(vs_emitter *e, const char *word, const vs_vec3 *v, const uint32_t (*keep)[3], const uint32_t (*triples)[3], size_t count, size_t kept) {
+  pov_open(e, word);
+  vs_put_u32(e->out, (uint32_t)kept);
+  for (size_t i = 0, shown = 0; i < count; i++) {
+    if (pov_needle(v, keep[i])) continue;
+    vs_puts(e->out, shown++ % 10 == 0 ? ",\n" : ", ");
+    if (shown % 10 == 1) pov_indent(e);
+    for (int k = 0; k < 3; k++) {
+      vs_puts(e->out, k == 0 ? "<" : ",");
+      vs_put_u32(e->out, triples[i][k]);
+    }
+    vs_puts(e->out, ">");
+  }
+  vs_puts(e->out, "\n");
+  pov_indent(e);
+  vs_puts(e->out, "}\n");
+}
+
+static void pov_points(vs_emitter *e, const char *word, const vs_vec3 *at, size_t count, vs_vec3 from, double unit) {
+  pov_open(e, word);
+  vs_put_u32(e->out, (uint32_t)count);
+  for (size_t i = 0; i < count; i++) {
+    vs_puts(e->out, i % 4 == 0 ? ",\n" : ", ");
+    if (i % 4 == 0) pov_indent(e);
+    vs_put_triple(e->out, "<", unit == 1 ? vs_v3_sub(at[i], from) : vs_v3_scale(vs_v3_sub(at[i], from), unit), ",", ">");
+  }
+  vs_puts(e->out, "\n");
+  pov_indent(e);
+  vs_puts(e->out, "}\n");
+}
+
+/* POV-Ray keeps the corners of meshes in single precision: those of what is far away for its size are written from its first corner on. */
+static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
+  vs_bounds b = vs_bounds_empty();
+  for (size_t i = 0; i < count; i++) vs_bounds_add(&b, v[i]);
+  vs_vec3 middle = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5);
+  return count > 0 && vs_v3_length(middle) > 100 * vs_bounds_diagonal(&b) ? v[0] : vs_v3(0, 0, 0);
+}
+
+static vs_emit_status pov_mesh(vs_emitter *e, const vs_vec3 *v, size_t vertex_count, const uint32_t (*t)[3], size_t count, bool closed) {
+  size_t kept = 0;
+  for (size_t i = 0; i < count; i++) kept += !pov_needle(v, t[i]);
+  if (kept == 0) return VS_EMITTED; /* nothing that could be seen */
+  vs_shading s = { .normal_count = 0 };
+  const double crease = 0.6; /* radians, some 35 degrees */
+  if (e->smooth && !vs_shading_make(e, v, vertex_count, t, count, crease, &s)) return VS_FAILED;
+  pov_open(e, "mesh2 {\n");
+  e->depth++;
+  vs_vec3 from = pov_far(v, vertex_count);
+  pov_points(e, "vertex_vectors { ", v, vertex_count, from, e->unit);
+  if (e->smooth) pov_points(e, "normal_vectors { ", s.normals, s.normal_count, vs_v3(0, 0, 0), 1);
+  pov_triples(e, "face_indices { ", v, t, t, count, kept);
+  if (e->smooth) pov_triples(e, "normal_indices { ", v, t, (const uint32_t (*)[3])s.corners, count, kept);
+  if (closed) pov_open(e, "inside_vector <0.2317, 0.4951, 0.8372>\n"); /* askew, so that it seldom runs along an edge */
+  if (!vs_v3_equal(from, vs_v3(0, 0, 0))) {
+    pov_open(e, "translate ");
+    pov_point(e, pov_at(e, from));
+    vs_puts(e->out, "\n");
+  }
+  e->depth--;
+  vs_shading_free(&s);
+  pov_open(e, "}\n");
+  return pov_close(e, "");
+}
+
+vs_emit_status vs_povray_polyface(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_polyface_mesh *p = VS_AS(polyface_mesh, ref->node);
+  bool triangles = p->faces->corner_count == 3 * p->faces->count;
+  const uint32_t *starts = vs_faces_starts(p->faces);
+  for (uint32_t i = 0; i < p->faces->count && triangles; i++) triangles = starts[i] == 3 * i;
+  if (triangles)
+    return pov_mesh(e, p->points->at, p->points->count, (const uint32_t (*)[3])(const void *)vs_faces_corners(p->faces), p->faces->count, p->closed);
+  const vs_solid *m = vs_emit_mesh(e, ref);
+  if (m == NULL) return VS_FAILED;
+  return pov_mesh(e, m->mesh.vertices, m->mesh.vertex_count, (const uint32_t (*)[3])m->mesh.triangles, m->mesh.triangle_count, p->closed);
+}
+
+/* ---- curves and regions ---- */
+
+vs_emit_status vs_povray_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_line *l = VS_AS(line, ref->node);
+  double radius = 0.0012 * vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
+  uint32_t count = l->points->count, pieces = l->closed ? count : count - 1;
+  if (!(radius > 0) || count == 0) return VS_EMITTED;
+  pov_open(e, "union {\n");
+  e->depth++;
+  for (uint32_t i = 0; i < count; i++) {
+    vs_vec3 a = l->points->at[i], b = l->points->at[(i + 1) % count];
+    pov_sphere(e, a, radius);
+    if (i < pieces && vs_v3_length(vs_v3_sub(b, a)) > 1e-6 * radius) pov_cylinder(e, a, b, radius);
+  }
+  if (count == 1) pov_sphere(e, l->points->at[0], radius); /* a union of one is a warning */
+  e->depth--;
+  pov_open(e, "}\n");
+  return pov_close(e, "");
+}
+
+/* The loops of an outline as flat points of its own plane, each loop closed by its first point; comma before all but the first. */
+static size_t pov_loop_points(const vs_outline *o) {
+  size_t count = 0;
+  for (size_t i = 0; i < o->count; i++) count += o->loops[i].count + 1;
+  return count;
+}
+
+static void pov_loops(vs_emitter *e, const vs_outline *o, const vs_affine *back) {
+  for (size_t i = 0; i < o->count; i++) {
+    vs_puts(e->out, ",\n");
+    pov_open(e, "  ");
+    for (size_t k = 0; k <= o->loops[i].count; k++) {
+      vs_vec3 p = vs_affine_point(back, o->loops[i].at[k % o->loops[i].count]);
+      vs_puts(e->out, k == 0 ? "<" : ", <");
+      vs_put_number(e->out, p.x * e->unit);
+      pov_comma(e, p.y * e->unit);
+      vs_puts(e->out, ">");
+    }
+  }
+  vs_puts(e->out, "\n");
+}
+
+vs_emit_status vs_povray_region(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  vs_outline o = { .count = 0 };
+  if (!vs_region_outline(ref->node, &e->facets, &o, e->error)) return VS_FAILED;
+  vs_affine plane = vs_frame_on_axis(o.point, o.normal), back;
+  if (o.count > 0 && vs_affine_invert(&plane, &back)) {
+    pov_open(e, "polygon { ");
+    vs_put_u32(e->out, (uint32_t)pov_loop_points(&o));
+    pov_loops(e, &o, &back);
+    pov_open(e, "  ");
+    pov_matrix(e, &plane);
+    vs_puts(e->out, " }\n");
+  }
+  vs_outline_free(&o);
+  return pov_close(e, "");
+}
+
+/* Where every loop is straight lines, the walls are planes and a prism shows them; round walls are better as shaded triangles. */
+static bool pov_is_straight(const vs_node *profile) {
+  while (profile->kind == VS_TRANSFORM || vs_node_is_dress(profile)) profile = profile->children[0].node;
+  if (profile->kind == VS_LINE) return true;
+  if (profile->kind != VS_REGION || profile->child_count == 0) return false;
+  for (size_t i = 0; i < profile->child_count; i++)
+    if (profile->children[i].node->kind != VS_LINE) return false;
+  return true;
+}
+
+/* A circle in the XY plane, bare or as the one curve of a region. */
+static const struct vs_circle *pov_circle(const vs_node *profile) {
+  if (profile->kind == VS_REGION && profile->child_count == 1) profile = profile->children[0].node;
+  return profile->kind == VS_CIRCLE && VS_AS(circle, profile)->segments == 0 ? VS_AS(circle, profile) : NULL;
+}
+
+vs_emit_status vs_povray_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const vs_node *n = ref->node;
+  const struct vs_extrude *x = VS_AS(extrude, n);
+  if (n->class_ != VS_SOLID || n->child_count != 1 || x->taper != 0 || x->twist != 0 || x->scale != 1) return VS_LOWER;
+  vs_vec3 start = x->center ? vs_v3_scale(x->along, -0.5) : vs_v3(0, 0, 0);
+  const struct vs_circle *circle = pov_circle(n->children[0].node);
+  if (circle != NULL && x->along.x == 0 && x->along.y == 0) {
+    vs_vec3 base = vs_v3_add(circle->center, start);
+    return pov_cylinder(e, base, vs_v3_add(base, x->along), circle->radius);
+  }
+  if (!pov_is_straight(n->children[0].node)) return VS_LOWER;
+  vs_outline o = { .count = 0 };
+  if (!vs_region_outline(n->children[0].node, &e->facets, &o, e->error)) return VS_FAILED;
+  vs_affine plane = vs_frame_on_axis(o.point, o.normal), back;
+  if (o.count > 0 && vs_affine_invert(&plane, &back)) {
+    /* A prism's profile lies in x and z and rises along y: its x, y, z go to the plane's first axis, the way along, the second axis. */
+    vs_affine place = plane;
+    const double along[] = { x->along.x, x->along.y, x->along.z }, from[] = { start.x, start.y, start.z };
+    for (int row = 0; row < 3; row++) {
+      place.m[row][1] = along[row] * e->unit;
+      place.m[row][2] = plane.m[row][1];
+      place.m[row][3] += from[row];
+    }
+    pov_open(e, "prism { linear_sweep linear_spline 0, 1, ");
+    vs_put_u32(e->out, (uint32_t)pov_loop_points(&o));
+    pov_loops(e, &o, &back);
+    pov_open(e, "  ");
+    pov_matrix(e, &place);
+    vs_puts(e->out, " }\n");
+  }
+  vs_outline_free(&o);
+  return pov_close(e, "");
+}
+
+/* A whole turn of one straight-edged loop: a lathe, whose profile is x and y and turns about y. Round profiles are better as shaded triangles. */
+vs_emit_status vs_povray_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const vs_node *n = ref->node;
+  vs_revolve r;
+  if (n->class_ != VS_SOLID || VS_AS(revolve, n)->segments > 0 || !pov_is_straight(n->children[0].node)) return VS_LOWER;
+  if (!vs_revolve_plan(n, &e->facets, &r, e->error)) return VS_FAILED;
+  bool fits = r.full && r.loop_count == 1;
+  if (fits) {
+    pov_open(e, "lathe { linear_spline ");
+    vs_put_u32(e->out, (uint32_t)r.count + 1);
+    vs_puts(e->out, ",\n");
+    pov_open(e, "  ");
+    for (size_t i = 0; i <= r.count; i++) {
+      vs_puts(e->out, i ? ", <" : "<");
+      vs_put_number(e->out, r.profile[i % r.count].x * e->unit);
+      pov_comma(e, r.profile[i % r.count].y * e->unit);
+      vs_puts(e->out, ">");
+    }
+    vs_affine place = { { { r.out.x, r.axis.x, -r.side.x, r.at.x }, { r.out.y, r.axis.y, -r.side.y, r.at.y }, { r.out.z, r.axis.z, -r.side.z, r.at.z } } };
+    vs_puts(e->out, "\n");
+    pov_open(e, "  ");
+    pov_matrix(e, &place);
+    vs_puts(e->out, " }\n");
+  }
+  vs_revolve_free(&r);
+  return fits ? pov_close(e, "") : VS_LOWER;
+}
+
+/* ---- operations ---- */
+
+vs_emit_status vs_povray_transform(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  const vs_affine *a = &VS_AS(transform, ref->node)->matrix;
+  if (phase == VS_PHASE_ENTER) {
+    pov_open(e, "object {\n");
+    return pov_close(e, "");
+  }
+  pov_open(e, "  ");
+  if (vs_affine_is_translation(a)) {
+    vs_puts(e->out, "translate ");
+    pov_point(e, pov_at(e, vs_v3(a->m[0][3], a->m[1][3], a->m[2][3])));
+  } else {
+    pov_matrix(e, a);
+  }
+  vs_puts(e->out, "\n");
+  pov_open(e, "}\n");
+  return pov_close(e, "");
+}
+
+/* Paint goes to what has none yet: POV-Ray hands the material of a compound down to bare parts, and puts a second one on top of a first. */
+vs_emit_status vs_povray_material(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  if (phase == VS_PHASE_ENTER) {
+    pov_open(e, "object {\n");
+    return pov_close(e, "");
+  }
+  if (vs_emit_is_bare(e, ref->node->children[0].node)) {
+    pov_open(e, "  ");
+    vs_povray_paint(e, VS_AS(material, ref->node)->material);
+    vs_puts(e->out, "\n");
+  }
+  pov_open(e, "}\n");
+  return pov_close(e, "");
+}
+
+vs_emit_status vs_povray_layer(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)ref;
+  pov_open(e, phase == VS_PHASE_ENTER ? "object {\n" : "}\n");
+  return pov_close(e, "");
+}
+
+/* Text that begins with one of these words says how the child looks; any other is an object in the child's place. */
+static bool pov_is_look(const char *text) {
+  static const char *const words[] = { "texture", "pigment", "normal", "finish", "interior", "material", "photons", "no_shadow", "hollow" };
+  while (*text == ' ' || *text == '\n' || *text == '\t' || *text == '\r') text++;
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+    size_t length = strlen(words[i]);
+    char next = strncmp(text, words[i], length) == 0 ? text[length] : 'a';
+    if (!((next >= 'a' && next <= 'z') || (next >= '0' && next <= '9') || next == '_')) return true;
+  }
+  return false;
+}
+
+vs_emit_status vs_povray_native(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  const char *code = VS_AS(native, ref->node)->code;
+  bool look = pov_is_look(code);
+  if (phase == VS_PHASE_ENTER) {
+    if (look && e->child_count == 0) return VS_WHOLE; /* nothing to be looked at */
+    pov_open(e, "object {\n");
+    if (look) return pov_close(e, "");
+  }
+  vs_puts(e->out, code);
+  vs_puts(e->out, "\n");
+  if (!look && e->unit != 1) {
+    pov_open(e, "scale ");
+    vs_put_number(e->out, e->unit);
+    vs_puts(e->out, "\n");
+  }
+  pov_open(e, "}\n");
+  vs_emit_status done = pov_close(e, "");
+  return phase == VS_PHASE_ENTER && done == VS_EMITTED ? VS_WHOLE : done;
+}
+
+vs_emit_status vs_povray_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  const vs_node *n = ref->node;
+  if (phase == VS_PHASE_LEAVE) {
+    /* Where a bare cutter cuts something painted, the cut face shows what was cut. What is cut must be painted all over: POV-Ray shows the
+     * bare parts of a difference with cutaway_textures in black. */
+    bool whole = n->kind != VS_DIFFERENCE || !vs_emit_is_bare(e, n->children[0].node);
+    if (n->kind != VS_UNION && whole && vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n)) pov_open(e, "  cutaway_textures\n");
+    /* POV-Ray tries the parts of a difference for every ray unless they are bounded by hand; what is intersected with a box lies in it */
+    if (n->kind == VS_INTERSECTION && e->in_boolean && n->children[0].node->kind == VS_BOX) {
+      const struct vs_box *b = VS_AS(box, n->children[0].node);
+      vs_vec3 more = vs_v3_scale(vs_v3_sub(b->q, b->p), 1e-4);
+      pov_open(e, "  bounded_by { box { ");
+      pov_point(e, pov_at(e, vs_v3_sub(b->p, more)));
+      pov_comma_point(e, pov_at(e, vs_v3_add(b->q, more)));
+      vs_puts(e->out, " } }\n");
+    }
+    pov_open(e, "}\n");
+    return pov_close(e, "");
+  }
+  bool clear = e->material != NULL && e->material->transparency > 0 && n->class_ == VS_SOLID && e->child_count <= 200;
+  pov_open(e, n->kind == VS_INTERSECTION ? "intersection {\n" : n->kind == VS_DIFFERENCE ? "difference {\n" : clear ? "merge {\n" : "union {\n");
+  return pov_close(e, "");
+}
+
+bool vs_povray_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) {
+  (void)ref;
+  return open ? vs_putf(e->out, "#declare T%lu =\n", (unsigned long)id) : vs_puts(e->out, "\n");
+}
+
+bool vs_povray_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
+  (void)ref;
+  pov_indent(e);
+  bool placed = e->parent != NULL && e->parent->kind == VS_TRANSFORM; /* which has opened the object */
+  return vs_puts(e->out, placed ? "T" : "object { T") && vs_emit_put_template_number(e, id) && vs_puts(e->out, placed ? "\n" : " }\n");
+}
+
+bool vs_povray_item(vs_emitter *e, size_t index, bool end) {
+  (void)index, (void)end;
+  return !e->out->failed;
+}

@@ -1,0 +1,228 @@
+/* Owns the runs of a drawing whose text is kept: where they begin and end, and all that decides what they are written as.
+ *
+ * A run is some neighbours in one operation, in what is drawn, or a template's body. Its length is decided by weights, about the number of shapes in it, and its end
+ * by the hash of the last of them: so after something is put in or taken out, runs soon end where they did before. What is too heavy for a run is gone into.
+ * The key has, in the order of the walk, each node's kind and numbers, and which of the run's templates and paints stand where; before them
+ * all of the emitter that emit functions look at. Where sets of regions are written as one region their whole inside is in it. */
+#include "backends/drive.h"
+#include "model/store/cache.h"
+#include "model/tally.h"
+
+enum { LIGHT = 48, USUAL = 256, HEAVY = 1024 }; /* weights: less is not worth a run; most runs; more is no run, but for one shape */
+
+bool vs_drive_is_short(vs_kind kind) {
+  switch (kind) {
+  case VS_EMPTY: case VS_BOX: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_TORUS: case VS_WEDGE: case VS_CIRCLE: case VS_ARC:
+  case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE:
+    return true;
+  case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
+  case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
+  case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
+  case VS_LINE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_PYRAMID: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
+  case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
+  case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
+    break;
+  }
+  return false;
+}
+
+/* ---- weights ---- */
+
+static uint32_t leaf_weight(const vs_emitter *e, const vs_node *n) {
+  enum { OUTLINED = 12, MESHED = 128 }; /* what is written as an outline, as triangles: by and large */
+  uint32_t weight = OUTLINED;
+  if (e->drive->brief[n->kind]) return 1;
+  if (n->kind == VS_LINE) weight = VS_AS(line, n)->points->count;
+  else if (n->kind == VS_POLYFACE_MESH) weight = VS_AS(polyface_mesh, n)->points->count;
+  else if (n->class_ == VS_SURFACE || (n->class_ == VS_SOLID && n->kind != VS_EXTRUDE && n->kind != VS_PYRAMID)) weight = MESHED;
+  return weight < HEAVY ? weight : HEAVY;
+}
+
+static uint32_t weight_of(const vs_emitter *e, const vs_node *n, drive_view view) {
+  if (view.vain) return 0;
+  if (view.entry == NULL) return view.operation ? HEAVY : leaf_weight(e, n);
+  return view.entry->definition > 0 ? 1 : view.entry->weight;
+}
+
+void vs_drive_weigh(vs_emitter *e) {
+  vs_drive *d = e->drive;
+  for (size_t i = 0; i < d->order_count; i++) {
+    drive_entry *entry = &d->entries[d->order[i]];
+    const vs_node *n = entry->ref.node;
+    bool operation = drive_is_operation(e, n);
+    entry->weight = operation ? 1 : leaf_weight(e, n);
+    for (uint32_t k = 0; operation && k < n->child_count && entry->weight < HEAVY; k++) entry->weight += weight_of(e, n->children[k].node, drive_look(e, n->children[k].node));
+    if (entry->weight > HEAVY) entry->weight = HEAVY;
+  }
+}
+
+/* ---- the key ---- */
+
+typedef struct { const vs_node *node; uint32_t next; bool whole; } step;
+typedef struct { step *steps; size_t count, room; bool cut, thin; size_t shapes; } spelling; /* cut: a half-space stands in it; thin: something that is no solid */
+
+enum { MOST_SHAPES = 1 << 16 }; /* in one key: what is inside of a shape may be a tree that names its parts many times */
+enum { TAG_WHOLE = 1u << 16, TAG_TEMPLATE = 1u << 17, TAG_SHOWN = 1u << 18 };
+
+static uint64_t paint_bits(const vs_emitter *e, const vs_node *n) { return n == NULL ? 0 : 1 | (uint64_t)vs_emit_is_bare(e, n) << 1 | (uint64_t)vs_emit_is_painted(e, n) << 2; }
+
+/* What surrounds the run; the words that depend on what is in it follow at the end. */
+static void put_surroundings(vs_emitter *e, const vs_node *parent, bool body) {
+  vs_reuse *r = &e->drive->reuse;
+  const double reals[] = { e->unit, e->drawing_facets.tolerance, e->facets.tolerance };
+  vs_reuse_put(r, (uintptr_t)e->backend);
+  vs_reuse_put(r, e->depth << 1 | (body ? 1 : 0));
+  vs_reuse_put(r, (uint64_t)(uint32_t)e->drawing_facets.segments << 32 | (uint32_t)e->facets.segments);
+  vs_reuse_put_reals(r, reals, sizeof reals / sizeof *reals);
+  for (int row = 0; row < 3; row++) vs_reuse_put_reals(r, e->placement.m[row], 3); /* facets of what is placed below depend on it; not on where it is */
+  vs_reuse_put(r, (uintptr_t)e->material);
+  vs_reuse_put(r, paint_bits(e, parent) << 16 | paint_bits(e, e->body) << 8 | (uint64_t)e->in_boolean << 1 | e->smooth);
+  vs_reuse_put(r, parent != NULL ? parent->kind : VS_KIND_COUNT);
+}
+
+static void put_ends(vs_emitter *e, const spelling *s) {
+  vs_reuse *r = &e->drive->reuse;
+  double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
+  vs_reuse_put(r, (uint64_t)s->cut << 1 | s->thin);
+  if (s->thin) vs_reuse_put_reals(r, &diagonal, 1); /* how thick a line is drawn */
+  if (s->cut) vs_reuse_put_reals(r, &e->reach.min.x, 3);
+  if (s->cut) vs_reuse_put_reals(r, &e->reach.max.x, 3);
+}
+
+/* One node; with children to be spelled out it is on the stack then. */
+static void put_node(vs_emitter *e, spelling *s, const vs_ref *ref, drive_view view, bool whole) {
+  vs_reuse *r = &e->drive->reuse;
+  const vs_node *n = ref->node;
+  if (e->backend->keep_origins) vs_reuse_put(r, (uintptr_t)ref->origin);
+  if (view.entry != NULL && view.entry->definition > 0 && !whole) {
+    vs_reuse_put(r, TAG_TEMPLATE | paint_bits(e, n));
+    vs_reuse_put_number(r, VS_NUMBER_TEMPLATE, view.entry->definition);
+    return;
+  }
+  bool inside = whole || !view.operation || (n->class_ == VS_REGION_CLASS && vs_node_is_set(n));
+  s->cut = s->cut || n->flags & VS_NODE_CUT || n->kind == VS_HALF_SPACE;
+  s->thin = s->thin || (inside && !whole && n->class_ != VS_SOLID);
+  uint32_t shown = inside ? n->child_count : view.entry != NULL ? view.entry->shown : UINT32_MAX;
+  if (shown == UINT32_MAX || ++s->shapes > MOST_SHAPES) r->unfit = true;
+  vs_reuse_put(r, (uint64_t)shown << 32 | (inside ? TAG_WHOLE : TAG_SHOWN) | n->kind);
+  vs_reuse_put_payload(r, vs_kind_get((vs_kind)n->kind), vs_node_data(n));
+  if (n->kind == VS_MATERIAL) vs_reuse_put_number(r, VS_NUMBER_PAINT, (uint32_t)vs_emit_material_number(e, VS_AS(material, n)->material));
+  if (n->child_count > 0 && vs_reuse_more(r, &s->steps, &s->room, s->count + 1, sizeof *s->steps)) s->steps[s->count++] = (step){ n, 0, inside };
+}
+
+/* A reference of the run with all under it. body: itself is a template, whose inside is meant. */
+static void put_tree(vs_emitter *e, spelling *s, const vs_ref *ref, bool body) {
+  const vs_reuse *r = &e->drive->reuse;
+  drive_view view = drive_look(e, ref->node);
+  drive_entry inside;
+  if (view.vain) return;
+  if (body && view.entry != NULL) {
+    inside = *view.entry;
+    inside.definition = 0;
+    view.entry = &inside;
+  }
+  put_node(e, s, ref, view, false);
+  while (s->count > 0 && !r->unfit) {
+    step *top = &s->steps[s->count - 1];
+    if (top->next == top->node->child_count) {
+      s->count--;
+      continue;
+    }
+    const vs_ref *child = &top->node->children[top->next++];
+    view = drive_look(e, child->node);
+    if (top->whole || !view.vain) put_node(e, s, child, view, top->whole);
+  }
+  s->count = 0;
+}
+
+/* ---- runs ---- */
+
+/* Where the run from `from` on ends, and its weight. */
+static size_t run_end(const vs_emitter *e, const vs_ref *refs, size_t count, size_t from, bool body, size_t *shown, uint32_t *weight) {
+  size_t i = from;
+  for (*shown = 0, *weight = 0; i < count; i++) {
+    const vs_node *n = refs[i].node;
+    drive_view view = drive_look(e, n);
+    uint32_t own = body && view.entry != NULL ? view.entry->weight : weight_of(e, n, view);
+    bool alone = own >= HEAVY; /* gone into, unless it is one shape */
+    if (alone && i > from) break;
+    *shown += !view.vain;
+    *weight += alone && view.operation ? 0 : own;
+    if (alone || *weight >= HEAVY || (*weight >= LIGHT && (n->hash >> 32) < UINT32_MAX / USUAL * (uint64_t)own)) return i + 1;
+  }
+  return i;
+}
+
+static bool all_said(const vs_emitter *e, const vs_reused *found) {
+  const vs_drive *d = e->drive;
+  for (size_t i = 0; i < found->said_count; i++) {
+    bool said = false;
+    for (size_t k = 0; k < d->said_count; k++) said = said || d->said[k] == found->said[i];
+    if (!said) return false;
+  }
+  return true;
+}
+
+static bool put_out(vs_emitter *e, const vs_ref *first, const vs_reused *found) {
+  vs_tally *tally = vs_store_tally(e->scene->store);
+  bool ok = true;
+  if (e->backend->keep_origins) {
+    uint32_t line = vs_writer_line(e->out);
+    ok = vs_drive_mark(e, line, first->origin);
+    for (size_t i = 0; ok && i < found->line_count; i++) ok = vs_drive_mark(e, line + found->lines[i].line, found->lines[i].origin);
+  }
+  ok = ok && vs_reuse_put_out(&e->drive->reuse, found, e->out);
+  if (ok && tally != NULL) tally->texts_found++, tally->bytes_found += found->size;
+  return ok && vs_emit_progress(e, "writing", -1);
+}
+
+static void run_begin(vs_emitter *e, size_t until) {
+  vs_drive *d = e->drive;
+  d->run_frames = d->frame_count;
+  d->run_until = until;
+  if (e->backend->keep_origins) {
+    d->run_line = vs_writer_line(e->out);
+    d->run_first = d->line_count > 0 && d->lines[d->line_count - 1].line == d->run_line ? d->line_count - 1 : d->line_count; /* it may yet get another origin */
+  }
+  vs_reuse_begin(&d->reuse, e->out);
+}
+
+void vs_drive_run_end(vs_emitter *e) {
+  vs_drive *d = e->drive;
+  size_t count = e->backend->keep_origins ? d->line_count - d->run_first : 0;
+  vs_reuse_line *lines = count > 0 ? d->lines + d->run_first : NULL;
+  for (size_t i = 0; i < count; i++) lines[i].line -= (uint32_t)d->run_line;
+  vs_reuse_end(&d->reuse, e->out, lines, count);
+  for (size_t i = 0; i < count; i++) lines[i].line += (uint32_t)d->run_line;
+}
+
+bool vs_drive_run(vs_emitter *e, const vs_node *parent, const vs_ref *refs, size_t count, size_t from, bool body, size_t *until, size_t *shown, bool *found) {
+  vs_reuse *r = &e->drive->reuse;
+  vs_tally *tally = vs_store_tally(e->scene->store);
+  uint32_t weight;
+  *found = false;
+  *until = run_end(e, refs, count, from, body, shown, &weight);
+  if (weight < LIGHT) return true;
+  spelling s = { .count = 0 };
+  size_t first = from;
+  vs_reuse_start(r);
+  put_surroundings(e, parent, body);
+  for (size_t i = from; i < *until && !r->unfit; i++) {
+    vs_reuse_mix(r, refs[i].node->hash);
+    put_tree(e, &s, &refs[i], body);
+  }
+  put_ends(e, &s);
+  vs_emit_release(e, s.steps, s.room, sizeof *s.steps);
+  if (r->unfit) return true;
+  while (drive_look(e, refs[first].node).vain) first++;
+  if (tally != NULL) tally->texts++;
+  vs_reused kept;
+  if (!vs_reuse_find(r, &kept)) {
+    run_begin(e, *until);
+    return true;
+  }
+  *found = all_said(e, &kept); /* else it is written once more, and what is not said yet is said where it belongs */
+  bool ok = !*found || put_out(e, &refs[first], &kept);
+  vs_cache_let_go(r->cache, kept.held);
+  return ok;
+}

@@ -1,0 +1,219 @@
+/* Owns the drawing as groups: unit forms and uses of templates with their placement, and batches of triangles and lines a material. */
+#include <math.h>
+#include <string.h>
+
+#include "backends/shade.h"
+#include "backends/x3d/x3d.h"
+#include "geometry/shapes/unit_forms.h"
+
+bool vs_x3d_open(vs_emitter *e, vs_x3d_notation notation) {
+  vs_x3d *x = vs_store_realloc(e->scene->store, NULL, 0, sizeof *x);
+  if (x == NULL) return vs_emit_no_memory(e);
+  *x = (vs_x3d){ .notation = notation, .batch_count = vs_emit_material_count(e) + 1 };
+  e->state = x;
+  if (!vs_emit_grow(e, &x->groups, &x->group_room, 1, sizeof *x->groups)) return false;
+  x->groups[x->group_count++] = (vs_x3d_group){ .bare = true };
+  return true;
+}
+
+void vs_x3d_close(vs_emitter *e) {
+  vs_x3d *x = e->state;
+  if (x == NULL) return;
+  for (size_t k = 0; k < x->group_count; k++) {
+    vs_x3d_group *g = &x->groups[k];
+    for (size_t i = 0; g->batches != NULL && i < x->batch_count; i++) {
+      vs_x3d_batch *b = &g->batches[i];
+      vs_emit_release(e, b->vertices, b->vertex_room, sizeof *b->vertices);
+      vs_emit_release(e, b->normals, b->normal_room, sizeof *b->normals);
+      vs_emit_release(e, b->triangles, b->triangle_room, sizeof *b->triangles);
+      vs_emit_release(e, b->points, b->point_room, sizeof *b->points);
+      vs_emit_release(e, b->lines, b->line_room, sizeof *b->lines);
+    }
+    vs_emit_release(e, g->batches, x->batch_count, sizeof *g->batches);
+    vs_emit_release(e, g->items, g->item_room, sizeof *g->items);
+    vs_emit_release(e, g->uses, g->use_room, sizeof *g->uses);
+    vs_emit_release(e, g->paints, g->paint_room, sizeof *g->paints);
+  }
+  vs_emit_release(e, x->groups, x->group_room, sizeof *x->groups);
+  vs_emit_release(e, x, 1, sizeof *x);
+  e->state = NULL;
+}
+
+vs_x3d_batch *vs_x3d_batches(vs_emitter *e, vs_x3d_group *g) {
+  const vs_x3d *x = e->state;
+  if (g->batches != NULL) return g->batches;
+  g->batches = vs_store_realloc(e->scene->store, NULL, 0, x->batch_count * sizeof *g->batches);
+  if (g->batches != NULL) memset(g->batches, 0, x->batch_count * sizeof *g->batches);
+  else vs_emit_no_memory(e);
+  return g->batches;
+}
+
+static vs_x3d_group *collect_group(const vs_emitter *e) {
+  const vs_x3d *x = e->state;
+  return &x->groups[x->group];
+}
+
+/* ---- templates ---- */
+
+bool vs_x3d_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) {
+  vs_x3d *x = e->state;
+  x->group = open ? id : 0;
+  if (!open) return true;
+  if (!vs_emit_grow(e, &x->groups, &x->group_room, (size_t)id + 1, sizeof *x->groups)) return false;
+  while (x->group_count <= id) x->groups[x->group_count++] = (vs_x3d_group){ .bare = vs_emit_is_bare(e, ref->node) };
+  return true;
+}
+
+bool vs_x3d_use_template(vs_emitter *e, uint32_t id, const vs_ref *ref) {
+  vs_x3d_group *g = collect_group(e);
+  (void)ref;
+  if (!vs_emit_grow(e, &g->uses, &g->use_room, g->use_count + 1, sizeof *g->uses)) return false;
+  g->uses[g->use_count++] = (vs_x3d_placed){ id, (uint32_t)vs_emit_material_number(e, e->material), e->placement };
+  return true;
+}
+
+/* ---- triangles ---- */
+
+static size_t collect_paint(const vs_emitter *e, const vs_solid *m, size_t part, uint32_t inherited) {
+  return part < m->part_count && m->parts[part].material != NULL ? vs_emit_material_number(e, m->parts[part].material) : inherited;
+}
+
+static bool collect_triangles(vs_emitter *e, vs_x3d_group *to, const vs_solid *m, const vs_affine *place, uint32_t inherited, double crease) {
+  vs_x3d *x = e->state;
+  vs_x3d_batch *batches = vs_x3d_batches(e, to);
+  if (batches == NULL) return false;
+  const vs_mesh *mesh = &m->mesh;
+  vs_shading s;
+  if (!vs_shading_make(e, mesh->vertices, mesh->vertex_count, (const uint32_t (*)[3])mesh->triangles, mesh->triangle_count, crease, &s)) return false;
+  bool mirrored = vs_affine_determinant(place) < 0, ok = true;
+  /* Each entry of the normals belongs to one vertex: it is the batch's vertex, and `at` is where the batch has it, per part. */
+  uint32_t *at = vs_store_realloc(e->scene->store, NULL, 0, (s.normal_count + 1) * sizeof *at);
+  if (at == NULL) ok = vs_emit_no_memory(e);
+  size_t parts = m->part_count > 0 ? m->part_count : 1;
+  for (size_t paint = 0; ok && paint < x->batch_count; paint++) {
+    bool any = false;
+    for (size_t part = 0; part < parts && !any; part++) {
+      any = collect_paint(e, m, part, inherited) == paint;
+    }
+    if (!any) continue;
+    vs_x3d_batch *b = &batches[paint];
+    memset(at, 0xff, (s.normal_count + 1) * sizeof *at);
+    for (size_t i = 0; ok && i < mesh->triangle_count; i++) {
+      uint32_t tag = mesh->tags != NULL ? mesh->tags[i] : 0;
+      if (collect_paint(e, m, tag, inherited) != paint) continue;
+      ok = vs_emit_grow(e, &b->triangles, &b->triangle_room, b->triangle_count + 1, sizeof *b->triangles);
+      for (int k = 0; ok && k < 3; k++) {
+        uint32_t corner = s.corners[i][k];
+        if (at[corner] == UINT32_MAX) {
+          ok = vs_emit_grow(e, &b->vertices, &b->vertex_room, b->vertex_count + 1, sizeof *b->vertices)
+            && vs_emit_grow(e, &b->normals, &b->normal_room, b->vertex_count + 1, sizeof *b->normals);
+          if (!ok) break;
+          b->vertices[b->vertex_count] = vs_affine_point(place, mesh->vertices[mesh->triangles[i][k]]);
+          b->normals[b->vertex_count] = vs_affine_normal(place, s.normals[corner]);
+          at[corner] = (uint32_t)b->vertex_count++;
+        }
+        b->triangles[b->triangle_count][mirrored ? 2 - k : k] = at[corner];
+      }
+      if (ok) b->triangle_count++;
+      ok = ok && vs_emit_going(e, i);
+    }
+  }
+  vs_emit_release(e, at, s.normal_count + 1, sizeof *at);
+  vs_shading_free(&s);
+  return ok;
+}
+
+bool vs_x3d_bake_node(vs_emitter *e, vs_x3d_group *to, const vs_ref *ref, const vs_affine *place, uint32_t paint) {
+  const vs_solid *m = vs_emit_mesh(e, ref);
+  bool boolean = ref->node->kind == VS_INTERSECTION || ref->node->kind == VS_DIFFERENCE;
+  return m != NULL && collect_triangles(e, to, m, place, paint, vs_shade_crease(boolean || vs_lower_is_round(ref->node)));
+}
+
+int vs_x3d_facets(const vs_emitter *e, const vs_x3d_item *item, int least) {
+  const vs_node *n = item->ref.node;
+  vs_facets facets = vs_facets_placed(&e->drawing_facets, &item->placement);
+  vs_unit_copy copy;
+  if (least == 0 || !vs_unit_of(n, &facets, &copy)) return least;
+  double r = fmax(vs_v3_length(vs_v3(copy.place.m[0][0], copy.place.m[1][0], copy.place.m[2][0])), vs_v3_length(vs_v3(copy.place.m[0][1], copy.place.m[1][1], copy.place.m[2][1])));
+  return vs_facets_turn_least(&facets, r, least);
+}
+
+bool vs_x3d_bake_item(vs_emitter *e, vs_x3d_group *to, const vs_x3d_item *item) {
+  const vs_x3d *x = e->state;
+  if (x->least == 0) return vs_x3d_bake_node(e, to, &item->ref, &item->placement, item->paint);
+  vs_facets was = e->facets;
+  vs_solid m = { .part_count = 0 };
+  e->facets.segments = vs_x3d_facets(e, item, x->least);
+  bool round = vs_lower_is_round(item->ref.node);
+  bool ok = vs_lower_mesh(e, &item->ref, &m) && collect_triangles(e, to, &m, &item->placement, item->paint, round ? VS_X3D_COARSE_CREASE : vs_shade_crease(false));
+  vs_solid_free(&m);
+  e->facets = was;
+  return ok;
+}
+
+static bool collect_here(vs_emitter *e, const vs_ref *ref) {
+  return vs_x3d_bake_node(e, collect_group(e), ref, &e->placement, (uint32_t)vs_emit_material_number(e, e->material));
+}
+
+/* ---- unit forms ---- */
+
+/* X3D's cylinders and cones stand on Y. */
+bool vs_x3d_form_of(const vs_emitter *e, const vs_node *n, vs_x3d_form *form, vs_affine *place) {
+  static const vs_affine upright = { { { 1, 0, 0, 0 }, { 0, 0, -1, 0 }, { 0, 1, 0, 0 } } };
+  vs_unit_copy copy;
+  if (!vs_unit_of(n, &e->facets, &copy) || copy.faceted) return false;
+  *place = copy.place;
+  switch (copy.unit) {
+  case VS_UNIT_BOX: *form = VS_X3D_BOX; return true;
+  case VS_UNIT_SPHERE: *form = VS_X3D_SPHERE; return true;
+  case VS_UNIT_CYLINDER: *form = VS_X3D_CYLINDER; break;
+  case VS_UNIT_CONE: *form = VS_X3D_CONE; break;
+  case VS_UNIT_WEDGE: case VS_UNIT_COUNT: return false;
+  }
+  *place = vs_affine_multiply(place, &upright);
+  return true;
+}
+
+vs_emit_status vs_x3d_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  vs_x3d_group *g = collect_group(e);
+  vs_x3d_form form = VS_X3D_BOX;
+  vs_affine place;
+  if (!vs_x3d_form_of(e, ref->node, &form, &place)) return collect_here(e, ref) ? VS_EMITTED : VS_FAILED;
+  place = vs_affine_multiply(&e->placement, &place);
+  if (!vs_affine_is_placement(&place)) return collect_here(e, ref) ? VS_EMITTED : VS_FAILED;
+  if (!vs_emit_grow(e, &g->items, &g->item_room, g->item_count + 1, sizeof *g->items)) return VS_FAILED;
+  g->items[g->item_count++] = (vs_x3d_item){ *ref, e->placement, (uint32_t)vs_emit_material_number(e, e->material), form };
+  return VS_EMITTED;
+}
+
+vs_emit_status vs_x3d_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_line *l = VS_AS(line, ref->node);
+  vs_x3d_batch *batches = vs_x3d_batches(e, collect_group(e));
+  if (batches == NULL) return VS_FAILED;
+  vs_x3d_batch *b = &batches[vs_emit_material_number(e, e->material)];
+  uint32_t count = l->points->count, first = (uint32_t)b->point_count;
+  if (count == 0) return VS_EMITTED;
+  if (!vs_emit_grow(e, &b->points, &b->point_room, b->point_count + count, sizeof *b->points)
+      || !vs_emit_grow(e, &b->lines, &b->line_room, b->line_count + count + 2, sizeof *b->lines))
+    return VS_FAILED;
+  for (uint32_t i = 0; i < count; i++) {
+    b->points[b->point_count++] = vs_affine_point(&e->placement, l->points->at[i]);
+    b->lines[b->line_count++] = first + i;
+  }
+  if (l->closed) b->lines[b->line_count++] = first;
+  b->lines[b->line_count++] = UINT32_MAX;
+  return VS_EMITTED;
+}
+
+/* Placement and paint are the emitter's; a union's parts stand beside each other. */
+vs_emit_status vs_x3d_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)e, (void)ref, (void)phase;
+  return VS_EMITTED;
+}
+
+vs_emit_status vs_x3d_boolean(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  if (phase != VS_PHASE_ENTER) return VS_EMITTED;
+  return collect_here(e, ref) ? VS_WHOLE : VS_FAILED;
+}

@@ -1,0 +1,93 @@
+/* Owns text: the font that a program means, and the object made of letters. */
+#include "bind/bind.h"
+
+#include <stdio.h>
+
+#include "geometry/text/typeset.h"
+#include "vm/library/port.h"
+#include "vm/machine/program.h"
+
+/* A file stands beside the program that names it, as one that it loads does, and is read by the host's own means. */
+static vs_status font_file(vs_frame *f, const vs_arg *font, const char **out) {
+  vs *vm = f->vm;
+  vs_text path;
+  vs_error e = { 0 };
+  VS_ROOTS(vm, r, 1);
+  vs_text_open(vm, &path, 0);
+  bool ok = vs_unit_path(vm, font->value, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path);
+  if (ok && !(*out = vs_store_text(f->bind->store, path.at, path.count))) ok = vs_fail_memory(vm);
+  if (ok && !vs_font_known(f->bind->store, *out)) {
+    ok = vs_io_read_file(vm, *out, &r[0]);
+    if (ok && !vs_font_add(f->bind->store, *out, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length, &e)) ok = vs_bind_error(f, &e);
+  }
+  vs_text_close(&path);
+  return ok ? VS_OK : VS_ERROR;
+}
+
+static vs_status font_of(vs_frame *f, const vs_arg *font, const char **out) {
+  vs_error e = { 0 };
+  if (font->given && vs_font_is_path(font->text.at)) return font_file(f, font, out);
+  *out = vs_store_text(f->bind->store, font->given ? font->text.at : "", font->given ? font->text.length : 0);
+  if (!*out) return vs_fail_memory(f->vm);
+  return vs_font_get(f->bind->store, *out, &e) ? VS_OK : vs_bind_error(f, &e);
+}
+
+/* One of the words, which is text of the program's own; NULL: refused. */
+static const char *word_of(vs_frame *f, const char *param, const vs_arg *a, const char *const *words, const char *expected) {
+  if (!a->given) return words[0];
+  for (; *words; words++)
+    if (!strcmp(*words, a->text.at)) return *words;
+  vs_bind_refuse(f, param, expected, a->value);
+  return NULL;
+}
+
+/* The British and the common spelling are one; what is stored lies in the store, as every text of a node. */
+static bool kept_word(vs_frame *f, const char **word) {
+  if (!strcmp(*word, "centre")) *word = "center";
+  *word = vs_store_text(f->bind->store, *word, strlen(*word));
+  return *word || vs_fail_memory(f->vm);
+}
+
+static void tell_missing(vs_frame *f, uint32_t c) {
+  char shown[8] = { 0 };
+  if (c < 0x80) shown[0] = (char)c;
+  else if (c < 0x800) shown[0] = (char)(0xC0 | c >> 6), shown[1] = (char)(0x80 | (c & 63));
+  else if (c < 0x10000) shown[0] = (char)(0xE0 | c >> 12), shown[1] = (char)(0x80 | (c >> 6 & 63)), shown[2] = (char)(0x80 | (c & 63));
+  else shown[0] = (char)(0xF0 | c >> 18), shown[1] = (char)(0x80 | (c >> 12 & 63)), shown[2] = (char)(0x80 | (c >> 6 & 63)), shown[3] = (char)(0x80 | (c & 63));
+  vs_bind_warn(f->bind, "glyph", "make-text: the font has no letter %s (U+%04X): it is shown as the font's sign for that", shown, (unsigned)c);
+}
+
+vs_status vs_p_make_text(vs_frame *f, vs_value *out) {
+  static const char *const aligns[] = { "left", "center", "centre", "right", NULL };
+  static const char *const valigns[] = { "baseline", "top", "center", "centre", "bottom", NULL };
+  struct vs_letters t = { .p = f->arg[0].point, .size = f->arg[1].real, .spacing = f->key[3].given ? f->key[3].real : 1 };
+  vs_error e = { 0 };
+  vs_text_plan plan;
+  t.string = vs_store_text(f->bind->store, f->arg[2].text.at, f->arg[2].text.length);
+  if (!t.string) return vs_fail_memory(f->vm);
+  t.align = word_of(f, "align", &f->key[1], aligns, "one of 'left 'center 'right");
+  if (!t.align || !kept_word(f, &t.align)) return VS_ERROR;
+  t.valign = word_of(f, "valign", &f->key[2], valigns, "one of 'baseline 'top 'center 'bottom");
+  if (!t.valign || !kept_word(f, &t.valign)) return VS_ERROR;
+  if (!font_of(f, &f->key[0], &t.font)) return VS_ERROR;
+  if (t.size == 0) return vs_bind_empty(f, "the size is 0", out);
+  if (!vs_text_lay(f->bind->store, &t, &plan, &e)) return vs_bind_error(f, &e);
+  bool ink = plan.count > 0;
+  if (plan.missing) tell_missing(f, plan.missing);
+  vs_text_plan_free(&plan);
+  if (!ink) return vs_bind_empty(f, "the text has no letters", out);
+  return vs_bind_make(f, VS_TEXT, &t, NULL, 0, out);
+}
+
+vs_status vs_p_text_width(vs_frame *f, vs_value *out) {
+  struct vs_letters t = { .size = f->arg[0].real, .align = "left", .valign = "baseline", .spacing = f->key[1].given ? f->key[1].real : 1 };
+  vs_error e = { 0 };
+  vs_text_plan plan;
+  t.string = vs_store_text(f->bind->store, f->arg[1].text.at, f->arg[1].text.length);
+  if (!t.string) return vs_fail_memory(f->vm);
+  if (!font_of(f, &f->key[0], &t.font)) return VS_ERROR;
+  if (!vs_text_lay(f->bind->store, &t, &plan, &e)) return vs_bind_error(f, &e);
+  double width = plan.width;
+  vs_text_plan_free(&plan);
+  return vs_bind_real(f, width, out);
+}

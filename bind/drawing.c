@@ -1,0 +1,225 @@
+/* Owns drawing, looks and view: what of the program's objects is shown, in which material, seen from where. */
+#include "bind/bind.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "vm/library/port.h"
+#include "vm/machine/program.h"
+
+/* ---- the drawing ---- */
+
+vs_status vs_p_draw(vs_frame *f, vs_value *out) {
+  vs_bind *b = f->bind;
+  size_t n = f->arg[0].refs.count;
+  vs_ref *ref = f->arg[0].refs.at;
+  const vs_origin *here = vs_bind_origin(b);
+  b->drew = true;
+  for (size_t i = 0; i < n; i++)
+    if (ref[i].node->flags & VS_NODE_ENDLESS) return vs_fail(f->vm, f->vm->sym.range, VS_ENDLESS_MESSAGE);
+  for (size_t i = 0; i < n; i++)
+    if (!vs_scene_draw(&b->scene, (vs_ref){ ref[i].node, ref[i].origin ? ref[i].origin : here })) return vs_fail_memory(f->vm);
+  if (n == 0) return vs_bind_empty(f, NULL, out);
+  vs_status status = n == 1 ? vs_bind_node(f, vs_node_retain(ref[0].node), out) : vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, ref, n, out);
+  if (status == VS_OK) b->drawn_last = vs_bind_ref(*out).node;
+  return status;
+}
+
+vs_status vs_p_erase_all(vs_frame *f, vs_value *out) {
+  (void)out;
+  vs_bind_clear_drawing(f->bind);
+  return VS_OK;
+}
+
+/* ---- looks: a node above the objects ---- */
+
+static vs_status around(vs_frame *f, vs_kind kind, const void *data, const vs_arg *objects, vs_value *out) {
+  vs_ref child;
+  if (objects->refs.count == 0) return vs_bind_empty(f, NULL, out);
+  if (objects->refs.count == 1) child = objects->refs.at[0];
+  else {
+    child = (vs_ref){ vs_node_new(f->bind->store, VS_UNION, &(struct vs_union){ 0 }, objects->refs.at, objects->refs.count), vs_bind_origin(f->bind) };
+    if (!vs_bind_keep(f, child.node)) return VS_ERROR;
+  }
+  if (vs_bind_is_empty(child.node)) return vs_bind_node(f, vs_node_retain(child.node), out);
+  return vs_bind_make(f, kind, data, &child, 1, out);
+}
+
+vs_status vs_p_with_material(vs_frame *f, vs_value *out) {
+  return around(f, VS_MATERIAL, &(struct vs_material){ .material = f->arg[0].material }, &f->arg[1], out);
+}
+
+/* a ready colour has a name of its own only where it is a material; color takes the colour alone */
+vs_status vs_p_color(vs_frame *f, vs_value *out) {
+  return around(f, VS_MATERIAL, &(struct vs_material){ .material = f->arg[0].material }, &f->arg[1], out);
+}
+
+vs_status vs_p_layer(vs_frame *f, vs_value *out) {
+  const char *name = vs_store_text(f->bind->store, f->arg[0].text.at, f->arg[0].text.length);
+  if (!name) return vs_fail_memory(f->vm);
+  return around(f, VS_LAYER, &(struct vs_layer){ .name = name }, &f->arg[1], out);
+}
+
+vs_status vs_p_highlight(vs_frame *f, vs_value *out) { return around(f, VS_HIGHLIGHT, &(struct vs_highlight){ 0 }, &f->arg[0], out); }
+vs_status vs_p_ghost(vs_frame *f, vs_value *out) { return around(f, VS_GHOST, &(struct vs_ghost){ 0 }, &f->arg[0], out); }
+vs_status vs_p_only(vs_frame *f, vs_value *out) { return around(f, VS_ONLY, &(struct vs_only){ 0 }, &f->arg[0], out); }
+
+vs_status vs_p_make_material(vs_frame *f, vs_value *out) {
+  const vs_arg *k = f->key; /* name color roughness metallic transparency ior */
+  vs_material m = { "", .8, .8, .8, .5, 0, 0, 1.5 };
+  if (k[0].given && !(m.name = vs_store_text(f->bind->store, k[0].text.at, k[0].text.length))) return vs_fail_memory(f->vm);
+  if (k[1].given) m.red = k[1].material->red, m.green = k[1].material->green, m.blue = k[1].material->blue;
+  if (k[2].given) m.roughness = k[2].real;
+  if (k[3].given) m.metallic = k[3].real;
+  if (k[4].given) m.transparency = k[4].real;
+  if (k[5].given) m.ior = k[5].real;
+  const vs_material *kept = vs_store_material(f->bind->store, &m);
+  if (!kept) return vs_fail_memory(f->vm);
+  return vs_make_foreign(f->vm, &vs_paint_type, (void *)(uintptr_t)kept, 0, out);
+}
+
+vs_status vs_p_is_material(vs_frame *f, vs_value *out) {
+  *out = vs_bool(vs_foreign_get(f->arg[0].value, &vs_paint_type) != NULL);
+  return VS_OK;
+}
+
+/* ---- the view ---- */
+
+vs_status vs_p_camera(vs_frame *f, vs_value *out) {
+  vs_scene *s = &f->bind->scene;
+  (void)out;
+  if (vs_v3_equal(f->arg[0].point, f->arg[1].point)) return vs_bind_refuse(f, "target", "another point than eye", f->arg[1].value);
+  s->view = VS_VIEW_CAMERA, s->eye = f->arg[0].point, s->target = f->arg[1].point;
+  s->lens = f->key[0].given ? f->key[0].real : 35;
+  return VS_OK;
+}
+
+vs_status vs_p_view_from(vs_frame *f, vs_value *out) {
+  static const struct { const char *name; vs_view view; } views[] = {
+    { "top", VS_VIEW_TOP },     { "bottom", VS_VIEW_BOTTOM }, { "front", VS_VIEW_FRONT }, { "back", VS_VIEW_BACK },
+    { "left", VS_VIEW_LEFT },   { "right", VS_VIEW_RIGHT },   { "iso", VS_VIEW_ISO },
+  };
+  (void)out;
+  for (size_t i = 0; i < sizeof views / sizeof *views; i++)
+    if (!strcmp(views[i].name, f->arg[0].text.at)) return f->bind->scene.view = views[i].view, VS_OK;
+  return vs_bind_refuse(f, "side", "one of 'top 'bottom 'front 'back 'left 'right 'iso", f->arg[0].value);
+}
+
+vs_status vs_p_zoom_extents(vs_frame *f, vs_value *out) {
+  (void)out;
+  f->bind->scene.view = VS_VIEW_EXTENTS;
+  return VS_OK;
+}
+
+/* ---- the sun ---- */
+
+static double degrees(double radians) { return radians * 57.29577951308232; }
+static double radians(double deg) { return deg / 57.29577951308232; }
+
+/* Days since 2000-01-01 12:00 UT, from a date of the proleptic Gregorian calendar and hours UT. */
+static double days_since_j2000(int year, int month, int day, double hours) {
+  int a = (14 - month) / 12, y = year + 4800 - a, m = month + 12 * a - 3;
+  long jdn = day + (153 * m + 2) / 5 + 365L * y + y / 4 - y / 100 + y / 400 - 32045;
+  return (double)(jdn - 2451545) + (hours - 12) / 24;
+}
+
+/* The low-precision position of the Astronomical Almanac: right to about 0.01 degrees between 1950 and 2050. */
+static void sun_position(double latitude, double longitude, double days, double hours, double *azimuth, double *altitude) {
+  double mean = fmod(280.460 + 0.9856474 * days, 360), anomaly = radians(fmod(357.528 + 0.9856003 * days, 360));
+  double ecliptic = radians(mean + 1.915 * sin(anomaly) + 0.020 * sin(2 * anomaly)), tilt = radians(23.439 - 4e-7 * days);
+  double ascension = atan2(cos(tilt) * sin(ecliptic), cos(ecliptic)), declination = asin(sin(tilt) * sin(ecliptic));
+  double sidereal = 6.697375 + 0.0657098242 * days + hours; /* hours at Greenwich */
+  double hour_angle = radians(fmod(sidereal * 15 + longitude, 360)) - ascension, phi = radians(latitude);
+  *altitude = degrees(asin(sin(phi) * sin(declination) + cos(phi) * cos(declination) * cos(hour_angle)));
+  double from_south = atan2(sin(hour_angle), cos(hour_angle) * sin(phi) - tan(declination) * cos(phi));
+  *azimuth = fmod(degrees(from_south) + 180 + 360, 360);
+}
+
+/* "15:00+01:00", "15:00Z", "15:00" (mean local time by the longitude): hours UT */
+static bool read_time(const char *text, double longitude, double *hours) {
+  int h, m, used = 0, zh, zm;
+  if (sscanf(text, "%2d:%2d%n", &h, &m, &used) < 2 || h < 0 || h > 24 || m < 0 || m > 59) return false;
+  *hours = h + m / 60.0;
+  text += used;
+  if (!*text) return *hours -= longitude / 15, true;
+  if (!strcmp(text, "Z")) return true;
+  if ((*text != '+' && *text != '-') || sscanf(text + 1, "%2d:%2d", &zh, &zm) != 2 || zh > 14 || zm > 59) return false;
+  *hours -= (*text == '+' ? 1 : -1) * (zh + zm / 60.0);
+  return true;
+}
+
+vs_status vs_p_sun(vs_frame *f, vs_value *out) {
+  const vs_arg *k = f->key; /* azimuth altitude latitude longitude date time */
+  vs_scene *s = &f->bind->scene;
+  double azimuth, altitude;
+  (void)out;
+  if (k[2].given || k[3].given || k[4].given || k[5].given) {
+    int year, month, day;
+    double hours;
+    char rest;
+    static const int length[] = { 31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
+    if (!k[2].given || !k[3].given || !k[4].given || !k[5].given || k[0].given || k[1].given)
+      return vs_fail(f->vm, f->vm->sym.arity, "takes #:azimuth and #:altitude, or #:latitude #:longitude #:date #:time");
+    if (fabs(k[2].real) > 90) return vs_bind_refuse(f, "latitude", "from -90 to 90", k[2].value);
+    if (fabs(k[3].real) > 180) return vs_bind_refuse(f, "longitude", "from -180 to 180", k[3].value);
+    if (sscanf(k[4].text.at, "%4d-%2d-%2d%c", &year, &month, &day, &rest) != 3 || month < 1 || month > 12 || day < 1 || day > length[month - 1])
+      return vs_bind_refuse(f, "date", "a day such as \"2026-06-21\"", k[4].value);
+    if (!read_time(k[5].text.at, k[3].real, &hours)) return vs_bind_refuse(f, "time", "a time such as \"15:00+01:00\"", k[5].value);
+    sun_position(k[2].real, k[3].real, days_since_j2000(year, month, day, hours), hours, &azimuth, &altitude);
+    if (altitude < 0) vs_bind_warn(f->bind, "night", "sun: at that time it is %.0f degrees below the horizon", -altitude);
+  } else {
+    azimuth = k[0].given ? k[0].real : 135, altitude = k[1].given ? k[1].real : 45;
+    if (fabs(altitude) > 90) return vs_bind_refuse(f, "altitude", "from -90 to 90", k[1].value);
+  }
+  s->has_sun = true, s->sun_azimuth = azimuth, s->sun_altitude = altitude;
+  return VS_OK;
+}
+
+/* The file stands beside the program; what it is shows in its first bytes. */
+static vs_status sky_image(vs_frame *f, const vs_arg *image) {
+  static const struct { const char *format; unsigned char bytes[4]; size_t count; } kinds[] = {
+    { "png", { 0x89, 'P', 'N', 'G' }, 4 }, { "jpeg", { 0xFF, 0xD8, 0xFF, 0 }, 3 }, { "exr", { 0x76, 0x2F, 0x31, 0x01 }, 4 }, { "hdr", { '#', '?', 'R', 'A' }, 4 },
+  };
+  vs *vm = f->vm;
+  vs_text path;
+  const char *name = NULL, *format = NULL;
+  VS_ROOTS(vm, r, 1);
+  vs_text_open(vm, &path, 0);
+  bool ok = vs_unit_path(vm, image->value, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path);
+  if (ok && !(name = vs_store_text(f->bind->store, path.at, path.count))) ok = vs_fail_memory(vm);
+  ok = ok && vs_io_read_file(vm, name, &r[0]);
+  for (size_t i = 0; ok && i < sizeof kinds / sizeof *kinds; i++)
+    if ((size_t)vs_as_bytes(r[0])->length > 16 && !memcmp(vs_as_bytes(r[0])->at, kinds[i].bytes, kinds[i].count)) format = kinds[i].format;
+  vs_text_close(&path);
+  if (ok && !format) return vs_bind_refuse(f, "image", "a PNG, JPEG, EXR or HDR file", image->value);
+  if (ok) f->bind->scene.sky_image = name, f->bind->scene.sky_format = format;
+  return ok ? VS_OK : VS_ERROR;
+}
+
+vs_status vs_p_sky(vs_frame *f, vs_value *out) {
+  vs_scene *s = &f->bind->scene;
+  (void)out;
+  if (!f->key[0].given && !f->key[1].given) return vs_fail(f->vm, f->vm->sym.arity, "takes #:color, #:image or both");
+  if (f->key[1].given && !sky_image(f, &f->key[1])) return VS_ERROR;
+  if (!f->key[1].given) s->sky_image = NULL;
+  if (!f->key[0].given) return VS_OK;
+  const vs_material *m = f->key[0].material;
+  s->has_sky = true, s->sky[0] = m->red, s->sky[1] = m->green, s->sky[2] = m->blue;
+  return VS_OK;
+}
+
+vs_status vs_p_ground(vs_frame *f, vs_value *out) {
+  vs_scene *s = &f->bind->scene;
+  (void)out;
+  s->has_ground = true, s->ground_z = f->arg[0].given ? f->arg[0].real : 0;
+  s->ground_material = f->key[0].given ? f->key[0].material : NULL;
+  return VS_OK;
+}
+
+vs_status vs_p_units(vs_frame *f, vs_value *out) {
+  static const char *const known[] = { "m", "mm", "cm", "in", "ft" };
+  (void)out;
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+    if (!strcmp(known[i], f->arg[0].text.at)) return f->bind->scene.units = known[i], VS_OK;
+  return vs_bind_refuse(f, "unit", "one of 'm 'mm 'cm 'in 'ft", f->arg[0].value);
+}

@@ -1,0 +1,36 @@
+/* Owns one run of the command: the interpreter, its options, its console. Shared by main.c (batch) and repl.c (the prompt). */
+#ifndef VS_CLI_SESSION_H
+#define VS_CLI_SESSION_H
+
+#include <signal.h>
+
+#include "cli/options.h"
+#include "cli/messages.h"
+
+struct cli_editor; /* repl.c: line editing */
+
+typedef struct {
+  cli_options *options;
+  vs *scheme;
+  cli_reporter reporter;
+  FILE *output;               /* where the program prints */
+  bool output_failed;         /* said once */
+  bool midline;               /* what was printed last did not end a line */
+  int exit_code;              /* of (exit n); 0 */
+  char *line; size_t line_room; /* standard input, line by line */
+  const volatile sig_atomic_t *ended; /* not 0: the system wants the command to end */
+  char *model;                /* the file that ,run was given; NULL: what the command line named */
+  struct cli_editor *editor;  /* NULL: no prompt is being shown */
+} cli_session;
+
+/* Runs what the command line named, or model, from the start: definitions, drawing and the rest are forgotten first. Then the summary. */
+vs_outcome cli_session_run(cli_session *c);
+/* Writes the drawing as the target says. */
+vs_outcome cli_session_write(cli_session *c, const cli_target *t);
+
+/* The prompt, until the end of input or ,quit. */
+vs_outcome cli_repl(cli_session *c);
+/* A line for the program while the prompt runs; see vs_host.input. */
+const char *cli_repl_line(cli_session *c, size_t *length);
+
+#endif

@@ -1,0 +1,9 @@
+/* Owns reading PLY files. */
+#ifndef VS_GEOMETRY_PLY_H
+#define VS_GEOMETRY_PLY_H
+
+#include "geometry/files/byte_scan.h"
+
+bool vs_ply_read(vs_scan *s, vs_face_list *out);
+
+#endif

@@ -1,0 +1,550 @@
+/* Owns bounds: of leaves under an affine map exactly, of sets from those of their parts.
+ *
+ * Row i of the map, a_i, gives coordinate i: a disc of radius r across the unit vector n reaches r*sqrt(|a_i|^2 - (a_i.n)^2) to each side of
+ * its centre, a ball r*|a_i|. */
+#include <stdlib.h>
+
+#include "geometry/plane/curve.h"
+#include "geometry/shapes/height_field.h"
+#include "geometry/measure/node_measures.h"
+#include "geometry/shapes/superellipsoid.h"
+#include "geometry/profiles/revolve.h"
+#include "geometry/plane/areas.h"
+#include "geometry/profiles/swept.h"
+#include "geometry/text/typeset.h"
+
+static vs_vec3 vs_row(const vs_affine *a, int i) { return vs_v3(a->m[i][0], a->m[i][1], a->m[i][2]); }
+
+static void vs_bounds_add_reach(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 reach) {
+  vs_vec3 c = vs_affine_point(a, center);
+  vs_bounds_add(b, vs_v3_sub(c, reach));
+  vs_bounds_add(b, vs_v3_add(c, reach));
+}
+
+static void vs_bounds_add_disc(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 normal, double r) {
+  vs_vec3 n = vs_v3_unit(normal);
+  double reach[3];
+  for (int i = 0; i < 3; i++) reach[i] = r * vs_v3_length(vs_v3_cross(vs_row(a, i), n));
+  vs_bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
+}
+
+/* An ellipse on the frame's X and Y */
+static void vs_bounds_add_oval(vs_bounds *b, const vs_affine *a, const vs_affine *frame, vs_vec3 center, double rx, double ry) {
+  double reach[3];
+  vs_vec3 x = vs_affine_vector(frame, vs_v3(rx, 0, 0)), y = vs_affine_vector(frame, vs_v3(0, ry, 0));
+  for (int i = 0; i < 3; i++) reach[i] = hypot(vs_v3_dot(vs_row(a, i), x), vs_v3_dot(vs_row(a, i), y));
+  vs_bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
+}
+
+static void vs_bounds_add_ball(vs_bounds *b, const vs_affine *a, vs_vec3 center, double ring, double r) { /* ring: of the circle its centre runs on */
+  double reach[3];
+  for (int i = 0; i < 3; i++) reach[i] = ring * hypot(a->m[i][0], a->m[i][1]) + r * vs_v3_length(vs_row(a, i));
+  vs_bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
+}
+
+static void vs_bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_arc *arc) {
+  double low = fmin(arc->start, arc->end), high = fmax(arc->start, arc->end), pi = 3.14159265358979323846;
+  double angles[8] = { low, high };
+  int n = 2;
+  for (int i = 0; i < 3; i++)
+    for (int k = 0; k < 2; k++) {
+      double angle = atan2(a->m[i][1], a->m[i][0]) + k * pi;
+      angle += 2 * pi * ceil((low - angle) / (2 * pi));
+      if (angle <= high) angles[n++] = angle;
+    }
+  for (int i = 0; i < n; i++) {
+    double s, c;
+    vs_sincos(angles[i], &s, &c);
+    vs_bounds_add(b, vs_affine_point(a, vs_v3(arc->center.x + arc->radius * c, arc->center.y + arc->radius * s, arc->center.z)));
+  }
+}
+
+/* All of space, less what a plane across an axis keeps off */
+static void vs_bounds_half_space(vs_bounds *b, const vs_affine *a, const struct vs_half_space *h) {
+  vs_vec3 at = h->point, n = h->normal;
+  *b = (vs_bounds){ { -INFINITY, -INFINITY, -INFINITY }, { INFINITY, INFINITY, INFINITY } };
+  if (!vs_affine_plane(a, &at, &n) || (n.x != 0) + (n.y != 0) + (n.z != 0) != 1) return;
+  if (n.x > 0) b->min.x = at.x;
+  if (n.y > 0) b->min.y = at.y;
+  if (n.z > 0) b->min.z = at.z;
+  if (n.x < 0) b->max.x = at.x;
+  if (n.y < 0) b->max.y = at.y;
+  if (n.z < 0) b->max.z = at.z;
+}
+
+static void vs_bounds_add_points(vs_bounds *b, const vs_affine *a, const vs_vec3 *at, size_t n) {
+  for (size_t i = 0; i < n; i++) vs_bounds_add(b, vs_affine_point(a, at[i]));
+}
+
+static double vs_bounds_fineness(const vs_bounds *b) { /* for what has to be sampled: finer than any default drawing of it */
+  double d = vs_bounds_diagonal(b);
+  return d > 0 && isfinite(d) ? d / 65536 : 1e-6;
+}
+
+/* Upright extrusions follow their profile exactly; other swept solids are sampled. children: the bounds of all children together. */
+static bool vs_bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+  vs_facets f = { vs_bounds_fineness(children), 0 };
+  vs_swept plan;
+  if (n->kind == VS_THICKEN && n->children[0].node->class_ == VS_SURFACE) {
+    vs_mesh m = { 0 };
+    bool ok = vs_tessellate(n, &f, &m, e);
+    if (ok) vs_bounds_add_points(b, a, m.vertices, m.vertex_count);
+    vs_mesh_free(&m);
+    return ok;
+  }
+  f.tolerance *= 4; /* a twist costs the inverse of it */
+  if (!vs_swept_plan(n, &f, &plan, e)) return false;
+  vs_bounds straight = vs_bounds_empty();
+  for (size_t i = 0; i < plan.section_count; i++) {
+    const vs_section *s = &plan.sections[i];
+    for (size_t k = 0; k < plan.profile_count; k++) {
+      vs_vec2 p = plan.profile[k];
+      vs_bounds_add(&straight, vs_affine_point(a, vs_v3_add(vs_v3_add(vs_v3_scale(s->x, p.x), vs_v3_scale(s->y, p.y)), s->at)));
+    }
+  }
+  vs_swept_free(&plan);
+  if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) { /* inwards within the straight one, which also bounds what crosses itself */
+    vs_bounds leaning = vs_bounds_empty();
+    vs_mesh m = { 0 };
+    bool ok = vs_tessellate(n, &f, &m, e);
+    if (ok) vs_bounds_add_points(&leaning, a, m.vertices, m.vertex_count);
+    vs_mesh_free(&m);
+    if (!ok) return false;
+    if (VS_AS(extrude, n)->taper > 0) vs_bounds_meet(&straight, &leaning);
+    else straight = leaning;
+  }
+  vs_bounds_unite(b, &straight);
+  return true;
+}
+
+static bool vs_bounds_add_revolve(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+  vs_facets f = { vs_bounds_fineness(children), 0 };
+  vs_revolve plan;
+  if (!vs_revolve_plan(n, &f, &plan, e)) return false;
+  vs_revolve_bounds(&plan, a, b);
+  vs_revolve_free(&plan);
+  return true;
+}
+
+/* Where only facets tell: of fine ones */
+static bool vs_bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+  vs_facets f = { vs_bounds_fineness(children) * 8, 0 };
+  vs_mesh m = { 0 };
+  bool ok = vs_tessellate(n, &f, &m, e);
+  if (ok) vs_bounds_add_points(b, a, m.vertices, m.vertex_count);
+  vs_mesh_free(&m);
+  return ok;
+}
+
+static bool vs_bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+  vs_offset_exact exact;
+  vs_affine place;
+  if (vs_offset_round(n, &place, &exact)) {
+    place = vs_affine_multiply(a, &place);
+    if (exact.circle) vs_bounds_add_disc(b, &place, exact.arc.center, vs_v3(0, 0, 1), exact.arc.radius);
+    else vs_bounds_add_arc(b, &place, &exact.arc);
+    return true;
+  }
+  vs_facets f = { vs_bounds_fineness(children), 0 };
+  if (n->class_ == VS_CURVE) {
+    vs_polyline line = { 0 };
+    bool ok = vs_curve_sample(n, &f, &line, e);
+    if (ok) vs_bounds_add_points(b, a, line.at, line.count);
+    vs_polyline_free(&line);
+    return ok;
+  }
+  vs_outline o;
+  if (!vs_region_outline(n, &f, &o, e)) return false;
+  for (size_t l = 0; l < o.count; l++) vs_bounds_add_points(b, a, o.loops[l].at, o.loops[l].count);
+  vs_outline_free(&o);
+  return true;
+}
+
+static bool vs_bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs_error *e) {
+  vs_bounds knots = vs_bounds_empty();
+  vs_polyline line = { 0 };
+  vs_bounds_add_points(&knots, a, VS_AS(spline, n)->points->at, VS_AS(spline, n)->points->count);
+  vs_facets f = { vs_bounds_fineness(&knots), 0 };
+  bool ok = vs_curve_sample(n, &f, &line, e);
+  if (ok) vs_bounds_add_points(b, a, line.at, line.count);
+  vs_polyline_free(&line);
+  return ok;
+}
+
+/* Bounds of a leaf under a. children: those of its children in their own coordinates, for swept solids. False with *leaf true: failed. */
+static bool vs_bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *children, vs_bounds *b, bool *leaf, vs_error *e) {
+  *leaf = true;
+  switch ((vs_kind)n->kind) {
+    case VS_EMPTY: case VS_GHOST: return true;
+    case VS_CUSTOM:
+      if (n->child_count) break;
+      return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s has no drawing function: (register-drawing-function %s? ...) gives it one", VS_AS(custom, n)->name, VS_AS(custom, n)->name);
+    case VS_LINE: vs_bounds_add_points(b, a, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count); return true;
+    case VS_ARC: vs_bounds_add_arc(b, a, VS_AS(arc, n)); return true;
+    case VS_CIRCLE: vs_bounds_add_disc(b, a, VS_AS(circle, n)->center, vs_v3(0, 0, 1), VS_AS(circle, n)->radius); return true;
+    case VS_SPLINE: return vs_bounds_spline(b, a, n, e);
+    case VS_TEXT: return vs_text_bounds(n, a, b, e);
+    case VS_BOX: {
+      const struct vs_box *x = VS_AS(box, n);
+      for (int i = 0; i < 8; i++) vs_bounds_add(b, vs_affine_point(a, vs_v3(i & 1 ? x->q.x : x->p.x, i & 2 ? x->q.y : x->p.y, i & 4 ? x->q.z : x->p.z)));
+      return true;
+    }
+    case VS_WEDGE: {
+      const struct vs_wedge *x = VS_AS(wedge, n);
+      vs_vec3 at[6] = { { x->p.x, x->p.y, x->p.z }, { x->q.x, x->p.y, x->p.z }, { x->p.x, x->q.y, x->p.z },
+                        { x->q.x, x->q.y, x->p.z }, { x->p.x, x->p.y, x->q.z }, { x->p.x, x->q.y, x->q.z } };
+      vs_bounds_add_points(b, a, at, 6);
+      return true;
+    }
+    case VS_SPHERE: vs_bounds_add_ball(b, a, VS_AS(sphere, n)->center, 0, VS_AS(sphere, n)->radius); return true;
+    case VS_TORUS: vs_bounds_add_ball(b, a, VS_AS(torus, n)->center, VS_AS(torus, n)->radius, VS_AS(torus, n)->tube_radius); return true;
+    case VS_CYLINDER: {
+      const struct vs_cylinder *c = VS_AS(cylinder, n);
+      vs_vec3 axis = vs_v3_sub(c->top, c->base);
+      vs_bounds_add_disc(b, a, c->base, axis, c->radius);
+      vs_bounds_add_disc(b, a, c->top, axis, c->radius);
+      return true;
+    }
+    case VS_CONE: {
+      const struct vs_cone *c = VS_AS(cone, n);
+      vs_bounds_add_disc(b, a, c->base, vs_v3_sub(c->apex, c->base), c->radius);
+      vs_bounds_add(b, vs_affine_point(a, c->apex));
+      return true;
+    }
+    case VS_CUT_CONE: {
+      const struct vs_cut_cone *c = VS_AS(cut_cone, n);
+      vs_vec3 axis = vs_v3_sub(c->top, c->base);
+      vs_bounds_add_disc(b, a, c->base, axis, c->base_radius);
+      vs_bounds_add_disc(b, a, c->top, axis, c->top_radius);
+      return true;
+    }
+    case VS_E_CONE: {
+      const struct vs_e_cone *c = VS_AS(e_cone, n);
+      vs_affine frame = vs_frame_on_axis(c->base, vs_v3_sub(c->top, c->base));
+      vs_bounds_add_oval(b, a, &frame, c->base, c->base_radius, c->base_across);
+      vs_bounds_add_oval(b, a, &frame, c->top, c->top_radius, c->top_radius * (c->base_across / c->base_radius));
+      return true;
+    }
+    case VS_SUPERELLIPSOID: {
+      double reach[3];
+      for (int i = 0; i < 3; i++) reach[i] = vs_superellipsoid_reach(VS_AS(superellipsoid, n), vs_row(a, i));
+      vs_bounds_add_reach(b, a, vs_v3(0, 0, 0), vs_v3(reach[0], reach[1], reach[2]));
+      return true;
+    }
+    case VS_PYRAMID: {
+      vs_mesh m = { 0 };
+      vs_facets any = { 1, 0 };
+      bool ok = vs_tessellate(n, &any, &m, e);
+      if (ok) vs_bounds_add_points(b, a, m.vertices, m.vertex_count);
+      vs_mesh_free(&m);
+      return ok;
+    }
+    case VS_HALF_SPACE: vs_bounds_half_space(b, a, VS_AS(half_space, n)); return true;
+    case VS_HEIGHT_FIELD: {
+      const struct vs_height_field *h = VS_AS(height_field, n);
+      for (uint32_t i = 0; i < h->points->count; i++) {
+        if (!vs_height_field_uses(h, i)) continue;
+        vs_bounds_add(b, vs_affine_point(a, h->points->at[i]));
+        vs_bounds_add(b, vs_affine_point(a, vs_v3(h->points->at[i].x, h->points->at[i].y, h->low)));
+      }
+      return true;
+    }
+    case VS_POLYFACE_MESH: vs_bounds_add_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count); return true;
+    case VS_XLINE: case VS_RAY: return true; /* without end: as far as the rest of the drawing */
+    case VS_OFFSET: return n->class_ == VS_NOTHING || vs_bounds_add_offset(b, a, n, children, e);
+    case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
+      return n->class_ == VS_NOTHING || vs_bounds_add_swept(b, a, n, children, e);
+    case VS_REVOLVE: return n->class_ == VS_NOTHING || vs_bounds_add_revolve(b, a, n, children, e);
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return vs_bounds_add_facets(b, a, n, children, e);
+    case VS_GRID_MESH: vs_bounds_add_points(b, a, VS_AS(grid_mesh, n)->points->at, VS_AS(grid_mesh, n)->points->count); return true;
+    case VS_GRID_SURFACE: vs_bounds_add_points(b, a, VS_AS(grid_surface, n)->points->at, VS_AS(grid_surface, n)->points->count); return true;
+    case VS_JOIN: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
+    case VS_SLICE: case VS_HULL: case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
+    case VS_NATIVE: case VS_HIGHLIGHT: case VS_ONLY: case VS_KIND_COUNT: break;
+  }
+  *leaf = false;
+  return true;
+}
+
+/* ---- the memo, children before parents ---- */
+
+void vs_bounds_memo_free(vs_bounds_memo *m) {
+  vs_store *s = m->places.store;
+  if (m->at) vs_store_realloc(s, m->at, m->room * sizeof *m->at, 0);
+  vs_nodemap_free(&m->places);
+  *m = (vs_bounds_memo){ .places = { .store = s } };
+}
+
+static bool vs_bounds_memo_put(vs_bounds_memo *m, const vs_node *n, const vs_bounds *b) {
+  if (m->count == m->room) {
+    size_t room = m->room ? m->room * 2 : 64;
+    vs_bounds *grown = vs_store_realloc(m->places.store, m->at, m->room * sizeof *grown, room * sizeof *grown);
+    if (!grown) return false;
+    m->at = grown;
+    m->room = room;
+  }
+  uint64_t *place = vs_nodemap_put(&m->places, n, NULL);
+  if (!place) return false;
+  *place = m->count;
+  m->at[m->count++] = *b;
+  return true;
+}
+
+static const vs_bounds *vs_bounds_memo_known(const vs_bounds_memo *m, const vs_node *n) {
+  const uint64_t *place = vs_nodemap_get(&m->places, n);
+  return place ? &m->at[*place] : NULL;
+}
+
+/* A section lies in the plane and in its solid's box, a shadow in the shadow of that box. */
+static void vs_bounds_on_plane(vs_bounds *b, const vs_node *n) {
+  vs_bounds solid = *b, shadow = vs_bounds_empty();
+  vs_vec3 at = n->kind == VS_SECTION ? VS_AS(section, n)->point : VS_AS(project, n)->point;
+  vs_vec3 normal = vs_v3_unit(n->kind == VS_SECTION ? VS_AS(section, n)->normal : VS_AS(project, n)->normal);
+  if (vs_bounds_is_empty(b)) return;
+  for (int i = 0; i < 8; i++) {
+    vs_vec3 p = { i & 1 ? solid.max.x : solid.min.x, i & 2 ? solid.max.y : solid.min.y, i & 4 ? solid.max.z : solid.min.z };
+    vs_bounds_add(&shadow, vs_v3_sub(p, vs_v3_scale(normal, vs_v3_dot(normal, vs_v3_sub(p, at)))));
+  }
+  *b = shadow;
+  if (n->kind == VS_SECTION) vs_bounds_meet(b, &solid);
+}
+
+/* A leaf that one parent names is worked out when that parent asks: remembering a million of them would cost more than their formulas. */
+static bool vs_bounds_is_lone_leaf(const vs_node *n) { return n->child_count == 0 && n->refs == 1; }
+
+/* Of the commonest primitives where they stand, by the formulas above with the identity for a: what a drawing may hold a million of. */
+static bool vs_bounds_plain(const vs_node *n, vs_bounds *b) {
+  vs_vec3 at[2], reach[2];
+  switch ((int)n->kind) {
+    case VS_BOX:
+      *b = (vs_bounds){ VS_AS(box, n)->p, VS_AS(box, n)->p };
+      vs_bounds_add(b, VS_AS(box, n)->q);
+      return true;
+    case VS_SPHERE: {
+      double r = VS_AS(sphere, n)->radius;
+      at[0] = at[1] = VS_AS(sphere, n)->center;
+      reach[0] = reach[1] = vs_v3(r, r, r);
+      break;
+    }
+    case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: {
+      bool cut = n->kind == VS_CUT_CONE, cone = n->kind == VS_CONE;
+      at[0] = cut ? VS_AS(cut_cone, n)->base : cone ? VS_AS(cone, n)->base : VS_AS(cylinder, n)->base;
+      at[1] = cut ? VS_AS(cut_cone, n)->top : cone ? VS_AS(cone, n)->apex : VS_AS(cylinder, n)->top;
+      double r = cut ? VS_AS(cut_cone, n)->base_radius : cone ? VS_AS(cone, n)->radius : VS_AS(cylinder, n)->radius;
+      double far = cut ? VS_AS(cut_cone, n)->top_radius : cone ? 0 : r;
+      vs_vec3 d = vs_v3_sub(at[1], at[0]), across = vs_v3(1, 1, 0);
+      if (d.x != 0 || d.y != 0) { /* upright, the same without so much ado */
+        vs_vec3 u = vs_v3_unit(d);
+        across = vs_v3(sqrt(u.z * u.z + u.y * u.y), sqrt(u.z * u.z + u.x * u.x), sqrt(u.y * u.y + u.x * u.x));
+      }
+      reach[0] = vs_v3_scale(across, r), reach[1] = vs_v3_scale(across, far);
+      break;
+    }
+    default: return false; /* the others have theirs above */
+  }
+  *b = vs_bounds_empty();
+  for (int i = 0; i < 2; i++) {
+    vs_bounds_add(b, vs_v3_sub(at[i], reach[i]));
+    vs_bounds_add(b, vs_v3_add(at[i], reach[i]));
+  }
+  return true;
+}
+
+/* Of a node whose bounds are known or need no children's. */
+static bool vs_bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
+  bool lone = vs_bounds_is_lone_leaf(n);
+  if (lone && vs_bounds_plain(n, b)) return true;
+  const vs_bounds *known = lone ? NULL : vs_bounds_memo_known(m, n);
+  vs_affine here = vs_affine_identity();
+  vs_bounds none = vs_bounds_empty();
+  bool leaf;
+  *b = known ? *known : none;
+  return known || vs_bounds_leaf(n, &here, &none, b, &leaf, e);
+}
+
+static bool vs_bounds_is_axial(const vs_affine *a) { /* boxes become boxes */
+  for (int i = 0; i < 3; i++)
+    if ((a->m[i][0] != 0) + (a->m[i][1] != 0) + (a->m[i][2] != 0) > 1) return false;
+  return true;
+}
+
+static bool vs_bounds_is_swept(const vs_node *n) { /* formulas that cost more than a box round the box */
+  if (n->kind == VS_EXTRUDE && n->child_count == 1) {
+    const vs_node *profile = n->children[0].node;
+    while (profile->kind == VS_REGION && profile->child_count == 1) profile = profile->children[0].node;
+    return profile->kind != VS_LINE || VS_AS(extrude, n)->taper != 0;
+  }
+  return n->kind == VS_EXTRUDE || n->kind == VS_SWEEP || n->kind == VS_THICKEN || n->kind == VS_REVOLVE || n->kind == VS_LOFT || n->kind == VS_RULED_LOFT ||
+         n->kind == VS_GUIDED_LOFT || n->kind == VS_OFFSET;
+}
+
+
+/* A set under a map that turns it, part by part: what it becomes must not depend on whether it was turned as a whole. All in it are known. *done: it was not
+ * too much or too deep; all in all a memo does TURNED_MOST such steps. */
+enum { TURNED_DEEP = 32, TURNED_EACH = 2048, TURNED_MOST = 1 << 20 };
+static bool vs_bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *map, vs_bounds *out, bool *done, vs_error *e) {
+  struct { const vs_node *node; vs_affine map; uint32_t next; vs_bounds all; } level[TURNED_DEEP];
+  size_t depth = 1, steps = 0;
+  vs_bounds b = vs_bounds_empty(), box;
+  bool leaf;
+  level[0].node = n, level[0].map = *map, level[0].next = 0, level[0].all = b;
+  while (depth) {
+    *done = depth < TURNED_DEEP && ++steps < TURNED_EACH && m->turned + steps < TURNED_MOST;
+    if (!*done) break;
+    size_t top = depth - 1;
+    const vs_node *at = level[top].node;
+    bool down = vs_node_is_set(at) && level[top].next < at->child_count && !(at->kind == VS_DIFFERENCE && level[top].next > 0);
+    if (vs_node_is_set(at) && level[top].next) { /* b is a member's */
+      if (at->kind == VS_INTERSECTION && level[top].next > 1) vs_bounds_meet(&level[top].all, &b);
+      else vs_bounds_unite(&level[top].all, &b);
+    }
+    if (at->kind == VS_TRANSFORM) {
+      level[top].map = vs_affine_multiply(&level[top].map, &VS_AS(transform, at)->matrix);
+      level[top].node = at->children[0].node;
+    } else if (vs_node_is_dress(at)) {
+      level[top].node = at->children[0].node;
+    } else if (down) {
+      level[depth].node = at->children[level[top].next++].node;
+      level[depth].map = level[top].map;
+      level[depth].next = 0;
+      level[depth++].all = vs_bounds_empty();
+    } else if (vs_node_is_set(at)) {
+      b = level[--depth].all;
+    } else {
+      b = vs_bounds_empty();
+      if (!vs_bounds_child(m, at, &box, e) || (!vs_bounds_is_swept(at) && !vs_bounds_leaf(at, &level[top].map, &box, &b, &leaf, e))) return false;
+      if (vs_bounds_is_swept(at) || !leaf) b = vs_bounds_transform(&box, &level[top].map);
+      depth--;
+    }
+  }
+  m->turned += steps;
+  *out = b;
+  return true;
+}
+
+/* All children are known, or lone leaves; `children` is round them all. */
+static bool vs_bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, vs_bounds *b, vs_error *e) {
+  vs_affine placed = vs_affine_identity();
+  vs_bounds child;
+  bool leaf;
+  *b = vs_bounds_empty();
+  if (n->kind == VS_TRANSFORM) { /* a placed primitive has its own formula; only few steps are looked through, or chains cost their square */
+    const vs_node *below = n;
+    for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || vs_node_is_dress(below)); steps++) {
+      if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
+      below = below->children[0].node;
+    }
+    bool swept = vs_bounds_is_swept(below), done = false;
+    if (vs_node_is_set(below) && !(below->flags & VS_NODE_ENDLESS) && !vs_bounds_is_axial(&placed) && !vs_bounds_turned(m, below, &placed, b, &done, e)) return false;
+    if (done) return true;
+    *b = vs_bounds_empty();
+    if (!swept && !vs_bounds_leaf(below, &placed, &children, b, &leaf, e)) return false;
+    if (swept || !leaf) *b = vs_bounds_transform(&children, &VS_AS(transform, n)->matrix);
+    return true;
+  }
+  if (!vs_bounds_leaf(n, &placed, &children, b, &leaf, e)) return false;
+  if (leaf) return true;
+  *b = children;
+  if (n->kind == VS_HULL) vs_bounds_add_points(b, &placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count);
+  if (n->kind == VS_SLICE) {
+    vs_bounds kept;
+    vs_bounds_half_space(&kept, &placed, &(struct vs_half_space){ .point = VS_AS(slice, n)->point, .normal = VS_AS(slice, n)->normal });
+    vs_bounds_meet(b, &kept);
+  }
+  if (n->kind == VS_SECTION || n->kind == VS_PROJECT) vs_bounds_on_plane(b, n);
+  if (n->kind == VS_DIFFERENCE && n->child_count) return vs_bounds_child(m, n->children[0].node, b, e);
+  for (uint32_t i = 0; n->kind == VS_INTERSECTION && i < n->child_count; i++) {
+    if (!vs_bounds_child(m, n->children[i].node, &child, e)) return false;
+    vs_bounds_meet(b, &child);
+  }
+  return true;
+}
+
+typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* round those before next */ } vs_bounds_step;
+
+bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e) {
+  vs_store *s = m->places.store;
+  if (n->child_count == 0 && vs_bounds_plain(n, out)) return true; /* sooner than looked up */
+  const vs_bounds *known = vs_bounds_memo_known(m, n);
+  if (known) {
+    *out = *known;
+    return true;
+  }
+  size_t depth = 1, room = 16;
+  vs_bounds_step *steps = vs_store_realloc(s, NULL, 0, room * sizeof *steps);
+  if (!steps) return vs_error_memory(e, NULL);
+  steps[0] = (vs_bounds_step){ { (vs_node *)(uintptr_t)n, NULL }, 0, vs_bounds_empty() };
+  bool ok = true;
+  while (ok && depth) {
+    vs_bounds_step *top = &steps[depth - 1];
+    const vs_node *at = top->ref.node;
+    vs_bounds b;
+    for (; ok && top->next < at->child_count; top->next++) {
+      const vs_node *child = vs_node_next_whole(at, top->next)->node;
+      if (!vs_bounds_is_lone_leaf(child) && !vs_bounds_memo_known(m, child)) break;
+      ok = vs_bounds_child(m, child, &b, e);
+      if (ok) vs_bounds_unite(&top->children, &b);
+      else if (e && !e->origin) e->origin = top->ref.origin;
+    }
+    if (!ok) break;
+    if (top->next < at->child_count) {
+      vs_ref below = at->children[top->next];
+      if (depth == room) {
+        vs_bounds_step *grown = vs_store_realloc(s, steps, room * sizeof *steps, 2 * room * sizeof *steps);
+        ok = grown || vs_error_memory(e, NULL);
+        if (!ok) break;
+        steps = grown;
+        room *= 2;
+      }
+      steps[depth++] = (vs_bounds_step){ below, 0, vs_bounds_empty() };
+      continue;
+    }
+    ok = vs_bounds_of(m, at, top->children, &b, e);
+    if (!ok && e && !e->origin) e->origin = top->ref.origin;
+    ok = ok && (vs_bounds_memo_put(m, at, &b) || vs_error_memory(e, NULL));
+    if (ok && at == n) *out = b;
+    depth--;
+  }
+  vs_store_realloc(s, steps, room * sizeof *steps, 0);
+  return ok;
+}
+
+/* Intersections and differences of regions: what the operands' boxes leave open, the outline knows. */
+static bool vs_bounds_of_set(const vs_node *n, vs_bounds *b, vs_error *e) {
+  vs_facets f = { vs_bounds_fineness(b), 0 };
+  vs_outline o;
+  if (!vs_region_outline(n, &f, &o, e)) return false;
+  *b = vs_bounds_empty();
+  for (size_t l = 0; l < o.count; l++)
+    for (size_t i = 0; i < o.loops[l].count; i++) vs_bounds_add(b, o.loops[l].at[i]);
+  vs_outline_free(&o);
+  return true;
+}
+
+bool vs_node_bounds(const vs_node *n, vs_bounds *out, vs_error *e) {
+  vs_bounds_memo m = { .places = { .store = n->store } };
+  bool ok = vs_bounds_memo_get(&m, n, out, e);
+  vs_bounds_memo_free(&m);
+  const vs_node *below = n;
+  while (below->kind == VS_TRANSFORM || below->kind == VS_MATERIAL || below->kind == VS_LAYER) below = below->children[0].node;
+  bool set = below->class_ == VS_REGION_CLASS && (below->kind == VS_INTERSECTION || below->kind == VS_DIFFERENCE);
+  return ok && (!set || vs_bounds_is_empty(out) || vs_bounds_of_set(n, out, e));
+}
+
+bool vs_line_clip(vs_vec3 p, vs_vec3 d, bool ray, const vs_bounds *b, vs_vec3 *from, vs_vec3 *to) {
+  double low = ray ? 0 : -INFINITY, high = INFINITY;
+  double at[3] = { p.x, p.y, p.z }, way[3] = { d.x, d.y, d.z }, min[3] = { b->min.x, b->min.y, b->min.z }, max[3] = { b->max.x, b->max.y, b->max.z };
+  for (int i = 0; i < 3; i++) {
+    if (way[i] == 0) {
+      if (at[i] < min[i] || at[i] > max[i]) return false;
+      continue;
+    }
+    double t = (min[i] - at[i]) / way[i], u = (max[i] - at[i]) / way[i];
+    low = fmax(low, fmin(t, u));
+    high = fmin(high, fmax(t, u));
+  }
+  if (!(low < high) || !isfinite(low) || !isfinite(high)) return false;
+  *from = vs_v3_add(p, vs_v3_scale(d, low));
+  *to = vs_v3_add(p, vs_v3_scale(d, high));
+  return true;
+}

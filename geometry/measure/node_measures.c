@@ -1,0 +1,387 @@
+/* Owns measures by formula: volume, area, length, centroid. */
+#include "geometry/measure/node_measures.h"
+
+#include <stdlib.h>
+
+#include "geometry/plane/curve.h"
+#include "geometry/shapes/height_field.h"
+#include "geometry/shapes/superellipsoid.h"
+#include "geometry/measure/moments.h"
+#include "geometry/plane/areas.h"
+#include "geometry/profiles/revolve.h"
+#include "geometry/tessellate.h"
+#include "model/store/array.h"
+
+static const double pi = 3.14159265358979323846;
+
+static void vs_measure_frustum(vs_measure *m, vs_vec3 base, double r, vs_vec3 top, double s) {
+  vs_vec3 axis = vs_v3_sub(top, base);
+  double h = vs_v3_length(axis), weight = r * r + r * s + s * s;
+  m->volume = pi * h * weight / 3;
+  m->area = pi * (r * r + s * s + (r + s) * hypot(h, r - s));
+  m->centroid = vs_v3_add(base, vs_v3_scale(axis, weight > 0 ? (r * r + 2 * r * s + 3 * s * s) / (4 * weight) : 0.5));
+}
+
+/* The circumference of an ellipse, by the arithmetic-geometric mean: 2 pi (a^2 - sum of 2^(k-1) c_k^2) / agm(a, b) */
+static double vs_measure_ellipse_length(double a, double b) {
+  double x = fmax(a, b), y = fmin(a, b), sum = 0, weight = 0.5;
+  if (!(y > 1e-300)) return 4 * x;
+  for (double c = sqrt((x - y) * (x + y)), square = x * x;; weight *= 2) {
+    sum += weight * c * c;
+    if (fabs(c) <= 1e-15 * x) return 2 * pi * (square - sum) / x;
+    double mean = (x + y) / 2;
+    c = (x - y) / 2;
+    y = sqrt(x * y);
+    x = mean;
+  }
+}
+
+/* A circle placed anyhow is an ellipse: its half axes are the singular values of what the map does to the circle's plane. */
+static double vs_measure_placed_circle(const vs_affine *a, double r) {
+  vs_vec3 u = { a->m[0][0], a->m[1][0], a->m[2][0] }, v = { a->m[0][1], a->m[1][1], a->m[2][1] };
+  double p = vs_v3_dot(u, u), q = vs_v3_dot(v, v), s = vs_v3_dot(u, v), mean = (p + q) / 2, off = hypot((p - q) / 2, s), most = sqrt(mean + off);
+  return vs_measure_ellipse_length(r * most, most > 0 ? r * vs_v3_length(vs_v3_cross(u, v)) / most : 0);
+}
+
+/* With w from 1 to k, the wall's element is w sqrt(h^2 (b^2 cos^2 + a^2 sin^2) + (k - 1)^2 a^2 b^2): half of 1 + k times an ellipse's length */
+static void vs_measure_e_cone(vs_measure *m, const struct vs_e_cone *c) {
+  vs_vec3 axis = vs_v3_sub(c->top, c->base);
+  double h = vs_v3_length(axis), a = c->base_radius, b = c->base_across, k = c->top_radius / a, weight = 1 + k + k * k, slant = (k - 1) * a * b;
+  m->volume = pi * h * a * b * weight / 3;
+  m->area = pi * a * b * (1 + k * k) + (1 + k) / 2 * vs_measure_ellipse_length(hypot(h * b, slant), hypot(h * a, slant));
+  m->centroid = vs_v3_add(c->base, vs_v3_scale(axis, (1 + 2 * k + 3 * k * k) / (4 * weight)));
+}
+
+static void vs_measure_pyramid(vs_measure *m, const struct vs_pyramid *p) {
+  vs_vec3 axis = vs_v3_sub(p->top, p->base);
+  double h = vs_v3_length(axis), n = p->sides, r = p->base_radius, s = p->top_radius, step = pi / n;
+  double polygon = n / 2 * sin(2 * step), weight = r * r + r * s + s * s; /* area of the n-gon of circumradius 1 */
+  m->volume = polygon * h * weight / 3;
+  m->area = polygon * (r * r + s * s) + n * sin(step) * (r + s) * hypot(h, (r - s) * cos(step));
+  m->centroid = vs_v3_add(p->base, vs_v3_scale(axis, weight > 0 ? (r * r + 2 * r * s + 3 * s * s) / (4 * weight) : 0.5));
+}
+
+static bool vs_measure_curve(const vs_node *n, const vs_affine *placed, vs_measure *m, vs_error *e) {
+  vs_bounds b;
+  vs_path path = { 0 };
+  vs_vec3 sum = { 0, 0, 0 };
+  if (!vs_node_bounds(n, &b, e)) return false;
+  vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-8, 1e-300), 0 };
+  if (!vs_curve_path(n, placed, &f, &path, e)) {
+    vs_path_free(&path);
+    return false;
+  }
+  for (size_t i = 0; i + (path.closed ? 0 : 1) < path.count; i++) {
+    vs_vec3 p = path.at[i].at, q = path.at[i + 1 < path.count ? i + 1 : 0].at;
+    double d = vs_v3_length(vs_v3_sub(q, p));
+    sum = vs_v3_add(sum, vs_v3_scale(vs_v3_add(p, q), d / 2));
+  }
+  m->length = path.length;
+  m->centroid = path.length > 0 ? vs_v3_scale(sum, 1 / path.length) : path.count ? path.at[0].at : sum;
+  m->known = true;
+  vs_path_free(&path);
+  return true;
+}
+
+static bool vs_measure_region(const vs_node *n, vs_measure *m, vs_error *e) {
+  vs_bounds b;
+  vs_outline o;
+  if (!vs_node_bounds(n, &b, e)) return false;
+  vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
+  if (!vs_region_outline(n, &f, &o, e)) return false;
+  bool exact, ok = vs_region_moments(n, &o, &m->area, &m->centroid, &exact, e);
+  if (ok && !exact) m->area = o.count ? vs_outline_measure(&o, &m->centroid) : 0;
+  m->known = m->area_known = true;
+  vs_outline_free(&o);
+  return ok;
+}
+
+/* Curves beside each other: lengths add up. Each leaf is measured under a placement of its own. */
+static bool vs_measure_curves(const vs_node *n, vs_measure *m, vs_error *e) {
+  vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
+  vs_affine *placed = NULL;
+  size_t room = 0, depth;
+  vs_ref at;
+  vs_vec3 sum = { 0, 0, 0 };
+  bool ok = w || vs_error_memory(e, NULL);
+  *m = (vs_measure){ .known = true };
+  for (vs_walk_event ev; ok && (ev = vs_walk_next(w, &at, &depth)) != VS_WALK_DONE;) {
+    if (ev == VS_WALK_LEAVE) continue;
+    if (ev == VS_WALK_FAILED || !VS_GROW(placed, room, depth + 1)) {
+      ok = vs_error_memory(e, NULL);
+      break;
+    }
+    placed[depth] = depth ? placed[depth - 1] : vs_affine_identity();
+    if (at.node->kind == VS_TRANSFORM) placed[depth] = vs_affine_multiply(&placed[depth], &VS_AS(transform, at.node)->matrix);
+    if (at.node->kind == VS_TRANSFORM || at.node->kind == VS_MATERIAL || at.node->kind == VS_LAYER || at.node->kind == VS_UNION) continue;
+    vs_walk_skip(w);
+    vs_measure one;
+    vs_node *leaf = vs_node_new(at.node->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = placed[depth] }, &at, 1);
+    ok = leaf ? vs_node_measure(leaf, &one, e) : vs_error_memory(e, NULL);
+    vs_node_release(leaf);
+    if (!ok) break;
+    m->length += one.length;
+    sum = vs_v3_add(sum, vs_v3_scale(one.centroid, one.length));
+  }
+  m->centroid = m->length > 0 ? vs_v3_scale(sum, 1 / m->length) : sum;
+  vs_walk_free(w);
+  free(placed);
+  return ok;
+}
+
+/* Is the curve one straight stretch? *along goes from its start to its end then. */
+static bool vs_measure_straight(const vs_node *curve, vs_vec3 *along, bool *straight, vs_error *e) {
+  vs_affine identity = vs_affine_identity();
+  vs_path path = { 0 };
+  *straight = vs_curve_is_straight(curve);
+  if (!*straight) return true;
+  bool ok = vs_curve_path(curve, &identity, &(vs_facets){ 1, 0 }, &path, e);
+  *straight = ok && path.count == 2 && !path.closed;
+  if (*straight) *along = vs_v3_sub(path.at[1].at, path.at[0].at);
+  vs_path_free(&path);
+  return ok;
+}
+
+/* Along a vector: by Cavalieri a twist is no matter, and the sections' area goes with the square of the scale. False: failed. *known: there is a
+ * formula. */
+static bool vs_measure_extrude(const vs_node *n, vs_measure *m, bool *known, vs_error *e) {
+  const struct vs_extrude *x = VS_AS(extrude, n);
+  const vs_node *profile = n->children[0].node;
+  double radius = vs_profile_circle(profile), k = x->scale - 1, border = 0;
+  vs_vec3 along = x->along;
+  vs_outline o;
+  vs_bounds b;
+  *known = n->class_ == VS_SOLID && (x->taper == 0 || radius > 0);
+  if (*known && n->child_count > 1 && !vs_measure_straight(n->children[1].node, &along, known, e)) return false;
+  if (!*known) return true;
+  if (!vs_node_bounds(profile, &b, e) || !vs_measure_region(profile, m, e)) return false;
+  vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
+  if (!vs_region_outline(profile, &f, &o, e)) return false;
+  double height = fabs(vs_v3_dot(o.normal, along)), lean = fabs(vs_v3_length(along) - height);
+  for (size_t l = 0; l < o.count; l++)
+    for (size_t i = 0; i < o.loops[l].count; i++) border += vs_v3_length(vs_v3_sub(o.loops[l].at[(i + 1) % o.loops[l].count], o.loops[l].at[i]));
+  vs_outline_free(&o);
+  double area = radius > 0 ? pi * radius * radius : m->area, inwards = x->taper != 0 ? height * tan(x->taper) : 0;
+  vs_vec3 base = x->center && n->child_count == 1 ? vs_v3_sub(m->centroid, vs_v3_scale(along, 0.5)) : m->centroid;
+  if (radius > 0) border = 2 * pi * radius;
+  if (x->taper != 0) { /* a cut cone, oblique if need be: heights are the same */
+    double top = fmax(radius - inwards, 0), part = inwards > radius ? radius / inwards : 1;
+    vs_measure_frustum(m, base, radius, vs_v3_add(base, vs_v3_scale(along, part)), top);
+    m->volume = pi * height * part * (radius * radius + radius * top + top * top) / 3;
+  } else {
+    m->volume = area * height * (1 + k + k * k / 3);
+    m->area = border * height + 2 * area;
+    m->centroid = vs_v3_add(base, vs_v3_scale(along, (0.5 + 2 * k / 3 + k * k / 4) / (1 + k + k * k / 3)));
+  }
+  m->area_known = lean <= 1e-12 * height && x->twist == 0 && x->scale == 1;
+  return true;
+}
+
+/* The way of a sweep: how long, whether it closes, has corners, or turns back somewhere */
+typedef struct { double length; bool closed, corners, back; } vs_way;
+
+static bool vs_measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
+  vs_measure m;
+  vs_bounds b;
+  vs_path path = { 0 };
+  vs_affine identity = vs_affine_identity();
+  *way = (vs_way){ 0 };
+  if (!vs_node_measure(curve, &m, e) || !vs_node_bounds(curve, &b, e)) return false;
+  vs_facets f = { vs_facets_tolerance(&b), 0 };
+  bool ok = vs_curve_path(curve, &identity, &f, &path, e);
+  way->length = m.length;
+  way->closed = path.closed;
+  for (size_t i = path.closed ? 0 : 1; ok && i + !path.closed < path.count; i++) {
+    double turn = vs_v3_dot(path.at[i].arriving, path.at[i].leaving);
+    way->corners = way->corners || turn < 1 - 1e-12;
+    way->back = way->back || turn < -0.99;
+  }
+  vs_path_free(&path);
+  return ok;
+}
+
+/* By Pappus, for every smooth path and every mitred corner: area times length, with the square of the scale on the way; the wall is the border times the
+ * length where the border's own middle rides on the path too. */
+bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
+  bool bar = n->kind == VS_THICKEN;
+  const vs_node *profile = n->children[0].node;
+  vs_way way;
+  *m = (vs_measure){ 0 };
+  if (n->class_ != VS_SOLID || (n->kind != VS_SWEEP && !bar) || (bar ? profile->class_ != VS_CURVE : VS_AS(sweep, n)->has_base)) return true;
+  if (!vs_measure_way(bar ? profile : n->children[1].node, &way, e)) return false;
+  double twist = bar ? 0 : VS_AS(sweep, n)->twist, scale = bar ? 1 : VS_AS(sweep, n)->scale, border = 0;
+  if (way.back || !(way.length > 0) || (way.corners && (twist != 0 || scale != 1))) return true;
+  double radius = bar ? VS_AS(thicken, n)->width / 2 : vs_profile_circle(profile);
+  bool even = true;
+  if (radius > 0) {
+    m->area = pi * radius * radius, border = 2 * pi * radius;
+  } else {
+    vs_outline o;
+    vs_bounds b;
+    vs_vec3 middle = { 0, 0, 0 };
+    if (!vs_node_bounds(profile, &b, e) || !vs_measure_region(profile, m, e)) return false;
+    vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
+    if (!vs_region_outline(profile, &f, &o, e)) return false;
+    for (size_t l = 0; l < o.count; l++)
+      for (size_t i = 0; i < o.loops[l].count; i++) {
+        vs_vec3 p = o.loops[l].at[i], q = o.loops[l].at[(i + 1) % o.loops[l].count];
+        double d = vs_v3_length(vs_v3_sub(q, p));
+        middle = vs_v3_add(middle, vs_v3_scale(vs_v3_add(p, q), d / 2));
+        border += d;
+      }
+    vs_outline_free(&o);
+    even = border > 0 && vs_v3_length(vs_v3_sub(vs_v3_scale(middle, 1 / border), m->centroid)) <= 1e-9 * vs_bounds_diagonal(&b);
+  }
+  double ends = way.closed && scale == 1 && (twist == 0 || radius > 0) ? 0 : 2 * m->area;
+  m->known = m->area > 0;
+  m->area_known = even && twist == 0 && scale == 1;
+  m->volume = m->area * way.length * (1 + scale + scale * scale) / 3;
+  m->area = border * way.length + ends;
+  return true;
+}
+
+bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
+  vs_affine placed = vs_affine_identity();
+  const vs_node *whole = n;
+  *m = (vs_measure){ 0 };
+  while (n->kind == VS_TRANSFORM || vs_node_is_dress(n) || (n->kind == VS_UNION && n->child_count == 1)) {
+    if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
+    n = n->children[0].node;
+  }
+  m->known = m->area_known = true;
+  vs_offset_exact exact;
+  vs_affine place;
+  bool round = n->kind == VS_OFFSET && vs_offset_round(n, &place, &exact);
+  if (round) placed = vs_affine_multiply(&placed, &place);
+  switch ((vs_kind)n->kind) {
+    case VS_EMPTY: case VS_GHOST: return true;
+    case VS_XLINE: case VS_RAY: return vs_error_set(e, VS_ERROR_MODEL, NULL, "it has no end: nothing about it can be measured");
+    case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* measured as what solids/resolve.c makes of them */
+      *m = (vs_measure){ 0 };
+      return true;
+    case VS_OFFSET:
+      if (n->class_ == VS_REGION_CLASS) return vs_measure_region(whole, m, e);
+      /* fall through */
+    case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_JOIN: {
+      vs_affine identity = vs_affine_identity();
+      m->area_known = false;
+      if (!vs_measure_curve(whole, &identity, m, e)) return false;
+      if (n->kind == VS_ARC) exact = (vs_offset_exact){ false, *VS_AS(arc, n) };
+      if (n->kind == VS_CIRCLE) exact = (vs_offset_exact){ true, { .center = VS_AS(circle, n)->center, .radius = VS_AS(circle, n)->radius, .end = 2 * pi } };
+      if (round || n->kind == VS_CIRCLE || n->kind == VS_ARC) { /* exact where the placement keeps it round */
+        const struct vs_arc *a = &exact.arc;
+        double k, angle = fabs(a->end - a->start);
+        bool full = angle >= 2 * pi * (1 - 1e-15);
+        if (full) m->centroid = vs_affine_point(&placed, a->center);
+        else if (vs_affine_even(&placed, &k)) { /* r sin(a/2) / (a/2) from the centre, halfway between the ends */
+          double mean = (a->start + a->end) / 2, away = a->radius * sin(angle / 2) / (angle / 2), sine, cosine;
+          vs_sincos(mean, &sine, &cosine);
+          m->centroid = vs_affine_point(&placed, vs_v3_add(a->center, vs_v3(away * cosine, away * sine, 0)));
+        }
+        if (vs_affine_even(&placed, &k)) m->length = k * angle * a->radius;
+        else if (exact.circle) m->length = vs_measure_placed_circle(&placed, a->radius);
+      }
+      return true;
+    }
+    case VS_TEXT: case VS_REGION: return vs_measure_region(whole, m, e);
+    case VS_BOX: {
+      vs_vec3 d = vs_v3_sub(VS_AS(box, n)->q, VS_AS(box, n)->p);
+      m->volume = d.x * d.y * d.z;
+      m->area = 2 * (d.x * d.y + d.y * d.z + d.z * d.x);
+      m->centroid = vs_v3_add(VS_AS(box, n)->p, vs_v3_scale(d, 0.5));
+      break;
+    }
+    case VS_WEDGE: {
+      vs_vec3 d = vs_v3_sub(VS_AS(wedge, n)->q, VS_AS(wedge, n)->p);
+      m->volume = d.x * d.y * d.z / 2;
+      m->area = d.x * d.y + d.y * d.z + d.z * d.x + d.y * hypot(d.x, d.z);
+      m->centroid = vs_v3_add(VS_AS(wedge, n)->p, vs_v3(d.x / 3, d.y / 2, d.z / 3));
+      break;
+    }
+    case VS_SPHERE: {
+      double r = VS_AS(sphere, n)->radius;
+      m->volume = 4 * pi / 3 * r * r * r;
+      m->area = 4 * pi * r * r;
+      m->centroid = VS_AS(sphere, n)->center;
+      break;
+    }
+    case VS_TORUS: {
+      double r = VS_AS(torus, n)->radius, t = VS_AS(torus, n)->tube_radius;
+      m->volume = 2 * pi * pi * r * t * t;
+      m->area = 4 * pi * pi * r * t;
+      if (t > r) { /* what lies beyond the axis, turned round it */
+        double a = acos(-r / t), s = sin(a);
+        m->volume = 2 * pi * (r * t * t * (a - s * cos(a)) + 2.0 / 3 * t * t * t * s * s * s);
+        m->area = 4 * pi * t * (r * a + t * s);
+      }
+      m->centroid = VS_AS(torus, n)->center;
+      break;
+    }
+    case VS_CYLINDER: vs_measure_frustum(m, VS_AS(cylinder, n)->base, VS_AS(cylinder, n)->radius, VS_AS(cylinder, n)->top, VS_AS(cylinder, n)->radius); break;
+    case VS_CONE: vs_measure_frustum(m, VS_AS(cone, n)->base, VS_AS(cone, n)->radius, VS_AS(cone, n)->apex, 0); break;
+    case VS_CUT_CONE:
+      vs_measure_frustum(m, VS_AS(cut_cone, n)->base, VS_AS(cut_cone, n)->base_radius, VS_AS(cut_cone, n)->top, VS_AS(cut_cone, n)->top_radius);
+      break;
+    case VS_E_CONE: vs_measure_e_cone(m, VS_AS(e_cone, n)); break;
+    case VS_SUPERELLIPSOID:
+      m->volume = vs_superellipsoid_volume(VS_AS(superellipsoid, n));
+      m->area = vs_affine_even(&placed, &(double){ 0 }) ? vs_superellipsoid_area(VS_AS(superellipsoid, n)) : 0;
+      break;
+    case VS_PYRAMID: vs_measure_pyramid(m, VS_AS(pyramid, n)); break;
+    case VS_HEIGHT_FIELD: {
+      vs_mesh mesh = { 0 };
+      bool ok = vs_height_field_mesh(&mesh, VS_AS(height_field, n)) || vs_error_memory(e, NULL);
+      if (ok) vs_mesh_measure(&mesh, m); /* it is these triangles, exactly */
+      vs_mesh_free(&mesh);
+      if (!ok) return false;
+      break;
+    }
+    case VS_EXTRUDE: {
+      bool known;
+      if (!vs_measure_extrude(n, m, &known, e)) return false;
+      if (known) break;
+      *m = (vs_measure){ 0 };
+      return true;
+    }
+    case VS_REVOLVE:
+      if (!vs_revolve_measure(n, m, e)) return false;
+      break;
+    case VS_HULL:
+      if (n->class_ == VS_REGION_CLASS) return vs_measure_region(whole, m, e);
+      *m = (vs_measure){ 0 };
+      return true;
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
+    case VS_HALF_SPACE: case VS_SLICE:
+      *m = (vs_measure){ 0 };
+      return true;
+    case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
+      if (n->class_ == VS_REGION_CLASS) return vs_measure_region(whole, m, e);
+      if (n->class_ == VS_CURVE) return vs_measure_curves(whole, m, e);
+      *m = (vs_measure){ 0 };
+      return true;
+    case VS_POLYFACE_MESH: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY:
+      *m = (vs_measure){ 0 };
+      return true;
+  }
+  double k;
+  m->volume *= fabs(vs_affine_determinant(&placed));
+  m->area_known = vs_affine_even(&placed, &k) && m->area_known;
+  m->area *= m->area_known ? k * k : 0;
+  m->centroid = vs_affine_point(&placed, m->centroid);
+  return true;
+}
+
+void vs_mesh_measure(const vs_mesh *mesh, vs_measure *out) {
+  *out = (vs_measure){ .known = true, .area_known = true, .volume = vs_mesh_volume(mesh), .area = vs_mesh_area(mesh) };
+  if (!mesh->triangle_count) return;
+  vs_vec3 o = mesh->vertices[mesh->triangles[0][0]], sum = { 0, 0, 0 };
+  double six = 0;
+  for (size_t i = 0; i < mesh->triangle_count; i++) {
+    vs_vec3 p[3];
+    for (int k = 0; k < 3; k++) p[k] = vs_v3_sub(mesh->vertices[mesh->triangles[i][k]], o);
+    double v = vs_v3_dot(p[0], vs_v3_cross(p[1], p[2]));
+    six += v;
+    sum = vs_v3_add(sum, vs_v3_scale(vs_v3_add(vs_v3_add(p[0], p[1]), p[2]), v / 4));
+  }
+  out->centroid = six != 0 ? vs_v3_add(o, vs_v3_scale(sum, 1 / six)) : o;
+}

@@ -1,0 +1,392 @@
+/* Owns the conversation with GEOS: unions, intersections and differences of areas.
+ *
+ * GEOS keeps the coordinates that it is given and adds crossings, rounded to double; so what is exact going in is exact coming out. It leaves
+ * corners where pieces met on a straight edge: these are taken out again, by a distance of 1e-12 of the coordinates' size. */
+#include "geometry/plane/areas.h"
+
+#include <geos_c.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "geometry/dynamic.h"
+#include "model/store/array.h"
+
+void vs_area_free(vs_area *a) {
+  free(a->at);
+  free(a->size);
+  free(a->hole);
+  *a = (vs_area){ 0 };
+}
+
+bool vs_area_point(vs_area *a, double x, double y) {
+  if (!VS_GROW(a->at, a->room, a->count + 1)) return false;
+  a->at[a->count++] = (vs_vec2){ x, y };
+  return true;
+}
+
+static size_t vs_area_ended(const vs_area *a) { /* points of the loops that are whole */
+  size_t n = 0;
+  for (size_t l = 0; l < a->loop_count; l++) n += a->size[l];
+  return n;
+}
+
+/* first: of the loop's points */
+static bool vs_area_close(vs_area *a, size_t first, bool hole) {
+  size_t n = a->count - first;
+  if (n < 3) {
+    a->count = first;
+    return true;
+  }
+  if (a->loop_count == a->loop_room) {
+    size_t room = a->loop_room ? a->loop_room * 2 : 8;
+    size_t *size = realloc(a->size, room * sizeof *size);
+    if (size) a->size = size;
+    bool *holes = size ? realloc(a->hole, room * sizeof *holes) : NULL;
+    if (holes) a->hole = holes;
+    if (!size || !holes) return false;
+    a->loop_room = room;
+  }
+  a->size[a->loop_count] = n;
+  a->hole[a->loop_count++] = hole;
+  return true;
+}
+
+bool vs_area_loop(vs_area *a, bool hole) { return vs_area_close(a, vs_area_ended(a), hole); }
+
+/* ---- GEOS ---- */
+
+#define VS_GEOS(X)                                                                                                                       \
+  X(GEOS_init_r) X(GEOS_finish_r) X(GEOSContext_setErrorMessageHandler_r) X(GEOSContext_setNoticeMessageHandler_r) X(GEOSCoordSeq_create_r) \
+  X(GEOSCoordSeq_setXY_r) X(GEOSCoordSeq_getXY_r) X(GEOSCoordSeq_getSize_r) X(GEOSGeom_createLinearRing_r)                                    \
+  X(GEOSGeom_createPolygon_r) X(GEOSGeom_createCollection_r) X(GEOSGeom_destroy_r) X(GEOSGeomTypeId_r) X(GEOSGetNumGeometries_r)             \
+  X(GEOSGetGeometryN_r) X(GEOSGetExteriorRing_r) X(GEOSGetNumInteriorRings_r) X(GEOSGetInteriorRingN_r) X(GEOSGeom_getCoordSeq_r)            \
+  X(GEOSUnaryUnion_r) X(GEOSIntersection_r) X(GEOSDifference_r) X(GEOSMakeValid_r) X(GEOSGeom_createLineString_r) X(GEOSPolygonize_r)         \
+  X(GEOSPointOnSurface_r) X(GEOSGeomGetX_r) X(GEOSGeomGetY_r)
+
+typedef struct {
+#define X(name) __typeof__(&name) name;
+  VS_GEOS(X)
+#undef X
+  GEOSContextHandle_t h;
+  char said[160]; /* its last complaint */
+} vs_geos;
+
+static void vs_geos_hear(const char *message, void *to) {
+  vs_geos *g = to;
+  strncpy(g->said, message, sizeof g->said - 1);
+}
+static void vs_geos_ignore(const char *message, void *to) { (void)message, (void)to; }
+
+static bool vs_geos_open(vs_geos *g, const char *purpose, vs_error *e) {
+  static const char *const files[] = { "libgeos_c.so.1", NULL };
+  static const vs_dynamic_name names[] = {
+#define X(name) { #name, offsetof(vs_geos, name) },
+    VS_GEOS(X)
+#undef X
+  };
+  const vs_dynamic_library library = { files, "libgeos-c1v5", purpose };
+  memset(g, 0, sizeof *g);
+  if (!vs_dynamic_load(&library, names, sizeof names / sizeof *names, g, e)) return false;
+  g->h = g->GEOS_init_r();
+  if (!g->h) return vs_error_memory(e, NULL);
+  g->GEOSContext_setErrorMessageHandler_r(g->h, vs_geos_hear, g);
+  g->GEOSContext_setNoticeMessageHandler_r(g->h, vs_geos_ignore, g);
+  return true;
+}
+
+static void vs_geos_close(vs_geos *g) {
+  if (g->h) g->GEOS_finish_r(g->h);
+}
+
+static bool vs_geos_failed(const vs_geos *g, const char *purpose, vs_error *e) {
+  if (!*g->said || strstr(g->said, "bad_alloc")) return vs_error_memory(e, NULL);
+  return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s: the outlines cannot be combined: %s", purpose, g->said);
+}
+
+/* n points and the first again; NULL: out of memory */
+static GEOSCoordSequence *vs_geos_sequence(vs_geos *g, const vs_vec2 *at, size_t n) {
+  GEOSCoordSequence *s = n < UINT32_MAX ? g->GEOSCoordSeq_create_r(g->h, (unsigned)n + 1, 2) : NULL;
+  for (size_t i = 0; s && i <= n; i++) g->GEOSCoordSeq_setXY_r(g->h, s, (unsigned)i, at[i % n].x, at[i % n].y);
+  return s;
+}
+
+static void vs_geos_drop(vs_geos *g, GEOSGeometry **all, size_t count) {
+  for (size_t i = 0; all && i < count; i++) g->GEOSGeom_destroy_r(g->h, all[i]);
+}
+
+/* GEOS takes the parts over, also where it fails. */
+static GEOSGeometry *vs_geos_collect(vs_geos *g, int type, GEOSGeometry **parts, size_t count) {
+  return g->GEOSGeom_createCollection_r(g->h, type, parts, (unsigned)count);
+}
+
+/* A multipolygon of the areas. NULL: failed. */
+static GEOSGeometry *vs_geos_polygons(vs_geos *g, const vs_area *areas, size_t count) {
+  size_t loops = 0, done = 0, holes = 0;
+  for (size_t i = 0; i < count; i++) loops += areas[i].loop_count;
+  GEOSGeometry **polygons = calloc(loops + 1, sizeof *polygons), **inner = calloc(loops + 1, sizeof *inner), *all = NULL;
+  bool ok = polygons && inner;
+  for (size_t i = 0; ok && i < count; i++) {
+    const vs_area *a = &areas[i];
+    GEOSGeometry *shell = NULL;
+    for (size_t l = 0, first = 0; ok && l < a->loop_count; first += a->size[l++]) {
+      GEOSCoordSequence *s = vs_geos_sequence(g, a->at + first, a->size[l]);
+      GEOSGeometry *ring = s ? g->GEOSGeom_createLinearRing_r(g->h, s) : NULL;
+      ok = ring != NULL;
+      if (ok && l && a->hole[l]) inner[holes++] = ring;
+      else if (ok) shell = ring;
+      if (!ok || l + 1 == a->loop_count || !a->hole[l + 1]) { /* that was the last of this polygon */
+        if (ok) {
+          polygons[done] = g->GEOSGeom_createPolygon_r(g->h, shell, inner, (unsigned)holes); /* takes the rings over */
+          ok = polygons[done] != NULL;
+          done += ok;
+        } else {
+          vs_geos_drop(g, &shell, 1);
+          vs_geos_drop(g, inner, holes);
+        }
+        shell = NULL;
+        holes = 0;
+      }
+    }
+  }
+  if (ok) all = vs_geos_collect(g, GEOS_MULTIPOLYGON, polygons, done);
+  else vs_geos_drop(g, polygons, done);
+  free(polygons);
+  free(inner);
+  return all;
+}
+
+/* ---- back from GEOS ---- */
+
+/* The last loop without corners that lie on the line between their neighbours, as often as it takes one round to find. */
+static void vs_area_tidy(vs_area *a, size_t first) {
+  double size = 0;
+  size_t n = a->count - first, kept = 0;
+  vs_vec2 *p = a->at + first;
+  for (size_t i = 0; i < n; i++) size = fmax(size, fmax(fabs(p[i].x), fabs(p[i].y)));
+  for (size_t i = 0; i < n; i++) { /* the corner before is one that stays */
+    vs_vec2 b = p[i], c = p[(i + 1) % n], o = kept ? p[kept - 1] : p[n - 1];
+    double ux = b.x - o.x, uy = b.y - o.y, vx = c.x - b.x, vy = c.y - b.y, wx = c.x - o.x, wy = c.y - o.y;
+    double u = hypot(ux, uy), v = hypot(vx, vy), w = hypot(wx, wy), slack = 1e-12 * size;
+    bool straight = u <= slack || v <= slack || (ux * vx + uy * vy > 0 && fabs(ux * wy - uy * wx) <= slack * w);
+    if (!straight || (i + 1 == n && kept < 3)) p[kept++] = b;
+  }
+  a->count = first + kept;
+}
+
+static bool vs_geos_ring(vs_geos *g, const GEOSGeometry *ring, bool hole, vs_area *out) {
+  const GEOSCoordSequence *s = ring ? g->GEOSGeom_getCoordSeq_r(g->h, ring) : NULL;
+  unsigned n = 0;
+  size_t first = out->count;
+  bool ok = s && g->GEOSCoordSeq_getSize_r(g->h, s, &n);
+  double area = 0, length = 0;
+  for (unsigned i = 0; ok && i + 1 < n; i++) {
+    double x, y;
+    ok = g->GEOSCoordSeq_getXY_r(g->h, s, i, &x, &y) && vs_area_point(out, x, y);
+  }
+  if (!ok) return false;
+  vs_area_tidy(out, first);
+  vs_vec2 *p = out->at + first;
+  size_t count = out->count - first;
+  for (size_t i = 0; i < count; i++) {
+    vs_vec2 a = p[i], b = p[(i + 1) % count];
+    area += ((a.x - p[0].x) * (b.y - p[0].y) - (a.y - p[0].y) * (b.x - p[0].x)) / 2;
+    length += hypot(b.x - a.x, b.y - a.y);
+  }
+  if (!(fabs(area) > 1e-12 * length * length)) { /* a splinter that rounding left */
+    out->count = first;
+    return true;
+  }
+  if ((area < 0) != hole)
+    for (size_t i = 0, j = count; i < j; i++) {
+      vs_vec2 swap = p[i];
+      p[i] = p[--j];
+      p[j] = swap;
+    }
+  return vs_area_close(out, first, hole);
+}
+
+static bool vs_geos_polygon(vs_geos *g, const GEOSGeometry *polygon, vs_area *out) {
+  size_t loops = out->loop_count;
+  if (!vs_geos_ring(g, g->GEOSGetExteriorRing_r(g->h, polygon), false, out)) return false;
+  if (out->loop_count == loops) return true; /* a splinter has no holes */
+  int holes = g->GEOSGetNumInteriorRings_r(g->h, polygon);
+  for (int i = 0; i < holes; i++)
+    if (!vs_geos_ring(g, g->GEOSGetInteriorRingN_r(g->h, polygon, i), true, out)) return false;
+  return holes >= 0;
+}
+
+/* The polygons in a result, which may hold lines and points too where areas only touch. Collections nest no deeper than GEOS makes them. */
+static bool vs_geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
+  int type = g->GEOSGeomTypeId_r(g->h, from), n = g->GEOSGetNumGeometries_r(g->h, from);
+  if (type == GEOS_POLYGON) return n < 1 || vs_geos_polygon(g, from, out); /* an empty one has none */
+  if (type != GEOS_MULTIPOLYGON && type != GEOS_GEOMETRYCOLLECTION) return true;
+  for (int i = 0; i < n; i++) {
+    const GEOSGeometry *part = g->GEOSGetGeometryN_r(g->h, from, i);
+    int kind = g->GEOSGeomTypeId_r(g->h, part), many = kind == GEOS_MULTIPOLYGON ? g->GEOSGetNumGeometries_r(g->h, part) : 1;
+    for (int k = 0; k < many && (kind == GEOS_POLYGON || kind == GEOS_MULTIPOLYGON); k++)
+      if (!vs_geos_polygon(g, kind == GEOS_POLYGON ? part : g->GEOSGetGeometryN_r(g->h, part, k), out)) return false;
+  }
+  return true;
+}
+
+/* a united with itself, mended first where GEOS cannot take it as it is; takes a over. NULL: failed. */
+static GEOSGeometry *vs_geos_unite(vs_geos *g, GEOSGeometry *a) {
+  GEOSGeometry *united = g->GEOSUnaryUnion_r(g->h, a);
+  if (!united) {
+    GEOSGeometry *valid = g->GEOSMakeValid_r(g->h, a);
+    if (valid) united = g->GEOSUnaryUnion_r(g->h, valid);
+    g->GEOSGeom_destroy_r(g->h, valid);
+  }
+  g->GEOSGeom_destroy_r(g->h, a);
+  return united;
+}
+
+bool vs_area_combine(vs_area_operation operation, const vs_area *operands, size_t count, const char *purpose, vs_area *out, vs_error *e) {
+  vs_geos g;
+  for (size_t i = 0; i < count; i++)
+    for (size_t k = 0; k < operands[i].count; k++)
+      if (!(fabs(operands[i].at[k].x) < 1e100 && fabs(operands[i].at[k].y) < 1e100))
+        return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s: the numbers are too large: coordinates must stay below 1e100", purpose);
+  if (!vs_geos_open(&g, purpose, e)) return false;
+  size_t first = operation == VS_AREA_UNION ? count : 1, next = first;
+  GEOSGeometry *made = vs_geos_polygons(&g, operands, first);
+  if (made) made = vs_geos_unite(&g, made);
+  while (made && next < count) {
+    size_t take = operation == VS_AREA_DIFFERENCE ? count - next : 1;
+    GEOSGeometry *other = vs_geos_polygons(&g, operands + next, take), *both = NULL;
+    if (other) other = vs_geos_unite(&g, other);
+    if (other) both = (operation == VS_AREA_DIFFERENCE ? g.GEOSDifference_r : g.GEOSIntersection_r)(g.h, made, other);
+    g.GEOSGeom_destroy_r(g.h, other);
+    g.GEOSGeom_destroy_r(g.h, made);
+    made = both;
+    next += take;
+  }
+  bool ok = (made && vs_geos_result(&g, made, out)) || vs_geos_failed(&g, purpose, e);
+  g.GEOSGeom_destroy_r(g.h, made);
+  vs_geos_close(&g);
+  if (!ok) vs_area_free(out);
+  return ok;
+}
+
+/* ---- inside ---- */
+
+static int vs_area_winding(const vs_area *a, double x, double y) {
+  int turns = 0;
+  for (size_t l = 0, first = 0; l < a->loop_count; first += a->size[l++])
+    for (size_t i = 0; i < a->size[l]; i++) {
+      vs_vec2 p = a->at[first + i], q = a->at[first + (i + 1) % a->size[l]];
+      double side = (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x);
+      if (p.y <= y && q.y > y && side > 0) turns++;
+      if (p.y > y && q.y <= y && side < 0) turns--;
+    }
+  return turns;
+}
+
+/* Is the point in the area or on its border (within 1e-9 of its size)? */
+bool vs_area_holds(const vs_area *a, double x, double y) {
+  double size = 0, near = INFINITY;
+  for (size_t i = 0; i < a->count; i++) size = fmax(size, fmax(fabs(a->at[i].x - a->at[0].x), fabs(a->at[i].y - a->at[0].y)));
+  for (size_t l = 0, first = 0; l < a->loop_count; first += a->size[l++])
+    for (size_t i = 0; i < a->size[l]; i++) {
+      vs_vec2 p = a->at[first + i], q = a->at[first + (i + 1) % a->size[l]];
+      double dx = q.x - p.x, dy = q.y - p.y, d = dx * dx + dy * dy, t = d > 0 ? ((x - p.x) * dx + (y - p.y) * dy) / d : 0;
+      t = fmin(1, fmax(0, t));
+      near = fmin(near, hypot(x - p.x - t * dx, y - p.y - t * dy));
+    }
+  return near <= 1e-9 * size || vs_area_winding(a, x, y) > 0;
+}
+
+/* ---- chains ---- */
+
+static int vs_chain_winding(const vs_vec2 (*edges)[2], size_t count, double x, double y) {
+  int turns = 0;
+  for (size_t i = 0; i < count; i++) {
+    vs_vec2 p = edges[i][0], q = edges[i][1];
+    if ((p.y <= y) == (q.y <= y)) continue;
+    double side = (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x);
+    if (p.y <= y && side > 0) turns++;
+    if (p.y > y && side < 0) turns--;
+  }
+  return turns;
+}
+
+/* All edges noded by one union of lines; of the faces between them those that are wound round are united. */
+bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpose, vs_area *out, vs_error *e) {
+  vs_geos g;
+  if (!vs_geos_open(&g, purpose, e)) return false;
+  GEOSGeometry **lines = calloc(count + 1, sizeof *lines), **kept = NULL, *noded = NULL, *faces = NULL, *all = NULL;
+  bool ok = lines != NULL;
+  size_t done = 0, keep = 0;
+  for (; ok && done < count; done += ok) {
+    GEOSCoordSequence *s = g.GEOSCoordSeq_create_r(g.h, 2, 2);
+    for (unsigned k = 0; s && k < 2; k++) g.GEOSCoordSeq_setXY_r(g.h, s, k, edges[done][k].x, edges[done][k].y);
+    lines[done] = s ? g.GEOSGeom_createLineString_r(g.h, s) : NULL;
+    ok = lines[done] != NULL;
+  }
+  if (!ok) vs_geos_drop(&g, lines, done);
+  if (ok) noded = vs_geos_collect(&g, GEOS_MULTILINESTRING, lines, done);
+  if (noded) noded = vs_geos_unite(&g, noded);
+  if (noded) faces = g.GEOSPolygonize_r(g.h, (const GEOSGeometry *const *)&noded, 1);
+  int n = faces ? g.GEOSGetNumGeometries_r(g.h, faces) : 0;
+  if (faces) kept = calloc((size_t)n + 1, sizeof *kept);
+  ok = kept != NULL;
+  for (int i = 0; ok && i < n; i++) {
+    const GEOSGeometry *face = g.GEOSGetGeometryN_r(g.h, faces, i);
+    GEOSGeometry *inside = g.GEOSPointOnSurface_r(g.h, face);
+    double x = 0, y = 0;
+    ok = inside && g.GEOSGeomGetX_r(g.h, inside, &x) == 1 && g.GEOSGeomGetY_r(g.h, inside, &y) == 1;
+    g.GEOSGeom_destroy_r(g.h, inside);
+    if (!ok || vs_chain_winding(edges, count, x, y) == 0) continue;
+    kept[keep] = g.GEOSUnaryUnion_r(g.h, face); /* a copy: its union with itself */
+    ok = kept[keep] != NULL;
+    keep += ok;
+  }
+  if (ok) all = vs_geos_collect(&g, GEOS_GEOMETRYCOLLECTION, kept, keep);
+  else vs_geos_drop(&g, kept, keep);
+  if (all) all = vs_geos_unite(&g, all);
+  ok = (all && vs_geos_result(&g, all, out)) || vs_geos_failed(&g, purpose, e);
+  g.GEOSGeom_destroy_r(g.h, all);
+  g.GEOSGeom_destroy_r(g.h, faces);
+  g.GEOSGeom_destroy_r(g.h, noded);
+  free(kept);
+  free(lines);
+  vs_geos_close(&g);
+  if (!ok) vs_area_free(out);
+  return ok;
+}
+
+/* ---- outlines ---- */
+
+bool vs_area_of_outline(const vs_outline *o, const vs_affine *frame, vs_area *out) {
+  vs_vec3 x = { frame->m[0][0], frame->m[1][0], frame->m[2][0] }, y = { frame->m[0][1], frame->m[1][1], frame->m[2][1] };
+  vs_vec3 origin = { frame->m[0][3], frame->m[1][3], frame->m[2][3] };
+  bool ok = true;
+  for (size_t l = 0; ok && l < o->count; l++) {
+    size_t first = out->count;
+    for (size_t i = 0; ok && i < o->loops[l].count; i++) {
+      vs_vec3 d = vs_v3_sub(o->loops[l].at[i], origin);
+      ok = vs_area_point(out, vs_v3_dot(d, x), vs_v3_dot(d, y));
+    }
+    ok = ok && vs_area_close(out, first, o->hole[l]);
+  }
+  return ok;
+}
+
+bool vs_area_outline(const vs_area *a, const vs_affine *frame, vs_outline *out) {
+  *out = (vs_outline){ .frame = *frame, .normal = { frame->m[0][2], frame->m[1][2], frame->m[2][2] }, .point = { frame->m[0][3], frame->m[1][3], frame->m[2][3] } };
+  out->loops = calloc(a->loop_count + 1, sizeof *out->loops);
+  out->hole = calloc(a->loop_count + 1, sizeof *out->hole);
+  bool ok = out->loops && out->hole;
+  for (size_t l = 0, first = 0; ok && l < a->loop_count; first += a->size[l++]) {
+    vs_polyline *p = &out->loops[l];
+    p->at = malloc(a->size[l] * sizeof *p->at);
+    ok = p->at != NULL;
+    p->room = p->count = ok ? a->size[l] : 0;
+    p->closed = true;
+    for (size_t i = 0; ok && i < p->count; i++) p->at[i] = vs_affine_point(frame, vs_v3(a->at[first + i].x, a->at[first + i].y, 0));
+    out->hole[l] = a->hole[l];
+    out->count = l + 1;
+  }
+  if (!ok) vs_outline_free(out);
+  return ok;
+}

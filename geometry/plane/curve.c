@@ -1,0 +1,262 @@
+/* Owns curves as paths: lines, arcs, circles and interpolating splines sampled by the rule of tolerance.h, ends exact.
+ *
+ * A spline through P_0..P_n has the parameter length h_i = |P_{i+1} - P_i| on its i-th span and is given there by the second derivatives
+ * M_i at its knots: the tridiagonal system of textbooks, with natural ends (M = 0), given unit tangents, or all round (Sherman-Morrison).
+ * Samples a span needs: |S''| is largest at one end of it, so chords of parameter length d stay within d*d/8*max(|M_i|, |M_{i+1}|). */
+#include "geometry/plane/curve.h"
+#include "model/store/array.h"
+
+#include <stdlib.h>
+
+static const double full_turn = 6.28318530717958647693;
+
+void vs_path_free(vs_path *p) {
+  free(p->at);
+  *p = (vs_path){ 0 };
+}
+
+bool vs_path_add(vs_path *p, vs_vec3 at, vs_vec3 arriving, vs_vec3 leaving) {
+  if (!VS_GROW(p->at, p->room, p->count + 1)) return false;
+  p->at[p->count++] = (vs_path_point){ at, arriving, leaving, 0 };
+  return true;
+}
+
+void vs_path_measure(vs_path *p) {
+  p->length = 0;
+  for (size_t i = 0; i < p->count; i++) {
+    if (i) p->length += vs_v3_length(vs_v3_sub(p->at[i].at, p->at[i - 1].at));
+    p->at[i].along = p->length;
+  }
+  if (p->closed && p->count) p->length += vs_v3_length(vs_v3_sub(p->at[0].at, p->at[p->count - 1].at));
+}
+
+void vs_path_reverse(vs_path *p) {
+  for (size_t i = 0, j = p->count; i < j; i++) {
+    j--;
+    vs_path_point swap = p->at[i];
+    p->at[i] = p->at[j];
+    p->at[j] = swap;
+  }
+  for (size_t i = 0; i < p->count; i++) {
+    vs_vec3 arriving = vs_v3_scale(p->at[i].leaving, -1);
+    p->at[i].leaving = vs_v3_scale(p->at[i].arriving, -1);
+    p->at[i].arriving = arriving;
+  }
+  vs_path_measure(p);
+}
+
+static bool vs_curve_line(vs_path *out, const vs_vec3 *at, size_t n, bool closed) {
+  bool ok = true;
+  vs_vec3 none = { 0, 0, 0 };
+  for (size_t i = 0; ok && i < n; i++)
+    if (!out->count || !vs_v3_equal(out->at[out->count - 1].at, at[i])) ok = vs_path_add(out, at[i], none, none);
+  while (closed && out->count > 1 && vs_v3_equal(out->at[0].at, out->at[out->count - 1].at)) out->count--;
+  out->closed = closed && out->count > 2;
+  size_t m = out->count;
+  for (size_t i = 0; m > 1 && i < m; i++) {
+    size_t before = i ? i - 1 : out->closed ? m - 1 : 0, after = i + 1 < m ? i + 1 : out->closed ? 0 : m - 1;
+    vs_vec3 arriving = vs_v3_unit(vs_v3_sub(out->at[i].at, out->at[before].at)), leaving = vs_v3_unit(vs_v3_sub(out->at[after].at, out->at[i].at));
+    out->at[i].arriving = before == i ? leaving : arriving;
+    out->at[i].leaving = after == i ? arriving : leaving;
+  }
+  return ok;
+}
+
+static bool vs_curve_circle(vs_path *out, vs_vec3 c, double r, int n) {
+  bool ok = true;
+  for (int i = 0; ok && i < n; i++) {
+    double sine, cosine;
+    vs_turn_sincos(i, n, &sine, &cosine);
+    vs_vec3 t = { -sine, cosine, 0 };
+    ok = vs_path_add(out, vs_v3(c.x + r * cosine, c.y + r * sine, c.z), t, t);
+  }
+  out->closed = true;
+  return ok;
+}
+
+static bool vs_curve_arc(vs_path *out, vs_vec3 c, double r, double start, double end, int turn) {
+  int n = (int)ceil(fabs(end - start) / full_turn * turn - 1e-9);
+  double way = end < start ? -1 : 1;
+  bool ok = true;
+  if (n < 1) n = 1;
+  for (int i = 0; ok && i <= n; i++) {
+    double sine, cosine;
+    vs_sincos(i == n ? end : start + (end - start) * i / n, &sine, &cosine);
+    vs_vec3 t = { -way * sine, way * cosine, 0 };
+    ok = vs_path_add(out, vs_v3(c.x + r * cosine, c.y + r * sine, c.z), t, t);
+  }
+  return ok;
+}
+
+/* ---- splines ---- */
+
+typedef struct { size_t n; /* knots */ bool closed; vs_vec3 *p, *m; double *h, *scratch; } vs_spline_work;
+
+/* Solves for m the tridiagonal system with sub[i], diag[i], sup[i] and right sides rhs (overwritten); scratch holds n doubles. */
+static void vs_spline_tridiagonal(size_t n, const double *sub, const double *diag, const double *sup, vs_vec3 *rhs, double *scratch) {
+  double d = diag[0];
+  rhs[0] = vs_v3_scale(rhs[0], 1 / d);
+  for (size_t i = 1; i < n; i++) {
+    scratch[i] = sup[i - 1] / d;
+    d = diag[i] - sub[i] * scratch[i];
+    rhs[i] = vs_v3_scale(vs_v3_sub(rhs[i], vs_v3_scale(rhs[i - 1], sub[i])), 1 / d);
+  }
+  for (size_t i = n - 1; i-- > 0;) rhs[i] = vs_v3_sub(rhs[i], vs_v3_scale(rhs[i + 1], scratch[i + 1]));
+}
+
+static void vs_spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
+  size_t n = w->n;
+  double *sub = w->scratch, *diag = sub + n, *sup = diag + n, *rest = sup + n;
+  vs_vec3 none = { 0, 0, 0 };
+  for (size_t i = 0; i < n; i++) {
+    size_t before = i ? i - 1 : n - 1, after = i + 1 < n ? i + 1 : 0;
+    vs_vec3 ahead = vs_v3_scale(vs_v3_sub(w->p[after], w->p[i]), 1 / w->h[i]), behind = vs_v3_scale(vs_v3_sub(w->p[i], w->p[before]), 1 / w->h[before]);
+    sub[i] = w->h[before];
+    diag[i] = 2 * (w->h[before] + w->h[i]);
+    sup[i] = w->h[i];
+    w->m[i] = vs_v3_scale(vs_v3_sub(ahead, behind), 6);
+    if (w->closed || (i && i + 1 < n)) continue;
+    bool first = i == 0;
+    vs_vec3 tangent = first ? start : end;
+    double h = first ? w->h[0] : w->h[n - 2];
+    bool natural = vs_v3_equal(tangent, none);
+    diag[i] = natural ? 1 : 2 * h;
+    sub[i] = sup[i] = natural ? 0 : h;
+    tangent = vs_v3_unit(tangent);
+    w->m[i] = natural ? none : vs_v3_scale(first ? vs_v3_sub(ahead, tangent) : vs_v3_sub(tangent, behind), 6);
+  }
+  if (!w->closed) {
+    vs_spline_tridiagonal(n, sub, diag, sup, w->m, rest);
+    return;
+  }
+  /* The corners of the cyclic matrix are both h[n-1]: A = B + u v^T with u = (g, 0.., c), v = (1, 0.., c/g) */
+  double c = w->h[n - 1], g = -diag[0];
+  diag[0] -= g;
+  diag[n - 1] -= c * c / g;
+  vs_vec3 *u = (vs_vec3 *)(void *)(rest + n);
+  for (size_t i = 0; i < n; i++) u[i] = vs_v3(i == 0 ? g : i == n - 1 ? c : 0, 0, 0);
+  vs_spline_tridiagonal(n, sub, diag, sup, w->m, rest);
+  vs_spline_tridiagonal(n, sub, diag, sup, u, rest);
+  double below = 1 + u[0].x + c / g * u[n - 1].x;
+  vs_vec3 factor = vs_v3_scale(vs_v3_add(w->m[0], vs_v3_scale(w->m[n - 1], c / g)), 1 / below);
+  for (size_t i = 0; i < n; i++) w->m[i] = vs_v3_sub(w->m[i], vs_v3_scale(factor, u[i].x));
+}
+
+static void vs_spline_at(const vs_spline_work *w, size_t i, double t, vs_vec3 *at, vs_vec3 *slope) {
+  size_t j = i + 1 < w->n ? i + 1 : 0;
+  double h = w->h[i], b = t, a = 1 - t;
+  vs_vec3 p = w->p[i], q = w->p[j], m = w->m[i], k = w->m[j];
+  *at = vs_v3_add(vs_v3_add(vs_v3_scale(p, a), vs_v3_scale(q, b)),
+                  vs_v3_scale(vs_v3_add(vs_v3_scale(m, a * a * a - a), vs_v3_scale(k, b * b * b - b)), h * h / 6));
+  *slope = vs_v3_unit(vs_v3_add(vs_v3_scale(vs_v3_sub(q, p), 1 / h),
+                                vs_v3_scale(vs_v3_add(vs_v3_scale(m, 1 - 3 * a * a), vs_v3_scale(k, 3 * b * b - 1)), h / 6)));
+}
+
+static bool vs_curve_spline(vs_path *out, const struct vs_spline *s, const vs_facets *f) {
+  size_t given = s->points->count;
+  vs_spline_work w = { .closed = s->closed };
+  w.p = malloc((given + 1) * sizeof *w.p);
+  w.m = malloc((given + 1) * sizeof *w.m);
+  w.h = malloc((given + 1) * sizeof *w.h);
+  w.scratch = malloc((given + 1) * 7 * sizeof *w.scratch);
+  bool ok = w.p && w.m && w.h && w.scratch;
+  for (size_t i = 0; ok && i < given; i++)
+    if (!w.n || !vs_v3_equal(w.p[w.n - 1], s->points->at[i])) w.p[w.n++] = s->points->at[i];
+  while (w.closed && w.n > 1 && vs_v3_equal(w.p[0], w.p[w.n - 1])) w.n--;
+  if (ok && (w.n < 2 || (w.closed && w.n < 3))) {
+    ok = vs_curve_line(out, w.p, w.n, false);
+    goto done;
+  }
+  if (!ok) goto done;
+  for (size_t i = 0; i < w.n; i++) w.h[i] = vs_v3_length(vs_v3_sub(w.p[(i + 1) % w.n], w.p[i]));
+  vs_spline_solve(&w, s->start_tangent, s->end_tangent);
+  int segments = s->segments ? s->segments : f->segments;
+  double turn = segments > 0 ? segments : 32;
+  size_t spans = w.closed ? w.n : w.n - 1;
+  for (size_t i = 0; ok && i < spans; i++) {
+    vs_vec3 at, slope, last;
+    double turning = 0, most = fmax(vs_v3_length(w.m[i]), vs_v3_length(w.m[(i + 1) % w.n]));
+    vs_spline_at(&w, i, 0, &at, &last);
+    for (int k = 1; k <= 8; k++, last = slope) {
+      vs_spline_at(&w, i, k / 8.0, &at, &slope);
+      turning += atan2(vs_v3_length(vs_v3_cross(last, slope)), vs_v3_dot(last, slope));
+    }
+    double pieces = ceil(turning / full_turn * turn - 1e-9);
+    if (segments <= 0) pieces = fmax(pieces, ceil(w.h[i] * sqrt(most / (8 * f->tolerance)) - 1e-9));
+    int k = pieces < 1 ? 1 : pieces > 4096 ? 4096 : (int)pieces;
+    for (int j = 0; ok && j < k; j++) {
+      vs_spline_at(&w, i, (double)j / k, &at, &slope);
+      ok = vs_path_add(out, j ? at : w.p[i], slope, slope);
+    }
+  }
+  if (ok && !w.closed) {
+    vs_vec3 at, slope;
+    vs_spline_at(&w, w.n - 2, 1, &at, &slope);
+    ok = vs_path_add(out, w.p[w.n - 1], slope, slope);
+  }
+  out->closed = w.closed;
+done:
+  free(w.p);
+  free(w.m);
+  free(w.h);
+  free(w.scratch);
+  return ok;
+}
+
+/* ---- from nodes ---- */
+
+static void vs_curve_place(vs_path *out, const vs_affine *map) {
+  for (size_t i = 0; i < out->count; i++) {
+    vs_path_point *p = &out->at[i];
+    p->at = vs_affine_point(map, p->at);
+    p->arriving = vs_v3_unit(vs_affine_vector(map, p->arriving));
+    p->leaving = vs_v3_unit(vs_affine_vector(map, p->leaving));
+  }
+  vs_path_measure(out);
+}
+
+bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_facets *f, vs_path *out) {
+  vs_facets inner = vs_facets_placed(f, map);
+  int turn = vs_facets_turn(&inner, a->radius, a->segments);
+  if (!(circle ? vs_curve_circle(out, a->center, a->radius, turn) : vs_curve_arc(out, a->center, a->radius, a->start, a->end, turn))) return false;
+  vs_curve_place(out, map);
+  return true;
+}
+
+bool vs_curve_leaf(const vs_node *n, const vs_affine *map, const vs_facets *f, vs_path *out) {
+  vs_facets inner = vs_facets_placed(f, map);
+  bool ok = false;
+  if (n->kind == VS_ARC) return vs_curve_round(VS_AS(arc, n), false, map, f, out);
+  if (n->kind == VS_CIRCLE) {
+    const struct vs_circle *c = VS_AS(circle, n);
+    return vs_curve_round(&(struct vs_arc){ .center = c->center, .radius = c->radius, .segments = c->segments }, true, map, f, out);
+  }
+  if (n->kind == VS_LINE) ok = vs_curve_line(out, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count, VS_AS(line, n)->closed);
+  if (n->kind == VS_SPLINE) ok = vs_curve_spline(out, VS_AS(spline, n), &inner);
+  if (ok) vs_curve_place(out, map);
+  return ok;
+}
+
+bool vs_curve_is_straight(const vs_node *n) {
+  while (n->kind == VS_TRANSFORM || vs_node_is_dress(n)) n = n->children[0].node;
+  return n->kind == VS_LINE;
+}
+
+bool vs_path_of_polyline(const vs_polyline *p, vs_path *out) {
+  bool ok = vs_curve_line(out, p->at, p->count, p->closed);
+  if (ok) vs_path_measure(out);
+  return ok;
+}
+
+void vs_polyline_free(vs_polyline *p) {
+  free(p->at);
+  *p = (vs_polyline){ 0 };
+}
+
+bool vs_polyline_from_path(const vs_path *path, vs_polyline *out) {
+  if (!VS_GROW(out->at, out->room, path->count)) return false;
+  for (size_t i = 0; i < path->count; i++) out->at[i] = path->at[i].at;
+  out->count = path->count;
+  out->closed = path->closed;
+  return true;
+}

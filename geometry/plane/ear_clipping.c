@@ -1,0 +1,358 @@
+/* Owns the cutting of planar polygons with holes into triangles, by clipping ears.
+ *
+ * The ring is a doubly linked list of corners; a hole is spliced in over a bridge from its leftmost corner to a corner of the ring that
+ * sees it, which is walked both ways. An ear is a convex corner whose triangle holds no other corner, borders included: so a corner
+ * in the middle of a straight edge never ends up inside another triangle's side. After an ear the next corner is passed over, so that
+ * a circle is halved again and again instead of becoming a fan of splinters. Where rounding or a crossing loop leaves no ear, the
+ * most convex corner is cut all the same: the boundary stays right, which is what closedness needs.
+ *
+ * Rings of many thousand corners and holes are ordinary: perforated sheets, maps, text. So reflex corners, the only ones that can be
+ * inside an ear and nearest to it, stand in a tree; and a corner whose triangle holds one waits for that one: it is no ear before the
+ * other is cut or convex. What is left to try is a set of places along the ring. */
+#include "geometry/plane/ear_clipping.h"
+
+#include <stdlib.h>
+
+#include "geometry/marks.h"
+#include "geometry/plane/point_tree.h"
+#include "model/store/array.h"
+
+static const size_t none = SIZE_MAX;
+
+typedef struct { uint32_t point, next, prev; } vs_corner;
+typedef struct {
+  size_t place;             /* along the ring, before anything was cut */
+  size_t awaited;           /* the reflex corner in this one's triangle, or none */
+  size_t waiting;           /* the first of the corners that wait for this one, linked by later and earlier */
+  size_t later, earlier;
+} vs_ear;
+typedef struct {
+  const vs_vec2 *at;
+  vs_corner *corners;
+  vs_ear *ears; /* what else is known of each corner */
+  size_t count;
+  size_t *by_place;  /* corners along the ring */
+  size_t *points;    /* the corners' */
+  vs_point_tree tree; /* of corners; those are on that are in the ring and reflex */
+  vs_marks open;     /* places of corners that may be ears */
+  double flat; /* twice the area under which a triangle counts as none */
+} vs_ring;
+
+static vs_vec2 vs_ring_at(const vs_ring *r, size_t c) { return r->at[r->corners[c].point]; }
+
+static double vs_ring_turn(const vs_ring *r, size_t a, size_t b, size_t c) { return vs_vec2_turn(vs_ring_at(r, a), vs_ring_at(r, b), vs_ring_at(r, c)); }
+
+/* ---- waiting ---- */
+
+static void vs_ring_wait(vs_ring *r, size_t c, size_t on) {
+  vs_ear *k = &r->ears[c], *other = &r->ears[on];
+  k->awaited = on;
+  k->earlier = none;
+  k->later = other->waiting;
+  if (k->later != none) r->ears[k->later].earlier = c;
+  other->waiting = c;
+  vs_marks_set(&r->open, k->place, false);
+}
+
+static void vs_ring_wait_no_more(vs_ring *r, size_t c) {
+  vs_ear *k = &r->ears[c];
+  if (k->awaited == none) return;
+  if (k->later != none) r->ears[k->later].earlier = k->earlier;
+  if (k->earlier != none) r->ears[k->earlier].later = k->later;
+  else r->ears[k->awaited].waiting = k->later;
+  k->awaited = none;
+}
+
+static void vs_ring_release(vs_ring *r, size_t c) { /* all that wait for c */
+  for (size_t w = r->ears[c].waiting; w != none; w = r->ears[c].waiting) {
+    vs_ring_wait_no_more(r, w);
+    vs_marks_set(&r->open, r->ears[w].place, true);
+  }
+}
+
+/* ---- ears ---- */
+
+/* Where loops touch, a bridge has no length: a corner at its end goes without a change, and would wait for ever as the flat one that it is. */
+static bool vs_ring_doubled(const vs_ring *r, size_t c) {
+  vs_vec2 p = vs_ring_at(r, c), a = vs_ring_at(r, r->corners[c].prev), b = vs_ring_at(r, r->corners[c].next);
+  return (p.x == a.x && p.y == a.y) || (p.x == b.x && p.y == b.y);
+}
+
+static void vs_ring_look(vs_ring *r, size_t c) { /* c or a neighbour is new */
+  bool reflex = !vs_ring_doubled(r, c) && vs_ring_turn(r, r->corners[c].prev, c, r->corners[c].next) <= r->flat;
+  vs_ring_wait_no_more(r, c);
+  if (!reflex) vs_ring_release(r, c);
+  vs_point_tree_switch(&r->tree, c, reflex);
+  vs_marks_set(&r->open, r->ears[c].place, !reflex);
+}
+
+/* an open corner; where it is no ear it waits */
+static bool vs_ring_is_ear(vs_ring *r, size_t b) {
+  if (vs_ring_doubled(r, b)) return true;
+  size_t inside = vs_point_tree_in(&r->tree, vs_ring_at(r, r->corners[b].prev), vs_ring_at(r, b), vs_ring_at(r, r->corners[b].next), r->flat);
+  if (inside != SIZE_MAX) vs_ring_wait(r, b, inside);
+  return inside == SIZE_MAX;
+}
+
+/* The first ear along the ring from `at` on, round to it again; none: there is no ear. */
+static size_t vs_ring_next_ear(vs_ring *r, size_t at) {
+  size_t place = r->ears[at].place, end = none;
+  for (int turn = 0; turn < 2; turn++, end = place) {
+    for (size_t p = vs_marks_next(&r->open, turn ? 0 : place); p != SIZE_MAX && (turn == 0 || p < end); p = vs_marks_next(&r->open, p + 1))
+      if (vs_ring_is_ear(r, r->by_place[p])) return r->by_place[p];
+  }
+  return none;
+}
+
+static void vs_ring_cut(vs_ring *r, size_t ear) {
+  uint32_t prev = r->corners[ear].prev, next = r->corners[ear].next;
+  vs_ring_wait_no_more(r, ear);
+  vs_point_tree_switch(&r->tree, ear, false);
+  vs_marks_set(&r->open, r->ears[ear].place, false);
+  r->corners[prev].next = next;
+  r->corners[next].prev = prev;
+  vs_ring_release(r, ear);
+  vs_ring_look(r, prev);
+  vs_ring_look(r, next);
+}
+
+/* ---- holes ---- */
+
+/* What a hole is joined to is looked up, not walked to: edges of the ring that go down, each in the lists of the few nodes of a binary tree over bands of y that make up its
+ * height; and the corners by their places. A corner stands for the edge that leaves it, and does so when holes are spliced in. */
+typedef struct { uint32_t edge, next; } vs_band_link; /* next: of a node's list, from 1 on; 0: its end */
+typedef struct {
+  double low, scale;    /* band (y - low) * scale */
+  size_t leaves;        /* bands, a power of two; node 1 is the root, 2 i and 2 i + 1 below i */
+  uint32_t *first;      /* link of each node's list */
+  vs_band_link *links;
+  size_t count, room;   /* links, with the one at 0 that none is */
+  vs_point_tree points; /* on: in the ring */
+  uint32_t *copies;     /* of a corner, the next at its place, from 1 on; 0: no more */
+} vs_bands;
+
+static bool vs_bands_make(vs_bands *b, const vs_ring *r, size_t total, size_t most) {
+  double low = INFINITY, high = -INFINITY;
+  for (size_t i = 0; i < total; i++) low = fmin(low, r->at[i].y), high = fmax(high, r->at[i].y), r->points[i] = i;
+  *b = (vs_bands){ .low = low, .leaves = 1, .count = 1 };
+  while (b->leaves * 4 < total) b->leaves *= 2;
+  b->scale = high > low ? (double)b->leaves / (high - low) : 0;
+  b->first = calloc(2 * b->leaves, sizeof *b->first);
+  b->copies = calloc(most, sizeof *b->copies);
+  return b->first && b->copies && vs_point_tree_make(&b->points, r->at, r->points, total);
+}
+
+static void vs_bands_free(vs_bands *b) {
+  free(b->first);
+  free(b->links);
+  free(b->copies);
+  vs_point_tree_free(&b->points);
+}
+
+static size_t vs_band_of(const vs_bands *b, double y) {
+  double band = (y - b->low) * b->scale;
+  return band >= (double)b->leaves ? b->leaves - 1 : band > 0 ? (size_t)band : 0;
+}
+
+/* the edge that leaves corner c */
+static bool vs_bands_add(vs_bands *b, const vs_ring *r, size_t c) {
+  double from = vs_ring_at(r, c).y, to = vs_ring_at(r, r->corners[c].next).y;
+  if (!(from > to)) return true;
+  for (size_t low = b->leaves + vs_band_of(b, to), high = b->leaves + vs_band_of(b, from) + 1; low < high; low /= 2, high /= 2) {
+    size_t nodes[2] = { low % 2 ? low++ : 0, high % 2 ? --high : 0 };
+    for (int i = 0; i < 2; i++) {
+      if (!nodes[i]) continue;
+      if (!VS_GROW(b->links, b->room, b->count + 1) || b->count > UINT32_MAX) return false;
+      b->links[b->count] = (vs_band_link){ (uint32_t)c, b->first[nodes[i]] };
+      b->first[nodes[i]] = (uint32_t)b->count++;
+    }
+  }
+  return true;
+}
+
+static bool vs_bands_add_loop(vs_bands *b, const vs_ring *r, size_t first, size_t size) {
+  for (size_t c = first; c < first + size; c++) {
+    vs_point_tree_switch(&b->points, c, true);
+    if (!vs_bands_add(b, r, c)) return false;
+  }
+  return true;
+}
+
+/* A corner of the ring that the hole's leftmost corner can be joined to: shoot a ray to -x, take the edge it meets first, and of that
+ * edge's end and the corners within the triangle the one at the smallest angle to the ray. Of equals the one with the smallest number. */
+typedef struct {
+  const vs_ring *ring;
+  const uint32_t *copies;
+  vs_vec2 h, m;
+  double hit_x, least;
+  size_t best;
+} vs_sight;
+
+static bool vs_sight_has(const vs_sight *s, vs_vec2 p) { /* within the triangle of h, the place that is hit, and m */
+  double ax = s->h.y < s->m.y ? s->h.x : s->hit_x, cx = s->h.y < s->m.y ? s->hit_x : s->h.x;
+  return p.x < s->h.x && p.x >= s->m.x && (cx - p.x) * (s->h.y - p.y) >= (ax - p.x) * (s->h.y - p.y) &&
+         (ax - p.x) * (s->m.y - p.y) >= (s->m.x - p.x) * (s->h.y - p.y) && (s->m.x - p.x) * (s->h.y - p.y) >= (cx - p.x) * (s->m.y - p.y);
+}
+
+static void vs_sight_look(void *context, size_t point) {
+  vs_sight *s = context;
+  const vs_ring *r = s->ring;
+  vs_vec2 p = r->at[point], h = s->h;
+  double slope = fabs(h.y - p.y) / (h.x - p.x);
+  if (!vs_sight_has(s, p) || slope > s->least) return;
+  for (size_t i = point;; i = s->copies[i] - 1) {
+    vs_vec2 a = vs_ring_at(r, r->corners[i].prev), c = vs_ring_at(r, r->corners[i].next);
+    double to_after = (c.x - p.x) * (h.y - p.y) - (c.y - p.y) * (h.x - p.x);   /* > 0: h to the left of the leaving edge */
+    double to_before = (p.x - a.x) * (h.y - a.y) - (p.y - a.y) * (h.x - a.x);
+    bool convex = (p.x - a.x) * (c.y - a.y) - (p.y - a.y) * (c.x - a.x) > 0;
+    bool sees = convex ? to_after >= 0 && to_before >= 0 : to_after >= 0 || to_before >= 0;
+    double best_x = vs_ring_at(r, s->best).x;
+    if (sees && (slope < s->least || p.x > best_x || (p.x == best_x && i < s->best))) {
+      s->best = i;
+      s->least = slope;
+    }
+    if (!s->copies[i]) return;
+  }
+}
+
+static size_t vs_ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, size_t hole) {
+  vs_vec2 h = vs_ring_at(r, hole);
+  double best_x = -INFINITY;
+  size_t edge = none;
+  for (size_t node = b->leaves + vs_band_of(b, h.y); node > 0; node /= 2) {
+    for (size_t l = b->first[node]; l; l = b->links[l].next) {
+      size_t i = b->links[l].edge;
+      vs_vec2 p = vs_ring_at(r, i), q = vs_ring_at(r, r->corners[i].next);
+      if (p.y < h.y || q.y > h.y) continue;
+      double x = p.x + (h.y - p.y) * (q.x - p.x) / (q.y - p.y);
+      if (x <= h.x && (x > best_x || (x == best_x && i < edge))) best_x = x, edge = i;
+    }
+  }
+  if (edge == none) return start; /* a hole outside its ring: any bridge keeps the boundary right */
+  size_t next = r->corners[edge].next;
+  if (best_x == h.x) return h.y == vs_ring_at(r, edge).y ? edge : next;
+  vs_sight s = { .ring = r, .copies = b->copies, .h = h, .hit_x = best_x, .least = INFINITY };
+  s.best = vs_ring_at(r, edge).x < vs_ring_at(r, next).x ? edge : next;
+  s.m = vs_ring_at(r, s.best);
+  vs_point_tree_each(&b->points, &(vs_point_box){ s.m.x, fmin(s.m.y, h.y), h.x, fmax(s.m.y, h.y), 0 }, vs_sight_look, &s);
+  return s.best;
+}
+
+/* before ring corner a -> copy of a -> hole corner b -> round the hole -> copy of b -> a -> on */
+static bool vs_ring_splice(vs_ring *r, vs_bands *bands, size_t a, size_t b) {
+  uint32_t a2 = (uint32_t)r->count++, b2 = (uint32_t)r->count++, before = r->corners[a].prev, last = r->corners[b].prev;
+  r->corners[a2] = (vs_corner){ r->corners[a].point, (uint32_t)b, before };
+  r->corners[b2] = (vs_corner){ r->corners[b].point, (uint32_t)a, last };
+  r->corners[before].next = a2;
+  r->corners[last].next = b2;
+  r->corners[a].prev = b2;
+  r->corners[b].prev = a2;
+  uint32_t pairs[2][2] = { { r->corners[a].point, a2 }, { r->corners[b].point, b2 } };
+  for (int i = 0; i < 2; i++) {
+    bands->copies[pairs[i][1]] = bands->copies[pairs[i][0]];
+    bands->copies[pairs[i][0]] = pairs[i][1] + 1;
+  }
+  return vs_bands_add(bands, r, a2) && vs_bands_add(bands, r, b2);
+}
+
+typedef struct { size_t corner, first, size; vs_vec2 at; } vs_hole;
+
+static int vs_hole_compare(const void *a, const void *b) {
+  const vs_hole *p = a, *q = b;
+  if (p->at.x != q->at.x) return p->at.x < q->at.x ? -1 : 1;
+  return p->at.y < q->at.y ? -1 : p->at.y > q->at.y;
+}
+
+/* All holes into the ring, from the left; *start: the corner that the ring begins with. */
+static bool vs_ring_join(vs_ring *r, vs_hole *holes, size_t count, size_t outer, size_t most, size_t *start) {
+  vs_bands bands;
+  bool ok = vs_bands_make(&bands, r, r->count, most) && vs_bands_add_loop(&bands, r, 0, outer);
+  qsort(holes, count, sizeof *holes, vs_hole_compare);
+  for (size_t i = 0; ok && i < count; i++) {
+    size_t a = vs_ring_bridge(r, &bands, *start, holes[i].corner);
+    ok = vs_ring_splice(r, &bands, a, holes[i].corner) && vs_bands_add_loop(&bands, r, holes[i].first, holes[i].size);
+    if (ok && a == *start) *start = r->corners[holes[i].corner].prev; /* its copy, from which the hole is walked round first */
+  }
+  vs_bands_free(&bands);
+  return ok;
+}
+
+static bool vs_ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const uint32_t *index, bool turned) {
+  for (size_t at = start; left >= 3; left--) {
+    size_t ear = vs_ring_next_ear(r, at);
+    if (ear == none) { /* the corner of largest area goes */
+      double best = -INFINITY;
+      size_t i = at;
+      do {
+        double turn = vs_ring_turn(r, r->corners[i].prev, i, r->corners[i].next);
+        if (turn > best) {
+          best = turn;
+          ear = i;
+        }
+        i = r->corners[i].next;
+      } while (i != at);
+      if (ear == none) ear = at; /* not a number */
+    }
+    size_t prev = r->corners[ear].prev, next = r->corners[ear].next;
+    uint32_t a = index[r->corners[prev].point], b = index[r->corners[ear].point], c = index[r->corners[next].point];
+    if (a != b && b != c && c != a && !vs_mesh_add_triangle(m, a, turned ? c : b, turned ? b : c)) return false;
+    vs_ring_cut(r, ear);
+    at = r->corners[next].next;
+  }
+  return true;
+}
+
+/* Along the ring: where each corner is, and which may be ears. */
+static bool vs_ring_begin(vs_ring *r, size_t start, size_t total, size_t size) {
+  for (size_t i = 0; i < r->count; i++) r->points[i] = i < total ? i : r->corners[i].point; /* loops that were left out have none */
+  if (!vs_point_tree_make(&r->tree, r->at, r->points, r->count) || !vs_marks_make(&r->open, size)) return false;
+  size_t c = start;
+  for (size_t place = 0; place < size; place++, c = r->corners[c].next) {
+    r->ears[c].place = place;
+    r->ears[c].awaited = r->ears[c].waiting = none;
+    r->by_place[place] = c;
+  }
+  for (size_t place = 0; place < size; place++) vs_ring_look(r, r->by_place[place]);
+  return true;
+}
+
+bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, vs_mesh *m, const uint32_t *index, bool turned) {
+  size_t total = 0;
+  double extent = 0;
+  for (size_t l = 0; l < loop_count; l++) total += sizes[l];
+  for (size_t i = 1; i < total; i++) extent = fmax(extent, fmax(fabs(at[i].x - at[0].x), fabs(at[i].y - at[0].y)));
+  if (loop_count == 0 || sizes[0] < 3) return true;
+  size_t most = total + 2 * loop_count;
+  if (most > UINT32_MAX) return false; /* a mesh has no more vertices */
+  vs_ring r = { .at = at, .flat = 1e-14 * extent * extent };
+  r.corners = malloc(most * sizeof *r.corners);
+  r.ears = malloc(most * sizeof *r.ears);
+  r.by_place = malloc(2 * most * sizeof *r.by_place);
+  r.points = r.by_place + (r.by_place ? most : 0);
+  vs_hole *holes = malloc(loop_count * sizeof *holes);
+  bool ok = r.corners && r.ears && r.by_place && holes;
+  size_t hole_count = 0, ring_size = sizes[0];
+  for (size_t l = 0, first = 0; ok && l < loop_count; first += sizes[l], l++) {
+    size_t n = sizes[l], leftmost = first;
+    if (l && n < 3) continue;
+    for (size_t i = 0; i < n; i++) {
+      r.corners[first + i] = (vs_corner){ (uint32_t)(first + i), (uint32_t)(first + (i + 1) % n), (uint32_t)(first + (i + n - 1) % n) };
+      if (at[first + i].x < at[leftmost].x || (at[first + i].x == at[leftmost].x && at[first + i].y < at[leftmost].y)) leftmost = first + i;
+    }
+    if (l) holes[hole_count++] = (vs_hole){ leftmost, first, n, at[leftmost] };
+    if (l) ring_size += n + 2;
+  }
+  r.count = total;
+  if (ok) {
+    size_t start = 0;
+    ok = hole_count == 0 || vs_ring_join(&r, holes, hole_count, sizes[0], most, &start);
+    ok = ok && vs_ring_begin(&r, start, total, ring_size) && vs_ring_clip(&r, start, ring_size, m, index, turned);
+  }
+  vs_point_tree_free(&r.tree);
+  vs_marks_free(&r.open);
+  free(holes);
+  free(r.by_place);
+  free(r.ears);
+  free(r.corners);
+  return ok;
+}

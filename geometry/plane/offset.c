@@ -1,0 +1,268 @@
+/* Owns offsets in a plane: areas made larger or smaller, open lines moved to one side.
+ *
+ * An area grows by the union with strips along its outside, shrinks by what strips along its inside take away: so self-overlaps and holes that
+ * close are the union's business, and what is exact stays exact. A strip follows edges a -> b on one side (hand +1: the left of travel), its
+ * far side runs at the distance d through
+ *   b + d n1, b + d n2        at a corner that opens on that side, with the corner's join between them;
+ *   b + d (n1 + n2)/(1 + n1.n2) at a corner that closes, where the edges are long enough for their far sides to meet there;
+ * n the edges' normals to that side. A strip ends where they are not long enough, and before it has turned by more than a right angle: so
+ * none crosses itself. An open line's offset is the border of its strips' union without the line itself and the ends. */
+#include <stdlib.h>
+
+#include "geometry/frame.h"
+#include "geometry/plane/areas.h"
+#include "geometry/plane/plane.h"
+#include "model/store/array.h"
+
+enum { MITRE_MOST = 100 }; /* in offsets: a sharper corner is cut square */
+
+typedef struct {
+  vs_area *strips;
+  vs_vec2 *near, *far;  /* of the strip being made */
+  size_t near_count, far_count, near_room, far_room;
+  double turned, d, hand;
+  vs_offset_corners corners;
+  int turn;             /* facets of a round corner's full turn */
+  const vs_vec2 *ways;  /* an open line's true directions at its two ends, or NULL */
+} vs_offsetter;
+
+static const double pi = 3.14159265358979323846;
+
+static bool vs_offset_push(vs_vec2 **at, size_t *count, size_t *room, double x, double y) {
+  if (!VS_GROW(*at, *room, *count + 1)) return false;
+  (*at)[(*count)++] = (vs_vec2){ x, y };
+  return true;
+}
+
+static bool vs_offset_near(vs_offsetter *o, vs_vec2 p) { return vs_offset_push(&o->near, &o->near_count, &o->near_room, p.x, p.y); }
+static bool vs_offset_far(vs_offsetter *o, vs_vec2 p, double nx, double ny) {
+  return vs_offset_push(&o->far, &o->far_count, &o->far_room, p.x + o->d * nx, p.y + o->d * ny);
+}
+
+/* The strip becomes a loop, counter-clockwise: along the line and back on the far side where that is the left one. */
+static bool vs_offset_strip(vs_offsetter *o) {
+  bool ok = true;
+  size_t n = o->near_count, m = o->far_count;
+  for (size_t i = 0; ok && i < n + m; i++) {
+    size_t k = o->hand > 0 ? i : n + m - 1 - i;
+    vs_vec2 p = k < n ? o->near[k] : o->far[m - 1 - (k - n)];
+    ok = vs_area_point(o->strips, p.x, p.y);
+  }
+  o->near_count = o->far_count = 0;
+  o->turned = 0;
+  return ok && vs_area_loop(o->strips, false);
+}
+
+typedef struct { vs_vec2 p; double tx, ty, nx, ny, length; } vs_offset_edge; /* from p; direction, normal to the side */
+
+/* The far side's way round a corner at p that opens: between p + d n of a and of b */
+static bool vs_offset_join(vs_offsetter *o, vs_vec2 p, const vs_offset_edge *a, const vs_offset_edge *b) {
+  double cosine = a->nx * b->nx + a->ny * b->ny, sine = a->nx * b->ny - a->ny * b->nx, half = atan2(fabs(sine), cosine) / 2;
+  bool ok = vs_offset_far(o, p, a->nx, a->ny);
+  double least = 1 / cos(half);
+  if (o->corners == VS_OFFSET_ROUND) {
+    int steps = (int)ceil(half / pi * o->turn - 1e-9);
+    for (int i = 1; ok && i < steps; i++) {
+      double s, c, w = (sine < 0 ? -2 : 2) * half * i / steps;
+      vs_sincos(w, &s, &c);
+      ok = vs_offset_far(o, p, a->nx * c - a->ny * s, a->nx * s + a->ny * c);
+    }
+  } else if (o->corners == VS_OFFSET_MITRE && least > 0 && least <= MITRE_MOST) {
+    double k = 1 / (1 + cosine);
+    ok = ok && vs_offset_far(o, p, (a->nx + b->nx) * k, (a->ny + b->ny) * k);
+  } else { /* cut across at the distance d */
+    double k = tan(half / 2);
+    ok = ok && vs_offset_far(o, p, a->nx + k * a->tx, a->ny + k * a->ty) && vs_offset_far(o, p, b->nx - k * b->tx, b->ny - k * b->ty);
+  }
+  return ok && vs_offset_far(o, p, b->nx, b->ny);
+}
+
+typedef enum { CORNER_OPENS, CORNER_MEETS, CORNER_CROSSES } vs_offset_corner;
+
+static vs_offset_corner vs_offset_look(const vs_offsetter *o, const vs_offset_edge *a, const vs_offset_edge *b, double *turning, double *k) {
+  double cosine = a->tx * b->tx + a->ty * b->ty, sine = a->tx * b->ty - a->ty * b->tx;
+  *turning = fabs(atan2(sine, cosine));
+  *k = 1 / (1 + cosine);
+  if (sine * o->hand <= 0) return CORNER_OPENS;
+  return cosine > -0.5 && o->d * tan(*turning / 2) < 0.5 * fmin(a->length, b->length) ? CORNER_MEETS : CORNER_CROSSES;
+}
+
+/* Strips along n points, closed or not. False: out of memory. */
+static bool vs_offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool closed) {
+  vs_offset_edge *edges = malloc((n ? n : 1) * sizeof *edges);
+  size_t count = 0;
+  bool ok = edges != NULL;
+  for (size_t i = 0; ok && i + (closed ? 0 : 1) < n; i++) {
+    vs_vec2 p = at[i], q = at[(i + 1) % n];
+    double length = hypot(q.x - p.x, q.y - p.y);
+    if (!(length > 0)) continue;
+    double tx = (q.x - p.x) / length, ty = (q.y - p.y) / length;
+    edges[count++] = (vs_offset_edge){ p, tx, ty, -o->hand * ty, o->hand * tx, length };
+  }
+  for (size_t i = 0; ok && i < count; i++) {
+    const vs_offset_edge *e = &edges[i], *next = i + 1 < count ? e + 1 : closed ? edges : NULL, *last = i ? e - 1 : closed ? &edges[count - 1] : NULL;
+    double turning = 0, k = 0;
+    if (!o->near_count) { /* a strip begins: on the bisector where the corner before is one that closes */
+      bool meets = last && vs_offset_look(o, last, e, &turning, &k) == CORNER_MEETS;
+      double nx = !i && o->ways ? -o->hand * o->ways[0].y : e->nx, ny = !i && o->ways ? o->hand * o->ways[0].x : e->ny;
+      ok = vs_offset_near(o, e->p) && (meets ? vs_offset_far(o, e->p, (last->nx + e->nx) * k, (last->ny + e->ny) * k) : vs_offset_far(o, e->p, nx, ny));
+    }
+    vs_vec2 end = next ? next->p : at[n - 1];
+    ok = ok && vs_offset_near(o, end);
+    if (!ok) break;
+    if (!next) {
+      ok = (o->ways ? vs_offset_far(o, end, -o->hand * o->ways[1].y, o->hand * o->ways[1].x) : vs_offset_far(o, end, e->nx, e->ny)) && vs_offset_strip(o);
+      break;
+    }
+    vs_offset_corner corner = vs_offset_look(o, e, next, &turning, &k);
+    if (corner == CORNER_OPENS) ok = vs_offset_join(o, end, e, next);
+    else if (corner == CORNER_MEETS) ok = vs_offset_far(o, end, (e->nx + next->nx) * k, (e->ny + next->ny) * k);
+    else ok = vs_offset_far(o, end, e->nx, e->ny);
+    o->turned += turning;
+    if (ok && (corner == CORNER_CROSSES || o->turned > 1.5 || i + 1 == count)) ok = vs_offset_strip(o);
+  }
+  free(edges);
+  return ok;
+}
+
+static vs_offsetter vs_offset_begin(vs_area *strips, double d, double hand, vs_offset_corners corners, const vs_facets *f, int segments) {
+  return (vs_offsetter){ .strips = strips, .d = d, .hand = hand, .corners = corners, .turn = vs_facets_turn(f, d, segments) };
+}
+
+bool vs_area_offset(const vs_area *in, double d, vs_offset_corners corners, const vs_facets *f, int segments, vs_area *out, vs_error *e) {
+  vs_area parts[2] = { *in, { 0 } };
+  vs_offsetter o = vs_offset_begin(&parts[1], fabs(d), d > 0 ? -1 : 1, corners, f, segments);
+  bool ok = true;
+  for (size_t l = 0, first = 0; ok && l < in->loop_count; first += in->size[l++]) ok = vs_offset_strips(&o, in->at + first, in->size[l], true);
+  if (!ok) vs_error_memory(e, NULL);
+  else ok = vs_area_combine(d > 0 ? VS_AREA_UNION : VS_AREA_DIFFERENCE, parts, 2, "do-offset", out, e);
+  vs_area_free(&parts[1]);
+  free(o.near);
+  free(o.far);
+  return ok;
+}
+
+/* ---- open lines ---- */
+
+static double vs_offset_distance(vs_vec2 p, vs_vec2 a, vs_vec2 b) { /* of p from the stretch a b */
+  double dx = b.x - a.x, dy = b.y - a.y, d = dx * dx + dy * dy, t = d > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / d : 0;
+  t = fmin(1, fmax(0, t));
+  return hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+}
+
+/* The longest run of the border's edges that lie at `least` or more from the line and not on its two ends (stretches from the line to its
+ * far side). */
+static bool vs_offset_border(const vs_area *border, const vs_vec2 *at, size_t n, const vs_offset_edge ends[2], double d, double least, vs_polyline *out) {
+  double slack = 1e-7 * d, longest = 0;
+  vs_vec2 from[2] = { at[0], at[n - 1] }, to[2];
+  size_t best_first = 0, best_size = 0, best_start = 0, best_count = 0;
+  for (int k = 0; k < 2; k++) to[k] = (vs_vec2){ from[k].x + d * ends[k].nx, from[k].y + d * ends[k].ny };
+  for (size_t l = 0, first = 0; l < border->loop_count; first += border->size[l++]) {
+    const vs_vec2 *p = border->at + first;
+    size_t size = border->size[l], run = 0;
+    double length = 0;
+    for (size_t i = 0; i < 2 * size; i++) { /* twice round, so that a run over the loop's seam is found whole */
+      vs_vec2 a = p[i % size], b = p[(i + 1) % size], middle = { (a.x + b.x) / 2, (a.y + b.y) / 2 };
+      bool other = vs_offset_distance(middle, from[0], to[0]) > slack && vs_offset_distance(middle, from[1], to[1]) > slack;
+      for (size_t k = 0; other && k + 1 < n; k++) other = vs_offset_distance(middle, at[k], at[k + 1]) >= least;
+      run = other ? run + 1 : 0;
+      length = other ? length + hypot(b.x - a.x, b.y - a.y) : 0;
+      if (run > size) break; /* the whole loop */
+      if (length > longest * (1 + 1e-12)) {
+        longest = length;
+        best_first = first, best_size = size, best_count = run, best_start = (i + 1 - run) % size;
+      }
+    }
+  }
+  if (!best_count) return true;
+  out->at = malloc((best_count + 1) * sizeof *out->at);
+  if (!out->at) return false;
+  out->room = out->count = best_count + 1;
+  for (size_t i = 0; i <= best_count; i++) {
+    vs_vec2 p = border->at[best_first + (best_start + i) % best_size];
+    out->at[i] = vs_v3(p.x, p.y, 0);
+  }
+  return true;
+}
+
+bool vs_line_offset(const vs_vec2 *at, size_t n, const vs_vec2 ways[2], double d, vs_offset_corners corners, const vs_facets *f, int segments, vs_polyline *out,
+                    vs_error *e) {
+  vs_area strips = { 0 }, border = { 0 };
+  double hand = d > 0 ? 1 : -1;
+  vs_offsetter o = vs_offset_begin(&strips, fabs(d), hand, corners, f, segments);
+  o.ways = ways;
+  bool ok = vs_offset_strips(&o, at, n, false) || vs_error_memory(e, NULL);
+  ok = ok && vs_area_combine(VS_AREA_UNION, &strips, 1, "do-offset", &border, e);
+  if (ok) {
+    vs_offset_edge ends[2];
+    for (int k = 0; k < 2; k++) ends[k] = (vs_offset_edge){ .nx = -hand * ways[k].y, .ny = hand * ways[k].x };
+    double least = fabs(d) * (cos(pi / o.turn) - 1e-6);
+    ok = vs_offset_border(&border, at, n, ends, fabs(d), least, out) || vs_error_memory(e, NULL);
+    /* The border runs counter-clockwise: against the line on its left side, with it on its right. */
+    for (size_t i = 0, j = out->count; ok && hand > 0 && i < j; i++) {
+      vs_vec3 swap = out->at[i];
+      out->at[i] = out->at[--j];
+      out->at[j] = swap;
+    }
+  }
+  vs_area_free(&strips);
+  vs_area_free(&border);
+  free(o.near);
+  free(o.far);
+  return ok;
+}
+
+/* ---- what needs no sampling ---- */
+
+bool vs_offset_round(const vs_node *n, vs_affine *place, vs_offset_exact *out) {
+  double scale = 1, grown = 0;
+  bool level = true; /* placements keep +Z up: then an arc's left is the same in all of them */
+  *place = vs_affine_identity();
+  for (;;) {
+    if (n->kind == VS_OFFSET) grown += scale * VS_AS(offset, n)->distance;
+    else if (n->kind == VS_TRANSFORM) {
+      const vs_affine *m = &VS_AS(transform, n)->matrix;
+      double k;
+      if (!vs_affine_even(m, &k)) return false;
+      level = level && m->m[0][2] == 0 && m->m[1][2] == 0 && m->m[2][2] > 0 && vs_affine_determinant(m) > 0;
+      scale *= k;
+      *place = vs_affine_multiply(place, m);
+    } else if (n->kind == VS_CIRCLE || n->kind == VS_ARC) break;
+    else if (!vs_node_is_dress(n) && !(n->kind == VS_REGION && n->child_count == 1)) return false;
+    n = n->children[0].node;
+  }
+  if (n->kind == VS_CIRCLE) {
+    const struct vs_circle *c = VS_AS(circle, n);
+    out->arc = (struct vs_arc){ .center = c->center, .radius = c->radius + grown / scale, .end = 2 * pi, .segments = c->segments };
+  } else {
+    out->arc = *VS_AS(arc, n);
+    out->arc.radius += (out->arc.end > out->arc.start ? -grown : grown) / scale;
+    if (!level) return false;
+  }
+  out->circle = n->kind == VS_CIRCLE;
+  return out->arc.radius > 0;
+}
+
+bool vs_line_frame(const vs_polyline *line, vs_affine *frame, vs_error *e) {
+  vs_vec3 along = { 0, 0, 0 }, normal = { 0, 0, 0 }, o = line->at[0];
+  double off = 0;
+  for (size_t i = 1; i < line->count; i++) {
+    vs_vec3 d = vs_v3_sub(line->at[i], o);
+    if (vs_v3_dot(d, d) > vs_v3_dot(along, along)) along = d;
+  }
+  for (size_t i = 1; i < line->count; i++) {
+    vs_vec3 c = vs_v3_cross(along, vs_v3_sub(line->at[i], o));
+    if (vs_v3_dot(c, c) > vs_v3_dot(normal, normal)) normal = c;
+  }
+  double size = vs_v3_length(along);
+  if (vs_v3_length(normal) > 1e-9 * size * size) normal = vs_plane_up(normal);
+  else {
+    vs_vec3 t = vs_v3_unit(along), z = { 0, 0, 1 };
+    normal = vs_v3_sub(z, vs_v3_scale(t, t.z));
+    normal = vs_v3_length(normal) > 1e-9 ? vs_v3_unit(normal) : vs_v3(0, 1, 0);
+  }
+  for (size_t i = 0; i < line->count; i++) off = fmax(off, fabs(vs_v3_dot(normal, vs_v3_sub(line->at[i], o))));
+  if (off > 1e-6 * size) return vs_error_set(e, VS_ERROR_MODEL, NULL, "do-offset: the curve does not lie in one plane: it leaves it by %.6g", off);
+  *frame = vs_frame_on_axis(vs_v3_scale(normal, vs_v3_dot(normal, o)), normal);
+  return true;
+}

@@ -1,9 +1,0 @@
-/* Owns reading PLY files. */
-#ifndef VS_GEOMETRY_PLY_H
-#define VS_GEOMETRY_PLY_H
-
-#include "geometry/scan.h"
-
-bool vs_ply_read(vs_scan *s, vs_face_list *out);
-
-#endif

@@ -1,0 +1,395 @@
+/* Owns lofts that are led: along a path, or by guides.
+ *
+ * Along a path: each section is taken into the path's frame where it stands (the frames do not spin); between the sections its points go
+ * smoothly from the one set of coordinates to the next, and the frames carry them. Sections stand still: only what lies between follows.
+ * By guides: the free loft between two sections is moved so that its wall meets every guide. What all guides ask for alike (a shift; with two
+ * a turn and a scale; with three or more any affine map of the section's plane) moves the whole row, the rest fades from guide to guide. */
+#include <stdlib.h>
+
+#include "geometry/plane/curve.h"
+#include "geometry/profiles/loft.h"
+
+/* ---- along a path ---- */
+
+typedef struct { vs_vec3 at, x, y, z; } guided_frame;
+
+/* The frame at arc length s, between samples */
+static guided_frame guided_frame_at(const vs_path *p, const vs_vec3 *x, double s) {
+  size_t low = 0, high = p->count;
+  if (p->closed) s -= p->length * floor(s / p->length);
+  while (high - low > 1) {
+    size_t middle = (low + high) / 2;
+    if (p->at[middle].along <= s) low = middle;
+    else high = middle;
+  }
+  if (high == p->count && !p->closed) high = low, low = low ? low - 1 : 0;
+  bool round = high == p->count;
+  const vs_path_point *a = &p->at[low], *b = &p->at[round ? 0 : high];
+  double from = a->along, to = round ? p->length : b->along, t = to > from ? (s - from) / (to - from) : 0;
+  vs_vec3 z = vs_v3_unit(vs_v3_add(vs_v3_scale(a->leaving, 1 - t), vs_v3_scale(b->arriving, t)));
+  vs_vec3 across = vs_v3_add(vs_v3_scale(x[low], 1 - t), vs_v3_scale(x[round ? 0 : high], t));
+  across = vs_v3_unit(vs_v3_sub(across, vs_v3_scale(z, vs_v3_dot(across, z))));
+  return (guided_frame){ vs_v3_add(a->at, vs_v3_scale(vs_v3_sub(b->at, a->at), t)), across, vs_v3_cross(z, across), z };
+}
+
+/* Arc length where the path comes nearest to c, from `least` on */
+static double guided_nearest(const vs_path *p, vs_vec3 c, double least) {
+  double best = INFINITY, at = least;
+  size_t n = p->closed ? p->count : p->count - 1;
+  for (size_t turn = 0; turn < (p->closed ? 2u : 1u); turn++)
+    for (size_t i = 0; i < n; i++) {
+      vs_vec3 a = p->at[i].at, d = vs_v3_sub(p->at[i + 1 < p->count ? i + 1 : 0].at, a);
+      double dd = vs_v3_dot(d, d), t = dd > 0 ? fmax(0, fmin(1, vs_v3_dot(vs_v3_sub(c, a), d) / dd)) : 0;
+      double s = p->at[i].along + t * sqrt(dd) + (double)turn * p->length, far = vs_v3_length(vs_v3_sub(vs_v3_add(a, vs_v3_scale(d, t)), c));
+      if (s >= least && far < best * (1 - 1e-9)) best = far, at = s;
+    }
+  return at;
+}
+
+/* Where each section stands on the path; the path is turned round where the sections go the other way. */
+static bool guided_stations(const vs_loft *l, vs_path *p, double *s, vs_error *e) {
+  size_t n = l->rows + l->joined;
+  s[0] = 0;
+  if (!p->closed && guided_nearest(p, l->center[0], 0) > guided_nearest(p, l->center[l->rows - 1], 0)) vs_path_reverse(p);
+  if (p->closed) { /* the way that has the second section first */
+    double a = guided_nearest(p, l->center[0], 0), b = guided_nearest(p, l->center[1], a), c = guided_nearest(p, l->center[l->rows - 1], a);
+    if (l->rows > 2 && c < b) vs_path_reverse(p);
+  }
+  for (size_t i = 0; i < n; i++) {
+    s[i] = i == l->rows ? s[0] + p->length : guided_nearest(p, l->center[i], i ? s[i - 1] : 0);
+    if (i && !(s[i] > s[i - 1] + 1e-9 * p->length))
+      return vs_error_set(e, VS_ERROR_MODEL, NULL, "sections must follow each other along the path; number %zu stands where number %zu does, or before it", i + 1, i);
+  }
+  return true;
+}
+
+static void guided_row(const guided_frame *f, const vs_vec3 *local, size_t n, vs_vec3 *row) {
+  for (size_t c = 0; c < n; c++)
+    row[c] = vs_v3_add(f->at, vs_v3_add(vs_v3_add(vs_v3_scale(f->x, local[c].x), vs_v3_scale(f->y, local[c].y)), vs_v3_scale(f->z, local[c].z)));
+}
+
+/* Slope of column c's coordinates at station i */
+static vs_vec3 guided_slope(const vs_vec3 *local, const double *s, size_t n, size_t stations, size_t i, size_t c) {
+  vs_vec3 secant[2] = { { 0, 0, 0 }, { 0, 0, 0 } };
+  double step[2] = { 1, 1 };
+  size_t mid = i == 0 ? 1 : i + 1 == stations ? stations - 2 : i;
+  if (stations < 3) mid = 1;
+  for (int k = 0; k < 2; k++) {
+    size_t a = mid - 1 + (size_t)k;
+    if (a + 1 >= stations) a = stations - 2;
+    step[k] = s[a + 1] - s[a];
+    secant[k] = vs_v3_scale(vs_v3_sub(local[(a + 1) * n + c], local[a * n + c]), 1 / step[k]);
+  }
+  if (stations < 3) return secant[0];
+  vs_vec3 m = vs_loft_slope(secant[0], secant[1], step[0], step[1]);
+  return i == 0 ? vs_loft_end_slope(secant[0], m) : i + 1 == stations ? vs_loft_end_slope(secant[1], m) : m;
+}
+
+static bool guided_rows(const vs_loft *l, const vs_path *p, const vs_vec3 *x, const double *s, const vs_vec3 *local, const vs_facets *f, vs_loft_rows *out) {
+  size_t n = l->columns, stations = l->rows + l->joined;
+  vs_vec3 *between = malloc((n + 1) * sizeof *between);
+  bool ok = between != NULL;
+  for (size_t i = 0; ok && i + 1 < stations; i++) {
+    double from = s[i], to = s[i + 1], steps = 1;
+    for (size_t c = 0; c < n; c++) {
+      vs_vec3 m = vs_v3_scale(guided_slope(local, s, n, stations, i, c), to - from), k = vs_v3_scale(guided_slope(local, s, n, stations, i + 1, c), to - from);
+      steps = fmax(steps, vs_loft_hermite_steps(local[i * n + c], local[(i + 1) * n + c], m, k, f));
+    }
+    /* rows stand at the steps of both: of the sections' change and of the path */
+    size_t sample = 0, turns = p->closed ? 3 : 1;
+    double at = from, next = 1;
+    while (ok && at < to) {
+      vs_vec3 *row = vs_loft_rows_add(out);
+      ok = row != NULL;
+      if (!ok) break;
+      if (at == from) {
+        for (size_t c = 0; c < n; c++) row[c] = l->at[i * n + c];
+      } else {
+        double t = (at - from) / (to - from);
+        for (size_t c = 0; c < n; c++) {
+          vs_vec3 m = vs_v3_scale(guided_slope(local, s, n, stations, i, c), to - from), k = vs_v3_scale(guided_slope(local, s, n, stations, i + 1, c), to - from);
+          between[c] = vs_loft_hermite(local[i * n + c], local[(i + 1) * n + c], m, k, t);
+        }
+        guided_frame frame = guided_frame_at(p, x, at);
+        guided_row(&frame, between, n, row);
+      }
+      double step = from + (to - from) * next / steps, along = INFINITY, near = 1e-6 * (to - from) / steps;
+      for (; sample < turns * p->count; sample++) {
+        along = p->at[sample % p->count].along + (double)(sample / p->count) * p->length;
+        if (along > at + near) break;
+        along = INFINITY;
+      }
+      if (step <= at + near) step = from + (to - from) * ++next / steps;
+      at = fmin(step, along);
+      if (at >= to - near) break;
+      if (at == step) next++;
+    }
+  }
+  vs_vec3 *last = ok && !l->joined ? vs_loft_rows_add(out) : NULL;
+  for (size_t c = 0; last && c < n; c++) last[c] = l->at[(l->rows - 1) * n + c];
+  free(between);
+  return ok && (last || l->joined);
+}
+
+bool vs_loft_along_path(const vs_node *n, const vs_loft *l, const vs_facets *f, vs_loft_rows *out, vs_error *e) {
+  vs_path p = { 0 };
+  vs_affine identity = vs_affine_identity();
+  size_t stations = l->rows + l->joined;
+  double *s = malloc((stations + 1) * sizeof *s);
+  vs_vec3 *local = malloc((stations * l->columns + 1) * sizeof *local), *x = NULL;
+  bool ok = (s && local) || vs_error_memory(e, NULL);
+  ok = ok && vs_curve_path(n->children[n->child_count - 1].node, &identity, f, &p, e);
+  if (ok && p.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "the path is a point");
+  ok = ok && guided_stations(l, &p, s, e) && ((x = malloc((p.count + 1) * sizeof *x)) != NULL || vs_error_memory(e, NULL));
+  if (ok) {
+    vs_affine square = vs_frame_on_axis(p.at[0].at, p.at[0].leaving);
+    vs_frame_transport(p.at, p.count, p.closed, p.length, vs_v3(square.m[0][0], square.m[1][0], square.m[2][0]), x);
+  }
+  for (size_t i = 0; ok && i < stations; i++) {
+    guided_frame frame = guided_frame_at(&p, x, s[i]);
+    for (size_t c = 0; c < l->columns; c++) {
+      vs_vec3 d = vs_v3_sub(l->at[i % l->rows * l->columns + c], frame.at);
+      local[i * l->columns + c] = vs_v3(vs_v3_dot(d, frame.x), vs_v3_dot(d, frame.y), vs_v3_dot(d, frame.z));
+    }
+  }
+  ok = ok && (guided_rows(l, &p, x, s, local, f, out) || vs_error_memory(e, NULL));
+  vs_path_free(&p);
+  free(s);
+  free(local);
+  free(x);
+  return ok;
+}
+
+/* ---- by guides ---- */
+
+typedef struct {
+  vs_path path;
+  double *s;      /* arc length at each section */
+  size_t loop;    /* of the section, that it touches */
+  double *column; /* of that loop, with a fraction, at each section */
+} guided_line;
+
+/* The point of row `row` nearest to the guide, and where on both that is; how far apart they are is returned. */
+static double guided_touch(const vs_loft *l, size_t row, const vs_path *p, size_t loop, double *s, double *column) {
+  size_t first = row * l->columns, size = l->sizes[loop], pieces = l->round ? size : size - 1, stretches = p->closed ? p->count : p->count - 1;
+  double least = INFINITY;
+  for (size_t k = 0; k < loop; k++) first += l->sizes[k];
+  if (l->point[row]) pieces = 1;
+  for (size_t i = 0; i < stretches; i++) {
+    vs_vec3 a = p->at[i].at, d = vs_v3_sub(p->at[i + 1 < p->count ? i + 1 : 0].at, a);
+    double dd = vs_v3_dot(d, d);
+    for (size_t c = 0; c < pieces; c++) {
+      /* two stretches a + t d and b + u g: nearest points, ends included (Ericson) */
+      vs_vec3 b = l->at[first + c], g = vs_v3_sub(l->at[first + (c + 1) % size], b), r = vs_v3_sub(a, b);
+      double gg = vs_v3_dot(g, g), dg = vs_v3_dot(d, g), dr = vs_v3_dot(d, r), gr = vs_v3_dot(g, r), det = dd * gg - dg * dg;
+      double t = det > 1e-12 * dd * gg ? fmax(0, fmin(1, (dg * gr - gg * dr) / det)) : 0, u = gg > 0 ? (dg * t + gr) / gg : 0;
+      if (u < 0) u = 0, t = dd > 0 ? fmax(0, fmin(1, -dr / dd)) : 0;
+      else if (u > 1) u = 1, t = dd > 0 ? fmax(0, fmin(1, (dg - dr) / dd)) : 0;
+      double far = vs_v3_length(vs_v3_sub(vs_v3_add(a, vs_v3_scale(d, t)), vs_v3_add(b, vs_v3_scale(g, u))));
+      if (far < least) {
+        least = far;
+        *s = p->at[i].along + t * sqrt(dd);
+        *column = (double)c + u;
+      }
+    }
+  }
+  return least;
+}
+
+static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, const vs_facets *f, guided_line *g, vs_error *e) {
+  vs_affine identity = vs_affine_identity();
+  g->s = malloc((l->rows + 1) * sizeof *g->s);
+  g->column = malloc((l->rows + 1) * sizeof *g->column);
+  if (!g->s || !g->column) return vs_error_memory(e, NULL);
+  if (!vs_curve_path(n, &identity, f, &g->path, e)) return false;
+  if (g->path.count < 2) return vs_error_set(e, VS_ERROR_MODEL, NULL, "guide %zu is a point", number);
+  double least = INFINITY, slack = fmax(1e-3 * l->size, 2 * f->tolerance);
+  for (size_t loop = 0; loop < l->loop_count; loop++) { /* the loop that it stays with */
+    double worst = 0, s, column;
+    for (size_t i = 0; i < l->rows; i++) worst = fmax(worst, guided_touch(l, i, &g->path, loop, &s, &column));
+    if (worst < least) least = worst, g->loop = loop;
+  }
+  for (size_t i = 0; i < l->rows; i++) {
+    double far = guided_touch(l, i, &g->path, g->loop, &g->s[i], &g->column[i]);
+    if (far > slack) return vs_error_set(e, VS_ERROR_MODEL, NULL, "guide %zu must meet every section; it passes section %zu at a distance of %.6g", number, i + 1, far);
+    if (l->point[i]) g->column[i] = -1; /* all of its lines */
+  }
+  if (g->s[0] > g->s[l->rows - 1]) {
+    for (size_t i = 0; i < l->rows; i++) g->s[i] = g->path.length - g->s[i];
+    vs_path_reverse(&g->path);
+  }
+  for (size_t i = 0; i < l->rows; i++) {
+    if (i && g->s[i] <= g->s[i - 1]) return vs_error_set(e, VS_ERROR_MODEL, NULL, "guide %zu must meet the sections one after the other", number);
+    if (g->column[i] < 0) g->column[i] = g->column[i ? i - 1 : 1];
+  }
+  if (g->column[0] < 0) g->column[0] = 0;
+  return true;
+}
+
+static vs_vec3 guided_point(const vs_path *p, double s) {
+  size_t low = 0, high = p->count;
+  while (high - low > 1) {
+    size_t middle = (low + high) / 2;
+    if (p->at[middle].along <= s) low = middle;
+    else high = middle;
+  }
+  if (high == p->count) return p->at[low].at;
+  double from = p->at[low].along, to = p->at[high].along;
+  return vs_v3_add(p->at[low].at, vs_v3_scale(vs_v3_sub(p->at[high].at, p->at[low].at), to > from ? (s - from) / (to - from) : 0));
+}
+
+static size_t guided_first(const vs_loft *l, size_t loop) {
+  size_t first = 0;
+  for (size_t k = 0; k < loop; k++) first += l->sizes[k];
+  return first;
+}
+
+static double guided_column(const vs_loft *l, const guided_line *g, size_t i, double t) { /* goes the short way round */
+  double a = g->column[i], b = g->column[i + 1], size = (double)l->sizes[g->loop];
+  if (l->round && b - a > size / 2) b -= size;
+  if (l->round && a - b > size / 2) b += size;
+  double c = a + (b - a) * t;
+  return l->round ? c - size * floor(c / size) : c;
+}
+
+/* The affine map x -> c + m (x - b) that best takes the points b_j to g_j; b, c: their means. With one a shift, with two a turn and an even
+ * scale, with three or more (not in line) any map of their plane, least squares. */
+static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3 *b, vs_vec3 *c, double m[3][3]) {
+  *b = *c = vs_v3(0, 0, 0);
+  for (size_t j = 0; j < n; j++) *b = vs_v3_add(*b, vs_v3_scale(from[j], 1.0 / (double)n)), *c = vs_v3_add(*c, vs_v3_scale(to[j], 1.0 / (double)n));
+  for (int i = 0; i < 3; i++)
+    for (int k = 0; k < 3; k++) m[i][k] = i == k;
+  if (n < 2) return;
+  double spread = 0, wide = 0;
+  vs_vec3 axis = { 0, 0, 0 }, area = { 0, 0, 0 };
+  for (size_t j = 0; j < n; j++) {
+    vs_vec3 d = vs_v3_sub(from[j], *b);
+    spread += vs_v3_dot(d, d);
+    if (vs_v3_dot(d, d) > vs_v3_dot(axis, axis)) axis = d;
+    wide += vs_v3_dot(vs_v3_sub(to[j], *c), vs_v3_sub(to[j], *c));
+  }
+  if (!(spread > 0)) return;
+  for (size_t j = 0; j < n; j++) {
+    vs_vec3 x = vs_v3_cross(axis, vs_v3_sub(from[j], *b));
+    if (vs_v3_dot(x, x) > vs_v3_dot(area, area)) area = x;
+  }
+  vs_vec3 normal = vs_v3_unit(area), x = vs_v3_unit(axis), y = vs_v3_cross(normal, x);
+  bool planar = n > 2 && vs_v3_length(area) > 0.05 * vs_v3_dot(axis, axis);
+  if (!planar) { /* even scale; the turn that takes the line of the points to where it goes */
+    vs_vec3 way = { 0, 0, 0 };
+    for (size_t j = 0; j < n; j++) way = vs_v3_add(way, vs_v3_scale(vs_v3_sub(to[j], *c), vs_v3_dot(vs_v3_sub(from[j], *b), x)));
+    if (!(vs_v3_length(way) > 1e-12 * spread)) return;
+    vs_affine turn = vs_frame_turn(x, vs_v3_unit(way));
+    double k = sqrt(wide / spread);
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j < 3; j++) m[i][j] = turn.m[i][j] * k;
+    return;
+  }
+  /* normal equations for the images of x and y; across the plane lengths stay */
+  double xx = 0, xy = 0, yy = 0;
+  vs_vec3 px = { 0, 0, 0 }, py = { 0, 0, 0 };
+  for (size_t j = 0; j < n; j++) {
+    vs_vec3 d = vs_v3_sub(from[j], *b), g = vs_v3_sub(to[j], *c);
+    double u = vs_v3_dot(d, x), v = vs_v3_dot(d, y);
+    xx += u * u, xy += u * v, yy += v * v;
+    px = vs_v3_add(px, vs_v3_scale(g, u));
+    py = vs_v3_add(py, vs_v3_scale(g, v));
+  }
+  double det = xx * yy - xy * xy;
+  vs_vec3 mx = vs_v3_scale(vs_v3_sub(vs_v3_scale(px, yy), vs_v3_scale(py, xy)), 1 / det), my = vs_v3_scale(vs_v3_sub(vs_v3_scale(py, xx), vs_v3_scale(px, xy)), 1 / det);
+  vs_vec3 mz = vs_v3_unit(vs_v3_cross(mx, my));
+  const double cols[3][3] = { { mx.x, mx.y, mx.z }, { my.x, my.y, my.z }, { mz.x, mz.y, mz.z } };
+  const double old[3][3] = { { x.x, x.y, x.z }, { y.x, y.y, y.z }, { normal.x, normal.y, normal.z } };
+  for (int i = 0; i < 3; i++)
+    for (int k = 0; k < 3; k++) m[i][k] = cols[0][i] * old[0][k] + cols[1][i] * old[1][k] + cols[2][i] * old[2][k];
+}
+
+typedef struct { double column; vs_vec3 rest; } guided_pin;
+
+static int guided_pin_compare(const void *a, const void *b) {
+  double p = ((const guided_pin *)a)->column, q = ((const guided_pin *)b)->column;
+  return p < q ? -1 : p > q;
+}
+
+/* Moves a row of the free loft so that it meets the guides. pins, from, to: scratch, one a guide. */
+static void guided_lead(const vs_loft *l, const guided_line *g, size_t guides, size_t i, double t, vs_vec3 *row, guided_pin *pins, vs_vec3 *from, vs_vec3 *to) {
+  vs_vec3 b, c;
+  double m[3][3];
+  for (size_t j = 0; j < guides; j++) {
+    size_t first = guided_first(l, g[j].loop), size = l->sizes[g[j].loop];
+    double column = guided_column(l, &g[j], i, t), fraction = column - floor(column);
+    size_t k = (size_t)column % size;
+    vs_vec3 p = row[first + k], q = row[first + (k + 1 < size ? k + 1 : l->round ? 0 : k)];
+    from[j] = vs_v3_add(p, vs_v3_scale(vs_v3_sub(q, p), fraction));
+    to[j] = guided_point(&g[j].path, g[j].s[i] + (g[j].s[i + 1] - g[j].s[i]) * t);
+  }
+  guided_fit(from, to, guides, &b, &c, m);
+  for (size_t k = 0; k < l->columns + guides; k++) {
+    vs_vec3 *p = k < l->columns ? &row[k] : &from[k - l->columns], d = vs_v3_sub(*p, b);
+    *p = vs_v3_add(c, vs_v3(m[0][0] * d.x + m[0][1] * d.y + m[0][2] * d.z, m[1][0] * d.x + m[1][1] * d.y + m[1][2] * d.z, m[2][0] * d.x + m[2][1] * d.y + m[2][2] * d.z));
+  }
+  for (size_t loop = 0, first = 0; loop < l->loop_count; first += l->sizes[loop++]) {
+    size_t n = 0;
+    double size = (double)l->sizes[loop];
+    for (size_t j = 0; j < guides; j++)
+      if (g[j].loop == loop) pins[n++] = (guided_pin){ guided_column(l, &g[j], i, t), vs_v3_sub(to[j], from[j]) };
+    if (!n) continue;
+    qsort(pins, n, sizeof *pins, guided_pin_compare);
+    for (size_t k = 0; k < l->sizes[loop]; k++) {
+      size_t after = 0;
+      while (after < n && pins[after].column < (double)k) after++;
+      size_t high = after < n ? after : l->round ? 0 : n - 1, low = after ? after - 1 : l->round ? n - 1 : 0;
+      double span = pins[high].column - pins[low].column, way = (double)k - pins[low].column;
+      if (l->round && span <= 0) span += size;
+      if (l->round && way < 0) way += size;
+      double u = low == high && n == 1 ? 0 : span > 0 ? fmax(0, fmin(1, way / span)) : 0;
+      u = u * u * (3 - 2 * u);
+      row[first + k] = vs_v3_add(row[first + k], vs_v3_add(vs_v3_scale(pins[low].rest, 1 - u), vs_v3_scale(pins[high].rest, u)));
+    }
+  }
+}
+
+/* Steps between section i and the next that follow the guide's own samples */
+static double guided_line_steps(const guided_line *g, size_t i) {
+  size_t n = 1;
+  for (size_t k = 0; k < g->path.count; k++) n += g->path.at[k].along > g->s[i] && g->path.at[k].along < g->s[i + 1];
+  return n > 256 ? 256 : (double)n;
+}
+
+bool vs_loft_along_guides(const vs_node *n, const vs_loft *l, const vs_facets *f, vs_loft_rows *out, vs_error *e) {
+  size_t sections = (size_t)VS_AS(guided_loft, n)->section_count, guides = n->child_count - sections;
+  guided_line *g = calloc(guides + 1, sizeof *g);
+  guided_pin *pins = malloc((guides + 1) * sizeof *pins);
+  vs_vec3 *points = malloc((2 * guides + 1) * sizeof *points);
+  vs_loft_smooth s = { 0 };
+  bool ok = (g && pins && points && vs_loft_smooth_make(l, &s)) || vs_error_memory(e, NULL);
+  if (ok && l->joined) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "sections that end where they begin cannot be guided; give a closed path");
+  for (size_t j = 0; ok && j < guides; j++) {
+    ok = guided_line_make(n->children[sections + j].node, j + 1, l, f, &g[j], e);
+    if (!ok && e && !e->origin) e->origin = n->children[sections + j].origin;
+  }
+  for (size_t i = 0; ok && i + 1 < l->rows; i++) {
+    double steps = vs_loft_smooth_steps(&s, i, f);
+    for (size_t j = 0; j < guides; j++) steps = fmax(steps, guided_line_steps(&g[j], i));
+    for (double k = 0; ok && k < steps; k++) {
+      vs_vec3 *row = vs_loft_rows_add(out);
+      ok = row || vs_error_memory(e, NULL);
+      if (!row) break;
+      vs_loft_smooth_row(&s, i, k / steps, row);
+      if (k > 0) guided_lead(l, g, guides, i, k / steps, row, pins, points, points + guides);
+    }
+  }
+  vs_vec3 *last = ok ? vs_loft_rows_add(out) : NULL;
+  if (last) vs_loft_smooth_row(&s, l->rows - 2, 1, last);
+  else if (ok) ok = vs_error_memory(e, NULL);
+  for (size_t j = 0; g && j < guides; j++) {
+    vs_path_free(&g[j].path);
+    free(g[j].s);
+    free(g[j].column);
+  }
+  vs_loft_smooth_free(&s);
+  free(g);
+  free(pins);
+  free(points);
+  return ok;
+}

@@ -1,0 +1,451 @@
+/* Owns what extrude, sweep and thicken have in common: a planar profile carried through sections, and the mesh between them.
+ *
+ * Plan first, triangles second. A section is an affine map of the profile's plane; at a corner of a path it lies in the mitre plane (normal
+ * m = a + b for directions a arriving, b leaving): a profile vector d across b becomes d - b (d.m)/(b.m), so that both arms keep the
+ * profile's true width. Smooth paths have a = b and stay square to it. A section scaled to nothing is an apex. Corners sharper than about
+ * 174 degrees are not mitred (the mitre would be longer than twenty profiles): there one piece ends square and another begins. So does an
+ * extrusion where its curve turns back: what is drawn one way and what is drawn the other are solids of their own that overlap. */
+#include "geometry/profiles/swept.h"
+
+#include <stdlib.h>
+
+#include "geometry/plane/curve.h"
+#include "geometry/profiles/grid.h"
+#include "geometry/profiles/overturn.h"
+#include "geometry/profiles/revolve.h"
+#include "model/store/array.h"
+
+static const double full_turn = 6.28318530717958647693;
+
+void vs_swept_free(vs_swept *s) {
+  free(s->profile);
+  free(s->sizes);
+  free(s->hole);
+  free(s->sections);
+  free(s->seam);
+  *s = (vs_swept){ 0 };
+}
+
+static bool vs_swept_add(vs_swept *s, vs_section section) {
+  if (!VS_GROW(s->sections, s->section_room, s->section_count + 1)) return false;
+  s->sections[s->section_count++] = section;
+  return true;
+}
+
+vs_section vs_section_between(const vs_section *a, const vs_section *b, double t) {
+  double k = 1 - t;
+  return (vs_section){ vs_v3_add(vs_v3_scale(a->x, k), vs_v3_scale(b->x, t)), vs_v3_add(vs_v3_scale(a->y, k), vs_v3_scale(b->y, t)),
+                       vs_v3_add(vs_v3_scale(a->at, k), vs_v3_scale(b->at, t)), false };
+}
+
+/* ---- profiles ---- */
+
+typedef struct { vs_vec3 x, y, normal, origin; vs_vec2 base; double reach; /* of the profile about base */ } vs_profile_plane;
+
+static vs_vec2 vs_profile_flat(const vs_profile_plane *p, vs_vec3 at) {
+  vs_vec3 d = vs_v3_sub(at, p->origin);
+  return (vs_vec2){ vs_v3_dot(d, p->x), vs_v3_dot(d, p->y) };
+}
+
+static bool vs_swept_room(vs_swept *s, size_t points, size_t loops) {
+  s->profile = malloc((points ? points : 1) * sizeof *s->profile); /* an empty region has none */
+  s->sizes = malloc((loops ? loops : 1) * sizeof *s->sizes);
+  s->hole = malloc((loops ? loops : 1) * sizeof *s->hole);
+  return s->profile && s->sizes && s->hole;
+}
+
+static bool vs_swept_profile(vs_swept *s, const vs_node *profile, const vs_facets *f, const vs_vec3 *base, vs_profile_plane *plane, vs_error *e) {
+  vs_outline o;
+  if (!vs_region_outline(profile, f, &o, e)) return false;
+  size_t points = 0;
+  for (size_t l = 0; l < o.count; l++) points += o.loops[l].count;
+  bool ok = vs_swept_room(s, points, o.count) || vs_error_memory(e, NULL);
+  if (ok) {
+    vs_vec3 centroid;
+    vs_outline_measure(&o, &centroid);
+    double (*m)[4] = o.frame.m;
+    *plane = (vs_profile_plane){ { m[0][0], m[1][0], m[2][0] }, { m[0][1], m[1][1], m[2][1] }, o.normal, { m[0][3], m[1][3], m[2][3] }, { 0, 0 }, 0 };
+    plane->base = vs_profile_flat(plane, base ? *base : centroid);
+    s->filled = !o.count || o.loops[0].closed;
+    for (size_t l = 0; l < o.count; l++) {
+      s->sizes[l] = o.loops[l].count;
+      s->hole[l] = o.hole[l];
+      for (size_t i = 0; i < o.loops[l].count; i++) {
+        vs_vec2 p = vs_profile_flat(plane, o.loops[l].at[i]);
+        s->profile[s->profile_count++] = p;
+        plane->reach = fmax(plane->reach, hypot(p.x - plane->base.x, p.y - plane->base.y));
+      }
+    }
+    s->loop_count = o.count;
+  }
+  vs_outline_free(&o);
+  return ok;
+}
+
+static bool vs_swept_disc(vs_swept *s, double radius, int n) {
+  if (!vs_swept_room(s, (size_t)n, 1)) return false;
+  for (int i = 0; i < n; i++) {
+    double sine, cosine;
+    vs_turn_sincos(i, n, &sine, &cosine);
+    s->profile[i] = (vs_vec2){ radius * cosine, radius * sine };
+  }
+  s->profile_count = s->sizes[0] = (size_t)n;
+  s->hole[0] = false;
+  s->loop_count = 1;
+  s->filled = true;
+  return true;
+}
+
+/* ---- along a path ---- */
+
+/* A straight edge of length l that turns by da becomes a saddle, which two triangles miss by l da / 4 in its middle. So a twist cuts the
+ * whole way into n steps (returned; 1 without a twist) and each edge into k pieces such that l/k twist/n / 4 keeps the tolerance, n and k
+ * alike large; and no fewer steps than facets in as much of a turn. With segments given the edges stay whole. 0: no memory. */
+static size_t vs_swept_refine(vs_swept *s, double twist, double scale, double reach, const vs_facets *f) {
+  enum { MOST = 2000, MOST_STEPS = 200000, MOST_POINTS = 10000000 };
+  double widest = fmax(1, fabs(scale)), longest = 0;
+  if (twist == 0) return 1;
+  for (size_t l = 0, first = 0; l < s->loop_count; first += s->sizes[l], l++)
+    for (size_t i = 0; i + (s->filled ? 0 : 1) < s->sizes[l]; i++) {
+      vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % s->sizes[l]];
+      longest = fmax(longest, hypot(q.x - p.x, q.y - p.y));
+    }
+  double n = ceil(fabs(twist) / full_turn * vs_facets_turn(f, reach * widest, 0) - 1e-9), saddle = fabs(twist) * widest / (4 * f->tolerance);
+  if (f->segments <= 0) n = fmax(n, ceil(sqrt(saddle * longest)));
+  n = fmax(fmin(n, fmin(MOST_STEPS, MOST_POINTS / (double)(s->profile_count ? s->profile_count : 1))), 1);
+  if (f->segments > 0) return (size_t)n;
+  vs_vec2 *fine = NULL;
+  size_t total = 0;
+  for (int pass = 0; pass < 2; pass++) { /* count, then fill */
+    if (pass && !(fine = malloc(total * sizeof *fine))) return 0;
+    total = 0;
+    for (size_t l = 0, first = 0; l < s->loop_count; l++) {
+      size_t size = s->sizes[l], begin = total;
+      for (size_t i = 0; i < size; i++) {
+        vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % size];
+        double pieces = ceil(saddle * hypot(q.x - p.x, q.y - p.y) / n - 1e-9);
+        size_t k = pieces < 1 || (!s->filled && i + 1 == size) ? 1 : pieces > MOST ? MOST : (size_t)pieces;
+        for (size_t j = 0; j < k; j++, total++) {
+          double t = (double)j / (double)k;
+          if (pass) fine[total] = (vs_vec2){ p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t };
+        }
+      }
+      first += size;
+      if (pass) s->sizes[l] = total - begin;
+    }
+  }
+  free(s->profile);
+  s->profile = fine;
+  s->profile_count = total;
+  return (size_t)n;
+}
+
+static size_t vs_swept_share(size_t steps, double share) { /* of the steps, those of a stretch that is this part of the way */
+  double n = ceil((double)steps * share - 1e-9);
+  return n < 1 ? 1 : (size_t)n;
+}
+
+static vs_section vs_swept_section(const vs_path_point *p, vs_vec3 x, double angle, double scale, vs_vec2 base) {
+  double sine, cosine;
+  vs_sincos(angle, &sine, &cosine);
+  vs_vec3 b = p->leaving, y = vs_v3_cross(b, x), m = vs_v3_add(p->arriving, b);
+  vs_vec3 u = vs_v3_scale(vs_v3_add(vs_v3_scale(x, cosine), vs_v3_scale(y, sine)), scale);
+  vs_vec3 v = vs_v3_scale(vs_v3_add(vs_v3_scale(y, cosine), vs_v3_scale(x, -sine)), scale);
+  double along = vs_v3_dot(b, m);
+  if (!vs_v3_equal(p->arriving, b)) {
+    u = vs_v3_sub(u, vs_v3_scale(b, vs_v3_dot(u, m) / along));
+    v = vs_v3_sub(v, vs_v3_scale(b, vs_v3_dot(v, m) / along));
+  }
+  vs_vec3 at = vs_v3_sub(p->at, vs_v3_add(vs_v3_scale(u, base.x), vs_v3_scale(v, base.y)));
+  return (vs_section){ u, v, at, false };
+}
+
+/* Is the profile, turned by `angle` about base, itself? Then its point i comes to lie on point seam[i]. False: out of memory. */
+static bool vs_swept_seam(vs_swept *s, vs_vec2 base, double angle, double reach) {
+  size_t *seam = malloc(s->profile_count * sizeof *seam);
+  double sine, cosine, near = 1e-9 * reach;
+  bool whole = seam != NULL;
+  vs_sincos(angle, &sine, &cosine);
+  for (size_t l = 0, first = 0; whole && l < s->loop_count; first += s->sizes[l], l++) {
+    bool found = false;
+    for (size_t k = 0, other = 0; !found && k < s->loop_count; other += s->sizes[k], k++) {
+      if (s->sizes[k] != s->sizes[l] || s->hole[k] != s->hole[l]) continue;
+      for (size_t shift = 0; !found && shift < s->sizes[l]; shift++) {
+        found = true;
+        for (size_t i = 0; found && i < s->sizes[l]; i++) {
+          vs_vec2 p = s->profile[first + i], q = s->profile[other + (i + shift) % s->sizes[l]];
+          double x = p.x - base.x, y = p.y - base.y;
+          found = hypot(base.x + x * cosine - y * sine - q.x, base.y + x * sine + y * cosine - q.y) <= near;
+          if (found) seam[first + i] = other + (i + shift) % s->sizes[l];
+        }
+      }
+    }
+    whole = found;
+  }
+  bool ok = seam != NULL;
+  if (whole) s->seam = seam;
+  else free(seam);
+  return ok;
+}
+
+static bool vs_swept_turns_back(const vs_path_point *p) { return 1 + vs_v3_dot(p->arriving, p->leaving) <= 0.005; }
+
+/* path is used up: its points are refined where a twist needs it. x: the profile's first direction at the start. */
+static bool vs_swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, double scale, vs_vec2 base, double reach, const vs_facets *f, vs_error *e) {
+  vs_path fine = { 0 };
+  vs_vec3 *carried = NULL;
+  bool ok = true;
+  double rest = twist - full_turn * nearbyint(twist / full_turn);
+  bool meets = path->closed && scale == 1, joins = meets && fabs(rest) < 1e-9;
+  size_t stretches = path->closed ? path->count : path->count - 1, all_steps = vs_swept_refine(s, twist, scale, reach, f);
+  ok = all_steps > 0;
+  for (size_t i = 0; i < path->count; i++) meets = meets && !vs_swept_turns_back(&path->at[i]);
+  if (ok && meets && !joins && s->filled) ok = vs_swept_seam(s, base, rest, reach);
+  bool seam = s->seam != NULL; /* a square after a quarter turn is itself: the ends meet */
+  if (!path->closed) { /* ends stand square */
+    path->at[0].arriving = path->at[0].leaving;
+    path->at[path->count - 1].leaving = path->at[path->count - 1].arriving;
+  }
+  for (size_t i = 0; ok && i < stretches; i++) {
+    const vs_path_point *p = &path->at[i], *q = &path->at[i + 1 < path->count ? i + 1 : 0];
+    vs_vec3 way = vs_v3_sub(q->at, p->at);
+    size_t steps = vs_swept_share(all_steps, vs_v3_length(way) / path->length);
+    ok = vs_path_add(&fine, p->at, p->arriving, p->leaving);
+    for (size_t k = 1; ok && k < steps; k++) {
+      double t = (double)k / (double)steps;
+      vs_vec3 d = vs_v3_unit(vs_v3_add(vs_v3_scale(p->leaving, 1 - t), vs_v3_scale(q->arriving, t)));
+      ok = vs_path_add(&fine, vs_v3_add(p->at, vs_v3_scale(way, t)), d, d);
+    }
+  }
+  const vs_path_point *last = path->closed ? &path->at[0] : &path->at[path->count - 1];
+  bool ends = !joins; /* a closed path whose ends do not match gets its first point again */
+  if (ends) ok = ok && vs_path_add(&fine, last->at, last->arriving, last->leaving);
+  fine.closed = joins;
+  if (ok) vs_path_measure(&fine);
+  carried = ok ? malloc(fine.count * sizeof *carried) : NULL;
+  ok = ok && carried;
+  if (ok) vs_frame_transport(fine.at, fine.count - seam, joins || seam, fine.length, x, carried);
+  if (ok && seam) carried[fine.count - 1] = carried[0];
+  bool broken = false;
+  for (size_t i = 0; ok && i < fine.count + broken; i++) {
+    bool round = i == fine.count; /* a closed path in pieces ends where it began */
+    vs_path_point p = fine.at[round ? 0 : i];
+    double t = round ? 1 : fine.length > 0 ? fine.at[i].along / fine.length : 0;
+    if (joins && i == 0) for (size_t k = 0; k < fine.count; k++) broken = broken || vs_swept_turns_back(&fine.at[k]);
+    if (vs_swept_turns_back(&p) && (i > 0 || ends)) {
+      vs_path_point end = { p.at, p.arriving, p.arriving, p.along };
+      vs_vec3 across = carried[i ? i - 1 : 0];
+      across = vs_v3_unit(vs_v3_sub(across, vs_v3_scale(p.arriving, vs_v3_dot(across, p.arriving))));
+      ok = vs_swept_add(s, vs_swept_section(&end, across, twist * t, 1 + (scale - 1) * t, base));
+      if (ok) s->sections[s->section_count - 1].ends = true;
+      if (round || (ends && i + 1 == fine.count)) break;
+    }
+    if (vs_swept_turns_back(&p)) p.arriving = p.leaving;
+    ok = ok && vs_swept_add(s, vs_swept_section(&p, carried[round ? 0 : i], twist * t, 1 + (scale - 1) * t, base));
+  }
+  s->joined = joins && !broken;
+  s->across = true;
+  vs_path_free(&fine);
+  free(carried);
+  return ok || vs_error_memory(e, NULL);
+}
+
+/* The path, sampled so that what the profile draws on the outside of its bends keeps the tolerance too: a stretch that turns by d rises over its chord
+ * by 1 - cos(d/2) of the radius, there the path's own and the profile's reach. */
+static bool vs_swept_path(const vs_node *curve, const vs_facets *f, double reach, vs_path *path, vs_error *e) {
+  vs_affine identity = vs_affine_identity();
+  double most = 0;
+  if (!vs_curve_path(curve, &identity, f, path, e)) return false;
+  if (f->segments > 0) return true;
+  for (size_t i = 0; i + !path->closed < path->count; i++) {
+    const vs_path_point *p = &path->at[i], *q = &path->at[i + 1 < path->count ? i + 1 : 0];
+    double turn = vs_v3_length(vs_v3_sub(q->arriving, p->leaving)); /* 2 sin(d/2) */
+    most = fmax(most, turn * turn / 8 * (reach + vs_v3_length(vs_v3_sub(q->at, p->at)) / fmax(turn, 1e-9)));
+  }
+  if (most <= f->tolerance * 1.01) return true;
+  vs_facets fine = { f->tolerance * fmax(f->tolerance / most, 1.0 / 4096), 0 };
+  vs_path_free(path);
+  *path = (vs_path){ 0 };
+  return vs_curve_path(curve, &identity, &fine, path, e);
+}
+
+/* ---- the three kinds ---- */
+
+/* Along a path without turning, filled: pieces that each go to one side of the profile's plane. What moves within the plane fills nothing. */
+static bool vs_swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs_path *path, vs_error *e) {
+  double side = 0;
+  size_t stretches = path->closed ? path->count : path->count - 1;
+  bool ok = true;
+  for (size_t i = 0; ok && i < stretches; i++) {
+    vs_vec3 from = vs_v3_sub(path->at[i].at, path->at[0].at), to = vs_v3_sub(path->at[i + 1 < path->count ? i + 1 : 0].at, path->at[0].at);
+    double rise = vs_v3_dot(vs_v3_sub(to, from), plane->normal), now = fabs(rise) <= 1e-9 * path->length ? 0 : rise < 0 ? -1 : 1;
+    if (now != side && s->section_count) s->sections[s->section_count - 1].ends = true;
+    if (now != side && now != 0) ok = vs_swept_add(s, (vs_section){ plane->x, plane->y, vs_v3_add(plane->origin, from), false });
+    if (now != 0) ok = ok && vs_swept_add(s, (vs_section){ plane->x, plane->y, vs_v3_add(plane->origin, to), false });
+    side = now;
+  }
+  if (!ok) return vs_error_memory(e, NULL);
+  return s->section_count || vs_error_set(e, VS_ERROR_MODEL, NULL, "the profile would be moved within its own plane, whose normal is (vxyz %.6g %.6g %.6g)", plane->normal.x,
+                                          plane->normal.y, plane->normal.z);
+}
+
+/* along a vector, or along a path without turning */
+static bool vs_swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
+  const struct vs_extrude *x = VS_AS(extrude, n);
+  vs_profile_plane plane = { 0 };
+  vs_path path = { 0 };
+  vs_affine identity = vs_affine_identity();
+  vs_vec3 none = { 0, 0, 0 };
+  bool curve = n->child_count > 1, ok = true, turns = x->twist != 0 || x->scale != 1;
+  ok = vs_swept_profile(s, n->children[0].node, f, NULL, &plane, e);
+  if (ok && curve) ok = vs_curve_path(n->children[1].node, &identity, f, &path, e);
+  else if (ok) ok = (vs_path_add(&path, none, none, none) && vs_path_add(&path, x->along, none, none)) || vs_error_memory(e, NULL);
+  if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: the curve to follow is a point");
+  if (ok) vs_path_measure(&path);
+  if (ok && curve && s->filled && !turns) {
+    ok = vs_swept_pieces(s, &plane, &path, e);
+    vs_path_free(&path);
+    return ok;
+  }
+  vs_vec3 middle = vs_v3_add(plane.origin, vs_v3_add(vs_v3_scale(plane.x, plane.base.x), vs_v3_scale(plane.y, plane.base.y)));
+  vs_vec3 way = ok ? vs_v3_sub(path.at[path.count - 1].at, path.at[0].at) : none;
+  double rises = vs_v3_dot(vs_v3_unit(way), plane.normal), hand = rises < 0 ? -1 : 1; /* the twist goes about the way of travel */
+  if (ok && !curve && s->filled && fabs(rises) < 1e-9)
+    ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: the amount lies in the profile's own plane, whose normal is (vxyz %.6g %.6g %.6g)", plane.normal.x, plane.normal.y, plane.normal.z);
+  s->joined = ok && path.closed && !turns;
+  size_t all_steps = ok ? vs_swept_refine(s, x->twist, x->scale, plane.reach, f) : 1;
+  if (!all_steps) ok = vs_error_memory(e, NULL);
+  for (size_t i = 0; ok && i < path.count + (path.closed && turns); i++) {
+    bool round = i == path.count;
+    vs_vec3 p = path.at[round ? 0 : i].at;
+    double until = round ? path.length : path.at[i].along, from = i ? path.at[i - 1].along : 0;
+    vs_vec3 before = i ? path.at[i - 1].at : p;
+    size_t steps = i && path.length > 0 ? vs_swept_share(all_steps, (until - from) / path.length) : 1;
+    for (size_t k = 1; ok && k <= steps; k++) {
+      double part = (double)k / (double)steps, t = path.length > 0 ? (from + (until - from) * part) / path.length : 0, sine, cosine;
+      vs_vec3 at = k == steps ? p : vs_v3_add(before, vs_v3_scale(vs_v3_sub(p, before), part));
+      vs_vec3 shift = vs_v3_sub(at, path.at[0].at);
+      if (x->center && !curve) shift = vs_v3_sub(shift, vs_v3_scale(x->along, 0.5));
+      vs_section section = { plane.x, plane.y, vs_v3_add(plane.origin, shift), false };
+      if (turns) {
+        double scale = 1 + (x->scale - 1) * t;
+        vs_sincos(hand * x->twist * t, &sine, &cosine);
+        section.x = vs_v3_scale(vs_v3_add(vs_v3_scale(plane.x, cosine), vs_v3_scale(plane.y, sine)), scale);
+        section.y = vs_v3_scale(vs_v3_add(vs_v3_scale(plane.y, cosine), vs_v3_scale(plane.x, -sine)), scale);
+        vs_vec3 off = vs_v3_add(vs_v3_scale(section.x, plane.base.x), vs_v3_scale(section.y, plane.base.y));
+        if (t > 0) section.at = vs_v3_add(shift, vs_v3_sub(middle, off));
+      }
+      ok = vs_swept_add(s, section) || vs_error_memory(e, NULL);
+    }
+  }
+  vs_path_free(&path);
+  return ok;
+}
+
+static bool vs_swept_sweep(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
+  const struct vs_sweep *w = VS_AS(sweep, n);
+  vs_profile_plane plane = { 0 };
+  vs_path path = { 0 };
+  bool ok = vs_swept_profile(s, n->children[0].node, f, w->has_base ? &w->base : NULL, &plane, e) &&
+            vs_swept_path(n->children[1].node, f, plane.reach * fmax(1, w->scale), &path, e);
+  if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-sweep: the path is a point");
+  if (ok) {
+    vs_affine turn = vs_frame_turn(plane.normal, path.at[0].leaving);
+    const vs_node *c = n->children[0].node;
+    while (c->child_count == 1) c = c->children[0].node;
+    bool round = path.closed && !w->has_base && vs_profile_circle(n->children[0].node) > 0 && c->kind == VS_CIRCLE && VS_AS(circle, c)->segments <= 0; /* its twist is not to be seen */
+    ok = vs_swept_along(s, &path, vs_affine_vector(&turn, plane.x), round ? 0 : w->twist, w->scale, plane.base, plane.reach, f, e);
+  }
+  vs_path_free(&path);
+  return ok;
+}
+
+static bool vs_swept_thicken(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
+  const struct vs_thicken *t = VS_AS(thicken, n);
+  const vs_node *what = n->children[0].node;
+  if (what->class_ != VS_CURVE) {
+    vs_profile_plane plane = { 0 };
+    if (!vs_swept_profile(s, what, f, NULL, &plane, e)) return false;
+    vs_vec3 half = vs_v3_scale(plane.normal, t->width / 2);
+    return (vs_swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_sub(plane.origin, half), false }) &&
+            vs_swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_add(plane.origin, half), false })) || vs_error_memory(e, NULL);
+  }
+  vs_path path = { 0 };
+  bool ok = vs_swept_path(what, f, t->width / 2, &path, e);
+  if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-thicken: the curve is a point");
+  ok = ok && (vs_swept_disc(s, t->width / 2, vs_facets_turn(f, t->width / 2, t->segments)) || vs_error_memory(e, NULL));
+  if (ok) {
+    vs_affine square = vs_frame_on_axis(path.at[0].at, path.at[0].leaving);
+    vs_vec3 x = { square.m[0][0], square.m[1][0], square.m[2][0] };
+    ok = vs_swept_along(s, &path, x, 0, 1, (vs_vec2){ 0, 0 }, t->width / 2, f, e);
+  }
+  vs_path_free(&path);
+  return ok;
+}
+
+bool vs_swept_plan(const vs_node *n, const vs_facets *f, vs_swept *out, vs_error *e) {
+  *out = (vs_swept){ 0 };
+  bool ok = n->kind == VS_EXTRUDE ? vs_swept_extrude(out, n, f, e) : n->kind == VS_SWEEP ? vs_swept_sweep(out, n, f, e) : vs_swept_thicken(out, n, f, e);
+  if (!ok) vs_swept_free(out);
+  return ok;
+}
+
+/* ---- triangles ---- */
+
+bool vs_swept_mesh(const vs_swept *s, vs_mesh *out) {
+  size_t n = s->profile_count, rows = s->section_count, steps = 0;
+  vs_vec3 *at = malloc((n * (rows + 1) + 1) * sizeof *at);
+  bool *turns = calloc(rows + 1, sizeof *turns), ok = at && turns; /* from this section to the next: overturn.h */
+  vs_bounds b = vs_bounds_empty();
+  for (size_t r = 0; ok && r <= rows; r++) {
+    const vs_section *section = &s->sections[r < rows ? r : 0];
+    for (size_t i = 0; i < n; i++) {
+      at[r * n + i] = vs_v3_add(vs_v3_add(vs_v3_scale(section->x, s->profile[i].x), vs_v3_scale(section->y, s->profile[i].y)), section->at);
+      vs_bounds_add(&b, at[r * n + i]);
+    }
+  }
+  double size = ok ? vs_bounds_diagonal(&b) : 0;
+  for (size_t r = 0; ok && s->across && s->filled && r + !s->joined < rows; r++)
+    steps += turns[r] = !s->sections[r].ends && vs_overturns(s, at, r, size);
+  bool joined = s->joined && !steps;
+  if (s->joined && steps) rows++; /* in pieces: the first section stands at the end again */
+  for (size_t first = 0, end; ok && first < rows; first = end + 1) {
+    size_t first_triangle = out->triangle_count;
+    for (end = first; end + 1 < rows && !turns[end] && !(end < s->section_count && s->sections[end].ends); end++) {}
+    vs_grid g = { at + first * n, end + 1 - first, n, s->sizes, s->hole, s->loop_count, s->filled, joined, steps ? NULL : s->seam, s->filled, s->profile };
+    ok = end == first || vs_grid_mesh(&g, out);
+    vs_mesh added = { .vertices = out->vertices, .triangles = out->triangles + first_triangle, .triangle_count = out->triangle_count - first_triangle };
+    if (ok && s->filled && vs_mesh_volume(&added) < 0) vs_mesh_turn(out, first_triangle);
+    if (!ok || !turns[end]) continue;
+    for (first = end; turns[end]; end++) {}
+    ok = vs_overturn_mesh(s, at, first, end, size, out);
+    end--; /* the last of them begins what follows */
+  }
+  free(at);
+  free(turns);
+  return ok;
+}
+
+bool vs_outline_mesh(const vs_outline *o, vs_mesh *out) {
+  size_t n = 0;
+  for (size_t l = 0; l < o->count; l++) n += o->loops[l].count;
+  uint32_t *row = malloc((n ? n : 1) * sizeof *row);
+  vs_vec2 *flat = malloc((n ? n : 1) * sizeof *flat);
+  size_t *sizes = malloc((o->count ? o->count : 1) * sizeof *sizes);
+  bool ok = row && flat && sizes;
+  size_t k = 0;
+  for (size_t l = 0; ok && l < o->count; l++) {
+    sizes[l] = o->loops[l].count;
+    for (size_t i = 0; ok && i < o->loops[l].count; i++, k++) {
+      vs_vec3 p = o->loops[l].at[i];
+      flat[k] = (vs_vec2){ p.x * o->frame.m[0][0] + p.y * o->frame.m[1][0] + p.z * o->frame.m[2][0],
+                           p.x * o->frame.m[0][1] + p.y * o->frame.m[1][1] + p.z * o->frame.m[2][1] };
+      ok = vs_mesh_add_vertex(out, p, &row[k]);
+    }
+  }
+  ok = ok && vs_grid_cap(flat, sizes, o->hole, o->count, row, out, false);
+  free(row);
+  free(flat);
+  free(sizes);
+  return ok;
+}

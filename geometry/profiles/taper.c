@@ -1,0 +1,455 @@
+/* Owns extrusions whose walls lean: every edge of the profile moves inwards (outwards) at one speed, its wall is the plane that it runs in.
+ *
+ * In the profile's plane edge i lies on the line sign (n_i . x - c_i) = d, n_i its unit normal into the material, d growing from 0 to its end.
+ * Two neighbours meet in a corner that moves with the speed sign (n_i + n_j) / (1 + n_i . n_j). Two things happen on the way (the straight
+ * skeleton of the profile): an edge between corners that approach each other vanishes when they meet, and its neighbours become neighbours;
+ * a corner that runs ahead of its edges hits the edge of another wall and splits it, and with it the loop (or joins a hole to the loop round
+ * it). A loop of two edges is at its end: a point, or, where opposite edges fall together, a ridge. Events wait in a heap; each is looked at
+ * again when its turn comes, since what it spoke of may have changed.
+ * Each wall is one plane polygon: its edge below, the tracks of the corners to both sides of it, of its pieces where it was split, and what
+ * of them is left above. Cost: corners that run ahead times edges, times a logarithm. */
+#include "geometry/profiles/taper.h"
+
+#include <stdlib.h>
+
+#include "geometry/plane/ear_clipping.h"
+#include "model/store/array.h"
+
+typedef struct { uint32_t *at; size_t count, room; } taper_chain;
+
+typedef struct { /* a piece of an edge; where none was split, all of it */
+  vs_vec2 normal, way;      /* unit; the material is on the left of way, where normal points */
+  double line;              /* normal . x of the edge below */
+  size_t before, after;     /* neighbours in the loop as it is now */
+  taper_chain left, right;  /* vertices of its corner with `before`, with `after`, from below to above */
+  vs_vec2 corner;           /* with `after`, where it was at `since`, when its speed last changed */
+  double since;
+  size_t next_piece;        /* of the same wall, to the left; SIZE_MAX: none */
+  uint32_t stamp, corner_stamp;
+  bool gone;
+} taper_edge;
+
+typedef struct { double d; size_t edge, wall /* SIZE_MAX: the edge vanishes; else its corner hits this wall */; uint32_t stamp; } taper_event;
+
+typedef struct {
+  taper_edge *edges;
+  size_t count, room, walls; /* the first `walls` of the edges began below */
+  taper_event *events;
+  size_t event_count, event_room;
+  double sign, end, size;   /* d goes from 0 to end, inwards for sign 1 */
+  vs_mesh *out;
+  vs_vec2 *flat;            /* of out's vertices from `first` on: (position, d) */
+  double *level;
+  size_t flat_room;
+  uint32_t first;
+  const vs_affine *frame;   /* (u, v, 0) to space */
+  vs_vec3 rise;             /* in space, for d = end */
+} taper;
+
+static double taper_dot(vs_vec2 a, vs_vec2 b) { return a.x * b.x + a.y * b.y; }
+static double taper_cross(vs_vec2 a, vs_vec2 b) { return a.x * b.y - a.y * b.x; }
+
+static bool taper_push(taper_chain *c, uint32_t v) {
+  if (c->count && c->at[c->count - 1] == v) return true;
+  if (!VS_GROW(c->at, c->room, c->count + 1)) return false;
+  c->at[c->count++] = v;
+  return true;
+}
+
+static bool taper_vertex(taper *t, vs_vec2 p, double d, uint32_t *index) {
+  size_t k = t->out->vertex_count - t->first;
+  if (k >= t->flat_room) {
+    size_t room = t->flat_room ? t->flat_room * 2 : 64;
+    vs_vec2 *flat = realloc(t->flat, room * sizeof *flat);
+    if (flat) t->flat = flat;
+    double *level = realloc(t->level, room * sizeof *level);
+    if (level) t->level = level;
+    if (!flat || !level) return false;
+    t->flat_room = room;
+  }
+  t->flat[k] = p;
+  t->level[k] = d;
+  vs_vec3 at = vs_v3_add(vs_affine_point(t->frame, vs_v3(p.x, p.y, 0)), vs_v3_scale(t->rise, d / t->end));
+  return vs_mesh_add_vertex(t->out, at, index);
+}
+
+/* ---- corners ---- */
+
+/* Speed of the corner between edges i and j; false: they run against each other, it has none. */
+static bool taper_speed(const taper *t, size_t i, size_t j, vs_vec2 *speed) {
+  vs_vec2 a = t->edges[i].normal, b = t->edges[j].normal;
+  double k = 1 + taper_dot(a, b);
+  *speed = (vs_vec2){ 0, 0 };
+  if (k < 1e-9) return false;
+  *speed = (vs_vec2){ t->sign * (a.x + b.x) / k, t->sign * (a.y + b.y) / k };
+  return true;
+}
+
+static vs_vec2 taper_corner(const taper *t, size_t i, double d) { /* of edge i with its after */
+  const taper_edge *e = &t->edges[i];
+  vs_vec2 speed;
+  taper_speed(t, i, e->after, &speed);
+  return (vs_vec2){ e->corner.x + speed.x * (d - e->since), e->corner.y + speed.y * (d - e->since) };
+}
+
+static bool taper_runs_ahead(const taper *t, size_t i) { return t->sign * taper_cross(t->edges[i].way, t->edges[t->edges[i].after].way) < -1e-9; }
+
+static double taper_length(const taper *t, size_t i, double d) {
+  vs_vec2 a = taper_corner(t, t->edges[i].before, d), b = taper_corner(t, i, d);
+  return hypot(b.x - a.x, b.y - a.y);
+}
+
+static bool taper_near(const taper *t, vs_vec2 a, vs_vec2 b) { return hypot(a.x - b.x, a.y - b.y) <= 1e-9 * t->size; }
+
+/* ---- events ---- */
+
+static bool taper_sooner(const taper_event *a, const taper_event *b) {
+  if (a->d != b->d) return a->d < b->d;
+  if ((a->wall == SIZE_MAX) != (b->wall == SIZE_MAX)) return a->wall == SIZE_MAX; /* what vanishes goes first */
+  return a->edge != b->edge ? a->edge < b->edge : a->wall < b->wall;
+}
+
+static bool taper_expect(taper *t, taper_event e) {
+  if (!(e.d < t->end)) return true;
+  if (!VS_GROW(t->events, t->event_room, t->event_count + 1)) return false;
+  size_t i = t->event_count++;
+  for (; i && taper_sooner(&e, &t->events[(i - 1) / 2]); i = (i - 1) / 2) t->events[i] = t->events[(i - 1) / 2];
+  t->events[i] = e;
+  return true;
+}
+
+static taper_event taper_next(taper *t) {
+  taper_event first = t->events[0], last = t->events[--t->event_count];
+  size_t i = 0;
+  for (size_t child; (child = 2 * i + 1) < t->event_count; i = child) {
+    if (child + 1 < t->event_count && taper_sooner(&t->events[child + 1], &t->events[child])) child++;
+    if (!taper_sooner(&t->events[child], &last)) break;
+    t->events[i] = t->events[child];
+  }
+  if (t->event_count) t->events[i] = last;
+  return first;
+}
+
+/* When edge i vanishes; INFINITY: not as things stand */
+static double taper_vanishes(const taper *t, size_t i, double now) {
+  size_t p = t->edges[i].before, q = t->edges[i].after;
+  vs_vec2 left, right, way = t->edges[i].way;
+  bool stuck_p = !taper_speed(t, p, i, &left), stuck_q = !taper_speed(t, i, q, &right);
+  if (stuck_p || stuck_q) { /* a neighbour lies on it: the shorter of them goes at once */
+    double own = taper_length(t, i, now), other = stuck_p ? taper_length(t, p, now) : taper_length(t, q, now);
+    return own <= other ? now : INFINITY;
+  }
+  double closing = taper_dot((vs_vec2){ left.x - right.x, left.y - right.y }, way);
+  vs_vec2 a = taper_corner(t, p, now), b = taper_corner(t, i, now);
+  double length = taper_dot((vs_vec2){ b.x - a.x, b.y - a.y }, way);
+  if (fabs(closing) <= 1e-9) return fabs(length) <= 1e-9 * t->size ? now : INFINITY;
+  return closing < 0 ? INFINITY : now + fmax(length, 0) / closing;
+}
+
+static bool taper_expect_vanishing(taper *t, size_t i, double now) {
+  return taper_expect(t, (taper_event){ taper_vanishes(t, i, now), i, SIZE_MAX, ++t->edges[i].stamp });
+}
+
+/* Where the corner of edge i with its after would meet the walls that it runs towards */
+static bool taper_expect_hits(taper *t, size_t i, double now) {
+  vs_vec2 speed, at = taper_corner(t, i, now);
+  uint32_t stamp = ++t->edges[i].corner_stamp;
+  if (!taper_runs_ahead(t, i) || !taper_speed(t, i, t->edges[i].after, &speed)) return true;
+  for (size_t w = 0; w < t->walls; w++) {
+    const taper_edge *e = &t->edges[w];
+    double gap = t->sign * (taper_dot(e->normal, at) - e->line) - now, closing = 1 - t->sign * taper_dot(e->normal, speed);
+    if (closing <= 1e-9 || gap < -1e-9 * t->size) continue;
+    if (!taper_expect(t, (taper_event){ now + fmax(gap, 0) / closing, i, w, stamp })) return false;
+  }
+  return true;
+}
+
+/* Edges p and q have become neighbours, with their corner at `at`. */
+static void taper_join(taper *t, size_t p, size_t q, vs_vec2 at, double d) {
+  t->edges[p].after = q;
+  t->edges[q].before = p;
+  t->edges[p].corner = at;
+  t->edges[p].since = d;
+}
+
+/* A loop of two edges is at its end; corner `known` of p with q has the vertex v. */
+static bool taper_finish(taper *t, size_t p, size_t q, double d, vs_vec2 at, uint32_t v) {
+  vs_vec2 other = taper_corner(t, q, d);
+  uint32_t w = v;
+  bool ok = taper_near(t, other, at) || taper_vertex(t, other, d, &w);
+  t->edges[p].gone = t->edges[q].gone = true;
+  return ok && taper_push(&t->edges[q].right, w) && taper_push(&t->edges[p].left, w);
+}
+
+/* After an event at the corner of p with its after: the loop ends, or new events wait. */
+static bool taper_settle(taper *t, size_t p, double d, uint32_t v) {
+  size_t q = t->edges[p].after;
+  if (t->edges[p].gone) return true;
+  if (t->edges[q].after == p) return taper_finish(t, p, q, d, t->edges[p].corner, v);
+  return taper_expect_vanishing(t, p, d) && taper_expect_vanishing(t, q, d) && taper_expect_hits(t, p, d);
+}
+
+/* Edge i is no more at d: its neighbours meet. */
+static bool taper_remove(taper *t, size_t i, double d) {
+  taper_edge *e = &t->edges[i];
+  size_t p = e->before, q = e->after;
+  vs_vec2 speed, a = taper_corner(t, p, d), b = taper_corner(t, i, d);
+  bool stuck_p = !taper_speed(t, p, i, &speed), stuck_q = !taper_speed(t, i, q, &speed);
+  /* where a neighbour runs against it the edge goes all at once, and the other corner is where they go on from */
+  vs_vec2 at = stuck_p ? b : stuck_q ? a : (vs_vec2){ (a.x + b.x) / 2, (a.y + b.y) / 2 };
+  uint32_t v, w;
+  bool ok = taper_vertex(t, at, d, &v);
+  if (stuck_p && t->edges[p].since < d) ok = ok && taper_vertex(t, a, d, &w) && taper_push(&t->edges[p].right, w) && taper_push(&e->left, w);
+  if (stuck_q && !stuck_p && e->since < d) ok = ok && taper_vertex(t, b, d, &w) && taper_push(&t->edges[q].left, w) && taper_push(&e->right, w);
+  ok = ok && taper_push(&e->left, v) && taper_push(&e->right, v) && taper_push(&t->edges[p].right, v) && taper_push(&t->edges[q].left, v);
+  e->gone = true;
+  taper_join(t, p, q, at, d);
+  return ok && taper_settle(t, p, d, v);
+}
+
+/* The piece of the wall that the place lies on; SIZE_MAX: none */
+static size_t taper_piece_at(const taper *t, size_t wall, vs_vec2 at, double d, size_t p, size_t q) {
+  double slack = 1e-9 * t->size;
+  for (size_t i = wall; i != SIZE_MAX; i = t->edges[i].next_piece) {
+    const taper_edge *e = &t->edges[i];
+    if (e->gone || i == p || i == q || e->before == q || e->after == p) continue;
+    vs_vec2 a = taper_corner(t, e->before, d), b = taper_corner(t, i, d);
+    double from = taper_dot((vs_vec2){ at.x - a.x, at.y - a.y }, e->way), to = taper_dot((vs_vec2){ b.x - at.x, b.y - at.y }, e->way);
+    if (from >= -slack && to >= -slack) return i;
+  }
+  return SIZE_MAX;
+}
+
+/* The corner of p with its after hits a piece of the wall: p goes on along the piece's part ahead, the part behind goes on along p's after. */
+static bool taper_split(taper *t, size_t p, size_t wall, double d) {
+  size_t q = t->edges[p].after;
+  vs_vec2 at = taper_corner(t, p, d);
+  size_t ahead = taper_piece_at(t, wall, at, d, p, q);
+  if (ahead == SIZE_MAX || t->count >= 3 * t->walls) return true; /* each corner splits once; more is rounding's doing */
+  if (!VS_GROW(t->edges, t->room, t->count + 1)) return false;
+  size_t behind = t->count++;
+  taper_edge *e = &t->edges[ahead], *l = &t->edges[behind];
+  *l = (taper_edge){ .normal = e->normal, .way = e->way, .line = e->line, .before = e->before, .left = e->left, .next_piece = e->next_piece };
+  e->left = (taper_chain){ 0 };
+  e->next_piece = behind;
+  t->edges[l->before].after = behind;
+  uint32_t v;
+  bool ok = taper_vertex(t, at, d, &v) && taper_push(&e->left, v) && taper_push(&l->right, v) && taper_push(&t->edges[p].right, v) && taper_push(&t->edges[q].left, v);
+  taper_join(t, p, ahead, at, d);
+  taper_join(t, behind, q, at, d);
+  return ok && taper_settle(t, p, d, v) && taper_settle(t, behind, d, v);
+}
+
+static bool taper_run(taper *t) {
+  double now = 0;
+  size_t edges = t->count;
+  for (size_t i = 0; i < edges; i++)
+    if (!taper_expect_vanishing(t, i, 0) || !taper_expect_hits(t, i, 0)) return false;
+  while (t->event_count) {
+    taper_event e = taper_next(t);
+    if (t->edges[e.edge].gone || e.stamp != (e.wall == SIZE_MAX ? t->edges[e.edge].stamp : t->edges[e.edge].corner_stamp)) continue;
+    if (e.d > now) now = e.d;
+    if (!(e.wall == SIZE_MAX ? taper_remove(t, e.edge, now) : taper_split(t, e.edge, e.wall, now))) return false;
+  }
+  for (size_t i = 0; i < t->count; i++) { /* what is left reaches the top */
+    if (t->edges[i].gone) continue;
+    uint32_t v;
+    if (!taper_vertex(t, taper_corner(t, i, t->end), t->end, &v) || !taper_push(&t->edges[i].right, v) || !taper_push(&t->edges[t->edges[i].after].left, v)) return false;
+  }
+  return true;
+}
+
+/* ---- walls and caps ---- */
+
+static bool taper_wall(taper *t, size_t wall) {
+  const taper_edge *e = &t->edges[wall];
+  size_t n = 0, k = 0;
+  for (size_t i = wall; i != SIZE_MAX; i = t->edges[i].next_piece) n += t->edges[i].left.count + t->edges[i].right.count;
+  vs_vec2 *at = malloc(n * sizeof *at);
+  uint32_t *index = malloc(n * sizeof *index);
+  bool ok = at && index;
+  for (size_t i = wall; ok && i != SIZE_MAX; i = t->edges[i].next_piece) { /* pieces from right to left: up on the right of each, down on its left */
+    const taper_edge *p = &t->edges[i];
+    for (size_t j = 0; j < p->right.count; j++)
+      if (!(k && index[k - 1] == p->right.at[j])) index[k++] = p->right.at[j];
+    for (size_t j = p->left.count; j-- > 0;)
+      if (!(k && index[k - 1] == p->left.at[j])) index[k++] = p->left.at[j];
+  }
+  while (k > 1 && index[k - 1] == index[0]) k--;
+  for (size_t i = 0; ok && i < k; i++) { /* along the edge, and up: the wall's own steepness is no matter */
+    vs_vec2 p = t->flat[index[i] - t->first];
+    at[i] = (vs_vec2){ taper_dot(p, e->way), t->level[index[i] - t->first] };
+  }
+  ok = ok && (k < 3 || vs_triangulate(at, &k, 1, t->out, index, false));
+  free(at);
+  free(index);
+  return ok;
+}
+
+static void taper_free(taper *t) {
+  for (size_t i = 0; t->edges && i < t->count; i++) {
+    free(t->edges[i].left.at);
+    free(t->edges[i].right.at);
+  }
+  free(t->edges);
+  free(t->events);
+  free(t->flat);
+  free(t->level);
+}
+
+/* Where a corner would run ahead more than four times as fast as its edges, an edge without length cuts it off. */
+static bool taper_is_sharp(const taper *t, vs_vec2 a, vs_vec2 b) { return t->sign * taper_cross(a, b) < 0 && 1 + taper_dot(a, b) < 0.125; }
+
+static void taper_add_edge(taper *t, vs_vec2 to, vs_vec2 way) {
+  vs_vec2 normal = { -way.y, way.x };
+  t->edges[t->count++] = (taper_edge){ .way = way, .normal = normal, .line = taper_dot(normal, to), .corner = to, .next_piece = SIZE_MAX };
+}
+
+/* The edges of one loop, with their vertices below. */
+static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
+  size_t first = t->count;
+  for (size_t i = 0; i < n; i++) {
+    vs_vec2 a = p[i], b = p[(i + 1) % n], c = p[(i + 2) % n];
+    double l = hypot(b.x - a.x, b.y - a.y), m = hypot(c.x - b.x, c.y - b.y);
+    vs_vec2 way = { (b.x - a.x) / l, (b.y - a.y) / l }, next = { (c.x - b.x) / m, (c.y - b.y) / m };
+    taper_add_edge(t, b, way);
+    if (!taper_is_sharp(t, way, next)) continue;
+    vs_vec2 sum = { way.x + next.x, way.y + next.y };
+    double s = hypot(sum.x, sum.y);
+    if (s > 1e-6) sum = (vs_vec2){ sum.x / s, sum.y / s };
+    else sum = t->sign > 0 ? (vs_vec2){ way.y, -way.x } : (vs_vec2){ -way.y, way.x }; /* a slit: round its tip */
+    taper_add_edge(t, b, sum);
+  }
+  size_t count = t->count - first;
+  bool ok = true;
+  for (size_t i = 0, shown = 0; ok && i < count; i++) {
+    taper_edge *e = &t->edges[first + i];
+    e->before = first + (i + count - 1) % count;
+    e->after = first + (i + 1) % count;
+    /* edges without length share the vertex of the one before them */
+    vs_vec2 q = e->corner, before = t->edges[e->before].corner;
+    uint32_t v = 0;
+    if (i && q.x == before.x && q.y == before.y) v = t->edges[e->before].right.at[0];
+    else {
+      ok = taper_vertex(t, q, 0, &v);
+      below[shown++] = v; /* p[1], p[2] .. p[0] */
+    }
+    ok = ok && taper_push(&e->right, v);
+  }
+  for (size_t i = 0; ok && i < count; i++) ok = taper_push(&t->edges[first + i].left, t->edges[t->edges[first + i].before].right.at[0]);
+  return ok;
+}
+
+typedef struct { size_t first, size; double area; } taper_ring; /* of the loops at the top: points first .. first + size */
+
+static bool taper_ring_holds(const vs_vec2 *at, const taper_ring *r, vs_vec2 p) {
+  bool inside = false;
+  for (size_t i = 0; i < r->size; i++) {
+    vs_vec2 a = at[r->first + i], b = at[r->first + (i + 1) % r->size];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside;
+}
+
+/* What is left of the loops at the top, each outer one with the holes that it is the smallest round */
+static bool taper_top(taper *t) {
+  size_t total = 0, rings = 0;
+  for (size_t i = 0; i < t->count; i++) total += !t->edges[i].gone;
+  vs_vec2 *at = malloc((total + 1) * sizeof *at), *loop = malloc((total + 1) * sizeof *loop);
+  uint32_t *index = malloc((total + 1) * sizeof *index), *row = malloc((total + 1) * sizeof *row);
+  size_t *sizes = malloc((total + 1) * sizeof *sizes), *holder = malloc((total + 1) * sizeof *holder), k = 0;
+  taper_ring *ring = malloc((total + 1) * sizeof *ring);
+  bool ok = at && loop && index && row && sizes && holder && ring;
+  for (size_t i = 0; ok && i < t->count; i++) { /* an edge that was walked is gone */
+    if (t->edges[i].gone) continue;
+    taper_ring *r = &ring[rings++];
+    *r = (taper_ring){ .first = k };
+    for (size_t j = i; !t->edges[j].gone; j = t->edges[j].after, k++, r->size++) {
+      t->edges[j].gone = true;
+      index[k] = t->edges[j].right.at[t->edges[j].right.count - 1];
+      at[k] = t->flat[index[k] - t->first];
+    }
+    for (size_t j = 1; j + 1 < r->size; j++) {
+      vs_vec2 o = at[r->first], p = at[r->first + j], q = at[r->first + j + 1];
+      r->area += taper_cross((vs_vec2){ p.x - o.x, p.y - o.y }, (vs_vec2){ q.x - o.x, q.y - o.y }) / 2;
+    }
+  }
+  for (size_t h = 0; ok && h < rings; h++) {
+    holder[h] = h;
+    if (ring[h].area >= 0) continue;
+    for (size_t o = 0; o < rings; o++)
+      if (ring[o].area > 0 && taper_ring_holds(at, &ring[o], at[ring[h].first]) && (holder[h] == h || ring[o].area < ring[holder[h]].area)) holder[h] = o;
+  }
+  for (size_t o = 0; ok && o < rings; o++) {
+    if (holder[o] != o) continue;
+    size_t loops = 0, n = 0;
+    for (size_t pass = 0; pass < 2; pass++)
+      for (size_t h = 0; h < rings; h++) {
+        if (pass ? h == o || holder[h] != o : h != o) continue;
+        for (size_t j = 0; j < ring[h].size; j++, n++) loop[n] = at[ring[h].first + j], row[n] = index[ring[h].first + j];
+        sizes[loops++] = ring[h].size;
+      }
+    ok = sizes[0] < 3 || vs_triangulate(loop, sizes, loops, t->out, row, false);
+  }
+  free(at);
+  free(loop);
+  free(index);
+  free(row);
+  free(sizes);
+  free(holder);
+  free(ring);
+  return ok;
+}
+
+bool vs_taper_mesh(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+  const struct vs_extrude *x = VS_AS(extrude, n);
+  vs_outline o;
+  if (!vs_region_outline(n->children[0].node, f, &o, e)) return false;
+  double height = fabs(vs_v3_dot(x->along, o.normal)), inwards = height * tan(x->taper);
+  size_t points = 0, first_triangle = out->triangle_count;
+  for (size_t l = 0; l < o.count; l++) points += o.loops[l].count;
+  taper t = { .sign = x->taper < 0 ? -1 : 1, .end = fabs(inwards), .out = out, .first = (uint32_t)out->vertex_count, .rise = x->along };
+  vs_affine frame = o.frame;
+  const double along[3] = { x->along.x, x->along.y, x->along.z };
+  for (int i = 0; x->center && i < 3; i++) frame.m[i][3] -= along[i] / 2;
+  t.frame = &frame;
+  t.room = 2 * points + 1;
+  t.edges = calloc(t.room, sizeof *t.edges);
+  vs_vec2 *flat = malloc((points + 1) * sizeof *flat);
+  uint32_t *below = malloc((points + 1) * sizeof *below);
+  size_t *sizes = malloc((o.count + 1) * sizeof *sizes);
+  bool ok = (t.edges && flat && below && sizes) || vs_error_memory(e, NULL);
+  if (ok && o.count && !o.loops[0].closed) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: a taper needs a closed profile");
+  vs_bounds b = vs_bounds_empty();
+  for (size_t l = 0, k = 0; ok && l < o.count; l++) {
+    sizes[l] = 0;
+    for (size_t i = 0; i < o.loops[l].count; i++) {
+      vs_vec3 p = o.loops[l].at[i], next = o.loops[l].at[(i + 1) % o.loops[l].count];
+      if (vs_v3_equal(p, next)) continue;
+      vs_bounds_add(&b, p);
+      sizes[l]++;
+      flat[k++] = (vs_vec2){ p.x * frame.m[0][0] + p.y * frame.m[1][0] + p.z * frame.m[2][0], p.x * frame.m[0][1] + p.y * frame.m[1][1] + p.z * frame.m[2][1] };
+    }
+  }
+  t.size = vs_bounds_diagonal(&b);
+  for (size_t l = 0, from = 0; ok && l < o.count; from += sizes[l++]) ok = taper_loop(&t, flat + from, sizes[l], below + from) || vs_error_memory(e, NULL);
+  t.walls = t.count;
+  ok = ok && (taper_run(&t) || vs_error_memory(e, NULL));
+  for (size_t i = 0; ok && i < t.walls; i++) ok = taper_wall(&t, i) || vs_error_memory(e, NULL);
+  for (size_t l = 0, from = 0; ok && l < o.count;) { /* the profile itself, seen from below; `below` begins with each loop's second point */
+    size_t end = l + 1, count = sizes[l];
+    while (end < o.count && o.hole[end]) count += sizes[end++];
+    for (size_t i = 0; i < count; i++) flat[from + i] = t.flat[below[from + i] - t.first];
+    ok = vs_triangulate(flat + from, sizes + l, end - l, out, below + from, true) || vs_error_memory(e, NULL);
+    from += count;
+    l = end;
+  }
+  ok = ok && (taper_top(&t) || vs_error_memory(e, NULL));
+  if (ok && vs_v3_dot(x->along, o.normal) < 0) vs_mesh_turn(out, first_triangle); /* it goes down */
+  taper_free(&t);
+  free(flat);
+  free(below);
+  free(sizes);
+  vs_outline_free(&o);
+  return ok;
+}

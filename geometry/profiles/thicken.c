@@ -1,0 +1,82 @@
+/* Owns the thickening of surfaces given as triangles: two copies half the width apart from it, and walls along the border.
+ *
+ * A vertex moves along the sum n of its facets' normals weighted by their angles there, as far as brings it onto the mean of the facets'
+ * shifted planes (all of them where the surface is flat or bends once), at most four half widths. */
+#include <stdlib.h>
+
+#include "geometry/files/polyface.h"
+#include "geometry/profiles/swept.h"
+
+typedef struct { uint64_t key; bool forward; uint32_t a, b; } vs_border;
+
+static int vs_border_compare(const void *p, const void *q) {
+  const vs_border *x = p, *y = q;
+  return x->key < y->key ? -1 : x->key > y->key;
+}
+
+/* Walls along edges that one facet has alone (or more facets one way than the other) */
+static bool vs_thicken_walls(vs_mesh *out, uint32_t (*facets)[3], size_t count, uint32_t up, uint32_t down) {
+  vs_border *edges = malloc((count ? 3 * count : 1) * sizeof *edges);
+  bool ok = edges != NULL;
+  for (size_t i = 0; ok && i < 3 * count; i++) {
+    uint32_t a = facets[i / 3][i % 3], b = facets[i / 3][(i + 1) % 3];
+    edges[i] = (vs_border){ a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a, a < b, a, b };
+  }
+  if (ok) qsort(edges, 3 * count, sizeof *edges, vs_border_compare);
+  for (size_t i = 0, end; ok && i < 3 * count; i = end) {
+    long over = 0;
+    for (end = i; end < 3 * count && edges[end].key == edges[i].key; end++) over += edges[end].forward ? 1 : -1;
+    uint32_t a = (uint32_t)(edges[i].key >> 32), b = (uint32_t)edges[i].key;
+    for (; ok && over != 0; over += over > 0 ? -1 : 1) {
+      uint32_t p = over > 0 ? a : b, q = over > 0 ? b : a;
+      ok = vs_mesh_add_triangle(out, up + q, up + p, down + p) && vs_mesh_add_triangle(out, up + q, down + p, down + q);
+    }
+  }
+  free(edges);
+  return ok;
+}
+
+bool vs_thicken_surface(const vs_mesh *m, double width, vs_mesh *out) {
+  size_t n = m->vertex_count, count = 0;
+  uint32_t *place = malloc((n ? n : 1) * sizeof *place), (*facets)[3] = malloc((m->triangle_count ? m->triangle_count : 1) * sizeof *facets);
+  vs_vec3 *normal = calloc(n ? n : 1, sizeof *normal), *face = malloc((m->triangle_count ? m->triangle_count : 1) * sizeof *face);
+  double *cosine = calloc(n ? n : 1, sizeof *cosine), *weight = calloc(n ? n : 1, sizeof *weight);
+  bool ok = place && facets && normal && face && cosine && weight && vs_polyface_merge(m->vertices, n, place);
+  for (size_t i = 0; ok && i < m->triangle_count; i++) {
+    uint32_t t[3];
+    for (int k = 0; k < 3; k++) t[k] = place[m->triangles[i][k]];
+    vs_vec3 c = vs_v3_cross(vs_v3_sub(m->vertices[t[1]], m->vertices[t[0]]), vs_v3_sub(m->vertices[t[2]], m->vertices[t[0]]));
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || vs_v3_dot(c, c) == 0) continue;
+    face[count] = vs_v3_unit(c);
+    for (int k = 0; k < 3; k++) {
+      facets[count][k] = t[k];
+      vs_vec3 p = vs_v3_sub(m->vertices[t[(k + 1) % 3]], m->vertices[t[k]]), q = vs_v3_sub(m->vertices[t[(k + 2) % 3]], m->vertices[t[k]]);
+      double angle = atan2(vs_v3_length(vs_v3_cross(p, q)), vs_v3_dot(p, q));
+      normal[t[k]] = vs_v3_add(normal[t[k]], vs_v3_scale(face[count], angle));
+    }
+    count++;
+  }
+  for (size_t i = 0; ok && i < count; i++)
+    for (int k = 0; k < 3; k++) {
+      cosine[facets[i][k]] += vs_v3_dot(vs_v3_unit(normal[facets[i][k]]), face[i]);
+      weight[facets[i][k]]++;
+    }
+  uint32_t up = (uint32_t)out->vertex_count, down = up + (uint32_t)n;
+  for (int side = 1; ok && side >= -1; side -= 2)
+    for (size_t i = 0; ok && i < n; i++) {
+      double mean = weight[i] > 0 ? cosine[i] / weight[i] : 1;
+      vs_vec3 shift = vs_v3_scale(vs_v3_unit(normal[i]), side * width / 2 / fmax(mean, 0.25));
+      ok = vs_mesh_add_vertex(out, vs_v3_add(m->vertices[i], shift), NULL);
+    }
+  for (size_t i = 0; ok && i < count; i++)
+    ok = vs_mesh_add_triangle(out, up + facets[i][0], up + facets[i][1], up + facets[i][2]) &&
+         vs_mesh_add_triangle(out, down + facets[i][2], down + facets[i][1], down + facets[i][0]);
+  ok = ok && vs_thicken_walls(out, facets, count, up, down);
+  free(place);
+  free(facets);
+  free(normal);
+  free(face);
+  free(cosine);
+  free(weight);
+  return ok;
+}

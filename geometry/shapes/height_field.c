@@ -1,0 +1,92 @@
+/* Owns height fields: a grid of heights over a rectangle, solid down to a floor.
+ *
+ * Sample (i, j), column i of row j, is point j * columns + i; no height lies below the floor. Where none lies on it either, the floor is a fan about
+ * its middle over the border's feet; else it is as finely cut as the top, and a sample on the floor is its own foot, so that the faces that meet
+ * there share vertices and the mesh closes. */
+#include "geometry/shapes/height_field.h"
+
+#include <stdlib.h>
+
+typedef struct {
+  const struct vs_height_field *h;
+  vs_mesh *out;
+  uint32_t columns, rows, first; /* first: vertex of sample 0 */
+  uint32_t *foot;                /* a sample's vertex on the floor, or UINT32_MAX where it has none */
+} vs_heights;
+
+static bool vs_heights_on_floor(const vs_heights *g, uint32_t i) { return !(g->h->points->at[i].z > g->h->low); }
+
+static bool vs_heights_foot(vs_heights *g, uint32_t i) {
+  vs_vec3 p = g->h->points->at[i];
+  if (g->foot[i] != UINT32_MAX) return true;
+  if (!vs_heights_on_floor(g, i)) return vs_mesh_add_vertex(g->out, vs_v3(p.x, p.y, g->h->low), &g->foot[i]);
+  g->foot[i] = g->first + i;
+  return true;
+}
+
+/* From sample a to its neighbour b along the border, the outside to the right */
+static bool vs_heights_wall(vs_heights *g, uint32_t a, uint32_t b) {
+  bool ok = vs_heights_foot(g, a) && vs_heights_foot(g, b);
+  if (ok && !vs_heights_on_floor(g, b)) ok = vs_mesh_add_triangle(g->out, g->foot[a], g->foot[b], g->first + b);
+  if (ok && !vs_heights_on_floor(g, a)) ok = vs_mesh_add_triangle(g->out, g->foot[a], g->first + b, g->first + a);
+  return ok;
+}
+
+static bool vs_heights_face(vs_heights *g, uint32_t a, uint32_t b, uint32_t c, bool floor) {
+  if (vs_heights_on_floor(g, a) && vs_heights_on_floor(g, b) && vs_heights_on_floor(g, c)) return true;
+  if (!vs_mesh_add_triangle(g->out, g->first + a, g->first + b, g->first + c)) return false;
+  return !floor || (vs_heights_foot(g, a) && vs_heights_foot(g, b) && vs_heights_foot(g, c) && vs_mesh_add_triangle(g->out, g->foot[a], g->foot[c], g->foot[b]));
+}
+
+bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
+  uint32_t columns = (uint32_t)h->columns, count = h->points->count, rows = columns ? count / columns : 0;
+  if (columns < 2 || rows < 2) return true;
+  vs_heights g = { h, out, columns, rows, (uint32_t)out->vertex_count, malloc(count * sizeof *g.foot) };
+  size_t border = 2 * ((size_t)columns + rows) - 4, cells = (size_t)(columns - 1) * (rows - 1);
+  bool ok = g.foot && vs_mesh_reserve(out, out->vertex_count + count + border + 1, out->triangle_count + 2 * cells + 3 * border), touches = false;
+  for (uint32_t i = 0; ok && i < count; i++) {
+    ok = vs_mesh_add_vertex(out, h->points->at[i], NULL);
+    g.foot[i] = UINT32_MAX;
+    touches = touches || vs_heights_on_floor(&g, i);
+  }
+  for (uint32_t j = 0; ok && j + 1 < rows; j++)
+    for (uint32_t i = 0; ok && i + 1 < columns; i++) {
+      uint32_t a = j * columns + i, b = a + 1, c = b + columns, d = a + columns;
+      ok = vs_heights_face(&g, a, b, c, touches) && vs_heights_face(&g, a, c, d, touches);
+    }
+  uint32_t last = count - columns, middle = 0;
+  if (ok && !touches) ok = vs_mesh_add_vertex(out, vs_v3((h->points->at[0].x + h->points->at[count - 1].x) / 2, (h->points->at[0].y + h->points->at[count - 1].y) / 2, h->low), &middle);
+  for (size_t k = 0; ok && k < border; k++) { /* round, counter-clockwise seen from above */
+    uint32_t at[2];
+    for (size_t e = 0; e < 2; e++) {
+      size_t s = (k + e) % border, across = columns - 1, up = rows - 1;
+      at[e] = (uint32_t)(s < across ? s : s < across + up ? (s - across) * columns + across : s < 2 * across + up ? last + 2 * across + up - s : (border - s) * columns);
+    }
+    ok = vs_heights_wall(&g, at[0], at[1]) && (touches || vs_mesh_add_triangle(out, g.foot[at[1]], g.foot[at[0]], middle));
+  }
+  free(g.foot);
+  return ok;
+}
+
+bool vs_height_field_uses(const struct vs_height_field *h, uint32_t i) {
+  static const int to[][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 0 }, { -1, -1 }, { 0, -1 } }; /* itself, then round it */
+  int64_t columns = h->columns, rows = columns > 0 ? h->points->count / columns : 0, x = i % columns, y = i / columns;
+  for (size_t k = 0; k < sizeof to / sizeof *to; k++) {
+    int64_t u = x + to[k][0], v = y + to[k][1];
+    if (u >= 0 && u < columns && v >= 0 && v < rows && h->points->at[v * columns + u].z > h->low) return true;
+  }
+  return false;
+}
+
+bool vs_height_field_holds(const struct vs_height_field *h, vs_vec3 p) {
+  const vs_vec3 *at = h->points->at;
+  uint32_t columns = (uint32_t)h->columns, rows = columns ? h->points->count / columns : 0;
+  if (columns < 2 || rows < 2 || p.z < h->low) return false;
+  vs_vec3 first = at[0], last = at[h->points->count - 1];
+  double x = (p.x - first.x) / (last.x - first.x) * (columns - 1), y = (p.y - first.y) / (last.y - first.y) * (rows - 1);
+  if (!(x >= 0 && x <= columns - 1 && y >= 0 && y <= rows - 1)) return false;
+  uint32_t i = (uint32_t)fmin(x, columns - 2), j = (uint32_t)fmin(y, rows - 2);
+  double a = at[j * columns + i].z, b = at[j * columns + i + 1].z, c = at[(j + 1) * columns + i + 1].z, d = at[(j + 1) * columns + i].z;
+  x -= i, y -= j;
+  return p.z <= (x >= y ? a + (b - a) * x + (c - b) * y : a + (d - a) * y + (c - d) * x);
+}

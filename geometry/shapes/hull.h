@@ -1,0 +1,22 @@
+/* Owns, for geometry/ alone, convex hulls: of points in space and in a plane, and of what a hull node holds. */
+#ifndef VS_GEOMETRY_HULL_H
+#define VS_GEOMETRY_HULL_H
+
+#include "geometry/tessellate.h"
+
+typedef struct { vs_vec3 *at; size_t count, room; } vs_cloud;
+void vs_cloud_free(vs_cloud *c);
+bool vs_cloud_add(vs_cloud *c, vs_vec3 p); /* false: out of memory */
+
+/* 0 one point, 1 a line, 2 a plane, 3 space: to a billionth of their extent. -1: there are no points. */
+int vs_cloud_dimension(const vs_cloud *c);
+/* The hull's triangles, appended; nothing where the points are in one plane. False: out of memory. */
+bool vs_cloud_hull(const vs_cloud *c, vs_mesh *out);
+/* The hull of points in one plane, counter-clockwise about some normal; of points on a line its two ends. out empty before. */
+bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out);
+
+/* The points whose hull the node's is, in its own coordinates: corners of what it holds, as finely as f asks. Sets of solids other than unions are the
+ * kernel's to mesh (solids/resolve.h): they are an error here. */
+bool vs_hull_cloud(const vs_node *hull, const vs_facets *f, vs_cloud *out, vs_error *e);
+
+#endif

@@ -1,0 +1,139 @@
+/* Owns the superellipsoid: its triangles and its formulas.
+ *
+ * Both its profile and its cross-sections are superellipses |u|^p + |v|^p = 1, p = 2/n and 2/e. Half a quadrant of one is
+ *   u = (1 + t^p)^(-1/p), v = t u, 0 <= t <= 1,
+ * the other half its mirror image at the diagonal; the ends, an axis' point and the corner on the diagonal, are met exactly. The normal
+ * there is along (1, t^(p-1)). Points are chosen so that the normal's turning and the angle t stands for grow in equal shares: on a circle that is
+ * equal angles, on a square with rounded corners the corners get most of the points, and every chord stays near its arc, however
+ * sharp p is. */
+#include "geometry/shapes/superellipsoid.h"
+
+#include <stdlib.h>
+
+static const double quarter_pi = 0.78539816339744830962;
+
+typedef struct { double u, v; } vs_oval_point;
+
+static vs_oval_point vs_oval_at(double p, double t) {
+  double u = exp(-log1p(pow(t, p)) / p);
+  return (vs_oval_point){ u, t * u };
+}
+
+/* From 0 to 1 as t does: half of what the normal has turned, half of the angle. */
+static double vs_oval_share(double p, double t) {
+  double angle = atan(t) / quarter_pi, turned = p == 1 ? angle : atan(pow(t, fabs(p - 1))) / quarter_pi;
+  return (angle + turned) / 2;
+}
+
+/* A quarter, from (1, 0) to (0, 1), 2 * half + 1 points; mirror images of each other about the diagonal to the last bit. */
+static void vs_oval_quarter(double p, int half, vs_oval_point *at) {
+  for (int i = 0; i <= half; i++) {
+    double low = 0, high = 1, want = (double)i / half;
+    for (int k = 0; k < 100 && i > 0 && i < half; k++) {
+      double middle = (low + high) / 2;
+      if (vs_oval_share(p, middle) < want) low = middle;
+      else high = middle;
+    }
+    at[i] = i == 0 ? (vs_oval_point){ 1, 0 } : vs_oval_at(p, i == half ? 1 : low);
+    at[2 * half - i] = (vs_oval_point){ at[i].v, at[i].u };
+  }
+}
+
+/* Facets a turn, a multiple of eight, so that axes and diagonals hold corners. Off the circle the chords of equal shares are up to three
+ * times as high as a circle's of as many facets. */
+static int vs_oval_turn(const struct vs_superellipsoid *s, double exponent, const vs_facets *f) {
+  int n = vs_facets_turn(f, s->size, s->segments);
+  if (exponent != 1 && s->segments == 0 && f->segments == 0) n = 7 * n / 4;
+  return (n + 7) / 8 * 8;
+}
+
+bool vs_superellipsoid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs_facets *f) {
+  int around = vs_oval_turn(s, s->e, f), profile = vs_oval_turn(s, s->n, f), half = profile / 4; /* rings from the equator to a pole */
+  vs_oval_point *section = malloc((size_t)(around / 4 + 1) * sizeof *section), *up = malloc((size_t)(half + 1) * sizeof *up);
+  uint32_t n = (uint32_t)around, base = (uint32_t)out->vertex_count, rings = (uint32_t)(2 * half - 1), south, north;
+  bool ok = section && up && vs_mesh_reserve(out, out->vertex_count + (size_t)n * rings + 2, out->triangle_count + 2 * (size_t)n * rings);
+  if (ok) {
+    vs_oval_quarter(2 / s->e, around / 8, section);
+    vs_oval_quarter(2 / s->n, profile / 8, up);
+  }
+  for (int j = 1 - half; ok && j < half; j++) { /* from the south up */
+    double r = s->size * up[abs(j)].u, z = (j < 0 ? -s->size : s->size) * up[abs(j)].v;
+    for (int i = 0; ok && i < around; i++) {
+      vs_oval_point p = section[i % (around / 4)];
+      int quarter = i / (around / 4);
+      double x = quarter % 2 ? -p.v : p.u, y = quarter % 2 ? p.u : p.v;
+      if (quarter > 1) x = -x, y = -y;
+      ok = vs_mesh_add_vertex(out, vs_v3(r * x + 0.0, r * y + 0.0, z + 0.0), NULL);
+    }
+  }
+  ok = ok && vs_mesh_add_vertex(out, vs_v3(0, 0, -s->size), &south) && vs_mesh_add_vertex(out, vs_v3(0, 0, s->size), &north);
+  for (uint32_t i = 0; ok && i < n; i++) {
+    uint32_t k = i + 1 == n ? 0 : i + 1, top = base + (rings - 1) * n;
+    ok = vs_mesh_add_triangle(out, base + k, base + i, south) && vs_mesh_add_triangle(out, top + i, top + k, north);
+    bool rising = i / (n / 8) % 2; /* the diagonals of the facets are mirror images too */
+    for (uint32_t j = 0; ok && j + 1 < rings; j++) {
+      uint32_t a = base + j * n + i, b = base + j * n + k, c = b + n, d = a + n;
+      ok = rising ? vs_mesh_add_triangle(out, a, b, d) && vs_mesh_add_triangle(out, b, c, d) : vs_mesh_add_triangle(out, a, b, c) && vs_mesh_add_triangle(out, a, c, d);
+    }
+  }
+  free(section);
+  free(up);
+  return ok;
+}
+
+/* ---- formulas ---- */
+
+/* (a^p + b^p)^(1/p) of numbers from 0 up, without overflow; the greater where p is infinite */
+static double vs_oval_norm(double p, double a, double b) {
+  double most = fmax(a, b), least = fmin(a, b);
+  return most > 0 && isfinite(p) ? most * exp(log1p(pow(least / most, p)) / p) : most;
+}
+
+bool vs_superellipsoid_holds(const struct vs_superellipsoid *s, vs_vec3 p) {
+  return vs_oval_norm(2 / s->n, vs_oval_norm(2 / s->e, fabs(p.x), fabs(p.y)), fabs(p.z)) <= s->size;
+}
+
+/* The dual norm; what caves in (p < 1) reaches as far as the points on its axes. */
+double vs_superellipsoid_reach(const struct vs_superellipsoid *s, vs_vec3 d) {
+  double p = 2 / s->e, q = 2 / s->n, dual_p = p > 1 ? p / (p - 1) : INFINITY, dual_q = q > 1 ? q / (q - 1) : INFINITY;
+  return s->size * vs_oval_norm(dual_q, vs_oval_norm(dual_p, fabs(d.x), fabs(d.y)), fabs(d.z));
+}
+
+static double vs_beta(double a, double b) { return tgamma(a) * tgamma(b) / tgamma(a + b); }
+
+/* 2 s^3 e n B(e/2, e/2) B(n/2 + 1, n) (Jaklic, Leonardis, Solina 2000) */
+double vs_superellipsoid_volume(const struct vs_superellipsoid *s) {
+  return 2 * s->size * s->size * s->size * s->e * s->n * vs_beta(s->e / 2, s->e / 2) * vs_beta(s->n / 2 + 1, s->n);
+}
+
+/* The surface is (r u, r v, z) with (u, v) on the section and (r, z) on the profile; its element is
+ *   r sqrt(z'^2 (u'^2 + v'^2) + r'^2 (u v' - v u')^2).
+ * With u' = -t^(p-1) w, v' = w, w = (1 + t^p)^(-1/p - 1), u v' - v u' = u^2. Integrated over one half of the section's quarter (sixteen alike) and both
+ * halves of the profile's, by the double exponential rule, which does not mind what powers do at the ends. */
+typedef struct { double u, v, du, dv, weight; } vs_oval_node;
+
+static int vs_oval_nodes(double p, vs_oval_node *nodes) {
+  int n = 0;
+  const double step = 1.0 / 16;
+  for (int i = -64; i <= 64; i++) {
+    double x = i * step, g = 2 * quarter_pi * sinh(x), t = 1 / (1 + exp(-2 * g)), weight = 2 * quarter_pi * cosh(x) * step / (2 * cosh(g) * cosh(g));
+    if (!(t > 0) || !(weight > 1e-300)) continue;
+    double power = pow(t, p), w = exp(log1p(power) * (-1 / p - 1));
+    nodes[n++] = (vs_oval_node){ w * (1 + power), t * w * (1 + power), -power / t * w, w, weight };
+  }
+  return n;
+}
+
+double vs_superellipsoid_area(const struct vs_superellipsoid *s) {
+  vs_oval_node section[129], profile[129];
+  int m = vs_oval_nodes(2 / s->e, section), n = vs_oval_nodes(2 / s->n, profile);
+  double sum = 0;
+  for (int i = 0; i < m; i++) {
+    double run = hypot(section[i].du, section[i].dv), turn = section[i].u * section[i].u;
+    for (int j = 0; j < n; j++) {
+      const vs_oval_node *k = &profile[j];
+      sum += section[i].weight * k->weight * (k->u * hypot(k->dv * run, k->du * turn) + k->v * hypot(k->du * run, k->dv * turn));
+    }
+  }
+  return 16 * s->size * s->size * sum;
+}

@@ -1,0 +1,303 @@
+/* Owns the reading of fonts by FreeType: loaded at the first text, one library and one face each font, all kept by the store.
+ *
+ * FreeType's own memory is not the store's: it is bounded by the fonts, which are few. */
+#include "geometry/text/font.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+#include FT_TRUETYPE_TABLES_H
+
+#include "geometry/dynamic.h"
+#include "geometry/text/kerning.h"
+#include "model/store/nodemap.h"
+
+/* FREETYPE(member, symbol, result, parameters): what we use of it */
+#define FREETYPE_FUNCTIONS                                                                                      \
+  FREETYPE(init, FT_Init_FreeType, FT_Error, (FT_Library *))                                                    \
+  FREETYPE(done, FT_Done_FreeType, FT_Error, (FT_Library))                                                      \
+  FREETYPE(open_file, FT_New_Face, FT_Error, (FT_Library, const char *, FT_Long, FT_Face *))                    \
+  FREETYPE(open_memory, FT_New_Memory_Face, FT_Error, (FT_Library, const FT_Byte *, FT_Long, FT_Long, FT_Face *)) \
+  FREETYPE(close, FT_Done_Face, FT_Error, (FT_Face))                                                             \
+  FREETYPE(index, FT_Get_Char_Index, FT_UInt, (FT_Face, FT_ULong))                                              \
+  FREETYPE(load, FT_Load_Glyph, FT_Error, (FT_Face, FT_UInt, FT_Int32))                                         \
+  FREETYPE(decompose, FT_Outline_Decompose, FT_Error, (FT_Outline *, const FT_Outline_Funcs *, void *))         \
+  FREETYPE(kerning, FT_Get_Kerning, FT_Error, (FT_Face, FT_UInt, FT_UInt, FT_UInt, FT_Vector *))                \
+  FREETYPE(table, FT_Load_Sfnt_Table, FT_Error, (FT_Face, FT_ULong, FT_Long, FT_Byte *, FT_ULong *))
+
+typedef struct {
+#define FREETYPE(member, symbol, result, parameters) result (*member) parameters;
+  FREETYPE_FUNCTIONS
+#undef FREETYPE
+} freetype;
+
+static const vs_dynamic_name freetype_names[] = {
+#define FREETYPE(member, symbol, result, parameters) { #symbol, offsetof(freetype, member) },
+  FREETYPE_FUNCTIONS
+#undef FREETYPE
+};
+
+typedef struct {
+  freetype call;
+  FT_Library library;
+  vs_font *first;
+} font_shelf;
+
+struct vs_font {
+  vs_store *store; /* not retained: it owns us */
+  font_shelf *shelf;
+  vs_font *next;
+  const char *name;
+  FT_Face face;
+  void *bytes; /* where it was not read from a file by FreeType itself */
+  size_t size;
+  double capital;
+  vs_nodemap glyphs; /* index + 1 -> vs_glyph * */
+  unsigned char *pairs; /* the GPOS table of a font without a kern table, or NULL */
+  size_t pairs_size;
+};
+
+/* ---- the shelf ---- */
+
+static void font_free(vs_font *f) {
+  vs_store *s = f->store;
+  for (size_t i = 0; i < f->glyphs.room; i++) {
+    if (!f->glyphs.slots[i].key) continue;
+    vs_glyph *g = (vs_glyph *)(uintptr_t)f->glyphs.slots[i].value;
+    if (!g) continue;
+    vs_store_realloc(s, g->steps, g->room * sizeof *g->steps, 0);
+    vs_store_realloc(s, g, sizeof *g, 0);
+  }
+  vs_nodemap_free(&f->glyphs);
+  vs_store_realloc(s, f->bytes, f->size, 0); /* the face is gone with its library by now, or was never made */
+  vs_store_realloc(s, f->pairs, f->pairs_size, 0);
+  vs_store_realloc(s, f, sizeof *f, 0);
+}
+
+static void font_let_go(vs_store *s, void *kept) {
+  font_shelf *shelf = kept;
+  if (shelf->library) shelf->call.done(shelf->library); /* with every face in it */
+  for (vs_font *f = shelf->first, *next; f; f = next) {
+    next = f->next;
+    font_free(f);
+  }
+  vs_store_realloc(s, shelf, sizeof *shelf, 0);
+}
+
+static font_shelf *font_shelf_of(vs_store *s, vs_error *e) {
+  static const char *const files[] = { "libfreetype.so.6", "libfreetype.6.dylib", NULL };
+  static const vs_dynamic_library library = { files, "libfreetype6", "make-text" };
+  void **kept = vs_store_kept(s, font_let_go);
+  if (*kept) return *kept;
+  font_shelf made = { .first = NULL };
+  if (!vs_dynamic_load(&library, freetype_names, sizeof freetype_names / sizeof *freetype_names, &made.call, e)) return NULL;
+  font_shelf *shelf = vs_store_realloc(s, NULL, 0, sizeof *shelf);
+  if (!shelf || made.call.init(&made.library)) {
+    if (shelf) vs_store_realloc(s, shelf, sizeof *shelf, 0);
+    vs_error_memory(e, NULL);
+    return NULL;
+  }
+  *shelf = made;
+  *kept = shelf;
+  return shelf;
+}
+
+/* ---- opening ---- */
+
+bool vs_font_is_path(const char *name) {
+  static const char *const endings[] = { ".ttf", ".otf", ".ttc", ".otc", ".pfb" };
+  size_t length = strlen(name);
+  if (strchr(name, '/')) return true;
+  for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
+    bool same = length > 4;
+    for (size_t k = 0; same && k < 4; k++) {
+      char c = name[length - 4 + k];
+      same = (c >= 'A' && c <= 'Z' ? c + 32 : c) == endings[i][k];
+    }
+    if (same) return true;
+  }
+  return false;
+}
+
+/* The height of H: "size" means the same in every font. One without an H (symbols) gets what most have, .7 of the em. */
+static bool font_measure(vs_font *f, vs_error *e) {
+  uint32_t index = vs_font_index(f, 'H');
+  f->capital = 0.7 * f->face->units_per_EM;
+  if (!index) return true;
+  const vs_glyph *g = vs_font_glyph(f, index, e);
+  double top = 0;
+  if (!g) return false;
+  for (size_t i = 0; i < g->count; i++) top = g->steps[i].to.y > top ? g->steps[i].to.y : top;
+  if (top > 0) f->capital = top;
+  return true;
+}
+
+static void font_load_pairs(vs_font *f) {
+  const freetype *ft = &f->shelf->call;
+  const FT_ULong gpos = 0x47504F53; /* 'GPOS' */
+  FT_ULong size = 0;
+  enum { MOST = 8 << 20 };
+  if (FT_HAS_KERNING(f->face) || ft->table(f->face, gpos, 0, NULL, &size) || size == 0 || size > MOST) return;
+  f->pairs = vs_store_realloc(f->store, NULL, 0, size);
+  if (!f->pairs) return; /* then it is set without kerning */
+  f->pairs_size = size;
+  if (ft->table(f->face, gpos, 0, f->pairs, &size)) {
+    vs_store_realloc(f->store, f->pairs, f->pairs_size, 0);
+    f->pairs = NULL;
+    f->pairs_size = 0;
+  }
+}
+
+/* One that did not become a font after all. */
+static void font_drop(vs_font *f) {
+  if (f->face) f->shelf->call.close(f->face);
+  font_free(f);
+}
+
+/* The font of a file (bytes NULL) or of bytes, which are copied. */
+static vs_font *font_open(font_shelf *shelf, vs_store *s, const char *name, const char *path, const void *bytes, size_t size, vs_error *e) {
+  vs_font *f = vs_store_realloc(s, NULL, 0, sizeof *f);
+  const char *kept = vs_store_text(s, name, strlen(name));
+  if (f) *f = (vs_font){ .store = s, .shelf = shelf, .name = kept, .glyphs = { .store = s } };
+  if (f && bytes && (f->bytes = vs_store_realloc(s, NULL, 0, size ? size : 1)) != NULL) {
+    memcpy(f->bytes, bytes, size);
+    f->size = size ? size : 1;
+  }
+  if (!f || !kept || (bytes && !f->bytes)) {
+    if (f) font_free(f);
+    vs_error_memory(e, NULL);
+    return NULL;
+  }
+  int problem = bytes ? shelf->call.open_memory(shelf->library, f->bytes, (FT_Long)size, 0, &f->face) : shelf->call.open_file(shelf->library, path, 0, &f->face);
+  if (problem || !FT_IS_SCALABLE(f->face) || f->face->units_per_EM == 0) {
+    vs_error_set(e, VS_ERROR_MODEL, NULL, problem == FT_Err_Cannot_Open_Resource ? "there is no file \"%.300s\"" : problem == FT_Err_Out_Of_Memory ?
+                 "out of memory for the font \"%.300s\"" : "\"%.300s\" is no font with outlines", path ? path : name);
+    font_drop(f);
+    return NULL;
+  }
+  f->next = shelf->first;
+  shelf->first = f;
+  if (!font_measure(f, e)) {
+    shelf->first = f->next;
+    font_drop(f);
+    return NULL;
+  }
+  font_load_pairs(f);
+  return f;
+}
+
+static vs_font *font_find(const font_shelf *shelf, const char *name) {
+  for (vs_font *f = shelf->first; f; f = f->next)
+    if (!strcmp(f->name, name)) return f;
+  return NULL;
+}
+
+vs_font *vs_font_get(vs_store *s, const char *name, vs_error *e) {
+  char path[1024];
+  font_shelf *shelf = font_shelf_of(s, e);
+  if (!shelf) return NULL;
+  vs_font *f = font_find(shelf, name);
+  if (f) return f;
+  if (vs_font_is_path(name)) return font_open(shelf, s, name, name, NULL, 0, e);
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
+  if (vs_font_file(name, path, sizeof path, &why)) return font_open(shelf, s, name, path, NULL, 0, e);
+  if (why.kind != VS_ERROR_NONE) {
+    if (e) *e = why;
+    return NULL;
+  }
+  char families[300];
+  vs_font_families(families, sizeof families);
+  if (!*name) vs_error_set(e, VS_ERROR_WORKER, NULL, "the font DejaVu Sans is missing: it is in the package fonts-dejavu-core");
+  else if (*families) vs_error_set(e, VS_ERROR_MODEL, NULL, "there is no font \"%.100s\"; there is: %s", name, families);
+  else vs_error_set(e, VS_ERROR_MODEL, NULL, "there is no font \"%.100s\", nor any other", name);
+  return NULL;
+}
+
+bool vs_font_known(vs_store *s, const char *name) {
+  void **kept = vs_store_kept(s, font_let_go);
+  return *kept && font_find(*kept, name);
+}
+
+bool vs_font_add(vs_store *s, const char *name, const void *bytes, size_t size, vs_error *e) {
+  font_shelf *shelf = font_shelf_of(s, e);
+  if (!shelf) return false;
+  return font_find(shelf, name) || font_open(shelf, s, name, NULL, bytes, size, e);
+}
+
+/* ---- what it says ---- */
+
+double vs_font_capital(const vs_font *f) { return f->capital; }
+
+double vs_font_line(const vs_font *f) { return f->face->height > 0 ? f->face->height : 1.2 * f->face->units_per_EM; }
+
+double vs_font_descent(const vs_font *f) { return f->face->descender < 0 ? -f->face->descender : 0; }
+
+uint32_t vs_font_index(const vs_font *f, uint32_t character) { return f->shelf->call.index(f->face, character); }
+
+double vs_font_kerning(const vs_font *f, uint32_t left, uint32_t right) {
+  FT_Vector by;
+  if (f->pairs) return vs_kerning_pair(f->pairs, f->pairs_size, left, right);
+  return FT_HAS_KERNING(f->face) && !f->shelf->call.kerning(f->face, left, right, FT_KERNING_UNSCALED, &by) ? (double)by.x : 0;
+}
+
+/* ---- outlines ---- */
+
+typedef struct { vs_store *store; vs_glyph *glyph; } font_drawing;
+
+static int font_step(void *drawing, vs_glyph_step step) {
+  font_drawing *d = drawing;
+  vs_glyph *g = d->glyph;
+  if (g->count == g->room) {
+    size_t room = g->room ? 2 * g->room : 32;
+    vs_glyph_step *grown = vs_store_realloc(d->store, g->steps, g->room * sizeof *grown, room * sizeof *grown);
+    if (!grown) return 1;
+    g->steps = grown;
+    g->room = room;
+  }
+  g->steps[g->count++] = step;
+  return 0;
+}
+
+static vs_font_point font_point(const FT_Vector *v) { return (vs_font_point){ (double)v->x, (double)v->y }; }
+static int font_move(const FT_Vector *to, void *d) { return font_step(d, (vs_glyph_step){ .kind = VS_STEP_MOVE, .to = font_point(to) }); }
+static int font_line(const FT_Vector *to, void *d) { return font_step(d, (vs_glyph_step){ .kind = VS_STEP_LINE, .to = font_point(to) }); }
+static int font_quadratic(const FT_Vector *b, const FT_Vector *to, void *d) {
+  return font_step(d, (vs_glyph_step){ .kind = VS_STEP_QUADRATIC, .b = font_point(b), .to = font_point(to) });
+}
+static int font_cubic(const FT_Vector *a, const FT_Vector *b, const FT_Vector *to, void *d) {
+  return font_step(d, (vs_glyph_step){ .kind = VS_STEP_CUBIC, .a = font_point(a), .b = font_point(b), .to = font_point(to) });
+}
+
+const vs_glyph *vs_font_glyph(vs_font *f, uint32_t index, vs_error *e) {
+  static const FT_Outline_Funcs functions = { font_move, font_line, font_quadratic, font_cubic, 0, 0 };
+  const freetype *ft = &f->shelf->call;
+  const void *key = (const void *)((uintptr_t)index + 1);
+  const uint64_t *known = vs_nodemap_get(&f->glyphs, key);
+  if (known && *known) return (const vs_glyph *)(uintptr_t)*known;
+  uint64_t *place = vs_nodemap_put(&f->glyphs, key, NULL);
+  vs_glyph *g = place ? vs_store_realloc(f->store, NULL, 0, sizeof *g) : NULL;
+  if (!g) {
+    vs_error_memory(e, NULL);
+    return NULL;
+  }
+  *g = (vs_glyph){ .count = 0 };
+  font_drawing d = { f->store, g };
+  int problem = ft->load(f->face, index, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP);
+  if (!problem) {
+    g->advance = (double)f->face->glyph->metrics.horiAdvance;
+    if (f->face->glyph->format == FT_GLYPH_FORMAT_OUTLINE) problem = ft->decompose(&f->face->glyph->outline, &functions, &d);
+  }
+  if (problem) {
+    if (problem == 1) vs_error_memory(e, NULL); /* font_step's answer */
+    else vs_error_set(e, VS_ERROR_MODEL, NULL, "the font \"%.100s\" is damaged: glyph %lu cannot be read", f->name, (unsigned long)index);
+    vs_store_realloc(f->store, g->steps, g->room * sizeof *g->steps, 0);
+    vs_store_realloc(f->store, g, sizeof *g, 0);
+    return NULL;
+  }
+  *place = (uint64_t)(uintptr_t)g;
+  return g;
+}

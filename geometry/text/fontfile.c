@@ -1,0 +1,150 @@
+/* Owns the finding of font files: the folders of the system and of the user, searched for a file whose name is the family's.
+ *
+ * "DejaVu Sans Bold" is the file DejaVuSans-Bold.ttf: names are compared as small letters and digits alone, and a family without a style may be
+ * the file of its Regular or Book style. So a font is found without opening any. Folders are searched in one order, files by name: the same
+ * machine gives the same file. */
+#define _XOPEN_SOURCE 700
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "geometry/text/font.h"
+
+enum { NAME_ROOM = 128, PATH_ROOM = 1024, DEPTH_MAX = 5 };
+
+typedef struct { char folder[PATH_ROOM]; int depth; } font_folder;
+/* What a search does with each font file, in an order that depends on nothing but names. True: enough. */
+typedef bool font_file_fn(void *context, const char *path, const char *plain);
+
+static void plain_name(const char *text, size_t length, char out[NAME_ROOM]) {
+  size_t n = 0;
+  for (size_t i = 0; i < length && n + 1 < NAME_ROOM; i++) {
+    char c = text[i];
+    if (c >= 'A' && c <= 'Z') c = (char)(c + 32);
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (unsigned char)c >= 128) out[n++] = c;
+  }
+  out[n] = '\0';
+}
+
+static int by_name(const struct dirent **a, const struct dirent **b) { return strcmp((*a)->d_name, (*b)->d_name); }
+
+/* Goes through a folder and those in it, on a stack of its own. *stop: fn said so. False: out of memory. */
+static bool search_below(const char *root, font_file_fn *fn, void *context, bool *stop) {
+  size_t count = 1, room = 16;
+  font_folder *todo = malloc(room * sizeof *todo);
+  bool ok = todo != NULL;
+  if (ok) {
+    snprintf(todo[0].folder, PATH_ROOM, "%s", root);
+    todo[0].depth = 0;
+  }
+  while (ok && count && !*stop) {
+    font_folder now = todo[--count];
+    struct dirent **list = NULL;
+    int entries = scandir(now.folder, &list, NULL, by_name);
+    for (int i = 0; i < entries; i++) {
+      char path[2 * PATH_ROOM];
+      struct stat info;
+      size_t length = strlen(list[i]->d_name);
+      snprintf(path, sizeof path, "%s/%s", now.folder, list[i]->d_name);
+      if (ok && !*stop && list[i]->d_name[0] != '.' && strlen(path) < PATH_ROOM && stat(path, &info) == 0) {
+        if (S_ISDIR(info.st_mode) && now.depth < DEPTH_MAX) {
+          if (count == room) {
+            font_folder *grown = realloc(todo, 2 * room * sizeof *grown);
+            if (grown) todo = grown, room *= 2;
+            else ok = false;
+          }
+          if (ok) {
+            memcpy(todo[count].folder, path, PATH_ROOM);
+            todo[count++].depth = now.depth + 1;
+          }
+        } else if (S_ISREG(info.st_mode) && length > 4 && vs_font_is_path(list[i]->d_name)) {
+          char plain[NAME_ROOM];
+          plain_name(list[i]->d_name, length - 4, plain);
+          *stop = fn(context, path, plain);
+        }
+      }
+      free(list[i]);
+    }
+    free(list);
+  }
+  free(todo);
+  return ok;
+}
+
+static bool search(font_file_fn *fn, void *context) {
+  static const char *const folders[] = { "~/.fonts", "~/.local/share/fonts", "/usr/local/share/fonts", "/usr/share/fonts", "/Library/Fonts",
+                                         "/System/Library/Fonts", "/opt/homebrew/share/fonts" };
+  const char *home = getenv("HOME");
+  bool stop = false, ok = true;
+  for (size_t i = 0; ok && !stop && i < sizeof folders / sizeof *folders; i++) {
+    char path[PATH_ROOM];
+    if (folders[i][0] == '~' && (!home || home[0] != '/' || strlen(home) > PATH_ROOM / 2)) continue;
+    snprintf(path, sizeof path, "%s%s", folders[i][0] == '~' ? home : "", folders[i] + (folders[i][0] == '~'));
+    ok = search_below(path, fn, context, &stop);
+  }
+  return ok;
+}
+
+/* ---- one family ---- */
+
+typedef struct { char wanted[NAME_ROOM]; int best; char *path; size_t room; } font_wish;
+
+static bool wish_look(void *context, const char *path, const char *plain) {
+  static const char *const styles[] = { "", "regular", "book", "roman", "medium" };
+  font_wish *w = context;
+  size_t length = strlen(w->wanted);
+  if (strncmp(plain, w->wanted, length) != 0) return false;
+  for (int i = 0; i < w->best; i++)
+    if (!strcmp(plain + length, styles[i])) {
+      w->best = i;
+      snprintf(w->path, w->room, "%s", path);
+    }
+  return w->best == 0;
+}
+
+bool vs_font_file(const char *family, char *path, size_t room, vs_error *e) {
+  font_wish w = { .best = 5, .path = path, .room = room };
+  if (!*family) family = "DejaVu Sans";
+  plain_name(family, strlen(family), w.wanted);
+  if (!*w.wanted) return false;
+  if (!search(wish_look, &w)) return vs_error_memory(e, NULL);
+  return w.best < 5;
+}
+
+/* ---- all of them ---- */
+
+typedef struct { char *text; size_t room, used; } font_list;
+
+/* "DejaVuSans-Bold.ttf" as "DejaVu Sans Bold" */
+static bool list_look(void *context, const char *path, const char *plain) {
+  font_list *l = context;
+  char shown[NAME_ROOM];
+  size_t n = 0;
+  const char *name = strrchr(path, '/') + 1, *end = name + strlen(name) - 4;
+  (void)plain;
+  for (const char *c = name; c < end && n + 2 < sizeof shown; c++) {
+    bool capital = *c >= 'A' && *c <= 'Z', small = c > name && c[-1] >= 'a' && c[-1] <= 'z';
+    if (*c == '-' || *c == '_') {
+      if (n) shown[n++] = ' ';
+      continue;
+    }
+    if (capital && small && !(n >= 4 && !memcmp(shown + n - 4, "Deja", 4))) shown[n++] = ' ';
+    shown[n++] = *c;
+  }
+  shown[n] = '\0';
+  int wrote = snprintf(l->text + l->used, l->room - l->used, "%s%s", l->used ? ", " : "", shown);
+  if (wrote < 0 || (size_t)wrote >= l->room - l->used) {
+    l->text[l->used] = '\0';
+    return true;
+  }
+  l->used += (size_t)wrote;
+  return false;
+}
+
+void vs_font_families(char *text, size_t room) {
+  font_list l = { text, room, 0 };
+  *text = '\0';
+  search(list_look, &l);
+}

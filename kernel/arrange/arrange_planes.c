@@ -1,0 +1,750 @@
+/* Owns the arrangement in one plane: a group of facets and the cuts in them become faces that nothing crosses, each with its cover.
+ *
+ * Plan for a group: (1) segments: the facets' boundary edges and the cuts, each lying in a second plane, its `side`; (2) all crossings and
+ * contacts of segments whose boxes meet, as points on both, first of the edges, then of the cuts that lie on none; (3) split every segment at
+ * its points; equal pieces become one edge, which carries what each leaf's cover changes by from its right to its left; (4) a sweep names the
+ * faces on both sides of every edge; (5) covers by walking from the outside inwards. Facets that nothing touches become faces as they are.
+ *
+ * A group numbers its points by itself, copies of the cluster's and new ones alike, so that groups can be worked on at once; what they found is put
+ * together in the groups' order, and only there do new points get the cluster's numbers. */
+#include "kernel/cluster.h"
+#include "kernel/arrange/sweep.h"
+
+#include <string.h>
+
+enum { FEW = 24 }; /* up to so many segments all pairs are tried */
+
+typedef struct {
+  uint32_t p, q;
+  uint32_t leaf;   /* of a boundary edge: the left of p->q has one more of it than the right; VS_NONE for a cut */
+  uint32_t side;   /* of a cut: the second plane it lies in; VS_NONE for an edge between input vertices */
+  uint8_t axis;    /* along which p and q are well apart */
+} segment;
+typedef struct { uint32_t segment, point; } incidence;
+typedef struct { uint32_t l, r, leaf; int32_t delta; } piece; /* local vertices; delta: above less below */
+
+/* What a chunk of groups gives: points at VS_POINT_MORE and above are `fresh` ones. */
+typedef struct {
+  VS_LIST(vs_face) faces;    /* cover counts from 0 */
+  VS_LIST(vs_cover) covers;
+  VS_LIST(vs_use) uses;      /* faces count from 0 */
+  VS_LIST(vs_fresh_point) fresh;
+} findings;
+
+/* What a thread works with. */
+typedef struct {
+  vs_kernel *k;
+  const vs_cluster *c;
+  findings *to;
+  uint32_t plane_id;
+  vs_plane plane;
+  VS_LIST(vs_point) points;      /* of the group; `next` chains in heads */
+  VS_LIST(uint32_t) global;      /* their numbers in the cluster; VS_POINT_MORE + i: fresh i of the chunk */
+  VS_LIST(vs_homogeneous) more;  /* of the new ones */
+  VS_LIST(uint32_t) known;       /* cluster's number -> the group's, where global says the same */
+  VS_LIST(uint32_t) heads;
+  VS_LIST(segment) segments;     /* boundary edges, then cuts */
+  VS_LIST(incidence) on;
+  VS_LIST(uint32_t) families;    /* of segments: 0 where they are tried against each other already */
+  VS_LIST(uint32_t) through;     /* of a point: the first of `holds` that has a segment it is on, as an end or within */
+  VS_LIST(incidence) holds;      /* point: the next of them */
+  VS_LIST(vs_box) boxes;
+  vs_bvh bvh;
+  VS_LIST(uint32_t) list, scratch;
+  VS_LIST(uint32_t) local;       /* of a point: its place in the sweep */
+  VS_LIST(piece) pieces;
+  VS_LIST(piece) sorted;
+  VS_LIST(uint32_t) on_first;    /* where a segment's incidences begin, or a vertex' pieces */
+  VS_LIST(vs_keyed) keyed;
+  VS_LIST(uint32_t) payload;     /* of each sweep edge: its first piece; one more */
+  VS_LIST(uint32_t) above, below, face; /* of each edge, then union-find; face: what the sweep's face became */
+  VS_LIST(uint32_t) face_first, face_edges, queue;
+  VS_LIST(vs_cover) cover;       /* of local faces */
+  VS_LIST(uint32_t) cover_first, cover_count;
+  vs_sweep sweep;
+} plane_work;
+
+static vs_points_view view(const plane_work *w) { return (vs_points_view){ w->points.at, w->c->points.big.at, w->more.at }; }
+
+static void grid_of(const plane_work *w, uint32_t point, int32_t out[3]) { /* of an input vertex */
+  for (int i = 0; i < 3; i++) out[i] = vs_point_grid(&w->points.at[point], i);
+}
+
+/* ---- the group's points ---- */
+
+static bool own_point(plane_work *w, uint32_t global, uint32_t *point) {
+  uint32_t at = w->known.at[global];
+  if (at < w->points.count && w->global.at[at] == global) {
+    *point = at;
+    return true;
+  }
+  *point = w->known.at[global] = (uint32_t)w->points.count;
+  return VS_PUSH(w->k, w->points, w->c->points.all.at[global]) && VS_PUSH(w->k, w->global, global);
+}
+
+static size_t slot_of(const plane_work *w, const int64_t f[3]) { return vs_points_hash(f) & (w->heads.count - 1); }
+
+/* All points of the group into chains; done when the first new one is looked for, and when the table is full. */
+static bool chain_points(plane_work *w) {
+  size_t want = 64;
+  while (want < 2 * w->points.count) want *= 2;
+  if (!VS_ROOM(w->k, w->heads.at, w->heads.room, want)) return false;
+  w->heads.count = want;
+  for (size_t i = 0; i < want; i++) w->heads.at[i] = VS_NONE;
+  for (uint32_t i = 0; i < w->points.count; i++) {
+    size_t slot = slot_of(w, w->points.at[i].fixed);
+    w->points.at[i].next = w->heads.at[slot];
+    w->heads.at[slot] = i;
+  }
+  return true;
+}
+
+static bool new_point(plane_work *w, const vs_homogeneous *h, uint32_t *point) {
+  vs_fresh_point f = { .at = *h };
+  vs_fresh_fill(&f);
+  if (w->points.count >= w->heads.count && !chain_points(w)) return false;
+  size_t slot = f.hash & (w->heads.count - 1);
+  for (uint32_t i = w->heads.at[slot]; i != VS_NONE; i = w->points.at[i].next) {
+    const vs_point *p = &w->points.at[i];
+    if (p->fixed[0] != f.fixed[0] || p->fixed[1] != f.fixed[1] || p->fixed[2] != f.fixed[2] || vs_point_exact(p) != f.exact) continue;
+    if (!f.exact && !vs_homogeneous_equal(h, p->big & VS_POINT_MORE ? &w->more.at[p->big & ~VS_POINT_MORE] : &w->c->points.big.at[p->big])) continue;
+    *point = i;
+    return true;
+  }
+  vs_point p = { { f.fixed[0], f.fixed[1], f.fixed[2] }, f.exact ? VS_POINT_EXACT : VS_POINT_MORE | (uint32_t)w->more.count, w->heads.at[slot] };
+  *point = (uint32_t)w->points.count;
+  w->heads.at[slot] = *point;
+  return (f.exact || VS_PUSH(w->k, w->more, *h)) && VS_PUSH(w->k, w->points, p) && VS_PUSH(w->k, w->global, VS_POINT_MORE | (uint32_t)w->to->fresh.count) &&
+         VS_PUSH(w->k, w->to->fresh, f);
+}
+
+/* ---- 1: segments ---- */
+
+static bool add_segment(plane_work *w, uint32_t p, uint32_t q, uint32_t leaf, uint32_t side) {
+  segment s = { .p = p, .q = q, .leaf = leaf, .side = side };
+  const vs_point *a = &w->points.at[p], *b = &w->points.at[q];
+  int64_t du = a->fixed[w->plane.u] - b->fixed[w->plane.u], dv = a->fixed[w->plane.v] - b->fixed[w->plane.v];
+  s.axis = (du < 0 ? -du : du) >= (dv < 0 ? -dv : dv) ? w->plane.u : w->plane.v;
+  if (du == 0 && dv == 0) { /* closer than a fixed number can say */
+    s.axis = vs_compare(view(w), p, q, w->plane.u) ? w->plane.u : w->plane.v;
+  }
+  return VS_PUSH(w->k, w->segments, s);
+}
+
+static void side_plane(const plane_work *w, const segment *s, vs_plane *out) {
+  int32_t x[3], y[3];
+  if (s->side != VS_NONE) {
+    *out = w->c->planes.all.at[s->side];
+    return;
+  }
+  grid_of(w, s->p, x);
+  grid_of(w, s->q, y);
+  vs_plane_along(x, y, w->plane.k, out);
+}
+
+static bool add_facet(plane_work *w, const vs_facet *f) {
+  for (uint32_t i = f[0].first; i < f[1].first; i++) {
+    const vs_soup_triangle *t = &w->c->triangles.at[w->c->facet_triangles.at[i]];
+    for (int j = 0; j < 3; j++) {
+      uint32_t p, q;
+      if (t->inner >> j & 1) continue;
+      if (!own_point(w, t->v[j], &p) || !own_point(w, t->v[(j + 1) % 3], &q) || !add_segment(w, p, q, t->leaf, VS_NONE)) return false;
+    }
+  }
+  return true;
+}
+
+/* ---- 2: crossings ---- */
+
+static bool put(plane_work *w, uint32_t s, uint32_t point) {
+  const segment *x = &w->segments.at[s];
+  if (x->p == point || x->q == point) return true;
+  return VS_PUSH(w->k, w->on, ((incidence){ s, point }));
+}
+
+static bool within(const plane_work *w, const segment *s, uint32_t x) { /* x on the line of s */
+  return vs_compare(view(w), s->p, x, s->axis) * vs_compare(view(w), x, s->q, s->axis) > 0;
+}
+
+/* Tries to tell on which side of s, seen in the plane, the point lies. */
+static bool side_quick(const plane_work *w, const segment *s, uint32_t x, int *sign) {
+  *sign = 0;
+  if (x == s->p || x == s->q || vs_orient2d_quick(view(w), s->p, s->q, x, w->plane.u, w->plane.v, sign)) return true;
+  uint32_t p = w->global.at[s->p], q = w->global.at[s->q], point = w->global.at[x];
+  if (s->side != VS_NONE || point >= w->c->edge_of.count) return false;
+  const vs_edge *e = &w->c->edge_of.at[point]; /* most cuts end on an edge: known by its name */
+  *sign = 0;
+  return (e->low == p && e->high == q) || (e->low == q && e->high == p);
+}
+
+/* The sides of s on which t's ends lie; the signs count among each other alone. */
+static void sides_of(const plane_work *w, const segment *s, const segment *t, int *a, int *b) {
+  bool known_a = side_quick(w, s, t->p, a), known_b = side_quick(w, s, t->q, b);
+  if (known_a && known_b) return;
+  vs_plane side;
+  side_plane(w, s, &side);
+  if (!known_a || *a) *a = vs_side(view(w), &side, t->p);
+  if (!known_b || *b) *b = vs_side(view(w), &side, t->q);
+}
+
+static bool lies_on(const plane_work *w, const segment *s, uint32_t x) { /* but not on its ends */
+  int sign;
+  if (!side_quick(w, s, x, &sign)) {
+    vs_plane side;
+    side_plane(w, s, &side);
+    sign = vs_side(view(w), &side, x);
+  }
+  return sign == 0 && within(w, s, x);
+}
+
+/* Where they cross each other within. */
+static bool meet(const plane_work *w, const segment *s, const segment *t, vs_homogeneous *out) {
+  vs_plane a, b;
+  const segment *edge = s->side == VS_NONE ? s : t, *other = edge == s ? t : s;
+  side_plane(w, other, &b);
+  if (edge->side == VS_NONE) {
+    int32_t p[3], q[3];
+    grid_of(w, edge->p, p);
+    grid_of(w, edge->q, q);
+    return vs_meet_edge(p, q, &b, out);
+  }
+  side_plane(w, edge, &a);
+  return vs_meet_planes(&w->plane, &a, &b, out);
+}
+
+static bool cross(void *context, uint32_t i, uint32_t j) {
+  plane_work *w = context;
+  if (!vs_kernel_poll(w->k, 0.5)) return false;
+  if (i > j) {
+    uint32_t t = i;
+    i = j;
+    j = t;
+  }
+  const segment *s = &w->segments.at[i], *t = &w->segments.at[j];
+  if (s->p == s->q) return t->p == t->q || !lies_on(w, t, s->p) || put(w, j, s->p); /* a touched point */
+  if (t->p == t->q) return !lies_on(w, s, t->p) || put(w, i, t->p);
+  int a, b, c, d;
+  sides_of(w, s, t, &a, &b);
+  if (a * b > 0) return true;
+  if (a == 0 && b == 0) {
+    return (!within(w, s, t->p) || put(w, i, t->p)) && (!within(w, s, t->q) || put(w, i, t->q)) && (!within(w, t, s->p) || put(w, j, s->p)) &&
+           (!within(w, t, s->q) || put(w, j, s->q));
+  }
+  uint32_t end = a == 0 ? t->p : t->q; /* of t, which lies on the line of s */
+  if (a * b == 0 && (end == s->p || end == s->q)) return true;
+  sides_of(w, t, s, &c, &d);
+  if (c * d > 0) return true;
+  if (a * b == 0) return c * d == 0 || put(w, i, end);
+  if (c * d == 0) return put(w, j, c == 0 ? s->p : s->q);
+  vs_homogeneous h;
+  uint32_t x;
+  if (!meet(w, s, t, &h)) return VS_BROKEN(w->k, "two cuts do not meet");
+  return new_point(w, &h, &x) && put(w, i, x) && put(w, j, x);
+}
+
+/* All pairs but those of the first `tried` segments, which were tried before. */
+static bool crossings(plane_work *w, uint32_t tried) {
+  uint32_t n = (uint32_t)w->segments.count;
+  if (n == tried) return true;
+  if (!VS_ROOM(w->k, w->boxes.at, w->boxes.room, n)) return false;
+  for (uint32_t i = 0; i < n; i++) {
+    vs_box *b = &w->boxes.at[i];
+    const vs_point *p = &w->points.at[w->segments.at[i].p], *q = &w->points.at[w->segments.at[i].q];
+    for (int a = 0; a < 3; a++) {
+      int64_t x = p->fixed[a], y = q->fixed[a];
+      b->min[a] = (int32_t)((x < y ? x : y) >> VS_FIXED_BITS);
+      b->max[a] = (int32_t)((x < y ? y : x) >> VS_FIXED_BITS) + 1;
+    }
+  }
+  if (n > FEW) {
+    if (!VS_ROOM(w->k, w->families.at, w->families.room, n)) return false;
+    for (uint32_t i = 0; i < n; i++) w->families.at[i] = i < tried ? 0 : UINT32_MAX;
+    w->bvh.families = tried ? w->families.at : NULL;
+    return vs_bvh_build(w->k, &w->bvh, w->boxes.at, n) && vs_bvh_pairs(&w->bvh, 0, UINT32_MAX, cross, w);
+  }
+  for (uint32_t i = 0; i < n; i++)
+    for (uint32_t j = i < tried ? tried : i + 1; j < n; j++)
+      if (vs_box_meet(&w->boxes.at[i], &w->boxes.at[j]) && !cross(w, i, j)) return false;
+  return true;
+}
+
+static bool hold(plane_work *w, uint32_t s, uint32_t point) {
+  uint32_t *at = &w->through.at[point];
+  if (!VS_PUSH(w->k, w->holds, ((incidence){ s, *at }))) return false;
+  *at = (uint32_t)w->holds.count - 1;
+  return true;
+}
+
+/* The segments so far, by the points on them. */
+static bool index_points(plane_work *w) {
+  size_t points = w->points.count;
+  if (!VS_ROOM(w->k, w->through.at, w->through.room, points)) return false;
+  memset(w->through.at, 0xff, points * sizeof *w->through.at); /* VS_NONE */
+  w->through.count = points;
+  w->holds.count = 0;
+  for (uint32_t i = 0; i < w->segments.count; i++)
+    if (!hold(w, i, w->segments.at[i].p) || !hold(w, i, w->segments.at[i].q)) return false;
+  for (size_t i = 0; i < w->on.count; i++)
+    if (!hold(w, w->on.at[i].segment, w->on.at[i].point)) return false;
+  return true;
+}
+
+/* Is there a segment that both points are on? */
+static bool joined(const plane_work *w, uint32_t p, uint32_t q) {
+  for (uint32_t i = w->through.at[p]; i != VS_NONE; i = w->holds.at[i].point)
+    for (uint32_t j = w->through.at[q]; j != VS_NONE; j = w->holds.at[j].point)
+      if (w->holds.at[i].segment == w->holds.at[j].segment) return true;
+  return false;
+}
+
+/* ---- 3: pieces ---- */
+
+static bool on_before(const void *context, uint32_t x, uint32_t y) { /* of one segment */
+  const plane_work *w = context;
+  const incidence *a = &w->on.at[x], *b = &w->on.at[y];
+  const segment *s = &w->segments.at[a->segment];
+  return vs_compare(view(w), a->point, b->point, s->axis) * vs_compare(view(w), s->p, s->q, s->axis) > 0;
+}
+
+/* The incidences by segment, and along each: into list. */
+static bool order_on(plane_work *w) {
+  size_t n = w->segments.count, m = w->on.count;
+  if (!VS_ROOM(w->k, w->on_first.at, w->on_first.room, n + 2) || !VS_ROOM(w->k, w->keyed.at, w->keyed.room, 2 * m + 1)) return false;
+  uint32_t *first = w->on_first.at, *list = w->list.at;
+  memset(first, 0, (n + 2) * sizeof *first);
+  for (size_t i = 0; i < m; i++) first[w->on.at[i].segment + 2]++;
+  for (size_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
+  for (uint32_t i = 0; i < m; i++) list[first[w->on.at[i].segment + 1]++] = i;
+  for (uint32_t i = 0; i < n; i++) {
+    uint32_t low = first[i], count = first[i + 1] - low;
+    if (count < 2) continue;
+    const segment *s = &w->segments.at[i];
+    bool down = vs_compare(view(w), s->p, s->q, s->axis) > 0;
+    vs_keyed *at = w->keyed.at;
+    for (uint32_t j = 0; j < count; j++) {
+      int64_t x = w->points.at[w->on.at[list[low + j]].point].fixed[s->axis];
+      at[j] = (vs_keyed){ down ? -x : x, list[low + j] };
+    }
+    vs_sort_keyed(at, at + m, count);
+    for (uint32_t j = 0; j < count; j++) list[low + j] = at[j].item;
+    for (uint32_t j = 0, end; j < count; j = end) { /* closer than fixed numbers can say, or the same again and again */
+      for (end = j + 1; end < count && at[end].key == at[j].key;) end++;
+      if (end > j + 1) vs_kernel_sort(list + low + j, w->scratch.at, end - j, on_before, w);
+    }
+  }
+  return true;
+}
+
+static bool piece_before(const piece *x, const piece *y) {
+  if (x->r != y->r) return x->r < y->r;
+  return x->leaf != y->leaf ? x->leaf < y->leaf : x->delta < y->delta;
+}
+
+/* The pieces by both ends, and leaf: into sorted. Equal pieces are equal in all, so there is one order. */
+static bool order_pieces(plane_work *w) {
+  enum { MANY = 64 };
+  size_t n = w->sweep.vertices.count, m = w->pieces.count;
+  if (!VS_ROOM(w->k, w->on_first.at, w->on_first.room, n + 2) || !VS_ROOM(w->k, w->sorted.at, w->sorted.room, m + 1)) return false;
+  uint32_t *first = w->on_first.at;
+  memset(first, 0, (n + 2) * sizeof *first);
+  for (size_t i = 0; i < m; i++) first[w->pieces.at[i].l + 2]++;
+  for (size_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
+  for (size_t i = 0; i < m; i++) w->sorted.at[first[w->pieces.at[i].l + 1]++] = w->pieces.at[i];
+  for (size_t v = 0; v < n; v++) {
+    piece *at = w->sorted.at + first[v];
+    uint32_t count = first[v + 1] - first[v];
+    for (uint32_t gap = count > MANY ? count / 2 : 1; gap; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2)) /* shell sort: mostly a few, at times a hub */
+      for (uint32_t i = gap; i < count; i++) {
+        piece x = at[i];
+        uint32_t j = i;
+        for (; j >= gap && piece_before(&x, &at[j - gap]); j -= gap) at[j] = at[j - gap];
+        at[j] = x;
+      }
+  }
+  return true;
+}
+
+static bool add_piece(plane_work *w, uint32_t p, uint32_t q, uint32_t leaf) {
+  uint32_t a = w->local.at[p], b = w->local.at[q];
+  return VS_PUSH(w->k, w->pieces, ((piece){ a < b ? a : b, a < b ? b : a, leaf, leaf == VS_NONE ? 0 : a < b ? 1 : -1 }));
+}
+
+static bool split(plane_work *w) {
+  size_t n = w->segments.count, m = w->on.count, ends = 2 * n + m;
+  vs_kernel *k = w->k;
+  if (!VS_ROOM(k, w->list.at, w->list.room, ends) || !VS_ROOM(k, w->scratch.at, w->scratch.room, ends) ||
+      !VS_ROOM(k, w->local.at, w->local.room, w->points.count))
+    return false;
+  uint32_t *list = w->list.at;
+  for (size_t i = 0; i < n; i++) list[2 * i] = w->segments.at[i].p, list[2 * i + 1] = w->segments.at[i].q;
+  for (size_t i = 0; i < m; i++) list[2 * n + i] = w->on.at[i].point;
+  /* points lead to local numbers: once each into the order */
+  size_t unique = 0;
+  for (size_t i = 0; i < ends; i++) w->local.at[list[i]] = VS_NONE;
+  for (size_t i = 0; i < ends; i++)
+    if (w->local.at[list[i]] == VS_NONE) w->local.at[list[i]] = 0, list[unique++] = list[i];
+  w->sweep.points = view(w);
+  w->sweep.u = w->plane.u;
+  w->sweep.v = w->plane.v;
+  if (!vs_sweep_order(k, &w->sweep, list, unique, w->scratch.at)) return false;
+  for (uint32_t i = 0; i < w->sweep.vertices.count; i++) w->local.at[w->sweep.vertices.at[i]] = i;
+
+  if (!order_on(w)) return false;
+  w->pieces.count = 0;
+  size_t o = 0;
+  for (uint32_t i = 0; i < n; i++) {
+    const segment *s = &w->segments.at[i];
+    uint32_t from = s->p;
+    for (; o < m && w->on.at[list[o]].segment == i; o++) {
+      uint32_t x = w->on.at[list[o]].point;
+      if (x == from) continue;
+      if (!add_piece(w, from, x, s->leaf)) return false;
+      from = x;
+    }
+    if (from != s->q && !add_piece(w, from, s->q, s->leaf)) return false;
+  }
+  if (!order_pieces(w)) return false;
+  const piece *sorted = w->sorted.at;
+  w->sweep.edges.count = w->payload.count = 0;
+  size_t kept = 0, count = w->pieces.count;
+  for (size_t i = 0, end; i < count; i = end) { /* one edge per (l, r), with one piece per leaf whose delta is not 0 */
+    const piece *at = &sorted[i];
+    if (!VS_PUSH(k, w->sweep.edges, ((vs_sweep_edge){ at->l, at->r })) || !VS_PUSH(k, w->payload, (uint32_t)kept)) return false;
+    for (end = i; end < count && sorted[end].l == at->l && sorted[end].r == at->r;) {
+      piece sum = sorted[end++];
+      while (end < count && sorted[end].l == at->l && sorted[end].r == at->r && sorted[end].leaf == sum.leaf) sum.delta += sorted[end++].delta;
+      if (sum.leaf != VS_NONE && sum.delta != 0) w->pieces.at[kept++] = sum;
+    }
+  }
+  w->pieces.count = kept;
+  return VS_PUSH(k, w->payload, (uint32_t)kept);
+}
+
+/* ---- 4: faces ---- */
+
+static bool name_faces(plane_work *w) {
+  vs_kernel *k = w->k;
+  size_t m = w->sweep.edges.count;
+  if (!VS_ROOM(k, w->above.at, w->above.room, m) || !VS_ROOM(k, w->below.at, w->below.room, m) || !vs_sweep_begin(k, &w->sweep)) return false;
+  w->face.count = 0;
+  if (!VS_PUSH(k, w->face, 0u)) return false; /* 0: outside */
+  vs_sweep_event e;
+  while (vs_sweep_next(k, &w->sweep, &e)) {
+    uint32_t low = e.below == VS_NONE ? 0 : w->above.at[e.below], high = e.above == VS_NONE ? 0 : w->below.at[e.above];
+    if (e.left_count == 0) {
+      if (vs_find(w->face.at, low) != vs_find(w->face.at, high)) return VS_BROKEN(k, "a face has two names");
+    } else if (e.right_count == 0) {
+      vs_unite(w->face.at, low, high);
+    }
+    for (uint32_t i = 0; i < e.right_count; i++) {
+      w->below.at[e.rights[i]] = low;
+      if (i + 1 < e.right_count) {
+        low = (uint32_t)w->face.count;
+        if (!VS_PUSH(k, w->face, low)) return false;
+      } else {
+        low = high;
+      }
+      w->above.at[e.rights[i]] = low;
+    }
+  }
+  if (!vs_sweep_done(&w->sweep)) return false;
+  uint32_t count = 0; /* unions made the smaller number the root: compact in order */
+  for (uint32_t f = 0; f < w->face.count; f++) w->face.at[f] = vs_find(w->face.at, f) == f ? f : vs_find(w->face.at, f);
+  if (!VS_ROOM(k, w->list.at, w->list.room, w->face.count)) return false;
+  for (uint32_t f = 0; f < w->face.count; f++) w->list.at[f] = w->face.at[f] == f ? count++ : w->list.at[w->face.at[f]];
+  for (size_t i = 0; i < m; i++) w->above.at[i] = w->list.at[w->above.at[i]], w->below.at[i] = w->list.at[w->below.at[i]];
+  w->face.count = count;
+  return true;
+}
+
+/* ---- 5: covers ---- */
+
+/* The neighbour's cover changed by what the edge carries; sign: 1 going up through it. */
+static bool step_cover(plane_work *w, uint32_t from, uint32_t to, uint32_t edge, int sign) {
+  w->cover_first.at[to] = (uint32_t)w->cover.count;
+  uint32_t i = w->cover_first.at[from], i_end = i + w->cover_count.at[from], j = w->payload.at[edge], j_end = w->payload.at[edge + 1];
+  while (i < i_end || j < j_end) {
+    vs_cover next = { VS_NONE, 0 };
+    uint32_t a = i < i_end ? w->cover.at[i].leaf : VS_NONE, b = j < j_end ? w->pieces.at[j].leaf : VS_NONE;
+    next.leaf = a < b ? a : b;
+    if (a == next.leaf) next.delta += w->cover.at[i++].delta;
+    if (b == next.leaf) next.delta += sign * w->pieces.at[j++].delta;
+    if (next.delta && !VS_PUSH(w->k, w->cover, next)) return false;
+  }
+  w->cover_count.at[to] = (uint32_t)w->cover.count - w->cover_first.at[to];
+  return true;
+}
+
+static bool covers(plane_work *w) {
+  vs_kernel *k = w->k;
+  size_t m = w->sweep.edges.count, faces = w->face.count;
+  if (!VS_ROOM(k, w->face_first.at, w->face_first.room, faces + 2) || !VS_ROOM(k, w->face_edges.at, w->face_edges.room, 2 * m + 1) ||
+      !VS_ROOM(k, w->cover_first.at, w->cover_first.room, faces) || !VS_ROOM(k, w->cover_count.at, w->cover_count.room, faces) ||
+      !VS_ROOM(k, w->queue.at, w->queue.room, faces))
+    return false;
+  uint32_t *first = w->face_first.at;
+  memset(first, 0, (faces + 2) * sizeof *first);
+  for (size_t e = 0; e < m; e++) first[w->above.at[e] + 2]++, first[w->below.at[e] + 2]++;
+  for (size_t f = 2; f < faces + 2; f++) first[f] += first[f - 1];
+  for (uint32_t e = 0; e < m; e++) {
+    w->face_edges.at[first[w->above.at[e] + 1]++] = e;
+    w->face_edges.at[first[w->below.at[e] + 1]++] = e;
+  }
+  for (size_t f = 0; f < faces; f++) w->cover_count.at[f] = VS_NONE;
+  w->cover.count = 0;
+  w->cover_first.at[0] = w->cover_count.at[0] = 0;
+  size_t head = 0, tail = 0;
+  w->queue.at[tail++] = 0;
+  while (head < tail) {
+    uint32_t f = w->queue.at[head++];
+    for (uint32_t i = first[f]; i < first[f + 1]; i++) {
+      uint32_t e = w->face_edges.at[i], up = w->above.at[e], down = w->below.at[e], other = up == f ? down : up;
+      if (w->cover_count.at[other] != VS_NONE) continue;
+      if (!step_cover(w, f, other, e, other == up ? 1 : -1)) return false;
+      w->queue.at[tail++] = other;
+    }
+  }
+  return tail == faces || VS_BROKEN(k, "a face cannot be reached");
+}
+
+static bool give_faces(plane_work *w) {
+  vs_kernel *k = w->k;
+  findings *to = w->to;
+  for (uint32_t f = 0; f < w->face.count; f++) {
+    w->queue.at[f] = VS_NONE;
+    if (w->cover_count.at[f] == 0) continue;
+    w->queue.at[f] = (uint32_t)to->faces.count;
+    uint32_t begin = w->face_first.at[f], end = w->face_first.at[f + 1];
+    vs_face face = { w->plane_id, (uint32_t)to->covers.count, w->cover_count.at[f], VS_NONE, 0, (uint32_t)to->uses.count, end - begin };
+    if (!VS_PUSH(k, to->faces, face) || !VS_ROOM(k, to->uses.at, to->uses.room, to->uses.count + face.use_count)) return false;
+    for (uint32_t i = 0; i < w->cover_count.at[f]; i++)
+      if (!VS_PUSH(k, to->covers, w->cover.at[w->cover_first.at[f] + i])) return false;
+    for (uint32_t i = begin; i < end; i++) {
+      uint32_t e = w->face_edges.at[i];
+      uint32_t l = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].l]], r = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].r]];
+      bool second = i > begin && w->face_edges.at[i - 1] == e; /* the face is on both sides of it */
+      vs_use use = w->above.at[e] == f && !second ? (vs_use){ l, r, w->queue.at[f] } : (vs_use){ r, l, w->queue.at[f] };
+      to->uses.at[to->uses.count++] = use;
+    }
+  }
+  return true;
+}
+
+/* ---- the groups ---- */
+
+static bool give_facet(plane_work *w, uint32_t facet) { /* untouched */
+  const vs_cluster *c = w->c;
+  findings *to = w->to;
+  const vs_facet *f = &c->facets.at[facet];
+  vs_face face = { f->plane, (uint32_t)to->covers.count, 1, facet, 0, (uint32_t)to->uses.count, 0 };
+  vs_cover cover = { f->leaf, f->flip ? -1 : 1 };
+  for (uint32_t i = f[0].first; i < f[1].first; i++) {
+    const vs_soup_triangle *t = &c->triangles.at[c->facet_triangles.at[i]];
+    for (int j = 0; j < 3; j++) {
+      uint32_t a = t->v[j], b = t->v[(j + 1) % 3];
+      if (t->inner >> j & 1) continue;
+      if (!VS_PUSH(w->k, to->uses, ((vs_use){ f->flip ? b : a, f->flip ? a : b, (uint32_t)to->faces.count }))) return false;
+    }
+  }
+  face.use_count = (uint32_t)to->uses.count - face.use;
+  return VS_PUSH(w->k, to->covers, cover) && VS_PUSH(w->k, to->faces, face);
+}
+
+typedef struct { uint32_t from, end; } chunk; /* of roots */
+
+/* Facets and cuts by group, in the order of the groups' roots; chunks of them. */
+typedef struct {
+  vs_cluster *c;
+  VS_LIST(uint32_t) facets, cuts;  /* numbers, bucketed */
+  VS_LIST(uint32_t) facet_first, cut_first; /* of a root; one more */
+  VS_LIST(chunk) chunks;
+  findings found[VS_PIPELINE_WINDOW];
+  plane_work *works;               /* one a thread */
+  vs_points_table points;          /* those found, on top of the cluster's */
+  VS_LIST(uint32_t) numbers;       /* of a chunk's fresh points */
+} arranging;
+
+static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
+  const vs_cluster *c = w->c;
+  uint32_t begin = a->facet_first.at[root], end = a->facet_first.at[root + 1];
+  const uint32_t *cuts = a->cuts.at + a->cut_first.at[root];
+  uint32_t cut_count = a->cut_first.at[root + 1] - a->cut_first.at[root];
+  if (begin == end) return true;
+  if (end == begin + 1 && !c->facets.at[root].touched) return give_facet(w, root);
+  w->plane_id = c->facets.at[root].plane;
+  w->plane = c->planes.all.at[w->plane_id];
+  w->segments.count = w->points.count = w->global.count = w->more.count = w->heads.count = w->on.count = 0;
+  for (uint32_t f = begin; f < end; f++)
+    if (!add_facet(w, &c->facets.at[a->facets.at[f]])) return false;
+  if (!VS_ROOM(w->k, w->keyed.at, w->keyed.room, 2 * (size_t)cut_count + 1)) return false;
+  enum { AHEAD = 12, NEAR = 6 };
+  vs_keyed *at = w->keyed.at;
+  size_t left = c->cuts.count - a->cut_first.at[root];
+  for (uint32_t j = 0; j < cut_count; j++) {
+    const vs_cut *cut = &c->cuts.at[cuts[j]];
+    if (j + AHEAD < left) { /* the next group's, too */
+      __builtin_prefetch(&c->cuts.at[cuts[j + AHEAD]]);
+      const vs_cut *near = &c->cuts.at[cuts[j + NEAR]];
+      __builtin_prefetch(&c->points.all.at[near->p]);
+      __builtin_prefetch(&c->points.all.at[near->q]);
+      __builtin_prefetch(&w->known.at[near->p], 1);
+      __builtin_prefetch(&w->known.at[near->q], 1);
+    }
+    at[j] = (vs_keyed){ cut->p < cut->q ? (int64_t)cut->p << 32 | cut->q : (int64_t)cut->q << 32 | cut->p, cut->plane }; /* numbers are below 2^30 */
+  }
+  vs_sort_keyed(at, at + cut_count, cut_count);
+  uint32_t kept = 0, tried = 0;
+  for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* the same segment once, with the first of its planes */
+    uint32_t plane = at[j].item, p, q;
+    for (stop = j + 1; stop < cut_count && at[stop].key == at[j].key; stop++)
+      if (at[stop].item < plane) plane = at[stop].item;
+    if (!own_point(w, (uint32_t)(at[j].key >> 32), &p) || !own_point(w, (uint32_t)at[j].key, &q)) return false;
+    at[kept++] = (vs_keyed){ (int64_t)p << 32 | q, plane };
+  }
+  if (end > begin + 1) { /* solids side by side: most cuts lie on an edge, between points that edges have among each other, and are needless */
+    if (!crossings(w, 0) || !index_points(w)) return false;
+    tried = (uint32_t)w->segments.count;
+  }
+  for (uint32_t j = 0; j < kept; j++) {
+    uint32_t p = (uint32_t)(at[j].key >> 32), q = (uint32_t)at[j].key;
+    if (!vs_kernel_poll(w->k, 0.5) || ((!tried || !joined(w, p, q)) && !add_segment(w, p, q, VS_NONE, at[j].item))) return false;
+  }
+  return crossings(w, tried) && split(w) && name_faces(w) && covers(w) && give_faces(w);
+}
+
+static bool arrange_chunk(vs_kernel *k, void *context, size_t index) {
+  arranging *a = context;
+  plane_work *w = &a->works[k->worker];
+  findings *to = &a->found[index % VS_PIPELINE_WINDOW];
+  w->k = k;
+  w->c = a->c;
+  w->to = to;
+  to->faces.count = to->covers.count = to->uses.count = to->fresh.count = 0;
+  if (w->known.count < a->c->points.all.count) {
+    if (!VS_ROOM(k, w->known.at, w->known.room, a->c->points.all.count)) return false;
+    for (size_t i = w->known.count; i < w->known.room; i++) w->known.at[i] = 0;
+    w->known.count = w->known.room;
+  }
+  chunk part = a->chunks.at[index];
+  for (uint32_t root = part.from; root < part.end; root++)
+    if (!vs_kernel_poll(k, 0.2 + 0.5 * (double)index / (double)a->chunks.count) || !arrange_group(w, a, root)) return false;
+  return true;
+}
+
+static bool absorb(vs_kernel *k, void *context, size_t index) {
+  arranging *a = context;
+  vs_cluster *c = a->c;
+  const findings *from = &a->found[index % VS_PIPELINE_WINDOW];
+  uint32_t faces = (uint32_t)c->faces.count, covers = (uint32_t)c->covers.count, uses = (uint32_t)c->uses.count;
+  if (!VS_ROOM(k, a->numbers.at, a->numbers.room, from->fresh.count + 1) ||
+      !vs_points_add_all(k, &a->points, &c->points, from->fresh.at, from->fresh.count, a->numbers.at))
+    return false;
+  const uint32_t *numbers = a->numbers.at;
+  if (!VS_ROOM(k, c->faces.at, c->faces.room, faces + from->faces.count) || !VS_ROOM(k, c->covers.at, c->covers.room, covers + from->covers.count) ||
+      !VS_ROOM(k, c->uses.at, c->uses.room, c->uses.count + from->uses.count))
+    return false;
+  for (size_t i = 0; i < from->faces.count; i++) {
+    vs_face f = from->faces.at[i];
+    f.cover += covers;
+    f.use += uses;
+    c->faces.at[c->faces.count++] = f;
+  }
+  for (size_t i = 0; i < from->covers.count; i++) c->covers.at[c->covers.count++] = from->covers.at[i];
+  for (size_t i = 0; i < from->uses.count; i++) {
+    vs_use u = from->uses.at[i];
+    if (u.from & VS_POINT_MORE) u.from = numbers[u.from & ~VS_POINT_MORE];
+    if (u.to & VS_POINT_MORE) u.to = numbers[u.to & ~VS_POINT_MORE];
+    u.face += faces;
+    c->uses.at[c->uses.count++] = u;
+  }
+  return true;
+}
+
+static bool bucket(vs_kernel *k, arranging *a) {
+  enum { CHUNK = 2048, LARGE = 4 * CHUNK }; /* facets and cuts */
+  const vs_cluster *c = a->c;
+  uint32_t n = (uint32_t)c->facets.count, m = (uint32_t)c->cuts.count, *first;
+  if (!VS_ROOM(k, a->facets.at, a->facets.room, (size_t)n + 1) || !VS_ROOM(k, a->cuts.at, a->cuts.room, (size_t)m + 1) ||
+      !VS_ROOM(k, a->facet_first.at, a->facet_first.room, (size_t)n + 2) || !VS_ROOM(k, a->cut_first.at, a->cut_first.room, (size_t)n + 2))
+    return false;
+  first = a->facet_first.at;
+  memset(first, 0, ((size_t)n + 2) * sizeof *first);
+  for (uint32_t i = 0; i < n; i++) first[c->facets.at[i].group + 2]++;
+  for (uint32_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
+  for (uint32_t i = 0; i < n; i++) a->facets.at[first[c->facets.at[i].group + 1]++] = i;
+  first = a->cut_first.at;
+  memset(first, 0, ((size_t)n + 2) * sizeof *first);
+  for (uint32_t i = 0; i < m; i++) first[c->facets.at[c->cuts.at[i].facet].group + 2]++;
+  for (uint32_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
+  for (uint32_t i = 0; i < m; i++) a->cuts.at[first[c->facets.at[c->cuts.at[i].facet].group + 1]++] = i;
+  for (int large = 1; large >= 0; large--) /* what takes long begins first */
+    for (uint32_t i = 0, end; i < n; i = end) {
+      uint32_t size = 0;
+      for (end = i; end < n && size < CHUNK; end++) {
+        uint32_t more = a->facet_first.at[end + 1] - a->facet_first.at[end] + a->cut_first.at[end + 1] - a->cut_first.at[end] + 1;
+        if (more >= LARGE && end > i) break;
+        size += more;
+      }
+      if ((size >= LARGE) == large && !VS_PUSH(k, a->chunks, ((chunk){ i, end }))) return false;
+    }
+  return true;
+}
+
+static void work_free(vs_kernel *k, plane_work *w) {
+  VS_DROP(k, w->points);
+  VS_DROP(k, w->global);
+  VS_DROP(k, w->more);
+  VS_DROP(k, w->known);
+  VS_DROP(k, w->heads);
+  VS_DROP(k, w->segments);
+  VS_DROP(k, w->on);
+  VS_DROP(k, w->families);
+  VS_DROP(k, w->through);
+  VS_DROP(k, w->holds);
+  VS_DROP(k, w->boxes);
+  vs_bvh_free(k, &w->bvh);
+  VS_DROP(k, w->list);
+  VS_DROP(k, w->scratch);
+  VS_DROP(k, w->local);
+  VS_DROP(k, w->pieces);
+  VS_DROP(k, w->sorted);
+  VS_DROP(k, w->on_first);
+  VS_DROP(k, w->keyed);
+  VS_DROP(k, w->payload);
+  VS_DROP(k, w->above);
+  VS_DROP(k, w->below);
+  VS_DROP(k, w->face);
+  VS_DROP(k, w->face_first);
+  VS_DROP(k, w->face_edges);
+  VS_DROP(k, w->queue);
+  VS_DROP(k, w->cover);
+  VS_DROP(k, w->cover_first);
+  VS_DROP(k, w->cover_count);
+  vs_sweep_free(k, &w->sweep);
+}
+
+bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
+  arranging a = { .c = c };
+  size_t work_room = 0;
+  bool ok = VS_ROOM(k, a.works, work_room, k->threads);
+  if (ok) memset(a.works, 0, work_room * sizeof *a.works);
+  size_t least = c->facets.count; /* as many faces, or nearly */
+  ok = ok && bucket(k, &a) && VS_ROOM(k, c->faces.at, c->faces.room, least) && VS_ROOM(k, c->covers.at, c->covers.room, least) &&
+       VS_ROOM(k, c->uses.at, c->uses.room, 3 * least) && vs_kernel_pipeline(k, a.chunks.count, arrange_chunk, absorb, &a) && vs_points_append(k, &c->points, &a.points);
+  for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
+    VS_DROP(k, a.found[i].faces);
+    VS_DROP(k, a.found[i].covers);
+    VS_DROP(k, a.found[i].uses);
+    VS_DROP(k, a.found[i].fresh);
+  }
+  for (size_t i = 0; i < work_room; i++) work_free(k, &a.works[i]);
+  VS_FREE(k, a.works, work_room);
+  vs_points_free(k, &a.points);
+  VS_DROP(k, a.facets);
+  VS_DROP(k, a.cuts);
+  VS_DROP(k, a.facet_first);
+  VS_DROP(k, a.cut_first);
+  VS_DROP(k, a.chunks);
+  VS_DROP(k, a.numbers);
+  return ok;
+}

@@ -1,0 +1,132 @@
+/* Owns the keys of clusters. A key is made of numbers that are equal for copies: for every leaf its part, its tag, its placement seen from the first
+ * leaf (to 2^-36 of that leaf's size: what rounding makes of equal turns and moves), and the terms between the leaves and the result. */
+#include "kernel/cluster_copies.h"
+
+#include <math.h>
+#include <string.h>
+
+bool vs_copies_begin(vs_kernel *k, vs_copies *c, const vs_kernel_problem *p, const vs_parts *parts, const vs_expression *e) {
+  enum { HEADS = 256 };
+  c->problem = p;
+  c->parts = parts;
+  c->expression = e;
+  if (!VS_ROOM(k, c->number.at, c->number.room, (size_t)p->term_count + 1) || !VS_ROOM(k, c->heads.at, c->heads.room, HEADS)) return false;
+  c->heads.count = HEADS;
+  for (size_t i = 0; i < HEADS; i++) c->heads.at[i] = VS_NONE;
+  for (uint32_t i = 0; i <= p->term_count; i++) c->number.at[i] = VS_NONE;
+  return true;
+}
+
+static bool put(vs_kernel *k, vs_copies *c, uint64_t x) { return VS_PUSH(k, c->keys, x); }
+
+static uint64_t rounded(double x, double unit) { return (uint64_t)(int64_t)floor(x / unit + 0.5); }
+
+static bool put_leaf(vs_kernel *k, vs_copies *c, uint32_t leaf, const vs_affine *back, double size) {
+  const vs_kernel_leaf *l = &c->problem->leaves[leaf];
+  vs_affine a = vs_affine_multiply(back, &l->placement);
+  if (!put(k, c, (uint64_t)c->parts->of_leaf.at[leaf] << 1 | l->bare) || !put(k, c, c->problem->paints ? c->problem->paints[l->tag] : l->tag)) return false;
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 4; j++) {
+      double x = a.m[i][j], unit = j < 3 ? 0x1p-36 : size * 0x1p-36;
+      if (!(fabs(x / unit) < 0x1p62)) return put(k, c, UINT64_MAX) && put(k, c, leaf); /* like no other */
+      if (!put(k, c, rounded(x, unit))) return false;
+    }
+  return true;
+}
+
+static bool reach(vs_kernel *k, vs_copies *c, uint32_t term) {
+  if (c->number.at[term] == VS_NONE) {
+    c->number.at[term] = (uint32_t)c->terms.count;
+    if (!VS_PUSH(k, c->terms, term)) return false;
+  }
+  return put(k, c, c->number.at[term]);
+}
+
+bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t count) {
+  const vs_expression *e = c->expression;
+  bool ok = true;
+  c->terms.count = 0;
+  for (uint32_t i = 0; ok && i < count; i++)
+    for (uint32_t j = e->leaf_first.at[leaves[i]]; ok && j <= e->leaf_first.at[leaves[i] + 1]; j++)
+      ok = j < e->leaf_first.at[leaves[i] + 1] ? reach(k, c, e->leaf_terms.at[j]) : put(k, c, UINT64_MAX);
+  for (size_t i = 0; ok && i < c->terms.count; i++) { /* grows as users are reached */
+    uint32_t t = c->terms.at[i];
+    ok = put(k, c, (uint64_t)e->need.at[t] << 32 | (uint64_t)e->kind.at[t] << 1 | (t == e->root));
+    if (e->kind.at[t] == VS_TERM_UNION || e->kind.at[t] == VS_TERM_LEAF) c->keys.at[c->keys.count - 1] &= UINT32_MAX; /* how many others there are is no matter */
+    for (uint32_t j = e->user_first.at[t]; ok && j < e->user_first.at[t + 1]; j++)
+      ok = reach(k, c, e->users.at[j] / 2) && (c->keys.at[c->keys.count - 1] |= (uint64_t)(e->users.at[j] & 1) << 32, true);
+    ok = ok && put(k, c, UINT64_MAX) && vs_kernel_poll(k, 0);
+  }
+  for (uint32_t i = 0; ok && i < e->gate_count; i++) ok = put(k, c, c->number.at[e->gates[i]]);
+  for (size_t i = 0; i < c->terms.count; i++) c->number.at[c->terms.at[i]] = VS_NONE;
+  return ok;
+}
+
+bool vs_copies_find(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t count, uint32_t *original, bool *is_new, vs_affine *map) {
+  size_t start = c->keys.count;
+  vs_affine back;
+  *is_new = true;
+  *original = (uint32_t)c->originals.count;
+  const vs_part *first = &c->parts->all.at[c->parts->of_leaf.at[leaves[0]]];
+  bool comparable = (uint64_t)count * 2 <= c->problem->leaf_count && first->outer > 0 && vs_affine_invert(&c->problem->leaves[leaves[0]].placement, &back);
+  uint64_t hash = 0;
+  if (comparable) {
+    int exponent;
+    frexp(first->outer, &exponent);
+    if (!put(k, c, count)) return false;
+    for (uint32_t i = 0; i < count; i++)
+      if (!put_leaf(k, c, leaves[i], &back, ldexp(1, exponent))) return false;
+    if (!vs_copies_put_terms(k, c, leaves, count)) return false;
+    for (size_t i = start; i < c->keys.count; i++) {
+      hash = (hash ^ c->keys.at[i]) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 29;
+    }
+  }
+  size_t length = c->keys.count - start;
+  if (c->originals.count >= c->heads.count) {
+    size_t want = c->heads.count * 4;
+    if (!VS_ROOM(k, c->heads.at, c->heads.room, want)) return false;
+    c->heads.count = want;
+    for (size_t i = 0; i < want; i++) c->heads.at[i] = VS_NONE;
+    for (uint32_t i = 0; i < c->originals.count; i++) {
+      uint32_t *head = &c->heads.at[c->originals.at[i].hash & (want - 1)];
+      c->originals.at[i].next = *head;
+      *head = i;
+    }
+  }
+  uint32_t *head = &c->heads.at[hash & (c->heads.count - 1)];
+  for (uint32_t i = *head; comparable && i != VS_NONE; i = c->originals.at[i].next) {
+    const vs_original *o = &c->originals.at[i];
+    if (o->hash != hash || o->length != length || memcmp(c->keys.at + o->key, c->keys.at + start, length * sizeof *c->keys.at) != 0) continue;
+    vs_affine from;
+    if (!vs_affine_invert(&c->problem->leaves[o->leaves[0]].placement, &from)) continue;
+    *map = vs_affine_multiply(&c->problem->leaves[leaves[0]].placement, &from);
+    for (int r = 0; r < 3; r++) /* moved only, or turned by quarters: exactly so */
+      for (int j = 0; j < 3; j++) {
+        double whole = floor(map->m[r][j] + 0.5);
+        if (fabs(map->m[r][j] - whole) < 1e-14) map->m[r][j] = whole;
+      }
+    vs_vec3 to = vs_affine_point(&c->problem->leaves[leaves[0]].placement, first->middle), at = vs_affine_point(&c->problem->leaves[o->leaves[0]].placement, first->middle);
+    vs_vec3 off = vs_v3_sub(to, vs_affine_vector(map, at));
+    map->m[0][3] = off.x;
+    map->m[1][3] = off.y;
+    map->m[2][3] = off.z;
+    if (vs_affine_is_translation(map))
+      for (int r = 0; r < 3; r++) map->m[r][3] = c->problem->leaves[leaves[0]].placement.m[r][3] - c->problem->leaves[o->leaves[0]].placement.m[r][3];
+    *original = i;
+    *is_new = false;
+    c->keys.count = start;
+    return true;
+  }
+  vs_original made = { hash, start, length, leaves, count, *head };
+  if (comparable) *head = *original;
+  return VS_PUSH(k, c->originals, made);
+}
+
+void vs_copies_free(vs_kernel *k, vs_copies *c) {
+  VS_DROP(k, c->originals);
+  VS_DROP(k, c->keys);
+  VS_DROP(k, c->heads);
+  VS_DROP(k, c->terms);
+  VS_DROP(k, c->number);
+}

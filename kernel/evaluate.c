@@ -1,0 +1,370 @@
+/* Owns the kernel's driver: clusters of leaves that touch, each evaluated by itself; the results side by side.
+ *
+ * Leaves whose boxes are apart cannot meet, so each cluster has its own frame and grid. The one expression serves all: in a cluster's cells the
+ * leaves of the others are outside. */
+#include "kernel/check.h"
+#include "kernel/clip.h"
+#include "kernel/cluster.h"
+#include "kernel/cluster_copies.h"
+#include "kernel/assemble.h"
+#include "kernel/cluster_cache.h"
+#include "model/store/cache.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool join(void *parent, uint32_t a, uint32_t b) {
+  vs_unite(parent, a, b);
+  return true;
+}
+
+static double least(const vs_bounds *b, int axis) { return axis == 0 ? b->min.x : axis == 1 ? b->min.y : b->min.z; }
+static double most(const vs_bounds *b, int axis) { return axis == 0 ? b->max.x : axis == 1 ? b->max.y : b->max.z; }
+
+enum { SERIAL = 10000 /* triangles, or corners, that are not worth a thread */, LEAVES = 16 /* a task's */ };
+
+typedef struct { const vs_kernel_problem *problem; vs_bounds *bounds; } bounding;
+
+static bool bound_some(vs_kernel *k, void *context, size_t index) {
+  const bounding *b = context;
+  size_t begin = index * LEAVES, end = b->problem->leaf_count - begin < LEAVES ? b->problem->leaf_count : begin + LEAVES;
+  for (size_t i = begin; i < end; i++) {
+    const vs_kernel_leaf *l = &b->problem->leaves[i];
+    b->bounds[i] = l->mesh->triangle_count ? vs_mesh_placed_bounds(l->mesh, &l->placement) : vs_bounds_empty();
+    if (!vs_kernel_report(k, 0)) return false;
+  }
+  return true;
+}
+
+static bool bound_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds) {
+  size_t corners = 0;
+  uint32_t threads = k->threads;
+  for (uint32_t i = 0; i < p->leaf_count; i++) corners += p->leaves[i].mesh->vertex_count;
+  if (corners < SERIAL) k->threads = 1;
+  bool ok = vs_kernel_run(k, ((size_t)p->leaf_count + LEAVES - 1) / LEAVES, bound_some, &(bounding){ p, bounds });
+  k->threads = threads;
+  return ok;
+}
+
+/* bounds: of every leaf; becomes that of the part that matters. order: leaves by cluster, those without triangles left out; parent: beside it, which cluster. */
+static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, uint32_t *parent, uint32_t *order, uint32_t *count) {
+  vs_box *boxes = NULL;
+  uint32_t *scratch = NULL;
+  size_t box_room = 0, scratch_room = 0;
+  vs_bvh bvh = { 0 };
+  uint32_t n = 0;
+  bool ok = VS_ROOM(k, boxes, box_room, (size_t)p->leaf_count + 1) && VS_ROOM(k, scratch, scratch_room, (size_t)p->leaf_count + 1);
+  double size = 0;
+  for (uint32_t i = 0; ok && i < p->leaf_count; i++) {
+    if (p->leaves[i].mesh->triangle_count == 0) continue;
+    if (p->within) {
+      vs_bounds part = bounds[i];
+      vs_bounds_meet(&part, &p->within[i]);
+      if (vs_bounds_is_empty(&part) && !vs_bounds_is_empty(&bounds[i])) continue;
+      bounds[i] = part;
+    }
+    for (int a = 0; a < 3; a++) {
+      if (!isfinite(least(&bounds[i], a)) || !isfinite(most(&bounds[i], a)))
+        ok = vs_kernel_fail(k, VS_KERNEL_NOT_FINITE, i, "a corner is not at a finite place");
+      size = fmax(size, fmax(fabs(least(&bounds[i], a)), fabs(most(&bounds[i], a))));
+    }
+    order[n++] = i;
+    ok = ok && vs_kernel_poll(k, 0);
+  }
+  /* boxes in steps finer than the finest grid can be coarse here, widened by two of a cluster's own steps at the largest */
+  double step = size > 0 ? size * 0x1p-28 : 1;
+  for (uint32_t i = 0; ok && i < n; i++)
+    for (int a = 0; a < 3; a++) {
+      boxes[i].min[a] = (int32_t)floor(least(&bounds[order[i]], a) / step) - 64;
+      boxes[i].max[a] = (int32_t)ceil(most(&bounds[order[i]], a) / step) + 64;
+    }
+  uint32_t *set = parent; /* by place in order, for now */
+  vs_disjoint(set, n);
+  ok = ok && vs_bvh_build(k, &bvh, boxes, n) && vs_bvh_pairs(&bvh, 0, UINT32_MAX, join, set);
+  uint32_t *start = NULL, *sorted = NULL;
+  size_t start_room = 0, sorted_room = 0;
+  ok = ok && VS_ROOM(k, start, start_room, (size_t)n + 2) && VS_ROOM(k, sorted, sorted_room, (size_t)n + 1);
+  if (ok) { /* bucket by root; roots are the smallest of their sets, so clusters and leaves keep their order */
+    for (uint32_t i = 0; i < n + 2; i++) start[i] = 0;
+    for (uint32_t i = 0; i < n; i++) scratch[i] = vs_find(set, i), start[scratch[i] + 2]++;
+    for (uint32_t i = 2; i < n + 2; i++) start[i] += start[i - 1];
+    for (uint32_t i = 0; i < n; i++) sorted[start[scratch[i] + 1]++] = i;
+    for (uint32_t i = 0; i < n; i++) start[i] = order[sorted[i]], parent[i] = scratch[sorted[i]];
+    for (uint32_t i = 0; i < n; i++) order[i] = start[i];
+  }
+  VS_FREE(k, start, start_room);
+  VS_FREE(k, sorted, sorted_room);
+  *count = n;
+  vs_bvh_free(k, &bvh);
+  VS_FREE(k, boxes, box_room);
+  VS_FREE(k, scratch, scratch_room);
+  return ok;
+}
+
+void vs_cluster_free(vs_kernel *k, vs_cluster *c) {
+  vs_points_free(k, &c->points);
+  vs_planes_free(k, &c->planes);
+  VS_DROP(k, c->triangles);
+  VS_DROP(k, c->facets);
+  VS_DROP(k, c->facet_triangles);
+  VS_DROP(k, c->patches);
+  VS_DROP(k, c->patch_corners);
+  VS_DROP(k, c->boxes);
+  vs_bvh_free(k, &c->bvh);
+  for (size_t i = 0; i < c->placed.count; i++) {
+    vs_bvh_free(k, &c->placed.at[i].bvh);
+    VS_FREE(k, c->placed.at[i].bvh_boxes, c->placed.at[i].bvh_box_room);
+  }
+  VS_DROP(k, c->fate);
+  VS_DROP(k, c->region_of);
+  VS_DROP(k, c->regions);
+  VS_DROP(k, c->point_of);
+  VS_DROP(k, c->placed);
+  VS_FREE(k, c->corners, c->corner_room);
+  vs_bvh_free(k, &c->leaf_bvh);
+  VS_DROP(k, c->leaf_boxes);
+  VS_DROP(k, c->lids);
+  VS_DROP(k, c->lid_boxes);
+  VS_DROP(k, c->cuts);
+  VS_DROP(k, c->edge_of);
+  VS_DROP(k, c->faces);
+  VS_DROP(k, c->covers);
+  VS_DROP(k, c->uses);
+  vs_halves_free(k, &c->edges);
+  VS_DROP(k, c->kept);
+  VS_DROP(k, c->side_cell);
+  VS_DROP(k, c->wound);
+}
+
+typedef struct {
+  const vs_kernel_problem *problem;
+  vs_parts parts;
+  vs_expression expression;
+  vs_bounds gate; /* all that a gate leaves, in the world; empty where there is none */
+  vs_bounds *bounds; /* of the leaves; NULL once nobody asks */
+  vs_remember remember;
+  vs_placing placing;
+  vs_kernel_counts counts;
+} whole;
+
+/* What only the meeting needs; the rest of the way takes as much again. */
+static void forget_patches(vs_kernel *k, vs_cluster *c) {
+  VS_DROP(k, c->patches);
+  VS_DROP(k, c->patch_corners);
+  VS_DROP(k, c->boxes);
+  vs_bvh_free(k, &c->bvh);
+  vs_planes_forget(k, &c->planes);
+}
+
+static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t count, vs_mesh *out) {
+  vs_cluster c = { .problem = w->problem, .parts = &w->parts, .expression = &w->expression, .leaves = leaves, .leaf_count = count };
+  if (w->expression.gate_count) c.gate = &w->gate;
+  uint32_t threads = k->threads;
+  size_t triangles = 0, first = out->triangle_count;
+  for (uint32_t i = 0; i < count; i++) triangles += w->problem->leaves[leaves[i]].mesh->triangle_count;
+  if (triangles < SERIAL) k->threads = 1;
+  vs_check check = { .leaves = { 0 } };
+  bool ok = vs_soup_build(k, &c) && vs_check_leaves(k, &c, &check, &w->counts) && vs_kernel_lap(k, VS_STEP_GRID);
+  if (c.triangles.count + c.plain_count < SERIAL) k->threads = 1;
+  ok = ok && vs_patches_build(k, &c) && vs_kernel_lap(k, VS_STEP_PATCHES) && vs_kernel_report(k, 0.1) && vs_meet_patches(k, &c) && vs_kernel_report(k, 0.3);
+  forget_patches(k, &c);
+  ok = ok && vs_kernel_lap(k, VS_STEP_MEET) && vs_arrange_planes(k, &c) && vs_plain_regions(k, &c);
+  VS_DROP(k, c.cuts);
+  VS_DROP(k, c.edge_of);
+  ok = ok && vs_kernel_lap(k, VS_STEP_ARRANGE) && vs_kernel_report(k, 0.7) && vs_classify_faces(k, &c, &w->expression) && vs_kernel_lap(k, VS_STEP_CLASSIFY) &&
+       vs_kernel_report(k, 0.9) && vs_output_faces(k, &c, out) && vs_check_result(k, &c, &check, out, first);
+  k->threads = threads;
+  if (!ok && k->error->status == VS_KERNEL_INTERNAL) k->error->leaf = leaves[0]; /* the nearest thing to a place */
+  vs_check_free(k, &check);
+  vs_cluster_free(k, &c);
+  vs_kernel_lap(k, VS_STEP_OUTPUT);
+  return ok;
+}
+
+/* What is left where every gate is true: bounds of terms, operands first. */
+static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
+  VS_LIST(vs_bounds) terms = { 0 };
+  const vs_kernel_problem *p = w->problem;
+  if (!w->expression.gate_count) return true;
+  if (!VS_ROOM(k, terms.at, terms.room, (size_t)p->term_count + 1)) return false;
+  for (uint32_t i = 0; i < p->term_count; i++) {
+    const vs_kernel_term *t = &p->terms[i];
+    vs_bounds b = t->kind == VS_TERM_LEAF ? leaves[t->first] : vs_bounds_empty();
+    for (uint32_t j = 0; t->kind != VS_TERM_LEAF && j < t->count; j++) {
+      const vs_bounds *o = &terms.at[p->operands[t->first + j]];
+      if (j == 0) b = *o;
+      else if (t->kind == VS_TERM_UNION) vs_bounds_unite(&b, o);
+      else if (t->kind == VS_TERM_INTERSECTION) vs_bounds_meet(&b, o);
+    }
+    terms.at[i] = b;
+  }
+  w->gate = terms.at[w->expression.gates[0]];
+  for (uint32_t i = 1; i < w->expression.gate_count; i++) vs_bounds_meet(&w->gate, &terms.at[w->expression.gates[i]]);
+  VS_DROP(k, terms);
+  return true;
+}
+
+/* Does a gate leave out something of the cluster? */
+static bool gate_cuts(const whole *w, const uint32_t *leaves, uint32_t count) {
+  if (!w->expression.gate_count) return false;
+  if (w->problem->within) return true; /* bounds are those within the gate already */
+  vs_bounds all = w->gate;
+  for (uint32_t i = 0; i < count; i++) vs_bounds_unite(&all, &w->bounds[leaves[i]]);
+  return memcmp(&all, &w->gate, sizeof all) != 0;
+}
+
+static bool no_room(vs_kernel *k) { return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); }
+
+static bool want_tags(vs_kernel *k, vs_mesh *m) {
+  if (m->tags || (vs_mesh_reserve(m, 0, m->triangle_count + 1) && (m->tags = calloc(m->triangle_room, sizeof *m->tags)) != NULL)) return true;
+  return no_room(k);
+}
+
+/* A leaf that touches nothing, and in which nothing touches anything, stands as it is or not at all: nothing is to be computed. */
+static bool stands_alone(const whole *w, const uint32_t *leaves, uint32_t count) {
+  enum { FLAT = 1 << 20 }; /* turned by less than that, its faces are still those that were looked at */
+  const vs_kernel_leaf *l = &w->problem->leaves[leaves[0]];
+  if (count != 1 || !w->parts.all.at[w->parts.of_leaf.at[leaves[0]]].star) return false;
+  double size = 1;
+  for (int i = 0; i < 3; i++) size *= sqrt(l->placement.m[0][i] * l->placement.m[0][i] + l->placement.m[1][i] * l->placement.m[1][i] + l->placement.m[2][i] * l->placement.m[2][i]);
+  return fabs(vs_affine_determinant(&l->placement)) * FLAT > size;
+}
+
+/* Makes room for it in the result of that number, if it is in the result at all. */
+static bool place_leaf(vs_kernel *k, whole *w, const uint32_t *leaf, vs_mesh *out, uint32_t into) {
+  const vs_kernel_leaf *l = &w->problem->leaves[*leaf];
+  vs_placement p = { .mesh = l->mesh, .from = { 0, 0, l->mesh->vertex_count, l->mesh->triangle_count }, .into = into, .vertex = out->vertex_count, .triangle = out->triangle_count,
+                     .map = l->placement, .leaves = leaf };
+  if (!vs_expression_add(k, &w->expression, *leaf, 1)) return false;
+  bool inside = vs_expression_value(&w->expression);
+  if (!vs_expression_add(k, &w->expression, *leaf, -1)) return false;
+  return !inside || (vs_placing_room(k, out, p.from.vertices, p.from.triangles) && VS_PUSH(k, w->placing.meshes, p));
+}
+
+/* The cluster as it was made before, or made now. */
+static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, const uint32_t *leaves, uint32_t count, vs_mesh *out, uint32_t into) {
+  if (stands_alone(w, leaves, count)) return w->counts.combined++, place_leaf(k, w, leaves, out, into);
+  bool asked = w->bounds != NULL, found = false;
+  size_t vertices = out->vertex_count, triangles = out->triangle_count;
+  if (asked && !vs_remember_key(k, &w->remember, copies, leaves, count, gate_cuts(w, leaves, count) ? &w->gate : NULL, &asked)) return false;
+  if (asked && !vs_remember_find(k, &w->remember, out, &found)) return false;
+  ++*(found ? &w->counts.remembered : &w->counts.combined);
+  return found || (run_cluster(k, w, leaves, count, out) && (!asked || vs_remember_keep(k, &w->remember, out, vertices, triangles)));
+}
+
+/* Where the results go: all into one mesh, or each original into its own. */
+typedef struct {
+  vs_mesh *one;
+  vs_kernel_copies *many;
+  VS_LIST(vs_range) ranges; /* of originals in `one` */
+} sink;
+
+static bool add_mesh(vs_kernel *k, vs_kernel_copies *c, vs_mesh **made) {
+  if (!VS_ROOM(k, c->meshes, c->mesh_room, c->mesh_count + 1)) return false;
+  *made = &c->meshes[c->mesh_count++];
+  **made = (vs_mesh){ 0 };
+  return want_tags(k, *made);
+}
+
+static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, const uint32_t *leaves, uint32_t count) {
+  uint32_t original;
+  bool is_new;
+  vs_affine map = vs_affine_identity();
+  if (!vs_copies_find(k, copies, leaves, count, &original, &is_new, &map)) return false;
+  vs_kernel_lap(k, VS_STEP_CLUSTERS);
+  w->counts.clusters++;
+  w->counts.copied += !is_new;
+  if (to->many) {
+    vs_mesh *made;
+    if (is_new && (!add_mesh(k, to->many, &made) || !make_cluster(k, w, copies, leaves, count, made, original))) return false;
+    if (to->many->meshes[original].triangle_count == 0) return true;
+    return VS_ROOM(k, to->many->copies, to->many->copy_room, to->many->copy_count + 1) &&
+           (to->many->copies[to->many->copy_count++] = (vs_kernel_copy){ original, map }, true);
+  }
+  if (!is_new) { /* a copy may have other tags, of the same paint */
+    vs_placement p = { .from = to->ranges.at[original], .vertex = to->one->vertex_count, .triangle = to->one->triangle_count, .map = map,
+                       .were = copies->originals.at[original].leaves, .leaves = leaves, .leaf_count = count };
+    return vs_placing_room(k, to->one, p.from.vertices, p.from.triangles) && VS_PUSH(k, w->placing.again, p) && vs_kernel_report(k, 0);
+  }
+  vs_range range = { .vertex = to->one->vertex_count, .triangle = to->one->triangle_count };
+  if (!make_cluster(k, w, copies, leaves, count, to->one, 0)) return false;
+  range.vertices = to->one->vertex_count - range.vertex;
+  range.triangles = to->one->triangle_count - range.triangle;
+  return VS_PUSH(k, to->ranges, range);
+}
+
+static void count_in(vs_kernel_counts *sum, const vs_kernel_counts *c, size_t peak) {
+  sum->clusters += c->clusters;
+  sum->combined += c->combined;
+  sum->copied += c->copied;
+  sum->remembered += c->remembered;
+  if (sum->coarse == 0) sum->coarse_leaf = c->coarse_leaf, sum->coarse_step = c->coarse_step, sum->coarse_by = c->coarse_by;
+  sum->coarse += c->coarse;
+  for (int i = 0; i < VS_STEP_COUNT; i++) sum->seconds[i] += c->seconds[i];
+  if (peak > sum->peak) sum->peak = peak;
+}
+
+static bool evaluate(const vs_kernel_problem *given, const vs_kernel_options *options, sink *to, vs_kernel_error *error) {
+  vs_kernel_error ignored;
+  vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = vs_kernel_threads(options) };
+  k.error->status = VS_KERNEL_FINE;
+  k.error->leaf = 0;
+  k.error->message[0] = 0;
+  vs_clipped clipped = { .problem = *given };
+  const vs_kernel_problem *p = &clipped.problem;
+  whole w = { .problem = p, .gate = vs_bounds_empty() };
+  vs_kernel_time(&k, options && options->counts ? w.counts.seconds : NULL);
+  vs_copies copies = { .problem = p };
+  vs_bounds *bounds = NULL;
+  uint32_t *parent = NULL, *order = NULL, n = 0;
+  size_t parent_room = 0, order_room = 0, bounds_room = 0, most_leaves = (size_t)p->leaf_count + 1;
+  bool ok = VS_ROOM(&k, parent, parent_room, most_leaves) && VS_ROOM(&k, order, order_room, most_leaves) && VS_ROOM(&k, bounds, bounds_room, most_leaves) &&
+            (to->many || want_tags(&k, to->one)) && bound_leaves(&k, given, bounds) && vs_clip_leaves(&k, given, bounds, &clipped) &&
+            vs_expression_build(&k, &w.expression, p) && find_clusters(&k, p, bounds, parent, order, &n) && find_gate(&k, &w, bounds) && vs_kernel_lap(&k, VS_STEP_CLUSTERS) &&
+            vs_parts_prepare(&k, &w.parts, p, order, parent, n) && vs_kernel_lap(&k, VS_STEP_PARTS) && vs_copies_begin(&k, &copies, p, &w.parts, &w.expression);
+  w.bounds = ok && options && vs_cache_asks(options->cache) && p->identities ? bounds : NULL;
+  if (!w.bounds) VS_FREE(&k, bounds, bounds_room);
+  for (uint32_t i = 0, end; ok && i < n; i = end) {
+    for (end = i + 1; end < n && parent[end] == parent[i];) end++;
+    k.done = (double)i / n;
+    k.share = (double)(end - i) / n;
+    ok = give_cluster(&k, &w, &copies, to, order + i, end - i);
+  }
+  ok = ok && vs_kernel_lap(&k, VS_STEP_CLUSTERS) && vs_placing_finish(&k, &w.placing, p->leaves, to->one ? to->one : to->many->meshes) &&
+       vs_kernel_lap(&k, VS_STEP_PLACE);
+  if (options && options->counts) count_in(options->counts, &w.counts, k.peak);
+  vs_remember_free(&k, &w.remember);
+  VS_FREE(&k, bounds, bounds_room);
+  VS_DROP(&k, to->ranges);
+  vs_placing_free(&k, &w.placing);
+  vs_copies_free(&k, &copies);
+  vs_expression_free(&k, &w.expression);
+  vs_parts_free(&k, &w.parts);
+  VS_FREE(&k, parent, parent_room);
+  VS_FREE(&k, order, order_room);
+  vs_clipped_free(&k, &clipped);
+  return ok;
+}
+
+bool vs_kernel_evaluate(const vs_kernel_problem *p, const vs_kernel_options *options, vs_mesh *out, vs_kernel_error *error) {
+  size_t vertices = out->vertex_count, triangles = out->triangle_count;
+  if (evaluate(p, options, &(sink){ .one = out }, error)) return true;
+  out->vertex_count = vertices;
+  out->triangle_count = triangles;
+  return false;
+}
+
+bool vs_kernel_evaluate_copies(const vs_kernel_problem *p, const vs_kernel_options *options, vs_kernel_copies *out, vs_kernel_error *error) {
+  *out = (vs_kernel_copies){ .mesh_count = 0 };
+  if (evaluate(p, options, &(sink){ .many = out }, error)) return true;
+  vs_kernel_copies_free(out);
+  return false;
+}
+
+void vs_kernel_copies_free(vs_kernel_copies *c) {
+  for (size_t i = 0; i < c->mesh_count; i++) vs_mesh_free(&c->meshes[i]);
+  free(c->meshes);
+  free(c->copies);
+  *c = (vs_kernel_copies){ .mesh_count = 0 };
+}

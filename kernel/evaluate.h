@@ -1,0 +1,85 @@
+/* Owns the face of the mesh kernel: exact booleans of closed triangle meshes; knows nothing of nodes (solid.h does).
+ *
+ * The expression is a list of terms, operands before users, the last term the root: a DAG of any width and depth. Everything
+ * is evaluated in one exact arrangement per cluster of leaves that touch, not pair by pair; see manual/internals.md. */
+#ifndef VS_KERNEL_H
+#define VS_KERNEL_H
+
+#include "model/mesh.h"
+#include "model/node.h"
+#include "model/tally.h"
+
+typedef struct {
+  const vs_mesh *mesh;  /* closed, counter-clockwise seen from outside; may be shared by leaves; may cross itself (overlaps count as inside) */
+  vs_affine placement;
+  uint32_t tag;         /* the result's triangles carry it; coplanar faces of equal tag, or equal paint, are merged */
+  bool bare;            /* where it is taken off something, the faces it makes have that thing's tag instead of its own */
+} vs_kernel_leaf;
+
+typedef enum { VS_TERM_LEAF, VS_TERM_UNION, VS_TERM_INTERSECTION, VS_TERM_DIFFERENCE /* the first less all others */ } vs_term_kind;
+typedef struct {
+  vs_term_kind kind;
+  uint32_t first;       /* LEAF: the leaf; else the first of its operands */
+  uint32_t count;       /* of operands (term numbers, smaller than this term's own); 0 is the empty solid */
+} vs_kernel_term;
+
+typedef struct {
+  const vs_kernel_leaf *leaves;
+  const vs_kernel_term *terms;
+  const uint32_t *operands;
+  uint32_t leaf_count, term_count, operand_count;
+  const uint32_t *paints; /* of each tag, or NULL: each its own; where faces of several tags become one, that has one of them */
+  const uint64_t *identities; /* of each leaf's mesh: numbers that are equal for equal meshes alone, ever; 0 where it has none. NULL: none has */
+  const vs_bounds *within;  /* of each leaf, or NULL: where it makes a difference at all; what has no part in that is not joined to it. Leaves are larger than they need be
+                             * where they stand for something endless */
+} vs_kernel_problem;
+
+typedef struct {
+  size_t clusters;   /* of solids that touch; of those: */
+  size_t combined;   /* worked out */
+  size_t copied;     /* as another of the same problem, elsewhere */
+  size_t remembered; /* found in the cache */
+  size_t peak;       /* the most bytes held at a time */
+  size_t coarse;     /* leaves whose volume the grid has changed by more than a hundredth: too small for what they touch; and of the first of them: */
+  uint32_t coarse_leaf;
+  double coarse_step, coarse_by; /* how wide a step is; how much it changed the volume, as a part of that */
+  double seconds[VS_STEP_COUNT]; /* of its steps */
+} vs_kernel_counts;
+
+typedef struct {
+  bool (*progress)(void *context, double done); /* done in 0..1; false stops the work; may be NULL. Called some hundred times a second */
+  void *context;
+  size_t max_bytes;     /* of the kernel's own memory; 0: no limit */
+  size_t max_triangles; /* of the result; 0: no limit */
+  vs_cache *cache;   /* where clusters are looked up and kept (model/store/cache.h); NULL: nowhere */
+  void (*warn)(void *context, const vs_origin *origin, const char *message); /* of what is done all the same, by vs_solid_evaluate; may be NULL */
+  vs_kernel_counts *counts; /* added to, but for the peak, which only rises; NULL: nobody asks */
+  uint32_t threads;     /* 0: as many as there are processors; the result is the same. progress is called from the caller's alone */
+} vs_kernel_options;
+
+typedef enum {
+  VS_KERNEL_FINE, VS_KERNEL_OPEN, VS_KERNEL_INSIDE_OUT, VS_KERNEL_NOT_FINITE, VS_KERNEL_OUT_OF_MEMORY, VS_KERNEL_LIMIT, VS_KERNEL_INTERRUPTED,
+  VS_KERNEL_INTERNAL /* a self-check failed: a fault of the kernel, never a wrong result */
+} vs_kernel_status;
+typedef struct {
+  vs_kernel_status status;
+  uint32_t leaf;        /* OPEN, INSIDE_OUT, NOT_FINITE: which one; INTERNAL: one of those concerned */
+  char message[200];    /* plain English without a place */
+} vs_kernel_error;
+
+/* A result in which clusters that are copies of each other stand once: mesh and placement of each, in the order of their first leaves. */
+typedef struct { uint32_t mesh; vs_affine place; } vs_kernel_copy;
+typedef struct {
+  vs_mesh *meshes;
+  vs_kernel_copy *copies;
+  size_t mesh_count, mesh_room, copy_count, copy_room;
+} vs_kernel_copies;
+
+/* out need not be initialised; it is empty after a failure. Copies do not meet each other. */
+bool vs_kernel_evaluate_copies(const vs_kernel_problem *problem, const vs_kernel_options *options, vs_kernel_copies *out, vs_kernel_error *error);
+void vs_kernel_copies_free(vs_kernel_copies *c);
+
+/* Appends to out (tags filled; a closed chain by index, oriented, free of T-junctions). options may be NULL. On false, out is as before. */
+bool vs_kernel_evaluate(const vs_kernel_problem *problem, const vs_kernel_options *options, vs_mesh *out, vs_kernel_error *error);
+
+#endif

@@ -1,0 +1,32 @@
+/* Owns the keyed sort: insertion in short runs, and merging of those that are not in order yet. */
+#include "kernel/exact/sort.h"
+
+#include <string.h>
+
+void vs_sort_keyed(vs_keyed *at, vs_keyed *scratch, size_t count) {
+  enum { RUN = 16 };
+  for (size_t low = 0; low < count; low += RUN) {
+    size_t high = count - low < RUN ? count : low + RUN;
+    for (size_t i = low + 1; i < high; i++) {
+      vs_keyed x = at[i];
+      size_t j = i;
+      for (; j > low && x.key < at[j - 1].key; j--) at[j] = at[j - 1];
+      at[j] = x;
+    }
+  }
+  for (size_t width = RUN; width < count; width *= 2)
+    for (size_t low = 0; low + width < count; low += 2 * width) {
+      size_t middle = low + width, high = count - middle < width ? count : middle + width;
+      if (at[middle].key >= at[middle - 1].key) continue;
+      memcpy(scratch, at + low, width * sizeof *at);
+      size_t i = 0, j = middle, out = low;
+      while (i < width && j < high) {
+        int second = at[j].key < scratch[i].key; /* which is as good as random: chosen without a jump */
+        const vs_keyed *from = second ? &at[j] : &scratch[i];
+        at[out++] = *from;
+        j += (size_t)second;
+        i += (size_t)!second;
+      }
+      while (i < width) at[out++] = scratch[i++];
+    }
+}

@@ -1,0 +1,273 @@
+/* Owns the bounding volume hierarchy: a complete tree over the Morton order of the boxes' centres, four to a node.
+ *
+ * Cost: a radix sort and one pass up; a pair query walks from the top for every four blocks of four, so n log n for boxes that meet few others. */
+#include "kernel/mesh/bvh.h"
+
+#include <string.h>
+
+enum { BLOCK = 4, STACK = 64 };
+
+static uint64_t spread(uint64_t x) { /* 21 bits to every third */
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffffu;
+  x = (x | x << 16) & 0x1f0000ff0000ffu;
+  x = (x | x << 8) & 0x100f00f00f00f00fu;
+  x = (x | x << 4) & 0x10c30c30c30c30c3u;
+  return (x | x << 2) & 0x1249249249249249u;
+}
+
+enum { AXIS_BITS = 10 }; /* at most: code and item fit 64 bits */
+
+static int length(uint64_t x) { return x ? 64 - __builtin_clzll(x) : 0; }
+
+/* By how much coordinates are coarsened, the same along all axes: the rest tells `count` boxes apart, and has some more bits where they crowd. */
+static int code_shift(uint32_t count, const int64_t range[3], int *bits) {
+  for (int shift = 0;; shift++) {
+    int sum = 0;
+    *bits = 0;
+    for (int j = 0; j < 3; j++) {
+      int n = length((uint64_t)range[j] >> shift);
+      sum += n;
+      if (n > *bits) *bits = n;
+    }
+    if (*bits <= AXIS_BITS && sum <= length(count) + 10) return shift;
+  }
+}
+
+enum { CHUNK = 1 << 14, MANY = 1 << 16 /* boxes that are worth threads */ };
+
+typedef struct {
+  vs_bvh *t;
+  uint64_t *code;       /* code << 32 | item */
+  int64_t low[3];
+  int shift;
+} coding;
+
+static uint32_t chunk_end(const vs_bvh *t, size_t index) { return (index + 1) * CHUNK < t->count ? (uint32_t)(index + 1) * CHUNK : t->count; }
+
+static bool code_chunk(vs_kernel *k, void *context, size_t index) {
+  (void)k;
+  coding *c = context;
+  for (uint32_t i = (uint32_t)index * CHUNK, end = chunk_end(c->t, index); i < end; i++) {
+    const vs_box *b = &c->t->boxes[i];
+    uint64_t code = 0;
+    for (int j = 0; j < 3; j++) code |= spread((uint64_t)((int64_t)b->min[j] + b->max[j] - c->low[j]) >> c->shift) << j;
+    c->code[i] = code << 32 | i;
+  }
+  return true;
+}
+
+static bool gather_chunk(vs_kernel *k, void *context, size_t index) {
+  (void)k;
+  coding *c = context;
+  vs_bvh *t = c->t;
+  for (uint32_t i = (uint32_t)index * CHUNK, end = chunk_end(t, index); i < end; i += BLOCK) {
+    vs_pack p;
+    for (uint32_t lane = 0; lane < BLOCK; lane++) {
+      uint32_t item = i + lane < end ? (uint32_t)c->code[i + lane] : UINT32_MAX;
+      if (item != UINT32_MAX) t->order[i + lane] = item;
+      vs_pack_put(&p, lane, item == UINT32_MAX ? &vs_box_nowhere : &t->boxes[item]);
+      if (t->families) t->family[i / BLOCK][lane] = item == UINT32_MAX ? -1 : (int32_t)t->families[item];
+    }
+    t->packs[i / BLOCK] = p;
+  }
+  return true;
+}
+
+static bool in_chunks(vs_kernel *k, vs_task_fn *task, coding *c) {
+  size_t chunks = ((size_t)c->t->count + CHUNK - 1) / CHUNK;
+  if (c->t->count >= MANY) return vs_kernel_run(k, chunks, task, c);
+  for (size_t i = 0; i < chunks; i++) task(k, c, i);
+  return true;
+}
+
+static bool sort_morton(vs_kernel *k, vs_bvh *t) {
+  enum { DIGIT = 10, FEW = 64, LARGE = 1 << 16 };
+  uint64_t *a = NULL, *b = NULL;
+  size_t ar = 0, br = 0;
+  uint32_t n = t->count;
+  bool ok = VS_ROOM(k, a, ar, (size_t)n + 1) && VS_ROOM(k, b, br, (size_t)n + 1);
+  if (ok) {
+    int64_t low[3] = { INT64_MAX, INT64_MAX, INT64_MAX }, high[3] = { INT64_MIN, INT64_MIN, INT64_MIN };
+    for (uint32_t i = 0; i < n; i++)
+      for (int j = 0; j < 3; j++) {
+        int64_t c = (int64_t)t->boxes[i].min[j] + t->boxes[i].max[j];
+        if (c < low[j]) low[j] = c;
+        if (c > high[j]) high[j] = c;
+      }
+    int64_t range[3] = { n ? high[0] - low[0] : 0, n ? high[1] - low[1] : 0, n ? high[2] - low[2] : 0 };
+    int bits;
+    coding c = { t, a, { low[0], low[1], low[2] }, code_shift(n, range, &bits) };
+    ok = in_chunks(k, code_chunk, &c);
+    if (n <= FEW) {
+      for (uint32_t i = 1; i < n; i++) {
+        uint64_t x = a[i];
+        uint32_t to = i;
+        for (; to > 0 && a[to - 1] > x; to--) a[to] = a[to - 1];
+        a[to] = x;
+      }
+    } else {
+      for (int from = 32; from < 32 + 3 * bits; from += DIGIT) {
+        uint32_t counts[1 << DIGIT] = { 0 }, sum = 0;
+        for (uint32_t i = 0; i < n; i++) counts[a[i] >> from & ((1 << DIGIT) - 1)]++;
+        for (int j = 0; j < 1 << DIGIT; j++) {
+          uint32_t count = counts[j];
+          counts[j] = sum;
+          sum += count;
+        }
+        for (uint32_t i = 0; i < n; i++) b[counts[a[i] >> from & ((1 << DIGIT) - 1)]++] = a[i];
+        uint64_t *swap = a;
+        a = b;
+        b = swap;
+        ok = ok && (n < LARGE || vs_kernel_report(k, k->part));
+      }
+    }
+    c.code = a;
+    ok = ok && in_chunks(k, gather_chunk, &c);
+  }
+  VS_FREE(k, a, ar);
+  VS_FREE(k, b, br);
+  return ok;
+}
+
+static vs_box around(const vs_pack *p) {
+  vs_box b;
+  for (int j = 0; j < 3; j++) {
+    b.min[j] = p->min[j][0];
+    b.max[j] = p->max[j][0];
+    for (int lane = 1; lane < BLOCK; lane++) {
+      if (p->min[j][lane] < b.min[j]) b.min[j] = p->min[j][lane];
+      if (p->max[j][lane] > b.max[j]) b.max[j] = p->max[j][lane];
+    }
+  }
+  return b;
+}
+
+bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_box *boxes, uint32_t count) {
+  uint32_t n = (count + BLOCK - 1) / BLOCK, all = 0;
+  t->boxes = boxes;
+  t->count = count;
+  t->level_count = 0;
+  t->has_families = t->families != NULL;
+  for (uint32_t size = n; size; size = size > 1 ? (size + BLOCK - 1) / BLOCK : 0) {
+    t->first[t->level_count] = all;
+    t->size[t->level_count++] = size;
+    all += size;
+  }
+  bool ok = VS_ROOM(k, t->order, t->order_room, (size_t)count + 1) && VS_ROOM(k, t->packs, t->pack_room, (size_t)all + 1) &&
+            (!t->families || VS_ROOM(k, t->family, t->family_room, (size_t)n + 1)) && sort_morton(k, t);
+  for (uint32_t level = 1; ok && level < t->level_count; level++) {
+    const vs_pack *below = t->packs + t->first[level - 1];
+    vs_pack *to = t->packs + t->first[level];
+    memset(to[t->size[level] - 1].min, 0x7f, sizeof to->min); /* some may be missing in the last */
+    memset(to[t->size[level] - 1].max, 0x80, sizeof to->max);
+    for (uint32_t i = 0; i < t->size[level - 1]; i++) {
+      vs_box b = around(&below[i]);
+      vs_pack_put(&to[i / BLOCK], i % BLOCK, &b);
+    }
+  }
+  t->boxes = NULL;
+  t->families = NULL;
+  return ok;
+}
+
+static vs_box box_of(const vs_pack *p, uint32_t lane) {
+  return (vs_box){ { p->min[0][lane], p->min[1][lane], p->min[2][lane] }, { p->max[0][lane], p->max[1][lane], p->max[2][lane] } };
+}
+
+static uint32_t next_bit(uint32_t *set) {
+  uint32_t lane = (uint32_t)__builtin_ctz(*set);
+  *set &= *set - 1;
+  return lane;
+}
+
+/* A walk over the blocks from `from` on in which something meets the box, in order. */
+typedef struct {
+  const vs_bvh *t;
+  vs_box box;
+  uint32_t from;
+  struct { uint32_t level, i; } stack[STACK];
+  int top;
+} descent;
+
+static void begin(descent *d, const vs_bvh *t, const vs_box *box, uint32_t from) {
+  d->t = t;
+  d->box = *box;
+  d->from = from;
+  d->top = 0;
+  if (t->level_count) d->stack[d->top].level = t->level_count - 1, d->stack[d->top++].i = 0;
+}
+
+/* met: which of the block's boxes, by bits. */
+static bool next(descent *d, uint32_t *block, uint32_t *met) {
+  const vs_bvh *t = d->t;
+  while (d->top) {
+    uint32_t level = d->stack[--d->top].level, i = d->stack[d->top].i, set = vs_pack_bits(vs_pack_meeting(&t->packs[t->first[level] + i], &d->box));
+    if (level == 0) {
+      *block = i;
+      *met = set;
+      if (set) return true;
+      continue;
+    }
+    for (uint32_t lane = BLOCK; lane-- > 0;) { /* without a jump: each is written, and stays where it is met */
+      uint32_t below = i * BLOCK + lane;
+      d->stack[d->top].level = level - 1;
+      d->stack[d->top].i = below;
+      d->top += (int)(set >> lane & (((uint64_t)below + 1) << (2 * (level - 1)) > d->from));
+    }
+  }
+  return false;
+}
+
+uint32_t vs_bvh_blocks(const vs_bvh *t) { return t->level_count ? t->size[0] : 0; }
+
+bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context) {
+  enum { GROUP = 4 }; /* blocks that go down together */
+  uint32_t blocks = vs_bvh_blocks(t), block, met;
+  if (end > blocks) end = blocks;
+  for (uint32_t from = first; from < end; from += GROUP) {
+    uint32_t stop = from + GROUP < end ? from + GROUP : end;
+    vs_box all = around(&t->packs[from]);
+    for (uint32_t a = from + 1; a < stop; a++) {
+      vs_box b = around(&t->packs[a]);
+      for (int j = 0; j < 3; j++) {
+        if (b.min[j] < all.min[j]) all.min[j] = b.min[j];
+        if (b.max[j] > all.max[j]) all.max[j] = b.max[j];
+      }
+    }
+    descent d;
+    begin(&d, t, &all, from);
+    while (next(&d, &block, &met))
+      for (uint32_t left = met; left;) {
+        uint32_t j = next_bit(&left);
+        vs_box box = box_of(&t->packs[block], j);
+        for (uint32_t a = from; a < stop && a <= block; a++) {
+          vs_lanes meets = vs_pack_meeting(&t->packs[a], &box);
+          if (t->has_families) {
+            int32_t family = t->family[block][j];
+            if (family != -1) meets &= t->family[a] != family;
+          }
+          for (uint32_t set = vs_pack_bits(meets) & (a == block ? (1u << j) - 1 : 15); set;)
+            if (!fn(context, t->order[a * BLOCK + next_bit(&set)], t->order[block * BLOCK + j])) return false;
+        }
+      }
+  }
+  return true;
+}
+
+bool vs_bvh_query(const vs_bvh *t, const vs_box *box, vs_bvh_hit_fn *fn, void *context) {
+  descent d;
+  uint32_t block, met;
+  begin(&d, t, box, 0);
+  while (next(&d, &block, &met))
+    while (met)
+      if (!fn(context, t->order[block * BLOCK + next_bit(&met)])) return false;
+  return true;
+}
+
+void vs_bvh_free(vs_kernel *k, vs_bvh *t) {
+  VS_FREE(k, t->order, t->order_room);
+  VS_FREE(k, t->packs, t->pack_room);
+  VS_FREE(k, t->family, t->family_room);
+  t->count = t->level_count = 0;
+}

@@ -1,0 +1,384 @@
+/* Owns the result's mesh: coplanar faces of one paint merged, needless corners dropped, what is left triangulated and turned to the outside.
+ *
+ * A corner is needless where exactly two borders of merged faces end, with the same faces beside both, in one line: every face there drops
+ * it alike, so no T-junction appears. A facet that nothing touched and nothing merged with keeps its own triangles. */
+#include "kernel/cluster.h"
+#include "kernel/mesh/triangulate.h"
+
+#include <string.h>
+
+typedef struct { VS_LIST(uint32_t) uses, firsts; } found_edges; /* of a range */
+typedef struct { uint32_t v[3], tag, look; } cut_triangle; /* v: points; look: 2 * plane + against its normal */
+typedef struct { VS_LIST(cut_triangle) at; } cut_chunk;
+
+typedef struct {
+  vs_kernel *k;
+  vs_cluster *c;
+  VS_LIST(found_edges) found;
+  VS_LIST(uint32_t) uses;            /* of kept faces, sorted by edge */
+  VS_LIST(uint32_t) edge_first;      /* of edges that stay, into uses; one more */
+  VS_LIST(_Atomic uint32_t) sets;    /* of faces, union-find */
+  VS_LIST(uint32_t) parent;          /* of a face: the first of those it is merged with */
+  VS_LIST(uint32_t) edges;           /* of a point: two numbers, the first edges that stay */
+  VS_LIST(uint8_t) degree;           /* of a point: 0, 1, 2, 3 for more; 4: needless */
+  VS_LIST(uint8_t) rim;              /* of a point, where there are regions: 1 a kept one's rim goes through it */
+  size_t rim_edges;
+  VS_LIST(uint32_t) edge_of;         /* of a use of the cluster: its edge, or VS_NONE where that does not stay */
+  VS_LIST(uint32_t) next;            /* of a face: the next that is merged with it, or VS_NONE */
+  VS_LIST(_Atomic uint8_t) whole;    /* a face: 1 still its own triangles */
+  VS_LIST(uint32_t) out;             /* of a point: its vertex in the result */
+  VS_LIST(uint32_t) points;          /* of the result's new vertices */
+  VS_LIST(uint32_t) looks;           /* of its new triangles: 2 * plane + against its normal */
+  VS_LIST(uint32_t) chunk_first;     /* of chunks of faces; one more */
+  cut_chunk chunks[VS_PIPELINE_WINDOW];
+  VS_LIST(vs_triangulation) cutters; /* one a thread */
+  vs_mesh *mesh;
+  size_t first_vertex;               /* of the mesh, that is ours */
+} writer;
+
+static const vs_use *use_at(const writer *w, size_t i) { return &w->c->uses.at[w->uses.at[i]]; }
+
+static bool same_paint(const vs_kernel_problem *p, uint32_t a, uint32_t b) { return a == b || (p->paints && p->paints[a] == p->paints[b]); }
+
+/* What is asked for soon, from all over memory. */
+VS_AHEAD merge_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
+  enum { USE = 24, FACE = 12 };
+  const vs_half *at = c->edges.at.at + i;
+  if (i + USE >= stop) return;
+  __builtin_prefetch(&c->uses.at[at[USE].item]);
+  uint32_t face = c->uses.at[at[FACE].item].face;
+  __builtin_prefetch(&c->kept.at[face]);
+  __builtin_prefetch(&c->faces.at[face]);
+}
+
+/* Merges over the edges between two coplanar faces of one paint that look the same way; the other edges stay. */
+static bool merge_range(vs_kernel *k, void *context, size_t range) {
+  writer *w = context;
+  const vs_cluster *c = w->c;
+  const vs_halves *h = &c->edges;
+  found_edges *to = &w->found.at[range];
+  uint32_t low = vs_halves_begin(h, range), stop = h->first.at[vs_halves_begin(h, range + 1)];
+  for (uint32_t i = h->first.at[low], end; i < stop; i = end) {
+    while (i >= h->first.at[low + 1]) low++;
+    uint32_t first = (uint32_t)to->uses.count, high = h->at.at[i].high;
+    for (end = i; end < h->first.at[low + 1] && h->at.at[end].high == high; end++) {
+      merge_ahead(c, end, stop);
+      if (c->kept.at[c->uses.at[h->at.at[end].item].face] && !VS_PUSH(k, to->uses, h->at.at[end].item)) return false;
+    }
+    size_t count = to->uses.count - first;
+    if (count == 2) {
+      const vs_use *a = &c->uses.at[to->uses.at[first]], *b = &c->uses.at[to->uses.at[first + 1]];
+      const vs_face *f = &c->faces.at[a->face], *g = &c->faces.at[b->face];
+      if (f->plane == g->plane && c->kept.at[a->face] == c->kept.at[b->face] && same_paint(c->problem, f->tag, g->tag) && a->from == b->to) {
+        vs_unite_shared(w->sets.at, a->face, b->face);
+        atomic_store_explicit(&w->whole.at[a->face], 0, memory_order_relaxed);
+        atomic_store_explicit(&w->whole.at[b->face], 0, memory_order_relaxed);
+        to->uses.count = first;
+        continue;
+      }
+    }
+    if (count && !VS_PUSH(k, to->firsts, first)) return false;
+    if (!vs_kernel_poll(k, 0.9)) return false;
+  }
+  return true;
+}
+
+static bool merge(writer *w) {
+  vs_cluster *c = w->c;
+  vs_kernel *k = w->k;
+  size_t faces = c->faces.count, ranges = c->edges.ranges, uses = 0, edges = 0;
+  if (!VS_ROOM(k, w->sets.at, w->sets.room, faces + 1) || !VS_ROOM(k, w->whole.at, w->whole.room, faces + 1) || !VS_ROOM(k, w->found.at, w->found.room, ranges))
+    return false;
+  memset(w->found.at, 0, ranges * sizeof *w->found.at);
+  w->found.count = ranges;
+  for (uint32_t f = 0; f < faces; f++) {
+    atomic_init(&w->sets.at[f], f);
+    atomic_init(&w->whole.at[f], c->faces.at[f].plane != VS_NONE && c->faces.at[f].facet != VS_NONE);
+  }
+  if (!vs_kernel_run(k, ranges, merge_range, w)) return false;
+  for (size_t i = 0; i < ranges; i++) uses += w->found.at[i].uses.count, edges += w->found.at[i].firsts.count;
+  if (!VS_ROOM(k, w->parent.at, w->parent.room, faces + 1) || !VS_ROOM(k, w->uses.at, w->uses.room, uses + 1) || !VS_ROOM(k, w->edge_first.at, w->edge_first.room, edges + 1))
+    return false;
+  for (uint32_t f = 0; f < faces; f++) w->parent.at[f] = vs_find_shared(w->sets.at, f);
+  for (size_t i = 0; i < ranges; i++) {
+    found_edges *from = &w->found.at[i];
+    for (size_t e = 0; e < from->firsts.count; e++) w->edge_first.at[w->edge_first.count++] = from->firsts.at[e] + (uint32_t)w->uses.count;
+    for (size_t u = 0; u < from->uses.count; u++) w->uses.at[w->uses.count++] = from->uses.at[u];
+    VS_DROP(k, from->uses);
+    VS_DROP(k, from->firsts);
+    if (!vs_kernel_report(k, 0.9)) return false;
+  }
+  vs_halves_free(k, &c->edges); /* nobody asks again */
+  return VS_PUSH(k, w->edge_first, (uint32_t)uses);
+}
+
+/* Have two edges the same merged faces beside them? */
+static bool same_faces(writer *w, uint32_t e, uint32_t f, bool *flat) {
+  uint32_t eb = w->edge_first.at[e], ee = w->edge_first.at[e + 1], fb = w->edge_first.at[f], fe = w->edge_first.at[f + 1];
+  if (ee - eb != fe - fb) return false;
+  *flat = true;
+  for (uint32_t i = eb; i < ee; i++) {
+    uint32_t root = w->parent.at[use_at(w, i)->face], here = 0, there = 0;
+    for (uint32_t j = eb; j < ee; j++) here += w->parent.at[use_at(w, j)->face] == root;
+    for (uint32_t j = fb; j < fe; j++) there += w->parent.at[use_at(w, j)->face] == root;
+    if (here != there) return false;
+    if (w->c->faces.at[use_at(w, i)->face].plane != w->c->faces.at[use_at(w, eb)->face].plane) *flat = false;
+  }
+  return true;
+}
+
+static uint32_t other_end(const vs_use *u, uint32_t p) { return u->from == p ? u->to : u->from; }
+
+enum { POINTS = 1 << 14 };
+static bool drop_some_corners(vs_kernel *k, void *context, size_t chunk) {
+  writer *w = context;
+  const vs_cluster *c = w->c;
+  size_t n = c->points.all.count, begin = chunk * POINTS, end = n - begin < POINTS ? n : begin + POINTS;
+  for (size_t p = begin; p < end; p++) {
+    bool flat;
+    if (w->degree.at[p] != 2 || !same_faces(w, w->edges.at[2 * p], w->edges.at[2 * p + 1], &flat)) continue;
+    const vs_use *a = use_at(w, w->edge_first.at[w->edges.at[2 * p]]), *b = use_at(w, w->edge_first.at[w->edges.at[2 * p + 1]]);
+    if (flat) { /* not on the line of two planes */
+      const vs_plane *plane = &c->planes.all.at[c->faces.at[a->face].plane];
+      if (vs_orient2d(vs_points_of(&c->points), other_end(a, (uint32_t)p), (uint32_t)p, other_end(b, (uint32_t)p), plane->u, plane->v) != 0) continue;
+    }
+    w->degree.at[p] = 4;
+  }
+  return vs_kernel_report(k, 0.9);
+}
+
+VS_AHEAD corners_ahead(const writer *w, uint32_t e, size_t edges) {
+  enum { USE = 24, POINT = 12 };
+  if (e + USE >= edges) return;
+  __builtin_prefetch(use_at(w, w->edge_first.at[e + USE]));
+  const vs_use *u = use_at(w, w->edge_first.at[e + POINT]);
+  uint32_t p = u->from < u->to ? u->to : u->from; /* the smaller ends come in order */
+  __builtin_prefetch(&w->degree.at[p], 1);
+  __builtin_prefetch(&w->edges.at[2 * p], 1);
+}
+
+static bool drop_corners(writer *w) {
+  vs_cluster *c = w->c;
+  size_t n = c->points.all.count, edges = w->edge_first.count - 1;
+  if (!VS_ROOM(w->k, w->edges.at, w->edges.room, 2 * n + 1) || !VS_ROOM(w->k, w->degree.at, w->degree.room, n + 1)) return false;
+  memset(w->degree.at, 0, n);
+  if (c->regions.count) {
+    if (!VS_ROOM(w->k, w->rim.at, w->rim.room, n + 1)) return false;
+    memset(w->rim.at, 0, n + 1);
+    w->rim.count = n;
+  }
+  for (uint32_t e = 0; e < edges; e++) {
+    corners_ahead(w, e, edges);
+    const vs_use *u = use_at(w, w->edge_first.at[e]);
+    for (uint32_t i = w->edge_first.at[e]; w->rim.count && i < w->edge_first.at[e + 1]; i++) /* plain triangles have these corners, and others */
+      if (c->faces.at[use_at(w, i)->face].plane == VS_NONE) w->degree.at[u->from] = w->degree.at[u->to] = 3, w->rim.at[u->from] = w->rim.at[u->to] = 1, w->rim_edges++;
+    for (int i = 0; i < 2; i++) {
+      uint32_t p = i ? u->to : u->from;
+      if (w->degree.at[p] < 2) w->edges.at[2 * p + w->degree.at[p]] = e;
+      if (w->degree.at[p] < 3) w->degree.at[p]++;
+    }
+    if (!vs_kernel_poll(w->k, 0.9)) return false;
+  }
+  return vs_kernel_run(w->k, (n + POINTS - 1) / POINTS, drop_some_corners, w);
+}
+
+enum { EDGES = 1 << 14 };
+static bool name_edges(vs_kernel *k, void *context, size_t chunk) {
+  writer *w = context;
+  size_t n = w->edge_first.count - 1, begin = chunk * EDGES, end = n - begin < EDGES ? n : begin + EDGES;
+  for (size_t e = begin; e < end; e++)
+    for (uint32_t i = w->edge_first.at[e]; i < w->edge_first.at[e + 1]; i++) w->edge_of.at[w->uses.at[i]] = (uint32_t)e;
+  return vs_kernel_report(k, 0.9);
+}
+
+/* What leads from a face to its border. */
+static bool link_faces(writer *w) {
+  const vs_cluster *c = w->c;
+  size_t faces = c->faces.count, uses = c->uses.count;
+  if (!VS_ROOM(w->k, w->edge_of.at, w->edge_of.room, uses + 1) || !VS_ROOM(w->k, w->next.at, w->next.room, faces + 1)) return false;
+  memset(w->edge_of.at, 0xff, uses * sizeof *w->edge_of.at); /* VS_NONE */
+  memset(w->next.at, 0xff, faces * sizeof *w->next.at);
+  for (size_t f = faces; f-- > 0;) {
+    uint32_t root = w->parent.at[f];
+    if (root != f) w->next.at[f] = w->next.at[root], w->next.at[root] = (uint32_t)f;
+    if (!vs_kernel_poll(w->k, 0.9)) return false;
+  }
+  return vs_kernel_run(w->k, (w->edge_first.count - 1 + EDGES - 1) / EDGES, name_edges, w);
+}
+
+/* Does the face keep all of its corners? */
+static bool has_all_corners(const writer *w, uint32_t f) {
+  const vs_face *face = &w->c->faces.at[f];
+  for (uint32_t i = face->use; i < face->use + face->use_count; i++)
+    if (w->degree.at[w->c->uses.at[i].from] == 4) return false;
+  return true;
+}
+
+/* The border of what the face is merged with, from corner to corner. */
+static bool gather_sides(vs_kernel *k, const writer *w, uint32_t f, vs_triangulation *t) {
+  const vs_cluster *c = w->c;
+  t->sides.count = 0;
+  for (; f != VS_NONE; f = w->next.at[f]) {
+    if (!vs_kernel_poll(k, 0.9)) return false;
+    for (uint32_t i = c->faces.at[f].use, end = i + c->faces.at[f].use_count; i < end; i++) {
+      const vs_use *u = &c->uses.at[i];
+      uint32_t edge = w->edge_of.at[i], at = u->to;
+      if (edge == VS_NONE || w->degree.at[u->from] == 4) continue;
+      while (w->degree.at[at] == 4) {
+        edge = w->edges.at[2 * at] == edge ? w->edges.at[2 * at + 1] : w->edges.at[2 * at];
+        at = other_end(use_at(w, w->edge_first.at[edge]), at);
+      }
+      if (!VS_PUSH(k, t->sides, ((vs_border){ u->from, at }))) return false;
+    }
+  }
+  return true;
+}
+
+/* ---- triangles ---- */
+
+static bool is_shown(const writer *w, uint32_t f) { return w->c->kept.at[f] && w->parent.at[f] == f && w->c->faces.at[f].plane != VS_NONE; }
+
+static size_t facet_size(const writer *w, uint32_t f) {
+  const vs_facet *facet = &w->c->facets.at[w->c->faces.at[f].facet];
+  return facet[1].first - facet[0].first;
+}
+
+/* Faces, in chunks of about so many borders. */
+static bool make_chunks(writer *w) {
+  enum { CHUNK = 8192 };
+  size_t sum = 0;
+  uint32_t faces = (uint32_t)w->c->faces.count;
+  for (uint32_t f = 0; f < faces; f++) {
+    if (sum == 0 && !VS_PUSH(w->k, w->chunk_first, f)) return false;
+    if (w->c->kept.at[f]) sum += w->c->faces.at[f].use_count;
+    if (sum >= CHUNK) sum = 0;
+  }
+  if (!VS_PUSH(w->k, w->chunk_first, faces) || !VS_ROOM(w->k, w->cutters.at, w->cutters.room, w->k->threads)) return false;
+  memset(w->cutters.at, 0, w->k->threads * sizeof *w->cutters.at);
+  w->cutters.count = w->k->threads;
+  return true;
+}
+
+static bool triangulate_chunk(vs_kernel *k, void *context, size_t index) {
+  writer *w = context;
+  const vs_cluster *c = w->c;
+  cut_chunk *to = &w->chunks[index % VS_PIPELINE_WINDOW];
+  vs_triangulation *t = &w->cutters.at[k->worker];
+  to->at.count = 0;
+  for (uint32_t f = w->chunk_first.at[index]; f < w->chunk_first.at[index + 1]; f++) {
+    if (!is_shown(w, f)) continue;
+    const vs_face *face = &c->faces.at[f];
+    bool against = c->kept.at[f] == 2, whole = w->whole.at[f] && has_all_corners(w, f), turned = against;
+    size_t n;
+    if (whole) {
+      turned = against != c->facets.at[face->facet].flip;
+      n = facet_size(w, f);
+    } else {
+      if (!gather_sides(k, w, f, t) || !vs_plane_triangulate(k, t, &c->points, &c->planes.all.at[face->plane])) return false;
+      n = t->triangles.count;
+    }
+    if (!VS_ROOM(k, to->at.at, to->at.room, to->at.count + n)) return false;
+    for (size_t i = 0; i < n; i++) {
+      const uint32_t *v = whole ? c->triangles.at[c->facet_triangles.at[c->facets.at[face->facet].first + i]].v : t->triangles.at[i];
+      to->at.at[to->at.count++] = (cut_triangle){ { v[turned ? 2 : 0], v[1], v[turned ? 0 : 2] }, face->tag, face->plane * 2 + against };
+    }
+    if (!vs_kernel_poll(k, 0.9)) return false;
+  }
+  return true;
+}
+
+static bool no_room(const writer *w) { return vs_kernel_fail(w->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); }
+
+enum { PLACES = 1 << 14 };
+static bool place_chunk(vs_kernel *k, void *context, size_t index) {
+  writer *w = context;
+  size_t begin = index * PLACES, end = w->points.count - begin < PLACES ? w->points.count : begin + PLACES;
+  for (size_t i = begin; i < end; i++) w->mesh->vertices[w->first_vertex + i] = vs_grid_world(&w->c->grid, &w->c->points.all.at[w->points.at[i]]);
+  return vs_kernel_report(k, k->part);
+}
+
+/* In large steps, since clusters come one after the other into one mesh. */
+static bool reserve(const writer *w, vs_mesh *out, size_t triangles) {
+  return triangles <= out->triangle_room || vs_mesh_reserve(out, 0, out->triangle_count ? triangles + triangles / 2 : triangles) || no_room(w);
+}
+
+static bool make_room(const writer *w, vs_mesh *out, size_t more) {
+  size_t limit = w->k->options ? w->k->options->max_triangles : 0, all = out->triangle_count + more;
+  if (limit && all > limit) return vs_kernel_fail(w->k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
+  if (all >= UINT32_MAX) return vs_kernel_fail(w->k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
+  return reserve(w, out, all);
+}
+
+/* Writes what was cut; points are numbered as they come. */
+static bool take_chunk(vs_kernel *k, void *context, size_t index) {
+  writer *w = context;
+  const cut_chunk *from = &w->chunks[index % VS_PIPELINE_WINDOW];
+  vs_mesh *out = w->mesh;
+  if (!make_room(w, out, from->at.count) || !VS_ROOM(k, w->looks.at, w->looks.room, w->looks.count + from->at.count + 1)) return false;
+  for (size_t i = 0; i < from->at.count; i++) {
+    const cut_triangle *t = &from->at.at[i];
+    uint32_t *to = out->triangles[out->triangle_count];
+    for (int j = 0; j < 3; j++) {
+      uint32_t *number = &w->out.at[t->v[j]];
+      if (*number == VS_NONE) {
+        *number = (uint32_t)(w->first_vertex + w->points.count);
+        w->points.at[w->points.count++] = t->v[j];
+      }
+      to[j] = *number;
+    }
+    out->tags[out->triangle_count++] = t->tag;
+    w->looks.at[w->looks.count++] = t->look;
+  }
+  return vs_kernel_report(k, 0.9);
+}
+
+static bool write(writer *w, vs_mesh *out) {
+  size_t points = w->c->points.all.count, corners = 0;
+  size_t limit = w->k->options ? w->k->options->max_triangles : 0;
+  for (size_t p = 0; p < points; p++) corners += w->degree.at[p] % 4 != 0;
+  size_t about = limit && limit < 2 * corners ? limit : 2 * corners; /* triangles, by Euler, but for holes and shells */
+  if (!make_chunks(w) || !reserve(w, out, out->triangle_count + about) || !VS_ROOM(w->k, w->looks.at, w->looks.room, about + 1) || !VS_ROOM(w->k, w->out.at, w->out.room, points + 1) || !VS_ROOM(w->k, w->points.at, w->points.room, points + 1)) return false;
+  memset(w->out.at, 0xff, points * sizeof *w->out.at); /* VS_NONE */
+  w->mesh = out;
+  w->first_vertex = out->vertex_count;
+  if (!vs_kernel_pipeline(w->k, w->chunk_first.count - 1, triangulate_chunk, take_chunk, w)) return false;
+  size_t vertices = w->first_vertex + w->points.count;
+  if (vertices > out->vertex_room && !vs_mesh_reserve(out, w->first_vertex ? vertices + vertices / 2 : vertices, 0)) return no_room(w);
+  out->vertex_count = vertices;
+  return vs_kernel_run(w->k, (w->points.count + PLACES - 1) / PLACES, place_chunk, w);
+}
+
+static bool copy_plain(writer *w, vs_mesh *out) {
+  size_t more = vs_plain_kept(w->c);
+  return more == 0 || (make_room(w, out, more) && vs_plain_copy(w->k, w->c, out, w->out.at));
+}
+
+bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
+  writer w = { .k = k, .c = c };
+  size_t vertices = out->vertex_count, triangles = out->triangle_count;
+  bool ok = merge(&w) && drop_corners(&w) && link_faces(&w) && write(&w, out) && vs_kernel_report(k, 0.95) &&
+            vs_split_touching(k, c, out, vertices, triangles, w.looks.at, w.points.at, w.rim.count ? w.rim.at : NULL, w.rim_edges) && copy_plain(&w, out);
+  for (size_t i = 0; i < w.found.count; i++) {
+    VS_DROP(k, w.found.at[i].uses);
+    VS_DROP(k, w.found.at[i].firsts);
+  }
+  VS_DROP(k, w.found);
+  VS_DROP(k, w.sets);
+  VS_DROP(k, w.uses);
+  VS_DROP(k, w.edge_first);
+  VS_DROP(k, w.parent);
+  VS_DROP(k, w.edges);
+  VS_DROP(k, w.degree);
+  VS_DROP(k, w.rim);
+  VS_DROP(k, w.edge_of);
+  VS_DROP(k, w.next);
+  VS_DROP(k, w.whole);
+  VS_DROP(k, w.out);
+  VS_DROP(k, w.points);
+  VS_DROP(k, w.looks);
+  for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) VS_DROP(k, w.chunks[i].at);
+  for (size_t i = 0; i < w.cutters.count; i++) vs_triangulation_free(k, &w.cutters.at[i]);
+  VS_DROP(k, w.chunk_first);
+  VS_DROP(k, w.cutters);
+  return ok;
+}

@@ -1,0 +1,26 @@
+/* Owns the exact triangulation of a polygon with holes, touching corners and slits in one plane. */
+#ifndef VS_KERNEL_TRIANGULATE_H
+#define VS_KERNEL_TRIANGULATE_H
+
+#include "kernel/cluster.h"
+#include "kernel/arrange/sweep.h"
+
+typedef struct { uint32_t from, to; } vs_border;
+typedef struct { uint32_t vertex, previous, next; } vs_chain_node;
+typedef struct { uint32_t head, tail, rightmost; } vs_chain;
+typedef struct { uint32_t l, r; uint8_t inside; } vs_boundary; /* inside: bit 0 above the edge, bit 1 below */
+
+typedef struct {
+  VS_LIST(vs_border) sides;              /* in: directed so that the inside lies to the left as seen from the plane's normal; points */
+  struct { uint32_t (*at)[3]; size_t count, room; } triangles; /* out: counter-clockwise as seen from the normal; points */
+  vs_sweep sweep;
+  VS_LIST(uint32_t) list, scratch, local;
+  VS_LIST(vs_boundary) boundary;
+  VS_LIST(vs_chain_node) nodes;
+  VS_LIST(vs_chain) chains;            /* of the interval above each edge */
+} vs_triangulation;
+
+bool vs_plane_triangulate(vs_kernel *k, vs_triangulation *t, const vs_points_table *points, const vs_plane *plane);
+void vs_triangulation_free(vs_kernel *k, vs_triangulation *t);
+
+#endif

@@ -1,0 +1,594 @@
+/* Owns the settling of a rounded mesh.
+ *
+ * The exact result may have corners that lie closer together than the format's numbers: where four planes nearly meet in one point there are two corners, and where a
+ * corner all but lies on another's edge there is a triangle without height. Rounded, such an edge is nothing or noise, and such a triangle may turn over and cross its neighbours.
+ *   collapse  an edge of less than two units goes onto its lower corner where the link condition holds (the corners' neighbours in common are the two opposite the
+ *             edge: the surface stays a manifold of the same kind) and no triangle around it turns over
+ *   flip      a triangle lower than two units gives its longest edge to its top: the neighbour behind that edge is cut in two there
+ *   drop      a shell that is thinner than two units all over
+ * Then what may still meet something that it does not meet before rounding is looked for everywhere (met.c).
+ *
+ * One look at all triangles, by threads, finds the few where there is anything to do; from then on only these are looked at, and what has changed since. */
+#include "kernel/round/rounding_state.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "kernel/mesh/shells.h"
+#include "model/store/disjoint.h"
+
+enum { ROUNDS = 3, PASSES = 3 /* of flips, in a round */ };
+
+typedef vs_settling settling;
+
+static double unit(double x, vs_numbers numbers) {
+  int exponent;
+  if (x == 0) return 0;
+  if (numbers == VS_NUMBERS_DIGITS) return pow(10, floor(log10(fabs(x))) - 11);
+  frexp(x, &exponent);
+  return ldexp(1, exponent - (numbers == VS_NUMBERS_SINGLE ? 24 : 53));
+}
+
+static double rounded(double x, vs_numbers numbers) {
+  double step;
+  switch (numbers) {
+  case VS_NUMBERS_SINGLE: case VS_NUMBERS_SOUP: return vs_single(x);
+  case VS_NUMBERS_DIGITS: return step = unit(x, numbers), step > 0 ? round(x / step) * step : 0; /* but for double's own last place */
+  case VS_NUMBERS_DOUBLE: break;
+  }
+  return x;
+}
+vs_vec3 vs_settling_corner(const vs_settling *s, uint32_t v) {
+  vs_vec3 p = s->m->vertices[v];
+  return vs_v3(rounded(p.x, s->numbers), rounded(p.y, s->numbers), rounded(p.z, s->numbers));
+}
+
+static vs_vec3 corner(const settling *s, uint32_t v) { return vs_settling_corner(s, v); }
+
+static bool near(double a, double b, vs_numbers numbers) {
+  double d = fabs(a - b), most = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
+  if (d > most * 1e-6) return false; /* nearly all are: no format's unit is that large */
+  return d == 0 || d < 2 * unit(most, numbers);
+}
+
+static bool too_short(const settling *s, uint32_t a, uint32_t b) {
+  vs_vec3 p = s->m->vertices[a], q = s->m->vertices[b];
+  return near(p.x, q.x, s->numbers) && near(p.y, q.y, s->numbers) && near(p.z, q.z, s->numbers);
+}
+
+static vs_vec3 normal(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)); }
+
+static double larger(double a, double b) { return a > b ? a : b; }
+static double reach(vs_vec3 p) { return larger(larger(fabs(p.x), fabs(p.y)), fabs(p.z)); }
+
+/* Shorter than what rounding may move its ends by: fine where all that hangs on it is rounded alike, as on faces along the axes. */
+static bool unsure(const settling *s, uint32_t a, uint32_t b) {
+  vs_vec3 p = s->m->vertices[a], q = s->m->vertices[b];
+  return vs_v3_length(vs_v3_sub(p, q)) < 2 * unit(fmax(reach(p), reach(q)), s->numbers);
+}
+
+/* Does rounding turn the triangle by more than two or three degrees, or make it nothing? */
+static bool bent(const settling *s, uint32_t t) {
+  const uint32_t *v = s->m->triangles[t];
+  const vs_vec3 *x = s->m->vertices;
+  vs_vec3 n = normal(x[v[0]], x[v[1]], x[v[2]]), r = normal(corner(s, v[0]), corner(s, v[1]), corner(s, v[2]));
+  return !(vs_v3_dot(n, r) > 0.999 * vs_v3_length(n) * vs_v3_length(r));
+}
+
+static const uint32_t *around(const settling *s, uint32_t v) { return s->around.at + s->fans.at[v].first; }
+
+static bool is_neighbour(const settling *s, uint32_t v, uint32_t other) {
+  for (uint32_t i = 0; i < s->fans.at[v].count; i++) {
+    const uint32_t *t = s->m->triangles[around(s, v)[i]];
+    if (t[0] == other || t[1] == other || t[2] == other) return true;
+  }
+  return false;
+}
+
+static bool too_thin(const settling *s, uint32_t t) {
+  const uint32_t *v = s->m->triangles[t];
+  vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]], ab = vs_v3_sub(b, a), bc = vs_v3_sub(c, b), ca = vs_v3_sub(a, c), n = vs_v3_cross(ab, bc);
+  double longest = larger(vs_v3_dot(ab, ab), larger(vs_v3_dot(bc, bc), vs_v3_dot(ca, ca))), square = vs_v3_dot(n, n);
+  if (square >= s->coarsest * s->coarsest * longest) return false; /* nearly all are */
+  double least = 2 * unit(larger(larger(reach(a), reach(b)), reach(c)), s->numbers);
+  return square < least * least * longest;
+}
+
+bool vs_settling_is_noise(const vs_settling *s, uint32_t t) { return too_thin(s, t) && bent(s, t); }
+
+/* Has it an edge that may be too short? */
+static bool has_short(const settling *s, uint32_t t) {
+  const uint32_t *v = s->m->triangles[t];
+  for (int j = 0; j < 3; j++) {
+    uint32_t a = v[j], b = v[(j + 1) % 3];
+    vs_vec3 d = vs_v3_sub(s->m->vertices[a], s->m->vertices[b]);
+    if (vs_v3_dot(d, d) < 4 * s->coarsest * s->coarsest && (too_short(s, a, b) || unsure(s, a, b))) return true;
+  }
+  return false;
+}
+
+/* ---- the few that are looked at ---- */
+
+enum { TASK = 1 << 13 };
+typedef struct { VS_LIST(uint32_t) look; VS_LIST(vs_storey) storeys; bool noise, level; } found_some;
+typedef struct {
+  settling *s;
+  bool noise; /* any is */
+  found_some found[VS_PIPELINE_WINDOW];
+} scan;
+
+/* Notes the plane across an axis that the triangle lies in, unless it is the one that was noted last for that axis. False: no memory; *level: there is one. */
+static bool find_storey(vs_kernel *k, const settling *s, uint32_t t, vs_storey last[3], found_some *to, bool *level) {
+  const uint32_t *v = s->m->triangles[t];
+  vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]];
+  int axis = a.x == b.x && a.x == c.x ? 0 : a.y == b.y && a.y == c.y ? 1 : 2;
+  double value = axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+  *level = axis < 2 || (a.z == b.z && a.z == c.z);
+  if (!*level || last[axis].value == value) return true;
+  last[axis] = (vs_storey){ value, axis };
+  return VS_PUSH(k, to->storeys, last[axis]);
+}
+
+static bool scan_some(vs_kernel *k, void *context, size_t index) {
+  scan *c = context;
+  const settling *s = c->s;
+  size_t begin = index * TASK, end = s->m->triangle_count - begin < TASK ? s->m->triangle_count : begin + TASK;
+  found_some *to = &c->found[index % VS_PIPELINE_WINDOW];
+  vs_storey last[3] = { { NAN, 0 }, { NAN, 0 }, { NAN, 0 } };
+  to->look.count = to->storeys.count = 0;
+  to->noise = false;
+  to->level = true;
+  for (size_t t = begin; t < end; t++) {
+    bool noise = vs_settling_is_noise(s, (uint32_t)t), level;
+    to->noise = to->noise || noise;
+    if ((noise || has_short(s, (uint32_t)t)) && !VS_PUSH(k, to->look, (uint32_t)t)) return false;
+    if (!find_storey(k, s, (uint32_t)t, last, to, &level)) return false;
+    to->level = to->level && level;
+  }
+  return vs_kernel_report(k, 1);
+}
+
+static bool take_found(vs_kernel *k, void *context, size_t index) {
+  scan *c = context;
+  const found_some *from = &c->found[index % VS_PIPELINE_WINDOW];
+  c->noise = c->noise || from->noise;
+  c->s->level = c->s->level && from->level;
+  for (size_t i = 0; i < from->look.count; i++)
+    if (!VS_PUSH(k, c->s->look, from->look.at[i])) return false;
+  for (size_t i = 0; i < from->storeys.count; i++)
+    if (!VS_PUSH(k, c->s->storeys, from->storeys.at[i])) return false;
+  return true;
+}
+
+static int storey_order(const void *a, const void *b) {
+  const vs_storey *x = a, *y = b;
+  if (x->axis != y->axis) return x->axis < y->axis ? -1 : 1;
+  return x->value < y->value ? -1 : x->value > y->value;
+}
+
+static void sort_storeys(settling *s) {
+  vs_storey *at = s->storeys.at;
+  size_t kept = 0;
+  bool near = false;
+  if (s->storeys.count) qsort(at, s->storeys.count, sizeof *at, storey_order);
+  for (size_t i = 0; i < s->storeys.count; i++) {
+    bool same = kept && at[kept - 1].axis == at[i].axis;
+    if (same && at[kept - 1].value == at[i].value) continue;
+    near = near || (same && at[i].value - at[kept - 1].value < s->coarsest);
+    at[kept++] = at[i];
+  }
+  s->storeys.count = near ? 0 : kept;
+  s->level = s->level && !near;
+}
+
+size_t vs_settling_storey(const vs_settling *s, int axis, double value) {
+  vs_storey sought = { value, axis };
+  size_t low = 0, high = s->storeys.count;
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    if (storey_order(&s->storeys.at[middle], &sought) < 0) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/* *any: is there any noise? */
+static bool find_look(settling *s, bool *any) {
+  scan c = { .s = s };
+  s->look.count = s->storeys.count = 0;
+  s->level = true;
+  bool ok = vs_kernel_pipeline(s->k, (s->m->triangle_count + TASK - 1) / TASK, scan_some, take_found, &c);
+  sort_storeys(s);
+  for (int i = 0; i < VS_PIPELINE_WINDOW; i++) {
+    VS_DROP(s->k, c.found[i].look);
+    VS_DROP(s->k, c.found[i].storeys);
+  }
+  *any = c.noise;
+  return ok;
+}
+
+static bool look_at(settling *s, uint32_t t) {
+  if (s->listed.at[t] & 1) return true;
+  s->listed.at[t] |= 1;
+  return VS_PUSH(s->k, s->look, t);
+}
+
+static int number_order(const void *a, const void *b) {
+  uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+  return x < y ? -1 : x > y;
+}
+
+/* A round begins: nothing is busy, and what has come to be looked at stands in its place. */
+static void begin_round(settling *s) {
+  memset(s->busy.at, 0, s->m->vertex_count);
+  for (size_t i = 1; i < s->look.count; i++)
+    if (s->look.at[i - 1] > s->look.at[i]) {
+      qsort(s->look.at, s->look.count, sizeof *s->look.at, number_order);
+      return;
+    }
+}
+
+/* Fans anew, and marks of what is looked at. */
+static bool index_mesh(settling *s) {
+  const vs_mesh *m = s->m;
+  size_t n = m->vertex_count, triangles = m->triangle_count;
+  if (!VS_ROOM(s->k, s->fans.at, s->fans.room, n + 1) || !VS_ROOM(s->k, s->around.at, s->around.room, 3 * triangles + 1)) return false;
+  memset(s->fans.at, 0, (n + 1) * sizeof *s->fans.at);
+  memset(s->listed.at, 0, triangles);
+  memset(s->gone.at, 0, triangles);
+  for (size_t t = 0; t < triangles; t++)
+    for (int j = 0; j < 3; j++) s->fans.at[m->triangles[t][j]].count++;
+  uint32_t sum = 0;
+  for (size_t v = 0; v < n; v++) {
+    s->fans.at[v].first = sum;
+    sum += s->fans.at[v].count;
+    s->fans.at[v].count = 0;
+  }
+  for (size_t t = 0; t < triangles; t++)
+    for (int j = 0; j < 3; j++) {
+      vs_fan *f = &s->fans.at[m->triangles[t][j]];
+      s->around.at[f->first + f->count++] = (uint32_t)t;
+    }
+  s->around.count = sum;
+  for (size_t i = 0; i < s->look.count; i++) s->listed.at[s->look.at[i]] = 1;
+  return vs_kernel_report(s->k, 1);
+}
+
+/* The triangle has the corner now; has it no longer. */
+static bool give(settling *s, uint32_t v, uint32_t t) {
+  vs_fan *f = &s->fans.at[v];
+  if (f->first + f->count != s->around.count) { /* to where there is room behind it */
+    if (!VS_ROOM(s->k, s->around.at, s->around.room, s->around.count + f->count + 1)) return false;
+    if (f->count) memcpy(s->around.at + s->around.count, s->around.at + f->first, f->count * sizeof *s->around.at);
+    f->first = (uint32_t)s->around.count;
+    s->around.count += f->count;
+  }
+  f->count++;
+  return VS_PUSH(s->k, s->around, t);
+}
+
+static void take_off(settling *s, uint32_t v, uint32_t t) {
+  vs_fan *f = &s->fans.at[v];
+  uint32_t *at = s->around.at + f->first, kept = 0;
+  for (uint32_t i = 0; i < f->count; i++)
+    if (at[i] != t) at[kept++] = at[i];
+  f->count = kept;
+}
+
+/* ---- short edges ---- */
+
+/* May b become a? Every triangle around b that stays must keep its side, as far as it had one. */
+static bool allowed(const settling *s, uint32_t a, uint32_t b) {
+  uint32_t common = 0, both = 0;
+  vs_vec3 to = s->m->vertices[a];
+  for (uint32_t i = 0; i < s->fans.at[b].count; i++) {
+    uint32_t other = around(s, b)[i];
+    const uint32_t *t = s->m->triangles[other];
+    uint32_t j = t[0] == b ? 0 : t[1] == b ? 1 : 2, p = t[(j + 1) % 3], q = t[(j + 2) % 3];
+    if (p == a || q == a) {
+      both++;
+      continue;
+    }
+    if (is_neighbour(s, a, p)) common++; /* p stands once as the next of b: each neighbour is counted once, but for the two of the edge's triangles */
+    vs_vec3 before = normal(s->m->vertices[b], s->m->vertices[p], s->m->vertices[q]), after = normal(to, s->m->vertices[p], s->m->vertices[q]);
+    if (vs_v3_dot(before, after) < 0 && !vs_settling_is_noise(s, other)) return false; /* noise may turn */
+  }
+  /* around b, next corners: a, then p of each other triangle; the two apexes are neighbours of a, and one of them is counted above */
+  bool tetrahedron = s->fans.at[a].count == 3 && s->fans.at[b].count == 3; /* would become two sheets on each other */
+  return both == 2 && common == 1 && !tetrahedron;
+}
+
+/* ---- thin triangles ---- */
+
+static double height(vs_vec3 a, vs_vec3 b, vs_vec3 c) { /* the least of three */
+  double longest = fmax(vs_v3_length(vs_v3_sub(b, a)), fmax(vs_v3_length(vs_v3_sub(c, b)), vs_v3_length(vs_v3_sub(a, c))));
+  return longest > 0 ? vs_v3_length(normal(a, b, c)) / longest : 0;
+}
+
+static bool same_side(vs_vec3 n, vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_dot(n, normal(a, b, c)) > 0; }
+
+/* A triangle lower than rounding moves its corners may turn over. Its longest edge is given to its top instead: the neighbour behind that edge is cut in two there,
+ * and what was thin is gone. Neither may become as thin, or turn over, before or after rounding. */
+static bool flip(settling *s, uint32_t t) {
+  vs_mesh *m = s->m;
+  const uint32_t *v = m->triangles[t];
+  double length[3];
+  for (int j = 0; j < 3; j++) length[j] = vs_v3_length(vs_v3_sub(m->vertices[v[(j + 1) % 3]], m->vertices[v[j]]));
+  int base = length[0] >= length[1] && length[0] >= length[2] ? 0 : length[1] >= length[2] ? 1 : 2;
+  uint32_t p = v[base], q = v[(base + 1) % 3], top = v[(base + 2) % 3], other = UINT32_MAX, far = 0;
+  for (uint32_t i = 0; i < s->fans.at[p].count; i++) {
+    const uint32_t *w = m->triangles[around(s, p)[i]];
+    for (int j = 0; j < 3; j++)
+      if (w[j] == q && w[(j + 1) % 3] == p) other = around(s, p)[i], far = w[(j + 2) % 3];
+  }
+  const uint8_t *busy = s->busy.at;
+  if (other == UINT32_MAX || far == top || busy[p] || busy[q] || busy[top] || busy[far] || is_neighbour(s, top, far)) return false;
+  const vs_vec3 *x = m->vertices;
+  vs_vec3 before = normal(x[q], x[p], x[far]), rp = corner(s, p), rq = corner(s, q), rt = corner(s, top), rf = corner(s, far);
+  if (!same_side(before, x[p], x[far], x[top]) || !same_side(before, x[far], x[q], x[top])) return false;
+  if (!same_side(before, rp, rf, rt) || !same_side(before, rf, rq, rt)) return false;
+  double old = fmin(height(x[p], x[q], x[top]), height(x[q], x[p], x[far])), now = fmin(height(x[p], x[far], x[top]), height(x[far], x[q], x[top]));
+  if (now <= old) return false;
+  uint32_t one[3] = { p, far, top }, two[3] = { far, q, top };
+  memcpy(m->triangles[t], one, sizeof one);
+  memcpy(m->triangles[other], two, sizeof two);
+  if (m->tags) m->tags[t] = m->tags[other];
+  s->busy.at[p] = s->busy.at[q] = s->busy.at[top] = s->busy.at[far] = 1;
+  take_off(s, p, other);
+  take_off(s, q, t);
+  return give(s, top, other) && give(s, far, t) && look_at(s, t) && look_at(s, other);
+}
+
+/* The rounds count what they have done; false: out of memory. */
+static bool flip_round(settling *s, size_t *done) {
+  begin_round(s);
+  *done = 0;
+  for (size_t i = 0, n = s->look.count; i < n; i++) {
+    if (!vs_kernel_poll(s->k, 1)) return false;
+    if (!s->gone.at[s->look.at[i]] && vs_settling_is_noise(s, s->look.at[i])) *done += flip(s, s->look.at[i]);
+  }
+  return s->k->error->status == VS_KERNEL_FINE;
+}
+
+/* b becomes a: the two triangles along their edge go. */
+static bool collapse(settling *s, uint32_t a, uint32_t b) {
+  vs_mesh *m = s->m;
+  for (int end = 0; end < 2; end++)
+    for (uint32_t i = 0, v = end ? b : a; i < s->fans.at[v].count; i++)
+      for (int k = 0; k < 3; k++) s->busy.at[m->triangles[around(s, v)[i]][k]] = 1;
+  for (uint32_t i = 0; i < s->fans.at[b].count; i++) {
+    uint32_t t = around(s, b)[i], *v = m->triangles[t];
+    if (v[0] == a || v[1] == a || v[2] == a) {
+      s->gone.at[t] = 1;
+      for (int k = 0; k < 3; k++)
+        if (v[k] != b) take_off(s, v[k], t);
+    } else {
+      for (int k = 0; k < 3; k++)
+        if (v[k] == b) v[k] = a;
+      if (!give(s, a, t) || !look_at(s, t)) return false;
+    }
+  }
+  s->fans.at[b].count = 0;
+  return true;
+}
+
+static bool collapse_round(settling *s, size_t *done) {
+  const vs_mesh *m = s->m;
+  begin_round(s);
+  *done = 0;
+  for (size_t i = 0, n = s->look.count; i < n; i++) {
+    uint32_t t = s->look.at[i];
+    if (!vs_kernel_poll(s->k, 1)) return false;
+    for (int j = 0; j < 3 && !s->gone.at[t]; j++) {
+      uint32_t a = m->triangles[t][j], b = m->triangles[t][(j + 1) % 3], low = a < b ? a : b, high = a < b ? b : a;
+      if (s->busy.at[a] || s->busy.at[b] || !(too_short(s, a, b) || (unsure(s, a, b) && bent(s, t))) || !allowed(s, low, high)) continue;
+      if (!collapse(s, low, high)) return false;
+      ++*done;
+    }
+  }
+  return true;
+}
+
+/* ---- blades ---- */
+
+static bool is_blade(const settling *s, const vs_shell *of) { return fabs(of->volume) < of->area * unit(of->reach, s->numbers); }
+
+/* Shells that are thinner than two units all over, and that rounding bends, would be sheets on sheets: they go, unless nothing else is there. (A thin plate far from the
+ * origin, along the axes, stays as it is.) False: out of memory. */
+static bool drop_blades(settling *s, vs_settled *out) {
+  vs_mesh *m = s->m;
+  vs_shells shells;
+  bool ok = vs_shells_find(m, &shells) && vs_kernel_report(s->k, 1);
+  uint8_t *goes = ok ? calloc((size_t)shells.count + 1, 1) : NULL;
+  uint32_t going = 0;
+  ok = goes != NULL;
+  for (uint32_t t = 0; ok && t < m->triangle_count; t++) {
+    uint32_t shell = shells.of[m->triangles[t][0]];
+    if (!goes[shell] && is_blade(s, &shells.at[shell]) && bent(s, t)) goes[shell] = 1;
+    ok = vs_kernel_poll(s->k, 1);
+  }
+  for (uint32_t i = 0; ok && i < shells.count; i++) {
+    if (!goes[i]) continue;
+    if (going++ == 0) out->dropped_at = shells.at[i].from;
+  }
+  if (ok && going && going < shells.count) {
+    for (size_t t = 0; t < m->triangle_count; t++) s->gone.at[t] = goes[shells.of[m->triangles[t][0]]];
+    vs_mesh_squeeze(m, s->gone.at);
+    out->dropped = going;
+  }
+  vs_shells_free(&shells);
+  free(goes);
+  return ok;
+}
+
+/* ---- where nothing else helps: corners become one place ---- */
+
+typedef struct { uint32_t corner[3], triangle; bool odd; } sheet; /* corners in order; odd: that turned it over */
+
+static int sheet_order(const void *a, const void *b) {
+  const sheet *x = a, *y = b;
+  for (int i = 0; i < 3; i++)
+    if (x->corner[i] != y->corner[i]) return x->corner[i] < y->corner[i] ? -1 : 1;
+  if (x->odd != y->odd) return x->odd ? 1 : -1;
+  return x->triangle < y->triangle ? -1 : 1;
+}
+
+static sheet sheet_of(const uint32_t v[3], uint32_t t) {
+  sheet s = { { v[0], v[1], v[2] }, t, false };
+  for (int i = 0; i < 3; i++) { /* 0 1, 1 2, 0 1 */
+    int j = i % 2;
+    if (s.corner[j] < s.corner[j + 1]) continue;
+    uint32_t swap = s.corner[j];
+    s.corner[j] = s.corner[j + 1], s.corner[j + 1] = swap;
+    s.odd = !s.odd;
+  }
+  return s;
+}
+
+static bool is_met(const settling *s, uint32_t t) { /* near one that meets another */
+  const uint32_t *v = s->m->triangles[t];
+  return s->near_met.at[v[0]] || s->near_met.at[v[1]] || s->near_met.at[v[2]];
+}
+
+/* Corners within a few units of each other, joined by edges of triangles that rounding bends (or all) near where something meets, become one; what then is an
+ * edge, or two sheets on each other, goes. A map of corners keeps a closed chain closed, but it need not be a manifold by index any more: for formats without
+ * indices. False: out of memory. */
+static bool contract(settling *s, double near_units, bool all, size_t *count) {
+  vs_mesh *m = s->m;
+  size_t sheets_count = 0;
+  uint32_t *parent = malloc((m->vertex_count + 1) * sizeof *parent);
+  vs_bounds *boxes = malloc((m->vertex_count + 1) * sizeof *boxes);
+  sheet *sheets = malloc((m->triangle_count + 1) * sizeof *sheets);
+  bool ok = parent && boxes && sheets;
+  *count = 0;
+  for (uint32_t v = 0; ok && v < m->vertex_count; v++) parent[v] = v, boxes[v] = (vs_bounds){ m->vertices[v], m->vertices[v] };
+  for (uint32_t t = 0; ok && t < m->triangle_count; t++)
+    for (int j = 0; is_met(s, t) && (bent(s, t) || all) && j < 3; j++) {
+      uint32_t a = vs_find(parent, m->triangles[t][j]), b = vs_find(parent, m->triangles[t][(j + 1) % 3]), low = a < b ? a : b, high = a < b ? b : a;
+      vs_vec3 p = m->vertices[m->triangles[t][j]], q = m->vertices[m->triangles[t][(j + 1) % 3]];
+      double step = unit(fmax(reach(p), reach(q)), s->numbers);
+      vs_bounds both = boxes[a];
+      vs_bounds_unite(&both, &boxes[b]);
+      if (a == b || vs_v3_length(vs_v3_sub(p, q)) >= near_units * step || vs_bounds_diagonal(&both) >= 3 * near_units * step) continue;
+      parent[high] = low;
+      boxes[low] = both;
+      ++*count;
+    }
+  for (uint32_t t = 0; ok && *count && t < m->triangle_count; t++) {
+    uint32_t *v = m->triangles[t];
+    bool moved = false;
+    for (int j = 0; j < 3; j++) {
+      uint32_t to = vs_find(parent, v[j]);
+      moved = moved || to != v[j];
+      v[j] = to;
+    }
+    s->gone.at[t] = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+    for (int j = 0; j < 3; j++) moved = moved || !vs_v3_equal(boxes[v[j]].min, boxes[v[j]].max);
+    if (moved && !s->gone.at[t]) sheets[sheets_count++] = sheet_of(v, t);
+  }
+  if (sheets_count) qsort(sheets, sheets_count, sizeof *sheets, sheet_order);
+  for (size_t i = 0, end; i < sheets_count; i = end) { /* of one place: as many of either side go */
+    size_t even = i, odd;
+    for (end = i; end < sheets_count && memcmp(sheets[end].corner, sheets[i].corner, sizeof sheets[i].corner) == 0; end++) even += !sheets[end].odd;
+    odd = even;
+    for (size_t j = i; j < even && odd < end; j++, odd++) s->gone.at[sheets[j].triangle] = s->gone.at[sheets[odd].triangle] = 1;
+  }
+  if (ok && *count) vs_mesh_squeeze(m, s->gone.at);
+  free(parent);
+  free(boxes);
+  free(sheets);
+  return ok;
+}
+
+/* ---- all of it ---- */
+
+static bool drop_vertices(settling *s) {
+  vs_mesh *m = s->m;
+  uint32_t count = 0;
+  VS_LIST(uint32_t) number = { 0 };
+  if (!VS_ROOM(s->k, number.at, number.room, m->vertex_count + 1)) return false;
+  memset(number.at, 0, m->vertex_count * sizeof *number.at);
+  for (size_t i = 0; i < 3 * m->triangle_count; i++) number.at[m->triangles[i / 3][i % 3]] = 1;
+  for (uint32_t v = 0; v < m->vertex_count; v++)
+    if (number.at[v]) {
+      m->vertices[count] = m->vertices[v];
+      number.at[v] = count++;
+    }
+  m->vertex_count = count;
+  for (size_t i = 0; i < 3 * m->triangle_count; i++) m->triangles[i / 3][i % 3] = number.at[m->triangles[i / 3][i % 3]];
+  VS_DROP(s->k, number);
+  return true;
+}
+
+/* Numbers have changed: everything is looked at anew. */
+static bool begin_again(settling *s) {
+  bool any;
+  return find_look(s, &any) && index_mesh(s);
+}
+
+static bool settle(settling *s, bool places, vs_settled *out) {
+  vs_mesh *m = s->m;
+  size_t n = m->vertex_count, collapsed, flipped, more;
+  bool any = false, ok = true;
+  if (!vs_kernel_report(s->k, 1)) return false;
+  s->bounds = vs_mesh_bounds(m);
+  s->coarsest = 2 * unit(larger(reach(s->bounds.min), reach(s->bounds.max)), s->numbers);
+  if (!find_look(s, &any)) return false;
+  if (!any && (s->numbers == VS_NUMBERS_DOUBLE || s->level)) return true;
+  if (!VS_ROOM(s->k, s->busy.at, s->busy.room, n + 1) || !VS_ROOM(s->k, s->near_met.at, s->near_met.room, n + 1) || !VS_ROOM(s->k, s->gone.at, s->gone.room, m->triangle_count + 1) ||
+      !VS_ROOM(s->k, s->listed.at, s->listed.room, m->triangle_count + 1))
+    return false;
+  memset(s->near_met.at, 0, n);
+  if (!any) {
+    memset(s->gone.at, 0, m->triangle_count);
+    memset(s->listed.at, 0, m->triangle_count);
+    if (!vs_settling_count_met(s, out)) return false;
+    if (!out->met || !places) return true;
+  }
+  if (!drop_blades(s, out) || !(out->dropped ? begin_again(s) : index_mesh(s))) return false;
+  for (int round = 0; ok && round < ROUNDS; round++) {
+    ok = collapse_round(s, &collapsed);
+    flipped = 0;
+    for (int pass = 0; ok && pass < PASSES; pass++) {
+      ok = flip_round(s, &more);
+      flipped += more;
+      if (!more) break;
+    }
+    out->collapsed += collapsed;
+    out->flipped += flipped;
+    if (!collapsed && !flipped) break;
+  }
+  if (ok && s->numbers != VS_NUMBERS_DOUBLE) ok = vs_settling_count_met(s, out);
+  if (ok) vs_mesh_squeeze(m, s->gone.at);
+  for (int round = 0; ok && places && out->met && round < ROUNDS; round++) {
+    size_t contracted = 0;
+    ok = contract(s, 4 << round, round == ROUNDS - 1, &contracted);
+    if (!ok || !contracted) break;
+    out->collapsed += contracted;
+    ok = begin_again(s) && flip_round(s, &flipped) && vs_settling_count_met(s, out);
+    out->flipped += flipped;
+  }
+  return ok && (out->collapsed || out->dropped ? drop_vertices(s) : true);
+}
+
+bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_settled *out, vs_kernel_error *error) {
+  enum { SERIAL = 10000 }; /* triangles that are not worth a thread */
+  vs_kernel_error ignored;
+  vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = m->triangle_count < SERIAL ? 1 : vs_kernel_threads(options), .done = 1 };
+  settling s = { .k = &k, .m = m, .numbers = numbers == VS_NUMBERS_SOUP ? VS_NUMBERS_SINGLE : numbers };
+  *k.error = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };
+  *out = (vs_settled){ 0 };
+  vs_kernel_time(&k, options && options->counts ? options->counts->seconds : NULL);
+  bool ok = settle(&s, numbers == VS_NUMBERS_SOUP, out);
+  vs_kernel_lap(&k, VS_STEP_SETTLE);
+  VS_DROP(&k, s.fans);
+  VS_DROP(&k, s.around);
+  VS_DROP(&k, s.look);
+  VS_DROP(&k, s.busy);
+  VS_DROP(&k, s.gone);
+  VS_DROP(&k, s.listed);
+  VS_DROP(&k, s.near_met);
+  VS_DROP(&k, s.storeys);
+  return ok || (vs_kernel_fail(&k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"), false);
+}

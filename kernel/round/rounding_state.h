@@ -1,0 +1,39 @@
+/* Owns the state of settling a rounded mesh (settle.c), shared with the search for what meets what then (met.c). */
+#ifndef VS_KERNEL_SETTLING_H
+#define VS_KERNEL_SETTLING_H
+
+#include "kernel/memory.h"
+#include "kernel/round/rounding.h"
+
+typedef struct { uint32_t first, count; } vs_fan;
+
+typedef struct { double value; int axis; } vs_storey; /* a plane across an axis in which a triangle lies */
+
+typedef struct {
+  vs_kernel *k;
+  vs_mesh *m;
+  vs_numbers numbers;      /* SOUP is SINGLE here */
+  vs_bounds bounds;
+  double coarsest;         /* two units where the mesh reaches furthest */
+  VS_LIST(vs_storey) storeys; /* those of the mesh, by axis and value, each once; none where two of them are less than two units apart */
+  bool level;              /* every triangle lies in one of them */
+  VS_LIST(vs_fan) fans;    /* of a vertex: its triangles that are not gone, into around */
+  VS_LIST(uint32_t) around;
+  VS_LIST(uint32_t) look;  /* in order: triangles that may be thin, or have an edge that is too short: all that are, and what has changed since */
+  VS_LIST(uint8_t) busy;   /* of a vertex: something near it has changed in this round */
+  VS_LIST(uint8_t) gone;   /* of a triangle: 1; numbers stay until the end */
+  VS_LIST(uint8_t) listed; /* of a triangle: 1: in look; 2: counted among those met */
+  VS_LIST(uint8_t) near_met; /* of a vertex: 1: of a triangle that meets another; 2, 3: one and two triangles further */
+} vs_settling;
+
+vs_vec3 vs_settling_corner(const vs_settling *s, uint32_t v); /* rounded */
+/* Counts triangles that, rounded, meet others: of each, once. */
+bool vs_settling_count_met(vs_settling *s, vs_settled *out);
+
+/* Where the first storey of the axis stands that is not below the value, or would. */
+size_t vs_settling_storey(const vs_settling *s, int axis, double value);
+
+/* Is it lower than rounding may move its corners by, and turned by that more than two or three degrees? */
+bool vs_settling_is_noise(const vs_settling *s, uint32_t t);
+
+#endif

@@ -1,0 +1,520 @@
+/* Owns the search for triangles that rounding has made meet, anywhere in the mesh.
+ *
+ * What rounding makes cross lies within some units of each other before. Where two sheets of a surface that does not meet itself are that near, there are two that look
+ * away from each other, or across: between sheets that look the same way there is another, and where they end beside each other, so do the walls at their ends. So
+ * what looks the same way is not tried, and that is nearly all that touches: the triangles of one plane, and neighbours on what is round. Triangles lower than some
+ * units are tried against everything, for which way they look is chance.
+ *   run      up to 16 triangles that stand in a row in the mesh, touch, and look the same way but for 15 degrees; or a low one by itself
+ *   slab     the stretch along a run's middle normal in which all its corners lie
+ *   level    of runs: in a plane across an axis; the others are open. Such a plane stays one when each coordinate is rounded by itself, and coordinates keep
+ *            their order: so two that are level do not come to cross, and what is in a level run's plane stays there. (Where two such planes are less than
+ *            two units apart, nothing counts as level.) A mesh's planes of that kind are its storeys
+ * The index has the open runs' boxes; those that a storey may touch or go through have one of their own, for what is level. Two runs are apart where one's corners lie beyond the other's slab, on one side, but for corners they share. Of the rest the
+ * pieces are tried that lie in each other's slabs: by boxes, then triangle by triangle by boxes and planes, and apart.c has what these do not tell. */
+#include "kernel/mesh/triangles_apart.h"
+#include "kernel/mesh/bvh.h"
+#include "kernel/round/rounding_state.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { NOT_ITS = 255, NOT_LEVEL = 3, OPEN = 0, LEVEL = 1, RUN = 16, TRIANGLES = 1 << 13 };
+#define ALIKE 0.85f /* the cosine of the angle between runs that look the same way */
+
+/* A triangle, mostly as rounded. */
+typedef struct {
+  uint32_t triangle;
+  vs_vec3 at[3], normal, size; /* size: the same as normal of the products' sizes: 1e-14 of it is more than any error */
+  double low[3], high[3];
+  bool flat; /* two corners are one */
+} sheet;
+
+typedef float floats __attribute__((vector_size(16)));
+typedef int32_t truths __attribute__((vector_size(16)));
+typedef struct { floats x, y, z; uint32_t corner[4]; } corners; /* four of a run's, as seen from the mesh's middle; the last one again where there are fewer */
+enum { FOURS = (3 * RUN + 3) / 4 };
+
+typedef struct {
+  uint32_t first, first_four, first_place;
+  uint8_t count, fours;          /* of triangles; of corners, by fours; of places there are three a triangle: which of the corners */
+  bool is_low;                   /* one triangle, a low one */
+  bool busy;                     /* open, and goes through a storey or nearly touches one */
+  uint8_t level;                 /* all of it has one x (0), y (1) or z (2), this one: */
+  double value;
+  float normal[3], low, high;    /* its slab, and the margin on either side */
+} run;
+
+typedef struct { VS_LIST(run) at; VS_LIST(vs_box) boxes; } runs;
+typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* kinds: OPEN, LEVEL */
+typedef struct { uint32_t a, b; } pair;
+
+typedef struct {
+  vs_settling *s;
+  vs_settled *out;
+  vs_vec3 middle;
+  double step;                   /* of boxes */
+  double low;                    /* triangles lower than that are low */
+  float margin;                  /* beyond a slab is further than that; errors of floats are less */
+  made all;
+  VS_LIST(uint32_t) busy;        /* open runs */
+  VS_LIST(vs_box) busy_boxes;
+  vs_bvh bvh, busy_bvh;          /* of the open ones */
+  made found[VS_PIPELINE_WINDOW];
+  struct { VS_LIST(pair) at; } met[VS_PIPELINE_WINDOW];
+} search;
+
+/* ---- pairs of triangles ---- */
+
+static vs_vec3 magnitudes(vs_vec3 p, vs_vec3 q) {
+  vs_vec3 a = vs_v3(fabs(p.x), fabs(p.y), fabs(p.z)), b = vs_v3(fabs(q.x), fabs(q.y), fabs(q.z));
+  return vs_v3(a.y * b.z + a.z * b.y, a.z * b.x + a.x * b.z, a.x * b.y + a.y * b.x);
+}
+
+static void measure(sheet *to) {
+  const vs_vec3 *v = to->at;
+  vs_vec3 e = vs_v3_sub(v[1], v[0]), f = vs_v3_sub(v[2], v[0]);
+  to->normal = vs_v3_cross(e, f);
+  to->size = magnitudes(e, f);
+  to->low[0] = fmin(fmin(v[0].x, v[1].x), v[2].x), to->high[0] = fmax(fmax(v[0].x, v[1].x), v[2].x);
+  to->low[1] = fmin(fmin(v[0].y, v[1].y), v[2].y), to->high[1] = fmax(fmax(v[0].y, v[1].y), v[2].y);
+  to->low[2] = fmin(fmin(v[0].z, v[1].z), v[2].z), to->high[2] = fmax(fmax(v[0].z, v[1].z), v[2].z);
+  to->flat = vs_v3_equal(v[0], v[1]) || vs_v3_equal(v[1], v[2]) || vs_v3_equal(v[2], v[0]);
+}
+
+static void load(const vs_settling *s, uint32_t t, sheet *to) {
+  to->triangle = t;
+  for (int i = 0; i < 3; i++) to->at[i] = vs_settling_corner(s, s->m->triangles[t][i]);
+  measure(to);
+}
+
+static void load_exact(const vs_settling *s, uint32_t t, sheet *to) {
+  to->triangle = t;
+  for (int i = 0; i < 3; i++) to->at[i] = s->m->vertices[s->m->triangles[t][i]];
+  measure(to);
+}
+
+/* Is b on one side of a's plane, but for corners that are a's as well? */
+static bool beside(const sheet *a, const sheet *b) {
+  bool above = false, below = false;
+  int unsure = 0;
+  for (int i = 0; i < 3; i++) {
+    vs_vec3 d = vs_v3_sub(b->at[i], a->at[0]);
+    double x = vs_v3_dot(a->normal, d), sure = 1e-14 * (a->size.x * fabs(d.x) + a->size.y * fabs(d.y) + a->size.z * fabs(d.z));
+    if (x > sure) above = true;
+    else if (x < -sure) below = true;
+    else if (unsure++, !vs_v3_equal(b->at[i], a->at[0]) && !vs_v3_equal(b->at[i], a->at[1]) && !vs_v3_equal(b->at[i], a->at[2])) return false;
+  }
+  return above != below && unsure < 3;
+}
+
+static bool apart(const sheet *a, const sheet *b) {
+  int shared;
+  for (int i = 0; i < 3; i++)
+    if (a->low[i] > b->high[i] || b->low[i] > a->high[i]) return true;
+  return beside(a, b) || beside(b, a) || vs_triangles_apart(a->at, b->at, &shared);
+}
+
+/* ---- runs ---- */
+
+typedef struct { vs_vec3 at[3], normal; vs_bounds box; bool low; } facet;
+
+static facet facet_of(const search *c, uint32_t t) {
+  facet f;
+  f.box = vs_bounds_empty();
+  for (int i = 0; i < 3; i++) vs_bounds_add(&f.box, f.at[i] = c->s->m->vertices[c->s->m->triangles[t][i]]);
+  vs_vec3 a = vs_v3_sub(f.at[1], f.at[0]), b = vs_v3_sub(f.at[2], f.at[1]), d = vs_v3_sub(f.at[0], f.at[2]);
+  f.normal = vs_v3_cross(a, b);
+  double x = vs_v3_dot(a, a), y = vs_v3_dot(b, b), z = vs_v3_dot(d, d), longest = x > y ? x : y;
+  f.low = vs_v3_dot(f.normal, f.normal) < c->low * c->low * (z > longest ? z : longest);
+  return f;
+}
+
+static bool bounds_touch(const vs_bounds *a, const vs_bounds *b) {
+  return (a->min.x <= b->max.x) & (b->min.x <= a->max.x) & (a->min.y <= b->max.y) & (b->min.y <= a->max.y) & (a->min.z <= b->max.z) & (b->min.z <= a->max.z);
+}
+
+/* Do the normals differ by less than 15 degrees? */
+static bool alike(vs_vec3 a, vs_vec3 b) {
+  double d = vs_v3_dot(a, b);
+  return d > 0 && d * d > 0.933 * vs_v3_dot(a, a) * vs_v3_dot(b, b);
+}
+
+static vs_box box_of(const search *c, const vs_bounds *w) {
+  double wide = 2 * c->s->coarsest, scale = 1 / c->step;
+  vs_vec3 low = vs_v3_scale(vs_v3_sub(w->min, c->middle), scale), high = vs_v3_scale(vs_v3_sub(w->max, c->middle), scale);
+  int32_t more = (int32_t)(wide * scale) + 1;
+  return (vs_box){ { (int32_t)low.x - more, (int32_t)low.y - more, (int32_t)low.z - more }, { (int32_t)high.x + more, (int32_t)high.y + more, (int32_t)high.z + more } };
+}
+
+/* What a run is made of, until it ends; its corners, nearly all of them once. */
+typedef struct {
+  run r;
+  vs_vec3 normal;
+  vs_bounds box;
+  corners four[FOURS];
+  uint32_t count, last[64];
+} making;
+
+static bool gather(vs_kernel *k, const search *c, uint32_t t, const facet *f, made *to, making *g) {
+  for (int i = 0; i < 3; i++) {
+    uint32_t v = c->s->m->triangles[t][i], n = g->last[v & 63];
+    if (n >= g->count || g->four[n / 4].corner[n % 4] != v) {
+      n = g->last[v & 63] = g->count++;
+      vs_vec3 at = vs_v3_sub(f->at[i], c->middle);
+      corners *p = &g->four[n / 4];
+      for (uint32_t j = n % 4; j < 4; j++) p->x[j] = (float)at.x, p->y[j] = (float)at.y, p->z[j] = (float)at.z, p->corner[j] = v;
+    }
+    if (!VS_PUSH(k, to->places, (uint8_t)n)) return false;
+  }
+  return true;
+}
+
+static floats heights(const run *r, const corners *p) { return r->normal[0] * p->x + r->normal[1] * p->y + r->normal[2] * p->z; }
+
+static double coordinate(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+/* Has it corners on either side of a storey, or off it by less than the margin? Else what is level is apart from it. */
+static bool is_busy(const search *c, const run *r, const vs_bounds *box, const corners *four) {
+  const vs_settling *s = c->s;
+  if (r->is_low) return true;
+  for (int axis = 0; axis < 3; axis++) {
+    double low = coordinate(box->min, axis), high = coordinate(box->max, axis);
+    for (size_t i = vs_settling_storey(s, axis, low - c->margin); i < s->storeys.count; i++) {
+      double value = s->storeys.at[i].value;
+      if (s->storeys.at[i].axis != axis || value > high + c->margin) break;
+      if (value != low && value != high) return true;
+      for (uint32_t j = 0; j < 4u * r->fours; j++) {
+        double x = coordinate(s->m->vertices[four[j / 4].corner[j % 4]], axis);
+        if (x != value && fabs(x - value) <= c->margin) return true;
+      }
+    }
+  }
+  return false;
+}
+
+static bool end_run(vs_kernel *k, const search *c, made *to, making *g) {
+  double length = vs_v3_length(g->normal);
+  vs_vec3 n = length > 0 ? vs_v3_scale(g->normal, 1 / length) : vs_v3(1, 0, 0);
+  const vs_bounds *b = &g->box;
+  run *r = &g->r;
+  r->normal[0] = (float)n.x, r->normal[1] = (float)n.y, r->normal[2] = (float)n.z;
+  r->low = INFINITY, r->high = -INFINITY;
+  r->fours = (uint8_t)((g->count + 3) / 4);
+  r->first_four = (uint32_t)to->fours.count;
+  if (!VS_ROOM(k, to->fours.at, to->fours.room, to->fours.count + FOURS)) return false;
+  for (uint32_t i = 0; i < r->fours; i++) {
+    floats h = heights(r, &g->four[i]);
+    for (int j = 0; j < 4; j++) {
+      if (h[j] < r->low) r->low = h[j];
+      if (h[j] > r->high) r->high = h[j];
+    }
+    to->fours.at[to->fours.count++] = g->four[i];
+  }
+  r->low -= c->margin;
+  r->high += c->margin;
+  r->level = r->is_low ? NOT_LEVEL : b->min.x == b->max.x ? 0 : b->min.y == b->max.y ? 1 : b->min.z == b->max.z ? 2 : NOT_LEVEL;
+  r->value = coordinate(b->min, r->level);
+  size_t storey = r->level == NOT_LEVEL ? 0 : vs_settling_storey(c->s, r->level, r->value);
+  if (r->level != NOT_LEVEL && (storey == c->s->storeys.count || c->s->storeys.at[storey].value != r->value)) r->level = NOT_LEVEL;
+  r->busy = r->level == NOT_LEVEL && is_busy(c, r, b, g->four);
+  runs *kind = &to->kinds[r->level == NOT_LEVEL ? OPEN : LEVEL];
+  return VS_PUSH(k, kind->at, *r) && VS_PUSH(k, kind->boxes, box_of(c, b));
+}
+
+static bool make_runs(vs_kernel *k, void *context, size_t index) {
+  search *c = context;
+  made *to = &c->found[index % VS_PIPELINE_WINDOW];
+  size_t count = c->s->m->triangle_count, begin = index * TRIANGLES, end = count - begin < TRIANGLES ? count : begin + TRIANGLES;
+  making g;
+  run *r = &g.r;
+  r->count = 0;
+  for (int i = 0; i < 2; i++) to->kinds[i].at.count = to->kinds[i].boxes.count = 0;
+  to->fours.count = to->places.count = 0;
+  for (size_t t = begin; t < end; t++) {
+    if (c->s->gone.at[t]) continue;
+    facet f = facet_of(c, (uint32_t)t);
+    if (r->count && (r->count == RUN || f.low || r->is_low || t != r->first + r->count || !alike(f.normal, g.normal) || !bounds_touch(&g.box, &f.box))) {
+      if (!end_run(k, c, to, &g)) return false;
+      r->count = 0;
+    }
+    if (r->count == 0) {
+      *r = (run){ .first = (uint32_t)t, .first_place = (uint32_t)to->places.count, .is_low = f.low };
+      g.normal = vs_v3(0, 0, 0);
+      g.box = vs_bounds_empty();
+      g.count = 0;
+      memset(g.last, 0xff, sizeof g.last);
+    }
+    r->count++;
+    g.normal = vs_v3_add(g.normal, f.normal);
+    vs_bounds_unite(&g.box, &f.box);
+    if (!gather(k, c, (uint32_t)t, &f, to, &g)) return false;
+  }
+  return (!r->count || end_run(k, c, to, &g)) && vs_kernel_report(k, 1);
+}
+
+static bool take_kind(vs_kernel *k, const made *all, runs *to, const runs *from) {
+  size_t n = to->at.count, more = from->at.count;
+  if (!VS_ROOM(k, to->at.at, to->at.room, n + more + 1) || !VS_ROOM(k, to->boxes.at, to->boxes.room, n + more + 1)) return false;
+  for (size_t i = 0; i < more; i++) {
+    run r = from->at.at[i];
+    r.first_four += (uint32_t)all->fours.count;
+    r.first_place += (uint32_t)all->places.count;
+    to->at.at[n + i] = r;
+    to->boxes.at[n + i] = from->boxes.at[i];
+  }
+  to->at.count = to->boxes.count = n + more;
+  return true;
+}
+
+static bool take_runs(vs_kernel *k, void *context, size_t index) {
+  search *c = context;
+  made *from = &c->found[index % VS_PIPELINE_WINDOW], *to = &c->all;
+  for (size_t i = 0; i < from->kinds[OPEN].at.count; i++)
+    if (from->kinds[OPEN].at.at[i].busy && (!VS_PUSH(k, c->busy, (uint32_t)(to->kinds[OPEN].at.count + i)) || !VS_PUSH(k, c->busy_boxes, from->kinds[OPEN].boxes.at[i]))) return false;
+  size_t fours = to->fours.count, places = to->places.count;
+  if (!take_kind(k, to, &to->kinds[OPEN], &from->kinds[OPEN]) || !take_kind(k, to, &to->kinds[LEVEL], &from->kinds[LEVEL]) ||
+      !VS_ROOM(k, to->fours.at, to->fours.room, fours + from->fours.count + 1) || !VS_ROOM(k, to->places.at, to->places.room, places + from->places.count + 1))
+    return false;
+  if (from->fours.count) memcpy(to->fours.at + fours, from->fours.at, from->fours.count * sizeof *from->fours.at);
+  if (from->places.count) memcpy(to->places.at + places, from->places.at, from->places.count);
+  to->fours.count += from->fours.count;
+  to->places.count += from->places.count;
+  return true;
+}
+
+static void drop_made(vs_kernel *k, made *m) {
+  for (int i = 0; i < 2; i++) {
+    VS_DROP(k, m->kinds[i].at);
+    VS_DROP(k, m->kinds[i].boxes);
+  }
+  VS_DROP(k, m->fours);
+  VS_DROP(k, m->places);
+}
+
+/* ---- pairs of runs ---- */
+
+static uint32_t bits(truths all) { /* lane i: bit i */
+  uint64_t half[2];
+  all &= (truths){ 1, 2, 4, 8 };
+  memcpy(half, &all, sizeof half);
+  half[0] |= half[1];
+  return (uint32_t)(half[0] | half[0] >> 32);
+}
+
+/* Which of the run's corners it is; NOT_ITS: none. */
+static uint32_t place_of(const search *c, const run *r, uint32_t corner) {
+  const corners *four = c->all.fours.at + r->first_four;
+  for (uint32_t i = 0; i < 4u * r->fours; i++)
+    if (four[i / 4].corner[i % 4] == corner) return i;
+  return NOT_ITS;
+}
+
+static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /* by places */
+  const uint8_t *place = c->all.places.at + r->first_place;
+  for (uint32_t t = 0; t < r->count; t++, place += 3)
+    if ((place[0] == p || place[1] == p || place[2] == p) && (place[0] == q || place[1] == q || place[2] == q)) return true;
+  return false;
+}
+
+/* Are b's corners beyond a's slab, on one side, but for what they share: corners, and edges between them? In a level run's plane anything may lie, for it stays there. */
+static bool beyond(const search *c, const run *a, const run *b) {
+  uint32_t above = 0, below = 0, in[4 * FOURS]; /* in: which of a's corners one of b's is */
+  uint64_t shared = 0;
+  bool touches = false;
+  const corners *four = c->all.fours.at + b->first_four;
+  for (uint32_t i = 0; i < b->fours; i++) {
+    floats h = heights(a, &four[i]);
+    uint32_t over = bits(h > a->high), under = bits(h < a->low), within = 15 & ~(over | under);
+    above |= over;
+    below |= under;
+    if (above && below) return false;
+    for (; within; within &= within - 1) {
+      uint32_t at = 4 * i + (uint32_t)__builtin_ctz(within), corner = four[i].corner[at % 4];
+      touches = true;
+      if (a->level != NOT_LEVEL && coordinate(c->s->m->vertices[corner], a->level) == a->value) continue;
+      if ((in[at] = place_of(c, a, corner)) == NOT_ITS) return false;
+      shared |= UINT64_C(1) << at;
+    }
+  }
+  if (!(above || below) || (touches && (a->is_low || b->is_low))) return false;
+  const uint8_t *place = c->all.places.at + b->first_place;
+  for (uint32_t t = 0; shared & (shared - 1) && t < b->count; t++, place += 3) {
+    if (shared >> place[0] & shared >> place[1] & shared >> place[2] & 1) return false;
+    for (int i = 0; i < 3; i++) {
+      uint32_t p = place[i], q = place[i == 2 ? 0 : i + 1];
+      if (shared >> p & shared >> q & 1 && !has_edge(c, a, in[p], in[q])) return false;
+    }
+  }
+  return true;
+}
+
+/* The part of a triangle that lies in a slab; its sheet is made when it is asked for. */
+typedef struct { float min[3], max[3]; sheet rounded; uint32_t triangle; bool made; } piece;
+
+static void add_place(piece *p, float x, float y, float z) {
+  float at[3] = { x, y, z };
+  for (int i = 0; i < 3; i++) {
+    p->min[i] = at[i] < p->min[i] ? at[i] : p->min[i];
+    p->max[i] = at[i] > p->max[i] ? at[i] : p->max[i];
+  }
+}
+
+/* Where the edge from i to j goes through the height. */
+static void add_through(piece *p, const corners *four, const float *h, uint32_t i, uint32_t j, float height) {
+  const corners *a = &four[i / 4], *b = &four[j / 4];
+  uint32_t x = i % 4, y = j % 4;
+  if ((h[i] < height) == (h[j] < height)) return;
+  float part = (height - h[i]) / (h[j] - h[i]);
+  add_place(p, a->x[x] + part * (b->x[y] - a->x[x]), a->y[x] + part * (b->y[y] - a->y[x]), a->z[x] + part * (b->z[y] - a->z[x]));
+}
+
+/* The pieces of a run in another's slab. */
+static uint32_t cut(const search *c, const run *r, const run *slab, piece *to) {
+  const corners *four = c->all.fours.at + r->first_four;
+  const uint8_t *place = c->all.places.at + r->first_place;
+  float h[4 * FOURS], low = slab->low, high = slab->high;
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < r->fours; i++) {
+    floats of = heights(slab, &four[i]);
+    memcpy(h + 4 * i, &of, sizeof of);
+  }
+  for (uint32_t t = 0; t < r->count; t++, place += 3) {
+    if ((h[place[0]] > high && h[place[1]] > high && h[place[2]] > high) || (h[place[0]] < low && h[place[1]] < low && h[place[2]] < low)) continue;
+    piece *p = &to[count++];
+    p->triangle = r->first + t;
+    p->made = false;
+    for (int i = 0; i < 3; i++) p->min[i] = INFINITY, p->max[i] = -INFINITY;
+    for (int i = 0; i < 3; i++) {
+      uint32_t at = place[i], next = place[i == 2 ? 0 : i + 1];
+      if (h[at] >= low && h[at] <= high) add_place(p, four[at / 4].x[at % 4], four[at / 4].y[at % 4], four[at / 4].z[at % 4]);
+      add_through(p, four, h, at, next, low);
+      add_through(p, four, h, at, next, high);
+    }
+    for (int i = 0; i < 3; i++) p->min[i] -= c->margin, p->max[i] += c->margin;
+  }
+  return count;
+}
+
+static bool pieces_touch(const piece *a, const piece *b) {
+  return (a->min[0] <= b->max[0]) & (b->min[0] <= a->max[0]) & (a->min[1] <= b->max[1]) & (b->min[1] <= a->max[1]) & (a->min[2] <= b->max[2]) & (b->min[2] <= a->max[2]);
+}
+
+static const sheet *sheet_of(const search *c, piece *p) {
+  if (!p->made) load(c->s, p->triangle, &p->rounded);
+  p->made = true;
+  return &p->rounded;
+}
+
+typedef struct { vs_kernel *k; search *c; size_t at; const run *level; } looking;
+
+static bool try_triangles(looking *l, const sheet *x, const sheet *y, bool sure) {
+  const vs_settling *s = l->c->s;
+  if (x->flat || y->flat || apart(x, y)) return true;
+  if (sure) {
+    sheet p, q;
+    load_exact(s, x->triangle, &p);
+    load_exact(s, y->triangle, &q);
+    if (!apart(&p, &q)) return true; /* they touch as it is */
+  }
+  return VS_PUSH(l->k, l->c->met[l->at].at, ((pair){ x->triangle, y->triangle }));
+}
+
+static bool try_runs(looking *l, const run *a, const run *b) {
+  const search *c = l->c;
+  piece of_a[RUN], of_b[RUN];
+  uint32_t a_count = cut(c, a, b, of_a), b_count = a_count ? cut(c, b, a, of_b) : 0;
+  for (uint32_t i = 0; i < a_count; i++)
+    for (uint32_t j = 0; j < b_count; j++)
+      if (pieces_touch(&of_a[i], &of_b[j]) && !try_triangles(l, sheet_of(c, &of_a[i]), sheet_of(c, &of_b[j]), !a->is_low && !b->is_low)) return false;
+  return true;
+}
+
+static bool look_pair(looking *l, const run *a, const run *b) {
+  if (!vs_kernel_poll(l->k, 1)) return false;
+  float same = a->normal[0] * b->normal[0] + a->normal[1] * b->normal[1] + a->normal[2] * b->normal[2];
+  return (same > ALIKE && !a->is_low && !b->is_low) || beyond(l->c, a, b) || beyond(l->c, b, a) || try_runs(l, a, b);
+}
+
+static bool look_open(void *context, uint32_t first, uint32_t second) {
+  looking *l = context;
+  const run *all = l->c->all.kinds[OPEN].at.at;
+  return look_pair(l, &all[first < second ? first : second], &all[first < second ? second : first]);
+}
+
+static bool look_level(void *context, uint32_t busy) {
+  looking *l = context;
+  return look_pair(l, l->level, &l->c->all.kinds[OPEN].at.at[l->c->busy.at[busy]]);
+}
+
+/* What contracting may touch: the corners of what meets, and those two triangles further. */
+static bool mark_around(vs_settling *s) {
+  for (uint8_t ring = 1; ring <= 2; ring++)
+    for (size_t t = 0; t < s->m->triangle_count; t++) {
+      const uint32_t *v = s->m->triangles[t];
+      bool near = false;
+      for (int i = 0; i < 3; i++) near = near || (s->near_met.at[v[i]] && s->near_met.at[v[i]] <= ring);
+      for (int i = 0; near && !s->gone.at[t] && i < 3; i++)
+        if (!s->near_met.at[v[i]]) s->near_met.at[v[i]] = (uint8_t)(ring + 1);
+      if (!vs_kernel_poll(s->k, 1)) return false;
+    }
+  return true;
+}
+
+enum { BLOCKS = 256, QUERIES = 1024 };
+
+/* First the pairs of open runs, then those of level ones with busy ones. */
+static size_t open_tasks(const search *c) { return ((size_t)vs_bvh_blocks(&c->bvh) + BLOCKS - 1) / BLOCKS; }
+
+static bool look(vs_kernel *k, void *context, size_t index) {
+  search *c = context;
+  const runs *level = &c->all.kinds[LEVEL];
+  looking l = { k, c, index % VS_PIPELINE_WINDOW, NULL };
+  size_t open = open_tasks(c), begin = (index - open) * QUERIES, end = begin + QUERIES;
+  c->met[l.at].at.count = 0;
+  if (index < open) return vs_bvh_pairs(&c->bvh, (uint32_t)index * BLOCKS, ((uint32_t)index + 1) * BLOCKS, look_open, &l) && vs_kernel_report(k, 1);
+  for (size_t i = begin; i < level->at.count && i < end; i++) {
+    l.level = &level->at.at[i];
+    if (!vs_bvh_query(&c->busy_bvh, &level->boxes.at[i], look_level, &l)) return false;
+  }
+  return vs_kernel_report(k, 1);
+}
+
+static bool take(vs_kernel *k, void *context, size_t index) {
+  search *c = context;
+  vs_settling *s = c->s;
+  (void)k;
+  for (size_t i = 0; i < c->met[index % VS_PIPELINE_WINDOW].at.count; i++) {
+    pair p = c->met[index % VS_PIPELINE_WINDOW].at.at[i];
+    for (int end = 0; end < 2; end++) {
+      uint32_t t = end ? p.b : p.a;
+      if (s->listed.at[t] & 2) continue;
+      s->listed.at[t] |= 2;
+      for (int j = 0; j < 3; j++) s->near_met.at[s->m->triangles[t][j]] = 1;
+      if (c->out->met++ == 0) c->out->at = vs_settling_corner(s, s->m->triangles[t][0]);
+    }
+  }
+  return true;
+}
+
+bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
+  enum { LOW = 4 /* twice as many units */, MARGIN = 128 };
+  vs_kernel *k = s->k;
+  vs_vec3 size = vs_v3_sub(s->bounds.max, s->bounds.min);
+  double extent = fmax(fmax(size.x, fmax(size.y, size.z)), 4 * s->coarsest);
+  search c = { .s = s, .out = out, .middle = vs_v3_scale(vs_v3_add(s->bounds.min, s->bounds.max), 0.5), .step = extent > 0 ? extent * 0x1p-28 : 1,
+               .low = LOW * s->coarsest, .margin = (float)(MARGIN * s->coarsest + 16 * 0x1p-24 * extent) };
+  const runs *level = &c.all.kinds[LEVEL], *open = &c.all.kinds[OPEN];
+  out->met = 0;
+  for (size_t t = 0; t < s->m->triangle_count; t++) s->listed.at[t] &= 1;
+  bool ok = vs_kernel_pipeline(k, (s->m->triangle_count + TRIANGLES - 1) / TRIANGLES, make_runs, take_runs, &c);
+  for (int i = 0; i < VS_PIPELINE_WINDOW; i++) drop_made(k, &c.found[i]);
+  ok = ok && vs_bvh_build(k, &c.bvh, open->boxes.at, (uint32_t)open->boxes.count) && vs_bvh_build(k, &c.busy_bvh, c.busy_boxes.at, (uint32_t)c.busy.count) &&
+       vs_kernel_pipeline(k, open_tasks(&c) + (c.busy.count ? (level->at.count + QUERIES - 1) / QUERIES : 0), look, take, &c);
+  for (int i = 0; i < VS_PIPELINE_WINDOW; i++) VS_DROP(k, c.met[i].at);
+  vs_bvh_free(k, &c.bvh);
+  vs_bvh_free(k, &c.busy_bvh);
+  VS_DROP(k, c.busy);
+  VS_DROP(k, c.busy_boxes);
+  drop_made(k, &c.all);
+  return ok && (!out->met || mark_around(s));
+}

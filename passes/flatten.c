@@ -1,0 +1,125 @@
+/* Owns flatten: n-ary unions and intersections of their own kind's members, (a - b) - c as a - (b c), sets of one as their member.
+ *
+ * Only through nodes that are named once: a shared union is a template and stays. Order is kept, and with it the rule that where solids
+ * overlap the earlier one's material wins.
+ *
+ * A set that will dissolve into the one above is passed on as it is and noted; the topmost gathers all below it in one go. So a chain of
+ * n binary unions costs n, not n^2. */
+#include <string.h>
+
+#include "model/store/nodemap.h"
+#include "passes/rewrite.h"
+
+typedef struct {
+  vs_store *store;
+  uint64_t *above;      /* by the old node's number: what kinds of set dissolve where it stands, bits 1 << kind */
+  size_t count;
+  vs_nodemap dissolves; /* new nodes that their parent shall dissolve */
+} vs_flatten;
+
+
+bool vs_flatten_begin(vs_rewrite *w) {
+  const vs_order *o = &w->order;
+  vs_flatten *f = vs_store_realloc(w->store, NULL, 0, sizeof *f);
+  if (!f) return vs_error_memory(w->error, NULL);
+  *f = (vs_flatten){ .store = w->store, .count = o->count, .dissolves = { .store = w->store } };
+  w->state = f;
+  f->above = vs_store_realloc(w->store, NULL, 0, (o->count + 1) * sizeof *f->above);
+  if (!f->above) return vs_error_memory(w->error, NULL);
+  memset(f->above, 0, (o->count + 1) * sizeof *f->above);
+  for (size_t k = 0; k < o->count; k++) {
+    const vs_node *n = o->at[k].node;
+    for (uint32_t i = 0; o->note[k].inner && vs_node_is_set(n) && i < n->child_count; i++)
+      if (vs_order_has(o, n->children[i].node)) f->above[vs_order_of(n->children[i].node)] = UINT64_C(1) << (n->kind == VS_DIFFERENCE && i ? VS_UNION : n->kind);
+  }
+  return true;
+}
+
+void vs_flatten_end(vs_rewrite *w) {
+  vs_flatten *f = w->state;
+  if (!f) return;
+  if (f->above) vs_store_realloc(w->store, f->above, (f->count + 1) * sizeof *f->above, 0);
+  vs_nodemap_free(&f->dissolves);
+  vs_store_realloc(w->store, f, sizeof *f, 0);
+}
+
+/* Will a set of this kind in old's place dissolve into the one set that names it? */
+static bool vs_flatten_fits(const vs_rewrite *w, const vs_flatten *f, const vs_node *old, const vs_node *new) {
+  return new->child_count && vs_rewrite_lone(w, old) && f->above[vs_order_of(old)] >> new->kind & 1;
+}
+
+typedef struct { const vs_ref *at; size_t left; } vs_flatten_run; /* members still to be taken */
+
+/* The members of a set with these kids, all that dissolves dissolved, in order. out NULL: only counts them. False: out of memory. */
+static bool vs_flatten_gather(const vs_flatten *f, const vs_ref *kids, size_t kid_count, vs_ref *out, size_t *count) {
+  size_t room = 16, depth = 1, n = 0;
+  vs_flatten_run *stack = vs_store_realloc(f->store, NULL, 0, room * sizeof *stack);
+  if (!stack) return false;
+  stack[0] = (vs_flatten_run){ kids, kid_count };
+  bool ok = true;
+  while (ok && depth) {
+    vs_flatten_run *top = &stack[depth - 1];
+    if (!top->left) {
+      depth--;
+      continue;
+    }
+    vs_ref at = *top->at++;
+    top->left--;
+    if (!vs_nodemap_get(&f->dissolves, at.node)) {
+      if (out) out[n] = at;
+      n++;
+      continue;
+    }
+    if (depth == room) {
+      vs_flatten_run *grown = vs_store_realloc(f->store, stack, room * sizeof *stack, 2 * room * sizeof *stack);
+      ok = grown != NULL;
+      if (!ok) break;
+      stack = grown;
+      room *= 2;
+    }
+    stack[depth++] = (vs_flatten_run){ at.node->children, at.node->child_count };
+  }
+  vs_store_realloc(f->store, stack, room * sizeof *stack, 0);
+  *count = n;
+  return ok;
+}
+
+static vs_node *vs_flatten_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
+  const vs_flatten *f = w->state;
+  bool plain = true;
+  for (uint32_t i = 0; plain && kids != n->children && i < n->child_count; i++) plain = !vs_nodemap_get(&f->dissolves, kids[i].node);
+  if (plain) return vs_rewrite_keep(w, n, kids);
+  size_t count;
+  if (!vs_flatten_gather(f, kids, n->child_count, NULL, &count)) return NULL;
+  vs_ref *all = vs_store_realloc(w->store, NULL, 0, (count ? count : 1) * sizeof *all);
+  if (!all) return NULL;
+  size_t filled;
+  vs_node *flat = vs_flatten_gather(f, kids, n->child_count, all, &filled) ? vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), all, count) : NULL;
+  vs_store_realloc(w->store, all, (count ? count : 1) * sizeof *all, 0);
+  w->changed++;
+  return flat;
+}
+
+vs_node *vs_pass_flatten(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
+  vs_flatten *f = w->state;
+  if (!vs_node_is_set(n)) return vs_rewrite_keep(w, n, kids);
+  /* A set of one is its member: but the union of one closed curve is a region */
+  bool one = n->child_count == 1 && kids[0].node->class_ == n->class_ && !vs_nodemap_get(&f->dissolves, kids[0].node);
+  vs_node *new;
+  if (one) {
+    *origin = kids[0].origin;
+    w->changed++;
+    new = vs_node_retain(kids[0].node);
+    /* The member takes the set's place, and dissolves there if nobody else names it. */
+    if (!vs_rewrite_lone(w, n->children[0].node) || !vs_flatten_fits(w, f, n, new)) return new;
+  } else if (vs_flatten_fits(w, f, n, n)) {
+    new = vs_rewrite_keep(w, n, kids);
+  } else {
+    return vs_flatten_set(w, n, kids);
+  }
+  if (new && !vs_nodemap_put(&f->dissolves, new, NULL)) {
+    vs_node_release(new);
+    new = NULL;
+  }
+  return new;
+}

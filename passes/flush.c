@@ -1,0 +1,304 @@
+/* Facets tell what is flush: every part's triangles at a coarse fixed fineness, each plane once, as four whole numbers; equal numbers are one plane. That finds
+ * round walls too, where they lie in each other, since equal round parts have equal facets. Parts whose boxes do not meet do not matter.
+ *
+ * What is flush grows: an operand's parts one by one, each in its own coordinates, so that all its faces move outwards. In a difference only what is cut
+ * away grows, so nothing that stays moves: what is flush with what it cuts, and what meets an earlier cutter face to face; in an intersection one of each two
+ * that are flush. Solids on an axis grow as what they are, others about their middle: walls that look towards it, of a shape with notches, come out a little short.
+ *
+ * Cost: the facets of each distinct difference, once, and a sort. */
+#include "passes/flush.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "geometry/measure/node_measures.h"
+#include "geometry/parts.h"
+#include "geometry/tessellate.h"
+#include "passes/rewrite.h"
+#include "model/store/array.h"
+
+enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* of one set; beyond, everything in it counts as flush */
+
+typedef struct { int64_t key[4]; uint32_t turned, operand, part; } face_plane; /* turned: the face looks against the key's normal */
+typedef struct { const vs_node *node; vs_affine placed; } place; /* on the way down to parts */
+
+typedef struct {
+  face_plane *planes;
+  size_t count, room;
+  vs_bounds *boxes; /* of parts */
+  size_t part_count, part_room;
+  place *todo;
+  size_t todo_count, todo_room;
+  double step;      /* of a plane's distance */
+  vs_vec3 middle;
+} flush;
+
+static void flush_free(flush *f) {
+  free(f->planes);
+  free(f->boxes);
+  free(f->todo);
+}
+
+static int compare_planes(const void *p, const void *q) {
+  const face_plane *a = p, *b = q;
+  for (int i = 0; i < 4; i++)
+    if (a->key[i] != b->key[i]) return a->key[i] < b->key[i] ? -1 : 1;
+  if (a->turned != b->turned) return a->turned < b->turned ? -1 : 1;
+  if (a->operand != b->operand) return a->operand < b->operand ? -1 : 1;
+  return a->part < b->part ? -1 : a->part > b->part;
+}
+
+static bool same_plane(const face_plane *a, const face_plane *b) { return memcmp(a->key, b->key, sizeof a->key) == 0; }
+
+/* Of both sides the same. Whole numbers by rounding at places that no model chooses: what differs by rounding alone lies on one side of them, all but surely. */
+static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
+  vs_vec3 n = vs_v3_unit(normal);
+  double first = fabs(n.x) > 1e-7 ? n.x : fabs(n.y) > 1e-7 ? n.y : n.z, h;
+  if (!(vs_v3_length(n) > 0.5)) return true;
+  bool turned = first < 0;
+  if (turned) n = vs_v3_scale(n, -1);
+  h = vs_v3_dot(n, vs_v3_sub(at, f->middle)) / f->step;
+  if (!(fabs(h) < 1e15)) return true;
+  if (!VS_GROW(f->planes, f->room, f->count + 1)) return false;
+  f->planes[f->count++] = (face_plane){ { (int64_t)floor(n.x * 1e6 + 0.3137), (int64_t)floor(n.y * 1e6 + 0.3137), (int64_t)floor(n.z * 1e6 + 0.3137), (int64_t)floor(h + 0.3137) },
+                                        turned, operand, (uint32_t)(f->part_count - 1) };
+  return true;
+}
+
+/* The planes of what is no set, each once. What cannot be meshed here has none. */
+static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32_t operand) {
+  static const vs_facets coarse = { 1e300, 32 };
+  vs_mesh mesh = { 0 };
+  vs_error ignored = { 0 };
+  size_t from = f->count;
+  if (!VS_GROW(f->boxes, f->part_room, f->part_count + 1)) return false;
+  vs_bounds *box = &f->boxes[f->part_count++];
+  *box = vs_bounds_empty();
+  if (n->kind == VS_HALF_SPACE) { /* the normal of a plane turns with the inverse's transpose; two directions in it are simpler */
+    vs_vec3 normal = vs_v3_unit(VS_AS(half_space, n)->normal), u = vs_v3_unit(vs_v3_cross(normal, fabs(normal.z) < 0.5 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0))), v = vs_v3_cross(normal, u);
+    vs_vec3 o = VS_AS(half_space, n)->point, p = vs_affine_point(placed, o);
+    *box = (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) };
+    return add_plane(f, vs_v3_cross(vs_v3_sub(vs_affine_point(placed, vs_v3_add(o, u)), p), vs_v3_sub(vs_affine_point(placed, vs_v3_add(o, v)), p)), p, operand);
+  }
+  if (n->class_ != VS_SOLID || n->flags & (VS_NODE_UNRESOLVED | VS_NODE_SUGAR) || !vs_tessellate(n, &coarse, &mesh, &ignored)) return vs_mesh_free(&mesh), true;
+  bool ok = true;
+  for (size_t i = 0; i < mesh.vertex_count; i++) {
+    mesh.vertices[i] = vs_affine_point(placed, mesh.vertices[i]);
+    vs_bounds_add(box, mesh.vertices[i]);
+  }
+  for (size_t i = 0; ok && i < mesh.triangle_count; i++) {
+    vs_vec3 a = mesh.vertices[mesh.triangles[i][0]], b = mesh.vertices[mesh.triangles[i][1]], c = mesh.vertices[mesh.triangles[i][2]];
+    ok = add_plane(f, vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)), a, operand);
+  }
+  vs_mesh_free(&mesh);
+  if (f->count > from) qsort(f->planes + from, f->count - from, sizeof *f->planes, compare_planes);
+  size_t kept = from;
+  for (size_t i = from; i < f->count; i++)
+    if (i == from || f->planes[i].turned != f->planes[kept - 1].turned || !same_plane(&f->planes[i], &f->planes[kept - 1])) f->planes[kept++] = f->planes[i];
+  f->count = kept;
+  return ok;
+}
+
+/* All parts of an operand, those of sets in it too. *too_many: the limit is reached. */
+static bool add_operand(flush *f, const vs_node *operand, uint32_t number, bool *too_many) {
+  f->todo_count = 0;
+  if (!VS_GROW(f->todo, f->todo_room, 1)) return false;
+  f->todo[f->todo_count++] = (place){ operand, vs_affine_identity() };
+  while (f->todo_count > 0 && !*too_many) {
+    place at = f->todo[--f->todo_count];
+    const vs_node *n = at.node;
+    bool set = vs_node_is_set(n);
+    if (!set && n->kind != VS_TRANSFORM && !vs_node_is_dress(n)) {
+      if (!add_part(f, n, &at.placed, number)) return false;
+      *too_many = f->part_count >= PARTS_MOST;
+      continue;
+    }
+    if (n->kind == VS_TRANSFORM) at.placed = vs_affine_multiply(&at.placed, &VS_AS(transform, n)->matrix);
+    if (!VS_GROW(f->todo, f->todo_room, f->todo_count + n->child_count)) return false;
+    for (uint32_t i = 0; i < n->child_count; i++) f->todo[f->todo_count++] = (place){ n->children[i].node, at.placed };
+  }
+  return true;
+}
+
+static bool boxes_meet(const vs_bounds *a, const vs_bounds *b, double slack) {
+  return a->min.x - slack <= b->max.x && b->min.x - slack <= a->max.x && a->min.y - slack <= b->max.y && b->min.y - slack <= a->max.y && a->min.z - slack <= b->max.z &&
+         b->min.z - slack <= a->max.z;
+}
+
+/* Marks operands that share a plane with an earlier one: any of an intersection; of a difference with the first, and with a cutter that they meet face to face (POV-Ray keeps
+ * a skin between two such). */
+static void mark(flush *f, bool difference, unsigned char *marked, size_t operands) {
+  size_t pairs = 0;
+  if (f->count > 0) qsort(f->planes, f->count, sizeof *f->planes, compare_planes);
+  for (size_t i = 0, end, turned; i < f->count; i = end) {
+    for (end = i + 1; end < f->count && same_plane(&f->planes[i], &f->planes[end]);) end++;
+    for (turned = i; turned < end && !f->planes[turned].turned;) turned++;
+    for (size_t a = i; a < end; a++) {
+      bool cutter = difference && f->planes[a].operand > 0;
+      for (size_t b = !difference ? a + 1 : !cutter ? i : a < turned ? turned : end; b < end; b++) {
+        if (++pairs > PAIRS_MOST) {
+          memset(marked + 1, 1, operands - 1);
+          return;
+        }
+        const face_plane *p = &f->planes[a], *q = &f->planes[b];
+        uint32_t later = p->operand > q->operand ? p->operand : q->operand;
+        if (p->operand != q->operand && !marked[later]) marked[later] = boxes_meet(&f->boxes[p->part], &f->boxes[q->part], f->step);
+      }
+    }
+  }
+}
+
+/* ---- growing ---- */
+
+/* The middle of what has a mesh, else of its box; and its box. False: nothing to grow. */
+static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle) {
+  static const vs_facets coarse = { 1e300, 32 };
+  vs_mesh mesh = { 0 };
+  vs_error ignored = { 0 };
+  vs_vec3 sum = vs_v3(0, 0, 0);
+  bool set = vs_node_is_set(n) || n->kind == VS_SLICE || n->flags & (VS_NODE_UNRESOLVED | VS_NODE_SUGAR);
+  if (!vs_node_bounds(n, b, &ignored) || vs_bounds_is_empty(b) || !isfinite(vs_bounds_diagonal(b))) return false;
+  *middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5);
+  if (!set && vs_tessellate(n, &coarse, &mesh, &ignored) && mesh.vertex_count > 0) {
+    for (size_t i = 0; i < mesh.vertex_count; i++) sum = vs_v3_add(sum, vs_v3_scale(mesh.vertices[i], 1 / (double)mesh.vertex_count));
+    *middle = sum;
+  }
+  vs_mesh_free(&mesh);
+  return true;
+}
+
+/* Solid n, no placement, with all its faces moved outwards by about `by`. NULL: out of memory. */
+static vs_node *grown_part(vs_ref ref, double by) {
+  vs_node *n = ref.node;
+  vs_store *s = n->store;
+  vs_vec3 all = vs_v3(by, by, by);
+  switch ((vs_kind)n->kind) {
+    case VS_BOX: {
+      const struct vs_box *b = VS_AS(box, n);
+      return vs_node_new(s, VS_BOX, &(struct vs_box){ .p = vs_v3_sub(b->p, all), .q = vs_v3_add(b->q, all) }, NULL, 0);
+    }
+    case VS_SPHERE: {
+      struct vs_sphere b = *VS_AS(sphere, n);
+      b.radius += by;
+      return vs_node_new(s, VS_SPHERE, &b, NULL, 0);
+    }
+    case VS_TORUS: {
+      struct vs_torus b = *VS_AS(torus, n);
+      b.tube_radius = fmin(b.tube_radius + by, b.radius);
+      return vs_node_new(s, VS_TORUS, &b, NULL, 0);
+    }
+    case VS_CYLINDER: {
+      struct vs_cylinder b = *VS_AS(cylinder, n);
+      vs_vec3 along = vs_v3_scale(vs_v3_unit(vs_v3_sub(b.top, b.base)), by);
+      b.base = vs_v3_sub(b.base, along), b.top = vs_v3_add(b.top, along), b.radius += by;
+      return vs_node_new(s, VS_CYLINDER, &b, NULL, 0);
+    }
+    case VS_CONE: {
+      struct vs_cone b = *VS_AS(cone, n);
+      vs_vec3 axis = vs_v3_sub(b.apex, b.base), along = vs_v3_scale(vs_v3_unit(axis), by);
+      b.base = vs_v3_sub(b.base, along), b.radius += 2 * by, b.apex = vs_v3_add(b.apex, vs_v3_scale(along, fmin(1e3, 1 + vs_v3_length(axis) / b.radius)));
+      return vs_node_new(s, VS_CONE, &b, NULL, 0);
+    }
+    case VS_CUT_CONE: {
+      struct vs_cut_cone b = *VS_AS(cut_cone, n);
+      vs_vec3 along = vs_v3_scale(vs_v3_unit(vs_v3_sub(b.top, b.base)), by);
+      b.base = vs_v3_sub(b.base, along), b.top = vs_v3_add(b.top, along), b.base_radius += 2 * by, b.top_radius += 2 * by;
+      return vs_node_new(s, VS_CUT_CONE, &b, NULL, 0);
+    }
+    case VS_HALF_SPACE: {
+      struct vs_half_space b = *VS_AS(half_space, n);
+      b.point = vs_v3_sub(b.point, vs_v3_scale(vs_v3_unit(b.normal), by));
+      return vs_node_new(s, VS_HALF_SPACE, &b, NULL, 0);
+    }
+    case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_REGION: case VS_TEXT:
+    case VS_WEDGE: case VS_E_CONE: case VS_PYRAMID: case VS_SUPERELLIPSOID: case VS_HEIGHT_FIELD: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
+    case VS_THICKEN: case VS_SLICE: case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
+    case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_NATIVE: case VS_CUSTOM:
+    case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_HULL: case VS_KIND_COUNT: break;
+  }
+  vs_bounds b;
+  vs_vec3 middle;
+  if (!middle_of(n, &b, &middle)) return vs_node_retain(n);
+  vs_vec3 d = vs_v3_sub(b.max, b.min);
+  vs_vec3 more = vs_v3(1 + 2 * by / fmax(d.x, by), 1 + 2 * by / fmax(d.y, by), 1 + 2 * by / fmax(d.z, by));
+  return vs_node_new(s, VS_TRANSFORM, &(struct vs_transform){ .matrix = vs_affine_scaling(middle, more) }, &ref, 1);
+}
+
+/* How much longer a placement makes things: the cube root of its volume. */
+static double lengthens(const vs_affine *a) {
+  vs_vec3 x = vs_v3(a->m[0][0], a->m[1][0], a->m[2][0]), y = vs_v3(a->m[0][1], a->m[1][1], a->m[2][1]), z = vs_v3(a->m[0][2], a->m[1][2], a->m[2][2]);
+  return cbrt(fabs(vs_v3_dot(x, vs_v3_cross(y, z))));
+}
+
+/* One part, within its placements and paint. */
+static vs_node *grown_placed(vs_ref part, double by) {
+  vs_ref at = part;
+  while (vs_is_wrapper(at.node)) {
+    if (at.node->kind == VS_TRANSFORM) {
+      double longer = lengthens(&VS_AS(transform, at.node)->matrix);
+      if (longer > 0) by /= longer;
+    }
+    at = at.node->children[0];
+  }
+  vs_node *core = grown_part(at, by);
+  if (!core) return NULL;
+  vs_node *made = vs_parts_within(part, (vs_ref){ core, at.origin });
+  vs_node_release(core);
+  return made;
+}
+
+static vs_node *grown(vs_ref operand, double by) {
+  vs_ref *parts;
+  size_t count;
+  if (!vs_several_parts(operand, &parts, &count)) return NULL;
+  bool ok = true;
+  for (size_t i = 0; ok && i < count; i++) {
+    vs_node *part = grown_placed(parts[i], by);
+    ok = part != NULL;
+    if (ok) vs_node_release(parts[i].node), parts[i].node = part;
+  }
+  vs_node *made = !ok ? NULL : count == 1 ? vs_node_retain(parts[0].node) : vs_node_new(operand.node->store, VS_UNION, &(struct vs_union){ 0 }, parts, count);
+  vs_several_free(parts, count);
+  return made;
+}
+
+/* ---- the pass ---- */
+
+static vs_node *part_flush(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
+  (void)origin;
+  if ((n->kind != VS_DIFFERENCE && n->kind != VS_INTERSECTION) || n->class_ != VS_SOLID || n->child_count < 2) return vs_rewrite_keep(w, n, kids);
+  vs_bounds reach;
+  vs_error ignored = { 0 };
+  double diagonal = vs_node_bounds(n->kind == VS_DIFFERENCE ? kids[0].node : n, &reach, &ignored) ? vs_bounds_diagonal(&reach) : 0;
+  if (!(diagonal > 0) || !isfinite(diagonal)) return vs_rewrite_keep(w, n, kids);
+  flush f = { .step = 1e-7 * diagonal, .middle = vs_v3_scale(vs_v3_add(reach.min, reach.max), 0.5) };
+  unsigned char *marked = calloc(n->child_count, 1);
+  vs_ref *now = malloc(n->child_count * sizeof *now);
+  bool ok = marked && now, too_many = false, any = false;
+  for (uint32_t i = 0; ok && i < n->child_count; i++) ok = add_operand(&f, kids[i].node, i, &too_many);
+  if (ok && too_many) memset(marked + 1, 1, n->child_count - 1);
+  else if (ok) mark(&f, n->kind == VS_DIFFERENCE, marked, n->child_count);
+  flush_free(&f);
+  uint32_t made = 0;
+  for (; ok && made < n->child_count; made++) {
+    now[made] = kids[made];
+    any = any || marked[made];
+    /* of an intersection each by another amount: they may be flush with each other */
+    if (!marked[made]) vs_node_retain(kids[made].node);
+    else if (!(now[made].node = grown(kids[made], diagonal * 0x1p-16 * (n->kind == VS_DIFFERENCE ? 1 : made)))) ok = false;
+    if (!ok) break;
+  }
+  vs_node *result = !ok ? NULL : any ? vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), now, n->child_count) : vs_rewrite_keep(w, n, kids);
+  w->changed += ok && any;
+  for (uint32_t i = 0; i < made; i++) vs_node_release(now[i].node);
+  free(marked);
+  free(now);
+  return result;
+}
+
+bool vs_scene_part_flush(vs_scene *scene, vs_error *e) {
+  if (scene->drawn_count == 0) return true;
+  vs_rewrite w = { .store = scene->store, .error = e };
+  return vs_rewrite_alone(&w, part_flush, scene->drawn, scene->drawn_count);
+}

@@ -1,0 +1,24 @@
+/* Owns the passes as a drawing is given them before it is written. */
+#include "passes/optimise.h"
+
+#include "geometry/measure/node_measures.h"
+
+/* Samples that a pass asks for in vain must not stop the drawing: what has no bounds is everywhere, and its own error comes when it is meshed. */
+static bool vs_optimise_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
+  if (vs_bounds_memo_get(context, n, out, &why)) return true;
+  if (why.kind != VS_ERROR_MODEL) {
+    if (e) *e = why;
+    return false;
+  }
+  *out = (vs_bounds){ { -INFINITY, -INFINITY, -INFINITY }, { INFINITY, INFINITY, INFINITY } };
+  return true;
+}
+
+bool vs_scene_optimise(vs_scene *scene, unsigned passes, vs_pass_stats *stats, vs_error *e) {
+  vs_bounds_memo memo = { .places = { .store = scene->store } };
+  vs_pass_options options = { passes, vs_optimise_bounds, &memo };
+  bool ok = vs_passes_run(scene->store, scene->drawn, scene->drawn_count, &options, stats, e);
+  vs_bounds_memo_free(&memo);
+  return ok;
+}

@@ -1,0 +1,66 @@
+/* Owns prune: what is empty goes, what cannot meet is neither cut nor intersected.
+ *
+ * Bounds are of samples where a shape is curved, so both sides are given a thousandth of their size before they count as apart. */
+#include "passes/rewrite.h"
+
+static bool vs_prune_empty(const vs_node *n) { return n->kind == VS_EMPTY; }
+
+static vs_node *vs_prune_to_nothing(vs_rewrite *w) {
+  w->changed++;
+  return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
+}
+
+/* *apart: a and b certainly have no point in common. False: failed. */
+static bool vs_prune_apart(const vs_rewrite *w, const vs_node *a, const vs_node *b, bool *apart) {
+  vs_bounds p, q;
+  *apart = false;
+  if (!w->options->bounds || a->class_ != VS_SOLID || b->class_ != VS_SOLID) return true;
+  if (!w->options->bounds(w->options->context, a, &p, w->error) || !w->options->bounds(w->options->context, b, &q, w->error)) return false;
+  double slack = 1e-3 * (vs_bounds_diagonal(&p) + vs_bounds_diagonal(&q));
+  *apart = p.min.x - slack > q.max.x || q.min.x - slack > p.max.x || p.min.y - slack > q.max.y || q.min.y - slack > p.max.y ||
+           p.min.z - slack > q.max.z || q.min.z - slack > p.max.z;
+  return true;
+}
+
+vs_node *vs_pass_prune(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
+  switch ((vs_kind)n->kind) {
+    case VS_REVOLVE:
+    case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_SLICE:
+    case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
+      return n->child_count && vs_prune_empty(kids[0].node) ? vs_prune_to_nothing(w) : vs_rewrite_keep(w, n, kids);
+    case VS_UNION:
+      if (!w->order.empty && n->child_count && (kids == n->children || !w->changed)) return vs_rewrite_keep(w, n, kids); /* nothing was or became empty */
+      break;
+    case VS_INTERSECTION: case VS_DIFFERENCE: break;
+    case VS_JOIN: case VS_XLINE: case VS_RAY:
+    case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_HULL:
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
+    case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
+    case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_KIND_COUNT:
+    case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
+      return vs_rewrite_keep(w, n, kids);
+  }
+  size_t kept = 0;
+  vs_ref *all = vs_store_realloc(w->store, NULL, 0, (n->child_count + (size_t)1) * sizeof *all);
+  if (!all) return NULL;
+  bool nothing = n->child_count == 0, ok = true;
+  for (uint32_t i = 0; ok && !nothing && i < n->child_count; i++) {
+    bool empty = vs_prune_empty(kids[i].node), apart = false;
+    if (n->kind != VS_UNION && !empty && i) ok = vs_prune_apart(w, kids[0].node, kids[i].node, &apart);
+    if (n->kind == VS_INTERSECTION && (empty || apart)) nothing = true;
+    else if (n->kind == VS_DIFFERENCE && i == 0 && empty) nothing = true;
+    else if (!empty && !apart) all[kept++] = kids[i];
+  }
+  vs_node *result = NULL;
+  if (ok && (nothing || !kept)) result = vs_prune_to_nothing(w);
+  else if (ok && kept == n->child_count) result = vs_rewrite_keep(w, n, kids);
+  else if (ok) {
+    w->changed++;
+    if (kept == 1 && all[0].node->class_ == n->class_) {
+      *origin = all[0].origin;
+      result = vs_node_retain(all[0].node);
+    } else result = vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), all, kept);
+  }
+  vs_store_realloc(w->store, all, (n->child_count + (size_t)1) * sizeof *all, 0);
+  return result;
+}

@@ -1,0 +1,150 @@
+/* Owns the one loop that all passes are run by: every distinct node once, children first, results remembered; and the counting of commands. */
+#include "passes/rewrite.h"
+
+typedef struct { vs_node *node; const vs_origin *origin; } vs_rewritten; /* what a node became; origin NULL: that of each reference */
+
+const vs_pass_info *vs_pass_get(vs_pass_kind pass) {
+  static const vs_pass_info passes[] = {
+#define VS_PASS(upper, lower, doc) { #lower, doc },
+#include "passes/passes.def"
+  };
+  return &passes[pass];
+}
+
+bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old) { return vs_order_uses(&w->order, old) == 1; }
+
+/* ---- rewriting ---- */
+
+vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
+  bool same = true;
+  for (uint32_t i = 0; same && kids != n->children && i < n->child_count; i++) same = kids[i].node == n->children[i].node;
+  return same ? vs_node_retain((vs_node *)(uintptr_t)n) : vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), kids, n->child_count);
+}
+
+static vs_ref vs_rewritten_ref(const vs_rewrite *w, const vs_rewritten *results, vs_ref old) {
+  if (!vs_order_has(&w->order, old.node)) return old; /* a lone leaf */
+  const vs_rewritten *new = &results[vs_order_of(old.node)];
+  return (vs_ref){ new->node, new->origin ? new->origin : old.origin };
+}
+
+static bool vs_rewrite_node(vs_rewrite *w, vs_rewrite_fn *fn, size_t index, vs_rewritten *results, vs_ref *room) {
+  vs_ref at = w->order.at[index];
+  vs_error *e = w->error;
+  const vs_ref *kids = at.node->children;
+  if (w->order.note[index].inner) {
+    for (uint32_t i = 0; i < at.node->child_count; i++) room[i] = vs_rewritten_ref(w, results, at.node->children[i]);
+    kids = room;
+  }
+  results[index].origin = NULL;
+  results[index].node = fn(w, at.node, kids, &results[index].origin);
+  if (w->order.note[index].uses > 1) results[index].origin = NULL; /* several calls named it: each keeps its own */
+  if (results[index].node) return true;
+  if (e->kind == VS_ERROR_NONE) vs_error_memory(e, at.origin);
+  if (!e->origin) e->origin = at.origin;
+  return false;
+}
+
+bool vs_rewrite_run(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count) {
+  size_t nodes = w->order.count, widest = 1, done = 0;
+  for (size_t i = 0; i < nodes; i++)
+    if (w->order.note[i].inner && w->order.at[i].node->child_count > widest) widest = w->order.at[i].node->child_count;
+  vs_rewritten *results = vs_store_realloc(w->store, NULL, 0, (nodes + 1) * sizeof *results);
+  vs_ref *kids = vs_store_realloc(w->store, NULL, 0, widest * sizeof *kids);
+  bool ok = (results && kids) || vs_error_memory(w->error, NULL);
+  while (ok && done < nodes && (ok = vs_store_going(w->store, VS_NODE_WORK, w->error) && vs_rewrite_node(w, fn, done, results, kids))) done++;
+  for (size_t i = 0; ok && i < count; i++) {
+    vs_ref new = vs_rewritten_ref(w, results, refs[i]);
+    kids[0] = refs[i];
+    refs[i] = (vs_ref){ vs_node_retain(new.node), new.origin };
+    vs_node_release(kids[0].node);
+  }
+  for (size_t i = 0; i < done; i++) vs_node_release(results[i].node);
+  if (results) vs_store_realloc(w->store, results, (nodes + 1) * sizeof *results, 0);
+  if (kids) vs_store_realloc(w->store, kids, widest * sizeof *kids, 0);
+  return ok;
+}
+
+bool vs_rewrite_alone(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count) {
+  w->order = (vs_order){ .store = w->store };
+  bool ok = vs_order_make(&w->order, refs, count, w->error) && vs_rewrite_run(w, fn, refs, count);
+  vs_order_free(&w->order);
+  return ok;
+}
+
+/* ---- counting ---- */
+
+static double vs_order_commands(const vs_order *o, size_t drawn) {
+  double commands = (drawn > 1 ? (double)(drawn - 1) : 0) + (double)o->lone; /* the drawing is the union of what was drawn */
+  for (size_t i = 0; i < o->count; i++) {
+    const vs_node *n = o->at[i].node;
+    switch (vs_kind_get((vs_kind)n->kind)->level) {
+      case VS_LEVEL_MESH: case VS_LEVEL_FLAT: case VS_LEVEL_CURVED: case VS_LEVEL_SWEPT: case VS_LEVEL_SUGAR: commands += n->kind == VS_EMPTY ? 0 : 1; break;
+      case VS_LEVEL_OPERATION:
+        if (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) commands += 1;
+        else if (n->child_count > 1) commands += n->child_count - 1;
+        break;
+    }
+    if (o->note[i].uses > 1) commands += 1 + (double)o->note[i].uses;
+  }
+  return commands;
+}
+
+bool vs_commands_count(vs_store *s, const vs_ref *refs, size_t count, double *commands, vs_error *e) {
+  vs_order o = { .store = s };
+  if (!vs_order_make(&o, refs, count, e)) return false;
+  *commands = vs_order_commands(&o, count);
+  vs_order_free(&o);
+  return true;
+}
+
+/* ---- all of them ---- */
+
+static bool vs_pass_once(vs_pass_kind k, vs_rewrite *w, vs_ref *refs, size_t count) {
+  static vs_rewrite_fn *const passes[] = {
+#define VS_PASS(upper, lower, doc) vs_pass_##lower,
+#include "passes/passes.def"
+  };
+  bool ok = k == VS_PASS_SHARE ? vs_share_begin(w) : k == VS_PASS_FLATTEN ? vs_flatten_begin(w) : k != VS_PASS_FOLD || vs_fold_begin(w);
+  ok = ok && (w->idle || vs_rewrite_run(w, passes[k], refs, count));
+  if (k == VS_PASS_SHARE) vs_share_end(w);
+  if (k == VS_PASS_FLATTEN) vs_flatten_end(w);
+  if (k == VS_PASS_FOLD) vs_fold_end(w);
+  return ok;
+}
+
+bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_pass_stats *stats, vs_error *e) {
+  vs_error local;
+  if (!e) e = &local;
+  e->kind = VS_ERROR_NONE;
+  if (stats) *stats = (vs_pass_stats){ 0 };
+  vs_ref *work = vs_store_realloc(s, NULL, 0, (count ? count : 1) * sizeof *work);
+  if (!work) return vs_error_memory(e, NULL);
+  for (size_t i = 0; i < count; i++) {
+    work[i] = refs[i];
+    vs_node_retain(work[i].node);
+  }
+  vs_order order = { .store = s };
+  bool ok = vs_order_make(&order, work, count, e);
+  if (ok && stats) stats->commands_before = vs_order_commands(&order, count);
+  bool nests = false;
+  for (int k = 0; ok && k < VS_PASS_COUNT; k++) {
+    if (!(options->passes >> k & 1)) continue;
+    vs_rewrite w = { .store = s, .options = options, .error = e, .order = order };
+    ok = vs_pass_once((vs_pass_kind)k, &w, work, count);
+    if (stats) stats->changed[k] += w.changed;
+    if (ok && w.changed) ok = vs_order_make(&order, work, count, e); /* else the drawing is what it was, node for node */
+    if (k == VS_PASS_FOLD && w.nests && !nests && options->passes >> VS_PASS_FLATTEN & 1) {
+      nests = true;
+      k = VS_PASS_FLATTEN - 1; /* once more from there: what was between sets is gone */
+    }
+  }
+  if (ok && stats) stats->commands_after = vs_order_commands(&order, count);
+  vs_order_free(&order);
+  for (size_t i = 0; i < count; i++) {
+    vs_ref drop = ok ? refs[i] : work[i];
+    if (ok) refs[i] = work[i];
+    vs_node_release(drop.node);
+  }
+  vs_store_realloc(s, work, (count ? count : 1) * sizeof *work, 0);
+  return ok;
+}

@@ -1,0 +1,45 @@
+/* Owns, for model/passes/ and passes/flush.c, the one loop that all passes are run by. */
+#ifndef VS_MODEL_PASSES_REWRITE_H
+#define VS_MODEL_PASSES_REWRITE_H
+
+#include "model/order.h"
+#include "passes/passes.h"
+
+typedef struct vs_rewrite vs_rewrite;
+enum { VS_NODE_WORK = 1 << 14 }; /* what a pass does for a node, told to vs_store_going: it may have thousands of points */
+/* What becomes of n, whose children have become kids (to be read only). Returns a new reference, NULL when out of memory. *origin: set it
+ * where the result is one of the kids, whose call site then goes with it. A pass that has nothing to say returns vs_rewrite_keep. */
+typedef vs_node *vs_rewrite_fn(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin);
+
+struct vs_rewrite {
+  vs_store *store;
+  const vs_pass_options *options;
+  void *state;      /* the pass's own */
+  vs_error *error;  /* a pass that returns NULL has set it, or memory ran out */
+  vs_order order;   /* of the drawing before the pass */
+  size_t changed;
+  bool nests;       /* fold: a placement has gone from round a set, which may be a member of its kind of set now */
+  bool idle;        /* its begin has seen that it would change nothing */
+};
+
+bool vs_rewrite_run(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count); /* w->order is of these references */
+bool vs_rewrite_alone(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count); /* makes and frees the order itself */
+vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids); /* n itself if its kids are its own, else a copy with kids */
+bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old); /* named once: no template */
+/* Lone leaves (order.h) are not shown to a pass. Where a node has no other children, kids are the node's own array. */
+
+vs_rewrite_fn vs_pass_flatten, vs_pass_fold, vs_pass_prune, vs_pass_share;
+/* The primitive n under a; NULL: with *fits false where that is no primitive of its kind, else out of memory. */
+vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, bool *fits);
+/* Does a only shift, and make all alike larger or smaller? */
+bool vs_fold_is_upright(const vs_affine *a);
+bool vs_fold_begin(vs_rewrite *w); /* makes w->state */
+void vs_fold_end(vs_rewrite *w);
+bool vs_flatten_begin(vs_rewrite *w); /* makes w->state */
+void vs_flatten_end(vs_rewrite *w);
+/* Is b a turned, mirrored and moved, within near? *turn: the map. *work grows by what it cost, in points. False with *starved: out of memory. */
+bool vs_turn_find(vs_store *s, const vs_node *a, const vs_node *b, double near, vs_affine *turn, size_t *work, bool *starved);
+bool vs_share_begin(vs_rewrite *w); /* makes w->state */
+void vs_share_end(vs_rewrite *w);
+
+#endif

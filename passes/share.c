@@ -1,0 +1,468 @@
+/* Owns share: subtrees that are equal but for their place become one template and its placements; so do those that are turned or mirrored (turn.c).
+ *
+ * Each distinct node gets an anchor, a point of it that moves along when it is moved, and a key of 128 bits: a hash of kind, fields and
+ * children's keys in which every position stands relative to the anchor. Equal keys are equal shapes (two that differ meet in one key once
+ * in 2^64 models; nothing else is compared). The same part written at two places differs by rounding: of positions that lie within 2^-40 of
+ * the largest number the first one met stands for all in the hash (a grid alone would part the neighbours on either side of a
+ * step, and a tree of a thousand numbers has such a pair soon); other numbers go to 40 bits in the same way.
+ *
+ * What is only moved, and a set of one, is the shape within: it has that one's key, and no copy of its own.
+ *
+ * Only what stands a second time needs a key. Nodes know their form, a hash without numbers and places: where no other node has a set's form, and it
+ * lies in none that is looked at, nothing of it is looked at. So a million primitives in one set cost nothing here.
+ *
+ * Keys are made twice. The first ones see no more than some points of each array: nearly all shapes of a thousand points differ in these. Where two are equal,
+ * whole ones are made.
+ *
+ * d copies of c commands cost d*c apart and c + 2*d with a template, d uses and d - 1 placements: shared where that is less. Of parts that are templates
+ * whatever becomes of the copies, a copy has the uses alone. The first copy met is the template, so that parts of shared parts settle by themselves. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "passes/rewrite.h"
+#include "model/store/store.h"
+
+typedef struct { uint64_t a, b; } vs_share_key;
+typedef struct {
+  vs_share_key key;
+  vs_vec3 anchor;
+  double cost;        /* commands that a copy of it is, where what is a template anyway is its use */
+  bool alias;         /* the shape of its child, elsewhere */
+  bool wanted;        /* its key is asked for */
+  bool again;         /* another has the same sketch */
+  size_t group;       /* the first entry with this key */
+  size_t copies;      /* of the group, at its first entry */
+  double named;       /* references to any of the group, at its first entry */
+  size_t turn;        /* at a first entry: 0, or which of the turns (from 1) makes it of another group's, which it then belongs to */
+  vs_node *result;    /* what that first entry became; not retained: the rewriting holds it */
+} vs_share_entry;
+typedef struct { size_t head; vs_affine map; } vs_share_turn; /* of which first entry, and by what map */
+typedef struct { double step, first; } vs_share_step; /* first NaN: free */
+/* What a child's parent must know of it: kept, or of a lone leaf worked out when it is asked for, of a long one not at once again. */
+typedef struct { vs_share_key key; vs_vec3 anchor; } vs_share_child;
+typedef struct { const vs_node *node; vs_share_child of; } vs_share_leaf;
+
+enum { SKETCHED = 16 /* points of an array that count at first */, LONG = 1024 /* bytes */, LEAVES = 64 };
+
+typedef struct {
+  vs_store *store;
+  const vs_order *order;
+  vs_share_leaf leaves[LEAVES]; /* by hash: the last long one */
+  bool sketches, sketched; /* keys are made of the first points of arrays alone; some had more */
+  vs_share_entry *at; /* by the node's number */
+  size_t count, room;
+  double quantum;
+  vs_share_step *steps; /* a hash table: steps of a quantum, and the first number met in each, in quanta */
+  size_t step_count, step_room;
+  vs_share_turn *turns;
+  size_t turn_count, turn_room;
+  bool starved;         /* the table could not grow */
+} vs_share;
+
+/* ---- rounding and hashing ---- */
+
+static void vs_share_mix(vs_share_key *k, uint64_t v) {
+  k->a = vs_hash_mix(k->a, v);
+  k->b = vs_hash_mix(k->b ^ UINT64_C(0xA5A5A5A5A5A5A5A5), v);
+}
+
+static vs_share_step *vs_share_find(const vs_share *s, double step) {
+  size_t i = (size_t)vs_hash_real(6, step) & (s->step_room - 1);
+  while (!isnan(s->steps[i].first) && s->steps[i].step != step) i = (i + 1) & (s->step_room - 1);
+  return &s->steps[i];
+}
+
+static bool vs_share_grow(vs_share *s) {
+  vs_share_step *old = s->steps;
+  size_t old_room = s->step_room, room = old_room ? 2 * old_room : 256;
+  vs_share_step *grown = room <= SIZE_MAX / 2 / sizeof *grown ? vs_store_realloc(s->store, NULL, 0, room * sizeof *grown) : NULL;
+  if (!grown) return false;
+  for (size_t i = 0; i < room; i++) grown[i] = (vs_share_step){ 0, (double)NAN };
+  s->steps = grown;
+  s->step_room = room;
+  for (size_t i = 0; i < old_room; i++)
+    if (!isnan(old[i].first)) *vs_share_find(s, old[i].step) = old[i];
+  vs_store_realloc(s->store, old, old_room * sizeof *old, 0);
+  return true;
+}
+
+/* The number that stands for x, both in quanta: the nearest one met in x's step or within half a quantum beside it; else x, from now on. */
+static double vs_share_snap(vs_share *s, double x) {
+  if (!isfinite(x) || s->starved) return 0;
+  double step = floor(x), best = (double)NAN, reach = 1;
+  if (s->step_room && vs_share_find(s, step)->first == x) return x; /* nearly all: models repeat their numbers */
+  for (int side = -1; side <= 1 && s->step_room; side++) {
+    double first = vs_share_find(s, step + side)->first; /* NaN is near nothing */
+    if (fabs(first - x) < (side ? fmin(reach, 0.5) : reach)) reach = fabs(first - x), best = first;
+  }
+  if (!isnan(best)) return best;
+  if (2 * (s->step_count + 1) > s->step_room && !vs_share_grow(s)) {
+    s->starved = true;
+    return 0;
+  }
+  *vs_share_find(s, step) = (vs_share_step){ step, x };
+  s->step_count++;
+  return x;
+}
+
+static void vs_share_mix_place(vs_share *s, vs_share_key *k, double x, double quantum) { vs_share_mix(k, vs_hash_real(6, vs_share_snap(s, x / quantum))); }
+
+static void vs_share_mix_vector(vs_share *s, vs_share_key *k, vs_vec3 v) {
+  vs_share_mix_place(s, k, v.x, s->quantum);
+  vs_share_mix_place(s, k, v.y, s->quantum);
+  vs_share_mix_place(s, k, v.z, s->quantum);
+}
+
+static void vs_share_mix_real(vs_share *s, vs_share_key *k, double x) {
+  int exponent;
+  double mantissa = ldexp(frexp(x, &exponent), 40);
+  if (!isfinite(x) || x == 0) {
+    vs_share_mix(k, vs_hash_real(7, x));
+    return;
+  }
+  if (fabs(mantissa) > ldexp(1, 40) - 0.5) mantissa /= 2, exponent++; /* just below a power of two is that power */
+  vs_share_mix(k, (uint64_t)(int64_t)exponent);
+  vs_share_mix_place(s, k, mantissa, 1);
+}
+
+/* ---- keys ---- */
+
+static vs_share_child vs_share_of(vs_share *s, const vs_node *n);
+
+/* The node's own first point, or its first child's anchor */
+static vs_vec3 vs_share_anchor(vs_share *s, const vs_node *n, const vs_kind_info *info) {
+  if (n->kind == VS_SWEEP && n->child_count > 1) return vs_share_of(s, n->children[1].node).anchor; /* a sweep lies where its path does */
+  if (n->kind == VS_TRANSFORM) return vs_affine_point(&VS_AS(transform, n)->matrix, vs_share_of(s, n->children[0].node).anchor);
+  if (n->kind == VS_NATIVE) return vs_v3(0, 0, 0); /* its text knows no other place */
+  for (size_t i = 0; n->kind != VS_SWEEP && i < info->field_count; i++) {
+    const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
+    if (info->fields[i].type == VS_FIELD_point) return *(const vs_vec3 *)at;
+    if (info->fields[i].type == VS_FIELD_points && (*(const vs_points *const *)at)->count) return (*(const vs_points *const *)at)->at[0];
+  }
+  return n->child_count ? vs_share_of(s, n->children[0].node).anchor : vs_v3(0, 0, 0);
+}
+
+static void vs_share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, const vs_kind_info *info, vs_vec3 anchor) {
+  vs_vec3 from = n->kind == VS_SWEEP ? vs_v3(0, 0, 0) : anchor; /* the profile of a sweep and its base stay where they are drawn */
+  for (size_t i = 0; i < info->field_count; i++) {
+    const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
+    switch (info->fields[i].type) {
+      case VS_FIELD_real:
+        if (n->kind == VS_HEIGHT_FIELD) vs_share_mix_place(s, k, *(const double *)at - from.z, s->quantum); /* its foot is a height like any other */
+        else vs_share_mix_real(s, k, *(const double *)at);
+        break;
+      case VS_FIELD_integer: vs_share_mix(k, (uint64_t)(int64_t)*(const int32_t *)at); break;
+      case VS_FIELD_boolean: vs_share_mix(k, *(const bool *)at); break;
+      case VS_FIELD_point: vs_share_mix_vector(s, k, vs_v3_sub(*(const vs_vec3 *)at, from)); break;
+      case VS_FIELD_vector: vs_share_mix_vector(s, k, *(const vs_vec3 *)at); break;
+      case VS_FIELD_affine: /* the linear part; the rest is in the anchor */
+        for (int r = 0; r < 3; r++)
+          for (int c = 0; c < 3; c++) vs_share_mix_place(s, k, ((const vs_affine *)at)->m[r][c], ldexp(1, -40));
+        break;
+      case VS_FIELD_points: {
+        const vs_points *p = *(const vs_points *const *)at;
+        vs_share_mix(k, p->count);
+        s->sketched |= s->sketches && p->count > SKETCHED;
+        for (uint32_t j = 0; j < p->count && (j < SKETCHED || !s->sketches); j++) vs_share_mix_vector(s, k, vs_v3_sub(p->at[j], from));
+        break;
+      }
+      case VS_FIELD_faces: {
+        vs_share_mix(k, (*(const vs_faces *const *)at)->hash);
+        break;
+      }
+      case VS_FIELD_text: vs_share_mix(k, vs_text_hash(*(const char *const *)at)); break;
+      case VS_FIELD_ticket: vs_share_mix(k, (*(const vs_ticket *const *)at)->id); break;
+      case VS_FIELD_material: vs_share_mix(k, vs_material_hash(*(const vs_material *const *)at)); break;
+    }
+  }
+}
+
+static bool vs_share_is_alias(const vs_node *n) {
+  if (n->kind == VS_TRANSFORM) return vs_affine_is_translation(&VS_AS(transform, n)->matrix);
+  bool set = vs_node_is_set(n);
+  return set && n->child_count == 1 && n->children[0].node->class_ == n->class_; /* the union of one closed curve is a region */
+}
+
+/* Of a node whose children have theirs. */
+static void vs_share_find_key(vs_share *s, const vs_node *n, vs_share_key *key, vs_vec3 *anchor) {
+  const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
+  *anchor = vs_share_anchor(s, n, info);
+  if (vs_share_is_alias(n)) {
+    *key = vs_share_of(s, n->children[0].node).key;
+    return;
+  }
+  *key = (vs_share_key){ 0, 0 };
+  vs_share_mix(key, vs_hash_bytes(9, info->name, strlen(info->name)));
+  vs_share_mix(key, n->child_count);
+  vs_share_mix_fields(s, key, n, info, *anchor);
+  if (n->kind == VS_NATIVE) vs_share_mix(key, n->hash); /* so it is shared only with its equal, not with one moved */
+  for (uint32_t i = 0; i < n->child_count; i++) {
+    vs_share_child child = vs_share_of(s, n->children[i].node);
+    vs_share_mix(key, child.key.a);
+    vs_share_mix(key, child.key.b);
+    if (n->kind == VS_SWEEP) vs_share_mix_vector(s, key, i ? vs_v3(0, 0, 0) : child.anchor);
+    else if (n->kind != VS_TRANSFORM && (n->kind != VS_EXTRUDE || i == 0)) vs_share_mix_vector(s, key, vs_v3_sub(child.anchor, *anchor));
+  }
+}
+
+static vs_share_child vs_share_of(vs_share *s, const vs_node *n) {
+  if (vs_order_has(s->order, n)) {
+    const vs_share_entry *x = &s->at[vs_order_of(n)];
+    return (vs_share_child){ x->key, x->anchor };
+  }
+  vs_share_leaf lone, *held = vs_node_bytes(n) > LONG ? &s->leaves[n->hash % LEAVES] : &lone;
+  if (held != &lone && held->node && (held->node == n || vs_node_equal(held->node, n, NULL))) return held->of;
+  vs_share_find_key(s, n, &held->of.key, &held->of.anchor); /* a leaf: this goes no deeper */
+  held->node = n;
+  return held->of;
+}
+
+/* What it is, without its key, and its cost apart, which is the most it can be; children come before. */
+static void vs_share_enter(vs_share *s, const vs_node *n, bool inner) {
+  bool set = vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION;
+  vs_share_entry x = { .cost = 1, .group = s->count, .alias = vs_share_is_alias(n) };
+  if (set && n->child_count > 1) x.cost = n->child_count - 1;
+  if (set && !inner) x.cost += n->child_count;
+  for (uint32_t i = 0; set && inner && i < n->child_count; i++) {
+    const vs_node *child = n->children[i].node;
+    x.cost += vs_order_has(s->order, child) ? s->at[vs_order_of(child)].cost : 1;
+  }
+  if (x.cost > 1e15) x.cost = 1e15; /* a DAG's paths may be without number */
+  s->at[s->count++] = x;
+}
+
+/* Worth a template if there are enough of them. */
+static bool vs_share_is_worth(const vs_share_entry *x) { return !x->alias && x->cost > 2; }
+
+static int vs_share_by_form(const void *p, const void *q) {
+  uint64_t x = *(const uint64_t *)p, y = *(const uint64_t *)q;
+  return x < y ? -1 : x > y;
+}
+
+/* Marks what may have a copy, by its form, and all that lies in it. *any: is there something? False: out of memory. */
+static bool vs_share_want(vs_share *s, bool *any) {
+  const vs_order *o = s->order;
+  size_t count = 0;
+  uint64_t *forms = vs_store_realloc(s->store, NULL, 0, (s->count + 1) * sizeof *forms);
+  if (!forms) return false;
+  for (size_t i = 0; i < s->count; i++)
+    if (vs_share_is_worth(&s->at[i])) forms[count++] = (uint64_t)o->at[i].node->form << 32 | i;
+  qsort(forms, count, sizeof *forms, vs_share_by_form);
+  *any = false;
+  for (size_t i = 0; i < count; i++) {
+    uint64_t form = forms[i] >> 32;
+    bool again = (i > 0 && forms[i - 1] >> 32 == form) || (i + 1 < count && forms[i + 1] >> 32 == form);
+    s->at[forms[i] & UINT32_MAX].wanted = again;
+    *any |= again;
+  }
+  vs_store_realloc(s->store, forms, (s->count + 1) * sizeof *forms, 0);
+  for (size_t i = s->count; i-- > 0;) {
+    const vs_node *n = o->at[i].node;
+    for (uint32_t k = 0; s->at[i].wanted && o->note[i].inner && k < n->child_count; k++)
+      if (vs_order_has(o, n->children[k].node)) s->at[vs_order_of(n->children[k].node)].wanted = true;
+  }
+  return true;
+}
+
+static void vs_share_largest(double *most, const double *x, size_t n) {
+  for (size_t i = 0; i < n; i++)
+    if (isfinite(x[i])) *most = fmax(*most, fabs(x[i]));
+}
+
+static void vs_share_measure(double *most, const vs_node *n) { /* the largest number of a place in it */
+  const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
+  for (size_t i = 0; i < info->field_count; i++) {
+    const void *field = (const char *)vs_node_data(n) + info->fields[i].offset;
+    if (info->fields[i].type == VS_FIELD_point) vs_share_largest(most, field, 3);
+    if (info->fields[i].type == VS_FIELD_affine) vs_share_largest(most, field, 12);
+    if (info->fields[i].type == VS_FIELD_points && (*(const vs_points *const *)field)->count)
+      vs_share_largest(most, &(*(const vs_points *const *)field)->at[0].x, 3 * (size_t)(*(const vs_points *const *)field)->count);
+  }
+}
+
+/* ---- groups ---- */
+
+typedef struct { vs_share_key key; size_t entry; } vs_share_order;
+
+static int vs_share_compare(const void *p, const void *q) {
+  const vs_share_order *x = p, *y = q;
+  if (x->key.a != y->key.a) return x->key.a < y->key.a ? -1 : 1;
+  if (x->key.b != y->key.b) return x->key.b < y->key.b ? -1 : 1;
+  return x->entry < y->entry ? -1 : x->entry > y->entry;
+}
+
+/* The first entry of all that are one shape, turned or not. */
+static vs_share_entry *vs_share_head(const vs_share *s, size_t index) {
+  vs_share_entry *first = &s->at[s->at[index].group];
+  return first->turn ? &s->at[s->turns[first->turn - 1].head] : first;
+}
+
+static bool vs_share_pays(const vs_share_entry *first) {
+  double copies = (double)first->copies;
+  return (copies - 1) * first->cost > 2 * copies;
+}
+
+/* What a copy of n costs. A part that more places name than n's copies will be a template whatever becomes of n: then n saves its uses alone. */
+static double vs_share_cost(const vs_share *s, size_t index, double named) {
+  const vs_node *n = s->order->at[index].node;
+  double cost = 1;
+  if (vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION) return cost;
+  if (n->child_count > 1) cost = n->child_count - 1;
+  if (!s->order->note[index].inner) return cost + n->child_count;
+  for (uint32_t i = 0; i < n->child_count; i++) {
+    const vs_node *below = n->children[i].node;
+    if (!vs_order_has(s->order, below)) {
+      cost++;
+      continue;
+    }
+    const vs_share_entry *child = &s->at[vs_order_of(below)], *first = vs_share_head(s, vs_order_of(below));
+    bool template = first->named > named && (vs_share_pays(first) || first->named > (double)first->copies);
+    cost += template ? fmin(child->cost, first->copies > 1 ? 2 : 1) : child->cost;
+  }
+  return fmin(cost, 1e15); /* a DAG's paths may be without number */
+}
+
+static bool vs_share_group(vs_share *s) {
+  vs_share_order *order = vs_store_realloc(s->store, NULL, 0, (s->count + 1) * sizeof *order);
+  if (!order) return false;
+  size_t count = 0;
+  for (size_t i = 0; i < s->count; i++) {
+    s->at[i].group = i;
+    s->at[i].copies = 0;
+    if (s->at[i].wanted && !s->at[i].alias) order[count++] = (vs_share_order){ s->at[i].key, i };
+  }
+  qsort(order, count, sizeof *order, vs_share_compare);
+  for (size_t i = 0, first = 0; i < count; i++) {
+    if (order[i].key.a != order[first].key.a || order[i].key.b != order[first].key.b) first = i;
+    s->at[order[i].entry].group = order[first].entry;
+    s->at[order[first].entry].copies++;
+  }
+  vs_store_realloc(s->store, order, (s->count + 1) * sizeof *order, 0);
+  return true;
+}
+
+/* Keys of all that are wanted, or of those whose sketches are not theirs alone. */
+static bool vs_share_keys(vs_share *s, bool again, vs_error *e) {
+  const vs_order *o = s->order;
+  for (size_t i = 0; i < LEAVES; i++) s->leaves[i].node = NULL;
+  for (size_t i = 0; i < s->count; i++) {
+    if (again ? s->at[i].again : s->at[i].wanted) vs_share_find_key(s, o->at[i].node, &s->at[i].key, &s->at[i].anchor);
+    if (s->starved) return vs_error_memory(e, o->at[i].origin);
+    if (!vs_store_going(s->store, VS_NODE_WORK, e)) return false;
+  }
+  return vs_share_group(s) || vs_error_memory(e, NULL);
+}
+
+/* Marks what has another's sketch, and all that lies in it. */
+static void vs_share_doubt(vs_share *s) {
+  const vs_order *o = s->order;
+  for (size_t i = 0; i < s->count; i++) s->at[i].again = s->at[i].wanted && !s->at[i].alias && s->at[s->at[i].group].copies > 1;
+  for (size_t i = s->count; i-- > 0;) {
+    const vs_node *n = o->at[i].node;
+    for (uint32_t k = 0; s->at[i].again && o->note[i].inner && k < n->child_count; k++)
+      if (vs_order_has(o, n->children[k].node)) s->at[vs_order_of(n->children[k].node)].again = true;
+  }
+}
+
+static bool vs_share_add_turn(vs_share *s, size_t index, size_t head, const vs_affine *map) {
+  if (s->turn_count == s->turn_room) {
+    size_t room = s->turn_room ? 2 * s->turn_room : 16;
+    vs_share_turn *grown = vs_store_realloc(s->store, s->turns, s->turn_room * sizeof *grown, room * sizeof *grown);
+    if (!grown) return false;
+    s->turns = grown;
+    s->turn_room = room;
+  }
+  s->turns[s->turn_count++] = (vs_share_turn){ head, *map };
+  s->at[index].turn = s->turn_count;
+  s->at[head].copies += s->at[index].copies;
+  return true;
+}
+
+/* Groups that are one shape turned or mirrored become one. Of each form the first HEADS_MOST shapes are tried; all in all no more than some points for
+ * each node, so that deep trees of one form cost no square. */
+static bool vs_share_turns(vs_share *s) {
+  enum { HEADS_MOST = 6 };
+  size_t count = 0, heads[HEADS_MOST], head_count = 0, work = 0, most = 100000 + 50 * s->count;
+  uint64_t *forms = vs_store_realloc(s->store, NULL, 0, (s->count + 1) * sizeof *forms);
+  bool starved = !forms;
+  for (size_t i = 0; forms && i < s->count; i++)
+    if (s->at[i].wanted && s->at[i].group == i && vs_share_is_worth(&s->at[i])) forms[count++] = (uint64_t)s->order->at[i].node->form << 32 | i;
+  if (forms) qsort(forms, count, sizeof *forms, vs_share_by_form);
+  for (size_t i = 0; !starved && i < count && work < most; i++) {
+    size_t mine = forms[i] & UINT32_MAX;
+    bool found = false;
+    vs_affine map;
+    if (i == 0 || forms[i - 1] >> 32 != forms[i] >> 32) head_count = 0;
+    for (size_t k = 0; !found && !starved && k < head_count; k++) {
+      found = vs_turn_find(s->store, s->order->at[heads[k]].node, s->order->at[mine].node, s->quantum, &map, &work, &starved);
+      if (found && !vs_share_add_turn(s, mine, heads[k], &map)) starved = true;
+    }
+    if (!found && head_count < HEADS_MOST) heads[head_count++] = mine;
+  }
+  if (forms) vs_store_realloc(s->store, forms, (s->count + 1) * sizeof *forms, 0);
+  return !starved;
+}
+
+bool vs_share_begin(vs_rewrite *w) {
+  const vs_order *o = &w->order;
+  vs_share *s = vs_store_realloc(w->store, NULL, 0, sizeof *s);
+  if (!s) return vs_error_memory(w->error, NULL);
+  *s = (vs_share){ .store = w->store, .order = o };
+  w->state = s;
+  s->at = vs_store_realloc(w->store, NULL, 0, (o->count + 1) * sizeof *s->at);
+  if (!s->at) return vs_error_memory(w->error, NULL);
+  s->room = o->count + 1;
+  for (size_t i = 0; i < o->count; i++) vs_share_enter(s, o->at[i].node, o->note[i].inner);
+  bool any;
+  if (!vs_share_want(s, &any)) return vs_error_memory(w->error, NULL);
+  w->idle = !any;
+  if (!any) return true;
+  double most = 0;
+  for (size_t i = 0; i < o->count; i++) {
+    const vs_node *n = o->at[i].node;
+    if (!s->at[i].wanted) continue;
+    vs_share_measure(&most, n);
+    for (uint32_t k = 0; k < n->child_count; k++)
+      if (!vs_order_has(o, n->children[k].node)) vs_share_measure(&most, n->children[k].node);
+  }
+  s->quantum = most > 0 ? ldexp(most, -40) : 1;
+  if (!(s->quantum > 0)) s->quantum = ldexp(1, -1000);
+  s->sketches = true;
+  if (!vs_share_keys(s, false, w->error)) return false;
+  s->sketches = false;
+  if (s->sketched) {
+    vs_share_doubt(s);
+    if (!vs_share_keys(s, true, w->error)) return false;
+  }
+  if (!vs_share_turns(s)) return vs_error_memory(w->error, NULL);
+  for (size_t i = 0; i < o->count; i++) vs_share_head(s, i)->named += o->note[i].uses;
+  for (size_t i = 0; i < o->count; i++) s->at[i].cost = vs_share_cost(s, i, vs_share_head(s, i)->named);
+  return true;
+}
+
+void vs_share_end(vs_rewrite *w) {
+  vs_share *s = w->state;
+  if (!s) return;
+  vs_store_realloc(w->store, s->steps, s->step_room * sizeof *s->steps, 0);
+  vs_store_realloc(w->store, s->turns, s->turn_room * sizeof *s->turns, 0);
+  vs_store_realloc(w->store, s->at, s->room * sizeof *s->at, 0);
+  vs_store_realloc(w->store, s, sizeof *s, 0);
+}
+
+vs_node *vs_pass_share(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
+  vs_share *s = w->state;
+  vs_share_entry *mine = &s->at[vs_order_of(n)], *first = &s->at[mine->group], *head = vs_share_head(s, vs_order_of(n));
+  (void)origin;
+  if (mine == head || !head->result || !vs_share_pays(head)) {
+    vs_node *kept = vs_rewrite_keep(w, n, kids);
+    if (mine == head) head->result = kept;
+    return kept;
+  }
+  w->changed++;
+  vs_vec3 shift = vs_v3_sub(mine->anchor, first->anchor);
+  if (head == first && fmax(fabs(shift.x), fmax(fabs(shift.y), fabs(shift.z))) < 2 * s->quantum) return vs_node_retain(first->result);
+  struct vs_transform moved = { .matrix = vs_affine_translation(shift) };
+  if (head != first) moved.matrix = vs_affine_multiply(&moved.matrix, &s->turns[first->turn - 1].map);
+  return vs_node_new(w->store, VS_TRANSFORM, &moved, &(vs_ref){ head->result, w->order.at[vs_order_of(n)].origin }, 1);
+}

@@ -1,0 +1,296 @@
+/* Owns what the interpreter asks of the system: memory, time, files, the console. Everything above goes through the embedder's callbacks
+ * where it gave some. The VM has no system calls of its own; these are all there are. */
+#include "session/session.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "model/store/cache.h"
+
+/* ---- memory ---- */
+
+static void *session_memory(vs_session *s, void *old, size_t old_bytes, size_t bytes) {
+  const vs_options *o = &s->options;
+  if (bytes > old_bytes && o->limit_memory && (bytes - old_bytes > o->limit_memory || s->bytes > o->limit_memory - (bytes - old_bytes)))
+    return s->limited = true, NULL;
+  void *p = NULL;
+  if (o->alloc) p = o->alloc(o->alloc_context, old, old_bytes, bytes);
+  else if (bytes) p = realloc(old, bytes);
+  else free(old);
+  if (bytes && !p) return s->limited = false, NULL;
+  s->bytes += bytes - old_bytes;
+  if (s->bytes > s->tally.high) s->tally.high = s->bytes;
+  return p;
+}
+
+/* What is only kept for later gives way to what is needed now. */
+void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes) {
+  vs_session *s = session;
+  void *p = session_memory(s, old, old_bytes, bytes);
+  if (p || !bytes) return p;
+  if (s->bind.store && vs_cache_shrink(vs_store_cache(s->bind.store), bytes)) p = session_memory(s, old, old_bytes, bytes);
+  if (!p) s->bind.refused++;
+  return p;
+}
+
+/* ---- time and interrupts ---- */
+
+double vs_session_clock(void *session) {
+  struct timespec t;
+  (void)session;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+/* Has the output under way had its time? A worker's is its own: a picture takes longer than the model. */
+static bool write_late(vs_session *s) {
+  if (!s->writing || s->options.limit_time <= 0 || s->tally.now == VS_WORK_WORKER) return false;
+  double took = vs_session_clock(s) - s->write_began - (s->tally.of[VS_WORK_WORKER].seconds - s->write_worker);
+  return s->late = s->late || took > s->options.limit_time;
+}
+
+bool vs_session_interrupted(void *session) {
+  vs_session *s = session;
+  const vs_host *h = &s->options.host;
+  if (write_late(s)) return true;
+  if (h->progress && s->phase) {
+    double now = vs_session_clock(s);
+    if (now - s->told_progress > .1) {
+      s->told_progress = now;
+      h->progress(h->context, &(vs_progress){ .phase = s->phase, .fraction = -1 });
+    }
+  }
+  if (h->poll && h->poll(h->context)) return true;
+  return atomic_exchange(&s->interrupted, false);
+}
+
+static double now_of_day(void *session) {
+  struct timespec t;
+  (void)session;
+  clock_gettime(CLOCK_REALTIME, &t);
+  return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+static const char *environment(void *session, const char *name) { return ((vs_session *)session)->options.untrusted ? NULL : getenv(name); }
+
+/* ---- reading whole files ---- */
+
+static bool refuse(vs_session *s, const char *reason, const char **why) {
+  snprintf(s->why, sizeof s->why, "%s", reason);
+  *why = s->why;
+  return false;
+}
+
+/* what users call these errors */
+static const char *reason(int error) {
+  if (error == ENOENT) return "no such file";
+  if (error == EACCES) return "not permitted to read it";
+  if (error == EISDIR) return "is a folder, not a file";
+  return strerror(error);
+}
+
+static bool slurp(vs_session *s, const char *path, char **text, size_t *length, const char **why) {
+  struct stat st;
+  if (s->options.untrusted) return refuse(s, "reading files is switched off", why);
+  FILE *f = fopen(path, "rb");
+  if (!f) return refuse(s, reason(errno), why);
+  if (fstat(fileno(f), &st) == 0 && S_ISDIR(st.st_mode)) return fclose(f), refuse(s, reason(EISDIR), why);
+  size_t room = st.st_size > 0 ? (size_t)st.st_size + 1 : 65536, used = 0;
+  char *at = malloc(room);
+  while (at) {
+    used += fread(at + used, 1, room - used, f);
+    if (used < room) break;
+    if (s->options.limit_memory && room > s->options.limit_memory) { free(at), at = NULL; break; }
+    char *more = realloc(at, room *= 2);
+    if (!more) free(at);
+    at = more;
+  }
+  int error = at && ferror(f) ? errno : 0;
+  fclose(f);
+  if (!at) return refuse(s, "too large for the memory there is", why);
+  if (error) return free(at), refuse(s, reason(error), why);
+  *text = at, *length = used;
+  return true;
+}
+
+static bool read_whole(vs_session *s, const char *path, char **text, size_t *length, const char **why) {
+  const vs_host *h = &s->options.host;
+  return h->read_file ? h->read_file(h->context, path, text, length, why) : slurp(s, path, text, length, why);
+}
+
+bool vs_session_read(vs_session *s, const char *path, char **text, size_t *length, const char **why) {
+  return read_whole(s, path, text, length, why) && (vs_session_keep_source(s, path, 1, *text, *length) || (free(*text), refuse(s, "out of memory", why)));
+}
+
+/* ---- sources ---- */
+
+static void drop(vs_session *s, vs_source *source) {
+  vs_session_memory(s, source->name, source->name_bytes, 0);
+  vs_session_memory(s, source->text, source->room, 0);
+}
+
+static size_t count_lines(const char *text, size_t length) {
+  size_t lines = 0;
+  for (size_t i = 0; i < length; i++) lines += text[i] == '\n';
+  return lines;
+}
+
+/* Lines typed one after the other at a prompt are one text: an error in a procedure shows its line later too. Blank lines stand for those in between. False: they are not, or
+ * there is no memory for it. */
+static bool continue_source(vs_session *s, vs_source *old, unsigned first_line, const char *text, size_t length) {
+  enum { MOST = 1 << 18 };
+  size_t gap;
+  if (first_line <= old->first_line || !old->length || old->text[old->length - 1] != '\n') return false;
+  if (first_line < old->first_line + old->lines) return false;
+  gap = first_line - old->first_line - old->lines;
+  if (gap > MOST || length > MOST || old->length + gap + length > MOST) return false;
+  char *grown = vs_session_memory(s, old->text, old->room, old->length + gap + length + 1);
+  if (!grown) return false;
+  old->room = old->length + gap + length + 1;
+  old->text = grown;
+  memset(grown + old->length, '\n', gap);
+  memcpy(grown + old->length + gap, text, length);
+  old->length += gap + length;
+  old->lines += gap + count_lines(text, length);
+  grown[old->length] = 0;
+  return true;
+}
+
+/* A long text is kept up to a bound: past it messages do without the line. */
+bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line, const char *text, size_t length) {
+  enum { MOST = 1 << 22 };
+  size_t i = 0, bytes = strlen(name) + 1, room = length < MOST ? length : MOST;
+  if (room > 0 && !memchr(text, '\n', room) && room == MOST) room = 0; /* one endless line: binary */
+  while (i < s->source_count && strcmp(s->sources[i].name, name)) i++;
+  if (i < s->source_count && continue_source(s, &s->sources[i], first_line, text, length)) return true;
+  if (i == s->source_room) {
+    size_t more = i ? 2 * i : 4;
+    vs_source *grown = vs_session_memory(s, s->sources, i * sizeof *grown, more * sizeof *grown);
+    if (!grown) return false;
+    s->sources = grown, s->source_room = more;
+  }
+  vs_source fresh = { .name = vs_session_memory(s, NULL, 0, bytes), .name_bytes = bytes, .length = room, .room = room + 1, .lines = count_lines(text, room), .first_line = first_line };
+  if (fresh.name) fresh.text = vs_session_memory(s, NULL, 0, fresh.room);
+  if (!fresh.text) {
+    if (fresh.name) vs_session_memory(s, fresh.name, bytes, 0);
+    return false;
+  }
+  memcpy(fresh.name, name, bytes);
+  if (room) memcpy(fresh.text, text, room);
+  fresh.text[room] = 0;
+  if (i < s->source_count) drop(s, &s->sources[i]);
+  else s->source_count++;
+  s->sources[i] = fresh;
+  return true;
+}
+
+void vs_session_free_sources(vs_session *s) {
+  for (size_t i = 0; i < s->source_count; i++) drop(s, &s->sources[i]);
+  vs_session_memory(s, s->sources, s->source_room * sizeof *s->sources, 0);
+  s->sources = NULL, s->source_count = s->source_room = 0;
+}
+
+/* ---- streams ---- */
+
+static int64_t open_stream(void *session, const char *path, vs_io_mode mode, const char **why) {
+  vs_session *s = session;
+  int64_t i = VS_IO_STDERR + 1;
+  while (i < VS_STREAMS && s->stream[i].open) i++;
+  if (i == VS_STREAMS) return refuse(s, "too many files are open", why), -1;
+  vs_stream fresh = { .open = true, .reading = mode == VS_IO_READ };
+  if (mode == VS_IO_READ) {
+    if (!vs_session_read(s, path, &fresh.text, &fresh.length, why)) return -1;
+  } else {
+    if (s->options.untrusted) return refuse(s, "writing files is switched off", why), -1;
+    fresh.file = fopen(path, mode == VS_IO_WRITE ? "wb" : "ab");
+    if (!fresh.file) return refuse(s, errno == EACCES ? "not permitted to write it" : reason(errno), why), -1;
+  }
+  s->stream[i] = fresh;
+  return i;
+}
+
+static ptrdiff_t read_console(vs_session *s, void *to, size_t room) {
+  const vs_host *h = &s->options.host;
+  vs_stream *in = &s->stream[VS_IO_STDIN]; /* what is left of the last line */
+  if (in->at == in->length) {
+    size_t n;
+    const char *line = h->input ? h->input(h->context, &n) : NULL;
+    if (!line || n == 0) return 0;
+    char *copy = realloc(in->text, n);
+    if (!copy) return -1;
+    memcpy(copy, line, n);
+    in->text = copy, in->length = n, in->at = 0;
+  }
+  size_t n = in->length - in->at < room ? in->length - in->at : room;
+  memcpy(to, in->text + in->at, n);
+  in->at += n;
+  return (ptrdiff_t)n;
+}
+
+static ptrdiff_t read_stream(void *session, int64_t i, void *to, size_t room) {
+  vs_session *s = session;
+  if (i == VS_IO_STDIN) return read_console(s, to, room);
+  if (i <= VS_IO_STDERR || i >= VS_STREAMS || !s->stream[i].reading) return -1;
+  vs_stream *in = &s->stream[i];
+  size_t n = in->length - in->at < room ? in->length - in->at : room;
+  if (n) memcpy(to, in->text + in->at, n);
+  in->at += n;
+  return (ptrdiff_t)n;
+}
+
+static bool write_console(vs_session *s, const char *bytes, size_t n) {
+  const vs_host *h = &s->options.host;
+  return !h->output || h->output(h->context, bytes, n);
+}
+
+static bool write_stream(void *session, int64_t i, const char *bytes, size_t n) {
+  vs_session *s = session;
+  if (i == VS_IO_STDOUT) return write_console(s, bytes, n);
+  if (i == VS_IO_STDERR) return s->options.untrusted ? write_console(s, bytes, n) : fwrite(bytes, 1, n, stderr) == n;
+  return i > VS_IO_STDERR && i < VS_STREAMS && s->stream[i].file && fwrite(bytes, 1, n, s->stream[i].file) == n;
+}
+
+static bool flush_stream(void *session, int64_t i) {
+  vs_session *s = session;
+  return i <= VS_IO_STDERR || i >= VS_STREAMS || !s->stream[i].file || fflush(s->stream[i].file) == 0;
+}
+
+static bool close_stream(void *session, int64_t i) {
+  vs_session *s = session;
+  if (i <= VS_IO_STDERR || i >= VS_STREAMS || !s->stream[i].open) return true;
+  vs_stream old = s->stream[i];
+  s->stream[i] = (vs_stream){ 0 };
+  free(old.text);
+  return !old.file || fclose(old.file) == 0;
+}
+
+void vs_session_close_files(vs_session *s) {
+  for (int64_t i = VS_IO_STDERR + 1; i < VS_STREAMS; i++) close_stream(s, i);
+  free(s->stream[VS_IO_STDIN].text);
+  s->stream[VS_IO_STDIN] = (vs_stream){ 0 };
+}
+
+static bool exists(void *session, const char *path) {
+  vs_session *s = session;
+  if (!s->options.host.read_file) return !s->options.untrusted && access(path, F_OK) == 0;
+  char *text;
+  size_t length;
+  const char *why;
+  if (!read_whole(s, path, &text, &length, &why)) return false;
+  free(text);
+  return true;
+}
+
+static bool remove_file(void *session, const char *path, const char **why) {
+  vs_session *s = session;
+  if (s->options.untrusted) return refuse(s, "deleting files is switched off", why);
+  return unlink(path) == 0 || refuse(s, errno == EACCES ? "not permitted to delete it" : reason(errno), why);
+}
+
+const vs_io vs_session_io = {
+  .open = open_stream, .read = read_stream, .write = write_stream, .flush = flush_stream, .close = close_stream,
+  .exists = exists, .remove = remove_file, .now = now_of_day, .getenv = environment,
+};

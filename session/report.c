@@ -1,0 +1,161 @@
+/* Owns what a host is told when something is wrong: conditions, errors of the layers below, warnings; each with its place, the line of the
+ * source, and the user's own calls that led there. */
+#include "session/session.h"
+
+#include "vm/values/printer.h"
+
+enum { NOTES = 12 }; /* callers shown; of more, the innermost and a word on the rest */
+
+/* ---- the line ---- */
+
+/* Copies the line into room; NULL: the source is not kept or has no such line. */
+static const char *source_line(const vs_session *s, const char *file, uint32_t line, char *room, size_t size) {
+  for (size_t i = 0; file && line && i < s->source_count; i++) {
+    const vs_source *source = &s->sources[i];
+    if (strcmp(source->name, file) || line < source->first_line) continue;
+    const char *at = source->text, *end = source->text + source->length;
+    for (uint32_t l = source->first_line; l < line && at; l++) {
+      at = memchr(at, '\n', (size_t)(end - at));
+      if (at) at++;
+    }
+    if (!at || (at == end && line > source->first_line)) return NULL;
+    const char *stop = memchr(at, '\n', (size_t)(end - at));
+    size_t n = (size_t)((stop ? stop : end) - at);
+    if (n && at[n - 1] == '\r') n--;
+    if (n >= size)
+      for (n = size - 1; n && ((unsigned char)at[n] & 0xC0) == 0x80;) n--; /* cut before a character */
+    memcpy(room, at, n);
+    room[n] = 0;
+    return room;
+  }
+  return NULL;
+}
+
+static void tell(vs_session *s, vs_severity severity, vs_outcome outcome, vs_span at, const char *message, const vs_diagnostic_note *notes, size_t count) {
+  char line[2048];
+  vs_diagnostic d = { .severity = severity, .outcome = outcome, .at = at, .message = message, .notes = notes, .note_count = count };
+  d.source_line = source_line(s, at.file, at.line, line, sizeof line);
+  if (s->options.host.diagnose) s->options.host.diagnose(s->options.host.context, &d);
+}
+
+void vs_session_report_at(vs_session *s, vs_severity severity, vs_outcome outcome, const char *file, uint32_t line, uint32_t column, const char *message) {
+  tell(s, severity, outcome, (vs_span){ .file = file, .line = line, .column = column }, message, NULL, 0);
+}
+
+void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, const vs_origin *origin, const char *message) {
+  vs_diagnostic_note notes[NOTES];
+  size_t n = 0;
+  vs_span at = { 0 };
+  if (origin) {
+    at.file = origin->file, at.line = origin->line, at.column = origin->column;
+    for (const vs_origin *o = origin->caller; o && n < NOTES; o = o->caller)
+      notes[n++] = (vs_diagnostic_note){ { .file = o->file, .line = o->line, .column = o->column }, "called from here" };
+  }
+  tell(s, severity, outcome, at, message, notes, n);
+}
+
+void vs_session_warn(void *session, const vs_origin *origin, const char *message) {
+  vs_session_report(session, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, origin, message);
+}
+
+vs_outcome vs_session_report_error(vs_session *s, const vs_error *e) {
+  vs_outcome outcome = VS_OUTCOME_MODEL;
+  switch (e->kind) {
+    case VS_ERROR_NONE: case VS_ERROR_MODEL: break;
+    case VS_ERROR_FILE: outcome = VS_OUTCOME_USAGE; break;
+    case VS_ERROR_WORKER: outcome = VS_OUTCOME_WORKER; break;
+    case VS_ERROR_MEMORY: outcome = VS_OUTCOME_MACHINE; break;
+    case VS_ERROR_INTERRUPT: outcome = VS_OUTCOME_INTERRUPTED; break;
+  }
+  vs_session_report(s, VS_SEVERITY_ERROR, outcome, e->origin, *e->message ? e->message : outcome == VS_OUTCOME_MACHINE ? "out of memory" : "it failed");
+  return outcome;
+}
+
+/* ---- conditions ---- */
+
+bool vs_session_span(vs_session *s, vs_pos place, vs_span *out) {
+  *out = (vs_span){ .file = vs_bind_file_name(&s->bind, place), .line = vs_pos_line(place), .column = vs_pos_col(place) };
+  if (!out->file) *out = (vs_span){ 0 };
+  return out->file != NULL;
+}
+
+static vs_outcome outcome_of(const vs_session *s, vs_value kind, bool usage) {
+  const vs *vm = s->bind.vm;
+  if (kind == vm->sym.memory || kind == vm->sym.limit) return VS_OUTCOME_MACHINE;
+  if (kind == vm->sym.interrupt) return VS_OUTCOME_INTERRUPTED;
+  return usage || s->bind.bad_parameter ? VS_OUTCOME_USAGE : VS_OUTCOME_MODEL;
+}
+
+/* Callers as notes. A line of the chain is a call inside a procedure; the first is the failing call itself. */
+static size_t callers(vs_session *s, vs_value chain, vs_span at, vs_diagnostic_note *notes) {
+  size_t n = 0;
+  const char *before_file = at.file;
+  uint32_t before_line = at.line, before_column = at.column;
+  bool gap = false;
+  for (vs_value l = chain; vs_is_pair(l) && n < NOTES; l = vs_cdr(l)) {
+    vs_value link = vs_car(l);
+    vs_span span;
+    if (vs_is_pair(link) && vs_car(link) == VS_TRUE) gap = true;
+    if (!vs_is_pair(link) || !vs_is_fixnum(vs_cdr(link)) || !vs_session_span(s, vs_pos_of(vs_cdr(link)), &span)) continue;
+    if (span.file == before_file && span.line == before_line && span.column == before_column) continue;
+    before_file = span.file, before_line = span.line, before_column = span.column;
+    char text[160];
+    vs_value name = vs_car(link);
+    const char *between = gap ? " (calls in between ended with a tail call)" : "";
+    if (vs_is_symbol(name)) snprintf(text, sizeof text, "called from %.100s%s", vs_as_symbol(name)->name, between);
+    else snprintf(text, sizeof text, "called from here%s", between);
+    gap = false;
+    const char *kept = vs_store_text(s->bind.store, text, strlen(text));
+    notes[n++] = (vs_diagnostic_note){ span, kept ? kept : "called from here" };
+  }
+  return n;
+}
+
+vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool usage) {
+  vs *vm = s->bind.vm;
+  vs_diagnostic_note notes[NOTES];
+  vs_span at = { 0 };
+  size_t count = 0;
+  VS_ROOTS(vm, r, 1);
+  r[0] = condition;
+  vs_outcome outcome = usage ? VS_OUTCOME_USAGE : VS_OUTCOME_MODEL;
+  bool is_condition = vs_is(r[0], VS_T_CONDITION);
+  vs_text t;
+  vs_text_open(vm, &t, 4000);
+  char limit[96];
+  const char *message = vs_print_condition(vm, r[0], &t) && vs_text_end(&t) ? t.at : "out of memory";
+  if (is_condition) {
+    const vs_condition *c = vs_as_condition(r[0]);
+    outcome = outcome_of(s, c->kind, usage);
+    if (c->kind == vm->sym.memory && (vm->over_limit || s->limited)) {
+      snprintf(limit, sizeof limit, "out of memory: stopped at %.12g MB, the limit", (double)s->options.limit_memory / 1048576);
+      message = limit;
+    }
+    if (!vs_session_span(s, c->place, &at)) /* inside the library: the first call of the user's own */
+      for (vs_value l = c->chain; vs_is_pair(l) && !at.file; l = vs_cdr(l)) {
+        vs_value link = vs_car(l);
+        if (vs_is_pair(link) && vs_is_fixnum(vs_cdr(link))) vs_session_span(s, vs_pos_of(vs_cdr(link)), &at);
+      }
+    count = callers(s, vs_as_condition(r[0])->chain, at, notes);
+    if (s->bind.bad_parameter) { /* what was set from outside is at fault, not the line that defines it */
+      notes[0] = (vs_diagnostic_note){ at, "the parameter is defined here" };
+      count = at.file != NULL;
+      at = (vs_span){ 0 };
+    }
+  }
+  tell(s, VS_SEVERITY_ERROR, outcome, at, message, notes, count);
+  vs_text_close(&t);
+  /* the reader has more to say: (place . message) of each further mistake */
+  if (is_condition && vs_as_condition(r[0])->kind == vm->sym.read)
+    for (vs_value l = vs_as_condition(r[0])->payload; vs_is_pair(l); l = vs_cdr(l)) {
+      vs_value more = vs_car(l);
+      vs_span span;
+      char *text;
+      size_t bytes;
+      if (!vs_is_pair(more) || !vs_is_fixnum(vs_car(more)) || !vs_is_string(vs_cdr(more)) || !vs_session_span(s, vs_pos_of(vs_car(more)), &span)) continue;
+      if (!vs_bind_text(vm, vs_cdr(more), &text, &bytes)) break;
+      tell(s, VS_SEVERITY_ERROR, outcome, span, text, NULL, 0);
+      vs_mem(vm, text, bytes, 0);
+    }
+  return outcome;
+}

@@ -1,0 +1,90 @@
+/* Owns one interpreter's outside: what the embedder gave, memory, files, sources kept for messages, the interrupt flag. session/visualscheme.c is
+ * the public face of it; vm->host and vm->config.user both point to it. */
+#ifndef VS_BIND_SESSION_H
+#define VS_BIND_SESSION_H
+
+#include <stdatomic.h>
+#include <stdio.h>
+
+#include "bind/bind.h"
+#include "model/store/cache.h"
+#include "passes/passes.h"
+#include "model/scene.h"
+#include "model/tally.h"
+#include "visualscheme.h"
+#include "vm/library/port.h"
+
+/* The text of a source, for the line that a message shows. */
+typedef struct { char *name, *text; size_t name_bytes, length, room, lines /* that end in it */; unsigned first_line; } vs_source;
+
+enum { VS_STREAMS = 64 };
+typedef struct {
+  bool open, reading;
+  FILE *file;               /* being written, or a large file being read */
+  char *text; size_t length, at; /* a file read whole: freed by free() */
+} vs_stream;
+
+/* What one output took and what was counted of it. NAN: was not counted. */
+typedef struct {
+  char *path; size_t path_bytes; /* path "" where it went into a callback */
+  const char *format;       /* the library's */
+  bool done;
+  vs_tally tally;           /* the differences that it made; peaks its own */
+  double nodes, distinct;   /* of the drawing, as a tree; by value */
+  vs_pass_stats passes;
+  double alone[VS_PASS_COUNT], without[VS_PASS_COUNT]; /* commands with this pass only; with all others that were asked for */
+  vs_cache_stats cache;     /* hits and misses: the differences */
+} vs_output_record;
+
+typedef struct {
+  vs_bind bind;             /* first: vm->host points to it */
+  vs_options options;
+  size_t bytes;             /* handed out by the allocator, heap and model together */
+  vs_tally tally;           /* what took how long, and how much of them */
+  bool limited;             /* the last refusal of memory was the limit's, not the machine's */
+  atomic_bool interrupted;
+  bool exit_requested;
+  int exit_code;
+  double told_progress;     /* clock of the last progress call */
+  const char *phase;        /* what a progress line says while the program runs */
+  vs_stream stream[VS_STREAMS];
+  vs_source *sources;
+  size_t source_count, source_room;
+  char why[256];            /* of the last failed file operation */
+  double evaluate_seconds, write_seconds;
+  bool writing, late;       /* an output is under way; it was stopped by the limit of time */
+  double write_began, write_worker; /* clock when it began; what workers had taken by then, in seconds */
+  vs_output_record *outputs; /* of the last ones, oldest first */
+  size_t output_count, output_room;
+  unsigned flags;           /* VS_EVAL_... of the evaluation under way */
+} vs_session;
+
+static inline vs_session *vs_session_of(const vs *vm) { return (vs_session *)vm->host; }
+
+/* ---- host.c ---- */
+void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes);  /* of the VM and of the store */
+double vs_session_clock(void *session);                                            /* seconds, monotonic */
+bool vs_session_interrupted(void *session);
+extern const vs_io vs_session_io;
+/* A whole file as malloc'ed text; false: *why. Kept as a source. */
+bool vs_session_read(vs_session *s, const char *path, char **text, size_t *length, const char **why);
+bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line, const char *text, size_t length);
+void vs_session_close_files(vs_session *s);
+void vs_session_free_sources(vs_session *s);
+
+/* ---- statistics.c ---- */
+/* Round an output: begin before anything is done for it, count when the drawing is ready for the passes, end when it is written or has failed. False: out of memory. */
+bool vs_session_output_begin(vs_session *s, const char *path, const char *format);
+bool vs_session_output_nodes(vs_session *s, const vs_scene *scene, unsigned passes, vs_error *e);
+void vs_session_output_end(vs_session *s, bool done);
+void vs_session_free_outputs(vs_session *s);
+
+/* ---- report.c ---- */
+vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool usage /* its own fault is the caller's: exit 2 */);
+bool vs_session_span(vs_session *s, vs_pos place, vs_span *out); /* false: nowhere in the user sources */
+vs_outcome vs_session_report_error(vs_session *s, const vs_error *e);
+void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, const vs_origin *origin, const char *message);
+void vs_session_report_at(vs_session *s, vs_severity severity, vs_outcome outcome, const char *file, uint32_t line, uint32_t column, const char *message);
+void vs_session_warn(void *session, const vs_origin *origin, const char *message); /* vs_bind.warn */
+
+#endif

@@ -1,0 +1,582 @@
+/* Owns the implementation of visualscheme.h: ties interpreter, model, geometry's procedures and back-ends into one object. */
+#include "visualscheme.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "session/session.h"
+
+#include "backends/export.h"
+#include "geometry/measure/node_measures.h"
+#include "passes/optimise.h"
+#include "solids/resolve.h"
+#include "model/store/cache.h"
+#include "passes/sugar.h"
+#include "vm/machine/image.h"
+#include "vm/values/number.h"
+#include "vm/values/printer.h"
+#include "vm/front/reader.h"
+#include "vm/machine/program.h"
+
+extern const vs_image vs_library_image; /* the library, loaded at build time (scripts/stage0.c) */
+
+const char *vs_version(void) { return VS_VERSION; }
+
+/* ---- life ---- */
+
+vs_options vs_options_default(void) { return (vs_options){ .library_path = NULL }; }
+
+static vs_outcome out_of_memory(vs_session *s) {
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, NULL, 0, 0, "out of memory");
+  return VS_OUTCOME_MACHINE;
+}
+
+/* A top-level expression's value: the model if nothing is drawn, and what the prompt shows. */
+static bool take_value(vs *vm, vs_value v, vs_pos place) {
+  vs_session *s = vs_session_of(vm);
+  (void)place;
+  const vs_host *h = &s->options.host;
+  if (!vs_bind_returned(&s->bind, v, s->flags & VS_EVAL_PRINT)) return false;
+  if (!(s->flags & VS_EVAL_PRINT) || !h->value || v == VS_UNSPECIFIC) return true;
+  enum { MOST = 4000 }; /* bytes: a drawing of thousands of parts is no answer to read */
+  vs_text shown, t;
+  VS_ROOTS(vm, r, 1);
+  r[0] = v;
+  vs_text_open(vm, &shown, MOST);
+  vs_text_open(vm, &t, 0);
+  bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &shown) && vs_text_put(&t, shown.at ? shown.at : "", shown.count) && (!shown.cut || vs_text_puts(&t, " ..."));
+  vs_bind_counts parts;
+  vs_ref object = shown.cut ? vs_bind_ref(r[0]) : (vs_ref){ NULL, NULL };
+  if (ok && object.node && vs_bind_count(object, &parts)) { /* (unite ... ; 3000 objects */
+    char text[60];
+    snprintf(text, sizeof text, " ; %.15g object%s", parts.all, parts.all == 1 ? "" : "s");
+    ok = vs_text_puts(&t, text);
+  }
+  if (ok && vs_is_ratio(r[0])) { /* 1/3 ; 0.333333 */
+    double d;
+    char text[40];
+    ok = vs_number_double(vm, r[0], &d);
+    snprintf(text, sizeof text, " ; %.6g", d);
+    ok = ok && vs_text_puts(&t, text);
+  }
+  if (ok && t.count) h->value(h->context, t.at, t.count); /* (values) is nothing to show */
+  vs_text_close(&shown);
+  vs_text_close(&t);
+  return ok;
+}
+
+/* for register-drawing-function: as (vs_format_find), but no path */
+static bool is_format(const char *name) { return !strpbrk(name, "./") && vs_export_format_find(name) != NULL; }
+
+static double tally_clock(void *session) { return vs_session_clock(session); }
+
+/* The phases of source text are the first of the table, in the same order. */
+static vs_vm_phase vm_phase(void *session, vs_vm_phase phase) {
+  vs_work_phase was = vs_tally_enter(&((vs_session *)session)->tally, (vs_work_phase)phase);
+  return was <= VS_WORK_RUN ? (vs_vm_phase)was : VS_VM_RUN;
+}
+_Static_assert((int)VS_WORK_READ == VS_VM_READ && (int)VS_WORK_EXPAND == VS_VM_EXPAND && (int)VS_WORK_COMPILE == VS_VM_COMPILE && (int)VS_WORK_RUN == VS_VM_RUN, "tally.def");
+
+static bool keep_making(void *session) { return !vs_session_interrupted(session); }
+
+static void *store_memory(void *session, void *old, size_t old_bytes, size_t bytes) { return vs_session_memory(session, old, old_bytes, bytes); }
+
+static void *bootstrap_memory(const vs_options *o, void *old, size_t old_bytes, size_t bytes) {
+  if (o->alloc) return o->alloc(o->alloc_context, old, old_bytes, bytes);
+  return bytes ? realloc(old, bytes) : (free(old), NULL);
+}
+
+static bool open_program(vs *vm) {
+  vs_flat_rules rules;
+  vs_bind_flat_rules(&rules);
+  return vs_flat_register(vm, &rules) && vs_front_open(vm) && vs_program_new(vm, &vm->at.program);
+}
+
+vs *vs_new(const vs_options *options) {
+  vs_options o = options ? *options : vs_options_default();
+  vs_session *s = bootstrap_memory(&o, NULL, 0, sizeof *s);
+  if (!s) return NULL;
+  memset(s, 0, sizeof *s);
+  s->options = o;
+  s->tally = (vs_tally){ .clock = tally_clock, .context = s, .held = &s->bytes, .now = VS_WORK_NONE, .since = vs_session_clock(s) };
+  atomic_init(&s->interrupted, false);
+  size_t path_bytes = o.library_path ? strlen(o.library_path) + 1 : 0;
+  char *path = path_bytes ? vs_session_memory(s, NULL, 0, path_bytes) : NULL;
+  if (path) memcpy(path, o.library_path, path_bytes);
+  s->options.library_path = path;
+  vs_config config = {
+    .memory = vs_session_memory, .user = s, .memory_limit = o.limit_memory, .step_limit = o.limit_steps, .output_limit = o.limit_output, .time_limit = o.limit_time,
+    .phase = vm_phase, .clock = vs_session_clock, .interrupted = vs_session_interrupted, .tables = vs_bind_tables(), .image = &vs_library_image,
+    .io = &vs_session_io, .value = take_value, .dropped = vs_bind_dropped, .library_path = path,
+  };
+  vs_store *store = vs_store_new(store_memory, s);
+  vs *vm = store && (path || !path_bytes) ? vs_open_vm(&config) : NULL;
+  bool ok = vm && vs_bind_open(&s->bind, vm, store) && open_program(vm);
+  if (ok) s->bind.library_files = vs_bind_file_count(vm);
+  if (store) vs_store_release(store); /* bind holds it */
+  if (ok) vs_store_set_tally(store, &s->tally);
+  if (ok) vs_store_watch(store, keep_making, s);
+  if (ok && o.cache != SIZE_MAX) { /* without memory for it, nothing is kept */
+    enum { USUAL = 256 };
+    vs_cache_new(store, o.cache ? o.cache : o.limit_memory ? o.limit_memory / 4 : (size_t)USUAL << 20);
+  }
+  s->bind.is_format = is_format;
+  s->bind.warn = vs_session_warn, s->bind.warn_context = s;
+  if (ok) return vm;
+  if (vm) vs_free(vm);
+  else {
+    if (path) vs_session_memory(s, path, path_bytes, 0);
+    bootstrap_memory(&o, s, sizeof *s, 0);
+  }
+  return NULL;
+}
+
+vs_outcome vs_restart(vs *vm) {
+  vs_session *s = vs_session_of(vm);
+  vs *fresh = vs_open_vm(&vm->config);
+  if (fresh) fresh->host = s;
+  if (!fresh || !open_program(fresh)) {
+    if (fresh) vs_close_vm(fresh);
+    return out_of_memory(s);
+  }
+  vs old = *vm; /* nothing of an interpreter that rests points to itself */
+  *vm = *fresh, *fresh = old;
+  vs_close_vm(fresh); /* lets go of the objects, which hold nodes */
+  vs_bind_restart(&s->bind);
+  s->exit_requested = false;
+  return VS_OUTCOME_DONE;
+}
+
+void vs_free(vs *vm) {
+  if (!vm) return;
+  vs_session *s = vs_session_of(vm);
+  vs_close_vm(vm); /* lets go of the objects, which hold nodes */
+  if (!s) return;
+  vs_bind_close(&s->bind);
+  vs_session_close_files(s);
+  vs_session_free_sources(s);
+  vs_session_free_outputs(s);
+  char *path = (char *)(uintptr_t)s->options.library_path;
+  if (path) vs_session_memory(s, path, strlen(path) + 1, 0);
+  vs_options o = s->options;
+  bootstrap_memory(&o, s, sizeof *s, 0);
+}
+
+void vs_interrupt(vs *vm) { atomic_store(&vs_session_of(vm)->interrupted, true); }
+void vs_interrupt_clear(vs *vm) { atomic_store(&vs_session_of(vm)->interrupted, false); }
+
+/* ---- running ---- */
+
+/* limits count from here; what the last evaluation left behind is forgotten */
+static void begin(vs_session *s, unsigned flags) {
+  s->flags = flags;
+  vs_cache_turn(vs_store_cache(s->bind.store), true);
+  vs *vm = s->bind.vm;
+  vs_tally_enter(&s->tally, VS_WORK_RUN);
+  vm->steps = vm->written = 0;
+  vm->started = vs_session_clock(s);
+  s->bind.bad_parameter = false;
+  s->phase = "evaluating", s->told_progress = vm->started;
+}
+
+/* (exit code) unwinds as a condition of its own */
+static bool is_exit(vs_value condition) {
+  if (!vs_is(condition, VS_T_CONDITION)) return false;
+  const vs_condition *c = vs_as_condition(condition);
+  return vs_is_symbol(c->kind) && !strcmp(vs_as_symbol(c->kind)->name, "exit") && vs_is_fixnum(c->payload);
+}
+
+/* an interrupt that came when nothing ran */
+static bool was_interrupted(vs_session *s) {
+  if (!atomic_exchange(&s->interrupted, false)) return false;
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_INTERRUPTED, NULL, 0, 0, "interrupted");
+  return true;
+}
+
+static vs_outcome finish(vs_session *s, bool ok, bool usage) {
+  vs *vm = s->bind.vm;
+  s->phase = NULL;
+  vs_tally_enter(&s->tally, VS_WORK_NONE);
+  s->evaluate_seconds += vs_session_clock(s) - vm->started;
+  if (!ok && is_exit(vm->condition)) {
+    s->exit_requested = ok = true;
+    s->exit_code = (int)vs_fixnum(vs_as_condition(vm->condition)->payload);
+  }
+  if (ok) return vs_bind_finish(&s->bind), VS_OUTCOME_DONE; /* tells what was thrown away */
+  vs_outcome outcome = vs_session_report_condition(s, vm->condition, usage);
+  if (outcome == VS_OUTCOME_MACHINE) {
+    vm->condition = vm->value = VS_FALSE;
+    vs_gc_major(vm); /* what filled the memory is garbage now: the interpreter goes on */
+  }
+  return outcome;
+}
+
+/* An interrupt that came while nothing ran ends the next evaluation before it begins. */
+static bool may_run(vs_session *s) { return !vs_session_interrupted(s) || vs_fail(s->bind.vm, s->bind.vm->sym.interrupt, "interrupted"); }
+
+vs_outcome vs_eval_text(vs *vm, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags) {
+  vs_session *s = vs_session_of(vm);
+  if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
+  begin(s, flags);
+  if (!vs_session_keep_source(s, name, first_line, text, length)) return finish(s, vs_fail_memory(vm), false);
+  return finish(s, may_run(s) && vs_program_text(vm, name, first_line, text, length, !(flags & VS_EVAL_PROGRAM), &vm->value), false);
+}
+
+/* "out/house.vs" names the drawing "house" */
+static bool set_title(vs_session *s, const char *path) {
+  const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path, *dot = strrchr(base, '.');
+  size_t n = dot && dot > base ? (size_t)(dot - base) : strlen(base);
+  const char *title = vs_store_text(s->bind.store, base, n);
+  if (title) s->bind.scene.title = title;
+  return title != NULL;
+}
+
+vs_outcome vs_eval_file(vs *vm, const char *path, unsigned flags) {
+  vs_session *s = vs_session_of(vm);
+  char *text;
+  size_t length;
+  const char *why;
+  if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
+  begin(s, flags);
+  if (!vs_session_read(s, path, &text, &length, &why)) {
+    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, path, 0, 0, why);
+    s->phase = NULL;
+    vs_tally_enter(&s->tally, VS_WORK_NONE);
+    return VS_OUTCOME_USAGE;
+  }
+  bool ok = may_run(s) && (set_title(s, path) || vs_fail_memory(vm));
+  vs_outcome outcome = finish(s, ok && vs_program_text(vm, path, 1, text, length, false, &vm->value), false);
+  free(text);
+  return outcome;
+}
+
+bool vs_exit_requested(const vs *vm, int *code) {
+  const vs_session *s = vs_session_of(vm);
+  if (s->exit_requested) *code = s->exit_code;
+  return s->exit_requested;
+}
+
+vs_read_status vs_read_check(vs *vm, const char *text, size_t length) {
+  static const vs_read_state states[] = {
+    [VS_TEXT_EMPTY] = VS_READ_EMPTY, [VS_TEXT_WHOLE] = VS_READ_COMPLETE, [VS_TEXT_OPEN] = VS_READ_INCOMPLETE, [VS_TEXT_BAD] = VS_READ_BAD
+  };
+  vs_text_check c = { 0 };
+  if (!vs_read_whole(vm, text, length, &c)) return (vs_read_status){ .state = VS_READ_BAD, .line = 1, .column = 1, .message = "out of memory" };
+  return (vs_read_status){ .state = states[c.state], .depth = c.depth, .line = c.line, .column = c.col, .message = c.state == VS_TEXT_BAD ? c.trouble : NULL };
+}
+
+/* ---- completion ---- */
+
+typedef struct { vs *vm; const char *prefix; size_t prefix_bytes; const char **names; size_t count, room; bool failed; } name_list;
+
+static bool collect(void *context, vs_value symbol, vs_value binding) {
+  name_list *l = context;
+  const vs_symbol *name = vs_as_symbol(symbol);
+  (void)binding;
+  if (name->length < l->prefix_bytes || memcmp(name->name, l->prefix, l->prefix_bytes)) return true;
+  if (l->count == l->room) {
+    size_t room = l->room ? 2 * l->room : 64;
+    const char **more = vs_mem(l->vm, l->names, l->room * sizeof *more, room * sizeof *more);
+    if (!more) return l->failed = true, false;
+    l->names = more, l->room = room;
+  }
+  l->names[l->count++] = vs_store_text(vs_session_of(l->vm)->bind.store, name->name, name->length);
+  return l->names[l->count - 1] != NULL || (l->failed = true, false);
+}
+
+static int by_name(const void *a, const void *b) { return strcmp(*(const char *const *)a, *(const char *const *)b); }
+
+size_t vs_complete(vs *vm, const char *prefix, bool (*each)(void *context, const char *name), void *context) {
+  name_list l = { .vm = vm, .prefix = prefix, .prefix_bytes = strlen(prefix) };
+  size_t given = 0;
+  vs_environment_each(vm->at.program, collect, &l);
+  if (!l.failed && l.count) qsort(l.names, l.count, sizeof *l.names, by_name);
+  for (size_t i = 0; !l.failed && i < l.count; i++) {
+    if (i && l.names[i] == l.names[i - 1]) continue; /* interned: own and imported */
+    given++;
+    if (!each(context, l.names[i])) break;
+  }
+  vs_mem(vm, l.names, l.room * sizeof *l.names, 0);
+  return given;
+}
+
+/* ---- parameters ---- */
+
+bool vs_parameter_set(vs *vm, const char *name, const char *datum) {
+  vs_session *s = vs_session_of(vm);
+  if (*name == 0 || strpbrk(name, " \t\n()[]\"';")) {
+    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, "a parameter's name is one word");
+    return false;
+  }
+  if (vs_bind_set_parameter(&s->bind, name, datum)) return true;
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, NULL, 0, 0, "out of memory");
+  return false;
+}
+
+size_t vs_parameter_count(const vs *vm) { return vs_session_of(vm)->bind.parameter_count; }
+
+bool vs_parameter_get(vs *vm, size_t index, vs_parameter_info *out) {
+  static const vs_parameter_type types[] = {
+    [VS_P_BOOLEAN] = VS_PARAMETER_BOOLEAN, [VS_P_INTEGER] = VS_PARAMETER_INTEGER, [VS_P_REAL] = VS_PARAMETER_REAL, [VS_P_STRING] = VS_PARAMETER_STRING, [VS_P_DATUM] = VS_PARAMETER_DATUM
+  };
+  vs_session *s = vs_session_of(vm);
+  if (index >= s->bind.parameter_count) return false;
+  const vs_bind_parameter *p = &s->bind.parameters[index];
+  *out = (vs_parameter_info){
+    .name = p->name, .label = p->label, .group = p->group, .type = types[p->type], .value = p->value, .default_value = p->default_value,
+    .has_range = p->has_range, .min = p->min, .max = p->max, .step = p->step, .choices = p->choices, .choice_count = p->choice_count,
+  };
+  vs_session_span(s, p->at, &out->at);
+  return true;
+}
+
+const char *vs_parameter_unused(const vs *vm, size_t index) {
+  const vs_bind *b = &vs_session_of(vm)->bind;
+  for (size_t i = 0; i < b->setting_count; i++)
+    if (!b->settings[i].used && index-- == 0) return b->settings[i].name;
+  return NULL;
+}
+
+/* ---- the drawing ---- */
+
+void vs_drawing_clear(vs *vm) { vs_bind_clear_drawing(&vs_session_of(vm)->bind); }
+
+/* A scene to look at or write: the drawing, or what was returned where nothing was drawn. Its array is the caller's to give back. */
+static bool scene_of(vs_session *s, vs_scene *out) {
+  *out = s->bind.scene;
+  bool returned = vs_bind_finish(&s->bind);
+  out->tolerance = vs_bind_tolerance(&s->bind);
+  size_t n = returned ? s->bind.returned_count : s->bind.scene.drawn_count;
+  out->drawn = vs_store_realloc(s->bind.store, NULL, 0, (n + 1) * sizeof *out->drawn);
+  if (!out->drawn) return false;
+  out->drawn_count = n, out->drawn_room = n + 1;
+  for (size_t i = 0; i < n; i++)
+    out->drawn[i] = returned ? (vs_ref){ s->bind.returned[i].node, s->bind.returned[i].origin } : s->bind.scene.drawn[i];
+  for (size_t i = 0; i < n; i++) vs_node_retain(out->drawn[i].node); /* the passes put others in their place */
+  return true;
+}
+static void scene_done(vs_session *s, vs_scene *scene) {
+  for (size_t i = 0; i < scene->drawn_count; i++) vs_node_release(scene->drawn[i].node);
+  vs_store_realloc(s->bind.store, scene->drawn, scene->drawn_room * sizeof *scene->drawn, 0);
+}
+
+/* The drawing functions of the program, on the scene as this format (NULL: none) gets it. They are an evaluation of their own. */
+static vs_outcome hand_on(vs_session *s, vs_scene *scene, const vs_format *format) {
+  const char *names[4] = { NULL };
+  size_t n = 0;
+  if (!vs_bind_hands_on(&s->bind)) return VS_OUTCOME_DONE;
+  if (format) names[n++] = format->name, names[n++] = format->suffix;
+  if (format && vs_export_family(format)) names[n++] = vs_export_family(format);
+  begin(s, 0);
+  bool ok = vs_bind_hand_on(&s->bind, scene->drawn, scene->drawn_count, names);
+  s->phase = NULL;
+  vs_tally_enter(&s->tally, VS_WORK_PASSES);
+  if (ok) return VS_OUTCOME_DONE;
+  return s->bind.handed.kind != VS_ERROR_NONE ? vs_session_report_error(s, &s->bind.handed) : vs_session_report_condition(s, s->bind.vm->condition, false);
+}
+
+static bool keep_resolving(void *session, double done) {
+  (void)done;
+  return !vs_session_interrupted(session);
+}
+
+static void warn_resolving(void *session, const vs_origin *origin, const char *message) { vs_session_warn(session, origin, message); }
+
+/* Sections, shadows, edges and lines without end become what they are in space. */
+static bool resolve(vs_session *s, vs_scene *scene, vs_error *e) {
+  vs_kernel_options options = { .progress = keep_resolving, .context = s };
+  size_t count = scene->drawn_count, room = scene->drawn_room;
+  vs_scene mine = *scene; /* with an array that may grow */
+  bool needed = false;
+  for (size_t i = 0; i < count; i++) needed = needed || scene->drawn[i].node->flags & VS_NODE_UNRESOLVED;
+  if (!needed) return true;
+  mine.drawn = NULL, mine.drawn_count = mine.drawn_room = 0;
+  bool ok = true;
+  for (size_t i = 0; ok && i < count; i++) ok = vs_scene_draw(&mine, scene->drawn[i]) || vs_error_memory(e, NULL);
+  ok = ok && vs_scene_resolve(&mine, &options, &(vs_resolve_notes){ warn_resolving, s }, e);
+  vs_ref *drawn = ok ? vs_session_memory(s, NULL, 0, (mine.drawn_count + 1) * sizeof *drawn) : NULL;
+  if (ok && !drawn) ok = vs_error_memory(e, NULL);
+  if (ok) {
+    for (size_t i = 0; i < count; i++) vs_node_release(scene->drawn[i].node);
+    vs_session_memory(s, scene->drawn, room * sizeof *scene->drawn, 0);
+    memcpy(drawn, mine.drawn, mine.drawn_count * sizeof *drawn);
+    scene->drawn = drawn, scene->drawn_count = mine.drawn_count, scene->drawn_room = mine.drawn_count + 1;
+  }
+  for (size_t i = 0; !ok && i < mine.drawn_count; i++) vs_node_release(mine.drawn[i].node);
+  vs_store_realloc(mine.store, mine.drawn, mine.drawn_room * sizeof *mine.drawn, 0);
+  return ok;
+}
+
+static bool summarise(const vs_scene *scene, vs_summary *out, vs_error *e) {
+  vs_bounds all = vs_bounds_empty(), one;
+  vs_bind_counts sum = { 0 }, c;
+  for (size_t i = 0; i < scene->drawn_count; i++) {
+    if (!vs_bind_count(scene->drawn[i], &c)) return vs_error_memory(e, scene->drawn[i].origin);
+    if (!vs_node_bounds(scene->drawn[i].node, &one, e)) return false;
+    vs_bounds_unite(&all, &one);
+    sum.all += c.all;
+    for (int k = 0; k < VS_INHERIT; k++) sum.of[k] += c.of[k];
+  }
+  out->objects = (size_t)sum.all;
+  out->solids = (size_t)sum.of[VS_SOLID], out->surfaces = (size_t)sum.of[VS_SURFACE];
+  out->regions = (size_t)sum.of[VS_REGION_CLASS], out->curves = (size_t)sum.of[VS_CURVE];
+  out->has_bounds = !vs_bounds_is_empty(&all);
+  const double least[] = { all.min.x, all.min.y, all.min.z }, most[] = { all.max.x, all.max.y, all.max.z };
+  for (int i = 0; out->has_bounds && i < 3; i++) out->min[i] = least[i], out->max[i] = most[i];
+  return true;
+}
+
+static vs_outcome drawing_summary(vs_session *s, vs_summary *out) {
+  vs_scene scene;
+  vs_error e = { 0 };
+  *out = (vs_summary){ .units = s->bind.scene.units };
+  if (!scene_of(s, &scene)) return out_of_memory(s);
+  vs_outcome handed = hand_on(s, &scene, NULL);
+  if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
+  static const vs_settle_options plain = { .highlights = VS_MARKS_DROP };
+  bool ok = vs_scene_settle(&scene, &plain, &e) && resolve(s, &scene, &e) && summarise(&scene, out, &e);
+  scene_done(s, &scene);
+  return ok ? VS_OUTCOME_DONE : vs_session_report_error(s, &e);
+}
+
+vs_outcome vs_drawing_summary(vs *vm, vs_summary *out) {
+  vs_session *s = vs_session_of(vm);
+  vs_tally_enter(&s->tally, VS_WORK_PASSES);
+  vs_outcome outcome = drawing_summary(s, out);
+  vs_tally_enter(&s->tally, VS_WORK_NONE);
+  return outcome;
+}
+
+/* ---- formats ---- */
+
+static const vs_format_info formats[] = {
+#define VS_FORMAT(suffix, backend, name, worker, binary, doc) { name, #suffix, doc, worker, binary },
+#include "backends/backends.def"
+};
+
+const vs_format_info *vs_format_list(size_t *count) {
+  *count = sizeof formats / sizeof *formats;
+  return formats;
+}
+
+const char *vs_format_endings(void) {
+#define VS_FORMAT(suffix, backend, name, worker, binary, doc) " ." #suffix
+#define VS_NOTATION(suffix, backend, name, worker, binary, doc)
+  static const char all[] =
+#include "backends/backends.def"
+      ;
+  return all + 1;
+}
+
+const vs_format_info *vs_format_find(const char *text) {
+  const vs_format *f = vs_export_format_find(text);
+  for (size_t i = 0; f && i < sizeof formats / sizeof *formats; i++)
+    if (!strcmp(formats[i].name, f->name)) return &formats[i];
+  return NULL;
+}
+
+/* ---- writing ---- */
+
+const char *const *vs_pass_list(size_t *count) {
+  static const char *const names[] = {
+#define VS_PASS(upper, lower, doc) #lower,
+#include "passes/passes.def"
+  };
+  *count = sizeof names / sizeof *names;
+  return names;
+}
+
+vs_output_options vs_output_options_default(void) { return (vs_output_options){ .quality = VS_QUALITY_GOOD, .passes = VS_PASSES_ALL }; }
+
+typedef struct { vs_session *session; const char *subject; double told; } export_context;
+
+static void export_warn(void *context, const vs_origin *origin, const char *message) { vs_session_warn(((export_context *)context)->session, origin, message); }
+
+static bool export_progress(void *context, const char *stage, double fraction) {
+  export_context *c = context;
+  const vs_host *h = &c->session->options.host;
+  double now = vs_session_clock(c->session);
+  if (h->progress && now - c->told > .1) {
+    c->told = now;
+    h->progress(h->context, &(vs_progress){ .phase = stage, .subject = c->subject, .fraction = fraction });
+  }
+  return !vs_session_interrupted(c->session);
+}
+
+static void apply(const vs_output_options *o, vs_scene *scene, vs_export_options *e) {
+  static const vs_render_quality qualities[] = { [VS_QUALITY_DRAFT] = VS_RENDER_DRAFT, [VS_QUALITY_GOOD] = VS_RENDER_GOOD, [VS_QUALITY_FINAL] = VS_RENDER_FINAL };
+  e->width = o->width, e->height = o->height;
+  if (e->width && !e->height) e->height = (e->width * 3 + 2) / 4;
+  if (e->height && !e->width) e->width = (e->height * 4 + 1) / 3;
+  e->quality = qualities[o->quality];
+  if (o->tolerance > 0) scene->tolerance = o->tolerance;
+  if (o->segments > 0) scene->segments = o->segments;
+  if (!o->has_camera) return;
+  scene->view = VS_VIEW_CAMERA;
+  scene->eye = vs_v3(o->camera[0], o->camera[1], o->camera[2]), scene->target = vs_v3(o->camera[3], o->camera[4], o->camera[5]);
+  scene->lens = o->camera[6] > 0 ? o->camera[6] : 35;
+}
+
+typedef struct { bool (*write)(void *context, const void *bytes, size_t count); void *context; } callback_sink;
+static bool sink(void *context, const void *bytes, size_t count) {
+  const callback_sink *c = context;
+  return c->write(c->context, bytes, count);
+}
+
+/* With its record begun. */
+static vs_outcome write_one(vs_session *s, const char *path, const vs_format *format, const vs_output_options *o, callback_sink *to) {
+  vs_export_options e;
+  vs_scene scene;
+  vs_error error = { 0 };
+  export_context context = { s, path, vs_session_clock(s) }; /* what is quick needs no word on the way */
+  vs_output_record *record = &s->outputs[s->output_count - 1];
+  vs_tally_enter(&s->tally, VS_WORK_RUN);
+  vs_gc_major(s->bind.vm); /* nodes that only dead values still name look shared, and are remembered one by one */
+  vs_tally_enter(&s->tally, VS_WORK_PASSES);
+  if (!scene_of(s, &scene)) return out_of_memory(s);
+  vs_export_options_init(&e);
+  e.context = &context, e.warn = export_warn, e.progress = export_progress;
+  e.safe = s->options.untrusted || s->options.limit_time > 0 || s->options.limit_memory || s->options.limit_steps || s->options.limit_output;
+  e.mesh_triangles = s->options.limit_triangles;
+  if (s->options.limit_memory) e.mesh_bytes = s->bytes < s->options.limit_memory ? s->options.limit_memory - s->bytes : 1;
+  apply(o, &scene, &e);
+  vs_outcome handed = hand_on(s, &scene, format);
+  if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
+  vs_cache_turn(vs_store_cache(s->bind.store), !o->last);
+  s->writing = true, s->late = false; /* the drawing functions had the time of an evaluation */
+  s->write_began = vs_session_clock(s), s->write_worker = s->tally.of[VS_WORK_WORKER].seconds;
+  bool ok = vs_export_settle(&scene, format, &e, &error) && (vs_export_is_verbatim(format) || resolve(s, &scene, &error)) &&
+            (!o->count || vs_session_output_nodes(s, &scene, o->passes, &error)) && vs_scene_optimise(&scene, o->passes, &record->passes, &error) &&
+            vs_export_prepare(&scene, format, &error);
+  vs_tally_enter(&s->tally, VS_WORK_EMIT);
+  ok = ok && (to ? vs_export_to(&scene, format, sink, to, &e, &error) : vs_export(&scene, format, path, &e, &error));
+  s->writing = false;
+  scene_done(s, &scene);
+  if (ok) return VS_OUTCOME_DONE;
+  if (s->late && error.kind == VS_ERROR_INTERRUPT) vs_error_set(&error, VS_ERROR_MEMORY, NULL, "the output: stopped after %g seconds, the limit", s->options.limit_time);
+  return vs_session_report_error(s, &error);
+}
+
+static vs_outcome write_to(vs *vm, const char *path, const char *format_name, const vs_output_options *options, callback_sink *to) {
+  vs_session *s = vs_session_of(vm);
+  vs_output_options o = options ? *options : vs_output_options_default();
+  const char *wanted = format_name ? format_name : path;
+  const vs_format *format = wanted ? vs_export_format_find(wanted) : NULL;
+  if (!format) {
+    char text[400];
+    snprintf(text, sizeof text, "%.200s: no format has this ending; there are %s", wanted ? wanted : "no format given", vs_format_endings());
+    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, text);
+    return VS_OUTCOME_USAGE;
+  }
+  if (!vs_session_output_begin(s, path, format->name)) return out_of_memory(s);
+  vs_outcome outcome = write_one(s, path, format, &o, to);
+  vs_session_output_end(s, outcome == VS_OUTCOME_DONE);
+  return outcome;
+}
+
+vs_outcome vs_write_drawing(vs *vm, const char *path, const char *format, const vs_output_options *o) { return write_to(vm, path, format, o, NULL); }
+
+vs_outcome vs_write_drawing_to(vs *vm, const char *format, const vs_output_options *o, bool (*write)(void *context, const void *bytes, size_t count), void *context) {
+  callback_sink to = { write, context };
+  return write_to(vm, NULL, format, o, &to);
+}

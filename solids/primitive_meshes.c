@@ -1,0 +1,136 @@
+/* Owns the triangles of one primitive as a good solid. */
+#include "solids/primitive_meshes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "geometry/shapes/solid_triangles.h"
+#include "kernel/mesh/inspect.h"
+#include "kernel/mesh/shells.h"
+#include "model/tally.h"
+
+/* Kinds whose meshes may overlap themselves; placements are looked through. */
+static bool may_overlap(const vs_node *n) {
+  if (n->class_ != VS_SOLID) return false;
+  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
+  if (n->kind == VS_EXTRUDE) return VS_AS(extrude, n)->taper != 0 || n->child_count > 1;
+  return n->kind == VS_SWEEP || n->kind == VS_THICKEN || n->kind == VS_LOFT || n->kind == VS_RULED_LOFT || n->kind == VS_GUIDED_LOFT ||
+         n->kind == VS_GRID_MESH || n->kind == VS_GRID_SURFACE;
+}
+
+static bool failed(const vs_kernel_error *why, vs_error *e) {
+  switch (why->status) {
+  case VS_KERNEL_OUT_OF_MEMORY: return vs_error_memory(e, NULL);
+  case VS_KERNEL_INTERRUPTED: return vs_error_set(e, VS_ERROR_INTERRUPT, NULL, "interrupted");
+  case VS_KERNEL_FINE: case VS_KERNEL_OPEN: case VS_KERNEL_INSIDE_OUT: case VS_KERNEL_NOT_FINITE: case VS_KERNEL_LIMIT: case VS_KERNEL_INTERNAL: break;
+  }
+  return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s", why->message);
+}
+
+/* Leaves out shells that are nothing but a crack or a flake: where faces of a mesh that overlaps itself lie on one another, rounding parts them by
+ * some steps of the kernel's grid. thickness: a shell that is thinner on the whole goes. */
+static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
+  vs_shells shells;
+  bool ok = vs_shells_find(m, &shells);
+  uint8_t *gone = ok ? malloc(m->triangle_count + 1) : NULL;
+  ok = gone || vs_error_memory(e, NULL);
+  for (size_t t = 0; ok && t < m->triangle_count; t++) {
+    const vs_shell *s = &shells.at[shells.of[m->triangles[t][0]]];
+    gone[t] = fabs(s->volume) <= thickness * s->area / 2;
+  }
+  if (ok) vs_mesh_squeeze(m, gone);
+  vs_shells_free(&shells);
+  free(gone);
+  return ok;
+}
+
+bool vs_primitive_overlaps(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, bool *overlaps, vs_error *e) {
+  vs_mesh m = { 0 };
+  vs_mesh_flaws flaws = { 0 };
+  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
+  bool ok = vs_tessellate(n, f, &m, e) && (!m.triangle_count || vs_kernel_inspect(&m, options, &flaws, &why) || failed(&why, e));
+  *overlaps = flaws.wound_count > 0;
+  vs_mesh_free(&m);
+  return ok;
+}
+
+static bool primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, vs_error *e) {
+  vs_mesh_flaws flaws;
+  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
+  vs_mesh whole = { 0 };
+  if (!vs_tessellate(n, f, out, e)) return false;
+  if (!may_overlap(n) || !out->triangle_count) return true;
+  if (!vs_kernel_inspect(out, options, &flaws, &why)) return failed(&why, e);
+  if (flaws.wound_count == 0) return true;
+  if (!vs_kernel_resolve(out, 0, options, &whole, &why)) return failed(&why, e);
+  vs_bounds b = vs_mesh_bounds(out);
+  vs_mesh_free(out);
+  *out = whole;
+  return drop_flakes(out, 1e-6 * vs_bounds_diagonal(&b), e);
+}
+
+bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, vs_error *e) {
+  vs_tally *tally = vs_store_tally(n->store);
+  vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
+  bool ok = primitive_mesh(n, f, options, out, e);
+  vs_tally_enter(tally, was);
+  return ok;
+}
+
+/* ---- shared ---- */
+
+typedef struct { uint64_t vertices, triangles; } header; /* then the vertices, then the corners, each at a sixteen (cache.c) */
+
+static void view(const vs_cached *held, vs_mesh *out) {
+  header h;
+  memcpy(&h, held->data, sizeof h);
+  unsigned char *at = (unsigned char *)(uintptr_t)held->data + sizeof h;
+  *out = (vs_mesh){ .vertex_count = (size_t)h.vertices, .triangle_count = (size_t)h.triangles };
+  out->vertices = (vs_vec3 *)(void *)at;
+  out->triangles = (uint32_t (*)[3])(void *)(at + ((h.vertices * sizeof *out->vertices + 15) & ~(size_t)15));
+}
+
+static void keep(vs_cache *cache, const vs_cache_key *key, vs_mesh *out, const vs_cached **held) {
+  header h = { out->vertex_count, out->triangle_count };
+  const vs_cache_piece pieces[] = { { &h, sizeof h }, { out->vertices, out->vertex_count * sizeof *out->vertices }, { out->triangles, out->triangle_count * sizeof *out->triangles } };
+  *held = vs_cache_keep(cache, key, pieces, 3);
+  if (!*held) return;
+  vs_mesh_free(out);
+  view(*held, out);
+}
+
+bool vs_primitive_find(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh *out, const vs_cached **held) {
+  const uint64_t words[] = { vs_cache_real(f->tolerance), (uint64_t)(int64_t)f->segments };
+  *held = cache ? vs_cache_find(cache, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, words, 2, 0 }) : NULL;
+  if (*held) view(*held, out);
+  return *held != NULL;
+}
+
+void vs_primitive_keep(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh *out, const vs_cached **held) {
+  const uint64_t words[] = { vs_cache_real(f->tolerance), (uint64_t)(int64_t)f->segments };
+  if (cache) keep(cache, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, words, 2, 0 }, out, held);
+}
+
+bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, const vs_cached **held, vs_error *e) {
+  if (vs_primitive_find(cache, n, f, out, held)) return true;
+  if (!vs_primitive_mesh(n, f, options, out, e)) return false;
+  vs_primitive_keep(cache, n, f, out, held);
+  return true;
+}
+
+bool vs_primitive_is_plain(const vs_node *n) {
+  return n->kind == VS_BOX || n->kind == VS_WEDGE || n->kind == VS_SPHERE || n->kind == VS_CYLINDER || n->kind == VS_CONE || n->kind == VS_CUT_CONE || n->kind == VS_E_CONE ||
+         n->kind == VS_PYRAMID || n->kind == VS_TORUS || n->kind == VS_POLYFACE_MESH;
+}
+
+bool vs_half_space_shared(vs_cache *cache, vs_node *n, const vs_bounds *reach, vs_mesh *out, const vs_cached **held) {
+  const double sides[] = { reach->min.x, reach->min.y, reach->min.z, reach->max.x, reach->max.y, reach->max.z };
+  uint64_t words[6];
+  for (int i = 0; i < 6; i++) words[i] = vs_cache_real(sides[i]);
+  const vs_cache_key key = { VS_CACHED_PRIMITIVE, n, words, 6, 0 };
+  *held = cache ? vs_cache_find(cache, &key) : NULL;
+  if (*held) return view(*held, out), true;
+  if (!vs_solid_half_space(out, VS_AS(half_space, n)->point, VS_AS(half_space, n)->normal, reach)) return false;
+  if (cache) keep(cache, &key, out, held);
+  return true;
+}

@@ -1,0 +1,27 @@
+/* Owns the triangles of one primitive as a good solid: what geometry/ makes of it, freed of its overlaps. */
+#ifndef VS_KERNEL_PRIMITIVE_H
+#define VS_KERNEL_PRIMITIVE_H
+
+#include "geometry/tessellate.h"
+#include "kernel/evaluate.h"
+#include "model/store/cache.h"
+
+/* As vs_tessellate, into an empty mesh; where a sweep, loft or surface overlaps itself, it becomes what it winds around more than 0 times. The
+ * error has no origin where geometry/ gave none. options may be NULL. */
+bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, vs_error *e);
+
+/* Does the mesh of such a node, as geometry/ makes it, overlap itself? */
+bool vs_primitive_overlaps(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, bool *overlaps, vs_error *e);
+
+/* The same as vs_primitive_mesh, looked up in the cache and kept there: *held then is what out's arrays lie in, until the caller lets it go, and out must be neither changed nor
+ * freed. *held NULL: out is the caller's own. cache NULL: there is none. */
+bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, const vs_cached **held, vs_error *e);
+/* That in its parts: is it kept, *held NULL where it is not; and keeping one that was made. */
+bool vs_primitive_find(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh *out, const vs_cached **held);
+void vs_primitive_keep(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh *out, const vs_cached **held);
+/* Is vs_tessellate all there is to it, and reads it nothing but the node's own numbers? Then any thread may make it. */
+bool vs_primitive_is_plain(const vs_node *n);
+/* So for the part of a half-space that is in reach. False: out of memory. */
+bool vs_half_space_shared(vs_cache *cache, vs_node *n, const vs_bounds *reach, vs_mesh *out, const vs_cached **held);
+
+#endif

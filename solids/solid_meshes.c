@@ -1,0 +1,505 @@
+/* Owns the walk over a model's nodes that turns them into a kernel problem.
+ *
+ * Every path of the DAG gives its own terms; a mesh is made once per distinct primitive (equal by value, at equal facets), and the same mesh at the
+ * same place in the same paint is one leaf, however often it stands in the expression. The walk keeps its own stack: a model may be hundreds of
+ * thousands deep. */
+#include "solids/solid_meshes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "geometry/shapes/solid_triangles.h"
+#include "kernel/memory.h"
+#include "solids/primitive_meshes.h"
+#include "model/store/cache.h"
+#include "model/tally.h"
+
+enum { BUCKETS = 4096 };
+
+typedef struct {
+  vs_affine placement;
+  const vs_material *material;
+  const char *layer; /* interned */
+  size_t first;    /* of its operands in `pending` */
+  bool difference; /* its operands past the first are taken off */
+  bool off;        /* what stands here makes the whole smaller */
+  uint32_t scope;  /* the innermost operation around this that ends somewhere: half-spaces matter within it alone; 0 is the whole drawing */
+  const vs_node *scope_node; /* its node; NULL: the whole's */
+  vs_affine local; /* from here to there */
+} level;
+typedef struct {
+  const vs_node *node;
+  vs_facets facets;
+  vs_mesh *mesh;
+  const vs_cached *held; /* mesh's arrays are the cache's; NULL: its own */
+  size_t next;           /* one more; 0: none */
+  const vs_origin *origin;
+  const vs_node *scope;  /* of a half-space, which is as large as it must be there: */
+  vs_affine local;       /* where it stands in it */
+} meshed;
+typedef struct { uint32_t leaf, scope; } scoped;
+
+typedef struct {
+  vs_kernel k;
+  const vs_facets *facets;
+  vs_error *error;
+  VS_LIST(vs_kernel_leaf) leaves;
+  VS_LIST(const vs_origin *) origins; /* of the leaves */
+  VS_LIST(vs_kernel_term) terms;
+  VS_LIST(uint32_t) operands;
+  VS_LIST(uint32_t) pending;          /* terms that wait for their operation */
+  VS_LIST(level) levels;              /* of the nodes the walk is in */
+  VS_LIST(meshed) meshes;
+  VS_LIST(vs_solid_part) parts;
+  VS_LIST(uint32_t) paints;           /* of each part: the first that has its material and layer */
+  VS_LIST(uint32_t) part_table, paint_table; /* of parts, open addressing; one more, 0 free */
+  VS_LIST(vs_bounds) within;          /* of each leaf, where there are half-spaces: where they matter */
+  VS_LIST(uint32_t) scopes;           /* of each, the one around it */
+  VS_LIST(scoped) scoped;             /* every place of every leaf */
+  size_t buckets[BUCKETS];            /* of meshes by hash; one more */
+  VS_LIST(uint32_t) twins;            /* leaves by mesh, placement, paint and side, open addressing; one more, 0 free */
+  VS_LIST(uint8_t) off;               /* of each leaf: level.off */
+  VS_LIST(uint32_t) mesh_numbers;     /* of each leaf: which of meshes */
+  VS_LIST(uint64_t) identities;       /* of each leaf's mesh */
+  VS_LIST(uint32_t) plain;            /* meshes that are made by threads in the end */
+  vs_cache *cache;                    /* or NULL */
+} builder;
+
+static bool full(builder *b) {
+  return vs_kernel_fail(&b->k, VS_KERNEL_LIMIT, 0, "the model has too many parts to mesh");
+}
+
+static bool add_term(builder *b, vs_term_kind kind, uint32_t first, size_t count) {
+  if (b->terms.count >= INT32_MAX) return full(b);
+  return VS_PUSH(&b->k, b->terms, ((vs_kernel_term){ kind, first, (uint32_t)count })) && VS_PUSH(&b->k, b->pending, (uint32_t)b->terms.count - 1);
+}
+
+/* Makes the pending terms from `first` on the operands of a new one, which then is pending itself. */
+static bool close_term(builder *b, vs_term_kind kind, size_t first) {
+  size_t count = b->pending.count - first, at = b->operands.count;
+  if (at + count >= UINT32_MAX) return full(b);
+  for (size_t i = 0; i < count; i++)
+    if (!VS_PUSH(&b->k, b->operands, b->pending.at[first + i])) return false;
+  b->pending.count = first;
+  return add_term(b, kind, (uint32_t)at, count);
+}
+
+static bool same_part(const vs_solid_part *a, const vs_solid_part *b, bool leaf) {
+  return a->material == b->material && a->layer == b->layer && (!leaf || a->leaf.origin == b->leaf.origin);
+}
+
+static size_t part_slot(const builder *b, const uint32_t *table, size_t count, const vs_solid_part *part, bool leaf) {
+  uint64_t h = ((uint64_t)(uintptr_t)part->material >> 4) * 0x9e3779b97f4a7c15u + (leaf ? (uint64_t)(uintptr_t)part->leaf.origin >> 4 : 0);
+  h = (h ^ h >> 29) * 0xbf58476d1ce4e5b9u;
+  size_t mask = count - 1, i = (size_t)(h >> 20) & mask;
+  while (table[i] && !same_part(&b->parts.at[table[i] - 1], part, leaf)) i = (i + 1) & mask;
+  return i;
+}
+
+static bool part_of(builder *b, const vs_solid_part *part, uint32_t *tag) {
+  if (b->parts.count * 2 >= b->part_table.count) {
+    size_t slots = b->part_table.count ? b->part_table.count * 2 : 64;
+    if (!VS_ROOM(&b->k, b->part_table.at, b->part_table.room, slots) || !VS_ROOM(&b->k, b->paint_table.at, b->paint_table.room, slots)) return false;
+    memset(b->part_table.at, 0, slots * sizeof(uint32_t));
+    memset(b->paint_table.at, 0, slots * sizeof(uint32_t));
+    b->part_table.count = slots;
+    for (uint32_t i = 0; i < b->parts.count; i++) {
+      b->part_table.at[part_slot(b, b->part_table.at, slots, &b->parts.at[i], true)] = i + 1;
+      size_t paint = part_slot(b, b->paint_table.at, slots, &b->parts.at[i], false);
+      if (!b->paint_table.at[paint]) b->paint_table.at[paint] = i + 1;
+    }
+  }
+  size_t slot = part_slot(b, b->part_table.at, b->part_table.count, part, true), paint = part_slot(b, b->paint_table.at, b->part_table.count, part, false);
+  if (!b->part_table.at[slot]) {
+    if (!VS_PUSH(&b->k, b->parts, *part) || !VS_PUSH(&b->k, b->paints, 0u)) return false;
+    b->part_table.at[slot] = (uint32_t)b->parts.count;
+    if (!b->paint_table.at[paint]) b->paint_table.at[paint] = (uint32_t)b->parts.count;
+    b->paints.at[b->parts.count - 1] = b->paint_table.at[paint] - 1;
+  }
+  *tag = b->part_table.at[slot] - 1;
+  return true;
+}
+
+static bool same_place(const vs_affine *a, const vs_affine *b) {
+  for (int i = 0; i < 12; i++)
+    if (a->m[i / 4][i % 4] != b->m[i / 4][i % 4]) return false;
+  return true;
+}
+
+static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_facets *facets, vs_mesh **mesh, uint32_t *number) {
+  bool endless = ref->node->kind == VS_HALF_SPACE;
+  size_t *bucket = &b->buckets[(ref->node->hash ^ ref->node->hash >> 32) % BUCKETS];
+  for (size_t i = *bucket; i; i = b->meshes.at[i - 1].next) {
+    const meshed *m = &b->meshes.at[i - 1];
+    if (m->facets.tolerance != facets->tolerance || m->facets.segments != facets->segments) continue;
+    bool sure = true;
+    if (endless && m->node->kind == VS_HALF_SPACE &&
+        (!same_place(&m->local, &at->local) || (m->scope != at->scope_node && (!m->scope || !at->scope_node || !vs_node_equal(m->scope, at->scope_node, &sure))))) {
+      if (!sure) return vs_error_memory(b->error, NULL);
+      continue;
+    }
+    if (m->node != ref->node && (m->node->hash != ref->node->hash || !vs_node_equal(m->node, ref->node, &sure))) {
+      if (!sure) return vs_error_memory(b->error, NULL);
+      continue;
+    }
+    *mesh = m->mesh;
+    *number = (uint32_t)i - 1;
+    return true;
+  }
+  if (!vs_kernel_report(&b->k, 0)) return false; /* one shape may have a million triangles */
+  *mesh = calloc(1, sizeof **mesh);
+  if (!*mesh) return vs_error_memory(b->error, NULL);
+  if (!VS_PUSH(&b->k, b->meshes, ((meshed){ ref->node, *facets, *mesh, NULL, *bucket, ref->origin, at->scope_node, at->local }))) {
+    free(*mesh);
+    return false;
+  }
+  *bucket = b->meshes.count;
+  *number = (uint32_t)b->meshes.count - 1;
+  if (ref->node->kind == VS_HALF_SPACE) return true; /* made when it is known what there is to cut */
+  if (vs_primitive_is_plain(ref->node)) return vs_primitive_find(b->cache, ref->node, facets, *mesh, &b->meshes.at[*number].held) || VS_PUSH(&b->k, b->plain, *number);
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
+  if (vs_primitive_shared(b->cache, ref->node, facets, b->k.options, *mesh, &b->meshes.at[*number].held, &why)) return true;
+  if (!why.origin) why.origin = ref->origin;
+  if (b->error) *b->error = why;
+  return false;
+}
+
+/* ---- plain meshes ---- */
+
+enum { FEW = 64, CHUNK = 8 /* so few are a task each, else so many together */, CURVED = 100 /* triangles, by and large */, SERIAL = 10000 /* are not worth a thread */ };
+
+typedef struct { const builder *b; size_t chunk; } making;
+
+static bool make_some(vs_kernel *k, void *context, size_t index) {
+  const making *all = context;
+  const builder *b = all->b;
+  for (size_t i = index * all->chunk; i < (index + 1) * all->chunk && i < b->plain.count; i++) {
+    const meshed *m = &b->meshes.at[b->plain.at[i]];
+    if (!vs_kernel_report(k, 0)) return false; /* one shape may have a million triangles */
+    if (!vs_tessellate(m->node, &m->facets, m->mesh, NULL)) return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, (uint32_t)i, "out of memory while combining solids");
+  }
+  return true;
+}
+
+/* All that the walk has left. */
+static bool make_plain(builder *b) {
+  making all = { b, b->plain.count < FEW ? 1 : CHUNK };
+  size_t faces = 0;
+  for (size_t i = 0; i < b->plain.count; i++) {
+    const vs_node *n = b->meshes.at[b->plain.at[i]].node;
+    faces += n->kind == VS_POLYFACE_MESH ? VS_AS(polyface_mesh, n)->faces->count : CURVED;
+  }
+  if (faces >= SERIAL) b->k.threads = vs_kernel_threads(b->k.options);
+  bool ok = vs_kernel_run(&b->k, (b->plain.count + all.chunk - 1) / all.chunk, make_some, &all);
+  b->k.threads = 1;
+  for (size_t i = 0; ok && i < b->plain.count; i++) {
+    meshed *m = &b->meshes.at[b->plain.at[i]];
+    vs_primitive_keep(b->cache, (vs_node *)(uintptr_t)m->node, &m->facets, m->mesh, &m->held);
+  }
+  if (ok || b->k.error->status != VS_KERNEL_OUT_OF_MEMORY) return ok;
+  const meshed *m = &b->meshes.at[b->plain.at[b->k.error->leaf]]; /* once more, for what it has to say */
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
+  if (vs_tessellate(m->node, &m->facets, m->mesh, &why)) return false;
+  if (!why.origin) why.origin = m->origin;
+  if (b->error) *b->error = why;
+  b->k.error->status = VS_KERNEL_FINE;
+  return false;
+}
+
+static uint64_t leaf_hash(const builder *b, const vs_kernel_leaf *leaf, bool off) {
+  uint64_t h = (uint64_t)(uintptr_t)leaf->mesh ^ ((uint64_t)b->paints.at[leaf->tag] << 1 | off) << 40;
+  for (int i = 0; i < 12; i++) {
+    double x = leaf->placement.m[i / 4][i % 4] + 0.0; /* -0 is 0 */
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    h = (h ^ bits) * UINT64_C(0x9E3779B97F4A7C15);
+    h ^= h >> 29;
+  }
+  return h;
+}
+
+static bool leaf_same(const builder *owner, const vs_kernel_leaf *a, const vs_kernel_leaf *b) {
+  for (int i = 0; i < 12; i++)
+    if (a->placement.m[i / 4][i % 4] != b->placement.m[i / 4][i % 4]) return false;
+  return a->mesh == b->mesh && owner->paints.at[a->tag] == owner->paints.at[b->tag];
+}
+
+/* where the leaf stands in `twins`, or the free place for it */
+static size_t twin_slot(const builder *b, const vs_kernel_leaf *leaf, bool off) {
+  size_t mask = b->twins.count - 1, i = (size_t)leaf_hash(b, leaf, off) & mask;
+  for (; b->twins.at[i]; i = (i + 1) & mask) {
+    uint32_t other = b->twins.at[i] - 1;
+    if (b->off.at[other] == off && leaf_same(b, &b->leaves.at[other], leaf)) break;
+  }
+  return i;
+}
+
+static bool twins_grow(builder *b) {
+  size_t slots = b->twins.count ? b->twins.count * 2 : 64;
+  if (!VS_ROOM(&b->k, b->twins.at, b->twins.room, slots)) return false;
+  memset(b->twins.at, 0, slots * sizeof *b->twins.at);
+  b->twins.count = slots;
+  for (uint32_t i = 0; i < b->leaves.count; i++) b->twins.at[twin_slot(b, &b->leaves.at[i], b->off.at[i])] = i + 1;
+  return true;
+}
+
+static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
+  vs_facets facets = vs_facets_placed(b->facets, &at->placement);
+  vs_kernel_leaf leaf = { NULL, at->placement, 0, at->material == NULL };
+  vs_mesh *mesh = NULL;
+  if (b->leaves.count >= UINT32_MAX - 1) return full(b);
+  uint32_t number = 0;
+  if (!mesh_of(b, ref, at, &facets, &mesh, &number) || !part_of(b, &(vs_solid_part){ at->material, at->layer, *ref }, &leaf.tag)) return false;
+  leaf.mesh = mesh;
+  if ((b->leaves.count + 1) * 2 > b->twins.count && !twins_grow(b)) return false;
+  size_t slot = twin_slot(b, &leaf, at->off);
+  if (!b->twins.at[slot]) {
+    if (!VS_PUSH(&b->k, b->leaves, leaf) || !VS_PUSH(&b->k, b->origins, ref->origin) || !VS_PUSH(&b->k, b->off, (uint8_t)at->off) ||
+        !VS_PUSH(&b->k, b->mesh_numbers, number)) return false;
+    b->twins.at[slot] = (uint32_t)b->leaves.count;
+  }
+  return VS_PUSH(&b->k, b->scoped, ((scoped){ b->twins.at[slot] - 1, at->scope })) && add_term(b, VS_TERM_LEAF, b->twins.at[slot] - 1, 0);
+}
+
+/* Half-spaces become solids that are right wherever what they are combined with is: within the innermost operation that ends somewhere. Where all its other
+ * leaves are outside, it is false whatever the half-space is. So each is no larger than it must be, and joins nothing that has no part in it. */
+static bool bound_half_spaces(builder *b) {
+  bool any = false, ok = true;
+  for (size_t i = 0; i < b->meshes.count && !any; i++) any = b->meshes.at[i].node->kind == VS_HALF_SPACE;
+  if (!any) return true;
+  if (!VS_ROOM(&b->k, b->within.at, b->within.room, b->leaves.count + 1)) return false;
+  vs_bounds *own = malloc((b->meshes.count + 1) * sizeof *own), *reach = malloc((b->scopes.count + 1) * sizeof *reach);
+  ok = own && reach;
+  for (size_t i = 0; ok && i < b->meshes.count; i++) own[i] = vs_mesh_bounds(b->meshes.at[i].mesh);
+  for (size_t i = 0; ok && i < b->scopes.count; i++) reach[i] = vs_bounds_empty();
+  for (size_t i = 0; ok && i < b->scoped.count; i++) {
+    const scoped *s = &b->scoped.at[i];
+    vs_bounds placed = vs_bounds_transform(&own[b->mesh_numbers.at[s->leaf]], &b->leaves.at[s->leaf].placement);
+    vs_bounds_unite(&reach[s->scope], &placed);
+  }
+  for (size_t i = b->scopes.count; ok && i-- > 1;) vs_bounds_unite(&reach[b->scopes.at[i]], &reach[i]); /* the outer ones come first */
+  for (size_t i = 0; ok && i < b->leaves.count; i++)
+    b->within.at[i] = b->meshes.at[b->mesh_numbers.at[i]].node->kind == VS_HALF_SPACE ? vs_bounds_empty()
+                    : (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) };
+  for (size_t i = 0; ok && i < b->scoped.count; i++) { /* own[] of a half-space: what it must reach, over all its places */
+    const scoped *s = &b->scoped.at[i];
+    vs_affine back;
+    size_t m = b->mesh_numbers.at[s->leaf];
+    if (b->meshes.at[m].node->kind != VS_HALF_SPACE || !vs_affine_invert(&b->leaves.at[s->leaf].placement, &back)) continue;
+    vs_bounds local = vs_bounds_transform(&reach[s->scope], &back);
+    vs_bounds_unite(&own[m], &local);
+    vs_bounds_unite(&b->within.at[s->leaf], &reach[s->scope]);
+  }
+  for (size_t i = 0; ok && i < b->meshes.count; i++)
+    if (b->meshes.at[i].node->kind == VS_HALF_SPACE)
+      ok = vs_half_space_shared(b->cache, (vs_node *)(uintptr_t)b->meshes.at[i].node, &own[i], b->meshes.at[i].mesh, &b->meshes.at[i].held);
+  free(own);
+  free(reach);
+  return ok || vs_error_memory(b->error, NULL);
+}
+
+typedef enum { PLAIN, PLACED, JOINED } role; /* a primitive; one child seen in another way; an operation on many */
+
+static role role_of(const vs_node *n) {
+  switch ((vs_kind)n->kind) {
+  case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_NATIVE: case VS_HIGHLIGHT: case VS_ONLY: return PLACED;
+  case VS_CUSTOM: return n->child_count ? PLACED : PLAIN;
+  case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return JOINED;
+  case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
+  case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
+  case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_GHOST: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
+  case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
+  case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
+  case VS_THICKEN: case VS_KIND_COUNT: break;
+  }
+  return PLAIN;
+}
+
+static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
+  const vs_node *n = ref->node;
+  level now = { vs_affine_identity(), NULL, NULL, b->pending.count, n->kind == VS_DIFFERENCE, false, 0, NULL, vs_affine_identity() };
+  if (b->levels.count) {
+    const level *up = &b->levels.at[b->levels.count - 1];
+    now.placement = up->placement;
+    now.material = up->material;
+    now.layer = up->layer;
+    now.scope = up->scope;
+    now.scope_node = up->scope_node;
+    now.local = up->local;
+    now.off = up->off != (up->difference && b->pending.count > up->first);
+  }
+  if (n->kind == VS_TRANSFORM) {
+    now.placement = vs_affine_multiply(&now.placement, &VS_AS(transform, n)->matrix);
+    now.local = vs_affine_multiply(&now.local, &VS_AS(transform, n)->matrix);
+  }
+  if (b->scopes.count == 0 && !VS_PUSH(&b->k, b->scopes, 0u)) return false; /* the whole */
+  if ((n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE) && !(n->flags & VS_NODE_ENDLESS)) {
+    if (!VS_PUSH(&b->k, b->scopes, now.scope)) return false;
+    now.scope = (uint32_t)b->scopes.count - 1;
+    now.scope_node = n;
+    now.local = vs_affine_identity();
+  }
+  if (n->kind == VS_MATERIAL) now.material = VS_AS(material, n)->material;
+  if (n->kind == VS_LAYER) now.layer = VS_AS(layer, n)->name;
+  if (!VS_PUSH(&b->k, b->levels, now)) return false;
+  bool solid = n->class_ == VS_SOLID || n->class_ == VS_MIXED;
+  if (solid && role_of(n) != PLAIN) return true;
+  vs_walk_skip(walk);
+  return solid ? add_leaf(b, ref, &now) : add_term(b, VS_TERM_UNION, 0, 0); /* no solid: as an operand, nothing */
+}
+
+static bool leave(builder *b, const vs_ref *ref) {
+  const vs_node *n = ref->node;
+  size_t first = b->levels.at[--b->levels.count].first;
+  if (role_of(n) != JOINED || !(n->class_ == VS_SOLID || n->class_ == VS_MIXED)) return true;
+  return close_term(b, n->kind == VS_UNION ? VS_TERM_UNION : n->kind == VS_INTERSECTION ? VS_TERM_INTERSECTION : VS_TERM_DIFFERENCE, first);
+}
+
+static bool walk_one(builder *b, const vs_ref *root) {
+  vs_walk *walk = vs_walk_new(root->node->store, *root);
+  if (!walk) return vs_error_memory(b->error, root->origin);
+  vs_ref ref;
+  bool ok = true;
+  for (vs_walk_event e; ok && (e = vs_walk_next(walk, &ref, NULL)) != VS_WALK_DONE;) {
+    if (e == VS_WALK_FAILED) ok = vs_error_memory(b->error, root->origin);
+    else ok = e == VS_WALK_ENTER ? enter(b, walk, &ref) : leave(b, &ref);
+    ok = ok && vs_kernel_poll(&b->k, 0);
+  }
+  vs_walk_free(walk);
+  return ok;
+}
+
+static vs_error_kind kind_of(vs_kernel_status s) {
+  switch (s) {
+  case VS_KERNEL_FINE: return VS_ERROR_NONE;
+  case VS_KERNEL_OPEN: case VS_KERNEL_INSIDE_OUT: case VS_KERNEL_NOT_FINITE: case VS_KERNEL_INTERNAL:
+    return VS_ERROR_MODEL;
+  case VS_KERNEL_OUT_OF_MEMORY: case VS_KERNEL_LIMIT: return VS_ERROR_MEMORY;
+  case VS_KERNEL_INTERRUPTED: return VS_ERROR_INTERRUPT;
+  }
+  return VS_ERROR_MEMORY;
+}
+
+void vs_solid_free(vs_solid *s) {
+  vs_mesh_free(&s->mesh);
+  free(s->parts);
+  *s = (vs_solid){ .part_count = 0 };
+}
+
+void vs_solid_tally_steps(vs_store *s, const vs_kernel_counts *counts) {
+  vs_tally *t = vs_store_tally(s);
+  for (int i = 0; t && i < VS_STEP_COUNT; i++) t->steps[i] += counts->seconds[i];
+}
+
+static void tally_up(vs_tally *t, const vs_kernel_counts *c, const vs_solid *one, const vs_solid_copies *many) {
+  if (!t) return;
+  t->clusters += c->clusters;
+  t->combined += c->combined;
+  t->copied += c->copied;
+  t->remembered += c->remembered;
+  if (one) t->triangles += one->mesh.triangle_count;
+  for (size_t i = 0; many && i < many->meshes.mesh_count; i++) t->triangles += many->meshes.meshes[i].triangle_count;
+  vs_tally_also(t, c->peak);
+}
+
+/* One of the two is wanted. */
+static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_solid *one, vs_solid_copies *many,
+                     vs_error *error) {
+  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
+  builder *b = calloc(1, sizeof *b);
+  if (!b) return vs_error_memory(error, NULL);
+  vs_tally *tally = count ? vs_store_tally(refs[0].node->store) : NULL;
+  vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
+  vs_kernel_counts counts = { 0 };
+  vs_kernel_options mine = options ? *options : (vs_kernel_options){ .progress = NULL };
+  if (count && !mine.cache) mine.cache = vs_store_cache(refs[0].node->store);
+  options = &mine;
+  b->cache = vs_cache_asks(mine.cache) ? mine.cache : NULL;
+  b->k.options = options;
+  b->k.error = &why;
+  b->k.threads = 1;
+  b->facets = facets;
+  b->error = error;
+  bool ok = true;
+  vs_kernel_time(&b->k, counts.seconds);
+  for (size_t i = 0; ok && i < count; i++) {
+    ok = !(refs[i].node->flags & VS_NODE_ENDLESS) || vs_error_set(error, VS_ERROR_MODEL, refs[i].origin, VS_ENDLESS_MESSAGE);
+    ok = ok && walk_one(b, &refs[i]);
+  }
+  ok = ok && make_plain(b) && close_term(b, VS_TERM_UNION, 0) && bound_half_spaces(b);
+  for (size_t i = 0; ok && b->cache && i < b->leaves.count; i++) {
+    const vs_cached *held = b->meshes.at[b->mesh_numbers.at[i]].held;
+    ok = VS_PUSH(&b->k, b->identities, held ? held->serial : 0);
+  }
+  vs_kernel_lap(&b->k, VS_STEP_SHAPES);
+  if (ok) {
+    vs_kernel_problem problem = { b->leaves.at, b->terms.at, b->operands.at, (uint32_t)b->leaves.count, (uint32_t)b->terms.count,
+                                  (uint32_t)b->operands.count, b->paints.at, b->identities.at, b->within.at };
+    mine.counts = &counts;
+    ok = one ? vs_kernel_evaluate(&problem, options, &one->mesh, &why) : vs_kernel_evaluate_copies(&problem, options, &many->meshes, &why);
+  }
+  if (ok && counts.coarse && mine.warn) {
+    char message[200];
+    snprintf(message, sizeof message, "too small for what it touches: all of that is worked out in steps of %.3g, which makes this part %.0f %% %s (and %zu more parts)", counts.coarse_step,
+             100 * fabs(counts.coarse_by), counts.coarse_by > 0 ? "larger" : "smaller", counts.coarse - 1);
+    if (counts.coarse == 1) *strstr(message, " (and") = 0;
+    mine.warn(mine.context, b->origins.at[counts.coarse_leaf], message);
+  }
+  if (ok) {
+    *(one ? &one->parts : &many->parts) = b->parts.at;
+    *(one ? &one->part_count : &many->part_count) = b->parts.count;
+    b->parts.at = NULL;
+  } else if (why.status != VS_KERNEL_FINE) {
+    bool placed = why.status == VS_KERNEL_OPEN || why.status == VS_KERNEL_INSIDE_OUT || why.status == VS_KERNEL_NOT_FINITE || why.status == VS_KERNEL_INTERNAL;
+    vs_error_set(error, kind_of(why.status), placed && why.leaf < b->origins.count ? b->origins.at[why.leaf] : NULL, "%s", why.message);
+  }
+  for (size_t i = 0; i < b->meshes.count; i++) {
+    if (b->meshes.at[i].held) vs_cache_let_go(b->cache, b->meshes.at[i].held);
+    else vs_mesh_free(b->meshes.at[i].mesh);
+    free(b->meshes.at[i].mesh);
+  }
+  tally_up(tally, &counts, one, many);
+  if (count) vs_solid_tally_steps(refs[0].node->store, &counts);
+  VS_DROP(&b->k, b->leaves);
+  VS_DROP(&b->k, b->origins);
+  VS_DROP(&b->k, b->twins);
+  VS_DROP(&b->k, b->off);
+  VS_DROP(&b->k, b->mesh_numbers);
+  VS_DROP(&b->k, b->scopes);
+  VS_DROP(&b->k, b->within);
+  VS_DROP(&b->k, b->scoped);
+  VS_DROP(&b->k, b->identities);
+  VS_DROP(&b->k, b->plain);
+  VS_DROP(&b->k, b->terms);
+  VS_DROP(&b->k, b->operands);
+  VS_DROP(&b->k, b->pending);
+  VS_DROP(&b->k, b->levels);
+  VS_DROP(&b->k, b->meshes);
+  VS_DROP(&b->k, b->parts);
+  VS_DROP(&b->k, b->paints);
+  VS_DROP(&b->k, b->part_table);
+  VS_DROP(&b->k, b->paint_table);
+  free(b);
+  vs_tally_enter(tally, was);
+  return ok;
+}
+
+bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_solid *out, vs_error *error) {
+  *out = (vs_solid){ .part_count = 0 };
+  if (evaluate(refs, count, facets, options, out, NULL, error)) return true;
+  vs_solid_free(out);
+  return false;
+}
+
+bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_solid_copies *out, vs_error *error) {
+  *out = (vs_solid_copies){ .part_count = 0 };
+  return evaluate(refs, count, facets, options, NULL, out, error); /* the kernel leaves nothing behind where it fails */
+}
+
+void vs_solid_copies_free(vs_solid_copies *s) {
+  vs_kernel_copies_free(&s->meshes);
+  free(s->parts);
+  *s = (vs_solid_copies){ .part_count = 0 };
+}

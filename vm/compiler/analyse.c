@@ -1,0 +1,341 @@
+/* Owns the analysis of core trees, in two passes.
+
+   Loops: which FIX-bound lambdas can run in the frame they are defined in. All their references must be calls with the right number of
+   arguments, in tail position of the FIX's body or of their own body. Scopes (struct tail) are chained from the inside out: a call is
+   such a tail call if the chain from it reaches the FIX. Where it passes through another candidate's body, it holds only if that
+   one becomes a loop too; these conditions are kept and resolved at the end.
+
+   Frames: which frame each variable lives in, what every lambda captures, and what must be boxed. Moments are counted per tree;
+   a lambda made at a moment before a variable is ready, which captures it, makes it boxed and its references checked. Consecutive
+   lambdas of a FIX are made at one moment: they may capture each other, the compiler patches them.
+
+   Both recurse within a frame only (VS_AST_DEPTH times the few loops nested in it); lambdas wait on a list. */
+#include "vm/compiler/analyse.h"
+
+#include "vm/machine/native.h"
+
+enum { MOST_LOOPS = 24 /* one in another or beside it: any may be compiled inside any */, MOST_DEPTH = 1500 };
+
+struct tail { struct tail *parent; vs_node *fix; vs_var *var; /* the body of var's lambda, or (NULL) of fix */ };
+struct job { struct job *next; vs_node *lambda; struct tail *tail; int loops; };
+struct needs { struct needs *next; vs_var *loop, *through; };
+
+struct analysis { vs_ast *ast; struct job *jobs; struct needs *needs; uint32_t now; };
+
+static bool add_job(struct analysis *a, vs_node *lambda, struct tail *tail, int loops) {
+  struct job *j = vs_ast_alloc(a->ast, sizeof *j);
+  if (!j) return false;
+  *j = (struct job){a->jobs, lambda, tail, loops};
+  a->jobs = j;
+  return true;
+}
+
+static vs_var_info *bind(struct analysis *a, vs_var *v) {
+  v->assigned = v->captured = false;
+  v->refs = v->calls = 0;
+  return v->extra = vs_ast_alloc(a->ast, sizeof(vs_var_info));
+}
+
+static struct tail *scope(struct analysis *a, struct tail *parent, vs_node *fix, vs_var *var) {
+  struct tail *t = vs_ast_alloc(a->ast, sizeof *t);
+  if (t) *t = (struct tail){parent, fix, var};
+  return t;
+}
+
+static bool plain(const vs_node *lambda) {
+  if (lambda->as.lambda.rest) return false;
+  for (uint32_t i = 0; i < lambda->count; i++)
+    if (lambda->as.lambda.params[i].fallback || lambda->as.lambda.params[i].keyword) return false;
+  return true;
+}
+
+/* ---- first pass ---- */
+static bool called(struct analysis *a, vs_var *v, const vs_node *call, struct tail *t) {
+  vs_var_info *info = vs_info(v);
+  v->calls++;
+  if (!info->loop) return true;
+  if (call->as.call.keywords || call->count != v->value->count) { info->loop = false; return true; }
+  for (; t; t = t->parent) {
+    if (t->fix == info->fix && (!t->var || t->var == v)) return true;
+    if (!t->var) continue;
+    struct needs *n = vs_ast_alloc(a->ast, sizeof *n);
+    if (!n) return false;
+    *n = (struct needs){a->needs, v, t->var};
+    a->needs = n;
+  }
+  info->loop = false;
+  return true;
+}
+
+/* t: the chain of scopes this is in tail position of, or NULL */
+static bool find_loops(struct analysis *a, vs_node *n, struct tail *t, int depth, int loops) {
+  if (!n) return true;
+  if (!vs_poll(a->ast->vm, 16)) return false;
+  depth++;
+  switch (n->kind) {
+    case VS_AST_CONST: case VS_AST_GLOBAL: return true;
+    case VS_AST_LOCAL:
+      n->as.var->refs++;
+      vs_info(n->as.var)->loop = false;
+      return true;
+    case VS_AST_SETLOCAL:
+      n->as.set.var->assigned = true;
+      vs_info(n->as.set.var)->loop = false;
+      return find_loops(a, n->as.set.value, NULL, depth, loops);
+    case VS_AST_SETGLOBAL: case VS_AST_DEFGLOBAL: return find_loops(a, n->as.global.value, NULL, depth, loops);
+    case VS_AST_IF:
+      return find_loops(a, n->as.branch.test, NULL, depth, loops) && find_loops(a, n->as.branch.then, t, depth, loops) &&
+             find_loops(a, n->as.branch.otherwise, t, depth, loops);
+    case VS_AST_SEQ:
+      for (uint32_t i = 0; i < n->count; i++)
+        if (!find_loops(a, n->as.seq.at[i], i + 1 == n->count ? t : NULL, depth, loops)) return false;
+      return true;
+    case VS_AST_CALL: {
+      vs_node *f = n->as.call.callee;
+      if (f->kind == VS_AST_LAMBDA && f->count && f->count == n->count && plain(f) && !n->as.call.keywords && depth < MOST_DEPTH / 3) {
+        vs_node *list = vs_ast_list(a->ast, VS_AST_LET, n->count, n->pos);      /* ((lambda (x ...) body) v ...) */
+        if (!list) return false;
+        for (uint32_t i = 0; i < n->count; i++) {
+          list->as.let.vars[i] = f->as.lambda.params[i].var;
+          list->as.let.values[i] = n->as.call.at[i];
+        }
+        list->as.let.body = f->as.lambda.body;
+        *n = *list;
+        return find_loops(a, n, t, depth - 1, loops);
+      }
+      if (f->kind == VS_AST_LOCAL) {
+        f->as.var->refs++;
+        if (!called(a, f->as.var, n, t)) return false;
+      } else if (!find_loops(a, f, NULL, depth, loops)) {
+        return false;
+      }
+      for (uint32_t i = 0; i < n->count; i++)
+        if (!find_loops(a, n->as.call.at[i], NULL, depth, loops)) return false;
+      return true;
+    }
+    case VS_AST_LET:
+      for (uint32_t i = 0; i < n->count; i++)
+        if (!bind(a, n->as.let.vars[i]) || !find_loops(a, n->as.let.values[i], NULL, depth, loops)) return false;
+      return find_loops(a, n->as.let.body, t, depth, loops);
+    case VS_AST_FIX: {
+      struct tail *body = scope(a, t, n, NULL);
+      if (!body) return false;
+      for (uint32_t i = 0; i < n->count; i++) {
+        vs_var *v = n->as.let.vars[i];
+        if (!bind(a, v)) return false;
+        vs_info(v)->fix = n;
+        v->value = n->as.let.values[i]->kind == VS_AST_LAMBDA ? n->as.let.values[i] : NULL;
+        vs_info(v)->loop = v->value && plain(v->value) && loops < MOST_LOOPS;
+        loops += vs_info(v)->loop;
+      }
+      for (uint32_t i = 0; i < n->count; i++) {
+        vs_var *v = n->as.let.vars[i];
+        if (!v->value) {
+          if (!find_loops(a, n->as.let.values[i], NULL, depth, loops)) return false;
+          continue;
+        }
+        struct tail *own = vs_info(v)->loop ? scope(a, body, n, v) : NULL;
+        if ((vs_info(v)->loop && !own) || !add_job(a, v->value, own, own ? loops : 0)) return false;
+      }
+      return find_loops(a, n->as.let.body, body, depth, loops);
+    }
+    case VS_AST_LAMBDA: return add_job(a, n, NULL, 0);
+    case VS_AST_CASE:
+      for (uint32_t i = 0; i < n->count; i++)
+        if (!add_job(a, n->as.clauses.at[i], NULL, 0)) return false;
+      return true;
+    case VS_AST_CHECK:
+      return find_loops(a, n->as.check.predicate, NULL, depth, loops) && find_loops(a, n->as.check.value, NULL, depth, loops);
+  }
+  return true;
+}
+
+static bool find_loops_in(struct analysis *a, const struct job *j) {
+  vs_node *l = j->lambda;
+  for (uint32_t i = 0; i < l->count; i++)
+    if (!bind(a, l->as.lambda.params[i].var)) return false;
+  if (l->as.lambda.rest && !bind(a, l->as.lambda.rest)) return false;
+  for (uint32_t i = 0; i < l->count; i++)
+    if (!find_loops(a, l->as.lambda.params[i].fallback, NULL, 0, j->loops)) return false;
+  return find_loops(a, l->as.lambda.body, j->tail, 0, j->loops);
+}
+
+/* ---- second pass ---- */
+static vs_frame_info *frame_of(vs_node *lambda) { return lambda->as.lambda.extra; }
+
+static bool make_frame(struct analysis *a, vs_node *lambda, vs_node *parent, uint32_t made) {
+  vs_frame_info *f = vs_ast_alloc(a->ast, sizeof *f);
+  if (!f) return false;
+  f->parent = parent;
+  f->made = made;
+  lambda->as.lambda.extra = f;
+  return add_job(a, lambda, NULL, 0);
+}
+
+static uint32_t home(const vs_frame_info *f, const vs_var *v) {
+  return (uint32_t)((uintptr_t)v >> 4) * 2654435761u & (f->index_room - 1);
+}
+
+static void index_put(vs_frame_info *f, uint32_t i) {
+  uint32_t at = home(f, f->free[i]);
+  while (f->index[at]) at = (at + 1) & (f->index_room - 1);
+  f->index[at] = i + 1;
+}
+
+uint32_t vs_free_index(const vs_frame_info *f, const vs_var *v) {
+  if (!f->index_room) {
+    for (uint32_t i = 0; i < f->free_count; i++)
+      if (f->free[i] == v) return i;
+    return UINT32_MAX;
+  }
+  for (uint32_t at = home(f, v); f->index[at]; at = (at + 1) & (f->index_room - 1))
+    if (f->free[f->index[at] - 1] == v) return f->index[at] - 1;
+  return UINT32_MAX;
+}
+
+/* v is not there yet */
+static bool capture(struct analysis *a, vs_frame_info *f, vs_var *v) {
+  if (f->free_count == f->free_room) {
+    uint32_t room = f->free_room ? f->free_room * 2 : 4;
+    vs_var **at = vs_ast_alloc(a->ast, room * sizeof(vs_var *));
+    bool *early = vs_ast_alloc(a->ast, room * sizeof(bool));
+    if (!at || !early) return false;
+    if (f->free_count) memcpy(at, f->free, f->free_count * sizeof(vs_var *));
+    if (f->free_count) memcpy(early, f->early, f->free_count * sizeof(bool));
+    f->free = at;
+    f->early = early;
+    f->free_room = room;
+    if (room >= 16) {                          /* many: found by hashing from here on */
+      f->index_room = room * 2;
+      if (!(f->index = vs_ast_alloc(a->ast, f->index_room * sizeof *f->index))) return false;
+      for (uint32_t i = 0; i < f->free_count; i++) index_put(f, i);
+    }
+  }
+  f->free[f->free_count++] = v;
+  if (f->index_room) index_put(f, f->free_count - 1);
+  return true;
+}
+
+/* v is used in frame `in`, now; *early: perhaps before it has a value */
+static bool use(struct analysis *a, vs_node *in, vs_var *v, bool *early) {
+  vs_var_info *info = vs_info(v);
+  *early = false;
+  if (info->frame == in) {
+    *early = info->ready == VS_NOT_READY;
+  } else {
+    v->captured = true;
+    /* up to a frame that captures it already, which knows the answer, or to the outermost one */
+    vs_node *at = in;
+    uint32_t known;
+    for (;; at = frame_of(at)->parent) {
+      vs_frame_info *f = frame_of(at);
+      if ((known = vs_free_index(f, v)) != UINT32_MAX) { *early = f->early[known]; break; }
+      if (!capture(a, f, v)) return false;
+      if (f->parent == info->frame) { *early = f->made < info->ready; known = f->free_count - 1; break; }
+    }
+    frame_of(at)->early[known] = *early;
+    for (vs_node *f = in; f != at; f = frame_of(f)->parent) frame_of(f)->early[frame_of(f)->free_count - 1] = *early;
+    if (*early) info->boxed = true;
+  }
+  if (*early) info->early = true;
+  return true;
+}
+
+static bool find_frames(struct analysis *a, vs_node *n, vs_node *in) {
+  if (!n) return true;
+  if (!vs_poll(a->ast->vm, 16)) return false;
+  bool early;
+  switch (n->kind) {
+    case VS_AST_CONST: case VS_AST_GLOBAL: return true;
+    case VS_AST_LOCAL:
+      if (!use(a, in, n->as.var, &early)) return false;
+      n->flag = early;
+      return true;
+    case VS_AST_SETLOCAL:
+      return find_frames(a, n->as.set.value, in) && use(a, in, n->as.set.var, &early);
+    case VS_AST_SETGLOBAL: case VS_AST_DEFGLOBAL: return find_frames(a, n->as.global.value, in);
+    case VS_AST_IF:
+      return find_frames(a, n->as.branch.test, in) && find_frames(a, n->as.branch.then, in) && find_frames(a, n->as.branch.otherwise, in);
+    case VS_AST_SEQ:
+      for (uint32_t i = 0; i < n->count; i++)
+        if (!find_frames(a, n->as.seq.at[i], in)) return false;
+      return true;
+    case VS_AST_CALL:
+      if (!(n->as.call.callee->kind == VS_AST_LOCAL && vs_info(n->as.call.callee->as.var)->loop) && !find_frames(a, n->as.call.callee, in)) return false;
+      for (uint32_t i = 0; i < n->count; i++)
+        if (!find_frames(a, n->as.call.at[i], in)) return false;
+      return true;
+    case VS_AST_LET:
+      for (uint32_t i = 0; i < n->count; i++) {
+        vs_info(n->as.let.vars[i])->frame = in;
+        if (!find_frames(a, n->as.let.values[i], in)) return false;
+      }
+      return find_frames(a, n->as.let.body, in);
+    case VS_AST_FIX: {
+      for (uint32_t i = 0; i < n->count; i++) {
+        vs_info(n->as.let.vars[i])->frame = in;
+        vs_info(n->as.let.vars[i])->ready = VS_NOT_READY;
+      }
+      bool run = false;
+      for (uint32_t i = 0; i < n->count; i++) {
+        vs_var *v = n->as.let.vars[i];
+        vs_var_info *info = vs_info(v);
+        if (info->loop) { info->ready = 0; continue; }
+        if (v->value) {                       /* a run of lambdas is one moment */
+          if (!run) a->now++;
+          run = true;
+          if (!make_frame(a, v->value, in, a->now)) return false;
+        } else {
+          run = false;
+          if (!find_frames(a, n->as.let.values[i], in)) return false;
+          a->now++;
+        }
+        info->ready = a->now;
+      }
+      for (uint32_t i = 0; i < n->count; i++) {
+        vs_var *v = n->as.let.vars[i];
+        if (!vs_info(v)->loop) continue;
+        for (uint32_t p = 0; p < v->value->count; p++) vs_info(v->value->as.lambda.params[p].var)->frame = in;
+        if (!find_frames(a, v->value->as.lambda.body, in)) return false;
+      }
+      return find_frames(a, n->as.let.body, in);
+    }
+    case VS_AST_LAMBDA: return make_frame(a, n, in, ++a->now);
+    case VS_AST_CASE:
+      for (uint32_t i = 0; i < n->count; i++)
+        if (!make_frame(a, n->as.clauses.at[i], in, ++a->now)) return false;
+      return true;
+    case VS_AST_CHECK: return find_frames(a, n->as.check.predicate, in) && find_frames(a, n->as.check.value, in);
+  }
+  return true;
+}
+
+static bool find_frames_in(struct analysis *a, vs_node *l) {
+  for (uint32_t i = 0; i < l->count; i++) vs_info(l->as.lambda.params[i].var)->frame = l;
+  if (l->as.lambda.rest) vs_info(l->as.lambda.rest)->frame = l;
+  for (uint32_t i = 0; i < l->count; i++)
+    if (!find_frames(a, l->as.lambda.params[i].fallback, l)) return false;
+  return find_frames(a, l->as.lambda.body, l);
+}
+
+bool vs_analyse(vs_ast *ast, vs_node *top) {
+  struct analysis a = {ast, NULL, NULL, 0};
+  if (!add_job(&a, top, NULL, 0)) return false;
+  while (a.jobs) {
+    struct job *j = a.jobs;
+    a.jobs = j->next;
+    if (!find_loops_in(&a, j)) return false;
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (struct needs *n = a.needs; n; n = n->next)
+      if (vs_info(n->loop)->loop && !vs_info(n->through)->loop) { vs_info(n->loop)->loop = false; changed = true; }
+  }
+  if (!make_frame(&a, top, NULL, 0)) return false;
+  while (a.jobs) {
+    struct job *j = a.jobs;
+    a.jobs = j->next;
+    if (!find_frames_in(&a, j->lambda)) return false;
+  }
+  return true;
+}

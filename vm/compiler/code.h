@@ -1,0 +1,35 @@
+/* Owns the layout of compiled code: opcodes, instruction fields, the table of places. */
+#ifndef VS_CODE_H
+#define VS_CODE_H
+
+#include "vm/values/value.h"
+
+enum {
+#define VS_OP(name, operands, extra, generic) VS_O_##name,
+#include "vm/compiler/opcodes.def"
+#undef VS_OP
+  VS_O_COUNT
+};
+
+#define VS_INS(op, a, b, c) ((uint32_t)(op) | (uint32_t)(a) << 8 | (uint32_t)(uint8_t)(b) << 16 | (uint32_t)(uint8_t)(c) << 24)
+#define VS_INSX(op, a, bx) ((uint32_t)(op) | (uint32_t)(a) << 8 | (uint32_t)(uint16_t)(bx) << 16)
+#define VS_A(i) ((i) >> 8 & 255)
+#define VS_B(i) ((i) >> 16 & 255)
+#define VS_C(i) ((i) >> 24)
+#define VS_BX(i) ((i) >> 16)
+
+/* code->places: in order of pc, one entry for every instruction that can fail */
+typedef struct vs_place { uint32_t pc, high, low; } vs_place;
+/* code->inlined: the cell (constant index) whose procedure the instruction at pc stands for */
+typedef struct vs_inlined { uint32_t pc, constant; } vs_inlined;
+
+vs_pos vs_code_place(const vs_code *code, uint32_t pc);               /* of the instruction at or before pc */
+uint32_t vs_code_inlined(const vs_code *code, uint32_t pc);           /* constant index */
+int vs_op_generic(uint32_t op);
+const char *vs_op_operands(uint32_t op);
+uint32_t vs_op_extra(uint32_t op);
+
+static inline uint32_t *vs_code_ins(const vs_code *c) { return (uint32_t *)(void *)vs_as_bytes(c->ins)->at; }
+static inline vs_value *vs_code_consts(const vs_code *c) { return vs_as_vector(c->consts)->at; }
+
+#endif

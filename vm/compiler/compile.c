@@ -1,0 +1,759 @@
+/* Owns the translation of core trees to instructions.
+
+   Every expression is compiled for a target: a register that gets its value, EFFECT (no value wanted), or TAIL (return it). Registers are
+   a stack: locals below, temporaries above, so a call's window is simply the next free ones, and everything below it is live.
+   A target is written only when all that the expression reads has been read.
+
+   A FIX variable found to be a loop (analyse.h) has no value: its parameters are registers of the frame, its body is compiled in place
+   of the first call, later calls move the arguments and jump there. */
+#include "vm/compiler/compile.h"
+
+#include "vm/compiler/analyse.h"
+#include "vm/compiler/emit.h"
+#include "vm/compiler/inline.h"
+#include "vm/machine/program.h"
+
+#define EFFECT (UINT32_MAX - 1)
+#define TAIL (UINT32_MAX - 2)
+
+struct job { struct job *next; vs_node *lambda; };
+typedef struct compiler { vs_emit e; struct job *jobs; } compiler;
+
+static bool gen(compiler *c, vs_node *n, uint32_t to);
+static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list);
+
+/* Assigned variables are places, also for a continuation that copies the frame back: they live in the heap. */
+static bool boxed(const vs_var *v) { return vs_info(v)->boxed || v->assigned; }
+static bool is_value(uint32_t to) { return to < TAIL; }
+static vs_value pool(const compiler *c, uint32_t i) { return c->e.ast->pool[i]; }
+
+/* what is left to do once a value is in `from`, a temporary if the target is none */
+static bool finish(compiler *c, uint32_t from, uint32_t to) {
+  if (to == TAIL) return vs_emit_op(&c->e, VS_O_RETURN, from, 0, 0);
+  if (to == EFFECT || from == to) return true;
+  return vs_emit_op(&c->e, VS_O_MOVE, to, from, 0);
+}
+
+/* the register to compute a value for `to` in; frees nothing: the caller resets next */
+static bool landing(compiler *c, uint32_t to, uint32_t *reg) {
+  if (is_value(to)) { *reg = to; return true; }
+  return vs_emit_register(&c->e, reg);
+}
+
+/* ---- constants and variables ---- */
+static bool load_value(compiler *c, vs_value v, uint32_t to) {
+  vs_emit *e = &c->e;
+  uint32_t k;
+  if (vs_is_fixnum(v) && vs_fixnum(v) >= INT16_MIN && vs_fixnum(v) <= INT16_MAX) return vs_emit_op(e, VS_O_INT, to, (uint32_t)vs_fixnum(v) & 0xFFFF, 0);
+  if (v >> 48 == VS_TAG_IMMEDIATE && !vs_is_char(v)) return vs_emit_op(e, VS_O_IMM, to, (uint32_t)(v >> 32) & 0xFF, (uint32_t)v & 0xFF);
+  if (!vs_emit_value(e, v, &k)) return false;
+  return k <= UINT16_MAX ? vs_emit_op(e, VS_O_CONST, to, k, 0) : vs_emit_op1(e, VS_O_CONSTX, to, 0, 0, k);
+}
+
+static uint32_t free_index(const compiler *c, const vs_var *v) { return vs_free_index(c->e.frame->as.lambda.extra, v); }
+
+/* the variable's register or captured value as it is: a box if it is boxed */
+static bool load_raw(compiler *c, const vs_var *v, uint32_t to) {
+  if (vs_info(v)->frame == c->e.frame) return to == v->reg || vs_emit_op(&c->e, VS_O_MOVE, to, v->reg, 0);
+  return vs_emit_op(&c->e, VS_O_FREE, to, free_index(c, v), 0);
+}
+
+static bool load_var(compiler *c, const vs_node *n, uint32_t to) {
+  const vs_var *v = n->as.var;
+  vs_emit *e = &c->e;
+  if (boxed(v)) {
+    uint32_t box = to;
+    if (vs_info(v)->frame == e->frame) box = v->reg;
+    else if (!load_raw(c, v, to)) return false;
+    if (!vs_emit_op(e, VS_O_UNBOX, to, box, 0)) return false;
+  } else if (!load_raw(c, v, to)) {
+    return false;
+  }
+  if (!n->flag) return true;
+  uint32_t name;
+  return vs_emit_constant(e, v->name, &name) && vs_emit_place(e, n->pos) && vs_emit_op1(e, VS_O_DEFINED, to, 0, 0, name);
+}
+
+static bool load_global(compiler *c, const vs_node *n, uint32_t to) {
+  uint32_t k;
+  return vs_emit_constant(&c->e, n->as.global.cell, &k) && vs_emit_place(&c->e, n->pos) && vs_emit_op1(&c->e, VS_O_GLOBAL, to, 0, 0, k);
+}
+
+/* a register that holds n's value for the next instruction: a local's own, or a temporary */
+static bool operand(compiler *c, vs_node *n, uint32_t *reg) {
+  if (n->kind == VS_AST_LOCAL && !n->flag && !boxed(n->as.var) && vs_info(n->as.var)->frame == c->e.frame) {
+    *reg = n->as.var->reg;
+    return true;
+  }
+  return vs_emit_register(&c->e, reg) && gen(c, n, *reg);
+}
+
+/* ---- calls that are opcodes ---- */
+static bool small(const compiler *c, const vs_node *n, uint32_t *bits) {
+  if (n->kind != VS_AST_CONST) return false;
+  vs_value v = pool(c, n->as.constant);
+  if (!vs_is_fixnum(v) || vs_fixnum(v) < INT8_MIN || vs_fixnum(v) > INT8_MAX) return false;
+  *bits = (uint32_t)vs_fixnum(v) & 0xFF;
+  return true;
+}
+
+/* the row for this call, or NULL; *native is what the cell holds */
+static const vs_inline_row *row_of(const compiler *c, const vs_node *n, const vs_native **native) {
+  const vs_node *f = n->as.call.callee;
+  if (n->kind != VS_AST_CALL || f->kind != VS_AST_GLOBAL || n->as.call.keywords) return NULL;
+  const vs_cell *cell = vs_as_cell(pool(c, f->as.global.cell));
+  if (!(cell->h.flags & VS_F_CONSTANT) || !vs_is(cell->value, VS_T_NATIVE)) return NULL;
+  *native = vs_as_native(cell->value);
+  return (*native)->inlined ? vs_inline_get((*native)->inlined) : NULL;
+}
+
+static bool is_test(const vs_inline_row *row, const vs_node *n) {
+  return row && (row->way == VS_WAY_TEST || row->way == VS_WAY_TYPE) && n->count == row->args;
+}
+
+/* notes that the next instruction stands for the call n */
+static bool stands_for(compiler *c, const vs_node *n) {
+  uint32_t k;
+  return vs_emit_constant(&c->e, n->as.call.callee->as.global.cell, &k) && vs_emit_place(&c->e, n->pos) && vs_emit_inlined(&c->e, k);
+}
+
+/* stands_for must be said of the opcode itself, behind the loads of far operands: so those are made near first */
+static bool near(compiler *c, uint32_t *reg, unsigned i) {
+  if (*reg < VS_FAR) return true;
+  uint32_t scratch = VS_NEAR + 4 + i;
+  if (c->e.most < VS_FAR) c->e.most = VS_FAR;
+  if (!vs_emit_word(&c->e, VS_INSX(VS_O_FARLOAD, scratch, *reg))) return false;
+  *reg = scratch;
+  return true;
+}
+
+static bool emit_value_op(compiler *c, const vs_node *n, unsigned op, uint32_t to, uint32_t b, uint32_t cc, bool b_reg, bool c_reg) {
+  uint32_t target = to;
+  if (to >= VS_NEAR) target = VS_NEAR + 4;
+  if ((b_reg && !near(c, &b, 1)) || (c_reg && !near(c, &cc, 2)) || !stands_for(c, n)) return false;
+  if (!vs_emit_word(&c->e, VS_INS(op, target, b, cc))) return false;
+  if (target == to) return true;
+  if (c->e.most < VS_FAR) c->e.most = VS_FAR;
+  return vs_emit_word(&c->e, VS_INSX(VS_O_FARSTORE, target, to));
+}
+
+/* arguments in a row of new near registers; false in *ok if there is no room for that */
+static bool in_a_row(compiler *c, vs_node *n, uint32_t *first, bool *ok) {
+  *ok = c->e.next + n->count < VS_NEAR;
+  if (!*ok) return true;
+  for (uint32_t i = 0; i < n->count; i++) {
+    uint32_t r;
+    if (!vs_emit_register(&c->e, &r) || !gen(c, n->as.call.at[i], r)) return false;
+    if (i == 0) *first = r;
+  }
+  return true;
+}
+
+/* *done: n was a call that is an opcode, and has been emitted */
+static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
+  const vs_native *native;
+  const vs_inline_row *row = row_of(c, n, &native);
+  vs_emit *e = &c->e;
+  uint32_t r[3], keep = e->next, target, bits, first = 0;
+  *done = false;
+  if (!row) return true;
+  switch ((vs_inline_way)row->way) {
+    case VS_WAY_NONE: return true;
+    case VS_WAY_TEST: case VS_WAY_TYPE: {
+      if (n->count != row->args) return true;
+      *done = true;
+      vs_jumps no = 0, end = 0;
+      if (!landing(c, to, &target) || !test(c, n, false, &no) || !load_value(c, VS_TRUE, target)) return false;
+      if (to == TAIL ? !finish(c, target, to) : !vs_emit_branch(e, VS_O_JUMP, 0, 0, 0, &end)) return false;
+      vs_emit_here(e, no);
+      if (!load_value(c, VS_FALSE, target) || !finish(c, target, to)) return false;
+      vs_emit_here(e, end);
+      e->next = keep;
+      return true;
+    }
+    case VS_WAY_VALUE:
+      if (n->count == row->args) {
+        *done = true;
+        bool imm = row->args == 2 && row->immediate != VS_O_NONE && small(c, n->as.call.at[1], &bits);
+        for (uint32_t i = 0; i < row->args - (imm ? 1u : 0u); i++)
+          if (!operand(c, n->as.call.at[i], &r[i])) return false;
+        if (!landing(c, to, &target)) return false;
+        if (imm ? !emit_value_op(c, n, row->immediate, target, r[0], bits, true, false)
+                : !emit_value_op(c, n, row->op, target, r[0], row->args == 2 ? r[1] : 0, true, row->args == 2)) return false;
+      } else if (n->count > 2 && n->count < 64 && row->many != VS_O_NONE) {
+        if (!in_a_row(c, n, &first, done)) return false;
+        if (!*done) return true;
+        if (!landing(c, to, &target) || !emit_value_op(c, n, row->many, target, first, n->count, false, false)) return false;
+      }
+      break;
+    case VS_WAY_EFFECT:
+      if (n->count != row->args) return true;
+      *done = true;
+      for (unsigned i = 0; i < 3; i++)
+        if (!operand(c, n->as.call.at[i], &r[i])) return false;
+      if (to != EFFECT && !landing(c, to, &target)) return false;
+      for (unsigned i = 0; i < 3; i++)
+        if (!near(c, &r[i], i)) return false;
+      if (!stands_for(c, n) || !vs_emit_word(e, VS_INS(to == EFFECT ? row->op : row->many, r[0], r[1], r[2]))) return false;
+      if (to != EFFECT) {
+        if (!vs_emit_word(e, target)) return false;
+        break;
+      }
+      e->next = keep;
+      return true;
+    case VS_WAY_MAKE: {
+      const vs_flat_rules *rules = e->ast->vm->flat;
+      if (!rules || n->count != rules->maker[native->inlined_arg].n) return true;
+      if (!in_a_row(c, n, &first, done)) return false;
+      if (!*done) return true;
+      if (!landing(c, to, &target)) return false;
+      uint32_t near_target = target < VS_NEAR ? target : VS_NEAR + 4;
+      if (!stands_for(c, n) || !vs_emit_word(e, VS_INS(row->op, near_target, first, n->count)) || !vs_emit_word(e, native->inlined_arg)) return false;
+      if (near_target != target && !vs_emit_word(e, VS_INSX(VS_O_FARSTORE, near_target, target))) return false;
+      if (near_target != target && e->most < VS_FAR) e->most = VS_FAR;
+      break;
+    }
+    case VS_WAY_GET:
+      if (n->count != 1) return true;
+      *done = true;
+      if (!operand(c, n->as.call.at[0], &r[0]) || !landing(c, to, &target) ||
+          !emit_value_op(c, n, row->op, target, r[0], native->inlined_arg, true, false)) return false;
+      break;
+  }
+  if (*done && !finish(c, target, to)) return false;
+  e->next = keep;
+  return true;
+}
+
+/* ---- tests: jumps (into list) if the truth of n is `sense`, else goes on ---- */
+static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list) {
+  vs_emit *e = &c->e;
+  uint32_t keep = e->next, r[2], bits;
+  const vs_native *native;
+  switch (n->kind) {
+    case VS_AST_CONST:
+      return (pool(c, n->as.constant) != VS_FALSE) != sense || vs_emit_branch(e, VS_O_JUMP, 0, 0, 0, list);
+    case VS_AST_IF: {
+      vs_jumps no = 0, end = 0;
+      vs_node *otherwise = n->as.branch.otherwise;
+      if (!sense && otherwise && otherwise->kind == VS_AST_CONST && pool(c, otherwise->as.constant) == VS_FALSE)     /* and */
+        return test(c, n->as.branch.test, false, list) && test(c, n->as.branch.then, false, list);
+      if (!test(c, n->as.branch.test, false, &no) || !test(c, n->as.branch.then, sense, list) ||
+          !vs_emit_branch(e, VS_O_JUMP, 0, 0, 0, &end)) return false;
+      vs_emit_here(e, no);
+      if (otherwise ? !test(c, otherwise, sense, list) : (sense && !vs_emit_branch(e, VS_O_JUMP, 0, 0, 0, list))) return false;
+      vs_emit_here(e, end);
+      return true;
+    }
+    case VS_AST_LET: {                         /* or: (let ((t a)) (if t t b)) */
+      vs_node *b = n->as.let.body;
+      vs_var *v = n->count == 1 ? n->as.let.vars[0] : NULL;
+      if (!v || b->kind != VS_AST_IF || v->refs != 2 || v->assigned || v->captured || !b->as.branch.otherwise ||
+          b->as.branch.test->kind != VS_AST_LOCAL || b->as.branch.test->as.var != v ||
+          b->as.branch.then->kind != VS_AST_LOCAL || b->as.branch.then->as.var != v) break;
+      if (sense) return test(c, n->as.let.values[0], true, list) && test(c, b->as.branch.otherwise, true, list);
+      vs_jumps yes = 0;
+      if (!test(c, n->as.let.values[0], true, &yes) || !test(c, b->as.branch.otherwise, false, list)) return false;
+      vs_emit_here(e, yes);
+      return true;
+    }
+    case VS_AST_SEQ:
+      if (n->count == 0) break;
+      for (uint32_t i = 0; i + 1 < n->count; i++)
+        if (!gen(c, n->as.seq.at[i], EFFECT)) return false;
+      return test(c, n->as.seq.at[n->count - 1], sense, list);
+    case VS_AST_CALL: {
+      const vs_inline_row *row = row_of(c, n, &native);
+      if (!is_test(row, n)) break;
+      vs_node *x = n->as.call.at[0];
+      if (row->op == VS_O_JNOT && (x->kind == VS_AST_IF || is_test(row_of(c, x, &native), x))) return test(c, x, !sense, list);
+      if (!operand(c, x, &r[0])) return false;
+      uint32_t b = 0;
+      unsigned op = row->op;
+      if (row->way == VS_WAY_TYPE) {
+        b = row->immediate;
+      } else if (row->args == 2 && row->immediate != VS_O_NONE && small(c, n->as.call.at[1], &bits)) {
+        op = row->immediate;
+        b = bits;
+      } else if (row->args == 2) {
+        if (!operand(c, n->as.call.at[1], &r[1]) || !near(c, &r[1], 1)) return false;
+        b = r[1];
+      }
+      if (!near(c, &r[0], 0) || !stands_for(c, n) || !vs_emit_branch(e, op, r[0], b, sense, list)) return false;
+      e->next = keep;
+      return true;
+    }
+    default: break;                            /* the rest have values like any other */
+  }
+  if (!operand(c, n, &r[0])) return false;
+  e->next = keep;
+  return vs_emit_branch(e, sense ? VS_O_JTRUE : VS_O_JFALSE, r[0], 0, 0, list);
+}
+
+/* ---- lambda ---- */
+static bool code_for(compiler *c, vs_node *lambda, uint32_t *index) {
+  vs *vm = c->e.ast->vm;
+  vs_frame_info *f = lambda->as.lambda.extra;
+  vs_code *code = (vs_code *)(void *)vs_gc_alloc_old(vm, VS_T_CODE, VS_WORDS(vs_code));
+  if (!code) return false;
+  code->name = lambda->as.lambda.name ? pool(c, lambda->as.lambda.name - 1) : VS_FALSE;
+  code->consts = code->ins = code->places = code->inlined = code->params = code->doc = VS_FALSE;
+  code->free = f->free_count;
+  struct job *j = vs_ast_alloc(c->e.ast, sizeof *j);
+  if (!vs_ast_const(c->e.ast, vs_from_object(code), index) || !j) return false;
+  f->code = *index + 1;
+  *j = (struct job){c->jobs, lambda};
+  c->jobs = j;
+  return true;
+}
+
+static bool gen_lambda(compiler *c, vs_node *lambda, uint32_t to) {
+  vs_emit *e = &c->e;
+  vs_frame_info *f = lambda->as.lambda.extra;
+  uint32_t index, k, target = to < VS_NEAR ? to : VS_NEAR + 4;
+  if (!code_for(c, lambda, &index) || !vs_emit_constant(e, index, &k) || !vs_emit_place(e, lambda->pos) ||
+      !vs_emit_word(e, VS_INS(VS_O_CLOSURE, target, 0, 0)) || !vs_emit_word(e, k)) return false;
+  for (uint32_t i = 0; i < f->free_count; i++) {
+    const vs_var *v = f->free[i];
+    uint32_t word = vs_info(v)->frame == e->frame ? v->reg : 1u << 16 | free_index(c, v);
+    if (!vs_emit_word(e, word)) return false;
+  }
+  if (target == to) return true;
+  if (e->most < VS_FAR) e->most = VS_FAR;
+  return vs_emit_word(e, VS_INSX(VS_O_FARSTORE, target, to));
+}
+
+/* ---- calls ---- */
+static bool gen_loop_call(compiler *c, vs_node *n, uint32_t to);
+
+/* window of n registers beyond procedure and return slot, from `first` (already taken) or the next free one */
+static bool window(compiler *c, uint32_t count, bool reuse, uint32_t to, uint32_t *first) {
+  vs_emit *e = &c->e;
+  if (reuse && to < VS_NEAR && to + 1 == e->next && to + 2 + count < VS_NEAR) {
+    *first = to;
+    e->next = to + 1;
+  } else {
+    if (e->next < VS_FAR && e->next + 2 + count >= VS_NEAR) e->next = VS_FAR;
+    if (!vs_emit_register(e, first)) return false;
+  }
+  uint32_t slot;
+  return vs_emit_register(e, &slot);
+}
+
+/* A word of another language, or of a library that was not imported, that nobody defined: looked up before the operands, so that
+   (defun f (x) x) complains of defun and not of f. */
+static bool unknown_word(const compiler *c, const vs_node *global) {
+  const vs_cell *cell = vs_as_cell(pool(c, global->as.global.cell));
+  return cell->value == VS_UNDEFINED && vs_is_symbol(cell->name) &&
+         (vs_is_foreign_word(cell->name) || vs_idtable_get(vs_as_environment(c->e.ast->vm->at.core)->table, cell->name) != VS_VACANT);
+}
+
+static bool gen_call(compiler *c, vs_node *n, uint32_t to, bool fresh) {
+  vs_emit *e = &c->e;
+  vs_node *f = n->as.call.callee;
+  uint32_t keep = e->next, w, k = 0, kw = 0;
+  if (f->kind == VS_AST_LOCAL && vs_info(f->as.var)->loop) return gen_loop_call(c, n, to);
+  bool done;
+  if (!gen_inline(c, n, to, &done)) return false;
+  if (done) return true;
+  if (!window(c, n->count, fresh, to, &w)) return false;
+  bool far = w >= VS_NEAR || n->count > 250 || n->as.call.keywords, global = f->kind == VS_AST_GLOBAL && !far;
+  if (global && unknown_word(c, f)) {
+    global = false;
+    f->pos = n->pos; /* the place that other names in a call's head get */
+  }
+  e->fresh = VS_NO_REGISTER;
+  if (!global) {
+    if (!gen(c, f, w)) return false;
+  }
+  for (uint32_t i = 0; i < n->count; i++) {
+    uint32_t r;
+    if (!vs_emit_register(e, &r) || !gen(c, n->as.call.at[i], r)) return false;
+  }
+  if (n->as.call.keywords && !vs_emit_constant(e, n->as.call.keywords - 1, &kw)) return false;
+  if (n->as.call.keywords) kw++;
+  if (global && !vs_emit_constant(e, f->as.global.cell, &k)) return false;
+  if (!vs_emit_place(e, n->pos)) return false;
+  bool ok;
+  if (far) ok = vs_emit_word(e, VS_INS(VS_O_CALLX, to == TAIL, 0, 0)) && vs_emit_word(e, w) && vs_emit_word(e, n->count) && vs_emit_word(e, kw);
+  else if (global) ok = vs_emit_word(e, VS_INS(to == TAIL ? VS_O_TAILG : VS_O_CALLG, w, n->count, 0)) && vs_emit_word(e, k);
+  else ok = vs_emit_word(e, VS_INS(to == TAIL ? VS_O_TAIL : VS_O_CALL, w, n->count, 0));
+  if (to == EFFECT && w < VS_NEAR) ok = ok && vs_emit_op(e, VS_O_DROP, w, 0, 0);
+  e->next = keep;
+  return ok && finish(c, w, to);        /* behind a tail call too: a native may come back there */
+}
+
+/* does evaluating n read v? (true when in doubt) */
+static bool reads(const vs_node *n, const vs_var *v, int depth) {
+  if (!n) return false;
+  if (depth > 6) return true;
+  switch (n->kind) {
+    case VS_AST_CONST: case VS_AST_GLOBAL: return false;
+    case VS_AST_LOCAL: return n->as.var == v;
+    case VS_AST_CALL:
+      if (reads(n->as.call.callee, v, depth + 1)) return true;
+      for (uint32_t i = 0; i < n->count; i++)
+        if (reads(n->as.call.at[i], v, depth + 1)) return true;
+      return false;
+    default: return true;
+  }
+}
+
+/* may n be compiled straight into a register that it reads itself? Only what writes it with its last instruction. */
+static bool lands_last(compiler *c, const vs_node *n) {
+  const vs_native *native;
+  if (n->kind != VS_AST_CALL) return n->kind == VS_AST_CONST || n->kind == VS_AST_GLOBAL || (n->kind == VS_AST_LOCAL && !n->flag);
+  const vs_inline_row *row = row_of(c, n, &native);
+  return row && (row->way == VS_WAY_VALUE || row->way == VS_WAY_GET) && n->count == row->args;
+}
+
+static bool gen_loop_call(compiler *c, vs_node *n, uint32_t to) {
+  vs_emit *e = &c->e;
+  vs_var *loop = n->as.call.callee->as.var;
+  vs_var_info *info = vs_info(loop);
+  vs_node *lambda = loop->value;
+  uint32_t keep = e->next;
+  struct move { uint32_t from, to; } *moves = vs_ast_alloc(e->ast, n->count * sizeof *moves);
+  if (!moves) return false;
+  size_t count = 0;
+  for (uint32_t i = 0; i < n->count; i++) {
+    vs_node *arg = n->as.call.at[i];
+    vs_var *p = lambda->as.lambda.params[i].var;
+    if (arg->kind == VS_AST_LOCAL && arg->as.var == p && !boxed(p)) continue;
+    bool direct = lands_last(c, arg);
+    for (uint32_t j = i + 1; direct && j < n->count; j++) direct = !reads(n->as.call.at[j], p, 0);
+    uint32_t r = p->reg;
+    if (direct) {
+      e->fresh = VS_NO_REGISTER;
+    } else {
+      if (!vs_emit_register(e, &r)) return false;
+      moves[count++] = (struct move){r, p->reg};
+    }
+    if (!gen(c, arg, r)) return false;
+  }
+  for (size_t i = 0; i < count; i++)
+    if (!vs_emit_op(e, VS_O_MOVE, moves[i].to, moves[i].from, 0)) return false;
+  e->next = keep;
+  if (info->emitted) return vs_emit_back(e, VS_O_LOOP, info->top);
+  info->emitted = true;
+  info->top = (uint32_t)e->count;
+  for (uint32_t i = 0; i < lambda->count; i++) {          /* a captured, assigned loop variable is fresh each turn */
+    vs_var *p = lambda->as.lambda.params[i].var;
+    if (boxed(p) && !vs_emit_op(e, VS_O_BOX, p->reg, p->reg, 0)) return false;
+  }
+  return gen(c, lambda->as.lambda.body, to);
+}
+
+/* ---- binding ---- */
+static bool gen_let(compiler *c, vs_node *n, uint32_t to) {
+  vs_emit *e = &c->e;
+  uint32_t keep = e->next;
+  for (uint32_t i = 0; i < n->count; i++) {
+    vs_var *v = n->as.let.vars[i];
+    if (!vs_emit_register(e, &v->reg) || !gen(c, n->as.let.values[i], v->reg)) return false;
+    if (boxed(v) && !vs_emit_op(e, VS_O_BOX, v->reg, v->reg, 0)) return false;
+  }
+  if (!gen(c, n->as.let.body, to)) return false;
+  e->next = keep;
+  return true;
+}
+
+/* the lambdas [from, to) of a FIX, which may capture each other */
+static bool gen_run(compiler *c, vs_node *n, uint32_t from, uint32_t to) {
+  vs_emit *e = &c->e;
+  uint32_t keep = e->next, temp;
+  for (uint32_t i = from; i < to; i++) {
+    vs_var *v = n->as.let.vars[i];
+    if (vs_info(v)->loop) continue;
+    if (!boxed(v)) {
+      if (!gen_lambda(c, v->value, v->reg)) return false;
+      continue;
+    }
+    if (!vs_emit_register(e, &temp) || !gen_lambda(c, v->value, temp) || !vs_emit_op(e, VS_O_SETBOX, v->reg, temp, 0)) return false;
+    e->next = keep;
+  }
+  for (uint32_t i = from; i < to; i++) {
+    vs_var *v = n->as.let.vars[i];
+    if (vs_info(v)->loop) continue;
+    const vs_frame_info *f = v->value->as.lambda.extra;
+    for (uint32_t s = 0; s < f->free_count; s++) {
+      const vs_var *g = f->free[s];
+      if (vs_info(g)->fix != n || boxed(g) || vs_info(g)->frame != e->frame) continue;
+      uint32_t j = i;
+      while (j < to && n->as.let.vars[j] != g) j++;
+      if (j == to) continue;                   /* was there when it was captured */
+      uint32_t closure = v->reg;
+      if (boxed(v) && (!vs_emit_register(e, &temp) || !vs_emit_op(e, VS_O_UNBOX, temp, v->reg, 0))) return false;
+      if (boxed(v)) closure = temp;
+      if (!vs_emit_op1(e, VS_O_PATCH, closure, g->reg, 0, s)) return false;
+      e->next = keep;
+    }
+  }
+  return true;
+}
+
+static bool gen_fix(compiler *c, vs_node *n, uint32_t to) {
+  vs_emit *e = &c->e;
+  uint32_t keep = e->next;
+  for (uint32_t i = 0; i < n->count; i++) {
+    vs_var *v = n->as.let.vars[i];
+    if (vs_info(v)->loop) {
+      for (uint32_t p = 0; p < v->value->count; p++)
+        if (!vs_emit_register(e, &v->value->as.lambda.params[p].var->reg)) return false;
+      continue;
+    }
+    if (!vs_emit_register(e, &v->reg)) return false;
+    if ((boxed(v) || vs_info(v)->early) && !load_value(c, VS_UNDEFINED, v->reg)) return false;
+    if (boxed(v) && !vs_emit_op(e, VS_O_BOX, v->reg, v->reg, 0)) return false;
+  }
+  for (uint32_t i = 0; i < n->count;) {
+    vs_var *v = n->as.let.vars[i];
+    if (v->value) {
+      uint32_t end = i;
+      while (end < n->count && n->as.let.vars[end]->value) end++;
+      if (!gen_run(c, n, i, end)) return false;
+      i = end;
+      continue;
+    }
+    uint32_t temp, before = e->next;
+    if (!vs_emit_register(e, &temp) || !gen(c, n->as.let.values[i], temp)) return false;
+    if (!vs_emit_op(e, boxed(v) ? VS_O_SETBOX : VS_O_MOVE, v->reg, temp, 0)) return false;
+    e->next = before;
+    i++;
+  }
+  if (!gen(c, n->as.let.body, to)) return false;
+  e->next = keep;
+  return true;
+}
+
+static bool gen_set(compiler *c, vs_node *n, uint32_t to) {
+  vs_emit *e = &c->e;
+  vs_var *v = n->as.set.var;
+  uint32_t keep = e->next, value, box;
+  if (!vs_emit_register(e, &value) || !gen(c, n->as.set.value, value)) return false;
+  box = v->reg;
+  if (vs_info(v)->frame != e->frame && (!vs_emit_register(e, &box) || !load_raw(c, v, box))) return false;
+  if (!vs_emit_op(e, VS_O_SETBOX, box, value, 0)) return false;
+  if (to != EFFECT && (!load_value(c, VS_UNSPECIFIC, is_value(to) ? to : value) || !finish(c, is_value(to) ? to : value, to))) return false;
+  e->next = keep;
+  return true;
+}
+
+static bool gen_global_set(compiler *c, vs_node *n, uint32_t to) {
+  vs_emit *e = &c->e;
+  uint32_t keep = e->next, value, k;
+  if (!vs_emit_register(e, &value) || !gen(c, n->as.global.value, value) || !vs_emit_constant(e, n->as.global.cell, &k) || !vs_emit_place(e, n->pos) ||
+      !vs_emit_op1(e, n->kind == VS_AST_DEFGLOBAL ? VS_O_DEFGLOBAL : VS_O_SETGLOBAL, value, 0, 0, k)) return false;
+  if (to != EFFECT && (!load_value(c, VS_UNSPECIFIC, is_value(to) ? to : value) || !finish(c, is_value(to) ? to : value, to))) return false;
+  e->next = keep;
+  return true;
+}
+
+static bool gen_check(compiler *c, vs_node *n, uint32_t to, bool fresh) {
+  vs_emit *e = &c->e;
+  vs *vm = e->ast->vm;
+  vs_node *p = n->as.check.predicate;
+  if (p->kind == VS_AST_GLOBAL) {
+    vs_value v = vs_as_cell(pool(c, p->as.global.cell))->value;
+    if (vs_as_cell(pool(c, p->as.global.cell))->h.flags & VS_F_CONSTANT && vs_is(v, VS_T_NATIVE) && vs_is_symbol(vs_as_native(v)->name) &&
+        strcmp(vs_as_symbol(vs_as_native(v)->name)->name, "any?") == 0) return gen(c, n->as.check.value, to);
+  }
+  VS_ROOTS(vm, r, 1);
+  uint32_t keep = e->next, w, at[3], k, kn;
+  if (!vs_make_vector(vm, 3, VS_FALSE, &r[0])) return false;
+  vs_vector *info = vs_as_vector(r[0]);        /* just made: no barrier */
+  info->at[0] = pool(c, n->as.check.name); info->at[1] = pool(c, n->as.check.text); info->at[2] = pool(c, n->as.check.who);
+  if (!vs_emit_value(e, r[0], &k) || !window(c, 3, fresh, to, &w)) return false;
+  for (int i = 0; i < 3; i++) {
+    if (!vs_emit_register(e, &at[i])) return false;
+    if (i < 2 && !gen(c, i == 0 ? p : n->as.check.value, at[i])) return false;
+  }
+  if (!vs_emit_place(e, n->pos)) return false;
+  if (w < VS_NEAR) {
+    if (!vs_emit_op1(e, VS_O_CHECK, w, 0, 0, k)) return false;
+  } else {
+    if (!vs_emit_value(e, vm->at.check, &kn) || !load_value(c, vm->at.check, w) || !load_value(c, r[0], at[2]) || !vs_emit_place(e, n->pos) ||
+        !vs_emit_word(e, VS_INS(VS_O_CALLX, 0, 0, 0)) || !vs_emit_word(e, w) || !vs_emit_word(e, 3) || !vs_emit_word(e, 0)) return false;
+  }
+  e->next = keep;
+  return finish(c, w, to);
+}
+
+static bool gen_case(compiler *c, vs_node *n, uint32_t to) {
+  vs_emit *e = &c->e;
+  uint32_t keep = e->next, r, first = 0, target;
+  if (e->next + n->count + 1 >= VS_NEAR)
+    return vs_fail_at(e->ast->vm, e->ast->vm->sym.syntax, n->pos, VS_NIL, "too many variables around this case-lambda: move it into a procedure of its own");
+  for (uint32_t i = 0; i < n->count; i++) {
+    if (!vs_emit_register(e, &r) || !gen_lambda(c, n->as.clauses.at[i], r)) return false;
+    if (i == 0) first = r;
+  }
+  if (!landing(c, to, &target) || !vs_emit_op(e, VS_O_CASE, target, first, n->count) || !finish(c, target, to)) return false;
+  e->next = keep;
+  return true;
+}
+
+static bool gen_if(compiler *c, vs_node *n, uint32_t to, bool fresh) {
+  vs_emit *e = &c->e;
+  vs_jumps no = 0, end = 0;
+  if (!test(c, n->as.branch.test, false, &no)) return false;
+  e->fresh = fresh ? to : VS_NO_REGISTER;
+  if (!gen(c, n->as.branch.then, to)) return false;
+  if (!n->as.branch.otherwise && to == EFFECT) { vs_emit_here(e, no); return true; }
+  if (to != TAIL && !vs_emit_branch(e, VS_O_JUMP, 0, 0, 0, &end)) return false;
+  vs_emit_here(e, no);
+  e->fresh = fresh ? to : VS_NO_REGISTER;
+  if (n->as.branch.otherwise) {
+    if (!gen(c, n->as.branch.otherwise, to)) return false;
+  } else {
+    uint32_t keep = e->next, r;
+    if (!landing(c, to, &r) || !load_value(c, VS_UNSPECIFIC, r) || !finish(c, r, to)) return false;
+    e->next = keep;
+  }
+  vs_emit_here(e, end);
+  return true;
+}
+
+static bool gen(compiler *c, vs_node *n, uint32_t to) {
+  vs_emit *e = &c->e;
+  if (!vs_poll(e->ast->vm, 16)) return false;
+  bool fresh = e->fresh == to;
+  uint32_t keep = e->next, r;
+  e->fresh = VS_NO_REGISTER;
+  switch (n->kind) {
+    case VS_AST_CONST:
+      if (to == EFFECT) return true;
+      if (!landing(c, to, &r) || !load_value(c, pool(c, n->as.constant), r) || !finish(c, r, to)) return false;
+      e->next = keep;
+      return true;
+    case VS_AST_LOCAL:
+      if (to == EFFECT && !n->flag) return true;
+      if (to == TAIL) {
+        if (!operand(c, n, &r)) return false;
+      } else if (!landing(c, to, &r) || !load_var(c, n, r)) {
+        return false;
+      }
+      e->next = keep;
+      return finish(c, r, to);
+    case VS_AST_GLOBAL:
+      if (!landing(c, to, &r) || !load_global(c, n, r) || !finish(c, r, to)) return false;
+      e->next = keep;
+      return true;
+    case VS_AST_SETLOCAL: return gen_set(c, n, to);
+    case VS_AST_SETGLOBAL: case VS_AST_DEFGLOBAL: return gen_global_set(c, n, to);
+    case VS_AST_IF: return gen_if(c, n, to, fresh);
+    case VS_AST_SEQ:
+      for (uint32_t i = 0; i < n->count; i++) {
+        bool last = i + 1 == n->count;
+        if (last && fresh) e->fresh = to;
+        if (!gen(c, n->as.seq.at[i], last ? to : EFFECT)) return false;
+      }
+      if (n->count || to == EFFECT) return true;
+      if (!landing(c, to, &r) || !load_value(c, VS_UNSPECIFIC, r) || !finish(c, r, to)) return false;
+      e->next = keep;
+      return true;
+    case VS_AST_CALL: return gen_call(c, n, to, fresh);
+    case VS_AST_LET: return gen_let(c, n, to);
+    case VS_AST_FIX: return gen_fix(c, n, to);
+    case VS_AST_LAMBDA:
+      if (to == EFFECT) return true;
+      if (!landing(c, to, &r) || !gen_lambda(c, n, r) || !finish(c, r, to)) return false;
+      e->next = keep;
+      return true;
+    case VS_AST_CASE: return to == EFFECT || gen_case(c, n, to);
+    case VS_AST_CHECK: return gen_check(c, n, to, fresh);
+  }
+  return false;
+}
+
+/* ---- a whole procedure ---- */
+static bool set_parameters(compiler *c, vs_node *l, vs_value code) {
+  vs *vm = c->e.ast->vm;
+  vs_vector *names = (vs_vector *)(void *)vs_gc_alloc_old(vm, VS_T_VECTOR, 2 + l->count + (l->as.lambda.rest ? 1u : 0u));
+  if (!names) return false;
+  vs_code *k = vs_as_code(code);
+  names->length = l->count + (l->as.lambda.rest ? 1u : 0u);
+  for (uint32_t i = 0; i < l->count; i++) {
+    const vs_param *p = &l->as.lambda.params[i];
+    names->at[i] = pool(c, p->keyword ? p->keyword - 1 : p->var->name);
+    if (p->keyword) k->keywords++;
+    else if (p->fallback) k->optional++;
+    else k->required++;
+  }
+  if (l->as.lambda.rest) names->at[l->count] = pool(c, l->as.lambda.rest->name);
+  k->flags = l->as.lambda.rest ? VS_CODE_REST : k->optional || k->keywords ? 0 : VS_CODE_SIMPLE;
+  vs_gc_store(vm, k, &k->params, vs_from_object(names));
+  return true;
+}
+
+static bool gen_parameters(compiler *c, vs_node *l) {
+  vs_emit *e = &c->e;
+  uint32_t count = l->count + (l->as.lambda.rest ? 1u : 0u);
+  if (count >= VS_NEAR) return vs_fail_at(e->ast->vm, e->ast->vm->sym.syntax, l->pos, VS_NIL, "too many parameters: pass a list");
+  for (uint32_t i = 0; i < l->count; i++)
+    if (!vs_emit_register(e, &l->as.lambda.params[i].var->reg)) return false;
+  if (l->as.lambda.rest && !vs_emit_register(e, &l->as.lambda.rest->reg)) return false;
+  for (uint32_t i = 0; i < l->count; i++) {
+    vs_param *p = &l->as.lambda.params[i];
+    vs_jumps given = 0;
+    uint32_t k;
+    if (p->fallback) {
+      if (!vs_emit_branch(e, VS_O_JGIVEN, p->var->reg, 0, 0, &given)) return false;
+      e->fresh = VS_NO_REGISTER;
+      if (!gen(c, p->fallback, p->var->reg)) return false;
+      vs_emit_here(e, given);
+    } else if (p->keyword) {
+      if (!vs_emit_branch(e, VS_O_JGIVEN, p->var->reg, 0, 0, &given) || !vs_emit_constant(e, p->keyword - 1, &k) || !vs_emit_place(e, l->pos) ||
+          !vs_emit_op1(e, VS_O_MISSING, 0, 0, 0, k)) return false;
+      vs_emit_here(e, given);
+    }
+    if (boxed(p->var) && !vs_emit_op(e, VS_O_BOX, p->var->reg, p->var->reg, 0)) return false;
+  }
+  vs_var *rest = l->as.lambda.rest;
+  return !rest || !boxed(rest) || vs_emit_op(e, VS_O_BOX, rest->reg, rest->reg, 0);
+}
+
+static bool compile_procedure(compiler *c, vs_node *l) {
+  vs_ast *ast = c->e.ast;
+  vs_value code = ast->pool[((vs_frame_info *)l->as.lambda.extra)->code - 1];
+  c->e = (vs_emit){.ast = ast, .frame = l, .fresh = VS_NO_REGISTER};
+  bool ok = set_parameters(c, l, code) && gen_parameters(c, l) && gen(c, l->as.lambda.body, TAIL) && vs_emit_finish(&c->e, code);
+  vs_emit_close(&c->e);
+  return ok;
+}
+
+bool vs_compile(vs *vm, vs_ast *ast, vs_node *body, vs_value *out) {
+  compiler c = {.e = {.ast = ast}};
+  vs_node *top = vs_ast_list(ast, VS_AST_LAMBDA, 0, body->pos);
+  if (!top) return false;
+  top->as.lambda.body = body;
+  uint32_t index;
+  if (!vs_analyse(ast, top) || !code_for(&c, top, &index)) return false;
+  while (c.jobs) {
+    vs_node *l = c.jobs->lambda;
+    c.jobs = c.jobs->next;
+    if (!compile_procedure(&c, l)) return false;
+  }
+  vs_closure *closure = (vs_closure *)(void *)vs_gc_alloc(vm, VS_T_CLOSURE, VS_WORDS(vs_closure));
+  if (!closure) return false;
+  closure->code = ast->pool[index];
+  *out = vs_from_object(closure);
+  return true;
+}
+
+bool vs_cell_redefine(vs *vm, vs_value v) {
+  (void)vm;
+  vs_cell *cell = vs_as_cell(v);
+  cell->h.flags &= (uint16_t)~VS_F_CONSTANT;
+  for (vs_value l = cell->users; vs_is_pair(l); l = vs_cdr(l)) {
+    const vs_code *code = vs_as_code(vs_car(l));
+    const vs_inlined *at = (const vs_inlined *)(const void *)vs_as_bytes(code->inlined)->at;
+    for (size_t i = 0, n = vs_as_bytes(code->inlined)->length / sizeof *at; i < n; i++) {
+      if (vs_code_consts(code)[at[i].constant] != v) continue;
+      uint32_t *ins = &vs_code_ins(code)[at[i].pc];
+      *ins = (*ins & ~255u) | (uint32_t)vs_op_generic(*ins & 255);
+    }
+  }
+  cell->users = VS_NIL;
+  return true;
+}

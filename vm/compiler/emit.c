@@ -1,0 +1,158 @@
+/* Owns the making of one procedure's instructions. */
+#include "vm/compiler/emit.h"
+
+#include "vm/machine/native.h"
+
+static bool grow(vs_emit *e, void *array, size_t *room, size_t count, size_t size) {
+  if (count < *room) return true;
+  size_t more = *room ? *room * 2 : 64;
+  void **p = array, *q = vs_mem(e->ast->vm, *p, *room * size, more * size);
+  if (!q) return false;
+  *p = q;
+  *room = more;
+  return true;
+}
+
+void vs_emit_close(vs_emit *e) {
+  vs *vm = e->ast->vm;
+  if (e->ins) vs_mem(vm, e->ins, e->room * sizeof *e->ins, 0);
+  if (e->consts) vs_mem(vm, e->consts, e->const_room * sizeof *e->consts, 0);
+  if (e->places) vs_mem(vm, e->places, e->place_room * sizeof *e->places, 0);
+  if (e->inlined) vs_mem(vm, e->inlined, e->inlined_room * sizeof *e->inlined, 0);
+  e->ins = NULL; e->consts = NULL; e->places = NULL; e->inlined = NULL;
+}
+
+bool vs_emit_register(vs_emit *e, uint32_t *out) {
+  if (e->next >= VS_NEAR && e->next < VS_FAR) e->next = VS_FAR;
+  if (e->next >= VS_MOST_REGISTERS)
+    return vs_fail_at(e->ast->vm, e->ast->vm->sym.syntax, e->frame->pos, VS_NIL, "this procedure is too large: split it");
+  *out = e->fresh = e->next++;
+  if (e->next > e->most) e->most = e->next;
+  return true;
+}
+
+bool vs_emit_word(vs_emit *e, uint32_t w) {
+  if (!grow(e, &e->ins, &e->room, e->count, sizeof *e->ins)) return false;
+  e->ins[e->count++] = w;
+  return true;
+}
+
+static bool far_copy(vs_emit *e, unsigned op, uint32_t scratch, uint32_t far) {
+  if (e->most < VS_FAR) e->most = VS_FAR;
+  return vs_emit_word(e, VS_INSX(op, scratch, far));
+}
+
+/* the operands, read ones loaded; *store: where a far result belongs */
+static bool operands(vs_emit *e, unsigned op, uint32_t r[3], uint32_t *store) {
+  const char *how = vs_op_operands(op);
+  *store = VS_NO_REGISTER;
+  for (unsigned i = 0; i < 3; i++) {
+    if ((how[i] != 's' && how[i] != 'd') || r[i] < VS_FAR) continue;
+    uint32_t far = r[i];
+    r[i] = VS_NEAR + i;
+    if (how[i] == 'd') *store = far;
+    else if (!far_copy(e, VS_O_FARLOAD, r[i], far)) return false;
+  }
+  return true;
+}
+
+static bool encode(vs_emit *e, unsigned op, const uint32_t r[3]) {
+  return vs_emit_word(e, vs_op_operands(op)[1] == 'x' ? VS_INSX(op, r[0], r[1]) : VS_INS(op, r[0], r[1], r[2]));
+}
+
+bool vs_emit_op(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c) {
+  uint32_t r[3] = {a, b, c}, store;
+  return operands(e, op, r, &store) && encode(e, op, r) && (store == VS_NO_REGISTER || far_copy(e, VS_O_FARSTORE, r[0], store));
+}
+
+bool vs_emit_op1(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, uint32_t word) {
+  uint32_t r[3] = {a, b, c}, store;
+  return operands(e, op, r, &store) && encode(e, op, r) && vs_emit_word(e, word) &&
+         (store == VS_NO_REGISTER || far_copy(e, VS_O_FARSTORE, r[0], store));
+}
+
+bool vs_emit_branch(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, vs_jumps *list) {
+  uint32_t r[3] = {a, b, c}, store;
+  if (!operands(e, op, r, &store) || !encode(e, op, r) || !vs_emit_word(e, *list)) return false;
+  *list = (uint32_t)e->count;                 /* 1 + index of the word */
+  return true;
+}
+
+bool vs_emit_back(vs_emit *e, unsigned op, uint32_t target) {
+  return vs_emit_word(e, VS_INS(op, 0, 0, 0)) && vs_emit_word(e, (uint32_t)((int64_t)target - (int64_t)e->count - 1));
+}
+
+void vs_emit_here(vs_emit *e, vs_jumps list) {
+  while (list) {
+    uint32_t at = list - 1, before = e->ins[at];
+    e->ins[at] = (uint32_t)(e->count - at - 1);
+    list = before;
+  }
+}
+
+bool vs_emit_constant(vs_emit *e, uint32_t index, uint32_t *out) {
+  const vs_value *pool = e->ast->pool;
+  for (size_t i = e->const_count, tries = 0; i-- > 0 && tries < 64; tries++)
+    if (pool[e->consts[i]] == pool[index]) { *out = (uint32_t)i; return true; }
+  if (!grow(e, &e->consts, &e->const_room, e->const_count, sizeof *e->consts)) return false;
+  e->consts[e->const_count] = index;
+  *out = (uint32_t)e->const_count++;
+  return true;
+}
+
+bool vs_emit_value(vs_emit *e, vs_value v, uint32_t *out) {
+  uint32_t index;
+  return vs_ast_const(e->ast, v, &index) && vs_emit_constant(e, index, out);
+}
+
+bool vs_emit_place(vs_emit *e, vs_pos pos) {
+  if (e->place_count && e->places[e->place_count - 1].pc == e->count) e->place_count--;
+  if (!grow(e, &e->places, &e->place_room, e->place_count, sizeof *e->places)) return false;
+  e->places[e->place_count++] = (vs_place){(uint32_t)e->count, (uint32_t)(pos >> 32), (uint32_t)pos};
+  return true;
+}
+
+bool vs_emit_inlined(vs_emit *e, uint32_t cell) {
+  if (!grow(e, &e->inlined, &e->inlined_room, e->inlined_count, sizeof *e->inlined)) return false;
+  e->inlined[e->inlined_count++] = (vs_inlined){(uint32_t)e->count, cell};
+  return true;
+}
+
+/* old space: the run loop keeps addresses into these */
+static bool old_bytes(vs *vm, const void *at, size_t n, vs_value *out) {
+  vs_bytes *b = (vs_bytes *)(void *)vs_gc_alloc_old(vm, VS_T_BYTES, 2 + (n + 7) / 8);
+  if (!b) return false;
+  b->length = n;
+  if (n) memcpy(b->at, at, n);
+  *out = vs_from_object(b);
+  return true;
+}
+
+bool vs_emit_finish(vs_emit *e, vs_value code) {
+  vs *vm = e->ast->vm;
+  VS_ROOTS(vm, r, 1);
+  vs_code *c = vs_as_code(code);              /* old: stays where it is */
+  if (e->count >= 1u << 28) return vs_fail_at(vm, vm->sym.syntax, e->frame->pos, VS_NIL, "this procedure is too large: split it");
+  vs_vector *consts = (vs_vector *)(void *)vs_gc_alloc_old(vm, VS_T_VECTOR, 2 + e->const_count);
+  if (!consts) return false;
+  consts->length = e->const_count;
+  for (size_t i = 0; i < e->const_count; i++) consts->at[i] = e->ast->pool[e->consts[i]];
+  vs_gc_store(vm, c, &c->consts, vs_from_object(consts));
+  if (!old_bytes(vm, e->ins, e->count * sizeof *e->ins, &r[0])) return false;
+  vs_gc_store(vm, c, &c->ins, r[0]);
+  if (!old_bytes(vm, e->places, e->place_count * sizeof *e->places, &r[0])) return false;
+  vs_gc_store(vm, c, &c->places, r[0]);
+  if (!old_bytes(vm, e->inlined, e->inlined_count * sizeof *e->inlined, &r[0])) return false;
+  vs_gc_store(vm, c, &c->inlined, r[0]);
+  c->registers = e->most;
+  for (size_t i = 0; i < e->inlined_count; i++) {
+    vs_cell *cell = vs_as_cell(vs_code_consts(c)[e->inlined[i].constant]);
+    if (vs_is_pair(cell->users) && vs_car(cell->users) == code) continue;
+    r[0] = vs_from_object(cell);
+    vs_value users;
+    if (!vs_cons(vm, code, cell->users, &users)) return false;
+    cell = vs_as_cell(r[0]);
+    vs_gc_store(vm, cell, &cell->users, users);
+  }
+  return true;
+}

@@ -1,0 +1,31 @@
+/* Owns the table of natives that are opcodes. */
+#include "vm/compiler/inline.h"
+
+/* the immediate column holds an opcode or, for TYPE rows, an object type */
+#define IMMEDIATE_VALUE(x) VS_O_##x
+#define IMMEDIATE_TEST(x) VS_O_##x
+#define IMMEDIATE_EFFECT(x) VS_O_##x
+#define IMMEDIATE_TYPE(x) VS_T_##x
+
+static const vs_inline_row rows[] = {
+  {NULL, 0, VS_WAY_NONE, VS_O_NONE, VS_O_NONE, VS_O_NONE},
+#define VS_INLINE(name, args, way, op, immediate, many) {name, args, VS_WAY_##way, VS_O_##op, IMMEDIATE_##way(immediate), VS_O_##many},
+#include "vm/compiler/inline.def"
+#undef VS_INLINE
+  {"make", 0, VS_WAY_MAKE, VS_O_MAKEFLAT, VS_O_NONE, VS_O_NONE},
+  {"get", 1, VS_WAY_GET, VS_O_FLATREF, VS_O_NONE, VS_O_NONE},
+};
+enum { ROWS = sizeof rows / sizeof rows[0] };
+
+const vs_inline_row *vs_inline_get(uint32_t row) { return &rows[row < ROWS ? row : 0]; }
+
+void vs_inline_find(const vs *vm, const char *name, size_t length, uint32_t *row, uint32_t *arg) {
+  *row = *arg = 0;
+  for (uint32_t i = 1; i < ROWS - 2; i++)
+    if (strlen(rows[i].name) == length && memcmp(rows[i].name, name, length) == 0) { *row = i; return; }
+  if (!vm->flat) return;
+  for (int i = 0; i < vm->flat->makers; i++)
+    if (strlen(vm->flat->maker[i].name) == length && memcmp(vm->flat->maker[i].name, name, length) == 0) { *row = ROWS - 2; *arg = (uint32_t)i; return; }
+  for (int i = 0; i < vm->flat->getters; i++)
+    if (strlen(vm->flat->getter[i].name) == length && memcmp(vm->flat->getter[i].name, name, length) == 0) { *row = ROWS - 1; *arg = (uint32_t)i; return; }
+}

@@ -1,0 +1,15 @@
+/* Owns which natives are opcodes: rows of inline.def, and the host's flat record makers and getters. */
+#ifndef VS_INLINE_H
+#define VS_INLINE_H
+
+#include "vm/compiler/code.h"
+#include "vm/machine/native.h"
+
+typedef enum { VS_WAY_NONE, VS_WAY_VALUE, VS_WAY_TEST, VS_WAY_TYPE, VS_WAY_EFFECT, VS_WAY_MAKE, VS_WAY_GET } vs_inline_way;
+typedef struct vs_inline_row { const char *name; uint8_t args, way, op, immediate, many; } vs_inline_row;
+
+/* Row number (0: none) and its argument (of the host's table) for a native of this name. */
+void vs_inline_find(const vs *vm, const char *name, size_t length, uint32_t *row, uint32_t *arg);
+const vs_inline_row *vs_inline_get(uint32_t row);
+
+#endif

@@ -1,0 +1,320 @@
+/* Owns definitions: bodies, the top level, what define and define-syntax look like, transformers.
+
+   A body is walked form by form: its head is expanded until it is a definition (its name is bound in the body's scope at once, its
+   value kept for later), a begin (spliced) or an expression. Only when every name is known are the kept forms expanded: all
+   definitions and the expressions between them become one FIX (letrec*), the rest its body. What was found is a list, newest first,
+   of vectors: #(variable form place parameters), variable a fixnum address or #f for an expression, parameters
+   VS_ABSENT for a plain value, else form is the procedure's body. */
+#include "vm/front/expand.h"
+
+
+/* ---- what a define says ---- */
+/* form: (define . rest). Curried defines ((define ((f a) b) ...)) come back as a procedure whose body is a lambda. All out
+   values must be roots. */
+bool vs_define_parts(vs_expansion *x, vs_value form, vs_value env, vs_value *name, vs_value *params, vs_value *rest, bool *procedure) {
+  vs *vm = x->vm;
+  (void)env;
+  vs_pos pos = vs_form_pos(form, x->now.pos);
+  int64_t n = vs_list_length(form);
+  if (n < 2) return vs_expand_fail(x, pos, form, "define is written %s, not", vs_form_shape(VS_FORM_define));
+  VS_ROOTS(vm, r, 3);
+  r[0] = vs_car(vs_cdr(form));
+  r[1] = vs_cdr(vs_cdr(form));
+  *procedure = vs_is_pair(r[0]);
+  while (vs_is_pair(r[0]) && vs_is_pair(vs_car(r[0]))) {          /* curried */
+    if (!vs_core_name(vm, "lambda", &r[2]) || !vs_cons(vm, vs_cdr(r[0]), r[1], &r[1]) || !vs_cons_at(vm, r[2], r[1], pos, &r[1]) ||
+        !vs_cons(vm, r[1], VS_NIL, &r[1])) return false;
+    r[0] = vs_car(r[0]);
+  }
+  if (*procedure) {
+    *name = vs_car(r[0]);
+    *params = vs_cdr(r[0]);
+    *rest = r[1];
+    if (!vs_is_identifier(*name)) return vs_expand_fail(x, pos, *name, "define needs a name, got");
+    if (r[1] == VS_NIL) return vs_expand_fail(x, pos, VS_ABSENT, "define: the procedure %s has no body", vs_as_symbol(vs_identifier_symbol(*name))->name);
+    return true;
+  }
+  *name = r[0];
+  if (!vs_is_identifier(r[0])) return vs_expand_fail(x, pos, r[0], "define needs a name, got");
+  const char *text = vs_as_symbol(vs_identifier_symbol(r[0]))->name;
+  if (n == 2) return vs_expand_fail(x, pos, VS_ABSENT, "define: %s gets no value; it is written (define %s value)", text, text);
+  if (n > 3) {
+    vs_value second = vs_car(r[1]);
+    if (n == 4 && vs_is_symbol(second) && !strcmp(vs_as_symbol(second)->name, "="))
+      return vs_expand_fail(x, pos, VS_ABSENT, "define: it is written (define %s value), without =", text);
+    if (second == VS_NIL || (vs_is_pair(second) && vs_is_identifier(vs_car(second))))
+      return vs_expand_fail(x, pos, VS_ABSENT, "define: a procedure is written (define (%s%s) body ...), its name inside the parentheses of its parameters", text,
+                            second == VS_NIL ? "" : " parameter ...");
+    return vs_expand_fail(x, pos, VS_ABSENT, "define: %s gets %lld values; it is written (define %s value)", text, (long long)(n - 2), text);
+  }
+  *params = VS_ABSENT;
+  *rest = vs_car(r[1]);
+  return true;
+}
+
+/* ---- transformers ---- */
+bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_value *macro, bool *done) {
+  vs *vm = x->vm;
+  VS_ROOTS(vm, r, 4);
+  r[0] = spec; r[1] = env;
+  *done = true;
+  vs_pos pos = vs_form_pos(spec, x->now.pos);
+  if (vs_is(spec, VS_T_MACRO)) {                      /* what a transformer expression gave */
+    vs_macro *m = (vs_macro *)(void *)vs_gc_alloc(vm, VS_T_MACRO, VS_WORDS(vs_macro));
+    if (!m) return false;
+    const vs_macro *from = vs_as_macro(r[0]);
+    m->kind = from->kind; m->transformer = from->transformer; m->data = from->data;
+    m->env = from->env == VS_FALSE ? r[1] : from->env;
+    *macro = vs_from_object(m);
+    return true;
+  }
+  if (vs_is_identifier(spec)) {                       /* (define-syntax mine if) */
+    vs_meaning m = vs_environment_find(env, spec);
+    if (m.kind == VS_MEANS_MACRO) { *macro = m.value; return true; }
+  }
+  if (vs_is_pair(spec) && vs_is_form(env, vs_car(spec), VS_FORM_syntax_rules)) return vs_rules_make(x, spec, env, pos, macro);
+  if (vs_is_pair(spec) && vs_is_identifier(vs_car(spec))) {      /* a macro that makes a transformer */
+    vs_meaning m = vs_environment_find(env, vs_car(spec));
+    if (m.kind == VS_MEANS_MACRO && vs_as_macro(m.value)->kind == vs_fix(VS_MACRO_RULES))
+      return vs_rules_expand(x, m.value, spec, env, pos, &r[2]) && vs_expand_transformer(x, r[2], r[1], macro, done);
+  }
+  if (!vs_is_pair(spec) && !vs_is_identifier(spec)) return vs_expand_fail(x, pos, spec, "a transformer is (syntax-rules ...) or (er-macro-transformer ...), not");
+  *done = false;
+  if (!vs_intern_c(vm, "%eval-transformer", &r[3]) || !vs_cons(vm, r[1], VS_NIL, &r[2]) || !vs_cons(vm, r[0], r[2], &r[2])) return false;
+  x->procedure = vs_environment_value(vm->at.core, r[3]);
+  x->args = r[2];
+  return true;
+}
+
+/* (define-syntax name spec), bound in env. PLT's (define-syntax-rule ...) is a macro of the prelude. *wait: a call is due, whose value
+   is to take the spec's place. */
+static bool define_syntax(vs_expansion *x, vs_value form, vs_value env, bool *wait) {
+  VS_ROOTS(x->vm, r, 3);
+  r[0] = form; r[1] = env;
+  *wait = false;
+  if (vs_list_length(form) != 3 || !vs_is_identifier(vs_car(vs_cdr(form))))
+    return vs_expand_fail(x, vs_form_pos(form, x->now.pos), form, "define-syntax is written %s, not", vs_form_shape(VS_FORM_define_syntax));
+  bool done;
+  if (!vs_expand_transformer(x, vs_car(vs_cdr(vs_cdr(form))), env, &r[2], &done)) return false;
+  if (!done) { *wait = true; return true; }
+  return vs_environment_bind(x->vm, r[1], vs_car(vs_cdr(r[0])), r[2]);
+}
+
+/* (define-syntax name spec) -> (define-syntax name value) */
+static bool with_value(vs *vm, vs_value form, vs_value value, vs_pos pos, vs_value *out) {
+  VS_ROOTS(vm, r, 2);
+  r[0] = form;
+  return vs_cons(vm, value, VS_NIL, &r[1]) && vs_cons(vm, vs_car(vs_cdr(r[0])), r[1], &r[1]) && vs_cons_at(vm, vs_car(r[0]), r[1], pos, out);
+}
+
+/* ---- bodies ---- */
+enum { WAIT_HEAD = 0, WAIT_TRANSFORMER = 1 };
+
+static bool keep(vs_expansion *x, vs_value variable, vs_value form, vs_pos pos, vs_value params) {
+  vs *vm = x->vm;
+  VS_ROOTS(vm, r, 3);
+  r[0] = form; r[1] = params;
+  if (!vs_make_vector(vm, 4, VS_FALSE, &r[2])) return false;
+  vs_vector *v = vs_as_vector(r[2]);
+  v->at[0] = variable;
+  vs_gc_store(vm, v, &v->at[1], r[0]);
+  v->at[2] = vs_fix((int64_t)pos);
+  vs_gc_store(vm, v, &v->at[3], r[1]);
+  return vs_cons(vm, r[2], x->now.acc, &x->now.acc);
+}
+
+static bool expand_kept(vs_expansion *x, vs_value kept, vs_node **into, uint32_t depth) {
+  VS_ROOTS(x->vm, r, 2);
+  const vs_vector *v = vs_as_vector(kept);
+  vs_pos pos = vs_pos_of(v->at[2]);
+  if (v->at[3] == VS_ABSENT) {
+    vs_value form = v->at[1];
+    vs_value name = v->at[0];
+    if (!vs_expand_push(x, VS_TASK_EXPR, form, x->now.env, pos, into, depth)) return false;
+    vs_expand_top(x)->var = vs_is_fixnum(name) ? (vs_var *)(uintptr_t)vs_fixnum(name) : NULL;
+    return true;
+  }
+  r[0] = kept;
+  vs_var *var = (vs_var *)(uintptr_t)vs_fixnum(v->at[0]);
+  vs_value name = x->ast.pool[var->name];
+  return vs_expand_lambda(x, v->at[3], true, v->at[1], x->now.env, name, pos, into);
+}
+
+static bool finish_body(vs_expansion *x) {
+  vs *vm = x->vm;
+  size_t total = 0, defined = 0;                    /* kept; those up to the last definition */
+  for (vs_value l = x->now.acc; vs_is_pair(l); l = vs_cdr(l)) {
+    if (!defined && vs_is_fixnum(vs_as_vector(vs_car(l))->at[0])) defined = 1;
+    else if (defined) defined++;
+    total++;
+  }
+  if (defined == total)
+    return vs_expand_fail(x, x->now.pos, VS_ABSENT, total ? "this body ends with a definition; an expression must follow, whose value it has" : "this body is empty; an expression is missing");
+  VS_ROOTS(vm, r, 1);
+  r[0] = x->now.acc;
+  size_t rest = total - defined;
+  vs_node *seq = NULL, *fix = NULL, **into = x->now.into;
+  vs_pos pos = x->now.pos;
+  if (defined) {
+    if (!(fix = vs_expand_many(x, VS_AST_FIX, defined, pos))) return false;
+    *into = fix;
+    into = &fix->as.let.body;
+  }
+  if (rest > 1) {
+    if (!(seq = vs_expand_many(x, VS_AST_SEQ, rest, pos))) return false;
+    *into = seq;
+  }
+  uint32_t depth = x->now.depth + (fix != NULL) + (seq != NULL);
+  bool ok = true;
+  for (size_t i = total; ok && i-- > 0; r[0] = vs_cdr(r[0])) {      /* newest first: tasks then run in order */
+    const vs_vector *v = vs_as_vector(vs_car(r[0]));
+    if (i >= defined) {
+      ok = expand_kept(x, vs_car(r[0]), seq ? &seq->as.seq.at[i - defined] : into, depth);
+      continue;
+    }
+    vs_var *var = vs_is_fixnum(v->at[0]) ? (vs_var *)(uintptr_t)vs_fixnum(v->at[0]) : NULL;
+    if (!var) {                                                     /* an expression between definitions */
+      vs_value name;
+      ok = vs_intern_c(vm, "_", &name) && (var = vs_ast_var(&x->ast, name)) != NULL;
+      if (!ok) break;
+    }
+    fix->as.let.vars[i] = var;
+    ok = expand_kept(x, vs_car(r[0]), &fix->as.let.values[i], depth);
+  }
+  return ok;
+}
+
+/* puts the forms of a begin before what is left of the body */
+static bool splice(vs_expansion *x, vs_value forms) {
+  vs *vm = x->vm;
+  VS_ROOTS(vm, r, 4);
+  r[0] = forms; r[1] = VS_NIL;
+  if (vs_list_length(forms) < 0) return vs_expand_fail(x, x->now.pos, forms, "begin is written %s, not", vs_form_shape(VS_FORM_begin));
+  if (vs_cdr(x->now.form) == VS_NIL) { x->now.form = r[0]; return true; }
+  r[2] = VS_NIL;
+  for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
+    if (!vs_cons_at(vm, vs_car(r[0]), VS_NIL, vs_pair_pos(r[0]), &r[3])) return false;
+    if (r[1] == VS_NIL) r[1] = r[3];
+    else vs_gc_store(vm, vs_as_pair(r[2]), &vs_as_pair(r[2])->cdr, r[3]);
+    r[2] = r[3];
+  }
+  if (r[1] == VS_NIL) { x->now.form = vs_cdr(x->now.form); return true; }
+  vs_gc_store(vm, vs_as_pair(r[2]), &vs_as_pair(r[2])->cdr, vs_cdr(x->now.form));
+  x->now.form = r[1];
+  return true;
+}
+
+bool vs_body_step(vs_expansion *x) {
+  vs *vm = x->vm;
+  VS_ROOTS(vm, r, 5);
+  while (vs_is_pair(x->now.form)) {
+    vs_meaning m;
+    vs_pos outer = x->now.pos, pos = vs_element_pos(x->now.form, false, outer);
+    r[0] = vs_car(x->now.form);
+    if (!vs_expand_settle(x, &r[0], &m, &pos)) return false;
+    int form = m.kind == VS_MEANS_MACRO ? (int)vs_fixnum(vs_as_macro(m.value)->kind) : -1;
+    if (form == VS_FORM_begin) {
+      if (!splice(x, vs_cdr(r[0]))) return false;
+      continue;
+    }
+    if (form == VS_FORM_define) {
+      bool procedure;
+      vs_var *var;
+      if (!vs_define_parts(x, r[0], x->now.env, &r[1], &r[2], &r[3], &procedure)) return false;
+      vs_value known = vs_idtable_get(vs_as_environment(x->now.env)->table, r[1]);
+      if (known != VS_VACANT) return vs_expand_fail(x, pos, VS_ABSENT, "%s is defined twice in this body", vs_as_symbol(vs_identifier_symbol(r[1]))->name);
+      if (!vs_expand_var(x, r[1], x->now.env, &var) || !keep(x, vs_fix((int64_t)(uintptr_t)var), r[3], pos, r[2])) return false;
+    } else if (form == VS_FORM_define_syntax) {
+      bool wait;
+      if (!define_syntax(x, r[0], x->now.env, &wait)) return false;
+      if (wait) {
+        if (!vs_cons(vm, r[0], vs_cdr(x->now.form), &x->now.form)) return false;
+        x->now.waiting = true;
+        x->now.n = WAIT_TRANSFORMER;
+        return false;
+      }
+    } else if (!keep(x, VS_FALSE, r[0], pos, VS_ABSENT)) return false;
+    x->now.pos = outer;
+    x->now.form = vs_cdr(x->now.form);
+  }
+  if (x->now.form != VS_NIL) return vs_expand_fail(x, x->now.pos, x->now.form, "a body is a list: no . may stand before");
+  return finish_body(x);
+}
+
+/* the value that a waiting body or top-level task asked for */
+bool vs_body_resume(vs_expansion *x, vs_value value) {
+  vs *vm = x->vm;
+  VS_ROOTS(vm, r, 1);
+  r[0] = value;
+  bool top = x->now.kind == VS_TASK_TOP, transformer = x->now.n == WAIT_TRANSFORMER;
+  x->now.n = WAIT_HEAD;
+  vs_value form = top ? x->now.form : vs_car(x->now.form);
+  if (transformer && !vs_is(value, VS_T_MACRO))
+    return vs_expand_fail(x, vs_form_pos(form, x->now.pos), value, "a transformer is (syntax-rules ...) or (er-macro-transformer ...), this gave");
+  if (transformer && !with_value(vm, form, r[0], vs_form_pos(form, x->now.pos), &r[0])) return false;
+  if (top) { x->now.form = r[0]; return true; }
+  return vs_cons_at(vm, r[0], vs_cdr(x->now.form), vs_form_pos(x->now.form, x->now.pos), &x->now.form);
+}
+
+/* ---- the top level ---- */
+/* Names that a macro's (begin (define name ...) ...) makes are bound before any of its forms is expanded, so that the first may refer to the
+   last: a name of the program would be found by its symbol, but these are known to nobody else. */
+static bool bind_renamed(vs_expansion *x, vs_value forms) {
+  VS_ROOTS(x->vm, r, 1);
+  for (r[0] = forms; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
+    vs_value f = vs_car(r[0]), cell;
+    if (!vs_is_pair(f) || !vs_is_pair(vs_cdr(f)) || !vs_is_form(x->now.env, vs_car(f), VS_FORM_define)) continue;
+    vs_value name = vs_car(vs_cdr(f));
+    while (vs_is_pair(name)) name = vs_car(name);
+    if (vs_is(name, VS_T_ALIAS) && vs_idtable_get(vs_as_environment(x->now.env)->table, name) == VS_VACANT &&
+        !vs_environment_define(x->vm, x->now.env, name, &cell)) return false;
+  }
+  return true;
+}
+
+bool vs_top_step(vs_expansion *x) {
+  vs *vm = x->vm;
+  VS_ROOTS(vm, r, 5);
+  vs_meaning m;
+  vs_pos pos = x->now.pos;
+  r[0] = x->now.form;
+  if (!vs_expand_settle(x, &r[0], &m, &pos)) return false;
+  x->now.form = r[0];
+  x->now.pos = pos;
+  if (!vs_is_top(x->now.env)) return vs_expand_push(x, VS_TASK_EXPR, r[0], x->now.env, pos, x->now.into, 0);   /* a transformer of a body */
+  int form = m.kind == VS_MEANS_MACRO ? (int)vs_fixnum(vs_as_macro(m.value)->kind) : vs_unit_word(&m);
+  if (form != VS_FORM_begin && form != VS_FORM_import && form != VS_FORM_define_library && vs_environment_intake(x->now.env) == VS_INTAKE_FRESH)
+    vs_environment_set_intake(x->now.env, VS_INTAKE_OPEN);        /* it does not begin with an import */
+  switch (form) {
+  case VS_FORM_begin:
+    if (vs_list_length(r[0]) < 0) return vs_expand_shape(x, VS_FORM_begin);
+    if (!bind_renamed(x, vs_cdr(r[0]))) return false;
+    x->forms = vs_cdr(x->now.form);
+    x->result = VS_EXPAND_FORMS;
+    return true;
+  case VS_FORM_define: {
+    bool procedure;
+    vs_value cell;
+    if (!vs_define_parts(x, r[0], x->now.env, &r[1], &r[2], &r[3], &procedure)) return false;
+    vs_node *n = vs_expand_node(x, VS_AST_DEFGLOBAL, pos);
+    if (!n || !vs_environment_define(vm, x->now.env, r[1], &cell) || !vs_ast_const(&x->ast, cell, &n->as.global.cell)) return false;
+    *x->now.into = n;
+    x->definition = true;
+    if (procedure) return vs_expand_lambda(x, r[2], true, r[3], x->now.env, vs_identifier_symbol(r[1]), pos, &n->as.global.value);
+    if (!vs_expand_push(x, VS_TASK_EXPR, r[3], x->now.env, pos, &n->as.global.value, 1)) return false;
+    return (vs_expand_top(x)->var = vs_ast_var(&x->ast, vs_identifier_symbol(r[1]))) != NULL;       /* a lambda takes its name from it */
+  }
+  case VS_FORM_define_syntax: {
+    bool wait;
+    if (!define_syntax(x, r[0], x->now.env, &wait)) return false;
+    if (wait) { x->now.waiting = true; x->now.n = WAIT_TRANSFORMER; return false; }
+    x->result = VS_EXPAND_NOTHING;
+    return true;
+  }
+  case VS_FORM_import: return vs_library_import(x);
+  case VS_FORM_define_library: return vs_library_define(x);
+  case VS_FORM_require: return vs_library_require(x);
+  case VS_FORM_provide: x->result = VS_EXPAND_NOTHING; return true;
+  default: return vs_expand_push(x, VS_TASK_EXPR, r[0], x->now.env, pos, x->now.into, 0);
+  }
+}

@@ -1,0 +1,783 @@
+/* Owns the reader: text in memory becomes data, with the place of every pair.
+
+   Plan. A stack of open things (lists, vectors, quotes, datum comments, labels) stands in accounted memory, two rooted values
+   each: the first pair and the last pair of the elements so far. A finished datum is delivered to the top of the stack until it
+   rests. Mistakes are noted and reading goes on behind them, so that one reading reports them all.
+
+   An unclosed parenthesis is found at the end of the text, too late to be of help. So the reader remembers the first line
+   that begins at or left of the column of a parenthesis that is still open: by the indentation, that one should have been closed on
+   the line before. And the text is then read once more, each (define at the left margin beginning anew (`anew`), so that every
+   form that was left open is reported and not the first alone. A quote that is missing turns all strings behind it inside out; so the
+   reader remembers the first string over several lines whose end touches a word: that is where it probably began. */
+#include "vm/front/reader.h"
+#include "vm/values/number.h"
+#include "vm/values/text.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { PROBLEMS = 20, PROBLEM_TEXT = 200 };
+
+typedef enum { NO_QUOTE, QUOTE_PLAIN, QUASI, UNQUOTE, SPLICE } quote_kind;
+typedef enum { LIST, VECTOR, BYTEVECTOR, QUOTE, COMMENT, LABEL } frame_kind;
+
+typedef struct {
+  frame_kind kind;
+  char open;                 /* ( or [ */
+  uint8_t dot;               /* LIST: 1 the next datum is the tail, 2 the tail is there */
+  vs_pos pos;
+  quote_kind quote;
+} frame;
+
+typedef struct {
+  vs *vm;
+  const char *text;
+  size_t size, at;
+  uint32_t file, line;
+  size_t line_start;         /* offset of the current line */
+  size_t col_at; uint32_t col;   /* column of an offset in this line, moving forward */
+  bool located, fold, blank_line;   /* blank_line: only blanks so far on this line */
+  frame *frames; size_t depth, room;
+  vs_value *slots;           /* two a frame, then the labels */
+  struct vs_roots roots;
+  vs_value labels;           /* list of (number . box); rooted by vs_read_... */
+  bool label_used;
+  size_t quasi;              /* how many of the frames are quasiquotes */
+  size_t problems; bool more;
+  struct { vs_pos pos; char text[PROBLEM_TEXT]; } problem[PROBLEMS];
+  /* the first line whose indentation contradicts the parentheses */
+  vs_pos suspect; uint32_t suspect_line;
+  uint32_t content_line;     /* of the last token */
+  uint32_t comma_line;       /* where a comma between elements was last complained of */
+  bool cut;                  /* a string or |symbol| swallowed the rest: what is open then is no mistake of its own */
+  bool anew, left_open;      /* the second reading; a form was open at the end, or where one began anew */
+  vs_pos odd_string; uint32_t odd_end;   /* the string that probably swallowed the quote of the next, and the line where it ended */
+  vs_pos last_top; uint32_t last_close_line; bool stray; vs_pos stray_top; uint32_t stray_line;
+} reader;
+
+static uint32_t column(reader *r, size_t offset) {
+  if (offset < r->col_at || r->col_at < r->line_start) { r->col_at = r->line_start; r->col = 1; }
+  for (; r->col_at < offset; r->col_at++) r->col += ((unsigned char)r->text[r->col_at] & 0xC0) != 0x80;
+  return r->col;
+}
+static vs_pos place(reader *r, size_t offset) { return vs_pos_make(r->file, r->line, column(r, offset)); }
+
+static void problem(reader *r, vs_pos pos, const char *format, ...) __attribute__((format(printf, 3, 4)));
+static void problem(reader *r, vs_pos pos, const char *format, ...) {
+  if (r->problems == PROBLEMS) { r->more = true; return; }
+  va_list list;
+  va_start(list, format);
+  vsnprintf(r->problem[r->problems].text, PROBLEM_TEXT, format, list);
+  va_end(list);
+  r->problem[r->problems++].pos = pos;
+}
+
+static void newline(reader *r, size_t next) {
+  r->line++;
+  r->line_start = r->col_at = next;
+  r->col = 1;
+  r->blank_line = true;
+}
+
+static int peek(const reader *r, size_t ahead) { return r->at + ahead < r->size ? (unsigned char)r->text[r->at + ahead] : -1; }
+
+/* bytes of a blank character at the reader's place, 0: none */
+static size_t blank(const reader *r) {
+  int c = peek(r, 0);
+  if (c < 0) return 0;
+  if (c <= ' ') return 1;
+  if (c < 0xC2) return 0;
+  uint32_t u;
+  size_t n = vs_utf8_decode(r->text + r->at, r->size - r->at, &u);
+  return u == 0xA0 || u == 0xFEFF || u == 0x3000 || (u >= 0x2000 && u <= 0x200B) || u == 0x2028 ? n : 0;
+}
+
+static bool is_delimiter(const reader *r) {
+  int c = peek(r, 0);
+  return c < 0 || strchr("()[]{}\";,'`", c) || blank(r);
+}
+
+static void skip_line(reader *r) { while (r->at < r->size && r->text[r->at] != '\n') r->at++; }
+
+static void skip_block(reader *r) {
+  vs_pos pos = place(r, r->at);
+  size_t depth = 0;
+  while (r->at < r->size) {
+    int c = peek(r, 0), d = peek(r, 1);
+    if (c == '#' && d == '|') { depth++; r->at += 2; }
+    else if (c == '|' && d == '#') { r->at += 2; if (!--depth) return; }
+    else { r->at++; if (c == '\n') newline(r, r->at); }
+  }
+  problem(r, pos, "this comment #| is never closed by |#");
+}
+
+/* Skips blanks and comments (not #;). False at the end of the text. */
+static bool skip(reader *r) {
+  for (;;) {
+    int c = peek(r, 0);
+    size_t n = blank(r);
+    if (c < 0) return false;
+    if (n) { r->at += n; if (c == '\n') newline(r, r->at); }
+    else if (c == ';') skip_line(r);
+    else if (c == '#' && peek(r, 1) == '|') skip_block(r);
+    else if (c == '#' && r->size - r->at > 5 && !memcmp(r->text + r->at, "#lang", 5) && peek(r, 5) <= ' ') skip_line(r);
+    else if (c == '#' && peek(r, 1) == '!' && r->at == 0 && (peek(r, 2) == '/' || peek(r, 2) == ' ')) skip_line(r);      /* #!/usr/bin/env vs */
+    else if (c == '#' && peek(r, 1) == '!') {
+      size_t start = r->at;
+      r->at += 2;
+      while (!is_delimiter(r)) r->at++;
+      size_t length = r->at - start;
+      if (length == 11 && !memcmp(r->text + start, "#!fold-case", 11)) r->fold = true;
+      else if (length == 14 && !memcmp(r->text + start, "#!no-fold-case", 14)) r->fold = false;
+      else if (length == 5 && !memcmp(r->text + start, "#!eof", 5)) { r->at = start; return true; }
+    } else return true;
+  }
+}
+
+/* ---- the stack ---- */
+static bool push(reader *r, frame_kind kind, vs_pos pos, char open, quote_kind quote) {
+  if (r->depth == r->room) {
+    size_t room = r->room ? 2 * r->room : 32;
+    frame *frames = vs_mem(r->vm, r->frames, r->room * sizeof *frames, room * sizeof *frames);
+    if (!frames) return false;
+    r->frames = frames;
+    vs_value *slots = vs_mem(r->vm, r->slots, 2 * r->room * sizeof *slots, 2 * room * sizeof *slots);
+    if (!slots) {   /* keep the two in step */
+      r->frames = vs_mem(r->vm, frames, room * sizeof *frames, r->room * sizeof *frames);
+      return false;
+    }
+    r->slots = r->roots.slots = slots;
+    r->room = room;
+  }
+  r->frames[r->depth] = (frame){kind, open, 0, pos, quote};
+  r->slots[2 * r->depth] = r->slots[2 * r->depth + 1] = VS_NIL;
+  r->roots.count = 2 * ++r->depth;
+  r->quasi += quote == QUASI;
+  return true;
+}
+
+static void pop(reader *r) {
+  frame *f = &r->frames[--r->depth];
+  r->quasi -= f->quote == QUASI;
+  r->roots.count = 2 * r->depth;
+}
+
+static bool cons(reader *r, vs_value car, vs_value cdr, vs_pos pos, vs_value *out) {
+  return r->located ? vs_cons_at(r->vm, car, cdr, pos, out) : vs_cons(r->vm, car, cdr, out);
+}
+
+/* Puts v (a root) to rest. *done: it is a datum of the outermost level, in *v. */
+static bool deliver(reader *r, vs_value *v, vs_pos pos, bool *done) {
+  *done = false;
+  for (;;) {
+    if (!r->depth) { *done = true; return true; }
+    frame *f = &r->frames[r->depth - 1];
+    vs_value *slot = &r->slots[2 * (r->depth - 1)];
+    switch (f->kind) {
+    case COMMENT: pop(r); return true;
+    case QUOTE: {
+      vs_pos mark = f->pos;
+      quote_kind quote = f->quote;
+      pop(r);
+      if (!cons(r, *v, VS_NIL, pos, v)) return false;
+      const struct vs *vm = r->vm;
+      vs_value name = quote == QUASI ? vm->sym.quasiquote : quote == UNQUOTE ? vm->sym.unquote : quote == SPLICE ? vm->sym.unquote_splicing : vm->sym.quote;
+      if (!cons(r, name, *v, mark, v)) return false;
+      pos = mark;
+      break;
+    }
+    case LABEL: {
+      vs_value box = slot[0];
+      pop(r);
+      vs_gc_store(r->vm, vs_as_box(box), &vs_as_box(box)->value, *v);
+      break;
+    }
+    case LIST:
+      if (f->dot) {
+        if (f->dot == 2) { problem(r, pos, "only one datum may follow the . of a list"); return true; }
+        f->dot = 2;
+        vs_pair *last = vs_as_pair(slot[1]);
+        vs_gc_store(r->vm, last, &last->cdr, *v);
+        return true;
+      } /* fall through */
+    case VECTOR: case BYTEVECTOR: {
+      bool first = slot[0] == VS_NIL;
+      if (!cons(r, *v, VS_NIL, first ? f->pos : pos, v)) return false;
+      slot = &r->slots[2 * (r->depth - 1)];
+      if (first) slot[0] = *v;
+      else vs_gc_store(r->vm, vs_as_pair(slot[1]), &vs_as_pair(slot[1])->cdr, *v);
+      slot[1] = *v;
+      return true;
+    }
+    }
+  }
+}
+
+/* the finished value of the frame on top, popped */
+static bool close_frame(reader *r, vs_value *out) {
+  frame f = r->frames[r->depth - 1];
+  vs_value head = r->slots[2 * (r->depth - 1)];
+  if (f.kind == LIST && head != VS_NIL && f.open == '[') vs_object_of(head)->flags |= VS_F_SQUARE;
+  if (f.kind == LIST && f.dot == 1) problem(r, f.pos, "a datum is missing behind the . of this list");
+  *out = head;
+  if (f.kind == VECTOR || f.kind == BYTEVECTOR) {
+    size_t n = 0;
+    for (vs_value v = head; vs_is_pair(v); v = vs_cdr(v)) n++;
+    if (f.kind == VECTOR ? !vs_make_vector(r->vm, n, VS_FALSE, out) : !vs_make_bytes(r->vm, n, out)) return false;
+    size_t i = 0;
+    for (vs_value v = r->slots[2 * (r->depth - 1)]; vs_is_pair(v); v = vs_cdr(v), i++) {
+      vs_value e = vs_car(v);
+      if (f.kind == VECTOR) vs_gc_store(r->vm, vs_as_vector(*out), &vs_as_vector(*out)->at[i], e);
+      else if (vs_is_fixnum(e) && vs_fixnum(e) >= 0 && vs_fixnum(e) < 256) vs_as_bytes(*out)->at[i] = (uint8_t)vs_fixnum(e);
+      else problem(r, f.pos, "a bytevector holds integers from 0 to 255");
+    }
+    if (r->located) vs_object_of(*out)->flags |= VS_F_IMMUTABLE;      /* a literal of a program */
+  }
+  pop(r);
+  return true;
+}
+
+/* ---- tokens that make a value ---- */
+static const struct { const char *name; uint32_t c; } char_names[] = {
+  {"space", ' '}, {"newline", '\n'}, {"tab", '\t'}, {"return", '\r'}, {"null", 0}, {"nul", 0}, {"alarm", 7}, {"backspace", 8},
+  {"delete", 127}, {"rubout", 127}, {"escape", 27}, {"altmode", 27}, {"linefeed", '\n'}, {"page", 12}, {"vtab", 11},
+};
+
+static bool hex(const char *s, size_t n, uint32_t *out) {
+  uint32_t c = 0;
+  if (!n || n > 8) return false;
+  for (size_t i = 0; i < n; i++) {
+    int d = s[i] >= '0' && s[i] <= '9' ? s[i] - '0' : s[i] >= 'a' && s[i] <= 'f' ? s[i] - 'a' + 10 : s[i] >= 'A' && s[i] <= 'F' ? s[i] - 'A' + 10 : -1;
+    if (d < 0) return false;
+    c = c << 4 | (uint32_t)d;
+  }
+  *out = c;
+  return c <= 0x10FFFF && !(c >= 0xD800 && c < 0xE000);
+}
+
+static void read_char(reader *r, vs_value *out) {
+  size_t start = r->at;
+  vs_pos pos = place(r, start);
+  r->at += 2;
+  uint32_t c = 0;
+  *out = VS_CHAR(' ');
+  if (r->at >= r->size) { problem(r, pos, "a character is missing behind #\\"); return; }
+  size_t n = vs_utf8_decode(r->text + r->at, r->size - r->at, &c), first = r->at;
+  r->at += n;
+  if (c == '\n') newline(r, r->at);
+  else while (!is_delimiter(r)) r->at++;
+  size_t length = r->at - first;
+  const char *s = r->text + first;
+  *out = VS_CHAR(c);
+  if (length == n) return;
+  if ((*s == 'x' || *s == 'u' || *s == 'U') && hex(s + 1, length - 1, &c)) { *out = VS_CHAR(c); return; }
+  for (size_t i = 0; i < sizeof char_names / sizeof *char_names; i++) {
+    if (strlen(char_names[i].name) != length) continue;
+    bool same = true;
+    for (size_t k = 0; k < length; k++) same &= s[k] == char_names[i].name[k] || (r->fold && (s[k] | 32) == char_names[i].name[k]);
+    if (same) { *out = VS_CHAR(char_names[i].c); return; }
+  }
+  problem(r, pos, "no character has the name #\\%.*s", (int)(length > 40 ? 40 : length), s);
+}
+
+/* Behind a backslash in a string or |symbol|. */
+static bool read_escape(reader *r, vs_text *t) {
+  vs_pos pos = place(r, r->at - 1);
+  int c = peek(r, 0);
+  size_t start = r->at++;
+  switch (c) {
+  case 'a': return vs_text_char(t, 7);
+  case 'b': return vs_text_char(t, 8);
+  case 't': return vs_text_char(t, '\t');
+  case 'n': return vs_text_char(t, '\n');
+  case 'r': return vs_text_char(t, '\r');
+  case 'v': return vs_text_char(t, 11);
+  case 'f': return vs_text_char(t, 12);
+  case 'e': return vs_text_char(t, 27);
+  case '"': case '\\': case '|': case '\'': return vs_text_char(t, (uint32_t)c);
+  case 'x': case 'X': {
+    while (r->at < r->size && r->text[r->at] != ';' && r->text[r->at] != '"' && r->text[r->at] != '\n') r->at++;
+    uint32_t u = 0xFFFD;
+    if (peek(r, 0) != ';' || !hex(r->text + start + 1, r->at - start - 1, &u)) problem(r, pos, "a character by number is written \\x41;");
+    if (peek(r, 0) == ';') r->at++;
+    return vs_text_char(t, u);
+  }
+  case ' ': case '\t': case '\n': case '\r': {        /* a line that goes on: blanks, newline, blanks are left out */
+    r->at = start;
+    while (peek(r, 0) == ' ' || peek(r, 0) == '\t' || peek(r, 0) == '\r') r->at++;
+    if (peek(r, 0) != '\n') { problem(r, pos, "behind this backslash the line must end"); return true; }
+    newline(r, ++r->at);
+    while (peek(r, 0) == ' ' || peek(r, 0) == '\t') r->at++;
+    return true;
+  }
+  default: break;
+  }
+  if (c < 0) return true;
+  uint32_t u;
+  r->at = start + vs_utf8_decode(r->text + start, r->size - start, &u);
+  char shown[5] = {0};
+  vs_utf8_encode(u, shown);
+  problem(r, pos, "\\%s means nothing in a string; a backslash is written \\\\", shown);
+  return vs_text_char(t, u);
+}
+
+static bool read_delimited(reader *r, char end, vs_text *t) {
+  vs_pos pos = place(r, r->at);
+  uint32_t first_line = r->line;
+  r->at++;
+  while (r->at < r->size) {
+    size_t run = r->at;
+    while (r->at < r->size && r->text[r->at] != end && r->text[r->at] != '\\' && r->text[r->at] != '\n' && r->text[r->at] != '\r') r->at++;
+    if (!vs_text_put(t, r->text + run, r->at - run)) return false;
+    int c = peek(r, 0);
+    if (c < 0) break;
+    r->at++;
+    if (c == end) {
+      if (end == '"' && !r->odd_string && r->line != first_line && !is_delimiter(r)) { r->odd_string = pos; r->odd_end = r->line; }
+      return true;
+    }
+    if (c == '\\') { if (!read_escape(r, t)) return false; }
+    else if (c == '\n') { newline(r, r->at); if (!vs_text_put(t, "\n", 1)) return false; }
+    else if (peek(r, 0) != '\n' && !vs_text_put(t, "\n", 1)) return false;       /* \r alone */
+  }
+  if (end == '"' && r->odd_string)
+    problem(r, r->odd_string, "this string goes on to line %u; a \" is missing, probably on line %u", r->odd_end, vs_pos_line(r->odd_string));
+  else {
+    r->odd_string = 0;
+    problem(r, pos, end == '"' ? "this string is never closed: a \" is missing" : "this |symbol is never closed: a | is missing");
+  }
+  r->cut = true;
+  return true;
+}
+
+static bool read_symbol(reader *r, vs_value *out) {
+  vs_text t;
+  vs_text_open(r->vm, &t, 0);
+  bool ok = true, bars = false;
+  size_t start = r->at;
+  vs_pos pos = place(r, start);
+  while (ok && !is_delimiter(r)) {
+    if (r->text[r->at] == '|') { bars = true; ok = read_delimited(r, '|', &t); continue; }
+    char c = r->text[r->at++];
+    if (r->fold && c >= 'A' && c <= 'Z') c = (char)(c | 32);
+    ok = vs_text_put(&t, &c, 1);
+  }
+  size_t length = r->at - start;
+  const char *s = r->text + start;
+  int c = length ? (unsigned char)*s : 0;
+  *out = VS_FALSE;
+  if (ok && !bars && ((c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == '#')) {
+    ok = vs_number_parse(r->vm, s, length, 10, out);
+    if (ok && *out == VS_FALSE && c == '#') {
+      problem(r, pos, "%.*s is not known here", (int)(length > 60 ? 60 : length), s);
+      *out = VS_UNSPECIFIC;
+    }
+    if (ok && vs_is_number(*out) && !r->quasi && peek(r, 0) == ',' && peek(r, 1) >= '0' && peek(r, 1) <= '9') {
+      size_t more = 1;
+      while (peek(r, more) >= '0' && peek(r, more) <= '9') more++;
+      if (peek(r, more) == ',' || (r->depth && r->frames[r->depth - 1].open == '[')) {      /* [1,2,3] */
+        problem(r, pos, "no commas stand between elements, only blanks: (list 1 2 3), or (xyz 1 2 3) for a point");
+        while (peek(r, more) >= 0 && (peek(r, more) == ',' || peek(r, more) == '.' || (peek(r, more) >= '0' && peek(r, more) <= '9'))) more++;
+      } else problem(r, pos, "a decimal point is a point: %.*s.%.*s instead of %.*s", (int)length, s, (int)(more - 1), s + length + 1, (int)(length + more), s);
+      r->at += more;
+    }
+  }
+  if (ok && !bars && c == 0xE2 && length >= 3 && (unsigned char)s[1] == 0x80 && (unsigned char)s[2] >= 0x98 && (unsigned char)s[2] <= 0x9F)
+    problem(r, pos, "%.3s is a typographic quotation mark; write \" (or ' before a symbol)", s);
+  if (ok && *out == VS_FALSE) ok = vs_intern(r->vm, t.at ? t.at : "", t.count, out);
+  vs_text_close(&t);
+  return ok;
+}
+
+static bool same(const reader *r, const char *word) {
+  size_t n = strlen(word);
+  if (r->size - r->at < n) return false;
+  for (size_t i = 0; i < n; i++) if (r->text[r->at + i] != word[i] && !(r->fold && (r->text[r->at + i] | 32) == word[i])) return false;
+  reader after = {.text = r->text, .size = r->size, .at = r->at + n};
+  return is_delimiter(&after);
+}
+
+/* A token that begins with #. *skip_: it was no datum (a prefix was pushed). */
+static bool read_hash(reader *r, vs_value *out, bool *prefix) {
+  static const struct { const char *word; vs_value value; } words[] = {
+    {"#t", VS_TRUE}, {"#true", VS_TRUE}, {"#f", VS_FALSE}, {"#false", VS_FALSE}, {"#T", VS_TRUE}, {"#F", VS_FALSE}, {"#!eof", VS_EOF}};
+  vs_pos pos = place(r, r->at);
+  int c = peek(r, 1);
+  *prefix = true;
+  if (c == ';') { r->at += 2; return push(r, COMMENT, pos, 0, NO_QUOTE); }
+  if (c == '(' || c == '[') { r->at += 2; return push(r, VECTOR, pos, (char)c, NO_QUOTE); }
+  if (c == 'u' && peek(r, 2) == '8' && (peek(r, 3) == '(' || peek(r, 3) == '[')) {
+    c = peek(r, 3);
+    r->at += 4;
+    return push(r, BYTEVECTOR, pos, (char)c, NO_QUOTE);
+  }
+  if (c >= '0' && c <= '9') {
+    size_t i = 1;
+    int64_t number = 0;
+    while (peek(r, i) >= '0' && peek(r, i) <= '9' && number < 1000000000) number = 10 * number + (peek(r, i++) - '0');
+    if (peek(r, i) == '=') {
+      r->at += i + 1;
+      if (!push(r, LABEL, pos, 0, NO_QUOTE)) return false;
+      vs_value *slot = &r->slots[2 * (r->depth - 1)];
+      if (!vs_make_box(r->vm, VS_UNDEFINED, &slot[0])) return false;
+      slot = &r->slots[2 * (r->depth - 1)];
+      return vs_cons(r->vm, vs_fix(number), slot[0], &slot[1]) && vs_cons(r->vm, r->slots[2 * (r->depth - 1) + 1], r->labels, &r->labels);
+    }
+    if (peek(r, i) == '#') {
+      *prefix = false;
+      r->at += i + 1;
+      r->label_used = true;
+      for (vs_value l = r->labels; vs_is_pair(l); l = vs_cdr(l))
+        if (vs_car(vs_car(l)) == vs_fix(number)) { *out = vs_cdr(vs_car(l)); return true; }
+      problem(r, pos, "the label #%lld= comes nowhere before", (long long)number);
+      *out = VS_FALSE;
+      return true;
+    }
+  }
+  *prefix = false;
+  if (c == '\\') { read_char(r, out); return true; }
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+    if (same(r, words[i].word)) { r->at += strlen(words[i].word); *out = words[i].value; return true; }
+  if (c == ':') {                                    /* a keyword reads as the symbol of the whole token */
+    size_t start = r->at;
+    while (!is_delimiter(r)) r->at++;
+    return vs_intern(r->vm, r->text + start, r->at - start, out);
+  }
+  return read_symbol(r, out);
+}
+
+/* A closing parenthesis of the kind c. *out is the datum if *got. */
+static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) {
+  *got = false;
+  while (r->depth && r->frames[r->depth - 1].kind >= QUOTE) {     /* '), #;) */
+    if (r->frames[r->depth - 1].quote == QUOTE_PLAIN)
+      problem(r, r->frames[r->depth - 1].pos, "a datum is missing behind this '; a text stands between double quotes, \"like this\"");
+    else problem(r, r->frames[r->depth - 1].pos, "a datum is missing here, before the %c", c);
+    pop(r);
+  }
+  if (!r->depth) {
+    if (r->stray && r->last_top)
+      problem(r, pos, "this %c closes nothing: what began on line %u was already closed on line %u", c, vs_pos_line(r->stray_top), r->stray_line);
+    else if (r->last_top)
+      problem(r, pos, "this %c closes nothing: one too many for what began on line %u", c, vs_pos_line(r->last_top));
+    else problem(r, pos, "this %c closes nothing", c);
+    return true;
+  }
+  frame *f = &r->frames[r->depth - 1];
+  if ((f->open == '(') != (c == ')'))
+    problem(r, pos, "the %c of line %u, column %u is closed by %c; %c belongs here", f->open, vs_pos_line(f->pos), vs_pos_col(f->pos), c, f->open == '(' ? ')' : ']');
+  *got = true;
+  return close_frame(r, out);
+}
+
+/* At the first token of a line: does its indentation say that something should have been closed before? */
+static void watch_indentation(reader *r, vs_pos pos) {
+  uint32_t col = vs_pos_col(pos);
+  if (r->depth && !r->suspect) {
+    for (size_t i = 0; i < r->depth; i++)
+      if (r->frames[i].kind <= BYTEVECTOR && col <= vs_pos_col(r->frames[i].pos) && vs_pos_line(r->frames[i].pos) < r->line) {
+        r->suspect = r->frames[i].pos;
+        r->suspect_line = r->content_line;
+        break;
+      }
+  } else if (!r->depth && !r->stray && r->last_top && col > vs_pos_col(r->last_top)) {
+    r->stray = true;
+    r->stray_top = r->last_top;
+    r->stray_line = r->last_close_line;
+  }
+  r->blank_line = false;
+}
+
+/* The innermost of the first `count` things is open where all should be closed. */
+static void never_closed(reader *r, size_t count) {
+  if (!count) return;
+  r->left_open = true;
+  const frame *f = &r->frames[count - 1];
+  char close = f->open == '(' ? ')' : ']';
+  if (r->suspect) problem(r, r->suspect, "this parenthesis is never closed; by the indentation a %c is missing at the end of line %u", close, r->suspect_line);
+  else if (count > 1 && r->frames[0].kind <= BYTEVECTOR)
+    problem(r, f->pos, "this parenthesis is never closed (%zu are open at the end): a %c is missing", count, close);
+  else problem(r, f->pos, "this parenthesis is never closed: a %c is missing", close);
+}
+
+/* In the second reading: what is open where a definition begins at the margin ends there. */
+static void begin_anew(reader *r, vs_pos pos) {
+  static const char word[] = "(define";
+  if (vs_pos_col(pos) != 1 || r->size - r->at < sizeof word || memcmp(r->text + r->at, word, sizeof word - 1)) return;
+  size_t count = r->depth;
+  while (count > 0 && r->frames[count - 1].kind >= QUOTE) count--;
+  never_closed(r, count);
+  while (r->depth) pop(r);
+  r->suspect = 0;
+}
+
+/* Reads on until a datum of the outermost level is there: 1, 0 at the end, -1 an error: no memory, a limit. */
+static int next(reader *r, vs_value *out, vs_pos *where) {
+  while (skip(r)) {
+    vs_pos pos = place(r, r->at);
+    if (!vs_poll(r->vm, 16)) {
+      vs_condition *c = vs_is(r->vm->condition, VS_T_CONDITION) ? vs_as_condition(r->vm->condition) : NULL;
+      if (c && !c->place) c->place = pos;
+      return -1;
+    }
+    if (r->blank_line) {
+      watch_indentation(r, pos);
+      if (r->anew && r->depth) begin_anew(r, pos);
+    }
+    r->content_line = r->line;
+    if (!r->depth) { *where = pos; if (r->text[r->at] != ')' && r->text[r->at] != ']') r->last_top = pos; }
+    char c = r->text[r->at];
+    bool ok = true, got = true;
+    switch (c) {
+    case '(': case '[': r->at++; ok = push(r, LIST, pos, c, NO_QUOTE); got = false; break;
+    case ')': case ']':
+      r->at++;
+      { vs_pos opened = r->depth ? r->frames[r->depth - 1].pos : pos; ok = read_close(r, c, pos, out, &got); pos = opened; }
+      break;
+    case '{': case '}': problem(r, pos, "%c is not used here; parentheses are ( ) and [ ]", c); r->at++; got = false; break;
+    case '\'': r->at++; ok = push(r, QUOTE, pos, 0, QUOTE_PLAIN); got = false; break;
+    case '`': r->at++; ok = push(r, QUOTE, pos, 0, QUASI); got = false; break;
+    case ',': {
+      bool splice = peek(r, 1) == '@';
+      char before = r->at ? r->text[r->at - 1] : ' ';
+      if (r->located && !r->quasi && peek(r, 1) == ' ' && before > ' ' && !strchr("([{'`,;", before)) {      /* (list 1, 2, 3) */
+        if (r->comma_line != r->line) problem(r, pos, "no commas stand between elements, only blanks: (list 1 2 3)");
+        r->comma_line = r->line;
+        r->at++;
+        got = false;
+        break;
+      }
+      r->at += splice ? 2 : 1;
+      ok = push(r, QUOTE, pos, 0, splice ? SPLICE : UNQUOTE);
+      got = false;
+      break;
+    }
+    case '"': {
+      vs_text t;
+      vs_text_open(r->vm, &t, 0);
+      ok = read_delimited(r, '"', &t) && vs_string_from_utf8(r->vm, t.at ? t.at : "", t.count, out);
+      if (ok && r->located) vs_object_of(*out)->flags |= VS_F_IMMUTABLE;
+      vs_text_close(&t);
+      break;
+    }
+    case '#': { bool prefix; ok = read_hash(r, out, &prefix); got = !prefix; break; }
+    case '.':
+      if (same(r, ".")) {
+        r->at++;
+        got = false;
+        frame *f = r->depth ? &r->frames[r->depth - 1] : NULL;
+        if (!f || f->kind != LIST || r->slots[2 * (r->depth - 1)] == VS_NIL) problem(r, pos, "a . stands only before the last datum of a list");
+        else if (f->dot) problem(r, pos, "a second . in one list");
+        else f->dot = 1;
+        break;
+      } /* fall through */
+    default: ok = read_symbol(r, out); break;
+    }
+    if (!ok) return -1;
+    if (!got) continue;
+    bool done;
+    if (!deliver(r, out, pos, &done)) return -1;
+    if (done) { r->last_close_line = r->line; return 1; }
+  }
+  if (r->depth && !r->cut) {
+    size_t i = r->depth;
+    while (i > 0 && r->frames[i - 1].kind >= QUOTE) i--;
+    if (i != r->depth) problem(r, r->frames[r->depth - 1].pos, "a datum is missing behind this");
+    never_closed(r, i);
+  }
+  return 0;
+}
+
+/* ---- labels: every box that stands for a label gives way to its value ---- */
+typedef struct { vs_value *at; size_t count, room; struct vs_roots roots; vs *vm; } work;
+static bool work_push(work *w, vs_value v) {
+  if (w->count == w->room) {
+    size_t room = w->room ? 2 * w->room : 64;
+    vs_value *at = vs_mem(w->vm, w->at, w->room * sizeof *at, room * sizeof *at);
+    if (!at) return false;
+    w->at = at;
+    w->room = room;
+  }
+  w->at[w->count++] = v;
+  return true;
+}
+static bool is_label(vs_value v) { return vs_is(v, VS_T_BOX); }
+static vs_value label_value(vs_value v) {
+  for (int i = 0; is_label(v) && i < 1000; i++) v = vs_as_box(v)->value;     /* #0=#1=x */
+  return v;
+}
+/* No object is made here, so nothing moves. What was read is a tree until its boxes are replaced. */
+static bool resolve_labels(reader *r, vs_value *root) {
+  work w = {.vm = r->vm};
+  *root = label_value(*root);
+  bool ok = work_push(&w, *root);
+  while (ok && w.count) {
+    vs_value v = w.at[--w.count];
+    if (vs_is_pair(v)) {
+      vs_pair *p = vs_as_pair(v);
+      if (is_label(p->car)) vs_gc_store(r->vm, p, &p->car, label_value(p->car)); else ok = work_push(&w, p->car);
+      if (is_label(p->cdr)) vs_gc_store(r->vm, p, &p->cdr, label_value(p->cdr)); else ok = ok && work_push(&w, p->cdr);
+    } else if (vs_is_vector(v)) {
+      vs_vector *vec = vs_as_vector(v);
+      for (size_t i = 0; ok && i < vec->length; i++)
+        if (is_label(vec->at[i])) vs_gc_store(r->vm, vec, &vec->at[i], label_value(vec->at[i])); else ok = work_push(&w, vec->at[i]);
+    }
+  }
+  if (w.at) vs_mem(r->vm, w.at, w.room * sizeof *w.at, 0);
+  return ok;
+}
+
+/* ---- whole texts ---- */
+static bool start(reader *r, vs *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool located) {
+  memset(r, 0, sizeof *r);
+  r->vm = vm;
+  r->text = text;
+  r->size = size;
+  r->file = file;
+  r->line = line;
+  r->located = located;
+  r->col = 1;
+  r->blank_line = true;
+  r->labels = VS_NIL;
+  r->roots = (struct vs_roots){NULL, vm, NULL, 0};
+  vs_gc_link(&r->roots);
+  if (size >= 3 && !memcmp(text, "\xEF\xBB\xBF", 3)) r->at = r->line_start = r->col_at = 3;
+  return true;
+}
+
+static void finish(reader *r) {
+  vs_gc_unlink(&r->roots);
+  if (r->frames) vs_mem(r->vm, r->frames, r->room * sizeof *r->frames, 0);
+  if (r->slots) vs_mem(r->vm, r->slots, 2 * r->room * sizeof *r->slots, 0);
+}
+
+/* Is it text at all? The place of the first byte that is none. */
+static bool check_utf8(vs *vm, const char *text, size_t size, uint32_t file, uint32_t line) {
+  size_t begin = 0;
+  for (size_t i = 0; i < size;) {
+    unsigned char c = (unsigned char)text[i];
+    if (c == '\n') { line++; begin = i + 1; }
+    if (c && c < 0x80) { i++; continue; }
+    uint32_t u;
+    size_t n = c ? vs_utf8_decode(text + i, size - i, &u) : 0;
+    if (!n) {
+      uint32_t col = 1;
+      for (size_t k = begin; k < i; k++) col += ((unsigned char)text[k] & 0xC0) != 0x80;
+      return vs_fail_at(vm, vm->sym.read, vs_pos_make(file, line, col), VS_NIL, "this is not a text in UTF-8 (byte %02X at offset %zu)", c, i);
+    }
+    i += n;
+  }
+  return true;
+}
+
+/* by place, then as they were found: an unclosed parenthesis is found last but stands first */
+static int by_place(const void *a, const void *b) {
+  const vs_pos *p = a, *q = b;
+  return *p < *q ? -1 : *p > *q;
+}
+
+static bool report(reader *r) {
+  vs *vm = r->vm;
+  VS_ROOTS(vm, v, 3);
+  qsort(r->problem, r->problems, sizeof *r->problem, by_place);
+  v[0] = VS_NIL;
+  for (size_t i = r->problems; i-- > 1;)
+    if (!vs_string_from_utf8(vm, r->problem[i].text, strlen(r->problem[i].text), &v[1]) ||
+        !vs_cons(vm, vs_fix((int64_t)r->problem[i].pos), v[1], &v[1]) || !vs_cons(vm, v[1], v[0], &v[0])) return false;
+  vs_fail_at(vm, vm->sym.read, r->problem[0].pos, VS_NIL, "%s", r->problem[0].text);
+  if (vs_is(vm->condition, VS_T_CONDITION) && v[0] != VS_NIL) {
+    vs_condition *c = vs_as_condition(vm->condition);
+    vs_gc_store(vm, c, &c->payload, v[0]);
+  }
+  return false;
+}
+
+static bool read_all(vs *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold, bool anew, bool *again, vs_value *forms) {
+  VS_ROOTS(vm, v, 3);                                  /* head, last, datum */
+  reader r;
+  start(&r, vm, text, size, file, line, true);
+  r.fold = fold;
+  r.anew = anew;
+  struct vs_roots labels = {NULL, vm, &r.labels, 1};
+  labels.next = vm->roots;
+  vm->roots = &labels;
+  v[0] = v[1] = VS_NIL;
+  int got;
+  bool ok = true;
+  vs_pos where = 0;
+  while (ok && (got = next(&r, &v[2], &where)) == 1) {
+    ok = !r.label_used || resolve_labels(&r, &v[2]);
+    r.labels = VS_NIL;
+    r.label_used = false;
+    ok = ok && vs_cons_at(vm, v[2], VS_NIL, where, &v[2]);
+    if (!ok) break;
+    if (v[0] == VS_NIL) v[0] = v[2];
+    else vs_gc_store(vm, vs_as_pair(v[1]), &vs_as_pair(v[1])->cdr, v[2]);
+    v[1] = v[2];
+  }
+  ok = ok && got == 0;
+  vs_pos reached = place(&r, r.at);
+  vm->roots = labels.next;
+  finish(&r);
+  if (!ok && vm->condition == vm->at.no_memory) {       /* what was read is given up; then there is room to say how far it went */
+    v[0] = v[1] = v[2] = VS_NIL;
+    bool over_limit = vm->over_limit;
+    vs_gc_major(vm);
+    vs_fail_at(vm, vm->sym.memory, reached, VS_NIL, "out of memory");
+    vm->over_limit = over_limit;
+  }
+  *again = ok && r.left_open && !anew;
+  if (ok && r.problems) return *again ? false : report(&r);
+  *forms = v[0];
+  return ok;
+}
+
+bool vs_read_all(vs *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold, vs_value *forms) {
+  bool again;
+  if (!check_utf8(vm, text, size, file, line)) return false;
+  return read_all(vm, text, size, file, line, fold, false, &again, forms) || (again && read_all(vm, text, size, file, line, fold, true, &again, forms));
+}
+
+bool vs_read_datum(vs *vm, const char *text, size_t size, vs_value *out, size_t *used) {
+  VS_ROOTS(vm, v, 1);
+  reader r;
+  start(&r, vm, text, size, 0, 1, false);
+  struct vs_roots labels = {NULL, vm, &r.labels, 1};
+  labels.next = vm->roots;
+  vm->roots = &labels;
+  vs_pos where;
+  int got = next(&r, &v[0], &where);
+  bool ok = got >= 0 && (got == 0 || !r.label_used || resolve_labels(&r, &v[0]));
+  vm->roots = labels.next;
+  finish(&r);
+  if (used) *used = r.at;
+  if (ok && r.problems) {
+    for (size_t i = 0; i < r.problems; i++) r.problem[i].pos = 0;
+    return report(&r);
+  }
+  *out = got ? v[0] : VS_EOF;
+  return ok;
+}
+
+bool vs_file_number(vs *vm, const char *name, size_t bytes, uint32_t *number) {
+  VS_ROOTS(vm, v, 2);
+  if (!vs_string_from_utf8(vm, name, bytes, &v[0])) return false;
+  size_t n = vs_is_vector(vm->at.files) ? vs_as_vector(vm->at.files)->length : 0;
+  for (size_t i = 1; i < n; i++) {
+    vs_value f = vs_as_vector(vm->at.files)->at[i];
+    if (!vs_is_string(f)) continue;
+    const vs_string *a = vs_as_string(f), *b = vs_as_string(v[0]);
+    size_t width = a->h.flags & VS_F_WIDE ? 4 : 1;
+    if (a->length == b->length && (a->h.flags & VS_F_WIDE) == (b->h.flags & VS_F_WIDE) &&
+        !memcmp(vs_as_bytes(a->store)->at, vs_as_bytes(b->store)->at, a->length * width)) { *number = (uint32_t)i; return true; }
+  }
+  /* slots are filled in order; a vector with room at its end would need a count of its own, files are few */
+  if (!vs_make_vector(vm, n ? n + 1 : 2, VS_FALSE, &v[1])) return false;
+  for (size_t i = 0; i < n; i++) vs_gc_store(vm, vs_as_vector(v[1]), &vs_as_vector(v[1])->at[i], vs_as_vector(vm->at.files)->at[i]);
+  size_t last = vs_as_vector(v[1])->length - 1;
+  vs_gc_store(vm, vs_as_vector(v[1]), &vs_as_vector(v[1])->at[last], v[0]);
+  vm->at.files = v[1];
+  *number = (uint32_t)last;
+  return true;
+}

@@ -1,0 +1,138 @@
+/* Owns the machine that knows where a datum ends, without building it: for continuation lines and for reading from ports. */
+#include "vm/front/reader.h"
+#include "vm/values/text.h"
+
+enum { BLANK, ATOM, STRING, BARS, LINE, BLOCK, HASH, CHARACTER };
+
+void vs_scan_open(vs *vm, vs_scan *s) {
+  memset(s, 0, sizeof *s);
+  s->vm = vm;
+  s->wanted = 1;
+  s->line = s->col = 1;
+}
+
+void vs_scan_close(vs_scan *s) {
+  if (s->at) vs_mem(s->vm, s->at, s->room * sizeof *s->at, 0);
+  s->at = NULL;
+}
+
+static bool push(vs_scan *s, uint32_t c) {
+  if (s->depth == s->room) {
+    size_t room = s->room ? 2 * s->room : 16;
+    struct vs_scan_open *at = vs_mem(s->vm, s->at, s->room * sizeof *at, room * sizeof *at);
+    if (!at) return false;
+    s->at = at;
+    s->room = room;
+  }
+  s->at[s->depth++] = (struct vs_scan_open){(char)c, s->line, s->col};
+  return true;
+}
+
+static bool is_blank(uint32_t c) { return c <= ' ' || c == 0xA0 || c == 0xFEFF || c == 0x3000 || (c >= 0x2000 && c <= 0x200B) || c == 0x2028; }
+static bool is_delimiter(uint32_t c) { return is_blank(c) || (c < 128 && strchr("()[]\";,'`", (int)c)); }
+
+/* a datum at this depth is complete */
+static vs_scan_result ended(vs_scan *s, vs_scan_result how) {
+  s->state = BLANK;
+  return s->depth == 0 && --s->wanted == 0 ? how : VS_SCAN_MORE;
+}
+
+static vs_scan_result bad(vs_scan *s, const char *why) {
+  s->trouble = why;
+  return VS_SCAN_BAD;
+}
+
+static bool begin(vs_scan *s, uint32_t c, vs_scan_result *r) {
+  s->token_line = s->line;
+  s->token_col = s->col;
+  if (is_blank(c) || c == '\'' || c == '`' || c == ',' || (c == '@' && s->escaped)) { s->escaped = c == ','; return true; }
+  s->escaped = false;
+  if (c == ';') { s->state = LINE; return true; }
+  if (c == '#') { s->state = HASH; return true; }
+  s->any = true;
+  if (c == '(' || c == '[') return push(s, c);
+  if (c == ')' || c == ']') {
+    if (!s->depth) { *r = bad(s, c == ')' ? "this ) closes nothing" : "this ] closes nothing"); return true; }
+    char open = s->at[--s->depth].open;
+    if ((open == '(') != (c == ')')) { *r = bad(s, c == ')' ? "[ is closed by )" : "( is closed by ]"); return true; }
+    *r = ended(s, VS_SCAN_WHOLE_WITH);
+    return true;
+  }
+  s->state = c == '"' ? STRING : c == '|' ? BARS : ATOM;
+  return true;
+}
+
+bool vs_scan_feed(vs_scan *s, uint32_t c, vs_scan_result *result) {
+  bool ok = true;
+  *result = VS_SCAN_MORE;
+again:
+  switch (s->state) {
+  case BLANK: ok = begin(s, c, result); break;
+  case HASH:                                       /* the character after # */
+    s->any = s->any || (c != '|' && c != ';' && c != '!');
+    if (c == ';') { s->wanted += s->depth == 0; s->state = BLANK; }
+    else if (c == '|') { s->state = BLOCK; s->comment = 1; s->after_hash = 0; }
+    else if (c == '\\') s->state = CHARACTER;
+    else if (c == '(') { s->state = BLANK; ok = push(s, c); }
+    else if (c == '!') { s->state = ATOM; s->after_hash = '!'; }
+    else { s->state = ATOM; s->after_hash = '#'; goto again; }
+    break;
+  case CHARACTER: s->state = ATOM; s->after_hash = 0; break;   /* whatever it is belongs to it */
+  case ATOM:
+    if (c == '|') { s->state = BARS; break; }
+    if (s->after_hash == '#' && c == '(') { s->after_hash = 0; s->state = BLANK; ok = push(s, c); break; }      /* #u8( */
+    if (s->after_hash == '#' && c == '=') { s->after_hash = 0; s->state = BLANK; break; }                       /* #0= */
+    if (!is_delimiter(c)) break;
+    if (s->after_hash == '!') { s->after_hash = 0; s->state = BLANK; goto again; }                               /* #!fold-case */
+    s->after_hash = 0;
+    *result = ended(s, VS_SCAN_WHOLE);
+    if (*result == VS_SCAN_MORE) goto again;
+    return true;
+  case STRING:
+    if (s->escaped) s->escaped = false;
+    else if (c == '\\') s->escaped = true;
+    else if (c == '"') *result = ended(s, VS_SCAN_WHOLE_WITH);
+    break;
+  case BARS:
+    if (s->escaped) s->escaped = false;
+    else if (c == '\\') s->escaped = true;
+    else if (c == '|') s->state = ATOM;
+    break;
+  case LINE: if (c == '\n') s->state = BLANK; break;
+  case BLOCK:
+    if (s->after_hash == '|' && c == '#') { s->after_hash = 0; if (!--s->comment) s->state = BLANK; }
+    else if (s->after_hash == '#' && c == '|') { s->after_hash = 0; s->comment++; }
+    else s->after_hash = c == '|' || c == '#' ? (uint8_t)c : 0;
+    break;
+  }
+  if (c == '\n') { s->line++; s->col = 1; } else s->col++;
+  return ok;
+}
+
+bool vs_scan_end(vs_scan *s) { return s->depth == 0 && (s->state == BLANK || s->state == LINE || s->state == ATOM); }
+
+bool vs_read_whole(vs *vm, const char *text, size_t size, vs_text_check *out) {
+  vs_scan s;
+  vs_scan_open(vm, &s);
+  bool ok = true, any = false;
+  *out = (vs_text_check){VS_TEXT_EMPTY, 0, 1, 1, NULL};
+  for (size_t i = 0; i < size && ok;) {
+    uint32_t c;
+    size_t n = vs_utf8_decode(text + i, size - i, &c);
+    if (!n) { n = 1; c = 0xFFFD; }
+    vs_scan_result r;
+    ok = vs_scan_feed(&s, c, &r) && vs_poll_turn(vm, i, 4);
+    if (r == VS_SCAN_BAD) { *out = (vs_text_check){VS_TEXT_BAD, 0, s.token_line, s.token_col, s.trouble}; break; }
+    if (r != VS_SCAN_MORE) { any = true; s.wanted = 1; s.any = false; }
+    if (r != VS_SCAN_WHOLE) i += n;                /* a delimiter that ended an atom is fed again */
+  }
+  if (ok && out->state != VS_TEXT_BAD) {
+    if (!vs_scan_end(&s) || s.wanted > 1) {
+      bool token = s.state == STRING || s.state == BARS || s.state == BLOCK || !s.depth;
+      *out = (vs_text_check){VS_TEXT_OPEN, (uint32_t)s.depth, token ? s.token_line : s.at[s.depth - 1].line,
+                             token ? s.token_col : s.at[s.depth - 1].col, NULL};
+    } else if (any || s.any) out->state = VS_TEXT_WHOLE;
+  }
+  vs_scan_close(&s);
+  return ok;
+}

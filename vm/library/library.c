@@ -1,0 +1,306 @@
+/* Owns libraries: define-library becomes a run of its body in an environment of its own, import a mapping of names, require a run of a file. */
+#include "vm/library/library.h"
+#include "vm/values/equal.h"
+#include "vm/library/port.h"
+#include "vm/values/printer.h"
+#include "vm/machine/program.h"
+
+#include <stdio.h>
+
+static bool is_word(vs_value v, const char *word) { return vs_is_identifier(v) && !strcmp(vs_as_symbol(vs_identifier_symbol(v))->name, word); }
+
+static bool library_path(vs *vm, vs_value name, uint32_t from, vs_text *path, bool *found);
+
+bool vs_library_find(vs *vm, vs_value name, vs_value *env) {
+  for (vs_value l = vm->at.libraries; vs_is_pair(l); l = vs_cdr(l)) {
+    bool same;
+    if (!vs_equal(vm, vs_car(vs_car(l)), name, &same)) return false;
+    if (same) { *env = vs_cdr(vs_car(l)); return true; }
+  }
+  return vs_library_built_in(vm, name, env);
+}
+
+bool vs_library_known(vs *vm, vs_value name, uint32_t from) {
+  VS_ROOTS(vm, r, 2);
+  if (!vs_strip(vm, name, &r[0]) || !vs_library_find(vm, r[0], &r[1])) return false;
+  if (r[1] != VS_FALSE) return true;
+  vs_text t;
+  vs_text_open(vm, &t, 0);
+  bool found, ok = library_path(vm, r[0], from, &t, &found);
+  vs_text_close(&t);
+  return ok && found;
+}
+
+bool vs_library_register(vs *vm, vs_value name, vs_value env) {
+  VS_ROOTS(vm, r, 2);
+  r[0] = env;
+  if (!vs_is_pair(vm->at.libraries)) vm->at.libraries = VS_NIL;
+  vs_environment_seal(env);
+  if (!vs_cons(vm, name, r[0], &r[1]) || !vs_cons(vm, r[1], vm->at.libraries, &r[1])) return false;
+  vm->at.libraries = r[1];
+  return true;
+}
+
+/* ---- import sets ---- */
+static bool not_exported(vs *vm, vs_pos pos, vs_value symbol) {
+  return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: this library has no %s", vs_is_symbol(symbol) ? vs_as_symbol(symbol)->name : "such name");
+}
+
+/* `name`: what the library is called */
+static bool take(vs *vm, vs_value env, vs_value from, vs_value mapping, vs_value name, vs_pos pos) {
+  VS_ROOTS(vm, r, 1);
+  r[0] = name;
+  vs_value clash;
+  bool own;
+  if (!vs_environment_import(vm, env, from, mapping, from == vm->at.core && mapping == VS_TRUE, &clash, &own)) return false;
+  if (clash == VS_VACANT) return true;
+  vs_text t;
+  vs_text_open(vm, &t, 300);
+  const char *text = vs_as_symbol(clash)->name, *why = own ? "is defined here already" : "was imported already, with another meaning";
+  bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &t) && vs_text_end(&t) &&
+            vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: %s %s; (except %s %s) leaves it out, rename or prefix keep both", text, why, t.at, text);
+  vs_text_close(&t);
+  return ok;
+}
+
+bool vs_library_import_set(vs *vm, vs_value set, vs_value env, vs_pos pos, vs_value *missing) {
+  VS_ROOTS(vm, r, 8);      /* the set, env, stack of modifiers, library, table, table, name, scratch */
+  r[0] = set; r[1] = env; r[2] = VS_NIL;
+  *missing = VS_ABSENT;
+  if (!vs_strip(vm, r[0], &r[0])) return false;
+  while (vs_is_pair(r[0]) && vs_is_pair(vs_cdr(r[0])) && vs_is_pair(vs_car(vs_cdr(r[0]))) &&
+         (is_word(vs_car(r[0]), "only") || is_word(vs_car(r[0]), "except") || is_word(vs_car(r[0]), "prefix") || is_word(vs_car(r[0]), "rename"))) {
+    if (!vs_cons(vm, r[0], r[2], &r[2])) return false;
+    r[0] = vs_car(vs_cdr(r[0]));
+  }
+  r[7] = r[0];
+  if (!vs_library_find(vm, r[0], &r[3])) return false;
+  if (r[3] == VS_FALSE) { *missing = r[0]; return true; }
+  if (r[2] == VS_NIL) return take(vm, r[1], r[3], VS_TRUE, r[7], pos);
+  /* a table from local name to the library's */
+  if (!vs_idtable_new(vm, &r[4])) return false;
+  for (size_t i = 0;; i++) {
+    const vs_environment *e = vs_as_environment(r[3]);
+    vs_value k, v;
+    if (!vs_idtable_slot(e->exports == VS_TRUE ? e->table : e->exports, i, &k, &v)) break;
+    if (k == VS_VACANT || !vs_is_symbol(k) || vs_as_symbol(k)->name[0] == '%') continue;
+    if (!vs_idtable_put(vm, &r[4], k, k)) return false;
+  }
+  for (; vs_is_pair(r[2]); r[2] = vs_cdr(r[2])) {
+    vs_value head = vs_car(vs_car(r[2]));
+    bool only = is_word(head, "only"), except = is_word(head, "except"), prefix = is_word(head, "prefix");
+    r[6] = vs_cdr(vs_cdr(vs_car(r[2])));
+    if (!vs_idtable_new(vm, &r[5])) return false;
+    if (only) {
+      for (; vs_is_pair(r[6]); r[6] = vs_cdr(r[6])) {
+        vs_value id = vs_car(r[6]), there = vs_is_symbol(id) ? vs_idtable_get(r[4], id) : VS_VACANT;
+        if (there == VS_VACANT) return not_exported(vm, pos, id);
+        if (!vs_idtable_put(vm, &r[5], id, there)) return false;
+      }
+      r[4] = r[5];
+      continue;
+    }
+    if (!prefix)
+      for (vs_value l = r[6]; vs_is_pair(l); l = vs_cdr(l)) {
+        vs_value id = except ? vs_car(l) : vs_list_length(vs_car(l)) == 2 ? vs_car(vs_car(l)) : VS_FALSE;
+        if (!vs_is_symbol(id) || (!except && !vs_is_symbol(vs_car(vs_cdr(vs_car(l))))))
+          return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: it is written %s", except ? "(except (library name) name ...)" : "(rename (library name) (name new-name) ...)");
+        if (vs_idtable_get(r[4], id) == VS_VACANT) return not_exported(vm, pos, id);
+      }
+    for (size_t i = 0;; i++) {
+      vs_value k, v, local;
+      if (!vs_idtable_slot(r[4], i, &k, &v)) break;
+      if (k == VS_VACANT) continue;
+      local = k;
+      bool drop = false;
+      if (prefix) {
+        char name[512];
+        vs_value p = vs_is_pair(r[6]) ? vs_car(r[6]) : VS_FALSE;
+        if (!vs_is_symbol(p)) return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: it is written (prefix (library name) prefix)");
+        int n = snprintf(name, sizeof name, "%s%s", vs_as_symbol(p)->name, vs_as_symbol(k)->name);
+        if (n < 0 || (size_t)n >= sizeof name || !vs_intern(vm, name, (size_t)n, &local)) return vs_fail_memory(vm);
+        if (!vs_idtable_slot(r[4], i, &k, &v)) break;
+      } else for (vs_value l = r[6]; vs_is_pair(l); l = vs_cdr(l)) {
+        if (except) drop = drop || vs_car(l) == k;
+        else if (vs_car(vs_car(l)) == k) local = vs_car(vs_cdr(vs_car(l)));
+      }
+      if (!drop && vs_idtable_get(r[5], local) != VS_VACANT)
+        return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: two names would become %s", vs_as_symbol(local)->name);
+      if (!drop && !vs_idtable_put(vm, &r[5], local, v)) return false;
+    }
+    r[4] = r[5];
+  }
+  return take(vm, r[1], r[3], r[4], r[7], pos);
+}
+
+/* (a b 1) as a/b/1.sld */
+static bool library_file(vs *vm, vs_value name, vs_text *t) {
+  bool ok = true;
+  for (bool first = true; ok && vs_is_pair(name); name = vs_cdr(name), first = false) {
+    ok = (first || vs_text_put(t, "/", 1)) && vs_print(vm, vs_car(name), VS_PRINT_DISPLAY, t);
+  }
+  return ok && vs_text_puts(t, ".sld");
+}
+
+/* The place of the file that may define a library, beside the file `from` or along the library path. */
+static bool library_path(vs *vm, vs_value name, uint32_t from, vs_text *path, bool *found) {
+  VS_ROOTS(vm, r, 1);
+  vs_text t;
+  *found = false;
+  if (!vs_is_pair(name)) return true;
+  vs_text_open(vm, &t, 0);
+  bool ok = library_file(vm, name, &t) && vs_text_to_string(&t, &r[0]) && vs_unit_path(vm, r[0], from, path) && vs_text_end(path);
+  vs_text_close(&t);
+  *found = ok && vm->config.io && vm->config.io->exists && vm->config.io->exists(vm->config.user, path->at);
+  return ok;
+}
+
+static bool core_value(vs *vm, const char *name, vs_value *out) {
+  vs_value id;
+  if (!vs_intern_c(vm, name, &id)) return false;
+  *out = vs_environment_value(vm->at.core, id);
+  return true;
+}
+
+/* ---- import, at top level ---- */
+bool vs_library_import(vs_expansion *x) {
+  vs *vm = x->vm;
+  VS_ROOTS(vm, r, 5);
+  if (vs_list_length(x->now.form) < 1) return vs_expand_shape(x, VS_FORM_import);
+  if (vs_environment_intake(x->now.env) == VS_INTAKE_FRESH) {        /* a program that begins with an import sees what it imports */
+    vs_environment_forget_imports(x->now.env);
+    vs_environment_set_intake(x->now.env, VS_INTAKE_STRICT);
+  }
+  r[0] = vs_cdr(x->now.form);
+  for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
+    vs_pos pos = vs_element_pos(r[0], false, x->now.pos);
+    if (!vs_library_import_set(vm, vs_car(r[0]), x->now.env, pos, &r[1])) return false;
+    if (r[1] == VS_ABSENT) continue;
+    /* not there: its file may define it; then once more */
+    vs_text t;
+    vs_text_open(vm, &t, 0);
+    bool found, ok = library_path(vm, r[1], vs_pos_file(x->now.pos), &t, &found);
+    if (ok && found) ok = vs_text_to_string(&t, &r[2]);
+    vs_text_close(&t);
+    if (!ok) return false;
+    if (!found || x->now.n) return vs_expand_fail(x, pos, r[1], "import: there is no library");
+    if (!core_value(vm, "%load-library", &r[3]) || !vs_cons(vm, r[2], VS_NIL, &r[4]) || !vs_cons(vm, r[3], r[4], &r[4])) return false;
+    if (!vs_core_name(vm, "import", &r[2]) || !vs_cons_at(vm, r[2], vs_cdr(x->now.form), x->now.pos, &r[2])) return false;
+    if (!vs_cons(vm, r[2], VS_NIL, &r[2]) || !vs_cons(vm, r[4], r[2], &x->forms)) return false;
+    x->result = VS_EXPAND_FORMS;
+    return true;
+  }
+  x->result = VS_EXPAND_NOTHING;
+  return true;
+}
+
+/* ---- define-library ---- */
+typedef struct { vs_expansion *x; vs_value *r; } library;
+enum { L_NAME, L_ENV, L_EXPORTS, L_FORMS /* newest first */, L_LATER /* declarations still to do */, L_A, L_B, L_C, L_COUNT };
+
+static bool export_name(library *l, vs_value spec, vs_pos pos) {
+  vs *vm = l->x->vm;
+  vs_value inside = spec, outside = spec;
+  if (vs_list_length(spec) == 3 && is_word(vs_car(spec), "rename")) { inside = vs_car(vs_cdr(spec)); outside = vs_car(vs_cdr(vs_cdr(spec))); }
+  if (!vs_is_identifier(inside) || !vs_is_identifier(outside)) return vs_expand_fail(l->x, pos, spec, "export: a name or (rename inside outside), not");
+  return vs_idtable_put(vm, &l->r[L_EXPORTS], vs_identifier_symbol(outside), vs_identifier_symbol(inside));
+}
+
+bool vs_library_define(vs_expansion *x) {
+  vs *vm = x->vm;
+  VS_ROOTS(vm, r, L_COUNT);
+  library lib = {x, r};
+  if (vs_list_length(x->now.form) < 2 || !vs_is_pair(vs_car(vs_cdr(x->now.form)))) return vs_expand_shape(x, VS_FORM_define_library);
+  r[L_FORMS] = VS_NIL;
+  r[L_LATER] = vs_cdr(vs_cdr(x->now.form));
+  if (!vs_strip(vm, vs_car(vs_cdr(x->now.form)), &r[L_NAME]) || !vs_environment_new(vm, r[L_NAME], &r[L_ENV]) || !vs_idtable_new(vm, &r[L_EXPORTS])) return false;
+  while (vs_is_pair(r[L_LATER])) {
+    vs_value d = vs_car(r[L_LATER]);
+    vs_pos pos = vs_element_pos(r[L_LATER], false, x->now.pos);
+    r[L_LATER] = vs_cdr(r[L_LATER]);
+    if (vs_list_length(d) < 1 || !vs_is_identifier(vs_car(d))) return vs_expand_fail(x, pos, d, "define-library: not a declaration:");
+    vs_value head = vs_car(d);
+    if (is_word(head, "export")) {
+      for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) if (!export_name(&lib, vs_car(r[L_A]), pos)) return false;
+    } else if (is_word(head, "begin")) {
+      for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) if (!vs_cons(vm, vs_car(r[L_A]), r[L_FORMS], &r[L_FORMS])) return false;
+    } else if (is_word(head, "import") || is_word(head, "include") || is_word(head, "include-ci")) {
+      r[L_A] = d;      /* under the library's own name for it: in the new environment nothing is called so yet */
+      if (!vs_core_name(vm, is_word(head, "import") ? "import" : is_word(head, "include") ? "include" : "include-ci", &r[L_B]) || !vs_cons_at(vm, r[L_B], vs_cdr(r[L_A]), pos, &r[L_B]) ||
+          !vs_cons(vm, r[L_B], r[L_FORMS], &r[L_FORMS])) return false;
+    } else if (is_word(head, "cond-expand")) {
+      if (!vs_cond_expand(x, d, &r[L_A])) return false;
+      r[L_B] = VS_NIL;
+      for (; vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) if (!vs_cons(vm, vs_car(r[L_A]), r[L_B], &r[L_B])) return false;
+      for (; vs_is_pair(r[L_B]); r[L_B] = vs_cdr(r[L_B])) if (!vs_cons(vm, vs_car(r[L_B]), r[L_LATER], &r[L_LATER])) return false;
+    } else if (is_word(head, "include-library-declarations")) {
+      for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) {
+        vs_text path;
+        vs_text_open(vm, &path, 0);
+        bool ok = vs_is_string(vs_car(r[L_A])) && vs_unit_path(vm, vs_car(r[L_A]), vs_pos_file(pos), &path) && vs_text_end(&path) && vs_unit_read(vm, path.at, false, &r[L_B]);
+        vs_text_close(&path);
+        if (!ok) return vs_is_string(vs_car(r[L_A])) ? false : vs_expand_fail(x, pos, vs_car(r[L_A]), "a file name is a string, not");
+        r[L_C] = VS_NIL;
+        for (; vs_is_pair(r[L_B]); r[L_B] = vs_cdr(r[L_B])) if (!vs_cons(vm, vs_car(r[L_B]), r[L_C], &r[L_C])) return false;
+        for (; vs_is_pair(r[L_C]); r[L_C] = vs_cdr(r[L_C])) if (!vs_cons(vm, vs_car(r[L_C]), r[L_LATER], &r[L_LATER])) return false;
+      }
+    } else return vs_expand_fail(x, pos, d, "define-library: not a declaration:");
+  }
+  vs_environment *e = vs_as_environment(r[L_ENV]);
+  vs_gc_store(vm, e, &e->exports, r[L_EXPORTS]);
+  /* imports come first whatever their place; the last form makes the library known */
+  VS_ROOTS(vm, q, 3);
+  if (!vs_core_name(vm, "quote", &q[0]) || !vs_cons(vm, r[L_NAME], VS_NIL, &q[1]) || !vs_cons(vm, q[0], q[1], &q[0]) || !vs_cons(vm, r[L_ENV], VS_NIL, &q[1]) ||
+      !vs_cons(vm, q[0], q[1], &q[1]) || !core_value(vm, "%register-library", &q[0]) || !vs_cons(vm, q[0], q[1], &q[1]) || !vs_cons(vm, q[1], VS_NIL, &q[2])) return false;
+  for (int imports = 0; imports < 2; imports++)
+    for (r[L_A] = r[L_FORMS]; vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) {
+      vs_value f = vs_car(r[L_A]);
+      bool import = vs_is_pair(f) && vs_is_form(vm->at.core, vs_car(f), VS_FORM_import) && vs_is(vs_car(f), VS_T_ALIAS);
+      if (import == (imports == 1) && !vs_cons(vm, f, q[2], &q[2])) return false;
+    }
+  q[0] = q[2]; q[1] = r[L_ENV]; q[2] = VS_FALSE;
+  if (!vs_make_form_list(vm, &x->args, 3, q) || !core_value(vm, "%run", &x->procedure)) return false;
+  x->result = VS_EXPAND_RUN;
+  return true;
+}
+
+/* ---- require ---- */
+bool vs_library_require(vs_expansion *x) {
+  vs *vm = x->vm;
+  VS_ROOTS(vm, r, 4);
+  int64_t n = vs_list_length(x->now.form);
+  if (n < 2) return vs_expand_shape(x, VS_FORM_require);
+  if (n > 2) {                                     /* one after the other */
+    r[1] = VS_NIL;
+    for (r[0] = vs_cdr(x->now.form); vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
+      vs_pos pos = vs_element_pos(r[0], false, x->now.pos);
+      if (!vs_cons(vm, vs_car(r[0]), VS_NIL, &r[2]) || !vs_cons_at(vm, vs_car(x->now.form), r[2], pos, &r[2]) || !vs_cons(vm, r[2], r[1], &r[1])) return false;
+    }
+    x->forms = VS_NIL;
+    for (; vs_is_pair(r[1]); r[1] = vs_cdr(r[1])) if (!vs_cons(vm, vs_car(r[1]), x->forms, &x->forms)) return false;
+    x->result = VS_EXPAND_FORMS;
+    return true;
+  }
+  vs_value spec = vs_car(vs_cdr(x->now.form));
+  vs_pos pos = vs_element_pos(vs_cdr(x->now.form), false, x->now.pos);
+  if (!vs_is_string(spec)) {
+    /* PLT's (lib "..."), (only-in ...), (prefix-in ...) around something built in */
+    for (int i = 0; i < 8 && vs_is_pair(spec) && vs_list_length(spec) > 1 && !vs_library_is_built_in(spec); i++) {
+      if (is_word(vs_car(spec), "lib") || is_word(vs_car(spec), "planet")) { spec = VS_FALSE; break; }
+      spec = is_word(vs_car(spec), "prefix-in") && vs_list_length(spec) > 2 ? vs_car(vs_cdr(vs_cdr(spec))) : vs_car(vs_cdr(spec));
+    }
+    if (spec == VS_FALSE || !vs_library_is_built_in(spec)) return vs_expand_fail(x, pos, vs_car(vs_cdr(x->now.form)), "require: this is not built in, and a file is named by a string:");
+    x->result = VS_EXPAND_NOTHING;
+    return vs_library_import_set(vm, spec, x->now.env, pos, &r[1]);      /* (srfi 26) has names that are seen in no other way */
+  }
+  vs_text path;
+  vs_text_open(vm, &path, 0);
+  r[0] = spec;
+  bool ok = vs_unit_path(vm, r[0], vs_pos_file(pos), &path) && vs_text_to_string(&path, &r[1]);
+  vs_text_close(&path);
+  if (!ok) return false;
+  r[2] = x->now.env;
+  if (!vs_make_form_list(vm, &x->args, 2, &r[1]) || !core_value(vm, "%require", &x->procedure)) return false;
+  x->result = VS_EXPAND_RUN;
+  return true;
+}

@@ -1,0 +1,23 @@
+/* Owns libraries: their names, define-library, import, require. */
+#ifndef VS_LIBRARY_H
+#define VS_LIBRARY_H
+
+#include "vm/front/expand.h"
+
+/* *env: the environment called so, VS_FALSE if there is none. (visualscheme) is the whole library of the VM; the names of R7RS and of SRFIs
+   are parts of it, made at their first use (standard.c). */
+bool vs_library_find(vs *vm, vs_value name, vs_value *env);
+/* Is there such a library, or a file beside `from` (a file number) that may define it? */
+bool vs_library_known(vs *vm, vs_value name, uint32_t from);
+/* those of libraries.def and the whole */
+bool vs_library_built_in(vs *vm, vs_value name, vs_value *env);
+bool vs_library_is_built_in(vs_value name);
+/* each(vm, context, n) for every (srfi n) there is, until it returns false */
+bool vs_library_each_srfi(vs *vm, bool (*each)(vs *vm, void *context, int number), void *context);
+bool vs_library_register(vs *vm, vs_value name, vs_value env);
+/* Imports an import set into env. *missing: the name of a library that is not there (then nothing happened), else VS_ABSENT. */
+bool vs_library_import_set(vs *vm, vs_value set, vs_value env, vs_pos pos, vs_value *missing);
+bool vs_features(vs *vm, vs_value *out);
+bool vs_cond_expand(vs_expansion *x, vs_value form, vs_value *forms);
+
+#endif

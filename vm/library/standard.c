@@ -1,0 +1,112 @@
+/* Owns the built-in libraries: (scheme base), (srfi 1) and the rest of libraries.def. Each is an environment whose own table holds the very
+   cells and macros of the one library of the VM, made when it is first asked for. (visualscheme) is that one library itself. */
+#include "vm/library/library.h"
+#include "vm/values/text.h"
+
+#include <stdio.h>
+
+static const struct { const char *name, *exports; } libraries[] = {
+#define VS_LIBRARY(name, exports) {name, exports},
+#include "vm/library/libraries.def"
+#undef VS_LIBRARY
+};
+enum { LIBRARIES = sizeof libraries / sizeof *libraries };
+
+/* ---- names ---- */
+static bool starts(const char *s, const char *with) { return !strncmp(s, with, strlen(with)); }
+
+/* The row of a library's name as it stands in programs: (scheme base), (srfi 1), (srfi 1 lists), (srfi :1 lists); PLT's srfi/1. -1: none. */
+static int row_of(vs_value name) {
+  char text[64];
+  if (vs_is_symbol(name)) {
+    const char *s = vs_as_symbol(name)->name;
+    if (!starts(s, "srfi/")) return -1;
+    snprintf(text, sizeof text, "srfi %.20s", s + 5);
+  } else {
+    if (!vs_is_pair(name) || !vs_is_symbol(vs_car(name)) || !vs_is_pair(vs_cdr(name))) return -1;
+    const char *first = vs_as_symbol(vs_car(name))->name;
+    vs_value second = vs_car(vs_cdr(name)), rest = vs_cdr(vs_cdr(name));
+    bool srfi = !strcmp(first, "srfi");
+    if (!srfi && rest != VS_NIL) return -1;
+    if (vs_is_fixnum(second)) snprintf(text, sizeof text, "%.20s %lld", first, (long long)vs_fixnum(second));
+    else if (!vs_is_symbol(second)) return -1;
+    else snprintf(text, sizeof text, "%.20s %.40s", first, vs_as_symbol(second)->name + (srfi && *vs_as_symbol(second)->name == ':'));
+  }
+  for (int i = 0; i < LIBRARIES; i++) if (!strcmp(text, libraries[i].name)) return i;
+  return -1;
+}
+
+/* names of the whole: (visualscheme), and in PLT's require the languages that it stands in for */
+static bool is_whole(vs_value name) {
+  if (vs_is_pair(name)) return vs_is_symbol(vs_car(name)) && !strcmp(vs_as_symbol(vs_car(name))->name, "visualscheme") && vs_cdr(name) == VS_NIL;
+  if (!vs_is_symbol(name)) return false;
+  const char *s = vs_as_symbol(name)->name;
+  return !strcmp(s, "visualscheme") || !strcmp(s, "scheme") || !strcmp(s, "racket") || starts(s, "scheme/") || starts(s, "racket/") || starts(s, "mzlib/");
+}
+
+/* The next word of an export list from *s on: where it begins, and its length, 0 at the end. *inside: the name in the library. */
+static const char *next_word(const char **s, size_t *length, const char **inside, size_t *inside_length) {
+  const char *word = *s + strspn(*s, " "), *end = word + strcspn(word, " "), *equals = memchr(word, '=', (size_t)(end - word));
+  *s = end;
+  *length = *inside_length = (size_t)(end - word);
+  *inside = word;
+  if (equals && equals > word && equals[1] == '%') {
+    *length = (size_t)(equals - word);
+    *inside = equals + 1;
+    *inside_length = (size_t)(end - *inside);
+  }
+  return word;
+}
+
+/* ---- environments ---- */
+static bool fill(vs *vm, vs_value env, const char *exports) {
+  VS_ROOTS(vm, r, 3);
+  r[0] = env;
+  size_t n, m;
+  for (const char *inside, *word; word = next_word(&exports, &n, &inside, &m), n;) {
+    if (!vs_intern(vm, word, n, &r[1]) || !vs_intern(vm, inside, m, &r[2])) return false;
+    vs_value binding = vs_idtable_get(vs_as_environment(vm->at.core)->table, r[2]);
+    if (binding == VS_VACANT) return vs_fail(vm, vm->sym.internal, "the library has no %s", vs_as_symbol(r[2])->name);
+    if (!vs_environment_bind(vm, r[0], r[1], binding)) return false;
+  }
+  return true;
+}
+
+bool vs_library_built_in(vs *vm, vs_value name, vs_value *env) {
+  *env = VS_FALSE;
+  if (is_whole(name)) { *env = vm->at.core; return true; }
+  int row = row_of(name);
+  if (row < 0) return true;
+  VS_ROOTS(vm, r, 3);
+  /* made before? the short name is what it is registered by */
+  if (!vs_intern_c(vm, libraries[row].name, &r[0])) return false;
+  for (vs_value l = vm->at.libraries; vs_is_pair(l); l = vs_cdr(l))
+    if (vs_car(vs_car(l)) == r[0]) { *env = vs_cdr(vs_car(l)); return true; }
+  if (!vs_environment_new(vm, r[0], &r[1]) || !fill(vm, r[1], libraries[row].exports) || !vs_library_register(vm, r[0], r[1])) return false;
+  *env = r[1];
+  return true;
+}
+
+bool vs_library_is_built_in(vs_value name) { return is_whole(name) || row_of(name) >= 0; }
+
+/* ---- which library has a name ---- */
+bool vs_library_advice(vs *vm, vs_value symbol, vs_text *t) {
+  if (!vs_is_symbol(symbol)) return true;
+  const vs_symbol *name = vs_as_symbol(symbol);
+  for (int i = 0; i < LIBRARIES; i++) {
+    const char *exports = libraries[i].exports, *inside, *word;
+    for (size_t n, m; word = next_word(&exports, &n, &inside, &m), n;)
+      if (n == name->length && !memcmp(word, name->name, n))
+        return vs_text_puts(t, "; (import (") && vs_text_puts(t, libraries[i].name) && vs_text_puts(t, ")) brings it");
+  }
+  if (name->name[0] == '%' || vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) == VS_VACANT) return true;
+  return vs_text_puts(t, "; (import (visualscheme)) brings it");
+}
+
+bool vs_library_each_srfi(vs *vm, bool (*each)(vs *vm, void *context, int number), void *context) {
+  for (int i = 0; i < LIBRARIES; i++) {
+    int number;
+    if (sscanf(libraries[i].name, "srfi %d", &number) == 1 && !each(vm, context, number)) return false;
+  }
+  return true;
+}

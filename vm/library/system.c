@@ -1,0 +1,199 @@
+/* Owns random numbers, clocks, and what a program may ask of its surroundings.
+
+   Random numbers are xoshiro256** (Blackman and Vigna), seeded by splitmix64; the state is a bytevector in vm->at.lib, so it is part
+   of the heap image and the same at every start. */
+#include <math.h>
+
+#include "vm/values/integer.h"
+#include "vm/machine/lib.h"
+#include "vm/library/port.h"
+
+enum { FIRST_SEED = 1 };
+
+/* ---- random numbers ---- */
+
+static void seed_state(uint64_t s[4], uint64_t seed) {
+  for (int i = 0; i < 4; i++) {
+    seed += UINT64_C(0x9E3779B97F4A7C15);
+    uint64_t z = seed;
+    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
+    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
+    s[i] = z ^ z >> 31;
+  }
+}
+
+/* The state's 32 bytes; NULL when memory is out. Valid until the next allocation. */
+static uint64_t *random_state(vs *vm) {
+  if (vs_lib_get(vm, VS_LIB_RANDOM) == VS_FALSE) {
+    VS_ROOTS(vm, r, 1);
+    if (!vs_lib_open(vm) || !vs_make_bytes(vm, 32, &r[0])) return NULL;
+    seed_state((uint64_t *)(void *)vs_as_bytes(r[0])->at, FIRST_SEED);
+    vs_lib_set(vm, VS_LIB_RANDOM, r[0]);
+  }
+  return (uint64_t *)(void *)vs_as_bytes(vs_lib_get(vm, VS_LIB_RANDOM))->at;
+}
+
+static uint64_t rotate(uint64_t x, int k) { return x << k | x >> (64 - k); }
+
+static uint64_t random_next(uint64_t s[4]) {
+  uint64_t result = rotate(s[1] * 5, 7) * 9, t = s[1] << 17;
+  s[2] ^= s[0], s[3] ^= s[1], s[1] ^= s[2], s[0] ^= s[3];
+  s[2] ^= t;
+  s[3] = rotate(s[3], 45);
+  return result;
+}
+
+static double random_unit(uint64_t s[4]) { return (double)(random_next(s) >> 11) * 0x1p-53; }        /* [0, 1) */
+
+/* uniform in 0 .. n-1 for an exact integer n > 0 */
+static bool random_below(vs *vm, vs_value n, vs_value *out) {
+  uint64_t *s = random_state(vm);
+  if (!s) return false;
+  if (vs_is_fixnum(n)) {                          /* values past the last whole multiple of n are drawn again */
+    uint64_t bound = (uint64_t)vs_fixnum(n), least = (0 - bound) % bound, x;
+    do x = random_next(s);
+    while (x < least);
+    return *out = vs_fix((int64_t)(x % bound)), true;
+  }
+  /* a number 64 bits longer than n, modulo n: the bias is below 2^-64 */
+  VS_ROOTS(vm, r, 3);
+  r[0] = n;
+  r[1] = vs_fix(0);
+  for (uint64_t bits = vs_int_bits(n) + 64, done = 0; done < bits; done += 64) {
+    if (!(s = random_state(vm)) || !vs_number_from_uint64(vm, random_next(s), &r[2]) || !vs_int_shift(vm, r[1], 64, &r[1]) ||
+        !vs_int_add(vm, r[1], r[2], &r[1]))
+      return false;
+  }
+  return vs_int_divide(vm, r[1], r[0], NULL, out);
+}
+
+static vs_status random_(vs *vm, vs_value *a, int n, vs_value *out) {
+  uint64_t *s;
+  if (n == 0) return (s = random_state(vm)) ? (*out = vs_flonum(random_unit(s)), VS_OK) : VS_ERROR;
+  if (vs_is_exact_integer(a[0])) return vs_int_sign(a[0]) > 0 ? random_below(vm, a[0], out) : vs_fail_type(vm, 0, "positive", a[0]);
+  double d;
+  if (!vs_is_number(a[0])) return vs_fail_type(vm, 0, "a number", a[0]);
+  if (!vs_number_double(vm, a[0], &d)) return VS_ERROR;
+  if (!(d > 0) || isinf(d)) return vs_fail_type(vm, 0, "positive", a[0]);
+  if (!(s = random_state(vm))) return VS_ERROR;
+  double x = random_unit(s) * d;
+  return *out = vs_flonum(x < d ? x : 0), VS_OK;
+}
+
+/* exact integers: one of a .. b, both ends; else a number from a up to b */
+static vs_status random_range(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  for (int i = 0; i < 2; i++)
+    if (!vs_is_number(a[i])) return vs_fail_type(vm, i, "a number", a[i]);
+  VS_ROOTS(vm, r, 1);
+  if (vs_is_exact_integer(a[0]) && vs_is_exact_integer(a[1])) {
+    if (vs_int_compare(a[0], a[1]) > 0) return vs_fail_type(vm, 1, "at least a", a[1]);
+    return vs_int_sub(vm, a[1], a[0], &r[0]) && vs_int_add(vm, r[0], vs_fix(1), &r[0]) && random_below(vm, r[0], &r[0]) && vs_int_add(vm, a[0], r[0], out);
+  }
+  double x, y;
+  if (!vs_number_double(vm, a[0], &x) || !vs_number_double(vm, a[1], &y)) return VS_ERROR;
+  uint64_t *s = random_state(vm);
+  return s ? (*out = vs_flonum(x + random_unit(s) * (y - x)), VS_OK) : VS_ERROR;
+}
+
+static vs_status random_seed(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n, (void)out;
+  if (!vs_is_number(a[0])) return vs_fail_type(vm, 0, "a number", a[0]);
+  uint64_t *s = random_state(vm);
+  if (!s) return VS_ERROR;
+  seed_state(s, vs_is_fixnum(a[0]) ? (uint64_t)vs_fixnum(a[0]) : vs_number_hash(a[0]));
+  return VS_OK;
+}
+
+/* ---- clocks ---- */
+
+static double seconds_now(const vs *vm) { return vm->config.io && vm->config.io->now ? vm->config.io->now(vm->config.user) : 0; }
+static double seconds_running(const vs *vm) { return vm->config.clock ? vm->config.clock(vm->config.user) : seconds_now(vm); }
+
+static vs_status current_second(vs *vm, vs_value *a, int n, vs_value *out) { return (void)a, (void)n, *out = vs_flonum(seconds_now(vm)), VS_OK; }
+static vs_status current_seconds(vs *vm, vs_value *a, int n, vs_value *out) { return (void)a, (void)n, vs_int_from_double(vm, floor(seconds_now(vm)), out); }
+static vs_status current_milliseconds(vs *vm, vs_value *a, int n, vs_value *out) {
+  return (void)a, (void)n, vs_int_from_double(vm, floor(seconds_now(vm) * 1000), out);
+}
+static vs_status current_inexact_milliseconds(vs *vm, vs_value *a, int n, vs_value *out) {
+  return (void)a, (void)n, *out = vs_flonum(seconds_now(vm) * 1000), VS_OK;
+}
+static vs_status current_jiffy(vs *vm, vs_value *a, int n, vs_value *out) {
+  return (void)a, (void)n, vs_int_from_double(vm, floor(seconds_running(vm) * 1e6), out);
+}
+static vs_status jiffies_per_second(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)a, (void)n, *out = vs_fix(1000000), VS_OK; }
+static vs_status runtime(vs *vm, vs_value *a, int n, vs_value *out) { return (void)a, (void)n, *out = vs_flonum(seconds_running(vm)), VS_OK; }
+
+/* ---- surroundings ---- */
+
+static vs_status command_line(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)a, (void)n;
+  VS_ROOTS(vm, r, 1);
+  return vs_string_from_utf8(vm, "vs", 2, &r[0]) && vs_cons(vm, r[0], VS_NIL, out);
+}
+
+static vs_status get_environment_variable(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  if (!vs_arg_type(vm, a, 0, VS_T_STRING)) return VS_ERROR;
+  vs_text t;
+  vs_text_open(vm, &t, 0);
+  bool ok = vs_text_string(&t, a[0]) && vs_text_end(&t);
+  const char *value = ok && vm->config.io && vm->config.io->getenv ? vm->config.io->getenv(vm->config.user, t.at) : NULL;
+  *out = VS_FALSE;
+  ok = ok && (!value || vs_string_from_utf8(vm, value, strlen(value), out));
+  vs_text_close(&t);
+  return ok;
+}
+
+static vs_status get_environment_variables(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)a, (void)n, *out = VS_NIL, VS_OK; }
+
+static vs_status gc(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)a, (void)n, (void)out;
+  vs_gc_major(vm);
+  return VS_OK;
+}
+
+/* a symbol that nothing else is: not interned, so that its name need not be unique */
+static vs_status generate_symbol(vs *vm, vs_value *a, int n, vs_value *out) {
+  if (n && !vs_is_symbol(a[0]) && !vs_is_string(a[0])) return vs_fail_type(vm, 0, "a symbol or a string", a[0]);
+  if (!vs_lib_open(vm)) return VS_ERROR;
+  vs_value last = vs_lib_get(vm, VS_LIB_SYMBOLS);
+  int64_t count = vs_is_fixnum(last) ? vs_fixnum(last) + 1 : 1;
+  vs_lib_set(vm, VS_LIB_SYMBOLS, vs_fix(count));
+  vs_text t;
+  vs_text_open(vm, &t, 0);
+  bool ok = (n == 0                ? vs_text_put(&t, "g", 1)
+             : vs_is_symbol(a[0]) ? vs_text_put(&t, vs_as_symbol(a[0])->name, vs_as_symbol(a[0])->length)
+                                  : vs_text_string(&t, a[0])) &&
+            vs_number_print(vm, vs_fix(count), 10, &t);
+  vs_symbol *symbol = ok ? (vs_symbol *)(void *)vs_gc_alloc(vm, VS_T_SYMBOL, VS_WORDS(vs_symbol) + t.count / 8 + 1) : NULL;
+  if (symbol) {
+    symbol->h.flags |= VS_F_UNINTERNED;
+    symbol->length = (uint32_t)t.count;
+    symbol->hash = (uint32_t)count * 2654435761u;
+    memcpy(symbol->name, t.at, t.count);
+    *out = vs_from_object(symbol);
+  }
+  vs_text_close(&t);
+  return symbol != NULL;
+}
+
+static const vs_native_def defs[] = {
+    {"random", "[n]", random_, 0, "an exact integer below n, or a number below the inexact n (1.0 by default)"},
+    {"random-range", "a b", random_range, 0, "a random integer from a to b, or number between them"},
+    {"random-seed! random-seed", "n", random_seed, 0, "start the random numbers anew from n"},
+    {"current-second", "", current_second, 0, NULL},
+    {"current-seconds", "", current_seconds, 0, NULL},
+    {"current-milliseconds", "", current_milliseconds, 0, NULL},
+    {"current-inexact-milliseconds", "", current_inexact_milliseconds, 0, NULL},
+    {"current-jiffy", "", current_jiffy, 0, NULL},
+    {"jiffies-per-second", "", jiffies_per_second, 0, NULL},
+    {"runtime", "", runtime, 0, "seconds on a clock that only goes forward"},
+    {"command-line", "", command_line, 0, NULL},
+    {"get-environment-variable getenv", "name", get_environment_variable, 0, NULL},
+    {"get-environment-variables", "", get_environment_variables, 0, NULL},
+    {"collect-garbage gc", "", gc, 0, NULL},
+    {"gensym generate-uninterned-symbol", "[prefix]", generate_symbol, 0, "a symbol that nothing else is"},
+    {NULL, NULL, NULL, 0, NULL},
+};
+const vs_native_table vs_system_natives = {"system", defs};

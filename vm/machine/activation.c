@@ -1,0 +1,162 @@
+/* Owns moving frames between the working stretch and the heap, and walking them for the call chain. */
+#include "vm/machine/activation.h"
+
+#include "vm/compiler/code.h"
+#include "vm/values/gc.h"
+#include "vm/machine/run.h"
+
+/* the window is the innermost frame that is whole: the error's call chain begins with its caller */
+static vs_value *flush_failed(vs *vm, vs_value *w) {
+  vm->base = w + 2;
+  vm->pc = NULL;
+  return NULL;
+}
+
+vs_value *vs_frame_flush(vs *vm, vs_value *w, size_t n, size_t need) {
+  size_t count = (size_t)(w - vm->stack);
+  vm->top = w + 2 + n;
+  if (count) {
+    vs_stack *s = (vs_stack *)(void *)vs_gc_alloc(vm, VS_T_STACK, VS_WORDS(vs_stack) + count);
+    if (!s) return flush_failed(vm, w);
+    s->under = vm->under; s->depth = vm->under_depth; s->count = count;
+    memcpy(s->at, vm->stack, count * sizeof *s->at);
+    w[1] |= VS_RET_UNDER;
+    vm->under = vs_from_object(s);
+    vm->under_depth = count;
+    memmove(vm->stack, w, (2 + n) * sizeof *w);
+    w = vm->stack;
+    vm->top = w + 2 + n;
+  }
+  size_t room = (size_t)(vm->stack_end - vm->stack);
+  if (need + VS_FRAME_SLACK > room) {
+    size_t more = need + need / 2 + VS_FRAME_SLACK;
+    vs_value *stack = vs_mem(vm, vm->stack, room * sizeof *stack, more * sizeof *stack);
+    if (!stack) return flush_failed(vm, w);
+    vm->stack = stack;
+    vm->stack_end = stack + more;
+    vm->top = stack + 2 + n;
+    memset(stack + room, 0, (more - room) * sizeof *stack);
+  }
+  return vm->stack;
+}
+
+/* a walk over frames, innermost first; holds addresses, so nothing may be allocated meanwhile */
+struct walk { const vs_value *base; vs_value under; uint64_t depth; bool force; };
+
+/* goes to the caller; *pc is that of the call; false at the end */
+static bool walk_up(struct walk *w, size_t *pc, bool *native) {
+  vs_value ret = w->base[-1];
+  if (ret & VS_RET_STOP) return false;
+  size_t size = vs_ret_distance(ret) + 2;
+  *pc = vs_ret_pc(ret);
+  if (ret & VS_RET_GENERIC) ++*pc;
+  *native = (ret & VS_RET_NATIVE) != 0;
+  if (ret & VS_RET_UNDER || w->force) {
+    if (!vs_is(w->under, VS_T_STACK)) return false;
+    const vs_stack *s = vs_as_stack(w->under);
+    uint64_t first = w->depth - size;
+    w->base = s->at + first + 2;
+    w->force = first != 0;
+    if (first == 0) { w->under = s->under; w->depth = s->depth; }
+    else w->depth = first;
+  } else {
+    w->base -= size;
+  }
+  return true;
+}
+
+struct link { vs_value name; vs_pos place; bool gap; /* calls between this one and the one before left no frames */ };
+
+/* Does the frame above stand where another procedure was called? Then that one ended with a tail call, or those it led to. Asked of calls
+   by the program's own names only: what a local variable held when it was called is not known any more, and the library's tail calls
+   of what it was given would say nothing. pc: behind the call. */
+static bool ended_in_tail_call(const vs_code *code, size_t pc, vs_value running) {
+  const uint32_t *ins = vs_code_ins(code);
+  if (pc < 2 || (ins[pc - 2] & 255) != VS_O_CALLG || ins[pc - 1] >= vs_as_vector(code->consts)->length || !vs_is(running, VS_T_CLOSURE)) return false;
+  vs_value cell = vs_code_consts(code)[ins[pc - 1]];
+  if (!vs_is(cell, VS_T_CELL) || vs_object_of(cell)->flags & VS_F_CONSTANT) return false;
+  vs_value called = vs_as_cell(cell)->value;
+  if (vs_is(called, VS_T_CLOSURE)) return vs_as_closure(called)->code != vs_as_closure(running)->code;
+  if (!vs_is(called, VS_T_CASE)) return false;
+  for (uint64_t i = 0; i < vs_as_case(called)->count; i++)
+    if (vs_as_closure(vs_as_case(called)->clause[i])->code == vs_as_closure(running)->code) return false;
+  return true;
+}
+
+static size_t chain(vs *vm, struct link *at, size_t max) {
+  if (!vm->base) return 0;
+  struct walk w = {vm->base, vm->under, vm->under_depth, false};
+  size_t count = 0, pc = 0;
+  vs_value above = VS_FALSE;
+  bool native = !vm->pc || !vs_is(w.base[-2], VS_T_CLOSURE);
+  if (!native) pc = (size_t)(vm->pc - vs_code_ins(vs_as_code(vs_as_closure(w.base[-2])->code)));
+  do {
+    vs_value running = above;
+    above = w.base[-2];
+    if (native || !vs_is(w.base[-2], VS_T_CLOSURE)) continue;
+    const vs_code *code = vs_as_code(vs_as_closure(w.base[-2])->code);
+    at[count].name = code->name;
+    at[count].gap = ended_in_tail_call(code, pc, running);
+    at[count++].place = vs_code_place(code, (uint32_t)(pc ? pc - 1 : 0));
+  } while (count < max && walk_up(&w, &pc, &native));
+  return count;
+}
+
+bool vs_call_chain(vs *vm, size_t max, vs_value *out) {
+  enum { MOST = 64 };
+  struct link at[MOST];
+  size_t n = chain(vm, at, max < MOST ? max : MOST);
+  VS_ROOTS(vm, r, 2);
+  r[0] = VS_NIL;
+  while (n--)        /* names are symbols, which do not move */
+    if (!vs_cons(vm, at[n].name, vs_fix((int64_t)at[n].place), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0]) ||
+        (at[n].gap && (!vs_cons(vm, VS_TRUE, vs_fix(0), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])))) return false;
+  *out = r[0];
+  return true;
+}
+
+size_t vs_call_links(vs *vm, vs_value *name, vs_pos *place, size_t max) {
+  enum { MOST = 64 };
+  struct link at[MOST];
+  size_t n = chain(vm, at, max < MOST ? max : MOST);
+  for (size_t i = 0; i < n; i++) { name[i] = at[i].name; place[i] = at[i].place; }
+  return n;
+}
+
+size_t vs_call_places(vs *vm, vs_pos *place, size_t max) {
+  enum { MOST = 64 };
+  struct link at[MOST];
+  size_t n = chain(vm, at, max < MOST ? max : MOST);
+  for (size_t i = 0; i < n; i++) place[i] = at[i].place;
+  return n;
+}
+
+uint64_t vs_call_key(vs *vm, size_t max) {
+  if (!vm->base) return 0;
+  struct walk w = {vm->base, vm->under, vm->under_depth, false};
+  size_t count = 0, pc = 0;
+  uint64_t key = max;
+  bool native = !vm->pc || !vs_is(w.base[-2], VS_T_CLOSURE), up = true;
+  if (!native) pc = (size_t)(vm->pc - vs_code_ins(vs_as_code(vs_as_closure(w.base[-2])->code)));
+  while (up && count < max) {
+    if (!native && vs_is(w.base[-2], VS_T_CLOSURE)) {
+      key = (key ^ vs_as_closure(w.base[-2])->code ^ (uint64_t)pc << 48) * UINT64_C(0x9E3779B97F4A7C15);
+      key ^= key >> 29;
+      count++;
+    }
+    vs_value ret = w.base[-1];
+    if (w.force || ret & VS_RET_FLAGS) {
+      up = walk_up(&w, &pc, &native);
+    } else { /* what most calls return to, without a call */
+      pc = vs_ret_pc(ret);
+      native = false;
+      w.base -= vs_ret_distance(ret) + 2;
+    }
+  }
+  return key;
+}
+
+vs_pos vs_call_place(vs *vm) {
+  struct link at[1];
+  return chain(vm, at, 1) ? at[0].place : 0;
+}

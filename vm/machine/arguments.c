@@ -1,0 +1,140 @@
+/* Owns the arranging of arguments that are not simply as many as required. */
+#include "vm/machine/arguments.h"
+#include "vm/machine/signature.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char *name_of(vs_value name) { return vs_is_symbol(name) ? vs_as_symbol(name)->name : "the procedure"; }
+
+/* what is asked for, as it is written: " (from to [step])"; too much to show is left out */
+typedef struct { char text[160]; size_t used; } wanted;
+
+static void want(wanted *w, const char *before, const char *name, size_t length, const char *after) {
+  int n = snprintf(w->text + w->used, sizeof w->text - w->used, "%s%s%.*s%s", w->used ? " " : " (", before, (int)length, name, after);
+  w->used = n < 0 || w->used + (size_t)n + 2 > sizeof w->text ? sizeof w->text : w->used + (size_t)n;
+}
+
+static const char *want_end(wanted *w) {
+  if (!w->used || w->used >= sizeof w->text) return "";
+  memcpy(w->text + w->used, ")", 2);
+  return w->text;
+}
+
+static const char *want_closure(const vs_code *code, wanted *w) {
+  const vs_vector *names = vs_as_vector(code->params);
+  for (size_t i = 0; i < names->length && w->used < sizeof w->text; i++) {
+    bool keyword = i >= code->required + code->optional && i < code->required + code->optional + code->keywords;
+    bool rest = i >= code->required + code->optional + code->keywords, optional = !rest && !keyword && i >= code->required;
+    if (!vs_is_symbol(names->at[i])) return "";
+    const char *name = vs_as_symbol(names->at[i])->name;
+    if (!keyword) want(w, optional ? "[" : "", name, strlen(name), optional ? "]" : rest ? " ..." : "");
+  }
+  return want_end(w);
+}
+
+static const char *want_native(const vs_native *native, wanted *w) {
+  const char *at = native->def ? native->def->signature : "", *name;
+  int depth = 0;
+  size_t length;
+  for (vs_signature_kind kind; w->used < sizeof w->text && (kind = vs_signature_next(&at, &depth, &name, &length)) != VS_SIG_END;)
+    if (kind != VS_SIG_KEYWORD) want(w, kind == VS_SIG_OPTIONAL ? "[" : "", name, length, kind == VS_SIG_OPTIONAL ? "]" : kind == VS_SIG_REST ? " ..." : "");
+  return want_end(w);
+}
+
+static bool fail_count(vs *vm, vs_value name, size_t min, size_t max, const char *names, size_t got) {
+  const char *who = name_of(name);
+  if (max == SIZE_MAX) return vs_fail(vm, vm->sym.arity, "%s needs at least %zu argument%s%s, got %zu", who, min, min == 1 ? "" : "s", names, got);
+  if (min == max && min == 0) return vs_fail(vm, vm->sym.arity, "%s takes no arguments, got %zu", who, got);
+  if (min == max) return vs_fail(vm, vm->sym.arity, "%s needs %zu argument%s%s, got %zu", who, min, min == 1 ? "" : "s", names, got);
+  return vs_fail(vm, vm->sym.arity, "%s needs %zu to %zu arguments%s, got %zu", who, min, max, names, got);
+}
+
+/* names: of the keywords that there are, `count` symbols */
+static bool fail_keyword(vs *vm, vs_value name, vs_value keyword, const vs_value *names, size_t count) {
+  wanted w = {.used = 0};
+  for (size_t i = 0; i < count && w.used < sizeof w.text; i++)
+    if (vs_is_symbol(names[i])) want(&w, "#:", vs_as_symbol(names[i])->name, strlen(vs_as_symbol(names[i])->name), "");
+  const char *there = want_end(&w);
+  if (!*there) return vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s", name_of(name), name_of(keyword));
+  return vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s; it has %.*s", name_of(name), name_of(keyword), (int)strlen(there) - 3, there + 2); /* without parentheses */
+}
+
+bool vs_fail_clauses(vs *vm, const vs_case *c, size_t got) {
+  char text[400] = "";
+  size_t used = 0;
+  vs_value who = c->count ? vs_as_code(vs_as_closure(c->clause[0])->code)->name : VS_FALSE;
+  for (size_t i = 0; i < c->count && used < sizeof text; i++) {
+    wanted w = {.used = 0};
+    const char *names = want_closure(vs_as_code(vs_as_closure(c->clause[i])->code), &w);
+    int n = snprintf(text + used, sizeof text - used, "%s%s", i ? " or" : "; it takes", *names ? names : " ()");
+    used += n < 0 ? sizeof text : (size_t)n;
+  }
+  return vs_fail(vm, vm->sym.arity, "%s cannot take %zu argument%s%s", name_of(who), got, got == 1 ? "" : "s", used < sizeof text ? text : "");
+}
+
+bool vs_arguments_fit(const vs_code *code, size_t n, vs_value kw) {
+  size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count;
+  return n - named >= code->required && (code->flags & VS_CODE_REST || n - named <= code->required + code->optional) && (!named || code->keywords);
+}
+
+/* takes the values of the named arguments a[n - named ..) away, into vm->call_args */
+static bool stash(vs *vm, const vs_value *a, size_t n, size_t named) {
+  vs_call_begin(vm, VS_FALSE);
+  for (size_t i = n - named; i < n; i++)
+    if (!vs_call_push(vm, a[i])) return false;
+  return true;
+}
+
+/* puts them where `names` (a vector of symbols, the last `count` of its elements from `first` on) says */
+static bool place(vs *vm, vs_value who, vs_value kw, const vs_value *names, size_t count, vs_value *at) {
+  for (size_t i = 0; i < count; i++) at[i] = VS_ABSENT;
+  const vs_keywords *k = kw == VS_FALSE ? NULL : vs_as_keywords(kw);
+  for (size_t i = 0; k && i < k->count; i++) {
+    size_t j = 0;
+    while (j < count && names[j] != k->name[i]) j++;
+    if (j == count) return fail_keyword(vm, who, k->name[i], names, count);
+    if (at[j] != VS_ABSENT) return vs_fail(vm, vm->sym.arity, "%s got #:%s twice", name_of(who), name_of(k->name[i]));
+    at[j] = vm->call_args[i];
+  }
+  vm->call_count = 0;
+  return true;
+}
+
+bool vs_arguments_closure(vs *vm, const vs_code *code, vs_value *a, size_t n, vs_value kw) {
+  size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count, given = n - named;
+  size_t most = code->required + code->optional, rest = most + code->keywords;
+  bool has_rest = (code->flags & VS_CODE_REST) != 0;
+  if (given < code->required || (given > most && !has_rest)) return fail_count(vm, code->name, code->required, has_rest ? SIZE_MAX : most, want_closure(code, &(wanted){0}), given);
+  if (named && !code->keywords) return fail_keyword(vm, code->name, vs_as_keywords(kw)->name[0], NULL, 0);
+  if (named && !stash(vm, a, n, named)) return false;
+  VS_ROOTS(vm, r, 1);
+  r[0] = VS_NIL;
+  if (has_rest)
+    for (size_t i = given; i > most; i--)
+      if (!vs_cons(vm, a[i - 1], r[0], &r[0])) return false;
+  for (size_t i = given; i < most; i++) a[i] = VS_ABSENT;
+  if (code->keywords && !place(vm, code->name, kw, vs_as_vector(code->params)->at + most, code->keywords, a + most)) return false;
+  if (has_rest) a[rest] = r[0];
+  return true;
+}
+
+bool vs_arguments_native(vs *vm, const vs_native *native, vs_value *a, size_t n, vs_value kw, size_t *given, size_t *total) {
+  size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count, positional = n - named;
+  size_t max = native->max == UINT32_MAX ? SIZE_MAX : native->max;
+  *given = *total = positional;
+  if (positional < native->min || positional > max) return fail_count(vm, native->name, native->min, max, want_native(native, &(wanted){0}), positional);
+  if (named && native->keywords == VS_FALSE) return fail_keyword(vm, native->name, vs_as_keywords(kw)->name[0], NULL, 0);
+  if (!vs_native_laid_out(native)) return true;
+  if (named && !stash(vm, a, n, named)) return false;
+  for (size_t i = positional; i < max; i++) a[i] = VS_ABSENT;
+  size_t at = max;
+  if (native->keywords != VS_FALSE) {
+    const vs_vector *names = vs_as_vector(native->keywords);
+    if (!place(vm, native->name, kw, names->at, names->length, a + at)) return false;
+    at += names->length;
+  }
+  for (int i = 0; i < native->def->slots; i++) a[at++] = VS_FALSE;
+  *total = at;
+  return true;
+}

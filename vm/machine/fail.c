@@ -1,0 +1,183 @@
+/* Owns how a native fails: the making of conditions and the wording of the common errors. */
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "vm/machine/native.h"
+#include "vm/machine/run.h"
+#include "vm/machine/signature.h"
+
+const char *vs_noun(vs *vm, vs_value v) {
+  static const char *const nouns[VS_T_COUNT] = {
+#define VS_OBJECT(name, noun, first, count) noun,
+#include "vm/values/object.def"
+#undef VS_OBJECT
+  };
+  if (vs_is_double(v) || vs_is_fixnum(v)) return "a number";
+  if (vs_is_char(v)) return "a character";
+  if (vs_is_object(v)) {
+    vs_object *o = vs_object_of(v);
+    if (o->type == VS_T_FLAT && vm->flat && o->flags < vm->flat->tags) return vm->flat->type[o->flags].noun;
+    if (o->type == VS_T_FOREIGN) return vs_as_foreign(v)->type->name;
+    return nouns[o->type];
+  }
+  if (v == VS_TRUE) return "#t";
+  if (v == VS_FALSE) return "#f";
+  if (v == VS_NIL) return "the empty list";
+  if (v == VS_EOF) return "the end of a file";
+  return "nothing";
+}
+
+vs_status vs_fail_memory(vs *vm) {
+  vm->condition = vm->at.no_memory;
+  vm->over_limit = false;
+  return VS_ERROR;
+}
+
+vs_status vs_fail_object(vs *vm, vs_value object) {
+  vm->condition = object;
+  return VS_ERROR;
+}
+
+static vs_status fail(vs *vm, vs_value kind, const vs_pos *place, vs_value irritants, const char *format, va_list list) {
+  VS_ROOTS(vm, r, 4);
+  r[0] = kind; r[1] = irritants;
+  char text[1024];
+  int used = 0;
+  if (vm->native && !place) {
+    vs_value name = vm->native->name;
+    const char *shown = vs_is_symbol(name) ? vs_as_symbol(name)->name : "procedure";
+    used = snprintf(text, sizeof text / 2, "%s: ", shown + (*shown == '%')); /* %subtract helps subtract and speaks for it */
+    if (used > (int)sizeof text / 2 - 1) used = (int)sizeof text / 2 - 1;
+  }
+  va_list again;
+  va_copy(again, list);
+  int length = vsnprintf(text + used, sizeof text - (size_t)used, format, list);
+  bool ok;
+  if (length >= 0 && (size_t)(used + length) >= sizeof text) {        /* long: once more, into memory of its own */
+    size_t bytes = (size_t)used + (size_t)length + 1;
+    char *more = vs_mem(vm, NULL, 0, bytes);
+    ok = more != NULL;
+    if (ok) {
+      memcpy(more, text, (size_t)used);
+      vsnprintf(more + used, bytes - (size_t)used, format, again);
+      ok = vs_string_from_utf8(vm, more, bytes - 1, &r[2]);
+      vs_mem(vm, more, bytes, 0);
+    }
+  } else {
+    ok = vs_string_from_utf8(vm, text, strlen(text), &r[2]);
+  }
+  va_end(again);
+  r[3] = VS_NIL;
+  if (!ok || (!place && !vs_call_chain(vm, 64, &r[3]))) return VS_ERROR;
+  vs_condition *c = (vs_condition *)(void *)vs_gc_alloc(vm, VS_T_CONDITION, VS_WORDS(vs_condition));
+  if (!c) return VS_ERROR;
+  c->kind = r[0]; c->irritants = r[1]; c->message = r[2]; c->chain = r[3];
+  c->payload = VS_FALSE;
+  c->place = place ? *place : vs_call_place(vm);
+  vm->condition = vs_from_object(c);
+  return VS_ERROR;
+}
+
+vs_status vs_fail(vs *vm, vs_value kind, const char *format, ...) {
+  va_list list;
+  va_start(list, format);
+  vs_status s = fail(vm, kind, NULL, VS_NIL, format, list);
+  va_end(list);
+  return s;
+}
+
+vs_status vs_fail_with(vs *vm, vs_value kind, vs_value irritants, const char *format, ...) {
+  va_list list;
+  va_start(list, format);
+  vs_status s = fail(vm, kind, NULL, irritants, format, list);
+  va_end(list);
+  return s;
+}
+
+vs_status vs_fail_at(vs *vm, vs_value kind, vs_pos place, vs_value irritants, const char *format, ...) {
+  va_list list;
+  va_start(list, format);
+  vs_status s = fail(vm, kind, &place, irritants, format, list);
+  va_end(list);
+  return s;
+}
+
+vs_status vs_fail_type(vs *vm, int arg, const char *expected, vs_value got) {
+  VS_ROOTS(vm, r, 1);
+  char name[64];
+  vs_signature_parameter(vm->native && vm->native->def ? vm->native->def->signature : "", arg, name, sizeof name);
+  if (got == VS_ABSENT) return vs_fail(vm, vm->sym.type, "%s must be given: %s", name, expected);
+  if (!vs_cons(vm, got, VS_NIL, &r[0])) return VS_ERROR;
+  const char *noun = strncmp(expected, "a ", 2) == 0 ? expected + 2 : strncmp(expected, "an ", 3) == 0 ? expected + 3 : "";
+  if (strcmp(name, noun) == 0) return vs_fail_with(vm, vm->sym.type, r[0], "expected %s, got", expected);      /* not "pair must be a pair" */
+  return vs_fail_with(vm, vm->sym.type, r[0], "%s must be %s, got", name, expected);
+}
+
+vs_status vs_fail_range(vs *vm, int arg, vs_value got, int64_t low, int64_t high) {
+  VS_ROOTS(vm, r, 1);
+  char name[64];
+  vs_signature_parameter(vm->native && vm->native->def ? vm->native->def->signature : "", arg, name, sizeof name);
+  if (!vs_cons(vm, got, VS_NIL, &r[0])) return VS_ERROR;
+  if (high < low) return vs_fail_with(vm, vm->sym.range, r[0], "%s is out of range, there is nothing to choose from, got", name);
+  if (high == VS_FIXNUM_MAX) return vs_fail_with(vm, vm->sym.range, r[0], "%s must be %lld or more, got", name, (long long)low);
+  return vs_fail_with(vm, vm->sym.range, r[0], "%s must be from %lld to %lld, got", name, (long long)low, (long long)high);
+}
+
+/* ---- checked arguments ---- */
+bool vs_arg_double(vs *vm, const vs_value *a, int arg, double *out) {
+  vs_value v = a[arg];
+  if (vs_is_double(v)) *out = vs_double(v);
+  else if (vs_is_fixnum(v)) *out = (double)vs_fixnum(v);
+  else return vs_fail_type(vm, arg, "a number", v);
+  return true;
+}
+
+bool vs_arg_index(vs *vm, const vs_value *a, int arg, int64_t low, int64_t high, int64_t *out) {
+  vs_value v = a[arg];
+  if (!vs_is_fixnum(v)) return vs_fail_type(vm, arg, "an exact integer", v);
+  if (vs_fixnum(v) < low || vs_fixnum(v) > high) return vs_fail_range(vm, arg, v, low, high);
+  *out = vs_fixnum(v);
+  return true;
+}
+
+bool vs_arg_type(vs *vm, const vs_value *a, int arg, int type) {
+  if (vs_is(a[arg], type)) return true;
+  static const char *const nouns[VS_T_COUNT] = {
+#define VS_OBJECT(name, noun, first, count) noun,
+#include "vm/values/object.def"
+#undef VS_OBJECT
+  };
+  return vs_fail_type(vm, arg, nouns[type], a[arg]);
+}
+
+/* ---- lists ---- */
+int64_t vs_list_length(vs_value list) {
+  vs_value mark = list;                 /* Brent's way: one pointer walks, the other jumps to it at powers of two */
+  int64_t n = 0, jump = 2;
+  while (vs_is_pair(list)) {
+    list = vs_cdr(list);
+    if (list == mark) return -1;
+    if (n++ == jump) { mark = list; jump *= 2; }
+  }
+  return list == VS_NIL ? n : -1;
+}
+
+bool vs_list_doubles(vs *vm, vs_value list, int arg, double **out, size_t *count) {
+  int64_t n = vs_list_length(list);
+  if (n < 0) return vs_fail_type(vm, arg, "a list of numbers", list);
+  double *d = vs_mem(vm, NULL, 0, (size_t)(n ? n : 1) * sizeof *d);
+  if (!d) return false;
+  vs_value at = list;
+  for (int64_t i = 0; i < n; i++, at = vs_cdr(at)) {
+    vs_value v = vs_car(at);
+    if (vs_is_double(v)) d[i] = vs_double(v);
+    else if (vs_is_fixnum(v)) d[i] = (double)vs_fixnum(v);
+    else {
+      vs_mem(vm, d, (size_t)(n ? n : 1) * sizeof *d, 0);
+      return vs_fail_type(vm, arg, "a list of numbers", list);
+    }
+  }
+  *out = d;
+  *count = (size_t)n;
+  return true;
+}

@@ -1,0 +1,18 @@
+/* Owns the list of what the library keeps between calls: the slots of the vector vm->at.lib. */
+#ifndef VS_LIB_H
+#define VS_LIB_H
+
+#include "vm/values/gc.h"
+
+enum {
+  VS_LIB_INPUT, VS_LIB_OUTPUT, VS_LIB_ERROR,     /* parameters: the current ports (port.c) */
+  VS_LIB_RANDOM,                                 /* BYTES: the random generator's state (system.c) */
+  VS_LIB_SYMBOLS,                                /* fixnum: how many symbols were generated (system.c) */
+  VS_LIB_COUNT
+};
+
+static inline bool vs_lib_open(vs *vm) { return vs_is_vector(vm->at.lib) || vs_make_vector(vm, VS_LIB_COUNT, VS_FALSE, &vm->at.lib); }
+static inline vs_value vs_lib_get(const vs *vm, int slot) { return vs_is_vector(vm->at.lib) ? vs_as_vector(vm->at.lib)->at[slot] : VS_FALSE; }
+static inline void vs_lib_set(vs *vm, int slot, vs_value v) { vs_gc_store(vm, vs_as_vector(vm->at.lib), &vs_as_vector(vm->at.lib)->at[slot], v); }
+
+#endif

@@ -1,0 +1,500 @@
+/* Owns the running of programs: the frame %run, which expands, compiles and runs one top-level form after the other, and what is made of it: eval,
+   load, require, libraries, the host's entries. */
+#include "vm/machine/program.h"
+#include "vm/compiler/compile.h"
+#include "vm/front/expand.h"
+#include "vm/library/library.h"
+#include "vm/library/port.h"
+#include "vm/front/reader.h"
+#include "vm/machine/run.h"
+
+#include <stdio.h>
+
+/* ---- %run: all state is in the frame, so that a continuation may enter it again ---- */
+enum { RUN_FORMS, RUN_ENV, RUN_TELL, RUN_X /* the expansion */, RUN_PHASE, RUN_VALUE /* of the last form */, RUN_SERIAL, RUN_PLACE, RUN_SLOTS = 5 };
+enum { NEXT, TRANSFORMING, RUNNING, RUNNING_DEFINITION, RUNNING_OTHER };
+
+static vs_status call_list(vs *vm, vs_value procedure, vs_value list) {
+  vs_call_begin(vm, procedure);
+  for (; vs_is_pair(list); list = vs_cdr(list)) if (!vs_call_push(vm, vs_car(list))) return VS_ERROR;
+  return VS_CALL;
+}
+
+/* root -> (let ((value root)) value) */
+static bool keep_frame(vs_expansion *x) {
+  vs_value name;
+  vs_node *let = vs_expand_many(x, VS_AST_LET, 1, x->root->pos);
+  if (!let || !vs_intern_c(x->vm, "value", &name) || !(let->as.let.vars[0] = vs_ast_var(&x->ast, name)) ||
+      !(let->as.let.body = vs_ast_local(&x->ast, let->as.let.vars[0], x->root->pos))) return false;
+  let->as.let.values[0] = x->root;
+  x->root = let;
+  return true;
+}
+
+static vs_vm_phase enter_phase(vs *vm, vs_vm_phase phase) { return vm->config.phase ? vm->config.phase(vm->config.user, phase) : phase; }
+
+static vs_status step_forms(vs *vm, vs_value *a, vs_value *out) {
+  if (a[RUN_PHASE] == VS_FALSE) {
+    if (!vs_is(a[RUN_ENV], VS_T_ENVIRONMENT)) return vs_fail_type(vm, RUN_ENV, "an environment", a[RUN_ENV]);
+    if (!vs_expansion_make(vm, &a[RUN_X])) return VS_ERROR;
+    a[RUN_PHASE] = vs_fix(NEXT);
+    a[RUN_VALUE] = VS_UNSPECIFIC;
+  }
+  vs_expansion *x = vs_foreign_get(a[RUN_X], &vs_expansion_type);
+  vs_value came = *out;
+  bool stepping = false;
+  switch (vs_fixnum(a[RUN_PHASE])) {
+  case TRANSFORMING:
+    if (a[RUN_SERIAL] != vs_fix(x->serial)) return vs_fail(vm, vm->sym.syntax, "a macro expansion that was finished is entered again");
+    stepping = true;
+    break;
+  case RUNNING:
+    a[RUN_VALUE] = came;
+    if (a[RUN_TELL] != VS_FALSE && vm->config.value && !vm->config.value(vm, came, vs_pos_of(a[RUN_PLACE]))) return VS_ERROR;
+    break;
+  case RUNNING_DEFINITION: a[RUN_VALUE] = VS_UNSPECIFIC; break;
+  default: break;
+  }
+  for (;;) {
+    if (!stepping) {
+      if (!vs_is_pair(a[RUN_FORMS])) break;
+      vs_pos pos = vs_element_pos(a[RUN_FORMS], false, 0);
+      a[RUN_PLACE] = vs_fix((int64_t)pos);
+      vm->top_place = pos;
+      if (!vs_expansion_begin(x, vs_car(a[RUN_FORMS]), a[RUN_ENV], pos)) return VS_ERROR;
+      x->later = vs_cdr(a[RUN_FORMS]);
+      a[RUN_SERIAL] = vs_fix(x->serial);
+    }
+    stepping = false;
+    enter_phase(vm, VS_VM_EXPAND);
+    vs_expand_result result = vs_expansion_step(x, came);
+    switch (result) {
+    case VS_EXPAND_ERROR: return VS_ERROR;
+    case VS_EXPAND_CALL: a[RUN_PHASE] = vs_fix(TRANSFORMING); return call_list(vm, x->procedure, x->args);
+    case VS_EXPAND_NODE: {
+      VS_ROOTS(vm, r, 1);
+      /* a call at top level keeps its frame, so that errors can tell where they were called from */
+      if (a[RUN_TELL] != VS_FALSE && x->root->kind == VS_AST_CALL && !keep_frame(x)) return VS_ERROR;
+      enter_phase(vm, VS_VM_COMPILE);
+      if (!vs_compile(vm, &x->ast, x->root, &r[0])) return VS_ERROR;
+      vs_ast_clear(&x->ast);
+      a[RUN_FORMS] = vs_cdr(a[RUN_FORMS]);
+      a[RUN_PHASE] = vs_fix(x->definition ? RUNNING_DEFINITION : RUNNING);
+      /* the last expression of eval is its tail */
+      if (a[RUN_FORMS] == VS_NIL && a[RUN_TELL] == VS_FALSE && !x->definition) return vs_tailcall(vm, r[0], 0, NULL);
+      return vs_call(vm, r[0], 0, NULL);
+    }
+    case VS_EXPAND_FORMS: {                 /* x->forms in the place of the first form */
+      VS_ROOTS(vm, r, 3);
+      r[0] = x->forms; r[1] = VS_NIL;
+      for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
+        vs_pos pos = vs_pair_pos(r[0]);
+        if (!vs_cons_at(vm, vs_car(r[0]), r[1], pos ? pos : vs_pos_of(a[RUN_PLACE]), &r[1])) return VS_ERROR;
+      }
+      r[2] = vs_cdr(a[RUN_FORMS]);
+      while (vs_is_pair(r[1])) {            /* turned in place: fresh pairs */
+        vs_value next = vs_cdr(r[1]);
+        vs_gc_store(vm, vs_as_pair(r[1]), &vs_as_pair(r[1])->cdr, r[2]);
+        r[2] = r[1];
+        r[1] = next;
+      }
+      a[RUN_FORMS] = r[2];
+      break;
+    }
+    case VS_EXPAND_RUN:
+      a[RUN_FORMS] = vs_cdr(a[RUN_FORMS]);
+      a[RUN_PHASE] = vs_fix(RUNNING_OTHER);
+      a[RUN_VALUE] = VS_UNSPECIFIC;
+      return call_list(vm, x->procedure, x->args);
+    case VS_EXPAND_NOTHING:
+      a[RUN_FORMS] = vs_cdr(a[RUN_FORMS]);
+      a[RUN_VALUE] = VS_UNSPECIFIC;
+      break;
+    }
+  }
+  *out = a[RUN_TELL] == VS_UNSPECIFIC ? VS_UNSPECIFIC : a[RUN_VALUE];     /* what load ran was told already */
+  return VS_OK;
+}
+
+/* What a macro's procedure does while it is called counts as the program's. */
+static vs_status run(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  vs_status status = step_forms(vm, a, out);
+  enter_phase(vm, VS_VM_RUN);
+  return status;
+}
+
+static bool core_value(vs *vm, const char *name, vs_value *out) {
+  vs_value id;
+  if (!vs_intern_c(vm, name, &id)) return false;
+  *out = vs_environment_value(vm->at.core, id);
+  return true;
+}
+
+/* ---- eval ---- */
+/* tell: #f nobody, #t the host, #unspecific the host and not the caller */
+static vs_status tail_run(vs *vm, vs_value forms, vs_value env, vs_value tell) {
+  VS_ROOTS(vm, r, 3);
+  vs_value procedure;
+  r[0] = forms; r[1] = env; r[2] = tell;
+  return core_value(vm, "%run", &procedure) ? vs_tailcall(vm, procedure, 3, r) : VS_ERROR;
+}
+
+static vs_status eval(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)out;
+  VS_ROOTS(vm, r, 1);
+  vs_value env = n > 1 ? a[1] : vm->at.program;
+  if (!vs_is(env, VS_T_ENVIRONMENT)) return vs_fail_type(vm, 1, "an environment", env);
+  return vs_cons(vm, a[0], VS_NIL, &r[0]) ? tail_run(vm, r[0], n > 1 ? a[1] : vm->at.program, VS_FALSE) : VS_ERROR;
+}
+
+static vs_status interaction(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)a; (void)n;
+  *out = vm->at.program;
+  return VS_OK;
+}
+
+/* (scheme-report-environment 5), (null-environment 5): what R5RS has, and of that the syntax */
+static vs_status report(vs *vm, vs_value *a, int n, bool syntax, vs_value *out) {
+  VS_ROOTS(vm, r, 5);
+  if (n && a[0] != vs_fix(5)) return vs_fail_type(vm, 0, "5, the one report with such an environment ((environment '(scheme base) ...) is R7RS' way)", a[0]);
+  if (!vs_intern_c(vm, "r5rs", &r[0]) || !vs_cons(vm, r[0], VS_NIL, &r[1]) || !vs_intern_c(vm, "scheme", &r[0]) || !vs_cons(vm, r[0], r[1], &r[1]) ||
+      !vs_library_find(vm, r[1], &r[2]) || !vs_idtable_new(vm, &r[3]) || !vs_environment_new(vm, VS_FALSE, &r[4])) return VS_ERROR;
+  vs_value name, binding, clash;
+  for (size_t i = 0; vs_idtable_slot(vs_as_environment(r[2])->table, i, &name, &binding); i++)
+    if (name != VS_VACANT && (!syntax || vs_is(binding, VS_T_MACRO)) && !vs_idtable_put(vm, &r[3], name, name)) return VS_ERROR;
+  bool own;
+  if (!vs_environment_import(vm, r[4], r[2], r[3], false, &clash, &own)) return VS_ERROR;
+  vs_environment_set_intake(r[4], VS_INTAKE_OPEN);
+  *out = r[4];
+  return VS_OK;
+}
+static vs_status report_environment(vs *vm, vs_value *a, int n, vs_value *out) { return report(vm, a, n, false, out); }
+static vs_status null_environment(vs *vm, vs_value *a, int n, vs_value *out) { return report(vm, a, n, true, out); }
+
+static vs_status environment(vs *vm, vs_value *a, int n, vs_value *out) {
+  VS_ROOTS(vm, r, 2);
+  if (!vs_environment_new(vm, VS_FALSE, &r[0])) return VS_ERROR;
+  for (int i = 0; i < n; i++) {
+    if (!vs_library_import_set(vm, a[i], r[0], vs_call_place(vm), &r[1])) return VS_ERROR;
+    if (r[1] == VS_ABSENT) continue;
+    return vs_cons(vm, r[1], VS_NIL, &r[1]) && vs_fail_with(vm, vm->sym.error, r[1], "there is no library");
+  }
+  *out = r[0];
+  return VS_OK;
+}
+
+/* ---- macros that are procedures ---- */
+/* (er-macro-transformer procedure): a macro; define-syntax gives it its environment */
+static vs_status er_transformer(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure of form, rename and compare", a[0]);
+  vs_macro *m = (vs_macro *)(void *)vs_gc_alloc(vm, VS_T_MACRO, VS_WORDS(vs_macro));
+  if (!m) return VS_ERROR;
+  m->kind = vs_fix(VS_MACRO_PROCEDURE); m->transformer = a[0]; m->env = m->data = VS_FALSE;
+  *out = vs_from_object(m);
+  return VS_OK;
+}
+
+/* (%eval-transformer spec env): what define-syntax does with an expression */
+static vs_status eval_transformer(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n; (void)out;
+  VS_ROOTS(vm, r, 1);
+  return vs_cons(vm, a[0], VS_NIL, &r[0]) ? tail_run(vm, r[0], a[1], VS_FALSE) : VS_ERROR;
+}
+
+/* (%rename table env id): table is a list with one element, an association list from id to alias */
+static vs_status rename_(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  if (!vs_is_identifier(a[2])) return vs_fail_type(vm, 2, "a symbol", a[2]);
+  for (vs_value l = vs_car(a[0]); vs_is_pair(l); l = vs_cdr(l)) if (vs_car(vs_car(l)) == a[2]) { *out = vs_cdr(vs_car(l)); return VS_OK; }
+  VS_ROOTS(vm, r, 2);
+  if (!vs_make_alias(vm, a[2], a[1], &r[0]) || !vs_cons(vm, a[2], r[0], &r[1]) || !vs_cons(vm, r[1], vs_car(a[0]), &r[1])) return VS_ERROR;
+  vs_gc_store(vm, vs_as_pair(a[0]), &vs_as_pair(a[0])->car, r[1]);
+  *out = r[0];
+  return VS_OK;
+}
+
+static vs_status same_identifier(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)vm; (void)n;
+  *out = vs_bool(vs_is_identifier(a[1]) && vs_is_identifier(a[2]) ? vs_same_meaning(a[0], a[1], a[0], a[2]) : a[1] == a[2]);
+  return VS_OK;
+}
+
+static vs_status is_identifier(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)vm; (void)n;
+  *out = vs_bool(vs_is_identifier(a[0]));
+  return VS_OK;
+}
+
+static vs_status syntax_to_datum(vs *vm, vs_value *a, int n, vs_value *out) { (void)n; return vs_strip(vm, a[0], out); }
+
+/* ---- files ---- */
+static size_t folder_length(const char *name) {
+  const char *slash = strrchr(name, '/');
+  return slash ? (size_t)(slash - name) + 1 : 0;
+}
+
+static bool exists(vs *vm, vs_text *path) {
+  return vs_text_end(path) && vm->config.io && vm->config.io->exists && vm->config.io->exists(vm->config.user, path->at);
+}
+
+/* a/./b and a/c/../b are a/b, so that one file has one name */
+static void normalise(vs_text *path) {
+  char *s = path->at;
+  size_t n = path->count, out = 0, i = 0;
+  while (i < n) {
+    size_t end = i;
+    while (end < n && s[end] != '/') end++;
+    size_t length = end - i;
+    bool dot = length == 1 && s[i] == '.', up = length == 2 && s[i] == '.' && s[i + 1] == '.';
+    size_t last = out > 1 ? out - 1 : 0;                   /* the folder before, if it is one to leave */
+    while (last > 0 && s[last - 1] != '/') last--;
+    bool can = up && out > 1 && !(out - last == 3 && s[last] == '.' && s[last + 1] == '.');
+    if (can) out = last;
+    else if (!dot && (length || out == 0)) {
+      memmove(s + out, s + i, length);
+      out += length;
+      if (end < n) s[out++] = '/';
+    }
+    i = end + 1;
+  }
+  path->count = out;
+}
+
+bool vs_unit_path(vs *vm, vs_value name, uint32_t from, vs_text *path) {
+  vs_text plain, base;
+  vs_text_open(vm, &plain, 0);
+  vs_text_open(vm, &base, 0);
+  bool ok = vs_text_string(&plain, name) && vs_text_end(&plain), found = false;
+  if (ok && plain.at[0] != '/') {
+    if (from && vs_is_vector(vm->at.files) && from < vs_as_vector(vm->at.files)->length && vs_is_string(vs_as_vector(vm->at.files)->at[from]))
+      ok = vs_text_string(&base, vs_as_vector(vm->at.files)->at[from]) && vs_text_end(&base);
+    path->count = 0;
+    ok = ok && (!base.count || vs_text_put(path, base.at, folder_length(base.at))) && vs_text_put(path, plain.at, plain.count);
+    found = ok && exists(vm, path);
+    const char *p = vm->config.library_path;
+    while (ok && !found && p && *p) {
+      size_t n = strcspn(p, ":");
+      base.count = 0;
+      ok = vs_text_put(&base, p, n) && (!n || p[n - 1] == '/' || vs_text_put(&base, "/", 1)) && vs_text_put(&base, plain.at, plain.count);
+      if (ok && (found = exists(vm, &base))) { path->count = 0; ok = vs_text_put(path, base.at, base.count); }
+      p += n + (p[n] == ':');
+    }
+  } else if (ok) {
+    path->count = 0;
+    ok = vs_text_put(path, plain.at, plain.count);
+  }
+  vs_text_close(&plain);
+  vs_text_close(&base);
+  if (ok) normalise(path);
+  return ok;       /* not found: the first place, whose absence the reading reports */
+}
+
+static bool read_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold, vs_value *forms) {
+  uint32_t file;
+  vs_vm_phase was = enter_phase(vm, VS_VM_READ);
+  bool ok = vs_file_number(vm, name, strlen(name), &file) && vs_read_all(vm, text, size, file, line, fold, forms);
+  enter_phase(vm, was);
+  return ok;
+}
+
+bool vs_unit_read(vs *vm, const char *path, bool fold, vs_value *forms) {
+  VS_ROOTS(vm, r, 1);
+  if (!vs_io_read_file(vm, path, &r[0])) return false;
+  size_t size = (size_t)vs_as_bytes(r[0])->length;
+  char *text = vs_mem(vm, NULL, 0, size + 1);        /* the reader allocates, the bytes may move */
+  if (!text) return false;
+  memcpy(text, vs_as_bytes(r[0])->at, size);
+  bool ok = read_text(vm, path, 1, text, size, fold, forms);
+  vs_mem(vm, text, size + 1, 0);
+  return ok;
+}
+
+static vs_status load_path(vs *vm, vs_value name, uint32_t from, vs_value env, vs_value tell) {
+  VS_ROOTS(vm, r, 2);
+  r[1] = env;
+  vs_text path;
+  vs_text_open(vm, &path, 0);
+  bool ok = vs_unit_path(vm, name, from, &path) && vs_text_end(&path) && vs_unit_read(vm, path.at, false, &r[0]);
+  vs_text_close(&path);
+  return ok ? tail_run(vm, r[0], r[1], tell) : VS_ERROR;
+}
+
+static vs_status load(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)out;
+  if (!vs_is_string(a[0])) return vs_fail_type(vm, 0, "the name of a file", a[0]);
+  if (n > 1 && !vs_is(a[1], VS_T_ENVIRONMENT)) return vs_fail_type(vm, 1, "an environment", a[1]);
+  return load_path(vm, a[0], vs_pos_file(vs_call_place(vm)), n > 1 ? a[1] : vm->at.program, VS_UNSPECIFIC);
+}
+
+static vs_status load_library(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n; (void)out;
+  VS_ROOTS(vm, r, 1);
+  return vs_program_new(vm, &r[0]) ? load_path(vm, a[0], 0, r[0], VS_FALSE) : VS_ERROR;
+}
+
+static vs_status register_library(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n; (void)out;
+  return vs_library_register(vm, a[0], a[1]);
+}
+
+/* (%require path env), once a path */
+static vs_status require(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  if (a[2] == VS_FALSE) {
+    VS_ROOTS(vm, r, 2);
+    vs_text t, u;
+    vs_text_open(vm, &t, 0);
+    vs_text_open(vm, &u, 0);
+    bool ok = vs_text_string(&t, a[0]), known = false;
+    for (vs_value l = vm->at.required; ok && !known && vs_is_pair(l); l = vs_cdr(l)) {
+      u.count = 0;
+      ok = vs_text_string(&u, vs_car(vs_car(l)));
+      known = ok && u.count == t.count && !memcmp(u.at, t.at, t.count);
+    }
+    ok = ok && vs_text_end(&t) && (known || vs_unit_read(vm, t.at, false, &r[0]));
+    vs_text_close(&t);
+    vs_text_close(&u);
+    if (!ok) return VS_ERROR;
+    if (known) return VS_OK;
+    if (!vs_cons(vm, a[0], VS_FALSE, &a[2])) return VS_ERROR;
+    if (!vs_is_pair(vm->at.required)) vm->at.required = VS_NIL;
+    if (!vs_cons(vm, a[2], vm->at.required, &r[1])) return VS_ERROR;
+    vm->at.required = r[1];
+    VS_ROOTS(vm, p, 3);
+    vs_value procedure;
+    p[0] = r[0]; p[1] = a[1]; p[2] = VS_FALSE;
+    if (!core_value(vm, "%run", &procedure)) return VS_ERROR;
+    return vs_call(vm, procedure, 3, p);
+  }
+  vs_as_pair(a[2])->cdr = VS_TRUE;
+  *out = VS_UNSPECIFIC;
+  return VS_OK;
+}
+
+static vs_status features(vs *vm, vs_value *a, int n, vs_value *out) { (void)a; (void)n; return vs_features(vm, out); }
+
+static vs_status assertion_failed(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n; (void)out;
+  VS_ROOTS(vm, r, 1);
+  vm->native = NULL;
+  return vs_cons(vm, a[0], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.error, r[0], "assertion failed:");
+}
+
+static const vs_native_def defs[] = {
+  {"%run", "forms env tell", run, RUN_SLOTS, NULL},
+  {"eval", "expression [environment]", eval, 0, "the value of an expression"},
+  {"interaction-environment", "", interaction, 0, "the environment of the program"},
+  {"scheme-report-environment", "[version]", report_environment, 0, "a fresh environment with the names of R5RS"},
+  {"null-environment", "[version]", null_environment, 0, "a fresh environment with the syntax of R5RS"},
+  {"environment", ". imports", environment, 0, "a fresh environment with these imports"},
+  {"er-macro-transformer", "procedure", er_transformer, 0, "a macro by explicit renaming: (procedure form rename compare)"},
+  {"%eval-transformer", "spec env", eval_transformer, 0, NULL},
+  {"%rename", "table env id", rename_, 0, NULL},
+  {"%same-identifier?", "env a b", same_identifier, 0, NULL},
+  {"identifier?", "v", is_identifier, 0, "a symbol, or one that a macro renamed"},
+  {"syntax->datum", "form", syntax_to_datum, 0, "a form without renamings"},
+  {"load", "file [environment]", load, 0, "run a file"},
+  {"%load-library", "file", load_library, 0, NULL},
+  {"%register-library", "name env", register_library, 0, NULL},
+  {"%require", "path env", require, 1, NULL},
+  {"%assertion-failed", "form", assertion_failed, 0, NULL},
+  {"features", "", features, 0, "what cond-expand knows"},
+  {0}
+};
+const vs_native_table vs_unit_natives = {"unit", defs};
+
+/* ---- the library and the host ---- */
+static bool define_constant(vs *vm, void *context, vs_value symbol, vs_value procedure) {
+  (void)context;
+  VS_ROOTS(vm, r, 1);
+  if (!vs_make_cell(vm, symbol, procedure, &r[0])) return false;
+  vs_object_of(r[0])->flags |= VS_F_CONSTANT;
+  return vs_environment_bind(vm, vm->at.core, symbol, r[0]);
+}
+
+#define VS_NATIVES(name) extern const vs_native_table vs_##name##_natives;
+#include "vm/machine/natives.def"
+#undef VS_NATIVES
+
+bool vs_front_open(vs *vm) {
+  static const vs_native_table *const tables[] = {
+#define VS_NATIVES(name) &vs_##name##_natives,
+#include "vm/machine/natives.def"
+#undef VS_NATIVES
+  };
+  static const struct { const char *name; int form; } forms[] = {
+#define VS_FORM(id, name, kind, shape) {name, VS_FORM_##id},
+#include "vm/front/forms.def"
+#undef VS_FORM
+  };
+  if (vs_is(vm->at.core, VS_T_ENVIRONMENT)) return true;       /* from an image */
+  VS_ROOTS(vm, r, 2);
+  if (!vs_intern_c(vm, "visualscheme", &r[0]) || !vs_environment_new(vm, r[0], &vm->at.core)) return false;
+  vm->at.libraries = vm->at.required = VS_NIL;
+  for (size_t i = 0; i < sizeof tables / sizeof *tables; i++) if (!vs_native_define(vm, tables[i], define_constant, NULL)) return false;
+  for (size_t i = 0; vm->config.tables && vm->config.tables[i]; i++) if (!vs_native_define(vm, vm->config.tables[i], define_constant, NULL)) return false;
+  for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
+    vs_macro *m = (vs_macro *)(void *)vs_gc_alloc(vm, VS_T_MACRO, VS_WORDS(vs_macro));
+    if (!m) return false;
+    m->kind = vs_fix(forms[i].form); m->transformer = m->env = m->data = VS_FALSE;
+    r[1] = vs_from_object(m);
+    if (!vs_intern_c(vm, forms[i].name, &r[0]) || !vs_environment_bind(vm, vm->at.core, r[0], r[1])) return false;
+  }
+  return vs_program_new(vm, &vm->at.program);
+}
+
+bool vs_program_new(vs *vm, vs_value *env) {
+  VS_ROOTS(vm, r, 1);
+  vs_value clash;
+  bool own;
+  if (!vs_environment_new(vm, VS_FALSE, &r[0])) return false;
+  vs_environment_set_intake(r[0], VS_INTAKE_FRESH);
+  if (!vs_environment_import(vm, r[0], vm->at.core, VS_TRUE, true, &clash, &own)) return false;
+  *env = r[0];
+  return true;
+}
+
+static bool run_forms(vs *vm, vs_value forms, vs_value env, bool tell, vs_value *last) {
+  VS_ROOTS(vm, r, 4);
+  vs_value procedure;
+  r[0] = forms; r[1] = env; r[2] = vs_bool(tell);
+  vm->top_place = 0;
+  if (!core_value(vm, "%run", &procedure)) return false;
+  if (vs_run(vm, procedure, 3, r, last ? last : &r[3])) return true;
+  vs_value c = vm->condition;           /* tail calls may have left no place: then it is the top-level form's */
+  if (vs_is(c, VS_T_CONDITION) && c != vm->at.no_memory && !vs_as_condition(c)->place) vs_as_condition(c)->place = vm->top_place;
+  return false;
+}
+
+bool vs_library_load(vs *vm, const char *name, const char *text, size_t size) {
+  VS_ROOTS(vm, r, 1);
+  return read_text(vm, name, 1, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.core, false, NULL);
+}
+
+void vs_library_done(vs *vm) {
+  vs_environment_seal(vm->at.core);
+  vm->at.nearby = VS_FALSE; /* advice for programs does not come from the library's own names */
+}
+
+/* what a failed run left half loaded may be required again */
+static bool forget_unfinished(vs *vm) {
+  VS_ROOTS(vm, r, 2);
+  r[0] = vm->at.required; r[1] = VS_NIL;
+  for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0]))
+    if (vs_cdr(vs_car(r[0])) == VS_TRUE && !vs_cons(vm, vs_car(r[0]), r[1], &r[1])) return false;
+  vm->at.required = r[1];
+  return true;
+}
+
+bool vs_program_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt, vs_value *last) {
+  VS_ROOTS(vm, r, 1);
+  if (prompt) vs_environment_set_intake(vm->at.program, VS_INTAKE_PROMPT);
+  return forget_unfinished(vm) && read_text(vm, name, line, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
+}
+
+bool vs_program_file(vs *vm, const char *path, vs_value *last) {
+  VS_ROOTS(vm, r, 1);
+  return forget_unfinished(vm) && vs_unit_read(vm, path, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
+}

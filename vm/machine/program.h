@@ -1,0 +1,41 @@
+/* Owns the running of programs: environments for them, files, texts, top-level forms one after the other.
+
+   The natives %run, eval, load and the like are frames of the run loop, so that call/cc, errors and limits work through them; C
+   code outside the run loop uses the functions here. */
+#ifndef VS_UNIT_H
+#define VS_UNIT_H
+
+#include "vm/front/environment.h"
+#include "vm/values/text.h"
+
+/* The library environment with all natives and the syntax that is C (vm->at.core), unless a heap image brought it. The
+   library's Scheme files are then loaded with vs_library_load, and at the end vs_library_done makes what they defined constant. */
+bool vs_front_open(vs *vm);
+bool vs_library_load(vs *vm, const char *name, const char *text, size_t size);
+void vs_library_done(vs *vm);
+
+/* A program: an environment that imports the whole library. vm->at.program is that of the host. */
+bool vs_program_new(vs *vm, vs_value *env);
+
+/* Runs a text or a file in vm->at.program; `line` is the number of its first line; prompt: it was typed at one, so its imports add (environment.h).
+   *last: the value of the last form. Values of top-level expressions go to vm->config.value. False: vm->condition. */
+bool vs_program_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt, vs_value *last);
+bool vs_program_file(vs *vm, const char *path, vs_value *last);
+
+/* The path of a file that the text `from` (a file number, 0: none) names: beside it, else along vm->config.library_path. */
+bool vs_unit_path(vs *vm, vs_value name, uint32_t from, vs_text *path);
+/* The forms of a file; fold: its letters are read as small ones (include-ci). */
+bool vs_unit_read(vs *vm, const char *path, bool fold, vs_value *forms);
+
+/* What to say of a name that is not defined, appended to t: " (did you mean make-box?)", "; unite is the name here: (unite a b ...)". Nothing if
+   nothing comes to mind. */
+bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t);
+/* Remembers, for vs_suggest, the name among the local variables of env that looks most like the symbol, which is not defined there. */
+bool vs_suggest_local(vs *vm, vs_value env, vs_value symbol);
+/* ... the symbol itself: a let binds it, and nothing does where the let's values stand. */
+bool vs_suggest_let_star(vs *vm, vs_value symbol);
+/* "; (import (scheme write)) brings it" appended to t, where a built-in library has the name */
+bool vs_library_advice(vs *vm, vs_value symbol, vs_text *t);
+bool vs_is_foreign_word(vs_value symbol); /* of foreign.def */
+
+#endif

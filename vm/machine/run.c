@@ -1,0 +1,947 @@
+/* Owns the run loop: instructions, calls, returns, and what happens when something fails. (frame.h has the layout of the stack.)
+
+   Registers of the machine are C locals: base (the frame's registers), pc, k (its constants). Whatever can allocate or fail is given
+   them first: SAVE. After anything that can allocate, values are read again from registers; code and constants do not move. */
+#include "vm/machine/run.h"
+#include "vm/values/number.h"
+#include "vm/machine/program.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "vm/machine/arguments.h"
+#include "vm/compiler/code.h"
+#include "vm/compiler/compile.h"
+#include "vm/machine/activation.h"
+#include "vm/values/string_chars.h"
+
+enum { POLL_TURNS = 20000 };
+
+/* ---- limits ---- */
+static bool check_limits(vs *vm) {
+  const vs_config *c = &vm->config;
+  if (c->interrupted && c->interrupted(c->user)) return vs_fail(vm, vm->sym.interrupt, "interrupted");
+  if (c->step_limit && vm->steps > c->step_limit)
+    return vs_fail(vm, vm->sym.limit, "stopped after %llu steps, the limit", (unsigned long long)c->step_limit);
+  if (c->time_limit > 0 && c->clock && c->clock(c->user) - vm->started > c->time_limit)
+    return vs_fail(vm, vm->sym.limit, "stopped after %g seconds, the limit", c->time_limit);
+  return true;
+}
+
+/* with a step limit the last stretch is as long as what is left, so that the limit is exact */
+static void refuel(vs *vm) {
+  uint64_t turns = POLL_TURNS, limit = vm->config.step_limit;
+  if (limit && vm->steps <= limit && limit - vm->steps < turns) turns = limit - vm->steps + 1;
+  vm->fuel = (int64_t)turns;
+  vm->steps += turns;
+}
+
+static bool poll(vs *vm) {
+  const vs_native *native = vm->native;
+  vm->native = NULL;                          /* the limit is nobody's error */
+  bool ok = check_limits(vm);
+  vm->native = native;
+  refuel(vm);
+  return ok;
+}
+
+bool vs_poll(vs *vm, uint64_t work) {
+  work += vm->work;                           /* 64 cheap steps are a turn */
+  vm->work = work & 63;
+  vm->fuel -= (int64_t)(work >> 6);
+  return vm->fuel > 0 || poll(vm);
+}
+
+enum { POLL_PIECE = 256 << 10 };        /* bytes; fresh memory is written at 1 to 2 GB a second */
+
+bool vs_poll_move(vs *vm, void *to, const void *from, size_t bytes) {
+  char *t = to;
+  const char *f = from;
+  bool back = t > f && t < f + bytes;     /* overlapping upwards: from the end */
+  for (size_t done = 0; done < bytes;) {
+    size_t n = bytes - done < POLL_PIECE ? bytes - done : POLL_PIECE, at = back ? bytes - done - n : done;
+    memmove(t + at, f + at, n);
+    done += n;
+    if (done < bytes && !vs_poll(vm, n / 8)) return false;
+  }
+  return true;
+}
+
+bool vs_poll_set(vs *vm, void *to, int byte, size_t bytes) {
+  for (size_t done = 0; done < bytes;) {
+    size_t n = bytes - done < POLL_PIECE ? bytes - done : POLL_PIECE;
+    memset((char *)to + done, byte, n);
+    done += n;
+    if (done < bytes && !vs_poll(vm, n / 8)) return false;
+  }
+  return true;
+}
+
+/* ---- the cases that the loop hands out ---- */
+static bool fail_undefined(vs *vm, vs_value name) {
+  vs_text advice;                       /* words of other languages, near names */
+  vs_text_open(vm, &advice, 300);
+  bool ok = vs_suggest(vm, vm->at.program, name, &advice) && vs_text_end(&advice) &&
+            vs_fail(vm, vm->sym.unbound, "%s is not defined%s", vs_is_symbol(name) ? vs_as_symbol(name)->name : "a variable", advice.at);
+  vs_text_close(&advice);
+  return ok;
+}
+
+static bool fail_early(vs *vm, vs_value name) {
+  return vs_fail(vm, vm->sym.unbound, "%s is used before it has a value", vs_is_symbol(name) ? vs_as_symbol(name)->name : "a variable");
+}
+
+/* the operator between its operands, as other languages have it: (5 + 3) */
+static const char *operator_name(vs_value v) {
+  vs_value name = vs_is(v, VS_T_NATIVE) ? vs_as_native(v)->name : VS_FALSE;
+  const char *s = vs_is_symbol(name) ? vs_as_symbol(name)->name : "";
+  return *s && strspn(s, "+-*/<>=") == strlen(s) ? s : NULL;
+}
+
+/* f cannot be called; at[0..n) are the arguments */
+static bool fail_callee(vs *vm, vs_value f, const vs_value *at, size_t n) {
+  VS_ROOTS(vm, r, 1);
+  if (f == VS_UNDEFINED || f == VS_ABSENT) return fail_early(vm, VS_FALSE);
+  const char *operator = n == 2 ? operator_name(at[0]) : NULL;
+  if (!vs_cons(vm, f, VS_NIL, &r[0])) return false;
+  if (operator) return vs_fail_with(vm, vm->sym.type, r[0], "the operator stands first, (%s a b); this cannot be called:", operator);
+  if (vs_is_symbol(f))
+    return vs_fail_with(vm, vm->sym.type, r[0], "a symbol is no procedure and cannot be called; the procedure is written without the quote:");
+  if (vs_is_string(f)) return vs_fail_with(vm, vm->sym.type, r[0], "a text cannot be called; a call is written (procedure argument ...):");
+  const char *what = vs_is_number(f) && n == 0 ? "a number cannot be called; a name that stands for one is written without parentheses:"
+                     : vs_is_number(f) ? "a number cannot be called (a list is written (list 1 2 3), a point (xyz 1 2 3), a gvector (vxyz 1 2 3)):"
+                                     : "this is no procedure and cannot be called (one parenthesis too many around it?):";
+  return vs_fail_with(vm, vm->sym.type, r[0], "%s", what);
+}
+
+static bool make_closure(vs *vm, vs_value *base, const vs_value *k, const uint32_t *captures, vs_value code, vs_value *out) {
+  (void)k;
+  size_t n = vs_as_code(code)->free;
+  vs_closure *c = (vs_closure *)(void *)vs_gc_alloc(vm, VS_T_CLOSURE, VS_WORDS(vs_closure) + n);
+  if (!c) return false;
+  const vs_closure *self = vs_as_closure(base[-2]);
+  c->code = code;
+  for (size_t i = 0; i < n; i++) c->free[i] = captures[i] >> 16 ? self->free[captures[i] & 0xFFFF] : base[captures[i] & 0xFFFF];
+  *out = vs_from_object(c);
+  return true;
+}
+
+static bool make_case(vs *vm, const vs_value *at, size_t n, vs_value *out) {
+  vs_case *c = (vs_case *)(void *)vs_gc_alloc(vm, VS_T_CASE, VS_WORDS(vs_case) + n);
+  if (!c) return false;
+  c->count = n;
+  memcpy(c->clause, at, n * sizeof *at);
+  *out = vs_from_object(c);
+  return true;
+}
+
+vs_value vs_parameter_value(const vs *vm, vs_value parameter) {
+  for (vs_value l = vm->parameters; vs_is_pair(l); l = vs_cdr(l))
+    if (vs_car(vs_car(l)) == parameter) return vs_cdr(vs_car(l));
+  return vs_as_parameter(parameter)->value;
+}
+
+/* a flat record from n finite numbers in registers; false if one is none: then the library's procedure says so (no error set) */
+static bool flat_numbers(const vs_value *at, size_t n, double *d) {
+  for (size_t i = 0; i < n; i++) {
+    if (vs_is_double(at[i])) d[i] = vs_double(at[i]);
+    else if (vs_is_fixnum(at[i])) d[i] = (double)vs_fixnum(at[i]);
+    else return false;
+    if (!(d[i] - d[i] == 0)) return false;
+  }
+  return true;
+}
+
+static inline bool flat_operand(vs_value v) { return vs_is(v, VS_T_FLAT); }
+
+/* is there a rule for these two? */
+static bool flat_rule(const vs *vm, vs_flat_op op, vs_value a, vs_value b) {
+  bool fa = flat_operand(a), fb = flat_operand(b);
+  if (!(fa || fb) || !vm->flat) return false;
+  if (!(fa || vs_is_double(a) || vs_is_fixnum(a)) || !(fb || vs_is_double(b) || vs_is_fixnum(b))) return false;
+  if (op == VS_OP_DIV && (b == vs_fix(0) || (vs_is_double(b) && vs_double(b) == 0))) return false; /* the library's / says so */
+  return vm->flat->at[op][fa ? vs_as_flat(a)->h.flags : 0][fb ? vs_as_flat(b)->h.flags : 0].rule != VS_RULE_NONE;
+}
+
+static inline bool to_double(vs_value v, double *d) {
+  if (vs_is_double(v)) { *d = vs_double(v); return true; }
+  if (vs_is_fixnum(v)) { *d = (double)vs_fixnum(v); return true; }
+  return false;
+}
+
+static inline bool both_fixnums(vs_value a, vs_value b) {
+  return (((a ^ VS_TAG_FIXNUM << 48) | (b ^ VS_TAG_FIXNUM << 48)) >> 48) == 0;
+}
+
+/* a op b for doubles, or fixnums in the one's place; false: something else */
+static inline bool quick_double(vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
+  double x, y;
+  if (vs_is_double(a) && vs_is_double(b)) { x = vs_double(a); y = vs_double(b); }
+  else if (!to_double(a, &x) || !to_double(b, &y)) return false;
+  switch (op) {
+    case VS_OP_ADD: x += y; break;
+    case VS_OP_SUB: x -= y; break;
+    case VS_OP_MUL:      /* exact 0 times anything is this double's business all the same: 0 * 1.5 = 0.0 as in the general case */
+      x *= y; break;
+    case VS_OP_DIV: if (b == vs_fix(0)) return false; x /= y; break;
+    default: return false;
+  }
+  *out = vs_flonum_raw(x);
+  return true;
+}
+
+/* a op b for fixnums and doubles; false: something else, or a fixnum overflows. Sums are made in the upper 48 bits, where overflow is
+   the machine's. */
+static inline bool quick(vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
+  if (!both_fixnums(a, b)) return quick_double(op, a, b, out);
+  int64_t i, j, r;
+  switch (op) {
+    case VS_OP_ADD: if (__builtin_add_overflow((int64_t)(a << 16), (int64_t)(b << 16), &r)) return false; break;
+    case VS_OP_SUB: if (__builtin_sub_overflow((int64_t)(a << 16), (int64_t)(b << 16), &r)) return false; break;
+    case VS_OP_MUL: if (__builtin_mul_overflow((int64_t)(a << 16), vs_fixnum(b), &r)) return false; break;
+    case VS_OP_DIV:
+      i = vs_fixnum(a); j = vs_fixnum(b);
+      if (j == 0 || i % j || !vs_fits_fixnum(i / j)) return false;
+      *out = vs_fix(i / j);
+      return true;
+    default: return false;
+  }
+  *out = VS_TAG_FIXNUM << 48 | (uint64_t)r >> 16;
+  return true;
+}
+
+typedef enum { LT, LE, GT, GE, EQ } relation;
+/* 0, 1, or -1: not for fixnums and doubles */
+static inline int compare(relation rel, vs_value a, vs_value b) {
+  if (both_fixnums(a, b)) {
+    int64_t i = (int64_t)(a << 16), j = (int64_t)(b << 16);
+    switch (rel) { case LT: return i < j; case LE: return i <= j; case GT: return i > j; case GE: return i >= j; case EQ: return i == j; }
+  }
+  double x, y;
+  if (vs_is_double(a) && vs_is_double(b)) { x = vs_double(a); y = vs_double(b); }
+  else if (!to_double(a, &x) || !to_double(b, &y)) return -1;
+  switch (rel) { case LT: return x < y; case LE: return x <= y; case GT: return x > y; case GE: return x >= y; case EQ: return x == y; }
+  return -1;
+}
+
+#if VS_DEBUG_TRACE
+static void trace(const uint32_t *ins, const vs_value *base) {
+  static const char *const names[] = {
+#define VS_OP(name, operands, extra, generic) #name,
+#include "vm/compiler/opcodes.def"
+#undef VS_OP
+  };
+  fprintf(stderr, "%p %-10s %u %u %u\n", (const void *)base, names[*ins & 255], VS_A(*ins), VS_B(*ins), VS_C(*ins));
+}
+#else
+#define trace(ins, base) ((void)0)
+#endif
+
+/* Runs what the window w (at the stack's bottom) calls, until its frame returns. */
+static bool loop(vs *vm, vs_value *w, size_t n, vs_value *out) {
+  vs_value *base = w;                 /* no frame yet */
+  const uint32_t *pc = NULL;
+  vs_value *k = NULL;
+  vs_value ret = VS_TAG_FIXNUM << 48 | VS_RET_STOP, kw = VS_FALSE, v;
+  bool tail = false;
+  uint32_t ins = 0;
+  vs_status status;
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpedantic"      /* labels as values */
+  static const void *const labels[] = {
+#define VS_OP(name, operands, extra, generic) &&op_##name,
+#include "vm/compiler/opcodes.def"
+#undef VS_OP
+  };
+#define NEXT do { trace(pc, base); ins = *pc++; goto *labels[ins & 255]; } while (0)
+#define OP(name) op_##name
+#define A VS_A(ins)
+#define B VS_B(ins)
+#define C VS_C(ins)
+#define BX VS_BX(ins)
+#define RA base[A]
+#define RB base[B]
+#define RC base[C]
+#define IMM_B vs_fix((int8_t)B)
+#define IMM_C vs_fix((int8_t)C)
+#define REGISTERS (vs_as_code(vs_as_closure(base[-2])->code)->registers)
+#define SAVE (vm->base = base, vm->pc = pc, vm->top = base + REGISTERS, vm->native = NULL)
+#define BRANCH_IF(truth) do { if ((truth) == (bool)C) pc += (int32_t)*pc + 1; else pc++; NEXT; } while (0)
+
+/* A call of a closure that takes just what it is given, with room on the stack: most calls. All others go the long way, to `call`. */
+#define PLAIN(f, count, at)                                                                                \
+  const vs_code *callee = vs_is(f, VS_T_CLOSURE) ? vs_as_code(vs_as_closure(f)->code) : NULL;              \
+  bool plain = callee && callee->flags & VS_CODE_SIMPLE && callee->required == (count) &&                  \
+               vm->stack_end - (at) >= (ptrdiff_t)((size_t)callee->registers + 2 + VS_FRAME_SLACK)
+#define ENTER do {                                                                                         \
+    pc = vs_code_ins(callee);                                                                              \
+    k = vs_code_consts(callee);                                                                            \
+    if (--vm->fuel <= 0) { SAVE; if (!poll(vm)) goto fail; }                                               \
+    NEXT;                                                                                                  \
+  } while (0)
+#define HERE ((size_t)(pc - vs_code_ins(vs_as_code(vs_as_closure(base[-2])->code))))
+#define CALL_WINDOW do {                                                                                   \
+    w = &RA; n = B;                                                                                        \
+    PLAIN(w[0], n, w);                                                                                     \
+    ret = vs_ret_make(A, HERE);                                                                            \
+    if (plain) { w[1] = ret; base = w + 2; ENTER; }                                                        \
+    kw = VS_FALSE; tail = false;                                                                           \
+    goto call;                                                                                             \
+  } while (0)
+#define TAIL_WINDOW do {                                                                                   \
+    w = &RA; n = B;                                                                                        \
+    PLAIN(w[0], n, base - 2);                                                                              \
+    if (plain) {                                                                                           \
+      base[-2] = w[0];                                                                                     \
+      for (size_t i = 0; i < n; i++) base[i] = w[2 + i];                                                   \
+      ENTER;                                                                                               \
+    }                                                                                                      \
+    kw = VS_FALSE; tail = true;                                                                            \
+    goto call;                                                                                             \
+  } while (0)
+
+  goto call;
+
+  OP(MOVE): RA = RB; NEXT;
+  OP(FARLOAD): RA = base[BX]; NEXT;
+  OP(FARSTORE): base[BX] = RA; NEXT;
+  OP(CONST): RA = k[BX]; NEXT;
+  OP(CONSTX): RA = k[*pc++]; NEXT;
+  OP(INT): RA = vs_fix((int16_t)BX); NEXT;
+  OP(IMM): RA = VS_IMMEDIATE(B, C); NEXT;
+  OP(FREE): RA = vs_as_closure(base[-2])->free[BX]; NEXT;
+  OP(UNBOX): RA = vs_as_box(RB)->value; NEXT;
+  OP(SETBOX): vs_gc_store(vm, vs_as_box(RA), &vs_as_box(RA)->value, RB); NEXT;
+  OP(BOX): SAVE; if (!vs_make_box(vm, RB, &RA)) goto fail; NEXT;
+  OP(DEFINED):
+    if (RA == VS_UNDEFINED) { SAVE; fail_early(vm, k[*pc]); goto fail; }
+    pc++;
+    NEXT;
+  OP(GLOBAL): {
+    vs_value g = vs_as_cell(k[*pc])->value;
+    if (g == VS_UNDEFINED) { SAVE; fail_undefined(vm, vs_as_cell(k[*pc])->name); goto fail; }
+    pc++;
+    RA = g;
+    NEXT;
+  }
+  OP(SETGLOBAL): {
+    vs_cell *cell = vs_as_cell(k[*pc]);
+    SAVE;
+    if (cell->value == VS_UNDEFINED) { fail_undefined(vm, cell->name); goto fail; }
+    if (cell->h.flags & VS_F_CONSTANT && !vs_cell_redefine(vm, k[*pc])) goto fail;
+    cell = vs_as_cell(k[*pc++]);
+    vs_gc_store(vm, cell, &cell->value, RA);
+    NEXT;
+  }
+  OP(DEFGLOBAL): {
+    SAVE;
+    if (vs_as_cell(k[*pc])->h.flags & VS_F_CONSTANT && !vs_cell_redefine(vm, k[*pc])) goto fail;
+    vs_cell *cell = vs_as_cell(k[*pc++]);
+    vs_gc_store(vm, cell, &cell->value, RA);
+    NEXT;
+  }
+  OP(CLOSURE): {
+    vs_value code = k[pc[0]];
+    SAVE;
+    if (!make_closure(vm, base, k, pc + 1, code, &RA)) goto fail;
+    pc += 1 + vs_as_code(code)->free;
+    NEXT;
+  }
+  OP(PATCH): {
+    vs_closure *c = vs_as_closure(RA);
+    vs_gc_store(vm, c, &c->free[*pc], RB);
+    pc++;
+    NEXT;
+  }
+  OP(CASE): SAVE; if (!make_case(vm, &RB, C, &RA)) goto fail; NEXT;
+
+  OP(JUMP): pc += (int32_t)*pc + 1; NEXT;
+  OP(LOOP):
+    pc += (int32_t)*pc + 1;
+    if (--vm->fuel <= 0) { SAVE; if (!poll(vm)) goto fail; }
+    NEXT;
+  OP(JTRUE): if (RA != VS_FALSE) pc += (int32_t)*pc + 1; else pc++; NEXT;
+  OP(JFALSE): if (RA == VS_FALSE) pc += (int32_t)*pc + 1; else pc++; NEXT;
+  OP(JGIVEN): if (RA != VS_ABSENT) pc += (int32_t)*pc + 1; else pc++; NEXT;
+  OP(MISSING):
+    SAVE;
+    vs_fail(vm, vm->sym.arity, "%s needs the keyword #:%s",
+            vs_is_symbol(vs_as_code(vs_as_closure(base[-2])->code)->name) ? vs_as_symbol(vs_as_code(vs_as_closure(base[-2])->code)->name)->name : "the procedure",
+            vs_as_symbol(k[*pc])->name);
+    goto fail;
+
+  OP(DROP):
+    if (vm->config.dropped) {
+      vs_value first = vs_is_pair(RA) ? vs_as_pair(RA)->car : RA; /* (map f l) where (for-each f l) was meant */
+      if (vs_is(first, VS_T_FOREIGN)) vm->config.dropped(vm, first);
+    }
+    NEXT;
+  OP(CALL): CALL_WINDOW;
+  OP(CALLG): {
+    vs_value g = vs_as_cell(k[*pc])->value;
+    if (g == VS_UNDEFINED) { SAVE; fail_undefined(vm, vs_as_cell(k[*pc])->name); goto fail; }
+    pc++;
+    RA = g;
+    CALL_WINDOW;
+  }
+  OP(TAIL): TAIL_WINDOW;
+  OP(TAILG): {
+    vs_value g = vs_as_cell(k[*pc])->value;
+    if (g == VS_UNDEFINED) { SAVE; fail_undefined(vm, vs_as_cell(k[*pc])->name); goto fail; }
+    pc++;
+    RA = g;
+    TAIL_WINDOW;
+  }
+  OP(CALLX):
+    w = base + pc[0]; n = pc[1]; kw = pc[2] ? k[pc[2] - 1] : VS_FALSE; tail = A != 0;
+    ret = vs_ret_make(pc[0], (size_t)(pc + 3 - vs_code_ins(vs_as_code(vs_as_closure(base[-2])->code))));
+    pc += 3;
+    goto call;
+  OP(RETURN): v = RA; goto give;
+  OP(CHECK): {
+    vs_value p = base[A + 2];
+    if (vs_is(p, VS_T_NATIVE) && !vs_native_laid_out(vs_as_native(p)) && vs_as_native(p)->min <= 1 && vs_as_native(p)->max >= 1) {
+      const vs_native *native = vs_as_native(p);
+      base[A] = base[A + 2];                      /* a window: procedure, free slot, the value */
+      base[A + 2] = base[A + 3];
+      vm->base = base + A + 2; vm->pc = pc; vm->top = base + A + 4;
+      vm->base[-1] = vs_ret_make(A, (size_t)(pc - vs_code_ins(vs_as_code(vs_as_closure(base[-2])->code))));
+      vm->native = native;
+      vm->value = VS_UNSPECIFIC;
+      status = native->def->fn(vm, base + A + 2, 1, &vm->value);
+      vm->native = NULL;
+      if (status == VS_OK && vm->value != VS_FALSE) { base[A] = base[A + 3]; pc++; NEXT; }
+      base[A + 2] = vs_from_object(native);
+    }
+    w = &RA;
+    w[0] = vm->at.check;
+    w[4] = k[*pc++];
+    n = 3; kw = VS_FALSE; tail = false;
+    ret = vs_ret_make(A, (size_t)(pc - vs_code_ins(vs_as_code(vs_as_closure(base[-2])->code))));
+    goto call;
+  }
+
+#define ARITH(name, op, right)                                                                             \
+  OP(name): {                                                                                              \
+    vs_value a = RB, b = right, r;                                                                         \
+    if (quick(op, a, b, &r)) { RA = r; NEXT; }                                                             \
+    if (flat_rule(vm, op, a, b)) { SAVE; if (!vs_flat_arith(vm, op, a, b, &RA)) goto fail; NEXT; }         \
+    goto generic;                                                                                          \
+  }
+  ARITH(ADD, VS_OP_ADD, RC)
+  ARITH(SUB, VS_OP_SUB, RC)
+  ARITH(MUL, VS_OP_MUL, RC)
+  ARITH(DIV, VS_OP_DIV, RC)
+  ARITH(ADDI, VS_OP_ADD, IMM_C)
+  ARITH(SUBI, VS_OP_SUB, IMM_C)
+#define ARITHN(name, op)                                                                                   \
+  OP(name): {                                                                                              \
+    const vs_value *at = &RB;                                                                              \
+    vs_value r = at[0];                                                                                    \
+    for (size_t i = 1; i < C; i++)                                                                         \
+      if (!quick(op, r, at[i], &r)) goto generic;                                                          \
+    RA = r;                                                                                                \
+    NEXT;                                                                                                  \
+  }
+  ARITHN(ADDN, VS_OP_ADD)
+  ARITHN(SUBN, VS_OP_SUB)
+  ARITHN(MULN, VS_OP_MUL)
+
+#define COMPARE(name, rel, left, right)                                                                    \
+  OP(name): {                                                                                              \
+    int truth = compare(rel, left, right);                                                                 \
+    if (truth < 0) goto generic;                                                                           \
+    BRANCH_IF(truth);                                                                                      \
+  }
+  COMPARE(JLT, LT, RA, RB)
+  COMPARE(JLE, LE, RA, RB)
+  COMPARE(JGT, GT, RA, RB)
+  COMPARE(JGE, GE, RA, RB)
+  COMPARE(JNE, EQ, RA, RB)
+  COMPARE(JLTI, LT, RA, IMM_B)
+  COMPARE(JLEI, LE, RA, IMM_B)
+  COMPARE(JGTI, GT, RA, IMM_B)
+  COMPARE(JGEI, GE, RA, IMM_B)
+  COMPARE(JNEI, EQ, RA, IMM_B)
+  COMPARE(JZERO, EQ, RA, vs_fix(0))
+  COMPARE(JPOSITIVE, GT, RA, vs_fix(0))
+  COMPARE(JNEGATIVE, LT, RA, vs_fix(0))
+  OP(JEQ): BRANCH_IF(RA == RB);
+  OP(JNULL): BRANCH_IF(RA == VS_NIL);
+  OP(JPAIR): BRANCH_IF(vs_is_pair(RA));
+  OP(JNOT): BRANCH_IF(RA == VS_FALSE);
+  OP(JTYPE): BRANCH_IF(vs_is(RA, (int)B));
+
+  OP(CAR): { vs_value p = RB; if (!vs_is_pair(p)) goto generic; RA = vs_car(p); NEXT; }
+  OP(CDR): { vs_value p = RB; if (!vs_is_pair(p)) goto generic; RA = vs_cdr(p); NEXT; }
+  OP(CADR): { vs_value p = RB; if (!vs_is_pair(p) || !vs_is_pair(vs_cdr(p))) goto generic; RA = vs_car(vs_cdr(p)); NEXT; }
+  OP(CDDR): { vs_value p = RB; if (!vs_is_pair(p) || !vs_is_pair(vs_cdr(p))) goto generic; RA = vs_cdr(vs_cdr(p)); NEXT; }
+  OP(CAAR): { vs_value p = RB; if (!vs_is_pair(p) || !vs_is_pair(vs_car(p))) goto generic; RA = vs_car(vs_car(p)); NEXT; }
+  OP(CONS): {
+    vs_pair *p;
+    if (vm->end - vm->free >= (ptrdiff_t)sizeof *p) {
+      p = (vs_pair *)(void *)vm->free;
+      vm->free += sizeof *p;
+      p->h = (vs_object){VS_T_PAIR, 0, 0, VS_WORDS(vs_pair)};
+      p->car = RB; p->cdr = RC;
+      RA = vs_from_object(p);
+      NEXT;
+    }
+    SAVE;
+    if (!vs_cons(vm, RB, RC, &RA)) goto fail;
+    NEXT;
+  }
+  OP(VREF): {
+    vs_value x = RB, i = RC;
+    if (!vs_is_vector(x) || !vs_is_fixnum(i) || (uint64_t)vs_fixnum(i) >= vs_as_vector(x)->length) goto generic;
+    RA = vs_as_vector(x)->at[vs_fixnum(i)];
+    NEXT;
+  }
+  OP(VREFI): {
+    vs_value x = RB;
+    int8_t i = (int8_t)C;
+    if (!vs_is_vector(x) || i < 0 || (uint64_t)i >= vs_as_vector(x)->length) goto generic;
+    RA = vs_as_vector(x)->at[i];
+    NEXT;
+  }
+#define VECTOR_SET                                                                                         \
+    vs_value x = RA, i = RB;                                                                               \
+    if (!vs_is_vector(x) || vs_object_of(x)->flags & VS_F_IMMUTABLE || !vs_is_fixnum(i) || (uint64_t)vs_fixnum(i) >= vs_as_vector(x)->length) \
+      goto generic;                                                                                        \
+    vs_gc_store(vm, vs_as_vector(x), &vs_as_vector(x)->at[vs_fixnum(i)], RC)
+  OP(VSET): { VECTOR_SET; NEXT; }
+  OP(VSETV): { VECTOR_SET; base[*pc++] = VS_UNSPECIFIC; NEXT; }
+  OP(SREF): {
+    vs_value x = RB, i = RC;
+    if (!vs_is(x, VS_T_STRING) || !vs_is_fixnum(i) || (uint64_t)vs_fixnum(i) >= vs_as_string(x)->length) goto generic;
+    RA = VS_CHAR(vs_string_at(x, (size_t)vs_fixnum(i)));
+    NEXT;
+  }
+  OP(JCHAREQ): if (!vs_is_char(RA) || !vs_is_char(RB)) goto generic; BRANCH_IF(RA == RB);
+#define DIVIDED(expression) {                                                                              \
+    int64_t i = vs_fixnum(RB), j = vs_fixnum(RC);                                                          \
+    if (!both_fixnums(RB, RC) || j <= 0) goto generic;                                                     \
+    RA = vs_fix(expression);                                                                               \
+    NEXT;                                                                                                  \
+  }
+  OP(QUOTIENT): DIVIDED(i / j)
+  OP(REMAINDER): DIVIDED(i % j)
+  OP(MODULO): DIVIDED(i % j + (i % j < 0 ? j : 0))
+  OP(SQRT): if (!vs_is_double(RB) || !(vs_double(RB) > 0)) goto generic; RA = vs_flonum_raw(sqrt(vs_double(RB))); NEXT;
+  OP(MAKEFLAT): {
+    double d[VS_FLAT_FIELDS];
+    if (!vm->flat || !flat_numbers(&RB, C, d)) goto generic;
+    size_t words = VS_WORDS(vs_flat) + C;
+    if (vm->end - vm->free >= (ptrdiff_t)(words * 8)) {
+      vs_flat *f = (vs_flat *)(void *)vm->free;
+      vm->free += words * 8;
+      f->h = (vs_object){VS_T_FLAT, 0, vm->flat->maker[*pc++].tag, (uint32_t)words};
+      for (size_t i = 0; i < C; i++) f->at[i] = d[i];
+      RA = vs_from_object(f);
+      NEXT;
+    }
+    SAVE;
+    if (!vs_make_flat(vm, vm->flat->maker[*pc].tag, d, C, &RA)) goto fail;
+    pc++;
+    NEXT;
+  }
+  OP(FLATREF): {
+    vs_value x = RB;
+    if (!vs_is(x, VS_T_FLAT) || !(vm->flat->getter[C].mask >> vs_as_flat(x)->h.flags & 1)) goto generic;
+    RA = vs_flonum_raw(vs_as_flat(x)->at[vm->flat->getter[C].index]);
+    NEXT;
+  }
+  OP(G_ABC): OP(G_AB): OP(G_ABI): OP(G_N): OP(G_N1): OP(G_JABC): OP(G_JAI): OP(G_JA): OP(G_SET): OP(G_SETV): goto generic;
+  OP(NONE): goto generic;                 /* never emitted */
+
+  /* the instruction at pc - 1 by calling its procedure */
+generic: {
+    const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
+    size_t at = (size_t)(pc - 1 - vs_code_ins(code));
+    w = base + code->registers;
+    w[0] = vs_as_cell(k[vs_code_inlined(code, (uint32_t)at)])->value;
+    ret = vs_ret_make(code->registers, at) | VS_RET_GENERIC;
+    kw = VS_FALSE; tail = false;
+    switch (vs_op_generic(ins & 255)) {
+      case VS_O_G_ABC: w[2] = RB; w[3] = RC; n = 2; break;
+      case VS_O_G_AB: w[2] = RB; n = 1; break;
+      case VS_O_G_ABI: w[2] = RB; w[3] = IMM_C; n = 2; break;
+      case VS_O_G_N: case VS_O_G_N1: n = C; memcpy(w + 2, &RB, n * sizeof *w); break;
+      case VS_O_G_JABC: w[2] = RA; w[3] = RB; n = 2; break;
+      case VS_O_G_JAI: w[2] = RA; w[3] = IMM_B; n = 2; break;
+      case VS_O_G_JA: w[2] = RA; n = 1; break;
+      case VS_O_G_SET: case VS_O_G_SETV: w[2] = RA; w[3] = RB; w[4] = RC; n = 3; break;
+      default: n = 0; break;
+    }
+    goto call;
+  }
+
+  /* Calls w[0] with w[2..2+n), keywords kw. Not tail: the result is for `ret`, the caller is the frame at base (or none yet). Tail: the
+     frame at base is given up. */
+call: {
+    vs_value f = w[0];
+    if (!vs_is_object(f)) goto no_procedure;
+    switch (vs_object_of(f)->type) {
+      case VS_T_CLOSURE: {
+        const vs_code *code = vs_as_code(vs_as_closure(f)->code);
+        size_t need = n > code->registers ? n : code->registers;
+        if (vm->stack_end - w < (ptrdiff_t)(need + 2 + VS_FRAME_SLACK)) {
+          if (tail) {                             /* out of the frame first, so that it is not kept */
+            memmove(base, w + 2, n * sizeof *w);
+            base[-2] = f;
+            w = base - 2; ret = base[-1];
+            tail = false;
+          }
+          pc = NULL;
+          w[1] = ret;
+          vm->native = NULL;
+          if (vm->stack_end - w < (ptrdiff_t)(need + 2 + VS_FRAME_SLACK)) {
+            vs_value *moved = vs_frame_flush(vm, w, n, need + 2);
+            if (!moved) goto stack_full;
+            w = moved; ret = w[1];
+            base = w + 2;                         /* the caller is in the heap now, or given up */
+          }
+          f = w[0];
+        }
+        if (!(code->flags & VS_CODE_SIMPLE) || n != code->required || kw != VS_FALSE) {
+          if (!tail) w[1] = ret;
+          vm->base = pc ? base : w + 2; vm->pc = pc;
+          vm->native = NULL;
+          vm->top = w + 2 + n;
+          if (!vs_arguments_closure(vm, code, w + 2, n, kw)) goto fail_above;
+          n = (size_t)code->required + code->optional + code->keywords + (code->flags & VS_CODE_REST ? 1 : 0);
+          f = w[0];
+        }
+        if (tail) {
+          base[-2] = f;
+          for (size_t i = 0; i < n; i++) base[i] = w[2 + i];
+        } else {
+          w[1] = ret;
+          base = w + 2;
+        }
+        pc = vs_code_ins(code);
+        k = vs_code_consts(code);
+        if (--vm->fuel <= 0) { SAVE; if (!poll(vm)) goto fail; }
+        NEXT;
+      }
+      case VS_T_NATIVE: {
+        const vs_native *native = vs_as_native(f);
+        size_t given = n, total = n;
+        bool laid_out = vs_native_laid_out(native);
+        if (tail && native->def->slots) {                   /* apply, call/cc ... must not keep the frame; plain ones keep it for the error's place */
+          memmove(base, w + 2, n * sizeof *w);
+          base[-2] = f;
+          w = base - 2; ret = base[-1];
+          tail = false;
+          pc = NULL;                            /* its code is left: the native returns to the caller's */
+        } else if (tail) {
+          ret = vs_ret_make((size_t)(w - base), (size_t)(pc - vs_code_ins(vs_as_code(vs_as_closure(base[-2])->code))));
+        }
+        w[1] = ret;
+        vm->top = w + 2 + n;
+        vm->pc = pc;
+        if (laid_out || n < native->min || n > native->max || kw != VS_FALSE) {
+          if (vm->stack_end - w < (ptrdiff_t)(n + 2 + VS_FRAME_SLACK)) {
+            vm->native = NULL;
+            w = vs_frame_flush(vm, w, n, n + 2 + VS_FRAME_SLACK);
+            if (!w) goto stack_full;
+          }
+          vm->base = w + 2;
+          vm->native = NULL;
+          if (!vs_arguments_native(vm, native, w + 2, n, kw, &given, &total)) { base = w + 2; goto fail_native; }
+          vm->top = w + 2 + total;
+        }
+        vm->base = w + 2;
+        vm->native = native;
+        vm->value = VS_UNSPECIFIC;
+        status = native->def->fn(vm, w + 2, (int)given, &vm->value);
+        vm->native = NULL;
+        if (status == VS_OK) {
+          if (tail) { v = vm->value; goto give; }
+          if (pc && !(ret & VS_RET_FLAGS)) { w[0] = vm->value; NEXT; }      /* back in the frame at base, at pc */
+        }
+        base = vm->base;
+        goto native_done;
+      }
+      case VS_T_CASE: {
+        const vs_case *c = vs_as_case(f);
+        size_t i = 0;
+        while (i < c->count && !vs_arguments_fit(vs_as_code(vs_as_closure(c->clause[i])->code), n, kw)) i++;
+        if (i == c->count) {
+          w[1] = tail ? VS_FALSE : ret;
+          vm->base = pc ? base : w + 2; vm->pc = pc;
+          vm->native = NULL;
+          vm->top = w + 2 + n;
+          vs_fail_clauses(vm, c, n);
+          goto fail_above;
+        }
+        w[0] = c->clause[i];
+        goto call;
+      }
+      case VS_T_CONTINUATION: {
+        if (kw != VS_FALSE) goto no_procedure;
+        w[1] = tail ? VS_FALSE : ret;
+        vm->top = w + 2 + n;
+        vm->native = NULL;
+        vm->base = pc ? base : w + 2; vm->pc = pc;
+        if (!vs_make_values(vm, w + 2, n, &vm->value)) goto fail_above;
+        w[3] = vm->value;
+        w[2] = w[0];
+        w[0] = vm->at.throw;
+        n = 2;
+        goto call;
+      }
+      case VS_T_PARAMETER:
+        if (n != 0) {
+          w[1] = tail ? VS_FALSE : ret;
+          vm->base = pc ? base : w + 2; vm->pc = pc;
+          vm->top = w + 2 + n;
+          vm->native = NULL;
+          vs_value called = vs_as_parameter(f)->name;
+          vs_fail(vm, vm->sym.arity, "%s is a parameter and takes no arguments, got %zu; parameterize sets it", vs_is_symbol(called) ? vs_as_symbol(called)->name : "this", n);
+          goto fail_above;
+        }
+        v = vs_parameter_value(vm, f);
+        if (tail) goto give;
+        w[1] = ret;
+        base = w + 2;
+        goto give;
+      default: goto no_procedure;
+    }
+  }
+
+no_procedure:
+  w[1] = tail ? VS_FALSE : ret;
+  vm->base = pc ? base : w + 2; vm->pc = pc;
+  vm->top = w + 2 + n;
+  vm->native = NULL;
+  fail_callee(vm, w[0], w + 2, n);
+fail_above:                               /* an error of the caller at base, found while its window was in use */
+  if (pc) goto fail;
+  ret = w[1];                             /* the caller is a native or in the heap: in place of what it called */
+  goto raise;
+
+  /* A native's function has returned `status`; its frame is at base (== vm->base), its last slot below vm->top. */
+native_done:
+  w = base - 2;
+  switch (status) {
+    case VS_OK: v = vm->value; goto give;
+    case VS_ERROR: goto fail_native;
+    case VS_TAILCALL:
+    case VS_CALL: {
+      size_t size = (size_t)(vm->top - base);
+      n = vm->call_count;
+      kw = VS_FALSE;
+      tail = false;
+      if (status == VS_CALL) {
+        w = base + size;
+        ret = vs_ret_make(size, 0) | VS_RET_NATIVE;
+      } else {
+        ret = w[1];
+      }
+      w[1] = ret;
+      if (vm->stack_end - w < (ptrdiff_t)(n + 2 + VS_FRAME_SLACK)) {
+        w[0] = VS_FALSE;
+        w = vs_frame_flush(vm, w, 0, n + 2 + VS_FRAME_SLACK);
+        if (!w) goto stack_full;
+        ret = w[1];
+      }
+      w[0] = vm->call_procedure;
+      if (n) memcpy(w + 2, vm->call_args, n * sizeof *w);
+      vm->call_count = 0;
+      vm->call_procedure = VS_FALSE;
+      base = w + 2;
+      pc = NULL;                              /* no code frame at base */
+      goto call;
+    }
+    case VS_THROW: {
+      const vs_continuation *c = vs_as_continuation(vm->call_procedure);
+      v = vm->value;
+      vm->winders = c->winders; vm->handlers = c->handlers; vm->parameters = c->parameters;
+      vm->under = c->stack; vm->under_depth = c->depth;
+      vm->stack[0] = VS_FALSE;
+      vm->stack[1] = c->ret;
+      base = vm->stack + 2;
+      vm->top = base;
+      vm->call_procedure = VS_FALSE;
+      goto give;
+    }
+    default: goto uncaught;
+  }
+
+  /* Returns v from the frame at base. */
+give: {
+    ret = base[-1];
+    size_t distance = vs_ret_distance(ret);
+    if (ret & VS_RET_FLAGS) {
+      if (ret & VS_RET_STOP) { *out = v; return true; }
+      if (ret & VS_RET_UNDER) {
+        const vs_stack *s = vs_as_stack(vm->under);
+        size_t size = distance + 2;
+        uint64_t first = vm->under_depth - size;
+        memcpy(vm->stack, s->at + first, size * sizeof *s->at);
+        if (first == 0) { vm->under = s->under; vm->under_depth = s->depth; }
+        else { vm->stack[1] |= VS_RET_UNDER; vm->under_depth = first; }
+        base = vm->stack + size + 2;              /* where the callee would have been */
+      }
+      base -= 2 + distance;
+      vm->top = base + distance;
+      if (ret & VS_RET_NATIVE) {
+        const vs_native *native = vs_as_native(base[-2]);
+        vm->base = base;
+        vm->native = native;
+        vm->value = v;
+        vm->pc = NULL;
+        pc = NULL;
+        status = native->def->fn(vm, base, -1, &vm->value);
+        vm->native = NULL;
+        base = vm->base;
+        goto native_done;
+      }
+      const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
+      if (ret & VS_RET_UNDER && vm->stack_end - base < (ptrdiff_t)(code->registers + VS_FRAME_SLACK)) {
+        vm->value = v;
+        if (!vs_frame_flush(vm, vm->stack, distance, code->registers + 2)) goto stack_full;
+        base = vm->stack + 2;
+        v = vm->value;
+      }
+      pc = vs_code_ins(code) + vs_ret_pc(ret);
+      k = vs_code_consts(code);
+      if (ret & VS_RET_GENERIC) {
+        ins = *pc;
+        switch (vs_op_generic(ins & 255)) {
+          case VS_O_G_JABC: case VS_O_G_JAI: case VS_O_G_JA: pc++; BRANCH_IF(v != VS_FALSE);
+          case VS_O_G_SET: pc++; NEXT;
+          case VS_O_G_SETV: base[pc[1]] = v; pc += 2; NEXT;
+          case VS_O_G_N1: RA = v; pc += 2; NEXT;
+          default: RA = v; pc++; NEXT;
+        }
+      }
+      base[distance] = v;
+      NEXT;
+    }
+    base -= 2 + distance;
+    const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
+    pc = vs_code_ins(code) + vs_ret_pc(ret);
+    k = vs_code_consts(code);
+    base[distance] = v;
+    NEXT;
+  }
+
+  /* vm->condition has been raised by the native at base, or in the code at base and pc. Limits and interrupts are nobody's to catch. */
+fail_native:
+  w = base;                               /* over its arguments, which nobody needs any more */
+  ret = vs_ret_make(0, 0) | VS_RET_NATIVE;
+  goto raise;
+fail: {
+    const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
+    w = base + code->registers;
+    ret = vs_ret_make(code->registers, (size_t)(pc - vs_code_ins(code)));
+  }
+raise:
+  vm->native = NULL;
+  if (vs_is(vm->condition, VS_T_CONDITION)) {
+    vs_value kind = vs_as_condition(vm->condition)->kind;
+    if (kind == vm->sym.limit || kind == vm->sym.interrupt) goto uncaught;
+  }
+  if (vm->handlers == VS_NIL) goto uncaught;
+  w[0] = vm->at.raise;
+  w[1] = ret;
+  w[2] = vm->condition;
+  n = 1; kw = VS_FALSE; tail = false;
+  goto call;
+
+stack_full:                               /* whoever was refused the memory has said so */
+uncaught:
+  return false;
+#pragma GCC diagnostic pop
+}
+
+static void reset(vs *vm) {
+  vm->base = NULL;
+  vm->top = vm->stack;
+  vm->pc = NULL;
+  vm->native = NULL;
+  vm->under = VS_FALSE;
+  vm->under_depth = 0;
+  vm->call_count = 0;
+  vm->call_procedure = VS_FALSE;
+  vm->winders = vm->handlers = vm->parameters = VS_NIL;
+}
+
+/* Memory is out and nobody caught it: what the program held is given up, and then there is room to say where that was. */
+static void fail_memory_placed(vs *vm) {
+  enum { CALLERS = 16 };
+  VS_ROOTS(vm, r, CALLERS + 2);
+  vs_pos place[CALLERS] = {0};
+  size_t n = vs_call_links(vm, r, place, CALLERS);
+  reset(vm);
+  vm->value = VS_UNSPECIFIC;              /* may be the half of a native's result */
+  vs_gc_major(vm);
+  vs_value *link = r + CALLERS, *chain = r + CALLERS + 1;
+  *chain = VS_NIL;
+  for (size_t i = n; i--;)
+    if (!vs_cons(vm, r[i], vs_fix((int64_t)place[i]), link) || !vs_cons(vm, *link, *chain, chain)) return;
+  vs_fail_at(vm, vm->sym.memory, place[0], VS_NIL, "out of memory");
+  if (vm->condition == vm->at.no_memory) return;
+  vs_condition *c = vs_as_condition(vm->condition);
+  vs_gc_store(vm, c, &c->chain, *chain);
+}
+
+bool vs_run(vs *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value *out) {
+  if (vm->base) return vs_fail(vm, vm->sym.internal, "the interpreter is running already");
+  vm->value = procedure;
+  if ((size_t)(vm->stack_end - vm->stack) < n + 2 + VS_FRAME_SLACK) {
+    vm->top = vm->stack;
+    if (!vs_frame_flush(vm, vm->stack, 0, n + 2)) return false;
+  }
+  vs_value *w = vm->stack;
+  w[0] = procedure;
+  w[1] = VS_TAG_FIXNUM << 48 | VS_RET_STOP;
+  if (n) memcpy(w + 2, argv, n * sizeof *argv);
+  vm->top = w + 2 + n;
+  vm->under = VS_FALSE;
+  if (vm->config.clock) vm->started = vm->config.clock(vm->config.user);
+  refuel(vm);
+  vs_value result = VS_UNSPECIFIC;
+  bool ok = loop(vm, w, n, &result);
+  vm->steps -= (uint64_t)(vm->fuel > 0 ? vm->fuel : 0);       /* those taken, not those granted */
+  if (!ok && vm->condition == vm->at.no_memory) fail_memory_placed(vm);
+  reset(vm);
+  if (ok) *out = result;
+  return ok;
+}
+
+/* ---- natives asking for calls ---- */
+void vs_call_begin(vs *vm, vs_value procedure) {
+  vm->call_procedure = procedure;
+  vm->call_count = 0;
+}
+
+bool vs_call_push(vs *vm, vs_value v) {
+  if (vm->call_count == vm->call_room) {
+    size_t room = vm->call_room ? vm->call_room * 2 : 16;
+    vs_value *p = vs_mem(vm, vm->call_args, vm->call_room * sizeof *p, room * sizeof *p);
+    if (!p) return false;
+    vm->call_args = p;
+    vm->call_room = room;
+  }
+  vm->call_args[vm->call_count++] = v;
+  return true;
+}
+
+static bool prepare(vs *vm, vs_value procedure, size_t n, const vs_value *argv) {
+  vs_call_begin(vm, procedure);
+  for (size_t i = 0; i < n; i++)
+    if (!vs_call_push(vm, argv[i])) return false;
+  return true;
+}
+
+vs_status vs_call(vs *vm, vs_value procedure, size_t n, const vs_value *argv) {
+  return prepare(vm, procedure, n, argv) ? VS_CALL : VS_ERROR;
+}
+
+vs_status vs_tailcall(vs *vm, vs_value procedure, size_t n, const vs_value *argv) {
+  return prepare(vm, procedure, n, argv) ? VS_TAILCALL : VS_ERROR;
+}

@@ -1,0 +1,127 @@
+/* Owns struct vs: one interpreter, everything it has. There are no globals; two interpreters share nothing. */
+#ifndef VS_VS_H
+#define VS_VS_H
+
+#include "vm/values/debug.h"
+#include "vm/values/value.h"
+
+/* The symbols C code compares with, made once: vm->sym.quote and so on. One list. */
+#define VS_SYMBOLS(S) \
+  S(quote, "quote") S(quasiquote, "quasiquote") S(unquote, "unquote") S(unquote_splicing, "unquote-splicing") \
+  S(error, "error") S(type, "type") S(range, "range") S(arity, "arity") S(contract, "contract") S(unbound, "unbound") \
+  S(syntax, "syntax") S(read, "read") S(file, "file") S(limit, "limit") S(interrupt, "interrupt") S(memory, "memory") \
+  S(divide, "divide") S(raise, "raise") S(internal, "internal")
+
+/* Persistent Scheme values that C code needs: written into the heap image with the rest. One list. */
+#define VS_ANCHORS(A) \
+  A(symbols)       /* vector: the interned symbols, open addressing */ \
+  A(files)         /* vector of file names (strings), position files index it; slot 0 is #f */ \
+  A(libraries)     /* vm-front: name -> environment */ \
+  A(core)          /* vm-front: the environment natives are defined in */ \
+  A(program)       /* the host's program environment */ \
+  A(required)      /* list of (path . #t) of the files that were required; #f instead while one is being loaded */ \
+  A(lib)           /* vm-lib: whatever must last */ \
+  A(nearby)        /* identifier table or #f: names not defined where they are used -> a local name like it; bound by a let around which nothing is -> itself; for messages */ \
+  A(host)          /* bind: whatever must last */ \
+  A(standard_out) A(standard_in) A(standard_error)    /* ports */ \
+  A(flat_names)    /* vector: tag -> constructor's name (symbol) or #f */ \
+  A(raise) A(check) A(throw) A(guarded) /* natives the run loop calls by itself */ \
+  A(no_memory)     /* the condition raised when there is no room to make one */ \
+  A(stop)          /* procedure of the bottom frame */
+
+typedef enum { VS_VM_READ, VS_VM_EXPAND, VS_VM_COMPILE, VS_VM_RUN } vs_vm_phase; /* of source text; RUN: the program itself */
+
+typedef struct vs_config {
+  /* Every byte comes from here: p NULL makes, bytes 0 frees, else resizes; NULL refuses. NULL uses realloc and free. */
+  void *(*memory)(void *user, void *p, size_t old_bytes, size_t bytes);
+  void *user;
+  size_t memory_limit;       /* bytes, 0 = none */
+  uint64_t step_limit;       /* calls and loop turns, 0 = none */
+  uint64_t output_limit;     /* bytes that the program may print or write, 0 = none */
+  double time_limit;         /* seconds by the clock below, 0 = none */
+  vs_vm_phase (*phase)(void *user, vs_vm_phase phase); /* told when another begins, says which one ends; NULL: nobody asks */
+  double (*clock)(void *user);                 /* seconds, monotonic; NULL: no time limit */
+  bool (*interrupted)(void *user);             /* polled; true once = raise an interrupt */
+  const struct vs_native_table *const *tables; /* natives besides the VM's own, NULL-terminated; same order as when the image was made */
+  const struct vs_image *image;                /* a heap image to start from, or NULL */
+  const struct vs_io *io;                      /* files, console, time of day (port.h), called with `user`; NULL: none of them */
+  const char *library_path;  /* folders for load, include and require, ':' between them, or NULL; living as long as the interpreter */
+  /* The value of a top-level expression of the program or of a file it loaded; false: the error is set. NULL: nobody wants it. */
+  bool (*value)(vs *vm, vs_value v, vs_pos place);
+  /* A foreign object that an expression before a body's last one gave, alone or first in a list. It may not allocate in the heap. NULL: nobody wants it. */
+  void (*dropped)(vs *vm, vs_value v);
+} vs_config;
+
+struct vs_gc_block;
+struct vs_gc_large;
+struct vs_roots;
+struct vs_ast;
+
+struct vs {
+  /* the nursery: bump from `free` to `end` */
+  char *free, *end;
+  char *nursery;
+  size_t nursery_bytes;
+
+  /* stack of the run loop (run.c) */
+  vs_value *stack, *stack_end;     /* the working stretch */
+  vs_value *base, *top;            /* current frame's registers; first slot not in use: everything below is traced */
+  vs_value under;                  /* STACK object with the frames below the working stretch, or #f */
+  uint64_t under_depth;            /* how many of its slots are still to be returned into */
+  const uint32_t *pc;              /* of the current frame when a native or the collector runs */
+
+  /* dynamic state, part of every continuation */
+  vs_value winders, handlers, parameters;
+
+  /* between a native and the run loop (native.h) */
+  const vs_native *native;         /* the native that is running: NULL outside; its name is in error messages */
+  vs_value call_procedure;
+  vs_value *call_args; size_t call_count, call_room;
+  vs_value condition;              /* what was raised, after a function returned false / VS_ERROR */
+  vs_value value;                  /* a native's result */
+
+  /* limits */
+  int64_t fuel;                    /* turns until the next poll */
+  uint64_t work;                   /* steps of builtins that are not a turn yet */
+  uint64_t steps;                  /* turns taken, up to the last poll */
+  double started;
+  uint64_t written;                /* bytes printed and written by this evaluation */
+  bool over_limit;                 /* the last refusal of memory was the limit's, not the machine's */
+  size_t fail_after;               /* debug: refuse the n-th allocation from now; 0 = off */
+
+  /* collector (gc.c) */
+  struct vs_roots *roots;
+  struct vs_ast *asts;             /* trees being built or compiled: their constants are roots */
+  struct vs_gc *gc;
+  uint64_t captures;               /* continuations made so far: what no new one holds is entered once */
+  uint64_t collections;            /* how often the nursery was emptied: addresses of young objects hold for one count */
+  size_t bytes, peak_bytes;        /* of OS memory, now and at most */
+
+  /* registered by the host */
+  struct vs_flat_rules *flat;      /* flat record types and their arithmetic (native.h) */
+
+  struct {
+#define S(field, text) vs_value field;
+    VS_SYMBOLS(S)
+#undef S
+  } sym;
+  struct {
+#define A(field) vs_value field;
+    VS_ANCHORS(A)
+#undef A
+  } at;
+
+  /* expander */
+  uint64_t aliases;                /* renamed identifiers made: their hash */
+  int64_t expansions;              /* top-level forms expanded */
+  uint64_t top_place;              /* vs_pos of the top-level form begun last */
+
+  void *host;                      /* the embedder's own context */
+  vs_config config;
+};
+
+/* An interpreter with the VM's own natives defined; NULL when memory is refused. */
+vs *vs_open_vm(const vs_config *config);
+void vs_close_vm(vs *vm);
+
+#endif

@@ -1,0 +1,23 @@
+/* Owns where the traced words of each object type lie, for the collector and the image writer. */
+#ifndef VS_LAYOUT_H
+#define VS_LAYOUT_H
+
+#include "vm/values/value.h"
+
+enum { VS_LAYOUT_END = 255 };
+static const struct { uint8_t first, count; } vs_layout[VS_T_COUNT] = {
+#define END VS_LAYOUT_END
+#define VS_OBJECT(name, noun, first, count) {first, count},
+#include "vm/values/object.def"
+#undef VS_OBJECT
+#undef END
+};
+
+/* first traced slot, and through *n how many */
+static inline vs_value *vs_layout_slots(vs_object *o, size_t *n) {
+  unsigned first = vs_layout[o->type].first, count = vs_layout[o->type].count;
+  *n = first == 0 ? 0 : count == VS_LAYOUT_END ? o->words - first : count;
+  return (vs_value *)(void *)o + first;
+}
+
+#endif

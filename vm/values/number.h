@@ -1,0 +1,54 @@
+/* Owns the numeric tower: fixnums, bignums, ratios, doubles. (integer.h has the exact integers beneath, number_text.c the texts.)
+
+   All arithmetic takes any two values; what is no number gives the error `+: expected a number, got "x"`, and a flat record
+   (points, vectors) goes through vs_flat_arith. Results may be the address of an argument's slot (`out` is written last). */
+#ifndef VS_NUMBER_H
+#define VS_NUMBER_H
+
+#include "vm/machine/native.h"
+#include "vm/values/text.h"
+
+static inline bool vs_is_bignum(vs_value v) { return vs_is(v, VS_T_BIGNUM); }
+static inline bool vs_is_ratio(vs_value v) { return vs_is(v, VS_T_RATIO); }
+static inline bool vs_is_exact_integer(vs_value v) { return vs_is_fixnum(v) || vs_is_bignum(v); }
+static inline bool vs_is_exact(vs_value v) { return vs_is_exact_integer(v) || vs_is_ratio(v); }
+static inline bool vs_is_number(vs_value v) { return vs_is_double(v) || vs_is_exact(v); }
+
+/* ---- for the run loop: the general case of inlined operators ---- */
+bool vs_number_add(vs *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_number_sub(vs *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_number_mul(vs *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_number_div(vs *vm, vs_value a, vs_value b, vs_value *out);    /* exact by exact 0 is an error */
+typedef enum { VS_LT, VS_LE, VS_EQ, VS_GE, VS_GT } vs_relation;       /* exact between exact and inexact; false with NaN */
+bool vs_number_test(vs *vm, vs_relation relation, vs_value a, vs_value b, bool *out);
+bool vs_number_quotient(vs *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_number_remainder(vs *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_number_modulo(vs *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_number_abs(vs *vm, vs_value a, vs_value *out);
+bool vs_number_sqrt(vs *vm, vs_value a, vs_value *out);               /* exact where the root is exact */
+bool vs_number_is_zero(vs *vm, vs_value a, bool *out);                /* "zero?: expected a number" else */
+
+/* ---- conversions ---- */
+bool vs_number_double(vs *vm, vs_value v, double *out);               /* v is a number; correctly rounded; false: out of memory */
+bool vs_number_exact(vs *vm, vs_value v, vs_value *out);              /* v is a number; infinities and NaN are errors */
+bool vs_number_from_int64(vs *vm, int64_t n, vs_value *out);
+bool vs_number_from_uint64(vs *vm, uint64_t n, vs_value *out);
+bool vs_number_to_int64(vs_value v, int64_t *out);                    /* an exact integer, or a double that is one, in range */
+bool vs_number_ratio(vs *vm, vs_value num, vs_value den, vs_value *out);   /* exact integers, den not 0; lowest terms */
+bool vs_number_lowest(vs *vm, vs_value num, vs_value den, vs_value *out);  /* the same of two that have no divisor in common */
+
+/* Equal in type and value, as eqv? on two numbers. Never fails. */
+bool vs_number_eqv(vs_value a, vs_value b);
+uint64_t vs_number_hash(vs_value v);                                  /* agrees with eqv? */
+
+/* ---- text ---- */
+/* The number that these bytes spell in `radix` (2..36; #x and the like override it), or *out = #f if they spell none. False only
+   when memory is out or the number too large. */
+bool vs_number_parse(vs *vm, const char *s, size_t n, int radix, vs_value *out);
+/* The shortest text that reads back as v, in radix 2..36. */
+bool vs_number_print(vs *vm, vs_value v, int radix, vs_text *t);
+enum { VS_DOUBLE_TEXT = 32 };
+/* The same for one double in base 10, zero-terminated; no allocation. Returns the length. */
+size_t vs_double_text(double d, char out[VS_DOUBLE_TEXT]);
+
+#endif

@@ -1,0 +1,21 @@
+/* Owns the external representation of values: display, write, write-simple, write-shared, and the text of errors. */
+#ifndef VS_PRINTER_H
+#define VS_PRINTER_H
+
+#include "vm/machine/native.h"
+#include "vm/values/text.h"
+
+typedef enum {
+  VS_PRINT_DISPLAY,      /* strings and characters bare; labels only for cycles */
+  VS_PRINT_WRITE,        /* readable; labels only for cycles */
+  VS_PRINT_SIMPLE,       /* readable; no labels (a cycle runs into the limits) */
+  VS_PRINT_SHARED        /* readable; labels for all sharing */
+} vs_print_mode;
+
+/* Appends v to t. Needs no C stack for depth; a list of a million elements costs no memory beside the text. */
+bool vs_print(vs *vm, vs_value v, vs_print_mode mode, vs_text *t);
+
+/* Appends a CONDITION's message and irritants ("car: expected a pair, got 5"), or "uncaught raise: " and any other object. */
+bool vs_print_condition(vs *vm, vs_value condition, vs_text *t);
+
+#endif

@@ -1,0 +1,31 @@
+/* Owns access to the characters of strings, 1 or 4 bytes each (value.h). */
+#ifndef VS_STRING_H
+#define VS_STRING_H
+
+#include "vm/machine/native.h"
+
+/* the k-th code point; k is in range */
+static inline uint32_t vs_string_at(vs_value s, size_t k) {
+  const uint8_t *at = vs_as_bytes(vs_as_string(s)->store)->at;
+  uint32_t c;
+  if (!(vs_object_of(s)->flags & VS_F_WIDE)) return at[k];
+  memcpy(&c, at + 4 * k, 4);
+  return c;
+}
+
+/* sets the k-th code point of a string that is wide enough for it (vs_make_string was given one as wide, or vs_string_set widened) */
+static inline void vs_string_put(vs_value s, size_t k, uint32_t c) {
+  uint8_t *at = vs_as_bytes(vs_as_string(s)->store)->at;
+  if (vs_object_of(s)->flags & VS_F_WIDE) memcpy(at + 4 * k, &c, 4);
+  else at[k] = (uint8_t)c;
+  vs_as_string(s)->hash = 0;
+}
+
+/* the same, widening the string first if need be; *s is a root. False: out of memory */
+bool vs_string_set(vs *vm, vs_value *s, size_t k, uint32_t c);
+/* characters start..end of *s (a root) as a fresh string */
+bool vs_string_slice(vs *vm, const vs_value *s, size_t start, size_t end, vs_value *out);
+/* below, equal or above 0 by code points */
+int vs_string_compare(vs_value a, vs_value b);
+
+#endif
