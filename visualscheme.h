@@ -119,7 +119,8 @@ typedef struct {
   size_t limit_triangles; /* of the mesh of one output */
   size_t cache;           /* bytes of results kept for later drawings and outputs (meshes): 0: 256 MB, or a quarter of limit_memory; SIZE_MAX: keep nothing */
   bool untrusted;         /* no file access but read_file, no native text */
-  const char *library_path; /* folders for load and require, ':' between them; NULL: none */
+  const char *library_path; /* folders for load, require and import, ':' between them, after the folders of the file that asks and of the program; NULL: none */
+  const char *const *command_line; size_t command_line_count; /* what (command-line) gives: the program's name, then its arguments; 0: "vs" */
 } vs_options;
 
 VS_API vs_options vs_options_default(void);

@@ -31,7 +31,8 @@ static void print_help(void) {
   puts("vs: solid models from Scheme programs\n");
   puts("  vs                  a prompt");
   puts("  vs FILE             run FILE (- is standard input)");
-  puts("  vs FILE -o OUT ...  run FILE and write its model\n");
+  puts("  vs FILE -o OUT ...  run FILE and write its model");
+  puts("  vs FILE -- ARG ...  run FILE, whose (command-line) ends in these arguments\n");
   for (int i = 0; i < OPTION_COUNT; i++) {
     const option_row *r = &rows[i];
     char usage[80] = "";
@@ -143,6 +144,17 @@ static bool parse_passes(const char *text, vs_output_options *out) {
 
 static bool only_json(const char *option, const char *value) { return !value || strcmp(value, "json") == 0 || bad(option, value, "json"); }
 
+/* folders: with ':' between them, behind those that are known. False: out of memory, said. */
+static bool add_folders(cli_options *o, const char *folders) {
+  size_t have = o->library_path ? strlen(o->library_path) : 0, more = strlen(folders);
+  char *path = realloc(o->library_path, have + more + 2);
+  if (!path) return fputs("vs: out of memory\n", stderr), false;
+  o->library_path = path;
+  if (have) path[have++] = ':';
+  memcpy(path + have, folders, more + 1);
+  return true;
+}
+
 static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdict) {
   double real = 0;
   long whole = 0;
@@ -153,6 +165,7 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
     o->defines[o->define_count++] = (char *)v;
     return (strchr(v, '=') && *v != '=') || bad("-D", v, "NAME=VALUE, as in -D height=12");
   case OPTION_EXPRESSION: o->sources[o->source_count++] = (cli_source){CLI_SOURCE_EXPRESSION, v}; return true;
+  case OPTION_LIBRARY: return *v ? add_folders(o, v) : bad("-L", "''", "a folder");
   case OPTION_INTERACTIVE: o->interactive = true; return true;
   case OPTION_PASSES: return parse_passes(v ? v : "", &o->output);
   case OPTION_SIZE: return parse_size(v, &o->output);
@@ -296,18 +309,29 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   o->sources = calloc(room, sizeof *o->sources);
   o->targets = calloc(room, sizeof *o->targets);
   o->defines = calloc(room, sizeof *o->defines);
-  if (!o->sources || !o->targets || !o->defines) {
+  o->words = calloc(room, sizeof *o->words);
+  if (!o->sources || !o->targets || !o->defines || !o->words) {
     fputs("vs: out of memory\n", stderr);
     return CLI_BAD_USAGE;
   }
-  bool names_only = false; /* after -- */
+  bool names_only = false; /* after a -- that no model stands before */
+  o->words[o->word_count++] = "vs";
   for (int i = 1; i < argc; i++) {
     const char *word = argv[i];
-    if (names_only || word[0] != '-' || !word[1]) o->sources[o->source_count++] = (cli_source){CLI_SOURCE_FILE, word};
+    if (strcmp(word, "--") == 0 && o->source_count) { /* the rest is the program's */
+      while (++i < argc) o->words[o->word_count++] = argv[i];
+    } else if (names_only || word[0] != '-' || !word[1]) o->sources[o->source_count++] = (cli_source){CLI_SOURCE_FILE, word};
     else if (strcmp(word, "--") == 0) names_only = true;
     else if (!read_option(o, argc, argv, &i, &verdict)) return CLI_BAD_USAGE;
     else if (verdict != CLI_GO) return verdict;
   }
+  const char *folders = getenv("VS_LIBRARY_PATH");
+  if (folders && *folders && !add_folders(o, folders)) return CLI_BAD_USAGE;
+  o->interpreter.library_path = o->library_path;
+  for (size_t i = o->source_count; i-- > 0;)
+    if (o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0) o->words[0] = o->sources[i].text;
+  o->interpreter.command_line = o->words;
+  o->interpreter.command_line_count = o->word_count;
   for (size_t i = 0; i < o->target_count; i++)
     if (!find_format(o, &o->targets[i]) || !reachable(&o->targets[i])) return CLI_BAD_USAGE;
   if (o->target_count && o->check) {
@@ -325,4 +349,6 @@ void cli_options_free(cli_options *o) {
   free(o->sources);
   free(o->targets);
   free(o->defines);
+  free(o->words);
+  free(o->library_path);
 }

@@ -19,8 +19,10 @@ typedef struct {
   cli_source *sources; size_t source_count;
   cli_target *targets; size_t target_count;
   char **defines; size_t define_count; /* NAME=VALUE; checked to hold a = */
+  const char **words; size_t word_count; /* (command-line): the model's name and what stands behind -- after it */
+  char *library_path;           /* allocated: the folders of -L, then those of VS_LIBRARY_PATH; NULL: none */
   const char *format;
-  vs_options interpreter;              /* the limits; main adds the host */
+  vs_options interpreter;              /* the limits, the texts above; main adds the host */
   vs_output_options output;
   bool interactive, check, quiet, stats, stats_json, parameters, to_stdout;
 } cli_options;

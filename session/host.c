@@ -132,6 +132,12 @@ static void drop(vs_session *s, vs_source *source) {
   vs_session_memory(s, source->text, source->room, 0);
 }
 
+/* A \r that no \n follows ends a line as well. */
+static void unify_line_ends(char *text, size_t length) {
+  for (size_t i = 0; i < length; i++)
+    if (text[i] == '\r' && (i + 1 == length || text[i + 1] != '\n')) text[i] = '\n';
+}
+
 static size_t count_lines(const char *text, size_t length) {
   size_t lines = 0;
   for (size_t i = 0; i < length; i++) lines += text[i] == '\n';
@@ -172,7 +178,7 @@ bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line
     if (!grown) return false;
     s->sources = grown, s->source_room = more;
   }
-  vs_source fresh = { .name = vs_session_memory(s, NULL, 0, bytes), .name_bytes = bytes, .length = room, .room = room + 1, .lines = count_lines(text, room), .first_line = first_line };
+  vs_source fresh = { .name = vs_session_memory(s, NULL, 0, bytes), .name_bytes = bytes, .length = room, .room = room + 1, .first_line = first_line };
   if (fresh.name) fresh.text = vs_session_memory(s, NULL, 0, fresh.room);
   if (!fresh.text) {
     if (fresh.name) vs_session_memory(s, fresh.name, bytes, 0);
@@ -181,6 +187,8 @@ bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line
   memcpy(fresh.name, name, bytes);
   if (room) memcpy(fresh.text, text, room);
   fresh.text[room] = 0;
+  unify_line_ends(fresh.text, room);
+  fresh.lines = count_lines(fresh.text, room);
   if (i < s->source_count) drop(s, &s->sources[i]);
   else s->source_count++;
   s->sources[i] = fresh;

@@ -39,6 +39,7 @@ typedef struct {
 typedef struct {
   vs_bind bind;             /* first: vm->host points to it */
   vs_options options;
+  void *texts; size_t text_bytes; /* what the options' texts were copied into */
   size_t bytes;             /* handed out by the allocator, heap and model together */
   vs_tally tally;           /* what took how long, and how much of them */
   bool limited;             /* the last refusal of memory was the limit's, not the machine's */

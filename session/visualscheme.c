@@ -92,6 +92,36 @@ static bool open_program(vs *vm) {
   return vs_flat_register(vm, &rules) && vs_front_open(vm) && vs_program_new(vm, &vm->at.program);
 }
 
+/* ---- the texts among the options: copied into one block, the array of the command line first ---- */
+
+static size_t text_bytes(const vs_options *o) {
+  size_t bytes = o->command_line_count * sizeof(char *);
+  for (size_t i = 0; i < o->command_line_count; i++) bytes += strlen(o->command_line[i]) + 1;
+  return bytes + (o->library_path ? strlen(o->library_path) + 1 : 0);
+}
+
+/* False: out of memory, and nothing is held. */
+static bool copy_texts(vs_session *s) {
+  vs_options *o = &s->options;
+  size_t bytes = s->text_bytes = text_bytes(o);
+  s->texts = bytes ? vs_session_memory(s, NULL, 0, bytes) : NULL;
+  if (bytes && !s->texts) return s->text_bytes = 0, false;
+  const char **words = s->texts;
+  char *at = s->texts ? (char *)(words + o->command_line_count) : NULL;
+  for (size_t i = 0; i < o->command_line_count; i++) {
+    size_t n = strlen(o->command_line[i]) + 1;
+    words[i] = memcpy(at, o->command_line[i], n);
+    at += n;
+  }
+  o->command_line = words;
+  if (o->library_path) o->library_path = memcpy(at, o->library_path, strlen(o->library_path) + 1);
+  return true;
+}
+
+static void free_texts(vs_session *s) {
+  if (s->texts) vs_session_memory(s, s->texts, s->text_bytes, 0);
+}
+
 vs *vs_new(const vs_options *options) {
   vs_options o = options ? *options : vs_options_default();
   vs_session *s = bootstrap_memory(&o, NULL, 0, sizeof *s);
@@ -100,17 +130,15 @@ vs *vs_new(const vs_options *options) {
   s->options = o;
   s->tally = (vs_tally){ .clock = tally_clock, .context = s, .held = &s->bytes, .now = VS_WORK_NONE, .since = vs_session_clock(s) };
   atomic_init(&s->interrupted, false);
-  size_t path_bytes = o.library_path ? strlen(o.library_path) + 1 : 0;
-  char *path = path_bytes ? vs_session_memory(s, NULL, 0, path_bytes) : NULL;
-  if (path) memcpy(path, o.library_path, path_bytes);
-  s->options.library_path = path;
+  bool copied = copy_texts(s);
   vs_config config = {
     .memory = vs_session_memory, .user = s, .memory_limit = o.limit_memory, .step_limit = o.limit_steps, .output_limit = o.limit_output, .time_limit = o.limit_time,
     .phase = vm_phase, .clock = vs_session_clock, .interrupted = vs_session_interrupted, .tables = vs_bind_tables(), .image = &vs_library_image,
-    .io = &vs_session_io, .value = take_value, .dropped = vs_bind_dropped, .library_path = path,
+    .io = &vs_session_io, .value = take_value, .dropped = vs_bind_dropped, .library_path = s->options.library_path,
+    .command_line = s->options.command_line, .command_line_count = s->options.command_line_count,
   };
   vs_store *store = vs_store_new(store_memory, s);
-  vs *vm = store && (path || !path_bytes) ? vs_open_vm(&config) : NULL;
+  vs *vm = store && copied ? vs_open_vm(&config) : NULL;
   bool ok = vm && vs_bind_open(&s->bind, vm, store) && open_program(vm);
   if (ok) s->bind.library_files = vs_bind_file_count(vm);
   if (store) vs_store_release(store); /* bind holds it */
@@ -125,7 +153,7 @@ vs *vs_new(const vs_options *options) {
   if (ok) return vm;
   if (vm) vs_free(vm);
   else {
-    if (path) vs_session_memory(s, path, path_bytes, 0);
+    free_texts(s);
     bootstrap_memory(&o, s, sizeof *s, 0);
   }
   return NULL;
@@ -156,8 +184,7 @@ void vs_free(vs *vm) {
   vs_session_close_files(s);
   vs_session_free_sources(s);
   vs_session_free_outputs(s);
-  char *path = (char *)(uintptr_t)s->options.library_path;
-  if (path) vs_session_memory(s, path, strlen(path) + 1, 0);
+  free_texts(s);
   vs_options o = s->options;
   bootstrap_memory(&o, s, sizeof *s, 0);
 }

@@ -212,7 +212,7 @@ static int holds(vs_expansion *x, vs_value q, int depth) {
     return conjunction;
   }
   if (is_word(head, "not") && n == 2) { int h = holds(x, vs_car(vs_cdr(q)), depth + 1); return h < 0 ? h : !h; }
-  if (is_word(head, "library") && n == 2) return vs_library_known(x->vm, vs_car(vs_cdr(q)), vs_pos_file(x->now.pos));
+  if (is_word(head, "library") && n == 2) return vs_library_known(x->vm, vs_car(vs_cdr(q)), vs_pos_file(x->now.pos), x->now.env);
   return vs_expand_fail(x, x->now.pos, q, "cond-expand: a requirement is a name, (and ...), (or ...), (not ...) or (library (name)), not") - 1;
 }
 

@@ -151,6 +151,8 @@ bool vs_form_cond(vs_expansion *x) {
   vs_pos pos = vs_element_pos(clauses, false, x->now.pos), outer = x->now.pos;
   int64_t n = vs_list_length(clause);
   if (n < 1) return vs_expand_fail(x, pos, clause, "a clause of cond is (test value ...), not");
+  if (n > 1 && vs_is_identifier(vs_car(clause)) && vs_is_form(env, vs_car(clause), VS_FORM_quote))       /* (cond (> x 3) 'big ...) */
+    return vs_expand_fail(x, pos, VS_ABSENT, "a clause of cond stands in parentheses with its test: ((> x 3) 'big)");
   if (vs_is_form(env, vs_car(clause), VS_FORM_else)) {
     if (more != VS_NIL) return vs_expand_fail(x, pos, VS_ABSENT, "else must be the last clause of cond");
     if (n == 1) return vs_expand_fail(x, pos, VS_ABSENT, "an expression is missing in this else");
@@ -314,7 +316,8 @@ bool vs_quasi_step(vs_expansion *x) {
     vs_value l = vs_cdr(form);
     return vs_expand_push(x, VS_TASK_EXPR, vs_car(l), x->now.env, vs_element_pos(l, false, pos), x->now.into, x->now.depth);
   }
-  if (kind >= 0) {
+  bool spliced = kind >= 0 && level == 2 && quasi_kind(x->now.env, vs_car(vs_cdr(form))) == VS_FORM_unquote_splicing;      /* ``(a ,,@l): a list like others */
+  if (kind >= 0 && !(spliced && kind != VS_FORM_quasiquote)) {
     if (kind == VS_FORM_unquote_splicing && level == 1) return vs_expand_fail(x, pos, VS_ABSENT, ",@ stands only inside a list");
     vs_node *call = vs_expand_call(x, "list", 2, pos);
     if (!call) return false;
@@ -324,6 +327,7 @@ bool vs_quasi_step(vs_expansion *x) {
     vs_value l = vs_cdr(x->now.form);
     return push_quasi(x, vs_car(l), vs_element_pos(l, false, pos), &call->as.call.at[1], kind == VS_FORM_quasiquote ? level + 1 : level - 1);
   }
+  level -= kind >= 0;
   /* the spine: runs of plain elements and spliced lists, then a tail */
   size_t elements = 0, splices = 0, runs = 0;
   size_t in_run = 0;

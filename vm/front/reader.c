@@ -93,12 +93,15 @@ static size_t blank(const reader *r) {
   return u == 0xA0 || u == 0xFEFF || u == 0x3000 || (u >= 0x2000 && u <= 0x200B) || u == 0x2028 ? n : 0;
 }
 
+/* Does the byte c, the last one that was passed, end a line: \n, or \r with no \n behind it? */
+static bool ends_line(const reader *r, int c) { return c == '\n' || (c == '\r' && peek(r, 0) != '\n'); }
+
 static bool is_delimiter(const reader *r) {
   int c = peek(r, 0);
   return c < 0 || strchr("()[]{}\";,'`", c) || blank(r);
 }
 
-static void skip_line(reader *r) { while (r->at < r->size && r->text[r->at] != '\n') r->at++; }
+static void skip_line(reader *r) { while (r->at < r->size && r->text[r->at] != '\n' && r->text[r->at] != '\r') r->at++; }
 
 static void skip_block(reader *r) {
   vs_pos pos = place(r, r->at);
@@ -107,7 +110,7 @@ static void skip_block(reader *r) {
     int c = peek(r, 0), d = peek(r, 1);
     if (c == '#' && d == '|') { depth++; r->at += 2; }
     else if (c == '|' && d == '#') { r->at += 2; if (!--depth) return; }
-    else { r->at++; if (c == '\n') newline(r, r->at); }
+    else { r->at++; if (ends_line(r, c)) newline(r, r->at); }
   }
   problem(r, pos, "this comment #| is never closed by |#");
 }
@@ -118,7 +121,7 @@ static bool skip(reader *r) {
     int c = peek(r, 0);
     size_t n = blank(r);
     if (c < 0) return false;
-    if (n) { r->at += n; if (c == '\n') newline(r, r->at); }
+    if (n) { r->at += n; if (ends_line(r, c)) newline(r, r->at); }
     else if (c == ';') skip_line(r);
     else if (c == '#' && peek(r, 1) == '|') skip_block(r);
     else if (c == '#' && r->size - r->at > 5 && !memcmp(r->text + r->at, "#lang", 5) && peek(r, 5) <= ' ') skip_line(r);
@@ -265,7 +268,7 @@ static void read_char(reader *r, vs_value *out) {
   if (r->at >= r->size) { problem(r, pos, "a character is missing behind #\\"); return; }
   size_t n = vs_utf8_decode(r->text + r->at, r->size - r->at, &c), first = r->at;
   r->at += n;
-  if (c == '\n') newline(r, r->at);
+  if (c < 128 && ends_line(r, (int)c)) newline(r, r->at);
   else while (!is_delimiter(r)) r->at++;
   size_t length = r->at - first;
   const char *s = r->text + first;
@@ -305,8 +308,8 @@ static bool read_escape(reader *r, vs_text *t) {
   }
   case ' ': case '\t': case '\n': case '\r': {        /* a line that goes on: blanks, newline, blanks are left out */
     r->at = start;
-    while (peek(r, 0) == ' ' || peek(r, 0) == '\t' || peek(r, 0) == '\r') r->at++;
-    if (peek(r, 0) != '\n') { problem(r, pos, "behind this backslash the line must end"); return true; }
+    while (peek(r, 0) == ' ' || peek(r, 0) == '\t' || (peek(r, 0) == '\r' && peek(r, 1) == '\n')) r->at++;
+    if (peek(r, 0) != '\n' && peek(r, 0) != '\r') { problem(r, pos, "behind this backslash the line must end"); return true; }
     newline(r, ++r->at);
     while (peek(r, 0) == ' ' || peek(r, 0) == '\t') r->at++;
     return true;
@@ -338,8 +341,7 @@ static bool read_delimited(reader *r, char end, vs_text *t) {
       return true;
     }
     if (c == '\\') { if (!read_escape(r, t)) return false; }
-    else if (c == '\n') { newline(r, r->at); if (!vs_text_put(t, "\n", 1)) return false; }
-    else if (peek(r, 0) != '\n' && !vs_text_put(t, "\n", 1)) return false;       /* \r alone */
+    else if (ends_line(r, c)) { newline(r, r->at); if (!vs_text_put(t, "\n", 1)) return false; }
   }
   if (end == '"' && r->odd_string)
     problem(r, r->odd_string, "this string goes on to line %u; a \" is missing, probably on line %u", r->odd_end, vs_pos_line(r->odd_string));

@@ -24,7 +24,7 @@ typedef enum { VS_SCAN_MORE, VS_SCAN_WHOLE /* ended before this character */, VS
 typedef struct vs_scan {
   vs *vm;
   uint8_t state, after_hash;
-  bool any, escaped;              /* something but blanks was seen; the last character was a backslash */
+  bool any, escaped, returned;    /* something but blanks was seen; the last character was a backslash; it was a \r */
   uint32_t comment;               /* depth of block comments */
   uint32_t wanted;                /* data still to come at depth 0 */
   size_t depth, room;

@@ -75,7 +75,7 @@ again:
     else if (c == '\\') s->state = CHARACTER;
     else if (c == '(') { s->state = BLANK; ok = push(s, c); }
     else if (c == '!') { s->state = ATOM; s->after_hash = '!'; }
-    else { s->state = ATOM; s->after_hash = '#'; goto again; }
+    else { s->state = ATOM; s->after_hash = c == 'u' || (c >= '0' && c <= '9') ? '#' : 0; goto again; }      /* #u8(, #0=; #t( is two data */
     break;
   case CHARACTER: s->state = ATOM; s->after_hash = 0; break;   /* whatever it is belongs to it */
   case ATOM:
@@ -98,14 +98,18 @@ again:
     else if (c == '\\') s->escaped = true;
     else if (c == '|') s->state = ATOM;
     break;
-  case LINE: if (c == '\n') s->state = BLANK; break;
+  case LINE: if (c == '\n' || c == '\r') s->state = BLANK; break;
   case BLOCK:
     if (s->after_hash == '|' && c == '#') { s->after_hash = 0; if (!--s->comment) s->state = BLANK; }
     else if (s->after_hash == '#' && c == '|') { s->after_hash = 0; s->comment++; }
     else s->after_hash = c == '|' || c == '#' ? (uint8_t)c : 0;
     break;
   }
-  if (c == '\n') { s->line++; s->col = 1; } else s->col++;
+  if (c == '\r' || c == '\n') {                       /* \r alone, \n alone or both in turn end a line */
+    s->line += c == '\r' || !s->returned;
+    s->col = 1;
+  } else s->col++;
+  s->returned = c == '\r';
   return ok;
 }
 

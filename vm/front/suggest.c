@@ -34,16 +34,19 @@ static int distance(const char *a, size_t n, const char *b, size_t m, int limit)
   return row[n % 3][m];
 }
 
-typedef struct { const vs_symbol *wanted, *best; int distance, count; } search;
+typedef struct { const vs_symbol *wanted, *best; int distance; bool own; vs_value core /* environment of the library */; } search;
 
 static bool consider(void *context, vs_value symbol, vs_value binding) {
   search *s = context;
   (void)binding;
   const vs_symbol *name = vs_as_symbol(symbol);
   int d = distance(s->wanted->name, s->wanted->length, name->name, name->length, s->distance);
-  /* ties: the name that sorts first, so that the advice does not depend on the order of a table */
-  if (d > s->distance || (d == s->distance && s->best && strcmp(name->name, s->best->name) >= 0)) return true;
+  bool own = vs_idtable_get(vs_as_environment(s->core)->table, symbol) == VS_VACANT;
+  if (d > s->distance) return true;
+  /* ties: the program's names go first; then the name that sorts first, so that the advice does not depend on the order of a table */
+  if (d == s->distance && s->best && (own != s->own ? s->own : strcmp(name->name, s->best->name) >= 0)) return true;
   s->best = name;
+  s->own = own;
   s->distance = d;
   return true;
 }
@@ -80,7 +83,7 @@ static bool remember(vs *vm, vs_value symbol, vs_value near) {
 
 bool vs_suggest_local(vs *vm, vs_value env, vs_value symbol) {
   if (!vs_is_symbol(symbol) || vs_as_symbol(symbol)->length < 2) return true;
-  search s = {.wanted = vs_as_symbol(symbol), .distance = tolerance(vs_as_symbol(symbol)->length)};
+  search s = {.core = vm->at.core, .wanted = vs_as_symbol(symbol), .distance = tolerance(vs_as_symbol(symbol)->length)};
   vs_value key, value;
   for (; !vs_is_top(env); env = vs_as_environment(env)->parent)
     for (size_t i = 0; vs_idtable_slot(vs_as_environment(env)->table, i, &key, &value); i++)
@@ -111,7 +114,7 @@ bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t) {
   size_t before = t->count;
   if (!vs_library_advice(vm, symbol, t)) return false;
   if (t->count > before || !vs_is(env, VS_T_ENVIRONMENT) || wanted->length < 2) return true;
-  search s = {.wanted = wanted, .distance = tolerance(wanted->length)};
+  search s = {.core = vm->at.core, .wanted = wanted, .distance = tolerance(wanted->length)};
   if (local != VS_VACANT) {                       /* nearer by than what is only as like */
     consider(&s, local, VS_FALSE);
     s.distance--;

@@ -74,6 +74,54 @@ static bool collect(rules *s, vs_value pattern, vs_value *lists, int64_t ellipse
   return true;
 }
 
+/* ---- a template is looked at when the macro is defined: what would go wrong at its first use is said there ---- */
+/* lists[0]: the variables of the rule's pattern, lists[1]: how many ellipses each stands under. -1: id is none of them. */
+static int64_t ellipses_of(const vs_value *lists, vs_value id) {
+  vs_value depths = lists[1];
+  for (vs_value l = lists[0]; vs_is_pair(l); l = vs_cdr(l), depths = vs_cdr(depths)) if (vs_car(l) == id) return vs_fixnum(vs_car(depths));
+  return -1;
+}
+
+/* Does a variable under more than `ellipses` of them occur in the subtemplate? */
+static bool repeats(const vs_value *lists, vs_value t, int64_t ellipses, int depth) {
+  if (depth > PATTERN_DEPTH) return true;
+  for (; vs_is_pair(t); t = vs_cdr(t)) if (repeats(lists, vs_car(t), ellipses, depth + 1)) return true;
+  if (vs_is_vector(t)) for (size_t i = 0; i < vs_as_vector(t)->length; i++) if (repeats(lists, field(t, i), ellipses, depth + 1)) return true;
+  return vs_is_identifier(t) && ellipses_of(lists, t) > ellipses;
+}
+
+/* `outside`: how many ellipses the subtemplate t stands under. */
+static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dots, int64_t outside, vs_pos pos, int depth) {
+  if (depth > PATTERN_DEPTH) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "this template is nested too deeply");
+  if (dots && vs_is_pair(t) && is_ellipsis(s, vs_car(t))) {
+    if (!vs_is_pair(vs_cdr(t)) || vs_cdr(vs_cdr(t)) != VS_NIL) return vs_expand_fail(s->x, pos, VS_ABSENT, "(... template) takes one template");
+    return check_template(s, lists, vs_car(vs_cdr(t)), false, outside, vs_element_pos(vs_cdr(t), false, pos), depth + 1);
+  }
+  if (vs_is_vector(t)) {
+    size_t n = vs_as_vector(t)->length;
+    for (size_t i = 0; i < n; i++) {
+      if (dots && is_ellipsis(s, field(t, i))) return true;      /* vectors with ellipses are seen when they are used */
+    }
+    for (size_t i = 0; i < n; i++) if (!check_template(s, lists, field(t, i), dots, outside, pos, depth + 1)) return false;
+    return true;
+  }
+  for (bool first = true; vs_is_pair(t); first = false) {
+    if (dots && is_ellipsis(s, vs_car(t)) && !first) break;                         /* (a . (... b)) */
+    int64_t level = 0;
+    vs_value rest = vs_cdr(t), sub = vs_car(t);
+    vs_pos place = vs_element_pos(t, first, pos);
+    while (dots && vs_is_pair(rest) && is_ellipsis(s, vs_car(rest))) { level++; rest = vs_cdr(rest); }
+    for (int64_t i = 0; i < level; i++)
+      if (!repeats(lists, sub, outside + i, 0)) return vs_expand_fail(s->x, place, VS_ABSENT, "an ellipsis of the template follows nothing that repeats");
+    if (!check_template(s, lists, sub, dots, outside + level, place, depth + 1)) return false;
+    t = rest;
+  }
+  if (vs_is_pair(t)) return check_template(s, lists, t, dots, outside, pos, depth + 1);
+  if (is_name(t) && ellipses_of(lists, t) > outside)
+    return vs_expand_fail(s->x, pos, VS_ABSENT, "%s matches a sequence: an ellipsis must follow it in the template", vs_as_symbol(vs_identifier_symbol(t))->name);
+  return !vs_is_vector(t) || check_template(s, lists, t, dots, outside, pos, depth + 1);
+}
+
 static bool to_vector(vs *vm, vs_value list_reversed, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = list_reversed;
@@ -113,7 +161,8 @@ bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_
     if (vs_list_length(t[5]) != 2 || !vs_is_pair(vs_car(t[5])))
       return vs_expand_fail(x, s.pos, t[5], "a rule is (pattern template), the pattern in parentheses; not");
     lists[0] = lists[1] = VS_NIL;
-    if (!collect(&s, vs_cdr(vs_car(t[5])), lists, 0, 0) || !vs_make_vector(vm, RULE_SIZE, VS_FALSE, &lists[3])) return false;
+    if (!collect(&s, vs_cdr(vs_car(t[5])), lists, 0, 0) || !check_template(&s, lists, vs_car(vs_cdr(t[5])), true, 0, vs_element_pos(vs_cdr(t[5]), false, s.pos), 0) ||
+        !vs_make_vector(vm, RULE_SIZE, VS_FALSE, &lists[3])) return false;
     vs_vector *rule = vs_as_vector(lists[3]);
     vs_gc_store(vm, rule, &rule->at[RULE_PATTERN], vs_cdr(vs_car(t[5])));
     vs_gc_store(vm, rule, &rule->at[RULE_TEMPLATE], vs_car(vs_cdr(t[5])));

@@ -2,7 +2,7 @@
 
    The dynamic state is three lists in struct vs, each part of a continuation:
      winders     vectors (before after handlers parameters), innermost first
-     handlers    procedures; a CONTINUATION among them is thrown #f to instead of being called (contracts)
+     handlers    procedures; a list of a continuation among them is a contract's: the continuation is thrown #f to
      parameters  (parameter . value)
    The natives here keep their state in their frames (native.h, VS_CALL), so that every one may be left and entered again. */
 #include "vm/machine/activation.h"
@@ -117,8 +117,9 @@ static vs_status call_with_values(vs *vm, vs_value *a, int n, vs_value *out) {
 
 static vs_status apply(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
-  vs_value last = n > 1 ? a[n - 1] : VS_NIL;
-  if (vs_list_length(last) < 0) return vs_fail_type(vm, n - 1, "a list", last);
+  vs_value last = a[n - 1];
+  VS_ROOTS(vm, r, 1);
+  if (vs_list_length(last) < 0) return vs_cons(vm, last, VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "the last argument must be a list, got");
   vs_call_begin(vm, a[0]);
   for (int i = 1; i < n - 1; i++)
     if (!vs_call_push(vm, a[i])) return VS_ERROR;
@@ -158,12 +159,12 @@ static vs_status raise_either(vs *vm, vs_value *a, int n, bool continuable) {
     }
     a[1] = vm->handlers;
     vs_value handler = vs_car(vm->handlers);
-    if (vs_is(handler, VS_T_CONTINUATION)) {          /* a contract's predicate: what it raises makes #f, but memory that is out says nothing of the value */
+    if (vs_is_pair(handler)) {          /* a contract's predicate: what it raises makes #f, but memory that is out says nothing of the value */
       if (vs_is(a[0], VS_T_CONDITION) && vs_as_condition(a[0])->kind == vm->sym.memory) {
         vm->handlers = vs_cdr(vm->handlers);
         return vs_fail_object(vm, a[0]);
       }
-      vs_value with[2] = {handler, VS_FALSE};
+      vs_value with[2] = {vs_car(handler), VS_FALSE};
       return vs_tailcall(vm, vm->at.throw, 2, with);
     }
     vm->handlers = vs_cdr(vm->handlers);
@@ -274,7 +275,8 @@ static vs_status any(vs *vm, vs_value *a, int n, vs_value *out) { (void)vm; (voi
 /* predicate value: calls it so that what it raises makes #f */
 static vs_status guarded(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)a; (void)n;
-  if (!capture(vm, out) || !vs_cons(vm, *out, VS_NIL, &vm->handlers)) return VS_ERROR;
+  VS_ROOTS(vm, r, 1);
+  if (!capture(vm, out) || !vs_cons(vm, *out, VS_NIL, &r[0]) || !vs_cons(vm, r[0], VS_NIL, &vm->handlers)) return VS_ERROR;
   return vs_tailcall(vm, vm->base[0], 1, &vm->base[1]);
 }
 
@@ -328,7 +330,7 @@ static const vs_native_def defs[] = {
   {"dynamic-wind", "before thunk after", dynamic_wind, 2, "call thunk between before and after, however it is entered and left"},
   {"values", ". v", values, 0, "several values"},
   {"call-with-values", "producer consumer", call_with_values, 1, "call consumer with producer's values"},
-  {"apply", "procedure . arguments", apply, -1, "call with the arguments in a list"},
+  {"apply", "procedure first . arguments", apply, -1, "call with the arguments in a list"},
   {"with-exception-handler", "handler thunk", with_exception_handler, 1, "call thunk; what it raises goes to handler"},
   {"raise", "obj", raise_, 1, "raise obj to the handler in force"},
   {"raise-continuable", "obj", raise_continuable, 1, "raise obj; the handler's value comes back"},

@@ -30,7 +30,7 @@ static vs_status peek_char(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* Up to `count` characters, and with `line` no further than a newline, which is dropped. */
+/* Up to `count` characters, and with `line` no further than the line's end (\n, \r or both in turn), which is dropped. */
 static vs_status read_some(vs *vm, vs_value port, int64_t count, bool line, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = port;
@@ -42,9 +42,12 @@ static vs_status read_some(vs *vm, vs_value port, int64_t count, bool line, vs_v
     if (!(ok = vs_port_read_char(vm, r[0], &c)) || c < 0) break;
     any = true;
     if (line && c == '\n') break;
+    if (line && c == '\r') {
+      if ((ok = vs_port_peek_char(vm, r[0], &c)) && c == '\n') ok = vs_port_read_char(vm, r[0], &c);
+      break;
+    }
     ok = vs_text_char(&t, (uint32_t)c) && ((i & 1023) || vs_poll(vm, 1024));
   }
-  if (line && t.count && t.at[t.count - 1] == '\r') t.count--;
   ok = ok && (any || count == 0 ? vs_text_to_string(&t, out) : (*out = VS_EOF, true));
   vs_text_close(&t);
   return ok;

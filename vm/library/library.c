@@ -9,7 +9,7 @@
 
 static bool is_word(vs_value v, const char *word) { return vs_is_identifier(v) && !strcmp(vs_as_symbol(vs_identifier_symbol(v))->name, word); }
 
-static bool library_path(vs *vm, vs_value name, uint32_t from, vs_text *path, bool *found);
+static bool library_path(vs *vm, vs_value name, uint32_t from, vs_value env, vs_text *path, bool *found);
 
 bool vs_library_find(vs *vm, vs_value name, vs_value *env) {
   for (vs_value l = vm->at.libraries; vs_is_pair(l); l = vs_cdr(l)) {
@@ -20,13 +20,14 @@ bool vs_library_find(vs *vm, vs_value name, vs_value *env) {
   return vs_library_built_in(vm, name, env);
 }
 
-bool vs_library_known(vs *vm, vs_value name, uint32_t from) {
-  VS_ROOTS(vm, r, 2);
+bool vs_library_known(vs *vm, vs_value name, uint32_t from, vs_value env) {
+  VS_ROOTS(vm, r, 3);
+  r[2] = env;
   if (!vs_strip(vm, name, &r[0]) || !vs_library_find(vm, r[0], &r[1])) return false;
   if (r[1] != VS_FALSE) return true;
   vs_text t;
   vs_text_open(vm, &t, 0);
-  bool found, ok = library_path(vm, r[0], from, &t, &found);
+  bool found, ok = library_path(vm, r[0], from, r[2], &t, &found);
   vs_text_close(&t);
   return ok && found;
 }
@@ -142,16 +143,37 @@ static bool library_file(vs *vm, vs_value name, vs_text *t) {
   return ok && vs_text_puts(t, ".sld");
 }
 
-/* The place of the file that may define a library, beside the file `from` or along the library path. */
-static bool library_path(vs *vm, vs_value name, uint32_t from, vs_text *path, bool *found) {
+/* How far above the file `from` the folder is that its library's name counts from: 1 for (towers spiral) in towers/spiral.sld. 0: the environment
+   env is no library's, or its file is called otherwise. */
+static bool library_depth(vs *vm, vs_value env, uint32_t from, size_t *depth) {
+  vs_value name = vs_as_environment(env)->name;
+  int64_t parts = vs_list_length(name);
+  *depth = 0;
+  if (parts < 2) return true;
   VS_ROOTS(vm, r, 1);
+  r[0] = name;
+  vs_text own, file;
+  vs_text_open(vm, &own, 0);
+  vs_text_open(vm, &file, 0);
+  bool ok = library_file(vm, r[0], &own) && vs_unit_file_name(vm, from, &file);
+  if (ok && file.count >= own.count && !memcmp(file.at + file.count - own.count, own.at, own.count)) *depth = (size_t)parts - 1;
+  vs_text_close(&own);
+  vs_text_close(&file);
+  return ok;
+}
+
+/* The place of the file that may define a library, for an import in the file `from` and the environment env. */
+static bool library_path(vs *vm, vs_value name, uint32_t from, vs_value env, vs_text *path, bool *found) {
+  VS_ROOTS(vm, r, 2);
   vs_text t;
+  size_t up;
   *found = false;
   if (!vs_is_pair(name)) return true;
+  r[1] = name;
   vs_text_open(vm, &t, 0);
-  bool ok = library_file(vm, name, &t) && vs_text_to_string(&t, &r[0]) && vs_unit_path(vm, r[0], from, path) && vs_text_end(path);
+  bool ok = library_depth(vm, env, from, &up) && library_file(vm, r[1], &t) && vs_text_to_string(&t, &r[0]) &&
+            vs_unit_find(vm, r[0], from, up, path, found) && vs_text_end(path);
   vs_text_close(&t);
-  *found = ok && vm->config.io && vm->config.io->exists && vm->config.io->exists(vm->config.user, path->at);
   return ok;
 }
 
@@ -179,12 +201,15 @@ bool vs_library_import(vs_expansion *x) {
     /* not there: its file may define it; then once more */
     vs_text t;
     vs_text_open(vm, &t, 0);
-    bool found, ok = library_path(vm, r[1], vs_pos_file(x->now.pos), &t, &found);
+    bool found, ok = library_path(vm, r[1], vs_pos_file(x->now.pos), x->now.env, &t, &found);
     if (ok && found) ok = vs_text_to_string(&t, &r[2]);
     vs_text_close(&t);
     if (!ok) return false;
     if (!found || x->now.n) return vs_expand_fail(x, pos, r[1], "import: there is no library");
-    if (!core_value(vm, "%load-library", &r[3]) || !vs_cons(vm, r[2], VS_NIL, &r[4]) || !vs_cons(vm, r[3], r[4], &r[4])) return false;
+    VS_ROOTS(vm, quoted, 2);      /* (%load-library path 'name) */
+    if (!vs_core_name(vm, "quote", &quoted[0]) || !vs_cons(vm, r[1], VS_NIL, &quoted[1]) || !vs_cons(vm, quoted[0], quoted[1], &quoted[0]) ||
+        !vs_cons(vm, quoted[0], VS_NIL, &r[4]) || !vs_cons(vm, r[2], r[4], &r[4]) || !core_value(vm, "%load-library", &r[3]) ||
+        !vs_cons_at(vm, r[3], r[4], pos, &r[4])) return false;
     if (!vs_core_name(vm, "import", &r[2]) || !vs_cons_at(vm, r[2], vs_cdr(x->now.form), x->now.pos, &r[2])) return false;
     if (!vs_cons(vm, r[2], VS_NIL, &r[2]) || !vs_cons(vm, r[4], r[2], &x->forms)) return false;
     x->result = VS_EXPAND_FORMS;
@@ -229,7 +254,11 @@ bool vs_library_define(vs_expansion *x) {
       if (!vs_core_name(vm, is_word(head, "import") ? "import" : is_word(head, "include") ? "include" : "include-ci", &r[L_B]) || !vs_cons_at(vm, r[L_B], vs_cdr(r[L_A]), pos, &r[L_B]) ||
           !vs_cons(vm, r[L_B], r[L_FORMS], &r[L_FORMS])) return false;
     } else if (is_word(head, "cond-expand")) {
-      if (!vs_cond_expand(x, d, &r[L_A])) return false;
+      r[L_B] = x->now.env;      /* (library ...) is asked as the library's own imports are */
+      x->now.env = r[L_ENV];
+      bool ok = vs_cond_expand(x, d, &r[L_A]);
+      x->now.env = r[L_B];
+      if (!ok) return false;
       r[L_B] = VS_NIL;
       for (; vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) if (!vs_cons(vm, vs_car(r[L_A]), r[L_B], &r[L_B])) return false;
       for (; vs_is_pair(r[L_B]); r[L_B] = vs_cdr(r[L_B])) if (!vs_cons(vm, vs_car(r[L_B]), r[L_LATER], &r[L_LATER])) return false;

@@ -7,8 +7,8 @@
 /* *env: the environment called so, VS_FALSE if there is none. (visualscheme) is the whole library of the VM; the names of R7RS and of SRFIs
    are parts of it, made at their first use (standard.c). */
 bool vs_library_find(vs *vm, vs_value name, vs_value *env);
-/* Is there such a library, or a file beside `from` (a file number) that may define it? */
-bool vs_library_known(vs *vm, vs_value name, uint32_t from);
+/* Is there such a library, or a file that may define it for an import in the file `from` (a file number) and the environment env? */
+bool vs_library_known(vs *vm, vs_value name, uint32_t from, vs_value env);
 /* those of libraries.def and the whole */
 bool vs_library_built_in(vs *vm, vs_value name, vs_value *env);
 bool vs_library_is_built_in(vs_value name);

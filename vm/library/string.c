@@ -278,6 +278,18 @@ static bool is_letter(uint32_t c) {
   return k >= UTF8PROC_CATEGORY_LU && k <= UTF8PROC_CATEGORY_LO;
 }
 
+/* The capitals of one character. Letters whose full case folding is several characters (ß, the ligature ff, j with a caron) and that are no
+   capitals themselves have the capitals of those: the unconditional rows of Unicode's SpecialCasing say the same. */
+static bool put_capitals(vs_text *t, uint32_t c) {
+  utf8proc_int32_t folded[8];
+  utf8proc_ssize_t m = c < 0x80 || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LU
+                           ? 1 : utf8proc_decompose_char((utf8proc_int32_t)c, folded, 8, UTF8PROC_CASEFOLD, NULL);
+  if (m < 2 || m > 8) return vs_text_char(t, (uint32_t)utf8proc_toupper((utf8proc_int32_t)c));
+  bool ok = true;
+  for (utf8proc_ssize_t k = 0; ok && k < m; k++) ok = vs_text_char(t, (uint32_t)utf8proc_toupper(folded[k]));
+  return ok;
+}
+
 static vs_status string_upcase(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_string(vm, a, 0)) return VS_ERROR;
@@ -285,8 +297,7 @@ static vs_status string_upcase(vs *vm, vs_value *a, int n, vs_value *out) {
   vs_text_open(vm, &t, 0);
   bool ok = true;
   for (size_t i = 0; ok && i < (size_t)length_of(a[0]) && (ok = vs_poll_turn(vm, i, 8)); i++) {
-    uint32_t c = vs_string_at(a[0], i);
-    ok = c == 0xDF ? vs_text_puts(&t, "SS") : vs_text_char(&t, (uint32_t)utf8proc_toupper((utf8proc_int32_t)c));
+    ok = put_capitals(&t, vs_string_at(a[0], i));
   }
   ok = ok && vs_text_to_string(&t, out);
   vs_text_close(&t);

@@ -128,8 +128,14 @@ static vs_status runtime(vs *vm, vs_value *a, int n, vs_value *out) { return (vo
 
 static vs_status command_line(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
+  static const char *const alone[] = {"vs"};
+  size_t count = vm->config.command_line_count;
+  const char *const *words = count ? vm->config.command_line : alone;
   VS_ROOTS(vm, r, 1);
-  return vs_string_from_utf8(vm, "vs", 2, &r[0]) && vs_cons(vm, r[0], VS_NIL, out);
+  *out = VS_NIL;
+  for (size_t i = count ? count : 1; i-- > 0;)
+    if (!vs_string_from_utf8(vm, words[i], strlen(words[i]), &r[0]) || !vs_cons(vm, r[0], *out, out)) return VS_ERROR;
+  return VS_OK;
 }
 
 static vs_status get_environment_variable(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -189,7 +195,7 @@ static const vs_native_def defs[] = {
     {"current-jiffy", "", current_jiffy, 0, NULL},
     {"jiffies-per-second", "", jiffies_per_second, 0, NULL},
     {"runtime", "", runtime, 0, "seconds on a clock that only goes forward"},
-    {"command-line", "", command_line, 0, NULL},
+    {"command-line", "", command_line, 0, "the program's name and its arguments, which stand behind -- in the command"},
     {"get-environment-variable getenv", "name", get_environment_variable, 0, NULL},
     {"get-environment-variables", "", get_environment_variables, 0, NULL},
     {"collect-garbage gc", "", gc, 0, NULL},

@@ -7,6 +7,7 @@
 #include "vm/library/port.h"
 #include "vm/front/reader.h"
 #include "vm/machine/run.h"
+#include "vm/values/string_chars.h"
 
 #include <stdio.h>
 
@@ -262,33 +263,57 @@ static void normalise(vs_text *path) {
   path->count = out;
 }
 
-bool vs_unit_path(vs *vm, vs_value name, uint32_t from, vs_text *path) {
+bool vs_unit_file_name(vs *vm, uint32_t file, vs_text *t) {
+  t->count = 0;
+  if (!file || !vs_is_vector(vm->at.files) || file >= vs_as_vector(vm->at.files)->length || !vs_is_string(vs_as_vector(vm->at.files)->at[file])) return vs_text_end(t);
+  return vs_text_string(t, vs_as_vector(vm->at.files)->at[file]) && vs_text_end(t);
+}
+
+/* Takes `folder` followed by `name` as the path where that file exists, or where it is the first place looked at. */
+static bool try_place(vs *vm, const char *folder, size_t length, const vs_text *name, vs_text *path, bool *found) {
+  if (*found) return true;
+  vs_text t;
+  vs_text_open(vm, &t, 0);
+  bool ok = vs_text_put(&t, folder, length) && (!length || folder[length - 1] == '/' || vs_text_put(&t, "/", 1)) && vs_text_put(&t, name->at, name->count);
+  if (ok && ((*found = exists(vm, &t)) || !path->count)) {
+    path->count = 0;
+    ok = vs_text_put(path, t.at, t.count);
+  }
+  vs_text_close(&t);
+  return ok;
+}
+
+bool vs_unit_find(vs *vm, vs_value name, uint32_t from, size_t up, vs_text *path, bool *found) {
   vs_text plain, base;
   vs_text_open(vm, &plain, 0);
   vs_text_open(vm, &base, 0);
-  bool ok = vs_text_string(&plain, name) && vs_text_end(&plain), found = false;
-  if (ok && plain.at[0] != '/') {
-    if (from && vs_is_vector(vm->at.files) && from < vs_as_vector(vm->at.files)->length && vs_is_string(vs_as_vector(vm->at.files)->at[from]))
-      ok = vs_text_string(&base, vs_as_vector(vm->at.files)->at[from]) && vs_text_end(&base);
-    path->count = 0;
-    ok = ok && (!base.count || vs_text_put(path, base.at, folder_length(base.at))) && vs_text_put(path, plain.at, plain.count);
-    found = ok && exists(vm, path);
-    const char *p = vm->config.library_path;
-    while (ok && !found && p && *p) {
+  *found = false;
+  path->count = 0;
+  bool ok = vs_text_string(&plain, name) && vs_text_end(&plain);
+  if (ok && plain.at[0] == '/') {
+    ok = try_place(vm, "", 0, &plain, path, found);
+  } else if (ok) {
+    ok = vs_unit_file_name(vm, from, &base);
+    base.count = folder_length(base.at);
+    ok = ok && try_place(vm, base.at, base.count, &plain, path, found);
+    for (size_t i = 0; ok && i < up; i++) ok = vs_text_puts(&base, "../");
+    ok = ok && (!up || try_place(vm, base.at, base.count, &plain, path, found));
+    ok = ok && vs_unit_file_name(vm, vm->program_file, &base) && try_place(vm, base.at, folder_length(base.at), &plain, path, found);
+    for (const char *p = vm->config.library_path; ok && p && *p;) {
       size_t n = strcspn(p, ":");
-      base.count = 0;
-      ok = vs_text_put(&base, p, n) && (!n || p[n - 1] == '/' || vs_text_put(&base, "/", 1)) && vs_text_put(&base, plain.at, plain.count);
-      if (ok && (found = exists(vm, &base))) { path->count = 0; ok = vs_text_put(path, base.at, base.count); }
+      ok = try_place(vm, p, n, &plain, path, found);
       p += n + (p[n] == ':');
     }
-  } else if (ok) {
-    path->count = 0;
-    ok = vs_text_put(path, plain.at, plain.count);
   }
   vs_text_close(&plain);
   vs_text_close(&base);
   if (ok) normalise(path);
   return ok;       /* not found: the first place, whose absence the reading reports */
+}
+
+bool vs_unit_path(vs *vm, vs_value name, uint32_t from, vs_text *path) {
+  bool found;
+  return vs_unit_find(vm, name, from, 0, path, &found);
 }
 
 static bool read_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold, vs_value *forms) {
@@ -328,10 +353,38 @@ static vs_status load(vs *vm, vs_value *a, int n, vs_value *out) {
   return load_path(vm, a[0], vs_pos_file(vs_call_place(vm)), n > 1 ? a[1] : vm->at.program, VS_UNSPECIFIC);
 }
 
+/* path name | its entry in vm->at.required
+   Runs the file that is to define the library. */
 static vs_status load_library(vs *vm, vs_value *a, int n, vs_value *out) {
-  (void)n; (void)out;
-  VS_ROOTS(vm, r, 1);
-  return vs_program_new(vm, &r[0]) ? load_path(vm, a[0], 0, r[0], VS_FALSE) : VS_ERROR;
+  VS_ROOTS(vm, r, 4);
+  if (n >= 0) {
+    for (vs_value l = vm->at.required; vs_is_pair(l); l = vs_cdr(l))
+      if (vs_cdr(vs_car(l)) == VS_FALSE && vs_is_string(vs_car(vs_car(l))) && vs_string_compare(vs_car(vs_car(l)), a[0]) == 0) {
+        vm->native = NULL;
+        return vs_cons(vm, a[1], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.syntax, r[0], "import: libraries import each other in a circle, through");
+      }
+    vs_text path;
+    vs_text_open(vm, &path, 0);
+    bool ok = vs_text_string(&path, a[0]) && vs_text_end(&path) && vs_unit_read(vm, path.at, false, &r[0]) && vs_program_new(vm, &r[1]);
+    vs_text_close(&path);
+    if (!ok || !vs_cons(vm, a[0], VS_FALSE, &a[2])) return VS_ERROR;
+    if (!vs_is_pair(vm->at.required)) vm->at.required = VS_NIL;
+    if (!vs_cons(vm, a[2], vm->at.required, &r[3])) return VS_ERROR;
+    vm->at.required = r[3];
+    r[2] = VS_FALSE;
+    return core_value(vm, "%run", &r[3]) ? vs_call(vm, r[3], 3, r) : VS_ERROR;
+  }
+  vs_as_pair(a[2])->cdr = VS_TRUE;
+  *out = VS_UNSPECIFIC;
+  if (!vs_library_find(vm, a[1], &r[0])) return VS_ERROR;
+  if (r[0] != VS_FALSE) return VS_OK;
+  vs_text path;
+  vs_text_open(vm, &path, 0);
+  vm->native = NULL;
+  bool ok = vs_text_string(&path, a[0]) && vs_text_end(&path) && vs_cons(vm, a[1], VS_NIL, &r[0]) &&
+            vs_fail_with(vm, vm->sym.syntax, r[0], "import: %s defines no library", path.at);
+  vs_text_close(&path);
+  return ok;
 }
 
 static vs_status register_library(vs *vm, vs_value *a, int n, vs_value *out) {
@@ -396,7 +449,7 @@ static const vs_native_def defs[] = {
   {"identifier?", "v", is_identifier, 0, "a symbol, or one that a macro renamed"},
   {"syntax->datum", "form", syntax_to_datum, 0, "a form without renamings"},
   {"load", "file [environment]", load, 0, "run a file"},
-  {"%load-library", "file", load_library, 0, NULL},
+  {"%load-library", "path name", load_library, 1, NULL},
   {"%register-library", "name env", register_library, 0, NULL},
   {"%require", "path env", require, 1, NULL},
   {"%assertion-failed", "form", assertion_failed, 0, NULL},
@@ -488,13 +541,16 @@ static bool forget_unfinished(vs *vm) {
   return true;
 }
 
+/* The file that the host runs: its folder is looked in for what is loaded and imported. */
+static bool begin_program(vs *vm, const char *name) { return vs_file_number(vm, name, strlen(name), &vm->program_file) && forget_unfinished(vm); }
+
 bool vs_program_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt, vs_value *last) {
   VS_ROOTS(vm, r, 1);
   if (prompt) vs_environment_set_intake(vm->at.program, VS_INTAKE_PROMPT);
-  return forget_unfinished(vm) && read_text(vm, name, line, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
+  return begin_program(vm, name) && read_text(vm, name, line, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
 }
 
 bool vs_program_file(vs *vm, const char *path, vs_value *last) {
   VS_ROOTS(vm, r, 1);
-  return forget_unfinished(vm) && vs_unit_read(vm, path, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
+  return begin_program(vm, path) && vs_unit_read(vm, path, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
 }

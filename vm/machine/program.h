@@ -22,8 +22,13 @@ bool vs_program_new(vs *vm, vs_value *env);
 bool vs_program_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt, vs_value *last);
 bool vs_program_file(vs *vm, const char *path, vs_value *last);
 
-/* The path of a file that the text `from` (a file number, 0: none) names: beside it, else along vm->config.library_path. */
+/* The path of a file that the text `from` (a file number, 0: none) names. The places are the folder of `from`, the folder `up` levels above it, the
+   folder of the file that the host runs, and the folders of vm->config.library_path; *found: it exists in one of them. Else *path is the first. */
+bool vs_unit_find(vs *vm, vs_value name, uint32_t from, size_t up, vs_text *path, bool *found);
+/* The same without a second folder, for those whose reading reports what is not found. */
 bool vs_unit_path(vs *vm, vs_value name, uint32_t from, vs_text *path);
+/* The name of file number `file` in *t; empty when there is none. */
+bool vs_unit_file_name(vs *vm, uint32_t file, vs_text *t);
 /* The forms of a file; fold: its letters are read as small ones (include-ci). */
 bool vs_unit_read(vs *vm, const char *path, bool fold, vs_value *forms);
 

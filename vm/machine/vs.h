@@ -45,7 +45,8 @@ typedef struct vs_config {
   const struct vs_native_table *const *tables; /* natives besides the VM's own, NULL-terminated; same order as when the image was made */
   const struct vs_image *image;                /* a heap image to start from, or NULL */
   const struct vs_io *io;                      /* files, console, time of day (port.h), called with `user`; NULL: none of them */
-  const char *library_path;  /* folders for load, include and require, ':' between them, or NULL; living as long as the interpreter */
+  const char *library_path;  /* folders for load, include, require and import, ':' between them, or NULL; living as long as the interpreter */
+  const char *const *command_line; size_t command_line_count; /* what (command-line) gives; 0: "vs" alone. Living as long as the interpreter */
   /* The value of a top-level expression of the program or of a file it loaded; false: the error is set. NULL: nobody wants it. */
   bool (*value)(vs *vm, vs_value v, vs_pos place);
   /* A foreign object that an expression before a body's last one gave, alone or first in a list. It may not allocate in the heap. NULL: nobody wants it. */
@@ -114,6 +115,7 @@ struct vs {
   /* expander */
   uint64_t aliases;                /* renamed identifiers made: their hash */
   int64_t expansions;              /* top-level forms expanded */
+  uint32_t program_file;           /* number of the file that the host runs; 0: none */
   uint64_t top_place;              /* vs_pos of the top-level form begun last */
 
   void *host;                      /* the embedder's own context */

@@ -1,0 +1,1 @@
+; lines of this file end in carriage returns(display 1)  ; a comment(newline)#| more|# (car  5)

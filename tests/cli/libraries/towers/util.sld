@@ -1,0 +1,4 @@
+(define-library (towers util)
+  (export storey)
+  (import (scheme base))
+  (begin (define (storey n) (* 3 n))))
