@@ -1,7 +1,7 @@
 /* Owns the writing of a file: the format's row, the temporary file beside the target, the sink with its checks, the rename.
  *
- * A file appears whole or not at all: text goes to NAME.tmp-PID in the target's own folder, is flushed to disk, and is renamed over the
- * target last. Rendered formats write their text into a private folder (povray/run.c) and the picture to such a file. */
+ * A file appears whole or not at all (publish.c): it is flushed to disk, and takes its name last. Rendered formats write their text into a private
+ * folder (povray/povray_worker.c) and the picture to such a file. */
 #define _XOPEN_SOURCE 700
 #include "backends/export.h"
 #include "passes/flush.h"
@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "backends/backend.h"
+#include "backends/publish.h"
 #include "geometry/measure/node_measures.h"
 #include "model/tally.h"
 
@@ -63,6 +64,7 @@ static bool export_file_sink(void *context, const void *bytes, size_t count) {
 
 static bool export_problem(vs_error *e, const char *path, int problem) {
   char why[128];
+  if (problem == ENOMEM) return vs_error_memory(e, NULL);
   if (strerror_r(problem, why, sizeof why) != 0) snprintf(why, sizeof why, "error %d", problem);
   return vs_error_set(e, VS_ERROR_FILE, NULL, "cannot write %s: %s", path, problem == ENOSPC ? "the disk is full" : why);
 }
@@ -119,25 +121,18 @@ static char *export_join(const char *a, const char *b, unsigned long number) {
 }
 
 bool vs_emit_file(vs_emitter *e, const char *path, bool (*fill)(vs_emitter *e)) {
-  char *temporary = export_join(path, ".tmp-", (unsigned long)getpid());
-  if (temporary == NULL) return vs_emit_no_memory(e);
   vs_writer *was = e->out;
-  export_file f = { open(temporary, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666), 0 };
-  bool ok = f.file >= 0 || export_problem(e->error, path, errno);
-  if (ok) {
-    e->out = export_writer(e, export_file_sink, &f);
-    ok = e->out != NULL && fill(e) && vs_writer_flush(e->out);
-    if (ok && vs_store_tally(e->scene->store) != NULL) vs_store_tally(e->scene->store)->written += e->out->bytes;
-    free(e->out);
-    if (ok && fsync(f.file) != 0 && errno != EINVAL && errno != EROFS) f.problem = errno;
-    if (close(f.file) != 0 && f.problem == 0) f.problem = errno;
-    if (f.problem == 0 && ok && rename(temporary, path) != 0) f.problem = errno;
-    if (f.problem != 0) ok = export_problem(e->error, path, f.problem);
-    if (!ok) unlink(temporary);
-  }
+  vs_publish p;
+  if (!vs_publish_begin(&p, path, false)) return export_problem(e->error, path, errno);
+  export_file f = { p.file, 0 };
+  e->out = export_writer(e, export_file_sink, &f);
+  bool ok = e->out != NULL && fill(e) && vs_writer_flush(e->out);
+  if (ok && vs_store_tally(e->scene->store) != NULL) vs_store_tally(e->scene->store)->written += e->out->bytes;
+  free(e->out);
   e->out = was;
-  free(temporary);
-  return ok;
+  if (ok && fsync(f.file) != 0 && errno != EINVAL && errno != EROFS) f.problem = errno;
+  if (!vs_publish_end(&p, ok && f.problem == 0) && f.problem == 0) f.problem = errno;
+  return f.problem != 0 ? export_problem(e->error, path, f.problem) : ok;
 }
 
 /* The scene of a rendered format into a private folder, the worker, and the picture at output. */
@@ -178,10 +173,13 @@ static bool export_sync(const char *path, vs_error *e, const char *shown) {
   return ok;
 }
 
-/* Where links end: the rename must replace the file that a link stands for, not the link. NULL: as given. */
-static char *export_target(const char *path) {
+/* Where links end: the rename must replace the file that a link stands for, not the link. *out NULL: as given. False: errno says why it cannot be known; a link
+ * to what is not there is replaced itself. */
+static bool export_target(const char *path, char **out) {
   struct stat info;
-  return lstat(path, &info) == 0 && S_ISLNK(info.st_mode) ? realpath(path, NULL) : NULL;
+  errno = 0;
+  *out = lstat(path, &info) == 0 && S_ISLNK(info.st_mode) ? realpath(path, NULL) : NULL;
+  return *out != NULL || errno != ENOMEM;
 }
 
 static bool export_named(vs_emitter *e, const char *path) {
@@ -195,23 +193,18 @@ static bool export_named(vs_emitter *e, const char *path) {
     return ok;
   }
   if (exists && access(path, W_OK) != 0) return export_problem(e->error, path, errno);
-  char *linked = export_target(path), *temporary = export_join(linked != NULL ? linked : path, ".tmp-", (unsigned long)getpid());
-  bool ok = false;
-  int file = -1;
-  if (temporary == NULL) {
-    vs_emit_no_memory(e);
-  } else if ((file = open(temporary, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666)) < 0) {
-    export_problem(e->error, path, errno);
-  } else {
-    if (exists) (void)!fchmod(file, info.st_mode & 0777);
-    ok = e->backend->render == NULL ? export_to_file(e, file, path, true) : export_render(e, temporary);
-    if (close(file) != 0 && ok) ok = export_problem(e->error, path, errno);
-    if (ok && e->backend->render != NULL) ok = export_sync(temporary, e->error, path);
+  char *linked = NULL;
+  if (!export_target(path, &linked)) return export_problem(e->error, path, errno);
+  const char *target = linked != NULL ? linked : path;
+  bool renders = e->backend->render != NULL;
+  vs_publish p;
+  bool ok = vs_publish_begin(&p, target, renders) || export_problem(e->error, path, errno);
+  if (ok) {
+    if (exists) (void)!fchmod(p.file, info.st_mode & 0777);
+    ok = renders ? export_render(e, p.name) && export_sync(p.name, e->error, path) : export_to_file(e, p.file, path, true);
     ok = ok && (e->backend->beside == NULL || e->backend->beside(e));
-    if (ok && rename(temporary, linked != NULL ? linked : path) != 0) ok = export_problem(e->error, path, errno);
-    if (!ok) unlink(temporary);
+    if (!vs_publish_end(&p, ok) && ok) ok = export_problem(e->error, path, errno);
   }
-  free(temporary);
   free(linked);
   return ok;
 }

@@ -4,6 +4,7 @@
 
 #include <signal.h>
 
+#include "cli/limits.h"
 #include "cli/options.h"
 #include "cli/messages.h"
 
@@ -13,6 +14,7 @@ typedef struct {
   cli_options *options;
   vs *scheme;
   cli_reporter reporter;
+  cli_watch watch;            /* over limits that the library cannot hold */
   FILE *output;               /* where the program prints */
   bool output_failed;         /* said once */
   bool midline;               /* what was printed last did not end a line */
@@ -23,6 +25,8 @@ typedef struct {
   struct cli_editor *editor;  /* NULL: no prompt is being shown */
 } cli_session;
 
+/* vs_eval_text, watched. */
+vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags);
 /* Runs what the command line named, or model, from the start: definitions, drawing and the rest are forgotten first. Then the summary. */
 vs_outcome cli_session_run(cli_session *c);
 /* Writes the drawing as the target says. */

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "cli/large_blocks.h"
+#include "cli/limits.h"
 #include "cli/nearby.h"
 #include "cli/command.h"
 
@@ -49,7 +50,15 @@ static void print_value(void *context, const char *text, size_t length) {
   print_output(c, "\n", 1);
 }
 
-static void print_diagnostic(void *context, const vs_diagnostic *d) { cli_report_diagnostic(&((cli_session *)context)->reporter, d); }
+static void print_diagnostic(void *context, const vs_diagnostic *d) {
+  cli_session *c = context;
+  if (d->severity == VS_SEVERITY_ERROR && d->outcome == VS_OUTCOME_MACHINE) atomic_store(&c->watch.told, true);
+  cli_report_diagnostic(&c->reporter, d);
+}
+static bool poll_limits(void *context) {
+  cli_watch_poll(&((cli_session *)context)->watch);
+  return false;
+}
 static void print_progress(void *context, const vs_progress *p) { cli_report_progress(&((cli_session *)context)->reporter, p); }
 
 /* ---- running ---- */
@@ -73,9 +82,24 @@ static char *read_all(FILE *from, size_t *length) {
   return text;
 }
 
+vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags) {
+  cli_watch_begin(&c->watch, true);
+  vs_outcome outcome = vs_eval_text(c->scheme, name, first_line, text, length, flags);
+  cli_watch_end(&c->watch);
+  return outcome;
+}
+
+static vs_outcome run_file(cli_session *c, const char *path) {
+  cli_watch_begin(&c->watch, true);
+  vs_outcome outcome = vs_eval_file(c->scheme, path, 0);
+  cli_watch_end(&c->watch);
+  return outcome;
+}
+
 static vs_outcome run_source(cli_session *c, const cli_source *source) {
-  if (source->kind == CLI_SOURCE_EXPRESSION) return vs_eval_text(c->scheme, "-e", 1, source->text, strlen(source->text), 0);
-  if (strcmp(source->text, "-") != 0) return vs_eval_file(c->scheme, source->text, 0);
+  c->watch.name = source->kind == CLI_SOURCE_EXPRESSION ? "-e" : source->text;
+  if (source->kind == CLI_SOURCE_EXPRESSION) return cli_session_eval(c, "-e", 1, source->text, strlen(source->text), 0);
+  if (strcmp(source->text, "-") != 0) return run_file(c, source->text);
   size_t length;
   char *text = read_all(stdin, &length);
   if (!text && errno == EINTR) {
@@ -86,7 +110,7 @@ static vs_outcome run_source(cli_session *c, const cli_source *source) {
     fprintf(stderr, "vs: standard input: %s\n", strerror(errno));
     return VS_OUTCOME_USAGE;
   }
-  vs_outcome outcome = vs_eval_text(c->scheme, "standard-input", 1, text, length, VS_EVAL_PROGRAM);
+  vs_outcome outcome = cli_session_eval(c, "standard-input", 1, text, length, VS_EVAL_PROGRAM);
   free(text);
   return outcome;
 }
@@ -127,8 +151,10 @@ static bool write_standard_output(void *context, const void *bytes, size_t count
 
 vs_outcome cli_session_write(cli_session *c, const cli_target *t) {
   vs_outcome outcome;
+  cli_watch_begin(&c->watch, false);
   if (strcmp(t->path, "-") == 0) outcome = vs_write_drawing_to(c->scheme, t->format->name, &c->options->output, write_standard_output, c);
   else outcome = vs_write_drawing(c->scheme, t->path, t->format->name, &c->options->output);
+  cli_watch_end(&c->watch);
   cli_report_settle(&c->reporter);
   return outcome;
 }
@@ -162,7 +188,9 @@ static vs_outcome run_sources(cli_session *c, bool again) {
   if (outcome == VS_OUTCOME_DONE && !again && !all_parameters_used(c)) outcome = VS_OUTCOME_USAGE; /* later what was set may be for another model */
   if (outcome == VS_OUTCOME_DONE && !o->quiet && count) {
     vs_summary summary;
+    cli_watch_begin(&c->watch, false);
     outcome = vs_drawing_summary(c->scheme, &summary);
+    cli_watch_end(&c->watch);
     if (outcome == VS_OUTCOME_DONE) {
       fflush(stdout);
       cli_report_summary(c->model ? c->model : title(o), &summary);
@@ -209,8 +237,11 @@ int main(int argc, char **argv) {
   }
   cli_session session = {.options = &options, .output = options.to_stdout ? stderr : stdout, .ended = &ended};
   session.reporter.progress = !options.quiet && isatty(STDERR_FILENO);
-  options.interpreter.host = (vs_host){.context = &session, .output = print_output, .input = read_input, .diagnose = print_diagnostic, .progress = print_progress, .value = print_value};
+  options.interpreter.host = (vs_host){.context = &session, .output = print_output, .input = read_input, .diagnose = print_diagnostic, .progress = print_progress, .poll = options.interpreter.limit_time > 0 ? poll_limits : NULL, .value = print_value};
   if (!TIDY) options.interpreter.alloc = cli_memory;
+  if (options.interpreter.limit_memory) cli_limits_memory(options.interpreter.limit_memory);
+  session.watch = (cli_watch){.limit = options.interpreter.limit_time, .name = "vs"};
+  if (session.watch.limit > 0 && !cli_limits_watch(&session.watch)) session.watch.limit = 0; /* the library's own polls remain */
   session.scheme = vs_new(&options.interpreter);
   vs_outcome outcome = VS_OUTCOME_MACHINE;
   if (!session.scheme) {

@@ -377,7 +377,7 @@ vs_outcome cli_repl(cli_session *c) {
     if (status.state == VS_READ_INCOMPLETE && going) continue;
     /* What can never be read is evaluated too: that says what is wrong with it. */
     if (status.state != VS_READ_EMPTY && pending.length) {
-      vs_outcome one = vs_eval_text(c->scheme, "prompt", first_line, pending.at, pending.length, VS_EVAL_PRINT);
+      vs_outcome one = cli_session_eval(c, "prompt", first_line, pending.at, pending.length, VS_EVAL_PRINT);
       cli_report_settle(&c->reporter);
       vs_interrupt_clear(c->scheme);
       if (one == VS_OUTCOME_INTERRUPTED && !c->editor) {

@@ -7,7 +7,11 @@
 
 bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *names, size_t count, void *functions, vs_error *e) {
   void *handle = NULL;
-  for (const char *const *file = library->files; !handle && *file; file++) handle = dlopen(*file, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  for (const char *const *file = library->files; !handle && *file; file++) {
+    handle = dlopen(*file, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+    const char *why = handle ? NULL : dlerror();
+    if (why && (strstr(why, "memory") || strstr(why, "failed to map segment"))) return vs_error_memory(e, NULL);
+  }
   if (!handle)
     return vs_error_set(e, VS_ERROR_WORKER, NULL, "%s: the library %s is missing; it is in the package %s", library->purpose, library->files[0], library->package);
   bool ok = true;

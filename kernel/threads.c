@@ -7,7 +7,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { MOST = VS_THREADS_MOST, WINDOW = VS_PIPELINE_WINDOW };
+enum { MOST = VS_THREADS_MOST, WINDOW = VS_PIPELINE_WINDOW, STACK = 1 << 20 /* bytes of a thread's: tasks do not recurse, and limits of the process count it whole */ };
 
 typedef struct {
   vs_kernel *k;
@@ -150,6 +150,8 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
     if (made) pthread_mutex_destroy(&c.lock);
     return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
   }
+  pthread_attr_t how;
+  bool small = pthread_attr_init(&how) == 0 && pthread_attr_setstacksize(&how, STACK) == 0;
   for (uint32_t i = 1; i < k->threads && i < count; i++) {
     worker *w = &workers[started];
     w->crew = &c;
@@ -158,7 +160,7 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
     pthread_mutex_lock(&c.lock);
     c.running++;
     pthread_mutex_unlock(&c.lock);
-    if (pthread_create(&threads[started], NULL, begin, w) != 0) { /* with fewer, then */
+    if (pthread_create(&threads[started], small ? &how : NULL, begin, w) != 0) { /* with fewer, then */
       pthread_mutex_lock(&c.lock);
       c.running--;
       pthread_mutex_unlock(&c.lock);
@@ -166,6 +168,7 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
     }
     started++;
   }
+  if (small) pthread_attr_destroy(&how);
   uint32_t own = k->threads;
   k->threads = 1; /* a task has no threads of its own */
   if (taker) take(&c, taker);

@@ -66,6 +66,9 @@ static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
   return true;
 }
 
+/* A part that cannot be meshed is passed over, and has its own error later; running out of memory must not change what is written. */
+static bool starved(const vs_error *e) { return e->kind != VS_ERROR_NONE && e->kind != VS_ERROR_MODEL; }
+
 /* The planes of what is no set, each once. What cannot be meshed here has none. */
 static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32_t operand) {
   static const vs_facets coarse = { 1e300, 32 };
@@ -81,7 +84,7 @@ static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32
     *box = (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) };
     return add_plane(f, vs_v3_cross(vs_v3_sub(vs_affine_point(placed, vs_v3_add(o, u)), p), vs_v3_sub(vs_affine_point(placed, vs_v3_add(o, v)), p)), p, operand);
   }
-  if (n->class_ != VS_SOLID || n->flags & (VS_NODE_UNRESOLVED | VS_NODE_SUGAR) || !vs_tessellate(n, &coarse, &mesh, &ignored)) return vs_mesh_free(&mesh), true;
+  if (n->class_ != VS_SOLID || n->flags & (VS_NODE_UNRESOLVED | VS_NODE_SUGAR) || !vs_tessellate(n, &coarse, &mesh, &ignored)) return vs_mesh_free(&mesh), !starved(&ignored);
   bool ok = true;
   for (size_t i = 0; i < mesh.vertex_count; i++) {
     mesh.vertices[i] = vs_affine_point(placed, mesh.vertices[i]);
@@ -151,21 +154,21 @@ static void mark(flush *f, bool difference, unsigned char *marked, size_t operan
 
 /* ---- growing ---- */
 
-/* The middle of what has a mesh, else of its box; and its box. False: nothing to grow. */
-static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle) {
+/* The middle of what has a mesh, else of its box; and its box. False: nothing to grow, or *failed: out of memory. */
+static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle, bool *failed) {
   static const vs_facets coarse = { 1e300, 32 };
   vs_mesh mesh = { 0 };
   vs_error ignored = { 0 };
   vs_vec3 sum = vs_v3(0, 0, 0);
   bool set = vs_node_is_set(n) || n->kind == VS_SLICE || n->flags & (VS_NODE_UNRESOLVED | VS_NODE_SUGAR);
-  if (!vs_node_bounds(n, b, &ignored) || vs_bounds_is_empty(b) || !isfinite(vs_bounds_diagonal(b))) return false;
+  if (!vs_node_bounds(n, b, &ignored) || vs_bounds_is_empty(b) || !isfinite(vs_bounds_diagonal(b))) return *failed = starved(&ignored), false;
   *middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5);
   if (!set && vs_tessellate(n, &coarse, &mesh, &ignored) && mesh.vertex_count > 0) {
     for (size_t i = 0; i < mesh.vertex_count; i++) sum = vs_v3_add(sum, vs_v3_scale(mesh.vertices[i], 1 / (double)mesh.vertex_count));
     *middle = sum;
   }
   vs_mesh_free(&mesh);
-  return true;
+  return !(*failed = starved(&ignored));
 }
 
 /* Solid n, no placement, with all its faces moved outwards by about `by`. NULL: out of memory. */
@@ -219,7 +222,8 @@ static vs_node *grown_part(vs_ref ref, double by) {
   }
   vs_bounds b;
   vs_vec3 middle;
-  if (!middle_of(n, &b, &middle)) return vs_node_retain(n);
+  bool failed = false;
+  if (!middle_of(n, &b, &middle, &failed)) return failed ? NULL : vs_node_retain(n);
   vs_vec3 d = vs_v3_sub(b.max, b.min);
   vs_vec3 more = vs_v3(1 + 2 * by / fmax(d.x, by), 1 + 2 * by / fmax(d.y, by), 1 + 2 * by / fmax(d.z, by));
   return vs_node_new(s, VS_TRANSFORM, &(struct vs_transform){ .matrix = vs_affine_scaling(middle, more) }, &ref, 1);
@@ -271,6 +275,7 @@ static vs_node *part_flush(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   vs_bounds reach;
   vs_error ignored = { 0 };
   double diagonal = vs_node_bounds(n->kind == VS_DIFFERENCE ? kids[0].node : n, &reach, &ignored) ? vs_bounds_diagonal(&reach) : 0;
+  if (starved(&ignored)) return NULL;
   if (!(diagonal > 0) || !isfinite(diagonal)) return vs_rewrite_keep(w, n, kids);
   flush f = { .step = 1e-7 * diagonal, .middle = vs_v3_scale(vs_v3_add(reach.min, reach.max), 0.5) };
   unsigned char *marked = calloc(n->child_count, 1);

@@ -127,7 +127,7 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   if (is_condition) {
     const vs_condition *c = vs_as_condition(r[0]);
     outcome = outcome_of(s, c->kind, usage);
-    if (c->kind == vm->sym.memory && (vm->over_limit || s->limited)) {
+    if (c->kind == vm->sym.memory && s->options.limit_memory) { /* the host may hold the rest of the process to it as well */
       snprintf(limit, sizeof limit, "out of memory: stopped at %.12g MB, the limit", (double)s->options.limit_memory / 1048576);
       message = limit;
     }

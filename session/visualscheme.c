@@ -387,6 +387,17 @@ static void scene_done(vs_session *s, vs_scene *scene) {
   vs_store_realloc(s->bind.store, scene->drawn, scene->drawn_room * sizeof *scene->drawn, 0);
 }
 
+/* The limit of time for an output, or a summary, counts from here until s->writing is false. */
+static void begin_output(vs_session *s) {
+  s->writing = true, s->late = false;
+  s->write_began = vs_session_clock(s), s->write_worker = s->tally.of[VS_WORK_WORKER].seconds;
+}
+
+static vs_outcome output_failed(vs_session *s, vs_error *e) {
+  if (s->late && e->kind == VS_ERROR_INTERRUPT) vs_error_set(e, VS_ERROR_MEMORY, NULL, "the output: stopped after %g seconds, the limit", s->options.limit_time);
+  return vs_session_report_error(s, e);
+}
+
 /* The drawing functions of the program, on the scene as this format (NULL: none) gets it. They are an evaluation of their own. */
 static vs_outcome hand_on(vs_session *s, vs_scene *scene, const vs_format *format) {
   const char *names[4] = { NULL };
@@ -460,16 +471,18 @@ static vs_outcome drawing_summary(vs_session *s, vs_summary *out) {
   if (!scene_of(s, &scene)) return out_of_memory(s);
   vs_outcome handed = hand_on(s, &scene, NULL);
   if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
+  begin_output(s);
   static const vs_settle_options plain = { .highlights = VS_MARKS_DROP };
   bool ok = vs_scene_settle(&scene, &plain, &e) && resolve(s, &scene, &e) && summarise(&scene, out, &e);
   scene_done(s, &scene);
-  return ok ? VS_OUTCOME_DONE : vs_session_report_error(s, &e);
+  return ok ? VS_OUTCOME_DONE : output_failed(s, &e);
 }
 
 vs_outcome vs_drawing_summary(vs *vm, vs_summary *out) {
   vs_session *s = vs_session_of(vm);
   vs_tally_enter(&s->tally, VS_WORK_PASSES);
   vs_outcome outcome = drawing_summary(s, out);
+  s->writing = false;
   vs_tally_enter(&s->tally, VS_WORK_NONE);
   return outcome;
 }
@@ -570,8 +583,7 @@ static vs_outcome write_one(vs_session *s, const char *path, const vs_format *fo
   vs_outcome handed = hand_on(s, &scene, format);
   if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
   vs_cache_turn(vs_store_cache(s->bind.store), !o->last);
-  s->writing = true, s->late = false; /* the drawing functions had the time of an evaluation */
-  s->write_began = vs_session_clock(s), s->write_worker = s->tally.of[VS_WORK_WORKER].seconds;
+  begin_output(s); /* the drawing functions had the time of an evaluation */
   bool ok = vs_export_settle(&scene, format, &e, &error) && (vs_export_is_verbatim(format) || resolve(s, &scene, &error)) &&
             (!o->count || vs_session_output_nodes(s, &scene, o->passes, &error)) && vs_scene_optimise(&scene, o->passes, &record->passes, &error) &&
             vs_export_prepare(&scene, format, &error);
@@ -580,8 +592,7 @@ static vs_outcome write_one(vs_session *s, const char *path, const vs_format *fo
   s->writing = false;
   scene_done(s, &scene);
   if (ok) return VS_OUTCOME_DONE;
-  if (s->late && error.kind == VS_ERROR_INTERRUPT) vs_error_set(&error, VS_ERROR_MEMORY, NULL, "the output: stopped after %g seconds, the limit", s->options.limit_time);
-  return vs_session_report_error(s, &error);
+  return output_failed(s, &error);
 }
 
 static vs_outcome write_to(vs *vm, const char *path, const char *format_name, const vs_output_options *options, callback_sink *to) {

@@ -22,6 +22,6 @@ bool vs_raster_read(vs_store *store, const char *name, const unsigned char *byte
 bool vs_raster_room(vs_raster *r, const char *name, uint64_t columns, uint64_t rows, vs_error *e);
 bool vs_raster_png(vs_raster *r, const char *name, const unsigned char *bytes, size_t size, vs_error *e);
 bool vs_raster_exr(vs_raster *r, const char *name, const unsigned char *bytes, size_t size, vs_error *e);
-static inline double vs_raster_luminance(double red, double green, double blue) { return 0.2126 * red + 0.7152 * green + 0.0722 * blue; }
+static const double vs_raster_share[3] = { 0.2126, 0.7152, 0.0722 }; /* of red, green and blue in the luminance (Rec. 709) */
 
 #endif

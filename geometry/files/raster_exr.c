@@ -1,6 +1,11 @@
-/* Owns reading EXR pictures by OpenEXR's C library, loaded at the first one: scan lines of one part, as POV-Ray and most programs write them. */
+/* Owns reading EXR pictures by OpenEXR's C library, loaded at the first one: scan lines or tiles of the first part.
+ *
+ * The library decompresses; taking the numbers out of a chunk is done here. Its own routines for that suppose that every channel is wanted, and write
+ * through a null pointer where a picture has one more (an alpha channel) than is asked for. A chunk holds its lines from the top; each line
+ * holds the channels in alphabetical order, one number beside the other, low byte first. */
 #include "geometry/files/raster.h"
 
+#include <math.h>
 #include <openexr.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,6 +23,8 @@
   EXR(chunk, exr_read_scanline_chunk_info, exr_result_t, (exr_const_context_t, int, int, exr_chunk_info_t *))          \
   EXR(begin, exr_decoding_initialize, exr_result_t, (exr_const_context_t, int, const exr_chunk_info_t *, exr_decode_pipeline_t *)) \
   EXR(update, exr_decoding_update, exr_result_t, (exr_const_context_t, int, const exr_chunk_info_t *, exr_decode_pipeline_t *))    \
+  EXR(tiles, exr_get_tile_descriptor, exr_result_t, (exr_const_context_t, int, uint32_t *, uint32_t *, exr_tile_level_mode_t *, exr_tile_round_mode_t *)) \
+  EXR(tile, exr_read_tile_chunk_info, exr_result_t, (exr_const_context_t, int, int, int, int, int, exr_chunk_info_t *)) \
   EXR(choose, exr_decoding_choose_default_routines, exr_result_t, (exr_const_context_t, int, exr_decode_pipeline_t *)) \
   EXR(run, exr_decoding_run, exr_result_t, (exr_const_context_t, int, exr_decode_pipeline_t *))                        \
   EXR(end, exr_decoding_destroy, exr_result_t, (exr_const_context_t, exr_decode_pipeline_t *))                         \
@@ -70,39 +77,75 @@ static bool exr_choose_channels(const exr_attr_chlist_t *all, const char *names[
   return rgb[0] && rgb[1] && rgb[2];
 }
 
-static exr_result_t exr_decode(vs_raster *r, const exr_functions *call, exr_context_t c, const exr_attr_box2i_t *box, const char *const names[3], int count, float *lines, int32_t per_chunk) {
+/* ---- numbers ---- */
+
+static double exr_half(unsigned bits) {
+  unsigned exponent = bits >> 10 & 31, fraction = bits & 1023;
+  double value = exponent == 31 ? (fraction ? (double)NAN : (double)INFINITY) : exponent ? ldexp(1024 + fraction, (int)exponent - 25) : ldexp(fraction, -24);
+  return bits & 0x8000 ? -value : value;
+}
+
+static double exr_number(const unsigned char *at, uint16_t type) {
+  if (type == EXR_PIXEL_HALF) return exr_half((unsigned)at[0] | (unsigned)at[1] << 8);
+  uint32_t bits = (uint32_t)at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
+  float real;
+  if (type == EXR_PIXEL_UINT) return bits;
+  memcpy(&real, &bits, sizeof real);
+  return (double)real;
+}
+
+/* ---- chunks ---- */
+
+/* Where a chunk lies in the picture, in pixels from its upper left corner; what reaches past the picture is left out. */
+typedef struct { int64_t x, y, columns, rows; } exr_place;
+
+/* Puts a chunk's numbers in their place. top: the y of its first line in the file's own coordinates, which sub-sampling goes by. */
+static exr_result_t exr_unpack(vs_raster *r, const exr_decode_pipeline_t *d, const char *const names[3], int count, exr_place place, int64_t top) {
+  const unsigned char *at = d->unpacked_buffer ? d->unpacked_buffer : d->packed_buffer;
+  uint64_t left = at ? d->chunk.unpacked_size : 0;
+  for (int64_t line = 0; line < place.rows; line++)
+    for (int c = 0; c < d->channel_count; c++) {
+      const exr_coding_channel_info_t *info = &d->channels[c];
+      if (info->x_samples < 1 || info->y_samples < 1 || info->width < 0 || info->bytes_per_element < 1) return EXR_ERR_CORRUPT_CHUNK;
+      if ((top + line) % info->y_samples != 0) continue; /* this line has none of it */
+      uint64_t bytes = (uint64_t)info->width * (uint64_t)info->bytes_per_element;
+      if (bytes > left) return EXR_ERR_CORRUPT_CHUNK;
+      for (int k = 0; k < count; k++) {
+        if (strcmp(info->channel_name, names[k]) != 0) continue;
+        if (info->x_samples != 1 || info->y_samples != 1) return EXR_ERR_FEATURE_NOT_IMPLEMENTED;
+        if (info->bytes_per_element < (info->data_type == EXR_PIXEL_HALF ? 2 : 4) || info->width < place.columns) return EXR_ERR_CORRUPT_CHUNK;
+        double *to = &r->at[(size_t)(place.y + line) * r->columns + (size_t)place.x];
+        for (int64_t x = 0; x < place.columns; x++) to[x] += (count == 1 ? 1 : vs_raster_share[k]) * exr_number(at + x * info->bytes_per_element, info->data_type);
+      }
+      at += bytes;
+      left -= bytes;
+    }
+  return EXR_ERR_SUCCESS;
+}
+
+/* The chunks of scan lines are as wide as the picture and so many lines high; tiles have a size of their own. Asks whether to go on after each. */
+static exr_result_t exr_decode(vs_raster *r, const exr_functions *call, exr_context_t c, const exr_attr_box2i_t *box, const char *const names[3], int count, bool tiled,
+                               int64_t wide, int64_t high, vs_error *e) {
   exr_decode_pipeline_t decoder = EXR_DECODE_PIPELINE_INITIALIZER;
-  exr_chunk_info_t chunk;
   exr_result_t result = EXR_ERR_SUCCESS;
   bool begun = false;
-  size_t plane = (size_t)r->columns * (size_t)per_chunk;
-  for (int64_t y = box->min.y; result == EXR_ERR_SUCCESS && y <= box->max.y; y += per_chunk) {
-    result = call->chunk(c, 0, (int)y, &chunk);
-    if (result == EXR_ERR_SUCCESS) result = begun ? call->update(c, 0, &chunk, &decoder) : call->begin(c, 0, &chunk, &decoder);
-    if (result != EXR_ERR_SUCCESS) break;
-    for (int i = 0; i < decoder.channel_count; i++) {
-      exr_coding_channel_info_t *info = &decoder.channels[i];
-      info->decode_to_ptr = NULL;
-      for (int k = 0; k < count; k++)
-        if (!strcmp(info->channel_name, names[k])) {
-          if (info->width != (int32_t)r->columns || info->height > per_chunk || info->x_samples != 1 || info->y_samples != 1) result = EXR_ERR_FEATURE_NOT_IMPLEMENTED;
-          info->decode_to_ptr = (uint8_t *)(lines + plane * (size_t)k);
-          info->user_bytes_per_element = 4;
-          info->user_data_type = EXR_PIXEL_FLOAT;
-          info->user_pixel_stride = 4;
-          info->user_line_stride = (int32_t)(4 * r->columns);
-        }
-    }
-    if (result == EXR_ERR_SUCCESS && !begun) result = call->choose(c, 0, &decoder);
-    begun = true;
-    if (result == EXR_ERR_SUCCESS) result = call->run(c, 0, &decoder);
-    for (int64_t line = 0; result == EXR_ERR_SUCCESS && line < per_chunk && y + line <= box->max.y; line++)
-      for (uint32_t x = 0; x < r->columns; x++) {
-        const float *p = lines + (size_t)line * r->columns + x;
-        double *to = &r->at[(size_t)(y + line - box->min.y) * r->columns + x];
-        *to = count == 1 ? (double)p[0] : vs_raster_luminance((double)p[0], (double)p[plane], (double)p[2 * plane]);
+  for (int64_t y = 0; result == EXR_ERR_SUCCESS && y < r->rows; y += high)
+    for (int64_t x = 0; result == EXR_ERR_SUCCESS && x < r->columns; x += wide) {
+      exr_chunk_info_t chunk;
+      exr_place place = { x, y, wide < r->columns - x ? wide : r->columns - x, high < r->rows - y ? high : r->rows - y };
+      uint64_t work = (uint64_t)(place.columns * place.rows) * 8;
+      if (!vs_store_going(r->store, work < UINT32_MAX ? (uint32_t)work : UINT32_MAX, e)) break;
+      result = tiled ? call->tile(c, 0, (int)(x / wide), (int)(y / high), 0, 0, &chunk) : call->chunk(c, 0, (int)(box->min.y + y), &chunk);
+      if (result == EXR_ERR_SUCCESS && chunk.compression == EXR_COMPRESSION_NONE && chunk.packed_size != chunk.unpacked_size) result = EXR_ERR_CORRUPT_CHUNK;
+      if (result == EXR_ERR_SUCCESS) result = begun ? call->update(c, 0, &chunk, &decoder) : call->begin(c, 0, &chunk, &decoder);
+      if (!begun && result == EXR_ERR_SUCCESS) {
+        begun = true;
+        result = call->choose(c, 0, &decoder); /* how to read and to decompress: no channel has a place to go */
+        decoder.unpack_and_convert_fn = NULL;
       }
-  }
+      if (result == EXR_ERR_SUCCESS) result = call->run(c, 0, &decoder);
+      if (result == EXR_ERR_SUCCESS) result = exr_unpack(r, &decoder, names, count, place, box->min.y + y);
+    }
   if (begun) call->end(c, &decoder);
   return result;
 }
@@ -118,31 +161,40 @@ bool vs_raster_exr(vs_raster *r, const char *name, const unsigned char *bytes, s
   how.user_data = &memory;
   how.read_fn = exr_take;
   how.size_fn = exr_size;
+  how.max_image_width = how.max_image_height = how.max_tile_width = how.max_tile_height = VS_RASTER_MOST;
   exr_context_t c = NULL;
   exr_storage_t storage;
   exr_attr_box2i_t box;
   const exr_attr_chlist_t *all;
   const char *names[3];
-  int count;
-  int32_t per_chunk;
-  float *lines = NULL;
-  bool ok = true;
+  int count = 0;
+  uint32_t tile_wide = 0, tile_high = 0;
+  int32_t per_chunk = 0;
+  bool ok = true, tiled = false;
   exr_result_t result = call.start(&c, name, &how);
   if (result == EXR_ERR_SUCCESS) result = call.storage(c, 0, &storage);
-  if (result == EXR_ERR_SUCCESS && storage != EXR_STORAGE_SCANLINE) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture is not made of scan lines: tiles and deep pictures are not read", name);
+  if (result == EXR_ERR_SUCCESS && storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
+    ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture is a deep one: those are not read", name);
   if (ok && result == EXR_ERR_SUCCESS) result = call.window(c, 0, &box);
   if (ok && result == EXR_ERR_SUCCESS) result = call.channels(c, 0, &all);
-  if (ok && result == EXR_ERR_SUCCESS) result = call.lines(c, 0, &per_chunk);
+  tiled = ok && result == EXR_ERR_SUCCESS && storage == EXR_STORAGE_TILED;
+  if (tiled) result = call.tiles(c, 0, &tile_wide, &tile_high, &(exr_tile_level_mode_t){ 0 }, &(exr_tile_round_mode_t){ 0 });
+  else if (ok && result == EXR_ERR_SUCCESS) result = call.lines(c, 0, &per_chunk);
+  if (ok && result == EXR_ERR_SUCCESS && (tiled ? !tile_wide || !tile_high || tile_wide > INT32_MAX || tile_high > INT32_MAX : per_chunk < 1)) result = EXR_ERR_INVALID_ATTR;
   if (ok && result == EXR_ERR_SUCCESS && !exr_choose_channels(all, names, &count)) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture has neither Y nor one channel nor R, G and B", name);
-  if (ok && result == EXR_ERR_SUCCESS)
-    ok = vs_raster_room(r, name, box.max.x < box.min.x ? 0 : (uint64_t)((int64_t)box.max.x - box.min.x) + 1, box.max.y < box.min.y ? 0 : (uint64_t)((int64_t)box.max.y - box.min.y) + 1, e);
   if (ok && result == EXR_ERR_SUCCESS) {
-    lines = per_chunk > 0 && per_chunk <= 4096 ? calloc((size_t)count * (size_t)per_chunk * r->columns, sizeof *lines) : NULL;
-    ok = lines || vs_error_memory(e, NULL);
+    int64_t columns = (int64_t)box.max.x - box.min.x + 1, rows = (int64_t)box.max.y - box.min.y + 1, high = tiled ? (int64_t)tile_high : per_chunk;
+    /* every chunk has an entry of eight bytes in a table: a size that the file has no room for is a lie, and no memory is asked for it */
+    bool lies = columns > 0 && rows > 0 && rows <= VS_RASTER_MOST / columns && (uint64_t)((rows - 1) / high + 1) > size / 8;
+    if (lies) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR file is too short for a picture of %lld x %lld pixels", name, (long long)columns, (long long)rows);
+    ok = ok && vs_raster_room(r, name, columns < 0 ? 0 : (uint64_t)columns, rows < 0 ? 0 : (uint64_t)rows, e);
+    vs_error stopped = { VS_ERROR_NONE, NULL, "" };
+    if (ok) result = exr_decode(r, &call, c, &box, names, count, tiled, tiled ? (int64_t)tile_wide : columns, high, &stopped);
+    if (stopped.kind != VS_ERROR_NONE) ok = vs_error_set(e, stopped.kind, NULL, "%s", stopped.message);
   }
-  if (ok && result == EXR_ERR_SUCCESS) result = exr_decode(r, &call, c, &box, names, count, lines, per_chunk);
+  if (ok && result == EXR_ERR_OUT_OF_MEMORY) ok = vs_error_memory(e, NULL);
+  if (ok && result == EXR_ERR_FEATURE_NOT_IMPLEMENTED) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture is compressed, or its channels are sampled, in a way that is not read", name);
   if (ok && result != EXR_ERR_SUCCESS) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture cannot be read: %s", name, call.words(result));
-  free(lines);
   if (c) call.finish(&c);
   return ok;
 }

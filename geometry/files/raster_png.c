@@ -5,10 +5,12 @@
 #include "geometry/files/raster.h"
 
 #include <png.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "geometry/dynamic.h"
+
+/* Deflate packs at most so many bytes into one: a size that the file has no room for is a lie, and no memory is asked for it. */
+enum { DEFLATE_MOST = 1032 };
 
 typedef struct {
   int (*begin)(png_imagep, png_const_voidp, size_t);
@@ -47,26 +49,30 @@ bool vs_raster_png(vs_raster *r, const char *name, const unsigned char *bytes, s
   static const vs_dynamic_library library = { files, "libpng16-16", "reading PNG pictures" };
   png_functions call;
   if (!vs_dynamic_load(&library, png_names, sizeof png_names / sizeof *png_names, &call, e)) return false;
-  unsigned char *bare = malloc(size);
+  unsigned char *bare = vs_store_realloc(r->store, NULL, 0, size);
   if (!bare) return vs_error_memory(e, NULL);
   size_t kept = png_bare(bytes, size, bare), line = 0;
-  if (!kept) return free(bare), vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the PNG file is cut off or broken", name);
+  if (!kept) return vs_store_realloc(r->store, bare, size, 0), vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the PNG file is cut off or broken", name);
   bool deep = bare[24] == 16, color = bare[25] & 2, alpha = bare[25] & 4;
   unsigned channels = (color ? 3u : 1u) + (alpha ? 1u : 0u);
   unsigned char *rows = NULL;
   png_image image;
   memset(&image, 0, sizeof image);
   image.version = PNG_IMAGE_VERSION;
-  bool ok = vs_raster_room(r, name, png_number(bare + 16), png_number(bare + 20), e);
+  uint64_t columns = png_number(bare + 16), high = png_number(bare + 20), most = (uint64_t)kept * DEFLATE_MOST;
+  bool lies = columns && high && high <= VS_RASTER_MOST / columns && high > most * 8 / columns;
+  bool ok = !lies || vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the PNG file is too short for a picture of %llu x %llu pixels", name, (unsigned long long)columns, (unsigned long long)high);
+  ok = ok && vs_raster_room(r, name, columns, high, e);
   if (ok) {
     line = (size_t)r->columns * channels * (deep ? 2 : 1);
-    rows = malloc(line * r->rows);
+    rows = vs_store_realloc(r->store, NULL, 0, line * r->rows);
     ok = rows || vs_error_memory(e, NULL);
   }
   bool read = ok && call.begin(&image, bare, kept);
   image.format = (color ? PNG_FORMAT_FLAG_COLOR : 0u) | (alpha ? PNG_FORMAT_FLAG_ALPHA : 0u) | (deep ? PNG_FORMAT_FLAG_LINEAR : 0u);
   read = read && image.width == r->columns && image.height == r->rows && call.finish(&image, NULL, rows, 0, NULL);
-  if (ok && !read) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: %s", name, *image.message ? image.message : "the PNG file is broken");
+  if (ok && !read && strstr(image.message, "memory")) ok = vs_error_memory(e, NULL); /* "out of memory", "insufficient memory" */
+  else if (ok && !read) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: %s", name, *image.message ? image.message : "the PNG file is broken");
   for (size_t i = 0; ok && i < (size_t)r->columns * r->rows; i++) {
     double c[3];
     for (unsigned k = 0; k < (color ? 3u : 1u); k++) {
@@ -75,10 +81,10 @@ bool vs_raster_png(vs_raster *r, const char *name, const unsigned char *bytes, s
       if (deep) memcpy(&two, rows + 2 * at, 2);
       c[k] = deep ? two / 65535.0 : rows[at] / 255.0;
     }
-    r->at[i] = color ? vs_raster_luminance(c[0], c[1], c[2]) : c[0];
+    r->at[i] = color ? vs_raster_share[0] * c[0] + vs_raster_share[1] * c[1] + vs_raster_share[2] * c[2] : c[0];
   }
   call.free(&image);
-  free(rows);
-  free(bare);
+  if (rows) vs_store_realloc(r->store, rows, line * r->rows, 0);
+  vs_store_realloc(r->store, bare, size, 0);
   return ok;
 }

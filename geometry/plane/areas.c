@@ -61,7 +61,7 @@ bool vs_area_loop(vs_area *a, bool hole) { return vs_area_close(a, vs_area_ended
   X(GEOSGeom_createPolygon_r) X(GEOSGeom_createCollection_r) X(GEOSGeom_destroy_r) X(GEOSGeomTypeId_r) X(GEOSGetNumGeometries_r)             \
   X(GEOSGetGeometryN_r) X(GEOSGetExteriorRing_r) X(GEOSGetNumInteriorRings_r) X(GEOSGetInteriorRingN_r) X(GEOSGeom_getCoordSeq_r)            \
   X(GEOSUnaryUnion_r) X(GEOSIntersection_r) X(GEOSDifference_r) X(GEOSMakeValid_r) X(GEOSGeom_createLineString_r) X(GEOSPolygonize_r)         \
-  X(GEOSPointOnSurface_r) X(GEOSGeomGetX_r) X(GEOSGeomGetY_r)
+  X(GEOSisEmpty_r) X(GEOSCoordSeq_destroy_r) X(GEOSPointOnSurface_r) X(GEOSGeomGetX_r) X(GEOSGeomGetY_r)
 
 typedef struct {
 #define X(name) __typeof__(&name) name;
@@ -98,15 +98,21 @@ static void vs_geos_close(vs_geos *g) {
   if (g->h) g->GEOS_finish_r(g->h);
 }
 
+/* Is the last failure one of memory, or one that GEOS gave no reason for? */
+static bool vs_geos_starved(const vs_geos *g) { return !*g->said || strstr(g->said, "bad_alloc"); }
+
 static bool vs_geos_failed(const vs_geos *g, const char *purpose, vs_error *e) {
-  if (!*g->said || strstr(g->said, "bad_alloc")) return vs_error_memory(e, NULL);
+  if (vs_geos_starved(g)) return vs_error_memory(e, NULL);
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s: the outlines cannot be combined: %s", purpose, g->said);
 }
 
-/* n points and the first again; NULL: out of memory */
-static GEOSCoordSequence *vs_geos_sequence(vs_geos *g, const vs_vec2 *at, size_t n) {
-  GEOSCoordSequence *s = n < UINT32_MAX ? g->GEOSCoordSeq_create_r(g->h, (unsigned)n + 1, 2) : NULL;
-  for (size_t i = 0; s && i <= n; i++) g->GEOSCoordSeq_setXY_r(g->h, s, (unsigned)i, at[i % n].x, at[i % n].y);
+/* n points and the first again if it closes; NULL: failed */
+static GEOSCoordSequence *vs_geos_sequence(vs_geos *g, const vs_vec2 *at, size_t n, bool closes) {
+  size_t all = n + closes;
+  GEOSCoordSequence *s = all <= INT32_MAX ? g->GEOSCoordSeq_create_r(g->h, (unsigned)all, 2) : NULL;
+  bool ok = s != NULL;
+  for (size_t i = 0; ok && i < all; i++) ok = g->GEOSCoordSeq_setXY_r(g->h, s, (unsigned)i, at[i % n].x, at[i % n].y) == 1;
+  if (s && !ok) g->GEOSCoordSeq_destroy_r(g->h, s), s = NULL;
   return s;
 }
 
@@ -116,6 +122,7 @@ static void vs_geos_drop(vs_geos *g, GEOSGeometry **all, size_t count) {
 
 /* GEOS takes the parts over, also where it fails. */
 static GEOSGeometry *vs_geos_collect(vs_geos *g, int type, GEOSGeometry **parts, size_t count) {
+  if (count > INT32_MAX) return vs_geos_drop(g, parts, count), NULL;
   return g->GEOSGeom_createCollection_r(g->h, type, parts, (unsigned)count);
 }
 
@@ -129,7 +136,7 @@ static GEOSGeometry *vs_geos_polygons(vs_geos *g, const vs_area *areas, size_t c
     const vs_area *a = &areas[i];
     GEOSGeometry *shell = NULL;
     for (size_t l = 0, first = 0; ok && l < a->loop_count; first += a->size[l++]) {
-      GEOSCoordSequence *s = vs_geos_sequence(g, a->at + first, a->size[l]);
+      GEOSCoordSequence *s = vs_geos_sequence(g, a->at + first, a->size[l], true);
       GEOSGeometry *ring = s ? g->GEOSGeom_createLinearRing_r(g->h, s) : NULL;
       ok = ring != NULL;
       if (ok && l && a->hole[l]) inner[holes++] = ring;
@@ -177,11 +184,11 @@ static bool vs_geos_ring(vs_geos *g, const GEOSGeometry *ring, bool hole, vs_are
   const GEOSCoordSequence *s = ring ? g->GEOSGeom_getCoordSeq_r(g->h, ring) : NULL;
   unsigned n = 0;
   size_t first = out->count;
-  bool ok = s && g->GEOSCoordSeq_getSize_r(g->h, s, &n);
+  bool ok = s && g->GEOSCoordSeq_getSize_r(g->h, s, &n) == 1;
   double area = 0, length = 0;
   for (unsigned i = 0; ok && i + 1 < n; i++) {
     double x, y;
-    ok = g->GEOSCoordSeq_getXY_r(g->h, s, i, &x, &y) && vs_area_point(out, x, y);
+    ok = g->GEOSCoordSeq_getXY_r(g->h, s, i, &x, &y) == 1 && vs_area_point(out, x, y);
   }
   if (!ok) return false;
   vs_area_tidy(out, first);
@@ -215,25 +222,55 @@ static bool vs_geos_polygon(vs_geos *g, const GEOSGeometry *polygon, vs_area *ou
   return holes >= 0;
 }
 
-/* The polygons in a result, which may hold lines and points too where areas only touch. Collections nest no deeper than GEOS makes them. */
+/* The polygons in a result, which may hold lines and points too where areas only touch. Collections nest no deeper than GEOS makes them.
+ * False: failed; every answer is looked at, because each may be an allocation inside GEOS that did not succeed. */
 static bool vs_geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
-  int type = g->GEOSGeomTypeId_r(g->h, from), n = g->GEOSGetNumGeometries_r(g->h, from);
-  if (type == GEOS_POLYGON) return n < 1 || vs_geos_polygon(g, from, out); /* an empty one has none */
+  int type = from ? g->GEOSGeomTypeId_r(g->h, from) : -1;
+  if (type < 0) return false;
+  if (type == GEOS_POLYGON) {
+    char empty = g->GEOSisEmpty_r(g->h, from);
+    return empty == 1 || (empty == 0 && vs_geos_polygon(g, from, out));
+  }
   if (type != GEOS_MULTIPOLYGON && type != GEOS_GEOMETRYCOLLECTION) return true;
+  int n = g->GEOSGetNumGeometries_r(g->h, from);
   for (int i = 0; i < n; i++) {
     const GEOSGeometry *part = g->GEOSGetGeometryN_r(g->h, from, i);
-    int kind = g->GEOSGeomTypeId_r(g->h, part), many = kind == GEOS_MULTIPOLYGON ? g->GEOSGetNumGeometries_r(g->h, part) : 1;
-    for (int k = 0; k < many && (kind == GEOS_POLYGON || kind == GEOS_MULTIPOLYGON); k++)
-      if (!vs_geos_polygon(g, kind == GEOS_POLYGON ? part : g->GEOSGetGeometryN_r(g->h, part, k), out)) return false;
+    int kind = part ? g->GEOSGeomTypeId_r(g->h, part) : -1;
+    if (kind < 0) return false;
+    int many = kind == GEOS_MULTIPOLYGON ? g->GEOSGetNumGeometries_r(g->h, part) : 1;
+    if (many < 0) return false;
+    for (int k = 0; k < many && (kind == GEOS_POLYGON || kind == GEOS_MULTIPOLYGON); k++) {
+      const GEOSGeometry *polygon = kind == GEOS_POLYGON ? part : g->GEOSGetGeometryN_r(g->h, part, k);
+      if (!polygon || !vs_geos_polygon(g, polygon, out)) return false;
+    }
   }
-  return true;
+  return n >= 0;
 }
 
-/* a united with itself, mended first where GEOS cannot take it as it is; takes a over. NULL: failed. */
+/* A collection of the parts of a, each made valid by itself: a whole that overlaps itself would lose what lies twice in it. NULL: failed. */
+static GEOSGeometry *vs_geos_mend(vs_geos *g, const GEOSGeometry *a) {
+  int n = g->GEOSGetNumGeometries_r(g->h, a);
+  GEOSGeometry **parts = n < 0 ? NULL : calloc((size_t)n + 1, sizeof *parts), *all = NULL;
+  bool ok = parts != NULL;
+  size_t done = 0;
+  for (; ok && done < (size_t)n; done += ok) {
+    const GEOSGeometry *part = g->GEOSGetGeometryN_r(g->h, a, (int)done);
+    parts[done] = part ? g->GEOSMakeValid_r(g->h, part) : NULL;
+    ok = parts[done] != NULL;
+  }
+  if (ok) all = vs_geos_collect(g, GEOS_GEOMETRYCOLLECTION, parts, done);
+  else vs_geos_drop(g, parts, done);
+  free(parts);
+  return all;
+}
+
+/* a united with itself, mended first where GEOS cannot take it as it is; takes a over. NULL: failed. Running out of memory is no reason to mend. */
 static GEOSGeometry *vs_geos_unite(vs_geos *g, GEOSGeometry *a) {
+  *g->said = 0;
   GEOSGeometry *united = g->GEOSUnaryUnion_r(g->h, a);
-  if (!united) {
-    GEOSGeometry *valid = g->GEOSMakeValid_r(g->h, a);
+  if (!united && !vs_geos_starved(g)) {
+    *g->said = 0;
+    GEOSGeometry *valid = vs_geos_mend(g, a);
     if (valid) united = g->GEOSUnaryUnion_r(g->h, valid);
     g->GEOSGeom_destroy_r(g->h, valid);
   }
@@ -318,8 +355,7 @@ bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpo
   bool ok = lines != NULL;
   size_t done = 0, keep = 0;
   for (; ok && done < count; done += ok) {
-    GEOSCoordSequence *s = g.GEOSCoordSeq_create_r(g.h, 2, 2);
-    for (unsigned k = 0; s && k < 2; k++) g.GEOSCoordSeq_setXY_r(g.h, s, k, edges[done][k].x, edges[done][k].y);
+    GEOSCoordSequence *s = vs_geos_sequence(&g, edges[done], 2, false);
     lines[done] = s ? g.GEOSGeom_createLineString_r(g.h, s) : NULL;
     ok = lines[done] != NULL;
   }
@@ -327,12 +363,12 @@ bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpo
   if (ok) noded = vs_geos_collect(&g, GEOS_MULTILINESTRING, lines, done);
   if (noded) noded = vs_geos_unite(&g, noded);
   if (noded) faces = g.GEOSPolygonize_r(g.h, (const GEOSGeometry *const *)&noded, 1);
-  int n = faces ? g.GEOSGetNumGeometries_r(g.h, faces) : 0;
-  if (faces) kept = calloc((size_t)n + 1, sizeof *kept);
+  int n = faces ? g.GEOSGetNumGeometries_r(g.h, faces) : -1;
+  if (n >= 0) kept = calloc((size_t)n + 1, sizeof *kept);
   ok = kept != NULL;
   for (int i = 0; ok && i < n; i++) {
     const GEOSGeometry *face = g.GEOSGetGeometryN_r(g.h, faces, i);
-    GEOSGeometry *inside = g.GEOSPointOnSurface_r(g.h, face);
+    GEOSGeometry *inside = face ? g.GEOSPointOnSurface_r(g.h, face) : NULL;
     double x = 0, y = 0;
     ok = inside && g.GEOSGeomGetX_r(g.h, inside, &x) == 1 && g.GEOSGeomGetY_r(g.h, inside, &y) == 1;
     g.GEOSGeom_destroy_r(g.h, inside);

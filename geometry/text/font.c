@@ -1,14 +1,17 @@
 /* Owns the reading of fonts by FreeType: loaded at the first text, one library and one face each font, all kept by the store.
  *
- * FreeType's own memory is not the store's: it is bounded by the fonts, which are few. */
+ * FreeType's own memory is the store's too, so that limits hold for it and a refusal is seen: FreeType goes on without a table that it found no
+ * memory for, and a text without its kerning would be another text. */
 #include "geometry/text/font.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
+#include FT_MODULE_H
 #include FT_OUTLINE_H
 #include FT_TRUETYPE_TABLES_H
 
@@ -18,8 +21,9 @@
 
 /* FREETYPE(member, symbol, result, parameters): what we use of it */
 #define FREETYPE_FUNCTIONS                                                                                      \
-  FREETYPE(init, FT_Init_FreeType, FT_Error, (FT_Library *))                                                    \
-  FREETYPE(done, FT_Done_FreeType, FT_Error, (FT_Library))                                                      \
+  FREETYPE(create, FT_New_Library, FT_Error, (FT_Memory, FT_Library *))                                         \
+  FREETYPE(modules, FT_Add_Default_Modules, void, (FT_Library))                                                 \
+  FREETYPE(done, FT_Done_Library, FT_Error, (FT_Library))                                                       \
   FREETYPE(open_file, FT_New_Face, FT_Error, (FT_Library, const char *, FT_Long, FT_Face *))                    \
   FREETYPE(open_memory, FT_New_Memory_Face, FT_Error, (FT_Library, const FT_Byte *, FT_Long, FT_Long, FT_Face *)) \
   FREETYPE(close, FT_Done_Face, FT_Error, (FT_Face))                                                             \
@@ -43,7 +47,10 @@ static const vs_dynamic_name freetype_names[] = {
 
 typedef struct {
   freetype call;
+  vs_store *store;
+  struct FT_MemoryRec_ memory;
   FT_Library library;
+  bool refused; /* FreeType was refused memory since this was last cleared */
   vs_font *first;
 } font_shelf;
 
@@ -60,6 +67,25 @@ struct vs_font {
   unsigned char *pairs; /* the GPOS table of a font without a kern table, or NULL */
   size_t pairs_size;
 };
+
+/* ---- FreeType's memory: blocks of the store, each behind its size ---- */
+
+typedef union { size_t bytes; max_align_t align; } font_block;
+
+static void *font_resize(font_shelf *shelf, void *old, long size) {
+  font_block *b = old ? (font_block *)old - 1 : NULL;
+  size_t bytes = sizeof *b + (size_t)size;
+  b = size < 0 ? NULL : vs_store_realloc(shelf->store, b, b ? b->bytes : 0, bytes);
+  if (!b) return shelf->refused = true, NULL;
+  b->bytes = bytes;
+  return b + 1;
+}
+static void *font_take(FT_Memory m, long size) { return font_resize(m->user, NULL, size); }
+static void *font_change(FT_Memory m, long old_size, long size, void *old) { return (void)old_size, font_resize(m->user, old, size); }
+static void font_give(FT_Memory m, void *old) {
+  font_block *b = old ? (font_block *)old - 1 : NULL;
+  if (b) vs_store_realloc(((font_shelf *)m->user)->store, b, b->bytes, 0);
+}
 
 /* ---- the shelf ---- */
 
@@ -93,15 +119,22 @@ static font_shelf *font_shelf_of(vs_store *s, vs_error *e) {
   static const vs_dynamic_library library = { files, "libfreetype6", "make-text" };
   void **kept = vs_store_kept(s, font_let_go);
   if (*kept) return *kept;
-  font_shelf made = { .first = NULL };
+  font_shelf made = { .store = s };
   if (!vs_dynamic_load(&library, freetype_names, sizeof freetype_names / sizeof *freetype_names, &made.call, e)) return NULL;
   font_shelf *shelf = vs_store_realloc(s, NULL, 0, sizeof *shelf);
-  if (!shelf || made.call.init(&made.library)) {
+  bool ok = shelf != NULL;
+  if (ok) {
+    *shelf = made;
+    shelf->memory = (struct FT_MemoryRec_){ .user = shelf, .alloc = font_take, .free = font_give, .realloc = font_change };
+    ok = !shelf->call.create(&shelf->memory, &shelf->library);
+    if (ok) shelf->call.modules(shelf->library);
+  }
+  if (!ok || shelf->refused) {
+    if (shelf && shelf->library) shelf->call.done(shelf->library);
     if (shelf) vs_store_realloc(s, shelf, sizeof *shelf, 0);
     vs_error_memory(e, NULL);
     return NULL;
   }
-  *shelf = made;
   *kept = shelf;
   return shelf;
 }
@@ -136,20 +169,22 @@ static bool font_measure(vs_font *f, vs_error *e) {
   return true;
 }
 
-static void font_load_pairs(vs_font *f) {
+/* The GPOS table of a font that has no kern table. False: out of memory. */
+static bool font_load_pairs(vs_font *f) {
   const freetype *ft = &f->shelf->call;
   const FT_ULong gpos = 0x47504F53; /* 'GPOS' */
   FT_ULong size = 0;
   enum { MOST = 8 << 20 };
-  if (FT_HAS_KERNING(f->face) || ft->table(f->face, gpos, 0, NULL, &size) || size == 0 || size > MOST) return;
+  if (FT_HAS_KERNING(f->face) || ft->table(f->face, gpos, 0, NULL, &size) || size == 0 || size > MOST) return !f->shelf->refused;
   f->pairs = vs_store_realloc(f->store, NULL, 0, size);
-  if (!f->pairs) return; /* then it is set without kerning */
+  if (!f->pairs) return false;
   f->pairs_size = size;
   if (ft->table(f->face, gpos, 0, f->pairs, &size)) {
     vs_store_realloc(f->store, f->pairs, f->pairs_size, 0);
     f->pairs = NULL;
     f->pairs_size = 0;
   }
+  return !f->shelf->refused;
 }
 
 /* One that did not become a font after all. */
@@ -172,21 +207,26 @@ static vs_font *font_open(font_shelf *shelf, vs_store *s, const char *name, cons
     vs_error_memory(e, NULL);
     return NULL;
   }
+  shelf->refused = false;
+  errno = 0;
   int problem = bytes ? shelf->call.open_memory(shelf->library, f->bytes, (FT_Long)size, 0, &f->face) : shelf->call.open_file(shelf->library, path, 0, &f->face);
+  if (shelf->refused || problem == FT_Err_Out_Of_Memory || (problem && errno == ENOMEM)) {
+    vs_error_memory(e, NULL);
+    font_drop(f);
+    return NULL;
+  }
   if (problem || !FT_IS_SCALABLE(f->face) || f->face->units_per_EM == 0) {
-    vs_error_set(e, VS_ERROR_MODEL, NULL, problem == FT_Err_Cannot_Open_Resource ? "there is no file \"%.300s\"" : problem == FT_Err_Out_Of_Memory ?
-                 "out of memory for the font \"%.300s\"" : "\"%.300s\" is no font with outlines", path ? path : name);
+    vs_error_set(e, VS_ERROR_MODEL, NULL, problem == FT_Err_Cannot_Open_Resource ? "there is no file \"%.300s\"" : "\"%.300s\" is no font with outlines", path ? path : name);
     font_drop(f);
     return NULL;
   }
   f->next = shelf->first;
   shelf->first = f;
-  if (!font_measure(f, e)) {
+  if (!font_measure(f, e) || !(font_load_pairs(f) || vs_error_memory(e, NULL))) {
     shelf->first = f->next;
     font_drop(f);
     return NULL;
   }
-  font_load_pairs(f);
   return f;
 }
 
@@ -286,13 +326,14 @@ const vs_glyph *vs_font_glyph(vs_font *f, uint32_t index, vs_error *e) {
   }
   *g = (vs_glyph){ .count = 0 };
   font_drawing d = { f->store, g };
+  f->shelf->refused = false;
   int problem = ft->load(f->face, index, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP);
   if (!problem) {
     g->advance = (double)f->face->glyph->metrics.horiAdvance;
     if (f->face->glyph->format == FT_GLYPH_FORMAT_OUTLINE) problem = ft->decompose(&f->face->glyph->outline, &functions, &d);
   }
-  if (problem) {
-    if (problem == 1) vs_error_memory(e, NULL); /* font_step's answer */
+  if (problem || f->shelf->refused) {
+    if (problem == 1 || f->shelf->refused) vs_error_memory(e, NULL); /* 1 is font_step's answer */
     else vs_error_set(e, VS_ERROR_MODEL, NULL, "the font \"%.100s\" is damaged: glyph %lu cannot be read", f->name, (unsigned long)index);
     vs_store_realloc(f->store, g->steps, g->room * sizeof *g->steps, 0);
     vs_store_realloc(f->store, g, sizeof *g, 0);

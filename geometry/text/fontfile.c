@@ -5,6 +5,7 @@
  * machine gives the same file. */
 #define _XOPEN_SOURCE 700
 #include <dirent.h>
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -43,6 +44,7 @@ static bool search_below(const char *root, font_file_fn *fn, void *context, bool
     font_folder now = todo[--count];
     struct dirent **list = NULL;
     int entries = scandir(now.folder, &list, NULL, by_name);
+    if (entries < 0 && errno == ENOMEM) ok = false;
     for (int i = 0; i < entries; i++) {
       char path[2 * PATH_ROOM];
       struct stat info;

@@ -21,6 +21,7 @@ enum {
   BLOCK_DATA = BLOCK - 32,
   CHUNK_BLOCKS = 64,
   CHUNK_LEAST = 2 << 20, CHUNK_MOST = 4 << 20,      /* bytes of larger chunks */
+  STARVED = 64,                                     /* one so many'th of the heap must fit between two collections for refused memory */
   GC_MARK = 1, GC_REMEMBERED = 2, GC_FREE = 4, GC_MOVED = 8, GC_LARGE = 16
 };
 /* Collecting at every allocation costs what the roots cost, and a deep recursion or nest has a million of them: past STRESS_VISITS the next
@@ -64,6 +65,7 @@ struct vs_gc {
   char *nursery_end;                            /* vm->end, unless that is held down so that every allocation comes here */
   bool ready;                                   /* the spare blocks for the next minor collection are there */
   size_t old_bytes, major_at;                   /* in old objects now; when a major collection is due */
+  size_t granted;                               /* bytes of old objects since memory was last refused and all was collected for it */
   size_t external, external_minor;              /* host bytes now; when they force a minor collection */
   vs_object **remembered; size_t remembered_count, remembered_room; bool remembered_lost;
   vs_object **young_foreign; size_t young_count, young_room;
@@ -183,6 +185,18 @@ static vs_object *gc_cell(vs *vm, size_t words) {
   return &f->h;
 }
 
+/* Returns a cell for an object that is born old, or NULL: refused. A block that it needs is one beyond those set aside, which the next minor
+   collection must find there. */
+static vs_object *gc_born_old(vs *vm, size_t words) {
+  struct vs_gc *gc = vm->gc;
+  unsigned k = gc->class_of[words];
+  const struct vs_gc_block *b = gc->of[k].bump;
+  if (!gc->of[k].free && (!b || b->used + class_words[k] * sizeof(uint64_t) > BLOCK_DATA))
+    while (gc->spares <= gc_blocks_needed(vm))
+      if (!gc_add_chunk(vm)) return NULL;
+  return gc_cell(vm, words);
+}
+
 /* Wiped, which for a gigabyte takes long enough to poll: *stopped, the condition is not that of refused memory. */
 static vs_object *gc_large(vs *vm, size_t words, bool *stopped) {
   struct vs_gc *gc = vm->gc;
@@ -238,13 +252,15 @@ vs_object *vs_gc_alloc_old(vs *vm, int type, size_t words) {
   /* so that this object can be remembered without fail */
   if (!gc_grow(vm, &gc->remembered, &gc->remembered_room, gc->remembered_count, sizeof *gc->remembered)) return NULL;
   bool stopped = false;
-  vs_object *o = words <= CLASS_MAX ? gc_cell(vm, words) : gc_large(vm, words, &stopped);
-  if (!o) {                                    /* refused: perhaps there is garbage */
-    if (stopped) return NULL;
+  vs_object *o = words <= CLASS_MAX ? gc_born_old(vm, words) : gc_large(vm, words, &stopped);
+  if (!o) {                                    /* refused: perhaps there is garbage, unless all was collected a moment ago */
+    if (stopped || gc->granted < gc->old_bytes / STARVED) return NULL;
+    gc->granted = 0;
     vs_gc_major(vm);
-    o = words <= CLASS_MAX ? gc_cell(vm, words) : gc_large(vm, words, &stopped);
+    o = words <= CLASS_MAX ? gc_born_old(vm, words) : gc_large(vm, words, &stopped);
     if (!o) return NULL;
   }
+  gc->granted += words * 8;
   gc_init(o, type, words > CLASS_MAX ? GC_LARGE : 0, words);
   if (vs_layout[type].first) vs_gc_remember(vm, o);     /* its first stores come without the barrier */
   return o;
@@ -678,6 +694,7 @@ bool vs_gc_open(vs *vm) {
   memset(gc, 0, sizeof *gc);
   vm->gc = gc;
   gc->major_at = FIRST_MAJOR;
+  gc->granted = SIZE_MAX / 2;
   gc->external_minor = 32u << 20;
   for (unsigned w = 0, k = 0; w <= CLASS_MAX; w++) {
     if (w > class_words[k]) k++;

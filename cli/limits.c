@@ -1,0 +1,112 @@
+/* Owns the limits that the process holds by itself, for what the library cannot count or stop: the insides of GEOS, FreeType, OpenEXR and libpng,
+ * scratch of a geometric algorithm, a long stretch between two polls.
+ *
+ * Memory. The library counts heap, model and the kernel's meshes, and refuses with a message that has a place. The rest comes from malloc; the
+ * kernel of the system refuses it past RLIMIT_DATA, and a refused malloc is an error like any other. Only the soft limit is set, so
+ * that a worker program can be given one of its own.
+ *
+ * Time. The library asks often whether to go on, and stops by itself at its limit. A thread looks on: where the limit has passed and nobody has asked for a while,
+ * the process says so and ends. Output files have no name until they are whole, so nothing is left behind. */
+#define _GNU_SOURCE
+#include "cli/limits.h"
+
+#include <pthread.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "visualscheme.h"
+
+#define GRACE 0.3 /* seconds past the limit, and without a poll */
+
+enum { BESIDE = 4 << 20 /* bytes past a tenth more than the limit: stacks of threads, tables of libraries */, STACK = 256 << 10 };
+
+/* ---- memory ---- */
+
+/* Bytes that the process may write to already. */
+static size_t data_now(void) {
+  unsigned long pages = 0;
+  FILE *f = fopen("/proc/self/statm", "r");
+  if (f && fscanf(f, "%*u %*u %*u %*u %*u %lu", &pages) != 1) pages = 0;
+  if (f) fclose(f);
+  return (size_t)pages * (size_t)sysconf(_SC_PAGESIZE);
+}
+
+void cli_limits_memory(size_t limit) {
+  struct rlimit r;
+  if (getrlimit(RLIMIT_DATA, &r) != 0) return;
+  rlim_t most = (rlim_t)data_now() + limit + limit / 10 + BESIDE;
+  if (r.rlim_cur != RLIM_INFINITY && r.rlim_cur <= most) return;
+  r.rlim_cur = most;
+  setrlimit(RLIMIT_DATA, &r);
+}
+
+/* ---- time ---- */
+
+static double now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+/* Seconds that the process was ready to run and the machine had no processor for it: these are not held against the library. */
+static double starved(void) {
+  unsigned long long ran, waited = 0;
+  FILE *f = fopen("/proc/self/schedstat", "r");
+  if (f && fscanf(f, "%llu %llu", &ran, &waited) != 2) waited = 0;
+  if (f) fclose(f);
+  return (double)waited * 1e-9;
+}
+
+static void end_here(cli_watch *w) {
+  char text[400];
+  int n = snprintf(text, sizeof text, "%.200s: stopped after %g seconds, the limit, in a step that cannot be interrupted\n", w->name, w->limit);
+  if (ftrylockfile(stdout) == 0) fflush_unlocked(stdout); /* what the program printed; unless it is printing */
+  if (!atomic_load(&w->told) && n > 0 && write(STDERR_FILENO, text, (size_t)n) < 0) { /* nobody is left to be told */
+  }
+  _exit(VS_OUTCOME_MACHINE);
+}
+
+static void *look_on(void *context) {
+  cli_watch *w = context;
+  const struct timespec pause = { 0, 25000000 };
+  double began_seen = 0, polled_seen = 0, began_starved = 0, polled_starved = 0;
+  for (;;) {
+    nanosleep(&pause, NULL);
+    double at = now(), began = atomic_load(&w->began), polled = atomic_load(&w->polled), lost = starved();
+    if (began != began_seen) began_seen = began, began_starved = lost;
+    if (polled != polled_seen) polled_seen = polled, polled_starved = lost;
+    if (began == 0 || at - began <= w->limit + GRACE) continue;
+    double since_began = at - began - (lost - began_starved), since_polled = at - polled - (lost - polled_starved);
+    if (since_polled > GRACE || (atomic_load(&w->evaluating) && since_began > w->limit + GRACE + 0.1)) end_here(w);
+  }
+  return NULL;
+}
+
+bool cli_limits_watch(cli_watch *w) {
+  pthread_t thread;
+  pthread_attr_t how;
+  if (pthread_attr_init(&how) != 0) return false;
+  pthread_attr_setstacksize(&how, STACK);
+  pthread_attr_setdetachstate(&how, PTHREAD_CREATE_DETACHED);
+  bool ok = pthread_create(&thread, &how, look_on, w) == 0;
+  pthread_attr_destroy(&how);
+  return ok;
+}
+
+void cli_watch_poll(cli_watch *w) {
+  if (w->limit > 0) atomic_store(&w->polled, now());
+}
+
+void cli_watch_begin(cli_watch *w, bool evaluating) {
+  if (w->limit <= 0) return;
+  double at = now();
+  atomic_store(&w->told, false);
+  atomic_store(&w->evaluating, evaluating);
+  atomic_store(&w->polled, at);
+  atomic_store(&w->began, at);
+}
+
+void cli_watch_end(cli_watch *w) { atomic_store(&w->began, 0); }
