@@ -22,9 +22,10 @@ LAYERS    = vm model geometry kernel solids passes bind backends session
 LIB_SRC   = $(foreach d,$(LAYERS),$(wildcard $(d)/*.c $(d)/*/*.c))
 LIB_OBJ   = $(LIB_SRC:%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/assets.o
 CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c))
+FUZZERS   = reader program import emit calls
 UNIT_SRC  = $(wildcard tests/unit/test_*.c)
 UNIT_BIN  = $(UNIT_SRC:tests/unit/%.c=$(BUILD)/unit/%)
-TOOL_BIN  = $(patsubst tests/tools/%.c,$(BUILD)/tools/%,$(wildcard tests/tools/*.c)) $(BUILD)/tools/fuzz
+TOOL_BIN  = $(patsubst tests/tools/%.c,$(BUILD)/tools/%,$(wildcard tests/tools/*.c)) $(BUILD)/tools/fuzz $(FUZZERS:%=$(BUILD)/tools/replay_%)
 OBJECTS   = $(LIB_OBJ) $(CLI_OBJ)
 
 # Files that go into the library as they are: NAME.EXT is const char vs_asset_NAME_EXT[] up to vs_asset_NAME_EXT_end[]. x3dom comes from
@@ -108,6 +109,27 @@ $(BUILD)/tools/fuzz: tests/oracle/fuzz.c tests/oracle/sx.c tests/tools/crossings
 $(BUILD)/tools/names $(BUILD)/tools/reread $(BUILD)/tools/exrdiff $(BUILD)/tools/badcalls $(BUILD)/tools/gaps: $(BUILD)/tools/%: tests/tools/%.c visualscheme.h $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
+
+# ---- fuzzing: clang's libFuzzer under the address sanitizer, in a build of its own; and the same inputs without it, as tests ----
+
+T       ?= 60
+fuzz: ## install clang's libFuzzer and let each fuzzer of tests/fuzz run T seconds (60); FUZZ="reader emit": only these
+	sh scripts/install.sh build fuzz
+	$(MAKE) BUILD=$(BUILD)/fuzz CC=clang OPT="-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined" LDFLAGS="-Wl,--no-as-needed -lstdc++" fuzzers
+	sh tests/fuzz.sh $(BUILD)/fuzz $(T)
+
+fuzzers: $(FUZZERS:%=$(BUILD)/fuzz_%)
+
+$(BUILD)/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/fuzz.h $(BUILD)/libvisualscheme.a
+	$(CC) $(CFLAGS) -fsanitize=fuzzer $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
+
+$(BUILD)/tools/replay_%: tests/fuzz/fuzz_%.c tests/fuzz/replay.c tests/fuzz/fuzz.h $(BUILD)/libvisualscheme.a
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $< tests/fuzz/replay.c -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
+
+coverage: ## which lines the tests reach: gcov over vm, model, kernel and bind
+	$(MAKE) BUILD=$(BUILD)/coverage OPT="-O1 -g --coverage" LDFLAGS=--coverage SUITES="unit lang cli manual bad limits" tests
+	sh scripts/coverage.sh $(BUILD)/coverage vm model kernel bind geometry backends
 
 # ---- what a fresh machine needs: scripts/packages.list, installed by the two commands below and by nothing else ----
 
@@ -196,5 +218,5 @@ clean: ## remove what was built
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all demo test check units tests quick asan ubsan sanitized stress layers bless bench manual install clean help
+.PHONY: all demo test check units tests quick asan ubsan sanitized fuzz fuzzers coverage stress layers bless bench manual install clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)

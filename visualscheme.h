@@ -116,6 +116,7 @@ typedef struct {
   size_t limit_memory;    /* bytes of heap and model together, and of what combining solids for an output takes beside them */
   uint64_t limit_steps;   /* calls and loop turns of one evaluation */
   size_t limit_output;    /* bytes that one evaluation may print */
+  double limit_worker;    /* seconds of a worker program */
   size_t limit_triangles; /* of the mesh of one output */
   size_t cache;           /* bytes of results kept for later drawings and outputs (meshes): 0: 256 MB, or a quarter of limit_memory; SIZE_MAX: keep nothing */
   bool untrusted;         /* no file access but read_file, no native text */

@@ -6,6 +6,7 @@
 
 #include "cli/limits.h"
 #include "cli/options.h"
+#include "cli/untrusted.h"
 #include "cli/messages.h"
 
 struct cli_editor; /* repl.c: line editing */
@@ -14,6 +15,7 @@ typedef struct {
   cli_options *options;
   vs *scheme;
   cli_reporter reporter;
+  cli_untrusted untrusted;    /* with --untrusted */
   cli_watch watch;            /* over limits that the library cannot hold */
   FILE *output;               /* where the program prints */
   bool output_failed;         /* said once */

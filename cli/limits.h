@@ -9,6 +9,7 @@
 typedef struct {
   double limit;               /* seconds of one step; 0: nobody watches */
   const char *name;           /* of the model, for the message */
+  int scheduling;             /* the system's account of when we ran; -1: none */
   _Atomic double began;       /* clock when the step under way began; 0: none is */
   _Atomic double polled;      /* clock when the library last asked whether to go on */
   _Atomic bool evaluating;    /* the step is an evaluation, whose time is one stretch */
@@ -17,6 +18,8 @@ typedef struct {
 
 /* Bounds the memory that the process may write to at a tenth and some megabytes above the limit. Does nothing where the system has no such bound. */
 void cli_limits_memory(size_t limit);
+/* Makes a watch that watches nothing yet; opens what it will need when the process is confined. */
+void cli_watch_open(cli_watch *w);
 /* Begins to watch the steps. w must live as long as the process. False: no thread could be started. */
 bool cli_limits_watch(cli_watch *w);
 

@@ -1,5 +1,6 @@
 /* Owns the command `vs`: runs what the command line names, then writes what it asks for. Exit codes are vs_outcome's. */
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -54,6 +55,9 @@ static void print_diagnostic(void *context, const vs_diagnostic *d) {
   cli_session *c = context;
   if (d->severity == VS_SEVERITY_ERROR && d->outcome == VS_OUTCOME_MACHINE) atomic_store(&c->watch.told, true);
   cli_report_diagnostic(&c->reporter, d);
+}
+static bool read_untrusted(void *context, const char *path, char **text, size_t *length, const char **why) {
+  return cli_untrusted_read(&((cli_session *)context)->untrusted, path, text, length, why);
 }
 static bool poll_limits(void *context) {
   cli_watch_poll(&((cli_session *)context)->watch);
@@ -227,7 +231,14 @@ static vs_outcome run_batch(cli_session *c) {
 #define TIDY 0
 #endif
 
+/* A standard stream that is closed is opened so that using it fails: else the next file, an output of ours, would have its number, and what the program prints would go there. */
+static void hold_standard_streams(void) {
+  for (int i = 0; i <= STDERR_FILENO; i++)
+    if (fcntl(i, F_GETFD) == -1 && errno == EBADF && open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY) != i) _exit(VS_OUTCOME_USAGE);
+}
+
 int main(int argc, char **argv) {
+  hold_standard_streams();
   cli_options options;
   cli_verdict verdict = cli_options_parse(&options, argc, argv);
   if (verdict != CLI_GO) {
@@ -236,11 +247,17 @@ int main(int argc, char **argv) {
     return VS_OUTCOME_USAGE;
   }
   cli_session session = {.options = &options, .output = options.to_stdout ? stderr : stdout, .ended = &ended};
+  cli_watch_open(&session.watch);
+  if (options.untrusted && !cli_untrusted_begin(&session.untrusted, &options)) {
+    cli_options_free(&options);
+    return VS_OUTCOME_USAGE;
+  }
   session.reporter.progress = !options.quiet && isatty(STDERR_FILENO);
   options.interpreter.host = (vs_host){.context = &session, .output = print_output, .input = read_input, .diagnose = print_diagnostic, .progress = print_progress, .poll = options.interpreter.limit_time > 0 ? poll_limits : NULL, .value = print_value};
+  if (options.untrusted) options.interpreter.host.read_file = read_untrusted;
   if (!TIDY) options.interpreter.alloc = cli_memory;
   if (options.interpreter.limit_memory) cli_limits_memory(options.interpreter.limit_memory);
-  session.watch = (cli_watch){.limit = options.interpreter.limit_time, .name = "vs"};
+  session.watch.limit = options.interpreter.limit_time;
   if (session.watch.limit > 0 && !cli_limits_watch(&session.watch)) session.watch.limit = 0; /* the library's own polls remain */
   session.scheme = vs_new(&options.interpreter);
   vs_outcome outcome = VS_OUTCOME_MACHINE;
@@ -259,15 +276,17 @@ int main(int argc, char **argv) {
     int code;
     if (vs_exit_requested(session.scheme, &code)) {
       if (outcome == VS_OUTCOME_DONE) session.exit_code = code;
-    } else if (!ended && (options.interactive || options.source_count == 0)) {
+    } else if (!ended && !options.untrusted && (options.interactive || options.source_count == 0)) {
       interrupts = 0;
       outcome = cli_repl(&session);
       vs_exit_requested(session.scheme, &session.exit_code);
     }
     if (ended) outcome = VS_OUTCOME_INTERRUPTED;
+    if (outcome == VS_OUTCOME_MACHINE && session.reporter.errors == 0) fputs("vs: out of memory\n", stderr); /* there was none left to say more with */
     interrupted_by_signal = NULL;
     if (TIDY) vs_free(session.scheme);
   }
+  if (options.untrusted) cli_untrusted_end(&session.untrusted);
   free(session.line);
   free(session.model);
   cli_options_free(&options);

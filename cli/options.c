@@ -195,6 +195,8 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
     if (!parse_real(v, 1e-6, &real) || real > 1e9) return bad("--limit-output", v, "megabytes above 0");
     o->interpreter.limit_output = (size_t)(real * 1048576);
     return true;
+  case OPTION_LIMIT_WORKER: return (parse_real(v, 0, &o->interpreter.limit_worker) && o->interpreter.limit_worker > 0) || bad("--limit-worker", v, "seconds above 0");
+  case OPTION_UNTRUSTED: o->untrusted = true; return true;
   case OPTION_CHECK: o->check = true; return true;
   case OPTION_QUIET: o->quiet = true; return true;
   case OPTION_VERSION: printf("vs %s\n", vs_version()); *verdict = CLI_STOP; return true;

@@ -578,6 +578,7 @@ static vs_outcome write_one(vs_session *s, const char *path, const vs_format *fo
   e.context = &context, e.warn = export_warn, e.progress = export_progress;
   e.safe = s->options.untrusted || s->options.limit_time > 0 || s->options.limit_memory || s->options.limit_steps || s->options.limit_output;
   e.mesh_triangles = s->options.limit_triangles;
+  e.worker_seconds = s->options.limit_worker;
   if (s->options.limit_memory) e.mesh_bytes = s->bytes < s->options.limit_memory ? s->options.limit_memory - s->bytes : 1;
   apply(o, &scene, &e);
   vs_outcome handed = hand_on(s, &scene, format);

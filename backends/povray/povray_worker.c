@@ -5,7 +5,7 @@
  * wrapped at 80 columns with one space in front of what continues. It ends with 0 after warnings that mean a wrong picture, so any is a
  * failure here. A message's line leads, by the table that the driver kept, to the place in the user's model.
  * It stays in our process group: what ends us from outside (the terminal, timeout) ends it too. */
-#define _XOPEN_SOURCE 700
+#define _GNU_SOURCE /* prlimit */
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -15,6 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -107,6 +108,18 @@ static const char *run_last_line(char *text) {
 
 /* ---- the process ---- */
 
+/* Our own soft limit of memory is that of the model: a worker has the hard one. */
+static void run_give_memory(pid_t process) {
+#ifdef __linux__
+  struct rlimit own;
+  if (getrlimit(RLIMIT_DATA, &own) != 0 || own.rlim_cur == own.rlim_max) return;
+  own.rlim_cur = own.rlim_max;
+  prlimit(process, RLIMIT_DATA, &own, NULL);
+#else
+  (void)process;
+#endif
+}
+
 static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene, char format) {
   int pipe_ends[2];
   if (pipe(pipe_ends) != 0) return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "cannot talk to POV-Ray: no pipe");
@@ -148,7 +161,10 @@ static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene, char format)
   posix_spawnattr_destroy(&attributes);
   close(pipe_ends[1]);
   r->errors = pipe_ends[0];
-  if (problem == 0) return true;
+  if (problem == 0) {
+    run_give_memory(r->process);
+    return true;
+  }
   close(r->errors);
   if (problem == ENOENT)
     return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray is not installed: pictures need the package povray (sudo apt-get install povray)");

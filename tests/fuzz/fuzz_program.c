@@ -1,0 +1,9 @@
+/* Owns the fuzzing of expander, compiler and evaluator: any bytes as a program under limits. */
+#include "tests/fuzz/fuzz.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  static fuzz_file none;
+  vs *s = fuzz_interpreter(&none);
+  vs_eval_text(s, "fuzz", 1, (const char *)data, size, VS_EVAL_PRINT);
+  return 0;
+}
