@@ -63,7 +63,7 @@ $(BUILD)/obj/assets.o: $(BUILD)/assets.s
 	$(CC) -c $< -o $@
 
 # The heap image: a stage-0 interpreter, made of the same objects, loads the language's own sources and writes down what it then holds.
-LIBRARY   = prelude.scm srfi.scm bind/geometry.scm bind/primitives.scm
+LIBRARY   = prelude.scm srfi.scm bind/geometry.scm bind/primitives.scm bind/data.scm
 STAGE0    = $(filter-out $(BUILD)/obj/session/%.o,$(LIB_OBJ)) $(BUILD)/obj/scripts/stage0.o
 
 $(BUILD)/stage0: $(STAGE0)
@@ -79,12 +79,26 @@ $(BUILD)/obj/library_image.o: $(BUILD)/library_image.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -c $< -o $@
 
-$(BUILD)/libvisualscheme.a: $(LIB_OBJ) $(BUILD)/obj/library_image.o
+# The libraries in Scheme that come with the language: their texts, each under its name below library/, read when something imports them.
+SHIPPED   = $(sort $(wildcard library/*.s[lc]* library/*/*.s[lc]* library/*/*/*.s[lc]*))
+
+$(BUILD)/shipped.c: $(SHIPPED) Makefile
+	@mkdir -p $(@D)
+	@i=0; { echo '#include "vm/machine/program.h"'; for f in $(SHIPPED); do i=$$((i + 1)); \
+	  printf '__asm__(".section .rodata\\nvs_shipped_%d: .incbin \\"%s\\"\\nvs_shipped_%d_end: .byte 0\\n.previous");\nextern const char vs_shipped_%d[] __attribute__((visibility("hidden"))), vs_shipped_%d_end[] __attribute__((visibility("hidden")));\n' $$i $$f $$i $$i $$i; done; \
+	  echo 'extern const vs_shipped vs_shipped_library[];'; echo 'const vs_shipped vs_shipped_library[] = {'; i=0; \
+	  for f in $(SHIPPED); do i=$$((i + 1)); printf '  { "%s", vs_shipped_%d, vs_shipped_%d_end },\n' $${f#library/} $$i $$i; done; echo '  { 0 }'; echo '};'; } > $@
+
+$(BUILD)/obj/shipped.o: $(BUILD)/shipped.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -c $< -o $@
+
+$(BUILD)/libvisualscheme.a: $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o
 	@mkdir -p $(@D); rm -f $@
 	ar rcs $@ $^
 
-$(BUILD)/libvisualscheme.so: $(LIB_OBJ) $(BUILD)/obj/library_image.o visualscheme.map
-	$(CC) $(CFLAGS) -shared -Wl,-soname,libvisualscheme.so.0 -Wl,--version-script=visualscheme.map -Wl,--no-undefined -o $@ $(LIB_OBJ) $(BUILD)/obj/library_image.o $(LDFLAGS) $(LDLIBS)
+$(BUILD)/libvisualscheme.so: $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o visualscheme.map
+	$(CC) $(CFLAGS) -shared -Wl,-soname,libvisualscheme.so.0 -Wl,--version-script=visualscheme.map -Wl,--no-undefined -o $@ $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o $(LDFLAGS) $(LDLIBS)
 
 $(BUILD)/vs: $(CLI_OBJ) $(BUILD)/libvisualscheme.a
 	$(CC) $(CFLAGS) -o $@ $(CLI_OBJ) $(BUILD)/libvisualscheme.a $(LDFLAGS) $(CLI_LIBS) $(LDLIBS)

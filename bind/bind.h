@@ -52,7 +52,7 @@ struct vs_bind {
   vs_bind_setting *settings;
   size_t setting_count, setting_room;
   size_t refused;                  /* allocations that were refused so far: tells "no such" from "no memory" */
-  uint32_t library_files;          /* files with smaller numbers are the language's own */
+  uint32_t library_files;          /* files with smaller numbers are the language's own; so are those of vs_config.shipped */
   vs_inside_cache *inside;         /* what contains? has prepared; NULL at first */
   /* users' kinds (custom.c): the ticket of each number that some node holds, and the numbers that none holds any more */
   vs_ticket **tickets;
@@ -76,7 +76,7 @@ static inline vs_bind *vs_bind_of(vs *vm) { return (vs_bind *)vm->host; }
 const vs_native_table *const *vs_bind_tables(void);
 bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum); /* false: out of memory */
 
-extern const vs_native_table vs_bind_table, vs_bind_reserved_table;
+extern const vs_native_table vs_bind_table, vs_bind_reserved_table, vs_bind_data_table;
 
 /* A top-level expression's value: remembers the objects in it. False: error set. */
 bool vs_bind_returned(vs_bind *b, vs_value v, bool shown);
@@ -103,6 +103,7 @@ vs_status vs_bind_wrap_ref(vs_bind *b, vs_ref ref /* retained */, vs_value *out)
 vs_status vs_bind_wrap(vs_bind *b, vs_node *node /* taken over; NULL: out of memory */, vs_value *out);
 /* A position's file as text of the store; NULL: nowhere, or one of the language's own sources: places in those are not the user's business. */
 const char *vs_bind_file_name(vs_bind *b, vs_pos place);
+bool vs_bind_is_library(vs_bind *b, uint32_t file); /* is the file of this number one of those sources? */
 uint32_t vs_bind_file_count(vs *vm); /* files that have a number */
 /* Was such a warning given for this place before? It counts as given from now on. */
 bool vs_bind_warned(vs_bind *b, const vs_origin *o, const char *kind);

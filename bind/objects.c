@@ -1,6 +1,8 @@
 /* Owns what Scheme sees of the model: objects (references to nodes), paints (materials), where they came from, and warnings about them. */
 #include "bind/bind.h"
 
+#include "vm/machine/program.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -61,10 +63,19 @@ uint32_t vs_bind_file_count(vs *vm) {
   return n;
 }
 
+bool vs_bind_is_library(vs_bind *b, uint32_t number) {
+  if (number < b->library_files) return true;
+  vs_text name;
+  vs_text_open(b->vm, &name, 0);
+  bool shipped = vs_unit_file_name(b->vm, number, &name) && vs_unit_is_shipped(name.at);
+  vs_text_close(&name);
+  return shipped;
+}
+
 const char *vs_bind_file_name(vs_bind *b, vs_pos place) {
   vs_value files = b->vm->at.files;
   uint32_t number = vs_pos_file(place);
-  if (number < b->library_files || number == 0 || !vs_is_vector(files) || number >= vs_as_vector(files)->length) return NULL;
+  if (number == 0 || vs_bind_is_library(b, number) || !vs_is_vector(files) || number >= vs_as_vector(files)->length) return NULL;
   vs_value name = vs_as_vector(files)->at[number];
   char *text;
   size_t bytes;

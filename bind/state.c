@@ -6,7 +6,7 @@
 #include "model/store/nodemap.h"
 
 const vs_native_table *const *vs_bind_tables(void) {
-  static const vs_native_table *const tables[] = { &vs_bind_table, &vs_bind_reserved_table, NULL };
+  static const vs_native_table *const tables[] = { &vs_bind_table, &vs_bind_reserved_table, &vs_bind_data_table, NULL };
   return tables;
 }
 

@@ -39,8 +39,7 @@ static int failed(vs *vm, const char *what) {
 }
 
 int main(int argc, char **argv) {
-  static const vs_native_table *const tables[] = { &vs_bind_table, &vs_bind_reserved_table, NULL };
-  vs_config config = { .tables = tables };
+  vs_config config = { .tables = vs_bind_tables() };
   vs *vm = vs_open_vm(&config);
   vs_flat_rules *rules = calloc(1, sizeof *rules);
   if (argc < 3 || !vm || !rules) {

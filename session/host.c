@@ -2,6 +2,7 @@
  * where it gave some. The VM has no system calls of its own; these are all there are. */
 #include "session/session.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <sys/stat.h>
@@ -298,7 +299,19 @@ static bool remove_file(void *session, const char *path, const char **why) {
   return unlink(path) == 0 || refuse(s, errno == EACCES ? "not permitted to delete it" : reason(errno), why);
 }
 
+static bool list_folder(void *session, const char *path, bool (*take)(void *context, const char *name, size_t length), void *context, const char **why) {
+  vs_session *s = session;
+  if (s->options.untrusted || s->options.host.read_file) return refuse(s, "reading folders is switched off", why);
+  DIR *folder = opendir(path);
+  if (!folder) return refuse(s, errno == ENOENT ? "no such folder" : reason(errno), why);
+  bool ok = true;
+  for (const struct dirent *entry; ok && (entry = readdir(folder));)
+    if (strcmp(entry->d_name, ".") && strcmp(entry->d_name, "..")) ok = take(context, entry->d_name, strlen(entry->d_name));
+  closedir(folder);
+  return ok;
+}
+
 const vs_io vs_session_io = {
   .open = open_stream, .read = read_stream, .write = write_stream, .flush = flush_stream, .close = close_stream,
-  .exists = exists, .remove = remove_file, .now = now_of_day, .getenv = environment,
+  .exists = exists, .remove = remove_file, .list = list_folder, .now = now_of_day, .getenv = environment,
 };

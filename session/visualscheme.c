@@ -18,6 +18,7 @@
 #include "vm/front/reader.h"
 #include "vm/machine/program.h"
 
+extern const vs_shipped vs_shipped_library[]; /* library/, which the Makefile puts into the program */
 extern const vs_image vs_library_image; /* the library, loaded at build time (scripts/stage0.c) */
 
 const char *vs_version(void) { return VS_VERSION; }
@@ -134,7 +135,7 @@ vs *vs_new(const vs_options *options) {
   vs_config config = {
     .memory = vs_session_memory, .user = s, .memory_limit = o.limit_memory, .step_limit = o.limit_steps, .output_limit = o.limit_output, .time_limit = o.limit_time,
     .phase = vm_phase, .clock = vs_session_clock, .interrupted = vs_session_interrupted, .tables = vs_bind_tables(), .image = &vs_library_image,
-    .io = &vs_session_io, .value = take_value, .dropped = vs_bind_dropped, .library_path = s->options.library_path,
+    .io = &vs_session_io, .value = take_value, .dropped = vs_bind_dropped, .library_path = s->options.library_path, .shipped = vs_shipped_library,
     .command_line = s->options.command_line, .command_line_count = s->options.command_line_count,
   };
   vs_store *store = vs_store_new(store_memory, s);

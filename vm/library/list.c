@@ -375,17 +375,25 @@ static vs_status list_take(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
+/* How many pairs a list has that ends, in () or not. */
+static bool arg_dotted(vs *vm, const vs_value *a, int arg, int64_t *pairs) {
+  if (last_cdr(a[arg]) == VS_ABSENT) return vs_fail_type(vm, arg, "a list that ends", a[arg]);
+  *pairs = 0;
+  for (vs_value l = a[arg]; vs_is_pair(l); l = vs_cdr(l)) ++*pairs;
+  return vs_poll(vm, (uint64_t)*pairs);
+}
+
 static vs_status list_take_right(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t k, length;
-  return arg_list(vm, a, 0, &length) && vs_arg_index(vm, a, 1, 0, length, &k) && arg_pairs(vm, a, 0, length - k, out);
+  return arg_dotted(vm, a, 0, &length) && vs_arg_index(vm, a, 1, 0, length, &k) && arg_pairs(vm, a, 0, length - k, out);
 }
 
 static vs_status list_drop_right(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t k, length;
   LIST_MAKER(vm, r);
-  if (!arg_list(vm, a, 0, &length) || !vs_arg_index(vm, a, 1, 0, length, &k) || !maker_copy(vm, r, &a[0], length - k)) return VS_ERROR;
+  if (!arg_dotted(vm, a, 0, &length) || !vs_arg_index(vm, a, 1, 0, length, &k) || !maker_copy(vm, r, &a[0], length - k)) return VS_ERROR;
   *out = r[HEAD];
   return VS_OK;
 }

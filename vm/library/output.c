@@ -1,5 +1,8 @@
 /* Owns the procedures that print: display, write and their kind, format and printf. Each makes its whole text first and hands it to
    the port at once, so that an error or interrupt in the middle prints nothing. */
+#include <math.h>
+#include <stdio.h>
+
 #include "vm/library/format.h"
 #include "vm/values/number.h"
 #include "vm/library/port.h"
@@ -90,9 +93,54 @@ static vs_status write_bytevector(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- format ---- */
 
-static bool format_number(vs *vm, vs_value v, char directive, vs_text *t) {
+/* What stands between ~ and the letter: ~8a, ~8@a, ~2,'0d, ~8,2f. -1: not given. */
+typedef struct { int64_t width, decimals; uint32_t pad; bool before; } format_field;
+
+enum { WIDEST = 10000, MOST_DECIMALS = 100 };
+
+/* The number or the 'c at character *i of the control string, taken: false where none stands. */
+static bool format_parameter(vs_value control, size_t *i, size_t length, int64_t *number, uint32_t *pad) {
+  if (*i + 1 < length && vs_string_at(control, *i) == '\'') {
+    *pad = vs_string_at(control, *i + 1);
+    *i += 2;
+    return true;
+  }
+  size_t first = *i;
+  int64_t n = 0;
+  for (; *i < length && vs_string_at(control, *i) >= '0' && vs_string_at(control, *i) <= '9'; ++*i)
+    if (n < WIDEST * 10) n = 10 * n + (int64_t)vs_string_at(control, *i) - '0';
+  if (*i == first) return false;
+  *number = n;
+  return true;
+}
+
+static format_field format_field_at(vs_value control, size_t *i, size_t length) {
+  format_field f = {-1, -1, ' ', false};
+  format_parameter(control, i, length, &f.width, &f.pad);
+  if (*i < length && vs_string_at(control, *i) == ',') {
+    ++*i;
+    format_parameter(control, i, length, &f.decimals, &f.pad);
+  }
+  if (*i < length && vs_string_at(control, *i) == '@') { f.before = true; ++*i; }
+  return f;
+}
+
+/* ~8,2f: a number with so many decimals, rounded; without them as it is written. */
+static bool format_fixed(vs *vm, vs_value v, int64_t decimals, vs_text *t) {
+  double d;
+  if (!vs_number_double(vm, v, &d)) return false;
+  if (decimals < 0 || !isfinite(d)) return vs_number_print(vm, v, 10, t);
+  char text[512];
+  int n = snprintf(text, sizeof text, "%.*f", (int)decimals, d);
+  const char *shown = text;
+  if (*shown == '-' && strspn(shown + 1, "0.") == strlen(shown + 1)) shown++;      /* -0.00 is 0.00 */
+  return n > 0 && (size_t)n < sizeof text && vs_text_puts(t, shown);
+}
+
+static bool format_number(vs *vm, vs_value v, char directive, const format_field *f, vs_text *t) {
   VS_ROOTS(vm, r, 1);
   r[0] = v;
+  if (directive == 'f' && vs_is_number(v)) return format_fixed(vm, v, f->decimals, t);
   if (!vs_is_number(v)) return vs_cons(vm, v, VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "~%c needs a number, got", directive);
   double d;
   if (directive == 'e') return vs_number_double(vm, v, &d) && vs_number_print(vm, vs_flonum(d), 10, t);
@@ -109,6 +157,10 @@ bool vs_format(vs *vm, const vs_value *a, int control, int n, vs_text *t) {
       continue;
     }
     if (++i == length) return vs_fail(vm, vm->sym.error, "the format ends in ~");
+    format_field field = format_field_at(a[control], &i, length);
+    if (i == length) return vs_fail(vm, vm->sym.error, "the format ends within a directive");
+    if (field.width > WIDEST) return vs_fail(vm, vm->sym.error, "a field of the format may be up to %d wide", WIDEST);
+    if (field.decimals > MOST_DECIMALS) return vs_fail(vm, vm->sym.error, "a number of the format may have up to %d decimals", MOST_DECIMALS);
     uint32_t directive = vs_string_at(a[control], i);
     char d = (char)(directive >= 'A' && directive <= 'Z' ? directive + 32 : directive < 0x80 ? directive : '?');
     if (d == '%' || d == 'n' || d == '~') {
@@ -119,10 +171,22 @@ bool vs_format(vs *vm, const vs_value *a, int control, int n, vs_text *t) {
       while (i + 1 < length && (vs_string_at(a[control], i + 1) == ' ' || vs_string_at(a[control], i + 1) == '\n')) i++;
       continue;
     }
-    if (!strchr("adswvcboxe", d)) return vs_fail(vm, vm->sym.error, "unknown directive ~%c in the format; there are ~a ~s ~v ~c ~b ~o ~x ~e ~n ~%% ~~", d);
+    if (!strchr("adswvcboxef", d)) return vs_fail(vm, vm->sym.error, "unknown directive ~%c in the format; there are ~a ~s ~d ~f ~v ~c ~b ~o ~x ~e ~n ~%% ~~", d);
     if (next >= n) return vs_fail(vm, vm->sym.error, "the format has more directives than there are values (%d)", n - control - 1);
     vs_value v = a[next++];
-    bool ok = strchr("boxe", d) ? format_number(vm, v, d, t) : vs_print(vm, v, d == 'a' || d == 'd' || d == 'c' ? VS_PRINT_DISPLAY : VS_PRINT_WRITE, t);
+    vs_text own, *to = field.width > 0 ? &own : t;
+    vs_text_open(vm, &own, 0);
+    bool number = strchr("boxef", d) != NULL;
+    bool ok = number ? format_number(vm, v, d, &field, to) : vs_print(vm, v, d == 'a' || d == 'd' || d == 'c' ? VS_PRINT_DISPLAY : VS_PRINT_WRITE, to);
+    if (ok && to == &own) {                       /* numbers stand to the right of their field, the rest to the left, unless @ says otherwise */
+      int64_t shown = 0;
+      for (size_t k = 0; k < own.count; k++) shown += ((unsigned char)own.at[k] & 0xC0) != 0x80;
+      bool before = field.before || number || d == 'd';
+      for (int64_t k = shown; ok && before && k < field.width; k++) ok = vs_text_char(t, field.pad);
+      ok = ok && (!own.count || vs_text_put(t, own.at, own.count));
+      for (int64_t k = shown; ok && !before && k < field.width; k++) ok = vs_text_char(t, field.pad);
+    }
+    vs_text_close(&own);
     if (!ok) return false;
   }
   if (next < n) return vs_fail(vm, vm->sym.error, "the format uses %d of the %d values", next - control - 1, n - control - 1);

@@ -21,6 +21,8 @@ typedef struct vs_io {
   bool (*close)(void *user, int64_t stream);                                 /* false: could not be written to the end */
   bool (*exists)(void *user, const char *path);
   bool (*remove)(void *user, const char *path, const char **why);
+  /* Hands each name in a folder to `take`, but for . and .. ; false: *why, or take said false and *why is as it was. */
+  bool (*list)(void *user, const char *path, bool (*take)(void *context, const char *name, size_t length), void *context, const char **why);
   double (*now)(void *user);                                                 /* seconds since 1970 */
   const char *(*getenv)(void *user, const char *name);
 } vs_io;

@@ -1,6 +1,7 @@
 /* Owns the built-in libraries: (scheme base), (srfi 1) and the rest of libraries.def. Each is an environment whose own table holds the very
    cells and macros of the one library of the VM, made when it is first asked for. (visualscheme) is that one library itself. */
 #include "vm/library/library.h"
+#include "vm/machine/program.h"
 #include "vm/values/text.h"
 
 #include <stdio.h>
@@ -107,6 +108,10 @@ bool vs_library_each_srfi(vs *vm, bool (*each)(vs *vm, void *context, int number
   for (int i = 0; i < LIBRARIES; i++) {
     int number;
     if (sscanf(libraries[i].name, "srfi %d", &number) == 1 && !each(vm, context, number)) return false;
+  }
+  for (const vs_shipped *s = vm->config.shipped; s && s->name; s++) {
+    int number, end = 0;
+    if (sscanf(s->name, "srfi/%d.sld%n", &number, &end) == 1 && end && !each(vm, context, number)) return false;
   }
   return true;
 }

@@ -236,8 +236,19 @@ static size_t folder_length(const char *name) {
   return slash ? (size_t)(slash - name) + 1 : 0;
 }
 
+static const char SHIPPED[] = "library:";
+
+bool vs_unit_is_shipped(const char *path) { return !strncmp(path, SHIPPED, sizeof SHIPPED - 1); }
+
+const vs_shipped *vs_unit_shipped(const vs *vm, const char *name) {
+  for (const vs_shipped *s = vm->config.shipped; s && s->name; s++) if (!strcmp(s->name, name)) return s;
+  return NULL;
+}
+
 static bool exists(vs *vm, vs_text *path) {
-  return vs_text_end(path) && vm->config.io && vm->config.io->exists && vm->config.io->exists(vm->config.user, path->at);
+  if (!vs_text_end(path)) return false;
+  if (vs_unit_is_shipped(path->at)) return vs_unit_shipped(vm, path->at + sizeof SHIPPED - 1) != NULL;
+  return vm->config.io && vm->config.io->exists && vm->config.io->exists(vm->config.user, path->at);
 }
 
 /* a/./b and a/c/../b are a/b, so that one file has one name */
@@ -304,10 +315,15 @@ bool vs_unit_find(vs *vm, vs_value name, uint32_t from, size_t up, vs_text *path
       ok = try_place(vm, p, n, &plain, path, found);
       p += n + (p[n] == ':');
     }
+    if (ok && !*found && vs_unit_shipped(vm, plain.at)) {
+      *found = true;
+      path->count = 0;
+      ok = vs_text_puts(path, SHIPPED) && vs_text_put(path, plain.at, plain.count);
+    }
   }
   vs_text_close(&plain);
   vs_text_close(&base);
-  if (ok) normalise(path);
+  if (ok && !vs_unit_is_shipped(path->count ? path->at : "")) normalise(path);
   return ok;       /* not found: the first place, whose absence the reading reports */
 }
 
@@ -326,6 +342,8 @@ static bool read_text(vs *vm, const char *name, uint32_t line, const char *text,
 
 bool vs_unit_read(vs *vm, const char *path, bool fold, vs_value *forms) {
   VS_ROOTS(vm, r, 1);
+  const vs_shipped *shipped = vs_unit_is_shipped(path) ? vs_unit_shipped(vm, path + sizeof SHIPPED - 1) : NULL;
+  if (shipped) return read_text(vm, path, 1, shipped->text, (size_t)(shipped->end - shipped->text), fold, forms);
   if (!vs_io_read_file(vm, path, &r[0])) return false;
   size_t size = (size_t)vs_as_bytes(r[0])->length;
   char *text = vs_mem(vm, NULL, 0, size + 1);        /* the reader allocates, the bytes may move */

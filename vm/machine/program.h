@@ -22,6 +22,13 @@ bool vs_program_new(vs *vm, vs_value *env);
 bool vs_program_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt, vs_value *last);
 bool vs_program_file(vs *vm, const char *path, vs_value *last);
 
+/* A source file that is part of the program: read when something imports it, never run before. The last has no name. */
+typedef struct vs_shipped { const char *name /* "srfi/13.sld" */, *text, *end; } vs_shipped;
+/* Does a path name such a file? They are looked for last, and called library:srfi/13.sld. */
+bool vs_unit_is_shipped(const char *path);
+/* name in vm->config.shipped, or NULL */
+const vs_shipped *vs_unit_shipped(const vs *vm, const char *name);
+
 /* The path of a file that the text `from` (a file number, 0: none) names. The places are the folder of `from`, the folder `up` levels above it, the
    folder of the file that the host runs, and the folders of vm->config.library_path; *found: it exists in one of them. Else *path is the first. */
 bool vs_unit_find(vs *vm, vs_value name, uint32_t from, size_t up, vs_text *path, bool *found);

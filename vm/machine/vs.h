@@ -46,6 +46,7 @@ typedef struct vs_config {
   const struct vs_image *image;                /* a heap image to start from, or NULL */
   const struct vs_io *io;                      /* files, console, time of day (port.h), called with `user`; NULL: none of them */
   const char *library_path;  /* folders for load, include, require and import, ':' between them, or NULL; living as long as the interpreter */
+  const struct vs_shipped *shipped; /* libraries in Scheme that come with the language (program.h), or NULL */
   const char *const *command_line; size_t command_line_count; /* what (command-line) gives; 0: "vs" alone. Living as long as the interpreter */
   /* The value of a top-level expression of the program or of a file it loaded; false: the error is set. NULL: nobody wants it. */
   bool (*value)(vs *vm, vs_value v, vs_pos place);

@@ -1,0 +1,246 @@
+/* Owns the reading of data beside a program: texts, the names in a folder, JSON. CSV is bind/data.scm's.
+ *
+ * Files are named relative to the program's own file, as load-mesh names them, and read through the VM's host (vs_io), so that what confines that
+ * confines these. jansson, which parses JSON, is loaded when it is first needed. */
+#include "bind/bind.h"
+
+#include <jansson.h>
+
+#include "geometry/dynamic.h"
+#include "vm/library/port.h"
+#include "vm/machine/program.h"
+#include "vm/machine/run.h"
+#include "vm/values/number.h"
+
+/* The file of the innermost call that stands in no library of the language; 0: none. */
+static uint32_t calling_file(vs *vm) {
+  enum { FAR = 64 };
+  vs_pos place[FAR];
+  size_t n = vs_call_places(vm, place, FAR);
+  for (size_t i = 0; i < n; i++)
+    if (!vs_bind_is_library(vm->host, vs_pos_file(place[i]))) return vs_pos_file(place[i]);
+  return 0;
+}
+
+/* a[0]'s place in *path, ended. False: it is no string, or out of memory. */
+static bool path_of(vs *vm, vs_value *a, vs_text *path) {
+  return vs_arg_type(vm, a, 0, VS_T_STRING) && vs_unit_path(vm, a[0], calling_file(vm), path) && vs_text_end(path);
+}
+
+/* (%data-path name): where the file is that a program names */
+static vs_status data_path(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  vs_text path;
+  vs_text_open(vm, &path, 0);
+  bool ok = path_of(vm, a, &path) && vs_text_to_string(&path, out);
+  vs_text_close(&path);
+  return ok;
+}
+
+/* (%data-text path): a file's text. A mark of the byte order at its beginning is left out. */
+static vs_status data_text(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  vs_text path, text;
+  vs_text_open(vm, &path, 0);
+  vs_text_open(vm, &text, 0);
+  VS_ROOTS(vm, r, 1);
+  vm->native = NULL; /* the error names the file and not this procedure */
+  bool ok = vs_text_string(&path, a[0]) && vs_text_end(&path) && vs_io_read_file(vm, path.at, &r[0]);
+  if (ok) {
+    const char *at = (const char *)vs_as_bytes(r[0])->at;
+    size_t count = (size_t)vs_as_bytes(r[0])->length, mark = count >= 3 && !memcmp(at, "\xEF\xBB\xBF", 3) ? 3 : 0;
+    ok = vs_text_put(&text, at + mark, count - mark) && vs_text_to_string(&text, out);
+  }
+  vs_text_close(&text);
+  vs_text_close(&path);
+  return ok;
+}
+
+/* ---- folders ---- */
+typedef struct { vs *vm; vs_value *list; } names;
+
+static bool take_name(void *context, const char *name, size_t length) {
+  names *l = context;
+  VS_ROOTS(l->vm, r, 1);
+  return vs_string_from_utf8(l->vm, name, length, &r[0]) && vs_cons(l->vm, r[0], *l->list, l->list);
+}
+
+/* (%directory-files path): the names in a folder, in no order */
+static vs_status directory_files(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  VS_ROOTS(vm, r, 1);
+  r[0] = VS_NIL;
+  names l = { vm, &r[0] };
+  const char *why = NULL;
+  const vs_io *io = vm->config.io;
+  vs_text path;
+  vs_text_open(vm, &path, 0);
+  bool ok = vs_text_string(&path, a[0]) && vs_text_end(&path);
+  bool listed = ok && io && io->list && io->list(vm->config.user, path.at, take_name, &l, &why);
+  vs_text_close(&path);
+  if (ok && !listed) {
+    if (!why && io && io->list) return VS_ERROR; /* out of memory: said */
+    return vs_cons(vm, a[0], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.file, r[0], "cannot read the folder (%s)", why ? why : "not available here");
+  }
+  *out = r[0];
+  return ok;
+}
+
+/* ---- JSON ---- */
+#define JANSSON_FUNCTIONS                                                              \
+  JANSSON(load, json_loadb, json_t *, (const char *, size_t, size_t, json_error_t *)) \
+  JANSSON(discard, json_delete, void, (json_t *))                                     \
+  JANSSON(first, json_object_iter, void *, (json_t *))                                \
+  JANSSON(next, json_object_iter_next, void *, (json_t *, void *))                    \
+  JANSSON(key, json_object_iter_key, const char *, (void *))                          \
+  JANSSON(member, json_object_iter_value, json_t *, (void *))                         \
+  JANSSON(size, json_array_size, size_t, (const json_t *))                            \
+  JANSSON(element, json_array_get, json_t *, (const json_t *, size_t))                \
+  JANSSON(string, json_string_value, const char *, (const json_t *))                  \
+  JANSSON(length, json_string_length, size_t, (const json_t *))                       \
+  JANSSON(integer, json_integer_value, json_int_t, (const json_t *))                  \
+  JANSSON(real, json_real_value, double, (const json_t *))
+
+typedef struct {
+#define JANSSON(member, symbol, result, parameters) result (*member) parameters;
+  JANSSON_FUNCTIONS
+#undef JANSSON
+} jansson;
+
+static const vs_dynamic_name jansson_names[] = {
+#define JANSSON(member, symbol, result, parameters) { #symbol, offsetof(jansson, member) },
+  JANSSON_FUNCTIONS
+#undef JANSSON
+};
+
+/* An array or object that is being taken over: the next element, or the iterator of the next member. Its Scheme value is the list `containers`
+ * of take_json at the same depth: the vector, or what is left of the association list to fill. */
+typedef struct { json_t *node; void *iterator; size_t index; } level;
+
+/* What stands for a node by itself: an array is a vector yet to fill, an object an association list whose values are. */
+static bool shallow(vs *vm, const jansson *j, json_t *node, vs_value *out) {
+  VS_ROOTS(vm, r, 3); /* the list, its last pair, what is new */
+  switch (json_typeof(node)) {
+    case JSON_OBJECT:
+      r[0] = r[1] = VS_NIL;
+      for (void *i = j->first(node); i; i = j->next(node, i)) {
+        const char *key = j->key(i);
+        vs_value name;
+        if (!vs_poll(vm, 16) || !vs_intern(vm, key, strlen(key), &name) || !vs_cons(vm, name, VS_FALSE, &r[2]) || !vs_cons(vm, r[2], VS_NIL, &r[2])) return false;
+        if (r[0] == VS_NIL) r[0] = r[2];
+        else vs_gc_store(vm, vs_as_pair(r[1]), &vs_as_pair(r[1])->cdr, r[2]);
+        r[1] = r[2];
+      }
+      *out = r[0];
+      return true;
+    case JSON_ARRAY: return vs_make_vector(vm, j->size(node), VS_FALSE, out);
+    case JSON_STRING: return vs_string_from_utf8(vm, j->string(node), j->length(node), out);
+    case JSON_INTEGER: return vs_number_from_int64(vm, j->integer(node), out);
+    case JSON_REAL: *out = vs_flonum(j->real(node)); return true;
+    case JSON_TRUE: *out = VS_TRUE; return true;
+    case JSON_FALSE: *out = VS_FALSE; return true;
+    case JSON_NULL: return vs_intern(vm, "null", 4, out);
+  }
+  return false;
+}
+
+/* jansson's tree as Scheme data, with a stack of its own. */
+static bool take_json(vs *vm, const jansson *j, json_t *root, vs_value *out) {
+  VS_ROOTS(vm, r, 3); /* the result, the containers (innermost first), a value */
+  level *levels = NULL;
+  size_t depth = 0, room = 0;
+  bool ok = shallow(vm, j, root, &r[0]);
+  r[1] = VS_NIL, r[2] = r[0];
+  for (json_t *fresh = root; ok;) {
+    if (fresh && (json_is_object(fresh) || json_is_array(fresh))) {
+      if (depth == room) {
+        size_t more = room ? 2 * room : 16;
+        level *grown = vs_mem(vm, levels, room * sizeof *grown, more * sizeof *grown);
+        if (!(ok = grown != NULL)) break;
+        levels = grown, room = more;
+      }
+      levels[depth++] = (level){ fresh, json_is_object(fresh) ? j->first(fresh) : NULL, 0 };
+      if (!(ok = vs_cons(vm, r[2], r[1], &r[1]))) break;
+    }
+    fresh = NULL;
+    if (!depth) break;
+    level *l = &levels[depth - 1];
+    bool array = json_is_array(l->node);
+    if (array ? l->index == j->size(l->node) : !l->iterator) {
+      depth--;
+      r[1] = vs_cdr(r[1]);
+      continue;
+    }
+    fresh = array ? j->element(l->node, l->index) : j->member(l->iterator);
+    if (!(ok = vs_poll(vm, 16) && shallow(vm, j, fresh, &r[2]))) break;
+    vs_value into = vs_car(r[1]);
+    if (array) {
+      vs_gc_store(vm, vs_as_vector(into), &vs_as_vector(into)->at[l->index++], r[2]);
+    } else {
+      vs_value member = vs_car(into);
+      vs_gc_store(vm, vs_as_pair(member), &vs_as_pair(member)->cdr, r[2]);
+      vs_gc_store(vm, vs_as_pair(r[1]), &vs_as_pair(r[1])->car, vs_cdr(into));
+      l->iterator = j->next(l->node, l->iterator);
+    }
+  }
+  if (levels) vs_mem(vm, levels, room * sizeof *levels, 0);
+  if (ok) *out = r[0];
+  return ok;
+}
+
+/* text [name]: `name` says in messages where the text came from */
+static vs_status json_parse(vs *vm, const char *text, size_t length, const char *name, vs_value *out) {
+  static const char *const files[] = { "libjansson.so.4", "libjansson.4.dylib", NULL };
+  static const vs_dynamic_library library = { files, "libjansson4", "JSON" };
+  jansson j;
+  vs_error e = { 0 };
+  if (!vs_dynamic_load(&library, jansson_names, sizeof jansson_names / sizeof *jansson_names, &j, &e)) {
+    vs_fail(vm, vm->sym.file, "%s", e.message);
+    return VS_ERROR;
+  }
+  json_error_t wrong;
+  json_t *root = j.load(text, length, JSON_DECODE_ANY | JSON_REJECT_DUPLICATES, &wrong);
+  if (!root) return vs_fail(vm, vm->sym.error, "%s:%d:%d: %s", name, wrong.line > 0 ? wrong.line : 1, wrong.column > 0 ? wrong.column : 1, wrong.text);
+  bool ok = take_json(vm, &j, root, out);
+  if (root->refcount != (size_t)-1 && --root->refcount == 0) j.discard(root); /* json_decref, which would call the library by name */
+  return ok;
+}
+
+static vs_status load_json(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  vs_text path, text;
+  vs_text_open(vm, &path, 0);
+  vs_text_open(vm, &text, 0);
+  VS_ROOTS(vm, r, 1);
+  bool ok = path_of(vm, a, &path) && vs_io_read_file(vm, path.at, &r[0]);
+  if (ok) { /* a copy: the bytes may move while data is made of them */
+    const char *at = (const char *)vs_as_bytes(r[0])->at;
+    size_t count = (size_t)vs_as_bytes(r[0])->length, mark = count >= 3 && !memcmp(at, "\xEF\xBB\xBF", 3) ? 3 : 0;
+    ok = vs_text_put(&text, at + mark, count - mark) && vs_text_end(&text);
+    r[0] = VS_FALSE;
+  }
+  ok = ok && json_parse(vm, text.at, text.count, path.at, out);
+  vs_text_close(&text);
+  vs_text_close(&path);
+  return ok;
+}
+
+static vs_status string_to_json(vs *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  if (!vs_arg_type(vm, a, 0, VS_T_STRING)) return VS_ERROR;
+  vs_text text;
+  vs_text_open(vm, &text, 0);
+  bool ok = vs_text_string(&text, a[0]) && vs_text_end(&text) && json_parse(vm, text.at, text.count, "text", out);
+  vs_text_close(&text);
+  return ok;
+}
+
+static const vs_native_def defs[] = {
+  { "%data-path", "file", data_path, 0, NULL },
+  { "%data-text", "file", data_text, 0, NULL },
+  { "%directory-files", "folder", directory_files, 0, NULL },
+  { "load-json", "file", load_json, 0, "the data of a JSON file: objects are association lists, arrays vectors" },
+  { "string->json", "text", string_to_json, 0, "the data of a JSON text" },
+  { 0 },
+};
+const vs_native_table vs_bind_data_table = { "data", defs };

@@ -1,0 +1,52 @@
+; The trees of a survey, as a JSON file brings them: data/trees.json. Objects of the file are association lists here, its arrays vectors, and data-ref
+; asks for what lies within: (data-ref survey 'trees 0 'height) is the height of the first tree.
+
+(define survey (load-json "data/trees.json"))
+(define trees (vector->list (data-ref survey 'trees)))
+
+(define (kind-of tree) (data-ref survey 'species (data-ref tree 'species)))
+
+; where the survey left the height out, the kind's usual one
+(define (height-of tree)
+  (let ([h (data-ref tree 'height)])
+    (if (eq? h 'null) (data-ref (kind-of tree) "usual height") h)))
+
+; not every tree has every entry
+(define (felled? tree) (cond [(assq 'felled tree) => cdr] [else #f]))
+
+(define (foot tree)
+  (let ([at (data-ref tree 'at)])
+    (xyz (vector-ref at 0) (vector-ref at 1) (vector-ref at 2))))
+
+(define (trunk tree h) (with-material wood (make-cut-cone (+z (foot tree) -1) (data-ref tree 'trunk) (+z (foot tree) h) (* 0.5 (data-ref tree 'trunk)))))
+
+(define (crown tree)
+  (let ([p (foot tree)] [h (height-of tree)] [r (/ (data-ref tree 'crown) 2)] [kind (kind-of tree)])
+    (color (data-ref kind 'colour)
+      (if (equal? (data-ref kind 'form) "cone")
+          (for/list ([i 3])
+            (make-cone (+z p (* h (+ 0.2 (* 0.22 i)))) (+z p (* h (+ 0.56 (* 0.22 i)))) (* r (- 1 (* 0.25 i)))))
+          (list (do-scale (make-sphere (+z p (* 0.65 h)) r) (+z p (* 0.65 h)) (list 1 1 (/ (* 0.42 h) r))))))))
+
+(define (tree-object tree)
+  (if (felled? tree)
+      (trunk tree 0.4)
+      (unite (trunk tree (* 0.6 (height-of tree))) (crown tree))))
+
+; the ground is lower and higher where the survey says so; a house to see the size of all this
+(define ground-rows
+  (for/list ([j 25]) (for/list ([i 31]) (let ([x (* 2 (- i 15))] [y (* 2 (- j 12))]) (+ (* 0.4 (sin (/ x 9))) (* 0.3 (cos (/ y 7))))))))
+
+(draw (color "#a9a583" (make-height-field ground-rows (xyz -30 -24 0) (xyz 30 24 0) #:low -2)))
+(draw (map tree-object trees))
+(draw (with-material plaster (make-box (xyz -7 -5 -1) (xyz 7 5 4)))
+      (color "#a4553f" (make-irregular-pyramid (list (xyz -7.4 -5.4 4) (xyz 7.4 -5.4 4) (xyz 7.4 5.4 4) (xyz -7.4 5.4 4)) (xyz 0 0 7.2))))
+
+(printf "~a trees of ~a, surveyed on ~a~%" (length trees) (data-ref survey 'survey 'site) (data-ref survey 'survey 'date))
+(for ([kind (map car (data-ref survey 'species))])
+  (let ([of-kind (filter (lambda (tree) (equal? (data-ref tree 'species) (symbol->string kind))) trees)])
+    (printf "  ~8a ~3d, ~,1f m high on average~%" kind (length of-kind)
+      (/ (apply + (map height-of of-kind)) (length of-kind)))))
+
+(sun #:azimuth 235 #:altitude 40)
+(camera (xyz -38 -44 26) (xyz 0 0 1.5) #:lens 38)

@@ -1,0 +1,10 @@
+; (scheme division), as it comes with the language
+(import (scheme base) (scheme write) (scheme division))
+(define-syntax show (syntax-rules () ((_ e) (begin (write e) (newline)))))
+(show (call-with-values (lambda () (floor/ -7 2)) list)) ; expect: (-4 1)
+(show (call-with-values (lambda () (ceiling/ 7 2)) list)) ; expect: (4 -1)
+(show (call-with-values (lambda () (round/ 7 2)) list)) ; expect: (4 -1)
+(show (call-with-values (lambda () (round/ 5 2)) list)) ; expect: (2 1)
+(show (map (lambda (n d) (list (euclidean-quotient n d) (euclidean-remainder n d))) '(7 -7 7 -7) '(2 2 -2 -2))) ; expect: ((3 1) (-4 1) (-3 1) (4 1))
+(show (map (lambda (n) (list (balanced-quotient n 4) (balanced-remainder n 4))) '(-3 -2 -1 0 1 2 3))) ; expect: ((-1 1) (0 -2) (0 -1) (0 0) (0 1) (1 -2) (1 -1))
+(show (call-with-values (lambda () (truncate/ -7 2)) list)) ; expect: (-3 -1)
