@@ -1,8 +1,12 @@
 /* Owns what a cluster is held to that costs next to nothing.
  *
  * The volume of an expression lies between bounds that follow from its leaves' volumes: a union holds at least its largest operand and at most their sum, an
- * intersection at most its smallest, a difference at most its first and at least that less the others. A fault that lost or invented a part of the result would be
- * written as a mesh that is closed and wrong; most of them would fall out of these bounds. */
+ * intersection at most its smallest, a difference at most its first and at least that less what of the others lies within the first one's box. A fault that lost or
+ * invented a part of the result would be written as a mesh that is closed and wrong; most of them would fall out of these bounds.
+ *
+ * A star that is one on the grid, too, holds the volume of its triangles there. Where the grid has folded a star, its winding numbers differ from those before only
+ * where triangles went through while their corners moved, each by less than one step: a triangle sweeps at most its area and its outline, and two for its corners.
+ * Of any other leaf, which may overlap itself, no more is known than that it lies in its box. */
 #include "kernel/check.h"
 
 #include <math.h>
@@ -19,6 +23,14 @@ static double box_volume(const vs_box *b) {
   return v > 0 ? v : 0;
 }
 
+/* What a triangle may sweep at the most while each of its corners moves by less than one step. */
+static double sweep_of(double x[3][3]) {
+  vs_vec3 at[3];
+  for (int j = 0; j < 3; j++) at[j] = vs_v3(x[j][0], x[j][1], x[j][2]);
+  vs_vec3 a = vs_v3_sub(at[1], at[0]), b = vs_v3_sub(at[2], at[1]);
+  return vs_v3_length(vs_v3_cross(a, b)) / 2 + vs_v3_length(a) + vs_v3_length(b) + vs_v3_length(vs_v3_sub(at[0], at[2])) + 2;
+}
+
 bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kernel_counts *counts) {
   static const double CHANGED = 0.01, SOLID = 1e-9; /* of its volume; of its box: less is not known well enough to compare */
   if (!VS_ROOM(k, check->leaves.at, check->leaves.room, (size_t)c->leaf_count + 1)) return false;
@@ -27,17 +39,19 @@ bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kern
     const vs_placed *p = &c->placed.at[i];
     const vs_mesh *m = p->part->mesh;
     const int32_t(*at)[3] = (const int32_t(*)[3])c->corners + p->first;
-    double six = 0;
+    bool folded = p->part->star && !p->star;
+    double six = 0, swept = 0;
     for (size_t t = 0; t < m->triangle_count; t++) {
       const uint32_t *v = m->triangles[t];
       double x[3][3]; /* from the first corner of all: small numbers where the leaf is small */
       for (int j = 0; j < 3; j++)
-        for (int a = 0; a < 3; a++) x[j][a] = (double)(at[v[j]][a] - at[0][a]);
+        for (int a = 0; a < 3; a++) x[j][a] = (double)at[v[j]][a] - at[0][a];
       six += x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) - x[0][1] * (x[1][0] * x[2][2] - x[1][2] * x[2][0]) + x[0][2] * (x[1][0] * x[2][1] - x[1][1] * x[2][0]);
+      if (folded) swept += sweep_of(x);
       if (!vs_kernel_poll(k, 0)) return false;
     }
     double box = box_volume(&p->box), grid = fabs(six / 6), exact = fabs(p->part->volume * vs_affine_determinant(&c->problem->leaves[c->leaves[i]].placement)) / unit;
-    check->leaves.at[i] = (vs_leaf_volume){ grid, p->star ? grid : box, p->star };
+    check->leaves.at[i] = p->star ? (vs_leaf_volume){ grid, grid } : folded ? (vs_leaf_volume){ fmax(0, exact - swept), fmin(exact + swept, box) } : (vs_leaf_volume){ 0, box };
     if (!(fabs(grid - exact) > CHANGED * exact) || !(exact > SOLID * box)) continue;
     if (counts->coarse++ == 0) counts->coarse_leaf = c->leaves[i], counts->coarse_step = c->grid.unit / c->grid.scale, counts->coarse_by = (grid - exact) / exact;
   }
@@ -45,43 +59,67 @@ bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kern
   return true;
 }
 
-/* In steps. Where the cluster is a small part of a large expression, by the leaves alone. */
+static vs_box common_box(const vs_box *x, const vs_box *y) {
+  vs_box b;
+  for (int a = 0; a < 3; a++) b.min[a] = x->min[a] > y->min[a] ? x->min[a] : y->min[a], b.max[a] = x->max[a] < y->max[a] ? x->max[a] : y->max[a];
+  for (int a = 0; a < 3; a++)
+    if (b.min[a] >= b.max[a]) return vs_box_nowhere;
+  return b;
+}
+
+static void unite_box(vs_box *x, const vs_box *y) {
+  for (int a = 0; a < 3; a++) {
+    if (y->min[a] < x->min[a]) x->min[a] = y->min[a];
+    if (y->max[a] > x->max[a]) x->max[a] = y->max[a];
+  }
+}
+
+typedef struct { double least, most; vs_box box; } bounds; /* of a leaf or a term, in steps; other clusters' leaves hold nothing here */
+
+/* A term's, of its operands'. */
+static bounds combine(vs_term_kind kind, bounds a, const bounds *b) {
+  vs_box both = common_box(&a.box, &b->box);
+  switch (kind) {
+  case VS_TERM_UNION:
+    a.least = fmax(a.least, b->least);
+    a.most += b->most;
+    unite_box(&a.box, &b->box);
+    break;
+  case VS_TERM_INTERSECTION:
+    a.least = 0;
+    a.most = fmin(fmin(a.most, b->most), box_volume(&both));
+    a.box = both;
+    break;
+  case VS_TERM_DIFFERENCE: a.least = fmax(0, a.least - fmin(b->most, box_volume(&both))); break;
+  case VS_TERM_LEAF: break;
+  }
+  return a;
+}
+
+/* Where the cluster is a small part of a large expression, by the leaves alone. */
 static bool find_bounds(vs_kernel *k, const vs_cluster *c, const vs_check *check, double *least, double *most) {
   const vs_kernel_problem *p = c->problem;
   const vs_expression *e = c->expression;
-  VS_LIST(double) low = { 0 }, high = { 0 }; /* of leaves, then of terms */
+  VS_LIST(bounds) all = { 0 }; /* of leaves, then of terms */
   size_t terms = p->term_count, n = terms + p->leaf_count;
   *least = *most = 0;
   for (uint32_t i = 0; i < c->leaf_count; i++) {
     const vs_leaf_volume *v = &check->leaves.at[i];
-    uint32_t leaf = c->leaves[i];
-    if (e->forced && e->forces.at[leaf] && v->sure) *least = fmax(*least, v->grid);
+    if (e->forced && e->forces.at[c->leaves[i]]) *least = fmax(*least, v->least);
     *most += v->most;
   }
-  if (n > 4 * (size_t)c->leaf_count + 1000) return true;
-  if (!VS_ROOM(k, low.at, low.room, n + 1) || !VS_ROOM(k, high.at, high.room, n + 1)) return VS_DROP(k, low), VS_DROP(k, high), false;
-  memset(low.at, 0, n * sizeof *low.at);
-  memset(high.at, 0, n * sizeof *high.at);
-  for (uint32_t i = 0; i < c->leaf_count; i++) {
-    const vs_leaf_volume *v = &check->leaves.at[i];
-    low.at[c->leaves[i]] = v->sure ? v->grid : 0;
-    high.at[c->leaves[i]] = v->most;
-  }
-  double *tl = low.at + p->leaf_count, *th = high.at + p->leaf_count;
+  if (n > 4 * (size_t)c->leaf_count + 1000 || !terms) return true;
+  if (!VS_ROOM(k, all.at, all.room, n + 1)) return false;
+  for (size_t i = 0; i < n; i++) all.at[i] = (bounds){ 0, 0, vs_box_nowhere };
+  for (uint32_t i = 0; i < c->leaf_count; i++) all.at[c->leaves[i]] = (bounds){ check->leaves.at[i].least, check->leaves.at[i].most, c->placed.at[i].box };
+  bounds *of = all.at + p->leaf_count;
   for (uint32_t i = 0; i < terms; i++) {
     const vs_kernel_term *t = &p->terms[i];
-    if (t->kind == VS_TERM_LEAF) tl[i] = low.at[t->first], th[i] = high.at[t->first];
-    for (uint32_t j = 0; t->kind != VS_TERM_LEAF && j < t->count; j++) {
-      uint32_t o = p->operands[t->first + j];
-      if (j == 0) tl[i] = tl[o], th[i] = th[o];
-      else if (t->kind == VS_TERM_UNION) tl[i] = fmax(tl[i], tl[o]), th[i] += th[o];
-      else if (t->kind == VS_TERM_INTERSECTION) tl[i] = 0, th[i] = fmin(th[i], th[o]);
-      else tl[i] = fmax(0, tl[i] - th[o]);
-    }
+    if (t->kind == VS_TERM_LEAF) of[i] = all.at[t->first];
+    for (uint32_t j = 0; t->kind != VS_TERM_LEAF && j < t->count; j++) of[i] = j == 0 ? of[p->operands[t->first]] : combine(t->kind, of[i], &of[p->operands[t->first + j]]);
   }
-  if (terms) *least = fmax(*least, tl[terms - 1]), *most = fmin(*most, th[terms - 1]);
-  VS_DROP(k, low);
-  VS_DROP(k, high);
+  *least = fmax(*least, of[terms - 1].least), *most = fmin(*most, of[terms - 1].most);
+  VS_DROP(k, all);
   return true;
 }
 

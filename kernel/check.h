@@ -4,7 +4,7 @@
 
 #include "kernel/cluster.h"
 
-typedef struct { double grid, most; bool sure; } vs_leaf_volume; /* in steps; grid: of its triangles there; most: what it holds at the most; sure: that is grid, and the least too */
+typedef struct { double least, most; } vs_leaf_volume; /* what a leaf holds on the grid, in steps: at least and at most */
 typedef struct { VS_LIST(vs_leaf_volume) leaves; } vs_check;
 
 /* Measures the cluster's leaves on the grid; those that it has changed by more than a hundredth are counted in *counts, the first with its step. */

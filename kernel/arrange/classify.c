@@ -517,18 +517,29 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   return walk_from(w, below);
 }
 
-/* Cells on the inner side of a leaf that settles what is inside of it are settled, and need no line of their own. */
-static void mark_settled(walk *w) {
+/* Cells on the inner side of a leaf that settles what is inside of it are settled, and need no line of their own. That side is inside where a face of the leaf
+ * parts winding number 0 from 1: in a star on the grid. The corners of a thin star may have moved so that it folds over itself there. Then there are faces between
+ * the winding numbers -1 and 0 as well, whose inner side is outside of the leaf, and the walk has to find out which is which. */
+static bool mark_settled(walk *w) {
   const vs_cluster *c = w->c;
   bool value = w->e->forced;
+  uint8_t *settles = NULL; /* of a leaf of the problem */
+  size_t room = 0;
+  bool any = false;
+  for (uint32_t i = 0; i < c->leaf_count; i++) any = any || (c->placed.at[i].star && w->e->forces.at[c->leaves[i]]);
+  if (!any) return true;
+  if (!VS_ROOM(w->k, settles, room, (size_t)c->problem->leaf_count + 1)) return false;
+  for (uint32_t i = 0; i < c->leaf_count; i++) settles[c->leaves[i]] = c->placed.at[i].star && w->e->forces.at[c->leaves[i]]; /* others have no faces here */
   for (uint32_t f = 0; f < c->faces.count; f++)
     for (uint32_t i = 0; i < c->faces.at[f].cover_count; i++) {
       vs_cover cover = c->covers.at[c->faces.at[f].cover + i];
-      if (!w->e->forces.at[cover.leaf] || !c->parts->all.at[c->parts->of_leaf.at[cover.leaf]].star) continue;
+      if (!settles[cover.leaf]) continue;
       uint32_t cell = w->side.at[2 * f + (cover.delta > 0)];
       w->state.at[cell] = (uint8_t)(2 | 8 | (value ? 4 : 0));
       w->owner.at[cell] = VS_NONE;
     }
+  VS_FREE(w->k, settles, room);
+  return true;
 }
 
 /* Whose tag the face has, the solid being in the cell: the earliest's. A bare leaf that is taken off gives way to the earliest that is there. */
@@ -547,7 +558,7 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   walk w = { .k = k, .c = c, .e = e };
   bool ok = make_cells(&w) && VS_ROOM(k, w.place.at, w.place.room, (size_t)c->problem->leaf_count + 1) &&
             VS_ROOM(k, w.owner.at, w.owner.room, (size_t)w.cells + 1) && (!c->inspect || VS_ROOM(k, c->wound.at, c->wound.room, (size_t)w.cells + 1));
-  if (ok) mark_settled(&w);
+  ok = ok && mark_settled(&w);
   for (uint32_t i = 0; ok && i < w.cells; i++) {
     enum { AROUND = 1000 };
     if (w.state.at[i] & 2) continue;
