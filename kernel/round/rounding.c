@@ -334,6 +334,7 @@ static bool flip(settling *s, uint32_t t) {
   memcpy(m->triangles[t], one, sizeof one);
   memcpy(m->triangles[other], two, sizeof two);
   if (m->tags) m->tags[t] = m->tags[other];
+  s->changed.at[t] = s->changed.at[other] = 1;
   s->busy.at[p] = s->busy.at[q] = s->busy.at[top] = s->busy.at[far] = 1;
   take_off(s, p, other);
   take_off(s, q, t);
@@ -351,6 +352,14 @@ static bool flip_round(settling *s, size_t *done) {
   return s->k->error->status == VS_KERNEL_FINE;
 }
 
+/* Takes out of the mesh what is gone. */
+static void squeeze(settling *s) {
+  size_t kept = 0;
+  for (size_t t = 0; t < s->m->triangle_count; t++)
+    if (!s->gone.at[t]) s->changed.at[kept++] = s->changed.at[t];
+  vs_mesh_squeeze(s->m, s->gone.at);
+}
+
 /* b becomes a: the two triangles along their edge go. */
 static bool collapse(settling *s, uint32_t a, uint32_t b) {
   vs_mesh *m = s->m;
@@ -366,6 +375,7 @@ static bool collapse(settling *s, uint32_t a, uint32_t b) {
     } else {
       for (int k = 0; k < 3; k++)
         if (v[k] == b) v[k] = a;
+      s->changed.at[t] = 1;
       if (!give(s, a, t) || !look_at(s, t)) return false;
     }
   }
@@ -414,7 +424,7 @@ static bool drop_blades(settling *s, vs_settled *out) {
   }
   if (ok && going && going < shells.count) {
     for (size_t t = 0; t < m->triangle_count; t++) s->gone.at[t] = goes[shells.of[m->triangles[t][0]]];
-    vs_mesh_squeeze(m, s->gone.at);
+    squeeze(s);
     out->dropped = going;
   }
   vs_shells_free(&shells);
@@ -483,6 +493,7 @@ static bool contract(settling *s, double near_units, bool all, size_t *count) {
       moved = moved || to != v[j];
       v[j] = to;
     }
+    if (moved) s->changed.at[t] = 1;
     s->gone.at[t] = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
     for (int j = 0; j < 3; j++) moved = moved || !vs_v3_equal(boxes[v[j]].min, boxes[v[j]].max);
     if (moved && !s->gone.at[t]) sheets[sheets_count++] = sheet_of(v, t);
@@ -494,7 +505,7 @@ static bool contract(settling *s, double near_units, bool all, size_t *count) {
     odd = even;
     for (size_t j = i; j < even && odd < end; j++, odd++) s->gone.at[sheets[j].triangle] = s->gone.at[sheets[odd].triangle] = 1;
   }
-  if (ok && *count) vs_mesh_squeeze(m, s->gone.at);
+  if (ok && *count) squeeze(s);
   free(parent);
   free(boxes);
   free(sheets);
@@ -537,8 +548,9 @@ static bool settle(settling *s, bool places, vs_settled *out) {
   if (!find_look(s, &any)) return false;
   if (!any && (s->numbers == VS_NUMBERS_DOUBLE || s->level)) return true;
   if (!VS_ROOM(s->k, s->busy.at, s->busy.room, n + 1) || !VS_ROOM(s->k, s->near_met.at, s->near_met.room, n + 1) || !VS_ROOM(s->k, s->gone.at, s->gone.room, m->triangle_count + 1) ||
-      !VS_ROOM(s->k, s->listed.at, s->listed.room, m->triangle_count + 1))
+      !VS_ROOM(s->k, s->listed.at, s->listed.room, m->triangle_count + 1) || !VS_ROOM(s->k, s->changed.at, s->changed.room, m->triangle_count + 1))
     return false;
+  memset(s->changed.at, 0, m->triangle_count);
   memset(s->near_met.at, 0, n);
   if (!any) {
     memset(s->gone.at, 0, m->triangle_count);
@@ -560,7 +572,7 @@ static bool settle(settling *s, bool places, vs_settled *out) {
     if (!collapsed && !flipped) break;
   }
   if (ok && s->numbers != VS_NUMBERS_DOUBLE) ok = vs_settling_count_met(s, out);
-  if (ok) vs_mesh_squeeze(m, s->gone.at);
+  if (ok) squeeze(s);
   for (int round = 0; ok && places && out->met && round < ROUNDS; round++) {
     size_t contracted = 0;
     ok = contract(s, 4 << round, round == ROUNDS - 1, &contracted);
@@ -588,6 +600,7 @@ bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *opt
   VS_DROP(&k, s.busy);
   VS_DROP(&k, s.gone);
   VS_DROP(&k, s.listed);
+  VS_DROP(&k, s.changed);
   VS_DROP(&k, s.near_met);
   VS_DROP(&k, s.storeys);
   return ok || (vs_kernel_fail(&k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"), false);

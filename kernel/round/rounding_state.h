@@ -23,6 +23,7 @@ typedef struct {
   VS_LIST(uint8_t) busy;   /* of a vertex: something near it has changed in this round */
   VS_LIST(uint8_t) gone;   /* of a triangle: 1; numbers stay until the end */
   VS_LIST(uint8_t) listed; /* of a triangle: 1: in look; 2: counted among those met */
+  VS_LIST(uint8_t) changed; /* of a triangle: 1 where settling has given it other corners, so that it no longer is what the exact result has */
   VS_LIST(uint8_t) near_met; /* of a vertex: 1: of a triangle that meets another; 2, 3: one and two triangles further */
 } vs_settling;
 

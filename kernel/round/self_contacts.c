@@ -3,7 +3,8 @@
  * What rounding makes cross lies within some units of each other before. Where two sheets of a surface that does not meet itself are that near, there are two that look
  * away from each other, or across: between sheets that look the same way there is another, and where they end beside each other, so do the walls at their ends. So
  * what looks the same way is not tried, and that is nearly all that touches: the triangles of one plane, and neighbours on what is round. Triangles lower than some
- * units are tried against everything, for which way they look is chance.
+ * units are tried against everything, for which way they look is chance; and so are those that settling has given other corners, since the sheet between two
+ * others, or the way between two planes, may be what it took away.
  *   run      up to 16 triangles that stand in a row in the mesh, touch, and look the same way but for 15 degrees; or a low one by itself
  *   slab     the stretch along a run's middle normal in which all its corners lie
  *   level    of runs: in a plane across an axis; the others are open. Such a plane stays one when each coordinate is rounded by itself, and coordinates keep
@@ -38,6 +39,7 @@ typedef struct {
   uint32_t first, first_four, first_place;
   uint8_t count, fours;          /* of triangles; of corners, by fours; of places there are three a triangle: which of the corners */
   bool is_low;                   /* one triangle, a low one */
+  bool is_changed;               /* settling has given its triangles other corners */
   bool busy;                     /* open, and goes through a storey or nearly touches one */
   uint8_t level;                 /* all of it has one x (0), y (1) or z (2), this one: */
   double value;
@@ -176,7 +178,7 @@ static double coordinate(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis ==
 /* Has it corners on either side of a storey, or off it by less than the margin? Else what is level is apart from it. */
 static bool is_busy(const search *c, const run *r, const vs_bounds *box, const corners *four) {
   const vs_settling *s = c->s;
-  if (r->is_low) return true;
+  if (r->is_low || r->is_changed) return true;
   for (int axis = 0; axis < 3; axis++) {
     double low = coordinate(box->min, axis), high = coordinate(box->max, axis);
     for (size_t i = vs_settling_storey(s, axis, low - c->margin); i < s->storeys.count; i++) {
@@ -212,7 +214,7 @@ static bool end_run(vs_kernel *k, const search *c, made *to, making *g) {
   }
   r->low -= c->margin;
   r->high += c->margin;
-  r->level = r->is_low ? NOT_LEVEL : b->min.x == b->max.x ? 0 : b->min.y == b->max.y ? 1 : b->min.z == b->max.z ? 2 : NOT_LEVEL;
+  r->level = r->is_low || r->is_changed ? NOT_LEVEL : b->min.x == b->max.x ? 0 : b->min.y == b->max.y ? 1 : b->min.z == b->max.z ? 2 : NOT_LEVEL;
   r->value = coordinate(b->min, r->level);
   size_t storey = r->level == NOT_LEVEL ? 0 : vs_settling_storey(c->s, r->level, r->value);
   if (r->level != NOT_LEVEL && (storey == c->s->storeys.count || c->s->storeys.at[storey].value != r->value)) r->level = NOT_LEVEL;
@@ -233,12 +235,12 @@ static bool make_runs(vs_kernel *k, void *context, size_t index) {
   for (size_t t = begin; t < end; t++) {
     if (c->s->gone.at[t]) continue;
     facet f = facet_of(c, (uint32_t)t);
-    if (r->count && (r->count == RUN || f.low || r->is_low || t != r->first + r->count || !alike(f.normal, g.normal) || !bounds_touch(&g.box, &f.box))) {
+    if (r->count && (r->count == RUN || f.low || r->is_low || r->is_changed != c->s->changed.at[t] || t != r->first + r->count || !alike(f.normal, g.normal) || !bounds_touch(&g.box, &f.box))) {
       if (!end_run(k, c, to, &g)) return false;
       r->count = 0;
     }
     if (r->count == 0) {
-      *r = (run){ .first = (uint32_t)t, .first_place = (uint32_t)to->places.count, .is_low = f.low };
+      *r = (run){ .first = (uint32_t)t, .first_place = (uint32_t)to->places.count, .is_low = f.low, .is_changed = c->s->changed.at[t] };
       g.normal = vs_v3(0, 0, 0);
       g.box = vs_bounds_empty();
       g.count = 0;
@@ -331,7 +333,7 @@ static bool beyond(const search *c, const run *a, const run *b) {
     for (; within; within &= within - 1) {
       uint32_t at = 4 * i + (uint32_t)__builtin_ctz(within), corner = four[i].corner[at % 4];
       touches = true;
-      if (a->level != NOT_LEVEL && coordinate(c->s->m->vertices[corner], a->level) == a->value) continue;
+      if (a->level != NOT_LEVEL && !b->is_changed && coordinate(c->s->m->vertices[corner], a->level) == a->value) continue;
       if ((in[at] = place_of(c, a, corner)) == NOT_ITS) return false;
       shared |= UINT64_C(1) << at;
     }
@@ -425,14 +427,14 @@ static bool try_runs(looking *l, const run *a, const run *b) {
   uint32_t a_count = cut(c, a, b, of_a), b_count = a_count ? cut(c, b, a, of_b) : 0;
   for (uint32_t i = 0; i < a_count; i++)
     for (uint32_t j = 0; j < b_count; j++)
-      if (pieces_touch(&of_a[i], &of_b[j]) && !try_triangles(l, sheet_of(c, &of_a[i]), sheet_of(c, &of_b[j]), !a->is_low && !b->is_low)) return false;
+      if (pieces_touch(&of_a[i], &of_b[j]) && !try_triangles(l, sheet_of(c, &of_a[i]), sheet_of(c, &of_b[j]), !a->is_low && !b->is_low && !a->is_changed && !b->is_changed)) return false;
   return true;
 }
 
 static bool look_pair(looking *l, const run *a, const run *b) {
   if (!vs_kernel_poll(l->k, 1)) return false;
   float same = a->normal[0] * b->normal[0] + a->normal[1] * b->normal[1] + a->normal[2] * b->normal[2];
-  return (same > ALIKE && !a->is_low && !b->is_low) || beyond(l->c, a, b) || beyond(l->c, b, a) || try_runs(l, a, b);
+  return (same > ALIKE && !a->is_low && !b->is_low && !a->is_changed && !b->is_changed) || beyond(l->c, a, b) || beyond(l->c, b, a) || try_runs(l, a, b);
 }
 
 static bool look_open(void *context, uint32_t first, uint32_t second) {
