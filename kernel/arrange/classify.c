@@ -12,6 +12,7 @@
 #include "kernel/cluster.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 typedef struct {
@@ -222,7 +223,7 @@ static bool strictly_inside(vs_points_view view, const outline *o, uint32_t prob
 static bool aim(walk *w, const outline *o, int attempt) {
   vs_cluster *c = w->c;
   int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3;
-  int64_t low = INT64_MAX, high = INT64_MIN;
+  int64_t low = INT64_MAX, high = INT64_MIN, origin = c->points.all.at[o->uses[0].from].fixed[au]; /* doubles are exact near it alone */
   for (uint32_t i = 0; i < o->count; i++) {
     int64_t y = c->points.all.at[o->uses[i].from].fixed[av];
     if (y < low) low = y;
@@ -240,7 +241,7 @@ static bool aim(walk *w, const outline *o, int attempt) {
     const vs_point *a = &c->points.all.at[use->from], *b = &c->points.all.at[use->to];
     if ((a->fixed[av] > w->v) == (b->fixed[av] > w->v)) continue;
     double t = (double)(w->v - a->fixed[av]) / (double)(b->fixed[av] - a->fixed[av]);
-    double x = (double)a->fixed[au] + t * (double)(b->fixed[au] - a->fixed[au]);
+    double x = (double)(a->fixed[au] - origin) + t * (double)(b->fixed[au] - a->fixed[au]);
     ok = VS_PUSH(w->k, at, x);
     for (size_t j = at.count - 1; ok && j > 0 && at.at[j - 1] > at.at[j]; j--) {
       double swap = at.at[j];
@@ -252,7 +253,7 @@ static bool aim(walk *w, const outline *o, int attempt) {
     if (at.at[i + 1] - at.at[i] > best) best = at.at[i + 1] - at.at[i], from = at.at[i];
   VS_DROP(w->k, at);
   if (!ok || best < 4) return false;
-  w->u = (int64_t)(from + best * 0.4937);
+  w->u = origin + (int64_t)(from + best * 0.4937);
   vs_plane_lift(&o->plane, w->axis, w->u, w->v, &w->at);
   return true;
 }
@@ -344,8 +345,8 @@ static bool look_through(walk *w, uint32_t face, const outline *o, uint32_t *sid
     c->points.all.count--;
     if (!inside) continue;
     vs_box *box = &w->column;
-    box->min[w->axis] = -(1 << VS_GRID_BITS);
-    box->max[w->axis] = 1 << VS_GRID_BITS;
+    box->min[w->axis] = INT32_MIN;
+    box->max[w->axis] = INT32_MAX;
     box->min[au] = (int32_t)(w->u >> VS_FIXED_BITS);
     box->max[au] = box->min[au] + 1;
     box->min[av] = (int32_t)(w->v >> VS_FIXED_BITS);
@@ -479,18 +480,17 @@ static double about_area(const walk *w, uint32_t face) {
   return sum;
 }
 
-/* A line to the largest of the first faces around the cell, and around those that hang together with it, then a walk from there. */
-static bool walk_component(walk *w, uint32_t start, size_t most) {
-  enum { FACES = 256 };
+/* A line through the largest of the first faces around the cell and around those that hang together with it. *cells: those are the first in `queue`. Where so many are too small
+ * to aim at, *done stays false. */
+static bool look_around(walk *w, uint32_t start, size_t most, size_t faces, uint32_t *side, size_t *cells, bool *done) {
   size_t head = 0, tail = 0, seen = 0;
   double best = -1;
-  uint32_t face = VS_NONE, side;
-  bool done = false;
+  uint32_t face = VS_NONE;
   w->queue.at[tail++] = start;
   w->state.at[start] |= 1;
-  while (head < tail && seen < FACES) {
+  while (head < tail && seen < faces) {
     uint32_t cell = w->queue.at[head++];
-    for (uint32_t i = w->first.at[cell]; i < w->first.at[cell + 1] && seen < FACES; i++) {
+    for (uint32_t i = w->first.at[cell]; i < w->first.at[cell + 1] && seen < faces; i++) {
       uint32_t f = w->borders.at[i], plus = w->side.at[2 * f], other = plus == cell ? w->side.at[2 * f + 1] : plus;
       double area = about_area(w, f);
       seen++;
@@ -501,11 +501,47 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
     }
   }
   for (size_t i = 1; i < tail; i++) w->state.at[w->queue.at[i]] = 0;
-  if (!look(w, face, &side, &done)) return false;
+  *cells = tail;
+  return look(w, face, side, done);
+}
+
+/* Are the first cells in `queue` crumbs, too small to aim at? Next to settled space these are given its value. That is right whatever they are: the faces between cells of
+ * different values are closed in any case, and what a crumb is worth is less than 2^-24 steps wide, which is nothing in doubles. */
+static bool settle_crumbs(walk *w, size_t cells) {
+  enum { CRUMB = 64 }; /* fixed units */
+  const vs_cluster *c = w->c;
+  uint32_t known = VS_NONE;
+  for (size_t i = 0; i < cells; i++)
+    for (uint32_t cell = w->queue.at[i], j = w->first.at[cell]; j < w->first.at[cell + 1]; j++) {
+      const vs_face *f = &c->faces.at[w->borders.at[j]];
+      const int64_t *from = c->points.all.at[c->uses.at[f->use].from].fixed;
+      for (uint32_t u = f->use; u < f->use + f->use_count; u++)
+        for (int a = 0; a < 3; a++)
+          if (llabs(c->points.all.at[c->uses.at[u].from].fixed[a] - from[a]) > CRUMB) return false;
+      for (uint32_t side = 0; side < 2; side++) {
+        uint32_t other = w->side.at[2 * w->borders.at[j] + side];
+        if (w->state.at[other] & 2) known = other;
+      }
+    }
+  for (size_t i = 0; known != VS_NONE && i < cells; i++) {
+    w->state.at[w->queue.at[i]] = (uint8_t)(2 | 8 | (w->state.at[known] & 4));
+    w->owner.at[w->queue.at[i]] = VS_NONE;
+  }
+  return known != VS_NONE;
+}
+
+/* A line, then a walk from where it leads. most: cells that are looked at for a face to aim at. */
+static bool walk_component(walk *w, uint32_t start, size_t most) {
+  enum { FACES = 256 };
+  uint32_t side;
+  size_t tail;
+  bool done = false;
+  if (!look_around(w, start, most, FACES, &side, &tail, &done)) return false;
+  if (!done && most > 1 && !look_around(w, start, w->cells, SIZE_MAX, &side, &tail, &done)) return false; /* where a solid meets itself in nearly one place are thousands of crumbs */
   for (size_t i = 0; !done && i < tail; i++) /* unlucky with the largest: try them all */
     for (uint32_t j = w->first.at[w->queue.at[i]]; !done && j < w->first.at[w->queue.at[i] + 1]; j++)
       if (!look(w, w->borders.at[j], &side, &done)) return false;
-  if (!done) return VS_BROKEN(w->k, "no face to look through");
+  if (!done) return settle_crumbs(w, tail) || VS_BROKEN(w->k, "no face to look through");
   uint32_t above = w->side.at[side], below = w->side.at[side ^ 1], through = side / 2;
   if (!(w->state.at[above] & 2) && !walk_from(w, above)) return false;
   if (w->state.at[below] & 2) return true;

@@ -3,14 +3,17 @@
  * A leaf's linear part is split into directions, mostly a rotation, and scales along its own axes. Two of them that agree to
  * 1e-12 up to a signed permutation of axes are one: so a quarter turn, a mirror image and the same turn computed in another way all fall
  * together. The frame is the majority's; leaves of it get exact permutations and scales, and only their translation is turned. A linear part that shears
- * serves as a frame as well, for leaves that all have it. */
+ * serves as a frame as well, for leaves that all have it.
+ *
+ * Very thin plates come first: half a step on either side of a plate is a part of its thickness, and so of its volume, while in its own frame its faces lie on
+ * the grid. So the frame is that of most area of such plates, and the majority's where there are none. */
 #include "kernel/cluster.h"
 
 #include <math.h>
 
 enum { CANDIDATES = 64 };
 
-typedef struct { double r[3][3], back[3][3], unit[3]; uint32_t votes; } candidate; /* back: the inverse of r; unit: of the frame's axes */
+typedef struct { double r[3][3], back[3][3], unit[3]; double plates; uint32_t votes; } candidate; /* back: the inverse of r; unit: of the frame's axes; plates: their area */
 
 /* Columns' lengths into scale, and their directions into r; false where they are nearly in one plane. */
 static bool split(const vs_affine *a, double r[3][3], double scale[3]) {
@@ -62,9 +65,26 @@ static bool permutation(double back[3][3], double r[3][3], double p[3][3]) {
   return true;
 }
 
+/* The leaf's area where it is a very thin plate of few triangles, in the world; else 0. */
+static double plate_area(const vs_cluster *c, uint32_t leaf) {
+  enum { FEW = 64 }; /* triangles: round things have many, and rounding moves these to and fro */
+  static const double THIN = 0x1p-10; /* its volume against its area's to the power of 3/2: .068 for a cube */
+  const vs_part *part = &c->parts->all.at[c->parts->of_leaf.at[leaf]];
+  const vs_affine *a = &c->problem->leaves[leaf].placement;
+  const vs_mesh *m = part->mesh;
+  double area = 0;
+  for (size_t t = 0; t < m->triangle_count; t++) {
+    if (m->triangle_count > FEW) return 0;
+    const uint32_t *v = m->triangles[t];
+    vs_vec3 p = vs_v3_sub(m->vertices[v[1]], m->vertices[v[0]]), q = vs_v3_sub(m->vertices[v[2]], m->vertices[v[0]]);
+    area += vs_v3_length(vs_v3_cross(vs_affine_vector(a, p), vs_affine_vector(a, q))) / 2;
+  }
+  return fabs(part->volume * vs_affine_determinant(a)) < THIN * area * sqrt(area) ? area : 0;
+}
+
 bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
   (void)k;
-  candidate all[CANDIDATES] = { { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { 1, 1, 1 }, 0 } };
+  candidate all[CANDIDATES] = { { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { 1, 1, 1 }, 0, 0 } };
   int count = 1, best = 0;
   double r[3][3], scale[3], p[3][3];
   for (uint32_t i = 0; i < c->leaf_count; i++) {
@@ -79,12 +99,14 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
       for (int x = 0; x < 3; x++) all[j].unit[x] = rigid || most > 4 * least ? 1 : scale[x]; /* sheared alike: in the numbers they had before */
       for (int x = 0; x < 3; x++)
         for (int y = 0; y < 3; y++) all[j].r[x][y] = r[x][y];
+      all[count].plates = 0;
       all[count++].votes = 0;
     }
+    all[j].plates += plate_area(c, c->leaves[i]);
     all[j].votes++;
   }
   for (int j = 1; j < count; j++)
-    if (all[j].votes > all[best].votes) best = j;
+    if (all[j].plates > all[best].plates || (!(all[j].plates < all[best].plates) && all[j].votes > all[best].votes)) best = j;
 
   candidate *f = &all[best];
   double det = f->r[0][0] * (f->r[1][1] * f->r[2][2] - f->r[1][2] * f->r[2][1]) - f->r[0][1] * (f->r[1][0] * f->r[2][2] - f->r[1][2] * f->r[2][0]) +
@@ -113,7 +135,7 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
 vs_vec3 vs_grid_world(const vs_grid *g, const vs_point *p) {
   double x[3];
   for (int i = 0; i < 3; i++) {
-    double whole = (double)(p->fixed[i] >> VS_FIXED_BITS), part = (double)(p->fixed[i] & 0xffffffff) * 0x1p-32;
+    double whole = (double)(p->fixed[i] >> VS_FIXED_BITS), part = (double)(p->fixed[i] & (((int64_t)1 << VS_FIXED_BITS) - 1)) / (double)(1 << VS_FIXED_BITS);
     x[i] = (whole + g->offset[i] + part) * g->unit / g->scale;
   }
   vs_vec3 v = vs_v3(x[0], x[1], x[2]);

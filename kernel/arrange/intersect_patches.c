@@ -47,8 +47,7 @@ static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { 
 
 static int orient2(const int32_t a[3], const int32_t b[3], const int32_t c[3], const vs_plane *p) {
   int64_t ax = (int64_t)b[p->u] - a[p->u], ay = (int64_t)b[p->v] - a[p->v], bx = (int64_t)c[p->u] - a[p->u], by = (int64_t)c[p->v] - a[p->v];
-  int64_t s = ax * by - ay * bx;
-  return (s > 0) - (s < 0);
+  return vs_sign128((vs_i128)ax * by - (vs_i128)ay * bx);
 }
 
 static bool corner_of(const vs_cluster *c, const vs_patch *p, uint32_t id) {
@@ -83,19 +82,22 @@ static vs_i128 height(const vs_plane *p, const int32_t at[3]) {
   return (vs_i128)p->n[0] * at[0] + (vs_i128)p->n[1] * at[1] + (vs_i128)p->n[2] * at[2] - p->d;
 }
 
-/* Heights as doubles, from a corner of the other patch: normals of 52 bits and differences of 26 are exact. Their three products are right to 2^-53 of
- * themselves and so are two sums: the error is below 2^-51 of the products' sizes together, and nothing where these are below 2^53. */
+/* Heights as doubles, from a corner of the other patch: differences of 33 bits are exact. The normal, the three products and the two sums are right to 2^-53 of
+ * themselves: the error is below 2^-50 of the products' sizes together, and nothing where these are below 2^53. */
 static void face_to(const vs_cluster *c, facing *f) {
   const vs_plane *p = &c->planes.all.at[f->other->plane];
   const vs_patch_corner *x = corners(c, f->of);
   const int32_t *from = corners(c, f->other)->at;
   const double n[3] = { (double)p->n[0], (double)p->n[1], (double)p->n[2] };
-  double most = (fabs(n[0]) + fabs(n[1]) + fabs(n[2])) * (2 << VS_GRID_BITS), error = most < 0x1p53 ? 0 : most * 0x1p-51;
+  double reach = 0;
+  for (uint32_t i = 0; i < f->of->count; i++)
+    for (int a = 0; a < 3; a++) reach = fmax(reach, fabs((double)x[i].at[a] - from[a]));
+  double most = (fabs(n[0]) + fabs(n[1]) + fabs(n[2])) * reach, error = most < 0x1p53 ? 0 : most * 0x1p-50;
   f->error = error;
   f->on = 0;
   f->above = f->below = false;
   for (uint32_t i = 0; i < f->of->count; i++) {
-    double h = n[0] * (x[i].at[0] - from[0]) + n[1] * (x[i].at[1] - from[1]) + n[2] * (x[i].at[2] - from[2]);
+    double h = n[0] * ((double)x[i].at[0] - from[0]) + n[1] * ((double)x[i].at[1] - from[1]) + n[2] * ((double)x[i].at[2] - from[2]);
     if (fabs(h) <= error) h = (double)height(p, x[i].at);
     f->height[i] = h;
     f->above |= h > 0;
@@ -150,7 +152,7 @@ static double fraction(const end *e) {
 }
 
 /* The piece of the line that the patch covers. A crossing's fraction t = u / (u - v) is off by less than 3 errors of a height / |u - v|, as t <= 1, and by
- * rounding, which comes to less than 2^-24 steps along the edge. */
+ * rounding, which comes to less than 2^-18 steps along the edge. */
 static void cover(const vs_cluster *c, const facing *f, int axis, end *low, end *high) {
   const vs_patch_corner *x = corners(c, f->of);
   const double *h = f->height;
@@ -162,7 +164,7 @@ static void cover(const vs_cluster *c, const facing *f, int axis, end *low, end 
     double d = (double)x[e.next].at[axis] - x[i].at[axis];
     if (d != 0) {
       e.at += fraction(&e) * d;
-      e.error = 0x1p-24 + 4 * f->error * fabs(d) / fabs(h[i] - h[j]);
+      e.error = 0x1p-18 + 4 * f->error * fabs(d) / fabs(h[i] - h[j]);
     }
     if (!begun) *low = *high = e;
     else if (compare(c, &e, low, axis) < 0) *low = e;

@@ -60,7 +60,7 @@ static bool convex(const building *b, const vs_facet *f, uint32_t first) {
   for (uint32_t i = 0; i < n; i++) {
     const int32_t *x = at[i].at, *y = at[(i + 1) % n].at, *z = at[(i + 2) % n].at;
     int64_t ax = (int64_t)y[p->u] - x[p->u], ay = (int64_t)y[p->v] - x[p->v], bx = (int64_t)z[p->u] - y[p->u], by = (int64_t)z[p->v] - y[p->v];
-    int64_t turn = ax * by - ay * bx;
+    vs_i128 turn = (vs_i128)ax * by - (vs_i128)ay * bx;
     if (f->flip ? turn > 0 : turn < 0) return false;
     bool down = ax < 0 || (ax == 0 && ay < 0), then = bx < 0 || (bx == 0 && by < 0);
     falls += down && !then;

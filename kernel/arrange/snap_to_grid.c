@@ -1,7 +1,7 @@
 /* Owns the way from placed leaves to corners on the grid: frame, weld, grid; and what the leaves are there. facets.c goes on.
  *
- * The grid's step is 1, 2 or 5 times a power of ten, the least with which the cluster fits 2^25 steps either way: decimal, because
- * models are. Coordinates that differ by less than 2^-40 of the extent share one grid line: that matters only next to the middle
+ * The grid's step is 1, 2 or 5 times a power of ten, the least with which the cluster fits 2^31 steps either way: decimal, because
+ * models are. A triangle that spans nearly all of the cluster, and lies across the axes, may have a normal of 64 bits on it: then the next step is taken. Coordinates that differ by less than 2^-40 of the extent share one grid line: that matters only next to the middle
  * between two lines, so only coordinates there are sorted. */
 #include "kernel/cluster.h"
 
@@ -25,6 +25,7 @@ typedef struct {
   VS_LIST(chunk) chunks;        /* of SPAN vertices */
   VS_LIST(border) borders;      /* of one axis */
   double near[3];               /* in steps: what is closer shares a line */
+  double steps[3];              /* how wide all of it is */
 } soup;
 
 static double coordinate(const vs_vec3 *v, int axis) { return axis == 0 ? v->x : axis == 1 ? v->y : v->z; }
@@ -34,9 +35,10 @@ static int by_place(const void *a, const void *b) {
   return x->at < y->at ? -1 : x->at > y->at ? 1 : x->index < y->index ? -1 : x->index > y->index;
 }
 
+static const double MOST = (double)(INT64_C(1) << VS_GRID_BITS) - 64; /* steps either way: boxes grow by some, and stay numbers of 32 bits */
+
 static void choose_step(vs_grid *g, double half, double far) {
-  double limit = (double)(1 << VS_GRID_BITS) - 2;
-  double least = half / limit > far * 0x1p-51 ? half / limit : far * 0x1p-51;
+  double least = half / MOST > far * 0x1p-51 ? half / MOST : far * 0x1p-51;
   int exponent = (int)floor(log10(least > 1e-280 ? least : 1e-280));
   for (;; exponent++) {
     static const double units[3] = { 1, 2, 5 };
@@ -110,6 +112,37 @@ static bool grid_chunk(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, 0);
 }
 
+/* Twice a triangle's area as an axis sees it is what its normal has there, but for a common divisor: 0 where it lies along that axis. */
+static bool normal_fits(const int32_t a[3], const int32_t b[3], const int32_t c[3]) {
+  for (int i = 0; i < 3; i++) {
+    int u = (i + 1) % 3, v = (i + 2) % 3;
+    double n = ((double)b[u] - a[u]) * ((double)c[v] - a[v]) - ((double)b[v] - a[v]) * ((double)c[u] - a[u]);
+    if (fabs(n) < 0x1p63 - 0x1p16) continue;
+    vs_plane plane;
+    bool flipped;
+    return vs_plane_through(a, b, c, &plane, &flipped);
+  }
+  return true;
+}
+
+/* Only what spans two axes for 2^63 square steps can have a triangle whose normal does not fit. */
+static bool normals_fit(const vs_cluster *c, const soup *s) {
+  static const double SAFE = 0x1p62;
+  if (s->steps[0] * s->steps[1] < SAFE && s->steps[1] * s->steps[2] < SAFE && s->steps[2] * s->steps[0] < SAFE) return true;
+  for (uint32_t i = 0; i < c->leaf_count; i++) {
+    const vs_placed *p = &c->placed.at[i];
+    const vs_mesh *m = p->part->mesh;
+    const int32_t(*at)[3] = (const int32_t(*)[3])c->corners + p->first;
+    double low[3] = { INFINITY, INFINITY, INFINITY }, high[3] = { -INFINITY, -INFINITY, -INFINITY };
+    for (size_t v = 0; v < m->vertex_count; v++)
+      for (int a = 0; a < 3; a++) low[a] = fmin(low[a], at[v][a]), high[a] = fmax(high[a], at[v][a]);
+    double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+    for (size_t t = 0; (x * y >= SAFE || y * z >= SAFE || z * x >= SAFE) && t < m->triangle_count; t++)
+      if (!normal_fits(at[m->triangles[t][0]], at[m->triangles[t][1]], at[m->triangles[t][2]])) return false;
+  }
+  return true;
+}
+
 static bool weld(vs_kernel *k, vs_cluster *c, soup *s) {
   double low[3], high[3], half = 0, far = 0;
   size_t n = s->placed.count;
@@ -124,13 +157,19 @@ static bool weld(vs_kernel *k, vs_cluster *c, soup *s) {
     half = fmax(half, (high[a] - low[a]) / 2);
     far = fmax(far, fmax(fabs(low[a]), fabs(high[a])));
   }
-  choose_step(&c->grid, half, far);
-  for (int a = 0; a < 3; a++) {
-    double scale = c->grid.scale, unit = c->grid.unit;
-    c->grid.offset[a] = floor((low[a] + high[a]) / 2 * scale / unit);
-    s->near[a] = fmax((high[a] - low[a]) * 0x1p-40, far * 0x1p-50) * scale / unit; /* far from the origin doubles are coarser */
+  for (bool fits = false; !fits; half *= 1.5) { /* the next step is 2 or 2.5 times as wide */
+    choose_step(&c->grid, half, far);
+    for (int a = 0; a < 3; a++) {
+      double scale = c->grid.scale, unit = c->grid.unit;
+      c->grid.offset[a] = floor((low[a] + high[a]) / 2 * scale / unit);
+      s->near[a] = fmax((high[a] - low[a]) * 0x1p-40, far * 0x1p-50) * scale / unit; /* far from the origin doubles are coarser */
+      s->steps[a] = (high[a] - low[a]) * scale / unit;
+    }
+    for (size_t i = 0; i < s->chunks.count; i++)
+      for (int a = 0; a < 3; a++) s->chunks.at[i].borders[a].count = 0;
+    if (!VS_ROOM(k, c->corners, c->corner_room, n) || !vs_kernel_run(k, s->chunks.count, grid_chunk, s)) return false;
+    fits = normals_fit(c, s);
   }
-  if (!VS_ROOM(k, c->corners, c->corner_room, n) || !vs_kernel_run(k, s->chunks.count, grid_chunk, s)) return false;
   for (int a = 0; a < 3; a++) {
     s->borders.count = 0;
     for (size_t i = 0; i < s->chunks.count; i++)

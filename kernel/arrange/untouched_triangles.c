@@ -229,26 +229,30 @@ static bool index_blocks(vs_kernel *k, plain *p, bool *few) {
 
 /* ---- neighbours ---- */
 
-static void normal_of(const vs_cluster *c, uint32_t place, uint32_t t, double n[3]) { /* exact: 53 bits */
+/* A triangle's normal, and how far off each of its numbers may be: nothing where all products fit 53 bits. */
+typedef struct { double n[3], error[3]; } normal;
+static void normal_of(const vs_cluster *c, uint32_t place, uint32_t t, normal *to) {
   const uint32_t *v = triangle_at(c, place, t);
   const int32_t *o = corner_at(c, place, v[0]), *p = corner_at(c, place, v[1]), *q = corner_at(c, place, v[2]);
   double x[3], y[3];
   for (int a = 0; a < 3; a++) x[a] = (double)p[a] - o[a], y[a] = (double)q[a] - o[a];
   for (int a = 0; a < 3; a++) {
     int u = a == 2 ? 0 : a + 1, w = 3 - a - u;
-    n[a] = x[u] * y[w] - x[w] * y[u];
+    double s = x[u] * y[w], r = x[w] * y[u], size = fabs(s) + fabs(r);
+    to->n[a] = s - r;
+    to->error[a] = size < 0x1p53 ? 0 : size * 0x1p-51;
   }
 }
 
-static bool surely_bent(const vs_cluster *c, uint32_t place, const double n[3], uint32_t on, uint32_t off) { /* is the vertex `off` off the plane? */
+static bool surely_bent(const vs_cluster *c, uint32_t place, const normal *m, uint32_t on, uint32_t off) { /* is the vertex `off` off the plane? */
   const int32_t *p = corner_at(c, place, on), *q = corner_at(c, place, off);
-  double sum = 0, size = 0;
+  double sum = 0, error = 0;
   for (int a = 0; a < 3; a++) {
-    double x = n[a] * ((double)q[a] - p[a]);
+    double d = (double)q[a] - p[a], x = m->n[a] * d;
     sum += x;
-    size += fabs(x);
+    error += 1e-14 * fabs(x) + m->error[a] * fabs(d);
   }
-  return fabs(sum) > 1e-14 * size;
+  return fabs(sum) > error;
 }
 
 /* The mesh has each edge of a plain triangle twice, by the numbers of its corners, and the surface has an angle there. */
@@ -260,7 +264,7 @@ static bool look_across(vs_kernel *k, void *context, size_t index) {
   const uint32_t *twins = c->placed.at[s->place].part->twins;
   for (uint32_t t = s->first; t < s->end; t++) {
     const uint32_t *v = triangle_at(c, s->place, t);
-    double n[3];
+    normal n;
     bool known = false;
     for (uint32_t j = 0; j < 3; j++) {
       uint32_t twin = twins[3 * (size_t)t + j], other = twin / 3;
@@ -271,8 +275,8 @@ static bool look_across(vs_kernel *k, void *context, size_t index) {
       if (other < t || (fate_of(c, s->place, t) != VS_PLAIN && fate_of(c, s->place, other) != VS_PLAIN)) continue;
       const uint32_t *w = triangle_at(c, s->place, other);
       uint32_t e = twin % 3, f = e == 2 ? 0 : e + 1;
-      if (!known) normal_of(c, s->place, t, n), known = true;
-      if (w[e] == v[j == 2 ? 0 : j + 1] && w[f] == v[j] && surely_bent(c, s->place, n, v[j], w[3 - e - f])) continue;
+      if (!known) normal_of(c, s->place, t, &n), known = true;
+      if (w[e] == v[j == 2 ? 0 : j + 1] && w[f] == v[j] && surely_bent(c, s->place, &n, v[j], w[3 - e - f])) continue;
       arrange(c, s->place, t);
       arrange(c, s->place, other);
     }
@@ -289,7 +293,8 @@ static void look_around(plain *p, uint32_t place, uint32_t corner) {
   const vs_cluster *c = p->c;
   const uint32_t *twins = c->placed.at[place].part->twins;
   uint32_t ring[MOST], count = 0, at = corner, vertex = triangle_at(c, place, corner / 3)[corner % 3], falls = 0;
-  double n[MOST][3], sum[3] = { 0 };
+  normal n[MOST];
+  double sum[3] = { 0 };
   bool good = true;
   do {
     if (at / 3 < corner / 3) return;
@@ -301,8 +306,8 @@ static void look_around(plain *p, uint32_t place, uint32_t corner) {
     if (good) at = next_of(twin);
   } while (good && at != corner);
   for (uint32_t i = 0; good && i < count; i++) {
-    normal_of(c, place, ring[i] / 3, n[i]);
-    for (int a = 0; a < 3; a++) sum[a] += n[i][a];
+    normal_of(c, place, ring[i] / 3, &n[i]);
+    for (int a = 0; a < 3; a++) sum[a] += n[i].n[a];
   }
   int axis = fabs(sum[0]) >= fabs(sum[1]) ? (fabs(sum[0]) >= fabs(sum[2]) ? 0 : 2) : fabs(sum[1]) >= fabs(sum[2]) ? 1 : 2;
   int x = (axis + (sum[axis] > 0 ? 1 : 2)) % 3, y = 3 - axis - x;
@@ -310,8 +315,8 @@ static void look_around(plain *p, uint32_t place, uint32_t corner) {
   for (uint32_t i = 0; good && i < count; i++) {
     const uint32_t *v = triangle_at(c, place, ring[i] / 3);
     const int32_t *q = corner_at(c, place, v[(ring[i] + 1) % 3]), *r = corner_at(c, place, v[(ring[i] + 2) % 3]);
-    good = sum[axis] > 0 ? n[i][axis] > 0 : n[i][axis] < 0;
-    falls += lower(q[x] - o[x], q[y] - o[y]) && !lower(r[x] - o[x], r[y] - o[y]);
+    good = sum[axis] > 0 ? n[i].n[axis] > n[i].error[axis] : n[i].n[axis] < -n[i].error[axis];
+    falls += lower((double)q[x] - o[x], (double)q[y] - o[y]) && !lower((double)r[x] - o[x], (double)r[y] - o[y]);
   }
   _Atomic uint8_t *fan = &p->fans.at[c->placed.at[place].first + vertex];
   uint8_t had = atomic_fetch_or_explicit(fan, good && falls == 1 ? 1 : 2, memory_order_relaxed);
@@ -459,9 +464,9 @@ static bool name_regions(vs_kernel *k, plain *p) {
       if (!ok) break;
       uint32_t number = c->region_of.at[root];
       if (c->regions.at[number].count++ < LOOKED_AT) {
-        double normal[3], size;
-        normal_of(c, place, t, normal);
-        size = fmax(fabs(normal[0]), fmax(fabs(normal[1]), fabs(normal[2])));
+        normal m;
+        normal_of(c, place, t, &m);
+        double size = fmax(fabs(m.n[0]), fmax(fabs(m.n[1]), fabs(m.n[2])));
         if (size > largest.at[number]) largest.at[number] = size, c->regions.at[number].triangle = t;
       }
       ok = vs_kernel_poll(k, k->part);

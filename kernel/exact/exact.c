@@ -86,16 +86,42 @@ void vs_plane_axes(vs_plane *p) {
   p->v = (uint8_t)(up ? v : u);
 }
 
+/* From a to b and to c; true where they are so small that a product of three of them fits 127 bits as (i64 x i64) x i64. */
+static inline bool differences(const int32_t a[3], const int32_t b[3], const int32_t c[3], int64_t p[3], int64_t q[3]) {
+  uint64_t wide = 0;
+  for (int i = 0; i < 3; i++) {
+    p[i] = (int64_t)b[i] - a[i], q[i] = (int64_t)c[i] - a[i];
+    wide |= (uint64_t)(p[i] + ((int64_t)1 << 30)) | (uint64_t)(q[i] + ((int64_t)1 << 30));
+  }
+  return !(wide >> 31);
+}
+
 bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3], vs_plane *out, bool *flipped) {
   int64_t p[3], q[3];
-  for (int i = 0; i < 3; i++) p[i] = (int64_t)b[i] - a[i], q[i] = (int64_t)c[i] - a[i];
   uint64_t g = 0;
-  for (int i = 0; i < 3; i++) {
-    int u = (i + 1) % 3, v = (i + 2) % 3;
-    out->n[i] = p[u] * q[v] - p[v] * q[u];
-    uint64_t size = (uint64_t)(out->n[i] < 0 ? -out->n[i] : out->n[i]);
-    if (g != 1) g = gcd64(g, g ? size % g : size); /* of two large numbers it is mostly small */
-  }
+  if (!differences(a, b, c, p, q)) {
+    vs_u128 size[3];
+    bool minus[3];
+    for (int i = 0; i < 3; i++) {
+      int u = (i + 1) % 3, v = (i + 2) % 3;
+      vs_i128 n = (vs_i128)p[u] * q[v] - (vs_i128)p[v] * q[u];
+      minus[i] = n < 0;
+      size[i] = (vs_u128)(n < 0 ? -n : n); /* at most 2^64 - 2^33: twice the area of a triangle in a square of less than 2^32 */
+      g = gcd64(g, (uint64_t)size[i]);
+    }
+    for (int i = 0; i < 3; i++) {
+      uint64_t n = g ? (uint64_t)size[i] / g : 0;
+      if (n > INT64_MAX) return false;
+      out->n[i] = minus[i] ? -(int64_t)n : (int64_t)n;
+    }
+    if (g) g = 1;
+  } else
+    for (int i = 0; i < 3; i++) {
+      int u = (i + 1) % 3, v = (i + 2) % 3;
+      out->n[i] = p[u] * q[v] - p[v] * q[u];
+      uint64_t size = (uint64_t)(out->n[i] < 0 ? -out->n[i] : out->n[i]);
+      if (g != 1) g = gcd64(g, g ? size % g : size); /* of two large numbers it is mostly small */
+    }
   if (g == 0) return false;
   int64_t first = out->n[0] ? out->n[0] : out->n[1] ? out->n[1] : out->n[2];
   int64_t divisor = first < 0 ? -(int64_t)g : (int64_t)g;
@@ -120,9 +146,24 @@ void vs_plane_along(const int32_t a[3], const int32_t b[3], int k, vs_plane *out
 
 int vs_orient3d(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int32_t d[3]) {
   int64_t p[3], q[3], r[3];
-  for (int i = 0; i < 3; i++) p[i] = (int64_t)b[i] - a[i], q[i] = (int64_t)c[i] - a[i], r[i] = (int64_t)d[i] - a[i];
+  bool small = differences(a, b, c, p, q);
+  for (int i = 0; i < 3; i++) r[i] = (int64_t)d[i] - a[i];
+  if (!small)
+    return vs_sign128(((vs_i128)p[1] * q[2] - (vs_i128)p[2] * q[1]) * r[0] + ((vs_i128)p[2] * q[0] - (vs_i128)p[0] * q[2]) * r[1] +
+                      ((vs_i128)p[0] * q[1] - (vs_i128)p[1] * q[0]) * r[2]);
   return vs_sign128((vs_i128)(p[1] * q[2] - p[2] * q[1]) * r[0] + (vs_i128)(p[2] * q[0] - p[0] * q[2]) * r[1] +
                     (vs_i128)(p[0] * q[1] - p[1] * q[0]) * r[2]);
+}
+
+/* r += a * b */
+static inline void add_product(uint64_t r[4], vs_i128 a, vs_i128 b) {
+  uint64_t a0 = (uint64_t)a, a1 = (uint64_t)(a >> 64), b0 = (uint64_t)b, b1 = (uint64_t)(b >> 64);
+  vs_u128 low = (vs_u128)a0 * b0, one = (vs_u128)a0 * b1, two = (vs_u128)a1 * b0;
+  vs_u128 middle = (low >> 64) + (uint64_t)one + (uint64_t)two;
+  vs_u128 high = (vs_u128)a1 * b1 + (one >> 64) + (two >> 64) + (middle >> 64);
+  if (b < 0) high -= (vs_u128)a;
+  if (a < 0) high -= (vs_u128)b;
+  wide_add(r, (const uint64_t[4]){ (uint64_t)low, (uint64_t)middle, (uint64_t)high, (uint64_t)(high >> 64) }, 4);
 }
 
 bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_homogeneous *out) {
@@ -140,18 +181,18 @@ bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_
     return true;
   }
   int sign = w < 0 ? -1 : 1;
-  for (int i = 0; i < 3; i++) wide_from(out->x[i], VS_LIMBS, (b[i] * oa - a[i] * ob) * sign);
   wide_from(out->w, VS_LIMBS, w * sign);
+  vs_u128 size = (vs_u128)(oa < 0 ? -oa : oa) | (vs_u128)(ob < 0 ? -ob : ob);
+  for (int i = 0; i < 3; i++) {
+    if (!(size >> 94)) {
+      wide_from(out->x[i], VS_LIMBS, (b[i] * oa - a[i] * ob) * sign);
+      continue;
+    }
+    memset(out->x[i], 0, sizeof out->x[i]);
+    add_product(out->x[i], oa * sign, b[i]);
+    add_product(out->x[i], -ob * sign, a[i]);
+  }
   return true;
-}
-
-/* r += a * b, modulo 2^192 */
-static inline void add_product(uint64_t r[3], vs_i128 a, vs_i128 b) {
-  uint64_t a0 = (uint64_t)a, a1 = (uint64_t)(a >> 64), b0 = (uint64_t)b, b1 = (uint64_t)(b >> 64);
-  vs_u128 low = (vs_u128)a0 * b0, one = (vs_u128)a0 * b1, two = (vs_u128)a1 * b0;
-  vs_u128 middle = (low >> 64) + (uint64_t)one + (uint64_t)two;
-  uint64_t high = a1 * b1 + (uint64_t)(one >> 64) + (uint64_t)(two >> 64) + (uint64_t)(middle >> 64) - (b < 0 ? a0 : 0) - (a < 0 ? b0 : 0);
-  wide_add(r, (const uint64_t[3]){ (uint64_t)low, (uint64_t)middle, high }, 3);
 }
 
 void vs_homogeneous_integer(const int32_t at[3], vs_homogeneous *out) {
@@ -192,79 +233,84 @@ static inline double near128(vs_i128 x) { return (double)(int64_t)(x >> 64) * 0x
 static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
   vs_i128 w = (vs_i128)((vs_u128)h->w[1] << 64 | h->w[0]);
   for (int i = 0; i < 3; i++)
-    if (h->x[i][2] != (uint64_t)((int64_t)h->x[i][1] >> 63)) return false;
+    if (h->x[i][2] != (uint64_t)((int64_t)h->x[i][1] >> 63) || h->x[i][3] != h->x[i][2]) return false;
   double per = 1 / near128(w);
   *exact = true;
   for (int i = 0; i < 3; i++) {
     vs_i128 x = (vs_i128)((vs_u128)h->x[i][1] << 64 | h->x[i][0]);
     double guess = x < 0 ? -near128(-x) * per : near128(x) * per;
-    if (fabs(guess) > 0x1p30) return false;
+    if (fabs(guess) > 0x1p32) return false;
     int64_t whole = (int64_t)floor(guess), rest;
     vs_i128 r = x - w * whole;
     for (; r < 0; whole--) r += w; /* the guesses are off by one at most */
     for (; r >= w; whole++) r -= w;
-    rest = (int64_t)(near128(r) * per * 0x1p32);
-    r = r * ((vs_i128)1 << 32) - w * rest;
+    rest = (int64_t)(near128(r) * per * (double)(1 << VS_FIXED_BITS));
+    r = r * ((vs_i128)1 << VS_FIXED_BITS) - w * rest;
     for (; r < 0; rest--) r += w;
     for (; r >= w; rest++) r -= w;
     *exact = *exact && r == 0;
-    fixed[i] = whole * ((int64_t)1 << 32) + rest;
+    fixed[i] = whole * ((int64_t)1 << VS_FIXED_BITS) + rest;
   }
   return true;
 }
 
-static inline double near192(const uint64_t x[3]) { return ((double)x[2] * 0x1p64 + (double)x[1]) * 0x1p64 + (double)x[0]; } /* x >= 0 */
+static inline double near256(const uint64_t x[4]) { return (((double)x[3] * 0x1p64 + (double)x[2]) * 0x1p64 + (double)x[1]) * 0x1p64 + (double)x[0]; } /* x >= 0 */
 
 /* r -= w * q, where q >= 0 */
-static inline void take_times(uint64_t r[3], const uint64_t w[3], uint64_t q) {
-  vs_u128 t = (vs_u128)w[0] * q, u = (vs_u128)w[1] * q + (uint64_t)(t >> 64);
-  uint64_t product[3] = { (uint64_t)t, (uint64_t)u, w[2] * q + (uint64_t)(u >> 64) };
-  wide_sub(r, product, 3);
+static inline void take_times(uint64_t r[4], const uint64_t w[4], uint64_t q) {
+  vs_u128 t = (vs_u128)w[0] * q, u = (vs_u128)w[1] * q + (uint64_t)(t >> 64), v = (vs_u128)w[2] * q + (uint64_t)(u >> 64);
+  uint64_t product[4] = { (uint64_t)t, (uint64_t)u, (uint64_t)v, w[3] * q + (uint64_t)(v >> 64) };
+  wide_sub(r, product, 4);
 }
 
 /* q: a guess of floor(r / w), off by one or so; the quotient, and what remains in r. */
-static inline int64_t divide(uint64_t r[3], const uint64_t w[3], int64_t q) {
+static inline int64_t divide(uint64_t r[4], const uint64_t w[4], int64_t q) {
   take_times(r, w, (uint64_t)q);
-  for (; wide_sign(r, 3) < 0; q--) wide_add(r, w, 3);
+  for (; wide_sign(r, 4) < 0; q--) wide_add(r, w, 4);
   for (;; q++) {
-    uint64_t less[3] = { r[0], r[1], r[2] };
-    wide_sub(less, w, 3);
-    if (wide_sign(less, 3) < 0) return q;
+    uint64_t less[4] = { r[0], r[1], r[2], r[3] };
+    wide_sub(less, w, 4);
+    if (wide_sign(less, 4) < 0) return q;
     memcpy(r, less, sizeof less);
   }
 }
 
+/* to = x * 2^bits */
+static inline void shift_up(uint64_t to[4], const uint64_t x[4], int bits) {
+  for (int i = 3; i > 0; i--) to[i] = x[i] << bits | x[i - 1] >> (64 - bits);
+  to[0] = x[0] << bits;
+}
+
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]) {
-  enum { UP = 30 }; /* so many binary places: added to have no negative numbers */
+  enum { UP = 32 }; /* so many binary places: added to have no negative numbers */
   bool exact = true;
-  if (h->w[0] == 1 && !h->w[1] && !h->w[2]) { /* on the grid */
+  if (h->w[0] == 1 && !h->w[1] && !h->w[2] && !h->w[3]) { /* on the grid */
     for (int i = 0; i < 3; i++) fixed[i] = (int64_t)(h->x[i][0] << VS_FIXED_BITS);
     return true;
   }
-  if (!h->w[2] && !(h->w[1] >> 30) && fix_narrow(h, fixed, &exact)) return exact;
-  const uint64_t *w = h->w, up[3] = { w[0] << UP, w[1] << UP | w[0] >> (64 - UP), w[2] << UP | w[1] >> (64 - UP) };
-  double per = 1 / near192(w);
+  if (!h->w[3] && !h->w[2] && !(h->w[1] >> 30) && fix_narrow(h, fixed, &exact)) return exact;
+  uint64_t up[4];
+  shift_up(up, h->w, UP);
+  double per = 1 / near256(h->w);
   exact = true;
-  for (int i = 0; i < 3; i++) { /* whole steps first, then the rest: below 2^191 all the way */
-    uint64_t r[3] = { h->x[i][0], h->x[i][1], h->x[i][2] };
-    wide_add(r, up, 3);
-    int64_t whole = divide(r, w, (int64_t)(near192(r) * per)) - ((int64_t)1 << UP);
-    r[2] = r[2] << 32 | r[1] >> 32;
-    r[1] = r[1] << 32 | r[0] >> 32;
-    r[0] <<= 32;
-    int64_t rest = divide(r, w, (int64_t)(near192(r) * per));
-    exact = exact && !(r[0] | r[1] | r[2]);
+  for (int i = 0; i < 3; i++) { /* whole steps first, then the rest: below 2^226 all the way */
+    uint64_t r[4] = { h->x[i][0], h->x[i][1], h->x[i][2], h->x[i][3] };
+    wide_add(r, up, 4);
+    int64_t whole = divide(r, h->w, (int64_t)(near256(r) * per)) - ((int64_t)1 << UP);
+    shift_up(r, r, VS_FIXED_BITS);
+    int64_t rest = divide(r, h->w, (int64_t)(near256(r) * per));
+    exact = exact && !(r[0] | r[1] | r[2] | r[3]);
     fixed[i] = whole * ((int64_t)1 << VS_FIXED_BITS) + rest;
   }
   return exact;
 }
 
 int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis) {
-  uint64_t s[6], t[6];
-  wide_mul(s, 6, a->x[axis], VS_LIMBS, b->w, VS_LIMBS);
-  wide_mul(t, 6, b->x[axis], VS_LIMBS, a->w, VS_LIMBS);
-  wide_sub(s, t, 6);
-  return wide_sign(s, 6);
+  uint64_t s[7], t[7];
+  wide_mul(s, 7, a->x[axis], VS_LIMBS, b->w, VS_LIMBS);
+  wide_mul(t, 7, b->x[axis], VS_LIMBS, a->w, VS_LIMBS);
+  wide_sub(s, t, 7);
+  return wide_sign(s, 7);
 }
 
 bool vs_homogeneous_equal(const vs_homogeneous *a, const vs_homogeneous *b) {
@@ -272,15 +318,15 @@ bool vs_homogeneous_equal(const vs_homogeneous *a, const vs_homogeneous *b) {
 }
 
 int vs_homogeneous_side(const vs_plane *p, const vs_homogeneous *h) {
-  uint64_t s[4], t[4], d[2];
+  uint64_t s[5], t[5], d[2];
   wide_from(d, 2, -p->d);
-  wide_mul(s, 4, h->w, VS_LIMBS, d, 2);
+  wide_mul(s, 5, h->w, VS_LIMBS, d, 2);
   for (int i = 0; i < 3; i++) {
     uint64_t n[1] = { (uint64_t)p->n[i] };
-    wide_mul(t, 4, h->x[i], VS_LIMBS, n, 1);
-    wide_add(s, t, 4);
+    wide_mul(t, 5, h->x[i], VS_LIMBS, n, 1);
+    wide_add(s, t, 5);
   }
-  return wide_sign(s, 4);
+  return wide_sign(s, 5);
 }
 
 void vs_plane_lift(const vs_plane *p, int k, int64_t u, int64_t v, vs_homogeneous *out) {
@@ -322,14 +368,14 @@ int vs_orient2d_slow(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int a
   load(v, a, &h[0]);
   load(v, b, &h[1]);
   load(v, c, &h[2]);
-  uint64_t sum[9] = { 0 }, s[6], t[6], r[9];
+  uint64_t sum[11] = { 0 }, s[8], t[8], r[11];
   for (int i = 0; i < 3; i++) { /* det of the rows (X_u, X_v, W), along the last column; every W > 0 */
     const vs_homogeneous *p = &h[(i + 1) % 3], *q = &h[(i + 2) % 3];
-    wide_mul(s, 6, p->x[axis_u], VS_LIMBS, q->x[axis_v], VS_LIMBS);
-    wide_mul(t, 6, p->x[axis_v], VS_LIMBS, q->x[axis_u], VS_LIMBS);
-    wide_sub(s, t, 6);
-    wide_mul(r, 9, s, 6, h[i].w, VS_LIMBS);
-    wide_add(sum, r, 9);
+    wide_mul(s, 8, p->x[axis_u], VS_LIMBS, q->x[axis_v], VS_LIMBS);
+    wide_mul(t, 8, p->x[axis_v], VS_LIMBS, q->x[axis_u], VS_LIMBS);
+    wide_sub(s, t, 8);
+    wide_mul(r, 11, s, 8, h[i].w, VS_LIMBS);
+    wide_add(sum, r, 11);
   }
-  return wide_sign(sum, 9);
+  return wide_sign(sum, 11);
 }

@@ -1,13 +1,15 @@
 /* Owns the exact numbers: fixed-width integers, planes, points, and the predicates that decide everything else.
  *
- * Notation. Coordinates are counted in steps of the cluster's grid; input vertices are integers, |x| <= 2^25.
- *   plane   n.x = d, n primitive: |n| <= 2^52, |d| <= 2^79
- *   point   X/W, W > 0. Of an input vertex W = 1; of edge x plane |X| < 2^107, W < 2^81; of three planes |X| < 2^184, W < 2^159.
- *   fixed   floor(X/W * 2^32) per coordinate: a number of 58 bits that every point has, the same for equal points whatever their
+ * Notation. Coordinates are counted in steps of the cluster's grid; input vertices are integers, |x| < 2^31.
+ *   plane   n.x = d, n primitive: |n| < 2^63, |d| < 2^96. (A normal of two edges of 2^32 steps could have 64 bits: soup.c then takes a coarser grid.)
+ *   point   X/W, W > 0. Of an input vertex W = 1; of edge x plane |X| < 2^130, W < 2^97; of three planes |X| < 2^226, W < 2^192.
+ *   fixed   floor(X/W * 2^30) per coordinate: a number of 62 bits that every point has, the same for equal points whatever their
  *           names. It is key and filter in one: a predicate on the fixed numbers in __int128 has an error of a few units that is known, so it
- *           falls back to the wide integers only where points lie within 2^-32 steps of each other, a line or a plane.
+ *           falls back to the wide integers only where points lie within 2^-30 steps of each other, a line or a plane. All of it fits in 127 bits:
+ *           n.x - d has |n| |x| 3 < 2^126, |d| 2^30 < 2^126; a turn in a plane two products of differences below 2^62.
  * A point whose three remainders are zero is `exact`: its fixed numbers are all there is, and nothing is stored beside them.
- * Widest results: a point against a plane 240 bits; one coordinate of two points 344; the orientation of three in a plane 531. */
+ * Widest results: a point against a plane 292 bits; one coordinate of two points 420; the orientation of three in a plane 648. Numbers that are small, as they
+ * are where triangles are small against the cluster, take the short way in the wide half, too. */
 #ifndef VS_KERNEL_EXACT_H
 #define VS_KERNEL_EXACT_H
 
@@ -17,7 +19,7 @@
 __extension__ typedef __int128 vs_i128;
 __extension__ typedef unsigned __int128 vs_u128;
 
-enum { VS_FIXED_BITS = 32, VS_GRID_BITS = 25, VS_LIMBS = 3 };
+enum { VS_FIXED_BITS = 30, VS_GRID_BITS = 31, VS_LIMBS = 4 };
 #define VS_POINT_EXACT UINT32_MAX
 #define VS_POINT_MORE (UINT32_C(1) << 31)
 
@@ -45,7 +47,7 @@ typedef struct {
 
 static inline int vs_sign128(vs_i128 x) { return (x > 0) - (x < 0); }
 
-/* the plane through three integer points, from a; false where they lie on one line */
+/* the plane through three integer points, from a; false where they lie on one line, or where its normal would not fit */
 bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3], vs_plane *out, bool *flipped);
 void vs_plane_axes(vs_plane *p);
 /* the plane through the integer points a and b along axis k; not primitive; a and b differ in another axis */

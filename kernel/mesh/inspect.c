@@ -152,7 +152,7 @@ static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
   }
   at[p->u] = (int64_t)u;
   at[p->v] = (int64_t)v;
-  at[p->k] = (int64_t)(((double)p->d * 0x1p32 - (double)p->n[p->u] * u - (double)p->n[p->v] * v) / (double)p->n[p->k]);
+  at[p->k] = (int64_t)(((double)p->d * 0x1p30 - (double)p->n[p->u] * u - (double)p->n[p->v] * v) / (double)p->n[p->k]);
 }
 
 /* Volumes and areas of the cells, in steps: cones from a corner of each cell, for it may be small and far away. */
@@ -165,8 +165,8 @@ static void measure_cells(const vs_cluster *c, cell *cells) {
     double n[3] = { (double)p->n[0], (double)p->n[1], (double)p->n[2] }, length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]), seen = 0;
     for (uint32_t i = begin; i < end; i++) {
       const vs_point *a = &c->points.all.at[c->uses.at[i].from], *b = &c->points.all.at[c->uses.at[i].to];
-      double au = (double)(a->fixed[p->u] - o->fixed[p->u]) * 0x1p-32, av = (double)(a->fixed[p->v] - o->fixed[p->v]) * 0x1p-32;
-      double bu = (double)(b->fixed[p->u] - o->fixed[p->u]) * 0x1p-32, bv = (double)(b->fixed[p->v] - o->fixed[p->v]) * 0x1p-32;
+      double au = (double)(a->fixed[p->u] - o->fixed[p->u]) * 0x1p-30, av = (double)(a->fixed[p->v] - o->fixed[p->v]) * 0x1p-30;
+      double bu = (double)(b->fixed[p->u] - o->fixed[p->u]) * 0x1p-30, bv = (double)(b->fixed[p->v] - o->fixed[p->v]) * 0x1p-30;
       seen += (au * bv - av * bu) / 2; /* the area along k */
     }
     double area = seen * length / fabs(n[p->k]);
@@ -174,7 +174,7 @@ static void measure_cells(const vs_cluster *c, cell *cells) {
       cell *x = &cells[c->side_cell.at[2 * f + side]];
       if (!x->origin) x->origin = o;
       double height = 0;
-      for (int j = 0; j < 3; j++) height += n[j] * ((double)(o->fixed[j] - x->origin->fixed[j]) * 0x1p-32);
+      for (int j = 0; j < 3; j++) height += n[j] * ((double)(o->fixed[j] - x->origin->fixed[j]) * 0x1p-30);
       x->area += area;
       x->volume += (side ? area : -area) * height / length / 3; /* the plane's normal points out of the cell on the - side */
     }

@@ -9,3 +9,4 @@
 (define sliver-2 (do-extrude (make-polygon (xy 0 0.3) (xy -0.9793096 0.2371345) (xy -0.9896432 0.2185881) (xy -1 0.2)) 0.5))
 (define turned-2 (do-rotate block (vxyz 1 1 0) 0.5))
 (ok? "second sliver" (volume (unite sliver-2 turned-2)) (- (+ (volume sliver-2) (volume turned-2)) (volume (intersect sliver-2 turned-2))) 1e-6)
+(display "all as large as they should be") ; expect: all as large as they should be
