@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A leaf so much larger than where it matters is cut: less costs the grid no more than 6 of its 26 bits. */
+/* A leaf so much larger than where it matters is cut: less costs the grid no more than 6 of its 32 bits. */
 static const double FAR = 64;
 
 typedef struct { uint32_t low, high; int32_t number; } edge; /* number: of its middle, or 1 where it runs from low to high, else -1 */

@@ -9,4 +9,12 @@
 (define sliver-2 (do-extrude (make-polygon (xy 0 0.3) (xy -0.9793096 0.2371345) (xy -0.9896432 0.2185881) (xy -1 0.2)) 0.5))
 (define turned-2 (do-rotate block (vxyz 1 1 0) 0.5))
 (ok? "second sliver" (volume (unite sliver-2 turned-2)) (- (+ (volume sliver-2) (volume turned-2)) (volume (intersect sliver-2 turned-2))) 1e-6)
+; Large thin plates, turned: half a step of the grid was a part of their thickness, and what was taken off made them larger.
+(define plate (do-rotate (make-box origin 300 300 0.05) (vxyz 1 2 3) 0.5))
+(define post (make-box (xyz 0 0 0) 1 1 10))
+(ok? "plate" (volume plate) 4500)
+(ok? "plate less a post" (volume (subtract plate post)) (- 4500 (volume (intersect plate post))) 1e-12)
+(ok? "plate less a post, in numbers" (volume (subtract plate post)) 4499.947714032)
+; Shells: their thickness is a few steps.
+(ok? "shell of a box" (/ (volume (subtract (make-box (xyz 0 0 0) 1 1 1) (make-box (xyz 1e-8 1e-8 1e-8) (xyz (- 1 1e-8) (- 1 1e-8) (- 1 1e-8))))) 6e-8) 1 1e-6)
 (display "all as large as they should be") ; expect: all as large as they should be
