@@ -1,0 +1,274 @@
+/* Owns the making and shrinking of random programs: see models.h.
+ *
+ * The kinds are those of model/prims.def whose class is a solid or what its children are. A kind is made by (make-NAME ...) or (do-NAME ...), whose forms and contracts are
+ * bind/'s own table: a new kind joins when it has a row in both. Sets of solids are made apart. */
+#include "tests/oracle/models.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bind/bind.h"
+
+typedef struct { const char *name, *class_; } kind_row;
+static const kind_row kinds[] = {
+#define VS_KIND(upper, lower, name, class, level) { name, #class },
+#define VS_FIELD(type, member, argument)
+#define VS_KIND_END(upper, lower)
+#include "model/prims.def"
+};
+
+/* Kinds that stand for no solid of their own, or whose arguments no contract says. */
+static const char *const left_out[] = { "empty-object", "native", "highlight", "with-material", "layer", "only", "unite", "subtract", "intersect", "transform", "slice", "offset", "surface",
+                                         "mesh", "guided-loft", "half-space", "height-field", "polyface-mesh" };
+
+typedef struct { uint64_t state; char *text; size_t count; int depth; } maker;
+
+static uint32_t any(maker *m, uint32_t n) { /* 0 .. n-1 */
+  m->state ^= m->state << 13;
+  m->state ^= m->state >> 7;
+  m->state ^= m->state << 17;
+  return (uint32_t)((m->state >> 20) % n);
+}
+
+static void say(maker *m, const char *format, ...) {
+  va_list rest;
+  va_start(rest, format);
+  int n = vsnprintf(m->text + m->count, MODEL_ROOM - m->count, format, rest);
+  va_end(rest);
+  m->count += n > 0 && (size_t)n < MODEL_ROOM - m->count ? (size_t)n : 0;
+}
+
+static const vs_procedure *procedure_of(const char *kind, char name[64]) {
+  static const char *const prefixes[] = { "make-", "do-", "" };
+  for (int p = 0; p < 3; p++)
+    for (int i = 0; vs_bind_defs[i].name; i++) {
+      size_t length = strcspn(vs_bind_defs[i].name, " ");
+      snprintf(name, 64, "%s%s", prefixes[p], kind);
+      if (strlen(name) == length && strncmp(vs_bind_defs[i].name, name, length) == 0) return &vs_bind_procedures[i];
+    }
+  return NULL;
+}
+
+static bool is_solid(const kind_row *k) {
+  char name[64];
+  if (strcmp(k->class_, "SOLID") != 0 && strcmp(k->class_, "INHERIT") != 0) return false;
+  for (size_t i = 0; i < sizeof left_out / sizeof *left_out; i++)
+    if (strcmp(left_out[i], k->name) == 0) return false;
+  return procedure_of(k->name, name) != NULL;
+}
+
+size_t model_kinds(void) {
+  size_t n = 0;
+  for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) n += is_solid(&kinds[i]);
+  return n;
+}
+const char *model_kind(size_t which) {
+  for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+    if (is_solid(&kinds[i]) && which-- == 0) return kinds[i].name;
+  return NULL;
+}
+
+/* ---- arguments ---- */
+
+static void number(maker *m, double low, double high) { /* mostly a plain one */
+  switch (any(m, 24)) {
+  case 0: say(m, "0"); break;
+  case 1: say(m, "%g", low + (high - low) * any(m, 1000000) / 1e6); break;
+  case 2: say(m, "%.17g", low + (high - low) * any(m, 1 << 30) / (1 << 30)); break;
+  case 3: say(m, any(m, 2) ? "1e-3" : "1e-6"); break;
+  default: say(m, "%g", low + (high - low) * any(m, 9) / 8);
+  }
+}
+static void triple(maker *m, const char *name, double low, double high) {
+  say(m, "(%s ", name);
+  for (int i = 0; i < 3; i++) {
+    number(m, low, high);
+    say(m, i < 2 ? " " : ")");
+  }
+}
+static void tiny_angle(maker *m) { say(m, "%de-%d", 1 + (int)any(m, 9), 5 + (int)any(m, 6)); }
+static void angle(maker *m) {
+  switch (any(m, 4)) {
+  case 0: tiny_angle(m); break;
+  case 1: say(m, "(* %d 1/4 pi)", 1 + (int)any(m, 8)); break;
+  default: number(m, -3, 3);
+  }
+}
+
+static void profile(maker *m, bool closed) {
+  static const char *const stars[] = { "(make-polygon (xy 0 0) (xy 2 0) (xy 2 1) (xy 0 1))", "(make-polygon (xy 1 0) (xy 3 0) (xy 2 1.5))", "(make-polygon (xy 1 0) (xy 3 0) (xy 1.5 .5) (xy 2 2))" };
+  uint32_t which = any(m, closed ? 5 : 7);
+  if (which == 0) say(m, "(make-circle (xy %d 0) %g)", (int)any(m, 4), 0.25 + any(m, 4) / 4.0);
+  else if (which == 1) say(m, "(make-region (make-circle (xy 3 0) 1) (make-circle (xy 3 0) .5))");
+  else if (which < 5) say(m, "%s", stars[which - 2]);
+  else say(m, "(make-line (xyz 0 0 0) (xyz %g 0 2) (xyz 2 1 3))", (double)any(m, 3));
+}
+
+static bool solid(maker *m);
+
+/* False: no sample of the contract is known. */
+static bool argument(maker *m, int contract, const char *name) {
+  switch (contract) {
+  case VS_C_REAL: number(m, -1, 3); return true;
+  case VS_C_RADIUS: case VS_C_POSITIVE: number(m, 0, 3); return true;
+  case VS_C_UNIT: number(m, 0, 1); return true;
+  case VS_C_ANGLE: angle(m); return true;
+  case VS_C_DEGREES: number(m, 0, 80); return true;
+  case VS_C_SOME: case VS_C_NATURAL: say(m, "%d", 1 + (int)any(m, 5)); return true;
+  case VS_C_SIDES: case VS_C_SEGMENTS: say(m, "%d", 3 + (int)any(m, 20)); return true;
+  case VS_C_BOOLEAN: say(m, any(m, 2) ? "#t" : "#f"); return true;
+  case VS_C_POINT: case VS_C_PLACE: triple(m, "xyz", -3, 3); return true;
+  case VS_C_VECTOR: triple(m, "vxyz", -2, 2); return true;
+  case VS_C_DIRECTION: say(m, "(vxyz %d %d 1)", (int)any(m, 3), (int)any(m, 2)); return true;
+  case VS_C_AXIS:
+    if (any(m, 3)) say(m, "'%c", "xyz"[any(m, 3)]);
+    else say(m, "(make-axis (xyz 0 0 0) (vxyz 1 2 %d))", (int)any(m, 4));
+    return true;
+  case VS_C_PLANE: say(m, any(m, 2) ? "'yz" : "(make-plane (xyz 1 0 0) (vxyz 1 2 3))"); return true;
+  case VS_C_FACTOR: if (any(m, 2)) number(m, 0.25, 2); else say(m, "(list 1 %g 2)", 0.5 + any(m, 4)); return true;
+  case VS_C_MATRIX: say(m, "(rotation-matrix %g 'x)", any(m, 9) / 3.0); return true;
+  case VS_C_CURVE: case VS_C_CURVES: case VS_C_PROFILE: case VS_C_FLAT: profile(m, strcmp(name, "path") != 0 && any(m, 4)); return true;
+  case VS_C_SECTIONS: say(m, "(list (make-circle origin 1) (do-move "); profile(m, true); say(m, " (vxyz 0 0 2)))"); return true;
+  case VS_C_PATH: if (any(m, 2)) number(m, -1, 3); else say(m, "(make-line (xyz 0 0 0) (xyz 0 0 2) (xyz 1 0 4))"); return true;
+  case VS_C_POINTS: say(m, "(list (xyz 0 0 0) (xyz 2 0 0) (xyz 0 2 0) "); triple(m, "xyz", -1, 2); say(m, ")"); return true;
+  case VS_C_SOLID: case VS_C_OBJECT: case VS_C_OBJECTS: case VS_C_THINGS: return solid(m);
+  default: return false;
+  }
+}
+
+static bool made(maker *m, const char *kind) {
+  char name[64];
+  const vs_procedure *p = procedure_of(kind, name);
+  size_t before = m->count;
+  int forms = 0;
+  if (!p) return false;
+  while (forms < VS_MAX_FORMS && p->form[forms].used) forms++;
+  const vs_form *form = &p->form[forms ? any(m, (uint32_t)forms) : 0];
+  say(m, "(%s", name);
+  for (int i = 0; form->at[i].mode != VS_ARG_END; i++) {
+    const vs_bind_param *q = &form->at[i];
+    if (q->mode == VS_ARG_OPTIONAL && any(m, 3)) break;
+    say(m, " ");
+    if (argument(m, q->contract, q->name)) continue;
+    m->count = before;
+    m->text[before] = 0;
+    return false;
+  }
+  say(m, ")");
+  return true;
+}
+
+static void leaf(maker *m) {
+  for (int tries = 0; tries < 40; tries++) {
+    if (any(m, 3) == 0) {
+      say(m, "(make-box ");
+      triple(m, "xyz", -2, 1);
+      say(m, " %g %g %g)", 0.5 + any(m, 4), 0.5 + any(m, 4), 0.05 + any(m, 3));
+      return;
+    }
+    if (made(m, model_kind(any(m, (uint32_t)model_kinds())))) return;
+  }
+  say(m, "(make-box origin 1 1 1)");
+}
+
+static void placed(maker *m, size_t from) { /* what stands from there on, once more around it */
+  static char was[MODEL_ROOM];
+  snprintf(was, sizeof was, "%s", m->text + from);
+  m->count = from;
+  switch (any(m, 6)) {
+  case 0: say(m, "(do-rotate %s '%c ", was, "xyz"[any(m, 3)]), tiny_angle(m), say(m, ")"); break;
+  case 1: say(m, "(do-rotate %s (vxyz 1 2 3) ", was), angle(m), say(m, ")"); break;
+  case 2: say(m, "(do-scale %s %s)", was, any(m, 2) ? "1e-3" : "1.0000001"); break;
+  case 3: say(m, "(do-scale %s (list 1 1 %s))", was, any(m, 2) ? "100" : ".01"); break;
+  case 4: say(m, "(do-mirror %s 'yz)", was); break;
+  default: say(m, "(do-move %s ", was), triple(m, "vxyz", -1, 1), say(m, ")");
+  }
+}
+
+static bool solid(maker *m) {
+  static const char *const sets[] = { "unite", "subtract", "intersect" };
+  static char was[MODEL_ROOM];
+  size_t from = m->count;
+  if (m->depth <= 0 || any(m, 3) == 0) {
+    m->depth--;
+    leaf(m);
+  } else {
+    m->depth--;
+    uint32_t n = 2 + (any(m, 3) == 0);
+    say(m, "(%s", sets[any(m, 3)]);
+    for (uint32_t i = 0; i < n; i++) {
+      say(m, " ");
+      size_t at = m->count;
+      solid(m);
+      if (i == 0 && any(m, 4) == 0 && m->count - at < MODEL_ROOM / 8) { /* a near copy beside it */
+        snprintf(was, sizeof was, "%s", m->text + at);
+        say(m, " %s", was);
+        size_t copy = m->count - strlen(was);
+        placed(m, copy);
+      }
+    }
+    say(m, ")");
+    m->depth++;
+  }
+  if (any(m, 3) == 0 && m->count - from < MODEL_ROOM / 4) placed(m, from);
+  return true;
+}
+
+void model_make(uint64_t seed, char text[MODEL_ROOM]) {
+  maker m = { .state = seed * 0x9e3779b97f4a7c15u + 0x2545f4914f6cdd1du, .text = text, .depth = 2 };
+  text[0] = 0;
+  for (int i = 0; i < 8; i++) any(&m, 2);
+  solid(&m);
+}
+
+/* ---- shrinking ---- */
+
+static const char *end_of(const char *at) { /* of the datum that begins there */
+  int depth = 0;
+  if (*at == '\'') at++;
+  do {
+    if (*at == '(') depth++;
+    if (*at == ')') depth--;
+    at++;
+  } while (*at && (depth > 0 || (*at != ' ' && *at != ')' && *at != '(')));
+  return at;
+}
+
+/* Tries the text with [from, to) replaced. */
+static bool try_text(char text[MODEL_ROOM], const char *from, const char *to, const char *with, size_t length, model_fails *fails, void *context) {
+  char tried[MODEL_ROOM];
+  size_t before = (size_t)(from - text);
+  if (before + length + strlen(to) >= MODEL_ROOM) return false;
+  memcpy(tried, text, before);
+  memcpy(tried + before, with, length);
+  strcpy(tried + before + length, to);
+  if (strlen(tried) >= strlen(text) || !fails(context, tried)) return false;
+  strcpy(text, tried);
+  return true;
+}
+
+static bool shrink_once(char text[MODEL_ROOM], model_fails *fails, void *context) {
+  for (char *at = text; *at; at++) {
+    if (at > text && at[-1] != ' ' && at[-1] != '(') continue;
+    const char *end = end_of(at);
+    if (*at == '(') {
+      for (const char *kid = at + 1 + strcspn(at + 1, " ()"); *kid == ' '; kid = end_of(kid + 1))
+        if (kid[1] == '(' && try_text(text, at, end, kid + 1, (size_t)(end_of(kid + 1) - kid - 1), fails, context)) return true;
+      if (at > text && try_text(text, at - 1, end, "", 0, fails, context)) return true; /* an argument goes */
+    } else if (strchr("-.0123456789", *at)) {
+      char round[40];
+      double x = strtod(at, NULL);
+      for (int digits = 1; digits < 8; digits++) {
+        snprintf(round, sizeof round, "%.*g", digits, x);
+        if (strlen(round) < (size_t)(end - at) && try_text(text, at, end, round, strlen(round), fails, context)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+void model_shrink(char text[MODEL_ROOM], model_fails *fails, void *context) {
+  for (int rounds = 0; rounds < 300 && shrink_once(text, fails, context); rounds++) continue;
+}

@@ -1,0 +1,287 @@
+/* Owns the property that solids are held to, whatever program makes them: a model of any kinds (tests/oracle/models.h), placed, nearly copied and combined, ends with an error of the model or
+ *   - a mesh that is closed and crosses itself nowhere, as doubles (.off has 12 digits) and as 32-bit numbers (.stl), unless the writer warns;
+ *   - volumes of operands and results that agree: |a u b| + |a n b| = |a| + |b|, |a - b| + |a n b| = |a|;
+ *   - (contains? o p) and the mesh's winding number that agree at random points which are not next to the surface, and (volume o) and the mesh's volume.
+ * A sample of 500 models, with LONG=1 ten thousand, or those of SEEDS=FROM-TO. One that fails is made smaller as long as it fails, and printed. TELL=1 prints the counts. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "visualscheme.h"
+#include "tests/oracle/models.c"
+#define main crossings_main
+#include "tests/tools/crossings.c"
+#undef main
+
+enum { TEXT = 4 * MODEL_ROOM, POINTS = 12 };
+
+typedef struct {
+  char error[600], warning[2000], *out;
+  size_t out_count;
+} said;
+typedef struct { vs *vm; said heard; char why[900]; unsigned line; bool volumes; /* asked for: they take longest */ } trial;
+
+static size_t models, refused, empty, solids, warned, asked_points, inside_points, made_of[64];
+
+static void hear(void *context, const vs_diagnostic *d) {
+  said *s = context;
+  if (d->severity == VS_SEVERITY_ERROR) snprintf(s->error, sizeof s->error, "%s", d->message);
+  if (d->severity == VS_SEVERITY_WARNING) {
+    size_t n = strlen(s->warning);
+    snprintf(s->warning + n, sizeof s->warning - n, "%s\n", d->message);
+  }
+}
+static bool print(void *context, const char *text, size_t length) {
+  said *s = context;
+  if (s->out_count + length >= TEXT) return false;
+  memcpy(s->out + s->out_count, text, length);
+  s->out[s->out_count += length] = 0;
+  return true;
+}
+
+static vs_outcome run(trial *t, const char *format, ...) {
+  static char text[TEXT];
+  va_list rest;
+  va_start(rest, format);
+  vsnprintf(text, sizeof text, format, rest);
+  va_end(rest);
+  t->heard.error[0] = t->heard.warning[0] = 0;
+  t->heard.out_count = 0;
+  t->heard.out[0] = 0;
+  return vs_eval_text(t->vm, "model", ++t->line, text, strlen(text), 0);
+}
+
+/* ---- meshes ---- */
+
+typedef struct { crossings_point low, high; double volume, area; soup s; } written;
+
+static bool to_file(void *context, const void *bytes, size_t count) { return fwrite(bytes, 1, count, context) == count; }
+
+static void measure(written *w) {
+  for (int k = 0; k < 3; k++) w->low[k] = INFINITY, w->high[k] = -INFINITY;
+  w->volume = volume(&w->s);
+  w->area = 0;
+  for (size_t i = 0; i < w->s.count; i++) {
+    const double *a = w->s.points[w->s.triangles[i][0]], *b = w->s.points[w->s.triangles[i][1]], *c = w->s.points[w->s.triangles[i][2]];
+    double p[3], q[3], n[3];
+    for (int k = 0; k < 3; k++) {
+      p[k] = b[k] - a[k], q[k] = c[k] - a[k];
+      w->low[k] = fmin(w->low[k], fmin(a[k], fmin(b[k], c[k])));
+      w->high[k] = fmax(w->high[k], fmax(a[k], fmax(b[k], c[k])));
+    }
+    for (int k = 0; k < 3; k++) n[k] = p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3];
+    w->area += sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
+  }
+}
+
+static void release(written *w) {
+  free(w->s.points);
+  free(w->s.triangles);
+  *w = (written){ .volume = 0 };
+}
+
+/* The drawing in the format, read back; false where it was not written. */
+static bool write_as(trial *t, const char *suffix, written *out) {
+  char path[100];
+  const char *folder = getenv("TMPDIR");
+  snprintf(path, sizeof path, "%.60s/models-%ld%s", folder && *folder ? folder : "/tmp", (long)getpid(), suffix);
+  FILE *f = fopen(path, "wb");
+  assert_non_null(f);
+  t->heard.error[0] = t->heard.warning[0] = 0;
+  bool ok = vs_write_drawing_to(t->vm, suffix, NULL, to_file, f) == VS_OUTCOME_DONE;
+  fclose(f);
+  *out = (written){ .volume = 0 };
+  if (ok) ok = strcmp(suffix, ".stl") == 0 ? read_stl(path, &out->s) : read_off(path, &out->s);
+  remove(path);
+  if (ok) measure(out);
+  return ok;
+}
+
+/* The sum of the angles that the triangles are seen under, in turns of 4 pi; and how far the nearest of them is. */
+static double winding(const soup *s, const double p[3], double *nearest) {
+  double sum = 0;
+  *nearest = INFINITY;
+  for (size_t i = 0; i < s->count; i++) {
+    double v[3][3], length[3], middle = 0;
+    for (int j = 0; j < 3; j++) {
+      length[j] = 0;
+      for (int k = 0; k < 3; k++) v[j][k] = s->points[s->triangles[i][j]][k] - p[k], length[j] += v[j][k] * v[j][k];
+      length[j] = sqrt(length[j]);
+    }
+    double e[3], f[3], n[3], size = 0;
+    for (int k = 0; k < 3; k++) e[k] = v[1][k] - v[0][k], f[k] = v[2][k] - v[0][k];
+    for (int k = 0; k < 3; k++) n[k] = e[(k + 1) % 3] * f[(k + 2) % 3] - e[(k + 2) % 3] * f[(k + 1) % 3], size += n[k] * n[k], middle += n[k] * v[0][k];
+    double det = middle, dots[3];
+    for (int j = 0; j < 3; j++) dots[j] = v[j][0] * v[(j + 1) % 3][0] + v[j][1] * v[(j + 1) % 3][1] + v[j][2] * v[(j + 1) % 3][2];
+    sum += 2 * atan2(det, length[0] * length[1] * length[2] + dots[0] * length[2] + dots[1] * length[0] + dots[2] * length[1]);
+    /* the plane's distance where the triangle is seen large, else about its corners': never more than the true one */
+    double plane = size > 0 ? fabs(det) / sqrt(size) : 0, longest = 0;
+    for (int k = 0; k < 3; k++) longest = fmax(longest, fmax(fabs(e[k]), fabs(f[k])));
+    *nearest = fmin(*nearest, fmax(plane, fmin(length[0], fmin(length[1], length[2])) - 2 * longest));
+  }
+  return sum / (4 * 3.14159265358979323846);
+}
+
+/* ---- what must hold ---- */
+
+static bool bad_mesh(trial *t, const char *suffix, written *w) {
+  crossings_found found;
+  if (!write_as(t, suffix, w)) {
+    bool fault = strstr(t->heard.error, "fault of vs") != NULL;
+    if (fault) snprintf(t->why, sizeof t->why, "%s: %s", suffix, t->heard.error);
+    return fault;
+  }
+  if (!crossings_find((const crossings_point *)w->s.points, w->s.point_count, (const crossings_triangle *)w->s.triangles, w->s.count, &found)) abort();
+  size_t open = open_edges(&w->s), faults = crossings_sum(&found) - found.count[CROSSINGS_TOUCHING];
+  bool says = strstr(t->heard.warning, "meet") || strstr(t->heard.warning, "thin") || strstr(t->heard.warning, "left out");
+  warned += faults && says;
+  if (!open && (!faults || says)) return false;
+  int n = snprintf(t->why, sizeof t->why, "%s has %zu open edges", suffix, open);
+  for (int k = 0; k < CROSSINGS_KINDS; k++)
+    if (found.count[k]) n += snprintf(t->why + n, sizeof t->why - (size_t)n, ", %zu %s", found.count[k], crossings_names[k]);
+  return true;
+}
+
+static bool number_of(trial *t, const char *expression, double *out) {
+  if (run(t, "(display %s)", expression) != VS_OUTCOME_DONE) return false;
+  *out = strtod(t->heard.out, NULL);
+  return true;
+}
+
+/* Are the volumes of the set's first two operands and of their combinations those of sets? */
+static bool bad_volumes(trial *t, const char *text) {
+  if (strncmp(text, "(unite ", 7) != 0 && strncmp(text, "(subtract ", 10) != 0 && strncmp(text, "(intersect ", 11) != 0) return false;
+  const char *a = strchr(text, ' ') + 1, *b = end_of(a);
+  if (*b != ' ') return false;
+  const char *end = end_of(++b);
+  double va, vb, both, common, less;
+  if (run(t, "(define a (parameterize ((current-segments 24)) %.*s)) (define b (parameterize ((current-segments 24)) %.*s))", (int)(b - a - 1), a, (int)(end - b), b) != VS_OUTCOME_DONE) return false;
+  if (!number_of(t, "(volume (unite a))", &va) || !number_of(t, "(volume (unite b))", &vb)) return false;
+  bool ok = number_of(t, "(volume (unite a b))", &both) && number_of(t, "(volume (intersect a b))", &common) && number_of(t, "(volume (subtract a b))", &less);
+  if (!ok) {
+    if (!strstr(t->heard.error, "fault of vs")) return false;
+    snprintf(t->why, sizeof t->why, "%s", t->heard.error);
+    return true;
+  }
+  /* formulas and facets: a part that stands alone is measured by its formula, one that is cut by its facets */
+  double slack = 0.03 * (va + vb) + 1e-9;
+  if (fabs(both + common - va - vb) <= slack && fabs(less + common - va) <= slack && both >= fmax(va, vb) * 0.96 && common <= fmin(va, vb) * 1.04 + 1e-9) return false;
+  snprintf(t->why, sizeof t->why, "volumes: a %.9g, b %.9g, a u b %.9g, a n b %.9g, a - b %.9g", va, vb, both, common, less);
+  return true;
+}
+
+static bool bad_inside(trial *t, const written *w, uint64_t seed) {
+  double size = 0, at[POINTS][3];
+  maker m = { .state = seed * 0x9e3779b97f4a7c15u + 1 };
+  char points[POINTS * 100];
+  int n = 0;
+  for (int k = 0; k < 3; k++) size = fmax(size, w->high[k] - w->low[k]);
+  for (int i = 0; i < POINTS; i++) {
+    for (int k = 0; k < 3; k++) at[i][k] = w->low[k] + (w->high[k] - w->low[k]) * (any(&m, 1 << 20) + 0.5) / (1 << 20);
+    n += snprintf(points + n, sizeof points - (size_t)n, "(xyz %.17g %.17g %.17g)", at[i][0], at[i][1], at[i][2]);
+  }
+  if (run(t, "(for-each (lambda (p) (display (if (contains? o p) 1 0))) (list %s))", points) != VS_OUTCOME_DONE || strlen(t->heard.out) != POINTS) return false;
+  for (int i = 0; i < POINTS; i++) {
+    double nearest, turns = winding(&w->s, at[i], &nearest);
+    bool inside = turns > 0.5;
+    asked_points++;
+    inside_points += inside;
+    if (nearest < 0.025 * size || inside == (t->heard.out[i] == '1')) continue;
+    snprintf(t->why, sizeof t->why, "at (xyz %.17g %.17g %.17g) the mesh winds %g times, and contains? says %c", at[i][0], at[i][1], at[i][2], turns, t->heard.out[i]);
+    return true;
+  }
+  return false;
+}
+
+static trial *begin(trial *t) {
+  static char out[TEXT];
+  vs_options o = vs_options_default();
+  *t = (trial){ .heard = { .out = out } };
+  o.host.context = &t->heard;
+  o.host.diagnose = hear;
+  o.host.output = print;
+  o.limit_time = 20;
+  o.limit_memory = (size_t)1500 << 20;
+  t->vm = vs_new(&o);
+  assert_non_null(t->vm);
+  return t;
+}
+
+/* Why the model is wrong: in t->why. Shrinking goes on only towards models that are wrong. */
+static bool fails(void *context, const char *text) {
+  trial *t = context;
+  written off = { .volume = 0 }, single = { .volume = 0 };
+  double v = 0;
+  t->why[0] = 0;
+  vs_restart(t->vm);
+  if (run(t, "(define o (parameterize ((current-segments 24)) %s))", text) != VS_OUTCOME_DONE || run(t, "(draw o)") != VS_OUTCOME_DONE) {
+    refused++;
+    if (!strstr(t->heard.error, "fault of vs")) return false;
+    snprintf(t->why, sizeof t->why, "%s", t->heard.error);
+    return true;
+  }
+  bool bad = bad_mesh(t, ".off", &off) || bad_mesh(t, ".stl", &single);
+  if (!bad && !off.s.count) empty++;
+  if (!bad && off.s.count) {
+    solids++;
+    bool measured = number_of(t, "(volume o)", &v);
+    double size = 0;
+    for (int k = 0; k < 3; k++) size = fmax(size, off.high[k] - off.low[k]);
+    if (!measured && strstr(t->heard.error, "fault of vs")) snprintf(t->why, sizeof t->why, "%s", t->heard.error), bad = true;
+    if (measured && fabs(v - off.volume) > 0.01 * size * off.area + 1e-9) /* round parts that stand alone are measured by their formulas: a chord is .0086 of the radius high */
+      snprintf(t->why, sizeof t->why, "(volume o) is %.9g, and the mesh encloses %.9g", v, off.volume), bad = true;
+    bad = bad || (t->volumes && bad_volumes(t, text)) || bad_inside(t, &off, 7);
+  }
+  release(&off);
+  release(&single);
+  return bad;
+}
+
+static void models_are_right(void **state) {
+  (void)state;
+  static char text[MODEL_ROOM];
+  static trial t;
+  const char *longer = getenv("LONG"), *asked = getenv("SEEDS");
+  unsigned long long from = 1, to = longer && *longer ? 10000 : 500, bad = 0;
+  if (asked && *asked && (sscanf(asked, "%llu-%llu", &from, &to) != 2 || from > to)) fail_msg("SEEDS must be FROM-TO, got %s", asked);
+  begin(&t);
+  for (unsigned long long seed = from; seed <= to; seed++) {
+    model_make(seed, text);
+    models++;
+    if (getenv("SHOW")) fprintf(stderr, "seed %llu: %s\n", seed, text);
+    size_t before = solids;
+    t.volumes = seed % 4 == 0 || (longer && *longer) || (asked && *asked);
+    bool wrong = fails(&t, text);
+    for (size_t i = 0; solids > before && i < model_kinds() && i < 64; i++) {
+      char name[64];
+      procedure_of(model_kind(i), name);
+      made_of[i] += strstr(text, name) != NULL;
+    }
+    if (!wrong) continue;
+    bad++;
+    fprintf(stderr, "seed %llu: %s\n%s\n", seed, t.why, text);
+    model_shrink(text, fails, &t);
+    fails(&t, text);
+    fprintf(stderr, "smaller: %s\n%s\n", t.why, text);
+  }
+  vs_free(t.vm);
+  if (getenv("TELL") || (asked && *asked))
+    fprintf(stderr, "%zu models, %zu refused, %zu without a mesh, %zu solids, %zu written with a warning, %zu points, %zu inside; %llu wrong\n", models, refused, empty, solids, warned, asked_points,
+            inside_points, bad);
+  assert_int_equal(bad, 0);
+  if (to - from < 400) return;
+  assert_true(solids * 4 > models && inside_points * 10 > asked_points); /* it has looked at something */
+  for (size_t i = 0; i < model_kinds() && i < 64; i++)
+    if (!made_of[i]) fail_msg("no solid was made of the kind %s: its arguments are to be found in tests/oracle/models.c", model_kind(i));
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = { cmocka_unit_test(models_are_right) };
+  return cmocka_run_group_tests_name("random models of all kinds", tests, NULL, NULL);
+}
