@@ -8,5 +8,5 @@ sh tests/faults.sh
 for fuzzer in "$BUILD"/tools/replay_*; do
   [ -x "$fuzzer" ] || continue
   name=${fuzzer##*/replay_}
-  if timeout 60 "$fuzzer" tests/fuzz/corpus/"$name"/* > "$folder/said" 2>&1; then echo "ok limits/fuzz-$name"; else echo "not ok limits/fuzz-$name: ended with $?"; tail -n 5 "$folder/said" | sed 's/^/    /'; fi
+  if timeout "$([ -n "${LONG:-}" ] && echo 3600 || echo 60)" "$fuzzer" -n "$([ -n "${LONG:-}" ] && echo 20000 || echo 100)" tests/fuzz/corpus/"$name"/* > "$folder/said" 2>&1; then echo "ok limits/fuzz-$name"; else echo "not ok limits/fuzz-$name: ended with $?"; tail -n 5 "$folder/said" | sed 's/^/    /'; fi
 done

@@ -1,19 +1,86 @@
-/* Owns the replay of inputs without libFuzzer: hands each file named to the fuzzer that it is linked with. Every input that once crashed is kept in tests/fuzz/corpus. */
+/* Owns fuzzing without libFuzzer: hands each file named to the fuzzer that it is linked with, and then, with `-n COUNT`, so many inputs made of them by chance, the same ones
+ * each time; `-s NUMBER` others. Every input that once crashed is kept in tests/fuzz/corpus. With `-k FILE` each input is written there first, so that the one that crashes is known. */
 #include "tests/fuzz/fuzz.h"
 
-int main(int argc, char **argv) {
-  for (int i = 1; i < argc; i++) {
-    FILE *f = fopen(argv[i], "rb");
-    static uint8_t bytes[1 << 20];
-    if (!f) return perror(argv[i]), 1;
-    size_t count = fread(bytes, 1, sizeof bytes, f);
-    fclose(f);
-    uint8_t *exact = malloc(count ? count : 1); /* so that reading past the end is seen */
-    if (!exact) return 1;
-    memcpy(exact, bytes, count);
-    LLVMFuzzerTestOneInput(exact, count);
-    free(exact);
+enum { MOST = 1 << 20, FILES = 4096, GROWTH = 4096 };
+typedef struct { uint8_t *at; size_t count; } input;
+
+static uint64_t state = 88172645463325252u;
+
+static uint64_t chance(uint64_t below) { /* xorshift64* */
+  state ^= state >> 12, state ^= state << 25, state ^= state >> 27;
+  return below ? (state * 2685821657736338717u >> 16) % below : 0;
+}
+
+static void hand(const uint8_t *from, size_t count, const char *keep) {
+  uint8_t *exact = malloc(count ? count : 1); /* so that reading past the end is seen */
+  FILE *f = keep ? fopen(keep, "wb") : NULL;
+  if (!exact) abort();
+  memcpy(exact, from, count);
+  if (f) fwrite(from, 1, count, f), fclose(f);
+  LLVMFuzzerTestOneInput(exact, count);
+  free(exact);
+}
+
+/* A few changes: a byte, a bit, a stretch of the same or another input put in, taken out or written over, a number at a limit. */
+static size_t change(uint8_t *to, size_t count, const input *all, size_t inputs) {
+  static const uint8_t odd[] = { 0, 1, 127, 128, 255, 254, '(', ')', '"', '\\', '#', '\'', ' ', '\n', '0', '9', '-', '.', 'e' };
+  for (uint64_t n = 1 + chance(6); n; n--) {
+    const input *other = &all[chance(inputs)];
+    size_t at = chance(count + 1), from = chance(other->count + 1), length = chance(1 + chance(32));
+    switch (chance(6)) {
+    case 0: if (at < count) to[at] = odd[chance(sizeof odd)]; break;
+    case 1: if (at < count) to[at] ^= (uint8_t)(1 << chance(8)); break;
+    case 2: if (at < count) to[at] = (uint8_t)chance(256); break;
+    case 3: /* in */
+      if (length > other->count - from) length = other->count - from;
+      if (count + length > GROWTH) break;
+      memmove(to + at + length, to + at, count - at);
+      memcpy(to + at, other->at + from, length);
+      count += length;
+      break;
+    case 4: /* out */
+      if (length > count - at) length = count - at;
+      memmove(to + at, to + at + length, count - at - length);
+      count -= length;
+      break;
+    default: /* over */
+      if (length > other->count - from) length = other->count - from;
+      if (length > count - at) length = count - at;
+      memcpy(to + at, other->at + from, length);
+    }
   }
-  printf("%d inputs\n", argc - 1);
+  return count;
+}
+
+int main(int argc, char **argv) {
+  static input all[FILES];
+  static uint8_t bytes[MOST];
+  size_t inputs = 0;
+  unsigned long many = 0;
+  const char *keep = NULL;
+  for (int i = 1; i < argc; i++) {
+    if (!strcmp(argv[i], "-n") && i + 1 < argc) many = strtoul(argv[++i], NULL, 10);
+    else if (!strcmp(argv[i], "-s") && i + 1 < argc) state += strtoul(argv[++i], NULL, 10) * 0x9E3779B97F4A7C15u, state |= 1;
+    else if (!strcmp(argv[i], "-k") && i + 1 < argc) keep = argv[++i];
+    else if (inputs < FILES) {
+      FILE *f = fopen(argv[i], "rb");
+      if (!f) return perror(argv[i]), 1;
+      size_t count = fread(bytes, 1, sizeof bytes, f);
+      fclose(f);
+      hand(bytes, count, keep);
+      if (!(all[inputs].at = malloc(count + 1))) return 1;
+      memcpy(all[inputs].at, bytes, count);
+      all[inputs++].count = count;
+    }
+  }
+  for (unsigned long i = 0; inputs && i < many; i++) {
+    const input *from = &all[chance(inputs)];
+    size_t count = from->count < GROWTH ? from->count : GROWTH;
+    memcpy(bytes, from->at, count);
+    hand(bytes, change(bytes, count, all, inputs), keep);
+  }
+  for (size_t i = 0; i < inputs; i++) free(all[i].at);
+  printf("%zu inputs, %lu changed ones\n", inputs, many);
   return 0;
 }
