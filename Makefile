@@ -28,9 +28,12 @@ UNIT_BIN  = $(UNIT_SRC:tests/unit/%.c=$(BUILD)/unit/%)
 TOOL_BIN  = $(patsubst tests/tools/%.c,$(BUILD)/tools/%,$(wildcard tests/tools/*.c)) $(BUILD)/tools/fuzz $(FUZZERS:%=$(BUILD)/tools/replay_%)
 OBJECTS   = $(LIB_OBJ) $(CLI_OBJ)
 
-# Files that go into the library as they are: NAME.EXT is const char vs_asset_NAME_EXT[] up to vs_asset_NAME_EXT_end[]. x3dom comes from
-# npm (scripts/install.sh); without it its two are empty, and writing a page says so.
-ASSETS    = node_modules/x3dom/x3dom.js node_modules/x3dom/x3dom.css $(wildcard viewer/*.html viewer/*.css viewer/*.js)
+# Files that go into the library as they are: NAME.EXT is const char vs_asset_NAME_EXT[] up to vs_asset_NAME_EXT_end[]. The viewer's scripts are
+# bundled with three.js by esbuild, both from npm (scripts/install.sh); without them the bundle is empty, and writing a page says so.
+ASSETS    = viewer/page.html viewer/viewer.css $(BUILD)/viewer.js
+BUNDLE    = node_modules/.bin/esbuild --bundle --minify --format=iife --target=es2022 --legal-comments=eof --log-level=warning
+
+PROGRAM   = $(if $(wildcard visualscheme.c),$(BUILD)/vs)
 
 all: $(BUILD)/libvisualscheme.a $(BUILD)/vs ## build the library and the program, build/vs
 
@@ -50,7 +53,11 @@ $(BUILD)/obj/kernel/%.o: OPT := $(OPT:-O2=-O3)
 # gcc would make the ends of all instructions one: a jump to a jump, and one guess where to go next instead of one each.
 $(BUILD)/obj/vm/machine/run.o: CFLAGS += $(if $(findstring clang,$(shell $(CC) --version)),,-fno-crossjumping --param max-goto-duplication-insns=20 --param max-grow-copy-bb-insns=50)
 
-$(BUILD)/assets.s: $(wildcard $(ASSETS)) Makefile
+$(BUILD)/viewer.js: viewer/page.js $(wildcard viewer/*.js) package.json
+	@mkdir -p $(@D)
+	@if [ -x node_modules/.bin/esbuild ]; then $(BUNDLE) $< --outfile=$@; else : > $@; fi
+
+$(BUILD)/assets.s: $(ASSETS) Makefile
 	@mkdir -p $(@D)
 	@for f in $(ASSETS); do n=vs_asset_$$(basename $$f | tr .- __); \
 	  printf '.section .rodata\n.globl %s\n.hidden %s\n%s:\n' $$n $$n $$n; \

@@ -1,27 +1,398 @@
-// Owns the page's buttons and keys; x3dom does the rest.
-(function () {
-  "use strict";
-  var scene = document.querySelector("x3d");
-  // The model stands on x3dom's Y: seen from above is its negative Y, from the front its negative Z.
-  var views = {
-    fit: function (r) { r.fitAll(); },
-    reset: function (r) { r.resetView(); },
-    top: function (r) { r.showAll("negY"); },
-    front: function (r) { r.showAll("negZ"); },
-    right: function (r) { r.showAll("negX"); }
-  };
-  function show(name) {
-    if (scene && scene.runtime && views[name]) views[name](scene.runtime);
+// Owns the viewer as a user meets it: the toolbar, menus, panel, section, measuring, keys. `new Viewer(element)`, then show(model).
+import * as THREE from "three";
+import { Stage } from "./stage.js";
+import { CameraControl } from "./camera.js";
+import { pick, snap, toScreen } from "./pick.js";
+import { el, svg, icon } from "./dom.js";
+import { Panel } from "./panel.js";
+
+const AXES = { x: new THREE.Vector3(1, 0, 0), y: new THREE.Vector3(0, 1, 0), z: new THREE.Vector3(0, 0, 1) };
+const MODES = [["top", "Top", "7"], ["bottom", "Bottom", ""], ["front", "Front", "1"], ["back", "Back", ""], ["left", "Left", ""], ["right", "Right", "3"], ["iso", "Isometric", "0"], ["start", "First view", "R"]];
+const SHOWS = [["edges", "Edges", "E"], ["shadows", "Shadows", ""], ["occlusion", "Ambient occlusion", ""], ["wireframe", "Wireframe", "W"], ["dark", "Dark", "D"]];
+
+export function length(x, units) {
+  const a = Math.abs(x), digits = a >= 1000 ? 0 : a >= 100 ? 1 : a >= 1 ? 2 : 4;
+  return Number(x.toFixed(digits)).toLocaleString("en", { maximumFractionDigits: digits, useGrouping: false }) + (units ? " " + units : "");
+}
+
+export class Viewer {
+  constructor(host) {
+    this.root = el("div", { class: "vs" });
+    host.append(this.root);
+    this.canvas = el("canvas", { tabindex: "0", role: "img", "aria-label": "The model. Arrow keys turn it, plus and minus zoom." });
+    this.overlay = svg("svg", { class: "overlay", "aria-hidden": "true" });
+    this.root.append(this.canvas, this.overlay);
+    try {
+      this.stage = new Stage(this.canvas);
+    } catch (error) {
+      this.root.append(el("p", { class: "notice" }, "The model cannot be shown: " + error.message));
+      throw error;
+    }
+    this.control = new CameraControl(this.stage);
+    this.hidden = { layers: new Set(), materials: new Set(), parts: new Set() };
+    this.chosen = [];
+    this.measures = [];
+    this.onSelect = () => {};
+    this.#build();
+    this.control.depthAt = (x, y) => pick(this.stage, x, y)?.point || null;
+    this.control.click = (x, y) => this.#click(x, y);
+    this.control.changed = () => this.#drawOverlay();
+    this.setDark(matchMedia("(prefers-color-scheme: dark)").matches);
+    new ResizeObserver(() => {
+      this.stage.resize();
+      if (!this.model) return;
+      if (!this.touched) this.control.reset();
+      else this.control.apply();
+    }).observe(this.root);
+    for (const name of ["pointerdown", "wheel", "keydown"]) this.canvas.addEventListener(name, () => { this.touched = true; }, { passive: true });
+    this.canvas.addEventListener("pointermove", (event) => this.#hover(event));
+    this.root.addEventListener("keydown", (event) => this.#key(event));
   }
-  document.getElementById("views").addEventListener("click", function (event) {
-    var button = event.target.closest("button");
-    if (button) show(button.dataset.view);
-  });
-  document.addEventListener("keydown", function (event) {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    var name = { f: "fit", r: "reset", t: "top" }[event.key.toLowerCase()];
-    if (!name) return;
-    event.stopPropagation(); // x3dom has keys of its own
-    show(name);
-  }, true);
-})();
+
+  // ---- the model ----
+
+  // keep: the camera stays, for a new version of what is shown already.
+  show(model, keep = false) {
+    const first = !this.model || !keep;
+    this.model = model;
+    if (first) for (const set of Object.values(this.hidden)) set.clear();
+    else this.hidden.parts.clear();
+    this.select([]);
+    this.measures = [];
+    document.title = model.title;
+    this.heading.textContent = model.title;
+    this.facts.textContent = model.count === 0 ? "" : model.size.map((s) => length(s)).join(" × ") + " " + model.units;
+    this.stage.resize();
+    this.stage.setModel(model, (i) => this.isShown(i));
+    if (first) {
+      this.touched = false;
+      this.setSection(null);
+      this.control.reset();
+    } else {
+      if (this.section) this.setSection(this.section);
+      this.control.apply();
+    }
+    this.panel.refresh();
+  }
+
+  isShown(i) {
+    const m = this.model, h = this.hidden;
+    return !(h.layers.has(m.layers[m.layer[i]]) || h.materials.has(m.paint[i]) || h.parts.has(i));
+  }
+  refresh() { this.stage.refresh((i) => this.isShown(i)); }
+
+  select(parts, quietly = false) {
+    this.chosen = parts;
+    this.marks = parts.length > 0 ? [{ parts, color: 0x1f6fd0, opacity: 0.35 }] : [];
+    if (this.model) this.stage.setMarks(this.marks);
+    this.#card();
+    this.panel?.mark();
+    if (!quietly) this.onSelect(parts);
+  }
+
+  // ---- what surrounds the picture ----
+
+  #button(name, label, key, action, attributes = {}) {
+    const b = el("button", { type: "button", title: label + (key ? ` (${key})` : ""), "aria-label": label, "data-do": name, onclick: action, ...attributes }, icon(name));
+    return b;
+  }
+
+  #build() {
+    this.heading = el("h1");
+    this.facts = el("p");
+    this.head = el("header", { class: "title" }, this.heading, this.facts);
+    this.buttons = {};
+    const add = (name, label, key, action, attributes) => this.buttons[name] = this.#button(name, label, key, () => { this.touched = true; action(); }, attributes);
+    this.bar = el("div", { class: "bar glass", role: "toolbar", "aria-label": "Viewer" },
+      add("fit", "Fit the model", "F", () => this.fit()),
+      add("views", "Standard views", "", () => this.#menu("views"), { "aria-haspopup": "menu", "aria-expanded": "false" }),
+      add("parallel", "Parallel projection", "P", () => this.toggleParallel(), { "aria-pressed": "false" }),
+      add("walk", "Walk at eye height", "G", () => this.toggleWalk(), { "aria-pressed": "false" }),
+      el("span", { class: "gap" }),
+      add("section", "Section plane", "X", () => this.setSection(this.section ? null : { axis: "y", at: 0.5, flip: false }), { "aria-pressed": "false" }),
+      add("measure", "Measure", "M", () => this.setMeasuring(!this.measuring), { "aria-pressed": "false" }),
+      el("span", { class: "gap" }),
+      add("display", "Light and lines", "", () => this.#menu("display"), { "aria-haspopup": "menu", "aria-expanded": "false" }),
+      add("panel", "Layers, materials and parts", "L", () => this.togglePanel(), { "aria-expanded": "false" }),
+      add("help", "Help", "?", () => this.toggleHelp(), { "aria-expanded": "false" }));
+    const item = (label, key, action, attributes) => el("button", { type: "button", onclick: () => { this.touched = true; action(); }, ...attributes }, label, key ? el("kbd", {}, key) : null);
+    this.menus = {
+      views: el("div", { class: "menu glass", role: "menu", "aria-label": "Standard views", hidden: true },
+        MODES.map(([name, label, key]) => item(label, key, () => { this.view(name); this.#menu(null); }, { role: "menuitem", "data-view": name }))),
+      display: el("div", { class: "menu glass", role: "menu", "aria-label": "Light and lines", hidden: true },
+        SHOWS.map(([name, label, key]) => item(label, key, () => this.toggle(name), { role: "menuitemcheckbox", "data-show": name }))),
+    };
+    this.sectionStrip = this.#sectionStrip();
+    this.measureStrip = el("div", { class: "strip glass", role: "status", hidden: true }, el("span", { class: "words" }, "Click a corner, an edge or a face"));
+    this.card = el("aside", { class: "card glass", "aria-label": "What is chosen", hidden: true });
+    this.help = el("div", { class: "help glass", role: "dialog", "aria-label": "Help", hidden: true },
+      el("button", { type: "button", class: "close", "aria-label": "Close", onclick: () => this.toggleHelp() }, icon("close")),
+      el("h2", {}, "Moving about"),
+      el("dl", {}, [["Turn", "drag, one finger, or the arrow keys"], ["Move", "right or middle drag, shift-drag, two fingers, or shift and arrows"], ["Zoom", "wheel or pinch, towards the pointer; plus and minus"],
+        ["Go to", "double click"], ["Choose", "click; H hides what is chosen, F frames it, Esc lets it go"], ["Walk", "W A S D or arrows, drag to look, Q and E down and up"], ["Open", "drop an .x3d file here"]]
+        .map(([a, b]) => [el("dt", {}, a), el("dd", {}, b)])));
+    this.says = el("div", { class: "live", role: "status", "aria-live": "polite" });
+    this.panel = new Panel(this);
+    this.root.append(this.head, this.panel.root, this.card, this.sectionStrip, this.measureStrip, this.menus.views, this.menus.display, this.bar, this.help, this.says);
+    this.#marksOfMenus();
+  }
+
+  say(text) { this.says.textContent = text; }
+
+  #menu(name) {
+    for (const [key, menu] of Object.entries(this.menus)) {
+      const open = key === name && menu.hidden;
+      menu.hidden = !open;
+      this.buttons[key].setAttribute("aria-expanded", String(open));
+      if (open) menu.querySelector("button").focus();
+    }
+  }
+  #marksOfMenus() {
+    for (const b of this.menus.display.querySelectorAll("[data-show]")) b.setAttribute("aria-checked", String(!!this.stage.options[b.dataset.show]));
+  }
+
+  fit() {
+    const parts = this.chosen;
+    if (this.control.walking) this.toggleWalk();
+    if (parts.length === 0) return this.control.fit();
+    const m = this.model, box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
+    for (const i of parts) for (let k = 0; k < 3; k++) {
+      box.min[k] = Math.min(box.min[k], m.ball[4 * i + k] - m.ball[4 * i + 3]);
+      box.max[k] = Math.max(box.max[k], m.ball[4 * i + k] + m.ball[4 * i + 3]);
+    }
+    this.control.fit(box);
+  }
+  view(name) {
+    this.control.view(name);
+    this.#pressed();
+    this.say("View: " + name);
+  }
+  toggleParallel() { this.control.setParallel(!this.control.state.parallel); this.#pressed(); }
+  toggleWalk() { this.control.walk(!this.control.walking); this.canvas.focus(); this.#pressed(); }
+  toggle(name) {
+    if (name === "dark") this.setDark(!this.stage.options.dark);
+    else this.stage.setOptions({ [name]: !this.stage.options[name] });
+    this.#marksOfMenus();
+  }
+  setDark(dark) {
+    document.documentElement.classList.toggle("dark", dark);
+    this.stage.setOptions({ dark });
+    this.#marksOfMenus();
+  }
+  togglePanel() {
+    this.panel.root.hidden = !this.panel.root.hidden;
+    this.buttons.panel.setAttribute("aria-expanded", String(!this.panel.root.hidden));
+    if (!this.panel.root.hidden) this.panel.refresh();
+  }
+  toggleHelp() {
+    this.help.hidden = !this.help.hidden;
+    this.buttons.help.setAttribute("aria-expanded", String(!this.help.hidden));
+    if (!this.help.hidden) this.help.querySelector("button").focus();
+  }
+  #pressed() {
+    const c = this.control, s = c.motion ? c.motion.to : c.state;
+    this.buttons.parallel.setAttribute("aria-pressed", String(s.parallel));
+    this.buttons.walk.setAttribute("aria-pressed", String(c.walking));
+    this.buttons.section.setAttribute("aria-pressed", String(!!this.section));
+    this.buttons.measure.setAttribute("aria-pressed", String(!!this.measuring));
+  }
+
+  #key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input, textarea, select, [contenteditable], .cm-editor")) return;
+    const key = event.key.toLowerCase();
+    if (this.control.walking && event.target === this.canvas && ["w", "a", "s", "d", "q", "e"].includes(key)) return;
+    const does = {
+      f: () => this.fit(), r: () => this.view("start"), p: () => this.toggleParallel(), g: () => this.toggleWalk(), x: () => this.buttons.section.click(), m: () => this.setMeasuring(!this.measuring),
+      l: () => this.togglePanel(), e: () => this.toggle("edges"), w: () => this.toggle("wireframe"), d: () => this.toggle("dark"), "?": () => this.toggleHelp(),
+      7: () => this.view("top"), 1: () => this.view("front"), 3: () => this.view("right"), 0: () => this.view("iso"), t: () => this.view("top"),
+      h: () => this.hideChosen(), escape: () => this.#escape(),
+    }[key];
+    if (!does) return;
+    this.touched = true;
+    does();
+    event.preventDefault();
+  }
+  #escape() {
+    const open = Object.keys(this.menus).find((key) => !this.menus[key].hidden);
+    if (open) this.#menu(open), this.buttons[open].focus();
+    else if (!this.help.hidden) this.toggleHelp(), this.buttons.help.focus();
+    else if (this.control.walking) this.toggleWalk();
+    else if (this.measures.length > 0) this.measures = [], this.#drawOverlay();
+    else if (this.measuring) this.setMeasuring(false);
+    else this.select([]);
+  }
+
+  hideChosen() {
+    for (const i of this.chosen) this.hidden.parts.add(i);
+    this.say(this.chosen.length + " hidden");
+    this.select([]);
+    this.refresh();
+    this.panel.refresh();
+  }
+  showAll() {
+    for (const set of Object.values(this.hidden)) set.clear();
+    this.refresh();
+    this.panel.refresh();
+  }
+
+  // ---- choosing and measuring ----
+
+  #click(x, y) {
+    this.#menu(null);
+    if (this.measuring) {
+      const found = snap(this.stage, x, y);
+      if (found) this.measures.length >= 2 ? this.measures = [found] : this.measures.push(found);
+      const told = this.#measured();
+      if (told) this.say(told);
+      return this.#drawOverlay();
+    }
+    const hit = pick(this.stage, x, y);
+    this.hit = hit;
+    this.select(hit ? [hit.part] : []);
+    if (hit) this.say(this.describe(hit.part));
+  }
+
+  describe(i) {
+    const m = this.model, where = m.where(i);
+    return (m.kinds[m.kind[i]] || "part") + (where ? ` at ${where.file}, line ${where.line}` : "");
+  }
+
+  #card() {
+    this.card.hidden = this.chosen.length === 0 || !this.model;
+    if (this.card.hidden) return;
+    const m = this.model, i = this.chosen[0], paint = m.materials[m.paint[i]], layer = m.layers[m.layer[i]], chain = m.chain(i);
+    const words = [paint.name || (m.paint[i] ? "coloured" : "plain"), layer ? "layer " + layer : "", this.chosen.length > 1 ? this.chosen.length + " parts" : ""].filter(Boolean).join(" · ");
+    this.card.replaceChildren(
+      el("button", { type: "button", class: "close", "aria-label": "Let go", onclick: () => this.select([]) }, icon("close")),
+      el("h2", {}, m.kinds[m.kind[i]] || "part"), el("p", {}, words),
+      el("div", { class: "path" }, chain.slice(0, 8).map((o) => el("button", { type: "button", title: "Choose all that this line made", onclick: () => this.selectOrigin(o) }, `${o.file}:${o.line}`))));
+  }
+
+  // All parts that the call at an origin's place made.
+  selectOrigin(o) {
+    this.select(this.partsOf((q) => q.file === o.file && q.line === o.line && q.column === o.column));
+    this.onOrigin?.(o);
+  }
+  partsOf(wanted) {
+    const m = this.model, hits = new Uint8Array(m.origins.at.length / 4 + 1), paths = new Uint8Array(m.paths.length), found = [];
+    for (let o = 1; o < hits.length; o++) hits[o] = wanted(m.origin(o)) || hits[m.origins.at[4 * (o - 1) + 3]] ? 1 : 0; // Callers come first.
+    for (let p = 1; p < m.paths.length; p++) paths[p] = hits[m.paths[p].origin] || paths[m.paths[p].parent];
+    for (let i = 0; i < m.count; i++) if (hits[m.made[i]] || paths[m.path[i]]) found.push(i);
+    return found;
+  }
+
+  setMeasuring(on) {
+    this.measuring = on;
+    this.measures = [];
+    this.root.classList.toggle("measuring", on);
+    this.measureStrip.hidden = !on;
+    if (on) this.setSectionStrip(false);
+    else if (this.section) this.setSectionStrip(true);
+    this.#pressed();
+    this.#drawOverlay();
+  }
+
+  #measured() {
+    const u = this.model.units, [a, b] = this.measures, angle = (p, q) => (Math.acos(Math.min(1, Math.abs(p.dot(q)))) * 180 / Math.PI).toFixed(1) + "°";
+    if (!a) return "";
+    const way = (e) => e.ends[1].clone().sub(e.ends[0]).normalize();
+    if (!b) {
+      const p = a.at.clone().add(new THREE.Vector3(...this.model.middle));
+      return a.kind === "point" ? p.toArray().map((v) => length(v)).join(", ") : a.kind === "edge" ? length(a.length, u) : length(a.area, u + "²");
+    }
+    if (a.kind === "edge" && b.kind === "edge") return angle(way(a), way(b));
+    if (a.kind === "face" && b.kind === "face") {
+      const dot = Math.abs(a.normal.dot(b.normal));
+      return dot > 0.99999 ? length(Math.abs(a.normal.dot(b.at.clone().sub(a.at))), u) : angle(a.normal, b.normal);
+    }
+    return length(a.at.distanceTo(b.at), u);
+  }
+
+  // ---- the section ----
+
+  #sectionStrip() {
+    const axis = (name) => el("button", { type: "button", "data-axis": name, "aria-label": "Section across " + name.toUpperCase(), "aria-pressed": "false", onclick: () => this.setSection({ ...this.section, axis: name }) }, name.toUpperCase());
+    this.sectionRange = el("input", { type: "range", min: "0", max: "1", step: "0.001", "aria-label": "Place of the section", oninput: () => this.setSection({ ...this.section, at: Number(this.sectionRange.value) }) });
+    this.sectionOutput = el("output");
+    return el("div", { class: "strip glass", role: "group", "aria-label": "Section", hidden: true }, axis("x"), axis("y"), axis("z"), this.sectionRange, this.sectionOutput,
+      el("button", { type: "button", "aria-label": "Keep the other side", title: "Keep the other side", onclick: () => this.setSection({ ...this.section, flip: !this.section.flip }) }, icon("flip")),
+      el("button", { type: "button", "aria-label": "No section", title: "No section", onclick: () => this.setSection(null) }, icon("close")));
+  }
+  setSectionStrip(shown) { this.sectionStrip.hidden = !shown; }
+
+  setSection(section) {
+    this.section = section;
+    this.setSectionStrip(!!section && !this.measuring);
+    if (section) {
+      const k = "xyz".indexOf(section.axis), b = this.model.box, place = b.min[k] + section.at * (b.max[k] - b.min[k]);
+      const normal = AXES[section.axis].clone().multiplyScalar(section.flip ? -1 : 1).multiplyScalar(section.axis === "z" ? -1 : 1); // A plan keeps what is below.
+      this.stage.setSection({ normal, constant: -normal.clone().dot(AXES[section.axis]) * place });
+      this.sectionRange.value = section.at;
+      this.sectionOutput.textContent = length(place + this.model.middle[k], this.model.units);
+      for (const button of this.sectionStrip.querySelectorAll("[data-axis]")) button.setAttribute("aria-pressed", String(button.dataset.axis === section.axis));
+    } else if (this.model) {
+      this.stage.setSection(null);
+    }
+    this.#pressed();
+    this.#drawOverlay();
+  }
+
+  // ---- what is drawn over the picture ----
+
+  #hover(event) {
+    if (!this.measuring || this.control.pointers.size > 0) return;
+    const r = this.canvas.getBoundingClientRect();
+    const found = snap(this.stage, event.clientX - r.left, event.clientY - r.top);
+    this.hovered = found;
+    this.#drawOverlay();
+  }
+
+  #drawOverlay() {
+    if (!this.stage?.camera || !this.model) return;
+    const shapes = [], at = (p) => toScreen(this.stage, p);
+    if (this.section) shapes.push(...this.#sectionShapes(at));
+    const mark = (m, faint) => {
+      if (m.ends) {
+        const [a, b] = m.ends.map(at);
+        if (!a.behind && !b.behind) shapes.push(svg("line", { x1: a.x, y1: a.y, x2: b.x, y2: b.y, class: "measure", opacity: faint ? 0.6 : 1 }));
+      }
+      const p = at(m.at);
+      if (!p.behind) shapes.push(svg("circle", { cx: p.x, cy: p.y, r: faint ? 4 : 5, class: "dot", opacity: faint ? 0.7 : 1 }));
+    };
+    if (this.measuring) {
+      if (this.hovered && this.measures.length < 2) mark(this.hovered, true);
+      this.measures.forEach((m) => mark(m, false));
+      const text = this.#measured(), [a, b] = this.measures;
+      if (text) {
+        const p = at(a.at), q = b ? at(b.at) : p;
+        if (b) shapes.push(svg("line", { x1: p.x, y1: p.y, x2: q.x, y2: q.y, class: "measure", "stroke-dasharray": "5 4" }));
+        const x = (p.x + q.x) / 2, y = (p.y + q.y) / 2 - 20, w = 14 + 7.4 * text.length;
+        shapes.push(svg("rect", { x: x - w / 2, y: y - 12, width: w, height: 24, rx: 7, class: "label" }), svg("text", { x, y, class: "reading" }, text));
+      }
+    }
+    this.overlay.replaceChildren(...shapes);
+  }
+
+  #sectionShapes(at) {
+    const k = "xyz".indexOf(this.section.axis), b = this.model.box, place = b.min[k] + this.section.at * (b.max[k] - b.min[k]), i = (k + 1) % 3, j = (k + 2) % 3, pad = 0.03 * this.model.diagonal;
+    const corner = (s, t) => { const p = [0, 0, 0]; p[k] = place; p[i] = s ? b.max[i] + pad : b.min[i] - pad; p[j] = t ? b.max[j] + pad : b.min[j] - pad; return new THREE.Vector3(...p); };
+    const corners = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)].map(at);
+    if (corners.some((c) => c.behind)) return [];
+    const centre = corner(1, 1).add(corner(1, 0)).multiplyScalar(0.5), p = at(centre);
+    const handle = svg("circle", { cx: p.x, cy: p.y, r: 10, class: "handle", "data-handle": "section" });
+    handle.addEventListener("pointerdown", (event) => this.#dragSection(event, handle, centre, k));
+    return [svg("polygon", { points: corners.map((c) => `${c.x},${c.y}`).join(" "), class: "frame" }), handle];
+  }
+
+  #dragSection(event, handle, centre, k) {
+    event.preventDefault();
+    this.touched = true;
+    const axis = new THREE.Vector3().setComponent(k, 1), size = this.model.box.max[k] - this.model.box.min[k];
+    const a = toScreen(this.stage, centre), b = toScreen(this.stage, centre.clone().addScaledVector(axis, size * 0.1)), dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy || 1;
+    const from = { x: event.clientX, y: event.clientY, at: this.section.at };
+    const move = (e) => this.setSection({ ...this.section, at: Math.min(1, Math.max(0, from.at + 0.1 * ((e.clientX - from.x) * dx + (e.clientY - from.y) * dy) / square)) });
+    const up = () => { removeEventListener("pointermove", move); removeEventListener("pointerup", up); };
+    addEventListener("pointermove", move);
+    addEventListener("pointerup", up);
+  }
+}

@@ -1,13 +1,43 @@
-/* Owns the web page: viewer/page.html with its marks filled in, x3dom and the scene inside, nothing to load.
+/* Owns the web page: viewer/page.html with its marks filled in, the viewer and the scene inside, nothing to load.
  *
- * A mark is <!--NAME-->. The parts come from the library itself: the Makefile puts viewer/ and node_modules/x3dom/ into it. */
+ * A mark is <!--NAME-->. The parts come from the library itself: the Makefile bundles viewer/ with three.js and puts the result into it. The
+ * scene is packed (packed.c) and stands in the page in base 64, so that no text of the user's is ever read as HTML or script. */
 #include <string.h>
 
-#include "backends/x3d/x3d.h"
+#include "backends/x3d/packed.h"
 
 #define ASSET(name) extern const char vs_asset_##name[], vs_asset_##name##_end[];
-ASSET(page_html) ASSET(viewer_css) ASSET(viewer_js) ASSET(x3dom_js) ASSET(x3dom_css)
+ASSET(page_html) ASSET(viewer_css) ASSET(viewer_js)
 #undef ASSET
+
+/* The page's writer while the scene goes through another one, whose sink is page_encode. The packed notation has e->state. */
+typedef struct { vs_writer inner, *outer; unsigned char left[3]; size_t left_count; } page_coder;
+
+static const char digits64[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+static bool page_four(vs_writer *w, const unsigned char b[3], size_t count) {
+  const uint32_t x = (uint32_t)b[0] << 16 | (uint32_t)b[1] << 8 | b[2];
+  const char four[4] = { digits64[x >> 18], digits64[x >> 12 & 63], count > 1 ? digits64[x >> 6 & 63] : '=', count > 2 ? digits64[x & 63] : '=' };
+  return vs_put(w, four, 4);
+}
+
+static bool page_encode(void *context, const void *bytes, size_t count) {
+  page_coder *c = context;
+  const unsigned char *at = bytes, *end = at + count;
+  while (at < end) {
+    if (c->left_count == 0 && end - at >= 3) {
+      page_four(c->outer, at, 3);
+      at += 3;
+      continue;
+    }
+    c->left[c->left_count++] = *at++;
+    if (c->left_count == 3) {
+      page_four(c->outer, c->left, 3);
+      c->left_count = 0;
+    }
+  }
+  return !c->outer->failed;
+}
 
 /* Inside <script> and <style> nothing is escaped, but </ would end them. */
 static void page_code(vs_writer *w, const char *from, const char *end) {
@@ -23,57 +53,63 @@ static void page_code(vs_writer *w, const char *from, const char *end) {
   }
 }
 
-static void page_facts(vs_emitter *e) {
-  vs_vec3 size = vs_v3_sub(e->bounds.max, e->bounds.min);
-  const double xyz[] = { size.x, size.y, size.z };
-  for (int i = 0; i < 3; i++) {
-    if (i > 0) vs_puts(e->out, " &times; ");
-    double steps = xyz[i] >= 100 ? 1 : xyz[i] >= 1 ? 100 : 10000;
-    vs_put_number(e->out, round(xyz[i] * steps) / steps);
-  }
-  vs_puts(e->out, " ");
-  vs_put_xml(e->out, e->scene->units != NULL ? e->scene->units : "m");
-}
-
-static bool page_scene(vs_emitter *e) {
-  vs_x3d *x = e->state;
-  vs_puts(e->out, "<x3d id='x3d' width='100%' height='100%' showStat='false' showLog='false' disableDoubleClick='false' keysEnabled='true'>\n<scene>\n");
-  x->depth = 1;
-  return vs_x3d_scene(e) && vs_puts(e->out, "</scene>\n</x3d>");
-}
-
-static bool page_part(vs_emitter *e, const char *name, size_t length) {
-  static const struct { const char *name, *from, *end; } code[] = {
-    { "viewer.css", vs_asset_viewer_css, vs_asset_viewer_css_end }, { "viewer.js", vs_asset_viewer_js, vs_asset_viewer_js_end },
-    { "x3dom.css", vs_asset_x3dom_css, vs_asset_x3dom_css_end }, { "x3dom.js", vs_asset_x3dom_js, vs_asset_x3dom_js_end },
-  };
-  for (size_t i = 0; i < sizeof code / sizeof *code; i++)
-    if (strlen(code[i].name) == length && memcmp(code[i].name, name, length) == 0) page_code(e->out, code[i].from, code[i].end);
-  if (length == 5 && memcmp(name, "title", 5) == 0) vs_put_xml(e->out, e->scene->title);
-  if (length == 5 && memcmp(name, "facts", 5) == 0) page_facts(e);
-  if (length == 5 && memcmp(name, "scene", 5) == 0) return page_scene(e);
-  return !e->out->failed;
-}
-
-static bool page_begin(vs_emitter *e) {
-  if ((uintptr_t)vs_asset_x3dom_js_end - (uintptr_t)vs_asset_x3dom_js < 1000)
-    return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "this vs was built without x3dom, the viewer inside pages: run `npm install --ignore-scripts` and build again");
-  return vs_x3d_open(e, VS_X3D_PAGE);
-}
-
-static bool page_end(vs_emitter *e) {
-  const char *at = vs_asset_page_html, *end = vs_asset_page_html_end;
+/* Writes the page's text from *at to the scene's mark or to the end, the other marks filled in. Returns how far it came. */
+static const char *page_until_scene(vs_emitter *e, vs_writer *w, const char *at) {
+  const char *end = vs_asset_page_html_end;
   while (at < end) {
     const char *mark = at;
     while (mark < end && !(end - mark > 7 && memcmp(mark, "<!--", 4) == 0)) mark++;
-    vs_put(e->out, at, (size_t)(mark - at));
-    if (mark >= end) break;
+    vs_put(w, at, (size_t)(mark - at));
+    if (mark >= end) return end;
     const char *name = mark + 4, *stop = name;
     while (stop < end && *stop != '-') stop++;
-    if (!page_part(e, name, (size_t)(stop - name))) return false;
+    size_t length = (size_t)(stop - name);
     at = stop + 3;
+    if (length == 5 && memcmp(name, "scene", 5) == 0) return at;
+    if (length == 5 && memcmp(name, "title", 5) == 0) vs_put_xml(w, e->scene->title);
+    if (length == 10 && memcmp(name, "viewer.css", 10) == 0) page_code(w, vs_asset_viewer_css, vs_asset_viewer_css_end);
+    if (length == 9 && memcmp(name, "viewer.js", 9) == 0) page_code(w, vs_asset_viewer_js, vs_asset_viewer_js_end);
   }
-  return !e->out->failed;
+  return end;
 }
 
-const vs_backend vs_backend_html = { VS_X3D_BACKEND(page_begin, page_end), .ghosts = VS_MARKS_PAINT };
+static bool page_begin(vs_emitter *e) {
+  if ((uintptr_t)vs_asset_viewer_js_end - (uintptr_t)vs_asset_viewer_js < 1000)
+    return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "this vs was built without the viewer inside pages: run `npm ci --ignore-scripts` and build again");
+  page_coder *c = vs_store_realloc(e->scene->store, NULL, 0, sizeof *c);
+  if (c == NULL) return vs_emit_no_memory(e);
+  c->outer = e->out;
+  c->left_count = 0;
+  memset(c->left, 0, sizeof c->left);
+  page_until_scene(e, c->outer, vs_asset_page_html);
+  vs_writer_init(&c->inner, page_encode, c);
+  e->out = &c->inner;
+  bool ok = vs_packed_open(e);
+  if (e->state != NULL) return ok; /* page_close tidies up */
+  e->out = c->outer;
+  vs_emit_release(e, c, 1, sizeof *c);
+  return false;
+}
+
+static bool page_end(vs_emitter *e) {
+  page_coder *c = (page_coder *)e->out; /* its first member */
+  bool ok = vs_packed_finish(e) && vs_writer_flush(&c->inner);
+  if (c->left_count > 0) {
+    memset(c->left + c->left_count, 0, 3 - c->left_count);
+    page_four(c->outer, c->left, c->left_count);
+  }
+  const char *at = vs_asset_page_html;
+  while (at < vs_asset_page_html_end && memcmp(at, "<!--scene-->", 12) != 0) at++;
+  page_until_scene(e, c->outer, at + 12);
+  return ok && !c->outer->failed;
+}
+
+static void page_close(vs_emitter *e) {
+  if (e->state == NULL) return;
+  page_coder *c = (page_coder *)e->out;
+  vs_packed_close(e);
+  e->out = c->outer;
+  vs_emit_release(e, c, 1, sizeof *c);
+}
+
+const vs_backend vs_backend_html = { VS_PACKED_BACKEND(page_begin, page_end, page_close) };

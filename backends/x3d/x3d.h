@@ -1,5 +1,6 @@
 /* Owns what the files of the X3D back-end share. collect.c: the drawing as groups of shapes; bake.c: which groups become triangles;
- * text.c: the two notations; scene.c: what is written; page.c: the web page round it.
+ * text.c: the two notations; scene.c: what is written. Beside them, with collecting of its own: packed.c, the tree as bytes for our own viewer;
+ * page.c, the web page round that.
  *
  * Viewers draw a Shape slowly and a triangle fast: past some ten thousand Shapes they crawl. So everything is collected first. Few
  * enough boxes, spheres, cylinders and cones become nodes of their own; all else becomes one triangle set and one line set a material.
@@ -11,7 +12,7 @@
 #include "backends/backend.h"
 
 enum { VS_X3D_NATIVE_MAX = 1500 }; /* Shapes of their own, at most */
-/* Bytes of baked forms, about, from which on they are cut coarsely, and beyond which copies of templates stay copies: x3dom shows some 2 MB of triangles in a second. */
+/* Bytes of baked forms, about, from which on they are cut coarsely, and beyond which copies of templates stay copies: browsers show some 2 MB of triangles in a second. */
 #define VS_X3D_BAKED_MOST 30e6
 enum { VS_X3D_COARSEST = 8 };        /* facets a turn */
 #define VS_X3D_COARSE_CREASE 1.0     /* radians: more than from one such facet to the next, less than from a wall to its lid */
@@ -41,7 +42,7 @@ typedef struct {
   size_t line_count, line_room;
 } vs_x3d_batch;
 
-typedef enum { VS_X3D_XML, VS_X3D_CLASSIC, VS_X3D_PAGE } vs_x3d_notation; /* PAGE: XML as an HTML parser wants it */
+typedef enum { VS_X3D_XML, VS_X3D_CLASSIC } vs_x3d_notation;
 
 /* The drawing (group 0) or a template, by its number. */
 typedef struct {

@@ -1,4 +1,4 @@
-/* Owns X3D's notations: XML, classic (VRML's), and XML as it stands inside an HTML page, where no tag closes itself. */
+/* Owns X3D's notations: XML and classic (VRML's). */
 #include <string.h>
 
 #include "backends/x3d/x3d.h"
@@ -62,10 +62,10 @@ void vs_x3d_end(vs_emitter *e, const char *type, bool had_children) {
     return;
   }
   x->depth--;
-  if (x->in_tag && x->notation == VS_X3D_XML) {
+  if (x->in_tag) {
     vs_puts(e->out, "/>\n");
   } else {
-    if (x->in_tag) vs_puts(e->out, ">"); else text_indent(e);
+    text_indent(e);
     vs_putf(e->out, "</%s>\n", type);
   }
   x->in_tag = false;

@@ -338,11 +338,6 @@ bool vs_x3d_scene(vs_emitter *e) {
   if (said == NULL) return vs_emit_no_memory(e);
   for (size_t i = 0; i < numbers; i++) said[i] = false;
   scene_background(e);
-  if (x->notation == VS_X3D_PAGE) { /* x3dom's own node: colours as they are said, which is how all others show them */
-    vs_x3d_node(e, NULL, "Environment", NULL);
-    vs_x3d_words(e, "gammaCorrectionDefault", "none");
-    vs_x3d_end(e, "Environment", false);
-  }
   vs_x3d_node(e, NULL, "NavigationInfo", NULL);
   vs_x3d_field(e, "type", true);
   vs_puts(e->out, "\"EXAMINE\" \"ANY\"");

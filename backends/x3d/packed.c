@@ -1,0 +1,570 @@
+/* Owns the packed notation: the X3D tree as bytes, written while the drawing is walked. The viewer (viewer/packed.js) reads it.
+ *
+ * The text begins with "VSX1" and is a sequence of entries, each a letter and what belongs to it:
+ *   N name            opens a node             E                  closes it
+ *   D number          names the open node      U number           stands for the node of that number
+ *   T name bytes      a field of text          B name number      a field that is one whole number
+ *   F name floats     a field of 32-bit floats G name doubles     one of 64-bit floats
+ *   H name shorts     fractions of 32767       I width name words whole numbers of `width` bytes
+ * Whole numbers outside of fields are in base 128, low digits first. Texts and arrays begin with their count. A name is a number:
+ * 0 introduces a text that gets the next number from 1. Numbers of nodes: a template has its own, a geometry 2^30 and up.
+ *
+ * Beyond X3D's nodes: Shapes and Groups have `paint` (the number of a material; where it is missing, that of what surrounds them),
+ * `layer`, `origin` (an entry of the node Origins at the end) and `kind`; a Transform has `translation` or a `matrix` of three rows.
+ * Only that which holds a position in the whole drawing is stored about the drawing's middle, so that 32 bits are enough. */
+#include "backends/x3d/packed.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "backends/shade.h"
+#include "backends/view.h"
+#include "geometry/measure/node_measures.h"
+#include "geometry/shapes/unit_forms.h"
+#include "model/store/nodemap.h"
+
+enum { NAME_MAX_COUNT = 64, GEOMETRY_FIRST = 0x40000000 };
+
+typedef struct { const char *layer; const vs_origin *origin; bool wrapped; } packed_open;
+
+/* One Shape's geometry: what of a node's triangles one material, layer and origin share. */
+typedef struct { uint32_t geometry, paint; const char *layer; const vs_origin *origin; bool lines; } packed_part;
+typedef struct { size_t first, count; vs_vec3 middle; } packed_shape; /* of parts */
+
+typedef struct { uint32_t *at; size_t room; } packed_turns; /* by facets a turn: a shape's number + 1 */
+
+typedef struct {
+  const char *names[NAME_MAX_COUNT];
+  size_t name_count;
+  vs_nodemap origins;          /* origin -> its number from 1 */
+  const vs_origin **origin_list;
+  size_t origin_count, origin_room;
+  vs_nodemap shapes;           /* node -> its shape's number + 1, where its triangles serve every place */
+  packed_turns units[VS_UNIT_COUNT];
+  packed_shape *made;
+  size_t made_count, made_room;
+  packed_part *parts;
+  size_t part_count, part_room;
+  packed_open *open;           /* the operations round what is being written */
+  size_t open_count, open_room;
+  vs_vec3 middle;              /* of the drawing */
+  bool inside;                 /* a template is being written: its coordinates are its own */
+  uint32_t geometry_count;
+} packed;
+
+/* ---- entries ---- */
+
+static void packed_count(vs_writer *w, uint64_t x) {
+  unsigned char bytes[10];
+  size_t n = 0;
+  do {
+    bytes[n++] = (unsigned char)((x & 127) | (x > 127 ? 128 : 0));
+    x >>= 7;
+  } while (x > 0);
+  vs_put(w, bytes, n);
+}
+
+static void packed_name(vs_emitter *e, const char *name) {
+  packed *p = e->state;
+  size_t i = 0;
+  while (i < p->name_count && strcmp(p->names[i], name) != 0) i++;
+  if (i < p->name_count) {
+    packed_count(e->out, i + 1);
+    return;
+  }
+  packed_count(e->out, 0);
+  packed_count(e->out, strlen(name));
+  vs_puts(e->out, name);
+  if (p->name_count < NAME_MAX_COUNT) p->names[p->name_count++] = name;
+}
+
+static void packed_entry(vs_emitter *e, const char *letter, const char *name) {
+  vs_put(e->out, letter, 1);
+  packed_name(e, name);
+}
+
+static void packed_end(vs_emitter *e) { vs_put(e->out, "E", 1); }
+static void packed_def(vs_emitter *e, uint64_t number) {
+  vs_put(e->out, "D", 1);
+  packed_count(e->out, number);
+}
+static void packed_again(vs_emitter *e, uint64_t number) {
+  vs_put(e->out, "U", 1);
+  packed_count(e->out, number);
+}
+static void packed_text(vs_emitter *e, const char *name, const char *value) {
+  packed_entry(e, "T", name);
+  packed_count(e->out, strlen(value));
+  vs_puts(e->out, value);
+}
+static void packed_number(vs_emitter *e, const char *name, uint64_t value) {
+  packed_entry(e, "B", name);
+  packed_count(e->out, value);
+}
+static void packed_float(vs_writer *w, double x) {
+  unsigned char bytes[4];
+  vs_le_float(bytes, x);
+  vs_put(w, bytes, 4);
+}
+static void packed_vector(vs_writer *w, vs_vec3 v) {
+  unsigned char bytes[12];
+  vs_le_float(vs_le_float(vs_le_float(bytes, v.x), v.y), v.z);
+  vs_put(w, bytes, 12);
+}
+static void packed_doubles(vs_emitter *e, const char *name, const double *at, size_t count) {
+  packed_entry(e, "G", name);
+  packed_count(e->out, count);
+  for (size_t i = 0; i < count; i++) {
+    unsigned char bytes[8];
+    vs_le_double(bytes, at[i]);
+    vs_put(e->out, bytes, 8);
+  }
+}
+static void packed_double(vs_emitter *e, const char *name, double x) { packed_doubles(e, name, &x, 1); }
+static void packed_place_of(vs_emitter *e, const char *name, vs_vec3 v) {
+  const double xyz[] = { v.x, v.y, v.z };
+  packed_doubles(e, name, xyz, 3);
+}
+
+static void packed_words_begin(vs_emitter *e, const char *name, size_t count, int width) {
+  vs_put(e->out, "I", 1);
+  packed_count(e->out, (uint64_t)width);
+  packed_name(e, name);
+  packed_count(e->out, count);
+}
+static void packed_word(vs_writer *w, uint32_t x, int width) {
+  unsigned char bytes[4];
+  vs_le_u32(bytes, x);
+  vs_put(w, bytes, (size_t)width);
+}
+
+/* ---- origins ---- */
+
+/* The number of an origin from 1, 0 for none or where memory is out. Callers have numbers before those whom they call. */
+static uint32_t packed_origin(vs_emitter *e, const vs_origin *origin) {
+  packed *p = e->state;
+  while (origin != NULL) {
+    const uint64_t *known = vs_nodemap_get(&p->origins, origin);
+    if (known != NULL) return (uint32_t)*known;
+    const vs_origin *outermost = origin;
+    while (outermost->caller != NULL && vs_nodemap_get(&p->origins, outermost->caller) == NULL) outermost = outermost->caller;
+    uint64_t *number = vs_nodemap_put(&p->origins, outermost, NULL);
+    if (number == NULL || !vs_emit_grow(e, &p->origin_list, &p->origin_room, p->origin_count + 1, sizeof *p->origin_list)) {
+      vs_emit_no_memory(e);
+      e->out->failed = true;
+      return 0;
+    }
+    p->origin_list[p->origin_count++] = outermost;
+    *number = p->origin_count;
+  }
+  return 0;
+}
+
+static void packed_origins(vs_emitter *e) {
+  packed *p = e->state;
+  vs_nodemap files = { .store = e->scene->store };
+  uint64_t count = 0;
+  packed_entry(e, "N", "Origins");
+  packed_words_begin(e, "at", 4 * p->origin_count, 4);
+  for (size_t i = 0; i < p->origin_count && !e->out->failed; i++) {
+    const vs_origin *o = p->origin_list[i];
+    bool found = false;
+    uint64_t *file = vs_nodemap_put(&files, o->file, &found);
+    const uint64_t *caller = o->caller != NULL ? vs_nodemap_get(&p->origins, o->caller) : NULL;
+    if (file == NULL) {
+      vs_emit_no_memory(e);
+      e->out->failed = true;
+      break;
+    }
+    if (!found) *file = count++;
+    packed_word(e->out, (uint32_t)*file, 4);
+    packed_word(e->out, o->line, 4);
+    packed_word(e->out, o->column, 4);
+    packed_word(e->out, caller != NULL ? (uint32_t)*caller : 0, 4);
+  }
+  for (uint64_t next = 0, i = 0; i < p->origin_count && next < count && !e->out->failed; i++) { /* the files in the order of their numbers */
+    const uint64_t *file = vs_nodemap_get(&files, p->origin_list[i]->file);
+    if (file == NULL || *file != next) continue;
+    const char *path = p->origin_list[i]->file, *slash = strrchr(path, '/');
+    packed_text(e, "file", e->path != NULL && slash != NULL ? slash + 1 : path); /* a page that is passed on does not tell where it was made */
+    next++;
+  }
+  vs_nodemap_free(&files);
+  packed_end(e);
+}
+
+/* ---- the head ---- */
+
+static void packed_material(vs_emitter *e, size_t number) {
+  const vs_material *m = vs_emit_material_at(e, number);
+  packed_entry(e, "N", "PhysicalMaterial");
+  packed_text(e, "name", m->name);
+  packed_place_of(e, "baseColor", vs_v3(m->red, m->green, m->blue));
+  packed_double(e, "roughness", m->roughness);
+  packed_double(e, "metallic", m->metallic);
+  packed_double(e, "transparency", m->transparency);
+  packed_double(e, "ior", m->ior);
+  packed_end(e);
+}
+
+static void packed_head(vs_emitter *e) {
+  packed *p = e->state;
+  const vs_scene *s = e->scene;
+  double aspect = e->options->width > 0 && e->options->height > 0 ? (double)e->options->width / e->options->height : 4.0 / 3;
+  vs_look look = vs_look_find(s, &e->bounds, e->boxes, e->box_count, aspect);
+  vs_put(e->out, "VSX1", 4);
+  packed_entry(e, "N", "WorldInfo");
+  packed_text(e, "title", s->title);
+  packed_text(e, "units", s->units != NULL ? s->units : "m");
+  packed_place_of(e, "middle", p->middle);
+  packed_place_of(e, "min", e->bounds.min);
+  packed_place_of(e, "max", e->bounds.max);
+  packed_end(e);
+  packed_entry(e, "N", "Viewpoint");
+  packed_place_of(e, "eye", look.eye);
+  packed_place_of(e, "target", look.target);
+  packed_place_of(e, "up", look.up);
+  packed_number(e, "given", s->view == VS_VIEW_CAMERA);
+  packed_number(e, "parallel", look.parallel);
+  packed_double(e, "width", look.width);
+  packed_double(e, "angle", look.angle);
+  packed_double(e, "aspect", aspect);
+  packed_end(e);
+  packed_entry(e, "N", "DirectionalLight");
+  packed_place_of(e, "direction", vs_v3_scale(vs_look_sun(s, &look), -1));
+  packed_number(e, "given", s->has_sun);
+  packed_end(e);
+  if (s->has_sky) {
+    packed_entry(e, "N", "Background");
+    packed_doubles(e, "skyColor", s->sky, 3);
+    packed_end(e);
+  }
+  for (size_t i = 1; i <= vs_emit_material_count(e); i++) packed_material(e, i);
+  if (s->has_ground) {
+    packed_entry(e, "N", "Ground");
+    packed_double(e, "z", s->ground_z);
+    if (s->ground_material != NULL) packed_number(e, "paint", vs_emit_material_number(e, s->ground_material));
+    packed_end(e);
+  }
+}
+
+bool vs_packed_open(vs_emitter *e) {
+  packed *p = vs_store_realloc(e->scene->store, NULL, 0, sizeof *p);
+  if (p == NULL) return vs_emit_no_memory(e);
+  memset(p, 0, sizeof *p);
+  p->shapes.store = p->origins.store = e->scene->store;
+  p->middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
+  e->state = p;
+  if (e->scene->sky_image != NULL && !vs_emit_warn_once(e, NULL, "a sky with an image is shown by POV-Ray alone: here it has one colour")) return false;
+  packed_head(e);
+  return !e->out->failed;
+}
+
+bool vs_packed_finish(vs_emitter *e) {
+  packed_origins(e);
+  return !e->out->failed;
+}
+
+void vs_packed_close(vs_emitter *e) {
+  packed *p = e->state;
+  if (p == NULL) return;
+  for (size_t i = 0; i < VS_UNIT_COUNT; i++) vs_emit_release(e, p->units[i].at, p->units[i].room, sizeof *p->units[i].at);
+  vs_emit_release(e, p->made, p->made_room, sizeof *p->made);
+  vs_emit_release(e, p->parts, p->part_room, sizeof *p->parts);
+  vs_emit_release(e, p->open, p->open_room, sizeof *p->open);
+  vs_emit_release(e, p->origin_list, p->origin_room, sizeof *p->origin_list);
+  vs_nodemap_free(&p->origins);
+  vs_nodemap_free(&p->shapes);
+  vs_emit_release(e, p, 1, sizeof *p);
+  e->state = NULL;
+}
+
+/* ---- geometries ---- */
+
+/* All that one Shape shows: the triangles whose part is among those that `same` maps to `part`. at: room for the shading's normals. */
+static void packed_triangles(vs_emitter *e, const vs_solid *m, const vs_shading *s, const vs_affine *home, const uint32_t *same, uint32_t part, uint32_t *at, bool closed) {
+  const vs_mesh *mesh = &m->mesh;
+  packed *p = e->state;
+  vs_writer *w = e->out;
+  uint32_t vertices = 0;
+  size_t triangles = 0;
+  memset(at, 0xff, s->normal_count * sizeof *at);
+#define PART_OF(i) (mesh->tags != NULL && m->part_count > 0 ? same[mesh->tags[i]] : 0)
+  for (size_t i = 0; i < mesh->triangle_count; i++) {
+    if (PART_OF(i) != part) continue;
+    triangles++;
+    for (int k = 0; k < 3; k++)
+      if (at[s->corners[i][k]] == UINT32_MAX) at[s->corners[i][k]] = vertices++;
+  }
+  int width = vertices <= 256 ? 1 : vertices <= 65536 ? 2 : 4;
+  packed_entry(e, "N", "IndexedTriangleSet");
+  packed_def(e, (uint64_t)GEOMETRY_FIRST + p->geometry_count++);
+  if (closed) packed_number(e, "solid", 1);
+  packed_words_begin(e, "index", 3 * triangles, width);
+  for (size_t i = 0; i < mesh->triangle_count && !w->failed; i++) {
+    if (PART_OF(i) != part) continue;
+    for (int k = 0; k < 3; k++) packed_word(w, at[s->corners[i][k]], width);
+  }
+  /* Vertices have numbers in the order in which they are first met: a second walk meets them in the same. */
+  for (int what = 0; what < 2 && !w->failed; what++) {
+    packed_entry(e, what == 0 ? "F" : "H", what == 0 ? "point" : "vector");
+    packed_count(w, 3 * (uint64_t)vertices);
+    uint32_t next = 0;
+    for (size_t i = 0; i < mesh->triangle_count && !w->failed; i++) {
+      if (PART_OF(i) != part) continue;
+      for (int k = 0; k < 3; k++) {
+        uint32_t corner = s->corners[i][k];
+        if (at[corner] != next) continue;
+        next++;
+        if (what == 0) {
+          packed_vector(w, vs_affine_point(home, mesh->vertices[mesh->triangles[i][k]]));
+        } else {
+          vs_vec3 n = vs_affine_normal(home, s->normals[corner]);
+          const double xyz[] = { n.x, n.y, n.z };
+          for (int c = 0; c < 3; c++) packed_word(w, (uint32_t)(int32_t)lround(32767 * fmax(-1, fmin(1, xyz[c]))), 2);
+        }
+      }
+    }
+  }
+#undef PART_OF
+  packed_end(e);
+}
+
+/* same[tag]: the first tag with its material, layer and origin. */
+static void packed_same(const vs_solid *m, uint32_t *same) {
+  for (size_t i = 0; i < m->part_count; i++) {
+    const vs_solid_part *a = &m->parts[i];
+    size_t first = 0, most = i < 256 ? i : 0; /* of a shape of very many parts only some are joined */
+    while (first < most) {
+      const vs_solid_part *b = &m->parts[first];
+      if (a->material == b->material && a->layer == b->layer && a->leaf.origin == b->leaf.origin) break;
+      first++;
+    }
+    same[i] = (uint32_t)(first < most ? first : i);
+  }
+}
+
+static bool packed_add_part(vs_emitter *e, packed_part part) {
+  packed *p = e->state;
+  if (!vs_emit_grow(e, &p->parts, &p->part_room, p->part_count + 1, sizeof *p->parts)) return false;
+  p->parts[p->part_count++] = part;
+  p->made[p->made_count - 1].count++;
+  return true;
+}
+
+static bool packed_add_shape(vs_emitter *e, vs_vec3 middle) {
+  packed *p = e->state;
+  if (!vs_emit_grow(e, &p->made, &p->made_room, p->made_count + 1, sizeof *p->made)) return false;
+  p->made[p->made_count++] = (packed_shape){ .first = p->part_count, .middle = middle };
+  return true;
+}
+
+/* Writes a solid's geometries, where nobody sees them: each stands in a Group that is not shown. */
+static bool packed_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *home, vs_vec3 middle, double crease, bool closed) {
+  packed *p = e->state;
+  const vs_mesh *mesh = &m->mesh;
+  vs_shading s;
+  if (!packed_add_shape(e, middle)) return false;
+  if (mesh->triangle_count > UINT32_MAX / 3) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than the viewer can number");
+  if (!vs_shading_make(e, mesh->vertices, mesh->vertex_count, (const uint32_t (*)[3])mesh->triangles, mesh->triangle_count, crease, &s)) return false;
+  size_t parts = m->part_count > 0 ? m->part_count : 1, room = s.normal_count + 2 * parts + 1;
+  uint32_t *at = vs_store_realloc(e->scene->store, NULL, 0, room * sizeof *at);
+  bool ok = at != NULL || vs_emit_no_memory(e);
+  if (ok) {
+    uint32_t *same = at + s.normal_count, *used = same + parts;
+    same[0] = 0;
+    packed_same(m, same);
+    memset(used, 0, parts * sizeof *used);
+    for (size_t i = 0; i < mesh->triangle_count; i++) used[mesh->tags != NULL && m->part_count > 0 ? same[mesh->tags[i]] : 0]++;
+    for (uint32_t k = 0; ok && k < parts; k++) {
+      if (used[k] == 0) continue;
+      const vs_solid_part *part = m->part_count > 0 ? &m->parts[k] : NULL;
+      ok = packed_add_part(e, (packed_part){ p->geometry_count, part != NULL ? (uint32_t)vs_emit_material_number(e, part->material) : 0, part != NULL ? part->layer : NULL,
+                                             part != NULL ? part->leaf.origin : NULL, false });
+      if (ok) packed_triangles(e, m, &s, home, same, k, at, closed);
+    }
+  }
+  vs_emit_release(e, at, room, sizeof *at);
+  vs_shading_free(&s);
+  return ok && !e->out->failed;
+}
+
+/* ---- places ---- */
+
+/* Opens a Transform for what has its own coordinates at `place`. */
+static void packed_transform(vs_emitter *e, const vs_affine *place) {
+  const packed *p = e->state;
+  vs_vec3 at = vs_v3(place->m[0][3], place->m[1][3], place->m[2][3]);
+  if (!p->inside) at = vs_v3_sub(at, p->middle);
+  bool turned = false;
+  for (int i = 0; i < 3; i++)
+    for (int k = 0; k < 3; k++) turned |= place->m[i][k] != (i == k);
+  packed_entry(e, "N", "Transform");
+  packed_entry(e, "F", turned ? "matrix" : "translation");
+  packed_count(e->out, turned ? 12 : 3);
+  if (!turned) {
+    packed_vector(e->out, at);
+    return;
+  }
+  const double xyz[] = { at.x, at.y, at.z };
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3; k++) packed_float(e->out, place->m[i][k]);
+    packed_float(e->out, xyz[i]);
+  }
+}
+
+static void packed_marks(vs_emitter *e, const vs_ref *ref, uint32_t paint, const char *layer, const vs_origin *origin) {
+  uint32_t number = packed_origin(e, origin);
+  if (paint > 0) packed_number(e, "paint", paint);
+  if (layer != NULL) packed_text(e, "layer", layer);
+  if (number > 0) packed_number(e, "origin", number);
+  if (ref != NULL) packed_text(e, "kind", vs_kind_get(ref->node->kind)->name);
+}
+
+/* A shape that was written, at e's placement and `place` in it. */
+static bool packed_put(vs_emitter *e, const vs_ref *ref, size_t number, const vs_affine *place) {
+  const packed *p = e->state;
+  const packed_shape shape = p->made[number];
+  if (shape.count == 0) return true;
+  uint32_t paint = (uint32_t)vs_emit_material_number(e, e->material);
+  packed_transform(e, place);
+  for (size_t i = 0; i < shape.count; i++) {
+    packed_part part = p->parts[shape.first + i];
+    packed_entry(e, "N", "Shape");
+    packed_marks(e, ref, part.paint > 0 ? part.paint : paint, part.layer, part.origin != NULL ? part.origin : ref->origin);
+    packed_again(e, (uint64_t)GEOMETRY_FIRST + part.geometry);
+    packed_end(e);
+  }
+  packed_end(e);
+  return !e->out->failed;
+}
+
+static bool packed_unit(vs_emitter *e, vs_unit unit, int turn, size_t *number) {
+  packed *p = e->state;
+  packed_turns *t = &p->units[unit];
+  size_t old = t->room;
+  if (!vs_emit_grow(e, &t->at, &t->room, (size_t)turn + 1, sizeof *t->at)) return false;
+  if (t->room > old) memset(t->at + old, 0, (t->room - old) * sizeof *t->at);
+  if (t->at[turn] == 0) {
+    vs_solid form = { .part_count = 0 };
+    static const vs_affine here = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
+    bool ok = (vs_unit_mesh(unit, turn, &form.mesh) || vs_emit_no_memory(e)) && packed_add_solid(e, &form, &here, vs_v3(0, 0, 0), vs_shade_crease(turn > 0), true);
+    vs_solid_free(&form);
+    if (!ok) return false;
+    t->at[turn] = (uint32_t)p->made_count;
+  }
+  *number = t->at[turn] - 1;
+  return true;
+}
+
+/* Triangles about their own middle; those of one node are written once for all its places. */
+static bool packed_shape_of(vs_emitter *e, const vs_ref *ref, double crease) {
+  packed *p = e->state;
+  bool found = false, placeable = vs_affine_is_placement(&e->placement);
+  uint64_t *known = placeable ? vs_nodemap_put(&p->shapes, ref->node, &found) : NULL;
+  if (placeable && known == NULL) return vs_emit_no_memory(e);
+  vs_bounds b;
+  if (!found && !vs_node_bounds(ref->node, &b, e->error)) return false;
+  vs_vec3 middle = found ? p->made[*known - 1].middle : vs_v3_scale(vs_v3_add(b.min, b.max), 0.5);
+  vs_affine there = vs_affine_translation(placeable ? middle : vs_affine_point(&e->placement, middle));
+  size_t number;
+  if (found) {
+    number = (size_t)*known - 1;
+  } else {
+    const vs_solid *m = vs_emit_mesh(e, ref);
+    vs_affine home = vs_affine_translation(vs_v3_scale(middle, -1)), place = e->placement;
+    for (int i = 0; i < 3; i++) place.m[i][3] = 0;
+    if (!placeable) home = vs_affine_multiply(&place, &home);
+    if (m == NULL || !packed_add_solid(e, m, &home, middle, crease, ref->node->class_ == VS_SOLID)) return false;
+    number = p->made_count - 1;
+    known = placeable ? vs_nodemap_get(&p->shapes, ref->node) : NULL;
+    if (known != NULL) *known = (uint64_t)number + 1;
+  }
+  if (placeable) there = vs_affine_multiply(&e->placement, &there);
+  return packed_put(e, ref, number, &there);
+}
+
+/* ---- emit functions ---- */
+
+vs_emit_status vs_packed_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  vs_unit_copy copy;
+  size_t number;
+  if (vs_unit_of(ref->node, &e->facets, &copy)) {
+    vs_affine place = vs_affine_multiply(&e->placement, &copy.place);
+    if (vs_affine_is_placement(&place)) return packed_unit(e, copy.unit, copy.turn, &number) && packed_put(e, ref, number, &place) ? VS_EMITTED : VS_FAILED;
+  }
+  return packed_shape_of(e, ref, vs_shade_crease(vs_lower_is_round(ref->node))) ? VS_EMITTED : VS_FAILED;
+}
+
+vs_emit_status vs_packed_boolean(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  if (phase != VS_PHASE_ENTER) return VS_EMITTED;
+  return packed_shape_of(e, ref, vs_shade_crease(true)) ? VS_WHOLE : VS_FAILED;
+}
+
+vs_emit_status vs_packed_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  packed *p = e->state;
+  const struct vs_line *l = VS_AS(line, ref->node);
+  uint32_t count = l->points->count;
+  if (count < 2) return VS_EMITTED;
+  vs_bounds b = vs_bounds_empty();
+  for (uint32_t i = 0; i < count; i++) vs_bounds_add(&b, vs_affine_point(&e->placement, l->points->at[i]));
+  vs_vec3 middle = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5);
+  if (!packed_add_shape(e, middle) || !packed_add_part(e, (packed_part){ p->geometry_count, 0, NULL, NULL, true })) return VS_FAILED;
+  packed_entry(e, "N", "LineSet");
+  packed_def(e, (uint64_t)GEOMETRY_FIRST + p->geometry_count++);
+  packed_entry(e, "F", "point");
+  packed_count(e->out, 3 * ((uint64_t)count + (l->closed ? 1 : 0)));
+  for (uint32_t i = 0; i < count + (l->closed ? 1 : 0) && !e->out->failed; i++)
+    packed_vector(e->out, vs_v3_sub(vs_affine_point(&e->placement, l->points->at[i % count]), middle));
+  packed_end(e);
+  vs_affine there = vs_affine_translation(middle);
+  return packed_put(e, ref, p->made_count - 1, &there) ? VS_EMITTED : VS_FAILED;
+}
+
+/* Placement and paint are the emitter's; an operation becomes a Group where it says something: a layer, or a place in the source of its own. */
+vs_emit_status vs_packed_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  packed *p = e->state;
+  if (phase == VS_PHASE_LEAVE) {
+    if (p->open[--p->open_count].wrapped) packed_end(e);
+    return VS_EMITTED;
+  }
+  if (!vs_emit_grow(e, &p->open, &p->open_room, p->open_count + 1, sizeof *p->open)) return VS_FAILED;
+  const vs_origin *round = p->open_count > 0 ? p->open[p->open_count - 1].origin : NULL;
+  const char *layer = ref->node->kind == VS_LAYER ? VS_AS(layer, ref->node)->name : NULL;
+  bool wrapped = layer != NULL || (ref->origin != NULL && ref->origin != round);
+  p->open[p->open_count++] = (packed_open){ layer, ref->origin != NULL ? ref->origin : round, wrapped };
+  if (wrapped) {
+    packed_entry(e, "N", "Group");
+    packed_marks(e, ref, 0, layer, ref->origin);
+  }
+  return e->out->failed ? VS_FAILED : VS_EMITTED;
+}
+
+bool vs_packed_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) {
+  packed *p = e->state;
+  (void)ref;
+  p->inside = open;
+  p->open_count = 0;
+  if (open) {
+    packed_entry(e, "N", "Template");
+    packed_def(e, id);
+  } else {
+    packed_end(e);
+  }
+  return !e->out->failed;
+}
+
+bool vs_packed_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
+  packed_transform(e, &e->placement);
+  packed_marks(e, ref, (uint32_t)vs_emit_material_number(e, e->material), NULL, ref->origin);
+  packed_again(e, id);
+  packed_end(e);
+  return !e->out->failed;
+}
+
+static bool packed_begin(vs_emitter *e) { return vs_packed_open(e); }
+static bool packed_finish(vs_emitter *e) { return vs_packed_finish(e); }
+
+const vs_backend vs_backend_x3d_packed = { VS_PACKED_BACKEND(packed_begin, packed_finish, vs_packed_close) };

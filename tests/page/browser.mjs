@@ -1,0 +1,29 @@
+// Owns the browser of the tests: Debian's Chromium driven by playwright-core, with WebGL in software.
+import { chromium } from "playwright-core";
+import { existsSync } from "node:fs";
+
+export const path = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
+
+export async function browser() {
+  return chromium.launch({
+    executablePath: path, headless: true,
+    args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader", "--hide-scrollbars"],
+  });
+}
+
+// A page with the viewer in it, when its first picture stands. Errors of the page's scripts are collected in page.troubles.
+export async function open(context, url, settle = false) {
+  const page = await context.newPage();
+  page.troubles = [];
+  page.on("pageerror", (error) => page.troubles.push(String(error)));
+  page.on("console", (message) => { if (message.type() === "error") page.troubles.push(message.text()); });
+  await page.goto(url, { waitUntil: "load", timeout: 120000 });
+  await page.waitForFunction(() => window.visualscheme?.stage.drawCalls > 0, null, { timeout: 120000 });
+  if (settle) await settled(page);
+  return page;
+}
+
+export async function settled(page) {
+  await page.waitForFunction(() => window.visualscheme.stage.finished, null, { timeout: 240000 });
+}

@@ -1,0 +1,202 @@
+// Turns a model's parts into few things to draw: copies of one geometry are instances, all else is merged, a mesh a kind of surface.
+import * as THREE from "three";
+import { determinant } from "./model.js";
+import { featureEdges } from "./edges.js";
+
+const MERGED_TRIANGLES = 600000, FEW_GROUPS = 10;
+
+const linear = (c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+
+// Materials that differ in nothing but colour are drawn as one.
+function surfaceKey(m) {
+  return [Math.round(m.roughness * 20), Math.round(m.metallic * 10), Math.round(m.transparency * 20)].join();
+}
+
+function sheared(m, o) {
+  const dot = (a, b) => m[o + a] * m[o + b] + m[o + a + 4] * m[o + b + 4] + m[o + a + 8] * m[o + b + 8];
+  const most = 1e-5 * Math.max(dot(0, 0), dot(1, 1), dot(2, 2));
+  return Math.abs(dot(0, 1)) > most || Math.abs(dot(0, 2)) > most || Math.abs(dot(1, 2)) > most;
+}
+
+// groups: { geometry, surface, mirrored, parts[] }
+function collect(model, shown) {
+  const groups = new Map(), keys = model.materials.map(surfaceKey);
+  for (let i = 0; i < model.count; i++) {
+    if (!shown(i)) continue;
+    const g = model.geometries[model.geometry[i]], mirrored = determinant(model.matrix, 12 * i) < 0;
+    const surface = g.lines ? "lines" : keys[model.paint[i]] + (g.solid ? "" : ",open");
+    const apart = sheared(model.matrix, 12 * i);
+    const key = model.geometry[i] + "|" + surface + (mirrored ? "|m" : "") + (apart ? "|s" : "");
+    let group = groups.get(key);
+    if (!group) groups.set(key, group = { geometry: g, surface, mirrored, merge: apart || g.lines, material: model.materials[model.paint[i]], parts: [] });
+    group.parts.push(i);
+  }
+  const list = [...groups.values()];
+  // The smallest are merged first, until few things are left to draw or what is merged is large.
+  list.sort((a, b) => a.geometry.triangles * a.parts.length - b.geometry.triangles * b.parts.length);
+  let left = list.filter((group) => !group.merge).length, merged = 0;
+  for (const group of list) {
+    if (group.merge) continue;
+    const cost = group.geometry.triangles * group.parts.length;
+    if (group.parts.length > 1 && (left <= FEW_GROUPS || merged + cost > MERGED_TRIANGLES)) continue;
+    group.merge = true;
+    if (group.parts.length > 1) merged += cost;
+    left--;
+  }
+  return list;
+}
+
+function edgesOf(g) { return g.edges ||= featureEdges(g); }
+
+// The corners of some parts in one array each, at their places. colors may be false.
+export function mergeParts(model, parts, colors = true) {
+  let vertices = 0, corners = 0, ends = 0;
+  for (const i of parts) {
+    const g = model.geometries[model.geometry[i]];
+    if (!g.lines) vertices += g.position.length / 3, corners += g.index.length;
+    ends += edgesOf(g).length / 3;
+  }
+  const position = new Float32Array(3 * vertices), normal = new Int16Array(4 * vertices), color = colors ? new Uint16Array(4 * vertices) : null;
+  const index = new Uint32Array(corners), edges = new Float32Array(3 * ends), edgeColor = colors ? new Uint8Array(4 * ends) : null;
+  let v = 0, c = 0, e = 0;
+  for (const i of parts) {
+    const g = model.geometries[model.geometry[i]], m = model.matrix.subarray(12 * i, 12 * i + 12), flip = determinant(m) < 0;
+    const paint = model.materials[model.paint[i]].color, rgb = paint.map((x) => Math.round(65535 * linear(x)));
+    if (!g.lines) {
+      // Normals go by the cofactors of the matrix.
+      const n = new Float64Array(9);
+      for (let r = 0; r < 3; r++)
+        for (let k = 0; k < 3; k++) {
+          const r1 = 4 * ((r + 1) % 3), r2 = 4 * ((r + 2) % 3), k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+          n[3 * r + k] = (m[r1 + k1] * m[r2 + k2] - m[r1 + k2] * m[r2 + k1]) * (flip ? -1 : 1);
+        }
+      const first = v, P = g.position, N = g.normal;
+      for (let k = 0; k < P.length; k += 3, v++) {
+        const x = P[k], y = P[k + 1], z = P[k + 2];
+        position[3 * v] = m[0] * x + m[1] * y + m[2] * z + m[3];
+        position[3 * v + 1] = m[4] * x + m[5] * y + m[6] * z + m[7];
+        position[3 * v + 2] = m[8] * x + m[9] * y + m[10] * z + m[11];
+        const nx = N[k], ny = N[k + 1], nz = N[k + 2];
+        const ax = n[0] * nx + n[1] * ny + n[2] * nz, ay = n[3] * nx + n[4] * ny + n[5] * nz, az = n[6] * nx + n[7] * ny + n[8] * nz;
+        const s = 32767 / (Math.hypot(ax, ay, az) || 1);
+        normal[4 * v] = ax * s, normal[4 * v + 1] = ay * s, normal[4 * v + 2] = az * s;
+        if (color) color[4 * v] = rgb[0], color[4 * v + 1] = rgb[1], color[4 * v + 2] = rgb[2], color[4 * v + 3] = 65535;
+      }
+      const I = g.index;
+      for (let k = 0; k < I.length; k += 3) {
+        index[c++] = first + I[k];
+        index[c++] = first + I[k + (flip ? 2 : 1)];
+        index[c++] = first + I[k + (flip ? 1 : 2)];
+      }
+    }
+    const E = edgesOf(g), own = g.lines && model.paint[i] > 0;
+    for (let k = 0; k < E.length; k += 3, e++) {
+      const x = E[k], y = E[k + 1], z = E[k + 2];
+      edges[3 * e] = m[0] * x + m[1] * y + m[2] * z + m[3];
+      edges[3 * e + 1] = m[4] * x + m[5] * y + m[6] * z + m[7];
+      edges[3 * e + 2] = m[8] * x + m[9] * y + m[10] * z + m[11];
+      if (edgeColor) for (let q = 0; q < 3; q++) edgeColor[4 * e + q] = own ? rgb[q] >> 8 : 6 + 3 * q;
+      if (edgeColor) edgeColor[4 * e + 3] = g.lines ? 255 : 140;
+    }
+  }
+  return { position, normal, color, index, edges, edgeColor };
+}
+
+export function meshGeometry(m) {
+  const g = new THREE.BufferGeometry();
+  g.setAttribute("position", new THREE.BufferAttribute(m.position, 3));
+  const normals = new THREE.InterleavedBuffer(m.normal, 4);
+  g.setAttribute("normal", new THREE.InterleavedBufferAttribute(normals, 3, 0, true));
+  if (m.color) g.setAttribute("color", new THREE.InterleavedBufferAttribute(new THREE.InterleavedBuffer(m.color, 4), 3, 0, true));
+  g.setIndex(new THREE.BufferAttribute(m.index, 1));
+  return g;
+}
+
+function wide(normal) { // Three shorts are padded to four: graphics cards read words of four bytes.
+  const out = new Int16Array(normal.length / 3 * 4);
+  for (let i = 0, k = 0; i < normal.length; i += 3, k += 4) out[k] = normal[i], out[k + 1] = normal[i + 1], out[k + 2] = normal[i + 2];
+  return out;
+}
+
+function matrices(model, group) {
+  const array = new Float32Array(16 * group.parts.length), sign = group.mirrored ? -1 : 1;
+  group.parts.forEach((i, k) => {
+    const m = model.matrix, o = 12 * i, t = 16 * k;
+    for (let c = 0; c < 4; c++) {
+      array[t + 4 * c] = sign * m[o + c]; // What is mirrored is drawn by a parent that mirrors back.
+      array[t + 4 * c + 1] = m[o + 4 + c];
+      array[t + 4 * c + 2] = m[o + 8 + c];
+    }
+    array[t + 15] = 1;
+  });
+  return new THREE.InstancedBufferAttribute(array, 16);
+}
+
+// surfaces.get(surface, material, merged) gives a three.js material; lines.merged and lines.instanced those of edges.
+export function buildBatches(model, shown, surfaces, lines) {
+  const root = new THREE.Group(), mirror = new THREE.Group();
+  mirror.scale.x = -1;
+  root.add(mirror);
+  const merged = new Map();
+  let triangles = 0;
+  for (const group of collect(model, shown)) {
+    triangles += group.geometry.triangles * group.parts.length;
+    if (group.merge) {
+      if (!merged.has(group.surface)) merged.set(group.surface, { material: group.material, parts: [] });
+      const list = merged.get(group.surface).parts;
+      for (const i of group.parts) list.push(i);
+      continue;
+    }
+    const g = group.geometry, count = group.parts.length;
+    const geometry = meshGeometry({ position: g.position, normal: wide(g.normal), index: g.index, color: null });
+    const mesh = new THREE.InstancedMesh(geometry, surfaces.get(group.surface, group.material, false), 0);
+    const place = matrices(model, group), color = new Float32Array(3 * count);
+    group.parts.forEach((i, k) => { const c = model.materials[model.paint[i]].color; for (let q = 0; q < 3; q++) color[3 * k + q] = linear(c[q]); });
+    mesh.instanceMatrix = place;
+    mesh.instanceColor = new THREE.InstancedBufferAttribute(color, 3);
+    mesh.count = count;
+    finish(mesh, group.surface);
+    (group.mirrored ? mirror : root).add(mesh);
+    const edges = edgesOf(g);
+    if (edges.length > 0) {
+      const line = new THREE.LineSegments(new THREE.BufferGeometry(), lines.instanced);
+      line.geometry.setAttribute("position", new THREE.BufferAttribute(edges, 3));
+      // A line set with a matrix a copy: the renderer asks no more of an object than these.
+      Object.assign(line, { isInstancedMesh: true, instanceMatrix: place, instanceColor: null, morphTexture: null, count, frustumCulled: false });
+      line.userData.edges = true;
+      (group.mirrored ? mirror : root).add(line);
+    }
+  }
+  for (const [surface, { material, parts }] of merged) {
+    const m = mergeParts(model, parts);
+    if (m.index.length > 0) {
+      const mesh = new THREE.Mesh(meshGeometry(m), surfaces.get(surface, material, true));
+      finish(mesh, surface);
+      root.add(mesh);
+    }
+    if (m.edges.length > 0) {
+      const line = new THREE.LineSegments(new THREE.BufferGeometry(), lines.merged);
+      line.geometry.setAttribute("position", new THREE.BufferAttribute(m.edges, 3));
+      line.geometry.setAttribute("color", new THREE.BufferAttribute(m.edgeColor, 4, true));
+      line.userData.edges = surface !== "lines";
+      line.frustumCulled = false;
+      root.add(line);
+    }
+  }
+  root.userData.triangles = triangles;
+  return root;
+}
+
+function finish(mesh, surface) {
+  mesh.userData.surface = surface;
+  mesh.userData.solid = !surface.endsWith(",open");
+  mesh.castShadow = mesh.receiveShadow = true;
+  mesh.frustumCulled = false;
+}
+
+export function disposeBatches(root) {
+  root.traverse((o) => {
+    if (o.geometry) o.geometry.dispose();
+    if (o.isInstancedMesh) o.dispatchEvent({ type: "dispose" });
+  });
+}

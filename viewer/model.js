@@ -1,0 +1,220 @@
+// Owns the model as the viewer holds it: geometries, materials, and one flat list of parts, each a geometry at a place.
+//
+// A part has the origin of its own constructor call, and a path: the operations of the source that it came through, from the inside outwards,
+// paths[p] = { parent, origin, kind, layer }. Parts that stand in one operation share their path.
+
+export class Model {
+  constructor() {
+    this.title = "model";
+    this.units = "m";
+    this.middle = [0, 0, 0]; // All places of parts are relative to it.
+    this.view = null;
+    this.sun = null;
+    this.sky = null;
+    this.ground = null;
+    this.materials = [plain()]; // Number 0 is that of parts without a material.
+    this.layers = [""];
+    this.kinds = [""];
+    this.geometries = [];
+    this.origins = { files: [], at: new Uint32Array(0) };
+    this.paths = [{ parent: 0, origin: 0, kind: 0, layer: 0 }];
+    this.count = 0;
+    this.matrix = new Float32Array(12 * 64);
+    this.geometry = new Uint32Array(64);
+    this.paint = new Uint32Array(64);
+    this.layer = new Uint32Array(64);
+    this.path = new Uint32Array(64);
+    this.kind = new Uint16Array(64);
+    this.made = new Uint32Array(64); // The number of its origin, or 0.
+  }
+
+  grow(need) {
+    if (need <= this.geometry.length) return;
+    const room = Math.max(need, 2 * this.geometry.length);
+    for (const key of ["geometry", "paint", "layer", "path", "kind", "made", "matrix"]) {
+      const was = this[key], now = new was.constructor(key === "matrix" ? 12 * room : room);
+      now.set(was);
+      this[key] = now;
+    }
+  }
+
+  // m: twelve numbers, three rows of an affine map.
+  add(geometry, m, paint, layer, path, kind, made) {
+    const i = this.count;
+    this.grow(i + 1);
+    this.matrix.set(m, 12 * i);
+    this.geometry[i] = geometry;
+    this.paint[i] = paint;
+    this.layer[i] = layer;
+    this.path[i] = path;
+    this.kind[i] = kind;
+    this.made[i] = made;
+    this.count = i + 1;
+  }
+
+  // Bounds of each part as a ball, and of everything as a box; relative to the middle.
+  measure() {
+    const n = this.count;
+    this.ball = new Float32Array(4 * n);
+    this.box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
+    for (let i = 0; i < n; i++) {
+      const g = this.geometries[this.geometry[i]], b = partBox(this, i, g);
+      for (let k = 0; k < 3; k++) {
+        this.ball[4 * i + k] = (b.min[k] + b.max[k]) / 2;
+        this.box.min[k] = Math.min(this.box.min[k], b.min[k]);
+        this.box.max[k] = Math.max(this.box.max[k], b.max[k]);
+      }
+      this.ball[4 * i + 3] = Math.hypot(b.max[0] - b.min[0], b.max[1] - b.min[1], b.max[2] - b.min[2]) / 2;
+    }
+    if (n === 0) this.box = { min: [-1, -1, -1], max: [1, 1, 1] };
+    this.size = [0, 1, 2].map((k) => this.box.max[k] - this.box.min[k]);
+    this.diagonal = Math.hypot(...this.size) || 1;
+    return this;
+  }
+
+  // The places in the source that made part i: { file, line, column, number } from the innermost call outwards.
+  chain(i) {
+    const found = [], seen = new Set();
+    const climb = (o) => {
+      for (; o > 0 && !seen.has(o); o = this.origins.at[4 * (o - 1) + 3]) {
+        seen.add(o);
+        found.push(this.origin(o));
+      }
+    };
+    climb(this.made[i]);
+    for (let path = this.path[i]; path > 0; path = this.paths[path].parent) climb(this.paths[path].origin);
+    return found;
+  }
+  origin(o) {
+    const at = this.origins.at;
+    return { file: this.origins.files[at[4 * (o - 1)]], line: at[4 * (o - 1) + 1], column: at[4 * (o - 1) + 2], number: o };
+  }
+  where(i) { return this.made[i] > 0 ? this.origin(this.made[i]) : null; }
+}
+
+export function plain() {
+  return { name: "", color: [0.86, 0.85, 0.83], roughness: 0.9, metallic: 0, transparency: 0, ior: 1.5 };
+}
+
+// The box of a part, from its geometry's box: exact for turns by quarters, else a little large.
+export function partBox(model, i, g) {
+  const m = model.matrix, o = 12 * i, min = [0, 0, 0], max = [0, 0, 0];
+  for (let k = 0; k < 3; k++) {
+    min[k] = max[k] = m[o + 4 * k + 3];
+    for (let c = 0; c < 3; c++) {
+      const a = m[o + 4 * k + c] * g.min[c], b = m[o + 4 * k + c] * g.max[c];
+      min[k] += Math.min(a, b);
+      max[k] += Math.max(a, b);
+    }
+  }
+  return { min, max };
+}
+
+export function makeGeometry(position, normal, index, solid, lines) {
+  const min = [Infinity, Infinity, Infinity], max = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < position.length; i += 3)
+    for (let k = 0; k < 3; k++) {
+      if (position[i + k] < min[k]) min[k] = position[i + k];
+      if (position[i + k] > max[k]) max[k] = position[i + k];
+    }
+  if (position.length === 0) min.fill(0), max.fill(0);
+  return { position, normal, index, solid, lines, min, max, triangles: lines ? 0 : index.length / 3 };
+}
+
+export const identity = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0);
+
+export function multiply(a, b) {
+  const c = new Float64Array(12);
+  for (let i = 0; i < 12; i += 4) {
+    for (let k = 0; k < 4; k++) c[i + k] = a[i] * b[k] + a[i + 1] * b[4 + k] + a[i + 2] * b[8 + k];
+    c[i + 3] += a[i + 3];
+  }
+  return c;
+}
+
+export function determinant(m, o = 0) {
+  return m[o] * (m[o + 5] * m[o + 10] - m[o + 6] * m[o + 9]) - m[o + 1] * (m[o + 4] * m[o + 10] - m[o + 6] * m[o + 8]) + m[o + 2] * (m[o + 4] * m[o + 9] - m[o + 5] * m[o + 8]);
+}
+
+// Makes a Model of the tree that readPacked returns.
+export function modelFromPacked(root) {
+  const model = new Model(), nodes = new Map(), layers = new Map([["", 0]]), kinds = new Map([["", 0]]);
+  const numbered = (map, list, word) => {
+    let number = map.get(word);
+    if (number === undefined) {
+      number = list.length;
+      map.set(word, number);
+      list.push(word);
+    }
+    return number;
+  };
+  const geometryOf = (node) => {
+    if (node.geometry === undefined) {
+      const f = node.fields, lines = node.type === "LineSet";
+      let normal = null;
+      if (f.vector) normal = f.vector;
+      node.geometry = model.geometries.length;
+      model.geometries.push(makeGeometry(f.point, normal, lines ? null : f.index, !!f.solid, lines));
+    }
+    return node.geometry;
+  };
+  const pathOf = (parent, f, layer) => {
+    if (f.origin === undefined && f.kind === undefined) return parent;
+    model.paths.push({ parent, origin: f.origin || 0, kind: numbered(kinds, model.kinds, f.kind || ""), layer });
+    return model.paths.length - 1;
+  };
+  const placeOf = (f) => f.matrix ? f.matrix : f.translation ? Float64Array.of(1, 0, 0, f.translation[0], 0, 1, 0, f.translation[1], 0, 0, 1, f.translation[2]) : null;
+
+  // A stack of its own: templates may be nested as deeply as the user likes.
+  const stack = [];
+  const walk = (children, m, paint, layer, path) => {
+    stack.push({ children, next: 0, m, paint, layer, path });
+    while (stack.length > 0) {
+      const top = stack[stack.length - 1];
+      if (top.next >= top.children.length) {
+        stack.pop();
+        continue;
+      }
+      const node = top.children[top.next++];
+      if (node.use !== undefined) {
+        const used = nodes.get(node.use);
+        if (used) stack.push({ children: used.children, next: 0, m: top.m, paint: top.paint, layer: top.layer, path: top.path });
+        continue;
+      }
+      const f = node.fields;
+      if (node.def >= 0) nodes.set(node.def, node);
+      if (node.type === "Transform" || node.type === "Group") {
+        const place = placeOf(f), mine = f.layer !== undefined ? numbered(layers, model.layers, f.layer) : top.layer;
+        stack.push({ children: node.children, next: 0, m: place ? multiply(top.m, place) : top.m, paint: f.paint || top.paint, layer: mine, path: pathOf(top.path, f, mine) });
+      } else if (node.type === "Shape") {
+        const used = nodes.get(node.children[0].use), mine = f.layer !== undefined ? numbered(layers, model.layers, f.layer) : top.layer;
+        if (used) model.add(geometryOf(used), top.m, f.paint || top.paint, mine, top.path, numbered(kinds, model.kinds, f.kind || ""), f.origin || 0);
+      }
+    }
+  };
+  // Geometries may be defined anywhere, also within templates that are used later.
+  const define = (list) => {
+    for (const open = [list]; open.length > 0;) {
+      for (const node of open.pop()) {
+        if (node.use !== undefined) continue;
+        if (node.def >= 0) nodes.set(node.def, node);
+        if (node.children.length > 0) open.push(node.children);
+      }
+    }
+  };
+  define(root.children);
+  for (const node of root.children) {
+    const f = node.fields;
+    switch (node.type) {
+      case "WorldInfo": model.title = f.title; model.units = f.units; model.middle = Array.from(f.middle); break;
+      case "Viewpoint": model.view = { eye: f.eye, target: f.target, up: f.up, parallel: !!f.parallel, width: f.width[0], angle: f.angle[0], aspect: f.aspect[0], given: !!f.given }; break;
+      case "DirectionalLight": model.sun = { direction: Array.from(f.direction), given: !!f.given }; break;
+      case "Background": model.sky = Array.from(f.skyColor); break;
+      case "Ground": model.ground = { z: f.z[0], paint: f.paint || 0 }; break;
+      case "PhysicalMaterial": model.materials.push({ name: f.name, color: Array.from(f.baseColor), roughness: f.roughness[0], metallic: f.metallic[0], transparency: f.transparency[0], ior: f.ior[0] }); break;
+      case "Origins": model.origins = { files: f.file || [], at: f.at }; break;
+      default: if (node.use !== undefined || node.type === "Transform" || node.type === "Group") walk([node], identity, 0, 0, 0);
+    }
+  }
+  return model.measure();
+}

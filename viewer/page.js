@@ -1,0 +1,30 @@
+// Owns the page in one file: shows the scene that stands in it, and .x3d files that are dropped on it.
+import { Viewer } from "./viewer.js";
+import { readPacked, decode64 } from "./packed.js";
+import { modelFromPacked } from "./model.js";
+import { modelFromX3D } from "./x3d.js";
+import { el } from "./dom.js";
+
+const viewer = new Viewer(document.getElementById("viewer"));
+window.visualscheme = viewer; // For tests, and for who looks in the console.
+const scene = document.getElementById("scene");
+viewer.show(modelFromPacked(readPacked(decode64(scene.textContent.trim()))));
+scene.remove();
+
+const drop = el("div", { class: "drop", hidden: true }, "Drop an .x3d file");
+viewer.root.append(drop);
+addEventListener("dragover", (event) => { event.preventDefault(); drop.hidden = false; });
+addEventListener("dragleave", (event) => { if (!event.relatedTarget) drop.hidden = true; });
+addEventListener("drop", async (event) => {
+  event.preventDefault();
+  drop.hidden = true;
+  const file = event.dataTransfer.files[0];
+  if (!file) return;
+  try {
+    const bytes = await file.arrayBuffer();
+    viewer.show(new TextDecoder().decode(bytes.slice(0, 4)) === "VSX1" ? modelFromPacked(readPacked(bytes)) : modelFromX3D(new TextDecoder().decode(bytes), file.name));
+  } catch (error) {
+    viewer.say(`${file.name} cannot be shown: ${error.message}`);
+    alert(`${file.name} cannot be shown: ${error.message}`);
+  }
+});

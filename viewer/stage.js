@@ -1,0 +1,482 @@
+// Owns the picture: renderer, light, sky, ground, the model's batches, the section, what is marked; and when to draw.
+//
+// While anything moves, a frame is drawn with the sun, a light from above and a pale fill. When all is still, frames are drawn for single
+// directions of the sky and of the sun's disc, each with its own shadow, a little beside each other, and their mean is shown: so soft
+// shadows, darkness in corners and smooth edges come from the same few lines. POV-Ray's picture is lit alike (backends/povray/scene.c).
+import * as THREE from "three";
+import { buildBatches, disposeBatches, mergeParts, meshGeometry } from "./batches.js";
+
+const SUN = new THREE.Color(1, 0.94, 0.84), DIFFUSE = 0.82;
+const SUN_POWER = 1.6 * Math.PI * DIFFUSE, SKY_RADIANCE = 0.78, FILL = 0.16;
+
+const quadVertex = "varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }";
+
+export class Stage {
+  constructor(canvas) {
+    this.canvas = canvas;
+    const probe = document.createElement("canvas").getContext("webgl2");
+    if (!probe) throw new Error("This browser shows no WebGL 2.");
+    const info = probe.getExtension("WEBGL_debug_renderer_info");
+    this.software = /swiftshader|llvmpipe|software/i.test(info ? probe.getParameter(info.UNMASKED_RENDERER_WEBGL) : "");
+    probe.getExtension("WEBGL_lose_context")?.loseContext();
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.software, stencil: true, powerPreference: "high-performance" });
+    this.renderer.setPixelRatio(this.software ? 1 : Math.min(2, window.devicePixelRatio || 1));
+    this.renderer.toneMapping = THREE.NeutralToneMapping;
+    this.renderer.toneMappingExposure = 0.86;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = THREE.PCFShadowMap;
+    this.renderer.shadowMap.autoUpdate = false;
+    this.renderer.info.autoReset = false;
+    this.renderer.localClippingEnabled = true;
+    this.samples = this.software ? 24 : 64;
+    this.options = { edges: true, shadows: true, occlusion: true, wireframe: false, dark: false };
+    this.scene = new THREE.Scene();
+    this.world = new THREE.Group(); // What the section cuts.
+    this.marks = new THREE.Group();
+    this.scene.add(this.world, this.marks);
+    this.clip = [];
+    this.section = null;
+    this.frame = 0;
+    this.listeners = new Set();
+    this.surfaceCache = new Map();
+    this.lineMaterials = {
+      merged: new THREE.LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
+      instanced: new THREE.LineBasicMaterial({ color: 0x05070a, transparent: true, opacity: 0.55, depthWrite: false }),
+    };
+    this.#lights();
+    this.#sky();
+    this.#targets();
+    this.camera = null;
+    this.still = 0;
+    this.dirty = true;
+    this.shadowsDirty = true;
+    this.wake = () => { if (!this.frame && !this.lost) this.frame = requestAnimationFrame((t) => this.#tick(t)); };
+    canvas.addEventListener("webglcontextlost", (event) => { event.preventDefault(); this.lost = true; });
+    canvas.addEventListener("webglcontextrestored", () => { this.lost = false; this.touch(true); });
+  }
+
+  // ---- light ----
+
+  #lights() {
+    const light = (size) => {
+      const l = new THREE.DirectionalLight(0xffffff, 1);
+      l.castShadow = true;
+      l.shadow.mapSize.set(size, size);
+      this.scene.add(l, l.target);
+      return l;
+    };
+    this.sun = light(2048);
+    this.above = light(1024);
+    this.sun.color.copy(SUN);
+    this.fill = new THREE.HemisphereLight(0xffffff, 0xb8aea2, 1);
+    this.fill.position.set(0, 0, 1);
+    this.scene.add(this.fill);
+  }
+
+  #aim(light, direction) { // direction: towards the light
+    light.position.copy(direction).multiplyScalar(2 * this.radius).add(this.center);
+    light.target.position.copy(this.center);
+    const s = light.shadow, r = this.radius * 1.02;
+    s.camera.left = s.camera.bottom = -r;
+    s.camera.right = s.camera.top = r;
+    s.camera.near = 0.5 * this.radius;
+    s.camera.far = 8 * this.radius;
+    s.camera.updateProjectionMatrix();
+    s.normalBias = 3 * r / s.mapSize.x;
+    s.bias = -0.0002;
+    light.updateMatrixWorld();
+    light.target.updateMatrixWorld();
+  }
+
+  #light(sample) {
+    const o = this.options, sky = this.skyColor;
+    this.sun.castShadow = o.shadows;
+    this.above.castShadow = o.occlusion;
+    if (sample < 0) {
+      this.#aim(this.sun, this.sunDirection);
+      this.#aim(this.above, new THREE.Vector3(0.12, -0.08, 1).normalize());
+      this.above.intensity = 0.9 * DIFFUSE * SKY_RADIANCE;
+      this.fill.intensity = (0.78 * SKY_RADIANCE * DIFFUSE + FILL) * Math.PI * 0.82;
+    } else {
+      // The direction of a sample: the golden ratio spreads any number of them evenly over the half sphere, and over the sun's disc.
+      const golden = 0.6180339887498949, silver = 0.7548776662466927;
+      const turn = 2 * Math.PI * ((sample * golden) % 1), height = (0.5 + sample * silver) % 1, across = Math.sqrt(1 - height * height);
+      const side = new THREE.Vector3(0.31, 0.57, 0.76).cross(this.sunDirection).normalize(), other = side.clone().cross(this.sunDirection);
+      const r = 0.012 * Math.sqrt((sample * silver) % 1), a = 2 * Math.PI * ((sample * golden) % 1);
+      this.#aim(this.sun, this.sunDirection.clone().addScaledVector(side, r * Math.cos(a)).addScaledVector(other, r * Math.sin(a)).normalize());
+      this.#aim(this.above, new THREE.Vector3(across * Math.cos(turn), across * Math.sin(turn), Math.max(0.03, height)));
+      this.above.intensity = 2 * Math.PI * SKY_RADIANCE * DIFFUSE * (o.occlusion ? 1 : 0);
+      this.fill.intensity = FILL * Math.PI + (o.occlusion ? 0 : SKY_RADIANCE * DIFFUSE * Math.PI * 0.7);
+    }
+    this.above.color.copy(sky);
+    this.fill.color.copy(sky);
+    this.sun.intensity = SUN_POWER * 0.78;
+    this.renderer.shadowMap.needsUpdate = o.shadows || o.occlusion;
+  }
+
+  // ---- sky and ground ----
+
+  #sky() {
+    this.skyMaterial = new THREE.ShaderMaterial({
+      uniforms: { zenith: { value: new THREE.Color() }, horizon: { value: new THREE.Color() }, near: { value: new THREE.Color() }, below: { value: new THREE.Color() } },
+      vertexShader: "varying vec3 way; void main() { way = position; vec4 p = projectionMatrix * mat4(mat3(modelViewMatrix)) * vec4(position, 1.0); gl_Position = p.xyww; gl_Position.z = p.w * 0.999999; }",
+      fragmentShader: `uniform vec3 zenith, horizon, near, below; varying vec3 way;
+        void main() {
+          float h = normalize(way).z;
+          vec3 c = h > 0.0 ? mix(horizon, zenith, pow(smoothstep(0.0, 0.9, h), 0.75)) : mix(near, below, smoothstep(0.0, 0.7, -h));
+          c = mix(c, 0.5 * (horizon + near), 1.0 - smoothstep(0.0, 0.03, abs(h)));
+          gl_FragColor = vec4(c, 1.0);
+          #include <tonemapping_fragment>
+          #include <colorspace_fragment>
+        }`,
+      depthWrite: false, depthTest: false, side: THREE.BackSide,
+    });
+    this.dome = new THREE.Mesh(new THREE.SphereGeometry(1, 24, 16), this.skyMaterial);
+    this.dome.renderOrder = -10;
+    this.dome.frustumCulled = false;
+    this.scene.add(this.dome);
+    this.skyColor = new THREE.Color(0.93, 0.97, 1);
+  }
+
+  #paintSky(model) {
+    const u = this.skyMaterial.uniforms, set = (name, r, g, b) => u[name].value.setRGB(r, g, b, THREE.SRGBColorSpace);
+    if (model && model.sky) {
+      const c = model.sky;
+      set("zenith", ...c);
+      set("horizon", ...c.map((x) => 0.45 + 0.55 * x));
+      set("near", 0.86, 0.86, 0.85);
+      set("below", 0.72, 0.72, 0.71);
+    } else if (this.options.dark) {
+      set("zenith", 0.13, 0.16, 0.2);
+      set("horizon", 0.27, 0.31, 0.36);
+      set("near", 0.22, 0.245, 0.275);
+      set("below", 0.12, 0.135, 0.155);
+    } else {
+      set("zenith", 0.66, 0.77, 0.89);
+      set("horizon", 0.945, 0.955, 0.965);
+      set("near", 0.93, 0.93, 0.925);
+      set("below", 0.8, 0.8, 0.79);
+    }
+    const c = model && model.sky ? new THREE.Color().setRGB(...model.sky, THREE.SRGBColorSpace) : new THREE.Color(0.8, 0.9, 1);
+    this.skyColor.setRGB(1, 1, 1).lerp(c, 0.3);
+    this.#environment();
+  }
+
+  // What metals and glass mirror: the sky, a bright band low in it, and the ground.
+  #environment() {
+    const w = 64, h = 32, data = new Float32Array(4 * w * h), u = this.skyMaterial.uniforms, c = new THREE.Color();
+    for (let y = 0; y < h; y++) {
+      const up = 1 - 2 * (y + 0.5) / h; // The picture's rows go downwards; three.js takes its own Y for up: the scene is turned.
+      if (up > 0) c.copy(u.horizon.value).lerp(u.zenith.value, Math.pow(up, 0.6)).multiplyScalar(1.15);
+      else c.copy(u.near.value).lerp(u.below.value, -up).multiplyScalar(0.55);
+      for (let x = 0; x < w; x++) {
+        const glow = up > 0 ? 0.5 * Math.exp(-18 * ((up - 0.35) ** 2 + ((x / w - 0.3) * 3) ** 2)) : 0;
+        data.set([c.r + glow, c.g + glow, c.b + glow, 1], 4 * ((h - 1 - y) * w + x));
+      }
+    }
+    const picture = new THREE.DataTexture(data, w, h, THREE.RGBAFormat, THREE.FloatType);
+    picture.mapping = THREE.EquirectangularReflectionMapping;
+    picture.needsUpdate = true;
+    this.environmentPicture?.dispose();
+    this.environmentMap?.dispose();
+    this.environmentPicture = picture;
+    this.environmentMap = null;
+  }
+  #mirrored() { // Made when the first material asks for it.
+    if (!this.environmentMap) {
+      const maker = new THREE.PMREMGenerator(this.renderer);
+      this.environmentMap = maker.fromEquirectangular(this.environmentPicture);
+      maker.dispose();
+    }
+    return this.environmentMap.texture;
+  }
+
+  #ground(model) {
+    this.groundMesh?.geometry.dispose();
+    if (this.groundMesh) this.scene.remove(this.groundMesh);
+    this.groundMesh = null;
+    if (!model.ground) return;
+    const geometry = new THREE.RingGeometry(0.0001, 1, 64, 12), reach = 14 * model.diagonal, position = geometry.attributes.position;
+    const m = model.ground.paint > 0 ? model.materials[model.ground.paint] : { color: [0.78, 0.78, 0.76], roughness: 1, metallic: 0 };
+    const rgb = new THREE.Color().setRGB(...m.color, THREE.SRGBColorSpace), color = new Float32Array(4 * position.count);
+    for (let i = 0; i < position.count; i++) { // Fine near the model, and gone before the horizon.
+      const r = Math.hypot(position.getX(i), position.getY(i)), far = r * r;
+      position.setXY(i, position.getX(i) * r, position.getY(i) * r);
+      color.set([rgb.r, rgb.g, rgb.b, 1 - THREE.MathUtils.smoothstep(far, 0.08, 0.95)], 4 * i);
+    }
+    geometry.setAttribute("color", new THREE.BufferAttribute(color, 4));
+    geometry.scale(reach, reach, 1);
+    const material = new THREE.MeshStandardMaterial({ vertexColors: true, transparent: true, roughness: Math.max(0.6, m.roughness), metalness: 0, side: THREE.DoubleSide });
+    this.groundMesh = new THREE.Mesh(geometry, material);
+    this.groundMesh.position.set(this.center.x, this.center.y, model.ground.z - model.middle[2] - 2e-4 * model.diagonal);
+    this.groundMesh.receiveShadow = true;
+    this.groundMesh.renderOrder = -5;
+    this.scene.add(this.groundMesh);
+  }
+
+  // ---- materials ----
+
+  get(surface, m, merged) {
+    const key = surface + (merged ? "|v" : "");
+    if (this.surfaceCache.has(key)) return this.surfaceCache.get(key);
+    const shiny = m.metallic > 0.3 || m.transparency > 0.05 || m.roughness < 0.35;
+    const material = new THREE.MeshStandardMaterial({
+      vertexColors: merged, roughness: Math.max(0.06, m.roughness), metalness: m.metallic, side: THREE.DoubleSide,
+      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+    });
+    if (shiny) {
+      material.envMap = this.#mirrored();
+      material.envMapRotation.set(Math.PI / 2, 0, 0);
+      material.envMapIntensity = m.metallic > 0.3 ? 1.1 : m.transparency > 0.05 ? 0.9 : 0.3;
+    }
+    if (m.transparency > 0.02) {
+      material.transparent = true;
+      material.opacity = 1 - 0.8 * m.transparency;
+      material.depthWrite = false;
+    }
+    material.wireframe = this.options.wireframe;
+    material.clippingPlanes = this.clip;
+    this.surfaceCache.set(key, material);
+    return material;
+  }
+
+  #dropSurfaces() {
+    for (const m of this.surfaceCache.values()) m.dispose();
+    this.surfaceCache.clear();
+  }
+
+  // ---- the model ----
+
+  setModel(model, shown = () => true) {
+    this.model = model;
+    this.shown = shown;
+    const b = model.box;
+    this.center = new THREE.Vector3((b.min[0] + b.max[0]) / 2, (b.min[1] + b.max[1]) / 2, (b.min[2] + b.max[2]) / 2);
+    this.radius = 0.5 * model.diagonal;
+    this.sunDirection = model.sun ? new THREE.Vector3(...model.sun.direction).negate().normalize() : new THREE.Vector3(-0.5, -0.55, 0.67).normalize();
+    this.#dropSurfaces();
+    this.#paintSky(model);
+    this.#ground(model);
+    this.refresh();
+  }
+
+  // What is shown has changed.
+  refresh(shown = this.shown) {
+    this.shown = shown;
+    if (this.batches) {
+      this.world.remove(this.batches);
+      disposeBatches(this.batches);
+    }
+    this.batches = buildBatches(this.model, shown, this, this.lineMaterials);
+    this.world.add(this.batches);
+    this.#caps();
+    this.#options();
+    this.touch(true);
+  }
+
+  setOptions(options) {
+    Object.assign(this.options, options);
+    if ("dark" in options && this.model) {
+      this.#paintSky(this.model);
+      this.#dropSurfaces();
+      this.refresh();
+    }
+    this.#options();
+    this.touch(true);
+  }
+  #options() {
+    for (const m of this.surfaceCache.values()) if (m.wireframe !== this.options.wireframe) m.wireframe = this.options.wireframe;
+    this.batches?.traverse((o) => { if (o.userData.edges) o.visible = this.options.edges && !this.options.wireframe; });
+    if (this.model) this.#light(-1);
+  }
+
+  // ---- marks: parts shown in a colour of their own, over all others ----
+
+  setMarks(groups) { // [{ parts, color, opacity }]
+    for (const child of [...this.marks.children]) {
+      this.marks.remove(child);
+      child.geometry.dispose();
+      child.material.dispose();
+    }
+    for (const { parts, color, opacity = 0.4 } of groups) {
+      if (parts.length === 0) continue;
+      const m = mergeParts(this.model, parts, false);
+      if (m.index.length > 0) {
+        const mesh = new THREE.Mesh(meshGeometry(m), new THREE.MeshBasicMaterial({ color, transparent: true, opacity, depthWrite: false, side: THREE.DoubleSide, toneMapped: false, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2, clippingPlanes: this.clip }));
+        mesh.renderOrder = 5;
+        mesh.frustumCulled = false;
+        this.marks.add(mesh);
+      }
+      if (m.edges.length > 0) {
+        const geometry = new THREE.BufferGeometry();
+        geometry.setAttribute("position", new THREE.BufferAttribute(m.edges, 3));
+        const line = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color, toneMapped: false, depthTest: false, transparent: true, opacity: 0.9, clippingPlanes: this.clip }));
+        line.renderOrder = 6;
+        line.frustumCulled = false;
+        this.marks.add(line);
+      }
+    }
+    this.touch();
+  }
+
+  // ---- the section ----
+
+  // plane: { normal: Vector3, constant } keeps the side of the normal; null: none.
+  setSection(plane) {
+    const had = this.section !== null;
+    this.section = plane;
+    this.clip.length = 0;
+    if (plane) this.clip.push(new THREE.Plane(plane.normal.clone(), plane.constant));
+    if (had !== (plane !== null)) {
+      for (const m of this.surfaceCache.values()) m.clippingPlanes = this.clip, m.clipShadows = true, m.needsUpdate = true;
+      for (const m of Object.values(this.lineMaterials)) m.clippingPlanes = this.clip, m.needsUpdate = true;
+    }
+    this.#caps();
+    this.touch(true);
+  }
+
+  // Cut solids are filled: behind the plane there are as many faces towards us as away from us, but where a solid is open.
+  #caps() {
+    if (this.capGroup) {
+      this.world.remove(this.capGroup);
+      this.capGroup.traverse((o) => { if (o.userData.own) o.geometry.dispose(); o.material?.dispose?.(); });
+      this.capGroup = null;
+    }
+    if (!this.section || !this.batches) return;
+    const group = this.capGroup = new THREE.Group();
+    const counter = (side, operation) => new THREE.MeshBasicMaterial({ side, colorWrite: false, depthWrite: false, depthTest: false, stencilWrite: true, stencilFunc: THREE.AlwaysStencilFunc,
+      stencilFail: operation, stencilZFail: operation, stencilZPass: operation, clippingPlanes: this.clip });
+    const back = counter(THREE.BackSide, THREE.IncrementWrapStencilOp), front = counter(THREE.FrontSide, THREE.DecrementWrapStencilOp);
+    this.batches.traverse((o) => {
+      if (!o.isMesh || !o.userData.solid) return;
+      for (const material of [back, front]) {
+        let copy;
+        if (o.isInstancedMesh) {
+          copy = new THREE.InstancedMesh(o.geometry, material, 0);
+          copy.instanceMatrix = o.instanceMatrix;
+          copy.count = o.count;
+        } else copy = new THREE.Mesh(o.geometry, material);
+        o.updateWorldMatrix(true, false);
+        copy.matrixAutoUpdate = false;
+        copy.matrix.copy(o.matrixWorld);
+        copy.frustumCulled = false;
+        copy.renderOrder = 1;
+        group.add(copy);
+      }
+    });
+    const size = 4 * this.radius, cap = new THREE.Mesh(new THREE.PlaneGeometry(size, size), new THREE.MeshStandardMaterial({
+      color: 0xa8584a, roughness: 1, side: THREE.DoubleSide, stencilWrite: true, stencilRef: 0, stencilFunc: THREE.NotEqualStencilFunc,
+      stencilFail: THREE.ReplaceStencilOp, stencilZFail: THREE.ReplaceStencilOp, stencilZPass: THREE.ReplaceStencilOp, emissive: 0x4a201a, emissiveIntensity: 0.6 }));
+    cap.userData.own = true;
+    cap.renderOrder = 2;
+    const { normal, constant } = this.section;
+    cap.position.copy(this.center).addScaledVector(normal, -(normal.dot(this.center) + constant));
+    cap.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), normal);
+    group.add(cap);
+    this.world.add(group);
+  }
+
+  // ---- drawing ----
+
+  #targets() {
+    const plain = { type: THREE.HalfFloatType, depthBuffer: true, stencilBuffer: true, generateMipmaps: false };
+    const precise = { type: THREE.FloatType, depthBuffer: false, generateMipmaps: false, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter };
+    this.one = new THREE.WebGLRenderTarget(1, 1, plain);
+    this.mean = [new THREE.WebGLRenderTarget(1, 1, precise), new THREE.WebGLRenderTarget(1, 1, precise)];
+    this.mixer = new THREE.ShaderMaterial({
+      uniforms: { sum: { value: null }, one: { value: null }, part: { value: 1 } }, vertexShader: quadVertex, depthTest: false, depthWrite: false, toneMapped: false,
+      fragmentShader: "uniform sampler2D sum, one; uniform float part; varying vec2 at; void main() { vec4 c = min(texture2D(one, at), vec4(24.0)); gl_FragColor = part >= 1.0 ? c : mix(texture2D(sum, at), c, part); }",
+    });
+    this.shower = new THREE.ShaderMaterial({
+      uniforms: { sum: { value: null } }, vertexShader: quadVertex, depthTest: false, depthWrite: false,
+      fragmentShader: "uniform sampler2D sum; varying vec2 at; void main() { gl_FragColor = vec4(texture2D(sum, at).rgb, 1.0);\n#include <tonemapping_fragment>\n#include <colorspace_fragment>\n}",
+    });
+    this.quad = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), this.mixer);
+    this.quad.frustumCulled = false;
+    this.quadScene = new THREE.Scene();
+    this.quadScene.add(this.quad);
+    this.quadCamera = new THREE.Camera();
+  }
+
+  resize() {
+    const w = Math.max(1, this.canvas.clientWidth), h = Math.max(1, this.canvas.clientHeight);
+    this.renderer.setSize(w, h, false);
+    const size = this.renderer.getDrawingBufferSize(new THREE.Vector2());
+    for (const t of [this.one, ...this.mean]) t.setSize(size.x, size.y);
+    this.touch();
+  }
+
+  // Something has changed: the next frame shows it. shadows: also what is lit.
+  touch(shadows = false) {
+    this.dirty = true;
+    if (shadows) this.shadowsDirty = true;
+    this.count = 0;
+    this.wake();
+  }
+
+  // Calls back before each frame, until the function returned is called.
+  onFrame(listener) {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  #quad(material, target) {
+    this.quad.material = material;
+    this.renderer.setRenderTarget(target);
+    this.renderer.render(this.quadScene, this.quadCamera);
+  }
+
+  draw() {
+    this.#light(-1);
+    if (!this.shadowsDirty) this.renderer.shadowMap.needsUpdate = false;
+    this.shadowsDirty = false;
+    this.renderer.setRenderTarget(null);
+    this.renderer.info.reset();
+    this.renderer.render(this.scene, this.camera);
+    this.drawCalls = this.renderer.info.render.calls;
+  }
+
+  #accumulate() {
+    const i = this.count++, size = this.renderer.getDrawingBufferSize(new THREE.Vector2());
+    this.shadowsDirty = true;
+    this.#light(i);
+    this.camera.setViewOffset(size.x, size.y, ((i * 0.7548776662466927 + 0.5) % 1) - 0.5, ((i * 0.5698402909980532 + 0.5) % 1) - 0.5, size.x, size.y);
+    this.renderer.setRenderTarget(this.one);
+    this.renderer.info.reset();
+    this.renderer.render(this.scene, this.camera);
+    this.camera.clearViewOffset();
+    this.mixer.uniforms.sum.value = this.mean[i % 2].texture;
+    this.mixer.uniforms.one.value = this.one.texture;
+    this.mixer.uniforms.part.value = 1 / (i + 1);
+    this.#quad(this.mixer, this.mean[(i + 1) % 2]);
+    if (i + 1 >= Math.min(16, this.samples)) { // Fewer would look like the few lights that they are.
+      this.shower.uniforms.sum.value = this.mean[(i + 1) % 2].texture;
+      this.#quad(this.shower, null);
+    }
+    this.renderer.setRenderTarget(null);
+  }
+
+  #tick(time) {
+    this.frame = 0;
+    if (!this.camera || !this.model) return;
+    let moving = false;
+    for (const listener of this.listeners) moving = listener(time) || moving;
+    if (moving || this.dirty) {
+      const from = performance.now();
+      this.dirty = false;
+      this.draw();
+      this.count = 0;
+      this.still = performance.now() + Math.min(600, 140 + 2 * (performance.now() - from));
+      this.wake();
+    } else if (this.count < this.samples && this.options.refine !== false) {
+      if (performance.now() < this.still) return this.wake();
+      const until = performance.now() + 12;
+      do this.#accumulate(); while (this.count < this.samples && performance.now() < until && !this.software);
+      this.wake();
+    } else if (!this.settled) {
+      this.settled = true;
+    }
+  }
+
+  get finished() { return !this.dirty && this.count >= this.samples; }
+}
