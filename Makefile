@@ -21,7 +21,7 @@ UNIT_LIBS = $(call pkg,cmocka,-lcmocka)
 LAYERS    = vm model geometry kernel solids passes bind backends session
 LIB_SRC   = $(foreach d,$(LAYERS),$(wildcard $(d)/*.c $(d)/*/*.c))
 LIB_OBJ   = $(LIB_SRC:%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/assets.o
-CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c))
+CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c live/*.c)) $(BUILD)/live_assets.o
 FUZZERS   = reader program import emit calls
 UNIT_SRC  = $(wildcard tests/unit/test_*.c)
 UNIT_BIN  = $(UNIT_SRC:tests/unit/%.c=$(BUILD)/unit/%)
@@ -33,7 +33,6 @@ OBJECTS   = $(LIB_OBJ) $(CLI_OBJ)
 ASSETS    = viewer/page.html viewer/viewer.css $(BUILD)/viewer.js
 BUNDLE    = node_modules/.bin/esbuild --bundle --minify --format=iife --target=es2022 --legal-comments=eof --log-level=warning
 
-PROGRAM   = $(if $(wildcard visualscheme.c),$(BUILD)/vs)
 
 all: $(BUILD)/libvisualscheme.a $(BUILD)/vs ## build the library and the program, build/vs
 
@@ -53,17 +52,34 @@ $(BUILD)/obj/kernel/%.o: OPT := $(OPT:-O2=-O3)
 # gcc would make the ends of all instructions one: a jump to a jump, and one guess where to go next instead of one each.
 $(BUILD)/obj/vm/machine/run.o: CFLAGS += $(if $(findstring clang,$(shell $(CC) --version)),,-fno-crossjumping --param max-goto-duplication-insns=20 --param max-grow-copy-bb-insns=50)
 
+LIVE_ASSETS = viewer/live.html $(BUILD)/live.css $(BUILD)/live.js
+
 $(BUILD)/viewer.js: viewer/page.js $(wildcard viewer/*.js) package.json
 	@mkdir -p $(@D)
 	@if [ -x node_modules/.bin/esbuild ]; then $(BUNDLE) $< --outfile=$@; else : > $@; fi
 
-$(BUILD)/assets.s: $(ASSETS) Makefile
+$(BUILD)/live.js: viewer/live.js $(wildcard viewer/*.js) package.json
 	@mkdir -p $(@D)
-	@for f in $(ASSETS); do n=vs_asset_$$(basename $$f | tr .- __); \
-	  printf '.section .rodata\n.globl %s\n.hidden %s\n%s:\n' $$n $$n $$n; \
-	  [ ! -f $$f ] || echo ".incbin \"$$f\""; \
-	  printf '.globl %s_end\n.hidden %s_end\n%s_end:\n.byte 0\n' $$n $$n $$n; \
-	done > $@ && echo '.section .note.GNU-stack,"",@progbits' >> $@
+	@if [ -x node_modules/.bin/esbuild ]; then $(BUNDLE) $< --outfile=$@; else : > $@; fi
+
+$(BUILD)/live.css: viewer/live.css viewer/viewer.css
+	@mkdir -p $(@D)
+	@{ cat viewer/viewer.css; sed '/^@import/d' viewer/live.css; } > $@
+
+assets    = for f in $(1); do n=vs_asset_$$(basename $$f | tr .- __); \
+  printf '.section .rodata\n.globl %s\n.hidden %s\n%s:\n' $$n $$n $$n; \
+  [ ! -f $$f ] || echo ".incbin \"$$f\""; \
+  printf '.globl %s_end\n.hidden %s_end\n%s_end:\n.byte 0\n' $$n $$n $$n; \
+  done > $@ && echo '.section .note.GNU-stack,"",@progbits' >> $@
+
+$(BUILD)/assets.s: $(ASSETS) Makefile
+	@$(call assets,$(ASSETS))
+
+$(BUILD)/live_assets.s: $(LIVE_ASSETS) Makefile
+	@$(call assets,$(LIVE_ASSETS))
+
+$(BUILD)/live_assets.o: $(BUILD)/live_assets.s
+	$(CC) -c $< -o $@
 
 $(BUILD)/obj/assets.o: $(BUILD)/assets.s
 	@mkdir -p $(@D)

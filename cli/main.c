@@ -11,6 +11,7 @@
 #include "cli/limits.h"
 #include "cli/nearby.h"
 #include "cli/command.h"
+#include "live/live.h"
 
 /* A signal handler gets no context: the command's only globals are the interpreter that a signal interrupts, and what came so far.
  * SIGINT ends what runs; SIGTERM and SIGHUP end the prompt as well. None kills at once, so that half-written files and POV-Ray go too. */
@@ -237,6 +238,26 @@ static void hold_standard_streams(void) {
     if (fcntl(i, F_GETFD) == -1 && errno == EBADF && open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY) != i) _exit(VS_OUTCOME_USAGE);
 }
 
+static void running_in_view(vs *scheme) { interrupted_by_signal = scheme; }
+
+static void hear_signals(void) {
+  struct sigaction action = {.sa_handler = on_interrupt};
+  sigemptyset(&action.sa_mask);
+  static const int heard[] = {SIGINT, SIGTERM, SIGHUP};
+  for (size_t i = 0; i < sizeof heard / sizeof *heard; i++) {
+    struct sigaction old; /* nohup and background jobs of a script ignore some: that stays */
+    if (sigaction(heard[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) sigaction(heard[i], &action, NULL);
+  }
+}
+
+/* `vs view`: here ctrl-C ends the command, not only what runs. */
+static vs_outcome view_model(const cli_options *o) {
+  live_options live = {.model = o->sources[0].text, .interpreter = o->interpreter, .output = o->output, .parameters = (const char *const *)o->defines, .parameter_count = o->define_count,
+                       .open_browser = !o->quiet, .told = stdout, .ended = &interrupts, .running = running_in_view};
+  hear_signals();
+  return live_view(&live);
+}
+
 int main(int argc, char **argv) {
   hold_standard_streams();
   cli_options options;
@@ -246,7 +267,12 @@ int main(int argc, char **argv) {
     if (verdict == CLI_STOP && fflush(stdout) == 0) return VS_OUTCOME_DONE;
     return VS_OUTCOME_USAGE;
   }
-  cli_session session = {.options = &options, .output = options.to_stdout ? stderr : stdout, .ended = &ended};
+  if (options.command == CLI_COMMAND_view) {
+    vs_outcome outcome = view_model(&options);
+    cli_options_free(&options);
+    return (int)outcome;
+  }
+  cli_session session = {.options = &options, .output = options.to_stdout || options.command == CLI_COMMAND_params ? stderr : stdout, .ended = &ended};
   cli_watch_open(&session.watch);
   if (options.untrusted && !cli_untrusted_begin(&session.untrusted, &options)) {
     cli_options_free(&options);
@@ -265,13 +291,7 @@ int main(int argc, char **argv) {
     fputs("vs: out of memory\n", stderr);
   } else {
     interrupted_by_signal = session.scheme;
-    struct sigaction action = {.sa_handler = on_interrupt};
-    sigemptyset(&action.sa_mask);
-    static const int heard[] = {SIGINT, SIGTERM, SIGHUP};
-    for (size_t i = 0; i < sizeof heard / sizeof *heard; i++) {
-      struct sigaction old; /* nohup and background jobs of a script ignore some: that stays */
-      if (sigaction(heard[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) sigaction(heard[i], &action, NULL);
-    }
+    hear_signals();
     outcome = run_batch(&session);
     int code;
     if (vs_exit_requested(session.scheme, &code)) {

@@ -25,6 +25,11 @@ static const option_row rows[OPTION_COUNT] = {
 #include "cli/options.def"
 };
 
+static const struct { const char *name, *arguments, *help; } commands[] = {
+#define COMMAND(name, arguments, help) {#name, arguments, help},
+#include "cli/commands.def"
+};
+
 /* ---- help ---- */
 
 static void print_help(void) {
@@ -32,7 +37,9 @@ static void print_help(void) {
   puts("  vs                  a prompt");
   puts("  vs FILE             run FILE (- is standard input)");
   puts("  vs FILE -o OUT ...  run FILE and write its model");
-  puts("  vs FILE -- ARG ...  run FILE, whose (command-line) ends in these arguments\n");
+  puts("  vs FILE -- ARG ...  run FILE, whose (command-line) ends in these arguments");
+  for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) printf("  vs %s %-*s %s\n", commands[i].name, (int)(16 - strlen(commands[i].name)), commands[i].arguments, commands[i].help);
+  putchar('\n');
   for (int i = 0; i < OPTION_COUNT; i++) {
     const option_row *r = &rows[i];
     char usage[80] = "";
@@ -318,15 +325,32 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   }
   bool names_only = false; /* after a -- that no model stands before */
   o->words[o->word_count++] = "vs";
-  for (int i = 1; i < argc; i++) {
+  int first = 1;
+  for (size_t i = 0; argc > 1 && i < sizeof commands / sizeof *commands; i++)
+    if (strcmp(argv[1], commands[i].name) == 0) o->command = (cli_command)(i + 1), first = 2;
+  if (o->command == CLI_COMMAND_help) {
+    print_help();
+    return CLI_STOP;
+  }
+  for (int i = first; i < argc; i++) {
     const char *word = argv[i];
     if (strcmp(word, "--") == 0 && o->source_count) { /* the rest is the program's */
       while (++i < argc) o->words[o->word_count++] = argv[i];
     } else if (names_only || word[0] != '-' || !word[1]) o->sources[o->source_count++] = (cli_source){CLI_SOURCE_FILE, word};
     else if (strcmp(word, "--") == 0) names_only = true;
+    else if (o->command == CLI_COMMAND_params && strcmp(word, "--json") == 0) continue; /* there is no other spelling yet */
     else if (!read_option(o, argc, argv, &i, &verdict)) return CLI_BAD_USAGE;
     else if (verdict != CLI_GO) return verdict;
   }
+  if (o->command != CLI_COMMAND_NONE && (o->source_count != 1 || o->sources[0].kind != CLI_SOURCE_FILE || strcmp(o->sources[0].text, "-") == 0 || o->target_count > 0)) {
+    fprintf(stderr, "vs %s: give the file of one model, as in vs %s house.vs%s\n", argv[1], argv[1], o->target_count > 0 ? "; -o is for vs FILE alone" : "");
+    return CLI_BAD_USAGE;
+  }
+  if (o->command == CLI_COMMAND_view && o->untrusted) {
+    fputs("vs view: --untrusted is for vs FILE alone: a window may write the model and run what it likes\n", stderr);
+    return CLI_BAD_USAGE;
+  }
+  if (o->command == CLI_COMMAND_params) o->parameters = o->quiet = true;
   const char *folders = getenv("VS_LIBRARY_PATH");
   if (folders && *folders && !add_folders(o, folders)) return CLI_BAD_USAGE;
   o->interpreter.library_path = o->library_path;

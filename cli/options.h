@@ -14,7 +14,15 @@ typedef struct {
   const vs_format_info *format; /* never NULL once parsed */
 } cli_target;
 
+/* `vs COMMAND ...`: what the first word says. */
+typedef enum {
+  CLI_COMMAND_NONE,
+#define COMMAND(name, arguments, help) CLI_COMMAND_##name,
+#include "cli/commands.def"
+} cli_command;
+
 typedef struct {
+  cli_command command;
   /* Texts point into argv. The arrays have room for argc entries and belong to the options. */
   cli_source *sources; size_t source_count;
   cli_target *targets; size_t target_count;

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns getting a machine ready: installs the packages of scripts/packages.list for the purposes named, and x3dom from npm when building.
+# Owns getting a machine ready: installs the packages of scripts/packages.list for the purposes named, and what comes from npm: the viewer's parts when building.
 # Does nothing, and asks for nothing, when all is there. Debian and Ubuntu; elsewhere it says what is needed.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -27,9 +27,9 @@ for package in $(wanted "$@"); do
   case $package in *\?) may="$may $name" ;; *) must="$must $name" ;; esac
 done
 
-# npm fetches x3dom, the viewer inside our web pages. Where there is an npm, Debian's is never installed: it would break the other.
+# npm fetches three.js and esbuild, of which the viewer inside our web pages is made. Where there is an npm, Debian's is never installed: it would break the other.
 case " $* " in *" build "*)
-  [ -f node_modules/x3dom/x3dom.js ] || have npm || must="$must nodejs npm" ;;
+  { [ -d node_modules/three ] && [ -d node_modules/esbuild ]; } || have npm || must="$must nodejs npm" ;;
 esac
 
 if [ -n "$must$may" ]; then
@@ -55,12 +55,12 @@ if [ -n "$must$may" ]; then
   done
 fi
 
-# What comes from npm: the viewer inside our pages when building, and the checker of .glb files for the tests.
+# What comes from npm: the viewer inside our pages when building; a browser's driver and the checker of .glb files for the tests.
 fetch() {
   [ -d "node_modules/$1" ] && return
   echo "Fetching $1 with npm"
   npm ci --ignore-scripts --no-audit --no-fund --loglevel=error > /dev/null || echo "npm could not fetch $1: $2; run 'npm ci --ignore-scripts' and build again" >&2
 }
-case " $* " in *" build "*) fetch x3dom "web pages (.html) will not be available" ;; esac
-case " $* " in *" tests "*) fetch gltf-validator "the test of .glb files will be skipped" ;; esac
+case " $* " in *" build "*) fetch three "web pages (.html) will not be available"; fetch esbuild "web pages (.html) will not be available" ;; esac
+case " $* " in *" tests "*) fetch gltf-validator "the test of .glb files will be skipped"; fetch playwright-core "the tests of pages will be skipped" ;; esac
 exit 0

@@ -102,7 +102,7 @@ EOF
 
   # ---- silhouettes ----
   timeout -s KILL 120 "$vs" --quiet --tolerance 0.001 $sheet -D variant=$variant -D standin=#t -o "$work/standin.stl" > "$work/said" 2>&1 || { result cross/standin:$variant "$work/said"; continue; }
-  timeout -s KILL 120 "$vs" --quiet --quality draft --tolerance 0.01 --size ${pixels}x$pixels $sheet -D variant=$variant -o "$work/sheet.pov" -o "$work/sheet.html" > "$work/said" 2>&1 || { result cross/pictures:$variant "$work/said"; continue; }
+  timeout -s KILL 120 "$vs" --quiet --quality draft --tolerance 0.01 --size ${pixels}x$pixels $sheet -D variant=$variant -o "$work/sheet.pov" -o "$work/sheet.x3d" -o "$work/sheet.html" > "$work/said" 2>&1 || { result cross/pictures:$variant "$work/said"; continue; }
 
   if command -v povray > /dev/null; then
     # without its sky the background is transparent
@@ -114,19 +114,11 @@ EOF
     "$tools/sheetview" "$table" "$work/standin.stl" "$work/sheet.pov" "$work/pov.png" povray "$BUILD/cross/povray-$variant.png"
   else echo "skip cross/povray:$variant: no povray (package povray)"; fi
 
-  browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
-  if [ -z "$browser" ]; then echo "skip cross/x3d:$variant: no chromium (package chromium)"
-  elif [ ! -f node_modules/x3dom/x3dom.js ]; then echo "skip cross/x3d:$variant: no x3dom (npm install --ignore-scripts)"
+  if ! command -v chromium > /dev/null; then echo "skip cross/x3d:$variant: no chromium (package chromium)"
+  elif [ ! -d node_modules/playwright-core ] || [ ! -d node_modules/three ]; then echo "skip cross/x3d:$variant: no viewer or no playwright-core (npm ci --ignore-scripts)"
   else
-    # The page's scene as it is, but without lights on white: what is there is dark.
-    { echo "<!DOCTYPE html><html><head><meta charset='utf-8'><script src='file://$PWD/node_modules/x3dom/x3dom.js'></script>"
-      echo "<style>body { margin: 0 } x3d { border: 0; display: block }</style></head><body><x3d width='${pixels}px' height='${pixels}px' showStat='false' showLog='false'>"
-      sed -n '/^<scene>/,/^<\/scene>/p' "$work/sheet.html" | sed -e '/<DirectionalLight/d' -e "s|<Background.*|<Background skyColor='1 1 1'></Background>|"
-      echo "</x3d></body></html>"; } > "$work/page.html"
-    timeout 200 "$browser" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update \
-      --disable-sync --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$work/profile" --hide-scrollbars \
-      --window-size=$pixels,$pixels --virtual-time-budget=30000 --screenshot="$work/x3d.png" "file://$work/page.html" > "$work/said" 2>&1
-    "$tools/sheetview" "$table" "$work/standin.stl" "$work/page.html" "$work/x3d.png" x3d "$BUILD/cross/x3d-$variant.png"
+    timeout 300 node tests/page/silhouette.mjs "$work/sheet.html" $pixels "$work/x3d.png" > "$work/said" 2>&1
+    "$tools/sheetview" "$table" "$work/standin.stl" "$work/sheet.x3d" "$work/x3d.png" x3d "$BUILD/cross/x3d-$variant.png"
   fi
 done
 }

@@ -3,7 +3,7 @@ import * as THREE from "three";
 import { determinant } from "./model.js";
 import { featureEdges } from "./edges.js";
 
-const MERGED_TRIANGLES = 600000, FEW_GROUPS = 10;
+const MERGED_TRIANGLES = 150000, FEW_GROUPS = 10;
 
 const linear = (c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 

@@ -24,7 +24,7 @@ export class Stage {
     this.renderer.toneMapping = THREE.NeutralToneMapping;
     this.renderer.toneMappingExposure = 0.86;
     this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = THREE.PCFShadowMap;
+    this.renderer.shadowMap.type = this.software ? THREE.BasicShadowMap : THREE.PCFShadowMap;
     this.renderer.shadowMap.autoUpdate = false;
     this.renderer.info.autoReset = false;
     this.renderer.localClippingEnabled = true;
@@ -65,8 +65,8 @@ export class Stage {
       this.scene.add(l, l.target);
       return l;
     };
-    this.sun = light(2048);
-    this.above = light(1024);
+    this.sun = light(this.software ? 1024 : 2048);
+    this.above = light(this.software ? 512 : 1024);
     this.sun.color.copy(SUN);
     this.fill = new THREE.HemisphereLight(0xffffff, 0xb8aea2, 1);
     this.fill.position.set(0, 0, 1);
@@ -219,9 +219,9 @@ export class Stage {
   get(surface, m, merged) {
     const key = surface + (merged ? "|v" : "");
     if (this.surfaceCache.has(key)) return this.surfaceCache.get(key);
-    const shiny = m.metallic > 0.3 || m.transparency > 0.05 || m.roughness < 0.35;
+    const shiny = !this.software && (m.metallic > 0.3 || m.transparency > 0.05 || m.roughness < 0.35); // Mirrored light is worked out by the graphics card: in software it would take seconds.
     const material = new THREE.MeshStandardMaterial({
-      vertexColors: merged, roughness: Math.max(0.06, m.roughness), metalness: m.metallic, side: THREE.DoubleSide,
+      vertexColors: merged, roughness: Math.max(0.06, m.roughness), metalness: this.software ? 0.35 * m.metallic : m.metallic, side: THREE.DoubleSide,
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
     });
     if (shiny) {

@@ -1,5 +1,5 @@
 # Owns the examples' test: every one runs without a word of warning, its mesh is closed and encloses what its formulas say within 1 %,
-# POV-Ray draws it, OpenSCAD reads it, the page shows it in Chromium. Small parameters where a model is large.
+# POV-Ray draws it and OpenSCAD reads it. Small parameters where a model is large.
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 vs=$BUILD/vs
@@ -61,19 +61,4 @@ echo "$examples" | while read -r name samples arguments; do
     grep -e ERROR: -e WARNING: "$work/said" >> "$work/why"
     result "$test:openscad" "$work/why"
   else echo "skip $test:openscad: no openscad (package openscad)"; fi
-done
-
-# The page, in a real browser: software WebGL, read back as a screenshot.
-browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
-if [ -z "$browser" ]; then echo "skip examples/page: no chromium (package chromium)"; exit; fi
-if [ ! -f node_modules/x3dom/x3dom.js ]; then echo "skip examples/page: built without x3dom (npm install --ignore-scripts)"; exit; fi
-for name in doric-columns rotunda; do
-  wanted "examples/$name:page" || continue
-  : > "$work/why"
-  "$vs" --quiet examples/$name.vs -o "$work/$name.html" > "$work/why" 2>&1 || echo "ended with $?" >> "$work/why"
-  timeout 100 "$browser" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update \
-    --disable-sync --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$work/profile" --window-size=640,480 \
-    --virtual-time-budget=20000 --screenshot="$work/$name-page.png" "file://$work/$name.html" > "$work/said" 2>&1 || tail -n 3 "$work/said" >> "$work/why"
-  "$BUILD/tools/pngstat" "$work/$name-page.png" 2>> "$work/why" | awk '!($3 > 100 && $4 > 8) { print "the page shows nothing: " $0 }' >> "$work/why"
-  result "examples/$name:page" "$work/why"
 done

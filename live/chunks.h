@@ -1,0 +1,18 @@
+/* Owns a scene in pieces that end by what is in them: after a change most pieces are the old ones, wherever they lie, and need not travel again. */
+#ifndef VS_LIVE_CHUNKS_H
+#define VS_LIVE_CHUNKS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct { uint64_t hash; size_t from; uint32_t length; } live_chunk;
+typedef struct { live_chunk *at; size_t count; } live_chunks;
+
+/* Cuts bytes into pieces of 2 to 64 KB, 8 KB on average. False: out of memory. */
+bool live_chunks_cut(const unsigned char *bytes, size_t count, live_chunks *out);
+bool live_chunks_have(const live_chunks *c, uint64_t hash, uint32_t length); /* c is sorted by live_chunks_sorted */
+bool live_chunks_sorted(const live_chunks *c, live_chunks *out); /* a copy in order of hashes; false: out of memory */
+void live_chunks_free(live_chunks *c);
+
+#endif

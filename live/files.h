@@ -1,0 +1,23 @@
+/* Owns the model's files: reading them for the interpreter while noting which they were, seeing that one has changed, writing the source back. */
+#ifndef VS_LIVE_FILES_H
+#define VS_LIVE_FILES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <sys/types.h>
+
+typedef struct { char *path; bool there; dev_t device; ino_t inode; off_t size; int64_t seconds; long nanoseconds; } live_file;
+typedef struct { live_file *at; size_t count, room; } live_files;
+
+/* Reads a whole file. True: *text is the caller's to free. False: *why says so and is static. */
+bool live_file_read(const char *path, char **text, size_t *length, const char **why);
+bool live_files_note(live_files *f, const char *path); /* as it is now, before it is read; false: out of memory */
+bool live_files_changed(const live_files *f);          /* is one of them another than it was? */
+void live_files_clear(live_files *f);
+uint64_t live_file_hash(const char *text, size_t length);
+/* Writes the file whole or not at all, over what has `expected` for a hash only. Returns NULL, or why not: LIVE_NEWER where the file has changed meanwhile. */
+extern const char LIVE_NEWER[];
+const char *live_file_write(const char *path, const char *text, size_t length, uint64_t expected);
+
+#endif

@@ -1,0 +1,380 @@
+/* Owns the live view's session: the interpreter, when it runs again, and what of that is published.
+ *
+ * The calling thread alone uses the interpreter. It sleeps until a file has changed or a window wishes something; all that has come together since
+ * is done by one run. A run that fails changes the state and its messages, and leaves the last good scene. */
+#include "live/live.h"
+
+#include <errno.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "live/files.h"
+#include "live/serve.h"
+
+extern char **environ;
+
+enum { LOOK_MS = 40, PRINTED_MOST = 1 << 20 };
+
+typedef struct {
+  const live_options *options;
+  live_publish publish;
+  live_server server;
+  vs *scheme;
+  live_files files;
+  live_text printed, messages, values; /* of the run under way */
+  size_t message_count, errors;
+  bool busy_told;
+  double began;
+  unsigned version;
+  live_text export;    /* bytes of the output under way */
+  bool exporting;
+} live;
+
+static double now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* ---- the host's side ---- */
+
+static bool host_output(void *context, const char *text, size_t length) {
+  live *l = context;
+  if (l->printed.length < PRINTED_MOST) live_add(&l->printed, text, length);
+  return true;
+}
+
+static void host_value(void *context, const char *text, size_t length) {
+  live *l = context;
+  live_add(&l->values, text, length);
+  live_puts(&l->values, "\n");
+}
+
+static void add_place(live_text *t, const vs_span *at) {
+  live_puts(t, "{\"file\":");
+  live_json(t, at->file);
+  live_putf(t, ",\"line\":%u,\"column\":%u,\"endLine\":%u,\"endColumn\":%u}", at->line, at->column, at->end_line, at->end_column);
+}
+
+static void host_diagnose(void *context, const vs_diagnostic *d) {
+  static const char *const words[] = { "error", "warning", "note" };
+  live *l = context;
+  live_text *t = &l->messages;
+  if (l->message_count >= 200) return;
+  if (l->message_count++ > 0) live_puts(t, ",");
+  if (d->severity == VS_SEVERITY_ERROR) l->errors++;
+  live_putf(t, "{\"severity\":\"%s\",\"message\":", words[d->severity]);
+  live_json(t, d->message);
+  live_puts(t, ",\"source\":");
+  live_json(t, d->source_line);
+  live_puts(t, ",\"at\":");
+  add_place(t, &d->at);
+  live_puts(t, ",\"notes\":[");
+  for (size_t i = 0; i < d->note_count && i < 40; i++) {
+    live_puts(t, i > 0 ? ",{\"message\":" : "{\"message\":");
+    live_json(t, d->notes[i].message);
+    live_puts(t, ",\"at\":");
+    add_place(t, &d->notes[i].at);
+    live_puts(t, "}");
+  }
+  live_puts(t, "]}");
+}
+
+static void host_progress(void *context, const vs_progress *p) {
+  live *l = context;
+  if (now() - l->began < 0.15) return;
+  live_text t = { 0 };
+  live_puts(&t, "{\"phase\":");
+  live_json(&t, p->phase);
+  live_puts(&t, ",\"fraction\":");
+  live_number(&t, p->fraction);
+  live_puts(&t, "}");
+  if (!t.failed) live_tell(&l->publish, "busy", t.at);
+  l->busy_told = true;
+  live_text_free(&t);
+}
+
+static bool host_poll(void *context) { return *((live *)context)->options->ended != 0; }
+
+static bool host_read(void *context, const char *path, char **text, size_t *length, const char **why) {
+  live *l = context;
+  live_files_note(&l->files, path);
+  return live_file_read(path, text, length, why);
+}
+
+static void stop(void *context) { vs_interrupt(((live *)context)->scheme); }
+
+/* ---- publishing ---- */
+
+static void add_parameters(live *l, live_text *t) {
+  static const char *const types[] = { "boolean", "integer", "real", "string", "datum" };
+  size_t count = vs_parameter_count(l->scheme);
+  vs_parameter_info p;
+  live_puts(t, "[");
+  for (size_t i = 0; i < count && vs_parameter_get(l->scheme, i, &p); i++) {
+    live_puts(t, i > 0 ? ",{\"name\":" : "{\"name\":");
+    live_json(t, p.name);
+    live_puts(t, ",\"label\":");
+    live_json(t, p.label);
+    live_puts(t, ",\"group\":");
+    live_json(t, p.group);
+    live_putf(t, ",\"type\":\"%s\",\"value\":", types[p.type]);
+    live_json(t, p.value);
+    live_puts(t, ",\"default\":");
+    live_json(t, p.default_value);
+    if (p.has_range) {
+      live_puts(t, ",\"min\":");
+      live_number(t, p.min);
+      live_puts(t, ",\"max\":");
+      live_number(t, p.max);
+      live_puts(t, ",\"step\":");
+      live_number(t, p.step);
+    }
+    if (p.choices != NULL) {
+      live_puts(t, ",\"choices\":[");
+      for (size_t k = 0; k < p.choice_count; k++) {
+        if (k > 0) live_puts(t, ",");
+        live_json(t, p.choices[k]);
+      }
+      live_puts(t, "]");
+    }
+    live_puts(t, ",\"at\":");
+    add_place(t, &p.at);
+    live_puts(t, "}");
+  }
+  live_puts(t, "]");
+}
+
+static void publish_state(live *l, bool good, vs_outcome outcome) {
+  live_text t = { 0 };
+  live_putf(&t, "{\"version\":%u,\"good\":%s,\"stopped\":%s,\"seconds\":", l->version, good ? "true" : "false", outcome == VS_OUTCOME_INTERRUPTED ? "true" : "false");
+  live_number(&t, now() - l->began);
+  live_puts(&t, ",\"model\":");
+  live_json(&t, l->options->model);
+  live_puts(&t, ",\"messages\":[");
+  live_puts(&t, l->messages.at != NULL ? l->messages.at : "");
+  live_puts(&t, "],\"printed\":");
+  live_json_bytes(&t, l->printed.at != NULL ? l->printed.at : "", l->printed.length);
+  live_puts(&t, ",\"values\":");
+  live_json_bytes(&t, l->values.at != NULL ? l->values.at : "", l->values.length);
+  live_puts(&t, ",\"parameters\":");
+  add_parameters(l, &t);
+  live_puts(&t, "}");
+  if (t.failed) live_text_free(&t);
+  else live_publish_state(&l->publish, t.at);
+}
+
+static bool scene_bytes(void *context, const void *bytes, size_t count) {
+  live_text *t = context;
+  live_add(t, bytes, count);
+  return !t->failed;
+}
+
+/* The drawing as it stands becomes the next version. */
+static vs_outcome publish_drawing(live *l) {
+  live_text bytes = { 0 };
+  vs_summary summary;
+  vs_outcome outcome = vs_drawing_summary(l->scheme, &summary);
+  if (outcome == VS_OUTCOME_DONE && summary.objects > 0) outcome = vs_write_drawing_to(l->scheme, "x3d-packed", &l->options->output, scene_bytes, &bytes);
+  live_scene *scene = outcome == VS_OUTCOME_DONE ? calloc(1, sizeof *scene) : NULL;
+  if (scene == NULL || !live_chunks_cut((const unsigned char *)bytes.at, bytes.length, &scene->chunks) || !live_chunks_sorted(&scene->chunks, &scene->sorted)) {
+    if (scene != NULL) {
+      live_chunks_free(&scene->chunks);
+      outcome = VS_OUTCOME_MACHINE;
+    }
+    free(scene);
+    live_text_free(&bytes);
+    return outcome;
+  }
+  scene->uses = 1;
+  scene->version = ++l->version;
+  scene->bytes = (unsigned char *)bytes.at;
+  scene->count = bytes.length;
+  live_publish_scene(&l->publish, scene);
+  return VS_OUTCOME_DONE;
+}
+
+/* ---- running ---- */
+
+static void begin(live *l) {
+  l->printed.length = l->messages.length = l->values.length = 0;
+  if (l->messages.at != NULL) l->messages.at[0] = 0;
+  l->message_count = l->errors = 0;
+  l->busy_told = false;
+  l->began = now();
+}
+
+static void finish(live *l, vs_outcome outcome) {
+  if (outcome == VS_OUTCOME_DONE) outcome = publish_drawing(l);
+  publish_state(l, outcome == VS_OUTCOME_DONE, outcome);
+  vs_interrupt_clear(l->scheme);
+}
+
+static void run_model(live *l) {
+  begin(l);
+  live_files_clear(&l->files);
+  live_files_note(&l->files, l->options->model);
+  vs_outcome outcome = vs_restart(l->scheme);
+  if (outcome == VS_OUTCOME_DONE) outcome = vs_eval_file(l->scheme, l->options->model, 0);
+  finish(l, outcome);
+}
+
+static void run_prompt(live *l, const char *text) {
+  begin(l);
+  finish(l, vs_eval_text(l->scheme, "prompt", 1, text, strlen(text), VS_EVAL_PRINT));
+}
+
+static void run_export(live *l, live_wish *w) {
+  vs_output_options o = l->options->output;
+  live_text bytes = { 0 };
+  int width = 0, height = 0;
+  if (sscanf(w->value, "%5dx%5d", &width, &height) == 2 && width > 0 && height > 0 && width <= 8192 && height <= 8192) o.width = width, o.height = height;
+  begin(l);
+  vs_outcome outcome = vs_write_drawing_to(l->scheme, w->name, &o, scene_bytes, &bytes);
+  vs_interrupt_clear(l->scheme);
+  if (l->message_count > 0) publish_state(l, true, outcome);
+  live_tell(&l->publish, "idle", "{}");
+  pthread_mutex_lock(&l->publish.lock);
+  w->outcome = outcome;
+  w->result = bytes;
+  w->done = true;
+  bool abandoned = w->abandoned;
+  pthread_cond_broadcast(&l->publish.changed);
+  pthread_mutex_unlock(&l->publish.lock);
+  if (abandoned) live_wish_free(w);
+}
+
+/* The next wish, or NULL after some time without one. */
+static live_wish *next_wish(live *l) {
+  live_publish *p = &l->publish;
+  pthread_mutex_lock(&p->lock);
+  if (p->wishes == NULL) {
+    struct timespec until;
+    clock_gettime(CLOCK_MONOTONIC, &until);
+    until.tv_nsec += LOOK_MS * 1000000L;
+    if (until.tv_nsec >= 1000000000L) until.tv_sec++, until.tv_nsec -= 1000000000L;
+    pthread_cond_timedwait(&p->changed, &p->lock, &until);
+  }
+  live_wish *w = p->wishes;
+  if (w != NULL) {
+    p->wishes = w->next;
+    p->wish_count--;
+    if (p->wishes == NULL) p->wishes_end = &p->wishes;
+  }
+  pthread_mutex_unlock(&p->lock);
+  return w;
+}
+
+static void serve(live *l) {
+  run_model(l);
+  while (!*l->options->ended) {
+    bool again = live_files_changed(&l->files);
+    live_wish *w = again ? NULL : next_wish(l);
+    while (w != NULL) { /* all that waits, before one run */
+      if (w->kind == LIVE_SET) {
+        again |= vs_parameter_set(l->scheme, w->name, w->value);
+        live_wish_free(w);
+      } else {
+        if (again) run_model(l);
+        again = false;
+        if (w->kind == LIVE_EXPORT) {
+          run_export(l, w);
+        } else {
+          run_prompt(l, w->value);
+          live_wish_free(w);
+        }
+      }
+      pthread_mutex_lock(&l->publish.lock);
+      bool more = l->publish.wishes != NULL;
+      pthread_mutex_unlock(&l->publish.lock);
+      w = more ? next_wish(l) : NULL;
+    }
+    if (again && !*l->options->ended) run_model(l);
+  }
+}
+
+/* $BROWSER, or xdg-open where there is a screen. What it says is not our business. */
+static void open_browser(const char *address) {
+  const char *browser = getenv("BROWSER");
+  if (browser == NULL || *browser == 0) {
+    if (getenv("DISPLAY") == NULL && getenv("WAYLAND_DISPLAY") == NULL) return;
+    browser = "xdg-open";
+  }
+  char *copies[] = { strdup(browser), strdup(address), NULL };
+  posix_spawn_file_actions_t actions;
+  pid_t child;
+  if (copies[0] != NULL && copies[1] != NULL && posix_spawn_file_actions_init(&actions) == 0) {
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", 1 /* O_WRONLY */, 0);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", 1, 0);
+    posix_spawnp(&child, browser, &actions, NULL, copies, environ);
+    posix_spawn_file_actions_destroy(&actions);
+  }
+  free(copies[0]);
+  free(copies[1]);
+}
+
+vs_outcome live_view(const live_options *o) {
+  live *l = calloc(1, sizeof *l);
+  if (l == NULL || !live_publish_open(&l->publish)) {
+    fprintf(stderr, "vs: out of memory\n");
+    free(l);
+    return VS_OUTCOME_MACHINE;
+  }
+  vs_outcome outcome = VS_OUTCOME_MACHINE;
+  l->options = o;
+  char *text = NULL;
+  size_t length;
+  const char *why;
+  if (!live_file_read(o->model, &text, &length, &why)) {
+    fprintf(stderr, "vs: %s: %s\n", o->model, why);
+    outcome = VS_OUTCOME_USAGE;
+    goto done;
+  }
+  vs_options interpreter = o->interpreter;
+  interpreter.host = (vs_host){ .context = l, .output = host_output, .diagnose = host_diagnose, .progress = host_progress, .poll = host_poll, .value = host_value, .read_file = host_read };
+  l->scheme = vs_new(&interpreter);
+  if (l->scheme == NULL) {
+    fprintf(stderr, "vs: out of memory\n");
+    goto done;
+  }
+  l->server = (live_server){ .publish = &l->publish, .model = o->model, .stop = stop, .stop_context = l };
+  outcome = VS_OUTCOME_WORKER;
+  if (!live_http_load(&l->server.http)) goto done;
+  for (size_t i = 0; i < o->parameter_count; i++) {
+    const char *equals = strchr(o->parameters[i], '=');
+    char *name = equals != NULL ? strdup(o->parameters[i]) : NULL;
+    if (name == NULL) continue;
+    name[equals - o->parameters[i]] = 0;
+    vs_parameter_set(l->scheme, name, equals + 1);
+    free(name);
+  }
+  outcome = VS_OUTCOME_MACHINE;
+  if (!live_server_open(&l->server)) goto done;
+  char address[96];
+  snprintf(address, sizeof address, "http://127.0.0.1:%u/#%s", l->server.port, l->server.token);
+  fprintf(o->told, "%s\n", address);
+  fflush(o->told);
+  if (o->open_browser) open_browser(address);
+  if (o->running != NULL) o->running(l->scheme);
+  serve(l);
+  if (o->running != NULL) o->running(NULL);
+  outcome = VS_OUTCOME_DONE;
+done:
+  pthread_mutex_lock(&l->publish.lock);
+  l->publish.ended = true;
+  pthread_cond_broadcast(&l->publish.changed);
+  pthread_mutex_unlock(&l->publish.lock);
+  if (l->server.publish != NULL) live_server_close(&l->server);
+  vs_free(l->scheme);
+  live_files_clear(&l->files);
+  live_text_free(&l->printed);
+  live_text_free(&l->messages);
+  live_text_free(&l->values);
+  live_publish_close(&l->publish);
+  free(text);
+  free(l);
+  return outcome;
+}

@@ -1,0 +1,30 @@
+/* Owns the live view's interface: one call that serves a model until it is ended. A client of visualscheme.h alone.
+ *
+ * live.c: the session, which evaluates in the calling thread; publish.c: what windows are told, under one lock; serve.c: HTTP, a thread a
+ * connection; http.c: libmicrohttpd, loaded when the first view opens; chunks.c: a scene in pieces, so that only what changed travels;
+ * files.c: reading, watching and writing the model's files. */
+#ifndef VS_LIVE_H
+#define VS_LIVE_H
+
+#include <signal.h>
+#include <stdio.h>
+
+#include "visualscheme.h"
+
+typedef struct {
+  const char *model;                    /* the file that is shown */
+  vs_options interpreter;               /* its host is replaced by the view's own */
+  vs_output_options output;             /* tolerance, segments, passes of what is shown */
+  const char *const *parameters;        /* NAME=VALUE, set before the first run */
+  size_t parameter_count;
+  bool open_browser;
+  FILE *told;                           /* gets the address, a line */
+  const volatile sig_atomic_t *ended;   /* not 0: end */
+  void (*running)(vs *scheme);          /* told of the interpreter, so that a signal can interrupt it; NULL at the end; may be NULL itself */
+} live_options;
+
+/* Shows the model until *ended is set. Returns VS_OUTCOME_DONE then; VS_OUTCOME_USAGE: the model cannot be read; VS_OUTCOME_WORKER: no libmicrohttpd;
+ * VS_OUTCOME_MACHINE: no memory or no port. What failed has been said on standard error. */
+vs_outcome live_view(const live_options *o);
+
+#endif

@@ -1,0 +1,136 @@
+/* Owns what windows are told. See publish.h. */
+#include "live/publish.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool live_publish_open(live_publish *p) {
+  memset(p, 0, sizeof *p);
+  p->wishes_end = &p->wishes;
+  pthread_condattr_t attributes;
+  if (pthread_mutex_init(&p->lock, NULL) != 0) return false;
+  pthread_condattr_init(&attributes);
+  pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
+  bool ok = pthread_cond_init(&p->changed, &attributes) == 0;
+  pthread_condattr_destroy(&attributes);
+  return ok;
+}
+
+void live_publish_close(live_publish *p) {
+  for (size_t i = 0; i < LIVE_EVENTS; i++) free(p->events[i]);
+  for (size_t i = 0; i < LIVE_VERSIONS; i++) live_chunks_free(&p->past[i]);
+  free(p->state);
+  if (p->scene != NULL) live_scene_release(p, p->scene);
+  while (p->wishes != NULL) {
+    live_wish *w = p->wishes;
+    p->wishes = w->next;
+    live_wish_free(w);
+  }
+  pthread_cond_destroy(&p->changed);
+  pthread_mutex_destroy(&p->lock);
+}
+
+static void publish_event(live_publish *p, const char *kind, const char *json) { /* with the lock held */
+  live_text t = { 0 };
+  live_putf(&t, "id: %lu\nevent: %s\ndata: ", p->event_count + 1, kind);
+  live_puts(&t, json);
+  live_puts(&t, "\n\n");
+  if (t.failed) {
+    live_text_free(&t);
+    return; /* the next state says all again */
+  }
+  char **slot = &p->events[p->event_count++ % LIVE_EVENTS];
+  free(*slot);
+  *slot = t.at;
+  pthread_cond_broadcast(&p->changed);
+}
+
+void live_tell(live_publish *p, const char *kind, const char *json) {
+  pthread_mutex_lock(&p->lock);
+  publish_event(p, kind, json);
+  pthread_mutex_unlock(&p->lock);
+}
+
+void live_publish_state(live_publish *p, char *json) {
+  pthread_mutex_lock(&p->lock);
+  free(p->state);
+  p->state = json;
+  publish_event(p, "state", json);
+  pthread_mutex_unlock(&p->lock);
+}
+
+static void scene_drop(live_scene *s) { /* with the lock held */
+  if (--s->uses > 0) return;
+  live_chunks_free(&s->chunks);
+  free(s->bytes);
+  free(s);
+}
+
+void live_publish_scene(live_publish *p, live_scene *scene) {
+  pthread_mutex_lock(&p->lock);
+  live_chunks *past = &p->past[scene->version % LIVE_VERSIONS];
+  live_chunks_free(past);
+  *past = scene->sorted;
+  p->past_version[scene->version % LIVE_VERSIONS] = scene->version;
+  scene->sorted = (live_chunks){ NULL, 0 };
+  if (p->scene != NULL) scene_drop(p->scene);
+  p->scene = scene;
+  pthread_mutex_unlock(&p->lock);
+}
+
+live_scene *live_scene_take(live_publish *p) {
+  pthread_mutex_lock(&p->lock);
+  live_scene *s = p->scene;
+  if (s != NULL) s->uses++;
+  pthread_mutex_unlock(&p->lock);
+  return s;
+}
+
+void live_scene_release(live_publish *p, live_scene *s) {
+  pthread_mutex_lock(&p->lock);
+  scene_drop(s);
+  pthread_mutex_unlock(&p->lock);
+}
+
+live_wish *live_wish_new(live_wish_kind kind, const char *name, const char *value) {
+  live_wish *w = calloc(1, sizeof *w);
+  if (w == NULL) return NULL;
+  w->kind = kind;
+  w->name = strdup(name);
+  w->value = strdup(value);
+  if (w->name != NULL && w->value != NULL) return w;
+  live_wish_free(w);
+  return NULL;
+}
+
+void live_wish_free(live_wish *w) {
+  if (w == NULL) return;
+  free(w->name);
+  free(w->value);
+  live_text_free(&w->result);
+  free(w);
+}
+
+bool live_wish_put(live_publish *p, live_wish *w) {
+  pthread_mutex_lock(&p->lock);
+  for (live_wish *old = p->wishes; w->kind == LIVE_SET && old != NULL; old = old->next) {
+    if (old->kind != LIVE_SET || strcmp(old->name, w->name) != 0) continue;
+    char *value = old->value;
+    old->value = w->value;
+    w->value = value;
+    pthread_mutex_unlock(&p->lock);
+    live_wish_free(w);
+    return true;
+  }
+  bool ok = p->wish_count < LIVE_WISHES && !p->ended;
+  if (ok) {
+    w->next = NULL;
+    *p->wishes_end = w;
+    p->wishes_end = &w->next;
+    p->wish_count++;
+    pthread_cond_broadcast(&p->changed);
+  }
+  pthread_mutex_unlock(&p->lock);
+  if (!ok) live_wish_free(w);
+  return ok;
+}

@@ -1,0 +1,54 @@
+/* Owns what windows are told: the state after each run as JSON, the scene in pieces, events in order; and what windows ask for. One lock guards it. */
+#ifndef VS_LIVE_PUBLISH_H
+#define VS_LIVE_PUBLISH_H
+
+#include <pthread.h>
+
+#include "live/chunks.h"
+#include "live/text.h"
+#include "visualscheme.h"
+
+enum { LIVE_EVENTS = 64, LIVE_VERSIONS = 8, LIVE_WISHES = 64 };
+
+/* A scene that threads may be sending while the next is made. */
+typedef struct { unsigned uses; unsigned version; unsigned char *bytes; size_t count; live_chunks chunks, sorted; } live_scene;
+
+typedef enum { LIVE_SET, LIVE_PROMPT, LIVE_EXPORT } live_wish_kind;
+typedef struct live_wish {
+  live_wish_kind kind;
+  char *name, *value;
+  bool done;           /* EXPORT: the asking thread waits for it */
+  live_text result;
+  vs_outcome outcome;
+  bool abandoned;      /* nobody waits any more: whoever finishes it frees it */
+  struct live_wish *next;
+} live_wish;
+
+typedef struct {
+  pthread_mutex_t lock;
+  pthread_cond_t changed;
+  bool ended;
+  unsigned long event_count;      /* events so far; the last LIVE_EVENTS are kept */
+  char *events[LIVE_EVENTS];      /* as lines of server-sent events */
+  char *state;                    /* the newest, for a window that opens now; it is the JSON text alone */
+  live_scene *scene;              /* the newest good one, or NULL */
+  live_chunks past[LIVE_VERSIONS]; /* sorted pieces of the latest versions: version v at v % LIVE_VERSIONS */
+  unsigned past_version[LIVE_VERSIONS];
+  live_wish *wishes, **wishes_end;
+  size_t wish_count;
+  unsigned windows;
+} live_publish;
+
+bool live_publish_open(live_publish *p);
+void live_publish_close(live_publish *p);
+/* Tells every window. kind is one word, json on one line. */
+void live_tell(live_publish *p, const char *kind, const char *json);
+void live_publish_state(live_publish *p, char *json); /* takes json, and tells it as "state" */
+void live_publish_scene(live_publish *p, live_scene *scene); /* takes scene with one use */
+live_scene *live_scene_take(live_publish *p); /* the newest, one more use; NULL: none */
+void live_scene_release(live_publish *p, live_scene *s);
+live_wish *live_wish_new(live_wish_kind kind, const char *name, const char *value);
+void live_wish_free(live_wish *w);
+bool live_wish_put(live_publish *p, live_wish *w); /* takes w; a setting of the same name replaces one that waits. False: too many wait, w is freed */
+
+#endif

@@ -1,0 +1,381 @@
+/* Owns the HTTP side of the live view: who may ask, and what is answered.
+ *
+ * Only loopback is listened on. The page itself (/, /live.js, /live.css) is the same for everybody and holds no secret. All else wants the token in
+ * the header X-VS-Token; the page has it from its address' fragment, which browsers send to nobody, not as a Referer either. A Host or an Origin
+ * other than our own is refused: a foreign page, or a foreign name that was made to point here, gets nothing. No file is served by name.
+ *
+ * Bounded: connections, the bytes of a request's head, of a body, of what is waiting to be done, and the time of a silent client. */
+#include "live/serve.h"
+
+#include <arpa/inet.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <netinet/in.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "live/files.h"
+
+enum { BODY_MOST = 16 << 20, CONNECTIONS = 32, WINDOWS = 12, SILENCE = 30, EXPORT_SECONDS = 3600 };
+
+#define ASSET(name) extern const char vs_asset_##name[], vs_asset_##name##_end[];
+ASSET(live_html) ASSET(live_js) ASSET(live_css)
+#undef ASSET
+
+static const char policy[] = "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src 'self' blob: data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+typedef struct { live_text body; bool too_long, began; } request;
+
+/* ---- answers ---- */
+
+static enum MHD_Result answer(live_server *s, struct MHD_Connection *c, struct MHD_Response *r, unsigned status, const char *type) {
+  if (r == NULL) return MHD_NO;
+  static const char *const headers[][2] = { { "Content-Security-Policy", policy }, { "X-Content-Type-Options", "nosniff" }, { "Referrer-Policy", "no-referrer" },
+                                            { "Cache-Control", "no-store" }, { "Cross-Origin-Resource-Policy", "same-origin" }, { "Cross-Origin-Opener-Policy", "same-origin" } };
+  for (size_t i = 0; i < sizeof headers / sizeof *headers; i++) s->http.add_response_header(r, headers[i][0], headers[i][1]);
+  s->http.add_response_header(r, "Content-Type", type);
+  enum MHD_Result ok = s->http.queue_response(c, status, r);
+  s->http.destroy_response(r);
+  return ok;
+}
+
+static enum MHD_Result answer_bytes(live_server *s, struct MHD_Connection *c, unsigned status, const char *type, const void *bytes, size_t count) {
+  char *copy = malloc(count + 1); /* the type of the function takes no constant */
+  if (copy == NULL) return MHD_NO;
+  memcpy(copy, bytes, count);
+  return answer(s, c, s->http.create_response_from_buffer(count, copy, MHD_RESPMEM_MUST_FREE), status, type);
+}
+
+static enum MHD_Result answer_text(live_server *s, struct MHD_Connection *c, unsigned status, const char *text) {
+  return answer_bytes(s, c, status, "text/plain; charset=utf-8", text, strlen(text));
+}
+
+static enum MHD_Result answer_live_text(live_server *s, struct MHD_Connection *c, const char *type, live_text *t) {
+  if (t->failed || t->at == NULL) {
+    live_text_free(t);
+    return answer_text(s, c, 500, "out of memory\n");
+  }
+  struct MHD_Response *r = s->http.create_response_from_buffer(t->length, t->at, MHD_RESPMEM_MUST_FREE);
+  if (r == NULL) live_text_free(t);
+  return answer(s, c, r, 200, type);
+}
+
+/* ---- who may ask ---- */
+
+static bool same_secret(const char *given, const char *token) { /* in a time that does not tell how much was right */
+  unsigned char difference = strlen(given) != strlen(token);
+  for (size_t i = 0; token[i] != 0; i++) difference |= (unsigned char)(token[i] ^ (difference ? 0 : given[i]));
+  return difference == 0;
+}
+
+static bool own_host(const live_server *s, const char *host) { return host != NULL && (strcmp(host, s->hosts[0]) == 0 || strcmp(host, s->hosts[1]) == 0); }
+
+static const char *header(const live_server *s, struct MHD_Connection *c, const char *name) { return s->http.lookup_connection_value(c, MHD_HEADER_KIND, name); }
+static const char *query(const live_server *s, struct MHD_Connection *c, const char *name) { return s->http.lookup_connection_value(c, MHD_GET_ARGUMENT_KIND, name); }
+
+/* NULL: may ask. */
+static const char *refuse(const live_server *s, struct MHD_Connection *c, bool secret) {
+  const char *origin = header(s, c, "Origin"), *token = header(s, c, "X-VS-Token");
+  if (!own_host(s, header(s, c, "Host"))) return "not this host\n";
+  if (origin != NULL && (strncmp(origin, "http://", 7) != 0 || !own_host(s, origin + 7))) return "not from this page\n";
+  if (secret && (token == NULL || !same_secret(token, s->token))) return "open the address that vs view has printed\n";
+  return NULL;
+}
+
+/* ---- events ---- */
+
+typedef struct { live_server *server; unsigned long next; live_text text; size_t sent; bool first; } listener;
+
+static ssize_t listener_read(void *context, uint64_t position, char *buffer, size_t most) {
+  listener *l = context;
+  live_publish *p = l->server->publish;
+  (void)position;
+  while (l->sent >= l->text.length) {
+    live_text_free(&l->text);
+    l->sent = 0;
+    pthread_mutex_lock(&p->lock);
+    if (l->first) { /* a window that opens gets the whole state, then what comes after it */
+      l->next = p->event_count;
+      if (p->state != NULL) {
+        live_puts(&l->text, "event: state\ndata: ");
+        live_puts(&l->text, p->state);
+        live_puts(&l->text, "\n\n");
+      }
+      l->first = false;
+    } else if (l->next == p->event_count && !p->ended) {
+      struct timespec until;
+      clock_gettime(CLOCK_MONOTONIC, &until);
+      until.tv_sec += 5;
+      if (pthread_cond_timedwait(&p->changed, &p->lock, &until) == ETIMEDOUT) live_puts(&l->text, ": here\n\n"); /* finds out whether the window is still there */
+    }
+    if (p->event_count - l->next > LIVE_EVENTS) { /* too slow: the newest state says all that was missed */
+      l->next = p->event_count;
+      if (p->state != NULL) {
+        live_puts(&l->text, "event: state\ndata: ");
+        live_puts(&l->text, p->state);
+        live_puts(&l->text, "\n\n");
+      }
+    }
+    for (; l->next < p->event_count; l->next++) live_puts(&l->text, p->events[l->next % LIVE_EVENTS]);
+    bool ended = p->ended, failed = l->text.failed;
+    pthread_mutex_unlock(&p->lock);
+    if (failed) return MHD_CONTENT_READER_END_WITH_ERROR;
+    if (ended && l->text.length == 0) return MHD_CONTENT_READER_END_OF_STREAM;
+  }
+  size_t count = l->text.length - l->sent < most ? l->text.length - l->sent : most;
+  memcpy(buffer, l->text.at + l->sent, count);
+  l->sent += count;
+  return (ssize_t)count;
+}
+
+static void listener_free(void *context) {
+  listener *l = context;
+  pthread_mutex_lock(&l->server->publish->lock);
+  l->server->publish->windows--;
+  pthread_mutex_unlock(&l->server->publish->lock);
+  live_text_free(&l->text);
+  free(l);
+}
+
+static enum MHD_Result serve_events(live_server *s, struct MHD_Connection *c) {
+  listener *l = calloc(1, sizeof *l);
+  if (l == NULL) return MHD_NO;
+  l->server = s;
+  l->first = true;
+  pthread_mutex_lock(&s->publish->lock);
+  bool room = s->publish->windows < WINDOWS;
+  if (room) s->publish->windows++;
+  pthread_mutex_unlock(&s->publish->lock);
+  if (!room) {
+    free(l);
+    return answer_text(s, c, 503, "too many windows are open\n");
+  }
+  struct MHD_Response *r = s->http.create_response_from_callback(MHD_SIZE_UNKNOWN, 4096, listener_read, l, listener_free);
+  if (r == NULL) listener_free(l);
+  return answer(s, c, r, 200, "text/event-stream");
+}
+
+/* ---- the scene ---- */
+
+static void put_u32(live_text *t, uint32_t x) {
+  const unsigned char b[4] = { (unsigned char)x, (unsigned char)(x >> 8), (unsigned char)(x >> 16), (unsigned char)(x >> 24) };
+  live_add(t, b, 4);
+}
+
+/* "VSL1", version, number of pieces; for each its hash (8 bytes) and length, the highest bit of which says that its bytes follow below; then those bytes.
+ * have: the version whose pieces the window still holds. */
+static enum MHD_Result serve_scene(live_server *s, struct MHD_Connection *c) {
+  const char *have = query(s, c, "have");
+  unsigned version = have != NULL ? (unsigned)strtoul(have, NULL, 10) : 0;
+  live_scene *scene = live_scene_take(s->publish);
+  if (scene == NULL) return answer_text(s, c, 404, "there is no scene yet\n");
+  live_text t = { 0 };
+  live_puts(&t, "VSL1");
+  put_u32(&t, scene->version);
+  put_u32(&t, (uint32_t)scene->chunks.count);
+  bool *missing = calloc(scene->chunks.count + 1, sizeof *missing);
+  if (missing != NULL) {
+    pthread_mutex_lock(&s->publish->lock);
+    const live_chunks *past = version > 0 && s->publish->past_version[version % LIVE_VERSIONS] == version ? &s->publish->past[version % LIVE_VERSIONS] : NULL;
+    for (size_t i = 0; i < scene->chunks.count; i++) missing[i] = past == NULL || !live_chunks_have(past, scene->chunks.at[i].hash, scene->chunks.at[i].length);
+    pthread_mutex_unlock(&s->publish->lock);
+    for (size_t i = 0; i < scene->chunks.count; i++) {
+      put_u32(&t, (uint32_t)scene->chunks.at[i].hash);
+      put_u32(&t, (uint32_t)(scene->chunks.at[i].hash >> 32));
+      put_u32(&t, scene->chunks.at[i].length | (missing[i] ? 0x80000000u : 0));
+    }
+    for (size_t i = 0; i < scene->chunks.count; i++)
+      if (missing[i]) live_add(&t, scene->bytes + scene->chunks.at[i].from, scene->chunks.at[i].length);
+  } else {
+    t.failed = true;
+  }
+  free(missing);
+  live_scene_release(s->publish, scene);
+  return answer_live_text(s, c, "application/octet-stream", &t);
+}
+
+/* ---- the source ---- */
+
+static enum MHD_Result serve_source(live_server *s, struct MHD_Connection *c) {
+  char *text = NULL;
+  size_t length = 0;
+  const char *why;
+  if (!live_file_read(s->model, &text, &length, &why)) return answer_text(s, c, 404, why);
+  live_text t = { 0 };
+  live_puts(&t, "{\"path\":");
+  live_json(&t, s->model);
+  live_putf(&t, ",\"hash\":\"%016llx\",\"text\":", (unsigned long long)live_file_hash(text, length));
+  live_json_bytes(&t, text, length);
+  live_puts(&t, "}");
+  free(text);
+  return answer_live_text(s, c, "application/json", &t);
+}
+
+static enum MHD_Result save_source(live_server *s, struct MHD_Connection *c, const live_text *body) {
+  const char *expected = query(s, c, "hash"), *text = body->at != NULL ? body->at : "";
+  if (expected == NULL) return answer_text(s, c, 400, "which version is it written over?\n");
+  const char *why = live_file_write(s->model, text, body->length, strtoull(expected, NULL, 16));
+  if (why == LIVE_NEWER) return answer_text(s, c, 409, why);
+  if (why != NULL) return answer_text(s, c, 500, why);
+  live_text t = { 0 };
+  live_putf(&t, "{\"hash\":\"%016llx\"}", (unsigned long long)live_file_hash(text, body->length));
+  return answer_live_text(s, c, "application/json", &t);
+}
+
+/* ---- the rest ---- */
+
+static bool each_name(void *context, const char *name) {
+  live_text *t = context;
+  if (t->length > 60000) return false;
+  if (t->length > 1) live_puts(t, ",");
+  live_json(t, name);
+  return true;
+}
+
+static enum MHD_Result serve_names(live_server *s, struct MHD_Connection *c) {
+  const char *prefix = query(s, c, "prefix");
+  live_text t = { 0 };
+  live_puts(&t, "[");
+  pthread_mutex_lock(&s->names_lock);
+  if (s->names != NULL && prefix != NULL) vs_complete(s->names, prefix, each_name, &t);
+  pthread_mutex_unlock(&s->names_lock);
+  live_puts(&t, "]");
+  return answer_live_text(s, c, "application/json", &t);
+}
+
+static enum MHD_Result wish(live_server *s, struct MHD_Connection *c, live_wish_kind kind, const char *name, const char *value) {
+  live_wish *w = name != NULL && value != NULL ? live_wish_new(kind, name, value) : NULL;
+  if (w == NULL) return answer_text(s, c, 400, "something is missing\n");
+  return live_wish_put(s->publish, w) ? answer_text(s, c, 202, "ok\n") : answer_text(s, c, 503, "too much is waiting to be done\n");
+}
+
+static enum MHD_Result export(live_server *s, struct MHD_Connection *c) {
+  const char *format = query(s, c, "format"), *size = query(s, c, "size");
+  const vs_format_info *info = format != NULL ? vs_format_find(format) : NULL;
+  live_wish *w = info != NULL ? live_wish_new(LIVE_EXPORT, info->name, size != NULL ? size : "") : NULL;
+  if (w == NULL) return answer_text(s, c, 400, "there is no such format\n");
+  if (!live_wish_put(s->publish, w)) return answer_text(s, c, 503, "too much is waiting to be done\n");
+  struct timespec until;
+  clock_gettime(CLOCK_MONOTONIC, &until);
+  until.tv_sec += EXPORT_SECONDS;
+  pthread_mutex_lock(&s->publish->lock);
+  while (!w->done && !s->publish->ended && pthread_cond_timedwait(&s->publish->changed, &s->publish->lock, &until) != ETIMEDOUT) {}
+  bool done = w->done;
+  if (!done) w->abandoned = true;
+  pthread_mutex_unlock(&s->publish->lock);
+  if (!done) return answer_text(s, c, 503, "it took too long\n");
+  live_text t = w->result;
+  w->result = (live_text){ 0 };
+  vs_outcome outcome = w->outcome;
+  live_wish_free(w);
+  if (outcome == VS_OUTCOME_DONE) return answer_live_text(s, c, "application/octet-stream", &t);
+  live_text_free(&t);
+  return answer_text(s, c, outcome == VS_OUTCOME_INTERRUPTED ? 499 : 422, "the output was not made; the messages say why\n");
+}
+
+static const struct { const char *url, *type, *from, *end; } pages[] = {
+  { "/", "text/html; charset=utf-8", vs_asset_live_html, vs_asset_live_html_end },
+  { "/live.js", "text/javascript; charset=utf-8", vs_asset_live_js, vs_asset_live_js_end },
+  { "/live.css", "text/css; charset=utf-8", vs_asset_live_css, vs_asset_live_css_end },
+};
+
+static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const char *url, const char *method, const live_text *body) {
+  bool get = strcmp(method, "GET") == 0, post = strcmp(method, "POST") == 0;
+  for (size_t i = 0; get && i < sizeof pages / sizeof *pages; i++) {
+    if (strcmp(url, pages[i].url) != 0) continue;
+    const char *why = refuse(s, c, false);
+    return why != NULL ? answer_text(s, c, 403, why) : answer_bytes(s, c, 200, pages[i].type, pages[i].from, (size_t)(pages[i].end - pages[i].from));
+  }
+  const char *why = refuse(s, c, true);
+  if (why != NULL) return answer_text(s, c, 403, why);
+  if (get && strcmp(url, "/events") == 0) return serve_events(s, c);
+  if (get && strcmp(url, "/scene") == 0) return serve_scene(s, c);
+  if (get && strcmp(url, "/source") == 0) return serve_source(s, c);
+  if (get && strcmp(url, "/names") == 0) return serve_names(s, c);
+  if (get && strcmp(url, "/export") == 0) return export(s, c);
+  if (post && strcmp(url, "/source") == 0) return save_source(s, c, body);
+  if (post && strcmp(url, "/set") == 0) return wish(s, c, LIVE_SET, query(s, c, "name"), body->at);
+  if (post && strcmp(url, "/prompt") == 0) return wish(s, c, LIVE_PROMPT, "", body->at);
+  if (post && strcmp(url, "/stop") == 0) {
+    s->stop(s->stop_context);
+    return answer_text(s, c, 202, "ok\n");
+  }
+  return answer_text(s, c, 404, "there is nothing here\n");
+}
+
+static enum MHD_Result handle(void *context, struct MHD_Connection *c, const char *url, const char *method, const char *version, const char *data, size_t *size, void **state) {
+  live_server *s = context;
+  request *r = *state;
+  (void)version;
+  if (r == NULL) {
+    *state = calloc(1, sizeof(request));
+    return *state != NULL ? MHD_YES : MHD_NO;
+  }
+  if (*size > 0) {
+    if (r->body.length + *size > BODY_MOST) r->too_long = true;
+    else live_add(&r->body, data, *size);
+    *size = 0;
+    return MHD_YES;
+  }
+  if (r->too_long || r->body.failed) return answer_text(s, c, 413, "that is too long\n");
+  return dispatch(s, c, url, method, &r->body);
+}
+
+static void completed(void *context, struct MHD_Connection *c, void **state, enum MHD_RequestTerminationCode how) {
+  request *r = *state;
+  (void)context, (void)c, (void)how;
+  if (r == NULL) return;
+  live_text_free(&r->body);
+  free(r);
+  *state = NULL;
+}
+
+/* ---- opening ---- */
+
+static bool make_token(char out[33]) {
+  unsigned char bytes[16];
+  int file = open("/dev/urandom", O_RDONLY | O_CLOEXEC);
+  bool ok = file >= 0 && read(file, bytes, sizeof bytes) == (ssize_t)sizeof bytes;
+  if (file >= 0) close(file);
+  for (size_t i = 0; ok && i < sizeof bytes; i++) snprintf(out + 2 * i, 3, "%02x", bytes[i]);
+  return ok;
+}
+
+static void quiet(void *context, const char *format, va_list arguments) { (void)context, (void)format, (void)arguments; } /* a vanished client is nobody's news */
+
+bool live_server_open(live_server *s) {
+  struct sockaddr_in loopback = { .sin_family = AF_INET, .sin_port = 0, .sin_addr.s_addr = htonl(INADDR_LOOPBACK) };
+  if (!make_token(s->token)) {
+    fprintf(stderr, "vs: no random numbers for the live view's token\n");
+    return false;
+  }
+  if (vs_asset_live_js_end - vs_asset_live_js < 1000) {
+    fprintf(stderr, "vs: this vs was built without the live view's page: run `npm ci --ignore-scripts` and build again\n");
+    return false;
+  }
+  pthread_mutex_init(&s->names_lock, NULL);
+  s->names = vs_new(NULL);
+  s->daemon = s->http.start_daemon(MHD_USE_INTERNAL_POLLING_THREAD | MHD_USE_THREAD_PER_CONNECTION | MHD_USE_ERROR_LOG, 0, NULL, NULL, handle, s, MHD_OPTION_EXTERNAL_LOGGER, quiet, NULL,
+                                   MHD_OPTION_SOCK_ADDR, (struct sockaddr *)&loopback, MHD_OPTION_CONNECTION_LIMIT, (unsigned)CONNECTIONS, MHD_OPTION_CONNECTION_TIMEOUT, (unsigned)SILENCE,
+                                   MHD_OPTION_CONNECTION_MEMORY_LIMIT, (size_t)32768, MHD_OPTION_NOTIFY_COMPLETED, completed, NULL, MHD_OPTION_END);
+  const union MHD_DaemonInfo *info = s->daemon != NULL ? s->http.get_daemon_info(s->daemon, MHD_DAEMON_INFO_BIND_PORT) : NULL;
+  if (info == NULL) {
+    fprintf(stderr, "vs: the live view could not listen on 127.0.0.1\n");
+    return false;
+  }
+  s->port = info->port;
+  snprintf(s->hosts[0], sizeof s->hosts[0], "127.0.0.1:%u", s->port);
+  snprintf(s->hosts[1], sizeof s->hosts[1], "localhost:%u", s->port);
+  return true;
+}
+
+void live_server_close(live_server *s) {
+  if (s->daemon != NULL) s->http.stop_daemon(s->daemon);
+  s->daemon = NULL;
+  vs_free(s->names);
+  s->names = NULL;
+  pthread_mutex_destroy(&s->names_lock);
+}

@@ -1,0 +1,211 @@
+// Owns the tests of pages: `page.mjs FOLDER` with FOLDER/NAME.html for every example, FOLDER/hostile.html and FOLDER/doric-columns.x3d. Prints lines as tests/run.sh wants them.
+import { readdirSync } from "node:fs";
+import { browser, open } from "./browser.mjs";
+
+const folder = process.argv[2], chromium = await browser(), only = process.env.ONLY || "";
+const pages = readdirSync(folder).filter((f) => f.endsWith(".html") && f !== "hostile.html").map((f) => f.slice(0, -5)).sort();
+
+function judge(name, faults) {
+  console.log((faults.length ? "not ok page/" : "ok page/") + name);
+  for (const fault of faults) console.log("    " + fault);
+}
+const wanted = (name) => ("page/" + name).includes(only);
+
+// In the page: how many pixels show the model, and where they lie, in parts of the picture.
+function install() {
+  window.seen = () => {
+    const { stage } = window.visualscheme, gl = stage.renderer.getContext(), ground = stage.groundMesh;
+    stage.dome.visible = false;
+    if (ground) ground.visible = false;
+    stage.renderer.setClearColor(0xff00ff, 1);
+    stage.draw();
+    const w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, bytes = new Uint8Array(4 * w * h);
+    gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    stage.dome.visible = true;
+    if (ground) ground.visible = true;
+    const box = { left: 1, right: 0, bottom: 1, top: 0 };
+    let count = 0, white = 0;
+    for (let i = 0; i < w * h; i++) {
+      if (bytes[4 * i] > 250 && bytes[4 * i + 1] < 5 && bytes[4 * i + 2] > 250) continue;
+      count++;
+      if (bytes[4 * i] + bytes[4 * i + 1] + bytes[4 * i + 2] > 3 * 252) white++;
+      const x = (i % w + 0.5) / w, y = (Math.floor(i / w) + 0.5) / h;
+      box.left = Math.min(box.left, x), box.right = Math.max(box.right, x), box.bottom = Math.min(box.bottom, y), box.top = Math.max(box.top, y);
+    }
+    return { count, white: white / Math.max(1, count), part: count / (w * h), ...box, calls: stage.drawCalls };
+  };
+}
+
+// Framed: all of it is in the picture, and it reaches across most of one side.
+function framed(s) {
+  const faults = [], across = Math.max(s.right - s.left, s.top - s.bottom);
+  if (s.part < 0.01) faults.push(`only ${(100 * s.part).toFixed(2)} % of the picture show the model`);
+  if (s.left < 0.005 || s.right > 0.995 || s.bottom < 0.005 || s.top > 0.995) faults.push("it is cut off by the picture's border");
+  if (across < 0.6) faults.push(`it reaches across ${(100 * across).toFixed(0)} % of the picture`);
+  return faults;
+}
+
+const context = await chromium.newContext({ viewport: { width: 480, height: 400 }, reducedMotion: "reduce" });
+await context.addInitScript(install);
+await context.addInitScript(() => { window.quick = true; });
+
+try {
+  for (const name of pages) {
+    if (!wanted(name)) continue;
+    const page = await open(context, `file://${folder}/${name}.html`);
+    const seen = await page.evaluate(() => {
+      const v = window.visualscheme, out = {}, given = v.model.view.given;
+      v.stage.options.refine = false;
+      out.first = window.seen();
+      for (const how of ["fit", "top", "front", "right", "iso"]) {
+        if (how === "fit") v.buttons.fit.click();
+        else v.menus.views.querySelector(`[data-view="${how}"]`).click();
+        out[how] = window.seen();
+      }
+      return { out, given, count: v.model.count, nan: v.model.matrix.subarray(0, 12 * v.model.count).some((x) => !Number.isFinite(x)) };
+    });
+    const faults = [...page.troubles];
+    if (!(seen.count > 0) || seen.nan) faults.push("its parts are not whole");
+    if (seen.out.first.part < 0.01) faults.push("the first picture shows nothing");
+    for (const how of ["fit", "top", "front", "right", "iso"]) faults.push(...framed(seen.out[how]).map((f) => `${how}: ${f}`));
+    if (seen.out.iso.white > 0.2) faults.push(`${(100 * seen.out.iso.white).toFixed(0)} % of it are burnt out`);
+    if (name === "gare-do-oriente" && seen.out.first.calls > 60) faults.push(`${seen.out.first.calls} draw calls`);
+    judge(name, faults);
+    await page.close();
+  }
+
+  if (wanted("camera")) {
+    const page = await open(context, `file://${folder}/doric-columns.html`), faults = [];
+    const state = () => page.evaluate(() => { const c = window.visualscheme.control, e = c.eye(), s = c.state; return { far: s.distance, eye: e.toArray(), roll: window.visualscheme.stage.camera.matrixWorld.elements[2], x: window.visualscheme.stage.camera.matrixWorld.elements.slice(0, 3) }; });
+    await page.evaluate(() => { window.visualscheme.stage.options.refine = false; });
+    const before = await state();
+    await page.mouse.move(240, 200);
+    await page.mouse.wheel(0, -200);
+    await page.waitForTimeout(100);
+    const nearer = await state();
+    if (!(nearer.far < before.far)) faults.push("wheel up does not go nearer");
+    // 100 drags: the horizon stays level, which is that the camera's right has no height.
+    await page.evaluate(() => { const c = window.visualscheme.control; let seed = 7; for (let i = 0; i < 100; i++) { seed = seed * 16807 % 2147483647; c.turn(seed % 400 - 200, (seed >> 9) % 300 - 150); } });
+    const turned = await state();
+    if (Math.abs(turned.x[2]) > 1e-6) faults.push("it has rolled by " + turned.x[2]);
+    await page.mouse.down();
+    await page.mouse.move(300, 220, { steps: 3 });
+    await page.mouse.up();
+    const dragged = await state();
+    if (dragged.eye.every((x, k) => Math.abs(x - turned.eye[k]) < 1e-9)) faults.push("dragging does not turn it");
+    // The keyboard alone: Tab to the picture, turn, zoom, fit.
+    await page.locator("canvas").focus();
+    await page.keyboard.press("ArrowLeft");
+    const left = await state();
+    if (left.eye.every((x, k) => Math.abs(x - dragged.eye[k]) < 1e-9)) faults.push("the arrow key does not turn it");
+    await page.keyboard.press("+");
+    if (!((await state()).far < left.far)) faults.push("the plus key does not go nearer");
+    await page.keyboard.press("f");
+    faults.push(...framed(await page.evaluate(() => window.seen())).map((f) => "key F: " + f));
+    await page.keyboard.press("g");
+    const eye = await page.evaluate(() => { const v = window.visualscheme; return (v.control.eye().z - (v.model.ground ? v.model.ground.z - v.model.middle[2] : v.model.box.min[2])) * v.control.metre(); });
+    if (Math.abs(eye - 1.65) > 0.01) faults.push(`walking, the eye is ${eye} m above the floor`);
+    await page.keyboard.press("Escape");
+    faults.push(...page.troubles);
+    judge("camera", faults);
+    await page.close();
+  }
+
+  if (wanted("tools")) {
+    const page = await open(context, `file://${folder}/doric-columns.html`), faults = [];
+    await page.evaluate(() => { window.visualscheme.stage.options.refine = false; window.visualscheme.view("front"); });
+    const whole = await page.evaluate(() => window.seen());
+    const red = await page.evaluate(() => {
+      const v = window.visualscheme;
+      v.setSection({ axis: "z", at: 0.5, flip: false });
+      v.view("top");
+      const s = window.seen(), gl = v.stage.renderer.getContext(), bytes = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+      v.stage.draw();
+      gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+      let filled = 0;
+      for (let i = 0; i < bytes.length; i += 4) if (bytes[i] > bytes[i + 2] + 40 && bytes[i] > bytes[i + 1] + 25) filled++;
+      return { filled, shown: !v.sectionStrip.hidden, handle: !!v.overlay.querySelector("[data-handle]") };
+    });
+    if (red.filled < 200) faults.push(`the cut fills ${red.filled} pixels`);
+    if (!red.shown) faults.push("the section's controls do not show");
+    const half = await page.evaluate(() => { const v = window.visualscheme; v.view("front"); const s = window.seen(); const handle = !!v.overlay.querySelector("[data-handle]"); v.setSection(null); return { ...s, handle }; });
+    if (!(half.count < 0.75 * whole.count)) faults.push(`the section leaves ${half.count} of ${whole.count} pixels`);
+    if (!half.handle) faults.push("the section has no handle");
+    // Choosing: a click in the middle of what is seen names its place in the source.
+    const spot = await page.evaluate(() => { const v = window.visualscheme, b = v.model.ball, p = v.stage.camera; v.view("front"); let best = 0; for (let i = 0; i < v.model.count; i++) if (b[4 * i + 3] > b[4 * best + 3]) best = i; window.seen(); const q = v.stage.center.clone().set(b[4 * best], b[4 * best + 1], b[4 * best + 2]).project(v.stage.camera); return { x: (q.x + 1) / 2 * innerWidth, y: (1 - q.y) / 2 * innerHeight }; });
+    await page.mouse.click(spot.x, spot.y);
+    const card = await page.locator(".card").textContent();
+    if (!/doric-columns\.vs:\d+/.test(card)) faults.push(`a click tells: ${card}`);
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("m");
+    await page.mouse.click(spot.x, spot.y);
+    if (!/\d/.test(await page.locator(".reading").first().textContent({ timeout: 5000 }).catch(() => ""))) faults.push("measuring gives no number");
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Escape");
+    // A layer or material that is switched off is gone.
+    await page.keyboard.press("l");
+    await page.locator('[data-tab="materials"]').click();
+    const all = await page.evaluate(() => window.seen().count);
+    for (const box of await page.locator('.list input[type=checkbox]').all()) await box.uncheck({ force: true }).catch(() => {});
+    const none = await page.evaluate(() => window.seen().count);
+    if (!(none < 0.2 * all)) faults.push(`without its materials ${none} of ${all} pixels show`);
+    faults.push(...page.troubles);
+    judge("tools", faults);
+    await page.close();
+  }
+
+  if (wanted("phone")) {
+    const phone = await chromium.newContext({ viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true });
+    const page = await open(phone, `file://${folder}/gare-do-oriente.html`);
+    const faults = await page.evaluate(() => {
+      const found = [], boxes = [...document.querySelectorAll(".vs .bar button, .vs .title h1, .vs .title p")].filter((n) => n.offsetParent !== null).map((n) => [n.getAttribute("aria-label") || n.tagName, n.getBoundingClientRect()]);
+      for (const [name, b] of boxes) if (b.left < 0 || b.right > innerWidth || b.top < 0 || b.bottom > innerHeight) found.push(`${name} reaches out of the screen`);
+      for (let i = 0; i < boxes.length; i++) for (let k = 0; k < i; k++) {
+        const a = boxes[i][1], b = boxes[k][1];
+        if (a.left < b.right - 0.5 && b.left < a.right - 0.5 && a.top < b.bottom - 0.5 && b.top < a.bottom - 0.5) found.push(`${boxes[i][0]} lies on ${boxes[k][0]}`);
+      }
+      for (const b of document.querySelectorAll("button")) if (!b.getAttribute("aria-label") && !b.textContent.trim()) found.push("a button without a name");
+      if (document.documentElement.scrollWidth > innerWidth) found.push("it scrolls sideways");
+      return found;
+    });
+    judge("phone", [...faults, ...page.troubles]);
+    await phone.close();
+  }
+
+  if (wanted("hostile")) {
+    const page = await open(context, `file://${folder}/hostile.html`), faults = [...page.troubles];
+    await page.keyboard.press("l");
+    for (const tab of ["layers", "materials", "parts"]) await page.locator(`[data-tab="${tab}"]`).click();
+    if (await page.evaluate(() => window.owned)) faults.push("a name was run as script");
+    if (await page.evaluate(() => document.querySelectorAll("img, b, script[src]").length)) faults.push("a name became elements");
+    await page.locator('[data-tab="layers"]').click();
+    if (!(await page.locator(".list").textContent()).includes("<img src=x onerror=")) faults.push("the layer's name is not shown as it is");
+    judge("hostile", faults);
+    await page.close();
+  }
+
+  if (wanted("x3d")) {
+    const page = await open(context, `file://${folder}/doric-columns.html`), faults = [];
+    const { readFileSync } = await import("node:fs"), text = readFileSync(`${folder}/doric-columns.x3d`, "utf8");
+    const compared = await page.evaluate(async (x3d) => {
+      const v = window.visualscheme;
+      v.stage.options.refine = false;
+      v.view("iso");
+      const ours = window.seen(), size = v.model.size;
+      const data = new DataTransfer();
+      data.items.add(new File([x3d], "doric-columns.x3d"));
+      dispatchEvent(new DragEvent("drop", { dataTransfer: data }));
+      await new Promise((go) => setTimeout(go, 1500));
+      v.view("iso");
+      return { ours, theirs: window.seen(), size, again: v.model.size, count: v.model.count };
+    }, text);
+    if (compared.size.some((s, k) => Math.abs(s - compared.again[k]) > 0.01 * Math.max(...compared.size))) faults.push(`sizes ${compared.size} and ${compared.again}`);
+    if (Math.abs(compared.ours.count - compared.theirs.count) > 0.02 * compared.ours.count) faults.push(`${compared.ours.count} and ${compared.theirs.count} pixels`);
+    judge("x3d", [...faults, ...page.troubles]);
+    await page.close();
+  }
+} catch (error) {
+  judge("run", [String(error.stack || error)]);
+} finally {
+  await chromium.close();
+}

@@ -1,0 +1,35 @@
+// Makes a picture of a page's model in black on white, as its own view shows it: `silhouette.mjs FILE.html PIXELS OUT.png`. tests/cross.sh compares it.
+import { browser, open } from "./browser.mjs";
+
+const [, , file, pixels, out] = process.argv, chromium = await browser();
+try {
+  const context = await chromium.newContext({ viewport: { width: Number(pixels), height: Number(pixels) } });
+  const page = await open(context, "file://" + file);
+  await page.evaluate(() => {
+    const { stage, control, model, root } = window.visualscheme, view = model.view;
+    for (const node of root.children) if (node !== stage.canvas) node.style.display = "none";
+    stage.options.refine = false;
+    stage.dome.visible = false;
+    stage.scene.background = null;
+    stage.renderer.setClearColor(0xffffff, 1);
+    stage.batches.traverse((o) => {
+      if (!o.material) return;
+      o.material.onBeforeCompile = (shader) => { shader.fragmentShader = shader.fragmentShader.replace(/}\s*$/, "gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0); }"); };
+      o.material.needsUpdate = true;
+      o.material.transparent = false;
+    });
+    // As an X3D viewer has it: from far through a long lens.
+    const s = control.start();
+    s.parallel = false;
+    s.angle = 0.1;
+    s.target.set(...view.target).sub({ x: model.middle[0], y: model.middle[1], z: model.middle[2] });
+    s.distance = view.width / 2 / Math.tan(0.05);
+    Object.assign(control.state, s);
+    control.apply();
+    stage.draw();
+  });
+  await page.waitForTimeout(300);
+  await page.screenshot({ path: out });
+} finally {
+  await chromium.close();
+}

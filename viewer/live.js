@@ -1,0 +1,277 @@
+// Owns the live view's page: the viewer, the source beside it, parameters, messages, the prompt, and the way to the server.
+import { Viewer } from "./viewer.js";
+import { readPacked } from "./packed.js";
+import { modelFromPacked } from "./model.js";
+import { el } from "./dom.js";
+import { Source } from "./source.js";
+import { Parameters } from "./parameters.js";
+
+// The token stands behind the # of the address, which browsers send to nobody; it goes into a header. Other words there are values of parameters.
+const words = decodeURIComponent(location.hash.slice(1)).split("&"), token = words[0];
+const ask = (path, options = {}) => fetch(path, { ...options, headers: { "X-VS-Token": token }, referrerPolicy: "no-referrer" });
+
+class Live {
+  constructor() {
+    const root = document.getElementById("live");
+    this.name = el("b", {}, "…");
+    this.status = el("span", { class: "status", role: "status" }, "connecting");
+    this.saveButton = el("button", { type: "button", class: "button", title: "Save (Ctrl S)", disabled: true, onclick: () => this.save() }, "Save");
+    this.stopButton = el("button", { type: "button", class: "button", title: "Stop what runs", disabled: true, onclick: () => ask("/stop", { method: "POST" }) }, "Stop");
+    this.editorPlace = el("div", { class: "editor" });
+    this.messages = el("div", { class: "messages", role: "log", "aria-label": "Messages", hidden: true });
+    this.printed = el("pre", { hidden: true });
+    this.prompt = el("input", { type: "text", autocomplete: "off", autocapitalize: "off", spellcheck: "false", "aria-label": "Prompt", placeholder: "(draw (make-sphere (xyz 0 0 0) 1))" });
+    const consoleArea = el("div", { class: "console" }, this.printed, el("label", {}, "›", this.prompt));
+    this.viewPlace = el("div", { class: "view" });
+    this.split = el("button", { type: "button", class: "split", "aria-label": "Width of the source: left and right arrow keys" });
+    root.append(el("section", { class: "pane", "aria-label": "Source" }, el("div", { class: "top" }, this.name, this.status, this.stopButton, this.saveButton), this.editorPlace, this.messages, consoleArea), this.split, this.viewPlace);
+
+    this.viewer = new Viewer(this.viewPlace);
+    window.visualscheme = this.viewer;
+    window.live = this;
+    this.viewer.onSelect = (parts) => this.#selected(parts);
+    this.viewer.onOrigin = (o) => this.#showPlace(o);
+    this.note = el("div", { class: "stale-note glass", role: "alert", hidden: true });
+    this.formats = el("select", { "aria-label": "Format" }, ["png", "pov", "stl", "3mf", "glb", "x3d", "html", "scad", "obj", "ply", "off", "exr", "tree"].map((f) => el("option", { value: f }, f === "png" ? "Picture (POV-Ray)" : "." + f)));
+    this.exportButton = el("button", { type: "button", class: "button", onclick: () => this.export() }, "Export");
+    this.parameters = new Parameters((name, value) => this.set(name, value), () => this.writeParameters());
+    this.viewer.root.append(el("div", { class: "exports glass" }, this.formats, this.exportButton), this.parameters.root, this.note);
+
+    this.source = new Source(this.editorPlace, {
+      changed: () => { this.saveButton.disabled = !this.source.dirty; },
+      save: () => this.save(),
+      cursor: (place) => this.#atCursor(place),
+      complete: async (prefix) => (await ask("/names?prefix=" + encodeURIComponent(prefix))).json(),
+    });
+    this.prompt.addEventListener("keydown", (event) => this.#promptKey(event));
+    this.history = [];
+    this.pieces = new Map();
+    this.version = 0;
+    this.#splitter();
+    this.#start();
+  }
+
+  async #start() {
+    for (const word of words.slice(1)) {
+      const at = word.indexOf("=");
+      if (at > 0) await this.set(word.slice(0, at), word.slice(at + 1));
+    }
+    await this.readSource();
+    this.#listen();
+  }
+
+  // ---- events ----
+
+  async #listen() {
+    for (let wait = 250; ; wait = Math.min(4000, 2 * wait)) {
+      try {
+        const answer = await ask("/events");
+        if (answer.status === 403) {
+          this.#status("open the address that vs view has printed", true);
+          return;
+        }
+        if (!answer.ok) throw new Error(await answer.text());
+        const reader = answer.body.pipeThrough(new TextDecoderStream()).getReader();
+        let rest = "";
+        for (;;) {
+          const { value, done } = await reader.read();
+          if (done) break;
+          wait = 250;
+          rest += value;
+          const blocks = rest.split("\n\n");
+          rest = blocks.pop();
+          for (const block of blocks) {
+            const kind = /^event: (.*)$/m.exec(block), data = /^data: (.*)$/m.exec(block);
+            if (kind && data) await this.#event(kind[1], JSON.parse(data[1]));
+          }
+        }
+      } catch (error) {
+        console.info("the view's server is gone:", error.message);
+      }
+      this.#status("the server has ended", true);
+      await new Promise((go) => setTimeout(go, wait));
+    }
+  }
+
+  async #event(kind, data) {
+    if (kind === "busy") {
+      this.stopButton.disabled = false;
+      this.#status(data.phase + (data.fraction >= 0 ? " " + Math.round(100 * data.fraction) + " %" : " …"), false);
+    } else if (kind === "idle") {
+      this.stopButton.disabled = true;
+      this.#status("", false);
+    } else if (kind === "state") {
+      await this.#state(data);
+    }
+  }
+
+  #status(text, bad) {
+    this.status.textContent = text;
+    this.status.classList.toggle("bad", bad);
+  }
+
+  async #state(state) {
+    this.state = state;
+    this.stopButton.disabled = true;
+    this.name.textContent = state.model.split("/").pop();
+    const errors = state.messages.filter((m) => m.severity === "error").length;
+    this.#status(state.stopped ? "stopped" : errors ? errors + (errors === 1 ? " error" : " errors") : (1000 * state.seconds).toFixed(0) + " ms", errors > 0 || state.stopped);
+    this.#messages(state.messages);
+    this.source.diagnose(state.messages.filter((m) => this.#isModel(m.at.file)));
+    const said = state.printed + state.values;
+    this.printed.textContent = said.length > 20000 ? "…" + said.slice(-20000) : said;
+    this.printed.hidden = said === "";
+    this.printed.scrollTop = this.printed.scrollHeight;
+    this.parameters.show(state.parameters);
+    this.viewPlace.classList.toggle("stale", !state.good);
+    this.note.hidden = state.good || !this.viewer.model;
+    this.note.textContent = state.good ? "" : "This is the last model that could be made.";
+    if (state.version !== this.version && state.version > 0) await this.#fetchScene();
+    if (!this.source.dirty && this.source.text !== undefined) await this.readSource(true);
+    this.finished = (this.finished || 0) + 1; // For tests: how many states were shown.
+  }
+
+  #isModel(file) { return file && (file === this.state?.model || file.split("/").pop() === this.state?.model.split("/").pop()); }
+
+  #messages(list) {
+    this.messages.hidden = list.length === 0;
+    this.messages.replaceChildren(...list.map((m) => {
+      const at = m.at.file && m.at.line ? el("button", { type: "button", onclick: () => this.source.go(m.at.line, m.at.column) }, `${m.at.file.split("/").pop()}:${m.at.line}:${m.at.column}`) : null;
+      const caret = m.source && m.at.column ? el("pre", {}, m.source + "\n" + " ".repeat(m.at.column - 1) + "^".repeat(Math.max(1, m.at.endLine === m.at.line ? m.at.endColumn - m.at.column : 1))) : null;
+      return el("div", { class: "message " + m.severity }, el("p", {}, at, at ? " " : "", m.message), caret, m.notes.map((n) => el("p", {}, n.message, " ", n.at.line ? el("button", { type: "button", onclick: () => this.source.go(n.at.line, n.at.column) }, `${(n.at.file || "").split("/").pop()}:${n.at.line}`) : null)));
+    }));
+  }
+
+  // ---- the scene: only pieces that are not here yet travel ----
+
+  async #fetchScene() {
+    const answer = await ask("/scene?have=" + this.version);
+    if (!answer.ok) return;
+    const buffer = await answer.arrayBuffer(), view = new DataView(buffer), version = view.getUint32(4, true), count = view.getUint32(8, true);
+    let data = 12 + 12 * count, length = 0;
+    const list = [], pieces = new Map();
+    for (let i = 0; i < count; i++) {
+      const at = 12 + 12 * i, size = view.getUint32(at + 8, true), bytes = size & 0x7fffffff, key = view.getUint32(at, true) + "," + view.getUint32(at + 4, true) + "," + bytes;
+      let piece = this.pieces.get(key);
+      if (size >>> 31) {
+        piece = new Uint8Array(buffer, data, bytes);
+        data += bytes;
+      }
+      if (!piece) { // It was forgotten here: everything anew.
+        this.version = 0;
+        this.pieces.clear();
+        return this.#fetchScene();
+      }
+      pieces.set(key, piece);
+      list.push(piece);
+      length += bytes;
+    }
+    const whole = new Uint8Array(length);
+    let to = 0;
+    for (const piece of list) whole.set(piece, to), to += piece.length;
+    this.travelled = buffer.byteLength;
+    this.pieces = pieces;
+    this.version = version;
+    const first = !this.viewer.model;
+    this.viewer.show(modelFromPacked(readPacked(whole.buffer)), !first);
+  }
+
+  // ---- the source ----
+
+  async readSource(quietly = false) {
+    const answer = await ask("/source");
+    if (!answer.ok) return;
+    const { text, hash } = await answer.json();
+    if (quietly && hash === this.hash) return;
+    this.hash = hash;
+    this.source.load(text);
+    this.saveButton.disabled = true;
+  }
+
+  async save(force = false) {
+    const text = this.source.text;
+    const answer = await ask("/source?hash=" + this.hash, { method: "POST", body: text });
+    if (answer.status === 409) {
+      if (!force && !confirm("The file has changed on disk since it was read here. Write over it?")) return;
+      const now = await (await ask("/source")).json();
+      this.hash = now.hash;
+      return this.save(true);
+    }
+    if (!answer.ok) return this.#status(await answer.text(), true);
+    this.hash = (await answer.json()).hash;
+    this.source.saved(text);
+    this.saveButton.disabled = !this.source.dirty;
+  }
+
+  // ---- parameters ----
+
+  set(name, value) { return ask("/set?name=" + encodeURIComponent(name), { method: "POST", body: value }); }
+
+  // The literals of define-parameter become what the sliders say; nothing else of the text changes.
+  async writeParameters() {
+    let written = 0;
+    for (const p of this.parameters.changed()) if (this.#isModel(p.at.file) && this.source.replaceParameter(p.name, p.at, p.type === "string" ? JSON.stringify(p.value) : p.value)) written++;
+    if (written > 0) await this.save();
+  }
+
+  // ---- both ways ----
+
+  #selected(parts) {
+    const chain = parts.length > 0 ? this.viewer.model.chain(parts[0]).filter((o) => this.#isModel(o.file)) : [];
+    this.source.mark(chain);
+  }
+  #showPlace(o) {
+    if (this.#isModel(o.file)) this.source.mark([o], true);
+  }
+  #atCursor(places) { // the calls round the cursor, the innermost first
+    if (!this.viewer.model) return;
+    for (const place of places) {
+      const parts = this.viewer.partsOf((o) => this.#isModel(o.file) && o.line === place.line && o.column === place.column);
+      if (parts.length === 0) continue;
+      return this.viewer.select(parts, true);
+    }
+    this.viewer.select([], true);
+  }
+
+  // ---- the prompt and what goes out ----
+
+  #promptKey(event) {
+    if (event.key === "Enter" && this.prompt.value.trim()) {
+      this.history.push(this.prompt.value);
+      this.back = this.history.length;
+      ask("/prompt", { method: "POST", body: this.prompt.value });
+      this.prompt.value = "";
+    } else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
+      this.back = Math.min(this.history.length, Math.max(0, (this.back ?? this.history.length) + (event.key === "ArrowUp" ? -1 : 1)));
+      this.prompt.value = this.history[this.back] || "";
+      event.preventDefault();
+    }
+  }
+
+  async export() {
+    const format = this.formats.value;
+    this.exportButton.disabled = true;
+    this.stopButton.disabled = false;
+    const answer = await ask(`/export?format=${format}&size=1280x800`);
+    this.exportButton.disabled = false;
+    if (!answer.ok) return this.#status(await answer.text(), true);
+    const url = URL.createObjectURL(await answer.blob());
+    el("a", { href: url, download: (this.state?.model || "model").split("/").pop().replace(/\.[^.]*$/, "") + "." + format }).click();
+    setTimeout(() => URL.revokeObjectURL(url), 60000);
+    this.#status("wrote ." + format, false);
+  }
+
+  #splitter() {
+    const set = (x) => document.getElementById("live").style.setProperty("--left", Math.min(75, Math.max(15, x)) + "%");
+    let now = 40;
+    this.split.addEventListener("pointerdown", (event) => {
+      this.split.setPointerCapture(event.pointerId);
+      const move = (e) => set(now = 100 * e.clientX / innerWidth);
+      this.split.addEventListener("pointermove", move);
+      this.split.addEventListener("pointerup", () => this.split.removeEventListener("pointermove", move), { once: true });
+    });
+    this.split.addEventListener("keydown", (event) => { if (event.key === "ArrowLeft") set(now -= 2); if (event.key === "ArrowRight") set(now += 2); });
+  }
+}
+
+new Live();

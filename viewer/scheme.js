@@ -1,0 +1,76 @@
+// Reads Scheme text as far as an editor must: where data begin and end, and what is a comment, a string, a word.
+
+const ends = new Set([..." \t\r\n()[]{}\";'`,"]);
+
+// Hands every token to each(kind, from, to): "open" "close" "string" "comment" "number" "word" "constant" "quote".
+export function tokens(text, each) {
+  let i = 0;
+  while (i < text.length) {
+    const c = text[i], from = i;
+    if (/\s/.test(c)) { i++; continue; }
+    if (c === ";") {
+      while (i < text.length && text[i] !== "\n") i++;
+      each("comment", from, i);
+    } else if (c === "#" && text[i + 1] === "|") {
+      let depth = 0;
+      do {
+        if (text.startsWith("#|", i)) depth++, i += 2;
+        else if (text.startsWith("|#", i)) depth--, i += 2;
+        else i++;
+      } while (depth > 0 && i < text.length);
+      each("comment", from, i);
+    } else if (c === '"') {
+      for (i++; i < text.length && text[i] !== '"'; i++) if (text[i] === "\\") i++;
+      i = Math.min(text.length, i + 1);
+      each("string", from, i);
+    } else if ("([{".includes(c)) each("open", from, ++i);
+    else if (")]}".includes(c)) each("close", from, ++i);
+    else if ("'`,".includes(c)) {
+      i += text.startsWith(",@", i) ? 2 : 1;
+      each("quote", from, i);
+    } else if (c === "#" && text[i + 1] === ";") each("quote", from, i += 2);
+    else {
+      i += c === "#" && text[i + 1] === "\\" ? 3 : 1;
+      while (i < text.length && !ends.has(text[i])) i++;
+      const word = text.slice(from, i);
+      each(/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$|^[-+]?\d+\/\d+$/i.test(word) ? "number" : /^#[^:]/.test(word) ? "constant" : "word", from, i);
+    }
+  }
+}
+
+// The places of a list's items, [from, to] each, quotes included: the list begins at text[at].
+export function items(text, at) {
+  const found = [];
+  let depth = 0, began = -1, done = false;
+  tokens(text.slice(at), (kind, from, to) => {
+    if (done || kind === "comment") return;
+    if (kind === "quote" || kind === "open") {
+      if (depth === 1 && began < 0) began = at + from;
+      if (kind === "open") depth++;
+      return;
+    }
+    if (kind === "close" && --depth === 0) return void (done = true);
+    if (depth === 1) {
+      found.push([began >= 0 ? began : at + from, at + to]);
+      began = -1;
+    } else if (depth === 0) done = true;
+  });
+  return found;
+}
+
+// The lists round a place, the innermost first, as offsets of their opening parentheses. Just before one or just behind it is in it.
+export function around(text, at) {
+  const open = [], found = [];
+  tokens(text, (kind, from, to) => {
+    if (kind === "open") open.push(from);
+    else if (kind === "close") {
+      const began = open.pop();
+      if (began !== undefined && began <= at && at <= to) found.push(began);
+    }
+  });
+  while (open.length > 0) { // Not closed yet.
+    const began = open.pop();
+    if (began <= at) found.push(began);
+  }
+  return found;
+}

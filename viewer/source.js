@@ -1,0 +1,205 @@
+// Owns the source pane: CodeMirror with Scheme's colours, brackets by depth, indentation, completion, messages in place.
+import { EditorView, keymap, lineNumbers, highlightActiveLine, highlightActiveLineGutter, drawSelection, Decoration, ViewPlugin } from "@codemirror/view";
+import { EditorState, StateField, StateEffect, RangeSetBuilder, Transaction } from "@codemirror/state";
+import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { searchKeymap, highlightSelectionMatches } from "@codemirror/search";
+import { autocompletion, completionKeymap, closeBrackets, closeBracketsKeymap } from "@codemirror/autocomplete";
+import { StreamLanguage, HighlightStyle, syntaxHighlighting, bracketMatching, indentUnit, indentService } from "@codemirror/language";
+import { setDiagnostics, lintGutter } from "@codemirror/lint";
+import { tags } from "@lezer/highlight";
+import { items, around, tokens } from "./scheme.js";
+
+const FORMS = new Set("define define-parameter define-syntax define-record-type define-primitive lambda let let* letrec letrec* named-lambda if cond case when unless begin do set! and or else syntax-rules guard parameterize load require include import import".split(" "));
+
+const scheme = StreamLanguage.define({
+  name: "scheme",
+  startState: () => ({ block: 0, string: false, head: false }),
+  token(stream, state) {
+    if (state.block > 0) {
+      while (!stream.eol()) {
+        if (stream.match("#|")) state.block++;
+        else if (stream.match("|#")) { if (--state.block === 0) break; }
+        else stream.next();
+      }
+      return "comment";
+    }
+    if (state.string || stream.peek() === '"') {
+      if (!state.string) stream.next(), state.string = true;
+      for (let c; (c = stream.next());) {
+        if (c === "\\") stream.next();
+        else if (c === '"') { state.string = false; break; }
+      }
+      return "string";
+    }
+    if (stream.eatSpace()) return null;
+    if (stream.match("#|")) { state.block = 1; return "comment"; }
+    if (stream.peek() === ";") { stream.skipToEnd(); return "comment"; }
+    if (stream.match(/^[([{]/)) { state.head = true; return "bracket"; }
+    const head = state.head;
+    state.head = false;
+    if (stream.match(/^[)\]}]/)) return "bracket";
+    if (stream.match(/^('|`|,@?)/)) return "meta";
+    if (stream.match(/^#\\[^\s()\[\]]+/)) return "string";
+    if (stream.match(/^#:[^\s()\[\]]+/)) return "propertyName";
+    if (stream.match(/^#[tf](rue|alse)?\b/)) return "bool";
+    if (stream.match(/^[-+]?(\d+\/\d+|(\d+\.?\d*|\.\d+)(e[-+]?\d+)?)(?=[\s()\[\]"';]|$)/i)) return "number";
+    const word = stream.match(/^[^\s()\[\]{}"';`,]+/);
+    if (!word) { stream.next(); return null; }
+    return FORMS.has(word[0]) ? "keyword" : head ? "function" : "variableName";
+  },
+  tokenTable: { function: tags.function(tags.variableName) },
+  languageData: { commentTokens: { line: ";", block: { open: "#|", close: "|#" } }, closeBrackets: { brackets: ["(", "[", '"'] } },
+});
+
+const colours = HighlightStyle.define([
+  { tag: tags.comment, color: "var(--code-comment)", fontStyle: "italic" }, { tag: tags.string, color: "var(--code-string)" }, { tag: tags.number, color: "var(--code-number)" },
+  { tag: tags.bool, color: "var(--code-number)" }, { tag: tags.keyword, color: "var(--code-keyword)", fontWeight: "600" }, { tag: tags.function(tags.variableName), color: "var(--code-call)" },
+  { tag: tags.propertyName, color: "var(--code-key)" }, { tag: tags.meta, color: "var(--soft)" },
+]);
+const theme = EditorView.theme({
+  "&": { fontSize: "13px", backgroundColor: "var(--solid)", color: "var(--ink)", "--code-comment": "var(--soft)", "--code-string": "#3b7d3f", "--code-number": "#b35a00", "--code-keyword": "#7a3fb0", "--code-call": "#1b5fb4", "--code-key": "#0f7b7b" },
+  ".dark &": { "--code-string": "#8fce8f", "--code-number": "#f0a860", "--code-keyword": "#c9a2f5", "--code-call": "#82b7ff", "--code-key": "#74d0cf" },
+  ".cm-scroller": { fontFamily: 'ui-monospace, "Cascadia Code", "JetBrains Mono", "DejaVu Sans Mono", monospace', lineHeight: "1.55" },
+  ".cm-gutters": { backgroundColor: "var(--solid)", color: "var(--soft)", border: "none" },
+  ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: "var(--hover)" },
+  "&.cm-focused": { outline: "none" }, ".cm-cursor": { borderLeftColor: "var(--ink)" },
+  ".cm-tooltip": { backgroundColor: "var(--solid)", border: "1px solid var(--line)", borderRadius: "8px" },
+  ".depth-0": { color: "var(--soft)" }, ".depth-1": { color: "#b3752a" }, ".depth-2": { color: "#3f8a66" }, ".depth-3": { color: "#7d63b8" }, ".depth-4": { color: "#3d7fb5" },
+});
+
+// Brackets have the colour of their depth, those without a partner stand out.
+const rainbow = ViewPlugin.fromClass(class {
+  constructor(view) { this.decorations = this.make(view); }
+  update(update) { if (update.docChanged || update.viewportChanged) this.decorations = this.make(update.view); }
+  make(view) {
+    const text = view.state.doc.toString(), { from, to } = view.viewport, builder = new RangeSetBuilder();
+    if (text.length > 400000) return builder.finish();
+    let depth = 0;
+    tokens(text, (kind, a, b) => {
+      if (kind === "close") depth = Math.max(0, depth - 1);
+      if ((kind === "open" || kind === "close") && a >= from && b <= to) builder.add(a, b, Decoration.mark({ class: "depth-" + depth % 5 }));
+      if (kind === "open") depth++;
+    });
+    return builder.finish();
+  }
+}, { decorations: (p) => p.decorations });
+
+// A list's lines stand under its second item, or two further in where its head is a form.
+const indentation = indentService.of((context, at) => {
+  const line = context.state.doc.lineAt(at), text = context.state.doc.sliceString(0, line.from), open = [];
+  tokens(text, (kind, from) => { if (kind === "open") open.push(from); else if (kind === "close") open.pop(); });
+  if (open.length === 0) return 0;
+  const from = open[open.length - 1], start = context.state.doc.lineAt(from), column = from - start.from, inside = items(text + ")".repeat(open.length), from);
+  if (inside.length < 2 || text[inside[0][0]] === "(" || text[inside[0][0]] === "[") return column + (inside.length > 0 && FORMS.has(text.slice(...inside[0])) ? 2 : 1);
+  if (FORMS.has(text.slice(...inside[0])) || context.state.doc.lineAt(inside[1][0]).number !== start.number) return column + 2;
+  return column + inside[1][0] - from;
+});
+
+const setMarks = StateEffect.define();
+const marks = StateField.define({
+  create: () => Decoration.none,
+  update(value, transaction) {
+    value = value.map(transaction.changes);
+    for (const effect of transaction.effects) if (effect.is(setMarks)) value = effect.value;
+    return value;
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
+
+export class Source {
+  constructor(place, { changed, save, cursor, complete }) {
+    this.base = undefined;
+    const names = async (context) => {
+      const word = context.matchBefore(/[^\s()\[\]{}"';`,]+/);
+      if (!word || (word.from === word.to && !context.explicit)) return null;
+      const found = await complete(word.text);
+      return { from: word.from, options: found.slice(0, 300).map((label) => ({ label })), validFor: /^[^\s()\[\]{}"';`,]*$/ };
+    };
+    this.view = new EditorView({
+      parent: place,
+      state: EditorState.create({ doc: "", extensions: [lineNumbers(), lintGutter(), history(), drawSelection(), highlightActiveLine(), highlightActiveLineGutter(), bracketMatching(), closeBrackets(), indentation, indentUnit.of("  "), scheme, syntaxHighlighting(colours), theme, rainbow, marks,
+        highlightSelectionMatches(), autocompletion({ override: [names], activateOnTypingDelay: 250 }),
+        keymap.of([{ key: "Mod-s", preventDefault: true, run: () => { save(); return true; } }, ...closeBracketsKeymap, ...completionKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, indentWithTab]),
+        EditorView.updateListener.of((update) => {
+          if (update.docChanged) changed();
+          const byUser = update.transactions.some((t) => t.isUserEvent("select"));
+          if (byUser) {
+            clearTimeout(this.waiting);
+            this.waiting = setTimeout(() => cursor(this.places()), 120);
+          }
+        }), EditorView.contentAttributes.of({ "aria-label": "Source" })] }),
+    });
+  }
+
+  get text() { return this.base === undefined ? undefined : this.view.state.doc.toString(); }
+  get dirty() { return this.base !== undefined && this.text !== this.base; }
+
+  load(text) {
+    const was = this.view.state.doc.toString();
+    this.base = text;
+    if (was === text) return;
+    // What is alike before and behind stays, and the cursor with it.
+    let a = 0, b = 0;
+    while (a < was.length && a < text.length && was[a] === text[a]) a++;
+    while (b < was.length - a && b < text.length - a && was[was.length - 1 - b] === text[text.length - 1 - b]) b++;
+    this.view.dispatch({ changes: { from: a, to: was.length - b, insert: text.slice(a, text.length - b) }, annotations: Transaction.addToHistory.of(false) });
+  }
+  saved(text) { this.base = text; }
+
+  offset(line, column) { // Columns count characters, offsets units of 16 bits.
+    const at = this.view.state.doc.line(Math.min(Math.max(1, line), this.view.state.doc.lines));
+    return at.from + [...at.text].slice(0, Math.max(0, column - 1)).join("").length;
+  }
+  position(offset) {
+    const line = this.view.state.doc.lineAt(offset);
+    return { line: line.number, column: [...line.text.slice(0, offset - line.from)].length + 1 };
+  }
+
+  go(line, column) {
+    const at = this.offset(line, column);
+    this.view.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: "center" }) });
+    this.view.focus();
+  }
+
+  // The lists round the cursor as places.
+  places() {
+    return around(this.text || "", this.view.state.selection.main.head).map((at) => this.position(at));
+  }
+
+  // Marks the calls that made something: the first strongly, the callers faintly.
+  mark(chain) {
+    const text = this.view.state.doc.toString(), ranges = [];
+    chain.forEach((o, k) => {
+      const from = this.offset(o.line, o.column), inside = /[([]/.test(text[from] || "") ? items(text, from) : [];
+      let to = inside.length > 0 ? inside[inside.length - 1][1] + 1 : this.view.state.doc.lineAt(from).to;
+      to = Math.min(text.length, Math.max(to, from + 1));
+      if (from < to) ranges.push(Decoration.mark({ class: k === 0 ? "made" : "called" }).range(from, to));
+    });
+    const effects = [setMarks.of(Decoration.set(ranges, true))];
+    if (chain.length > 0) effects.push(EditorView.scrollIntoView(this.offset(chain[0].line, chain[0].column), { y: "center" }));
+    this.view.dispatch({ effects });
+  }
+
+  diagnose(messages) {
+    const length = this.view.state.doc.length;
+    const found = messages.filter((m) => m.at.line > 0).map((m) => {
+      const from = Math.min(length, this.offset(m.at.line, m.at.column)), to = Math.min(length, m.at.endLine ? this.offset(m.at.endLine, m.at.endColumn) : from + 1);
+      return { from, to: Math.max(from, to), severity: m.severity === "error" ? "error" : m.severity === "warning" ? "warning" : "info", message: m.message };
+    });
+    this.view.dispatch(setDiagnostics(this.view.state, found));
+  }
+
+  // Changes the default of (define-parameter name default ...), which stands at a place, and nothing else. False: it is not there.
+  replaceParameter(name, at, value) {
+    const text = this.text, from = this.offset(at.line, at.column);
+    let open = text.lastIndexOf("(define-parameter", from + 1);
+    if (open < 0) return false;
+    for (const candidate of [from, open]) {
+      const inside = items(text, candidate);
+      if (inside.length < 3 || text.slice(...inside[0]) !== "define-parameter" || text.slice(...inside[1]) !== name) continue;
+      this.view.dispatch({ changes: { from: inside[2][0], to: inside[2][1], insert: value } });
+      return true;
+    }
+    return false;
+  }
+}
