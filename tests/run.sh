@@ -11,7 +11,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 BUILD=${1:-build}
 case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
-SUITES=${SUITES:-unit lang cli prompt signals manual bad workers page cross solids embed limits layers compilers}
+SUITES=${SUITES:-unit lang cli prompt signals manual bad workers page live cross solids embed limits layers compilers}
 export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LONG="${LONG:-}" LC_ALL=C.UTF-8
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -51,6 +51,7 @@ suite_signals()   { sh tests/signals.sh; }
 suite_manual()    { sh tests/manual.sh; }
 suite_workers()   { for t in tests/workers/*.sh; do [ -f "$t" ] && sh "$t"; done; }
 suite_page()      { sh tests/page.sh; }
+suite_live()      { sh tests/live.sh; }
 suite_cross()     { sh tests/cross.sh; }
 suite_solids()    { sh tests/solids.sh; }
 suite_bad()       { case $ONLY in ""|bad*) timeout 300 "$BUILD/tools/badcalls" tests/bad/calls.txt || echo "not ok bad: ended with $?" ;; esac; }

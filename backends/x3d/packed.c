@@ -248,12 +248,21 @@ static void packed_head(vs_emitter *e) {
   }
 }
 
+/* Near the middle of the bounds, on a coarse grid: so it stays where it is, and with it every number of the scene, when a little is added. */
+static vs_vec3 packed_middle(const vs_bounds *b) {
+  vs_vec3 middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5);
+  double diagonal = vs_v3_length(vs_v3_sub(b->max, b->min));
+  if (!(diagonal > 0)) return middle;
+  double step = ldexp(1, (int)ceil(log2(diagonal)));
+  return vs_v3(step * round(middle.x / step), step * round(middle.y / step), step * round(middle.z / step));
+}
+
 bool vs_packed_open(vs_emitter *e) {
   packed *p = vs_store_realloc(e->scene->store, NULL, 0, sizeof *p);
   if (p == NULL) return vs_emit_no_memory(e);
   memset(p, 0, sizeof *p);
   p->shapes.store = p->origins.store = e->scene->store;
-  p->middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
+  p->middle = packed_middle(&e->bounds);
   e->state = p;
   if (e->scene->sky_image != NULL && !vs_emit_warn_once(e, NULL, "a sky with an image is shown by POV-Ray alone: here it has one colour")) return false;
   packed_head(e);

@@ -1,0 +1,213 @@
+// Owns the tests of the live view's server, by HTTP alone: `live.mjs VS FOLDER`. Prints lines as tests/run.sh wants them.
+import { spawn } from "node:child_process";
+import { writeFileSync, readFileSync, symlinkSync } from "node:fs";
+import http from "node:http";
+import net from "node:net";
+
+const [, , vs, folder] = process.argv, model = `${folder}/model.vs`, only = process.env.ONLY || "";
+const source = `; a comment with "quotes" and (brackets
+(define-parameter height 3.0 #:min 1 #:max 9 #:label "<b>height</b>") (define other 3.0)
+(display "built")
+(draw (make-box (xyz 0 0 0) (xyz 1 2 height)) (make-sphere (xyz 5 0 0) 1))
+(draw (layer "<script>" (make-cylinder (xyz 9 0 0) 2 1)))
+`;
+writeFileSync(model, source);
+
+const server = spawn(vs, ["view", "-q", model], { stdio: ["ignore", "pipe", "pipe"] });
+const address = await new Promise((go) => server.stdout.once("data", (d) => go(String(d).trim())));
+const url = new URL(address), token = url.hash.slice(1), port = Number(url.port);
+
+// Node's own request, for the headers that fetch does not let through.
+function ask(path, { method = "GET", headers = { "X-VS-Token": token }, body } = {}) {
+  return new Promise((go, no) => {
+    const request = http.request({ host: "127.0.0.1", port, path, method, headers }, (answer) => {
+      const parts = [];
+      answer.on("data", (d) => parts.push(d));
+      answer.on("end", () => go({ status: answer.statusCode, headers: answer.headers, body: Buffer.concat(parts) }));
+    });
+    request.on("error", no);
+    request.end(body);
+  });
+}
+
+const states = [], waiting = [];
+const stream = http.get({ host: "127.0.0.1", port, path: "/events", headers: { "X-VS-Token": token } }, (answer) => {
+  let rest = "";
+  answer.setEncoding("utf8");
+  answer.on("data", (text) => {
+    const blocks = (rest + text).split("\n\n");
+    rest = blocks.pop();
+    for (const block of blocks) {
+      const data = /^event: state\ndata: (.*)$/m.exec(block);
+      if (!data) continue;
+      states.push(JSON.parse(data[1]));
+      for (const w of waiting.splice(0)) w();
+    }
+  });
+});
+stream.on("error", () => {});
+async function until(test, what) {
+  const end = Date.now() + 30000;
+  for (let from = 0; ;) {
+    for (; from < states.length; from++) if (test(states[from])) return states.splice(0, from + 1).pop();
+    if (Date.now() > end) throw new Error("never came: " + what);
+    await Promise.race([new Promise((go) => waiting.push(go)), new Promise((go) => setTimeout(go, 500))]);
+  }
+}
+
+async function test(name, body) {
+  if (!("live/" + name).includes(only)) return;
+  const faults = [];
+  try {
+    await body((ok, what) => { if (!ok) faults.push(what); });
+  } catch (error) {
+    faults.push(String(error.stack || error));
+  }
+  console.log((faults.length ? "not ok live/" : "ok live/") + name);
+  for (const fault of faults) console.log("    " + fault);
+}
+
+try {
+  await test("first state", async (check) => {
+    const s = await until((x) => x.version > 0, "the first state");
+    check(s.good && s.printed === "built", JSON.stringify(s));
+    check(s.parameters.length === 1 && s.parameters[0].name === "height" && s.parameters[0].label === "<b>height</b>" && s.parameters[0].max === 9 && s.parameters[0].at.line === 2, JSON.stringify(s.parameters));
+    const scene = await ask("/scene");
+    check(scene.status === 200 && scene.body.subarray(0, 4).toString() === "VSL1", "the scene is no scene");
+  });
+
+  await test("who may ask", async (check) => {
+    const with_ = (more) => ({ headers: { "X-VS-Token": token, ...more } });
+    for (const [what, status, options] of [
+      ["no token", 403, { headers: {} }], ["a wrong token", 403, { headers: { "X-VS-Token": token.slice(0, -1) + (token.endsWith("0") ? "1" : "0") } }], ["a short token", 403, { headers: { "X-VS-Token": "" } }],
+      ["a foreign host", 403, with_({ Host: "evil.example" })], ["a host like ours", 403, with_({ Host: `127.0.0.1:${port}.evil.example` })], ["a foreign origin", 403, with_({ Origin: "http://evil.example" })],
+      ["no origin's name", 403, with_({ Origin: "null" })], ["our own origin", 200, with_({ Origin: `http://127.0.0.1:${port}` })]]) {
+      const answer = await ask("/source", options);
+      check(answer.status === status, `${what}: ${answer.status}`);
+    }
+    const page = await ask("/", { headers: {} });
+    check(page.status === 200 && !page.body.includes(token), "the page itself holds the token, or is not there");
+    check(/default-src 'none'/.test(page.headers["content-security-policy"]) && !/unsafe/.test(page.headers["content-security-policy"]), "the policy: " + page.headers["content-security-policy"]);
+    check(page.headers["referrer-policy"] === "no-referrer" && page.headers["x-content-type-options"] === "nosniff", "headers are missing");
+    const rebound = await ask("/", { headers: { Host: "evil.example" } });
+    check(rebound.status === 403, "a foreign name gets the page");
+    symlinkSync("/etc/passwd", `${folder}/link`);
+    for (const path of ["/../model.vs", "/model.vs", "/link", "/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd", "/..%2f..%2fetc/passwd", "/live.js/../../x", "/\\..\\x"]) check((await ask(path)).status === 404, path + " is served");
+    check((await ask("/source", { method: "DELETE" })).status === 404, "DELETE does something");
+    check((await ask("/set?name=height", { method: "POST", body: Buffer.alloc(17 << 20) }).catch(() => ({ status: 413 }))).status === 413, "a body without end is taken");
+  });
+
+  await test("save, error and heal", async (check) => {
+    const before = (await ask("/scene")).body.length;
+    writeFileSync(model, source + "(car 5)\n");
+    const bad = await until((s) => !s.good, "an error");
+    check(bad.messages.length === 1 && bad.messages[0].at.line === 6 && bad.messages[0].source === "(car 5)", JSON.stringify(bad.messages));
+    check((await ask("/scene")).body.length === before, "the last good model is gone");
+    writeFileSync(model, source);
+    const good = await until((s) => s.good, "its healing");
+    check(good.messages.length === 0, "messages stay");
+  });
+
+  await test("only what changed travels", async (check) => {
+    const many = source + "(draw (map (lambda (i) (make-superellipsoid (+ 0.3 (* 0.1 i)) 0.8 1)) (iota 12)))\n";
+    writeFileSync(model, many);
+    const first = await until((s) => s.good, "a large scene"), whole = (await ask("/scene")).body.length;
+    writeFileSync(model, many + "(draw (make-box (xyz 3 0 0) (xyz 3.5 1 1)))\n");
+    await until((s) => s.good && s.version > first.version, "one box more");
+    const part = (await ask("/scene?have=" + first.version)).body.length;
+    check(whole > 200000 && part < 0.4 * whole, `${part} of ${whole} bytes`);
+    const nothing = (await ask("/scene?have=" + (first.version + 1))).body.length;
+    check(nothing < 0.02 * whole, `${nothing} bytes for nothing`);
+    check((await ask("/scene?have=99999")).body.length === (await ask("/scene")).body.length, "a version that never was is not sent whole");
+    writeFileSync(model, source);
+    await until((s) => s.good && s.version > first.version + 1, "the first text");
+  });
+
+  await test("parameters", async (check) => {
+    for (let i = 0; i < 40; i++) await ask("/set?name=height", { method: "POST", body: String(2 + i / 10) });
+    const s = await until((x) => x.parameters[0]?.value === "5.9", "the last value");
+    check(s.good && s.parameters[0].default === "3.0", JSON.stringify(s.parameters));
+    await ask("/set?name=height", { method: "POST", body: "99" });
+    const bad = await until((x) => !x.good, "what is out of range");
+    check(bad.messages.length > 0, "nobody says why");
+    await ask("/set?name=height", { method: "POST", body: "(exit 3)" });
+    await ask("/set?name=height", { method: "POST", body: "4" });
+    await until((x) => x.good && x.parameters[0].value.startsWith("4"), "another value");
+  });
+
+  await test("the source is saved, never over a newer one", async (check) => {
+    const { hash, text } = JSON.parse((await ask("/source")).body);
+    check(text === source, "another text came");
+    const changed = text.replace("3.0 #:min", "7.5 #:min");
+    const saved = await ask("/source?hash=" + hash, { method: "POST", body: changed });
+    check(saved.status === 200 && readFileSync(model, "utf8") === changed, "it was not written");
+    check((await ask("/source?hash=" + hash, { method: "POST", body: "(lost)" })).status === 409 && readFileSync(model, "utf8") === changed, "a newer file was written over");
+    check((await ask("/source", { method: "POST", body: "(lost)" })).status === 400, "it was written over nothing known");
+    await until((s) => s.good && s.parameters[0].default === "7.5", "the saved text's run");
+  });
+
+  await test("prompt", async (check) => {
+    await ask("/prompt", { method: "POST", body: "(* 6 other)" });
+    check((await until((s) => s.values !== "", "a value")).values.trim() === "18.0", "another value");
+  });
+
+  await test("stop", async (check) => {
+    await ask("/prompt", { method: "POST", body: "(let loop () (loop))" });
+    await new Promise((go) => setTimeout(go, 400));
+    const from = Date.now();
+    await ask("/stop", { method: "POST" });
+    const s = await until((x) => x.stopped, "the end of a loop");
+    check(Date.now() - from < 5000 && !s.good, `it took ${Date.now() - from} ms`);
+    await ask("/prompt", { method: "POST", body: "'alive" });
+    check((await until((x) => x.values !== "", "life after it")).values.trim() === "alive", "it does not live on");
+  });
+
+  await test("outputs", async (check) => {
+    for (const format of ["stl", "x3d", "html", "glb", "pov", "scad"]) {
+      const answer = await ask("/export?format=" + format);
+      check(answer.status === 200 && answer.body.length > 100, `${format}: ${answer.status}, ${answer.body.length} bytes`);
+    }
+    check((await ask("/export?format=exe")).status === 400, "there is a format exe");
+  });
+
+  await test("vanishing and idle clients", async (check) => {
+    for (let i = 0; i < 60; i++) {
+      const socket = net.connect(port, "127.0.0.1");
+      socket.on("error", () => {});
+      socket.write(i % 2 ? "GET /events HTTP/1.1\r\nHost: 127.0.0.1:" + port + "\r\nX-VS-Token: " + token + "\r\n\r\n" : "GET /so");
+      setTimeout(() => socket.destroy(), 30);
+      await new Promise((go) => setTimeout(go, 5));
+    }
+    await new Promise((go) => setTimeout(go, 300));
+    let answer = null;
+    for (let i = 0; i < 40 && answer?.status !== 200; i++) {
+      answer = await ask("/source").catch(() => null);
+      if (answer?.status !== 200) await new Promise((go) => setTimeout(go, 500));
+    }
+    check(answer?.status === 200, "nobody is served any more");
+  });
+
+  await test("many reloads without a leak", async (check) => {
+    const bytes = () => Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${server.pid}/status`, "utf8"))[1]);
+    const rounds = process.env.LONG ? 1000 : 120;
+    let after = 0;
+    for (let i = 0; i < rounds; i++) {
+      states.length = 0;
+      await ask("/set?name=height", { method: "POST", body: String(1 + i % 7 + 0.5) });
+      await until((s) => s.parameters[0]?.value.startsWith(String(1 + i % 7 + 0.5)), "round " + i);
+      if (i === Math.floor(rounds / 3)) after = bytes();
+    }
+    check(bytes() < after + 8000, `${after} KB became ${bytes()} KB`);
+  });
+
+  await test("it ends when told to", async (check) => {
+    const ended = new Promise((go) => server.once("exit", (code) => go(code)));
+    server.kill("SIGTERM");
+    const code = await Promise.race([ended, new Promise((go) => setTimeout(() => go("never"), 10000))]);
+    check(code === 0, "it ended with " + code);
+  });
+} finally {
+  stream.destroy();
+  server.kill("SIGKILL");
+}
+process.exit(0);
