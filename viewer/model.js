@@ -1,7 +1,8 @@
 // Owns the model as the viewer holds it: geometries, materials, and one flat list of parts, each a geometry at a place.
 //
-// A part has the origin of its own constructor call, and a path: the operations of the source that it came through, from the inside outwards,
-// paths[p] = { parent, origin, kind, layer }. Parts that stand in one operation share their path.
+// A part has the origin of its own constructor call, and a path: the operations of the source that it came through, from the inside outwards.
+// A path has a parent, an origin and a kind; parts that stand in one operation share their path. There may be a million of each: all are arrays
+// of numbers.
 
 export class Model {
   constructor() {
@@ -17,7 +18,10 @@ export class Model {
     this.kinds = [""];
     this.geometries = [];
     this.origins = { files: [], at: new Uint32Array(0) };
-    this.paths = [{ parent: 0, origin: 0, kind: 0, layer: 0 }];
+    this.pathCount = 1; // Number 0 is the drawing itself.
+    this.pathParent = new Uint32Array(64);
+    this.pathOrigin = new Uint32Array(64);
+    this.pathKind = new Uint16Array(64);
     this.count = 0;
     this.matrix = new Float32Array(12 * 64);
     this.geometry = new Uint32Array(64);
@@ -38,6 +42,20 @@ export class Model {
     }
   }
 
+  addPath(parent, origin, kind) {
+    const p = this.pathCount++;
+    if (p >= this.pathParent.length)
+      for (const key of ["pathParent", "pathOrigin", "pathKind"]) {
+        const was = this[key];
+        this[key] = new was.constructor(2 * was.length);
+        this[key].set(was);
+      }
+    this.pathParent[p] = parent;
+    this.pathOrigin[p] = origin;
+    this.pathKind[p] = kind;
+    return p;
+  }
+
   // m: twelve numbers, three rows of an affine map.
   add(geometry, m, paint, layer, path, kind, made) {
     const i = this.count;
@@ -54,17 +72,26 @@ export class Model {
 
   // Bounds of each part as a ball, and of everything as a box; relative to the middle.
   measure() {
-    const n = this.count;
-    this.ball = new Float32Array(4 * n);
+    const n = this.count, m = this.matrix, ball = this.ball = new Float32Array(4 * n);
     this.box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
-    for (let i = 0; i < n; i++) {
-      const g = this.geometries[this.geometry[i]], b = partBox(this, i, g);
+    const { min, max } = this.box;
+    for (let i = 0, o = 0; i < n; i++, o += 12) {
+      const g = this.geometries[this.geometry[i]];
+      let square = 0;
       for (let k = 0; k < 3; k++) {
-        this.ball[4 * i + k] = (b.min[k] + b.max[k]) / 2;
-        this.box.min[k] = Math.min(this.box.min[k], b.min[k]);
-        this.box.max[k] = Math.max(this.box.max[k], b.max[k]);
+        const r = o + 4 * k;
+        let low = m[r + 3], high = low;
+        for (let c = 0; c < 3; c++) {
+          const a = m[r + c] * g.min[c], b = m[r + c] * g.max[c];
+          if (a < b) low += a, high += b;
+          else low += b, high += a;
+        }
+        if (low < min[k]) min[k] = low;
+        if (high > max[k]) max[k] = high;
+        ball[4 * i + k] = (low + high) / 2;
+        square += (high - low) * (high - low);
       }
-      this.ball[4 * i + 3] = Math.hypot(b.max[0] - b.min[0], b.max[1] - b.min[1], b.max[2] - b.min[2]) / 2;
+      ball[4 * i + 3] = Math.sqrt(square) / 2;
     }
     if (n === 0) this.box = { min: [-1, -1, -1], max: [1, 1, 1] };
     this.size = [0, 1, 2].map((k) => this.box.max[k] - this.box.min[k]);
@@ -82,7 +109,7 @@ export class Model {
       }
     };
     climb(this.made[i]);
-    for (let path = this.path[i]; path > 0; path = this.paths[path].parent) climb(this.paths[path].origin);
+    for (let path = this.path[i]; path > 0; path = this.pathParent[path]) climb(this.pathOrigin[path]);
     return found;
   }
   origin(o) {
@@ -94,20 +121,6 @@ export class Model {
 
 export function plain() {
   return { name: "", color: [0.86, 0.85, 0.83], roughness: 0.9, metallic: 0, transparency: 0, ior: 1.5 };
-}
-
-// The box of a part, from its geometry's box: exact for turns by quarters, else a little large.
-export function partBox(model, i, g) {
-  const m = model.matrix, o = 12 * i, min = [0, 0, 0], max = [0, 0, 0];
-  for (let k = 0; k < 3; k++) {
-    min[k] = max[k] = m[o + 4 * k + 3];
-    for (let c = 0; c < 3; c++) {
-      const a = m[o + 4 * k + c] * g.min[c], b = m[o + 4 * k + c] * g.max[c];
-      min[k] += Math.min(a, b);
-      max[k] += Math.max(a, b);
-    }
-  }
-  return { min, max };
 }
 
 export function makeGeometry(position, normal, index, solid, lines) {
@@ -158,37 +171,56 @@ export function modelFromPacked(root) {
     }
     return node.geometry;
   };
-  const pathOf = (parent, f, layer) => {
-    if (f.origin === undefined && f.kind === undefined) return parent;
-    model.paths.push({ parent, origin: f.origin || 0, kind: numbered(kinds, model.kinds, f.kind || ""), layer });
-    return model.paths.length - 1;
-  };
-  const placeOf = (f) => f.matrix ? f.matrix : f.translation ? Float64Array.of(1, 0, 0, f.translation[0], 0, 1, 0, f.translation[1], 0, 0, 1, f.translation[2]) : null;
+  const kindOf = (node) => node.kind ??= numbered(kinds, model.kinds, node.fields.kind || "");
 
-  // A stack of its own: templates may be nested as deeply as the user likes.
-  const stack = [];
-  const walk = (children, m, paint, layer, path) => {
-    stack.push({ children, next: 0, m, paint, layer, path });
-    while (stack.length > 0) {
-      const top = stack[stack.length - 1];
-      if (top.next >= top.children.length) {
-        stack.pop();
+  // A stack of its own, in arrays by depth: templates may be nested as deeply as the user likes, and used a million times.
+  const lists = [], nexts = [], paints = [], layersAt = [], paths = [];
+  let places = new Float64Array(12 * 64), depth = -1;
+  const push = (children, place, paint, layer, path) => {
+    const from = 12 * depth++, to = from + 12;
+    if (places.length < to + 12) {
+      const grown = new Float64Array(2 * places.length);
+      grown.set(places);
+      places = grown;
+    }
+    const p = places;
+    if (from < 0) p.set(identity);
+    else if (!place) p.copyWithin(to, from, from + 12);
+    else if (place.length === 3) {
+      p.copyWithin(to, from, from + 12);
+      for (let k = 0; k < 12; k += 4) p[to + k + 3] += p[from + k] * place[0] + p[from + k + 1] * place[1] + p[from + k + 2] * place[2];
+    } else {
+      for (let k = 0; k < 12; k += 4) {
+        const a = p[from + k], b = p[from + k + 1], c = p[from + k + 2];
+        for (let q = 0; q < 4; q++) p[to + k + q] = a * place[q] + b * place[4 + q] + c * place[8 + q];
+        p[to + k + 3] += p[from + k + 3];
+      }
+    }
+    lists[depth] = children, nexts[depth] = 0, paints[depth] = paint, layersAt[depth] = layer, paths[depth] = path;
+  };
+  const walk = (children) => {
+    depth = -1;
+    push(children, null, 0, 0, 0);
+    while (depth >= 0) {
+      const list = lists[depth];
+      if (nexts[depth] >= list.length) {
+        depth--;
         continue;
       }
-      const node = top.children[top.next++];
+      const node = list[nexts[depth]++];
       if (node.use !== undefined) {
         const used = nodes.get(node.use);
-        if (used) stack.push({ children: used.children, next: 0, m: top.m, paint: top.paint, layer: top.layer, path: top.path });
+        if (used) push(used.children, null, paints[depth], layersAt[depth], paths[depth]);
         continue;
       }
       const f = node.fields;
-      if (node.def >= 0) nodes.set(node.def, node);
       if (node.type === "Transform" || node.type === "Group") {
-        const place = placeOf(f), mine = f.layer !== undefined ? numbered(layers, model.layers, f.layer) : top.layer;
-        stack.push({ children: node.children, next: 0, m: place ? multiply(top.m, place) : top.m, paint: f.paint || top.paint, layer: mine, path: pathOf(top.path, f, mine) });
+        const layer = f.layer !== undefined ? node.layer ??= numbered(layers, model.layers, f.layer) : layersAt[depth];
+        const path = f.origin === undefined && f.kind === undefined ? paths[depth] : model.addPath(paths[depth], f.origin || 0, kindOf(node));
+        push(node.children, f.matrix || f.translation || null, f.paint || paints[depth], layer, path);
       } else if (node.type === "Shape") {
-        const used = nodes.get(node.children[0].use), mine = f.layer !== undefined ? numbered(layers, model.layers, f.layer) : top.layer;
-        if (used) model.add(geometryOf(used), top.m, f.paint || top.paint, mine, top.path, numbered(kinds, model.kinds, f.kind || ""), f.origin || 0);
+        const used = nodes.get(node.children[0].use), layer = f.layer !== undefined ? node.layer ??= numbered(layers, model.layers, f.layer) : layersAt[depth];
+        if (used) model.add(geometryOf(used), places.subarray(12 * depth, 12 * depth + 12), f.paint || paints[depth], layer, paths[depth], kindOf(node), f.origin || 0);
       }
     }
   };
@@ -213,7 +245,7 @@ export function modelFromPacked(root) {
       case "Ground": model.ground = { z: f.z[0], paint: f.paint || 0 }; break;
       case "PhysicalMaterial": model.materials.push({ name: f.name, color: Array.from(f.baseColor), roughness: f.roughness[0], metallic: f.metallic[0], transparency: f.transparency[0], ior: f.ior[0] }); break;
       case "Origins": model.origins = { files: f.file || [], at: f.at }; break;
-      default: if (node.use !== undefined || node.type === "Transform" || node.type === "Group") walk([node], identity, 0, 0, 0);
+      default: if (node.use !== undefined || node.type === "Transform" || node.type === "Group") walk([node]);
     }
   }
   return model.measure();

@@ -72,44 +72,49 @@ export class Panel {
     return rows.slice(0, ROWS);
   }
 
-  // Operations of the source, folded; in each the parts.
+  // Operations of the source, folded; in each the parts. A node is made when it is unfolded: first[p] and next[p] chain the paths of one parent.
+  #tree() {
+    const m = this.viewer.model, n = m.pathCount;
+    if (this.treeOf === m) return;
+    const parts = { first: new Int32Array(n).fill(-1), next: new Int32Array(m.count) }, paths = { first: new Int32Array(n).fill(-1), next: new Int32Array(n) }, count = this.counts = new Uint32Array(n);
+    for (let i = m.count - 1; i >= 0; i--) parts.next[i] = parts.first[m.path[i]], parts.first[m.path[i]] = i, count[m.path[i]]++;
+    for (let p = n - 1; p > 0; p--) {
+      count[m.pathParent[p]] += count[p];
+      if (count[p] > 0) paths.next[p] = paths.first[m.pathParent[p]], paths.first[m.pathParent[p]] = p;
+    }
+    const list = (chain) => (p) => { const found = []; for (let i = chain.first[p]; i >= 0; i = chain.next[i]) found.push(i); return found; };
+    this.partsIn = list(parts);
+    this.pathsIn = list(paths);
+    this.treeOf = m;
+    this.open.clear();
+  }
+
   parts() {
     const v = this.viewer, m = v.model;
-    if (this.treeOf !== m) {
-      this.tree = m.paths.map(() => ({ children: [], parts: [], count: 0 }));
-      for (let i = 0; i < m.count; i++) this.tree[m.path[i]].parts.push(i);
-      for (let p = m.paths.length - 1; p > 0; p--) {
-        this.tree[p].count += this.tree[p].parts.length;
-        this.tree[m.paths[p].parent].count += this.tree[p].count;
-        if (this.tree[p].count > 0) this.tree[m.paths[p].parent].children.push(p);
-      }
-      for (const node of this.tree) node.children.reverse();
-      this.treeOf = m;
-      this.open.clear();
-    }
+    this.#tree();
     const rows = [], all = (p) => {
       const found = [];
       for (const open = [p]; open.length > 0;) {
         const q = open.pop();
-        found.push(...this.tree[q].parts);
-        open.push(...this.tree[q].children);
+        for (const i of this.partsIn(q)) found.push(i);
+        for (const c of this.pathsIn(q)) open.push(c);
       }
       return found;
     };
     const place = (o) => { if (!o) return ""; const at = m.origin(o); return `  ${at.file}:${at.line}`; };
     const add = (p, depth) => {
-      for (const child of this.tree[p].children) {
+      for (const child of this.pathsIn(p)) {
         if (rows.length >= ROWS) return;
         // An operation that holds one operation alone is passed over.
         let at = child;
-        while (this.tree[at].parts.length === 0 && this.tree[at].children.length === 1) at = this.tree[at].children[0];
-        const open = this.open.has(at), path = m.paths[at];
-        rows.push(this.#row({ name: (m.kinds[path.kind] || "group") + place(path.origin), count: this.tree[at].count, depth, shown: !all(at).every((i) => v.hidden.parts.has(i)),
+        for (let inner = this.pathsIn(at); inner.length === 1 && this.partsIn(at).length === 0; inner = this.pathsIn(at)) at = inner[0];
+        const open = this.open.has(at);
+        rows.push(this.#row({ name: (m.kinds[m.pathKind[at]] || "group") + place(m.pathOrigin[at]), count: this.counts[at], depth, shown: v.hidden.parts.size === 0 || !all(at).every((i) => v.hidden.parts.has(i)),
           fold: { open, turn: () => { if (open) this.open.delete(at); else this.open.add(at); this.refresh(); } },
           switched: (on) => { for (const i of all(at)) on ? v.hidden.parts.delete(i) : v.hidden.parts.add(i); v.refresh(); this.refresh(); }, choose: () => v.select(all(at)) }));
         if (open) add(at, depth + 1);
       }
-      for (const i of this.tree[p].parts) {
+      for (const i of this.partsIn(p)) {
         if (rows.length >= ROWS) return;
         rows.push(this.#row({ name: (m.kinds[m.kind[i]] || "part") + place(m.made[i]), depth, part: i, shown: !v.hidden.parts.has(i), switched: this.#switched(v.hidden.parts, i), choose: () => v.select([i]) }));
       }

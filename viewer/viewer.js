@@ -274,9 +274,9 @@ export class Viewer {
     this.onOrigin?.(o);
   }
   partsOf(wanted) {
-    const m = this.model, hits = new Uint8Array(m.origins.at.length / 4 + 1), paths = new Uint8Array(m.paths.length), found = [];
+    const m = this.model, hits = new Uint8Array(m.origins.at.length / 4 + 1), paths = new Uint8Array(m.pathCount), found = [];
     for (let o = 1; o < hits.length; o++) hits[o] = wanted(m.origin(o)) || hits[m.origins.at[4 * (o - 1) + 3]] ? 1 : 0; // Callers come first.
-    for (let p = 1; p < m.paths.length; p++) paths[p] = hits[m.paths[p].origin] || paths[m.paths[p].parent];
+    for (let p = 1; p < m.pathCount; p++) paths[p] = hits[m.pathOrigin[p]] || paths[m.pathParent[p]];
     for (let i = 0; i < m.count; i++) if (hits[m.made[i]] || paths[m.path[i]]) found.push(i);
     return found;
   }
