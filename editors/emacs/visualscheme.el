@@ -1,0 +1,75 @@
+;;; visualscheme.el --- VisualScheme models in Emacs -*- lexical-binding: t -*-
+
+;; Owns the mode for .vs files: colours and indentation of scheme-mode with the language's own forms, and the commands that call `vs'.
+
+;;; Code:
+
+(require 'scheme)
+(require 'compile)
+
+(defgroup visualscheme nil "Solid models from Scheme programs." :group 'languages)
+
+(defcustom visualscheme-program "vs" "The command that runs a model." :type 'string :group 'visualscheme)
+
+(defconst visualscheme-forms '("define-parameter" "define-primitive" "register-drawing-function") "Forms that define something.")
+(defconst visualscheme-operations
+  '("draw" "unite" "intersect" "subtract" "with-material" "color" "layer" "highlight" "ghost" "only" "hull" "camera" "sun" "sky" "ground" "units")
+  "Words that stand at the head of most expressions of a model.")
+
+(defvar visualscheme-font-lock-keywords
+  `((,(concat "(\\(" (regexp-opt visualscheme-forms) "\\)[ \t]+(?\\(\\(?:\\sw\\|\\s_\\)+\\)") (1 font-lock-keyword-face) (2 font-lock-function-name-face))
+    (,(concat "[([]" (regexp-opt visualscheme-operations t) "\\_>") 1 font-lock-builtin-face)
+    ("[([]\\(\\(?:make\\|do\\)-\\(?:\\sw\\|\\s_\\)+\\)" 1 font-lock-builtin-face)
+    ("#:\\(?:\\sw\\|\\s_\\)+" . font-lock-constant-face)))
+
+(defvar visualscheme-mode-map
+  (let ((map (make-sparse-keymap)))
+    (define-key map (kbd "C-c C-c") #'visualscheme-check)
+    (define-key map (kbd "C-c C-v") #'visualscheme-view)
+    (define-key map (kbd "C-c C-o") #'visualscheme-write)
+    map))
+
+;;;###autoload
+(define-derived-mode visualscheme-mode scheme-mode "VisualScheme"
+  "Mode for VisualScheme models."
+  (font-lock-add-keywords nil visualscheme-font-lock-keywords)
+  (modify-syntax-entry ?\[ "(]")
+  (modify-syntax-entry ?\] ")["))
+
+(put 'with-material 'scheme-indent-function 1)
+(put 'layer 'scheme-indent-function 1)
+(put 'color 'scheme-indent-function 1)
+
+(defun visualscheme--run (&rest words)
+  "Run `visualscheme-program' with WORDS; what it says can be visited by `next-error'."
+  (save-buffer)
+  (compile (mapconcat #'shell-quote-argument (cons visualscheme-program words) " ")))
+
+(defun visualscheme-check ()
+  "Evaluate the file and write nothing."
+  (interactive)
+  (visualscheme--run "--check" (file-name-nondirectory buffer-file-name)))
+
+(defun visualscheme-write (output)
+  "Write the model to OUTPUT, by its ending."
+  (interactive "FWrite to: ")
+  (visualscheme--run (file-name-nondirectory buffer-file-name) "-o" (expand-file-name output)))
+
+(defun visualscheme-view ()
+  "Show the model in the browser, as it is edited."
+  (interactive)
+  (save-buffer)
+  (let ((process (start-process "vs-view" (get-buffer-create "*vs view*") visualscheme-program "view" "-q" buffer-file-name)))
+    (set-process-query-on-exit-flag process nil)
+    (set-process-filter process (lambda (_ text)
+                                  (when (string-match "http://127[^ \n]+" text) (browse-url (match-string 0 text)))))))
+
+;; FILE:LINE:COLUMN: message
+(add-to-list 'compilation-error-regexp-alist-alist '(visualscheme "^\\([^ \n:]+\\.vs\\):\\([0-9]+\\):\\([0-9]+\\): \\(?:\\(warning\\)\\|\\(note\\)\\|\\)" 1 2 3 (4 . 5)))
+(add-to-list 'compilation-error-regexp-alist 'visualscheme)
+
+;;;###autoload
+(add-to-list 'auto-mode-alist '("\\.vs\\'" . visualscheme-mode))
+
+(provide 'visualscheme)
+;;; visualscheme.el ends here

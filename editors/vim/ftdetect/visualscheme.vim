@@ -1,0 +1,1 @@
+autocmd BufNewFile,BufRead *.vs setlocal filetype=visualscheme

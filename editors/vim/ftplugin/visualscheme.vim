@@ -1,0 +1,11 @@
+" Owns what a VisualScheme buffer can do.
+if exists("b:did_ftplugin")
+  finish
+endif
+runtime! ftplugin/scheme.vim
+let b:did_ftplugin = 1
+setlocal lisp expandtab commentstring=;%s
+setlocal lispwords+=define-parameter,define-primitive,with-material,layer,color,lambda,let,let*,letrec,when,unless
+compiler visualscheme
+command! -buffer VsView call job_start(["vs", "view", expand("%:p")])
+command! -buffer -nargs=1 -complete=file VsWrite execute "!vs" shellescape(expand("%")) "-o" shellescape(<q-args>)

@@ -1,0 +1,48 @@
+// Owns the extension's commands: checking a model, whose messages become problems, and its live view.
+"use strict";
+const vscode = require("vscode");
+const { execFile, spawn } = require("child_process");
+const path = require("path");
+
+const setting = (name) => vscode.workspace.getConfiguration("visualscheme").get(name);
+
+// FILE:LINE:COLUMN: [warning: |note: ]message
+function problems(text, folder) {
+  const found = new Map();
+  for (const line of text.split("\n")) {
+    const m = /^(.+?):(\d+):(\d+): (?:(warning|note): )?(.*)$/.exec(line);
+    if (!m) continue;
+    const file = path.resolve(folder, m[1]), at = new vscode.Position(Number(m[2]) - 1, Number(m[3]) - 1);
+    const kind = m[4] === "warning" ? vscode.DiagnosticSeverity.Warning : m[4] === "note" ? vscode.DiagnosticSeverity.Information : vscode.DiagnosticSeverity.Error;
+    if (!found.has(file)) found.set(file, []);
+    found.get(file).push(new vscode.Diagnostic(new vscode.Range(at, at.translate(0, 1)), m[5], kind));
+  }
+  return found;
+}
+
+function activate(context) {
+  const list = vscode.languages.createDiagnosticCollection("visualscheme"), views = new Map();
+  const check = (document) => {
+    if (!document || document.languageId !== "visualscheme") return;
+    const folder = path.dirname(document.fileName);
+    execFile(setting("command"), ["--quiet", "--check", "--limit-time", "60", document.fileName], { cwd: folder, maxBuffer: 1 << 24 }, (error, out, said) => {
+      if (error && error.code === "ENOENT") return vscode.window.showErrorMessage("There is no command " + setting("command"));
+      list.clear();
+      for (const [file, found] of problems(said, folder)) list.set(vscode.Uri.file(file), found);
+    });
+  };
+  const view = () => {
+    const editor = vscode.window.activeTextEditor, file = editor && editor.document.fileName;
+    if (!file || views.has(file)) return;
+    const server = spawn(setting("command"), ["view", "-q", file], { cwd: path.dirname(file) });
+    views.set(file, server);
+    server.stdout.once("data", (text) => vscode.env.openExternal(vscode.Uri.parse(String(text).trim())));
+    server.on("error", (error) => vscode.window.showErrorMessage(error.message));
+    server.on("exit", () => views.delete(file));
+  };
+  context.subscriptions.push(list, vscode.commands.registerCommand("visualscheme.check", () => check(vscode.window.activeTextEditor && vscode.window.activeTextEditor.document)),
+    vscode.commands.registerCommand("visualscheme.view", view), vscode.workspace.onDidSaveTextDocument((d) => { if (setting("checkOnSave")) check(d); }),
+    { dispose: () => { for (const server of views.values()) server.kill(); } });
+}
+
+module.exports = { activate, deactivate() {}, problems };
