@@ -38,7 +38,7 @@ static void print_help(void) {
   puts("  vs FILE             run FILE (- is standard input)");
   puts("  vs FILE -o OUT ...  run FILE and write its model");
   puts("  vs FILE -- ARG ...  run FILE, whose (command-line) ends in these arguments");
-  for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) printf("  vs %s %-*s %s\n", commands[i].name, (int)(16 - strlen(commands[i].name)), commands[i].arguments, commands[i].help);
+  for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) printf("  vs %s %-*s %s\n", commands[i].name, (int)(15 - strlen(commands[i].name)), commands[i].arguments, commands[i].help);
   putchar('\n');
   for (int i = 0; i < OPTION_COUNT; i++) {
     const option_row *r = &rows[i];

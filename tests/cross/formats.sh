@@ -35,10 +35,11 @@ for format in pov scad x3d html glb 3mf obj ply off stl tree; do
   case $format in
     3mf) "$tools/zipped" "$work/looks.3mf" > "$work/looks.words" ;;
     obj) cat "$work/looks.obj" "$work/looks.mtl" > "$work/looks.words" ;;
+    html) sed -n 's/.*id="scene">\([^<]*\)<.*/\1/p' "$work/looks.html" | base64 -d > "$work/looks.words" ;;
     *) cp "$work/looks.$format" "$work/looks.words" ;;
   esac
   printf '| `.%s`' $format
-  said 'rgb <\|color(\|diffuseColor=\|baseColorFactor\|olor="#\|^Kd\|property uchar red\|0\.501960784314 0\.25'
+  said 'rgb <\|color(\|diffuseColor=\|baseColorFactor\|olor="#\|^Kd\|property uchar red\|0\.501960784314 0\.25\|baseColor'
   said 'oak'
   said 'walls'
   said '[^a-z]mm\($\|[^a-z]\)\|millimeter\|"scale":\[0.001'
@@ -48,7 +49,7 @@ cat <<'EOF'
 
 *native*: in the format's own words, so that it stays round and can be edited there. *triangles*: lowered to them, as fine as `--tolerance` says. *lines*: to
 straight pieces. Where several stand, it depends on the form: a tapered extrusion is triangles where a straight one is not. What is in italics is
-the warning that the program gives: no shape is left out in silence, but looks that a format has no words for are. `.png` and `.exr` are POV-Ray's; `.x3dv` and `.html` hold what `.x3d` does;
+the warning that the program gives: no shape is left out in silence, but looks that a format has no words for are. `.png` and `.exr` are POV-Ray's; `.x3dv` and `.html` hold the shapes that `.x3d` does;
 all that is made of bare triangles (`.stl .3mf .obj .ply .off`) holds the union of the drawing's solids. `.tree` holds everything as it is.
 
 EOF
