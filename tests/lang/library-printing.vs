@@ -43,7 +43,7 @@
 (check (format #f "~a" 1) => "1")
 (check (with-output-to-string (lambda () (printf "~a-~a" 1 2) (displayln "!"))) => "1-2!\n")
 (check (said (format "~a")) => "format: the format has more directives than there are values (0)")
-(check (said (format "~q" 1)) => "format: unknown directive ~q in the format; there are ~a ~s ~v ~c ~b ~o ~x ~e ~n ~% ~~")
+(check (said (format "~q" 1)) => "format: unknown directive ~q in the format; there are ~a ~s ~d ~f ~v ~c ~b ~o ~x ~e ~n ~% ~~")
 
 (define (draw-some) (list (random 1000) (random 1.0) (random) (random (expt 10 30)) (random-range 5 6)))
 (random-seed! 7)
