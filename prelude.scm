@@ -213,11 +213,22 @@
         ((hash? s) (in-hash s))
         (else (error "for: expected a list, a vector, a string, a hash table or a count, got" s))))
 
-; ---- contracts: (list-of p), (and p q), (or p q) in parameter lists; a predicate that raises counts as false ----
+; ---- predicates made of predicates. In parameter lists and, or and not stand for the first three. A predicate that raises counts as false. ----
 (define (%holds? p x) (call-with-current-continuation (lambda (k) (with-exception-handler (lambda (e) (k #f)) (lambda () (p x))))))
-(define (list-of p) (lambda (l) (and (list? l) (let next ((l l)) (or (null? l) (and (p (car l)) (next (cdr l))))))))
-(define (%contract-and . ps) (lambda (x) (let next ((ps ps)) (or (null? ps) (and (%holds? (car ps) x) (next (cdr ps)))))))
-(define (%contract-or . ps) (lambda (x) (let next ((ps ps)) (and (pair? ps) (or (%holds? (car ps) x) (next (cdr ps)))))))
+(define (%need-predicates who ps)
+  (for-each (lambda (p) (if (not (procedure? p)) (error who "a predicate must be a procedure of one argument, got ~s" p))) ps))
+(define (list-of p)
+  (%need-predicates 'list-of (list p))
+  (lambda (l) (and (list? l) (let next ((l l)) (or (null? l) (and (p (car l)) (next (cdr l))))))))
+(define (and-of . ps)
+  (%need-predicates 'and-of ps)
+  (lambda (x) (let next ((ps ps)) (or (null? ps) (and (%holds? (car ps) x) (next (cdr ps)))))))
+(define (or-of . ps)
+  (%need-predicates 'or-of ps)
+  (lambda (x) (let next ((ps ps)) (and (pair? ps) (or (%holds? (car ps) x) (next (cdr ps)))))))
+(define (not-of p)
+  (%need-predicates 'not-of (list p))
+  (lambda (x) (not (%holds? p x))))
 
 ; ---- macros by renaming ----
 (define (%expand-by-renaming transformer form home use)

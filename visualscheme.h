@@ -206,6 +206,7 @@ typedef struct {
   size_t solids, surfaces, regions, curves; /* those of the objects; a mixed union counts as solid */
   bool has_bounds;                /* false: empty, or only infinite lines */
   double min[3], max[3];
+  bool bounds_at_most;            /* what is cut is bounded by what it is cut from: to work out the result would take long */
   const char *units;              /* "m" by default */
 } vs_summary;
 VS_API vs_outcome vs_drawing_summary(vs *s, vs_summary *out);
@@ -224,6 +225,10 @@ VS_API const vs_format_info *vs_format_list(size_t *count);
 VS_API const char *vs_format_endings(void); /* ".pov .png ...", for messages */
 VS_API const vs_format_info *vs_format_find(const char *name_or_suffix); /* "stl", ".stl", "out/a.stl" or a name; NULL: none such */
 
+/* The same among those and the formats that the program of this interpreter has brought (define-back-end). What *out points to lives until the next
+ * evaluation. False: none such. */
+VS_API bool vs_format_of(const vs *s, const char *name_or_suffix, vs_format_info *out);
+
 /* Optimisation passes by name; bit i of a mask is the i-th name. */
 #define VS_PASSES_ALL (~0u)
 VS_API const char *const *vs_pass_list(size_t *count);
@@ -239,6 +244,7 @@ typedef struct {
   int segments;          /* facets a turn; 0: by tolerance */
   unsigned passes;       /* a mask; VS_PASSES_ALL by default */
   bool count;            /* count nodes, and commands with and without each pass, for the statistics: the passes run once more for each */
+  bool strict;           /* what the format leaves out, or shows otherwise than modelled, is an error instead of a warning */
   bool last;             /* no drawing and no output follows: nothing is kept for them */
 } vs_output_options;
 VS_API vs_output_options vs_output_options_default(void);

@@ -48,6 +48,7 @@ struct vs_emitter {
   vs_facets facets;    /* in the coordinates of what is being written: finer where its placement makes it larger */
   vs_bounds bounds;    /* of everything drawn; never empty */
   double unit;         /* POV-Ray: how long a model unit is in its scene; see scene.c */
+  vs_bounds framed;    /* what a camera frames: without what is cut away */
   vs_bounds *boxes;    /* of its parts: tighter together than the one; what a camera frames */
   size_t box_count, box_room;
   size_t depth;        /* of nesting now, for indentation */
@@ -87,6 +88,7 @@ struct vs_backend {
   bool keep_origins;    /* the text's lines are remembered with the origins of what they hold */
   bool parts_flush;     /* its program keeps skins where faces in one plane are cut: they are parted before (flush.h) */
   bool hulls;           /* knows hulls of solids: they are shown as operations; all others, and elsewhere all, as one shape */
+  bool frames;          /* shows the drawing through a camera that frames it */
   bool groups;          /* large sets are handed over as trees of boxes (vs_sets_group) */
   bool area_sets;       /* is asked about sets of regions before they are lowered to one region */
   bool keeps_text;      /* what it writes for a node is decided by what drive_key puts into a key, and by nothing that it wrote before */
@@ -105,6 +107,8 @@ struct vs_backend {
   [VS_SPHERE] = { leaf, NULL }, [VS_CYLINDER] = { leaf, NULL }, [VS_CONE] = { leaf, NULL },                                         \
   [VS_CUT_CONE] = { leaf, NULL }, [VS_PYRAMID] = { leaf, NULL }, [VS_TORUS] = { leaf, NULL },                                       \
   [VS_E_CONE] = { leaf, NULL }, [VS_SUPERELLIPSOID] = { leaf, NULL }, [VS_HEIGHT_FIELD] = { leaf, NULL }, [VS_HULL] = { leaf, NULL },   \
+  [VS_REVOLVE] = { leaf, NULL }, [VS_LOFT] = { leaf, NULL }, [VS_RULED_LOFT] = { leaf, NULL }, [VS_GUIDED_LOFT] = { leaf, NULL },     \
+  [VS_GRID_SURFACE] = { leaf, NULL }, [VS_GRID_MESH] = { leaf, NULL },                                                              \
   [VS_POLYFACE_MESH] = { leaf, NULL }, [VS_EXTRUDE] = { leaf, NULL }, [VS_SWEEP] = { leaf, NULL },                                  \
   [VS_THICKEN] = { leaf, NULL }, [VS_TRANSFORM] = { through, NULL }, [VS_MATERIAL] = { through, NULL },                             \
   [VS_LAYER] = { through, NULL }, [VS_UNION] = { through, NULL }, [VS_INTERSECTION] = { boolean, NULL },                            \

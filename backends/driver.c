@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "backends/drive.h"
+#include "solids/drawn_bounds.h"
 #include "model/store/cache.h"
 #include "model/tally.h"
 
@@ -35,6 +36,7 @@ bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message) {
   vs_reuse_warned(&d->reuse, message);
   for (size_t i = 0; i < d->said_count; i++)
     if (d->said[i] == message) return true;
+  if (e->options->strict) return vs_emit_fail(e, ref, message);
   if (!vs_emit_grow(e, &d->said, &d->said_room, d->said_count + 1, sizeof *d->said)) return false;
   d->said[d->said_count++] = message;
   if (e->options->warn != NULL) e->options->warn(e->options->context, ref != NULL ? ref->origin : NULL, message);
@@ -517,11 +519,21 @@ static void drive_include(vs_bounds *all, const vs_bounds *b) {
   all->max = vs_v3(fmax(all->max.x, b->max.x), fmax(all->max.y, b->max.y), fmax(all->max.z, b->max.z));
 }
 
+static bool drive_settling(void *context, double done) { return vs_emit_progress(context, "meshing", done); }
+
+/* Does text of the user's for this very program stand in the drawing? */
+static bool drive_has_native(const vs_emitter *e) {
+  for (size_t i = 0; i < e->drive->entry_count; i++)
+    if (e->drive->entries[i].ref.node->kind == VS_NATIVE) return true;
+  return false;
+}
+
 /* The bounds of the things drawn, and of the parts of unions among them where that is not too many: a cross of two beams is framed
- * tighter by two boxes than by one. */
-static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo) {
+ * tighter by two boxes than by one. budget not NULL: those of what is left of parts that are cut, as far as it goes (drawn_bounds.h). */
+static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, size_t *budget, vs_bounds *all) {
   enum { most = 4096 };
   const vs_node *n = ref->node;
+  vs_kernel_options options = { .progress = drive_settling, .context = e, .max_bytes = e->options->mesh_bytes, .max_triangles = e->options->mesh_triangles };
   while (vs_node_is_dress(n)) n = n->children[0].node;
   bool parts = n->kind == VS_UNION && n->child_count + e->box_count <= most;
   size_t count = parts ? n->child_count : 1;
@@ -530,13 +542,30 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo) 
     vs_bounds b;
     const vs_ref *part = parts ? &n->children[i] : ref;
     if (drive_vain(e, part)) continue;
-    if (!vs_bounds_memo_get(memo, part->node, &b, e->error)) return false;
+    if (budget ? !vs_drawn_bounds(part, &e->drawing_facets, &options, budget, &b, NULL, e->error) : !vs_bounds_memo_get(memo, part->node, &b, e->error)) {
+      if (e->error->kind == VS_ERROR_MODEL && e->error->origin == NULL) e->error->origin = part->origin;
+      return false;
+    }
     if (b.min.x > b.max.x) continue;
-    if (e->box_count == 0) e->bounds = b;
-    else drive_include(&e->bounds, &b);
+    if (e->box_count == 0) *all = b;
+    else drive_include(all, &b);
     if (e->box_count >= most) drive_include(&e->boxes[most - 1], &b); /* the rest is one box */
     else e->boxes[e->box_count++] = b;
   }
+  return true;
+}
+
+/* What the camera frames: e->bounds and its boxes, without what is cut away. The fineness keeps to the bounds of all operands, as measures do. */
+static bool drive_frame_boxes(vs_emitter *e) {
+  size_t budget = VS_DRAWN_BOUNDS_MOST, wide = e->box_count;
+  e->framed = e->bounds;
+  if (!e->backend->frames || e->scene->view == VS_VIEW_CAMERA || drive_has_native(e)) return true;
+  e->box_count = 0;
+  for (size_t i = 0; i < e->scene->drawn_count; i++)
+    if (!drive_vain(e, &e->scene->drawn[i]) && !drive_boxes(e, &e->scene->drawn[i], &e->drive->bounds, &budget, &e->framed)) return false;
+  if (e->box_count > 0) return true;
+  e->box_count = wide > 0; /* nothing is left of it: the operands' places are framed */
+  e->boxes[0] = e->framed = e->bounds;
   return true;
 }
 
@@ -548,7 +577,11 @@ static bool drive_bounds(vs_emitter *e) {
     const vs_ref *ref = &e->scene->drawn[i];
     if (drive_vain(e, ref)) continue;
     if (ref->node->flags & VS_NODE_ENDLESS) return vs_emit_fail(e, ref, VS_ENDLESS_MESSAGE);
-    if (!drive_boxes(e, ref, &e->drive->bounds)) return false;
+    if (!drive_boxes(e, ref, &e->drive->bounds, NULL, &e->bounds)) return false;
+  }
+  if (e->box_count == 0 && drive_has_native(e)) { /* text whose size nobody knows: it is framed as if it were of the size 2 about the origin */
+    if (!vs_emit_grow(e, &e->boxes, &e->box_room, 1, sizeof *e->boxes)) return false;
+    e->bounds = e->boxes[e->box_count++] = (vs_bounds){ vs_v3(-1, -1, -1), vs_v3(1, 1, 1) };
   }
   if (e->box_count == 0) return drive_nothing(e);
   const double *low = &e->bounds.min.x, *high = &e->bounds.max.x;
@@ -602,8 +635,6 @@ static bool drive_all_vain(vs_emitter *e) {
   return true;
 }
 
-static bool drive_settling(void *context, double done) { return vs_emit_progress(context, "meshing", done); }
-
 /* What the format's numbers cannot hold apart is made one; what they fold is said. */
 static bool drive_settle(vs_emitter *e, vs_mesh *m) {
   vs_settled what;
@@ -644,7 +675,7 @@ bool vs_drive_scene(vs_emitter *e) {
   if (!drive_plan(e)) return false;
   if (e->scene->drawn_count == 0 && !e->backend->verbatim) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "nothing is drawn");
   if (drive_all_vain(e) && !e->backend->verbatim) return drive_nothing(e);
-  if (!drive_bounds(e)) return false;
+  if (!drive_bounds(e) || (!e->backend->verbatim && !drive_frame_boxes(e))) return false;
   drive_reset(e);
   if (!e->backend->begin(e)) return false;
   if (e->backend->solid != NULL) {

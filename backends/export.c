@@ -29,6 +29,10 @@ static const vs_format formats[] = {
 #include "backends/backends.def"
 };
 
+static bool given_begin(vs_emitter *e) { return vs_put(e->out, e->options->given, e->options->given_size); }
+static bool given_end(vs_emitter *e) { return !e->out->failed; }
+const vs_backend vs_backend_given = { .begin = given_begin, .end = given_end, .verbatim = true };
+
 size_t vs_export_format_count(void) { return sizeof formats / sizeof *formats; }
 const vs_format *vs_export_format_at(size_t index) { return &formats[index]; }
 
@@ -239,8 +243,10 @@ const char *vs_export_family(const vs_format *format) { return format->backend->
 
 bool vs_export_settle(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e) {
   const vs_backend *b = format->backend;
-  if (b->verbatim) return true;
-  vs_settle_options o = { .highlights = b->highlights, .ghosts = b->ghosts, .target = b->native, .muted = options->safe, .said = options->warn,
+  if (b->verbatim && b != &vs_backend_given) return true;
+  char output[24];
+  snprintf(output, sizeof output, ".%.20s", format->suffix);
+  vs_settle_options o = { .output = output, .strict = options->strict, .highlights = b->highlights, .ghosts = b->ghosts, .target = b->native, .muted = options->safe, .said = options->warn,
                           .said_context = options->context, .bounds = settle_bounds };
   if (b->ghosts_in_drafts && options->quality != VS_RENDER_DRAFT) o.ghosts = VS_MARKS_DROP;
   return vs_scene_settle(scene, &o, e);

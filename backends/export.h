@@ -17,6 +17,9 @@ typedef struct {
   uint64_t byte_limit; /* of one output; 0: none */
   double worker_seconds; /* a worker program is stopped after so long; 0: never */
   size_t mesh_bytes, mesh_triangles; /* what combining solids may take, and how many a mesh may have; 0: no limit */
+  const void *given;  /* what vs_backend_given writes, in place of a drawing */
+  size_t given_size;
+  bool strict;        /* what a format leaves out, or shows otherwise than modelled, is an error instead of a warning */
   bool safe;          /* limits are on: nothing of the user's reaches a target as directives */
   void *context;      /* for the calls below, any of which may be NULL */
   /* Something the output does not show as modelled; said once a reason. origin may be NULL. */
@@ -37,6 +40,7 @@ typedef struct {
   bool binary;        /* not for a terminal */
   const vs_backend *backend;
 } vs_format;
+extern const vs_backend vs_backend_given; /* writes the options' `given`: text that was made elsewhere, into a file that appears whole or not at all */
 size_t vs_export_format_count(void);
 const vs_format *vs_export_format_at(size_t index);
 const vs_format *vs_export_format_find(const char *text); /* "pov", ".pov", "a/b.pov" or "povray"; NULL: no such */

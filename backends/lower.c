@@ -6,46 +6,22 @@
 
 #include "backends/backend.h"
 #include "geometry/plane/plane.h"
+#include "geometry/shapes/simple_nodes.h"
 #include "solids/primitive_meshes.h"
 #include "geometry/shapes/solid_triangles.h"
 #include "model/tally.h"
 
-static vs_node *lower_line(vs_store *store, const vs_polyline *p) {
-  vs_points *points = vs_points_new(store, p->at, p->count);
-  vs_node *line = points ? vs_node_new(store, VS_LINE, &(struct vs_line){ .points = points, .closed = p->closed }, NULL, 0) : NULL;
-  if (points) vs_points_release(store, points);
-  return line;
-}
-
 static vs_node *lower_polyline(vs_emitter *e, const vs_ref *ref) {
   vs_polyline p = { .count = 0 };
   vs_node *made = NULL;
-  if (vs_curve_sample(ref->node, &e->facets, &p, e->error) && (made = lower_line(e->scene->store, &p)) == NULL) vs_emit_no_memory(e);
+  if (vs_curve_sample(ref->node, &e->facets, &p, e->error) && (made = vs_node_of_polyline(e->scene->store, &p)) == NULL) vs_emit_no_memory(e);
   vs_polyline_free(&p);
   return made;
 }
 
 static vs_node *lower_polyface(vs_emitter *e, const vs_mesh *m, bool closed) {
-  vs_store *store = e->scene->store;
-  if (m->triangle_count == 0) {
-    vs_node *nothing = vs_node_new(store, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
-    if (nothing == NULL) vs_emit_no_memory(e);
-    return nothing;
-  }
-  vs_node *made = NULL;
-  uint32_t *starts = malloc((m->triangle_count + 1) * sizeof *starts);
-  vs_points *points = vs_points_new(store, m->vertices, m->vertex_count);
-  vs_faces *faces = NULL;
-  if (starts != NULL && points != NULL) {
-    for (size_t i = 0; i <= m->triangle_count; i++) starts[i] = (uint32_t)(3 * i);
-    faces = vs_faces_new(store, starts, m->triangle_count, &m->triangles[0][0], 3 * m->triangle_count);
-  }
-  if (faces != NULL)
-    made = vs_node_new(store, VS_POLYFACE_MESH, &(struct vs_polyface_mesh){ .points = points, .faces = faces, .closed = closed }, NULL, 0);
+  vs_node *made = vs_node_of_mesh(e->scene->store, m, closed);
   if (made == NULL) vs_emit_no_memory(e);
-  if (faces != NULL) vs_faces_release(store, faces);
-  if (points != NULL) vs_points_release(store, points);
-  free(starts);
   return made;
 }
 
@@ -71,7 +47,7 @@ static vs_node *lower_region(vs_emitter *e, const vs_ref *ref) {
   vs_ref *loops = calloc(o.count + 1, sizeof *loops);
   vs_node *made = NULL;
   size_t count = 0;
-  while (loops && count < o.count && (loops[count] = (vs_ref){ lower_line(store, &o.loops[count]), ref->origin }).node) count++;
+  while (loops && count < o.count && (loops[count] = (vs_ref){ vs_node_of_polyline(store, &o.loops[count]), ref->origin }).node) count++;
   if (loops && count == o.count) made = vs_node_new(store, count ? VS_REGION : VS_EMPTY, NULL, loops, count);
   const vs_material *paint = lower_paint(ref->node);
   if (made && count && paint) {

@@ -31,6 +31,7 @@ typedef struct vs_bind_parameter {
   vs_pos at;
 } vs_bind_parameter;
 typedef struct { const char *name, *datum; bool used; } vs_bind_setting; /* -D */
+typedef struct { const char *name, *suffix, *doc; bool binary, optimised; } vs_bind_back_end; /* that the program brought; texts are the store's */
 
 struct vs_bind {
   vs *vm;
@@ -59,7 +60,11 @@ struct vs_bind {
   uint32_t *gone;
   size_t ticket_count, ticket_room, gone_count;
   vs_error handed;                 /* what was wrong with a drawing function's result, with the object's place; kind NONE: nothing */
-  bool (*is_format)(const char *name); /* may `register-drawing-function` name it? */
+  bool handing;                    /* a drawing function is at work: draw gives its object and adds nothing */
+  vs_bind_back_end *back_ends;
+  size_t back_end_count, back_end_room;
+  bool (*is_built_in)(const char *name); /* is it the name or the ending of one of the library's own formats? */
+  bool (*is_format)(const vs_bind *b, const char *name); /* may `register-drawing-function` name it? */
   bool bad_parameter;              /* the error under way is a -D value's fault: exit 2 */
   /* the host: shows a warning; origin NULL is nowhere */
   void (*warn)(void *context, const vs_origin *origin, const char *message);
@@ -194,6 +199,12 @@ vs_status vs_bind_refuse(vs_frame *f, const char *param, const char *expected, v
  * set. Needs one registered. */
 bool vs_bind_hands_on(const vs_bind *b); /* was a drawing function registered? */
 bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *names);
+
+/* ---- back_ends.c ---- */
+/* The program's back-end of this name, or of this ending of a path; NULL: it brought none such. */
+const vs_bind_back_end *vs_bind_back_end_find(const vs_bind *b, const char *text);
+/* Calls its procedure with these objects: *text holds *bytes bytes and room for one more, from vs_mem, the caller's to free. False: the condition is set. */
+bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, size_t count, char **text, size_t *bytes);
 
 /* ---- files (files.c) ---- */
 /* All of a file beside the program that names it, as a bytevector; *shown: its name without folders, the store's. */

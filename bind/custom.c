@@ -108,8 +108,15 @@ vs_status vs_p_object_with(vs_frame *f, vs_value *out) {
   return s;
 }
 
+/* Says whether drawing functions are at work; returns what held before. */
+vs_status vs_p_handing(vs_frame *f, vs_value *out) {
+  *out = vs_bool(f->bind->handing);
+  f->bind->handing = f->arg[0].value != VS_FALSE;
+  return VS_OK;
+}
+
 vs_status vs_p_is_format(vs_frame *f, vs_value *out) {
-  *out = vs_bool(f->bind->is_format && f->bind->is_format(f->arg[0].text.at));
+  *out = vs_bool(f->bind->is_format && f->bind->is_format(f->bind, f->arg[0].text.at));
   return VS_OK;
 }
 

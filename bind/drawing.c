@@ -14,10 +14,10 @@ vs_status vs_p_draw(vs_frame *f, vs_value *out) {
   size_t n = f->arg[0].refs.count;
   vs_ref *ref = f->arg[0].refs.at;
   const vs_origin *here = vs_bind_origin(b);
-  b->drew = true;
+  b->drew = b->drew || !b->handing;
   for (size_t i = 0; i < n; i++)
     if (ref[i].node->flags & VS_NODE_ENDLESS) return vs_fail(f->vm, f->vm->sym.range, VS_ENDLESS_MESSAGE);
-  for (size_t i = 0; i < n; i++)
+  for (size_t i = 0; i < n && !b->handing; i++)
     if (!vs_scene_draw(&b->scene, (vs_ref){ ref[i].node, ref[i].origin ? ref[i].origin : here })) return vs_fail_memory(f->vm);
   if (n == 0) return vs_bind_empty(f, NULL, out);
   vs_status status = n == 1 ? vs_bind_node(f, vs_node_retain(ref[0].node), out) : vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, ref, n, out);

@@ -7,6 +7,7 @@
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
 #include "geometry/tessellate.h"
+#include "solids/drawn_bounds.h"
 #include "solids/solid_measures.h"
 #include "solids/resolve.h"
 #include "model/store/cache.h"
@@ -35,7 +36,7 @@ vs_status vs_bind_resolve(vs_frame *f, int i) {
 
 /* ---- what was worked out, kept: a program that runs again asks again ---- */
 
-enum { MESH_BOUNDS, SOLID_MEASURE /* and one for each vs_ask */ };
+enum { SOLID_MEASURE /* and one for each vs_ask */ };
 
 static bool known(vs_frame *f, uint64_t what, const vs_facets *facets, void *out, size_t size) {
   vs_cache *cache = vs_store_cache(f->bind->store);
@@ -158,111 +159,15 @@ vs_status vs_p_centroid(vs_frame *f, vs_value *out) {
   return measure(f, &m, VS_ASK_CENTROID) && vs_bind_point(f, m.centroid, out);
 }
 
-/* ---- the bounding box ----
- *
- * geometry/'s bounds are exact for primitives however they are placed, and for unions of them; they are safe, but may be too wide, for what is cut, and for
- * what else is turned. There a side that the triangles do not come near to is drawn in to them; one that they come near to, as near as facets
- * come to what is round, stays as the formulas have it. */
-
-enum { BOX_LOOK = 4096 }; /* nodes that are looked at; larger models are cut somewhere, or would be looked at for longer than measured */
-
-/* Does the map take boxes along the axes to boxes along the axes? */
-static bool keeps_boxes(const vs_affine *a) {
-  for (int i = 0; i < 3; i++)
-    if ((a->m[i][0] != 0) + (a->m[i][1] != 0) + (a->m[i][2] != 0) != 1) return false;
-  return true;
-}
-
-static bool box_is_exact(const vs_node *n, bool *exact) {
-  const vs_node **stack = NULL;
-  size_t count = 0, room = 0, seen = 0;
-  bool ok = true;
-  *exact = true;
-  for (;;) {
-    vs_level level = vs_kind_get((vs_kind)n->kind)->level;
-    if (n->kind == VS_TRANSFORM) {
-      vs_affine placed = vs_affine_identity();
-      int steps = 0;
-      for (; steps < 16 && (n->kind == VS_TRANSFORM || vs_node_is_dress(n)); steps++) {
-        if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
-        n = n->children[0].node;
-      }
-      level = vs_kind_get((vs_kind)n->kind)->level;
-      if (steps == 16 || ((level == VS_LEVEL_SWEPT || level == VS_LEVEL_OPERATION || n->child_count > 0) && !keeps_boxes(&placed))) *exact = false;
-    }
-    if (n->kind == VS_DIFFERENCE || n->kind == VS_INTERSECTION || n->kind == VS_SLICE) *exact = false;
-    if (!*exact || ++seen > BOX_LOOK) break;
-    if (n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_dress(n))
-      for (uint32_t i = 0; i < n->child_count && ok; i++) {
-        if (count == room) {
-          const vs_node **more = realloc(stack, (room = room * 2 + 64) * sizeof *more);
-          if (more) stack = more;
-          else ok = false;
-        }
-        if (ok) stack[count++] = n->children[i].node;
-      }
-    if (!ok || count == 0) break;
-    n = stack[--count];
-  }
-  free(stack);
-  return ok;
-}
-
-/* The bounds of the points that a drawing of it has. */
-static vs_status drawn_bounds(vs_frame *f, const vs_facets *facets, vs_bounds *out) {
-  const vs_ref *ref = &f->arg[0].ref;
-  vs_error e = { 0 };
-  *out = vs_bounds_empty();
-  switch ((vs_class)ref->node->class_) {
-    case VS_SOLID: {
-      vs_solid solid = { 0 };
-      if (known(f, MESH_BOUNDS, facets, out, sizeof *out)) return VS_OK;
-      vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
-      if (!vs_solid_evaluate(ref, 1, facets, &options, &solid, &e)) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
-      for (size_t i = 0; i < solid.mesh.triangle_count; i++)
-        for (int k = 0; k < 3; k++) vs_bounds_add(out, solid.mesh.vertices[solid.mesh.triangles[i][k]]);
-      vs_solid_free(&solid);
-      keep(f, MESH_BOUNDS, facets, out, sizeof *out);
-      return VS_OK;
-    }
-    case VS_REGION_CLASS: {
-      vs_outline o = { .count = 0 };
-      if (!vs_region_outline(ref->node, facets, &o, &e)) return vs_bind_error(f, &e);
-      for (size_t i = 0; i < o.count; i++)
-        for (size_t k = 0; k < o.loops[i].count; k++) vs_bounds_add(out, o.loops[i].at[k]);
-      vs_outline_free(&o);
-      return VS_OK;
-    }
-    case VS_NOTHING: case VS_CURVE: case VS_SURFACE: case VS_MIXED: case VS_INHERIT: break;
-  }
-  return VS_OK;
-}
-
-static double drawn_in(double wide, double drawn, double near) { return fabs(wide - drawn) <= near ? wide : drawn; }
-
-static vs_status tighten(vs_frame *f, vs_bounds *b) {
-  const vs_node *n = f->arg[0].ref.node;
-  vs_bounds d;
-  bool exact;
-  if (n->class_ != VS_SOLID && n->class_ != VS_REGION_CLASS) return VS_OK;
-  if (!box_is_exact(n, &exact)) return vs_fail_memory(f->vm);
-  if (exact) return VS_OK;
-  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind) };
-  if (facets.tolerance <= 0) facets.tolerance = vs_facets_tolerance(b);
-  if (!drawn_bounds(f, &facets, &d)) return VS_ERROR;
-  if (vs_bounds_is_empty(&d)) return *b = d, VS_OK;
-  double near = 2 * facets.tolerance;
-  b->min = vs_v3(drawn_in(b->min.x, d.min.x, near), drawn_in(b->min.y, d.min.y, near), drawn_in(b->min.z, d.min.z, near));
-  b->max = vs_v3(drawn_in(b->max.x, d.max.x, near), drawn_in(b->max.y, d.max.y, near), drawn_in(b->max.z, d.max.z, near));
-  return VS_OK;
-}
+/* ---- the bounding box ---- */
 
 vs_status vs_p_bounding_box(vs_frame *f, vs_value *out) {
   vs_bounds b;
   vs_error e = { 0 };
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
-  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
-  if (!vs_bounds_is_empty(&b) && !tighten(f, &b)) return VS_ERROR;
+  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind) };
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
+  if (!vs_drawn_bounds(&f->arg[0].ref, &facets, &options, NULL, &b, NULL, &e)) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
   if (vs_bounds_is_empty(&b)) return *out = VS_FALSE, VS_OK;
   vs_vec3 size = vs_v3_sub(b.max, b.min);
   if (!isfinite(size.x) || !isfinite(size.y) || !isfinite(size.z)) return vs_bind_refuse(f, "o", "smaller: its corners are beyond all numbers", f->arg[0].value);

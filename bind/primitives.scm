@@ -87,7 +87,7 @@
           ((identifier? spec) (list spec))
           ((identifier? (car spec)) (if (keyword? (syntax->datum (car spec))) (variables (cdr spec)) (cons (car spec) (variables (cdr spec)))))
           ((and (pair? (car spec)) (identifier? (caar spec)))
-           (if (memq (syntax->datum (caar spec)) '(list-of and or)) (variables (cdr spec)) (cons (caar spec) (variables (cdr spec)))))
+           (if (memq (syntax->datum (caar spec)) '(list-of and or not)) (variables (cdr spec)) (cons (caar spec) (variables (cdr spec)))))
           (else (list #f))))
       (define (expand name maker spec child)
         (let* ((plain (syntax->datum name)) (fields (variables spec))
@@ -133,9 +133,17 @@
   (%host-set! 2 %hand-on))
 
 ; The objects as they are handed to a format, which goes by several names: '(png povray), or by none, for measures.
+; To ask for the name * is to take functions for one format where there is none for all.
 (define (%hand-on objects names)
-  (let ((functions (filter (lambda (f) (or (not (vector-ref f 0)) (memq (vector-ref f 0) names))) %drawing-functions)))
-    (if (null? functions) objects (%redraw objects functions))))
+  (let ((functions (append (filter (lambda (f) (or (not (vector-ref f 0)) (memq (vector-ref f 0) names))) %drawing-functions)
+                           (if (memq '* names) (filter (lambda (f) (vector-ref f 0)) %drawing-functions) '()))))
+    (if (null? functions)
+        objects
+        (let ((before #f)) ; a drawing function may call draw, as the thesis' do: that adds nothing then
+          (dynamic-wind
+            (lambda () (set! before (%handing! #t)))
+            (lambda () (%redraw objects functions))
+            (lambda () (%handing! before)))))))
 
 ; Every object is replaced by what the newest function for it gives, and that is gone through in turn; but within what a function gives for an
 ; object, that object itself stays as it is: so a function may put what it was given into something else. Shared parts are done once. What was

@@ -37,6 +37,7 @@ static void forget_run(vs_bind *b) {
   vs_store_on_ticket(s, NULL, NULL);
   vs_store_realloc(s, b->tickets, b->ticket_room * sizeof *b->tickets, 0);
   vs_store_realloc(s, b->gone, b->ticket_room * sizeof *b->gone, 0);
+  vs_store_realloc(s, b->back_ends, b->back_end_room * sizeof *b->back_ends, 0);
   vs_scene_free(&b->scene);
 }
 
@@ -44,7 +45,7 @@ void vs_bind_restart(vs_bind *b) {
   forget_run(b);
   vs_bind kept = *b;
   *b = (vs_bind){ .vm = kept.vm, .store = kept.store, .settings = kept.settings, .setting_count = kept.setting_count, .setting_room = kept.setting_room, .refused = kept.refused,
-                  .library_files = kept.library_files, .is_format = kept.is_format, .warn = kept.warn, .warn_context = kept.warn_context };
+                  .library_files = kept.library_files, .is_built_in = kept.is_built_in, .is_format = kept.is_format, .warn = kept.warn, .warn_context = kept.warn_context };
   for (size_t i = 0; i < b->setting_count; i++) b->settings[i].used = false;
   vs_scene_init(&b->scene, b->store);
   vs_store_on_ticket(b->store, vs_bind_ticket_gone, b);
@@ -131,7 +132,10 @@ static bool is_transparent(const vs_node *n) { return n->kind == VS_UNION || n->
 
 static vs_bind_counts count_node(const vs_node *n, const vs_nodemap *known, const vs_bind_counts *sums) {
   vs_bind_counts c = { 0 };
-  if (n->class_ == VS_NOTHING) return c;
+  if (n->class_ == VS_NOTHING) {
+    c.all = n->kind == VS_NATIVE; /* text for one program: something that others have no class for */
+    return c;
+  }
   if (!is_transparent(n)) {
     c.all = 1;
     c.of[n->class_ == VS_MIXED ? VS_SOLID : n->class_] = 1;

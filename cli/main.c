@@ -157,8 +157,8 @@ static bool write_standard_output(void *context, const void *bytes, size_t count
 vs_outcome cli_session_write(cli_session *c, const cli_target *t) {
   vs_outcome outcome;
   cli_watch_begin(&c->watch, false);
-  if (strcmp(t->path, "-") == 0) outcome = vs_write_drawing_to(c->scheme, t->format->name, &c->options->output, write_standard_output, c);
-  else outcome = vs_write_drawing(c->scheme, t->path, t->format->name, &c->options->output);
+  if (strcmp(t->path, "-") == 0) outcome = vs_write_drawing_to(c->scheme, t->format, &c->options->output, write_standard_output, c);
+  else outcome = vs_write_drawing(c->scheme, t->path, t->format, &c->options->output);
   cli_watch_end(&c->watch);
   cli_report_settle(&c->reporter);
   return outcome;
@@ -191,6 +191,8 @@ static vs_outcome run_sources(cli_session *c, bool again) {
   for (size_t i = 0; i < count && outcome == VS_OUTCOME_DONE && !vs_exit_requested(c->scheme, &c->exit_code); i++) outcome = run_source(c, &sources[i]);
   cli_report_settle(&c->reporter);
   if (outcome == VS_OUTCOME_DONE && !again && !all_parameters_used(c)) outcome = VS_OUTCOME_USAGE; /* later what was set may be for another model */
+  for (size_t i = 0; outcome == VS_OUTCOME_DONE && !again && i < o->target_count; i++)
+    if (!cli_options_late(o, &o->targets[i], c->scheme)) outcome = VS_OUTCOME_USAGE;
   if (outcome == VS_OUTCOME_DONE && !o->quiet && count) {
     vs_summary summary;
     cli_watch_begin(&c->watch, false);
@@ -260,6 +262,7 @@ static vs_outcome view_model(const cli_options *o) {
 
 int main(int argc, char **argv) {
   hold_standard_streams();
+  signal(SIGPIPE, SIG_IGN); /* a reader that went is a failed write: outputs are finished or taken away, and the exit code says it */
   cli_options options;
   cli_verdict verdict = cli_options_parse(&options, argc, argv);
   if (verdict != CLI_GO) {

@@ -128,11 +128,12 @@ void cli_report_summary(const char *title, const vs_summary *s) {
     count_of(s->surfaces, "surface", "surfaces", &inner);
     count_of(s->regions, "region", "regions", &inner);
     count_of(s->curves, "curve", "curves", &inner);
-    if (!inner) fputs("empty", stderr);
+    if (!inner) fputs("native text", stderr);
     fputc(')', stderr);
   }
   if (s->has_bounds) {
-    fprintf(stderr, ", %.5g x %.5g x %.5g %s", s->max[0] - s->min[0], s->max[1] - s->min[1], s->max[2] - s->min[2], s->units);
+    if (s->bounds_at_most) fputs(", at most", stderr);
+    fprintf(stderr, "%s%.5g x %.5g x %.5g %s", s->bounds_at_most ? " " : ", ", s->max[0] - s->min[0], s->max[1] - s->min[1], s->max[2] - s->min[2], s->units);
     fprintf(stderr, ", from (%.5g %.5g %.5g) to (%.5g %.5g %.5g)", s->min[0] + 0.0, s->min[1] + 0.0, s->min[2] + 0.0, s->max[0] + 0.0, s->max[1] + 0.0, s->max[2] + 0.0);
   }
   fputc('\n', stderr);

@@ -204,6 +204,7 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
     return true;
   case OPTION_LIMIT_WORKER: return (parse_real(v, 0, &o->interpreter.limit_worker) && o->interpreter.limit_worker > 0) || bad("--limit-worker", v, "seconds above 0");
   case OPTION_UNTRUSTED: o->untrusted = true; return true;
+  case OPTION_STRICT: o->output.strict = true; return true;
   case OPTION_CHECK: o->check = true; return true;
   case OPTION_QUIET: o->quiet = true; return true;
   case OPTION_VERSION: printf("vs %s\n", vs_version()); *verdict = CLI_STOP; return true;
@@ -260,21 +261,31 @@ static bool read_option(cli_options *o, int argc, char **argv, int *at, cli_verd
 
 /* ---- outputs ---- */
 
+static const char *ending_of(const char *path) {
+  const char *base = strrchr(path, '/');
+  return strcmp(path, "-") == 0 ? NULL : strrchr(base ? base + 1 : path, '.');
+}
+
+/* The format of a target, as far as the library's own are meant; of another ending or name the program may bring one (cli_options_late). */
 static bool find_format(cli_options *o, cli_target *t) {
-  bool standard = strcmp(t->path, "-") == 0;
-  if (standard) o->to_stdout = true;
-  const char *base = strrchr(t->path, '/');
-  base = base ? base + 1 : t->path;
-  const char *ending = strrchr(base, '.');
-  if (!standard && ending && (t->format = vs_format_find(ending)) != NULL) {
-    const vs_format_info *said = o->format ? vs_format_find(o->format) : NULL; /* another notation behind the same ending */
-    if (said && strcmp(said->suffix, t->format->suffix) == 0) t->format = said;
-    return true;
-  }
+  const char *ending = ending_of(t->path);
+  if (strcmp(t->path, "-") == 0) o->to_stdout = true;
+  const vs_format_info *said = o->format ? vs_format_find(o->format) : NULL, *own = ending ? vs_format_find(ending) : NULL;
+  if (own && said && strcmp(said->suffix, own->suffix) == 0) own = said; /* another notation behind the same ending */
+  if (!own) own = said;
+  if (own) t->format = own->name;
+  return own || o->format || (ending && ending[1]) || cli_options_late(o, t, NULL);
+}
+
+bool cli_options_late(const cli_options *o, cli_target *t, const vs *scheme) {
+  const char *ending = ending_of(t->path);
+  vs_format_info brought;
+  if (t->format) return true;
+  if (scheme && ending && vs_format_of(scheme, ending, &brought)) return t->format = ending, true;
+  if (scheme && o->format && vs_format_of(scheme, o->format, &brought)) return t->format = o->format, true;
   if (o->format) {
-    if ((t->format = vs_format_find(o->format)) != NULL) return true;
     fprintf(stderr, "vs: --format %s: there is no such format;", o->format);
-  } else if (standard) {
+  } else if (strcmp(t->path, "-") == 0) {
     fputs("vs: -o - needs --format;", stderr);
   } else {
     fprintf(stderr, "vs: %s: ", t->path);

@@ -11,7 +11,7 @@ typedef struct {
 
 typedef struct {
   const char *path;             /* "-": standard output */
-  const vs_format_info *format; /* never NULL once parsed */
+  const char *format; /* its name or ending; NULL: not one of the library, perhaps one that the program brings */
 } cli_target;
 
 /* `vs COMMAND ...`: what the first word says. */
@@ -39,6 +39,8 @@ typedef struct {
 typedef enum { CLI_GO, CLI_STOP /* all done: --help, --version */, CLI_BAD_USAGE /* said on standard error: exit 2 */ } cli_verdict;
 
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv);
+/* The format of a target that none of the library's serves, from those that the program has brought; scheme NULL: there are none. False: said on standard error. */
+bool cli_options_late(const cli_options *o, cli_target *t, const vs *scheme);
 void cli_options_free(cli_options *o);
 
 #endif

@@ -198,7 +198,8 @@ const char *cli_repl_line(cli_session *c, size_t *length) { return next_line(c, 
 static void command_help(void);
 
 static void write_file(cli_session *c, const char *path) {
-  cli_target target = {path, vs_format_find(path)};
+  vs_format_info format;
+  cli_target target = {path, *path && vs_format_of(c->scheme, path, &format) ? format.name : NULL};
   if (!*path) {
     fputs(",write needs a file name, as in ,write house.png\n", stderr);
   } else if (!target.format) {

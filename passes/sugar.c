@@ -4,6 +4,8 @@
  * than MARKS_MOST of them keeps the first. */
 #include "passes/sugar.h"
 
+#include <stdio.h>
+
 #include "passes/rewrite.h"
 
 enum { MARKS_MOST = 4096, STEPS_MOST = 1 << 22 };
@@ -186,7 +188,7 @@ static vs_node *settle_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
   if (n->kind == VS_CUSTOM) undress = n->child_count == 1;
   if (n->kind == VS_ONLY) undress = true;
   if (n->kind == VS_HIGHLIGHT) undress = o->highlights != VS_MARKS_KEEP;
-  if (n->kind == VS_NATIVE) undress = o->muted || !settle_speaks(o, n);
+  if (n->kind == VS_NATIVE) undress = (o->muted || !settle_speaks(o, n)) && !(o->keeps_text && kids[0].node->kind == VS_EMPTY);
   if (n->kind == VS_GHOST) return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
   if (!undress) return vs_rewrite_keep(w, n, kids);
   *origin = n->kind == VS_CUSTOM ? NULL : kids[0].origin; /* of a custom thing, the place that asked for it is the user's */
@@ -195,15 +197,29 @@ static vs_node *settle_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
 
 typedef struct { const vs_settle_options *options; bool only; vs_ref native; } settle_kinds; /* native: the first for this program */
 
+/* Native text for another program, without anything for this one: says that the output lacks it, or fails if that is not allowed. */
+static bool settle_lacks(const settle_kinds *k, vs_ref ref, vs_error *e) {
+  const vs_settle_options *o = k->options;
+  const vs_node *n = ref.node;
+  char message[240];
+  if (!o->output || n->children[0].node->kind != VS_EMPTY || (settle_speaks(o, n) && !o->muted)) return true;
+  snprintf(message, sizeof message, "native: this text is for %.20s alone; %.20s is written without it (#:otherwise gives other formats something to show)", VS_AS(native, n)->target, o->output);
+  if (o->strict) return vs_error_set(e, VS_ERROR_MODEL, ref.origin, "%s", message);
+  if (o->said) o->said(o->said_context, ref.origin, message);
+  return true;
+}
+
 static bool settle_look(settle_kinds *k, const vs_scene *scene, vs_error *e) {
   vs_order o = { .store = scene->store };
   if (!vs_order_make(&o, scene->drawn, scene->drawn_count, e)) return false;
-  for (size_t i = 0; i < o.count; i++) {
+  bool ok = true;
+  for (size_t i = 0; ok && i < o.count; i++) {
     k->only |= o.at[i].node->kind == VS_ONLY;
+    if (o.at[i].node->kind == VS_NATIVE) ok = settle_lacks(k, o.at[i], e);
     if (!k->native.node && o.at[i].node->kind == VS_NATIVE && settle_speaks(k->options, o.at[i].node)) k->native = o.at[i];
   }
   vs_order_free(&o);
-  return true;
+  return ok;
 }
 
 /* The scene draws these, whose references become its own. */

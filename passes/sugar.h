@@ -20,6 +20,9 @@ typedef enum {
 typedef struct {
   vs_marks highlights, ghosts;
   const char *target; /* of targets.def, or NULL: no native text */
+  const char *output; /* what the format is called in messages: ".stl"; NULL: what native text has nothing for it is not spoken of */
+  bool keeps_text;    /* native text without anything for other formats stays, for those who count */
+  bool strict;        /* native text that leaves nothing for this format is an error, not a warning */
   bool muted;         /* its native text is switched off all the same, which is said */
   /* Both may be NULL. said: once a kind, with the place of the first. bounds: as vs_pass_options has it, for what is shown where it is cut. */
   void (*said)(void *context, const vs_origin *origin, const char *message);

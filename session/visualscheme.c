@@ -9,6 +9,7 @@
 #include "backends/export.h"
 #include "geometry/measure/node_measures.h"
 #include "passes/optimise.h"
+#include "solids/drawn_bounds.h"
 #include "solids/resolve.h"
 #include "model/store/cache.h"
 #include "passes/sugar.h"
@@ -66,8 +67,16 @@ static bool take_value(vs *vm, vs_value v, vs_pos place) {
   return ok;
 }
 
-/* for register-drawing-function: as (vs_format_find), but no path */
-static bool is_format(const char *name) { return !strpbrk(name, "./") && vs_export_format_find(name) != NULL; }
+/* A warning of the expander, at its place in the user's text; none about the library's own. */
+static void warn_program(vs *vm, vs_pos place, const char *message) {
+  vs_session *s = vs_session_of(vm);
+  vs_span at;
+  if (vs_session_span(s, place, &at)) vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, at.file, at.line, at.column, message);
+}
+
+/* for register-drawing-function and define-back-end: as (vs_format_find), but no path */
+static bool is_built_in(const char *name) { return !strpbrk(name, "./") && vs_export_format_find(name) != NULL; }
+static bool is_format(const vs_bind *b, const char *name) { return is_built_in(name) || (!strpbrk(name, "./") && vs_bind_back_end_find(b, name) != NULL); }
 
 static double tally_clock(void *session) { return vs_session_clock(session); }
 
@@ -135,7 +144,7 @@ vs *vs_new(const vs_options *options) {
   vs_config config = {
     .memory = vs_session_memory, .user = s, .memory_limit = o.limit_memory, .step_limit = o.limit_steps, .output_limit = o.limit_output, .time_limit = o.limit_time,
     .phase = vm_phase, .clock = vs_session_clock, .interrupted = vs_session_interrupted, .tables = vs_bind_tables(), .image = &vs_library_image,
-    .io = &vs_session_io, .value = take_value, .dropped = vs_bind_dropped, .library_path = s->options.library_path, .shipped = vs_shipped_library,
+    .io = &vs_session_io, .value = take_value, .dropped = vs_bind_dropped, .warn = warn_program, .library_path = s->options.library_path, .shipped = vs_shipped_library,
     .command_line = s->options.command_line, .command_line_count = s->options.command_line_count,
   };
   vs_store *store = vs_store_new(store_memory, s);
@@ -149,6 +158,7 @@ vs *vs_new(const vs_options *options) {
     enum { USUAL = 256 };
     vs_cache_new(store, o.cache ? o.cache : o.limit_memory ? o.limit_memory / 4 : (size_t)USUAL << 20);
   }
+  s->bind.is_built_in = is_built_in;
   s->bind.is_format = is_format;
   s->bind.warn = vs_session_warn, s->bind.warn_context = s;
   if (ok) return vm;
@@ -203,7 +213,7 @@ static void begin(vs_session *s, unsigned flags) {
   vs_tally_enter(&s->tally, VS_WORK_RUN);
   vm->steps = vm->written = 0;
   vm->started = vs_session_clock(s);
-  s->bind.bad_parameter = false;
+  s->bind.bad_parameter = s->bind.handing = false;
   s->phase = "evaluating", s->told_progress = vm->started;
 }
 
@@ -404,6 +414,7 @@ static vs_outcome hand_on(vs_session *s, vs_scene *scene, const vs_format *forma
   const char *names[4] = { NULL };
   size_t n = 0;
   if (!vs_bind_hands_on(&s->bind)) return VS_OUTCOME_DONE;
+  if (!format) names[n++] = "*"; /* whatever draws it, where nothing is for all formats */
   if (format) names[n++] = format->name, names[n++] = format->suffix;
   if (format && vs_export_family(format)) names[n++] = vs_export_family(format);
   begin(s, 0);
@@ -446,16 +457,17 @@ static bool resolve(vs_session *s, vs_scene *scene, vs_error *e) {
   return ok;
 }
 
-static bool summarise(const vs_scene *scene, vs_summary *out, vs_error *e) {
-  vs_bounds all = vs_bounds_empty(), one;
+static bool summarise(vs_session *s, const vs_scene *scene, vs_summary *out, vs_error *e) {
+  vs_bounds all;
   vs_bind_counts sum = { 0 }, c;
+  vs_facets facets = { .tolerance = scene->tolerance, .segments = scene->segments };
+  vs_kernel_options options = { .progress = keep_resolving, .context = s };
   for (size_t i = 0; i < scene->drawn_count; i++) {
     if (!vs_bind_count(scene->drawn[i], &c)) return vs_error_memory(e, scene->drawn[i].origin);
-    if (!vs_node_bounds(scene->drawn[i].node, &one, e)) return false;
-    vs_bounds_unite(&all, &one);
     sum.all += c.all;
     for (int k = 0; k < VS_INHERIT; k++) sum.of[k] += c.of[k];
   }
+  if (!vs_drawn_bounds_all(scene->drawn, scene->drawn_count, &facets, &options, VS_DRAWN_BOUNDS_MOST, &all, &out->bounds_at_most, e)) return false;
   out->objects = (size_t)sum.all;
   out->solids = (size_t)sum.of[VS_SOLID], out->surfaces = (size_t)sum.of[VS_SURFACE];
   out->regions = (size_t)sum.of[VS_REGION_CLASS], out->curves = (size_t)sum.of[VS_CURVE];
@@ -473,8 +485,8 @@ static vs_outcome drawing_summary(vs_session *s, vs_summary *out) {
   vs_outcome handed = hand_on(s, &scene, NULL);
   if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
   begin_output(s);
-  static const vs_settle_options plain = { .highlights = VS_MARKS_DROP };
-  bool ok = vs_scene_settle(&scene, &plain, &e) && resolve(s, &scene, &e) && summarise(&scene, out, &e);
+  static const vs_settle_options plain = { .highlights = VS_MARKS_DROP, .keeps_text = true };
+  bool ok = vs_scene_settle(&scene, &plain, &e) && resolve(s, &scene, &e) && summarise(s, &scene, out, &e);
   scene_done(s, &scene);
   return ok ? VS_OUTCOME_DONE : output_failed(s, &e);
 }
@@ -514,6 +526,23 @@ const vs_format_info *vs_format_find(const char *text) {
   for (size_t i = 0; f && i < sizeof formats / sizeof *formats; i++)
     if (!strcmp(formats[i].name, f->name)) return &formats[i];
   return NULL;
+}
+
+/* The format that a name or an ending means here: the library's own, else one that the program brought, which is put into *room. */
+static const vs_format *format_of(const vs_session *s, const char *text, vs_format *room) {
+  const vs_format *own = vs_export_format_find(text);
+  const vs_bind_back_end *brought = own ? NULL : vs_bind_back_end_find(&s->bind, text);
+  if (!brought) return own;
+  *room = (vs_format){ .suffix = brought->suffix, .name = brought->name, .doc = brought->doc, .binary = brought->binary, .backend = &vs_backend_given };
+  return room;
+}
+
+bool vs_format_of(const vs *vm, const char *text, vs_format_info *out) {
+  vs_format room;
+  const vs_format *f = format_of(vs_session_of(vm), text, &room);
+  if (!f) return false;
+  *out = (vs_format_info){ .name = f->name, .suffix = f->suffix, .doc = f->doc, .worker = f->worker, .binary = f->binary };
+  return true;
 }
 
 /* ---- writing ---- */
@@ -564,6 +593,24 @@ static bool sink(void *context, const void *bytes, size_t count) {
   return c->write(c->context, bytes, count);
 }
 
+/* The objects of a settled scene to the program's own back-end, and what that made of them into the file. */
+static vs_outcome write_brought(vs_session *s, vs_scene *scene, const char *path, const vs_format *format, vs_export_options *e, callback_sink *to) {
+  char *text = NULL;
+  size_t bytes = 0;
+  vs_error error = { 0 };
+  begin(s, 0);
+  bool ok = vs_bind_back_end_write(&s->bind, format->name, scene->drawn, scene->drawn_count, &text, &bytes);
+  s->phase = NULL;
+  vs_tally_enter(&s->tally, VS_WORK_EMIT);
+  if (!ok) return vs_session_report_condition(s, s->bind.vm->condition, false);
+  vs_scene nothing = *scene; /* for its store and units; what is drawn of it is the text */
+  nothing.drawn = NULL, nothing.drawn_count = nothing.drawn_room = 0;
+  e->given = text, e->given_size = bytes;
+  ok = to ? vs_export_to(&nothing, format, sink, to, e, &error) : vs_export(&nothing, format, path, e, &error);
+  vs_mem(s->bind.vm, text, bytes + 1, 0);
+  return ok ? VS_OUTCOME_DONE : vs_session_report_error(s, &error);
+}
+
 /* With its record begun. */
 static vs_outcome write_one(vs_session *s, const char *path, const vs_format *format, const vs_output_options *o, callback_sink *to) {
   vs_export_options e;
@@ -580,15 +627,23 @@ static vs_outcome write_one(vs_session *s, const char *path, const vs_format *fo
   e.safe = s->options.untrusted || s->options.limit_time > 0 || s->options.limit_memory || s->options.limit_steps || s->options.limit_output;
   e.mesh_triangles = s->options.limit_triangles;
   e.worker_seconds = s->options.limit_worker;
+  e.strict = o->strict;
   if (s->options.limit_memory) e.mesh_bytes = s->bytes < s->options.limit_memory ? s->options.limit_memory - s->bytes : 1;
   apply(o, &scene, &e);
   vs_outcome handed = hand_on(s, &scene, format);
   if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
+  const vs_bind_back_end *brought = format->backend == &vs_backend_given ? vs_bind_back_end_find(&s->bind, format->name) : NULL;
+  unsigned passes = brought && !brought->optimised ? 0 : o->passes;
   vs_cache_turn(vs_store_cache(s->bind.store), !o->last);
   begin_output(s); /* the drawing functions had the time of an evaluation */
-  bool ok = vs_export_settle(&scene, format, &e, &error) && (vs_export_is_verbatim(format) || resolve(s, &scene, &error)) &&
-            (!o->count || vs_session_output_nodes(s, &scene, o->passes, &error)) && vs_scene_optimise(&scene, o->passes, &record->passes, &error) &&
+  bool ok = vs_export_settle(&scene, format, &e, &error) && ((vs_export_is_verbatim(format) && !brought) || resolve(s, &scene, &error)) &&
+            (!o->count || vs_session_output_nodes(s, &scene, passes, &error)) && vs_scene_optimise(&scene, passes, &record->passes, &error) &&
             vs_export_prepare(&scene, format, &error);
+  if (ok && brought) {
+    vs_outcome outcome = write_brought(s, &scene, path, format, &e, to);
+    s->writing = false;
+    return scene_done(s, &scene), outcome;
+  }
   vs_tally_enter(&s->tally, VS_WORK_EMIT);
   ok = ok && (to ? vs_export_to(&scene, format, sink, to, &e, &error) : vs_export(&scene, format, path, &e, &error));
   s->writing = false;
@@ -601,7 +656,8 @@ static vs_outcome write_to(vs *vm, const char *path, const char *format_name, co
   vs_session *s = vs_session_of(vm);
   vs_output_options o = options ? *options : vs_output_options_default();
   const char *wanted = format_name ? format_name : path;
-  const vs_format *format = wanted ? vs_export_format_find(wanted) : NULL;
+  vs_format room;
+  const vs_format *format = wanted ? format_of(s, wanted, &room) : NULL;
   if (!format) {
     char text[400];
     snprintf(text, sizeof text, "%.200s: no format has this ending; there are %s", wanted ? wanted : "no format given", vs_format_endings());

@@ -212,7 +212,7 @@ bool vs_povray_begin(vs_emitter *e) {
   vs_puts(w, "global_settings {\n  assumed_gamma 1\n  max_trace_level 12\n  ");
   vs_puts(w, pov_radiosity(e->options->quality));
   vs_puts(w, "}\n#default { texture { pigment { color srgb <0.86, 0.85, 0.83> } finish { ambient 0 diffuse 0.82 } } }\n\n");
-  vs_look look = vs_look_find(e->scene, &e->bounds, e->boxes, e->box_count, (double)width / height);
+  vs_look look = vs_look_find(e->scene, &e->framed, e->boxes, e->box_count, (double)width / height);
   look.eye = vs_v3_scale(look.eye, e->unit), look.target = vs_v3_scale(look.target, e->unit), look.width *= e->unit;
   diagonal *= e->unit;
   if (e->unit != 1) {
@@ -233,7 +233,7 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
 
 #define POVRAY_SHARED                                                                                                                     \
   .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, .use = vs_povray_use,                \
-  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, .family = "povray", .native = "povray", .groups = true, .keeps_text = true, \
+  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, .family = "povray", .native = "povray", .groups = true, .keeps_text = true, .frames = true, \
   .emit = {                                                                                                                               \
     [VS_LINE] = { vs_povray_line, "POV-Ray has no lines: curves are drawn as thin rods" },                                                 \
     [VS_ARC] = { NULL, NULL }, [VS_CIRCLE] = { NULL, NULL }, [VS_SPLINE] = { NULL, NULL },                                                 \

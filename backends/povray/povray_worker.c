@@ -213,31 +213,7 @@ static bool run_listen(vs_emitter *e, pov_run *r, int *status) {
   return vs_emit_progress(e, "rendering", r->fraction); /* an interrupt may have ended it before us */
 }
 
-/* ---- the picture ---- */
-
-static bool run_copy(vs_emitter *e, const char *from_path, const char *to_path) {
-  int from = open(from_path, O_RDONLY | O_CLOEXEC);
-  if (from < 0) return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray made no picture");
-  int to = open(to_path, O_WRONLY | O_TRUNC | O_CLOEXEC);
-  bool ok = to >= 0;
-  char bytes[16384];
-  while (ok) {
-    ssize_t count = read(from, bytes, sizeof bytes);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) ok = false;
-    if (count <= 0) break;
-    for (ssize_t sent = 0, part; ok && sent < count; sent += part) {
-      part = write(to, bytes + sent, (size_t)(count - sent));
-      if (part < 0 && errno == EINTR) part = 0;
-      else if (part <= 0) ok = false;
-    }
-  }
-  int problem = errno;
-  close(from);
-  if (to >= 0 && close(to) != 0 && ok) ok = false, problem = errno;
-  return ok || vs_error_set(e->error, VS_ERROR_FILE, NULL, "the picture could not be written: %s",
-                            problem == ENOSPC ? "the disk is full" : strerror(problem));
-}
+/* ---- what came of it ---- */
 
 static bool run_judge(vs_emitter *e, pov_run *r, int status) {
   unsigned long line = 0;
@@ -275,7 +251,7 @@ static bool run_render(vs_emitter *e, const char *scene, const char *output, cha
     ok = run_listen(e, r, &status) && run_judge(e, r, status);
     close(r->errors);
   }
-  ok = ok && run_copy(e, r->picture, output);
+  ok = ok && vs_povray_take_picture(e, r->picture, output);
   unlink(r->picture);
   unlink(r->ini);
   unlink(r->state);

@@ -330,7 +330,7 @@ bool vs_x3d_scene(vs_emitter *e) {
   vs_x3d *x = e->state;
   if (!vs_x3d_settle(e)) return false;
   double aspect = e->options->width > 0 && e->options->height > 0 ? (double)e->options->width / e->options->height : 4.0 / 3;
-  vs_look look = vs_look_find(e->scene, &e->bounds, e->boxes, e->box_count, aspect);
+  vs_look look = vs_look_find(e->scene, &e->framed, e->boxes, e->box_count, aspect);
   vs_vec3 sun = vs_look_sun(e->scene, &look);
   /* Materials are said once, by the first that needs one: templates, the drawing, then the ground. */
   size_t numbers = 2 * x->batch_count; /* of faces, then of lines */

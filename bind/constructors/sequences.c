@@ -54,32 +54,33 @@ static vs_status raised(vs_frame *f, double h, double v, vs_value *out) {
 }
 static double fraction(int64_t i, int64_t n) { return n > 1 ? (double)i / (double)(n - 1) : 0; }
 
+/* In all of these psi is the zenith angle, as in sph: 0 is above the centre, pi/2 level with it. */
 static vs_status on_arc(vs_frame *f, int64_t i, vs_value *out) {
   double s, c, t = fraction(i, f->arg[5].integer), psi = t == 1 ? X(4) : X(3) + (X(4) - X(3)) * t;
   vs_sincos(psi, &s, &c);
-  return raised(f, X(1) * c, X(1) * s, out);
+  return raised(f, X(1) * s, X(1) * c, out);
 }
 vs_status vs_p_arc_sequence(vs_frame *f, vs_value *out) { return listed(f, f->arg[5].integer, on_arc, out); }
 
-/* Equal steps of the cosine. Its inverse is the elevation in the half turn [k pi, (k+1) pi] that both ends lie in; elsewhere two
- * points of the arc are above each other and the height would be ambiguous, so there the sine takes the sign of the middle of the arc. */
+/* Equal steps of the sine. Its inverse is the zenith angle in the half turn [(k - 1/2) pi, (k + 1/2) pi] that both ends lie in; elsewhere two
+ * points of the arc are above each other and the height would be ambiguous: there the cosine takes the sign of the middle of the arc. */
 static vs_status on_arc_horizontally(vs_frame *f, int64_t i, vs_value *out) {
   double s0, c0, s1, c1, sm, cm, t = fraction(i, f->arg[5].integer);
   vs_sincos(X(3), &s0, &c0), vs_sincos(X(4), &s1, &c1), vs_sincos((X(3) + X(4)) / 2, &sm, &cm);
-  if (t == 0) return raised(f, X(1) * c0, X(1) * s0, out);
-  if (t == 1) return raised(f, X(1) * c1, X(1) * s1, out);
-  double c = c0 + (c1 - c0) * t, s = sqrt(fmax(0, (1 - c) * (1 + c)));
-  return raised(f, X(1) * c, X(1) * (sm < 0 ? -s : s), out);
+  if (t == 0) return raised(f, X(1) * s0, X(1) * c0, out);
+  if (t == 1) return raised(f, X(1) * s1, X(1) * c1, out);
+  double s = s0 + (s1 - s0) * t, c = sqrt(fmax(0, (1 - s) * (1 + s)));
+  return raised(f, X(1) * s, X(1) * (cm < 0 ? -c : c), out);
 }
 vs_status vs_p_linear_h_arc_sequence(vs_frame *f, vs_value *out) { return listed(f, f->arg[5].integer, on_arc_horizontally, out); }
 
 vs_status vs_p_arc_height(vs_frame *f, vs_value *out) {
   double sa, ca, sb, cb;
   vs_sincos(X(1), &sa, &ca), vs_sincos(X(2), &sb, &cb);
-  return vs_bind_real(f, X(0) * fabs(sb - sa), out);
+  return vs_bind_real(f, X(0) * fabs(cb - ca), out);
 }
 vs_status vs_p_arc_width(vs_frame *f, vs_value *out) {
   double sa, ca, sb, cb;
   vs_sincos(X(1), &sa, &ca), vs_sincos(X(2), &sb, &cb);
-  return vs_bind_real(f, X(0) * fabs(cb - ca), out);
+  return vs_bind_real(f, X(0) * fabs(sb - sa), out);
 }

@@ -1,7 +1,10 @@
 /* Owns lofts that are led: along a path, or by guides.
  *
- * Along a path: each section is taken into the path's frame where it stands (the frames do not spin); between the sections its points go
- * smoothly from the one set of coordinates to the next, and the frames carry them. Sections stand still: only what lies between follows.
+ * Along a path: each section is taken into the path's frame where it stands (the frames do not spin) and described there by its shape, flat and
+ * about its own middle, by the place of that middle, and by its lean, the smallest rotation that takes the path's direction to the section's
+ * normal. Between the sections the three go smoothly from the one to the next, and the frames carry them. Interpolating the points alone
+ * would narrow the loft where two sections lean against each other: halfway their tilts cancel, and the chords between them are shorter.
+ * Sections stand still: only what lies between follows.
  * By guides: the free loft between two sections is moved so that its wall meets every guide. What all guides ask for alike (a shift; with two
  * a turn and a scale; with three or more any affine map of the section's plane) moves the whole row, the rest fades from guide to guide. */
 #include <stdlib.h>
@@ -63,9 +66,36 @@ static bool guided_stations(const vs_loft *l, vs_path *p, double *s, vs_error *e
   return true;
 }
 
+/* What stands behind the columns of a section's description. */
+enum { GUIDED_MIDDLE, GUIDED_LEAN, GUIDED_EXTRA };
+
+static vs_vec3 guided_out(const guided_frame *f, vs_vec3 v) {
+  return vs_v3_add(vs_v3_add(vs_v3_scale(f->x, v.x), vs_v3_scale(f->y, v.y)), vs_v3_scale(f->z, v.z));
+}
+static vs_vec3 guided_in(const guided_frame *f, vs_vec3 v) { return vs_v3(vs_v3_dot(v, f->x), vs_v3_dot(v, f->y), vs_v3_dot(v, f->z)); }
+
+/* v turned by the rotation whose axis is w and whose angle is the length of w (Rodrigues' formula). */
+static vs_vec3 guided_turned(vs_vec3 w, vs_vec3 v) {
+  double angle = vs_v3_length(w);
+  if (!(angle > 0)) return v;
+  vs_vec3 k = vs_v3_scale(w, 1 / angle);
+  vs_vec3 along = vs_v3_scale(k, vs_v3_dot(k, v) * (1 - cos(angle)));
+  return vs_v3_add(vs_v3_add(vs_v3_scale(v, cos(angle)), vs_v3_scale(vs_v3_cross(k, v), sin(angle))), along);
+}
+
+/* The description of a section of n columns with this middle and normal (zero: it has none), as it stands in the frame. */
+static void guided_describe(const guided_frame *f, const vs_vec3 *row, size_t n, vs_vec3 middle, vs_vec3 normal, vs_vec3 *local) {
+  vs_vec3 z = guided_in(f, normal), axis = vs_v3(-z.y, z.x, 0); /* +Z x z */
+  double sine = vs_v3_length(axis);
+  vs_vec3 lean = sine > 1e-12 ? vs_v3_scale(axis, atan2(sine, z.z) / sine) : vs_v3(0, 0, 0), back = vs_v3_scale(lean, -1);
+  for (size_t c = 0; c < n; c++) local[c] = guided_turned(back, guided_in(f, vs_v3_sub(row[c], middle)));
+  local[n + GUIDED_MIDDLE] = guided_in(f, vs_v3_sub(middle, f->at));
+  local[n + GUIDED_LEAN] = lean;
+}
+
 static void guided_row(const guided_frame *f, const vs_vec3 *local, size_t n, vs_vec3 *row) {
   for (size_t c = 0; c < n; c++)
-    row[c] = vs_v3_add(f->at, vs_v3_add(vs_v3_add(vs_v3_scale(f->x, local[c].x), vs_v3_scale(f->y, local[c].y)), vs_v3_scale(f->z, local[c].z)));
+    row[c] = vs_v3_add(f->at, guided_out(f, vs_v3_add(local[n + GUIDED_MIDDLE], guided_turned(local[n + GUIDED_LEAN], local[c]))));
 }
 
 /* Slope of column c's coordinates at station i */
@@ -86,15 +116,22 @@ static vs_vec3 guided_slope(const vs_vec3 *local, const double *s, size_t n, siz
 }
 
 static bool guided_rows(const vs_loft *l, const vs_path *p, const vs_vec3 *x, const double *s, const vs_vec3 *local, const vs_facets *f, vs_loft_rows *out) {
-  size_t n = l->columns, stations = l->rows + l->joined;
-  vs_vec3 *between = malloc((n + 1) * sizeof *between);
+  size_t n = l->columns, wide = n + GUIDED_EXTRA, stations = l->rows + l->joined;
+  vs_vec3 *between = malloc(wide * sizeof *between);
   bool ok = between != NULL;
   for (size_t i = 0; ok && i + 1 < stations; i++) {
     double from = s[i], to = s[i + 1], steps = 1;
-    for (size_t c = 0; c < n; c++) {
-      vs_vec3 m = vs_v3_scale(guided_slope(local, s, n, stations, i, c), to - from), k = vs_v3_scale(guided_slope(local, s, n, stations, i + 1, c), to - from);
-      steps = fmax(steps, vs_loft_hermite_steps(local[i * n + c], local[(i + 1) * n + c], m, k, f));
+    for (size_t c = 0; c < wide; c++) {
+      vs_vec3 m = vs_v3_scale(guided_slope(local, s, wide, stations, i, c), to - from), k = vs_v3_scale(guided_slope(local, s, wide, stations, i + 1, c), to - from);
+      if (c == n + GUIDED_LEAN) { /* the section's points go along arcs of this angle */
+        double turn = vs_v3_length(vs_v3_sub(local[(i + 1) * wide + c], local[i * wide + c])), far = 0;
+        for (size_t q = 0; q < n; q++) far = fmax(far, vs_v3_length(local[i * wide + q]));
+        steps = fmax(steps, (double)vs_facets_turn(f, far, 0) * turn / 6.283185307179586);
+      } else {
+        steps = fmax(steps, vs_loft_hermite_steps(local[i * wide + c], local[(i + 1) * wide + c], m, k, f));
+      }
     }
+    steps = ceil(steps);
     /* rows stand at the steps of both: of the sections' change and of the path */
     size_t sample = 0, turns = p->closed ? 3 : 1;
     double at = from, next = 1;
@@ -106,9 +143,9 @@ static bool guided_rows(const vs_loft *l, const vs_path *p, const vs_vec3 *x, co
         for (size_t c = 0; c < n; c++) row[c] = l->at[i * n + c];
       } else {
         double t = (at - from) / (to - from);
-        for (size_t c = 0; c < n; c++) {
-          vs_vec3 m = vs_v3_scale(guided_slope(local, s, n, stations, i, c), to - from), k = vs_v3_scale(guided_slope(local, s, n, stations, i + 1, c), to - from);
-          between[c] = vs_loft_hermite(local[i * n + c], local[(i + 1) * n + c], m, k, t);
+        for (size_t c = 0; c < wide; c++) {
+          vs_vec3 m = vs_v3_scale(guided_slope(local, s, wide, stations, i, c), to - from), k = vs_v3_scale(guided_slope(local, s, wide, stations, i + 1, c), to - from);
+          between[c] = vs_loft_hermite(local[i * wide + c], local[(i + 1) * wide + c], m, k, t);
         }
         guided_frame frame = guided_frame_at(p, x, at);
         guided_row(&frame, between, n, row);
@@ -136,7 +173,7 @@ bool vs_loft_along_path(const vs_node *n, const vs_loft *l, const vs_facets *f, 
   vs_affine identity = vs_affine_identity();
   size_t stations = l->rows + l->joined;
   double *s = malloc((stations + 1) * sizeof *s);
-  vs_vec3 *local = malloc((stations * l->columns + 1) * sizeof *local), *x = NULL;
+  vs_vec3 *local = malloc(stations * (l->columns + GUIDED_EXTRA) * sizeof *local), *x = NULL;
   bool ok = (s && local) || vs_error_memory(e, NULL);
   ok = ok && vs_curve_path(n->children[n->child_count - 1].node, &identity, f, &p, e);
   if (ok && p.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "the path is a point");
@@ -147,10 +184,8 @@ bool vs_loft_along_path(const vs_node *n, const vs_loft *l, const vs_facets *f, 
   }
   for (size_t i = 0; ok && i < stations; i++) {
     guided_frame frame = guided_frame_at(&p, x, s[i]);
-    for (size_t c = 0; c < l->columns; c++) {
-      vs_vec3 d = vs_v3_sub(l->at[i % l->rows * l->columns + c], frame.at);
-      local[i * l->columns + c] = vs_v3(vs_v3_dot(d, frame.x), vs_v3_dot(d, frame.y), vs_v3_dot(d, frame.z));
-    }
+    size_t row = i % l->rows;
+    guided_describe(&frame, &l->at[row * l->columns], l->columns, l->center[row], l->normal[row], &local[i * (l->columns + GUIDED_EXTRA)]);
   }
   ok = ok && (guided_rows(l, &p, x, s, local, f, out) || vs_error_memory(e, NULL));
   vs_path_free(&p);

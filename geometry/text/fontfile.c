@@ -136,6 +136,7 @@ static bool list_look(void *context, const char *path, const char *plain) {
     shown[n++] = *c;
   }
   shown[n] = '\0';
+  if (!strcmp(shown, "DejaVu Sans")) return false; /* stands first already */
   int wrote = snprintf(l->text + l->used, l->room - l->used, "%s%s", l->used ? ", " : "", shown);
   if (wrote < 0 || (size_t)wrote >= l->room - l->used) {
     l->text[l->used] = '\0';
@@ -145,8 +146,16 @@ static bool list_look(void *context, const char *path, const char *plain) {
   return false;
 }
 
+/* The font that text has without asking stands first wherever it is installed: what a message begins with is the same on every machine. */
 void vs_font_families(char *text, size_t room) {
+  static const char usual[] = "DejaVu Sans";
+  char path[PATH_ROOM];
   font_list l = { text, room, 0 };
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
   *text = '\0';
+  if (room > sizeof usual && vs_font_file(usual, path, sizeof path, &why)) {
+    memcpy(text, usual, sizeof usual);
+    l.used = sizeof usual - 1;
+  }
   search(list_look, &l);
 }

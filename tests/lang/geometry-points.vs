@@ -41,6 +41,8 @@
 (displayln (map-division (lambda (x) (* x x)) 0 4 2))  ; expect: (0 4 16)
 (displayln (map-division + 0 1 1 0 20 2))              ; expect: ((0 10 20) (1 11 21))
 (displayln (line-sequence origin (xyz 0 0 4) 3))       ; expect: ((xyz 0 0 0) (xyz 0 0 2) (xyz 0 0 4))
-(displayln (arc-sequence (xyz 1 1 1) 2 pi 0 pi/2 2))   ; expect: ((xyz -1 1 1) (xyz 1 1 3))
-(displayln (map cx (linear-h-arc-sequence origin 4 0 0 pi/2 3))) ; expect: (4.0 2.0 0.0)
+(displayln (arc-sequence (xyz 1 1 1) 2 pi 0 pi/2 2))   ; expect: ((xyz 1 1 3) (xyz -1 1 1))
+(displayln (near? (first (arc-sequence origin 20 0 pi/8 pi/2 3)) (xyz 7.653668647301796 0 18.477590650225736) 1e-9)) ; expect: #t
+(displayln (map cx (linear-h-arc-sequence origin 4 0 0 pi/2 3))) ; expect: (0.0 2.0 4.0)
 (displayln (list (arc-height 10 0 pi/2) (arc-width 10 pi/2 0))) ; expect: (10.0 10.0)
+(displayln (map (lambda (x) (near? x 5)) (list (arc-height 10 0 pi/3) (arc-width 10 0 pi/6)))) ; expect: (#t #t)

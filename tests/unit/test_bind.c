@@ -114,8 +114,8 @@ static void test_sequences(void **state) {
   CHECK("(xyz 2 0 0)", "xyz", I(2), I(0), I(0));
   r[2] = r[0];
   CHECK("((xyz 0 0 0) (xyz 1 0 0) (xyz 2 0 0))", "line-sequence", r[1], r[2], I(3));
-  CHECK("((xyz 2 0 0) (xyz 0 0 2))", "arc-sequence", r[1], I(2), I(0), I(0), D(1.5707963267948966), I(2));
-  CHECK("((xyz 5 0 0) (xyz 2.5 0 4.330127018922193) (xyz 0 0 5))", "linear-h-arc-sequence", r[1], I(5), I(0), I(0), D(1.5707963267948966), I(3));
+  CHECK("((xyz 0 0 2) (xyz 2 0 0))", "arc-sequence", r[1], I(2), I(0), I(0), D(1.5707963267948966), I(2));
+  CHECK("((xyz 0 0 5) (xyz 2.5 0 4.330127018922193) (xyz 5 0 0))", "linear-h-arc-sequence", r[1], I(5), I(0), I(0), D(1.5707963267948966), I(3));
   CHECK("10.0", "arc-height", I(10), I(0), D(1.5707963267948966));
 }
 

@@ -406,6 +406,48 @@ bool vs_expand_outline(vs_expansion *x) {
   return true;
 }
 
+/* ---- a procedure as a test ---- */
+
+/* Does the identifier name a procedure of the library, or one that the program has defined under this very name? */
+static bool names_procedure(vs_value id, vs_value env) {
+  vs_meaning m = vs_environment_find(env, id);
+  if (m.kind != VS_MEANS_CELL || !vs_is(m.value, VS_T_CELL)) return false;
+  vs_value value = vs_as_cell(m.value)->value;
+  if (vs_object_of(m.value)->flags & VS_F_CONSTANT) return value != VS_UNDEFINED && vs_is_procedure(value);
+  return vs_is(value, VS_T_CLOSURE) && vs_as_code(vs_as_closure(value)->code)->name == vs_identifier_symbol(id);
+}
+
+static bool combines_predicates(vs_value id, vs_value env) {
+  static const char *const names[] = { "list-of", "and-of", "or-of", "not-of", NULL };
+  if (!vs_is_identifier(id)) return false;
+  vs_meaning m = vs_environment_find(env, id);
+  if (m.kind != VS_MEANS_CELL || !(vs_object_of(m.value)->flags & VS_F_CONSTANT)) return false;
+  for (size_t i = 0; names[i]; i++)
+    if (!strcmp(vs_as_symbol(vs_identifier_symbol(id))->name, names[i])) return true;
+  return false;
+}
+
+/* A procedure counts as true: (and integer? positive?) is positive?. Warns where a test is one for certain. */
+static void warn_of_procedure(vs_expansion *x, vs_value form, const vs_meaning *head) {
+  vs *vm = x->vm;
+  char text[300];
+  if (!vm->config.warn) return;
+  if (vs_is_identifier(form)) {
+    if (!names_procedure(form, x->now.env)) return;
+    const char *name = vs_as_symbol(vs_identifier_symbol(form))->name;
+    snprintf(text, sizeof text, "%.60s is a procedure, which counts as true: it is not called here; (%.60s x) asks it, and (and-of p q), (or-of p q), (not-of p) combine predicates",
+             name, name);
+  } else if (vs_is_pair(form) && head->kind == VS_MEANS_MACRO && vs_as_macro(head->value)->kind == vs_fix(VS_FORM_lambda)) {
+    snprintf(text, sizeof text, "this lambda is a procedure, which counts as true: it is not called here");
+  } else if (vs_is_pair(form) && combines_predicates(vs_car(form), x->now.env)) {
+    const char *name = vs_as_symbol(vs_identifier_symbol(vs_car(form)))->name;
+    snprintf(text, sizeof text, "(%s ...) gives a procedure, which counts as true: it is not called here; (and-of p q), (or-of p q), (not-of p) combine predicates", name);
+  } else {
+    return;
+  }
+  vm->config.warn(vm, x->now.pos, text);
+}
+
 static bool expression(vs_expansion *x) {
   vs *vm = x->vm;
   if (vs_is_pair(x->now.form) && !vs_expand_outline(x)) return false;
@@ -414,6 +456,7 @@ static bool expression(vs_expansion *x) {
   vs_meaning m;
   if (!vs_expand_settle(x, &r[0], &m, &x->now.pos)) { if (x->now.waiting) x->now.form = r[0]; return false; }
   x->now.form = r[0];
+  if (x->now.decides) warn_of_procedure(x, r[0], &m);
   if (vs_is_identifier(r[0])) {
     if (is_keyword(r[0])) return vs_expand_fail(x, x->now.pos, VS_ABSENT, "the keyword %s stands only before an argument of a call", vs_as_symbol(r[0])->name);
     return (*x->now.into = vs_expand_ref(x, r[0], x->now.env, x->now.pos)) != NULL;
@@ -472,6 +515,7 @@ vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value) {
     case VS_TASK_TOP: ok = vs_top_step(x); break;
     case VS_TASK_QUASI: ok = vs_quasi_step(x); break;
     case VS_TASK_CASE: ok = vs_case_step(x); break;
+    case VS_TASK_PREDICATE: ok = vs_predicate_step(x); break;
     }
     if (x->now.waiting) return push_task(x, &x->now) ? VS_EXPAND_CALL : VS_EXPAND_ERROR;
     if (!ok) {

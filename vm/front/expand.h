@@ -29,12 +29,14 @@ typedef enum {
   VS_TASK_BODY,      /* form: what is left of a body; acc: what was found so far, newest first (body.c) */
   VS_TASK_TOP,       /* form: a top-level form */
   VS_TASK_QUASI,     /* form: a template; n: its level */
-  VS_TASK_CASE       /* form: the clauses of a case; var: the key's variable */
+  VS_TASK_CASE,      /* form: the clauses of a case; var: the key's variable */
+  VS_TASK_PREDICATE  /* form: a contract's predicate: and, or, not, list-of in it combine predicates (lambda.c) */
 } vs_task_kind;
 
 typedef struct vs_task {
   uint8_t kind;
   bool test;         /* only the truth of the value matters */
+  bool decides;      /* its truth decides what is evaluated next: a procedure in this place is a mistake */
   bool waiting;      /* a transformer was called */
   bool chained;      /* the rest of a form whose shape has been checked: (and b c) of (and a b c) */
   uint32_t depth, n;
@@ -124,6 +126,7 @@ bool vs_body_step(vs_expansion *x);
 bool vs_top_step(vs_expansion *x);
 bool vs_quasi_step(vs_expansion *x);
 bool vs_case_step(vs_expansion *x);
+bool vs_predicate_step(vs_expansion *x);
 bool vs_body_resume(vs_expansion *x, vs_value value);
 bool vs_library_define(vs_expansion *x);
 bool vs_library_import(vs_expansion *x);

@@ -22,7 +22,7 @@ bool vs_form_if(vs_expansion *x) {
   if (!vs_expand_nth(x, 2, x->now.env, &node->as.branch.then)) return false;
   vs_expand_top(x)->test = test;
   if (!vs_expand_nth(x, 1, x->now.env, &node->as.branch.test)) return false;
-  vs_expand_top(x)->test = true;
+  vs_expand_top(x)->test = vs_expand_top(x)->decides = true;
   return true;
 }
 
@@ -74,7 +74,7 @@ bool vs_form_and(vs_expansion *x) {
   if (!node || !(node->as.branch.otherwise = vs_ast_constant(&x->ast, VS_FALSE, x->now.pos))) return false;
   if (!chain(x, vs_cdr(vs_cdr(x->now.form)), &node->as.branch.then, x->now.test)) return false;
   if (!vs_expand_nth(x, 1, x->now.env, &node->as.branch.test)) return false;
-  vs_expand_top(x)->test = true;
+  vs_expand_top(x)->test = vs_expand_top(x)->decides = true;
   return true;
 }
 
@@ -112,6 +112,7 @@ bool vs_form_or(vs_expansion *x) {
   if (!node->as.branch.then || !chain(x, vs_cdr(vs_cdr(x->now.form)), &node->as.branch.otherwise, test)) return false;
   if (!vs_expand_nth(x, 1, x->now.env, test ? &node->as.branch.test : &let->as.let.values[0])) return false;
   vs_expand_top(x)->test = test;
+  vs_expand_top(x)->decides = true;
   return true;
 }
 
@@ -123,7 +124,7 @@ static bool when_unless(vs_expansion *x, bool when, int form) {
   /* a body: definitions may stand in it */
   if (!vs_expand_body(x, vs_cdr(vs_cdr(x->now.form)), x->now.env, x->now.pos, when ? &node->as.branch.then : &node->as.branch.otherwise, x->now.depth + 1)) return false;
   if (!vs_expand_nth(x, 1, x->now.env, &node->as.branch.test)) return false;
-  vs_expand_top(x)->test = true;
+  vs_expand_top(x)->test = vs_expand_top(x)->decides = true;
   return true;
 }
 bool vs_form_when(vs_expansion *x) { return when_unless(x, true, VS_FORM_when); }
@@ -138,7 +139,7 @@ bool vs_form_assert(vs_expansion *x) {
   node->as.branch.then = nothing;
   node->as.branch.otherwise = fail;
   if (!vs_expand_nth(x, 1, x->now.env, &node->as.branch.test)) return false;
-  vs_expand_top(x)->test = true;
+  vs_expand_top(x)->test = vs_expand_top(x)->decides = true;
   return true;
 }
 
@@ -183,6 +184,7 @@ bool vs_form_cond(vs_expansion *x) {
   } else if (!sequence(x, vs_cdr(r[0]), pos, &node->as.branch.then, x->now.depth + 1)) return false;
   if (!vs_expand_push(x, VS_TASK_EXPR, vs_car(r[0]), x->now.env, vs_element_pos(r[0], true, outer), test, x->now.depth + 1)) return false;
   vs_expand_top(x)->test = !let;
+  vs_expand_top(x)->decides = true;
   return true;
 }
 

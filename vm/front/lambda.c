@@ -71,29 +71,35 @@ static bool parse(vs_expansion *x, parameters *p, vs_value list, vs_pos outer) {
   return true;
 }
 
-/* A predicate form of a contract, list-of, and, or in it meaning the combinations: pushes its expansion. */
-static bool predicate(vs_expansion *x, vs_value form, vs_value env, vs_pos pos, vs_node **into) {
-  vs *vm = x->vm;
-  VS_ROOTS(vm, r, 5);
-  r[0] = form; r[1] = env;
-  int combine = vs_is_pair(form) && vs_list_length(form) > 0 ? vs_is_form(env, vs_car(form), VS_FORM_and) ? 1 : vs_is_form(env, vs_car(form), VS_FORM_or) ? 2 : 0 : 0;
-  if (!combine) return vs_expand_push(x, VS_TASK_EXPR, form, env, pos, into, 2);
-  vs_node *call = vs_expand_call(x, combine == 1 ? "%contract-and" : "%contract-or", (size_t)vs_list_length(form) - 1, pos);
-  if (!call) return false;
-  *into = call;
-  bool ok = true;
-  size_t i = 0;
-  /* combinations inside combinations are calls of procedures already: only their own level is and/or, so one loop a level, nested
-     levels as expressions over the library's names */
-  for (r[2] = vs_cdr(r[0]); ok && vs_is_pair(r[2]); r[2] = vs_cdr(r[2]), i++) {
-    r[3] = vs_car(r[2]);
-    for (int turn = 0; turn < 2; turn++) {
-      int form_ = turn ? VS_FORM_or : VS_FORM_and;
-      if (!vs_is_pair(r[3]) || !vs_is_form(r[1], vs_car(r[3]), form_)) continue;
-      ok = vs_core_name(vm, turn ? "%contract-or" : "%contract-and", &r[4]) && vs_cons(vm, r[4], vs_cdr(r[3]), &r[3]);
-    }
-    ok = ok && vs_expand_push(x, VS_TASK_EXPR, r[3], r[1], pos, &call->as.call.at[i], 3);
+/* In a contract and, or and not combine predicates, at any depth and within list-of: there they are the library's procedures of these names. */
+static const struct { int form; const char *word, *procedure; } combinations[] = {
+  { VS_FORM_and, NULL, "and-of" }, { VS_FORM_or, NULL, "or-of" }, { -1, "not", "not-of" }, { -1, "list-of", "list-of" },
+};
+
+/* Returns the procedure that a form of a contract calls, or NULL if it is an expression like any other. */
+static const char *combination(vs_value form, vs_value env) {
+  if (!vs_is_pair(form) || vs_list_length(form) < 1 || !vs_is_identifier(vs_car(form))) return NULL;
+  for (size_t i = 0; i < sizeof combinations / sizeof *combinations; i++) {
+    if (combinations[i].form >= 0 && vs_is_form(env, vs_car(form), combinations[i].form)) return combinations[i].procedure;
+    if (combinations[i].form >= 0) continue;
+    vs_meaning m = vs_environment_find(env, vs_car(form));
+    if (m.kind != VS_MEANS_CELL || !(vs_object_of(m.value)->flags & VS_F_CONSTANT)) continue; /* a name of the program's own */
+    if (!strcmp(vs_as_symbol(vs_as_cell(m.value)->name)->name, combinations[i].word)) return combinations[i].procedure;
   }
+  return NULL;
+}
+
+bool vs_predicate_step(vs_expansion *x) {
+  const char *procedure = combination(x->now.form, x->now.env);
+  if (!procedure) return vs_expand_push(x, VS_TASK_EXPR, x->now.form, x->now.env, x->now.pos, x->now.into, x->now.depth);
+  if (!vs_expand_outline(x)) return false;
+  vs_node *call = vs_expand_call(x, procedure, (size_t)vs_list_length(x->now.form) - 1, x->now.pos);
+  if (!call) return false;
+  *x->now.into = call;
+  size_t i = 0;
+  bool ok = true;
+  for (vs_value l = vs_cdr(x->now.form); ok && vs_is_pair(l); l = vs_cdr(l), i++)
+    ok = vs_expand_push(x, VS_TASK_PREDICATE, vs_car(l), x->now.env, vs_element_pos(l, false, x->now.pos), &call->as.call.at[i], x->now.depth + 1);
   return ok;
 }
 
@@ -166,7 +172,7 @@ static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs
       return vs_expand_fail(x, q->pos, VS_ABSENT, "two parameters are called %s", vs_as_symbol(vs_identifier_symbol(q->id))->name);
     if (q->predicate != VS_ABSENT && !is_constant(q->predicate, r[2])) {
       q->contract = vs_ast_var(&x->ast, vs_identifier_symbol(q->id));
-      if (!q->contract || !predicate(x, q->predicate, r[2], q->pos, &let->as.let.values[c])) return false;
+      if (!q->contract || !vs_expand_push(x, VS_TASK_PREDICATE, q->predicate, r[2], q->pos, &let->as.let.values[c], 2)) return false;
       let->as.let.vars[c++] = q->contract;
       reload(p, r[0]);
     }

@@ -52,6 +52,8 @@ typedef struct vs_config {
   bool (*value)(vs *vm, vs_value v, vs_pos place);
   /* A foreign object that an expression before a body's last one gave, alone or first in a list. It may not allocate in the heap. NULL: nobody wants it. */
   void (*dropped)(vs *vm, vs_value v);
+  /* Something in the program that is allowed and surely not meant; the text lives until the call returns. It may not allocate in the heap. NULL: nobody wants it. */
+  void (*warn)(vs *vm, vs_pos place, const char *message);
 } vs_config;
 
 struct vs_gc_block;

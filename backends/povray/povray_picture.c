@@ -1,0 +1,110 @@
+/* Owns what becomes of POV-Ray's picture before it is handed on: it is copied without what differs from one run to the next.
+ *
+ * POV-Ray writes the date, its version and the platform into every picture. In a PNG they are the chunks tIME and tEXt, which are left out. In an
+ * EXR they are attributes of the header; the table behind it holds where in the file each block of lines begins, so these numbers go down by as
+ * much as the header becomes shorter. All else is copied byte by byte. */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "backends/povray/povray.h"
+
+typedef struct { unsigned char *at; size_t count; } picture_bytes;
+
+static bool picture_read(vs_emitter *e, const char *path, picture_bytes *out) {
+  struct stat info;
+  int file = open(path, O_RDONLY | O_CLOEXEC);
+  if (file < 0) return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray made no picture");
+  bool ok = fstat(file, &info) == 0;
+  size_t size = ok ? (size_t)info.st_size : 0;
+  out->at = ok ? malloc(size + 1) : NULL;
+  while (ok && out->at && out->count < size) {
+    ssize_t count = read(file, out->at + out->count, size - out->count);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    out->count += (size_t)count;
+  }
+  close(file);
+  if (ok && !out->at) return vs_emit_no_memory(e);
+  return (ok && out->count == size) || vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray's picture cannot be read");
+}
+
+static bool picture_write(vs_emitter *e, const char *path, const picture_bytes *p) {
+  int file = open(path, O_WRONLY | O_TRUNC | O_CLOEXEC);
+  bool ok = file >= 0;
+  for (size_t sent = 0; ok && sent < p->count;) {
+    ssize_t part = write(file, p->at + sent, p->count - sent);
+    if (part < 0 && errno == EINTR) continue;
+    if (part <= 0) ok = false;
+    else sent += (size_t)part;
+  }
+  int problem = errno;
+  if (file >= 0 && close(file) != 0 && ok) ok = false, problem = errno;
+  return ok || vs_error_set(e->error, VS_ERROR_FILE, NULL, "the picture could not be written: %s", problem == ENOSPC ? "the disk is full" : strerror(problem));
+}
+
+/* Takes `count` bytes out of the picture. */
+static void picture_cut(picture_bytes *p, size_t from, size_t count) {
+  memmove(p->at + from, p->at + from + count, p->count - from - count);
+  p->count -= count;
+}
+
+static uint64_t picture_little(const unsigned char *at, int bytes) {
+  uint64_t x = 0;
+  while (bytes-- > 0) x = x << 8 | at[bytes];
+  return x;
+}
+
+static void picture_plain_png(picture_bytes *p) {
+  size_t at = 8;
+  while (p->count - at >= 12) {
+    const unsigned char *c = p->at + at;
+    size_t whole = 12 + ((size_t)c[0] << 24 | (size_t)c[1] << 16 | (size_t)c[2] << 8 | c[3]);
+    if (whole > p->count - at) return;
+    if (memcmp(c + 4, "tIME", 4) == 0 || memcmp(c + 4, "tEXt", 4) == 0) picture_cut(p, at, whole);
+    else at += whole;
+  }
+}
+
+/* An attribute is its name, its type, both ending in a zero, the count of its bytes in four, and the bytes. Returns its size; 0: there is none, or it is cut off. */
+static size_t picture_attribute(const unsigned char *at, size_t left) {
+  const unsigned char *name = memchr(at, 0, left);
+  if (!name || name == at) return 0;
+  const unsigned char *type = memchr(name + 1, 0, left - (size_t)(name + 1 - at));
+  size_t head = type ? (size_t)(type + 5 - at) : left + 1;
+  if (head > left) return 0;
+  size_t whole = head + (size_t)picture_little(type + 1, 4);
+  return whole <= left ? whole : 0;
+}
+
+static void picture_plain_exr(picture_bytes *p) {
+  static const char *const dated[] = { "creation", "comments", "software" };
+  size_t at = 8, less = 0, size;
+  while ((size = picture_attribute(p->at + at, p->count - at)) > 0) {
+    bool cut = false;
+    for (size_t i = 0; i < sizeof dated / sizeof *dated; i++) cut = cut || strcmp((const char *)p->at + at, dated[i]) == 0;
+    if (cut) picture_cut(p, at, size), less += size;
+    else at += size;
+  }
+  if (++at + 8 > p->count || less == 0) return;
+  uint64_t first = picture_little(p->at + at, 8) - less; /* the first block follows the table */
+  for (size_t entry = at; entry + 8 <= first && entry + 8 <= p->count; entry += 8) {
+    uint64_t where = picture_little(p->at + entry, 8) - less;
+    for (int i = 0; i < 8; i++) p->at[entry + (size_t)i] = (unsigned char)(where >> (8 * i));
+  }
+}
+
+bool vs_povray_take_picture(vs_emitter *e, const char *from, const char *to) {
+  static const unsigned char png[] = { 0x89, 'P', 'N', 'G' }, exr[] = { 0x76, 0x2F, 0x31, 0x01 };
+  picture_bytes p = { NULL, 0 };
+  bool ok = picture_read(e, from, &p);
+  if (ok && p.count > 8 && memcmp(p.at, png, sizeof png) == 0) picture_plain_png(&p);
+  if (ok && p.count > 8 && memcmp(p.at, exr, sizeof exr) == 0) picture_plain_exr(&p);
+  ok = ok && picture_write(e, to, &p);
+  free(p.at);
+  return ok;
+}

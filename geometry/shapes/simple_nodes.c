@@ -1,0 +1,28 @@
+/* Owns nodes of the simplest kinds (simple_nodes.h): what every other kind can be made into. */
+#include "geometry/shapes/simple_nodes.h"
+
+#include <stdlib.h>
+
+vs_node *vs_node_of_polyline(vs_store *store, const vs_polyline *p) {
+  vs_points *points = vs_points_new(store, p->at, p->count);
+  vs_node *line = points ? vs_node_new(store, VS_LINE, &(struct vs_line){ .points = points, .closed = p->closed }, NULL, 0) : NULL;
+  if (points) vs_points_release(store, points);
+  return line;
+}
+
+vs_node *vs_node_of_mesh(vs_store *store, const vs_mesh *m, bool closed) {
+  if (m->triangle_count == 0) return vs_node_new(store, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
+  vs_node *made = NULL;
+  uint32_t *starts = malloc((m->triangle_count + 1) * sizeof *starts);
+  vs_points *points = vs_points_new(store, m->vertices, m->vertex_count);
+  vs_faces *faces = NULL;
+  if (starts && points) {
+    for (size_t i = 0; i <= m->triangle_count; i++) starts[i] = (uint32_t)(3 * i);
+    faces = vs_faces_new(store, starts, m->triangle_count, &m->triangles[0][0], 3 * m->triangle_count);
+  }
+  if (faces) made = vs_node_new(store, VS_POLYFACE_MESH, &(struct vs_polyface_mesh){ .points = points, .faces = faces, .closed = closed }, NULL, 0);
+  if (faces) vs_faces_release(store, faces);
+  if (points) vs_points_release(store, points);
+  free(starts);
+  return made;
+}

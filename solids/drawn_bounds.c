@@ -1,0 +1,175 @@
+/* Owns the bounds of what is drawn (drawn_bounds.h). What was worked out is kept in the world cache by the node and the fineness. */
+#include "solids/drawn_bounds.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "geometry/measure/node_measures.h"
+#include "solids/solid_meshes.h"
+#include "model/store/cache.h"
+
+enum { BOX_LOOK = 4096, KEPT_BOUNDS = 1000 /* among what VS_CACHED_MEASURE holds of a node */ };
+
+/* ---- a stack of nodes ---- */
+
+typedef struct { const vs_node **at; size_t count, room; } node_stack;
+
+static bool push_children(node_stack *s, const vs_node *n) {
+  if (s->count + n->child_count > s->room) {
+    size_t room = 2 * s->room + n->child_count + 64;
+    const vs_node **more = realloc(s->at, room * sizeof *more);
+    if (!more) return false;
+    s->at = more, s->room = room;
+  }
+  for (uint32_t i = 0; i < n->child_count; i++) s->at[s->count++] = n->children[i].node;
+  return true;
+}
+
+static bool spreads(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_dress(n); }
+
+/* ---- are the formula's bounds exact? ---- */
+
+/* Does the map take boxes along the axes to boxes along the axes? */
+static bool keeps_boxes(const vs_affine *a) {
+  for (int i = 0; i < 3; i++)
+    if ((a->m[i][0] != 0) + (a->m[i][1] != 0) + (a->m[i][2] != 0) != 1) return false;
+  return true;
+}
+
+/* Of large models only BOX_LOOK nodes are looked at: they are cut somewhere, or would be looked at for longer than measured. */
+static bool box_is_exact(const vs_node *n, bool *exact) {
+  node_stack s = { 0 };
+  size_t seen = 0;
+  bool ok = true;
+  *exact = true;
+  for (;;) {
+    vs_level level = vs_kind_get((vs_kind)n->kind)->level;
+    if (n->kind == VS_TRANSFORM) {
+      vs_affine placed = vs_affine_identity();
+      int steps = 0;
+      for (; steps < 16 && (n->kind == VS_TRANSFORM || vs_node_is_dress(n)); steps++) {
+        if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
+        n = n->children[0].node;
+      }
+      level = vs_kind_get((vs_kind)n->kind)->level;
+      if (steps == 16 || ((level == VS_LEVEL_SWEPT || level == VS_LEVEL_OPERATION || n->child_count > 0) && !keeps_boxes(&placed))) *exact = false;
+    }
+    if (n->kind == VS_DIFFERENCE || n->kind == VS_INTERSECTION || n->kind == VS_SLICE) *exact = false;
+    if (!*exact || ++seen > BOX_LOOK) break;
+    if (spreads(n)) ok = push_children(&s, n);
+    if (!ok || s.count == 0) break;
+    n = s.at[--s.count];
+  }
+  free(s.at);
+  return ok;
+}
+
+/* ---- how dear is it to combine? ---- */
+
+static size_t shape_cost(const vs_node *n) {
+  switch ((vs_kind)n->kind) {
+  case VS_POLYFACE_MESH: return 1 + VS_AS(polyface_mesh, n)->points->count / 100;
+  case VS_HEIGHT_FIELD: case VS_GRID_MESH: case VS_GRID_SURFACE: case VS_TEXT: return 40;
+  case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_SWEEP: case VS_EXTRUDE: case VS_REVOLVE: case VS_THICKEN: return 8;
+  case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES: case VS_E_CONE: case VS_SUPERELLIPSOID:
+  case VS_HALF_SPACE: case VS_SLICE: case VS_HULL: case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_BOX:
+  case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_TRANSFORM: case VS_MATERIAL:
+  case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
+  case VS_KIND_COUNT: break;
+  }
+  return n->child_count > 0 ? 0 : 1;
+}
+
+/* Counts shapes, each placement once more, up to `most`. False: out of memory. */
+static bool combine_cost(const vs_node *n, size_t most, size_t *cost) {
+  node_stack s = { 0 };
+  bool ok = true;
+  *cost = 0;
+  for (size_t seen = 0; ok && *cost <= most && seen <= 8 * most; seen++) {
+    *cost += shape_cost(n);
+    ok = push_children(&s, n);
+    if (!ok || s.count == 0) break;
+    n = s.at[--s.count];
+    if (seen == 8 * most) *cost = most + 1;
+  }
+  free(s.at);
+  return ok;
+}
+
+/* ---- the bounds of the points that a drawing of it has ---- */
+
+static bool drawn_solid(const vs_ref *ref, const vs_facets *facets, const vs_kernel_options *options, vs_bounds *out, vs_error *e) {
+  vs_solid solid = { 0 };
+  vs_cache *cache = vs_store_cache(ref->node->store);
+  const uint64_t words[] = { KEPT_BOUNDS, vs_cache_real(facets->tolerance), (uint64_t)(int64_t)facets->segments };
+  const vs_cache_key key = { VS_CACHED_MEASURE, ref->node, words, 3, 0 };
+  const vs_cached *held = vs_cache_find(cache, &key);
+  if (held) {
+    memcpy(out, held->data, sizeof *out);
+    vs_cache_let_go(cache, held);
+    return true;
+  }
+  if (!vs_solid_evaluate(ref, 1, facets, options, &solid, e)) return false;
+  for (size_t i = 0; i < solid.mesh.triangle_count; i++)
+    for (int k = 0; k < 3; k++) vs_bounds_add(out, solid.mesh.vertices[solid.mesh.triangles[i][k]]);
+  vs_solid_free(&solid);
+  vs_cache_let_go(cache, vs_cache_keep(cache, &key, &(vs_cache_piece){ out, sizeof *out }, 1));
+  return true;
+}
+
+static bool drawn_region(const vs_node *n, const vs_facets *facets, vs_bounds *out, vs_error *e) {
+  vs_outline o = { .count = 0 };
+  if (!vs_region_outline(n, facets, &o, e)) return false;
+  for (size_t i = 0; i < o.count; i++)
+    for (size_t k = 0; k < o.loops[i].count; k++) vs_bounds_add(out, o.loops[i].at[k]);
+  vs_outline_free(&o);
+  return true;
+}
+
+static double drawn_in(double wide, double drawn, double near) { return fabs(wide - drawn) <= near ? wide : drawn; }
+
+bool vs_drawn_bounds(const vs_ref *ref, const vs_facets *facets, const vs_kernel_options *options, size_t *budget, vs_bounds *out, bool *at_most, vs_error *e) {
+  const vs_node *n = ref->node;
+  vs_bounds drawn = vs_bounds_empty();
+  vs_facets f = *facets;
+  bool exact;
+  size_t cost = 0;
+  if (!vs_node_bounds(n, out, e)) return false;
+  if (vs_bounds_is_empty(out) || (n->class_ != VS_SOLID && n->class_ != VS_REGION_CLASS)) return true;
+  if (!box_is_exact(n, &exact)) return vs_error_memory(e, ref->origin);
+  if (exact) return true;
+  if (budget && !combine_cost(n, *budget, &cost)) return vs_error_memory(e, ref->origin);
+  if (budget && cost > *budget) {
+    if (at_most) *at_most = true;
+    return true;
+  }
+  if (budget) *budget -= cost;
+  if (f.tolerance <= 0) f.tolerance = vs_facets_tolerance(out);
+  if (!(n->class_ == VS_SOLID ? drawn_solid(ref, &f, options, &drawn, e) : drawn_region(n, &f, &drawn, e))) return false;
+  if (vs_bounds_is_empty(&drawn)) return *out = drawn, true;
+  double near = 2 * f.tolerance;
+  out->min = vs_v3(drawn_in(out->min.x, drawn.min.x, near), drawn_in(out->min.y, drawn.min.y, near), drawn_in(out->min.z, drawn.min.z, near));
+  out->max = vs_v3(drawn_in(out->max.x, drawn.max.x, near), drawn_in(out->max.y, drawn.max.y, near), drawn_in(out->max.z, drawn.max.z, near));
+  return true;
+}
+
+bool vs_drawn_bounds_all(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, size_t budget, vs_bounds *out, bool *at_most, vs_error *e) {
+  node_stack s = { 0 };
+  bool ok = true;
+  *out = vs_bounds_empty();
+  for (size_t i = 0; ok && i < count; i++) {
+    s.count = 0;
+    for (const vs_node *n = refs[i].node; ok; n = s.at[--s.count]) {
+      vs_bounds one;
+      if (n->kind == VS_UNION || vs_node_is_dress(n)) {
+        ok = push_children(&s, n) || vs_error_memory(e, refs[i].origin);
+      } else {
+        ok = vs_drawn_bounds(&(vs_ref){ (vs_node *)(uintptr_t)n, refs[i].origin }, facets, options, &budget, &one, at_most, e);
+        if (ok) vs_bounds_unite(out, &one);
+      }
+      if (s.count == 0) break;
+    }
+  }
+  free(s.at);
+  return ok;
+}
