@@ -44,21 +44,15 @@ static vs_node *lower_region(vs_emitter *e, const vs_ref *ref) {
     if (why.origin == NULL && why.kind == VS_ERROR_MODEL) e->error->origin = ref->origin;
     return NULL;
   }
-  vs_ref *loops = calloc(o.count + 1, sizeof *loops);
-  vs_node *made = NULL;
-  size_t count = 0;
-  while (loops && count < o.count && (loops[count] = (vs_ref){ vs_node_of_polyline(store, &o.loops[count]), ref->origin }).node) count++;
-  if (loops && count == o.count) made = vs_node_new(store, count ? VS_REGION : VS_EMPTY, NULL, loops, count);
+  vs_node *made = vs_node_of_outline(store, &o, ref->origin);
   const vs_material *paint = lower_paint(ref->node);
-  if (made && count && paint) {
+  if (made && o.count > 0 && paint) {
     struct { vs_field_material material; unsigned char end; } data = { paint, 0 };
     vs_node *bare = made;
     made = vs_node_new(store, VS_MATERIAL, &data, &(vs_ref){ bare, ref->origin }, 1);
     vs_node_release(bare);
   }
   if (!made) vs_emit_no_memory(e);
-  for (size_t i = 0; i < count; i++) vs_node_release(loops[i].node);
-  free(loops);
   vs_outline_free(&o);
   return made;
 }

@@ -30,7 +30,7 @@ row() { # model parameter value format...
 }
 row bench/models/village.vs door 1.2 stl 3mf obj
 row examples/arcade.vs bays 6 stl glb
-row examples/gare-do-oriente.vs trunk 12 stl glb html
+row examples/gare-do-oriente.vs n-bars 11 stl glb html
 row examples/rotunda.vs coffers 24 stl
 row examples/city.vs tallest 45 glb pov scad html
 row bench/models/village.vs door 1.2 pov scad

@@ -48,6 +48,7 @@ static vs_status lower_triangles(vs_frame *f, const vs_facets *facets, vs_node *
 vs_status vs_p_lowered(vs_frame *f, vs_value *out) {
   vs_error e = { 0 };
   vs_bounds bounds;
+  bool worked_out = (f->arg[0].ref.node->flags & VS_NODE_UNRESOLVED) != 0; /* a shadow becomes its outline before that becomes triangles */
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   const vs_node *n = f->arg[0].ref.node;
   vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind), .segments = vs_bind_segments(f->bind) };
@@ -60,6 +61,12 @@ vs_status vs_p_lowered(vs_frame *f, vs_value *out) {
     bool ok = vs_curve_sample(n, &facets, &p, &e);
     if (ok) made = vs_node_of_polyline(f->bind->store, &p);
     vs_polyline_free(&p);
+    if (!ok) return vs_bind_error(f, &e);
+  } else if (n->class_ == VS_REGION_CLASS && (worked_out || !vs_node_is_outline(n))) {
+    vs_outline o = { .count = 0 };
+    bool ok = vs_region_outline(n, &facets, &o, &e);
+    if (ok) made = vs_node_of_outline(f->bind->store, &o, f->arg[0].ref.origin);
+    vs_outline_free(&o);
     if (!ok) return vs_bind_error(f, &e);
   } else if (!lower_triangles(f, &facets, &made)) {
     return VS_ERROR;

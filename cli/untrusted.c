@@ -153,7 +153,10 @@ bool cli_untrusted_begin(cli_untrusted *u, cli_options *o) {
   u->most = i->limit_memory;
   ok = ok && open_model(u, o, &model);
   for (; ok && count < o->target_count; count++) {
-    worker = worker || o->targets[count].format->worker;
+    {
+    const vs_format_info *format = o->targets[count].format ? vs_format_find(o->targets[count].format) : NULL; /* the program's own have no worker */
+    worker = worker || (format && format->worker);
+  }
     ok = (written[count] = folder_of(o->targets[count].path)) != NULL || failed("memory");
   }
   const char *temporary = getenv("TMPDIR");

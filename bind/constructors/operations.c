@@ -293,6 +293,21 @@ static vs_status leaves(vs_frame *f, const vs_node *curve, leaving what, vs_vec3
   return VS_OK;
 }
 
+/* Is the curve one straight line, and from where to where? */
+static vs_status is_straight(vs_frame *f, const vs_node *curve, vs_vec3 *way, bool *out) {
+  vs_facets coarse = { .segments = 32 };
+  vs_polyline line = { 0 };
+  vs_error e = { 0 };
+  bool bent = true;
+  if (!vs_curve_sample(curve, &coarse, &line, &e)) return vs_polyline_free(&line), vs_bind_error(f, &e);
+  *out = line.count > 1 && !line.closed;
+  if (*out) *way = vs_v3_sub(line.at[line.count - 1], line.at[0]);
+  vs_polyline_free(&line);
+  if (*out && !leaves(f, curve, LEAVES_LINE, *way, &bent)) return VS_ERROR;
+  *out = *out && !bent;
+  return VS_OK;
+}
+
 vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
   struct vs_extrude d = { .taper = f->arg[2].given ? REAL(2) : 0, .twist = f->key[0].given ? f->key[0].real : 0, .scale = f->key[1].given ? f->key[1].real : 1,
                           .center = f->key[2].given && f->key[2].boolean };
@@ -304,17 +319,19 @@ vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
   if (vs_is_several(NODE(0)) && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_each_part(f, vs_p_do_extrude, out);
   if (!check_twist(f, d.twist, f->key[0].value) || !check_profile(f, &plane, &empty, out)) return VS_ERROR;
   if (empty) return VS_OK;
-  bool flat = vs_v3_length(plane.normal) > 0;
-  if (path) {
+  bool flat = vs_v3_length(plane.normal) > 0, straight = false;
+  vs_vec3 way = { 0, 0, 0 };
+  if (path && d.taper != 0 && !vs_bind_is_empty(f->arg[1].ref.node) && !is_straight(f, f->arg[1].ref.node, &way, &straight)) return VS_ERROR;
+  if (path && !straight) {
     child[1] = f->arg[1].ref;
     if (vs_bind_is_empty(child[1].node)) return vs_bind_empty(f, "the path is empty", out);
-    if (d.taper != 0) return vs_fail(f->vm, f->vm->sym.range, "a taper goes with a number or a gvector, not with a curve");
+    if (d.taper != 0) return vs_fail(f->vm, f->vm->sym.range, "a taper goes along a straight line, a gvector or a number: along a bent curve use do-sweep with a scale");
     if (d.twist != 0 || d.scale != 1) return vs_fail(f->vm, f->vm->sym.range, "#:twist and #:scale go with a number or a gvector; along a curve use do-sweep");
     if (flat && !leaves(f, child[1].node, LEAVES_PLANE, plane.normal, &leaving_it)) return VS_ERROR;
     if (flat && !leaving_it) return vs_bind_refuse(f, "amount", "a curve that leaves the profile's plane", f->arg[1].value);
     return vs_bind_make(f, VS_EXTRUDE, &d, child, 2, out);
   }
-  d.along = vs_is_flat(f->arg[1].value, VS_FLAT_VECTOR) ? POINT(1) : vs_v3(0, 0, REAL(1));
+  d.along = straight ? way : vs_is_flat(f->arg[1].value, VS_FLAT_VECTOR) ? POINT(1) : vs_v3(0, 0, REAL(1));
   double length = vs_v3_length(d.along), steep;
   if (length == 0) return vs_bind_empty(f, "the amount is 0", out);
   if (d.taper != 0 && (d.twist != 0 || d.scale != 1)) return vs_fail(f->vm, f->vm->sym.range, "a taper does not go with #:twist or #:scale");

@@ -10,6 +10,24 @@ vs_node *vs_node_of_polyline(vs_store *store, const vs_polyline *p) {
   return line;
 }
 
+vs_node *vs_node_of_outline(vs_store *store, const vs_outline *o, const vs_origin *origin) {
+  vs_ref *loops = calloc(o->count + 1, sizeof *loops);
+  vs_node *made = NULL;
+  size_t count = 0;
+  while (loops && count < o->count && (loops[count] = (vs_ref){ vs_node_of_polyline(store, &o->loops[count]), origin }).node) count++;
+  if (loops && count == o->count) made = vs_node_new(store, count ? VS_REGION : VS_EMPTY, NULL, loops, count);
+  for (size_t i = 0; i < count; i++) vs_node_release(loops[i].node);
+  free(loops);
+  return made;
+}
+
+bool vs_node_is_outline(const vs_node *n) {
+  if (n->kind != VS_REGION) return false;
+  for (uint32_t i = 0; i < n->child_count; i++)
+    if (n->children[i].node->kind != VS_LINE) return false;
+  return true;
+}
+
 vs_node *vs_node_of_mesh(vs_store *store, const vs_mesh *m, bool closed) {
   if (m->triangle_count == 0) return vs_node_new(store, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
   vs_node *made = NULL;

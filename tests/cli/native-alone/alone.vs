@@ -1,0 +1,1 @@
+(draw (native 'povray "sphere { 0, 1 }"))
