@@ -37,14 +37,13 @@ static vs_status data_path(vs *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-/* (%data-text path): a file's text. A mark of the byte order at its beginning is left out. */
+/* (%file->string path) and the like: a file's text. A mark of the byte order at its beginning is left out. */
 static vs_status data_text(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_text path, text;
   vs_text_open(vm, &path, 0);
   vs_text_open(vm, &text, 0);
   VS_ROOTS(vm, r, 1);
-  vm->native = NULL; /* the error names the file and not this procedure */
   bool ok = vs_text_string(&path, a[0]) && vs_text_end(&path) && vs_io_read_file(vm, path.at, &r[0]);
   if (ok) {
     const char *at = (const char *)vs_as_bytes(r[0])->at;
@@ -237,7 +236,7 @@ static vs_status string_to_json(vs *vm, vs_value *a, int n, vs_value *out) {
 
 static const vs_native_def defs[] = {
   { "%data-path", "file", data_path, 0, NULL },
-  { "%data-text", "file", data_text, 0, NULL },
+  { "%file->string %file->lines %load-csv", "file", data_text, 0, NULL }, /* one a caller: errors name it */
   { "%directory-files", "folder", directory_files, 0, NULL },
   { "load-json", "file", load_json, 0, "the data of a JSON file: objects are association lists, arrays vectors" },
   { "string->json", "text", string_to_json, 0, "the data of a JSON text" },

@@ -3,7 +3,7 @@
 
 ; ---- texts and folders ----
 
-(define (file->string file) (%need-string 'file->string file) (%data-text (%data-path file)))
+(define (file->string file) (%need-string 'file->string file) (%file->string (%data-path file)))
 
 (define (%lines text)
   (let ((n (string-length text)))
@@ -15,7 +15,7 @@
                (loop next next (cons (substring text start i) lines))))
             (else (loop start (+ i 1) lines))))))
 
-(define (file->lines file) (%need-string 'file->lines file) (%lines (%data-text (%data-path file))))
+(define (file->lines file) (%need-string 'file->lines file) (%lines (%file->lines (%data-path file))))
 
 (define (directory-files [folder any? "."] [ending any? ""])
   (%need-string 'directory-files folder)
@@ -125,7 +125,7 @@
   (if (not (or (not separator) (char? separator))) (error 'load-csv "#:separator is a character, got ~s" separator))
   (if (not (and (list? types) (every pair? types))) (error 'load-csv "#:types is a list of (column . type), got ~s" types))
   (let* ((path (%data-path file))
-         (text (%data-text path))
+         (text (%load-csv path))
          (by (or separator (%csv-separator text)))
          (rows (%csv-rows path text by)))
     (if (null? rows)
@@ -221,5 +221,5 @@
   (if (not (or (not to) (string? to) (output-port? to))) (error 'write-json "to is a port or the name of a file, got ~s" to))
   (let ((text (%json-text 'write-json data indent))) ; whole before anything is written
     (if (string? to)
-        (call-with-output-file to (lambda (port) (write-string text port) (newline port)))
+        (call-with-port (%write-json to) (lambda (port) (write-string text port) (newline port)))
         (let ((port (or to (current-output-port)))) (write-string text port) (newline port)))))

@@ -294,7 +294,7 @@ static const vs_native_def defs[] = {
     {"format", "control . values", format, 0, "a string: control with ~a ~s ... filled in"},
     {"printf", "control . values", printf_, 0, "print control with ~a ~s ... filled in"},
     {"fprintf", "port control . values", fprintf_, 0, NULL},
-    {"open-output-file", "name", open_output_file, 0, NULL},
+    {"open-output-file %write-json", "name", open_output_file, 0, NULL},
     {"open-append-file", "name", open_append_file, 0, NULL},
     {"open-binary-output-file", "name", open_binary_output_file, 0, NULL},
     {"open-output-string", "", open_output_string, 0, NULL},

@@ -47,4 +47,4 @@
 (define-struct wall (a b))
 (define w (make-wall 1 2)) (set-wall-a! w 9) (displayln (wall-a w))     ; expect: 9
 (told (eval '(struct 5) (interaction-environment)))           ; expect: a structure is written (struct name (field ...)), and not
-(told (load-csv "lib/none.csv"))         ; expect: cannot open tests/lang/language/lib/none.csv: no such file
+(told (load-csv "lib/none.csv"))         ; expect: load-csv: cannot open tests/lang/language/lib/none.csv: no such file
