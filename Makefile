@@ -47,7 +47,7 @@ $(BUILD)/obj/%.o: %.c
 	$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
 
 # A twentieth of the time of large models; elsewhere -O3 gains nothing.
-$(BUILD)/obj/kernel/%.o: OPT := $(OPT:-O2=-O3)
+$(BUILD)/obj/kernel/%.o $(BUILD)/obj/solids/%.o: OPT := $(OPT:-O2=-O3)
 
 # gcc would make the ends of all instructions one: a jump to a jump, and one guess where to go next instead of one each.
 $(BUILD)/obj/vm/machine/run.o: CFLAGS += $(if $(findstring clang,$(shell $(CC) --version)),,-fno-crossjumping --param max-goto-duplication-insns=20 --param max-grow-copy-bb-insns=50)
