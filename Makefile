@@ -1,4 +1,4 @@
-# VisualScheme. `make help` lists the targets.
+# VisualScheme. `make help` lists the targets; V=1 shows the commands that are run.
 #
 # Folders are layers (manual/internals.md); the objects of every layer but cli/ go into build/libvisualscheme.a, which `vs` links.
 # BUILD=dir keeps builds apart: asan and ubsan use build/asan and build/ubsan. EXTRA adds compiler flags, OPT replaces -O2 -g.
@@ -10,6 +10,10 @@ OPT      ?= -O2 -g
 VERSION   = $(shell sed -n 's/^.define VS_VERSION "\(.*\)"/\1/p' visualscheme.h)
 WARN      = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 CFLAGS   += -std=c11 -D_POSIX_C_SOURCE=200809L $(OPT) $(WARN) -ffp-contract=off -fvisibility=hidden -fno-math-errno -fPIC -I. $(EXTRA)
+
+# A line of a few words for each command; V=1 shows the command instead.
+Q         = $(if $(V),,@)
+say       = $(if $(V),@:,@echo "  $(1)")
 
 # Asked when a recipe needs them, so that this file can be read before pkg-config is installed. What has no answer gets the usual name.
 pkg       = $(shell pkg-config --libs $(1) 2>/dev/null || echo $(2))
@@ -44,7 +48,8 @@ $(BUILD)/obj/geometry/files/raster_exr.o: CFLAGS += $(shell pkg-config --cflags-
 
 $(BUILD)/obj/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
+	$(call say,cc    $<)
+	$(Q)$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
 
 # A twentieth of the time of large models; elsewhere -O3 gains nothing.
 $(BUILD)/obj/kernel/%.o $(BUILD)/obj/solids/%.o: OPT := $(OPT:-O2=-O3)
@@ -83,24 +88,28 @@ $(BUILD)/live_assets.o: $(BUILD)/live_assets.s
 
 $(BUILD)/obj/assets.o: $(BUILD)/assets.s
 	@mkdir -p $(@D)
-	$(CC) -c $< -o $@
+	$(call say,as    $<)
+	$(Q)$(CC) -c $< -o $@
 
 # The heap image: a stage-0 interpreter, made of the same objects, loads the language's own sources and writes down what it then holds.
 LIBRARY   = prelude.scm srfi.scm bind/geometry.scm bind/primitives.scm bind/data.scm bind/back_ends.scm
 STAGE0    = $(filter-out $(BUILD)/obj/session/%.o,$(LIB_OBJ)) $(BUILD)/obj/scripts/stage0.o
 
 $(BUILD)/stage0: $(STAGE0)
-	$(CC) $(CFLAGS) -o $@ $(STAGE0) $(LDFLAGS) $(LDLIBS)
+	$(call say,link  $@)
+	$(Q)$(CC) $(CFLAGS) -o $@ $(STAGE0) $(LDFLAGS) $(LDLIBS)
 
 $(BUILD)/library.img: $(BUILD)/stage0 $(LIBRARY)
-	$(BUILD)/stage0 $@ $(LIBRARY)
+	$(call say,image $@)
+	$(Q)$(BUILD)/stage0 $@ $(LIBRARY)
 
 $(BUILD)/library_image.c: $(BUILD)/library.img
 	@printf '#include "vm/machine/image.h"\n__asm__(".section .rodata\\n.balign 16\\nvs_library_words:\\n.incbin \\"$<\\"\\n.previous");\nextern const uint64_t vs_library_words[] __attribute__((visibility("hidden")));\nextern const vs_image vs_library_image;\nconst vs_image vs_library_image = { vs_library_words, %d };\n' $$(($$(wc -c < $<) / 8)) > $@
 
 $(BUILD)/obj/library_image.o: $(BUILD)/library_image.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -c $< -o $@
+	$(call say,cc    $<)
+	$(Q)$(CC) $(CFLAGS) -c $< -o $@
 
 # The libraries in Scheme that come with the language: their texts, each under its name below library/, read when something imports them.
 SHIPPED   = $(sort $(wildcard library/*.s[lc]* library/*/*.s[lc]* library/*/*/*.s[lc]*))
@@ -114,38 +123,47 @@ $(BUILD)/shipped.c: $(SHIPPED) Makefile
 
 $(BUILD)/obj/shipped.o: $(BUILD)/shipped.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -c $< -o $@
+	$(call say,cc    $<)
+	$(Q)$(CC) $(CFLAGS) -c $< -o $@
 
 $(BUILD)/libvisualscheme.a: $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o
 	@mkdir -p $(@D); rm -f $@
-	ar rcs $@ $^
+	$(call say,ar    $@)
+	$(Q)ar rcs $@ $^
 
 $(BUILD)/libvisualscheme.so: $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o visualscheme.map
-	$(CC) $(CFLAGS) -shared -Wl,-soname,libvisualscheme.so.0 -Wl,--version-script=visualscheme.map -Wl,--no-undefined -o $@ $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o $(LDFLAGS) $(LDLIBS)
+	$(call say,link  $@)
+	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,libvisualscheme.so.0 -Wl,--version-script=visualscheme.map -Wl,--no-undefined -o $@ $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o $(LDFLAGS) $(LDLIBS)
 
 $(BUILD)/vs: $(CLI_OBJ) $(BUILD)/libvisualscheme.a
-	$(CC) $(CFLAGS) -o $@ $(CLI_OBJ) $(BUILD)/libvisualscheme.a $(LDFLAGS) $(CLI_LIBS) $(LDLIBS)
+	$(call say,link  $@)
+	$(Q)$(CC) $(CFLAGS) -o $@ $(CLI_OBJ) $(BUILD)/libvisualscheme.a $(LDFLAGS) $(CLI_LIBS) $(LDLIBS)
 
 $(BUILD)/unit/%: tests/unit/%.c $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -MMD -MP $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(UNIT_LIBS) $(LDLIBS)
+	$(call say,unit  $<)
+	$(Q)$(CC) $(CFLAGS) -MMD -MP $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(UNIT_LIBS) $(LDLIBS)
 
 $(BUILD)/tools/%: tests/tools/%.c $(wildcard tests/tools/*.h)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(PNG_LIBS) $(call pkg,gmp,-lgmp) -lm
+	$(call say,tool  $<)
+	$(Q)$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(PNG_LIBS) $(call pkg,gmp,-lgmp) -lm
 
 $(BUILD)/tools/zipped: tests/tools/zipped.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(call pkg,libzip,-lzip)
+	$(call say,tool  $<)
+	$(Q)$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(call pkg,libzip,-lzip)
 
 $(BUILD)/tools/fuzz: tests/oracle/fuzz.c tests/oracle/sx.c tests/tools/crossings.h $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) tests/oracle/fuzz.c tests/oracle/sx.c -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
+	$(call say,tool  $<)
+	$(Q)$(CC) $(CFLAGS) tests/oracle/fuzz.c tests/oracle/sx.c -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
 
 # Tools that ask the library.
 $(BUILD)/tools/names $(BUILD)/tools/reread $(BUILD)/tools/exrdiff $(BUILD)/tools/badcalls $(BUILD)/tools/gaps: $(BUILD)/tools/%: tests/tools/%.c visualscheme.h $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
+	$(call say,tool  $<)
+	$(Q)$(CC) $(CFLAGS) $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
 
 # ---- fuzzing: clang's libFuzzer under the address sanitizer, in a build of its own; and the same inputs without it, as tests ----
 
@@ -253,7 +271,7 @@ clean: ## remove what was built
 	rm -rf build
 
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^help:.*## / { first = sprintf("make %-9s %s\n", $$1, $$2) } /^[a-z]+:.*## / && !/^help:/ { rest = rest sprintf("make %-9s %s\n", $$1, $$2) } END { printf "%s%s", first, rest }' Makefile
 
 .PHONY: all demo test check units tests quick asan ubsan sanitized fuzz fuzzers coverage stress layers bless bench manual install clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)

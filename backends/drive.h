@@ -56,8 +56,6 @@ struct vs_drive {
   size_t said_count, said_room;
   vs_bounds_memo bounds;
   double from, share, told; /* meshing: where what is under way begins in the whole, and its part of that; the last that was told */
-  vs_scene grouped; /* what is drawn instead of the scene given, where sets are grouped: its references are our own */
-  const vs_scene *given; /* then; else NULL */
   vs_solid scratch; /* the mesh of a node without entry, until the next is asked for */
   uint32_t ticks;
   vs_reuse reuse;       /* runs (run.c) */

@@ -602,33 +602,6 @@ static bool drive_bounds(vs_emitter *e) {
   return true;
 }
 
-/* What has no bounds is not grouped; its own error comes when it is meshed. */
-static bool drive_part_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
-  vs_error why = { VS_ERROR_NONE, NULL, "" };
-  *out = vs_bounds_empty();
-  if (n->flags & VS_NODE_ENDLESS || vs_bounds_memo_get(context, n, out, &why) || why.kind == VS_ERROR_MODEL) return true;
-  if (e) *e = why;
-  return false;
-}
-
-static bool drive_group(vs_emitter *e) {
-  vs_drive *d = e->drive;
-  size_t count = e->scene->drawn_count;
-  vs_bounds_memo memo = { .places = { .store = e->scene->store } };
-  vs_pass_options options = { 0, drive_part_bounds, &memo };
-  vs_ref *drawn = vs_store_realloc(e->scene->store, NULL, 0, (count + 1) * sizeof *drawn);
-  if (drawn == NULL) return vs_emit_no_memory(e);
-  for (size_t i = 0; i < count; i++) drawn[i] = (vs_ref){ vs_node_retain(e->scene->drawn[i].node), e->scene->drawn[i].origin };
-  d->grouped = *e->scene;
-  d->given = e->scene;
-  d->grouped.drawn = drawn;
-  d->grouped.drawn_room = count + 1;
-  e->scene = &d->grouped;
-  bool ok = vs_sets_group(e->scene->store, drawn, count, &options, e->error);
-  vs_bounds_memo_free(&memo);
-  return ok;
-}
-
 static bool drive_all_vain(vs_emitter *e) {
   for (size_t i = 0; i < e->scene->drawn_count; i++)
     if (!drive_vain(e, &e->scene->drawn[i])) return false;
@@ -671,7 +644,6 @@ bool vs_drive_scene(vs_emitter *e) {
   if (e->backend->keeps_text && vs_cache_asks(vs_store_cache(e->scene->store))) d->reuse.cache = vs_store_cache(e->scene->store);
   e->out->keeps_lines = e->backend->keep_origins;
   if (e->scene->has_ground && e->scene->ground_material != NULL && !drive_add_material(e, e->scene->ground_material)) return false;
-  if (e->backend->groups && !drive_group(e)) return false;
   if (!drive_plan(e)) return false;
   if (e->scene->drawn_count == 0 && !e->backend->verbatim) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "nothing is drawn");
   if (drive_all_vain(e) && !e->backend->verbatim) return drive_nothing(e);
@@ -747,9 +719,6 @@ void vs_drive_free(vs_emitter *e) {
   }
   vs_solid_free(&d->scratch);
   vs_reuse_free(&d->reuse);
-  for (size_t i = 0; i < d->grouped.drawn_count; i++) vs_node_release(d->grouped.drawn[i].node);
-  vs_emit_release(e, d->grouped.drawn, d->grouped.drawn_room, sizeof *d->grouped.drawn);
-  if (d->given != NULL) e->scene = d->given;
   vs_bounds_memo_free(&d->bounds);
   vs_nodemap_free(&d->index);
   vs_nodemap_free(&d->paints);

@@ -4,7 +4,6 @@
  * folder (povray/povray_worker.c) and the picture to such a file. */
 #define _XOPEN_SOURCE 700
 #include "backends/export.h"
-#include "passes/flush.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -43,8 +42,6 @@ const vs_format *vs_export_format_find(const char *text) {
     if (strcasecmp(formats[i].suffix, suffix) == 0 || strcasecmp(formats[i].name, text) == 0) return &formats[i];
   return NULL;
 }
-
-bool vs_export_is_verbatim(const vs_format *f) { return f->backend->verbatim; }
 
 /* ---- files ---- */
 
@@ -243,7 +240,6 @@ const char *vs_export_family(const vs_format *format) { return format->backend->
 
 bool vs_export_settle(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e) {
   const vs_backend *b = format->backend;
-  if (b->verbatim && b != &vs_backend_given) return true;
   char output[24];
   snprintf(output, sizeof output, ".%.20s", format->suffix);
   vs_settle_options o = { .output = output, .strict = options->strict, .highlights = b->highlights, .ghosts = b->ghosts, .target = b->native, .muted = options->safe, .said = options->warn,
@@ -251,8 +247,6 @@ bool vs_export_settle(vs_scene *scene, const vs_format *format, const vs_export_
   if (b->ghosts_in_drafts && options->quality != VS_RENDER_DRAFT) o.ghosts = VS_MARKS_DROP;
   return vs_scene_settle(scene, &o, e);
 }
-
-bool vs_export_prepare(vs_scene *scene, const vs_format *format, vs_error *e) { return !format->backend->parts_flush || vs_scene_part_flush(scene, e); }
 
 static vs_emitter export_emitter(const vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e) {
   return (vs_emitter){ .scene = scene, .options = options, .backend = format->backend, .error = e };

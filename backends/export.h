@@ -47,11 +47,8 @@ const vs_format *vs_export_format_find(const char *text); /* "pov", ".pov", "a/b
 
 const char *vs_export_family(const vs_format *format); /* "povray" for .png; NULL: none but its own names */
 
-/* What this format's program needs besides. After the passes. */
-bool vs_export_prepare(vs_scene *scene, const vs_format *format, vs_error *e);
 /* What the drawing becomes for this format: only, ghost, highlight, native and user-defined kinds settled (passes/sugar.h). Before the passes. */
 bool vs_export_settle(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e);
-bool vs_export_is_verbatim(const vs_format *f); /* shows the tree as it was made: sections and the like are not resolved before */
 
 /* Writes the drawing to a file, which appears whole or not at all ("-": standard output). format NULL: by the path's ending.
  * On false *e says why and where; nothing is left behind. */

@@ -1,6 +1,7 @@
 /* Owns what --stats prints: tables for people, one line of JSON for programs.
  *
- * Both are made of the library's keys alone. Phases are those with a memory.NAME.peak, steps those with a time.mesh.NAME, passes those of vs_pass_list, kept kinds those with a cache.NAME.hits: a new
+ * Both are made of the library's keys alone. Phases are those with a memory.NAME.peak, stages
+ * those with a time.stage.NAME, steps those with a time.mesh.NAME, passes those of vs_pass_list, kept kinds those with a cache.NAME.hits: a new
  * one shows without a word here. The row of the program is what the outputs leave of the whole. */
 #include <math.h>
 #include <stdlib.h>
@@ -122,12 +123,12 @@ static void times(vs *s, const table *all) {
   fputc('\n', stderr);
 }
 
-/* Of the phase mesh, a row each. */
-static void steps(vs *s, const table *all) {
+/* A row for each key that begins with the prefix: the stages of an output, the steps of the phase mesh. */
+static void parts(vs *s, const table *all, const char *title, const char *prefix) {
   char names[NAMES][KEY];
-  size_t count = names_of(all, "time.mesh.", "", names);
+  size_t count = names_of(all, prefix, "", names);
   table one;
-  fprintf(stderr, "%-22s", "mesh, ms");
+  fprintf(stderr, "%-22s", title);
   for (size_t k = 0; output_of(s, k, &one); k++) {
     size_t length = strlen(name_of(&one));
     fprintf(stderr, "%*s", WIDE, name_of(&one) + (length < WIDE ? 0 : length - WIDE + 1));
@@ -135,8 +136,8 @@ static void steps(vs *s, const table *all) {
   fprintf(stderr, "%*s\n", WIDE, "all");
   for (size_t i = 0; i < count; i++) {
     row(names[i]);
-    for (size_t k = 0; output_of(s, k, &one); k++) cell(get(&one, "time.mesh.", names[i], "") * 1000, 2);
-    cell(get(all, "time.mesh.", names[i], "") * 1000, 2);
+    for (size_t k = 0; output_of(s, k, &one); k++) cell(get(&one, prefix, names[i], "") * 1000, 2);
+    cell(get(all, prefix, names[i], "") * 1000, 2);
     fputc('\n', stderr);
   }
 }
@@ -200,7 +201,8 @@ void cli_report_statistics(vs *s, bool json) {
     return;
   }
   times(s, &all);
-  steps(s, &all);
+  parts(s, &all, "stages, ms", "time.stage.");
+  parts(s, &all, "mesh, ms", "time.mesh.");
   drawings(s);
   kept(&all);
   fputs("besides\n", stderr);

@@ -22,3 +22,20 @@ bool vs_scene_optimise(vs_scene *scene, unsigned passes, vs_pass_stats *stats, v
   vs_bounds_memo_free(&memo);
   return ok;
 }
+
+/* A node without bounds is not grouped; its own error comes when it is meshed. */
+static bool vs_group_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
+  *out = vs_bounds_empty();
+  if (n->flags & VS_NODE_ENDLESS || vs_bounds_memo_get(context, n, out, &why) || why.kind == VS_ERROR_MODEL) return true;
+  if (e) *e = why;
+  return false;
+}
+
+bool vs_scene_group(vs_scene *scene, vs_error *e) {
+  vs_bounds_memo memo = { .places = { .store = scene->store } };
+  vs_pass_options options = { 0, vs_group_bounds, &memo };
+  bool ok = vs_sets_group(scene->store, scene->drawn, scene->drawn_count, &options, e);
+  vs_bounds_memo_free(&memo);
+  return ok;
+}

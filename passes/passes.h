@@ -8,7 +8,7 @@
 #include "model/node.h"
 
 typedef enum {
-#define VS_PASS(upper, lower, doc) VS_PASS_##upper,
+#define VS_PASS(upper, lower, begin, end, doc) VS_PASS_##upper,
 #include "passes/passes.def"
   VS_PASS_COUNT
 } vs_pass_kind;

@@ -5,7 +5,7 @@ typedef struct { vs_node *node; const vs_origin *origin; } vs_rewritten; /* what
 
 const vs_pass_info *vs_pass_get(vs_pass_kind pass) {
   static const vs_pass_info passes[] = {
-#define VS_PASS(upper, lower, doc) { #lower, doc },
+#define VS_PASS(upper, lower, begin, end, doc) { #lower, doc },
 #include "passes/passes.def"
   };
   return &passes[pass];
@@ -99,16 +99,15 @@ bool vs_commands_count(vs_store *s, const vs_ref *refs, size_t count, double *co
 
 /* ---- all of them ---- */
 
+/* Runs one pass over the drawing: its begin, every node unless the begin has found that nothing would change, its end. */
 static bool vs_pass_once(vs_pass_kind k, vs_rewrite *w, vs_ref *refs, size_t count) {
-  static vs_rewrite_fn *const passes[] = {
-#define VS_PASS(upper, lower, doc) vs_pass_##lower,
+  static const struct { vs_rewrite_fn *node; bool (*begin)(vs_rewrite *w); void (*end)(vs_rewrite *w); } passes[] = {
+#define VS_PASS(upper, lower, begin, end, doc) { vs_pass_##lower, begin, end },
 #include "passes/passes.def"
   };
-  bool ok = k == VS_PASS_SHARE ? vs_share_begin(w) : k == VS_PASS_FLATTEN ? vs_flatten_begin(w) : k != VS_PASS_FOLD || vs_fold_begin(w);
-  ok = ok && (w->idle || vs_rewrite_run(w, passes[k], refs, count));
-  if (k == VS_PASS_SHARE) vs_share_end(w);
-  if (k == VS_PASS_FLATTEN) vs_flatten_end(w);
-  if (k == VS_PASS_FOLD) vs_fold_end(w);
+  bool ok = !passes[k].begin || passes[k].begin(w);
+  ok = ok && (w->idle || vs_rewrite_run(w, passes[k].node, refs, count));
+  if (passes[k].end) passes[k].end(w);
   return ok;
 }
 

@@ -1,35 +1,103 @@
 #!/bin/sh
-# Owns the check that the house stands: includes follow scripts/layers.list, and no object of the library has mutable globals (cli/ has
-# one: a signal handler gets no context).
+# Owns the check that the house stands. `sh scripts/layers.sh BUILD` prints what is wrong and ends with 1, or says in one line that all holds.
+#
+#   arrows     an include follows scripts/layers.list
+#   globals    no object of the library has mutable data (cli/ has some: a signal handler gets no context)
+#   rooms      a folder of a layer holds at most 25 files, and each has a README.md
+#   names      no two source files of different folders share a base name (live/ has three that do)
+#   ratchets   the counts of scripts/layers.limits: what cannot be zero at once may only fall
 set -u
 build=$1
 cd "$(dirname "$0")/.." || exit 1
+export LC_ALL=C
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+layers=$(sed -n 's/^\([a-z]*\):.*/\1/p' scripts/layers.list)
+find $layers -name '*.[ch]' | sort > "$work/sources"
 
-wrong_includes=$(awk '
+# ---- arrows ----
+awk '
   FILENAME == "scripts/layers.list" { if ($0 !~ /^#/ && split($0, part, ":") == 2) allowed[part[1]] = part[2]; next }
   /^[ \t]*#[ \t]*include[ \t]*"/ {
     header = $0; sub(/^[^"]*"/, "", header); sub(/".*/, "", header)
     folder = FILENAME; sub(/\/.*/, "", folder)
-    if (!(folder in allowed)) next
     ok = index(header, folder "/") == 1
     n = split(allowed[folder], prefix, " ")
     for (i = 1; i <= n; i++) if (index(header, prefix[i]) == 1) ok = 1
     if (!ok) print FILENAME ":" FNR ": a file of " folder "/ may not include \"" header "\""
-  }' scripts/layers.list $(find $(sed -n 's/^\([a-z]*\):.*/\1/p' scripts/layers.list) -name '*.[ch]'))
+  }' scripts/layers.list $(cat "$work/sources") > "$work/wrong"
 
-# Section sizes in hexadecimal; .data.rel.ro holds constants with addresses and is read-only once loaded.
-globals=$(find "$build/obj" -path "$build/obj/cli" -prune -o -name "*.o" -print | sort | while read -r object; do
-  objdump -t "$object" | awk -v object="$object" '
-    NF >= 5 {
-      for (i = 3; i < NF; i++)
-        if ($i ~ /^\.(data|bss|tdata|tbss)(\.|$)/ && $i !~ /^\.data\.rel\.ro/ || $i == "*COM*")
-          if ($(i + 1) !~ /^0+$/) print object ": mutable global " $NF " in " $i
-    }'
-done)
+# ---- globals: sizes are hexadecimal; .data.rel.ro holds constants with addresses and is read-only once loaded ----
+find "$build/obj" -path "$build/obj/cli" -prune -o -name "*.o" -print | sort | xargs objdump -t | awk '
+  /:[ \t]+file format/ { object = $0; sub(/:[ \t]+file format.*/, "", object) }
+  NF >= 5 {
+    for (i = 3; i < NF; i++)
+      if ($i ~ /^\.(data|bss|tdata|tbss)(\.|$)/ && $i !~ /^\.data\.rel\.ro/ || $i == "*COM*")
+        if ($(i + 1) !~ /^0+$/) print object ": mutable global " $NF " in " $i
+  }' >> "$work/wrong"
 
-if [ -n "$wrong_includes$globals" ]; then
-  [ -z "$wrong_includes" ] || echo "$wrong_includes"
-  [ -z "$globals" ] || echo "$globals"
-  exit 1
-fi
-echo "layers: every include follows the arrows; no mutable globals"
+# ---- rooms and names ----
+for room in $(find $layers -type d | sort); do
+  count=$(find "$room" -maxdepth 1 -type f ! -name README.md | wc -l)
+  [ "$count" -gt 0 ] || continue
+  [ "$count" -le 25 ] || echo "$room/: $count files; a room holds at most 25" >> "$work/wrong"
+  case $room in backends/*) ;; *) [ -f "$room/README.md" ] || echo "$room/: no README.md says what the room owns" >> "$work/wrong" ;; esac
+done
+find $layers -name '*.[ch]' -o -name '*.def' -o -name '*.scm' | awk '{
+    base = $0; sub(/.*\//, "", base); sub(/\.[a-z]+$/, "", base); folder = $0; sub(/[^\/]*$/, "", folder)
+    if (!(base in seen)) seen[base] = folder
+    else if (seen[base] != folder) print $0 ": " seen[base] " has a file of this base name already"
+  }' > "$work/names"
+
+# ---- ratchets ----
+limit() { # NAME COUNT WHERE: what the count is of, and where to look
+  most=$(awk -v name="$1" '$1 == name { print $2 }' scripts/layers.limits)
+  if [ "$2" -gt "${most:-0}" ]; then echo "$1: $2, and scripts/layers.limits allows ${most:-0} ($3)" >> "$work/wrong"; fi
+  [ "$2" -ge "${most:-0}" ] || echo "$1 $2" >> "$work/better"
+}
+limit same-names "$(wc -l < "$work/names")" "$(tr '\n' ';' < "$work/names")"
+limit long-lines "$(xargs awk 'length($0) > 120' < "$work/sources" | wc -l)" "lines past 120 columns"
+limit raw-allocations "$(xargs grep -hoE '\b(malloc|calloc|realloc)\(' < "$work/sources" | wc -l)" "malloc, calloc and realloc beside model/store/array.h and the stores"
+limit static-prefixed "$(grep '\.c$' "$work/sources" | xargs grep -hE '^static [^=;]*\bvs_[a-z0-9_]*\(' | wc -l)" "static functions named vs_, a prefix of externals"
+
+# Externals of a .c file that the header of its name does not declare.
+find $(for l in $layers; do echo "$build/obj/$l"; done) -name '*.o' | sort | xargs nm -A --defined-only -g 2>/dev/null | awk -v build="$build/obj/" '
+  $2 == "T" || $3 == "T" {
+    file = $1; sub(/:.*/, "", file); symbol = $NF
+    sub("^" build, "", file); sub(/\.o$/, ".h", file)
+    if (!(file in text)) { text[file] = " "; while ((getline line < file) > 0) text[file] = text[file] line "\n"; close(file) }
+    if (symbol != "main" && !match(text[file], "[^a-z0-9_]" symbol "\\(")) print file ": does not declare " symbol
+  }' > "$work/elsewhere"
+limit declared-elsewhere "$(wc -l < "$work/elsewhere")" "external functions that the header of their file's name does not declare"
+
+# Circles of includes; a .c and the .h of its name are one.
+xargs grep -HE '^[ \t]*#[ \t]*include[ \t]*"' < "$work/sources" | awk -F: '{
+    from = $1; sub(/\.[ch]$/, "", from); to = $0; sub(/^[^"]*"/, "", to); sub(/".*/, "", to)
+    if (to !~ /\.h$/) next
+    sub(/\.h$/, "", to)
+    if (from == to || ((from, to) in have)) next
+    have[from, to] = 1; next_of[from] = next_of[from] " " to; node[from] = node[to] = 1
+  }
+  END {
+    for (start in node) {
+      split("", seen); top = 1; stack[1] = start
+      while (top) { n = split(next_of[stack[top--]], out, " "); for (i = 1; i <= n; i++) if (!(out[i] in seen)) { seen[out[i]] = 1; stack[++top] = out[i] } }
+      for (other in seen) reach[start, other] = 1
+    }
+    for (a in node) { size = 0; for (b in node) if (((a, b) in reach) && ((b, a) in reach)) size++; if (size > most) most = size }
+    print most + 0
+  }' > "$work/circle"
+limit include-circle "$(cat "$work/circle")" "files in the widest circle of includes"
+
+# Words that the glossary has replaced (scripts/words.list: WORD MOST INSTEAD).
+while read -r word most instead; do
+  case $word in ''|'#'*) continue ;; esac
+  count=$(xargs grep -hoiE "\b$word\b" < "$work/sources" | wc -l)
+  count=$((count + $(cat manual/*.md manual/*/*.md | grep -oiE "\b$word\b" | wc -l)))
+  [ "$count" -le "$most" ] || echo "the word '$word' stands in $count places, and scripts/words.list allows $most: say $instead" >> "$work/wrong"
+  [ "$count" -ge "$most" ] || echo "word $word $count" >> "$work/better"
+done < scripts/words.list
+
+if [ -s "$work/wrong" ]; then cat "$work/wrong"; exit 1; fi
+[ ! -s "$work/better" ] || { echo "lower these limits:"; sort "$work/better"; } | tr '\n' ' ' | sed 's/ $/\n/'
+echo "layers: includes follow the arrows; no mutable globals; rooms, names and words as they should be"

@@ -71,7 +71,7 @@ done
 # The first page: where to go, and a sheet of all kinds by what they are.
 {
   printf '%s\n' '# VisualScheme' '' '- [Tutorial](tutorial.md): from nothing to a tower with parameters' '- [Language](language/README.md): every procedure and form' \
-    '- [The command](command.md)' '- [How it is built](internals.md)' '' '## Kinds of objects' ''
+    '- [The command](command.md)' '- [How it is built](internals.md), [a walk](walk.md) through it, and its [glossary](glossary.md)' '' '## Kinds of objects' ''
 } > "$work/index.md"
 sheet=$(for class in CURVE REGION SURFACE SOLID INHERIT NOTHING; do
   case $class in CURVE) say=Curves ;; REGION) say=Regions ;; SURFACE) say=Surfaces ;; SOLID) say=Solids ;; INHERIT) say='Made from others' ;; NOTHING) say=Nothing ;; esac

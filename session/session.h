@@ -1,7 +1,7 @@
 /* Owns one interpreter's outside: what the embedder gave, memory, files, sources kept for messages, the interrupt flag. session/visualscheme.c is
  * the public face of it; vm->host and vm->config.user both point to it. */
-#ifndef VS_BIND_SESSION_H
-#define VS_BIND_SESSION_H
+#ifndef VS_SESSION_SESSION_H
+#define VS_SESSION_SESSION_H
 
 #include <stdatomic.h>
 #include <stdio.h>
@@ -24,6 +24,13 @@ typedef struct {
   char *text; size_t length, at; /* a file read whole: freed by free() */
 } vs_stream;
 
+/* The stages that a drawing goes through on its way to an output (spine.c). */
+typedef enum {
+#define VS_STAGE(upper, lower, when, formats, doc) VS_STAGE_##upper,
+#include "session/stages.def"
+  VS_STAGE_COUNT
+} vs_stage;
+
 /* What one output took and what was counted of it. NAN: was not counted. */
 typedef struct {
   char *path; size_t path_bytes; /* path "" where it went into a callback */
@@ -34,6 +41,7 @@ typedef struct {
   vs_pass_stats passes;
   double alone[VS_PASS_COUNT], without[VS_PASS_COUNT]; /* commands with this pass only; with all others that were asked for */
   vs_cache_stats cache;     /* hits and misses: the differences */
+  double stages[VS_STAGE_COUNT]; /* seconds of each stage; NAN: the format does without it, or the output had failed before */
 } vs_output_record;
 
 typedef struct {
@@ -59,6 +67,11 @@ typedef struct {
   size_t output_count, output_room;
   unsigned flags;           /* VS_EVAL_... of the evaluation under way */
 } vs_session;
+
+/* ---- visualscheme.c ---- */
+/* Begins an evaluation: the limits count from here, and what the last one left behind is forgotten. */
+void vs_session_begin(vs_session *s, unsigned flags);
+vs_outcome vs_session_out_of_memory(vs_session *s); /* Reports it to the host. */
 
 static inline vs_session *vs_session_of(const vs *vm) { return (vs_session *)vm->host; }
 

@@ -37,6 +37,7 @@ bool vs_session_output_begin(vs_session *s, const char *path, const char *format
   *r = (vs_output_record){ .path = copy, .path_bytes = bytes, .format = format, .tally = *t, .nodes = NAN, .distinct = NAN, .passes = { .commands_before = NAN, .commands_after = NAN },
                            .cache = vs_cache_count(vs_store_cache(s->bind.store)) };
   for (int i = 0; i < VS_PASS_COUNT; i++) r->alone[i] = r->without[i] = NAN;
+  for (int i = 0; i < VS_STAGE_COUNT; i++) r->stages[i] = NAN;
   for (int i = 0; i < VS_WORK_COUNT; i++) t->of[i].peak = 0; /* its own peaks; the others come back at its end */
   return true;
 }
@@ -180,11 +181,27 @@ static void add_drawing(list *l, const vs_output_record *r) {
   add(l, "nodes.distinct", r ? r->distinct : NAN, "");
   add(l, "commands.before", r ? r->passes.commands_before : NAN, "");
   add(l, "commands.after", r ? r->passes.commands_after : NAN, "");
-#define VS_PASS(upper, lower, doc)                                                  \
+#define VS_PASS(upper, lower, begin, end, doc)                                                  \
   add(l, "commands.alone." #lower, r ? r->alone[VS_PASS_##upper] : NAN, "");         \
   add(l, "commands.without." #lower, r ? r->without[VS_PASS_##upper] : NAN, "");     \
   add(l, "passes." #lower, r ? (double)r->passes.changed[VS_PASS_##upper] : NAN, "");
 #include "passes/passes.def"
+}
+
+/* of one output; r NULL: of all that are remembered */
+static void add_stages(list *l, const vs_session *s, const vs_output_record *r) {
+  static const char *const keys[] = {
+#define VS_STAGE(upper, lower, when, formats, doc) "time.stage." #lower,
+#include "session/stages.def"
+  };
+  for (int k = 0; k < VS_STAGE_COUNT; k++) {
+    double sum = NAN;
+    for (size_t i = 0; !r && i < s->output_count; i++) {
+      double one = s->outputs[i].stages[k];
+      if (!isnan(one)) sum = isnan(sum) ? one : sum + one;
+    }
+    add(l, keys[k], r ? r->stages[k] : sum, "s");
+  }
 }
 
 static void add_found(list *l, const vs_cache_stats *c) {
@@ -201,6 +218,7 @@ size_t vs_statistics(const vs *vm, vs_statistic *out, size_t room) {
   add(&l, "time.evaluate", s->evaluate_seconds, "s");
   add(&l, "time.write", s->write_seconds, "s");
   add_work(&l, &s->tally);
+  add_stages(&l, s, NULL);
   add(&l, "memory.now", (double)s->bytes, "bytes");
   add(&l, "memory.peak", (double)vs_tally_peak(&s->tally), "bytes");
   add(&l, "memory.model", (double)vs_store_bytes(s->bind.store), "bytes");
@@ -225,6 +243,7 @@ bool vs_output_statistics(const vs *vm, size_t index, vs_output_info *info, vs_s
   list l = { out, room, 0 };
   if (info) *info = (vs_output_info){ r->path, r->format, r->done };
   add_work(&l, &r->tally);
+  add_stages(&l, s, r);
   add_drawing(&l, r);
   add_found(&l, &r->cache);
   *count = l.count;

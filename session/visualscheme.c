@@ -7,12 +7,9 @@
 #include "session/session.h"
 
 #include "backends/export.h"
-#include "geometry/measure/node_measures.h"
-#include "passes/optimise.h"
-#include "solids/drawn_bounds.h"
-#include "solids/resolve.h"
 #include "model/store/cache.h"
-#include "passes/sugar.h"
+#include "passes/passes.h"
+#include "session/spine.h"
 #include "vm/machine/image.h"
 #include "vm/values/number.h"
 #include "vm/values/printer.h"
@@ -28,7 +25,7 @@ const char *vs_version(void) { return VS_VERSION; }
 
 vs_options vs_options_default(void) { return (vs_options){ .library_path = NULL }; }
 
-static vs_outcome out_of_memory(vs_session *s) {
+vs_outcome vs_session_out_of_memory(vs_session *s) {
   vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, NULL, 0, 0, "out of memory");
   return VS_OUTCOME_MACHINE;
 }
@@ -176,7 +173,7 @@ vs_outcome vs_restart(vs *vm) {
   if (fresh) fresh->host = s;
   if (!fresh || !open_program(fresh)) {
     if (fresh) vs_close_vm(fresh);
-    return out_of_memory(s);
+    return vs_session_out_of_memory(s);
   }
   vs old = *vm; /* nothing of an interpreter that rests points to itself */
   *vm = *fresh, *fresh = old;
@@ -205,8 +202,7 @@ void vs_interrupt_clear(vs *vm) { atomic_store(&vs_session_of(vm)->interrupted, 
 
 /* ---- running ---- */
 
-/* limits count from here; what the last evaluation left behind is forgotten */
-static void begin(vs_session *s, unsigned flags) {
+void vs_session_begin(vs_session *s, unsigned flags) {
   s->flags = flags;
   vs_cache_turn(vs_store_cache(s->bind.store), true);
   vs *vm = s->bind.vm;
@@ -255,7 +251,7 @@ static bool may_run(vs_session *s) { return !vs_session_interrupted(s) || vs_fai
 vs_outcome vs_eval_text(vs *vm, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags) {
   vs_session *s = vs_session_of(vm);
   if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
-  begin(s, flags);
+  vs_session_begin(s, flags);
   if (!vs_session_keep_source(s, name, first_line, text, length)) return finish(s, vs_fail_memory(vm), false);
   return finish(s, may_run(s) && vs_program_text(vm, name, first_line, text, length, !(flags & VS_EVAL_PROGRAM), &vm->value), false);
 }
@@ -275,7 +271,7 @@ vs_outcome vs_eval_file(vs *vm, const char *path, unsigned flags) {
   size_t length;
   const char *why;
   if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
-  begin(s, flags);
+  vs_session_begin(s, flags);
   if (!vs_session_read(s, path, &text, &length, &why)) {
     vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, path, 0, 0, why);
     s->phase = NULL;
@@ -379,126 +375,7 @@ const char *vs_parameter_unused(const vs *vm, size_t index) {
 
 void vs_drawing_clear(vs *vm) { vs_bind_clear_drawing(&vs_session_of(vm)->bind); }
 
-/* A scene to look at or write: the drawing, or what was returned where nothing was drawn. Its array is the caller's to give back. */
-static bool scene_of(vs_session *s, vs_scene *out) {
-  *out = s->bind.scene;
-  bool returned = vs_bind_finish(&s->bind);
-  out->tolerance = vs_bind_tolerance(&s->bind);
-  size_t n = returned ? s->bind.returned_count : s->bind.scene.drawn_count;
-  out->drawn = vs_store_realloc(s->bind.store, NULL, 0, (n + 1) * sizeof *out->drawn);
-  if (!out->drawn) return false;
-  out->drawn_count = n, out->drawn_room = n + 1;
-  for (size_t i = 0; i < n; i++)
-    out->drawn[i] = returned ? (vs_ref){ s->bind.returned[i].node, s->bind.returned[i].origin } : s->bind.scene.drawn[i];
-  for (size_t i = 0; i < n; i++) vs_node_retain(out->drawn[i].node); /* the passes put others in their place */
-  return true;
-}
-static void scene_done(vs_session *s, vs_scene *scene) {
-  for (size_t i = 0; i < scene->drawn_count; i++) vs_node_release(scene->drawn[i].node);
-  vs_store_realloc(s->bind.store, scene->drawn, scene->drawn_room * sizeof *scene->drawn, 0);
-}
-
-/* The limit of time for an output, or a summary, counts from here until s->writing is false. */
-static void begin_output(vs_session *s) {
-  s->writing = true, s->late = false;
-  s->write_began = vs_session_clock(s), s->write_worker = s->tally.of[VS_WORK_WORKER].seconds;
-}
-
-static vs_outcome output_failed(vs_session *s, vs_error *e) {
-  if (s->late && e->kind == VS_ERROR_INTERRUPT) vs_error_set(e, VS_ERROR_MEMORY, NULL, "the output: stopped after %g seconds, the limit", s->options.limit_time);
-  return vs_session_report_error(s, e);
-}
-
-/* The drawing functions of the program, on the scene as this format (NULL: none) gets it. They are an evaluation of their own. */
-static vs_outcome hand_on(vs_session *s, vs_scene *scene, const vs_format *format) {
-  const char *names[4] = { NULL };
-  size_t n = 0;
-  if (!vs_bind_hands_on(&s->bind)) return VS_OUTCOME_DONE;
-  if (!format) names[n++] = "*"; /* whatever draws it, where nothing is for all formats */
-  if (format) names[n++] = format->name, names[n++] = format->suffix;
-  if (format && vs_export_family(format)) names[n++] = vs_export_family(format);
-  begin(s, 0);
-  bool ok = vs_bind_hand_on(&s->bind, scene->drawn, scene->drawn_count, names);
-  s->phase = NULL;
-  vs_tally_enter(&s->tally, VS_WORK_PASSES);
-  if (ok) return VS_OUTCOME_DONE;
-  return s->bind.handed.kind != VS_ERROR_NONE ? vs_session_report_error(s, &s->bind.handed) : vs_session_report_condition(s, s->bind.vm->condition, false);
-}
-
-static bool keep_resolving(void *session, double done) {
-  (void)done;
-  return !vs_session_interrupted(session);
-}
-
-static void warn_resolving(void *session, const vs_origin *origin, const char *message) { vs_session_warn(session, origin, message); }
-
-/* Sections, shadows, edges and lines without end become what they are in space. */
-static bool resolve(vs_session *s, vs_scene *scene, vs_error *e) {
-  vs_kernel_options options = { .progress = keep_resolving, .context = s };
-  size_t count = scene->drawn_count, room = scene->drawn_room;
-  vs_scene mine = *scene; /* with an array that may grow */
-  bool needed = false;
-  for (size_t i = 0; i < count; i++) needed = needed || scene->drawn[i].node->flags & VS_NODE_UNRESOLVED;
-  if (!needed) return true;
-  mine.drawn = NULL, mine.drawn_count = mine.drawn_room = 0;
-  bool ok = true;
-  for (size_t i = 0; ok && i < count; i++) ok = vs_scene_draw(&mine, scene->drawn[i]) || vs_error_memory(e, NULL);
-  ok = ok && vs_scene_resolve(&mine, &options, &(vs_resolve_notes){ warn_resolving, s }, e);
-  vs_ref *drawn = ok ? vs_session_memory(s, NULL, 0, (mine.drawn_count + 1) * sizeof *drawn) : NULL;
-  if (ok && !drawn) ok = vs_error_memory(e, NULL);
-  if (ok) {
-    for (size_t i = 0; i < count; i++) vs_node_release(scene->drawn[i].node);
-    vs_session_memory(s, scene->drawn, room * sizeof *scene->drawn, 0);
-    memcpy(drawn, mine.drawn, mine.drawn_count * sizeof *drawn);
-    scene->drawn = drawn, scene->drawn_count = mine.drawn_count, scene->drawn_room = mine.drawn_count + 1;
-  }
-  for (size_t i = 0; !ok && i < mine.drawn_count; i++) vs_node_release(mine.drawn[i].node);
-  vs_store_realloc(mine.store, mine.drawn, mine.drawn_room * sizeof *mine.drawn, 0);
-  return ok;
-}
-
-static bool summarise(vs_session *s, const vs_scene *scene, vs_summary *out, vs_error *e) {
-  vs_bounds all;
-  vs_bind_counts sum = { 0 }, c;
-  vs_facets facets = { .tolerance = scene->tolerance, .segments = scene->segments };
-  vs_kernel_options options = { .progress = keep_resolving, .context = s };
-  for (size_t i = 0; i < scene->drawn_count; i++) {
-    if (!vs_bind_count(scene->drawn[i], &c)) return vs_error_memory(e, scene->drawn[i].origin);
-    sum.all += c.all;
-    for (int k = 0; k < VS_INHERIT; k++) sum.of[k] += c.of[k];
-  }
-  if (!vs_drawn_bounds_all(scene->drawn, scene->drawn_count, &facets, &options, VS_DRAWN_BOUNDS_MOST, &all, &out->bounds_at_most, e)) return false;
-  out->objects = (size_t)sum.all;
-  out->solids = (size_t)sum.of[VS_SOLID], out->surfaces = (size_t)sum.of[VS_SURFACE];
-  out->regions = (size_t)sum.of[VS_REGION_CLASS], out->curves = (size_t)sum.of[VS_CURVE];
-  out->has_bounds = !vs_bounds_is_empty(&all);
-  const double least[] = { all.min.x, all.min.y, all.min.z }, most[] = { all.max.x, all.max.y, all.max.z };
-  for (int i = 0; out->has_bounds && i < 3; i++) out->min[i] = least[i], out->max[i] = most[i];
-  return true;
-}
-
-static vs_outcome drawing_summary(vs_session *s, vs_summary *out) {
-  vs_scene scene;
-  vs_error e = { 0 };
-  *out = (vs_summary){ .units = s->bind.scene.units };
-  if (!scene_of(s, &scene)) return out_of_memory(s);
-  vs_outcome handed = hand_on(s, &scene, NULL);
-  if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
-  begin_output(s);
-  static const vs_settle_options plain = { .highlights = VS_MARKS_DROP, .keeps_text = true };
-  bool ok = vs_scene_settle(&scene, &plain, &e) && resolve(s, &scene, &e) && summarise(s, &scene, out, &e);
-  scene_done(s, &scene);
-  return ok ? VS_OUTCOME_DONE : output_failed(s, &e);
-}
-
-vs_outcome vs_drawing_summary(vs *vm, vs_summary *out) {
-  vs_session *s = vs_session_of(vm);
-  vs_tally_enter(&s->tally, VS_WORK_PASSES);
-  vs_outcome outcome = drawing_summary(s, out);
-  s->writing = false;
-  vs_tally_enter(&s->tally, VS_WORK_NONE);
-  return outcome;
-}
+vs_outcome vs_drawing_summary(vs *vm, vs_summary *out) { return vs_session_summary(vs_session_of(vm), out); }
 
 /* ---- formats ---- */
 
@@ -549,7 +426,7 @@ bool vs_format_of(const vs *vm, const char *text, vs_format_info *out) {
 
 const char *const *vs_pass_list(size_t *count) {
   static const char *const names[] = {
-#define VS_PASS(upper, lower, doc) #lower,
+#define VS_PASS(upper, lower, begin, end, doc) #lower,
 #include "passes/passes.def"
   };
   *count = sizeof names / sizeof *names;
@@ -558,101 +435,7 @@ const char *const *vs_pass_list(size_t *count) {
 
 vs_output_options vs_output_options_default(void) { return (vs_output_options){ .quality = VS_QUALITY_GOOD, .passes = VS_PASSES_ALL }; }
 
-typedef struct { vs_session *session; const char *subject; double told; } export_context;
-
-static void export_warn(void *context, const vs_origin *origin, const char *message) { vs_session_warn(((export_context *)context)->session, origin, message); }
-
-static bool export_progress(void *context, const char *stage, double fraction) {
-  export_context *c = context;
-  const vs_host *h = &c->session->options.host;
-  double now = vs_session_clock(c->session);
-  if (h->progress && now - c->told > .1) {
-    c->told = now;
-    h->progress(h->context, &(vs_progress){ .phase = stage, .subject = c->subject, .fraction = fraction });
-  }
-  return !vs_session_interrupted(c->session);
-}
-
-static void apply(const vs_output_options *o, vs_scene *scene, vs_export_options *e) {
-  static const vs_render_quality qualities[] = { [VS_QUALITY_DRAFT] = VS_RENDER_DRAFT, [VS_QUALITY_GOOD] = VS_RENDER_GOOD, [VS_QUALITY_FINAL] = VS_RENDER_FINAL };
-  e->width = o->width, e->height = o->height;
-  if (e->width && !e->height) e->height = (e->width * 3 + 2) / 4;
-  if (e->height && !e->width) e->width = (e->height * 4 + 1) / 3;
-  e->quality = qualities[o->quality];
-  if (o->tolerance > 0) scene->tolerance = o->tolerance;
-  if (o->segments > 0) scene->segments = o->segments;
-  if (!o->has_camera) return;
-  scene->view = VS_VIEW_CAMERA;
-  scene->eye = vs_v3(o->camera[0], o->camera[1], o->camera[2]), scene->target = vs_v3(o->camera[3], o->camera[4], o->camera[5]);
-  scene->lens = o->camera[6] > 0 ? o->camera[6] : 35;
-}
-
-typedef struct { bool (*write)(void *context, const void *bytes, size_t count); void *context; } callback_sink;
-static bool sink(void *context, const void *bytes, size_t count) {
-  const callback_sink *c = context;
-  return c->write(c->context, bytes, count);
-}
-
-/* The objects of a settled scene to the program's own back-end, and what that made of them into the file. */
-static vs_outcome write_brought(vs_session *s, vs_scene *scene, const char *path, const vs_format *format, vs_export_options *e, callback_sink *to) {
-  char *text = NULL;
-  size_t bytes = 0;
-  vs_error error = { 0 };
-  begin(s, 0);
-  bool ok = vs_bind_back_end_write(&s->bind, format->name, scene->drawn, scene->drawn_count, &text, &bytes);
-  s->phase = NULL;
-  vs_tally_enter(&s->tally, VS_WORK_EMIT);
-  if (!ok) return vs_session_report_condition(s, s->bind.vm->condition, false);
-  vs_scene nothing = *scene; /* for its store and units; what is drawn of it is the text */
-  nothing.drawn = NULL, nothing.drawn_count = nothing.drawn_room = 0;
-  e->given = text, e->given_size = bytes;
-  ok = to ? vs_export_to(&nothing, format, sink, to, e, &error) : vs_export(&nothing, format, path, e, &error);
-  vs_mem(s->bind.vm, text, bytes + 1, 0);
-  return ok ? VS_OUTCOME_DONE : vs_session_report_error(s, &error);
-}
-
-/* With its record begun. */
-static vs_outcome write_one(vs_session *s, const char *path, const vs_format *format, const vs_output_options *o, callback_sink *to) {
-  vs_export_options e;
-  vs_scene scene;
-  vs_error error = { 0 };
-  export_context context = { s, path, vs_session_clock(s) }; /* what is quick needs no word on the way */
-  vs_output_record *record = &s->outputs[s->output_count - 1];
-  vs_tally_enter(&s->tally, VS_WORK_RUN);
-  vs_gc_major(s->bind.vm); /* nodes that only dead values still name look shared, and are remembered one by one */
-  vs_tally_enter(&s->tally, VS_WORK_PASSES);
-  if (!scene_of(s, &scene)) return out_of_memory(s);
-  vs_export_options_init(&e);
-  e.context = &context, e.warn = export_warn, e.progress = export_progress;
-  e.safe = s->options.untrusted || s->options.limit_time > 0 || s->options.limit_memory || s->options.limit_steps || s->options.limit_output;
-  e.mesh_triangles = s->options.limit_triangles;
-  e.worker_seconds = s->options.limit_worker;
-  e.strict = o->strict;
-  if (s->options.limit_memory) e.mesh_bytes = s->bytes < s->options.limit_memory ? s->options.limit_memory - s->bytes : 1;
-  apply(o, &scene, &e);
-  vs_outcome handed = hand_on(s, &scene, format);
-  if (handed != VS_OUTCOME_DONE) return scene_done(s, &scene), handed;
-  const vs_bind_back_end *brought = format->backend == &vs_backend_given ? vs_bind_back_end_find(&s->bind, format->name) : NULL;
-  unsigned passes = brought && !brought->optimised ? 0 : o->passes;
-  vs_cache_turn(vs_store_cache(s->bind.store), !o->last);
-  begin_output(s); /* the drawing functions had the time of an evaluation */
-  bool ok = vs_export_settle(&scene, format, &e, &error) && ((vs_export_is_verbatim(format) && !brought) || resolve(s, &scene, &error)) &&
-            (!o->count || vs_session_output_nodes(s, &scene, passes, &error)) && vs_scene_optimise(&scene, passes, &record->passes, &error) &&
-            vs_export_prepare(&scene, format, &error);
-  if (ok && brought) {
-    vs_outcome outcome = write_brought(s, &scene, path, format, &e, to);
-    s->writing = false;
-    return scene_done(s, &scene), outcome;
-  }
-  vs_tally_enter(&s->tally, VS_WORK_EMIT);
-  ok = ok && (to ? vs_export_to(&scene, format, sink, to, &e, &error) : vs_export(&scene, format, path, &e, &error));
-  s->writing = false;
-  scene_done(s, &scene);
-  if (ok) return VS_OUTCOME_DONE;
-  return output_failed(s, &error);
-}
-
-static vs_outcome write_to(vs *vm, const char *path, const char *format_name, const vs_output_options *options, callback_sink *to) {
+static vs_outcome write_to(vs *vm, const char *path, const char *format_name, const vs_output_options *options, vs_byte_sink *to) {
   vs_session *s = vs_session_of(vm);
   vs_output_options o = options ? *options : vs_output_options_default();
   const char *wanted = format_name ? format_name : path;
@@ -664,15 +447,12 @@ static vs_outcome write_to(vs *vm, const char *path, const char *format_name, co
     vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, text);
     return VS_OUTCOME_USAGE;
   }
-  if (!vs_session_output_begin(s, path, format->name)) return out_of_memory(s);
-  vs_outcome outcome = write_one(s, path, format, &o, to);
-  vs_session_output_end(s, outcome == VS_OUTCOME_DONE);
-  return outcome;
+  return vs_session_write(s, path, format, &o, to);
 }
 
 vs_outcome vs_write_drawing(vs *vm, const char *path, const char *format, const vs_output_options *o) { return write_to(vm, path, format, o, NULL); }
 
 vs_outcome vs_write_drawing_to(vs *vm, const char *format, const vs_output_options *o, bool (*write)(void *context, const void *bytes, size_t count), void *context) {
-  callback_sink to = { write, context };
+  vs_byte_sink to = { write, context };
   return write_to(vm, NULL, format, o, &to);
 }

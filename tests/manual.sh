@@ -43,6 +43,17 @@ ls manual/primitives | sed 's/\.md$//' | sort > "$work/pages"
 if [ -s "$work/kinds" ] && diff "$work/kinds" "$work/pages" > "$work/diff"; then echo "ok manual/primitives:pages"
 else echo "not ok manual/primitives:pages differ from prims.def"; sed 's/^/    /' "$work/diff"; fi
 
+# The tables of phases, steps and stages have a row for each row of their .def file, in its order.
+table() { # DEF ROW HEAD: the names of a .def file against the first column below the head
+  sed -n "s/^$2([A-Z_]*, *\([a-z_]*\),.*/\1/p" "$1" > "$work/wanted"
+  awk -v head="$3" 'index($0, head) == 1 { on = 1; getline; next } on && !/^\|/ { on = 0 } on { sub(/^\| */, ""); sub(/ *\|.*/, ""); print }' manual/command.md > "$work/shown"
+  if [ -s "$work/wanted" ] && diff "$work/wanted" "$work/shown" > "$work/diff"; then echo "ok manual/command:$1"
+  else echo "not ok manual/command:$1"; sed 's/^/    /' "$work/diff"; fi
+}
+table model/tally.def VS_PHASE '| phase |'
+table model/steps.def VS_STEP '| step |'
+table session/stages.def VS_STAGE '| stage |'
+
 # What the examples say is what happens.
 for page in manual/language/*.md manual/primitives/*.md; do
   name=${page#manual/}

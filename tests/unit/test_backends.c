@@ -14,6 +14,7 @@
 
 #include <cmocka.h>
 
+#include "passes/flush.h"
 #include "backends/export.h"
 #include "backends/tree/tree_reader.h"
 #include "tests/unit/scenes.h"
@@ -231,7 +232,7 @@ static void test_povray_skins(void **state) {
                         test_cylinder(&m, vs_v3(0, 4, 0), vs_v3(5, 4, 0), 1) };
   test_draw(&m, test_node(&m, 1, VS_DIFFERENCE, &(struct vs_difference){ 0 }, cutters, 4));
   vs_error e = { VS_ERROR_NONE, NULL, "" };
-  assert_true(vs_export_prepare(&m.scene, vs_export_format_find("pov"), &e));
+  assert_true(vs_scene_part_flush(&m.scene, &e));
   char *text = written(&m, "pov");
   assert_holds(text, "  cylinder { <0, 0, 0>, <5, 0, 0>, 1 }\n");
   assert_holds(text, "  cylinder { <4.99");

@@ -199,16 +199,16 @@ typedef struct { vs_object h; uint64_t count; vs_value name[]; } vs_keywords;
 typedef struct { vs_object h; const struct vs_foreign_type *type; void *object; const void *with; } vs_foreign;
 
 /* ---- typed access; the caller has tested the type ---- */
-#define VS_AS(name, ctype) \
+#define VS_ACCESSOR(name, ctype) \
   static inline ctype *vs_as_##name(vs_value v) { return (ctype *)(void *)vs_object_of(v); }
-VS_AS(pair, vs_pair) VS_AS(string, vs_string) VS_AS(symbol, vs_symbol) VS_AS(vector, vs_vector) VS_AS(bytes, vs_bytes)
-VS_AS(bignum, vs_bignum) VS_AS(ratio, vs_ratio) VS_AS(code, vs_code) VS_AS(closure, vs_closure) VS_AS(case, vs_case)
-VS_AS(native, vs_native) VS_AS(cell, vs_cell) VS_AS(box, vs_box) VS_AS(values, vs_values) VS_AS(record_type, vs_record_type)
-VS_AS(record, vs_record) VS_AS(flat, vs_flat) VS_AS(table, vs_table) VS_AS(port, vs_port) VS_AS(promise, vs_promise)
-VS_AS(parameter, vs_parameter) VS_AS(condition, vs_condition) VS_AS(stack, vs_stack) VS_AS(continuation, vs_continuation)
-VS_AS(environment, vs_environment) VS_AS(macro, vs_macro) VS_AS(alias, vs_alias) VS_AS(keywords, vs_keywords)
-VS_AS(foreign, vs_foreign)
-#undef VS_AS
+VS_ACCESSOR(pair, vs_pair) VS_ACCESSOR(string, vs_string) VS_ACCESSOR(symbol, vs_symbol) VS_ACCESSOR(vector, vs_vector) VS_ACCESSOR(bytes, vs_bytes)
+VS_ACCESSOR(bignum, vs_bignum) VS_ACCESSOR(ratio, vs_ratio) VS_ACCESSOR(code, vs_code) VS_ACCESSOR(closure, vs_closure) VS_ACCESSOR(case, vs_case)
+VS_ACCESSOR(native, vs_native) VS_ACCESSOR(cell, vs_cell) VS_ACCESSOR(box, vs_box) VS_ACCESSOR(values, vs_values) VS_ACCESSOR(record_type, vs_record_type)
+VS_ACCESSOR(record, vs_record) VS_ACCESSOR(flat, vs_flat) VS_ACCESSOR(table, vs_table) VS_ACCESSOR(port, vs_port) VS_ACCESSOR(promise, vs_promise)
+VS_ACCESSOR(parameter, vs_parameter) VS_ACCESSOR(condition, vs_condition) VS_ACCESSOR(stack, vs_stack) VS_ACCESSOR(continuation, vs_continuation)
+VS_ACCESSOR(environment, vs_environment) VS_ACCESSOR(macro, vs_macro) VS_ACCESSOR(alias, vs_alias) VS_ACCESSOR(keywords, vs_keywords)
+VS_ACCESSOR(foreign, vs_foreign)
+#undef VS_ACCESSOR
 
 static inline bool vs_is_pair(vs_value v) { return vs_is(v, VS_T_PAIR); }
 static inline bool vs_is_symbol(vs_value v) { return vs_is(v, VS_T_SYMBOL); }

@@ -1,0 +1,277 @@
+/* Owns the spine: the way of a drawing through the stages of stages.def to one output.
+ *
+ *   text → data           the reader            vm/front/reader.c
+ *   data → core tree      the expander          vm/front/expand.c
+ *   core tree → bytecode  the compiler          vm/compiler/compile.c
+ *   bytecode → tree       the run loop          vm/machine/run.c, bind/
+ *   tree → tree           the stages below      passes/, solids/resolve.c
+ *   tree → meshes         where a format needs  solids/solid_meshes.c, kernel/evaluate.c
+ *   tree → file           the last stage        backends/driver.c, backends/export.c
+ *
+ * The first four happen form by form in vs_eval_text and vs_eval_file (visualscheme.c). Everything after them is in this file, from top to bottom. */
+#include "session/spine.h"
+
+#include <stdio.h>
+
+#include "backends/backend.h"
+#include "geometry/measure/node_measures.h"
+#include "passes/flush.h"
+#include "passes/optimise.h"
+#include "passes/sugar.h"
+#include "solids/drawn_bounds.h"
+#include "solids/resolve.h"
+
+typedef struct {
+  vs_session *session;
+  const vs_format *format;       /* NULL: nothing is written, the drawing is only measured */
+  const vs_output_options *options;
+  const char *path;              /* NULL: to */
+  vs_byte_sink *to;
+  vs_scene scene;                /* the job's own array of references */
+  vs_export_options export;
+  vs_output_record *record;      /* NULL: nothing is written */
+  vs_error error;                /* why a stage returned false, unless outcome says it */
+  vs_outcome outcome;            /* of what a stage has reported itself */
+  char *text;                    /* what a back-end of the program's own has made, of so many bytes; NULL: nothing */
+  size_t text_bytes;
+  double told;                   /* clock of the last call of the host's progress */
+} vs_job;
+
+/* ---- what the stages call back ---- */
+
+static bool keep_resolving(void *session, double done) {
+  (void)done;
+  return !vs_session_interrupted(session);
+}
+
+static void job_warn(void *job, const vs_origin *origin, const char *message) { vs_session_warn(((vs_job *)job)->session, origin, message); }
+
+/* Tells the host how far the output is, ten times a second at most; a quick output is not told of at all. Returns false if the host interrupts. */
+static bool job_progress(void *job, const char *stage, double fraction) {
+  vs_job *j = job;
+  const vs_host *h = &j->session->options.host;
+  double now = vs_session_clock(j->session);
+  if (h->progress && now - j->told > .1) {
+    j->told = now;
+    h->progress(h->context, &(vs_progress){ .phase = stage, .subject = j->path, .fraction = fraction });
+  }
+  return !vs_session_interrupted(j->session);
+}
+
+/* ---- options ---- */
+
+/* What the caller asked for, what the program set, and what the session's limits leave. */
+static void set_options(vs_job *j) {
+  static const vs_render_quality qualities[] = { [VS_QUALITY_DRAFT] = VS_RENDER_DRAFT, [VS_QUALITY_GOOD] = VS_RENDER_GOOD, [VS_QUALITY_FINAL] = VS_RENDER_FINAL };
+  const vs_options *limits = &j->session->options;
+  const vs_output_options *o = j->options;
+  vs_export_options *e = &j->export;
+  vs_export_options_init(e);
+  e->context = j, e->warn = job_warn, e->progress = job_progress;
+  e->safe = limits->untrusted || limits->limit_time > 0 || limits->limit_memory || limits->limit_steps || limits->limit_output;
+  e->mesh_triangles = limits->limit_triangles;
+  e->worker_seconds = limits->limit_worker;
+  e->strict = o->strict;
+  if (limits->limit_memory) e->mesh_bytes = j->session->bytes < limits->limit_memory ? limits->limit_memory - j->session->bytes : 1;
+  e->width = o->width, e->height = o->height;
+  if (e->width && !e->height) e->height = (e->width * 3 + 2) / 4;
+  if (e->height && !e->width) e->width = (e->height * 4 + 1) / 3;
+  e->quality = qualities[o->quality];
+  vs_scene *scene = &j->scene;
+  if (o->tolerance > 0) scene->tolerance = o->tolerance;
+  if (o->segments > 0) scene->segments = o->segments;
+  if (!o->has_camera) return;
+  scene->view = VS_VIEW_CAMERA;
+  scene->eye = vs_v3(o->camera[0], o->camera[1], o->camera[2]), scene->target = vs_v3(o->camera[3], o->camera[4], o->camera[5]);
+  scene->lens = o->camera[6] > 0 ? o->camera[6] : 35;
+}
+
+/* ---- the stages: each returns false with the job's error set, or with its outcome set where it has reported the failure itself ---- */
+
+/* Nodes that only dead values hold would look shared. The copy's references are retained, because later stages put others in their place. */
+static bool stage_collect(vs_job *j) {
+  vs_session *s = j->session;
+  if (j->record) {
+    vs_tally_enter(&s->tally, VS_WORK_RUN);
+    vs_gc_major(s->bind.vm);
+    vs_tally_enter(&s->tally, VS_WORK_PASSES);
+  }
+  vs_scene *scene = &j->scene;
+  *scene = s->bind.scene;
+  scene->drawn = NULL, scene->drawn_count = scene->drawn_room = 0;
+  bool returned = vs_bind_finish(&s->bind);
+  scene->tolerance = vs_bind_tolerance(&s->bind);
+  size_t n = returned ? s->bind.returned_count : s->bind.scene.drawn_count;
+  scene->drawn = vs_store_realloc(s->bind.store, NULL, 0, (n + 1) * sizeof *scene->drawn);
+  if (!scene->drawn) return vs_error_memory(&j->error, NULL);
+  scene->drawn_count = n, scene->drawn_room = n + 1;
+  for (size_t i = 0; i < n; i++)
+    scene->drawn[i] = returned ? (vs_ref){ s->bind.returned[i].node, s->bind.returned[i].origin } : s->bind.scene.drawn[i];
+  for (size_t i = 0; i < n; i++) vs_node_retain(scene->drawn[i].node);
+  if (j->record) set_options(j);
+  return true;
+}
+
+/* The drawing functions are an evaluation of their own, with limits of their own: the output's time counts from their end. */
+static bool stage_hand_over(vs_job *j) {
+  vs_session *s = j->session;
+  const vs_format *f = j->format;
+  const char *names[4] = { NULL };
+  size_t n = 0;
+  if (!f) names[n++] = "*"; /* whatever draws it, where nothing is for all formats */
+  if (f) names[n++] = f->name, names[n++] = f->suffix;
+  if (f && vs_export_family(f)) names[n++] = vs_export_family(f);
+  if (vs_bind_hands_on(&s->bind)) {
+    vs_session_begin(s, 0);
+    bool ok = vs_bind_hand_on(&s->bind, j->scene.drawn, j->scene.drawn_count, names);
+    s->phase = NULL;
+    vs_tally_enter(&s->tally, VS_WORK_PASSES);
+    if (!ok) {
+      j->outcome = s->bind.handed.kind != VS_ERROR_NONE ? vs_session_report_error(s, &s->bind.handed) : vs_session_report_condition(s, s->bind.vm->condition, false);
+      return false;
+    }
+  }
+  if (j->record) vs_cache_turn(vs_store_cache(s->bind.store), !j->options->last);
+  s->writing = true, s->late = false;
+  s->write_began = vs_session_clock(s), s->write_worker = s->tally.of[VS_WORK_WORKER].seconds;
+  return true;
+}
+
+static bool stage_sugar(vs_job *j) {
+  static const vs_settle_options solids_only = { .highlights = VS_MARKS_DROP, .keeps_text = true };
+  return j->format ? vs_export_settle(&j->scene, j->format, &j->export, &j->error) : vs_scene_settle(&j->scene, &solids_only, &j->error);
+}
+
+static bool stage_resolve(vs_job *j) {
+  vs_kernel_options options = { .progress = keep_resolving, .context = j->session };
+  return vs_scene_resolve(&j->scene, &options, &(vs_resolve_notes){ job_warn, j }, &j->error);
+}
+
+/* A back-end of the program's own gets the drawing without the passes, unless it asked for them. */
+static bool stage_optimise(vs_job *j) {
+  const vs_bind_back_end *own = j->format->backend == &vs_backend_given ? vs_bind_back_end_find(&j->session->bind, j->format->name) : NULL;
+  unsigned passes = own && !own->optimised ? 0 : j->options->passes;
+  return (!j->options->count || vs_session_output_nodes(j->session, &j->scene, passes, &j->error)) && vs_scene_optimise(&j->scene, passes, &j->record->passes, &j->error);
+}
+
+static bool stage_flush(vs_job *j) { return vs_scene_part_flush(&j->scene, &j->error); }
+
+static bool stage_group(vs_job *j) { return vs_scene_group(&j->scene, &j->error); }
+
+/* The call is an evaluation of its own. */
+static bool stage_defined(vs_job *j) {
+  vs_session *s = j->session;
+  vs_session_begin(s, 0);
+  bool ok = vs_bind_back_end_write(&s->bind, j->format->name, j->scene.drawn, j->scene.drawn_count, &j->text, &j->text_bytes);
+  s->phase = NULL;
+  vs_tally_enter(&s->tally, VS_WORK_PASSES);
+  j->export.given = j->text, j->export.given_size = j->text_bytes;
+  if (!ok) j->outcome = vs_session_report_condition(s, s->bind.vm->condition, false);
+  return ok;
+}
+
+static bool write_bytes(void *sink, const void *bytes, size_t count) {
+  const vs_byte_sink *to = sink;
+  return to->write(to->context, bytes, count);
+}
+
+static bool stage_write(vs_job *j) {
+  vs_tally_enter(&j->session->tally, VS_WORK_EMIT);
+  vs_scene scene = j->scene;
+  if (j->format->backend == &vs_backend_given) scene.drawn = NULL, scene.drawn_count = scene.drawn_room = 0; /* its text is made already */
+  return j->to ? vs_export_to(&scene, j->format, write_bytes, j->to, &j->export, &j->error) : vs_export(&scene, j->format, j->path, &j->export, &j->error);
+}
+
+/* ---- the table, and the way through it ---- */
+
+/* A format that shows the tree as it was made. */
+static bool shows_tree(const vs_backend *b) { return b->verbatim && b != &vs_backend_given; }
+
+static bool runs_for(vs_stage stage, const vs_backend *b) {
+  switch (stage) {
+#define VS_STAGE(upper, lower, when, formats, doc) case VS_STAGE_##upper: return when;
+#include "session/stages.def"
+  case VS_STAGE_COUNT: break;
+  }
+  return false;
+}
+
+/* Seconds of work that are accounted for up to now, in all phases. */
+static double worked(vs_session *s) {
+  double sum = 0;
+  vs_work_phase was = vs_tally_enter(&s->tally, VS_WORK_NONE);
+  for (int i = 0; i < VS_WORK_NONE; i++) sum += s->tally.of[i].seconds;
+  vs_tally_enter(&s->tally, was);
+  return sum;
+}
+
+static bool go_through(vs_job *j, vs_stage last) {
+  static bool (*const stages[])(vs_job *) = {
+#define VS_STAGE(upper, lower, when, formats, doc) stage_##lower,
+#include "session/stages.def"
+  };
+  static const vs_backend none = { .native = NULL };
+  vs_session *s = j->session;
+  bool ok = true;
+  for (int k = 0; ok && k <= (int)last; k++) {
+    if (!runs_for((vs_stage)k, j->format ? j->format->backend : &none)) continue;
+    double before = worked(s);
+    ok = stages[k](j);
+    if (j->record) j->record->stages[k] = worked(s) - before;
+  }
+  return ok;
+}
+
+/* Releases the job's references. Returns the outcome, having reported the error of the stage that failed. */
+static vs_outcome end_job(vs_job *j, bool ok) {
+  vs_session *s = j->session;
+  bool stopped = s->writing && s->late && j->error.kind == VS_ERROR_INTERRUPT;
+  s->writing = false;
+  for (size_t i = 0; i < j->scene.drawn_count; i++) vs_node_release(j->scene.drawn[i].node);
+  vs_store_realloc(s->bind.store, j->scene.drawn, j->scene.drawn_room * sizeof *j->scene.drawn, 0);
+  if (j->text) vs_mem(s->bind.vm, j->text, j->text_bytes + 1, 0);
+  if (ok) return VS_OUTCOME_DONE;
+  if (j->outcome != VS_OUTCOME_DONE) return j->outcome;
+  if (stopped) vs_error_set(&j->error, VS_ERROR_MEMORY, NULL, "the output: stopped after %g seconds, the limit", s->options.limit_time);
+  return vs_session_report_error(s, &j->error);
+}
+
+vs_outcome vs_session_write(vs_session *s, const char *path, const vs_format *format, const vs_output_options *options, vs_byte_sink *to) {
+  if (!vs_session_output_begin(s, path, format->name)) return vs_session_out_of_memory(s);
+  vs_job j = { .session = s, .format = format, .options = options, .path = path, .to = to, .record = &s->outputs[s->output_count - 1], .told = vs_session_clock(s) };
+  vs_tally_enter(&s->tally, VS_WORK_PASSES);
+  vs_outcome outcome = end_job(&j, go_through(&j, VS_STAGE_WRITE));
+  vs_session_output_end(s, outcome == VS_OUTCOME_DONE);
+  return outcome;
+}
+
+/* ---- what is drawn, without writing it ---- */
+
+static bool summarise(vs_session *s, const vs_scene *scene, vs_summary *out, vs_error *e) {
+  vs_bounds all;
+  vs_bind_counts sum = { 0 }, c;
+  vs_facets facets = { .tolerance = scene->tolerance, .segments = scene->segments };
+  vs_kernel_options options = { .progress = keep_resolving, .context = s };
+  for (size_t i = 0; i < scene->drawn_count; i++) {
+    if (!vs_bind_count(scene->drawn[i], &c)) return vs_error_memory(e, scene->drawn[i].origin);
+    sum.all += c.all;
+    for (int k = 0; k < VS_INHERIT; k++) sum.of[k] += c.of[k];
+  }
+  if (!vs_drawn_bounds_all(scene->drawn, scene->drawn_count, &facets, &options, VS_DRAWN_BOUNDS_MOST, &all, &out->bounds_at_most, e)) return false;
+  out->objects = (size_t)sum.all;
+  out->solids = (size_t)sum.of[VS_SOLID], out->surfaces = (size_t)sum.of[VS_SURFACE];
+  out->regions = (size_t)sum.of[VS_REGION_CLASS], out->curves = (size_t)sum.of[VS_CURVE];
+  out->has_bounds = !vs_bounds_is_empty(&all);
+  const double least[] = { all.min.x, all.min.y, all.min.z }, most[] = { all.max.x, all.max.y, all.max.z };
+  for (int i = 0; out->has_bounds && i < 3; i++) out->min[i] = least[i], out->max[i] = most[i];
+  return true;
+}
+
+vs_outcome vs_session_summary(vs_session *s, vs_summary *out) {
+  vs_job j = { .session = s };
+  *out = (vs_summary){ .units = s->bind.scene.units };
+  vs_tally_enter(&s->tally, VS_WORK_PASSES);
+  vs_outcome outcome = end_job(&j, go_through(&j, VS_STAGE_RESOLVE) && summarise(s, &j.scene, out, &j.error));
+  vs_tally_enter(&s->tally, VS_WORK_NONE);
+  return outcome;
+}
