@@ -43,7 +43,8 @@ bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message) {
   return true;
 }
 
-/* Each thing drawn has one share of the whole. What begins anew within it (its parts, what its numbers fold) takes nothing back. */
+/* Reports how much of the drawing is done; each thing drawn has one share of the whole. Reported progress never decreases, although meshing
+ * restarts at 0 inside each object. */
 bool vs_emit_progress(vs_emitter *e, const char *stage, double fraction) {
   vs_drive *d = e->drive;
   if (d != NULL && fraction >= 0 && strcmp(stage, "meshing") == 0) d->told = fraction = fmax(d->told, d->from + d->share * fraction);

@@ -2,7 +2,7 @@
  *
  * Plan. procedures.def lists every procedure with the forms of its arguments. All of them are one C native, vs_bind_enter: it finds
  * the row of the running native, picks the form, checks and converts the arguments by contract.c, and calls the row's C function with
- * plain C data. So no constructor tests anything that its row already says. */
+ * plain C data. Therefore no constructor tests anything that its row already says. */
 #ifndef VS_BIND_H
 #define VS_BIND_H
 
@@ -96,7 +96,7 @@ void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origi
 
 /* ---- objects (object.c) ---- */
 extern const vs_foreign_type vs_shape_type, vs_paint_type; /* a shape owns a reference to a node, with its origin; a paint wraps an interned vs_material */
-/* What an object of Scheme's refers to, not retained; node NULL: v is no object. */
+/* Returns the reference that a Scheme object holds, not retained; its node is NULL if v is no object. */
 static inline vs_ref vs_bind_ref(vs_value v) {
   vs_node *node = (vs_node *)vs_foreign_get(v, &vs_shape_type);
   return (vs_ref){ node, node ? (const vs_origin *)vs_as_foreign(v)->with : NULL };

@@ -25,7 +25,7 @@ static void forget_returned(vs_bind *b) {
   b->drawn_last = NULL;
 }
 
-/* What one run of a program leaves behind. */
+/* Forgets the traces that one run of a program leaves behind. */
 static void forget_run(vs_bind *b) {
   vs_store *s = b->store;
   forget_returned(b);

@@ -44,7 +44,7 @@ static void *map_new(size_t bytes) {
   return p;
 }
 
-/* Both sizes are mapped ones. What is there moves page by page, without being copied. */
+/* Both sizes are mapped ones. The contents move page by page, without being copied. */
 static void *map_resize(void *old, size_t old_bytes, size_t bytes) {
   if (bytes > SIZE_MAX - 2 * (size_t)HUGE_PAGE) return NULL;
   size_t old_size = mapped_size(old_bytes), size = mapped_size(bytes);

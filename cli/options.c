@@ -301,7 +301,7 @@ bool cli_options_late(const cli_options *o, cli_target *t, const vs *scheme) {
   return false;
 }
 
-/* What can be known to fail before minutes of work is said now. */
+/* Reports failures that can be known before minutes of work. */
 static bool reachable(const cli_target *t) {
   if (strcmp(t->path, "-") == 0) return true;
   struct stat status;

@@ -376,7 +376,7 @@ vs_outcome cli_repl(cli_session *c) {
     }
     vs_read_status status = vs_read_check(c->scheme, pending.at ? pending.at : "", pending.length);
     if (status.state == VS_READ_INCOMPLETE && going) continue;
-    /* What can never be read is evaluated too: that says what is wrong with it. */
+    /* Text that can never be read is evaluated too, because the error says what is wrong with it. */
     if (status.state != VS_READ_EMPTY && pending.length) {
       vs_outcome one = cli_session_eval(c, "prompt", first_line, pending.at, pending.length, VS_EVAL_PRINT);
       cli_report_settle(&c->reporter);

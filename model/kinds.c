@@ -39,7 +39,7 @@ const unsigned char vs_field_reals[] = { [VS_FIELD_real] = 1, [VS_FIELD_point] =
 
 /* ---- one step for each type of field, which the procedures below make of every kind's row ---- */
 
-/* One product a number: what comes of it is mixed well at the end. */
+/* Each number costs one product; the result is mixed well at the end. */
 static inline uint64_t vs_hash_step(uint64_t h, double d) {
   uint64_t v;
   memcpy(&v, &d, sizeof v);
@@ -123,7 +123,7 @@ bool vs_kind_within(vs_kind kind, const void *data, double most) {
   return within;
 }
 
-/* What a field holds outside of the payload: let go of, or asked for its bytes. */
+/* Releases the memory that a field holds outside of the payload, or counts its bytes. */
 #define vs_drop_real(s, at)
 #define vs_drop_point(s, at)
 #define vs_drop_vector(s, at)

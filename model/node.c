@@ -97,7 +97,7 @@ static size_t vs_node_size(const vs_kind_info *info, size_t children) {
 
 static bool vs_node_is_planar_area(const vs_node *n) { return n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED); }
 
-/* What the children of a node have in common, gathered as they are taken: a million of them are looked at once. */
+/* The properties that the children of a node have in common, gathered as they are taken, so that a million of them are looked at once. */
 typedef struct {
   vs_class together; /* of one class if they agree, else MIXED; what draws nothing does not count */
   bool nothing;      /* one draws nothing */

@@ -3,7 +3,7 @@
  * Only through nodes that are named once: a shared union is a template and stays. Order is kept, and with it the rule that where solids
  * overlap the earlier one's material wins.
  *
- * A set that will dissolve into the one above is passed on as it is and noted; the topmost gathers all below it in one go. So a chain of
+ * A set that will dissolve into the one above is passed on as it is and noted; the topmost gathers all below it in one go. Therefore a chain of
  * n binary unions costs n, not n^2. */
 #include <string.h>
 

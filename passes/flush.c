@@ -1,7 +1,7 @@
-/* Facets tell what is flush: every part's triangles at a coarse fixed fineness, each plane once, as four whole numbers; equal numbers are one plane. That finds
+/* Facets tell which parts are flush: every part's triangles at a coarse fixed fineness, each plane once, as four whole numbers; equal numbers are one plane. This finds
  * round walls too, where they lie in each other, since equal round parts have equal facets. Parts whose boxes do not meet do not matter.
  *
- * What is flush grows: an operand's parts one by one, each in its own coordinates, so that all its faces move outwards. In a difference only what is cut
+ * Flush parts grow: an operand's parts one by one, each in its own coordinates, so that all its faces move outwards. In a difference only what is cut
  * away grows, so nothing that stays moves: what is flush with what it cuts, and what meets an earlier cutter face to face; in an intersection one of each two
  * that are flush. Solids on an axis grow as what they are, others about their middle: walls that look towards it, of a shape with notches, come out a little short.
  *
@@ -69,7 +69,7 @@ static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
 /* A part that cannot be meshed is passed over, and has its own error later; running out of memory must not change what is written. */
 static bool starved(const vs_error *e) { return e->kind != VS_ERROR_NONE && e->kind != VS_ERROR_MODEL; }
 
-/* The planes of what is no set, each once. What cannot be meshed here has none. */
+/* Adds the planes of one part, each once. A part that cannot be meshed here has none. */
 static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32_t operand) {
   static const vs_facets coarse = { 1e300, 32 };
   vs_mesh mesh = { 0 };
@@ -235,7 +235,7 @@ static double lengthens(const vs_affine *a) {
   return cbrt(fabs(vs_v3_dot(x, vs_v3_cross(y, z))));
 }
 
-/* One part, within its placements and paint. */
+/* Grows one part, within its placements and paint. */
 static vs_node *grown_placed(vs_ref part, double by) {
   vs_ref at = part;
   while (vs_is_wrapper(at.node)) {

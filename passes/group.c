@@ -1,6 +1,6 @@
 /* Owns grouping: sets of very many parts as trees of boxes, for a target that tries every part of a set for every ray.
  *
- * What is taken off something, and the members of unions that something is taken off or that are intersected, are halved by their middles until few are
+ * The cutters of a difference, and the members of a union that is cut or intersected, are halved by their middles until few are
  * left; each half is the intersection of a box, a little larger than its parts, with their union. A point outside of the box is then outside of all
  * of them at once. Parts with a paint of their own, or without bounds, stay where they are: order and paint do not change. */
 #include <math.h>

@@ -7,7 +7,7 @@
 
 typedef struct vs_rewrite vs_rewrite;
 enum { VS_NODE_WORK = 1 << 14 }; /* what a pass does for a node, told to vs_store_going: it may have thousands of points */
-/* What becomes of n, whose children have become kids (to be read only). Returns a new reference, NULL when out of memory. *origin: set it
+/* Rewrites n, whose children have become kids (to be read only). Returns a new reference, NULL when out of memory. *origin: set it
  * where the result is one of the kids, whose call site then goes with it. A pass that has nothing to say returns vs_rewrite_keep. */
 typedef vs_node *vs_rewrite_fn(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin);
 

@@ -6,10 +6,10 @@
  * the largest number the first one met stands for all in the hash (a grid alone would part the neighbours on either side of a
  * step, and a tree of a thousand numbers has such a pair soon); other numbers go to 40 bits in the same way.
  *
- * What is only moved, and a set of one, is the shape within: it has that one's key, and no copy of its own.
+ * A moved shape, and a set of one, are the shape within: they have its key, and no copy of their own.
  *
  * Only what stands a second time needs a key. Nodes know their form, a hash without numbers and places: where no other node has a set's form, and it
- * lies in none that is looked at, nothing of it is looked at. So a million primitives in one set cost nothing here.
+ * lies in none that is looked at, nothing of it is looked at. Therefore a million primitives in one set cost nothing here.
  *
  * Keys are made twice. The first ones see no more than some points of each array: nearly all shapes of a thousand points differ in these. Where two are equal,
  * whole ones are made.
@@ -39,7 +39,7 @@ typedef struct {
 } vs_share_entry;
 typedef struct { size_t head; vs_affine map; } vs_share_turn; /* of which first entry, and by what map */
 typedef struct { double step, first; } vs_share_step; /* first NaN: free */
-/* What a child's parent must know of it: kept, or of a lone leaf worked out when it is asked for, of a long one not at once again. */
+/* The facts that a parent must know of its child: kept, or of a lone leaf worked out when they are asked for, of a long one not at once again. */
 typedef struct { vs_share_key key; vs_vec3 anchor; } vs_share_child;
 typedef struct { const vs_node *node; vs_share_child of; } vs_share_leaf;
 
@@ -218,7 +218,7 @@ static vs_share_child vs_share_of(vs_share *s, const vs_node *n) {
   return held->of;
 }
 
-/* What it is, without its key, and its cost apart, which is the most it can be; children come before. */
+/* Fills in the facts of a node but for its key, and its cost alone, which is the most it can be; children come before. */
 static void vs_share_enter(vs_share *s, const vs_node *n, bool inner) {
   bool set = vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION;
   vs_share_entry x = { .cost = 1, .group = s->count, .alias = vs_share_is_alias(n) };
@@ -303,7 +303,7 @@ static bool vs_share_pays(const vs_share_entry *first) {
   return (copies - 1) * first->cost > 2 * copies;
 }
 
-/* What a copy of n costs. A part that more places name than n's copies will be a template whatever becomes of n: then n saves its uses alone. */
+/* Returns the cost of a copy of n. A part that more places name than n's copies will be a template whatever becomes of n: then n saves its uses alone. */
 static double vs_share_cost(const vs_share *s, size_t index, double named) {
   const vs_node *n = s->order->at[index].node;
   double cost = 1;

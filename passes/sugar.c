@@ -94,7 +94,7 @@ static vs_node *settle_strip(settle_walk *w, vs_ref ref) {
 
 /* ---- the walk ---- */
 
-/* What is shown where it is cut away shares its faces with the hole: a thousandth smaller it is seen whole. */
+/* A highlight that is shown where it is cut away shares its faces with the hole: a thousandth smaller it is seen whole. */
 static bool settle_shrink(const settle_walk *w, const vs_node *n, vs_affine *placed) {
   vs_bounds b;
   if (!w->options->bounds) return true;

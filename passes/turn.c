@@ -2,7 +2,7 @@
  *
  * Both are walked side by side, each with the map down to where the walk is. Each pair of primitives gives pairs of points that move along: its own where it is
  * what these points make it (a sphere's centre, a cylinder's ends, corners), else the corner and the axes of its frame, and then its fields must be equal as they
- * stand. Three of the points far from each other, and the side on which a fourth lies, give the one rigid map that can be meant; then every pair is held to it. So a
+ * stand. Three of the points far from each other, and the side on which a fourth lies, give the one rigid map that can be meant; then every pair is held to it. Therefore a
  * template is never wrong by more than rounding, whatever was tried. */
 #include <math.h>
 #include <string.h>

@@ -27,7 +27,7 @@ static void *session_memory(vs_session *s, void *old, size_t old_bytes, size_t b
   return p;
 }
 
-/* What is only kept for later gives way to what is needed now. */
+/* Allocates, grows or frees memory; cached results are dropped when it is refused. */
 void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes) {
   vs_session *s = session;
   void *p = session_memory(s, old, old_bytes, bytes);

@@ -31,7 +31,7 @@ typedef enum {
   VS_STAGE_COUNT
 } vs_stage;
 
-/* What one output took and what was counted of it. NAN: was not counted. */
+/* The account of one output: time, memory and counts. NAN: was not counted. */
 typedef struct {
   char *path; size_t path_bytes; /* path "" where it went into a callback */
   const char *format;       /* the library's */

@@ -60,7 +60,7 @@ static bool job_progress(void *job, const char *stage, double fraction) {
 
 /* ---- options ---- */
 
-/* What the caller asked for, what the program set, and what the session's limits leave. */
+/* Sets the export's options from those that the caller asked for, those that the program set, and the session's limits. */
 static void set_options(vs_job *j) {
   static const vs_render_quality qualities[] = { [VS_QUALITY_DRAFT] = VS_RENDER_DRAFT, [VS_QUALITY_GOOD] = VS_RENDER_GOOD, [VS_QUALITY_FINAL] = VS_RENDER_FINAL };
   const vs_options *limits = &j->session->options;

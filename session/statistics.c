@@ -80,8 +80,8 @@ static int by_value(const void *a, const void *b) {
   return *x < *y ? -1 : *x > *y;
 }
 
-/* The tree's size, and how many different values stand in it, told apart by their hashes of 64 bits. */
-/* Lone leaves have no number in the order: each is one node, in one place. */
+/* Counts the tree's nodes, and the different values among them, told apart by their hashes of 64 bits.
+ * Lone leaves have no number in the order: each is one node, in one place. */
 static bool count_nodes(const vs_scene *scene, double *all, double *distinct, vs_error *e) {
   vs_order order = { .store = scene->store };
   if (!vs_order_make(&order, scene->drawn, scene->drawn_count, e)) return false;
@@ -116,7 +116,7 @@ static bool count_nodes(const vs_scene *scene, double *all, double *distinct, vs
   return ok || vs_error_memory(e, NULL);
 }
 
-/* What the passes in the mask would make of the scene, which stays as it is. */
+/* Counts the commands that the passes in the mask would leave of the scene, which stays as it is. */
 static bool count_commands(const vs_scene *scene, unsigned passes, double *commands, vs_error *e) {
   vs_scene copy = *scene;
   vs_pass_stats stats;

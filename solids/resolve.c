@@ -23,7 +23,7 @@ typedef struct {
 
 static bool is_unresolved(const vs_node *n) { return n->flags & VS_NODE_UNRESOLVED; }
 
-/* What stands for n now; not a new reference */
+/* Returns the node that stands for n now; not a new reference */
 static vs_node *now(const resolver *r, vs_node *n) {
   const uint64_t *place = is_unresolved(n) ? vs_nodemap_get(&r->known, n) : NULL;
   return place ? r->made[*place] : n;
@@ -254,7 +254,7 @@ static bool keep_line(void *context, const vs_polyline *piece) {
   return keep_piece(p, line(p->r->store, piece));
 }
 
-/* One part that is of one class; placed: from its coordinates to the slice's */
+/* Slices one part that is of one class; placed: from its coordinates to the slice's */
 static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
   const vs_node *n = part.node;
   vs_store *s = p->r->store;

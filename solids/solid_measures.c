@@ -2,7 +2,7 @@
  *
  * A list of jobs: pieces of the object that share no space with each other, each with its placement and a sign. A piece that has a formula is added up.
  * A union becomes its parts; those whose boxes no other part meets are jobs of their own. A difference loses cutters that do not meet it, and where
- * they all lie inside of a convex body it is that body less what the cutters unite to. What none of this helps with is gathered, and meshed at once.
+ * they all lie inside of a convex body it is that body less what the cutters unite to. The parts that none of this helps with are gathered, and meshed at once.
  * Boxes that share less than 2^-28 of the whole stand apart for volumes, and touch for areas. Nothing recurses. */
 #include "solids/solid_measures.h"
 
@@ -188,7 +188,7 @@ static bool holds(measuring *m, const part *body, const uint32_t *set, uint32_t 
   return true;
 }
 
-/* One of the clusters, whose first part is number root */
+/* Measures one of the clusters, whose first part is number root */
 static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *member, uint32_t count, double sign, vs_ref whole) {
   uint32_t bodies = 0, cutters = 0, body = 0;
   bool inside = false, ok = true;

@@ -264,7 +264,7 @@ static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
 }
 
 /* Half-spaces become solids that are right wherever what they are combined with is: within the innermost operation that ends somewhere. Where all its other
- * leaves are outside, it is false whatever the half-space is. So each is no larger than it must be, and joins nothing that has no part in it. */
+ * leaves are outside, it is false whatever the half-space is. Therefore each is no larger than it must be, and joins nothing that has no part in it. */
 static bool bound_half_spaces(builder *b) {
   bool any = false, ok = true;
   for (size_t i = 0; i < b->meshes.count && !any; i++) any = b->meshes.at[i].node->kind == VS_HALF_SPACE;

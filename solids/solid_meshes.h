@@ -6,7 +6,7 @@
 #include "kernel/evaluate.h"
 #include "model/node.h"
 
-/* Where a face came from. What is told apart by its leaf alone is merged where it is coplanar, and then has one of the leaves. */
+/* The source of a face. Faces that differ in their leaf alone are merged where they are coplanar, and then name one of the leaves. */
 typedef struct {
   const vs_material *material; /* NULL: none was given */
   const char *layer;           /* NULL: none; interned in the nodes' store */

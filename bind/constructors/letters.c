@@ -32,7 +32,7 @@ static vs_status font_of(vs_frame *f, const vs_arg *font, const char **out) {
   return vs_font_get(f->bind->store, *out, &e) ? VS_OK : vs_bind_error(f, &e);
 }
 
-/* One of the words, which is text of the program's own; NULL: refused. */
+/* Returns one of the words, which is text of the program's own; NULL if it is refused. */
 static const char *word_of(vs_frame *f, const char *param, const vs_arg *a, const char *const *words, const char *expected) {
   if (!a->given) return words[0];
   for (; *words; words++)

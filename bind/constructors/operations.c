@@ -92,7 +92,7 @@ static void plane_text(const vs_plane *p, char out[160]) {
   snprintf(out, 160, "(make-plane (xyz %.20s %.20s %.20s) (vxyz %.20s %.20s %.20s))", n[3], n[4], n[5], n[0], n[1], n[2]);
 }
 
-/* What intersect and subtract take: solids, or regions and closed curves (taken as filled) alone. Curves become regions in place. */
+/* Checks the operands of intersect and subtract: solids, or regions and closed curves (taken as filled) alone. Curves become regions in place. */
 static vs_status filled(vs_frame *f, vs_ref *ref, size_t n) {
   bool planar = false, solid = false;
   vs_plane a, b;

@@ -1,4 +1,4 @@
-/* Owns the constructors of solids. What collapses is the empty object, with a warning once a place. */
+/* Owns the constructors of solids. A solid without volume is the empty object, with a warning once a place. */
 #include "bind/bind.h"
 
 #define REAL(i) (f->arg[i].real)

@@ -22,7 +22,7 @@ typedef enum { VS_AREA_UNION, VS_AREA_INTERSECTION, VS_AREA_DIFFERENCE /* the fi
 /* Areas of one plane; out is empty before. purpose: what needs it, for the message where GEOS is missing. */
 bool vs_area_combine(vs_area_operation operation, const vs_area *operands, size_t count, const char *purpose, vs_area *out, vs_error *e);
 
-/* Directed edges that close: as many begin in each point as end there. What they wind round, whichever way they cross or lie on each other. */
+/* Directed edges that close: as many begin in each point as end there. The area that they wind round, whichever way they cross or lie on each other. */
 bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpose, vs_area *out, vs_error *e);
 /* Is the point in the area or on its border (within 1e-9 of its size)? */
 bool vs_area_holds(const vs_area *a, double x, double y);

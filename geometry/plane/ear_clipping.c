@@ -8,7 +8,7 @@
  *
  * Rings of many thousand corners and holes are ordinary: perforated sheets, maps, text. So reflex corners, the only ones that can be
  * inside an ear and nearest to it, stand in a tree; and a corner whose triangle holds one waits for that one: it is no ear before the
- * other is cut or convex. What is left to try is a set of places along the ring. */
+ * other is cut or convex. The corners that are left to try are a set of places along the ring. */
 #include "geometry/plane/ear_clipping.h"
 
 #include <stdlib.h>

@@ -103,7 +103,7 @@ static bool tree_apart(const vs_point_box *a, const vs_point_box *b) { return a-
 
 static bool tree_same(vs_vec2 p, vs_vec2 q) { return p.x == q.x && p.y == q.y; }
 
-/* What is still to be looked at: a node is replaced by two, one level down. */
+/* The nodes that are still to be looked at: each is replaced by two, one level down. */
 typedef struct { size_t stack[2 * 64], depth; } tree_walk;
 
 /* True where the node has two below it, which come next; else it is a leaf with these ranks. */

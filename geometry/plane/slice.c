@@ -7,7 +7,7 @@
 
 static vs_vec3 slice_crossing(vs_vec3 kept, double a, vs_vec3 lost, double b) { return vs_v3_add(kept, vs_v3_scale(vs_v3_sub(lost, kept), a / (a - b))); }
 
-/* What is nearer to the plane than rounding lies in it: 0. */
+/* A point nearer to the plane than rounding lies in it: 0. */
 static double slice_side(vs_vec3 p, vs_vec3 point, vs_vec3 normal, double nothing) {
   double d = vs_v3_dot(normal, vs_v3_sub(p, point));
   return fabs(d) <= nothing ? 0 : d;

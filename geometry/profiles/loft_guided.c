@@ -5,7 +5,7 @@
  * normal. Between the sections the three go smoothly from the one to the next, and the frames carry them. Interpolating the points alone
  * would narrow the loft where two sections lean against each other: halfway their tilts cancel, and the chords between them are shorter.
  * Sections stand still: only what lies between follows.
- * By guides: the free loft between two sections is moved so that its wall meets every guide. What all guides ask for alike (a shift; with two
+ * By guides: the free loft between two sections is moved so that its wall meets every guide. A motion that all guides ask for alike (a shift; with two
  * a turn and a scale; with three or more any affine map of the section's plane) moves the whole row, the rest fades from guide to guide. */
 #include <stdlib.h>
 

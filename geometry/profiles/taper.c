@@ -351,7 +351,7 @@ static bool taper_ring_holds(const vs_vec2 *at, const taper_ring *r, vs_vec2 p) 
   return inside;
 }
 
-/* What is left of the loops at the top, each outer one with the holes that it is the smallest round */
+/* The loops that are left at the top, each outer one with the holes that it is the smallest round */
 static bool taper_top(taper *t) {
   size_t total = 0, rings = 0;
   for (size_t i = 0; i < t->count; i++) total += !t->edges[i].gone;

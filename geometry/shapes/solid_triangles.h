@@ -14,7 +14,7 @@ bool vs_solid_frustum(vs_mesh *out, vs_vec3 base, double base_radius, vs_vec3 to
 bool vs_solid_oval_frustum(vs_mesh *out, vs_vec3 base, double base_radius, double base_across, vs_vec3 top, double top_radius, double top_across, int n, bool hubs);
 bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n);
 bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, int around, int tube_turn);
-/* What of the half-space lies in reach, and some more round it; one face is in the plane, exactly. Nothing where all of reach is outside. */
+/* Makes the triangles of the part of a half-space that lies in reach, and of some more round it; one face is in the plane, exactly. Makes none where all of reach is outside. */
 bool vs_solid_half_space(vs_mesh *out, vs_vec3 point, vs_vec3 normal, const vs_bounds *reach);
 /* Where out has tags, each triangle gets its face's number, from 0. */
 bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *faces);

@@ -187,7 +187,7 @@ static bool font_load_pairs(vs_font *f) {
   return !f->shelf->refused;
 }
 
-/* One that did not become a font after all. */
+/* Frees a font that could not be read to its end. */
 static void font_drop(vs_font *f) {
   if (f->face) f->shelf->call.close(f->face);
   font_free(f);

@@ -28,7 +28,7 @@ static bool text_push(vs_text_plan *p, const vs_glyph *g, double x, double y) {
   return true;
 }
 
-/* What fonts have no picture of and readers do not miss: controls, joiners, marks of direction, variation selectors. */
+/* True of characters that fonts have no picture of and readers do not miss: controls, joiners, marks of direction, variation selectors. */
 static bool text_is_silent(uint32_t c) {
   return c < 32 || c == 127 || (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) || c == 0x2060 || c == 0xFEFF || (c >= 0xFE00 && c <= 0xFE0F);
 }

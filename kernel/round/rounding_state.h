@@ -28,7 +28,7 @@ typedef struct {
 } vs_settling;
 
 vs_vec3 vs_settling_corner(const vs_settling *s, uint32_t v); /* rounded */
-/* Counts triangles that, rounded, meet others: of each, once. */
+/* Counts the triangles that intersect another triangle after rounding; each is counted once. */
 bool vs_settling_count_met(vs_settling *s, vs_settled *out);
 
 /* Where the first storey of the axis stands that is not below the value, or would. */

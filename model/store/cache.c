@@ -142,7 +142,7 @@ static bool make_room(vs_cache *c, size_t bytes) {
   return c->stats.bytes <= c->limit - bytes;
 }
 
-/* What the node holds, itself and all under it; others may hold it too. False: not known, or too much to be worth counting. */
+/* Sums the bytes of the node and of all nodes under it, which others may hold too. Returns false where they are unknown, or too many to be worth counting. */
 static bool node_bytes(vs_node *n, size_t most, size_t *bytes) {
   *bytes = 0;
   if (!n) return true;

@@ -3,7 +3,7 @@
  * A key is a kind, a node (equal by value; NULL: none) and words: numbers that say whatever else decides the result. Hashes only lead to candidates; an answer
  * was compared in full. A result is a block of bytes that never changes, with a serial number that no other result ever gets: so one key can name
  * another result. Keys hold their nodes; what a result and its key hold counts, and past the bound the least recently used goes.
- * A turn is one evaluation or one output. What was asked for in this turn is not dropped for the sake of what comes later in it: a
+ * A turn is one evaluation or one output. A result that was asked for in this turn is not dropped for the sake of a later one of the same turn: a
  * model larger than the bound would else drop everything before it is asked for again. Refused memory loses the result, no more.
  * One thread, as the store. */
 #ifndef VS_MODEL_CACHE_H
