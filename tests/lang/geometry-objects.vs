@@ -38,7 +38,7 @@
 (show (equal? (rotate s 'z pi) (do-rotate s origin uz pi))) ; expect: #t
 (show (scale s 2))                                     ; expect: (do-transform (make-sphere (xyz 0 0 0) 1) (make-matrix 2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1))
 (show (equal? (scale s origin '(1 2 3)) (scale s (vxyz 1 2 3)))) ; expect: #t
-(show (mirror s 'yz))                                  ; expect: (do-transform (make-sphere (xyz 0 0 0) 1) (make-matrix -1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1))
+(show (do-mirror s 'yz))                                  ; expect: (do-transform (make-sphere (xyz 0 0 0) 1) (make-matrix -1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1))
 (show (do-extrude (make-circle origin 1) 4))           ; expect: (do-extrude (make-circle (xyz 0 0 0) 1) 4)
 (show (do-extrude (make-circle origin 1) (vxyz 1 0 4) #:twist 1)) ; expect: (do-extrude (make-circle (xyz 0 0 0) 1) (vxyz 1 0 4) #:twist 1)
 (show (do-sweep (make-circle origin 1) (make-line origin (xyz 0 0 5)) 0 1/2)) ; expect: (do-sweep (make-circle (xyz 0 0 0) 1) (make-line (list (xyz 0 0 0) (xyz 0 0 5))) 0 0.5)

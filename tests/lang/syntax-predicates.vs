@@ -4,20 +4,20 @@
 
 (define (faces [l (list-of (list-of (and positive? integer?)))]) l)
 (displayln (faces '((1 2) ()))) ; expect: ((1 2) ())
-(refused (faces '((1 -2)))) ; expect: l must be (list-of (list-of (and positive? integer?))), got
-(refused (faces '((1 2.5)))) ; expect: l must be (list-of (list-of (and positive? integer?))), got
-(refused (faces '(1))) ; expect: l must be (list-of (list-of (and positive? integer?))), got
+(refused (faces '((1 -2)))) ; expect: faces: l must be (list-of (list-of (and positive? integer?))), got
+(refused (faces '((1 2.5)))) ; expect: faces: l must be (list-of (list-of (and positive? integer?))), got
+(refused (faces '(1))) ; expect: faces: l must be (list-of (list-of (and positive? integer?))), got
 
 (define (size [x (or symbol? (and number? (not negative?) (or integer? (list-of string?))))]) x)
 (displayln (list (size 'large) (size 3))) ; expect: (large 3)
-(refused (size -3)) ; expect: x must be (or symbol? (and number? (not negative?) (or integer? (list-of string?)))), got
-(refused (size 1/2)) ; expect: x must be (or symbol? (and number? (not negative?) (or integer? (list-of string?)))), got
+(refused (size -3)) ; expect: size: x must be (or symbol? (and number? (not negative?) (or integer? (list-of string?)))), got
+(refused (size 1/2)) ; expect: size: x must be (or symbol? (and number? (not negative?) (or integer? (list-of string?)))), got
 
 (define natural? (and-of integer? positive?))
 (displayln (map natural? '(1 -1 1/2 "a"))) ; expect: (#t #f #f #f)
 (displayln (map (or-of integer? string?) '(1 "a" a))) ; expect: (#t #t #f)
 (displayln (map (not-of (list-of natural?)) '((1 2) (0) x))) ; expect: (#f #t #t)
-(refused (and-of integer? 3)) ; expect: a predicate must be a procedure of one argument, got 3
+(refused (and-of integer? 3)) ; expect: and-of: a predicate must be a procedure of one argument, got 3
 (define (door [n natural?]) n)
 (displayln (door 2)) ; expect: 2
 
