@@ -7,6 +7,7 @@
 #include "geometry/measure/node_measures.h"
 #include "solids/solid_meshes.h"
 #include "model/store/cache.h"
+#include "model/tally.h"
 
 enum { BOX_LOOK = 4096, KEPT_BOUNDS = 1000 /* among what VS_CACHED_MEASURE holds of a node */ };
 
@@ -109,7 +110,11 @@ static bool drawn_solid(const vs_ref *ref, const vs_facets *facets, const vs_ker
     vs_cache_let_go(cache, held);
     return true;
   }
-  if (!vs_solid_evaluate(ref, 1, facets, options, &solid, e)) return false;
+  vs_tally *tally = vs_store_tally(ref->node->store);
+  vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
+  bool ok = vs_solid_evaluate(ref, 1, facets, options, &solid, e);
+  vs_tally_enter(tally, was);
+  if (!ok) return false;
   for (size_t i = 0; i < solid.mesh.triangle_count; i++)
     for (int k = 0; k < 3; k++) vs_bounds_add(out, solid.mesh.vertices[solid.mesh.triangles[i][k]]);
   vs_solid_free(&solid);
