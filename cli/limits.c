@@ -21,6 +21,7 @@
 #include "visualscheme.h"
 
 #define GRACE 0.3 /* seconds past the limit, and without a poll */
+#define ASLEEP 5  /* seconds without a poll, for a step that waits and takes no processor time */
 
 enum { BESIDE = 4 << 20 /* bytes past a tenth more than the limit: stacks of threads, tables of libraries */, STACK = 256 << 10 };
 
@@ -46,11 +47,13 @@ void cli_limits_memory(size_t limit) {
 
 /* ---- time ---- */
 
-static double now(void) {
+static double seconds(clockid_t clock) {
   struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
+  clock_gettime(clock, &t);
   return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
+
+static double now(void) { return seconds(CLOCK_MONOTONIC); }
 
 /* Seconds that the process was ready to run and the machine had no processor for it: these are not held against the library. */
 static double starved(int file) {
@@ -73,15 +76,19 @@ static void end_here(cli_watch *w) {
 static void *look_on(void *context) {
   cli_watch *w = context;
   const struct timespec pause = { 0, 25000000 };
-  double began_seen = 0, polled_seen = 0, began_starved = 0, polled_starved = 0;
+  double began_seen = 0, polled_seen = 0, began_starved = 0, polled_starved = 0, began_ran = 0, polled_ran = 0;
   for (;;) {
     nanosleep(&pause, NULL);
     double at = now(), began = atomic_load(&w->began), polled = atomic_load(&w->polled), lost = starved(w->scheduling);
-    if (began != began_seen) began_seen = began, began_starved = lost;
-    if (polled != polled_seen) polled_seen = polled, polled_starved = lost;
+    double ran = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    if (began != began_seen) began_seen = began, began_starved = lost, began_ran = ran;
+    if (polled != polled_seen) polled_seen = polled, polled_starved = lost, polled_ran = ran;
     if (began == 0 || at - began <= w->limit + GRACE) continue;
-    double since_began = at - began - (lost - began_starved), since_polled = at - polled - (lost - polled_starved);
-    if (since_polled > GRACE || (atomic_load(&w->evaluating) && since_began > w->limit + GRACE + 0.1)) end_here(w);
+    /* The system counts a wait for a processor when it ends: during one, only the processor time tells that the library could not poll. */
+    double since_began = at - began - (lost - began_starved), since_polled = at - polled - (lost - polled_starved), most = w->limit + GRACE + 0.1;
+    bool silent = since_polled > GRACE && ran - polled_ran > GRACE, asleep = at - polled > ASLEEP;
+    bool deaf = atomic_load(&w->evaluating) && since_began > most && ran - began_ran > most;
+    if (silent || asleep || deaf) end_here(w);
   }
   return NULL;
 }

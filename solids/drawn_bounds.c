@@ -150,7 +150,13 @@ bool vs_drawn_bounds(const vs_ref *ref, const vs_facets *facets, const vs_kernel
   }
   if (budget) *budget -= cost;
   if (f.tolerance <= 0) f.tolerance = vs_facets_tolerance(out);
-  if (!(n->class_ == VS_SOLID ? drawn_solid(ref, &f, options, &drawn, e) : drawn_region(n, &f, &drawn, e))) return false;
+  if (!(n->class_ == VS_SOLID ? drawn_solid(ref, &f, options, &drawn, e) : drawn_region(n, &f, &drawn, e))) {
+    /* A format without meshes draws a solid that the mesher refuses; one with meshes reports the refusal itself. */
+    if (e->kind != VS_ERROR_MODEL) return false;
+    if (at_most) *at_most = true;
+    *e = (vs_error){ VS_ERROR_NONE, NULL, "" };
+    return true;
+  }
   if (vs_bounds_is_empty(&drawn)) return *out = drawn, true;
   double near = 2 * f.tolerance;
   out->min = vs_v3(drawn_in(out->min.x, drawn.min.x, near), drawn_in(out->min.y, drawn.min.y, near), drawn_in(out->min.z, drawn.min.z, near));
