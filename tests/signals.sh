@@ -10,7 +10,7 @@ model='(for-each (lambda (i) (draw (make-sphere (xyz (* 3 i) 0 0) 1))) (iota 200
 
 # Waits up to ten seconds for a command to succeed.
 await() { for i in $(seq 200); do "$@" && return; sleep 0.05; done; return 1; }
-begun() { [ -n "$(ls "$work" | grep '^out')" ]; }
+begun() { ls -l "/proc/$process/fd" 2>/dev/null | grep -q "$work/[#o]"; } # an output has no name until it is whole
 has_child() { child=$(pgrep -P "$process"); [ -n "$child" ]; }
 gone() { ! kill -0 "$child" 2>/dev/null; }
 
