@@ -11,7 +11,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 BUILD=${1:-build}
 case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
-SUITES=${SUITES:-unit lang cli prompt signals manual bad workers page live cross solids embed limits layers compilers}
+SUITES=${SUITES:-unit lang cli prompt signals manual bad workers cross solids embed limits layers compilers${LONG:+ page live}}
 export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LONG="${LONG:-}" LC_ALL=C.UTF-8
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT

@@ -28,7 +28,7 @@ echo "$examples" | while read -r name samples arguments; do
 
   # shellcheck disable=SC2086
   "$vs" --quiet $arguments $model -o "$work/$name.pov" -o "$work/$name.scad" -o "$work/$name.stl" -o "$work/$name.x3d" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/said"
-  grep -v "rounded to this format's numbers, [1-5] triangles meet others" "$work/said" > "$work/why" # pipes that meet in one point: .stl's 32 bits
+  grep -vE "rounded to this format's numbers, ([1-9]|1[0-2]) triangles meet others" "$work/said" > "$work/why" # known: the Gare's pipes meet in one point, .stl has 32 bits
   result "$test:writes" "$work/why"
 
   : > "$work/why"
