@@ -25,7 +25,7 @@ UNIT_LIBS = $(call pkg,cmocka,-lcmocka)
 LAYERS    = vm model geometry kernel solids passes bind backends session
 LIB_SRC   = $(foreach d,$(LAYERS),$(wildcard $(d)/*.c $(d)/*/*.c))
 LIB_OBJ   = $(LIB_SRC:%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/assets.o
-CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c live/*.c)) $(BUILD)/live_assets.o
+CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c cli/*/*.c))
 FUZZERS   = reader program import emit calls
 UNIT_SRC  = $(wildcard tests/unit/test_*.c)
 UNIT_BIN  = $(UNIT_SRC:tests/unit/%.c=$(BUILD)/unit/%)
@@ -135,9 +135,21 @@ $(BUILD)/libvisualscheme.so: $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/ob
 	$(call say,link  $@)
 	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,libvisualscheme.so.0 -Wl,--version-script=visualscheme.map -Wl,--no-undefined -o $@ $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o $(LDFLAGS) $(LDLIBS)
 
-$(BUILD)/vs: $(CLI_OBJ) $(BUILD)/libvisualscheme.a
+# The manual's pages as one text, for `vs help`: a line of byte 1 and the path before each.
+MANUAL    = $(wildcard manual/*.md manual/language/*.md manual/primitives/*.md)
+
+$(BUILD)/manual.txt: $(MANUAL)
+	@mkdir -p $(@D)
+	@for f in $(sort $(filter-out manual/internals.md,$(MANUAL))); do printf '\001%s\n' $$f; cat $$f; echo; done > $@
+
+$(BUILD)/obj/manual_text.o: $(BUILD)/manual.txt
+	@mkdir -p $(@D)
+	@printf '.section .rodata\n.globl vs_manual_text\nvs_manual_text:\n.incbin "$<"\n.globl vs_manual_text_end\nvs_manual_text_end:\n.byte 0\n.section .note.GNU-stack,"",@progbits\n' > $(BUILD)/manual.s
+	$(Q)$(CC) -c $(BUILD)/manual.s -o $@
+
+$(BUILD)/vs: $(CLI_OBJ) $(BUILD)/obj/manual_text.o $(BUILD)/libvisualscheme.a
 	$(call say,link  $@)
-	$(Q)$(CC) $(CFLAGS) -o $@ $(CLI_OBJ) $(BUILD)/libvisualscheme.a $(LDFLAGS) $(CLI_LIBS) $(LDLIBS)
+	$(Q)$(CC) $(CFLAGS) -o $@ $(CLI_OBJ) $(BUILD)/obj/manual_text.o $(BUILD)/libvisualscheme.a $(LDFLAGS) $(CLI_LIBS) $(LDLIBS)
 
 $(BUILD)/unit/%: tests/unit/%.c $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)

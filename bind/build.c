@@ -91,3 +91,37 @@ vs_status vs_bind_empty(vs_frame *f, const char *why, vs_value *out) {
   }
   return vs_bind_make(f, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0, out);
 }
+
+/* ---- figures that stand in another plane ---- */
+
+/* Computes the plane's own directions: *u, the figure's X, is horizontal and looks along +X (along +Y where it has no part along X); *v, its Y, looks upwards. In a
+ * horizontal plane they are X and Y. So a figure in 'xz is seen from the front as it was drawn in XY seen from above. */
+static void plane_directions(vs_vec3 normal, vs_vec3 *u, vs_vec3 *v) {
+  vs_vec3 n = vs_v3_unit(normal), up = vs_v3(0, 0, 1);
+  *u = vs_v3(1, 0, 0), *v = vs_v3(0, 1, 0);
+  if (fabs(n.x) < 1e-12 && fabs(n.y) < 1e-12) return;
+  *v = vs_v3_unit(vs_v3_sub(up, vs_v3_scale(n, n.z)));
+  *u = vs_v3_unit(vs_v3_cross(up, n));
+  if (u->x < -1e-12 || (u->x <= 1e-12 && u->y < 0)) *u = vs_v3_scale(*u, -1);
+}
+
+vs_status vs_bind_stand(vs_frame *f, const vs_arg *plane, vs_value *out) {
+  vs_ref ref = vs_bind_ref(*out);
+  if (!ref.node || vs_bind_is_empty(ref.node)) return VS_OK;
+  if (!vs_bind_keep(f, vs_node_retain(ref.node))) return VS_ERROR;
+  const vs_bind_param *p = f->procedure->form[f->form].at;
+  vs_vec3 u, v, from = vs_v3(0, 0, 0), to = plane->line.at;
+  if (p[0].contract == VS_C_POINT && p[1].contract != VS_C_POINT) from = to = f->arg[0].point;
+  plane_directions(plane->line.direction, &u, &v);
+  vs_vec3 w = vs_v3_cross(u, v);
+  vs_affine m = { { { u.x, v.x, w.x, 0 }, { u.y, v.y, w.y, 0 }, { u.z, v.z, w.z, 0 } } };
+  const vs_vec3 turned = vs_affine_point(&m, from);
+  m.m[0][3] = to.x - turned.x, m.m[1][3] = to.y - turned.y, m.m[2][3] = to.z - turned.z;
+  return vs_bind_make(f, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &ref, 1, out);
+}
+
+/* (%stand object plane), for the figures that geometry.scm makes */
+vs_status vs_p_stand(vs_frame *f, vs_value *out) {
+  *out = f->arg[0].value;
+  return vs_bind_stand(f, &f->arg[1], out);
+}

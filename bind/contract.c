@@ -6,13 +6,14 @@
 
 #include <stdio.h>
 
+#include "vm/machine/arguments.h"
 #include "vm/values/number.h"
 
 /* ---- the tables ---- */
 
 #define ARG(name, contract) name " "
 #define OPT(name, contract) "[" name "] "
-#define REST(name, contract) ". " name
+#define REST(name, contract) ". " name " "
 #define KEY(name, contract) "#:" name " "
 #define FORM(...) __VA_ARGS__
 #define KEYS(...) __VA_ARGS__
@@ -124,6 +125,30 @@ static vs_status refuse_hint(vs_frame *f, const char *param, const char *expecte
 
 static vs_status convert_text(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out);
 
+/* Two or three numbers in a list or a vector; how many, 0: it is something else. */
+static int listed_numbers(vs *vm, vs_value v, double d[3]) {
+  int n = 0;
+  d[0] = d[1] = d[2] = 0;
+  if (vs_is_vector(v)) {
+    const vs_vector *w = vs_as_vector(v);
+    while (w->length <= 3 && n < (int)w->length && vs_bind_number(vm, w->at[n], &d[n])) n++;
+    return w->length == (size_t)n && n >= 2 ? n : 0;
+  }
+  for (; vs_is_pair(v) && n < 3 && vs_bind_number(vm, vs_car(v), &d[n]); v = vs_cdr(v)) n++;
+  return v == VS_NIL && n >= 2 ? n : 0;
+}
+
+/* A procedure where its result is wanted: "..., got the procedure wall; call it: (wall length)". False: v is none. */
+static bool refuse_uncalled(vs_frame *f, const vs_bind_param *p, vs_value v) {
+  char form[120];
+  if (!vs_is(v, VS_T_CLOSURE) && !vs_is(v, VS_T_NATIVE)) return false;
+  const char *call = vs_procedure_form(v, form, sizeof form);
+  if (!call) return false;
+  size_t name = strcspn(call + 1, " )");
+  vs_fail(f->vm, f->vm->sym.type, "%s must be %s, got the procedure %.*s; call it: %s", p->name, contracts[p->contract].noun, (int)name, call + 1, call);
+  return true;
+}
+
 /* The kind is wrong. Where a point and a gvector were taken for each other, say how to write the other. */
 static vs_status refuse_kind(vs_frame *f, const vs_bind_param *p, vs_value got) {
   bool wants_vector = p->contract == VS_C_VECTOR || p->contract == VS_C_DIRECTION || p->contract == VS_C_PATH, wants_point = p->contract == VS_C_POINT;
@@ -134,6 +159,16 @@ static vs_status refuse_kind(vs_frame *f, const vs_bind_param *p, vs_value got) 
     snprintf(hint, sizeof hint, "(%s %s %s %s)", wants_vector ? "vxyz" : "xyz", x, y, z);
     return refuse_hint(f, p->name, contracts[p->contract].noun, got, hint);
   }
+  double d[3];
+  int listed = wants_vector || wants_point ? listed_numbers(f->vm, got, d) : 0;
+  if (listed) {
+    char x[32], y[32], z[32], hint[128];
+    vs_bind_number_text(x, d[0]), vs_bind_number_text(y, d[1]), vs_bind_number_text(z, d[2]);
+    if (listed == 2 && wants_point) snprintf(hint, sizeof hint, "(xy %s %s)", x, y);
+    else snprintf(hint, sizeof hint, "(%s %s %s %s)", wants_vector ? "vxyz" : "xyz", x, y, z);
+    return refuse_hint(f, p->name, contracts[p->contract].noun, got, hint);
+  }
+  if (refuse_uncalled(f, p, got)) return VS_ERROR;
   const vs_bind_param *first = f->procedure->form[0].at;
   if (p->contract == VS_C_ANGLE && first->mode != VS_ARG_END && first->contract == VS_C_SECTIONS && vs_bind_ref(got).node)
     return refuse_hint(f, p->name, contracts[p->contract].noun, got, "the sections stand in one list: (list section ...)");
@@ -290,9 +325,12 @@ bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_va
 static vs_status refuse_item(vs_frame *f, const vs_bind_param *p, vs_value bad, const char *item) {
   if (bad == VS_ABSENT) return VS_ERROR; /* the error is set */
   if (bad == VS_UNSPECIFIC)
-    return vs_fail(f->vm, f->vm->sym.type, "%s must hold only %ss, but one expression gave no value; (empty-object) is nothing", p->name, item);
+    return vs_fail(f->vm, f->vm->sym.type, "%s must hold only %ss, but " VS_BIND_NO_VALUE, p->name, item);
+  if (refuse_uncalled(f, p, bad)) return VS_ERROR;
   char text[96];
   snprintf(text, sizeof text, "%s", contracts[p->contract].noun);
+  double d;
+  if (!strcmp(item, "point") && vs_bind_number(f->vm, bad, &d)) return refuse_hint(f, p->name, text, bad, "every point is written (xy x y) or (xyz x y z)");
   if (!strcmp(item, "point") && vs_is_flat(bad, VS_FLAT_VECTOR)) return refuse_hint(f, p->name, text, bad, "(+ origin v)");
   bool holds_points = p->contract == VS_C_POINTS || p->contract == VS_C_THINGS || p->contract == VS_C_SECTIONS;
   if (holds_points && vs_is_flat(bad, VS_FLAT_POINT)) return vs_bind_refuse(f, p->name, "of finite coordinates", bad);
@@ -496,7 +534,7 @@ static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg
     case VS_C_NUMERIC:
       if (vs_is(v, VS_T_FLAT)) return VS_OK;
       return vs_bind_number(f->vm, v, &out->real) ? VS_OK : refuse_kind(f, p, v);
-    case VS_C_AXIS: case VS_C_PLANE:
+    case VS_C_AXIS: case VS_C_PLANE: case VS_C_STAND:
       if (!(p->contract == VS_C_AXIS ? convert_axis : convert_plane)(v, out)) return refuse_kind(f, p, v);
       return has_length(out->line.direction) && finite3(&out->line.direction.x) && finite3(&out->line.at.x) ? VS_OK : refuse_condition(f, p, v);
     case VS_C_MATRIX:
@@ -572,15 +610,16 @@ static vs_status refuse_count(vs_frame *f, const vs_value *a, int n) {
     }
     at = append(text, sizeof text, at, ")");
   }
+  char hint[300];
   double d[3];
-  if (f->procedure->form[1].used && n == 3 && vs_bind_number(f->vm, a[0], &d[0]) && vs_bind_number(f->vm, a[1], &d[1]) && vs_bind_number(f->vm, a[2], &d[2])
-      && f->procedure->form[0].at[1].contract == VS_C_POINT && f->procedure->form[0].at[2].mode == VS_ARG_END) {
-    char x[32], y[32], z[32], hint[200];
+  bool two_corners = f->procedure->form[1].used && f->procedure->form[0].at[1].contract == VS_C_POINT && f->procedure->form[0].at[2].mode == VS_ARG_END;
+  if (two_corners && n == 3 && vs_bind_number(f->vm, a[0], &d[0]) && vs_bind_number(f->vm, a[1], &d[1]) && vs_bind_number(f->vm, a[2], &d[2])) {
+    char x[32], y[32], z[32]; /* one corner is the origin */
     vs_bind_number_text(x, d[0]), vs_bind_number_text(y, d[1]), vs_bind_number_text(z, d[2]);
-    snprintf(hint, sizeof hint, "; perhaps (%s (xyz 0 0 0) (xyz %s %s %s))", name, x, y, z);
-    append(text, sizeof text, at, hint);
-    return vs_fail(f->vm, f->vm->sym.arity, "%s", text);
+    snprintf(hint, sizeof hint, "(%s (xyz 0 0 0) (xyz %s %s %s))", name, x, y, z);
+    return vs_fail(f->vm, f->vm->sym.arity, "%s; perhaps %s", text, hint);
   }
+  if (vs_bind_grouped(f->vm, f->procedure, name, a, n, hint, sizeof hint)) return vs_fail(f->vm, f->vm->sym.arity, "%s; perhaps %s", text, hint);
   return vs_fail(f->vm, f->vm->sym.arity, "%s, got %d argument%s", text, n, n == 1 ? "" : "s");
 }
 
@@ -678,9 +717,9 @@ static bool enter_slowly(vs_frame *f, const vs_value *a, int given) {
 
 static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
   bool keyed = f->procedure->key[0].mode != VS_ARG_END;
-  int given = n, places = 0;
-  if (keyed) { /* a[] holds every positional place, then the keywords */
-    places = (int)((const vs_native *)(const void *)f->vm->native)->max;
+  int given = n, places = n;
+  if (keyed && f->vm->native->max != UINT32_MAX) { /* a[] holds every positional place, then the keywords; behind a rest just these */
+    places = (int)f->vm->native->max;
     for (given = 0; given < places && a[given] != VS_ABSENT; given++) {}
   }
   if (!enter_quickly(f, a, given) && !enter_slowly(f, a, given)) return VS_ERROR;
@@ -689,7 +728,11 @@ static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
     if (v == VS_ABSENT) set_absent(&f->key[i]);
     else if (!convert(f, &f->procedure->key[i], v, &f->key[i])) return VS_ERROR;
   }
-  return f->procedure->fn(f, out);
+  const vs_arg *stand = NULL;
+  for (int i = 0; i < VS_MAX_KEYS && f->procedure->key[i].mode != VS_ARG_END; i++)
+    if (f->procedure->key[i].contract == VS_C_STAND && f->key[i].given) stand = &f->key[i];
+  vs_status status = f->procedure->fn(f, out);
+  return stand && status == VS_OK ? vs_bind_stand(f, stand, out) : status;
 }
 
 vs_status vs_bind_enter(vs *vm, vs_value *a, int n, vs_value *out) {

@@ -9,6 +9,25 @@
 
 /* ---- the drawing ---- */
 
+/* Is the node one of those that were drawn last? A few are looked at: a procedure that draws, and whose result is drawn again, has just run. */
+static bool drawn_just_now(const vs_bind *b, size_t before, const vs_node *node) {
+  enum { MOST = 16 };
+  for (size_t i = before; i-- > 0 && before - i <= MOST;)
+    if (b->scene.drawn[i].node == node) return true;
+  return false;
+}
+
+static void warn_drawn_twice(vs_bind *b, size_t before, const vs_ref *ref, size_t n) {
+  enum { MOST = 16 };
+  bool twice = false;
+  for (size_t i = 0; i < n && i < MOST && before; i++) {
+    const vs_node *node = ref[i].node;
+    twice = twice || node == b->drawn_last || drawn_just_now(b, before, node);
+    for (uint32_t k = 0; node->kind == VS_UNION && k < node->child_count && k < MOST; k++) twice = twice || drawn_just_now(b, before, node->children[k].node);
+  }
+  if (twice) vs_bind_warn(b, "drawn twice", "this object is drawn already and now stands there twice: what a procedure has drawn needs no second draw");
+}
+
 vs_status vs_p_draw(vs_frame *f, vs_value *out) {
   vs_bind *b = f->bind;
   size_t n = f->arg[0].refs.count;
@@ -17,12 +36,32 @@ vs_status vs_p_draw(vs_frame *f, vs_value *out) {
   b->drew = b->drew || !b->handing;
   for (size_t i = 0; i < n; i++)
     if (ref[i].node->flags & VS_NODE_ENDLESS) return vs_fail(f->vm, f->vm->sym.range, VS_ENDLESS_MESSAGE);
+  if (!b->handing) warn_drawn_twice(b, b->scene.drawn_count, ref, n);
   for (size_t i = 0; i < n && !b->handing; i++)
     if (!vs_scene_draw(&b->scene, (vs_ref){ ref[i].node, ref[i].origin ? ref[i].origin : here })) return vs_fail_memory(f->vm);
   if (n == 0) return vs_bind_empty(f, NULL, out);
   vs_status status = n == 1 ? vs_bind_node(f, vs_node_retain(ref[0].node), out) : vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, ref, n, out);
   if (status == VS_OK) b->drawn_last = vs_bind_ref(*out).node;
   return status;
+}
+
+/* What was drawn and is one of the objects, or equal to one, goes; an object that does not stand in the drawing is an error. */
+vs_status vs_p_erase(vs_frame *f, vs_value *out) {
+  (void)out;
+  vs_scene *scene = &f->bind->scene;
+  for (size_t i = 0; i < f->arg[0].refs.count; i++) {
+    const vs_node *node = f->arg[0].refs.at[i].node;
+    size_t kept = 0, count = scene->drawn_count;
+    if (!vs_poll(f->vm, count)) return VS_ERROR;
+    for (size_t k = 0; k < count; k++) {
+      bool same = scene->drawn[k].node == node || (scene->drawn[k].node->hash == node->hash && vs_node_equal(scene->drawn[k].node, node, NULL));
+      if (same) vs_node_release(scene->drawn[k].node); /* the argument keeps its own reference */
+      else scene->drawn[kept++] = scene->drawn[k];
+    }
+    scene->drawn_count = kept;
+    if (kept == count) return vs_fail(f->vm, f->vm->sym.range, "this object does not stand in the drawing; (erase-all) empties it");
+  }
+  return VS_OK;
 }
 
 vs_status vs_p_erase_all(vs_frame *f, vs_value *out) {

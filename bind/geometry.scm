@@ -85,14 +85,16 @@
 
 ; ---- curves ----
 
-(define (make-spline #:segments [segments any? #f] . arguments)
-  (cond
-    ((and (pair? arguments) (or (pair? (car arguments)) (null? (car arguments))))
-     (case (length arguments)
-       ((1) (%make-spline (car arguments) #f #f segments))
-       ((3) (%make-spline (car arguments) (cadr arguments) (caddr arguments) segments))
-       (else (error 'make-spline "takes a list of points, alone or with a start and an end tangent"))))
-    (else (%make-spline arguments #f #f segments))))
+(define (make-spline #:segments [segments any? #f] #:plane [plane any? #f] . arguments)
+  (define curve
+    (cond
+      ((and (pair? arguments) (or (pair? (car arguments)) (null? (car arguments))))
+       (case (length arguments)
+         ((1) (%make-spline (car arguments) #f #f segments))
+         ((3) (%make-spline (car arguments) (cadr arguments) (caddr arguments) segments))
+         (else (error 'make-spline "takes a list of points, alone or with a start and an end tangent"))))
+      (else (%make-spline arguments #f #f segments))))
+  (if plane (%stand curve plane) curve))
 
 ; ---- surfaces ----
 
@@ -189,3 +191,51 @@
 (define-syntax define-parameter
   (syntax-rules ()
     ((_ name default . options) (define name (%parameter 'name default . options)))))
+
+; ---- watching a program ----
+
+(define %traced '()) ; (wrapper . procedure) of what is watched
+(define %trace-depth 0)
+
+(define (%trace name f)
+  (define (indent) (display (make-string (* 2 (min %trace-depth 30)) #\space)))
+  (define (watched . arguments)
+    (indent) (write (cons name arguments)) (newline)
+    (let ((result
+           (dynamic-wind
+             (lambda () (set! %trace-depth (+ %trace-depth 1)))
+             (lambda () (apply f arguments))
+             (lambda () (set! %trace-depth (- %trace-depth 1))))))
+      (indent) (display "=> ") (write result) (newline)
+      result))
+  (if (not (procedure? f)) (error 'trace "name must be that of a procedure, got ~s" f))
+  (if (assq f %traced)
+      f
+      (begin (set! %traced (cons (cons watched f) %traced)) watched)))
+
+(define (%untrace f) (let ((known (assq f %traced))) (if known (cdr known) f)))
+
+(define-syntax trace (syntax-rules () ((_ name) (define name (%trace 'name name)))))
+(define-syntax untrace (syntax-rules () ((_ name) (define name (%untrace name)))))
+
+(define (describe x)
+  (define (line . parts) (for-each display parts) (newline))
+  (define (size box) (let ((p (first box)) (q (second box))) (list (- (cx q) (cx p)) (- (cy q) (cy p)) (- (cz q) (cz p)))))
+  (cond
+    ((object? x)
+     (line "an object: " (object-kind x) ", of " (object-count x) (if (= (object-count x) 1) " object" " objects"))
+     (let ((box (bounding-box x)))
+       (if box (begin (line "from " (first box) " to " (second box)) (line "size " (size box)))))
+     (if (solid? x) (line "volume " (volume x)))
+     (if (or (solid? x) (region? x)) (line "area " (area x)))
+     (if (curve? x) (line "length " (curve-length x))))
+    ((exact-integer? x) (line "an exact integer: " x))
+    ((and (number? x) (exact? x)) (line "an exact fraction: " x ", about " (inexact x)))
+    ((real? x) (line "a number: " x))
+    ((string? x) (line "a text of " (string-length x) " characters"))
+    ((list? x) (line "a list of " (length x) (if (and (pair? x) (every object? x)) " objects" " elements")))
+    ((vector? x) (line "a vector of " (vector-length x) " elements"))
+    ((point? x) (line "a point: " x))
+    ((gvector? x) (line "a gvector: " x ", of length " (vlength x)))
+    ((procedure? x) (line "a procedure: " x))
+    (else (write x) (newline))))

@@ -25,6 +25,7 @@ typedef struct {
   const volatile sig_atomic_t *ended; /* not 0: the system wants the command to end */
   char *model;                /* the file that ,run was given; NULL: what the command line named */
   struct cli_editor *editor;  /* NULL: no prompt is being shown */
+  unsigned results;           /* values shown since the program began: the last one's name is $results */
 } cli_session;
 
 /* vs_eval_text, watched. */

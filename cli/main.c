@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include "cli/large_blocks.h"
+#include "cli/prompt/editor.h"
+#include "cli/prompt/manual.h"
 #include "cli/limits.h"
 #include "cli/nearby.h"
 #include "cli/command.h"
@@ -48,6 +50,9 @@ static const char *read_input(void *context, size_t *length) {
 
 static void print_value(void *context, const char *text, size_t length) {
   cli_session *c = context;
+  char name[24];
+  c->results++;
+  if (c->editor) print_output(c, name, (size_t)snprintf(name, sizeof name, cli_colours(1) ? "\033[2m$%u =\033[0m " : "$%u = ", c->results));
   print_output(c, text, length);
   print_output(c, "\n", 1);
 }
@@ -208,6 +213,7 @@ static vs_outcome run_sources(cli_session *c, bool again) {
 
 vs_outcome cli_session_run(cli_session *c) {
   vs_outcome outcome = vs_restart(c->scheme);
+  c->results = 0;
   return outcome == VS_OUTCOME_DONE ? run_sources(c, true) : outcome;
 }
 
@@ -263,6 +269,16 @@ static vs_outcome view_model(const cli_options *o) {
 int main(int argc, char **argv) {
   hold_standard_streams();
   signal(SIGPIPE, SIG_IGN); /* a reader that went is a failed write: outputs are finished or taken away, and the exit code says it */
+  if (argc >= 3 && strcmp(argv[1], "help") == 0) { /* vs help WORD: the manual */
+    for (int i = 2; i < argc; i++)
+      if (!cli_manual_print(argv[i], stdout)) {
+        printf("The manual has no %s.\n", argv[i]);
+        cli_manual_mentions(argv[i], stdout);
+        cli_manual_topics(stdout);
+        return VS_OUTCOME_USAGE;
+      }
+    return fflush(stdout) == 0 ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
+  }
   cli_options options;
   cli_verdict verdict = cli_options_parse(&options, argc, argv);
   if (verdict != CLI_GO) {
@@ -285,6 +301,7 @@ int main(int argc, char **argv) {
   options.interpreter.host = (vs_host){.context = &session, .output = print_output, .input = read_input, .diagnose = print_diagnostic, .progress = print_progress, .poll = options.interpreter.limit_time > 0 ? poll_limits : NULL, .value = print_value};
   if (options.untrusted) options.interpreter.host.read_file = read_untrusted;
   if (!TIDY) options.interpreter.alloc = cli_memory;
+  options.interpreter.keep_frames = options.interactive || options.source_count == 0;
   if (options.interpreter.limit_memory) cli_limits_memory(options.interpreter.limit_memory);
   session.watch.limit = options.interpreter.limit_time;
   if (session.watch.limit > 0 && !cli_limits_watch(&session.watch)) session.watch.limit = 0; /* the library's own polls remain */

@@ -117,7 +117,7 @@ void cli_report_summary(const char *title, const vs_summary *s) {
   bool any = false;
   fprintf(stderr, "%s: ", title);
   if (s->objects == 0) {
-    fputs("no objects\n", stderr);
+    fprintf(stderr, "no objects%s%s\n", s->advice ? "; " : "", s->advice ? s->advice : "");
     return;
   }
   count_of(s->objects, "object", "objects", &any);

@@ -353,6 +353,16 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     else if (!read_option(o, argc, argv, &i, &verdict)) return CLI_BAD_USAGE;
     else if (verdict != CLI_GO) return verdict;
   }
+  for (size_t i = 0; i < o->source_count; i++) { /* vs model.vs a.stl */
+    const char *path = o->sources[i].text;
+    const vs_format_info *f = o->sources[i].kind == CLI_SOURCE_FILE && strchr(path, '.') ? vs_format_find(path) : NULL;
+    if (!f) continue;
+    fprintf(stderr, "vs: %s is no program but a name for what is written; with -o before it it is: vs", path);
+    for (size_t k = 0; k < o->source_count; k++)
+      if (k != i && o->sources[k].kind == CLI_SOURCE_FILE) fprintf(stderr, " %s", o->sources[k].text);
+    fprintf(stderr, " -o %s\n", path);
+    return CLI_BAD_USAGE;
+  }
   if (o->command != CLI_COMMAND_NONE && (o->source_count != 1 || o->sources[0].kind != CLI_SOURCE_FILE || strcmp(o->sources[0].text, "-") == 0 || o->target_count > 0)) {
     fprintf(stderr, "vs %s: give the file of one model, as in vs %s house.vs%s\n", argv[1], argv[1], o->target_count > 0 ? "; -o is for vs FILE alone" : "");
     return CLI_BAD_USAGE;

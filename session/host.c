@@ -57,6 +57,7 @@ bool vs_session_interrupted(void *session) {
   vs_session *s = session;
   const vs_host *h = &s->options.host;
   if (write_late(s)) return true;
+  if (s->profiling && !s->writing) vs_session_look(s);
   if (h->progress && s->phase) {
     double now = vs_session_clock(s);
     if (now - s->told_progress > .1) {

@@ -123,26 +123,28 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   vs_text t;
   vs_text_open(vm, &t, 4000);
   char limit[96];
-  const char *message = vs_print_condition(vm, r[0], &t) && vs_text_end(&t) ? t.at : "out of memory";
+  bool limited = false;
+  bool printed = vs_print_condition(vm, r[0], &t);
+  const char *message = "out of memory";
   if (is_condition) {
     const vs_condition *c = vs_as_condition(r[0]);
     outcome = outcome_of(s, c->kind, usage);
-    if (c->kind == vm->sym.memory && s->options.limit_memory) { /* the host may hold the rest of the process to it as well */
-      snprintf(limit, sizeof limit, "out of memory: stopped at %.12g MB, the limit", (double)s->options.limit_memory / 1048576);
-      message = limit;
-    }
+    limited = c->kind == vm->sym.memory && s->options.limit_memory; /* the host may hold the rest of the process to it as well */
     if (!vs_session_span(s, c->place, &at)) /* inside the library: the first call of the user's own */
       for (vs_value l = c->chain; vs_is_pair(l) && !at.file; l = vs_cdr(l)) {
         vs_value link = vs_car(l);
         if (vs_is_pair(link) && vs_is_fixnum(vs_cdr(link))) vs_session_span(s, vs_pos_of(vs_cdr(link)), &at);
       }
     count = callers(s, vs_as_condition(r[0])->chain, at, notes);
+    printed = printed && vs_session_advise(s, r[0], at, &t);
     if (s->bind.bad_parameter) { /* what was set from outside is at fault, not the line that defines it */
       notes[0] = (vs_diagnostic_note){ at, "the parameter is defined here" };
       count = at.file != NULL;
       at = (vs_span){ 0 };
     }
   }
+  if (printed && vs_text_end(&t)) message = t.at;
+  if (limited) snprintf(limit, sizeof limit, "out of memory: stopped at %.12g MB, the limit", (double)s->options.limit_memory / 1048576), message = limit;
   tell(s, VS_SEVERITY_ERROR, outcome, at, message, notes, count);
   vs_text_close(&t);
   /* the reader has more to say: (place . message) of each further mistake */

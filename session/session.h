@@ -13,6 +13,7 @@
 #include "model/tally.h"
 #include "visualscheme.h"
 #include "vm/library/port.h"
+#include "vm/values/text.h"
 
 /* The text of a source, for the line that a message shows. */
 typedef struct { char *name, *text; size_t name_bytes, length, room, lines /* that end in it */; unsigned first_line; } vs_source;
@@ -44,6 +45,9 @@ typedef struct {
   double stages[VS_STAGE_COUNT]; /* seconds of each stage; NAN: the format does without it, or the output had failed before */
 } vs_output_record;
 
+/* A procedure that was seen running (names.c). */
+typedef struct { vs_value name; vs_pos place; uint64_t own, whole; } vs_profile_row;
+
 typedef struct {
   vs_bind bind;             /* first: vm->host points to it */
   vs_options options;
@@ -66,6 +70,11 @@ typedef struct {
   vs_output_record *outputs; /* of the last ones, oldest first */
   size_t output_count, output_room;
   unsigned flags;           /* VS_EVAL_... of the evaluation under way */
+  unsigned results;         /* how many have the names $1, $2 ... */
+  bool profiling;
+  uint64_t looks;
+  vs_profile_row profile[256];
+  size_t profile_count;
 } vs_session;
 
 /* ---- visualscheme.c ---- */
@@ -93,8 +102,15 @@ bool vs_session_output_nodes(vs_session *s, const vs_scene *scene, unsigned pass
 void vs_session_output_end(vs_session *s, bool done);
 void vs_session_free_outputs(vs_session *s);
 
+/* ---- names.c ---- */
+void vs_session_look(vs_session *s); /* notes which procedures run now */
+
 /* ---- report.c ---- */
 vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool usage /* its own fault is the caller's: exit 2 */);
+/* Appends to t, the error's text, what the program's own text says about it, or puts something better in its place (advice.c). at: where the error
+ * is shown. False: out of memory. */
+bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t);
+bool vs_session_advise_empty(vs_session *s, vs_text *t); /* the same for a drawing without objects */
 bool vs_session_span(vs_session *s, vs_pos place, vs_span *out); /* false: nowhere in the user sources */
 vs_outcome vs_session_report_error(vs_session *s, const vs_error *e);
 void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, const vs_origin *origin, const char *message);

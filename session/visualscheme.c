@@ -30,6 +30,50 @@ vs_outcome vs_session_out_of_memory(vs_session *s) {
   return VS_OUTCOME_MACHINE;
 }
 
+/* The value gets the next of the names $1, $2 ... */
+static bool name_result(vs_session *s, vs_value v) {
+  vs *vm = s->bind.vm;
+  VS_ROOTS(vm, r, 3);
+  char name[24];
+  r[0] = v;
+  snprintf(name, sizeof name, "$%u", ++s->results);
+  if (!vs_intern_c(vm, name, &r[1]) || !vs_environment_define(vm, vm->at.program, r[1], &r[2])) return false;
+  vs_gc_store(vm, vs_as_cell(r[2]), &vs_as_cell(r[2])->value, r[0]);
+  return true;
+}
+
+/* An object in a line: how it is made where that is short, else its kind; then its size, and its volume where that costs nothing. */
+static bool tell_object(vs_session *s, vs_value v) {
+  vs *vm = s->bind.vm;
+  enum { SHORT = 60 };
+  vs_text shown, t;
+  VS_ROOTS(vm, r, 1);
+  r[0] = v;
+  vs_ref object = vs_bind_ref(r[0]);
+  vs_text_open(vm, &shown, SHORT);
+  vs_text_open(vm, &t, 0);
+  bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &shown) && vs_text_end(&shown);
+  vs_bind_counts parts = { 0 };
+  char text[200];
+  if (ok && !shown.cut) ok = vs_text_puts(&t, shown.at);
+  else if (ok) {
+    const char *kind = vs_kind_get(object.node->kind)->name;
+    if (object.node->kind == VS_UNION && vs_bind_count(object, &parts)) snprintf(text, sizeof text, "#<%s of %.15g object%s>", kind, parts.all, parts.all == 1 ? "" : "s");
+    else snprintf(text, sizeof text, "#<%s>", kind);
+    ok = vs_text_puts(&t, text);
+  }
+  vs_bounds b;
+  vs_error e = { 0 };
+  if (ok && vs_node_bounds(object.node, &b, &e) && !vs_bounds_is_empty(&b) && isfinite(b.max.x - b.min.x + b.max.y - b.min.y + b.max.z - b.min.z)) {
+    snprintf(text, sizeof text, " ; %.4g x %.4g x %.4g %s", b.max.x - b.min.x, b.max.y - b.min.y, b.max.z - b.min.z, s->bind.scene.units);
+    ok = vs_text_puts(&t, text);
+  }
+  if (ok) s->options.host.value(s->options.host.context, t.at, t.count);
+  vs_text_close(&shown);
+  vs_text_close(&t);
+  return ok;
+}
+
 /* A top-level expression's value: the model if nothing is drawn, and what the prompt shows. */
 static bool take_value(vs *vm, vs_value v, vs_pos place) {
   vs_session *s = vs_session_of(vm);
@@ -37,6 +81,8 @@ static bool take_value(vs *vm, vs_value v, vs_pos place) {
   const vs_host *h = &s->options.host;
   if (!vs_bind_returned(&s->bind, v, s->flags & VS_EVAL_PRINT)) return false;
   if (!(s->flags & VS_EVAL_PRINT) || !h->value || v == VS_UNSPECIFIC) return true;
+  if (s->flags & VS_EVAL_NUMBER && !name_result(s, v)) return false;
+  if (s->flags & VS_EVAL_NUMBER && vs_bind_ref(v).node) return tell_object(s, v);
   enum { MOST = 4000 }; /* bytes: a drawing of thousands of parts is no answer to read */
   vs_text shown, t;
   VS_ROOTS(vm, r, 1);
@@ -74,6 +120,8 @@ static void warn_program(vs *vm, vs_pos place, const char *message) {
 /* for register-drawing-function and define-back-end: as (vs_format_find), but no path */
 static bool is_built_in(const char *name) { return !strpbrk(name, "./") && vs_export_format_find(name) != NULL; }
 static bool is_format(const vs_bind *b, const char *name) { return is_built_in(name) || (!strpbrk(name, "./") && vs_bind_back_end_find(b, name) != NULL); }
+
+static void warn_vm(vs *vm, const char *kind, const char *message) { vs_bind_warn(vs_bind_of(vm), kind, "%s", message); }
 
 static double tally_clock(void *session) { return vs_session_clock(session); }
 
@@ -141,7 +189,7 @@ vs *vs_new(const vs_options *options) {
   vs_config config = {
     .memory = vs_session_memory, .user = s, .memory_limit = o.limit_memory, .step_limit = o.limit_steps, .output_limit = o.limit_output, .time_limit = o.limit_time,
     .phase = vm_phase, .clock = vs_session_clock, .interrupted = vs_session_interrupted, .tables = vs_bind_tables(), .image = &vs_library_image,
-    .io = &vs_session_io, .value = take_value, .dropped = vs_bind_dropped, .warn = warn_program, .library_path = s->options.library_path, .shipped = vs_shipped_library,
+    .io = &vs_session_io, .keep_frames = o.keep_frames, .value = take_value, .dropped = vs_bind_dropped, .warn = warn_program, .suspect = warn_vm, .library_path = s->options.library_path, .shipped = vs_shipped_library,
     .command_line = s->options.command_line, .command_line_count = s->options.command_line_count,
   };
   vs_store *store = vs_store_new(store_memory, s);
@@ -180,6 +228,8 @@ vs_outcome vs_restart(vs *vm) {
   vs_close_vm(fresh); /* lets go of the objects, which hold nodes */
   vs_bind_restart(&s->bind);
   s->exit_requested = false;
+  s->results = 0;
+  s->profile_count = 0; /* names of the old heap */
   return VS_OUTCOME_DONE;
 }
 

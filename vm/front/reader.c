@@ -372,7 +372,8 @@ static bool read_symbol(reader *r, vs_value *out) {
   if (ok && !bars && ((c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == '#')) {
     ok = vs_number_parse(r->vm, s, length, 10, out);
     if (ok && *out == VS_FALSE && c == '#') {
-      problem(r, pos, "%.*s is not known here", (int)(length > 60 ? 60 : length), s);
+      problem(r, pos, "%.*s is not known here: # begins #t, #f, #\\a (a character), #(1 2) (a vector), #:name (a keyword) and #;, #| (comments)",
+              (int)(length > 60 ? 60 : length), s);
       *out = VS_UNSPECIFIC;
     }
     if (ok && vs_is_number(*out) && !r->quasi && peek(r, 0) == ',' && peek(r, 1) >= '0' && peek(r, 1) <= '9') {
@@ -384,6 +385,19 @@ static bool read_symbol(reader *r, vs_value *out) {
       } else problem(r, pos, "a decimal point is a point: %.*s.%.*s instead of %.*s", (int)length, s, (int)(more - 1), s + length + 1, (int)(length + more), s);
       r->at += more;
     }
+  }
+  if (ok && !bars && c == '<' && length > 1 && strchr("+-.0123456789", s[1]) && peek(r, 0) == ',' && !r->quasi) { /* POV-Ray's <0,0,0> */
+    char numbers[80];
+    size_t more = 0, used = 0;
+    while (peek(r, more) >= 0 && strchr("+-.,0123456789eE \t", peek(r, more))) more++;
+    for (const char *p = s + 1; p < s + length + more && used + 1 < sizeof numbers; p++)
+      if (*p != ',') numbers[used++] = *p;
+      else if (used && numbers[used - 1] != ' ' && p[1] != ' ') numbers[used++] = ' ';
+    numbers[used] = 0;
+    problem(r, pos, "a point is written (xyz %s), a gvector (vxyz %s)", numbers, numbers);
+    r->at += more;
+    while (!is_delimiter(r)) r->at++; /* the > */
+    *out = VS_UNSPECIFIC;
   }
   if (ok && !bars && c == 0xE2 && length >= 3 && (unsigned char)s[1] == 0x80 && (unsigned char)s[2] >= 0x98 && (unsigned char)s[2] <= 0x9F)
     problem(r, pos, "%.3s is a typographic quotation mark; write \" (or ' before a symbol)", s);

@@ -1,37 +1,102 @@
-/* Owns the advice for names that are not defined: words of other languages (foreign.def) and near names. */
+/* Owns the advice for names that are not defined: tokens that were meant as numbers, words of other programs (foreign.def), the right
+ * stem with another prefix, and near names. */
 #include "vm/machine/program.h"
 #include "vm/machine/native.h"
 
 #include <ctype.h>
+#include <stdio.h>
 #include <strings.h>
 
-static const struct { const char *word, *name, *form; } foreign[] = {
-#define FOREIGN(word, name, form) {word, name, form},
+static const struct { const char *words, *name, *form; } foreign[] = {
+#define FOREIGN(words, name, form) {words, name, form},
+#define ABSENT(words, instead) {words, NULL, instead},
+#define KEYWORD(words, instead)
 #include "vm/front/foreign.def"
 #undef FOREIGN
+#undef ABSENT
+#undef KEYWORD
 };
 
-enum { LONGEST = 48 };
+static const struct { const char *words, *instead; } keywords[] = {
+#define FOREIGN(words, name, form)
+#define ABSENT(words, instead)
+#define KEYWORD(words, instead) {words, instead},
+#include "vm/front/foreign.def"
+#undef FOREIGN
+#undef ABSENT
+#undef KEYWORD
+};
 
-/* Edit distance ignoring case, a swap of neighbours counting one; more than `limit` is limit + 1. */
+/* ---- how far one name is from another ---- */
+
+enum { LONGEST = 48, SLIP = 1, EDIT = 2 };
+
+/* Are both keys neighbours on a keyboard? QWERTY's rows; each row stands half a key further right than the one above. */
+static bool neighbours(int a, int b) {
+  static const char *const rows[] = {"1234567890-", "qwertyuiop", "asdfghjkl;", "zxcvbnm,./"};
+  int at[2][2] = {{-9, -9}, {-99, -99}};
+  for (int r = 0; r < 4; r++) {
+    const char *x = strchr(rows[r], a), *y = strchr(rows[r], b);
+    if (a && x) at[0][0] = r, at[0][1] = (int)(x - rows[r]);
+    if (b && y) at[1][0] = r, at[1][1] = (int)(y - rows[r]);
+  }
+  int down = at[1][0] - at[0][0], right = at[1][1] - at[0][1];
+  return (down == 0 && (right == 1 || right == -1)) || (down == 1 && (right == 0 || right == -1)) || (down == -1 && (right == 0 || right == 1));
+}
+
+/* Edit distance ignoring case. An insertion, a deletion and a change cost an EDIT each; slips of the fingers cost half of one: neighbouring keys, two
+ * letters in the wrong order, a letter twice, a hyphen too many or too few. More than `limit` is limit + 1. */
 static int distance(const char *a, size_t n, const char *b, size_t m, int limit) {
   int row[3][LONGEST + 1];
-  if (n > LONGEST || m > LONGEST || (n > m ? n - m : m - n) > (size_t)limit) return limit + 1;
-  for (size_t j = 0; j <= m; j++) row[0][j] = (int)j;
+  if (n > LONGEST || m > LONGEST || (int)(n > m ? n - m : m - n) > limit) return limit + 1;
+  row[0][0] = 0;
+  for (size_t j = 1; j <= m; j++) row[0][j] = row[0][j - 1] + (b[j - 1] == '-' ? SLIP : EDIT);
   for (size_t i = 1; i <= n; i++) {
-    int *now = row[i % 3], *up = row[(i - 1) % 3], *up2 = row[(i + 1) % 3], least = now[0] = (int)i;
+    int *now = row[i % 3], *up = row[(i - 1) % 3], *up2 = row[(i + 1) % 3];
+    int ca = tolower((unsigned char)a[i - 1]), before = i > 1 ? tolower((unsigned char)a[i - 2]) : 0;
+    int drop = ca == '-' || ca == before ? SLIP : EDIT, least = now[0] = up[0] + drop;
     for (size_t j = 1; j <= m; j++) {
-      int ca = tolower((unsigned char)a[i - 1]), cb = tolower((unsigned char)b[j - 1]);
-      int d = up[j - 1] + (ca != cb);
-      if (up[j] + 1 < d) d = up[j] + 1;
-      if (now[j - 1] + 1 < d) d = now[j - 1] + 1;
-      if (i > 1 && j > 1 && ca == tolower((unsigned char)b[j - 2]) && cb == tolower((unsigned char)a[i - 2]) && up2[j - 2] + 1 < d) d = up2[j - 2] + 1;
+      int cb = tolower((unsigned char)b[j - 1]), last = j > 1 ? tolower((unsigned char)b[j - 2]) : 0;
+      int d = up[j - 1] + (ca == cb ? 0 : neighbours(ca, cb) || ((ca == '_' || ca == '.') && cb == '-') ? SLIP : EDIT);
+      int add = now[j - 1] + (cb == '-' || cb == last ? SLIP : EDIT);
+      if (up[j] + drop < d) d = up[j] + drop;
+      if (add < d) d = add;
+      if (i > 1 && j > 1 && ca == last && cb == before && up2[j - 2] + SLIP < d) d = up2[j - 2] + SLIP;
       now[j] = d;
       if (d < least) least = d;
     }
-    if (least > limit) return limit + 1;
+    if (least > limit + SLIP) return limit + 1;
   }
   return row[n % 3][m];
+}
+
+/* The most that a name of this length may be away: a third of its letters, and of a short one a slip. */
+static int tolerance(size_t length) { return length <= 2 ? SLIP : length <= 4 ? EDIT : length <= 6 ? EDIT + SLIP : length <= 9 ? 2 * EDIT : 3 * EDIT; }
+
+/* ---- prefixes ---- */
+
+/* The name without "make-", "do-" and the like: what it is about. */
+static const char *stem(const char *name) {
+  static const char *const prefixes[] = {"make-", "do-", "create-", "add-", "draw-", "new-", "get-", "build-", "gen-"};
+  for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++) {
+    size_t n = strlen(prefixes[i]);
+    if (!strncasecmp(name, prefixes[i], n) && name[n]) return name + n;
+  }
+  return name;
+}
+
+/* makeBox, MakeBox, make_box and rs.MakeBox as make-box; false: too long. */
+static bool plain_name(const char *name, char out[LONGEST + 1]) {
+  const char *dot = strrchr(name, '.');
+  if (dot && dot > name && dot[1] && isalpha((unsigned char)*name) && isalpha((unsigned char)dot[1])) name = dot + 1;
+  size_t n = 0;
+  for (const char *c = name; *c; c++) {
+    if (n + 2 > LONGEST) return false;
+    if (isupper((unsigned char)*c) && c > name && islower((unsigned char)c[-1])) out[n++] = '-';
+    out[n++] = (char)(*c == '_' ? '-' : tolower((unsigned char)*c));
+  }
+  out[n] = 0;
+  return true;
 }
 
 typedef struct { const vs_symbol *wanted, *best; int distance; bool own; vs_value core /* environment of the library */; } search;
@@ -39,10 +104,16 @@ typedef struct { const vs_symbol *wanted, *best; int distance; bool own; vs_valu
 static bool consider(void *context, vs_value symbol, vs_value binding) {
   search *s = context;
   (void)binding;
-  const vs_symbol *name = vs_as_symbol(symbol);
-  int d = distance(s->wanted->name, s->wanted->length, name->name, name->length, s->distance);
+  const vs_symbol *name = vs_as_symbol(symbol), *w = s->wanted;
+  size_t same = 0; /* "make-", which both begin with, says nothing on how alike they are */
+  if (stem(w->name) - w->name == stem(name->name) - name->name) same = (size_t)(stem(w->name) - w->name);
+  if (same && strncasecmp(w->name, name->name, same)) same = 0;
+  int limit = tolerance(w->length - same);
+  if (limit > SLIP && tolower((unsigned char)w->name[same]) != tolower((unsigned char)name->name[same])) limit -= SLIP; /* few words begin with a slip */
+  if (limit > s->distance) limit = s->distance;
+  int d = distance(w->name, w->length, name->name, name->length, limit);
   bool own = vs_idtable_get(vs_as_environment(s->core)->table, symbol) == VS_VACANT;
-  if (d > s->distance) return true;
+  if (d > limit) return true;
   /* ties: the program's names go first; then the name that sorts first, so that the advice does not depend on the order of a table */
   if (d == s->distance && s->best && (own != s->own ? s->own : strcmp(name->name, s->best->name) >= 0)) return true;
   s->best = name;
@@ -51,23 +122,52 @@ static bool consider(void *context, vs_value symbol, vs_value binding) {
   return true;
 }
 
-static int tolerance(size_t length) { return length <= 3 ? 1 : length <= 7 ? 2 : 3; }
+/* The same stem behind another prefix; of several the one with a prefix, then the one that sorts first. */
+typedef struct { const char *stem; const vs_symbol *best; } stem_search;
+
+static bool consider_stem(void *context, vs_value symbol, vs_value binding) {
+  stem_search *s = context;
+  (void)binding;
+  const vs_symbol *name = vs_as_symbol(symbol);
+  const char *own = stem(name->name);
+  if (strcmp(own, s->stem)) return true;
+  bool prefixed = own != name->name, before = s->best && stem(s->best->name) != s->best->name;
+  if (!s->best || (prefixed && !before) || (prefixed == before && strcmp(name->name, s->best->name) < 0)) s->best = name;
+  return true;
+}
 
 const char *vs_nearest_word(const char *wanted, const char *(*nth)(size_t)) {
   const char *best = NULL;
   size_t length = strlen(wanted);
-  int least = tolerance(length) + 1;
+  int most = tolerance(length), least = most + 1;
   for (size_t i = 0; nth(i); i++) {
-    int d = distance(wanted, length, nth(i), strlen(nth(i)), least);
+    int d = distance(wanted, length, nth(i), strlen(nth(i)), most);
     if (d < least) least = d, best = nth(i);
   }
   return best;
 }
 
+static bool has_word(const char *words, const char *word) {
+  size_t n = strlen(word);
+  for (const char *w = words; n && *w; w += w[0] == ' ') {
+    size_t length = strcspn(w, " ");
+    if (length == n && !strncasecmp(w, word, n)) return true;
+    w += length;
+  }
+  return false;
+}
+
+/* The row of the table that has the word, or -1. */
 static int foreign_word(const char *name) {
   for (int i = 0; i < (int)(sizeof foreign / sizeof *foreign); i++)
-    if (!strcasecmp(foreign[i].word, name)) return i;
+    if (has_word(foreign[i].words, name)) return i;
   return -1;
+}
+
+bool vs_keyword_advice(const char *word, vs_text *t) {
+  for (size_t i = 0; i < sizeof keywords / sizeof *keywords; i++)
+    if (has_word(keywords[i].words, word)) return vs_text_puts(t, "; ") && vs_text_puts(t, keywords[i].instead);
+  return true;
 }
 
 bool vs_is_foreign_word(vs_value symbol) { return vs_is_symbol(symbol) && foreign_word(vs_as_symbol(symbol)->name) >= 0; }
@@ -83,7 +183,7 @@ static bool remember(vs *vm, vs_value symbol, vs_value near) {
 
 bool vs_suggest_local(vs *vm, vs_value env, vs_value symbol) {
   if (!vs_is_symbol(symbol) || vs_as_symbol(symbol)->length < 2) return true;
-  search s = {.core = vm->at.core, .wanted = vs_as_symbol(symbol), .distance = tolerance(vs_as_symbol(symbol)->length)};
+  search s = {.core = vm->at.core, .wanted = vs_as_symbol(symbol), .distance = 3 * EDIT};
   vs_value key, value;
   for (; !vs_is_top(env); env = vs_as_environment(env)->parent)
     for (size_t i = 0; vs_idtable_slot(vs_as_environment(env)->table, i, &key, &value); i++)
@@ -94,15 +194,63 @@ bool vs_suggest_local(vs *vm, vs_value env, vs_value symbol) {
 
 bool vs_suggest_let_star(vs *vm, vs_value symbol) { return remember(vm, symbol, symbol); }
 
+/* ---- what a name may have been meant as ---- */
+
+/* A number with a unit or a sign that no number has here: 3m, 45°, –1. */
+static bool advise_number(const char *name, vs_text *t) {
+  char number[LONGEST + 1], text[200];
+  static const char *const dashes[] = {"\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x88\x92", "\xE2\x80\x90"};
+  for (size_t i = 0; i < sizeof dashes / sizeof *dashes; i++)
+    if (!strncmp(name, dashes[i], 3)) {
+      if (strlen(name) > LONGEST) return true;
+      snprintf(text, sizeof text, "; %s is a dash, not a minus sign: write -%s", dashes[i], name + 3);
+      return vs_text_puts(t, text);
+    }
+  size_t n = strspn(name, "+-.0123456789"), digits = strcspn(name, "0123456789");
+  if (!n || n > LONGEST || digits >= n || !name[n]) return true;
+  memcpy(number, name, n);
+  number[n] = 0;
+  const char *unit = name + n;
+  if (!strcmp(unit, "\xC2\xB0") || !strcasecmp(unit, "deg") || !strcasecmp(unit, "degrees"))
+    snprintf(text, sizeof text, "; angles are radians: write (degrees->radians %s)", number);
+  else if (!strcasecmp(unit, "rad")) snprintf(text, sizeof text, "; angles are radians already: write %s", number);
+  else if (!strcmp(unit, "%")) snprintf(text, sizeof text, "; write (/ %s 100)", number);
+  else if (!strcmp(unit, "f") || !strcmp(unit, "d")) snprintf(text, sizeof text, "; write %s", number);
+  else {
+    static const char *const lengths[] = {"m", "mm", "cm", "dm", "km", "in", "ft", "inch", "\"", "'", "px"};
+    size_t i = 0;
+    while (i < sizeof lengths / sizeof *lengths && strcmp(unit, lengths[i])) i++;
+    if (i == sizeof lengths / sizeof *lengths) return true;
+    snprintf(text, sizeof text, "; numbers have no units, a length is in model units: write %s; (units 'm), 'mm, 'cm, 'in or 'ft says once what they are", number);
+  }
+  return vs_text_puts(t, text);
+}
+
+static bool put_foreign(int i, vs_text *t) {
+  if (!foreign[i].name) return vs_text_puts(t, "; there is no such thing here yet: ") && vs_text_puts(t, foreign[i].form);
+  if (!foreign[i].name[0]) return vs_text_puts(t, "; write ") && vs_text_puts(t, foreign[i].form);
+  return vs_text_puts(t, "; ") && vs_text_puts(t, foreign[i].name) && vs_text_puts(t, " is the name here: ") && vs_text_puts(t, foreign[i].form);
+}
+
+static bool did_you_mean(const vs_symbol *name, vs_text *t) {
+  return vs_text_puts(t, "; did you mean ") && vs_text_put(t, name->name, name->length) && vs_text_puts(t, "?");
+}
+
+bool vs_foreign_advice(const char *word, vs_text *t) {
+  int i = foreign_word(word);
+  return i < 0 || put_foreign(i, t);
+}
+
 bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (!vs_is_symbol(symbol)) return true;
   const vs_symbol *wanted = vs_as_symbol(symbol);
   vs_value local = vs_is_vector(vm->at.nearby) ? vs_idtable_get(vm->at.nearby, symbol) : VS_VACANT;
   if (local == symbol) return vs_text_puts(t, " here: let names it for its body alone; write let* where a value that follows uses it");
+  size_t before = t->count;
   int i = foreign_word(wanted->name);
-  if (i >= 0)
-    return foreign[i].name[0] ? vs_text_puts(t, "; ") && vs_text_puts(t, foreign[i].name) && vs_text_puts(t, " is the name here: ") && vs_text_puts(t, foreign[i].form)
-                              : vs_text_puts(t, "; write ") && vs_text_puts(t, foreign[i].form);
+  if (i >= 0) return put_foreign(i, t);
+  if (!advise_number(wanted->name, t)) return false;
+  if (t->count > before) return true;
   size_t sign = strcspn(wanted->name, "+*/<>=");          /* i+1, n*2, a<b: one name, because no blanks are in it */
   const char *name = wanted->name;
   if (sign && sign + 1 < wanted->length && (name[sign + 1] == '=' ? sign + 2 < wanted->length : true) && isalnum((unsigned char)name[sign - 1])) {
@@ -111,14 +259,20 @@ bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t) {
       return vs_text_puts(t, "; it is one name; write (") && vs_text_put(t, name + sign, width) && vs_text_puts(t, " ") && vs_text_put(t, name, sign) &&
              vs_text_puts(t, " ") && vs_text_puts(t, name + sign + width) && vs_text_puts(t, ")");
   }
-  size_t before = t->count;
   if (!vs_library_advice(vm, symbol, t)) return false;
   if (t->count > before || !vs_is(env, VS_T_ENVIRONMENT) || wanted->length < 2) return true;
-  search s = {.core = vm->at.core, .wanted = wanted, .distance = tolerance(wanted->length)};
+  char plain[LONGEST + 1];
+  if (plain_name(name, plain)) {
+    stem_search same = {.stem = stem(plain)};
+    if (strlen(same.stem) > 1) vs_environment_each(env, consider_stem, &same);
+    if (same.best) return did_you_mean(same.best, t);
+    if ((i = foreign_word(plain)) >= 0 || (i = foreign_word(same.stem)) >= 0) return put_foreign(i, t);
+  }
+  search s = {.core = vm->at.core, .wanted = wanted, .distance = 3 * EDIT};
   if (local != VS_VACANT) {                       /* nearer by than what is only as like */
     consider(&s, local, VS_FALSE);
-    s.distance--;
+    if (s.best) s.distance--;
   }
   vs_environment_each(env, consider, &s);
-  return !s.best || (vs_text_puts(t, "; did you mean ") && vs_text_put(t, s.best->name, s.best->length) && vs_text_puts(t, "?"));
+  return !s.best || did_you_mean(s.best, t);
 }

@@ -3,42 +3,8 @@
 
 #include "vm/compiler/code.h"
 #include "vm/values/gc.h"
+#include "vm/machine/native.h"
 #include "vm/machine/run.h"
-
-/* the window is the innermost frame that is whole: the error's call chain begins with its caller */
-static vs_value *flush_failed(vs *vm, vs_value *w) {
-  vm->base = w + 2;
-  vm->pc = NULL;
-  return NULL;
-}
-
-vs_value *vs_frame_flush(vs *vm, vs_value *w, size_t n, size_t need) {
-  size_t count = (size_t)(w - vm->stack);
-  vm->top = w + 2 + n;
-  if (count) {
-    vs_stack *s = (vs_stack *)(void *)vs_gc_alloc(vm, VS_T_STACK, VS_WORDS(vs_stack) + count);
-    if (!s) return flush_failed(vm, w);
-    s->under = vm->under; s->depth = vm->under_depth; s->count = count;
-    memcpy(s->at, vm->stack, count * sizeof *s->at);
-    w[1] |= VS_RET_UNDER;
-    vm->under = vs_from_object(s);
-    vm->under_depth = count;
-    memmove(vm->stack, w, (2 + n) * sizeof *w);
-    w = vm->stack;
-    vm->top = w + 2 + n;
-  }
-  size_t room = (size_t)(vm->stack_end - vm->stack);
-  if (need + VS_FRAME_SLACK > room) {
-    size_t more = need + need / 2 + VS_FRAME_SLACK;
-    vs_value *stack = vs_mem(vm, vm->stack, room * sizeof *stack, more * sizeof *stack);
-    if (!stack) return flush_failed(vm, w);
-    vm->stack = stack;
-    vm->stack_end = stack + more;
-    vm->top = stack + 2 + n;
-    memset(stack + room, 0, (more - room) * sizeof *stack);
-  }
-  return vm->stack;
-}
 
 /* a walk over frames, innermost first; holds addresses, so nothing may be allocated meanwhile */
 struct walk { const vs_value *base; vs_value under; uint64_t depth; bool force; };
@@ -65,7 +31,7 @@ static bool walk_up(struct walk *w, size_t *pc, bool *native) {
   return true;
 }
 
-struct link { vs_value name; vs_pos place; bool gap; /* calls between this one and the one before left no frames */ };
+struct link { vs_value name; vs_pos place; const vs_value *base; bool gap; /* calls between this one and the one before left no frames */ };
 
 /* Does the frame above stand where another procedure was called? Then that one ended with a tail call, or those it led to. Asked of calls
    by the program's own names only: what a local variable held when it was called is not known any more, and the library's tail calls
@@ -96,10 +62,77 @@ static size_t chain(vs *vm, struct link *at, size_t max) {
     if (native || !vs_is(w.base[-2], VS_T_CLOSURE)) continue;
     const vs_code *code = vs_as_code(vs_as_closure(w.base[-2])->code);
     at[count].name = code->name;
+    at[count].base = w.base;
     at[count].gap = ended_in_tail_call(code, pc, running);
     at[count++].place = vs_code_place(code, (uint32_t)(pc ? pc - 1 : 0));
   } while (count < max && walk_up(&w, &pc, &native));
   return count;
+}
+
+/* the window is the innermost frame that is whole: the error's call chain begins with its caller */
+static vs_value *flush_failed(vs *vm, vs_value *w) {
+  vm->base = w + 2;
+  vm->pc = NULL;
+  return NULL;
+}
+
+/* Calls that are not tail calls, one inside the other, may take a gigabyte, and of a limited memory half: some 20 million calls of a small procedure. What goes
+ * deeper has no end. */
+static size_t most_slots(const vs *vm) {
+  size_t bytes = VS_DEBUG_STRESS ? (size_t)256 << 20 : (size_t)1 << 30;
+  if (vm->config.memory_limit && vm->config.memory_limit / 2 < bytes) bytes = vm->config.memory_limit / 2;
+  return bytes / sizeof(vs_value);
+}
+
+/* Names the procedure that calls itself: of the innermost callers the one that stands there most often. */
+static bool fail_endless(vs *vm) {
+  enum { MOST = 64 };
+  struct link at[MOST];
+  size_t n = chain(vm, at, MOST), best = 0, most = 0, others = 0;
+  for (size_t i = 0; i < n; i++) {
+    size_t times = 0;
+    for (size_t k = i; k < n; k++) times += at[k].name == at[i].name;
+    if (vs_is_symbol(at[i].name) && times > most) best = i, most = times;
+  }
+  for (size_t i = 0; i < n; i++) others += at[i].name != at[best].name && vs_is_symbol(at[i].name) && !others;
+  const char *name = most ? vs_as_symbol(at[best].name)->name : "a procedure";
+  vm->native = NULL;
+  if (others) return vs_fail(vm, vm->sym.recursion, "%s calls itself without end here, by way of others; is there an `if` that stops it?", name);
+  return vs_fail(vm, vm->sym.recursion, "%s calls itself without end here; is there an `if` that stops it?", name);
+}
+
+vs_value *vs_frame_flush(vs *vm, vs_value *w, size_t n, size_t need) {
+  size_t count = (size_t)(w - vm->stack);
+  vm->top = w + 2 + n;
+  size_t below = vs_is(vm->under, VS_T_STACK) ? vs_as_stack(vm->under)->total : 0;
+  if (below + count > most_slots(vm)) {
+    flush_failed(vm, w);
+    fail_endless(vm);
+    return NULL;
+  }
+  if (count) {
+    vs_stack *s = (vs_stack *)(void *)vs_gc_alloc(vm, VS_T_STACK, VS_WORDS(vs_stack) + count);
+    if (!s) return flush_failed(vm, w);
+    s->under = vm->under; s->depth = vm->under_depth; s->count = count; s->total = below + count;
+    memcpy(s->at, vm->stack, count * sizeof *s->at);
+    w[1] |= VS_RET_UNDER;
+    vm->under = vs_from_object(s);
+    vm->under_depth = count;
+    memmove(vm->stack, w, (2 + n) * sizeof *w);
+    w = vm->stack;
+    vm->top = w + 2 + n;
+  }
+  size_t room = (size_t)(vm->stack_end - vm->stack);
+  if (need + VS_FRAME_SLACK > room) {
+    size_t more = need + need / 2 + VS_FRAME_SLACK;
+    vs_value *stack = vs_mem(vm, vm->stack, room * sizeof *stack, more * sizeof *stack);
+    if (!stack) return flush_failed(vm, w);
+    vm->stack = stack;
+    vm->stack_end = stack + more;
+    vm->top = stack + 2 + n;
+    memset(stack + room, 0, (more - room) * sizeof *stack);
+  }
+  return vm->stack;
 }
 
 bool vs_call_chain(vs *vm, size_t max, vs_value *out) {
@@ -113,6 +146,30 @@ bool vs_call_chain(vs *vm, size_t max, vs_value *out) {
         (at[n].gap && (!vs_cons(vm, VS_TRUE, vs_fix(0), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])))) return false;
   *out = r[0];
   return true;
+}
+
+/* A vector, VS_FRAME_WORDS a call, innermost first: the procedure, its place as a fixnum, then the values of its first parameters. Registers that were given back since
+ * may hold something else; assigned parameters lie in boxes. */
+bool vs_call_variables(vs *vm, vs_value *out) {
+  enum { MOST = 24 };
+  struct link at[MOST];
+  VS_ROOTS(vm, r, 1);
+  if (!vs_make_vector(vm, MOST * VS_FRAME_WORDS, VS_FALSE, &r[0])) return false;
+  size_t n = chain(vm, at, MOST);
+  vs_vector *v = vs_as_vector(r[0]);
+  for (size_t i = 0; i < n; i++) {
+    vs_value *to = v->at + i * VS_FRAME_WORDS;
+    const vs_code *code = vs_as_code(vs_as_closure(at[i].base[-2])->code);
+    size_t names = vs_as_vector(code->params)->length;
+    vs_gc_store(vm, v, &to[0], at[i].base[-2]);
+    vs_gc_store(vm, v, &to[1], vs_fix((int64_t)at[i].place));
+    for (size_t k = 0; k < names && k + 2 < VS_FRAME_WORDS; k++) {
+      vs_value x = at[i].base[k];
+      if (vs_is(x, VS_T_BOX)) x = vs_as_box(x)->value;
+      if (!vs_is_object(x) || vs_object_of(x)->type != VS_T_STACK) vs_gc_store(vm, v, &to[2 + k], x);
+    }
+  }
+  return *out = r[0], true;
 }
 
 size_t vs_call_links(vs *vm, vs_value *name, vs_pos *place, size_t max) {

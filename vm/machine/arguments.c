@@ -1,6 +1,8 @@
 /* Owns the arranging of arguments that are not simply as many as required. */
 #include "vm/machine/arguments.h"
 #include "vm/machine/signature.h"
+#include "vm/values/text.h"
+#include "vm/machine/program.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -42,6 +44,19 @@ static const char *want_native(const vs_native *native, wanted *w) {
   return want_end(w);
 }
 
+/* The error under way keeps what was called and with what, (callee argument ...), for advice on it (session/advice.c). False, as the error is set. */
+static bool keep_call(vs *vm, vs_value callee, const vs_value *a, size_t n) {
+  VS_ROOTS(vm, r, 3);
+  r[0] = vm->condition, r[1] = VS_NIL, r[2] = callee;
+  if (!vs_is(r[0], VS_T_CONDITION) || r[0] == vm->at.no_memory || n > 64) return false;
+  for (size_t i = n; i-- > 0;)
+    if (!vs_cons(vm, a[i], r[1], &r[1])) return vm->condition = r[0], false;
+  if (!vs_cons(vm, r[2], r[1], &r[1])) return vm->condition = r[0], false;
+  vs_gc_store(vm, vs_as_condition(r[0]), &vs_as_condition(r[0])->payload, r[1]);
+  vm->condition = r[0];
+  return false;
+}
+
 static bool fail_count(vs *vm, vs_value name, size_t min, size_t max, const char *names, size_t got) {
   const char *who = name_of(name);
   if (max == SIZE_MAX) return vs_fail(vm, vm->sym.arity, "%s needs at least %zu argument%s%s, got %zu", who, min, min == 1 ? "" : "s", names, got);
@@ -56,8 +71,27 @@ static bool fail_keyword(vs *vm, vs_value name, vs_value keyword, const vs_value
   for (size_t i = 0; i < count && w.used < sizeof w.text; i++)
     if (vs_is_symbol(names[i])) want(&w, "#:", vs_as_symbol(names[i])->name, strlen(vs_as_symbol(names[i])->name), "");
   const char *there = want_end(&w);
-  if (!*there) return vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s", name_of(name), name_of(keyword));
-  return vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s; it has %.*s", name_of(name), name_of(keyword), (int)strlen(there) - 3, there + 2); /* without parentheses */
+  vs_text advice;
+  vs_text_open(vm, &advice, 300);
+  bool ok = vs_keyword_advice(name_of(keyword), &advice) && vs_text_end(&advice);
+  const char *more = ok ? advice.at : "";
+  if (!*there) vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s%s", name_of(name), name_of(keyword), more);
+  else vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s; it has %.*s%s", name_of(name), name_of(keyword), (int)strlen(there) - 3, there + 2, more); /* without parentheses */
+  vs_text_close(&advice);
+  return false;
+}
+
+const char *vs_procedure_form(vs_value f, char *room, size_t size) {
+  wanted w = {.used = 0};
+  const char *names = "";
+  vs_value name = VS_FALSE;
+  if (vs_is(f, VS_T_CLOSURE)) {
+    const vs_code *code = vs_as_code(vs_as_closure(f)->code);
+    name = code->name, names = want_closure(code, &w);
+  } else if (vs_is(f, VS_T_NATIVE)) name = vs_as_native(f)->name, names = want_native(vs_as_native(f), &w);
+  if (!vs_is_symbol(name)) return NULL;
+  int n = snprintf(room, size, "(%s%s%s", vs_as_symbol(name)->name, *names ? " " : "", *names ? names + 2 : ")");
+  return n > 0 && (size_t)n < size ? room : NULL;
 }
 
 bool vs_fail_clauses(vs *vm, const vs_case *c, size_t got) {
@@ -123,10 +157,15 @@ bool vs_arguments_native(vs *vm, const vs_native *native, vs_value *a, size_t n,
   size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count, positional = n - named;
   size_t max = native->max == UINT32_MAX ? SIZE_MAX : native->max;
   *given = *total = positional;
-  if (positional < native->min || positional > max) return fail_count(vm, native->name, native->min, max, want_native(native, &(wanted){0}), positional);
+  if (positional < native->min || positional > max) {
+    vm->top = a + n;
+    fail_count(vm, native->name, native->min, max, want_native(native, &(wanted){0}), positional);
+    return keep_call(vm, vs_from_object(native), a, positional);
+  }
   if (named && native->keywords == VS_FALSE) return fail_keyword(vm, native->name, vs_as_keywords(kw)->name[0], NULL, 0);
   if (!vs_native_laid_out(native)) return true;
   if (named && !stash(vm, a, n, named)) return false;
+  if (max == SIZE_MAX) max = positional;          /* the keywords' values stand behind what was given */
   for (size_t i = positional; i < max; i++) a[i] = VS_ABSENT;
   size_t at = max;
   if (native->keywords != VS_FALSE) {

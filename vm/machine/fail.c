@@ -39,8 +39,8 @@ vs_status vs_fail_object(vs *vm, vs_value object) {
 }
 
 static vs_status fail(vs *vm, vs_value kind, const vs_pos *place, vs_value irritants, const char *format, va_list list) {
-  VS_ROOTS(vm, r, 4);
-  r[0] = kind; r[1] = irritants;
+  VS_ROOTS(vm, r, 5);
+  r[0] = kind; r[1] = irritants; r[4] = VS_FALSE;
   char text[1024];
   int used = 0;
   if (vm->native && !place) {
@@ -69,8 +69,10 @@ static vs_status fail(vs *vm, vs_value kind, const vs_pos *place, vs_value irrit
   va_end(again);
   r[3] = VS_NIL;
   if (!ok || (!place && !vs_call_chain(vm, 64, &r[3]))) return VS_ERROR;
+  if (!place && vm->config.keep_frames && !vs_call_variables(vm, &r[4])) return VS_ERROR;
   vs_condition *c = (vs_condition *)(void *)vs_gc_alloc(vm, VS_T_CONDITION, VS_WORDS(vs_condition));
   if (!c) return VS_ERROR;
+  c->frames = r[4];
   c->kind = r[0]; c->irritants = r[1]; c->message = r[2]; c->chain = r[3];
   c->payload = VS_FALSE;
   c->place = place ? *place : vs_call_place(vm);

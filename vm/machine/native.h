@@ -11,7 +11,8 @@
    `a` holds the arguments on the VM's stack (rooted, updated by the collector, writable). `n` is how many were given.
    If the signature has keywords or slots (below) then optional arguments not given are VS_ABSENT and a[] is laid out as
    required, optional, then the keyword values in the order of the signature (VS_ABSENT where not given), then the slots.
-   (A native with keywords or slots may not have ". rest".) Without them only a[0..n-1] exist; test n.
+   A native with keywords and ". rest" finds the keywords' values behind the n that were given: a[n], a[n + 1] and so on.
+   (One with slots may not have ". rest".) Without them only a[0..n-1] exist; test n.
    A native that may return VS_TAILCALL has slots, or -1 there (which lays nothing out): so it gives up its caller's frame.
 
    It returns

@@ -49,5 +49,8 @@ bool vs_suggest_let_star(vs *vm, vs_value symbol);
 /* "; (import (scheme write)) brings it" appended to t, where a built-in library has the name */
 bool vs_library_advice(vs *vm, vs_value symbol, vs_text *t);
 bool vs_is_foreign_word(vs_value symbol); /* of foreign.def */
+/* "; make-box is the name here: (make-box ...)" appended to t, where the word is one of another program's. */
+bool vs_foreign_advice(const char *word, vs_text *t);
+bool vs_keyword_advice(const char *word, vs_text *t); /* the same for a keyword that the called procedure does not have */
 
 #endif

@@ -99,7 +99,7 @@ static const char *operator_name(vs_value v) {
 }
 
 /* f cannot be called; at[0..n) are the arguments */
-static bool fail_callee(vs *vm, vs_value f, const vs_value *at, size_t n) {
+static bool fail_callee_as(vs *vm, vs_value f, const vs_value *at, size_t n) {
   VS_ROOTS(vm, r, 1);
   if (f == VS_UNDEFINED || f == VS_ABSENT) return fail_early(vm, VS_FALSE);
   const char *operator = n == 2 ? operator_name(at[0]) : NULL;
@@ -112,6 +112,13 @@ static bool fail_callee(vs *vm, vs_value f, const vs_value *at, size_t n) {
                      : vs_is_number(f) ? "a number cannot be called (a list is written (list 1 2 3), a point (xyz 1 2 3), a gvector (vxyz 1 2 3)):"
                                      : "this is no procedure and cannot be called (one parenthesis too many around it?):";
   return vs_fail_with(vm, vm->sym.type, r[0], "%s", what);
+}
+
+/* The error's payload, #t, says that the callee is at fault: what made it so is looked for when the error is shown (session/advice.c). */
+static bool fail_callee(vs *vm, vs_value f, const vs_value *at, size_t n) {
+  fail_callee_as(vm, f, at, n);
+  if (vs_is(vm->condition, VS_T_CONDITION) && vm->condition != vm->at.no_memory) vs_as_condition(vm->condition)->payload = VS_TRUE;
+  return false;
 }
 
 static bool make_closure(vs *vm, vs_value *base, const vs_value *k, const uint32_t *captures, vs_value code, vs_value *out) {

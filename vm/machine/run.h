@@ -11,6 +11,9 @@ bool vs_run(vs *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value
 
 /* vm-front's driver: defines load, eval, ... as natives and runs a file through vs_run. */
 
+/* The instructions of a code object as text, to each until it returns false (dump.c). False: out of memory. */
+bool vs_code_dump(vs *vm, vs_value code, bool (*each)(void *context, const char *line), void *context);
+
 /* What calling a parameter gives now. */
 vs_value vs_parameter_value(const vs *vm, vs_value parameter);
 
@@ -18,6 +21,9 @@ vs_value vs_parameter_value(const vs *vm, vs_value parameter);
    fixnum vs_pos; (#t . 0) before one stands for calls in between that ended with tail calls and left no frames. For natives such as `error`; conditions made by vs_fail have it already. */
 bool vs_call_chain(vs *vm, size_t max, vs_value *out);
 /* The same without allocating, names and places apart: how many were written. */
+/* The innermost calls with their parameters, for vs_condition.frames (activation.c says how they lie). False: out of memory. */
+enum { VS_FRAME_WORDS = 10 };
+bool vs_call_variables(vs *vm, vs_value *out);
 size_t vs_call_links(vs *vm, vs_value *name, vs_pos *place, size_t max);
 /* The places alone, without allocating: how many were written. */
 size_t vs_call_places(vs *vm, vs_pos *place, size_t max);

@@ -10,7 +10,7 @@
   S(quote, "quote") S(quasiquote, "quasiquote") S(unquote, "unquote") S(unquote_splicing, "unquote-splicing") \
   S(error, "error") S(type, "type") S(range, "range") S(arity, "arity") S(contract, "contract") S(unbound, "unbound") \
   S(syntax, "syntax") S(read, "read") S(file, "file") S(limit, "limit") S(interrupt, "interrupt") S(memory, "memory") \
-  S(divide, "divide") S(raise, "raise") S(internal, "internal")
+  S(divide, "divide") S(recursion, "recursion") S(raise, "raise") S(internal, "internal")
 
 /* Persistent Scheme values that C code needs: written into the heap image with the rest. One list. */
 #define VS_ANCHORS(A) \
@@ -39,6 +39,7 @@ typedef struct vs_config {
   uint64_t step_limit;       /* calls and loop turns, 0 = none */
   uint64_t output_limit;     /* bytes that the program may print or write, 0 = none */
   double time_limit;         /* seconds by the clock below, 0 = none */
+  bool keep_frames;          /* errors keep the parameters of the calls they end (vs_condition.frames) */
   vs_vm_phase (*phase)(void *user, vs_vm_phase phase); /* told when another begins, says which one ends; NULL: nobody asks */
   double (*clock)(void *user);                 /* seconds, monotonic; NULL: no time limit */
   bool (*interrupted)(void *user);             /* polled; true once = raise an interrupt */
@@ -54,6 +55,8 @@ typedef struct vs_config {
   void (*dropped)(vs *vm, vs_value v);
   /* Something in the program that is allowed and surely not meant; the text lives until the call returns. It may not allocate in the heap. NULL: nobody wants it. */
   void (*warn)(vs *vm, vs_pos place, const char *message);
+  /* Something that is allowed and seldom meant, told once for a place and a kind (any constant text). NULL: nobody wants it. */
+  void (*suspect)(vs *vm, const char *kind, const char *message);
 } vs_config;
 
 struct vs_gc_block;

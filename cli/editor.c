@@ -1,0 +1,573 @@
+/* Owns the editing of lines on a terminal by libedit: what its keys do not do by themselves.
+ *
+ * libedit edits one buffer; a newline in it is shown as one, so that an expression recalled from the history is edited as the several lines that it
+ * is. Lines typed one by one are handed over one by one, under a prompt that says what is open; the up key on an empty one takes them all back
+ * into the buffer. */
+#include "cli/prompt/editor.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <histedit.h>
+#include <locale.h>
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { HISTORY_ENTRIES = 2000, FLASH = 250 /* ms that a matching parenthesis is shown */ };
+
+typedef struct { char *at; size_t length, room; } text;
+
+struct cli_editor {
+  vs *scheme;
+  EditLine *line;
+  History *history;
+  char *history_path;   /* NULL: none could be found or made */
+  const char *prompt, *open;
+  text pasted;          /* lines that a paste ended; handed over as one */
+  text rest;            /* what a paste left behind its last newline: the next buffer begins with it */
+  bool taken_back;      /* the buffer holds the open lines too */
+  void (*commands)(void (*each)(void *context, const char *name), void *context);
+};
+
+bool cli_colours(int descriptor) {
+  const char *no = getenv("NO_COLOR"), *term = getenv("TERM");
+  return isatty(descriptor) && !(no && *no) && term && strcmp(term, "dumb") != 0;
+}
+
+int cli_terminal_width(void) {
+  struct winsize size;
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+static bool text_add(text *t, const char *more, size_t length) {
+  if (t->room - t->length <= length) {
+    size_t room = (t->length + length + 1) * 2;
+    char *grown = realloc(t->at, room);
+    if (!grown) return false;
+    t->at = grown;
+    t->room = room;
+  }
+  memcpy(t->at + t->length, more, length);
+  t->length += length;
+  t->at[t->length] = 0;
+  return true;
+}
+
+/* ---- history ---- */
+
+/* $XDG_STATE_HOME/visualscheme/history, its folders made; allocated, or NULL. */
+static char *history_path(void) {
+  const char *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");
+  const char *const tail = "/visualscheme/history";
+  bool own = state && *state == '/';
+  if (!own && (!home || *home != '/')) return NULL;
+  const char *base = own ? state : home, *middle = own ? "" : "/.local/state";
+  size_t room = strlen(base) + strlen(middle) + strlen(tail) + 1;
+  char *path = malloc(room);
+  if (!path) return NULL;
+  snprintf(path, room, "%s%s%s", base, middle, tail);
+  for (char *slash = path; (slash = strchr(slash + 1, '/')) != NULL;) {
+    *slash = 0;
+    bool ok = mkdir(path, 0700) == 0 || errno == EEXIST;
+    *slash = '/';
+    if (!ok) {
+      free(path);
+      return NULL;
+    }
+  }
+  return path;
+}
+
+void cli_editor_remember(cli_editor *e, const char *line, size_t length) {
+  HistEvent event;
+  while (length && strchr(" \t\r\n", line[length - 1])) length--;
+  if (!length || strspn(line, " \t\r\n") >= length) return;
+  char *copy = malloc(length + 1);
+  if (!copy) return;
+  memcpy(copy, line, length);
+  copy[length] = 0;
+  history(e->history, &event, H_ENTER, copy);
+  free(copy);
+}
+
+/* ---- where the cursor is ---- */
+
+/* The open lines and the buffer up to the cursor, allocated; NULL: no memory. */
+static char *text_before(cli_editor *e) {
+  const LineInfo *info = el_line(e->line);
+  size_t open = e->taken_back ? 0 : strlen(e->open), n = (size_t)(info->cursor - info->buffer);
+  char *all = malloc(open + n + 1);
+  if (!all) return NULL;
+  memcpy(all, e->open, open);
+  memcpy(all + open, info->buffer, n);
+  all[open + n] = 0;
+  return all;
+}
+
+/* Looks through Scheme text as its reader would. open[0..depth): where the parentheses still open at its end stand. Returns the depth; *in_string: within
+ * a string. */
+static size_t scan(const char *at, size_t length, size_t *open, size_t room, bool *in_string) {
+  size_t depth = 0;
+  bool string = false;
+  for (size_t i = 0; i < length; i++) {
+    char c = at[i];
+    if (string) {
+      if (c == '\\') i++;
+      else if (c == '"') string = false;
+    } else if (c == '"') string = true;
+    else if (c == ';') while (i + 1 < length && at[i + 1] != '\n') i++;
+    else if (c == '#' && i + 2 < length && at[i + 1] == '\\') i += 2;
+    else if (c == '(' || c == '[') {
+      if (depth < room) open[depth] = i;
+      depth++;
+    } else if ((c == ')' || c == ']') && depth) depth--;
+  }
+  if (in_string) *in_string = string;
+  return depth < room ? depth : room;
+}
+
+enum { DEEP = 256 };
+
+/* The procedure whose call the cursor is in, into room; false: none. */
+static bool called(const char *before, char *room, size_t size) {
+  size_t open[DEEP], depth = scan(before, strlen(before), open, DEEP, NULL);
+  while (depth-- > 0) {
+    const char *name = before + open[depth] + 1;
+    size_t n = strcspn(name, " \t\n()[]'`,;\"");
+    if (!n || n >= size) continue;
+    memcpy(room, name, n);
+    room[n] = 0;
+    return true;
+  }
+  return false;
+}
+
+/* "  (make-sphere c r) #:segments" below the line being typed. */
+static bool show_call(cli_editor *e, const char *name) {
+  vs_name_info info;
+  if (!vs_name_get(e->scheme, name, &info) || !*info.call) return false;
+  putchar('\n');
+  for (const char *at = info.call; *at;) {
+    size_t n = strcspn(at, "\n");
+    printf("  %.*s%s%s\n", (int)n, at, *info.keywords ? " " : "", info.keywords);
+    at += n + (at[n] == '\n');
+  }
+  fflush(stdout);
+  return true;
+}
+
+static cli_editor *editor_of(EditLine *line) {
+  cli_editor *e;
+  return el_get(line, EL_CLIENTDATA, &e) == 0 ? e : NULL;
+}
+
+static unsigned char signature(EditLine *line, int key) {
+  (void)key;
+  cli_editor *e = editor_of(line);
+  char *before = e ? text_before(e) : NULL, name[100];
+  bool shown = before && called(before, name, sizeof name) && show_call(e, name);
+  free(before);
+  return shown ? CC_REDISPLAY : CC_ERROR;
+}
+
+/* ---- completion ---- */
+
+typedef struct { char **at; size_t count, room; bool failed; const char *prefix; } names;
+
+static bool collect(void *context, const char *name) {
+  names *n = context;
+  if (n->count == n->room) {
+    size_t room = n->room ? n->room * 2 : 64;
+    char **grown = realloc(n->at, room * sizeof *grown);
+    if (!grown) return !(n->failed = true);
+    n->at = grown;
+    n->room = room;
+  }
+  n->at[n->count] = strdup(name);
+  n->failed = !n->at[n->count];
+  if (!n->failed) n->count++;
+  return !n->failed;
+}
+
+static void collect_matching(void *context, const char *name) {
+  names *n = context;
+  if (strncmp(name, n->prefix, strlen(n->prefix)) == 0) collect(n, name);
+}
+
+static int by_text(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
+
+/* Files whose path begins with the prefix; folders end in a slash. */
+static void collect_files(names *n) {
+  const char *slash = strrchr(n->prefix, '/');
+  size_t folder = slash ? (size_t)(slash - n->prefix) + 1 : 0;
+  char path[1024], full[1400];
+  if (folder >= sizeof path) return;
+  memcpy(path, n->prefix, folder);
+  path[folder] = 0;
+  DIR *d = opendir(folder ? path : ".");
+  if (!d) return;
+  for (struct dirent *entry; (entry = readdir(d)) != NULL;) {
+    if (strncmp(entry->d_name, n->prefix + folder, strlen(n->prefix + folder)) != 0) continue;
+    if (entry->d_name[0] == '.' && n->prefix[folder] != '.') continue;
+    if (snprintf(full, sizeof full - 1, "%s%s", path, entry->d_name) >= (int)sizeof full - 1) continue;
+    struct stat st;
+    if (stat(full, &st) == 0 && S_ISDIR(st.st_mode)) strcat(full, "/");
+    collect(n, full);
+  }
+  closedir(d);
+  if (n->count) qsort(n->at, n->count, sizeof *n->at, by_text);
+}
+
+static void collect_keywords(cli_editor *e, const char *before, names *n) {
+  char name[100], word[80];
+  vs_name_info info;
+  if (!called(before, name, sizeof name) || !vs_name_get(e->scheme, name, &info)) return;
+  for (const char *at = info.keywords; *at;) {
+    size_t length = strcspn(at, " ");
+    snprintf(word, sizeof word, "%.*s", (int)length, at);
+    collect_matching(n, word);
+    at += length + (at[length] == ' ');
+  }
+}
+
+static void print_names(const names *n) {
+  enum { MOST = 200 };
+  size_t widest = 0, shown = n->count < MOST ? n->count : MOST, width = (size_t)cli_terminal_width();
+  for (size_t i = 0; i < shown; i++)
+    if (strlen(n->at[i]) > widest) widest = strlen(n->at[i]);
+  size_t across = width / (widest + 2) ? width / (widest + 2) : 1, down = (shown + across - 1) / across;
+  putchar('\n');
+  for (size_t row = 0; row < down; row++)
+    for (size_t i = row; i < shown; i += down) printf("%-*s%s", i + down < shown ? (int)widest + 2 : 0, n->at[i], i + down < shown ? "" : "\n");
+  if (shown < n->count) printf("... and %zu more\n", n->count - shown);
+  fflush(stdout);
+}
+
+/* Where the word before the cursor begins, and what may stand there. */
+typedef enum { WORD_NAME, WORD_KEYWORD, WORD_FILE, WORD_COMMAND } word_kind;
+
+static word_kind word_at(const char *before, const char **start) {
+  bool in_string;
+  size_t open[DEEP], n = strlen(before);
+  const char *end = before + n, *line = before + n;
+  while (line > before && line[-1] != '\n') line--;
+  const char *first = line + strspn(line, " \t");
+  if (*first == ',') { /* a command, and its file or name */
+    const char *space = strpbrk(first, " \t");
+    if (!space) return *start = first + 1, WORD_COMMAND;
+    const char *argument = space + strspn(space, " \t");
+    static const char *const files[] = {"write", "run", "load", "save", "render", "reload"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+      if (!strncmp(first + 1, files[i], (size_t)(space - first - 1)) && space - first > 1) return *start = argument, WORD_FILE;
+  }
+  scan(before, n, open, DEEP, &in_string);
+  if (in_string) {
+    *start = end;
+    while (*start > before && (*start)[-1] != '"') --*start;
+    return WORD_FILE;
+  }
+  *start = end;
+  while (*start > before && !strchr(" \t\n()[]'`,;\"", (*start)[-1])) --*start;
+  return (*start)[0] == '#' && (*start)[1] == ':' ? WORD_KEYWORD : WORD_NAME;
+}
+
+static unsigned char complete(EditLine *line, int key) {
+  (void)key;
+  cli_editor *e = editor_of(line);
+  char *before = e ? text_before(e) : NULL;
+  if (!before) return CC_ERROR;
+  const char *start;
+  word_kind kind = word_at(before, &start);
+  names n = {.prefix = start};
+  size_t length = strlen(start);
+  if (kind == WORD_FILE) collect_files(&n);
+  else if (kind == WORD_COMMAND) e->commands(collect_matching, &n);
+  else if (kind == WORD_KEYWORD) collect_keywords(e, before, &n);
+  else if (length) vs_complete(e->scheme, start, collect, &n);
+  size_t common = n.count ? strlen(n.at[0]) : 0;
+  for (size_t i = 1; i < n.count; i++) {
+    size_t same = 0;
+    while (same < common && n.at[i][same] == n.at[0][same]) same++;
+    common = same;
+  }
+  while (common > length && ((unsigned char)n.at[0][common] & 0xC0) == 0x80) common--; /* whole characters only */
+  unsigned char result = CC_ERROR;
+  if (common > length || n.count == 1) {
+    bool shown = false;
+    if (n.count == 1 && kind == WORD_NAME) shown = show_call(e, n.at[0]);
+    n.at[0][common] = 0;
+    bool ok = common == length || el_insertstr(line, n.at[0] + length) == 0;
+    bool folder = common && n.at[0][common - 1] == '/';
+    if (ok && n.count == 1 && kind != WORD_FILE && !folder) ok = el_insertstr(line, " ") == 0;
+    result = !ok ? CC_ERROR : shown ? CC_REDISPLAY : CC_REFRESH;
+  } else if (n.count) {
+    print_names(&n);
+    result = CC_REDISPLAY;
+  } else if (kind == WORD_NAME) {
+    char name[100];
+    if (called(before, name, sizeof name) && show_call(e, name)) result = CC_REDISPLAY;
+  }
+  for (size_t i = 0; i < n.count; i++) free(n.at[i]);
+  free(n.at);
+  free(before);
+  return result;
+}
+
+/* ---- keys ---- */
+
+/* Inserts the parenthesis and shows for a moment the one that it closes. */
+static unsigned char close_parenthesis(EditLine *line, int key) {
+  char c[2] = {(char)key, 0};
+  size_t open[DEEP];
+  bool in_string;
+  if (el_insertstr(line, c) != 0) return CC_ERROR;
+  const LineInfo *info = el_line(line);
+  size_t n = (size_t)(info->cursor - info->buffer) - 1, depth = scan(info->buffer, n, open, DEEP, &in_string);
+  if (!depth || in_string) return CC_REFRESH;
+  struct pollfd more = {.fd = STDIN_FILENO, .events = POLLIN};
+  if (poll(&more, 1, 0) > 0) return CC_REFRESH; /* a paste, or a quick typist */
+  int back = 0; /* in characters */
+  for (size_t i = open[depth - 1]; i < n + 1; i++) back += ((unsigned char)info->buffer[i] & 0xC0) != 0x80;
+  el_cursor(line, -back);
+  el_set(line, EL_REFRESH);
+  poll(&more, 1, FLASH);
+  el_cursor(line, back);
+  return CC_REFRESH;
+}
+
+/* The column of the cursor within its line of the buffer, and whether there are lines above and below. */
+static size_t column_of(const LineInfo *info, bool *above, bool *below) {
+  const char *line = info->cursor;
+  while (line > info->buffer && line[-1] != '\n') line--;
+  *above = line > info->buffer;
+  *below = memchr(info->cursor, '\n', (size_t)(info->lastchar - info->cursor)) != NULL;
+  size_t column = 0;
+  for (const char *at = line; at < info->cursor; at++) column += ((unsigned char)*at & 0xC0) != 0x80;
+  return column;
+}
+
+static int characters(const char *from, const char *to) {
+  int n = 0;
+  for (; from < to; from++) n += ((unsigned char)*from & 0xC0) != 0x80;
+  return n;
+}
+
+static unsigned char line_up(EditLine *line, int key) {
+  (void)key;
+  cli_editor *e = editor_of(line);
+  const LineInfo *info = el_line(line);
+  bool above, below;
+  size_t column = column_of(info, &above, &below);
+  if (above) {
+    const char *end = info->cursor; /* of the line above: its newline */
+    while (end[-1] != '\n') end--;
+    const char *start = --end;
+    while (start > info->buffer && start[-1] != '\n') start--;
+    size_t width = (size_t)characters(start, end);
+    el_cursor(line, -(characters(start, info->cursor) - (int)(column < width ? column : width)));
+    return CC_CURSOR;
+  }
+  if (e && *e->open && !e->taken_back && info->lastchar == info->buffer) { /* the open lines, to be edited */
+    size_t n = strlen(e->open);
+    char *copy = strdup(e->open);
+    if (!copy) return CC_ERROR;
+    if (n && copy[n - 1] == '\n') copy[n - 1] = 0;
+    e->taken_back = el_insertstr(line, copy) == 0;
+    free(copy);
+    e->prompt = "> ";
+    return CC_REFRESH;
+  }
+  el_push(line, "\020");
+  return CC_NORM;
+}
+
+static unsigned char line_down(EditLine *line, int key) {
+  (void)key;
+  const LineInfo *info = el_line(line);
+  bool above, below;
+  size_t column = column_of(info, &above, &below);
+  if (!below) {
+    el_push(line, "\016");
+    return CC_NORM;
+  }
+  const char *start = (const char *)memchr(info->cursor, '\n', (size_t)(info->lastchar - info->cursor)) + 1, *end = start;
+  while (end < info->lastchar && *end != '\n') end++;
+  size_t width = (size_t)characters(start, end);
+  el_cursor(line, characters(info->cursor, start) + (int)(column < width ? column : width));
+  return CC_CURSOR;
+}
+
+/* The blanks that the line after this text begins with: two more than where the innermost open parenthesis stands. */
+static size_t indentation(const char *all) {
+  size_t open[DEEP], depth = scan(all, strlen(all), open, DEEP, NULL), column = 0;
+  if (!depth) return 0;
+  for (const char *at = all + open[depth - 1]; at > all && at[-1] != '\n'; at--) column++;
+  return column + 2 < 60 ? column + 2 : 60;
+}
+
+/* Ends the line; in an expression of several lines that is not whole yet begins another of them. */
+static unsigned char enter(EditLine *line, int key) {
+  (void)key;
+  cli_editor *e = editor_of(line);
+  const LineInfo *info = el_line(line);
+  bool several = memchr(info->buffer, '\n', (size_t)(info->lastchar - info->buffer)) != NULL;
+  if (e && several && vs_read_check(e->scheme, info->buffer, (size_t)(info->lastchar - info->buffer)).state == VS_READ_INCOMPLETE) {
+    char blanks[64] = "\n", *before = text_before(e);
+    size_t n = before ? indentation(before) : 0;
+    free(before);
+    memset(blanks + 1, ' ', n);
+    blanks[n + 1] = 0;
+    return el_insertstr(line, blanks) == 0 ? CC_REFRESH : CC_ERROR;
+  }
+  if (several && info->cursor < info->lastchar) { /* what follows is printed below all of it */
+    el_cursor(line, characters(info->cursor, info->lastchar));
+    el_set(line, EL_REFRESH);
+  }
+  el_push(line, "\012");
+  return CC_NORM;
+}
+
+/* A newline within the buffer, whatever is open. */
+static unsigned char new_line(EditLine *line, int key) {
+  (void)key;
+  return el_insertstr(line, "\n") == 0 ? CC_REFRESH : CC_ERROR;
+}
+
+/* What a terminal sends between ESC [ 200 ~ and ESC [ 201 ~ was pasted: text, in which no key means anything. Tabs become blanks. Whole lines end the
+ * buffer; what stands behind the last of them begins the next. */
+static unsigned char paste(EditLine *line, int key) {
+  (void)key;
+  static const char end[] = "\033[201~";
+  cli_editor *e = editor_of(line);
+  text got = {0};
+  char c;
+  bool ok = e != NULL;
+  while (ok && el_getc(line, &c) == 1) {
+    if (c == '\r') c = '\n';
+    ok = text_add(&got, c == '\t' ? "  " : &c, c == '\t' ? 2 : 1);
+    if (got.length >= sizeof end - 1 && memcmp(got.at + got.length - (sizeof end - 1), end, sizeof end - 1) == 0) {
+      got.length -= sizeof end - 1;
+      got.at[got.length] = 0;
+      break;
+    }
+  }
+  unsigned char result = CC_ERROR;
+  char *last = ok && got.length ? strrchr(got.at, '\n') : NULL;
+  if (ok && got.length && !last) result = el_insertstr(line, got.at) == 0 ? CC_REFRESH : CC_ERROR;
+  else if (last) {
+    const LineInfo *info = el_line(line);
+    ok = text_add(&e->pasted, info->buffer, (size_t)(info->cursor - info->buffer)) && text_add(&e->pasted, got.at, (size_t)(last + 1 - got.at)) &&
+         text_add(&e->rest, last + 1, strlen(last + 1)) && text_add(&e->rest, info->cursor, (size_t)(info->lastchar - info->cursor));
+    if (ok) {
+      fwrite(got.at, 1, (size_t)(last + 1 - got.at), stdout); /* as if it had been typed */
+      fflush(stdout);
+      el_cursor(line, -characters(info->buffer, info->cursor));
+      el_push(line, "\013\012"); /* kill the rest of the buffer, end the line */
+      result = CC_NORM;
+    }
+  }
+  free(got.at);
+  return result;
+}
+
+/* ---- the editor ---- */
+
+static char *prompt_text(EditLine *line) {
+  cli_editor *e = editor_of(line);
+  return (char *)(e ? e->prompt : "");
+}
+
+void cli_editor_close(cli_editor *e) {
+  HistEvent event;
+  if (!e) return;
+  if (e->line) fputs("\033[?2004l", stdout), fflush(stdout);
+  if (e->history && e->history_path && history(e->history, &event, H_SAVE, e->history_path) >= 0) chmod(e->history_path, 0600);
+  if (e->line) el_end(e->line);
+  if (e->history) history_end(e->history);
+  free(e->history_path);
+  free(e->pasted.at);
+  free(e->rest.at);
+  free(e);
+}
+
+cli_editor *cli_editor_open(vs *scheme, void (*commands)(void (*each)(void *context, const char *name), void *context)) {
+  static const struct { const char *keys, *does; } bound[] = {
+      {"^I", "vs-complete"}, {"^R", "em-inc-search-prev"}, {")", "vs-close"}, {"]", "vs-close"}, {"^M", "vs-enter"}, {"\\e[200~", "vs-paste"},
+      {"\\e[A", "vs-up"}, {"\\eOA", "vs-up"}, {"\\e[B", "vs-down"}, {"\\eOB", "vs-down"}, {"\\e^M", "vs-newline"}, {"\\e?", "vs-signature"},
+      {"\\eOP", "vs-signature"}, {"\\e[11~", "vs-signature"},
+      /* words, as xterm, screen, rxvt, the Linux console and others send them */
+      {"\\e[1;5D", "ed-prev-word"}, {"\\e[1;5C", "em-next-word"}, {"\\e[1;3D", "ed-prev-word"}, {"\\e[1;3C", "em-next-word"}, {"\\e[1;9D", "ed-prev-word"},
+      {"\\e[1;9C", "em-next-word"}, {"\\e[5D", "ed-prev-word"}, {"\\e[5C", "em-next-word"}, {"\\eOd", "ed-prev-word"}, {"\\eOc", "em-next-word"},
+      {"\\e\\e[D", "ed-prev-word"}, {"\\e\\e[C", "em-next-word"}, {"\\e[1;2D", "ed-prev-char"}, {"\\e[1;2C", "ed-next-char"}, {"\\eb", "ed-prev-word"}, {"\\ef", "em-next-word"},
+      {"\\e[1;5A", "vs-up"}, {"\\e[1;5B", "vs-down"}, {"\\e[1;2A", "vs-up"}, {"\\e[1;2B", "vs-down"}, {"\\e[1;3A", "vs-up"}, {"\\e[1;3B", "vs-down"},
+      {"\\e[H", "ed-move-to-beg"}, {"\\e[F", "ed-move-to-end"}, {"\\eOH", "ed-move-to-beg"}, {"\\eOF", "ed-move-to-end"}, {"\\e[1~", "ed-move-to-beg"}, {"\\e[4~", "ed-move-to-end"},
+      {"\\e[7~", "ed-move-to-beg"}, {"\\e[8~", "ed-move-to-end"}, {"\\e[1;5H", "ed-move-to-beg"}, {"\\e[1;5F", "ed-move-to-end"},
+      {"\\e[3~", "ed-delete-next-char"}, {"\\e[3;5~", "em-delete-next-word"}, {"\\e^?", "ed-delete-prev-word"}, {"\\e[5~", "vs-up"}, {"\\e[6~", "vs-down"}, {"\\e[2~", "ed-redisplay"},
+  };
+  HistEvent event;
+  if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO)) return NULL;
+  cli_editor *e = calloc(1, sizeof *e);
+  if (!e) return NULL;
+  e->scheme = scheme, e->prompt = "> ", e->open = "", e->commands = commands;
+  setlocale(LC_CTYPE, "");
+  e->line = el_init("vs", stdin, stdout, stderr);
+  e->history = history_init();
+  if (!e->line || !e->history) {
+    cli_editor_close(e);
+    return NULL;
+  }
+  history(e->history, &event, H_SETSIZE, HISTORY_ENTRIES);
+  history(e->history, &event, H_SETUNIQUE, 1);
+  e->history_path = history_path();
+  if (e->history_path) history(e->history, &event, H_LOAD, e->history_path);
+  el_set(e->line, EL_CLIENTDATA, e);
+  el_set(e->line, EL_PROMPT, prompt_text);
+  el_set(e->line, EL_EDITOR, "emacs");
+  el_set(e->line, EL_HIST, history, e->history);
+  el_set(e->line, EL_ADDFN, "vs-complete", "complete the word before the cursor", complete);
+  el_set(e->line, EL_ADDFN, "vs-close", "close a parenthesis and show the one it closes", close_parenthesis);
+  el_set(e->line, EL_ADDFN, "vs-enter", "end the line, or begin another of an open expression", enter);
+  el_set(e->line, EL_ADDFN, "vs-newline", "begin another line", new_line);
+  el_set(e->line, EL_ADDFN, "vs-paste", "take what is pasted as text", paste);
+  el_set(e->line, EL_ADDFN, "vs-up", "the line above, or the entry before", line_up);
+  el_set(e->line, EL_ADDFN, "vs-down", "the line below, or the entry after", line_down);
+  el_set(e->line, EL_ADDFN, "vs-signature", "show how the procedure is called", signature);
+  for (size_t i = 0; i < sizeof bound / sizeof *bound; i++) el_set(e->line, EL_BIND, bound[i].keys, bound[i].does, NULL);
+  el_set(e->line, EL_SIGNAL, 0);
+  return e;
+}
+
+bool cli_editor_has_more(const cli_editor *e) {
+  struct pollfd more = {.fd = STDIN_FILENO, .events = POLLIN};
+  return e->rest.length > 0 || poll(&more, 1, 0) > 0;
+}
+
+const char *cli_editor_line(cli_editor *e, const char *prompt, const char *open, size_t *length, bool *whole) {
+  e->prompt = prompt, e->open = open, e->taken_back = false;
+  e->pasted.length = 0;
+  fputs("\033[?2004h", stdout); /* text that is pasted is to come marked as such */
+  fflush(stdout);
+  if (e->rest.length) {
+    el_push(e->line, e->rest.at);
+    e->rest.length = 0;
+  }
+  int count = 0;
+  errno = 0;
+  const char *line = el_gets(e->line, &count);
+  int error = errno;
+  fputs("\033[?2004l", stdout);
+  fflush(stdout);
+  errno = error;
+  *whole = e->taken_back;
+  if (e->pasted.length) {
+    *length = e->pasted.length;
+    return e->pasted.at;
+  }
+  if (!line || count <= 0) return NULL;
+  *length = (size_t)count;
+  return line;
+}

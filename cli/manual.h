@@ -1,0 +1,14 @@
+/* Owns the manual that the command carries: the text of manual/, looked up by word. */
+#ifndef VS_CLI_MANUAL_H
+#define VS_CLI_MANUAL_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+/* Prints what the manual has on the word: the entry of a name of the language, a page, or the sections whose headings have it. False: nothing. */
+bool cli_manual_print(const char *word, FILE *to);
+/* Prints where else the manual speaks of it: the headings, a line each. */
+void cli_manual_mentions(const char *word, FILE *to);
+void cli_manual_topics(FILE *to); /* the pages there are */
+
+#endif

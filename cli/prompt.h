@@ -1,0 +1,30 @@
+/* Owns the prompt's own state, shared by its loop (repl.c), its commands (prompt_commands.c) and the pictures that it shows (show.c). */
+#ifndef VS_CLI_PROMPT_H
+#define VS_CLI_PROMPT_H
+
+#include "cli/command.h"
+
+/* What was typed and worked, in order: what ,undo takes back and ,save writes. */
+typedef struct { char *text; unsigned first_line; } cli_entry;
+
+typedef struct {
+  bool going;
+  unsigned line;          /* number of the next line that is typed */
+  cli_entry *entries;
+  size_t count, room;     /* entries[0..count) hold; ,undo lowers count */
+  size_t known;           /* entries[count..known) can be done again */
+  char *loaded;           /* what ,load named last */
+} cli_prompt;
+
+/* rest: what stands behind the comma, NUL-terminated; it is changed. */
+void cli_command(cli_session *c, cli_prompt *p, char *line);
+void cli_command_names(void (*each)(void *context, const char *name), void *context);
+
+/* Evaluates a text that was typed; when it works it becomes an entry. */
+vs_outcome cli_prompt_evaluate(cli_session *c, cli_prompt *p, const char *text, size_t length, unsigned first_line);
+void cli_prompt_free(cli_prompt *p);
+
+/* Prints the drawing as a picture on the terminal. size: "WxH" in characters, or "". */
+void cli_show(cli_session *c, const char *size);
+
+#endif

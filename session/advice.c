@@ -1,0 +1,237 @@
+/* Owns the advice that an error gets when it is shown: what the program's own text, and the arguments of the call, say about what was meant.
+ * An error keeps what is needed: the call in its payload (vm/arguments.c), #t where what was called is no procedure (vm/run.c). */
+#include "session/session.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "session/source_outline.h"
+#include "vm/values/printer.h"
+#include "vm/machine/program.h"
+
+/* ---- the text around a place ---- */
+
+typedef struct { const vs_source *source; const char *at, *end; } place;
+
+static bool find_place(const vs_session *s, vs_span span, place *out) {
+  for (size_t i = 0; span.file && span.line && i < s->source_count; i++) {
+    const vs_source *source = &s->sources[i];
+    if (strcmp(source->name, span.file) || span.line < source->first_line) continue;
+    const char *at = source->text, *end = source->text + source->length;
+    for (uint32_t l = source->first_line; l < span.line && at; l++) {
+      at = memchr(at, '\n', (size_t)(end - at));
+      if (at) at++;
+    }
+    if (!at) return false;
+    for (uint32_t c = 1; c < span.column && at < end && *at != '\n'; c++) /* columns are characters */
+      for (at++; at < end && ((unsigned char)*at & 0xC0) == 0x80;) at++;
+    *out = (place){ source, at, end };
+    return at < end;
+  }
+  return false;
+}
+
+typedef struct { const char *name; size_t length; uint32_t line, first_line; bool found; } wanted_definition;
+
+static bool match(void *context, const vs_outline_item *item) {
+  wanted_definition *w = context;
+  if (item->length != w->length || memcmp(item->name, w->name, w->length)) return true;
+  w->line = item->line + w->first_line - 1;
+  return w->found = true, false;
+}
+
+/* The line of the first top-level definition of the name in that source; 0: it has none. */
+static uint32_t defined_on(const vs_source *source, const char *name, size_t length) {
+  wanted_definition w = { .name = name, .length = length, .first_line = source->first_line };
+  vs_outline_each(source->text, source->length, match, &w);
+  return w.found ? w.line : 0;
+}
+
+static bool put(vs_text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static bool put(vs_text *t, const char *format, ...) {
+  char text[400];
+  va_list list;
+  va_start(list, format);
+  vsnprintf(text, sizeof text, format, list);
+  va_end(list);
+  return vs_text_puts(t, text);
+}
+
+/* ---- names that are not defined ---- */
+
+/* Is the line "x = 5" or "x := 5"? Then *value is what stands behind the sign. */
+static bool is_assignment(place p, size_t name, const char **value, size_t *length) {
+  const char *at = p.at + name;
+  while (at < p.end && (*at == ' ' || *at == '\t')) at++;
+  if (at < p.end && *at == ':') at++;
+  if (at >= p.end || *at != '=' || at + 1 >= p.end || (at[1] != ' ' && at[1] != '\t')) return false;
+  while (at < p.end && (*at == '=' || *at == ' ' || *at == '\t')) at++;
+  *value = at, *length = 0;
+  while (at + *length < p.end && at[*length] != '\n' && at[*length] != ';' && at[*length] != '\r') ++*length;
+  while (*length && at[*length - 1] == ' ') --*length;
+  return *length > 0 && *length < 100;
+}
+
+static bool advise_unbound(place p, vs_span at, vs_text *t) {
+  size_t n = vs_outline_word(p.at, p.end), m;
+  const char *value;
+  uint32_t unused = 0;
+  bool call = n == 0 && *p.at == '(';
+  if (call) p.at = vs_outline_blanks(p.at + 1, p.end, &unused), n = vs_outline_word(p.at, p.end);
+  if (!n || n > 100) return true;
+  static const char is_not[] = " is not defined";
+  if (t->count < n + sizeof is_not - 1 || memcmp(t->at, p.at, n) || memcmp(t->at + n, is_not, sizeof is_not - 1)) return true;
+  uint32_t line = defined_on(p.source, p.at, n);
+  if (line >= at.line && line) {
+    t->count = n + sizeof is_not - 1; /* a name like it is not what was meant */
+    return put(t, " yet: line %u defines it, after this use; what is used stands further up", (unsigned)line);
+  }
+  if (!call && is_assignment(p, n, &value, &m)) return put(t, "; (define %.*s %.*s) names a value", (int)n, p.at, (int)m, value);
+  return true;
+}
+
+/* ---- what was called is no procedure ---- */
+
+static bool advise_callee(place p, vs_span at, vs_value irritants, vs_text *t, vs *vm) {
+  uint32_t unused = 0;
+  if (*p.at != '(' && *p.at != '[') return true;
+  const char *name = vs_outline_blanks(p.at + 1, p.end, &unused);
+  size_t n = vs_outline_word(name, p.end);
+  uint32_t line = n && n < 100 ? defined_on(p.source, name, n) : 0;
+  if (!line || line > at.line || !vs_is_pair(irritants)) return true;
+  vs_value symbol;
+  if (!vs_intern(vm, name, n, &symbol)) return false;
+  bool ours = vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT;
+  t->count = 0;
+  return put(t, "%.*s is %s here, no procedure: line %u made it ", (int)n, name, vs_noun(vm, vs_car(irritants)), (unsigned)line) &&
+         vs_print(vm, vs_car(irritants), VS_PRINT_WRITE, t) &&
+         (!ours || put(t, "; under another name for that, (%.*s ...) is again what it was", (int)n, name));
+}
+
+/* ---- a wrong number of arguments ---- */
+
+static const vs_procedure *procedure_of(const vs_native *native) {
+  if (!native->def || native->def->fn != vs_bind_enter) return NULL;
+  return &vs_bind_procedures[native->def - vs_bind_defs];
+}
+
+static bool advise_arity(vs *vm, vs_value payload, vs_text *t) {
+  vs_value callee = vs_is_pair(payload) ? vs_car(payload) : VS_FALSE;
+  if (!vs_is(callee, VS_T_NATIVE)) return true;
+  const vs_native *native = vs_as_native(callee);
+  if (!vs_is_symbol(native->name)) return true;
+  const char *name = vs_as_symbol(native->name)->name;
+  const vs_procedure *p = procedure_of(native);
+  vs_value a[VS_MAX_ARGUMENTS];
+  int n = 0;
+  for (vs_value l = vs_cdr(payload); vs_is_pair(l) && n < VS_MAX_ARGUMENTS; l = vs_cdr(l)) a[n++] = vs_car(l);
+  char text[300];
+  if (p && p->key[0].mode != VS_ARG_END && p->form[0].at[0].mode == VS_ARG_END && n) { /* only keywords: (sun 210 35) */
+    if (!put(t, "; its arguments have names: (%s", name)) return false;
+    for (int i = 0; i < n && p->key[i].mode != VS_ARG_END; i++)
+      if (!put(t, " #:%s ", p->key[i].name) || !vs_print(vm, a[i], VS_PRINT_WRITE, t)) return false;
+    return vs_text_puts(t, ")");
+  }
+  if (p && vs_bind_grouped(vm, p, name, a, n, text, sizeof text)) return put(t, "; perhaps %s", text);
+  return vs_foreign_advice(name, t);
+}
+
+/* ---- values that are none, texts between the wrong quotes ---- */
+
+/* The first argument of the call at p that may give no value: an if without else, a loop, a definition. NULL: none does. */
+static const char *valueless(place p, uint32_t *line, const char **why) {
+  static const struct { const char *word; int parts; const char *why; } kinds[] = {
+    { "if", 3, "this `if` has no value where its test is false: (if test object (empty-object))" },
+    { "when", 0, "`when` has no value where its test is false: (if test object (empty-object))" },
+    { "unless", 0, "`unless` has no value where its test is true: (if test (empty-object) object)" },
+    { "cond", 0, "this `cond` has no value where no test is true: [else (empty-object)]" },
+    { "for", 0, "`for` gives no list: for/list does" }, { "for*", 0, "`for*` gives no list: for*/list does" },
+    { "for-each", 0, "`for-each` gives no list: map does" }, { "do", 0, "a `do` loop gives what stands behind its test" },
+    { "display", 0, "`display` prints and has no value" }, { "define", 0, "a definition has no value" }, { "set!", 0, "`set!` has no value" },
+  };
+  if (*p.at != '(' && *p.at != '[') return NULL;
+  uint32_t at_line = *line;
+  const char *at = vs_outline_blanks(p.at + 1, p.end, &at_line);
+  at = vs_outline_blanks(vs_outline_datum(at, p.end, &at_line), p.end, &at_line);
+  for (const char *next; at < p.end && *at != ')' && *at != ']'; at = next) {
+    uint32_t here = at_line, inner = at_line;
+    next = vs_outline_blanks(vs_outline_datum(at, p.end, &at_line), p.end, &at_line);
+    if (*at != '(' && *at != '[') continue;
+    const char *in = vs_outline_blanks(at + 1, p.end, &inner);
+    size_t n = vs_outline_word(in, p.end);
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+      if (strlen(kinds[i].word) != n || memcmp(kinds[i].word, in, n)) continue;
+      int parts = -1;
+      bool has_else = false;
+      for (const char *q = in; q < p.end && *q != ')' && *q != ']'; parts++) {
+        uint32_t skipped = inner;
+        has_else = (*q == '(' || *q == '[') && p.end - q > 5 && !memcmp(q + 1, "else", 4);
+        q = vs_outline_blanks(vs_outline_datum(q, p.end, &inner), p.end, &skipped);
+      }
+      if ((kinds[i].parts && parts >= kinds[i].parts) || (!strcmp(kinds[i].word, "cond") && has_else)) continue;
+      *line = here, *why = kinds[i].why;
+      return at;
+    }
+  }
+  return NULL;
+}
+
+/* 'red' within the form at p: a text between quotes that quote something else here. */
+static size_t quoted_word(place p, const char **word) {
+  uint32_t unused = 0;
+  const char *stop = vs_outline_datum(p.at, p.end, &unused);
+  for (const char *at = p.at; at < stop; at++) {
+    if (*at == '"') at = vs_outline_datum(at, stop, &unused) - 1;
+    if (*at != '\'') continue;
+    size_t n = vs_outline_word(at + 1, stop);
+    if (n && at + 1 + n < stop && at[1 + n] == '\'') return *word = at + 1, n;
+  }
+  return 0;
+}
+
+bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t) {
+  vs *vm = s->bind.vm;
+  VS_ROOTS(vm, r, 1);
+  r[0] = condition;
+  const vs_condition *c = vs_as_condition(r[0]);
+  place p;
+  bool known = find_place(s, at, &p);
+  if (c->kind == vm->sym.arity) return advise_arity(vm, c->payload, t);
+  if (!known) return true;
+  if (c->kind == vm->sym.unbound) return advise_unbound(p, at, t);
+  if (c->kind != vm->sym.type) return true;
+  if (c->payload == VS_TRUE) return advise_callee(p, at, c->irritants, t, vm);
+  const char *word, *why;
+  size_t n = quoted_word(p, &word);
+  if (n) return put(t, "; a text stands between double quotes: \"%.*s\"", (int)(n < 60 ? n : 60), word);
+  uint32_t line = at.line;
+  if (vs_text_end(t) && strstr(t->at, VS_BIND_NO_VALUE) && valueless(p, &line, &why)) return put(t, "; line %u: %s", (unsigned)line, why);
+  return true;
+}
+
+/* ---- a drawing of nothing ---- */
+
+typedef struct { vs_text *t; size_t count; const char *last; size_t last_length; bool ok; } naming;
+
+static bool name_procedure(void *context, const vs_outline_item *item) {
+  naming *n = context;
+  if (!item->procedure) return true;
+  if (n->count < 4) n->ok = n->ok && put(n->t, "%s%.*s", n->count ? ", " : "", (int)(item->length < 60 ? item->length : 60), item->name);
+  n->count++, n->last = item->name, n->last_length = item->length < 60 ? item->length : 60;
+  return n->ok;
+}
+
+bool vs_session_advise_empty(vs_session *s, vs_text *t) {
+  if (!s->source_count) return true;
+  const vs_source *source = &s->sources[s->source_count - 1];
+  size_t before = t->count;
+  if (!put(t, ": the program defines ")) return false;
+  naming n = { .t = t, .ok = true };
+  vs_outline_each(source->text, source->length, name_procedure, &n);
+  if (!n.ok) return false;
+  if (!n.count) {
+    t->count = before;
+    return put(t, "; (draw object) draws one");
+  }
+  return put(t, "%s and calls none of it; (draw (%.*s ...)) draws what one makes", n.count > 4 ? " and others" : "", (int)n.last_length, n.last);
+}

@@ -1,0 +1,221 @@
+/* Owns what a host may ask about a program: what a name means, what the last error ended, which procedures take the time. */
+#include "session/session.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "vm/machine/arguments.h"
+#include "vm/compiler/code.h"
+#include "vm/front/environment.h"
+#include "vm/values/printer.h"
+#include "vm/machine/run.h"
+#include "vm/machine/program.h"
+
+/* The text as the store keeps it; "" where there is no memory for it. */
+static const char *kept(vs_session *s, vs_text *t) {
+  const char *text = vs_text_end(t) ? vs_store_text(s->bind.store, t->at, t->count) : NULL;
+  return text ? text : "";
+}
+
+static bool put(vs_text *t, const char *a, const char *b, const char *c) { return vs_text_puts(t, a) && vs_text_puts(t, b) && vs_text_puts(t, c); }
+
+/* ---- names ---- */
+
+static const char *const all_forms[] = { /* what syntax-rules and the expander define has no parameters to show */
+  "(define name value)\n(define (name parameter ...) body ...)", "define", "(if test then else)", "if", "(cond [test value ...] ... [else value ...])", "cond",
+  "(let ([name value] ...) body ...)\n(let loop ([name value] ...) body ...)", "let", "(let* ([name value] ...) body ...)", "let*", "(lambda (parameter ...) body ...)", "lambda",
+  "(for ([name sequence] ...) body ...)", "for", "(for/list ([name sequence] ...) value)", "for/list", "(for*/list ([name sequence] ...) value)", "for*/list",
+  "(when test body ...)", "when", "(unless test body ...)", "unless", "(case value [(datum ...) value ...] ... [else value ...])", "case", "(set! name value)", "set!",
+  "(begin body ...)", "begin", "(do ([name start step] ...) (test value) body ...)", "do", "(define-syntax name (syntax-rules () [(name part ...) result] ...))", "define-syntax",
+  "(define-parameter name default #:min low #:max high)", "define-parameter", "(define-primitive (name parameter ...) body ...)", "define-primitive",
+  "(and test ...)", "and", "(or test ...)", "or", "(guard (e [test value ...] ...) body ...)", "guard", "(parameterize ([parameter value] ...) body ...)", "parameterize",
+};
+
+static const char *form_of_syntax(const char *name) {
+  for (size_t i = 0; i + 1 < sizeof all_forms / sizeof *all_forms; i += 2)
+    if (!strcmp(all_forms[i + 1], name)) return all_forms[i];
+  return "";
+}
+
+/* The forms of one of our own procedures, a line each. */
+static bool put_forms(vs_text *t, const vs_procedure *p, const char *name) {
+  for (int i = 0; i < VS_MAX_FORMS && p->form[i].used; i++) {
+    if (!put(t, i ? "\n(" : "(", name, "")) return false;
+    for (const vs_bind_param *q = p->form[i].at; q->mode != VS_ARG_END; q++)
+      if (!put(t, q->mode == VS_ARG_OPTIONAL ? " [" : " ", q->name, q->mode == VS_ARG_OPTIONAL ? "]" : q->mode == VS_ARG_REST ? " ..." : "")) return false;
+    if (!vs_text_puts(t, ")")) return false;
+  }
+  return true;
+}
+
+static bool put_keywords(vs_text *t, vs_value f) {
+  vs_value list = VS_FALSE;
+  size_t from = 0, to = 0;
+  if (vs_is(f, VS_T_NATIVE) && vs_is_vector(vs_as_native(f)->keywords)) list = vs_as_native(f)->keywords, to = vs_as_vector(list)->length;
+  if (vs_is(f, VS_T_CLOSURE)) {
+    const vs_code *code = vs_as_code(vs_as_closure(f)->code);
+    list = code->params, from = (size_t)code->required + code->optional, to = from + code->keywords;
+  }
+  for (size_t i = from; i < to; i++)
+    if (vs_is_symbol(vs_as_vector(list)->at[i]) && !put(t, i > from ? " #:" : "#:", vs_as_symbol(vs_as_vector(list)->at[i])->name, "")) return false;
+  return true;
+}
+
+static bool put_call(vs_text *t, vs_value f, const char *name) {
+  char room[400];
+  if (vs_is(f, VS_T_CASE)) {
+    for (uint64_t i = 0; i < vs_as_case(f)->count; i++) {
+      const char *form = vs_procedure_form(vs_as_case(f)->clause[i], room, sizeof room);
+      if (form && !put(t, i ? "\n(" : "(", name, form + 1 + strcspn(form + 1, " )"))) return false;
+    }
+    return true;
+  }
+  if (vs_is(f, VS_T_NATIVE) && vs_as_native(f)->def && vs_as_native(f)->def->fn == vs_bind_enter) return put_forms(t, &vs_bind_procedures[vs_as_native(f)->def - vs_bind_defs], name);
+  const char *form = vs_procedure_form(f, room, sizeof room);
+  return !form || put(t, "(", name, form + 1 + strcspn(form + 1, " )"));
+}
+
+/* The helper of geometry.scm's procedure has its row: %subtract says what subtract is. */
+static vs_value helper_of(vs *vm, const char *name) {
+  char room[80];
+  vs_value symbol, value;
+  if (snprintf(room, sizeof room, "%%%s", name) >= (int)sizeof room || !vs_intern_c(vm, room, &symbol)) return VS_FALSE;
+  value = vs_environment_value(vm->at.core, symbol);
+  return vs_is(value, VS_T_NATIVE) ? value : VS_FALSE;
+}
+
+bool vs_name_get(vs *vm, const char *name, vs_name_info *out) {
+  vs_session *s = vs_session_of(vm);
+  VS_ROOTS(vm, r, 2);
+  *out = (vs_name_info){ .kind = "value", .call = "", .keywords = "", .doc = "", .value = "" };
+  if (!vs_intern(vm, name, strlen(name), &r[0])) return false;
+  vs_meaning m = vs_environment_find(vm->at.program, r[0]);
+  if (m.kind == VS_MEANS_MACRO) return out->kind = "form", out->call = form_of_syntax(name), true;
+  if (m.kind != VS_MEANS_CELL || vs_as_cell(m.value)->value == VS_UNDEFINED) return false;
+  r[1] = vs_as_cell(m.value)->value;
+  vs_text t;
+  if (vs_is(r[1], VS_T_NATIVE) || vs_is(r[1], VS_T_CLOSURE) || vs_is(r[1], VS_T_CASE) || vs_is(r[1], VS_T_PARAMETER)) {
+    out->kind = "procedure";
+    vs_text_open(vm, &t, 1000);
+    if (put_call(&t, r[1], name)) out->call = kept(s, &t);
+    vs_text_close(&t);
+    vs_text_open(vm, &t, 400);
+    if (put_keywords(&t, r[1])) out->keywords = kept(s, &t);
+    vs_text_close(&t);
+    vs_value native = vs_is(r[1], VS_T_NATIVE) ? r[1] : helper_of(vm, name);
+    if (vs_is(native, VS_T_NATIVE) && vs_as_native(native)->def && vs_as_native(native)->def->doc) out->doc = vs_as_native(native)->def->doc;
+    vs_value closure = vs_is(r[1], VS_T_CASE) && vs_as_case(r[1])->count ? vs_as_case(r[1])->clause[0] : r[1];
+    if (vs_is(closure, VS_T_CLOSURE)) vs_session_span(s, vs_code_place(vs_as_code(vs_as_closure(closure)->code), UINT32_MAX), &out->at);
+    return true;
+  }
+  vs_text_open(vm, &t, 100);
+  if (vs_print(vm, r[1], VS_PRINT_WRITE, &t)) out->value = kept(s, &t);
+  vs_text_close(&t);
+  return true;
+}
+
+const char *vs_name_advice(vs *vm, const char *name) {
+  vs_session *s = vs_session_of(vm);
+  VS_ROOTS(vm, r, 1);
+  vs_text t;
+  vs_text_open(vm, &t, 400);
+  const char *advice = vs_intern(vm, name, strlen(name), &r[0]) && vs_suggest(vm, vm->at.program, r[0], &t) ? kept(s, &t) : "";
+  vs_text_close(&t);
+  return advice + strspn(advice, "; ");
+}
+
+bool vs_disassemble(vs *vm, const char *name, bool (*each)(void *context, const char *line), void *context) {
+  VS_ROOTS(vm, r, 2);
+  if (!vs_intern(vm, name, strlen(name), &r[0])) return false;
+  r[1] = vs_environment_value(vm->at.program, r[0]);
+  if (vs_is(r[1], VS_T_CASE) && vs_as_case(r[1])->count) r[1] = vs_as_case(r[1])->clause[0];
+  if (!vs_is(r[1], VS_T_CLOSURE)) return false;
+  return vs_code_dump(vm, vs_as_closure(r[1])->code, each, context);
+}
+
+/* ---- the calls that an error ended ---- */
+
+bool vs_frame_get(vs *vm, size_t index, vs_frame_info *out) {
+  vs_session *s = vs_session_of(vm);
+  VS_ROOTS(vm, r, 1);
+  *out = (vs_frame_info){ .procedure = "", .variables = "" };
+  if (!vs_is(vm->condition, VS_T_CONDITION)) return false;
+  r[0] = vs_as_condition(vm->condition)->frames;
+  if (!vs_is_vector(r[0])) return false;
+  size_t count = vs_as_vector(r[0])->length / VS_FRAME_WORDS;
+  for (size_t i = 0; i < count; i++) {
+    const vs_value *at = vs_as_vector(r[0])->at + i * VS_FRAME_WORDS;
+    if (!vs_is(at[0], VS_T_CLOSURE)) return false;
+    vs_span span;
+    if (!vs_session_span(s, vs_pos_of(at[1]), &span)) continue; /* the library's own calls are not the user's business */
+    if (index--) continue;
+    out->at = span;
+    const vs_code *code = vs_as_code(vs_as_closure(at[0])->code);
+    if (vs_is_symbol(code->name)) out->procedure = vs_as_symbol(code->name)->name;
+    vs_text t;
+    vs_text_open(vm, &t, 600);
+    bool ok = true;
+    size_t names = vs_as_vector(code->params)->length;
+    for (size_t k = 0; ok && k < names && k + 2 < VS_FRAME_WORDS; k++) {
+      vs_value symbol = vs_as_vector(vs_as_code(vs_as_closure(vs_as_vector(r[0])->at[i * VS_FRAME_WORDS])->code)->params)->at[k];
+      if (!vs_is_symbol(symbol)) continue;
+      vs_text value;
+      vs_text_open(vm, &value, 60);
+      ok = vs_print(vm, vs_as_vector(r[0])->at[i * VS_FRAME_WORDS + 2 + k], VS_PRINT_WRITE, &value) && vs_text_end(&value) &&
+           put(&t, t.count ? ", " : "", vs_as_symbol(symbol)->name, " = ") && vs_text_put(&t, value.at, value.count) && (!value.cut || vs_text_puts(&t, " ..."));
+      vs_text_close(&value);
+    }
+    if (ok) out->variables = kept(s, &t);
+    vs_text_close(&t);
+    return true;
+  }
+  return false;
+}
+
+/* ---- where time goes ---- */
+
+/* One look: every procedure on the stack once, by where it stands in the program. */
+void vs_session_look(vs_session *s) {
+  enum { MOST = 64 };
+  vs_value name[MOST];
+  vs_pos place[MOST];
+  size_t n = vs_call_links(s->bind.vm, name, place, MOST);
+  s->looks++;
+  bool first = true;
+  for (size_t i = 0; i < n; i++) {
+    if (vs_pos_file(place[i]) < s->bind.library_files || !vs_is_symbol(name[i])) continue;
+    bool before = false; /* a procedure that calls itself is one */
+    for (size_t k = 0; k < i && !before; k++) before = name[k] == name[i];
+    if (before) continue;
+    size_t at = 0;
+    while (at < s->profile_count && s->profile[at].name != name[i]) at++;
+    if (at == sizeof s->profile / sizeof *s->profile) continue;
+    if (at == s->profile_count) s->profile[s->profile_count++] = (vs_profile_row){ .name = name[i], .place = place[i] };
+    s->profile[at].whole++;
+    s->profile[at].own += first;
+    first = false;
+  }
+}
+
+void vs_profile(vs *vm, bool on) {
+  vs_session *s = vs_session_of(vm);
+  if (on) s->profile_count = s->looks = 0;
+  s->profiling = on;
+}
+
+static int most_own(const void *a, const void *b) {
+  const vs_profile_row *x = a, *y = b;
+  if (x->own != y->own) return x->own < y->own ? 1 : -1;
+  return x->whole < y->whole ? 1 : x->whole > y->whole ? -1 : x->place < y->place ? -1 : x->place > y->place;
+}
+
+bool vs_profile_get(vs *vm, size_t index, vs_profile_info *out, size_t *looks) {
+  vs_session *s = vs_session_of(vm);
+  *looks = s->looks;
+  if (index >= s->profile_count) return false;
+  qsort(s->profile, s->profile_count, sizeof *s->profile, most_own);
+  const vs_profile_row *p = &s->profile[index];
+  *out = (vs_profile_info){ .procedure = vs_as_symbol(p->name)->name, .own = (double)p->own / (double)s->looks, .whole = (double)p->whole / (double)s->looks };
+  vs_session_span(s, p->place, &out->at);
+  return true;
+}
