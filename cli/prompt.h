@@ -17,7 +17,7 @@ typedef struct {
 } cli_prompt;
 
 /* rest: what stands behind the comma, NUL-terminated; it is changed. */
-void cli_command(cli_session *c, cli_prompt *p, char *line);
+void cli_prompt_command(cli_session *c, cli_prompt *p, char *line);
 void cli_command_names(void (*each)(void *context, const char *name), void *context);
 
 /* Evaluates a text that was typed; when it works it becomes an entry. */

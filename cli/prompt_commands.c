@@ -447,7 +447,7 @@ void cli_command_names(void (*each)(void *context, const char *name), void *cont
 #include "cli/prompt/prompt_commands.def"
 }
 
-void cli_command(cli_session *c, cli_prompt *p, char *line) {
+void cli_prompt_command(cli_session *c, cli_prompt *p, char *line) {
   size_t length = strcspn(line, " \t");
   char *rest = line + length + strspn(line + length, " \t");
   line[length] = 0;

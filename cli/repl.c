@@ -154,7 +154,7 @@ vs_outcome cli_repl(cli_session *c) {
       command[length] = 0;
       while (length && strchr("\r\n \t", command[length - 1])) command[--length] = 0;
       if (c->editor) cli_editor_remember(c->editor, command, length);
-      cli_command(c, &p, command + blanks + 1);
+      cli_prompt_command(c, &p, command + blanks + 1);
       free(command);
       if (pending.length && p.going) printf("; the expression above is still open, %u deep; an empty line gives it up\n", status.depth);
       continue;
