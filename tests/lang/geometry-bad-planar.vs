@@ -17,7 +17,7 @@
 (fails (make-region (xyz 0 0 0)))
 ; expect: make-region: curves must be a curve or a list of curves, got ((xyz 0 0 0))
 (fails (make-region square (if #f #f)))
-; expect: make-region: curves must hold only curves, but one expression gave no value; (empty-object) is nothing ()
+; expect: make-region: curves must hold only curves, but one expression gave no value ()
 (fails (make-region (make-line (xy 0 0) (xy 1 0) (xy 1 1))))
 ; expect: make-region: curves must be closed, or open ones that meet end to end; one is open: it runs from (xyz 0 0 0) to (xyz 1 1 0), where no other begins ()
 (fails (make-region (make-line (xy 0 0) (xy 1 0)) (make-line (xy 1 0) (xy 1 1))))

@@ -28,7 +28,7 @@
 (fails (do-revolve band 'z #:segments 2))
 ; expect: do-revolve: segments must be from 3 to 100000, got (2)
 (fails (do-revolve circle 'z))
-; expect: do-revolve: the profile's plane must hold the axis; the point (xyz 0.980785 0.19509 0) lies 0.19509 beside it ()
+; expect: do-revolve: the profile lies flat across the axis, and its plane must hold the axis; (do-rotate profile 'x pi/2) stands it up, or #:plane 'xz where it is made ()
 (fails (do-revolve (make-rectangle (xz -1 0) (xz 3 1)) 'z))
 ; expect: do-revolve: the profile must lie on one side of the axis; it crosses it near (xyz -1 0 1) ()
 (fails (do-revolve (make-line (xz 0 0) (xz 0 3)) 'z))

@@ -25,5 +25,5 @@
   (unite kept))
 (define (twice o) (draw o) (draw (list (do-move o uy) (do-move o uz))) (map draw (list (do-move o ux))) o)
 (draw (all))
-(let () (twice cube) (for-each draw (list cube cube)) 'done)
+(let () (twice cube) (for-each draw (list cube cube)) 'done) ; expect warning: this object is drawn already
 (draw (subtract (house) (moved)))

@@ -17,7 +17,7 @@
 (fails (do-rotate s 'w 1))                   ; expect: do-rotate: axis must be an axis ('x, 'y, 'z, a gvector or (make-axis point gvector)), got (w)
 (fails (do-scale s 0))                       ; expect: do-scale: factor must be positive, got (0)
 (fails (unite s 5))                          ; expect: unite: objects must be an object or a list of objects, got (5)
-(fails (unite s (if #f #f)))                 ; expect: unite: objects must hold only objects, but one expression gave no value; (empty-object) is nothing ()
+(fails (unite s (if #f #f)))                 ; expect: unite: objects must hold only objects, but one expression gave no value ()
 (fails (intersect))                          ; expect: intersect: needs at least one object: the intersection of nothing would be all of space ()
 (fails (subtract s (make-line origin (xyz 1 0 0)))) ; expect: subtract: objects must be solids, or regions and closed curves of one plane; one is an open curve ()
 (fails (subtract s circle))                  ; expect: subtract: solids and flat regions do not meet: do-extrude the regions first ()
