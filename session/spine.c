@@ -222,16 +222,28 @@ static bool go_through(vs_job *j, vs_stage last) {
   return ok;
 }
 
+/* Reports that nothing is drawn, with what the program defines and never calls. False: out of memory. */
+static bool report_nothing(vs_session *s, const char *message) {
+  vs_text why;
+  vs_text_open(s->bind.vm, &why, 0);
+  bool told = vs_text_puts(&why, message) && vs_session_advise_empty(s, &why) && vs_text_end(&why);
+  if (told) vs_session_report(s, VS_SEVERITY_ERROR, VS_OUTCOME_MODEL, NULL, why.at);
+  vs_text_close(&why);
+  return told;
+}
+
 /* Releases the job's references. Returns the outcome, having reported the error of the stage that failed. */
 static vs_outcome end_job(vs_job *j, bool ok) {
   vs_session *s = j->session;
   bool stopped = s->writing && s->late && j->error.kind == VS_ERROR_INTERRUPT;
   s->writing = false;
+  bool nothing = !ok && j->scene.drawn_count == 0 && j->error.kind == VS_ERROR_MODEL && !strcmp(j->error.message, "nothing is drawn");
   for (size_t i = 0; i < j->scene.drawn_count; i++) vs_node_release(j->scene.drawn[i].node);
   vs_store_realloc(s->bind.store, j->scene.drawn, j->scene.drawn_room * sizeof *j->scene.drawn, 0);
   if (j->text) vs_mem(s->bind.vm, j->text, j->text_bytes + 1, 0);
   if (ok) return VS_OUTCOME_DONE;
   if (j->outcome != VS_OUTCOME_DONE) return j->outcome;
+  if (nothing && report_nothing(s, j->error.message)) return VS_OUTCOME_MODEL;
   if (stopped) vs_error_set(&j->error, VS_ERROR_MEMORY, NULL, "the output: stopped after %g seconds, the limit", s->options.limit_time);
   return vs_session_report_error(s, &j->error);
 }
@@ -273,5 +285,11 @@ vs_outcome vs_session_summary(vs_session *s, vs_summary *out) {
   vs_tally_enter(&s->tally, VS_WORK_PASSES);
   vs_outcome outcome = end_job(&j, go_through(&j, VS_STAGE_RESOLVE) && summarise(s, &j.scene, out, &j.error));
   vs_tally_enter(&s->tally, VS_WORK_NONE);
+  if (outcome == VS_OUTCOME_DONE && out->objects == 0) {
+    vs_text why;
+    vs_text_open(s->bind.vm, &why, 0);
+    if (vs_session_advise_empty(s, &why) && vs_text_end(&why) && why.count > 2 && *why.at == ':') out->advice = vs_store_text(s->bind.store, why.at + 2, why.count - 2);
+    vs_text_close(&why);
+  }
   return outcome;
 }
