@@ -119,7 +119,8 @@ typedef struct {
   double limit_worker;    /* seconds of a worker program */
   size_t limit_triangles; /* of the mesh of one output */
   size_t cache;           /* bytes of results kept for later drawings and outputs (meshes): 0: 256 MB, or a quarter of limit_memory; SIZE_MAX: keep nothing */
-  bool keep_frames;       /* an error keeps its calls' parameters, for vs_frame_get: a prompt's wish, it costs every error some time */
+  /* an error keeps its calls' parameters, for vs_frame_get: a prompt's wish, it costs every error some time */
+  bool keep_frames;
   bool untrusted;         /* no file access but read_file, no native text */
   const char *library_path; /* folders for load, require and import, ':' between them, after the folders of the file that asks and of the program; NULL: none */
   const char *const *command_line; size_t command_line_count; /* what (command-line) gives: the program's name, then its arguments; 0: "vs" */
@@ -141,8 +142,12 @@ VS_API void vs_interrupt_clear(vs *s);
 /* flags */
 enum {
   VS_EVAL_PRINT = 1u,  /* hand the values of top-level expressions to `value` (the REPL) */
-  VS_EVAL_PROGRAM = 2u, /* the text is a whole program, as a file is: if it begins with an import it sees just what it imports; else imports add */
-  VS_EVAL_NUMBER = 4u   /* with PRINT: the n-th value that is handed to `value` since vs_new or vs_restart gets the name $n; an object is told in one line */
+  /* the text is a whole program, as a file is: if it begins with an import it sees just what it imports; else
+   * imports add */
+  VS_EVAL_PROGRAM = 2u,
+  /* with PRINT: the n-th value that is handed to `value` since vs_new or vs_restart gets the name $n; an object is
+   * told in one line */
+  VS_EVAL_NUMBER = 4u
 };
 
 /* Both evaluate every top-level form in the one program of this interpreter, in order, and stop at the first error. Objects that top-level
@@ -182,7 +187,8 @@ VS_API size_t vs_complete(vs *s, const char *prefix, bool (*each)(void *context,
 
 typedef struct {
   const char *kind;     /* "procedure", "form" (if, define ...), "value" */
-  const char *call;     /* how it is called, "(make-sphere c r)"; several ways a line each; "" where that is not known */
+  /* how it is called, "(make-sphere c r)"; several ways a line each; "" where that is not known */
+  const char *call;
   const char *keywords; /* "#:segments #:plane"; "": it has none */
   const char *doc;      /* half a line in English; "": there is none */
   const char *value;    /* a value as it is written, cut to a line; "" for procedures and forms */
@@ -190,9 +196,11 @@ typedef struct {
 } vs_name_info;
 /* False: no such name is visible at top level. */
 VS_API bool vs_name_get(vs *s, const char *name, vs_name_info *out);
-/* What to use for a name that does not exist, as errors say it: "make-box is the name here: ...", "did you mean make-box?"; "" where nothing comes to mind. */
+/* What to use for a name that does not exist, as errors say it: "make-box is the name here: ...", "did you mean
+ * make-box?"; "" where nothing comes to mind. */
 VS_API const char *vs_name_advice(vs *s, const char *name);
-/* The instructions that a procedure was compiled to, a line each, to `each` until it returns false. False: it is no procedure of Scheme code. */
+/* The instructions that a procedure was compiled to, a line each, to `each` until it returns false. False: it is no
+ * procedure of Scheme code. */
 VS_API bool vs_disassemble(vs *s, const char *name, bool (*each)(void *context, const char *line), void *context);
 
 /* ---- the calls that the last error ended, with what they were called with (vs_options.keep_frames) ---- */
@@ -209,7 +217,8 @@ VS_API bool vs_frame_get(vs *s, size_t index, vs_frame_info *out);
 
 /* Begins (on) or ends to look, every few milliseconds, which procedure runs. Beginning forgets what was seen before. */
 VS_API void vs_profile(vs *s, bool on);
-typedef struct { const char *procedure; vs_span at; double own, whole; /* shares of all looks: it ran itself; it or what it called ran */ } vs_profile_info;
+typedef struct { const char *procedure; vs_span at; double own, whole;
+    /* shares of all looks: it ran itself; it or what it called ran */ } vs_profile_info;
 /* Most time first. False: there are no more. *looks: how many there were. */
 VS_API bool vs_profile_get(vs *s, size_t index, vs_profile_info *out, size_t *looks);
 
@@ -245,7 +254,8 @@ typedef struct {
   double min[3], max[3];
   bool bounds_at_most;            /* what is cut is bounded by what it is cut from: to work out the result would take long */
   const char *units;              /* "m" by default */
-  const char *advice;             /* no objects: what the program defines and never calls, "the program defines ..."; else NULL */
+  /* no objects: what the program defines and never calls, "the program defines ..."; else NULL */
+  const char *advice;
 } vs_summary;
 VS_API vs_outcome vs_drawing_summary(vs *s, vs_summary *out);
 

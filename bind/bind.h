@@ -193,8 +193,10 @@ bool vs_bind_count(vs_ref ref, vs_bind_counts *out);
 int32_t vs_bind_segments(vs_bind *b);                   /* (current-segments), 0: by tolerance */
 double vs_bind_tolerance(vs_bind *b);                   /* (current-tolerance), 0: by the drawing size */
 vs_status vs_bind_finite(vs_frame *f, int i);           /* argument i, an object, has an end; else the error says what to do */
-/* The call of p, under this name, that was meant where numbers stand for points, gvectors or factors, into text; false: there is none (regroup.c). */
-bool vs_bind_grouped(vs *vm, const vs_procedure *p, const char *name, const vs_value *a, int n, char *text, size_t room);
+/* The call of p, under this name, that was meant where numbers stand for points, gvectors or factors, into text;
+ * false: there is none (regroup.c). */
+bool vs_bind_grouped(vs *vm, const vs_procedure *p, const char *name, const vs_value *a, int n, char *text,
+    size_t room);
 #define VS_BIND_NO_VALUE "one expression gave no value" /* in messages about lists of objects */
 vs_status vs_bind_refuse(vs_frame *f, const char *param, const char *expected, vs_value got);
 
@@ -222,7 +224,8 @@ vs_status vs_bind_resolve(vs_frame *f, int i); /* sections, shadows and edges in
 vs_status vs_bind_node(vs_frame *f, vs_node *node, vs_value *out);    /* takes the reference over */
 vs_status vs_bind_uncrossed(vs_frame *f, vs_ref ref, const char *what); /* a closed curve that crosses itself is refused; what: what it is */
 vs_status vs_bind_fill(vs_frame *f, vs_ref *ref, size_t n); /* where all are regions and closed curves of one plane, the curves become regions */
-/* The figure *out, drawn as in the plane XY, stands in the plane instead (#:plane): about its place where the form takes one point, else as
+/* The figure *out, drawn as in the plane XY, stands in the plane instead (#:plane): about its place where the form
+ * takes one point, else as
  * the plane's own coordinates say. */
 vs_status vs_bind_stand(vs_frame *f, const vs_arg *plane, vs_value *out);
 vs_status vs_bind_point(vs_frame *f, vs_vec3 p, vs_value *out);

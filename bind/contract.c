@@ -145,7 +145,8 @@ static bool refuse_uncalled(vs_frame *f, const vs_bind_param *p, vs_value v) {
   const char *call = vs_procedure_form(v, form, sizeof form);
   if (!call) return false;
   size_t name = strcspn(call + 1, " )");
-  vs_fail(f->vm, f->vm->sym.type, "%s must be %s, got the procedure %.*s; call it: %s", p->name, contracts[p->contract].noun, (int)name, call + 1, call);
+  vs_fail(f->vm, f->vm->sym.type, "%s must be %s, got the procedure %.*s; call it: %s", p->name,
+      contracts[p->contract].noun, (int)name, call + 1, call);
   return true;
 }
 
@@ -330,7 +331,8 @@ static vs_status refuse_item(vs_frame *f, const vs_bind_param *p, vs_value bad, 
   char text[96];
   snprintf(text, sizeof text, "%s", contracts[p->contract].noun);
   double d;
-  if (!strcmp(item, "point") && vs_bind_number(f->vm, bad, &d)) return refuse_hint(f, p->name, text, bad, "every point is written (xy x y) or (xyz x y z)");
+  if (!strcmp(item, "point") && vs_bind_number(f->vm, bad, &d))
+    return vs_bind_refuse(f, p->name, "a point or a list of points, each written (xy x y) or (xyz x y z)", bad);
   if (!strcmp(item, "point") && vs_is_flat(bad, VS_FLAT_VECTOR)) return refuse_hint(f, p->name, text, bad, "(+ origin v)");
   bool holds_points = p->contract == VS_C_POINTS || p->contract == VS_C_THINGS || p->contract == VS_C_SECTIONS;
   if (holds_points && vs_is_flat(bad, VS_FLAT_POINT)) return vs_bind_refuse(f, p->name, "of finite coordinates", bad);
@@ -612,14 +614,17 @@ static vs_status refuse_count(vs_frame *f, const vs_value *a, int n) {
   }
   char hint[300];
   double d[3];
-  bool two_corners = f->procedure->form[1].used && f->procedure->form[0].at[1].contract == VS_C_POINT && f->procedure->form[0].at[2].mode == VS_ARG_END;
-  if (two_corners && n == 3 && vs_bind_number(f->vm, a[0], &d[0]) && vs_bind_number(f->vm, a[1], &d[1]) && vs_bind_number(f->vm, a[2], &d[2])) {
+  bool two_corners = f->procedure->form[1].used && f->procedure->form[0].at[1].contract == VS_C_POINT &&
+      f->procedure->form[0].at[2].mode == VS_ARG_END;
+  if (two_corners && n == 3 && vs_bind_number(f->vm, a[0], &d[0]) && vs_bind_number(f->vm, a[1], &d[1]) &&
+      vs_bind_number(f->vm, a[2], &d[2])) {
     char x[32], y[32], z[32]; /* one corner is the origin */
     vs_bind_number_text(x, d[0]), vs_bind_number_text(y, d[1]), vs_bind_number_text(z, d[2]);
     snprintf(hint, sizeof hint, "(%s (xyz 0 0 0) (xyz %s %s %s))", name, x, y, z);
     return vs_fail(f->vm, f->vm->sym.arity, "%s; perhaps %s", text, hint);
   }
-  if (vs_bind_grouped(f->vm, f->procedure, name, a, n, hint, sizeof hint)) return vs_fail(f->vm, f->vm->sym.arity, "%s; perhaps %s", text, hint);
+  if (vs_bind_grouped(f->vm, f->procedure, name, a, n, hint, sizeof hint)) return vs_fail(f->vm, f->vm->sym.arity,
+      "%s; perhaps %s", text, hint);
   return vs_fail(f->vm, f->vm->sym.arity, "%s, got %d argument%s", text, n, n == 1 ? "" : "s");
 }
 
@@ -718,7 +723,8 @@ static bool enter_slowly(vs_frame *f, const vs_value *a, int given) {
 static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
   bool keyed = f->procedure->key[0].mode != VS_ARG_END;
   int given = n, places = n;
-  if (keyed && f->vm->native->max != UINT32_MAX) { /* a[] holds every positional place, then the keywords; behind a rest just these */
+  /* a[] holds every positional place, then the keywords; behind a rest just these */
+  if (keyed && f->vm->native->max != UINT32_MAX) {
     places = (int)f->vm->native->max;
     for (given = 0; given < places && a[given] != VS_ABSENT; given++) {}
   }

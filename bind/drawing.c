@@ -9,7 +9,8 @@
 
 /* ---- the drawing ---- */
 
-/* Is the node one of those that were drawn last? A few are looked at: a procedure that draws, and whose result is drawn again, has just run. */
+/* Is the node one of those that were drawn last? A few are looked at: a procedure that draws, and whose result is
+ * drawn again, has just run. */
 static bool drawn_just_now(const vs_bind *b, size_t before, const vs_node *node) {
   enum { MOST = 16 };
   for (size_t i = before; i-- > 0 && before - i <= MOST;)
@@ -23,9 +24,11 @@ static void warn_drawn_twice(vs_bind *b, size_t before, const vs_ref *ref, size_
   for (size_t i = 0; i < n && i < MOST && before; i++) {
     const vs_node *node = ref[i].node;
     twice = twice || node == b->drawn_last || drawn_just_now(b, before, node);
-    for (uint32_t k = 0; node->kind == VS_UNION && k < node->child_count && k < MOST; k++) twice = twice || drawn_just_now(b, before, node->children[k].node);
+    for (uint32_t k = 0; node->kind == VS_UNION && k < node->child_count && k < MOST; k++) twice = twice ||
+        drawn_just_now(b, before, node->children[k].node);
   }
-  if (twice) vs_bind_warn(b, "drawn twice", "this object is drawn already and now stands there twice: what a procedure has drawn needs no second draw");
+  if (twice) vs_bind_warn(b, "drawn twice",
+      "this object is drawn already and now stands there twice: what a procedure has drawn needs no second draw");
 }
 
 vs_status vs_p_draw(vs_frame *f, vs_value *out) {
@@ -45,7 +48,8 @@ vs_status vs_p_draw(vs_frame *f, vs_value *out) {
   return status;
 }
 
-/* What was drawn and is one of the objects, or equal to one, goes; an object that does not stand in the drawing is an error. */
+/* What was drawn and is one of the objects, or equal to one, goes; an object that does not stand in the drawing is
+ * an error. */
 vs_status vs_p_erase(vs_frame *f, vs_value *out) {
   (void)out;
   vs_scene *scene = &f->bind->scene;
@@ -54,12 +58,14 @@ vs_status vs_p_erase(vs_frame *f, vs_value *out) {
     size_t kept = 0, count = scene->drawn_count;
     if (!vs_poll(f->vm, count)) return VS_ERROR;
     for (size_t k = 0; k < count; k++) {
-      bool same = scene->drawn[k].node == node || (scene->drawn[k].node->hash == node->hash && vs_node_equal(scene->drawn[k].node, node, NULL));
+      bool same = scene->drawn[k].node == node || (scene->drawn[k].node->hash == node->hash &&
+          vs_node_equal(scene->drawn[k].node, node, NULL));
       if (same) vs_node_release(scene->drawn[k].node); /* the argument keeps its own reference */
       else scene->drawn[kept++] = scene->drawn[k];
     }
     scene->drawn_count = kept;
-    if (kept == count) return vs_fail(f->vm, f->vm->sym.range, "this object does not stand in the drawing; (erase-all) empties it");
+    if (kept == count) return vs_fail(f->vm, f->vm->sym.range,
+        "this object does not stand in the drawing; (erase-all) empties it");
   }
   return VS_OK;
 }

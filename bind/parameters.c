@@ -84,9 +84,12 @@ static vs_status read_setting(vs_frame *f, const char *name, const char *datum, 
     double d;
     if (!vs_number_double(f->vm, like, &d)) return VS_ERROR;
     vs_bind_number_text(whole, d);
-    snprintf(must, sizeof must, "an exact integer, because its default %s is one (with the default %s.0 it takes any number), got", whole, whole);
+    snprintf(must, sizeof must,
+        "an exact integer, because its default %s is one (with the default %s.0 it takes any number), got", whole,
+            whole);
     f->bind->bad_parameter = true;
-    return vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s must be %s %s", name, must, datum);
+    return vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s must be %s %s", name,
+        must, datum);
   }
   return fits ? VS_OK : wrong(f, true, name, type_name(t), datum);
 }

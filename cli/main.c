@@ -52,7 +52,8 @@ static void print_value(void *context, const char *text, size_t length) {
   cli_session *c = context;
   char name[24];
   c->results++;
-  if (c->editor) print_output(c, name, (size_t)snprintf(name, sizeof name, cli_colours(1) ? "\033[2m$%u =\033[0m " : "$%u = ", c->results));
+  if (c->editor) print_output(c, name, (size_t)snprintf(name, sizeof name, cli_colours(1) ? "\033[2m$%u =\033[0m "
+      : "$%u = ", c->results));
   print_output(c, text, length);
   print_output(c, "\n", 1);
 }

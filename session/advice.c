@@ -1,5 +1,7 @@
-/* Owns the advice that an error gets when it is shown: what the program's own text, and the arguments of the call, say about what was meant.
- * An error keeps what is needed: the call in its payload (vm/arguments.c), #t where what was called is no procedure (vm/run.c). */
+/* Owns the advice that an error gets when it is shown: what the program's own text, and the arguments of the call,
+ * say about what was meant.
+ * An error keeps what is needed: the call in its payload (vm/arguments.c), #t where what was called is no procedure
+ * (vm/run.c). */
 #include "session/session.h"
 
 #include <stdarg.h>
@@ -80,13 +82,15 @@ static bool advise_unbound(place p, vs_span at, vs_text *t) {
   if (call) p.at = vs_outline_blanks(p.at + 1, p.end, &unused), n = vs_outline_word(p.at, p.end);
   if (!n || n > 100) return true;
   static const char is_not[] = " is not defined";
-  if (t->count < n + sizeof is_not - 1 || memcmp(t->at, p.at, n) || memcmp(t->at + n, is_not, sizeof is_not - 1)) return true;
+  if (t->count < n + sizeof is_not - 1 || memcmp(t->at, p.at, n) || memcmp(t->at + n, is_not,
+      sizeof is_not - 1)) return true;
   uint32_t line = defined_on(p.source, p.at, n);
   if (line >= at.line && line) {
     t->count = n + sizeof is_not - 1; /* a name like it is not what was meant */
     return put(t, " yet: line %u defines it, after this use; what is used stands further up", (unsigned)line);
   }
-  if (!call && is_assignment(p, n, &value, &m)) return put(t, "; (define %.*s %.*s) names a value", (int)n, p.at, (int)m, value);
+  if (!call && is_assignment(p, n, &value, &m)) return put(t, "; (define %.*s %.*s) names a value", (int)n, p.at,
+      (int)m, value);
   return true;
 }
 
@@ -103,7 +107,8 @@ static bool advise_callee(place p, vs_span at, vs_value irritants, vs_text *t, v
   if (!vs_intern(vm, name, n, &symbol)) return false;
   bool ours = vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT;
   t->count = 0;
-  return put(t, "%.*s is %s here, no procedure: line %u made it ", (int)n, name, vs_noun(vm, vs_car(irritants)), (unsigned)line) &&
+  return put(t, "%.*s is %s here, no procedure: line %u made it ", (int)n, name, vs_noun(vm, vs_car(irritants)),
+      (unsigned)line) &&
          vs_print(vm, vs_car(irritants), VS_PRINT_WRITE, t) &&
          (!ours || put(t, "; under another name for that, (%.*s ...) is again what it was", (int)n, name));
 }
@@ -138,7 +143,8 @@ static bool advise_arity(vs *vm, vs_value payload, vs_text *t) {
 
 /* ---- values that are none, texts between the wrong quotes ---- */
 
-/* The first argument of the call at p that may give no value: an if without else, a loop, a definition. NULL: none does. */
+/* The first argument of the call at p that may give no value: an if without else, a loop, a definition. NULL: none
+ * does. */
 static const char *valueless(place p, uint32_t *line, const char **why) {
   static const struct { const char *word; int parts; const char *why; } kinds[] = {
     { "if", 3, "this `if` has no value where its test is false: (if test object (empty-object))" },
@@ -146,8 +152,10 @@ static const char *valueless(place p, uint32_t *line, const char **why) {
     { "unless", 0, "`unless` has no value where its test is true: (if test (empty-object) object)" },
     { "cond", 0, "this `cond` has no value where no test is true: [else (empty-object)]" },
     { "for", 0, "`for` gives no list: for/list does" }, { "for*", 0, "`for*` gives no list: for*/list does" },
-    { "for-each", 0, "`for-each` gives no list: map does" }, { "do", 0, "a `do` loop gives what stands behind its test" },
-    { "display", 0, "`display` prints and has no value" }, { "define", 0, "a definition has no value" }, { "set!", 0, "`set!` has no value" },
+    { "for-each", 0, "`for-each` gives no list: map does" }, { "do", 0,
+        "a `do` loop gives what stands behind its test" },
+    { "display", 0, "`display` prints and has no value" }, { "define", 0, "a definition has no value" }, { "set!", 0,
+        "`set!` has no value" },
   };
   if (*p.at != '(' && *p.at != '[') return NULL;
   uint32_t at_line = *line;
@@ -205,7 +213,8 @@ bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t
   size_t n = quoted_word(p, &word);
   if (n) return put(t, "; a text stands between double quotes: \"%.*s\"", (int)(n < 60 ? n : 60), word);
   uint32_t line = at.line;
-  if (vs_text_end(t) && strstr(t->at, VS_BIND_NO_VALUE) && valueless(p, &line, &why)) return put(t, "; line %u: %s", (unsigned)line, why);
+  if (vs_text_end(t) && strstr(t->at, VS_BIND_NO_VALUE) && valueless(p, &line, &why)) return put(t, "; line %u: %s",
+      (unsigned)line, why);
   return true;
 }
 
@@ -216,7 +225,8 @@ typedef struct { vs_text *t; size_t count; const char *last; size_t last_length;
 static bool name_procedure(void *context, const vs_outline_item *item) {
   naming *n = context;
   if (!item->procedure) return true;
-  if (n->count < 4) n->ok = n->ok && put(n->t, "%s%.*s", n->count ? ", " : "", (int)(item->length < 60 ? item->length : 60), item->name);
+  if (n->count < 4) n->ok = n->ok && put(n->t, "%s%.*s", n->count ? ", " : "", (int)(item->length < 60 ? item->length
+      : 60), item->name);
   n->count++, n->last = item->name, n->last_length = item->length < 60 ? item->length : 60;
   return n->ok;
 }
@@ -233,5 +243,6 @@ bool vs_session_advise_empty(vs_session *s, vs_text *t) {
     t->count = before;
     return put(t, "; (draw object) draws one");
   }
-  return put(t, "%s and calls none of it; (draw (%.*s ...)) draws what one makes", n.count > 4 ? " and others" : "", (int)n.last_length, n.last);
+  return put(t, "%s and calls none of it; (draw (%.*s ...)) draws what one makes", n.count > 4 ? " and others" : "",
+      (int)n.last_length, n.last);
 }

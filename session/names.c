@@ -1,4 +1,5 @@
-/* Owns what a host may ask about a program: what a name means, what the last error ended, which procedures take the time. */
+/* Owns what a host may ask about a program: what a name means, what the last error ended, which procedures take the
+ * time. */
 #include "session/session.h"
 
 #include <stdio.h>
@@ -17,18 +18,26 @@ static const char *kept(vs_session *s, vs_text *t) {
   return text ? text : "";
 }
 
-static bool put(vs_text *t, const char *a, const char *b, const char *c) { return vs_text_puts(t, a) && vs_text_puts(t, b) && vs_text_puts(t, c); }
+static bool put(vs_text *t, const char *a, const char *b, const char *c) { return vs_text_puts(t, a) &&
+    vs_text_puts(t, b) && vs_text_puts(t, c); }
 
 /* ---- names ---- */
 
 static const char *const all_forms[] = { /* what syntax-rules and the expander define has no parameters to show */
-  "(define name value)\n(define (name parameter ...) body ...)", "define", "(if test then else)", "if", "(cond [test value ...] ... [else value ...])", "cond",
-  "(let ([name value] ...) body ...)\n(let loop ([name value] ...) body ...)", "let", "(let* ([name value] ...) body ...)", "let*", "(lambda (parameter ...) body ...)", "lambda",
-  "(for ([name sequence] ...) body ...)", "for", "(for/list ([name sequence] ...) value)", "for/list", "(for*/list ([name sequence] ...) value)", "for*/list",
-  "(when test body ...)", "when", "(unless test body ...)", "unless", "(case value [(datum ...) value ...] ... [else value ...])", "case", "(set! name value)", "set!",
-  "(begin body ...)", "begin", "(do ([name start step] ...) (test value) body ...)", "do", "(define-syntax name (syntax-rules () [(name part ...) result] ...))", "define-syntax",
-  "(define-parameter name default #:min low #:max high)", "define-parameter", "(define-primitive (name parameter ...) body ...)", "define-primitive",
-  "(and test ...)", "and", "(or test ...)", "or", "(guard (e [test value ...] ...) body ...)", "guard", "(parameterize ([parameter value] ...) body ...)", "parameterize",
+  "(define name value)\n(define (name parameter ...) body ...)", "define", "(if test then else)", "if",
+      "(cond [test value ...] ... [else value ...])", "cond",
+  "(let ([name value] ...) body ...)\n(let loop ([name value] ...) body ...)", "let",
+      "(let* ([name value] ...) body ...)", "let*", "(lambda (parameter ...) body ...)", "lambda",
+  "(for ([name sequence] ...) body ...)", "for", "(for/list ([name sequence] ...) value)", "for/list",
+      "(for*/list ([name sequence] ...) value)", "for*/list",
+  "(when test body ...)", "when", "(unless test body ...)", "unless",
+      "(case value [(datum ...) value ...] ... [else value ...])", "case", "(set! name value)", "set!",
+  "(begin body ...)", "begin", "(do ([name start step] ...) (test value) body ...)", "do",
+      "(define-syntax name (syntax-rules () [(name part ...) result] ...))", "define-syntax",
+  "(define-parameter name default #:min low #:max high)", "define-parameter",
+      "(define-primitive (name parameter ...) body ...)", "define-primitive",
+  "(and test ...)", "and", "(or test ...)", "or", "(guard (e [test value ...] ...) body ...)", "guard",
+      "(parameterize ([parameter value] ...) body ...)", "parameterize",
 };
 
 static const char *form_of_syntax(const char *name) {
@@ -42,7 +51,8 @@ static bool put_forms(vs_text *t, const vs_procedure *p, const char *name) {
   for (int i = 0; i < VS_MAX_FORMS && p->form[i].used; i++) {
     if (!put(t, i ? "\n(" : "(", name, "")) return false;
     for (const vs_bind_param *q = p->form[i].at; q->mode != VS_ARG_END; q++)
-      if (!put(t, q->mode == VS_ARG_OPTIONAL ? " [" : " ", q->name, q->mode == VS_ARG_OPTIONAL ? "]" : q->mode == VS_ARG_REST ? " ..." : "")) return false;
+      if (!put(t, q->mode == VS_ARG_OPTIONAL ? " [" : " ", q->name, q->mode == VS_ARG_OPTIONAL ? "]"
+          : q->mode == VS_ARG_REST ? " ..." : "")) return false;
     if (!vs_text_puts(t, ")")) return false;
   }
   return true;
@@ -51,13 +61,15 @@ static bool put_forms(vs_text *t, const vs_procedure *p, const char *name) {
 static bool put_keywords(vs_text *t, vs_value f) {
   vs_value list = VS_FALSE;
   size_t from = 0, to = 0;
-  if (vs_is(f, VS_T_NATIVE) && vs_is_vector(vs_as_native(f)->keywords)) list = vs_as_native(f)->keywords, to = vs_as_vector(list)->length;
+  if (vs_is(f, VS_T_NATIVE) && vs_is_vector(vs_as_native(f)->keywords)) list = vs_as_native(f)->keywords, to =
+      vs_as_vector(list)->length;
   if (vs_is(f, VS_T_CLOSURE)) {
     const vs_code *code = vs_as_code(vs_as_closure(f)->code);
     list = code->params, from = (size_t)code->required + code->optional, to = from + code->keywords;
   }
   for (size_t i = from; i < to; i++)
-    if (vs_is_symbol(vs_as_vector(list)->at[i]) && !put(t, i > from ? " #:" : "#:", vs_as_symbol(vs_as_vector(list)->at[i])->name, "")) return false;
+    if (vs_is_symbol(vs_as_vector(list)->at[i]) && !put(t, i > from ? " #:" : "#:",
+        vs_as_symbol(vs_as_vector(list)->at[i])->name, "")) return false;
   return true;
 }
 
@@ -70,7 +82,8 @@ static bool put_call(vs_text *t, vs_value f, const char *name) {
     }
     return true;
   }
-  if (vs_is(f, VS_T_NATIVE) && vs_as_native(f)->def && vs_as_native(f)->def->fn == vs_bind_enter) return put_forms(t, &vs_bind_procedures[vs_as_native(f)->def - vs_bind_defs], name);
+  if (vs_is(f, VS_T_NATIVE) && vs_as_native(f)->def && vs_as_native(f)->def->fn == vs_bind_enter) return put_forms(t,
+      &vs_bind_procedures[vs_as_native(f)->def - vs_bind_defs], name);
   const char *form = vs_procedure_form(f, room, sizeof room);
   return !form || put(t, "(", name, form + 1 + strcspn(form + 1, " )"));
 }
@@ -103,9 +116,11 @@ bool vs_name_get(vs *vm, const char *name, vs_name_info *out) {
     if (put_keywords(&t, r[1])) out->keywords = kept(s, &t);
     vs_text_close(&t);
     vs_value native = vs_is(r[1], VS_T_NATIVE) ? r[1] : helper_of(vm, name);
-    if (vs_is(native, VS_T_NATIVE) && vs_as_native(native)->def && vs_as_native(native)->def->doc) out->doc = vs_as_native(native)->def->doc;
+    if (vs_is(native, VS_T_NATIVE) && vs_as_native(native)->def && vs_as_native(native)->def->doc) out->doc =
+        vs_as_native(native)->def->doc;
     vs_value closure = vs_is(r[1], VS_T_CASE) && vs_as_case(r[1])->count ? vs_as_case(r[1])->clause[0] : r[1];
-    if (vs_is(closure, VS_T_CLOSURE)) vs_session_span(s, vs_code_place(vs_as_code(vs_as_closure(closure)->code), UINT32_MAX), &out->at);
+    if (vs_is(closure, VS_T_CLOSURE)) vs_session_span(s, vs_code_place(vs_as_code(vs_as_closure(closure)->code),
+        UINT32_MAX), &out->at);
     return true;
   }
   vs_text_open(vm, &t, 100);
@@ -119,7 +134,8 @@ const char *vs_name_advice(vs *vm, const char *name) {
   VS_ROOTS(vm, r, 1);
   vs_text t;
   vs_text_open(vm, &t, 400);
-  const char *advice = vs_intern(vm, name, strlen(name), &r[0]) && vs_suggest(vm, vm->at.program, r[0], &t) ? kept(s, &t) : "";
+  const char *advice = vs_intern(vm, name, strlen(name), &r[0]) && vs_suggest(vm, vm->at.program, r[0], &t) ? kept(s,
+      &t) : "";
   vs_text_close(&t);
   return advice + strspn(advice, "; ");
 }
@@ -147,7 +163,8 @@ bool vs_frame_get(vs *vm, size_t index, vs_frame_info *out) {
     const vs_value *at = vs_as_vector(r[0])->at + i * VS_FRAME_WORDS;
     if (!vs_is(at[0], VS_T_CLOSURE)) return false;
     vs_span span;
-    if (!vs_session_span(s, vs_pos_of(at[1]), &span)) continue; /* the library's own calls are not the user's business */
+    /* the library's own calls are not the user's business */
+    if (!vs_session_span(s, vs_pos_of(at[1]), &span)) continue;
     if (index--) continue;
     out->at = span;
     const vs_code *code = vs_as_code(vs_as_closure(at[0])->code);
@@ -161,8 +178,10 @@ bool vs_frame_get(vs *vm, size_t index, vs_frame_info *out) {
       if (!vs_is_symbol(symbol)) continue;
       vs_text value;
       vs_text_open(vm, &value, 60);
-      ok = vs_print(vm, vs_as_vector(r[0])->at[i * VS_FRAME_WORDS + 2 + k], VS_PRINT_WRITE, &value) && vs_text_end(&value) &&
-           put(&t, t.count ? ", " : "", vs_as_symbol(symbol)->name, " = ") && vs_text_put(&t, value.at, value.count) && (!value.cut || vs_text_puts(&t, " ..."));
+      ok = vs_print(vm, vs_as_vector(r[0])->at[i * VS_FRAME_WORDS + 2 + k], VS_PRINT_WRITE, &value) &&
+          vs_text_end(&value) &&
+           put(&t, t.count ? ", " : "", vs_as_symbol(symbol)->name, " = ") && vs_text_put(&t, value.at,
+               value.count) && (!value.cut || vs_text_puts(&t, " ..."));
       vs_text_close(&value);
     }
     if (ok) out->variables = kept(s, &t);
@@ -215,7 +234,8 @@ bool vs_profile_get(vs *vm, size_t index, vs_profile_info *out, size_t *looks) {
   if (index >= s->profile_count) return false;
   qsort(s->profile, s->profile_count, sizeof *s->profile, most_own);
   const vs_profile_row *p = &s->profile[index];
-  *out = (vs_profile_info){ .procedure = vs_as_symbol(p->name)->name, .own = (double)p->own / (double)s->looks, .whole = (double)p->whole / (double)s->looks };
+  *out = (vs_profile_info){ .procedure = vs_as_symbol(p->name)->name, .own = (double)p->own / (double)s->looks,
+    .whole = (double)p->whole / (double)s->looks };
   vs_session_span(s, p->place, &out->at);
   return true;
 }

@@ -129,7 +129,8 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   if (is_condition) {
     const vs_condition *c = vs_as_condition(r[0]);
     outcome = outcome_of(s, c->kind, usage);
-    limited = c->kind == vm->sym.memory && s->options.limit_memory; /* the host may hold the rest of the process to it as well */
+    /* the host may hold the rest of the process to it as well */
+    limited = c->kind == vm->sym.memory && s->options.limit_memory;
     if (!vs_session_span(s, c->place, &at)) /* inside the library: the first call of the user's own */
       for (vs_value l = c->chain; vs_is_pair(l) && !at.file; l = vs_cdr(l)) {
         vs_value link = vs_car(l);
@@ -144,7 +145,8 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
     }
   }
   if (printed && vs_text_end(&t)) message = t.at;
-  if (limited) snprintf(limit, sizeof limit, "out of memory: stopped at %.12g MB, the limit", (double)s->options.limit_memory / 1048576), message = limit;
+  if (limited) snprintf(limit, sizeof limit, "out of memory: stopped at %.12g MB, the limit",
+      (double)s->options.limit_memory / 1048576), message = limit;
   tell(s, VS_SEVERITY_ERROR, outcome, at, message, notes, count);
   vs_text_close(&t);
   /* the reader has more to say: (place . message) of each further mistake */

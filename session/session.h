@@ -107,7 +107,8 @@ void vs_session_look(vs_session *s); /* notes which procedures run now */
 
 /* ---- report.c ---- */
 vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool usage /* its own fault is the caller's: exit 2 */);
-/* Appends to t, the error's text, what the program's own text says about it, or puts something better in its place (advice.c). at: where the error
+/* Appends to t, the error's text, what the program's own text says about it, or puts something better in its place
+ * (advice.c). at: where the error
  * is shown. False: out of memory. */
 bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t);
 bool vs_session_advise_empty(vs_session *s, vs_text *t); /* the same for a drawing without objects */

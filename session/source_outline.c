@@ -1,4 +1,5 @@
-/* Owns looking at a source text as it was written. It knows strings, characters, comments and parentheses of all three shapes, nothing else of
+/* Owns looking at a source text as it was written. It knows strings, characters, comments and parentheses of all
+ * three shapes, nothing else of
  * the language: what it finds is for messages, where a wrong guess costs a hint. */
 #include "session/source_outline.h"
 
@@ -32,7 +33,8 @@ const char *vs_outline_blanks(const char *at, const char *end, uint32_t *line) {
     if (is_blank(*at)) *line += *at++ == '\n';
     else if (*at == ';') while (at < end && *at != '\n') at++;
     else if (at + 1 < end && at[0] == '#' && at[1] == '|') at = block_comment(at, end, line);
-    else if (at + 1 < end && at[0] == '#' && at[1] == ';') at = vs_outline_datum(vs_outline_blanks(at + 2, end, line), end, line);
+    else if (at + 1 < end && at[0] == '#' && at[1] == ';') at =
+        vs_outline_datum(vs_outline_blanks(at + 2, end, line), end, line);
     else break;
   }
   return at;
@@ -73,7 +75,8 @@ const char *vs_outline_datum(const char *at, const char *end, uint32_t *line) {
   return end;
 }
 
-void vs_outline_each(const char *text, size_t length, bool (*each)(void *context, const vs_outline_item *item), void *context) {
+void vs_outline_each(const char *text, size_t length, bool (*each)(void *context, const vs_outline_item *item),
+    void *context) {
   const char *at = text, *end = text + length;
   uint32_t line = 1;
   for (;;) {

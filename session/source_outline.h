@@ -1,4 +1,5 @@
-/* Owns looking at a source text as it was written, for messages: where its top-level definitions stand, and what forms a call is made of. */
+/* Owns looking at a source text as it was written, for messages: where its top-level definitions stand, and what
+ * forms a call is made of. */
 #ifndef VS_BIND_OUTLINE_H
 #define VS_BIND_OUTLINE_H
 
@@ -13,8 +14,10 @@ typedef struct {
   bool procedure;     /* (define (name ...) ...) or (define name (lambda ...)) */
 } vs_outline_item;
 
-/* Hands every top-level definition of the text (define, define-parameter, define-syntax and the like) to `each`, in order, until it returns false. */
-void vs_outline_each(const char *text, size_t length, bool (*each)(void *context, const vs_outline_item *item), void *context);
+/* Hands every top-level definition of the text (define, define-parameter, define-syntax and the like) to `each`, in
+ * order, until it returns false. */
+void vs_outline_each(const char *text, size_t length, bool (*each)(void *context, const vs_outline_item *item),
+    void *context);
 
 /* Skips blanks and comments from `at`; *line counts newlines that were passed. */
 const char *vs_outline_blanks(const char *at, const char *end, uint32_t *line);

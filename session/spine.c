@@ -237,7 +237,8 @@ static vs_outcome end_job(vs_job *j, bool ok) {
   vs_session *s = j->session;
   bool stopped = s->writing && s->late && j->error.kind == VS_ERROR_INTERRUPT;
   s->writing = false;
-  bool nothing = !ok && j->scene.drawn_count == 0 && j->error.kind == VS_ERROR_MODEL && !strcmp(j->error.message, "nothing is drawn");
+  bool nothing = !ok && j->scene.drawn_count == 0 && j->error.kind == VS_ERROR_MODEL && !strcmp(j->error.message,
+      "nothing is drawn");
   for (size_t i = 0; i < j->scene.drawn_count; i++) vs_node_release(j->scene.drawn[i].node);
   vs_store_realloc(s->bind.store, j->scene.drawn, j->scene.drawn_room * sizeof *j->scene.drawn, 0);
   if (j->text) vs_mem(s->bind.vm, j->text, j->text_bytes + 1, 0);
@@ -288,7 +289,8 @@ vs_outcome vs_session_summary(vs_session *s, vs_summary *out) {
   if (outcome == VS_OUTCOME_DONE && out->objects == 0) {
     vs_text why;
     vs_text_open(s->bind.vm, &why, 0);
-    if (vs_session_advise_empty(s, &why) && vs_text_end(&why) && why.count > 2 && *why.at == ':') out->advice = vs_store_text(s->bind.store, why.at + 2, why.count - 2);
+    if (vs_session_advise_empty(s, &why) && vs_text_end(&why) && why.count > 2 && *why.at == ':') out->advice =
+        vs_store_text(s->bind.store, why.at + 2, why.count - 2);
     vs_text_close(&why);
   }
   return outcome;

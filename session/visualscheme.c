@@ -42,7 +42,8 @@ static bool name_result(vs_session *s, vs_value v) {
   return true;
 }
 
-/* An object in a line: how it is made where that is short, else its kind; then its size, and its volume where that costs nothing. */
+/* An object in a line: how it is made where that is short, else its kind; then its size, and its volume where that
+ * costs nothing. */
 static bool tell_object(vs_session *s, vs_value v) {
   vs *vm = s->bind.vm;
   enum { SHORT = 60 };
@@ -58,14 +59,17 @@ static bool tell_object(vs_session *s, vs_value v) {
   if (ok && !shown.cut) ok = vs_text_puts(&t, shown.at);
   else if (ok) {
     const char *kind = vs_kind_get(object.node->kind)->name;
-    if (object.node->kind == VS_UNION && vs_bind_count(object, &parts)) snprintf(text, sizeof text, "#<%s of %.15g object%s>", kind, parts.all, parts.all == 1 ? "" : "s");
+    if (object.node->kind == VS_UNION && vs_bind_count(object, &parts)) snprintf(text, sizeof text,
+        "#<%s of %.15g object%s>", kind, parts.all, parts.all == 1 ? "" : "s");
     else snprintf(text, sizeof text, "#<%s>", kind);
     ok = vs_text_puts(&t, text);
   }
   vs_bounds b;
   vs_error e = { 0 };
-  if (ok && vs_node_bounds(object.node, &b, &e) && !vs_bounds_is_empty(&b) && isfinite(b.max.x - b.min.x + b.max.y - b.min.y + b.max.z - b.min.z)) {
-    snprintf(text, sizeof text, " ; %.4g x %.4g x %.4g %s", b.max.x - b.min.x, b.max.y - b.min.y, b.max.z - b.min.z, s->bind.scene.units);
+  if (ok && vs_node_bounds(object.node, &b, &e) && !vs_bounds_is_empty(&b) &&
+      isfinite(b.max.x - b.min.x + b.max.y - b.min.y + b.max.z - b.min.z)) {
+    snprintf(text, sizeof text, " ; %.4g x %.4g x %.4g %s", b.max.x - b.min.x, b.max.y - b.min.y, b.max.z - b.min.z,
+        s->bind.scene.units);
     ok = vs_text_puts(&t, text);
   }
   if (ok) s->options.host.value(s->options.host.context, t.at, t.count);
@@ -121,7 +125,8 @@ static void warn_program(vs *vm, vs_pos place, const char *message) {
 static bool is_built_in(const char *name) { return !strpbrk(name, "./") && vs_export_format_find(name) != NULL; }
 static bool is_format(const vs_bind *b, const char *name) { return is_built_in(name) || (!strpbrk(name, "./") && vs_bind_back_end_find(b, name) != NULL); }
 
-static void warn_vm(vs *vm, const char *kind, const char *message) { vs_bind_warn(vs_bind_of(vm), kind, "%s", message); }
+static void warn_vm(vs *vm, const char *kind, const char *message) { vs_bind_warn(vs_bind_of(vm), kind, "%s",
+    message); }
 
 static double tally_clock(void *session) { return vs_session_clock(session); }
 
@@ -189,7 +194,8 @@ vs *vs_new(const vs_options *options) {
   vs_config config = {
     .memory = vs_session_memory, .user = s, .memory_limit = o.limit_memory, .step_limit = o.limit_steps, .output_limit = o.limit_output, .time_limit = o.limit_time,
     .phase = vm_phase, .clock = vs_session_clock, .interrupted = vs_session_interrupted, .tables = vs_bind_tables(), .image = &vs_library_image,
-    .io = &vs_session_io, .keep_frames = o.keep_frames, .value = take_value, .dropped = vs_bind_dropped, .warn = warn_program, .suspect = warn_vm, .library_path = s->options.library_path, .shipped = vs_shipped_library,
+    .io = &vs_session_io, .keep_frames = o.keep_frames, .value = take_value, .dropped = vs_bind_dropped, .warn =
+        warn_program, .suspect = warn_vm, .library_path = s->options.library_path, .shipped = vs_shipped_library,
     .command_line = s->options.command_line, .command_line_count = s->options.command_line_count,
   };
   vs_store *store = vs_store_new(store_memory, s);

@@ -3,9 +3,11 @@
 
 #include <stdio.h>
 
-/* Writes the call that was meant where numbers stand for a point, a gvector or a list of factors: (do-move o 1 0 0) is (do-move o (vxyz 1 0 0)). False: no form
+/* Writes the call that was meant where numbers stand for a point, a gvector or a list of factors: (do-move o 1 0 0)
+ * is (do-move o (vxyz 1 0 0)). False: no form
  * of the procedure is to be had so. */
-static bool group_numbers(vs *vm, const vs_form *form, const char *name, const vs_value *a, int n, char *text, size_t room) {
+static bool group_numbers(vs *vm, const vs_form *form, const char *name, const vs_value *a, int n, char *text,
+    size_t room) {
   int used = 0, groups = 0;
   size_t at = (size_t)snprintf(text, room, "(%s", name);
   for (const vs_bind_param *p = form->at; p->mode != VS_ARG_END && used < n; p++) {
@@ -40,7 +42,8 @@ static bool group_numbers(vs *vm, const vs_form *form, const char *name, const v
   return true;
 }
 
-bool vs_bind_grouped(vs *vm, const vs_procedure *p, const char *name, const vs_value *a, int n, char *text, size_t room) {
+bool vs_bind_grouped(vs *vm, const vs_procedure *p, const char *name, const vs_value *a, int n, char *text,
+    size_t room) {
   for (int i = VS_MAX_FORMS; i-- > 0;) /* the longest form comes last */
     if (p->form[i].used && group_numbers(vm, &p->form[i], name, a, n, text, room)) return true;
   return false;

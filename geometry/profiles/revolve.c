@@ -43,8 +43,11 @@ static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
       low = fmin(low, y), high = fmax(high, y);
     }
   if (high - low < 1e-9 * size)
-    return vs_error_set(e, VS_ERROR_MODEL, NULL, "the profile lies flat across the axis, and its plane must hold the axis; %s",
-                        fabs(r->axis.z) > .999999 ? "(do-rotate profile 'x pi/2) stands it up, or #:plane 'xz where it is made" : "turn it first");
+    return vs_error_set(e, VS_ERROR_MODEL, NULL,
+        "the profile lies flat across the axis, and its plane must hold the axis; %s",
+                        fabs(r->axis.z) > .999999
+                            ? "(do-rotate profile 'x pi/2) stands it up, or #:plane 'xz where it is made"
+                                : "turn it first");
   for (size_t l = 0; l < o->count; l++) {
     r->sizes[l] = o->loops[l].count;
     r->hole[l] = o->hole[l];

@@ -36,9 +36,11 @@ static bool dump_one(vs *vm, vs_value code, uint32_t pc, vs_text *t, uint32_t *n
   for (uint32_t i = 1; i <= extra; i++) n += snprintf(text + n, sizeof text - (size_t)n, " [%d]", (int)at[i]);
   *next = pc + 1 + extra;
   if (!vs_text_puts(t, text)) return false;
-  bool named = op == VS_O_GLOBAL || op == VS_O_SETGLOBAL || op == VS_O_DEFGLOBAL || op == VS_O_CALLG || op == VS_O_TAILG || op == VS_O_CONSTX || op == VS_O_CLOSURE;
+  bool named = op == VS_O_GLOBAL || op == VS_O_SETGLOBAL || op == VS_O_DEFGLOBAL || op == VS_O_CALLG ||
+      op == VS_O_TAILG || op == VS_O_CONSTX || op == VS_O_CLOSURE;
   if (op == VS_O_CONST) return put_constant(vm, code, VS_BX(at[0]), t);
-  if (op == VS_O_CLOSURE && at[1] < vs_as_vector(vs_as_code(code)->consts)->length && vs_is(vs_code_consts(vs_as_code(code))[at[1]], VS_T_CODE))
+  if (op == VS_O_CLOSURE && at[1] < vs_as_vector(vs_as_code(code)->consts)->length &&
+      vs_is(vs_code_consts(vs_as_code(code))[at[1]], VS_T_CODE))
     *next += vs_as_code(vs_code_consts(vs_as_code(code))[at[1]])->free;
   return !named || put_constant(vm, code, at[1], t);
 }

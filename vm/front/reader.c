@@ -386,7 +386,8 @@ static bool read_symbol(reader *r, vs_value *out) {
       r->at += more;
     }
   }
-  if (ok && !bars && c == '<' && length > 1 && strchr("+-.0123456789", s[1]) && peek(r, 0) == ',' && !r->quasi) { /* POV-Ray's <0,0,0> */
+  /* POV-Ray's <0,0,0> */
+  if (ok && !bars && c == '<' && length > 1 && strchr("+-.0123456789", s[1]) && peek(r, 0) == ',' && !r->quasi) {
     char numbers[80];
     size_t more = 0, used = 0;
     while (peek(r, more) >= 0 && strchr("+-.,0123456789eE \t", peek(r, more))) more++;

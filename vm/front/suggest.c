@@ -1,4 +1,5 @@
-/* Owns the advice for names that are not defined: tokens that were meant as numbers, words of other programs (foreign.def), the right
+/* Owns the advice for names that are not defined: tokens that were meant as numbers, words of other programs
+ * (foreign.def), the right
  * stem with another prefix, and near names. */
 #include "vm/machine/program.h"
 #include "vm/machine/native.h"
@@ -31,7 +32,8 @@ static const struct { const char *words, *instead; } keywords[] = {
 
 enum { LONGEST = 48, SLIP = 1, EDIT = 2 };
 
-/* Are both keys neighbours on a keyboard? QWERTY's rows; each row stands half a key further right than the one above. */
+/* Are both keys neighbours on a keyboard? QWERTY's rows; each row stands half a key further right than the one
+ * above. */
 static bool neighbours(int a, int b) {
   static const char *const rows[] = {"1234567890-", "qwertyuiop", "asdfghjkl;", "zxcvbnm,./"};
   int at[2][2] = {{-9, -9}, {-99, -99}};
@@ -41,10 +43,12 @@ static bool neighbours(int a, int b) {
     if (b && y) at[1][0] = r, at[1][1] = (int)(y - rows[r]);
   }
   int down = at[1][0] - at[0][0], right = at[1][1] - at[0][1];
-  return (down == 0 && (right == 1 || right == -1)) || (down == 1 && (right == 0 || right == -1)) || (down == -1 && (right == 0 || right == 1));
+  return (down == 0 && (right == 1 || right == -1)) || (down == 1 && (right == 0 || right == -1)) || (down == -1 &&
+      (right == 0 || right == 1));
 }
 
-/* Edit distance ignoring case. An insertion, a deletion and a change cost an EDIT each; slips of the fingers cost half of one: neighbouring keys, two
+/* Edit distance ignoring case. An insertion, a deletion and a change cost an EDIT each; slips of the fingers cost
+ * half of one: neighbouring keys, two
  * letters in the wrong order, a letter twice, a hyphen too many or too few. More than `limit` is limit + 1. */
 static int distance(const char *a, size_t n, const char *b, size_t m, int limit) {
   int row[3][LONGEST + 1];
@@ -71,7 +75,8 @@ static int distance(const char *a, size_t n, const char *b, size_t m, int limit)
 }
 
 /* The most that a name of this length may be away: a third of its letters, and of a short one a slip. */
-static int tolerance(size_t length) { return length <= 2 ? SLIP : length <= 4 ? EDIT : length <= 6 ? EDIT + SLIP : length <= 9 ? 2 * EDIT : 3 * EDIT; }
+static int tolerance(size_t length) { return length <= 2 ? SLIP : length <= 4 ? EDIT : length <= 6 ? EDIT + SLIP
+    : length <= 9 ? 2 * EDIT : 3 * EDIT; }
 
 /* ---- prefixes ---- */
 
@@ -109,7 +114,8 @@ static bool consider(void *context, vs_value symbol, vs_value binding) {
   if (stem(w->name) - w->name == stem(name->name) - name->name) same = (size_t)(stem(w->name) - w->name);
   if (same && strncasecmp(w->name, name->name, same)) same = 0;
   int limit = tolerance(w->length - same);
-  if (limit > SLIP && tolower((unsigned char)w->name[same]) != tolower((unsigned char)name->name[same])) limit -= SLIP; /* few words begin with a slip */
+  /* few words begin with a slip */
+  if (limit > SLIP && tolower((unsigned char)w->name[same]) != tolower((unsigned char)name->name[same])) limit -= SLIP;
   if (limit > s->distance) limit = s->distance;
   int d = distance(w->name, w->length, name->name, name->length, limit);
   bool own = vs_idtable_get(vs_as_environment(s->core)->table, symbol) == VS_VACANT;
@@ -132,7 +138,8 @@ static bool consider_stem(void *context, vs_value symbol, vs_value binding) {
   const char *own = stem(name->name);
   if (strcmp(own, s->stem)) return true;
   bool prefixed = own != name->name, before = s->best && stem(s->best->name) != s->best->name;
-  if (!s->best || (prefixed && !before) || (prefixed == before && strcmp(name->name, s->best->name) < 0)) s->best = name;
+  if (!s->best || (prefixed && !before) || (prefixed == before && strcmp(name->name, s->best->name) < 0)) s->best =
+      name;
   return true;
 }
 
@@ -221,15 +228,18 @@ static bool advise_number(const char *name, vs_text *t) {
     size_t i = 0;
     while (i < sizeof lengths / sizeof *lengths && strcmp(unit, lengths[i])) i++;
     if (i == sizeof lengths / sizeof *lengths) return true;
-    snprintf(text, sizeof text, "; numbers have no units, a length is in model units: write %s; (units 'm), 'mm, 'cm, 'in or 'ft says once what they are", number);
+    snprintf(text, sizeof text,
+        "; numbers have no units, a length is in model units: write %s; (units 'm), 'mm, 'cm, 'in or 'ft says once what they are", number);
   }
   return vs_text_puts(t, text);
 }
 
 static bool put_foreign(int i, vs_text *t) {
-  if (!foreign[i].name) return vs_text_puts(t, "; there is no such thing here yet: ") && vs_text_puts(t, foreign[i].form);
+  if (!foreign[i].name) return vs_text_puts(t, "; there is no such thing here yet: ") && vs_text_puts(t,
+      foreign[i].form);
   if (!foreign[i].name[0]) return vs_text_puts(t, "; write ") && vs_text_puts(t, foreign[i].form);
-  return vs_text_puts(t, "; ") && vs_text_puts(t, foreign[i].name) && vs_text_puts(t, " is the name here: ") && vs_text_puts(t, foreign[i].form);
+  return vs_text_puts(t, "; ") && vs_text_puts(t, foreign[i].name) && vs_text_puts(t, " is the name here: ") &&
+      vs_text_puts(t, foreign[i].form);
 }
 
 static bool did_you_mean(const vs_symbol *name, vs_text *t) {

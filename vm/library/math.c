@@ -25,14 +25,18 @@ static void suspect_degrees(vs *vm, const char *name, vs_value v) {
   int64_t x = vs_fixnum(v) < 0 ? -vs_fixnum(v) : vs_fixnum(v);
   if (x < 30 || x > 360 || (x % 90 && x != 30 && x != 45 && x != 60 && x != 120 && x != 135 && x != 150)) return;
   char text[160];
-  snprintf(text, sizeof text, "%s: %lld radians are %.1f turns; (degrees->radians %lld)?", name, (long long)vs_fixnum(v), (double)x / 6.283185307179586,
+  snprintf(text, sizeof text, "%s: %lld radians are %.1f turns; (degrees->radians %lld)?", name,
+      (long long)vs_fixnum(v), (double)x / 6.283185307179586,
            (long long)vs_fixnum(v));
   vm->config.suspect(vm, "degrees", text);
 }
 
-static vs_status sin_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, suspect_degrees(vm, "sin", a[0]), function(vm, a, sin, 0, 0, out); }
-static vs_status cos_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, suspect_degrees(vm, "cos", a[0]), function(vm, a, cos, 0, 1, out); }
-static vs_status tan_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, suspect_degrees(vm, "tan", a[0]), function(vm, a, tan, 0, 0, out); }
+static vs_status sin_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, suspect_degrees(vm, "sin", a[0]),
+    function(vm, a, sin, 0, 0, out); }
+static vs_status cos_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, suspect_degrees(vm, "cos", a[0]),
+    function(vm, a, cos, 0, 1, out); }
+static vs_status tan_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, suspect_degrees(vm, "tan", a[0]),
+    function(vm, a, tan, 0, 0, out); }
 static vs_status sinh_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, function(vm, a, sinh, 0, 0, out); }
 static vs_status cosh_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, function(vm, a, cosh, 0, 1, out); }
 static vs_status tanh_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, function(vm, a, tanh, 0, 0, out); }

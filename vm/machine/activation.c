@@ -31,7 +31,8 @@ static bool walk_up(struct walk *w, size_t *pc, bool *native) {
   return true;
 }
 
-struct link { vs_value name; vs_pos place; const vs_value *base; bool gap; /* calls between this one and the one before left no frames */ };
+struct link { vs_value name; vs_pos place; const vs_value *base; bool gap;
+    /* calls between this one and the one before left no frames */ };
 
 /* Does the frame above stand where another procedure was called? Then that one ended with a tail call, or those it led to. Asked of calls
    by the program's own names only: what a local variable held when it was called is not known any more, and the library's tail calls
@@ -76,7 +77,8 @@ static vs_value *flush_failed(vs *vm, vs_value *w) {
   return NULL;
 }
 
-/* Calls that are not tail calls, one inside the other, may take a gigabyte, and of a limited memory half: some 20 million calls of a small procedure. What goes
+/* Calls that are not tail calls, one inside the other, may take a gigabyte, and of a limited memory half: some 20
+ * million calls of a small procedure. What goes
  * deeper has no end. */
 static size_t most_slots(const vs *vm) {
   size_t bytes = VS_DEBUG_STRESS ? (size_t)256 << 20 : (size_t)1 << 30;
@@ -97,7 +99,8 @@ static bool fail_endless(vs *vm) {
   for (size_t i = 0; i < n; i++) others += at[i].name != at[best].name && vs_is_symbol(at[i].name) && !others;
   const char *name = most ? vs_as_symbol(at[best].name)->name : "a procedure";
   vm->native = NULL;
-  if (others) return vs_fail(vm, vm->sym.recursion, "%s calls itself without end here, by way of others; is there an `if` that stops it?", name);
+  if (others) return vs_fail(vm, vm->sym.recursion,
+      "%s calls itself without end here, by way of others; is there an `if` that stops it?", name);
   return vs_fail(vm, vm->sym.recursion, "%s calls itself without end here; is there an `if` that stops it?", name);
 }
 
@@ -148,7 +151,8 @@ bool vs_call_chain(vs *vm, size_t max, vs_value *out) {
   return true;
 }
 
-/* A vector, VS_FRAME_WORDS a call, innermost first: the procedure, its place as a fixnum, then the values of its first parameters. Registers that were given back since
+/* A vector, VS_FRAME_WORDS a call, innermost first: the procedure, its place as a fixnum, then the values of its
+ * first parameters. Registers that were given back since
  * may hold something else; assigned parameters lie in boxes. */
 bool vs_call_variables(vs *vm, vs_value *out) {
   enum { MOST = 24 };

@@ -44,7 +44,8 @@ static const char *want_native(const vs_native *native, wanted *w) {
   return want_end(w);
 }
 
-/* The error under way keeps what was called and with what, (callee argument ...), for advice on it (session/advice.c). False, as the error is set. */
+/* The error under way keeps what was called and with what, (callee argument ...), for advice on it
+ * (session/advice.c). False, as the error is set. */
 static bool keep_call(vs *vm, vs_value callee, const vs_value *a, size_t n) {
   VS_ROOTS(vm, r, 3);
   r[0] = vm->condition, r[1] = VS_NIL, r[2] = callee;
@@ -76,7 +77,9 @@ static bool fail_keyword(vs *vm, vs_value name, vs_value keyword, const vs_value
   bool ok = vs_keyword_advice(name_of(keyword), &advice) && vs_text_end(&advice);
   const char *more = ok ? advice.at : "";
   if (!*there) vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s%s", name_of(name), name_of(keyword), more);
-  else vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s; it has %.*s%s", name_of(name), name_of(keyword), (int)strlen(there) - 3, there + 2, more); /* without parentheses */
+  /* without parentheses */
+  else vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s; it has %.*s%s", name_of(name), name_of(keyword),
+      (int)strlen(there) - 3, there + 2, more);
   vs_text_close(&advice);
   return false;
 }

@@ -12,7 +12,8 @@ bool vs_arguments_native(vs *vm, const vs_native *native, vs_value *a, size_t n,
 static inline bool vs_native_laid_out(const vs_native *n) { return n->def->slots > 0 || n->keywords != VS_FALSE; }
 /* no clause of a case-lambda takes so many arguments: false, the error set */
 bool vs_fail_clauses(vs *vm, const vs_case *c, size_t got);
-/* How f is called, "(wall length [height])", without its keywords; NULL: f has no name, is of several clauses, or there is no room. */
+/* How f is called, "(wall length [height])", without its keywords; NULL: f has no name, is of several clauses, or
+ * there is no room. */
 const char *vs_procedure_form(vs_value f, char *room, size_t size);
 /* does a procedure of this shape take n arguments? */
 bool vs_arguments_fit(const vs_code *code, size_t n, vs_value kw);

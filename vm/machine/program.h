@@ -51,6 +51,7 @@ bool vs_library_advice(vs *vm, vs_value symbol, vs_text *t);
 bool vs_is_foreign_word(vs_value symbol); /* of foreign.def */
 /* "; make-box is the name here: (make-box ...)" appended to t, where the word is one of another program's. */
 bool vs_foreign_advice(const char *word, vs_text *t);
-bool vs_keyword_advice(const char *word, vs_text *t); /* the same for a keyword that the called procedure does not have */
+/* the same for a keyword that the called procedure does not have */
+bool vs_keyword_advice(const char *word, vs_text *t);
 
 #endif

@@ -114,10 +114,12 @@ static bool fail_callee_as(vs *vm, vs_value f, const vs_value *at, size_t n) {
   return vs_fail_with(vm, vm->sym.type, r[0], "%s", what);
 }
 
-/* The error's payload, #t, says that the callee is at fault: what made it so is looked for when the error is shown (session/advice.c). */
+/* The error's payload, #t, says that the callee is at fault: what made it so is looked for when the error is shown
+ * (session/advice.c). */
 static bool fail_callee(vs *vm, vs_value f, const vs_value *at, size_t n) {
   fail_callee_as(vm, f, at, n);
-  if (vs_is(vm->condition, VS_T_CONDITION) && vm->condition != vm->at.no_memory) vs_as_condition(vm->condition)->payload = VS_TRUE;
+  if (vs_is(vm->condition, VS_T_CONDITION) &&
+      vm->condition != vm->at.no_memory) vs_as_condition(vm->condition)->payload = VS_TRUE;
   return false;
 }
 

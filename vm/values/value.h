@@ -179,10 +179,12 @@ typedef struct { vs_object h; vs_value value, converter, name; } vs_parameter;
 
 /* An error the system made, or (error ...). Shown as MESSAGE IRRITANT ...: "make-sphere: r must be positive, got" (-2).
    `chain` is a list of (procedure-name . position fixnum), innermost first; `place` the position of the failing call. */
-typedef struct { vs_object h; vs_value kind /* symbol */, message /* string */, irritants /* list */, chain, payload, frames /* activation.c; #f: not kept */; vs_pos place; } vs_condition;
+typedef struct { vs_object h; vs_value kind /* symbol */, message /* string */, irritants /* list */, chain, payload,
+    frames /* activation.c; #f: not kept */; vs_pos place; } vs_condition;
 
 /* Captured frames, immutable: `at` is a copy of the stack; below it lies `under`, up to its slot `depth`. */
-typedef struct { vs_object h; vs_value under; uint64_t depth, count, total /* slots, with those of all stretches below */; vs_value at[]; } vs_stack;
+typedef struct { vs_object h; vs_value under; uint64_t depth, count,
+    total /* slots, with those of all stretches below */; vs_value at[]; } vs_stack;
 /* `ret` is the return information of the frame it returns into (run.c) */
 typedef struct { vs_object h; vs_value stack; uint64_t depth; vs_value winders, handlers, parameters, ret; } vs_continuation;
 

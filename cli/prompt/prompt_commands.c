@@ -130,7 +130,9 @@ static void set_parameter(cli_session *c, char *rest) {
     fputs("; ,parameters lists them\n", stderr);
   } else if (!c->model && !c->options->source_count) {
     fprintf(stderr, "%s was defined at the prompt; do that again: (define-parameter %s %s)\n", rest, rest, value);
-  } else if (vs_parameter_set(c->scheme, rest, value) && run_model(c, "") == VS_OUTCOME_USAGE && was && vs_parameter_set(c->scheme, rest, was)) { /* refused: as before */
+  /* refused: as before */
+  } else if (vs_parameter_set(c->scheme, rest, value) && run_model(c, "") == VS_OUTCOME_USAGE && was &&
+      vs_parameter_set(c->scheme, rest, was)) {
     printf("; %s stays %s\n", rest, was);
     run_model(c, "");
   }
@@ -268,7 +270,8 @@ static vs_outcome replay(cli_session *c, cli_prompt *p) {
   c->options->quiet = true;
   vs_outcome outcome = cli_session_run(c);
   for (size_t i = 0; i < p->count && outcome == VS_OUTCOME_DONE; i++)
-    outcome = cli_session_eval(c, "prompt", p->entries[i].first_line, p->entries[i].text, strlen(p->entries[i].text), VS_EVAL_PRINT | VS_EVAL_NUMBER);
+    outcome = cli_session_eval(c, "prompt", p->entries[i].first_line, p->entries[i].text, strlen(p->entries[i].text),
+        VS_EVAL_PRINT | VS_EVAL_NUMBER);
   vs_interrupt_clear(c->scheme);
   c->output = output;
   c->options->quiet = quiet;
@@ -278,7 +281,8 @@ static vs_outcome replay(cli_session *c, cli_prompt *p) {
 
 static void tell_entry(const char *what, const cli_entry *e) {
   size_t n = strcspn(e->text, "\n");
-  printf("; %s: %.*s%s\n", what, (int)(n < 60 ? n : 60), e->text, n > 60 || e->text[n + (e->text[n] == '\n')] ? " ..." : "");
+  printf("; %s: %.*s%s\n", what, (int)(n < 60 ? n : 60), e->text, n > 60 || e->text[n + (e->text[n] == '\n')]
+      ? " ..." : "");
 }
 
 static void undo(cli_session *c, cli_prompt *p) {
@@ -338,7 +342,8 @@ static void save(cli_session *c, cli_prompt *p, const char *path) {
   }
   bool ok = !ferror(f);
   if (fclose(f) != 0 || !ok) fprintf(stderr, "%s: %s\n", path, strerror(errno));
-  else printf("; wrote %s: %zu expression%s, %zu of them definitions\n", path, p->count, p->count == 1 ? "" : "s", definitions);
+  else printf("; wrote %s: %zu expression%s, %zu of them definitions\n", path, p->count, p->count == 1 ? "" : "s",
+      definitions);
 }
 
 /* ---- watching a program ---- */
@@ -358,7 +363,8 @@ static void print_profile(cli_session *c) {
     if (row.at.file) printf("  (%s:%u)", row.at.file, (unsigned)row.at.line);
     putchar('\n');
   }
-  if (!vs_profile_get(c->scheme, 0, &row, &looks)) puts("; too short to be seen: a look is taken every few milliseconds");
+  if (!vs_profile_get(c->scheme, 0, &row,
+      &looks)) puts("; too short to be seen: a look is taken every few milliseconds");
 }
 
 static void time_expression(cli_session *c, cli_prompt *p, const char *expression, bool profile) {
@@ -437,7 +443,8 @@ static bool print_line(void *context, const char *line) {
 }
 
 static void disassemble(cli_session *c, const char *name) {
-  if (!vs_disassemble(c->scheme, name, print_line, NULL)) fprintf(stderr, "%s is no procedure of Scheme code\n", *name ? name : "nothing");
+  if (!vs_disassemble(c->scheme, name, print_line, NULL)) fprintf(stderr, "%s is no procedure of Scheme code\n",
+      *name ? name : "nothing");
 }
 
 /* ---- finding the command ---- */

@@ -1,5 +1,7 @@
-/* Owns ,show: a picture of the drawing on the terminal. Its triangles come from the PLY writer, each with its colour; a small rasteriser with a depth for each
- * pixel draws them, seen from the front left above; sixel, kitty's and iTerm's protocols show pixels, everywhere else each character is two of them, one
+/* Owns ,show: a picture of the drawing on the terminal. Its triangles come from the PLY writer, each with its
+ * colour; a small rasteriser with a depth for each
+ * pixel draws them, seen from the front left above; sixel, kitty's and iTerm's protocols show pixels, everywhere
+ * else each character is two of them, one
  * above the other (the upper half block in 24-bit colour). */
 #include <math.h>
 #include <stdlib.h>
@@ -27,7 +29,8 @@ static bool take(void *context, const void *more, size_t count) {
 
 /* ---- the mesh: little-endian PLY as the library writes it ---- */
 
-typedef struct { size_t vertices, faces, vertex_bytes; bool wide; const unsigned char *body; const unsigned char *end; } ply;
+typedef struct { size_t vertices, faces, vertex_bytes; bool wide; const unsigned char *body;
+    const unsigned char *end; } ply;
 
 static bool read_ply(const bytes *b, ply *p) {
   static const char stop[] = "end_header\n";
@@ -78,7 +81,8 @@ static vec corner(const ply *p, uint32_t i) {
 
 /* Parallel, from the front left above: x to the right, y up, z towards the eye. */
 static vec seen(vec v) {
-  const double c = .8660254037844387, s = .5, ct = .8660254037844386, st = .5; /* turned by 30 degrees about Z, tilted by 30 */
+  /* turned by 30 degrees about Z, tilted by 30 */
+  const double c = .8660254037844387, s = .5, ct = .8660254037844386, st = .5;
   double x = c * v.x - s * v.y, y = s * v.x + c * v.y;
   return (vec){x, st * y + ct * v.z, ct * -y + st * v.z};
 }
@@ -90,8 +94,10 @@ static void fill(picture *p, const vec t[3], const unsigned char rgb[3]) {
   if (!(length > 0) || fabs(area) < 1e-12) return;
   double facing = n.z < 0 ? -1 : 1;
   double light = .3 + .7 * fmax(0, facing * (-.35 * n.x + .6 * n.y + .72 * n.z) / length);
-  int x0 = (int)floor(fmax(0, fmin(t[0].x, fmin(t[1].x, t[2].x)))), x1 = (int)ceil(fmin(p->width - 1, fmax(t[0].x, fmax(t[1].x, t[2].x))));
-  int y0 = (int)floor(fmax(0, fmin(t[0].y, fmin(t[1].y, t[2].y)))), y1 = (int)ceil(fmin(p->height - 1, fmax(t[0].y, fmax(t[1].y, t[2].y))));
+  int x0 = (int)floor(fmax(0, fmin(t[0].x, fmin(t[1].x, t[2].x)))), x1 =
+      (int)ceil(fmin(p->width - 1, fmax(t[0].x, fmax(t[1].x, t[2].x))));
+  int y0 = (int)floor(fmax(0, fmin(t[0].y, fmin(t[1].y, t[2].y)))), y1 =
+      (int)ceil(fmin(p->height - 1, fmax(t[0].y, fmax(t[1].y, t[2].y))));
   for (int y = y0; y <= y1; y++)
     for (int x = x0; x <= x1; x++) {
       double px = x + .5 - t[0].x, py = y + .5 - t[0].y;
@@ -141,8 +147,10 @@ static bool draw(const ply *m, int width, int height, picture *p) {
 
 /* ---- showing it ---- */
 
-static bool inked(const picture *p, int x, int y) { return x < p->width && y < p->height && isfinite(p->depth[(size_t)y * (size_t)p->width + (size_t)x]); }
-static const unsigned char *pixel(const picture *p, int x, int y) { return p->rgb + 3 * ((size_t)y * (size_t)p->width + (size_t)x); }
+static bool inked(const picture *p, int x, int y) { return x < p->width && y < p->height &&
+    isfinite(p->depth[(size_t)y * (size_t)p->width + (size_t)x]); }
+static const unsigned char *pixel(const picture *p, int x,
+    int y) { return p->rgb + 3 * ((size_t)y * (size_t)p->width + (size_t)x); }
 
 static void show_blocks(const picture *p) {
   for (int y = 0; y < p->height; y += 2) {
@@ -191,7 +199,8 @@ static void show_kitty(const picture *p) {
   size_t pixels = (size_t)p->width * (size_t)p->height, n = 4 * pixels;
   unsigned char *rgba = malloc(n);
   if (!rgba) return;
-  for (size_t i = 0; i < pixels; i++) memcpy(rgba + 4 * i, p->rgb + 3 * i, 3), rgba[4 * i + 3] = isfinite(p->depth[i]) ? 255 : 0;
+  for (size_t i = 0; i < pixels; i++) memcpy(rgba + 4 * i, p->rgb + 3 * i, 3), rgba[4 * i + 3] =
+      isfinite(p->depth[i]) ? 255 : 0;
   for (size_t at = 0; at < n; at += PIECE) {
     size_t size = n - at < PIECE ? n - at : PIECE;
     if (at == 0) printf("\033_Ga=T,f=32,s=%d,v=%d,m=%d;", p->width, p->height, at + size < n);
@@ -262,9 +271,11 @@ static way best_way(void) {
     if (!strcmp(wanted, names[i])) return (way)i;
   if (!isatty(STDOUT_FILENO) || !cli_colours(STDOUT_FILENO)) return SHOW_CHARACTERS;
   bool inside = getenv("TMUX") || (term && !strncmp(term, "screen", 6)); /* what it says is not what shows it */
-  if (!inside && (getenv("KITTY_WINDOW_ID") || (term && strstr(term, "kitty")) || (program && !strcmp(program, "ghostty")))) return SHOW_KITTY;
+  if (!inside && (getenv("KITTY_WINDOW_ID") || (term && strstr(term, "kitty")) || (program &&
+      !strcmp(program, "ghostty")))) return SHOW_KITTY;
   if (!inside && program && (!strcmp(program, "iTerm.app") || !strcmp(program, "WezTerm"))) return SHOW_ITERM;
-  if (!inside && term && (strstr(term, "sixel") || strstr(term, "mlterm") || strstr(term, "foot") || strstr(term, "contour"))) return SHOW_SIXEL;
+  if (!inside && term && (strstr(term, "sixel") || strstr(term, "mlterm") || strstr(term, "foot") || strstr(term,
+      "contour"))) return SHOW_SIXEL;
   return SHOW_BLOCKS;
 }
 
@@ -285,7 +296,8 @@ void cli_show(cli_session *c, const char *size) {
   vs_output_options options = c->options->output;
   vs_outcome outcome = vs_write_drawing_to(c->scheme, "ply", &options, take, &file);
   cli_report_settle(&c->reporter);
-  if (outcome == VS_OUTCOME_DONE && !file.failed && read_ply(&file, &mesh) && draw(&mesh, cells ? width : width * 8, cells ? height * 2 : height * 16, &p)) {
+  if (outcome == VS_OUTCOME_DONE && !file.failed && read_ply(&file, &mesh) && draw(&mesh, cells ? width : width * 8,
+      cells ? height * 2 : height * 16, &p)) {
     if (how == SHOW_BLOCKS) show_blocks(&p);
     else if (how == SHOW_KITTY) show_kitty(&p);
     else if (how == SHOW_ITERM) show_iterm(&p);

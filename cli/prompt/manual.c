@@ -1,4 +1,5 @@
-/* Owns the manual that the command carries. The build joins the pages of manual/ into one text (Makefile): a line "\001PATH" before each. Of Markdown it shows
+/* Owns the manual that the command carries. The build joins the pages of manual/ into one text (Makefile): a line
+ * "\001PATH" before each. Of Markdown it shows
  * what reads well in a terminal: headings, text, blocks of code indented. */
 #include "cli/prompt/manual.h"
 
@@ -28,7 +29,8 @@ static bool is_word_of(part line, const char *word) { /* anywhere in it, whateve
   size_t n = strlen(word);
   for (const char *p = line.at; n && p + n <= line.end; p++) {
     if (strncasecmp(p, word, n) != 0) continue;
-    bool before = p == line.at || !isalnum((unsigned char)p[-1]), behind = p + n == line.end || !isalnum((unsigned char)p[n]);
+    bool before = p == line.at || !isalnum((unsigned char)p[-1]), behind = p + n == line.end ||
+        !isalnum((unsigned char)p[n]);
     if (before && behind) return true;
   }
   return false;
@@ -56,7 +58,8 @@ static void print_inline(part line, FILE *to, int width, bool bold) {
     if (*p == '`') { p++; continue; }
     if (p + 1 < line.end && p[0] == '*' && p[1] == '*') { p += 2; continue; }
     if (*p == '[') { /* a link: its words alone */
-      const char *close = memchr(p, ']', (size_t)(line.end - p)), *stop = close && close + 1 < line.end && close[1] == '(' ? memchr(close, ')', (size_t)(line.end - close)) : NULL;
+      const char *close = memchr(p, ']', (size_t)(line.end - p)), *stop = close && close + 1 < line.end &&
+          close[1] == '(' ? memchr(close, ')', (size_t)(line.end - close)) : NULL;
       if (stop) {
         for (const char *q = p + 1; q < close; q++) if (*q != '`') fputc(*q, to), column++;
         p = stop + 1;
@@ -114,7 +117,8 @@ static part page_name(part line) {
   return (part){from, to};
 }
 
-static bool same(part p, const char *word) { return (size_t)(p.end - p.at) == strlen(word) && !strncasecmp(p.at, word, strlen(word)); }
+static bool same(part p, const char *word) { return (size_t)(p.end - p.at) == strlen(word) && !strncasecmp(p.at,
+    word, strlen(word)); }
 
 bool cli_manual_print(const char *word, FILE *to) {
   if (!*word) return false;

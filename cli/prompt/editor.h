@@ -6,11 +6,13 @@
 
 typedef struct cli_editor cli_editor;
 
-/* NULL: there is no terminal to edit on, or no memory. `commands` hands the names of the prompt's own commands to each. */
+/* NULL: there is no terminal to edit on, or no memory. `commands` hands the names of the prompt's own commands to
+ * each. */
 cli_editor *cli_editor_open(vs *scheme, void (*commands)(void (*each)(void *context, const char *name), void *context));
 void cli_editor_close(cli_editor *e); /* saves the history; NULL is fine */
 
-/* A line with its newline, or several that were pasted or recalled; NULL at the end of input, or at an interrupt (errno EINTR). open: the lines before it,
+/* A line with its newline, or several that were pasted or recalled; NULL at the end of input, or at an interrupt
+ * (errno EINTR). open: the lines before it,
  * whose expression is still open ("" where none is). *whole: the line holds those before it too. */
 const char *cli_editor_line(cli_editor *e, const char *prompt, const char *open, size_t *length, bool *whole);
 /* A whole expression, or a command, to come back to. */

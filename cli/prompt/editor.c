@@ -1,7 +1,9 @@
 /* Owns the editing of lines on a terminal by libedit: what its keys do not do by themselves.
  *
- * libedit edits one buffer; a newline in it is shown as one, so that an expression recalled from the history is edited as the several lines that it
- * is. Lines typed one by one are handed over one by one, under a prompt that says what is open; the up key on an empty one takes them all back
+ * libedit edits one buffer; a newline in it is shown as one, so that an expression recalled from the history is
+ * edited as the several lines that it
+ * is. Lines typed one by one are handed over one by one, under a prompt that says what is open; the up key on an
+ * empty one takes them all back
  * into the buffer. */
 #include "cli/prompt/editor.h"
 
@@ -108,7 +110,8 @@ static char *text_before(cli_editor *e) {
   return all;
 }
 
-/* Looks through Scheme text as its reader would. open[0..depth): where the parentheses still open at its end stand. Returns the depth; *in_string: within
+/* Looks through Scheme text as its reader would. open[0..depth): where the parentheses still open at its end stand.
+ * Returns the depth; *in_string: within
  * a string. */
 static size_t scan(const char *at, size_t length, size_t *open, size_t room, bool *in_string) {
   size_t depth = 0;
@@ -242,7 +245,8 @@ static void print_names(const names *n) {
   size_t across = width / (widest + 2) ? width / (widest + 2) : 1, down = (shown + across - 1) / across;
   putchar('\n');
   for (size_t row = 0; row < down; row++)
-    for (size_t i = row; i < shown; i += down) printf("%-*s%s", i + down < shown ? (int)widest + 2 : 0, n->at[i], i + down < shown ? "" : "\n");
+    for (size_t i = row; i < shown; i += down) printf("%-*s%s", i + down < shown ? (int)widest + 2 : 0, n->at[i],
+        i + down < shown ? "" : "\n");
   if (shown < n->count) printf("... and %zu more\n", n->count - shown);
   fflush(stdout);
 }
@@ -262,7 +266,8 @@ static word_kind word_at(const char *before, const char **start) {
     const char *argument = space + strspn(space, " \t");
     static const char *const files[] = {"write", "run", "load", "save", "render", "reload"};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
-      if (!strncmp(first + 1, files[i], (size_t)(space - first - 1)) && space - first > 1) return *start = argument, WORD_FILE;
+      if (!strncmp(first + 1, files[i], (size_t)(space - first - 1)) && space - first > 1) return *start = argument,
+          WORD_FILE;
   }
   scan(before, n, open, DEEP, &in_string);
   if (in_string) {
@@ -394,7 +399,8 @@ static unsigned char line_down(EditLine *line, int key) {
     el_push(line, "\016");
     return CC_NORM;
   }
-  const char *start = (const char *)memchr(info->cursor, '\n', (size_t)(info->lastchar - info->cursor)) + 1, *end = start;
+  const char *start = (const char *)memchr(info->cursor, '\n', (size_t)(info->lastchar - info->cursor)) + 1, *end =
+      start;
   while (end < info->lastchar && *end != '\n') end++;
   size_t width = (size_t)characters(start, end);
   el_cursor(line, characters(info->cursor, start) + (int)(column < width ? column : width));
@@ -415,7 +421,8 @@ static unsigned char enter(EditLine *line, int key) {
   cli_editor *e = editor_of(line);
   const LineInfo *info = el_line(line);
   bool several = memchr(info->buffer, '\n', (size_t)(info->lastchar - info->buffer)) != NULL;
-  if (e && several && vs_read_check(e->scheme, info->buffer, (size_t)(info->lastchar - info->buffer)).state == VS_READ_INCOMPLETE) {
+  if (e && several && vs_read_check(e->scheme, info->buffer,
+      (size_t)(info->lastchar - info->buffer)).state == VS_READ_INCOMPLETE) {
     char blanks[64] = "\n", *before = text_before(e);
     size_t n = before ? indentation(before) : 0;
     free(before);
@@ -437,7 +444,8 @@ static unsigned char new_line(EditLine *line, int key) {
   return el_insertstr(line, "\n") == 0 ? CC_REFRESH : CC_ERROR;
 }
 
-/* What a terminal sends between ESC [ 200 ~ and ESC [ 201 ~ was pasted: text, in which no key means anything. Tabs become blanks. Whole lines end the
+/* What a terminal sends between ESC [ 200 ~ and ESC [ 201 ~ was pasted: text, in which no key means anything. Tabs
+ * become blanks. Whole lines end the
  * buffer; what stands behind the last of them begins the next. */
 static unsigned char paste(EditLine *line, int key) {
   (void)key;
@@ -460,8 +468,10 @@ static unsigned char paste(EditLine *line, int key) {
   if (ok && got.length && !last) result = el_insertstr(line, got.at) == 0 ? CC_REFRESH : CC_ERROR;
   else if (last) {
     const LineInfo *info = el_line(line);
-    ok = text_add(&e->pasted, info->buffer, (size_t)(info->cursor - info->buffer)) && text_add(&e->pasted, got.at, (size_t)(last + 1 - got.at)) &&
-         text_add(&e->rest, last + 1, strlen(last + 1)) && text_add(&e->rest, info->cursor, (size_t)(info->lastchar - info->cursor));
+    ok = text_add(&e->pasted, info->buffer, (size_t)(info->cursor - info->buffer)) && text_add(&e->pasted, got.at,
+        (size_t)(last + 1 - got.at)) &&
+         text_add(&e->rest, last + 1, strlen(last + 1)) && text_add(&e->rest, info->cursor,
+             (size_t)(info->lastchar - info->cursor));
     if (ok) {
       fwrite(got.at, 1, (size_t)(last + 1 - got.at), stdout); /* as if it had been typed */
       fflush(stdout);
@@ -485,7 +495,8 @@ void cli_editor_close(cli_editor *e) {
   HistEvent event;
   if (!e) return;
   if (e->line) fputs("\033[?2004l", stdout), fflush(stdout);
-  if (e->history && e->history_path && history(e->history, &event, H_SAVE, e->history_path) >= 0) chmod(e->history_path, 0600);
+  if (e->history && e->history_path && history(e->history, &event, H_SAVE,
+      e->history_path) >= 0) chmod(e->history_path, 0600);
   if (e->line) el_end(e->line);
   if (e->history) history_end(e->history);
   free(e->history_path);
@@ -494,19 +505,29 @@ void cli_editor_close(cli_editor *e) {
   free(e);
 }
 
-cli_editor *cli_editor_open(vs *scheme, void (*commands)(void (*each)(void *context, const char *name), void *context)) {
+cli_editor *cli_editor_open(vs *scheme, void (*commands)(void (*each)(void *context, const char *name),
+    void *context)) {
   static const struct { const char *keys, *does; } bound[] = {
-      {"^I", "vs-complete"}, {"^R", "em-inc-search-prev"}, {")", "vs-close"}, {"]", "vs-close"}, {"^M", "vs-enter"}, {"\\e[200~", "vs-paste"},
-      {"\\e[A", "vs-up"}, {"\\eOA", "vs-up"}, {"\\e[B", "vs-down"}, {"\\eOB", "vs-down"}, {"\\e^M", "vs-newline"}, {"\\e?", "vs-signature"},
+      {"^I", "vs-complete"}, {"^R", "em-inc-search-prev"}, {")", "vs-close"}, {"]", "vs-close"}, {"^M", "vs-enter"},
+          {"\\e[200~", "vs-paste"},
+      {"\\e[A", "vs-up"}, {"\\eOA", "vs-up"}, {"\\e[B", "vs-down"}, {"\\eOB", "vs-down"}, {"\\e^M", "vs-newline"},
+          {"\\e?", "vs-signature"},
       {"\\eOP", "vs-signature"}, {"\\e[11~", "vs-signature"},
       /* words, as xterm, screen, rxvt, the Linux console and others send them */
-      {"\\e[1;5D", "ed-prev-word"}, {"\\e[1;5C", "em-next-word"}, {"\\e[1;3D", "ed-prev-word"}, {"\\e[1;3C", "em-next-word"}, {"\\e[1;9D", "ed-prev-word"},
-      {"\\e[1;9C", "em-next-word"}, {"\\e[5D", "ed-prev-word"}, {"\\e[5C", "em-next-word"}, {"\\eOd", "ed-prev-word"}, {"\\eOc", "em-next-word"},
-      {"\\e\\e[D", "ed-prev-word"}, {"\\e\\e[C", "em-next-word"}, {"\\e[1;2D", "ed-prev-char"}, {"\\e[1;2C", "ed-next-char"}, {"\\eb", "ed-prev-word"}, {"\\ef", "em-next-word"},
-      {"\\e[1;5A", "vs-up"}, {"\\e[1;5B", "vs-down"}, {"\\e[1;2A", "vs-up"}, {"\\e[1;2B", "vs-down"}, {"\\e[1;3A", "vs-up"}, {"\\e[1;3B", "vs-down"},
-      {"\\e[H", "ed-move-to-beg"}, {"\\e[F", "ed-move-to-end"}, {"\\eOH", "ed-move-to-beg"}, {"\\eOF", "ed-move-to-end"}, {"\\e[1~", "ed-move-to-beg"}, {"\\e[4~", "ed-move-to-end"},
-      {"\\e[7~", "ed-move-to-beg"}, {"\\e[8~", "ed-move-to-end"}, {"\\e[1;5H", "ed-move-to-beg"}, {"\\e[1;5F", "ed-move-to-end"},
-      {"\\e[3~", "ed-delete-next-char"}, {"\\e[3;5~", "em-delete-next-word"}, {"\\e^?", "ed-delete-prev-word"}, {"\\e[5~", "vs-up"}, {"\\e[6~", "vs-down"}, {"\\e[2~", "ed-redisplay"},
+      {"\\e[1;5D", "ed-prev-word"}, {"\\e[1;5C", "em-next-word"}, {"\\e[1;3D", "ed-prev-word"}, {"\\e[1;3C",
+          "em-next-word"}, {"\\e[1;9D", "ed-prev-word"},
+      {"\\e[1;9C", "em-next-word"}, {"\\e[5D", "ed-prev-word"}, {"\\e[5C", "em-next-word"}, {"\\eOd",
+          "ed-prev-word"}, {"\\eOc", "em-next-word"},
+      {"\\e\\e[D", "ed-prev-word"}, {"\\e\\e[C", "em-next-word"}, {"\\e[1;2D", "ed-prev-char"}, {"\\e[1;2C",
+          "ed-next-char"}, {"\\eb", "ed-prev-word"}, {"\\ef", "em-next-word"},
+      {"\\e[1;5A", "vs-up"}, {"\\e[1;5B", "vs-down"}, {"\\e[1;2A", "vs-up"}, {"\\e[1;2B", "vs-down"}, {"\\e[1;3A",
+          "vs-up"}, {"\\e[1;3B", "vs-down"},
+      {"\\e[H", "ed-move-to-beg"}, {"\\e[F", "ed-move-to-end"}, {"\\eOH", "ed-move-to-beg"}, {"\\eOF",
+          "ed-move-to-end"}, {"\\e[1~", "ed-move-to-beg"}, {"\\e[4~", "ed-move-to-end"},
+      {"\\e[7~", "ed-move-to-beg"}, {"\\e[8~", "ed-move-to-end"}, {"\\e[1;5H", "ed-move-to-beg"}, {"\\e[1;5F",
+          "ed-move-to-end"},
+      {"\\e[3~", "ed-delete-next-char"}, {"\\e[3;5~", "em-delete-next-word"}, {"\\e^?", "ed-delete-prev-word"},
+          {"\\e[5~", "vs-up"}, {"\\e[6~", "vs-down"}, {"\\e[2~", "ed-redisplay"},
   };
   HistEvent event;
   if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO)) return NULL;
@@ -536,7 +557,8 @@ cli_editor *cli_editor_open(vs *scheme, void (*commands)(void (*each)(void *cont
   el_set(e->line, EL_ADDFN, "vs-up", "the line above, or the entry before", line_up);
   el_set(e->line, EL_ADDFN, "vs-down", "the line below, or the entry after", line_down);
   el_set(e->line, EL_ADDFN, "vs-signature", "show how the procedure is called", signature);
-  for (size_t i = 0; i < sizeof bound / sizeof *bound; i++) el_set(e->line, EL_BIND, bound[i].keys, bound[i].does, NULL);
+  for (size_t i = 0; i < sizeof bound / sizeof *bound; i++) el_set(e->line, EL_BIND, bound[i].keys, bound[i].does,
+      NULL);
   el_set(e->line, EL_SIGNAL, 0);
   return e;
 }

@@ -5,7 +5,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Prints what the manual has on the word: the entry of a name of the language, a page, or the sections whose headings have it. False: nothing. */
+/* Prints what the manual has on the word: the entry of a name of the language, a page, or the sections whose
+ * headings have it. False: nothing. */
 bool cli_manual_print(const char *word, FILE *to);
 /* Prints where else the manual speaks of it: the headings, a line each. */
 void cli_manual_mentions(const char *word, FILE *to);

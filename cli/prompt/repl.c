@@ -1,13 +1,15 @@
-/* Owns the prompt's loop: reads lines until they are whole data, evaluates them, prints their values; an error does not end it.
+/* Owns the prompt's loop: reads lines until they are whole data, evaluates them, prints their values; an error does
+ * not end it.
  *
- * On a terminal editor.c edits the lines. Without one (a pipe) lines are read as they come and no prompt is shown. A line that begins with a comma is
+ * On a terminal editor.c edits the lines. Without one (a pipe) lines are read as they come and no prompt is shown. A
+ * line that begins with a comma is
  * a command to the prompt itself, also where an expression is open. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/editor.h"
-#include "cli/prompt.h"
+#include "cli/prompt/editor.h"
+#include "cli/prompt/prompt.h"
 
 typedef struct { char *at; size_t length, room; } line_buffer;
 
@@ -74,9 +76,11 @@ static void advise_infix(const char *text, size_t length) {
   if (!length || length >= sizeof line) return;
   memcpy(line, text, length);
   line[length] = 0;
-  if (sscanf(line, "%39[^ ()\"'] %2[-+*/<>=^%%] %39[^ ()\"']%1s", a, sign, b, rest) != 3 || strpbrk(a, "\n;") || strpbrk(b, "\n;")) return;
+  if (sscanf(line, "%39[^ ()\"'] %2[-+*/<>=^%%] %39[^ ()\"']%1s", a, sign, b, rest) != 3 || strpbrk(a, "\n;") ||
+      strpbrk(b, "\n;")) return;
   if (sign[0] == '=' && !sign[1]) return; /* x = 5: the error says it */
-  fprintf(stderr, "; the operator stands first: (%s %s %s)\n", strcmp(sign, "^") == 0 ? "expt" : strcmp(sign, "==") == 0 ? "=" : sign, a, b);
+  fprintf(stderr, "; the operator stands first: (%s %s %s)\n", strcmp(sign, "^") == 0 ? "expt" : strcmp(sign,
+      "==") == 0 ? "=" : sign, a, b);
 }
 
 vs_outcome cli_prompt_evaluate(cli_session *c, cli_prompt *p, const char *text, size_t length, unsigned first_line) {
@@ -103,7 +107,8 @@ static const char *continuation(const vs_read_status *status, char *room, size_t
   return room;
 }
 
-/* Says where the expression that is given up may lack its parenthesis: at the end of the line before the first that begins at the left edge. */
+/* Says where the expression that is given up may lack its parenthesis: at the end of the line before the first that
+ * begins at the left edge. */
 static void tell_given_up(const char *text, const vs_read_status *status) {
   unsigned line = 1, lacks = 0;
   for (const char *at = text; *at; line++) {
@@ -132,7 +137,8 @@ vs_outcome cli_repl(cli_session *c) {
     bool whole;
     if (c->editor && c->midline) putchar('\n'); /* the prompt begins a line */
     c->midline = false;
-    const char *line = next_line(c, pending.length ? continuation(&status, room, sizeof room) : "> ", pending.length ? pending.at : "", &length, &whole);
+    const char *line = next_line(c, pending.length ? continuation(&status, room, sizeof room) : "> ", pending.length
+        ? pending.at : "", &length, &whole);
     if (!line && *c->ended) break;
     if (!line && errno == EINTR && c->editor) { /* ctrl-C drops what was typed */
       vs_interrupt_clear(c->scheme);
@@ -156,10 +162,12 @@ vs_outcome cli_repl(cli_session *c) {
       if (c->editor) cli_editor_remember(c->editor, command, length);
       cli_prompt_command(c, &p, command + blanks + 1);
       free(command);
-      if (pending.length && p.going) printf("; the expression above is still open, %u deep; an empty line gives it up\n", status.depth);
+      if (pending.length &&
+          p.going) printf("; the expression above is still open, %u deep; an empty line gives it up\n", status.depth);
       continue;
     }
-    if (line && c->editor && pending.length && blanks + 1 >= length && !cli_editor_has_more(c->editor)) { /* an empty line */
+    /* an empty line */
+    if (line && c->editor && pending.length && blanks + 1 >= length && !cli_editor_has_more(c->editor)) {
       tell_given_up(pending.at, &status);
       p.line++;
       pending.length = 0;

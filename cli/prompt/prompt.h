@@ -1,4 +1,5 @@
-/* Owns the prompt's own state, shared by its loop (repl.c), its commands (prompt_commands.c) and the pictures that it shows (show.c). */
+/* Owns the prompt's own state, shared by its loop (repl.c), its commands (prompt_commands.c) and the pictures that
+ * it shows (show.c). */
 #ifndef VS_CLI_PROMPT_H
 #define VS_CLI_PROMPT_H
 
