@@ -103,6 +103,9 @@ typedef struct {
    * now belongs to the interpreter, which frees it. False: *why says so ("no such file"); static or living until the next call.
    * NULL: the file system. */
   bool (*read_file)(void *context, const char *path, char **text, size_t *length, const char **why);
+  /* Gives each name in a folder to take, in any order, until that returns false, for directory-files. False: *why says so, as above, or take
+   * returned false. NULL: the file system, where read_file is NULL too; else no folder is read. */
+  bool (*list_folder)(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length), void *to, const char **why);
 } vs_host;
 
 /* As realloc: new_size 0 frees, NULL is failure; old_size is what was asked for. */
@@ -121,7 +124,7 @@ typedef struct {
   size_t cache;           /* bytes of results kept for later drawings and outputs (meshes): 0: 256 MB, or a quarter of limit_memory; SIZE_MAX: keep nothing */
   /* an error keeps its calls' parameters, for vs_frame_get: a prompt's wish, it costs every error some time */
   bool keep_frames;
-  bool untrusted;         /* no file access but read_file, no native text */
+  bool untrusted;         /* no file access but read_file and list_folder, no native text */
   const char *library_path; /* folders for load, require and import, ':' between them, after the folders of the file that asks and of the program; NULL: none */
   const char *const *command_line; size_t command_line_count; /* what (command-line) gives: the program's name, then its arguments; 0: "vs" */
 } vs_options;

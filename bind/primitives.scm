@@ -85,6 +85,7 @@
         (cond
           ((null? spec) '())
           ((identifier? spec) (list spec))
+          ((not (pair? spec)) (list #f))
           ((identifier? (car spec)) (if (keyword? (syntax->datum (car spec))) (variables (cdr spec)) (cons (car spec) (variables (cdr spec)))))
           ((and (pair? (car spec)) (identifier? (caar spec)))
            (if (memq (syntax->datum (caar spec)) '(list-of and or not)) (variables (cdr spec)) (cons (caar spec) (variables (cdr spec)))))

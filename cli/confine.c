@@ -48,7 +48,7 @@ static bool confine_files(const char *model, const char *const *written, size_t 
   for (size_t i = 0; i < sizeof system / sizeof *system; i++) allow(rules, system[i], FS_EXECUTE | FS_READ | FS_READ_FOLDER, all.files);
   allow(rules, "/dev/null", FS_READ | FS_WRITE | FS_TRUNCATE, all.files);
   allow(rules, "/dev/urandom", FS_READ, all.files);
-  allow(rules, model, FS_READ, all.files);
+  allow(rules, model, FS_READ | FS_READ_FOLDER, all.files);
   const uint64_t making = FS_READ | FS_WRITE | FS_MAKE | FS_REMOVE | FS_TRUNCATE | FS_REFER;
   for (size_t i = 0; i < count; i++) allow(rules, written[i], making, all.files);
   if (scratch) allow(rules, scratch, making | FS_MAKE_FOLDER | FS_REMOVE_FOLDER | FS_READ_FOLDER, all.files);

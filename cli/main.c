@@ -66,6 +66,9 @@ static void print_diagnostic(void *context, const vs_diagnostic *d) {
 static bool read_untrusted(void *context, const char *path, char **text, size_t *length, const char **why) {
   return cli_untrusted_read(&((cli_session *)context)->untrusted, path, text, length, why);
 }
+static bool list_untrusted(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length), void *to, const char **why) {
+  return cli_untrusted_list(&((cli_session *)context)->untrusted, path, take, to, why);
+}
 static bool poll_limits(void *context) {
   cli_watch_poll(&((cli_session *)context)->watch);
   return false;
@@ -301,8 +304,9 @@ int main(int argc, char **argv) {
   session.reporter.progress = !options.quiet && isatty(STDERR_FILENO);
   options.interpreter.host = (vs_host){.context = &session, .output = print_output, .input = read_input, .diagnose = print_diagnostic, .progress = print_progress, .poll = options.interpreter.limit_time > 0 ? poll_limits : NULL, .value = print_value};
   if (options.untrusted) options.interpreter.host.read_file = read_untrusted;
+  if (options.untrusted) options.interpreter.host.list_folder = list_untrusted;
   if (!TIDY) options.interpreter.alloc = cli_memory;
-  options.interpreter.keep_frames = options.interactive || options.source_count == 0;
+  options.interpreter.keep_frames = options.verbose || options.interactive || options.source_count == 0;
   if (options.interpreter.limit_memory) cli_limits_memory(options.interpreter.limit_memory);
   session.watch.limit = options.interpreter.limit_time;
   if (session.watch.limit > 0 && !cli_limits_watch(&session.watch)) session.watch.limit = 0; /* the library's own polls remain */
@@ -314,6 +318,7 @@ int main(int argc, char **argv) {
     interrupted_by_signal = session.scheme;
     hear_signals();
     outcome = run_batch(&session);
+    if (options.verbose && outcome == VS_OUTCOME_MODEL) cli_report_calls(session.scheme, stderr);
     int code;
     if (vs_exit_requested(session.scheme, &code)) {
       if (outcome == VS_OUTCOME_DONE) session.exit_code = code;

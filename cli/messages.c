@@ -93,6 +93,17 @@ void cli_report_diagnostic(cli_reporter *r, const vs_diagnostic *d) {
   }
 }
 
+bool cli_report_calls(vs *scheme, FILE *to) {
+  vs_frame_info f;
+  size_t i = 0;
+  for (; vs_frame_get(scheme, i, &f); i++) {
+    fprintf(to, "  %zu  %s", i + 1, *f.procedure ? f.procedure : "(no name)");
+    if (f.at.file) fprintf(to, ", %s:%u:%u", f.at.file, (unsigned)f.at.line, (unsigned)f.at.column);
+    fprintf(to, "%s%s\n", *f.variables ? ": " : "", f.variables);
+  }
+  return i > 0;
+}
+
 void cli_report_progress(cli_reporter *r, const vs_progress *p) {
   if (!r->progress) return;
   char line[sizeof r->line], percent[16] = "";

@@ -204,6 +204,7 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
     return true;
   case OPTION_LIMIT_WORKER: return (parse_real(v, 0, &o->interpreter.limit_worker) && o->interpreter.limit_worker > 0) || bad("--limit-worker", v, "seconds above 0");
   case OPTION_UNTRUSTED: o->untrusted = true; return true;
+  case OPTION_VERBOSE: o->verbose = true; return true;
   case OPTION_STRICT: o->output.strict = true; return true;
   case OPTION_CHECK: o->check = true; return true;
   case OPTION_QUIET: o->quiet = true; return true;

@@ -5,6 +5,7 @@
 #define _GNU_SOURCE /* clearenv, strchrnul, O_PATH */
 #include "cli/untrusted.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <ftw.h>
@@ -84,6 +85,24 @@ bool cli_untrusted_read(cli_untrusted *u, const char *path, char **text, size_t 
   if (!to) return refuse(u, "cannot be read", why);
   *text = to, *length = used < room ? used : (size_t)info.st_size; /* one that grows meanwhile is cut */
   return true;
+}
+
+bool cli_untrusted_list(cli_untrusted *u, const char *path, bool (*take)(void *to, const char *name, size_t length), void *to,
+                        const char **why) {
+  static const char outside[] = "an untrusted model reads only its own folder and those in it, and no links";
+  size_t prefix = strlen(u->prefix);
+  if (u->folder >= 0 && prefix && strlen(path) + 1 == prefix && strncmp(path, u->prefix, prefix - 1) == 0) path = "."; /* without its slash */
+  else if (u->folder < 0 || strncmp(path, u->prefix, prefix) != 0) return refuse(u, outside, why);
+  else path += prefix;
+  int file = *path == '/' ? -1 : open_beneath(u->folder, *path ? path : ".");
+  if (file < 0) return refuse(u, *path != '/' && errno == ENOENT ? "no such folder" : outside, why);
+  DIR *folder = fdopendir(file);
+  if (!folder) return close(file), refuse(u, "is not a folder", why);
+  bool ok = true;
+  for (const struct dirent *entry; ok && (entry = readdir(folder));)
+    if (strcmp(entry->d_name, ".") && strcmp(entry->d_name, "..")) ok = take(to, entry->d_name, strlen(entry->d_name));
+  closedir(folder);
+  return ok;
 }
 
 /* ---- the worker's folder ---- */

@@ -17,6 +17,9 @@ typedef struct {
 bool cli_untrusted_begin(cli_untrusted *u, cli_options *o);
 /* A file beneath the model's folder; as vs_host.read_file. */
 bool cli_untrusted_read(cli_untrusted *u, const char *path, char **text, size_t *length, const char **why);
+/* The names in a folder beneath the model's, or in that; as vs_host.list_folder. */
+bool cli_untrusted_list(cli_untrusted *u, const char *path, bool (*take)(void *to, const char *name, size_t length), void *to,
+                        const char **why);
 void cli_untrusted_end(cli_untrusted *u);
 
 #endif

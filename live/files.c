@@ -3,6 +3,7 @@
 #define _XOPEN_SOURCE 700 /* realpath */
 #include "live/files.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -53,6 +54,19 @@ bool live_file_read(const char *path, char **text, size_t *length, const char **
   *text = at;
   *length = used;
   return true;
+}
+
+bool live_folder_list(const char *path, bool (*take)(void *to, const char *name, size_t length), void *to, const char **why) {
+  DIR *folder = opendir(*path ? path : ".");
+  if (folder == NULL) {
+    *why = errno == ENOENT ? "no such folder" : "it cannot be opened";
+    return false;
+  }
+  bool ok = true;
+  for (const struct dirent *entry; ok && (entry = readdir(folder)) != NULL;)
+    if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0) ok = take(to, entry->d_name, strlen(entry->d_name));
+  closedir(folder);
+  return ok;
 }
 
 static live_file file_now(const char *path) {

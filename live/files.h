@@ -12,6 +12,8 @@ typedef struct { live_file *at; size_t count, room; } live_files;
 
 /* Reads a whole file. True: *text is the caller's to free. False: *why says so and is static. */
 bool live_file_read(const char *path, char **text, size_t *length, const char **why);
+/* Gives the names in a folder to take until it returns false; as vs_host.list_folder. */
+bool live_folder_list(const char *path, bool (*take)(void *to, const char *name, size_t length), void *to, const char **why);
 bool live_files_note(live_files *f, const char *path); /* as it is now, before it is read; false: out of memory */
 bool live_files_changed(const live_files *f);          /* is one of them another than it was? */
 void live_files_clear(live_files *f);

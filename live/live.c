@@ -105,6 +105,11 @@ static bool host_read(void *context, const char *path, char **text, size_t *leng
   return live_file_read(path, text, length, why);
 }
 
+static bool host_list(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length), void *to, const char **why) {
+  (void)context;
+  return live_folder_list(path, take, to, why);
+}
+
 static void stop(void *context) { vs_interrupt(((live *)context)->scheme); }
 
 /* ---- publishing ---- */
@@ -334,7 +339,7 @@ vs_outcome live_view(const live_options *o) {
     goto done;
   }
   vs_options interpreter = o->interpreter;
-  interpreter.host = (vs_host){ .context = l, .output = host_output, .diagnose = host_diagnose, .progress = host_progress, .poll = host_poll, .value = host_value, .read_file = host_read };
+  interpreter.host = (vs_host){ .context = l, .output = host_output, .diagnose = host_diagnose, .progress = host_progress, .poll = host_poll, .value = host_value, .read_file = host_read, .list_folder = host_list };
   l->scheme = vs_new(&interpreter);
   if (l->scheme == NULL) {
     fprintf(stderr, "vs: out of memory\n");

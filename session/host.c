@@ -91,6 +91,7 @@ static const char *reason(int error) {
   if (error == ENOENT) return "no such file";
   if (error == EACCES) return "not permitted to read it";
   if (error == EISDIR) return "is a folder, not a file";
+  if (error == ENOTDIR) return "is not a folder";
   return strerror(error);
 }
 
@@ -300,10 +301,13 @@ static bool remove_file(void *session, const char *path, const char **why) {
   return unlink(path) == 0 || refuse(s, errno == EACCES ? "not permitted to delete it" : reason(errno), why);
 }
 
-static bool list_folder(void *session, const char *path, bool (*take)(void *context, const char *name, size_t length), void *context, const char **why) {
+static bool list_folder(void *session, const char *path, bool (*take)(void *context, const char *name, size_t length),
+                        void *context, const char **why) {
   vs_session *s = session;
+  const vs_host *h = &s->options.host;
+  if (h->list_folder) return h->list_folder(h->context, path, take, context, why);
   if (s->options.untrusted || s->options.host.read_file) return refuse(s, "reading folders is switched off", why);
-  DIR *folder = opendir(path);
+  DIR *folder = opendir(*path ? path : ".");
   if (!folder) return refuse(s, errno == ENOENT ? "no such folder" : reason(errno), why);
   bool ok = true;
   for (const struct dirent *entry; ok && (entry = readdir(folder));)

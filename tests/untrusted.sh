@@ -21,12 +21,14 @@ paths="/etc/passwd /etc/hostname ../secret.vs ./../secret.vs sub/../../secret.vs
   for path in $paths; do
     for use in '(load "P")' "(eval '(include \"P\") (interaction-environment))" "(eval '(require \"P\") (interaction-environment))" '(display (read-line (open-input-file "P")))' '(display (file-exists? "P"))' \
       '(call-with-input-file "P" (lambda (p) (display (read-line p))))' '(with-input-from-file "P" read-line)' '(display (load-mesh "P"))' \
-      '(display (make-height-field "P" (xyz 0 0 0) (xyz 1 1 0)))' '(sky #:image "P")' '(make-text (xyz 0 0 0) 1 "a" #:font "P.ttf")' '(open-output-file "P")' '(delete-file "P")'; do
+      '(display (make-height-field "P" (xyz 0 0 0) (xyz 1 1 0)))' '(sky #:image "P")' '(make-text (xyz 0 0 0) 1 "a" #:font "P.ttf")' '(open-output-file "P")' '(delete-file "P")' \
+      '(write (directory-files "P"))' '(display (file->string "P"))' '(display (load-csv "P"))' '(display (load-json "P"))'; do
       printf '(guard (e (#t (display "refused "))) %s)\n' "$use" | sed "s|P\"|$path\"|; s|\"P.ttf|\"$path.ttf|"
     done
   done
   cat << 'MODEL'
 (load "sub/inside.vs") (display inside)
+(write (directory-files "sub"))
 (display (volume (load-mesh "cube.off")))
 (display (solid? (make-height-field "grey8.png" (xyz 0 0 0) (xyz 1 1 0) #:low -1)))
 (display (list (get-environment-variable "HOME") (get-environment-variable "MARK") (get-environment-variables)))
@@ -45,7 +47,8 @@ run "$BUILD/vs" --untrusted -q models/model.vs > "$work/said" 2> "$work/err" < /
 status=$?
 [ $status = 0 ] || { echo "ended with $status"; tail -n 5 "$work/err"; } >> "$work/wrong"
 grep -a 'SECRET\|root:' "$work/said" "$work/err" >> "$work/wrong"
-grep -q 'INSIDE-3' "$work/said" || echo "did not read its own folder" >> "$work/wrong"
+grep -q 'INSIDE-3("inside.vs")' "$work/said" || echo "did not read its own folder" >> "$work/wrong"
+grep -a 'secret.vs\|"passwd"\|"uevent_seqnum"' "$work/said" >> "$work/wrong"
 say reads
 
 if command -v strace >/dev/null 2>&1 && run strace -o /dev/null true 2>/dev/null; then

@@ -403,14 +403,7 @@ static void trace(cli_session *c, cli_prompt *p, const char *name, bool on) {
 }
 
 static void backtrace(cli_session *c) {
-  vs_frame_info f;
-  size_t i = 0;
-  for (; vs_frame_get(c->scheme, i, &f); i++) {
-    printf("  %zu  %s", i + 1, *f.procedure ? f.procedure : "(no name)");
-    if (f.at.file) printf(", %s:%u:%u", f.at.file, (unsigned)f.at.line, (unsigned)f.at.column);
-    printf("%s%s\n", *f.variables ? ": " : "", f.variables);
-  }
-  if (!i) puts("; there was no error");
+  if (!cli_report_calls(c->scheme, stdout)) puts("; there was no error");
 }
 
 static void locals(cli_session *c, const char *number) {

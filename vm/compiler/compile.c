@@ -378,7 +378,7 @@ static bool gen_call(compiler *c, vs_node *n, uint32_t to, bool fresh) {
   if (far) ok = vs_emit_word(e, VS_INS(VS_O_CALLX, to == TAIL, 0, 0)) && vs_emit_word(e, w) && vs_emit_word(e, n->count) && vs_emit_word(e, kw);
   else if (global) ok = vs_emit_word(e, VS_INS(to == TAIL ? VS_O_TAILG : VS_O_CALLG, w, n->count, 0)) && vs_emit_word(e, k);
   else ok = vs_emit_word(e, VS_INS(to == TAIL ? VS_O_TAIL : VS_O_CALL, w, n->count, 0));
-  if (to == EFFECT && w < VS_NEAR) ok = ok && vs_emit_op(e, VS_O_DROP, w, 0, 0);
+  if (to == EFFECT) ok = ok && vs_emit_op(e, VS_O_DROP, w, 0, 0);      /* also what says that no value is taken here */
   e->next = keep;
   return ok && finish(c, w, to);        /* behind a tail call too: a native may come back there */
 }

@@ -369,6 +369,7 @@ static bool use_macro(vs_expansion *x, vs_value macro, vs_value form, vs_pos pos
       !vs_cons(vm, vs_as_macro(r[1])->transformer, r[2], &r[2]) || !vs_intern_c(vm, "%expand-by-renaming", &r[3])) return false;
   x->procedure = vs_environment_value(vm->at.core, r[3]);
   x->args = r[2];
+  vm->top_place = pos;        /* of errors in what the transformer calls */
   *wait = true;
   return true;
 }

@@ -130,14 +130,18 @@ static bool when_unless(vs_expansion *x, bool when, int form) {
 bool vs_form_when(vs_expansion *x) { return when_unless(x, true, VS_FORM_when); }
 bool vs_form_unless(vs_expansion *x) { return when_unless(x, false, VS_FORM_unless); }
 
+/* (assert test detail ...): the details are values for the message */
 bool vs_form_assert(vs_expansion *x) {
-  if (vs_list_length(x->now.form) < 2) return vs_expand_shape(x, VS_FORM_assert);
+  int64_t n = vs_list_length(x->now.form);
+  if (n < 2) return vs_expand_shape(x, VS_FORM_assert);
   VS_ROOTS(x->vm, r, 1);
-  vs_node *node = branch(x), *fail = vs_expand_call(x, "%assertion-failed", 1, x->now.pos), *nothing = unspecific(x, x->now.pos);
+  vs_node *node = branch(x), *nothing = unspecific(x, x->now.pos);
+  vs_node *fail = vs_expand_call(x, "%assertion-failed", (size_t)n - 1, x->now.pos);
   if (!node || !fail || !nothing || !vs_strip(x->vm, vs_car(vs_cdr(x->now.form)), &r[0]) ||
       !(fail->as.call.at[0] = vs_ast_constant(&x->ast, r[0], x->now.pos))) return false;
   node->as.branch.then = nothing;
   node->as.branch.otherwise = fail;
+  if (n > 2 && !vs_expand_list(x, vs_cdr(vs_cdr(x->now.form)), x->now.env, fail->as.call.at + 1, x->now.depth + 2)) return false;
   if (!vs_expand_nth(x, 1, x->now.env, &node->as.branch.test)) return false;
   vs_expand_top(x)->test = vs_expand_top(x)->decides = true;
   return true;

@@ -341,7 +341,12 @@ static bool read_delimited(reader *r, char end, vs_text *t) {
       return true;
     }
     if (c == '\\') { if (!read_escape(r, t)) return false; }
-    else if (ends_line(r, c)) { newline(r, r->at); if (!vs_text_put(t, "\n", 1)) return false; }
+    else {                                              /* a string's lines end with \n however the file's do; a symbol keeps what it has */
+      const char kept = (char)c;
+      bool ends = ends_line(r, c);
+      if (ends) newline(r, r->at);
+      if (end == '|' ? !vs_text_put(t, &kept, 1) : ends && !vs_text_put(t, "\n", 1)) return false;
+    }
   }
   if (end == '"' && r->odd_string)
     problem(r, r->odd_string, "this string goes on to line %u; a \" is missing, probably on line %u", r->odd_end, vs_pos_line(r->odd_string));
@@ -407,10 +412,11 @@ static bool read_symbol(reader *r, vs_value *out) {
   return ok;
 }
 
+/* Is the token here this word, in any case? */
 static bool same(const reader *r, const char *word) {
   size_t n = strlen(word);
   if (r->size - r->at < n) return false;
-  for (size_t i = 0; i < n; i++) if (r->text[r->at + i] != word[i] && !(r->fold && (r->text[r->at + i] | 32) == word[i])) return false;
+  for (size_t i = 0; i < n; i++) if (r->text[r->at + i] != word[i] && (r->text[r->at + i] | 32) != word[i]) return false;
   reader after = {.text = r->text, .size = r->size, .at = r->at + n};
   return is_delimiter(&after);
 }
@@ -418,7 +424,7 @@ static bool same(const reader *r, const char *word) {
 /* A token that begins with #. *skip_: it was no datum (a prefix was pushed). */
 static bool read_hash(reader *r, vs_value *out, bool *prefix) {
   static const struct { const char *word; vs_value value; } words[] = {
-    {"#t", VS_TRUE}, {"#true", VS_TRUE}, {"#f", VS_FALSE}, {"#false", VS_FALSE}, {"#T", VS_TRUE}, {"#F", VS_FALSE}, {"#!eof", VS_EOF}};
+    {"#t", VS_TRUE}, {"#true", VS_TRUE}, {"#f", VS_FALSE}, {"#false", VS_FALSE}, {"#!eof", VS_EOF}};
   vs_pos pos = place(r, r->at);
   int c = peek(r, 1);
   *prefix = true;

@@ -189,12 +189,12 @@ static vs_status floor_quotient(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 static vs_status floor_both(vs *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
-  return floor_quotient(vm, a, n, &r[0]) && vs_number_modulo(vm, a[0], a[1], &r[1]) && vs_make_values(vm, r, 2, out);
+  return floor_quotient(vm, a, n, &r[0]) && vs_number_modulo(vm, a[0], a[1], &r[1]) ? vs_several(vm, r, 2, out) : VS_ERROR;
 }
 static vs_status truncate_both(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   VS_ROOTS(vm, r, 2);
-  return vs_number_quotient(vm, a[0], a[1], &r[0]) && vs_number_remainder(vm, a[0], a[1], &r[1]) && vs_make_values(vm, r, 2, out);
+  return vs_number_quotient(vm, a[0], a[1], &r[0]) && vs_number_remainder(vm, a[0], a[1], &r[1]) ? vs_several(vm, r, 2, out) : VS_ERROR;
 }
 
 static bool gcd2(vs *vm, vs_value x, vs_value y, vs_value *out) {

@@ -77,7 +77,21 @@ static bool is_whitespace(uint32_t c) {
   return (c >= 9 && c <= 13) || c == 0x85 || k == UTF8PROC_CATEGORY_ZS || k == UTF8PROC_CATEGORY_ZL || k == UTF8PROC_CATEGORY_ZP;
 }
 static bool is_upper(uint32_t c) { return char_down(c) != c || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LU; }
-static bool is_lower(uint32_t c) { return !is_upper(c) && (char_up(c) != c || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LL); }
+
+/* Characters that are small letters by Unicode's Other_Lowercase, neither of category Ll nor with a capital: ordinals and raised letters. */
+static bool is_other_lower(uint32_t c) {
+  static const uint32_t range[][2] = {
+    { 0xAA, 0xAA }, { 0xBA, 0xBA }, { 0x2B0, 0x2B8 }, { 0x2C0, 0x2C1 }, { 0x2E0, 0x2E4 }, { 0x345, 0x345 }, { 0x37A, 0x37A },
+    { 0x10FC, 0x10FC }, { 0x1D2C, 0x1D6A }, { 0x1D78, 0x1D78 }, { 0x1D9B, 0x1DBF }, { 0x2071, 0x2071 }, { 0x207F, 0x207F },
+    { 0x2090, 0x209C }, { 0x2C7C, 0x2C7D }, { 0xA69C, 0xA69D }, { 0xA770, 0xA770 }, { 0xA7F8, 0xA7F9 }, { 0xAB5C, 0xAB5F } };
+  for (size_t i = 0; i < sizeof range / sizeof *range; i++)
+    if (c >= range[i][0] && c <= range[i][1]) return true;
+  return false;
+}
+
+static bool is_lower(uint32_t c) {
+  return !is_upper(c) && (char_up(c) != c || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LL || is_other_lower(c));
+}
 
 #define CATEGORIES(C) C(alphabetic) C(numeric) C(whitespace) C(upper) C(lower)
 #define C(name)                                                                  \

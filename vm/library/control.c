@@ -103,7 +103,7 @@ static vs_status dynamic_wind(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* ---- values and apply ---- */
-static vs_status values(vs *vm, vs_value *a, int n, vs_value *out) { return vs_make_values(vm, a, (size_t)n, out); }
+static vs_status values(vs *vm, vs_value *a, int n, vs_value *out) { return vs_several(vm, a, (size_t)n, out); }
 
 /* producer consumer | - */
 static vs_status call_with_values(vs *vm, vs_value *a, int n, vs_value *out) {

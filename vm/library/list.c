@@ -406,7 +406,7 @@ static vs_status list_split_at(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!maker_copy(vm, r, &a[0], k)) return VS_ERROR;
   a[1] = a[0];
   a[0] = r[HEAD];
-  return vs_make_values(vm, a, 2, out);
+  return vs_several(vm, a, 2, out);
 }
 
 /* all elements of lists within lists, in order; what is no list is one element. The way back is kept as a list: no recursion. A list that

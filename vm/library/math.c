@@ -147,7 +147,7 @@ static vs_status exact_integer_sqrt(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_exact_integer(a[0]) || vs_int_sign(a[0]) < 0) return vs_fail_type(vm, 0, "an exact integer from 0 on", a[0]);
   VS_ROOTS(vm, r, 2);
-  return vs_int_sqrt(vm, a[0], &r[0], &r[1]) && vs_make_values(vm, r, 2, out);
+  return vs_int_sqrt(vm, a[0], &r[0], &r[1]) ? vs_several(vm, r, 2, out) : VS_ERROR;
 }
 
 /* exact base to an exact integer power */

@@ -273,9 +273,26 @@ VS_ORDERS(O)
 
 /* ---- case ---- */
 
-static bool is_letter(uint32_t c) {
+/* Unicode's Cased and Case_Ignorable, which say where a word ends: A with a mark, an apostrophe or a full stop behind it goes on. */
+static bool is_cased(uint32_t c) {
   utf8proc_category_t k = utf8proc_category((utf8proc_int32_t)c);
-  return k >= UTF8PROC_CATEGORY_LU && k <= UTF8PROC_CATEGORY_LO;
+  return k >= UTF8PROC_CATEGORY_LU && k <= UTF8PROC_CATEGORY_LT;
+}
+
+static bool is_case_ignorable(uint32_t c) {
+  static const uint16_t between[] = { 0x27, 0x2E, 0x3A, 0xB7, 0x387, 0x5F4, 0x2018, 0x2019, 0x2024, 0x2027, 0xFE13, 0xFE52, 0xFE55, 0xFF07, 0xFF0E, 0xFF1A };
+  for (size_t i = 0; i < sizeof between / sizeof *between; i++)
+    if (c == between[i]) return true;
+  utf8proc_category_t k = utf8proc_category((utf8proc_int32_t)c);
+  return k == UTF8PROC_CATEGORY_MN || k == UTF8PROC_CATEGORY_ME || k == UTF8PROC_CATEGORY_CF || k == UTF8PROC_CATEGORY_LM || k == UTF8PROC_CATEGORY_SK;
+}
+
+/* Is the i-th character, a sigma, the last letter of a word of two or more? (Unicode's Final_Sigma.) */
+static bool ends_word(vs_value s, size_t i) {
+  size_t before = i, after = i + 1, length = (size_t)length_of(s);
+  while (before > 0 && is_case_ignorable(vs_string_at(s, before - 1))) before--;
+  while (after < length && is_case_ignorable(vs_string_at(s, after))) after++;
+  return before > 0 && is_cased(vs_string_at(s, before - 1)) && !(after < length && is_cased(vs_string_at(s, after)));
 }
 
 /* The capitals of one character. Letters whose full case folding is several characters (ß, the ligature ff, j with a caron) and that are no
@@ -304,7 +321,7 @@ static vs_status string_upcase(vs *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-/* a sigma at the end of a word is written as the final one */
+/* A sigma at the end of a word becomes the final one, and the dotted capital I an i with a dot above: the rows of Unicode's SpecialCasing. */
 static vs_status string_downcase(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_string(vm, a, 0)) return VS_ERROR;
@@ -314,8 +331,8 @@ static vs_status string_downcase(vs *vm, vs_value *a, int n, vs_value *out) {
   size_t length = (size_t)length_of(a[0]);
   for (size_t i = 0; ok && i < length && (ok = vs_poll_turn(vm, i, 8)); i++) {
     uint32_t c = vs_string_at(a[0], i);
-    bool final = c == 0x3A3 && i > 0 && is_letter(vs_string_at(a[0], i - 1)) && !(i + 1 < length && is_letter(vs_string_at(a[0], i + 1)));
-    ok = vs_text_char(&t, final ? 0x3C2 : (uint32_t)utf8proc_tolower((utf8proc_int32_t)c));
+    ok = vs_text_char(&t, c == 0x3A3 && ends_word(a[0], i) ? 0x3C2 : (uint32_t)utf8proc_tolower((utf8proc_int32_t)c)) &&
+         (c != 0x130 || vs_text_char(&t, 0x307));
   }
   ok = ok && vs_text_to_string(&t, out);
   vs_text_close(&t);

@@ -17,6 +17,7 @@
 
    It returns
      VS_OK         *out is the value (a native may leave it: #unspecific)
+     VS_SEVERAL    *out holds several values, or none: vs_several returns this
      VS_ERROR      = false: vm->condition is set (the functions below do that, as does everything that returns bool)
      VS_TAILCALL   the native is done; the procedure given to vs_call is called in its place
      VS_CALL       the procedure given to vs_call is called; then the native is entered again, with the result in *out
@@ -39,7 +40,7 @@
 #include "vm/values/gc.h"
 
 typedef int vs_status;
-enum { VS_ERROR = 0, VS_OK = 1, VS_TAILCALL = 2, VS_CALL = 3, VS_THROW = 4, VS_UNCAUGHT = 5 /* the last two are control.c's */ };
+enum { VS_ERROR = 0, VS_OK = 1, VS_TAILCALL = 2, VS_CALL = 3, VS_THROW = 4, VS_UNCAUGHT = 5 /* these two are control.c's */, VS_SEVERAL = 6 };
 
 typedef vs_status vs_native_fn(vs *vm, vs_value *a, int n, vs_value *out);
 
@@ -66,8 +67,10 @@ vs_status vs_tailcall(vs *vm, vs_value procedure, size_t n, const vs_value *argv
 /* for long argument lists: begin, push ..., then return VS_CALL or VS_TAILCALL */
 void vs_call_begin(vs *vm, vs_value procedure);
 bool vs_call_push(vs *vm, vs_value v);
-/* several values: *out becomes a VALUES object (n = 1: that value) */
-/* = vs_make_values(vm, at, n, out) in gc.h */
+/* Returns n values; `at` in roots or arguments. The run loop holds whoever is returned to, to taking as many. */
+static inline vs_status vs_several(vs *vm, const vs_value *at, size_t n, vs_value *out) {
+  return !vs_make_values(vm, at, n, out) ? VS_ERROR : n == 1 ? VS_OK : VS_SEVERAL;
+}
 
 /* ---- failing: all return VS_ERROR (false) ---- */
 /* "NAME: PARAM must be EXPECTED, got VALUE"; PARAM from the signature by the argument's index in a[], NAME the running native */

@@ -447,10 +447,13 @@ static vs_status require(vs *vm, vs_value *a, int n, vs_value *out) {
 static vs_status features(vs *vm, vs_value *a, int n, vs_value *out) { (void)a; (void)n; return vs_features(vm, out); }
 
 static vs_status assertion_failed(vs *vm, vs_value *a, int n, vs_value *out) {
-  (void)n; (void)out;
+  (void)out;
   VS_ROOTS(vm, r, 1);
   vm->native = NULL;
-  return vs_cons(vm, a[0], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.error, r[0], "assertion failed:");
+  r[0] = VS_NIL;
+  for (int i = n; i-- > 0;)
+    if (!vs_cons(vm, a[i], r[0], &r[0])) return VS_ERROR;
+  return vs_fail_with(vm, vm->sym.error, r[0], "assertion failed:");
 }
 
 static const vs_native_def defs[] = {
@@ -470,7 +473,7 @@ static const vs_native_def defs[] = {
   {"%load-library", "path name", load_library, 1, NULL},
   {"%register-library", "name env", register_library, 0, NULL},
   {"%require", "path env", require, 1, NULL},
-  {"%assertion-failed", "form", assertion_failed, 0, NULL},
+  {"%assertion-failed", "form . details", assertion_failed, 0, NULL},
   {"features", "", features, 0, "what cond-expand knows"},
   {0}
 };

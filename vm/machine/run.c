@@ -123,6 +123,20 @@ static bool fail_callee(vs *vm, vs_value f, const vs_value *at, size_t n) {
   return false;
 }
 
+/* Does the code that a call returns to, at pc, take any number of values? It does where nobody takes what was returned, and where it is
+ * returned further. */
+static bool takes_several(const uint32_t *pc) {
+  uint32_t op = *pc & 255;
+  return op == VS_O_DROP || op == VS_O_RETURN || (op == VS_O_FARLOAD && ((pc[1] & 255) == VS_O_DROP || (pc[1] & 255) == VS_O_RETURN));
+}
+
+static bool fail_several(vs *vm, vs_value v) {
+  uint64_t n = vs_as_values(v)->count;
+  if (n == 0) return vs_fail(vm, vm->sym.arity, "no value came where one is expected");
+  return vs_fail(vm, vm->sym.arity, "%llu values came where one is expected; let-values, receive or call-with-values take several",
+                 (unsigned long long)n);
+}
+
 static bool make_closure(vs *vm, vs_value *base, const vs_value *k, const uint32_t *captures, vs_value code, vs_value *out) {
   (void)k;
   size_t n = vs_as_code(code)->free;
@@ -669,6 +683,9 @@ call: {
         if (status == VS_OK) {
           if (tail) { v = vm->value; goto give; }
           if (pc && !(ret & VS_RET_FLAGS)) { w[0] = vm->value; NEXT; }      /* back in the frame at base, at pc */
+        } else if (status == VS_SEVERAL && tail) {
+          v = vm->value;
+          goto give_several;
         }
         base = vm->base;
         goto native_done;
@@ -735,7 +752,10 @@ fail_above:                               /* an error of the caller at base, fou
 native_done:
   w = base - 2;
   switch (status) {
-    case VS_OK: v = vm->value; goto give;
+    case VS_OK: case VS_SEVERAL:
+      v = vm->value;
+      if (vs_is(v, VS_T_VALUES)) goto give_several;
+      goto give;
     case VS_ERROR: goto fail_native;
     case VS_TAILCALL:
     case VS_CALL: {
@@ -774,10 +794,29 @@ native_done:
       base = vm->stack + 2;
       vm->top = base;
       vm->call_procedure = VS_FALSE;
+      if (vs_is(v, VS_T_VALUES)) goto give_several;
       goto give;
     }
     default: goto uncaught;
   }
+
+  /* Returns v, several values, from the frame at base. Natives and the host take any number; code is asked here, or below in `give`
+     where its frame has to be found first. */
+give_several:
+  ret = base[-1];
+  if (!(ret & VS_RET_FLAGS)) {
+    vs_value *caller = base - 2 - vs_ret_distance(ret);
+    const vs_code *code = vs_as_code(vs_as_closure(caller[-2])->code);
+    if (!takes_several(vs_code_ins(code) + vs_ret_pc(ret))) {
+      base = caller;
+      pc = vs_code_ins(code) + vs_ret_pc(ret);
+      k = vs_code_consts(code);
+      SAVE;
+      fail_several(vm, v);
+      goto fail;
+    }
+  }
+  goto give;
 
   /* Returns v from the frame at base. */
 give: {
@@ -828,6 +867,7 @@ give: {
         }
       }
       base[distance] = v;
+      if (vs_is(v, VS_T_VALUES) && !takes_several(pc)) { SAVE; fail_several(vm, v); goto fail; }
       NEXT;
     }
     base -= 2 + distance;

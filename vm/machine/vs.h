@@ -123,7 +123,7 @@ struct vs {
   uint64_t aliases;                /* renamed identifiers made: their hash */
   int64_t expansions;              /* top-level forms expanded */
   uint32_t program_file;           /* number of the file that the host runs; 0: none */
-  uint64_t top_place;              /* vs_pos of the top-level form begun last */
+  uint64_t top_place;              /* vs_pos of the top-level form, or of the macro use in it, begun last */
 
   void *host;                      /* the embedder's own context */
   vs_config config;

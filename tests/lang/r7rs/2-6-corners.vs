@@ -26,3 +26,8 @@
 (write (map char->integer (string->list (string-upcase "\x1F0;\x390;\x149;")))) (newline) ; expect: (74 780 921 776 769 700 78)
 (displayln (string-upcase "ẞ İ éa"))                      ; expect: ẞ İ ÉA
 (displayln (char-upcase #\ß))                             ; expect: ß
+(write (all-of "#TRUE #False #T #tRuE #F"))    (newline) ; expect: (#t #f #t #t #f)
+(write (map char->integer (string->list (symbol->string (read (open-input-string "|a\rb\r\nc|")))))) (newline) ; expect: (97 13 98 13 10 99)
+(write (map char-lower-case? '(#\ª #\º #\ʰ #\ⁿ #\a #\A #\1 #\中))) (newline) ; expect: (#t #t #t #t #t #f #f #f)
+(displayln (string-downcase "AΣ'X ΑΣ. ΑΣΣ Σ ΑΣ́"))        ; expect: aσ'x ας. ασς σ ας́
+(write (map char->integer (string->list (string-downcase "İ")))) (newline) ; expect: (105 775)
