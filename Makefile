@@ -84,7 +84,8 @@ $(BUILD)/live_assets.s: $(LIVE_ASSETS) Makefile
 	@$(call assets,$(LIVE_ASSETS))
 
 $(BUILD)/live_assets.o: $(BUILD)/live_assets.s
-	$(CC) -c $< -o $@
+	$(call say,as    $<)
+	$(Q)$(CC) -c $< -o $@
 
 $(BUILD)/obj/assets.o: $(BUILD)/assets.s
 	@mkdir -p $(@D)
@@ -192,7 +193,8 @@ $(BUILD)/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/fuzz.h $(BUILD)/libvisualscheme.
 
 $(BUILD)/tools/replay_%: tests/fuzz/fuzz_%.c tests/fuzz/replay.c tests/fuzz/fuzz.h $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $< tests/fuzz/replay.c -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
+	$(call say,tool  $<)
+	$(Q)$(CC) $(CFLAGS) $< tests/fuzz/replay.c -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
 
 coverage: ## which lines the tests reach: gcov over vm, model, kernel and bind
 	$(MAKE) BUILD=$(BUILD)/coverage OPT="-O1 -g --coverage" LDFLAGS=--coverage SUITES="unit lang cli manual bad limits" tests

@@ -10,8 +10,10 @@
 #define _GNU_SOURCE
 #include "cli/limits.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>
+#include <semaphore.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -73,12 +75,20 @@ static void end_here(cli_watch *w) {
   _exit(VS_OUTCOME_MACHINE);
 }
 
+/* Waits for the watch to be closed, or for so many nanoseconds. */
+static bool closed_within(cli_watch *w, long nanoseconds) {
+  struct timespec until;
+  clock_gettime(CLOCK_MONOTONIC, &until);
+  until.tv_nsec += nanoseconds;
+  if (until.tv_nsec >= 1000000000) until.tv_sec++, until.tv_nsec -= 1000000000;
+  return sem_clockwait(&w->closed, CLOCK_MONOTONIC, &until) == 0;
+}
+
 static void *look_on(void *context) {
   cli_watch *w = context;
-  const struct timespec pause = { 0, 25000000 };
   double began_seen = 0, polled_seen = 0, began_starved = 0, polled_starved = 0, began_ran = 0, polled_ran = 0;
   for (;;) {
-    nanosleep(&pause, NULL);
+    if (closed_within(w, 25000000)) return NULL;
     double at = now(), began = atomic_load(&w->began), polled = atomic_load(&w->polled), lost = starved(w->scheduling);
     double ran = seconds(CLOCK_PROCESS_CPUTIME_ID);
     if (began != began_seen) began_seen = began, began_starved = lost, began_ran = ran;
@@ -90,21 +100,25 @@ static void *look_on(void *context) {
     bool deaf = atomic_load(&w->evaluating) && since_began > most && ran - began_ran > most;
     if (silent || asleep || deaf) end_here(w);
   }
-  return NULL;
 }
 
 bool cli_limits_watch(cli_watch *w) {
-  pthread_t thread;
   pthread_attr_t how;
   if (pthread_attr_init(&how) != 0) return false;
   pthread_attr_setstacksize(&how, STACK);
-  pthread_attr_setdetachstate(&how, PTHREAD_CREATE_DETACHED);
-  bool ok = pthread_create(&thread, &how, look_on, w) == 0;
+  w->watching = sem_init(&w->closed, 0, 0) == 0 && pthread_create(&w->thread, &how, look_on, w) == 0;
   pthread_attr_destroy(&how);
-  return ok;
+  return w->watching;
 }
 
 void cli_watch_open(cli_watch *w) { *w = (cli_watch){ .name = "vs", .scheduling = open("/proc/self/schedstat", O_RDONLY | O_CLOEXEC) }; }
+
+void cli_watch_close(cli_watch *w) {
+  if (!w->watching) return;
+  w->watching = false;
+  sem_post(&w->closed);
+  pthread_join(w->thread, NULL);
+}
 
 void cli_watch_poll(cli_watch *w) {
   if (w->limit > 0) atomic_store(&w->polled, now());

@@ -2,6 +2,8 @@
 #ifndef VS_CLI_LIMITS_H
 #define VS_CLI_LIMITS_H
 
+#include <pthread.h>
+#include <semaphore.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -14,14 +16,20 @@ typedef struct {
   _Atomic double polled;      /* clock when the library last asked whether to go on */
   _Atomic bool evaluating;    /* the step is an evaluation, whose time is one stretch */
   _Atomic bool told;          /* a diagnostic has said that a limit was reached */
+  bool watching;              /* the thread runs */
+  pthread_t thread;
+  sem_t closed;               /* posted when the thread has to end */
 } cli_watch;
 
 /* Bounds the memory that the process may write to at a tenth and some megabytes above the limit. Does nothing where the system has no such bound. */
 void cli_limits_memory(size_t limit);
 /* Makes a watch that watches nothing yet; opens what it will need when the process is confined. */
 void cli_watch_open(cli_watch *w);
-/* Begins to watch the steps. w must live as long as the process. False: no thread could be started. */
+/* Begins to watch the steps. The thread reads w and its name until cli_watch_close. False: no thread could be started. */
 bool cli_limits_watch(cli_watch *w);
+
+/* Ends the thread; before w or its name goes. Does nothing where no thread was started. */
+void cli_watch_close(cli_watch *w);
 
 /* Round every call of the library that a limit of time holds for. */
 void cli_watch_begin(cli_watch *w, bool evaluating);

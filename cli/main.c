@@ -332,6 +332,7 @@ int main(int argc, char **argv) {
     interrupted_by_signal = NULL;
     if (TIDY) vs_free(session.scheme);
   }
+  cli_watch_close(&session.watch);
   if (options.untrusted) cli_untrusted_end(&session.untrusted);
   free(session.line);
   free(session.model);

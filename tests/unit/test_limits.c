@@ -182,7 +182,7 @@ static void test_steps_and_output(void **state) {
 static void test_memory(void **state) {
   (void)state;
   static const char *const hungry[] = {
-    "(let loop ((l '())) (loop (cons 1 l)))", "(define (f) (+ 1 (f))) (f)", "(make-vector 100000000 0)", "(make-string 100000000 #\\a)", "(make-bytevector 100000000 0)",
+    "(let loop ((l '())) (loop (cons 1 l)))", "(make-vector 100000000 0)", "(make-string 100000000 #\\a)", "(make-bytevector 100000000 0)",
     "(make-list 100000000 0)", "(iota 100000000)", "(let loop ((s \"a\")) (loop (string-append s s)))", "(let loop ((x 3)) (loop (* x x)))", "(expt 3 100000000)",
     "(let ((h (make-hash))) (let loop ((i 0)) (hash-set! h i i) (loop (+ i 1))))", "(let loop ((v #(1))) (loop (vector-append v v)))",
     "(let ((p (open-output-string))) (let loop () (write 123456789 p) (loop)))", "(read (open-input-string (apply string-append (make-list 40000 (make-string 100 #\\()))))",
@@ -200,6 +200,10 @@ static void test_memory(void **state) {
     if (w.line != 1) fail_msg("%s: no place: %s", hungry[i], w.said);
     goes_on(s, &w, hungry[i]);
   }
+  /* Calls without end meet their own limit, half of the memory's, and the message names the procedure. */
+  assert_int_equal(eval(s, &w, "(define (f) (+ 1 (f))) (f)"), VS_OUTCOME_MODEL);
+  assert_non_null(strstr(w.said, "f calls itself without end here"));
+  goes_on(s, &w, "(f)");
   vs_free(s);
 }
 
