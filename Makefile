@@ -59,11 +59,11 @@ $(BUILD)/obj/vm/machine/run.o: CFLAGS += $(if $(findstring clang,$(shell $(CC) -
 
 LIVE_ASSETS = viewer/live.html $(BUILD)/live.css $(BUILD)/live.js
 
-$(BUILD)/viewer.js: viewer/page.js $(wildcard viewer/*.js) package.json
+$(BUILD)/viewer.js: viewer/page.js $(wildcard viewer/*.js) package.json $(wildcard node_modules/.package-lock.json)
 	@mkdir -p $(@D)
 	@if [ -x node_modules/.bin/esbuild ]; then $(BUNDLE) $< --outfile=$@; else : > $@; fi
 
-$(BUILD)/live.js: viewer/live.js $(wildcard viewer/*.js) package.json
+$(BUILD)/live.js: viewer/live.js $(wildcard viewer/*.js) package.json $(wildcard node_modules/.package-lock.json)
 	@mkdir -p $(@D)
 	@if [ -x node_modules/.bin/esbuild ]; then $(BUNDLE) $< --outfile=$@; else : > $@; fi
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "session/session.h"
+#include "solids/drawn_bounds.h"
 
 #include "backends/export.h"
 #include "model/store/cache.h"
@@ -42,8 +43,8 @@ static bool name_result(vs_session *s, vs_value v) {
   return true;
 }
 
-/* An object in a line: how it is made where that is short, else its kind; then its size, and its volume where that
- * costs nothing. */
+/* An object in a line: how it is made where that is short, else its kind; then the size of its bounding box, or of a
+ * larger one where the exact one would take long. */
 static bool tell_object(vs_session *s, vs_value v) {
   vs *vm = s->bind.vm;
   enum { SHORT = 60 };
@@ -66,9 +67,17 @@ static bool tell_object(vs_session *s, vs_value v) {
   }
   vs_bounds b;
   vs_error e = { 0 };
+  bool at_most = false;
+  vs_facets facets = { .tolerance = vs_bind_tolerance(&s->bind) };
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
+  size_t budget = VS_DRAWN_BOUNDS_MOST;
+  object = vs_bind_ref(r[0]);
   if (ok && vs_node_bounds(object.node, &b, &e) && !vs_bounds_is_empty(&b) &&
-      isfinite(b.max.x - b.min.x + b.max.y - b.min.y + b.max.z - b.min.z)) {
-    snprintf(text, sizeof text, " ; %.4g x %.4g x %.4g %s", b.max.x - b.min.x, b.max.y - b.min.y, b.max.z - b.min.z,
+      isfinite(b.max.x - b.min.x + b.max.y - b.min.y + b.max.z - b.min.z) &&
+      vs_drawn_bounds(&object, &facets, &options, &budget, &b, &at_most, &e)) {
+    vs_vec3 size = vs_v3_sub(b.max, b.min);
+    if (vs_bounds_is_empty(&b)) snprintf(text, sizeof text, " ; nothing");
+    else snprintf(text, sizeof text, " ; %s%.4g x %.4g x %.4g %s", at_most ? "at most " : "", size.x, size.y, size.z,
         s->bind.scene.units);
     ok = vs_text_puts(&t, text);
   }

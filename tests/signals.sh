@@ -22,21 +22,23 @@ judge() {
   rm -rf "$work"/out*
 }
 
+# A caller may ignore them (nohup does), and the shell cannot undo that: env can.
+heard="env --default-signal=TERM,HUP"
 for signal in TERM HUP; do
-  "$BUILD/vs" -q -e '(let loop () (loop))' > "$work/messages" 2>&1 & process=$!
+  $heard "$BUILD/vs" -q -e '(let loop () (loop))' > "$work/messages" 2>&1 & process=$!
   sleep 0.5; kill -$signal $process; wait $process
   judge "$signal while it evaluates" $?
 
-  sleep 2 | "$BUILD/vs" -q > "$work/messages" 2>&1 & process=$!
+  sleep 2 | $heard "$BUILD/vs" -q > "$work/messages" 2>&1 & process=$!
   sleep 0.5; kill -$signal $process; wait $process
   judge "$signal while it waits for input" $?
 
-  "$BUILD/vs" -q -e "$model" -o "$work/out.stl" > "$work/messages" 2>&1 & process=$!
+  $heard "$BUILD/vs" -q -e "$model" -o "$work/out.stl" > "$work/messages" 2>&1 & process=$!
   await begun; kill -$signal $process; wait $process
   judge "$signal while it writes" $?
 
   if ! command -v povray >/dev/null 2>&1 || ! command -v pgrep >/dev/null 2>&1; then echo "skip signals:$signal while POV-Ray runs: no povray or no pgrep"; continue; fi
-  "$BUILD/vs" -q examples/gare-do-oriente.vs -o "$work/out.png" > "$work/messages" 2>&1 & process=$!
+  $heard "$BUILD/vs" -q examples/gare-do-oriente.vs -o "$work/out.png" > "$work/messages" 2>&1 & process=$!
   await has_child; kill -$signal $process; wait $process
   judge "$signal while POV-Ray runs" $?
   if await gone; then echo "ok signals:POV-Ray is gone after $signal"; else echo "not ok signals:POV-Ray outlives $signal"; kill "$child"; fi

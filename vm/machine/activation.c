@@ -77,12 +77,12 @@ static vs_value *flush_failed(vs *vm, vs_value *w) {
   return NULL;
 }
 
-/* Calls that are not tail calls, one inside the other, may take a gigabyte, and of a limited memory half: some 20
- * million calls of a small procedure. What goes
- * deeper has no end. */
+/* Calls that are not tail calls, one inside the other, may take a gigabyte: some 20 million calls of a small procedure.
+ * Deeper ones have no end. Of a limited memory they may take a third, since the collector copies them: of more it would
+ * run out first, and the message would not say why. */
 static size_t most_slots(const vs *vm) {
   size_t bytes = VS_DEBUG_STRESS ? (size_t)256 << 20 : (size_t)1 << 30;
-  if (vm->config.memory_limit && vm->config.memory_limit / 2 < bytes) bytes = vm->config.memory_limit / 2;
+  if (vm->config.memory_limit && vm->config.memory_limit / 3 < bytes) bytes = vm->config.memory_limit / 3;
   return bytes / sizeof(vs_value);
 }
 
