@@ -67,6 +67,18 @@ static bool box_is_exact(const vs_node *n, bool *exact) {
 
 /* ---- how dear is it to combine? ---- */
 
+/* Facets a turn that the program asks for beyond the usual some 64 make meshes larger: of a ball, by their square. */
+static size_t segments_cost(const vs_node *n) {
+  const vs_kind_info *k = vs_kind_get((vs_kind)n->kind);
+  for (size_t i = 0; i < k->field_count; i++) {
+    if (k->fields[i].type != VS_FIELD_integer || strcmp(k->fields[i].name, "segments") != 0) continue;
+    int32_t segments;
+    memcpy(&segments, (const char *)vs_node_data(n) + k->fields[i].offset, sizeof segments);
+    return segments > 64 ? (size_t)segments * (size_t)segments / 4096 : 0;
+  }
+  return 0;
+}
+
 static size_t shape_cost(const vs_node *n) {
   switch ((vs_kind)n->kind) {
   case VS_POLYFACE_MESH: return 1 + VS_AS(polyface_mesh, n)->points->count / 100;
@@ -87,7 +99,7 @@ static bool combine_cost(const vs_node *n, size_t most, size_t *cost) {
   bool ok = true;
   *cost = 0;
   for (size_t seen = 0; ok && *cost <= most && seen <= 8 * most; seen++) {
-    *cost += shape_cost(n);
+    *cost += shape_cost(n) + segments_cost(n);
     ok = push_children(&s, n);
     if (!ok || s.count == 0) break;
     n = s.at[--s.count];

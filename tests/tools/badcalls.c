@@ -73,7 +73,7 @@ static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "make-torus", "r", "3" }, { "make-rectangle", "q", "(xyz 3 2 0)" },
   { "make-plane", "r", "(xyz 0 5 1)" }, { "v+v", "v", "ux" }, { "matrix*", "b", "(scaling-matrix 2)" },
   { "camera", "target", "(xyz 9 9 9)" }, { "view-from", "side", "'top" }, { "units", "unit", "'mm" }, { "sky", "image", NULL },
-  { "native", "target", "'povray" }, { "native", "text", "\"sphere { 0, 1 }\"" },
+  { "native", "target", "'povray" }, { "erase", "objects", "(draw ball)" }, { "native", "text", "\"sphere { 0, 1 }\"" },
   { "make-text", "font", "\"DejaVu Sans\"" }, { "text-width", "font", "\"DejaVu Sans\"" }, { "make-text", "align", "'left" }, { "make-text", "valign", "'top" },
   { "join-curves", "curves", "rail" }, { "make-superellipsoid", "e", "1" }, { "make-superellipsoid", "n", "1" },
   { "do-revolve", "s", "(make-circle (xyz 5 0 0) 1)" }, { "do-revolve", "axis", "'y" }, { "do-offset", "corners", "'round" },
@@ -226,6 +226,10 @@ static bool names_value(const char *value, const char *error) {
   if (!got) return strcmp(value, "#<void>") == 0 && strstr(error, "gave no value");
   size_t same = 0;
   got += 4;
+  if (strncmp(value, "#<procedure ", 12) == 0 && strncmp(got, "the procedure ", 14) == 0) { /* "...; call it: (NAME parameters)" */
+    size_t name = strlen(value) - 13;
+    return strncmp(got + 14, value + 12, name) == 0 && strncmp(got + 14 + name, "; call it: (", 12) == 0;
+  }
   while (got[same] && got[same] == value[same]) same++;
   if (!value[same] || (same >= 12 && strncmp(got + same, "...", 3) == 0)) return true;
   const char *element = value[0] == '(' ? strstr(value, got) : NULL;

@@ -1,6 +1,6 @@
 /* Owns typing at a program on a terminal of its own: `typist PROGRAM ARGS... < KEYS > SCREEN`.
  *
- * Every line of KEYS is typed once the program has been silent for a fifth of a second; in it \n \t \e \\ and \xHH stand for keys (\x03 is
+ * Every line of KEYS is typed once the program has been silent for a second; in it \n \t \e \\ and \xHH stand for keys (\x03 is
  * ctrl-C). What the program printed comes out without its cursor movements. Ends with the program's code. */
 #define _GNU_SOURCE /* posix_openpt and friends, and TIOCSCTTY */
 #include <fcntl.h>
@@ -31,6 +31,8 @@ static int listen_to(int terminal, int patience) {
   }
   return 1;
 }
+
+enum { PATIENCE = 700 /* ms; a busy machine may leave a program waiting for some hundred */ };
 
 static size_t unescape(char *line) {
   char *to = line;
@@ -77,7 +79,7 @@ int main(int argc, char **argv) {
   while (open_still && fgets(line, sizeof line, stdin)) {
     size_t length = unescape(line);
     if (write(terminal, line, length) != (ssize_t)length) break;
-    open_still = listen_to(terminal, 200);
+    open_still = listen_to(terminal, PATIENCE);
   }
   if (open_still) listen_to(terminal, 500);
   close(terminal); /* hangs up on a program that still waits */
