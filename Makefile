@@ -132,9 +132,14 @@ $(BUILD)/libvisualscheme.a: $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj
 	$(call say,ar    $@)
 	$(Q)ar rcs $@ $^
 
-$(BUILD)/libvisualscheme.so: $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o visualscheme.map
+# The shared library exports what the header declares.
+$(BUILD)/visualscheme.map: visualscheme.h
+	@mkdir -p $(@D)
+	@{ echo 'VISUALSCHEME_0 { global:'; sed -n 's/^VS_API .*[ *]\(vs_[a-z_]*\)(.*/\1;/p' $<; echo 'local: *; };'; } > $@
+
+$(BUILD)/libvisualscheme.so: $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o $(BUILD)/visualscheme.map
 	$(call say,link  $@)
-	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,libvisualscheme.so.0 -Wl,--version-script=visualscheme.map -Wl,--no-undefined -o $@ $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o $(LDFLAGS) $(LDLIBS)
+	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,libvisualscheme.so.0 -Wl,--version-script=$(BUILD)/visualscheme.map -Wl,--no-undefined -o $@ $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o $(LDFLAGS) $(LDLIBS)
 
 # The manual's pages as one text, for `vs help`: a line of byte 1 and the path before each.
 MANUAL    = $(wildcard manual/*.md manual/language/*.md manual/primitives/*.md)

@@ -22,7 +22,8 @@
 
 #include "visualscheme.h"
 
-#define GRACE 0.3 /* seconds past the limit, and without a poll */
+#define GRACE 0.3         /* seconds past the limit, and without a poll */
+#define GRACE_AT_PROMPT 3 /* there the end of the process loses what was typed */
 #define ASLEEP 5  /* seconds without a poll, for a step that waits and takes no processor time */
 
 enum { BESIDE = 4 << 20 /* bytes past a tenth more than the limit: stacks of threads, tables of libraries */, STACK = 256 << 10 };
@@ -90,13 +91,13 @@ static void *look_on(void *context) {
   for (;;) {
     if (closed_within(w, 25000000)) return NULL;
     double at = now(), began = atomic_load(&w->began), polled = atomic_load(&w->polled), lost = starved(w->scheduling);
-    double ran = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    double ran = seconds(CLOCK_PROCESS_CPUTIME_ID), grace = w->prompt ? GRACE_AT_PROMPT : GRACE;
     if (began != began_seen) began_seen = began, began_starved = lost, began_ran = ran;
     if (polled != polled_seen) polled_seen = polled, polled_starved = lost, polled_ran = ran;
-    if (began == 0 || at - began <= w->limit + GRACE) continue;
+    if (began == 0 || at - began <= w->limit + grace) continue;
     /* The system counts a wait for a processor when it ends: during one, only the processor time tells that the library could not poll. */
-    double since_began = at - began - (lost - began_starved), since_polled = at - polled - (lost - polled_starved), most = w->limit + GRACE + 0.1;
-    bool silent = since_polled > GRACE && ran - polled_ran > GRACE, asleep = at - polled > ASLEEP;
+    double since_began = at - began - (lost - began_starved), since_polled = at - polled - (lost - polled_starved), most = w->limit + grace + 0.1;
+    bool silent = since_polled > grace && ran - polled_ran > grace, asleep = at - polled > ASLEEP;
     bool deaf = atomic_load(&w->evaluating) && since_began > most && ran - began_ran > most;
     if (silent || asleep || deaf) end_here(w);
   }

@@ -11,6 +11,7 @@
 typedef struct {
   double limit;               /* seconds of one step; 0: nobody watches */
   const char *name;           /* of the model, for the message */
+  bool prompt;                /* set before the watch begins: the steps are those of a prompt */
   int scheduling;             /* the system's account of when we ran; -1: none */
   _Atomic double began;       /* clock when the step under way began; 0: none is */
   _Atomic double polled;      /* clock when the library last asked whether to go on */

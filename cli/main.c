@@ -309,6 +309,7 @@ int main(int argc, char **argv) {
   options.interpreter.keep_frames = options.verbose || options.interactive || options.source_count == 0;
   if (options.interpreter.limit_memory) cli_limits_memory(options.interpreter.limit_memory);
   session.watch.limit = options.interpreter.limit_time;
+  session.watch.prompt = options.interactive || options.source_count == 0;
   if (session.watch.limit > 0 && !cli_limits_watch(&session.watch)) session.watch.limit = 0; /* the library's own polls remain */
   session.scheme = vs_new(&options.interpreter);
   vs_outcome outcome = VS_OUTCOME_MACHINE;
