@@ -61,6 +61,7 @@ struct vs_bind {
   size_t ticket_count, ticket_room, gone_count;
   vs_error handed;                 /* what was wrong with a drawing function's result, with the object's place; kind NONE: nothing */
   bool handing;                    /* a drawing function is at work: draw gives its object and adds nothing */
+  struct vs_derivation *growing;   /* the derivation whose rule is running; NULL: none (rules/derivation.h) */
   vs_bind_back_end *back_ends;
   size_t back_end_count, back_end_room;
   bool (*is_built_in)(const char *name); /* is it the name or the ending of one of the library's own formats? */
@@ -152,6 +153,7 @@ typedef struct {
     struct { const vs_value *at; size_t count; } values; /* the rest as it came */
     struct { uint32_t *starts, *corners; size_t count; } faces; /* starts has count + 1 */
     const vs_material *material;
+    struct vs_scope *scope;
     struct { const char *at; size_t length; } text;
   };
 } vs_arg;

@@ -2,7 +2,7 @@
  *
  * Cost of a call: one pass over the form's parameters; nothing is allocated unless an argument is a list. What is allocated hangs off
  * the frame and goes when the call ends, whatever its outcome. */
-#include "bind/bind.h"
+#include "bind/rules/derivation.h"
 
 #include <stdio.h>
 
@@ -576,6 +576,14 @@ static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg
       }
       return finite3(&out->point.x) && has_length(out->point) ? VS_OK : refuse_condition(f, p, v);
     case VS_C_MATERIAL: case VS_C_COLOR: return convert_material(f, p, v, out);
+    case VS_C_SCOPE:
+      out->scope = vs_bind_scope(v);
+      return out->scope ? VS_OK : refuse_kind(f, p, v);
+    case VS_C_OWN_AXIS:
+      for (int i = 0; i < 3; i++)
+        if (symbol_is(v, (const char *const[]){ "x", "y", "z" }[i])) return out->integer = i, VS_OK;
+      return refuse_kind(f, p, v);
+    case VS_C_RULE: return vs_is_rule(v) ? VS_OK : refuse_kind(f, p, v);
   }
   return vs_bind_refuse(f, p->name, "known", v); /* not reached: every contract is above */
 }

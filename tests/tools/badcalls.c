@@ -57,6 +57,9 @@ static const samples contracts[] = {
   [VS_C_SOLID] = { { "ball" }, { NO_OBJECT, "ring", "plate" } },
   [VS_C_POINTS] = { { "(list (xy 0 0) (xy 4 0) (xy 4 3) (xy 0 3))" }, { "5", "\"here\"", "(list (xy 0 0) 5 (xy 1 1))", "(list (xy 0 0) (vxyz 1 0 0) (xy 1 1))", "#f", "ball", "(list (xy 0 0) far-point (xy 1 1))" } },
   [VS_C_THINGS] = { { "ball" }, { "5", "\"box\"", "'box", "car", "(list ball 5)", "far-point" } },
+  [VS_C_SCOPE] = { { "room" }, { NO_OBJECT, "#f", "ball" } },
+  [VS_C_OWN_AXIS] = { { "'x" }, { "5", "\"x\"", "'w", "(vxyz 1 0 0)", "#f" } },
+  [VS_C_RULE] = { { "ball" }, { "5", "'wall", "room" } },
   [VS_C_FACES] = { { "'((1 2 3) (1 3 4))" }, { "5", "'faces", "'(1 2 3)", "'((1 2))", "'((1 2 a))", "'((0 1 2))", "'((-1 1 2))", "'((1 2 1.5))", "'((1 2 3) . 4)" } },
   [VS_C_SECTIONS] = { { "(list ring (do-move ring (vxyz 0 0 3)))" }, { "5", "'rings", "(list ring 5)", "(list ring ball)", "car" } },
   [VS_C_PATH] = { { "3" }, { "\"up\"", "'z", "(xyz 1 2 3)", "ball", "plate", "car", NOT_FINITE, "far-vector" } },
@@ -97,6 +100,7 @@ static const char *first_definitions =
   "(define ball (make-sphere origin 1))"
   "(define brick2 (make-box (xyz 0 0 0) (xyz 1 2 3)))"
   "(define ring (make-circle origin 1))"
+  "(define room (make-box-scope origin 4 3 2))"
   "(define plate (make-region (make-rectangle (xy 0 0) (xy 2 1))))"
   "(define rail (make-line (xyz 0 0 0) (xyz 0 0 5)))"
   "(define bar (list (make-line (xyz 1 0 0) (xyz 1 0 3))))"

@@ -22,12 +22,15 @@ static void seed_state(uint64_t s[4], uint64_t seed) {
   }
 }
 
-/* The state's 32 bytes; NULL when memory is out. Valid until the next allocation. */
+/* Returns the state's four words and behind them the seed that the program gave; NULL when memory is out. Valid until the next
+ * allocation. */
 static uint64_t *random_state(vs *vm) {
   if (vs_lib_get(vm, VS_LIB_RANDOM) == VS_FALSE) {
     VS_ROOTS(vm, r, 1);
-    if (!vs_lib_open(vm) || !vs_make_bytes(vm, 32, &r[0])) return NULL;
-    seed_state((uint64_t *)(void *)vs_as_bytes(r[0])->at, FIRST_SEED);
+    if (!vs_lib_open(vm) || !vs_make_bytes(vm, 40, &r[0])) return NULL;
+    uint64_t *s = (uint64_t *)(void *)vs_as_bytes(r[0])->at;
+    seed_state(s, FIRST_SEED);
+    s[4] = FIRST_SEED;
     vs_lib_set(vm, VS_LIB_RANDOM, r[0]);
   }
   return (uint64_t *)(void *)vs_as_bytes(vs_lib_get(vm, VS_LIB_RANDOM))->at;
@@ -44,6 +47,27 @@ static uint64_t random_next(uint64_t s[4]) {
 }
 
 static double random_unit(uint64_t s[4]) { return (double)(random_next(s) >> 11) * 0x1p-53; }        /* [0, 1) */
+
+bool vs_random_keep(vs *vm, uint64_t state[4]) {
+  const uint64_t *s = random_state(vm);
+  if (s) memcpy(state, s, 4 * sizeof *s);
+  return s != NULL;
+}
+bool vs_random_restore(vs *vm, const uint64_t state[4]) {
+  uint64_t *s = random_state(vm);
+  if (s) memcpy(s, state, 4 * sizeof *s);
+  return s != NULL;
+}
+bool vs_random_branch(vs *vm, uint64_t key) {
+  uint64_t *s = random_state(vm);
+  if (s) seed_state(s, key ^ s[4] * UINT64_C(0x9E3779B97F4A7C15));
+  return s != NULL;
+}
+bool vs_random_unit(vs *vm, double *out) {
+  uint64_t *s = random_state(vm);
+  if (s) *out = random_unit(s);
+  return s != NULL;
+}
 
 /* uniform in 0 .. n-1 for an exact integer n > 0 */
 static bool random_below(vs *vm, vs_value n, vs_value *out) {
@@ -101,7 +125,8 @@ static vs_status random_seed(vs *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_is_number(a[0])) return vs_fail_type(vm, 0, "a number", a[0]);
   uint64_t *s = random_state(vm);
   if (!s) return VS_ERROR;
-  seed_state(s, vs_is_fixnum(a[0]) ? (uint64_t)vs_fixnum(a[0]) : vs_number_hash(a[0]));
+  s[4] = vs_is_fixnum(a[0]) ? (uint64_t)vs_fixnum(a[0]) : vs_number_hash(a[0]);
+  seed_state(s, s[4]);
   return VS_OK;
 }
 

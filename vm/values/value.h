@@ -85,7 +85,8 @@ enum {                          /* vs_object.flags */
   VS_F_LOCAL      = 8,          /* symbol, alias: some local scope has bound it */
   VS_F_ASSIGNED   = 8,          /* cell: its own unit has a set! of it: who imports it shares it */
   VS_F_AROUND     = 4,          /* environment: other scopes lie in this one */
-  VS_F_NEGATIVE   = 4           /* bignum */
+  VS_F_NEGATIVE   = 4,          /* bignum */
+  VS_F_MARKED     = 4           /* closure: one that the layers above treat in a way of their own */
 };
 
 static inline bool vs_is_object(vs_value v) { return (v >> 48) == VS_TAG_POINTER; }

@@ -1,0 +1,348 @@
+/* Owns the operators that take a scope apart: split, repeat, component, extrude. Each leaves scopes on the stack for
+ * their rules.
+ *
+ * A part of a hexahedron between two planes of its own coordinates is a hexahedron again, since the map is linear
+ * along each axis. */
+#include "bind/rules/derivation.h"
+
+#include <string.h>
+
+#define BOXES (VS_SCOPE_BIT(BOX) | VS_SCOPE_BIT(FFD))
+
+static vs_vec3 between(vs_vec3 a, vs_vec3 b, double t) { return vs_v3_add(a, vs_v3_scale(vs_v3_sub(b, a), t)); }
+
+/* The part of s from `from` on, `size` long along axis a, of a scope that is `whole` long: child index of count. */
+static vs_scope *part_of(vs_derivation *d, vs_scope *s, const char *op, uint32_t index, uint32_t count, int a,
+                         double from, double size, double whole) {
+  vs_scope *c = vs_rules_child(d, s, (vs_scope_class)s->class_, op, index, count);
+  if (!c) return NULL;
+  vs_scope_become(c, s);
+  if (s->class_ == VS_SCOPE_FFD) {
+    double t0 = whole > 0 ? from / whole : 0, t1 = whole > 0 ? (from + size) / whole : 1;
+    for (int i = 0; i < 8; i++) {
+      vs_vec3 low = s->as.corner[i & ~(1 << a)], high = s->as.corner[i | 1 << a];
+      c->as.corner[i] = between(low, high, i >> a & 1 ? t1 : t0);
+    }
+    return c;
+  }
+  for (int r = 0; r < 3; r++) c->as.box.frame.m[r][3] += c->as.box.frame.m[r][a] * from;
+  (&c->as.box.size.x)[a] = size;
+  return c;
+}
+
+static double size_along(const vs_scope *s, int axis) {
+  vs_vec3 size = vs_scope_size(s);
+  return axis == 0 ? size.x : axis == 1 ? size.y : size.z;
+}
+
+/* ---- split ---- */
+
+typedef struct {
+  double size, weight;
+  vs_value rule;
+} part;
+
+/* (absolute n rule) and its like are vectors #(kind number rule), kind one of absolute, relative, rest. */
+static bool read_part(vs_frame *f, vs_value v, double whole, part *out) {
+  const vs_vector *p = vs_is_vector(v) && vs_as_vector(v)->length == 3 ? vs_as_vector(v) : NULL;
+  double n;
+  if (!p || !vs_is_symbol(p->at[0]) || !vs_bind_number(f->vm, p->at[1], &n) || !vs_is_rule(p->at[2]))
+    return vs_bind_refuse(f, "part", "(absolute n rule), (relative f rule) or (rest [weight] rule)", v);
+  const char *kind = vs_as_symbol(p->at[0])->name;
+  *out = (part){ 0, 0, p->at[2] };
+  if (!strcmp(kind, "rest"))
+    out->weight = n;
+  else
+    out->size = strcmp(kind, "relative") ? n : n * whole;
+  return true;
+}
+
+vs_status vs_p_scope_split(vs_frame *f, vs_value *out) {
+  vs *vm = f->vm;
+  VS_ROOTS(vm, r, 2);
+  if (!vs_rules_class(f, 0, BOXES)) return VS_ERROR;
+  vs_scope *s = f->arg[0].scope;
+  int axis = (int)f->arg[1].integer;
+  r[0] = f->arg[2].value;
+  int64_t n = vs_list_length(r[0]);
+  double whole = size_along(s, axis), sum = 0, weight = 0;
+  part p;
+  uint32_t kept = 0;
+  if (n < 1)
+    return vs_fail(vm, vm->sym.arity,
+                   "takes (scope-split s axis part ...), and each part is (absolute n rule), (relative f rule) or "
+                   "(rest [weight] rule)");
+  for (vs_value l = r[0]; l != VS_NIL; l = vs_cdr(l)) {
+    if (!read_part(f, vs_car(l), whole, &p)) return VS_ERROR;
+    sum += p.size, weight += p.weight;
+  }
+  double slack = 1e-9 * fmax(whole, sum), left = whole - sum;
+  if (left < -slack)
+    return vs_fail(vm, vm->sym.range, "the parts sum to %.12g, but the scope is %.12g along %c", sum, whole,
+                   'x' + axis);
+  if (left > slack && weight == 0)
+    vs_bind_warn(
+        f->bind, "split",
+        "scope-split: the parts sum to %.12g, but the scope is %.12g along %c: the rest stays empty; (rest #f) says so",
+        sum, whole, 'x' + axis);
+  if (left <= slack) left = 0;
+  vs_derivation *d = vs_rules_begin(f, &r[1]);
+  vs_task *t = d ? vs_task_new(d, (uint32_t)n, true) : NULL;
+  if (!t) return VS_ERROR;
+  double at = 0;
+  uint32_t i = 0;
+  for (vs_value l = r[0]; l != VS_NIL; l = vs_cdr(l), i++) {
+    read_part(f, vs_car(l), whole, &p);
+    double size = p.size + (weight > 0 ? left * p.weight / weight : 0), to = at + size;
+    t->rules[i] = p.rule;
+    if (size > 0 && p.rule != VS_FALSE) {
+      t->child[i] = part_of(d, s, vs_rules_operator(f), i, (uint32_t)n, axis, at, size, whole);
+      if (!t->child[i]) return vs_task_drop(d, t), VS_ERROR;
+      kept++;
+    }
+    at = to;
+  }
+  *out = r[1];
+  return vs_task_push(d, t) ? VS_OK : VS_ERROR;
+}
+
+/* ---- repeat ---- */
+
+static bool count_parts(vs_frame *f, double whole, double approx, uint32_t *n) {
+  double parts = floor(whole / approx + .5);
+  if (parts < 1) parts = 1;
+  if (parts > VS_RULES_PARTS)
+    return vs_fail(f->vm, f->vm->sym.range, "%.12g by %.12g would be %.0f parts, more than %d", whole, approx, parts,
+                   VS_RULES_PARTS);
+  *n = (uint32_t)parts;
+  return true;
+}
+
+vs_status vs_p_scope_repeat(vs_frame *f, vs_value *out) {
+  VS_ROOTS(f->vm, r, 2);
+  uint32_t n = 0;
+  if (!vs_rules_class(f, 0, BOXES)) return VS_ERROR;
+  vs_scope *s = f->arg[0].scope;
+  int axis = (int)f->arg[1].integer;
+  r[0] = f->arg[3].value;
+  double whole = size_along(s, axis);
+  if (!count_parts(f, whole, f->arg[2].real, &n)) return VS_ERROR;
+  vs_derivation *d = vs_rules_begin(f, &r[1]);
+  vs_task *t = d ? vs_task_new(d, n, false) : NULL;
+  if (!t) return VS_ERROR;
+  t->rules[0] = r[0];
+  for (uint32_t i = 0; i < n; i++) {
+    t->child[i] = part_of(d, s, vs_rules_operator(f), i, n, axis, whole * i / n, whole / n, whole);
+    if (!t->child[i]) return vs_task_drop(d, t), VS_ERROR;
+  }
+  *out = r[1];
+  return vs_task_push(d, t) ? VS_OK : VS_ERROR;
+}
+
+/* ---- component ---- */
+
+/* The faces of a box by their corners: first corner, then along x, then along y of the face; each is seen from
+ * outside with y up. */
+enum { FRONT, BACK, LEFT, RIGHT, TOP, BOTTOM, FACES };
+static const struct {
+  const char *name;
+  uint8_t first, along, up;
+} faces[FACES] = {
+  [FRONT] = { "front", 4, 5, 6 }, [BACK] = { "back", 1, 0, 3 }, [LEFT] = { "left", 0, 4, 2 },
+  [RIGHT] = { "right", 5, 1, 7 }, [TOP] = { "top", 6, 7, 2 },   [BOTTOM] = { "bottom", 0, 1, 4 },
+};
+static const uint8_t side_order[] = { FRONT, RIGHT, BACK, LEFT }; /* as one walks round it */
+static const uint8_t face_order[] = { FRONT, RIGHT, BACK, LEFT, TOP, BOTTOM };
+
+/* A flat box with the first corner at a, x towards b and y towards c, which is at right angles to x or is made so. */
+static void lay_box(vs_scope *s, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
+  vs_vec3 u = vs_v3_sub(b, a), v = vs_v3_sub(c, a), x = vs_v3_unit(u);
+  vs_vec3 y = vs_v3_unit(vs_v3_sub(v, vs_v3_scale(x, vs_v3_dot(x, v))));
+  s->as.box.frame = vs_affine_columns(x, y, vs_v3_cross(x, y), a);
+  s->as.box.size = vs_v3(vs_v3_length(u), fabs(vs_v3_dot(y, v)), 0);
+}
+
+/* Of a scope without size along an axis the frame's own axes serve. */
+static void lay_face(vs_scope *child, const vs_scope *s, int face) {
+  const uint8_t first = faces[face].first, along = faces[face].along, up = faces[face].up;
+  if (s->class_ == VS_SCOPE_FFD) { /* a flat hexahedron: its z edges are points */
+    const uint8_t at[4] = { first, along, up, (uint8_t)(along ^ up ^ first) };
+    for (int c = 0; c < 8; c++) child->as.corner[c] = s->as.corner[at[c & 3]];
+    return;
+  }
+  static const uint8_t axis_of[8] = { 0, 0, 1, 0, 2, 0, 0, 0 }; /* of the one bit in which two corners differ */
+  int ax = axis_of[first ^ along], ay = axis_of[first ^ up];
+  double sx = along > first ? 1 : -1, sy = up > first ? 1 : -1;
+  vs_vec3 x = vs_v3_scale(vs_affine_column(&s->as.box.frame, ax), sx),
+          y = vs_v3_scale(vs_affine_column(&s->as.box.frame, ay), sy);
+  const double *size = &s->as.box.size.x;
+  child->as.box.frame =
+      vs_affine_columns(x, y, vs_v3_cross(x, y), vs_scope_corner(s, first & 1, first >> 1 & 1, first >> 2));
+  child->as.box.size = vs_v3(size[ax], size[ay], 0);
+}
+
+/* An edge from corner a to corner b: a box along x without height and depth. */
+static void lay_edge(vs_scope *child, const vs_scope *s, int a, int b) {
+  vs_affine frame = vs_scope_frame(s);
+  vs_vec3 from = vs_scope_corner(s, a & 1, a >> 1 & 1, a >> 2), to = vs_scope_corner(s, b & 1, b >> 1 & 1, b >> 2);
+  vs_vec3 d = vs_v3_sub(to, from), x = vs_v3_unit(d), y = vs_affine_column(&frame, a ^ b ^ 2 ? 1 : 0);
+  if (vs_v3_length(x) == 0) x = vs_affine_column(&frame, 0);
+  y = vs_v3_unit(vs_v3_sub(y, vs_v3_scale(x, vs_v3_dot(x, y))));
+  child->as.box.frame = vs_affine_columns(x, y, vs_v3_cross(x, y), from);
+  child->as.box.size = vs_v3(vs_v3_length(d), 0, 0);
+}
+
+static vs_status box_components(vs_frame *f, const char *of, vs_value *out) {
+  VS_ROOTS(f->vm, r, 2);
+  vs_scope *s = f->arg[0].scope;
+  r[0] = f->arg[1].value;
+  const uint8_t *list = face_order;
+  uint8_t one = FACES;
+  uint32_t n = 6;
+  bool edges = !strcmp(of, "edges"), vertices = !strcmp(of, "vertices"), sides = !strcmp(of, "sides");
+  for (uint8_t k = 0; k < FACES; k++)
+    if (!strcmp(of, faces[k].name)) one = k;
+  if (edges)
+    n = 12;
+  else if (vertices)
+    n = 8;
+  else if (sides)
+    n = 4, list = side_order;
+  else if (one < FACES)
+    n = 1, list = &one;
+  else if (strcmp(of, "faces"))
+    return vs_bind_refuse(f, "#:of", "one of 'faces 'sides 'edges 'vertices 'front 'back 'left 'right 'top 'bottom",
+                          f->key[0].value);
+  vs_derivation *d = vs_rules_begin(f, &r[1]);
+  vs_task *t = d ? vs_task_new(d, n, false) : NULL;
+  if (!t) return VS_ERROR;
+  t->rules[0] = r[0];
+  bool flat = edges || vertices;
+  for (uint32_t i = 0, edge = 0; i < n; i++) {
+    vs_scope *c = vs_rules_child(d, s, flat ? VS_SCOPE_BOX : (vs_scope_class)s->class_, vs_rules_operator(f), i, n);
+    if (!c) return vs_task_drop(d, t), VS_ERROR;
+    t->child[i] = c;
+    if (!flat) {
+      lay_face(c, s, list[i]);
+      if (list[i] < TOP) c->left = c->right = 1.5707963267948966;
+    } else if (vertices) {
+      c->as.box.frame = vs_scope_frame(s);
+      vs_vec3 at = vs_scope_corner(s, i & 1, i >> 1 & 1, i >> 2 & 1);
+      c->as.box.frame.m[0][3] = at.x, c->as.box.frame.m[1][3] = at.y, c->as.box.frame.m[2][3] = at.z;
+    } else { /* the i-th pair of corners that differ in one bit */
+      int a = 0, bit = 0;
+      for (;; edge++) {
+        a = (int)edge & 7, bit = 1 << (edge >> 3);
+        if (!(a & bit)) break;
+      }
+      edge++;
+      lay_edge(c, s, a, a | bit);
+    }
+  }
+  *out = r[1];
+  return vs_task_push(d, t) ? VS_OK : VS_ERROR;
+}
+
+/* ---- loops: polygons and triangles ---- */
+
+static double outer_angle(vs_vec3 before, vs_vec3 at, vs_vec3 after, vs_vec3 normal) {
+  vs_vec3 a = vs_v3_sub(at, before), b = vs_v3_sub(after, at);
+  return atan2(vs_v3_dot(normal, vs_v3_cross(a, b)), vs_v3_dot(a, b));
+}
+
+typedef struct {
+  vs_vec3 a, b;
+  double left, right;
+} side;
+/* Side k of all loops, in order. */
+static side side_of(const vs_scope *s, uint32_t k) {
+  const vs_vec3 *at = s->loops->points->at;
+  uint32_t l = 0;
+  while (k >= s->loops->start[l + 1]) l++;
+  uint32_t from = s->loops->start[l], n = s->loops->start[l + 1] - from, i = k - from;
+  vs_vec3 z = vs_affine_column(&s->as.box.frame, 2), p = at[from + (i + n - 1) % n], a = at[k],
+          b = at[from + (i + 1) % n], q = at[from + (i + 2) % n];
+  return (side){ a, b, outer_angle(p, a, b, z), outer_angle(a, b, q, z) };
+}
+
+static vs_status loop_components(vs_frame *f, const char *of, vs_value *out) {
+  VS_ROOTS(f->vm, r, 2);
+  vs_scope *s = f->arg[0].scope;
+  bool vertices = !strcmp(of, "vertices");
+  r[0] = f->arg[1].value;
+  if (!vertices && strcmp(of, "edges"))
+    return vs_bind_refuse(f, "#:of", "'edges or 'vertices, for a polygon or a triangle", f->key[0].value);
+  uint32_t n = s->loops->points->count;
+  vs_derivation *d = vs_rules_begin(f, &r[1]);
+  vs_task *t = d ? vs_task_new(d, n, false) : NULL;
+  if (!t) return VS_ERROR;
+  t->rules[0] = r[0];
+  vs_vec3 z = vs_affine_column(&s->as.box.frame, 2);
+  for (uint32_t i = 0; i < n; i++) {
+    vs_scope *c = vs_rules_child(d, s, VS_SCOPE_BOX, vs_rules_operator(f), i, n);
+    if (!c) return vs_task_drop(d, t), VS_ERROR;
+    t->child[i] = c;
+    side e = side_of(s, i);
+    lay_box(c, e.a, e.b, vs_v3_add(e.a, z));
+    c->as.box.size.y = 0;
+    if (vertices) c->as.box.size.x = 0;
+    c->left = e.left, c->right = e.right;
+  }
+  *out = r[1];
+  return vs_task_push(d, t) ? VS_OK : VS_ERROR;
+}
+
+vs_status vs_p_scope_component(vs_frame *f, vs_value *out) {
+  const char *of = f->key[0].given ? f->key[0].text.at : NULL;
+  const vs_scope *s = f->arg[0].scope;
+  if (!vs_rules_class(f, 0, BOXES | VS_SCOPE_BIT(MESH) | VS_SCOPE_BIT(POLYGON) | VS_SCOPE_BIT(TRIANGLE)))
+    return VS_ERROR;
+  if (s->class_ == VS_SCOPE_MESH) return vs_mesh_components(f, of ? of : "faces", out);
+  if (s->class_ == VS_SCOPE_POLYGON || s->class_ == VS_SCOPE_TRIANGLE)
+    return loop_components(f, of ? of : "edges", out);
+  return box_components(f, of ? of : "faces", out);
+}
+
+/* ---- extrude ---- */
+
+/* A polygon becomes boxes without depth round it, h high, and the polygon at the top; the polygon below it looks
+ * down. A flat box is the polygon of its corners. */
+vs_status vs_p_scope_extrude(vs_frame *f, vs_value *out) {
+  vs *vm = f->vm;
+  VS_ROOTS(vm, r, 4);
+  if (!vs_rules_class(f, 0, VS_SCOPE_BIT(POLYGON) | VS_SCOPE_BIT(TRIANGLE))) return VS_ERROR;
+  vs_scope *s = f->arg[0].scope;
+  double h = f->arg[1].real;
+  for (int i = 0; i < 3; i++) r[i] = f->key[i].given ? f->key[i].value : VS_FALSE;
+  if (!(h > 0)) return vs_bind_refuse(f, "h", "positive", f->arg[1].value);
+  uint32_t sides = s->loops->points->count;
+  vs_derivation *d = vs_rules_begin(f, &r[3]);
+  vs_task *t = d ? vs_task_new(d, sides + 2, true) : NULL;
+  if (!t) return VS_ERROR;
+  vs_vec3 z = vs_affine_column(&s->as.box.frame, 2), up = vs_v3_scale(z, h);
+  for (uint32_t i = 0; i < sides && r[0] != VS_FALSE; i++) {
+    vs_scope *c = t->child[i] = vs_rules_child(d, s, VS_SCOPE_BOX, "side", i, sides);
+    if (!c) return vs_task_drop(d, t), VS_ERROR;
+    side e = side_of(s, i);
+    lay_box(c, e.a, e.b, vs_v3_add(e.a, up));
+    c->left = e.left, c->right = e.right;
+    t->rules[i] = r[0];
+  }
+  for (uint32_t k = 0; k < 2; k++) { /* the top, the bottom */
+    if (r[1 + k] == VS_FALSE) continue;
+    vs_scope *c = t->child[sides + k] = vs_rules_child(d, s, (vs_scope_class)s->class_, k ? "bottom" : "top", 0, 1);
+    t->rules[sides + k] = r[1 + k];
+    vs_vec3 *at = c ? vs_bind_scratch(f, sides * sizeof *at) : NULL;
+    if (!at) return vs_task_drop(d, t), VS_ERROR;
+    const vs_vec3 *from = s->loops->points->at;
+    for (uint32_t l = 0; l < s->loops->count; l++) {
+      uint32_t first = s->loops->start[l], end = s->loops->start[l + 1];
+      for (uint32_t i = first; i < end; i++) at[i] = k ? from[end - 1 - (i - first)] : vs_v3_add(from[i], up);
+    }
+    c->loops = vs_scope_loops_new(c->store, at, s->loops->start, s->loops->count);
+    if (!c->loops) return vs_task_drop(d, t), vs_fail_memory(vm);
+    vs_scope_frame_loops(c);
+  }
+  *out = r[3];
+  return vs_task_push(d, t) ? VS_OK : VS_ERROR;
+}

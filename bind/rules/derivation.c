@@ -1,0 +1,486 @@
+/* Owns derivations: how they begin and end, the stack that rules.scm takes scopes from, what rules have made, and
+ * chance. */
+#include "bind/rules/derivation.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "vm/machine/lib.h"
+#include "vm/machine/program.h"
+
+/* ---- life ---- */
+
+static void mark_task(vs *vm, vs_task *t, void (*mark)(vs *vm, vs_value *slot)) {
+  if (!t->many) mark(vm, &t->rules[0]);
+  for (uint32_t i = t->next; t->many && i < t->count; i++) mark(vm, &t->rules[i]);
+}
+static void derivation_trace(vs *vm, void *object, void (*mark)(vs *vm, vs_value *slot)) {
+  vs_derivation *d = object;
+  mark(vm, &d->rule);
+  for (size_t i = 0; i < d->count; i++) mark_task(vm, d->stack[i], mark);
+}
+
+void vs_task_drop(vs_derivation *d, vs_task *t) {
+  for (uint32_t i = t->next; i < t->count; i++) vs_scope_release(t->child[i]);
+  vs_store_realloc(d->bind->store, t, t->bytes, 0);
+}
+
+static void derivation_release(void *object) {
+  vs_derivation *d = object;
+  vs_bind *b = d->bind;
+  vs_store *s = b->store;
+  if (b->growing == d) b->growing = NULL; /* an error ended it, and nobody put the outer one back */
+  while (d->count) vs_task_drop(d, d->stack[--d->count]);
+  vs_store_realloc(s, d->stack, d->room * sizeof *d->stack, 0);
+  for (size_t i = 0; i < d->made_count; i++) vs_node_release(d->made[i].node);
+  vs_store_realloc(s, d->made, d->made_room * sizeof *d->made, 0);
+  vs_node_release(d->fitted);
+  vs_store_realloc(s, d, sizeof *d, 0);
+}
+const vs_foreign_type vs_derivation_type = { "a derivation", derivation_release, NULL, NULL,
+                                             NULL,           derivation_trace,   false };
+
+bool vs_is_rule(vs_value v) { return v == VS_FALSE || vs_is_procedure(v) || vs_bind_ref(v).node; }
+
+/* The mark on a live wrapper: the derivation, and in the lowest bit whether the rule is to run at once. */
+static const void *live_mark(const vs_derivation *d, bool run) { return (const char *)d + run; }
+static bool is_live(const vs_bind *b, vs_value wrapper, bool *run) {
+  const void *with = vs_as_foreign(wrapper)->with;
+  if (!b->growing || !with) return false;
+  *run = with == live_mark(b->growing, true);
+  return *run || with == live_mark(b->growing, false);
+}
+
+static vs_derivation *derivation_new(vs_bind *b, vs_value *holder) {
+  vs_derivation *d = vs_store_realloc(b->store, NULL, 0, sizeof *d);
+  if (!d) return (void)vs_fail_memory(b->vm), NULL;
+  *d = (vs_derivation){ .bind = b, .rule = VS_FALSE, .most = b->growing ? b->growing->most : VS_RULES_DEPTH };
+  if (b->growing)
+    d->name = b->growing->name, d->steps = 1000 * ++b->growing->steps; /* what it makes has paths of its own */
+  return vs_make_foreign(b->vm, &vs_derivation_type, d, sizeof *d, holder) ? d
+                                                                           : NULL; /* released there where that fails */
+}
+
+vs_derivation *vs_rules_begin(vs_frame *f, vs_value *holder) {
+  bool run;
+  vs_bind *b = f->bind;
+  if (!is_live(b, f->arg[0].value, &run)) return derivation_new(b, holder);
+  vs_as_foreign(f->arg[0].value)->with = NULL;
+  *holder = VS_UNSPECIFIC;
+  b->growing->steps++;
+  return b->growing;
+}
+
+/* ---- the stack ---- */
+
+vs_task *vs_task_new(vs_derivation *d, uint32_t count, bool many) {
+  size_t rules = many && count ? count : 1;
+  size_t bytes = sizeof(vs_task) + (size_t)count * sizeof(vs_scope *) + rules * sizeof(vs_value);
+  vs_task *t = vs_store_realloc(d->bind->store, NULL, 0, bytes);
+  if (!t) return (void)vs_fail_memory(d->bind->vm), NULL;
+  memset(t, 0, bytes);
+  t->bytes = bytes, t->many = many, t->rules = (vs_value *)(void *)(t->child + count);
+  t->count = count;
+  for (size_t i = 0; i < rules; i++) t->rules[i] = VS_FALSE;
+  return t;
+}
+
+bool vs_task_push(vs_derivation *d, vs_task *t) {
+  if (!vs_store_grow(d->bind->store, &d->stack, &d->room, d->count + 1, sizeof *d->stack)) {
+    vs_task_drop(d, t);
+    return vs_fail_memory(d->bind->vm);
+  }
+  t->origin = vs_bind_origin(d->bind);
+  for (uint32_t i = 0; i < t->count; i++)
+    if (t->child[i]) t->child[i]->origin = t->origin;
+  d->stack[d->count++] = t;
+  return true;
+}
+
+static uint64_t text_hash(const char *text) {
+  uint64_t h = UINT64_C(0xCBF29CE484222325);
+  for (; text && *text; text++) h = (h ^ (unsigned char)*text) * UINT64_C(0x100000001B3);
+  return h;
+}
+
+static vs_status too_deep(vs_derivation *d, const vs_scope *s) {
+  char path[500];
+  vs_scope_path_text(s, path, sizeof path);
+  vs *vm = d->bind->vm;
+  const vs_native *native = vm->native;
+  vm->native = NULL; /* it is the rule's fault */
+  vs_fail(vm, vm->sym.recursion,
+          "%s: the derivation is %u levels deep, at %s; a rule that calls itself needs a clause that ends, or (derive "
+          "scope rule #:depth n)",
+          d->name ? d->name : "rule", d->most, path);
+  vm->native = native;
+  return VS_ERROR;
+}
+
+vs_scope *vs_rules_child(vs_derivation *d, vs_scope *parent, vs_scope_class c, const char *op, uint32_t index,
+                         uint32_t count) {
+  if (parent->depth >= d->most) return (void)too_deep(d, parent), NULL;
+  vs_scope *s = vs_scope_fresh(parent->store, c);
+  if (!s) return (void)vs_fail_memory(d->bind->vm), NULL;
+  s->depth = parent->depth + 1, s->index = index, s->count = count;
+  s->rule = d->name, s->op = op;
+  s->parent = vs_scope_retain(parent);
+  if ((s->flags = parent->flags)) s->flags->refs++;
+  s->hash = vs_scope_mix(vs_scope_mix(parent->hash, text_hash(d->name) + 3 * text_hash(op)),
+                         (uint64_t)d->steps << 32 | index);
+  return s;
+}
+
+bool vs_rules_class(vs_frame *f, int i, unsigned classes) {
+  const vs_scope *s = f->arg[i].scope;
+  if (classes >> s->class_ & 1) return true;
+  char wanted[200] = "";
+  unsigned left = classes;
+  for (uint8_t c = 0; c < VS_SCOPE_CLASSES; c++) {
+    if (!(classes >> c & 1)) continue;
+    left &= ~(1u << c);
+    const char *between = !*wanted ? "" : left ? ", " : " or ";
+    snprintf(wanted + strlen(wanted), sizeof wanted - strlen(wanted), "%s%s", between,
+             vs_scope_noun(&(vs_scope){ .class_ = c }));
+  }
+  return vs_bind_refuse(f, f->procedure->form[f->form].at[i].name, wanted, f->arg[i].value);
+}
+
+const char *vs_rules_operator(vs_frame *f) {
+  const char *name = vs_bind_defs[f->procedure - vs_bind_procedures].name;
+  if (*name == '%') name++;
+  return !strncmp(name, "scope-", 6) ? name + 6 : name;
+}
+
+/* ---- what was made ---- */
+
+bool vs_rules_gather(vs_derivation *d, vs_ref ref) {
+  if (ref.node->kind == VS_EMPTY) return true;
+  if (!vs_store_grow(d->bind->store, &d->made, &d->made_room, d->made_count + 1, sizeof *d->made))
+    return vs_fail_memory(d->bind->vm);
+  vs_node_retain(ref.node);
+  d->made[d->made_count++] = ref;
+  return true;
+}
+
+/* ---- the loop's steps, called by rules.scm ---- */
+
+static vs_derivation *derivation_of(vs_frame *f) { return vs_foreign_get(f->arg[0].value, &vs_derivation_type); }
+
+vs_status vs_p_is_derivation(vs_frame *f, vs_value *out) {
+  *out = vs_bool(derivation_of(f) != NULL);
+  return VS_OK;
+}
+
+vs_status vs_p_derivation_enter(vs_frame *f, vs_value *out) {
+  vs_derivation *d = derivation_of(f);
+  (void)out;
+  if (!d || d->over)
+    return vs_fail(f->vm, f->vm->sym.error,
+                   "the derivation is over: a rule's continuation can be entered only while it runs");
+  d->outer = f->bind->growing;
+  f->bind->growing = d;
+  return vs_random_keep(f->vm, d->random) ? VS_OK : VS_ERROR;
+}
+
+vs_status vs_p_derivation_leave(vs_frame *f, vs_value *out) {
+  vs_derivation *d = derivation_of(f);
+  (void)out;
+  f->bind->growing = d->outer;
+  d->outer = NULL;
+  return vs_random_restore(f->vm, d->random) ? VS_OK : VS_ERROR;
+}
+
+/* A rule begins to work on s: chance is the scope's own from here on. */
+static bool rule_begins(vs_derivation *d, const char *name, const vs_scope *s) {
+  d->name = name;
+  d->steps = 0;
+  return vs_random_branch(d->bind->vm, vs_scope_mix(s->hash, text_hash(name)));
+}
+
+/* (%derivation-next d): the next scope whose rule is a procedure, which %derivation-rule then gives; #f: all is
+ * done. Objects in place of rules are placed here. */
+vs_status vs_p_derivation_next(vs_frame *f, vs_value *out) {
+  vs_derivation *d = derivation_of(f);
+  VS_ROOTS(f->vm, r, 2);
+  for (;;) {
+    if (!d->count) return *out = VS_FALSE, VS_OK;
+    vs_task *t = d->stack[d->count - 1];
+    if (t->next == t->count) {
+      d->count--;
+      vs_task_drop(d, t);
+      continue;
+    }
+    uint32_t i = t->next++;
+    vs_scope *s = t->child[i];
+    vs_value rule = t->rules[t->many ? i : 0];
+    vs_ref object = vs_bind_ref(rule);
+    if (!s) continue;
+    if (rule == VS_FALSE || object.node) {
+      bool ok = !object.node || vs_rules_place(d, s, object, t->origin);
+      vs_scope_release(s);
+      if (!ok || !vs_poll(f->vm, 20)) return VS_ERROR;
+      continue;
+    }
+    r[0] = rule;
+    if (t->body && !rule_begins(d, t->name, s)) return vs_scope_release(s), VS_ERROR;
+    bool body = t->body;
+    if (!vs_scope_wrap(f->bind, s, &r[1])) return VS_ERROR;
+    if (!body && vs_is(r[0], VS_T_CLOSURE) && vs_object_of(r[0])->flags & VS_F_MARKED)
+      vs_as_foreign(r[1])->with = live_mark(d, true);
+    d->rule = r[0];
+    return *out = r[1], VS_OK;
+  }
+}
+
+vs_status vs_p_derivation_rule(vs_frame *f, vs_value *out) {
+  *out = derivation_of(f)->rule;
+  return VS_OK;
+}
+
+/* An error whose text begins with the name of the rule that runs, not with that of the library's helper. */
+static bool refuse_of_rule(vs_frame *f, const char *what, const char *expected, vs_value got) {
+  VS_ROOTS(f->vm, r, 2);
+  const vs_derivation *d = f->bind->growing;
+  r[0] = got;
+  if (!vs_cons(f->vm, r[0], VS_NIL, &r[1])) return false;
+  f->vm->native = NULL;
+  return vs_fail_with(f->vm, f->vm->sym.type, r[1], "%s: %s must be %s, got", d && d->name ? d->name : "rule", what,
+                      expected);
+}
+
+static bool gather_value(vs_frame *f, vs_derivation *d, vs_value v, const char *what) {
+  if (v == VS_UNSPECIFIC) return true;
+  vs_ref ref = vs_bind_ref(v), *refs;
+  if (ref.node) return vs_rules_gather(d, ref);
+  size_t n;
+  vs_value bad = VS_ABSENT;
+  if (v == VS_NIL) return true;
+  if (vs_is_pair(v)) {
+    if (!vs_bind_refs(f, v, &refs, &n, &bad)) {
+      if (bad == VS_ABSENT) return false;
+      return refuse_of_rule(f, what, "a scope, an object or a list of objects", bad);
+    }
+    for (size_t i = 0; i < n; i++)
+      if (!vs_rules_gather(d, refs[i])) return false;
+    return true;
+  }
+  return refuse_of_rule(f, what, "a scope, an object or a list of objects", v);
+}
+
+/* (%derivation-made d value): what a procedure that is no rule made of its scope. */
+vs_status vs_p_derivation_made(vs_frame *f, vs_value *out) {
+  (void)out;
+  return gather_value(f, derivation_of(f), f->arg[1].value, "what a rule gives") ? VS_OK : VS_ERROR;
+}
+
+/* (%derivation-object d): all that was made, as one object. */
+vs_status vs_p_derivation_object(vs_frame *f, vs_value *out) {
+  vs_derivation *d = derivation_of(f);
+  vs_store *s = f->bind->store;
+  if (d->over) return vs_fail(f->vm, f->vm->sym.error, "the derivation is over");
+  d->over = true;
+  vs_node *n;
+  if (d->made_count == 1)
+    n = vs_node_retain(d->made[0].node);
+  else if (d->made_count)
+    n = vs_node_new(s, VS_UNION, &(struct vs_union){ 0 }, d->made, d->made_count);
+  else
+    n = vs_node_new(s, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
+  const vs_origin *origin = d->made_count == 1 ? d->made[0].origin : NULL;
+  for (size_t i = 0; i < d->made_count; i++) vs_node_release(d->made[i].node);
+  vs_store_realloc(s, d->made, d->made_room * sizeof *d->made, 0);
+  d->made = NULL, d->made_count = d->made_room = 0;
+  if (!n) return vs_fail_memory(f->vm);
+  if (!origin) return vs_bind_wrap(f->bind, n, out);
+  vs_status status = vs_bind_wrap_ref(f->bind, (vs_ref){ n, origin }, out);
+  vs_node_release(n);
+  return status;
+}
+
+/* (%derive s rule depth): one that begins with a rule on s; what `derive` runs. */
+vs_status vs_p_derivation(vs_frame *f, vs_value *out) {
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = f->arg[1].value;
+  vs_derivation *d = derivation_new(f->bind, &r[1]);
+  vs_task *t = d ? vs_task_new(d, 1, false) : NULL;
+  if (!t) return VS_ERROR;
+  d->most = (uint32_t)f->arg[2].integer;
+  t->child[0] = vs_scope_retain(f->arg[0].scope);
+  t->rules[0] = r[0];
+  if (!vs_store_grow(f->bind->store, &d->stack, &d->room, 1, sizeof *d->stack))
+    return vs_task_drop(d, t), vs_fail_memory(f->vm);
+  t->origin = vs_bind_origin(f->bind);
+  d->stack[d->count++] = t;
+  *out = r[1];
+  return VS_OK;
+}
+
+/* ---- rules ---- */
+
+/* (%marked procedure): the procedure, marked as one that knows live scopes: a rule, or an operator. */
+vs_status vs_p_marked(vs_frame *f, vs_value *out) {
+  if (vs_is(f->arg[0].value, VS_T_CLOSURE)) vs_object_of(f->arg[0].value)->flags |= VS_F_MARKED;
+  *out = f->arg[0].value;
+  return VS_OK;
+}
+
+/* (%marked-as procedure like): the procedure, marked if the other is. */
+vs_status vs_p_marked_as(vs_frame *f, vs_value *out) {
+  vs_value like = f->arg[1].value;
+  *out = f->arg[0].value;
+  return vs_is(like, VS_T_CLOSURE) && vs_object_of(like)->flags & VS_F_MARKED ? vs_p_marked(f, out) : VS_OK;
+}
+
+/* (%live procedure s): s as a form of a sequence hands it to the procedure: live if that knows live scopes. */
+vs_status vs_p_live(vs_frame *f, vs_value *out) {
+  vs_value procedure = f->arg[0].value, self = f->arg[1].value;
+  *out = self;
+  if (!f->bind->growing || !vs_is(procedure, VS_T_CLOSURE) || !(vs_object_of(procedure)->flags & VS_F_MARKED))
+    return VS_OK;
+  vs_scope *s = vs_bind_scope(self);
+  if (!s) return VS_OK;
+  if (!vs_scope_wrap(f->bind, vs_scope_retain(s), out)) return VS_ERROR;
+  vs_as_foreign(*out)->with = live_mark(f->bind->growing, false);
+  return VS_OK;
+}
+
+/* (%enter self name body): how a rule goes on: #t: with its body now; #f: later, it is on the stack; else by the
+ * derivation given. */
+vs_status vs_p_rule_enter(vs_frame *f, vs_value *out) {
+  vs_bind *b = f->bind;
+  vs_scope *s = f->arg[0].scope;
+  vs_value symbol = f->arg[1].value;
+  const char *name =
+      vs_is_symbol(symbol) ? vs_store_text(b->store, vs_as_symbol(symbol)->name, vs_as_symbol(symbol)->length) : "rule";
+  bool run = false, live = is_live(b, f->arg[0].value, &run);
+  if (!name) return vs_fail_memory(f->vm);
+  if (live && run) {
+    vs_as_foreign(f->arg[0].value)->with = NULL;
+    *out = VS_TRUE;
+    return rule_begins(b->growing, name, s) ? VS_OK : VS_ERROR;
+  }
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = f->arg[2].value;
+  vs_derivation *d = vs_rules_begin(f, &r[1]);
+  vs_task *t = d ? vs_task_new(d, 1, false) : NULL;
+  if (!t) return VS_ERROR;
+  t->body = true, t->name = name, t->rules[0] = r[0];
+  if (live) { /* the rule's scope is one level down: two calls on one scope differ */
+    vs_scope *child = vs_rules_child(d, s, (vs_scope_class)s->class_, name, 0, 1);
+    if (!child) return vs_task_drop(d, t), VS_ERROR;
+    vs_scope_become(child, s);
+    child->index = s->index, child->count = s->count, child->left = s->left, child->right = s->right;
+    t->child[0] = child;
+  } else
+    t->child[0] = vs_scope_retain(s);
+  if (!vs_store_grow(b->store, &d->stack, &d->room, d->count + 1, sizeof *d->stack))
+    return vs_task_drop(d, t), vs_fail_memory(f->vm);
+  t->origin = vs_bind_origin(b);
+  if (live) t->child[0]->origin = t->origin;
+  d->stack[d->count++] = t;
+  *out = live ? VS_FALSE : r[1];
+  return VS_OK;
+}
+
+/* (%took self value): what a form of a sequence gave: a scope is the next self, objects are gathered. */
+vs_status vs_p_took(vs_frame *f, vs_value *out) {
+  vs_value v = f->arg[1].value;
+  *out = f->arg[0].value;
+  if (v == VS_UNSPECIFIC) return VS_OK;
+  if (vs_bind_scope(v)) return *out = v, VS_OK;
+  if (!f->bind->growing) return vs_fail(f->vm, f->vm->sym.error, "no rule is being derived");
+  return gather_value(f, f->bind->growing, v, "what a form of a rule gives") ? VS_OK : VS_ERROR;
+}
+
+/* (%choose p ...): which of the sequences of a clause is taken; each p a chance or #f, which shares what is left
+ * with the others of its kind. Where all chances are given and sum to less than 1, the rest is for none of them: -1. */
+vs_status vs_p_choose(vs_frame *f, vs_value *out) {
+  size_t n = f->arg[0].values.count, open = 0;
+  const vs_value *v = f->arg[0].values.at;
+  double sum = 0, p, x;
+  for (size_t i = 0; i < n; i++) {
+    if (v[i] == VS_FALSE) {
+      open++;
+      continue;
+    }
+    if (!vs_bind_number(f->vm, v[i], &p) || !(p >= 0 && p <= 1))
+      return refuse_of_rule(f, "#:chance", "a number from 0 to 1", v[i]);
+    sum += p;
+  }
+  if (sum > 1 + 1e-9) {
+    const char *name = f->bind->growing ? f->bind->growing->name : NULL;
+    f->vm->native = NULL;
+    return vs_fail(f->vm, f->vm->sym.range, "%s: the chances of a clause sum to %.12g, which is more than 1",
+                   name ? name : "rule", sum);
+  }
+  if (!vs_random_unit(f->vm, &x)) return VS_ERROR;
+  double share = open ? fmax(0, 1 - sum) / (double)open : 0;
+  for (size_t i = 0; i < n; i++) {
+    p = share;
+    if (v[i] != VS_FALSE) vs_bind_number(f->vm, v[i], &p);
+    if (x < p) return *out = vs_fix((int64_t)i), VS_OK;
+    x -= p;
+  }
+  /* What is left over is rounding, or the chance that nothing is taken. */
+  *out = vs_fix(sum < 1 - 1e-9 && !open ? -1 : (int64_t)n - 1);
+  return VS_OK;
+}
+
+/* The position of a place in a file that has a number; 0: none. */
+static vs_pos position_of(vs *vm, const vs_origin *o) {
+  vs_value files = vm->at.files;
+  for (size_t i = 1; o && vs_is_vector(files) && i < vs_as_vector(files)->length; i++) {
+    const char *name = vs_bind_file_name(vs_bind_of(vm), vs_pos_make((uint32_t)i, 1, 1));
+    if (name && !strcmp(name, o->file)) return vs_pos_make((uint32_t)i, o->line, o->column);
+  }
+  return 0;
+}
+
+/* (%rule-refuses name predicate place self): the scope is not of the rule's class. Named are both places: that of
+ * the operator that applies the rule, which the error has, and that of the rule. */
+vs_status vs_p_rule_refuses(vs_frame *f, vs_value *out) {
+  vs *vm = f->vm;
+  vs_bind *b = f->bind;
+  (void)out;
+  VS_ROOTS(vm, r, 2);
+  const vs_scope *s = vs_bind_scope(f->arg[3].value);
+  bool run = false, live = s && is_live(b, f->arg[3].value, &run);
+  const vs_origin *origin = live && run && s->origin ? s->origin : vs_bind_origin(b);
+  char *name = NULL, *wanted = NULL, at[200] = "";
+  size_t name_bytes = 0, wanted_bytes = 0;
+  vs_pos rule = vs_is_fixnum(f->arg[2].value) ? vs_pos_of(f->arg[2].value) : 0;
+  const char *file = rule ? vs_bind_file_name(b, rule) : NULL;
+  if (file) snprintf(at, sizeof at, "; the rule is at %.150s:%u:%u", file, vs_pos_line(rule), vs_pos_col(rule));
+  r[0] = f->arg[3].value;
+  if (!vs_bind_text(vm, f->arg[0].value, &name, &name_bytes) ||
+      !vs_bind_text(vm, f->arg[1].value, &wanted, &wanted_bytes)) {
+    if (name) vs_mem(vm, name, name_bytes, 0);
+    return VS_ERROR;
+  }
+  vs_pos place = position_of(vm, origin);
+  if (s)
+    vs_fail_at(vm, vm->sym.contract, place, VS_NIL, "%s: self must satisfy %s, got %s%s", name, wanted,
+               vs_scope_noun(s), at);
+  else if (vs_cons(vm, r[0], VS_NIL, &r[1])) {
+    vm->native = NULL;
+    vs_fail_with(vm, vm->sym.contract, r[1], "%s: self must satisfy %s%s, got", name, wanted, at);
+  }
+  vs_mem(vm, name, name_bytes, 0);
+  vs_mem(vm, wanted, wanted_bytes, 0);
+  return VS_ERROR;
+}
+
+/* (%cons-at form head tail): a pair that stands where the form does, for macros whose output is shown in messages. */
+vs_status vs_p_cons_at(vs_frame *f, vs_value *out) {
+  vs_value form = f->arg[0].value;
+  vs_pos pos = vs_is_pair(form) ? vs_pair_pos(form) : 0;
+  if (!pos) return vs_cons(f->vm, f->arg[1].value, f->arg[2].value, out);
+  return vs_cons_at(f->vm, f->arg[1].value, f->arg[2].value, pos, out);
+}
+/* (%place-of form): where the form stands, as a number. */
+vs_status vs_p_place_of(vs_frame *f, vs_value *out) {
+  vs_value form = f->arg[0].value;
+  *out = vs_fix(vs_is_pair(form) ? (int64_t)vs_pair_pos(form) : 0);
+  return VS_OK;
+}

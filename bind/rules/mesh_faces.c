@@ -1,0 +1,152 @@
+/* Owns the faces of mesh scopes: the polygons of an object, each a polygon scope.
+ *
+ * Faces of polyface meshes and boxes are theirs; regions and closed curves are one face for each of their areas; all
+ * other solids and surfaces give the triangles of their mesh. */
+#include "bind/rules/derivation.h"
+
+#include <string.h>
+
+#include "geometry/measure/node_measures.h"
+#include "solids/solid_meshes.h"
+
+typedef struct {
+  vs_frame *f;
+  vs_scope_loops **at; /* scratch */
+  size_t count, room;
+} faces;
+
+static bool add_loops(faces *all, vs_scope_loops *l) {
+  if (!l) return vs_fail_memory(all->f->vm);
+  if (all->count == all->room) {
+    size_t room = all->room ? 2 * all->room : 64;
+    vs_scope_loops **more = vs_bind_scratch(all->f, room * sizeof *more);
+    if (!more) return vs_scope_loops_release(all->f->bind->store, l), false;
+    if (all->count) memcpy(more, all->at, all->count * sizeof *more);
+    all->at = more, all->room = room;
+  }
+  all->at[all->count++] = l;
+  return vs_poll(all->f->vm, 16);
+}
+
+static bool add_face(faces *all, const vs_vec3 *points, const uint32_t *corner, uint32_t n, const vs_affine *map) {
+  vs_vec3 few[16], *at = n <= 16 ? few : vs_bind_scratch(all->f, n * sizeof *at);
+  if (!at) return false;
+  bool mirrored = vs_affine_determinant(map) < 0;
+  for (uint32_t i = 0; i < n; i++) at[mirrored ? n - 1 - i : i] = vs_affine_point(map, points[corner[i]]);
+  const uint32_t start[2] = { 0, n };
+  return add_loops(all, vs_scope_loops_new(all->f->bind->store, at, start, 1));
+}
+
+static bool add_mesh(faces *all, const vs_mesh *m, const vs_affine *map) {
+  for (size_t i = 0; i < m->triangle_count; i++)
+    if (!add_face(all, m->vertices, m->triangles[i], 3, map)) return false;
+  return true;
+}
+
+static bool add_leaf(faces *all, vs_ref ref, const vs_affine *map) {
+  vs_node *n = ref.node;
+  vs_error e = { 0 };
+  if (n->kind == VS_POLYFACE_MESH) {
+    const struct vs_polyface_mesh *p = VS_AS(polyface_mesh, n);
+    const uint32_t *start = vs_faces_starts(p->faces), *corner = vs_faces_corners(p->faces);
+    for (uint32_t i = 0; i < p->faces->count; i++)
+      if (!add_face(all, p->points->at, corner + start[i], start[i + 1] - start[i], map)) return false;
+    return true;
+  }
+  if (n->kind == VS_BOX) {
+    static const uint32_t face[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 },
+                                         { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
+    vs_vec3 p = VS_AS(box, n)->p, q = VS_AS(box, n)->q, at[8];
+    for (int c = 0; c < 8; c++) at[c] = vs_v3(c & 1 ? q.x : p.x, c & 2 ? q.y : p.y, c & 4 ? q.z : p.z);
+    for (int i = 0; i < 6; i++)
+      if (!add_face(all, at, face[i], 4, map)) return false;
+    return true;
+  }
+  vs_facets facets = vs_rules_facets(all->f->bind, n);
+  if (n->class_ == VS_REGION_CLASS || n->class_ == VS_CURVE) {
+    vs_outline o = { 0 };
+    if (n->class_ == VS_CURVE && !(n->flags & VS_NODE_CLOSED))
+      return vs_fail(all->f->vm, all->f->vm->sym.type, "an open curve has no faces");
+    if (!vs_region_outline(n, &facets, &o, &e)) return vs_bind_error(all->f, &e);
+    bool ok = true;
+    for (size_t next = 0; ok && next < o.count;) {
+      vs_scope_loops *l = vs_rules_outline_loops(all->f, &o, &next);
+      vs_vec3 *at = l ? (vs_vec3 *)(uintptr_t)l->points->at : NULL;
+      for (uint32_t i = 0; l && i < l->points->count; i++) at[i] = vs_affine_point(map, at[i]);
+      ok = l && add_loops(all, l);
+    }
+    vs_outline_free(&o);
+    return ok;
+  }
+  bool ok = true;
+  if (n->class_ == VS_SOLID) {
+    vs_solid solid = { 0 };
+    vs_kernel_options options = { .progress = vs_bind_keep_going, .context = all->f->vm };
+    if (!vs_solid_evaluate(&ref, 1, &facets, &options, &solid, &e))
+      return e.kind == VS_ERROR_INTERRUPT ? false : vs_bind_error(all->f, &e);
+    ok = add_mesh(all, &solid.mesh, map);
+    vs_solid_free(&solid);
+  } else if (n->class_ == VS_SURFACE) {
+    vs_mesh mesh = { 0 };
+    ok = vs_tessellate(n, &facets, &mesh, &e) ? add_mesh(all, &mesh, map) : vs_bind_error(all->f, &e);
+    vs_mesh_free(&mesh);
+  }
+  return ok;
+}
+
+/* Unions, placements and appearance are gone through, on a stack of our own. */
+static bool add_object(faces *all, vs_ref root) {
+  typedef struct {
+    vs_ref ref;
+    vs_affine map;
+  } open;
+  open *stack = vs_bind_scratch(all->f, 64 * sizeof *stack);
+  size_t count = 0, room = 64;
+  if (!stack) return false;
+  stack[count++] = (open){ root, vs_affine_identity() };
+  while (count) {
+    open o = stack[--count];
+    vs_node *n = o.ref.node;
+    if (n->kind == VS_EMPTY) continue;
+    bool through = n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_dress(n);
+    if (!through) {
+      if (!add_leaf(all, o.ref, &o.map)) return false;
+      continue;
+    }
+    if (n->kind == VS_TRANSFORM) o.map = vs_affine_multiply(&o.map, &VS_AS(transform, n)->matrix);
+    if (count + n->child_count > room) {
+      open *more = vs_bind_scratch(all->f, 2 * (count + n->child_count) * sizeof *more);
+      if (!more) return false;
+      memcpy(more, stack, count * sizeof *more);
+      stack = more, room = 2 * (count + n->child_count);
+    }
+    for (uint32_t i = n->child_count; i-- > 0;) stack[count++] = (open){ n->children[i], o.map };
+  }
+  return true;
+}
+
+vs_status vs_mesh_components(vs_frame *f, const char *of, vs_value *out) {
+  VS_ROOTS(f->vm, r, 2);
+  vs_scope *s = f->arg[0].scope;
+  faces all = { .f = f };
+  r[0] = f->arg[1].value;
+  if (strcmp(of, "faces"))
+    return vs_bind_refuse(f, "#:of", "'faces, for a mesh: the edges are those of its faces", f->key[0].value);
+  bool ok = add_object(&all, s->object);
+  vs_derivation *d = ok ? vs_rules_begin(f, &r[1]) : NULL;
+  vs_task *t = d ? vs_task_new(d, (uint32_t)all.count, false) : NULL;
+  if (t) t->rules[0] = r[0];
+  for (size_t i = 0; t && i < all.count; i++) {
+    vs_scope *c = t->child[i] =
+        vs_rules_child(d, s, VS_SCOPE_POLYGON, vs_rules_operator(f), (uint32_t)i, (uint32_t)all.count);
+    if (!c) {
+      vs_task_drop(d, t), t = NULL;
+      break;
+    }
+    c->loops = all.at[i], all.at[i] = NULL;
+    if (!vs_scope_frame_loops(c)) vs_scope_release(c), t->child[i] = NULL; /* a face without area */
+  }
+  for (size_t i = 0; i < all.count; i++) vs_scope_loops_release(f->bind->store, all.at[i]);
+  *out = r[1];
+  return t && vs_task_push(d, t) ? VS_OK : VS_ERROR;
+}

@@ -1,0 +1,104 @@
+/* Owns the operators that give the same scope elsewhere, turned or of another size. Sizes, frames and paths:
+ * scope.h. */
+#include "bind/rules/derivation.h"
+
+/* A changed scope has its path still: it is the same one. NULL: the error is set. */
+static vs_scope *changed(vs_frame *f) {
+  vs_scope *s = vs_scope_copy(f->arg[0].scope);
+  if (!s) vs_fail_memory(f->vm);
+  return s;
+}
+
+/* Moves all of a scope that lies in space. Its loops are copied. */
+static bool moved(vs_scope *s, const vs_affine *m) {
+  switch ((vs_scope_class)s->class_) {
+  case VS_SCOPE_FFD:
+    for (int c = 0; c < 8; c++) s->as.corner[c] = vs_affine_point(m, s->as.corner[c]);
+    return true;
+  case VS_SCOPE_TURTLE: s->as.turtle.frame = vs_affine_multiply(m, &s->as.turtle.frame); return true;
+  case VS_SCOPE_BOX:
+  case VS_SCOPE_MESH:
+  case VS_SCOPE_POLYGON:
+  case VS_SCOPE_TRIANGLE:
+  case VS_SCOPE_CURVE:
+  case VS_SCOPE_SURFACE:
+  case VS_SCOPE_CLASSES: break;
+  }
+  s->as.box.frame = vs_affine_multiply(m, &s->as.box.frame);
+  if (s->object.node) {
+    vs_node *n = vs_node_new(s->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = *m }, &s->object, 1);
+    if (!n) return false;
+    vs_node_release(s->object.node);
+    s->object.node = n;
+  }
+  if (!s->loops) return true;
+  const vs_scope_loops *old = s->loops;
+  vs_scope_loops *l = vs_scope_loops_new(s->store, old->points->at, old->start, old->count);
+  if (!l) return false;
+  vs_vec3 *at = (vs_vec3 *)(uintptr_t)l->points->at; /* ours alone until here */
+  for (uint32_t i = 0; i < l->points->count; i++) at[i] = vs_affine_point(m, at[i]);
+  vs_scope_loops_release(s->store, s->loops);
+  s->loops = l;
+  return true;
+}
+
+static vs_status give_moved(vs_frame *f, const vs_affine *m, vs_value *out) {
+  vs_scope *s = changed(f);
+  if (!s) return VS_ERROR;
+  if (!moved(s, m)) return vs_scope_release(s), vs_fail_memory(f->vm);
+  return vs_scope_wrap(f->bind, s, out);
+}
+
+vs_status vs_p_scope_move(vs_frame *f, vs_value *out) {
+  vs_affine frame = vs_scope_frame(f->arg[0].scope);
+  vs_affine m = vs_affine_translation(vs_affine_vector(&frame, vs_v3(f->arg[1].real, f->arg[2].real, f->arg[3].real)));
+  return give_moved(f, &m, out);
+}
+
+vs_status vs_p_scope_turn(vs_frame *f, vs_value *out) {
+  vs_affine frame = vs_scope_frame(f->arg[0].scope);
+  vs_affine m =
+      vs_affine_rotation(vs_affine_column(&frame, 3), vs_affine_column(&frame, (int)f->arg[1].integer), f->arg[2].real);
+  return give_moved(f, &m, out);
+}
+
+#define SIZED (VS_SCOPE_BIT(BOX) | VS_SCOPE_BIT(TURTLE))
+
+/* Sizes along x, y, z, and -1 for what stays. The first corner stays; a turtle's cross-section grows from its
+ * middle. */
+static vs_status give_sized(vs_frame *f, vs_vec3 size, vs_value *out) {
+  vs_scope *s = changed(f);
+  if (!s) return VS_ERROR;
+  bool turtle = s->class_ == VS_SCOPE_TURTLE;
+  double *x = turtle ? &s->as.turtle.width : &s->as.box.size.x, *y = turtle ? &s->as.turtle.height : &s->as.box.size.y;
+  if (size.x >= 0) *x = size.x;
+  if (size.y >= 0) *y = size.y;
+  if (size.z >= 0 && !turtle) s->as.box.size.z = size.z;
+  return vs_scope_wrap(f->bind, s, out);
+}
+
+vs_status vs_p_scope_size(vs_frame *f, vs_value *out) {
+  static const char *const names[] = { "dx", "dy", "dz" };
+  double d[3];
+  if (!vs_rules_class(f, 0, SIZED)) return VS_ERROR;
+  for (int i = 0; i < 3; i++) {
+    d[i] = -1;
+    if (f->arg[1 + i].value == VS_FALSE) continue;
+    if (!vs_bind_number(f->vm, f->arg[1 + i].value, &d[i]) || !isfinite(d[i]))
+      return vs_bind_refuse(f, names[i], "a number, or #f for the size it has", f->arg[1 + i].value);
+    if (d[i] < 0) return vs_bind_refuse(f, names[i], "0 or more", f->arg[1 + i].value);
+  }
+  return give_sized(f, vs_v3(d[0], d[1], d[2]), out);
+}
+
+vs_status vs_p_scope_height(vs_frame *f, vs_value *out) {
+  if (!vs_rules_class(f, 0, SIZED)) return VS_ERROR;
+  return give_sized(f, vs_v3(-1, f->arg[1].real, -1), out);
+}
+
+vs_status vs_p_scope_scale(vs_frame *f, vs_value *out) {
+  if (!vs_rules_class(f, 0, SIZED)) return VS_ERROR;
+  vs_vec3 size = vs_scope_size(f->arg[0].scope), k = vs_v3(f->arg[1].real, f->arg[1].real, f->arg[1].real);
+  if (f->count > 2 && f->arg[2].given) k = vs_v3(f->arg[1].real, f->arg[2].real, f->arg[3].real);
+  return give_sized(f, vs_v3(size.x * k.x, size.y * k.y, size.z * k.z), out);
+}

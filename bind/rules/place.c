@@ -1,0 +1,84 @@
+/* Owns the placing of objects in scopes: the bounds of the object become the box of the scope. An object's X goes
+ * along x, its Z (up) along y, and its front, which looks to -Y, out of the face: so it stands as it would in a root
+ * scope. */
+#include "bind/rules/derivation.h"
+
+#include "geometry/measure/node_measures.h"
+
+/* The bounds of what is placed; those of the last object are remembered. */
+static bool bounds_of(vs_derivation *d, vs_ref object, vs_bounds *b) {
+  vs_error e = { 0 };
+  if (d->fitted == object.node) return *b = d->fitted_bounds, true;
+  if (!vs_node_bounds(object.node, b, &e)) return vs_fail(d->bind->vm, d->bind->vm->sym.error, "%s", e.message);
+  vs_node_release(d->fitted);
+  d->fitted = vs_node_retain(object.node), d->fitted_bounds = *b;
+  return true;
+}
+
+/* How much an extent is multiplied to become size; what has none, or is to have none, keeps its own. */
+static double factor(double size, double extent) { return size > 0 && extent > 0 ? size / extent : 1; }
+
+/* The map from object space to a box of the given frame and size. */
+static vs_affine fit(const vs_affine *frame, vs_vec3 size, const vs_bounds *b) {
+  vs_vec3 x = vs_v3_scale(vs_affine_column(frame, 0), factor(size.x, b->max.x - b->min.x));
+  vs_vec3 y = vs_v3_scale(vs_affine_column(frame, 1), factor(size.y, b->max.z - b->min.z));
+  vs_vec3 z = vs_v3_scale(vs_affine_column(frame, 2), factor(size.z, b->max.y - b->min.y));
+  vs_affine m = vs_affine_columns(x, vs_v3_scale(z, -1), y, vs_v3(0, 0, 0));
+  vs_vec3 at = vs_v3_sub(vs_affine_column(frame, 3), vs_affine_vector(&m, vs_v3(b->min.x, b->max.y, b->min.z)));
+  m.m[0][3] = at.x, m.m[1][3] = at.y, m.m[2][3] = at.z;
+  return m;
+}
+
+bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs_origin *origin) {
+  vs_store *store = d->bind->store;
+  vs_bounds b;
+  if (object.node->kind == VS_EMPTY) return true;
+  if (!bounds_of(d, object, &b)) return false;
+  if (vs_bounds_is_empty(&b)) return true;
+  vs_node *n;
+  if (s->class_ == VS_SCOPE_FFD) {
+    n = vs_rules_deformed(store, s->as.corner, object, &b);
+  } else {
+    vs_affine frame = vs_scope_frame(s);
+    vs_vec3 size = vs_scope_size(s);
+    if (s->class_ == VS_SCOPE_TURTLE) { /* its cross-section lies about its middle */
+      vs_vec3 at = vs_scope_corner(s, 0, 0, 1);
+      frame.m[0][3] = at.x, frame.m[1][3] = at.y, frame.m[2][3] = at.z;
+    }
+    vs_affine m = fit(&frame, size, &b);
+    n = vs_node_new(store, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &object, 1);
+  }
+  if (!n) return vs_fail_memory(d->bind->vm);
+  bool ok = vs_rules_gather(d, (vs_ref){ n, origin });
+  vs_node_release(n);
+  return ok;
+}
+
+/* The corners of a hexahedron in the order of an object's own axes: of the bit X, Y, Z of the object's bounds. */
+static vs_vec3 object_corner(const vs_vec3 corner[8], int c) {
+  int i = c & 1, j = c >> 2 & 1, k = 1 - (c >> 1 & 1);
+  return corner[i + 2 * j + 4 * k];
+}
+
+vs_node *vs_rules_deformed(vs_store *store, const vs_vec3 corner[8], vs_ref object, const vs_bounds *b) {
+  vs_vec3 at[8];
+  for (int c = 0; c < 8; c++) at[c] = object_corner(corner, c);
+  vs_vec3 x = vs_v3_sub(at[1], at[0]), y = vs_v3_sub(at[2], at[0]), z = vs_v3_sub(at[4], at[0]);
+  vs_vec3 extent = vs_v3_sub(b->max, b->min);
+  x = vs_v3_scale(x, extent.x > 0 ? 1 / extent.x : 1), y = vs_v3_scale(y, extent.y > 0 ? 1 / extent.y : 1),
+  z = vs_v3_scale(z, extent.z > 0 ? 1 / extent.z : 1);
+  vs_affine m = vs_affine_columns(x, y, z, vs_v3(0, 0, 0));
+  vs_vec3 moved = vs_v3_sub(at[0], vs_affine_vector(&m, b->min));
+  m.m[0][3] = moved.x, m.m[1][3] = moved.y, m.m[2][3] = moved.z;
+  return vs_node_new(store, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &object, 1);
+}
+
+vs_status vs_p_scope_place(vs_frame *f, vs_value *out) {
+  VS_ROOTS(f->vm, r, 1);
+  vs_scope *s = f->arg[0].scope;
+  if (!vs_bind_finite(f, 1)) return VS_ERROR;
+  vs_derivation *d = vs_rules_begin(f, &r[0]);
+  if (!d) return VS_ERROR;
+  *out = r[0];
+  return vs_rules_place(d, s, f->arg[1].ref, vs_bind_origin(f->bind)) ? VS_OK : VS_ERROR;
+}

@@ -1,0 +1,253 @@
+/* Owns the life of scopes: counting, copying, hashes of paths, flags, printing. */
+#include "bind/rules/scope.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const struct {
+  const char *predicate, *noun, *printed;
+} classes[] = {
+#define VS_SCOPE(upper, predicate, noun, printed) { predicate, noun, printed },
+#include "bind/rules/scopes.def"
+#undef VS_SCOPE
+};
+const char *vs_scope_noun(const vs_scope *s) { return classes[s->class_].noun; }
+
+/* ---- life ---- */
+
+vs_scope *vs_scope_retain(vs_scope *s) {
+  if (s) s->refs++;
+  return s;
+}
+
+static size_t scope_bytes(uint8_t c) {
+  size_t tail = c == VS_SCOPE_FFD      ? sizeof((vs_scope *)0)->as.corner
+                : c == VS_SCOPE_TURTLE ? sizeof((vs_scope *)0)->as.turtle
+                                       : sizeof((vs_scope *)0)->as.box;
+  return offsetof(vs_scope, as) + tail;
+}
+static size_t flags_bytes(uint32_t count) { return sizeof(vs_scope_flags) + count * sizeof(const char *); }
+static size_t loops_bytes(uint32_t count) { return sizeof(vs_scope_loops) + (count + (size_t)1) * sizeof(uint32_t); }
+
+static void flags_release(vs_store *store, vs_scope_flags *f) {
+  if (f && --f->refs == 0) vs_store_piece_free(store, f, flags_bytes(f->count));
+}
+
+void vs_scope_loops_release(vs_store *store, vs_scope_loops *l) {
+  if (!l || --l->refs) return;
+  vs_points_release(store, l->points);
+  vs_store_realloc(store, l, loops_bytes(l->count), 0);
+}
+
+vs_scope_loops *vs_scope_loops_new(vs_store *store, const vs_vec3 *at, const uint32_t *start, uint32_t count) {
+  vs_scope_loops *l = vs_store_realloc(store, NULL, 0, loops_bytes(count));
+  if (!l) return NULL;
+  l->refs = 1, l->count = count;
+  memcpy(l->start, start, (count + (size_t)1) * sizeof *start);
+  if ((l->points = vs_points_new(store, at, start[count]))) return l;
+  vs_store_realloc(store, l, loops_bytes(count), 0);
+  return NULL;
+}
+
+void vs_scope_release(vs_scope *s) {
+  while (s && --s->refs == 0) {
+    vs_scope *parent = s->parent;
+    vs_store *store = s->store;
+    flags_release(store, s->flags);
+    vs_scope_loops_release(store, s->loops);
+    vs_node_release(s->object.node);
+    vs_store_piece_free(store, s, scope_bytes(s->class_));
+    vs_store_release(store);
+    s = parent;
+  }
+}
+
+vs_scope *vs_scope_fresh(vs_store *store, vs_scope_class c) {
+  size_t bytes = scope_bytes((uint8_t)c);
+  vs_scope *s = vs_store_piece(store, bytes);
+  if (!s) return NULL;
+  memset(s, 0, bytes);
+  s->refs = 1, s->class_ = (uint8_t)c, s->count = 1, s->store = vs_store_retain(store);
+  return s;
+}
+
+vs_scope *vs_scope_copy(const vs_scope *of) {
+  size_t bytes = scope_bytes(of->class_);
+  vs_scope *s = vs_store_piece(of->store, bytes);
+  if (!s) return NULL;
+  memcpy(s, of, bytes);
+  s->refs = 1;
+  vs_store_retain(s->store);
+  vs_scope_retain(s->parent);
+  if (s->flags) s->flags->refs++;
+  if (s->loops) s->loops->refs++;
+  if (s->object.node) vs_node_retain(s->object.node);
+  return s;
+}
+
+void vs_scope_become(vs_scope *s, const vs_scope *of) {
+  memcpy(&s->as, &of->as, scope_bytes(s->class_) - offsetof(vs_scope, as));
+  s->closed = of->closed, s->backed = of->backed;
+  if ((s->loops = of->loops)) s->loops->refs++;
+  s->object = of->object;
+  if (s->object.node) vs_node_retain(s->object.node);
+}
+
+vs_status vs_scope_wrap(vs_bind *b, vs_scope *s, vs_value *out) {
+  if (!s) return vs_fail_memory(b->vm);
+  return vs_make_foreign(b->vm, &vs_scope_type, s, 0, out) ? VS_OK : VS_ERROR;
+}
+
+/* ---- paths ---- */
+
+uint64_t vs_scope_mix(uint64_t hash, uint64_t more) {
+  uint64_t z = (hash ^ more) + UINT64_C(0x9E3779B97F4A7C15);
+  z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
+  z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
+  return z ^ z >> 31;
+}
+
+void vs_scope_plant(vs_scope *s, vs_vec3 at) {
+  const double d[3] = { at.x + 0., at.y + 0., at.z + 0. }; /* -0 is 0 */
+  uint64_t word;
+  for (int i = 0; i < 3; i++) {
+    memcpy(&word, &d[i], sizeof word);
+    s->hash = vs_scope_mix(s->hash, word + (uint64_t)i);
+  }
+}
+
+enum { PATH_LEVELS = 400 };
+
+void vs_scope_path_text(const vs_scope *s, char *text, size_t room) {
+  const vs_scope *level[PATH_LEVELS]; /* innermost first */
+  size_t n = 0, at = 0, all = 0;
+  for (const vs_scope *p = s; p; p = p->parent) {
+    if (!p->op) continue;
+    all++;
+    if (n < PATH_LEVELS) level[n++] = p;
+  }
+  /* The beginning of a path longer than this is not kept: rules that call themselves have the interesting part at
+   * the end. */
+  size_t shown = n < 12 ? n : 12;
+  text[0] = 0;
+  if (all > shown) at = (size_t)snprintf(text, room, ".../");
+  for (size_t i = shown; i-- > 0 && at < room;) {
+    const vs_scope *p = level[i];
+    int w = snprintf(text + at, room - at, "%s%s%s.%u%s", p->rule ? p->rule : "", p->rule ? "/" : "", p->op, p->index,
+                     i ? "/" : "");
+    at += w > 0 ? (size_t)w : 0;
+  }
+  if (n == 0) snprintf(text, room, "root");
+}
+
+static bool scope_print(vs *vm, const void *object, bool (*put)(void *to, const char *s, size_t n), void *to) {
+  const vs_scope *s = object;
+  char text[600], path[500];
+  (void)vm;
+  vs_scope_path_text(s, path, sizeof path);
+  int n = snprintf(text, sizeof text, "#<%s %s>", classes[s->class_].printed, path);
+  return n > 0 && put(to, text, (size_t)n < sizeof text ? (size_t)n : sizeof text - 1);
+}
+static void scope_release(void *object) { vs_scope_release(object); }
+const vs_foreign_type vs_scope_type = { "a scope", scope_release, NULL, NULL, scope_print, NULL, false };
+
+/* ---- flags ---- */
+
+bool vs_scope_has_flag(const vs_scope *s, const char *name) {
+  for (uint32_t i = 0; s->flags && i < s->flags->count; i++)
+    if (s->flags->name[i] == name) return true;
+  return false;
+}
+
+bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count) {
+  uint32_t have = s->flags ? s->flags->count : 0, fresh = 0;
+  for (size_t i = 0; i < count; i++) fresh += !vs_scope_has_flag(s, names[i]);
+  if (!fresh) return true;
+  vs_scope_flags *f = vs_store_piece(s->store, flags_bytes(have + fresh));
+  if (!f) return false;
+  f->refs = 1, f->count = have;
+  for (uint32_t i = 0; i < have; i++) f->name[i] = s->flags->name[i];
+  for (size_t i = 0; i < count; i++) {
+    bool known = false;
+    for (uint32_t k = 0; k < f->count; k++) known = known || f->name[k] == names[i];
+    if (!known) f->name[f->count++] = names[i];
+  }
+  uint32_t room = have + fresh;
+  while (f->count < room)
+    f->name[f->count++] = names[0]; /* a name given twice: the size must stay what was asked for */
+  flags_release(s->store, s->flags);
+  s->flags = f;
+  return true;
+}
+
+/* ---- where it lies ---- */
+
+vs_affine vs_affine_columns(vs_vec3 x, vs_vec3 y, vs_vec3 z, vs_vec3 at) {
+  return (vs_affine){ { { x.x, y.x, z.x, at.x }, { x.y, y.y, z.y, at.y }, { x.z, y.z, z.z, at.z } } };
+}
+
+vs_vec3 vs_scope_corner(const vs_scope *s, int i, int j, int k) {
+  switch ((vs_scope_class)s->class_) {
+  case VS_SCOPE_FFD: return s->as.corner[i + 2 * j + 4 * k];
+  case VS_SCOPE_TURTLE: {
+    const vs_affine *m = &s->as.turtle.frame;
+    if (k == 0 && s->backed) return s->as.turtle.back[i + 2 * j];
+    return vs_affine_point(m, vs_v3((i - .5) * s->as.turtle.width, (j - .5) * s->as.turtle.height, 0));
+  }
+  case VS_SCOPE_BOX:
+  case VS_SCOPE_MESH:
+  case VS_SCOPE_POLYGON:
+  case VS_SCOPE_TRIANGLE:
+  case VS_SCOPE_CURVE:
+  case VS_SCOPE_SURFACE:
+  case VS_SCOPE_CLASSES: break;
+  }
+  return vs_affine_point(&s->as.box.frame, vs_v3(i * s->as.box.size.x, j * s->as.box.size.y, k * s->as.box.size.z));
+}
+
+void vs_scope_corners(const vs_scope *s, vs_vec3 corner[8]) {
+  for (int c = 0; c < 8; c++) corner[c] = vs_scope_corner(s, c & 1, c >> 1 & 1, c >> 2 & 1);
+}
+
+vs_vec3 vs_scope_size(const vs_scope *s) {
+  if (s->class_ == VS_SCOPE_TURTLE) return vs_v3(s->as.turtle.width, s->as.turtle.height, 0);
+  if (s->class_ != VS_SCOPE_FFD) return s->as.box.size;
+  double sum[3] = { 0, 0, 0 };
+  for (int a = 0; a < 3; a++)
+    for (int c = 0; c < 8; c++)
+      if (!(c >> a & 1)) sum[a] += vs_v3_length(vs_v3_sub(s->as.corner[c | 1 << a], s->as.corner[c])) / 4;
+  return vs_v3(sum[0], sum[1], sum[2]);
+}
+
+vs_affine vs_scope_frame(const vs_scope *s) {
+  if (s->class_ == VS_SCOPE_TURTLE) return s->as.turtle.frame;
+  if (s->class_ != VS_SCOPE_FFD) return s->as.box.frame;
+  vs_vec3 edge[3] = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
+  for (int a = 0; a < 3; a++)
+    for (int c = 0; c < 8; c++)
+      if (!(c >> a & 1)) edge[a] = vs_v3_add(edge[a], vs_v3_sub(s->as.corner[c | 1 << a], s->as.corner[c]));
+  vs_vec3 x = vs_v3_unit(edge[0]), y = vs_v3_unit(vs_v3_sub(edge[1], vs_v3_scale(x, vs_v3_dot(x, edge[1]))));
+  return vs_affine_columns(x, y, vs_v3_cross(x, y), s->as.corner[0]);
+}
+
+bool vs_scope_frame_loops(vs_scope *s) {
+  const vs_vec3 *at = s->loops->points->at;
+  uint32_t n = s->loops->start[1];
+  vs_vec3 area = vs_v3(0, 0, 0), x = vs_v3(0, 0, 0);
+  for (uint32_t i = 1; i + 1 < n; i++)
+    area = vs_v3_add(area, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
+  for (uint32_t i = 0; i < n && vs_v3_length(x) == 0; i++) x = vs_v3_sub(at[(i + 1) % n], at[i]);
+  vs_vec3 z = vs_v3_unit(area);
+  x = vs_v3_unit(vs_v3_sub(x, vs_v3_scale(z, vs_v3_dot(x, z))));
+  if (vs_v3_length(z) == 0 || vs_v3_length(x) == 0) return false;
+  vs_vec3 y = vs_v3_cross(z, x), low = { INFINITY, INFINITY, 0 }, high = { -INFINITY, -INFINITY, 0 };
+  for (uint32_t i = 0; i < n; i++) {
+    vs_vec3 d = vs_v3_sub(at[i], at[0]);
+    double u = vs_v3_dot(d, x), v = vs_v3_dot(d, y);
+    low.x = fmin(low.x, u), low.y = fmin(low.y, v), high.x = fmax(high.x, u), high.y = fmax(high.y, v);
+  }
+  vs_vec3 corner = vs_v3_add(at[0], vs_v3_add(vs_v3_scale(x, low.x), vs_v3_scale(y, low.y)));
+  s->as.box.frame = vs_affine_columns(x, y, z, corner);
+  s->as.box.size = vs_v3(high.x - low.x, high.y - low.y, 0);
+  return true;
+}
