@@ -35,6 +35,7 @@ static void derivation_release(void *object) {
   for (size_t i = 0; i < d->made_count; i++) vs_node_release(d->made[i].node);
   vs_store_realloc(s, d->made, d->made_room * sizeof *d->made, 0);
   vs_node_release(d->fitted);
+  vs_deformer_free(d->deformer);
   vs_store_realloc(s, d, sizeof *d, 0);
 }
 const vs_foreign_type vs_derivation_type = { "a derivation", derivation_release, NULL, NULL,

@@ -9,6 +9,7 @@
 #ifndef VS_RULES_DERIVATION_H
 #define VS_RULES_DERIVATION_H
 
+#include "bind/rules/deform.h"
 #include "bind/rules/scope.h"
 #include "geometry/tessellate.h"
 
@@ -40,6 +41,7 @@ typedef struct vs_derivation {
   /* bounds of what was placed last: a repeat places the same object over and over */
   vs_node *fitted; /* retained, or NULL */
   vs_bounds fitted_bounds;
+  vs_deformer *deformer; /* NULL: nothing was deformed yet */
 } vs_derivation;
 
 extern const vs_foreign_type vs_derivation_type;
@@ -66,9 +68,6 @@ bool vs_rules_gather(vs_derivation *d, vs_ref ref);
 /* The object in the scope: fitted into its box, or deformed. Gathered; with the given origin. False: the error is
  * set. */
 bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs_origin *origin);
-/* The object deformed so that its bounds b become the hexahedron of these corners: placed, where the map is affine.
- * NULL: no memory. */
-vs_node *vs_rules_deformed(vs_store *store, const vs_vec3 corner[8], vs_ref object, const vs_bounds *b);
 /* The classes that an operator works on, else the error. */
 bool vs_rules_class(vs_frame *f, int i, unsigned classes);
 const char *vs_rules_operator(vs_frame *f); /* its name in a path: that of the procedure without "scope-" */

@@ -2,6 +2,8 @@
  * scope.h. */
 #include "bind/rules/derivation.h"
 
+#include <string.h>
+
 /* A changed scope has its path still: it is the same one. NULL: the error is set. */
 static vs_scope *changed(vs_frame *f) {
   vs_scope *s = vs_scope_copy(f->arg[0].scope);
@@ -55,7 +57,31 @@ vs_status vs_p_scope_move(vs_frame *f, vs_value *out) {
   return give_moved(f, &m, out);
 }
 
+/* A hexahedron stays where it is and its axes take other edges: by a quarter about axis a, the new axis after a is the
+ * old one after that, and the next is the old one reversed. */
+static vs_status turn_hexahedron(vs_frame *f, int a, int quarters, vs_value *out) {
+  vs_scope *s = changed(f);
+  if (!s) return VS_ERROR;
+  int b = (a + 1) % 3, c = (a + 2) % 3;
+  for (; quarters > 0; quarters--) {
+    vs_vec3 old[8];
+    memcpy(old, s->as.corner, sizeof old);
+    for (int i = 0; i < 8; i++) {
+      int from[3] = { i & 1, i >> 1 & 1, i >> 2 }, to_b = from[b], to_c = from[c];
+      from[b] = 1 - to_c, from[c] = to_b;
+      s->as.corner[i] = old[from[0] + 2 * from[1] + 4 * from[2]];
+    }
+  }
+  return vs_scope_wrap(f->bind, s, out);
+}
+
 vs_status vs_p_scope_turn(vs_frame *f, vs_value *out) {
+  if (f->arg[0].scope->class_ == VS_SCOPE_FFD) {
+    double quarters = f->arg[2].real / 1.5707963267948966, n = floor(quarters + .5);
+    if (fabs(quarters - n) > 1e-9 || fabs(n) > 1000)
+      return vs_bind_refuse(f, "angle", "a multiple of pi/2, for a hexahedron", f->arg[2].value);
+    return turn_hexahedron(f, (int)f->arg[1].integer, (((int)n % 4) + 4) % 4, out);
+  }
   vs_affine frame = vs_scope_frame(f->arg[0].scope);
   vs_affine m =
       vs_affine_rotation(vs_affine_column(&frame, 3), vs_affine_column(&frame, (int)f->arg[1].integer), f->arg[2].real);

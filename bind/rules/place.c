@@ -29,6 +29,12 @@ static vs_affine fit(const vs_affine *frame, vs_vec3 size, const vs_bounds *b) {
   return m;
 }
 
+/* The corners of a hexahedron in the order of an object's own axes: of the bit X, Y, Z of the object's bounds. */
+static vs_vec3 object_corner(const vs_vec3 corner[8], int c) {
+  int i = c & 1, j = c >> 2 & 1, k = 1 - (c >> 1 & 1);
+  return corner[i + 2 * j + 4 * k];
+}
+
 bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs_origin *origin) {
   vs_store *store = d->bind->store;
   vs_bounds b;
@@ -37,7 +43,11 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
   if (vs_bounds_is_empty(&b)) return true;
   vs_node *n;
   if (s->class_ == VS_SCOPE_FFD) {
-    n = vs_rules_deformed(store, s->as.corner, object, &b);
+    if (!d->deformer && !(d->deformer = vs_deformer_new(d->bind))) return vs_fail_memory(d->bind->vm);
+    vs_vec3 at[8];
+    for (int c = 0; c < 8; c++) at[c] = object_corner(s->as.corner, c);
+    n = vs_deformer_apply(d->deformer, at, object, &b);
+    if (!n) return false;
   } else {
     vs_affine frame = vs_scope_frame(s);
     vs_vec3 size = vs_scope_size(s);
@@ -52,25 +62,6 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
   bool ok = vs_rules_gather(d, (vs_ref){ n, origin });
   vs_node_release(n);
   return ok;
-}
-
-/* The corners of a hexahedron in the order of an object's own axes: of the bit X, Y, Z of the object's bounds. */
-static vs_vec3 object_corner(const vs_vec3 corner[8], int c) {
-  int i = c & 1, j = c >> 2 & 1, k = 1 - (c >> 1 & 1);
-  return corner[i + 2 * j + 4 * k];
-}
-
-vs_node *vs_rules_deformed(vs_store *store, const vs_vec3 corner[8], vs_ref object, const vs_bounds *b) {
-  vs_vec3 at[8];
-  for (int c = 0; c < 8; c++) at[c] = object_corner(corner, c);
-  vs_vec3 x = vs_v3_sub(at[1], at[0]), y = vs_v3_sub(at[2], at[0]), z = vs_v3_sub(at[4], at[0]);
-  vs_vec3 extent = vs_v3_sub(b->max, b->min);
-  x = vs_v3_scale(x, extent.x > 0 ? 1 / extent.x : 1), y = vs_v3_scale(y, extent.y > 0 ? 1 / extent.y : 1),
-  z = vs_v3_scale(z, extent.z > 0 ? 1 / extent.z : 1);
-  vs_affine m = vs_affine_columns(x, y, z, vs_v3(0, 0, 0));
-  vs_vec3 moved = vs_v3_sub(at[0], vs_affine_vector(&m, b->min));
-  m.m[0][3] = moved.x, m.m[1][3] = moved.y, m.m[2][3] = moved.z;
-  return vs_node_new(store, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &object, 1);
 }
 
 vs_status vs_p_scope_place(vs_frame *f, vs_value *out) {

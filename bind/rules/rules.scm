@@ -171,6 +171,11 @@
 (%define-operator (scope-extrude s h #:side [side any? #f] #:top [top any? #f] #:bottom [bottom any? #f])
   (%scope-extrude s h #:side side #:top top #:bottom bottom))
 (%define-operator (scope-place s object) (%scope-place s object))
+(%define-operator (scope-prism s angle rule) (%scope-prism s angle rule))
+(%define-operator (scope-round-corner s angle approx rule) (%scope-round-corner s angle approx rule))
+(%define-operator (scope-triangulate s rule) (%scope-triangulate s rule))
+(%define-operator (scope-subdivide s rule) (%scope-subdivide s rule))
+(%define-operator (turtle-front s rule) (%turtle-front s rule))
 
 ; ---- the parts of a split ----
 

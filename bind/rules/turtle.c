@@ -1,0 +1,93 @@
+/* Owns the turtle: moves and turns of its frame, its cross-section, and the hexahedra between two of its cross-
+ * sections.
+ *
+ * The frame's columns are left (x), up (y) and ahead (z). A yaw turns to the left, a pitch upwards, a roll to the
+ * right about the heading, as of a plane that banks. */
+#include "bind/rules/derivation.h"
+
+#define TURTLE VS_SCOPE_BIT(TURTLE)
+
+static vs_scope *changed(vs_frame *f) {
+  if (!vs_rules_class(f, 0, TURTLE)) return NULL;
+  vs_scope *s = vs_scope_copy(f->arg[0].scope);
+  if (!s) vs_fail_memory(f->vm);
+  return s;
+}
+
+static vs_affine *frame_of(vs_scope *s) { return &s->as.turtle.frame; }
+
+vs_status vs_p_turtle_forward(vs_frame *f, vs_value *out) {
+  vs_scope *s = changed(f);
+  if (!s) return VS_ERROR;
+  vs_affine *m = frame_of(s);
+  for (int r = 0; r < 3; r++) m->m[r][3] += m->m[r][2] * f->arg[1].real;
+  return vs_scope_wrap(f->bind, s, out);
+}
+
+/* Turns about the turtle's own axis, through its place. */
+static vs_status turned(vs_frame *f, int axis, double angle, vs_value *out) {
+  vs_scope *s = changed(f);
+  if (!s) return VS_ERROR;
+  vs_affine *m = frame_of(s);
+  vs_affine turn = vs_affine_rotation(vs_affine_column(m, 3), vs_affine_column(m, axis), angle);
+  *m = vs_affine_multiply(&turn, m);
+  return vs_scope_wrap(f->bind, s, out);
+}
+vs_status vs_p_turtle_yaw(vs_frame *f, vs_value *out) { return turned(f, 1, f->arg[1].real, out); }
+vs_status vs_p_turtle_pitch(vs_frame *f, vs_value *out) { return turned(f, 0, -f->arg[1].real, out); }
+vs_status vs_p_turtle_roll(vs_frame *f, vs_value *out) { return turned(f, 2, f->arg[1].real, out); }
+
+vs_status vs_p_turtle_width(vs_frame *f, vs_value *out) {
+  vs_scope *s = changed(f);
+  if (!s) return VS_ERROR;
+  s->as.turtle.width = f->arg[1].real;
+  return vs_scope_wrap(f->bind, s, out);
+}
+vs_status vs_p_turtle_height(vs_frame *f, vs_value *out) {
+  vs_scope *s = changed(f);
+  if (!s) return VS_ERROR;
+  s->as.turtle.height = f->arg[1].real;
+  return vs_scope_wrap(f->bind, s, out);
+}
+
+/* Tropism: the heading turns towards the vector, by the strength's part of the angle between them. */
+vs_status vs_p_turtle_toward(vs_frame *f, vs_value *out) {
+  vs_scope *s = changed(f);
+  if (!s) return VS_ERROR;
+  vs_affine *m = frame_of(s);
+  vs_vec3 heading = vs_affine_column(m, 2), to = vs_v3_unit(f->arg[1].point), axis = vs_v3_cross(heading, to);
+  double angle = atan2(vs_v3_length(axis), vs_v3_dot(heading, to));
+  if (vs_v3_length(axis) > 1e-12) {
+    vs_affine turn = vs_affine_rotation(vs_affine_column(m, 3), axis, angle * f->arg[2].real);
+    *m = vs_affine_multiply(&turn, m);
+  }
+  return vs_scope_wrap(f->bind, s, out);
+}
+
+/* The cross-section is the back of the next hexahedron. */
+vs_status vs_p_turtle_back(vs_frame *f, vs_value *out) {
+  vs_scope *s = changed(f);
+  if (!s) return VS_ERROR;
+  for (int c = 0; c < 4; c++) s->as.turtle.back[c] = vs_scope_corner(s, c & 1, c >> 1, 1);
+  s->backed = true;
+  return vs_scope_wrap(f->bind, s, out);
+}
+
+/* The cross-section is the front of a hexahedron, which gets the rule. */
+vs_status vs_p_turtle_front(vs_frame *f, vs_value *out) {
+  VS_ROOTS(f->vm, r, 2);
+  if (!vs_rules_class(f, 0, TURTLE)) return VS_ERROR;
+  vs_scope *s = f->arg[0].scope;
+  r[0] = f->arg[1].value;
+  if (!s->backed)
+    return vs_fail(f->vm, f->vm->sym.error, "the turtle has no back yet: (turtle-back) sets it before it goes forward");
+  vs_derivation *d = vs_rules_begin(f, &r[1]);
+  vs_task *t = d ? vs_task_new(d, 1, false) : NULL;
+  if (!t) return VS_ERROR;
+  t->rules[0] = r[0];
+  vs_scope *c = t->child[0] = vs_rules_child(d, s, VS_SCOPE_FFD, "front", 0, 1);
+  if (!c) return vs_task_drop(d, t), VS_ERROR;
+  vs_scope_corners(s, c->as.corner);
+  *out = r[1];
+  return vs_task_push(d, t) ? VS_OK : VS_ERROR;
+}
