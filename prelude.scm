@@ -273,11 +273,19 @@
 (define map
   (case-lambda
     ((f list)
-     (%need-procedure 'map 'f f)
-     (%need-list 'map list)
-     (let ((captures (%captures)))
-       (let loop ((l list) (acc '()))
-         (if (pair? l) (loop (cdr l) (cons (f (car l)) acc)) (%reverse-own acc captures)))))
+     (if (not (procedure? f)) (%need-procedure 'map 'f f))
+     ; lists of up to three are looked at once, and made at once
+     (let* ((b (if (pair? list) (cdr list) #f)) (c (if (pair? b) (cdr b) #f)))
+       (cond
+         ((null? list) '())
+         ((null? b) (cons (f (car list)) '()))
+         ((null? c) (let* ((x (f (car list))) (y (f (car b)))) (cons x (cons y (quote ())))))
+         ((and (pair? c) (null? (cdr c))) (let* ((x (f (car list))) (y (f (car b))) (z (f (car c)))) (cons x (cons y (cons z (quote ()))))))
+         (else
+          (%need-list 'map list)
+          (let ((captures (%captures)))
+            (let loop ((l list) (acc '()))
+              (if (pair? l) (loop (cdr l) (cons (f (car l)) acc)) (%reverse-own acc captures))))))))
     ((f list1 list2)
      (%need-procedure 'map 'f f)
      (%need-lists 'map (list list1 list2))

@@ -48,7 +48,9 @@ vs_status vs_p_cz(vs_frame *f, vs_value *out) { return vs_bind_real(f, P(0).z, o
 vs_status vs_p_pol_rho(vs_frame *f, vs_value *out) { return vs_bind_real(f, hypot(P(0).x, P(0).y), out); }
 vs_status vs_p_pol_phi(vs_frame *f, vs_value *out) { return vs_bind_real(f, atan2(P(0).y, P(0).x), out); }
 vs_status vs_p_sph_psi(vs_frame *f, vs_value *out) { return vs_bind_real(f, atan2(hypot(P(0).x, P(0).y), P(0).z), out); }
-vs_status vs_p_length(vs_frame *f, vs_value *out) { return vs_bind_real(f, hypot(hypot(P(0).x, P(0).y), P(0).z), out); }
+vs_status vs_p_length(vs_frame *f, vs_value *out) {
+  return vs_bind_real(f, vs_flat_length(P(0).x, P(0).y, P(0).z), out);
+}
 
 /* ---- gvectors ---- */
 vs_status vs_p_vxyz(vs_frame *f, vs_value *out) { return vs_bind_vector(f, cartesian_at(f, 0), out); }
@@ -97,7 +99,7 @@ vs_status vs_p_v_project(vs_frame *f, vs_value *out) {
 }
 vs_status vs_p_distance(vs_frame *f, vs_value *out) {
   vs_vec3 d = vs_v3_sub(P(1), P(0));
-  return vs_bind_real(f, hypot(hypot(d.x, d.y), d.z), out);
+  return vs_bind_real(f, vs_flat_length(d.x, d.y, d.z), out);
 }
 static vs_vec3 between(vs_vec3 p, vs_vec3 q, double t) { return t == 1 ? q : vs_v3_add(p, vs_v3_scale(vs_v3_sub(q, p), t)); }
 vs_status vs_p_mid(vs_frame *f, vs_value *out) { return vs_bind_point(f, between(P(0), P(1), .5), out); }

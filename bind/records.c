@@ -19,6 +19,21 @@ static const struct { uint8_t op, left, right, rule, result; } arithmetic[] = {
   { VS_OP_MUL, NUMBER, V, VS_RULE_MUL, V }, { VS_OP_MUL, V, NUMBER, VS_RULE_MUL, V }, { VS_OP_DIV, V, NUMBER, VS_RULE_DIV, V },
 };
 
+/* procedures that run as one opcode */
+static const struct { const char *name; uint8_t kind, left, right, result; } binary[] = {
+  { "v+v", VS_FLAT_PLUS, V, V, V },
+  { "v-v", VS_FLAT_MINUS, V, V, V },
+  { "p+v", VS_FLAT_PLUS, P, V, P },
+  { "p-v", VS_FLAT_MINUS, P, V, P },
+  { "p-p", VS_FLAT_MINUS, P, P, V },
+  { "p->q", VS_FLAT_FROM, P, P, V },
+  { "v*r", VS_FLAT_TIMES, V, NUMBER, V },
+  { "v/r", VS_FLAT_OVER, V, NUMBER, V },
+  { "dot", VS_FLAT_DOT, V, V, NUMBER },
+  { "cross", VS_FLAT_CROSS, V, V, V },
+  { "distance", VS_FLAT_APART, P, P, NUMBER },
+};
+
 void vs_bind_flat_rules(vs_flat_rules *r) {
   *r = (vs_flat_rules){ .tags = VS_FLAT_MATRIX + 1 };
   for (int t = VS_FLAT_POINT; t <= VS_FLAT_MATRIX; t++) r->type[t] = types[t];
@@ -34,4 +49,9 @@ void vs_bind_flat_rules(vs_flat_rules *r) {
     r->getter[r->getters].mask = UINT64_C(1) << P | UINT64_C(1) << V;
     r->getter[r->getters++].index = i;
   }
+  for (size_t i = 0; i < sizeof binary / sizeof *binary; i++, r->binaries++) {
+    r->binary[i].name = binary[i].name, r->binary[i].kind = binary[i].kind;
+    r->binary[i].left = binary[i].left, r->binary[i].right = binary[i].right, r->binary[i].result = binary[i].result;
+  }
+  r->unary[r->unaries].name = "vlength", r->unary[r->unaries].kind = VS_FLAT_LENGTH, r->unary[r->unaries++].tag = V;
 }

@@ -119,6 +119,11 @@ bool vs_name_get(vs *vm, const char *name, vs_name_info *out) {
     if (vs_is(native, VS_T_NATIVE) && vs_as_native(native)->def && vs_as_native(native)->def->doc) out->doc =
         vs_as_native(native)->def->doc;
     vs_value closure = vs_is(r[1], VS_T_CASE) && vs_as_case(r[1])->count ? vs_as_case(r[1])->clause[0] : r[1];
+    if (vs_is(closure, VS_T_CLOSURE) && vs_is_string(vs_as_code(vs_as_closure(closure)->code)->doc)) {
+      vs_text_open(vm, &t, 4000);
+      if (vs_text_string(&t, vs_as_code(vs_as_closure(closure)->code)->doc)) out->doc = kept(s, &t);
+      vs_text_close(&t);
+    }
     if (vs_is(closure, VS_T_CLOSURE)) vs_session_span(s, vs_code_place(vs_as_code(vs_as_closure(closure)->code),
         UINT32_MAX), &out->at);
     return true;

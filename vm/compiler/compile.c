@@ -180,7 +180,7 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
         if (!landing(c, to, &target)) return false;
         if (imm ? !emit_value_op(c, n, row->immediate, target, r[0], bits, true, false)
                 : !emit_value_op(c, n, row->op, target, r[0], row->args == 2 ? r[1] : 0, true, row->args == 2)) return false;
-      } else if (n->count > 2 && n->count < 64 && row->many != VS_O_NONE) {
+      } else if (n->count > (row->args == VS_ANY_COUNT ? 0 : 2) && n->count < 64 && row->many != VS_O_NONE) {
         if (!in_a_row(c, n, &first, done)) return false;
         if (!*done) return true;
         if (!landing(c, to, &target) || !emit_value_op(c, n, row->many, target, first, n->count, false, false)) return false;
@@ -209,6 +209,41 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
       if (!landing(c, to, &target)) return false;
       uint32_t near_target = target < VS_NEAR ? target : VS_NEAR + 4;
       if (!stands_for(c, n) || !vs_emit_word(e, VS_INS(row->op, near_target, first, n->count)) || !vs_emit_word(e, native->inlined_arg)) return false;
+      if (near_target != target && !vs_emit_word(e, VS_INSX(VS_O_FARSTORE, near_target, target))) return false;
+      if (near_target != target && e->most < VS_FAR) e->most = VS_FAR;
+      break;
+    }
+    case VS_WAY_FLAT2: {
+      if (n->count != 2) return true;
+      *done = true;
+      if (!operand(c, n->as.call.at[0], &r[0]) || !operand(c, n->as.call.at[1], &r[1]) ||
+          !landing(c, to, &target)) return false;
+      uint32_t near_target = target < VS_NEAR ? target : VS_NEAR + 4;
+      if (!near(c, &r[0], 1) || !near(c, &r[1], 2) || !stands_for(c, n) || !vs_emit_word(e, VS_INS(row->op, near_target, r[0], r[1])) ||
+          !vs_emit_word(e, native->inlined_arg)) return false;
+      if (near_target != target && !vs_emit_word(e, VS_INSX(VS_O_FARSTORE, near_target, target))) return false;
+      if (near_target != target && e->most < VS_FAR) e->most = VS_FAR;
+      break;
+    }
+    case VS_WAY_RECORD: {              /* (%record-ref record type index name), (%record-set! record type index value name) */
+      bool set = row->op == VS_O_RECSET;
+      vs_node *index = n->as.call.at[2], *name = n->as.call.at[row->args - 1];
+      uint32_t k;
+      if (n->count != row->args || index->kind != VS_AST_CONST || name->kind != VS_AST_CONST || !vs_is_fixnum(pool(c, index->as.constant)) ||
+          (uint64_t)vs_fixnum(pool(c, index->as.constant)) > 255) return true;
+      *done = true;
+      if (!operand(c, n->as.call.at[0], &r[0]) || !operand(c, n->as.call.at[1], &r[1]) || (set && !operand(c, n->as.call.at[3], &r[2])) ||
+          !landing(c, to, &target)) return false;
+      for (unsigned i = 0; i < (set ? 3 : 2); i++)
+        if (!near(c, &r[i], i)) return false;
+      uint32_t near_target = target < VS_NEAR ? target : VS_NEAR + 4;
+      if (!vs_emit_constant(e, name->as.constant, &k) || k >= 1u << 24 || !stands_for(c, n) ||
+          !vs_emit_word(e, set ? VS_INS(row->op, r[0], r[1], r[2]) : VS_INS(row->op, near_target, r[0], r[1])) ||
+          !vs_emit_word(e, k << 8 | (uint32_t)vs_fixnum(pool(c, index->as.constant)))) return false;
+      if (set) {
+        if (to != EFFECT && !load_value(c, VS_UNSPECIFIC, target)) return false;
+        break;
+      }
       if (near_target != target && !vs_emit_word(e, VS_INSX(VS_O_FARSTORE, near_target, target))) return false;
       if (near_target != target && e->most < VS_FAR) e->most = VS_FAR;
       break;
@@ -404,7 +439,7 @@ static bool lands_last(compiler *c, const vs_node *n) {
   const vs_native *native;
   if (n->kind != VS_AST_CALL) return n->kind == VS_AST_CONST || n->kind == VS_AST_GLOBAL || (n->kind == VS_AST_LOCAL && !n->flag);
   const vs_inline_row *row = row_of(c, n, &native);
-  return row && (row->way == VS_WAY_VALUE || row->way == VS_WAY_GET) && n->count == row->args;
+  return row && (row->way == VS_WAY_VALUE || row->way == VS_WAY_GET || row->way == VS_WAY_FLAT2) && n->count == row->args;
 }
 
 static bool gen_loop_call(compiler *c, vs_node *n, uint32_t to) {
@@ -713,10 +748,25 @@ static bool gen_parameters(compiler *c, vs_node *l) {
   return !rest || !boxed(rest) || vs_emit_op(e, VS_O_BOX, rest->reg, rest->reg, 0);
 }
 
+/* What the procedure says of itself: a string at the beginning of its body, with more behind it; else #f. */
+static vs_value doc_of(const compiler *c, const vs_node *body) {
+  if (body->kind == VS_AST_SEQ && body->count > 1 && body->as.seq.at[0]->kind == VS_AST_CHECK)
+    body = body->as.seq.at[body->count - 1];
+  const vs_node *first = NULL;
+  if (body->kind == VS_AST_SEQ && body->count > 1) first = body->as.seq.at[0];
+  if (body->kind == VS_AST_FIX && body->count > 0) {      /* before definitions: body.c gives expressions there the name _ */
+    vs_value name = pool(c, body->as.let.vars[0]->name);
+    if (vs_is_symbol(name) && strcmp(vs_as_symbol(name)->name, "_") == 0) first = body->as.let.values[0];
+  }
+  bool text = first && first->kind == VS_AST_CONST && vs_is_string(pool(c, first->as.constant));
+  return text ? pool(c, first->as.constant) : VS_FALSE;
+}
+
 static bool compile_procedure(compiler *c, vs_node *l) {
   vs_ast *ast = c->e.ast;
   vs_value code = ast->pool[((vs_frame_info *)l->as.lambda.extra)->code - 1];
   c->e = (vs_emit){.ast = ast, .frame = l, .fresh = VS_NO_REGISTER};
+  vs_gc_store(ast->vm, vs_as_code(code), &vs_as_code(code)->doc, doc_of(c, l->as.lambda.body));
   bool ok = set_parameters(c, l, code) && gen_parameters(c, l) && gen(c, l->as.lambda.body, TAIL) && vs_emit_finish(&c->e, code);
   vs_emit_close(&c->e);
   return ok;

@@ -5,7 +5,9 @@
 #include "vm/compiler/code.h"
 #include "vm/machine/native.h"
 
-typedef enum { VS_WAY_NONE, VS_WAY_VALUE, VS_WAY_TEST, VS_WAY_TYPE, VS_WAY_EFFECT, VS_WAY_MAKE, VS_WAY_GET } vs_inline_way;
+typedef enum { VS_WAY_NONE, VS_WAY_VALUE, VS_WAY_TEST, VS_WAY_TYPE, VS_WAY_EFFECT, VS_WAY_MAKE, VS_WAY_GET, VS_WAY_FLAT2,
+               VS_WAY_RECORD } vs_inline_way;
+enum { VS_ANY_COUNT = 255 };    /* vs_inline_row.args: however many there are, but one at least */
 typedef struct vs_inline_row { const char *name; uint8_t args, way, op, immediate, many; } vs_inline_row;
 
 /* Row number (0: none) and its argument (of the host's table) for a native of this name. */

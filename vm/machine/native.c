@@ -1,6 +1,8 @@
 /* Owns the registration of natives: signatures, procedure objects, and the flat record types of the host. */
 #include "vm/machine/native.h"
 
+#include <float.h>
+#include <math.h>
 #include <stdio.h>
 
 #include "vm/compiler/inline.h"
@@ -98,6 +100,15 @@ bool vs_native_define(vs *vm, const vs_native_table *table,
 }
 
 /* ---- flat records ---- */
+double vs_flat_length(double x, double y, double z) {
+  double sum = x * x + y * y + z * z;
+  if (sum > 1e-280 && sum < 1e300) return sqrt(sum);
+  double most = fmax(fabs(x), fmax(fabs(y), fabs(z)));
+  if (!(most > 0) || !(most <= DBL_MAX)) return most;
+  x /= most, y /= most, z /= most;
+  return most * sqrt(x * x + y * y + z * z);
+}
+
 bool vs_flat_register(vs *vm, const vs_flat_rules *rules) {
   if (!vm->flat && !(vm->flat = vs_mem(vm, NULL, 0, sizeof *vm->flat))) return false;
   *vm->flat = *rules;

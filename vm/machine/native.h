@@ -136,6 +136,8 @@ typedef struct vs_flat_type {
 
 typedef enum { VS_RULE_NONE, VS_RULE_ADD, VS_RULE_SUB, VS_RULE_MUL, VS_RULE_DIV } vs_flat_rule;   /* componentwise; a number is repeated */
 typedef enum { VS_OP_ADD, VS_OP_SUB, VS_OP_MUL, VS_OP_DIV, VS_OP_COUNT } vs_flat_op;
+typedef enum { VS_FLAT_PLUS, VS_FLAT_MINUS, VS_FLAT_FROM /* right - left */, VS_FLAT_TIMES, VS_FLAT_OVER, VS_FLAT_DOT, VS_FLAT_CROSS, VS_FLAT_APART,
+               VS_FLAT_LENGTH } vs_flat_kind;
 typedef struct vs_flat_rules {
   int tags;                                                     /* 1 + number of types */
   vs_flat_type type[VS_FLAT_TAGS];
@@ -145,7 +147,14 @@ typedef struct vs_flat_rules {
   int makers, getters;
   struct { const char *name; uint8_t tag, n; } maker[64];
   struct { const char *name; uint64_t mask; uint8_t index; } getter[64];
+  /* Procedures of two records of three fields, or of one and a number (right tag 0), and of one record: what comes of them is a record with
+     the tag `result`, or a number where that is 0. */
+  int binaries, unaries;
+  struct { const char *name; uint8_t kind, left, right, result; } binary[32];
+  struct { const char *name; uint8_t kind, tag, result; } unary[16];
 } vs_flat_rules;
+/* Returns the length of (x y z): the root of the sum of squares where that neither overflows nor loses digits to underflow, else scaled. */
+double vs_flat_length(double x, double y, double z);
 /* The host fills one and gives it before natives are defined; the VM keeps a copy. */
 bool vs_flat_register(vs *vm, const vs_flat_rules *rules);
 /* a+b etc. if one of them is a flat record: true and *out, or false with the error naming both kinds. For vm/values/number.c. */

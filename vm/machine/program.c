@@ -446,6 +446,29 @@ static vs_status require(vs *vm, vs_value *a, int n, vs_value *out) {
 
 static vs_status features(vs *vm, vs_value *a, int n, vs_value *out) { (void)a; (void)n; return vs_features(vm, out); }
 
+/* (macroexpand form): macros at the form's head are used until it is core syntax, a call or no pair */
+static vs_status macroexpand(vs *vm, vs_value *a, int n, vs_value *out) {
+  vs_expansion *x;
+  if (n >= 0) {
+    if (!vs_expansion_make(vm, &a[1])) return VS_ERROR;
+    x = vs_foreign_get(a[1], &vs_expansion_type);
+    if (!vs_expansion_begin(x, a[0], vm->at.program, vs_call_place(vm))) return VS_ERROR;
+    x->now = x->tasks[--x->count];
+  } else {                                /* what a macro's procedure gave */
+    a[0] = *out;
+    x = vs_foreign_get(a[1], &vs_expansion_type);
+    x->now.waiting = false;
+  }
+  VS_ROOTS(vm, r, 1);
+  vs_meaning m;
+  vs_pos pos = x->now.pos;
+  r[0] = a[0];
+  vm->native = NULL;
+  bool settled = vs_expand_settle(x, &r[0], &m, &pos);
+  if (!settled && x->now.waiting) return call_list(vm, x->procedure, x->args);
+  return settled && vs_strip(vm, r[0], out);
+}
+
 static vs_status assertion_failed(vs *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 1);
@@ -468,6 +491,7 @@ static const vs_native_def defs[] = {
   {"%rename", "table env id", rename_, 0, NULL},
   {"%same-identifier?", "env a b", same_identifier, 0, NULL},
   {"identifier?", "v", is_identifier, 0, "a symbol, or one that a macro renamed"},
+  {"macroexpand", "form", macroexpand, 1, "form with the macros at its head used, without renamings"},
   {"syntax->datum", "form", syntax_to_datum, 0, "a form without renamings"},
   {"load", "file [environment]", load, 0, "run a file"},
   {"%load-library", "path name", load_library, 1, NULL},

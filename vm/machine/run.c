@@ -192,6 +192,39 @@ static inline bool to_double(vs_value v, double *d) {
   return false;
 }
 
+/* What the host's binary procedure of this row makes of x and y, three numbers or one: returns the record's tag, or 0 for a number. Negative:
+ * other operands, or a number without end: the procedure itself has the word. */
+static inline int flat_binary(const vs_flat_rules *rules, uint32_t row, vs_value x, vs_value y, double *d) {
+  int kind = rules->binary[row].kind, result = rules->binary[row].result;
+  if (!vs_is_flat(x, rules->binary[row].left)) return -1;
+  const double *a = vs_as_flat(x)->at, *b = NULL;
+  double by = 0;
+  if (rules->binary[row].right) {
+    if (!vs_is_flat(y, rules->binary[row].right)) return -1;
+    b = vs_as_flat(y)->at;
+  } else if (!to_double(y, &by) || !(by - by == 0)) {
+    return -1;
+  }
+  switch ((vs_flat_kind)kind) {
+    case VS_FLAT_PLUS: d[0] = a[0] + b[0]; d[1] = a[1] + b[1]; d[2] = a[2] + b[2]; break;
+    case VS_FLAT_MINUS: d[0] = a[0] - b[0]; d[1] = a[1] - b[1]; d[2] = a[2] - b[2]; break;
+    case VS_FLAT_FROM: d[0] = b[0] - a[0]; d[1] = b[1] - a[1]; d[2] = b[2] - a[2]; break;
+    case VS_FLAT_TIMES: d[0] = a[0] * by; d[1] = a[1] * by; d[2] = a[2] * by; break;
+    case VS_FLAT_OVER:
+      if (by == 0) return -1;
+      d[0] = a[0] / by; d[1] = a[1] / by; d[2] = a[2] / by;
+      break;
+    case VS_FLAT_DOT: d[0] = a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; break;
+    case VS_FLAT_CROSS:
+      d[0] = a[1] * b[2] - a[2] * b[1]; d[1] = a[2] * b[0] - a[0] * b[2]; d[2] = a[0] * b[1] - a[1] * b[0];
+      break;
+    case VS_FLAT_APART: d[0] = vs_flat_length(b[0] - a[0], b[1] - a[1], b[2] - a[2]); break;
+    case VS_FLAT_LENGTH: return -1;
+  }
+  if (!(d[0] - d[0] == 0)) return -1;
+  return !result || (d[1] - d[1] == 0 && d[2] - d[2] == 0) ? result : -1;
+}
+
 static inline bool both_fixnums(vs_value a, vs_value b) {
   return (((a ^ VS_TAG_FIXNUM << 48) | (b ^ VS_TAG_FIXNUM << 48)) >> 48) == 0;
 }
@@ -575,6 +608,86 @@ static bool loop(vs *vm, vs_value *w, size_t n, vs_value *out) {
     RA = vs_flonum_raw(vs_as_flat(x)->at[vm->flat->getter[C].index]);
     NEXT;
   }
+/* in the nursery: else the procedure, which may collect */
+#define ROOM(words) (vm->end - vm->free >= (ptrdiff_t)((words) * 8))
+  OP(FLAT1): {
+    vs_value x = RB;
+    if (!vs_is_flat(x, vm->flat->unary[C].tag)) goto generic;
+    const double *a = vs_as_flat(x)->at;
+    double d = vs_flat_length(a[0], a[1], a[2]);
+    if (!(d - d == 0)) goto generic;
+    RA = vs_flonum_raw(d);
+    NEXT;
+  }
+  OP(FLAT2): {
+    vs_value x = RB, y = RC;
+    double d[3];
+    int result = flat_binary(vm->flat, *pc, x, y, d);
+    if (result < 0) goto generic;
+    if (result == 0) { RA = vs_flonum_raw(d[0]); pc++; NEXT; }
+    if (!ROOM(VS_WORDS(vs_flat) + 3)) goto generic;
+    vs_flat *f = (vs_flat *)(void *)vm->free;
+    vm->free += (VS_WORDS(vs_flat) + 3) * 8;
+    f->h = (vs_object){VS_T_FLAT, 0, (uint16_t)result, VS_WORDS(vs_flat) + 3};
+    f->at[0] = d[0]; f->at[1] = d[1]; f->at[2] = d[2];
+    RA = vs_from_object(f);
+    pc++;
+    NEXT;
+  }
+  OP(RECREF): {
+    vs_value x = RB;
+    if (!vs_is(x, VS_T_RECORD) || vs_as_record(x)->type != RC) goto generic;
+    RA = vs_as_record(x)->at[*pc++ & 255];
+    NEXT;
+  }
+  OP(RECSET): {
+    vs_value x = RA;
+    if (!vs_is(x, VS_T_RECORD) || vs_as_record(x)->type != RB) goto generic;
+    vs_gc_store(vm, vs_as_record(x), &vs_as_record(x)->at[*pc & 255], RC);
+    pc++;
+    NEXT;
+  }
+  OP(JRECORD): BRANCH_IF(vs_is(RA, VS_T_RECORD) && vs_as_record(RA)->type == RB);
+  OP(JPROCEDURE): BRANCH_IF(vs_is_procedure(RA));
+  OP(RECORD): {
+    vs_value type = RB;
+    size_t fields = (size_t)C - 1;
+    if (!vs_is(type, VS_T_RECORD_TYPE) || !ROOM(VS_WORDS(vs_record) + fields) ||
+        vs_as_vector(vs_as_record_type(type)->fields)->length != fields) goto generic;
+    vs_record *r = (vs_record *)(void *)vm->free;
+    vm->free += (VS_WORDS(vs_record) + fields) * 8;
+    r->h = (vs_object){VS_T_RECORD, 0, 0, (uint32_t)(VS_WORDS(vs_record) + fields)};
+    r->type = type;
+    for (size_t i = 0; i < fields; i++) r->at[i] = (&RB)[1 + i];
+    RA = vs_from_object(r);
+    NEXT;
+  }
+  OP(VECTOR): {
+    size_t length = C;
+    if (!ROOM(VS_WORDS(vs_vector) + length)) goto generic;
+    vs_vector *r = (vs_vector *)(void *)vm->free;
+    vm->free += (VS_WORDS(vs_vector) + length) * 8;
+    r->h = (vs_object){VS_T_VECTOR, 0, 0, (uint32_t)(VS_WORDS(vs_vector) + length)};
+    r->length = length;
+    for (size_t i = 0; i < length; i++) r->at[i] = (&RB)[i];
+    RA = vs_from_object(r);
+    NEXT;
+  }
+  OP(LIST): {
+    size_t length = C;
+    if (!ROOM(VS_WORDS(vs_pair) * length)) goto generic;
+    vs_value l = VS_NIL;
+    for (size_t i = length; i-- > 0;) {
+      vs_pair *p = (vs_pair *)(void *)vm->free;
+      vm->free += sizeof *p;
+      p->h = (vs_object){VS_T_PAIR, 0, 0, VS_WORDS(vs_pair)};
+      p->car = (&RB)[i]; p->cdr = l;
+      l = vs_from_object(p);
+    }
+    RA = l;
+    NEXT;
+  }
+  OP(G_ABC1): OP(G_RECREF): OP(G_RECSET):
   OP(G_ABC): OP(G_AB): OP(G_ABI): OP(G_N): OP(G_N1): OP(G_JABC): OP(G_JAI): OP(G_JA): OP(G_SET): OP(G_SETV): goto generic;
   OP(NONE): goto generic;                 /* never emitted */
 
@@ -587,7 +700,9 @@ generic: {
     ret = vs_ret_make(code->registers, at) | VS_RET_GENERIC;
     kw = VS_FALSE; tail = false;
     switch (vs_op_generic(ins & 255)) {
-      case VS_O_G_ABC: w[2] = RB; w[3] = RC; n = 2; break;
+      case VS_O_G_ABC: case VS_O_G_ABC1: w[2] = RB; w[3] = RC; n = 2; break;
+      case VS_O_G_RECREF: w[2] = RB; w[3] = RC; w[4] = vs_fix(*pc & 255); w[5] = k[*pc >> 8]; n = 4; break;
+      case VS_O_G_RECSET: w[2] = RA; w[3] = RB; w[4] = vs_fix(*pc & 255); w[5] = RC; w[6] = k[*pc >> 8]; n = 5; break;
       case VS_O_G_AB: w[2] = RB; n = 1; break;
       case VS_O_G_ABI: w[2] = RB; w[3] = IMM_C; n = 2; break;
       case VS_O_G_N: case VS_O_G_N1: n = C; memcpy(w + 2, &RB, n * sizeof *w); break;
@@ -862,7 +977,8 @@ give: {
           case VS_O_G_JABC: case VS_O_G_JAI: case VS_O_G_JA: pc++; BRANCH_IF(v != VS_FALSE);
           case VS_O_G_SET: pc++; NEXT;
           case VS_O_G_SETV: base[pc[1]] = v; pc += 2; NEXT;
-          case VS_O_G_N1: RA = v; pc += 2; NEXT;
+          case VS_O_G_N1: case VS_O_G_ABC1: case VS_O_G_RECREF: RA = v; pc += 2; NEXT;
+          case VS_O_G_RECSET: pc += 2; NEXT;
           default: RA = v; pc++; NEXT;
         }
       }
