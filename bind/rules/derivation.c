@@ -52,7 +52,16 @@ static bool is_live(const vs_bind *b, vs_value wrapper, bool *run) {
   return *run || with == live_mark(b->growing, false);
 }
 
+/* An error that nobody caught ends an evaluation without putting the outer derivation back: one that is under way has a
+ * winder, so where there is none it is over. */
+static void forget_ended(vs_bind *b) {
+  if (!b->growing || b->vm->winders != VS_NIL) return;
+  if (!b->growing->outer) vs_random_restore(b->vm, b->growing->random);
+  b->growing = NULL;
+}
+
 static vs_derivation *derivation_new(vs_bind *b, vs_value *holder) {
+  forget_ended(b);
   vs_derivation *d = vs_store_realloc(b->store, NULL, 0, sizeof *d);
   if (!d) return (void)vs_fail_memory(b->vm), NULL;
   *d = (vs_derivation){ .bind = b, .rule = VS_FALSE, .most = b->growing ? b->growing->most : VS_RULES_DEPTH };
