@@ -2,11 +2,12 @@
 # Owns the making of the manual to be read: BUILD/manual, HTML pages of manual/*.md. Each kind of model/prims.def has a page with its forms and contracts,
 # what it is in the tree, an example, and the picture that the example makes; the tutorial has the pictures of its steps.
 #
-#   scripts/manual.sh BUILD        KINDS="sphere text"  only these      QUALITY=draft      PICTURES=no  no pictures
+#   scripts/manual.sh BUILD   KINDS="sphere text"  pictures and pages of these kinds alone, and no steps   STEPS=last  a picture of each step's last program
+#                             QUALITY=draft  SIZE=640x480  PICTURES=no  no pictures       PAGES=DIR  instead of BUILD/manual
 set -u
 cd "$(dirname "$0")/.." || exit 1
 BUILD=$1
-vs=$BUILD/vs out=$BUILD/manual
+vs=$BUILD/vs out=${PAGES:-$BUILD/manual}
 mkdir -p "$out/primitives" "$out/language" || exit 1
 cp scripts/manual.css manual/*.jpg "$out/"
 failed=$out/failed
@@ -32,7 +33,7 @@ picture() {
   if [ "$2" -nt "$3" ] && [ "$2" -nt "$vs" ]; then return 0; fi
   quality=${QUALITY:-good}
   grep -q '(ghost ' "$1" && quality=draft # which alone shows ghosts
-  timeout 300 "$vs" --quiet --quality "$quality" --size 640x480 "$1" -o "$2" 2> "$1.said" || { echo "$3: no picture" >> "$failed"; cat "$1.said" >> "$failed"; }
+  timeout 300 "$vs" --quiet --quality "$quality" --size "${SIZE:-640x480}" "$1" -o "$2" 2> "$1.said" || { echo "$3: no picture" >> "$failed"; cat "$1.said" >> "$failed"; }
 }
 
 work=$(mktemp -d) || exit 1
@@ -58,9 +59,14 @@ for page in manual/language/*.md; do
 done
 
 # The tutorial: what a block can use is what the blocks before it in its step defined.
-if [ -z "${KINDS:-}" ]; then
-  awk -v work="$work" '/^## / { text = "" } /^```scheme$/ { inside = 1; n++; next } /^```$/ && inside { inside = 0; file = work "/tutorial-" n ".vs"; printf "%s", text > file; close(file); next }
-    inside { text = text $0 "\n" }' manual/tutorial.md
+if [ -z "${KINDS:-}" ] || [ -n "${STEPS:-}" ]; then
+  awk -v work="$work" -v steps="${STEPS:-all}" '
+    function program() { if (n) { file = work "/tutorial-" n ".vs"; printf "%s", text > file; close(file) } }
+    /^## / { if (steps == "last") program(); text = "" }
+    /^```scheme$/ { inside = 1; n++; if (text != "") text = text "(erase-all)\n"; next } # a picture shows its own program, with what was defined before
+    /^```$/ && inside { inside = 0; if (steps != "last") program(); next }
+    inside { text = text $0 "\n" }
+    END { if (steps == "last") program() }' manual/tutorial.md
   for program in "$work"/tutorial-*.vs; do picture "$program" "$out/$(basename "$program" .vs).png" manual/tutorial.md; done
 fi
 for page in manual/*.md; do
@@ -70,8 +76,11 @@ done
 
 # The first page: where to go, and a sheet of all kinds by what they are.
 {
-  printf '%s\n' '# VisualScheme' '' '- [Tutorial](tutorial.md): from nothing to a tower with parameters' '- [Language](language/README.md): every procedure and form' \
-    '- [The command](command.md)' '- [How it is built](internals.md), [a walk](walk.md) through it, and its [glossary](glossary.md)' '' '## Kinds of objects' ''
+  printf '%s\n' '# VisualScheme' '' '- [Tutorial](tutorial.md): fifteen steps, from nothing to a tower with parameters' \
+    '- [I want to ...](i-want-to.md): a pipe, an arch, a roof, a grid, a hole, and the call' \
+    '- Coming from [OpenSCAD](coming-from-openscad.md), [Grasshopper](coming-from-grasshopper.md), [AutoCAD](coming-from-autocad.md), [the thesis](coming-from-the-thesis.md)' \
+    '- [Words](words.md) that a beginner may not know' '- [Language](language/README.md): every procedure and form' \
+    '- [The command](command.md), [formats](formats.md), [back-ends of your own](back-ends.md)' '- [How it is built](internals.md), [a walk](walk.md) through it, and its [glossary](glossary.md)' '' '## Kinds of objects' ''
 } > "$work/index.md"
 sheet=$(for class in CURVE REGION SURFACE SOLID INHERIT NOTHING; do
   case $class in CURVE) say=Curves ;; REGION) say=Regions ;; SURFACE) say=Surfaces ;; SOLID) say=Solids ;; INHERIT) say='Made from others' ;; NOTHING) say=Nothing ;; esac

@@ -18,6 +18,19 @@ done
 "$BUILD/vs" < "$work/questions" > "$work/said" 2>&1
 if diff "$work/answers" "$work/said" > "$work/diff"; then echo "ok manual/tutorial:prompt"; else echo "not ok manual/tutorial:prompt"; sed 's/^/    /' "$work/diff"; fi
 
+# Each step of the tutorial ends in links and has a picture that shows something: that of its last program here, of all in the pages.
+awk '/^## / { if (step && !linked) print step; step = $2; linked = 0 } /^Read on: .*\]\(/ { linked = 1 } END { if (!linked) print step }' manual/tutorial.md > "$work/said"
+if [ ! -s "$work/said" ]; then echo "ok manual/tutorial:links"; else echo "not ok manual/tutorial:links: steps without"; sed 's/^/    /' "$work/said"; fi
+if command -v povray > /dev/null; then
+  PAGES="$work/pages" KINDS=none STEPS=last QUALITY=draft SIZE=80x60 sh scripts/manual.sh "$BUILD" > "$work/said" 2>&1 || { echo "not ok manual/tutorial:pictures"; sed 's/^/    /' "$work/said"; }
+  steps=$(grep -c '^## ' manual/tutorial.md)
+  for picture in "$work"/pages/tutorial-*.png; do
+    "$BUILD/tools/pngstat" "$picture" | awk -v name="$(basename "$picture" .png)" '{ if ($3 > 10 && $4 > 8) print "ok manual/" name; else print "not ok manual/" name ": the picture shows nothing: " $0 }'
+  done
+  [ "$(ls "$work"/pages/tutorial-*.png | wc -l)" = "$steps" ] || echo "not ok manual/tutorial:pictures: not one for each of $steps steps"
+else echo "skip manual/tutorial:pictures: no povray"
+fi
+
 # The reference. A heading of level 3 opens an entry: what stands in it between backticks, `name` or `(name argument ...)`, is described.
 # Every name a program sees is described, once, and nothing else is.
 sed -n '/^### /p' manual/language/*.md | grep -o '`[^`]*`' | sed 's/^`(\{0,1\}//; s/[ )`].*//' | sort > "$work/described"
@@ -55,10 +68,11 @@ table model/steps.def VS_STEP '| step |'
 table session/stages.def VS_STAGE '| stage |'
 
 # What the examples say is what happens.
-for page in manual/language/*.md manual/primitives/*.md; do
+for page in manual/i-want-to.md manual/coming-from-[ago]*.md manual/language/*.md manual/primitives/*.md; do
   name=${page#manual/}
+  case $name in coming-from-*) tables=1 ;; *) tables= ;; esac
   cat tests/manual/doctest.vs > "$work/page.vs"
-  awk -v page="$name" -f tests/manual/doctest.awk "$page" > "$work/calls"
+  awk -v page="$name" -v tables="$tables" -f tests/manual/doctest.awk "$page" > "$work/calls"
   cat "$work/calls" >> "$work/page.vs"
   timeout 60 "$BUILD/vs" --quiet "$work/page.vs" > "$work/said" 2> "$work/errors" < /dev/null
   cat "$work/said"
