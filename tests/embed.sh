@@ -9,6 +9,9 @@ if ! MAKEFLAGS= make -s BUILD="$BUILD" DESTDIR="$work" PREFIX=/usr install > "$w
   echo "not ok embed:install"; tail -n 10 "$work/log" | sed 's/^/    /'; exit
 fi
 echo "ok embed:install"
+for file in man/man1/vs.1 bash-completion/completions/vs zsh/site-functions/_vs fish/vendor_completions.d/vs.fish; do
+  [ -s "$work/usr/share/$file" ] || echo "not ok embed:install: share/$file is not there"
+done
 
 sed -n 's/^VS_API .*[ *]\(vs_[a-z_]*\)(.*/\1/p' visualscheme.h | sort -u > "$work/declared"
 nm -D --defined-only "$work/usr/lib/libvisualscheme.so" | awk '$2 ~ /[TDBRV]/ { print $3 }' | grep -v '^VISUALSCHEME_' | sed 's/@.*//' | sort -u > "$work/exported"

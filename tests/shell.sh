@@ -1,0 +1,52 @@
+#!/bin/sh
+# Owns what the shell has of the command: its completion in bash, zsh and fish, and its page for man.
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+case shell in *"$ONLY"*) ;; *) exit ;; esac
+for shell in bash zsh fish; do sh scripts/completions.sh $shell > "$work/vs.$shell" || echo "not ok shell/$shell: is not made"; done
+
+# What bash offers after a line: offered "vs --qual" answers --quality.
+cat > "$work/ask.bash" <<'END'
+source "$1"
+COMP_LINE=$2 COMP_POINT=${#2}
+read -r -a COMP_WORDS <<< "${2//=/ = }"
+[[ $2 != *' ' ]] || COMP_WORDS+=('')
+COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
+_vs 2> /dev/null
+printf '%s\n' "${COMPREPLY[@]}" | sort | tr '\n' ' '
+END
+touch "$work/house.vs" "$work/house.stl"; mkdir "$work/shelf"
+asked() { # NAME LINE WANTED
+  said=$(cd "$work" && bash ask.bash vs.bash "$2" 2> errors)
+  if [ "$said" = "$3 " ] && [ ! -s "$work/errors" ]; then echo "ok shell/bash:$1"
+  else echo "not ok shell/bash:$1"; echo "    $2 gives $said, and $3 is wanted"; sed 's/^/    /' "$work/errors"; fi
+}
+if command -v bash > /dev/null; then
+  asked option 'vs --qual' '--quality'
+  asked options 'vs --limit-t' '--limit-time --limit-triangles'
+  asked choice 'vs house.vs --quality d' 'draft'
+  asked choices 'vs house.vs --quality ' 'draft final good'
+  asked optional 'vs house.vs --stats=' 'json'
+  asked command 'vs vi' 'view'
+  asked page 'vs help tut' 'tutorial'
+  asked model 'vs ho' 'house.vs'
+  asked output 'vs house.vs -o ho' 'house.stl house.vs'
+  asked folder 'vs -L s' 'shelf'
+  asked number 'vs --size 3' ''
+fi
+for shell in bash zsh fish; do
+  if ! command -v $shell > /dev/null; then echo "skip shell/$shell:syntax: no $shell"
+  elif $shell -n "$work/vs.$shell" 2> "$work/errors" && [ ! -s "$work/errors" ]; then echo "ok shell/$shell:syntax"
+  else echo "not ok shell/$shell:syntax"; sed 's/^/    /' "$work/errors"; fi
+done
+# Every option and command stands in each of them and in the page.
+sh scripts/man.sh 0 > "$work/vs.1"
+sed 's/\\-/-/g; s/\\f[BIR]//g' "$work/vs.1" > "$work/vs.man"
+missing=$({ sed -n 's/^OPTION([^"]*"\([^"][^"]*\)".*/\1/p' cli/options.def; sed -n 's/^COMMAND(\([a-z]*\),.*/\1/p' cli/commands.def; } |
+  while read -r word; do for file in bash zsh fish man; do grep -q -- "$word" "$work/vs.$file" || echo "$word in $file"; done; done)
+if [ -z "$missing" ]; then echo "ok shell/all"; else echo "not ok shell/all: missing:"; echo "$missing" | sed 's/^/    /'; fi
+if command -v mandoc > /dev/null; then mandoc -T lint -W warning "$work/vs.1" > "$work/errors" 2>&1
+elif command -v man > /dev/null && command -v groff > /dev/null; then man --warnings=all -l "$work/vs.1" 2> "$work/errors" > /dev/null
+elif command -v groff > /dev/null; then groff -man -ww -z "$work/vs.1" 2> "$work/errors"
+else echo "skip shell/man: no mandoc, man or groff"; exit; fi
+if [ ! -s "$work/errors" ] && [ "$(wc -l < "$work/vs.1")" -gt 150 ]; then echo "ok shell/man"; else echo "not ok shell/man"; head -n 20 "$work/errors" | sed 's/^/    /'; fi
