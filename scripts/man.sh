@@ -4,8 +4,9 @@
 #   scripts/man.sh VERSION
 set -u
 cd "$(dirname "$0")/.." || exit 1
+day=$(date -u -r manual/command.md +%Y-%m-%d) # when what the page says last changed
 {
-  printf '.TH VS 1 "" "VisualScheme %s" "User Commands"\n.SH NAME\nvs \\- solid models from Scheme programs\n.SH SYNOPSIS\n' "${1:-}"
+  printf '.TH VS 1 %s "VisualScheme %s" "User Commands"\n.SH NAME\nvs \\- solid models from Scheme programs\n.SH SYNOPSIS\n' "$day" "${1:-}"
   printf '%s\n' '.B vs' '[\fIOPTION\fR ...] [\fIFILE\fR] [\fB\-o\fR \fIOUT\fR ...] [\fB\-\-\fR \fIARG\fR ...]'
   awk -F '"' '/^COMMAND\(/ { name = $1; sub(/^COMMAND\(/, "", name); sub(/,.*/, "", name); printf ".br\n\\fBvs %s\\fR%s\n", name, ($2 != "" ? " \\fI" $2 "\\fR" : "") }' cli/commands.def
   echo '.SH DESCRIPTION'

@@ -2,6 +2,21 @@
 # -v title=...   of the page, if the text has none       -v root=...  the way up to the manual's first page: "" or "../"
 # -v after=...   HTML that goes behind the last block of code (a picture)
 # -v pictures=P  a picture P-N.png goes behind the N-th block of scheme, where that file is (-v folder=... says where it is looked for)
+# -v index_to=FILE  where the page's sections are written down for the search, as rows of a JavaScript array; -v page=URL  the page's own
+function text_of(s) { gsub(/[\\"]/, "\\\\&", s); gsub(/[\t\r]/, " ", s); return s } # within a string of JavaScript
+function told() { # the section that ends here
+  if (index_to == "" || section == "") return
+  printf "[\"%s\",\"%s\",\"%s#%s\",\"%s\"],\n", text_of(section), text_of(first), page, anchor, text_of(body) >> index_to
+}
+function open_section(text,   id) { # gives the heading's id
+  told()
+  gsub(/`|\*\*/, "", text); id = tolower(text); gsub(/[^a-z0-9]+/, "-", id); sub(/^-/, "", id); id = substr(id, 1, 60); sub(/-$/, "", id)
+  if (id == "") id = "section"
+  if (taken[id]++) id = id "-" taken[id]
+  if (first == "") first = text
+  section = text; anchor = id; body = ""
+  return id
+}
 function escape(s) { gsub(/&/, "\\&amp;", s); gsub(/</, "\\&lt;", s); gsub(/>/, "\\&gt;", s); return s }
 # Code first: nothing within it means anything. Links to pages of the manual go to their HTML.
 function inline(s,   out, from, length_) { # marked() matches too: what was matched here is kept
@@ -48,13 +63,15 @@ function code_end() {
 BEGIN {
   print "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width\">"
   print "<title>" escape(title) "</title>\n<link rel=\"stylesheet\" href=\"" root "manual.css\">"
-  print "<nav><a href=\"" root "index.html\">VisualScheme</a></nav>\n<main>"
+  print "<nav><a href=\"" root "index.html\">VisualScheme</a>"
+  print "<input id=\"search\" type=\"search\" placeholder=\"Search the manual\" aria-label=\"Search the manual\" autocomplete=\"off\"><ol id=\"found\"></ol></nav>\n<main>"
 }
+!/^(```|#+ |\|[-| :]+\|$)/ || (code && /^#/) { said = $0; gsub(/`|\*\*|\]\([^)]*\)/, "", said); gsub(/ *\| */, " ", said); if (said ~ /[^ ]/) body = body (body == "" ? "" : " ") said }
 code { if (/^```$/) { code = 0; code_end() } else held = held escape($0) "\n"; next }
 # what was held back, the last block of code, goes out before anything that follows it
 /^```/ { close_block(); if (behind != "") { print behind; behind = "" } code = 1; scheme = /^```scheme/; held = "<pre><code>"; next }
 behind != "" && /[^ ]/ { print behind; behind = "" }
-/^#+ / { close_block(); level = index($0, " ") - 1; text = substr($0, level + 2); print "<h" level ">" inline(text) "</h" level ">"; next }
+/^#+ / { close_block(); level = index($0, " ") - 1; text = substr($0, level + 2); id = open_section(text); print "<h" level " id=\"" id "\">" inline(text) "</h" level ">"; next }
 /^\|[-| :]+\|$/ { next }
 /^\|/ {
   if (!table) { close_block(); print "<table>"; table = 1; cell = "th" } else cell = "td"
@@ -74,5 +91,6 @@ END {
   close_block()
   if (behind != "") print behind
   if (after != "") print after
-  print "</main>\n</html>"
+  told()
+  print "</main>\n<script src=\"" root "index.js\"></script>\n<script src=\"" root "search.js\" data-root=\"" root "\"></script>\n</html>"
 }

@@ -9,7 +9,9 @@ cd "$(dirname "$0")/.." || exit 1
 BUILD=$1
 vs=$BUILD/vs out=${PAGES:-$BUILD/manual}
 mkdir -p "$out/primitives" "$out/language" || exit 1
-cp scripts/manual.css manual/*.jpg "$out/"
+cp scripts/manual.css manual/*.jpg manual/*.svg "$out/"
+cp scripts/manual_search.js "$out/search.js"
+echo 'const manual = [' > "$out/index.js" # the search's index: a row for each heading, which the pages add
 failed=$out/failed
 : > "$failed"
 pictures=${PICTURES:-yes}
@@ -50,12 +52,13 @@ kinds | while read -r kind class; do
   [ "$what" != inherit ] || what="what its parts make it"
   with=$(fields "$kind")
   after="$after<p class='facts'>In the tree: <code>$kind</code>, $what${with:+; $with}.</p>"
-  awk -v title="$kind" -v root=../ -v after="$after" -f scripts/manual.awk "$page" > "$out/primitives/$kind.html"
+  awk -v title="$kind" -v root=../ -v index_to="$out/index.js" -v page="primitives/$kind.html" -v after="$after" -f scripts/manual.awk "$page" > "$out/primitives/$kind.html"
 done
 
 for page in manual/language/*.md; do
   name=$(basename "$page" .md)
-  awk -v title="$name" -v root=../ -f scripts/manual.awk "$page" > "$out/language/$([ "$name" = README ] && echo index || echo "$name").html"
+  file=language/$([ "$name" = README ] && echo index || echo "$name").html
+  awk -v title="$name" -v root=../ -v index_to="$out/index.js" -v page="$file" -f scripts/manual.awk "$page" > "$out/$file"
 done
 
 # The tutorial: what a block can use is what the blocks before it in its step defined.
@@ -71,7 +74,7 @@ if [ -z "${KINDS:-}" ] || [ -n "${STEPS:-}" ]; then
 fi
 for page in manual/*.md; do
   name=$(basename "$page" .md)
-  awk -v title="$name" -v root= -v pictures="$name" -v folder="$out" -f scripts/manual.awk "$page" > "$out/$name.html"
+  awk -v title="$name" -v root= -v index_to="$out/index.js" -v page="$name.html" -v pictures="$name" -v folder="$out" -f scripts/manual.awk "$page" > "$out/$name.html"
 done
 
 # The first page: where to go, and a sheet of all kinds by what they are.
@@ -92,6 +95,7 @@ sheet=$(for class in CURVE REGION SURFACE SOLID INHERIT NOTHING; do
 done)
 awk -v title=VisualScheme -v root= -v after="$(echo "$sheet" | tr '\n' ' ')" -f scripts/manual.awk "$work/index.md" > "$out/index.html"
 
+echo '];' >> "$out/index.js"
 if [ -s "$failed" ]; then cat "$failed" >&2; exit 1; fi
 rm -f "$failed"
 echo "$out/index.html"

@@ -22,12 +22,12 @@ if diff "$work/answers" "$work/said" > "$work/diff"; then echo "ok manual/tutori
 awk '/^## / { if (step && !linked) print step; step = $2; linked = 0 } /^Read on: .*\]\(/ { linked = 1 } END { if (!linked) print step }' manual/tutorial.md > "$work/said"
 if [ ! -s "$work/said" ]; then echo "ok manual/tutorial:links"; else echo "not ok manual/tutorial:links: steps without"; sed 's/^/    /' "$work/said"; fi
 if command -v povray > /dev/null; then
-  PAGES="$work/pages" KINDS=none STEPS=last QUALITY=draft SIZE=80x60 sh scripts/manual.sh "$BUILD" > "$work/said" 2>&1 || { echo "not ok manual/tutorial:pictures"; sed 's/^/    /' "$work/said"; }
+  PAGES="$work/steps" KINDS=none STEPS=last QUALITY=draft SIZE=80x60 sh scripts/manual.sh "$BUILD" > "$work/said" 2>&1 || { echo "not ok manual/tutorial:pictures"; sed 's/^/    /' "$work/said"; }
   steps=$(grep -c '^## ' manual/tutorial.md)
-  for picture in "$work"/pages/tutorial-*.png; do
+  for picture in "$work"/steps/tutorial-*.png; do
     "$BUILD/tools/pngstat" "$picture" | awk -v name="$(basename "$picture" .png)" '{ if ($3 > 10 && $4 > 8) print "ok manual/" name; else print "not ok manual/" name ": the picture shows nothing: " $0 }'
   done
-  [ "$(ls "$work"/pages/tutorial-*.png | wc -l)" = "$steps" ] || echo "not ok manual/tutorial:pictures: not one for each of $steps steps"
+  [ "$(ls "$work"/steps/tutorial-*.png | wc -l)" = "$steps" ] || echo "not ok manual/tutorial:pictures: not one for each of $steps steps"
 else echo "skip manual/tutorial:pictures: no povray"
 fi
 
@@ -91,7 +91,13 @@ for page in manual/primitives/*.md; do
 done
 
 # The manual to be read: every kind has its page, and the pages have what they should. Without pictures: those take a minute.
-if PICTURES=no KINDS="sphere text" sh scripts/manual.sh "$BUILD" > "$work/said" 2>&1 &&
-   grep -q '<code>(make-sphere c r)</code>: c a point' "$BUILD/manual/primitives/sphere.html" && grep -q 'In the tree: <code>sphere</code>, solid; <code>c</code> point, <code>r</code> real' "$BUILD/manual/primitives/sphere.html" &&
-   grep -q "href='primitives/text.html'" "$BUILD/manual/index.html" && [ -s "$BUILD/manual/language/index.html" ] && ! grep -q '`' "$BUILD/manual/tutorial.html"
+if PAGES="$work/html" PICTURES=no KINDS="sphere text" sh scripts/manual.sh "$BUILD" > "$work/said" 2>&1 &&
+   grep -q '<code>(make-sphere c r)</code>: c a point' "$work/html/primitives/sphere.html" && grep -q 'In the tree: <code>sphere</code>, solid; <code>c</code> point, <code>r</code> real' "$work/html/primitives/sphere.html" &&
+   grep -q "href='primitives/text.html'" "$work/html/index.html" && [ -s "$work/html/language/index.html" ] && ! grep -q '`\|\*\*' "$work/html/tutorial.html"
 then echo "ok manual:pages"; else echo "not ok manual:pages"; sed 's/^/    /' "$work/said"; fi
+
+# The search: its index is JavaScript, and what the search would list first for some words is what they mean. Every address is a heading that is there.
+if command -v node > /dev/null; then
+  if node tests/manual/search.mjs "$work/html" > "$work/said" 2>&1; then cat "$work/said"; else echo "not ok manual:search"; sed 's/^/    /' "$work/said"; fi
+else echo "skip manual:search: no node"
+fi
