@@ -36,18 +36,18 @@ static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
   if (!(r->reach > 1e-9 * size)) return vs_error_set(e, VS_ERROR_MODEL, NULL, "the profile lies on the axis");
   r->out = vs_v3_unit(far);
   r->side = vs_v3_cross(r->axis, r->out);
-  double low = INFINITY, high = -INFINITY; /* along the axis */
+  double low = INFINITY, high = -INFINITY, beside = 0; /* along the axis; from the half-plane that holds it */
   for (size_t l = 0; l < o->count; l++)
     for (size_t i = 0; i < o->loops[l].count; i++) {
-      double y = vs_v3_dot(vs_v3_sub(o->loops[l].at[i], r->at), r->axis);
-      low = fmin(low, y), high = fmax(high, y);
+      vs_vec3 d = vs_v3_sub(o->loops[l].at[i], r->at);
+      double y = vs_v3_dot(d, r->axis);
+      low = fmin(low, y), high = fmax(high, y), beside = fmax(beside, fabs(vs_v3_dot(d, r->side)));
     }
-  if (high - low < 1e-9 * size)
-    return vs_error_set(e, VS_ERROR_MODEL, NULL,
-        "the profile lies flat across the axis, and its plane must hold the axis; %s",
+  if (beside > 1e-6 * size && high - low < 1e-9 * size)
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "the profile lies flat across the axis, and its plane must hold the axis; %s",
                         fabs(r->axis.z) > .999999
                             ? "(do-rotate profile 'x pi/2) stands it up, or #:plane 'xz where it is made"
-                                : "turn it first");
+                            : "turn it first");
   for (size_t l = 0; l < o->count; l++) {
     r->sizes[l] = o->loops[l].count;
     r->hole[l] = o->hole[l];

@@ -3,8 +3,10 @@ import { browser, open } from "./browser.mjs";
 
 const [, , file, pixels, out] = process.argv, chromium = await browser();
 try {
-  const context = await chromium.newContext({ viewport: { width: Number(pixels), height: Number(pixels) } });
+  const context = await chromium.newContext({ viewport: { width: 200, height: 200 } }); // the page's own first picture, with light and shadow, is small
   const page = await open(context, "file://" + file);
+  await page.evaluate(() => { window.visualscheme.stage.options.refine = false; });
+  await page.setViewportSize({ width: Number(pixels), height: Number(pixels) });
   await page.evaluate(() => {
     const { stage, control, model, root } = window.visualscheme, view = model.view;
     for (const node of root.children) if (node !== stage.canvas) node.style.display = "none";
