@@ -307,6 +307,84 @@ VS_API vs_outcome vs_write_drawing(vs *s, const char *path, const char *format, 
 VS_API vs_outcome vs_write_drawing_to(vs *s, const char *format, const vs_output_options *o,
                                       bool (*write)(void *context, const void *bytes, size_t count), void *context);
 
+/* ---- formats of the host's own ----
+ *
+ * A format is a table of callbacks, one for each kind of thing that it has words for. The library walks the drawing
+ * as for its own formats: sections and the
+ * like are worked out, the passes have run, and what has no callback is made simpler until it is of a kind that has
+ * one: curves become
+ * "line", everything else in the end "polyface-mesh", which therefore must be there. Curves are left out, which is
+ * said, where there is no "line". */
+
+typedef struct vs_output vs_output; /* the file being written; valid in callbacks alone */
+
+typedef enum {
+  VS_THING_LEAF,  /* a primitive, or a profile with its sweep: it comes once */
+  VS_THING_ENTER, /* an operation ("unite", "intersect", "subtract", "transform" ...): before what is in it */
+  VS_THING_LEAVE  /* behind it */
+} vs_thing_phase;
+
+typedef struct {
+  const char *kind;      /* as object-kind answers: "sphere" */
+  vs_thing_phase phase;
+  size_t child_count;    /* at VS_THING_ENTER: how many things follow before VS_THING_LEAVE */
+  /* from the thing's coordinates to the drawing's: a row each of x, y and z, the shift last; of an operation, those
+   * of what is in it */
+  double place[3][4];
+  bool painted;
+  double color[4];       /* sRGB and opacity, 0 to 1, where it is painted */
+  const char *material, *layer; /* names; "" where there is none */
+  const char *file;      /* the place in the program that made it; NULL: not known */
+  uint32_t line, column;
+  const void *thing;     /* the library's own */
+} vs_thing;
+
+typedef enum {
+  VS_KIND_WRITTEN,
+  VS_KIND_WHOLE,   /* at VS_THING_ENTER: written with all that is in it, which is not gone into */
+  VS_KIND_SIMPLER, /* not this one: the library is to make it simpler. Nothing may have been written */
+  VS_KIND_FAILED   /* with vs_output_fail, which says why */
+} vs_kind_status;
+
+typedef struct {
+  const char *kind;
+  vs_kind_status (*write)(void *context, vs_output *out, const vs_thing *thing);
+} vs_format_kind;
+
+typedef struct {
+  const char *name, *suffix, *doc; /* as in vs_format_info; doc may be NULL */
+  bool binary;
+  const vs_format_kind *kinds;
+  size_t kind_count;
+  bool (*begin)(void *context, vs_output *out); /* round all things; false: failed. NULL: nothing */
+  bool (*end)(void *context, vs_output *out);
+  void *context;                   /* handed to the callbacks; must live as long as the interpreter */
+} vs_format_own;
+
+/* Adds a format to this interpreter: -o file.suffix and its name mean it from then on, and the newest of several.
+ * False: the name or suffix is one of the library's or
+ * none at all, a kind is none, "polyface-mesh" is missing, or memory is. */
+VS_API bool vs_register_format(vs *s, const vs_format_own *format);
+
+/* For callbacks. Each returns false where the output has failed; then the callback returns VS_KIND_FAILED or false. */
+VS_API bool vs_output_write(vs_output *out, const void *bytes, size_t count);
+VS_API bool vs_output_print(vs_output *out, const char *text);
+/* the shortest text of 12 significant digits, as all formats have it */
+VS_API bool vs_output_number(vs_output *out, double x);
+/* a fault of the model at the thing's place; returns false */
+VS_API bool vs_output_fail(vs_output *out, const char *message);
+
+/* The numbers in a field of the thing, under the name that the tree dump (-o x.tree) shows: a number, flag (0 or 1),
+ * point (3 numbers), list of points or matrix. Copies at
+ * most room of them to out, returns how many there are; 0: it has no such field. */
+VS_API size_t vs_thing_numbers(const vs_thing *t, const char *field, double *out, size_t room);
+VS_API const char *vs_thing_text(const vs_thing *t, const char *field); /* NULL: it has no such field of text */
+/* The thing as triangles in its own coordinates, counter-clockwise from outside, as fine as the output asks; also of
+ * an operation, with all in it. The arrays
+ * live until the next call. False: failed. */
+typedef struct { const double (*points)[3]; size_t point_count; const uint32_t (*corners)[3]; size_t count; } vs_triangles;
+VS_API bool vs_thing_triangles(vs_output *out, const vs_thing *t, vs_triangles *result);
+
 /* ---- statistics ---- */
 
 typedef struct {

@@ -36,6 +36,11 @@ typedef struct vs_emitter vs_emitter;
 typedef struct vs_drive vs_drive; /* the driver's own, driver.c */
 typedef vs_emit_status vs_emit_fn(vs_emitter *e, const vs_ref *ref, vs_phase phase);
 
+/* What makes a curve as thick on the picture near and far: its radius at a place is share times the depth from eye
+ * along forward, but at least `least`;
+ * in a parallel view forward is 0 0 0, and the radius `least`. Model units. */
+typedef struct { vs_vec3 eye, forward; double share, least; } vs_pen;
+
 struct vs_emitter {
   vs_writer *out;
   const vs_scene *scene;
@@ -47,6 +52,7 @@ struct vs_emitter {
   vs_facets drawing_facets; /* of what stands unplaced */
   vs_facets facets;    /* in the coordinates of what is being written: finer where its placement makes it larger */
   vs_bounds bounds;    /* of everything drawn; never empty */
+  vs_pen pen;          /* POV-Ray: how thick curves are drawn */
   double unit;         /* POV-Ray: how long a model unit is in its scene; see scene.c */
   vs_bounds framed;    /* what a camera frames: without what is cut away */
   vs_bounds *boxes;    /* of its parts: tighter together than the one; what a camera frames */
@@ -89,6 +95,8 @@ struct vs_backend {
   bool parts_flush;     /* its program keeps skins where faces in one plane are cut: they are parted before (flush.h) */
   bool hulls;           /* knows hulls of solids: they are shown as operations; all others, and elsewhere all, as one shape */
   bool frames;          /* shows the drawing through a camera that frames it */
+  bool loose;           /* with solid or copies: what is no solid is walked first, by the rows of emit */
+  bool inks;            /* thin things without a material are painted dark before (ink.h) */
   bool groups;          /* large sets are handed over as trees of boxes (vs_sets_group) */
   bool area_sets;       /* is asked about sets of regions before they are lowered to one region */
   bool keeps_text;      /* what it writes for a node is decided by what drive_key puts into a key, and by nothing that it wrote before */

@@ -633,6 +633,19 @@ static bool drive_settle(vs_emitter *e, vs_mesh *m) {
   return true;
 }
 
+/* Walks what is no solid, of a format that gets the union of all solids besides. *any: something was walked. */
+static bool drive_loose(vs_emitter *e, bool *any) {
+  for (size_t i = 0; i < e->scene->drawn_count; i++) {
+    const vs_ref *ref = &e->scene->drawn[i];
+    if (ref->node->class_ == VS_SOLID || drive_vain(e, ref)) continue;
+    *any = true;
+    drive_reset(e);
+    if (!drive_walk(e, ref, false)) return false;
+  }
+  drive_reset(e);
+  return true;
+}
+
 bool vs_drive_scene(vs_emitter *e) {
   vs_drive *d = vs_store_realloc(e->scene->store, NULL, 0, sizeof *d);
   if (d == NULL) return vs_emit_no_memory(e);
@@ -651,9 +664,12 @@ bool vs_drive_scene(vs_emitter *e) {
   if (!drive_bounds(e) || (!e->backend->verbatim && !drive_frame_boxes(e))) return false;
   drive_reset(e);
   if (!e->backend->begin(e)) return false;
+  bool loose = false;
+  if (e->backend->loose && !drive_loose(e, &loose)) return false;
   if (e->backend->solid != NULL) {
     vs_solid mesh = { .part_count = 0 };
-    bool ok = vs_lower_scene(e, &mesh) && (mesh.mesh.triangle_count > 0 || drive_nothing(e)) && drive_settle(e, &mesh.mesh) && e->backend->solid(e, &mesh);
+    bool ok = vs_lower_scene(e, &mesh) && (mesh.mesh.triangle_count > 0 || loose || drive_nothing(e)) &&
+        drive_settle(e, &mesh.mesh) && e->backend->solid(e, &mesh);
     vs_solid_free(&mesh);
     return ok && e->backend->end(e);
   }

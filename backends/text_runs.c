@@ -84,7 +84,12 @@ static void put_ends(vs_emitter *e, const spelling *s) {
   vs_reuse *r = &e->drive->reuse;
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   vs_reuse_put(r, (uint64_t)s->cut << 1 | s->thin);
-  if (s->thin) vs_reuse_put_reals(r, &diagonal, 1); /* how thick a line is drawn */
+  if (s->thin) { /* how thick a line is drawn */
+    const double place[] = { diagonal, e->placement.m[0][3], e->placement.m[1][3], e->placement.m[2][3], e->pen.share, e->pen.least };
+    vs_reuse_put_reals(r, place, sizeof place / sizeof *place);
+    vs_reuse_put_reals(r, &e->pen.eye.x, 3);
+    vs_reuse_put_reals(r, &e->pen.forward.x, 3);
+  }
   if (s->cut) vs_reuse_put_reals(r, &e->reach.min.x, 3);
   if (s->cut) vs_reuse_put_reals(r, &e->reach.max.x, 3);
 }

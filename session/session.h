@@ -6,6 +6,7 @@
 #include <stdatomic.h>
 #include <stdio.h>
 
+#include "backends/export.h"
 #include "bind/bind.h"
 #include "model/store/cache.h"
 #include "passes/passes.h"
@@ -48,6 +49,8 @@ typedef struct {
 /* A procedure that was seen running (names.c). */
 typedef struct { vs_value name; vs_pos place; uint64_t own, whole; } vs_profile_row;
 
+typedef struct vs_own_format vs_own_format;
+
 typedef struct {
   vs_bind bind;             /* first: vm->host points to it */
   vs_options options;
@@ -69,6 +72,7 @@ typedef struct {
   double write_began, write_worker; /* clock when it began; what workers had taken by then, in seconds */
   vs_output_record *outputs; /* of the last ones, oldest first */
   size_t output_count, output_room;
+  vs_own_format *own_formats; /* that the host brought, newest first (own_formats.c) */
   unsigned flags;           /* VS_EVAL_... of the evaluation under way */
   unsigned results;         /* how many have the names $1, $2 ... */
   bool profiling;
@@ -97,6 +101,9 @@ void vs_session_free_sources(vs_session *s);
 
 /* ---- statistics.c ---- */
 /* Round an output: begin before anything is done for it, count when the drawing is ready for the passes, end when it is written or has failed. False: out of memory. */
+/* The host's format of this name, ending or path; NULL: it brought none such. */
+const vs_format *vs_session_own_format(const vs_session *s, const char *text);
+void vs_session_free_own_formats(vs_session *s);
 bool vs_session_output_begin(vs_session *s, const char *path, const char *format);
 bool vs_session_output_nodes(vs_session *s, const vs_scene *scene, unsigned passes, vs_error *e);
 void vs_session_output_end(vs_session *s, bool done);

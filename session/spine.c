@@ -16,6 +16,7 @@
 #include "backends/backend.h"
 #include "geometry/measure/node_measures.h"
 #include "passes/flush.h"
+#include "passes/ink.h"
 #include "passes/optimise.h"
 #include "passes/sugar.h"
 #include "solids/drawn_bounds.h"
@@ -153,6 +154,8 @@ static bool stage_optimise(vs_job *j) {
   unsigned passes = own && !own->optimised ? 0 : j->options->passes;
   return (!j->options->count || vs_session_output_nodes(j->session, &j->scene, passes, &j->error)) && vs_scene_optimise(&j->scene, passes, &j->record->passes, &j->error);
 }
+
+static bool stage_ink(vs_job *j) { return vs_scene_ink(&j->scene, &j->error); }
 
 static bool stage_flush(vs_job *j) { return vs_scene_part_flush(&j->scene, &j->error); }
 

@@ -253,6 +253,7 @@ void vs_free(vs *vm) {
   vs_session *s = vs_session_of(vm);
   vs_close_vm(vm); /* lets go of the objects, which hold nodes */
   if (!s) return;
+  vs_session_free_own_formats(s);
   vs_bind_close(&s->bind);
   vs_session_close_files(s);
   vs_session_free_sources(s);
@@ -470,9 +471,10 @@ const vs_format_info *vs_format_find(const char *text) {
   return NULL;
 }
 
-/* The format that a name or an ending means here: the library's own, else one that the program brought, which is put into *room. */
+/* The format that a name or an ending means here: the library's own, else one of the host's, else one that the program brought, which is put into *room. */
 static const vs_format *format_of(const vs_session *s, const char *text, vs_format *room) {
   const vs_format *own = vs_export_format_find(text);
+  if (!own) own = vs_session_own_format(s, text);
   const vs_bind_back_end *brought = own ? NULL : vs_bind_back_end_find(&s->bind, text);
   if (!brought) return own;
   *room = (vs_format){ .suffix = brought->suffix, .name = brought->name, .doc = brought->doc, .binary = brought->binary, .backend = &vs_backend_given };

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the embedding test: installs into a private folder, builds a stranger's program against it, runs that; the shared library exports
+# Owns the embedding test: installs into a private folder, builds a stranger's programs against it, runs them; the shared library exports
 # what the header declares and nothing else.
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -17,10 +17,12 @@ sed -n 's/^VS_API .*[ *]\(vs_[a-z_]*\)(.*/\1/p' visualscheme.h | sort -u > "$wor
 nm -D --defined-only "$work/usr/lib/libvisualscheme.so" | awk '$2 ~ /[TDBRV]/ { print $3 }' | grep -v '^VISUALSCHEME_' | sed 's/@.*//' | sort -u > "$work/exported"
 if diff "$work/declared" "$work/exported" > "$work/diff"; then echo "ok embed:exports"; else echo "not ok embed:exports differ from visualscheme.h"; sed 's/^/    /' "$work/diff"; fi
 
-if ! ${CC:-cc} -std=c11 -Wall -Wextra -Werror -I"$work/usr/include" tests/embed/host.c -o "$work/host" -L"$work/usr/lib" -lvisualscheme > "$work/log" 2>&1; then
-  echo "not ok embed:compile"; sed 's/^/    /' "$work/log"; exit
-fi
-LD_LIBRARY_PATH=$work/usr/lib timeout 60 "$work/host" > "$work/out" 2>&1
-code=$?
-cat "$work/out"
-[ $code -le 1 ] || echo "not ok embed:host ended with $code"
+for program in host format; do
+  if ! ${CC:-cc} -std=c11 -Wall -Wextra -Werror -I"$work/usr/include" tests/embed/$program.c -o "$work/$program" -L"$work/usr/lib" -lvisualscheme > "$work/log" 2>&1; then
+    echo "not ok embed:compile $program"; sed 's/^/    /' "$work/log"; continue
+  fi
+  LD_LIBRARY_PATH=$work/usr/lib timeout 60 "$work/$program" > "$work/out" 2>&1
+  code=$?
+  cat "$work/out"
+  [ $code -le 1 ] || echo "not ok embed:$program ended with $code"
+done

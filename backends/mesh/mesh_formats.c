@@ -1,10 +1,13 @@
-/* Owns the formats of bare triangles: STL binary and in words, OFF, PLY, OBJ with its .mtl. All get the union of the drawing's solids from the kernel.
+/* Owns the formats of bare triangles: STL binary and in words, OFF, PLY, OBJ with its .mtl. All get the union of the
+ * drawing's solids from the kernel;
+ * PLY and OBJ have words for lines and open faces, too (loose.h).
  *
  * STL's numbers are 32-bit: triangles whose corners fall together there are left out, which keeps a closed surface closed. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "backends/backend.h"
+#include "backends/mesh/loose.h"
 #include "backends/spans.h"
 
 static bool mesh_begin(vs_emitter *e) { return !e->out->failed; }
@@ -165,6 +168,12 @@ static char *ply_corners(const void *context, size_t begin, size_t end, char *at
   return (char *)to;
 }
 
+static void ply_paint(const vs_material *m, unsigned char paint[4]) {
+  vs_material p = m != NULL ? *m : vs_material_of_color(0.86, 0.85, 0.83);
+  paint[0] = ply_level(p.red), paint[1] = ply_level(p.green), paint[2] = ply_level(p.blue),
+      paint[3] = ply_level(1 - 0.8 * p.transparency);
+}
+
 static char *ply_faces(const void *context, size_t begin, size_t end, char *at) {
   const vs_solid *solid = context;
   const vs_mesh *m = &solid->mesh;
@@ -173,8 +182,7 @@ static char *ply_faces(const void *context, size_t begin, size_t end, char *at) 
   for (size_t i = begin; i < end; i++) {
     uint32_t tag = m->tags != NULL ? m->tags[i] : 0;
     if (tag != painted || i == begin) {
-      vs_material p = tag < solid->part_count && solid->parts[tag].material != NULL ? *solid->parts[tag].material : vs_material_of_color(0.86, 0.85, 0.83);
-      paint[0] = ply_level(p.red), paint[1] = ply_level(p.green), paint[2] = ply_level(p.blue), paint[3] = ply_level(1 - 0.8 * p.transparency);
+      ply_paint(tag < solid->part_count ? solid->parts[tag].material : NULL, paint);
       painted = tag;
     }
     *to++ = 3;
@@ -185,18 +193,57 @@ static char *ply_faces(const void *context, size_t begin, size_t end, char *at) 
   return (char *)to;
 }
 
+/* Open faces behind those of the solids; the lines' pieces as edges, with a colour of three bytes. */
+static bool ply_loose(vs_emitter *e, uint32_t base, bool lines) {
+  const vs_loose *l = e->state;
+  for (size_t i = 0; i < l->run_count && !e->out->failed; i++) {
+    const vs_loose_run *run = &l->runs[i];
+    unsigned char record[PLY_FACE], paint[4];
+    if (run->line != lines) continue;
+    ply_paint(run->material, paint);
+    for (size_t k = 0; k + 1 < run->count; k += lines ? 1 : 3) {
+      unsigned char *to = record;
+      const uint32_t *c = &l->corners[run->first + k];
+      if (!lines) *to++ = 3;
+      for (size_t n = 0; n < (lines ? 2u : 3u); n++) to = vs_le_u32(to, base + c[n]);
+      memcpy(to, paint, sizeof paint);
+      vs_put(e->out, record, (size_t)(to - record) + (lines ? 3 : 4));
+    }
+  }
+  return !e->out->failed;
+}
+
+static bool ply_loose_points(vs_emitter *e) {
+  const vs_loose *l = e->state;
+  return l->point_count == 0 || mesh_put(e, l->point_count, PLY_CORNER, ply_corners,
+      &(vs_mesh){ .vertices = l->points, .vertex_count = l->point_count });
+}
+
 static bool ply_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   vs_writer *w = e->out;
+  const vs_loose *l = e->state;
+  if (m->vertex_count + l->point_count > UINT32_MAX) return vs_error_set(e->error, VS_ERROR_MODEL, NULL,
+      "more points than a PLY file can hold");
   vs_puts(w, "ply\nformat binary_little_endian 1.0\ncomment made by VisualScheme; Z is up, lengths in ");
   vs_puts(w, e->scene->units);
-  vs_putf(w, "\nelement vertex %lu\nproperty double x\nproperty double y\nproperty double z\n", (unsigned long)m->vertex_count);
-  vs_putf(w, "element face %lu\nproperty list uchar uint vertex_indices\n", (unsigned long)m->triangle_count);
-  vs_puts(w, "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\nend_header\n");
-  return mesh_put(e, m->vertex_count, PLY_CORNER, ply_corners, m) && mesh_put(e, m->triangle_count, PLY_FACE, ply_faces, solid);
+  vs_putf(w, "\nelement vertex %lu\nproperty double x\nproperty double y\nproperty double z\n",
+      (unsigned long)(m->vertex_count + l->point_count));
+  vs_putf(w, "element face %lu\nproperty list uchar uint vertex_indices\n",
+      (unsigned long)(m->triangle_count + vs_loose_triangles(l)));
+  vs_puts(w, "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n");
+  if (vs_loose_pieces(l) > 0) {
+    vs_putf(w, "element edge %lu\nproperty int vertex1\nproperty int vertex2\n", (unsigned long)vs_loose_pieces(l));
+    vs_puts(w, "property uchar red\nproperty uchar green\nproperty uchar blue\n");
+  }
+  uint32_t base = (uint32_t)m->vertex_count;
+  return vs_puts(w, "end_header\n") && mesh_put(e, m->vertex_count, PLY_CORNER, ply_corners, m) &&
+      ply_loose_points(e) &&
+         mesh_put(e, m->triangle_count, PLY_FACE, ply_faces, solid) && ply_loose(e, base, false) && ply_loose(e, base,
+             true);
 }
 
-const vs_backend vs_backend_ply = { .begin = mesh_begin, .end = mesh_end, .solid = ply_solid, MESH_OMIT("PLY") };
+const vs_backend vs_backend_ply = { .begin = vs_loose_begin, .end = mesh_end, .solid = ply_solid, VS_LOOSE_SHAPES };
 
 /* ---- OBJ ---- */
 
@@ -315,6 +362,35 @@ static bool obj_faces(vs_emitter *e, const vs_solid *solid, const obj_groups *g)
   return !w->failed;
 }
 
+/* Lines and open faces, behind the solids: corners are counted on from `base`. `usemtl` and `g` where they change. */
+static bool obj_loose(vs_emitter *e, uint32_t base) {
+  const vs_loose *l = e->state;
+  vs_writer *w = e->out;
+  const char *layer = NULL;
+  const vs_material *paint = NULL;
+  if (l->run_count == 0) return !w->failed;
+  vs_puts(w, "# curves as lines, regions and open surfaces as open faces\n");
+  if (!mesh_put(e, l->point_count, MESH_TRIPLE, obj_corners, &(vs_mesh){ .vertices = l->points,
+      .vertex_count = l->point_count })) return false;
+  for (size_t i = 0; i < l->run_count && !w->failed; i++) {
+    const vs_loose_run *run = &l->runs[i];
+    if (i == 0 || run->layer != layer) obj_group(w, run->layer != NULL ? run->layer : "default");
+    if (e->path != NULL && (i == 0 || run->material != paint)) {
+      vs_puts(w, "usemtl ");
+      obj_material_name(e, run->material);
+      vs_puts(w, "\n");
+    }
+    layer = run->layer, paint = run->material;
+    for (size_t k = 0; k < run->count; k++) {
+      if (k == 0 || (!run->line && k % 3 == 0)) vs_puts(w, run->line ? "l" : "f");
+      vs_puts(w, " ");
+      vs_put_u32(w, base + l->corners[run->first + k] + 1);
+      if (run->line ? k + 1 == run->count : k % 3 == 2) vs_puts(w, "\n");
+    }
+  }
+  return !w->failed;
+}
+
 static bool obj_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   vs_writer *w = e->out;
@@ -331,7 +407,8 @@ static bool obj_solid(vs_emitter *e, const vs_solid *solid) {
   }
   if (!mesh_put(e, m->vertex_count, MESH_TRIPLE, obj_corners, m)) return false;
   obj_groups groups = { .key_count = 0 };
-  bool ok = obj_groups_make(e, solid, &groups) && obj_faces(e, solid, &groups);
+  bool ok = obj_groups_make(e, solid, &groups) && obj_faces(e, solid, &groups) && obj_loose(e,
+      (uint32_t)m->vertex_count);
   obj_groups_free(e, &groups, solid);
   return ok;
 }
@@ -362,4 +439,7 @@ static bool obj_beside(vs_emitter *e) {
   return ok;
 }
 
-const vs_backend vs_backend_obj = { .begin = mesh_begin, .end = mesh_end, .solid = obj_solid, .numbers = VS_NUMBERS_DIGITS, .beside = obj_beside, MESH_OMIT("OBJ") };
+const vs_backend vs_backend_obj = {
+  .begin = vs_loose_begin, .end = mesh_end, .solid = obj_solid, .numbers = VS_NUMBERS_DIGITS, .beside = obj_beside,
+      VS_LOOSE_SHAPES
+};

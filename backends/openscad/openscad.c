@@ -61,6 +61,9 @@ static void scad_open(vs_emitter *e, const vs_node *n) {
   }
 }
 
+/* How thick that is shown which has no thickness. */
+static double scad_thin(const vs_emitter *e) { return 0.0012 * vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min)); }
+
 /* ---- primitives ---- */
 
 static vs_emit_status scad_box(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
@@ -189,9 +192,12 @@ static void scad_wrap(vs_emitter *e, size_t item, size_t per_line) {
   }
 }
 
+static vs_emit_status scad_slab(vs_emitter *e, const vs_ref *ref);
+
 static vs_emit_status scad_polyface(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_polyface_mesh *p = VS_AS(polyface_mesh, ref->node);
+  if (!p->closed) return scad_slab(e, ref);
   vs_apart apart = { 0 };
   if (p->closed && !vs_apart_make(p, &apart)) return vs_emit_no_memory(e), VS_FAILED;
   const uint32_t *starts = vs_faces_starts(p->faces), *corners = apart.corners ? apart.corners : vs_faces_corners(p->faces);
@@ -217,6 +223,30 @@ static vs_emit_status scad_polyface(vs_emitter *e, const vs_ref *ref, vs_phase p
   vs_puts(e->out, "], convexity = 10);\n");
   vs_apart_free(&apart);
   return scad_done(e);
+}
+
+/* An open surface: the solid of it made thick. What no thickness makes a solid of is left out, which is said. */
+static vs_emit_status scad_slab(vs_emitter *e, const vs_ref *ref) {
+  struct vs_thicken thick = { .width = scad_thin(e) };
+  vs_store *store = e->scene->store;
+  vs_node *slab = vs_node_new(store, VS_THICKEN, &thick, ref, 1), *made = NULL;
+  if (slab == NULL) return vs_emit_no_memory(e), VS_FAILED;
+  vs_emit_status status = VS_FAILED;
+  vs_ref whole = { slab, ref->origin };
+  made = vs_lower(e, &whole);
+  if (made == NULL && e->error->kind == VS_ERROR_MODEL) {
+    e->error->kind = VS_ERROR_NONE;
+    if (vs_emit_warn_once(e, ref,
+        "OpenSCAD programs hold solids: open surfaces that no thickness makes a solid of are left out")) status = VS_EMITTED;
+  } else if (made != NULL && made->kind != VS_POLYFACE_MESH) {
+    status = VS_EMITTED;
+  } else if (made != NULL && vs_emit_warn_once(e, ref,
+      "OpenSCAD programs hold solids: open surfaces are drawn as thin slabs")) {
+    status = scad_polyface(e, &(vs_ref){ made, ref->origin }, VS_PHASE_LEAF);
+  }
+  vs_node_release(made);
+  vs_node_release(slab);
+  return status;
 }
 
 /* The loops of an outline as polygon(points, paths); holes are inner paths, by even and odd. */
@@ -448,8 +478,6 @@ static vs_emit_status scad_extrude(vs_emitter *e, const vs_ref *ref, vs_phase ph
 
 /* ---- what has no thickness: shown thin, and said so ---- */
 
-static double scad_thin(const vs_emitter *e) { return 0.0012 * vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min)); }
-
 static vs_emit_status scad_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_line *l = VS_AS(line, ref->node);
@@ -596,7 +624,6 @@ static bool scad_end(vs_emitter *e) { return !e->out->failed; }
 const vs_backend vs_backend_openscad = {
   .highlights = VS_MARKS_KEEP, .ghosts = VS_MARKS_KEEP, .native = "openscad",
   .begin = scad_begin, .end = scad_end, .define = scad_define, .use = scad_use, .hulls = true, .area_sets = true, .keeps_text = true,
-  .omit = { [VS_SURFACE] = "OpenSCAD programs hold solids: open surfaces are left out" },
   .emit = {
     [VS_LINE] = { scad_line, "OpenSCAD programs hold solids: curves are drawn as thin rods" },
     [VS_TEXT] = { scad_region, "OpenSCAD programs hold solids: flat regions are drawn as thin slabs" },

@@ -200,6 +200,17 @@ static const char *pov_radiosity(vs_render_quality q) {
  * other units, a power of ten, in which they are some tens across. */
 static double pov_unit(double diagonal) { return diagonal > 0.1 && diagonal < 1e5 ? 1 : pow(10, 1 - floor(log10(diagonal))); }
 
+/* Curves are drawn two pixels wide and more: 1/450 of the picture's width, so that they do not get lost in large
+ * ones. Places nearer than a
+ * thousandth of the drawing, or behind the camera, count as that near. */
+static vs_pen pov_pen(const vs_emitter *e, const vs_look *l, int width) {
+  double across = fmax(2. / width, 1. / 450); /* of the picture's width */
+  if (l->parallel) return (vs_pen){ .least = across * l->width / 2 };
+  double share = across * tan(l->angle / 2);
+  return (vs_pen){ .eye = l->eye, .forward = l->forward, .share = share,
+      .least = share * 1e-3 * vs_bounds_diagonal(&e->bounds) };
+}
+
 bool vs_povray_begin(vs_emitter *e) {
   vs_writer *w = e->out;
   int width = e->options->width > 0 ? e->options->width : 1024, height = e->options->height > 0 ? e->options->height : 768;
@@ -213,6 +224,7 @@ bool vs_povray_begin(vs_emitter *e) {
   vs_puts(w, pov_radiosity(e->options->quality));
   vs_puts(w, "}\n#default { texture { pigment { color srgb <0.86, 0.85, 0.83> } finish { ambient 0 diffuse 0.82 } } }\n\n");
   vs_look look = vs_look_find(e->scene, &e->framed, e->boxes, e->box_count, (double)width / height);
+  e->pen = pov_pen(e, &look, width);
   look.eye = vs_v3_scale(look.eye, e->unit), look.target = vs_v3_scale(look.target, e->unit), look.width *= e->unit;
   diagonal *= e->unit;
   if (e->unit != 1) {
@@ -233,7 +245,7 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
 
 #define POVRAY_SHARED                                                                                                                     \
   .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, .use = vs_povray_use,                \
-  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, .family = "povray", .native = "povray", .groups = true, .keeps_text = true, .frames = true, \
+  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, .family = "povray", .native = "povray", .inks = true, .groups = true, .keeps_text = true, .frames = true, \
   .emit = {                                                                                                                               \
     [VS_LINE] = { vs_povray_line, "POV-Ray has no lines: curves are drawn as thin rods" },                                                 \
     [VS_ARC] = { NULL, NULL }, [VS_CIRCLE] = { NULL, NULL }, [VS_SPLINE] = { NULL, NULL },                                                 \

@@ -283,20 +283,34 @@ vs_emit_status vs_povray_polyface(vs_emitter *e, const vs_ref *ref, vs_phase pha
 
 /* ---- curves and regions ---- */
 
+/* The radius of a curve at one of its points. Where a template is written its places are not known: as thick as at
+ * the drawing's far end. */
+static double pov_pen_radius(const vs_emitter *e, vs_vec3 p) {
+  double depth = vs_v3_dot(vs_v3_sub(vs_affine_point(&e->placement, p), e->pen.eye), e->pen.forward);
+  double size = cbrt(fabs(vs_affine_determinant(&e->placement)));
+  if (e->body != NULL) {
+    vs_vec3 middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
+    depth = vs_v3_dot(vs_v3_sub(middle, e->pen.eye), e->pen.forward) + vs_bounds_diagonal(&e->bounds) / 2;
+  }
+  return fmax(e->pen.share * depth, e->pen.least) / (size > 0 ? size : 1);
+}
+
 vs_emit_status vs_povray_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_line *l = VS_AS(line, ref->node);
-  double radius = 0.0012 * vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   uint32_t count = l->points->count, pieces = l->closed ? count : count - 1;
-  if (!(radius > 0) || count == 0) return VS_EMITTED;
+  if (count == 0 || !(vs_bounds_diagonal(&e->bounds) > 0)) return VS_EMITTED;
   pov_open(e, "union {\n");
   e->depth++;
+  double first = pov_pen_radius(e, l->points->at[0]), here = first;
   for (uint32_t i = 0; i < count; i++) {
     vs_vec3 a = l->points->at[i], b = l->points->at[(i + 1) % count];
-    pov_sphere(e, a, radius);
-    if (i < pieces && vs_v3_length(vs_v3_sub(b, a)) > 1e-6 * radius) pov_cylinder(e, a, b, radius);
+    double next = i + 1 < count ? pov_pen_radius(e, b) : first;
+    pov_sphere(e, a, here);
+    if (i < pieces && vs_v3_length(vs_v3_sub(b, a)) > 1e-6 * here) pov_cone(e, a, here, b, next);
+    here = next;
   }
-  if (count == 1) pov_sphere(e, l->points->at[0], radius); /* a union of one is a warning */
+  if (count == 1) pov_sphere(e, l->points->at[0], first); /* a union of one is a warning */
   e->depth--;
   pov_open(e, "}\n");
   return pov_close(e, "");

@@ -308,6 +308,33 @@ static vs_status is_straight(vs_frame *f, const vs_node *curve, vs_vec3 *way, bo
   return VS_OK;
 }
 
+/* False: an error has been raised. */
+static bool check_taper(vs_frame *f, const struct vs_extrude *d) {
+  if (d->twist != 0 || d->scale != 1) return vs_fail(f->vm, f->vm->sym.range,
+      "a taper does not go with #:twist or #:scale"), false;
+  if (NODE(0)->class_ == VS_CURVE && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_refuse(f, "profile",
+      "closed where there is a taper", f->arg[0].value), false;
+  if (fabs(d->taper) >= 1.5707963) return vs_bind_refuse(f, "taper", "between -pi/2 and pi/2", f->arg[2].value), false;
+  return true;
+}
+
+/* A taper counts by the height above the profile's plane: its curve must lead away from it all the way. */
+static bool check_rising(vs_frame *f, const vs_node *curve, vs_vec3 normal) {
+  vs_facets coarse = { .segments = 64 };
+  vs_polyline line = { 0 };
+  vs_error e = { 0 };
+  bool rising = true;
+  if (!vs_curve_sample(curve, &coarse, &line, &e)) return vs_polyline_free(&line), vs_bind_error(f, &e), false;
+  double way = vs_v3_dot(vs_v3_sub(line.at[line.count - 1], line.at[0]), normal);
+  for (size_t i = 1; i < line.count; i++) rising = rising && vs_v3_dot(vs_v3_sub(line.at[i], line.at[i - 1]),
+      normal) * way > 0;
+  rising = rising && !line.closed;
+  vs_polyline_free(&line);
+  if (!rising) vs_bind_refuse(f, "amount",
+      "a curve that leads away from the profile's plane all the way, where there is a taper", f->arg[1].value);
+  return rising;
+}
+
 vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
   struct vs_extrude d = { .taper = f->arg[2].given ? REAL(2) : 0, .twist = f->key[0].given ? f->key[0].real : 0, .scale = f->key[1].given ? f->key[1].real : 1,
                           .center = f->key[2].given && f->key[2].boolean };
@@ -325,18 +352,17 @@ vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
   if (path && !straight) {
     child[1] = f->arg[1].ref;
     if (vs_bind_is_empty(child[1].node)) return vs_bind_empty(f, "the path is empty", out);
-    if (d.taper != 0) return vs_fail(f->vm, f->vm->sym.range, "a taper goes along a straight line, a gvector or a number: along a bent curve use do-sweep with a scale");
+    if (d.taper != 0 && !check_taper(f, &d)) return VS_ERROR;
     if (d.twist != 0 || d.scale != 1) return vs_fail(f->vm, f->vm->sym.range, "#:twist and #:scale go with a number or a gvector; along a curve use do-sweep");
     if (flat && !leaves(f, child[1].node, LEAVES_PLANE, plane.normal, &leaving_it)) return VS_ERROR;
     if (flat && !leaving_it) return vs_bind_refuse(f, "amount", "a curve that leaves the profile's plane", f->arg[1].value);
+    if (d.taper != 0 && !check_rising(f, child[1].node, plane.normal)) return VS_ERROR;
     return vs_bind_make(f, VS_EXTRUDE, &d, child, 2, out);
   }
   d.along = straight ? way : vs_is_flat(f->arg[1].value, VS_FLAT_VECTOR) ? POINT(1) : vs_v3(0, 0, REAL(1));
   double length = vs_v3_length(d.along), steep;
   if (length == 0) return vs_bind_empty(f, "the amount is 0", out);
-  if (d.taper != 0 && (d.twist != 0 || d.scale != 1)) return vs_fail(f->vm, f->vm->sym.range, "a taper does not go with #:twist or #:scale");
-  if (d.taper != 0 && NODE(0)->class_ == VS_CURVE && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_refuse(f, "profile", "closed where there is a taper", f->arg[0].value);
-  if (fabs(d.taper) >= 1.5707963) return vs_bind_refuse(f, "taper", "between -pi/2 and pi/2", f->arg[2].value);
+  if (d.taper != 0 && !check_taper(f, &d)) return VS_ERROR;
   if (!flat && !leaves(f, NODE(0), LEAVES_LINE, d.along, &leaving_it)) return VS_ERROR;
   if (!flat && !leaving_it) return vs_bind_empty(f, "a straight line is moved along itself", out);
   if (flat) {

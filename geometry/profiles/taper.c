@@ -402,16 +402,20 @@ static bool taper_top(taper *t) {
 }
 
 bool vs_taper_mesh(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+  return n->child_count > 1 ? vs_taper_path_mesh(n, f, out, e) : vs_taper_straight(n, VS_AS(extrude, n)->along, f, out, e);
+}
+
+bool vs_taper_straight(const vs_node *n, vs_vec3 way, const vs_facets *f, vs_mesh *out, vs_error *e) {
   const struct vs_extrude *x = VS_AS(extrude, n);
   vs_outline o;
   if (!vs_region_outline(n->children[0].node, f, &o, e)) return false;
-  double height = fabs(vs_v3_dot(x->along, o.normal)), inwards = height * tan(x->taper);
+  double height = fabs(vs_v3_dot(way, o.normal)), inwards = height * tan(x->taper);
   size_t points = 0, first_triangle = out->triangle_count;
   for (size_t l = 0; l < o.count; l++) points += o.loops[l].count;
-  taper t = { .sign = x->taper < 0 ? -1 : 1, .end = fabs(inwards), .out = out, .first = (uint32_t)out->vertex_count, .rise = x->along };
+  taper t = { .sign = x->taper < 0 ? -1 : 1, .end = fabs(inwards), .out = out, .first = (uint32_t)out->vertex_count, .rise = way };
   vs_affine frame = o.frame;
-  const double along[3] = { x->along.x, x->along.y, x->along.z };
-  for (int i = 0; x->center && i < 3; i++) frame.m[i][3] -= along[i] / 2;
+  const double along[3] = { way.x, way.y, way.z };
+  for (int i = 0; x->center && n->child_count == 1 && i < 3; i++) frame.m[i][3] -= along[i] / 2;
   t.frame = &frame;
   t.room = 2 * points + 1;
   t.edges = calloc(t.room, sizeof *t.edges);
@@ -445,7 +449,7 @@ bool vs_taper_mesh(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error 
     l = end;
   }
   ok = ok && (taper_top(&t) || vs_error_memory(e, NULL));
-  if (ok && vs_v3_dot(x->along, o.normal) < 0) vs_mesh_turn(out, first_triangle); /* it goes down */
+  if (ok && vs_v3_dot(way, o.normal) < 0) vs_mesh_turn(out, first_triangle); /* it goes down */
   taper_free(&t);
   free(flat);
   free(below);

@@ -1,14 +1,14 @@
-; Owns what is done with the table of shapes (shapes.vs): `vs sheet.vs -D task=... -D variant=... [-D one=N]`, all for tests/cross.sh.
+; Owns what is done with the table of shapes (shapes.vs) and the thesis' calling forms (appendix-a.vs): `vs sheet.vs -D task=... -D variant=... [-D one=N]`, all for tests/cross.sh.
 ;
 ;   task=measure   holds the program's own measures to the closed forms, in the words of tests/run.sh
 ;   task=table     prints a line a shape for tests/tools: what its cell of the sheet must hold
 ;   task=names     prints a line a shape: number, class, name
-;   task=forms     prints a line a shape: number, kind, name
+;   task=forms     prints a line a shape of shapes.vs: number, kind, name
 ;   task=kinds     prints the kinds of nodes that the table meets
 ;   task=tree      draws every shape as it is, in a layer of its name: written as .tree it is the golden shapes.tree
 ;   task=draw      draws the sheet; with one=N one shape, in its cell. standin=#t draws for what has no thickness something thin
 ;
-; A sheet is a lattice in a plane across the view from 'iso, 16 cells a row; no shape reaches out of its cell, so one run of a worker serves
+; A sheet is a lattice in a plane across the view from 'iso, 18 cells a row; no shape reaches out of its cell, so one run of a worker serves
 ; all shapes. variant=mixed gives each shape the next of the variants in turn.
 
 (define-parameter task "draw" #:choices '("measure" "table" "names" "forms" "kinds" "tree" "draw"))
@@ -17,7 +17,7 @@
 (define-parameter standin #f)
 (define-parameter samples 1500)
 
-(define columns 16)
+(define columns 18)
 (define across (vxyz 9 9 0))      ; from a cell to the next of its row
 (define upwards (vxyz -5 5 10))   ; from a row to the next
 (define stretch '(1.5 0.75 1.25))
@@ -35,14 +35,28 @@
   (syntax-rules ()
     ((_ name object . options) (add-shape name (lambda () object) . options))))
 (define (add-shape name make #:volume [volume any? #f] #:area [area any? #f] #:length [length any? #f] #:box [box any? #f] #:within [within any? 1e-9]
-               #:facets [facets any? #f] #:shown [shown any? #f] #:alone [alone any? #f])
+               #:facets [facets any? #f] #:shown [shown any? #f] #:alone [alone any? #f] #:also [also any? #f])
   (define object (guard (e ((error-object? e) (condition/report-string e))) (make)))
   (if (not (object? object))
       (if (string=? task "measure") (printf "not ok cross/made:~a\n    ~a\n" name object))
       (begin
         (if (assoc name rows) (printf "not ok cross/made:~a\n    two shapes have this name\n" name))
-        (set! rows (cons (list name object (list volume area length box within facets) shown alone) rows)))))
+        (set! rows (cons (list name object (list volume area length box within facets also) shown alone) rows)))))
+
+; A calling form of the thesis: its name is the entry's and its number among the entry's forms. also: a measure that the table has no column for.
+(define-syntax entry
+  (syntax-rules ()
+    ((_ name form measure value) (add-entry name (lambda () form) 'measure measure value))))
+(define (add-entry name make word measure value)
+  (define full (format "~a/~a" name (+ 1 (length (filter (lambda (row) (string-contains? (row-name row) (string-append name "/"))) rows)))))
+  (case word
+    ((volume) (add-shape full make #:volume value #:within 1e-3))
+    ((area) (add-shape full make #:area value #:within 1e-3))
+    ((curve-length) (add-shape full make #:length value #:within 1e-3))
+    (else (add-shape full make #:alone (eq? word 'object-kind) #:within 1e-3 #:also (list word measure value)))))
 (load "shapes.vs")
+(define shapes-count (length rows))
+(load "appendix-a.vs")
 (set! rows (reverse rows))
 
 (define (form-of row k) (list-ref (row-forms row) k))
@@ -52,6 +66,7 @@
 (define (corners-of row) (form-of row 3))
 (define (within-of row) (form-of row 4))
 (define (facets-of row) (form-of row 5))
+(define (also-of row) (form-of row 6))
 
 (define (class-of o)
   (cond ((solid? o) 'solid) ((region? o) 'region) ((surface? o) 'surface) ((curve? o) 'curve) (else 'mixed)))
@@ -127,6 +142,9 @@
         (let* ((b (bounding-box o)) (d (p->q (first b) (second b))) (room (* (cx d) (cy d) (cz d))) (wanted (varied-volume (volume-of row) whole name)) ; of the round thing: points know no facets
                (got (chance-volume o)))
           (report "contains?" row name (< (abs (- got wanted)) (+ (* within wanted) (* room 2 (expt samples -2/3)))) "points say a volume of" got "wanted" wanted)))
+    (if (and (string=? name "plain") (also-of row))
+        (let ((got ((second (also-of row)) o)) (wanted (third (also-of row))))
+          (report (first (also-of row)) row name (if (number? wanted) (close? got wanted within) (equal? got wanted)) "got" got "wanted" wanted)))
     (if (and (string=? name "plain") (corners-of row))
         (let ((got (bounding-box o)) (wanted (corners-of row)))
           (report "bounding-box" row name (and got (near? (first got) (first wanted)) (near? (second got) (second wanted))) "got" got "wanted" wanted)))))
@@ -183,7 +201,7 @@
   ((string=? task "names")
    (each-row (lambda (index row) (printf "~a\t~a\t~a:~a\n" index (class-of (row-object row)) (row-name row) (variant-of index row)))))
   ((string=? task "forms")
-   (each-row (lambda (index row) (printf "~a\t~a\t~a\n" index (object-kind (row-object row)) (row-name row)))))
+   (each-row (lambda (index row) (if (< index shapes-count) (printf "~a\t~a\t~a\n" index (object-kind (row-object row)) (row-name row))))))
   ((string=? task "kinds")
    (each-row (lambda (index row) (meet-kinds (row-object row))))
    (hash-for-each kinds (lambda (kind found) (displayln kind))))

@@ -161,8 +161,8 @@
 ; expect: do-extrude: a taper does not go with #:twist or #:scale ()
 (fails (do-extrude (make-line origin (xy 1 0)) 1 0.1))
 ; expect: do-extrude: profile must be closed where there is a taper, got ((make-line (list (xyz 0 0 0) (xyz 1 0 0))))
-(fails (do-extrude circle (make-spline origin (xyz 1 0 1) (xyz 0 0 2)) 0.1))
-; expect: do-extrude: a taper goes along a straight line, a gvector or a number: along a bent curve use do-sweep with a scale ()
+(fails (do-extrude circle (make-line (list origin (xyz 1 0 1) (xyz 0 0 0.5))) 0.1))
+; expect: do-extrude: amount must be a curve that leads away from the profile's plane all the way, where there is a taper, got ((make-line (list (xyz 0 0 0) (xyz 1 0 1) (xyz 0 0 0.5))))
 (fails (do-extrude circle ux))
 ; expect: do-extrude: the profile would be moved within its own plane, whose normal is (vxyz 0 0 1); give a gvector that leaves it ()
 (displayln (do-extrude circle 0)) ; expect warning: do-extrude: the amount is 0

@@ -1,12 +1,13 @@
-/* Owns what tests ask of pictures: `pngstat FILE` prints `WIDTH HEIGHT COLOURS EDGES`, how many different colours it has (of 15 bits) and how
- * many of 1000 pixels differ plainly from their left neighbour: flat or smooth pictures have no edges, models do. `pngstat FILE OTHER` prints how many of
- * 1000 pixels differ plainly between the two. */
+/* Owns what tests ask of pictures: `pngstat FILE` prints `WIDTH HEIGHT COLOURS EDGES INK`: how many different colours it has (of 15 bits); how
+ * many of 1000 pixels differ plainly from their left neighbour: flat or smooth pictures have no edges, models do; and how many pixels are dark, a pixel
+ * that is partly covered counted in part. `pngstat FILE OTHER` prints how many of 1000 pixels differ plainly between the two. */
+#include <math.h>
 #include <png.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-/* NULL: it has been said why */
+/* The pixels, three bytes each; NULL: it has been said why. */
 static unsigned char *load(const char *file, png_image *image) {
   *image = (png_image){.version = PNG_IMAGE_VERSION};
   unsigned char *pixels = NULL;
@@ -28,17 +29,21 @@ int main(int argc, char **argv) {
   unsigned char *pixels = load(argv[1], &image), *beside = argc > 2 ? load(argv[2], &other) : NULL;
   size_t count = (size_t)image.width * image.height, colours = 0, edges = 0;
   bool ok = pixels && (argc == 2 || (beside && other.width == image.width && other.height == image.height));
+  double ink = 0;
   static unsigned char seen[1 << 15];
   for (size_t i = 0; ok && i < count; i++) {
     const unsigned char *p = pixels + 3 * i;
     unsigned key = (unsigned)(p[0] >> 3) << 10 | (unsigned)(p[1] >> 3) << 5 | p[2] >> 3;
     colours += !seen[key];
     seen[key] = 1;
+    int lightest = p[0] > p[1] ? p[0] : p[1];
+    if (p[2] > lightest) lightest = p[2];
+    ink += lightest > 190 ? 0 : 1 - pow(lightest / 190., 2.2); /* as much of the pixel as is covered by black, in linear light */
     if (beside) edges += (size_t)apart(p, beside + 3 * i);
     else if (i % image.width) edges += (size_t)apart(p, p - 3);
   }
   if (ok && beside) printf("%zu\n", edges * 1000 / count);
-  else if (ok) printf("%u %u %zu %zu\n", image.width, image.height, colours, edges * 1000 / count);
+  else if (ok) printf("%u %u %zu %zu %.0f\n", image.width, image.height, colours, edges * 1000 / count, ink);
   free(pixels);
   free(beside);
   return !ok;

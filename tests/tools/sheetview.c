@@ -5,7 +5,7 @@
  * a page's is dark on white. A pixel belongs to a silhouette where its middle does; those in which picture and mesh differ must be fewer than
  * 1 % of the mesh's silhouette in that cell. Where the outline passes the middle by less than a quarter of a pixel either is right. Curves have no
  * silhouette to speak of: the mesh has thin rods there. No pixel that a rod touches may be further than two pixels from the picture, and none of the
- * picture further than two from a rod, beyond the radius of the rods that POV-Ray draws for curves (0.0012 of the drawing's diagonal).
+ * picture further than two from a rod, beyond the radius of the rods that POV-Ray draws for curves (half of 1/450 of the picture's width, or a pixel).
  * In SHEET.png grey is what both have, red what only the picture has, blue what only the mesh has. */
 #include <png.h>
 
@@ -147,12 +147,7 @@ int main(int argc, char **argv) {
   for (size_t i = 0; i < mesh.count; i++)
     for (int k = 0; k < 5; k++) fill(&c, &mesh.at[i], places[k][0], places[k][1], (unsigned char)(1 << k), mask);
   for (size_t i = 0; i < pixels; i++) touched[i] = mask[i] != 0, mask[i] = mask[i] == 0 ? 0 : mask[i] == 31 ? 1 : seen[i]; /* the outline passes: as the picture has it */
-  vec least = l.cells[0].least, most = l.cells[0].most;
-  for (size_t i = 1; i < l.count; i++) {
-    vec p = l.cells[i].least, q = l.cells[i].most;
-    least = (vec){fmin(least.x, p.x), fmin(least.y, p.y), fmin(least.z, p.z)}, most = (vec){fmax(most.x, q.x), fmax(most.y, q.y), fmax(most.z, q.z)};
-  }
-  int rod = povray ? (int)ceil(0.0012 * vec_length(vec_sub(most, least)) * vec_length(c.right) * c.width / 2) : 0;
+  int rod = povray ? (int)ceil(fmax(1, c.width / 900.)) : 0;
 
   static long whole[CELLS_MOST], rods[CELLS_MOST], only_picture[CELLS_MOST], only_mesh[CELLS_MOST], far[CELLS_MOST];
   for (size_t i = 0; i < pixels; i++) {

@@ -62,3 +62,25 @@ echo "$examples" | while read -r name samples arguments; do
     result "$test:openscad" "$work/why"
   else echo "skip $test:openscad: no openscad (package openscad)"; fi
 done
+
+# The thesis' listings: their meshes are closed and enclose what points by chance say.
+listings='2.1-doric-columns 100000
+4.2-caching 40000 -D side=6
+4.3-cylinder-between-points 200000
+4.4-loft 10000
+5.5-gare 300000 -D x=1 -D y=1'
+echo "$listings" | while read -r name samples arguments; do
+  model=examples/thesis/$name.vs test=examples/thesis/$name
+  wanted "$test" || continue
+  # shellcheck disable=SC2086
+  "$vs" --quiet $arguments $model -o "$work/l.stl" -o "$work/l.pov" -o "$work/l.scad" -o "$work/l.x3d" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/said"
+  grep -vE "rounded to this format's numbers, ([1-9]|[1-9][0-9]) triangles meet others" "$work/said" > "$work/why" # as above
+  mesh=$("$BUILD/tools/stlcheck" "$work/l.stl" 2>> "$work/why") || echo "not closed: $mesh" >> "$work/why"
+  # shellcheck disable=SC2086
+  chance=$("$vs" --quiet -D samples=$samples tests/tools/before.vs $arguments $model tests/tools/volume.vs 2> /dev/null)
+  echo "$mesh $chance" | awk '{ volume = $4; estimate = $7; deviation = $8
+    if (!(estimate > 0)) print "no estimate: " $0
+    else if ((volume - estimate)^2 > (0.01 * estimate + 3 * deviation)^2) print "mesh " volume ", by chance " estimate " +- " deviation
+    else if (deviation > 0.013 * estimate) print "too few samples to tell: " estimate " +- " deviation }' >> "$work/why"
+  result "$test:volume" "$work/why"
+done

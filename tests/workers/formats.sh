@@ -39,3 +39,23 @@ if command -v assimp > /dev/null; then
   assimp export "$work/m.3mf" "$work/back.stl" -fstlb > "$work/said" 2>&1 || tail -n 3 "$work/said"
   same 3mf "$("$BUILD/tools/stlcheck" "$work/back.stl" 2>&1)" 1 1e-6
 else echo "skip formats:3mf: no assimp (package assimp-utils)"; fi
+
+# Round walls are shaded round: the corners of their triangles have normals of their own.
+cat > "$work/walls.vs" <<'EOF'
+(define-parameter kind "revolve" #:choices '("revolve" "loft" "ruled-loft" "guided-loft"))
+(define (ring z r) (make-circle (xyz 0 0 z) r))
+(draw (case kind
+        (("revolve") (do-revolve (make-rectangle (xz 1 0) (xz 2 2)) 'z))
+        (("loft") (do-loft (list (ring 0 1) (ring 2 2) (ring 4 1))))
+        (("ruled-loft") (do-ruled-loft (list (ring 0 1) (ring 2 2))))
+        (else (do-guided-loft (list (ring 0 1) (ring 4 1)) (make-line origin (xyz 0 0 4))))))
+EOF
+if command -v node > /dev/null; then
+  for kind in revolve loft ruled-loft guided-loft; do
+    "$vs" --quiet -D kind=$kind "$work/walls.vs" -o "$work/w.x3d" -o "$work/w.glb" -o "$work/w.html" > "$work/why" 2>&1
+    for format in x3d glb html; do # caps are flat: of the revolution and the short lofts they are half
+      node --no-warnings tests/tools/normals.mjs "$work/w.$format" 2>&1 | awk -v f=$format '!($2 > 100 && $4 > 0.45) { print "." f ": " $0 }'
+    done >> "$work/why"
+    result "formats:round walls of $kind" "$work/why"
+  done
+else echo "skip formats:round walls: no node"; fi

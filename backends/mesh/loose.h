@@ -1,0 +1,34 @@
+/* Owns what stands beside the solids in a format of triangles that has words for it: curves as lines, regions and
+ * open surfaces as open faces. */
+#ifndef VS_BACKENDS_LOOSE_H
+#define VS_BACKENDS_LOOSE_H
+
+#include "backends/backend.h"
+
+/* One line through its corners, or triangles of three corners each. */
+typedef struct {
+  bool line;
+  size_t first, count;         /* of corners */
+  const vs_material *material; /* or NULL */
+  const char *layer;           /* or NULL */
+} vs_loose_run;
+
+typedef struct {
+  vs_vec3 *points;
+  uint32_t *corners;           /* numbers of points; a closed line names its first once more at its end */
+  vs_loose_run *runs;
+  const char **layers;         /* those that are open, outermost first */
+  size_t point_count, corner_count, run_count, layer_count;
+  size_t point_room, corner_room, run_room, layer_room;
+} vs_loose;
+
+/* begin makes e->state, a vs_loose; close frees it. */
+bool vs_loose_begin(vs_emitter *e);
+void vs_loose_close(vs_emitter *e);
+vs_emit_fn vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean;
+size_t vs_loose_triangles(const vs_loose *l); /* of all open faces */
+size_t vs_loose_pieces(const vs_loose *l);    /* straight pieces of all lines */
+
+#define VS_LOOSE_SHAPES .loose = true, .close = vs_loose_close, .emit = { VS_EMIT_SHAPES(vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean) }
+
+#endif
