@@ -311,9 +311,14 @@ static void test_left_out(void **state) {
   test_draw(&m, test_pair(&m, VS_UNION, test_pair(&m, VS_DIFFERENCE, test_box(&m, 0, 0, 0, 1, 1, 1), nothing), surface));
   warnings = 0;
   char *text = written(&m, "scad");
-  assert_lacks(text, "union");
   assert_lacks(text, "difference");
-  assert_holds(text, "\ncube([1, 1, 1]);\n");
+  assert_holds(text, "union() {\n  cube([1, 1, 1]);\n  polyhedron(");
+  assert_int_equal(warnings, 1);
+  assert_holds(last_warning, "open surfaces are drawn as thin slabs");
+  free(text);
+  warnings = 0;
+  text = written(&m, "off"); /* the box alone */
+  assert_holds(text, "OFF\n8 12 0\n");
   assert_int_equal(warnings, 1);
   assert_holds(last_warning, "open surfaces are left out");
   free(text);
@@ -322,7 +327,7 @@ static void test_left_out(void **state) {
   test_model_open(&m);
   test_draw(&m, open_surface(&m));
   vs_error e = { VS_ERROR_NONE, NULL, "" };
-  assert_null(written_quietly(&m, "scad", NULL, &e));
+  assert_null(written_quietly(&m, "off", NULL, &e));
   assert_int_equal(e.kind, VS_ERROR_MODEL);
   test_model_close(&m);
 
