@@ -195,7 +195,8 @@ typedef struct {
   const char *keywords; /* "#:segments #:plane"; "": it has none */
   const char *doc;      /* half a line in English; "": there is none */
   const char *value;    /* a value as it is written, cut to a line; "" for procedures and forms */
-  vs_span at;           /* where the program defines it; file NULL: it is the language's own, or not known */
+  bool own;             /* the program or a library defines it, not the language */
+  vs_span at;           /* where; file NULL: that is not known, or it is the language's */
 } vs_name_info;
 /* False: no such name is visible at top level. */
 VS_API bool vs_name_get(vs *s, const char *name, vs_name_info *out);

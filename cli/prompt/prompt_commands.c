@@ -188,7 +188,7 @@ static void help(cli_session *c, const char *name) {
     return;
   }
   if (info.at.file) printf("%s is defined in %s, line %u\n", name, info.at.file, (unsigned)info.at.line);
-  if (!info.at.file && cli_manual_print(name, stdout)) return;
+  if (!info.own && cli_manual_print(name, stdout)) return;
   for (const char *at = info.call; *at;) {
     size_t n = strcspn(at, "\n");
     printf("  %.*s%s%s\n", (int)n, at, *info.keywords ? " " : "", info.keywords);
