@@ -7,6 +7,7 @@ try {
   const page = await open(context, "file://" + file);
   await page.evaluate(() => { window.visualscheme.stage.options.refine = false; });
   await page.setViewportSize({ width: Number(pixels), height: Number(pixels) });
+  await page.waitForFunction((n) => window.visualscheme.stage.canvas.width === n, Number(pixels), { timeout: 60000 });
   await page.evaluate(() => {
     const { stage, control, model, root } = window.visualscheme, view = model.view;
     for (const node of root.children) if (node !== stage.canvas) node.style.display = "none";
@@ -15,6 +16,7 @@ try {
     stage.scene.background = null;
     stage.renderer.setClearColor(0xffffff, 1);
     stage.batches.traverse((o) => {
+      if (o.userData.edges) o.visible = false; // half of a line's width lies beside the surface
       if (!o.material) return;
       o.material.onBeforeCompile = (shader) => { shader.fragmentShader = shader.fragmentShader.replace(/}\s*$/, "gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0); }"); };
       o.material.needsUpdate = true;
