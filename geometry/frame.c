@@ -17,7 +17,7 @@ vs_affine vs_frame_on_axis(vs_vec3 at, vs_vec3 direction) {
 }
 
 /* Any unit vector across the unit vector a */
-static vs_vec3 vs_frame_across(vs_vec3 a) {
+static vs_vec3 frame_across(vs_vec3 a) {
   vs_vec3 least = fabs(a.x) <= fabs(a.y) && fabs(a.x) <= fabs(a.z) ? vs_v3(1, 0, 0) : fabs(a.y) <= fabs(a.z) ? vs_v3(0, 1, 0) : vs_v3(0, 0, 1);
   return vs_v3_unit(vs_v3_cross(a, least));
 }
@@ -25,7 +25,7 @@ static vs_vec3 vs_frame_across(vs_vec3 a) {
 vs_affine vs_frame_turn(vs_vec3 a, vs_vec3 b) {
   vs_vec3 v = vs_v3_cross(a, b);
   double c = vs_v3_dot(a, b), s2 = vs_v3_dot(v, v), k;
-  if (c < 0 && s2 < 1e-24) return vs_affine_rotation(vs_v3(0, 0, 0), vs_frame_across(a), 3.14159265358979323846);
+  if (c < 0 && s2 < 1e-24) return vs_affine_rotation(vs_v3(0, 0, 0), frame_across(a), 3.14159265358979323846);
   k = c < 0 ? (1 - c) / s2 : 1 / (1 + c);
   return (vs_affine){ { { c + v.x * v.x * k, v.x * v.y * k - v.z, v.x * v.z * k + v.y, 0 },
                         { v.x * v.y * k + v.z, c + v.y * v.y * k, v.y * v.z * k - v.x, 0 },
@@ -33,7 +33,7 @@ vs_affine vs_frame_turn(vs_vec3 a, vs_vec3 b) {
 }
 
 /* x carried from (p, t) to (q, u): reflected in the plane between p and q, then in the one that takes the reflected t to u */
-static vs_vec3 vs_frame_reflect_twice(vs_vec3 p, vs_vec3 t, vs_vec3 q, vs_vec3 u, vs_vec3 x) {
+static vs_vec3 frame_reflect_twice(vs_vec3 p, vs_vec3 t, vs_vec3 q, vs_vec3 u, vs_vec3 x) {
   vs_vec3 v = vs_v3_sub(q, p);
   double c = vs_v3_dot(v, v);
   if (!(c > 0)) return x;
@@ -44,22 +44,22 @@ static vs_vec3 vs_frame_reflect_twice(vs_vec3 p, vs_vec3 t, vs_vec3 q, vs_vec3 u
 }
 
 /* x made unit and exactly across t again: errors of a long path do not add up */
-static vs_vec3 vs_frame_square(vs_vec3 x, vs_vec3 t) {
+static vs_vec3 frame_square(vs_vec3 x, vs_vec3 t) {
   vs_vec3 r = vs_v3_sub(x, vs_v3_scale(t, vs_v3_dot(x, t)));
-  return vs_v3_length(r) > 1e-9 ? vs_v3_unit(r) : vs_frame_across(t);
+  return vs_v3_length(r) > 1e-9 ? vs_v3_unit(r) : frame_across(t);
 }
 
-static vs_vec3 vs_frame_carry(const vs_path_point *from, const vs_path_point *to, vs_vec3 x) {
-  x = vs_frame_reflect_twice(from->at, from->leaving, to->at, to->arriving, x);
+static vs_vec3 frame_carry(const vs_path_point *from, const vs_path_point *to, vs_vec3 x) {
+  x = frame_reflect_twice(from->at, from->leaving, to->at, to->arriving, x);
   vs_affine corner = vs_frame_turn(to->arriving, to->leaving);
-  return vs_frame_square(vs_affine_vector(&corner, x), to->leaving);
+  return frame_square(vs_affine_vector(&corner, x), to->leaving);
 }
 
 double vs_frame_transport(const vs_path_point *path, size_t n, bool closed, double length, vs_vec3 x, vs_vec3 *x_out) {
-  x_out[0] = vs_frame_square(x, path[0].leaving);
-  for (size_t i = 1; i < n; i++) x_out[i] = vs_frame_carry(&path[i - 1], &path[i], x_out[i - 1]);
+  x_out[0] = frame_square(x, path[0].leaving);
+  for (size_t i = 1; i < n; i++) x_out[i] = frame_carry(&path[i - 1], &path[i], x_out[i - 1]);
   if (!closed || !(length > 0)) return 0;
-  vs_vec3 back = vs_frame_carry(&path[n - 1], &path[0], x_out[n - 1]), y = vs_v3_cross(path[0].leaving, x_out[0]);
+  vs_vec3 back = frame_carry(&path[n - 1], &path[0], x_out[n - 1]), y = vs_v3_cross(path[0].leaving, x_out[0]);
   double spin = atan2(vs_v3_dot(back, y), vs_v3_dot(back, x_out[0]));
   for (size_t i = 1; i < n; i++) {
     double s, c;

@@ -12,7 +12,7 @@
 #include "geometry/profiles/taper.h"
 
 /* A placement's child; NULL for what is a leaf here. Appearance changes no shape. */
-static const vs_ref *vs_tessellate_below(const vs_node *n, vs_affine *placed) {
+static const vs_ref *tessellate_below(const vs_node *n, vs_affine *placed) {
   switch ((vs_kind)n->kind) {
     case VS_TRANSFORM:
       *placed = vs_affine_multiply(placed, &VS_AS(transform, n)->matrix);
@@ -30,13 +30,13 @@ static const vs_ref *vs_tessellate_below(const vs_node *n, vs_affine *placed) {
 }
 
 /* One shape of more triangles than this is no drawing any more; the product of two counts of facets gets there unseen. */
-static bool vs_tessellate_fits(int around, int across, const char *what, vs_error *e) {
+static bool tessellate_fits(int around, int across, const char *what, vs_error *e) {
   double triangles = 2.0 * around * across;
   return triangles <= 4e6 || vs_error_set(e, VS_ERROR_MODEL, NULL, "a %s of %d facets a turn has %.0f million triangles, and one shape may have 4 million: fewer #:segments, or a larger tolerance", what,
                                           around, triangles / 1e6);
 }
 
-static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+static bool tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
   bool ok = false;
   if (n->class_ == VS_NOTHING) return true;
   switch ((vs_kind)n->kind) {
@@ -47,7 +47,7 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
     case VS_SPHERE: {
       const struct vs_sphere *a = VS_AS(sphere, n);
       int turn = vs_facets_turn(f, a->radius, a->segments);
-      if (!vs_tessellate_fits(turn, turn / 2, "sphere", e)) return false;
+      if (!tessellate_fits(turn, turn / 2, "sphere", e)) return false;
       ok = vs_solid_sphere(out, a->center, a->radius, turn);
       break;
     }
@@ -83,7 +83,7 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
     case VS_TORUS: {
       const struct vs_torus *a = VS_AS(torus, n);
       int around = vs_facets_turn(f, a->radius + a->tube_radius, a->segments), across = vs_facets_turn(f, a->tube_radius, a->segments);
-      if (!vs_tessellate_fits(around, across, "torus", e)) return false;
+      if (!tessellate_fits(around, across, "torus", e)) return false;
       ok = vs_solid_torus(out, a->center, a->radius, a->tube_radius, around, across);
       break;
     }
@@ -149,10 +149,10 @@ static bool vs_tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *ou
 bool vs_tessellate(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   const vs_origin *origin = NULL;
-  for (const vs_ref *below; (below = vs_tessellate_below(n, &placed)) != NULL; n = below->node) origin = below->origin;
+  for (const vs_ref *below; (below = tessellate_below(n, &placed)) != NULL; n = below->node) origin = below->origin;
   vs_facets inner = vs_facets_placed(f, &placed);
   size_t first_vertex = out->vertex_count, first_triangle = out->triangle_count;
-  if (!vs_tessellate_leaf(n, &inner, out, e)) {
+  if (!tessellate_leaf(n, &inner, out, e)) {
     out->vertex_count = first_vertex;
     out->triangle_count = first_triangle;
     if (e && !e->origin) e->origin = origin;

@@ -40,38 +40,38 @@ const unsigned char vs_field_reals[] = { [VS_FIELD_real] = 1, [VS_FIELD_point] =
 /* ---- one step for each type of field, which the procedures below make of every kind's row ---- */
 
 /* Each number costs one product; the result is mixed well at the end. */
-static inline uint64_t vs_hash_step(uint64_t h, double d) {
+static inline uint64_t hash_step(uint64_t h, double d) {
   uint64_t v;
   memcpy(&v, &d, sizeof v);
   h = (h ^ v) * UINT64_C(0x9E3779B97F4A7C15);
   return h ^ h >> 29;
 }
-static inline uint64_t vs_settle_reals(uint64_t h, double *reals, size_t count) {
-  for (size_t i = 0; i < count; i++) h = vs_hash_step(h, reals[i] += 0.0); /* -0 is 0 */
+static inline uint64_t settle_reals(uint64_t h, double *reals, size_t count) {
+  for (size_t i = 0; i < count; i++) h = hash_step(h, reals[i] += 0.0); /* -0 is 0 */
   return h;
 }
-static inline uint64_t vs_settle_real(uint64_t h, double *at) { return vs_settle_reals(h, at, 1); }
-static inline uint64_t vs_settle_point(uint64_t h, vs_vec3 *at) { return vs_hash_step(vs_hash_step(vs_hash_step(h, at->x += 0.0), at->y += 0.0), at->z += 0.0); }
-static inline uint64_t vs_settle_vector(uint64_t h, vs_vec3 *at) { return vs_settle_point(h, at); }
-static inline uint64_t vs_settle_affine(uint64_t h, vs_affine *at) {
-  for (int row = 0; row < 3; row++) h = vs_settle_reals(h, at->m[row], 4);
+static inline uint64_t settle_real(uint64_t h, double *at) { return settle_reals(h, at, 1); }
+static inline uint64_t settle_point(uint64_t h, vs_vec3 *at) { return hash_step(hash_step(hash_step(h, at->x += 0.0), at->y += 0.0), at->z += 0.0); }
+static inline uint64_t settle_vector(uint64_t h, vs_vec3 *at) { return settle_point(h, at); }
+static inline uint64_t settle_affine(uint64_t h, vs_affine *at) {
+  for (int row = 0; row < 3; row++) h = settle_reals(h, at->m[row], 4);
   return h;
 }
-static inline uint64_t vs_settle_integer(uint64_t h, const int32_t *at) { return vs_hash_mix(h, (uint64_t)(int64_t)*at); }
-static inline uint64_t vs_settle_boolean(uint64_t h, const bool *at) { return vs_hash_mix(h, *at); }
-static uint64_t vs_settle_points(uint64_t h, const vs_points *const *at) {
+static inline uint64_t settle_integer(uint64_t h, const int32_t *at) { return vs_hash_mix(h, (uint64_t)(int64_t)*at); }
+static inline uint64_t settle_boolean(uint64_t h, const bool *at) { return vs_hash_mix(h, *at); }
+static uint64_t settle_points(uint64_t h, const vs_points *const *at) {
   vs_points *p = vs_points_retain((vs_points *)(uintptr_t)*at);
   h = vs_hash_mix(h, p->count);
-  for (size_t i = 0; i < p->count; i++) h = vs_hash_step(vs_hash_step(vs_hash_step(h, p->at[i].x), p->at[i].y), p->at[i].z);
+  for (size_t i = 0; i < p->count; i++) h = hash_step(hash_step(hash_step(h, p->at[i].x), p->at[i].y), p->at[i].z);
   return h;
 }
-static uint64_t vs_settle_faces(uint64_t h, const vs_faces *const *at) {
+static uint64_t settle_faces(uint64_t h, const vs_faces *const *at) {
   vs_faces *f = vs_faces_retain((vs_faces *)(uintptr_t)*at);
   return vs_hash_mix(h, f->hash);
 }
-static uint64_t vs_settle_text(uint64_t h, const char *const *at) { return vs_hash_mix(h, vs_text_hash(*at)); }
-static uint64_t vs_settle_material(uint64_t h, const vs_material *const *at) { return vs_hash_mix(h, vs_material_hash(*at)); }
-static uint64_t vs_settle_ticket(uint64_t h, const vs_ticket *const *at) {
+static uint64_t settle_text(uint64_t h, const char *const *at) { return vs_hash_mix(h, vs_text_hash(*at)); }
+static uint64_t settle_material(uint64_t h, const vs_material *const *at) { return vs_hash_mix(h, vs_material_hash(*at)); }
+static uint64_t settle_ticket(uint64_t h, const vs_ticket *const *at) {
   ((vs_ticket *)(uintptr_t)*at)->refs++;
   return vs_hash_mix(h, (*at)->id);
 }
@@ -80,7 +80,7 @@ uint64_t vs_payload_settle(vs_kind kind, void *data) {
   uint64_t h = 3;
   switch (kind) {
 #define VS_KIND(upper, lower, name, class_, level) case VS_##upper: { struct vs_##lower *d = data; (void)d;
-#define VS_FIELD(type, member, argument) h = vs_settle_##type(h, &d->member);
+#define VS_FIELD(type, member, argument) h = settle_##type(h, &d->member);
 #define VS_KIND_END(upper, lower) break; }
 #include "model/prims.def"
     case VS_KIND_COUNT: break;
@@ -88,34 +88,34 @@ uint64_t vs_payload_settle(vs_kind kind, void *data) {
   return h;
 }
 
-static inline bool vs_reals_within(const double *reals, size_t count, double most) {
+static inline bool reals_within(const double *reals, size_t count, double most) {
   bool within = true;
   for (size_t i = 0; i < count; i++) within &= fabs(reals[i]) <= most;
   return within;
 }
-static inline bool vs_within_real(const double *at, double most) { return fabs(*at) <= most; }
-static inline bool vs_within_point(const vs_vec3 *at, double most) { return (fabs(at->x) <= most) & (fabs(at->y) <= most) & (fabs(at->z) <= most); }
-static inline bool vs_within_vector(const vs_vec3 *at, double most) { return vs_within_point(at, most); }
-static inline bool vs_within_affine(const vs_affine *at, double most) {
-  return vs_reals_within(at->m[0], 4, most) && vs_reals_within(at->m[1], 4, most) && vs_reals_within(at->m[2], 4, most);
+static inline bool within_real(const double *at, double most) { return fabs(*at) <= most; }
+static inline bool within_point(const vs_vec3 *at, double most) { return (fabs(at->x) <= most) & (fabs(at->y) <= most) & (fabs(at->z) <= most); }
+static inline bool within_vector(const vs_vec3 *at, double most) { return within_point(at, most); }
+static inline bool within_affine(const vs_affine *at, double most) {
+  return reals_within(at->m[0], 4, most) && reals_within(at->m[1], 4, most) && reals_within(at->m[2], 4, most);
 }
-static bool vs_within_points(const vs_points *const *at, double most) {
+static bool within_points(const vs_points *const *at, double most) {
   bool within = true;
-  for (size_t i = 0; *at && i < (*at)->count; i++) within &= vs_within_point(&(*at)->at[i], most);
+  for (size_t i = 0; *at && i < (*at)->count; i++) within &= within_point(&(*at)->at[i], most);
   return within;
 }
-#define vs_within_integer(at, most) true
-#define vs_within_boolean(at, most) true
-#define vs_within_faces(at, most) true
-#define vs_within_text(at, most) true
-#define vs_within_material(at, most) true
-#define vs_within_ticket(at, most) true
+#define within_integer(at, most) true
+#define within_boolean(at, most) true
+#define within_faces(at, most) true
+#define within_text(at, most) true
+#define within_material(at, most) true
+#define within_ticket(at, most) true
 
 bool vs_kind_within(vs_kind kind, const void *data, double most) {
   bool within = true;
   switch (kind) {
 #define VS_KIND(upper, lower, name, class_, level) case VS_##upper: { const struct vs_##lower *d = data; (void)d;
-#define VS_FIELD(type, member, argument) within &= vs_within_##type(&d->member, most);
+#define VS_FIELD(type, member, argument) within &= within_##type(&d->member, most);
 #define VS_KIND_END(upper, lower) break; }
 #include "model/prims.def"
     case VS_KIND_COUNT: break;
@@ -124,46 +124,46 @@ bool vs_kind_within(vs_kind kind, const void *data, double most) {
 }
 
 /* Releases the memory that a field holds outside of the payload, or counts its bytes. */
-#define vs_drop_real(s, at)
-#define vs_drop_point(s, at)
-#define vs_drop_vector(s, at)
-#define vs_drop_affine(s, at)
-#define vs_drop_integer(s, at)
-#define vs_drop_boolean(s, at)
-#define vs_drop_text(s, at)
-#define vs_drop_material(s, at)
-#define vs_drop_points(s, at) vs_points_release(s, *(at));
-#define vs_drop_faces(s, at) vs_faces_release(s, *(at));
-#define vs_drop_ticket(s, at) vs_ticket_release(s, *(at));
+#define drop_real(s, at)
+#define drop_point(s, at)
+#define drop_vector(s, at)
+#define drop_affine(s, at)
+#define drop_integer(s, at)
+#define drop_boolean(s, at)
+#define drop_text(s, at)
+#define drop_material(s, at)
+#define drop_points(s, at) vs_points_release(s, *(at));
+#define drop_faces(s, at) vs_faces_release(s, *(at));
+#define drop_ticket(s, at) vs_ticket_release(s, *(at));
 
 void vs_payload_drop(vs_kind kind, vs_store *s, const void *data) {
   (void)s;
   switch (kind) {
 #define VS_KIND(upper, lower, name, class_, level) case VS_##upper: { const struct vs_##lower *d = data; (void)d;
-#define VS_FIELD(type, member, argument) vs_drop_##type(s, &d->member)
+#define VS_FIELD(type, member, argument) drop_##type(s, &d->member)
 #define VS_KIND_END(upper, lower) break; }
 #include "model/prims.def"
     case VS_KIND_COUNT: break;
   }
 }
 
-#define vs_bytes_real(at) 0
-#define vs_bytes_point(at) 0
-#define vs_bytes_vector(at) 0
-#define vs_bytes_affine(at) 0
-#define vs_bytes_integer(at) 0
-#define vs_bytes_boolean(at) 0
-#define vs_bytes_text(at) 0
-#define vs_bytes_material(at) 0
-#define vs_bytes_ticket(at) 0
-#define vs_bytes_points(at) vs_points_bytes(*(at))
-#define vs_bytes_faces(at) vs_faces_bytes(*(at))
+#define bytes_real(at) 0
+#define bytes_point(at) 0
+#define bytes_vector(at) 0
+#define bytes_affine(at) 0
+#define bytes_integer(at) 0
+#define bytes_boolean(at) 0
+#define bytes_text(at) 0
+#define bytes_material(at) 0
+#define bytes_ticket(at) 0
+#define bytes_points(at) vs_points_bytes(*(at))
+#define bytes_faces(at) vs_faces_bytes(*(at))
 
 size_t vs_payload_array_bytes(vs_kind kind, const void *data) {
   size_t bytes = 0;
   switch (kind) {
 #define VS_KIND(upper, lower, name, class_, level) case VS_##upper: { const struct vs_##lower *d = data; (void)d;
-#define VS_FIELD(type, member, argument) bytes += vs_bytes_##type(&d->member);
+#define VS_FIELD(type, member, argument) bytes += bytes_##type(&d->member);
 #define VS_KIND_END(upper, lower) break; }
 #include "model/prims.def"
     case VS_KIND_COUNT: break;

@@ -19,17 +19,17 @@ vs_material vs_material_of_color(double red, double green, double blue) {
   return (vs_material){ .name = "", .red = red, .green = green, .blue = blue, .roughness = plain_roughness, .ior = plain_ior };
 }
 
-static const vs_material *vs_material_hex(vs_store *s, unsigned rgb, const char *name) {
+static const vs_material *material_hex(vs_store *s, unsigned rgb, const char *name) {
   vs_material m = vs_material_of_color((rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
   m.name = name;
   return vs_store_material(s, &m);
 }
 
-static int vs_material_hex_digit(char c) {
+static int material_hex_digit(char c) {
   return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-static bool vs_material_same_name(const char *table, const char *given) { /* CSS names are read in any case */
+static bool material_same_name(const char *table, const char *given) { /* CSS names are read in any case */
   for (; *table && *given; table++, given++)
     if (*table != (*given >= 'A' && *given <= 'Z' ? *given + 32 : *given)) return false;
   return *table == *given;
@@ -41,14 +41,14 @@ const vs_material *vs_store_ready_material(vs_store *s, const char *name) {
   if (name[0] == '#' && strlen(name) == 7) {
     unsigned rgb = 0;
     for (int i = 1; i < 7; i++) {
-      int digit = vs_material_hex_digit(name[i]);
+      int digit = material_hex_digit(name[i]);
       if (digit < 0) return NULL;
       rgb = rgb << 4 | (unsigned)digit;
     }
-    return vs_material_hex(s, rgb, "");
+    return material_hex(s, rgb, "");
   }
   for (size_t i = 0; i < sizeof colors / sizeof *colors; i++)
-    if (vs_material_same_name(colors[i].name, name)) return vs_material_hex(s, colors[i].rgb, colors[i].name);
+    if (material_same_name(colors[i].name, name)) return material_hex(s, colors[i].rgb, colors[i].name);
   return NULL;
 }
 

@@ -33,17 +33,17 @@ bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles) {
   return true;
 }
 
-static size_t vs_mesh_next_room(size_t room) { return room < 16 ? 16 : room + room / 2; }
+static size_t mesh_next_room(size_t room) { return room < 16 ? 16 : room + room / 2; }
 
 bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index) {
-  if (m->vertex_count == m->vertex_room && !vs_mesh_reserve(m, vs_mesh_next_room(m->vertex_room), 0)) return false;
+  if (m->vertex_count == m->vertex_room && !vs_mesh_reserve(m, mesh_next_room(m->vertex_room), 0)) return false;
   if (index) *index = (uint32_t)m->vertex_count;
   m->vertices[m->vertex_count++] = v;
   return true;
 }
 
 bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c) {
-  if (m->triangle_count == m->triangle_room && !vs_mesh_reserve(m, 0, vs_mesh_next_room(m->triangle_room))) return false;
+  if (m->triangle_count == m->triangle_room && !vs_mesh_reserve(m, 0, mesh_next_room(m->triangle_room))) return false;
   uint32_t *t = m->triangles[m->triangle_count];
   t[0] = a;
   t[1] = b;
@@ -88,7 +88,7 @@ vs_bounds vs_mesh_placed_bounds(const vs_mesh *m, const vs_affine *a) {
   return b;
 }
 
-static int vs_mesh_compare_keys(const void *a, const void *b) {
+static int mesh_compare_keys(const void *a, const void *b) {
   uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
   return x < y ? -1 : x > y;
 }
@@ -109,8 +109,8 @@ bool vs_mesh_closed(const vs_mesh *m, bool *ok) {
     keys[i] = a << 32 | b;
     keys[n + i] = b << 32 | a;
   }
-  qsort(keys, n, sizeof *keys, vs_mesh_compare_keys);
-  qsort(keys + n, n, sizeof *keys, vs_mesh_compare_keys);
+  qsort(keys, n, sizeof *keys, mesh_compare_keys);
+  qsort(keys + n, n, sizeof *keys, mesh_compare_keys);
   bool closed = true;
   for (size_t i = 0; i < n && closed; i++) closed = keys[i] == keys[n + i];
   free(keys);

@@ -25,7 +25,7 @@ vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count) {
   return p;
 }
 
-static void vs_faces_settle(vs_faces *f) { f->hash = vs_hash_bytes(8, f->data, (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data); }
+static void faces_settle(vs_faces *f) { f->hash = vs_hash_bytes(8, f->data, (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data); }
 
 vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners, size_t corner_count) {
   if (count >= UINT32_MAX || corner_count > UINT32_MAX || count + corner_count > SIZE_MAX / sizeof *starts - 8) return NULL;
@@ -36,7 +36,7 @@ vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const 
   f->corner_count = (uint32_t)corner_count;
   memcpy(f->data, starts, (count + 1) * sizeof *starts);
   if (corner_count) memcpy(f->data + count + 1, corners, corner_count * sizeof *corners);
-  vs_faces_settle(f);
+  faces_settle(f);
   return f;
 }
 
@@ -50,7 +50,7 @@ vs_faces *vs_faces_turned(vs_store *s, const vs_faces *old) {
       corners[a] = corners[--b];
       corners[b] = swap;
     }
-  vs_faces_settle(f);
+  faces_settle(f);
   return f;
 }
 
@@ -90,12 +90,12 @@ void vs_ticket_release(vs_store *s, const vs_ticket *t) {
 
 /* ---- building ---- */
 
-static size_t vs_node_payload_room(const vs_kind_info *info) { return (info->size + 7) & ~(size_t)7; }
-static size_t vs_node_size(const vs_kind_info *info, size_t children) {
-  return sizeof(vs_node) + vs_node_payload_room(info) + children * sizeof(vs_ref);
+static size_t node_payload_room(const vs_kind_info *info) { return (info->size + 7) & ~(size_t)7; }
+static size_t node_size(const vs_kind_info *info, size_t children) {
+  return sizeof(vs_node) + node_payload_room(info) + children * sizeof(vs_ref);
 }
 
-static bool vs_node_is_planar_area(const vs_node *n) { return n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED); }
+static bool node_is_planar_area(const vs_node *n) { return n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED); }
 
 /* The properties that the children of a node have in common, gathered as they are taken, so that a million of them are looked at once. */
 typedef struct {
@@ -104,7 +104,7 @@ typedef struct {
   uint8_t any, all;  /* flags of some; of every one */
 } vs_node_family;
 
-static void vs_node_join_family(vs_node_family *f, const vs_node *child) {
+static void node_join_family(vs_node_family *f, const vs_node *child) {
   vs_class c = (vs_class)child->class_;
   f->any |= child->flags;
   f->all &= child->flags;
@@ -113,7 +113,7 @@ static void vs_node_join_family(vs_node_family *f, const vs_node *child) {
   else if (f->together != c) f->together = VS_MIXED;
 }
 
-static void vs_node_find_end(vs_node *n, const vs_node_family *f) {
+static void node_find_end(vs_node *n, const vs_node_family *f) {
   bool cut = n->kind == VS_HALF_SPACE || f->any & VS_NODE_CUT;
   bool carved = (n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)) || f->any & VS_NODE_CARVED;
   bool unresolved = n->kind == VS_SECTION || n->kind == VS_PROJECT || n->kind == VS_EDGES || n->kind == VS_XLINE || n->kind == VS_RAY || n->kind == VS_SLICE ||
@@ -124,7 +124,7 @@ static void vs_node_find_end(vs_node *n, const vs_node_family *f) {
                        (carved ? VS_NODE_CARVED : 0));
 }
 
-static void vs_node_classify(vs_node *n, const vs_kind_info *info, const vs_node_family *family) {
+static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_family *family) {
   const vs_node *first = n->child_count ? n->children[0].node : NULL;
   n->class_ = (uint8_t)info->class_;
   switch ((vs_kind)n->kind) {
@@ -136,12 +136,12 @@ static void vs_node_classify(vs_node *n, const vs_kind_info *info, const vs_node
     case VS_CIRCLE: case VS_REGION: case VS_TEXT: n->flags |= VS_NODE_CLOSED; break;
     case VS_POLYFACE_MESH: n->class_ = VS_AS(polyface_mesh, n)->closed ? VS_SOLID : VS_SURFACE; break;
     case VS_EXTRUDE: case VS_SWEEP: case VS_REVOLVE:
-      n->class_ = !first || first->class_ == VS_NOTHING ? VS_NOTHING : vs_node_is_planar_area(first) ? VS_SOLID : VS_SURFACE;
+      n->class_ = !first || first->class_ == VS_NOTHING ? VS_NOTHING : node_is_planar_area(first) ? VS_SOLID : VS_SURFACE;
       break;
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: { /* an apex says nothing */
       bool areas = false;
       uint32_t sections = n->kind == VS_GUIDED_LOFT ? (uint32_t)VS_AS(guided_loft, n)->section_count : n->child_count;
-      for (uint32_t i = 0; i < sections && i < n->child_count; i++) areas = areas || vs_node_is_planar_area(n->children[i].node);
+      for (uint32_t i = 0; i < sections && i < n->child_count; i++) areas = areas || node_is_planar_area(n->children[i].node);
       n->class_ = areas ? VS_SOLID : VS_SURFACE;
       break;
     }
@@ -181,7 +181,7 @@ static void vs_node_classify(vs_node *n, const vs_kind_info *info, const vs_node
       break;
     case VS_INTERSECTION: case VS_DIFFERENCE:
       n->class_ = first ? first->class_ : VS_NOTHING;
-      if (first && vs_node_is_planar_area(first)) {
+      if (first && node_is_planar_area(first)) {
         n->class_ = VS_REGION_CLASS;
         n->flags |= VS_NODE_CLOSED;
       }
@@ -189,13 +189,13 @@ static void vs_node_classify(vs_node *n, const vs_kind_info *info, const vs_node
       break;
     case VS_KIND_COUNT: break;
   }
-  if (n->child_count || n->kind == VS_HALF_SPACE || n->kind == VS_XLINE || n->kind == VS_RAY) vs_node_find_end(n, family);
+  if (n->child_count || n->kind == VS_HALF_SPACE || n->kind == VS_XLINE || n->kind == VS_RAY) node_find_end(n, family);
 }
 
 vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *children, size_t child_count) {
   const vs_kind_info *info = vs_kind_get(kind);
-  if (!info || child_count > UINT32_MAX || child_count > (SIZE_MAX - vs_node_size(info, 0)) / sizeof(vs_ref)) return NULL;
-  vs_node *n = vs_store_piece(s, vs_node_size(info, child_count));
+  if (!info || child_count > UINT32_MAX || child_count > (SIZE_MAX - node_size(info, 0)) / sizeof(vs_ref)) return NULL;
+  vs_node *n = vs_store_piece(s, node_size(info, child_count));
   if (!n) return NULL;
   vs_ref *kept = (vs_ref *)(void *)(n + 1);
   void *payload = kept + child_count;
@@ -211,7 +211,7 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
     hash = vs_hash_mix(hash, child->hash);
     form = vs_hash_mix(form, child->form);
     if (child->depth >= depth) depth = child->depth == UINT32_MAX ? UINT32_MAX : child->depth + 1;
-    vs_node_join_family(&family, child);
+    node_join_family(&family, child);
   }
   bool same = child_count == 1 && (kind == VS_TRANSFORM || kind == VS_UNION || kind == VS_INTERSECTION || kind == VS_DIFFERENCE);
   if (same) form = kept[0].node->form; /* only moved, or a set of one: the shape within */
@@ -225,7 +225,7 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
   n->form = (uint32_t)form;
   n->hash = hash;
   n->store = vs_store_retain(s);
-  vs_node_classify(n, info, &family);
+  node_classify(n, info, &family);
   n->flags |= family.any & (VS_NODE_SUGAR | VS_NODE_OPEN);
   if (info->level == VS_LEVEL_SUGAR) n->flags |= VS_NODE_SUGAR;
   if (kind == VS_CUSTOM && !child_count) n->flags |= VS_NODE_OPEN;
@@ -253,14 +253,14 @@ void vs_node_release(vs_node *n) {
       child->hash = (uintptr_t)dead;
       dead = child;
     }
-    vs_store_piece_free(s, n, vs_node_size(info, n->child_count));
+    vs_store_piece_free(s, n, node_size(info, n->child_count));
     vs_store_release(s);
   }
 }
 
 size_t vs_node_bytes(const vs_node *n) {
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
-  return vs_node_size(info, n->child_count) + vs_payload_array_bytes((vs_kind)n->kind, vs_node_data(n));
+  return node_size(info, n->child_count) + vs_payload_array_bytes((vs_kind)n->kind, vs_node_data(n));
 }
 
 /* ---- comparing ---- */
@@ -268,7 +268,7 @@ size_t vs_node_bytes(const vs_node *n) {
 typedef struct { const vs_node *a, *b; } vs_node_pair;
 typedef struct { vs_store *store; vs_node_pair *at; size_t count, room; } vs_node_pairs;
 
-static bool vs_pairs_resize(vs_node_pairs *p, size_t room) {
+static bool pairs_resize(vs_node_pairs *p, size_t room) {
   vs_node_pair *at = vs_store_realloc(p->store, p->at, p->room * sizeof *at, room * sizeof *at);
   if (room && !at) return false;
   p->at = at;
@@ -277,14 +277,14 @@ static bool vs_pairs_resize(vs_node_pairs *p, size_t room) {
 }
 
 /* Adds the pair to a set; *new false: it was there. Only nodes with further references can come twice. */
-static bool vs_pairs_note(vs_node_pairs *set, vs_node_pair pair, bool *new) {
+static bool pairs_note(vs_node_pairs *set, vs_node_pair pair, bool *new) {
   if (set->count * 3 >= set->room * 2) {
     vs_node_pairs grown = { .store = set->store };
-    if (!vs_pairs_resize(&grown, set->room ? set->room * 2 : 64)) return false;
+    if (!pairs_resize(&grown, set->room ? set->room * 2 : 64)) return false;
     memset(grown.at, 0, grown.room * sizeof *grown.at);
     for (size_t i = 0; i < set->room; i++)
-      if (set->at[i].a && !vs_pairs_note(&grown, set->at[i], new)) return false; /* never grows: it has room */
-    vs_pairs_resize(set, 0);
+      if (set->at[i].a && !pairs_note(&grown, set->at[i], new)) return false; /* never grows: it has room */
+    pairs_resize(set, 0);
     *set = grown;
   }
   size_t at = (size_t)vs_hash_mix((uintptr_t)pair.a, (uintptr_t)pair.b) & (set->room - 1);
@@ -298,7 +298,7 @@ static bool vs_pairs_note(vs_node_pairs *set, vs_node_pair pair, bool *new) {
 }
 
 /* Everything about two nodes but their children's insides */
-static bool vs_node_alike(const vs_node *a, const vs_node *b) {
+static bool node_alike(const vs_node *a, const vs_node *b) {
   return a->hash == b->hash && a->kind == b->kind && a->child_count == b->child_count && a->depth == b->depth &&
          vs_payload_equal(vs_kind_get((vs_kind)a->kind), vs_node_data(a), vs_node_data(b));
 }
@@ -306,7 +306,7 @@ static bool vs_node_alike(const vs_node *a, const vs_node *b) {
 bool vs_node_equal(const vs_node *a, const vs_node *b, bool *ok) {
   if (ok) *ok = true;
   if (a == b) return true;
-  if (!vs_node_alike(a, b)) return false;
+  if (!node_alike(a, b)) return false;
   vs_node_pairs todo = { .store = a->store }, done = { .store = a->store };
   bool equal = true, memory = true, new;
   vs_node_pair now = { a, b };
@@ -314,20 +314,20 @@ bool vs_node_equal(const vs_node *a, const vs_node *b, bool *ok) {
     for (uint32_t i = 0; i < now.a->child_count && equal && memory; i++) {
       vs_node_pair next = { now.a->children[i].node, now.b->children[i].node };
       if (next.a == next.b) continue;
-      equal = vs_node_alike(next.a, next.b);
+      equal = node_alike(next.a, next.b);
       if (!equal || !next.a->child_count) continue;
       if (next.a->refs > 1 && next.b->refs > 1) {
-        memory = vs_pairs_note(&done, next, &new);
+        memory = pairs_note(&done, next, &new);
         if (!memory || !new) continue;
       }
-      memory = todo.count < todo.room || vs_pairs_resize(&todo, todo.room ? todo.room * 2 : 64);
+      memory = todo.count < todo.room || pairs_resize(&todo, todo.room ? todo.room * 2 : 64);
       if (memory) todo.at[todo.count++] = next;
     }
     if (!equal || !memory || !todo.count) break;
     now = todo.at[--todo.count];
   }
-  vs_pairs_resize(&todo, 0);
-  vs_pairs_resize(&done, 0);
+  pairs_resize(&todo, 0);
+  pairs_resize(&done, 0);
   if (ok) *ok = memory;
   return equal && memory;
 }

@@ -107,7 +107,7 @@ vs_affine vs_affine_translation(vs_vec3 v) {
 }
 
 /* The linear map l about the fixed point: p -> fixed + l (p - fixed). */
-static vs_affine vs_affine_about(vs_affine l, vs_vec3 fixed) {
+static vs_affine affine_about(vs_affine l, vs_vec3 fixed) {
   vs_vec3 moved = vs_affine_vector(&l, fixed);
   l.m[0][3] = fixed.x - moved.x;
   l.m[1][3] = fixed.y - moved.y;
@@ -127,12 +127,12 @@ vs_affine vs_affine_rotation(vs_vec3 point, vs_vec3 direction, double angle) {
   if (fabs(u.x) == 1) r.m[0][0] = 1;
   if (fabs(u.y) == 1) r.m[1][1] = 1;
   if (fabs(u.z) == 1) r.m[2][2] = 1;
-  return vs_affine_about(r, point);
+  return affine_about(r, point);
 }
 
 vs_affine vs_affine_scaling(vs_vec3 center, vs_vec3 factors) {
   vs_affine r = { { { factors.x, 0, 0, 0 }, { 0, factors.y, 0, 0 }, { 0, 0, factors.z, 0 } } };
-  return vs_affine_about(r, center);
+  return affine_about(r, center);
 }
 
 vs_affine vs_affine_mirror(vs_vec3 point, vs_vec3 normal) {
@@ -140,7 +140,7 @@ vs_affine vs_affine_mirror(vs_vec3 point, vs_vec3 normal) {
   vs_affine r = { { { 1 - 2 * u.x * u.x, -2 * u.x * u.y, -2 * u.x * u.z, 0 },
                     { -2 * u.y * u.x, 1 - 2 * u.y * u.y, -2 * u.y * u.z, 0 },
                     { -2 * u.z * u.x, -2 * u.z * u.y, 1 - 2 * u.z * u.z, 0 } } };
-  return vs_affine_about(r, point);
+  return affine_about(r, point);
 }
 
 bool vs_affine_even(const vs_affine *a, double *k) {

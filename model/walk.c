@@ -19,7 +19,7 @@ vs_walk *vs_walk_new(vs_store *s, vs_ref root) {
   return w;
 }
 
-static vs_walk_event vs_walk_enter(vs_walk *w, vs_ref into, vs_ref *ref, size_t *depth) {
+static vs_walk_event walk_enter(vs_walk *w, vs_ref into, vs_ref *ref, size_t *depth) {
   if (w->depth == w->room) {
     size_t room = w->room ? w->room * 2 : 64;
     vs_walk_level *grown = vs_store_realloc(w->store, w->levels, w->room * sizeof *grown, room * sizeof *grown);
@@ -37,10 +37,10 @@ vs_walk_event vs_walk_next(vs_walk *w, vs_ref *ref, size_t *depth) {
   if (!w->depth) {
     if (w->started) return VS_WALK_DONE;
     w->started = true;
-    return vs_walk_enter(w, w->root, ref, depth);
+    return walk_enter(w, w->root, ref, depth);
   }
   vs_walk_level *top = &w->levels[w->depth - 1];
-  if (!w->skip && top->next < top->ref.node->child_count) return vs_walk_enter(w, top->ref.node->children[top->next++], ref, depth);
+  if (!w->skip && top->next < top->ref.node->child_count) return walk_enter(w, top->ref.node->children[top->next++], ref, depth);
   w->skip = false;
   *ref = top->ref;
   if (depth) *depth = w->depth - 1;

@@ -44,14 +44,14 @@ void vs_flatten_end(vs_rewrite *w) {
 }
 
 /* Will a set of this kind in old's place dissolve into the one set that names it? */
-static bool vs_flatten_fits(const vs_rewrite *w, const vs_flatten *f, const vs_node *old, const vs_node *new) {
+static bool flatten_fits(const vs_rewrite *w, const vs_flatten *f, const vs_node *old, const vs_node *new) {
   return new->child_count && vs_rewrite_lone(w, old) && f->above[vs_order_of(old)] >> new->kind & 1;
 }
 
 typedef struct { const vs_ref *at; size_t left; } vs_flatten_run; /* members still to be taken */
 
 /* The members of a set with these kids, all that dissolves dissolved, in order. out NULL: only counts them. False: out of memory. */
-static bool vs_flatten_gather(const vs_flatten *f, const vs_ref *kids, size_t kid_count, vs_ref *out, size_t *count) {
+static bool flatten_gather(const vs_flatten *f, const vs_ref *kids, size_t kid_count, vs_ref *out, size_t *count) {
   size_t room = 16, depth = 1, n = 0;
   vs_flatten_run *stack = vs_store_realloc(f->store, NULL, 0, room * sizeof *stack);
   if (!stack) return false;
@@ -84,17 +84,17 @@ static bool vs_flatten_gather(const vs_flatten *f, const vs_ref *kids, size_t ki
   return ok;
 }
 
-static vs_node *vs_flatten_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
+static vs_node *flatten_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   const vs_flatten *f = w->state;
   bool plain = true;
   for (uint32_t i = 0; plain && kids != n->children && i < n->child_count; i++) plain = !vs_nodemap_get(&f->dissolves, kids[i].node);
   if (plain) return vs_rewrite_keep(w, n, kids);
   size_t count;
-  if (!vs_flatten_gather(f, kids, n->child_count, NULL, &count)) return NULL;
+  if (!flatten_gather(f, kids, n->child_count, NULL, &count)) return NULL;
   vs_ref *all = vs_store_realloc(w->store, NULL, 0, (count ? count : 1) * sizeof *all);
   if (!all) return NULL;
   size_t filled;
-  vs_node *flat = vs_flatten_gather(f, kids, n->child_count, all, &filled) ? vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), all, count) : NULL;
+  vs_node *flat = flatten_gather(f, kids, n->child_count, all, &filled) ? vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), all, count) : NULL;
   vs_store_realloc(w->store, all, (count ? count : 1) * sizeof *all, 0);
   w->changed++;
   return flat;
@@ -111,11 +111,11 @@ vs_node *vs_pass_flatten(vs_rewrite *w, const vs_node *n, const vs_ref *kids, co
     w->changed++;
     new = vs_node_retain(kids[0].node);
     /* The member takes the set's place, and dissolves there if nobody else names it. */
-    if (!vs_rewrite_lone(w, n->children[0].node) || !vs_flatten_fits(w, f, n, new)) return new;
-  } else if (vs_flatten_fits(w, f, n, n)) {
+    if (!vs_rewrite_lone(w, n->children[0].node) || !flatten_fits(w, f, n, new)) return new;
+  } else if (flatten_fits(w, f, n, n)) {
     new = vs_rewrite_keep(w, n, kids);
   } else {
-    return vs_flatten_set(w, n, kids);
+    return flatten_set(w, n, kids);
   }
   if (new && !vs_nodemap_put(&f->dissolves, new, NULL)) {
     vs_node_release(new);

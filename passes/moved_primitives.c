@@ -16,7 +16,7 @@ typedef struct {
   double scale;
 } vs_fold_map;
 
-static vs_fold_map vs_fold_look(const vs_affine *a) {
+static vs_fold_map fold_look(const vs_affine *a) {
   vs_fold_map f = { .even = true, .axes = true, .plain = true };
   vs_vec3 c[3];
   for (int j = 0; j < 3; j++) c[j] = vs_v3(a->m[0][j], a->m[1][j], a->m[2][j]);
@@ -36,9 +36,9 @@ static vs_fold_map vs_fold_look(const vs_affine *a) {
   return f;
 }
 
-bool vs_fold_is_upright(const vs_affine *a) { return vs_fold_look(a).upright; }
+bool vs_fold_is_upright(const vs_affine *a) { return fold_look(a).upright; }
 
-static vs_node *vs_fold_points(vs_rewrite *w, const vs_affine *a, const vs_points *old, vs_points **new) {
+static vs_node *fold_points(vs_rewrite *w, const vs_affine *a, const vs_points *old, vs_points **new) {
   *new = vs_points_new(w->store, old->at, old->count);
   for (uint32_t i = 0; *new && i < old->count; i++) {
     vs_vec3 p = vs_affine_point(a, old->at[i]);
@@ -47,12 +47,12 @@ static vs_node *vs_fold_points(vs_rewrite *w, const vs_affine *a, const vs_point
   return NULL;
 }
 
-static vs_node *vs_fold_polyface(vs_rewrite *w, const vs_affine *a, const struct vs_polyface_mesh *old) {
+static vs_node *fold_polyface(vs_rewrite *w, const vs_affine *a, const struct vs_polyface_mesh *old) {
   struct vs_polyface_mesh new = *old;
   vs_points *points;
   vs_faces *faces = NULL;
   vs_node *n = NULL;
-  vs_fold_points(w, a, old->points, &points);
+  fold_points(w, a, old->points, &points);
   if (points && vs_affine_determinant(a) < 0) {
     faces = vs_faces_turned(w->store, old->faces);
     new.faces = faces;
@@ -65,7 +65,7 @@ static vs_node *vs_fold_polyface(vs_rewrite *w, const vs_affine *a, const struct
 }
 
 /* Does a keep discs across the axis discs across its image? *k: by how much it makes them larger. */
-static bool vs_fold_discs(const vs_affine *a, vs_vec3 axis, double *k) {
+static bool fold_discs(const vs_affine *a, vs_vec3 axis, double *k) {
   vs_vec3 u = vs_v3_unit(axis), p = vs_v3_unit(vs_v3_cross(u, fabs(u.x) < 0.7 ? vs_v3(1, 0, 0) : vs_v3(0, 1, 0))), q = vs_v3_cross(u, p);
   vs_vec3 au = vs_affine_vector(a, u), ap = vs_affine_vector(a, p), aq = vs_affine_vector(a, q);
   double square = vs_v3_dot(ap, ap), slack = 1e-13 * square, along = 1e-13 * sqrt(square) * vs_v3_length(au);
@@ -76,7 +76,7 @@ static bool vs_fold_discs(const vs_affine *a, vs_vec3 axis, double *k) {
 }
 
 vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, bool *fits) {
-  vs_fold_map f = vs_fold_look(a);
+  vs_fold_map f = fold_look(a);
   double k = f.scale; /* of discs */
   *fits = false;
 #define VS_FOLD(lower, condition)                       \
@@ -87,7 +87,7 @@ vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, 
     case VS_LINE: {
       VS_FOLD(line, f.scale > 0);
       vs_points *points;
-      vs_fold_points(w, a, d.points, &points);
+      fold_points(w, a, d.points, &points);
       d.points = points;
       vs_node *line = points ? vs_node_new(w->store, VS_LINE, &d, NULL, 0) : NULL;
       vs_points_release(w->store, points);
@@ -130,21 +130,21 @@ vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, 
       return vs_node_new(w->store, VS_SPHERE, &d, NULL, 0);
     }
     case VS_CYLINDER: {
-      VS_FOLD(cylinder, d.segments ? f.upright : f.even || vs_fold_discs(a, vs_v3_sub(d.top, d.base), &k));
+      VS_FOLD(cylinder, d.segments ? f.upright : f.even || fold_discs(a, vs_v3_sub(d.top, d.base), &k));
       d.base = vs_affine_point(a, d.base);
       d.top = vs_affine_point(a, d.top);
       d.radius *= k;
       return vs_node_new(w->store, VS_CYLINDER, &d, NULL, 0);
     }
     case VS_CONE: {
-      VS_FOLD(cone, d.segments ? f.upright : f.even || vs_fold_discs(a, vs_v3_sub(d.apex, d.base), &k));
+      VS_FOLD(cone, d.segments ? f.upright : f.even || fold_discs(a, vs_v3_sub(d.apex, d.base), &k));
       d.base = vs_affine_point(a, d.base);
       d.apex = vs_affine_point(a, d.apex);
       d.radius *= k;
       return vs_node_new(w->store, VS_CONE, &d, NULL, 0);
     }
     case VS_CUT_CONE: {
-      VS_FOLD(cut_cone, d.segments ? f.upright : f.even || vs_fold_discs(a, vs_v3_sub(d.top, d.base), &k));
+      VS_FOLD(cut_cone, d.segments ? f.upright : f.even || fold_discs(a, vs_v3_sub(d.top, d.base), &k));
       d.base = vs_affine_point(a, d.base);
       d.top = vs_affine_point(a, d.top);
       d.base_radius *= k;
@@ -185,7 +185,7 @@ vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, 
     case VS_POLYFACE_MESH:
       if (!(fabs(vs_affine_determinant(a)) > 0)) return NULL;
       *fits = true;
-      return vs_fold_polyface(w, a, VS_AS(polyface_mesh, n));
+      return fold_polyface(w, a, VS_AS(polyface_mesh, n));
     case VS_XLINE: {
       VS_FOLD(xline, f.scale > 0);
       d.p = vs_affine_point(a, d.p);
@@ -201,7 +201,7 @@ vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, 
     case VS_SPLINE: { /* its parameter is the length of chords: similar points, similar curve */
       VS_FOLD(spline, f.even);
       vs_points *points;
-      vs_fold_points(w, a, d.points, &points);
+      fold_points(w, a, d.points, &points);
       d.points = points;
       d.start_tangent = vs_affine_vector(a, d.start_tangent);
       d.end_tangent = vs_affine_vector(a, d.end_tangent);
@@ -217,7 +217,7 @@ vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, 
     case VS_HEIGHT_FIELD: {
       VS_FOLD(height_field, f.plain);
       vs_points *points;
-      vs_fold_points(w, a, d.points, &points);
+      fold_points(w, a, d.points, &points);
       d.points = points;
       d.low = a->m[2][2] * d.low + a->m[2][3];
       vs_node *field = points ? vs_node_new(w->store, VS_HEIGHT_FIELD, &d, NULL, 0) : NULL;

@@ -4,7 +4,7 @@
 #include "geometry/measure/node_measures.h"
 
 /* Samples that a pass asks for in vain must not stop the drawing: what has no bounds is everywhere, and its own error comes when it is meshed. */
-static bool vs_optimise_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
+static bool optimise_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   if (vs_bounds_memo_get(context, n, out, &why)) return true;
   if (why.kind != VS_ERROR_MODEL) {
@@ -17,14 +17,14 @@ static bool vs_optimise_bounds(void *context, const vs_node *n, vs_bounds *out, 
 
 bool vs_scene_optimise(vs_scene *scene, unsigned passes, vs_pass_stats *stats, vs_error *e) {
   vs_bounds_memo memo = { .places = { .store = scene->store } };
-  vs_pass_options options = { passes, vs_optimise_bounds, &memo };
+  vs_pass_options options = { passes, optimise_bounds, &memo };
   bool ok = vs_passes_run(scene->store, scene->drawn, scene->drawn_count, &options, stats, e);
   vs_bounds_memo_free(&memo);
   return ok;
 }
 
 /* A node without bounds is not grouped; its own error comes when it is meshed. */
-static bool vs_group_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
+static bool group_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   *out = vs_bounds_empty();
   if (n->flags & VS_NODE_ENDLESS || vs_bounds_memo_get(context, n, out, &why) || why.kind == VS_ERROR_MODEL) return true;
@@ -34,7 +34,7 @@ static bool vs_group_bounds(void *context, const vs_node *n, vs_bounds *out, vs_
 
 bool vs_scene_group(vs_scene *scene, vs_error *e) {
   vs_bounds_memo memo = { .places = { .store = scene->store } };
-  vs_pass_options options = { 0, vs_group_bounds, &memo };
+  vs_pass_options options = { 0, group_bounds, &memo };
   bool ok = vs_sets_group(scene->store, scene->drawn, scene->drawn_count, &options, e);
   vs_bounds_memo_free(&memo);
   return ok;

@@ -3,15 +3,15 @@
  * Bounds are of samples where a shape is curved, so both sides are given a thousandth of their size before they count as apart. */
 #include "passes/rewrite.h"
 
-static bool vs_prune_empty(const vs_node *n) { return n->kind == VS_EMPTY; }
+static bool prune_empty(const vs_node *n) { return n->kind == VS_EMPTY; }
 
-static vs_node *vs_prune_to_nothing(vs_rewrite *w) {
+static vs_node *prune_to_nothing(vs_rewrite *w) {
   w->changed++;
   return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
 }
 
 /* *apart: a and b certainly have no point in common. False: failed. */
-static bool vs_prune_apart(const vs_rewrite *w, const vs_node *a, const vs_node *b, bool *apart) {
+static bool prune_apart(const vs_rewrite *w, const vs_node *a, const vs_node *b, bool *apart) {
   vs_bounds p, q;
   *apart = false;
   if (!w->options->bounds || a->class_ != VS_SOLID || b->class_ != VS_SOLID) return true;
@@ -27,7 +27,7 @@ vs_node *vs_pass_prune(vs_rewrite *w, const vs_node *n, const vs_ref *kids, cons
     case VS_REVOLVE:
     case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_SLICE:
     case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-      return n->child_count && vs_prune_empty(kids[0].node) ? vs_prune_to_nothing(w) : vs_rewrite_keep(w, n, kids);
+      return n->child_count && prune_empty(kids[0].node) ? prune_to_nothing(w) : vs_rewrite_keep(w, n, kids);
     case VS_UNION:
       if (!w->order.empty && n->child_count && (kids == n->children || !w->changed)) return vs_rewrite_keep(w, n, kids); /* nothing was or became empty */
       break;
@@ -45,14 +45,14 @@ vs_node *vs_pass_prune(vs_rewrite *w, const vs_node *n, const vs_ref *kids, cons
   if (!all) return NULL;
   bool nothing = n->child_count == 0, ok = true;
   for (uint32_t i = 0; ok && !nothing && i < n->child_count; i++) {
-    bool empty = vs_prune_empty(kids[i].node), apart = false;
-    if (n->kind != VS_UNION && !empty && i) ok = vs_prune_apart(w, kids[0].node, kids[i].node, &apart);
+    bool empty = prune_empty(kids[i].node), apart = false;
+    if (n->kind != VS_UNION && !empty && i) ok = prune_apart(w, kids[0].node, kids[i].node, &apart);
     if (n->kind == VS_INTERSECTION && (empty || apart)) nothing = true;
     else if (n->kind == VS_DIFFERENCE && i == 0 && empty) nothing = true;
     else if (!empty && !apart) all[kept++] = kids[i];
   }
   vs_node *result = NULL;
-  if (ok && (nothing || !kept)) result = vs_prune_to_nothing(w);
+  if (ok && (nothing || !kept)) result = prune_to_nothing(w);
   else if (ok && kept == n->child_count) result = vs_rewrite_keep(w, n, kids);
   else if (ok) {
     w->changed++;

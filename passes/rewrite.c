@@ -21,18 +21,18 @@ vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   return same ? vs_node_retain((vs_node *)(uintptr_t)n) : vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), kids, n->child_count);
 }
 
-static vs_ref vs_rewritten_ref(const vs_rewrite *w, const vs_rewritten *results, vs_ref old) {
+static vs_ref rewritten_ref(const vs_rewrite *w, const vs_rewritten *results, vs_ref old) {
   if (!vs_order_has(&w->order, old.node)) return old; /* a lone leaf */
   const vs_rewritten *new = &results[vs_order_of(old.node)];
   return (vs_ref){ new->node, new->origin ? new->origin : old.origin };
 }
 
-static bool vs_rewrite_node(vs_rewrite *w, vs_rewrite_fn *fn, size_t index, vs_rewritten *results, vs_ref *room) {
+static bool rewrite_node(vs_rewrite *w, vs_rewrite_fn *fn, size_t index, vs_rewritten *results, vs_ref *room) {
   vs_ref at = w->order.at[index];
   vs_error *e = w->error;
   const vs_ref *kids = at.node->children;
   if (w->order.note[index].inner) {
-    for (uint32_t i = 0; i < at.node->child_count; i++) room[i] = vs_rewritten_ref(w, results, at.node->children[i]);
+    for (uint32_t i = 0; i < at.node->child_count; i++) room[i] = rewritten_ref(w, results, at.node->children[i]);
     kids = room;
   }
   results[index].origin = NULL;
@@ -51,9 +51,9 @@ bool vs_rewrite_run(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count
   vs_rewritten *results = vs_store_realloc(w->store, NULL, 0, (nodes + 1) * sizeof *results);
   vs_ref *kids = vs_store_realloc(w->store, NULL, 0, widest * sizeof *kids);
   bool ok = (results && kids) || vs_error_memory(w->error, NULL);
-  while (ok && done < nodes && (ok = vs_store_going(w->store, VS_NODE_WORK, w->error) && vs_rewrite_node(w, fn, done, results, kids))) done++;
+  while (ok && done < nodes && (ok = vs_store_going(w->store, VS_NODE_WORK, w->error) && rewrite_node(w, fn, done, results, kids))) done++;
   for (size_t i = 0; ok && i < count; i++) {
-    vs_ref new = vs_rewritten_ref(w, results, refs[i]);
+    vs_ref new = rewritten_ref(w, results, refs[i]);
     kids[0] = refs[i];
     refs[i] = (vs_ref){ vs_node_retain(new.node), new.origin };
     vs_node_release(kids[0].node);
@@ -73,7 +73,7 @@ bool vs_rewrite_alone(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t cou
 
 /* ---- counting ---- */
 
-static double vs_order_commands(const vs_order *o, size_t drawn) {
+static double order_commands(const vs_order *o, size_t drawn) {
   double commands = (drawn > 1 ? (double)(drawn - 1) : 0) + (double)o->lone; /* the drawing is the union of what was drawn */
   for (size_t i = 0; i < o->count; i++) {
     const vs_node *n = o->at[i].node;
@@ -92,7 +92,7 @@ static double vs_order_commands(const vs_order *o, size_t drawn) {
 bool vs_commands_count(vs_store *s, const vs_ref *refs, size_t count, double *commands, vs_error *e) {
   vs_order o = { .store = s };
   if (!vs_order_make(&o, refs, count, e)) return false;
-  *commands = vs_order_commands(&o, count);
+  *commands = order_commands(&o, count);
   vs_order_free(&o);
   return true;
 }
@@ -100,7 +100,7 @@ bool vs_commands_count(vs_store *s, const vs_ref *refs, size_t count, double *co
 /* ---- all of them ---- */
 
 /* Runs one pass over the drawing: its begin, every node unless the begin has found that nothing would change, its end. */
-static bool vs_pass_once(vs_pass_kind k, vs_rewrite *w, vs_ref *refs, size_t count) {
+static bool pass_once(vs_pass_kind k, vs_rewrite *w, vs_ref *refs, size_t count) {
   static const struct { vs_rewrite_fn *node; bool (*begin)(vs_rewrite *w); void (*end)(vs_rewrite *w); } passes[] = {
 #define VS_PASS(upper, lower, begin, end, doc) { vs_pass_##lower, begin, end },
 #include "passes/passes.def"
@@ -124,12 +124,12 @@ bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
   }
   vs_order order = { .store = s };
   bool ok = vs_order_make(&order, work, count, e);
-  if (ok && stats) stats->commands_before = vs_order_commands(&order, count);
+  if (ok && stats) stats->commands_before = order_commands(&order, count);
   bool nests = false;
   for (int k = 0; ok && k < VS_PASS_COUNT; k++) {
     if (!(options->passes >> k & 1)) continue;
     vs_rewrite w = { .store = s, .options = options, .error = e, .order = order };
-    ok = vs_pass_once((vs_pass_kind)k, &w, work, count);
+    ok = pass_once((vs_pass_kind)k, &w, work, count);
     if (stats) stats->changed[k] += w.changed;
     if (ok && w.changed) ok = vs_order_make(&order, work, count, e); /* else the drawing is what it was, node for node */
     if (k == VS_PASS_FOLD && w.nests && !nests && options->passes >> VS_PASS_FLATTEN & 1) {
@@ -137,7 +137,7 @@ bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
       k = VS_PASS_FLATTEN - 1; /* once more from there: what was between sets is gone */
     }
   }
-  if (ok && stats) stats->commands_after = vs_order_commands(&order, count);
+  if (ok && stats) stats->commands_after = order_commands(&order, count);
   vs_order_free(&order);
   for (size_t i = 0; i < count; i++) {
     vs_ref drop = ok ? refs[i] : work[i];

@@ -62,18 +62,18 @@ typedef struct {
 
 /* ---- rounding and hashing ---- */
 
-static void vs_share_mix(vs_share_key *k, uint64_t v) {
+static void share_mix(vs_share_key *k, uint64_t v) {
   k->a = vs_hash_mix(k->a, v);
   k->b = vs_hash_mix(k->b ^ UINT64_C(0xA5A5A5A5A5A5A5A5), v);
 }
 
-static vs_share_step *vs_share_find(const vs_share *s, double step) {
+static vs_share_step *share_find(const vs_share *s, double step) {
   size_t i = (size_t)vs_hash_real(6, step) & (s->step_room - 1);
   while (!isnan(s->steps[i].first) && s->steps[i].step != step) i = (i + 1) & (s->step_room - 1);
   return &s->steps[i];
 }
 
-static bool vs_share_grow(vs_share *s) {
+static bool share_grow(vs_share *s) {
   vs_share_step *old = s->steps;
   size_t old_room = s->step_room, room = old_room ? 2 * old_room : 256;
   vs_share_step *grown = room <= SIZE_MAX / 2 / sizeof *grown ? vs_store_realloc(s->store, NULL, 0, room * sizeof *grown) : NULL;
@@ -82,146 +82,146 @@ static bool vs_share_grow(vs_share *s) {
   s->steps = grown;
   s->step_room = room;
   for (size_t i = 0; i < old_room; i++)
-    if (!isnan(old[i].first)) *vs_share_find(s, old[i].step) = old[i];
+    if (!isnan(old[i].first)) *share_find(s, old[i].step) = old[i];
   vs_store_realloc(s->store, old, old_room * sizeof *old, 0);
   return true;
 }
 
 /* The number that stands for x, both in quanta: the nearest one met in x's step or within half a quantum beside it; else x, from now on. */
-static double vs_share_snap(vs_share *s, double x) {
+static double share_snap(vs_share *s, double x) {
   if (!isfinite(x) || s->starved) return 0;
   double step = floor(x), best = (double)NAN, reach = 1;
-  if (s->step_room && vs_share_find(s, step)->first == x) return x; /* nearly all: models repeat their numbers */
+  if (s->step_room && share_find(s, step)->first == x) return x; /* nearly all: models repeat their numbers */
   for (int side = -1; side <= 1 && s->step_room; side++) {
-    double first = vs_share_find(s, step + side)->first; /* NaN is near nothing */
+    double first = share_find(s, step + side)->first; /* NaN is near nothing */
     if (fabs(first - x) < (side ? fmin(reach, 0.5) : reach)) reach = fabs(first - x), best = first;
   }
   if (!isnan(best)) return best;
-  if (2 * (s->step_count + 1) > s->step_room && !vs_share_grow(s)) {
+  if (2 * (s->step_count + 1) > s->step_room && !share_grow(s)) {
     s->starved = true;
     return 0;
   }
-  *vs_share_find(s, step) = (vs_share_step){ step, x };
+  *share_find(s, step) = (vs_share_step){ step, x };
   s->step_count++;
   return x;
 }
 
-static void vs_share_mix_place(vs_share *s, vs_share_key *k, double x, double quantum) { vs_share_mix(k, vs_hash_real(6, vs_share_snap(s, x / quantum))); }
+static void share_mix_place(vs_share *s, vs_share_key *k, double x, double quantum) { share_mix(k, vs_hash_real(6, share_snap(s, x / quantum))); }
 
-static void vs_share_mix_vector(vs_share *s, vs_share_key *k, vs_vec3 v) {
-  vs_share_mix_place(s, k, v.x, s->quantum);
-  vs_share_mix_place(s, k, v.y, s->quantum);
-  vs_share_mix_place(s, k, v.z, s->quantum);
+static void share_mix_vector(vs_share *s, vs_share_key *k, vs_vec3 v) {
+  share_mix_place(s, k, v.x, s->quantum);
+  share_mix_place(s, k, v.y, s->quantum);
+  share_mix_place(s, k, v.z, s->quantum);
 }
 
-static void vs_share_mix_real(vs_share *s, vs_share_key *k, double x) {
+static void share_mix_real(vs_share *s, vs_share_key *k, double x) {
   int exponent;
   double mantissa = ldexp(frexp(x, &exponent), 40);
   if (!isfinite(x) || x == 0) {
-    vs_share_mix(k, vs_hash_real(7, x));
+    share_mix(k, vs_hash_real(7, x));
     return;
   }
   if (fabs(mantissa) > ldexp(1, 40) - 0.5) mantissa /= 2, exponent++; /* just below a power of two is that power */
-  vs_share_mix(k, (uint64_t)(int64_t)exponent);
-  vs_share_mix_place(s, k, mantissa, 1);
+  share_mix(k, (uint64_t)(int64_t)exponent);
+  share_mix_place(s, k, mantissa, 1);
 }
 
 /* ---- keys ---- */
 
-static vs_share_child vs_share_of(vs_share *s, const vs_node *n);
+static vs_share_child share_of(vs_share *s, const vs_node *n);
 
 /* The node's own first point, or its first child's anchor */
-static vs_vec3 vs_share_anchor(vs_share *s, const vs_node *n, const vs_kind_info *info) {
-  if (n->kind == VS_SWEEP && n->child_count > 1) return vs_share_of(s, n->children[1].node).anchor; /* a sweep lies where its path does */
-  if (n->kind == VS_TRANSFORM) return vs_affine_point(&VS_AS(transform, n)->matrix, vs_share_of(s, n->children[0].node).anchor);
+static vs_vec3 share_anchor(vs_share *s, const vs_node *n, const vs_kind_info *info) {
+  if (n->kind == VS_SWEEP && n->child_count > 1) return share_of(s, n->children[1].node).anchor; /* a sweep lies where its path does */
+  if (n->kind == VS_TRANSFORM) return vs_affine_point(&VS_AS(transform, n)->matrix, share_of(s, n->children[0].node).anchor);
   if (n->kind == VS_NATIVE) return vs_v3(0, 0, 0); /* its text knows no other place */
   for (size_t i = 0; n->kind != VS_SWEEP && i < info->field_count; i++) {
     const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
     if (info->fields[i].type == VS_FIELD_point) return *(const vs_vec3 *)at;
     if (info->fields[i].type == VS_FIELD_points && (*(const vs_points *const *)at)->count) return (*(const vs_points *const *)at)->at[0];
   }
-  return n->child_count ? vs_share_of(s, n->children[0].node).anchor : vs_v3(0, 0, 0);
+  return n->child_count ? share_of(s, n->children[0].node).anchor : vs_v3(0, 0, 0);
 }
 
-static void vs_share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, const vs_kind_info *info, vs_vec3 anchor) {
+static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, const vs_kind_info *info, vs_vec3 anchor) {
   vs_vec3 from = n->kind == VS_SWEEP ? vs_v3(0, 0, 0) : anchor; /* the profile of a sweep and its base stay where they are drawn */
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
     switch (info->fields[i].type) {
       case VS_FIELD_real:
-        if (n->kind == VS_HEIGHT_FIELD) vs_share_mix_place(s, k, *(const double *)at - from.z, s->quantum); /* its foot is a height like any other */
-        else vs_share_mix_real(s, k, *(const double *)at);
+        if (n->kind == VS_HEIGHT_FIELD) share_mix_place(s, k, *(const double *)at - from.z, s->quantum); /* its foot is a height like any other */
+        else share_mix_real(s, k, *(const double *)at);
         break;
-      case VS_FIELD_integer: vs_share_mix(k, (uint64_t)(int64_t)*(const int32_t *)at); break;
-      case VS_FIELD_boolean: vs_share_mix(k, *(const bool *)at); break;
-      case VS_FIELD_point: vs_share_mix_vector(s, k, vs_v3_sub(*(const vs_vec3 *)at, from)); break;
-      case VS_FIELD_vector: vs_share_mix_vector(s, k, *(const vs_vec3 *)at); break;
+      case VS_FIELD_integer: share_mix(k, (uint64_t)(int64_t)*(const int32_t *)at); break;
+      case VS_FIELD_boolean: share_mix(k, *(const bool *)at); break;
+      case VS_FIELD_point: share_mix_vector(s, k, vs_v3_sub(*(const vs_vec3 *)at, from)); break;
+      case VS_FIELD_vector: share_mix_vector(s, k, *(const vs_vec3 *)at); break;
       case VS_FIELD_affine: /* the linear part; the rest is in the anchor */
         for (int r = 0; r < 3; r++)
-          for (int c = 0; c < 3; c++) vs_share_mix_place(s, k, ((const vs_affine *)at)->m[r][c], ldexp(1, -40));
+          for (int c = 0; c < 3; c++) share_mix_place(s, k, ((const vs_affine *)at)->m[r][c], ldexp(1, -40));
         break;
       case VS_FIELD_points: {
         const vs_points *p = *(const vs_points *const *)at;
-        vs_share_mix(k, p->count);
+        share_mix(k, p->count);
         s->sketched |= s->sketches && p->count > SKETCHED;
-        for (uint32_t j = 0; j < p->count && (j < SKETCHED || !s->sketches); j++) vs_share_mix_vector(s, k, vs_v3_sub(p->at[j], from));
+        for (uint32_t j = 0; j < p->count && (j < SKETCHED || !s->sketches); j++) share_mix_vector(s, k, vs_v3_sub(p->at[j], from));
         break;
       }
       case VS_FIELD_faces: {
-        vs_share_mix(k, (*(const vs_faces *const *)at)->hash);
+        share_mix(k, (*(const vs_faces *const *)at)->hash);
         break;
       }
-      case VS_FIELD_text: vs_share_mix(k, vs_text_hash(*(const char *const *)at)); break;
-      case VS_FIELD_ticket: vs_share_mix(k, (*(const vs_ticket *const *)at)->id); break;
-      case VS_FIELD_material: vs_share_mix(k, vs_material_hash(*(const vs_material *const *)at)); break;
+      case VS_FIELD_text: share_mix(k, vs_text_hash(*(const char *const *)at)); break;
+      case VS_FIELD_ticket: share_mix(k, (*(const vs_ticket *const *)at)->id); break;
+      case VS_FIELD_material: share_mix(k, vs_material_hash(*(const vs_material *const *)at)); break;
     }
   }
 }
 
-static bool vs_share_is_alias(const vs_node *n) {
+static bool share_is_alias(const vs_node *n) {
   if (n->kind == VS_TRANSFORM) return vs_affine_is_translation(&VS_AS(transform, n)->matrix);
   bool set = vs_node_is_set(n);
   return set && n->child_count == 1 && n->children[0].node->class_ == n->class_; /* the union of one closed curve is a region */
 }
 
 /* Of a node whose children have theirs. */
-static void vs_share_find_key(vs_share *s, const vs_node *n, vs_share_key *key, vs_vec3 *anchor) {
+static void share_find_key(vs_share *s, const vs_node *n, vs_share_key *key, vs_vec3 *anchor) {
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
-  *anchor = vs_share_anchor(s, n, info);
-  if (vs_share_is_alias(n)) {
-    *key = vs_share_of(s, n->children[0].node).key;
+  *anchor = share_anchor(s, n, info);
+  if (share_is_alias(n)) {
+    *key = share_of(s, n->children[0].node).key;
     return;
   }
   *key = (vs_share_key){ 0, 0 };
-  vs_share_mix(key, vs_hash_bytes(9, info->name, strlen(info->name)));
-  vs_share_mix(key, n->child_count);
-  vs_share_mix_fields(s, key, n, info, *anchor);
-  if (n->kind == VS_NATIVE) vs_share_mix(key, n->hash); /* so it is shared only with its equal, not with one moved */
+  share_mix(key, vs_hash_bytes(9, info->name, strlen(info->name)));
+  share_mix(key, n->child_count);
+  share_mix_fields(s, key, n, info, *anchor);
+  if (n->kind == VS_NATIVE) share_mix(key, n->hash); /* so it is shared only with its equal, not with one moved */
   for (uint32_t i = 0; i < n->child_count; i++) {
-    vs_share_child child = vs_share_of(s, n->children[i].node);
-    vs_share_mix(key, child.key.a);
-    vs_share_mix(key, child.key.b);
-    if (n->kind == VS_SWEEP) vs_share_mix_vector(s, key, i ? vs_v3(0, 0, 0) : child.anchor);
-    else if (n->kind != VS_TRANSFORM && (n->kind != VS_EXTRUDE || i == 0)) vs_share_mix_vector(s, key, vs_v3_sub(child.anchor, *anchor));
+    vs_share_child child = share_of(s, n->children[i].node);
+    share_mix(key, child.key.a);
+    share_mix(key, child.key.b);
+    if (n->kind == VS_SWEEP) share_mix_vector(s, key, i ? vs_v3(0, 0, 0) : child.anchor);
+    else if (n->kind != VS_TRANSFORM && (n->kind != VS_EXTRUDE || i == 0)) share_mix_vector(s, key, vs_v3_sub(child.anchor, *anchor));
   }
 }
 
-static vs_share_child vs_share_of(vs_share *s, const vs_node *n) {
+static vs_share_child share_of(vs_share *s, const vs_node *n) {
   if (vs_order_has(s->order, n)) {
     const vs_share_entry *x = &s->at[vs_order_of(n)];
     return (vs_share_child){ x->key, x->anchor };
   }
   vs_share_leaf lone, *held = vs_node_bytes(n) > LONG ? &s->leaves[n->hash % LEAVES] : &lone;
   if (held != &lone && held->node && (held->node == n || vs_node_equal(held->node, n, NULL))) return held->of;
-  vs_share_find_key(s, n, &held->of.key, &held->of.anchor); /* a leaf: this goes no deeper */
+  share_find_key(s, n, &held->of.key, &held->of.anchor); /* a leaf: this goes no deeper */
   held->node = n;
   return held->of;
 }
 
 /* Fills in the facts of a node but for its key, and its cost alone, which is the most it can be; children come before. */
-static void vs_share_enter(vs_share *s, const vs_node *n, bool inner) {
+static void share_enter(vs_share *s, const vs_node *n, bool inner) {
   bool set = vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION;
-  vs_share_entry x = { .cost = 1, .group = s->count, .alias = vs_share_is_alias(n) };
+  vs_share_entry x = { .cost = 1, .group = s->count, .alias = share_is_alias(n) };
   if (set && n->child_count > 1) x.cost = n->child_count - 1;
   if (set && !inner) x.cost += n->child_count;
   for (uint32_t i = 0; set && inner && i < n->child_count; i++) {
@@ -233,22 +233,22 @@ static void vs_share_enter(vs_share *s, const vs_node *n, bool inner) {
 }
 
 /* Worth a template if there are enough of them. */
-static bool vs_share_is_worth(const vs_share_entry *x) { return !x->alias && x->cost > 2; }
+static bool share_is_worth(const vs_share_entry *x) { return !x->alias && x->cost > 2; }
 
-static int vs_share_by_form(const void *p, const void *q) {
+static int share_by_form(const void *p, const void *q) {
   uint64_t x = *(const uint64_t *)p, y = *(const uint64_t *)q;
   return x < y ? -1 : x > y;
 }
 
 /* Marks what may have a copy, by its form, and all that lies in it. *any: is there something? False: out of memory. */
-static bool vs_share_want(vs_share *s, bool *any) {
+static bool share_want(vs_share *s, bool *any) {
   const vs_order *o = s->order;
   size_t count = 0;
   uint64_t *forms = vs_store_realloc(s->store, NULL, 0, (s->count + 1) * sizeof *forms);
   if (!forms) return false;
   for (size_t i = 0; i < s->count; i++)
-    if (vs_share_is_worth(&s->at[i])) forms[count++] = (uint64_t)o->at[i].node->form << 32 | i;
-  qsort(forms, count, sizeof *forms, vs_share_by_form);
+    if (share_is_worth(&s->at[i])) forms[count++] = (uint64_t)o->at[i].node->form << 32 | i;
+  qsort(forms, count, sizeof *forms, share_by_form);
   *any = false;
   for (size_t i = 0; i < count; i++) {
     uint64_t form = forms[i] >> 32;
@@ -265,19 +265,19 @@ static bool vs_share_want(vs_share *s, bool *any) {
   return true;
 }
 
-static void vs_share_largest(double *most, const double *x, size_t n) {
+static void share_largest(double *most, const double *x, size_t n) {
   for (size_t i = 0; i < n; i++)
     if (isfinite(x[i])) *most = fmax(*most, fabs(x[i]));
 }
 
-static void vs_share_measure(double *most, const vs_node *n) { /* the largest number of a place in it */
+static void share_measure(double *most, const vs_node *n) { /* the largest number of a place in it */
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
   for (size_t i = 0; i < info->field_count; i++) {
     const void *field = (const char *)vs_node_data(n) + info->fields[i].offset;
-    if (info->fields[i].type == VS_FIELD_point) vs_share_largest(most, field, 3);
-    if (info->fields[i].type == VS_FIELD_affine) vs_share_largest(most, field, 12);
+    if (info->fields[i].type == VS_FIELD_point) share_largest(most, field, 3);
+    if (info->fields[i].type == VS_FIELD_affine) share_largest(most, field, 12);
     if (info->fields[i].type == VS_FIELD_points && (*(const vs_points *const *)field)->count)
-      vs_share_largest(most, &(*(const vs_points *const *)field)->at[0].x, 3 * (size_t)(*(const vs_points *const *)field)->count);
+      share_largest(most, &(*(const vs_points *const *)field)->at[0].x, 3 * (size_t)(*(const vs_points *const *)field)->count);
   }
 }
 
@@ -285,7 +285,7 @@ static void vs_share_measure(double *most, const vs_node *n) { /* the largest nu
 
 typedef struct { vs_share_key key; size_t entry; } vs_share_order;
 
-static int vs_share_compare(const void *p, const void *q) {
+static int share_compare(const void *p, const void *q) {
   const vs_share_order *x = p, *y = q;
   if (x->key.a != y->key.a) return x->key.a < y->key.a ? -1 : 1;
   if (x->key.b != y->key.b) return x->key.b < y->key.b ? -1 : 1;
@@ -293,18 +293,18 @@ static int vs_share_compare(const void *p, const void *q) {
 }
 
 /* The first entry of all that are one shape, turned or not. */
-static vs_share_entry *vs_share_head(const vs_share *s, size_t index) {
+static vs_share_entry *share_head(const vs_share *s, size_t index) {
   vs_share_entry *first = &s->at[s->at[index].group];
   return first->turn ? &s->at[s->turns[first->turn - 1].head] : first;
 }
 
-static bool vs_share_pays(const vs_share_entry *first) {
+static bool share_pays(const vs_share_entry *first) {
   double copies = (double)first->copies;
   return (copies - 1) * first->cost > 2 * copies;
 }
 
 /* Returns the cost of a copy of n. A part that more places name than n's copies will be a template whatever becomes of n: then n saves its uses alone. */
-static double vs_share_cost(const vs_share *s, size_t index, double named) {
+static double share_cost(const vs_share *s, size_t index, double named) {
   const vs_node *n = s->order->at[index].node;
   double cost = 1;
   if (vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION) return cost;
@@ -316,14 +316,14 @@ static double vs_share_cost(const vs_share *s, size_t index, double named) {
       cost++;
       continue;
     }
-    const vs_share_entry *child = &s->at[vs_order_of(below)], *first = vs_share_head(s, vs_order_of(below));
-    bool template = first->named > named && (vs_share_pays(first) || first->named > (double)first->copies);
+    const vs_share_entry *child = &s->at[vs_order_of(below)], *first = share_head(s, vs_order_of(below));
+    bool template = first->named > named && (share_pays(first) || first->named > (double)first->copies);
     cost += template ? fmin(child->cost, first->copies > 1 ? 2 : 1) : child->cost;
   }
   return fmin(cost, 1e15); /* a DAG's paths may be without number */
 }
 
-static bool vs_share_group(vs_share *s) {
+static bool share_group(vs_share *s) {
   vs_share_order *order = vs_store_realloc(s->store, NULL, 0, (s->count + 1) * sizeof *order);
   if (!order) return false;
   size_t count = 0;
@@ -332,7 +332,7 @@ static bool vs_share_group(vs_share *s) {
     s->at[i].copies = 0;
     if (s->at[i].wanted && !s->at[i].alias) order[count++] = (vs_share_order){ s->at[i].key, i };
   }
-  qsort(order, count, sizeof *order, vs_share_compare);
+  qsort(order, count, sizeof *order, share_compare);
   for (size_t i = 0, first = 0; i < count; i++) {
     if (order[i].key.a != order[first].key.a || order[i].key.b != order[first].key.b) first = i;
     s->at[order[i].entry].group = order[first].entry;
@@ -343,19 +343,19 @@ static bool vs_share_group(vs_share *s) {
 }
 
 /* Keys of all that are wanted, or of those whose sketches are not theirs alone. */
-static bool vs_share_keys(vs_share *s, bool again, vs_error *e) {
+static bool share_keys(vs_share *s, bool again, vs_error *e) {
   const vs_order *o = s->order;
   for (size_t i = 0; i < LEAVES; i++) s->leaves[i].node = NULL;
   for (size_t i = 0; i < s->count; i++) {
-    if (again ? s->at[i].again : s->at[i].wanted) vs_share_find_key(s, o->at[i].node, &s->at[i].key, &s->at[i].anchor);
+    if (again ? s->at[i].again : s->at[i].wanted) share_find_key(s, o->at[i].node, &s->at[i].key, &s->at[i].anchor);
     if (s->starved) return vs_error_memory(e, o->at[i].origin);
     if (!vs_store_going(s->store, VS_NODE_WORK, e)) return false;
   }
-  return vs_share_group(s) || vs_error_memory(e, NULL);
+  return share_group(s) || vs_error_memory(e, NULL);
 }
 
 /* Marks what has another's sketch, and all that lies in it. */
-static void vs_share_doubt(vs_share *s) {
+static void share_doubt(vs_share *s) {
   const vs_order *o = s->order;
   for (size_t i = 0; i < s->count; i++) s->at[i].again = s->at[i].wanted && !s->at[i].alias && s->at[s->at[i].group].copies > 1;
   for (size_t i = s->count; i-- > 0;) {
@@ -365,7 +365,7 @@ static void vs_share_doubt(vs_share *s) {
   }
 }
 
-static bool vs_share_add_turn(vs_share *s, size_t index, size_t head, const vs_affine *map) {
+static bool share_add_turn(vs_share *s, size_t index, size_t head, const vs_affine *map) {
   if (s->turn_count == s->turn_room) {
     size_t room = s->turn_room ? 2 * s->turn_room : 16;
     vs_share_turn *grown = vs_store_realloc(s->store, s->turns, s->turn_room * sizeof *grown, room * sizeof *grown);
@@ -381,14 +381,14 @@ static bool vs_share_add_turn(vs_share *s, size_t index, size_t head, const vs_a
 
 /* Groups that are one shape turned or mirrored become one. Of each form the first HEADS_MOST shapes are tried; all in all no more than some points for
  * each node, so that deep trees of one form cost no square. */
-static bool vs_share_turns(vs_share *s) {
+static bool share_turns(vs_share *s) {
   enum { HEADS_MOST = 6 };
   size_t count = 0, heads[HEADS_MOST], head_count = 0, work = 0, most = 100000 + 50 * s->count;
   uint64_t *forms = vs_store_realloc(s->store, NULL, 0, (s->count + 1) * sizeof *forms);
   bool starved = !forms;
   for (size_t i = 0; forms && i < s->count; i++)
-    if (s->at[i].wanted && s->at[i].group == i && vs_share_is_worth(&s->at[i])) forms[count++] = (uint64_t)s->order->at[i].node->form << 32 | i;
-  if (forms) qsort(forms, count, sizeof *forms, vs_share_by_form);
+    if (s->at[i].wanted && s->at[i].group == i && share_is_worth(&s->at[i])) forms[count++] = (uint64_t)s->order->at[i].node->form << 32 | i;
+  if (forms) qsort(forms, count, sizeof *forms, share_by_form);
   for (size_t i = 0; !starved && i < count && work < most; i++) {
     size_t mine = forms[i] & UINT32_MAX;
     bool found = false;
@@ -396,7 +396,7 @@ static bool vs_share_turns(vs_share *s) {
     if (i == 0 || forms[i - 1] >> 32 != forms[i] >> 32) head_count = 0;
     for (size_t k = 0; !found && !starved && k < head_count; k++) {
       found = vs_turn_find(s->store, s->order->at[heads[k]].node, s->order->at[mine].node, s->quantum, &map, &work, &starved);
-      if (found && !vs_share_add_turn(s, mine, heads[k], &map)) starved = true;
+      if (found && !share_add_turn(s, mine, heads[k], &map)) starved = true;
     }
     if (!found && head_count < HEADS_MOST) heads[head_count++] = mine;
   }
@@ -413,31 +413,31 @@ bool vs_share_begin(vs_rewrite *w) {
   s->at = vs_store_realloc(w->store, NULL, 0, (o->count + 1) * sizeof *s->at);
   if (!s->at) return vs_error_memory(w->error, NULL);
   s->room = o->count + 1;
-  for (size_t i = 0; i < o->count; i++) vs_share_enter(s, o->at[i].node, o->note[i].inner);
+  for (size_t i = 0; i < o->count; i++) share_enter(s, o->at[i].node, o->note[i].inner);
   bool any;
-  if (!vs_share_want(s, &any)) return vs_error_memory(w->error, NULL);
+  if (!share_want(s, &any)) return vs_error_memory(w->error, NULL);
   w->idle = !any;
   if (!any) return true;
   double most = 0;
   for (size_t i = 0; i < o->count; i++) {
     const vs_node *n = o->at[i].node;
     if (!s->at[i].wanted) continue;
-    vs_share_measure(&most, n);
+    share_measure(&most, n);
     for (uint32_t k = 0; k < n->child_count; k++)
-      if (!vs_order_has(o, n->children[k].node)) vs_share_measure(&most, n->children[k].node);
+      if (!vs_order_has(o, n->children[k].node)) share_measure(&most, n->children[k].node);
   }
   s->quantum = most > 0 ? ldexp(most, -40) : 1;
   if (!(s->quantum > 0)) s->quantum = ldexp(1, -1000);
   s->sketches = true;
-  if (!vs_share_keys(s, false, w->error)) return false;
+  if (!share_keys(s, false, w->error)) return false;
   s->sketches = false;
   if (s->sketched) {
-    vs_share_doubt(s);
-    if (!vs_share_keys(s, true, w->error)) return false;
+    share_doubt(s);
+    if (!share_keys(s, true, w->error)) return false;
   }
-  if (!vs_share_turns(s)) return vs_error_memory(w->error, NULL);
-  for (size_t i = 0; i < o->count; i++) vs_share_head(s, i)->named += o->note[i].uses;
-  for (size_t i = 0; i < o->count; i++) s->at[i].cost = vs_share_cost(s, i, vs_share_head(s, i)->named);
+  if (!share_turns(s)) return vs_error_memory(w->error, NULL);
+  for (size_t i = 0; i < o->count; i++) share_head(s, i)->named += o->note[i].uses;
+  for (size_t i = 0; i < o->count; i++) s->at[i].cost = share_cost(s, i, share_head(s, i)->named);
   return true;
 }
 
@@ -452,9 +452,9 @@ void vs_share_end(vs_rewrite *w) {
 
 vs_node *vs_pass_share(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   vs_share *s = w->state;
-  vs_share_entry *mine = &s->at[vs_order_of(n)], *first = &s->at[mine->group], *head = vs_share_head(s, vs_order_of(n));
+  vs_share_entry *mine = &s->at[vs_order_of(n)], *first = &s->at[mine->group], *head = share_head(s, vs_order_of(n));
   (void)origin;
-  if (mine == head || !head->result || !vs_share_pays(head)) {
+  if (mine == head || !head->result || !share_pays(head)) {
     vs_node *kept = vs_rewrite_keep(w, n, kids);
     if (mine == head) head->result = kept;
     return kept;

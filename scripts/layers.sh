@@ -58,7 +58,7 @@ limit() { # NAME COUNT WHERE: what the count is of, and where to look
 limit same-names "$(wc -l < "$work/names")" "$(tr '\n' ';' < "$work/names")"
 limit long-lines "$(xargs awk 'length($0) > 120' < "$work/sources" | wc -l)" "lines past 120 columns"
 limit raw-allocations "$(xargs grep -hoE '\b(malloc|calloc|realloc)\(' < "$work/sources" | wc -l)" "malloc, calloc and realloc beside model/store/array.h and the stores"
-limit static-prefixed "$(grep '\.c$' "$work/sources" | xargs grep -hE '^static [^=;]*\bvs_[a-z0-9_]*\(' | wc -l)" "static functions named vs_, a prefix of externals"
+limit static-prefixed "$(grep '\.c$' "$work/sources" | xargs grep -hE '^static [^=;(]*\bvs_[a-z0-9_]*\(' | wc -l)" "static functions named vs_, a prefix of externals"
 
 # Externals of a .c file that the header of its name does not declare; vs_p_ are natives, which the table of procedures declares.
 find $(for l in $layers; do echo "$build/obj/$l"; done) -name '*.o' | sort | xargs nm -A --defined-only -g 2>/dev/null | awk -v build="$build/obj/" '

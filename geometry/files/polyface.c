@@ -13,7 +13,7 @@
 
 /* ---- equal points ---- */
 
-static uint64_t vs_polyface_place_hash(vs_vec3 p) {
+static uint64_t polyface_place_hash(vs_vec3 p) {
   double c[3] = { p.x + 0.0, p.y + 0.0, p.z + 0.0 };
   uint64_t h = 0, v;
   for (int i = 0; i < 3; i++) {
@@ -31,7 +31,7 @@ bool vs_polyface_merge(const vs_vec3 *points, size_t count, uint32_t *place) {
   if (!slots) return false;
   memset(slots, 0xFF, room * sizeof *slots);
   for (size_t i = 0; i < count; i++) {
-    size_t at = (size_t)vs_polyface_place_hash(points[i]) & (room - 1);
+    size_t at = (size_t)polyface_place_hash(points[i]) & (room - 1);
     while (slots[at] != UINT32_MAX && !vs_v3_equal(points[slots[at]], points[i])) at = (at + 1) & (room - 1);
     if (slots[at] == UINT32_MAX) slots[at] = (uint32_t)i;
     place[i] = slots[at];
@@ -44,7 +44,7 @@ bool vs_polyface_merge(const vs_vec3 *points, size_t count, uint32_t *place) {
 
 typedef struct { uint32_t low, high, face; bool forward; } vs_side; /* forward: the face runs from low to high */
 
-static int vs_side_compare(const void *a, const void *b) { /* of one low end */
+static int side_compare(const void *a, const void *b) { /* of one low end */
   const vs_side *p = a, *q = b;
   if (p->high != q->high) return p->high < q->high ? -1 : 1;
   if (p->face != q->face) return p->face < q->face ? -1 : 1;
@@ -52,7 +52,7 @@ static int vs_side_compare(const void *a, const void *b) { /* of one low end */
 }
 
 /* faces' corners are numbers below points. Sorted by low end, each of which has few, and then among those; false: out of memory or interrupted. */
-static bool vs_sides_sort(vs_store *s, vs_side *sides, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, vs_error *e) {
+static bool sides_sort(vs_store *s, vs_side *sides, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, vs_error *e) {
   uint32_t *at = calloc(points + 2, sizeof *at);
   if (!at) return vs_error_memory(e, NULL);
   for (int pass = 0; pass < 2; pass++) {
@@ -68,11 +68,11 @@ static bool vs_sides_sort(vs_store *s, vs_side *sides, size_t points, const uint
   for (size_t p = 0; ok && p < points; p++) { /* at[p] is now its first: at[p + 1] has moved up to where it ends */
     uint32_t low = at[p], count = at[p + 1] - low;
     enum { FEW = 16 };
-    if (count > FEW) qsort(sides + low, count, sizeof *sides, vs_side_compare);
+    if (count > FEW) qsort(sides + low, count, sizeof *sides, side_compare);
     for (uint32_t i = 1; count <= FEW && i < count; i++) {
       vs_side x = sides[low + i];
       uint32_t j = low + i;
-      for (; j > low && vs_side_compare(&sides[j - 1], &x) > 0; j--) sides[j] = sides[j - 1];
+      for (; j > low && side_compare(&sides[j - 1], &x) > 0; j--) sides[j] = sides[j - 1];
       sides[j] = x;
     }
     ok = vs_store_going(s, 16, e);
@@ -90,7 +90,7 @@ typedef struct {
   unsigned char *turned, *seen;
 } vs_agreement;
 
-static void vs_agreement_free(vs_agreement *g) {
+static void agreement_free(vs_agreement *g) {
   free(g->sides);
   free(g->mate);
   free(g->of_face);
@@ -102,7 +102,7 @@ static void vs_agreement_free(vs_agreement *g) {
 
 /* Is each edge met by two faces, once each way? Then all agree, and nothing else is to be found out: so most meshes are. Which ends the edges from each
  * low end have, and which way they run, sorted: twos of one end and either way. *agreed may be false where they do. False: out of memory or interrupted. */
-static bool vs_polyface_agreed(vs_store *s, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, bool *agreed, vs_error *e) {
+static bool polyface_agreed(vs_store *s, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, bool *agreed, vs_error *e) {
   enum { FEW = 32 };
   size_t n = starts[face_count];
   *agreed = false;
@@ -139,14 +139,14 @@ static bool vs_polyface_agreed(vs_store *s, size_t points, const uint32_t *start
 
 /* faces' corners are merged points, numbers below points. *closed: each edge met by exactly two faces that agree, or can be made to. turned[f] says which faces
  * to turn. */
-static bool vs_polyface_agree(vs_store *s, vs_agreement *g, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, bool *closed, vs_error *e) {
+static bool polyface_agree(vs_store *s, vs_agreement *g, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, bool *closed, vs_error *e) {
   size_t n = starts[face_count], room = n ? n : 1, faces = face_count ? face_count : 1;
-  if (!vs_polyface_agreed(s, points, starts, face_count, corners, closed, e)) return false;
+  if (!polyface_agreed(s, points, starts, face_count, corners, closed, e)) return false;
   if (*closed) return (g->turned = calloc(faces, 1)) || vs_error_memory(e, NULL);
   *g = (vs_agreement){ malloc(room * sizeof *g->sides), malloc(room * sizeof *g->mate), malloc(room * sizeof *g->of_face),
                        calloc(faces + 1, sizeof *g->starts), malloc(faces * sizeof *g->queue), calloc(faces, 1), calloc(faces, 1) };
   if (!g->sides || !g->mate || !g->of_face || !g->starts || !g->queue || !g->turned || !g->seen) return vs_error_memory(e, NULL);
-  if (!vs_sides_sort(s, g->sides, points, starts, face_count, corners, e)) return false;
+  if (!sides_sort(s, g->sides, points, starts, face_count, corners, e)) return false;
   *closed = n > 0;
   for (size_t i = 0; i < n;) {
     if (!vs_store_going(s, 4, e)) return false;
@@ -191,7 +191,7 @@ static bool vs_polyface_agree(vs_store *s, vs_agreement *g, size_t points, const
 }
 
 /* Does no shell of it enclose anything: sheets back to back? Shells that only cancel each other out do. least: what counts as nothing. False: out of memory. */
-static bool vs_mesh_is_flat(const vs_mesh *m, double least, bool *flat) {
+static bool mesh_is_flat(const vs_mesh *m, double least, bool *flat) {
   uint32_t n = (uint32_t)m->vertex_count, *shell = malloc(((size_t)n + 1) * sizeof *shell);
   double *volume = calloc((size_t)n + 1, sizeof *volume);
   bool ok = shell && volume;
@@ -213,9 +213,9 @@ static bool vs_mesh_is_flat(const vs_mesh *m, double least, bool *flat) {
 
 bool vs_polyface_orient(vs_store *s, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, unsigned char *turned, bool *closed, vs_error *e) {
   vs_agreement g = { 0 };
-  bool ok = vs_polyface_agree(s, &g, points, starts, face_count, corners, closed, e);
+  bool ok = polyface_agree(s, &g, points, starts, face_count, corners, closed, e);
   if (ok) memcpy(turned, g.turned, face_count);
-  vs_agreement_free(&g);
+  agreement_free(&g);
   return ok;
 }
 
@@ -252,7 +252,7 @@ vs_node *vs_polyface_make_mesh(vs_store *s, const vs_vec3 *points, size_t count,
     node = vs_node_new(s, VS_EMPTY, NULL, NULL, 0);
     goto done;
   }
-  ok = vs_polyface_agree(s, &g, count, new_starts, kept_faces, merged, &closed, &why);
+  ok = polyface_agree(s, &g, count, new_starts, kept_faces, merged, &closed, &why);
   if (!ok) goto done;
   for (int pass = 0; pass < 2; pass++) { /* the second turns all round, when it is inside out */
     for (size_t f = 0; f < kept_faces; f++) {
@@ -275,7 +275,7 @@ vs_node *vs_polyface_make_mesh(vs_store *s, const vs_vec3 *points, size_t count,
     vs_bounds b = vs_mesh_bounds(&mesh);
     double d = vs_bounds_diagonal(&b);
     bool flat = false;
-    if (fabs(volume) <= 1e-14 * d * d * d && !vs_mesh_is_flat(&mesh, 1e-14 * d * d * d, &flat)) goto done;
+    if (fabs(volume) <= 1e-14 * d * d * d && !mesh_is_flat(&mesh, 1e-14 * d * d * d, &flat)) goto done;
     if (flat) closed = false;
     if (volume >= 0 || !closed) break;
   }
@@ -286,7 +286,7 @@ done:
   if (!node && why.kind != VS_ERROR_NONE && e) *e = why;
   else if (!node) vs_error_memory(e, NULL);
   vs_mesh_free(&mesh);
-  vs_agreement_free(&g);
+  agreement_free(&g);
   vs_points_release(s, at);
   vs_faces_release(s, faces);
   free(place);

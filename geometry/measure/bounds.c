@@ -13,36 +13,36 @@
 #include "geometry/profiles/swept.h"
 #include "geometry/text/typeset.h"
 
-static vs_vec3 vs_row(const vs_affine *a, int i) { return vs_v3(a->m[i][0], a->m[i][1], a->m[i][2]); }
+static vs_vec3 matrix_row(const vs_affine *a, int i) { return vs_v3(a->m[i][0], a->m[i][1], a->m[i][2]); }
 
-static void vs_bounds_add_reach(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 reach) {
+static void bounds_add_reach(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 reach) {
   vs_vec3 c = vs_affine_point(a, center);
   vs_bounds_add(b, vs_v3_sub(c, reach));
   vs_bounds_add(b, vs_v3_add(c, reach));
 }
 
-static void vs_bounds_add_disc(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 normal, double r) {
+static void bounds_add_disc(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 normal, double r) {
   vs_vec3 n = vs_v3_unit(normal);
   double reach[3];
-  for (int i = 0; i < 3; i++) reach[i] = r * vs_v3_length(vs_v3_cross(vs_row(a, i), n));
-  vs_bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
+  for (int i = 0; i < 3; i++) reach[i] = r * vs_v3_length(vs_v3_cross(matrix_row(a, i), n));
+  bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
 }
 
 /* An ellipse on the frame's X and Y */
-static void vs_bounds_add_oval(vs_bounds *b, const vs_affine *a, const vs_affine *frame, vs_vec3 center, double rx, double ry) {
+static void bounds_add_oval(vs_bounds *b, const vs_affine *a, const vs_affine *frame, vs_vec3 center, double rx, double ry) {
   double reach[3];
   vs_vec3 x = vs_affine_vector(frame, vs_v3(rx, 0, 0)), y = vs_affine_vector(frame, vs_v3(0, ry, 0));
-  for (int i = 0; i < 3; i++) reach[i] = hypot(vs_v3_dot(vs_row(a, i), x), vs_v3_dot(vs_row(a, i), y));
-  vs_bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
+  for (int i = 0; i < 3; i++) reach[i] = hypot(vs_v3_dot(matrix_row(a, i), x), vs_v3_dot(matrix_row(a, i), y));
+  bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
 }
 
-static void vs_bounds_add_ball(vs_bounds *b, const vs_affine *a, vs_vec3 center, double ring, double r) { /* ring: of the circle its centre runs on */
+static void bounds_add_ball(vs_bounds *b, const vs_affine *a, vs_vec3 center, double ring, double r) { /* ring: of the circle its centre runs on */
   double reach[3];
-  for (int i = 0; i < 3; i++) reach[i] = ring * hypot(a->m[i][0], a->m[i][1]) + r * vs_v3_length(vs_row(a, i));
-  vs_bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
+  for (int i = 0; i < 3; i++) reach[i] = ring * hypot(a->m[i][0], a->m[i][1]) + r * vs_v3_length(matrix_row(a, i));
+  bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
 }
 
-static void vs_bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_arc *arc) {
+static void bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_arc *arc) {
   double low = fmin(arc->start, arc->end), high = fmax(arc->start, arc->end), pi = 3.14159265358979323846;
   double angles[8] = { low, high };
   int n = 2;
@@ -60,7 +60,7 @@ static void vs_bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_
 }
 
 /* All of space, less what a plane across an axis keeps off */
-static void vs_bounds_half_space(vs_bounds *b, const vs_affine *a, const struct vs_half_space *h) {
+static void bounds_half_space(vs_bounds *b, const vs_affine *a, const struct vs_half_space *h) {
   vs_vec3 at = h->point, n = h->normal;
   *b = (vs_bounds){ { -INFINITY, -INFINITY, -INFINITY }, { INFINITY, INFINITY, INFINITY } };
   if (!vs_affine_plane(a, &at, &n) || (n.x != 0) + (n.y != 0) + (n.z != 0) != 1) return;
@@ -72,23 +72,23 @@ static void vs_bounds_half_space(vs_bounds *b, const vs_affine *a, const struct 
   if (n.z < 0) b->max.z = at.z;
 }
 
-static void vs_bounds_add_points(vs_bounds *b, const vs_affine *a, const vs_vec3 *at, size_t n) {
+static void bounds_add_points(vs_bounds *b, const vs_affine *a, const vs_vec3 *at, size_t n) {
   for (size_t i = 0; i < n; i++) vs_bounds_add(b, vs_affine_point(a, at[i]));
 }
 
-static double vs_bounds_fineness(const vs_bounds *b) { /* for what has to be sampled: finer than any default drawing of it */
+static double bounds_fineness(const vs_bounds *b) { /* for what has to be sampled: finer than any default drawing of it */
   double d = vs_bounds_diagonal(b);
   return d > 0 && isfinite(d) ? d / 65536 : 1e-6;
 }
 
 /* Upright extrusions follow their profile exactly; other swept solids are sampled. children: the bounds of all children together. */
-static bool vs_bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
-  vs_facets f = { vs_bounds_fineness(children), 0 };
+static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+  vs_facets f = { bounds_fineness(children), 0 };
   vs_swept plan;
   if (n->kind == VS_THICKEN && n->children[0].node->class_ == VS_SURFACE) {
     vs_mesh m = { 0 };
     bool ok = vs_tessellate(n, &f, &m, e);
-    if (ok) vs_bounds_add_points(b, a, m.vertices, m.vertex_count);
+    if (ok) bounds_add_points(b, a, m.vertices, m.vertex_count);
     vs_mesh_free(&m);
     return ok;
   }
@@ -107,7 +107,7 @@ static bool vs_bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node 
     vs_bounds leaning = vs_bounds_empty();
     vs_mesh m = { 0 };
     bool ok = vs_tessellate(n, &f, &m, e);
-    if (ok) vs_bounds_add_points(&leaning, a, m.vertices, m.vertex_count);
+    if (ok) bounds_add_points(&leaning, a, m.vertices, m.vertex_count);
     vs_mesh_free(&m);
     if (!ok) return false;
     if (VS_AS(extrude, n)->taper > 0) vs_bounds_meet(&straight, &leaning);
@@ -117,8 +117,8 @@ static bool vs_bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node 
   return true;
 }
 
-static bool vs_bounds_add_revolve(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
-  vs_facets f = { vs_bounds_fineness(children), 0 };
+static bool bounds_add_revolve(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+  vs_facets f = { bounds_fineness(children), 0 };
   vs_revolve plan;
   if (!vs_revolve_plan(n, &f, &plan, e)) return false;
   vs_revolve_bounds(&plan, a, b);
@@ -127,62 +127,62 @@ static bool vs_bounds_add_revolve(vs_bounds *b, const vs_affine *a, const vs_nod
 }
 
 /* Where only facets tell: of fine ones */
-static bool vs_bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
-  vs_facets f = { vs_bounds_fineness(children) * 8, 0 };
+static bool bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+  vs_facets f = { bounds_fineness(children) * 8, 0 };
   vs_mesh m = { 0 };
   bool ok = vs_tessellate(n, &f, &m, e);
-  if (ok) vs_bounds_add_points(b, a, m.vertices, m.vertex_count);
+  if (ok) bounds_add_points(b, a, m.vertices, m.vertex_count);
   vs_mesh_free(&m);
   return ok;
 }
 
-static bool vs_bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+static bool bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
   vs_offset_exact exact;
   vs_affine place;
   if (vs_offset_round(n, &place, &exact)) {
     place = vs_affine_multiply(a, &place);
-    if (exact.circle) vs_bounds_add_disc(b, &place, exact.arc.center, vs_v3(0, 0, 1), exact.arc.radius);
-    else vs_bounds_add_arc(b, &place, &exact.arc);
+    if (exact.circle) bounds_add_disc(b, &place, exact.arc.center, vs_v3(0, 0, 1), exact.arc.radius);
+    else bounds_add_arc(b, &place, &exact.arc);
     return true;
   }
-  vs_facets f = { vs_bounds_fineness(children), 0 };
+  vs_facets f = { bounds_fineness(children), 0 };
   if (n->class_ == VS_CURVE) {
     vs_polyline line = { 0 };
     bool ok = vs_curve_sample(n, &f, &line, e);
-    if (ok) vs_bounds_add_points(b, a, line.at, line.count);
+    if (ok) bounds_add_points(b, a, line.at, line.count);
     vs_polyline_free(&line);
     return ok;
   }
   vs_outline o;
   if (!vs_region_outline(n, &f, &o, e)) return false;
-  for (size_t l = 0; l < o.count; l++) vs_bounds_add_points(b, a, o.loops[l].at, o.loops[l].count);
+  for (size_t l = 0; l < o.count; l++) bounds_add_points(b, a, o.loops[l].at, o.loops[l].count);
   vs_outline_free(&o);
   return true;
 }
 
-static bool vs_bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs_error *e) {
+static bool bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs_error *e) {
   vs_bounds knots = vs_bounds_empty();
   vs_polyline line = { 0 };
-  vs_bounds_add_points(&knots, a, VS_AS(spline, n)->points->at, VS_AS(spline, n)->points->count);
-  vs_facets f = { vs_bounds_fineness(&knots), 0 };
+  bounds_add_points(&knots, a, VS_AS(spline, n)->points->at, VS_AS(spline, n)->points->count);
+  vs_facets f = { bounds_fineness(&knots), 0 };
   bool ok = vs_curve_sample(n, &f, &line, e);
-  if (ok) vs_bounds_add_points(b, a, line.at, line.count);
+  if (ok) bounds_add_points(b, a, line.at, line.count);
   vs_polyline_free(&line);
   return ok;
 }
 
 /* Bounds of a leaf under a. children: those of its children in their own coordinates, for swept solids. False with *leaf true: failed. */
-static bool vs_bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *children, vs_bounds *b, bool *leaf, vs_error *e) {
+static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *children, vs_bounds *b, bool *leaf, vs_error *e) {
   *leaf = true;
   switch ((vs_kind)n->kind) {
     case VS_EMPTY: case VS_GHOST: return true;
     case VS_CUSTOM:
       if (n->child_count) break;
       return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s has no drawing function: (register-drawing-function %s? ...) gives it one", VS_AS(custom, n)->name, VS_AS(custom, n)->name);
-    case VS_LINE: vs_bounds_add_points(b, a, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count); return true;
-    case VS_ARC: vs_bounds_add_arc(b, a, VS_AS(arc, n)); return true;
-    case VS_CIRCLE: vs_bounds_add_disc(b, a, VS_AS(circle, n)->center, vs_v3(0, 0, 1), VS_AS(circle, n)->radius); return true;
-    case VS_SPLINE: return vs_bounds_spline(b, a, n, e);
+    case VS_LINE: bounds_add_points(b, a, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count); return true;
+    case VS_ARC: bounds_add_arc(b, a, VS_AS(arc, n)); return true;
+    case VS_CIRCLE: bounds_add_disc(b, a, VS_AS(circle, n)->center, vs_v3(0, 0, 1), VS_AS(circle, n)->radius); return true;
+    case VS_SPLINE: return bounds_spline(b, a, n, e);
     case VS_TEXT: return vs_text_bounds(n, a, b, e);
     case VS_BOX: {
       const struct vs_box *x = VS_AS(box, n);
@@ -193,53 +193,53 @@ static bool vs_bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds
       const struct vs_wedge *x = VS_AS(wedge, n);
       vs_vec3 at[6] = { { x->p.x, x->p.y, x->p.z }, { x->q.x, x->p.y, x->p.z }, { x->p.x, x->q.y, x->p.z },
                         { x->q.x, x->q.y, x->p.z }, { x->p.x, x->p.y, x->q.z }, { x->p.x, x->q.y, x->q.z } };
-      vs_bounds_add_points(b, a, at, 6);
+      bounds_add_points(b, a, at, 6);
       return true;
     }
-    case VS_SPHERE: vs_bounds_add_ball(b, a, VS_AS(sphere, n)->center, 0, VS_AS(sphere, n)->radius); return true;
-    case VS_TORUS: vs_bounds_add_ball(b, a, VS_AS(torus, n)->center, VS_AS(torus, n)->radius, VS_AS(torus, n)->tube_radius); return true;
+    case VS_SPHERE: bounds_add_ball(b, a, VS_AS(sphere, n)->center, 0, VS_AS(sphere, n)->radius); return true;
+    case VS_TORUS: bounds_add_ball(b, a, VS_AS(torus, n)->center, VS_AS(torus, n)->radius, VS_AS(torus, n)->tube_radius); return true;
     case VS_CYLINDER: {
       const struct vs_cylinder *c = VS_AS(cylinder, n);
       vs_vec3 axis = vs_v3_sub(c->top, c->base);
-      vs_bounds_add_disc(b, a, c->base, axis, c->radius);
-      vs_bounds_add_disc(b, a, c->top, axis, c->radius);
+      bounds_add_disc(b, a, c->base, axis, c->radius);
+      bounds_add_disc(b, a, c->top, axis, c->radius);
       return true;
     }
     case VS_CONE: {
       const struct vs_cone *c = VS_AS(cone, n);
-      vs_bounds_add_disc(b, a, c->base, vs_v3_sub(c->apex, c->base), c->radius);
+      bounds_add_disc(b, a, c->base, vs_v3_sub(c->apex, c->base), c->radius);
       vs_bounds_add(b, vs_affine_point(a, c->apex));
       return true;
     }
     case VS_CUT_CONE: {
       const struct vs_cut_cone *c = VS_AS(cut_cone, n);
       vs_vec3 axis = vs_v3_sub(c->top, c->base);
-      vs_bounds_add_disc(b, a, c->base, axis, c->base_radius);
-      vs_bounds_add_disc(b, a, c->top, axis, c->top_radius);
+      bounds_add_disc(b, a, c->base, axis, c->base_radius);
+      bounds_add_disc(b, a, c->top, axis, c->top_radius);
       return true;
     }
     case VS_E_CONE: {
       const struct vs_e_cone *c = VS_AS(e_cone, n);
       vs_affine frame = vs_frame_on_axis(c->base, vs_v3_sub(c->top, c->base));
-      vs_bounds_add_oval(b, a, &frame, c->base, c->base_radius, c->base_across);
-      vs_bounds_add_oval(b, a, &frame, c->top, c->top_radius, c->top_radius * (c->base_across / c->base_radius));
+      bounds_add_oval(b, a, &frame, c->base, c->base_radius, c->base_across);
+      bounds_add_oval(b, a, &frame, c->top, c->top_radius, c->top_radius * (c->base_across / c->base_radius));
       return true;
     }
     case VS_SUPERELLIPSOID: {
       double reach[3];
-      for (int i = 0; i < 3; i++) reach[i] = vs_superellipsoid_reach(VS_AS(superellipsoid, n), vs_row(a, i));
-      vs_bounds_add_reach(b, a, vs_v3(0, 0, 0), vs_v3(reach[0], reach[1], reach[2]));
+      for (int i = 0; i < 3; i++) reach[i] = vs_superellipsoid_reach(VS_AS(superellipsoid, n), matrix_row(a, i));
+      bounds_add_reach(b, a, vs_v3(0, 0, 0), vs_v3(reach[0], reach[1], reach[2]));
       return true;
     }
     case VS_PYRAMID: {
       vs_mesh m = { 0 };
       vs_facets any = { 1, 0 };
       bool ok = vs_tessellate(n, &any, &m, e);
-      if (ok) vs_bounds_add_points(b, a, m.vertices, m.vertex_count);
+      if (ok) bounds_add_points(b, a, m.vertices, m.vertex_count);
       vs_mesh_free(&m);
       return ok;
     }
-    case VS_HALF_SPACE: vs_bounds_half_space(b, a, VS_AS(half_space, n)); return true;
+    case VS_HALF_SPACE: bounds_half_space(b, a, VS_AS(half_space, n)); return true;
     case VS_HEIGHT_FIELD: {
       const struct vs_height_field *h = VS_AS(height_field, n);
       for (uint32_t i = 0; i < h->points->count; i++) {
@@ -249,15 +249,15 @@ static bool vs_bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds
       }
       return true;
     }
-    case VS_POLYFACE_MESH: vs_bounds_add_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count); return true;
+    case VS_POLYFACE_MESH: bounds_add_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count); return true;
     case VS_XLINE: case VS_RAY: return true; /* without end: as far as the rest of the drawing */
-    case VS_OFFSET: return n->class_ == VS_NOTHING || vs_bounds_add_offset(b, a, n, children, e);
+    case VS_OFFSET: return n->class_ == VS_NOTHING || bounds_add_offset(b, a, n, children, e);
     case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
-      return n->class_ == VS_NOTHING || vs_bounds_add_swept(b, a, n, children, e);
-    case VS_REVOLVE: return n->class_ == VS_NOTHING || vs_bounds_add_revolve(b, a, n, children, e);
-    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return vs_bounds_add_facets(b, a, n, children, e);
-    case VS_GRID_MESH: vs_bounds_add_points(b, a, VS_AS(grid_mesh, n)->points->at, VS_AS(grid_mesh, n)->points->count); return true;
-    case VS_GRID_SURFACE: vs_bounds_add_points(b, a, VS_AS(grid_surface, n)->points->at, VS_AS(grid_surface, n)->points->count); return true;
+      return n->class_ == VS_NOTHING || bounds_add_swept(b, a, n, children, e);
+    case VS_REVOLVE: return n->class_ == VS_NOTHING || bounds_add_revolve(b, a, n, children, e);
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return bounds_add_facets(b, a, n, children, e);
+    case VS_GRID_MESH: bounds_add_points(b, a, VS_AS(grid_mesh, n)->points->at, VS_AS(grid_mesh, n)->points->count); return true;
+    case VS_GRID_SURFACE: bounds_add_points(b, a, VS_AS(grid_surface, n)->points->at, VS_AS(grid_surface, n)->points->count); return true;
     case VS_JOIN: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_SLICE: case VS_HULL: case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
     case VS_NATIVE: case VS_HIGHLIGHT: case VS_ONLY: case VS_KIND_COUNT: break;
@@ -275,7 +275,7 @@ void vs_bounds_memo_free(vs_bounds_memo *m) {
   *m = (vs_bounds_memo){ .places = { .store = s } };
 }
 
-static bool vs_bounds_memo_put(vs_bounds_memo *m, const vs_node *n, const vs_bounds *b) {
+static bool bounds_memo_put(vs_bounds_memo *m, const vs_node *n, const vs_bounds *b) {
   if (m->count == m->room) {
     size_t room = m->room ? m->room * 2 : 64;
     vs_bounds *grown = vs_store_realloc(m->places.store, m->at, m->room * sizeof *grown, room * sizeof *grown);
@@ -290,13 +290,13 @@ static bool vs_bounds_memo_put(vs_bounds_memo *m, const vs_node *n, const vs_bou
   return true;
 }
 
-static const vs_bounds *vs_bounds_memo_known(const vs_bounds_memo *m, const vs_node *n) {
+static const vs_bounds *bounds_memo_known(const vs_bounds_memo *m, const vs_node *n) {
   const uint64_t *place = vs_nodemap_get(&m->places, n);
   return place ? &m->at[*place] : NULL;
 }
 
 /* A section lies in the plane and in its solid's box, a shadow in the shadow of that box. */
-static void vs_bounds_on_plane(vs_bounds *b, const vs_node *n) {
+static void bounds_on_plane(vs_bounds *b, const vs_node *n) {
   vs_bounds solid = *b, shadow = vs_bounds_empty();
   vs_vec3 at = n->kind == VS_SECTION ? VS_AS(section, n)->point : VS_AS(project, n)->point;
   vs_vec3 normal = vs_v3_unit(n->kind == VS_SECTION ? VS_AS(section, n)->normal : VS_AS(project, n)->normal);
@@ -310,10 +310,10 @@ static void vs_bounds_on_plane(vs_bounds *b, const vs_node *n) {
 }
 
 /* A leaf that one parent names is worked out when that parent asks: remembering a million of them would cost more than their formulas. */
-static bool vs_bounds_is_lone_leaf(const vs_node *n) { return n->child_count == 0 && n->refs == 1; }
+static bool bounds_is_lone_leaf(const vs_node *n) { return n->child_count == 0 && n->refs == 1; }
 
 /* Of the commonest primitives where they stand, by the formulas above with the identity for a: what a drawing may hold a million of. */
-static bool vs_bounds_plain(const vs_node *n, vs_bounds *b) {
+static bool bounds_plain(const vs_node *n, vs_bounds *b) {
   vs_vec3 at[2], reach[2];
   switch ((int)n->kind) {
     case VS_BOX:
@@ -351,24 +351,24 @@ static bool vs_bounds_plain(const vs_node *n, vs_bounds *b) {
 }
 
 /* Of a node whose bounds are known or need no children's. */
-static bool vs_bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
-  bool lone = vs_bounds_is_lone_leaf(n);
-  if (lone && vs_bounds_plain(n, b)) return true;
-  const vs_bounds *known = lone ? NULL : vs_bounds_memo_known(m, n);
+static bool bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
+  bool lone = bounds_is_lone_leaf(n);
+  if (lone && bounds_plain(n, b)) return true;
+  const vs_bounds *known = lone ? NULL : bounds_memo_known(m, n);
   vs_affine here = vs_affine_identity();
   vs_bounds none = vs_bounds_empty();
   bool leaf;
   *b = known ? *known : none;
-  return known || vs_bounds_leaf(n, &here, &none, b, &leaf, e);
+  return known || bounds_leaf(n, &here, &none, b, &leaf, e);
 }
 
-static bool vs_bounds_is_axial(const vs_affine *a) { /* boxes become boxes */
+static bool bounds_is_axial(const vs_affine *a) { /* boxes become boxes */
   for (int i = 0; i < 3; i++)
     if ((a->m[i][0] != 0) + (a->m[i][1] != 0) + (a->m[i][2] != 0) > 1) return false;
   return true;
 }
 
-static bool vs_bounds_is_swept(const vs_node *n) { /* formulas that cost more than a box round the box */
+static bool bounds_is_swept(const vs_node *n) { /* formulas that cost more than a box round the box */
   if (n->kind == VS_EXTRUDE && n->child_count == 1) {
     const vs_node *profile = n->children[0].node;
     while (profile->kind == VS_REGION && profile->child_count == 1) profile = profile->children[0].node;
@@ -382,7 +382,7 @@ static bool vs_bounds_is_swept(const vs_node *n) { /* formulas that cost more th
 /* A set under a map that turns it, part by part: what it becomes must not depend on whether it was turned as a whole. All in it are known. *done: it was not
  * too much or too deep; all in all a memo does TURNED_MOST such steps. */
 enum { TURNED_DEEP = 32, TURNED_EACH = 2048, TURNED_MOST = 1 << 20 };
-static bool vs_bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *map, vs_bounds *out, bool *done, vs_error *e) {
+static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *map, vs_bounds *out, bool *done, vs_error *e) {
   struct { const vs_node *node; vs_affine map; uint32_t next; vs_bounds all; } level[TURNED_DEEP];
   size_t depth = 1, steps = 0;
   vs_bounds b = vs_bounds_empty(), box;
@@ -412,8 +412,8 @@ static bool vs_bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affin
       b = level[--depth].all;
     } else {
       b = vs_bounds_empty();
-      if (!vs_bounds_child(m, at, &box, e) || (!vs_bounds_is_swept(at) && !vs_bounds_leaf(at, &level[top].map, &box, &b, &leaf, e))) return false;
-      if (vs_bounds_is_swept(at) || !leaf) b = vs_bounds_transform(&box, &level[top].map);
+      if (!bounds_child(m, at, &box, e) || (!bounds_is_swept(at) && !bounds_leaf(at, &level[top].map, &box, &b, &leaf, e))) return false;
+      if (bounds_is_swept(at) || !leaf) b = vs_bounds_transform(&box, &level[top].map);
       depth--;
     }
   }
@@ -423,7 +423,7 @@ static bool vs_bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affin
 }
 
 /* All children are known, or lone leaves; `children` is round them all. */
-static bool vs_bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, vs_bounds *b, vs_error *e) {
+static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, vs_bounds *b, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   vs_bounds child;
   bool leaf;
@@ -434,27 +434,27 @@ static bool vs_bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children
       if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
       below = below->children[0].node;
     }
-    bool swept = vs_bounds_is_swept(below), done = false;
-    if (vs_node_is_set(below) && !(below->flags & VS_NODE_ENDLESS) && !vs_bounds_is_axial(&placed) && !vs_bounds_turned(m, below, &placed, b, &done, e)) return false;
+    bool swept = bounds_is_swept(below), done = false;
+    if (vs_node_is_set(below) && !(below->flags & VS_NODE_ENDLESS) && !bounds_is_axial(&placed) && !bounds_turned(m, below, &placed, b, &done, e)) return false;
     if (done) return true;
     *b = vs_bounds_empty();
-    if (!swept && !vs_bounds_leaf(below, &placed, &children, b, &leaf, e)) return false;
+    if (!swept && !bounds_leaf(below, &placed, &children, b, &leaf, e)) return false;
     if (swept || !leaf) *b = vs_bounds_transform(&children, &VS_AS(transform, n)->matrix);
     return true;
   }
-  if (!vs_bounds_leaf(n, &placed, &children, b, &leaf, e)) return false;
+  if (!bounds_leaf(n, &placed, &children, b, &leaf, e)) return false;
   if (leaf) return true;
   *b = children;
-  if (n->kind == VS_HULL) vs_bounds_add_points(b, &placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count);
+  if (n->kind == VS_HULL) bounds_add_points(b, &placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count);
   if (n->kind == VS_SLICE) {
     vs_bounds kept;
-    vs_bounds_half_space(&kept, &placed, &(struct vs_half_space){ .point = VS_AS(slice, n)->point, .normal = VS_AS(slice, n)->normal });
+    bounds_half_space(&kept, &placed, &(struct vs_half_space){ .point = VS_AS(slice, n)->point, .normal = VS_AS(slice, n)->normal });
     vs_bounds_meet(b, &kept);
   }
-  if (n->kind == VS_SECTION || n->kind == VS_PROJECT) vs_bounds_on_plane(b, n);
-  if (n->kind == VS_DIFFERENCE && n->child_count) return vs_bounds_child(m, n->children[0].node, b, e);
+  if (n->kind == VS_SECTION || n->kind == VS_PROJECT) bounds_on_plane(b, n);
+  if (n->kind == VS_DIFFERENCE && n->child_count) return bounds_child(m, n->children[0].node, b, e);
   for (uint32_t i = 0; n->kind == VS_INTERSECTION && i < n->child_count; i++) {
-    if (!vs_bounds_child(m, n->children[i].node, &child, e)) return false;
+    if (!bounds_child(m, n->children[i].node, &child, e)) return false;
     vs_bounds_meet(b, &child);
   }
   return true;
@@ -464,8 +464,8 @@ typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* round those b
 
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_store *s = m->places.store;
-  if (n->child_count == 0 && vs_bounds_plain(n, out)) return true; /* sooner than looked up */
-  const vs_bounds *known = vs_bounds_memo_known(m, n);
+  if (n->child_count == 0 && bounds_plain(n, out)) return true; /* sooner than looked up */
+  const vs_bounds *known = bounds_memo_known(m, n);
   if (known) {
     *out = *known;
     return true;
@@ -481,8 +481,8 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
     vs_bounds b;
     for (; ok && top->next < at->child_count; top->next++) {
       const vs_node *child = vs_node_next_whole(at, top->next)->node;
-      if (!vs_bounds_is_lone_leaf(child) && !vs_bounds_memo_known(m, child)) break;
-      ok = vs_bounds_child(m, child, &b, e);
+      if (!bounds_is_lone_leaf(child) && !bounds_memo_known(m, child)) break;
+      ok = bounds_child(m, child, &b, e);
       if (ok) vs_bounds_unite(&top->children, &b);
       else if (e && !e->origin) e->origin = top->ref.origin;
     }
@@ -499,9 +499,9 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
       steps[depth++] = (vs_bounds_step){ below, 0, vs_bounds_empty() };
       continue;
     }
-    ok = vs_bounds_of(m, at, top->children, &b, e);
+    ok = bounds_of(m, at, top->children, &b, e);
     if (!ok && e && !e->origin) e->origin = top->ref.origin;
-    ok = ok && (vs_bounds_memo_put(m, at, &b) || vs_error_memory(e, NULL));
+    ok = ok && (bounds_memo_put(m, at, &b) || vs_error_memory(e, NULL));
     if (ok && at == n) *out = b;
     depth--;
   }
@@ -510,8 +510,8 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
 }
 
 /* Intersections and differences of regions: what the operands' boxes leave open, the outline knows. */
-static bool vs_bounds_of_set(const vs_node *n, vs_bounds *b, vs_error *e) {
-  vs_facets f = { vs_bounds_fineness(b), 0 };
+static bool bounds_of_set(const vs_node *n, vs_bounds *b, vs_error *e) {
+  vs_facets f = { bounds_fineness(b), 0 };
   vs_outline o;
   if (!vs_region_outline(n, &f, &o, e)) return false;
   *b = vs_bounds_empty();
@@ -528,7 +528,7 @@ bool vs_node_bounds(const vs_node *n, vs_bounds *out, vs_error *e) {
   const vs_node *below = n;
   while (below->kind == VS_TRANSFORM || below->kind == VS_MATERIAL || below->kind == VS_LAYER) below = below->children[0].node;
   bool set = below->class_ == VS_REGION_CLASS && (below->kind == VS_INTERSECTION || below->kind == VS_DIFFERENCE);
-  return ok && (!set || vs_bounds_is_empty(out) || vs_bounds_of_set(n, out, e));
+  return ok && (!set || vs_bounds_is_empty(out) || bounds_of_set(n, out, e));
 }
 
 bool vs_line_clip(vs_vec3 p, vs_vec3 d, bool ray, const vs_bounds *b, vs_vec3 *from, vs_vec3 *to) {

@@ -42,10 +42,10 @@ struct vs_inside {
 
 /* ---- formulas ---- */
 
-static double vs_cubic_at(const double c[4], double t) { return ((c[3] * t + c[2]) * t + c[1]) * t + c[0]; }
+static double cubic_at(const double c[4], double t) { return ((c[3] * t + c[2]) * t + c[1]) * t + c[0]; }
 
 /* Roots of c in [0, 1], by bisection between the places where its slope changes sign */
-static int vs_cubic_roots(const double c[4], double roots[4]) {
+static int cubic_roots(const double c[4], double roots[4]) {
   double ends[4] = { 0 }, a = 3 * c[3], b = 2 * c[2], d = b * b - 4 * a * c[1];
   int n = 1, found = 0;
   if (d >= 0) {
@@ -60,11 +60,11 @@ static int vs_cubic_roots(const double c[4], double roots[4]) {
   }
   ends[n++] = 1;
   for (int i = 0; i + 1 < n; i++) {
-    double low = ends[i], high = ends[i + 1], at_low = vs_cubic_at(c, low), at_high = vs_cubic_at(c, high);
+    double low = ends[i], high = ends[i + 1], at_low = cubic_at(c, low), at_high = cubic_at(c, high);
     if (at_low == 0) roots[found++] = low;
     else if ((at_low < 0) != (at_high < 0)) {
       for (int k = 0; k < 60; k++) {
-        double middle = (low + high) / 2, value = vs_cubic_at(c, middle);
+        double middle = (low + high) / 2, value = cubic_at(c, middle);
         if ((value < 0) == (at_low < 0)) low = middle;
         else high = middle;
       }
@@ -74,11 +74,11 @@ static int vs_cubic_roots(const double c[4], double roots[4]) {
   return found;
 }
 
-static bool vs_inside_between(const vs_swept *s, const vs_section *a, const vs_section *b, vs_vec3 p) {
+static bool inside_between(const vs_swept *s, const vs_section *a, const vs_section *b, vs_vec3 p) {
   vs_vec3 dx = vs_v3_sub(b->x, a->x), dy = vs_v3_sub(b->y, a->y), dat = vs_v3_sub(b->at, a->at), q = vs_v3_sub(p, a->at);
   vs_vec3 n0 = vs_v3_cross(a->x, a->y), n1 = vs_v3_add(vs_v3_cross(dx, a->y), vs_v3_cross(a->x, dy)), n2 = vs_v3_cross(dx, dy);
   double c[4] = { vs_v3_dot(n0, q), vs_v3_dot(n1, q) - vs_v3_dot(n0, dat), vs_v3_dot(n2, q) - vs_v3_dot(n1, dat), -vs_v3_dot(n2, dat) }, roots[4];
-  int n = vs_cubic_roots(c, roots);
+  int n = cubic_roots(c, roots);
   for (int i = 0; i < n; i++) {
     vs_section at = vs_section_between(a, b, roots[i]);
     vs_vec3 d = vs_v3_sub(p, at.at);
@@ -90,33 +90,33 @@ static bool vs_inside_between(const vs_swept *s, const vs_section *a, const vs_s
   return false;
 }
 
-static bool vs_bounds_hold(const vs_bounds *b, vs_vec3 p) {
+static bool bounds_hold(const vs_bounds *b, vs_vec3 p) {
   return p.x >= b->min.x && p.x <= b->max.x && p.y >= b->min.y && p.y <= b->max.y && p.z >= b->min.z && p.z <= b->max.z;
 }
 
-static bool vs_inside_swept(const vs_inside_part *part, vs_vec3 p) {
+static bool inside_swept(const vs_inside_part *part, vs_vec3 p) {
   const vs_swept *s = part->plan;
   size_t n = s->joined ? s->section_count : s->section_count - 1;
   for (size_t i = 0; i < n; i++)
-    if (!s->sections[i].ends && vs_bounds_hold(&part->between[i], p) && vs_inside_between(s, &s->sections[i], &s->sections[i + 1 == s->section_count ? 0 : i + 1], p)) return true;
+    if (!s->sections[i].ends && bounds_hold(&part->between[i], p) && inside_between(s, &s->sections[i], &s->sections[i + 1 == s->section_count ? 0 : i + 1], p)) return true;
   return false;
 }
 
 /* q in the axis' frame: base at the origin, top at z = height; radii at both ends */
-static bool vs_inside_round(vs_vec3 q, double height, double base_radius, double top_radius) {
+static bool inside_round(vs_vec3 q, double height, double base_radius, double top_radius) {
   if (q.z < 0 || q.z > height) return false;
   double r = base_radius + (top_radius - base_radius) * q.z / height;
   return q.x * q.x + q.y * q.y <= r * r;
 }
 
-static bool vs_inside_pyramid(vs_vec3 q, double height, const struct vs_pyramid *p) {
+static bool inside_pyramid(vs_vec3 q, double height, const struct vs_pyramid *p) {
   if (q.z < 0 || q.z > height) return false;
   double r = p->base_radius + (p->top_radius - p->base_radius) * q.z / height, step = 3.14159265358979323846 / p->sides;
   double sector = 2 * step * floor(atan2(q.y, q.x) / (2 * step)) + step;
   return q.x * cos(sector) + q.y * sin(sector) <= r * cos(step);
 }
 
-static bool vs_inside_leaf(const vs_inside_part *part, vs_vec3 p) {
+static bool inside_leaf(const vs_inside_part *part, vs_vec3 p) {
   const vs_node *n = part->node;
   vs_vec3 q = vs_affine_point(&part->inverse, p);
   switch ((vs_kind)n->kind) {
@@ -135,16 +135,16 @@ static bool vs_inside_leaf(const vs_inside_part *part, vs_vec3 p) {
       double across = hypot(d.x, d.y) - t->radius;
       return across * across + d.z * d.z <= t->tube_radius * t->tube_radius;
     }
-    case VS_CYLINDER: return vs_inside_round(q, part->height, VS_AS(cylinder, n)->radius, VS_AS(cylinder, n)->radius);
-    case VS_CONE: return vs_inside_round(q, part->height, VS_AS(cone, n)->radius, 0);
-    case VS_CUT_CONE: return vs_inside_round(q, part->height, VS_AS(cut_cone, n)->base_radius, VS_AS(cut_cone, n)->top_radius);
+    case VS_CYLINDER: return inside_round(q, part->height, VS_AS(cylinder, n)->radius, VS_AS(cylinder, n)->radius);
+    case VS_CONE: return inside_round(q, part->height, VS_AS(cone, n)->radius, 0);
+    case VS_CUT_CONE: return inside_round(q, part->height, VS_AS(cut_cone, n)->base_radius, VS_AS(cut_cone, n)->top_radius);
     case VS_E_CONE: {
       const struct vs_e_cone *c = VS_AS(e_cone, n);
-      return vs_inside_round(vs_v3(q.x, q.y * (c->base_radius / c->base_across), q.z), part->height, c->base_radius, c->top_radius);
+      return inside_round(vs_v3(q.x, q.y * (c->base_radius / c->base_across), q.z), part->height, c->base_radius, c->top_radius);
     }
     case VS_SUPERELLIPSOID: return vs_superellipsoid_holds(VS_AS(superellipsoid, n), p);
-    case VS_PYRAMID: return vs_inside_pyramid(q, part->height, VS_AS(pyramid, n));
-    case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: return part->plan ? vs_inside_swept(part, p) : part->facets && vs_facet_index_holds(part->facets, p);
+    case VS_PYRAMID: return inside_pyramid(q, part->height, VS_AS(pyramid, n));
+    case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: return part->plan ? inside_swept(part, p) : part->facets && vs_facet_index_holds(part->facets, p);
     case VS_POLYFACE_MESH: return part->facets && vs_facet_index_holds(part->facets, p);
     case VS_HALF_SPACE: return vs_v3_dot(VS_AS(half_space, n)->normal, vs_v3_sub(p, VS_AS(half_space, n)->point)) >= 0;
     case VS_HEIGHT_FIELD: return vs_height_field_holds(VS_AS(height_field, n), p);
@@ -162,7 +162,7 @@ static bool vs_inside_leaf(const vs_inside_part *part, vs_vec3 p) {
 
 /* ---- preparing ---- */
 
-static bool vs_inside_prepare_swept(vs_inside_part *part, vs_error *e) {
+static bool inside_prepare_swept(vs_inside_part *part, vs_error *e) {
   vs_facets f = { fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), 0 };
   part->plan = calloc(1, sizeof *part->plan);
   if (!part->plan) return vs_error_memory(e, NULL);
@@ -182,20 +182,20 @@ static bool vs_inside_prepare_swept(vs_inside_part *part, vs_error *e) {
   return true;
 }
 
-static bool vs_inside_prepare_facets(vs_inside_part *part, vs_error *e) {
+static bool inside_prepare_facets(vs_inside_part *part, vs_error *e) {
   vs_facets f = { fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), 0 };
   part->facets = calloc(1, sizeof *part->facets);
   if (!part->facets) return vs_error_memory(e, NULL);
   return vs_tessellate(part->node, &f, &part->facets->mesh, e) && (vs_facet_index_make(part->facets) || vs_error_memory(e, NULL));
 }
 
-static bool vs_inside_prepare_revolve(vs_inside_part *part, vs_error *e) {
+static bool inside_prepare_revolve(vs_inside_part *part, vs_error *e) {
   vs_facets f = { fmax(vs_bounds_diagonal(&part->bounds) / 65536, 1e-300), 0 };
   part->turned = calloc(1, sizeof *part->turned);
   return part->turned ? vs_revolve_plan(part->node, &f, part->turned, e) : vs_error_memory(e, NULL);
 }
 
-static bool vs_inside_prepare_axis(vs_inside_part *part, vs_vec3 base, vs_vec3 top) {
+static bool inside_prepare_axis(vs_inside_part *part, vs_vec3 base, vs_vec3 top) {
   vs_vec3 axis = vs_v3_sub(top, base);
   vs_affine frame = vs_frame_on_axis(base, axis);
   part->height = vs_v3_length(axis);
@@ -203,28 +203,28 @@ static bool vs_inside_prepare_axis(vs_inside_part *part, vs_vec3 base, vs_vec3 t
 }
 
 /* The part of n, whose children all have theirs */
-static bool vs_inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_error *e) {
+static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_error *e) {
   const vs_node *n = part->node;
   part->inverse = vs_affine_identity();
   switch ((vs_kind)n->kind) {
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_EMPTY: case VS_GHOST: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_TORUS: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: return true;
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: return true; /* nothing is inside them; a profile's parts */
-    case VS_CYLINDER: return vs_inside_prepare_axis(part, VS_AS(cylinder, n)->base, VS_AS(cylinder, n)->top);
-    case VS_CONE: return vs_inside_prepare_axis(part, VS_AS(cone, n)->base, VS_AS(cone, n)->apex);
-    case VS_CUT_CONE: return vs_inside_prepare_axis(part, VS_AS(cut_cone, n)->base, VS_AS(cut_cone, n)->top);
-    case VS_E_CONE: return vs_inside_prepare_axis(part, VS_AS(e_cone, n)->base, VS_AS(e_cone, n)->top);
-    case VS_PYRAMID: return vs_inside_prepare_axis(part, VS_AS(pyramid, n)->base, VS_AS(pyramid, n)->top);
+    case VS_CYLINDER: return inside_prepare_axis(part, VS_AS(cylinder, n)->base, VS_AS(cylinder, n)->top);
+    case VS_CONE: return inside_prepare_axis(part, VS_AS(cone, n)->base, VS_AS(cone, n)->apex);
+    case VS_CUT_CONE: return inside_prepare_axis(part, VS_AS(cut_cone, n)->base, VS_AS(cut_cone, n)->top);
+    case VS_E_CONE: return inside_prepare_axis(part, VS_AS(e_cone, n)->base, VS_AS(e_cone, n)->top);
+    case VS_PYRAMID: return inside_prepare_axis(part, VS_AS(pyramid, n)->base, VS_AS(pyramid, n)->top);
     case VS_EXTRUDE: case VS_SWEEP:
-      if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) return vs_inside_prepare_facets(part, e); /* its walls are plane */
-      return n->class_ != VS_SOLID || vs_inside_prepare_swept(part, e);
+      if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) return inside_prepare_facets(part, e); /* its walls are plane */
+      return n->class_ != VS_SOLID || inside_prepare_swept(part, e);
     case VS_THICKEN:
       if (n->class_ != VS_SOLID) return true;
-      return n->children[0].node->class_ == VS_SURFACE ? vs_inside_prepare_facets(part, e) : vs_inside_prepare_swept(part, e);
-    case VS_POLYFACE_MESH: case VS_HULL: return n->class_ != VS_SOLID || vs_inside_prepare_facets(part, e);
-    case VS_REVOLVE: return n->class_ != VS_SOLID || vs_inside_prepare_revolve(part, e);
+      return n->children[0].node->class_ == VS_SURFACE ? inside_prepare_facets(part, e) : inside_prepare_swept(part, e);
+    case VS_POLYFACE_MESH: case VS_HULL: return n->class_ != VS_SOLID || inside_prepare_facets(part, e);
+    case VS_REVOLVE: return n->class_ != VS_SOLID || inside_prepare_revolve(part, e);
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-      return n->class_ != VS_SOLID || vs_inside_prepare_facets(part, e);
+      return n->class_ != VS_SOLID || inside_prepare_facets(part, e);
     case VS_TRANSFORM:
       if (!vs_affine_invert(&VS_AS(transform, n)->matrix, &part->inverse)) part->bounds = vs_bounds_empty(); /* flattened: holds nothing */
       break;
@@ -280,7 +280,7 @@ vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
         uint64_t *place = vs_nodemap_put(&places, at.node, &found);
         ok = place || vs_error_memory(e, NULL);
         if (place) *place = v->count - 1;
-        ok = ok && vs_bounds_memo_get(&bounds, at.node, &part->bounds, e) && vs_inside_prepare(part, &places, e);
+        ok = ok && vs_bounds_memo_get(&bounds, at.node, &part->bounds, e) && inside_prepare(part, &places, e);
         v->cost += sizeof *part + at.node->child_count * sizeof(size_t);
         if (part->plan) v->cost += part->plan->section_count * (sizeof(vs_section) + sizeof(vs_bounds)) + part->plan->profile_count * sizeof(vs_vec2);
         if (part->turned) v->cost += part->turned->count * sizeof(vs_vec2);
@@ -304,7 +304,7 @@ vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
 
 /* ---- asking ---- */
 
-static bool vs_inside_is_set(const vs_node *n) {
+static bool inside_is_set(const vs_node *n) {
   return vs_node_is_set(n) || n->kind == VS_TRANSFORM || vs_node_is_dress(n);
 }
 
@@ -313,8 +313,8 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
   bool answer;
   for (;;) {
     const vs_inside_part *x = &v->parts[part];
-    if (!vs_bounds_hold(&x->bounds, p)) answer = false;
-    else if (!vs_inside_is_set(x->node)) answer = vs_inside_leaf(x, p);
+    if (!bounds_hold(&x->bounds, p)) answer = false;
+    else if (!inside_is_set(x->node)) answer = inside_leaf(x, p);
     else if (!x->node->child_count) answer = false;
     else {
       v->stack[depth++] = (vs_inside_level){ part, 1, p };
@@ -366,7 +366,7 @@ bool vs_node_contains(const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
 enum { CACHE_SLOTS = 8192, CACHE_BYTES = 50 << 20 };
 struct vs_inside_cache { size_t bytes; vs_inside *at[CACHE_SLOTS]; };
 
-static void vs_inside_cache_clear(vs_inside_cache *c) {
+static void inside_cache_clear(vs_inside_cache *c) {
   for (size_t i = 0; i < CACHE_SLOTS; i++) {
     vs_inside_free(c->at[i]);
     c->at[i] = NULL;
@@ -375,7 +375,7 @@ static void vs_inside_cache_clear(vs_inside_cache *c) {
 }
 
 void vs_inside_cache_free(vs_inside_cache *c) {
-  if (c) vs_inside_cache_clear(c);
+  if (c) inside_cache_clear(c);
   free(c);
 }
 
@@ -386,7 +386,7 @@ bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool
   if (!*slot || ((*slot)->root != n && !((*slot)->root->hash == n->hash && vs_node_equal((*slot)->root, n, NULL)))) {
     vs_inside *new = vs_inside_new(n, e);
     if (!new) return false;
-    if (c->bytes + new->cost > CACHE_BYTES) vs_inside_cache_clear(c);
+    if (c->bytes + new->cost > CACHE_BYTES) inside_cache_clear(c);
     if (*slot) c->bytes -= (*slot)->cost;
     vs_inside_free(*slot);
     *slot = new;

@@ -14,7 +14,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-static void vs_measure_frustum(vs_measure *m, vs_vec3 base, double r, vs_vec3 top, double s) {
+static void measure_frustum(vs_measure *m, vs_vec3 base, double r, vs_vec3 top, double s) {
   vs_vec3 axis = vs_v3_sub(top, base);
   double h = vs_v3_length(axis), weight = r * r + r * s + s * s;
   m->volume = pi * h * weight / 3;
@@ -23,7 +23,7 @@ static void vs_measure_frustum(vs_measure *m, vs_vec3 base, double r, vs_vec3 to
 }
 
 /* The circumference of an ellipse, by the arithmetic-geometric mean: 2 pi (a^2 - sum of 2^(k-1) c_k^2) / agm(a, b) */
-static double vs_measure_ellipse_length(double a, double b) {
+static double measure_ellipse_length(double a, double b) {
   double x = fmax(a, b), y = fmin(a, b), sum = 0, weight = 0.5;
   if (!(y > 1e-300)) return 4 * x;
   for (double c = sqrt((x - y) * (x + y)), square = x * x;; weight *= 2) {
@@ -37,22 +37,22 @@ static double vs_measure_ellipse_length(double a, double b) {
 }
 
 /* A circle placed anyhow is an ellipse: its half axes are the singular values of what the map does to the circle's plane. */
-static double vs_measure_placed_circle(const vs_affine *a, double r) {
+static double measure_placed_circle(const vs_affine *a, double r) {
   vs_vec3 u = { a->m[0][0], a->m[1][0], a->m[2][0] }, v = { a->m[0][1], a->m[1][1], a->m[2][1] };
   double p = vs_v3_dot(u, u), q = vs_v3_dot(v, v), s = vs_v3_dot(u, v), mean = (p + q) / 2, off = hypot((p - q) / 2, s), most = sqrt(mean + off);
-  return vs_measure_ellipse_length(r * most, most > 0 ? r * vs_v3_length(vs_v3_cross(u, v)) / most : 0);
+  return measure_ellipse_length(r * most, most > 0 ? r * vs_v3_length(vs_v3_cross(u, v)) / most : 0);
 }
 
 /* With w from 1 to k, the wall's element is w sqrt(h^2 (b^2 cos^2 + a^2 sin^2) + (k - 1)^2 a^2 b^2): half of 1 + k times an ellipse's length */
-static void vs_measure_e_cone(vs_measure *m, const struct vs_e_cone *c) {
+static void measure_e_cone(vs_measure *m, const struct vs_e_cone *c) {
   vs_vec3 axis = vs_v3_sub(c->top, c->base);
   double h = vs_v3_length(axis), a = c->base_radius, b = c->base_across, k = c->top_radius / a, weight = 1 + k + k * k, slant = (k - 1) * a * b;
   m->volume = pi * h * a * b * weight / 3;
-  m->area = pi * a * b * (1 + k * k) + (1 + k) / 2 * vs_measure_ellipse_length(hypot(h * b, slant), hypot(h * a, slant));
+  m->area = pi * a * b * (1 + k * k) + (1 + k) / 2 * measure_ellipse_length(hypot(h * b, slant), hypot(h * a, slant));
   m->centroid = vs_v3_add(c->base, vs_v3_scale(axis, (1 + 2 * k + 3 * k * k) / (4 * weight)));
 }
 
-static void vs_measure_pyramid(vs_measure *m, const struct vs_pyramid *p) {
+static void measure_pyramid(vs_measure *m, const struct vs_pyramid *p) {
   vs_vec3 axis = vs_v3_sub(p->top, p->base);
   double h = vs_v3_length(axis), n = p->sides, r = p->base_radius, s = p->top_radius, step = pi / n;
   double polygon = n / 2 * sin(2 * step), weight = r * r + r * s + s * s; /* area of the n-gon of circumradius 1 */
@@ -61,7 +61,7 @@ static void vs_measure_pyramid(vs_measure *m, const struct vs_pyramid *p) {
   m->centroid = vs_v3_add(p->base, vs_v3_scale(axis, weight > 0 ? (r * r + 2 * r * s + 3 * s * s) / (4 * weight) : 0.5));
 }
 
-static bool vs_measure_curve(const vs_node *n, const vs_affine *placed, vs_measure *m, vs_error *e) {
+static bool measure_curve(const vs_node *n, const vs_affine *placed, vs_measure *m, vs_error *e) {
   vs_bounds b;
   vs_path path = { 0 };
   vs_vec3 sum = { 0, 0, 0 };
@@ -83,7 +83,7 @@ static bool vs_measure_curve(const vs_node *n, const vs_affine *placed, vs_measu
   return true;
 }
 
-static bool vs_measure_region(const vs_node *n, vs_measure *m, vs_error *e) {
+static bool measure_region(const vs_node *n, vs_measure *m, vs_error *e) {
   vs_bounds b;
   vs_outline o;
   if (!vs_node_bounds(n, &b, e)) return false;
@@ -97,7 +97,7 @@ static bool vs_measure_region(const vs_node *n, vs_measure *m, vs_error *e) {
 }
 
 /* Curves beside each other: lengths add up. Each leaf is measured under a placement of its own. */
-static bool vs_measure_curves(const vs_node *n, vs_measure *m, vs_error *e) {
+static bool measure_curves(const vs_node *n, vs_measure *m, vs_error *e) {
   vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
   vs_affine *placed = NULL;
   size_t room = 0, depth;
@@ -130,7 +130,7 @@ static bool vs_measure_curves(const vs_node *n, vs_measure *m, vs_error *e) {
 }
 
 /* Is the curve one straight stretch? *along goes from its start to its end then. */
-static bool vs_measure_straight(const vs_node *curve, vs_vec3 *along, bool *straight, vs_error *e) {
+static bool measure_straight(const vs_node *curve, vs_vec3 *along, bool *straight, vs_error *e) {
   vs_affine identity = vs_affine_identity();
   vs_path path = { 0 };
   *straight = vs_curve_is_straight(curve);
@@ -144,7 +144,7 @@ static bool vs_measure_straight(const vs_node *curve, vs_vec3 *along, bool *stra
 
 /* Along a vector: by Cavalieri a twist is no matter, and the sections' area goes with the square of the scale. False: failed. *known: there is a
  * formula. */
-static bool vs_measure_extrude(const vs_node *n, vs_measure *m, bool *known, vs_error *e) {
+static bool measure_extrude(const vs_node *n, vs_measure *m, bool *known, vs_error *e) {
   const struct vs_extrude *x = VS_AS(extrude, n);
   const vs_node *profile = n->children[0].node;
   double radius = vs_profile_circle(profile), k = x->scale - 1, border = 0;
@@ -152,9 +152,9 @@ static bool vs_measure_extrude(const vs_node *n, vs_measure *m, bool *known, vs_
   vs_outline o;
   vs_bounds b;
   *known = n->class_ == VS_SOLID && (x->taper == 0 || radius > 0);
-  if (*known && n->child_count > 1 && !vs_measure_straight(n->children[1].node, &along, known, e)) return false;
+  if (*known && n->child_count > 1 && !measure_straight(n->children[1].node, &along, known, e)) return false;
   if (!*known) return true;
-  if (!vs_node_bounds(profile, &b, e) || !vs_measure_region(profile, m, e)) return false;
+  if (!vs_node_bounds(profile, &b, e) || !measure_region(profile, m, e)) return false;
   vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
   if (!vs_region_outline(profile, &f, &o, e)) return false;
   double height = fabs(vs_v3_dot(o.normal, along)), lean = fabs(vs_v3_length(along) - height);
@@ -166,7 +166,7 @@ static bool vs_measure_extrude(const vs_node *n, vs_measure *m, bool *known, vs_
   if (radius > 0) border = 2 * pi * radius;
   if (x->taper != 0) { /* a cut cone, oblique if need be: heights are the same */
     double top = fmax(radius - inwards, 0), part = inwards > radius ? radius / inwards : 1;
-    vs_measure_frustum(m, base, radius, vs_v3_add(base, vs_v3_scale(along, part)), top);
+    measure_frustum(m, base, radius, vs_v3_add(base, vs_v3_scale(along, part)), top);
     m->volume = pi * height * part * (radius * radius + radius * top + top * top) / 3;
   } else {
     m->volume = area * height * (1 + k + k * k / 3);
@@ -180,7 +180,7 @@ static bool vs_measure_extrude(const vs_node *n, vs_measure *m, bool *known, vs_
 /* The way of a sweep: how long, whether it closes, has corners, or turns back somewhere */
 typedef struct { double length; bool closed, corners, back; } vs_way;
 
-static bool vs_measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
+static bool measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
   vs_measure m;
   vs_bounds b;
   vs_path path = { 0 };
@@ -208,7 +208,7 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   vs_way way;
   *m = (vs_measure){ 0 };
   if (n->class_ != VS_SOLID || (n->kind != VS_SWEEP && !bar) || (bar ? profile->class_ != VS_CURVE : VS_AS(sweep, n)->has_base)) return true;
-  if (!vs_measure_way(bar ? profile : n->children[1].node, &way, e)) return false;
+  if (!measure_way(bar ? profile : n->children[1].node, &way, e)) return false;
   double twist = bar ? 0 : VS_AS(sweep, n)->twist, scale = bar ? 1 : VS_AS(sweep, n)->scale, border = 0;
   if (way.back || !(way.length > 0) || (way.corners && (twist != 0 || scale != 1))) return true;
   double radius = bar ? VS_AS(thicken, n)->width / 2 : vs_profile_circle(profile);
@@ -219,7 +219,7 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
     vs_outline o;
     vs_bounds b;
     vs_vec3 middle = { 0, 0, 0 };
-    if (!vs_node_bounds(profile, &b, e) || !vs_measure_region(profile, m, e)) return false;
+    if (!vs_node_bounds(profile, &b, e) || !measure_region(profile, m, e)) return false;
     vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
     if (!vs_region_outline(profile, &f, &o, e)) return false;
     for (size_t l = 0; l < o.count; l++)
@@ -260,12 +260,12 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       *m = (vs_measure){ 0 };
       return true;
     case VS_OFFSET:
-      if (n->class_ == VS_REGION_CLASS) return vs_measure_region(whole, m, e);
+      if (n->class_ == VS_REGION_CLASS) return measure_region(whole, m, e);
       /* fall through */
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_JOIN: {
       vs_affine identity = vs_affine_identity();
       m->area_known = false;
-      if (!vs_measure_curve(whole, &identity, m, e)) return false;
+      if (!measure_curve(whole, &identity, m, e)) return false;
       if (n->kind == VS_ARC) exact = (vs_offset_exact){ false, *VS_AS(arc, n) };
       if (n->kind == VS_CIRCLE) exact = (vs_offset_exact){ true, { .center = VS_AS(circle, n)->center, .radius = VS_AS(circle, n)->radius, .end = 2 * pi } };
       if (round || n->kind == VS_CIRCLE || n->kind == VS_ARC) { /* exact where the placement keeps it round */
@@ -279,11 +279,11 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
           m->centroid = vs_affine_point(&placed, vs_v3_add(a->center, vs_v3(away * cosine, away * sine, 0)));
         }
         if (vs_affine_even(&placed, &k)) m->length = k * angle * a->radius;
-        else if (exact.circle) m->length = vs_measure_placed_circle(&placed, a->radius);
+        else if (exact.circle) m->length = measure_placed_circle(&placed, a->radius);
       }
       return true;
     }
-    case VS_TEXT: case VS_REGION: return vs_measure_region(whole, m, e);
+    case VS_TEXT: case VS_REGION: return measure_region(whole, m, e);
     case VS_BOX: {
       vs_vec3 d = vs_v3_sub(VS_AS(box, n)->q, VS_AS(box, n)->p);
       m->volume = d.x * d.y * d.z;
@@ -317,17 +317,17 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       m->centroid = VS_AS(torus, n)->center;
       break;
     }
-    case VS_CYLINDER: vs_measure_frustum(m, VS_AS(cylinder, n)->base, VS_AS(cylinder, n)->radius, VS_AS(cylinder, n)->top, VS_AS(cylinder, n)->radius); break;
-    case VS_CONE: vs_measure_frustum(m, VS_AS(cone, n)->base, VS_AS(cone, n)->radius, VS_AS(cone, n)->apex, 0); break;
+    case VS_CYLINDER: measure_frustum(m, VS_AS(cylinder, n)->base, VS_AS(cylinder, n)->radius, VS_AS(cylinder, n)->top, VS_AS(cylinder, n)->radius); break;
+    case VS_CONE: measure_frustum(m, VS_AS(cone, n)->base, VS_AS(cone, n)->radius, VS_AS(cone, n)->apex, 0); break;
     case VS_CUT_CONE:
-      vs_measure_frustum(m, VS_AS(cut_cone, n)->base, VS_AS(cut_cone, n)->base_radius, VS_AS(cut_cone, n)->top, VS_AS(cut_cone, n)->top_radius);
+      measure_frustum(m, VS_AS(cut_cone, n)->base, VS_AS(cut_cone, n)->base_radius, VS_AS(cut_cone, n)->top, VS_AS(cut_cone, n)->top_radius);
       break;
-    case VS_E_CONE: vs_measure_e_cone(m, VS_AS(e_cone, n)); break;
+    case VS_E_CONE: measure_e_cone(m, VS_AS(e_cone, n)); break;
     case VS_SUPERELLIPSOID:
       m->volume = vs_superellipsoid_volume(VS_AS(superellipsoid, n));
       m->area = vs_affine_even(&placed, &(double){ 0 }) ? vs_superellipsoid_area(VS_AS(superellipsoid, n)) : 0;
       break;
-    case VS_PYRAMID: vs_measure_pyramid(m, VS_AS(pyramid, n)); break;
+    case VS_PYRAMID: measure_pyramid(m, VS_AS(pyramid, n)); break;
     case VS_HEIGHT_FIELD: {
       vs_mesh mesh = { 0 };
       bool ok = vs_height_field_mesh(&mesh, VS_AS(height_field, n)) || vs_error_memory(e, NULL);
@@ -338,7 +338,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
     }
     case VS_EXTRUDE: {
       bool known;
-      if (!vs_measure_extrude(n, m, &known, e)) return false;
+      if (!measure_extrude(n, m, &known, e)) return false;
       if (known) break;
       *m = (vs_measure){ 0 };
       return true;
@@ -347,7 +347,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       if (!vs_revolve_measure(n, m, e)) return false;
       break;
     case VS_HULL:
-      if (n->class_ == VS_REGION_CLASS) return vs_measure_region(whole, m, e);
+      if (n->class_ == VS_REGION_CLASS) return measure_region(whole, m, e);
       *m = (vs_measure){ 0 };
       return true;
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
@@ -355,8 +355,8 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       *m = (vs_measure){ 0 };
       return true;
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
-      if (n->class_ == VS_REGION_CLASS) return vs_measure_region(whole, m, e);
-      if (n->class_ == VS_CURVE) return vs_measure_curves(whole, m, e);
+      if (n->class_ == VS_REGION_CLASS) return measure_region(whole, m, e);
+      if (n->class_ == VS_CURVE) return measure_curves(whole, m, e);
       *m = (vs_measure){ 0 };
       return true;
     case VS_POLYFACE_MESH: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY:

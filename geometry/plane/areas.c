@@ -24,14 +24,14 @@ bool vs_area_point(vs_area *a, double x, double y) {
   return true;
 }
 
-static size_t vs_area_ended(const vs_area *a) { /* points of the loops that are whole */
+static size_t area_ended(const vs_area *a) { /* points of the loops that are whole */
   size_t n = 0;
   for (size_t l = 0; l < a->loop_count; l++) n += a->size[l];
   return n;
 }
 
 /* first: of the loop's points */
-static bool vs_area_close(vs_area *a, size_t first, bool hole) {
+static bool area_close(vs_area *a, size_t first, bool hole) {
   size_t n = a->count - first;
   if (n < 3) {
     a->count = first;
@@ -51,7 +51,7 @@ static bool vs_area_close(vs_area *a, size_t first, bool hole) {
   return true;
 }
 
-bool vs_area_loop(vs_area *a, bool hole) { return vs_area_close(a, vs_area_ended(a), hole); }
+bool vs_area_loop(vs_area *a, bool hole) { return area_close(a, area_ended(a), hole); }
 
 /* ---- GEOS ---- */
 
@@ -71,13 +71,13 @@ typedef struct {
   char said[160]; /* its last complaint */
 } vs_geos;
 
-static void vs_geos_hear(const char *message, void *to) {
+static void geos_hear(const char *message, void *to) {
   vs_geos *g = to;
   strncpy(g->said, message, sizeof g->said - 1);
 }
-static void vs_geos_ignore(const char *message, void *to) { (void)message, (void)to; }
+static void geos_ignore(const char *message, void *to) { (void)message, (void)to; }
 
-static bool vs_geos_open(vs_geos *g, const char *purpose, vs_error *e) {
+static bool geos_open(vs_geos *g, const char *purpose, vs_error *e) {
   static const char *const files[] = { "libgeos_c.so.1", NULL };
   static const vs_dynamic_name names[] = {
 #define X(name) { #name, offsetof(vs_geos, name) },
@@ -89,25 +89,25 @@ static bool vs_geos_open(vs_geos *g, const char *purpose, vs_error *e) {
   if (!vs_dynamic_load(&library, names, sizeof names / sizeof *names, g, e)) return false;
   g->h = g->GEOS_init_r();
   if (!g->h) return vs_error_memory(e, NULL);
-  g->GEOSContext_setErrorMessageHandler_r(g->h, vs_geos_hear, g);
-  g->GEOSContext_setNoticeMessageHandler_r(g->h, vs_geos_ignore, g);
+  g->GEOSContext_setErrorMessageHandler_r(g->h, geos_hear, g);
+  g->GEOSContext_setNoticeMessageHandler_r(g->h, geos_ignore, g);
   return true;
 }
 
-static void vs_geos_close(vs_geos *g) {
+static void geos_close(vs_geos *g) {
   if (g->h) g->GEOS_finish_r(g->h);
 }
 
 /* Is the last failure one of memory, or one that GEOS gave no reason for? */
-static bool vs_geos_starved(const vs_geos *g) { return !*g->said || strstr(g->said, "bad_alloc"); }
+static bool geos_starved(const vs_geos *g) { return !*g->said || strstr(g->said, "bad_alloc"); }
 
-static bool vs_geos_failed(const vs_geos *g, const char *purpose, vs_error *e) {
-  if (vs_geos_starved(g)) return vs_error_memory(e, NULL);
+static bool geos_failed(const vs_geos *g, const char *purpose, vs_error *e) {
+  if (geos_starved(g)) return vs_error_memory(e, NULL);
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s: the outlines cannot be combined: %s", purpose, g->said);
 }
 
 /* n points and the first again if it closes; NULL: failed */
-static GEOSCoordSequence *vs_geos_sequence(vs_geos *g, const vs_vec2 *at, size_t n, bool closes) {
+static GEOSCoordSequence *geos_sequence(vs_geos *g, const vs_vec2 *at, size_t n, bool closes) {
   size_t all = n + closes;
   GEOSCoordSequence *s = all <= INT32_MAX ? g->GEOSCoordSeq_create_r(g->h, (unsigned)all, 2) : NULL;
   bool ok = s != NULL;
@@ -116,18 +116,18 @@ static GEOSCoordSequence *vs_geos_sequence(vs_geos *g, const vs_vec2 *at, size_t
   return s;
 }
 
-static void vs_geos_drop(vs_geos *g, GEOSGeometry **all, size_t count) {
+static void geos_drop(vs_geos *g, GEOSGeometry **all, size_t count) {
   for (size_t i = 0; all && i < count; i++) g->GEOSGeom_destroy_r(g->h, all[i]);
 }
 
 /* GEOS takes the parts over, also where it fails. */
-static GEOSGeometry *vs_geos_collect(vs_geos *g, int type, GEOSGeometry **parts, size_t count) {
-  if (count > INT32_MAX) return vs_geos_drop(g, parts, count), NULL;
+static GEOSGeometry *geos_collect(vs_geos *g, int type, GEOSGeometry **parts, size_t count) {
+  if (count > INT32_MAX) return geos_drop(g, parts, count), NULL;
   return g->GEOSGeom_createCollection_r(g->h, type, parts, (unsigned)count);
 }
 
 /* A multipolygon of the areas. NULL: failed. */
-static GEOSGeometry *vs_geos_polygons(vs_geos *g, const vs_area *areas, size_t count) {
+static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t count) {
   size_t loops = 0, done = 0, holes = 0;
   for (size_t i = 0; i < count; i++) loops += areas[i].loop_count;
   GEOSGeometry **polygons = calloc(loops + 1, sizeof *polygons), **inner = calloc(loops + 1, sizeof *inner), *all = NULL;
@@ -136,7 +136,7 @@ static GEOSGeometry *vs_geos_polygons(vs_geos *g, const vs_area *areas, size_t c
     const vs_area *a = &areas[i];
     GEOSGeometry *shell = NULL;
     for (size_t l = 0, first = 0; ok && l < a->loop_count; first += a->size[l++]) {
-      GEOSCoordSequence *s = vs_geos_sequence(g, a->at + first, a->size[l], true);
+      GEOSCoordSequence *s = geos_sequence(g, a->at + first, a->size[l], true);
       GEOSGeometry *ring = s ? g->GEOSGeom_createLinearRing_r(g->h, s) : NULL;
       ok = ring != NULL;
       if (ok && l && a->hole[l]) inner[holes++] = ring;
@@ -147,16 +147,16 @@ static GEOSGeometry *vs_geos_polygons(vs_geos *g, const vs_area *areas, size_t c
           ok = polygons[done] != NULL;
           done += ok;
         } else {
-          vs_geos_drop(g, &shell, 1);
-          vs_geos_drop(g, inner, holes);
+          geos_drop(g, &shell, 1);
+          geos_drop(g, inner, holes);
         }
         shell = NULL;
         holes = 0;
       }
     }
   }
-  if (ok) all = vs_geos_collect(g, GEOS_MULTIPOLYGON, polygons, done);
-  else vs_geos_drop(g, polygons, done);
+  if (ok) all = geos_collect(g, GEOS_MULTIPOLYGON, polygons, done);
+  else geos_drop(g, polygons, done);
   free(polygons);
   free(inner);
   return all;
@@ -165,7 +165,7 @@ static GEOSGeometry *vs_geos_polygons(vs_geos *g, const vs_area *areas, size_t c
 /* ---- back from GEOS ---- */
 
 /* The last loop without corners that lie on the line between their neighbours, as often as it takes one round to find. */
-static void vs_area_tidy(vs_area *a, size_t first) {
+static void area_tidy(vs_area *a, size_t first) {
   double size = 0;
   size_t n = a->count - first, kept = 0;
   vs_vec2 *p = a->at + first;
@@ -180,7 +180,7 @@ static void vs_area_tidy(vs_area *a, size_t first) {
   a->count = first + kept;
 }
 
-static bool vs_geos_ring(vs_geos *g, const GEOSGeometry *ring, bool hole, vs_area *out) {
+static bool geos_ring(vs_geos *g, const GEOSGeometry *ring, bool hole, vs_area *out) {
   const GEOSCoordSequence *s = ring ? g->GEOSGeom_getCoordSeq_r(g->h, ring) : NULL;
   unsigned n = 0;
   size_t first = out->count;
@@ -191,7 +191,7 @@ static bool vs_geos_ring(vs_geos *g, const GEOSGeometry *ring, bool hole, vs_are
     ok = g->GEOSCoordSeq_getXY_r(g->h, s, i, &x, &y) == 1 && vs_area_point(out, x, y);
   }
   if (!ok) return false;
-  vs_area_tidy(out, first);
+  area_tidy(out, first);
   vs_vec2 *p = out->at + first;
   size_t count = out->count - first;
   for (size_t i = 0; i < count; i++) {
@@ -209,27 +209,27 @@ static bool vs_geos_ring(vs_geos *g, const GEOSGeometry *ring, bool hole, vs_are
       p[i] = p[--j];
       p[j] = swap;
     }
-  return vs_area_close(out, first, hole);
+  return area_close(out, first, hole);
 }
 
-static bool vs_geos_polygon(vs_geos *g, const GEOSGeometry *polygon, vs_area *out) {
+static bool geos_polygon(vs_geos *g, const GEOSGeometry *polygon, vs_area *out) {
   size_t loops = out->loop_count;
-  if (!vs_geos_ring(g, g->GEOSGetExteriorRing_r(g->h, polygon), false, out)) return false;
+  if (!geos_ring(g, g->GEOSGetExteriorRing_r(g->h, polygon), false, out)) return false;
   if (out->loop_count == loops) return true; /* a splinter has no holes */
   int holes = g->GEOSGetNumInteriorRings_r(g->h, polygon);
   for (int i = 0; i < holes; i++)
-    if (!vs_geos_ring(g, g->GEOSGetInteriorRingN_r(g->h, polygon, i), true, out)) return false;
+    if (!geos_ring(g, g->GEOSGetInteriorRingN_r(g->h, polygon, i), true, out)) return false;
   return holes >= 0;
 }
 
 /* The polygons in a result, which may hold lines and points too where areas only touch. Collections nest no deeper than GEOS makes them.
  * False: failed; every answer is looked at, because each may be an allocation inside GEOS that did not succeed. */
-static bool vs_geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
+static bool geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
   int type = from ? g->GEOSGeomTypeId_r(g->h, from) : -1;
   if (type < 0) return false;
   if (type == GEOS_POLYGON) {
     char empty = g->GEOSisEmpty_r(g->h, from);
-    return empty == 1 || (empty == 0 && vs_geos_polygon(g, from, out));
+    return empty == 1 || (empty == 0 && geos_polygon(g, from, out));
   }
   if (type != GEOS_MULTIPOLYGON && type != GEOS_GEOMETRYCOLLECTION) return true;
   int n = g->GEOSGetNumGeometries_r(g->h, from);
@@ -241,14 +241,14 @@ static bool vs_geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
     if (many < 0) return false;
     for (int k = 0; k < many && (kind == GEOS_POLYGON || kind == GEOS_MULTIPOLYGON); k++) {
       const GEOSGeometry *polygon = kind == GEOS_POLYGON ? part : g->GEOSGetGeometryN_r(g->h, part, k);
-      if (!polygon || !vs_geos_polygon(g, polygon, out)) return false;
+      if (!polygon || !geos_polygon(g, polygon, out)) return false;
     }
   }
   return n >= 0;
 }
 
 /* A collection of the parts of a, each made valid by itself: a whole that overlaps itself would lose what lies twice in it. NULL: failed. */
-static GEOSGeometry *vs_geos_mend(vs_geos *g, const GEOSGeometry *a) {
+static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   int n = g->GEOSGetNumGeometries_r(g->h, a);
   GEOSGeometry **parts = n < 0 ? NULL : calloc((size_t)n + 1, sizeof *parts), *all = NULL;
   bool ok = parts != NULL;
@@ -258,19 +258,19 @@ static GEOSGeometry *vs_geos_mend(vs_geos *g, const GEOSGeometry *a) {
     parts[done] = part ? g->GEOSMakeValid_r(g->h, part) : NULL;
     ok = parts[done] != NULL;
   }
-  if (ok) all = vs_geos_collect(g, GEOS_GEOMETRYCOLLECTION, parts, done);
-  else vs_geos_drop(g, parts, done);
+  if (ok) all = geos_collect(g, GEOS_GEOMETRYCOLLECTION, parts, done);
+  else geos_drop(g, parts, done);
   free(parts);
   return all;
 }
 
 /* a united with itself, mended first where GEOS cannot take it as it is; takes a over. NULL: failed. Running out of memory is no reason to mend. */
-static GEOSGeometry *vs_geos_unite(vs_geos *g, GEOSGeometry *a) {
+static GEOSGeometry *geos_unite(vs_geos *g, GEOSGeometry *a) {
   *g->said = 0;
   GEOSGeometry *united = g->GEOSUnaryUnion_r(g->h, a);
-  if (!united && !vs_geos_starved(g)) {
+  if (!united && !geos_starved(g)) {
     *g->said = 0;
-    GEOSGeometry *valid = vs_geos_mend(g, a);
+    GEOSGeometry *valid = geos_mend(g, a);
     if (valid) united = g->GEOSUnaryUnion_r(g->h, valid);
     g->GEOSGeom_destroy_r(g->h, valid);
   }
@@ -284,30 +284,30 @@ bool vs_area_combine(vs_area_operation operation, const vs_area *operands, size_
     for (size_t k = 0; k < operands[i].count; k++)
       if (!(fabs(operands[i].at[k].x) < 1e100 && fabs(operands[i].at[k].y) < 1e100))
         return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s: the numbers are too large: coordinates must stay below 1e100", purpose);
-  if (!vs_geos_open(&g, purpose, e)) return false;
+  if (!geos_open(&g, purpose, e)) return false;
   size_t first = operation == VS_AREA_UNION ? count : 1, next = first;
-  GEOSGeometry *made = vs_geos_polygons(&g, operands, first);
-  if (made) made = vs_geos_unite(&g, made);
+  GEOSGeometry *made = geos_polygons(&g, operands, first);
+  if (made) made = geos_unite(&g, made);
   while (made && next < count) {
     size_t take = operation == VS_AREA_DIFFERENCE ? count - next : 1;
-    GEOSGeometry *other = vs_geos_polygons(&g, operands + next, take), *both = NULL;
-    if (other) other = vs_geos_unite(&g, other);
+    GEOSGeometry *other = geos_polygons(&g, operands + next, take), *both = NULL;
+    if (other) other = geos_unite(&g, other);
     if (other) both = (operation == VS_AREA_DIFFERENCE ? g.GEOSDifference_r : g.GEOSIntersection_r)(g.h, made, other);
     g.GEOSGeom_destroy_r(g.h, other);
     g.GEOSGeom_destroy_r(g.h, made);
     made = both;
     next += take;
   }
-  bool ok = (made && vs_geos_result(&g, made, out)) || vs_geos_failed(&g, purpose, e);
+  bool ok = (made && geos_result(&g, made, out)) || geos_failed(&g, purpose, e);
   g.GEOSGeom_destroy_r(g.h, made);
-  vs_geos_close(&g);
+  geos_close(&g);
   if (!ok) vs_area_free(out);
   return ok;
 }
 
 /* ---- inside ---- */
 
-static int vs_area_winding(const vs_area *a, double x, double y) {
+static int area_winding(const vs_area *a, double x, double y) {
   int turns = 0;
   for (size_t l = 0, first = 0; l < a->loop_count; first += a->size[l++])
     for (size_t i = 0; i < a->size[l]; i++) {
@@ -330,12 +330,12 @@ bool vs_area_holds(const vs_area *a, double x, double y) {
       t = fmin(1, fmax(0, t));
       near = fmin(near, hypot(x - p.x - t * dx, y - p.y - t * dy));
     }
-  return near <= 1e-9 * size || vs_area_winding(a, x, y) > 0;
+  return near <= 1e-9 * size || area_winding(a, x, y) > 0;
 }
 
 /* ---- chains ---- */
 
-static int vs_chain_winding(const vs_vec2 (*edges)[2], size_t count, double x, double y) {
+static int chain_winding(const vs_vec2 (*edges)[2], size_t count, double x, double y) {
   int turns = 0;
   for (size_t i = 0; i < count; i++) {
     vs_vec2 p = edges[i][0], q = edges[i][1];
@@ -350,18 +350,18 @@ static int vs_chain_winding(const vs_vec2 (*edges)[2], size_t count, double x, d
 /* All edges noded by one union of lines; of the faces between them those that are wound round are united. */
 bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpose, vs_area *out, vs_error *e) {
   vs_geos g;
-  if (!vs_geos_open(&g, purpose, e)) return false;
+  if (!geos_open(&g, purpose, e)) return false;
   GEOSGeometry **lines = calloc(count + 1, sizeof *lines), **kept = NULL, *noded = NULL, *faces = NULL, *all = NULL;
   bool ok = lines != NULL;
   size_t done = 0, keep = 0;
   for (; ok && done < count; done += ok) {
-    GEOSCoordSequence *s = vs_geos_sequence(&g, edges[done], 2, false);
+    GEOSCoordSequence *s = geos_sequence(&g, edges[done], 2, false);
     lines[done] = s ? g.GEOSGeom_createLineString_r(g.h, s) : NULL;
     ok = lines[done] != NULL;
   }
-  if (!ok) vs_geos_drop(&g, lines, done);
-  if (ok) noded = vs_geos_collect(&g, GEOS_MULTILINESTRING, lines, done);
-  if (noded) noded = vs_geos_unite(&g, noded);
+  if (!ok) geos_drop(&g, lines, done);
+  if (ok) noded = geos_collect(&g, GEOS_MULTILINESTRING, lines, done);
+  if (noded) noded = geos_unite(&g, noded);
   if (noded) faces = g.GEOSPolygonize_r(g.h, (const GEOSGeometry *const *)&noded, 1);
   int n = faces ? g.GEOSGetNumGeometries_r(g.h, faces) : -1;
   if (n >= 0) kept = calloc((size_t)n + 1, sizeof *kept);
@@ -372,21 +372,21 @@ bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpo
     double x = 0, y = 0;
     ok = inside && g.GEOSGeomGetX_r(g.h, inside, &x) == 1 && g.GEOSGeomGetY_r(g.h, inside, &y) == 1;
     g.GEOSGeom_destroy_r(g.h, inside);
-    if (!ok || vs_chain_winding(edges, count, x, y) == 0) continue;
+    if (!ok || chain_winding(edges, count, x, y) == 0) continue;
     kept[keep] = g.GEOSUnaryUnion_r(g.h, face); /* a copy: its union with itself */
     ok = kept[keep] != NULL;
     keep += ok;
   }
-  if (ok) all = vs_geos_collect(&g, GEOS_GEOMETRYCOLLECTION, kept, keep);
-  else vs_geos_drop(&g, kept, keep);
-  if (all) all = vs_geos_unite(&g, all);
-  ok = (all && vs_geos_result(&g, all, out)) || vs_geos_failed(&g, purpose, e);
+  if (ok) all = geos_collect(&g, GEOS_GEOMETRYCOLLECTION, kept, keep);
+  else geos_drop(&g, kept, keep);
+  if (all) all = geos_unite(&g, all);
+  ok = (all && geos_result(&g, all, out)) || geos_failed(&g, purpose, e);
   g.GEOSGeom_destroy_r(g.h, all);
   g.GEOSGeom_destroy_r(g.h, faces);
   g.GEOSGeom_destroy_r(g.h, noded);
   free(kept);
   free(lines);
-  vs_geos_close(&g);
+  geos_close(&g);
   if (!ok) vs_area_free(out);
   return ok;
 }
@@ -403,7 +403,7 @@ bool vs_area_of_outline(const vs_outline *o, const vs_affine *frame, vs_area *ou
       vs_vec3 d = vs_v3_sub(o->loops[l].at[i], origin);
       ok = vs_area_point(out, vs_v3_dot(d, x), vs_v3_dot(d, y));
     }
-    ok = ok && vs_area_close(out, first, o->hole[l]);
+    ok = ok && area_close(out, first, o->hole[l]);
   }
   return ok;
 }

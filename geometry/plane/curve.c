@@ -45,7 +45,7 @@ void vs_path_reverse(vs_path *p) {
   vs_path_measure(p);
 }
 
-static bool vs_curve_line(vs_path *out, const vs_vec3 *at, size_t n, bool closed) {
+static bool curve_line(vs_path *out, const vs_vec3 *at, size_t n, bool closed) {
   bool ok = true;
   vs_vec3 none = { 0, 0, 0 };
   for (size_t i = 0; ok && i < n; i++)
@@ -62,7 +62,7 @@ static bool vs_curve_line(vs_path *out, const vs_vec3 *at, size_t n, bool closed
   return ok;
 }
 
-static bool vs_curve_circle(vs_path *out, vs_vec3 c, double r, int n) {
+static bool curve_circle(vs_path *out, vs_vec3 c, double r, int n) {
   bool ok = true;
   for (int i = 0; ok && i < n; i++) {
     double sine, cosine;
@@ -74,7 +74,7 @@ static bool vs_curve_circle(vs_path *out, vs_vec3 c, double r, int n) {
   return ok;
 }
 
-static bool vs_curve_arc(vs_path *out, vs_vec3 c, double r, double start, double end, int turn) {
+static bool curve_arc(vs_path *out, vs_vec3 c, double r, double start, double end, int turn) {
   int n = (int)ceil(fabs(end - start) / full_turn * turn - 1e-9);
   double way = end < start ? -1 : 1;
   bool ok = true;
@@ -93,7 +93,7 @@ static bool vs_curve_arc(vs_path *out, vs_vec3 c, double r, double start, double
 typedef struct { size_t n; /* knots */ bool closed; vs_vec3 *p, *m; double *h, *scratch; } vs_spline_work;
 
 /* Solves for m the tridiagonal system with sub[i], diag[i], sup[i] and right sides rhs (overwritten); scratch holds n doubles. */
-static void vs_spline_tridiagonal(size_t n, const double *sub, const double *diag, const double *sup, vs_vec3 *rhs, double *scratch) {
+static void spline_tridiagonal(size_t n, const double *sub, const double *diag, const double *sup, vs_vec3 *rhs, double *scratch) {
   double d = diag[0];
   rhs[0] = vs_v3_scale(rhs[0], 1 / d);
   for (size_t i = 1; i < n; i++) {
@@ -104,7 +104,7 @@ static void vs_spline_tridiagonal(size_t n, const double *sub, const double *dia
   for (size_t i = n - 1; i-- > 0;) rhs[i] = vs_v3_sub(rhs[i], vs_v3_scale(rhs[i + 1], scratch[i + 1]));
 }
 
-static void vs_spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
+static void spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
   size_t n = w->n;
   double *sub = w->scratch, *diag = sub + n, *sup = diag + n, *rest = sup + n;
   vs_vec3 none = { 0, 0, 0 };
@@ -126,7 +126,7 @@ static void vs_spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
     w->m[i] = natural ? none : vs_v3_scale(first ? vs_v3_sub(ahead, tangent) : vs_v3_sub(tangent, behind), 6);
   }
   if (!w->closed) {
-    vs_spline_tridiagonal(n, sub, diag, sup, w->m, rest);
+    spline_tridiagonal(n, sub, diag, sup, w->m, rest);
     return;
   }
   /* The corners of the cyclic matrix are both h[n-1]: A = B + u v^T with u = (g, 0.., c), v = (1, 0.., c/g) */
@@ -135,14 +135,14 @@ static void vs_spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
   diag[n - 1] -= c * c / g;
   vs_vec3 *u = (vs_vec3 *)(void *)(rest + n);
   for (size_t i = 0; i < n; i++) u[i] = vs_v3(i == 0 ? g : i == n - 1 ? c : 0, 0, 0);
-  vs_spline_tridiagonal(n, sub, diag, sup, w->m, rest);
-  vs_spline_tridiagonal(n, sub, diag, sup, u, rest);
+  spline_tridiagonal(n, sub, diag, sup, w->m, rest);
+  spline_tridiagonal(n, sub, diag, sup, u, rest);
   double below = 1 + u[0].x + c / g * u[n - 1].x;
   vs_vec3 factor = vs_v3_scale(vs_v3_add(w->m[0], vs_v3_scale(w->m[n - 1], c / g)), 1 / below);
   for (size_t i = 0; i < n; i++) w->m[i] = vs_v3_sub(w->m[i], vs_v3_scale(factor, u[i].x));
 }
 
-static void vs_spline_at(const vs_spline_work *w, size_t i, double t, vs_vec3 *at, vs_vec3 *slope) {
+static void spline_at(const vs_spline_work *w, size_t i, double t, vs_vec3 *at, vs_vec3 *slope) {
   size_t j = i + 1 < w->n ? i + 1 : 0;
   double h = w->h[i], b = t, a = 1 - t;
   vs_vec3 p = w->p[i], q = w->p[j], m = w->m[i], k = w->m[j];
@@ -152,7 +152,7 @@ static void vs_spline_at(const vs_spline_work *w, size_t i, double t, vs_vec3 *a
                                 vs_v3_scale(vs_v3_add(vs_v3_scale(m, 1 - 3 * a * a), vs_v3_scale(k, 3 * b * b - 1)), h / 6)));
 }
 
-static bool vs_curve_spline(vs_path *out, const struct vs_spline *s, const vs_facets *f) {
+static bool curve_spline(vs_path *out, const struct vs_spline *s, const vs_facets *f) {
   size_t given = s->points->count;
   vs_spline_work w = { .closed = s->closed };
   w.p = malloc((given + 1) * sizeof *w.p);
@@ -164,34 +164,34 @@ static bool vs_curve_spline(vs_path *out, const struct vs_spline *s, const vs_fa
     if (!w.n || !vs_v3_equal(w.p[w.n - 1], s->points->at[i])) w.p[w.n++] = s->points->at[i];
   while (w.closed && w.n > 1 && vs_v3_equal(w.p[0], w.p[w.n - 1])) w.n--;
   if (ok && (w.n < 2 || (w.closed && w.n < 3))) {
-    ok = vs_curve_line(out, w.p, w.n, false);
+    ok = curve_line(out, w.p, w.n, false);
     goto done;
   }
   if (!ok) goto done;
   for (size_t i = 0; i < w.n; i++) w.h[i] = vs_v3_length(vs_v3_sub(w.p[(i + 1) % w.n], w.p[i]));
-  vs_spline_solve(&w, s->start_tangent, s->end_tangent);
+  spline_solve(&w, s->start_tangent, s->end_tangent);
   int segments = s->segments ? s->segments : f->segments;
   double turn = segments > 0 ? segments : 32;
   size_t spans = w.closed ? w.n : w.n - 1;
   for (size_t i = 0; ok && i < spans; i++) {
     vs_vec3 at, slope, last;
     double turning = 0, most = fmax(vs_v3_length(w.m[i]), vs_v3_length(w.m[(i + 1) % w.n]));
-    vs_spline_at(&w, i, 0, &at, &last);
+    spline_at(&w, i, 0, &at, &last);
     for (int k = 1; k <= 8; k++, last = slope) {
-      vs_spline_at(&w, i, k / 8.0, &at, &slope);
+      spline_at(&w, i, k / 8.0, &at, &slope);
       turning += atan2(vs_v3_length(vs_v3_cross(last, slope)), vs_v3_dot(last, slope));
     }
     double pieces = ceil(turning / full_turn * turn - 1e-9);
     if (segments <= 0) pieces = fmax(pieces, ceil(w.h[i] * sqrt(most / (8 * f->tolerance)) - 1e-9));
     int k = pieces < 1 ? 1 : pieces > 4096 ? 4096 : (int)pieces;
     for (int j = 0; ok && j < k; j++) {
-      vs_spline_at(&w, i, (double)j / k, &at, &slope);
+      spline_at(&w, i, (double)j / k, &at, &slope);
       ok = vs_path_add(out, j ? at : w.p[i], slope, slope);
     }
   }
   if (ok && !w.closed) {
     vs_vec3 at, slope;
-    vs_spline_at(&w, w.n - 2, 1, &at, &slope);
+    spline_at(&w, w.n - 2, 1, &at, &slope);
     ok = vs_path_add(out, w.p[w.n - 1], slope, slope);
   }
   out->closed = w.closed;
@@ -205,7 +205,7 @@ done:
 
 /* ---- from nodes ---- */
 
-static void vs_curve_place(vs_path *out, const vs_affine *map) {
+static void curve_place(vs_path *out, const vs_affine *map) {
   for (size_t i = 0; i < out->count; i++) {
     vs_path_point *p = &out->at[i];
     p->at = vs_affine_point(map, p->at);
@@ -218,8 +218,8 @@ static void vs_curve_place(vs_path *out, const vs_affine *map) {
 bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_facets *f, vs_path *out) {
   vs_facets inner = vs_facets_placed(f, map);
   int turn = vs_facets_turn(&inner, a->radius, a->segments);
-  if (!(circle ? vs_curve_circle(out, a->center, a->radius, turn) : vs_curve_arc(out, a->center, a->radius, a->start, a->end, turn))) return false;
-  vs_curve_place(out, map);
+  if (!(circle ? curve_circle(out, a->center, a->radius, turn) : curve_arc(out, a->center, a->radius, a->start, a->end, turn))) return false;
+  curve_place(out, map);
   return true;
 }
 
@@ -231,9 +231,9 @@ bool vs_curve_leaf(const vs_node *n, const vs_affine *map, const vs_facets *f, v
     const struct vs_circle *c = VS_AS(circle, n);
     return vs_curve_round(&(struct vs_arc){ .center = c->center, .radius = c->radius, .segments = c->segments }, true, map, f, out);
   }
-  if (n->kind == VS_LINE) ok = vs_curve_line(out, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count, VS_AS(line, n)->closed);
-  if (n->kind == VS_SPLINE) ok = vs_curve_spline(out, VS_AS(spline, n), &inner);
-  if (ok) vs_curve_place(out, map);
+  if (n->kind == VS_LINE) ok = curve_line(out, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count, VS_AS(line, n)->closed);
+  if (n->kind == VS_SPLINE) ok = curve_spline(out, VS_AS(spline, n), &inner);
+  if (ok) curve_place(out, map);
   return ok;
 }
 
@@ -243,7 +243,7 @@ bool vs_curve_is_straight(const vs_node *n) {
 }
 
 bool vs_path_of_polyline(const vs_polyline *p, vs_path *out) {
-  bool ok = vs_curve_line(out, p->at, p->count, p->closed);
+  bool ok = curve_line(out, p->at, p->count, p->closed);
   if (ok) vs_path_measure(out);
   return ok;
 }

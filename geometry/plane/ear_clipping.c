@@ -38,13 +38,13 @@ typedef struct {
   double flat; /* twice the area under which a triangle counts as none */
 } vs_ring;
 
-static vs_vec2 vs_ring_at(const vs_ring *r, size_t c) { return r->at[r->corners[c].point]; }
+static vs_vec2 ring_at(const vs_ring *r, size_t c) { return r->at[r->corners[c].point]; }
 
-static double vs_ring_turn(const vs_ring *r, size_t a, size_t b, size_t c) { return vs_vec2_turn(vs_ring_at(r, a), vs_ring_at(r, b), vs_ring_at(r, c)); }
+static double ring_turn(const vs_ring *r, size_t a, size_t b, size_t c) { return vs_vec2_turn(ring_at(r, a), ring_at(r, b), ring_at(r, c)); }
 
 /* ---- waiting ---- */
 
-static void vs_ring_wait(vs_ring *r, size_t c, size_t on) {
+static void ring_wait(vs_ring *r, size_t c, size_t on) {
   vs_ear *k = &r->ears[c], *other = &r->ears[on];
   k->awaited = on;
   k->earlier = none;
@@ -54,7 +54,7 @@ static void vs_ring_wait(vs_ring *r, size_t c, size_t on) {
   vs_marks_set(&r->open, k->place, false);
 }
 
-static void vs_ring_wait_no_more(vs_ring *r, size_t c) {
+static void ring_wait_no_more(vs_ring *r, size_t c) {
   vs_ear *k = &r->ears[c];
   if (k->awaited == none) return;
   if (k->later != none) r->ears[k->later].earlier = k->earlier;
@@ -63,9 +63,9 @@ static void vs_ring_wait_no_more(vs_ring *r, size_t c) {
   k->awaited = none;
 }
 
-static void vs_ring_release(vs_ring *r, size_t c) { /* all that wait for c */
+static void ring_release(vs_ring *r, size_t c) { /* all that wait for c */
   for (size_t w = r->ears[c].waiting; w != none; w = r->ears[c].waiting) {
-    vs_ring_wait_no_more(r, w);
+    ring_wait_no_more(r, w);
     vs_marks_set(&r->open, r->ears[w].place, true);
   }
 }
@@ -73,47 +73,47 @@ static void vs_ring_release(vs_ring *r, size_t c) { /* all that wait for c */
 /* ---- ears ---- */
 
 /* Where loops touch, a bridge has no length: a corner at its end goes without a change, and would wait for ever as the flat one that it is. */
-static bool vs_ring_doubled(const vs_ring *r, size_t c) {
-  vs_vec2 p = vs_ring_at(r, c), a = vs_ring_at(r, r->corners[c].prev), b = vs_ring_at(r, r->corners[c].next);
+static bool ring_doubled(const vs_ring *r, size_t c) {
+  vs_vec2 p = ring_at(r, c), a = ring_at(r, r->corners[c].prev), b = ring_at(r, r->corners[c].next);
   return (p.x == a.x && p.y == a.y) || (p.x == b.x && p.y == b.y);
 }
 
-static void vs_ring_look(vs_ring *r, size_t c) { /* c or a neighbour is new */
-  bool reflex = !vs_ring_doubled(r, c) && vs_ring_turn(r, r->corners[c].prev, c, r->corners[c].next) <= r->flat;
-  vs_ring_wait_no_more(r, c);
-  if (!reflex) vs_ring_release(r, c);
+static void ring_look(vs_ring *r, size_t c) { /* c or a neighbour is new */
+  bool reflex = !ring_doubled(r, c) && ring_turn(r, r->corners[c].prev, c, r->corners[c].next) <= r->flat;
+  ring_wait_no_more(r, c);
+  if (!reflex) ring_release(r, c);
   vs_point_tree_switch(&r->tree, c, reflex);
   vs_marks_set(&r->open, r->ears[c].place, !reflex);
 }
 
 /* an open corner; where it is no ear it waits */
-static bool vs_ring_is_ear(vs_ring *r, size_t b) {
-  if (vs_ring_doubled(r, b)) return true;
-  size_t inside = vs_point_tree_in(&r->tree, vs_ring_at(r, r->corners[b].prev), vs_ring_at(r, b), vs_ring_at(r, r->corners[b].next), r->flat);
-  if (inside != SIZE_MAX) vs_ring_wait(r, b, inside);
+static bool ring_is_ear(vs_ring *r, size_t b) {
+  if (ring_doubled(r, b)) return true;
+  size_t inside = vs_point_tree_in(&r->tree, ring_at(r, r->corners[b].prev), ring_at(r, b), ring_at(r, r->corners[b].next), r->flat);
+  if (inside != SIZE_MAX) ring_wait(r, b, inside);
   return inside == SIZE_MAX;
 }
 
 /* The first ear along the ring from `at` on, round to it again; none: there is no ear. */
-static size_t vs_ring_next_ear(vs_ring *r, size_t at) {
+static size_t ring_next_ear(vs_ring *r, size_t at) {
   size_t place = r->ears[at].place, end = none;
   for (int turn = 0; turn < 2; turn++, end = place) {
     for (size_t p = vs_marks_next(&r->open, turn ? 0 : place); p != SIZE_MAX && (turn == 0 || p < end); p = vs_marks_next(&r->open, p + 1))
-      if (vs_ring_is_ear(r, r->by_place[p])) return r->by_place[p];
+      if (ring_is_ear(r, r->by_place[p])) return r->by_place[p];
   }
   return none;
 }
 
-static void vs_ring_cut(vs_ring *r, size_t ear) {
+static void ring_cut(vs_ring *r, size_t ear) {
   uint32_t prev = r->corners[ear].prev, next = r->corners[ear].next;
-  vs_ring_wait_no_more(r, ear);
+  ring_wait_no_more(r, ear);
   vs_point_tree_switch(&r->tree, ear, false);
   vs_marks_set(&r->open, r->ears[ear].place, false);
   r->corners[prev].next = next;
   r->corners[next].prev = prev;
-  vs_ring_release(r, ear);
-  vs_ring_look(r, prev);
-  vs_ring_look(r, next);
+  ring_release(r, ear);
+  ring_look(r, prev);
+  ring_look(r, next);
 }
 
 /* ---- holes ---- */
@@ -131,7 +131,7 @@ typedef struct {
   uint32_t *copies;     /* of a corner, the next at its place, from 1 on; 0: no more */
 } vs_bands;
 
-static bool vs_bands_make(vs_bands *b, const vs_ring *r, size_t total, size_t most) {
+static bool bands_make(vs_bands *b, const vs_ring *r, size_t total, size_t most) {
   double low = INFINITY, high = -INFINITY;
   for (size_t i = 0; i < total; i++) low = fmin(low, r->at[i].y), high = fmax(high, r->at[i].y), r->points[i] = i;
   *b = (vs_bands){ .low = low, .leaves = 1, .count = 1 };
@@ -142,23 +142,23 @@ static bool vs_bands_make(vs_bands *b, const vs_ring *r, size_t total, size_t mo
   return b->first && b->copies && vs_point_tree_make(&b->points, r->at, r->points, total);
 }
 
-static void vs_bands_free(vs_bands *b) {
+static void bands_free(vs_bands *b) {
   free(b->first);
   free(b->links);
   free(b->copies);
   vs_point_tree_free(&b->points);
 }
 
-static size_t vs_band_of(const vs_bands *b, double y) {
+static size_t band_of(const vs_bands *b, double y) {
   double band = (y - b->low) * b->scale;
   return band >= (double)b->leaves ? b->leaves - 1 : band > 0 ? (size_t)band : 0;
 }
 
 /* the edge that leaves corner c */
-static bool vs_bands_add(vs_bands *b, const vs_ring *r, size_t c) {
-  double from = vs_ring_at(r, c).y, to = vs_ring_at(r, r->corners[c].next).y;
+static bool bands_add(vs_bands *b, const vs_ring *r, size_t c) {
+  double from = ring_at(r, c).y, to = ring_at(r, r->corners[c].next).y;
   if (!(from > to)) return true;
-  for (size_t low = b->leaves + vs_band_of(b, to), high = b->leaves + vs_band_of(b, from) + 1; low < high; low /= 2, high /= 2) {
+  for (size_t low = b->leaves + band_of(b, to), high = b->leaves + band_of(b, from) + 1; low < high; low /= 2, high /= 2) {
     size_t nodes[2] = { low % 2 ? low++ : 0, high % 2 ? --high : 0 };
     for (int i = 0; i < 2; i++) {
       if (!nodes[i]) continue;
@@ -170,10 +170,10 @@ static bool vs_bands_add(vs_bands *b, const vs_ring *r, size_t c) {
   return true;
 }
 
-static bool vs_bands_add_loop(vs_bands *b, const vs_ring *r, size_t first, size_t size) {
+static bool bands_add_loop(vs_bands *b, const vs_ring *r, size_t first, size_t size) {
   for (size_t c = first; c < first + size; c++) {
     vs_point_tree_switch(&b->points, c, true);
-    if (!vs_bands_add(b, r, c)) return false;
+    if (!bands_add(b, r, c)) return false;
   }
   return true;
 }
@@ -188,25 +188,25 @@ typedef struct {
   size_t best;
 } vs_sight;
 
-static bool vs_sight_has(const vs_sight *s, vs_vec2 p) { /* within the triangle of h, the place that is hit, and m */
+static bool sight_has(const vs_sight *s, vs_vec2 p) { /* within the triangle of h, the place that is hit, and m */
   double ax = s->h.y < s->m.y ? s->h.x : s->hit_x, cx = s->h.y < s->m.y ? s->hit_x : s->h.x;
   return p.x < s->h.x && p.x >= s->m.x && (cx - p.x) * (s->h.y - p.y) >= (ax - p.x) * (s->h.y - p.y) &&
          (ax - p.x) * (s->m.y - p.y) >= (s->m.x - p.x) * (s->h.y - p.y) && (s->m.x - p.x) * (s->h.y - p.y) >= (cx - p.x) * (s->m.y - p.y);
 }
 
-static void vs_sight_look(void *context, size_t point) {
+static void sight_look(void *context, size_t point) {
   vs_sight *s = context;
   const vs_ring *r = s->ring;
   vs_vec2 p = r->at[point], h = s->h;
   double slope = fabs(h.y - p.y) / (h.x - p.x);
-  if (!vs_sight_has(s, p) || slope > s->least) return;
+  if (!sight_has(s, p) || slope > s->least) return;
   for (size_t i = point;; i = s->copies[i] - 1) {
-    vs_vec2 a = vs_ring_at(r, r->corners[i].prev), c = vs_ring_at(r, r->corners[i].next);
+    vs_vec2 a = ring_at(r, r->corners[i].prev), c = ring_at(r, r->corners[i].next);
     double to_after = (c.x - p.x) * (h.y - p.y) - (c.y - p.y) * (h.x - p.x);   /* > 0: h to the left of the leaving edge */
     double to_before = (p.x - a.x) * (h.y - a.y) - (p.y - a.y) * (h.x - a.x);
     bool convex = (p.x - a.x) * (c.y - a.y) - (p.y - a.y) * (c.x - a.x) > 0;
     bool sees = convex ? to_after >= 0 && to_before >= 0 : to_after >= 0 || to_before >= 0;
-    double best_x = vs_ring_at(r, s->best).x;
+    double best_x = ring_at(r, s->best).x;
     if (sees && (slope < s->least || p.x > best_x || (p.x == best_x && i < s->best))) {
       s->best = i;
       s->least = slope;
@@ -215,14 +215,14 @@ static void vs_sight_look(void *context, size_t point) {
   }
 }
 
-static size_t vs_ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, size_t hole) {
-  vs_vec2 h = vs_ring_at(r, hole);
+static size_t ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, size_t hole) {
+  vs_vec2 h = ring_at(r, hole);
   double best_x = -INFINITY;
   size_t edge = none;
-  for (size_t node = b->leaves + vs_band_of(b, h.y); node > 0; node /= 2) {
+  for (size_t node = b->leaves + band_of(b, h.y); node > 0; node /= 2) {
     for (size_t l = b->first[node]; l; l = b->links[l].next) {
       size_t i = b->links[l].edge;
-      vs_vec2 p = vs_ring_at(r, i), q = vs_ring_at(r, r->corners[i].next);
+      vs_vec2 p = ring_at(r, i), q = ring_at(r, r->corners[i].next);
       if (p.y < h.y || q.y > h.y) continue;
       double x = p.x + (h.y - p.y) * (q.x - p.x) / (q.y - p.y);
       if (x <= h.x && (x > best_x || (x == best_x && i < edge))) best_x = x, edge = i;
@@ -230,16 +230,16 @@ static size_t vs_ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, 
   }
   if (edge == none) return start; /* a hole outside its ring: any bridge keeps the boundary right */
   size_t next = r->corners[edge].next;
-  if (best_x == h.x) return h.y == vs_ring_at(r, edge).y ? edge : next;
+  if (best_x == h.x) return h.y == ring_at(r, edge).y ? edge : next;
   vs_sight s = { .ring = r, .copies = b->copies, .h = h, .hit_x = best_x, .least = INFINITY };
-  s.best = vs_ring_at(r, edge).x < vs_ring_at(r, next).x ? edge : next;
-  s.m = vs_ring_at(r, s.best);
-  vs_point_tree_each(&b->points, &(vs_point_box){ s.m.x, fmin(s.m.y, h.y), h.x, fmax(s.m.y, h.y), 0 }, vs_sight_look, &s);
+  s.best = ring_at(r, edge).x < ring_at(r, next).x ? edge : next;
+  s.m = ring_at(r, s.best);
+  vs_point_tree_each(&b->points, &(vs_point_box){ s.m.x, fmin(s.m.y, h.y), h.x, fmax(s.m.y, h.y), 0 }, sight_look, &s);
   return s.best;
 }
 
 /* before ring corner a -> copy of a -> hole corner b -> round the hole -> copy of b -> a -> on */
-static bool vs_ring_splice(vs_ring *r, vs_bands *bands, size_t a, size_t b) {
+static bool ring_splice(vs_ring *r, vs_bands *bands, size_t a, size_t b) {
   uint32_t a2 = (uint32_t)r->count++, b2 = (uint32_t)r->count++, before = r->corners[a].prev, last = r->corners[b].prev;
   r->corners[a2] = (vs_corner){ r->corners[a].point, (uint32_t)b, before };
   r->corners[b2] = (vs_corner){ r->corners[b].point, (uint32_t)a, last };
@@ -252,39 +252,39 @@ static bool vs_ring_splice(vs_ring *r, vs_bands *bands, size_t a, size_t b) {
     bands->copies[pairs[i][1]] = bands->copies[pairs[i][0]];
     bands->copies[pairs[i][0]] = pairs[i][1] + 1;
   }
-  return vs_bands_add(bands, r, a2) && vs_bands_add(bands, r, b2);
+  return bands_add(bands, r, a2) && bands_add(bands, r, b2);
 }
 
 typedef struct { size_t corner, first, size; vs_vec2 at; } vs_hole;
 
-static int vs_hole_compare(const void *a, const void *b) {
+static int hole_compare(const void *a, const void *b) {
   const vs_hole *p = a, *q = b;
   if (p->at.x != q->at.x) return p->at.x < q->at.x ? -1 : 1;
   return p->at.y < q->at.y ? -1 : p->at.y > q->at.y;
 }
 
 /* All holes into the ring, from the left; *start: the corner that the ring begins with. */
-static bool vs_ring_join(vs_ring *r, vs_hole *holes, size_t count, size_t outer, size_t most, size_t *start) {
+static bool ring_join(vs_ring *r, vs_hole *holes, size_t count, size_t outer, size_t most, size_t *start) {
   vs_bands bands;
-  bool ok = vs_bands_make(&bands, r, r->count, most) && vs_bands_add_loop(&bands, r, 0, outer);
-  qsort(holes, count, sizeof *holes, vs_hole_compare);
+  bool ok = bands_make(&bands, r, r->count, most) && bands_add_loop(&bands, r, 0, outer);
+  qsort(holes, count, sizeof *holes, hole_compare);
   for (size_t i = 0; ok && i < count; i++) {
-    size_t a = vs_ring_bridge(r, &bands, *start, holes[i].corner);
-    ok = vs_ring_splice(r, &bands, a, holes[i].corner) && vs_bands_add_loop(&bands, r, holes[i].first, holes[i].size);
+    size_t a = ring_bridge(r, &bands, *start, holes[i].corner);
+    ok = ring_splice(r, &bands, a, holes[i].corner) && bands_add_loop(&bands, r, holes[i].first, holes[i].size);
     if (ok && a == *start) *start = r->corners[holes[i].corner].prev; /* its copy, from which the hole is walked round first */
   }
-  vs_bands_free(&bands);
+  bands_free(&bands);
   return ok;
 }
 
-static bool vs_ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const uint32_t *index, bool turned) {
+static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const uint32_t *index, bool turned) {
   for (size_t at = start; left >= 3; left--) {
-    size_t ear = vs_ring_next_ear(r, at);
+    size_t ear = ring_next_ear(r, at);
     if (ear == none) { /* the corner of largest area goes */
       double best = -INFINITY;
       size_t i = at;
       do {
-        double turn = vs_ring_turn(r, r->corners[i].prev, i, r->corners[i].next);
+        double turn = ring_turn(r, r->corners[i].prev, i, r->corners[i].next);
         if (turn > best) {
           best = turn;
           ear = i;
@@ -296,14 +296,14 @@ static bool vs_ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, cons
     size_t prev = r->corners[ear].prev, next = r->corners[ear].next;
     uint32_t a = index[r->corners[prev].point], b = index[r->corners[ear].point], c = index[r->corners[next].point];
     if (a != b && b != c && c != a && !vs_mesh_add_triangle(m, a, turned ? c : b, turned ? b : c)) return false;
-    vs_ring_cut(r, ear);
+    ring_cut(r, ear);
     at = r->corners[next].next;
   }
   return true;
 }
 
 /* Along the ring: where each corner is, and which may be ears. */
-static bool vs_ring_begin(vs_ring *r, size_t start, size_t total, size_t size) {
+static bool ring_begin(vs_ring *r, size_t start, size_t total, size_t size) {
   for (size_t i = 0; i < r->count; i++) r->points[i] = i < total ? i : r->corners[i].point; /* loops that were left out have none */
   if (!vs_point_tree_make(&r->tree, r->at, r->points, r->count) || !vs_marks_make(&r->open, size)) return false;
   size_t c = start;
@@ -312,7 +312,7 @@ static bool vs_ring_begin(vs_ring *r, size_t start, size_t total, size_t size) {
     r->ears[c].awaited = r->ears[c].waiting = none;
     r->by_place[place] = c;
   }
-  for (size_t place = 0; place < size; place++) vs_ring_look(r, r->by_place[place]);
+  for (size_t place = 0; place < size; place++) ring_look(r, r->by_place[place]);
   return true;
 }
 
@@ -345,8 +345,8 @@ bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, v
   r.count = total;
   if (ok) {
     size_t start = 0;
-    ok = hole_count == 0 || vs_ring_join(&r, holes, hole_count, sizes[0], most, &start);
-    ok = ok && vs_ring_begin(&r, start, total, ring_size) && vs_ring_clip(&r, start, ring_size, m, index, turned);
+    ok = hole_count == 0 || ring_join(&r, holes, hole_count, sizes[0], most, &start);
+    ok = ok && ring_begin(&r, start, total, ring_size) && ring_clip(&r, start, ring_size, m, index, turned);
   }
   vs_point_tree_free(&r.tree);
   vs_marks_free(&r.open);

@@ -29,13 +29,13 @@ bool vs_curve_ends(const vs_node *curve, vs_vec3 *start, vs_vec3 *end, double *s
 
 typedef struct { vs_vec3 end[2]; double size; bool used, closed; } vs_join_part;
 
-static bool vs_join_near(vs_vec3 a, vs_vec3 b, double size) { return vs_v3_length(vs_v3_sub(a, b)) <= 1e-9 * size; }
+static bool join_near(vs_vec3 a, vs_vec3 b, double size) { return vs_v3_length(vs_v3_sub(a, b)) <= 1e-9 * size; }
 
 /* The next unused part with an end at `at`; count: none. *far: its other end */
-static size_t vs_join_next(const vs_join_part *parts, size_t count, vs_vec3 at, double size, vs_vec3 *far) {
+static size_t join_next(const vs_join_part *parts, size_t count, vs_vec3 at, double size, vs_vec3 *far) {
   for (size_t k = 0; k < count; k++)
     for (int end = 0; end < 2 && !parts[k].used && !parts[k].closed; end++)
-      if (vs_join_near(parts[k].end[end], at, fmax(size, parts[k].size))) {
+      if (join_near(parts[k].end[end], at, fmax(size, parts[k].size))) {
         *far = parts[k].end[1 - end];
         return k;
       }
@@ -61,9 +61,9 @@ bool vs_curves_join(vs_store *s, vs_ref *refs, size_t *count, vs_error *e) {
     vs_vec3 head = parts[i].end[0], tail = parts[i].end[1], far;
     bool closed = false;
     for (size_t k; !parts[i].closed && !closed;) {
-      if (last - first > 1 && vs_join_near(head, tail, size)) closed = true;
-      else if ((k = vs_join_next(parts, n, tail, size, &far)) < n) tail = far, chain[last++] = refs[k];
-      else if ((k = vs_join_next(parts, n, head, size, &far)) < n) head = far, chain[--first] = refs[k];
+      if (last - first > 1 && join_near(head, tail, size)) closed = true;
+      else if ((k = join_next(parts, n, tail, size, &far)) < n) tail = far, chain[last++] = refs[k];
+      else if ((k = join_next(parts, n, head, size, &far)) < n) head = far, chain[--first] = refs[k];
       else break;
       if (!closed) {
         parts[k].used = true;
@@ -92,20 +92,20 @@ bool vs_curves_join(vs_store *s, vs_ref *refs, size_t *count, vs_error *e) {
 
 typedef struct { vs_vec2 a, b; size_t curve, place, last; double low, high, slack; } vs_cross_edge; /* low, high along x; place: in its loop, of last + 1 */
 
-static int vs_cross_compare(const void *p, const void *q) {
+static int cross_compare(const void *p, const void *q) {
   const vs_cross_edge *a = p, *b = q;
   if (a->low != b->low) return a->low < b->low ? -1 : 1;
   return a->curve != b->curve ? (a->curve < b->curve ? -1 : 1) : a->place < b->place ? -1 : a->place > b->place;
 }
 
-static double vs_cross_side(const vs_cross_edge *e, vs_vec2 p) { /* distance from the edge's line, left positive */
+static double cross_side(const vs_cross_edge *e, vs_vec2 p) { /* distance from the edge's line, left positive */
   double dx = e->b.x - e->a.x, dy = e->b.y - e->a.y;
   return (dx * (p.y - e->a.y) - dy * (p.x - e->a.x)) / hypot(dx, dy);
 }
 
 /* Ends of each lie clearly on both sides of the other. touch: they do not, but an end lies on the other's line. */
-static bool vs_cross_edges(const vs_cross_edge *p, const vs_cross_edge *q, vs_vec2 *at, bool *touch) {
-  double slack = fmax(p->slack, q->slack), a = vs_cross_side(p, q->a), b = vs_cross_side(p, q->b), c = vs_cross_side(q, p->a), d = vs_cross_side(q, p->b);
+static bool cross_edges(const vs_cross_edge *p, const vs_cross_edge *q, vs_vec2 *at, bool *touch) {
+  double slack = fmax(p->slack, q->slack), a = cross_side(p, q->a), b = cross_side(p, q->b), c = cross_side(q, p->a), d = cross_side(q, p->b);
   bool apart = (a > slack && b < -slack) || (a < -slack && b > slack), other = (c > slack && d < -slack) || (c < -slack && d > slack);
   if (apart && other) {
     double t = a / (a - b);
@@ -117,7 +117,7 @@ static bool vs_cross_edges(const vs_cross_edge *p, const vs_cross_edge *q, vs_ve
 }
 
 /* Is the direction q in the sector from p counter-clockwise to r? Clearly so, or clearly not: *sure */
-static bool vs_cross_between(vs_vec2 p, vs_vec2 r, vs_vec2 q, bool *sure) {
+static bool cross_between(vs_vec2 p, vs_vec2 r, vs_vec2 q, bool *sure) {
   const double turn = 6.28318530717958647693, near = 0.05;
   double from = atan2(p.y, p.x), to = atan2(r.y, r.x) - from, at = atan2(q.y, q.x) - from;
   to -= turn * floor(to / turn);
@@ -127,19 +127,19 @@ static bool vs_cross_between(vs_vec2 p, vs_vec2 r, vs_vec2 q, bool *sure) {
 }
 
 /* The end of p lies on q: do the two strands through that point change sides there? next: of p, and of q where its end is the point too */
-static bool vs_cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, const vs_cross_edge *q, const vs_cross_edge *next_q) {
+static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, const vs_cross_edge *q, const vs_cross_edge *next_q) {
   double slack = fmax(p->slack, q->slack), dx = q->b.x - q->a.x, dy = q->b.y - q->a.y, length = hypot(dx, dy);
   double along = ((p->b.x - q->a.x) * dx + (p->b.y - q->a.y) * dy) / length;
-  if (fabs(vs_cross_side(q, p->b)) > slack || along <= slack || along > length + slack) return false; /* at q's start it is the edge before that ends there */
+  if (fabs(cross_side(q, p->b)) > slack || along <= slack || along > length + slack) return false; /* at q's start it is the edge before that ends there */
   vs_vec2 v = p->b, in = { p->a.x - v.x, p->a.y - v.y }, out = { next_p->b.x - v.x, next_p->b.y - v.y };
   vs_vec2 end = along >= length - slack ? next_q->b : q->b, come = { q->a.x - v.x, q->a.y - v.y }, go = { end.x - v.x, end.y - v.y };
-  bool sure = true, one = vs_cross_between(in, out, come, &sure), other = vs_cross_between(in, out, go, &sure);
+  bool sure = true, one = cross_between(in, out, come, &sure), other = cross_between(in, out, go, &sure);
   return sure && one != other;
 }
 
 /* Where curves touch, one may pass to the other's inside through the point of touch: then it has points clearly inside and clearly outside.
  * Where neither has either, they lie on each other. */
-static bool vs_cross_through(const vs_cross_edge *edges, size_t count, size_t a, size_t b, vs_vec2 *at) {
+static bool cross_through(const vs_cross_edge *edges, size_t count, size_t a, size_t b, vs_vec2 *at) {
   bool clear = false;
   for (int turn = 0; turn < 2; turn++) {
     bool in = false, out = false;
@@ -166,7 +166,7 @@ static bool vs_cross_through(const vs_cross_edge *edges, size_t count, size_t a,
   return !clear;
 }
 
-static bool vs_cross_neighbours(const vs_cross_edge *p, const vs_cross_edge *q) {
+static bool cross_neighbours(const vs_cross_edge *p, const vs_cross_edge *q) {
   if (p->curve != q->curve) return false;
   size_t low = p->place < q->place ? p->place : q->place, high = p->place < q->place ? q->place : p->place;
   return high - low < 2 || (low == 0 && high == p->last);
@@ -211,7 +211,7 @@ bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_erro
       edges[edge_count++] = (vs_cross_edge){ { p.x, p.y }, { q.x, q.y }, i, k, loops[i].count - 1, fmin(p.x, q.x), fmax(p.x, q.x), slack };
     }
   }
-  if (ok && edge_count) qsort(edges, edge_count, sizeof *edges, vs_cross_compare);
+  if (ok && edge_count) qsort(edges, edge_count, sizeof *edges, cross_compare);
   /* after[starts[curve] + place]: where the edge that follows it stands now */
   size_t *after = malloc((total + 1) * sizeof *after), *starts = malloc((count + 1) * sizeof *starts);
   ok = ok && ((after && starts) || vs_error_memory(e, NULL));
@@ -224,15 +224,15 @@ bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_erro
       vs_vec2 at;
       bool touch = false;
       if (edges[k].high < edges[i].low || fmax(edges[k].a.y, edges[k].b.y) < fmin(edges[i].a.y, edges[i].b.y) ||
-          fmin(edges[k].a.y, edges[k].b.y) > fmax(edges[i].a.y, edges[i].b.y) || vs_cross_neighbours(&edges[i], &edges[k])) continue;
+          fmin(edges[k].a.y, edges[k].b.y) > fmax(edges[i].a.y, edges[i].b.y) || cross_neighbours(&edges[i], &edges[k])) continue;
       size_t a = edges[i].curve < edges[k].curve ? edges[i].curve : edges[k].curve, b = edges[i].curve < edges[k].curve ? edges[k].curve : edges[i].curve;
-      if (vs_cross_edges(&edges[i], &edges[k], &at, &touch)) {
+      if (cross_edges(&edges[i], &edges[k], &at, &touch)) {
         *out = (vs_crossing){ a, b, vs_affine_point(&frame, vs_v3(at.x, at.y, 0)), true };
         break;
       }
       const vs_cross_edge *p = &edges[i], *q = &edges[k];
-      if (touch && (vs_cross_at_end(p, &edges[after[starts[p->curve] + p->place]], q, &edges[after[starts[q->curve] + q->place]]) ||
-                    vs_cross_at_end(q, &edges[after[starts[q->curve] + q->place]], p, &edges[after[starts[p->curve] + p->place]]))) {
+      if (touch && (cross_at_end(p, &edges[after[starts[p->curve] + p->place]], q, &edges[after[starts[q->curve] + q->place]]) ||
+                    cross_at_end(q, &edges[after[starts[q->curve] + q->place]], p, &edges[after[starts[p->curve] + p->place]]))) {
         *out = (vs_crossing){ a, b, vs_affine_point(&frame, vs_v3(q->b.x, q->b.y, 0)), true };
         break;
       }
@@ -247,7 +247,7 @@ bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_erro
     vs_vec2 at = { 0, 0 };
     for (size_t k = 0; k < edge_count; k++)
       if (edges[k].curve == touches[i].a) at = edges[k].a;
-    if (vs_cross_through(edges, edge_count, touches[i].a, touches[i].b, &at))
+    if (cross_through(edges, edge_count, touches[i].a, touches[i].b, &at))
       *out = (vs_crossing){ touches[i].a, touches[i].b, vs_affine_point(&frame, vs_v3(at.x, at.y, 0)), true };
   }
   for (size_t i = 0; loops && i < count; i++) vs_polyline_free(&loops[i]);

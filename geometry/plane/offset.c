@@ -28,19 +28,19 @@ typedef struct {
 
 static const double pi = 3.14159265358979323846;
 
-static bool vs_offset_push(vs_vec2 **at, size_t *count, size_t *room, double x, double y) {
+static bool offset_push(vs_vec2 **at, size_t *count, size_t *room, double x, double y) {
   if (!VS_GROW(*at, *room, *count + 1)) return false;
   (*at)[(*count)++] = (vs_vec2){ x, y };
   return true;
 }
 
-static bool vs_offset_near(vs_offsetter *o, vs_vec2 p) { return vs_offset_push(&o->near, &o->near_count, &o->near_room, p.x, p.y); }
-static bool vs_offset_far(vs_offsetter *o, vs_vec2 p, double nx, double ny) {
-  return vs_offset_push(&o->far, &o->far_count, &o->far_room, p.x + o->d * nx, p.y + o->d * ny);
+static bool offset_near(vs_offsetter *o, vs_vec2 p) { return offset_push(&o->near, &o->near_count, &o->near_room, p.x, p.y); }
+static bool offset_far(vs_offsetter *o, vs_vec2 p, double nx, double ny) {
+  return offset_push(&o->far, &o->far_count, &o->far_room, p.x + o->d * nx, p.y + o->d * ny);
 }
 
 /* The strip becomes a loop, counter-clockwise: along the line and back on the far side where that is the left one. */
-static bool vs_offset_strip(vs_offsetter *o) {
+static bool offset_strip(vs_offsetter *o) {
   bool ok = true;
   size_t n = o->near_count, m = o->far_count;
   for (size_t i = 0; ok && i < n + m; i++) {
@@ -56,30 +56,30 @@ static bool vs_offset_strip(vs_offsetter *o) {
 typedef struct { vs_vec2 p; double tx, ty, nx, ny, length; } vs_offset_edge; /* from p; direction, normal to the side */
 
 /* The far side's way round a corner at p that opens: between p + d n of a and of b */
-static bool vs_offset_join(vs_offsetter *o, vs_vec2 p, const vs_offset_edge *a, const vs_offset_edge *b) {
+static bool offset_join(vs_offsetter *o, vs_vec2 p, const vs_offset_edge *a, const vs_offset_edge *b) {
   double cosine = a->nx * b->nx + a->ny * b->ny, sine = a->nx * b->ny - a->ny * b->nx, half = atan2(fabs(sine), cosine) / 2;
-  bool ok = vs_offset_far(o, p, a->nx, a->ny);
+  bool ok = offset_far(o, p, a->nx, a->ny);
   double least = 1 / cos(half);
   if (o->corners == VS_OFFSET_ROUND) {
     int steps = (int)ceil(half / pi * o->turn - 1e-9);
     for (int i = 1; ok && i < steps; i++) {
       double s, c, w = (sine < 0 ? -2 : 2) * half * i / steps;
       vs_sincos(w, &s, &c);
-      ok = vs_offset_far(o, p, a->nx * c - a->ny * s, a->nx * s + a->ny * c);
+      ok = offset_far(o, p, a->nx * c - a->ny * s, a->nx * s + a->ny * c);
     }
   } else if (o->corners == VS_OFFSET_MITRE && least > 0 && least <= MITRE_MOST) {
     double k = 1 / (1 + cosine);
-    ok = ok && vs_offset_far(o, p, (a->nx + b->nx) * k, (a->ny + b->ny) * k);
+    ok = ok && offset_far(o, p, (a->nx + b->nx) * k, (a->ny + b->ny) * k);
   } else { /* cut across at the distance d */
     double k = tan(half / 2);
-    ok = ok && vs_offset_far(o, p, a->nx + k * a->tx, a->ny + k * a->ty) && vs_offset_far(o, p, b->nx - k * b->tx, b->ny - k * b->ty);
+    ok = ok && offset_far(o, p, a->nx + k * a->tx, a->ny + k * a->ty) && offset_far(o, p, b->nx - k * b->tx, b->ny - k * b->ty);
   }
-  return ok && vs_offset_far(o, p, b->nx, b->ny);
+  return ok && offset_far(o, p, b->nx, b->ny);
 }
 
 typedef enum { CORNER_OPENS, CORNER_MEETS, CORNER_CROSSES } vs_offset_corner;
 
-static vs_offset_corner vs_offset_look(const vs_offsetter *o, const vs_offset_edge *a, const vs_offset_edge *b, double *turning, double *k) {
+static vs_offset_corner offset_look(const vs_offsetter *o, const vs_offset_edge *a, const vs_offset_edge *b, double *turning, double *k) {
   double cosine = a->tx * b->tx + a->ty * b->ty, sine = a->tx * b->ty - a->ty * b->tx;
   *turning = fabs(atan2(sine, cosine));
   *k = 1 / (1 + cosine);
@@ -88,7 +88,7 @@ static vs_offset_corner vs_offset_look(const vs_offsetter *o, const vs_offset_ed
 }
 
 /* Strips along n points, closed or not. False: out of memory. */
-static bool vs_offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool closed) {
+static bool offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool closed) {
   vs_offset_edge *edges = malloc((n ? n : 1) * sizeof *edges);
   size_t count = 0;
   bool ok = edges != NULL;
@@ -103,37 +103,37 @@ static bool vs_offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool 
     const vs_offset_edge *e = &edges[i], *next = i + 1 < count ? e + 1 : closed ? edges : NULL, *last = i ? e - 1 : closed ? &edges[count - 1] : NULL;
     double turning = 0, k = 0;
     if (!o->near_count) { /* a strip begins: on the bisector where the corner before is one that closes */
-      bool meets = last && vs_offset_look(o, last, e, &turning, &k) == CORNER_MEETS;
+      bool meets = last && offset_look(o, last, e, &turning, &k) == CORNER_MEETS;
       double nx = !i && o->ways ? -o->hand * o->ways[0].y : e->nx, ny = !i && o->ways ? o->hand * o->ways[0].x : e->ny;
-      ok = vs_offset_near(o, e->p) && (meets ? vs_offset_far(o, e->p, (last->nx + e->nx) * k, (last->ny + e->ny) * k) : vs_offset_far(o, e->p, nx, ny));
+      ok = offset_near(o, e->p) && (meets ? offset_far(o, e->p, (last->nx + e->nx) * k, (last->ny + e->ny) * k) : offset_far(o, e->p, nx, ny));
     }
     vs_vec2 end = next ? next->p : at[n - 1];
-    ok = ok && vs_offset_near(o, end);
+    ok = ok && offset_near(o, end);
     if (!ok) break;
     if (!next) {
-      ok = (o->ways ? vs_offset_far(o, end, -o->hand * o->ways[1].y, o->hand * o->ways[1].x) : vs_offset_far(o, end, e->nx, e->ny)) && vs_offset_strip(o);
+      ok = (o->ways ? offset_far(o, end, -o->hand * o->ways[1].y, o->hand * o->ways[1].x) : offset_far(o, end, e->nx, e->ny)) && offset_strip(o);
       break;
     }
-    vs_offset_corner corner = vs_offset_look(o, e, next, &turning, &k);
-    if (corner == CORNER_OPENS) ok = vs_offset_join(o, end, e, next);
-    else if (corner == CORNER_MEETS) ok = vs_offset_far(o, end, (e->nx + next->nx) * k, (e->ny + next->ny) * k);
-    else ok = vs_offset_far(o, end, e->nx, e->ny);
+    vs_offset_corner corner = offset_look(o, e, next, &turning, &k);
+    if (corner == CORNER_OPENS) ok = offset_join(o, end, e, next);
+    else if (corner == CORNER_MEETS) ok = offset_far(o, end, (e->nx + next->nx) * k, (e->ny + next->ny) * k);
+    else ok = offset_far(o, end, e->nx, e->ny);
     o->turned += turning;
-    if (ok && (corner == CORNER_CROSSES || o->turned > 1.5 || i + 1 == count)) ok = vs_offset_strip(o);
+    if (ok && (corner == CORNER_CROSSES || o->turned > 1.5 || i + 1 == count)) ok = offset_strip(o);
   }
   free(edges);
   return ok;
 }
 
-static vs_offsetter vs_offset_begin(vs_area *strips, double d, double hand, vs_offset_corners corners, const vs_facets *f, int segments) {
+static vs_offsetter offset_begin(vs_area *strips, double d, double hand, vs_offset_corners corners, const vs_facets *f, int segments) {
   return (vs_offsetter){ .strips = strips, .d = d, .hand = hand, .corners = corners, .turn = vs_facets_turn(f, d, segments) };
 }
 
 bool vs_area_offset(const vs_area *in, double d, vs_offset_corners corners, const vs_facets *f, int segments, vs_area *out, vs_error *e) {
   vs_area parts[2] = { *in, { 0 } };
-  vs_offsetter o = vs_offset_begin(&parts[1], fabs(d), d > 0 ? -1 : 1, corners, f, segments);
+  vs_offsetter o = offset_begin(&parts[1], fabs(d), d > 0 ? -1 : 1, corners, f, segments);
   bool ok = true;
-  for (size_t l = 0, first = 0; ok && l < in->loop_count; first += in->size[l++]) ok = vs_offset_strips(&o, in->at + first, in->size[l], true);
+  for (size_t l = 0, first = 0; ok && l < in->loop_count; first += in->size[l++]) ok = offset_strips(&o, in->at + first, in->size[l], true);
   if (!ok) vs_error_memory(e, NULL);
   else ok = vs_area_combine(d > 0 ? VS_AREA_UNION : VS_AREA_DIFFERENCE, parts, 2, "do-offset", out, e);
   vs_area_free(&parts[1]);
@@ -144,7 +144,7 @@ bool vs_area_offset(const vs_area *in, double d, vs_offset_corners corners, cons
 
 /* ---- open lines ---- */
 
-static double vs_offset_distance(vs_vec2 p, vs_vec2 a, vs_vec2 b) { /* of p from the stretch a b */
+static double offset_distance(vs_vec2 p, vs_vec2 a, vs_vec2 b) { /* of p from the stretch a b */
   double dx = b.x - a.x, dy = b.y - a.y, d = dx * dx + dy * dy, t = d > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / d : 0;
   t = fmin(1, fmax(0, t));
   return hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
@@ -152,7 +152,7 @@ static double vs_offset_distance(vs_vec2 p, vs_vec2 a, vs_vec2 b) { /* of p from
 
 /* The longest run of the border's edges that lie at `least` or more from the line and not on its two ends (stretches from the line to its
  * far side). */
-static bool vs_offset_border(const vs_area *border, const vs_vec2 *at, size_t n, const vs_offset_edge ends[2], double d, double least, vs_polyline *out) {
+static bool offset_border(const vs_area *border, const vs_vec2 *at, size_t n, const vs_offset_edge ends[2], double d, double least, vs_polyline *out) {
   double slack = 1e-7 * d, longest = 0;
   vs_vec2 from[2] = { at[0], at[n - 1] }, to[2];
   size_t best_first = 0, best_size = 0, best_start = 0, best_count = 0;
@@ -163,8 +163,8 @@ static bool vs_offset_border(const vs_area *border, const vs_vec2 *at, size_t n,
     double length = 0;
     for (size_t i = 0; i < 2 * size; i++) { /* twice round, so that a run over the loop's seam is found whole */
       vs_vec2 a = p[i % size], b = p[(i + 1) % size], middle = { (a.x + b.x) / 2, (a.y + b.y) / 2 };
-      bool other = vs_offset_distance(middle, from[0], to[0]) > slack && vs_offset_distance(middle, from[1], to[1]) > slack;
-      for (size_t k = 0; other && k + 1 < n; k++) other = vs_offset_distance(middle, at[k], at[k + 1]) >= least;
+      bool other = offset_distance(middle, from[0], to[0]) > slack && offset_distance(middle, from[1], to[1]) > slack;
+      for (size_t k = 0; other && k + 1 < n; k++) other = offset_distance(middle, at[k], at[k + 1]) >= least;
       run = other ? run + 1 : 0;
       length = other ? length + hypot(b.x - a.x, b.y - a.y) : 0;
       if (run > size) break; /* the whole loop */
@@ -189,15 +189,15 @@ bool vs_line_offset(const vs_vec2 *at, size_t n, const vs_vec2 ways[2], double d
                     vs_error *e) {
   vs_area strips = { 0 }, border = { 0 };
   double hand = d > 0 ? 1 : -1;
-  vs_offsetter o = vs_offset_begin(&strips, fabs(d), hand, corners, f, segments);
+  vs_offsetter o = offset_begin(&strips, fabs(d), hand, corners, f, segments);
   o.ways = ways;
-  bool ok = vs_offset_strips(&o, at, n, false) || vs_error_memory(e, NULL);
+  bool ok = offset_strips(&o, at, n, false) || vs_error_memory(e, NULL);
   ok = ok && vs_area_combine(VS_AREA_UNION, &strips, 1, "do-offset", &border, e);
   if (ok) {
     vs_offset_edge ends[2];
     for (int k = 0; k < 2; k++) ends[k] = (vs_offset_edge){ .nx = -hand * ways[k].y, .ny = hand * ways[k].x };
     double least = fabs(d) * (cos(pi / o.turn) - 1e-6);
-    ok = vs_offset_border(&border, at, n, ends, fabs(d), least, out) || vs_error_memory(e, NULL);
+    ok = offset_border(&border, at, n, ends, fabs(d), least, out) || vs_error_memory(e, NULL);
     /* The border runs counter-clockwise: against the line on its left side, with it on its right. */
     for (size_t i = 0, j = out->count; ok && hand > 0 && i < j; i++) {
       vs_vec3 swap = out->at[i];

@@ -14,14 +14,14 @@ void vs_outline_free(vs_outline *o) {
 }
 
 /* Twice the vector area (Newell) */
-static vs_vec3 vs_polyline_area(const vs_polyline *p) {
+static vs_vec3 polyline_area(const vs_polyline *p) {
   vs_vec3 sum = { 0, 0, 0 };
   for (size_t i = 1; i + 1 < p->count; i++)
     sum = vs_v3_add(sum, vs_v3_cross(vs_v3_sub(p->at[i], p->at[0]), vs_v3_sub(p->at[i + 1], p->at[0])));
   return sum;
 }
 
-static void vs_polyline_turn(vs_polyline *p) {
+static void polyline_turn(vs_polyline *p) {
   for (size_t i = 0, j = p->count; i < j; i++) {
     vs_vec3 swap = p->at[i];
     p->at[i] = p->at[--j];
@@ -29,7 +29,7 @@ static void vs_polyline_turn(vs_polyline *p) {
   }
 }
 
-static bool vs_outline_loop_holds(const vs_affine *frame, const vs_polyline *p, vs_vec3 at) {
+static bool outline_loop_holds(const vs_affine *frame, const vs_polyline *p, vs_vec3 at) {
   bool inside = false;
   vs_vec3 x = { frame->m[0][0], frame->m[1][0], frame->m[2][0] }, y = { frame->m[0][1], frame->m[1][1], frame->m[2][1] };
   double u = vs_v3_dot(at, x), v = vs_v3_dot(at, y);
@@ -43,7 +43,7 @@ static bool vs_outline_loop_holds(const vs_affine *frame, const vs_polyline *p, 
 
 typedef struct { double low[2], high[2]; } vs_loop_box; /* in the plane */
 
-static vs_loop_box vs_outline_box(const vs_affine *frame, const vs_polyline *p) {
+static vs_loop_box outline_box(const vs_affine *frame, const vs_polyline *p) {
   vs_loop_box b = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
   for (int k = 0; k < 2; k++) {
     vs_vec3 x = { frame->m[0][k], frame->m[1][k], frame->m[2][k] };
@@ -56,20 +56,20 @@ static vs_loop_box vs_outline_box(const vs_affine *frame, const vs_polyline *p) 
   return b;
 }
 
-static bool vs_outline_apart(const vs_loop_box *a, const vs_loop_box *b) {
+static bool outline_apart(const vs_loop_box *a, const vs_loop_box *b) {
   return a->high[0] < b->low[0] || b->high[0] < a->low[0] || a->high[1] < b->low[1] || b->high[1] < a->low[1];
 }
 
 /* Does loop p hold loop q? They do not cross but may touch: so the middles of q's edges vote, thirty of them at most. */
-static bool vs_outline_loop_in(const vs_affine *frame, const vs_polyline *p, const vs_polyline *q) {
+static bool outline_loop_in(const vs_affine *frame, const vs_polyline *p, const vs_polyline *q) {
   size_t step = q->count / 30 + 1, votes = 0, asked = 0;
   for (size_t i = 0; i < q->count; i += step, asked++)
-    votes += vs_outline_loop_holds(frame, p, vs_v3_scale(vs_v3_add(q->at[i], q->at[i + 1 < q->count ? i + 1 : 0]), 0.5));
+    votes += outline_loop_holds(frame, p, vs_v3_scale(vs_v3_add(q->at[i], q->at[i + 1 < q->count ? i + 1 : 0]), 0.5));
   return 2 * votes > asked;
 }
 
 /* An open profile that is straight has many planes: the vertical one then, or for an upright line the plane XZ. */
-static vs_vec3 vs_outline_normal_of_open(const vs_polyline *p) {
+static vs_vec3 outline_normal_of_open(const vs_polyline *p) {
   vs_vec3 sum = { 0, 0, 0 }, along = { 0, 0, 0 };
   double length = 0;
   for (size_t i = 1; i < p->count; i++) {
@@ -77,35 +77,35 @@ static vs_vec3 vs_outline_normal_of_open(const vs_polyline *p) {
     length += vs_v3_length(vs_v3_sub(p->at[i], p->at[i - 1]));
     if (vs_v3_dot(d, d) > vs_v3_dot(along, along)) along = d;
   }
-  sum = vs_polyline_area(p);
+  sum = polyline_area(p);
   if (vs_v3_length(sum) > 1e-9 * length * length) return sum;
   vs_vec3 across = vs_v3_cross(along, vs_v3(0, 0, 1));
   return vs_v3_length(across) > 1e-12 * length ? across : vs_v3(0, 1, 0);
 }
 
 /* Holes behind their outer loops. depth[i]: how many loops hold loop i; odd is a hole of the smallest outer loop around it. */
-static bool vs_outline_nest(vs_outline *o) {
+static bool outline_nest(vs_outline *o) {
   size_t n = o->count, done = 0;
   size_t *depth = calloc(n, sizeof *depth), *parent = malloc(n * sizeof *parent);
   vs_polyline *sorted = malloc(n * sizeof *sorted);
   vs_loop_box *box = malloc(n * sizeof *box); /* most loops of a perforated sheet are plainly apart */
   o->hole = calloc(n, sizeof *o->hole);
   bool ok = depth && parent && sorted && box && o->hole;
-  for (size_t i = 0; ok && i < n; i++) box[i] = vs_outline_box(&o->frame, &o->loops[i]);
+  for (size_t i = 0; ok && i < n; i++) box[i] = outline_box(&o->frame, &o->loops[i]);
   for (size_t i = 0; ok && i < n; i++)
-    for (size_t j = 0; j < n; j++) depth[i] += i != j && !vs_outline_apart(&box[i], &box[j]) && vs_outline_loop_in(&o->frame, &o->loops[j], &o->loops[i]);
+    for (size_t j = 0; j < n; j++) depth[i] += i != j && !outline_apart(&box[i], &box[j]) && outline_loop_in(&o->frame, &o->loops[j], &o->loops[i]);
   for (size_t i = 0; ok && i < n; i++) {
     parent[i] = i;
     for (size_t j = 0; j < n && depth[i] % 2; j++)
-      if (depth[j] + 1 == depth[i] && !vs_outline_apart(&box[i], &box[j]) && vs_outline_loop_in(&o->frame, &o->loops[j], &o->loops[i])) parent[i] = j;
+      if (depth[j] + 1 == depth[i] && !outline_apart(&box[i], &box[j]) && outline_loop_in(&o->frame, &o->loops[j], &o->loops[i])) parent[i] = j;
   }
   for (size_t i = 0; ok && i < n; i++) {
     if (depth[i] % 2) continue;
     for (size_t k = 0; k <= n; k++) { /* k 0: the loop itself, then its holes */
       size_t j = k ? k - 1 : i;
       if (k && (parent[j] != i || !(depth[j] % 2))) continue;
-      bool hole = k > 0, clockwise = vs_v3_dot(vs_polyline_area(&o->loops[j]), o->normal) < 0;
-      if (o->loops[j].closed && hole != clockwise) vs_polyline_turn(&o->loops[j]);
+      bool hole = k > 0, clockwise = vs_v3_dot(polyline_area(&o->loops[j]), o->normal) < 0;
+      if (o->loops[j].closed && hole != clockwise) polyline_turn(&o->loops[j]);
       o->hole[done] = hole;
       sorted[done++] = o->loops[j];
     }
@@ -122,11 +122,11 @@ static bool vs_outline_nest(vs_outline *o) {
   return ok;
 }
 
-static bool vs_outline_plane(vs_outline *o, vs_error *e) {
+static bool outline_plane(vs_outline *o, vs_error *e) {
   vs_vec3 most = { 0, 0, 0 };
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < o->count; i++) {
-    vs_vec3 area = o->loops[i].closed ? vs_polyline_area(&o->loops[i]) : vs_outline_normal_of_open(&o->loops[i]);
+    vs_vec3 area = o->loops[i].closed ? polyline_area(&o->loops[i]) : outline_normal_of_open(&o->loops[i]);
     if (vs_v3_dot(area, area) > vs_v3_dot(most, most)) most = area;
     for (size_t k = 0; k < o->loops[i].count; k++) vs_bounds_add(&b, o->loops[i].at[k]);
   }
@@ -145,9 +145,9 @@ static bool vs_outline_plane(vs_outline *o, vs_error *e) {
 bool vs_text_outline(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e) {
   if (!vs_text_loops(n, placed, f, out, e)) return false;
   if (!out->count) return true;
-  if (!vs_outline_plane(out, e)) return vs_outline_free(out), false;
+  if (!outline_plane(out, e)) return vs_outline_free(out), false;
   for (size_t i = 0; i < out->count; i++)
-    if (out->hole[i] != (vs_v3_dot(vs_polyline_area(&out->loops[i]), out->normal) < 0)) vs_polyline_turn(&out->loops[i]);
+    if (out->hole[i] != (vs_v3_dot(polyline_area(&out->loops[i]), out->normal) < 0)) polyline_turn(&out->loops[i]);
   return true;
 }
 
@@ -158,8 +158,8 @@ bool vs_hull_outline(const vs_node *n, const vs_affine *placed, const vs_facets 
   bool ok = (out->loops && out->hole) || vs_error_memory(e, NULL);
   ok = ok && vs_hull_cloud(n, &inner, &cloud, e) && (vs_cloud_polygon(&cloud, &out->loops[0]) || vs_error_memory(e, NULL));
   for (size_t i = 0; ok && i < out->loops[0].count; i++) out->loops[0].at[i] = vs_affine_point(placed, out->loops[0].at[i]);
-  ok = ok && vs_outline_plane(out, e);
-  if (ok && vs_v3_dot(vs_polyline_area(&out->loops[0]), out->normal) < 0) vs_polyline_turn(&out->loops[0]);
+  ok = ok && outline_plane(out, e);
+  if (ok && vs_v3_dot(polyline_area(&out->loops[0]), out->normal) < 0) polyline_turn(&out->loops[0]);
   vs_cloud_free(&cloud);
   if (!ok) vs_outline_free(out);
   return ok;
@@ -174,7 +174,7 @@ bool vs_outline_of_loops(vs_polyline *loops, size_t count, vs_outline *out, vs_e
     loops[i] = (vs_polyline){ 0 };
   }
   for (size_t i = 0; i < count; i++) vs_polyline_free(&loops[i]);
-  ok = ok && vs_outline_plane(out, e) && (vs_outline_nest(out) || vs_error_memory(e, NULL));
+  ok = ok && outline_plane(out, e) && (outline_nest(out) || vs_error_memory(e, NULL));
   if (!ok) vs_outline_free(out);
   return ok;
 }

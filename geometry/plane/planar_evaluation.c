@@ -32,31 +32,31 @@ typedef struct {
   vs_error *error;
 } vs_flat;
 
-static void vs_flat_drop(vs_flat_value *v) {
+static void flat_drop(vs_flat_value *v) {
   vs_path_free(&v->path);
   vs_outline_free(&v->outline);
 }
 
-static bool vs_flat_fail(vs_flat *f, const vs_ref *ref, const char *what) {
+static bool flat_fail(vs_flat *f, const vs_ref *ref, const char *what) {
   return vs_error_set(f->error, VS_ERROR_MODEL, ref->origin, "%s, got %s", what, vs_kind_get((vs_kind)ref->node->kind)->name);
 }
 
-static vs_flat_value *vs_flat_push(vs_flat *f) {
+static vs_flat_value *flat_push(vs_flat *f) {
   if (!VS_GROW(f->values, f->value_room, f->value_count + 1)) return vs_error_memory(f->error, NULL), NULL;
   f->values[f->value_count] = (vs_flat_value){ 0 };
   return &f->values[f->value_count++];
 }
 
-static bool vs_flat_open(vs_flat *f, const vs_ref *ref, const vs_affine *map, const vs_facets *facets) {
+static bool flat_open(vs_flat *f, const vs_ref *ref, const vs_affine *map, const vs_facets *facets) {
   if (!VS_GROW(f->frames, f->frame_room, f->frame_count + 1)) return vs_error_memory(f->error, NULL);
   f->frames[f->frame_count++] = (vs_flat_frame){ ref, 0, f->value_count, *map, vs_affine_identity(), *facets };
   return true;
 }
 
-static bool vs_flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v);
+static bool flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v);
 
 /* A leaf becomes a value, what has children a frame. */
-static bool vs_flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_facets *facets) {
+static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_facets *facets) {
   for (;;) {
     const vs_node *n = ref->node;
     switch ((vs_kind)n->kind) {
@@ -69,48 +69,48 @@ static bool vs_flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs
         ref = &n->children[0];
         continue;
       case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: {
-        vs_flat_value *v = vs_flat_push(f);
+        vs_flat_value *v = flat_push(f);
         return v && (vs_curve_leaf(n, &map, facets, &v->path) || vs_error_memory(f->error, ref->origin));
       }
       case VS_OFFSET: {
         vs_affine identity = vs_affine_identity(), place;
         vs_offset_exact exact;
         if (vs_offset_round(n, &place, &exact)) {
-          vs_flat_value *v = vs_flat_push(f);
+          vs_flat_value *v = flat_push(f);
           map = vs_affine_multiply(&map, &place);
           if (!v || !(vs_curve_round(&exact.arc, exact.circle, &map, facets, &v->path) || vs_error_memory(f->error, ref->origin))) return false;
-          return n->class_ == VS_CURVE || vs_flat_fill(f, ref, v);
+          return n->class_ == VS_CURVE || flat_fill(f, ref, v);
         }
         vs_facets inner = vs_facets_placed(facets, &map); /* the distance is in the offset's own coordinates: there it is made */
-        return vs_flat_open(f, ref, &identity, &inner) && (f->frames[f->frame_count - 1].after = map, true);
+        return flat_open(f, ref, &identity, &inner) && (f->frames[f->frame_count - 1].after = map, true);
       }
       case VS_HULL: if (n->class_ != VS_REGION_CLASS) break; /* fall through */
       case VS_TEXT: {
-        vs_flat_value *v = vs_flat_push(f);
+        vs_flat_value *v = flat_push(f);
         if (v) v->filled = true;
         return v && (n->kind == VS_TEXT ? vs_text_outline : vs_hull_outline)(n, &map, facets, &v->outline, f->error);
       }
-      case VS_JOIN: case VS_REGION: return vs_flat_open(f, ref, &map, facets);
-      case VS_XLINE: case VS_RAY: return vs_flat_fail(f, ref, "expected a curve with two ends or none");
+      case VS_JOIN: case VS_REGION: return flat_open(f, ref, &map, facets);
+      case VS_XLINE: case VS_RAY: return flat_fail(f, ref, "expected a curve with two ends or none");
       case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* solids/resolve.c has made curves and regions of them before */
       case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
-        if (n->class_ == VS_REGION_CLASS) return vs_flat_open(f, ref, &map, facets);
+        if (n->class_ == VS_REGION_CLASS) return flat_open(f, ref, &map, facets);
         if (n->child_count == 1) {
           ref = &n->children[0];
           continue;
         }
-        return vs_flat_fail(f, ref, n->class_ == VS_CURVE ? "expected one curve, which join-curves makes of several" : "expected a curve or a region");
+        return flat_fail(f, ref, n->class_ == VS_CURVE ? "expected one curve, which join-curves makes of several" : "expected a curve or a region");
       case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE:
       case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
       case VS_EMPTY: case VS_GHOST: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS:
       case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_KIND_COUNT: break;
     }
-    return vs_flat_fail(f, ref, "expected a curve or a region");
+    return flat_fail(f, ref, "expected a curve or a region");
   }
 }
 
 /* The curves of a join one after another; each is turned where its end, not its start, meets the one before. */
-static bool vs_flat_join(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
+static bool flat_join(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
   vs_path *to = &out->path;
   bool ok = true;
   for (size_t i = 0; ok && i < count; i++) {
@@ -142,7 +142,7 @@ static bool vs_flat_join(vs_flat *f, const vs_ref *ref, vs_flat_value *values, s
 }
 
 /* A closed path taken as filled */
-static bool vs_flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v) {
+static bool flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v) {
   vs_polyline loop = { 0 };
   if (v->filled) return true;
   if (!v->path.closed || v->path.count < 3) return vs_error_set(f->error, VS_ERROR_MODEL, ref->origin, "a curve that bounds a region must be closed");
@@ -152,7 +152,7 @@ static bool vs_flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v) {
   return v->filled;
 }
 
-static bool vs_flat_region(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
+static bool flat_region(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
   vs_polyline *loops = calloc(count ? count : 1, sizeof *loops);
   bool ok = loops || vs_error_memory(f->error, ref->origin);
   for (size_t i = 0; ok && i < count; i++) {
@@ -179,12 +179,12 @@ bool vs_outline_coplanar(const vs_outline *a, const vs_outline *b) {
   return !b->count || !a->count || off <= 1e-6 * vs_bounds_diagonal(&box);
 }
 
-static bool vs_flat_combine(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
+static bool flat_combine(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
   vs_area *areas = calloc(count ? count : 1, sizeof *areas), made = { 0 };
   bool ok = areas || vs_error_memory(f->error, ref->origin);
   const vs_outline *plane = NULL; /* the first that has one: what is empty has none of its own */
   for (size_t i = 0; ok && i < count; i++) {
-    ok = vs_flat_fill(f, ref, &values[i]);
+    ok = flat_fill(f, ref, &values[i]);
     if (ok && (!plane || (!plane->count && values[i].outline.count))) plane = &values[i].outline;
   }
   for (size_t i = 0; ok && i < count; i++) {
@@ -205,7 +205,7 @@ static bool vs_flat_combine(vs_flat *f, const vs_ref *ref, vs_flat_value *values
   return ok;
 }
 
-static void vs_flat_place(vs_flat_value *v, const vs_affine *map) {
+static void flat_place(vs_flat_value *v, const vs_affine *map) {
   for (size_t l = 0; l < v->outline.count; l++)
     for (size_t i = 0; i < v->outline.loops[l].count; i++) v->outline.loops[l].at[i] = vs_affine_point(map, v->outline.loops[l].at[i]);
   for (size_t i = 0; i < v->path.count; i++) {
@@ -216,8 +216,8 @@ static void vs_flat_place(vs_flat_value *v, const vs_affine *map) {
 }
 
 /* The value of a region that a map has moved: planes and holes found anew. An empty one keeps its plane, moved. */
-static bool vs_flat_settle(vs_flat *f, const vs_affine *map, vs_flat_value *v) {
-  vs_flat_place(v, map);
+static bool flat_settle(vs_flat *f, const vs_affine *map, vs_flat_value *v) {
+  flat_place(v, map);
   if (!v->filled) return true;
   if (v->outline.count) {
     vs_outline again;
@@ -230,7 +230,7 @@ static bool vs_flat_settle(vs_flat *f, const vs_affine *map, vs_flat_value *v) {
   return true;
 }
 
-static bool vs_flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *in, vs_flat_value *out) {
+static bool flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *in, vs_flat_value *out) {
   const struct vs_offset *x = VS_AS(offset, at->ref->node);
   vs_offset_corners corners = *x->corners == 'r' ? VS_OFFSET_ROUND : *x->corners == 's' ? VS_OFFSET_SQUARE : VS_OFFSET_MITRE;
   vs_area area = { 0 }, made = { 0 };
@@ -238,7 +238,7 @@ static bool vs_flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *i
   bool closed = in->filled || in->path.closed, ok;
   vs_affine frame = vs_affine_identity();
   if (closed) {
-    ok = vs_flat_fill(f, at->ref, in);
+    ok = flat_fill(f, at->ref, in);
     frame = in->outline.frame;
     ok = ok && (vs_area_of_outline(&in->outline, &frame, &area) || vs_error_memory(f->error, at->ref->origin));
     ok = ok && vs_area_offset(&area, x->distance, corners, &at->facets, x->segments, &made, f->error);
@@ -276,39 +276,39 @@ static bool vs_flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *i
   vs_polyline_free(&line);
   vs_area_free(&area);
   vs_area_free(&made);
-  return ok && vs_flat_settle(f, &at->after, out);
+  return ok && flat_settle(f, &at->after, out);
 }
 
-static bool vs_flat_leave(vs_flat *f) {
+static bool flat_leave(vs_flat *f) {
   vs_flat_frame at = f->frames[--f->frame_count];
   vs_flat_value made = { 0 }, *values = f->values + at.first;
   size_t count = f->value_count - at.first;
   bool ok = false;
-  if (at.ref->node->kind == VS_REGION) ok = vs_flat_region(f, at.ref, values, count, &made);
-  else if (at.ref->node->kind == VS_JOIN) ok = vs_flat_join(f, at.ref, values, count, &made);
-  else if (at.ref->node->kind == VS_OFFSET) ok = count ? vs_flat_offset(f, &at, values, &made) : vs_flat_fail(f, at.ref, "expected a curve or a region");
-  else ok = vs_flat_combine(f, at.ref, values, count, &made);
-  while (f->value_count > at.first) vs_flat_drop(&f->values[--f->value_count]);
-  vs_flat_value *place = ok ? vs_flat_push(f) : NULL;
+  if (at.ref->node->kind == VS_REGION) ok = flat_region(f, at.ref, values, count, &made);
+  else if (at.ref->node->kind == VS_JOIN) ok = flat_join(f, at.ref, values, count, &made);
+  else if (at.ref->node->kind == VS_OFFSET) ok = count ? flat_offset(f, &at, values, &made) : flat_fail(f, at.ref, "expected a curve or a region");
+  else ok = flat_combine(f, at.ref, values, count, &made);
+  while (f->value_count > at.first) flat_drop(&f->values[--f->value_count]);
+  vs_flat_value *place = ok ? flat_push(f) : NULL;
   if (place) *place = made;
-  else vs_flat_drop(&made);
+  else flat_drop(&made);
   return place != NULL;
 }
 
-static bool vs_flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_facets *facets, vs_flat_value *out, vs_error *e) {
+static bool flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_facets *facets, vs_flat_value *out, vs_error *e) {
   vs_flat f = { .error = e };
   vs_ref root = { (vs_node *)(uintptr_t)n, NULL };
-  bool ok = vs_flat_enter(&f, &root, *placed, facets);
+  bool ok = flat_enter(&f, &root, *placed, facets);
   while (ok && f.frame_count) {
     vs_flat_frame *top = &f.frames[f.frame_count - 1];
     if (top->next < top->ref->node->child_count) {
       const vs_ref *child = &top->ref->node->children[top->next++];
       vs_facets inner = top->facets;
-      if (child->node->class_ != VS_NOTHING) ok = vs_flat_enter(&f, child, top->map, &inner); /* nothing adds and takes nothing */
-    } else ok = vs_flat_leave(&f);
+      if (child->node->class_ != VS_NOTHING) ok = flat_enter(&f, child, top->map, &inner); /* nothing adds and takes nothing */
+    } else ok = flat_leave(&f);
   }
   if (ok) *out = f.values[--f.value_count];
-  while (f.value_count) vs_flat_drop(&f.values[--f.value_count]);
+  while (f.value_count) flat_drop(&f.values[--f.value_count]);
   free(f.values);
   free(f.frames);
   return ok;
@@ -319,7 +319,7 @@ static bool vs_flat_evaluate(const vs_node *n, const vs_affine *placed, const vs
 bool vs_curve_path(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_path *out, vs_error *e) {
   vs_flat_value v = { 0 };
   *out = (vs_path){ 0 };
-  if (!vs_flat_evaluate(n, placed, f, &v, e)) return false;
+  if (!flat_evaluate(n, placed, f, &v, e)) return false;
   bool ok = !v.filled || v.outline.count == 1;
   if (!ok) vs_error_set(e, VS_ERROR_MODEL, NULL, "expected one curve, got a region of %zu", v.outline.count);
   else if (v.filled) ok = vs_path_of_polyline(&v.outline.loops[0], out) || vs_error_memory(e, NULL);
@@ -327,7 +327,7 @@ bool vs_curve_path(const vs_node *n, const vs_affine *placed, const vs_facets *f
     *out = v.path;
     v.path = (vs_path){ 0 };
   }
-  vs_flat_drop(&v);
+  flat_drop(&v);
   return ok;
 }
 
@@ -335,7 +335,7 @@ bool vs_region_outline(const vs_node *n, const vs_facets *f, vs_outline *out, vs
   vs_flat_value v = { 0 };
   vs_affine identity = vs_affine_identity();
   *out = (vs_outline){ 0 };
-  if (!vs_flat_evaluate(n, &identity, f, &v, e)) return false;
+  if (!flat_evaluate(n, &identity, f, &v, e)) return false;
   bool ok = true;
   if (!v.filled) {
     vs_polyline loop = { 0 };
@@ -347,7 +347,7 @@ bool vs_region_outline(const vs_node *n, const vs_facets *f, vs_outline *out, vs
     *out = v.outline;
     v.outline = (vs_outline){ 0 };
   }
-  vs_flat_drop(&v);
+  flat_drop(&v);
   return ok;
 }
 

@@ -26,7 +26,7 @@ void vs_swept_free(vs_swept *s) {
   *s = (vs_swept){ 0 };
 }
 
-static bool vs_swept_add(vs_swept *s, vs_section section) {
+static bool swept_add(vs_swept *s, vs_section section) {
   if (!VS_GROW(s->sections, s->section_room, s->section_count + 1)) return false;
   s->sections[s->section_count++] = section;
   return true;
@@ -42,36 +42,36 @@ vs_section vs_section_between(const vs_section *a, const vs_section *b, double t
 
 typedef struct { vs_vec3 x, y, normal, origin; vs_vec2 base; double reach; /* of the profile about base */ } vs_profile_plane;
 
-static vs_vec2 vs_profile_flat(const vs_profile_plane *p, vs_vec3 at) {
+static vs_vec2 profile_flat(const vs_profile_plane *p, vs_vec3 at) {
   vs_vec3 d = vs_v3_sub(at, p->origin);
   return (vs_vec2){ vs_v3_dot(d, p->x), vs_v3_dot(d, p->y) };
 }
 
-static bool vs_swept_room(vs_swept *s, size_t points, size_t loops) {
+static bool swept_room(vs_swept *s, size_t points, size_t loops) {
   s->profile = malloc((points ? points : 1) * sizeof *s->profile); /* an empty region has none */
   s->sizes = malloc((loops ? loops : 1) * sizeof *s->sizes);
   s->hole = malloc((loops ? loops : 1) * sizeof *s->hole);
   return s->profile && s->sizes && s->hole;
 }
 
-static bool vs_swept_profile(vs_swept *s, const vs_node *profile, const vs_facets *f, const vs_vec3 *base, vs_profile_plane *plane, vs_error *e) {
+static bool swept_profile(vs_swept *s, const vs_node *profile, const vs_facets *f, const vs_vec3 *base, vs_profile_plane *plane, vs_error *e) {
   vs_outline o;
   if (!vs_region_outline(profile, f, &o, e)) return false;
   size_t points = 0;
   for (size_t l = 0; l < o.count; l++) points += o.loops[l].count;
-  bool ok = vs_swept_room(s, points, o.count) || vs_error_memory(e, NULL);
+  bool ok = swept_room(s, points, o.count) || vs_error_memory(e, NULL);
   if (ok) {
     vs_vec3 centroid;
     vs_outline_measure(&o, &centroid);
     double (*m)[4] = o.frame.m;
     *plane = (vs_profile_plane){ { m[0][0], m[1][0], m[2][0] }, { m[0][1], m[1][1], m[2][1] }, o.normal, { m[0][3], m[1][3], m[2][3] }, { 0, 0 }, 0 };
-    plane->base = vs_profile_flat(plane, base ? *base : centroid);
+    plane->base = profile_flat(plane, base ? *base : centroid);
     s->filled = !o.count || o.loops[0].closed;
     for (size_t l = 0; l < o.count; l++) {
       s->sizes[l] = o.loops[l].count;
       s->hole[l] = o.hole[l];
       for (size_t i = 0; i < o.loops[l].count; i++) {
-        vs_vec2 p = vs_profile_flat(plane, o.loops[l].at[i]);
+        vs_vec2 p = profile_flat(plane, o.loops[l].at[i]);
         s->profile[s->profile_count++] = p;
         plane->reach = fmax(plane->reach, hypot(p.x - plane->base.x, p.y - plane->base.y));
       }
@@ -82,8 +82,8 @@ static bool vs_swept_profile(vs_swept *s, const vs_node *profile, const vs_facet
   return ok;
 }
 
-static bool vs_swept_disc(vs_swept *s, double radius, int n) {
-  if (!vs_swept_room(s, (size_t)n, 1)) return false;
+static bool swept_disc(vs_swept *s, double radius, int n) {
+  if (!swept_room(s, (size_t)n, 1)) return false;
   for (int i = 0; i < n; i++) {
     double sine, cosine;
     vs_turn_sincos(i, n, &sine, &cosine);
@@ -101,7 +101,7 @@ static bool vs_swept_disc(vs_swept *s, double radius, int n) {
 /* A straight edge of length l that turns by da becomes a saddle, which two triangles miss by l da / 4 in its middle. So a twist cuts the
  * whole way into n steps (returned; 1 without a twist) and each edge into k pieces such that l/k twist/n / 4 keeps the tolerance, n and k
  * alike large; and no fewer steps than facets in as much of a turn. With segments given the edges stay whole. 0: no memory. */
-static size_t vs_swept_refine(vs_swept *s, double twist, double scale, double reach, const vs_facets *f) {
+static size_t swept_refine(vs_swept *s, double twist, double scale, double reach, const vs_facets *f) {
   enum { MOST = 2000, MOST_STEPS = 200000, MOST_POINTS = 10000000 };
   double widest = fmax(1, fabs(scale)), longest = 0;
   if (twist == 0) return 1;
@@ -140,12 +140,12 @@ static size_t vs_swept_refine(vs_swept *s, double twist, double scale, double re
   return (size_t)n;
 }
 
-static size_t vs_swept_share(size_t steps, double share) { /* of the steps, those of a stretch that is this part of the way */
+static size_t swept_share(size_t steps, double share) { /* of the steps, those of a stretch that is this part of the way */
   double n = ceil((double)steps * share - 1e-9);
   return n < 1 ? 1 : (size_t)n;
 }
 
-static vs_section vs_swept_section(const vs_path_point *p, vs_vec3 x, double angle, double scale, vs_vec2 base) {
+static vs_section swept_section(const vs_path_point *p, vs_vec3 x, double angle, double scale, vs_vec2 base) {
   double sine, cosine;
   vs_sincos(angle, &sine, &cosine);
   vs_vec3 b = p->leaving, y = vs_v3_cross(b, x), m = vs_v3_add(p->arriving, b);
@@ -161,7 +161,7 @@ static vs_section vs_swept_section(const vs_path_point *p, vs_vec3 x, double ang
 }
 
 /* Is the profile, turned by `angle` about base, itself? Then its point i comes to lie on point seam[i]. False: out of memory. */
-static bool vs_swept_seam(vs_swept *s, vs_vec2 base, double angle, double reach) {
+static bool swept_seam(vs_swept *s, vs_vec2 base, double angle, double reach) {
   size_t *seam = malloc(s->profile_count * sizeof *seam);
   double sine, cosine, near = 1e-9 * reach;
   bool whole = seam != NULL;
@@ -188,19 +188,19 @@ static bool vs_swept_seam(vs_swept *s, vs_vec2 base, double angle, double reach)
   return ok;
 }
 
-static bool vs_swept_turns_back(const vs_path_point *p) { return 1 + vs_v3_dot(p->arriving, p->leaving) <= 0.005; }
+static bool swept_turns_back(const vs_path_point *p) { return 1 + vs_v3_dot(p->arriving, p->leaving) <= 0.005; }
 
 /* path is used up: its points are refined where a twist needs it. x: the profile's first direction at the start. */
-static bool vs_swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, double scale, vs_vec2 base, double reach, const vs_facets *f, vs_error *e) {
+static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, double scale, vs_vec2 base, double reach, const vs_facets *f, vs_error *e) {
   vs_path fine = { 0 };
   vs_vec3 *carried = NULL;
   bool ok = true;
   double rest = twist - full_turn * nearbyint(twist / full_turn);
   bool meets = path->closed && scale == 1, joins = meets && fabs(rest) < 1e-9;
-  size_t stretches = path->closed ? path->count : path->count - 1, all_steps = vs_swept_refine(s, twist, scale, reach, f);
+  size_t stretches = path->closed ? path->count : path->count - 1, all_steps = swept_refine(s, twist, scale, reach, f);
   ok = all_steps > 0;
-  for (size_t i = 0; i < path->count; i++) meets = meets && !vs_swept_turns_back(&path->at[i]);
-  if (ok && meets && !joins && s->filled) ok = vs_swept_seam(s, base, rest, reach);
+  for (size_t i = 0; i < path->count; i++) meets = meets && !swept_turns_back(&path->at[i]);
+  if (ok && meets && !joins && s->filled) ok = swept_seam(s, base, rest, reach);
   bool seam = s->seam != NULL; /* a square after a quarter turn is itself: the ends meet */
   if (!path->closed) { /* ends stand square */
     path->at[0].arriving = path->at[0].leaving;
@@ -209,7 +209,7 @@ static bool vs_swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, 
   for (size_t i = 0; ok && i < stretches; i++) {
     const vs_path_point *p = &path->at[i], *q = &path->at[i + 1 < path->count ? i + 1 : 0];
     vs_vec3 way = vs_v3_sub(q->at, p->at);
-    size_t steps = vs_swept_share(all_steps, vs_v3_length(way) / path->length);
+    size_t steps = swept_share(all_steps, vs_v3_length(way) / path->length);
     ok = vs_path_add(&fine, p->at, p->arriving, p->leaving);
     for (size_t k = 1; ok && k < steps; k++) {
       double t = (double)k / (double)steps;
@@ -231,17 +231,17 @@ static bool vs_swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, 
     bool round = i == fine.count; /* a closed path in pieces ends where it began */
     vs_path_point p = fine.at[round ? 0 : i];
     double t = round ? 1 : fine.length > 0 ? fine.at[i].along / fine.length : 0;
-    if (joins && i == 0) for (size_t k = 0; k < fine.count; k++) broken = broken || vs_swept_turns_back(&fine.at[k]);
-    if (vs_swept_turns_back(&p) && (i > 0 || ends)) {
+    if (joins && i == 0) for (size_t k = 0; k < fine.count; k++) broken = broken || swept_turns_back(&fine.at[k]);
+    if (swept_turns_back(&p) && (i > 0 || ends)) {
       vs_path_point end = { p.at, p.arriving, p.arriving, p.along };
       vs_vec3 across = carried[i ? i - 1 : 0];
       across = vs_v3_unit(vs_v3_sub(across, vs_v3_scale(p.arriving, vs_v3_dot(across, p.arriving))));
-      ok = vs_swept_add(s, vs_swept_section(&end, across, twist * t, 1 + (scale - 1) * t, base));
+      ok = swept_add(s, swept_section(&end, across, twist * t, 1 + (scale - 1) * t, base));
       if (ok) s->sections[s->section_count - 1].ends = true;
       if (round || (ends && i + 1 == fine.count)) break;
     }
-    if (vs_swept_turns_back(&p)) p.arriving = p.leaving;
-    ok = ok && vs_swept_add(s, vs_swept_section(&p, carried[round ? 0 : i], twist * t, 1 + (scale - 1) * t, base));
+    if (swept_turns_back(&p)) p.arriving = p.leaving;
+    ok = ok && swept_add(s, swept_section(&p, carried[round ? 0 : i], twist * t, 1 + (scale - 1) * t, base));
   }
   s->joined = joins && !broken;
   s->across = true;
@@ -252,7 +252,7 @@ static bool vs_swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, 
 
 /* The path, sampled so that what the profile draws on the outside of its bends keeps the tolerance too: a stretch that turns by d rises over its chord
  * by 1 - cos(d/2) of the radius, there the path's own and the profile's reach. */
-static bool vs_swept_path(const vs_node *curve, const vs_facets *f, double reach, vs_path *path, vs_error *e) {
+static bool swept_path(const vs_node *curve, const vs_facets *f, double reach, vs_path *path, vs_error *e) {
   vs_affine identity = vs_affine_identity();
   double most = 0;
   if (!vs_curve_path(curve, &identity, f, path, e)) return false;
@@ -272,7 +272,7 @@ static bool vs_swept_path(const vs_node *curve, const vs_facets *f, double reach
 /* ---- the three kinds ---- */
 
 /* Along a path without turning, filled: pieces that each go to one side of the profile's plane. What moves within the plane fills nothing. */
-static bool vs_swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs_path *path, vs_error *e) {
+static bool swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs_path *path, vs_error *e) {
   double side = 0;
   size_t stretches = path->closed ? path->count : path->count - 1;
   bool ok = true;
@@ -280,8 +280,8 @@ static bool vs_swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs
     vs_vec3 from = vs_v3_sub(path->at[i].at, path->at[0].at), to = vs_v3_sub(path->at[i + 1 < path->count ? i + 1 : 0].at, path->at[0].at);
     double rise = vs_v3_dot(vs_v3_sub(to, from), plane->normal), now = fabs(rise) <= 1e-9 * path->length ? 0 : rise < 0 ? -1 : 1;
     if (now != side && s->section_count) s->sections[s->section_count - 1].ends = true;
-    if (now != side && now != 0) ok = vs_swept_add(s, (vs_section){ plane->x, plane->y, vs_v3_add(plane->origin, from), false });
-    if (now != 0) ok = ok && vs_swept_add(s, (vs_section){ plane->x, plane->y, vs_v3_add(plane->origin, to), false });
+    if (now != side && now != 0) ok = swept_add(s, (vs_section){ plane->x, plane->y, vs_v3_add(plane->origin, from), false });
+    if (now != 0) ok = ok && swept_add(s, (vs_section){ plane->x, plane->y, vs_v3_add(plane->origin, to), false });
     side = now;
   }
   if (!ok) return vs_error_memory(e, NULL);
@@ -290,20 +290,20 @@ static bool vs_swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs
 }
 
 /* along a vector, or along a path without turning */
-static bool vs_swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
+static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
   const struct vs_extrude *x = VS_AS(extrude, n);
   vs_profile_plane plane = { 0 };
   vs_path path = { 0 };
   vs_affine identity = vs_affine_identity();
   vs_vec3 none = { 0, 0, 0 };
   bool curve = n->child_count > 1, ok = true, turns = x->twist != 0 || x->scale != 1;
-  ok = vs_swept_profile(s, n->children[0].node, f, NULL, &plane, e);
+  ok = swept_profile(s, n->children[0].node, f, NULL, &plane, e);
   if (ok && curve) ok = vs_curve_path(n->children[1].node, &identity, f, &path, e);
   else if (ok) ok = (vs_path_add(&path, none, none, none) && vs_path_add(&path, x->along, none, none)) || vs_error_memory(e, NULL);
   if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: the curve to follow is a point");
   if (ok) vs_path_measure(&path);
   if (ok && curve && s->filled && !turns) {
-    ok = vs_swept_pieces(s, &plane, &path, e);
+    ok = swept_pieces(s, &plane, &path, e);
     vs_path_free(&path);
     return ok;
   }
@@ -313,14 +313,14 @@ static bool vs_swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, 
   if (ok && !curve && s->filled && fabs(rises) < 1e-9)
     ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: the amount lies in the profile's own plane, whose normal is (vxyz %.6g %.6g %.6g)", plane.normal.x, plane.normal.y, plane.normal.z);
   s->joined = ok && path.closed && !turns;
-  size_t all_steps = ok ? vs_swept_refine(s, x->twist, x->scale, plane.reach, f) : 1;
+  size_t all_steps = ok ? swept_refine(s, x->twist, x->scale, plane.reach, f) : 1;
   if (!all_steps) ok = vs_error_memory(e, NULL);
   for (size_t i = 0; ok && i < path.count + (path.closed && turns); i++) {
     bool round = i == path.count;
     vs_vec3 p = path.at[round ? 0 : i].at;
     double until = round ? path.length : path.at[i].along, from = i ? path.at[i - 1].along : 0;
     vs_vec3 before = i ? path.at[i - 1].at : p;
-    size_t steps = i && path.length > 0 ? vs_swept_share(all_steps, (until - from) / path.length) : 1;
+    size_t steps = i && path.length > 0 ? swept_share(all_steps, (until - from) / path.length) : 1;
     for (size_t k = 1; ok && k <= steps; k++) {
       double part = (double)k / (double)steps, t = path.length > 0 ? (from + (until - from) * part) / path.length : 0, sine, cosine;
       vs_vec3 at = k == steps ? p : vs_v3_add(before, vs_v3_scale(vs_v3_sub(p, before), part));
@@ -335,49 +335,49 @@ static bool vs_swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, 
         vs_vec3 off = vs_v3_add(vs_v3_scale(section.x, plane.base.x), vs_v3_scale(section.y, plane.base.y));
         if (t > 0) section.at = vs_v3_add(shift, vs_v3_sub(middle, off));
       }
-      ok = vs_swept_add(s, section) || vs_error_memory(e, NULL);
+      ok = swept_add(s, section) || vs_error_memory(e, NULL);
     }
   }
   vs_path_free(&path);
   return ok;
 }
 
-static bool vs_swept_sweep(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
+static bool swept_sweep(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
   const struct vs_sweep *w = VS_AS(sweep, n);
   vs_profile_plane plane = { 0 };
   vs_path path = { 0 };
-  bool ok = vs_swept_profile(s, n->children[0].node, f, w->has_base ? &w->base : NULL, &plane, e) &&
-            vs_swept_path(n->children[1].node, f, plane.reach * fmax(1, w->scale), &path, e);
+  bool ok = swept_profile(s, n->children[0].node, f, w->has_base ? &w->base : NULL, &plane, e) &&
+            swept_path(n->children[1].node, f, plane.reach * fmax(1, w->scale), &path, e);
   if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-sweep: the path is a point");
   if (ok) {
     vs_affine turn = vs_frame_turn(plane.normal, path.at[0].leaving);
     const vs_node *c = n->children[0].node;
     while (c->child_count == 1) c = c->children[0].node;
     bool round = path.closed && !w->has_base && vs_profile_circle(n->children[0].node) > 0 && c->kind == VS_CIRCLE && VS_AS(circle, c)->segments <= 0; /* its twist is not to be seen */
-    ok = vs_swept_along(s, &path, vs_affine_vector(&turn, plane.x), round ? 0 : w->twist, w->scale, plane.base, plane.reach, f, e);
+    ok = swept_along(s, &path, vs_affine_vector(&turn, plane.x), round ? 0 : w->twist, w->scale, plane.base, plane.reach, f, e);
   }
   vs_path_free(&path);
   return ok;
 }
 
-static bool vs_swept_thicken(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
+static bool swept_thicken(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
   const struct vs_thicken *t = VS_AS(thicken, n);
   const vs_node *what = n->children[0].node;
   if (what->class_ != VS_CURVE) {
     vs_profile_plane plane = { 0 };
-    if (!vs_swept_profile(s, what, f, NULL, &plane, e)) return false;
+    if (!swept_profile(s, what, f, NULL, &plane, e)) return false;
     vs_vec3 half = vs_v3_scale(plane.normal, t->width / 2);
-    return (vs_swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_sub(plane.origin, half), false }) &&
-            vs_swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_add(plane.origin, half), false })) || vs_error_memory(e, NULL);
+    return (swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_sub(plane.origin, half), false }) &&
+            swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_add(plane.origin, half), false })) || vs_error_memory(e, NULL);
   }
   vs_path path = { 0 };
-  bool ok = vs_swept_path(what, f, t->width / 2, &path, e);
+  bool ok = swept_path(what, f, t->width / 2, &path, e);
   if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-thicken: the curve is a point");
-  ok = ok && (vs_swept_disc(s, t->width / 2, vs_facets_turn(f, t->width / 2, t->segments)) || vs_error_memory(e, NULL));
+  ok = ok && (swept_disc(s, t->width / 2, vs_facets_turn(f, t->width / 2, t->segments)) || vs_error_memory(e, NULL));
   if (ok) {
     vs_affine square = vs_frame_on_axis(path.at[0].at, path.at[0].leaving);
     vs_vec3 x = { square.m[0][0], square.m[1][0], square.m[2][0] };
-    ok = vs_swept_along(s, &path, x, 0, 1, (vs_vec2){ 0, 0 }, t->width / 2, f, e);
+    ok = swept_along(s, &path, x, 0, 1, (vs_vec2){ 0, 0 }, t->width / 2, f, e);
   }
   vs_path_free(&path);
   return ok;
@@ -385,7 +385,7 @@ static bool vs_swept_thicken(vs_swept *s, const vs_node *n, const vs_facets *f, 
 
 bool vs_swept_plan(const vs_node *n, const vs_facets *f, vs_swept *out, vs_error *e) {
   *out = (vs_swept){ 0 };
-  bool ok = n->kind == VS_EXTRUDE ? vs_swept_extrude(out, n, f, e) : n->kind == VS_SWEEP ? vs_swept_sweep(out, n, f, e) : vs_swept_thicken(out, n, f, e);
+  bool ok = n->kind == VS_EXTRUDE ? swept_extrude(out, n, f, e) : n->kind == VS_SWEEP ? swept_sweep(out, n, f, e) : swept_thicken(out, n, f, e);
   if (!ok) vs_swept_free(out);
   return ok;
 }

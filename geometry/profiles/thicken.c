@@ -9,20 +9,20 @@
 
 typedef struct { uint64_t key; bool forward; uint32_t a, b; } vs_border;
 
-static int vs_border_compare(const void *p, const void *q) {
+static int border_compare(const void *p, const void *q) {
   const vs_border *x = p, *y = q;
   return x->key < y->key ? -1 : x->key > y->key;
 }
 
 /* Walls along edges that one facet has alone (or more facets one way than the other) */
-static bool vs_thicken_walls(vs_mesh *out, uint32_t (*facets)[3], size_t count, uint32_t up, uint32_t down) {
+static bool thicken_walls(vs_mesh *out, uint32_t (*facets)[3], size_t count, uint32_t up, uint32_t down) {
   vs_border *edges = malloc((count ? 3 * count : 1) * sizeof *edges);
   bool ok = edges != NULL;
   for (size_t i = 0; ok && i < 3 * count; i++) {
     uint32_t a = facets[i / 3][i % 3], b = facets[i / 3][(i + 1) % 3];
     edges[i] = (vs_border){ a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a, a < b, a, b };
   }
-  if (ok) qsort(edges, 3 * count, sizeof *edges, vs_border_compare);
+  if (ok) qsort(edges, 3 * count, sizeof *edges, border_compare);
   for (size_t i = 0, end; ok && i < 3 * count; i = end) {
     long over = 0;
     for (end = i; end < 3 * count && edges[end].key == edges[i].key; end++) over += edges[end].forward ? 1 : -1;
@@ -71,7 +71,7 @@ bool vs_thicken_surface(const vs_mesh *m, double width, vs_mesh *out) {
   for (size_t i = 0; ok && i < count; i++)
     ok = vs_mesh_add_triangle(out, up + facets[i][0], up + facets[i][1], up + facets[i][2]) &&
          vs_mesh_add_triangle(out, down + facets[i][2], down + facets[i][1], down + facets[i][0]);
-  ok = ok && vs_thicken_walls(out, facets, count, up, down);
+  ok = ok && thicken_walls(out, facets, count, up, down);
   free(place);
   free(facets);
   free(normal);

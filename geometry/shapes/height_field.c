@@ -14,28 +14,28 @@ typedef struct {
   uint32_t *foot;                /* a sample's vertex on the floor, or UINT32_MAX where it has none */
 } vs_heights;
 
-static bool vs_heights_on_floor(const vs_heights *g, uint32_t i) { return !(g->h->points->at[i].z > g->h->low); }
+static bool heights_on_floor(const vs_heights *g, uint32_t i) { return !(g->h->points->at[i].z > g->h->low); }
 
-static bool vs_heights_foot(vs_heights *g, uint32_t i) {
+static bool heights_foot(vs_heights *g, uint32_t i) {
   vs_vec3 p = g->h->points->at[i];
   if (g->foot[i] != UINT32_MAX) return true;
-  if (!vs_heights_on_floor(g, i)) return vs_mesh_add_vertex(g->out, vs_v3(p.x, p.y, g->h->low), &g->foot[i]);
+  if (!heights_on_floor(g, i)) return vs_mesh_add_vertex(g->out, vs_v3(p.x, p.y, g->h->low), &g->foot[i]);
   g->foot[i] = g->first + i;
   return true;
 }
 
 /* From sample a to its neighbour b along the border, the outside to the right */
-static bool vs_heights_wall(vs_heights *g, uint32_t a, uint32_t b) {
-  bool ok = vs_heights_foot(g, a) && vs_heights_foot(g, b);
-  if (ok && !vs_heights_on_floor(g, b)) ok = vs_mesh_add_triangle(g->out, g->foot[a], g->foot[b], g->first + b);
-  if (ok && !vs_heights_on_floor(g, a)) ok = vs_mesh_add_triangle(g->out, g->foot[a], g->first + b, g->first + a);
+static bool heights_wall(vs_heights *g, uint32_t a, uint32_t b) {
+  bool ok = heights_foot(g, a) && heights_foot(g, b);
+  if (ok && !heights_on_floor(g, b)) ok = vs_mesh_add_triangle(g->out, g->foot[a], g->foot[b], g->first + b);
+  if (ok && !heights_on_floor(g, a)) ok = vs_mesh_add_triangle(g->out, g->foot[a], g->first + b, g->first + a);
   return ok;
 }
 
-static bool vs_heights_face(vs_heights *g, uint32_t a, uint32_t b, uint32_t c, bool floor) {
-  if (vs_heights_on_floor(g, a) && vs_heights_on_floor(g, b) && vs_heights_on_floor(g, c)) return true;
+static bool heights_face(vs_heights *g, uint32_t a, uint32_t b, uint32_t c, bool floor) {
+  if (heights_on_floor(g, a) && heights_on_floor(g, b) && heights_on_floor(g, c)) return true;
   if (!vs_mesh_add_triangle(g->out, g->first + a, g->first + b, g->first + c)) return false;
-  return !floor || (vs_heights_foot(g, a) && vs_heights_foot(g, b) && vs_heights_foot(g, c) && vs_mesh_add_triangle(g->out, g->foot[a], g->foot[c], g->foot[b]));
+  return !floor || (heights_foot(g, a) && heights_foot(g, b) && heights_foot(g, c) && vs_mesh_add_triangle(g->out, g->foot[a], g->foot[c], g->foot[b]));
 }
 
 bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
@@ -47,12 +47,12 @@ bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
   for (uint32_t i = 0; ok && i < count; i++) {
     ok = vs_mesh_add_vertex(out, h->points->at[i], NULL);
     g.foot[i] = UINT32_MAX;
-    touches = touches || vs_heights_on_floor(&g, i);
+    touches = touches || heights_on_floor(&g, i);
   }
   for (uint32_t j = 0; ok && j + 1 < rows; j++)
     for (uint32_t i = 0; ok && i + 1 < columns; i++) {
       uint32_t a = j * columns + i, b = a + 1, c = b + columns, d = a + columns;
-      ok = vs_heights_face(&g, a, b, c, touches) && vs_heights_face(&g, a, c, d, touches);
+      ok = heights_face(&g, a, b, c, touches) && heights_face(&g, a, c, d, touches);
     }
   uint32_t last = count - columns, middle = 0;
   if (ok && !touches) ok = vs_mesh_add_vertex(out, vs_v3((h->points->at[0].x + h->points->at[count - 1].x) / 2, (h->points->at[0].y + h->points->at[count - 1].y) / 2, h->low), &middle);
@@ -62,7 +62,7 @@ bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
       size_t s = (k + e) % border, across = columns - 1, up = rows - 1;
       at[e] = (uint32_t)(s < across ? s : s < across + up ? (s - across) * columns + across : s < 2 * across + up ? last + 2 * across + up - s : (border - s) * columns);
     }
-    ok = vs_heights_wall(&g, at[0], at[1]) && (touches || vs_mesh_add_triangle(out, g.foot[at[1]], g.foot[at[0]], middle));
+    ok = heights_wall(&g, at[0], at[1]) && (touches || vs_mesh_add_triangle(out, g.foot[at[1]], g.foot[at[0]], middle));
   }
   free(g.foot);
   return ok;

@@ -30,7 +30,7 @@ bool vs_cloud_add(vs_cloud *c, vs_vec3 p) {
 /* ---- extent ---- */
 
 /* A point far from the others in every way: corner[0..3] span as much as there is, extent[k] is how far corner[k] lies off the others. */
-static int vs_cloud_span(const vs_cloud *c, uint32_t corner[4]) {
+static int cloud_span(const vs_cloud *c, uint32_t corner[4]) {
   if (!c->count) return -1;
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < c->count; i++) vs_bounds_add(&b, c->at[i]);
@@ -54,14 +54,14 @@ static int vs_cloud_span(const vs_cloud *c, uint32_t corner[4]) {
 
 int vs_cloud_dimension(const vs_cloud *c) {
   uint32_t corner[4];
-  return vs_cloud_span(c, corner);
+  return cloud_span(c, corner);
 }
 
 /* ---- the grid ---- */
 
 typedef struct { int64_t x, y, z; } vs_step;
 
-static vs_step *vs_cloud_steps(const vs_cloud *c) {
+static vs_step *cloud_steps(const vs_cloud *c) {
   vs_step *s = malloc((c->count ? c->count : 1) * sizeof *s);
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < c->count; i++) vs_bounds_add(&b, c->at[i]);
@@ -76,7 +76,7 @@ static vs_step *vs_cloud_steps(const vs_cloud *c) {
 }
 
 /* Six volumes of the tetrahedron: positive where d lies on the side from which a, b, c run counter-clockwise */
-static vs_wide vs_steps_volume(const vs_step *s, const uint32_t v[3], uint32_t d) {
+static vs_wide steps_volume(const vs_step *s, const uint32_t v[3], uint32_t d) {
   vs_step a = s[v[0]], b = s[v[1]], c = s[v[2]];
   int64_t ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, wx = c.x - a.x, wy = c.y - a.y, wz = c.z - a.z;
   return ((vs_wide)uy * wz - (vs_wide)uz * wy) * (s[d].x - a.x) + ((vs_wide)uz * wx - (vs_wide)ux * wz) * (s[d].y - a.y) +
@@ -103,7 +103,7 @@ typedef struct {
   uint32_t *leaving;               /* of each point: the new face whose horizon edge starts there */
 } vs_quickhull;
 
-static bool vs_hull_face_new(vs_quickhull *h, uint32_t a, uint32_t b, uint32_t c, uint32_t *out) {
+static bool hull_face_new(vs_quickhull *h, uint32_t a, uint32_t b, uint32_t c, uint32_t *out) {
   if (!VS_GROW(h->faces, h->room, h->count + 1)) return false;
   h->faces[h->count] = (vs_hull_face){ .v = { a, b, c }, .next = { NOBODY, NOBODY, NOBODY }, .above = NOBODY };
   *out = (uint32_t)h->count++;
@@ -111,31 +111,31 @@ static bool vs_hull_face_new(vs_quickhull *h, uint32_t a, uint32_t b, uint32_t c
 }
 
 /* Puts p on the list of the first of the faces from..to that it lies above. */
-static void vs_hull_assign(vs_quickhull *h, uint32_t p, uint32_t from, uint32_t to) {
+static void hull_assign(vs_quickhull *h, uint32_t p, uint32_t from, uint32_t to) {
   for (uint32_t f = from; f < to; f++) {
-    if (vs_steps_volume(h->steps, h->faces[f].v, p) <= 0) continue;
+    if (steps_volume(h->steps, h->faces[f].v, p) <= 0) continue;
     h->next_above[p] = h->faces[f].above;
     h->faces[f].above = p;
     return;
   }
 }
 
-static bool vs_hull_start(vs_quickhull *h, const uint32_t corner[4], size_t points) {
+static bool hull_start(vs_quickhull *h, const uint32_t corner[4], size_t points) {
   uint32_t v[4] = { corner[0], corner[1], corner[2], corner[3] }, f;
-  if (vs_steps_volume(h->steps, v, v[3]) > 0) v[1] = corner[2], v[2] = corner[1]; /* the fourth lies below the first three */
+  if (steps_volume(h->steps, v, v[3]) > 0) v[1] = corner[2], v[2] = corner[1]; /* the fourth lies below the first three */
   static const unsigned char faces[4][3] = { { 0, 1, 2 }, { 0, 3, 1 }, { 1, 3, 2 }, { 2, 3, 0 } };
   for (int i = 0; i < 4; i++)
-    if (!vs_hull_face_new(h, v[faces[i][0]], v[faces[i][1]], v[faces[i][2]], &f)) return false;
+    if (!hull_face_new(h, v[faces[i][0]], v[faces[i][1]], v[faces[i][2]], &f)) return false;
   for (uint32_t i = 0; i < 4; i++)
     for (uint32_t k = 0; k < 3; k++)
       for (uint32_t j = 0; j < 12; j++)
         if (h->faces[j / 3].v[j % 3] == h->faces[i].v[(k + 1) % 3] && h->faces[j / 3].v[(j + 1) % 3] == h->faces[i].v[k]) h->faces[i].next[k] = j / 3;
-  for (size_t p = 0; p < points; p++) vs_hull_assign(h, (uint32_t)p, 0, 4);
+  for (size_t p = 0; p < points; p++) hull_assign(h, (uint32_t)p, 0, 4);
   return true;
 }
 
 /* The faces that p takes with it, into waiting; the edges round them into horizon. */
-static bool vs_hull_take(vs_quickhull *h, uint32_t first, uint32_t p, uint32_t step, size_t *taken, size_t *edges) {
+static bool hull_take(vs_quickhull *h, uint32_t first, uint32_t p, uint32_t step, size_t *taken, size_t *edges) {
   *taken = *edges = 0;
   if (!VS_GROW(h->waiting, h->waiting_room, 1)) return false;
   h->waiting[(*taken)++] = first;
@@ -145,7 +145,7 @@ static bool vs_hull_take(vs_quickhull *h, uint32_t first, uint32_t p, uint32_t s
     for (uint32_t k = 0; k < 3; k++) {
       uint32_t other = h->faces[f].next[k];
       if (h->faces[other].mark == step) continue;
-      if (vs_steps_volume(h->steps, h->faces[other].v, p) < 0) continue;
+      if (steps_volume(h->steps, h->faces[other].v, p) < 0) continue;
       if (!VS_GROW(h->waiting, h->waiting_room, *taken + 1)) return false;
       h->faces[other].mark = step;
       h->waiting[(*taken)++] = other;
@@ -162,19 +162,19 @@ static bool vs_hull_take(vs_quickhull *h, uint32_t first, uint32_t p, uint32_t s
   return true;
 }
 
-static bool vs_hull_add(vs_quickhull *h, uint32_t face, uint32_t step) {
+static bool hull_add(vs_quickhull *h, uint32_t face, uint32_t step) {
   uint32_t p = h->faces[face].above;
   size_t taken, edges;
   vs_wide most = 0;
   for (uint32_t q = p; q != NOBODY; q = h->next_above[q]) {
-    vs_wide off = vs_steps_volume(h->steps, h->faces[face].v, q);
+    vs_wide off = steps_volume(h->steps, h->faces[face].v, q);
     if (off > most) most = off, p = q;
   }
-  if (!vs_hull_take(h, face, p, step, &taken, &edges)) return false;
+  if (!hull_take(h, face, p, step, &taken, &edges)) return false;
   uint32_t first = (uint32_t)h->count, made;
   for (size_t i = 0; i < edges; i++) {
     uint32_t f = h->horizon[2 * i], k = h->horizon[2 * i + 1], a = h->faces[f].v[k], b = h->faces[f].v[(k + 1) % 3], other = h->faces[f].next[k];
-    if (!vs_hull_face_new(h, a, b, p, &made)) return false;
+    if (!hull_face_new(h, a, b, p, &made)) return false;
     h->faces[made].next[0] = other;
     for (uint32_t j = 0; j < 3; j++)
       if (h->faces[other].v[j] == b && h->faces[other].v[(j + 1) % 3] == a) h->faces[other].next[j] = made;
@@ -189,7 +189,7 @@ static bool vs_hull_add(vs_quickhull *h, uint32_t face, uint32_t step) {
     vs_hull_face *dead = &h->faces[h->waiting[i]];
     for (uint32_t q = dead->above, following; q != NOBODY; q = following) {
       following = h->next_above[q];
-      if (q != p) vs_hull_assign(h, q, first, (uint32_t)h->count);
+      if (q != p) hull_assign(h, q, first, (uint32_t)h->count);
     }
     dead->above = NOBODY;
     dead->dead = true;
@@ -197,7 +197,7 @@ static bool vs_hull_add(vs_quickhull *h, uint32_t face, uint32_t step) {
   return true;
 }
 
-static bool vs_hull_write(const vs_quickhull *h, const vs_cloud *c, vs_mesh *out) {
+static bool hull_write(const vs_quickhull *h, const vs_cloud *c, vs_mesh *out) {
   bool ok = true;
   for (size_t i = 0; i < c->count; i++) h->leaving[i] = NOBODY; /* now: its vertex */
   for (size_t f = 0; ok && f < h->count; f++) {
@@ -212,13 +212,13 @@ static bool vs_hull_write(const vs_quickhull *h, const vs_cloud *c, vs_mesh *out
 
 bool vs_cloud_hull(const vs_cloud *c, vs_mesh *out) {
   uint32_t corner[4];
-  if (vs_cloud_span(c, corner) < 3) return true;
-  vs_step *steps = vs_cloud_steps(c);
+  if (cloud_span(c, corner) < 3) return true;
+  vs_step *steps = cloud_steps(c);
   vs_quickhull h = { .steps = steps, .next_above = malloc(c->count * sizeof *h.next_above), .leaving = malloc(c->count * sizeof *h.leaving) };
-  bool ok = steps && h.next_above && h.leaving && vs_hull_start(&h, corner, c->count);
+  bool ok = steps && h.next_above && h.leaving && hull_start(&h, corner, c->count);
   for (uint32_t f = 0, step = 0; ok && f < h.count; f++)
-    if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = vs_hull_add(&h, f, ++step); /* f dies of it: the next is the next */
-  ok = ok && vs_hull_write(&h, c, out);
+    if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = hull_add(&h, f, ++step); /* f dies of it: the next is the next */
+  ok = ok && hull_write(&h, c, out);
   free(steps);
   free(h.next_above);
   free(h.leaving);
@@ -232,7 +232,7 @@ bool vs_cloud_hull(const vs_cloud *c, vs_mesh *out) {
 
 typedef struct { int64_t u, v; uint32_t point; } vs_flat_step;
 
-static int vs_flat_compare(const void *a, const void *b) {
+static int flat_compare(const void *a, const void *b) {
   const vs_flat_step *p = a, *q = b;
   if (p->u != q->u) return p->u < q->u ? -1 : 1;
   if (p->v != q->v) return p->v < q->v ? -1 : 1;
@@ -240,14 +240,14 @@ static int vs_flat_compare(const void *a, const void *b) {
 }
 
 /* b lies off the line from a to c by more steps than rounding moves points that were on it */
-static bool vs_flat_left(const vs_flat_step *a, const vs_flat_step *b, const vs_flat_step *c) {
+static bool flat_left(const vs_flat_step *a, const vs_flat_step *b, const vs_flat_step *c) {
   int64_t du = c->u - a->u, dv = c->v - a->v;
   return (vs_wide)(b->u - a->u) * dv - (vs_wide)(b->v - a->v) * du > 4 * ((vs_wide)(du < 0 ? -du : du) + (dv < 0 ? -dv : dv));
 }
 
 bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   uint32_t corner[4];
-  int dimension = vs_cloud_span(c, corner), drop = 2;
+  int dimension = cloud_span(c, corner), drop = 2;
   *out = (vs_polyline){ .closed = true };
   if (dimension < 1) return true;
   vs_vec3 n = { 0, 0, 0 };
@@ -258,7 +258,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   }
   if (fabs(n.x) >= fabs(n.y) && fabs(n.x) >= fabs(n.z)) drop = 0;
   else if (fabs(n.y) >= fabs(n.z)) drop = 1;
-  vs_step *steps = vs_cloud_steps(c);
+  vs_step *steps = cloud_steps(c);
   vs_flat_step *at = malloc(c->count * sizeof *at), *chain = malloc((2 * c->count + 1) * sizeof *chain);
   bool ok = steps && at && chain;
   for (size_t i = 0; ok && i < c->count; i++) {
@@ -266,12 +266,12 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
     at[i] = (vs_flat_step){ drop == 0 ? s.y : drop == 1 ? s.z : s.x, drop == 0 ? s.z : drop == 1 ? s.x : s.y, (uint32_t)i };
   }
   size_t count = 0;
-  if (ok) qsort(at, c->count, sizeof *at, vs_flat_compare);
+  if (ok) qsort(at, c->count, sizeof *at, flat_compare);
   for (int way = 0; ok && way < 2; way++) { /* below from left to right, then above and back */
     size_t first = count;
     for (size_t i = 0; i < c->count; i++) {
       const vs_flat_step *p = &at[way ? c->count - 1 - i : i];
-      while (count >= first + 2 && !vs_flat_left(&chain[count - 2], &chain[count - 1], p)) count--;
+      while (count >= first + 2 && !flat_left(&chain[count - 2], &chain[count - 1], p)) count--;
       if (count > first && chain[count - 1].u == p->u && chain[count - 1].v == p->v) continue;
       chain[count++] = *p;
     }
@@ -291,29 +291,29 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
 
 typedef struct { const vs_ref *ref; vs_affine placed; } vs_hull_part;
 
-static bool vs_hull_add_points(vs_cloud *out, const vs_affine *placed, const vs_vec3 *at, size_t count, vs_error *e) {
+static bool hull_add_points(vs_cloud *out, const vs_affine *placed, const vs_vec3 *at, size_t count, vs_error *e) {
   for (size_t i = 0; i < count; i++)
     if (!vs_cloud_add(out, vs_affine_point(placed, at[i]))) return vs_error_memory(e, NULL);
   return true;
 }
 
-static bool vs_hull_add_leaf(vs_cloud *out, const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_error *e) {
+static bool hull_add_leaf(vs_cloud *out, const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_error *e) {
   vs_facets inner = vs_facets_placed(f, placed);
   bool ok = true;
   if (n->class_ == VS_CURVE) {
     vs_polyline p = { 0 };
-    ok = vs_curve_sample(n, &inner, &p, e) && vs_hull_add_points(out, placed, p.at, p.count, e);
+    ok = vs_curve_sample(n, &inner, &p, e) && hull_add_points(out, placed, p.at, p.count, e);
     vs_polyline_free(&p);
   } else if (n->class_ == VS_REGION_CLASS) {
     vs_outline o;
     if (!vs_region_outline(n, &inner, &o, e)) return false;
-    for (size_t i = 0; ok && i < o.count; i++) ok = vs_hull_add_points(out, placed, o.loops[i].at, o.loops[i].count, e);
+    for (size_t i = 0; ok && i < o.count; i++) ok = hull_add_points(out, placed, o.loops[i].at, o.loops[i].count, e);
     vs_outline_free(&o);
   } else if (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE) {
     return vs_error_set(e, VS_ERROR_MODEL, NULL, "the hull of an intersection or a difference needs its mesh");
   } else if (n->class_ == VS_SOLID || n->class_ == VS_SURFACE) {
     vs_mesh m = { 0 };
-    ok = vs_tessellate(n, &inner, &m, e) && vs_hull_add_points(out, placed, m.vertices, m.vertex_count, e);
+    ok = vs_tessellate(n, &inner, &m, e) && hull_add_points(out, placed, m.vertices, m.vertex_count, e);
     vs_mesh_free(&m);
   }
   return ok;
@@ -329,12 +329,12 @@ bool vs_hull_cloud(const vs_node *hull, const vs_facets *f, vs_cloud *out, vs_er
     vs_hull_part part = stack[--depth];
     const vs_node *n = part.ref->node;
     if (n->kind == VS_TRANSFORM) part.placed = vs_affine_multiply(&part.placed, &VS_AS(transform, n)->matrix);
-    if (n->kind == VS_HULL) ok = vs_hull_add_points(out, &part.placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count, e);
+    if (n->kind == VS_HULL) ok = hull_add_points(out, &part.placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count, e);
     if (n->kind == VS_TRANSFORM || vs_node_is_dress(n) || n->kind == VS_UNION || n->kind == VS_HULL) {
       if (ok && !VS_GROW(stack, room, depth + n->child_count)) ok = vs_error_memory(e, NULL);
       for (uint32_t i = n->child_count; ok && i-- > 0;) stack[depth++] = (vs_hull_part){ &n->children[i], part.placed };
     } else if (ok) {
-      ok = vs_hull_add_leaf(out, n, &part.placed, f, e);
+      ok = hull_add_leaf(out, n, &part.placed, f, e);
       if (!ok && e && !e->origin) e->origin = part.ref->origin;
     }
   }

@@ -11,7 +11,7 @@
 #include "geometry/files/polyface.h"
 #include "geometry/plane/ear_clipping.h"
 
-static bool vs_solid_eight(vs_mesh *out, const vs_vec3 *corners, size_t n, const unsigned char (*faces)[3], size_t face_count) {
+static bool solid_eight(vs_mesh *out, const vs_vec3 *corners, size_t n, const unsigned char (*faces)[3], size_t face_count) {
   uint32_t base = (uint32_t)out->vertex_count;
   bool ok = true;
   for (size_t i = 0; ok && i < n; i++) ok = vs_mesh_add_vertex(out, corners[i], NULL);
@@ -24,18 +24,18 @@ bool vs_solid_box(vs_mesh *out, vs_vec3 p, vs_vec3 q) {
   for (int i = 0; i < 8; i++) corners[i] = vs_v3(i & 1 ? q.x : p.x, i & 2 ? q.y : p.y, i & 4 ? q.z : p.z);
   static const unsigned char faces[12][3] = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
                                               { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
-  return vs_solid_eight(out, corners, 8, faces, 12);
+  return solid_eight(out, corners, 8, faces, 12);
 }
 
 bool vs_solid_wedge(vs_mesh *out, vs_vec3 p, vs_vec3 q) {
   vs_vec3 corners[6] = { { p.x, p.y, p.z }, { q.x, p.y, p.z }, { p.x, q.y, p.z }, { q.x, q.y, p.z }, { p.x, p.y, q.z }, { p.x, q.y, q.z } };
   static const unsigned char faces[8][3] = { { 0, 2, 3 }, { 0, 3, 1 }, { 0, 1, 4 }, { 2, 5, 3 }, { 0, 4, 5 }, { 0, 5, 2 }, { 1, 3, 5 }, { 1, 5, 4 } };
-  return vs_solid_eight(out, corners, 6, faces, 8);
+  return solid_eight(out, corners, 6, faces, 8);
 }
 
 /* ---- rings and what spans them ---- */
 
-static bool vs_solid_oval(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double rx, double ry, int n) {
+static bool solid_oval(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double rx, double ry, int n) {
   bool ok = true;
   for (int i = 0; ok && i < n; i++) {
     double s, c;
@@ -46,10 +46,10 @@ static bool vs_solid_oval(vs_mesh *out, const vs_affine *frame, vs_vec3 center, 
   return ok;
 }
 
-static bool vs_solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double r, int n) { return vs_solid_oval(out, frame, center, r, r, n); }
+static bool solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double r, int n) { return solid_oval(out, frame, center, r, r, n); }
 
 /* Facets between the ring that starts at vertex low and the one at high, which lies further along the axis. */
-static bool vs_solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n) {
+static bool solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n) {
   bool ok = true;
   for (uint32_t i = 0; ok && i < n; i++) {
     uint32_t j = i + 1 == n ? 0 : i + 1;
@@ -59,7 +59,7 @@ static bool vs_solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n)
 }
 
 /* Facets from a ring to one vertex: further along the axis, or (back) before it. */
-static bool vs_solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool back) {
+static bool solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool back) {
   bool ok = true;
   for (uint32_t i = 0; ok && i < n; i++) {
     uint32_t j = i + 1 == n ? 0 : i + 1;
@@ -69,9 +69,9 @@ static bool vs_solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, 
 }
 
 /* Closes a ring with a disc: a fan about its centre, or triangles over the corners alone, halving it again and again. */
-static bool vs_solid_disc(vs_mesh *out, vs_vec3 center, uint32_t ring, uint32_t n, bool back, bool hub) {
+static bool solid_disc(vs_mesh *out, vs_vec3 center, uint32_t ring, uint32_t n, bool back, bool hub) {
   uint32_t tip;
-  if (hub) return vs_mesh_add_vertex(out, center, &tip) && vs_solid_fan(out, ring, n, tip, back);
+  if (hub) return vs_mesh_add_vertex(out, center, &tip) && solid_fan(out, ring, n, tip, back);
   bool ok = true;
   for (uint32_t step = 1; ok && step < n; step *= 2)
     for (uint32_t i = 0; ok && i + step < n; i += 2 * step) {
@@ -91,15 +91,15 @@ bool vs_solid_oval_frustum(vs_mesh *out, vs_vec3 base, double base_radius, doubl
   uint32_t first = (uint32_t)out->vertex_count, sides = (uint32_t)n, low = first, high = first, tip;
   bool ok = vs_mesh_reserve(out, out->vertex_count + 2 * (size_t)sides + 2, out->triangle_count + 4 * (size_t)sides);
   if (base_radius > 0) {
-    ok = ok && vs_solid_oval(out, &frame, base, base_radius, base_across, n);
+    ok = ok && solid_oval(out, &frame, base, base_radius, base_across, n);
     high = first + sides;
   }
-  if (top_radius > 0) ok = ok && vs_solid_oval(out, &frame, top, top_radius, top_across, n);
-  if (base_radius > 0) ok = ok && vs_solid_disc(out, base, low, sides, true, hubs);
-  if (top_radius > 0) ok = ok && vs_solid_disc(out, top, high, sides, false, hubs);
-  if (base_radius > 0 && top_radius > 0) return ok && vs_solid_band(out, low, high, sides);
-  if (base_radius > 0) return ok && vs_mesh_add_vertex(out, top, &tip) && vs_solid_fan(out, low, sides, tip, false);
-  if (top_radius > 0) return ok && vs_mesh_add_vertex(out, base, &tip) && vs_solid_fan(out, high, sides, tip, true);
+  if (top_radius > 0) ok = ok && solid_oval(out, &frame, top, top_radius, top_across, n);
+  if (base_radius > 0) ok = ok && solid_disc(out, base, low, sides, true, hubs);
+  if (top_radius > 0) ok = ok && solid_disc(out, top, high, sides, false, hubs);
+  if (base_radius > 0 && top_radius > 0) return ok && solid_band(out, low, high, sides);
+  if (base_radius > 0) return ok && vs_mesh_add_vertex(out, top, &tip) && solid_fan(out, low, sides, tip, false);
+  if (top_radius > 0) return ok && vs_mesh_add_vertex(out, base, &tip) && solid_fan(out, high, sides, tip, true);
   return ok;
 }
 
@@ -111,12 +111,12 @@ bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n) {
   for (int j = 1; ok && j < rings; j++) { /* from the south pole up */
     double s, c;
     vs_turn_sincos(j, 2 * rings, &s, &c);
-    ok = vs_solid_ring(out, &level, vs_v3(center.x, center.y, center.z - radius * c), radius * s, n);
+    ok = solid_ring(out, &level, vs_v3(center.x, center.y, center.z - radius * c), radius * s, n);
   }
-  for (uint32_t j = 1; ok && j + 1 < (uint32_t)rings; j++) ok = vs_solid_band(out, first + (j - 1) * around, first + j * around, around);
+  for (uint32_t j = 1; ok && j + 1 < (uint32_t)rings; j++) ok = solid_band(out, first + (j - 1) * around, first + j * around, around);
   return ok && vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z - radius), &south) &&
-         vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z + radius), &north) && vs_solid_fan(out, first, around, south, true) &&
-         vs_solid_fan(out, first + (uint32_t)(rings - 2) * around, around, north, false);
+         vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z + radius), &north) && solid_fan(out, first, around, south, true) &&
+         solid_fan(out, first + (uint32_t)(rings - 2) * around, around, north, false);
 }
 
 /* A tube wider than its path's radius meets itself on the axis: then only the outer skin is built, from pole to pole. */
@@ -129,9 +129,9 @@ bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, in
     for (int j = 0; ok && j < tube_turn; j++) {
       double s, c;
       vs_turn_sincos(j, tube_turn, &s, &c);
-      ok = vs_solid_ring(out, &level, vs_v3(center.x, center.y, center.z + tube * s), radius + tube * c, around);
+      ok = solid_ring(out, &level, vs_v3(center.x, center.y, center.z + tube * s), radius + tube * c, around);
     }
-    for (uint32_t j = 0; ok && j < rows; j++) ok = vs_solid_band(out, first + j * n, first + (j + 1 == rows ? 0 : j + 1) * n, n);
+    for (uint32_t j = 0; ok && j < rows; j++) ok = solid_band(out, first + j * n, first + (j + 1 == rows ? 0 : j + 1) * n, n);
     return ok;
   }
   double reach = acos(-radius / tube), pole = sqrt((tube - radius) * (tube + radius));
@@ -140,12 +140,12 @@ bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, in
   for (int j = 1; ok && j < rows; j++) {
     double s, c, angle = reach * (2 * j - rows) / rows;
     vs_sincos(angle, &s, &c);
-    ok = vs_solid_ring(out, &level, vs_v3(center.x, center.y, center.z + tube * s), radius + tube * c, around);
+    ok = solid_ring(out, &level, vs_v3(center.x, center.y, center.z + tube * s), radius + tube * c, around);
   }
-  for (uint32_t j = 1; ok && j + 1 < (uint32_t)rows; j++) ok = vs_solid_band(out, first + (j - 1) * n, first + j * n, n);
+  for (uint32_t j = 1; ok && j + 1 < (uint32_t)rows; j++) ok = solid_band(out, first + (j - 1) * n, first + j * n, n);
   return ok && vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z - pole), &south) &&
-         vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z + pole), &north) && vs_solid_fan(out, first, n, south, true) &&
-         vs_solid_fan(out, first + (uint32_t)(rows - 2) * n, n, north, false);
+         vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z + pole), &north) && solid_fan(out, first, n, south, true) &&
+         solid_fan(out, first + (uint32_t)(rows - 2) * n, n, north, false);
 }
 
 /* ---- half-spaces ---- */

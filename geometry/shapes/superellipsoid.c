@@ -14,47 +14,47 @@ static const double quarter_pi = 0.78539816339744830962;
 
 typedef struct { double u, v; } vs_oval_point;
 
-static vs_oval_point vs_oval_at(double p, double t) {
+static vs_oval_point oval_at(double p, double t) {
   double u = exp(-log1p(pow(t, p)) / p);
   return (vs_oval_point){ u, t * u };
 }
 
 /* From 0 to 1 as t does: half of what the normal has turned, half of the angle. */
-static double vs_oval_share(double p, double t) {
+static double oval_share(double p, double t) {
   double angle = atan(t) / quarter_pi, turned = p == 1 ? angle : atan(pow(t, fabs(p - 1))) / quarter_pi;
   return (angle + turned) / 2;
 }
 
 /* A quarter, from (1, 0) to (0, 1), 2 * half + 1 points; mirror images of each other about the diagonal to the last bit. */
-static void vs_oval_quarter(double p, int half, vs_oval_point *at) {
+static void oval_quarter(double p, int half, vs_oval_point *at) {
   for (int i = 0; i <= half; i++) {
     double low = 0, high = 1, want = (double)i / half;
     for (int k = 0; k < 100 && i > 0 && i < half; k++) {
       double middle = (low + high) / 2;
-      if (vs_oval_share(p, middle) < want) low = middle;
+      if (oval_share(p, middle) < want) low = middle;
       else high = middle;
     }
-    at[i] = i == 0 ? (vs_oval_point){ 1, 0 } : vs_oval_at(p, i == half ? 1 : low);
+    at[i] = i == 0 ? (vs_oval_point){ 1, 0 } : oval_at(p, i == half ? 1 : low);
     at[2 * half - i] = (vs_oval_point){ at[i].v, at[i].u };
   }
 }
 
 /* Facets a turn, a multiple of eight, so that axes and diagonals hold corners. Off the circle the chords of equal shares are up to three
  * times as high as a circle's of as many facets. */
-static int vs_oval_turn(const struct vs_superellipsoid *s, double exponent, const vs_facets *f) {
+static int oval_turn(const struct vs_superellipsoid *s, double exponent, const vs_facets *f) {
   int n = vs_facets_turn(f, s->size, s->segments);
   if (exponent != 1 && s->segments == 0 && f->segments == 0) n = 7 * n / 4;
   return (n + 7) / 8 * 8;
 }
 
 bool vs_superellipsoid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs_facets *f) {
-  int around = vs_oval_turn(s, s->e, f), profile = vs_oval_turn(s, s->n, f), half = profile / 4; /* rings from the equator to a pole */
+  int around = oval_turn(s, s->e, f), profile = oval_turn(s, s->n, f), half = profile / 4; /* rings from the equator to a pole */
   vs_oval_point *section = malloc((size_t)(around / 4 + 1) * sizeof *section), *up = malloc((size_t)(half + 1) * sizeof *up);
   uint32_t n = (uint32_t)around, base = (uint32_t)out->vertex_count, rings = (uint32_t)(2 * half - 1), south, north;
   bool ok = section && up && vs_mesh_reserve(out, out->vertex_count + (size_t)n * rings + 2, out->triangle_count + 2 * (size_t)n * rings);
   if (ok) {
-    vs_oval_quarter(2 / s->e, around / 8, section);
-    vs_oval_quarter(2 / s->n, profile / 8, up);
+    oval_quarter(2 / s->e, around / 8, section);
+    oval_quarter(2 / s->n, profile / 8, up);
   }
   for (int j = 1 - half; ok && j < half; j++) { /* from the south up */
     double r = s->size * up[abs(j)].u, z = (j < 0 ? -s->size : s->size) * up[abs(j)].v;
@@ -84,26 +84,26 @@ bool vs_superellipsoid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, con
 /* ---- formulas ---- */
 
 /* (a^p + b^p)^(1/p) of numbers from 0 up, without overflow; the greater where p is infinite */
-static double vs_oval_norm(double p, double a, double b) {
+static double oval_norm(double p, double a, double b) {
   double most = fmax(a, b), least = fmin(a, b);
   return most > 0 && isfinite(p) ? most * exp(log1p(pow(least / most, p)) / p) : most;
 }
 
 bool vs_superellipsoid_holds(const struct vs_superellipsoid *s, vs_vec3 p) {
-  return vs_oval_norm(2 / s->n, vs_oval_norm(2 / s->e, fabs(p.x), fabs(p.y)), fabs(p.z)) <= s->size;
+  return oval_norm(2 / s->n, oval_norm(2 / s->e, fabs(p.x), fabs(p.y)), fabs(p.z)) <= s->size;
 }
 
 /* The dual norm; what caves in (p < 1) reaches as far as the points on its axes. */
 double vs_superellipsoid_reach(const struct vs_superellipsoid *s, vs_vec3 d) {
   double p = 2 / s->e, q = 2 / s->n, dual_p = p > 1 ? p / (p - 1) : INFINITY, dual_q = q > 1 ? q / (q - 1) : INFINITY;
-  return s->size * vs_oval_norm(dual_q, vs_oval_norm(dual_p, fabs(d.x), fabs(d.y)), fabs(d.z));
+  return s->size * oval_norm(dual_q, oval_norm(dual_p, fabs(d.x), fabs(d.y)), fabs(d.z));
 }
 
-static double vs_beta(double a, double b) { return tgamma(a) * tgamma(b) / tgamma(a + b); }
+static double beta(double a, double b) { return tgamma(a) * tgamma(b) / tgamma(a + b); }
 
 /* 2 s^3 e n B(e/2, e/2) B(n/2 + 1, n) (Jaklic, Leonardis, Solina 2000) */
 double vs_superellipsoid_volume(const struct vs_superellipsoid *s) {
-  return 2 * s->size * s->size * s->size * s->e * s->n * vs_beta(s->e / 2, s->e / 2) * vs_beta(s->n / 2 + 1, s->n);
+  return 2 * s->size * s->size * s->size * s->e * s->n * beta(s->e / 2, s->e / 2) * beta(s->n / 2 + 1, s->n);
 }
 
 /* The surface is (r u, r v, z) with (u, v) on the section and (r, z) on the profile; its element is
@@ -112,7 +112,7 @@ double vs_superellipsoid_volume(const struct vs_superellipsoid *s) {
  * halves of the profile's, by the double exponential rule, which does not mind what powers do at the ends. */
 typedef struct { double u, v, du, dv, weight; } vs_oval_node;
 
-static int vs_oval_nodes(double p, vs_oval_node *nodes) {
+static int oval_nodes(double p, vs_oval_node *nodes) {
   int n = 0;
   const double step = 1.0 / 16;
   for (int i = -64; i <= 64; i++) {
@@ -126,7 +126,7 @@ static int vs_oval_nodes(double p, vs_oval_node *nodes) {
 
 double vs_superellipsoid_area(const struct vs_superellipsoid *s) {
   vs_oval_node section[129], profile[129];
-  int m = vs_oval_nodes(2 / s->e, section), n = vs_oval_nodes(2 / s->n, profile);
+  int m = oval_nodes(2 / s->e, section), n = oval_nodes(2 / s->n, profile);
   double sum = 0;
   for (int i = 0; i < m; i++) {
     double run = hypot(section[i].du, section[i].dv), turn = section[i].u * section[i].u;

@@ -5,7 +5,7 @@
 
 #include "model/store/store.h"
 
-static size_t vs_nodemap_place(const vs_nodemap *m, const void *key) {
+static size_t nodemap_place(const vs_nodemap *m, const void *key) {
   size_t at = (size_t)vs_hash_mix(5, (uintptr_t)key) & (m->room - 1);
   while (m->slots[at].key && m->slots[at].key != key) at = (at + 1) & (m->room - 1);
   return at;
@@ -18,7 +18,7 @@ void vs_nodemap_free(vs_nodemap *m) {
 
 uint64_t *vs_nodemap_get(const vs_nodemap *m, const void *key) {
   if (!m->room) return NULL;
-  size_t at = vs_nodemap_place(m, key);
+  size_t at = nodemap_place(m, key);
   return m->slots[at].key ? &m->slots[at].value : NULL;
 }
 
@@ -29,11 +29,11 @@ uint64_t *vs_nodemap_put(vs_nodemap *m, const void *key, bool *found) {
     if (!grown.slots) return NULL;
     memset(grown.slots, 0, grown.room * sizeof *grown.slots);
     for (size_t i = 0; i < m->room; i++)
-      if (m->slots[i].key) grown.slots[vs_nodemap_place(&grown, m->slots[i].key)] = m->slots[i];
+      if (m->slots[i].key) grown.slots[nodemap_place(&grown, m->slots[i].key)] = m->slots[i];
     vs_store_realloc(m->store, m->slots, m->room * sizeof *m->slots, 0);
     *m = grown;
   }
-  size_t at = vs_nodemap_place(m, key);
+  size_t at = nodemap_place(m, key);
   if (found) *found = m->slots[at].key != NULL;
   if (!m->slots[at].key) {
     m->slots[at] = (vs_nodemap_slot){ key, 0 };

@@ -62,7 +62,7 @@ uint64_t vs_hash_real(uint64_t h, double d) {
 
 /* ---- memory ---- */
 
-static void *vs_store_libc_alloc(void *context, void *old, size_t old_size, size_t new_size) {
+static void *store_libc_alloc(void *context, void *old, size_t old_size, size_t new_size) {
   (void)context;
   (void)old_size;
   if (!new_size) {
@@ -73,7 +73,7 @@ static void *vs_store_libc_alloc(void *context, void *old, size_t old_size, size
 }
 
 vs_store *vs_store_new(vs_alloc_fn *alloc, void *context) {
-  if (!alloc) alloc = vs_store_libc_alloc;
+  if (!alloc) alloc = store_libc_alloc;
   vs_store *s = alloc(context, NULL, 0, sizeof *s);
   if (!s) return NULL;
   *s = (vs_store){ .refs = 1, .alloc = alloc, .context = context };
@@ -141,7 +141,7 @@ void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size)
   return new;
 }
 
-static void *vs_store_keep(vs_store *s, size_t size) {
+static void *store_keep(vs_store *s, size_t size) {
   size = (size + 15) & ~(size_t)15;
   vs_block *b = s->blocks;
   if (!b || b->size - b->used < size) {
@@ -169,7 +169,7 @@ typedef uint64_t vs_intern_hash_fn(const void *item);
 typedef bool vs_intern_same_fn(const void *item, const void *key);
 
 /* The slot that holds an equal item, or the empty one where it belongs; NULL: out of memory. */
-static void **vs_intern_find(vs_store *s, vs_intern *t, uint64_t hash, const void *key, vs_intern_same_fn *same, vs_intern_hash_fn *hash_of) {
+static void **intern_find(vs_store *s, vs_intern *t, uint64_t hash, const void *key, vs_intern_same_fn *same, vs_intern_hash_fn *hash_of) {
   if (t->count * 4 >= t->room * 3) {
     size_t room = t->room ? t->room * 2 : 64;
     void **slots = vs_store_realloc(s, NULL, 0, room * sizeof *slots);
@@ -192,9 +192,9 @@ static void **vs_intern_find(vs_store *s, vs_intern *t, uint64_t hash, const voi
 
 typedef struct { uint64_t hash; const char *text; size_t length; } vs_text_key;
 
-static uint64_t vs_text_slot_hash(const void *item) { return ((const vs_interned_text *)item)->hash; }
+static uint64_t text_slot_hash(const void *item) { return ((const vs_interned_text *)item)->hash; }
 
-static bool vs_text_same(const void *item, const void *key) {
+static bool text_same(const void *item, const void *key) {
   const vs_interned_text *t = item;
   const vs_text_key *k = key;
   return t->hash == k->hash && t->length == k->length && !memcmp(t->text, k->text, k->length);
@@ -202,10 +202,10 @@ static bool vs_text_same(const void *item, const void *key) {
 
 const char *vs_store_text(vs_store *s, const char *text, size_t length) {
   vs_text_key key = { vs_hash_bytes(1, text, length), text, length };
-  void **slot = vs_intern_find(s, &s->texts, key.hash, &key, vs_text_same, vs_text_slot_hash);
+  void **slot = intern_find(s, &s->texts, key.hash, &key, text_same, text_slot_hash);
   if (!slot) return NULL;
   if (!*slot) {
-    vs_interned_text *t = length < SIZE_MAX - 64 ? vs_store_keep(s, sizeof *t + length + 1) : NULL;
+    vs_interned_text *t = length < SIZE_MAX - 64 ? store_keep(s, sizeof *t + length + 1) : NULL;
     if (!t) return NULL;
     t->hash = key.hash;
     t->length = length;
@@ -221,13 +221,13 @@ uint64_t vs_text_hash(const char *interned) {
   return ((const vs_interned_text *)(const void *)(interned - offsetof(vs_interned_text, text)))->hash;
 }
 
-static uint64_t vs_origin_hash(const void *item) {
+static uint64_t origin_hash(const void *item) {
   const vs_origin *o = item; /* by address: only the table sees this hash, no output depends on it */
   uint64_t h = vs_hash_mix((uintptr_t)o->file, (uint64_t)o->line << 32 | o->column);
   return vs_hash_mix(h, (uintptr_t)o->caller);
 }
 
-static bool vs_origin_same(const void *item, const void *key) {
+static bool origin_same(const void *item, const void *key) {
   const vs_origin *a = item, *b = key;
   return a->line == b->line && a->column == b->column && a->file == b->file && a->caller == b->caller;
 }
@@ -235,10 +235,10 @@ static bool vs_origin_same(const void *item, const void *key) {
 const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, uint32_t column, const vs_origin *caller) {
   vs_origin key = { vs_store_text(s, file, strlen(file)), line, column, caller };
   if (!key.file) return NULL;
-  void **slot = vs_intern_find(s, &s->origins, vs_origin_hash(&key), &key, vs_origin_same, vs_origin_hash);
+  void **slot = intern_find(s, &s->origins, origin_hash(&key), &key, origin_same, origin_hash);
   if (!slot) return NULL;
   if (!*slot) {
-    vs_origin *o = vs_store_keep(s, sizeof *o);
+    vs_origin *o = store_keep(s, sizeof *o);
     if (!o) return NULL;
     *o = key;
     *slot = o;
@@ -254,9 +254,9 @@ uint64_t vs_material_hash(const vs_material *m) {
   return h;
 }
 
-static uint64_t vs_material_slot_hash(const void *item) { return vs_material_hash(item); }
+static uint64_t material_slot_hash(const void *item) { return vs_material_hash(item); }
 
-static bool vs_material_same(const void *item, const void *key) {
+static bool material_same(const void *item, const void *key) {
   const vs_material *a = item, *b = key;
   return a->red == b->red && a->green == b->green && a->blue == b->blue && a->roughness == b->roughness && a->metallic == b->metallic &&
          a->transparency == b->transparency && a->ior == b->ior && a->name == b->name;
@@ -266,10 +266,10 @@ const vs_material *vs_store_material(vs_store *s, const vs_material *m) {
   vs_material key = *m;
   key.name = vs_store_text(s, m->name ? m->name : "", m->name ? strlen(m->name) : 0);
   if (!key.name) return NULL;
-  void **slot = vs_intern_find(s, &s->materials, vs_material_hash(&key), &key, vs_material_same, vs_material_slot_hash);
+  void **slot = intern_find(s, &s->materials, vs_material_hash(&key), &key, material_same, material_slot_hash);
   if (!slot) return NULL;
   if (!*slot) {
-    vs_material *kept = vs_store_keep(s, sizeof *kept);
+    vs_material *kept = store_keep(s, sizeof *kept);
     if (!kept) return NULL;
     *kept = key;
     *slot = kept;
