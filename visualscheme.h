@@ -2,7 +2,7 @@
  *
  *   vs_options o = vs_options_default();
  *   o.host.diagnose = print_it;
- *   vs *s = vs_new(&o);
+ *   vs_scheme *s = vs_new(&o);
  *   if (vs_eval_file(s, "house.vs", 0) == VS_OUTCOME_DONE) vs_write_drawing(s, "house.stl", NULL, NULL);
  *   vs_free(s);
  *
@@ -38,7 +38,7 @@ extern "C" {
 
 VS_API const char *vs_version(void); /* of the library, which may differ from the header's VS_VERSION */
 
-typedef struct vs vs; /* an interpreter: its heap, its program, its drawing */
+typedef struct vs_scheme vs_scheme; /* an interpreter: its heap, its program, its drawing */
 
 /* How a call ended. */
 typedef enum {
@@ -132,13 +132,13 @@ typedef struct {
 VS_API vs_options vs_options_default(void);
 
 /* NULL: out of memory. o NULL: the defaults. What o points to is copied, callbacks are called until vs_free. */
-VS_API vs *vs_new(const vs_options *o);
-VS_API void vs_free(vs *s); /* NULL is fine */
+VS_API vs_scheme *vs_new(const vs_options *o);
+VS_API void vs_free(vs_scheme *s); /* NULL is fine */
 
 /* Makes what runs now end soon (within some 50 ms) with VS_OUTCOME_INTERRUPTED; when nothing runs, the next call ends so unless
  * vs_interrupt_clear came first. Async-signal-safe, and the one function another thread may call. */
-VS_API void vs_interrupt(vs *s);
-VS_API void vs_interrupt_clear(vs *s);
+VS_API void vs_interrupt(vs_scheme *s);
+VS_API void vs_interrupt_clear(vs_scheme *s);
 
 /* ---- running programs ---- */
 
@@ -155,18 +155,18 @@ enum {
 
 /* Both evaluate every top-level form in the one program of this interpreter, in order, and stop at the first error. Objects that top-level
  * expressions return are remembered: they are the model if the program never draws. */
-VS_API vs_outcome vs_eval_file(vs *s, const char *path, unsigned flags);
+VS_API vs_outcome vs_eval_file(vs_scheme *s, const char *path, unsigned flags);
 /* name: for diagnostics ("house.vs", "-e"); first_line: the number of the text's first line there. Relative loads start at name's folder. */
-VS_API vs_outcome vs_eval_text(vs *s, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags);
+VS_API vs_outcome vs_eval_text(vs_scheme *s, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags);
 
 /* Begins anew, as after vs_new: definitions, what was required, parameters, drawing, camera and the like and random numbers are forgotten. What
  * vs_parameter_set gave stays, and so do kept meshes, options, statistics. For running a changed file, or the same with other
  * parameters: what it writes then are the bytes of a fresh process, in the time that the change takes. Out of memory: all is as it was. */
-VS_API vs_outcome vs_restart(vs *s);
+VS_API vs_outcome vs_restart(vs_scheme *s);
 
 /* The program called (exit code): the evaluation ended there with VS_OUTCOME_DONE and nothing more should be run. False: it did not. code: 0 for
  * (exit) and (exit #t), 1 for (exit #f), else what was given. */
-VS_API bool vs_exit_requested(const vs *s, int *code);
+VS_API bool vs_exit_requested(const vs_scheme *s, int *code);
 
 /* Is this text whole data that could be evaluated? For continuation lines and editors; evaluates and changes nothing. */
 typedef enum {
@@ -181,10 +181,10 @@ typedef struct {
   unsigned line, column;   /* INCOMPLETE: of what was opened last; BAD: of the trouble; from 1 */
   const char *message;     /* BAD: "( is closed by ]"; else NULL */
 } vs_read_status;
-VS_API vs_read_status vs_read_check(vs *s, const char *text, size_t length);
+VS_API vs_read_status vs_read_check(vs_scheme *s, const char *text, size_t length);
 
 /* Hands every name visible at top level that begins with prefix to `each`, sorted, until it returns false. Returns how many were handed out. */
-VS_API size_t vs_complete(vs *s, const char *prefix, bool (*each)(void *context, const char *name), void *context);
+VS_API size_t vs_complete(vs_scheme *s, const char *prefix, bool (*each)(void *context, const char *name), void *context);
 
 /* ---- what a name means, for help and editors ---- */
 
@@ -199,13 +199,13 @@ typedef struct {
   vs_span at;           /* where; file NULL: that is not known, or it is the language's */
 } vs_name_info;
 /* False: no such name is visible at top level. */
-VS_API bool vs_name_get(vs *s, const char *name, vs_name_info *out);
+VS_API bool vs_name_get(vs_scheme *s, const char *name, vs_name_info *out);
 /* What to use for a name that does not exist, as errors say it: "make-box is the name here: ...", "did you mean
  * make-box?"; "" where nothing comes to mind. */
-VS_API const char *vs_name_advice(vs *s, const char *name);
+VS_API const char *vs_name_advice(vs_scheme *s, const char *name);
 /* The instructions that a procedure was compiled to, a line each, to `each` until it returns false. False: it is no
  * procedure of Scheme code. */
-VS_API bool vs_disassemble(vs *s, const char *name, bool (*each)(void *context, const char *line), void *context);
+VS_API bool vs_disassemble(vs_scheme *s, const char *name, bool (*each)(void *context, const char *line), void *context);
 
 /* ---- the calls that the last error ended, with what they were called with (vs_options.keep_frames) ---- */
 
@@ -215,16 +215,16 @@ typedef struct {
   vs_span at;             /* the call it was in */
 } vs_frame_info;
 /* Innermost first. False: there are no more, or there was no error. */
-VS_API bool vs_frame_get(vs *s, size_t index, vs_frame_info *out);
+VS_API bool vs_frame_get(vs_scheme *s, size_t index, vs_frame_info *out);
 
 /* ---- where time goes ---- */
 
 /* Begins (on) or ends to look, every few milliseconds, which procedure runs. Beginning forgets what was seen before. */
-VS_API void vs_profile(vs *s, bool on);
+VS_API void vs_profile(vs_scheme *s, bool on);
 typedef struct { const char *procedure; vs_span at; double own, whole;
     /* shares of all looks: it ran itself; it or what it called ran */ } vs_profile_info;
 /* Most time first. False: there are no more. *looks: how many there were. */
-VS_API bool vs_profile_get(vs *s, size_t index, vs_profile_info *out, size_t *looks);
+VS_API bool vs_profile_get(vs_scheme *s, size_t index, vs_profile_info *out, size_t *looks);
 
 /* ---- parameters: what (define-parameter ...) made, as data for sliders and -D ---- */
 
@@ -243,11 +243,11 @@ typedef struct {
 /* Sets what a later (define-parameter name ...) will hold. datum is one datum, read and never evaluated, or bare text where the default is a
  * string. False: the name or the datum cannot be read (a diagnostic has said so). A value that the definition then refuses
  * (another type, out of range, not a choice) ends the evaluation with VS_OUTCOME_USAGE. */
-VS_API bool vs_parameter_set(vs *s, const char *name, const char *datum);
-VS_API size_t vs_parameter_count(const vs *s);
-VS_API bool vs_parameter_get(vs *s, size_t index, vs_parameter_info *out);
+VS_API bool vs_parameter_set(vs_scheme *s, const char *name, const char *datum);
+VS_API size_t vs_parameter_count(const vs_scheme *s);
+VS_API bool vs_parameter_get(vs_scheme *s, size_t index, vs_parameter_info *out);
 /* A name that vs_parameter_set gave and no define-parameter took so far, or NULL past the last. */
-VS_API const char *vs_parameter_unused(const vs *s, size_t index);
+VS_API const char *vs_parameter_unused(const vs_scheme *s, size_t index);
 
 /* ---- the drawing ---- */
 
@@ -261,9 +261,9 @@ typedef struct {
   /* no objects: what the program defines and never calls, "the program defines ..."; else NULL */
   const char *advice;
 } vs_summary;
-VS_API vs_outcome vs_drawing_summary(vs *s, vs_summary *out);
+VS_API vs_outcome vs_drawing_summary(vs_scheme *s, vs_summary *out);
 
-VS_API void vs_drawing_clear(vs *s); /* as (erase-all); forgets returned objects too */
+VS_API void vs_drawing_clear(vs_scheme *s); /* as (erase-all); forgets returned objects too */
 
 /* Output formats. The list is constant and the library's. */
 typedef struct {
@@ -279,7 +279,7 @@ VS_API const vs_format_info *vs_format_find(const char *name_or_suffix); /* "stl
 
 /* The same among those and the formats that the program of this interpreter has brought (define-back-end). What *out points to lives until the next
  * evaluation. False: none such. */
-VS_API bool vs_format_of(const vs *s, const char *name_or_suffix, vs_format_info *out);
+VS_API bool vs_format_of(const vs_scheme *s, const char *name_or_suffix, vs_format_info *out);
 
 /* Optimisation passes by name; bit i of a mask is the i-th name. */
 #define VS_PASSES_ALL (~0u)
@@ -303,9 +303,9 @@ VS_API vs_output_options vs_output_options_default(void);
 
 /* Writes the drawing to path; what stood there stays until the new file is whole and on disk. format: a name or suffix; NULL: by the
  * path's ending. o NULL: the defaults. Formats with a worker run it, tell `progress`, and stop it when interrupted. */
-VS_API vs_outcome vs_write_drawing(vs *s, const char *path, const char *format, const vs_output_options *o);
+VS_API vs_outcome vs_write_drawing(vs_scheme *s, const char *path, const char *format, const vs_output_options *o);
 /* The same into a callback, in pieces; false from it ends the writing with VS_OUTCOME_USAGE. Formats of several files refuse. */
-VS_API vs_outcome vs_write_drawing_to(vs *s, const char *format, const vs_output_options *o,
+VS_API vs_outcome vs_write_drawing_to(vs_scheme *s, const char *format, const vs_output_options *o,
                                       bool (*write)(void *context, const void *bytes, size_t count), void *context);
 
 /* ---- formats of the host's own ----
@@ -365,7 +365,7 @@ typedef struct {
 /* Adds a format to this interpreter: -o file.suffix and its name mean it from then on, and the newest of several.
  * False: the name or suffix is one of the library's or
  * none at all, a kind is none, "polyface-mesh" is missing, or memory is. */
-VS_API bool vs_register_format(vs *s, const vs_format_own *format);
+VS_API bool vs_register_format(vs_scheme *s, const vs_format_own *format);
 
 /* For callbacks. Each returns false where the output has failed; then the callback returns VS_KIND_FAILED or false. */
 VS_API bool vs_output_write(vs_output *out, const void *bytes, size_t count);
@@ -395,7 +395,7 @@ typedef struct {
 } vs_statistic;
 /* Of everything since vs_new, in a fixed order; the manual's page on the command says what each key means. A value that was not counted is a
  * NaN. Copies at most room of them to out, returns how many there are. */
-VS_API size_t vs_statistics(const vs *s, vs_statistic *out, size_t room);
+VS_API size_t vs_statistics(const vs_scheme *s, vs_statistic *out, size_t room);
 
 typedef struct {
   const char *path;   /* "" where it went into a callback */
@@ -404,7 +404,7 @@ typedef struct {
 } vs_output_info;
 /* The same of single outputs, the latest 64, oldest first; keys are those of vs_statistics that belong to one output. False: no such index. *count is how many there are,
  * whatever room is. */
-VS_API bool vs_output_statistics(const vs *s, size_t index, vs_output_info *info, vs_statistic *out, size_t room, size_t *count);
+VS_API bool vs_output_statistics(const vs_scheme *s, size_t index, vs_output_info *info, vs_statistic *out, size_t room, size_t *count);
 
 #ifdef __cplusplus
 }

@@ -111,7 +111,7 @@ vs_status vs_p_back_end(vs_frame *f, vs_value *out) {
 enum { HOST_WRITE = 3 }; /* where back_ends.scm put its procedure when the first was defined */
 
 bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, size_t count, char **text, size_t *bytes) {
-  vs *vm = b->vm;
+  vs_scheme *vm = b->vm;
   VS_ROOTS(vm, r, 4); /* procedure, name, objects, one of them and then the result */
   *text = NULL;
   r[0] = vs_as_vector(vm->at.host)->at[HOST_WRITE];

@@ -34,7 +34,7 @@ typedef struct { const char *name, *datum; bool used; } vs_bind_setting; /* -D *
 typedef struct { const char *name, *suffix, *doc; bool binary, optimised; } vs_bind_back_end; /* that the program brought; texts are the store's */
 
 struct vs_bind {
-  vs *vm;
+  vs_scheme *vm;
   vs_store *store;
   vs_scene scene;
   /* top-level values: the model if nothing was drawn; each may be a list. `returned` are references of our own */
@@ -72,11 +72,11 @@ struct vs_bind {
   void *warn_context;
 };
 
-bool vs_bind_open(vs_bind *b, vs *vm, vs_store *store); /* zeroed b; false: out of memory */
+bool vs_bind_open(vs_bind *b, vs_scheme *vm, vs_store *store); /* zeroed b; false: out of memory */
 void vs_bind_close(vs_bind *b);
 void vs_bind_restart(vs_bind *b); /* as just opened, but for the settings of parameters; the old heap is gone */
 void vs_bind_clear_drawing(vs_bind *b);
-static inline vs_bind *vs_bind_of(vs *vm) { return (vs_bind *)vm->host; }
+static inline vs_bind *vs_bind_of(vs_scheme *vm) { return (vs_bind *)vm->host; }
 
 /* All tables of natives above the VM, NULL-terminated: for vs_config, here and where the image is made. */
 const vs_native_table *const *vs_bind_tables(void);
@@ -90,7 +90,7 @@ bool vs_bind_returned(vs_bind *b, vs_value v, bool shown);
 bool vs_bind_finish(vs_bind *b);
 
 /* ---- what was thrown away (thrown.c) ---- */
-void vs_bind_dropped(vs *vm, vs_value v); /* a body's expression before its last gave v: for vs_config */
+void vs_bind_dropped(vs_scheme *vm, vs_value v); /* a body's expression before its last gave v: for vs_config */
 void vs_bind_tell_dropped(vs_bind *b);    /* warns of those that did not become part of the model, and forgets them */
 void vs_bind_forget_dropped(vs_bind *b);
 void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origin, bool in_body);
@@ -110,12 +110,12 @@ vs_status vs_bind_wrap(vs_bind *b, vs_node *node /* taken over; NULL: out of mem
 /* A position's file as text of the store; NULL: nowhere, or one of the language's own sources: places in those are not the user's business. */
 const char *vs_bind_file_name(vs_bind *b, vs_pos place);
 bool vs_bind_is_library(vs_bind *b, uint32_t file); /* is the file of this number one of those sources? */
-uint32_t vs_bind_file_count(vs *vm); /* files that have a number */
+uint32_t vs_bind_file_count(vs_scheme *vm); /* files that have a number */
 /* Was such a warning given for this place before? It counts as given from now on. */
 bool vs_bind_warned(vs_bind *b, const vs_origin *o, const char *kind);
 /* once a place and `kind` (any constant text); nothing when it could not be formatted */
 void vs_bind_warn(vs_bind *b, const char *kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
-bool vs_bind_text(vs *vm, vs_value string_or_symbol, char **out, size_t *bytes); /* UTF-8 with NUL from vs_mem; *bytes to give back */
+bool vs_bind_text(vs_scheme *vm, vs_value string_or_symbol, char **out, size_t *bytes); /* UTF-8 with NUL from vs_mem; *bytes to give back */
 
 void vs_bind_ticket_gone(void *bind, uint32_t number); /* custom.c */
 
@@ -160,7 +160,7 @@ typedef struct {
 
 struct vs_procedure;
 typedef struct vs_call_frame {
-  vs *vm;
+  vs_scheme *vm;
   vs_bind *bind;
   const struct vs_procedure *procedure;
   int form, count;              /* which form; how many positional arguments (a rest counts as one) */
@@ -182,10 +182,10 @@ extern const vs_native_def vs_bind_defs[];
 void vs_bind_scratch_free(vs_frame *f);
 void *vs_bind_scratch(vs_frame *f, size_t bytes);  /* NULL: out of memory, error set */
 bool vs_bind_keep(vs_frame *f, vs_node *node);     /* releases it when the call ends; NULL gives the memory error */
-bool vs_bind_number(vs *vm, vs_value v, double *out);      /* any real number; false: not one */
+bool vs_bind_number(vs_scheme *vm, vs_value v, double *out);      /* any real number; false: not one */
 bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad); /* false: *bad is no object, or error set and *bad absent */
 
-/* For what works long in the layers below: polls; false: the condition is set. context is the vs */
+/* For what works long in the layers below: polls; false: the condition is set. context is the vs_scheme */
 bool vs_bind_keep_going(void *vm, double done);
 /* "NAME: PARAM must be EXPECTED, got VALUE" */
 vs_status vs_bind_error(vs_frame *f, const vs_error *e); /* what a layer below said */
@@ -197,7 +197,7 @@ double vs_bind_tolerance(vs_bind *b);                   /* (current-tolerance), 
 vs_status vs_bind_finite(vs_frame *f, int i);           /* argument i, an object, has an end; else the error says what to do */
 /* The call of p, under this name, that was meant where numbers stand for points, gvectors or factors, into text;
  * false: there is none (regroup.c). */
-bool vs_bind_grouped(vs *vm, const vs_procedure *p, const char *name, const vs_value *a, int n, char *text,
+bool vs_bind_grouped(vs_scheme *vm, const vs_procedure *p, const char *name, const vs_value *a, int n, char *text,
     size_t room);
 #define VS_BIND_NO_VALUE "one expression gave no value" /* in messages about lists of objects */
 vs_status vs_bind_refuse(vs_frame *f, const char *param, const char *expected, vs_value got);

@@ -126,7 +126,7 @@ static vs_status refuse_hint(vs_frame *f, const char *param, const char *expecte
 static vs_status convert_text(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out);
 
 /* Two or three numbers in a list or a vector; how many, 0: it is something else. */
-static int listed_numbers(vs *vm, vs_value v, double d[3]) {
+static int listed_numbers(vs_scheme *vm, vs_value v, double d[3]) {
   int n = 0;
   d[0] = d[1] = d[2] = 0;
   if (vs_is_vector(v)) {
@@ -188,7 +188,7 @@ static vs_status refuse_condition(vs_frame *f, const vs_bind_param *p, vs_value 
 
 /* ---- converting ---- */
 
-bool vs_bind_number(vs *vm, vs_value v, double *out) {
+bool vs_bind_number(vs_scheme *vm, vs_value v, double *out) {
   if (vs_is_double(v)) *out = vs_double(v);
   else if (vs_is_fixnum(v)) *out = (double)vs_fixnum(v);
   else return vs_is_number(v) && vs_number_double(vm, v, out);
@@ -749,7 +749,7 @@ static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
   return stand && status == VS_OK ? vs_bind_stand(f, stand, out) : status;
 }
 
-vs_status vs_bind_enter(vs *vm, vs_value *a, int n, vs_value *out) {
+vs_status vs_bind_enter(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_frame f; /* arguments are set one by one: clearing all of it would cost more than most procedures */
   f.vm = vm, f.bind = vs_bind_of(vm), f.scratch = NULL, f.count = 0;
   f.procedure = &vs_bind_procedures[vm->native->def - vs_bind_defs];

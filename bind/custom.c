@@ -130,7 +130,7 @@ bool vs_bind_hands_on(const vs_bind *b) {
 }
 
 bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *names) {
-  vs *vm = b->vm;
+  vs_scheme *vm = b->vm;
   VS_ROOTS(vm, r, 4); /* procedure, objects, names, one of either */
   r[0] = vs_as_vector(vm->at.host)->at[HOST_HAND_ON];
   r[1] = r[2] = VS_NIL;

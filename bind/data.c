@@ -13,7 +13,7 @@
 #include "vm/values/number.h"
 
 /* The file of the innermost call that stands in no library of the language; 0: none. */
-static uint32_t calling_file(vs *vm) {
+static uint32_t calling_file(vs_scheme *vm) {
   enum { FAR = 64 };
   vs_pos place[FAR];
   size_t n = vs_call_places(vm, place, FAR);
@@ -23,12 +23,12 @@ static uint32_t calling_file(vs *vm) {
 }
 
 /* a[0]'s place in *path, ended. False: it is no string, or out of memory. */
-static bool path_of(vs *vm, vs_value *a, vs_text *path) {
+static bool path_of(vs_scheme *vm, vs_value *a, vs_text *path) {
   return vs_arg_type(vm, a, 0, VS_T_STRING) && vs_unit_path(vm, a[0], calling_file(vm), path) && vs_text_end(path);
 }
 
 /* (%data-path name): where the file is that a program names */
-static vs_status data_path(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status data_path(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_text path;
   vs_text_open(vm, &path, 0);
@@ -38,7 +38,7 @@ static vs_status data_path(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* (%file->string path) and the like: a file's text. A mark of the byte order at its beginning is left out. */
-static vs_status data_text(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status data_text(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_text path, text;
   vs_text_open(vm, &path, 0);
@@ -56,7 +56,7 @@ static vs_status data_text(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* ---- folders ---- */
-typedef struct { vs *vm; vs_value *list; } names;
+typedef struct { vs_scheme *vm; vs_value *list; } names;
 
 static bool take_name(void *context, const char *name, size_t length) {
   names *l = context;
@@ -65,7 +65,7 @@ static bool take_name(void *context, const char *name, size_t length) {
 }
 
 /* (%directory-files path): the names in a folder, in no order */
-static vs_status directory_files(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status directory_files(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   VS_ROOTS(vm, r, 1);
   r[0] = VS_NIL;
@@ -117,7 +117,7 @@ static const vs_dynamic_name jansson_names[] = {
 typedef struct { json_t *node; void *iterator; size_t index; } level;
 
 /* What stands for a node by itself: an array is a vector yet to fill, an object an association list whose values are. */
-static bool shallow(vs *vm, const jansson *j, json_t *node, vs_value *out) {
+static bool shallow(vs_scheme *vm, const jansson *j, json_t *node, vs_value *out) {
   VS_ROOTS(vm, r, 3); /* the list, its last pair, what is new */
   switch (json_typeof(node)) {
     case JSON_OBJECT:
@@ -144,7 +144,7 @@ static bool shallow(vs *vm, const jansson *j, json_t *node, vs_value *out) {
 }
 
 /* jansson's tree as Scheme data, with a stack of its own. */
-static bool take_json(vs *vm, const jansson *j, json_t *root, vs_value *out) {
+static bool take_json(vs_scheme *vm, const jansson *j, json_t *root, vs_value *out) {
   VS_ROOTS(vm, r, 3); /* the result, the containers (innermost first), a value */
   level *levels = NULL;
   size_t depth = 0, room = 0;
@@ -188,7 +188,7 @@ static bool take_json(vs *vm, const jansson *j, json_t *root, vs_value *out) {
 }
 
 /* text [name]: `name` says in messages where the text came from */
-static vs_status json_parse(vs *vm, const char *text, size_t length, const char *name, vs_value *out) {
+static vs_status json_parse(vs_scheme *vm, const char *text, size_t length, const char *name, vs_value *out) {
   static const char *const files[] = { "libjansson.so.4", "libjansson.4.dylib", NULL };
   static const vs_dynamic_library library = { files, "libjansson4", "JSON" };
   jansson j;
@@ -205,7 +205,7 @@ static vs_status json_parse(vs *vm, const char *text, size_t length, const char 
   return ok;
 }
 
-static vs_status load_json(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status load_json(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_text path, text;
   vs_text_open(vm, &path, 0);
@@ -224,7 +224,7 @@ static vs_status load_json(vs *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-static vs_status string_to_json(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_to_json(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_arg_type(vm, a, 0, VS_T_STRING)) return VS_ERROR;
   vs_text text;

@@ -225,7 +225,7 @@ static vs_status sky_image(vs_frame *f, const vs_arg *image) {
   static const struct { const char *format; unsigned char bytes[4]; size_t count; } kinds[] = {
     { "png", { 0x89, 'P', 'N', 'G' }, 4 }, { "jpeg", { 0xFF, 0xD8, 0xFF, 0 }, 3 }, { "exr", { 0x76, 0x2F, 0x31, 0x01 }, 4 }, { "hdr", { '#', '?', 'R', 'A' }, 4 },
   };
-  vs *vm = f->vm;
+  vs_scheme *vm = f->vm;
   vs_text path;
   const char *name = NULL, *format = NULL;
   VS_ROOTS(vm, r, 1);

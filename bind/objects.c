@@ -14,7 +14,7 @@
 static void shape_release(void *object) { vs_node_release(object); }
 static bool shape_equal(const void *a, const void *b) { return vs_node_equal(a, b, NULL); }
 static uint64_t shape_hash(const void *a) { return ((const vs_node *)a)->hash; }
-static bool shape_print(vs *vm, const void *a, bool (*put)(void *to, const char *s, size_t n), void *to) {
+static bool shape_print(vs_scheme *vm, const void *a, bool (*put)(void *to, const char *s, size_t n), void *to) {
   (void)vm;
   return vs_bind_print_node(a, put, to);
 }
@@ -38,7 +38,7 @@ vs_status vs_bind_wrap_ref(vs_bind *b, vs_ref ref, vs_value *out) {
 /* ---- paints: interned materials, which live as long as the store ---- */
 
 static void paint_release(void *object) { (void)object; }
-static bool paint_print(vs *vm, const void *object, bool (*put)(void *to, const char *s, size_t n), void *to) {
+static bool paint_print(vs_scheme *vm, const void *object, bool (*put)(void *to, const char *s, size_t n), void *to) {
   (void)vm;
   const vs_material *m = object;
   char text[512], c[3][32], v[4][32];
@@ -56,7 +56,7 @@ const vs_foreign_type vs_paint_type = { "a material", paint_release, NULL, NULL,
 
 enum { CHAIN = 8 };
 
-uint32_t vs_bind_file_count(vs *vm) {
+uint32_t vs_bind_file_count(vs_scheme *vm) {
   vs_value files = vm->at.files;
   uint32_t n = vs_is_vector(files) ? (uint32_t)vs_as_vector(files)->length : 0;
   while (n > 1 && !vs_is_string(vs_as_vector(files)->at[n - 1])) n--; /* the vector has room to grow */
@@ -157,7 +157,7 @@ void vs_bind_warn(vs_bind *b, const char *kind, const char *format, ...) {
 
 /* ---- text ---- */
 
-bool vs_bind_text(vs *vm, vs_value v, char **out, size_t *bytes) {
+bool vs_bind_text(vs_scheme *vm, vs_value v, char **out, size_t *bytes) {
   vs_text t;
   vs_text_open(vm, &t, 0);
   bool ok = (vs_is_symbol(v) ? vs_text_put(&t, vs_as_symbol(v)->name, vs_as_symbol(v)->length) : vs_text_string(&t, v)) && vs_text_end(&t);

@@ -16,7 +16,7 @@ static const vs_native_def defs[] = {
 };
 const vs_native_table vs_bind_reserved_table = { "reserved", defs };
 
-static vs_status refuse(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status refuse(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n, (void)out;
   return vs_fail(vm, vm->sym.unbound, "this name is reserved: it is not there yet; %s", reserved[vm->native->def - defs].instead);
 }

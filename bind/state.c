@@ -10,7 +10,7 @@ const vs_native_table *const *vs_bind_tables(void) {
   return tables;
 }
 
-bool vs_bind_open(vs_bind *b, vs *vm, vs_store *store) {
+bool vs_bind_open(vs_bind *b, vs_scheme *vm, vs_store *store) {
   *b = (vs_bind){ .vm = vm, .store = vs_store_retain(store), .refused = b->refused };
   vs_scene_init(&b->scene, store);
   vs_store_on_ticket(store, vs_bind_ticket_gone, b);
@@ -187,7 +187,7 @@ bool vs_bind_count(vs_ref ref, vs_bind_counts *out) {
 enum { HOST_VALUES = 4 };
 
 vs_status vs_p_host_set(vs_frame *f, vs_value *out) {
-  vs *vm = f->vm;
+  vs_scheme *vm = f->vm;
   (void)out;
   if (f->arg[0].integer >= HOST_VALUES) return vs_bind_refuse(f, "index", "smaller", f->arg[0].value);
   VS_ROOTS(vm, r, 1);

@@ -15,7 +15,7 @@ void vs_bind_forget_dropped(vs_bind *b) {
 
 static bool same_place(const vs_origin *a, const vs_origin *b) { return a->file == b->file && a->line == b->line && a->column == b->column; }
 
-void vs_bind_dropped(vs *vm, vs_value v) {
+void vs_bind_dropped(vs_scheme *vm, vs_value v) {
   vs_bind *b = vs_bind_of(vm);
   vs_ref ref = vs_bind_ref(v);
   if (!ref.node || ref.node == b->drawn_last || !ref.origin || vs_bind_is_empty(ref.node)) return;

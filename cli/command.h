@@ -13,7 +13,7 @@ struct cli_editor; /* repl.c: line editing */
 
 typedef struct {
   cli_options *options;
-  vs *scheme;
+  vs_scheme *scheme;
   cli_reporter reporter;
   cli_untrusted untrusted;    /* with --untrusted */
   cli_watch watch;            /* over limits that the library cannot hold */

@@ -17,7 +17,7 @@
 
 /* A signal handler gets no context: the command's only globals are the interpreter that a signal interrupts, and what came so far.
  * SIGINT ends what runs; SIGTERM and SIGHUP end the prompt as well. None kills at once, so that half-written files and POV-Ray go too. */
-static vs *volatile interrupted_by_signal;
+static vs_scheme *volatile interrupted_by_signal;
 static volatile sig_atomic_t interrupts, ended;
 
 static void on_interrupt(int signal_number) {
@@ -250,7 +250,7 @@ static void hold_standard_streams(void) {
     if (fcntl(i, F_GETFD) == -1 && errno == EBADF && open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY) != i) _exit(VS_OUTCOME_USAGE);
 }
 
-static void running_in_view(vs *scheme) { interrupted_by_signal = scheme; }
+static void running_in_view(vs_scheme *scheme) { interrupted_by_signal = scheme; }
 
 static void hear_signals(void) {
   struct sigaction action = {.sa_handler = on_interrupt};

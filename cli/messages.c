@@ -93,7 +93,7 @@ void cli_report_diagnostic(cli_reporter *r, const vs_diagnostic *d) {
   }
 }
 
-bool cli_report_calls(vs *scheme, FILE *to) {
+bool cli_report_calls(vs_scheme *scheme, FILE *to) {
   vs_frame_info f;
   size_t i = 0;
   for (; vs_frame_get(scheme, i, &f); i++) {
@@ -165,7 +165,7 @@ static void json_datum(FILE *to, vs_parameter_type type, const char *datum) {
   cli_json_text(to, datum);
 }
 
-void cli_report_parameters(FILE *to, vs *s) {
+void cli_report_parameters(FILE *to, vs_scheme *s) {
   static const char *const types[] = {
       [VS_PARAMETER_BOOLEAN] = "boolean", [VS_PARAMETER_INTEGER] = "integer", [VS_PARAMETER_REAL] = "real", [VS_PARAMETER_STRING] = "string", [VS_PARAMETER_DATUM] = "datum"};
   size_t count = vs_parameter_count(s);

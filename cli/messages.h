@@ -18,10 +18,10 @@ void cli_report_progress(cli_reporter *r, const vs_progress *p);
 void cli_report_settle(cli_reporter *r); /* takes the progress line away */
 /* The calls that the last error ended, innermost first, each with the parameters it had, a line a call. Returns false if there were none.
  * The interpreter keeps them if vs_options.keep_frames says so. */
-bool cli_report_calls(vs *scheme, FILE *to);
+bool cli_report_calls(vs_scheme *scheme, FILE *to);
 /* "house.vs: 3 solids, 4 x 5.5 x 2 m, from (0 0 0) to (4 5.5 2)" */
 void cli_report_summary(const char *title, const vs_summary *s);
-void cli_report_statistics(vs *s, bool json); /* statistics.c */
-void cli_report_parameters(FILE *to, vs *s); /* JSON */
+void cli_report_statistics(vs_scheme *s, bool json); /* statistics.c */
+void cli_report_parameters(FILE *to, vs_scheme *s); /* JSON */
 
 #endif

@@ -278,7 +278,7 @@ static bool find_format(cli_options *o, cli_target *t) {
   return own || o->format || (ending && ending[1]) || cli_options_late(o, t, NULL);
 }
 
-bool cli_options_late(const cli_options *o, cli_target *t, const vs *scheme) {
+bool cli_options_late(const cli_options *o, cli_target *t, const vs_scheme *scheme) {
   const char *ending = ending_of(t->path);
   vs_format_info brought;
   if (t->format) return true;

@@ -40,7 +40,7 @@ typedef enum { CLI_GO, CLI_STOP /* all done: --help, --version */, CLI_BAD_USAGE
 
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv);
 /* The format of a target that none of the library's serves, from those that the program has brought; scheme NULL: there are none. False: said on standard error. */
-bool cli_options_late(const cli_options *o, cli_target *t, const vs *scheme);
+bool cli_options_late(const cli_options *o, cli_target *t, const vs_scheme *scheme);
 void cli_options_free(cli_options *o);
 
 #endif

@@ -14,7 +14,7 @@ enum { ROOM = 256, NAMES = 32, KEY = 64, WIDE = 10 };
 
 typedef struct { vs_statistic at[ROOM]; size_t count; vs_output_info info; } table;
 
-static bool output_of(vs *s, size_t index, table *t) {
+static bool output_of(vs_scheme *s, size_t index, table *t) {
   if (!vs_output_statistics(s, index, &t->info, t->at, ROOM, &t->count)) return false;
   if (t->count > ROOM) t->count = ROOM;
   return true;
@@ -53,7 +53,7 @@ static void json_members(const table *t, bool first) {
   }
 }
 
-static void print_json(vs *s, const table *all) {
+static void print_json(vs_scheme *s, const table *all) {
   table one;
   fputs("{\"outputs\": [", stderr);
   for (size_t i = 0; output_of(s, i, &one); i++) {
@@ -91,7 +91,7 @@ static void heads(const char *title, char names[NAMES][KEY], size_t count, const
   fprintf(stderr, last ? "%*s\n" : "\n", WIDE, last);
 }
 
-static void times(vs *s, const table *all) {
+static void times(vs_scheme *s, const table *all) {
   char phases[NAMES][KEY];
   size_t count = names_of(all, "memory.", ".peak", phases);
   double rest[NAMES] = { 0 }, sum = 0;
@@ -124,7 +124,7 @@ static void times(vs *s, const table *all) {
 }
 
 /* A row for each key that begins with the prefix: the stages of an output, the steps of the phase mesh. */
-static void parts(vs *s, const table *all, const char *title, const char *prefix) {
+static void parts(vs_scheme *s, const table *all, const char *title, const char *prefix) {
   char names[NAMES][KEY];
   size_t count = names_of(all, prefix, "", names);
   table one;
@@ -142,7 +142,7 @@ static void parts(vs *s, const table *all, const char *title, const char *prefix
   }
 }
 
-static void drawings(vs *s) {
+static void drawings(vs_scheme *s) {
   static const char *const keys[] = { "nodes", "nodes.distinct", "commands.before", "commands.after", "triangles", "bytes" };
   static const char *const shown[] = { "nodes", "distinct", "commands", "optimised", "triangles", "bytes" };
   size_t count, columns = sizeof keys / sizeof *keys;
@@ -192,7 +192,7 @@ static bool tabled(const char *key) {
   return false;
 }
 
-void cli_report_statistics(vs *s, bool json) {
+void cli_report_statistics(vs_scheme *s, bool json) {
   table all;
   all.count = vs_statistics(s, all.at, ROOM);
   if (all.count > ROOM) all.count = ROOM;

@@ -22,7 +22,7 @@ typedef struct {
   const live_options *options;
   live_publish publish;
   live_server server;
-  vs *scheme;
+  vs_scheme *scheme;
   live_files files;
   live_text printed, messages, values; /* of the run under way */
   size_t message_count, errors;

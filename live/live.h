@@ -20,7 +20,7 @@ typedef struct {
   bool open_browser;
   FILE *told;                           /* gets the address, a line */
   const volatile sig_atomic_t *ended;   /* not 0: end */
-  void (*running)(vs *scheme);          /* told of the interpreter, so that a signal can interrupt it; NULL at the end; may be NULL itself */
+  void (*running)(vs_scheme *scheme);          /* told of the interpreter, so that a signal can interrupt it; NULL at the end; may be NULL itself */
 } live_options;
 
 /* Shows the model until *ended is set. Returns VS_OUTCOME_DONE then; VS_OUTCOME_USAGE: the model cannot be read; VS_OUTCOME_WORKER: no libmicrohttpd;

@@ -11,7 +11,7 @@ typedef struct live_server {
   const char *model;          /* the path of the source that windows read and write */
   void (*stop)(void *context); /* interrupts what runs; called from any thread */
   void *stop_context;
-  vs *names;                  /* an interpreter of its own for completion, used with names_lock held */
+  vs_scheme *names;                  /* an interpreter of its own for completion, used with names_lock held */
   pthread_mutex_t names_lock;
   struct MHD_Daemon *daemon;
   unsigned port;

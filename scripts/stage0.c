@@ -23,7 +23,7 @@ static char *read_file(const char *path, size_t *size) {
 
 static bool put(void *to, const uint64_t *words, size_t count) { return fwrite(words, 8, count, to) == count; }
 
-static int failed(vs *vm, const char *what) {
+static int failed(vs_scheme *vm, const char *what) {
   vs_text t;
   vs_text_open(vm, &t, 0);
   if (vs_is(vm->condition, VS_T_CONDITION)) {
@@ -40,7 +40,7 @@ static int failed(vs *vm, const char *what) {
 
 int main(int argc, char **argv) {
   vs_config config = { .tables = vs_bind_tables() };
-  vs *vm = vs_open_vm(&config);
+  vs_scheme *vm = vs_open_vm(&config);
   vs_flat_rules *rules = calloc(1, sizeof *rules);
   if (argc < 3 || !vm || !rules) {
     fprintf(stderr, argc < 3 ? "usage: stage0 IMAGE SOURCE...\n" : "stage0: out of memory\n");

@@ -96,7 +96,7 @@ static bool advise_unbound(place p, vs_span at, vs_text *t) {
 
 /* ---- what was called is no procedure ---- */
 
-static bool advise_callee(place p, vs_span at, vs_value irritants, vs_text *t, vs *vm) {
+static bool advise_callee(place p, vs_span at, vs_value irritants, vs_text *t, vs_scheme *vm) {
   uint32_t unused = 0;
   if (*p.at != '(' && *p.at != '[') return true;
   const char *name = vs_outline_blanks(p.at + 1, p.end, &unused);
@@ -120,7 +120,7 @@ static const vs_procedure *procedure_of(const vs_native *native) {
   return &vs_bind_procedures[native->def - vs_bind_defs];
 }
 
-static bool advise_arity(vs *vm, vs_value payload, vs_text *t) {
+static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
   vs_value callee = vs_is_pair(payload) ? vs_car(payload) : VS_FALSE;
   if (!vs_is(callee, VS_T_NATIVE)) return true;
   const vs_native *native = vs_as_native(callee);
@@ -198,7 +198,7 @@ static size_t quoted_word(place p, const char **word) {
 }
 
 bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t) {
-  vs *vm = s->bind.vm;
+  vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 1);
   r[0] = condition;
   const vs_condition *c = vs_as_condition(r[0]);

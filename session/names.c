@@ -89,7 +89,7 @@ static bool put_call(vs_text *t, vs_value f, const char *name) {
 }
 
 /* The helper of geometry.scm's procedure has its row: %subtract says what subtract is. */
-static vs_value helper_of(vs *vm, const char *name) {
+static vs_value helper_of(vs_scheme *vm, const char *name) {
   char room[80];
   vs_value symbol, value;
   if (snprintf(room, sizeof room, "%%%s", name) >= (int)sizeof room || !vs_intern_c(vm, room, &symbol)) return VS_FALSE;
@@ -97,7 +97,7 @@ static vs_value helper_of(vs *vm, const char *name) {
   return vs_is(value, VS_T_NATIVE) ? value : VS_FALSE;
 }
 
-bool vs_name_get(vs *vm, const char *name, vs_name_info *out) {
+bool vs_name_get(vs_scheme *vm, const char *name, vs_name_info *out) {
   vs_session *s = vs_session_of(vm);
   VS_ROOTS(vm, r, 2);
   *out = (vs_name_info){ .kind = "value", .call = "", .keywords = "", .doc = "", .value = "" };
@@ -136,7 +136,7 @@ bool vs_name_get(vs *vm, const char *name, vs_name_info *out) {
   return true;
 }
 
-const char *vs_name_advice(vs *vm, const char *name) {
+const char *vs_name_advice(vs_scheme *vm, const char *name) {
   vs_session *s = vs_session_of(vm);
   VS_ROOTS(vm, r, 1);
   vs_text t;
@@ -147,7 +147,7 @@ const char *vs_name_advice(vs *vm, const char *name) {
   return advice + strspn(advice, "; ");
 }
 
-bool vs_disassemble(vs *vm, const char *name, bool (*each)(void *context, const char *line), void *context) {
+bool vs_disassemble(vs_scheme *vm, const char *name, bool (*each)(void *context, const char *line), void *context) {
   VS_ROOTS(vm, r, 2);
   if (!vs_intern(vm, name, strlen(name), &r[0])) return false;
   r[1] = vs_environment_value(vm->at.program, r[0]);
@@ -158,7 +158,7 @@ bool vs_disassemble(vs *vm, const char *name, bool (*each)(void *context, const 
 
 /* ---- the calls that an error ended ---- */
 
-bool vs_frame_get(vs *vm, size_t index, vs_frame_info *out) {
+bool vs_frame_get(vs_scheme *vm, size_t index, vs_frame_info *out) {
   vs_session *s = vs_session_of(vm);
   VS_ROOTS(vm, r, 1);
   *out = (vs_frame_info){ .procedure = "", .variables = "" };
@@ -223,7 +223,7 @@ void vs_session_look(vs_session *s) {
   }
 }
 
-void vs_profile(vs *vm, bool on) {
+void vs_profile(vs_scheme *vm, bool on) {
   vs_session *s = vs_session_of(vm);
   if (on) s->profile_count = s->looks = 0;
   s->profiling = on;
@@ -235,7 +235,7 @@ static int most_own(const void *a, const void *b) {
   return x->whole < y->whole ? 1 : x->whole > y->whole ? -1 : x->place < y->place ? -1 : x->place > y->place;
 }
 
-bool vs_profile_get(vs *vm, size_t index, vs_profile_info *out, size_t *looks) {
+bool vs_profile_get(vs_scheme *vm, size_t index, vs_profile_info *out, size_t *looks) {
   vs_session *s = vs_session_of(vm);
   *looks = s->looks;
   if (index >= s->profile_count) return false;

@@ -192,7 +192,7 @@ static bool own_fill(vs_session *s, vs_own_format *f, const vs_format_own *given
   return f->format.name != NULL && f->format.suffix != NULL && f->format.doc != NULL;
 }
 
-bool vs_register_format(vs *vm, const vs_format_own *given) {
+bool vs_register_format(vs_scheme *vm, const vs_format_own *given) {
   vs_session *s = vs_session_of(vm);
   if (!own_suffix(given->suffix) || given->name == NULL || given->name[0] == '\0' ||
       vs_export_format_find(given->name) || vs_export_format_find(given->suffix)) return false;

@@ -80,7 +80,7 @@ bool vs_session_span(vs_session *s, vs_pos place, vs_span *out) {
 }
 
 static vs_outcome outcome_of(const vs_session *s, vs_value kind, bool usage) {
-  const vs *vm = s->bind.vm;
+  const vs_scheme *vm = s->bind.vm;
   if (kind == vm->sym.memory || kind == vm->sym.limit) return VS_OUTCOME_MACHINE;
   if (kind == vm->sym.interrupt) return VS_OUTCOME_INTERRUPTED;
   return usage || s->bind.bad_parameter ? VS_OUTCOME_USAGE : VS_OUTCOME_MODEL;
@@ -112,7 +112,7 @@ static size_t callers(vs_session *s, vs_value chain, vs_span at, vs_diagnostic_n
 }
 
 vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool usage) {
-  vs *vm = s->bind.vm;
+  vs_scheme *vm = s->bind.vm;
   vs_diagnostic_note notes[NOTES];
   vs_span at = { 0 };
   size_t count = 0;

@@ -86,7 +86,7 @@ typedef struct {
 void vs_session_begin(vs_session *s, unsigned flags);
 vs_outcome vs_session_out_of_memory(vs_session *s); /* Reports it to the host. */
 
-static inline vs_session *vs_session_of(const vs *vm) { return (vs_session *)vm->host; }
+static inline vs_session *vs_session_of(const vs_scheme *vm) { return (vs_session *)vm->host; }
 
 /* ---- host.c ---- */
 void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes);  /* of the VM and of the store */

@@ -211,7 +211,7 @@ static void add_found(list *l, const vs_cache_stats *c) {
 #include "model/store/cache.def"
 }
 
-size_t vs_statistics(const vs *vm, vs_statistic *out, size_t room) {
+size_t vs_statistics(const vs_scheme *vm, vs_statistic *out, size_t room) {
   vs_session *s = vs_session_of(vm);
   list l = { out, room, 0 };
   vs_cache_stats cache = vs_cache_count(vs_store_cache(s->bind.store));
@@ -236,7 +236,8 @@ size_t vs_statistics(const vs *vm, vs_statistic *out, size_t room) {
   return l.count;
 }
 
-bool vs_output_statistics(const vs *vm, size_t index, vs_output_info *info, vs_statistic *out, size_t room, size_t *count) {
+bool vs_output_statistics(const vs_scheme *vm, size_t index, vs_output_info *info, vs_statistic *out, size_t room,
+                          size_t *count) {
   vs_session *s = vs_session_of(vm);
   if (index >= s->output_count) return false;
   const vs_output_record *r = &s->outputs[index];

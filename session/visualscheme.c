@@ -33,7 +33,7 @@ vs_outcome vs_session_out_of_memory(vs_session *s) {
 
 /* The value gets the next of the names $1, $2 ... */
 static bool name_result(vs_session *s, vs_value v) {
-  vs *vm = s->bind.vm;
+  vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 3);
   char name[24];
   r[0] = v;
@@ -46,7 +46,7 @@ static bool name_result(vs_session *s, vs_value v) {
 /* An object in a line: how it is made where that is short, else its kind; then the size of its bounding box, or of a
  * larger one where the exact one would take long. */
 static bool tell_object(vs_session *s, vs_value v) {
-  vs *vm = s->bind.vm;
+  vs_scheme *vm = s->bind.vm;
   enum { SHORT = 60 };
   vs_text shown, t;
   VS_ROOTS(vm, r, 1);
@@ -88,7 +88,7 @@ static bool tell_object(vs_session *s, vs_value v) {
 }
 
 /* A top-level expression's value: the model if nothing is drawn, and what the prompt shows. */
-static bool take_value(vs *vm, vs_value v, vs_pos place) {
+static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   vs_session *s = vs_session_of(vm);
   (void)place;
   const vs_host *h = &s->options.host;
@@ -124,7 +124,7 @@ static bool take_value(vs *vm, vs_value v, vs_pos place) {
 }
 
 /* A warning of the expander, at its place in the user's text; none about the library's own. */
-static void warn_program(vs *vm, vs_pos place, const char *message) {
+static void warn_program(vs_scheme *vm, vs_pos place, const char *message) {
   vs_session *s = vs_session_of(vm);
   vs_span at;
   if (vs_session_span(s, place, &at)) vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, at.file, at.line, at.column, message);
@@ -134,7 +134,7 @@ static void warn_program(vs *vm, vs_pos place, const char *message) {
 static bool is_built_in(const char *name) { return !strpbrk(name, "./") && vs_export_format_find(name) != NULL; }
 static bool is_format(const vs_bind *b, const char *name) { return is_built_in(name) || (!strpbrk(name, "./") && vs_bind_back_end_find(b, name) != NULL); }
 
-static void warn_vm(vs *vm, const char *kind, const char *message) { vs_bind_warn(vs_bind_of(vm), kind, "%s",
+static void warn_vm(vs_scheme *vm, const char *kind, const char *message) { vs_bind_warn(vs_bind_of(vm), kind, "%s",
     message); }
 
 static double tally_clock(void *session) { return vs_session_clock(session); }
@@ -155,7 +155,7 @@ static void *bootstrap_memory(const vs_options *o, void *old, size_t old_bytes, 
   return bytes ? realloc(old, bytes) : (free(old), NULL);
 }
 
-static bool open_program(vs *vm) {
+static bool open_program(vs_scheme *vm) {
   vs_flat_rules rules;
   vs_bind_flat_rules(&rules);
   return vs_flat_register(vm, &rules) && vs_front_open(vm) && vs_program_new(vm, &vm->at.program);
@@ -191,7 +191,7 @@ static void free_texts(vs_session *s) {
   if (s->texts) vs_session_memory(s, s->texts, s->text_bytes, 0);
 }
 
-vs *vs_new(const vs_options *options) {
+vs_scheme *vs_new(const vs_options *options) {
   vs_options o = options ? *options : vs_options_default();
   vs_session *s = bootstrap_memory(&o, NULL, 0, sizeof *s);
   if (!s) return NULL;
@@ -208,7 +208,7 @@ vs *vs_new(const vs_options *options) {
     .command_line = s->options.command_line, .command_line_count = s->options.command_line_count,
   };
   vs_store *store = vs_store_new(store_memory, s);
-  vs *vm = store && copied ? vs_open_vm(&config) : NULL;
+  vs_scheme *vm = store && copied ? vs_open_vm(&config) : NULL;
   bool ok = vm && vs_bind_open(&s->bind, vm, store) && open_program(vm);
   if (ok) s->bind.library_files = vs_bind_file_count(vm);
   if (store) vs_store_release(store); /* bind holds it */
@@ -230,15 +230,15 @@ vs *vs_new(const vs_options *options) {
   return NULL;
 }
 
-vs_outcome vs_restart(vs *vm) {
+vs_outcome vs_restart(vs_scheme *vm) {
   vs_session *s = vs_session_of(vm);
-  vs *fresh = vs_open_vm(&vm->config);
+  vs_scheme *fresh = vs_open_vm(&vm->config);
   if (fresh) fresh->host = s;
   if (!fresh || !open_program(fresh)) {
     if (fresh) vs_close_vm(fresh);
     return vs_session_out_of_memory(s);
   }
-  vs old = *vm; /* nothing of an interpreter that rests points to itself */
+  vs_scheme old = *vm; /* nothing of an interpreter that rests points to itself */
   *vm = *fresh, *fresh = old;
   vs_close_vm(fresh); /* lets go of the objects, which hold nodes */
   vs_bind_restart(&s->bind);
@@ -248,7 +248,7 @@ vs_outcome vs_restart(vs *vm) {
   return VS_OUTCOME_DONE;
 }
 
-void vs_free(vs *vm) {
+void vs_free(vs_scheme *vm) {
   if (!vm) return;
   vs_session *s = vs_session_of(vm);
   vs_close_vm(vm); /* lets go of the objects, which hold nodes */
@@ -263,15 +263,15 @@ void vs_free(vs *vm) {
   bootstrap_memory(&o, s, sizeof *s, 0);
 }
 
-void vs_interrupt(vs *vm) { atomic_store(&vs_session_of(vm)->interrupted, true); }
-void vs_interrupt_clear(vs *vm) { atomic_store(&vs_session_of(vm)->interrupted, false); }
+void vs_interrupt(vs_scheme *vm) { atomic_store(&vs_session_of(vm)->interrupted, true); }
+void vs_interrupt_clear(vs_scheme *vm) { atomic_store(&vs_session_of(vm)->interrupted, false); }
 
 /* ---- running ---- */
 
 void vs_session_begin(vs_session *s, unsigned flags) {
   s->flags = flags;
   vs_cache_turn(vs_store_cache(s->bind.store), true);
-  vs *vm = s->bind.vm;
+  vs_scheme *vm = s->bind.vm;
   vs_tally_enter(&s->tally, VS_WORK_RUN);
   vm->steps = vm->written = 0;
   vm->started = vs_session_clock(s);
@@ -294,7 +294,7 @@ static bool was_interrupted(vs_session *s) {
 }
 
 static vs_outcome finish(vs_session *s, bool ok, bool usage) {
-  vs *vm = s->bind.vm;
+  vs_scheme *vm = s->bind.vm;
   s->phase = NULL;
   vs_tally_enter(&s->tally, VS_WORK_NONE);
   s->evaluate_seconds += vs_session_clock(s) - vm->started;
@@ -314,7 +314,8 @@ static vs_outcome finish(vs_session *s, bool ok, bool usage) {
 /* An interrupt that came while nothing ran ends the next evaluation before it begins. */
 static bool may_run(vs_session *s) { return !vs_session_interrupted(s) || vs_fail(s->bind.vm, s->bind.vm->sym.interrupt, "interrupted"); }
 
-vs_outcome vs_eval_text(vs *vm, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags) {
+vs_outcome vs_eval_text(vs_scheme *vm, const char *name, unsigned first_line, const char *text, size_t length,
+                        unsigned flags) {
   vs_session *s = vs_session_of(vm);
   if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
   vs_session_begin(s, flags);
@@ -331,7 +332,7 @@ static bool set_title(vs_session *s, const char *path) {
   return title != NULL;
 }
 
-vs_outcome vs_eval_file(vs *vm, const char *path, unsigned flags) {
+vs_outcome vs_eval_file(vs_scheme *vm, const char *path, unsigned flags) {
   vs_session *s = vs_session_of(vm);
   char *text;
   size_t length;
@@ -350,13 +351,13 @@ vs_outcome vs_eval_file(vs *vm, const char *path, unsigned flags) {
   return outcome;
 }
 
-bool vs_exit_requested(const vs *vm, int *code) {
+bool vs_exit_requested(const vs_scheme *vm, int *code) {
   const vs_session *s = vs_session_of(vm);
   if (s->exit_requested) *code = s->exit_code;
   return s->exit_requested;
 }
 
-vs_read_status vs_read_check(vs *vm, const char *text, size_t length) {
+vs_read_status vs_read_check(vs_scheme *vm, const char *text, size_t length) {
   static const vs_read_state states[] = {
     [VS_TEXT_EMPTY] = VS_READ_EMPTY, [VS_TEXT_WHOLE] = VS_READ_COMPLETE, [VS_TEXT_OPEN] = VS_READ_INCOMPLETE, [VS_TEXT_BAD] = VS_READ_BAD
   };
@@ -367,7 +368,14 @@ vs_read_status vs_read_check(vs *vm, const char *text, size_t length) {
 
 /* ---- completion ---- */
 
-typedef struct { vs *vm; const char *prefix; size_t prefix_bytes; const char **names; size_t count, room; bool failed; } name_list;
+typedef struct {
+  vs_scheme *vm;
+  const char *prefix;
+  size_t prefix_bytes;
+  const char **names;
+  size_t count, room;
+  bool failed;
+} name_list;
 
 static bool collect(void *context, vs_value symbol, vs_value binding) {
   name_list *l = context;
@@ -386,7 +394,7 @@ static bool collect(void *context, vs_value symbol, vs_value binding) {
 
 static int by_name(const void *a, const void *b) { return strcmp(*(const char *const *)a, *(const char *const *)b); }
 
-size_t vs_complete(vs *vm, const char *prefix, bool (*each)(void *context, const char *name), void *context) {
+size_t vs_complete(vs_scheme *vm, const char *prefix, bool (*each)(void *context, const char *name), void *context) {
   name_list l = { .vm = vm, .prefix = prefix, .prefix_bytes = strlen(prefix) };
   size_t given = 0;
   vs_environment_each(vm->at.program, collect, &l);
@@ -402,7 +410,7 @@ size_t vs_complete(vs *vm, const char *prefix, bool (*each)(void *context, const
 
 /* ---- parameters ---- */
 
-bool vs_parameter_set(vs *vm, const char *name, const char *datum) {
+bool vs_parameter_set(vs_scheme *vm, const char *name, const char *datum) {
   vs_session *s = vs_session_of(vm);
   if (*name == 0 || strpbrk(name, " \t\n()[]\"';")) {
     vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, "a parameter's name is one word");
@@ -413,9 +421,9 @@ bool vs_parameter_set(vs *vm, const char *name, const char *datum) {
   return false;
 }
 
-size_t vs_parameter_count(const vs *vm) { return vs_session_of(vm)->bind.parameter_count; }
+size_t vs_parameter_count(const vs_scheme *vm) { return vs_session_of(vm)->bind.parameter_count; }
 
-bool vs_parameter_get(vs *vm, size_t index, vs_parameter_info *out) {
+bool vs_parameter_get(vs_scheme *vm, size_t index, vs_parameter_info *out) {
   static const vs_parameter_type types[] = {
     [VS_P_BOOLEAN] = VS_PARAMETER_BOOLEAN, [VS_P_INTEGER] = VS_PARAMETER_INTEGER, [VS_P_REAL] = VS_PARAMETER_REAL, [VS_P_STRING] = VS_PARAMETER_STRING, [VS_P_DATUM] = VS_PARAMETER_DATUM
   };
@@ -430,7 +438,7 @@ bool vs_parameter_get(vs *vm, size_t index, vs_parameter_info *out) {
   return true;
 }
 
-const char *vs_parameter_unused(const vs *vm, size_t index) {
+const char *vs_parameter_unused(const vs_scheme *vm, size_t index) {
   const vs_bind *b = &vs_session_of(vm)->bind;
   for (size_t i = 0; i < b->setting_count; i++)
     if (!b->settings[i].used && index-- == 0) return b->settings[i].name;
@@ -439,9 +447,9 @@ const char *vs_parameter_unused(const vs *vm, size_t index) {
 
 /* ---- the drawing ---- */
 
-void vs_drawing_clear(vs *vm) { vs_bind_clear_drawing(&vs_session_of(vm)->bind); }
+void vs_drawing_clear(vs_scheme *vm) { vs_bind_clear_drawing(&vs_session_of(vm)->bind); }
 
-vs_outcome vs_drawing_summary(vs *vm, vs_summary *out) { return vs_session_summary(vs_session_of(vm), out); }
+vs_outcome vs_drawing_summary(vs_scheme *vm, vs_summary *out) { return vs_session_summary(vs_session_of(vm), out); }
 
 /* ---- formats ---- */
 
@@ -481,7 +489,7 @@ static const vs_format *format_of(const vs_session *s, const char *text, vs_form
   return room;
 }
 
-bool vs_format_of(const vs *vm, const char *text, vs_format_info *out) {
+bool vs_format_of(const vs_scheme *vm, const char *text, vs_format_info *out) {
   vs_format room;
   const vs_format *f = format_of(vs_session_of(vm), text, &room);
   if (!f) return false;
@@ -502,7 +510,8 @@ const char *const *vs_pass_list(size_t *count) {
 
 vs_output_options vs_output_options_default(void) { return (vs_output_options){ .quality = VS_QUALITY_GOOD, .passes = VS_PASSES_ALL }; }
 
-static vs_outcome write_to(vs *vm, const char *path, const char *format_name, const vs_output_options *options, vs_byte_sink *to) {
+static vs_outcome write_to(vs_scheme *vm, const char *path, const char *format_name, const vs_output_options *options,
+                           vs_byte_sink *to) {
   vs_session *s = vs_session_of(vm);
   vs_output_options o = options ? *options : vs_output_options_default();
   const char *wanted = format_name ? format_name : path;
@@ -517,9 +526,12 @@ static vs_outcome write_to(vs *vm, const char *path, const char *format_name, co
   return vs_session_write(s, path, format, &o, to);
 }
 
-vs_outcome vs_write_drawing(vs *vm, const char *path, const char *format, const vs_output_options *o) { return write_to(vm, path, format, o, NULL); }
+vs_outcome vs_write_drawing(vs_scheme *vm, const char *path, const char *format, const vs_output_options *o) {
+  return write_to(vm, path, format, o, NULL);
+}
 
-vs_outcome vs_write_drawing_to(vs *vm, const char *format, const vs_output_options *o, bool (*write)(void *context, const void *bytes, size_t count), void *context) {
+vs_outcome vs_write_drawing_to(vs_scheme *vm, const char *format, const vs_output_options *o,
+                               bool (*write)(void *context, const void *bytes, size_t count), void *context) {
   vs_byte_sink to = { write, context };
   return write_to(vm, NULL, format, o, &to);
 }

@@ -5,7 +5,7 @@
 #include "vm/machine/program.h"
 
 vs_status vs_bind_file(vs_frame *f, const vs_arg *name, vs_value *bytes, const char **shown) {
-  vs *vm = f->vm;
+  vs_scheme *vm = f->vm;
   vs_text path, own;
   vs_text_open(vm, &path, 0);
   vs_text_open(vm, &own, 0);

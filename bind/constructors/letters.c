@@ -9,7 +9,7 @@
 
 /* A file stands beside the program that names it, as one that it loads does, and is read by the host's own means. */
 static vs_status font_file(vs_frame *f, const vs_arg *font, const char **out) {
-  vs *vm = f->vm;
+  vs_scheme *vm = f->vm;
   vs_text path;
   vs_error e = { 0 };
   VS_ROOTS(vm, r, 1);

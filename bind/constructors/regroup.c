@@ -6,7 +6,7 @@
 /* Writes the call that was meant where numbers stand for a point, a gvector or a list of factors: (do-move o 1 0 0)
  * is (do-move o (vxyz 1 0 0)). False: no form
  * of the procedure is to be had so. */
-static bool group_numbers(vs *vm, const vs_form *form, const char *name, const vs_value *a, int n, char *text,
+static bool group_numbers(vs_scheme *vm, const vs_form *form, const char *name, const vs_value *a, int n, char *text,
     size_t room) {
   int used = 0, groups = 0;
   size_t at = (size_t)snprintf(text, room, "(%s", name);
@@ -42,7 +42,7 @@ static bool group_numbers(vs *vm, const vs_form *form, const char *name, const v
   return true;
 }
 
-bool vs_bind_grouped(vs *vm, const vs_procedure *p, const char *name, const vs_value *a, int n, char *text,
+bool vs_bind_grouped(vs_scheme *vm, const vs_procedure *p, const char *name, const vs_value *a, int n, char *text,
     size_t room) {
   for (int i = VS_MAX_FORMS; i-- > 0;) /* the longest form comes last */
     if (p->form[i].used && group_numbers(vm, &p->form[i], name, a, n, text, room)) return true;

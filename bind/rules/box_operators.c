@@ -58,7 +58,7 @@ static bool read_part(vs_frame *f, vs_value v, double whole, part *out) {
 }
 
 vs_status vs_p_scope_split(vs_frame *f, vs_value *out) {
-  vs *vm = f->vm;
+  vs_scheme *vm = f->vm;
   VS_ROOTS(vm, r, 2);
   if (!vs_rules_class(f, 0, BOXES)) return VS_ERROR;
   vs_scope *s = f->arg[0].scope;
@@ -308,7 +308,7 @@ vs_status vs_p_scope_component(vs_frame *f, vs_value *out) {
 /* A polygon becomes boxes without depth round it, h high, and the polygon at the top; the polygon below it looks
  * down. A flat box is the polygon of its corners. */
 vs_status vs_p_scope_extrude(vs_frame *f, vs_value *out) {
-  vs *vm = f->vm;
+  vs_scheme *vm = f->vm;
   VS_ROOTS(vm, r, 4);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(POLYGON) | VS_SCOPE_BIT(TRIANGLE))) return VS_ERROR;
   vs_scope *s = f->arg[0].scope;

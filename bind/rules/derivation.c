@@ -10,11 +10,11 @@
 
 /* ---- life ---- */
 
-static void mark_task(vs *vm, vs_task *t, void (*mark)(vs *vm, vs_value *slot)) {
+static void mark_task(vs_scheme *vm, vs_task *t, void (*mark)(vs_scheme *vm, vs_value *slot)) {
   if (!t->many) mark(vm, &t->rules[0]);
   for (uint32_t i = t->next; t->many && i < t->count; i++) mark(vm, &t->rules[i]);
 }
-static void derivation_trace(vs *vm, void *object, void (*mark)(vs *vm, vs_value *slot)) {
+static void derivation_trace(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_value *slot)) {
   vs_derivation *d = object;
   mark(vm, &d->rule);
   for (size_t i = 0; i < d->count; i++) mark_task(vm, d->stack[i], mark);
@@ -116,7 +116,7 @@ static uint64_t text_hash(const char *text) {
 static vs_status too_deep(vs_derivation *d, const vs_scope *s) {
   char path[500];
   vs_scope_path_text(s, path, sizeof path);
-  vs *vm = d->bind->vm;
+  vs_scheme *vm = d->bind->vm;
   const vs_native *native = vm->native;
   vm->native = NULL; /* it is the rule's fault */
   vs_fail(vm, vm->sym.recursion,
@@ -438,7 +438,7 @@ vs_status vs_p_choose(vs_frame *f, vs_value *out) {
 }
 
 /* The position of a place in a file that has a number; 0: none. */
-static vs_pos position_of(vs *vm, const vs_origin *o) {
+static vs_pos position_of(vs_scheme *vm, const vs_origin *o) {
   vs_value files = vm->at.files;
   for (size_t i = 1; o && vs_is_vector(files) && i < vs_as_vector(files)->length; i++) {
     const char *name = vs_bind_file_name(vs_bind_of(vm), vs_pos_make((uint32_t)i, 1, 1));
@@ -450,7 +450,7 @@ static vs_pos position_of(vs *vm, const vs_origin *o) {
 /* (%rule-refuses name predicate place self): the scope is not of the rule's class. Named are both places: that of
  * the operator that applies the rule, which the error has, and that of the rule. */
 vs_status vs_p_rule_refuses(vs_frame *f, vs_value *out) {
-  vs *vm = f->vm;
+  vs_scheme *vm = f->vm;
   vs_bind *b = f->bind;
   (void)out;
   VS_ROOTS(vm, r, 2);

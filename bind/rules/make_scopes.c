@@ -217,7 +217,7 @@ vs_status vs_p_scope_parent(vs_frame *f, vs_value *out) {
 
 /* A list, from the root, of (rule operator index); the rule is #f where an operator was called outside of any. */
 vs_status vs_p_scope_path(vs_frame *f, vs_value *out) {
-  vs *vm = f->vm;
+  vs_scheme *vm = f->vm;
   VS_ROOTS(vm, r, 3);
   r[0] = VS_NIL;
   for (const vs_scope *s = f->arg[0].scope; s; s = s->parent) {

@@ -140,7 +140,7 @@ void vs_scope_path_text(const vs_scope *s, char *text, size_t room) {
   if (n == 0) snprintf(text, room, "root");
 }
 
-static bool scope_print(vs *vm, const void *object, bool (*put)(void *to, const char *s, size_t n), void *to) {
+static bool scope_print(vs_scheme *vm, const void *object, bool (*put)(void *to, const char *s, size_t n), void *to) {
   const vs_scope *s = object;
   char text[600], path[500];
   (void)vm;

@@ -24,7 +24,7 @@ enum { HISTORY_ENTRIES = 2000, FLASH = 250 /* ms that a matching parenthesis is 
 typedef struct { char *at; size_t length, room; } text;
 
 struct cli_editor {
-  vs *scheme;
+  vs_scheme *scheme;
   EditLine *line;
   History *history;
   char *history_path;   /* NULL: none could be found or made */
@@ -505,7 +505,7 @@ void cli_editor_close(cli_editor *e) {
   free(e);
 }
 
-cli_editor *cli_editor_open(vs *scheme, void (*commands)(void (*each)(void *context, const char *name),
+cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(void *context, const char *name),
     void *context)) {
   static const struct { const char *keys, *does; } bound[] = {
       {"^I", "vs-complete"}, {"^R", "em-inc-search-prev"}, {")", "vs-close"}, {"]", "vs-close"}, {"^M", "vs-enter"},

@@ -71,7 +71,7 @@ static bool end(void *context, vs_output *out) {
   return vs_output_print(out, "end\n");
 }
 
-static vs_outcome run(vs *s, host *h, const char *text) {
+static vs_outcome run(vs_scheme *s, host *h, const char *text) {
   vs_drawing_clear(s);
   h->text[0] = h->said[0] = 0;
   return vs_eval_text(s, "text", 1, text, strlen(text), 0);
@@ -89,7 +89,7 @@ int main(void) {
   vs_format_info info;
   o.host.context = &h;
   o.host.diagnose = diagnose;
-  vs *s = vs_new(&o);
+  vs_scheme *s = vs_new(&o);
   if (!s) return printf("not ok embed:format: no interpreter\n"), 1;
 #define WRITE(format) vs_write_drawing_to(s, format, NULL, keep, &h)
   CHECK(vs_register_format(s, &format) && vs_format_of(s, "out/a.words", &info) && strcmp(info.doc, "things in words") == 0);

@@ -3,7 +3,7 @@
 #include <string.h>
 #include <visualscheme.h>
 
-typedef struct { char printed[4096], said[4096]; vs_span at; size_t values; vs *scheme; } host;
+typedef struct { char printed[4096], said[4096]; vs_span at; size_t values; vs_scheme *scheme; } host;
 
 static bool print(void *context, const char *text, size_t length) {
   host *h = context;
@@ -35,15 +35,15 @@ static bool first_name(void *context, const char *name) {
 static int failures;
 #define CHECK(condition) ((condition) ? (void)printf("ok embed:%s\n", #condition) : (failures++, (void)printf("not ok embed:%s (line %d)\n", #condition, __LINE__)))
 
-static vs_outcome run(vs *s, const char *text, unsigned flags) { return vs_eval_text(s, "text", 1, text, strlen(text), flags); }
+static vs_outcome run(vs_scheme *s, const char *text, unsigned flags) { return vs_eval_text(s, "text", 1, text, strlen(text), flags); }
 
 int main(void) {
   static host a, b;
   vs_options o = vs_options_default();
   o.host = (vs_host){.context = &a, .output = print, .diagnose = diagnose, .value = value, .poll = poll_interrupt};
-  vs *s = vs_new(&o);
+  vs_scheme *s = vs_new(&o);
   o.host.context = &b;
-  vs *t = vs_new(&o);
+  vs_scheme *t = vs_new(&o);
   if (!s || !t) {
     printf("not ok embed: no interpreter\n");
     return 1;

@@ -31,9 +31,9 @@ static inline bool fuzz_read(void *context, const char *path, char **text, size_
 }
 
 /* The same one for TURNS inputs, each of which begins anew. */
-static inline vs *fuzz_interpreter(fuzz_file *file) {
+static inline vs_scheme *fuzz_interpreter(fuzz_file *file) {
   enum { TURNS = 2000 };
-  static vs *s;
+  static vs_scheme *s;
   static int turn;
   if (s && ++turn % TURNS == 0) vs_free(s), s = NULL;
   if (s) {

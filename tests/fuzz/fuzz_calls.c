@@ -11,7 +11,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   o.untrusted = true, o.limit_steps = 2000, o.limit_memory = 32 << 20, o.limit_time = 5;
   fuzz_file none = { NULL, 0 };
   o.host = (vs_host){ .context = &none, .output = fuzz_drop, .diagnose = fuzz_told, .value = fuzz_value, .read_file = fuzz_read };
-  vs *s = vs_new(&o);
+  vs_scheme *s = vs_new(&o);
   if (!s) abort();
   vs_output_options how = vs_output_options_default();
   how.segments = 6;

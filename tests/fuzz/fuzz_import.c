@@ -13,7 +13,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (size < 1) return 0;
   const char *program = readers[data[0] % READERS];
   file = (fuzz_file){ data + 1, size - 1 };
-  vs *s = fuzz_interpreter(&file);
+  vs_scheme *s = fuzz_interpreter(&file);
   vs_eval_text(s, "fuzz", 1, program, strlen(program), 0);
   file = (fuzz_file){ NULL, 0 };
   return 0;

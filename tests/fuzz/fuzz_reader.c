@@ -2,7 +2,7 @@
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  static vs *s;
+  static vs_scheme *s;
   static unsigned turn;
   static fuzz_file none;
   if (!s || ++turn % 100000 == 0) s = fuzz_interpreter(&none);

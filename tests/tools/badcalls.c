@@ -127,7 +127,7 @@ static void hear(void *context, const vs_diagnostic *d) {
   snprintf(to, TEXT_MOST, "%s", d->message);
 }
 
-static vs *scheme;
+static vs_scheme *scheme;
 static said heard;
 static unsigned line;
 static int passed, failed;

@@ -67,7 +67,7 @@ int main(int argc, char **argv) {
   if (argc <= file) return fprintf(stderr, "usage: gaps [-v] FILE FORMAT...\n"), 2;
   vs_options options = vs_options_default();
   options.host.poll = look, options.host.diagnose = told;
-  vs *s = vs_new(&options);
+  vs_scheme *s = vs_new(&options);
   if (!s) return EXIT_FAILURE;
   void *warm[1];
   backtrace(warm, 1); /* loads what it needs now, not in the signal */

@@ -11,7 +11,7 @@ static bool print_name(void *context, const char *name) {
 
 int main(void) {
   vs_options options = vs_options_default();
-  vs *scheme = vs_new(&options);
+  vs_scheme *scheme = vs_new(&options);
   if (!scheme) return EXIT_FAILURE;
   size_t count = vs_complete(scheme, "", print_name, stdout);
   vs_free(scheme);

@@ -13,7 +13,7 @@
 
 enum { NAMES = 512 };
 typedef struct {
-  vs *vm;
+  vs_scheme *vm;
   vs_bind bind;
   vs_store *store;
   vs_value names[NAMES], procedures[NAMES];
@@ -24,7 +24,7 @@ typedef struct {
   int warnings;
 } world;
 
-static bool define(vs *vm, void *context, vs_value symbol, vs_value procedure) {
+static bool define(vs_scheme *vm, void *context, vs_value symbol, vs_value procedure) {
   (void)vm;
   world *w = context;
   w->names[w->count] = symbol, w->procedures[w->count++] = procedure;

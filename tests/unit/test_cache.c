@@ -148,7 +148,7 @@ static bool collect(void *context, const void *from, size_t count) {
   return true;
 }
 
-static double statistic(vs *s, const char *key) {
+static double statistic(vs_scheme *s, const char *key) {
   vs_statistic all[256];
   size_t n = vs_statistics(s, all, 256);
   for (size_t i = 0; i < n; i++)
@@ -162,18 +162,18 @@ static void say(void *context, const vs_diagnostic *d) {
   if (d->severity == VS_SEVERITY_ERROR) fprintf(stderr, "%s\n", d->message);
 }
 
-static vs *session(size_t cache) {
+static vs_scheme *session(size_t cache) {
   vs_options o = vs_options_default();
   o.host.diagnose = say;
   o.cache = cache;
-  vs *s = vs_new(&o);
+  vs_scheme *s = vs_new(&o);
   assert_non_null(s);
   return s;
 }
 
-static void run(vs *s, const char *text) { assert_int_equal(vs_eval_text(s, "test", 1, text, strlen(text), 0), VS_OUTCOME_DONE); }
+static void run(vs_scheme *s, const char *text) { assert_int_equal(vs_eval_text(s, "test", 1, text, strlen(text), 0), VS_OUTCOME_DONE); }
 
-static bytes written(vs *s, const char *format, bool last) {
+static bytes written(vs_scheme *s, const char *format, bool last) {
   bytes b = { NULL, 0 };
   vs_output_options o = vs_output_options_default();
   o.last = last;
@@ -192,7 +192,7 @@ static void test_incremental(void **state) {
   (void)state;
   static const char *const formats[] = { "stl", "glb", "3mf", "obj", "x3d", "povray", "openscad" };
   for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
-    vs *s = session(0);
+    vs_scheme *s = session(0);
     run(s, parts);
     run(s, "(model 7 2)");
     bytes first = written(s, formats[f], false);
@@ -215,7 +215,7 @@ static void test_incremental(void **state) {
     assert_int_equal(third.count, first.count);
     assert_memory_equal(third.at, first.at, first.count);
     vs_free(s);
-    vs *fresh = session(SIZE_MAX); /* keeps nothing */
+    vs_scheme *fresh = session(SIZE_MAX); /* keeps nothing */
     run(fresh, parts);
     run(fresh, "(model 7 3)");
     bytes other = written(fresh, formats[f], true);
@@ -236,7 +236,7 @@ static void test_measures(void **state) {
       "(define (l z) (make-polyface-mesh (list (xyz 0 0 0) (xyz 2 0 0) (xyz 2 1 0) (xyz 1 1 0) (xyz 1 2 0) (xyz 0 2 0) (xyz 0 0 z) (xyz 2 0 z) (xyz 2 1 z) (xyz 1 1 z) (xyz 1 2 z) (xyz 0 2 z))"
       " '((6 5 4 3 2 1) (7 8 9 10 11 12) (1 2 8 7) (2 3 9 8) (3 4 10 9) (4 5 11 10) (5 6 12 11) (6 1 7 12))))"
       "(define first (ask 3)) (define other (ask 2))";
-  vs *s = session(0);
+  vs_scheme *s = session(0);
   run(s, define);
   double asked = statistic(s, "cache.measures.misses"), found = statistic(s, "cache.measures.hits");
   assert_true(asked >= 4);
@@ -260,12 +260,12 @@ static void test_tags(void **state) {
   };
   static const char *const formats[] = { "obj", "ply", "3mf" };
   for (size_t f = 0; f < 3; f++) {
-    vs *s = session(0);
+    vs_scheme *s = session(0);
     run(s, programs[0]);
     for (size_t i = 1; i < sizeof programs / sizeof *programs; i++) {
       run(s, programs[i]);
       bytes kept = written(s, formats[f], false), again = written(s, formats[f], false);
-      vs *fresh = session(SIZE_MAX);
+      vs_scheme *fresh = session(SIZE_MAX);
       run(fresh, programs[0]);
       run(fresh, programs[i]);
       bytes alone = written(fresh, formats[f], true);
@@ -289,7 +289,7 @@ static void test_restart(void **state) {
       "(register-drawing-function knob? (lambda (o) (do-move (make-box (xyz 0 0 0) (xyz 1 1 1)) (vxyz 0 0 (random 5)))))"
       "(for ([i (in-range 12)]) (draw (subtract (make-box (xyz (* 9 i) 0 0) (xyz (+ (* 9 i) 5 (random 1.0)) 5 5)) (make-sphere (xyz (* 9 i) 0 0) (if (= i k) 3 2)))))"
       "(draw (knob 1)) (define mine 5)";
-  vs *s = session(0), *fresh = session(SIZE_MAX);
+  vs_scheme *s = session(0), *fresh = session(SIZE_MAX);
   run(s, model);
   bytes a = written(s, "stl", false);
   double clusters = statistic(s, "cache.clusters.misses");
@@ -335,7 +335,7 @@ static void test_restart_refused(void **state) {
   refusal r = { 0, false };
   vs_options o = vs_options_default();
   o.alloc = refusing, o.alloc_context = &r;
-  vs *s = vs_new(&o);
+  vs_scheme *s = vs_new(&o);
   assert_non_null(s);
   run(s, parts);
   run(s, "(define mine 5) (model 3 1)");
@@ -363,7 +363,7 @@ static void test_limit(void **state) {
   vs_options o = vs_options_default();
   o.limit_memory = (size_t)24 << 20;
   o.host.diagnose = say;
-  vs *s = vs_new(&o);
+  vs_scheme *s = vs_new(&o);
   assert_non_null(s);
   run(s, parts);
   run(s, "(model 7 2)");
@@ -391,11 +391,11 @@ static void hear(void *context, const vs_diagnostic *d) {
   assert_true(h->count < sizeof h->text);
 }
 
-static vs *hearing(heard *h, size_t cache) {
+static vs_scheme *hearing(heard *h, size_t cache) {
   vs_options o = vs_options_default();
   o.host.diagnose = hear, o.host.context = h;
   o.cache = cache;
-  vs *s = vs_new(&o);
+  vs_scheme *s = vs_new(&o);
   assert_non_null(s);
   return s;
 }
@@ -422,11 +422,11 @@ static void test_texts(void **state) {
     { "(model 0.4 #t 2 \"gold\")", true }, { "(model 0.4 #f 900 \"red\")", false }, { "(model 0.5 #f 2 \"red\")", true } };
   for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
     heard one = { "", 0 };
-    vs *s = hearing(&one, 0);
+    vs_scheme *s = hearing(&one, 0);
     run(s, model);
     for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
       heard other = { "", 0 };
-      vs *fresh = hearing(&other, SIZE_MAX);
+      vs_scheme *fresh = hearing(&other, SIZE_MAX);
       run(fresh, model);
       run(fresh, steps[i].text);
       run(s, steps[i].text);
@@ -458,13 +458,13 @@ static void test_texts_refused(void **state) {
   refusal r = { 0, false };
   vs_options o = vs_options_default();
   o.alloc = refusing, o.alloc_context = &r;
-  vs *plain = session(SIZE_MAX);
+  vs_scheme *plain = session(SIZE_MAX);
   run(plain, drawn);
   bytes want = written(plain, "povray", true);
   vs_free(plain);
   size_t done = 0, failed = 0;
   for (long left = 0; left < 6000 && done < 40; left += left < 300 ? 1 : 97) { /* the camera of a picture meshes: hundreds of requests */
-    vs *s = vs_new(&o);
+    vs_scheme *s = vs_new(&o);
     assert_non_null(s);
     run(s, drawn);
     vs_output_options w = vs_output_options_default();

@@ -52,7 +52,7 @@ static bool session(budget *b) {
   vs_options o = vs_options_default();
   o.alloc = take, o.alloc_context = b;
   o.host.context = b, o.host.diagnose = told;
-  vs *s = vs_new(&o);
+  vs_scheme *s = vs_new(&o);
   bool ok = s != NULL;
   if (ok) ok = vs_parameter_set(s, "n", "4");
   if (ok) {
@@ -94,7 +94,7 @@ static void test_limit(void **state) { /* the limit counts the model too, and th
   vs_options o = vs_options_default();
   o.limit_memory = 24u << 20;
   o.host.context = &b, o.host.diagnose = told;
-  vs *s = vs_new(&o);
+  vs_scheme *s = vs_new(&o);
   assert_non_null(s);
   static const char hungry[] = "(let loop ((n 0) (l '())) (loop (+ n 1) (cons (make-sphere (xyz 0 0 n) 1) l)))";
   static const char lists[] = "(let loop ((l '())) (loop (cons 1 l)))";

@@ -18,10 +18,10 @@
 
 static vs_value names, input;        /* roots of the test: name -> procedure; the datum being evaluated */
 
-static bool define(vs *vm, void *table, vs_value symbol, vs_value procedure) { return vs_table_put(vm, *(vs_value *)table, symbol, procedure); }
+static bool define(vs_scheme *vm, void *table, vs_value symbol, vs_value procedure) { return vs_table_put(vm, *(vs_value *)table, symbol, procedure); }
 
 /* Recursion is as deep as the rows of this file nest. */
-static bool eval(vs *vm, vs_value form, vs_value *out) {
+static bool eval(vs_scheme *vm, vs_value form, vs_value *out) {
   if (vs_is_symbol(form)) return vs_table_get(vm, names, form, out);
   if (!vs_is_pair(form)) return *out = form, true;
   VS_ROOTS(vm, r, 12);
@@ -37,7 +37,7 @@ static bool eval(vs *vm, vs_value form, vs_value *out) {
 
 typedef struct { const char *expression, *result; } row;
 
-static void check(vs *vm, const row *rows) {
+static void check(vs_scheme *vm, const row *rows) {
   int wrong = 0;
   for (const row *p = rows; p->expression; p++) {
     VS_ROOTS(vm, r, 1);
@@ -56,9 +56,9 @@ static void check(vs *vm, const row *rows) {
   assert_int_equal(wrong, 0);
 }
 
-static void with_vm(void (*test)(vs *vm)) {
+static void with_vm(void (*test)(vs_scheme *vm)) {
   vs_config config = {.memory_limit = 512u << 20};
-  vs *vm = vs_open_vm(&config);
+  vs_scheme *vm = vs_open_vm(&config);
   assert_non_null(vm);
   struct vs_roots link = {NULL, vm, &names, 1}, link2 = {NULL, vm, &input, 1};
   vs_gc_link(&link);
@@ -291,9 +291,9 @@ static const row objects[] = {
     {NULL, NULL},
 };
 
-static void run_numbers(vs *vm) { check(vm, numbers); }
-static void run_texts(vs *vm) { check(vm, texts); }
-static void run_objects(vs *vm) { check(vm, objects); }
+static void run_numbers(vs_scheme *vm) { check(vm, numbers); }
+static void run_texts(vs_scheme *vm) { check(vm, texts); }
+static void run_objects(vs_scheme *vm) { check(vm, objects); }
 
 static uint64_t next(uint64_t *s) {
   *s ^= *s << 13, *s ^= *s >> 7, *s ^= *s << 17;
@@ -301,7 +301,7 @@ static uint64_t next(uint64_t *s) {
 }
 
 /* Doubles of random bits read back as themselves, and no text with a digit less does. */
-static void round_trips(vs *vm) {
+static void round_trips(vs_scheme *vm) {
   uint64_t s = 88172645463325252u;
   for (int i = 0; i < 20000; i++) {
     uint64_t bits = next(&s);
@@ -327,7 +327,7 @@ static void round_trips(vs *vm) {
 }
 
 /* q * d + r = n with |r| < |d| for integers of many sizes */
-static void division(vs *vm) {
+static void division(vs_scheme *vm) {
   uint64_t s = 1234567;
   VS_ROOTS(vm, r, 5);
   for (int i = 0; i < 4000; i++) {
@@ -348,7 +348,7 @@ static void division(vs *vm) {
 }
 
 /* Entries under addresses that move, removal in between, growth: a table against a plain array. */
-static void tables(vs *vm) {
+static void tables(vs_scheme *vm) {
   enum { KEYS = 500 };
   bool in[KEYS] = {false};
   uint64_t s = 99;
@@ -380,7 +380,7 @@ static void tables(vs *vm) {
   }
 }
 
-static void print_of(vs *vm, vs_value v, vs_print_mode mode, const char *wanted) {
+static void print_of(vs_scheme *vm, vs_value v, vs_print_mode mode, const char *wanted) {
   vs_text t;
   vs_text_open(vm, &t, 0);
   assert_true(vs_print(vm, v, mode, &t) && vs_text_end(&t));
@@ -388,7 +388,7 @@ static void print_of(vs *vm, vs_value v, vs_print_mode mode, const char *wanted)
   vs_text_close(&t);
 }
 
-static void cycles(vs *vm) {
+static void cycles(vs_scheme *vm) {
   VS_ROOTS(vm, r, 4);
   bool same;
   /* two circles of different length with the same unfolding */
@@ -415,7 +415,7 @@ static void cycles(vs *vm) {
   assert_true(vs_equal(vm, r[2], r[3], &same) && same);
 }
 
-static void depth(vs *vm) {
+static void depth(vs_scheme *vm) {
   VS_ROOTS(vm, r, 2);
   bool same;
   r[0] = r[1] = VS_NIL;
@@ -432,7 +432,7 @@ static void depth(vs *vm) {
 }
 
 /* Every row with its n-th allocation refused, for every n that it makes: an error each time, or the usual result; then all works again. */
-static void starve(vs *vm, const row *rows) {
+static void starve(vs_scheme *vm, const row *rows) {
   for (const row *p = rows; p->expression; p++) {
     VS_ROOTS(vm, r, 1);
     size_t used;
@@ -448,7 +448,7 @@ static void starve(vs *vm, const row *rows) {
   }
   check(vm, rows);
 }
-static void starved(vs *vm) {
+static void starved(vs_scheme *vm) {
   starve(vm, numbers);
   starve(vm, texts);
   starve(vm, objects);

@@ -38,18 +38,18 @@ static void tell(void *context, const vs_diagnostic *d) {
 }
 static bool drop(void *context, const char *text, size_t length) { return (void)context, (void)text, (void)length, true; }
 
-static vs *open_with(watch *w, vs_options o) {
+static vs_scheme *open_with(watch *w, vs_options o) {
   *w = (watch){ 0 };
   o.host.context = w, o.host.poll = poll_watch, o.host.diagnose = tell, o.host.output = drop;
-  vs *s = vs_new(&o);
+  vs_scheme *s = vs_new(&o);
   assert_non_null(s);
   return s;
 }
-static vs_outcome eval(vs *s, watch *w, const char *text) {
+static vs_outcome eval(vs_scheme *s, watch *w, const char *text) {
   w->said[0] = 0, w->line = 0;
   return vs_eval_text(s, "program", 1, text, strlen(text), 0);
 }
-static void goes_on(vs *s, watch *w, const char *after) {
+static void goes_on(vs_scheme *s, watch *w, const char *after) {
   w->ask_at = w->asked = 0;
   if (eval(s, w, "(define after (+ 1 2))") != VS_OUTCOME_DONE) fail_msg("after %s: %s", after, w->said);
 }
@@ -119,7 +119,7 @@ static const struct { const char *made, *done; } busy[] = {
 enum { BUSY = sizeof busy / sizeof *busy };
 
 /* Seconds from the request to the end of one run that goes on until it is interrupted. */
-static double time_to_end(vs *s, watch *w, const char *made, const char *done) {
+static double time_to_end(vs_scheme *s, watch *w, const char *made, const char *done) {
   char text[400];
   if (eval(s, w, made) != VS_OUTCOME_DONE) fail_msg("%s: %s", made, w->said);
   snprintf(text, sizeof text, "(let loop ()\n  %s\n  (loop))", done);
@@ -138,7 +138,7 @@ static double time_to_end(vs *s, watch *w, const char *made, const char *done) {
 static void test_interrupts(void **state) {
   (void)state;
   watch w;
-  vs *s = open_with(&w, vs_options_default());
+  vs_scheme *s = open_with(&w, vs_options_default());
   const double most = VS_DEBUG_STRESS ? 20 : 0.5;
   double worst = 0;
   const char *slowest = "";
@@ -156,7 +156,7 @@ static void test_interrupts(void **state) {
 static void test_time(void **state) {
   (void)state;
   watch w;
-  vs *s = open_with(&w, (vs_options){ .limit_time = 0.05 });
+  vs_scheme *s = open_with(&w, (vs_options){ .limit_time = 0.05 });
   for (size_t i = 0; i < BUSY; i++) {
     char text[700];
     snprintf(text, sizeof text, "%s\n(let loop ()\n  %s\n  (loop))", busy[i].made, busy[i].done);
@@ -173,7 +173,7 @@ static void test_steps_and_output(void **state) {
   static const char *const steps[] = { "(let loop () (loop))", "(define (f n) (+ 1 (f n))) (f 1)", "(for-each (lambda (i) (sort (iota 100) <)) (iota 1000000))",
                                        "(map (lambda (i) i) (iota 200000))", "(call/cc (lambda (k) (let loop () (call/cc (lambda (q) q)) (loop))))" };
   watch w;
-  vs *s = open_with(&w, (vs_options){ .limit_steps = 50000 });
+  vs_scheme *s = open_with(&w, (vs_options){ .limit_steps = 50000 });
   for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
     if (eval(s, &w, steps[i]) != VS_OUTCOME_MACHINE || !strstr(w.said, "50000 steps, the limit") || w.line != 1) fail_msg("%s: line %u: %s", steps[i], w.line, w.said);
     goes_on(s, &w, steps[i]);
@@ -202,7 +202,7 @@ static void test_memory(void **state) {
     "(eval (cons 'list (iota 2000000)) (interaction-environment))", "(let loop ((s 'a)) (loop (symbol-append s s)))", "(let loop ((v '())) (loop (cons (xyz 1 2 3) v)))",
   };
   watch w;
-  vs *s = open_with(&w, (vs_options){ .limit_memory = 24u << 20 });
+  vs_scheme *s = open_with(&w, (vs_options){ .limit_memory = 24u << 20 });
   for (size_t i = 0; i < sizeof hungry / sizeof *hungry; i++) {
     vs_outcome outcome = eval(s, &w, hungry[i]);
     bool digits = outcome == VS_OUTCOME_MODEL && strstr(w.said, "million digits"); /* a number may be too large before that */

@@ -12,7 +12,7 @@
 #include "visualscheme.h"
 
 typedef struct {
-  vs *s;
+  vs_scheme *s;
   int told, steps;    /* calls while meshing; of them, those that were further than before */
   double done, until; /* the last fraction; at which one to interrupt */
   char said[200], wrong[200];

@@ -25,7 +25,7 @@ typedef struct {
   char error[600], warning[2000], *out;
   size_t out_count;
 } said;
-typedef struct { vs *vm; said heard; char why[900]; unsigned line; bool volumes; /* asked for: they take longest */ } trial;
+typedef struct { vs_scheme *vm; said heard; char why[900]; unsigned line; bool volumes; /* asked for: they take longest */ } trial;
 
 static size_t models, refused, empty, solids, warned, asked_points, inside_points, made_of[64];
 

@@ -125,7 +125,7 @@ enum { HEAP, HOST_ONCE, HOST_GOOD, LIBRARY_ONCE, LIBRARY_GOOD, WAYS };
 static const char *const way_names[] = { "an object of the heap", "a request of the host once", "the host for good", "a request of the C library once", "the C library for good" };
 
 /* *sum: of what is written, which a refusal must not change. */
-static vs_outcome perform(vs *s, const program *p, uint64_t *sum) {
+static vs_outcome perform(vs_scheme *s, const program *p, uint64_t *sum) {
   *sum = UINT64_C(0xCBF29CE484222325);
   vs_drawing_clear(s);
   vs_outcome outcome = vs_eval_text(s, "program", 1, p->text, strlen(p->text), VS_EVAL_PRINT);
@@ -135,7 +135,7 @@ static vs_outcome perform(vs *s, const program *p, uint64_t *sum) {
   return outcome == VS_OUTCOME_DONE ? vs_write_drawing_to(s, p->format, NULL, sum_bytes, sum) : outcome;
 }
 
-static void refuse_in(vs *s, account *b, size_t which, int way, vs_outcome wanted, uint64_t wanted_sum) {
+static void refuse_in(vs_scheme *s, account *b, size_t which, int way, vs_outcome wanted, uint64_t wanted_sum) {
   uint64_t sum;
   const program *p = &programs[which];
   long most = which % 4 == 0 ? 40 : 12; /* each of the first ones, then fewer and fewer */
@@ -168,7 +168,7 @@ static void test_programs(void **state) {
     o.alloc = take, o.alloc_context = &b;
     o.host.context = &b, o.host.diagnose = told, o.host.output = drop;
     o.host.value = NULL;
-    vs *s = vs_new(&o);
+    vs_scheme *s = vs_new(&o);
     assert_non_null(s);
     uint64_t sum;
     vs_outcome wanted = perform(s, &programs[i], &sum); /* libraries that are loaded at their first use are there from now on */
@@ -192,7 +192,7 @@ static void test_around(void **state) {
       o.alloc = take, o.alloc_context = &b, o.library_path = "a:b";
       o.host.context = &b, o.host.diagnose = told;
       host = (refusal){ n, true, good == 1, false };
-      vs *s = vs_new(&o);
+      vs_scheme *s = vs_new(&o);
       if (s) {
         vs_read_check(s, "(let ((x 1)) \"abc", 17);
         vs_complete(s, "make-", each_name, NULL);

@@ -16,9 +16,9 @@
 static char *prelude;
 static size_t prelude_size;
 
-static vs *machine(void) {
+static vs_scheme *machine(void) {
   vs_config config = {0};
-  vs *vm = vs_open_vm(&config);
+  vs_scheme *vm = vs_open_vm(&config);
   assert_non_null(vm);
   assert_true(vs_port_setup(vm) && vs_front_open(vm) && vs_library_load(vm, "prelude.scm", prelude, prelude_size));
   vs_library_done(vm);
@@ -37,7 +37,7 @@ static int load_prelude(void **state) {
 static int drop_prelude(void **state) { (void)state; free(prelude); return 0; }
 
 /* "line:col message" of the error that a program ends with, then "; line:col message" of the others found with it */
-static void run(vs *vm, const char *program, char *out, size_t room) {
+static void run(vs_scheme *vm, const char *program, char *out, size_t room) {
   vs_value last;
   out[0] = 0;
   if (vs_program_text(vm, "p.vs", 1, program, strlen(program), false, &last)) return;
@@ -92,7 +92,7 @@ static void test_messages(void **state) {
     {"(f #:a)", "1:4 a value is missing behind #:a"},
     {"(define (f [n string?]) n)\n(f 5)", "2:1 f: n must be string?, got 5"},
   };
-  vs *vm = machine();
+  vs_scheme *vm = machine();
   char out[1000];
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     run(vm, cases[i].program, out, sizeof out);
@@ -110,7 +110,7 @@ static void test_whole(void **state) {
     {"(a ]", VS_TEXT_BAD, 0}, {"a)", VS_TEXT_BAD, 0}, {"#;", VS_TEXT_OPEN, 0}, {"#;(a) b", VS_TEXT_WHOLE, 0}, {"#u8(1", VS_TEXT_OPEN, 1}, {"'(a)", VS_TEXT_WHOLE, 0},
     {"|a (b", VS_TEXT_OPEN, 0}, {"(a ; )\n", VS_TEXT_OPEN, 1},
   };
-  vs *vm = machine();
+  vs_scheme *vm = machine();
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     vs_text_check c;
     assert_true(vs_read_whole(vm, cases[i].text, strlen(cases[i].text), &c));
@@ -122,7 +122,7 @@ static void test_whole(void **state) {
 }
 
 /* places of pairs and atoms, and depth far beyond the C stack */
-static void check_places(vs *vm) {
+static void check_places(vs_scheme *vm) {
   VS_ROOTS(vm, r, 2);
   const char *text = "\n (a \xC3\xA4 (b\n  c))";
   uint32_t file;
@@ -145,7 +145,7 @@ static void check_places(vs *vm) {
 
 static void test_places(void **state) {
   (void)state;
-  vs *vm = machine();
+  vs_scheme *vm = machine();
   check_places(vm);
   vs_close_vm(vm);
 }
@@ -156,7 +156,7 @@ static void test_no_memory(void **state) {
   const char *program = "(define-syntax m (syntax-rules () ((_ (a b ...) ...) (list (list a b ...) ...))))"
                         "(define (f [x any? 1] #:k [k (and integer? positive?) 2]) (let loop ((i x)) (if (< i 3) (loop (+ i 1)) (m (i k) (1)))))"
                         "(define-record-type p (mk a) p? (a p-a set-p-a!)) (f 1 #:k 5) `(1 ,@(list 2 3) #(,(f)))";
-  vs *vm = machine();
+  vs_scheme *vm = machine();
   vs_value last;
   for (size_t n = 1; n < 100000; n += n < 200 ? 1 : 7) {
     vs_gc_fail_after(vm, n);

@@ -12,8 +12,8 @@
 #include "vm/machine/run.h"
 #include "vm/machine/program.h"
 
-static vs *open_with(vs_config config) {
-  vs *vm = vs_open_vm(&config);
+static vs_scheme *open_with(vs_config config) {
+  vs_scheme *vm = vs_open_vm(&config);
   assert_non_null(vm);
   assert_true(vs_front_open(vm));
   vs_library_done(vm);
@@ -21,10 +21,10 @@ static vs *open_with(vs_config config) {
   return vm;
 }
 
-static vs *open_plain(void) { return open_with((vs_config){0}); }
+static vs_scheme *open_plain(void) { return open_with((vs_config){0}); }
 
 /* the value of a text, written; or "error: " and the message */
-static const char *run(vs *vm, const char *text) {
+static const char *run(vs_scheme *vm, const char *text) {
   static char out[4096];
   vs_value v = VS_FALSE;
   vs_text t;
@@ -40,7 +40,7 @@ static const char *run(vs *vm, const char *text) {
 /* ---- heap ---- */
 static void objects_survive_and_move(void **state) {
   (void)state;
-  vs *vm = open_plain();
+  vs_scheme *vm = open_plain();
   {
     VS_ROOTS(vm, r, 3);
     r[0] = VS_NIL;
@@ -76,7 +76,7 @@ static const vs_foreign_type thing = {.name = "a thing", .release = release};
 
 static void foreign_objects_are_released_once(void **state) {
   (void)state;
-  vs *vm = open_plain();
+  vs_scheme *vm = open_plain();
   released = 0;
   static char object;
   {
@@ -105,7 +105,7 @@ static void *counting(void *user, void *p, size_t old_bytes, size_t bytes) {
 static void all_memory_goes_through_the_callback(void **state) {
   (void)state;
   held = most = 0;
-  vs *vm = open_with((vs_config){.memory = counting});
+  vs_scheme *vm = open_with((vs_config){.memory = counting});
   assert_string_equal(run(vm, "(define (f n) (if (= n 0) '() (cons n (f (- n 1))))) (length (f 100000))"), "100000");
   vs_close_vm(vm);
   assert_int_equal(held, 0);
@@ -151,7 +151,7 @@ static const struct example examples[] = {
 static void programs(void **state) {
   (void)state;
   for (size_t i = 0; i < sizeof examples / sizeof *examples; i++) {
-    vs *vm = open_plain();
+    vs_scheme *vm = open_plain();
     assert_string_equal(run(vm, examples[i].text), examples[i].value);
     vs_close_vm(vm);
   }
@@ -160,7 +160,7 @@ static void programs(void **state) {
 /* more variables and arguments than an instruction can name */
 static void wide_frames(void **state) {
   (void)state;
-  vs *vm = open_plain();
+  vs_scheme *vm = open_plain();
   vs_text t;
   vs_text_open(vm, &t, 0);
   char piece[64];
@@ -181,7 +181,7 @@ static void wide_frames(void **state) {
 
 static void an_error_does_not_end_it(void **state) {
   (void)state;
-  vs *vm = open_plain();
+  vs_scheme *vm = open_plain();
   assert_string_equal(run(vm, "(define x 5) (dynamic-wind (lambda () 0) (lambda () (with-exception-handler (lambda (e) (car e)) (lambda () (car x)))) (lambda () 0))"),
                       "error: car: expected a pair, got #<error \"car: expected a pair, got\" (5)>");
   assert_string_equal(run(vm, "x"), "5");
@@ -193,7 +193,7 @@ static bool always(void *user) { (void)user; return true; }
 
 static void limits_stop_programs(void **state) {
   (void)state;
-  vs *vm = open_with((vs_config){.step_limit = 100000});
+  vs_scheme *vm = open_with((vs_config){.step_limit = 100000});
   assert_string_equal(run(vm, "(let loop () (loop))"), "error: stopped after 100000 steps, the limit");
   vs_close_vm(vm);
   vm = open_with((vs_config){.step_limit = 100000});
@@ -222,7 +222,7 @@ static void each_allocation_fails(void **state) {
     "(define (f a #:k [b any? 3] . r) (list a b r)) (f 1 2 #:k 5) (define (p? x) (car x)) (define (g [a p?]) a)"
     "(call/cc (lambda (k) (with-exception-handler (lambda (e) (k e)) (lambda () (g 1)))))"
     "(dynamic-wind (lambda () 0) (lambda () (expt 3 500)) (lambda () 0)) (apply list (iota 100))";
-  vs *vm = open_plain();
+  vs_scheme *vm = open_plain();
   size_t failures = 0;
   for (size_t i = 1;; i += 1 + i / 40) {
     vs_value v;

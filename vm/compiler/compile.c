@@ -327,7 +327,7 @@ static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list) {
 
 /* ---- lambda ---- */
 static bool code_for(compiler *c, vs_node *lambda, uint32_t *index) {
-  vs *vm = c->e.ast->vm;
+  vs_scheme *vm = c->e.ast->vm;
   vs_frame_info *f = lambda->as.lambda.extra;
   vs_code *code = (vs_code *)(void *)vs_gc_alloc_old(vm, VS_T_CODE, VS_WORDS(vs_code));
   if (!code) return false;
@@ -586,7 +586,7 @@ static bool gen_global_set(compiler *c, vs_node *n, uint32_t to) {
 
 static bool gen_check(compiler *c, vs_node *n, uint32_t to, bool fresh) {
   vs_emit *e = &c->e;
-  vs *vm = e->ast->vm;
+  vs_scheme *vm = e->ast->vm;
   vs_node *p = n->as.check.predicate;
   if (p->kind == VS_AST_GLOBAL) {
     vs_value v = vs_as_cell(pool(c, p->as.global.cell))->value;
@@ -703,7 +703,7 @@ static bool gen(compiler *c, vs_node *n, uint32_t to) {
 
 /* ---- a whole procedure ---- */
 static bool set_parameters(compiler *c, vs_node *l, vs_value code) {
-  vs *vm = c->e.ast->vm;
+  vs_scheme *vm = c->e.ast->vm;
   vs_vector *names = (vs_vector *)(void *)vs_gc_alloc_old(vm, VS_T_VECTOR, 2 + l->count + (l->as.lambda.rest ? 1u : 0u));
   if (!names) return false;
   vs_code *k = vs_as_code(code);
@@ -772,7 +772,7 @@ static bool compile_procedure(compiler *c, vs_node *l) {
   return ok;
 }
 
-bool vs_compile(vs *vm, vs_ast *ast, vs_node *body, vs_value *out) {
+bool vs_compile(vs_scheme *vm, vs_ast *ast, vs_node *body, vs_value *out) {
   compiler c = {.e = {.ast = ast}};
   vs_node *top = vs_ast_list(ast, VS_AST_LAMBDA, 0, body->pos);
   if (!top) return false;
@@ -791,7 +791,7 @@ bool vs_compile(vs *vm, vs_ast *ast, vs_node *body, vs_value *out) {
   return true;
 }
 
-bool vs_cell_redefine(vs *vm, vs_value v) {
+bool vs_cell_redefine(vs_scheme *vm, vs_value v) {
   (void)vm;
   vs_cell *cell = vs_as_cell(v);
   cell->h.flags &= (uint16_t)~VS_F_CONSTANT;

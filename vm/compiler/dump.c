@@ -13,7 +13,7 @@ static const char *const names[VS_O_COUNT] = {
 };
 
 /* The constant that an instruction's word names: a global's name, a literal. */
-static bool put_constant(vs *vm, vs_value code, uint32_t index, vs_text *t) {
+static bool put_constant(vs_scheme *vm, vs_value code, uint32_t index, vs_text *t) {
   if (index >= vs_as_vector(vs_as_code(code)->consts)->length) return true;
   vs_value v = vs_code_consts(vs_as_code(code))[index];
   if (vs_is(v, VS_T_CELL)) v = vs_as_cell(v)->name;
@@ -21,7 +21,7 @@ static bool put_constant(vs *vm, vs_value code, uint32_t index, vs_text *t) {
   return vs_text_puts(t, "  ; ") && vs_print(vm, v, VS_PRINT_WRITE, t);
 }
 
-static bool dump_one(vs *vm, vs_value code, uint32_t pc, vs_text *t, uint32_t *next) {
+static bool dump_one(vs_scheme *vm, vs_value code, uint32_t pc, vs_text *t, uint32_t *next) {
   const uint32_t *at = vs_code_ins(vs_as_code(code)) + pc;
   uint32_t op = at[0] & 255, extra = vs_op_extra(op);
   const char *operands = vs_op_operands(op);
@@ -45,7 +45,7 @@ static bool dump_one(vs *vm, vs_value code, uint32_t pc, vs_text *t, uint32_t *n
   return !named || put_constant(vm, code, at[1], t);
 }
 
-bool vs_code_dump(vs *vm, vs_value code, bool (*each)(void *context, const char *line), void *context) {
+bool vs_code_dump(vs_scheme *vm, vs_value code, bool (*each)(void *context, const char *line), void *context) {
   VS_ROOTS(vm, r, 1);
   r[0] = code;
   uint32_t words = (uint32_t)(vs_as_bytes(vs_as_code(r[0])->ins)->length / sizeof(uint32_t));

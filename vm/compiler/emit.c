@@ -14,7 +14,7 @@ static bool grow(vs_emit *e, void *array, size_t *room, size_t count, size_t siz
 }
 
 void vs_emit_close(vs_emit *e) {
-  vs *vm = e->ast->vm;
+  vs_scheme *vm = e->ast->vm;
   if (e->ins) vs_mem(vm, e->ins, e->room * sizeof *e->ins, 0);
   if (e->consts) vs_mem(vm, e->consts, e->const_room * sizeof *e->consts, 0);
   if (e->places) vs_mem(vm, e->places, e->place_room * sizeof *e->places, 0);
@@ -119,7 +119,7 @@ bool vs_emit_inlined(vs_emit *e, uint32_t cell) {
 }
 
 /* old space: the run loop keeps addresses into these */
-static bool old_bytes(vs *vm, const void *at, size_t n, vs_value *out) {
+static bool old_bytes(vs_scheme *vm, const void *at, size_t n, vs_value *out) {
   vs_bytes *b = (vs_bytes *)(void *)vs_gc_alloc_old(vm, VS_T_BYTES, 2 + (n + 7) / 8);
   if (!b) return false;
   b->length = n;
@@ -129,7 +129,7 @@ static bool old_bytes(vs *vm, const void *at, size_t n, vs_value *out) {
 }
 
 bool vs_emit_finish(vs_emit *e, vs_value code) {
-  vs *vm = e->ast->vm;
+  vs_scheme *vm = e->ast->vm;
   VS_ROOTS(vm, r, 1);
   vs_code *c = vs_as_code(code);              /* old: stays where it is */
   if (e->count >= 1u << 28) return vs_fail_at(vm, vm->sym.syntax, e->frame->pos, VS_NIL, "this procedure is too large: split it");

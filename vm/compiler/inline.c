@@ -23,7 +23,7 @@ enum { ROWS = sizeof rows / sizeof rows[0], MAKE = ROWS - 4, GET, UNARY, BINARY 
 
 const vs_inline_row *vs_inline_get(uint32_t row) { return &rows[row < ROWS ? row : 0]; }
 
-void vs_inline_find(const vs *vm, const char *name, size_t length, uint32_t *row, uint32_t *arg) {
+void vs_inline_find(const vs_scheme *vm, const char *name, size_t length, uint32_t *row, uint32_t *arg) {
   *row = *arg = 0;
   for (uint32_t i = 1; i < MAKE; i++)
     if (strlen(rows[i].name) == length && memcmp(rows[i].name, name, length) == 0) { *row = i; return; }

@@ -11,7 +11,7 @@ enum { VS_ANY_COUNT = 255 };    /* vs_inline_row.args: however many there are, b
 typedef struct vs_inline_row { const char *name; uint8_t args, way, op, immediate, many; } vs_inline_row;
 
 /* Row number (0: none) and its argument (of the host's table) for a native of this name. */
-void vs_inline_find(const vs *vm, const char *name, size_t length, uint32_t *row, uint32_t *arg);
+void vs_inline_find(const vs_scheme *vm, const char *name, size_t length, uint32_t *row, uint32_t *arg);
 const vs_inline_row *vs_inline_get(uint32_t row);
 
 #endif

@@ -5,7 +5,7 @@
 
 enum { DEEPEST = 16 };      /* procedures within procedures, of the library's own code */
 
-static bool rename_code(vs *vm, vs_value code, vs_value from, vs_value to, int depth, vs_value *out) {
+static bool rename_code(vs_scheme *vm, vs_value code, vs_value from, vs_value to, int depth, vs_value *out) {
   VS_ROOTS(vm, r, 5);       /* code, its copy, constants, one of them, its copy */
   if (depth > DEEPEST) return vs_fail(vm, vm->sym.internal, "nested too deeply");
   r[0] = code;
@@ -34,7 +34,7 @@ static bool rename_code(vs *vm, vs_value code, vs_value from, vs_value to, int d
 }
 
 /* a closure that captures nothing, as those of a library's top level are */
-static bool rename_closure(vs *vm, vs_value closure, vs_value to, vs_value *out) {
+static bool rename_closure(vs_scheme *vm, vs_value closure, vs_value to, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   vs_value code = vs_as_closure(closure)->code;
   if (vs_as_code(code)->free) return vs_fail(vm, vm->sym.internal, "this procedure captures variables");
@@ -46,7 +46,7 @@ static bool rename_closure(vs *vm, vs_value closure, vs_value to, vs_value *out)
   return true;
 }
 
-static vs_status renamed(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status renamed(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (vs_is(a[0], VS_T_PARAMETER)) {       /* not made twice: it gets its name */
     vs_gc_store(vm, vs_as_parameter(a[0]), &vs_as_parameter(a[0])->name, a[1]);

@@ -6,7 +6,7 @@
 struct vs_ast_chunk { struct vs_ast_chunk *next; size_t bytes; };
 enum { CHUNK = 16 << 10 };
 
-bool vs_ast_open(vs *vm, vs_ast *ast) {
+bool vs_ast_open(vs_scheme *vm, vs_ast *ast) {
   memset(ast, 0, sizeof *ast);
   ast->vm = vm;
   ast->next = vm->asts;
@@ -113,7 +113,7 @@ vs_node *vs_ast_list(vs_ast *ast, int kind, size_t count, vs_pos pos) {
   return NULL;
 }
 
-void vs_gc_visit_trees(vs *vm, vs_gc_visit *visit) {
+void vs_gc_visit_trees(vs_scheme *vm, vs_gc_visit *visit) {
   for (vs_ast *a = vm->asts; a; a = a->next)
     for (size_t i = 0; i < a->pool_count; i++) visit(vm, &a->pool[i]);
 }

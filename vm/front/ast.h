@@ -79,14 +79,14 @@ struct vs_node {
 };
 
 typedef struct vs_ast {
-  vs *vm;
+  vs_scheme *vm;
   struct vs_ast *next;          /* vm->asts */
   struct vs_ast_chunk *chunks;
   size_t left; char *bump;
   vs_value *pool; size_t pool_count, pool_room;   /* constants; roots */
 } vs_ast;
 
-bool vs_ast_open(vs *vm, vs_ast *ast);      /* links it into vm->asts; the struct is the caller's (in a foreign object of the expander) */
+bool vs_ast_open(vs_scheme *vm, vs_ast *ast);      /* links it into vm->asts; the struct is the caller's (in a foreign object of the expander) */
 void vs_ast_close(vs_ast *ast);             /* frees everything; also after a failed open */
 void vs_ast_clear(vs_ast *ast);             /* for the next top-level form */
 

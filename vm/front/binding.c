@@ -182,7 +182,7 @@ bool vs_form_do(vs_expansion *x) {
 /* Transformers that are syntax-rules are bound in a scope; others become define-syntax at the head of a body, which can wait for
    their values. */
 static bool syntax_binding(vs_expansion *x, bool recursive, int form) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   if (vs_list_length(x->now.form) < 3) return vs_expand_shape(x, form);
   if (!check_bindings(x, vs_car(vs_cdr(x->now.form)), x->now.pos, form, false)) return false;
   VS_ROOTS(vm, r, 5);

@@ -12,7 +12,7 @@
 /* form: (define . rest). Curried defines ((define ((f a) b) ...)) come back as a procedure whose body is a lambda. All out
    values must be roots. */
 bool vs_define_parts(vs_expansion *x, vs_value form, vs_value env, vs_value *name, vs_value *params, vs_value *rest, bool *procedure) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   (void)env;
   vs_pos pos = vs_form_pos(form, x->now.pos);
   int64_t n = vs_list_length(form);
@@ -54,7 +54,7 @@ bool vs_define_parts(vs_expansion *x, vs_value form, vs_value env, vs_value *nam
 
 /* ---- transformers ---- */
 bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_value *macro, bool *done) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 4);
   r[0] = spec; r[1] = env;
   *done = true;
@@ -101,7 +101,7 @@ static bool define_syntax(vs_expansion *x, vs_value form, vs_value env, bool *wa
 }
 
 /* (define-syntax name spec) -> (define-syntax name value) */
-static bool with_value(vs *vm, vs_value form, vs_value value, vs_pos pos, vs_value *out) {
+static bool with_value(vs_scheme *vm, vs_value form, vs_value value, vs_pos pos, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = form;
   return vs_cons(vm, value, VS_NIL, &r[1]) && vs_cons(vm, vs_car(vs_cdr(r[0])), r[1], &r[1]) && vs_cons_at(vm, vs_car(r[0]), r[1], pos, out);
@@ -111,7 +111,7 @@ static bool with_value(vs *vm, vs_value form, vs_value value, vs_pos pos, vs_val
 enum { WAIT_HEAD = 0, WAIT_TRANSFORMER = 1 };
 
 static bool keep(vs_expansion *x, vs_value variable, vs_value form, vs_pos pos, vs_value params) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 3);
   r[0] = form; r[1] = params;
   if (!vs_make_vector(vm, 4, VS_FALSE, &r[2])) return false;
@@ -141,7 +141,7 @@ static bool expand_kept(vs_expansion *x, vs_value kept, vs_node **into, uint32_t
 }
 
 static bool finish_body(vs_expansion *x) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   size_t total = 0, defined = 0;                    /* kept; those up to the last definition */
   for (vs_value l = x->now.acc; vs_is_pair(l); l = vs_cdr(l)) {
     if (!defined && vs_is_fixnum(vs_as_vector(vs_car(l))->at[0])) defined = 1;
@@ -186,7 +186,7 @@ static bool finish_body(vs_expansion *x) {
 
 /* puts the forms of a begin before what is left of the body */
 static bool splice(vs_expansion *x, vs_value forms) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 4);
   r[0] = forms; r[1] = VS_NIL;
   if (vs_list_length(forms) < 0) return vs_expand_fail(x, x->now.pos, forms, "begin is written %s, not", vs_form_shape(VS_FORM_begin));
@@ -205,7 +205,7 @@ static bool splice(vs_expansion *x, vs_value forms) {
 }
 
 bool vs_body_step(vs_expansion *x) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   while (vs_is_pair(x->now.form)) {
     vs_meaning m;
@@ -243,7 +243,7 @@ bool vs_body_step(vs_expansion *x) {
 
 /* the value that a waiting body or top-level task asked for */
 bool vs_body_resume(vs_expansion *x, vs_value value) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 1);
   r[0] = value;
   bool top = x->now.kind == VS_TASK_TOP, transformer = x->now.n == WAIT_TRANSFORMER;
@@ -273,7 +273,7 @@ static bool bind_renamed(vs_expansion *x, vs_value forms) {
 }
 
 bool vs_top_step(vs_expansion *x) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   vs_meaning m;
   vs_pos pos = x->now.pos;

@@ -5,12 +5,12 @@
 
 #include <stdio.h>
 
-bool vs_core_name(vs *vm, const char *name, vs_value *out) {
+bool vs_core_name(vs_scheme *vm, const char *name, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   return vs_intern_c(vm, name, &r[0]) && vs_make_alias(vm, r[0], vm->at.core, out);
 }
 
-bool vs_make_form_list(vs *vm, vs_value *out, size_t n, const vs_value *items) {
+bool vs_make_form_list(vs_scheme *vm, vs_value *out, size_t n, const vs_value *items) {
   VS_ROOTS(vm, r, 1);
   r[0] = VS_NIL;
   while (n-- > 0) if (!vs_cons(vm, items[n], r[0], &r[0])) return false;
@@ -19,19 +19,19 @@ bool vs_make_form_list(vs *vm, vs_value *out, size_t n, const vs_value *items) {
 }
 
 /* (head a b ...) with the library's head; items in roots, VS_ABSENT: end */
-static bool make(vs *vm, const char *head, size_t n, const vs_value *items, vs_value *out) {
+static bool make(vs_scheme *vm, const char *head, size_t n, const vs_value *items, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   return vs_make_form_list(vm, &r[0], n, items) && vs_core_name(vm, head, &r[1]) && vs_cons(vm, r[1], r[0], out);
 }
 
 /* onto the list of definitions, newest first: (define name value) */
-static bool define(vs *vm, vs_value name, vs_value value, vs_pos pos, vs_value *list) {
+static bool define(vs_scheme *vm, vs_value name, vs_value value, vs_pos pos, vs_value *list) {
   VS_ROOTS(vm, r, 3);
   r[0] = name; r[1] = value;
   return make(vm, "define", 2, r, &r[2]) && vs_cons_at(vm, vs_car(r[2]), vs_cdr(r[2]), pos, &r[2]) && vs_cons(vm, r[2], *list, list);
 }
 
-static bool quoted(vs *vm, vs_value v, vs_value *out) {
+static bool quoted(vs_scheme *vm, vs_value v, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = v;
   return make(vm, "quote", 1, r, out);
@@ -47,7 +47,7 @@ static int64_t field_index(vs_value fields, vs_value id) {
 
 /* (define type (%make-record-type 'name '(field ...))) (define constructor (lambda (field ...) (%record type field ...))) ... */
 bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   enum { NAME, MAKER, PRED, FIELDS, OUT, A, B, C, D, E, COUNT };
   VS_ROOTS(vm, r, COUNT);
   vs_pos pos = x->now.pos;
@@ -128,7 +128,7 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
 
 /* (include "a" "b") -> (begin forms of a, forms of b) */
 static bool include(vs_expansion *x, vs_value *form, bool fold) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   vs_pos pos = x->now.pos;
   if (vs_list_length(*form) < 2) return vs_expand_fail(x, pos, *form, "include is written %s, not", vs_form_shape(VS_FORM_include));
   VS_ROOTS(vm, r, 4);      /* names, all forms newest first, one file's, result */
@@ -152,7 +152,7 @@ bool vs_form_include_ci(vs_expansion *x, vs_value *form) { return include(x, for
 
 /* (syntax-error "message" form ...): what a macro says of its use */
 bool vs_form_syntax_error(vs_expansion *x, vs_value *form) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   vs_value l = vs_cdr(*form);
   if (vs_list_length(*form) < 2 || !vs_is_string(vs_car(l))) return vs_expand_fail(x, x->now.pos, *form, "syntax-error is written %s, not", vs_form_shape(VS_FORM_syntax_error));
   VS_ROOTS(vm, r, 1);
@@ -168,17 +168,17 @@ bool vs_form_syntax_error(vs_expansion *x, vs_value *form) {
 /* ---- cond-expand ---- */
 static const char *const features[] = {"r7rs", "full-unicode", "ratios", "exact-closed", "ieee-float", "visualscheme", "syntax-rules", NULL};
 
-static bool add_feature(vs *vm, vs_value *list, const char *name) {
+static bool add_feature(vs_scheme *vm, vs_value *list, const char *name) {
   VS_ROOTS(vm, r, 1);
   return vs_intern_c(vm, name, &r[0]) && vs_cons(vm, r[0], *list, list);
 }
-static bool add_srfi(vs *vm, void *list, int number) {
+static bool add_srfi(vs_scheme *vm, void *list, int number) {
   char name[32];
   snprintf(name, sizeof name, "srfi-%d", number);
   return add_feature(vm, list, name);
 }
 
-bool vs_features(vs *vm, vs_value *out) {
+bool vs_features(vs_scheme *vm, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = VS_NIL;
   if (!vs_library_each_srfi(vm, add_srfi, &r[0])) return false;
@@ -187,7 +187,7 @@ bool vs_features(vs *vm, vs_value *out) {
   return true;
 }
 
-static bool is_other_number(vs *vm, void *number, int n) { return (void)vm, n != *(const int *)number; }
+static bool is_other_number(vs_scheme *vm, void *number, int n) { return (void)vm, n != *(const int *)number; }
 
 static bool is_word(vs_value v, const char *word) { return vs_is_identifier(v) && !strcmp(vs_as_symbol(vs_identifier_symbol(v))->name, word); }
 
@@ -229,7 +229,7 @@ bool vs_cond_expand(vs_expansion *x, vs_value form, vs_value *forms) {
 }
 
 bool vs_form_cond_expand(vs_expansion *x, vs_value *form) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 2);
   return vs_cond_expand(x, *form, &r[0]) && vs_core_name(vm, "begin", &r[1]) && vs_cons_at(vm, r[1], r[0], x->now.pos, form);
 }

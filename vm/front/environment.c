@@ -11,13 +11,13 @@ static uint64_t id_hash(vs_value id) {
   return h;
 }
 
-static bool make(vs *vm, size_t room, vs_value *out) {
+static bool make(vs_scheme *vm, size_t room, vs_value *out) {
   if (!vs_make_vector(vm, 1 + 2 * room, VS_VACANT, out)) return false;
   vs_as_vector(*out)->at[0] = vs_fix(0);
   return true;
 }
 
-bool vs_idtable_new(vs *vm, vs_value *out) { return make(vm, FIRST_ROOM, out); }
+bool vs_idtable_new(vs_scheme *vm, vs_value *out) { return make(vm, FIRST_ROOM, out); }
 
 int64_t vs_idtable_count(vs_value table) { return vs_fixnum(vs_as_vector(table)->at[0]); }
 
@@ -33,7 +33,7 @@ vs_value vs_idtable_get(vs_value table, vs_value id) {
   return t->at[slot(t, id) + 1];
 }
 
-bool vs_idtable_put(vs *vm, vs_value *table, vs_value id, vs_value v) {
+bool vs_idtable_put(vs_scheme *vm, vs_value *table, vs_value id, vs_value v) {
   vs_vector *t = vs_as_vector(*table);
   size_t room = (t->length - 1) / 2, i = slot(t, id);
   if (t->at[i] == VS_VACANT && (size_t)(vs_idtable_count(*table) + 1) * 4 > room * 3) {
@@ -74,7 +74,7 @@ vs_value vs_identifier_symbol(vs_value id) {
   return id;
 }
 
-bool vs_make_alias(vs *vm, vs_value name, vs_value env, vs_value *out) {
+bool vs_make_alias(vs_scheme *vm, vs_value name, vs_value env, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = name; r[1] = env;
   vs_alias *a = (vs_alias *)(void *)vs_gc_alloc(vm, VS_T_ALIAS, VS_WORDS(vs_alias));
@@ -86,7 +86,7 @@ bool vs_make_alias(vs *vm, vs_value name, vs_value env, vs_value *out) {
 }
 
 /* Stripping walks with a stack of places still to be seen. First it looks whether there is any alias: most data has none. */
-typedef struct { vs *vm; vs_value *at; size_t count, room; struct vs_roots roots; } stack;
+typedef struct { vs_scheme *vm; vs_value *at; size_t count, room; struct vs_roots roots; } stack;
 static bool push(stack *s, vs_value v) {
   if (s->count == s->room) {
     size_t room = s->room ? 2 * s->room : 64;
@@ -100,7 +100,7 @@ static bool push(stack *s, vs_value v) {
   return true;
 }
 
-bool vs_datum_any(vs *vm, vs_value datum, bool (*test)(vs *vm, vs_value v), bool *yes) {
+bool vs_datum_any(vs_scheme *vm, vs_value datum, bool (*test)(vs_scheme *vm, vs_value v), bool *yes) {
   stack s = {.vm = vm};
   bool ok = push(&s, datum);
   size_t seen = 0, lap = 1;
@@ -126,10 +126,10 @@ bool vs_datum_any(vs *vm, vs_value datum, bool (*test)(vs *vm, vs_value v), bool
   return ok;
 }
 
-static bool is_alias(vs *vm, vs_value v) { (void)vm; return vs_is(v, VS_T_ALIAS); }
+static bool is_alias(vs_scheme *vm, vs_value v) { (void)vm; return vs_is(v, VS_T_ALIAS); }
 
 /* one level: a copy of v with the same parts */
-static bool copy_level(vs *vm, vs_value *v) {
+static bool copy_level(vs_scheme *vm, vs_value *v) {
   VS_ROOTS(vm, r, 2);
   r[0] = *v;
   if (vs_is(*v, VS_T_ALIAS)) { *v = vs_identifier_symbol(*v); return true; }
@@ -142,7 +142,7 @@ static bool copy_level(vs *vm, vs_value *v) {
   return true;
 }
 
-bool vs_strip(vs *vm, vs_value datum, vs_value *out) {
+bool vs_strip(vs_scheme *vm, vs_value datum, vs_value *out) {
   if (vs_is(datum, VS_T_ALIAS)) { *out = vs_identifier_symbol(datum); return true; }
   bool any;
   if (!vs_datum_any(vm, datum, is_alias, &any)) return false;
@@ -188,7 +188,7 @@ static bool can_skip(const vs_environment *scope) {
 }
 
 /* copies to *table, for what is not there yet: the names of `from`, which mean `scope`, or if that is VACANT what they meant there */
-static bool skip_add(vs *vm, vs_value *table, vs_value from, vs_value scope) {
+static bool skip_add(vs_scheme *vm, vs_value *table, vs_value from, vs_value scope) {
   VS_ROOTS(vm, r, 4);
   r[0] = from; r[1] = scope;
   for (size_t i = 0; vs_idtable_slot(r[0], i, &r[2], &r[3]); i++)
@@ -197,7 +197,7 @@ static bool skip_add(vs *vm, vs_value *table, vs_value from, vs_value scope) {
 }
 
 /* the table of a scope (a root) that has just been made */
-static bool skip_make(vs *vm, const vs_value *scope) {
+static bool skip_make(vs_scheme *vm, const vs_value *scope) {
   VS_ROOTS(vm, r, 2);              /* the scope on the way out, the table */
   int64_t depth = depth_of(*scope), span = SKIP;
   while (depth % (span * SKIP) == 0) span *= SKIP;
@@ -220,7 +220,7 @@ static bool skip_make(vs *vm, const vs_value *scope) {
   return true;
 }
 
-static bool environment(vs *vm, vs_value name, vs_value parent, vs_value data, vs_value *out) {
+static bool environment(vs_scheme *vm, vs_value name, vs_value parent, vs_value data, vs_value *out) {
   VS_ROOTS(vm, r, 4);
   r[0] = name; r[1] = parent; r[2] = data;
   if (!vs_idtable_new(vm, &r[3])) return false;
@@ -232,9 +232,11 @@ static bool environment(vs *vm, vs_value name, vs_value parent, vs_value data, v
   return true;
 }
 
-bool vs_environment_new(vs *vm, vs_value name, vs_value *out) { return environment(vm, name, VS_FALSE, VS_FALSE, out); }
+bool vs_environment_new(vs_scheme *vm, vs_value name, vs_value *out) {
+  return environment(vm, name, VS_FALSE, VS_FALSE, out);
+}
 
-bool vs_scope_new(vs *vm, vs_value parent, int64_t serial, vs_value *out) {
+bool vs_scope_new(vs_scheme *vm, vs_value parent, int64_t serial, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   int64_t depth = depth_of(parent) + 1;
   if (depth >> DEPTH_BITS) return vs_fail(vm, vm->sym.syntax, "this is nested too deeply");
@@ -244,7 +246,7 @@ bool vs_scope_new(vs *vm, vs_value parent, int64_t serial, vs_value *out) {
   return true;
 }
 
-bool vs_environment_bind(vs *vm, vs_value env, vs_value id, vs_value binding) {
+bool vs_environment_bind(vs_scheme *vm, vs_value env, vs_value id, vs_value binding) {
   VS_ROOTS(vm, r, 2);
   r[0] = env;
   r[1] = vs_as_environment(env)->table;
@@ -307,7 +309,7 @@ static bool same_binding(vs_value a, vs_value b) {
 }
 
 /* A name that env would get from two libraries in two meanings, VS_VACANT: none. What the whole library has gives way to any other. */
-static vs_value find_clash(vs *vm, vs_value env, vs_value from, vs_value mapping) {
+static vs_value find_clash(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping) {
   const vs_environment *e = vs_as_environment(env);
   vs_value names = mapping != VS_TRUE ? mapping : vs_as_environment(from)->exports != VS_TRUE ? vs_as_environment(from)->exports : vs_as_environment(from)->table;
   vs_value key, value;
@@ -325,7 +327,7 @@ static vs_value find_clash(vs *vm, vs_value env, vs_value from, vs_value mapping
 /* Brings the names that env's code refers to already in line with what is being imported: cells of what was nowhere defined and copies of
    constants get the new value. A definition of env's own is an error in *clash, replaced at the prompt, and stays where the new
    meaning is only the whole library's. look: only looks for the clash. */
-static void settle(vs *vm, vs_value env, vs_value from, vs_value mapping, bool look, vs_value *clash) {
+static void settle(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, bool look, vs_value *clash) {
   vs_vector *table = vs_as_vector(vs_as_environment(env)->table);
   vs_intake intake = vs_environment_intake(env);
   for (size_t i = 1; i < table->length; i += 2) {
@@ -346,7 +348,8 @@ static void settle(vs *vm, vs_value env, vs_value from, vs_value mapping, bool l
   }
 }
 
-bool vs_environment_import(vs *vm, vs_value env, vs_value from, vs_value mapping, bool whole, vs_value *clash, bool *own) {
+bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, bool whole, vs_value *clash,
+                           bool *own) {
   VS_ROOTS(vm, r, 4);
   r[0] = env; r[1] = from; r[2] = mapping;
   *clash = VS_VACANT;
@@ -410,7 +413,7 @@ bool vs_same_meaning(vs_value env_a, vs_value a, vs_value env_b, vs_value b) {
   return (c->h.flags & d->h.flags & VS_F_CONSTANT) && c->name == d->name && c->value == d->value;
 }
 
-bool vs_environment_cell(vs *vm, const vs_meaning *m, vs_value *cell) {
+bool vs_environment_cell(vs_scheme *vm, const vs_meaning *m, vs_value *cell) {
   VS_ROOTS(vm, r, 3);
   if (m->kind == VS_MEANS_CELL && (!m->foreign || !(vs_as_cell(m->value)->h.flags & VS_F_CONSTANT))) { *cell = m->value; return true; }
   r[0] = m->env; r[1] = m->id;
@@ -422,7 +425,7 @@ bool vs_environment_cell(vs *vm, const vs_meaning *m, vs_value *cell) {
   return true;
 }
 
-bool vs_environment_define(vs *vm, vs_value env, vs_value id, vs_value *cell) {
+bool vs_environment_define(vs_scheme *vm, vs_value env, vs_value id, vs_value *cell) {
   VS_ROOTS(vm, r, 3);
   r[0] = env; r[1] = id;
   vs_value own = vs_idtable_get(vs_as_environment(env)->table, id);

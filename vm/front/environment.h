@@ -24,10 +24,10 @@
 #include "vm/values/gc.h"
 
 /* ---- tables from identifiers to values: a vector, slot 0 the count, then keys and values, open addressing ---- */
-bool vs_idtable_new(vs *vm, vs_value *out);
+bool vs_idtable_new(vs_scheme *vm, vs_value *out);
 vs_value vs_idtable_get(vs_value table, vs_value id);             /* VS_VACANT: not there */
 /* `table` and `v` in roots. A table that grows is another object: *table changes. */
-bool vs_idtable_put(vs *vm, vs_value *table, vs_value id, vs_value v);
+bool vs_idtable_put(vs_scheme *vm, vs_value *table, vs_value id, vs_value v);
 /* i-th slot: false past the end; key VS_VACANT: a hole */
 bool vs_idtable_slot(vs_value table, size_t i, vs_value *key, vs_value *value);
 int64_t vs_idtable_count(vs_value table);
@@ -35,16 +35,16 @@ int64_t vs_idtable_count(vs_value table);
 /* ---- identifiers ---- */
 static inline bool vs_is_identifier(vs_value v) { return vs_is(v, VS_T_SYMBOL) || vs_is(v, VS_T_ALIAS); }
 vs_value vs_identifier_symbol(vs_value id);                      /* the name under all renamings */
-bool vs_make_alias(vs *vm, vs_value name, vs_value env, vs_value *out);
+bool vs_make_alias(vs_scheme *vm, vs_value name, vs_value env, vs_value *out);
 /* A fresh copy of a datum without aliases, if there are any in it; else the datum. */
-bool vs_strip(vs *vm, vs_value datum, vs_value *out);
+bool vs_strip(vs_scheme *vm, vs_value datum, vs_value *out);
 /* Does test hold for the datum or anything in it? False: out of memory. */
-bool vs_datum_any(vs *vm, vs_value datum, bool (*test)(vs *vm, vs_value v), bool *yes);
+bool vs_datum_any(vs_scheme *vm, vs_value datum, bool (*test)(vs_scheme *vm, vs_value v), bool *yes);
 
 /* ---- environments ---- */
-bool vs_environment_new(vs *vm, vs_value name, vs_value *out);                                /* top-level, no imports */
-bool vs_scope_new(vs *vm, vs_value parent, int64_t serial, vs_value *out);                    /* local */
-bool vs_environment_bind(vs *vm, vs_value env, vs_value id, vs_value binding);                /* in its own table */
+bool vs_environment_new(vs_scheme *vm, vs_value name, vs_value *out);                                /* top-level, no imports */
+bool vs_scope_new(vs_scheme *vm, vs_value parent, int64_t serial, vs_value *out);                    /* local */
+bool vs_environment_bind(vs_scheme *vm, vs_value env, vs_value id, vs_value binding);                /* in its own table */
 /* How a top-level environment takes imports.
      STRICT   what a library and `environment` see: just what they import. One name from two libraries is an error.
      FRESH    a program at its beginning: it sees the whole library; if it begins with an import it becomes STRICT and loses that
@@ -56,7 +56,7 @@ void vs_environment_set_intake(vs_value env, vs_intake intake);
 
 /* mapping #t or a table from local name to its name in `from`. whole: `from` is the whole library, which gives way to everything else.
    *clash: VS_VACANT, or a name that cannot be imported because it means something else already; *own: by a definition of env's own. */
-bool vs_environment_import(vs *vm, vs_value env, vs_value from, vs_value mapping, bool whole, vs_value *clash, bool *own);
+bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, bool whole, vs_value *clash, bool *own);
 void vs_environment_forget_imports(vs_value env);
 static inline bool vs_is_top(vs_value env) { return vs_as_environment(env)->parent == VS_FALSE; }
 
@@ -73,9 +73,9 @@ vs_meaning vs_environment_find(vs_value env, vs_value id);
 bool vs_same_meaning(vs_value env_a, vs_value a, vs_value env_b, vs_value b);
 
 /* The cell for a reference to a variable of the top level, made where needed (holding VS_UNDEFINED). m: what vs_environment_find said. */
-bool vs_environment_cell(vs *vm, const vs_meaning *m, vs_value *cell);
+bool vs_environment_cell(vs_scheme *vm, const vs_meaning *m, vs_value *cell);
 /* The cell that (define id ...) at top level sets: its own; old code sees it. */
-bool vs_environment_define(vs *vm, vs_value env, vs_value id, vs_value *cell);
+bool vs_environment_define(vs_scheme *vm, vs_value env, vs_value id, vs_value *cell);
 /* The value of an exported or own variable by name, VS_UNDEFINED if there is none. */
 vs_value vs_environment_value(vs_value env, vs_value symbol);
 

@@ -39,7 +39,7 @@ static rewrite_fn *const rewrite_table[] = {
 };
 
 /* ---- life ---- */
-static void trace(vs *vm, void *object, void (*mark)(vs *vm, vs_value *slot)) {
+static void trace(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_value *slot)) {
   vs_expansion *x = object;
   mark(vm, &x->now.form); mark(vm, &x->now.env); mark(vm, &x->now.acc);
   mark(vm, &x->procedure); mark(vm, &x->args); mark(vm, &x->forms); mark(vm, &x->later);
@@ -57,7 +57,7 @@ const vs_foreign_type vs_expansion_type = {.name = "expansion", .release = relea
 
 static const vs_task no_task = {.form = VS_UNSPECIFIC, .env = VS_UNSPECIFIC, .acc = VS_UNSPECIFIC};
 
-bool vs_expansion_make(vs *vm, vs_value *out) {
+bool vs_expansion_make(vs_scheme *vm, vs_value *out) {
   vs_expansion *x = vs_mem(vm, NULL, 0, sizeof *x);
   if (!x) return false;
   memset(x, 0, sizeof *x);
@@ -104,7 +104,7 @@ vs_pos vs_element_pos(vs_value pair, bool first, vs_pos outer) {
 
 /* ---- errors ---- */
 bool vs_expand_fail(vs_expansion *x, vs_pos pos, vs_value what, const char *format, ...) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 1);
   r[0] = what;
   char text[400];
@@ -166,7 +166,7 @@ static bool defines(vs_value form, vs_value name) {
 /* A call of what is not defined, under a name that the library has for syntax: to expand its operands would lead to errors beside the
    point. Unless a later form of the unit defines the name: then it is a procedure. */
 static bool check_imported(vs_expansion *x, vs_value id, vs_pos pos) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   vs_value name = vs_identifier_symbol(id), known = vs_idtable_get(vs_as_environment(vm->at.core)->table, name);
   if (known == VS_VACANT || !vs_is(known, VS_T_MACRO) || *vs_as_symbol(name)->name == '%') return true;
   for (vs_value l = x->later; vs_is_pair(l); l = vs_cdr(l)) if (defines(vs_car(l), name)) return true;
@@ -303,7 +303,7 @@ static bool given_twice(vs_expansion *x, vs_value name) {
 }
 
 static bool application(vs_expansion *x) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   vs_value form = x->now.form;
   int64_t length = vs_list_length(form);
   if (length < 0) return vs_expand_fail(x, x->now.pos, form, "a call is a list: no . may stand in it:");
@@ -358,7 +358,7 @@ static bool application(vs_expansion *x) {
 /* ---- macro uses ---- */
 /* The current task's first form (its form, or the first of a body's forms) is replaced; VS_EXPAND_CALL-like: waits if *wait. */
 static bool use_macro(vs_expansion *x, vs_value macro, vs_value form, vs_pos pos, vs_value *out, bool *wait) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   *wait = false;
   if (!vs_poll(vm, 256)) return false;
   if (vs_as_macro(macro)->kind == vs_fix(VS_MACRO_RULES)) return vs_rules_expand(x, macro, form, x->now.env, pos, out);
@@ -430,7 +430,7 @@ static bool combines_predicates(vs_value id, vs_value env) {
 
 /* A procedure counts as true: (and integer? positive?) is positive?. Warns where a test is one for certain. */
 static void warn_of_procedure(vs_expansion *x, vs_value form, const vs_meaning *head) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   char text[300];
   if (!vm->config.warn) return;
   if (vs_is_identifier(form)) {
@@ -450,7 +450,7 @@ static void warn_of_procedure(vs_expansion *x, vs_value form, const vs_meaning *
 }
 
 static bool expression(vs_expansion *x) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   if (vs_is_pair(x->now.form) && !vs_expand_outline(x)) return false;
   VS_ROOTS(vm, r, 1);
   r[0] = x->now.form;

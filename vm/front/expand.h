@@ -49,7 +49,7 @@ typedef struct vs_task {
 typedef enum { VS_EXPAND_ERROR, VS_EXPAND_CALL, VS_EXPAND_NODE, VS_EXPAND_FORMS, VS_EXPAND_RUN, VS_EXPAND_NOTHING } vs_expand_result;
 
 typedef struct vs_expansion {
-  vs *vm;
+  vs_scheme *vm;
   vs_ast ast;
   bool tree;               /* ast is open */
   vs_task now, *tasks;
@@ -65,7 +65,7 @@ typedef struct vs_expansion {
 } vs_expansion;
 
 extern const vs_foreign_type vs_expansion_type;
-bool vs_expansion_make(vs *vm, vs_value *out);                         /* a foreign object */
+bool vs_expansion_make(vs_scheme *vm, vs_value *out);                         /* a foreign object */
 
 /* Begins with a top-level form of `env`, in its environment; then step until it is neither ERROR nor CALL.
      CALL     call x->procedure with x->args and step again with the value
@@ -110,8 +110,8 @@ vs_pos vs_element_pos(vs_value pair, bool first, vs_pos outer);        /* of the
 bool vs_expand_fail(vs_expansion *x, vs_pos pos, vs_value what, const char *format, ...) __attribute__((format(printf, 4, 5)));
 bool vs_expand_shape(vs_expansion *x, int form);                       /* "this is written (...)" at the current form */
 /* an alias for a name of the library: what rewriting forms put into their output */
-bool vs_core_name(vs *vm, const char *name, vs_value *out);
-bool vs_make_form_list(vs *vm, vs_value *out, size_t n, const vs_value *items);   /* items in roots */
+bool vs_core_name(vs_scheme *vm, const char *name, vs_value *out);
+bool vs_make_form_list(vs_scheme *vm, vs_value *out, size_t n, const vs_value *items);   /* items in roots */
 
 /* Expands macros at the head of *form until it is core syntax, an application or no pair; *m is the head's meaning. False also when the task
    has to wait (x->now.waiting is set then). */
@@ -146,6 +146,6 @@ bool vs_define_parts(vs_expansion *x, vs_value form, vs_value env, vs_value *nam
 #undef VS_FORM_DECLARE_AUXILIARY
 
 const char *vs_form_shape(int form);
-bool vs_front_open(vs *vm);     /* the core environment with the syntax in it: vm->at.core */
+bool vs_front_open(vs_scheme *vm);     /* the core environment with the syntax in it: vm->at.core */
 
 #endif

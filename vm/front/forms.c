@@ -265,7 +265,7 @@ bool vs_case_step(vs_expansion *x) {
 }
 
 /* ---- quasiquote: a task a list, its spine at once ---- */
-static bool is_comma(vs *vm, vs_value v) {
+static bool is_comma(vs_scheme *vm, vs_value v) {
   if (!vs_is_identifier(v)) return false;
   v = vs_identifier_symbol(v);
   return v == vm->sym.unquote || v == vm->sym.unquote_splicing;
@@ -300,7 +300,7 @@ static bool push_quasi(vs_expansion *x, vs_value form, vs_pos pos, vs_node **int
 }
 
 bool vs_quasi_step(vs_expansion *x) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   vs_value form = x->now.form;
   uint32_t level = x->now.n;
   vs_pos pos = vs_form_pos(form, x->now.pos);

@@ -14,7 +14,14 @@ typedef struct {
 } parameter;
 
 /* The parameters of a lambda while it is built; their values are rooted. */
-typedef struct { vs *vm; parameter *at; size_t count, room; vs_value *values; struct vs_roots roots; bool rest, tail; } parameters;
+typedef struct {
+  vs_scheme *vm;
+  parameter *at;
+  size_t count, room;
+  vs_value *values;
+  struct vs_roots roots;
+  bool rest, tail;
+} parameters;
 
 static bool is_keyword(vs_value v) { return vs_is_symbol(v) && vs_as_symbol(v)->length > 2 && !memcmp(vs_as_symbol(v)->name, "#:", 2); }
 
@@ -143,7 +150,7 @@ static bool is_constant(vs_value form, vs_value env) {
 /* *outer: where the LET of the contracts goes, and then its body */
 static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs_pos pos, vs_node ***outer, vs_node **into) {
   /* r: 0 list, 1 body, 2 env, 3 the scope of the lambda, 4 scratch */
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   uint32_t who;
   size_t contracts = 0, checks = 0;
   if (!vs_ast_const(&x->ast, name, &who) || !vs_expand_scope(x, r[2], &r[3])) return false;
@@ -222,7 +229,7 @@ static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs
 }
 
 static bool expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name, vs_pos pos, vs_node ***outer, vs_node **into) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   r[0] = params; r[1] = body; r[2] = env;
   parameters p = {.vm = vm, .tail = tail};

@@ -31,7 +31,7 @@ typedef struct {
 } frame;
 
 typedef struct {
-  vs *vm;
+  vs_scheme *vm;
   const char *text;
   size_t size, at;
   uint32_t file, line;
@@ -125,7 +125,8 @@ static bool skip(reader *r) {
     else if (c == ';') skip_line(r);
     else if (c == '#' && peek(r, 1) == '|') skip_block(r);
     else if (c == '#' && r->size - r->at > 5 && !memcmp(r->text + r->at, "#lang", 5) && peek(r, 5) <= ' ') skip_line(r);
-    else if (c == '#' && peek(r, 1) == '!' && r->at == 0 && (peek(r, 2) == '/' || peek(r, 2) == ' ')) skip_line(r);      /* #!/usr/bin/env vs */
+    else if (c == '#' && peek(r, 1) == '!' && r->at == 0 && (peek(r, 2) == '/' || peek(r, 2) == ' '))
+      skip_line(r); /* #!/usr/bin/env vs_scheme */
     else if (c == '#' && peek(r, 1) == '!') {
       size_t start = r->at;
       r->at += 2;
@@ -184,7 +185,7 @@ static bool deliver(reader *r, vs_value *v, vs_pos pos, bool *done) {
       quote_kind quote = f->quote;
       pop(r);
       if (!cons(r, *v, VS_NIL, pos, v)) return false;
-      const struct vs *vm = r->vm;
+      const struct vs_scheme *vm = r->vm;
       vs_value name = quote == QUASI ? vm->sym.quasiquote : quote == UNQUOTE ? vm->sym.unquote : quote == SPLICE ? vm->sym.unquote_splicing : vm->sym.quote;
       if (!cons(r, name, *v, mark, v)) return false;
       pos = mark;
@@ -613,7 +614,7 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
 }
 
 /* ---- labels: every box that stands for a label gives way to its value ---- */
-typedef struct { vs_value *at; size_t count, room; struct vs_roots roots; vs *vm; } work;
+typedef struct { vs_value *at; size_t count, room; struct vs_roots roots; vs_scheme *vm; } work;
 static bool work_push(work *w, vs_value v) {
   if (w->count == w->room) {
     size_t room = w->room ? 2 * w->room : 64;
@@ -652,7 +653,7 @@ static bool resolve_labels(reader *r, vs_value *root) {
 }
 
 /* ---- whole texts ---- */
-static bool start(reader *r, vs *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool located) {
+static bool start(reader *r, vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool located) {
   memset(r, 0, sizeof *r);
   r->vm = vm;
   r->text = text;
@@ -676,7 +677,7 @@ static void finish(reader *r) {
 }
 
 /* Is it text at all? The place of the first byte that is none. */
-static bool check_utf8(vs *vm, const char *text, size_t size, uint32_t file, uint32_t line) {
+static bool check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line) {
   size_t begin = 0;
   for (size_t i = 0; i < size;) {
     unsigned char c = (unsigned char)text[i];
@@ -701,7 +702,7 @@ static int by_place(const void *a, const void *b) {
 }
 
 static bool report(reader *r) {
-  vs *vm = r->vm;
+  vs_scheme *vm = r->vm;
   VS_ROOTS(vm, v, 3);
   qsort(r->problem, r->problems, sizeof *r->problem, by_place);
   v[0] = VS_NIL;
@@ -716,7 +717,8 @@ static bool report(reader *r) {
   return false;
 }
 
-static bool read_all(vs *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold, bool anew, bool *again, vs_value *forms) {
+static bool read_all(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold, bool anew,
+                     bool *again, vs_value *forms) {
   VS_ROOTS(vm, v, 3);                                  /* head, last, datum */
   reader r;
   start(&r, vm, text, size, file, line, true);
@@ -756,13 +758,14 @@ static bool read_all(vs *vm, const char *text, size_t size, uint32_t file, uint3
   return ok;
 }
 
-bool vs_read_all(vs *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold, vs_value *forms) {
+bool vs_read_all(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold,
+                 vs_value *forms) {
   bool again;
   if (!check_utf8(vm, text, size, file, line)) return false;
   return read_all(vm, text, size, file, line, fold, false, &again, forms) || (again && read_all(vm, text, size, file, line, fold, true, &again, forms));
 }
 
-bool vs_read_datum(vs *vm, const char *text, size_t size, vs_value *out, size_t *used) {
+bool vs_read_datum(vs_scheme *vm, const char *text, size_t size, vs_value *out, size_t *used) {
   VS_ROOTS(vm, v, 1);
   reader r;
   start(&r, vm, text, size, 0, 1, false);
@@ -783,7 +786,7 @@ bool vs_read_datum(vs *vm, const char *text, size_t size, vs_value *out, size_t 
   return ok;
 }
 
-bool vs_file_number(vs *vm, const char *name, size_t bytes, uint32_t *number) {
+bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *number) {
   VS_ROOTS(vm, v, 2);
   if (!vs_string_from_utf8(vm, name, bytes, &v[0])) return false;
   size_t n = vs_is_vector(vm->at.files) ? vs_as_vector(vm->at.files)->length : 0;

@@ -4,7 +4,7 @@
 
 enum { BLANK, ATOM, STRING, BARS, LINE, BLOCK, HASH, CHARACTER };
 
-void vs_scan_open(vs *vm, vs_scan *s) {
+void vs_scan_open(vs_scheme *vm, vs_scan *s) {
   memset(s, 0, sizeof *s);
   s->vm = vm;
   s->wanted = 1;
@@ -115,7 +115,7 @@ again:
 
 bool vs_scan_end(vs_scan *s) { return s->depth == 0 && (s->state == BLANK || s->state == LINE || s->state == ATOM); }
 
-bool vs_read_whole(vs *vm, const char *text, size_t size, vs_text_check *out) {
+bool vs_read_whole(vs_scheme *vm, const char *text, size_t size, vs_text_check *out) {
   vs_scan s;
   vs_scan_open(vm, &s);
   bool ok = true, any = false;

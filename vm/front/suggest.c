@@ -179,7 +179,7 @@ bool vs_keyword_advice(const char *word, vs_text *t) {
 
 bool vs_is_foreign_word(vs_value symbol) { return vs_is_symbol(symbol) && foreign_word(vs_as_symbol(symbol)->name) >= 0; }
 
-static bool remember(vs *vm, vs_value symbol, vs_value near) {
+static bool remember(vs_scheme *vm, vs_value symbol, vs_value near) {
   VS_ROOTS(vm, r, 1);
   if (!vs_is_vector(vm->at.nearby) && !vs_idtable_new(vm, &vm->at.nearby)) return false;
   r[0] = vm->at.nearby;
@@ -188,7 +188,7 @@ static bool remember(vs *vm, vs_value symbol, vs_value near) {
   return true;
 }
 
-bool vs_suggest_local(vs *vm, vs_value env, vs_value symbol) {
+bool vs_suggest_local(vs_scheme *vm, vs_value env, vs_value symbol) {
   if (!vs_is_symbol(symbol) || vs_as_symbol(symbol)->length < 2) return true;
   search s = {.core = vm->at.core, .wanted = vs_as_symbol(symbol), .distance = 3 * EDIT};
   vs_value key, value;
@@ -199,7 +199,7 @@ bool vs_suggest_local(vs *vm, vs_value env, vs_value symbol) {
   return remember(vm, symbol, vs_from_object(s.best));
 }
 
-bool vs_suggest_let_star(vs *vm, vs_value symbol) { return remember(vm, symbol, symbol); }
+bool vs_suggest_let_star(vs_scheme *vm, vs_value symbol) { return remember(vm, symbol, symbol); }
 
 /* ---- what a name may have been meant as ---- */
 
@@ -251,7 +251,7 @@ bool vs_foreign_advice(const char *word, vs_text *t) {
   return i < 0 || put_foreign(i, t);
 }
 
-bool vs_suggest(vs *vm, vs_value env, vs_value symbol, vs_text *t) {
+bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (!vs_is_symbol(symbol)) return true;
   const vs_symbol *wanted = vs_as_symbol(symbol);
   vs_value local = vs_is_vector(vm->at.nearby) ? vs_idtable_get(vm->at.nearby, symbol) : VS_VACANT;

@@ -13,7 +13,7 @@ enum { DATA_LITERALS, DATA_ELLIPSIS, DATA_RULES, DATA_SIZE };
 
 typedef struct {
   vs_expansion *x;
-  vs *vm;
+  vs_scheme *vm;
   vs_value *r;             /* roots: see R_ below */
   vs_pos pos;
   bool underscore_is_literal;
@@ -46,7 +46,7 @@ static bool is_underscore(const rules *s, vs_value v) { return vs_is_form(vs_as_
 /* ---- definition ---- */
 /* The variables of a pattern, in the order of matching, appended to lists in r[0] (identifiers) and r[1] (depths), newest first. */
 static bool collect(rules *s, vs_value pattern, vs_value *lists, int64_t ellipses, int depth) {
-  vs *vm = s->vm;
+  vs_scheme *vm = s->vm;
   if (depth > PATTERN_DEPTH) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "this pattern is nested too deeply");
   VS_ROOTS(vm, r, 1);
   r[0] = pattern;
@@ -122,7 +122,7 @@ static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dot
   return !vs_is_vector(t) || check_template(s, lists, t, dots, outside, pos, depth + 1);
 }
 
-static bool to_vector(vs *vm, vs_value list_reversed, vs_value *out) {
+static bool to_vector(vs_scheme *vm, vs_value list_reversed, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = list_reversed;
   size_t n = (size_t)vs_list_length(list_reversed);
@@ -132,7 +132,7 @@ static bool to_vector(vs *vm, vs_value list_reversed, vs_value *out) {
 }
 
 bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_value *macro) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, R_COUNT);
   VS_ROOTS(vm, t, 6);
   t[0] = spec;
@@ -190,7 +190,7 @@ static size_t count_vars(const rules *s, vs_value p, int depth) {
   return n;
 }
 
-static bool vector_list(vs *vm, vs_value vector, vs_value *out) {
+static bool vector_list(vs_scheme *vm, vs_value vector, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = vector;
   *out = VS_NIL;
@@ -199,7 +199,7 @@ static bool vector_list(vs *vm, vs_value vector, vs_value *out) {
 }
 
 static int match(rules *s, vs_value pattern, vs_value form, size_t *slot) {
-  vs *vm = s->vm;
+  vs_scheme *vm = s->vm;
   VS_ROOTS(vm, r, 4);      /* pattern, form, values under an ellipsis, scratch */
   r[0] = pattern; r[1] = form;
   for (;;) {
@@ -268,7 +268,7 @@ static int64_t slot_of(const rules *s, vs_value id) {
 }
 
 static bool rename_id(rules *s, vs_value id, vs_value *out) {
-  vs *vm = s->vm;
+  vs_scheme *vm = s->vm;
   VS_ROOTS(vm, r, 2);
   for (vs_value l = s->r[R_RENAMES]; vs_is_pair(l); l = vs_cdr(l))
     if (vs_car(vs_car(l)) == id) { *out = vs_cdr(vs_car(l)); return true; }
@@ -289,7 +289,7 @@ static void mark_slots(const rules *s, vs_value t, bool *used, bool dots, int de
   } else if (vs_is_vector(t)) for (size_t i = 0; i < vs_as_vector(t)->length; i++) mark_slots(s, field(t, i), used, dots, depth + 1);
 }
 
-static bool copy_vector(vs *vm, vs_value v, vs_value *out) {
+static bool copy_vector(vs_scheme *vm, vs_value v, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = v;
   size_t n = vs_as_vector(v)->length;
@@ -300,7 +300,7 @@ static bool copy_vector(vs *vm, vs_value v, vs_value *out) {
 
 /* sub under `level` ellipses: the results, newest first, before *list */
 static bool repeat(rules *s, vs_value sub, int level, vs_value *list, int depth) {
-  vs *vm = s->vm;
+  vs_scheme *vm = s->vm;
   VS_ROOTS(vm, r, 6);     /* sub, saved slots, saved depths, slots now, depths now, result */
   r[0] = sub;
   size_t n = vs_as_vector(field(s->r[R_RULE], RULE_VARS))->length;
@@ -346,7 +346,7 @@ static bool repeat(rules *s, vs_value sub, int level, vs_value *list, int depth)
 }
 
 static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, int depth) {
-  vs *vm = s->vm;
+  vs_scheme *vm = s->vm;
   if (depth > PATTERN_DEPTH) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "this template is nested too deeply");
   VS_ROOTS(vm, r, 4);      /* what is left of the template, first, last, scratch */
   r[0] = template;
@@ -405,7 +405,7 @@ static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, i
 }
 
 bool vs_rules_expand(vs_expansion *x, vs_value macro, vs_value form, vs_value env, vs_pos pos, vs_value *out) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, R_COUNT);
   r[R_MACRO] = macro; r[R_FORM] = form; r[R_ENV] = env; r[R_RENAMES] = VS_NIL;
   rules s = {.x = x, .vm = vm, .r = r, .pos = pos};

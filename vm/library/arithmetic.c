@@ -6,27 +6,31 @@
 
 /* ---- argument checks ---- */
 
-static bool want_number(vs *vm, const vs_value *a, int i) { return vs_is_number(a[i]) || vs_fail_type(vm, i, "a number", a[i]); }
+static bool want_number(vs_scheme *vm, const vs_value *a, int i) {
+  return vs_is_number(a[i]) || vs_fail_type(vm, i, "a number", a[i]);
+}
 
 static bool is_integral(vs_value v) {
   return vs_is_exact_integer(v) || (vs_is_double(v) && isfinite(vs_double(v)) && vs_double(v) == floor(vs_double(v)));
 }
-static bool want_integer(vs *vm, const vs_value *a, int i) { return is_integral(a[i]) || vs_fail_type(vm, i, "an integer", a[i]); }
-static bool want_exact_integer(vs *vm, const vs_value *a, int i) {
+static bool want_integer(vs_scheme *vm, const vs_value *a, int i) {
+  return is_integral(a[i]) || vs_fail_type(vm, i, "an integer", a[i]);
+}
+static bool want_exact_integer(vs_scheme *vm, const vs_value *a, int i) {
   return vs_is_exact_integer(a[i]) || vs_fail_type(vm, i, "an exact integer", a[i]);
 }
 
 /* ---- predicates ---- */
 
 #define PREDICATE(name, expression)                                        \
-  static vs_status name(vs *vm, vs_value *a, int n, vs_value *out) {       \
+  static vs_status name(vs_scheme *vm, vs_value *a, int n, vs_value *out) {       \
     (void)vm, (void)n;                                                     \
     vs_value v = a[0];                                                     \
     return *out = vs_bool(expression), VS_OK;                              \
   }
 /* of numbers only */
 #define NUMBER_PREDICATE(name, expression)                                 \
-  static vs_status name(vs *vm, vs_value *a, int n, vs_value *out) {       \
+  static vs_status name(vs_scheme *vm, vs_value *a, int n, vs_value *out) {       \
     (void)n;                                                               \
     vs_value v = a[0];                                                     \
     return want_number(vm, a, 0) ? (*out = vs_bool(expression), VS_OK) : VS_ERROR; \
@@ -54,23 +58,23 @@ NUMBER_PREDICATE(is_finite, !vs_is_double(v) || isfinite(vs_double(v)))
 NUMBER_PREDICATE(is_infinite, vs_is_double(v) && isinf(vs_double(v)))
 
 static bool odd(vs_value v) { return vs_is_double(v) ? fmod(vs_double(v), 2) != 0 : vs_int_is_odd(v); }
-static vs_status is_odd(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status is_odd(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return want_integer(vm, a, 0) ? (*out = vs_bool(odd(a[0])), VS_OK) : VS_ERROR;
 }
-static vs_status is_even(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status is_even(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return want_integer(vm, a, 0) ? (*out = vs_bool(!odd(a[0])), VS_OK) : VS_ERROR;
 }
 
 /* ---- + - * / ---- */
 
-static bool want_addable(vs *vm, vs_value v) {
+static bool want_addable(vs_scheme *vm, vs_value v) {
   vs_value ignored;
   return vs_is_number(v) || vs_is(v, VS_T_FLAT) || vs_number_add(vm, v, vs_fix(0), &ignored);    /* the last for its message */
 }
 
-static vs_status add(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status add(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n == 0) return *out = vs_fix(0), VS_OK;
   if (!want_addable(vm, a[0])) return VS_ERROR;
   *out = a[0];
@@ -79,7 +83,7 @@ static vs_status add(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status mul(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status mul(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n == 0) return *out = vs_fix(1), VS_OK;
   if (!want_addable(vm, a[0])) return VS_ERROR;
   *out = a[0];
@@ -88,7 +92,7 @@ static vs_status mul(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status sub(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status sub(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n == 1) {
     if (vs_is_double(a[0])) return *out = vs_flonum(-vs_double(a[0])), VS_OK;         /* 0 - 0.0 would be +0 */
     return vs_number_sub(vm, vs_fix(0), a[0], out);
@@ -99,7 +103,7 @@ static vs_status sub(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status divide(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status divide(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n == 1) return vs_number_div(vm, vs_fix(1), a[0], out);
   *out = a[0];
   for (int i = 1; i < n; i++)
@@ -107,23 +111,23 @@ static vs_status divide(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status add_one(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status add_one(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_number_add(vm, a[0], vs_fix(1), out);
 }
-static vs_status sub_one(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status sub_one(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_number_sub(vm, a[0], vs_fix(1), out);
 }
-static vs_status square(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status square(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return want_number(vm, a, 0) && vs_number_mul(vm, a[0], a[0], out);
 }
-static vs_status absolute(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status absolute(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return want_number(vm, a, 0) && vs_number_abs(vm, a[0], out);
 }
-static vs_status sign(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status sign(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!want_number(vm, a, 0)) return VS_ERROR;
   int s = sign_of(a[0]);
@@ -133,7 +137,7 @@ static vs_status sign(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- comparison: every argument is checked, whatever the first ones say ---- */
 
-static vs_status compare(vs *vm, vs_relation relation, const vs_value *a, int n, vs_value *out) {
+static vs_status compare(vs_scheme *vm, vs_relation relation, const vs_value *a, int n, vs_value *out) {
   bool all = true, one;
   if (n == 1 && !vs_number_test(vm, relation, a[0], a[0], &one)) return VS_ERROR;
   for (int i = 0; i + 1 < n; i++) {
@@ -143,14 +147,14 @@ static vs_status compare(vs *vm, vs_relation relation, const vs_value *a, int n,
   *out = vs_bool(all);
   return VS_OK;
 }
-static vs_status less(vs *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_LT, a, n, out); }
-static vs_status at_most(vs *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_LE, a, n, out); }
-static vs_status equal(vs *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_EQ, a, n, out); }
-static vs_status at_least(vs *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_GE, a, n, out); }
-static vs_status greater(vs *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_GT, a, n, out); }
+static vs_status less(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_LT, a, n, out); }
+static vs_status at_most(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_LE, a, n, out); }
+static vs_status equal(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_EQ, a, n, out); }
+static vs_status at_least(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_GE, a, n, out); }
+static vs_status greater(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_GT, a, n, out); }
 
 /* One inexact argument makes the result inexact; NaN wins. */
-static vs_status extreme(vs *vm, vs_relation better, vs_value *a, int n, vs_value *out) {
+static vs_status extreme(vs_scheme *vm, vs_relation better, vs_value *a, int n, vs_value *out) {
   bool inexact = false, take;
   int best = 0;
   for (int i = 0; i < n; i++) {
@@ -164,40 +168,40 @@ static vs_status extreme(vs *vm, vs_relation better, vs_value *a, int n, vs_valu
   if (!inexact) return *out = a[best], VS_OK;
   return vs_number_double(vm, a[best], &d) ? (*out = vs_flonum(d), VS_OK) : VS_ERROR;
 }
-static vs_status max(vs *vm, vs_value *a, int n, vs_value *out) { return extreme(vm, VS_GT, a, n, out); }
-static vs_status min(vs *vm, vs_value *a, int n, vs_value *out) { return extreme(vm, VS_LT, a, n, out); }
+static vs_status max(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return extreme(vm, VS_GT, a, n, out); }
+static vs_status min(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return extreme(vm, VS_LT, a, n, out); }
 
 /* ---- integer division ---- */
 
-static vs_status quotient(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status quotient(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_number_quotient(vm, a[0], a[1], out);
 }
-static vs_status remainder_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status remainder_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_number_remainder(vm, a[0], a[1], out);
 }
-static vs_status modulo(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status modulo(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_number_modulo(vm, a[0], a[1], out);
 }
 /* (x - (x modulo y)) / y */
-static vs_status floor_quotient(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status floor_quotient(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   VS_ROOTS(vm, r, 1);
   return vs_number_modulo(vm, a[0], a[1], &r[0]) && vs_number_sub(vm, a[0], r[0], &r[0]) && vs_number_quotient(vm, r[0], a[1], out);
 }
-static vs_status floor_both(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status floor_both(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   return floor_quotient(vm, a, n, &r[0]) && vs_number_modulo(vm, a[0], a[1], &r[1]) ? vs_several(vm, r, 2, out) : VS_ERROR;
 }
-static vs_status truncate_both(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status truncate_both(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   VS_ROOTS(vm, r, 2);
   return vs_number_quotient(vm, a[0], a[1], &r[0]) && vs_number_remainder(vm, a[0], a[1], &r[1]) ? vs_several(vm, r, 2, out) : VS_ERROR;
 }
 
-static bool gcd2(vs *vm, vs_value x, vs_value y, vs_value *out) {
+static bool gcd2(vs_scheme *vm, vs_value x, vs_value y, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = x, r[1] = y;
   bool inexact = vs_is_double(x) || vs_is_double(y);
@@ -206,14 +210,14 @@ static bool gcd2(vs *vm, vs_value x, vs_value y, vs_value *out) {
   return true;
 }
 
-static vs_status gcd(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status gcd(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   *out = vs_fix(0);
   for (int i = 0; i < n; i++)
     if (!want_integer(vm, a, i) || !gcd2(vm, *out, a[i], out)) return VS_ERROR;
   return VS_OK;
 }
 
-static vs_status lcm(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status lcm(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   bool zero;
   *out = vs_fix(1);
@@ -234,7 +238,7 @@ static vs_status lcm(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- parts and rounding ---- */
 
-static vs_status part(vs *vm, vs_value *a, bool denominator, vs_value *out) {
+static vs_status part(vs_scheme *vm, vs_value *a, bool denominator, vs_value *out) {
   if (!vs_is_exact(a[0]) && !(vs_is_double(a[0]) && isfinite(vs_double(a[0])))) return vs_fail_type(vm, 0, "a rational number", a[0]);
   VS_ROOTS(vm, r, 1);
   if (!vs_number_exact(vm, a[0], &r[0])) return VS_ERROR;
@@ -242,11 +246,11 @@ static vs_status part(vs *vm, vs_value *a, bool denominator, vs_value *out) {
   *out = vs_is_double(a[0]) ? vs_flonum(vs_int_double(r[0])) : r[0];
   return VS_OK;
 }
-static vs_status numerator(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status numerator(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return part(vm, a, false, out);
 }
-static vs_status denominator(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status denominator(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return part(vm, a, true, out);
 }
@@ -254,7 +258,7 @@ static vs_status denominator(vs *vm, vs_value *a, int n, vs_value *out) {
 typedef enum { TO_FLOOR, TO_CEILING, TO_ZERO, TO_NEAREST } rounding;
 
 /* r[0] is a ratio; r has 4 slots */
-static bool round_ratio(vs *vm, rounding how, vs_value *r, vs_value *out) {
+static bool round_ratio(vs_scheme *vm, rounding how, vs_value *r, vs_value *out) {
   r[1] = vs_as_ratio(r[0])->num, r[2] = vs_as_ratio(r[0])->den;
   bool negative = vs_int_sign(r[1]) < 0;
   if (how == TO_NEAREST) {                       /* floor((2 num + den) / (2 den)), and back to even from a tie: den = 2 */
@@ -271,7 +275,7 @@ static bool round_ratio(vs *vm, rounding how, vs_value *r, vs_value *out) {
   return true;
 }
 
-static bool round_number(vs *vm, rounding how, const vs_value *a, vs_value *out) {
+static bool round_number(vs_scheme *vm, rounding how, const vs_value *a, vs_value *out) {
   if (!want_number(vm, a, 0)) return false;
   if (vs_is_double(a[0])) {
     double d = vs_double(a[0]);
@@ -283,20 +287,36 @@ static bool round_number(vs *vm, rounding how, const vs_value *a, vs_value *out)
   r[0] = a[0];
   return round_ratio(vm, how, r, out);
 }
-static vs_status floor_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, round_number(vm, TO_FLOOR, a, out); }
-static vs_status ceiling(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, round_number(vm, TO_CEILING, a, out); }
-static vs_status truncate_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, round_number(vm, TO_ZERO, a, out); }
-static vs_status round_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, round_number(vm, TO_NEAREST, a, out); }
-static vs_status exact_floor(vs *vm, vs_value *a, int n, vs_value *out) { return floor_(vm, a, n, out) && vs_number_exact(vm, *out, out); }
-static vs_status exact_ceiling(vs *vm, vs_value *a, int n, vs_value *out) { return ceiling(vm, a, n, out) && vs_number_exact(vm, *out, out); }
-static vs_status exact_truncate(vs *vm, vs_value *a, int n, vs_value *out) { return truncate_(vm, a, n, out) && vs_number_exact(vm, *out, out); }
-static vs_status exact_round(vs *vm, vs_value *a, int n, vs_value *out) { return round_(vm, a, n, out) && vs_number_exact(vm, *out, out); }
+static vs_status floor_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, round_number(vm, TO_FLOOR, a, out);
+}
+static vs_status ceiling(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, round_number(vm, TO_CEILING, a, out);
+}
+static vs_status truncate_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, round_number(vm, TO_ZERO, a, out);
+}
+static vs_status round_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, round_number(vm, TO_NEAREST, a, out);
+}
+static vs_status exact_floor(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return floor_(vm, a, n, out) && vs_number_exact(vm, *out, out);
+}
+static vs_status exact_ceiling(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return ceiling(vm, a, n, out) && vs_number_exact(vm, *out, out);
+}
+static vs_status exact_truncate(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return truncate_(vm, a, n, out) && vs_number_exact(vm, *out, out);
+}
+static vs_status exact_round(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return round_(vm, a, n, out) && vs_number_exact(vm, *out, out);
+}
 
-static vs_status exact(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status exact(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return want_number(vm, a, 0) && vs_number_exact(vm, a[0], out);
 }
-static vs_status inexact(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status inexact(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   double d;
   if (!want_number(vm, a, 0) || !vs_number_double(vm, a[0], &d)) return VS_ERROR;
@@ -306,26 +326,30 @@ static vs_status inexact(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- bits ---- */
 
-static vs_status bitwise(vs *vm, char op, int64_t start, vs_value *a, int n, vs_value *out) {
+static vs_status bitwise(vs_scheme *vm, char op, int64_t start, vs_value *a, int n, vs_value *out) {
   *out = vs_fix(start);
   for (int i = 0; i < n; i++)
     if (!want_exact_integer(vm, a, i) || !vs_int_bitwise(vm, op, *out, a[i], out)) return VS_ERROR;
   return VS_OK;
 }
-static vs_status bitwise_and(vs *vm, vs_value *a, int n, vs_value *out) { return bitwise(vm, '&', -1, a, n, out); }
-static vs_status bitwise_or(vs *vm, vs_value *a, int n, vs_value *out) { return bitwise(vm, '|', 0, a, n, out); }
-static vs_status bitwise_xor(vs *vm, vs_value *a, int n, vs_value *out) { return bitwise(vm, '^', 0, a, n, out); }
-static vs_status bitwise_not(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status bitwise_and(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return bitwise(vm, '&', -1, a, n, out);
+}
+static vs_status bitwise_or(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return bitwise(vm, '|', 0, a, n, out); }
+static vs_status bitwise_xor(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return bitwise(vm, '^', 0, a, n, out);
+}
+static vs_status bitwise_not(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return want_exact_integer(vm, a, 0) && vs_int_sub(vm, vs_fix(-1), a[0], out);
 }
-static vs_status arithmetic_shift(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status arithmetic_shift(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t left;
   return want_exact_integer(vm, a, 0) && vs_arg_index(vm, a, 1, -INT64_C(1000000000), INT64_C(1000000000), &left) &&
          vs_int_shift(vm, a[0], left, out);
 }
-static vs_status integer_length(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status integer_length(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!want_exact_integer(vm, a, 0)) return VS_ERROR;
   VS_ROOTS(vm, r, 1);
@@ -336,7 +360,7 @@ static vs_status integer_length(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- texts ---- */
 
-static vs_status number_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status number_to_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t radix = 10;
   if (!want_number(vm, a, 0) || (n > 1 && !vs_arg_index(vm, a, 1, 2, 36, &radix))) return VS_ERROR;
   vs_text t;
@@ -346,7 +370,7 @@ static vs_status number_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-static vs_status string_to_number(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_to_number(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t radix = 10;
   if (!vs_arg_type(vm, a, 0, VS_T_STRING) || (n > 1 && !vs_arg_index(vm, a, 1, 2, 36, &radix))) return VS_ERROR;
   vs_text t;

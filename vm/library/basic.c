@@ -4,19 +4,29 @@
 
 /* ---- equivalence, booleans, kinds ---- */
 
-static vs_status is_eq(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, *out = vs_bool(a[0] == a[1]), VS_OK; }
-static vs_status is_eqv(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, *out = vs_bool(vs_eqv(a[0], a[1])), VS_OK; }
-static vs_status is_equal(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status is_eq(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, *out = vs_bool(a[0] == a[1]), VS_OK;
+}
+static vs_status is_eqv(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, *out = vs_bool(vs_eqv(a[0], a[1])), VS_OK;
+}
+static vs_status is_equal(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   bool same;
   return vs_equal(vm, a[0], a[1], &same) ? (*out = vs_bool(same), VS_OK) : VS_ERROR;
 }
-static vs_status not_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, *out = vs_bool(a[0] == VS_FALSE), VS_OK; }
+static vs_status not_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, *out = vs_bool(a[0] == VS_FALSE), VS_OK;
+}
 static bool boolean(vs_value v) { return v == VS_TRUE || v == VS_FALSE; }
-static vs_status is_boolean(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, *out = vs_bool(boolean(a[0])), VS_OK; }
-static vs_status is_procedure(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, *out = vs_bool(vs_is_procedure(a[0])), VS_OK; }
+static vs_status is_boolean(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, *out = vs_bool(boolean(a[0])), VS_OK;
+}
+static vs_status is_procedure(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, *out = vs_bool(vs_is_procedure(a[0])), VS_OK;
+}
 
-static vs_status boolean_equal(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status boolean_equal(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   bool all = true;
   for (int i = 0; i < n; i++) {
     if (!boolean(a[i])) return vs_fail_type(vm, i, "#t or #f", a[i]);
@@ -25,10 +35,14 @@ static vs_status boolean_equal(vs *vm, vs_value *a, int n, vs_value *out) {
   return *out = vs_bool(all), VS_OK;
 }
 
-static vs_status void_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)a, (void)n, *out = VS_UNSPECIFIC, VS_OK; }
-static vs_status is_void(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, *out = vs_bool(a[0] == VS_UNSPECIFIC), VS_OK; }
+static vs_status void_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)a, (void)n, *out = VS_UNSPECIFIC, VS_OK;
+}
+static vs_status is_void(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, *out = vs_bool(a[0] == VS_UNSPECIFIC), VS_OK;
+}
 
-static vs_status hash_of(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status hash_of(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   bool moves;
   return *out = vs_fix((int64_t)(vs_hash(vm, a[0], VS_TABLE_EQUAL, &moves) & 0xFFFFFFFF)), VS_OK;
@@ -36,13 +50,15 @@ static vs_status hash_of(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- boxes ---- */
 
-static vs_status box(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, vs_make_box(vm, a[0], out); }
-static vs_status is_box(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, *out = vs_bool(vs_is(a[0], VS_T_BOX)), VS_OK; }
-static vs_status unbox(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status box(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return (void)n, vs_make_box(vm, a[0], out); }
+static vs_status is_box(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, *out = vs_bool(vs_is(a[0], VS_T_BOX)), VS_OK;
+}
+static vs_status unbox(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_arg_type(vm, a, 0, VS_T_BOX) ? (*out = vs_as_box(a[0])->value, VS_OK) : VS_ERROR;
 }
-static vs_status set_box(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status set_box(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (!vs_arg_type(vm, a, 0, VS_T_BOX)) return VS_ERROR;
   vs_gc_store(vm, vs_as_box(a[0]), &vs_as_box(a[0])->value, a[1]);
@@ -51,7 +67,7 @@ static vs_status set_box(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- records: what define-record-type is made of. The type's fields are a vector of symbols. ---- */
 
-static vs_status make_record_type(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status make_record_type(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   VS_ROOTS(vm, r, 1);
   int64_t count = vs_list_length(a[1]);
@@ -68,7 +84,7 @@ static vs_status make_record_type(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* (%record type value ...): fields not given are #f */
-static vs_status record(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status record(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_arg_type(vm, a, 0, VS_T_RECORD_TYPE)) return VS_ERROR;
   size_t count = vs_as_vector(vs_as_record_type(a[0])->fields)->length;
   vs_record *r = (vs_record *)(void *)vs_gc_alloc(vm, VS_T_RECORD, VS_WORDS(vs_record) + count);
@@ -78,14 +94,14 @@ static vs_status record(vs *vm, vs_value *a, int n, vs_value *out) {
   return *out = vs_from_object(r), VS_OK;
 }
 
-static vs_status is_record(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status is_record(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm;
   *out = vs_bool(vs_is(a[0], VS_T_RECORD) && (n < 2 || vs_as_record(a[0])->type == a[1]));
   return VS_OK;
 }
 
 /* "WHO: expected a TYPE, got V": a[who] is the accessor's name */
-static vs_status fail_record(vs *vm, const vs_value *a, int who) {
+static vs_status fail_record(vs_scheme *vm, const vs_value *a, int who) {
   VS_ROOTS(vm, r, 1);
   vs_value type = vs_as_record_type(a[1])->name;
   vm->native = NULL;
@@ -94,14 +110,14 @@ static vs_status fail_record(vs *vm, const vs_value *a, int who) {
 }
 
 /* record type index who */
-static vs_status record_ref(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status record_ref(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is(a[0], VS_T_RECORD) || vs_as_record(a[0])->type != a[1]) return fail_record(vm, a, 3);
   return *out = vs_as_record(a[0])->at[vs_fixnum(a[2])], VS_OK;
 }
 
 /* record type index value who */
-static vs_status record_set(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status record_set(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (!vs_is(a[0], VS_T_RECORD) || vs_as_record(a[0])->type != a[1]) return fail_record(vm, a, 4);
   vs_gc_store(vm, vs_as_record(a[0]), &vs_as_record(a[0])->at[vs_fixnum(a[2])], a[3]);
@@ -110,7 +126,7 @@ static vs_status record_set(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- hash tables ---- */
 
-static vs_status make_hash(vs *vm, uint32_t kind, vs_value *a, int n, vs_value *out) {
+static vs_status make_hash(vs_scheme *vm, uint32_t kind, vs_value *a, int n, vs_value *out) {
   if (!vs_make_table(vm, kind, out)) return VS_ERROR;
   if (n == 0) return VS_OK;
   VS_ROOTS(vm, r, 1);
@@ -120,11 +136,15 @@ static vs_status make_hash(vs *vm, uint32_t kind, vs_value *a, int n, vs_value *
   }
   return r[0] == VS_NIL || vs_fail_type(vm, 0, "a list of pairs", a[0]);
 }
-static vs_status make_equal(vs *vm, vs_value *a, int n, vs_value *out) { return make_hash(vm, VS_TABLE_EQUAL, a, n, out); }
-static vs_status make_eqv(vs *vm, vs_value *a, int n, vs_value *out) { return make_hash(vm, VS_TABLE_EQV, a, n, out); }
+static vs_status make_equal(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return make_hash(vm, VS_TABLE_EQUAL, a, n, out);
+}
+static vs_status make_eqv(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return make_hash(vm, VS_TABLE_EQV, a, n, out);
+}
 
 /* (hash k v ...) */
-static vs_status hash(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status hash(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n % 2) return vs_fail(vm, vm->sym.arity, "keys and values come in pairs, got %d arguments", n);
   if (!vs_make_table(vm, VS_TABLE_EQUAL, out)) return VS_ERROR;
   for (int i = 0; i < n; i += 2)
@@ -132,39 +152,41 @@ static vs_status hash(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status is_hash(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, *out = vs_bool(vs_is(a[0], VS_T_TABLE)), VS_OK; }
+static vs_status is_hash(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, *out = vs_bool(vs_is(a[0], VS_T_TABLE)), VS_OK;
+}
 
-static vs_status hash_get(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status hash_get(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_arg_type(vm, a, 0, VS_T_TABLE) || !vs_table_get(vm, a[0], a[1], out)) return VS_ERROR;
   if (*out == VS_VACANT) *out = a[2];
   return VS_OK;
 }
-static vs_status hash_has(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status hash_has(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_arg_type(vm, a, 0, VS_T_TABLE) || !vs_table_get(vm, a[0], a[1], out)) return VS_ERROR;
   return *out = vs_bool(*out != VS_VACANT), VS_OK;
 }
-static vs_status hash_set(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status hash_set(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   return vs_arg_type(vm, a, 0, VS_T_TABLE) && vs_table_put(vm, a[0], a[1], a[2]);
 }
-static vs_status hash_remove(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status hash_remove(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   return vs_arg_type(vm, a, 0, VS_T_TABLE) && vs_table_remove(vm, a[0], a[1]);
 }
-static vs_status hash_clear(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status hash_clear(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   return vs_arg_type(vm, a, 0, VS_T_TABLE) && vs_table_clear(vm, a[0]);
 }
-static vs_status hash_count(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status hash_count(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_arg_type(vm, a, 0, VS_T_TABLE) ? (*out = vs_fix(vs_as_table(a[0])->count), VS_OK) : VS_ERROR;
 }
 
 typedef enum { LIST_KEYS, LIST_VALUES, LIST_PAIRS } list_what;
 /* in insertion order */
-static vs_status hash_list(vs *vm, vs_value *a, list_what what, vs_value *out) {
+static vs_status hash_list(vs_scheme *vm, vs_value *a, list_what what, vs_value *out) {
   if (!vs_arg_type(vm, a, 0, VS_T_TABLE)) return VS_ERROR;
   VS_ROOTS(vm, r, 3);                             /* first pair, last pair, the new element */
   uint32_t position = 0;
@@ -180,16 +202,22 @@ static vs_status hash_list(vs *vm, vs_value *a, list_what what, vs_value *out) {
   }
   return *out = r[0], VS_OK;
 }
-static vs_status hash_keys(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, hash_list(vm, a, LIST_KEYS, out); }
-static vs_status hash_values(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, hash_list(vm, a, LIST_VALUES, out); }
-static vs_status hash_to_list(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, hash_list(vm, a, LIST_PAIRS, out); }
+static vs_status hash_keys(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, hash_list(vm, a, LIST_KEYS, out);
+}
+static vs_status hash_values(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, hash_list(vm, a, LIST_VALUES, out);
+}
+static vs_status hash_to_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, hash_list(vm, a, LIST_PAIRS, out);
+}
 
-static vs_status hash_is_eqv(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status hash_is_eqv(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_arg_type(vm, a, 0, VS_T_TABLE) ? (*out = vs_bool(vs_as_table(a[0])->kind != VS_TABLE_EQUAL), VS_OK) : VS_ERROR;
 }
 
-static vs_status hash_copy(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status hash_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_arg_type(vm, a, 0, VS_T_TABLE) || !vs_make_table(vm, vs_as_table(a[0])->kind, out)) return VS_ERROR;
   uint32_t position = 0;

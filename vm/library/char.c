@@ -4,22 +4,24 @@
 #include "vm/machine/native.h"
 #include "vm/library/text_order.h"
 
-static bool arg_char(vs *vm, const vs_value *a, int arg) { return vs_is_char(a[arg]) || vs_fail_type(vm, arg, "a character", a[arg]); }
+static bool arg_char(vs_scheme *vm, const vs_value *a, int arg) {
+  return vs_is_char(a[arg]) || vs_fail_type(vm, arg, "a character", a[arg]);
+}
 
-static vs_status char_p(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status char_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   *out = vs_bool(vs_is_char(a[0]));
   return VS_OK;
 }
 
-static vs_status char_to_integer(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status char_to_integer(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_char(vm, a, 0)) return VS_ERROR;
   *out = vs_fix(vs_char(a[0]));
   return VS_OK;
 }
 
-static vs_status integer_to_char(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status integer_to_char(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t c;
   if (!vs_arg_index(vm, a, 0, 0, 0x10FFFF, &c)) return VS_ERROR;
@@ -36,7 +38,7 @@ static uint32_t char_down(uint32_t c) { return (uint32_t)utf8proc_tolower((utf8p
 static uint32_t char_fold(uint32_t c) { return c == 0x130 || c == 0x131 ? c : char_down(char_up(c)); } /* the dotted and dotless i stay apart */
 
 #define CASE(name, map)                                                        \
-  static vs_status char_##name(vs *vm, vs_value *a, int n, vs_value *out) {    \
+  static vs_status char_##name(vs_scheme *vm, vs_value *a, int n, vs_value *out) {    \
     (void)n;                                                                   \
     if (!arg_char(vm, a, 0)) return VS_ERROR;                                  \
     *out = VS_CHAR(map(vs_char(a[0])));                                        \
@@ -47,7 +49,7 @@ CASE(upcase, char_up) CASE(downcase, char_down) CASE(foldcase, char_fold)
 
 /* ---- order ---- */
 
-static vs_status char_compare(vs *vm, const vs_value *a, int n, vs_order order, bool fold, vs_value *out) {
+static vs_status char_compare(vs_scheme *vm, const vs_value *a, int n, vs_order order, bool fold, vs_value *out) {
   bool holds = true;
   for (int i = 0; i < n; i++)
     if (!arg_char(vm, a, i)) return VS_ERROR;
@@ -60,8 +62,10 @@ static vs_status char_compare(vs *vm, const vs_value *a, int n, vs_order order, 
   return VS_OK;
 }
 
-#define O(name, order, fold)                                                                                                     \
-  static vs_status char_##name(vs *vm, vs_value *a, int n, vs_value *out) { return char_compare(vm, a, n, order, fold, out); }
+#define O(name, order, fold)                                                                                           \
+  static vs_status char_##name(vs_scheme *vm, vs_value *a, int n, vs_value *out) {                                     \
+    return char_compare(vm, a, n, order, fold, out);                                                                   \
+  }
 VS_ORDERS(O)
 #undef O
 
@@ -95,7 +99,7 @@ static bool is_lower(uint32_t c) {
 
 #define CATEGORIES(C) C(alphabetic) C(numeric) C(whitespace) C(upper) C(lower)
 #define C(name)                                                                  \
-  static vs_status char_##name##_p(vs *vm, vs_value *a, int n, vs_value *out) {  \
+  static vs_status char_##name##_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {  \
     (void)n;                                                                     \
     if (!arg_char(vm, a, 0)) return VS_ERROR;                                    \
     *out = vs_bool(is_##name(vs_char(a[0])));                                    \
@@ -105,7 +109,7 @@ CATEGORIES(C)
 #undef C
 
 /* Decimal digits come in runs of ten, so the value is the distance from the run's zero: the first back with no digit before it, at most nine. */
-static vs_status char_digit_value(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status char_digit_value(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_char(vm, a, 0)) return VS_ERROR;
   uint32_t c = vs_char(a[0]), back = 0;

@@ -1,6 +1,6 @@
 /* Owns the procedures that steer: continuations, dynamic-wind, values, apply, handlers and raise, parameters, promises, contracts.
 
-   The dynamic state is three lists in struct vs, each part of a continuation:
+   The dynamic state is three lists in struct vs_scheme, each part of a continuation:
      winders     vectors (before after handlers parameters), innermost first
      handlers    procedures; a list of a continuation among them is a contract's: the continuation is thrown #f to
      parameters  (parameter . value)
@@ -14,7 +14,7 @@
 /* ---- continuations ---- */
 
 /* the continuation of the native whose arguments are at vm->base; the frame moves */
-static bool capture(vs *vm, vs_value *out) {
+static bool capture(vs_scheme *vm, vs_value *out) {
   if (!vs_frame_flush(vm, vm->base - 2, (size_t)(vm->top - vm->base), 16)) return false;
   vm->base = vm->stack + 2;
   vs_continuation *k = (vs_continuation *)(void *)vs_gc_alloc(vm, VS_T_CONTINUATION, VS_WORDS(vs_continuation));
@@ -27,7 +27,7 @@ static bool capture(vs *vm, vs_value *out) {
   return true;
 }
 
-static vs_status call_cc(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status call_cc(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure", a[0]);
   return capture(vm, out) && vs_tailcall(vm, vm->base[0], 1, out) ? VS_TAILCALL : VS_ERROR;
@@ -47,14 +47,14 @@ static vs_value common_tail(vs_value a, vs_value b) {
   return a;
 }
 
-static void enter_state_of(vs *vm, vs_value winder) {
+static void enter_state_of(vs_scheme *vm, vs_value winder) {
   vm->handlers = vs_as_vector(winder)->at[2];
   vm->parameters = vs_as_vector(winder)->at[3];
 }
 
 /* k value | the winders that are in force once the before thunk now called has returned, or #f
    Leaves and enters one dynamic-wind after the other; each entry finds out anew what is left to do. */
-static vs_status throw_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status throw_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (a[2] != VS_FALSE) { vm->winders = a[2]; a[2] = VS_FALSE; }
   vs_value target = vs_as_continuation(a[0])->winders, shared = common_tail(vm->winders, target);
@@ -76,7 +76,7 @@ static vs_status throw_(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* before thunk after | phase, result */
-static vs_status dynamic_wind(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status dynamic_wind(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) {
     for (int i = 0; i < 3; i++)
       if (!vs_is_procedure(a[i])) return vs_fail_type(vm, i, "a procedure", a[i]);
@@ -103,10 +103,10 @@ static vs_status dynamic_wind(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* ---- values and apply ---- */
-static vs_status values(vs *vm, vs_value *a, int n, vs_value *out) { return vs_several(vm, a, (size_t)n, out); }
+static vs_status values(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return vs_several(vm, a, (size_t)n, out); }
 
 /* producer consumer | - */
-static vs_status call_with_values(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status call_with_values(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) return vs_call(vm, a[0], 0, NULL);
   if (!vs_is(*out, VS_T_VALUES)) return vs_tailcall(vm, a[1], 1, out);
   vs_call_begin(vm, a[1]);
@@ -115,7 +115,7 @@ static vs_status call_with_values(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_TAILCALL;
 }
 
-static vs_status apply(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status apply(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   vs_value last = a[n - 1];
   VS_ROOTS(vm, r, 1);
@@ -130,7 +130,7 @@ static vs_status apply(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- handlers ---- */
 /* handler thunk | handlers outside */
-static vs_status with_exception_handler(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status with_exception_handler(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   if (n >= 0) {
     if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure", a[0]);
@@ -142,7 +142,7 @@ static vs_status with_exception_handler(vs *vm, vs_value *a, int n, vs_value *ou
 }
 
 /* obj | handlers in force at the raise */
-static vs_status raise_either(vs *vm, vs_value *a, int n, bool continuable) {
+static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuable) {
   if (n >= 0) {
     vm->native = NULL;
     if (vm->handlers == VS_NIL) {
@@ -182,12 +182,18 @@ static vs_status raise_either(vs *vm, vs_value *a, int n, bool continuable) {
   return vs_cons(vm, a[0], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.raise, r[0], "the handler returned, but raise cannot go on:");
 }
 
-static vs_status raise_(vs *vm, vs_value *a, int n, vs_value *out) { (void)out; return raise_either(vm, a, n, false); }
-static vs_status raise_continuable(vs *vm, vs_value *a, int n, vs_value *out) { (void)out; return raise_either(vm, a, n, true); }
+static vs_status raise_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)out;
+  return raise_either(vm, a, n, false);
+}
+static vs_status raise_continuable(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)out;
+  return raise_either(vm, a, n, true);
+}
 
 /* ---- parameters ---- */
 /* value [converter] | called */
-static vs_status make_parameter(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status make_parameter(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0 && a[1] != VS_ABSENT && a[1] != VS_FALSE) return vs_call(vm, a[1], 1, a);
   if (n < 0) a[0] = *out;
   vs_parameter *p = (vs_parameter *)(void *)vs_gc_alloc(vm, VS_T_PARAMETER, VS_WORDS(vs_parameter));
@@ -201,7 +207,7 @@ static vs_status make_parameter(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* parameters values thunk | phase (0 converting, 1 running), bindings so far or the list outside
    What parameterize expands to: lists of parameters and of new values. */
-static vs_status parameterize(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status parameterize(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n < 0 && a[3] == vs_fix(1)) { vm->parameters = a[4]; return VS_OK; }
   VS_ROOTS(vm, r, 1);
   if (n >= 0) { a[3] = vs_fix(0); a[4] = vm->parameters; }
@@ -227,7 +233,7 @@ static vs_status parameterize(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* ---- promises: done #t: the value; #f: the thunk, which gives a promise; VS_ABSENT: the same as the promise in value ---- */
-static bool new_promise(vs *vm, vs_value done, vs_value *value, vs_value *out) {
+static bool new_promise(vs_scheme *vm, vs_value done, vs_value *value, vs_value *out) {
   vs_promise *p = (vs_promise *)(void *)vs_gc_alloc(vm, VS_T_PROMISE, VS_WORDS(vs_promise));
   if (!p) return false;
   p->done = done; p->value = *value;
@@ -235,15 +241,26 @@ static bool new_promise(vs *vm, vs_value done, vs_value *value, vs_value *out) {
   return true;
 }
 
-static vs_status make_promise(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status make_promise(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (vs_is(a[0], VS_T_PROMISE)) { *out = a[0]; return VS_OK; }
   return new_promise(vm, VS_TRUE, &a[0], out);
 }
-static vs_status lazy(vs *vm, vs_value *a, int n, vs_value *out) { (void)n; return new_promise(vm, VS_FALSE, &a[0], out); }
+static vs_status lazy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  return new_promise(vm, VS_FALSE, &a[0], out);
+}
 /* as make-promise, but a promise of a promise stays one: for delay */
-static vs_status kept_promise(vs *vm, vs_value *a, int n, vs_value *out) { (void)n; return new_promise(vm, VS_TRUE, &a[0], out); }
-static vs_status is_promise(vs *vm, vs_value *a, int n, vs_value *out) { (void)vm; (void)n; *out = vs_bool(vs_is(a[0], VS_T_PROMISE)); return VS_OK; }
+static vs_status kept_promise(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  return new_promise(vm, VS_TRUE, &a[0], out);
+}
+static vs_status is_promise(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)vm;
+  (void)n;
+  *out = vs_bool(vs_is(a[0], VS_T_PROMISE));
+  return VS_OK;
+}
 
 static vs_value promise_root(vs_value p) {
   while (vs_as_promise(p)->done == VS_ABSENT) p = vs_as_promise(p)->value;
@@ -251,7 +268,7 @@ static vs_value promise_root(vs_value p) {
 }
 
 /* promise | - */
-static vs_status force(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status force(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_is(a[0], VS_T_PROMISE)) { *out = a[0]; return VS_OK; }
   vs_value root = promise_root(a[0]);
   vs_promise *p = vs_as_promise(root);
@@ -270,10 +287,16 @@ static vs_status force(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* ---- contracts ---- */
-static vs_status any(vs *vm, vs_value *a, int n, vs_value *out) { (void)vm; (void)a; (void)n; *out = VS_TRUE; return VS_OK; }
+static vs_status any(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)vm;
+  (void)a;
+  (void)n;
+  *out = VS_TRUE;
+  return VS_OK;
+}
 
 /* predicate value: calls it so that what it raises makes #f */
-static vs_status guarded(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status guarded(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a; (void)n;
   VS_ROOTS(vm, r, 1);
   if (!capture(vm, out) || !vs_cons(vm, *out, VS_NIL, &r[0]) || !vs_cons(vm, r[0], VS_NIL, &vm->handlers)) return VS_ERROR;
@@ -283,7 +306,7 @@ static vs_status guarded(vs *vm, vs_value *a, int n, vs_value *out) {
 static bool contract_text(vs_text *t, vs_value v) { return vs_is_symbol(v) ? vs_text_puts(t, vs_as_symbol(v)->name) : vs_print(t->vm, v, VS_PRINT_WRITE, t); }
 
 /* predicate value #(name text who) | handlers outside */
-static vs_status check(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status check(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   bool predicate = vs_is_procedure(a[0]);
   if (n >= 0 && predicate) {
     a[3] = vm->handlers;
@@ -317,7 +340,7 @@ static vs_status check(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_ERROR;
 }
 
-static vs_status captures(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status captures(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
   *out = vs_fix((int64_t)(vm->captures & VS_FIXNUM_MAX));
   return VS_OK;

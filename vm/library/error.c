@@ -5,7 +5,7 @@
 static bool is_condition(vs_value v) { return vs_is(v, VS_T_CONDITION); }
 
 /* (error message irritant ...), R7RS; (error 'who "format" v ...), PLT; a message that is no string is shown as it displays */
-static vs_status error(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status error(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 1);
   bool plt = vs_is_symbol(a[0]) && n > 1 && vs_is_string(a[1]);
@@ -26,29 +26,37 @@ static vs_status error(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_ERROR;
 }
 
-static vs_status is_error(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, *out = vs_bool(is_condition(a[0])), VS_OK; }
+static vs_status is_error(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, *out = vs_bool(is_condition(a[0])), VS_OK;
+}
 static vs_status is_kind(vs_value v, vs_value kind, vs_value *out) {
   return *out = vs_bool(is_condition(v) && vs_as_condition(v)->kind == kind), VS_OK;
 }
-static vs_status is_read_error(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, is_kind(a[0], vm->sym.read, out); }
-static vs_status is_file_error(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, is_kind(a[0], vm->sym.file, out); }
+static vs_status is_read_error(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, is_kind(a[0], vm->sym.read, out);
+}
+static vs_status is_file_error(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, is_kind(a[0], vm->sym.file, out);
+}
 
-static bool want_condition(vs *vm, const vs_value *a) { return is_condition(a[0]) || vs_fail_type(vm, 0, "an error", a[0]); }
+static bool want_condition(vs_scheme *vm, const vs_value *a) {
+  return is_condition(a[0]) || vs_fail_type(vm, 0, "an error", a[0]);
+}
 
-static vs_status message(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status message(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return want_condition(vm, a) ? (*out = vs_as_condition(a[0])->message, VS_OK) : VS_ERROR;
 }
-static vs_status irritants(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status irritants(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return want_condition(vm, a) ? (*out = vs_as_condition(a[0])->irritants, VS_OK) : VS_ERROR;
 }
-static vs_status kind(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status kind(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return want_condition(vm, a) ? (*out = vs_as_condition(a[0])->kind, VS_OK) : VS_ERROR;
 }
 /* the whole text: message and irritants */
-static vs_status report(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status report(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!want_condition(vm, a)) return VS_ERROR;
   vs_text t;
@@ -60,7 +68,7 @@ static vs_status report(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* (exit [code]): the after procedures of every dynamic-wind that is entered run, then the program ends with a condition of kind `exit`
    that no handler sees; its payload is the code, a fixnum. */
-static vs_status leave(vs *vm, vs_value code, vs_value *out) {
+static vs_status leave(vs_scheme *vm, vs_value code, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 2);
   r[0] = code == VS_TRUE || code == VS_ABSENT ? vs_fix(0) : vs_is_fixnum(code) ? vs_fix(vs_fixnum(code) & 255) : vs_fix(1);
@@ -73,7 +81,7 @@ static vs_status leave(vs *vm, vs_value code, vs_value *out) {
   return VS_UNCAUGHT;
 }
 
-static vs_status exit_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status exit_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_pair(vm->winders)) return leave(vm, a[0], out);
   const vs_vector *winder = vs_as_vector(vs_car(vm->winders));
@@ -82,7 +90,9 @@ static vs_status exit_(vs *vm, vs_value *a, int n, vs_value *out) {
   vm->winders = vs_cdr(vm->winders);
   return vs_call(vm, winder->at[1], 0, NULL);
 }
-static vs_status emergency_exit(vs *vm, vs_value *a, int n, vs_value *out) { return leave(vm, n ? a[0] : VS_ABSENT, out); }
+static vs_status emergency_exit(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return leave(vm, n ? a[0] : VS_ABSENT, out);
+}
 
 static const vs_native_def defs[] = {
     {"error", "message . irritants", error, 0, "end with this message; or (error 'who \"format\" v ...)"},

@@ -6,6 +6,6 @@
 #include "vm/values/printer.h"
 
 /* Appends a[control], a string, its directives filled from a[control+1 ... n-1]. */
-bool vs_format(vs *vm, const vs_value *a, int control, int n, vs_text *t);
+bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t);
 
 #endif

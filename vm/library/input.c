@@ -3,7 +3,7 @@
 #include "vm/library/port.h"
 #include "vm/front/reader.h"
 
-static bool in_port(vs *vm, const vs_value *a, int n, int i, uint32_t kind, vs_value *port) {
+static bool in_port(vs_scheme *vm, const vs_value *a, int n, int i, uint32_t kind, vs_value *port) {
   *port = n > i ? a[i] : vs_port_current_input(vm);
   if (!vs_is(*port, VS_T_PORT)) return n > i ? vs_fail_type(vm, i, "an input port", *port) : false;
   uint32_t flags = vs_as_port(*port)->flags;
@@ -14,7 +14,7 @@ static bool in_port(vs *vm, const vs_value *a, int n, int i, uint32_t kind, vs_v
 
 /* ---- text ---- */
 
-static vs_status read_char(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status read_char(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_value port;
   int32_t c;
   if (!in_port(vm, a, n, 0, 0, &port) || !vs_port_read_char(vm, port, &c)) return VS_ERROR;
@@ -22,7 +22,7 @@ static vs_status read_char(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status peek_char(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status peek_char(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_value port;
   int32_t c;
   if (!in_port(vm, a, n, 0, 0, &port) || !vs_port_peek_char(vm, port, &c)) return VS_ERROR;
@@ -31,7 +31,7 @@ static vs_status peek_char(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* Up to `count` characters, and with `line` no further than the line's end (\n, \r or both in turn), which is dropped. */
-static vs_status read_some(vs *vm, vs_value port, int64_t count, bool line, vs_value *out) {
+static vs_status read_some(vs_scheme *vm, vs_value port, int64_t count, bool line, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = port;
   vs_text t;
@@ -53,12 +53,12 @@ static vs_status read_some(vs *vm, vs_value port, int64_t count, bool line, vs_v
   return ok;
 }
 
-static vs_status read_line(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status read_line(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_value port;
   return in_port(vm, a, n, 0, 0, &port) && read_some(vm, port, INT64_MAX, true, out);
 }
 
-static vs_status read_string(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status read_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_value port;
   int64_t k;
   /* PLT and older systems give the port first */
@@ -86,7 +86,7 @@ static void keep_directives(const vs_text *t, uint32_t *flags) {
 }
 
 /* One datum: characters are taken until it is whole. What was whole may turn out to be a directive (#!fold-case): then on, with it. */
-static vs_status read_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status read_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   if (!in_port(vm, a, n, 0, 0, &r[0])) return VS_ERROR;
   vs_text t;
@@ -111,7 +111,7 @@ static vs_status read_(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- bytes ---- */
 
-static vs_status next_u8(vs *vm, vs_value *a, int n, bool take, vs_value *out) {
+static vs_status next_u8(vs_scheme *vm, vs_value *a, int n, bool take, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   const uint8_t *at;
   size_t count;
@@ -120,10 +120,10 @@ static vs_status next_u8(vs *vm, vs_value *a, int n, bool take, vs_value *out) {
   if (count && take) vs_as_port(r[0])->position++;
   return VS_OK;
 }
-static vs_status read_u8(vs *vm, vs_value *a, int n, vs_value *out) { return next_u8(vm, a, n, true, out); }
-static vs_status peek_u8(vs *vm, vs_value *a, int n, vs_value *out) { return next_u8(vm, a, n, false, out); }
+static vs_status read_u8(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return next_u8(vm, a, n, true, out); }
+static vs_status peek_u8(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return next_u8(vm, a, n, false, out); }
 
-static vs_status read_bytevector(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status read_bytevector(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   int64_t k;
   const uint8_t *at;
@@ -139,7 +139,7 @@ static vs_status read_bytevector(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status read_bytevector_into(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status read_bytevector_into(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   const uint8_t *at;
   size_t count;
@@ -154,27 +154,27 @@ static vs_status read_bytevector_into(vs *vm, vs_value *a, int n, vs_value *out)
   return VS_OK;
 }
 
-static vs_status char_ready(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status char_ready(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_value port;
   return *out = VS_TRUE, in_port(vm, a, n, 0, 0, &port);
 }
-static vs_status u8_ready(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status u8_ready(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_value port;
   return *out = VS_TRUE, in_port(vm, a, n, 0, VS_PORT_BINARY, &port);
 }
 
 /* ---- ports ---- */
 
-static vs_status open_input_file(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status open_input_file(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_arg_type(vm, a, 0, VS_T_STRING) && vs_port_open_file(vm, a[0], VS_IO_READ, VS_PORT_INPUT, out);
 }
-static vs_status open_binary_input_file(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status open_binary_input_file(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_arg_type(vm, a, 0, VS_T_STRING) && vs_port_open_file(vm, a[0], VS_IO_READ, VS_PORT_INPUT | VS_PORT_BINARY, out);
 }
 
-static vs_status open_input_string(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status open_input_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   VS_ROOTS(vm, r, 1);
   if (!vs_arg_type(vm, a, 0, VS_T_STRING)) return VS_ERROR;
@@ -187,7 +187,7 @@ static vs_status open_input_string(vs *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-static vs_status open_input_bytevector(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status open_input_bytevector(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   VS_ROOTS(vm, r, 1);
   if (!vs_arg_type(vm, a, 0, VS_T_BYTES)) return VS_ERROR;
@@ -197,16 +197,16 @@ static vs_status open_input_bytevector(vs *vm, vs_value *a, int n, vs_value *out
   return vs_port_open_bytes(vm, r[0], count, VS_PORT_STRING | VS_PORT_BINARY, out);
 }
 
-static vs_status close_port(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status close_port(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   return vs_arg_type(vm, a, 0, VS_T_PORT) && vs_port_close(vm, a[0]);
 }
-static vs_status close_input_port(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status close_input_port(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   bool fits = vs_is(a[0], VS_T_PORT) && vs_as_port(a[0])->flags & VS_PORT_INPUT;
   return (fits || vs_fail_type(vm, 0, "an input port", a[0])) && vs_port_close(vm, a[0]);
 }
-static vs_status close_output_port(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status close_output_port(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   bool fits = vs_is(a[0], VS_T_PORT) && vs_as_port(a[0])->flags & VS_PORT_OUTPUT;
   return (fits || vs_fail_type(vm, 0, "an output port", a[0])) && vs_port_close(vm, a[0]);
@@ -218,31 +218,45 @@ static vs_status port_has(const vs_value *a, uint32_t on, uint32_t off, vs_value
   *out = vs_bool(vs_is(a[0], VS_T_PORT) && (flags & on) == on && !(flags & off));
   return VS_OK;
 }
-static vs_status is_port(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, port_has(a, 0, 0, out); }
-static vs_status is_input_port(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, port_has(a, VS_PORT_INPUT, 0, out); }
-static vs_status is_output_port(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, port_has(a, VS_PORT_OUTPUT, 0, out); }
-static vs_status is_textual_port(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, port_has(a, 0, VS_PORT_BINARY, out); }
-static vs_status is_binary_port(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, port_has(a, VS_PORT_BINARY, 0, out); }
-static vs_status is_input_open(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status is_port(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, port_has(a, 0, 0, out);
+}
+static vs_status is_input_port(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, port_has(a, VS_PORT_INPUT, 0, out);
+}
+static vs_status is_output_port(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, port_has(a, VS_PORT_OUTPUT, 0, out);
+}
+static vs_status is_textual_port(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, port_has(a, 0, VS_PORT_BINARY, out);
+}
+static vs_status is_binary_port(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, port_has(a, VS_PORT_BINARY, 0, out);
+}
+static vs_status is_input_open(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)n, vs_arg_type(vm, a, 0, VS_T_PORT) && port_has(a, VS_PORT_INPUT, VS_PORT_CLOSED, out);
 }
-static vs_status is_output_open(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status is_output_open(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)n, vs_arg_type(vm, a, 0, VS_T_PORT) && port_has(a, VS_PORT_OUTPUT, VS_PORT_CLOSED, out);
 }
 
-static vs_status port_parameter(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status port_parameter(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t stream;
   return vs_arg_index(vm, a, 0, 0, 2, &stream) && vs_port_parameter(vm, (int)stream, out);
 }
 
-static vs_status eof_object(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)a, (void)n, *out = VS_EOF, VS_OK; }
-static vs_status is_eof(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)n, *out = vs_bool(a[0] == VS_EOF), VS_OK; }
+static vs_status eof_object(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)a, (void)n, *out = VS_EOF, VS_OK;
+}
+static vs_status is_eof(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)n, *out = vs_bool(a[0] == VS_EOF), VS_OK;
+}
 
 /* ---- files ---- */
 
 /* a[0]'s name to the host's question; ok is false when memory is out or it is no name */
-static bool ask_file(vs *vm, vs_value *a, bool remove, bool *yes, const char **why) {
+static bool ask_file(vs_scheme *vm, vs_value *a, bool remove, bool *yes, const char **why) {
   if (!vs_arg_type(vm, a, 0, VS_T_STRING)) return false;
   const vs_io *io = vm->config.io;
   vs_text t;
@@ -254,13 +268,13 @@ static bool ask_file(vs *vm, vs_value *a, bool remove, bool *yes, const char **w
   vs_text_close(&t);
   return ok;
 }
-static vs_status file_exists(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status file_exists(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   bool yes;
   const char *why = NULL;
   return ask_file(vm, a, false, &yes, &why) ? (*out = vs_bool(yes), VS_OK) : VS_ERROR;
 }
-static vs_status delete_file(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status delete_file(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   VS_ROOTS(vm, r, 1);
   bool yes;

@@ -9,9 +9,9 @@
 
 static bool is_word(vs_value v, const char *word) { return vs_is_identifier(v) && !strcmp(vs_as_symbol(vs_identifier_symbol(v))->name, word); }
 
-static bool library_path(vs *vm, vs_value name, uint32_t from, vs_value env, vs_text *path, bool *found);
+static bool library_path(vs_scheme *vm, vs_value name, uint32_t from, vs_value env, vs_text *path, bool *found);
 
-bool vs_library_find(vs *vm, vs_value name, vs_value *env) {
+bool vs_library_find(vs_scheme *vm, vs_value name, vs_value *env) {
   for (vs_value l = vm->at.libraries; vs_is_pair(l); l = vs_cdr(l)) {
     bool same;
     if (!vs_equal(vm, vs_car(vs_car(l)), name, &same)) return false;
@@ -20,7 +20,7 @@ bool vs_library_find(vs *vm, vs_value name, vs_value *env) {
   return vs_library_built_in(vm, name, env);
 }
 
-bool vs_library_known(vs *vm, vs_value name, uint32_t from, vs_value env) {
+bool vs_library_known(vs_scheme *vm, vs_value name, uint32_t from, vs_value env) {
   VS_ROOTS(vm, r, 3);
   r[2] = env;
   if (!vs_strip(vm, name, &r[0]) || !vs_library_find(vm, r[0], &r[1])) return false;
@@ -32,7 +32,7 @@ bool vs_library_known(vs *vm, vs_value name, uint32_t from, vs_value env) {
   return ok && found;
 }
 
-bool vs_library_register(vs *vm, vs_value name, vs_value env) {
+bool vs_library_register(vs_scheme *vm, vs_value name, vs_value env) {
   VS_ROOTS(vm, r, 2);
   r[0] = env;
   if (!vs_is_pair(vm->at.libraries)) vm->at.libraries = VS_NIL;
@@ -43,12 +43,12 @@ bool vs_library_register(vs *vm, vs_value name, vs_value env) {
 }
 
 /* ---- import sets ---- */
-static bool not_exported(vs *vm, vs_pos pos, vs_value symbol) {
+static bool not_exported(vs_scheme *vm, vs_pos pos, vs_value symbol) {
   return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: this library has no %s", vs_is_symbol(symbol) ? vs_as_symbol(symbol)->name : "such name");
 }
 
 /* `name`: what the library is called */
-static bool take(vs *vm, vs_value env, vs_value from, vs_value mapping, vs_value name, vs_pos pos) {
+static bool take(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, vs_value name, vs_pos pos) {
   VS_ROOTS(vm, r, 1);
   r[0] = name;
   vs_value clash;
@@ -64,7 +64,7 @@ static bool take(vs *vm, vs_value env, vs_value from, vs_value mapping, vs_value
   return ok;
 }
 
-bool vs_library_import_set(vs *vm, vs_value set, vs_value env, vs_pos pos, vs_value *missing) {
+bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos, vs_value *missing) {
   VS_ROOTS(vm, r, 8);      /* the set, env, stack of modifiers, library, table, table, name, scratch */
   r[0] = set; r[1] = env; r[2] = VS_NIL;
   *missing = VS_ABSENT;
@@ -135,7 +135,7 @@ bool vs_library_import_set(vs *vm, vs_value set, vs_value env, vs_pos pos, vs_va
 }
 
 /* (a b 1) as a/b/1.sld */
-static bool library_file(vs *vm, vs_value name, vs_text *t) {
+static bool library_file(vs_scheme *vm, vs_value name, vs_text *t) {
   bool ok = true;
   for (bool first = true; ok && vs_is_pair(name); name = vs_cdr(name), first = false) {
     ok = (first || vs_text_put(t, "/", 1)) && vs_print(vm, vs_car(name), VS_PRINT_DISPLAY, t);
@@ -145,7 +145,7 @@ static bool library_file(vs *vm, vs_value name, vs_text *t) {
 
 /* How far above the file `from` the folder is that its library's name counts from: 1 for (towers spiral) in towers/spiral.sld. 0: the environment
    env is no library's, or its file is called otherwise. */
-static bool library_depth(vs *vm, vs_value env, uint32_t from, size_t *depth) {
+static bool library_depth(vs_scheme *vm, vs_value env, uint32_t from, size_t *depth) {
   vs_value name = vs_as_environment(env)->name;
   int64_t parts = vs_list_length(name);
   *depth = 0;
@@ -163,7 +163,7 @@ static bool library_depth(vs *vm, vs_value env, uint32_t from, size_t *depth) {
 }
 
 /* The place of the file that may define a library, for an import in the file `from` and the environment env. */
-static bool library_path(vs *vm, vs_value name, uint32_t from, vs_value env, vs_text *path, bool *found) {
+static bool library_path(vs_scheme *vm, vs_value name, uint32_t from, vs_value env, vs_text *path, bool *found) {
   VS_ROOTS(vm, r, 2);
   vs_text t;
   size_t up;
@@ -177,7 +177,7 @@ static bool library_path(vs *vm, vs_value name, uint32_t from, vs_value env, vs_
   return ok;
 }
 
-static bool core_value(vs *vm, const char *name, vs_value *out) {
+static bool core_value(vs_scheme *vm, const char *name, vs_value *out) {
   vs_value id;
   if (!vs_intern_c(vm, name, &id)) return false;
   *out = vs_environment_value(vm->at.core, id);
@@ -186,7 +186,7 @@ static bool core_value(vs *vm, const char *name, vs_value *out) {
 
 /* ---- import, at top level ---- */
 bool vs_library_import(vs_expansion *x) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   if (vs_list_length(x->now.form) < 1) return vs_expand_shape(x, VS_FORM_import);
   if (vs_environment_intake(x->now.env) == VS_INTAKE_FRESH) {        /* a program that begins with an import sees what it imports */
@@ -224,7 +224,7 @@ typedef struct { vs_expansion *x; vs_value *r; } library;
 enum { L_NAME, L_ENV, L_EXPORTS, L_FORMS /* newest first */, L_LATER /* declarations still to do */, L_A, L_B, L_C, L_COUNT };
 
 static bool export_name(library *l, vs_value spec, vs_pos pos) {
-  vs *vm = l->x->vm;
+  vs_scheme *vm = l->x->vm;
   vs_value inside = spec, outside = spec;
   if (vs_list_length(spec) == 3 && is_word(vs_car(spec), "rename")) { inside = vs_car(vs_cdr(spec)); outside = vs_car(vs_cdr(vs_cdr(spec))); }
   if (!vs_is_identifier(inside) || !vs_is_identifier(outside)) return vs_expand_fail(l->x, pos, spec, "export: a name or (rename inside outside), not");
@@ -232,7 +232,7 @@ static bool export_name(library *l, vs_value spec, vs_pos pos) {
 }
 
 bool vs_library_define(vs_expansion *x) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, L_COUNT);
   library lib = {x, r};
   if (vs_list_length(x->now.form) < 2 || !vs_is_pair(vs_car(vs_cdr(x->now.form)))) return vs_expand_shape(x, VS_FORM_define_library);
@@ -295,7 +295,7 @@ bool vs_library_define(vs_expansion *x) {
 
 /* ---- require ---- */
 bool vs_library_require(vs_expansion *x) {
-  vs *vm = x->vm;
+  vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 4);
   int64_t n = vs_list_length(x->now.form);
   if (n < 2) return vs_expand_shape(x, VS_FORM_require);

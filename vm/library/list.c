@@ -14,7 +14,7 @@ enum { HEAD, TAIL, NEW, MAKER_ROOTS }; /* what a list_maker keeps in its roots *
 #define LIST_MAKER(vm, r) VS_ROOTS(vm, r, MAKER_ROOTS); r[HEAD] = r[TAIL] = VS_NIL
 
 /* x may be any value: vs_cons keeps it safe */
-static bool maker_add(vs *vm, vs_value *r, vs_value x) {
+static bool maker_add(vs_scheme *vm, vs_value *r, vs_value x) {
   if (!vs_cons(vm, x, VS_NIL, &r[NEW])) return false;
   if (r[HEAD] == VS_NIL) r[HEAD] = r[NEW];
   else vs_gc_store(vm, vs_object_of(r[TAIL]), &vs_as_pair(r[TAIL])->cdr, r[NEW]);
@@ -22,13 +22,13 @@ static bool maker_add(vs *vm, vs_value *r, vs_value x) {
   return true;
 }
 
-static void maker_end(vs *vm, vs_value *r, vs_value last) {
+static void maker_end(vs_scheme *vm, vs_value *r, vs_value last) {
   if (r[HEAD] == VS_NIL) r[HEAD] = last;
   else vs_gc_store(vm, vs_object_of(r[TAIL]), &vs_as_pair(r[TAIL])->cdr, last);
 }
 
 /* appends copies of the first n pairs' cars of *list (a root), leaving *list at what follows */
-static bool maker_copy(vs *vm, vs_value *r, vs_value *list, int64_t n) {
+static bool maker_copy(vs_scheme *vm, vs_value *r, vs_value *list, int64_t n) {
   for (int64_t i = 0; i < n; i++) {
     if (!maker_add(vm, r, vs_car(*list)) || (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_COST))) return false;
     *list = vs_cdr(*list);
@@ -36,7 +36,7 @@ static bool maker_copy(vs *vm, vs_value *r, vs_value *list, int64_t n) {
   return true;
 }
 
-static bool arg_list(vs *vm, const vs_value *a, int arg, int64_t *length) {
+static bool arg_list(vs_scheme *vm, const vs_value *a, int arg, int64_t *length) {
   *length = vs_list_length(a[arg]);
   return *length >= 0 || vs_fail_type(vm, arg, "a list", a[arg]);
 }
@@ -52,12 +52,12 @@ static vs_value last_cdr(vs_value list) {
   return list;
 }
 
-static bool arg_ends(vs *vm, const vs_value *a, int arg) {
+static bool arg_ends(vs_scheme *vm, const vs_value *a, int arg) {
   return last_cdr(a[arg]) != VS_ABSENT || vs_fail_type(vm, arg, "a list that ends", a[arg]);
 }
 
 /* a[arg] has at least n pairs in front; leaves *at behind them */
-static bool arg_pairs(vs *vm, const vs_value *a, int arg, int64_t n, vs_value *at) {
+static bool arg_pairs(vs_scheme *vm, const vs_value *a, int arg, int64_t n, vs_value *at) {
   vs_value l = a[arg];
   for (int64_t i = 0; i < n; i++, l = vs_cdr(l)) {
     if (!vs_is_pair(l) && l != VS_NIL) return vs_fail_type(vm, arg, "a list", a[arg]);
@@ -70,12 +70,12 @@ static bool arg_pairs(vs *vm, const vs_value *a, int arg, int64_t n, vs_value *a
 
 /* ---- pairs ---- */
 
-static vs_status list_cons(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_cons(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_cons(vm, a[0], a[1], out);
 }
 
-static vs_status list_set_car(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_set_car(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (!vs_arg_type(vm, a, 0, VS_T_PAIR)) return VS_ERROR;
   if (vs_object_of(a[0])->flags & VS_F_IMMUTABLE) return vs_fail_type(vm, 0, "a pair that may change, not a literal", a[0]);
@@ -83,7 +83,7 @@ static vs_status list_set_car(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status list_set_cdr(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_set_cdr(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (!vs_arg_type(vm, a, 0, VS_T_PAIR)) return VS_ERROR;
   if (vs_object_of(a[0])->flags & VS_F_IMMUTABLE) return vs_fail_type(vm, 0, "a pair that may change, not a literal", a[0]);
@@ -92,7 +92,7 @@ static vs_status list_set_cdr(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* path: the letters between c and r, applied from the right */
-static vs_status list_path(vs *vm, vs_value *a, const char *path, size_t length, vs_value *out) {
+static vs_status list_path(vs_scheme *vm, vs_value *a, const char *path, size_t length, vs_value *out) {
   vs_value v = a[0];
   for (size_t i = length; i-- > 0;) {
     if (!vs_is_pair(v)) {
@@ -111,26 +111,26 @@ static vs_status list_path(vs *vm, vs_value *a, const char *path, size_t length,
   P(a) P(d) P(aa) P(ad) P(da) P(dd) P(aaa) P(aad) P(ada) P(add) P(daa) P(dad) P(dda) P(ddd) P(aaaa) P(aaad) P(aada) P(aadd) P(adaa) \
   P(adad) P(adda) P(addd) P(daaa) P(daad) P(dada) P(dadd) P(ddaa) P(ddad) P(ddda) P(dddd)
 #define P(path)                                                                     \
-  static vs_status list_c##path##r(vs *vm, vs_value *a, int n, vs_value *out) {     \
+  static vs_status list_c##path##r(vs_scheme *vm, vs_value *a, int n, vs_value *out) {     \
     (void)n;                                                                        \
     return list_path(vm, a, #path, sizeof #path - 1, out);                          \
   }
 PATHS(P)
 #undef P
 
-static vs_status list_null_p(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_null_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   *out = vs_bool(a[0] == VS_NIL);
   return VS_OK;
 }
 
-static vs_status list_pair_p(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_pair_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   *out = vs_bool(vs_is_pair(a[0]));
   return VS_OK;
 }
 
-static vs_status list_list_p(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_list_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   *out = vs_bool(vs_list_length(a[0]) >= 0);
   return VS_OK;
@@ -138,21 +138,21 @@ static vs_status list_list_p(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- making ---- */
 
-static vs_status list_list(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   *out = VS_NIL;
   for (int i = n; i-- > 0;)
     if (!vs_cons(vm, a[i], *out, out)) return VS_ERROR;
   return VS_OK;
 }
 
-static vs_status list_cons_star(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_cons_star(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   *out = a[n - 1];
   for (int i = n - 1; i-- > 0;)
     if (!vs_cons(vm, a[i], *out, out)) return VS_ERROR;
   return VS_OK;
 }
 
-static vs_status list_make_list(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_make_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t count;
   if (!vs_arg_index(vm, a, 0, 0, VS_FIXNUM_MAX, &count)) return VS_ERROR;
   *out = VS_NIL;
@@ -162,7 +162,7 @@ static vs_status list_make_list(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* count numbers from + i*step, computed each from the start so that no error adds up */
-static vs_status list_numbers(vs *vm, int64_t count, const vs_value *from, const vs_value *step, vs_value *out) {
+static vs_status list_numbers(vs_scheme *vm, int64_t count, const vs_value *from, const vs_value *step, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   *out = VS_NIL;
   for (int64_t i = count; i-- > 0;) {
@@ -172,7 +172,7 @@ static vs_status list_numbers(vs *vm, int64_t count, const vs_value *from, const
   return VS_OK;
 }
 
-static vs_status list_iota(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_iota(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t count;
   VS_ROOTS(vm, r, 2);
   if (!vs_arg_index(vm, a, 0, 0, VS_FIXNUM_MAX, &count)) return VS_ERROR;
@@ -184,7 +184,7 @@ static vs_status list_iota(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* (range end) (range start end [step]): end is left out */
-static vs_status list_range(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 4); /* start, end, step, scratch */
   for (int i = 0; i < n; i++) {
     double d;
@@ -214,7 +214,7 @@ static vs_status list_range(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- measuring and selecting ---- */
 
-static vs_status list_length(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_length(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t length;
   if (!arg_list(vm, a, 0, &length)) return VS_ERROR;
@@ -222,13 +222,13 @@ static vs_status list_length(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status list_tail(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_tail(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t k;
   return vs_arg_index(vm, a, 1, 0, VS_FIXNUM_MAX, &k) && arg_pairs(vm, a, 0, k, out);
 }
 
-static vs_status list_ref(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_ref(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t k;
   vs_value l = a[0];
@@ -246,7 +246,7 @@ static vs_status list_ref(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status list_set(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_set(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   int64_t k;
   vs_value l;
@@ -257,7 +257,7 @@ static vs_status list_set(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status list_nth(vs *vm, vs_value *a, int64_t k, vs_value *out) {
+static vs_status list_nth(vs_scheme *vm, vs_value *a, int64_t k, vs_value *out) {
   vs_value l = a[0];
   for (int64_t i = 0; i < k && vs_is_pair(l); i++) l = vs_cdr(l);
   if (!vs_is_pair(l)) {
@@ -273,21 +273,21 @@ static vs_status list_nth(vs *vm, vs_value *a, int64_t k, vs_value *out) {
 
 #define NTHS(N) N(0, first) N(1, second) N(2, third) N(3, fourth) N(4, fifth) N(5, sixth) N(6, seventh) N(7, eighth) N(8, ninth) N(9, tenth)
 #define N(k, name)                                                             \
-  static vs_status list_##name(vs *vm, vs_value *a, int n, vs_value *out) {    \
+  static vs_status list_##name(vs_scheme *vm, vs_value *a, int n, vs_value *out) {    \
     (void)n;                                                                   \
     return list_nth(vm, a, k, out);                                            \
   }
 NTHS(N)
 #undef N
 
-static vs_status list_rest(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_rest(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_pair(a[0])) return vs_fail_type(vm, 0, "a list of one element or more", a[0]);
   *out = vs_cdr(a[0]);
   return VS_OK;
 }
 
-static vs_status list_last_pair(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_last_pair(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_pair(a[0])) return vs_fail_type(vm, 0, "a list of one element or more", a[0]);
   if (!arg_ends(vm, a, 0)) return VS_ERROR;
@@ -298,7 +298,7 @@ static vs_status list_last_pair(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status list_last(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_last(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!list_last_pair(vm, a, n, out)) return VS_ERROR;
   *out = vs_car(*out);
   return VS_OK;
@@ -306,7 +306,7 @@ static vs_status list_last(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- copying ---- */
 
-static vs_status list_append(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_append(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   LIST_MAKER(vm, r);
   for (int i = 0; i < n - 1; i++) {
     int64_t length;
@@ -318,7 +318,7 @@ static vs_status list_append(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* the elements of a[0], a proper list, in front of tail, turned round */
-static vs_status list_reverse_onto(vs *vm, vs_value *a, vs_value tail, vs_value *out) {
+static vs_status list_reverse_onto(vs_scheme *vm, vs_value *a, vs_value tail, vs_value *out) {
   int64_t length;
   if (!arg_list(vm, a, 0, &length)) return VS_ERROR;
   *out = tail;
@@ -327,14 +327,14 @@ static vs_status list_reverse_onto(vs *vm, vs_value *a, vs_value tail, vs_value 
   return VS_OK;
 }
 
-static vs_status list_reverse(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_reverse(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return list_reverse_onto(vm, a, VS_NIL, out);
 }
 
 /* A list that its caller made since there were a[1] continuations, and nobody else has: if there are no more now, nobody comes back to where it
  * was half made, and it is turned round in its place. */
-static vs_status list_reverse_own(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_reverse_own(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (a[1] != vs_fix((int64_t)(vm->captures & VS_FIXNUM_MAX))) return list_reverse_onto(vm, a, VS_NIL, out);
   *out = VS_NIL;
@@ -348,13 +348,13 @@ static vs_status list_reverse_own(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status list_append_reverse(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_append_reverse(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return list_reverse_onto(vm, a, a[1], out);
 }
 
 /* R7RS: the last tail is kept, so a dotted list is copied too */
-static vs_status list_copy(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   LIST_MAKER(vm, r);
   if (!arg_ends(vm, a, 0)) return VS_ERROR;
@@ -365,7 +365,7 @@ static vs_status list_copy(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status list_take(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_take(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t k;
   vs_value rest;
@@ -376,20 +376,20 @@ static vs_status list_take(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* How many pairs a list has that ends, in () or not. */
-static bool arg_dotted(vs *vm, const vs_value *a, int arg, int64_t *pairs) {
+static bool arg_dotted(vs_scheme *vm, const vs_value *a, int arg, int64_t *pairs) {
   if (last_cdr(a[arg]) == VS_ABSENT) return vs_fail_type(vm, arg, "a list that ends", a[arg]);
   *pairs = 0;
   for (vs_value l = a[arg]; vs_is_pair(l); l = vs_cdr(l)) ++*pairs;
   return vs_poll(vm, (uint64_t)*pairs);
 }
 
-static vs_status list_take_right(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_take_right(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t k, length;
   return arg_dotted(vm, a, 0, &length) && vs_arg_index(vm, a, 1, 0, length, &k) && arg_pairs(vm, a, 0, length - k, out);
 }
 
-static vs_status list_drop_right(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_drop_right(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t k, length;
   LIST_MAKER(vm, r);
@@ -398,7 +398,7 @@ static vs_status list_drop_right(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status list_split_at(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_split_at(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t k;
   LIST_MAKER(vm, r);
@@ -411,7 +411,7 @@ static vs_status list_split_at(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* all elements of lists within lists, in order; what is no list is one element. The way back is kept as a list: no recursion. A list that
    contains itself would be entered for ever deeper; so each list entered is compared with the one at a depth of a power of two above. */
-static vs_status list_flatten(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_flatten(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   LIST_MAKER(vm, r);
   VS_ROOTS(vm, at, 3);      /* what is left, the ways back, the list to compare with */
@@ -447,14 +447,14 @@ static vs_status list_flatten(vs *vm, vs_value *a, int n, vs_value *out) {
 
 typedef enum { BY_EQ, BY_EQV, BY_EQUAL } same_kind;
 
-static bool list_same(vs *vm, same_kind kind, vs_value x, vs_value y, bool *same) {
+static bool list_same(vs_scheme *vm, same_kind kind, vs_value x, vs_value y, bool *same) {
   if (kind == BY_EQUAL) return vs_equal(vm, x, y, same);
   *same = kind == BY_EQ ? x == y : vs_eqv(x, y);
   return true;
 }
 
 /* a[0] is sought in a[1]; of: the element itself or an entry's car. a[] are roots: vs_equal may move things. */
-static vs_status list_search(vs *vm, vs_value *a, same_kind kind, bool entries, vs_value *out) {
+static vs_status list_search(vs_scheme *vm, vs_value *a, same_kind kind, bool entries, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = a[1];
   uint64_t i = 1;
@@ -478,7 +478,7 @@ static vs_status list_search(vs *vm, vs_value *a, same_kind kind, bool entries, 
 }
 
 #define SEARCH(name, kind, entries)                                            \
-  static vs_status list_##name(vs *vm, vs_value *a, int n, vs_value *out) {    \
+  static vs_status list_##name(vs_scheme *vm, vs_value *a, int n, vs_value *out) {    \
     (void)n;                                                                   \
     return list_search(vm, a, kind, entries, out);                             \
   }
@@ -488,7 +488,7 @@ SEARCH(assq, BY_EQ, true) SEARCH(assv, BY_EQV, true) SEARCH(assoc, BY_EQUAL, tru
 
 /* ---- what the procedures in Scheme ask before they walk; `who` they ask for ---- */
 
-static vs_status fail_list(vs *vm, vs_value who, vs_value list) {
+static vs_status fail_list(vs_scheme *vm, vs_value who, vs_value list) {
   VS_ROOTS(vm, r, 1);
   bool circular = last_cdr(list) == VS_ABSENT;
   vm->native = NULL;
@@ -497,14 +497,14 @@ static vs_status fail_list(vs *vm, vs_value who, vs_value list) {
 }
 
 /* a proper list */
-static vs_status need_list(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status need_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   int64_t length = vs_list_length(a[1]);
   return length < 0 ? fail_list(vm, a[0], a[1]) : vs_poll(vm, (uint64_t)length);
 }
 
 /* lists to be walked together: one or more, one of them proper, none that is no list at all */
-static vs_status need_lists(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status need_lists(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (a[1] == VS_NIL) {
     vm->native = NULL;
@@ -522,7 +522,7 @@ static vs_status need_lists(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* asked now and then by searches, which may stop before the end of a list that has none */
-static vs_status need_end(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status need_end(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   for (vs_value l = a[1]; vs_is_pair(l); l = vs_cdr(l))
     if (vs_list_length(vs_car(l)) >= 0 || !vs_is_pair(vs_car(l))) return VS_OK;

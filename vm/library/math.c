@@ -5,22 +5,25 @@
 
 #include "vm/values/integer.h"
 
-static bool want_double(vs *vm, const vs_value *a, int i, double *out) {
+static bool want_double(vs_scheme *vm, const vs_value *a, int i, double *out) {
   return vs_is_number(a[i]) ? vs_number_double(vm, a[i], out) : vs_fail_type(vm, i, "a number", a[i]);
 }
 
 /* a function of doubles that is `exact_value` at the exact integer `at` */
-static vs_status function(vs *vm, const vs_value *a, double (*f)(double), int64_t at, int64_t exact_value, vs_value *out) {
+static vs_status function(vs_scheme *vm, const vs_value *a, double (*f)(double), int64_t at, int64_t exact_value,
+                          vs_value *out) {
   double x;
   if (a[0] == vs_fix(at)) return *out = vs_fix(exact_value), VS_OK;
   if (!want_double(vm, a, 0, &x)) return VS_ERROR;
   *out = vs_flonum(f(x));
   return VS_OK;
 }
-static vs_status exp_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, function(vm, a, exp, 0, 1, out); }
+static vs_status exp_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, function(vm, a, exp, 0, 1, out);
+}
 
 /* The whole numbers that stand for angles in degrees: whoever writes one of them seldom means as many radians. */
-static void suspect_degrees(vs *vm, const char *name, vs_value v) {
+static void suspect_degrees(vs_scheme *vm, const char *name, vs_value v) {
   if (!vs_is_fixnum(v) || !vm->config.suspect) return;
   int64_t x = vs_fixnum(v) < 0 ? -vs_fixnum(v) : vs_fixnum(v);
   if (x < 30 || x > 360 || (x % 90 && x != 30 && x != 45 && x != 60 && x != 120 && x != 135 && x != 150)) return;
@@ -31,15 +34,24 @@ static void suspect_degrees(vs *vm, const char *name, vs_value v) {
   vm->config.suspect(vm, "degrees", text);
 }
 
-static vs_status sin_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, suspect_degrees(vm, "sin", a[0]),
-    function(vm, a, sin, 0, 0, out); }
-static vs_status cos_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, suspect_degrees(vm, "cos", a[0]),
-    function(vm, a, cos, 0, 1, out); }
-static vs_status tan_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, suspect_degrees(vm, "tan", a[0]),
-    function(vm, a, tan, 0, 0, out); }
-static vs_status sinh_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, function(vm, a, sinh, 0, 0, out); }
-static vs_status cosh_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, function(vm, a, cosh, 0, 1, out); }
-static vs_status tanh_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, function(vm, a, tanh, 0, 0, out); }
+static vs_status sin_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, suspect_degrees(vm, "sin", a[0]), function(vm, a, sin, 0, 0, out);
+}
+static vs_status cos_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, suspect_degrees(vm, "cos", a[0]), function(vm, a, cos, 0, 1, out);
+}
+static vs_status tan_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, suspect_degrees(vm, "tan", a[0]), function(vm, a, tan, 0, 0, out);
+}
+static vs_status sinh_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, function(vm, a, sinh, 0, 0, out);
+}
+static vs_status cosh_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, function(vm, a, cosh, 0, 1, out);
+}
+static vs_status tanh_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, function(vm, a, tanh, 0, 0, out);
+}
 
 /* the C library's may be off by one in the last place, for 27 too; one step of Newton's mends that */
 static double cube_root(double x) {
@@ -48,7 +60,7 @@ static double cube_root(double x) {
 }
 
 /* the exact cube root of an exact integer in *root, VS_FALSE if there is none, or its root is beyond 10^15 */
-static bool integer_cbrt(vs *vm, vs_value n, vs_value *root) {
+static bool integer_cbrt(vs_scheme *vm, vs_value n, vs_value *root) {
   VS_ROOTS(vm, r, 2);
   r[0] = n;
   double d;
@@ -63,7 +75,7 @@ static bool integer_cbrt(vs *vm, vs_value n, vs_value *root) {
   if (same) *root = guess;
   return true;
 }
-static vs_status cbrt_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status cbrt_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (vs_is_number(a[0]) && vs_is_exact(a[0])) {
     vs_value num, den = vs_fix(1);
@@ -74,7 +86,7 @@ static vs_status cbrt_(vs *vm, vs_value *a, int n, vs_value *out) {
   return function(vm, a, cube_root, 0, 0, out);
 }
 
-static vs_status arc(vs *vm, const vs_value *a, double (*f)(double), int64_t zero_at, vs_value *out) {
+static vs_status arc(vs_scheme *vm, const vs_value *a, double (*f)(double), int64_t zero_at, vs_value *out) {
   double x;
   if (a[0] == vs_fix(zero_at)) return *out = vs_fix(0), VS_OK;
   if (!want_double(vm, a, 0, &x)) return VS_ERROR;
@@ -82,10 +94,10 @@ static vs_status arc(vs *vm, const vs_value *a, double (*f)(double), int64_t zer
   *out = vs_flonum(f(x));
   return VS_OK;
 }
-static vs_status asin_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, arc(vm, a, asin, 0, out); }
-static vs_status acos_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, arc(vm, a, acos, 1, out); }
+static vs_status asin_(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return (void)n, arc(vm, a, asin, 0, out); }
+static vs_status acos_(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return (void)n, arc(vm, a, acos, 1, out); }
 
-static vs_status atan_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status atan_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n == 1) return function(vm, a, atan, 0, 0, out);
   double y, x;
   if (!want_double(vm, a, 0, &y) || !want_double(vm, a, 1, &x)) return VS_ERROR;
@@ -97,7 +109,7 @@ static vs_status atan_(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status hypot_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status hypot_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   double x, y;
   if (!want_double(vm, a, 0, &x) || !want_double(vm, a, 1, &y)) return VS_ERROR;
@@ -106,7 +118,7 @@ static vs_status hypot_(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* ln of a positive number, also of exact ones out of a double's range */
-static bool natural_log(vs *vm, const vs_value *a, int i, double *out) {
+static bool natural_log(vs_scheme *vm, const vs_value *a, int i, double *out) {
   double x;
   if (!want_double(vm, a, i, &x)) return false;
   if (x < 0 || a[i] == vs_fix(0)) return vs_fail_type(vm, i, "positive", a[i]);
@@ -121,7 +133,7 @@ static bool natural_log(vs *vm, const vs_value *a, int i, double *out) {
   return true;
 }
 
-static vs_status log_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status log_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   double x, base;
   if (n == 1) {
     if (a[0] == vs_fix(1)) return *out = vs_fix(0), VS_OK;
@@ -138,12 +150,12 @@ static vs_status log_(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status sqrt_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status sqrt_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_is_number(a[0]) ? vs_number_sqrt(vm, a[0], out) : vs_fail_type(vm, 0, "a number", a[0]);
 }
 
-static vs_status exact_integer_sqrt(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status exact_integer_sqrt(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_exact_integer(a[0]) || vs_int_sign(a[0]) < 0) return vs_fail_type(vm, 0, "an exact integer from 0 on", a[0]);
   VS_ROOTS(vm, r, 2);
@@ -151,7 +163,7 @@ static vs_status exact_integer_sqrt(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* exact base to an exact integer power */
-static bool exact_power(vs *vm, vs_value base, vs_value exponent, vs_value *out) {
+static bool exact_power(vs_scheme *vm, vs_value base, vs_value exponent, vs_value *out) {
   VS_ROOTS(vm, r, 3);
   r[0] = base;
   bool negative = vs_int_sign(exponent) < 0;
@@ -171,7 +183,7 @@ static bool exact_power(vs *vm, vs_value base, vs_value exponent, vs_value *out)
 }
 
 /* The exact k-th root of an exact integer >= 0, or *out = #f. Only roots that a double can find are looked for. */
-static bool exact_root(vs *vm, vs_value x, int64_t k, vs_value *out) {
+static bool exact_root(vs_scheme *vm, vs_value x, int64_t k, vs_value *out) {
   VS_ROOTS(vm, r, 3);
   r[0] = x;
   *out = VS_FALSE;
@@ -181,7 +193,7 @@ static bool exact_root(vs *vm, vs_value x, int64_t k, vs_value *out) {
          (*out = vs_int_compare(r[2], r[0]) == 0 ? r[1] : VS_FALSE, true);
 }
 
-static vs_status expt(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status expt(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   double x, y;
   if (!want_double(vm, a, 0, &x) || !want_double(vm, a, 1, &y)) return VS_ERROR;

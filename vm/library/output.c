@@ -9,7 +9,7 @@
 #include "vm/values/string_chars.h"
 
 /* The port among the arguments, or the current one; checked. */
-static bool out_port(vs *vm, const vs_value *a, int n, int i, uint32_t kind, vs_value *port) {
+static bool out_port(vs_scheme *vm, const vs_value *a, int n, int i, uint32_t kind, vs_value *port) {
   *port = n > i ? a[i] : vs_port_current_output(vm);
   if (!vs_is(*port, VS_T_PORT)) return n > i ? vs_fail_type(vm, i, "an output port", *port) : false;
   uint32_t flags = vs_as_port(*port)->flags;
@@ -18,39 +18,51 @@ static bool out_port(vs *vm, const vs_value *a, int n, int i, uint32_t kind, vs_
   return !(flags & VS_PORT_CLOSED) || vs_fail_type(vm, i, "an open port", *port);
 }
 
-static bool flush_text(vs *vm, vs_value port, vs_text *t, bool ok) {
+static bool flush_text(vs_scheme *vm, vs_value port, vs_text *t, bool ok) {
   ok = ok && vs_port_write(vm, port, t->at, t->count);
   vs_text_close(t);
   return ok;
 }
 
-static vs_status print(vs *vm, vs_value *a, int n, vs_print_mode mode, bool newline) {
+static vs_status print(vs_scheme *vm, vs_value *a, int n, vs_print_mode mode, bool newline) {
   VS_ROOTS(vm, r, 1);
   if (!out_port(vm, a, n, 1, 0, &r[0])) return VS_ERROR;
   vs_text t;
   vs_text_open(vm, &t, 0);
   return flush_text(vm, r[0], &t, vs_print(vm, a[0], mode, &t) && (!newline || vs_text_put(&t, "\n", 1)));
 }
-static vs_status display(vs *vm, vs_value *a, int n, vs_value *out) { return (void)out, print(vm, a, n, VS_PRINT_DISPLAY, false); }
-static vs_status displayln(vs *vm, vs_value *a, int n, vs_value *out) { return (void)out, print(vm, a, n, VS_PRINT_DISPLAY, true); }
-static vs_status write_(vs *vm, vs_value *a, int n, vs_value *out) { return (void)out, print(vm, a, n, VS_PRINT_WRITE, false); }
-static vs_status writeln(vs *vm, vs_value *a, int n, vs_value *out) { return (void)out, print(vm, a, n, VS_PRINT_WRITE, true); }
-static vs_status write_simple(vs *vm, vs_value *a, int n, vs_value *out) { return (void)out, print(vm, a, n, VS_PRINT_SIMPLE, false); }
-static vs_status write_shared(vs *vm, vs_value *a, int n, vs_value *out) { return (void)out, print(vm, a, n, VS_PRINT_SHARED, false); }
+static vs_status display(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)out, print(vm, a, n, VS_PRINT_DISPLAY, false);
+}
+static vs_status displayln(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)out, print(vm, a, n, VS_PRINT_DISPLAY, true);
+}
+static vs_status write_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)out, print(vm, a, n, VS_PRINT_WRITE, false);
+}
+static vs_status writeln(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)out, print(vm, a, n, VS_PRINT_WRITE, true);
+}
+static vs_status write_simple(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)out, print(vm, a, n, VS_PRINT_SIMPLE, false);
+}
+static vs_status write_shared(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)out, print(vm, a, n, VS_PRINT_SHARED, false);
+}
 
-static vs_status newline(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status newline(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   vs_value port;
   return out_port(vm, a, n, 0, 0, &port) && vs_port_write(vm, port, "\n", 1);
 }
 
-static vs_status fresh_line(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status fresh_line(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   vs_value port;
   return out_port(vm, a, n, 0, 0, &port) && (vs_as_port(port)->col == 1 || vs_port_write(vm, port, "\n", 1));
 }
 
-static vs_status write_char(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status write_char(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   vs_value port;
   char s[4];
@@ -58,7 +70,7 @@ static vs_status write_char(vs *vm, vs_value *a, int n, vs_value *out) {
   return out_port(vm, a, n, 1, 0, &port) && vs_port_write(vm, port, s, vs_utf8_encode(vs_char(a[0]), s));
 }
 
-static vs_status write_string(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status write_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 2);
   if (!vs_arg_type(vm, a, 0, VS_T_STRING) || !out_port(vm, a, n, 1, 0, &r[0])) return VS_ERROR;
@@ -71,7 +83,7 @@ static vs_status write_string(vs *vm, vs_value *a, int n, vs_value *out) {
   return flush_text(vm, r[0], &t, vs_text_string(&t, r[1]));
 }
 
-static vs_status write_u8(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status write_u8(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   vs_value port;
   int64_t byte;
@@ -80,7 +92,7 @@ static vs_status write_u8(vs *vm, vs_value *a, int n, vs_value *out) {
   return vs_port_write(vm, port, &c, 1);
 }
 
-static vs_status write_bytevector(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status write_bytevector(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   vs_value port;
   if (!vs_arg_type(vm, a, 0, VS_T_BYTES) || !out_port(vm, a, n, 1, VS_PORT_BINARY, &port)) return VS_ERROR;
@@ -126,7 +138,7 @@ static format_field format_field_at(vs_value control, size_t *i, size_t length) 
 }
 
 /* ~8,2f: a number with so many decimals, rounded; without them as it is written. */
-static bool format_fixed(vs *vm, vs_value v, int64_t decimals, vs_text *t) {
+static bool format_fixed(vs_scheme *vm, vs_value v, int64_t decimals, vs_text *t) {
   double d;
   if (!vs_number_double(vm, v, &d)) return false;
   if (decimals < 0 || !isfinite(d)) return vs_number_print(vm, v, 10, t);
@@ -137,7 +149,7 @@ static bool format_fixed(vs *vm, vs_value v, int64_t decimals, vs_text *t) {
   return n > 0 && (size_t)n < sizeof text && vs_text_puts(t, shown);
 }
 
-static bool format_number(vs *vm, vs_value v, char directive, const format_field *f, vs_text *t) {
+static bool format_number(vs_scheme *vm, vs_value v, char directive, const format_field *f, vs_text *t) {
   VS_ROOTS(vm, r, 1);
   r[0] = v;
   if (directive == 'f' && vs_is_number(v)) return format_fixed(vm, v, f->decimals, t);
@@ -147,7 +159,7 @@ static bool format_number(vs *vm, vs_value v, char directive, const format_field
   return vs_number_print(vm, v, directive == 'b' ? 2 : directive == 'o' ? 8 : 16, t);
 }
 
-bool vs_format(vs *vm, const vs_value *a, int control, int n, vs_text *t) {
+bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t) {
   size_t length = vs_as_string(a[control])->length;
   int next = control + 1;
   for (size_t i = 0; i < length; i++) {
@@ -194,7 +206,7 @@ bool vs_format(vs *vm, const vs_value *a, int control, int n, vs_text *t) {
 }
 
 /* (format "..." v ...), also (format #f "..." v ...); (format #t ...) and (format port ...) print */
-static vs_status format(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status format(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   int control = vs_is_string(a[0]) ? 0 : 1;
   if (n <= control || !vs_is_string(a[control])) return vs_fail_type(vm, control, "a string", n > control ? a[control] : a[0]);
@@ -207,7 +219,7 @@ static vs_status format(vs *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-static vs_status printf_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status printf_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 1);
   vs_text t;
@@ -216,7 +228,7 @@ static vs_status printf_(vs *vm, vs_value *a, int n, vs_value *out) {
   return flush_text(vm, r[0], &t, vs_format(vm, a, 0, n, &t));
 }
 
-static vs_status fprintf_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status fprintf_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 1);
   vs_text t;
@@ -227,28 +239,36 @@ static vs_status fprintf_(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- output ports ---- */
 
-static vs_status open_output(vs *vm, vs_value *a, uint32_t flags, vs_io_mode mode, vs_value *out) {
+static vs_status open_output(vs_scheme *vm, vs_value *a, uint32_t flags, vs_io_mode mode, vs_value *out) {
   return vs_arg_type(vm, a, 0, VS_T_STRING) && vs_port_open_file(vm, a[0], mode, VS_PORT_OUTPUT | flags, out);
 }
-static vs_status open_output_file(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, open_output(vm, a, 0, VS_IO_WRITE, out); }
-static vs_status open_append_file(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, open_output(vm, a, 0, VS_IO_APPEND, out); }
-static vs_status open_binary_output_file(vs *vm, vs_value *a, int n, vs_value *out) { return (void)n, open_output(vm, a, VS_PORT_BINARY, VS_IO_WRITE, out); }
+static vs_status open_output_file(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, open_output(vm, a, 0, VS_IO_WRITE, out);
+}
+static vs_status open_append_file(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, open_output(vm, a, 0, VS_IO_APPEND, out);
+}
+static vs_status open_binary_output_file(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)n, open_output(vm, a, VS_PORT_BINARY, VS_IO_WRITE, out);
+}
 
-static vs_status open_output_string(vs *vm, vs_value *a, int n, vs_value *out) { return (void)a, (void)n, vs_port_open_text(vm, out); }
-static vs_status open_output_bytevector(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status open_output_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)a, (void)n, vs_port_open_text(vm, out);
+}
+static vs_status open_output_bytevector(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
   if (!vs_port_open_text(vm, out)) return VS_ERROR;
   vs_as_port(*out)->flags |= VS_PORT_BINARY;
   return VS_OK;
 }
 
-static bool want_collector(vs *vm, const vs_value *a, uint32_t kind, const char *what) {
+static bool want_collector(vs_scheme *vm, const vs_value *a, uint32_t kind, const char *what) {
   return (vs_is(a[0], VS_T_PORT) && (vs_as_port(a[0])->flags & VS_PORT_STRING) && (vs_as_port(a[0])->flags & VS_PORT_OUTPUT) &&
           (vs_as_port(a[0])->flags & VS_PORT_BINARY) == kind) ||
          vs_fail_type(vm, 0, what, a[0]);
 }
 
-static vs_status get_output_string(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status get_output_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!want_collector(vm, a, 0, "a port from open-output-string")) return VS_ERROR;
   vs_text t;                                      /* a copy: making the string may move the buffer */
@@ -259,7 +279,7 @@ static vs_status get_output_string(vs *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-static vs_status get_output_bytevector(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status get_output_bytevector(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!want_collector(vm, a, VS_PORT_BINARY, "a port from open-output-bytevector") || !vs_make_bytes(vm, vs_as_port(a[0])->position, out)) return VS_ERROR;
   const vs_port *p = vs_as_port(a[0]);
@@ -267,7 +287,7 @@ static vs_status get_output_bytevector(vs *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-static vs_status flush_output_port(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status flush_output_port(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   vs_value port = n ? a[0] : vs_port_current_output(vm);
   if (!vs_is(port, VS_T_PORT)) return vs_fail_type(vm, 0, "an output port", port);

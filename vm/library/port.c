@@ -7,7 +7,7 @@
 #include "vm/machine/lib.h"
 #include "vm/machine/run.h"
 
-static bool port_new(vs *vm, uint32_t flags, int64_t host, const vs_value *name, vs_value *out) {
+static bool port_new(vs_scheme *vm, uint32_t flags, int64_t host, const vs_value *name, vs_value *out) {
   vs_port *p = (vs_port *)(void *)vs_gc_alloc(vm, VS_T_PORT, VS_WORDS(vs_port));
   if (!p) return false;
   p->buffer = VS_FALSE;
@@ -20,7 +20,7 @@ static bool port_new(vs *vm, uint32_t flags, int64_t host, const vs_value *name,
   return true;
 }
 
-static bool port_standard(vs *vm, const char *name, int stream, uint32_t flags, vs_value *port, int slot) {
+static bool port_standard(vs_scheme *vm, const char *name, int stream, uint32_t flags, vs_value *port, int slot) {
   VS_ROOTS(vm, r, 1);
   if (!vs_string_from_utf8(vm, name, strlen(name), &r[0]) || !port_new(vm, flags, stream, &r[0], port)) return false;
   if (!vs_intern_c(vm, name, &r[0])) return false;
@@ -33,7 +33,7 @@ static bool port_standard(vs *vm, const char *name, int stream, uint32_t flags, 
   return true;
 }
 
-bool vs_port_setup(vs *vm) {
+bool vs_port_setup(vs_scheme *vm) {
   if (vs_lib_get(vm, VS_LIB_ERROR) != VS_FALSE) return true;
   return vs_lib_open(vm) &&
          port_standard(vm, "current-input-port", VS_IO_STDIN, VS_PORT_INPUT, &vm->at.standard_in, VS_LIB_INPUT) &&
@@ -41,33 +41,33 @@ bool vs_port_setup(vs *vm) {
          port_standard(vm, "current-error-port", VS_IO_STDERR, VS_PORT_OUTPUT, &vm->at.standard_error, VS_LIB_ERROR);
 }
 
-bool vs_port_parameter(vs *vm, int stream, vs_value *out) {
+bool vs_port_parameter(vs_scheme *vm, int stream, vs_value *out) {
   if (!vs_port_setup(vm)) return false;
   *out = vs_lib_get(vm, VS_LIB_INPUT + stream);
   return true;
 }
 
-bool vs_port_parameter_fits(const vs *vm, vs_value parameter, vs_value v) {
+bool vs_port_parameter_fits(const vs_scheme *vm, vs_value parameter, vs_value v) {
   for (int slot = VS_LIB_INPUT; slot <= VS_LIB_ERROR; slot++)
     if (parameter == vs_lib_get(vm, slot)) return vs_is(v, VS_T_PORT) && vs_as_port(v)->flags & (slot == VS_LIB_INPUT ? VS_PORT_INPUT : VS_PORT_OUTPUT);
   return true;
 }
 
-static vs_value port_current(vs *vm, int slot) {
+static vs_value port_current(vs_scheme *vm, int slot) {
   if (!vs_port_setup(vm)) return VS_FALSE;
   return vs_parameter_value(vm, vs_lib_get(vm, slot));
 }
-vs_value vs_port_current_output(vs *vm) { return port_current(vm, VS_LIB_OUTPUT); }
-vs_value vs_port_current_input(vs *vm) { return port_current(vm, VS_LIB_INPUT); }
+vs_value vs_port_current_output(vs_scheme *vm) { return port_current(vm, VS_LIB_OUTPUT); }
+vs_value vs_port_current_input(vs_scheme *vm) { return port_current(vm, VS_LIB_INPUT); }
 
 /* ---- files ---- */
 
-static bool fail_file(vs *vm, const char *what, const char *path, const char *why) {
+static bool fail_file(vs_scheme *vm, const char *what, const char *path, const char *why) {
   return vs_fail(vm, vm->sym.file, "cannot %s %s: %s", what, path, why ? why : "not available here");
 }
 
 /* *stream's bytes up to the end, as BYTES of at least that length; *count of them are data */
-static bool read_stream(vs *vm, int64_t stream, const char *path, vs_value *out, size_t *count) {
+static bool read_stream(vs_scheme *vm, int64_t stream, const char *path, vs_value *out, size_t *count) {
   const vs_io *io = vm->config.io;
   vs_text t;
   vs_text_open(vm, &t, 0);
@@ -83,7 +83,7 @@ static bool read_stream(vs *vm, int64_t stream, const char *path, vs_value *out,
   return ok;
 }
 
-bool vs_io_read_file(vs *vm, const char *path, vs_value *out) {
+bool vs_io_read_file(vs_scheme *vm, const char *path, vs_value *out) {
   const vs_io *io = vm->config.io;
   const char *why = NULL;
   int64_t stream = io && io->open ? io->open(vm->config.user, path, VS_IO_READ, &why) : -1;
@@ -93,7 +93,7 @@ bool vs_io_read_file(vs *vm, const char *path, vs_value *out) {
   return ok;
 }
 
-bool vs_port_open_file(vs *vm, vs_value path, vs_io_mode mode, uint32_t flags, vs_value *out) {
+bool vs_port_open_file(vs_scheme *vm, vs_value path, vs_io_mode mode, uint32_t flags, vs_value *out) {
   VS_ROOTS(vm, r, 3);
   r[0] = path;
   vs_text name;
@@ -118,7 +118,7 @@ bool vs_port_open_file(vs *vm, vs_value path, vs_io_mode mode, uint32_t flags, v
   return ok;
 }
 
-bool vs_port_open_bytes(vs *vm, vs_value bytes, size_t count, uint32_t flags, vs_value *out) {
+bool vs_port_open_bytes(vs_scheme *vm, vs_value bytes, size_t count, uint32_t flags, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = bytes;
   if (!port_new(vm, flags | VS_PORT_INPUT, -1, NULL, out)) return false;
@@ -128,9 +128,11 @@ bool vs_port_open_bytes(vs *vm, vs_value bytes, size_t count, uint32_t flags, vs
   return true;
 }
 
-bool vs_port_open_text(vs *vm, vs_value *out) { return port_new(vm, VS_PORT_OUTPUT | VS_PORT_STRING, -1, NULL, out); }
+bool vs_port_open_text(vs_scheme *vm, vs_value *out) {
+  return port_new(vm, VS_PORT_OUTPUT | VS_PORT_STRING, -1, NULL, out);
+}
 
-bool vs_port_close(vs *vm, vs_value port) {
+bool vs_port_close(vs_scheme *vm, vs_value port) {
   vs_port *p = vs_as_port(port);
   if (p->flags & VS_PORT_CLOSED) return true;
   p->flags |= VS_PORT_CLOSED;
@@ -140,7 +142,7 @@ bool vs_port_close(vs *vm, vs_value port) {
 
 /* ---- output ---- */
 
-static bool collect(vs *vm, vs_value port, const char *bytes, size_t n) {
+static bool collect(vs_scheme *vm, vs_value port, const char *bytes, size_t n) {
   VS_ROOTS(vm, r, 2);
   r[0] = port;
   vs_port *p = vs_as_port(port);
@@ -157,7 +159,7 @@ static bool collect(vs *vm, vs_value port, const char *bytes, size_t n) {
   return true;
 }
 
-bool vs_port_write(vs *vm, vs_value port, const char *bytes, size_t n) {
+bool vs_port_write(vs_scheme *vm, vs_value port, const char *bytes, size_t n) {
   vs_port *p = vs_as_port(port);
   if (n == 0) return true;
   if (!(p->flags & VS_PORT_BINARY) || p->host >= 0) {
@@ -179,7 +181,7 @@ bool vs_port_write(vs *vm, vs_value port, const char *bytes, size_t n) {
 /* ---- input ---- */
 
 /* more from the console; *any: something came */
-static bool refill(vs *vm, vs_value port, bool *any) {
+static bool refill(vs_scheme *vm, vs_value port, bool *any) {
   *any = false;
   vs_port *p = vs_as_port(port);
   const vs_io *io = vm->config.io;
@@ -202,7 +204,7 @@ static bool refill(vs *vm, vs_value port, bool *any) {
 }
 
 /* Bytes at hand, after refilling if there are fewer than `wanted` and more can come. */
-bool vs_port_fill(vs *vm, vs_value port, size_t wanted, const uint8_t **at, size_t *count) {
+bool vs_port_fill(vs_scheme *vm, vs_value port, size_t wanted, const uint8_t **at, size_t *count) {
   VS_ROOTS(vm, r, 1);
   r[0] = port;
   for (bool any = true; any && vs_as_port(r[0])->limit - vs_as_port(r[0])->position < wanted;)
@@ -214,7 +216,7 @@ bool vs_port_fill(vs *vm, vs_value port, size_t wanted, const uint8_t **at, size
 }
 
 /* the next character and its length in bytes; -1 at the end */
-static bool look(vs *vm, vs_value *port, int32_t *c, size_t *used) {
+static bool look(vs_scheme *vm, vs_value *port, int32_t *c, size_t *used) {
   const uint8_t *at;
   size_t count;
   uint32_t code;
@@ -231,14 +233,14 @@ static bool look(vs *vm, vs_value *port, int32_t *c, size_t *used) {
   return true;
 }
 
-bool vs_port_peek_char(vs *vm, vs_value port, int32_t *c) {
+bool vs_port_peek_char(vs_scheme *vm, vs_value port, int32_t *c) {
   VS_ROOTS(vm, r, 1);
   size_t used;
   r[0] = port;
   return look(vm, &r[0], c, &used);
 }
 
-bool vs_port_read_char(vs *vm, vs_value port, int32_t *c) {
+bool vs_port_read_char(vs_scheme *vm, vs_value port, int32_t *c) {
   VS_ROOTS(vm, r, 1);
   size_t used;
   r[0] = port;

@@ -32,29 +32,29 @@ enum {                       /* vs_port.flags */
   VS_PORT_FOLD = 64            /* #!fold-case was read */
 };
 
-bool vs_port_open_file(vs *vm, vs_value path, vs_io_mode mode, uint32_t flags, vs_value *out);
-bool vs_port_open_bytes(vs *vm, vs_value bytes, size_t count, uint32_t flags, vs_value *out);     /* input from memory */
-bool vs_port_open_text(vs *vm, vs_value *out);                                                   /* a string output port */
-bool vs_port_write(vs *vm, vs_value port, const char *bytes, size_t n);
+bool vs_port_open_file(vs_scheme *vm, vs_value path, vs_io_mode mode, uint32_t flags, vs_value *out);
+bool vs_port_open_bytes(vs_scheme *vm, vs_value bytes, size_t count, uint32_t flags, vs_value *out);     /* input from memory */
+bool vs_port_open_text(vs_scheme *vm, vs_value *out);                                                   /* a string output port */
+bool vs_port_write(vs_scheme *vm, vs_value port, const char *bytes, size_t n);
 /* *c = code point, or -1 at the end */
-bool vs_port_read_char(vs *vm, vs_value port, int32_t *c);
-bool vs_port_peek_char(vs *vm, vs_value port, int32_t *c);
+bool vs_port_read_char(vs_scheme *vm, vs_value port, int32_t *c);
+bool vs_port_peek_char(vs_scheme *vm, vs_value port, int32_t *c);
 /* At least `wanted` bytes if there are so many, from *at; they stay in the port: move its `position`. */
-bool vs_port_fill(vs *vm, vs_value port, size_t wanted, const uint8_t **at, size_t *count);
-bool vs_port_close(vs *vm, vs_value port);
+bool vs_port_fill(vs_scheme *vm, vs_value port, size_t wanted, const uint8_t **at, size_t *count);
+bool vs_port_close(vs_scheme *vm, vs_value port);
 /* The parameter object of the current input (0), output (1) or error port (2). */
-bool vs_port_parameter(vs *vm, int stream, vs_value *out);
+bool vs_port_parameter(vs_scheme *vm, int stream, vs_value *out);
 /* May the parameter have this value? A port of its direction for those three; anything for others. */
-bool vs_port_parameter_fits(const vs *vm, vs_value parameter, vs_value v);
+bool vs_port_parameter_fits(const vs_scheme *vm, vs_value parameter, vs_value v);
 /* the current ports: parameters' values, else the standard ones */
-vs_value vs_port_current_output(vs *vm);
-vs_value vs_port_current_input(vs *vm);
+vs_value vs_port_current_output(vs_scheme *vm);
+vs_value vs_port_current_input(vs_scheme *vm);
 
 /* Makes the three standard ports and their parameters (vm->at.standard_..., vm->at.lib) unless that was done. The procedures do it when
    they are first used. */
-bool vs_port_setup(vs *vm);
+bool vs_port_setup(vs_scheme *vm);
 
 /* A whole file as BYTES (accounted, limits hold); an error names the file. For load, include and ports. */
-bool vs_io_read_file(vs *vm, const char *path, vs_value *out);
+bool vs_io_read_file(vs_scheme *vm, const char *path, vs_value *out);
 
 #endif

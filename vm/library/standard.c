@@ -60,7 +60,7 @@ static const char *next_word(const char **s, size_t *length, const char **inside
 }
 
 /* ---- environments ---- */
-static bool fill(vs *vm, vs_value env, const char *exports) {
+static bool fill(vs_scheme *vm, vs_value env, const char *exports) {
   VS_ROOTS(vm, r, 3);
   r[0] = env;
   size_t n, m;
@@ -73,7 +73,7 @@ static bool fill(vs *vm, vs_value env, const char *exports) {
   return true;
 }
 
-bool vs_library_built_in(vs *vm, vs_value name, vs_value *env) {
+bool vs_library_built_in(vs_scheme *vm, vs_value name, vs_value *env) {
   *env = VS_FALSE;
   if (is_whole(name)) { *env = vm->at.core; return true; }
   int row = row_of(name);
@@ -91,7 +91,7 @@ bool vs_library_built_in(vs *vm, vs_value name, vs_value *env) {
 bool vs_library_is_built_in(vs_value name) { return is_whole(name) || row_of(name) >= 0; }
 
 /* ---- which library has a name ---- */
-bool vs_library_advice(vs *vm, vs_value symbol, vs_text *t) {
+bool vs_library_advice(vs_scheme *vm, vs_value symbol, vs_text *t) {
   if (!vs_is_symbol(symbol)) return true;
   const vs_symbol *name = vs_as_symbol(symbol);
   for (int i = 0; i < LIBRARIES; i++) {
@@ -104,7 +104,7 @@ bool vs_library_advice(vs *vm, vs_value symbol, vs_text *t) {
   return vs_text_puts(t, "; (import (visualscheme)) brings it");
 }
 
-bool vs_library_each_srfi(vs *vm, bool (*each)(vs *vm, void *context, int number), void *context) {
+bool vs_library_each_srfi(vs_scheme *vm, bool (*each)(vs_scheme *vm, void *context, int number), void *context) {
   for (int i = 0; i < LIBRARIES; i++) {
     int number;
     if (sscanf(libraries[i].name, "srfi %d", &number) == 1 && !each(vm, context, number)) return false;

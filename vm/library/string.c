@@ -13,9 +13,9 @@
 
 static const int64_t LONGEST = INT64_C(1) << 30;
 
-static bool arg_string(vs *vm, const vs_value *a, int arg) { return vs_arg_type(vm, a, arg, VS_T_STRING); }
-static bool arg_symbol(vs *vm, const vs_value *a, int arg) { return vs_arg_type(vm, a, arg, VS_T_SYMBOL); }
-static bool arg_mutable(vs *vm, const vs_value *a, int arg) {
+static bool arg_string(vs_scheme *vm, const vs_value *a, int arg) { return vs_arg_type(vm, a, arg, VS_T_STRING); }
+static bool arg_symbol(vs_scheme *vm, const vs_value *a, int arg) { return vs_arg_type(vm, a, arg, VS_T_SYMBOL); }
+static bool arg_mutable(vs_scheme *vm, const vs_value *a, int arg) {
   return arg_string(vm, a, arg) &&
          (!(vs_object_of(a[arg])->flags & VS_F_IMMUTABLE) || vs_fail_type(vm, arg, "a string that may change, not a literal", a[arg]));
 }
@@ -34,7 +34,7 @@ static uint32_t widest_of(vs_value s, size_t start, size_t end) {
 
 /* ---- shared with the rest of vm/ ---- */
 
-bool vs_string_set(vs *vm, vs_value *s, size_t k, uint32_t c) {
+bool vs_string_set(vs_scheme *vm, vs_value *s, size_t k, uint32_t c) {
   if (c > 0xFF && !(vs_object_of(*s)->flags & VS_F_WIDE)) {
     VS_ROOTS(vm, r, 1);
     size_t length = vs_as_string(*s)->length;
@@ -50,7 +50,7 @@ bool vs_string_set(vs *vm, vs_value *s, size_t k, uint32_t c) {
   return true;
 }
 
-bool vs_string_slice(vs *vm, const vs_value *s, size_t start, size_t end, vs_value *out) {
+bool vs_string_slice(vs_scheme *vm, const vs_value *s, size_t start, size_t end, vs_value *out) {
   uint32_t widest = widest_of(*s, start, end);
   VS_ROOTS(vm, r, 1);
   if (!vs_make_string(vm, end - start, widest > 0xFF ? widest : 0, &r[0])) return false;
@@ -81,13 +81,13 @@ int vs_string_compare(vs_value a, vs_value b) {
 
 /* ---- making and taking apart ---- */
 
-static vs_status string_p(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   *out = vs_bool(vs_is_string(a[0]));
   return VS_OK;
 }
 
-static vs_status string_make(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_make(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t count;
   if (!vs_arg_index(vm, a, 0, 0, LONGEST, &count)) return VS_ERROR;
   if (n > 1 && !vs_is_char(a[1])) return vs_fail_type(vm, 1, "a character", a[1]);
@@ -95,7 +95,7 @@ static vs_status string_make(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* (string #\a #\b): characters only */
-static vs_status string_string(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   uint32_t widest = 0;
   for (int i = 0; i < n; i++) {
     if (!vs_is_char(a[i])) return vs_fail_type(vm, i, "a character", a[i]);
@@ -106,19 +106,19 @@ static vs_status string_string(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status string_length(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_length(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_string(vm, a, 0)) return VS_ERROR;
   *out = vs_fix(length_of(a[0]));
   return VS_OK;
 }
 
-static bool string_index(vs *vm, const vs_value *a, int64_t *k) {
+static bool string_index(vs_scheme *vm, const vs_value *a, int64_t *k) {
   if (length_of(a[0]) == 0) return vs_fail(vm, vm->sym.range, "the string is empty");
   return vs_arg_index(vm, a, 1, 0, length_of(a[0]) - 1, k);
 }
 
-static vs_status string_ref(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_ref(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t k;
   if (!arg_string(vm, a, 0) || !string_index(vm, a, &k)) return VS_ERROR;
@@ -126,7 +126,7 @@ static vs_status string_ref(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status string_set(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_set(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   int64_t k;
   if (!arg_mutable(vm, a, 0) || !string_index(vm, a, &k)) return VS_ERROR;
@@ -134,13 +134,13 @@ static vs_status string_set(vs *vm, vs_value *a, int n, vs_value *out) {
   return vs_string_set(vm, &a[0], (size_t)k, vs_char(a[2]));
 }
 
-static vs_status string_copy(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
   return arg_string(vm, a, 0) && vs_arg_range(vm, a, n, 1, length_of(a[0]), &start, &end) &&
          vs_string_slice(vm, &a[0], (size_t)start, (size_t)end, out);
 }
 
-static vs_status string_copy_to(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_copy_to(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   int64_t at, start, end;
   if (!arg_mutable(vm, a, 0) || !arg_string(vm, a, 2) || !vs_arg_range(vm, a, n, 3, length_of(a[2]), &start, &end) ||
@@ -157,7 +157,7 @@ static vs_status string_copy_to(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status string_fill(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_fill(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   int64_t start, end;
   if (!arg_mutable(vm, a, 0) || !vs_arg_range(vm, a, n, 2, length_of(a[0]), &start, &end)) return VS_ERROR;
@@ -167,7 +167,7 @@ static vs_status string_fill(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status string_append(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_append(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t total = 0;
   uint32_t widest = 0;
   for (int i = 0; i < n; i++) {
@@ -194,7 +194,7 @@ static vs_status string_append(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status string_to_list(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_to_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
   if (!arg_string(vm, a, 0) || !vs_arg_range(vm, a, n, 1, length_of(a[0]), &start, &end)) return VS_ERROR;
   *out = VS_NIL;
@@ -203,7 +203,7 @@ static vs_status string_to_list(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status list_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_to_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t length = vs_list_length(a[0]), i = 0;
   uint32_t widest = 0;
@@ -222,7 +222,7 @@ static vs_status list_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status string_reverse(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_reverse(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_string(vm, a, 0)) return VS_ERROR;
   size_t length = (size_t)length_of(a[0]);
@@ -237,7 +237,7 @@ static vs_status string_reverse(vs *vm, vs_value *a, int n, vs_value *out) {
 /* ---- order ---- */
 
 /* *s becomes its full case folding (ß is ss) */
-static bool string_fold(vs *vm, vs_value *s) {
+static bool string_fold(vs_scheme *vm, vs_value *s) {
   vs_text t;
   vs_text_open(vm, &t, 0);
   bool ok = true;
@@ -253,7 +253,7 @@ static bool string_fold(vs *vm, vs_value *s) {
   return ok;
 }
 
-static vs_status string_compare(vs *vm, vs_value *a, int n, vs_order order, bool fold, vs_value *out) {
+static vs_status string_compare(vs_scheme *vm, vs_value *a, int n, vs_order order, bool fold, vs_value *out) {
   bool holds = true;
   for (int i = 0; i < n; i++)
     if (!arg_string(vm, a, i)) return VS_ERROR;
@@ -266,8 +266,10 @@ static vs_status string_compare(vs *vm, vs_value *a, int n, vs_order order, bool
   return VS_OK;
 }
 
-#define O(name, order, fold)                                                                                                         \
-  static vs_status string_##name(vs *vm, vs_value *a, int n, vs_value *out) { return string_compare(vm, a, n, order, fold, out); }
+#define O(name, order, fold)                                                                                           \
+  static vs_status string_##name(vs_scheme *vm, vs_value *a, int n, vs_value *out) {                                   \
+    return string_compare(vm, a, n, order, fold, out);                                                                 \
+  }
 VS_ORDERS(O)
 #undef O
 
@@ -307,7 +309,7 @@ static bool put_capitals(vs_text *t, uint32_t c) {
   return ok;
 }
 
-static vs_status string_upcase(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_upcase(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_string(vm, a, 0)) return VS_ERROR;
   vs_text t;
@@ -322,7 +324,7 @@ static vs_status string_upcase(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* A sigma at the end of a word becomes the final one, and the dotted capital I an i with a dot above: the rows of Unicode's SpecialCasing. */
-static vs_status string_downcase(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_downcase(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_string(vm, a, 0)) return VS_ERROR;
   vs_text t;
@@ -339,7 +341,7 @@ static vs_status string_downcase(vs *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-static vs_status string_foldcase(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_foldcase(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_string(vm, a, 0) || !string_fold(vm, &a[0])) return VS_ERROR;
   *out = a[0];
@@ -352,7 +354,7 @@ static vs_status string_foldcase(vs *vm, vs_value *a, int n, vs_value *out) {
  * the text is looked at again and again. `border` is NULL for one character. */
 typedef struct { uint32_t *border; int64_t length; } needle;
 
-static bool needle_open(vs *vm, vs_value text, needle *d) {
+static bool needle_open(vs_scheme *vm, vs_value text, needle *d) {
   *d = (needle){ NULL, length_of(text) };
   if (d->length < 2) return true;
   if (!(d->border = vs_mem(vm, NULL, 0, (size_t)d->length * sizeof *d->border))) return vs_fail_memory(vm);
@@ -368,13 +370,13 @@ static bool needle_open(vs *vm, vs_value text, needle *d) {
   return true;
 }
 
-static void needle_close(vs *vm, needle *d) {
+static void needle_close(vs_scheme *vm, needle *d) {
   if (d->border) vs_mem(vm, d->border, (size_t)d->length * sizeof *d->border, 0);
   d->border = NULL;
 }
 
 /* *at: the first place from `from` on where the text of d stands in s, -1: nowhere */
-static bool find_from(vs *vm, vs_value s, vs_value text, const needle *d, int64_t from, int64_t *at) {
+static bool find_from(vs_scheme *vm, vs_value s, vs_value text, const needle *d, int64_t from, int64_t *at) {
   int64_t n = length_of(s), k = 0;
   *at = d->length == 0 && from <= n ? from : -1;
   if (d->length == 0) return true;
@@ -388,14 +390,14 @@ static bool find_from(vs *vm, vs_value s, vs_value text, const needle *d, int64_
 }
 
 /* the same for one search */
-static bool find_once(vs *vm, vs_value s, vs_value text, int64_t from, int64_t *at) {
+static bool find_once(vs_scheme *vm, vs_value s, vs_value text, int64_t from, int64_t *at) {
   needle d;
   bool ok = needle_open(vm, text, &d) && find_from(vm, s, text, &d, from, at);
   needle_close(vm, &d);
   return ok;
 }
 
-static vs_status string_search(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_search(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t start = 0, at;
   if (!arg_string(vm, a, 0) || !arg_string(vm, a, 1) || (n > 2 && !vs_arg_index(vm, a, 2, 0, length_of(a[0]), &start)) ||
       !find_once(vm, a[0], a[1], start, &at))
@@ -404,7 +406,7 @@ static vs_status string_search(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status string_contains_p(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_contains_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t at;
   if (!arg_string(vm, a, 0) || !arg_string(vm, a, 1) || !find_once(vm, a[0], a[1], 0, &at)) return VS_ERROR;
@@ -412,7 +414,7 @@ static vs_status string_contains_p(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status string_prefix_p(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_prefix_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_string(vm, a, 0) || !arg_string(vm, a, 1)) return VS_ERROR;
   int64_t m = length_of(a[1]), k = 0;
@@ -421,7 +423,7 @@ static vs_status string_prefix_p(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status string_suffix_p(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_suffix_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_string(vm, a, 0) || !arg_string(vm, a, 1)) return VS_ERROR;
   int64_t length = length_of(a[0]), m = length_of(a[1]), k = 0;
@@ -432,7 +434,7 @@ static vs_status string_suffix_p(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- joining, splitting, trimming ---- */
 
-static vs_status string_join(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_join(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (vs_list_length(a[0]) < 0) return vs_fail_type(vm, 0, "a list of strings", a[0]);
   if (n > 1 && !arg_string(vm, a, 1)) return VS_ERROR;
   vs_text t;
@@ -451,7 +453,7 @@ static vs_status string_join(vs *vm, vs_value *a, int n, vs_value *out) {
 static bool is_space(uint32_t c) { return (c >= 9 && c <= 13) || c == ' ' || c == 0x85 || c == 0xA0 || (c > 0xFF && utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_ZS); }
 
 /* Without a separator: at stretches of blanks, which do not count at the ends. With one: at each of it. */
-static vs_status string_split(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_split(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!arg_string(vm, a, 0)) return VS_ERROR;
   VS_ROOTS(vm, r, 3); /* head, tail, the piece */
   r[0] = r[1] = VS_NIL;
@@ -490,19 +492,28 @@ static vs_status string_split(vs *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-static vs_status string_trimmed(vs *vm, vs_value *a, bool left, bool right, vs_value *out) {
+static vs_status string_trimmed(vs_scheme *vm, vs_value *a, bool left, bool right, vs_value *out) {
   if (!arg_string(vm, a, 0)) return VS_ERROR;
   size_t start = 0, end = (size_t)length_of(a[0]);
   while (left && start < end && is_space(vs_string_at(a[0], start))) start++;
   while (right && end > start && is_space(vs_string_at(a[0], end - 1))) end--;
   return vs_string_slice(vm, &a[0], start, end, out);
 }
-static vs_status string_trim(vs *vm, vs_value *a, int n, vs_value *out) { (void)n; return string_trimmed(vm, a, true, true, out); }
-static vs_status string_trim_left(vs *vm, vs_value *a, int n, vs_value *out) { (void)n; return string_trimmed(vm, a, true, false, out); }
-static vs_status string_trim_right(vs *vm, vs_value *a, int n, vs_value *out) { (void)n; return string_trimmed(vm, a, false, true, out); }
+static vs_status string_trim(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  return string_trimmed(vm, a, true, true, out);
+}
+static vs_status string_trim_left(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  return string_trimmed(vm, a, true, false, out);
+}
+static vs_status string_trim_right(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  return string_trimmed(vm, a, false, true, out);
+}
 
 /* SRFI 13: to exactly `width` characters; what is too long loses characters on the padded side */
-static vs_status string_padded(vs *vm, vs_value *a, int n, bool left, vs_value *out) {
+static vs_status string_padded(vs_scheme *vm, vs_value *a, int n, bool left, vs_value *out) {
   int64_t width;
   if (!arg_string(vm, a, 0) || !vs_arg_index(vm, a, 1, 0, LONGEST, &width)) return VS_ERROR;
   if (n > 2 && !vs_is_char(a[2])) return vs_fail_type(vm, 2, "a character", a[2]);
@@ -521,11 +532,15 @@ static vs_status string_padded(vs *vm, vs_value *a, int n, bool left, vs_value *
   *out = r[0];
   return VS_OK;
 }
-static vs_status string_pad_left(vs *vm, vs_value *a, int n, vs_value *out) { return string_padded(vm, a, n, true, out); }
-static vs_status string_pad_right(vs *vm, vs_value *a, int n, vs_value *out) { return string_padded(vm, a, n, false, out); }
+static vs_status string_pad_left(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return string_padded(vm, a, n, true, out);
+}
+static vs_status string_pad_right(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return string_padded(vm, a, n, false, out);
+}
 
 /* every `from` in the string becomes `to` */
-static vs_status string_replace(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_replace(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   for (int i = 0; i < 3; i++)
     if (!arg_string(vm, a, i)) return VS_ERROR;
@@ -548,7 +563,7 @@ static vs_status string_replace(vs *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-static vs_status string_null_p(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_null_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_string(vm, a, 0)) return VS_ERROR;
   *out = vs_bool(length_of(a[0]) == 0);
@@ -557,13 +572,13 @@ static vs_status string_null_p(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- symbols ---- */
 
-static vs_status symbol_p(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status symbol_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   *out = vs_bool(vs_is_symbol(a[0]));
   return VS_OK;
 }
 
-static vs_status symbol_equal_p(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status symbol_equal_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   bool same = true;
   for (int i = 0; i < n; i++) {
     if (!arg_symbol(vm, a, i)) return VS_ERROR;
@@ -573,7 +588,7 @@ static vs_status symbol_equal_p(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status symbol_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status symbol_to_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_symbol(vm, a, 0)) return VS_ERROR;
   vs_text t; /* a copy: making the string may move the symbol */
@@ -584,7 +599,7 @@ static vs_status symbol_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-static vs_status string_to_symbol(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_to_symbol(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_string(vm, a, 0)) return VS_ERROR;
   vs_text t;
@@ -594,7 +609,7 @@ static vs_status string_to_symbol(vs *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-static vs_status symbol_append(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status symbol_append(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_text t;
   vs_text_open(vm, &t, 0);
   bool ok = true;

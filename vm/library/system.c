@@ -24,7 +24,7 @@ static void seed_state(uint64_t s[4], uint64_t seed) {
 
 /* Returns the state's four words and behind them the seed that the program gave; NULL when memory is out. Valid until the next
  * allocation. */
-static uint64_t *random_state(vs *vm) {
+static uint64_t *random_state(vs_scheme *vm) {
   if (vs_lib_get(vm, VS_LIB_RANDOM) == VS_FALSE) {
     VS_ROOTS(vm, r, 1);
     if (!vs_lib_open(vm) || !vs_make_bytes(vm, 40, &r[0])) return NULL;
@@ -48,29 +48,29 @@ static uint64_t random_next(uint64_t s[4]) {
 
 static double random_unit(uint64_t s[4]) { return (double)(random_next(s) >> 11) * 0x1p-53; }        /* [0, 1) */
 
-bool vs_random_keep(vs *vm, uint64_t state[4]) {
+bool vs_random_keep(vs_scheme *vm, uint64_t state[4]) {
   const uint64_t *s = random_state(vm);
   if (s) memcpy(state, s, 4 * sizeof *s);
   return s != NULL;
 }
-bool vs_random_restore(vs *vm, const uint64_t state[4]) {
+bool vs_random_restore(vs_scheme *vm, const uint64_t state[4]) {
   uint64_t *s = random_state(vm);
   if (s) memcpy(s, state, 4 * sizeof *s);
   return s != NULL;
 }
-bool vs_random_branch(vs *vm, uint64_t key) {
+bool vs_random_branch(vs_scheme *vm, uint64_t key) {
   uint64_t *s = random_state(vm);
   if (s) seed_state(s, key ^ s[4] * UINT64_C(0x9E3779B97F4A7C15));
   return s != NULL;
 }
-bool vs_random_unit(vs *vm, double *out) {
+bool vs_random_unit(vs_scheme *vm, double *out) {
   uint64_t *s = random_state(vm);
   if (s) *out = random_unit(s);
   return s != NULL;
 }
 
 /* uniform in 0 .. n-1 for an exact integer n > 0 */
-static bool random_below(vs *vm, vs_value n, vs_value *out) {
+static bool random_below(vs_scheme *vm, vs_value n, vs_value *out) {
   uint64_t *s = random_state(vm);
   if (!s) return false;
   if (vs_is_fixnum(n)) {                          /* values past the last whole multiple of n are drawn again */
@@ -91,7 +91,7 @@ static bool random_below(vs *vm, vs_value n, vs_value *out) {
   return vs_int_divide(vm, r[1], r[0], NULL, out);
 }
 
-static vs_status random_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status random_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   uint64_t *s;
   if (n == 0) return (s = random_state(vm)) ? (*out = vs_flonum(random_unit(s)), VS_OK) : VS_ERROR;
   if (vs_is_exact_integer(a[0])) return vs_int_sign(a[0]) > 0 ? random_below(vm, a[0], out) : vs_fail_type(vm, 0, "positive", a[0]);
@@ -105,7 +105,7 @@ static vs_status random_(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* exact integers: one of a .. b, both ends; else a number from a up to b */
-static vs_status random_range(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status random_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   for (int i = 0; i < 2; i++)
     if (!vs_is_number(a[i])) return vs_fail_type(vm, i, "a number", a[i]);
@@ -120,7 +120,7 @@ static vs_status random_range(vs *vm, vs_value *a, int n, vs_value *out) {
   return s ? (*out = vs_flonum(x + random_unit(s) * (y - x)), VS_OK) : VS_ERROR;
 }
 
-static vs_status random_seed(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status random_seed(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (!vs_is_number(a[0])) return vs_fail_type(vm, 0, "a number", a[0]);
   uint64_t *s = random_state(vm);
@@ -132,26 +132,38 @@ static vs_status random_seed(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- clocks ---- */
 
-static double seconds_now(const vs *vm) { return vm->config.io && vm->config.io->now ? vm->config.io->now(vm->config.user) : 0; }
-static double seconds_running(const vs *vm) { return vm->config.clock ? vm->config.clock(vm->config.user) : seconds_now(vm); }
+static double seconds_now(const vs_scheme *vm) {
+  return vm->config.io && vm->config.io->now ? vm->config.io->now(vm->config.user) : 0;
+}
+static double seconds_running(const vs_scheme *vm) {
+  return vm->config.clock ? vm->config.clock(vm->config.user) : seconds_now(vm);
+}
 
-static vs_status current_second(vs *vm, vs_value *a, int n, vs_value *out) { return (void)a, (void)n, *out = vs_flonum(seconds_now(vm)), VS_OK; }
-static vs_status current_seconds(vs *vm, vs_value *a, int n, vs_value *out) { return (void)a, (void)n, vs_int_from_double(vm, floor(seconds_now(vm)), out); }
-static vs_status current_milliseconds(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status current_second(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)a, (void)n, *out = vs_flonum(seconds_now(vm)), VS_OK;
+}
+static vs_status current_seconds(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)a, (void)n, vs_int_from_double(vm, floor(seconds_now(vm)), out);
+}
+static vs_status current_milliseconds(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)a, (void)n, vs_int_from_double(vm, floor(seconds_now(vm) * 1000), out);
 }
-static vs_status current_inexact_milliseconds(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status current_inexact_milliseconds(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)a, (void)n, *out = vs_flonum(seconds_now(vm) * 1000), VS_OK;
 }
-static vs_status current_jiffy(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status current_jiffy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)a, (void)n, vs_int_from_double(vm, floor(seconds_running(vm) * 1e6), out);
 }
-static vs_status jiffies_per_second(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)a, (void)n, *out = vs_fix(1000000), VS_OK; }
-static vs_status runtime(vs *vm, vs_value *a, int n, vs_value *out) { return (void)a, (void)n, *out = vs_flonum(seconds_running(vm)), VS_OK; }
+static vs_status jiffies_per_second(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)a, (void)n, *out = vs_fix(1000000), VS_OK;
+}
+static vs_status runtime(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)a, (void)n, *out = vs_flonum(seconds_running(vm)), VS_OK;
+}
 
 /* ---- surroundings ---- */
 
-static vs_status command_line(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status command_line(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
   static const char *const alone[] = {"vs"};
   size_t count = vm->config.command_line_count;
@@ -163,7 +175,7 @@ static vs_status command_line(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status get_environment_variable(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status get_environment_variable(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_arg_type(vm, a, 0, VS_T_STRING)) return VS_ERROR;
   vs_text t;
@@ -176,16 +188,18 @@ static vs_status get_environment_variable(vs *vm, vs_value *a, int n, vs_value *
   return ok;
 }
 
-static vs_status get_environment_variables(vs *vm, vs_value *a, int n, vs_value *out) { return (void)vm, (void)a, (void)n, *out = VS_NIL, VS_OK; }
+static vs_status get_environment_variables(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return (void)vm, (void)a, (void)n, *out = VS_NIL, VS_OK;
+}
 
-static vs_status gc(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status gc(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n, (void)out;
   vs_gc_major(vm);
   return VS_OK;
 }
 
 /* a symbol that nothing else is: not interned, so that its name need not be unique */
-static vs_status generate_symbol(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status generate_symbol(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n && !vs_is_symbol(a[0]) && !vs_is_string(a[0])) return vs_fail_type(vm, 0, "a symbol or a string", a[0]);
   if (!vs_lib_open(vm)) return VS_ERROR;
   vs_value last = vs_lib_get(vm, VS_LIB_SYMBOLS);

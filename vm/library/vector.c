@@ -6,9 +6,9 @@
 
 static const int64_t LONGEST = INT64_C(1) << 31; /* an object's size is 32 bits of words */
 
-static bool arg_vector(vs *vm, const vs_value *a, int arg) { return vs_arg_type(vm, a, arg, VS_T_VECTOR); }
+static bool arg_vector(vs_scheme *vm, const vs_value *a, int arg) { return vs_arg_type(vm, a, arg, VS_T_VECTOR); }
 
-static bool arg_mutable(vs *vm, const vs_value *a, int arg, int type) {
+static bool arg_mutable(vs_scheme *vm, const vs_value *a, int arg, int type) {
   if (!vs_arg_type(vm, a, arg, type)) return false;
   if (vs_object_of(a[arg])->flags & VS_F_IMMUTABLE)
     return vs_fail_type(vm, arg, type == VS_T_VECTOR ? "a vector that may change, not a literal" : "a bytevector that may change, not a literal", a[arg]);
@@ -18,7 +18,7 @@ static bool arg_mutable(vs *vm, const vs_value *a, int arg, int type) {
 static int64_t vector_length(vs_value v) { return (int64_t)vs_as_vector(v)->length; }
 
 /* elements start..end of *from (a root) into fresh *out */
-static bool vector_slice(vs *vm, const vs_value *from, int64_t start, int64_t end, vs_value *out) {
+static bool vector_slice(vs_scheme *vm, const vs_value *from, int64_t start, int64_t end, vs_value *out) {
   if (!vs_make_vector(vm, (size_t)(end - start), VS_FALSE, out)) return false;
   vs_object *o = vs_object_of(*out);
   for (int64_t i = start; i < end; i++) {
@@ -28,31 +28,31 @@ static bool vector_slice(vs *vm, const vs_value *from, int64_t start, int64_t en
   return true;
 }
 
-static vs_status vector_p(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status vector_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   *out = vs_bool(vs_is_vector(a[0]));
   return VS_OK;
 }
 
-static vs_status vector_make(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status vector_make(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t count;
   return vs_arg_index(vm, a, 0, 0, LONGEST, &count) && vs_make_vector(vm, (size_t)count, n > 1 ? a[1] : vs_fix(0), out);
 }
 
-static vs_status vector_vector(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status vector_vector(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_make_vector(vm, (size_t)n, VS_FALSE, out)) return VS_ERROR;
   for (int i = 0; i < n; i++) vs_gc_store(vm, vs_object_of(*out), &vs_as_vector(*out)->at[i], a[i]);
   return VS_OK;
 }
 
-static vs_status vector_length_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status vector_length_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_vector(vm, a, 0)) return VS_ERROR;
   *out = vs_fix(vector_length(a[0]));
   return VS_OK;
 }
 
-static bool vector_index(vs *vm, const vs_value *a, int64_t *k) {
+static bool vector_index(vs_scheme *vm, const vs_value *a, int64_t *k) {
   int64_t length = vector_length(a[0]);
   if (vs_is_fixnum(a[1]) && vs_fixnum(a[1]) >= 0 && vs_fixnum(a[1]) < length) {
     *k = vs_fixnum(a[1]);
@@ -62,7 +62,7 @@ static bool vector_index(vs *vm, const vs_value *a, int64_t *k) {
   return vs_arg_index(vm, a, 1, 0, length - 1, k);
 }
 
-static vs_status vector_ref(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status vector_ref(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t k;
   if (!arg_vector(vm, a, 0) || !vector_index(vm, a, &k)) return VS_ERROR;
@@ -70,7 +70,7 @@ static vs_status vector_ref(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status vector_set(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status vector_set(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   int64_t k;
   if (!arg_mutable(vm, a, 0, VS_T_VECTOR) || !vector_index(vm, a, &k)) return VS_ERROR;
@@ -78,7 +78,7 @@ static vs_status vector_set(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status vector_to_list(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status vector_to_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
   if (!arg_vector(vm, a, 0) || !vs_arg_range(vm, a, n, 1, vector_length(a[0]), &start, &end)) return VS_ERROR;
   *out = VS_NIL;
@@ -87,7 +87,7 @@ static vs_status vector_to_list(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status list_to_vector(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status list_to_vector(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t length = vs_list_length(a[0]);
   if (length < 0) return vs_fail_type(vm, 0, "a list", a[0]);
@@ -100,7 +100,7 @@ static vs_status list_to_vector(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status vector_fill(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status vector_fill(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   int64_t start, end;
   if (!arg_mutable(vm, a, 0, VS_T_VECTOR) || !vs_arg_range(vm, a, n, 2, vector_length(a[0]), &start, &end)) return VS_ERROR;
@@ -111,13 +111,13 @@ static vs_status vector_fill(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status vector_copy(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status vector_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
   return arg_vector(vm, a, 0) && vs_arg_range(vm, a, n, 1, vector_length(a[0]), &start, &end) && vector_slice(vm, &a[0], start, end, out);
 }
 
 /* to at from [start end]: the stretches may overlap */
-static vs_status vector_copy_to(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status vector_copy_to(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   int64_t at, start, end;
   if (!arg_mutable(vm, a, 0, VS_T_VECTOR) || !arg_vector(vm, a, 2) || !vs_arg_range(vm, a, n, 3, vector_length(a[2]), &start, &end) ||
@@ -136,7 +136,7 @@ static vs_status vector_copy_to(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status vector_append(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status vector_append(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t total = 0;
   for (int i = 0; i < n; i++) {
     if (!arg_vector(vm, a, i)) return VS_ERROR;
@@ -152,7 +152,7 @@ static vs_status vector_append(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status vector_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status vector_to_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
   if (!arg_vector(vm, a, 0) || !vs_arg_range(vm, a, n, 1, vector_length(a[0]), &start, &end)) return VS_ERROR;
   uint32_t widest = 0;
@@ -170,7 +170,7 @@ static vs_status vector_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status string_to_vector(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_to_vector(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
   if (!vs_arg_type(vm, a, 0, VS_T_STRING) || !vs_arg_range(vm, a, n, 1, vs_as_string(a[0])->length, &start, &end) ||
       !vs_make_vector(vm, (size_t)(end - start), VS_FALSE, out))
@@ -184,49 +184,49 @@ static vs_status string_to_vector(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- bytevectors ---- */
 
-static bool arg_bytes(vs *vm, const vs_value *a, int arg) { return vs_arg_type(vm, a, arg, VS_T_BYTES); }
+static bool arg_bytes(vs_scheme *vm, const vs_value *a, int arg) { return vs_arg_type(vm, a, arg, VS_T_BYTES); }
 static int64_t bytes_length(vs_value v) { return (int64_t)vs_as_bytes(v)->length; }
 
-static bool arg_byte(vs *vm, const vs_value *a, int arg, uint8_t *byte) {
+static bool arg_byte(vs_scheme *vm, const vs_value *a, int arg, uint8_t *byte) {
   int64_t b;
   if (!vs_arg_index(vm, a, arg, 0, 255, &b)) return false;
   *byte = (uint8_t)b;
   return true;
 }
 
-static bool bytes_index(vs *vm, const vs_value *a, int64_t *k) {
+static bool bytes_index(vs_scheme *vm, const vs_value *a, int64_t *k) {
   if (bytes_length(a[0]) == 0) return vs_fail(vm, vm->sym.range, "the bytevector is empty");
   return vs_arg_index(vm, a, 1, 0, bytes_length(a[0]) - 1, k);
 }
 
-static vs_status bytes_p(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status bytes_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   *out = vs_bool(vs_is(a[0], VS_T_BYTES));
   return VS_OK;
 }
 
-static vs_status bytes_make(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status bytes_make(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t count;
   uint8_t fill = 0;
   if (!vs_arg_index(vm, a, 0, 0, LONGEST, &count) || (n > 1 && !arg_byte(vm, a, 1, &fill)) || !vs_make_bytes(vm, (size_t)count, out)) return VS_ERROR;
   return fill == 0 || vs_poll_set(vm, vs_as_bytes(*out)->at, fill, (size_t)count);
 }
 
-static vs_status bytes_bytevector(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status bytes_bytevector(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_make_bytes(vm, (size_t)n, out)) return VS_ERROR;
   for (int i = 0; i < n; i++)
     if (!arg_byte(vm, a, i, &vs_as_bytes(*out)->at[i])) return VS_ERROR;
   return VS_OK;
 }
 
-static vs_status bytes_length_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status bytes_length_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_bytes(vm, a, 0)) return VS_ERROR;
   *out = vs_fix(bytes_length(a[0]));
   return VS_OK;
 }
 
-static vs_status bytes_ref(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status bytes_ref(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t k;
   if (!arg_bytes(vm, a, 0) || !bytes_index(vm, a, &k)) return VS_ERROR;
@@ -234,7 +234,7 @@ static vs_status bytes_ref(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status bytes_set(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status bytes_set(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   int64_t k;
   uint8_t byte;
@@ -243,13 +243,13 @@ static vs_status bytes_set(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status bytes_copy(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status bytes_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
   if (!arg_bytes(vm, a, 0) || !vs_arg_range(vm, a, n, 1, bytes_length(a[0]), &start, &end) || !vs_make_bytes(vm, (size_t)(end - start), out)) return VS_ERROR;
   return vs_poll_move(vm, vs_as_bytes(*out)->at, vs_as_bytes(a[0])->at + start, (size_t)(end - start));
 }
 
-static vs_status bytes_copy_to(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status bytes_copy_to(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   int64_t at, start, end;
   if (!arg_mutable(vm, a, 0, VS_T_BYTES) || !arg_bytes(vm, a, 2) || !vs_arg_range(vm, a, n, 3, bytes_length(a[2]), &start, &end) ||
@@ -260,7 +260,7 @@ static vs_status bytes_copy_to(vs *vm, vs_value *a, int n, vs_value *out) {
   return vs_poll_move(vm, vs_as_bytes(a[0])->at + at, vs_as_bytes(a[2])->at + start, (size_t)(end - start));
 }
 
-static vs_status bytes_append(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status bytes_append(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t total = 0;
   for (int i = 0; i < n; i++) {
     if (!arg_bytes(vm, a, i)) return VS_ERROR;
@@ -275,7 +275,7 @@ static vs_status bytes_append(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status bytes_fill(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status bytes_fill(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   int64_t start, end;
   uint8_t byte;
@@ -283,7 +283,7 @@ static vs_status bytes_fill(vs *vm, vs_value *a, int n, vs_value *out) {
   return vs_poll_set(vm, vs_as_bytes(a[0])->at + start, byte, (size_t)(end - start));
 }
 
-static vs_status utf8_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status utf8_to_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
   vs_text t;
   if (!arg_bytes(vm, a, 0) || !vs_arg_range(vm, a, n, 1, bytes_length(a[0]), &start, &end)) return VS_ERROR;
@@ -300,7 +300,7 @@ static vs_status utf8_to_string(vs *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-static vs_status string_to_utf8(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status string_to_utf8(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
   vs_text t;
   if (!vs_arg_type(vm, a, 0, VS_T_STRING) || !vs_arg_range(vm, a, n, 1, vs_as_string(a[0])->length, &start, &end)) return VS_ERROR;

@@ -50,7 +50,7 @@ static bool ended_in_tail_call(const vs_code *code, size_t pc, vs_value running)
   return true;
 }
 
-static size_t chain(vs *vm, struct link *at, size_t max) {
+static size_t chain(vs_scheme *vm, struct link *at, size_t max) {
   if (!vm->base) return 0;
   struct walk w = {vm->base, vm->under, vm->under_depth, false};
   size_t count = 0, pc = 0;
@@ -71,7 +71,7 @@ static size_t chain(vs *vm, struct link *at, size_t max) {
 }
 
 /* the window is the innermost frame that is whole: the error's call chain begins with its caller */
-static vs_value *flush_failed(vs *vm, vs_value *w) {
+static vs_value *flush_failed(vs_scheme *vm, vs_value *w) {
   vm->base = w + 2;
   vm->pc = NULL;
   return NULL;
@@ -80,14 +80,14 @@ static vs_value *flush_failed(vs *vm, vs_value *w) {
 /* Calls that are not tail calls, one inside the other, may take a gigabyte: some 20 million calls of a small procedure.
  * Deeper ones have no end. Of a limited memory they may take a third, since the collector copies them: of more it would
  * run out first, and the message would not say why. */
-static size_t most_slots(const vs *vm) {
+static size_t most_slots(const vs_scheme *vm) {
   size_t bytes = VS_DEBUG_STRESS ? (size_t)256 << 20 : (size_t)1 << 30;
   if (vm->config.memory_limit && vm->config.memory_limit / 3 < bytes) bytes = vm->config.memory_limit / 3;
   return bytes / sizeof(vs_value);
 }
 
 /* Names the procedure that calls itself: of the innermost callers the one that stands there most often. */
-static bool fail_endless(vs *vm) {
+static bool fail_endless(vs_scheme *vm) {
   enum { MOST = 64 };
   struct link at[MOST];
   size_t n = chain(vm, at, MOST), best = 0, most = 0, others = 0;
@@ -104,7 +104,7 @@ static bool fail_endless(vs *vm) {
   return vs_fail(vm, vm->sym.recursion, "%s calls itself without end here; is there an `if` that stops it?", name);
 }
 
-vs_value *vs_frame_flush(vs *vm, vs_value *w, size_t n, size_t need) {
+vs_value *vs_frame_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need) {
   size_t count = (size_t)(w - vm->stack);
   vm->top = w + 2 + n;
   size_t below = vs_is(vm->under, VS_T_STACK) ? vs_as_stack(vm->under)->total : 0;
@@ -138,7 +138,7 @@ vs_value *vs_frame_flush(vs *vm, vs_value *w, size_t n, size_t need) {
   return vm->stack;
 }
 
-bool vs_call_chain(vs *vm, size_t max, vs_value *out) {
+bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out) {
   enum { MOST = 64 };
   struct link at[MOST];
   size_t n = chain(vm, at, max < MOST ? max : MOST);
@@ -154,7 +154,7 @@ bool vs_call_chain(vs *vm, size_t max, vs_value *out) {
 /* A vector, VS_FRAME_WORDS a call, innermost first: the procedure, its place as a fixnum, then the values of its
  * first parameters. Registers that were given back since
  * may hold something else; assigned parameters lie in boxes. */
-bool vs_call_variables(vs *vm, vs_value *out) {
+bool vs_call_variables(vs_scheme *vm, vs_value *out) {
   enum { MOST = 24 };
   struct link at[MOST];
   VS_ROOTS(vm, r, 1);
@@ -176,7 +176,7 @@ bool vs_call_variables(vs *vm, vs_value *out) {
   return *out = r[0], true;
 }
 
-size_t vs_call_links(vs *vm, vs_value *name, vs_pos *place, size_t max) {
+size_t vs_call_links(vs_scheme *vm, vs_value *name, vs_pos *place, size_t max) {
   enum { MOST = 64 };
   struct link at[MOST];
   size_t n = chain(vm, at, max < MOST ? max : MOST);
@@ -184,7 +184,7 @@ size_t vs_call_links(vs *vm, vs_value *name, vs_pos *place, size_t max) {
   return n;
 }
 
-size_t vs_call_places(vs *vm, vs_pos *place, size_t max) {
+size_t vs_call_places(vs_scheme *vm, vs_pos *place, size_t max) {
   enum { MOST = 64 };
   struct link at[MOST];
   size_t n = chain(vm, at, max < MOST ? max : MOST);
@@ -192,7 +192,7 @@ size_t vs_call_places(vs *vm, vs_pos *place, size_t max) {
   return n;
 }
 
-uint64_t vs_call_key(vs *vm, size_t max) {
+uint64_t vs_call_key(vs_scheme *vm, size_t max) {
   if (!vm->base) return 0;
   struct walk w = {vm->base, vm->under, vm->under_depth, false};
   size_t count = 0, pc = 0;
@@ -217,7 +217,7 @@ uint64_t vs_call_key(vs *vm, size_t max) {
   return key;
 }
 
-vs_pos vs_call_place(vs *vm) {
+vs_pos vs_call_place(vs_scheme *vm) {
   struct link at[1];
   return chain(vm, at, 1) ? at[0].place : 0;
 }

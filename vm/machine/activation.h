@@ -26,6 +26,6 @@ static inline size_t vs_ret_pc(vs_value ret) { return (size_t)(ret & 0x0FFFFFFF)
 
 /* Moves everything below the window w, which has n arguments, into the heap, and the window to the bottom of the stretch, which then
    has room for `need` slots from w on. The window's new place, NULL when memory is out. */
-vs_value *vs_frame_flush(vs *vm, vs_value *w, size_t n, size_t need);
+vs_value *vs_frame_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need);
 
 #endif

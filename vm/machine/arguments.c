@@ -46,7 +46,7 @@ static const char *want_native(const vs_native *native, wanted *w) {
 
 /* The error under way keeps what was called and with what, (callee argument ...), for advice on it
  * (session/advice.c). False, as the error is set. */
-static bool keep_call(vs *vm, vs_value callee, const vs_value *a, size_t n) {
+static bool keep_call(vs_scheme *vm, vs_value callee, const vs_value *a, size_t n) {
   VS_ROOTS(vm, r, 3);
   r[0] = vm->condition, r[1] = VS_NIL, r[2] = callee;
   if (!vs_is(r[0], VS_T_CONDITION) || r[0] == vm->at.no_memory || n > 64) return false;
@@ -58,7 +58,7 @@ static bool keep_call(vs *vm, vs_value callee, const vs_value *a, size_t n) {
   return false;
 }
 
-static bool fail_count(vs *vm, vs_value name, size_t min, size_t max, const char *names, size_t got) {
+static bool fail_count(vs_scheme *vm, vs_value name, size_t min, size_t max, const char *names, size_t got) {
   const char *who = name_of(name);
   if (max == SIZE_MAX) return vs_fail(vm, vm->sym.arity, "%s needs at least %zu argument%s%s, got %zu", who, min, min == 1 ? "" : "s", names, got);
   if (min == max && min == 0) return vs_fail(vm, vm->sym.arity, "%s takes no arguments, got %zu", who, got);
@@ -67,7 +67,7 @@ static bool fail_count(vs *vm, vs_value name, size_t min, size_t max, const char
 }
 
 /* names: of the keywords that there are, `count` symbols */
-static bool fail_keyword(vs *vm, vs_value name, vs_value keyword, const vs_value *names, size_t count) {
+static bool fail_keyword(vs_scheme *vm, vs_value name, vs_value keyword, const vs_value *names, size_t count) {
   wanted w = {.used = 0};
   for (size_t i = 0; i < count && w.used < sizeof w.text; i++)
     if (vs_is_symbol(names[i])) want(&w, "#:", vs_as_symbol(names[i])->name, strlen(vs_as_symbol(names[i])->name), "");
@@ -97,7 +97,7 @@ const char *vs_procedure_form(vs_value f, char *room, size_t size) {
   return n > 0 && (size_t)n < size ? room : NULL;
 }
 
-bool vs_fail_clauses(vs *vm, const vs_case *c, size_t got) {
+bool vs_fail_clauses(vs_scheme *vm, const vs_case *c, size_t got) {
   char text[400] = "";
   size_t used = 0;
   vs_value who = c->count ? vs_as_code(vs_as_closure(c->clause[0])->code)->name : VS_FALSE;
@@ -116,7 +116,7 @@ bool vs_arguments_fit(const vs_code *code, size_t n, vs_value kw) {
 }
 
 /* takes the values of the named arguments a[n - named ..) away, into vm->call_args */
-static bool stash(vs *vm, const vs_value *a, size_t n, size_t named) {
+static bool stash(vs_scheme *vm, const vs_value *a, size_t n, size_t named) {
   vs_call_begin(vm, VS_FALSE);
   for (size_t i = n - named; i < n; i++)
     if (!vs_call_push(vm, a[i])) return false;
@@ -124,7 +124,7 @@ static bool stash(vs *vm, const vs_value *a, size_t n, size_t named) {
 }
 
 /* puts them where `names` (a vector of symbols, the last `count` of its elements from `first` on) says */
-static bool place(vs *vm, vs_value who, vs_value kw, const vs_value *names, size_t count, vs_value *at) {
+static bool place(vs_scheme *vm, vs_value who, vs_value kw, const vs_value *names, size_t count, vs_value *at) {
   for (size_t i = 0; i < count; i++) at[i] = VS_ABSENT;
   const vs_keywords *k = kw == VS_FALSE ? NULL : vs_as_keywords(kw);
   for (size_t i = 0; k && i < k->count; i++) {
@@ -138,7 +138,7 @@ static bool place(vs *vm, vs_value who, vs_value kw, const vs_value *names, size
   return true;
 }
 
-bool vs_arguments_closure(vs *vm, const vs_code *code, vs_value *a, size_t n, vs_value kw) {
+bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_t n, vs_value kw) {
   size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count, given = n - named;
   size_t most = code->required + code->optional, rest = most + code->keywords;
   bool has_rest = (code->flags & VS_CODE_REST) != 0;
@@ -156,7 +156,8 @@ bool vs_arguments_closure(vs *vm, const vs_code *code, vs_value *a, size_t n, vs
   return true;
 }
 
-bool vs_arguments_native(vs *vm, const vs_native *native, vs_value *a, size_t n, vs_value kw, size_t *given, size_t *total) {
+bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, size_t n, vs_value kw, size_t *given,
+                         size_t *total) {
   size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count, positional = n - named;
   size_t max = native->max == UINT32_MAX ? SIZE_MAX : native->max;
   *given = *total = positional;

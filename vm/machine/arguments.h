@@ -6,12 +6,12 @@
 
 /* a[0..n) in a frame that has room for all parameters (and VS_FRAME_SLACK); kw: a KEYWORDS object or #f. vm->top, base, pc are the
    caller's business. false: the error is set. */
-bool vs_arguments_closure(vs *vm, const vs_code *code, vs_value *a, size_t n, vs_value kw);
+bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_t n, vs_value kw);
 /* *given: positional arguments; *total: slots in use afterwards */
-bool vs_arguments_native(vs *vm, const vs_native *native, vs_value *a, size_t n, vs_value kw, size_t *given, size_t *total);
+bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, size_t n, vs_value kw, size_t *given, size_t *total);
 static inline bool vs_native_laid_out(const vs_native *n) { return n->def->slots > 0 || n->keywords != VS_FALSE; }
 /* no clause of a case-lambda takes so many arguments: false, the error set */
-bool vs_fail_clauses(vs *vm, const vs_case *c, size_t got);
+bool vs_fail_clauses(vs_scheme *vm, const vs_case *c, size_t got);
 /* How f is called, "(wall length [height])", without its keywords; NULL: f has no name, is of several clauses, or
  * there is no room. */
 const char *vs_procedure_form(vs_value f, char *room, size_t size);

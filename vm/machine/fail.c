@@ -6,7 +6,7 @@
 #include "vm/machine/run.h"
 #include "vm/machine/signature.h"
 
-const char *vs_noun(vs *vm, vs_value v) {
+const char *vs_noun(vs_scheme *vm, vs_value v) {
   static const char *const nouns[VS_T_COUNT] = {
 #define VS_OBJECT(name, noun, first, count) noun,
 #include "vm/values/object.def"
@@ -27,18 +27,19 @@ const char *vs_noun(vs *vm, vs_value v) {
   return "nothing";
 }
 
-vs_status vs_fail_memory(vs *vm) {
+vs_status vs_fail_memory(vs_scheme *vm) {
   vm->condition = vm->at.no_memory;
   vm->over_limit = false;
   return VS_ERROR;
 }
 
-vs_status vs_fail_object(vs *vm, vs_value object) {
+vs_status vs_fail_object(vs_scheme *vm, vs_value object) {
   vm->condition = object;
   return VS_ERROR;
 }
 
-static vs_status fail(vs *vm, vs_value kind, const vs_pos *place, vs_value irritants, const char *format, va_list list) {
+static vs_status fail(vs_scheme *vm, vs_value kind, const vs_pos *place, vs_value irritants, const char *format,
+                      va_list list) {
   VS_ROOTS(vm, r, 5);
   r[0] = kind; r[1] = irritants; r[4] = VS_FALSE;
   char text[1024];
@@ -80,7 +81,7 @@ static vs_status fail(vs *vm, vs_value kind, const vs_pos *place, vs_value irrit
   return VS_ERROR;
 }
 
-vs_status vs_fail(vs *vm, vs_value kind, const char *format, ...) {
+vs_status vs_fail(vs_scheme *vm, vs_value kind, const char *format, ...) {
   va_list list;
   va_start(list, format);
   vs_status s = fail(vm, kind, NULL, VS_NIL, format, list);
@@ -88,7 +89,7 @@ vs_status vs_fail(vs *vm, vs_value kind, const char *format, ...) {
   return s;
 }
 
-vs_status vs_fail_with(vs *vm, vs_value kind, vs_value irritants, const char *format, ...) {
+vs_status vs_fail_with(vs_scheme *vm, vs_value kind, vs_value irritants, const char *format, ...) {
   va_list list;
   va_start(list, format);
   vs_status s = fail(vm, kind, NULL, irritants, format, list);
@@ -96,7 +97,7 @@ vs_status vs_fail_with(vs *vm, vs_value kind, vs_value irritants, const char *fo
   return s;
 }
 
-vs_status vs_fail_at(vs *vm, vs_value kind, vs_pos place, vs_value irritants, const char *format, ...) {
+vs_status vs_fail_at(vs_scheme *vm, vs_value kind, vs_pos place, vs_value irritants, const char *format, ...) {
   va_list list;
   va_start(list, format);
   vs_status s = fail(vm, kind, &place, irritants, format, list);
@@ -104,7 +105,7 @@ vs_status vs_fail_at(vs *vm, vs_value kind, vs_pos place, vs_value irritants, co
   return s;
 }
 
-vs_status vs_fail_type(vs *vm, int arg, const char *expected, vs_value got) {
+vs_status vs_fail_type(vs_scheme *vm, int arg, const char *expected, vs_value got) {
   VS_ROOTS(vm, r, 1);
   char name[64];
   vs_signature_parameter(vm->native && vm->native->def ? vm->native->def->signature : "", arg, name, sizeof name);
@@ -115,7 +116,7 @@ vs_status vs_fail_type(vs *vm, int arg, const char *expected, vs_value got) {
   return vs_fail_with(vm, vm->sym.type, r[0], "%s must be %s, got", name, expected);
 }
 
-vs_status vs_fail_range(vs *vm, int arg, vs_value got, int64_t low, int64_t high) {
+vs_status vs_fail_range(vs_scheme *vm, int arg, vs_value got, int64_t low, int64_t high) {
   VS_ROOTS(vm, r, 1);
   char name[64];
   vs_signature_parameter(vm->native && vm->native->def ? vm->native->def->signature : "", arg, name, sizeof name);
@@ -126,7 +127,7 @@ vs_status vs_fail_range(vs *vm, int arg, vs_value got, int64_t low, int64_t high
 }
 
 /* ---- checked arguments ---- */
-bool vs_arg_double(vs *vm, const vs_value *a, int arg, double *out) {
+bool vs_arg_double(vs_scheme *vm, const vs_value *a, int arg, double *out) {
   vs_value v = a[arg];
   if (vs_is_double(v)) *out = vs_double(v);
   else if (vs_is_fixnum(v)) *out = (double)vs_fixnum(v);
@@ -134,7 +135,7 @@ bool vs_arg_double(vs *vm, const vs_value *a, int arg, double *out) {
   return true;
 }
 
-bool vs_arg_index(vs *vm, const vs_value *a, int arg, int64_t low, int64_t high, int64_t *out) {
+bool vs_arg_index(vs_scheme *vm, const vs_value *a, int arg, int64_t low, int64_t high, int64_t *out) {
   vs_value v = a[arg];
   if (!vs_is_fixnum(v)) return vs_fail_type(vm, arg, "an exact integer", v);
   if (vs_fixnum(v) < low || vs_fixnum(v) > high) return vs_fail_range(vm, arg, v, low, high);
@@ -142,7 +143,7 @@ bool vs_arg_index(vs *vm, const vs_value *a, int arg, int64_t low, int64_t high,
   return true;
 }
 
-bool vs_arg_type(vs *vm, const vs_value *a, int arg, int type) {
+bool vs_arg_type(vs_scheme *vm, const vs_value *a, int arg, int type) {
   if (vs_is(a[arg], type)) return true;
   static const char *const nouns[VS_T_COUNT] = {
 #define VS_OBJECT(name, noun, first, count) noun,
@@ -164,7 +165,7 @@ int64_t vs_list_length(vs_value list) {
   return list == VS_NIL ? n : -1;
 }
 
-bool vs_list_doubles(vs *vm, vs_value list, int arg, double **out, size_t *count) {
+bool vs_list_doubles(vs_scheme *vm, vs_value list, int arg, double **out, size_t *count) {
   int64_t n = vs_list_length(list);
   if (n < 0) return vs_fail_type(vm, arg, "a list of numbers", list);
   double *d = vs_mem(vm, NULL, 0, (size_t)(n ? n : 1) * sizeof *d);

@@ -13,7 +13,11 @@
 #include "vm/machine/native.h"
 
 #define MAGIC UINT64_C(0x31656D6865537356) /* "VsSheme1" read from the least byte */
-enum { SYMBOLS = sizeof((vs *)0)->sym / sizeof(vs_value), ANCHORS = sizeof((vs *)0)->at / sizeof(vs_value), HEADER = 3 + SYMBOLS + ANCHORS };
+enum {
+  SYMBOLS = sizeof((vs_scheme *)0)->sym / sizeof(vs_value),
+  ANCHORS = sizeof((vs_scheme *)0)->at / sizeof(vs_value),
+  HEADER = 3 + SYMBOLS + ANCHORS
+};
 
 #define VS_NATIVES(name) extern const vs_native_table vs_##name##_natives;
 #include "vm/machine/natives.def"
@@ -29,12 +33,12 @@ enum { OWN_TABLES = sizeof own_tables / sizeof own_tables[0] };
 /* ---- natives by number ---- */
 
 /* the i-th table, the VM's own first, or NULL past the last */
-static const vs_native_table *image_table(const vs *vm, size_t i) {
+static const vs_native_table *image_table(const vs_scheme *vm, size_t i) {
   if (i < OWN_TABLES) return own_tables[i];
   return vm->config.tables ? vm->config.tables[i - OWN_TABLES] : NULL;
 }
 
-static uint64_t image_sum(const vs *vm) {
+static uint64_t image_sum(const vs_scheme *vm) {
   uint64_t sum = UINT64_C(14695981039346656037); /* FNV-1a over every name, and the numbers of symbols and anchors */
   const vs_native_table *t;
   for (size_t i = 0; (t = image_table(vm, i)); i++)
@@ -46,7 +50,7 @@ static uint64_t image_sum(const vs *vm) {
   return (sum ^ SYMBOLS << 8 ^ ANCHORS) * UINT64_C(1099511628211);
 }
 
-static bool image_native_number(const vs *vm, const vs_native_def *def, uint64_t *number) {
+static bool image_native_number(const vs_scheme *vm, const vs_native_def *def, uint64_t *number) {
   uint64_t n = 0;
   const vs_native_table *t;
   for (size_t i = 0; (t = image_table(vm, i)); i++)
@@ -59,7 +63,7 @@ static bool image_native_number(const vs *vm, const vs_native_def *def, uint64_t
 }
 
 /* every def in the order of their numbers; the caller frees *count * sizeof(void *) bytes */
-static bool image_native_list(vs *vm, const vs_native_def ***list, size_t *count) {
+static bool image_native_list(vs_scheme *vm, const vs_native_def ***list, size_t *count) {
   size_t n = 0;
   const vs_native_table *t;
   for (size_t i = 0; (t = image_table(vm, i)); i++)
@@ -77,7 +81,7 @@ static bool image_native_list(vs *vm, const vs_native_def ***list, size_t *count
 
 struct place { const vs_object *o; uint64_t offset; };
 struct writer {
-  vs *vm;
+  vs_scheme *vm;
   const vs_object **order;
   size_t count, room;
   struct place *places; /* open addressing by address */
@@ -150,7 +154,7 @@ static bool writer_object(struct writer *w, const vs_object *o, uint64_t *copy) 
   return true;
 }
 
-bool vs_image_write(vs *vm, bool (*put)(void *to, const uint64_t *words, size_t count), void *to) {
+bool vs_image_write(vs_scheme *vm, bool (*put)(void *to, const uint64_t *words, size_t count), void *to) {
   struct writer w = { .vm = vm };
   const vs_value *symbols = (const vs_value *)(const void *)&vm->sym, *anchors = (const vs_value *)(const void *)&vm->at;
   uint64_t header[HEADER], *copy = NULL;
@@ -191,7 +195,7 @@ static inline void image_relocate(vs_value *slot, uint64_t base) {
   if (vs_is_object(*slot)) *slot += base - 8; /* the payload is an offset: adding stays below the tag */
 }
 
-bool vs_image_load(vs *vm, const vs_image *image) {
+bool vs_image_load(vs_scheme *vm, const vs_image *image) {
   const uint64_t *words = image->words;
   if (image->count < HEADER || words[0] != MAGIC || words[1] != image_sum(vm) || image->count != HEADER + words[2])
     return vs_fail(vm, vm->sym.internal, "the heap image was made by another build");

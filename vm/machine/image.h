@@ -11,9 +11,9 @@
 typedef struct vs_image { const uint64_t *words; size_t count; } vs_image;
 
 /* Hands the image to put, in pieces. False with the error set: out of memory, an object of the host is reachable, or put said no. */
-bool vs_image_write(vs *vm, bool (*put)(void *to, const uint64_t *words, size_t count), void *to);
+bool vs_image_write(vs_scheme *vm, bool (*put)(void *to, const uint64_t *words, size_t count), void *to);
 
 /* Fills vm->sym and vm->at of a fresh interpreter. False with the error set: out of memory, or the image is of another build. */
-bool vs_image_load(vs *vm, const vs_image *image);
+bool vs_image_load(vs_scheme *vm, const vs_image *image);
 
 #endif

@@ -59,7 +59,7 @@ void vs_signature_parameter(const char *text, int arg, char *name, size_t size) 
 
 /* ---- procedures ---- */
 /* symbol: which of the names of def this one goes by; errors say it */
-static bool native_make(vs *vm, const vs_native_def *def, vs_value symbol, vs_value *out) {
+static bool native_make(vs_scheme *vm, const vs_native_def *def, vs_value symbol, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   vs_signature g = vs_signature_read(def->signature);
   r[0] = symbol; r[1] = VS_FALSE;
@@ -85,8 +85,9 @@ static bool native_make(vs *vm, const vs_native_def *def, vs_value symbol, vs_va
   return true;
 }
 
-bool vs_native_define(vs *vm, const vs_native_table *table,
-                      bool (*define)(vs *vm, void *context, vs_value symbol, vs_value procedure), void *context) {
+bool vs_native_define(vs_scheme *vm, const vs_native_table *table,
+                      bool (*define)(vs_scheme *vm, void *context, vs_value symbol, vs_value procedure),
+                      void *context) {
   VS_ROOTS(vm, r, 2);
   for (const vs_native_def *def = table->defs; def->name; def++) {
     for (const char *s = def->name; *s;) {
@@ -109,13 +110,13 @@ double vs_flat_length(double x, double y, double z) {
   return most * sqrt(x * x + y * y + z * z);
 }
 
-bool vs_flat_register(vs *vm, const vs_flat_rules *rules) {
+bool vs_flat_register(vs_scheme *vm, const vs_flat_rules *rules) {
   if (!vm->flat && !(vm->flat = vs_mem(vm, NULL, 0, sizeof *vm->flat))) return false;
   *vm->flat = *rules;
   return true;
 }
 
-bool vs_flat_arith(vs *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
+bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   double x[VS_FLAT_FIELDS], y[VS_FLAT_FIELDS];
   uint32_t ta = vs_is(a, VS_T_FLAT) ? vs_as_flat(a)->h.flags : 0, tb = vs_is(b, VS_T_FLAT) ? vs_as_flat(b)->h.flags : 0;
   const char *word[] = {"add", "subtract", "multiply", "divide"};

@@ -15,7 +15,7 @@
 enum { RUN_FORMS, RUN_ENV, RUN_TELL, RUN_X /* the expansion */, RUN_PHASE, RUN_VALUE /* of the last form */, RUN_SERIAL, RUN_PLACE, RUN_SLOTS = 5 };
 enum { NEXT, TRANSFORMING, RUNNING, RUNNING_DEFINITION, RUNNING_OTHER };
 
-static vs_status call_list(vs *vm, vs_value procedure, vs_value list) {
+static vs_status call_list(vs_scheme *vm, vs_value procedure, vs_value list) {
   vs_call_begin(vm, procedure);
   for (; vs_is_pair(list); list = vs_cdr(list)) if (!vs_call_push(vm, vs_car(list))) return VS_ERROR;
   return VS_CALL;
@@ -32,9 +32,11 @@ static bool keep_frame(vs_expansion *x) {
   return true;
 }
 
-static vs_vm_phase enter_phase(vs *vm, vs_vm_phase phase) { return vm->config.phase ? vm->config.phase(vm->config.user, phase) : phase; }
+static vs_vm_phase enter_phase(vs_scheme *vm, vs_vm_phase phase) {
+  return vm->config.phase ? vm->config.phase(vm->config.user, phase) : phase;
+}
 
-static vs_status step_forms(vs *vm, vs_value *a, vs_value *out) {
+static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
   if (a[RUN_PHASE] == VS_FALSE) {
     if (!vs_is(a[RUN_ENV], VS_T_ENVIRONMENT)) return vs_fail_type(vm, RUN_ENV, "an environment", a[RUN_ENV]);
     if (!vs_expansion_make(vm, &a[RUN_X])) return VS_ERROR;
@@ -118,14 +120,14 @@ static vs_status step_forms(vs *vm, vs_value *a, vs_value *out) {
 }
 
 /* What a macro's procedure does while it is called counts as the program's. */
-static vs_status run(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status run(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_status status = step_forms(vm, a, out);
   enter_phase(vm, VS_VM_RUN);
   return status;
 }
 
-static bool core_value(vs *vm, const char *name, vs_value *out) {
+static bool core_value(vs_scheme *vm, const char *name, vs_value *out) {
   vs_value id;
   if (!vs_intern_c(vm, name, &id)) return false;
   *out = vs_environment_value(vm->at.core, id);
@@ -134,14 +136,14 @@ static bool core_value(vs *vm, const char *name, vs_value *out) {
 
 /* ---- eval ---- */
 /* tell: #f nobody, #t the host, #unspecific the host and not the caller */
-static vs_status tail_run(vs *vm, vs_value forms, vs_value env, vs_value tell) {
+static vs_status tail_run(vs_scheme *vm, vs_value forms, vs_value env, vs_value tell) {
   VS_ROOTS(vm, r, 3);
   vs_value procedure;
   r[0] = forms; r[1] = env; r[2] = tell;
   return core_value(vm, "%run", &procedure) ? vs_tailcall(vm, procedure, 3, r) : VS_ERROR;
 }
 
-static vs_status eval(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status eval(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 1);
   vs_value env = n > 1 ? a[1] : vm->at.program;
@@ -149,14 +151,14 @@ static vs_status eval(vs *vm, vs_value *a, int n, vs_value *out) {
   return vs_cons(vm, a[0], VS_NIL, &r[0]) ? tail_run(vm, r[0], n > 1 ? a[1] : vm->at.program, VS_FALSE) : VS_ERROR;
 }
 
-static vs_status interaction(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status interaction(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a; (void)n;
   *out = vm->at.program;
   return VS_OK;
 }
 
 /* (scheme-report-environment 5), (null-environment 5): what R5RS has, and of that the syntax */
-static vs_status report(vs *vm, vs_value *a, int n, bool syntax, vs_value *out) {
+static vs_status report(vs_scheme *vm, vs_value *a, int n, bool syntax, vs_value *out) {
   VS_ROOTS(vm, r, 5);
   if (n && a[0] != vs_fix(5)) return vs_fail_type(vm, 0, "5, the one report with such an environment ((environment '(scheme base) ...) is R7RS' way)", a[0]);
   if (!vs_intern_c(vm, "r5rs", &r[0]) || !vs_cons(vm, r[0], VS_NIL, &r[1]) || !vs_intern_c(vm, "scheme", &r[0]) || !vs_cons(vm, r[0], r[1], &r[1]) ||
@@ -170,10 +172,14 @@ static vs_status report(vs *vm, vs_value *a, int n, bool syntax, vs_value *out) 
   *out = r[4];
   return VS_OK;
 }
-static vs_status report_environment(vs *vm, vs_value *a, int n, vs_value *out) { return report(vm, a, n, false, out); }
-static vs_status null_environment(vs *vm, vs_value *a, int n, vs_value *out) { return report(vm, a, n, true, out); }
+static vs_status report_environment(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return report(vm, a, n, false, out);
+}
+static vs_status null_environment(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  return report(vm, a, n, true, out);
+}
 
-static vs_status environment(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status environment(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   if (!vs_environment_new(vm, VS_FALSE, &r[0])) return VS_ERROR;
   for (int i = 0; i < n; i++) {
@@ -187,7 +193,7 @@ static vs_status environment(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- macros that are procedures ---- */
 /* (er-macro-transformer procedure): a macro; define-syntax gives it its environment */
-static vs_status er_transformer(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status er_transformer(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure of form, rename and compare", a[0]);
   vs_macro *m = (vs_macro *)(void *)vs_gc_alloc(vm, VS_T_MACRO, VS_WORDS(vs_macro));
@@ -198,14 +204,14 @@ static vs_status er_transformer(vs *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* (%eval-transformer spec env): what define-syntax does with an expression */
-static vs_status eval_transformer(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status eval_transformer(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n; (void)out;
   VS_ROOTS(vm, r, 1);
   return vs_cons(vm, a[0], VS_NIL, &r[0]) ? tail_run(vm, r[0], a[1], VS_FALSE) : VS_ERROR;
 }
 
 /* (%rename table env id): table is a list with one element, an association list from id to alias */
-static vs_status rename_(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status rename_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_identifier(a[2])) return vs_fail_type(vm, 2, "a symbol", a[2]);
   for (vs_value l = vs_car(a[0]); vs_is_pair(l); l = vs_cdr(l)) if (vs_car(vs_car(l)) == a[2]) { *out = vs_cdr(vs_car(l)); return VS_OK; }
@@ -216,19 +222,22 @@ static vs_status rename_(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status same_identifier(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status same_identifier(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm; (void)n;
   *out = vs_bool(vs_is_identifier(a[1]) && vs_is_identifier(a[2]) ? vs_same_meaning(a[0], a[1], a[0], a[2]) : a[1] == a[2]);
   return VS_OK;
 }
 
-static vs_status is_identifier(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status is_identifier(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm; (void)n;
   *out = vs_bool(vs_is_identifier(a[0]));
   return VS_OK;
 }
 
-static vs_status syntax_to_datum(vs *vm, vs_value *a, int n, vs_value *out) { (void)n; return vs_strip(vm, a[0], out); }
+static vs_status syntax_to_datum(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  return vs_strip(vm, a[0], out);
+}
 
 /* ---- files ---- */
 static size_t folder_length(const char *name) {
@@ -240,12 +249,12 @@ static const char SHIPPED[] = "library:";
 
 bool vs_unit_is_shipped(const char *path) { return !strncmp(path, SHIPPED, sizeof SHIPPED - 1); }
 
-const vs_shipped *vs_unit_shipped(const vs *vm, const char *name) {
+const vs_shipped *vs_unit_shipped(const vs_scheme *vm, const char *name) {
   for (const vs_shipped *s = vm->config.shipped; s && s->name; s++) if (!strcmp(s->name, name)) return s;
   return NULL;
 }
 
-static bool exists(vs *vm, vs_text *path) {
+static bool exists(vs_scheme *vm, vs_text *path) {
   if (!vs_text_end(path)) return false;
   if (vs_unit_is_shipped(path->at)) return vs_unit_shipped(vm, path->at + sizeof SHIPPED - 1) != NULL;
   return vm->config.io && vm->config.io->exists && vm->config.io->exists(vm->config.user, path->at);
@@ -274,14 +283,15 @@ static void normalise(vs_text *path) {
   path->count = out;
 }
 
-bool vs_unit_file_name(vs *vm, uint32_t file, vs_text *t) {
+bool vs_unit_file_name(vs_scheme *vm, uint32_t file, vs_text *t) {
   t->count = 0;
   if (!file || !vs_is_vector(vm->at.files) || file >= vs_as_vector(vm->at.files)->length || !vs_is_string(vs_as_vector(vm->at.files)->at[file])) return vs_text_end(t);
   return vs_text_string(t, vs_as_vector(vm->at.files)->at[file]) && vs_text_end(t);
 }
 
 /* Takes `folder` followed by `name` as the path where that file exists, or where it is the first place looked at. */
-static bool try_place(vs *vm, const char *folder, size_t length, const vs_text *name, vs_text *path, bool *found) {
+static bool try_place(vs_scheme *vm, const char *folder, size_t length, const vs_text *name, vs_text *path,
+                      bool *found) {
   if (*found) return true;
   vs_text t;
   vs_text_open(vm, &t, 0);
@@ -294,7 +304,7 @@ static bool try_place(vs *vm, const char *folder, size_t length, const vs_text *
   return ok;
 }
 
-bool vs_unit_find(vs *vm, vs_value name, uint32_t from, size_t up, vs_text *path, bool *found) {
+bool vs_unit_find(vs_scheme *vm, vs_value name, uint32_t from, size_t up, vs_text *path, bool *found) {
   vs_text plain, base;
   vs_text_open(vm, &plain, 0);
   vs_text_open(vm, &base, 0);
@@ -327,12 +337,13 @@ bool vs_unit_find(vs *vm, vs_value name, uint32_t from, size_t up, vs_text *path
   return ok;       /* not found: the first place, whose absence the reading reports */
 }
 
-bool vs_unit_path(vs *vm, vs_value name, uint32_t from, vs_text *path) {
+bool vs_unit_path(vs_scheme *vm, vs_value name, uint32_t from, vs_text *path) {
   bool found;
   return vs_unit_find(vm, name, from, 0, path, &found);
 }
 
-static bool read_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold, vs_value *forms) {
+static bool read_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold,
+                      vs_value *forms) {
   uint32_t file;
   vs_vm_phase was = enter_phase(vm, VS_VM_READ);
   bool ok = vs_file_number(vm, name, strlen(name), &file) && vs_read_all(vm, text, size, file, line, fold, forms);
@@ -340,7 +351,7 @@ static bool read_text(vs *vm, const char *name, uint32_t line, const char *text,
   return ok;
 }
 
-bool vs_unit_read(vs *vm, const char *path, bool fold, vs_value *forms) {
+bool vs_unit_read(vs_scheme *vm, const char *path, bool fold, vs_value *forms) {
   VS_ROOTS(vm, r, 1);
   const vs_shipped *shipped = vs_unit_is_shipped(path) ? vs_unit_shipped(vm, path + sizeof SHIPPED - 1) : NULL;
   if (shipped) return read_text(vm, path, 1, shipped->text, (size_t)(shipped->end - shipped->text), fold, forms);
@@ -354,7 +365,7 @@ bool vs_unit_read(vs *vm, const char *path, bool fold, vs_value *forms) {
   return ok;
 }
 
-static vs_status load_path(vs *vm, vs_value name, uint32_t from, vs_value env, vs_value tell) {
+static vs_status load_path(vs_scheme *vm, vs_value name, uint32_t from, vs_value env, vs_value tell) {
   VS_ROOTS(vm, r, 2);
   r[1] = env;
   vs_text path;
@@ -364,7 +375,7 @@ static vs_status load_path(vs *vm, vs_value name, uint32_t from, vs_value env, v
   return ok ? tail_run(vm, r[0], r[1], tell) : VS_ERROR;
 }
 
-static vs_status load(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status load(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   if (!vs_is_string(a[0])) return vs_fail_type(vm, 0, "the name of a file", a[0]);
   if (n > 1 && !vs_is(a[1], VS_T_ENVIRONMENT)) return vs_fail_type(vm, 1, "an environment", a[1]);
@@ -373,7 +384,7 @@ static vs_status load(vs *vm, vs_value *a, int n, vs_value *out) {
 
 /* path name | its entry in vm->at.required
    Runs the file that is to define the library. */
-static vs_status load_library(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status load_library(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 4);
   if (n >= 0) {
     for (vs_value l = vm->at.required; vs_is_pair(l); l = vs_cdr(l))
@@ -405,13 +416,13 @@ static vs_status load_library(vs *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-static vs_status register_library(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status register_library(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n; (void)out;
   return vs_library_register(vm, a[0], a[1]);
 }
 
 /* (%require path env), once a path */
-static vs_status require(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status require(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (a[2] == VS_FALSE) {
     VS_ROOTS(vm, r, 2);
@@ -444,10 +455,14 @@ static vs_status require(vs *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status features(vs *vm, vs_value *a, int n, vs_value *out) { (void)a; (void)n; return vs_features(vm, out); }
+static vs_status features(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)a;
+  (void)n;
+  return vs_features(vm, out);
+}
 
 /* (macroexpand form): macros at the form's head are used until it is core syntax, a call or no pair */
-static vs_status macroexpand(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status macroexpand(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_expansion *x;
   if (n >= 0) {
     if (!vs_expansion_make(vm, &a[1])) return VS_ERROR;
@@ -469,7 +484,7 @@ static vs_status macroexpand(vs *vm, vs_value *a, int n, vs_value *out) {
   return settled && vs_strip(vm, r[0], out);
 }
 
-static vs_status assertion_failed(vs *vm, vs_value *a, int n, vs_value *out) {
+static vs_status assertion_failed(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 1);
   vm->native = NULL;
@@ -504,7 +519,7 @@ static const vs_native_def defs[] = {
 const vs_native_table vs_unit_natives = {"unit", defs};
 
 /* ---- the library and the host ---- */
-static bool define_constant(vs *vm, void *context, vs_value symbol, vs_value procedure) {
+static bool define_constant(vs_scheme *vm, void *context, vs_value symbol, vs_value procedure) {
   (void)context;
   VS_ROOTS(vm, r, 1);
   if (!vs_make_cell(vm, symbol, procedure, &r[0])) return false;
@@ -516,7 +531,7 @@ static bool define_constant(vs *vm, void *context, vs_value symbol, vs_value pro
 #include "vm/machine/natives.def"
 #undef VS_NATIVES
 
-bool vs_front_open(vs *vm) {
+bool vs_front_open(vs_scheme *vm) {
   static const vs_native_table *const tables[] = {
 #define VS_NATIVES(name) &vs_##name##_natives,
 #include "vm/machine/natives.def"
@@ -543,7 +558,7 @@ bool vs_front_open(vs *vm) {
   return vs_program_new(vm, &vm->at.program);
 }
 
-bool vs_program_new(vs *vm, vs_value *env) {
+bool vs_program_new(vs_scheme *vm, vs_value *env) {
   VS_ROOTS(vm, r, 1);
   vs_value clash;
   bool own;
@@ -554,7 +569,7 @@ bool vs_program_new(vs *vm, vs_value *env) {
   return true;
 }
 
-static bool run_forms(vs *vm, vs_value forms, vs_value env, bool tell, vs_value *last) {
+static bool run_forms(vs_scheme *vm, vs_value forms, vs_value env, bool tell, vs_value *last) {
   VS_ROOTS(vm, r, 4);
   vs_value procedure;
   r[0] = forms; r[1] = env; r[2] = vs_bool(tell);
@@ -566,18 +581,18 @@ static bool run_forms(vs *vm, vs_value forms, vs_value env, bool tell, vs_value 
   return false;
 }
 
-bool vs_library_load(vs *vm, const char *name, const char *text, size_t size) {
+bool vs_library_load(vs_scheme *vm, const char *name, const char *text, size_t size) {
   VS_ROOTS(vm, r, 1);
   return read_text(vm, name, 1, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.core, false, NULL);
 }
 
-void vs_library_done(vs *vm) {
+void vs_library_done(vs_scheme *vm) {
   vs_environment_seal(vm->at.core);
   vm->at.nearby = VS_FALSE; /* advice for programs does not come from the library's own names */
 }
 
 /* what a failed run left half loaded may be required again */
-static bool forget_unfinished(vs *vm) {
+static bool forget_unfinished(vs_scheme *vm) {
   VS_ROOTS(vm, r, 2);
   r[0] = vm->at.required; r[1] = VS_NIL;
   for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0]))
@@ -587,15 +602,18 @@ static bool forget_unfinished(vs *vm) {
 }
 
 /* The file that the host runs: its folder is looked in for what is loaded and imported. */
-static bool begin_program(vs *vm, const char *name) { return vs_file_number(vm, name, strlen(name), &vm->program_file) && forget_unfinished(vm); }
+static bool begin_program(vs_scheme *vm, const char *name) {
+  return vs_file_number(vm, name, strlen(name), &vm->program_file) && forget_unfinished(vm);
+}
 
-bool vs_program_text(vs *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt, vs_value *last) {
+bool vs_program_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt,
+                     vs_value *last) {
   VS_ROOTS(vm, r, 1);
   if (prompt) vs_environment_set_intake(vm->at.program, VS_INTAKE_PROMPT);
   return begin_program(vm, name) && read_text(vm, name, line, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
 }
 
-bool vs_program_file(vs *vm, const char *path, vs_value *last) {
+bool vs_program_file(vs_scheme *vm, const char *path, vs_value *last) {
   VS_ROOTS(vm, r, 1);
   return begin_program(vm, path) && vs_unit_read(vm, path, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
 }

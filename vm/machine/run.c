@@ -18,7 +18,7 @@
 enum { POLL_TURNS = 20000 };
 
 /* ---- limits ---- */
-static bool check_limits(vs *vm) {
+static bool check_limits(vs_scheme *vm) {
   const vs_config *c = &vm->config;
   if (c->interrupted && c->interrupted(c->user)) return vs_fail(vm, vm->sym.interrupt, "interrupted");
   if (c->step_limit && vm->steps > c->step_limit)
@@ -29,14 +29,14 @@ static bool check_limits(vs *vm) {
 }
 
 /* with a step limit the last stretch is as long as what is left, so that the limit is exact */
-static void refuel(vs *vm) {
+static void refuel(vs_scheme *vm) {
   uint64_t turns = POLL_TURNS, limit = vm->config.step_limit;
   if (limit && vm->steps <= limit && limit - vm->steps < turns) turns = limit - vm->steps + 1;
   vm->fuel = (int64_t)turns;
   vm->steps += turns;
 }
 
-static bool poll(vs *vm) {
+static bool poll(vs_scheme *vm) {
   const vs_native *native = vm->native;
   vm->native = NULL;                          /* the limit is nobody's error */
   bool ok = check_limits(vm);
@@ -45,7 +45,7 @@ static bool poll(vs *vm) {
   return ok;
 }
 
-bool vs_poll(vs *vm, uint64_t work) {
+bool vs_poll(vs_scheme *vm, uint64_t work) {
   work += vm->work;                           /* 64 cheap steps are a turn */
   vm->work = work & 63;
   vm->fuel -= (int64_t)(work >> 6);
@@ -54,7 +54,7 @@ bool vs_poll(vs *vm, uint64_t work) {
 
 enum { POLL_PIECE = 256 << 10 };        /* bytes; fresh memory is written at 1 to 2 GB a second */
 
-bool vs_poll_move(vs *vm, void *to, const void *from, size_t bytes) {
+bool vs_poll_move(vs_scheme *vm, void *to, const void *from, size_t bytes) {
   char *t = to;
   const char *f = from;
   bool back = t > f && t < f + bytes;     /* overlapping upwards: from the end */
@@ -67,7 +67,7 @@ bool vs_poll_move(vs *vm, void *to, const void *from, size_t bytes) {
   return true;
 }
 
-bool vs_poll_set(vs *vm, void *to, int byte, size_t bytes) {
+bool vs_poll_set(vs_scheme *vm, void *to, int byte, size_t bytes) {
   for (size_t done = 0; done < bytes;) {
     size_t n = bytes - done < POLL_PIECE ? bytes - done : POLL_PIECE;
     memset((char *)to + done, byte, n);
@@ -78,7 +78,7 @@ bool vs_poll_set(vs *vm, void *to, int byte, size_t bytes) {
 }
 
 /* ---- the cases that the loop hands out ---- */
-static bool fail_undefined(vs *vm, vs_value name) {
+static bool fail_undefined(vs_scheme *vm, vs_value name) {
   vs_text advice;                       /* words of other languages, near names */
   vs_text_open(vm, &advice, 300);
   bool ok = vs_suggest(vm, vm->at.program, name, &advice) && vs_text_end(&advice) &&
@@ -87,7 +87,7 @@ static bool fail_undefined(vs *vm, vs_value name) {
   return ok;
 }
 
-static bool fail_early(vs *vm, vs_value name) {
+static bool fail_early(vs_scheme *vm, vs_value name) {
   return vs_fail(vm, vm->sym.unbound, "%s is used before it has a value", vs_is_symbol(name) ? vs_as_symbol(name)->name : "a variable");
 }
 
@@ -99,7 +99,7 @@ static const char *operator_name(vs_value v) {
 }
 
 /* f cannot be called; at[0..n) are the arguments */
-static bool fail_callee_as(vs *vm, vs_value f, const vs_value *at, size_t n) {
+static bool fail_callee_as(vs_scheme *vm, vs_value f, const vs_value *at, size_t n) {
   VS_ROOTS(vm, r, 1);
   if (f == VS_UNDEFINED || f == VS_ABSENT) return fail_early(vm, VS_FALSE);
   const char *operator = n == 2 ? operator_name(at[0]) : NULL;
@@ -116,7 +116,7 @@ static bool fail_callee_as(vs *vm, vs_value f, const vs_value *at, size_t n) {
 
 /* The error's payload, #t, says that the callee is at fault: what made it so is looked for when the error is shown
  * (session/advice.c). */
-static bool fail_callee(vs *vm, vs_value f, const vs_value *at, size_t n) {
+static bool fail_callee(vs_scheme *vm, vs_value f, const vs_value *at, size_t n) {
   fail_callee_as(vm, f, at, n);
   if (vs_is(vm->condition, VS_T_CONDITION) &&
       vm->condition != vm->at.no_memory) vs_as_condition(vm->condition)->payload = VS_TRUE;
@@ -130,14 +130,15 @@ static bool takes_several(const uint32_t *pc) {
   return op == VS_O_DROP || op == VS_O_RETURN || (op == VS_O_FARLOAD && ((pc[1] & 255) == VS_O_DROP || (pc[1] & 255) == VS_O_RETURN));
 }
 
-static bool fail_several(vs *vm, vs_value v) {
+static bool fail_several(vs_scheme *vm, vs_value v) {
   uint64_t n = vs_as_values(v)->count;
   if (n == 0) return vs_fail(vm, vm->sym.arity, "no value came where one is expected");
   return vs_fail(vm, vm->sym.arity, "%llu values came where one is expected; let-values, receive or call-with-values take several",
                  (unsigned long long)n);
 }
 
-static bool make_closure(vs *vm, vs_value *base, const vs_value *k, const uint32_t *captures, vs_value code, vs_value *out) {
+static bool make_closure(vs_scheme *vm, vs_value *base, const vs_value *k, const uint32_t *captures, vs_value code,
+                         vs_value *out) {
   (void)k;
   size_t n = vs_as_code(code)->free;
   vs_closure *c = (vs_closure *)(void *)vs_gc_alloc(vm, VS_T_CLOSURE, VS_WORDS(vs_closure) + n);
@@ -149,7 +150,7 @@ static bool make_closure(vs *vm, vs_value *base, const vs_value *k, const uint32
   return true;
 }
 
-static bool make_case(vs *vm, const vs_value *at, size_t n, vs_value *out) {
+static bool make_case(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out) {
   vs_case *c = (vs_case *)(void *)vs_gc_alloc(vm, VS_T_CASE, VS_WORDS(vs_case) + n);
   if (!c) return false;
   c->count = n;
@@ -158,7 +159,7 @@ static bool make_case(vs *vm, const vs_value *at, size_t n, vs_value *out) {
   return true;
 }
 
-vs_value vs_parameter_value(const vs *vm, vs_value parameter) {
+vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter) {
   for (vs_value l = vm->parameters; vs_is_pair(l); l = vs_cdr(l))
     if (vs_car(vs_car(l)) == parameter) return vs_cdr(vs_car(l));
   return vs_as_parameter(parameter)->value;
@@ -178,7 +179,7 @@ static bool flat_numbers(const vs_value *at, size_t n, double *d) {
 static inline bool flat_operand(vs_value v) { return vs_is(v, VS_T_FLAT); }
 
 /* is there a rule for these two? */
-static bool flat_rule(const vs *vm, vs_flat_op op, vs_value a, vs_value b) {
+static bool flat_rule(const vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b) {
   bool fa = flat_operand(a), fb = flat_operand(b);
   if (!(fa || fb) || !vm->flat) return false;
   if (!(fa || vs_is_double(a) || vs_is_fixnum(a)) || !(fb || vs_is_double(b) || vs_is_fixnum(b))) return false;
@@ -294,7 +295,7 @@ static void trace(const uint32_t *ins, const vs_value *base) {
 #endif
 
 /* Runs what the window w (at the stack's bottom) calls, until its frame returns. */
-static bool loop(vs *vm, vs_value *w, size_t n, vs_value *out) {
+static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
   vs_value *base = w;                 /* no frame yet */
   const uint32_t *pc = NULL;
   vs_value *k = NULL;
@@ -1023,7 +1024,7 @@ uncaught:
 #pragma GCC diagnostic pop
 }
 
-static void reset(vs *vm) {
+static void reset(vs_scheme *vm) {
   vm->base = NULL;
   vm->top = vm->stack;
   vm->pc = NULL;
@@ -1036,7 +1037,7 @@ static void reset(vs *vm) {
 }
 
 /* Memory is out and nobody caught it: what the program held is given up, and then there is room to say where that was. */
-static void fail_memory_placed(vs *vm) {
+static void fail_memory_placed(vs_scheme *vm) {
   enum { CALLERS = 16 };
   VS_ROOTS(vm, r, CALLERS + 2);
   vs_pos place[CALLERS] = {0};
@@ -1054,7 +1055,7 @@ static void fail_memory_placed(vs *vm) {
   vs_gc_store(vm, c, &c->chain, *chain);
 }
 
-bool vs_run(vs *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value *out) {
+bool vs_run(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value *out) {
   if (vm->base) return vs_fail(vm, vm->sym.internal, "the interpreter is running already");
   vm->value = procedure;
   if ((size_t)(vm->stack_end - vm->stack) < n + 2 + VS_FRAME_SLACK) {
@@ -1079,12 +1080,12 @@ bool vs_run(vs *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value
 }
 
 /* ---- natives asking for calls ---- */
-void vs_call_begin(vs *vm, vs_value procedure) {
+void vs_call_begin(vs_scheme *vm, vs_value procedure) {
   vm->call_procedure = procedure;
   vm->call_count = 0;
 }
 
-bool vs_call_push(vs *vm, vs_value v) {
+bool vs_call_push(vs_scheme *vm, vs_value v) {
   if (vm->call_count == vm->call_room) {
     size_t room = vm->call_room ? vm->call_room * 2 : 16;
     vs_value *p = vs_mem(vm, vm->call_args, vm->call_room * sizeof *p, room * sizeof *p);
@@ -1096,17 +1097,17 @@ bool vs_call_push(vs *vm, vs_value v) {
   return true;
 }
 
-static bool prepare(vs *vm, vs_value procedure, size_t n, const vs_value *argv) {
+static bool prepare(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv) {
   vs_call_begin(vm, procedure);
   for (size_t i = 0; i < n; i++)
     if (!vs_call_push(vm, argv[i])) return false;
   return true;
 }
 
-vs_status vs_call(vs *vm, vs_value procedure, size_t n, const vs_value *argv) {
+vs_status vs_call(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv) {
   return prepare(vm, procedure, n, argv) ? VS_CALL : VS_ERROR;
 }
 
-vs_status vs_tailcall(vs *vm, vs_value procedure, size_t n, const vs_value *argv) {
+vs_status vs_tailcall(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv) {
   return prepare(vm, procedure, n, argv) ? VS_TAILCALL : VS_ERROR;
 }

@@ -7,30 +7,30 @@
 /* Calls a procedure from outside and runs until it returns. false: uncaught error, vm->condition is what was raised (a
    CONDITION, or any object). Not for natives: they return VS_CALL. A captured continuation of an earlier vs_run may be
    entered: it then ends the current one. */
-bool vs_run(vs *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value *out);
+bool vs_run(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value *out);
 
 /* vm-front's driver: defines load, eval, ... as natives and runs a file through vs_run. */
 
 /* The instructions of a code object as text, to each until it returns false (dump.c). False: out of memory. */
-bool vs_code_dump(vs *vm, vs_value code, bool (*each)(void *context, const char *line), void *context);
+bool vs_code_dump(vs_scheme *vm, vs_value code, bool (*each)(void *context, const char *line), void *context);
 
 /* What calling a parameter gives now. */
-vs_value vs_parameter_value(const vs *vm, vs_value parameter);
+vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter);
 
 /* The chain of calls now active, innermost first, at most `max`: list of (name . place) pairs; name symbol or #f, place a
    fixnum vs_pos; (#t . 0) before one stands for calls in between that ended with tail calls and left no frames. For natives such as `error`; conditions made by vs_fail have it already. */
-bool vs_call_chain(vs *vm, size_t max, vs_value *out);
+bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out);
 /* The same without allocating, names and places apart: how many were written. */
 /* The innermost calls with their parameters, for vs_condition.frames (activation.c says how they lie). False: out of
  * memory. */
 enum { VS_FRAME_WORDS = 10 };
-bool vs_call_variables(vs *vm, vs_value *out);
-size_t vs_call_links(vs *vm, vs_value *name, vs_pos *place, size_t max);
+bool vs_call_variables(vs_scheme *vm, vs_value *out);
+size_t vs_call_links(vs_scheme *vm, vs_value *name, vs_pos *place, size_t max);
 /* The places alone, without allocating: how many were written. */
-size_t vs_call_places(vs *vm, vs_pos *place, size_t max);
+size_t vs_call_places(vs_scheme *vm, vs_pos *place, size_t max);
 /* A hash of where those calls are, for less than the places cost; the same chain has the same until vm->collections changes. */
-uint64_t vs_call_key(vs *vm, size_t max);
+uint64_t vs_call_key(vs_scheme *vm, size_t max);
 /* Place of the call that the running native was made from. */
-vs_pos vs_call_place(vs *vm);
+vs_pos vs_call_place(vs_scheme *vm);
 
 #endif

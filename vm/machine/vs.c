@@ -14,7 +14,7 @@ enum { STACK_SLOTS = 8 << 10 };
 #endif
 
 /* natives that the run loop calls by itself */
-static bool keep(vs *vm, void *context, vs_value symbol, vs_value procedure) {
+static bool keep(vs_scheme *vm, void *context, vs_value symbol, vs_value procedure) {
   (void)context;
   const char *name = vs_as_symbol(symbol)->name;
   if (strcmp(name, "raise") == 0) vm->at.raise = procedure;
@@ -24,7 +24,7 @@ static bool keep(vs *vm, void *context, vs_value symbol, vs_value procedure) {
   return true;
 }
 
-static bool fresh(vs *vm) {
+static bool fresh(vs_scheme *vm) {
   VS_ROOTS(vm, r, 1);
 #define S(field, text) && vs_intern_c(vm, text, &vm->sym.field)
   if (!(true VS_SYMBOLS(S))) return false;
@@ -37,8 +37,8 @@ static bool fresh(vs *vm) {
   return vs_make_vector(vm, 1, VS_FALSE, &vm->at.files) && vs_native_define(vm, &vs_control_natives, keep, NULL);
 }
 
-vs *vs_open_vm(const vs_config *config) {
-  vs *vm = config->memory ? config->memory(config->user, NULL, 0, sizeof *vm) : malloc(sizeof *vm);
+vs_scheme *vs_open_vm(const vs_config *config) {
+  vs_scheme *vm = config->memory ? config->memory(config->user, NULL, 0, sizeof *vm) : malloc(sizeof *vm);
   if (!vm) return NULL;
   memset(vm, 0, sizeof *vm);
   vm->config = *config;
@@ -65,7 +65,7 @@ vs *vs_open_vm(const vs_config *config) {
   return vm;
 }
 
-void vs_close_vm(vs *vm) {
+void vs_close_vm(vs_scheme *vm) {
   if (!vm) return;
   vs_gc_close(vm);
   if (vm->stack) vs_mem(vm, vm->stack, (size_t)((char *)vm->stack_end - (char *)vm->stack), 0);

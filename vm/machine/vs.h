@@ -1,4 +1,4 @@
-/* Owns struct vs: one interpreter, everything it has. There are no globals; two interpreters share nothing. */
+/* Owns struct vs_scheme: one interpreter, everything it has. There are no globals; two interpreters share nothing. */
 #ifndef VS_VS_H
 #define VS_VS_H
 
@@ -50,14 +50,14 @@ typedef struct vs_config {
   const struct vs_shipped *shipped; /* libraries in Scheme that come with the language (program.h), or NULL */
   const char *const *command_line; size_t command_line_count; /* what (command-line) gives; 0: "vs" alone. Living as long as the interpreter */
   /* The value of a top-level expression of the program or of a file it loaded; false: the error is set. NULL: nobody wants it. */
-  bool (*value)(vs *vm, vs_value v, vs_pos place);
+  bool (*value)(vs_scheme *vm, vs_value v, vs_pos place);
   /* A foreign object that an expression before a body's last one gave, alone or first in a list. It may not allocate in the heap. NULL: nobody wants it. */
-  void (*dropped)(vs *vm, vs_value v);
+  void (*dropped)(vs_scheme *vm, vs_value v);
   /* Something in the program that is allowed and surely not meant; the text lives until the call returns. It may not allocate in the heap. NULL: nobody wants it. */
-  void (*warn)(vs *vm, vs_pos place, const char *message);
+  void (*warn)(vs_scheme *vm, vs_pos place, const char *message);
   /* Something that is allowed and seldom meant, told once for a place and a kind (any constant text). NULL: nobody
    * wants it. */
-  void (*suspect)(vs *vm, const char *kind, const char *message);
+  void (*suspect)(vs_scheme *vm, const char *kind, const char *message);
 } vs_config;
 
 struct vs_gc_block;
@@ -65,7 +65,7 @@ struct vs_gc_large;
 struct vs_roots;
 struct vs_ast;
 
-struct vs {
+struct vs_scheme {
   /* the nursery: bump from `free` to `end` */
   char *free, *end;
   char *nursery;
@@ -130,7 +130,7 @@ struct vs {
 };
 
 /* An interpreter with the VM's own natives defined; NULL when memory is refused. */
-vs *vs_open_vm(const vs_config *config);
-void vs_close_vm(vs *vm);
+vs_scheme *vs_open_vm(const vs_config *config);
+void vs_close_vm(vs_scheme *vm);
 
 #endif

@@ -10,7 +10,7 @@ enum { EQUAL_STEPS_BEFORE_NOTES = 100000, HASH_NODES = 64 };
 typedef struct equal_pair { vs_value a, b; } equal_pair;
 
 typedef struct equal_walk {
-  vs *vm;
+  vs_scheme *vm;
   equal_pair *todo; size_t count, room;
   equal_pair *notes; size_t noted, slots;          /* open addressing, a = 0 is free (0 is no object) */
 } equal_walk;
@@ -84,7 +84,7 @@ static bool flat_equal(const vs_flat *a, const vs_flat *b) {
   return true;
 }
 
-bool vs_equal(vs *vm, vs_value a, vs_value b, bool *out) {
+bool vs_equal(vs_scheme *vm, vs_value a, vs_value b, bool *out) {
   if (vs_eqv(a, b)) return *out = true, true;
   if (!vs_is_object(a) || !vs_is_object(b)) return *out = false, true;
   equal_walk w = {.vm = vm};
@@ -146,7 +146,7 @@ static uint64_t string_hash(const vs_string *s) {
 }
 
 /* of one object without looking into it */
-static uint64_t hash_atom(vs *vm, vs_value v, bool deep, bool *moves) {
+static uint64_t hash_atom(vs_scheme *vm, vs_value v, bool deep, bool *moves) {
   if (!vs_is_object(v)) return mix(1, v);
   const vs_object *o = vs_object_of(v);
   if (o->type == VS_T_BIGNUM || o->type == VS_T_RATIO) return vs_number_hash(v);
@@ -176,7 +176,7 @@ static uint64_t hash_atom(vs *vm, vs_value v, bool deep, bool *moves) {
   return mix(3, v);
 }
 
-uint64_t vs_hash(vs *vm, vs_value v, uint32_t kind, bool *moves) {
+uint64_t vs_hash(vs_scheme *vm, vs_value v, uint32_t kind, bool *moves) {
   *moves = false;
   bool deep = kind == VS_TABLE_EQUAL || kind == VS_TABLE_STRING;
   if (!deep || !vs_is_object(v) || (!vs_is_pair(v) && !vs_is_vector(v))) return hash_atom(vm, v, deep, moves);

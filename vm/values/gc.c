@@ -83,12 +83,12 @@ static void *default_memory(void *user, void *p, size_t old_bytes, size_t bytes)
   return realloc(p, bytes);
 }
 
-static void gc_fail_limit(vs *vm) {
+static void gc_fail_limit(vs_scheme *vm) {
   vs_fail_memory(vm);
   vm->over_limit = true;
 }
 
-void *vs_mem(vs *vm, void *p, size_t old_bytes, size_t bytes) {
+void *vs_mem(vs_scheme *vm, void *p, size_t old_bytes, size_t bytes) {
   void *(*memory)(void *, void *, size_t, size_t) = vm->config.memory ? vm->config.memory : default_memory;
   if (bytes > old_bytes) {
     if (vm->fail_after && --vm->fail_after == 0) { vs_fail_memory(vm); return NULL; }
@@ -102,7 +102,7 @@ void *vs_mem(vs *vm, void *p, size_t old_bytes, size_t bytes) {
 }
 
 /* room for one more element in a C array; false: refused */
-static bool gc_grow(vs *vm, void *array, size_t *room, size_t count, size_t size) {
+static bool gc_grow(vs_scheme *vm, void *array, size_t *room, size_t count, size_t size) {
   if (count < *room) return true;
   size_t more = *room ? *room * 2 : 64;
   void **p = array, *q = vs_mem(vm, *p, *room * size, more * size);
@@ -115,7 +115,7 @@ static bool gc_grow(vs *vm, void *array, size_t *room, size_t count, size_t size
 static size_t chunk_size(size_t blocks) { return blocks > CHUNK_BLOCKS ? (blocks + 1) * BLOCK : sizeof(struct vs_gc_chunk) + blocks * BLOCK; }
 
 /* A quarter of what is there, in whole huge pages, their number a power of two. */
-static bool gc_add_chunk(vs *vm) {
+static bool gc_add_chunk(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   size_t blocks = CHUNK_BLOCKS;
   for (size_t bytes = CHUNK_LEAST; bytes <= CHUNK_MOST && bytes <= gc->chunk_bytes / 4; bytes *= 2) blocks = bytes / BLOCK - 1;
@@ -130,23 +130,25 @@ static bool gc_add_chunk(vs *vm) {
   return true;
 }
 
-static void gc_drop_chunk(vs *vm, struct vs_gc_chunk *c) {
+static void gc_drop_chunk(vs_scheme *vm, struct vs_gc_chunk *c) {
   size_t bytes = chunk_size(c->count);
   vm->gc->chunk_bytes -= bytes;
   vs_mem(vm, c, bytes, 0);
 }
 
 /* enough spare blocks that promoting the whole nursery cannot fail */
-static size_t gc_blocks_needed(const vs *vm) { return vm->nursery_bytes / (BLOCK_DATA - BLOCK_DATA / 4) + CLASSES + 1; }
+static size_t gc_blocks_needed(const vs_scheme *vm) {
+  return vm->nursery_bytes / (BLOCK_DATA - BLOCK_DATA / 4) + CLASSES + 1;
+}
 
-static bool gc_reserve(vs *vm) {
+static bool gc_reserve(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   while (gc->spares < gc_blocks_needed(vm))
     if (!gc_add_chunk(vm)) return false;
   return true;
 }
 
-static struct vs_gc_block *gc_block(vs *vm) {
+static struct vs_gc_block *gc_block(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   struct vs_gc_block *b = gc->spare;
   if (!b && !gc->open && !gc_add_chunk(vm)) return NULL;
@@ -163,7 +165,7 @@ static struct vs_gc_block *gc_block(vs *vm) {
   return b;
 }
 
-static vs_object *gc_cell(vs *vm, size_t words) {
+static vs_object *gc_cell(vs_scheme *vm, size_t words) {
   struct vs_gc *gc = vm->gc;
   unsigned k = gc->class_of[words];
   size_t bytes = class_words[k] * sizeof(uint64_t);
@@ -187,7 +189,7 @@ static vs_object *gc_cell(vs *vm, size_t words) {
 
 /* Returns a cell for an object that is born old, or NULL: refused. A block that it needs is one beyond those set aside, which the next minor
    collection must find there. */
-static vs_object *gc_born_old(vs *vm, size_t words) {
+static vs_object *gc_born_old(vs_scheme *vm, size_t words) {
   struct vs_gc *gc = vm->gc;
   unsigned k = gc->class_of[words];
   const struct vs_gc_block *b = gc->of[k].bump;
@@ -198,7 +200,7 @@ static vs_object *gc_born_old(vs *vm, size_t words) {
 }
 
 /* Wiped, which for a gigabyte takes long enough to poll: *stopped, the condition is not that of refused memory. */
-static vs_object *gc_large(vs *vm, size_t words, bool *stopped) {
+static vs_object *gc_large(vs_scheme *vm, size_t words, bool *stopped) {
   struct vs_gc *gc = vm->gc;
   size_t bytes = words * sizeof(uint64_t);
   struct vs_gc_large *l = vs_mem(vm, NULL, 0, sizeof *l + bytes);
@@ -214,7 +216,7 @@ static vs_object *gc_large(vs *vm, size_t words, bool *stopped) {
 }
 
 /* ---- allocation ---- */
-static void gc_hold_down(vs *vm) {      /* while debugging, every allocation takes the slow path */
+static void gc_hold_down(vs_scheme *vm) {      /* while debugging, every allocation takes the slow path */
   vm->end = VS_DEBUG_STRESS || vm->fail_after ? vm->nursery : vm->gc->nursery_end;
 }
 
@@ -225,7 +227,7 @@ static vs_object *gc_init(vs_object *o, int type, unsigned gc, size_t words) {
 }
 
 /* under VS_DEBUG_STRESS: the collections due before this allocation, and perhaps no room left: gc_alloc_slow sees to that */
-static void gc_stress(vs *vm) {
+static void gc_stress(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   if (gc->whole_in-- == 0) {
     vs_gc_major(vm);
@@ -238,11 +240,11 @@ static void gc_stress(vs *vm) {
   }
 }
 
-static bool gc_over_limit(const vs *vm, size_t more) {
+static bool gc_over_limit(const vs_scheme *vm, size_t more) {
   return vm->config.memory_limit && vm->bytes + vm->gc->external + more > vm->config.memory_limit;
 }
 
-vs_object *vs_gc_alloc_old(vs *vm, int type, size_t words) {
+vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words) {
   struct vs_gc *gc = vm->gc;
   if (words < 2) words = 2;
   if (words > UINT32_MAX) { vs_fail_memory(vm); return NULL; }
@@ -266,7 +268,7 @@ vs_object *vs_gc_alloc_old(vs *vm, int type, size_t words) {
   return o;
 }
 
-static vs_object *gc_alloc_slow(vs *vm, int type, size_t words) {
+static vs_object *gc_alloc_slow(vs_scheme *vm, int type, size_t words) {
   struct vs_gc *gc = vm->gc;
   size_t bytes = words * sizeof(uint64_t);
   if (words > CLASS_MAX) {
@@ -293,7 +295,7 @@ static vs_object *gc_alloc_slow(vs *vm, int type, size_t words) {
   return gc_init(o, type, 0, words);
 }
 
-vs_object *vs_gc_alloc(vs *vm, int type, size_t words) {
+vs_object *vs_gc_alloc(vs_scheme *vm, int type, size_t words) {
   if (words < 2) words = 2;
   if (words <= CLASS_MAX && (ptrdiff_t)(words * sizeof(uint64_t)) <= vm->end - vm->free) {
     vs_object *o = (vs_object *)(void *)vm->free;
@@ -303,7 +305,7 @@ vs_object *vs_gc_alloc(vs *vm, int type, size_t words) {
   return gc_alloc_slow(vm, type, words);
 }
 
-void vs_gc_remember(vs *vm, vs_object *o) {
+void vs_gc_remember(vs_scheme *vm, vs_object *o) {
   struct vs_gc *gc = vm->gc;
   if (o->gc & GC_REMEMBERED) return;
   o->gc |= GC_REMEMBERED;
@@ -317,7 +319,7 @@ void vs_gc_remember(vs *vm, vs_object *o) {
   gc->remembered[gc->remembered_count++] = o;
 }
 
-void vs_gc_external(vs *vm, int64_t bytes) {
+void vs_gc_external(vs_scheme *vm, int64_t bytes) {
   struct vs_gc *gc = vm->gc;
   if (bytes < 0 && gc->external < (size_t)-bytes) gc->external = 0;
   else gc->external = (size_t)((int64_t)gc->external + bytes);
@@ -333,7 +335,7 @@ static uint16_t gc_charge(size_t bytes) {
 }
 static size_t gc_charged(uint16_t charge) { return (size_t)(charge & CHARGE_MASK) << (charge >> CHARGE_DIGITS); }
 
-bool vs_make_foreign(vs *vm, const struct vs_foreign_type *type, void *object, size_t bytes, vs_value *out) {
+bool vs_make_foreign(vs_scheme *vm, const struct vs_foreign_type *type, void *object, size_t bytes, vs_value *out) {
   struct vs_gc *gc = vm->gc;
   uint16_t charge = gc_charge(bytes);
   vs_gc_external(vm, (int64_t)gc_charged(charge));
@@ -359,7 +361,7 @@ bool vs_make_foreign(vs *vm, const struct vs_foreign_type *type, void *object, s
   return true;
 }
 
-static void gc_finalize(vs *vm, vs_object *o) {
+static void gc_finalize(vs_scheme *vm, vs_object *o) {
   vs_foreign *f = (vs_foreign *)(void *)o;
   vs_gc_external(vm, -(int64_t)gc_charged(f->h.flags));
   if (f->type->release && f->object) f->type->release(f->object);
@@ -369,11 +371,11 @@ static void gc_finalize(vs *vm, vs_object *o) {
 /* ---- roots, one visit for both collections ---- */
 typedef vs_gc_visit gc_visit;
 
-static inline void gc_visit_range(vs *vm, vs_value *at, size_t n, gc_visit *visit) {
+static inline void gc_visit_range(vs_scheme *vm, vs_value *at, size_t n, gc_visit *visit) {
   for (size_t i = 0; i < n; i++) visit(vm, &at[i]);
 }
 
-static void gc_visit_roots(vs *vm, gc_visit *visit) {
+static void gc_visit_roots(vs_scheme *vm, gc_visit *visit) {
   if (vm->stack) {
     gc_visit_range(vm, vm->stack, (size_t)(vm->top - vm->stack), visit);
     /* what lies above is dead, but would be taken for live when a frame grows over it before writing there */
@@ -390,7 +392,7 @@ static void gc_visit_roots(vs *vm, gc_visit *visit) {
 }
 
 /* ---- minor collection ---- */
-static void minor_visit(vs *vm, vs_value *slot) {
+static void minor_visit(vs_scheme *vm, vs_value *slot) {
   vs_value v = *slot;
   if (VS_DEBUG_STRESS) vm->gc->visits++;
   if (!vs_is_object(v) || !vs_gc_is_young(vm, vs_object_of(v))) return;
@@ -413,15 +415,15 @@ static void minor_visit(vs *vm, vs_value *slot) {
   *slot = vs_from_object((void *)(uintptr_t)corpse[1]);
 }
 
-static void minor_trace(vs *vm, vs_object *o) {
+static void minor_trace(vs_scheme *vm, vs_object *o) {
   size_t n;
   vs_value *slots = vs_layout_slots(o, &n);
   for (size_t i = 0; i < n; i++) minor_visit(vm, &slots[i]);
 }
 
 /* every old object, in no order */
-typedef void gc_each(vs *vm, vs_object *o);
-static void gc_walk_old(vs *vm, gc_each *f) {
+typedef void gc_each(vs_scheme *vm, vs_object *o);
+static void gc_walk_old(vs_scheme *vm, gc_each *f) {
   struct vs_gc *gc = vm->gc;
   for (struct vs_gc_block *b = gc->blocks; b; b = b->next)
     for (uint32_t at = 0; at < b->used; at += b->words * 8u) {
@@ -436,21 +438,21 @@ static void gc_walk_old(vs *vm, gc_each *f) {
   }
 }
 
-static void minor_remembered(vs *vm, vs_object *o) {
+static void minor_remembered(vs_scheme *vm, vs_object *o) {
   if (o->gc & GC_REMEMBERED) {
     o->gc &= (uint8_t)~GC_REMEMBERED;
     minor_trace(vm, o);
   }
 }
 
-static void gc_trace_foreign(vs *vm, void (*visit)(vs *, vs_value *)) {
+static void gc_trace_foreign(vs_scheme *vm, void (*visit)(vs_scheme *, vs_value *)) {
   for (size_t i = 0; i < vm->gc->tracing_count; i++) {
     vs_foreign *f = (vs_foreign *)(void *)vm->gc->tracing[i];
     if (f->object) f->type->trace(vm, f->object, visit);
   }
 }
 
-void vs_gc_minor(vs *vm) {
+void vs_gc_minor(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   if (!gc->ready) return;      /* nothing was allocated */
   gc->grey = NULL;
@@ -496,7 +498,7 @@ void vs_gc_minor(vs *vm) {
 }
 
 /* ---- major collection ---- */
-static void major_push(vs *vm, vs_object *o, size_t next) {
+static void major_push(vs_scheme *vm, vs_object *o, size_t next) {
   struct vs_gc *gc = vm->gc;
   if (gc->mark_count == gc->mark_room) {
     vs_value was = vm->condition;
@@ -507,7 +509,7 @@ static void major_push(vs *vm, vs_object *o, size_t next) {
   gc->marks[gc->mark_count++] = (struct mark_entry){o, next};
 }
 
-static void major_visit(vs *vm, vs_value *slot) {
+static void major_visit(vs_scheme *vm, vs_value *slot) {
   if (!vs_is_object(*slot)) return;
   vs_object *o = vs_object_of(*slot);
   if (o->gc & GC_MARK) return;
@@ -515,7 +517,7 @@ static void major_visit(vs *vm, vs_value *slot) {
   if (vs_layout[o->type].first) major_push(vm, o, 0);
 }
 
-static void major_drain(vs *vm) {
+static void major_drain(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   while (gc->mark_count) {
     struct mark_entry e = gc->marks[--gc->mark_count];
@@ -531,7 +533,7 @@ static void major_drain(vs *vm) {
   }
 }
 
-static void major_rescan(vs *vm, vs_object *o) {
+static void major_rescan(vs_scheme *vm, vs_object *o) {
   if (!(o->gc & GC_MARK)) return;
   size_t n;
   vs_value *slots = vs_layout_slots(o, &n);
@@ -540,7 +542,7 @@ static void major_rescan(vs *vm, vs_object *o) {
 }
 
 /* gives chunks back that have no block in use, as long as enough spare ones stay */
-static void major_give_back(vs *vm) {
+static void major_give_back(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   size_t keep = gc_blocks_needed(vm), leaving = 0;
   for (struct vs_gc_chunk *c = gc->chunks; c; c = c->next) c->live = 0;
@@ -560,7 +562,7 @@ static void major_give_back(vs *vm) {
     else link = &c->next;
 }
 
-static void major_sweep(vs *vm) {
+static void major_sweep(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   size_t live = 0;
   for (unsigned k = 0; k < CLASSES; k++) { gc->of[k].free = NULL; gc->of[k].bump = NULL; }
@@ -619,7 +621,7 @@ static void major_sweep(vs *vm) {
   major_give_back(vm);
 }
 
-void vs_gc_major(vs *vm) {
+void vs_gc_major(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   vs_gc_minor(vm);
   if (vm->free != vm->nursery) return;         /* could not be emptied */
@@ -659,7 +661,7 @@ void vs_gc_major(vs *vm) {
 }
 
 /* ---- checking ---- */
-static void check_object(vs *vm, vs_object *o) {
+static void check_object(vs_scheme *vm, vs_object *o) {
   size_t n;
   bool good = o->type < VS_T_COUNT && o->words >= 2 && !(o->gc & (GC_FREE | GC_MOVED));
   if (good) {
@@ -674,7 +676,7 @@ static void check_object(vs *vm, vs_object *o) {
   if (!good) vm->gc->mark_lost = true;         /* borrowed as the verdict */
 }
 
-bool vs_gc_check(vs *vm) {
+bool vs_gc_check(vs_scheme *vm) {
   vm->gc->mark_lost = false;
   gc_walk_old(vm, check_object);
   bool good = !vm->gc->mark_lost;
@@ -682,13 +684,13 @@ bool vs_gc_check(vs *vm) {
   return good;
 }
 
-void vs_gc_fail_after(vs *vm, size_t n) {
+void vs_gc_fail_after(vs_scheme *vm, size_t n) {
   vm->fail_after = n;
   if (vm->gc->ready) gc_hold_down(vm);
 }
 
 /* ---- opening and closing ---- */
-bool vs_gc_open(vs *vm) {
+bool vs_gc_open(vs_scheme *vm) {
   struct vs_gc *gc = vs_mem(vm, NULL, 0, sizeof *gc);
   if (!gc) return false;
   memset(gc, 0, sizeof *gc);
@@ -710,16 +712,16 @@ bool vs_gc_open(vs *vm) {
   return gc->ready;
 }
 
-void vs_gc_adopt(vs *vm, void *image, size_t bytes) {
+void vs_gc_adopt(vs_scheme *vm, void *image, size_t bytes) {
   vm->gc->image = image;
   vm->gc->image_bytes = bytes;
 }
 
-static void close_object(vs *vm, vs_object *o) {
+static void close_object(vs_scheme *vm, vs_object *o) {
   if (o->type == VS_T_FOREIGN) gc_finalize(vm, o);
 }
 
-void vs_gc_close(vs *vm) {
+void vs_gc_close(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   if (!gc) return;
   for (size_t i = 0; i < gc->young_count; i++) gc_finalize(vm, gc->young_foreign[i]);

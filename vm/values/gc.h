@@ -6,7 +6,7 @@
    an explicit stack, never by recursion, when the old space has doubled, host objects' bytes included.
 
    Rules for C code.
-   - Any function here that takes `vs *` and can allocate may move young objects. Values needed afterwards live in roots:
+   - Any function here that takes `vs_scheme *` and can allocate may move young objects. Values needed afterwards live in roots:
        VS_ROOTS(vm, r, 3);            three slots r[0..2], #unspecific at first, dropped at the end of the block
      A native's args[] and *result are roots already. Values passed by value to the constructors below are safe inside them.
    - Constructors return false when memory is out; the error is then in vm->condition and is passed on like any other:
@@ -18,7 +18,7 @@
 #include "vm/machine/vs.h"
 
 /* ---- roots ---- */
-struct vs_roots { struct vs_roots *next; vs *vm; vs_value *slots; size_t count; };
+struct vs_roots { struct vs_roots *next; vs_scheme *vm; vs_value *slots; size_t count; };
 static inline struct vs_roots *vs_gc_link(struct vs_roots *r) {
   for (size_t i = 0; i < r->count; i++) r->slots[i] = VS_UNSPECIFIC;
   r->next = r->vm->roots;
@@ -33,32 +33,32 @@ static inline void vs_gc_unlink(struct vs_roots *r) { r->vm->roots = r->next; }
 /* ---- objects ---- */
 /* An object of `words` words, header filled, the rest zero bytes (which read as the double 0.0), in the nursery if small.
    NULL when memory is out. */
-vs_object *vs_gc_alloc(vs *vm, int type, size_t words);
-vs_object *vs_gc_alloc_old(vs *vm, int type, size_t words);      /* never moves */
+vs_object *vs_gc_alloc(vs_scheme *vm, int type, size_t words);
+vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words);      /* never moves */
 
-static inline bool vs_gc_is_young(const vs *vm, const void *o) { return (uintptr_t)o - (uintptr_t)vm->nursery < vm->nursery_bytes; }
-void vs_gc_remember(vs *vm, vs_object *o);
-static inline void vs_gc_store(vs *vm, void *object, vs_value *field, vs_value v) {
+static inline bool vs_gc_is_young(const vs_scheme *vm, const void *o) { return (uintptr_t)o - (uintptr_t)vm->nursery < vm->nursery_bytes; }
+void vs_gc_remember(vs_scheme *vm, vs_object *o);
+static inline void vs_gc_store(vs_scheme *vm, void *object, vs_value *field, vs_value v) {
   *field = v;
   if (vs_is_object(v) && vs_gc_is_young(vm, vs_object_of(v)) && !vs_gc_is_young(vm, object)) vs_gc_remember(vm, object);
 }
 
-bool vs_cons(vs *vm, vs_value car, vs_value cdr, vs_value *out);
-bool vs_cons_at(vs *vm, vs_value car, vs_value cdr, vs_pos pos, vs_value *out);       /* a located pair */
-bool vs_make_vector(vs *vm, size_t n, vs_value fill, vs_value *out);
-bool vs_make_bytes(vs *vm, size_t n, vs_value *out);                                  /* zeroed */
-bool vs_make_string(vs *vm, size_t length, uint32_t fill, vs_value *out);             /* wide when fill > 255 */
-bool vs_string_from_utf8(vs *vm, const char *s, size_t bytes, vs_value *out);         /* bad bytes become U+FFFD */
-bool vs_make_box(vs *vm, vs_value v, vs_value *out);
-bool vs_make_cell(vs *vm, vs_value name, vs_value v, vs_value *out);
-bool vs_make_values(vs *vm, const vs_value *at, size_t n, vs_value *out);             /* `at` in roots or args; n = 1 gives at[0] */
-bool vs_make_flat(vs *vm, uint32_t tag, const double *at, size_t n, vs_value *out);
-bool vs_make_keywords(vs *vm, const vs_value *names, size_t n, vs_value *out);
+bool vs_cons(vs_scheme *vm, vs_value car, vs_value cdr, vs_value *out);
+bool vs_cons_at(vs_scheme *vm, vs_value car, vs_value cdr, vs_pos pos, vs_value *out);       /* a located pair */
+bool vs_make_vector(vs_scheme *vm, size_t n, vs_value fill, vs_value *out);
+bool vs_make_bytes(vs_scheme *vm, size_t n, vs_value *out);                                  /* zeroed */
+bool vs_make_string(vs_scheme *vm, size_t length, uint32_t fill, vs_value *out);             /* wide when fill > 255 */
+bool vs_string_from_utf8(vs_scheme *vm, const char *s, size_t bytes, vs_value *out);         /* bad bytes become U+FFFD */
+bool vs_make_box(vs_scheme *vm, vs_value v, vs_value *out);
+bool vs_make_cell(vs_scheme *vm, vs_value name, vs_value v, vs_value *out);
+bool vs_make_values(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out);             /* `at` in roots or args; n = 1 gives at[0] */
+bool vs_make_flat(vs_scheme *vm, uint32_t tag, const double *at, size_t n, vs_value *out);
+bool vs_make_keywords(vs_scheme *vm, const vs_value *names, size_t n, vs_value *out);
 /* takes the one reference to `object` over; also when it fails (it is then released) */
-bool vs_make_foreign(vs *vm, const struct vs_foreign_type *type, void *object, size_t bytes, vs_value *out);
+bool vs_make_foreign(vs_scheme *vm, const struct vs_foreign_type *type, void *object, size_t bytes, vs_value *out);
 /* The symbol of these UTF-8 bytes. */
-bool vs_intern(vs *vm, const char *name, size_t bytes, vs_value *out);
-bool vs_intern_c(vs *vm, const char *name, vs_value *out);
+bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out);
+bool vs_intern_c(vs_scheme *vm, const char *name, vs_value *out);
 
 /* Plain objects with traced fields (environment, macro, alias, promise, parameter, record type, ratio ...): allocate with
    vs_gc_alloc(vm, VS_T_X, VS_WORDS(vs_x)) and set the fields before the next allocation. */
@@ -66,19 +66,19 @@ bool vs_intern_c(vs *vm, const char *name, vs_value *out);
 
 /* ---- memory that is not objects: counted against the limit; `old_bytes` as given before. NULL when refused (no error set
    when bytes is 0) ---- */
-void *vs_mem(vs *vm, void *p, size_t old_bytes, size_t bytes);
+void *vs_mem(vs_scheme *vm, void *p, size_t old_bytes, size_t bytes);
 
-void vs_gc_minor(vs *vm);
-void vs_gc_major(vs *vm);                     /* both generations */
-void vs_gc_external(vs *vm, int64_t bytes);   /* host memory held by objects grew or shrank */
-bool vs_gc_check(vs *vm);                     /* walk the heap; true when sound */
+void vs_gc_minor(vs_scheme *vm);
+void vs_gc_major(vs_scheme *vm);                     /* both generations */
+void vs_gc_external(vs_scheme *vm, int64_t bytes);   /* host memory held by objects grew or shrank */
+bool vs_gc_check(vs_scheme *vm);                     /* walk the heap; true when sound */
 
-void vs_gc_fail_after(vs *vm, size_t n);      /* tests: refuse the n-th allocation from now; 0 stops that */
+void vs_gc_fail_after(vs_scheme *vm, size_t n);      /* tests: refuse the n-th allocation from now; 0 stops that */
 
 /* ---- between the parts of vm/ ---- */
-typedef void vs_gc_visit(vs *vm, vs_value *slot);
-void vs_gc_visit_trees(vs *vm, vs_gc_visit *visit);             /* ast.c: constants of the trees being built */
-void vs_gc_adopt(vs *vm, void *image, size_t bytes);            /* image.c: objects made elsewhere; takes the vs_mem block over */
-bool vs_gc_open(vs *vm);
-void vs_gc_close(vs *vm);
+typedef void vs_gc_visit(vs_scheme *vm, vs_value *slot);
+void vs_gc_visit_trees(vs_scheme *vm, vs_gc_visit *visit);             /* ast.c: constants of the trees being built */
+void vs_gc_adopt(vs_scheme *vm, void *image, size_t bytes);            /* image.c: objects made elsewhere; takes the vs_mem block over */
+bool vs_gc_open(vs_scheme *vm);
+void vs_gc_close(vs_scheme *vm);
 #endif

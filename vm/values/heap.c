@@ -2,7 +2,7 @@
 #include "vm/values/gc.h"
 #include "vm/machine/native.h"
 
-bool vs_cons(vs *vm, vs_value car, vs_value cdr, vs_value *out) {
+bool vs_cons(vs_scheme *vm, vs_value car, vs_value cdr, vs_value *out) {
   vs_pair *p;
   if (vm->end - vm->free >= (ptrdiff_t)sizeof *p) {
     p = (vs_pair *)(void *)vm->free;
@@ -20,7 +20,7 @@ bool vs_cons(vs *vm, vs_value car, vs_value cdr, vs_value *out) {
   return true;
 }
 
-bool vs_cons_at(vs *vm, vs_value car, vs_value cdr, vs_pos pos, vs_value *out) {
+bool vs_cons_at(vs_scheme *vm, vs_value car, vs_value cdr, vs_pos pos, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = car; r[1] = cdr;
   vs_located_pair *p = (vs_located_pair *)(void *)vs_gc_alloc(vm, VS_T_PAIR, VS_WORDS(vs_located_pair));
@@ -31,7 +31,7 @@ bool vs_cons_at(vs *vm, vs_value car, vs_value cdr, vs_pos pos, vs_value *out) {
   return true;
 }
 
-bool vs_make_vector(vs *vm, size_t n, vs_value fill, vs_value *out) {
+bool vs_make_vector(vs_scheme *vm, size_t n, vs_value fill, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = fill;
   if (n > UINT32_MAX - 2) return vs_fail_memory(vm);
@@ -46,7 +46,7 @@ bool vs_make_vector(vs *vm, size_t n, vs_value fill, vs_value *out) {
   return true;
 }
 
-bool vs_make_bytes(vs *vm, size_t n, vs_value *out) {
+bool vs_make_bytes(vs_scheme *vm, size_t n, vs_value *out) {
   if (n / 8 > UINT32_MAX - 3) return vs_fail_memory(vm);
   vs_bytes *b = (vs_bytes *)(void *)vs_gc_alloc(vm, VS_T_BYTES, 2 + (n + 7) / 8);
   if (!b) return false;
@@ -55,7 +55,7 @@ bool vs_make_bytes(vs *vm, size_t n, vs_value *out) {
   return true;
 }
 
-bool vs_make_string(vs *vm, size_t length, uint32_t fill, vs_value *out) {
+bool vs_make_string(vs_scheme *vm, size_t length, uint32_t fill, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   bool wide = fill > 255;
   if (length > UINT32_MAX) return vs_fail_memory(vm);
@@ -95,7 +95,7 @@ static uint32_t utf8_next(const unsigned char *s, size_t n, size_t *used) {
   return c;
 }
 
-bool vs_string_from_utf8(vs *vm, const char *text, size_t bytes, vs_value *out) {
+bool vs_string_from_utf8(vs_scheme *vm, const char *text, size_t bytes, vs_value *out) {
   const unsigned char *s = (const unsigned char *)text;
   size_t length = 0, used;
   uint32_t widest = 0;
@@ -117,7 +117,7 @@ bool vs_string_from_utf8(vs *vm, const char *text, size_t bytes, vs_value *out) 
   return true;
 }
 
-bool vs_make_box(vs *vm, vs_value v, vs_value *out) {
+bool vs_make_box(vs_scheme *vm, vs_value v, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = v;
   vs_box *b = (vs_box *)(void *)vs_gc_alloc(vm, VS_T_BOX, VS_WORDS(vs_box));
@@ -127,7 +127,7 @@ bool vs_make_box(vs *vm, vs_value v, vs_value *out) {
   return true;
 }
 
-bool vs_make_cell(vs *vm, vs_value name, vs_value v, vs_value *out) {
+bool vs_make_cell(vs_scheme *vm, vs_value name, vs_value v, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = name; r[1] = v;
   vs_cell *c = (vs_cell *)(void *)vs_gc_alloc(vm, VS_T_CELL, VS_WORDS(vs_cell));
@@ -137,7 +137,7 @@ bool vs_make_cell(vs *vm, vs_value name, vs_value v, vs_value *out) {
   return true;
 }
 
-bool vs_make_values(vs *vm, const vs_value *at, size_t n, vs_value *out) {
+bool vs_make_values(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out) {
   if (n == 1) { *out = at[0]; return true; }
   vs_values *v = (vs_values *)(void *)vs_gc_alloc(vm, VS_T_VALUES, 2 + n);
   if (!v) return false;
@@ -147,7 +147,7 @@ bool vs_make_values(vs *vm, const vs_value *at, size_t n, vs_value *out) {
   return true;
 }
 
-bool vs_make_flat(vs *vm, uint32_t tag, const double *at, size_t n, vs_value *out) {
+bool vs_make_flat(vs_scheme *vm, uint32_t tag, const double *at, size_t n, vs_value *out) {
   vs_flat *f = (vs_flat *)(void *)vs_gc_alloc(vm, VS_T_FLAT, 1 + n);
   if (!f) return false;
   f->h.flags = (uint16_t)tag;
@@ -156,7 +156,7 @@ bool vs_make_flat(vs *vm, uint32_t tag, const double *at, size_t n, vs_value *ou
   return true;
 }
 
-bool vs_make_keywords(vs *vm, const vs_value *names, size_t n, vs_value *out) {
+bool vs_make_keywords(vs_scheme *vm, const vs_value *names, size_t n, vs_value *out) {
   vs_keywords *k = (vs_keywords *)(void *)vs_gc_alloc(vm, VS_T_KEYWORDS, 2 + n);
   if (!k) return false;
   k->count = n;
@@ -172,7 +172,7 @@ static uint32_t name_hash(const char *s, size_t n) {
   return h;
 }
 
-static bool symbols_grow(vs *vm) {
+static bool symbols_grow(vs_scheme *vm) {
   VS_ROOTS(vm, r, 1);
   size_t room = vs_is_vector(vm->at.symbols) ? (vs_as_vector(vm->at.symbols)->length - 1) * 2 : 1024;
   if (!vs_make_vector(vm, room + 1, VS_FALSE, &r[0])) return false;
@@ -192,7 +192,7 @@ static bool symbols_grow(vs *vm) {
   return true;
 }
 
-bool vs_intern(vs *vm, const char *name, size_t bytes, vs_value *out) {
+bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out) {
   if (bytes > UINT32_MAX / 2) return vs_fail_memory(vm);
   if (!vs_is_vector(vm->at.symbols) && !symbols_grow(vm)) return false;
   vs_vector *table = vs_as_vector(vm->at.symbols);
@@ -218,4 +218,4 @@ bool vs_intern(vs *vm, const char *name, size_t bytes, vs_value *out) {
   return true;
 }
 
-bool vs_intern_c(vs *vm, const char *name, vs_value *out) { return vs_intern(vm, name, strlen(name), out); }
+bool vs_intern_c(vs_scheme *vm, const char *name, vs_value *out) { return vs_intern(vm, name, strlen(name), out); }

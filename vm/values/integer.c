@@ -11,7 +11,7 @@
 
 _Static_assert(GMP_LIMB_BITS == 64 && GMP_NAIL_BITS == 0, "limbs are the bignum's 64-bit words");
 
-static bool int_too_large(vs *vm) {
+static bool int_too_large(vs_scheme *vm) {
   return vs_fail(vm, vm->sym.range, "the number would have more than %d million digits", VS_INT_MAX_LIMBS / 1000000 * 20);
 }
 
@@ -31,7 +31,7 @@ void vs_int_look(vs_value v, vs_int_view *w) {
 }
 
 /* a bignum with room for n limbs, all zero */
-static bool int_new(vs *vm, mp_size_t n, vs_value *out) {
+static bool int_new(vs_scheme *vm, mp_size_t n, vs_value *out) {
   if (n > VS_INT_MAX_LIMBS) return int_too_large(vm);
   if (n < 1) n = 1;
   vs_bignum *b = (vs_bignum *)(void *)vs_gc_alloc(vm, VS_T_BIGNUM, sizeof(vs_bignum) / 8 + (size_t)n);
@@ -44,7 +44,7 @@ static bool int_new(vs *vm, mp_size_t n, vs_value *out) {
 static mp_limb_t *int_limbs(vs_value v) { return vs_as_bignum(v)->limb; }
 
 /* Before multiplying n limbs in all: some 100 ns a limb when they are many, less when they are few. */
-static bool int_poll(vs *vm, mp_size_t n) { return n < 64 || vs_poll(vm, (uint64_t)n * (n < 1024 ? 4 : 32)); }
+static bool int_poll(vs_scheme *vm, mp_size_t n) { return n < 64 || vs_poll(vm, (uint64_t)n * (n < 1024 ? 4 : 32)); }
 
 /* The value of a bignum whose lowest n limbs are filled. */
 static vs_value int_settle(vs_value v, mp_size_t n, bool negative) {
@@ -58,7 +58,7 @@ static vs_value int_settle(vs_value v, mp_size_t n, bool negative) {
   return v;
 }
 
-bool vs_number_from_uint64(vs *vm, uint64_t n, vs_value *out) {
+bool vs_number_from_uint64(vs_scheme *vm, uint64_t n, vs_value *out) {
   if (n <= (uint64_t)VS_FIXNUM_MAX) return *out = vs_fix((int64_t)n), true;
   vs_value v;
   if (!int_new(vm, 1, &v)) return false;
@@ -67,7 +67,7 @@ bool vs_number_from_uint64(vs *vm, uint64_t n, vs_value *out) {
   return true;
 }
 
-bool vs_number_from_int64(vs *vm, int64_t n, vs_value *out) {
+bool vs_number_from_int64(vs_scheme *vm, int64_t n, vs_value *out) {
   if (vs_fits_fixnum(n)) return *out = vs_fix(n), true;
   vs_value v;
   if (!int_new(vm, 1, &v)) return false;
@@ -77,7 +77,7 @@ bool vs_number_from_int64(vs *vm, int64_t n, vs_value *out) {
 }
 
 /* a + b, or a - b with flip */
-static bool int_sum(vs *vm, vs_value a, vs_value b, bool flip, vs_value *out) {
+static bool int_sum(vs_scheme *vm, vs_value a, vs_value b, bool flip, vs_value *out) {
   if (vs_is_fixnum(a) && vs_is_fixnum(b))
     return vs_number_from_int64(vm, flip ? vs_fixnum(a) - vs_fixnum(b) : vs_fixnum(a) + vs_fixnum(b), out);
   VS_ROOTS(vm, r, 3);
@@ -106,11 +106,11 @@ static bool int_sum(vs *vm, vs_value a, vs_value b, bool flip, vs_value *out) {
   return true;
 }
 
-bool vs_int_add(vs *vm, vs_value a, vs_value b, vs_value *out) { return int_sum(vm, a, b, false, out); }
-bool vs_int_sub(vs *vm, vs_value a, vs_value b, vs_value *out) { return int_sum(vm, a, b, true, out); }
-bool vs_int_negate(vs *vm, vs_value a, vs_value *out) { return int_sum(vm, vs_fix(0), a, true, out); }
+bool vs_int_add(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) { return int_sum(vm, a, b, false, out); }
+bool vs_int_sub(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) { return int_sum(vm, a, b, true, out); }
+bool vs_int_negate(vs_scheme *vm, vs_value a, vs_value *out) { return int_sum(vm, vs_fix(0), a, true, out); }
 
-bool vs_int_mul(vs *vm, vs_value a, vs_value b, vs_value *out) {
+bool vs_int_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
   if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
     int64_t product;
     if (!__builtin_mul_overflow(vs_fixnum(a), vs_fixnum(b), &product)) return vs_number_from_int64(vm, product, out);
@@ -134,7 +134,7 @@ bool vs_int_mul(vs *vm, vs_value a, vs_value b, vs_value *out) {
   return true;
 }
 
-bool vs_int_divide(vs *vm, vs_value a, vs_value b, vs_value *quotient, vs_value *remainder) {
+bool vs_int_divide(vs_scheme *vm, vs_value a, vs_value b, vs_value *quotient, vs_value *remainder) {
   if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
     int64_t n = vs_fixnum(a), d = vs_fixnum(b);
     if (remainder) *remainder = vs_fix(n % d);
@@ -207,7 +207,7 @@ static uint64_t int_copy_odd(mp_limb_t *to, const mp_limb_t *from, mp_size_t *n)
   return zeros;
 }
 
-bool vs_int_gcd(vs *vm, vs_value a, vs_value b, vs_value *out) {
+bool vs_int_gcd(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
   VS_ROOTS(vm, r, 3);
   r[0] = a;
   r[1] = b;
@@ -254,7 +254,7 @@ bool vs_int_gcd(vs *vm, vs_value a, vs_value b, vs_value *out) {
   return ok;
 }
 
-bool vs_int_shift(vs *vm, vs_value a, int64_t left, vs_value *out) {
+bool vs_int_shift(vs_scheme *vm, vs_value a, int64_t left, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = a;
   vs_int_view x;
@@ -286,7 +286,7 @@ bool vs_int_shift(vs *vm, vs_value a, int64_t left, vs_value *out) {
   return true;
 }
 
-bool vs_int_power(vs *vm, vs_value a, uint64_t n, vs_value *out) {
+bool vs_int_power(vs_scheme *vm, vs_value a, uint64_t n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = a;
   r[1] = vs_fix(1);
@@ -302,7 +302,7 @@ bool vs_int_power(vs *vm, vs_value a, uint64_t n, vs_value *out) {
   return true;
 }
 
-bool vs_int_sqrt(vs *vm, vs_value a, vs_value *root, vs_value *rest) {
+bool vs_int_sqrt(vs_scheme *vm, vs_value a, vs_value *root, vs_value *rest) {
   VS_ROOTS(vm, r, 3);
   r[0] = a;
   vs_int_view x;
@@ -328,7 +328,7 @@ static void int_complement(const vs_int_view *w, mp_limb_t *to, mp_size_t n) {
   if (w->negative) mpn_neg(to, to, n);
 }
 
-bool vs_int_bitwise(vs *vm, char op, vs_value a, vs_value b, vs_value *out) {
+bool vs_int_bitwise(vs_scheme *vm, char op, vs_value a, vs_value b, vs_value *out) {
   if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
     int64_t x = vs_fixnum(a), y = vs_fixnum(b);
     *out = vs_fix(op == '&' ? x & y : op == '|' ? x | y : x ^ y);
@@ -361,7 +361,7 @@ bool vs_int_bitwise(vs *vm, char op, vs_value a, vs_value b, vs_value *out) {
 enum { PIECE = 20000, SQUARINGS = 14 /* PIECE * 2^14 is beyond the largest number */ };
 
 /* p[k] = radix^(PIECE * 2^k), as far as fewer digits than `digits` make it of use; how many through *count */
-static bool piece_powers(vs *vm, int radix, double digits, vs_value *p, int *count) {
+static bool piece_powers(vs_scheme *vm, int radix, double digits, vs_value *p, int *count) {
   int k = 0;
   for (double of_one = PIECE; of_one < digits && k < SQUARINGS; of_one *= 2, k++)
     if (!(k ? vs_int_mul(vm, p[k - 1], p[k - 1], &p[k]) : vs_int_power(vm, vs_fix(radix), PIECE, &p[0]))) return false;
@@ -370,7 +370,7 @@ static bool piece_powers(vs *vm, int radix, double digits, vs_value *p, int *cou
 }
 
 /* the digits of |a|, at most some PIECE of them; zeros before it up to `width` */
-static bool print_piece(vs *vm, vs_value a, int radix, size_t width, vs_text *t) {
+static bool print_piece(vs_scheme *vm, vs_value a, int radix, size_t width, vs_text *t) {
   static const char digit[] = "0123456789abcdefghijklmnopqrstuvwxyz";
   vs_int_view x;
   vs_int_look(a, &x);
@@ -397,7 +397,7 @@ static bool print_piece(vs *vm, vs_value a, int radix, size_t width, vs_text *t)
   return ok;
 }
 
-bool vs_int_print(vs *vm, vs_value a, int radix, vs_text *t) {
+bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t) {
   static const char digit[] = "0123456789abcdefghijklmnopqrstuvwxyz";
   vs_int_view x;
   vs_int_look(a, &x);
@@ -436,7 +436,7 @@ bool vs_int_print(vs *vm, vs_value a, int radix, vs_text *t) {
   return true;
 }
 
-static bool piece_from_digits(vs *vm, const unsigned char *digits, size_t n, int radix, vs_value *out) {
+static bool piece_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, int radix, vs_value *out) {
   while (n && *digits == 0) digits++, n--;
   if (n <= 12) {                     /* 36^12 < 2^63 */
     int64_t v = 0;
@@ -451,7 +451,7 @@ static bool piece_from_digits(vs *vm, const unsigned char *digits, size_t n, int
   return true;
 }
 
-bool vs_int_from_digits(vs *vm, const unsigned char *digits, size_t n, int radix, bool negative, vs_value *out) {
+bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, int radix, bool negative, vs_value *out) {
   VS_ROOTS(vm, p, SQUARINGS);
   VS_ROOTS(vm, r, 3);                        /* the pieces, the lowest first; two of them */
   int count;
@@ -516,7 +516,7 @@ double vs_int_double(vs_value a) {
   return x.negative ? -d : d;
 }
 
-bool vs_int_ratio_double(vs *vm, vs_value num, vs_value den, double *out) {
+bool vs_int_ratio_double(vs_scheme *vm, vs_value num, vs_value den, double *out) {
   if (vs_is_fixnum(num) && vs_is_fixnum(den)) {      /* both exact as doubles: the division rounds once */
     *out = (double)vs_fixnum(num) / (double)vs_fixnum(den);
     return true;
@@ -535,7 +535,7 @@ bool vs_int_ratio_double(vs *vm, vs_value num, vs_value den, double *out) {
   return true;
 }
 
-bool vs_int_from_double(vs *vm, double d, vs_value *out) {
+bool vs_int_from_double(vs_scheme *vm, double d, vs_value *out) {
   if (fabs(d) <= (double)VS_FIXNUM_MAX) return *out = vs_fix((int64_t)d), true;
   int e;
   double m = frexp(fabs(d), &e);

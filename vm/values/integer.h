@@ -13,31 +13,31 @@ enum { VS_INT_MAX_LIMBS = 1 << 21 };     /* 40 million decimal digits: one multi
 typedef struct vs_int_view { const mp_limb_t *at; mp_size_t n; bool negative; mp_limb_t small; } vs_int_view;
 void vs_int_look(vs_value v, vs_int_view *w);
 
-bool vs_int_add(vs *vm, vs_value a, vs_value b, vs_value *out);
-bool vs_int_sub(vs *vm, vs_value a, vs_value b, vs_value *out);
-bool vs_int_mul(vs *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_int_add(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_int_sub(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_int_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 /* truncating; b not 0; either result may be NULL */
-bool vs_int_divide(vs *vm, vs_value a, vs_value b, vs_value *quotient, vs_value *remainder);
-bool vs_int_gcd(vs *vm, vs_value a, vs_value b, vs_value *out);
-bool vs_int_shift(vs *vm, vs_value a, int64_t left, vs_value *out);             /* floor when to the right */
-bool vs_int_power(vs *vm, vs_value a, uint64_t n, vs_value *out);
-bool vs_int_sqrt(vs *vm, vs_value a, vs_value *root, vs_value *rest);           /* a >= 0 */
-bool vs_int_negate(vs *vm, vs_value a, vs_value *out);
-bool vs_int_bitwise(vs *vm, char op /* & | ^ */, vs_value a, vs_value b, vs_value *out);
+bool vs_int_divide(vs_scheme *vm, vs_value a, vs_value b, vs_value *quotient, vs_value *remainder);
+bool vs_int_gcd(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_int_shift(vs_scheme *vm, vs_value a, int64_t left, vs_value *out);             /* floor when to the right */
+bool vs_int_power(vs_scheme *vm, vs_value a, uint64_t n, vs_value *out);
+bool vs_int_sqrt(vs_scheme *vm, vs_value a, vs_value *root, vs_value *rest);           /* a >= 0 */
+bool vs_int_negate(vs_scheme *vm, vs_value a, vs_value *out);
+bool vs_int_bitwise(vs_scheme *vm, char op /* & | ^ */, vs_value a, vs_value b, vs_value *out);
 int vs_int_compare(vs_value a, vs_value b);
 int vs_int_sign(vs_value a);
 bool vs_int_is_odd(vs_value a);
 uint64_t vs_int_bits(vs_value a);                                                /* of the magnitude; 0 for 0 */
 
 /* |a| in radix 2..36, lower case, a sign before it */
-bool vs_int_print(vs *vm, vs_value a, int radix, vs_text *t);
+bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t);
 /* digits are values 0..radix-1, not characters */
-bool vs_int_from_digits(vs *vm, const unsigned char *digits, size_t n, int radix, bool negative, vs_value *out);
+bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, int radix, bool negative, vs_value *out);
 
 double vs_int_double(vs_value a);                                                /* correctly rounded, may be infinite */
 /* num/den, both positive, correctly rounded */
-bool vs_int_ratio_double(vs *vm, vs_value num, vs_value den, double *out);
+bool vs_int_ratio_double(vs_scheme *vm, vs_value num, vs_value den, double *out);
 /* the integer that a finite integral double is */
-bool vs_int_from_double(vs *vm, double d, vs_value *out);
+bool vs_int_from_double(vs_scheme *vm, double d, vs_value *out);
 
 #endif

@@ -11,19 +11,19 @@
 static const char *const op_name[] = {[VS_OP_ADD] = "+", [VS_OP_SUB] = "-", [VS_OP_MUL] = "*", [VS_OP_DIV] = "/"};
 
 /* "NAME: expected EXPECTED, got V"; the name comes from the running native, or is `who` where the operator was inlined */
-static bool number_bad(vs *vm, const char *who, const char *expected, vs_value v) {
+static bool number_bad(vs_scheme *vm, const char *who, const char *expected, vs_value v) {
   VS_ROOTS(vm, r, 1);
   if (!vs_cons(vm, v, VS_NIL, &r[0])) return false;
   return vs_fail_with(vm, vm->sym.type, r[0], "%s%sexpected %s, got", vm->native ? "" : who, vm->native ? "" : ": ", expected);
 }
 
-static bool number_divide_by_zero(vs *vm, const char *who) {
+static bool number_divide_by_zero(vs_scheme *vm, const char *who) {
   return vs_fail(vm, vm->sym.divide, "%s%sdivision by zero", vm->native ? "" : who, vm->native ? "" : ": ");
 }
 
 /* ---- conversions ---- */
 
-bool vs_number_ratio(vs *vm, vs_value num, vs_value den, vs_value *out) {
+bool vs_number_ratio(vs_scheme *vm, vs_value num, vs_value den, vs_value *out) {
   VS_ROOTS(vm, r, 3);
   r[0] = num;
   r[1] = den;
@@ -32,7 +32,7 @@ bool vs_number_ratio(vs *vm, vs_value num, vs_value den, vs_value *out) {
   return vs_number_lowest(vm, r[0], r[1], out);
 }
 
-bool vs_number_lowest(vs *vm, vs_value num, vs_value den, vs_value *out) {
+bool vs_number_lowest(vs_scheme *vm, vs_value num, vs_value den, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = num;
   r[1] = den;
@@ -46,7 +46,7 @@ bool vs_number_lowest(vs *vm, vs_value num, vs_value den, vs_value *out) {
   return true;
 }
 
-bool vs_number_double(vs *vm, vs_value v, double *out) {
+bool vs_number_double(vs_scheme *vm, vs_value v, double *out) {
   if (vs_is_double(v)) return *out = vs_double(v), true;
   if (!vs_is_ratio(v)) return *out = vs_int_double(v), true;
   VS_ROOTS(vm, r, 2);
@@ -58,7 +58,7 @@ bool vs_number_double(vs *vm, vs_value v, double *out) {
   return true;
 }
 
-bool vs_number_exact(vs *vm, vs_value v, vs_value *out) {
+bool vs_number_exact(vs_scheme *vm, vs_value v, vs_value *out) {
   if (!vs_is_double(v)) return *out = v, true;
   double d = vs_double(v);
   if (!isfinite(d)) return number_bad(vm, "exact", "a finite number", v);
@@ -94,7 +94,7 @@ static bool ratio_part(vs_value v, bool den, vs_value *out) {
 }
 
 /* exact a op b with a ratio among them, or a division */
-static bool ratio_arith(vs *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
+static bool ratio_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   VS_ROOTS(vm, r, 6);
   ratio_part(a, false, &r[0]), ratio_part(a, true, &r[1]);
   ratio_part(b, false, &r[2]), ratio_part(b, true, &r[3]);
@@ -113,7 +113,7 @@ static bool ratio_arith(vs *vm, vs_flat_op op, vs_value a, vs_value b, vs_value 
   return vs_fail(vm, vm->sym.internal, "no such operator");
 }
 
-static bool number_arith(vs *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
+static bool number_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   bool exact_a = vs_is_exact(a), exact_b = vs_is_exact(b);
   if (exact_a && exact_b) {
     if (op == VS_OP_DIV && b == vs_fix(0)) return number_divide_by_zero(vm, "/");
@@ -138,15 +138,23 @@ static bool number_arith(vs *vm, vs_flat_op op, vs_value a, vs_value b, vs_value
   return true;
 }
 
-bool vs_number_add(vs *vm, vs_value a, vs_value b, vs_value *out) { return number_arith(vm, VS_OP_ADD, a, b, out); }
-bool vs_number_sub(vs *vm, vs_value a, vs_value b, vs_value *out) { return number_arith(vm, VS_OP_SUB, a, b, out); }
-bool vs_number_mul(vs *vm, vs_value a, vs_value b, vs_value *out) { return number_arith(vm, VS_OP_MUL, a, b, out); }
-bool vs_number_div(vs *vm, vs_value a, vs_value b, vs_value *out) { return number_arith(vm, VS_OP_DIV, a, b, out); }
+bool vs_number_add(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
+  return number_arith(vm, VS_OP_ADD, a, b, out);
+}
+bool vs_number_sub(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
+  return number_arith(vm, VS_OP_SUB, a, b, out);
+}
+bool vs_number_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
+  return number_arith(vm, VS_OP_MUL, a, b, out);
+}
+bool vs_number_div(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
+  return number_arith(vm, VS_OP_DIV, a, b, out);
+}
 
 /* ---- comparison ---- */
 
 /* -1, 0, 1, or 2 when one is NaN; both are numbers */
-static bool number_compare(vs *vm, vs_value a, vs_value b, int *order) {
+static bool number_compare(vs_scheme *vm, vs_value a, vs_value b, int *order) {
   bool da = vs_is_double(a), db = vs_is_double(b);
   if ((da || vs_is_fixnum(a)) && (db || vs_is_fixnum(b))) {          /* fixnums are exact as doubles */
     double x = da ? vs_double(a) : (double)vs_fixnum(a), y = db ? vs_double(b) : (double)vs_fixnum(b);
@@ -177,7 +185,7 @@ static bool number_compare(vs *vm, vs_value a, vs_value b, int *order) {
   return true;
 }
 
-bool vs_number_test(vs *vm, vs_relation relation, vs_value a, vs_value b, bool *out) {
+bool vs_number_test(vs_scheme *vm, vs_relation relation, vs_value a, vs_value b, bool *out) {
   static const char *const name[] = {[VS_LT] = "<", [VS_LE] = "<=", [VS_EQ] = "=", [VS_GE] = ">=", [VS_GT] = ">"};
   if (!vs_is_number(a)) return number_bad(vm, name[relation], "a number", a);
   if (!vs_is_number(b)) return number_bad(vm, name[relation], "a number", b);
@@ -223,7 +231,7 @@ static bool is_integer(vs_value v) {
   return vs_is_exact_integer(v) || (vs_is_double(v) && isfinite(vs_double(v)) && vs_double(v) == floor(vs_double(v)));
 }
 
-static bool number_divide(vs *vm, divide_kind kind, const char *who, vs_value a, vs_value b, vs_value *out) {
+static bool number_divide(vs_scheme *vm, divide_kind kind, const char *who, vs_value a, vs_value b, vs_value *out) {
   if (!is_integer(a)) return number_bad(vm, who, "an integer", a);
   if (!is_integer(b)) return number_bad(vm, who, "an integer", b);
   if (b == vs_fix(0) || (vs_is_double(b) && vs_double(b) == 0)) return number_divide_by_zero(vm, who);
@@ -244,32 +252,38 @@ static bool number_divide(vs *vm, divide_kind kind, const char *who, vs_value a,
   return true;
 }
 
-bool vs_number_quotient(vs *vm, vs_value a, vs_value b, vs_value *out) { return number_divide(vm, DIVIDE_QUOTIENT, "quotient", a, b, out); }
-bool vs_number_remainder(vs *vm, vs_value a, vs_value b, vs_value *out) { return number_divide(vm, DIVIDE_REMAINDER, "remainder", a, b, out); }
-bool vs_number_modulo(vs *vm, vs_value a, vs_value b, vs_value *out) { return number_divide(vm, DIVIDE_MODULO, "modulo", a, b, out); }
+bool vs_number_quotient(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
+  return number_divide(vm, DIVIDE_QUOTIENT, "quotient", a, b, out);
+}
+bool vs_number_remainder(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
+  return number_divide(vm, DIVIDE_REMAINDER, "remainder", a, b, out);
+}
+bool vs_number_modulo(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
+  return number_divide(vm, DIVIDE_MODULO, "modulo", a, b, out);
+}
 
-bool vs_number_abs(vs *vm, vs_value a, vs_value *out) {
+bool vs_number_abs(vs_scheme *vm, vs_value a, vs_value *out) {
   if (vs_is_double(a)) return *out = vs_flonum_raw(fabs(vs_double(a))), true;
   if (!vs_is_exact(a)) return number_bad(vm, "abs", "a number", a);
   vs_value n = vs_is_ratio(a) ? vs_as_ratio(a)->num : a;
   return vs_int_sign(n) < 0 ? vs_number_sub(vm, vs_fix(0), a, out) : (*out = a, true);
 }
 
-bool vs_number_is_zero(vs *vm, vs_value a, bool *out) {
+bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out) {
   if (!vs_is_number(a)) return number_bad(vm, "zero?", "a number", a);
   *out = a == vs_fix(0) || (vs_is_double(a) && vs_double(a) == 0);
   return true;
 }
 
 /* the exact root of an exact integer >= 0, or *out = #f */
-static bool int_exact_sqrt(vs *vm, vs_value n, vs_value *out) {
+static bool int_exact_sqrt(vs_scheme *vm, vs_value n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   if (!vs_int_sqrt(vm, n, &r[0], &r[1])) return false;
   *out = r[1] == vs_fix(0) ? r[0] : VS_FALSE;
   return true;
 }
 
-bool vs_number_sqrt(vs *vm, vs_value a, vs_value *out) {
+bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out) {
   if (!vs_is_number(a)) return number_bad(vm, "sqrt", "a number", a);
   if (vs_is_double(a)) {
     if (vs_double(a) < 0) return number_bad(vm, "sqrt", "a number that is not negative", a);

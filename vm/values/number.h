@@ -15,27 +15,27 @@ static inline bool vs_is_exact(vs_value v) { return vs_is_exact_integer(v) || vs
 static inline bool vs_is_number(vs_value v) { return vs_is_double(v) || vs_is_exact(v); }
 
 /* ---- for the run loop: the general case of inlined operators ---- */
-bool vs_number_add(vs *vm, vs_value a, vs_value b, vs_value *out);
-bool vs_number_sub(vs *vm, vs_value a, vs_value b, vs_value *out);
-bool vs_number_mul(vs *vm, vs_value a, vs_value b, vs_value *out);
-bool vs_number_div(vs *vm, vs_value a, vs_value b, vs_value *out);    /* exact by exact 0 is an error */
+bool vs_number_add(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_number_sub(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_number_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_number_div(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);    /* exact by exact 0 is an error */
 typedef enum { VS_LT, VS_LE, VS_EQ, VS_GE, VS_GT } vs_relation;       /* exact between exact and inexact; false with NaN */
-bool vs_number_test(vs *vm, vs_relation relation, vs_value a, vs_value b, bool *out);
-bool vs_number_quotient(vs *vm, vs_value a, vs_value b, vs_value *out);
-bool vs_number_remainder(vs *vm, vs_value a, vs_value b, vs_value *out);
-bool vs_number_modulo(vs *vm, vs_value a, vs_value b, vs_value *out);
-bool vs_number_abs(vs *vm, vs_value a, vs_value *out);
-bool vs_number_sqrt(vs *vm, vs_value a, vs_value *out);               /* exact where the root is exact */
-bool vs_number_is_zero(vs *vm, vs_value a, bool *out);                /* "zero?: expected a number" else */
+bool vs_number_test(vs_scheme *vm, vs_relation relation, vs_value a, vs_value b, bool *out);
+bool vs_number_quotient(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_number_remainder(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_number_modulo(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
+bool vs_number_abs(vs_scheme *vm, vs_value a, vs_value *out);
+bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out);               /* exact where the root is exact */
+bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out);                /* "zero?: expected a number" else */
 
 /* ---- conversions ---- */
-bool vs_number_double(vs *vm, vs_value v, double *out);               /* v is a number; correctly rounded; false: out of memory */
-bool vs_number_exact(vs *vm, vs_value v, vs_value *out);              /* v is a number; infinities and NaN are errors */
-bool vs_number_from_int64(vs *vm, int64_t n, vs_value *out);
-bool vs_number_from_uint64(vs *vm, uint64_t n, vs_value *out);
+bool vs_number_double(vs_scheme *vm, vs_value v, double *out);               /* v is a number; correctly rounded; false: out of memory */
+bool vs_number_exact(vs_scheme *vm, vs_value v, vs_value *out);              /* v is a number; infinities and NaN are errors */
+bool vs_number_from_int64(vs_scheme *vm, int64_t n, vs_value *out);
+bool vs_number_from_uint64(vs_scheme *vm, uint64_t n, vs_value *out);
 bool vs_number_to_int64(vs_value v, int64_t *out);                    /* an exact integer, or a double that is one, in range */
-bool vs_number_ratio(vs *vm, vs_value num, vs_value den, vs_value *out);   /* exact integers, den not 0; lowest terms */
-bool vs_number_lowest(vs *vm, vs_value num, vs_value den, vs_value *out);  /* the same of two that have no divisor in common */
+bool vs_number_ratio(vs_scheme *vm, vs_value num, vs_value den, vs_value *out);   /* exact integers, den not 0; lowest terms */
+bool vs_number_lowest(vs_scheme *vm, vs_value num, vs_value den, vs_value *out);  /* the same of two that have no divisor in common */
 
 /* Equal in type and value, as eqv? on two numbers. Never fails. */
 bool vs_number_eqv(vs_value a, vs_value b);
@@ -44,9 +44,9 @@ uint64_t vs_number_hash(vs_value v);                                  /* agrees 
 /* ---- text ---- */
 /* The number that these bytes spell in `radix` (2..36; #x and the like override it), or *out = #f if they spell none. False only
    when memory is out or the number too large. */
-bool vs_number_parse(vs *vm, const char *s, size_t n, int radix, vs_value *out);
+bool vs_number_parse(vs_scheme *vm, const char *s, size_t n, int radix, vs_value *out);
 /* The shortest text that reads back as v, in radix 2..36. */
-bool vs_number_print(vs *vm, vs_value v, int radix, vs_text *t);
+bool vs_number_print(vs_scheme *vm, vs_value v, int radix, vs_text *t);
 enum { VS_DOUBLE_TEXT = 32 };
 /* The same for one double in base 10, zero-terminated; no allocation. Returns the length. */
 size_t vs_double_text(double d, char out[VS_DOUBLE_TEXT]);

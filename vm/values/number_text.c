@@ -195,7 +195,7 @@ static bool double_print(double d, int radix, vs_text *t) {
   return ok && (n > point || vs_text_put(t, "0", 1));
 }
 
-bool vs_number_print(vs *vm, vs_value v, int radix, vs_text *t) {
+bool vs_number_print(vs_scheme *vm, vs_value v, int radix, vs_text *t) {
   if (vs_is_double(v)) return double_print(vs_double(v), radix, t);
   if (!vs_is_ratio(v)) return vs_int_print(vm, v, radix, t);
   VS_ROOTS(vm, r, 1);
@@ -214,7 +214,7 @@ static int digit_value(char c, int radix) {
 static bool is_letter(char c, char lower) { return c == lower || c == lower - 'a' + 'A'; }
 
 typedef struct scan {
-  vs *vm;
+  vs_scheme *vm;
   const char *s, *end;
   int radix;
   char exactness;            /* 'e', 'i' or 0 */
@@ -255,7 +255,7 @@ static bool finish_exact(const scan *in, vs_value v, vs_value *out) {
 
 /* mantissa digits (values) * radix^exponent, as a double or with #e exactly */
 static bool scaled_number(const scan *in, const unsigned char *digits, size_t n, int64_t exponent, vs_value *out) {
-  vs *vm = in->vm;
+  vs_scheme *vm = in->vm;
   while (n && digits[0] == 0) digits++, n--;
   while (n && digits[n - 1] == 0) n--, exponent++;
   bool exact = in->exactness == 'e';
@@ -345,7 +345,7 @@ static bool equals(const char *p, const char *end, const char *lower) {
   return true;
 }
 
-bool vs_number_parse(vs *vm, const char *s, size_t n, int radix, vs_value *out) {
+bool vs_number_parse(vs_scheme *vm, const char *s, size_t n, int radix, vs_value *out) {
   /* a number plus an exact 0 of the imaginary unit is that number; there are no other complex ones */
   if (n > 3 && is_letter(s[n - 1], 'i') && s[n - 2] == '0' && (s[n - 3] == '+' || s[n - 3] == '-') && !is_letter(s[n - 4], 'e') && s[n - 4] != '#') n -= 3;
   scan in = {.vm = vm, .s = s, .end = s + n, .radix = radix};

@@ -26,7 +26,7 @@ typedef struct print_note { const vs_object *object; int32_t label; } print_note
 enum { NOTE_OPEN = -1, NOTE_DONE = -2, NOTE_WANTED = -3 };      /* else the number printed */
 
 typedef struct printer {
-  vs *vm;
+  vs_scheme *vm;
   vs_text *t;
   vs_print_mode mode;
   print_frame *stack; size_t count, room;
@@ -309,7 +309,7 @@ static bool put_opaque(vs_text *t, const char *what, vs_value name) {
   return ok && vs_text_put(t, ">", 1);
 }
 
-static bool put_flat(vs *vm, vs_text *t, vs_value v) {
+static bool put_flat(vs_scheme *vm, vs_text *t, vs_value v) {
   const vs_flat *f = vs_as_flat(v);
   uint32_t tag = vs_flat_tag(f), count = vs_flat_count(f);
   const vs_flat_type *type = vm->flat && tag < VS_FLAT_TAGS ? &vm->flat->type[tag] : NULL;
@@ -384,7 +384,7 @@ static bool put_atom(printer *p, vs_value v) {
 
 /* ---- compounds ---- */
 
-static const char *abbreviation(const vs *vm, vs_value v) {
+static const char *abbreviation(const vs_scheme *vm, vs_value v) {
   if (!vs_is_pair(v) || !vs_is_pair(vs_cdr(v)) || vs_cdr(vs_cdr(v)) != VS_NIL) return NULL;
   vs_value head = vs_car(v);
   return head == vm->sym.quote ? "'" : head == vm->sym.quasiquote ? "`" : head == vm->sym.unquote ? "," : head == vm->sym.unquote_splicing ? ",@" : NULL;
@@ -483,7 +483,7 @@ static bool print_compound(printer *p, vs_value v) {
   return ok;
 }
 
-bool vs_print(vs *vm, vs_value v, vs_print_mode mode, vs_text *t) {
+bool vs_print(vs_scheme *vm, vs_value v, vs_print_mode mode, vs_text *t) {
   printer p = {.vm = vm, .t = t, .mode = mode};
   if (!is_compound(v)) return put_atom(&p, v);
   bool ok = print_compound(&p, v);
@@ -495,7 +495,7 @@ bool vs_print(vs *vm, vs_value v, vs_print_mode mode, vs_text *t) {
 /* ---- errors ---- */
 
 /* one value in a message: at most so many bytes of it */
-static bool put_brief(vs *vm, vs_value v, vs_text *t) {
+static bool put_brief(vs_scheme *vm, vs_value v, vs_text *t) {
   vs_text brief;
   vs_text_open(vm, &brief, 240);
   bool ok = vs_print(vm, v, VS_PRINT_WRITE, &brief) && vs_text_put(t, brief.at ? brief.at : "", brief.count) && (!brief.cut || vs_text_puts(t, " ..."));
@@ -503,7 +503,7 @@ static bool put_brief(vs *vm, vs_value v, vs_text *t) {
   return ok;
 }
 
-bool vs_print_condition(vs *vm, vs_value condition, vs_text *t) {
+bool vs_print_condition(vs_scheme *vm, vs_value condition, vs_text *t) {
   if (!vs_is(condition, VS_T_CONDITION)) return vs_text_puts(t, "uncaught raise: ") && put_brief(vm, condition, t);
   const vs_condition *c = vs_as_condition(condition);
   bool ok = vs_is_string(c->message) ? vs_text_string(t, c->message) : put_brief(vm, c->message, t);

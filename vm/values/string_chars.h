@@ -22,9 +22,9 @@ static inline void vs_string_put(vs_value s, size_t k, uint32_t c) {
 }
 
 /* the same, widening the string first if need be; *s is a root. False: out of memory */
-bool vs_string_set(vs *vm, vs_value *s, size_t k, uint32_t c);
+bool vs_string_set(vs_scheme *vm, vs_value *s, size_t k, uint32_t c);
 /* characters start..end of *s (a root) as a fresh string */
-bool vs_string_slice(vs *vm, const vs_value *s, size_t start, size_t end, vs_value *out);
+bool vs_string_slice(vs_scheme *vm, const vs_value *s, size_t start, size_t end, vs_value *out);
 /* below, equal or above 0 by code points */
 int vs_string_compare(vs_value a, vs_value b);
 

@@ -13,7 +13,7 @@ static vs_vector *table_entries(const vs_table *t) { return vs_as_vector(t->entr
 static uint32_t *table_index(const vs_table *t) { return (uint32_t *)(void *)vs_as_bytes(t->index)->at; }
 static uint32_t table_mask(const vs_table *t) { return (uint32_t)(vs_as_bytes(t->index)->length / 4) - 1; }
 
-static uint64_t table_hash(vs *vm, const vs_table *t, vs_value key) {
+static uint64_t table_hash(vs_scheme *vm, const vs_table *t, vs_value key) {
   bool moves;
   uint64_t h = vs_hash(vm, key, t->kind, &moves);
   return ((h >> 8 & 0xFFFFFFFFFF) << 1) | moves;
@@ -43,7 +43,7 @@ static void table_unplace(vs_table *t, uint32_t i) {
   }
 }
 
-static void table_sync(vs *vm, vs_table *t) {
+static void table_sync(vs_scheme *vm, vs_table *t) {
   if (t->epoch == vm->collections) return;
   vs_value *at = table_entries(t)->at;
   for (uint32_t e = t->young; e < t->used; e++) {
@@ -60,7 +60,7 @@ static void table_sync(vs *vm, vs_table *t) {
 }
 
 /* The entry with this key, or -1 with ok; a comparison may run out of memory. *slot: where the index names it. */
-static bool table_find(vs *vm, vs_table *t, vs_value key, uint64_t hash, int64_t *entry, uint32_t *slot) {
+static bool table_find(vs_scheme *vm, vs_table *t, vs_value key, uint64_t hash, int64_t *entry, uint32_t *slot) {
   uint32_t *index = table_index(t), mask = table_mask(t);
   vs_value *at = table_entries(t)->at;
   bool deep = t->kind == VS_TABLE_EQUAL || t->kind == VS_TABLE_STRING;
@@ -75,7 +75,7 @@ static bool table_find(vs *vm, vs_table *t, vs_value key, uint64_t hash, int64_t
   return *entry = -1, true;
 }
 
-bool vs_make_table(vs *vm, uint32_t kind, vs_value *out) {
+bool vs_make_table(vs_scheme *vm, uint32_t kind, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   if (!vs_make_vector(vm, TABLE_FIRST_ENTRIES * 3, VS_VACANT, &r[0]) || !vs_make_bytes(vm, TABLE_FIRST_ENTRIES * 2 * 4, &r[1])) return false;
   vs_table *t = (vs_table *)(void *)vs_gc_alloc(vm, VS_T_TABLE, VS_WORDS(vs_table));
@@ -89,7 +89,7 @@ bool vs_make_table(vs *vm, uint32_t kind, vs_value *out) {
 }
 
 /* Room for one more entry; drops removed ones when they are many. `table` is a root. */
-static bool table_reserve(vs *vm, const vs_value *table) {
+static bool table_reserve(vs_scheme *vm, const vs_value *table) {
   vs_table *t = vs_as_table(*table);
   uint32_t room = (uint32_t)(table_entries(t)->length / 3);
   if (t->used < room) return true;
@@ -115,7 +115,7 @@ static bool table_reserve(vs *vm, const vs_value *table) {
   return true;
 }
 
-bool vs_table_get(vs *vm, vs_value table, vs_value key, vs_value *out) {
+bool vs_table_get(vs_scheme *vm, vs_value table, vs_value key, vs_value *out) {
   vs_table *t = vs_as_table(table);
   table_sync(vm, t);
   int64_t e;
@@ -125,7 +125,7 @@ bool vs_table_get(vs *vm, vs_value table, vs_value key, vs_value *out) {
   return true;
 }
 
-bool vs_table_put(vs *vm, vs_value table, vs_value key, vs_value value) {
+bool vs_table_put(vs_scheme *vm, vs_value table, vs_value key, vs_value value) {
   VS_ROOTS(vm, r, 3);
   r[0] = table, r[1] = key, r[2] = value;
   if (!table_reserve(vm, &r[0])) return false;
@@ -147,7 +147,7 @@ bool vs_table_put(vs *vm, vs_value table, vs_value key, vs_value value) {
   return true;
 }
 
-bool vs_table_remove(vs *vm, vs_value table, vs_value key) {
+bool vs_table_remove(vs_scheme *vm, vs_value table, vs_value key) {
   vs_table *t = vs_as_table(table);
   table_sync(vm, t);
   int64_t e;
@@ -161,7 +161,7 @@ bool vs_table_remove(vs *vm, vs_value table, vs_value key) {
   return true;
 }
 
-bool vs_table_clear(vs *vm, vs_value table) {
+bool vs_table_clear(vs_scheme *vm, vs_value table) {
   VS_ROOTS(vm, r, 2);
   r[0] = table;
   if (!vs_make_table(vm, vs_as_table(table)->kind, &r[1])) return false;

@@ -3,7 +3,7 @@
 
 #include "vm/machine/native.h"
 
-void vs_text_open(vs *vm, vs_text *t, size_t limit) {
+void vs_text_open(vs_scheme *vm, vs_text *t, size_t limit) {
   *t = (vs_text){.vm = vm, .limit = limit};
 }
 

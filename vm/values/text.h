@@ -10,14 +10,14 @@
 #include "vm/values/gc.h"
 
 typedef struct vs_text {
-  vs *vm;
+  vs_scheme *vm;
   char *at;              /* not zero-terminated unless vs_text_end was called last */
   size_t count, room;
   size_t limit;          /* bytes after which text is dropped and `cut` set (for messages); 0 = none */
   bool cut;
 } vs_text;
 
-void vs_text_open(vs *vm, vs_text *t, size_t limit);
+void vs_text_open(vs_scheme *vm, vs_text *t, size_t limit);
 void vs_text_close(vs_text *t);                                    /* frees; fine after a failure, fine twice */
 bool vs_text_put(vs_text *t, const char *bytes, size_t n);         /* false: memory error in vm->condition */
 bool vs_text_puts(vs_text *t, const char *s);

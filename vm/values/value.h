@@ -20,7 +20,7 @@
 #include <stdint.h>
 #include <string.h>
 
-typedef struct vs vs;
+typedef struct vs_scheme vs_scheme;
 typedef uint64_t vs_value;
 
 #define VS_TAG_FIXNUM    UINT64_C(0xFFF9)
