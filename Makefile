@@ -231,7 +231,7 @@ tests: all units $(TOOL_BIN) ## run the tests with what is installed; LONG=1: th
 quick: all units # what every commit must pass in a minute
 	@for t in $(UNIT_BIN); do $$t || exit 1; done
 
-SANITIZE  = OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=$(1)" BUILD=$(BUILD)/$(2) SUITES="unit lang cli" tests
+SANITIZE  = OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=$(1) -DVS_DEBUG=1" BUILD=$(BUILD)/$(2) SUITES="unit lang cli" tests
 asan: ## the tests under the address and leak sanitizer
 	$(MAKE) $(call SANITIZE,address,asan) LDFLAGS="-Wl,--no-as-needed -lstdc++" # GEOS comes later and throws: the sanitizer must know of C++ from the start
 ubsan: ## the tests under the undefined-behaviour sanitizer
@@ -241,14 +241,14 @@ ubsan: ## the tests under the undefined-behaviour sanitizer
 KERNEL_UNITS = test_random_solids test_kernel test_kernel_refusals test_inspect test_progress
 KERNEL_TESTS = $(KERNEL_UNITS:%=unit/%) vs tools/crossings tools/fuzz
 sanitized: ## the kernel's tests under the address, leak and undefined-behaviour sanitizers
-	$(MAKE) OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=address" BUILD=$(BUILD)/asan LDFLAGS="-Wl,--no-as-needed -lstdc++" $(KERNEL_TESTS:%=$(BUILD)/asan/%)
-	$(MAKE) OPT="-O1 -g -fsanitize=undefined -fno-sanitize-recover=all" BUILD=$(BUILD)/ubsan $(KERNEL_TESTS:%=$(BUILD)/ubsan/%)
+	$(MAKE) OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=address -DVS_DEBUG=1" BUILD=$(BUILD)/asan LDFLAGS="-Wl,--no-as-needed -lstdc++" $(KERNEL_TESTS:%=$(BUILD)/asan/%)
+	$(MAKE) OPT="-O1 -g -fsanitize=undefined -fno-sanitize-recover=all -DVS_DEBUG=1" BUILD=$(BUILD)/ubsan $(KERNEL_TESTS:%=$(BUILD)/ubsan/%)
 	for t in $(KERNEL_UNITS); do SEEDS= LONG= $(BUILD)/asan/unit/$$t && SEEDS= LONG= UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(BUILD)/ubsan/unit/$$t || exit 1; done
 	LONG= SUITES=solids sh tests/run.sh $(BUILD)/asan
 	LONG= UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 SUITES=solids sh tests/run.sh $(BUILD)/ubsan
 
 stress: ## the tests with a collection at every allocation and the heap checked again and again: minutes
-	$(MAKE) BUILD=$(BUILD)/stress EXTRA="-DVS_DEBUG_STRESS=1 -DVS_DEBUG_SMALL=1" SUITES="unit lang cli manual" tests
+	$(MAKE) BUILD=$(BUILD)/stress EXTRA="-DVS_DEBUG=1 -DVS_DEBUG_STRESS=1 -DVS_DEBUG_SMALL=1" SUITES="unit lang cli manual" tests
 
 layers: $(LIB_OBJ) $(CLI_OBJ) ## check that includes follow the layers' arrows and that no object has mutable globals
 	sh scripts/layers.sh $(BUILD)

@@ -141,3 +141,73 @@ bool vs_check_result(vs_kernel *k, const vs_cluster *c, const vs_check *check, c
 }
 
 void vs_check_free(vs_kernel *k, vs_check *check) { VS_DROP(k, check->leaves); }
+
+/* ---- what holds between steps ---- */
+
+static size_t point_count(const vs_cluster *c) { return c->points.all.count; }
+static size_t plane_count(const vs_cluster *c) { return c->planes.all.count; }
+
+bool vs_holds_grid(const vs_cluster *c) {
+  for (size_t i = 0; i < c->triangles.count; i++) {
+    const vs_soup_triangle *t = &c->triangles.at[i];
+    if (t->v[0] == t->v[1] || t->v[1] == t->v[2] || t->v[2] == t->v[0]) return false;
+    for (int j = 0; j < 3; j++)
+      if (t->v[j] >= point_count(c)) return false;
+    if (t->plane >= plane_count(c) || t->facet >= c->facets.count) return false;
+    const vs_facet *f = &c->facets.at[t->facet];
+    if (f->plane != t->plane || f->leaf != t->leaf || f->flip != t->flip || f->place >= c->leaf_count) return false;
+  }
+  return true;
+}
+
+bool vs_holds_patches(const vs_cluster *c) {
+  for (size_t i = 0; i < c->patches.count; i++) {
+    const vs_patch *p = &c->patches.at[i];
+    if (p->facet >= c->facets.count || p->count < 3 || p->first + p->count > c->patch_corners.count) return false;
+    for (uint32_t j = p->first; j < p->first + p->count; j++)
+      if (c->patch_corners.at[j].point >= point_count(c)) return false;
+  }
+  return true;
+}
+
+bool vs_holds_cuts(const vs_cluster *c) {
+  for (size_t i = 0; i < c->cuts.count; i++) {
+    const vs_cut *cut = &c->cuts.at[i];
+    if (cut->facet >= c->facets.count || cut->p >= point_count(c) || cut->q >= point_count(c)) return false;
+    if (cut->plane != VS_NONE && cut->plane >= plane_count(c)) return false;
+  }
+  for (size_t i = 0; i < c->facets.count; i++)
+    if (c->facets.at[i].group >= c->facets.count) return false;
+  return true;
+}
+
+bool vs_holds_faces(const vs_cluster *c) {
+  for (size_t i = 0; i < c->faces.count; i++) {
+    const vs_face *f = &c->faces.at[i];
+    if (f->plane != VS_NONE && f->plane >= plane_count(c)) return false;
+    if (f->cover + f->cover_count > c->covers.count || f->use + f->use_count > c->uses.count) return false;
+    for (uint32_t j = f->use; j < f->use + f->use_count; j++) {
+      const vs_use *use = &c->uses.at[j];
+      if (use->face != i || use->from == use->to) return false;
+      if (use->from >= point_count(c) || use->to >= point_count(c)) return false;
+    }
+  }
+  return true;
+}
+
+bool vs_holds_kept(const vs_cluster *c) {
+  if (c->kept.count != c->faces.count) return false;
+  for (size_t i = 0; i < c->kept.count; i++)
+    if (c->kept.at[i] > 2) return false;
+  return true;
+}
+
+bool vs_holds_result(const vs_mesh *m, size_t first_triangle) {
+  for (size_t i = first_triangle; i < m->triangle_count; i++) {
+    const uint32_t *v = m->triangles[i];
+    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) return false;
+    for (int j = 0; j < 3; j++)
+      if (v[j] >= m->vertex_count) return false;
+  }
+  return true;
+}

@@ -7,7 +7,7 @@
  *   cover   for each leaf that has the face: w(-side) = w(+side) + delta, w the leaf's winding number (inside: w > 0)
  *   use     a boundary edge of a face, directed so that the face lies left of it as seen from the + side
  *   cell    a region of space: a set of sides of faces
- *   plain   a triangle of a leaf that nothing meets: it has no facet nor face of its own; see plain.c
+ *   plain   a triangle of a leaf that nothing meets: it has no facet nor face of its own; see untouched_triangles.c
  *   region  plain triangles of a leaf that hang together: one face, which lies in no plane; its + side is outside of the leaf
  *   patch   a convex piece of a facet: all of it where it is convex, else one of its triangles; what is tested against each other
  *   settled of places inside a leaf that makes the whole true (or false) by itself, or outside of a gate: what lies in there cannot show.

@@ -166,14 +166,22 @@ static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t
   if (triangles < SERIAL) k->threads = 1;
   vs_check check = { .leaves = { 0 } };
   bool ok = vs_soup_build(k, &c) && vs_check_leaves(k, &c, &check, &w->counts) && vs_kernel_lap(k, VS_STEP_GRID);
+  VS_ASSERT(!ok || vs_holds_grid(&c));
   if (c.triangles.count + c.plain_count < SERIAL) k->threads = 1;
-  ok = ok && vs_patches_build(k, &c) && vs_kernel_lap(k, VS_STEP_PATCHES) && vs_kernel_report(k, 0.1) && vs_meet_patches(k, &c) && vs_kernel_report(k, 0.3);
+  ok = ok && vs_patches_build(k, &c) && vs_kernel_lap(k, VS_STEP_PATCHES) && vs_kernel_report(k, 0.1);
+  VS_ASSERT(!ok || vs_holds_patches(&c));
+  ok = ok && vs_meet_patches(k, &c) && vs_kernel_report(k, 0.3);
+  VS_ASSERT(!ok || vs_holds_cuts(&c));
   forget_patches(k, &c);
   ok = ok && vs_kernel_lap(k, VS_STEP_MEET) && vs_arrange_planes(k, &c) && vs_plain_regions(k, &c);
   VS_DROP(k, c.cuts);
   VS_DROP(k, c.edge_of);
-  ok = ok && vs_kernel_lap(k, VS_STEP_ARRANGE) && vs_kernel_report(k, 0.7) && vs_classify_faces(k, &c, &w->expression) && vs_kernel_lap(k, VS_STEP_CLASSIFY) &&
-       vs_kernel_report(k, 0.9) && vs_output_faces(k, &c, out) && vs_check_result(k, &c, &check, out, first);
+  VS_ASSERT(!ok || vs_holds_faces(&c));
+  ok = ok && vs_kernel_lap(k, VS_STEP_ARRANGE) && vs_kernel_report(k, 0.7) && vs_classify_faces(k, &c, &w->expression);
+  VS_ASSERT(!ok || vs_holds_kept(&c));
+  ok = ok && vs_kernel_lap(k, VS_STEP_CLASSIFY) && vs_kernel_report(k, 0.9);
+  ok = ok && vs_output_faces(k, &c, out) && vs_check_result(k, &c, &check, out, first);
+  VS_ASSERT(!ok || vs_holds_result(out, first));
   k->threads = threads;
   if (!ok && k->error->status == VS_KERNEL_INTERNAL) k->error->leaf = leaves[0]; /* the nearest thing to a place */
   vs_check_free(k, &check);

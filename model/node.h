@@ -10,6 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "model/assert.h"
 #include "model/vec.h"
 
 typedef struct vs_store vs_store;
@@ -130,8 +131,20 @@ struct vs_node {
 /* The payload: struct vs_<kind>. */
 static inline const void *vs_node_data(const vs_node *n) { return n->children + n->child_count; }
 #define VS_ENDLESS_MESSAGE "the object is endless: intersect it with something finite, or subtract it from that"
-/* VS_AS(sphere, n)->radius; the caller has looked at n->kind */
-#define VS_AS(lower, n) ((const struct vs_##lower *)vs_node_data(n))
+/* VS_AS(sphere, n)->radius is a field of a sphere's payload; the caller has looked at n->kind. */
+static inline const void *vs_node_data_of(const vs_node *n, vs_kind kind) {
+  VS_ASSERT(n->kind == kind);
+  (void)kind;
+  return vs_node_data(n);
+}
+enum {
+#define VS_KIND(upper, lower, name, class_, level) VS_KIND_OF_##lower = VS_##upper,
+#define VS_FIELD(type, member, argument)
+#define VS_KIND_END(upper, lower)
+#include "model/prims.def"
+  VS_KIND_OF_END
+};
+#define VS_AS(lower, n) ((const struct vs_##lower *)vs_node_data_of(n, (vs_kind)VS_KIND_OF_##lower))
 
 /* Child i of those that are looked at one after the other: the processor is told of one to come, since there may be a million. With its payload, or of
  * its header alone. */

@@ -601,6 +601,7 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
     ok = walk_component(&w, i, AROUND) && (w.state.at[i] & 2 || walk_component(&w, i, 1)) && vs_kernel_poll(k, 0.8); /* maybe one behind settled space */
   }
   ok = ok && VS_ROOM(k, c->kept.at, c->kept.room, c->faces.count + 1);
+  if (ok) c->kept.count = c->faces.count;
   for (uint32_t f = 0; ok && f < c->faces.count; f++) {
     bool plus = w.state.at[w.side.at[2 * f]] & 4, minus = w.state.at[w.side.at[2 * f + 1]] & 4;
     c->kept.at[f] = plus == minus ? 0 : plus ? 2 : 1;

@@ -1,7 +1,8 @@
 /* Owns the exact numbers: fixed-width integers, planes, points, and the predicates that decide everything else.
  *
  * Notation. Coordinates are counted in steps of the cluster's grid; input vertices are integers, |x| < 2^31.
- *   plane   n.x = d, n primitive: |n| < 2^63, |d| < 2^96. (A normal of two edges of 2^32 steps could have 64 bits: soup.c then takes a coarser grid.)
+ *   plane   n.x = d, n primitive: |n| < 2^63, |d| < 2^96. (A normal of two edges of 2^32 steps could
+ *           have 64 bits: snap_to_grid.c then takes a coarser grid.)
  *   point   X/W, W > 0. Of an input vertex W = 1; of edge x plane |X| < 2^130, W < 2^97; of three planes |X| < 2^226, W < 2^192.
  *   fixed   floor(X/W * 2^30) per coordinate: a number of 62 bits that every point has, the same for equal points whatever their
  *           names. It is key and filter in one: a predicate on the fixed numbers in __int128 has an error of a few units that is known, so it

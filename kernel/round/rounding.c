@@ -6,7 +6,7 @@
  *             edge: the surface stays a manifold of the same kind) and no triangle around it turns over
  *   flip      a triangle lower than two units gives its longest edge to its top: the neighbour behind that edge is cut in two there
  *   drop      a shell that is thinner than two units all over
- * Then what may still meet something that it does not meet before rounding is looked for everywhere (met.c).
+ * Then what may still meet something that it does not meet before rounding is looked for everywhere (self_contacts.c).
  *
  * One look at all triangles, by threads, finds the few where there is anything to do; from then on only these are looked at, and what has changed since. */
 #include "kernel/round/rounding_state.h"

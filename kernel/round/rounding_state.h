@@ -1,4 +1,5 @@
-/* Owns the state of settling a rounded mesh (settle.c), shared with the search for what meets what then (met.c). */
+/* Owns the state of settling a rounded mesh (rounding.c), shared with the search for self-contacts
+ * after rounding (self_contacts.c). */
 #ifndef VS_KERNEL_SETTLING_H
 #define VS_KERNEL_SETTLING_H
 

@@ -1,0 +1,22 @@
+/* Owns VS_ASSERT(condition): a condition that holds whatever a model says, so that a program that breaks it has a fault.
+ *
+ * VS_DEBUG turns it on; the Makefile's targets asan, ubsan, sanitized and stress do. Otherwise the condition is compiled and
+ * not evaluated. Where it is false, the place and the condition are printed and the process aborts. What a user, a file or a
+ * library may get wrong is not asserted but answered with an error. */
+#ifndef VS_MODEL_ASSERT_H
+#define VS_MODEL_ASSERT_H
+
+#ifdef VS_DEBUG
+#include <stdio.h>
+#include <stdlib.h>
+
+static inline void vs_assert_fail(const char *condition, const char *file, int line) {
+  fprintf(stderr, "%s:%d: this should hold: %s\n", file, line, condition);
+  abort();
+}
+#define VS_ASSERT(condition) ((condition) ? (void)0 : vs_assert_fail(#condition, __FILE__, __LINE__))
+#else
+#define VS_ASSERT(condition) ((void)sizeof(!(condition)))
+#endif
+
+#endif
