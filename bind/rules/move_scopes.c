@@ -13,18 +13,13 @@ static vs_scope *changed(vs_frame *f) {
 
 /* Moves all of a scope that lies in space. Its loops are copied. */
 static bool moved(vs_scope *s, const vs_affine *m) {
-  switch ((vs_scope_class)s->class_) {
-  case VS_SCOPE_FFD:
+  if (s->class_ == VS_SCOPE_FFD) {
     for (int c = 0; c < 8; c++) s->as.corner[c] = vs_affine_point(m, s->as.corner[c]);
     return true;
-  case VS_SCOPE_TURTLE: s->as.turtle.frame = vs_affine_multiply(m, &s->as.turtle.frame); return true;
-  case VS_SCOPE_BOX:
-  case VS_SCOPE_MESH:
-  case VS_SCOPE_POLYGON:
-  case VS_SCOPE_TRIANGLE:
-  case VS_SCOPE_CURVE:
-  case VS_SCOPE_SURFACE:
-  case VS_SCOPE_CLASSES: break;
+  }
+  if (s->class_ == VS_SCOPE_TURTLE) {
+    s->as.turtle.frame = vs_affine_multiply(m, &s->as.turtle.frame);
+    return true;
   }
   s->as.box.frame = vs_affine_multiply(m, &s->as.box.frame);
   if (s->object.node) {

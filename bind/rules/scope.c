@@ -187,20 +187,11 @@ vs_affine vs_affine_columns(vs_vec3 x, vs_vec3 y, vs_vec3 z, vs_vec3 at) {
 }
 
 vs_vec3 vs_scope_corner(const vs_scope *s, int i, int j, int k) {
-  switch ((vs_scope_class)s->class_) {
-  case VS_SCOPE_FFD: return s->as.corner[i + 2 * j + 4 * k];
-  case VS_SCOPE_TURTLE: {
+  if (s->class_ == VS_SCOPE_FFD) return s->as.corner[i + 2 * j + 4 * k];
+  if (s->class_ == VS_SCOPE_TURTLE) {
     const vs_affine *m = &s->as.turtle.frame;
     if (k == 0 && s->backed) return s->as.turtle.back[i + 2 * j];
     return vs_affine_point(m, vs_v3((i - .5) * s->as.turtle.width, (j - .5) * s->as.turtle.height, 0));
-  }
-  case VS_SCOPE_BOX:
-  case VS_SCOPE_MESH:
-  case VS_SCOPE_POLYGON:
-  case VS_SCOPE_TRIANGLE:
-  case VS_SCOPE_CURVE:
-  case VS_SCOPE_SURFACE:
-  case VS_SCOPE_CLASSES: break;
   }
   return vs_affine_point(&s->as.box.frame, vs_v3(i * s->as.box.size.x, j * s->as.box.size.y, k * s->as.box.size.z));
 }

@@ -6,6 +6,7 @@
  * empty one takes them all back
  * into the buffer. */
 #include "cli/prompt/editor.h"
+#include "cli/prompt/line_buffer.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -21,16 +22,14 @@
 
 enum { HISTORY_ENTRIES = 2000, FLASH = 250 /* ms that a matching parenthesis is shown */ };
 
-typedef struct { char *at; size_t length, room; } text;
-
 struct cli_editor {
   vs_scheme *scheme;
   EditLine *line;
   History *history;
   char *history_path;   /* NULL: none could be found or made */
   const char *prompt, *open;
-  text pasted;          /* lines that a paste ended; handed over as one */
-  text rest;            /* what a paste left behind its last newline: the next buffer begins with it */
+  line_buffer pasted;   /* lines that a paste ended; handed over as one */
+  line_buffer rest;     /* what a paste left behind its last newline: the next buffer begins with it */
   bool taken_back;      /* the buffer holds the open lines too */
   void (*commands)(void (*each)(void *context, const char *name), void *context);
 };
@@ -43,20 +42,6 @@ bool cli_colours(int descriptor) {
 int cli_terminal_width(void) {
   struct winsize size;
   return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
-
-static bool text_add(text *t, const char *more, size_t length) {
-  if (t->room - t->length <= length) {
-    size_t room = (t->length + length + 1) * 2;
-    char *grown = realloc(t->at, room);
-    if (!grown) return false;
-    t->at = grown;
-    t->room = room;
-  }
-  memcpy(t->at + t->length, more, length);
-  t->length += length;
-  t->at[t->length] = 0;
-  return true;
 }
 
 /* ---- history ---- */
@@ -451,12 +436,12 @@ static unsigned char paste(EditLine *line, int key) {
   (void)key;
   static const char end[] = "\033[201~";
   cli_editor *e = editor_of(line);
-  text got = {0};
+  line_buffer got = {0};
   char c;
   bool ok = e != NULL;
   while (ok && el_getc(line, &c) == 1) {
     if (c == '\r') c = '\n';
-    ok = text_add(&got, c == '\t' ? "  " : &c, c == '\t' ? 2 : 1);
+    ok = cli_line_buffer_add(&got, c == '\t' ? "  " : &c, c == '\t' ? 2 : 1);
     if (got.length >= sizeof end - 1 && memcmp(got.at + got.length - (sizeof end - 1), end, sizeof end - 1) == 0) {
       got.length -= sizeof end - 1;
       got.at[got.length] = 0;
@@ -468,10 +453,10 @@ static unsigned char paste(EditLine *line, int key) {
   if (ok && got.length && !last) result = el_insertstr(line, got.at) == 0 ? CC_REFRESH : CC_ERROR;
   else if (last) {
     const LineInfo *info = el_line(line);
-    ok = text_add(&e->pasted, info->buffer, (size_t)(info->cursor - info->buffer)) && text_add(&e->pasted, got.at,
-        (size_t)(last + 1 - got.at)) &&
-         text_add(&e->rest, last + 1, strlen(last + 1)) && text_add(&e->rest, info->cursor,
-             (size_t)(info->lastchar - info->cursor));
+    ok = cli_line_buffer_add(&e->pasted, info->buffer, (size_t)(info->cursor - info->buffer)) &&
+         cli_line_buffer_add(&e->pasted, got.at, (size_t)(last + 1 - got.at)) &&
+         cli_line_buffer_add(&e->rest, last + 1, strlen(last + 1)) &&
+         cli_line_buffer_add(&e->rest, info->cursor, (size_t)(info->lastchar - info->cursor));
     if (ok) {
       fwrite(got.at, 1, (size_t)(last + 1 - got.at), stdout); /* as if it had been typed */
       fflush(stdout);

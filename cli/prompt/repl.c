@@ -9,23 +9,8 @@
 #include <string.h>
 
 #include "cli/prompt/editor.h"
+#include "cli/prompt/line_buffer.h"
 #include "cli/prompt/prompt.h"
-
-typedef struct { char *at; size_t length, room; } line_buffer;
-
-static bool text_add(line_buffer *t, const char *more, size_t length) {
-  if (t->room - t->length <= length) {
-    size_t room = (t->length + length + 1) * 2;
-    char *grown = realloc(t->at, room);
-    if (!grown) return false;
-    t->at = grown;
-    t->room = room;
-  }
-  memcpy(t->at + t->length, more, length);
-  t->length += length;
-  t->at[t->length] = 0;
-  return true;
-}
 
 /* The next line with its newline, or NULL: the end, or an interrupt (errno EINTR). */
 static const char *next_line(cli_session *c, const char *prompt, const char *open, size_t *length, bool *whole) {
@@ -175,7 +160,7 @@ vs_outcome cli_repl(cli_session *c) {
     }
     if (line) {
       for (size_t i = 0; i < length; i++) p.line += line[i] == '\n';
-      if (!text_add(&pending, line, length)) {
+      if (!cli_line_buffer_add(&pending, line, length)) {
         outcome = VS_OUTCOME_MACHINE;
         fputs("vs: out of memory\n", stderr);
         break;
