@@ -1,6 +1,5 @@
 /* Owns the manual that the command carries. The build joins the pages of manual/ into one text (Makefile): a line
- * "\001PATH" before each. Of Markdown it shows
- * what reads well in a terminal: headings, text, blocks of code indented. */
+ * "\001PATH" before each. markdown.c prints it. */
 #include "cli/prompt/manual.h"
 
 #include <ctype.h>
@@ -8,6 +7,7 @@
 #include <strings.h>
 
 #include "cli/prompt/editor.h"
+#include "cli/prompt/markdown.h"
 
 extern const char vs_manual_text[], vs_manual_text_end[];
 
@@ -19,11 +19,7 @@ static part line_at(const char *at) {
 }
 static const char *after(part line) { return line.end < vs_manual_text_end ? line.end + 1 : line.end; }
 
-static int level(part line) {
-  int n = 0;
-  while (line.at + n < line.end && line.at[n] == '#') n++;
-  return n && line.at + n < line.end && line.at[n] == ' ' ? n : 0;
-}
+static int level(part line) { return cli_markdown_level(line.at, (size_t)(line.end - line.at)); }
 
 static bool is_word_of(part line, const char *word) { /* anywhere in it, whatever the case, as a word of its own */
   size_t n = strlen(word);
@@ -51,102 +47,82 @@ static bool describes(part line, const char *name) {
 
 /* ---- printing ---- */
 
-static void print_inline(part line, FILE *to, int width, bool bold) {
-  int column = 0;
-  if (bold) fputs("\033[1m", to);
-  for (const char *p = line.at; p < line.end;) {
-    if (*p == '`') { p++; continue; }
-    if (p + 1 < line.end && p[0] == '*' && p[1] == '*') { p += 2; continue; }
-    if (*p == '[') { /* a link: its words alone */
-      const char *close = memchr(p, ']', (size_t)(line.end - p)), *stop = close && close + 1 < line.end &&
-          close[1] == '(' ? memchr(close, ')', (size_t)(line.end - close)) : NULL;
-      if (stop) {
-        for (const char *q = p + 1; q < close; q++) if (*q != '`') fputc(*q, to), column++;
-        p = stop + 1;
-        continue;
-      }
-    }
-    if (*p == ' ') {
-      int next = 1;
-      while (p + next < line.end && p[next] != ' ') next++;
-      if (column + next > width && column > 20) {
-        fputs("\n  ", to);
-        column = 2;
-        p++;
-        continue;
-      }
-    }
-    fputc(*p++, to);
-    column++;
-  }
-  if (bold) fputs("\033[0m", to);
-  fputc('\n', to);
-}
-
-/* From a line to the next heading of its level or above, or the end of the page. */
-static void print_section(const char *at, FILE *to, bool whole_page) {
-  int width = to == stdout ? cli_terminal_width() - 1 : 100, top = 0;
-  bool colours = to == stdout && cli_colours(1), code = false;
-  for (bool first = true; at < vs_manual_text_end; first = false) {
+/* Prints what stands from a heading up to the next one of its level or above, or the end of the page. */
+static bool print_section(const char *at, FILE *to, bool whole_page) {
+  const char *from = at;
+  bool code = false;
+  int top = level(line_at(at));
+  while (at < vs_manual_text_end) {
     part line = line_at(at);
-    if (*line.at == '\001') return;
     int depth = code ? 0 : level(line);
-    if (first) top = depth;
-    else if (depth && !whole_page && depth <= top) return;
+    if (*line.at == '\001' || (at > from && depth && !whole_page && depth <= top)) break;
+    if (line.end - line.at >= 3 && !memcmp(line.at, "```", 3)) code = !code;
     at = after(line);
-    if (line.end - line.at >= 3 && !memcmp(line.at, "```", 3)) {
-      code = !code;
-      continue;
-    }
-    if (line.end - line.at >= 2 && !memcmp(line.at, "![", 2)) continue;
-    if (code) fprintf(to, "    %.*s\n", (int)(line.end - line.at), line.at);
-    else if (depth) print_inline((part){line.at + depth + 1, line.end}, to, 1000, colours);
-    else if (line.at < line.end && *line.at == '|') fprintf(to, "%.*s\n", (int)(line.end - line.at), line.at);
-    else print_inline(line, to, width, false);
   }
+  return cli_markdown_print(from, (size_t)(at - from), cli_terminal_width(), to == stdout && cli_colours(1), to);
 }
 
 /* ---- looking up ---- */
 
-/* The name of a page: language/points.md is points. */
+/* The name of a page: language/points.md is points, and language/README.md, which opens a folder, is language. */
 static part page_name(part line) {
-  const char *from = line.at + 1, *to = line.end;
+  const char *from = line.at + 1, *to = line.end, readme[] = "/README.md";
+  size_t n = sizeof readme - 1;
+  if ((size_t)(to - from) > n && !memcmp(to - n, readme, n)) to -= n;
+  else if (to - from > 3) to -= 3;
   for (const char *p = from; p < to; p++)
     if (*p == '/') from = p + 1;
-  if (to - from > 3) to -= 3;
   return (part){from, to};
 }
 
-static bool same(part p, const char *word) { return (size_t)(p.end - p.at) == strlen(word) && !strncasecmp(p.at,
-    word, strlen(word)); }
+static bool same(part p, const char *word) {
+  return (size_t)(p.end - p.at) == strlen(word) && !strncasecmp(p.at, word, strlen(word));
+}
+
+/* The heading whose entry describes a name of the language; NULL: none does. */
+static const char *find_entry(const char *word) {
+  for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
+    part line = line_at(at);
+    if (level(line) == 3 && describes(line, word)) return at;
+    at = after(line);
+  }
+  return NULL;
+}
+
+/* The first line of the page of that name, or else of the page whose list of calls, "- `(make-box p q)`: ...", has the name; NULL: none. */
+static const char *find_page(const char *word) {
+  const char *page = NULL, *calls = NULL;
+  for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
+    part line = line_at(at);
+    at = after(line);
+    if (*line.at == '\001') {
+      if (same(page_name(line), word)) return at;
+      page = at;
+    } else if (!calls && line.end - line.at > 3 && !memcmp(line.at, "- `", 3) && describes(line, word)) calls = page;
+  }
+  return calls;
+}
+
+static const char *find_section(const char *word) {
+  for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
+    part line = line_at(at);
+    if (level(line) && is_word_of(line, word)) return at;
+    at = after(line);
+  }
+  return NULL;
+}
 
 bool cli_manual_print(const char *word, FILE *to) {
   if (!*word) return false;
-  for (const char *at = vs_manual_text; at < vs_manual_text_end;) { /* a name of the language */
-    part line = line_at(at);
-    if (level(line) == 3 && describes(line, word)) {
-      print_section(at, to, false);
-      return true;
-    }
-    at = after(line);
+  const char *entry = find_entry(word), *page = find_page(word);
+  if (entry) {
+    if (print_section(entry, to, false) && page) fputc('\n', to);
   }
-  for (const char *at = vs_manual_text; at < vs_manual_text_end;) { /* a page */
-    part line = line_at(at);
-    at = after(line);
-    if (*line.at == '\001' && same(page_name(line), word)) {
-      print_section(at, to, true);
-      return true;
-    }
-  }
-  for (const char *at = vs_manual_text; at < vs_manual_text_end;) { /* a section */
-    part line = line_at(at);
-    if (level(line) && is_word_of(line, word)) {
-      print_section(at, to, false);
-      return true;
-    }
-    at = after(line);
-  }
-  return false;
+  if (page) print_section(page, to, true);
+  if (entry || page) return true;
+  const char *section = find_section(word);
+  if (section) print_section(section, to, false);
+  return section != NULL;
 }
 
 void cli_manual_mentions(const char *word, FILE *to) {
@@ -163,7 +139,9 @@ void cli_manual_mentions(const char *word, FILE *to) {
       if (!told && count < 12 && is_word_of(line, word)) {
         if (!any) fputs("in the manual (vs help PAGE, or ,help PAGE):\n", to);
         fprintf(to, "  %.*s: ", (int)(page.end - page.at), page.at);
-        print_inline(heading.at < heading.end ? heading : line, to, 100, false);
+        part shown = heading.at < heading.end ? heading : line;
+        cli_markdown_print_line(shown.at, (size_t)(shown.end - shown.at), to);
+        fputc('\n', to);
         told = any = true;
         count++;
       }
@@ -172,14 +150,14 @@ void cli_manual_mentions(const char *word, FILE *to) {
 }
 
 void cli_manual_topics(FILE *to) {
-  fputs("vs help WORD shows what the manual has on a name of the language, a page or a topic. Pages:\n ", to);
-  int column = 1;
+  fputs("vs help WORD shows what the manual has on a name, a page or a topic. Pages:\n ", to);
+  int column = 1, width = cli_terminal_width();
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
     part line = line_at(at);
     at = after(line);
     if (*line.at != '\001') continue;
     part name = page_name(line);
-    if (column + (name.end - name.at) > 90) fputs("\n ", to), column = 1;
+    if (column + 1 + (name.end - name.at) > width) fputs("\n ", to), column = 1;
     fprintf(to, " %.*s", (int)(name.end - name.at), name.at);
     column += (int)(name.end - name.at) + 1;
   }

@@ -1,0 +1,380 @@
+/* Owns how a page of the manual reads in a terminal.
+ *
+ * The lines of a block (a paragraph, an item, a cell) are joined and become plain text with three marks in it: BOLD and PLAIN switch the type,
+ * and TIED is a blank at which no line may break, so that a short call stays in one piece. Lines are then filled from that text. */
+#include "cli/prompt/markdown.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { BOLD = 1, PLAIN = 2, TIED = 3 };
+enum { LONGEST_TIED = 40, MOST_COLUMNS = 12, GAP = 2, INDENT = 4 };
+
+typedef struct { const char *at, *end; } part;
+typedef struct { char *at; size_t length, room; } text;
+typedef struct {
+  FILE *to;
+  int width;
+  bool bold;
+  bool blank;    /* the last line printed was empty, or none was printed */
+  text source;   /* the lines of a block, joined */
+  text plain;    /* the same with marks in place of Markdown's signs */
+} printer;
+
+static bool add(text *t, const char *more, size_t length) {
+  if (t->room - t->length <= length) {
+    size_t room = 2 * (t->length + length + 1);
+    char *grown = realloc(t->at, room);
+    if (!grown) return false;
+    t->at = grown;
+    t->room = room;
+  }
+  memcpy(t->at + t->length, more, length);
+  t->length += length;
+  t->at[t->length] = 0;
+  return true;
+}
+static bool add_sign(text *t, char sign) { return add(t, &sign, 1); }
+
+/* ---- what a line is ---- */
+
+static part line_at(const char *at, const char *end) {
+  const char *stop = memchr(at, '\n', (size_t)(end - at));
+  return (part){at, stop ? stop : end};
+}
+static bool begins(part line, const char *with) {
+  size_t n = strlen(with);
+  return (size_t)(line.end - line.at) >= n && !memcmp(line.at, with, n);
+}
+
+int cli_markdown_level(const char *line, size_t length) {
+  size_t n = 0;
+  while (n < length && line[n] == '#') n++;
+  return n > 0 && n < length && line[n] == ' ' ? (int)n : 0;
+}
+static int level(part line) { return cli_markdown_level(line.at, (size_t)(line.end - line.at)); }
+
+/* The columns of an item's sign with the blanks before and behind it, as 2 of "- word" and 3 of "1. word"; 0 where the line is no item. */
+static int item_sign(part line) {
+  const char *p = line.at;
+  while (p < line.end && *p == ' ') p++;
+  const char *sign = p;
+  while (p < line.end && *p >= '0' && *p <= '9') p++;
+  bool numbered = p > sign && p < line.end && *p == '.';
+  if (!numbered && (p > sign || p >= line.end || (*p != '-' && *p != '*'))) return 0;
+  return p + 1 < line.end && p[1] == ' ' ? (int)(p + 2 - line.at) : 0;
+}
+
+static bool is_empty(part line) {
+  while (line.at < line.end && *line.at == ' ') line.at++;
+  return line.at == line.end;
+}
+static bool goes_on(part line) { /* does the line belong to the paragraph or item before it? */
+  return !is_empty(line) && !level(line) && !item_sign(line) && !begins(line, "```") && !begins(line, "|") && !begins(line, "![");
+}
+
+/* ---- within a block ---- */
+
+/* The end of the code that begins at p, a `; NULL where nothing closes it. */
+static const char *code_end(const char *p, const char *end) { return memchr(p + 1, '`', (size_t)(end - p - 1)); }
+
+static bool add_code(text *plain, const char *at, const char *end) {
+  bool tied = end - at <= LONGEST_TIED;
+  if (!add_sign(plain, BOLD)) return false;
+  for (; at < end; at++)
+    if (!add_sign(plain, tied && *at == ' ' ? TIED : *at)) return false;
+  return add_sign(plain, PLAIN);
+}
+
+/* Appends the text to `plain` with marks in place of Markdown's signs. */
+static bool add_plain(text *plain, part from) {
+  bool strong = false;
+  const char *link = NULL; /* where the words of a link end: the ] of ](to) */
+  for (const char *p = from.at; p < from.end; p++) {
+    const char *close = *p == '`' ? code_end(p, from.end) : NULL;
+    if (close) {
+      if (!add_code(plain, p + 1, close) || (strong && !add_sign(plain, BOLD))) return false;
+      p = close;
+    } else if (p == link) {
+      const char *stop = memchr(p, ')', (size_t)(from.end - p));
+      p = stop ? stop : p;
+      link = NULL;
+    } else if (*p == '*' && p + 1 < from.end && p[1] == '*') {
+      if (!add_sign(plain, strong ? PLAIN : BOLD)) return false;
+      strong = !strong;
+      p++;
+    } else {
+      if (*p == '[' && !link)
+        for (const char *q = p + 1; q + 1 < from.end && !link && *q != '['; q++)
+          if (*q == ']' && q[1] == '(') link = q;
+      if (*p == '[' && link) continue;
+      if (*p == '\\' && p + 1 < from.end && strchr("|*`[]_#", p[1])) p++;
+      if (!add_sign(plain, *p)) return false;
+    }
+  }
+  return !strong || add_sign(plain, PLAIN);
+}
+
+static int columns(const char *at, const char *end) {
+  int n = 0;
+  for (; at < end; at++) n += *at != BOLD && *at != PLAIN && ((unsigned char)*at & 0xC0) != 0x80;
+  return n;
+}
+
+/* Takes the words that fit `width` columns off the text, at least one. */
+static part take_line(part *rest, int width) {
+  while (rest->at < rest->end && *rest->at == ' ') rest->at++;
+  part line = {rest->at, rest->at};
+  for (const char *p = rest->at; p < rest->end;) {
+    const char *word = p;
+    while (p < rest->end && *p == ' ') p++;
+    while (p < rest->end && *p != ' ') p++;
+    if (line.end > line.at && columns(line.at, p) > width) {
+      p = word;
+      break;
+    }
+    line.end = p;
+  }
+  rest->at = line.end;
+  return line;
+}
+
+static void print_blanks(printer *o, int n) {
+  for (int i = 0; i < n; i++) fputc(' ', o->to);
+}
+
+/* Prints a line's words. *bold: the type that the text before it was left in, and that this line leaves. */
+static void print_words(printer *o, part line, bool *bold) {
+  if (*bold && o->bold) fputs("\033[1m", o->to);
+  for (const char *p = line.at; p < line.end; p++) {
+    if (*p == BOLD || *p == PLAIN) {
+      bool now = *p == BOLD;
+      if (now != *bold && o->bold) fputs(now ? "\033[1m" : "\033[0m", o->to);
+      *bold = now;
+    } else fputc(*p == TIED ? ' ' : *p, o->to);
+  }
+  if (*bold && o->bold) fputs("\033[0m", o->to);
+}
+
+/* Prints the text in lines, `indent` blanks before each but the first. */
+static void fill(printer *o, part rest, int indent, bool bold) {
+  int before = 0;
+  do {
+    part line = take_line(&rest, o->width - indent);
+    print_blanks(o, before);
+    print_words(o, line, &bold);
+    fputc('\n', o->to);
+    before = indent;
+  } while (rest.at < rest.end);
+  o->blank = false;
+}
+
+static void leave_blank(printer *o) {
+  if (!o->blank) fputc('\n', o->to);
+  o->blank = true;
+}
+
+/* ---- blocks; each returns where the next one begins, or NULL without memory ---- */
+
+static const char *after(part line, const char *end) { return line.end < end ? line.end + 1 : end; }
+
+static const char *print_code(printer *o, const char *at, const char *end) {
+  leave_blank(o);
+  for (at = after(line_at(at, end), end); at < end;) {
+    part line = line_at(at, end);
+    at = after(line, end);
+    if (begins(line, "```")) break;
+    if (line.at < line.end) print_blanks(o, INDENT);
+    fprintf(o->to, "%.*s\n", (int)(line.end - line.at), line.at);
+  }
+  o->blank = false;
+  leave_blank(o);
+  return at;
+}
+
+/* A paragraph, or an item of a list: its words stand to the right of its sign. */
+static const char *print_text(printer *o, const char *at, const char *end) {
+  part first = line_at(at, end), line = first;
+  int sign = item_sign(line);
+  o->source.length = o->plain.length = 0;
+  if (!add(&o->source, line.at + sign, (size_t)(line.end - line.at - sign))) return NULL;
+  for (at = after(line, end); at < end; at = after(line, end)) {
+    line = line_at(at, end);
+    if (!goes_on(line)) break;
+    while (line.at < line.end && *line.at == ' ') line.at++;
+    if (!add_sign(&o->source, ' ') || !add(&o->source, line.at, (size_t)(line.end - line.at))) return NULL;
+  }
+  if (!add_plain(&o->plain, (part){o->source.at, o->source.at + o->source.length})) return NULL;
+  fprintf(o->to, "%.*s", sign, first.at);
+  fill(o, (part){o->plain.at, o->plain.at + o->plain.length}, sign, false);
+  return at;
+}
+
+static const char *print_heading(printer *o, const char *at, const char *end) {
+  part line = line_at(at, end);
+  o->plain.length = 0;
+  if (!add_plain(&o->plain, (part){line.at + level(line) + 1, line.end})) return NULL;
+  for (size_t i = 0; i < o->plain.length; i++) /* all of it is bold */
+    if (o->plain.at[i] == PLAIN) o->plain.at[i] = BOLD;
+  leave_blank(o);
+  fill(o, (part){o->plain.at, o->plain.at + o->plain.length}, 2, true);
+  leave_blank(o);
+  return after(line, end);
+}
+
+/* ---- tables ---- */
+
+typedef struct { size_t from, to; } cell; /* in `plain` */
+typedef struct { cell cells[MOST_COLUMNS]; int count; } row;
+
+static bool is_rule(part line) { /* |---|---| */
+  for (const char *p = line.at; p < line.end; p++)
+    if (!strchr("|-: ", *p)) return false;
+  return true;
+}
+
+/* Splits |a|b| at the bars that are neither in `code` nor behind a backslash. */
+static bool read_row(printer *o, part line, row *r) {
+  r->count = 0;
+  while (line.end > line.at && line.end[-1] == ' ') line.end--;
+  if (line.end > line.at + 1 && line.end[-1] == '|' && line.end[-2] != '\\') line.end--;
+  const char *from = line.at + 1;
+  for (const char *p = from; p <= line.end; p++) {
+    const char *close = p < line.end && *p == '`' ? code_end(p, line.end) : NULL;
+    if (close) {
+      p = close;
+      continue;
+    }
+    if (p < line.end && (*p != '|' || p[-1] == '\\' || r->count == MOST_COLUMNS - 1)) continue;
+    part inside = {from, p};
+    while (inside.at < inside.end && *inside.at == ' ') inside.at++;
+    while (inside.end > inside.at && inside.end[-1] == ' ') inside.end--;
+    cell *c = &r->cells[r->count++];
+    c->from = o->plain.length;
+    if (!add_plain(&o->plain, inside) || !add_sign(&o->plain, '\n')) return false;
+    c->to = o->plain.length - 1;
+    from = p + 1;
+  }
+  return true;
+}
+
+/* Columns as wide as their widest cell; where that is too much, the widest give way until all fit, down to their longest word. */
+static void share_width(int *wide, const int *least, int count, int width) {
+  int room = width - GAP * (count - 1), cap = 0;
+  for (int i = 0; i < count; i++) cap = wide[i] > cap ? wide[i] : cap;
+  for (int sum = room + 1; sum > room && cap > 8; cap--) {
+    sum = 0;
+    for (int i = 0; i < count; i++) {
+      if (wide[i] > cap) wide[i] = least[i] > cap ? least[i] : cap;
+      sum += wide[i];
+    }
+  }
+}
+
+static int longest_word(const char *at, const char *end) {
+  int longest = 0;
+  for (const char *word = at; word < end;) {
+    const char *stop = memchr(word, ' ', (size_t)(end - word));
+    if (!stop) stop = end;
+    int n = columns(word, stop);
+    longest = n > longest ? n : longest;
+    word = stop + 1;
+  }
+  return longest;
+}
+
+static void print_row(printer *o, const row *r, const int *wide, int count, bool bold) {
+  part rest[MOST_COLUMNS];
+  bool types[MOST_COLUMNS];
+  for (int i = 0; i < r->count; i++) {
+    rest[i] = (part){o->plain.at + r->cells[i].from, o->plain.at + r->cells[i].to};
+    types[i] = bold;
+  }
+  for (bool more = true; more;) {
+    more = false;
+    int gap = 0;
+    for (int i = 0; i < r->count && i < count; i++) {
+      part line = take_line(&rest[i], wide[i]);
+      if (line.end > line.at) {
+        print_blanks(o, gap);
+        print_words(o, line, &types[i]);
+        gap = 0;
+      }
+      int left = wide[i] - columns(line.at, line.end);
+      gap += (left > 0 ? left : 0) + GAP;
+      more = more || rest[i].at < rest[i].end;
+    }
+    fputc('\n', o->to);
+  }
+}
+
+static const char *print_table(printer *o, const char *at, const char *end) {
+  row *rows = NULL;
+  int count = 0, room = 0, wide[MOST_COLUMNS] = {0}, least[MOST_COLUMNS] = {0}, most = 0, lines = 1;
+  bool fine = true;
+  o->plain.length = 0;
+  while (fine && at < end && *at == '|') {
+    part line = line_at(at, end);
+    at = after(line, end);
+    if (is_rule(line)) continue;
+    if (count == room) {
+      room = room ? 2 * room : 32;
+      row *grown = realloc(rows, (size_t)room * sizeof *rows);
+      fine = grown != NULL;
+      if (!fine) break;
+      rows = grown;
+    }
+    fine = read_row(o, line, &rows[count]);
+    count += fine;
+  }
+  for (int i = 0; fine && i < count; i++) {
+    most = rows[i].count > most ? rows[i].count : most;
+    for (int c = 0; c < rows[i].count; c++) {
+      const char *from = o->plain.at + rows[i].cells[c].from, *to = o->plain.at + rows[i].cells[c].to;
+      int n = columns(from, to), word = longest_word(from, to);
+      wide[c] = n > wide[c] ? n : wide[c];
+      least[c] = word > least[c] ? word : least[c];
+    }
+  }
+  if (fine && count) {
+    leave_blank(o);
+    share_width(wide, least, most, o->width);
+    print_row(o, &rows[0], wide, most, true);
+    for (int c = 0; c < most; c++) lines += wide[c] + (c ? GAP : 0);
+    for (int i = 1; i < lines; i++) fputc('-', o->to);
+    fputc('\n', o->to);
+    for (int i = 1; i < count; i++) print_row(o, &rows[i], wide, most, false);
+    o->blank = false;
+    leave_blank(o);
+  }
+  free(rows);
+  return fine ? at : NULL;
+}
+
+/* ---- pages ---- */
+
+bool cli_markdown_print(const char *start, size_t length, int width, bool bold, FILE *to) {
+  printer o = {.to = to, .width = width < 20 ? 20 : width, .bold = bold, .blank = true};
+  const char *at = start, *end = at + length;
+  while (at && at < end) {
+    part line = line_at(at, end);
+    if (is_empty(line)) {
+      leave_blank(&o);
+      at = after(line, end);
+    } else if (begins(line, "![")) at = after(line, end);
+    else if (begins(line, "```")) at = print_code(&o, at, end);
+    else if (begins(line, "|")) at = print_table(&o, at, end);
+    else if (level(line)) at = print_heading(&o, at, end);
+    else at = print_text(&o, at, end);
+  }
+  free(o.source.at);
+  free(o.plain.at);
+  return at != NULL;
+}
+
+void cli_markdown_print_line(const char *start, size_t length, FILE *to) {
+  printer o = {.to = to};
+  bool bold = false;
+  if (add_plain(&o.plain, (part){start, start + length})) print_words(&o, (part){o.plain.at, o.plain.at + o.plain.length}, &bold);
+  free(o.plain.at);
+}
