@@ -279,17 +279,17 @@ manual: all ## make build/manual: the manual as web pages, with a picture of eve
 COMPLETIONS = bash-completion/completions/vs zsh/site-functions/_vs fish/vendor_completions.d/vs.fish
 
 install: all $(BUILD)/libvisualscheme.so ## install the program, its manual page and completions, the library and its header below PREFIX (default /usr/local)
-	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/include
-	install -m 755 $(BUILD)/vs $(DESTDIR)$(PREFIX)/bin/vs
-	install -d $(foreach d,man/man1 $(dir $(COMPLETIONS)),$(DESTDIR)$(PREFIX)/share/$(d))
-	sh scripts/man.sh "$(VERSION)" > $(DESTDIR)$(PREFIX)/share/man/man1/vs.1
-	for f in $(COMPLETIONS); do sh scripts/completions.sh $${f%%[-/]*} > $(DESTDIR)$(PREFIX)/share/$$f || exit 1; done
-	install -m 644 $(BUILD)/libvisualscheme.a $(DESTDIR)$(PREFIX)/lib/
-	install -m 755 $(BUILD)/libvisualscheme.so $(DESTDIR)$(PREFIX)/lib/libvisualscheme.so.0
-	ln -sf libvisualscheme.so.0 $(DESTDIR)$(PREFIX)/lib/libvisualscheme.so
-	install -m 644 visualscheme.h $(DESTDIR)$(PREFIX)/include/
+	install -d "$(DESTDIR)$(PREFIX)/bin" "$(DESTDIR)$(PREFIX)/lib/pkgconfig" "$(DESTDIR)$(PREFIX)/include"
+	install -m 755 $(BUILD)/vs "$(DESTDIR)$(PREFIX)/bin/vs"
+	for d in man/man1 $(dir $(COMPLETIONS)); do install -d "$(DESTDIR)$(PREFIX)/share/$$d" || exit 1; done
+	sh scripts/man.sh "$(VERSION)" > "$(DESTDIR)$(PREFIX)/share/man/man1/vs.1"
+	for f in $(COMPLETIONS); do sh scripts/completions.sh $${f%%[-/]*} > "$(DESTDIR)$(PREFIX)/share/$$f" || exit 1; done
+	install -m 644 $(BUILD)/libvisualscheme.a "$(DESTDIR)$(PREFIX)/lib/"
+	install -m 755 $(BUILD)/libvisualscheme.so "$(DESTDIR)$(PREFIX)/lib/libvisualscheme.so.0"
+	ln -sf libvisualscheme.so.0 "$(DESTDIR)$(PREFIX)/lib/libvisualscheme.so"
+	install -m 644 visualscheme.h "$(DESTDIR)$(PREFIX)/include/"
 	printf 'Name: visualscheme\nDescription: solid modelling in Scheme\nVersion: %s\nCflags: -I%s/include\nLibs: -L%s/lib -lvisualscheme\nRequires.private: gmp libutf8proc\n' \
-	  "$(VERSION)" "$(PREFIX)" "$(PREFIX)" > $(DESTDIR)$(PREFIX)/lib/pkgconfig/visualscheme.pc
+	  "$(VERSION)" "$(PREFIX)" "$(PREFIX)" > "$(DESTDIR)$(PREFIX)/lib/pkgconfig/visualscheme.pc"
 
 clean: ## remove what was built
 	rm -rf build

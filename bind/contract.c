@@ -201,19 +201,29 @@ static bool has_length(vs_vec3 v) { return v.x != 0 || v.y != 0 || v.z != 0; }
 
 static bool symbol_is(vs_value v, const char *name) { return vs_is_symbol(v) && !strcmp(vs_as_symbol(v)->name, name); }
 
+/* The names of the world's axes, and those of the planes across them. */
+static const char *const axis_names[3] = { "x", "y", "z" }, *const plane_names[3] = { "yz", "xz", "xy" };
+
+static bool world_axis(vs_value v, const char *const names[3], vs_vec3 *out) {
+  for (int i = 0; i < 3; i++)
+    if (symbol_is(v, names[i])) return *out = vs_v3(i == 0, i == 1, i == 2), true;
+  return false;
+}
+
 /* A line through the origin along x, y or z, by one of three names or by a vector; or any, by an object of that kind. */
 static bool convert_line(vs_value v, const char *const names[3], uint32_t kind, vs_arg *out) {
   out->line.at = vs_v3(0, 0, 0);
-  for (int i = 0; i < 3; i++)
-    if (symbol_is(v, names[i])) return out->line.direction = vs_v3(i == 0, i == 1, i == 2), true;
+  if (world_axis(v, names, &out->line.direction)) return true;
   if (vs_is_flat(v, VS_FLAT_VECTOR)) return out->line.direction = vec_of(vs_as_flat(v)->at), true;
   if (!vs_is_flat(v, kind)) return false;
   out->line.at = vec_of(vs_as_flat(v)->at), out->line.direction = vec_of(vs_as_flat(v)->at + 3);
   return true;
 }
 
-static bool convert_axis(vs_value v, vs_arg *out) { return convert_line(v, (const char *const[]){ "x", "y", "z" }, VS_FLAT_AXIS, out); }
-static bool convert_plane(vs_value v, vs_arg *out) { return convert_line(v, (const char *const[]){ "yz", "xz", "xy" }, VS_FLAT_PLANE, out); } /* its normal */
+static bool convert_axis(vs_value v, vs_arg *out) { return convert_line(v, axis_names, VS_FLAT_AXIS, out); }
+static bool convert_plane(vs_value v, vs_arg *out) { /* its normal */
+  return convert_line(v, plane_names, VS_FLAT_PLANE, out);
+}
 
 /* Flattens values (each an item or a list of lists of items) by an explicit stack of lists, each with what is left of it; add takes one item.
  * False: *bad is what is neither, or absent and the error is set. Nothing here allocates Scheme objects, so plain locals are safe.
@@ -322,15 +332,56 @@ bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_va
   return true;
 }
 
+/* Writes what numbers where points belong seem to mean, as (make-polygon (xy 0 0) (xy 1 0)) for 0 0 1 0, for (0 0) (1 0)
+ * or for a list of either, and (list (xy 0 0) (xy 1 0)) where the points are one argument among others. False: something
+ * else stands among them. */
+static bool points_meant(vs_frame *f, const vs_bind_param *p, const vs_value *v, size_t n, char *text, size_t room) {
+  enum { MOST = 64, SHOWN = 4 };
+  vs_value item[MOST];
+  double all[3 * MOST], d[3];
+  size_t count = 0, numbers = 0, each = 0;
+  vs_value first = n == 1 && vs_is_pair(v[0]) ? vs_car(v[0]) : VS_NIL;
+  if (first != VS_NIL && (vs_is_pair(first) || vs_is_vector(first) || !listed_numbers(f->vm, v[0], d)))
+    for (vs_value l = v[0]; vs_is_pair(l) && count < MOST; l = vs_cdr(l)) item[count++] = vs_car(l);
+  else
+    while (count < n && count < MOST) item[count] = v[count], count++;
+  for (size_t i = 0; i < count; i++) {
+    size_t listed = vs_bind_number(f->vm, item[i], d) ? 1 : (size_t)listed_numbers(f->vm, item[i], d);
+    if (listed == 0 || (i > 0 && listed != each)) return false;
+    each = listed;
+    for (size_t k = 0; k < listed; k++) all[numbers++] = d[k];
+  }
+  if (each == 1) each = numbers % 2 == 0 ? 2 : 3;
+  if (numbers < each || numbers % each != 0) return false;
+  char name[64], x[3][32];
+  size_t at = (size_t)snprintf(text, room, "(%s", p->mode == VS_ARG_REST ? own_name(f, name) : "list");
+  for (size_t i = 0; i < numbers; i += each) {
+    if (i == SHOWN * each) {
+      at += (size_t)snprintf(text + at, room - at, " ...");
+      break;
+    }
+    for (size_t k = 0; k < 3; k++) vs_bind_number_text(x[k], k < each ? all[i + k] : 0);
+    if (each == 2) at += (size_t)snprintf(text + at, room - at, " (xy %.16s %.16s)", x[0], x[1]);
+    else at += (size_t)snprintf(text + at, room - at, " (xyz %.16s %.16s %.16s)", x[0], x[1], x[2]);
+  }
+  snprintf(text + at, room - at, ")");
+  return true;
+}
+
 /* An `if` without else, a `for-each` in place of a `map`: the commonest ways to get no value. */
-static vs_status refuse_item(vs_frame *f, const vs_bind_param *p, vs_value bad, const char *item) {
+static vs_status refuse_item(vs_frame *f, const vs_bind_param *p, const vs_value *given, size_t count, vs_value bad,
+                             const char *item) {
   if (bad == VS_ABSENT) return VS_ERROR; /* the error is set */
   if (bad == VS_UNSPECIFIC)
     return vs_fail(f->vm, f->vm->sym.type, "%s must hold only %ss, but " VS_BIND_NO_VALUE, p->name, item);
   if (refuse_uncalled(f, p, bad)) return VS_ERROR;
-  char text[96];
+  char text[96], meant[400], expected[480];
   snprintf(text, sizeof text, "%s", contracts[p->contract].noun);
   double d;
+  if (!strcmp(item, "point") && points_meant(f, p, given, count, meant, sizeof meant)) {
+    snprintf(expected, sizeof expected, "a point or a list of points (%s?)", meant);
+    return vs_bind_refuse(f, p->name, expected, bad);
+  }
   if (!strcmp(item, "point") && vs_bind_number(f->vm, bad, &d))
     return vs_bind_refuse(f, p->name, "a point or a list of points, each written (xy x y) or (xyz x y z)", bad);
   if (!strcmp(item, "point") && vs_is_flat(bad, VS_FLAT_VECTOR)) return refuse_hint(f, p->name, text, bad, "(+ origin v)");
@@ -343,7 +394,8 @@ static vs_status convert_refs(vs_frame *f, const vs_bind_param *p, const vs_valu
   grow g = { .size = sizeof(vs_ref) };
   vs_value bad;
   bool curves = p->contract == VS_C_CURVES, sections = p->contract == VS_C_SECTIONS;
-  if (!flatten(f, v, n, curves ? add_curve : sections ? add_section : add_ref, &g, &bad)) return refuse_item(f, p, bad, curves ? "curve" : sections ? "section" : "object");
+  if (!flatten(f, v, n, curves ? add_curve : sections ? add_section : add_ref, &g, &bad))
+    return refuse_item(f, p, v, n, bad, curves ? "curve" : sections ? "section" : "object");
   out->refs.at = g.at, out->refs.count = g.count;
   return VS_OK;
 }
@@ -351,7 +403,7 @@ static vs_status convert_refs(vs_frame *f, const vs_bind_param *p, const vs_valu
 static vs_status convert_points(vs_frame *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out) {
   grow g = { .size = sizeof(vs_vec3) };
   vs_value bad;
-  if (!flatten(f, v, n, add_point, &g, &bad)) return refuse_item(f, p, bad, "point");
+  if (!flatten(f, v, n, add_point, &g, &bad)) return refuse_item(f, p, v, n, bad, "point");
   out->points.at = g.at, out->points.count = g.count;
   return VS_OK;
 }
@@ -359,7 +411,7 @@ static vs_status convert_points(vs_frame *f, const vs_bind_param *p, const vs_va
 static vs_status convert_things(vs_frame *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out) {
   grow_things g = { { .size = sizeof(vs_ref) }, { .size = sizeof(vs_vec3) } };
   vs_value bad;
-  if (!flatten(f, v, n, add_thing, &g, &bad)) return refuse_item(f, p, bad, "object");
+  if (!flatten(f, v, n, add_thing, &g, &bad)) return refuse_item(f, p, v, n, bad, "object");
   out->things.at = g.refs.at, out->things.count = g.refs.count;
   out->things.points = g.points.at, out->things.point_count = g.points.count;
   return VS_OK;
@@ -525,7 +577,10 @@ static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg
       if (!vs_is_flat(v, VS_FLAT_POINT)) return refuse_kind(f, p, v);
       out->point = vec_of(vs_as_flat(v)->at);
       return finite3(vs_as_flat(v)->at) ? VS_OK : refuse_condition(f, p, v);
-    case VS_C_VECTOR: case VS_C_DIRECTION:
+    case VS_C_DIRECTION:
+      if (world_axis(v, axis_names, &out->point)) return VS_OK;
+      /* fall through */
+    case VS_C_VECTOR:
       if (!vs_is_flat(v, VS_FLAT_VECTOR)) return refuse_kind(f, p, v);
       out->point = vec_of(vs_as_flat(v)->at);
       if (!finite3(vs_as_flat(v)->at)) return vs_bind_refuse(f, p->name, "of finite coordinates", v);

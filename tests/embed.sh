@@ -5,7 +5,8 @@ work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 case embed in *"$ONLY"*) ;; *) exit ;; esac
 
-if ! MAKEFLAGS= make -s BUILD="$BUILD" DESTDIR="$work" PREFIX=/usr install > "$work/log" 2>&1; then
+# make takes no name with a blank for a target: the folder of the build is named from here
+if ! MAKEFLAGS= make -s BUILD="${BUILD#"$PWD"/}" DESTDIR="$work" PREFIX=/usr install > "$work/log" 2>&1; then
   echo "not ok embed:install"; tail -n 10 "$work/log" | sed 's/^/    /'; exit
 fi
 echo "ok embed:install"

@@ -66,7 +66,7 @@ suite_layers() {
 suite_compilers() {
   for compiler in gcc clang; do
     if ! command -v $compiler >/dev/null 2>&1; then echo "skip compilers/$compiler: not installed"; continue; fi
-    if MAKEFLAGS= make -s -j2 CC=$compiler BUILD="$BUILD/$compiler" OPT=-O1 EXTRA=-Werror all > "$work/out" 2>&1; then
+    if MAKEFLAGS= make -s -j2 CC=$compiler BUILD="${BUILD#"$PWD"/}/$compiler" OPT=-O1 EXTRA=-Werror all > "$work/out" 2>&1; then
       echo "ok compilers/$compiler"
     else
       echo "not ok compilers/$compiler"; head -n 30 "$work/out" | sed 's/^/    /'

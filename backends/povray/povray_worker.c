@@ -120,14 +120,22 @@ static void run_give_memory(pid_t process) {
 #endif
 }
 
+/* A file's name as POV-Ray takes it: it divides every argument at blanks and quotes once more. */
+static void run_quote(char *out, size_t room, const char *option, const char *name) {
+  char quote = strchr(name, '"') ? '\'' : '"';
+  snprintf(out, room, "%s%c%s%c", option, quote, name, quote);
+}
+
 static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene, char format) {
   int pipe_ends[2];
   if (pipe(pipe_ends) != 0) return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "cannot talk to POV-Ray: no pipe");
   int width = e->options->width > 0 ? e->options->width : 1024, height = e->options->height > 0 ? e->options->height : 768;
-  char wide[24], high[24], out[POV_PATH_ROOM + 8], kind[8], home[POV_PATH_ROOM], ini[POV_PATH_ROOM + 8], path[POV_PATH_ROOM];
+  char wide[24], high[24], kind[8], in[POV_PATH_ROOM + 8], out[POV_PATH_ROOM + 8];
+  char home[POV_PATH_ROOM], ini[POV_PATH_ROOM + 8], path[POV_PATH_ROOM];
   snprintf(wide, sizeof wide, "+W%d", width);
   snprintf(high, sizeof high, "+H%d", height);
-  snprintf(out, sizeof out, "+O%s", r->picture);
+  run_quote(in, sizeof in, "+I", scene);
+  run_quote(out, sizeof out, "+O", r->picture);
   snprintf(kind, sizeof kind, format == 'N' ? "+FN8" : "+FE");
   snprintf(home, sizeof home, "HOME=%s", r->folder);
   snprintf(ini, sizeof ini, "POVINI=%s", r->ini);
@@ -136,7 +144,8 @@ static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene, char format)
   char *smooth[] = { "+A0.15", "+AM2", "+R2" };
   if (e->options->quality == VS_RENDER_DRAFT) smooth[0] = "-A", smooth[1] = smooth[2] = NULL;
   else if (e->options->quality == VS_RENDER_FINAL) smooth[0] = "+A0.05", smooth[2] = "+R3";
-  char *arguments[] = { "povray", (char *)(uintptr_t)scene, wide, high, out, kind, "-D", "-GD", "-GR", "-GS", smooth[0], smooth[1], smooth[2], NULL };
+  char *arguments[] = { "povray", in,    wide,  high,      out,       kind,      "-D",
+                        "-GD",    "-GR", "-GS", smooth[0], smooth[1], smooth[2], NULL };
   char *environment[] = { home, ini, path, "LC_ALL=C", NULL };
   posix_spawn_file_actions_t files;
   posix_spawnattr_t attributes;

@@ -371,7 +371,15 @@ vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
     if (steep < 1e-9) {
       char x[32], y[32], z[32];
       vs_bind_number_text(x, round(n.x * 1e6) / 1e6), vs_bind_number_text(y, round(n.y * 1e6) / 1e6), vs_bind_number_text(z, round(n.z * 1e6) / 1e6);
-      return vs_fail(f->vm, f->vm->sym.range, "the profile would be moved within its own plane, whose normal is (vxyz %s %s %s); give a gvector that leaves it", x, y, z);
+      /* an arch that is drawn on the ground and is to be as deep as a wall */
+      bool flat_arch = fabs(n.z) > .999999 && vs_is_flat(f->arg[1].value, VS_FLAT_VECTOR);
+      const char *cure = "";
+      if (flat_arch && fabs(d.along.x) > fabs(d.along.y)) cure = ", or stand it up: #:plane 'yz where it is made";
+      else if (flat_arch) cure = ", or stand it up: (do-rotate profile 'x pi/2), or #:plane 'xz where it is made";
+      return vs_fail(f->vm, f->vm->sym.range,
+                     "the profile would be moved within its own plane, whose normal is (vxyz %s %s %s); "
+                     "give a gvector that leaves it%s",
+                     x, y, z, cure);
     }
   }
   return vs_bind_make(f, VS_EXTRUDE, &d, child, 1, out);

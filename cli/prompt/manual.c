@@ -59,7 +59,8 @@ static bool print_section(const char *at, FILE *to, bool whole_page) {
     if (line.end - line.at >= 3 && !memcmp(line.at, "```", 3)) code = !code;
     at = after(line);
   }
-  return cli_markdown_print(from, (size_t)(at - from), cli_terminal_width(), to == stdout && cli_colours(1), to);
+  bool bold = to == stdout && cli_colours(1);
+  return cli_markdown_print(from, (size_t)(at - from), cli_terminal_width(), bold, to);
 }
 
 /* ---- looking up ---- */
@@ -89,7 +90,8 @@ static const char *find_entry(const char *word) {
   return NULL;
 }
 
-/* The first line of the page of that name, or else of the page whose list of calls, "- `(make-box p q)`: ...", has the name; NULL: none. */
+/* The first line of the page of that name, or else of the page whose list of calls, "- `(make-box p q)`: ...", has the
+ * name; NULL: none. */
 static const char *find_page(const char *word) {
   const char *page = NULL, *calls = NULL;
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {

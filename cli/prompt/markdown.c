@@ -1,40 +1,29 @@
 /* Owns how a page of the manual reads in a terminal.
  *
- * The lines of a block (a paragraph, an item, a cell) are joined and become plain text with three marks in it: BOLD and PLAIN switch the type,
- * and TIED is a blank at which no line may break, so that a short call stays in one piece. Lines are then filled from that text. */
+ * The lines of a block (a paragraph, an item, a cell) are joined and become plain text with three marks in it: BOLD and
+ * PLAIN switch the type, and TIED is a blank at which no line may break, so that a short call stays in one piece. Lines
+ * are then filled from that text. */
 #include "cli/prompt/markdown.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/prompt/line_buffer.h"
+
 enum { BOLD = 1, PLAIN = 2, TIED = 3 };
 enum { LONGEST_TIED = 40, MOST_COLUMNS = 12, GAP = 2, INDENT = 4 };
 
 typedef struct { const char *at, *end; } part;
-typedef struct { char *at; size_t length, room; } text;
 typedef struct {
   FILE *to;
   int width;
   bool bold;
   bool blank;    /* the last line printed was empty, or none was printed */
-  text source;   /* the lines of a block, joined */
-  text plain;    /* the same with marks in place of Markdown's signs */
+  line_buffer source;  /* the lines of a block, joined */
+  line_buffer plain;   /* the same with marks in place of Markdown's signs */
 } printer;
 
-static bool add(text *t, const char *more, size_t length) {
-  if (t->room - t->length <= length) {
-    size_t room = 2 * (t->length + length + 1);
-    char *grown = realloc(t->at, room);
-    if (!grown) return false;
-    t->at = grown;
-    t->room = room;
-  }
-  memcpy(t->at + t->length, more, length);
-  t->length += length;
-  t->at[t->length] = 0;
-  return true;
-}
-static bool add_sign(text *t, char sign) { return add(t, &sign, 1); }
+static bool add_sign(line_buffer *t, char sign) { return cli_line_buffer_add(t, &sign, 1); }
 
 /* ---- what a line is ---- */
 
@@ -54,7 +43,8 @@ int cli_markdown_level(const char *line, size_t length) {
 }
 static int level(part line) { return cli_markdown_level(line.at, (size_t)(line.end - line.at)); }
 
-/* The columns of an item's sign with the blanks before and behind it, as 2 of "- word" and 3 of "1. word"; 0 where the line is no item. */
+/* The columns of an item's sign with the blanks before and behind it, as 2 of "- word" and 3 of "1. word"; 0 where the
+ * line is no item. */
 static int item_sign(part line) {
   const char *p = line.at;
   while (p < line.end && *p == ' ') p++;
@@ -70,7 +60,8 @@ static bool is_empty(part line) {
   return line.at == line.end;
 }
 static bool goes_on(part line) { /* does the line belong to the paragraph or item before it? */
-  return !is_empty(line) && !level(line) && !item_sign(line) && !begins(line, "```") && !begins(line, "|") && !begins(line, "![");
+  return !is_empty(line) && !level(line) && !item_sign(line) && !begins(line, "```") && !begins(line, "|") &&
+      !begins(line, "![");
 }
 
 /* ---- within a block ---- */
@@ -78,7 +69,7 @@ static bool goes_on(part line) { /* does the line belong to the paragraph or ite
 /* The end of the code that begins at p, a `; NULL where nothing closes it. */
 static const char *code_end(const char *p, const char *end) { return memchr(p + 1, '`', (size_t)(end - p - 1)); }
 
-static bool add_code(text *plain, const char *at, const char *end) {
+static bool add_code(line_buffer *plain, const char *at, const char *end) {
   bool tied = end - at <= LONGEST_TIED;
   if (!add_sign(plain, BOLD)) return false;
   for (; at < end; at++)
@@ -87,7 +78,7 @@ static bool add_code(text *plain, const char *at, const char *end) {
 }
 
 /* Appends the text to `plain` with marks in place of Markdown's signs. */
-static bool add_plain(text *plain, part from) {
+static bool add_plain(line_buffer *plain, part from) {
   bool strong = false;
   const char *link = NULL; /* where the words of a link end: the ] of ](to) */
   for (const char *p = from.at; p < from.end; p++) {
@@ -197,12 +188,12 @@ static const char *print_text(printer *o, const char *at, const char *end) {
   part first = line_at(at, end), line = first;
   int sign = item_sign(line);
   o->source.length = o->plain.length = 0;
-  if (!add(&o->source, line.at + sign, (size_t)(line.end - line.at - sign))) return NULL;
+  if (!cli_line_buffer_add(&o->source, line.at + sign, (size_t)(line.end - line.at - sign))) return NULL;
   for (at = after(line, end); at < end; at = after(line, end)) {
     line = line_at(at, end);
     if (!goes_on(line)) break;
     while (line.at < line.end && *line.at == ' ') line.at++;
-    if (!add_sign(&o->source, ' ') || !add(&o->source, line.at, (size_t)(line.end - line.at))) return NULL;
+    if (!add_sign(&o->source, ' ') || !cli_line_buffer_add(&o->source, line.at, (size_t)(line.end - line.at))) return NULL;
   }
   if (!add_plain(&o->plain, (part){o->source.at, o->source.at + o->source.length})) return NULL;
   fprintf(o->to, "%.*s", sign, first.at);
@@ -258,7 +249,8 @@ static bool read_row(printer *o, part line, row *r) {
   return true;
 }
 
-/* Columns as wide as their widest cell; where that is too much, the widest give way until all fit, down to their longest word. */
+/* Columns as wide as their widest cell; where that is too much, the widest give way until all fit, down to their longest
+ * word. */
 static void share_width(int *wide, const int *least, int count, int width) {
   int room = width - GAP * (count - 1), cap = 0;
   for (int i = 0; i < count; i++) cap = wide[i] > cap ? wide[i] : cap;
@@ -309,25 +301,19 @@ static void print_row(printer *o, const row *r, const int *wide, int count, bool
 }
 
 static const char *print_table(printer *o, const char *at, const char *end) {
-  row *rows = NULL;
-  int count = 0, room = 0, wide[MOST_COLUMNS] = {0}, least[MOST_COLUMNS] = {0}, most = 0, lines = 1;
+  line_buffer read = {0}; /* of rows */
   bool fine = true;
   o->plain.length = 0;
   while (fine && at < end && *at == '|') {
     part line = line_at(at, end);
+    row r;
     at = after(line, end);
-    if (is_rule(line)) continue;
-    if (count == room) {
-      room = room ? 2 * room : 32;
-      row *grown = realloc(rows, (size_t)room * sizeof *rows);
-      fine = grown != NULL;
-      if (!fine) break;
-      rows = grown;
-    }
-    fine = read_row(o, line, &rows[count]);
-    count += fine;
+    if (!is_rule(line)) fine = read_row(o, line, &r) && cli_line_buffer_add(&read, &r, sizeof r);
   }
-  for (int i = 0; fine && i < count; i++) {
+  const row *rows = (const void *)read.at;
+  size_t count = fine ? read.length / sizeof *rows : 0;
+  int wide[MOST_COLUMNS] = {0}, least[MOST_COLUMNS] = {0}, most = 0, line = 0;
+  for (size_t i = 0; i < count; i++) {
     most = rows[i].count > most ? rows[i].count : most;
     for (int c = 0; c < rows[i].count; c++) {
       const char *from = o->plain.at + rows[i].cells[c].from, *to = o->plain.at + rows[i].cells[c].to;
@@ -336,18 +322,18 @@ static const char *print_table(printer *o, const char *at, const char *end) {
       least[c] = word > least[c] ? word : least[c];
     }
   }
-  if (fine && count) {
+  if (count) {
     leave_blank(o);
     share_width(wide, least, most, o->width);
     print_row(o, &rows[0], wide, most, true);
-    for (int c = 0; c < most; c++) lines += wide[c] + (c ? GAP : 0);
-    for (int i = 1; i < lines; i++) fputc('-', o->to);
+    for (int c = 0; c < most; c++) line += wide[c] + (c ? GAP : 0);
+    for (int i = 0; i < line; i++) fputc('-', o->to);
     fputc('\n', o->to);
-    for (int i = 1; i < count; i++) print_row(o, &rows[i], wide, most, false);
+    for (size_t i = 1; i < count; i++) print_row(o, &rows[i], wide, most, false);
     o->blank = false;
     leave_blank(o);
   }
-  free(rows);
+  free(read.at);
   return fine ? at : NULL;
 }
 
@@ -375,6 +361,7 @@ bool cli_markdown_print(const char *start, size_t length, int width, bool bold, 
 void cli_markdown_print_line(const char *start, size_t length, FILE *to) {
   printer o = {.to = to};
   bool bold = false;
-  if (add_plain(&o.plain, (part){start, start + length})) print_words(&o, (part){o.plain.at, o.plain.at + o.plain.length}, &bold);
+  if (add_plain(&o.plain, (part){start, start + length}))
+    print_words(&o, (part){o.plain.at, o.plain.at + o.plain.length}, &bold);
   free(o.plain.at);
 }

@@ -30,7 +30,7 @@
 (fails (do-revolve circle 'z))
 ; expect: do-revolve: the profile lies flat across the axis, and its plane must hold the axis; (do-rotate profile 'x pi/2) stands it up, or #:plane 'xz where it is made ()
 (fails (do-revolve (make-rectangle (xz -1 0) (xz 3 1)) 'z))
-; expect: do-revolve: the profile must lie on one side of the axis; it crosses it near (xyz -1 0 1) ()
+; expect: do-revolve: the profile must lie on one side of the axis; it crosses it near (xyz -1 0 1): (do-move profile v) brings it to one side, (do-slice region plane) cuts it at the axis ()
 (fails (do-revolve (make-line (xz 0 0) (xz 0 3)) 'z))
 ; expect: do-revolve: the profile lies on the axis ()
 (fails (do-revolve (make-polygon origin (xyz 1 0 0) (xyz 1 1 1) (xyz 0 1 0)) 'z))
@@ -164,7 +164,7 @@
 (fails (do-extrude circle (make-line (list origin (xyz 1 0 1) (xyz 0 0 0.5))) 0.1))
 ; expect: do-extrude: amount must be a curve that leads away from the profile's plane all the way, where there is a taper, got ((make-line (list (xyz 0 0 0) (xyz 1 0 1) (xyz 0 0 0.5))))
 (fails (do-extrude circle ux))
-; expect: do-extrude: the profile would be moved within its own plane, whose normal is (vxyz 0 0 1); give a gvector that leaves it ()
+; expect: do-extrude: the profile would be moved within its own plane, whose normal is (vxyz 0 0 1); give a gvector that leaves it, or stand it up: #:plane 'yz where it is made ()
 (displayln (do-extrude circle 0)) ; expect warning: do-extrude: the amount is 0
 ; expect: (empty-object)
 (define apart (intersect (make-rectangle (xy 0 0) (xy 1 1)) (make-rectangle (xy 2 2) (xy 3 3))))

@@ -23,7 +23,7 @@
 (fails (subtract s circle))                  ; expect: subtract: solids and flat regions do not meet: do-extrude the regions first ()
 (fails (make-region (make-line origin (xyz 1 0 0)))) ; expect: make-region: curves must be closed, or open ones that meet end to end; one is open: it runs from (xyz 0 0 0) to (xyz 1 0 0), where no other begins ()
 (fails (make-region s))                      ; expect: make-region: curves must be a curve or a list of curves, got ((make-sphere (xyz 0 0 0) 1))
-(fails (do-extrude circle ux))               ; expect: do-extrude: the profile would be moved within its own plane, whose normal is (vxyz 0 0 1); give a gvector that leaves it ()
+(fails (do-extrude circle ux))               ; expect: do-extrude: the profile would be moved within its own plane, whose normal is (vxyz 0 0 1); give a gvector that leaves it, or stand it up: #:plane 'yz where it is made ()
 (fails (do-sweep s circle))                  ; expect: do-sweep: profile must be a curve or a region, got ((make-sphere (xyz 0 0 0) 1))
 (fails (make-polyface-mesh (list origin ux) '((1 2 3)))) ; expect: make-polyface-mesh: points must be a point or a list of points ((+ origin v)?), got ((vxyz 1 0 0))
 (fails (make-polyface-mesh (list origin origin) '((1 2 3)))) ; expect: make-polyface-mesh: face 1 asks for point 3, but there are 2 points, counted from 1 ()
