@@ -352,7 +352,7 @@ static bool points_meant(vs_frame *f, const vs_bind_param *p, const vs_value *v,
     for (size_t k = 0; k < listed; k++) all[numbers++] = d[k];
   }
   if (each == 1) each = numbers % 2 == 0 ? 2 : 3;
-  if (numbers < each || numbers % each != 0) return false;
+  if (numbers < 2 * each || numbers % each != 0) return false; /* one point is no line: nobody means it */
   char name[64], x[3][32];
   size_t at = (size_t)snprintf(text, room, "(%s", p->mode == VS_ARG_REST ? own_name(f, name) : "list");
   for (size_t i = 0; i < numbers; i += each) {

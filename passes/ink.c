@@ -1,8 +1,7 @@
 /* Owns ink: the paint of what is thin and has none, for pictures, in which a pale line or letter on a pale sky is lost.
  *
  * Curves, flat regions and open surfaces without a material get a dark one, each subtree of them as a whole. Paint
- * works from outside in: so what
- * stands below a material keeps to it, and what has a material inside is gone into. */
+ * works from outside in: so what stands below a material keeps to it, and what has a material inside is gone into. */
 #include "passes/ink.h"
 
 #include "passes/rewrite.h"
@@ -12,8 +11,9 @@ typedef struct {
   unsigned char *painted;         /* by the node's number: a material stands in it */
 } ink_state;
 
-static bool ink_is_thin(const vs_node *n) { return n->class_ == VS_CURVE || n->class_ == VS_REGION_CLASS ||
-    n->class_ == VS_SURFACE; }
+static bool ink_is_thin(const vs_node *n) {
+  return n->class_ == VS_CURVE || n->class_ == VS_REGION_CLASS || n->class_ == VS_SURFACE;
+}
 
 static bool ink_is_painted(const vs_rewrite *w, const vs_node *n) {
   return vs_order_has(&w->order, n) && ((const ink_state *)w->state)->painted[vs_order_of(n)];
@@ -66,8 +66,8 @@ static void ink_look(vs_rewrite *w, ink_state *s) {
   for (size_t k = 0; k < w->order.count; k++) {
     const vs_node *n = w->order.at[k].node;
     s->painted[k] = n->kind == VS_MATERIAL || n->kind == VS_NATIVE;
-    for (uint32_t i = 0; w->order.note[k].inner && i < n->child_count; i++) s->painted[k] |= ink_is_painted(w,
-        n->children[i].node);
+    if (!w->order.note[k].inner) continue;
+    for (uint32_t i = 0; i < n->child_count; i++) s->painted[k] |= ink_is_painted(w, n->children[i].node);
   }
 }
 
@@ -76,11 +76,11 @@ bool vs_scene_ink(vs_scene *scene, vs_error *e) {
   for (size_t i = 0; i < scene->drawn_count; i++) thin |= scene->drawn[i].node->class_ != VS_SOLID;
   if (!thin) return true;
   vs_store *store = scene->store;
-  ink_state s = { .ink = ink_color(store, 0.05, 0.055, 0.07, "ink"), .slate = ink_color(store, 0.34, 0.38, 0.44,
-      "slate") };
+  ink_state s = { .ink = ink_color(store, 0.05, 0.055, 0.07, "ink"),
+                  .slate = ink_color(store, 0.34, 0.38, 0.44, "slate") };
   vs_rewrite w = { .store = store, .error = e, .state = &s, .order = { .store = store } };
-  bool ok = ((s.ink && s.slate) || vs_error_memory(e, NULL)) && vs_order_make(&w.order, scene->drawn,
-      scene->drawn_count, e);
+  bool ok = ((s.ink && s.slate) || vs_error_memory(e, NULL)) &&
+            vs_order_make(&w.order, scene->drawn, scene->drawn_count, e);
   size_t room = w.order.count + 1;
   if (ok) ok = (s.painted = vs_store_realloc(store, NULL, 0, room)) != NULL || vs_error_memory(e, NULL);
   if (ok) ink_look(&w, &s);

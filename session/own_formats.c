@@ -2,8 +2,7 @@
  * functions are the host's callbacks.
  *
  * The driver walks the drawing and lowers what the host has no callback for, as it does for every format. Placements,
- * materials, layers and unions need
- * no callback: a thing comes with its place, paint and layer. */
+ * materials, layers and unions need no callback: a thing comes with its place, paint and layer. */
 #include <string.h>
 
 #include "backends/backend.h"
@@ -33,8 +32,9 @@ static const vs_own_format *own_format(const vs_emitter *e) { return (const vs_o
 
 /* ---- what callbacks may call ---- */
 
-bool vs_output_write(vs_output *out, const void *bytes, size_t count) { return vs_put(own_emitter(out)->out, bytes,
-    count); }
+bool vs_output_write(vs_output *out, const void *bytes, size_t count) {
+  return vs_put(own_emitter(out)->out, bytes, count);
+}
 bool vs_output_print(vs_output *out, const char *text) { return vs_puts(own_emitter(out)->out, text); }
 bool vs_output_number(vs_output *out, double x) { return vs_put_number(own_emitter(out)->out, x); }
 
@@ -72,8 +72,8 @@ size_t vs_thing_numbers(const vs_thing *t, const char *field, double *out, size_
 const char *vs_thing_text(const vs_thing *t, const char *field) {
   const vs_node *n = ((const vs_ref *)t->thing)->node;
   const vs_field_info *f = own_field(n, field);
-  return f != NULL &&
-      f->type == VS_FIELD_text ? *(const vs_field_text *)(const void *)((const char *)vs_node_data(n) + f->offset) : NULL;
+  if (f == NULL || f->type != VS_FIELD_text) return NULL;
+  return *(const vs_field_text *)(const void *)((const char *)vs_node_data(n) + f->offset);
 }
 
 bool vs_thing_triangles(vs_output *out, const vs_thing *t, vs_triangles *result) {
@@ -143,9 +143,9 @@ static vs_emit_status own_emit(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   static const vs_thing_phase phases[] = { [VS_PHASE_LEAF] = VS_THING_LEAF, [VS_PHASE_ENTER] = VS_THING_ENTER,
       [VS_PHASE_LEAVE] = VS_THING_LEAVE };
   const vs_material *m = e->material;
-  vs_thing t = { .kind = vs_kind_get((vs_kind)ref->node->kind)->name, .phase = phases[phase],
-      .child_count = phase == VS_PHASE_ENTER ? e->child_count : 0,
-                 .material = m != NULL ? m->name : "", .painted = m != NULL, .layer = layer, .thing = ref };
+  vs_thing t = { .kind = vs_kind_get((vs_kind)ref->node->kind)->name, .phase = phases[phase], .layer = layer,
+                 .child_count = phase == VS_PHASE_ENTER ? e->child_count : 0,
+                 .material = m != NULL ? m->name : "", .painted = m != NULL, .thing = ref };
   for (int i = 0; i < 3; i++)
     for (int k = 0; k < 4; k++) t.place[i][k] = e->placement.m[i][k];
   if (m != NULL) t.color[0] = m->red, t.color[1] = m->green, t.color[2] = m->blue, t.color[3] = 1 - m->transparency;
@@ -156,12 +156,11 @@ static vs_emit_status own_emit(vs_emitter *e, const vs_ref *ref, vs_phase phase)
 
 /* ---- registering ---- */
 
+/* An ending is 1 to 16 plain letters and digits. */
 static bool own_suffix(const char *text) {
-  size_t n = 0;
-  for (; text != NULL && text[n] != '\0'; n++)
-    if (!((text[n] >= 'a' && text[n] <= 'z') || (text[n] >= 'A' && text[n] <= 'Z') || (text[n] >= '0' &&
-        text[n] <= '9'))) return false;
-  return n > 0 && n <= 16;
+  static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+  size_t n = text != NULL ? strspn(text, plain) : 0;
+  return n > 0 && n <= 16 && text[n] == '\0';
 }
 
 static bool own_fill(vs_session *s, vs_own_format *f, const vs_format_own *given) {
@@ -182,13 +181,15 @@ static bool own_fill(vs_session *s, vs_own_format *f, const vs_format_own *given
   for (size_t i = 0; i < sizeof through / sizeof *through; i++) f->backend.emit[through[i]].fn = own_emit;
   char text[120];
   snprintf(text, sizeof text, "%.40s has no lines: curves are left out", given->name);
-  if (f->kinds[VS_LINE].write == NULL && (f->backend.omit[VS_CURVE] = vs_store_text(store, text,
-      strlen(text))) == NULL) return false;
+  if (f->kinds[VS_LINE].write == NULL) {
+    f->backend.omit[VS_CURVE] = vs_store_text(store, text, strlen(text));
+    if (f->backend.omit[VS_CURVE] == NULL) return false;
+  }
   const char *doc = given->doc != NULL ? given->doc : "";
   f->format = (vs_format){ .name = vs_store_text(store, given->name, strlen(given->name)),
-      .suffix = vs_store_text(store, given->suffix, strlen(given->suffix)),
-                           .doc = vs_store_text(store, doc, strlen(doc)), .binary = given->binary,
-                               .backend = &f->backend };
+                           .suffix = vs_store_text(store, given->suffix, strlen(given->suffix)),
+                           .doc = vs_store_text(store, doc, strlen(doc)),
+                           .binary = given->binary, .backend = &f->backend };
   return f->format.name != NULL && f->format.suffix != NULL && f->format.doc != NULL;
 }
 

@@ -25,8 +25,8 @@ void vs_loose_close(vs_emitter *e) {
 /* Room for these; the run is begun, and its points stand where e->placement puts them. */
 static bool loose_add(vs_emitter *e, bool line, const vs_vec3 *points, size_t point_count, size_t corner_count) {
   vs_loose *l = e->state;
-  if (l->point_count + point_count > UINT32_MAX) return vs_error_set(e->error, VS_ERROR_MODEL, NULL,
-      "more points than the file can hold");
+  if (l->point_count + point_count > UINT32_MAX)
+    return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more points than the file can hold");
   if (!vs_emit_grow(e, &l->points, &l->point_room, l->point_count + point_count, sizeof *l->points) ||
       !vs_emit_grow(e, &l->corners, &l->corner_room, l->corner_count + corner_count, sizeof *l->corners) ||
       !vs_emit_grow(e, &l->runs, &l->run_room, l->run_count + 1, sizeof *l->runs))

@@ -1,8 +1,8 @@
 /* Owns the formats of bare triangles: STL binary and in words, OFF, PLY, OBJ with its .mtl. All get the union of the
- * drawing's solids from the kernel;
- * PLY and OBJ have words for lines and open faces, too (loose.h).
+ * drawing's solids from the kernel; PLY, OBJ and OFF have words for open faces, too, and PLY and OBJ for lines (loose.h).
  *
- * STL's numbers are 32-bit: triangles whose corners fall together there are left out, which keeps a closed surface closed. */
+ * STL's numbers are 32-bit: triangles whose corners fall together there are left out, which keeps a closed surface
+ * closed. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -144,13 +144,32 @@ static char *off_faces(const void *context, size_t begin, size_t end, char *to) 
   return to;
 }
 
+/* Open faces stand behind those of the solids: the format asks of no face that it has neighbours. */
 static bool off_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
-  return vs_putf(e->out, "OFF\n%lu %lu 0\n", (unsigned long)m->vertex_count, (unsigned long)m->triangle_count) &&
-         mesh_put(e, m->vertex_count, MESH_TRIPLE, off_corners, m) && mesh_put(e, m->triangle_count, MESH_TRIPLE, off_faces, m);
+  const vs_loose *l = e->state;
+  if (m->vertex_count + l->point_count > UINT32_MAX)
+    return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more points than an OFF file can hold");
+  vs_mesh loose = { .vertices = l->points, .vertex_count = l->point_count };
+  bool ok = vs_putf(e->out, "OFF\n%lu %lu 0\n", (unsigned long)(m->vertex_count + l->point_count),
+                    (unsigned long)(m->triangle_count + vs_loose_triangles(l))) &&
+            mesh_put(e, m->vertex_count, MESH_TRIPLE, off_corners, m) &&
+            mesh_put(e, loose.vertex_count, MESH_TRIPLE, off_corners, &loose) &&
+            mesh_put(e, m->triangle_count, MESH_TRIPLE, off_faces, m);
+  for (size_t k = 0; ok && k < l->corner_count && !e->out->failed; k += 3) {
+    char text[MESH_TRIPLE] = "3", *end = text + 1;
+    uint32_t corners[3];
+    for (size_t i = 0; i < 3; i++) corners[i] = l->corners[k + i] + (uint32_t)m->vertex_count;
+    end = mesh_numbers(end, corners, 0);
+    ok = vs_put(e->out, text, (size_t)(end - text));
+  }
+  return ok && !e->out->failed;
 }
 
-const vs_backend vs_backend_off = { .begin = mesh_begin, .end = mesh_end, .solid = off_solid, .numbers = VS_NUMBERS_DIGITS, MESH_OMIT("OFF") };
+const vs_backend vs_backend_off = {
+  .begin = vs_loose_begin, .end = mesh_end, .solid = off_solid, .numbers = VS_NUMBERS_DIGITS,
+  VS_LOOSE_FACES("OFF holds faces: curves are left out")
+};
 
 /* ---- PLY: binary, little-endian, coordinates as doubles; a face has its colour, for a corner may belong to faces of several ---- */
 
@@ -170,8 +189,8 @@ static char *ply_corners(const void *context, size_t begin, size_t end, char *at
 
 static void ply_paint(const vs_material *m, unsigned char paint[4]) {
   vs_material p = m != NULL ? *m : vs_material_of_color(0.86, 0.85, 0.83);
-  paint[0] = ply_level(p.red), paint[1] = ply_level(p.green), paint[2] = ply_level(p.blue),
-      paint[3] = ply_level(1 - 0.8 * p.transparency);
+  paint[0] = ply_level(p.red), paint[1] = ply_level(p.green), paint[2] = ply_level(p.blue);
+  paint[3] = ply_level(1 - 0.8 * p.transparency);
 }
 
 static char *ply_faces(const void *context, size_t begin, size_t end, char *at) {
@@ -215,16 +234,16 @@ static bool ply_loose(vs_emitter *e, uint32_t base, bool lines) {
 
 static bool ply_loose_points(vs_emitter *e) {
   const vs_loose *l = e->state;
-  return l->point_count == 0 || mesh_put(e, l->point_count, PLY_CORNER, ply_corners,
-      &(vs_mesh){ .vertices = l->points, .vertex_count = l->point_count });
+  vs_mesh points = { .vertices = l->points, .vertex_count = l->point_count };
+  return l->point_count == 0 || mesh_put(e, l->point_count, PLY_CORNER, ply_corners, &points);
 }
 
 static bool ply_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   vs_writer *w = e->out;
   const vs_loose *l = e->state;
-  if (m->vertex_count + l->point_count > UINT32_MAX) return vs_error_set(e->error, VS_ERROR_MODEL, NULL,
-      "more points than a PLY file can hold");
+  if (m->vertex_count + l->point_count > UINT32_MAX)
+    return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more points than a PLY file can hold");
   vs_puts(w, "ply\nformat binary_little_endian 1.0\ncomment made by VisualScheme; Z is up, lengths in ");
   vs_puts(w, e->scene->units);
   vs_putf(w, "\nelement vertex %lu\nproperty double x\nproperty double y\nproperty double z\n",
@@ -238,9 +257,8 @@ static bool ply_solid(vs_emitter *e, const vs_solid *solid) {
   }
   uint32_t base = (uint32_t)m->vertex_count;
   return vs_puts(w, "end_header\n") && mesh_put(e, m->vertex_count, PLY_CORNER, ply_corners, m) &&
-      ply_loose_points(e) &&
-         mesh_put(e, m->triangle_count, PLY_FACE, ply_faces, solid) && ply_loose(e, base, false) && ply_loose(e, base,
-             true);
+         ply_loose_points(e) && mesh_put(e, m->triangle_count, PLY_FACE, ply_faces, solid) &&
+         ply_loose(e, base, false) && ply_loose(e, base, true);
 }
 
 const vs_backend vs_backend_ply = { .begin = vs_loose_begin, .end = mesh_end, .solid = ply_solid, VS_LOOSE_SHAPES };
@@ -370,8 +388,8 @@ static bool obj_loose(vs_emitter *e, uint32_t base) {
   const vs_material *paint = NULL;
   if (l->run_count == 0) return !w->failed;
   vs_puts(w, "# curves as lines, regions and open surfaces as open faces\n");
-  if (!mesh_put(e, l->point_count, MESH_TRIPLE, obj_corners, &(vs_mesh){ .vertices = l->points,
-      .vertex_count = l->point_count })) return false;
+  vs_mesh points = { .vertices = l->points, .vertex_count = l->point_count };
+  if (!mesh_put(e, l->point_count, MESH_TRIPLE, obj_corners, &points)) return false;
   for (size_t i = 0; i < l->run_count && !w->failed; i++) {
     const vs_loose_run *run = &l->runs[i];
     if (i == 0 || run->layer != layer) obj_group(w, run->layer != NULL ? run->layer : "default");
@@ -407,8 +425,8 @@ static bool obj_solid(vs_emitter *e, const vs_solid *solid) {
   }
   if (!mesh_put(e, m->vertex_count, MESH_TRIPLE, obj_corners, m)) return false;
   obj_groups groups = { .key_count = 0 };
-  bool ok = obj_groups_make(e, solid, &groups) && obj_faces(e, solid, &groups) && obj_loose(e,
-      (uint32_t)m->vertex_count);
+  bool ok = obj_groups_make(e, solid, &groups) && obj_faces(e, solid, &groups) &&
+            obj_loose(e, (uint32_t)m->vertex_count);
   obj_groups_free(e, &groups, solid);
   return ok;
 }
@@ -441,5 +459,5 @@ static bool obj_beside(vs_emitter *e) {
 
 const vs_backend vs_backend_obj = {
   .begin = vs_loose_begin, .end = mesh_end, .solid = obj_solid, .numbers = VS_NUMBERS_DIGITS, .beside = obj_beside,
-      VS_LOOSE_SHAPES
+  VS_LOOSE_SHAPES
 };

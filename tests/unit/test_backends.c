@@ -317,8 +317,15 @@ static void test_left_out(void **state) {
   assert_holds(last_warning, "open surfaces are drawn as thin slabs");
   free(text);
   warnings = 0;
-  text = written(&m, "off"); /* the box alone */
-  assert_holds(text, "OFF\n8 12 0\n");
+  text = written(&m, "off"); /* the box and a triangle */
+  assert_holds(text, "OFF\n11 13 0\n");
+  assert_holds(text, "\n3 8 9 10\n");
+  assert_int_equal(warnings, 0);
+  free(text);
+  text = written(&m, "stl-ascii"); /* the box alone */
+  int facets = 0;
+  for (const char *at = text; (at = strstr(at, "facet normal")) != NULL; at++) facets++;
+  assert_int_equal(facets, 12);
   assert_int_equal(warnings, 1);
   assert_holds(last_warning, "open surfaces are left out");
   free(text);
@@ -327,7 +334,7 @@ static void test_left_out(void **state) {
   test_model_open(&m);
   test_draw(&m, open_surface(&m));
   vs_error e = { VS_ERROR_NONE, NULL, "" };
-  assert_null(written_quietly(&m, "off", NULL, &e));
+  assert_null(written_quietly(&m, "stl-ascii", NULL, &e));
   assert_int_equal(e.kind, VS_ERROR_MODEL);
   test_model_close(&m);
 
