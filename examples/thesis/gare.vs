@@ -51,8 +51,8 @@
              (rod p0 p2)))
          (reverse (linear-h-arc-sequence (+pol p rho phi) rho (+ phi pi)    ; repaired: p, which is on the arc and not its centre
                                          psi0 psi1 n-bars))
-         (line-sequence pr p0 n-bars)                                       ; repaired: a parenthesis too many before this line
-         (line-sequence pr p1 n-bars))))                                    ; repaired: three in all
+         (line-sequence pr p0 n-bars)                                       ; repaired: a parenthesis before this line ends the map too early
+         (line-sequence pr p1 n-bars))))
 
 ; Listing 5.4 (b): the completed prototype
 
@@ -73,7 +73,7 @@
                (roof-support pc pr rho phi psi0 (min psi1 pi/2) p1 p3 n-bars))))  ; repaired: psi1; rods stand on what is above the contact
     (unite
       (map helper
-           (enumerate 0 2*pi 4)))))
+           (enumerate 0 2*pi 4)))))                               ; repaired: a parenthesis too many at the end
 
 ; Listing 5.5: the full Gare do Oriente
 
@@ -89,4 +89,4 @@
         (xyz width width 0) ; box boundary
         x                   ; X dimension
         y                   ; Y dimension
-        1))))               ; Z dimension
+        1))))               ; Z dimension; repaired: a parenthesis too many at the end

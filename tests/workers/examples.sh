@@ -69,6 +69,9 @@ listings='2.1-doric-columns 100000
 4.3-cylinder-between-points 200000
 4.4-loft 10000
 5.5-gare 300000 -D x=1 -D y=1'
+# three trees with other angles: half a minute
+[ -z "$LONG" ] || listings="$listings
+5.4-parametrisations 250000"
 echo "$listings" | while read -r name samples arguments; do
   model=examples/thesis/$name.vs test=examples/thesis/$name
   wanted "$test" || continue
