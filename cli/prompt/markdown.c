@@ -308,7 +308,7 @@ static const char *print_table(printer *o, const char *at, const char *end) {
     part line = line_at(at, end);
     row r;
     at = after(line, end);
-    if (!is_rule(line)) fine = read_row(o, line, &r) && cli_line_buffer_add(&read, &r, sizeof r);
+    if (!is_rule(line)) fine = read_row(o, line, &r) && cli_line_buffer_add(&read, (const char *)&r, sizeof r);
   }
   const row *rows = (const void *)read.at;
   size_t count = fine ? read.length / sizeof *rows : 0;
