@@ -107,7 +107,8 @@ bool vs_name_get(vs_scheme *vm, const char *name, vs_name_info *out) {
   if (m.kind != VS_MEANS_CELL || vs_as_cell(m.value)->value == VS_UNDEFINED) return false;
   r[1] = vs_as_cell(m.value)->value;
   vs_meaning language = vs_environment_find(vm->at.core, r[0]);
-  out->own = language.kind != VS_MEANS_CELL || language.value != m.value;
+  /* a program that uses a name of the language has a cell of its own with the same value */
+  out->own = language.kind != VS_MEANS_CELL || vs_as_cell(language.value)->value != r[1];
   vs_text t;
   if (vs_is(r[1], VS_T_NATIVE) || vs_is(r[1], VS_T_CLOSURE) || vs_is(r[1], VS_T_CASE) || vs_is(r[1], VS_T_PARAMETER)) {
     out->kind = "procedure";

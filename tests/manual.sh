@@ -63,6 +63,9 @@ table() { # DEF ROW HEAD: the names of a .def file against the first column belo
   if [ -s "$work/wanted" ] && diff "$work/wanted" "$work/shown" > "$work/diff"; then echo "ok manual/command:$1"
   else echo "not ok manual/command:$1"; sed 's/^/    /' "$work/diff"; fi
 }
+# The prompt's commands are in the page, each of them.
+missing=$(sed -n 's/^COMMAND(\([a-z]*\),.*/\1/p' cli/prompt/prompt_commands.def | while read -r word; do grep -q "\`,$word[ \`]" manual/command.md || echo "$word"; done)
+if [ -z "$missing" ]; then echo "ok manual/command:prompt"; else echo "not ok manual/command:prompt: missing" $missing; fi
 table model/tally.def VS_PHASE '| phase |'
 table model/steps.def VS_STEP '| step |'
 table session/stages.def VS_STAGE '| stage |'

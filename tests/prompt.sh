@@ -38,6 +38,87 @@ check "a command after blanks" "drawing: 1 object"
 check "the line of an earlier error" "| (define (late x) (car x))"
 if [ "$(cat "$work/code")" = 0 ]; then echo "ok prompt:ends with 0"; else echo "not ok prompt:ends with $(cat "$work/code")"; fi
 
+# Each feature of the prompt: its name, the keys, and what the screen shows then. Rows without a name lead to the next.
+cat > "$work/features" <<'END'
+the depth and the line that is open|(define (square x)\n|1 open, from line 1>
+|(* x\n|2 open, from line 2>
+a command within an expression|,drawing\n|; the expression above is still open, 2 deep
+|x))\n|
+|\e[A\n|
+a result's number|(square 7)\n|$1 = 49
+the number in an expression|(+ $1 1)\n|$2 = 50
+an empty line gives up|(list 1\n|
+|\n|; given up: what opens on line 1, column 1 is not closed
+a parenthesis that is missing by the indentation|(define (unclosed x)\n|
+|  (* x 2\n|
+|(define later 1)\n|
+|\n|; given up: a ) is missing, probably at the end of line 2
+a paste of lines with tabs|\e[200~(define\tpasted 40)\n(define (twice\tx)\n\t(* 2 x))\n(twice pasted)\n\e[201~|$3 = 80
+the keys of words, xterm's|(+ 1000 5)\e[1;5D2\n|$4 = 1025
+the keys of words, the console's|(+ 2000 5)\eOd3\n|$5 = 2035
+the keys of words, with Alt|(+ 3000 5)\eb4\n|$6 = 3045
+a name completed, with its signature|(volu\t|  (volume o)
+|(make-box origin (xyz 1 2 3)))\n|$7 = 6.0
+a keyword completed|(object? (make-sphere origin 1 #:seg\t 12))\n|(make-sphere origin 1 #:segments  12)
+a file's name completed|(load "mod\t")\n|the model is loaded
+a command completed|,draw\t\n|> ,drawing
+the signature on request|(make-cylinder \e?|  (make-cylinder c h r)
+|origin 1 1)\n|(make-cylinder (xyz 0 0 0) (xyz 0 0 1) 1) ; 2 x 2 x 1 m
+an object in a line|(define many (unite (map (lambda (i) (make-sphere (xy (* 3 i) 0) 1)) (iota 50))))\n|
+|many\n|#<unite of 50 objects>
+,help of a name of the language|,help make-box\n|By two opposite corners, or centre and sizes
+,help without an argument|,help\n|,disassemble NAME
+,apropos|,apropos torus\n|make-torus               (make-torus c r tube-r)
+,describe|,describe many\n|volume
+,undo|(define undone 5)\n|
+|,undo\n|; taken back: (define undone 5)
+|undone\n|undone is not defined
+,redo|,redo\n|; done again: (define undone 5)
+a drawing|(draw (make-sphere origin 1))\n|; 2 x 2 x 2 m
+,show|,show 20x6\n|▀
+(erase o)|(draw (make-sphere (xyz 5 5 5) 1))\n|(make-sphere (xyz 5 5 5) 1) ; 2 x 2 x 2 m
+|(erase (make-sphere (xyz 5 5 5) 1))\n|
+|,drawing\n|drawing: 2 objects
+,save|,save saved.vs\n|saved.vs
+,time|,time (square 12)\n| ms
+,profile|,profile (let loop ((i 0)) (if (< i 3000000) (loop (+ i 1)) 'counted))\n|counted
+,trace|,trace square\n|
+|(square 11)\n|(square 11)
+,untrace|,untrace square\n|
+,expand|(define-syntax twofold (syntax-rules () ((_ x) (list x x))))\n|
+|,expand (twofold (f))\n|(list (f) (f))
+,disassemble|,disassemble square\n|MUL        r1 r0 r0
+an error's calls|(define (low y) (car y))\n|
+|(define (high z) (+ 1 (low (* z 2))))\n|
+|(high 4)\n|car:
+,backtrace|,backtrace\n|low
+,locals|,locals 1\n|y
+,load and ,reload|,load model.vs\n|the model is loaded
+|,reload\n|the model is loaded
+,render|,render out.png\n\w|; wrote out.png
+,view|,view\n\w|.html
+,write|,write out.stl\n|; wrote out.stl
+END
+cat > "$work/model.vs" <<'END'
+(displayln "the model is loaded")
+(draw (make-box origin (xyz 1 1 1)))
+END
+cut -d'|' -f2 "$work/features" > "$work/keys"
+(cd "$work" && BROWSER=echo TMPDIR="$work" type_keys --size 16x12 --quality draft < keys)
+named=
+while IFS='|' read -r name keys shows; do
+  [ -z "$name" ] || named=$name
+  [ -z "$shows" ] || check "$named" "$shows"
+done < "$work/features" > "$work/checked"
+# a feature of several rows is one test, and its first failure shows the screen
+awk '/^ok /{ if (!seen[$0]++) print; next } /^not ok /{ print; bad++; next } bad < 2' "$work/checked"
+if [ "$(grep -c '> (define (square x)' "$work/screen")" = 2 ]; then echo "ok prompt:a whole expression again"; else echo "not ok prompt:a whole expression again"; fi
+
+rm -rf "$work/state"
+type_keys <<'END'
+(+ 40 3)\n
+,quit\n
+END
 printf '%s\n' '\e[A\e[A\n' ',quit\n' > "$work/keys"
 type_keys < "$work/keys"
 check "history of the last session" "43"
@@ -47,7 +128,7 @@ mkdir "$work/out"
 cat > "$work/keys" <<KEYS
 (draw (subtract (make-sphere (xyz 0 0 0) 10 #:segments 1200) (make-torus (xyz 0 0 3) 8 3 #:segments 1200)))\n
 ,write $work/out/mesh.off\n
-\x03
+\x03\w
 (string-append "after" " the mesh")\n
 ,quit\n
 KEYS

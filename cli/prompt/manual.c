@@ -90,19 +90,28 @@ static const char *find_entry(const char *word) {
   return NULL;
 }
 
+/* Does an item of a list of calls, "- `(make-box p q)`, `(make-wedge p q)`: ...", begin with a call of the name? */
+static bool calls(part line, const char *name) {
+  if (line.end - line.at < 4 || memcmp(line.at, "- `", 3) != 0) return false;
+  bool code = false;
+  const char *p = line.at;
+  for (; p < line.end && (code || *p != ':'); p++) code = code != (*p == '`');
+  return describes((part){line.at, p}, name);
+}
+
 /* The first line of the page of that name, or else of the page whose list of calls, "- `(make-box p q)`: ...", has the
  * name; NULL: none. */
 static const char *find_page(const char *word) {
-  const char *page = NULL, *calls = NULL;
+  const char *page = NULL, *called = NULL;
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
     part line = line_at(at);
     at = after(line);
     if (*line.at == '\001') {
       if (same(page_name(line), word)) return at;
       page = at;
-    } else if (!calls && line.end - line.at > 3 && !memcmp(line.at, "- `", 3) && describes(line, word)) calls = page;
+    } else if (!called && calls(line, word)) called = page;
   }
-  return calls;
+  return called;
 }
 
 static const char *find_section(const char *word) {

@@ -245,18 +245,25 @@ static void apropos(cli_session *c, const char *word) {
   cli_manual_mentions(word, stdout);
 }
 
-static void describe(cli_session *c, const char *expression) {
-  if (!*expression) {
-    fputs(",describe needs an expression, as in ,describe $1\n", stderr);
-    return;
-  }
-  size_t n = strlen(expression) + 40;
+/* Evaluates the expression with `before` and `after` around it. */
+static void ask(cli_session *c, const char *before, const char *expression, const char *after) {
+  size_t n = strlen(before) + strlen(expression) + strlen(after) + 1;
   char *text = malloc(n);
   if (!text) return;
-  snprintf(text, n, "(describe %s\n)", expression);
+  snprintf(text, n, "%s%s%s", before, expression, after);
   cli_session_eval(c, "prompt", 1, text, strlen(text), 0);
   vs_interrupt_clear(c->scheme);
   free(text);
+}
+
+static void describe(cli_session *c, const char *expression) {
+  if (*expression) ask(c, "(describe ", expression, "\n)");
+  else fputs(",describe needs an expression, as in ,describe $1\n", stderr);
+}
+
+static void expand(cli_session *c, const char *form) {
+  if (*form) ask(c, "(begin (write (macroexpand '", form, "\n)) (newline))");
+  else fputs(",expand needs a form, as in ,expand (when #t 1)\n", stderr);
 }
 
 /* ---- what was typed ---- */

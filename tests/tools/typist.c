@@ -1,7 +1,8 @@
 /* Owns typing at a program on a terminal of its own: `typist PROGRAM ARGS... < KEYS > SCREEN`.
  *
- * Every line of KEYS is typed once the program has been silent for a second; in it \n \t \e \\ and \xHH stand for keys (\x03 is
- * ctrl-C). What the program printed comes out without its cursor movements. Ends with the program's code. */
+ * Every line of KEYS is typed once the program has been silent for most of a second, or less where it shows its prompt
+ * anew; in it \n \t \e \\ and \xHH stand for keys (\x03 is ctrl-C), and \w waits up to 20 seconds for the next prompt.
+ * What the program printed comes out without its cursor movements. Ends with the program's code. */
 #define _GNU_SOURCE /* posix_openpt and friends, and TIOCSCTTY */
 #include <fcntl.h>
 #include <poll.h>
@@ -13,11 +14,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Copies the program's output to standard output until it is silent for `patience` ms; false once it has closed the terminal. */
+enum { PATIENCE = 700, /* ms; a busy machine may leave a program waiting for some hundred */
+       AT_PROMPT = 150 /* ms of silence behind a prompt: nothing more is to come */ };
+
+/* Copies the program's output to standard output until it is silent for `patience` ms, or for less where it ends in a
+ * new line with a prompt; false once it has closed the terminal. */
 static int listen_to(int terminal, int patience) {
   static int escape; /* inside ESC [ ... letter */
+  int lines = 0, width = 0;
+  char last[2] = {0, 0};
   struct pollfd p = {.fd = terminal, .events = POLLIN};
-  while (poll(&p, 1, patience) > 0) {
+  while (poll(&p, 1, lines > 0 && width <= 40 && last[0] == '>' && last[1] == ' ' ? AT_PROMPT : patience) > 0) {
     char text[4096];
     ssize_t got = read(terminal, text, sizeof text);
     if (got <= 0) return 0;
@@ -26,15 +33,18 @@ static int listen_to(int terminal, int patience) {
       if (escape == 1) escape = c == '[' ? 2 : 0;
       else if (escape == 2) escape = c >= '@' && c <= '~' ? 0 : 2;
       else if (c == 27) escape = 1;
-      else if (c != '\r') putchar(c);
+      else if (c != '\r') {
+        putchar(c);
+        last[0] = last[1], last[1] = c;
+        width++;
+        if (c == '\n') lines++, width = 0;
+      }
     }
   }
   return 1;
 }
 
-enum { PATIENCE = 700 /* ms; a busy machine may leave a program waiting for some hundred */ };
-
-static size_t unescape(char *line) {
+static size_t unescape(char *line, int *patience) {
   char *to = line;
   for (char *from = line; *from && *from != '\n'; from++) {
     if (*from != '\\' || !from[1]) { *to++ = *from; continue; }
@@ -42,6 +52,7 @@ static size_t unescape(char *line) {
     case 'n': *to++ = '\r'; break; /* the Enter key */
     case 't': *to++ = '\t'; break;
     case 'e': *to++ = 27; break;
+    case 'w': *patience = 20000; break;
     case 'x': {
       char digits[3] = {from[1], from[1] ? from[2] : 0, 0};
       *to++ = (char)strtol(digits, NULL, 16);
@@ -77,9 +88,10 @@ int main(int argc, char **argv) {
   char line[4096];
   int open_still = listen_to(terminal, 1000);
   while (open_still && fgets(line, sizeof line, stdin)) {
-    size_t length = unescape(line);
+    int patience = PATIENCE;
+    size_t length = unescape(line, &patience);
     if (write(terminal, line, length) != (ssize_t)length) break;
-    open_still = listen_to(terminal, PATIENCE);
+    open_still = listen_to(terminal, patience);
   }
   if (open_still) listen_to(terminal, 500);
   close(terminal); /* hangs up on a program that still waits */
