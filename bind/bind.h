@@ -13,7 +13,7 @@
 #include "model/scene.h"
 
 /* ---- flat records (flat.c) ---- */
-enum { VS_FLAT_POINT = 1, VS_FLAT_VECTOR, VS_FLAT_AXIS, VS_FLAT_PLANE, VS_FLAT_MATRIX };
+enum { VS_FLAT_POINT = 1, VS_FLAT_VECTOR, VS_FLAT_AXIS, VS_FLAT_PLANE, VS_FLAT_MATRIX, VS_FLAT_INTERVAL };
 void vs_bind_flat_rules(vs_flat_rules *rules);
 
 /* ---- the drawing and what else an interpreter has besides its heap (state.c); vm->host points to one ---- */

@@ -2,7 +2,9 @@
  *
  * Cost of a call: one pass over the form's parameters; nothing is allocated unless an argument is a list. What is allocated hangs off
  * the frame and goes when the call ends, whatever its outcome. */
+#include "bind/functions/dual_points.h"
 #include "bind/rules/derivation.h"
+#include "vm/values/dual.h"
 
 #include <stdio.h>
 
@@ -152,6 +154,10 @@ static bool refuse_uncalled(vs_frame *f, const vs_bind_param *p, vs_value v) {
 
 /* The kind is wrong. Where a point and a gvector were taken for each other, say how to write the other. */
 static vs_status refuse_kind(vs_frame *f, const vs_bind_param *p, vs_value got) {
+  if (vs_is_dual(got))
+    return vs_fail(f->vm, f->vm->sym.type,
+                   "%s is a number that is being differentiated; objects hold plain numbers, so derivatives end here",
+                   p->name);
   bool wants_vector = p->contract == VS_C_VECTOR || p->contract == VS_C_DIRECTION || p->contract == VS_C_PATH, wants_point = p->contract == VS_C_POINT;
   if ((wants_vector && vs_is_flat(got, VS_FLAT_POINT)) || (wants_point && vs_is_flat(got, VS_FLAT_VECTOR))) {
     const double *d = vs_as_flat(got)->at;
@@ -791,7 +797,11 @@ static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
     places = (int)f->vm->native->max;
     for (given = 0; given < places && a[given] != VS_ABSENT; given++) {}
   }
-  if (!enter_quickly(f, a, given) && !enter_slowly(f, a, given)) return VS_ERROR;
+  if (!enter_quickly(f, a, given)) {
+    vs_status status;
+    if (vs_dual_level(a, (size_t)given) >= 0 && vs_dual_points(f, a, given, out, &status)) return status;
+    if (!enter_slowly(f, a, given)) return VS_ERROR;
+  }
   for (int i = 0; f->procedure->key[i].mode != VS_ARG_END; i++) {
     vs_value v = a[places + i];
     if (v == VS_ABSENT) set_absent(&f->key[i]);

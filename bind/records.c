@@ -1,5 +1,5 @@
 /* Owns the flat record types of the language: which there are, how they print, which arithmetic they have. */
-#include "bind/bind.h"
+#include "bind/functions/function_values.h"
 
 static const vs_flat_type types[] = {
   [VS_FLAT_POINT] = { "point", "a point", "xyz", 3, { NULL, NULL } },
@@ -7,6 +7,7 @@ static const vs_flat_type types[] = {
   [VS_FLAT_AXIS] = { "axis", "an axis", "make-axis", 6, { "xyz", "vxyz" } },
   [VS_FLAT_PLANE] = { "plane", "a plane", "make-plane", 6, { "xyz", "vxyz" } },
   [VS_FLAT_MATRIX] = { "matrix", "a matrix", "make-matrix", 16, { NULL, NULL } },
+  [VS_FLAT_INTERVAL] = { "interval", "an interval", "interval", 2, { NULL, NULL } },
 };
 
 enum { NUMBER = 0, P = VS_FLAT_POINT, V = VS_FLAT_VECTOR };
@@ -35,12 +36,15 @@ static const struct { const char *name; uint8_t kind, left, right, result; } bin
 };
 
 void vs_bind_flat_rules(vs_flat_rules *r) {
-  *r = (vs_flat_rules){ .tags = VS_FLAT_MATRIX + 1 };
-  for (int t = VS_FLAT_POINT; t <= VS_FLAT_MATRIX; t++) r->type[t] = types[t];
+  *r = (vs_flat_rules){ .tags = VS_FLAT_INTERVAL + 1, .call = vs_interval_call };
+  for (int t = VS_FLAT_POINT; t <= VS_FLAT_INTERVAL; t++) r->type[t] = types[t];
   for (size_t i = 0; i < sizeof arithmetic / sizeof *arithmetic; i++) {
     r->at[arithmetic[i].op][arithmetic[i].left][arithmetic[i].right].rule = arithmetic[i].rule;
     r->at[arithmetic[i].op][arithmetic[i].left][arithmetic[i].right].tag = arithmetic[i].result;
   }
+  for (int op = 0; op < VS_OP_COUNT; op++)
+    for (int k = 1; k < 4; k++) /* intervals with each other and with numbers */
+      r->at[op][k & 1 ? VS_FLAT_INTERVAL : NUMBER][k & 2 ? VS_FLAT_INTERVAL : NUMBER].rule = VS_RULE_CALL;
   r->maker[r->makers].name = "xyz", r->maker[r->makers].tag = P, r->maker[r->makers++].n = 3;
   r->maker[r->makers].name = "vxyz", r->maker[r->makers].tag = V, r->maker[r->makers++].n = 3;
   static const char *const coordinate[] = { "cx", "cy", "cz" };

@@ -1,12 +1,13 @@
 /* Owns the life of what bind/ keeps besides the heap, and the rule of what a file's model is: what it drew, else what its top-level
  * expressions returned. */
-#include "bind/bind.h"
+#include "bind/functions/function_values.h"
 
 #include "model/store/cache.h"
 #include "model/store/nodemap.h"
 
 const vs_native_table *const *vs_bind_tables(void) {
-  static const vs_native_table *const tables[] = { &vs_bind_table, &vs_bind_reserved_table, &vs_bind_data_table, NULL };
+  static const vs_native_table *const tables[] = { &vs_bind_table, &vs_bind_reserved_table, &vs_bind_data_table,
+                                                   &vs_function_table, NULL };
   return tables;
 }
 

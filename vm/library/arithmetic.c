@@ -1,12 +1,16 @@
 /* Owns the procedures of arithmetic: predicates, + - * /, comparison, integer division, parts of numbers, rounding, bits, texts. */
 #include <math.h>
 
+#include "vm/values/dual.h"
 #include "vm/values/integer.h"
 #include "vm/values/string_chars.h"
 
 /* ---- argument checks ---- */
 
-static bool want_number(vs_scheme *vm, const vs_value *a, int i) {
+/* duals are numbers: each procedure below says what it makes of them */
+static bool want_number(vs_scheme *vm, const vs_value *a, int i) { return vs_is_scalar(a[i]) || vs_fail_type(vm, i, "a number", a[i]); }
+
+static bool want_plain(vs_scheme *vm, const vs_value *a, int i) {
   return vs_is_number(a[i]) || vs_fail_type(vm, i, "a number", a[i]);
 }
 
@@ -25,14 +29,14 @@ static bool want_exact_integer(vs_scheme *vm, const vs_value *a, int i) {
 #define PREDICATE(name, expression)                                        \
   static vs_status name(vs_scheme *vm, vs_value *a, int n, vs_value *out) {       \
     (void)vm, (void)n;                                                     \
-    vs_value v = a[0];                                                     \
+    vs_value v = vs_dual_base(a[0]);                                       \
     return *out = vs_bool(expression), VS_OK;                              \
   }
 /* of numbers only */
 #define NUMBER_PREDICATE(name, expression)                                 \
   static vs_status name(vs_scheme *vm, vs_value *a, int n, vs_value *out) {       \
     (void)n;                                                               \
-    vs_value v = a[0];                                                     \
+    vs_value v = vs_dual_base(a[0]);                                       \
     return want_number(vm, a, 0) ? (*out = vs_bool(expression), VS_OK) : VS_ERROR; \
   }
 static int sign_of(vs_value v) {          /* 0 for NaN */
@@ -71,7 +75,7 @@ static vs_status is_even(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static bool want_addable(vs_scheme *vm, vs_value v) {
   vs_value ignored;
-  return vs_is_number(v) || vs_is(v, VS_T_FLAT) || vs_number_add(vm, v, vs_fix(0), &ignored);    /* the last for its message */
+  return vs_is_number(v) || vs_is(v, VS_T_FLAT) || vs_is_dual(v) || vs_number_add(vm, v, vs_fix(0), &ignored);    /* the last for its message */
 }
 
 static vs_status add(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
@@ -94,6 +98,7 @@ static vs_status mul(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static vs_status sub(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n == 1) {
+    if (vs_flat_callable(vm, a, 1)) return vm->flat->call(vm, "-", a, 1, out);
     if (vs_is_double(a[0])) return *out = vs_flonum(-vs_double(a[0])), VS_OK;         /* 0 - 0.0 would be +0 */
     return vs_number_sub(vm, vs_fix(0), a[0], out);
   }
@@ -121,16 +126,19 @@ static vs_status sub_one(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 }
 static vs_status square(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
+  if (vs_flat_callable(vm, a, 1)) return vm->flat->call(vm, "square", a, 1, out);
   return want_number(vm, a, 0) && vs_number_mul(vm, a[0], a[0], out);
 }
 static vs_status absolute(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
+  if (vs_flat_callable(vm, a, 1)) return vm->flat->call(vm, "abs", a, 1, out);
   return want_number(vm, a, 0) && vs_number_abs(vm, a[0], out);
 }
 static vs_status sign(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!want_number(vm, a, 0)) return VS_ERROR;
-  int s = sign_of(a[0]);
+  int s = sign_of(vs_dual_base(a[0]));
+  if (vs_is_dual(a[0])) return *out = vs_fix(s), VS_OK;
   *out = vs_is_double(a[0]) ? (s ? vs_flonum(s) : a[0]) : vs_fix(s);
   return VS_OK;
 }
@@ -165,7 +173,7 @@ static vs_status extreme(vs_scheme *vm, vs_relation better, vs_value *a, int n, 
     if (take) best = i;
   }
   double d = 0;
-  if (!inexact) return *out = a[best], VS_OK;
+  if (!inexact || vs_is_dual(a[best])) return *out = a[best], VS_OK;
   return vs_number_double(vm, a[best], &d) ? (*out = vs_flonum(d), VS_OK) : VS_ERROR;
 }
 static vs_status max(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return extreme(vm, VS_GT, a, n, out); }
@@ -277,6 +285,10 @@ static bool round_ratio(vs_scheme *vm, rounding how, vs_value *r, vs_value *out)
 
 static bool round_number(vs_scheme *vm, rounding how, const vs_value *a, vs_value *out) {
   if (!want_number(vm, a, 0)) return false;
+  if (vs_is_dual(a[0])) { /* steps have slope 0 */
+    vs_value base = vs_dual_base(a[0]);
+    return round_number(vm, how, &base, out);
+  }
   if (vs_is_double(a[0])) {
     double d = vs_double(a[0]);
     *out = vs_flonum(how == TO_FLOOR ? floor(d) : how == TO_CEILING ? ceil(d) : how == TO_ZERO ? trunc(d) : rint(d));
@@ -314,12 +326,14 @@ static vs_status exact_round(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static vs_status exact(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  return want_number(vm, a, 0) && vs_number_exact(vm, a[0], out);
+  return want_plain(vm, a, 0) && vs_number_exact(vm, a[0], out);
 }
 static vs_status inexact(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   double d;
-  if (!want_number(vm, a, 0) || !vs_number_double(vm, a[0], &d)) return VS_ERROR;
+  if (!want_number(vm, a, 0)) return VS_ERROR;
+  if (vs_is_dual(a[0])) return vs_number_mul(vm, vs_flonum(1), a[0], out);
+  if (!vs_number_double(vm, a[0], &d)) return VS_ERROR;
   *out = vs_flonum(d);
   return VS_OK;
 }
@@ -362,7 +376,7 @@ static vs_status integer_length(vs_scheme *vm, vs_value *a, int n, vs_value *out
 
 static vs_status number_to_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t radix = 10;
-  if (!want_number(vm, a, 0) || (n > 1 && !vs_arg_index(vm, a, 1, 2, 36, &radix))) return VS_ERROR;
+  if (!want_plain(vm, a, 0) || (n > 1 && !vs_arg_index(vm, a, 1, 2, 36, &radix))) return VS_ERROR;
   vs_text t;
   vs_text_open(vm, &t, 0);
   bool ok = vs_number_print(vm, a[0], (int)radix, &t) && vs_text_to_string(&t, out);

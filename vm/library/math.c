@@ -3,7 +3,18 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "vm/values/dual.h"
 #include "vm/values/integer.h"
+
+/* Records that are like numbers (intervals) have these functions too, by the layer that owns them. */
+static vs_status of_record(vs_scheme *vm, const vs_value *a, int n, vs_value *out) {
+  return vm->flat->call(vm, vs_as_symbol(vm->native->name)->name, a, n, out);
+}
+
+/* Two numbers of which one is dual? */
+static bool dual_pair(const vs_value *a) {
+  return (vs_is_dual(a[0]) || vs_is_dual(a[1])) && vs_is_scalar(a[0]) && vs_is_scalar(a[1]);
+}
 
 static bool want_double(vs_scheme *vm, const vs_value *a, int i, double *out) {
   return vs_is_number(a[i]) ? vs_number_double(vm, a[i], out) : vs_fail_type(vm, i, "a number", a[i]);
@@ -14,6 +25,8 @@ static vs_status function(vs_scheme *vm, const vs_value *a, double (*f)(double),
                           vs_value *out) {
   double x;
   if (a[0] == vs_fix(at)) return *out = vs_fix(exact_value), VS_OK;
+  if (vs_is_dual(a[0])) return vs_dual_function(vm, f, a[0], out);
+  if (vs_flat_callable(vm, a, 1)) return of_record(vm, a, 1, out);
   if (!want_double(vm, a, 0, &x)) return VS_ERROR;
   *out = vs_flonum(f(x));
   return VS_OK;
@@ -83,12 +96,15 @@ static vs_status cbrt_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     if (!integer_cbrt(vm, ratio ? vs_as_ratio(a[0])->num : a[0], &num) || (ratio && !integer_cbrt(vm, vs_as_ratio(a[0])->den, &den))) return VS_ERROR;
     if (num != VS_FALSE && den != VS_FALSE) return ratio ? vs_number_ratio(vm, num, den, out) : (*out = num, VS_OK);
   }
+  if (vs_is_dual(a[0])) return vs_dual_function(vm, cbrt, a[0], out);
   return function(vm, a, cube_root, 0, 0, out);
 }
 
 static vs_status arc(vs_scheme *vm, const vs_value *a, double (*f)(double), int64_t zero_at, vs_value *out) {
   double x;
   if (a[0] == vs_fix(zero_at)) return *out = vs_fix(0), VS_OK;
+  if (vs_is_dual(a[0])) return vs_dual_function(vm, f, a[0], out);
+  if (vs_flat_callable(vm, a, 1)) return of_record(vm, a, 1, out);
   if (!want_double(vm, a, 0, &x)) return VS_ERROR;
   if (fabs(x) > 1) return vs_fail_type(vm, 0, "a number from -1 to 1", a[0]);
   *out = vs_flonum(f(x));
@@ -100,6 +116,8 @@ static vs_status acos_(vs_scheme *vm, vs_value *a, int n, vs_value *out) { retur
 static vs_status atan_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n == 1) return function(vm, a, atan, 0, 0, out);
   double y, x;
+  if (!vs_is_number(a[0]) && vs_flat_callable(vm, a, n)) return of_record(vm, a, n, out);
+  if (dual_pair(a)) return vs_dual_atan(vm, a[0], a[1], out);
   if (!want_double(vm, a, 0, &y) || !want_double(vm, a, 1, &x)) return VS_ERROR;
   if (a[0] == vs_fix(0)) {
     if (a[1] == vs_fix(0)) return vs_fail_type(vm, 1, "not 0 when y is 0", a[1]);
@@ -112,6 +130,9 @@ static vs_status atan_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 static vs_status hypot_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   double x, y;
+  if (dual_pair(a))
+    return vs_number_mul(vm, a[0], a[0], &a[0]) && vs_number_mul(vm, a[1], a[1], &a[1]) &&
+           vs_number_add(vm, a[0], a[1], &a[0]) && vs_dual_function(vm, sqrt, a[0], out);
   if (!want_double(vm, a, 0, &x) || !want_double(vm, a, 1, &y)) return VS_ERROR;
   *out = vs_flonum(hypot(x, y));
   return VS_OK;
@@ -135,6 +156,12 @@ static bool natural_log(vs_scheme *vm, const vs_value *a, int i, double *out) {
 
 static vs_status log_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   double x, base;
+  if (!vs_is_number(a[0]) && vs_flat_callable(vm, a, n)) return of_record(vm, a, n, out);
+  if (vs_is_dual(a[0]) || (n > 1 && vs_is_dual(a[1]))) {
+    if (n == 1) return vs_dual_function(vm, log, a[0], out);
+    return vs_dual_function(vm, log, a[0], &a[0]) && vs_dual_function(vm, log, a[1], &a[1]) &&
+           vs_number_div(vm, a[0], a[1], out);
+  }
   if (n == 1) {
     if (a[0] == vs_fix(1)) return *out = vs_fix(0), VS_OK;
     if (!natural_log(vm, a, 0, &x)) return VS_ERROR;
@@ -152,7 +179,8 @@ static vs_status log_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static vs_status sqrt_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  return vs_is_number(a[0]) ? vs_number_sqrt(vm, a[0], out) : vs_fail_type(vm, 0, "a number", a[0]);
+  if (vs_flat_callable(vm, a, 1)) return of_record(vm, a, 1, out);
+  return vs_is_scalar(a[0]) ? vs_number_sqrt(vm, a[0], out) : vs_fail_type(vm, 0, "a number", a[0]);
 }
 
 static vs_status exact_integer_sqrt(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
@@ -196,6 +224,8 @@ static bool exact_root(vs_scheme *vm, vs_value x, int64_t k, vs_value *out) {
 static vs_status expt(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   double x, y;
+  if (!vs_is_number(a[0]) && vs_flat_callable(vm, a, n)) return of_record(vm, a, n, out);
+  if (dual_pair(a)) return vs_dual_expt(vm, a[0], a[1], out);
   if (!want_double(vm, a, 0, &x) || !want_double(vm, a, 1, &y)) return VS_ERROR;
   if (vs_is_exact_integer(a[1])) {
     if (a[1] == vs_fix(0)) return *out = vs_is_exact(a[0]) ? vs_fix(1) : vs_flonum(1), VS_OK;

@@ -8,6 +8,7 @@ enum {
   VS_LIB_INPUT, VS_LIB_OUTPUT, VS_LIB_ERROR,     /* parameters: the current ports (port.c) */
   VS_LIB_RANDOM,                                 /* BYTES: the random generator's state (system.c) */
   VS_LIB_SYMBOLS,                                /* fixnum: how many symbols were generated (system.c) */
+  VS_LIB_DUALS,                                  /* fixnum: how many differentiations there were (bind/functions/) */
   VS_LIB_COUNT
 };
 

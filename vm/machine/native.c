@@ -116,11 +116,24 @@ bool vs_flat_register(vs_scheme *vm, const vs_flat_rules *rules) {
   return true;
 }
 
+bool vs_flat_callable(const vs_scheme *vm, const vs_value *a, int n) {
+  for (int i = 0; i < n; i++)
+    if (vm->flat && vm->flat->call && vs_is(a[i], VS_T_FLAT)) {
+      uint32_t tag = vs_as_flat(a[i])->h.flags;
+      if (vm->flat->at[VS_OP_ADD][tag][tag].rule == VS_RULE_CALL) return true;
+    }
+  return false;
+}
+
 bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   double x[VS_FLAT_FIELDS], y[VS_FLAT_FIELDS];
   uint32_t ta = vs_is(a, VS_T_FLAT) ? vs_as_flat(a)->h.flags : 0, tb = vs_is(b, VS_T_FLAT) ? vs_as_flat(b)->h.flags : 0;
   const char *word[] = {"add", "subtract", "multiply", "divide"};
   const char *joint[] = {"and", "from", "and", "by"};
+  if (vm->flat && vm->flat->at[op][ta][tb].rule == VS_RULE_CALL) {
+    const vs_value both[2] = {a, b};
+    return vm->flat->call(vm, (const char *const[]){"+", "-", "*", "/"}[op], both, 2, out);
+  }
   double number = 0;   /* the operand that is no record; a ratio or a bignum too */
   vs_value other = ta ? b : a;
   bool numbers = (ta && tb) || (vs_is_number(other) && vs_number_double(vm, other, &number));

@@ -134,7 +134,8 @@ typedef struct vs_flat_type {
   const char *parts[2];    /* if set, each names the constructor of the next three doubles: (make-axis (xyz ...) (vxyz ...)) */
 } vs_flat_type;
 
-typedef enum { VS_RULE_NONE, VS_RULE_ADD, VS_RULE_SUB, VS_RULE_MUL, VS_RULE_DIV } vs_flat_rule;   /* componentwise; a number is repeated */
+typedef enum { VS_RULE_NONE, VS_RULE_ADD, VS_RULE_SUB, VS_RULE_MUL, VS_RULE_DIV, VS_RULE_CALL } vs_flat_rule;
+/* componentwise, a number repeated; CALL: by vs_flat_rules.call */
 typedef enum { VS_OP_ADD, VS_OP_SUB, VS_OP_MUL, VS_OP_DIV, VS_OP_COUNT } vs_flat_op;
 typedef enum { VS_FLAT_PLUS, VS_FLAT_MINUS, VS_FLAT_FROM /* right - left */, VS_FLAT_TIMES, VS_FLAT_OVER, VS_FLAT_DOT, VS_FLAT_CROSS, VS_FLAT_APART,
                VS_FLAT_LENGTH } vs_flat_kind;
@@ -149,6 +150,9 @@ typedef struct vs_flat_rules {
   struct { const char *name; uint64_t mask; uint8_t index; } getter[64];
   /* Procedures of two records of three fields, or of one and a number (right tag 0), and of one record: what comes of them is a record with
      the tag `result`, or a number where that is 0. */
+  /* What the procedure of this name, of arithmetic or of one number, gives for n arguments of which one is a record of a type with VS_RULE_CALL; NULL: no type
+     has. Tests give #t or #f. */
+  bool (*call)(vs_scheme *vm, const char *name, const vs_value *a, int n, vs_value *out);
   int binaries, unaries;
   struct { const char *name; uint8_t kind, left, right, result; } binary[32];
   struct { const char *name; uint8_t kind, tag, result; } unary[16];
@@ -159,6 +163,8 @@ double vs_flat_length(double x, double y, double z);
 bool vs_flat_register(vs_scheme *vm, const vs_flat_rules *rules);
 /* a+b etc. if one of them is a flat record: true and *out, or false with the error naming both kinds. For vm/values/number.c. */
 bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out);
+/* Is one of the n arguments a record that `call` is for? */
+bool vs_flat_callable(const vs_scheme *vm, const vs_value *a, int n);
 static inline bool vs_is_flat(vs_value v, uint32_t tag) { return vs_is(v, VS_T_FLAT) && vs_as_flat(v)->h.flags == tag; }
 
 /* what v is, with article, for messages: "a string", "a point", "a number" */

@@ -810,6 +810,7 @@ call: {
         const vs_case *c = vs_as_case(f);
         size_t i = 0;
         while (i < c->count && !vs_arguments_fit(vs_as_code(vs_as_closure(c->clause[i])->code), n, kw)) i++;
+        if (i == c->count && vs_case_note(c) != VS_FALSE) i = 0; /* its one clause says what it takes */
         if (i == c->count) {
           w[1] = tail ? VS_FALSE : ret;
           vm->base = pc ? base : w + 2; vm->pc = pc;

@@ -38,9 +38,10 @@ bool vs_make_vector(vs_scheme *vm, size_t n, vs_value fill, vs_value *out) {
   vs_vector *v = (vs_vector *)(void *)vs_gc_alloc(vm, VS_T_VECTOR, 2 + n);
   if (!v) return false;
   v->length = n;
-  for (size_t i = 0; i < n; i++) {
-    v->at[i] = r[0];
-    if (!vs_poll_turn(vm, i, 1)) return false;
+  for (size_t i = 0; i < n;) {
+    const vs_value first = r[0];
+    for (size_t end = n - i < 4096 ? n : i + 4096; i < end; i++) v->at[i] = first;
+    if (i < n && !vs_poll(vm, 4096)) return false;
   }
   *out = vs_from_object(v);
   return true;

@@ -6,6 +6,7 @@
 
 #include <math.h>
 
+#include "vm/values/dual.h"
 #include "vm/values/integer.h"
 
 static const char *const op_name[] = {[VS_OP_ADD] = "+", [VS_OP_SUB] = "-", [VS_OP_MUL] = "*", [VS_OP_DIV] = "/"};
@@ -120,6 +121,11 @@ static bool number_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, v
     if (op == VS_OP_DIV || vs_is_ratio(a) || vs_is_ratio(b)) return ratio_arith(vm, op, a, b, out);
     return op == VS_OP_ADD ? vs_int_add(vm, a, b, out) : op == VS_OP_SUB ? vs_int_sub(vm, a, b, out) : vs_int_mul(vm, a, b, out);
   }
+  if (vs_is_dual(a) || vs_is_dual(b)) {
+    if (!vs_is_scalar(a) && !vs_is(vs_dual_base(a), VS_T_FLAT)) return number_bad(vm, op_name[op], "a number", a);
+    if (!vs_is_scalar(b) && !vs_is(vs_dual_base(b), VS_T_FLAT)) return number_bad(vm, op_name[op], "a number", b);
+    return vs_dual_arith(vm, op, a, b, out);
+  }
   if (vs_is(a, VS_T_FLAT) || vs_is(b, VS_T_FLAT)) {
     if (!vs_is_number(a) && !vs_is(a, VS_T_FLAT)) return number_bad(vm, op_name[op], "a number", a);
     if (!vs_is_number(b) && !vs_is(b, VS_T_FLAT)) return number_bad(vm, op_name[op], "a number", b);
@@ -187,6 +193,14 @@ static bool number_compare(vs_scheme *vm, vs_value a, vs_value b, int *order) {
 
 bool vs_number_test(vs_scheme *vm, vs_relation relation, vs_value a, vs_value b, bool *out) {
   static const char *const name[] = {[VS_LT] = "<", [VS_LE] = "<=", [VS_EQ] = "=", [VS_GE] = ">=", [VS_GT] = ">"};
+  if (vs_is_dual(a) || vs_is_dual(b)) return vs_number_test(vm, relation, vs_dual_base(a), vs_dual_base(b), out);
+  if ((!vs_is_number(a) || !vs_is_number(b)) && vs_flat_callable(vm, (const vs_value[]){a, b}, 2)) {
+    bool turned = relation == VS_GT || relation == VS_GE;
+    const vs_value both[2] = {turned ? b : a, turned ? a : b};
+    vs_value truth;
+    const char *test = relation == VS_EQ ? "=" : relation == VS_LT || relation == VS_GT ? "<" : "<=";
+    return vm->flat->call(vm, test, both, 2, &truth) && (*out = truth != VS_FALSE, true);
+  }
   if (!vs_is_number(a)) return number_bad(vm, name[relation], "a number", a);
   if (!vs_is_number(b)) return number_bad(vm, name[relation], "a number", b);
   int order;
@@ -264,12 +278,18 @@ bool vs_number_modulo(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
 
 bool vs_number_abs(vs_scheme *vm, vs_value a, vs_value *out) {
   if (vs_is_double(a)) return *out = vs_flonum_raw(fabs(vs_double(a))), true;
+  if (vs_is_dual(a)) { /* a kink at 0, where the slope of the right side is taken */
+    bool below;
+    if (!vs_number_test(vm, VS_LT, a, vs_fix(0), &below)) return false;
+    return below ? vs_number_sub(vm, vs_fix(0), a, out) : (*out = a, true);
+  }
   if (!vs_is_exact(a)) return number_bad(vm, "abs", "a number", a);
   vs_value n = vs_is_ratio(a) ? vs_as_ratio(a)->num : a;
   return vs_int_sign(n) < 0 ? vs_number_sub(vm, vs_fix(0), a, out) : (*out = a, true);
 }
 
 bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out) {
+  a = vs_dual_base(a);
   if (!vs_is_number(a)) return number_bad(vm, "zero?", "a number", a);
   *out = a == vs_fix(0) || (vs_is_double(a) && vs_double(a) == 0);
   return true;
@@ -284,6 +304,7 @@ static bool int_exact_sqrt(vs_scheme *vm, vs_value n, vs_value *out) {
 }
 
 bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out) {
+  if (vs_is_dual(a)) return vs_dual_function(vm, sqrt, a, out);
   if (!vs_is_number(a)) return number_bad(vm, "sqrt", "a number", a);
   if (vs_is_double(a)) {
     if (vs_double(a) < 0) return number_bad(vm, "sqrt", "a number that is not negative", a);

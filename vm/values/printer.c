@@ -8,7 +8,7 @@
 
 #include <utf8proc.h>
 
-#include "vm/values/number.h"
+#include "vm/values/dual.h"
 
 typedef enum {
   ITEM,        /* print v */
@@ -353,6 +353,8 @@ static bool put_atom(printer *p, vs_value v) {
     case VS_T_SYMBOL: return put_symbol(t, v, written);
     case VS_T_BYTES: return put_bytes(t, v);
     case VS_T_FLAT: return put_flat(p->vm, t, v);
+    case VS_T_DUAL: /* its plain value: people print numbers to see where a program is */
+      return vs_text_puts(t, "#<dual ") && put_atom(p, vs_dual_base(v)) && vs_text_puts(t, ">");
     case VS_T_CLOSURE: return put_opaque(t, "procedure", vs_as_code(vs_as_closure(v)->code)->name);
     case VS_T_CASE: {
       const vs_case *c = vs_as_case(v);

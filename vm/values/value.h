@@ -142,7 +142,9 @@ typedef struct {
 enum { VS_CODE_REST = 1, VS_CODE_SIMPLE = 2 /* only required parameters */ };
 
 typedef struct { vs_object h; vs_value code; vs_value free[]; } vs_closure;
-typedef struct { vs_object h; uint64_t count; vs_value clause[]; } vs_case;    /* case-lambda: closures, tried in order */
+/* case-lambda: closures, tried in order. A word behind the clauses is what the layers above noted of the procedure. */
+typedef struct { vs_object h; uint64_t count; vs_value clause[]; } vs_case;
+static inline vs_value vs_case_note(const vs_case *c) { return c->h.words > 2 + c->count ? c->clause[c->count] : VS_FALSE; }
 /* `max` is UINT32_MAX with a rest; `keywords` a vector of symbols or #f; `inlined` the row of inline.def, `inlined_arg` with it */
 typedef struct { vs_object h; const struct vs_native_def *def; uint32_t min, max; vs_value name, keywords; uint32_t inlined, inlined_arg; } vs_native;
 
@@ -158,6 +160,9 @@ typedef struct { vs_object h; vs_value type; vs_value at[]; } vs_record;
 typedef struct { vs_object h; double at[]; } vs_flat;
 static inline uint32_t vs_flat_tag(const vs_flat *f) { return f->h.flags; }
 static inline uint32_t vs_flat_count(const vs_flat *f) { return f->h.words - 1; }
+
+/* A value and how fast it changes (dual.h). */
+typedef struct { vs_object h; vs_value level /* fixnum */, value, slope; } vs_dual;
 
 /* Insertion-ordered hash table. `entries` is a vector of triples key, value, hash (a fixnum); a removed entry's key is
    VS_VACANT. `index` is BYTES of u32 (entry number + 1, 0 free), open addressing, power of two. Keys hashed by address
@@ -207,7 +212,7 @@ typedef struct { vs_object h; const struct vs_foreign_type *type; void *object; 
 VS_ACCESSOR(pair, vs_pair) VS_ACCESSOR(string, vs_string) VS_ACCESSOR(symbol, vs_symbol) VS_ACCESSOR(vector, vs_vector) VS_ACCESSOR(bytes, vs_bytes)
 VS_ACCESSOR(bignum, vs_bignum) VS_ACCESSOR(ratio, vs_ratio) VS_ACCESSOR(code, vs_code) VS_ACCESSOR(closure, vs_closure) VS_ACCESSOR(case, vs_case)
 VS_ACCESSOR(native, vs_native) VS_ACCESSOR(cell, vs_cell) VS_ACCESSOR(box, vs_box) VS_ACCESSOR(values, vs_values) VS_ACCESSOR(record_type, vs_record_type)
-VS_ACCESSOR(record, vs_record) VS_ACCESSOR(flat, vs_flat) VS_ACCESSOR(table, vs_table) VS_ACCESSOR(port, vs_port) VS_ACCESSOR(promise, vs_promise)
+VS_ACCESSOR(record, vs_record) VS_ACCESSOR(flat, vs_flat) VS_ACCESSOR(dual, vs_dual) VS_ACCESSOR(table, vs_table) VS_ACCESSOR(port, vs_port) VS_ACCESSOR(promise, vs_promise)
 VS_ACCESSOR(parameter, vs_parameter) VS_ACCESSOR(condition, vs_condition) VS_ACCESSOR(stack, vs_stack) VS_ACCESSOR(continuation, vs_continuation)
 VS_ACCESSOR(environment, vs_environment) VS_ACCESSOR(macro, vs_macro) VS_ACCESSOR(alias, vs_alias) VS_ACCESSOR(keywords, vs_keywords)
 VS_ACCESSOR(foreign, vs_foreign)

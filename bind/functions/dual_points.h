@@ -1,0 +1,12 @@
+/* Owns points and gvectors made of dual numbers: what the procedures of points give when a number is being
+ * differentiated. */
+#ifndef VS_DUAL_POINTS_H
+#define VS_DUAL_POINTS_H
+
+#include "bind/bind.h"
+
+/* Calls f's procedure with n arguments, one of them dual, where it is one that points are made and taken apart by.
+ * Returns false, without an error, where it is another: objects hold plain numbers. *status is the call's otherwise. */
+bool vs_dual_points(vs_frame *f, vs_value *a, int n, vs_value *out, vs_status *status);
+
+#endif

@@ -1,0 +1,14 @@
+/* Owns the natives under functions.scm and the Scheme object that a tape is. */
+#ifndef VS_FUNCTION_VALUES_H
+#define VS_FUNCTION_VALUES_H
+
+#include "bind/bind.h"
+#include "functions/tape.h"
+
+extern const vs_native_table vs_function_table;
+extern const vs_foreign_type vs_tape_type; /* owns a vs_tape */
+
+/* vs_flat_rules.call, for intervals: what the procedure of this name gives, enclosed. */
+bool vs_interval_call(vs_scheme *vm, const char *name, const vs_value *a, int n, vs_value *out);
+
+#endif
