@@ -120,6 +120,18 @@ static vs_status tape_done(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return c ? vs_make_foreign(vm, &vs_tape_type, c, 0, out) : vs_fail_memory(vm);
 }
 
+/* (%tape-level t level): a tape of t's value less the level */
+static vs_status tape_level(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  double level;
+  if (!vs_number_double(vm, a[1], &level)) return VS_ERROR;
+  vs_tape *c = vs_tape_compact(vs_foreign_get(a[0], &vs_tape_type));
+  uint32_t less = c ? vs_tape_add(c, VS_TAPE_SUB, c->output[0], vs_tape_constant(c, level), 0) : UINT32_MAX;
+  if (less == UINT32_MAX) return vs_tape_free(c), vs_fail_memory(vm);
+  c->output[0] = less;
+  return vs_make_foreign(vm, &vs_tape_type, c, 0, out);
+}
+
 static vs_status tape_outputs(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   return *out = vs_fix(((const vs_tape *)vs_foreign_get(a[0], &vs_tape_type))->outputs), VS_OK;
@@ -289,6 +301,7 @@ static const vs_native_def defs[] = {
   { "%tape-input", "tape number", tape_input, 0, NULL },
   { "%tape-op", "tape name [a b c]", tape_op, 0, NULL },
   { "%tape-done", "tape . steps", tape_done, 0, NULL },
+  { "%tape-level", "tape level", tape_level, 0, NULL },
   { "%tape-outputs", "tape", tape_outputs, 0, NULL },
   { "%tape-text", "tape output language names", tape_text, 0, NULL },
   { "%tape-samples", "tape ranges", tape_samples, 0, NULL },

@@ -401,6 +401,26 @@
           (for-each (lambda (x) (loop (cdr ranges) (cons x given))) (%range-values (car ranges)))
           (printf "~a(~a) = ~a\n" name (string-join (map %six (reverse given)) ", ") (%value-text 'tabulate (apply f (reverse given))))))))
 
+; ---- shapes ----
+
+; A function as a tape of so many inputs and outputs.
+(define (%tape-for who f inputs outputs)
+  (let ((note (%note who f)))
+    (if (not (= (length (%note-parameters note)) inputs))
+        (error who "f must be a function of ~a numbers, ~a has ~a" inputs (%note-name note) (length (%note-parameters note))))
+    (let ((t (%function-tape who f)))
+      (if (not (= (%tape-outputs t) outputs))
+          (error who "~a must give ~a" (%note-name note) (if (= outputs 1) "a number" "a point")))
+      t)))
+
+(define (make-isosurface f p q #:level [level any? 0] #:tolerance [tolerance any? #f] #:cells [cells any? #f])
+  (if (not (and (real? level) (finite? level))) (error 'make-isosurface "level must be a number, got ~s" level))
+  (let ((t (%tape-level (%tape-for 'make-isosurface f 3 1) level)))
+    (cond
+      (tolerance (%make-isosurface t p q #:tolerance tolerance))
+      (cells (%make-isosurface t p q #:cells cells))
+      (else (%make-isosurface t p q)))))
+
 ; ---- mathematics ----
 
 (define-function (cot [x number?]) (/ 1 (tan x)))

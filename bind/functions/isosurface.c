@@ -1,0 +1,85 @@
+/* Owns solids made of functions: make-isosurface. */
+#include "bind/functions/function_values.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "functions/contour.h"
+#include "geometry/files/polyface.h"
+#include "model/store/array.h"
+
+enum { FIRST_CELLS = 24 };
+
+static vs_status refuse(vs_frame *f, vs_contour_outcome outcome, const vs_contour *c) {
+  char x[32], y[32], z[32];
+  vs_bind_number_text(x, c->at.x), vs_bind_number_text(y, c->at.y), vs_bind_number_text(z, c->at.z);
+  switch (outcome) {
+  case VS_CONTOUR_NO_NUMBER:
+    return vs_fail(f->vm, f->vm->sym.range, "f has no value at (xyz %s %s %s), which lies in the box", x, y, z);
+  case VS_CONTOUR_POLE:
+    return vs_fail(f->vm, f->vm->sym.range, "f has a pole near (xyz %s %s %s): it changes its sign through infinity", x,
+                   y, z);
+  case VS_CONTOUR_EMPTY:
+    return vs_fail(f->vm, f->vm->sym.range,
+                   "f is nowhere below the level in the box, or in parts smaller than a cell alone");
+  case VS_CONTOUR_STOPPED: return VS_ERROR; /* the condition is set */
+  case VS_CONTOUR_MEMORY: case VS_CONTOUR_DONE: break;
+  }
+  return vs_fail_memory(f->vm);
+}
+
+/* Contours with more and more cells until triangles' middles lie as near as is wanted. */
+static vs_contour_outcome refined(vs_frame *f, const vs_tape *t, double tolerance, vs_contour *c) {
+  int cells = FIRST_CELLS;
+  for (;;) {
+    vs_contour_outcome outcome =
+        vs_contour_make(t, f->arg[1].point, f->arg[2].point, cells, vs_bind_keep_going, f->vm, c);
+    bool missed = outcome == VS_CONTOUR_EMPTY; /* finer cells may find it */
+    if ((outcome != VS_CONTOUR_DONE && !missed) || (!missed && c->deviation <= tolerance)) return outcome;
+    if (cells == VS_CONTOUR_CELLS || (missed && cells >= 128)) {
+      if (!missed)
+        vs_bind_warn(f->bind, "tolerance", "make-isosurface: the tolerance is not reached: %d cells are %.3g off", cells,
+                     c->deviation);
+      return outcome;
+    }
+    double more = missed ? 2 : sqrt(c->deviation / tolerance) * 1.1; /* the distance falls with the square of a cell's size */
+    cells = (int)fmin(VS_CONTOUR_CELLS, ceil(cells * fmin(4, fmax(1.3, more))));
+    vs_contour_free(c);
+  }
+}
+
+/* (%make-isosurface tape p q #:cells #:tolerance) */
+vs_status vs_p_make_isosurface(vs_frame *f, vs_value *out) {
+  const vs_tape *t = vs_foreign_get(f->arg[0].value, &vs_tape_type);
+  vs_vec3 p = f->arg[1].point, q = f->arg[2].point;
+  static const char *const expected = "a corner beyond p along each axis";
+  if (!t) return vs_bind_refuse(f, "f", "a function", f->arg[0].value);
+  if (!(p.x < q.x && p.y < q.y && p.z < q.z)) return vs_bind_refuse(f, "q", expected, f->arg[2].value);
+  if (f->key[0].given && (f->key[0].integer < 2 || f->key[0].integer > VS_CONTOUR_CELLS)) {
+    char text[64];
+    snprintf(text, sizeof text, "from 2 to %d", VS_CONTOUR_CELLS);
+    return vs_bind_refuse(f, "cells", text, f->key[0].value);
+  }
+  vs_contour c = { 0 };
+  vs_contour_outcome outcome =
+      f->key[1].given
+          ? refined(f, t, f->key[1].real, &c)
+          : vs_contour_make(t, p, q, f->key[0].given ? (int)f->key[0].integer : 64, vs_bind_keep_going, f->vm, &c);
+  vs_status status = outcome == VS_CONTOUR_DONE ? VS_OK : refuse(f, outcome, &c);
+  uint32_t *starts = NULL;
+  size_t room = 0;
+  vs_node *node = NULL;
+  if (status && !VS_GROW(starts, room, c.triangle_count + 1)) status = vs_fail_memory(f->vm);
+  if (status) {
+    for (size_t i = 0; i <= c.triangle_count; i++) starts[i] = (uint32_t)(3 * i);
+    vs_error e = { 0 };
+    node = vs_polyface_make(f->bind->store, c.points, c.point_count, starts, c.triangle_count, &c.triangles[0][0], &e);
+    if (!node) status = vs_bind_error(f, &e);
+  }
+  if (status && c.capped)
+    vs_bind_warn(f->bind, "capped", "make-isosurface: the box cuts what f bounds; its sides close the solid");
+  free(starts);
+  vs_contour_free(&c);
+  return status ? vs_bind_node(f, node, out) : VS_ERROR;
+}
