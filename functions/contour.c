@@ -255,8 +255,10 @@ static vs_contour_outcome roots(contour *c) {
 /* ---- finding cells ---- */
 
 static uint64_t hash_place(const int32_t *at) {
-  uint64_t h = ((uint64_t)(uint32_t)at[0] << 42 ^ (uint64_t)(uint32_t)at[1] << 21 ^ (uint64_t)(uint32_t)at[2]) * UINT64_C(0x9E3779B97F4A7C15);
-  return h ^ h >> 32;
+  uint64_t h = (uint64_t)at[0] << 42 ^ (uint64_t)at[1] << 21 ^ (uint64_t)at[2];
+  h = (h ^ h >> 31) * UINT64_C(0xBF58476D1CE4E5B9);
+  h = (h ^ h >> 27) * UINT64_C(0x94D049BB133111EB);
+  return h ^ h >> 31;
 }
 
 static bool index_cells(contour *c) {
@@ -274,6 +276,7 @@ static bool index_cells(contour *c) {
 /* The cell there; NULL: the surface does not cross it. */
 static cell *cell_at(const contour *c, int32_t i, int32_t j, int32_t k) {
   const int32_t at[3] = { i, j, k };
+  if (i < 0 || j < 0 || k < 0) return NULL;
   for (size_t h = hash_place(at) & (c->slots - 1); c->index[h]; h = (h + 1) & (c->slots - 1)) {
     cell *found = &c->cells[c->index[h] - 1];
     if (found->at[0] == i && found->at[1] == j && found->at[2] == k) return found;
