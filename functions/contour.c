@@ -1,19 +1,19 @@
 /* Owns dual contouring (contour.h).
  *
- * Plan. The box, with half a cell around it, is a grid of cubic cells; the value there is the larger of the tape's and of the distance to the
- * box's inside, so that all on the grid's border is outside and the mesh closes.
- *   1. Blocks of 8 x 8 x 8 cells are found from the whole grid downwards: where bounds of the value (enclosure.h) do not hold 0, nothing
- *      is looked at. The others are sampled.
- *   2. A cell whose corners differ in sign is kept, with the edges at its lowest corner that the surface crosses. On each of those edges the root
- *      is found, and there the gradient.
- *   3. The crossed edges of a cell, joined through its faces, make one ring or several; each is a piece of the surface and gets a point of its own. Where a face
- *      has four crossings and both cells have them on one ring, the face is joined the other way, which parts both rings: else
- *      two sheets would share an edge (R. Wenger, Isosurfaces, 2013, chapter 3).
- *   4. A ring's point is where the planes through its crossings meet best (T. Ju and others, Dual contouring of Hermite data, 2002), held within
- *      the cell: so edges and corners stay sharp.
- *   5. Each crossed edge is a face between the four rings around it, cut along that diagonal which passes nearer to the crossing.
- * Notation. Corner c of a cell lies at (c & 1, c >> 1 & 1, c >> 2). Edge 4 a + s of a cell runs along axis a; the two bits of s say where it
- * lies along the next two axes. Face 2 a + s is across axis a, low or high. */
+ * Plan. The box, with half a cell around it, is a grid of cubic cells; the value there is the larger of the tape's and
+ * of the distance to the box's inside, so that all on the grid's border is outside and the mesh closes.
+ *   1. Blocks of 8 x 8 x 8 cells are found from the whole grid downwards: where bounds of the value (enclosure.h) do
+ * not hold 0, nothing is looked at. The others are sampled.
+ *   2. A cell whose corners differ in sign is kept, with the edges at its lowest corner that the surface crosses. On
+ * each of those edges the root is found, and there the gradient.
+ *   3. The crossed edges of a cell, joined through its faces, make one ring or several; each is a piece of the surface
+ * and gets a point of its own. Where a face has four crossings and both cells have them on one ring, the face is joined
+ * the other way, which parts both rings: else two sheets would share an edge (R. Wenger, Isosurfaces, 2013, chapter 3).
+ *   4. A ring's point is where the planes through its crossings meet best (T. Ju and others, Dual contouring of Hermite
+ * data, 2002), held within the cell: so edges and corners stay sharp.
+ *   5. Each crossed edge is a face between the four rings around it, cut along that diagonal which passes nearer to the
+ * crossing. Notation. Corner c of a cell lies at (c & 1, c >> 1 & 1, c >> 2). Edge 4 a + s of a cell runs along axis a;
+ * the two bits of s say where it lies along the next two axes. Face 2 a + s is across axis a, low or high. */
 #include "functions/contour.h"
 
 #include <math.h>
@@ -28,10 +28,10 @@ enum { BLOCK = 8, CORNERS = (BLOCK + 1) * (BLOCK + 1) * (BLOCK + 1), NONE = -1, 
 
 typedef struct {
   int32_t at[3];
-  uint8_t below; /* corners below 0 */
-  uint8_t flips; /* faces that are joined the other way */
-  uint32_t rings; /* two bits an edge: the ring that it is on */
-  uint32_t first; /* the point of ring 0 */
+  uint8_t below;   /* corners below 0 */
+  uint8_t flips;   /* faces that are joined the other way */
+  uint32_t rings;  /* two bits an edge: the ring that it is on */
+  uint32_t first;  /* the point of ring 0 */
   int32_t edge[3]; /* the crossed edges at the lowest corner; NONE */
 } cell;
 
@@ -100,7 +100,8 @@ static vs_contour_outcome block(contour *c, const int32_t *from) {
   for (int32_t k = 0; k < corners[2]; k++)
     for (int32_t j = 0; j < corners[1]; j++)
       for (int32_t i = 0; i < corners[0]; i++, count++)
-        x[0][count] = place(c, 0, from[0] + i), x[1][count] = place(c, 1, from[1] + j), x[2][count] = place(c, 2, from[2] + k);
+        x[0][count] = place(c, 0, from[0] + i), x[1][count] = place(c, 1, from[1] + j),
+        x[2][count] = place(c, 2, from[2] + k);
   vs_sample(c->values, (const double *const[]){ x[0], x[1], x[2] }, (size_t)count, (double *const[]){ v });
   for (int i = 0; i < count; i++) {
     if (v[i] == v[i]) continue;
@@ -116,22 +117,28 @@ static vs_contour_outcome block(contour *c, const int32_t *from) {
         const double *corner = v + k * layer + j * row + i;
         const int step[3] = { 1, row, layer };
         unsigned below = 0;
-        for (int b = 0; b < 8; b++) below |= (unsigned)(corner[(b & 1) + (b >> 1 & 1) * row + (b >> 2) * layer] < 0) << b;
+        for (int b = 0; b < 8; b++)
+          below |= (unsigned)(corner[(b & 1) + (b >> 1 & 1) * row + (b >> 2) * layer] < 0) << b;
         if (below == 0 || below == 255) continue;
         if (!VS_GROW(c->cells, c->cell_room, c->cell_count + 1)) return VS_CONTOUR_MEMORY;
         cell *made = &c->cells[c->cell_count++];
-        *made = (cell){ .at = { from[0] + i, from[1] + j, from[2] + k }, .below = (uint8_t)below, .edge = { NONE, NONE, NONE } };
+        *made = (cell){ .at = { from[0] + i, from[1] + j, from[2] + k },
+                        .below = (uint8_t)below,
+                        .edge = { NONE, NONE, NONE } };
         for (int a = 0; a < 3; a++) {
           if ((below & 1) == (below >> (1 << a) & 1)) continue;
           if (!VS_GROW(c->edges, c->edge_room, c->edge_count + 1)) return VS_CONTOUR_MEMORY;
           made->edge[a] = (int32_t)c->edge_count;
-          c->edges[c->edge_count++] = (crossing){ (uint32_t)c->cell_count - 1, (uint8_t)a, below & 1, corner[0], corner[step[a]] };
+          c->edges[c->edge_count++] =
+              (crossing){ (uint32_t)c->cell_count - 1, (uint8_t)a, below & 1, corner[0], corner[step[a]] };
         }
       }
   return VS_CONTOUR_DONE;
 }
 
-typedef struct { int32_t from[3], to[3]; } span; /* of blocks */
+typedef struct {
+  int32_t from[3], to[3];
+} span; /* of blocks */
 
 /* Looks at all blocks that may hold a crossing, the larger parts of the grid first. */
 static vs_contour_outcome blocks(contour *c) {
@@ -155,19 +162,22 @@ static vs_contour_outcome blocks(contour *c) {
     }
     vs_enclosure v = vs_enclose_tape(c->t, in, c->work);
     bool single = blocks_in < 1.5;
-    if (!v.partial && (v.low > 0 || v.high < 0)) done += blocks_in;
+    if (!v.partial && (v.low > 0 || v.high < 0))
+      done += blocks_in;
     else if (single) {
       const int32_t from[3] = { s.from[0] * BLOCK, s.from[1] * BLOCK, s.from[2] * BLOCK };
       outcome = block(c, from);
       done += 1;
-    } else if (!VS_GROW(todo, room, count + 2)) outcome = VS_CONTOUR_MEMORY;
+    } else if (!VS_GROW(todo, room, count + 2))
+      outcome = VS_CONTOUR_MEMORY;
     else {
       int32_t middle = (s.from[longest] + s.to[longest]) / 2;
       span low = s, high = s;
       low.to[longest] = high.from[longest] = middle;
       todo[count++] = high, todo[count++] = low;
     }
-    if (outcome == VS_CONTOUR_DONE && ++looked % 32 == 0 && !c->keep_going(c->context, .5 * done / whole)) outcome = VS_CONTOUR_STOPPED;
+    if (outcome == VS_CONTOUR_DONE && ++looked % 32 == 0 && !c->keep_going(c->context, .5 * done / whole))
+      outcome = VS_CONTOUR_STOPPED;
   }
   free(todo);
   return outcome;
@@ -175,15 +185,31 @@ static vs_contour_outcome blocks(contour *c) {
 
 /* ---- roots ---- */
 
-typedef struct { double a, va, b, vb, first, x; uint32_t edge; int8_t side; } search;
+typedef struct {
+  double a, va, b, vb, first, x;
+  uint32_t edge;
+  int8_t side;
+} search;
 
-/* Finds where the value is 0 on every crossed edge: by false positions (the Illinois method), in turns in which all are worked out
- * together; every third turn halves, so that jumps are found too. Then the gradients. */
+/* The larger of the values at both ends; beside a pole one may be infinite. */
+static double finite_size(const crossing *e) {
+  double a = fabs(e->v0), b = fabs(e->v1);
+  return isfinite(a) && isfinite(b) ? fmax(a, b) : fmin(a, b);
+}
+
+static bool in_box(const contour *c, double x, double y, double z) {
+  return x >= c->p[0] && x <= c->q[0] && y >= c->p[1] && y <= c->q[1] && z >= c->p[2] && z <= c->q[2];
+}
+
+/* Finds where the value is 0 on every crossed edge: by false positions (the Illinois method), in turns in which all are
+ * worked out together; every third turn halves, and all late ones do, so that jumps are found too. Then the gradients.
+ */
 static vs_contour_outcome roots(contour *c) {
   size_t n = c->edge_count, room = 0, x_room[3] = { 0, 0, 0 }, v_room = 0, s_room[3] = { 0, 0, 0 };
   search *s = NULL;
   double *x[3] = { NULL, NULL, NULL }, *v = NULL, *slope[3] = { NULL, NULL, NULL };
-  bool ok = VS_GROW(s, room, n) && VS_GROW(v, v_room, n) && VS_GROW(c->roots, c->root_room, n) && VS_GROW(c->normals, c->normal_room, n);
+  bool ok = VS_GROW(s, room, n) && VS_GROW(v, v_room, n) && VS_GROW(c->roots, c->root_room, n) &&
+            VS_GROW(c->normals, c->normal_room, n);
   for (int a = 0; ok && a < 3; a++) ok = VS_GROW(x[a], x_room[a], n) && VS_GROW(slope[a], s_room[a], n);
   vs_contour_outcome outcome = ok ? VS_CONTOUR_DONE : VS_CONTOUR_MEMORY;
   size_t left = ok ? n : 0;
@@ -191,13 +217,13 @@ static vs_contour_outcome roots(contour *c) {
     const crossing *e = &c->edges[i];
     const cell *at = &c->cells[e->cell];
     double low = place(c, e->axis, at->at[e->axis]), high = place(c, e->axis, at->at[e->axis] + 1);
-    s[i] = (search){ low, e->v0, high, e->v1, fmax(fabs(e->v0), fabs(e->v1)), low, (uint32_t)i, 0 };
+    s[i] = (search){ low, e->v0, high, e->v1, finite_size(e), low, (uint32_t)i, 0 };
     c->roots[i] = vs_v3(place(c, 0, at->at[0]), place(c, 1, at->at[1]), place(c, 2, at->at[2]));
   }
   for (int turn = 0; outcome == VS_CONTOUR_DONE && left && turn < TURNS; turn++) {
     for (size_t i = 0; i < left; i++) {
       search *e = &s[i];
-      bool halve = turn % 3 == 2 || !isfinite(e->va) || !isfinite(e->vb) || e->va == e->vb;
+      bool halve = turn % 3 == 2 || turn > 12 || !isfinite(e->va) || !isfinite(e->vb) || e->va == e->vb;
       double m = halve ? .5 * (e->a + e->b) : (e->a * e->vb - e->b * e->va) / (e->vb - e->va);
       if (!(m > e->a && m < e->b)) m = .5 * (e->a + e->b);
       e->x = m;
@@ -209,10 +235,11 @@ static vs_contour_outcome roots(contour *c) {
     size_t kept = 0;
     for (size_t i = 0; i < left; i++) {
       search e = s[i];
-      if (v[i] != v[i]) { /* no number between two numbers: outside of the box alone is that allowed */
-        bool outside = false;
-        for (int a = 0; a < 3; a++) outside = outside || x[a][i] < c->p[a] || x[a][i] > c->q[a];
-        if (!outside) { c->out->at = vs_v3(x[0][i], x[1][i], x[2][i]), outcome = VS_CONTOUR_NO_NUMBER; break; }
+      if (v[i] != v[i]) { /* allowed outside of the box alone */
+        if (in_box(c, x[0][i], x[1][i], x[2][i])) {
+          c->out->at = vs_v3(x[0][i], x[1][i], x[2][i]), outcome = VS_CONTOUR_NO_NUMBER;
+          break;
+        }
         v[i] = INFINITY;
       }
       if ((v[i] < 0) == (e.va < 0)) {
@@ -224,13 +251,16 @@ static vs_contour_outcome roots(contour *c) {
       }
       bool narrow = e.b - e.a <= 1e-7 * c->size;
       if (narrow || fabs(v[i]) <= 1e-9 * e.first || turn == TURNS - 1) {
-        double *to = c->edges[e.edge].axis == 0 ? &c->roots[e.edge].x : c->edges[e.edge].axis == 1 ? &c->roots[e.edge].y : &c->roots[e.edge].z;
+        double *to = c->edges[e.edge].axis == 0   ? &c->roots[e.edge].x
+                     : c->edges[e.edge].axis == 1 ? &c->roots[e.edge].y
+                                                  : &c->roots[e.edge].z;
         *to = e.x;
-        if (narrow && fabs(v[i]) > 2 * e.first) {
+        if (narrow && fabs(v[i]) > 1e3 * e.first && in_box(c, x[0][i], x[1][i], x[2][i])) {
           c->out->at = c->roots[e.edge], outcome = VS_CONTOUR_POLE;
           break;
         }
-      } else s[kept++] = e;
+      } else
+        s[kept++] = e;
     }
     left = kept;
     if (outcome == VS_CONTOUR_DONE && !c->keep_going(c->context, .5 + .2 * turn / TURNS)) outcome = VS_CONTOUR_STOPPED;
@@ -243,8 +273,9 @@ static vs_contour_outcome roots(contour *c) {
       double length = vs_v3_length(g);
       const crossing *e = &c->edges[i];
       double along = e->rises ? 1 : -1;
-      c->normals[i] = length > 0 && isfinite(length) ? vs_v3_scale(g, 1 / length)
-                                                     : vs_v3(e->axis == 0 ? along : 0, e->axis == 1 ? along : 0, e->axis == 2 ? along : 0);
+      c->normals[i] = length > 0 && isfinite(length)
+                          ? vs_v3_scale(g, 1 / length)
+                          : vs_v3(e->axis == 0 ? along : 0, e->axis == 1 ? along : 0, e->axis == 2 ? along : 0);
     }
   }
   free(s), free(v);
@@ -310,13 +341,14 @@ static int root_of(const int8_t *parent, int e) {
   return e;
 }
 
-/* The pairs of crossed edges that meet in a face: returns how many pairs. Of four crossings those about a corner below 0 are joined; where
- * the face is flipped, those about one above. */
+/* The pairs of crossed edges that meet in a face: returns how many pairs. Of four crossings those about a corner below
+ * 0 are joined; where the face is flipped, those about one above. */
 static int face_pairs(const cell *c, int face, int (*pair)[2]) {
   int k[4], crossed[4], count = 0;
   face_corners(face, k);
   for (int i = 0; i < 4; i++)
-    if ((c->below >> k[i] & 1) != (c->below >> k[(i + 1) % 4] & 1)) crossed[count++] = edge_between(k[i], k[(i + 1) % 4]);
+    if ((c->below >> k[i] & 1) != (c->below >> k[(i + 1) % 4] & 1))
+      crossed[count++] = edge_between(k[i], k[(i + 1) % 4]);
   if (count == 2) return pair[0][0] = crossed[0], pair[0][1] = crossed[1], 1;
   if (count == 0) return 0;
   /* crossed[i] lies between corners i and i + 1; the edges about corner i are i - 1 and i */
@@ -398,7 +430,8 @@ static void eigen(double m[3][3], double v[3][3]) {
       }
 }
 
-/* The point nearest to all planes through the roots, across their normals; where the planes do not say, the roots' middle. */
+/* The point nearest to all planes through the roots, across their normals; where the planes do not say, the roots'
+ * middle. */
 static vs_vec3 best_point(const vs_vec3 *root, const vs_vec3 *normal, int n) {
   double m[3][3] = { { 0 } }, v[3][3], b[3] = { 0, 0, 0 };
   vs_vec3 middle = { 0, 0, 0 };
@@ -434,7 +467,8 @@ static bool points(contour *c) {
       int axis = e / 4, b = (axis + 1) % 3, d = (axis + 2) % 3;
       int low = (e & 1 ? 1 << b : 0) | (e & 2 ? 1 << d : 0);
       if ((here->below >> low & 1) == (here->below >> (low | 1 << axis) & 1)) continue;
-      const cell *owner = low ? cell_at(c, here->at[0] + (low & 1), here->at[1] + (low >> 1 & 1), here->at[2] + (low >> 2)) : here;
+      const cell *owner =
+          low ? cell_at(c, here->at[0] + (low & 1), here->at[1] + (low >> 1 & 1), here->at[2] + (low >> 2)) : here;
       int32_t edge = owner ? owner->edge[axis] : NONE;
       if (edge == NONE) continue;
       unsigned ring = ring_of(here, e);
@@ -442,12 +476,15 @@ static bool points(contour *c) {
       if ((int)ring >= rings) rings = (int)ring + 1;
     }
     here->first = (uint32_t)out->point_count;
-    if (out->point_count + 4 > UINT32_MAX || !VS_GROW(out->points, out->point_room, out->point_count + (size_t)rings)) return false;
+    if (out->point_count + 4 > UINT32_MAX || !VS_GROW(out->points, out->point_room, out->point_count + (size_t)rings))
+      return false;
     for (int r = 0; r < rings; r++) {
       vs_vec3 p = count[r] ? best_point(root[r], normal[r], count[r]) : vs_v3(0, 0, 0);
       double low[3], high[3], inset = 1e-4 * c->size; /* so that points of two cells never are one place */
-      for (int a = 0; a < 3; a++) low[a] = place(c, a, here->at[a]) + inset, high[a] = place(c, a, here->at[a] + 1) - inset;
-      out->points[out->point_count++] = vs_v3(held(p.x, low[0], high[0]), held(p.y, low[1], high[1]), held(p.z, low[2], high[2]));
+      for (int a = 0; a < 3; a++)
+        low[a] = place(c, a, here->at[a]) + inset, high[a] = place(c, a, here->at[a] + 1) - inset;
+      out->points[out->point_count++] =
+          vs_v3(held(p.x, low[0], high[0]), held(p.y, low[1], high[1]), held(p.z, low[2], high[2]));
     }
   }
   return true;
@@ -455,7 +492,8 @@ static bool points(contour *c) {
 
 /* ---- faces ---- */
 
-/* How far p lies from the triangle a b c, squared, where it lies over it; else how far from its plane and its middle, which is more. */
+/* How far p lies from the triangle a b c, squared, where it lies over it; else how far from its plane and its middle,
+ * which is more. */
 static double apart(vs_vec3 p, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   vs_vec3 n = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
   double length = vs_v3_length(n);
@@ -484,15 +522,23 @@ static bool faces(contour *c) {
       int32_t at[3] = { owner->at[0], owner->at[1], owner->at[2] };
       at[b] -= back, at[d] -= down;
       const cell *around = cell_at(c, at[0], at[1], at[2]);
-      if (!around) { whole = false; break; }
+      if (!around) {
+        whole = false;
+        break;
+      }
       corner[k] = around->first + ring_of(around, 4 * e->axis + back + 2 * down);
     }
     if (!whole) continue; /* not reached: all four cells differ in sign along this edge */
-    if (!e->rises) { uint32_t t = corner[1]; corner[1] = corner[3], corner[3] = t; }
+    if (!e->rises) {
+      uint32_t t = corner[1];
+      corner[1] = corner[3], corner[3] = t;
+    }
     const vs_vec3 *p = out->points;
     vs_vec3 root = c->roots[i];
-    double first = fmin(apart(root, p[corner[0]], p[corner[1]], p[corner[2]]), apart(root, p[corner[0]], p[corner[2]], p[corner[3]]));
-    double second = fmin(apart(root, p[corner[1]], p[corner[2]], p[corner[3]]), apart(root, p[corner[1]], p[corner[3]], p[corner[0]]));
+    double first = fmin(apart(root, p[corner[0]], p[corner[1]], p[corner[2]]),
+                        apart(root, p[corner[0]], p[corner[2]], p[corner[3]]));
+    double second = fmin(apart(root, p[corner[1]], p[corner[2]], p[corner[3]]),
+                         apart(root, p[corner[1]], p[corner[3]], p[corner[0]]));
     int from = second < first; /* the diagonal begins there */
     for (int k = 0; k < 2; k++) {
       uint32_t *t = out->triangles[out->triangle_count++];
@@ -520,16 +566,19 @@ static vs_contour_outcome judge(contour *c) {
       double far = fabs(v[i]) / vs_v3_length(vs_v3(slope[0][i], slope[1][i], slope[2][i]));
       if (far > out->deviation && isfinite(far)) out->deviation = far;
       for (int a = 0; a < 3; a++)
-        out->capped = out->capped || fabs(x[a][i] - c->p[a]) < 1e-6 * c->size || fabs(x[a][i] - c->q[a]) < 1e-6 * c->size;
+        out->capped =
+            out->capped || fabs(x[a][i] - c->p[a]) < 1e-6 * c->size || fabs(x[a][i] - c->q[a]) < 1e-6 * c->size;
     }
     if (from % (BATCH * 64) == 0 && !c->keep_going(c->context, .9)) return VS_CONTOUR_STOPPED;
   }
   return VS_CONTOUR_DONE;
 }
 
-vs_contour_outcome vs_contour_make(const vs_tape *t, vs_vec3 p, vs_vec3 q, int cells, bool (*keep_going)(void *, double), void *context,
-                                   vs_contour *out) {
-  contour c = { .p = { p.x, p.y, p.z }, .q = { q.x, q.y, q.z }, .keep_going = keep_going, .context = context, .out = out };
+vs_contour_outcome vs_contour_make(const vs_tape *t, vs_vec3 p, vs_vec3 q, int cells,
+                                   bool (*keep_going)(void *, double), void *context, vs_contour *out) {
+  contour c = {
+    .p = { p.x, p.y, p.z }, .q = { q.x, q.y, q.z }, .keep_going = keep_going, .context = context, .out = out
+  };
   *out = (vs_contour){ 0 };
   double longest = fmax(q.x - p.x, fmax(q.y - p.y, q.z - p.z));
   c.size = longest / (cells > 1 ? cells - 1 : 1);
@@ -539,7 +588,8 @@ vs_contour_outcome vs_contour_make(const vs_tape *t, vs_vec3 p, vs_vec3 q, int c
   }
   vs_tape *both = boxed(t, c.p, c.q);
   c.t = both;
-  bool ok = both && (c.values = vs_sampler_new(both, 0)) && (c.slopes = vs_sampler_new(both, 3)) && VS_GROW(c.work, c.work_room, both->count);
+  bool ok = both && (c.values = vs_sampler_new(both, 0)) && (c.slopes = vs_sampler_new(both, 3)) &&
+            VS_GROW(c.work, c.work_room, both->count);
   vs_contour_outcome outcome = ok ? blocks(&c) : VS_CONTOUR_MEMORY;
   if (outcome == VS_CONTOUR_DONE && !c.edge_count) outcome = VS_CONTOUR_EMPTY;
   if (outcome == VS_CONTOUR_DONE) outcome = roots(&c);

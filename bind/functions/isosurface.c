@@ -24,7 +24,8 @@ static vs_status refuse(vs_frame *f, vs_contour_outcome outcome, const vs_contou
     return vs_fail(f->vm, f->vm->sym.range,
                    "f is nowhere below the level in the box, or in parts smaller than a cell alone");
   case VS_CONTOUR_STOPPED: return VS_ERROR; /* the condition is set */
-  case VS_CONTOUR_MEMORY: case VS_CONTOUR_DONE: break;
+  case VS_CONTOUR_MEMORY:
+  case VS_CONTOUR_DONE: break;
   }
   return vs_fail_memory(f->vm);
 }
@@ -39,11 +40,12 @@ static vs_contour_outcome refined(vs_frame *f, const vs_tape *t, double toleranc
     if ((outcome != VS_CONTOUR_DONE && !missed) || (!missed && c->deviation <= tolerance)) return outcome;
     if (cells == VS_CONTOUR_CELLS || (missed && cells >= 128)) {
       if (!missed)
-        vs_bind_warn(f->bind, "tolerance", "make-isosurface: the tolerance is not reached: %d cells are %.3g off", cells,
-                     c->deviation);
+        vs_bind_warn(f->bind, "tolerance", "make-isosurface: the tolerance is not reached: %d cells are %.3g off",
+                     cells, c->deviation);
       return outcome;
     }
-    double more = missed ? 2 : sqrt(c->deviation / tolerance) * 1.1; /* the distance falls with the square of a cell's size */
+    double more =
+        missed ? 2 : sqrt(c->deviation / tolerance) * 1.1; /* the distance falls with the square of a cell's size */
     cells = (int)fmin(VS_CONTOUR_CELLS, ceil(cells * fmin(4, fmax(1.3, more))));
     vs_contour_free(c);
   }
@@ -62,10 +64,9 @@ vs_status vs_p_make_isosurface(vs_frame *f, vs_value *out) {
     return vs_bind_refuse(f, "cells", text, f->key[0].value);
   }
   vs_contour c = { 0 };
-  vs_contour_outcome outcome =
-      f->key[1].given
-          ? refined(f, t, f->key[1].real, &c)
-          : vs_contour_make(t, p, q, f->key[0].given ? (int)f->key[0].integer : 64, vs_bind_keep_going, f->vm, &c);
+  vs_contour_outcome outcome = f->key[1].given ? refined(f, t, f->key[1].real, &c)
+                                               : vs_contour_make(t, p, q, f->key[0].given ? (int)f->key[0].integer : 64,
+                                                                 vs_bind_keep_going, f->vm, &c);
   vs_status status = outcome == VS_CONTOUR_DONE ? VS_OK : refuse(f, outcome, &c);
   uint32_t *starts = NULL;
   size_t room = 0;

@@ -8,7 +8,9 @@
 /* ---- argument checks ---- */
 
 /* duals are numbers: each procedure below says what it makes of them */
-static bool want_number(vs_scheme *vm, const vs_value *a, int i) { return vs_is_scalar(a[i]) || vs_fail_type(vm, i, "a number", a[i]); }
+static bool want_number(vs_scheme *vm, const vs_value *a, int i) {
+  return vs_is_scalar(a[i]) || vs_fail_type(vm, i, "a number", a[i]);
+}
 
 static bool want_plain(vs_scheme *vm, const vs_value *a, int i) {
   return vs_is_number(a[i]) || vs_fail_type(vm, i, "a number", a[i]);
@@ -75,7 +77,8 @@ static vs_status is_even(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static bool want_addable(vs_scheme *vm, vs_value v) {
   vs_value ignored;
-  return vs_is_number(v) || vs_is(v, VS_T_FLAT) || vs_is_dual(v) || vs_number_add(vm, v, vs_fix(0), &ignored);    /* the last for its message */
+  /* the last for its message */
+  return vs_is_number(v) || vs_is(v, VS_T_FLAT) || vs_is_dual(v) || vs_number_add(vm, v, vs_fix(0), &ignored);
 }
 
 static vs_status add(vs_scheme *vm, vs_value *a, int n, vs_value *out) {

@@ -34,6 +34,7 @@ bool vs_dual_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
  */
 bool vs_dual_function(vs_scheme *vm, double (*f)(double), vs_value v, vs_value *out);
 bool vs_dual_atan(vs_scheme *vm, vs_value y, vs_value x, vs_value *out);
-bool vs_dual_expt(vs_scheme *vm, vs_value base, vs_value power, vs_value *out); /* by log and exp where the power varies */
+bool vs_dual_expt(vs_scheme *vm, vs_value base, vs_value power,
+                  vs_value *out); /* by log and exp where the power varies */
 
 #endif
