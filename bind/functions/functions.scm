@@ -430,8 +430,6 @@
 (define-function (asec [x number?]) (acos (/ 1 x)))
 (define-function (acsc [x number?]) (asin (/ 1 x)))
 (define-function (asinh [x number?]) (log (+ x (sqrt (+ (square x) 1)))))
-(define-function (acosh [x number?]) (log (+ x (sqrt (- (square x) 1)))))
-(define-function (atanh [x number?]) (* 1/2 (log (/ (+ 1 x) (- 1 x)))))
 (define-function (log10 [x positive?]) (/ (log x) (log 10)))
 (define-function (log2 [x positive?]) (/ (log x) (log 2)))
 (define-function (root [x number?] [n number?]) (expt x (/ 1 n)))

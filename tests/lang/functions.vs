@@ -18,7 +18,7 @@
 ; each rule against the quotient of small differences, and derivatives of derivatives
 (define (slope f x) (/ (- (f (+ x 1e-5)) (f (- x 1e-5))) 2e-5))
 (define rules
-  (list sin cos tan asin acos atan sinh cosh tanh exp log sqrt cube-root abs sec csc cot acot asinh atanh log10 log2 gauss sawtooth
+  (list sin cos tan asin acos atan sinh cosh tanh exp log sqrt cube-root abs sec csc cot acot asinh log10 log2 gauss sawtooth
     (lambda (x) (expt x 3)) (lambda (x) (expt x -2)) (lambda (x) (expt 2 x)) (lambda (x) (expt x x)) (lambda (x) (expt x 0.3)) (lambda (x) (log x 3)) (lambda (x) (log 3 x))
     (lambda (x) (atan x 2)) (lambda (x) (atan 2 x)) (lambda (x) (atan (* x x) (- x 2))) (lambda (x) (hypot x 2)) (lambda (x) (/ 1 x)) (lambda (x) (/ x (+ 1 (* x x))))
     (lambda (x) (max x 0.1)) (lambda (x) (min x 0.1)) (lambda (x) (- x)) (lambda (x) (1+ (* 2 x))) (lambda (x) (* (sgn x) x)) (lambda (x) (inexact (* 2 x)))
