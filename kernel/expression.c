@@ -141,6 +141,22 @@ static bool value(const vs_expression *e, uint32_t term) {
 
 bool vs_expression_value(const vs_expression *e) { return e->kind.at && value(e, e->root); }
 
+bool vs_expression_upholds(vs_kernel *k, vs_expression *e, uint32_t leaf, bool *answer) {
+  enum { STEPS = 256 }; /* a term may be reached in many ways; past so many any answer will do, since it only chooses a paint */
+  *answer = false;
+  e->stack.count = 0;
+  for (uint32_t i = e->leaf_first.at[leaf]; i < e->leaf_first.at[leaf + 1]; i++)
+    if (value(e, e->leaf_terms.at[i]) && !VS_PUSH(k, e->stack, e->leaf_terms.at[i])) return false;
+  for (int step = 0; e->stack.count && !*answer && step < STEPS; step++) {
+    uint32_t t = e->stack.at[--e->stack.count];
+    *answer = t == e->root;
+    for (uint32_t i = e->user_first.at[t]; !*answer && i < e->user_first.at[t + 1]; i++)
+      if (!(e->users.at[i] & 1) && value(e, e->users.at[i] / 2) && !VS_PUSH(k, e->stack, e->users.at[i] / 2)) return false;
+  }
+  e->stack.count = 0;
+  return true;
+}
+
 bool vs_expression_gated(const vs_expression *e) {
   for (uint32_t i = 0; i < e->gate_count; i++)
     if (!value(e, e->gates[i])) return true;

@@ -32,6 +32,9 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
 bool vs_expression_add(vs_kernel *k, vs_expression *e, uint32_t leaf, int32_t delta); /* changes its winding number */
 bool vs_expression_value(const vs_expression *e);
 bool vs_expression_gated(const vs_expression *e); /* is one of the gates false? */
+/* Is the leaf, true now, one that makes the result true: does it count for a true term, and so on up to the root? What is taken away elsewhere in the
+ * expression does not. False: out of memory. */
+bool vs_expression_upholds(vs_kernel *k, vs_expression *e, uint32_t leaf, bool *answer);
 void vs_expression_free(vs_kernel *k, vs_expression *e);
 
 #endif

@@ -30,7 +30,7 @@ typedef struct {
   VS_LIST(vs_cover) found;  /* windings that the line found */
   VS_LIST(uint32_t) active; /* leaves we are in; place: of a leaf in it */
   VS_LIST(uint32_t) place;
-  VS_LIST(uint32_t) owner;  /* of a cell inside the result: the earliest leaf that is not taken off there */
+  VS_LIST(uint32_t) owner;  /* of a cell inside the result: the earliest leaf that makes it so */
   uint32_t cells;
   size_t settling;          /* leaves we are in that settle the result */
   /* the line */
@@ -391,14 +391,28 @@ static bool turn_leaf(walk *w, uint32_t leaf, int32_t delta) {
   return true;
 }
 
-static void arrive(walk *w, uint32_t cell, uint64_t sum) {
+/* The owner of the cell: of the leaves that make the result true there the earliest. What another operand takes away again is not there. */
+static bool find_owner(walk *w, uint32_t cell) {
+  uint32_t owner = VS_NONE, first = VS_NONE;
+  for (size_t i = 0; i < w->active.count; i++) {
+    uint32_t leaf = w->active.at[i];
+    bool upholds = w->active.count == 1;
+    if (leaf < first) first = leaf;
+    if (leaf > owner) continue;
+    if (!upholds && !vs_expression_upholds(w->k, w->e, leaf, &upholds)) return false;
+    if (upholds) owner = leaf;
+  }
+  w->owner.at[cell] = owner != VS_NONE ? owner : first;
+  return true;
+}
+
+static bool arrive(walk *w, uint32_t cell, uint64_t sum) {
   bool inside = vs_expression_value(w->e), settled = w->settling > 0 || vs_expression_gated(w->e);
   w->sum.at[cell] = sum;
   w->state.at[cell] = (uint8_t)(3 | (inside ? 4 : 0) | (settled ? 8 : 0));
   if (w->c->inspect) w->c->wound.at[cell] = w->e->winding.at[w->c->leaves[0]];
   w->owner.at[cell] = VS_NONE;
-  for (size_t i = 0; inside && i < w->active.count; i++)
-    if (w->active.at[i] < w->owner.at[cell]) w->owner.at[cell] = w->active.at[i];
+  return !inside || find_owner(w, cell);
 }
 
 /* What the sum changes by on the way from the + side of a face to its - side. */
@@ -432,7 +446,7 @@ static bool walk_from(walk *w, uint32_t cell) {
   w->stack[depth].cell = cell;
   w->stack[depth].face = VS_NONE;
   w->stack[depth++].next = w->first.at[cell];
-  arrive(w, cell, sum);
+  if (!arrive(w, cell, sum)) return false;
   while (depth) {
     uint32_t here = w->stack[depth - 1].cell;
     if (w->state.at[here] & 8) w->stack[depth - 1].next = w->first.at[here + 1]; /* settled: no way through */
@@ -450,7 +464,7 @@ static bool walk_from(walk *w, uint32_t cell) {
       continue;
     }
     if (!pass(w, face, plus == here ? 1 : -1)) return false;
-    arrive(w, other, w->sum.at[here] + (plus == here ? change(w, face) : (uint64_t)0 - change(w, face)));
+    if (!arrive(w, other, w->sum.at[here] + (plus == here ? change(w, face) : (uint64_t)0 - change(w, face)))) return false;
     if (!VS_ROOM(w->k, w->stack, w->stack_room, depth + 1)) return false;
     w->stack[depth].cell = other;
     w->stack[depth].face = face;
