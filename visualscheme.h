@@ -263,6 +263,9 @@ typedef struct {
 } vs_summary;
 VS_API vs_outcome vs_drawing_summary(vs_scheme *s, vs_summary *out);
 
+/* The names of the views that the model has made, (view "name" ...), in their order; NULL past the last. */
+VS_API const char *vs_view_name(const vs_scheme *s, size_t index);
+
 VS_API void vs_drawing_clear(vs_scheme *s); /* as (erase-all); forgets returned objects too */
 
 /* Output formats. The list is constant and the library's. */
@@ -290,7 +293,8 @@ typedef enum { VS_QUALITY_DRAFT, VS_QUALITY_GOOD, VS_QUALITY_FINAL } vs_quality;
 typedef struct {
   int width, height;     /* pixels; 0: 1024 by 768, or what keeps 4:3 with the other */
   vs_quality quality;
-  bool has_camera;       /* over what the model says */
+  const char *view;      /* the name of one of the model's views, or NULL; "*": all of them, on a drawing's sheet */
+  bool has_camera;       /* over what the model and the view say */
   double camera[7];      /* eye, target, lens in mm of a 35 mm film */
   double tolerance;      /* chord height in model units; 0: the model's, or the rule's */
   int segments;          /* facets a turn; 0: by tolerance */

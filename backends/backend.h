@@ -94,6 +94,7 @@ struct vs_backend {
   bool keep_origins;    /* the text's lines are remembered with the origins of what they hold */
   bool parts_flush;     /* its program keeps skins where faces in one plane are cut: they are parted before (flush.h) */
   bool hulls;           /* knows hulls of solids: they are shown as operations; all others, and elsewhere all, as one shape */
+  bool draws;           /* makes drawings: it chooses among the scene's views and cuts by itself */
   bool frames;          /* shows the drawing through a camera that frames it */
   bool loose;           /* with solid or copies: what is no solid is walked first, by the rows of emit */
   bool inks;            /* thin things without a material are painted dark before (ink.h) */
@@ -161,6 +162,7 @@ bool vs_lower_as_area(const vs_emitter *e, const vs_node *n);
 bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out);
 /* The union of all solids that are drawn; the same with equal parts once. */
 bool vs_lower_scene(vs_emitter *e, vs_solid *out);
+bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_solid *out); /* of the solids among these */
 bool vs_lower_copies(vs_emitter *e, vs_solid_copies *out);
 /* Is this node's shape round somewhere, so that its triangles should be shaded smoothly? */
 bool vs_lower_is_round(const vs_node *n);

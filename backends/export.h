@@ -14,6 +14,7 @@ typedef enum { VS_RENDER_GOOD, VS_RENDER_DRAFT, VS_RENDER_FINAL } vs_render_qual
 typedef struct {
   int width, height;  /* pixels, of pictures and pages; 0: 1024 x 768 */
   vs_render_quality quality;
+  const char *view;   /* of a drawing: the name of what it shows; "*": all views; NULL: by the file's name */
   uint64_t byte_limit; /* of one output; 0: none */
   double worker_seconds; /* a worker program is stopped after so long; 0: never */
   size_t mesh_bytes, mesh_triangles; /* what combining solids may take, and how many a mesh may have; 0: no limit */

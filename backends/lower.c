@@ -145,7 +145,7 @@ static vs_kernel_options lower_options(vs_emitter *e) {
   return (vs_kernel_options){ .progress = lower_progress, .context = e, .warn = lower_warn, .max_bytes = e->options->mesh_bytes, .max_triangles = e->options->mesh_triangles };
 }
 
-static bool lower_booleans(vs_emitter *e, const vs_ref *refs, size_t count, vs_solid *out) {
+bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_solid *out) {
   vs_kernel_options options = lower_options(e);
   return vs_solid_evaluate(refs, count, &e->facets, &options, out, e->error);
 }
@@ -177,7 +177,7 @@ static bool lower_primitive(vs_emitter *e, vs_node *n, const vs_kernel_options *
 }
 
 bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out) {
-  if (vs_kind_get((vs_kind)ref->node->kind)->level == VS_LEVEL_OPERATION && ref->node->class_ != VS_REGION_CLASS) return lower_booleans(e, ref, 1, out);
+  if (vs_kind_get((vs_kind)ref->node->kind)->level == VS_LEVEL_OPERATION && ref->node->class_ != VS_REGION_CLASS) return vs_lower_solids(e, ref, 1, out);
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   vs_kernel_options options = lower_options(e);
   if (lower_primitive(e, ref->node, &options, &out->mesh, &why)) return true;
@@ -186,7 +186,7 @@ bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out) {
   return false;
 }
 
-bool vs_lower_scene(vs_emitter *e, vs_solid *out) { return lower_booleans(e, e->scene->drawn, e->scene->drawn_count, out); }
+bool vs_lower_scene(vs_emitter *e, vs_solid *out) { return vs_lower_solids(e, e->scene->drawn, e->scene->drawn_count, out); }
 
 bool vs_lower_copies(vs_emitter *e, vs_solid_copies *out) {
   vs_kernel_options options = lower_options(e);

@@ -62,7 +62,9 @@ vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bo
     l.eye = scene->eye;
     l.target = scene->target;
     look_axes(&l, vs_v3_sub(l.target, l.eye), up);
+    l.upright = scene->upright;
     return l;
+  case VS_VIEW_ALONG: l.parallel = true; look_axes(&l, vs_v3_sub(scene->target, scene->eye), up); break;
   case VS_VIEW_EXTENTS: look_axes(&l, vs_v3(-0.62, 1, -0.5), up); break;
   case VS_VIEW_TOP: l.parallel = true; look_axes(&l, vs_v3(0, 0, -1), north); break;
   case VS_VIEW_BOTTOM: l.parallel = true; look_axes(&l, vs_v3(0, 0, 1), north); break;

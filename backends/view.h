@@ -10,6 +10,7 @@ typedef struct {
   bool parallel;
   double angle;               /* horizontal field of view, radians; perspective */
   double width;               /* of the visible rectangle, model units; parallel */
+  bool upright;               /* perspective: the picture stands upright, its middle is the target */
 } vs_look;
 
 /* aspect: width by height of the picture. bounds: of the drawing, which the look centres on; boxes: of its parts, at least one. */

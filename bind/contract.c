@@ -600,6 +600,16 @@ static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg
     case VS_C_AXIS: case VS_C_PLANE: case VS_C_STAND:
       if (!(p->contract == VS_C_AXIS ? convert_axis : convert_plane)(v, out)) return refuse_kind(f, p, v);
       return has_length(out->line.direction) && finite3(&out->line.direction.x) && finite3(&out->line.at.x) ? VS_OK : refuse_condition(f, p, v);
+    case VS_C_CUT: /* a height is the plane there, of which the lower side is kept */
+      if (v == VS_FALSE) return VS_OK;
+      if (vs_bind_number(f->vm, v, &out->real)) {
+        double height = out->real;
+        out->line.at = vs_v3(0, 0, height), out->line.direction = vs_v3(0, 0, -1);
+      } else if (!convert_plane(v, out)) {
+        return refuse_kind(f, p, v);
+      }
+      return has_length(out->line.direction) && finite3(&out->line.direction.x) && finite3(&out->line.at.x)
+          ? VS_OK : refuse_condition(f, p, v);
     case VS_C_MATRIX:
       if (!vs_is_flat(v, VS_FLAT_MATRIX)) return refuse_kind(f, p, v);
       return out->matrix = vs_bind_affine(vs_as_flat(v)->at), VS_OK;

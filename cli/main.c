@@ -173,12 +173,54 @@ vs_outcome cli_session_write(cli_session *c, const cli_target *t) {
   return outcome;
 }
 
+/* Is it drawn by a worker program: one picture of one view? */
+static bool is_picture(const cli_target *t) {
+  const vs_format_info *f = t->format ? vs_format_find(t->format) : NULL;
+  return f && f->worker && strcmp(t->path, "-") != 0;
+}
+
+enum { PATH_ROOM = 4096 };
+
+/* The name of a picture of one view: a-street.png of a.png. False: too long. */
+static bool view_path(const char *path, const char *view, char name[PATH_ROOM]) {
+  const char *dot = strrchr(path, '.'), *slash = strrchr(path, '/');
+  size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - path) : strlen(path);
+  int length = snprintf(name, PATH_ROOM, "%.*s-%s%s", (int)stem, path, view, path + stem);
+  if (length > 0 && length < PATH_ROOM) return true;
+  fprintf(stderr, "vs: %s: the name is too long\n", path);
+  return false;
+}
+
+/* A picture of each of the model's views. */
+static vs_outcome write_views(cli_session *c, const cli_target *t) {
+  vs_outcome outcome = VS_OUTCOME_DONE;
+  const char *view;
+  for (size_t i = 0; outcome != VS_OUTCOME_INTERRUPTED && (view = vs_view_name(c->scheme, i)) != NULL; i++) {
+    char path[PATH_ROOM];
+    if (!view_path(t->path, view, path)) return VS_OUTCOME_USAGE;
+    c->options->output.view = view;
+    vs_outcome one = cli_session_write(c, &(cli_target){path, t->format});
+    if (one == VS_OUTCOME_INTERRUPTED || outcome == VS_OUTCOME_DONE) outcome = one;
+  }
+  c->options->output.view = NULL;
+  return outcome;
+}
+
+static vs_outcome write_target(cli_session *c, const cli_target *t) {
+  if (!c->options->all_views) return cli_session_write(c, t);
+  if (is_picture(t) && vs_view_name(c->scheme, 0)) return write_views(c, t);
+  c->options->output.view = "*";
+  vs_outcome outcome = cli_session_write(c, t);
+  c->options->output.view = NULL;
+  return outcome;
+}
+
 /* Every output is tried, whatever became of the others; the first trouble is the exit code. */
 static vs_outcome write_all(cli_session *c) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   for (size_t i = 0; i < c->options->target_count && outcome != VS_OUTCOME_INTERRUPTED; i++) {
     c->options->output.last = i + 1 == c->options->target_count && !c->options->interactive;
-    vs_outcome one = cli_session_write(c, &c->options->targets[i]);
+    vs_outcome one = write_target(c, &c->options->targets[i]);
     if (one == VS_OUTCOME_INTERRUPTED || outcome == VS_OUTCOME_DONE) outcome = one;
   }
   return outcome;

@@ -177,6 +177,8 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
   case OPTION_PASSES: return parse_passes(v ? v : "", &o->output);
   case OPTION_SIZE: return parse_size(v, &o->output);
   case OPTION_CAMERA: return parse_camera(v, &o->output);
+  case OPTION_VIEW: o->output.view = v; return *v || bad("--view", "''", "the name of a view");
+  case OPTION_ALL_VIEWS: o->all_views = true; return true;
   case OPTION_QUALITY: return parse_quality(v, &o->output);
   case OPTION_TOLERANCE: return (parse_real(v, 0, &o->output.tolerance) && o->output.tolerance > 0) || bad("--tolerance", v, "a length above 0");
   case OPTION_SEGMENTS:
@@ -382,6 +384,10 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   o->interpreter.command_line_count = o->word_count;
   for (size_t i = 0; i < o->target_count; i++)
     if (!find_format(o, &o->targets[i]) || !reachable(&o->targets[i])) return CLI_BAD_USAGE;
+  if (o->all_views && o->output.view) {
+    fputs("vs: --all-views and --view are one too many\n", stderr);
+    return CLI_BAD_USAGE;
+  }
   if (o->target_count && o->check) {
     fputs("vs: --check writes nothing: leave -o out, or --check\n", stderr);
     return CLI_BAD_USAGE;

@@ -32,7 +32,7 @@ typedef struct {
   const char *format;
   vs_options interpreter;              /* the limits, the texts above; main adds the host */
   vs_output_options output;
-  bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose;
+  bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose, all_views;
 } cli_options;
 
 /* What to do when the command line has been read. */

@@ -1,6 +1,8 @@
 /* Owns the drawing that a back-end is handed: its defaults and what it holds on to. */
 #include "model/scene.h"
 
+#include <string.h>
+
 void vs_scene_init(vs_scene *scene, vs_store *store) {
   *scene = (vs_scene){ .store = vs_store_retain(store), .title = "model", .view = VS_VIEW_EXTENTS, .lens = 35, .units = "m" };
 }
@@ -22,6 +24,35 @@ void vs_scene_free(vs_scene *scene) {
   if (!scene->store) return;
   for (size_t i = 0; i < scene->drawn_count; i++) vs_node_release(scene->drawn[i].node);
   vs_store_realloc(scene->store, scene->drawn, scene->drawn_room * sizeof *scene->drawn, 0);
+  vs_store_realloc(scene->store, scene->views, scene->view_room * sizeof *scene->views, 0);
+  vs_store_realloc(scene->store, scene->notes, scene->note_room * sizeof *scene->notes, 0);
   vs_store_release(scene->store);
   *scene = (vs_scene){ 0 };
+}
+
+bool vs_scene_add_view(vs_scene *scene, const vs_scene_view *view) {
+  for (size_t i = 0; i < scene->view_count; i++)
+    if (strcmp(scene->views[i].name, view->name) == 0) return scene->views[i] = *view, true;
+  if (!vs_store_grow(scene->store, &scene->views, &scene->view_room, scene->view_count + 1, sizeof *view)) return false;
+  scene->views[scene->view_count++] = *view;
+  return true;
+}
+
+bool vs_scene_add_note(vs_scene *scene, const vs_scene_note *note) {
+  if (!vs_store_grow(scene->store, &scene->notes, &scene->note_room, scene->note_count + 1, sizeof *note)) return false;
+  scene->notes[scene->note_count++] = *note;
+  return true;
+}
+
+const vs_scene_view *vs_scene_find_view(const vs_scene *scene, const char *name) {
+  for (size_t i = 0; i < scene->view_count; i++)
+    if (strcmp(scene->views[i].name, name) == 0) return &scene->views[i];
+  return NULL;
+}
+
+void vs_scene_look(vs_scene *scene, const vs_scene_view *view) {
+  scene->view = view->view;
+  scene->eye = view->eye, scene->target = view->target;
+  scene->lens = view->lens;
+  scene->upright = view->upright;
 }

@@ -4,7 +4,33 @@
 
 #include "model/node.h"
 
-typedef enum { VS_VIEW_EXTENTS, VS_VIEW_CAMERA, VS_VIEW_TOP, VS_VIEW_BOTTOM, VS_VIEW_FRONT, VS_VIEW_BACK, VS_VIEW_LEFT, VS_VIEW_RIGHT, VS_VIEW_ISO } vs_view;
+typedef enum { VS_VIEW_EXTENTS, VS_VIEW_CAMERA, VS_VIEW_TOP, VS_VIEW_BOTTOM, VS_VIEW_FRONT, VS_VIEW_BACK, VS_VIEW_LEFT, VS_VIEW_RIGHT, VS_VIEW_ISO,
+  VS_VIEW_ALONG /* parallel, from eye towards target */ } vs_view;
+
+/* A view that the program named: how a picture or a drawing is looked at. Lengths in model units. */
+typedef enum { VS_CUT_OWN /* of a plan alone: where the drawing finds best */, VS_CUT_NONE, VS_CUT_PLANE } vs_cut;
+typedef struct {
+  const char *name;          /* interned */
+  vs_view view;
+  vs_vec3 eye, target;       /* VS_VIEW_CAMERA, VS_VIEW_ALONG */
+  double lens;               /* mm, 35 mm equivalent */
+  bool upright;              /* VS_VIEW_CAMERA: what is vertical stays so on the picture */
+  vs_cut cut;
+  vs_vec3 cut_point, cut_normal; /* VS_CUT_PLANE: what lies on the normal's side is kept; unit */
+  double scale;              /* of a drawing: 100 is 1:100; 0: a round one that fits */
+  const char *sheet;         /* "A3", one of sheets.def; NULL: one that fits */
+  bool hidden;               /* a drawing has its hidden edges dashed */
+} vs_scene_view;
+
+/* What drawings show besides the model. */
+typedef enum { VS_NOTE_DIMENSION /* p to q */, VS_NOTE_LABEL /* at p */, VS_NOTE_LEVEL /* of height p.z */, VS_NOTE_AXIS /* p to q */ } vs_note_kind;
+typedef struct {
+  vs_note_kind kind;
+  vs_vec3 p, q;
+  double offset;             /* of a dimension: how far beside p and q its line runs; NAN: as the sheet finds best */
+  const char *text;          /* interned, or NULL: the length, the height */
+  const char *view;          /* interned: the one view that shows it; NULL: all that can */
+} vs_scene_note;
 
 typedef struct {
   vs_store *store;           /* retained */
@@ -14,6 +40,11 @@ typedef struct {
   vs_view view;
   vs_vec3 eye, target;       /* VS_VIEW_CAMERA */
   double lens;               /* mm, 35 mm equivalent; 35 by default */
+  bool upright;              /* VS_VIEW_CAMERA: verticals stay vertical */
+  vs_scene_view *views;      /* in the order they were named */
+  size_t view_count, view_room;
+  vs_scene_note *notes;
+  size_t note_count, note_room;
   bool has_sun;              /* else each back-end's pleasant default */
   double sun_azimuth, sun_altitude; /* degrees; azimuth clockwise from +Y */
   bool has_sky;
@@ -31,5 +62,12 @@ typedef struct {
 void vs_scene_init(vs_scene *scene, vs_store *store); /* retains the store */
 bool vs_scene_draw(vs_scene *scene, vs_ref ref);      /* retains; false: out of memory */
 void vs_scene_free(vs_scene *scene);
+/* Names a view; one of that name is replaced. The view's texts are interned in the store. False: out of memory. */
+bool vs_scene_add_view(vs_scene *scene, const vs_scene_view *view);
+bool vs_scene_add_note(vs_scene *scene, const vs_scene_note *note); /* false: out of memory */
+/* The view of that name, or NULL. */
+const vs_scene_view *vs_scene_find_view(const vs_scene *scene, const char *name);
+/* Makes the scene look as the view says; its cut is the caller's to make. */
+void vs_scene_look(vs_scene *scene, const vs_scene_view *view);
 
 #endif

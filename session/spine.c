@@ -12,9 +12,11 @@
 #include "session/spine.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "backends/backend.h"
 #include "geometry/measure/node_measures.h"
+#include "passes/cut_away.h"
 #include "passes/flush.h"
 #include "passes/ink.h"
 #include "passes/optimise.h"
@@ -78,11 +80,12 @@ static void set_options(vs_job *j) {
   if (e->width && !e->height) e->height = (e->width * 3 + 2) / 4;
   if (e->height && !e->width) e->width = (e->height * 4 + 1) / 3;
   e->quality = qualities[o->quality];
+  e->view = o->view;
   vs_scene *scene = &j->scene;
   if (o->tolerance > 0) scene->tolerance = o->tolerance;
   if (o->segments > 0) scene->segments = o->segments;
   if (!o->has_camera) return;
-  scene->view = VS_VIEW_CAMERA;
+  scene->view = VS_VIEW_CAMERA, scene->upright = false;
   scene->eye = vs_v3(o->camera[0], o->camera[1], o->camera[2]), scene->target = vs_v3(o->camera[3], o->camera[4], o->camera[5]);
   scene->lens = o->camera[6] > 0 ? o->camera[6] : 35;
 }
@@ -141,6 +144,30 @@ static bool stage_hand_over(vs_job *j) {
 static bool stage_sugar(vs_job *j) {
   static const vs_settle_options solids_only = { .highlights = VS_MARKS_DROP, .keeps_text = true };
   return j->format ? vs_export_settle(&j->scene, j->format, &j->export, &j->error) : vs_scene_settle(&j->scene, &solids_only, &j->error);
+}
+
+/* Appends to message the names of the model's views. */
+static void list_views(const vs_scene *scene, char *message, size_t room) {
+  size_t used = strlen(message);
+  for (size_t i = 0; i < scene->view_count && used + 2 < room; i++) {
+    int n = snprintf(message + used, room - used, "%s \"%s\"", i > 0 ? "," : "; its views are", scene->views[i].name);
+    used += n > 0 ? (size_t)n : 0;
+  }
+}
+
+static bool stage_view(vs_job *j) {
+  vs_scene *scene = &j->scene;
+  const char *name = j->record ? j->options->view : NULL;
+  if (!name || !strcmp(name, "*") || j->format->backend->draws) return true; /* a drawing finds its own */
+  const vs_scene_view *view = vs_scene_find_view(scene, name);
+  if (!view) {
+    char message[400];
+    snprintf(message, sizeof message, "the model has no view \"%.100s\"", name);
+    list_views(scene, message, sizeof message);
+    return vs_error_set(&j->error, VS_ERROR_FILE, NULL, "%s", message);
+  }
+  if (!j->options->has_camera) vs_scene_look(scene, view);
+  return view->cut != VS_CUT_PLANE || vs_scene_cut(scene, view->cut_point, view->cut_normal, &j->error);
 }
 
 static bool stage_resolve(vs_job *j) {

@@ -421,6 +421,11 @@ bool vs_parameter_set(vs_scheme *vm, const char *name, const char *datum) {
   return false;
 }
 
+const char *vs_view_name(const vs_scheme *vm, size_t index) {
+  const vs_scene *scene = &vs_session_of(vm)->bind.scene;
+  return index < scene->view_count ? scene->views[index].name : NULL;
+}
+
 size_t vs_parameter_count(const vs_scheme *vm) { return vs_session_of(vm)->bind.parameter_count; }
 
 bool vs_parameter_get(vs_scheme *vm, size_t index, vs_parameter_info *out) {

@@ -103,6 +103,15 @@ static void pov_camera(vs_emitter *e, const vs_look *l) {
     vs_puts(w, "\n}\n");
     return;
   }
+  if (l->upright) { /* the picture's plane is vertical, and the target in its middle: vectors that are not perpendicular */
+    vs_vec3 level = vs_v3_unit(vs_v3(l->forward.x, l->forward.y, 0));
+    double wide = 2 * tan(l->angle / 2);
+    pov_vector(w, "  location ", l->eye);
+    pov_vector(w, "\n  direction ", vs_v3_scale(l->forward, 1 / vs_v3_dot(l->forward, level)));
+    pov_vector(w, "\n  right ", vs_v3_scale(l->right, wide));
+    pov_word(w, "\n  up z*", wide, "*image_height/image_width\n}\n");
+    return;
+  }
   pov_vector(w, "  location ", l->eye);
   pov_vector(w, "\n  sky ", fabs(l->forward.z) > 0.999999 ? l->up : vs_v3(0, 0, 1));
   vs_puts(w, "\n  right -x*image_width/image_height\n");

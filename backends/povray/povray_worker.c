@@ -86,7 +86,9 @@ static const char *run_complaint(char *text, unsigned long *line) {
   for (char *at = text; (at = strstr(at, "File '")) != NULL; at++) {
     char *end = strchr(at, '\n'), *number = strstr(at, "' line ");
     if (end != NULL) *end = '\0';
-    if (number != NULL && (end == NULL || number < end)) {
+    /* an upright view is such a camera on purpose (povray_scene.c) */
+    bool meant = strstr(at, "Warning: Camera vectors are not perpendicular") != NULL;
+    if (number != NULL && (end == NULL || number < end) && !meant) {
       char *after;
       *line = strtoul(number + 7, &after, 10);
       if (strncmp(after, ": ", 2) == 0) { /* "Possible Parse Error: " says nothing to a modeller */

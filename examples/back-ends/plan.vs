@@ -1,6 +1,7 @@
-; A back-end: the plan of a drawing, the outlines of its solids seen from above, as a picture of lines.
+; A back-end: the plan of a drawing, the outlines of its solids seen from above, as a picture of lines, which any
+; program that reads SVG shows.
 ;
-;   vs plan.vs model.vs -o plan.svg
+;   vs plan.vs model.vs -o model.plan
 ;
 ; What it teaches: a back-end may ask the geometry. do-project gives the shadow of a solid, lowered makes lines of its borders, and what is left
 ; is text.
@@ -22,7 +23,7 @@
    (cons "M" (map (lambda (p) "L") (rest points))))
   (display "Z\"/>\n" port))
 
-(define-back-end plan "svg"
+(define-back-end outlined "plan"
   (lambda (objects port)
     (let* ([solids (filter solid? objects)]
            [corners (append-map (lambda (o) (or (bounding-box o) '())) solids)]

@@ -51,7 +51,8 @@ cat <<'EOF'
 straight pieces. Where several stand, it depends on the form: a tapered extrusion is triangles where a straight one is not. What is in italics is
 the warning that the program gives: no shape is left out in silence, but looks that a format has no words for are. `.png` and `.exr` are POV-Ray's; `.x3dv` and `.html` hold the shapes that `.x3d` does;
 all that is made of bare triangles (`.stl .3mf .obj .ply .off`) holds the union of the drawing's solids; `.obj`, `.ply` and `.off` hold regions
-and open surfaces as open faces, besides, and the first two curves as lines. `.tree` holds everything as it is.
+and open surfaces as open faces, besides, and the first two curves as lines. [Drawings](drawings.md) (`.svg .pdf .dxf`) show solids,
+surfaces and curves by their lines. `.tree` holds everything as it is.
 
 One rule holds for all formats: a thing of a class that a format cannot show is shown thin where that can be read as what it is (`.pov .scad`), else left out, and a
 warning names the first place. Others in the drawing are written all the same; with `--strict` it is an error. In pictures (`.png .exr`, and `.pov`) curves are two pixels

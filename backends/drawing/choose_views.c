@@ -1,0 +1,98 @@
+/* Owns the choice of the views of a drawing: by --view, by the file's name, or those that every model has. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "backends/drawing/sheet.h"
+
+double vs_drawing_unit(const vs_scene *scene) {
+  static const struct { const char *name; double mm; } units[] = { { "m", 1000 }, { "mm", 1 }, { "cm", 10 },
+      { "in", 25.4 }, { "ft", 304.8 } };
+  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+    if (scene->units && strcmp(scene->units, units[i].name) == 0) return units[i].mm;
+  return 1000;
+}
+
+/* A plan is cut 1.2 m above the ground, or above the lowest point, of what is higher than 1.5 m over that. */
+static void cut_plan(const vs_emitter *e, vs_scene_view *v) {
+  const vs_scene *scene = e->scene;
+  double metre = 1000 / vs_drawing_unit(scene), low = e->bounds.min.z;
+  if (scene->has_ground && scene->ground_z > low && scene->ground_z < e->bounds.max.z) low = scene->ground_z;
+  v->cut = e->bounds.max.z > low + 1.5 * metre ? VS_CUT_PLANE : VS_CUT_NONE;
+  v->cut_point = vs_v3(0, 0, low + 1.2 * metre), v->cut_normal = vs_v3(0, 0, -1);
+}
+
+/* Through the middle, seen as from the front. */
+static void cut_section(const vs_emitter *e, vs_scene_view *v) {
+  vs_vec3 middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
+  v->cut_point = middle, v->cut_normal = vs_v3(0, 1, 0);
+  v->eye = middle, v->target = vs_v3_add(middle, v->cut_normal);
+}
+
+/* Views that every model has. In a sheet of all of them: what is `whole`. */
+static const struct { const char *name; vs_view view; vs_cut cut; bool whole; } own[] = {
+  { "plan", VS_VIEW_TOP, VS_CUT_OWN, true },       { "section", VS_VIEW_ALONG, VS_CUT_PLANE, true },
+  { "front", VS_VIEW_FRONT, VS_CUT_NONE, true },   { "right", VS_VIEW_RIGHT, VS_CUT_NONE, true },
+  { "back", VS_VIEW_BACK, VS_CUT_NONE, true },     { "left", VS_VIEW_LEFT, VS_CUT_NONE, true },
+  { "elevation", VS_VIEW_FRONT, VS_CUT_NONE, false }, { "top", VS_VIEW_TOP, VS_CUT_NONE, false },
+  { "bottom", VS_VIEW_BOTTOM, VS_CUT_NONE, false }, { "isometric", VS_VIEW_ISO, VS_CUT_NONE, false },
+};
+
+static vs_scene_view own_view(const vs_emitter *e, size_t i) {
+  vs_scene_view v = { .name = own[i].name, .view = own[i].view, .cut = own[i].cut, .lens = 35 };
+  if (v.cut == VS_CUT_PLANE) cut_section(e, &v);
+  return v;
+}
+
+static bool add(vs_emitter *e, vs_flat_view **out, size_t *count, size_t *room, vs_scene_view view) {
+  if (!vs_emit_grow(e, out, room, *count + 1, sizeof **out)) return false;
+  if (view.cut == VS_CUT_OWN) cut_plan(e, &view);
+  (*out)[(*count)++] = (vs_flat_view){ .spec = view, .has_cut = view.cut == VS_CUT_PLANE };
+  return true;
+}
+
+/* The model's view of that name, or one that every model has. */
+static bool find(const vs_emitter *e, const char *name, vs_scene_view *out) {
+  const vs_scene_view *v = vs_scene_find_view(e->scene, name);
+  if (v) return *out = *v, true;
+  for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+    if (strcmp(own[i].name, name) == 0) return *out = own_view(e, i), true;
+  return false;
+}
+
+/* The file's name without folders and ending. */
+static void stem(const char *path, char *out, size_t room) {
+  const char *slash = path ? strrchr(path, '/') : NULL, *base = slash ? slash + 1 : path ? path : "";
+  const char *dot = strrchr(base, '.');
+  size_t length = dot ? (size_t)(dot - base) : strlen(base);
+  snprintf(out, room, "%.*s", (int)(length < room ? length : room - 1), base);
+}
+
+static bool unknown(vs_emitter *e, const char *name) {
+  char message[420];
+  int used = snprintf(message, sizeof message, "the model has no view \"%.80s\"; there are", name);
+  for (size_t i = 0; i < e->scene->view_count && used < 300; i++)
+    used += snprintf(message + used, sizeof message - (size_t)used, " \"%.40s\",", e->scene->views[i].name);
+  for (size_t i = 0; i < sizeof own / sizeof *own && used < 400; i++)
+    used += snprintf(message + used, sizeof message - (size_t)used, "%s %s", i > 0 ? "," : "", own[i].name);
+  return vs_error_set(e->error, VS_ERROR_FILE, NULL, "%s", message);
+}
+
+bool vs_drawing_choose(vs_emitter *e, vs_flat_view **out, size_t *count, size_t *room) {
+  const char *name = e->options->view;
+  char base[128];
+  vs_scene_view v;
+  stem(e->path, base, sizeof base);
+  bool all = name && strcmp(name, "*") == 0, named = name && !all;
+  if (named && !find(e, name, &v)) return unknown(e, name);
+  if (!named && !all && !find(e, base, &v)) {
+    all = strcmp(base, "sheet") == 0;
+    if (!all && !find(e, "plan", &v)) return unknown(e, "plan");
+  }
+  if (!all) return add(e, out, count, room, v);
+  bool ok = true;
+  for (size_t i = 0; ok && i < e->scene->view_count; i++) ok = add(e, out, count, room, e->scene->views[i]);
+  for (size_t i = 0; ok && e->scene->view_count == 0 && i < sizeof own / sizeof *own; i++)
+    if (own[i].whole) ok = add(e, out, count, room, own_view(e, i));
+  return ok;
+}

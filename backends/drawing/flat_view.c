@@ -1,0 +1,446 @@
+/* Owns the way from the model to one view of it made flat: cut, seen, its lines joined, its cut faces outlined.
+ *
+ * The cut is the kernel's: the model less a half-space without a material, so that the faces of the cut have the
+ * material of what was cut
+ * (passes/cut_away.h). Triangles of the result that lie in the plane and look at the viewer are the cut faces; so do
+ * faces of the model that lay there. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "backends/drawing/sheet.h"
+#include "geometry/plane/slice.h"
+#include "passes/cut_away.h"
+
+/* All that the view shows, in its own coordinates. */
+typedef struct {
+  vs_emitter *e;
+  vs_flat_view *v;
+  vs_sight_host host;
+  vs_vec3 *points;
+  uint32_t (*triangles)[3];
+  uint32_t *paints;    /* of triangles: the material's number */
+  uint8_t *caps;
+  size_t point_count, point_room, triangle_count, triangle_room, paint_room, cap_room;
+  size_t closed;       /* triangles of solids: the first */
+  double slack, nearest; /* how far before the eye all ends, in a perspective view */
+  vs_sight_edges edges;
+  vs_sight_pieces pieces;
+} seen;
+
+static bool going(void *context) { return vs_emit_progress(context, "drawing", -1); }
+
+static vs_vec3 into_view(const vs_look *l, vs_vec3 p) {
+  vs_vec3 d = l->parallel ? p : vs_v3_sub(p, l->eye);
+  return vs_v3(vs_v3_dot(d, l->right), vs_v3_dot(d, l->up), vs_v3_dot(d, l->forward));
+}
+
+static vs_sheet_point flat(const vs_look *l, vs_vec3 p) {
+  return l->parallel ? (vs_sheet_point){ p.x, p.y } : (vs_sheet_point){ p.x / p.z, p.y / p.z };
+}
+
+vs_sheet_point vs_flat_view_project(const vs_flat_view *v, vs_vec3 p) { return flat(&v->look, into_view(&v->look, p)); }
+
+/* ---- triangles and curves ---- */
+
+static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, const vs_material *paint) {
+  vs_emitter *e = s->e;
+  size_t base = s->point_count, count = s->triangle_count + m->triangle_count;
+  if (base + m->vertex_count > UINT32_MAX) return vs_error_set(e->error, VS_ERROR_MODEL, NULL,
+      "more points than a drawing can hold");
+  if (!vs_emit_grow(e, &s->points, &s->point_room, base + m->vertex_count, sizeof *s->points) ||
+      !vs_emit_grow(e, &s->triangles, &s->triangle_room, count, sizeof *s->triangles) ||
+      !vs_emit_grow(e, &s->paints, &s->paint_room, count, sizeof *s->paints) ||
+          !vs_emit_grow(e, &s->caps, &s->cap_room, count, sizeof *s->caps))
+    return false;
+  const vs_scene_view *spec = &s->v->spec;
+  for (size_t i = 0; i < m->vertex_count; i++) s->points[base + i] = into_view(&s->v->look, m->vertices[i]);
+  s->point_count += m->vertex_count;
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    const uint32_t *t = m->triangles[i];
+    uint32_t tag = m->tags ? m->tags[i] : 0;
+    size_t at = s->triangle_count;
+    bool lid = !s->v->look.parallel; /* of what the plane before the eye has cut */
+    for (int k = 0; k < 3; k++) s->triangles[at][k] = (uint32_t)base + t[2 - k];
+        /* x, y, z as the view has them are left-handed */
+    for (int k = 0; k < 3; k++) lid = lid && s->points[base + t[k]].z <= s->nearest + 4 * s->slack;
+    if (lid) continue;
+    s->triangle_count++;
+    s->paints[at] = (uint32_t)vs_emit_material_number(e, solid &&
+        tag < solid->part_count ? solid->parts[tag].material : paint);
+    bool cap = s->v->has_cut && solid;
+    for (int k = 0; cap && k < 3; k++) cap = fabs(vs_v3_dot(vs_v3_sub(m->vertices[t[k]], spec->cut_point),
+        spec->cut_normal)) <= 4 * s->slack;
+    s->caps[at] = 0;
+    if (!cap) continue;
+    vs_vec3 a = m->vertices[t[0]], n = vs_v3_cross(vs_v3_sub(m->vertices[t[1]], a), vs_v3_sub(m->vertices[t[2]], a));
+    s->caps[at] = vs_v3_dot(n, spec->cut_normal) < 0;
+  }
+  return true;
+}
+
+static bool add_curve_edge(seen *s, vs_vec3 p, vs_vec3 q) {
+  if (s->edges.count == s->edges.room && !vs_store_grow(s->host.store, &s->edges.at, &s->edges.room,
+      s->edges.count + 1, sizeof *s->edges.at))
+    return vs_emit_no_memory(s->e);
+  double slack = fmax(s->slack, 4 * s->e->facets.tolerance);
+      /* a curve drawn on something round is on it, though chords are not */
+  s->edges.at[s->edges.count++] = (vs_sight_edge){ into_view(&s->v->look, p), into_view(&s->v->look, q),
+      VS_SIGHT_CURVE, slack };
+  return true;
+}
+
+static bool put_piece(void *context, const vs_polyline *p) {
+  seen *s = context;
+  bool ok = true;
+  for (size_t i = 0; ok && i + 1 < p->count + (p->closed ? 1 : 0); i++) ok = add_curve_edge(s, p->at[i],
+      p->at[(i + 1) % p->count]);
+  return ok;
+}
+
+static double nearest_of(const vs_emitter *e) { return 1e-3 * vs_bounds_diagonal(&e->bounds); }
+
+/* The plane that everything is clipped by besides the cut: just before the eye of a perspective view. */
+static bool near_plane(const vs_flat_view *v, const vs_emitter *e, vs_vec3 *point, vs_vec3 *normal) {
+  *normal = v->look.forward;
+  *point = vs_v3_add(v->look.eye, vs_v3_scale(*normal, nearest_of(e)));
+  return !v->look.parallel;
+}
+
+/* Curves and open faces: those of a loose walk, cut by themselves. */
+static bool add_loose(seen *s, const vs_loose *l) {
+  vs_vec3 point, normal;
+  const vs_scene_view *spec = &s->v->spec;
+  bool near = near_plane(s->v, s->e, &point, &normal), ok = true;
+  for (size_t i = 0; ok && l && i < l->run_count; i++) {
+    const vs_loose_run *run = &l->runs[i];
+    if (run->line) {
+      vs_polyline p = { 0 }, *line = &p;
+      p.at = vs_store_realloc(s->host.store, NULL, 0, run->count * sizeof *p.at);
+      if (!p.at) return vs_emit_no_memory(s->e);
+      for (size_t k = 0; k < run->count; k++) p.at[p.count++] = l->points[l->corners[run->first + k]];
+      if (s->v->has_cut) ok = vs_slice_polyline(line, spec->cut_point, spec->cut_normal, put_piece, s);
+      else if (near) ok = vs_slice_polyline(line, point, normal, put_piece, s);
+      else ok = put_piece(s, line);
+      vs_store_realloc(s->host.store, p.at, run->count * sizeof *p.at, 0);
+      continue;
+    }
+    vs_mesh whole = { 0 }, part = { 0 };
+    for (size_t k = 0; ok && k + 2 < run->count; k += 3) {
+      for (size_t n = 0; ok && n < 3; n++) ok = vs_mesh_add_vertex(&whole, l->points[l->corners[run->first + k + n]],
+          NULL);
+      ok = ok && vs_mesh_add_triangle(&whole, (uint32_t)k, (uint32_t)k + 1, (uint32_t)k + 2);
+    }
+    if (ok && s->v->has_cut) ok = vs_slice_mesh(&whole, spec->cut_point, spec->cut_normal, &part);
+    else if (ok && near) ok = vs_slice_mesh(&whole, point, normal, &part);
+    ok = ok && add_triangles(s, s->v->has_cut || near ? &part : &whole, NULL, run->material);
+    vs_mesh_free(&whole);
+    vs_mesh_free(&part);
+  }
+  return ok || s->e->error->kind != VS_ERROR_NONE || vs_emit_no_memory(s->e);
+}
+
+/* All solids less what the planes take away, as one node. */
+static vs_node *cut_node(vs_emitter *e, const vs_vec3 (*planes)[2], size_t count) {
+  const vs_scene *scene = e->scene;
+  vs_ref operands[3];
+  size_t n = 0;
+  vs_node *all = vs_node_new(scene->store, VS_UNION, &(struct vs_union){ 0 }, scene->drawn, scene->drawn_count),
+      *made = NULL;
+  if (all) operands[n++] = (vs_ref){ all, NULL };
+  for (size_t i = 0; n > 0 && i < count; i++) {
+    struct vs_half_space away = { .point = planes[i][0], .normal = vs_v3_scale(planes[i][1], -1) };
+    vs_node *space = vs_node_new(scene->store, VS_HALF_SPACE, &away, NULL, 0);
+    if (space) operands[n++] = (vs_ref){ space, NULL };
+  }
+  if (n == count + 1) made = vs_node_new(scene->store, VS_DIFFERENCE, &(struct vs_difference){ 0 }, operands, n);
+  for (size_t i = 0; i < n; i++) vs_node_release(operands[i].node);
+  return made;
+}
+
+static bool add_solids(seen *s, const vs_solid *whole) {
+  vs_vec3 planes[2][2];
+  size_t count = 0;
+  const vs_scene_view *spec = &s->v->spec;
+  if (s->v->has_cut) planes[count][0] = spec->cut_point, planes[count++][1] = spec->cut_normal;
+  if (near_plane(s->v, s->e, &planes[count][0], &planes[count][1])) count++;
+  if (count == 0 || whole->mesh.triangle_count == 0) return add_triangles(s, &whole->mesh, whole, NULL);
+  vs_ref ref = { cut_node(s->e, (const vs_vec3 (*)[2])planes, count), NULL };
+  vs_solid cut = { .part_count = 0 };
+  if (!ref.node) return vs_emit_no_memory(s->e);
+  bool ok = vs_lower_solids(s->e, &ref, 1, &cut) && add_triangles(s, &cut.mesh, &cut, NULL);
+  vs_solid_free(&cut);
+  vs_node_release(ref.node);
+  return ok;
+}
+
+/* ---- lines: pieces that meet end to end become one, straight ones a single stretch ---- */
+
+static const vs_drawn_layer layer_of[VS_SIGHT_KINDS] = {
+  [VS_SIGHT_CUT] = VS_DRAWN_CUT,     [VS_SIGHT_PARTING] = VS_DRAWN_PARTING, [VS_SIGHT_OUTLINE] = VS_DRAWN_OUTLINE,
+  [VS_SIGHT_CREASE] = VS_DRAWN_EDGE, [VS_SIGHT_CURVE] = VS_DRAWN_CURVE,
+};
+
+typedef struct { vs_sheet_point a, b; vs_drawn_layer layer; } stretch;
+typedef struct { vs_sheet_point at; uint32_t stretch; uint8_t layer, end; } tip;
+
+static int tip_compare(const void *p, const void *q) {
+  const tip *a = p, *b = q;
+  if (a->layer != b->layer) return a->layer < b->layer ? -1 : 1;
+  if (a->at.x != b->at.x) return a->at.x < b->at.x ? -1 : 1;
+  if (a->at.y != b->at.y) return a->at.y < b->at.y ? -1 : 1;
+  if (a->stretch != b->stretch) return a->stretch < b->stretch ? -1 : 1;
+  return (int)a->end - (int)b->end;
+}
+
+static bool same_place(const tip *tips, size_t count, size_t a, size_t b) {
+  return a < count && b < count && tips[a].layer == tips[b].layer && tips[a].at.x == tips[b].at.x &&
+      tips[a].at.y == tips[b].at.y;
+}
+
+/* The stretch that goes on from this end: the only other one of its layer that ends there. i - 1 past the first is
+ * past the last as well. */
+static bool next_of(const tip *tips, size_t count, const uint32_t *slot, uint32_t which, int end, uint32_t *next,
+    int *next_end) {
+  size_t i = slot[2 * which + (uint32_t)end];
+  bool before = same_place(tips, count, i - 1, i), after = same_place(tips, count, i + 1, i);
+  if (before == after || same_place(tips, count, before ? i - 2 : i + 2, i)) return false;
+  const tip *other = &tips[before ? i - 1 : i + 1];
+  if (other->stretch == which) return false;
+  *next = other->stretch, *next_end = other->end;
+  return true;
+}
+
+static bool add_point(vs_emitter *e, vs_flat_view *v, vs_sheet_point p) {
+  if (!vs_emit_grow(e, &v->points, &v->point_room, v->point_count + 1, sizeof *v->points)) return false;
+  v->points[v->point_count++] = p;
+  return true;
+}
+
+/* Adds a point to the line that begins at `first`; one on the straight way from the last but one is passed by. */
+static bool extend(vs_emitter *e, vs_flat_view *v, size_t first, vs_sheet_point p, double slack) {
+  size_t n = v->point_count - first;
+  if (n >= 2) {
+    vs_sheet_point a = v->points[v->point_count - 2], b = v->points[v->point_count - 1];
+    double ux = p.x - a.x, uy = p.y - a.y, length = hypot(ux, uy), off = fabs((b.x - a.x) * uy - (b.y - a.y) * ux);
+    if (length > 0 && off <= slack * length && (b.x - a.x) * (p.x - b.x) + (b.y - a.y) * (p.y - b.y) > 0) {
+      v->points[v->point_count - 1] = p;
+      return true;
+    }
+  }
+  return add_point(e, v, p);
+}
+
+/* Follows the line that `start` is part of: back to where it begins, or once round, and then forward. */
+static bool chain(seen *s, const stretch *all, const tip *tips, const uint32_t *slot, size_t count, bool *used,
+    uint32_t start, double slack) {
+  vs_flat_view *v = s->v;
+  uint32_t at = start, next;
+  int back = 0, next_end;
+  while (next_of(tips, 2 * count, slot, at, back, &next, &next_end) && next != start) at = next, back = !next_end;
+  uint32_t begun = at;
+  bool closed = false;
+  size_t first = v->point_count;
+  if (!vs_emit_grow(s->e, &v->lines, &v->line_room, v->line_count + 1, sizeof *v->lines)) return false;
+  if (!add_point(s->e, v, back ? all[at].b : all[at].a)) return false;
+  for (int end = !back;;) {
+    used[at] = true;
+    if (!extend(s->e, v, first, end ? all[at].b : all[at].a, slack)) return false;
+    if (!next_of(tips, 2 * count, slot, at, end, &next, &next_end)) break;
+    if ((closed = next == begun)) break;
+    at = next, end = !next_end;
+  }
+  size_t n = v->point_count - first;
+  closed = closed && n > 3;
+  if (closed) v->point_count--, n--; /* the first once more */
+  v->lines[v->line_count++] = (vs_flat_line){ (uint32_t)first, (uint32_t)n, closed, all[start].layer };
+  return true;
+}
+
+static bool join(seen *s, const stretch *all, size_t count, double slack) {
+  vs_store *store = s->host.store;
+  tip *tips = vs_store_realloc(store, NULL, 0, (2 * count + 1) * sizeof *tips);
+  uint32_t *slot = vs_store_realloc(store, NULL, 0, (2 * count + 1) * sizeof *slot);
+  bool *used = vs_store_realloc(store, NULL, 0, count + 1), ok = tips && slot && used;
+  for (size_t i = 0; ok && i < 2 * count; i++) {
+    const stretch *t = &all[i / 2];
+    tips[i] = (tip){ i % 2 ? t->b : t->a, (uint32_t)(i / 2), (uint8_t)t->layer, i % 2 };
+  }
+  if (ok) qsort(tips, 2 * count, sizeof *tips, tip_compare);
+  if (ok) memset(used, 0, count + 1);
+  for (size_t i = 0; ok && i < 2 * count; i++) slot[2 * tips[i].stretch + tips[i].end] = (uint32_t)i;
+  bool grew = ok;
+  for (uint32_t i = 0; grew && i < count; i++)
+    if (!used[i]) grew = chain(s, all, tips, slot, count, used, i, slack);
+  vs_store_realloc(store, tips, (2 * count + 1) * sizeof *tips, 0);
+  vs_store_realloc(store, slot, (2 * count + 1) * sizeof *slot, 0);
+  vs_store_realloc(store, used, count + 1, 0);
+  return ok ? grew : vs_emit_no_memory(s->e);
+}
+
+/* Coordinates are taken to a grid, finer than the slack, so that what is one place in two computations is one. */
+static vs_sheet_point on_grid(vs_sheet_point p, double step) {
+  return (vs_sheet_point){ round(p.x / step) * step + 0., round(p.y / step) * step + 0. }; /* + 0: no -0 */
+}
+
+static bool add_lines(seen *s) {
+  vs_store *store = s->host.store;
+  size_t room = s->pieces.count + 1, count = 0;
+  stretch *all = vs_store_realloc(store, NULL, 0, room * sizeof *all);
+  if (!all) return vs_emit_no_memory(s->e);
+  double far = 1;
+  if (!s->v->look.parallel) far = vs_v3_length(vs_v3_sub(s->v->look.target, s->v->look.eye));
+  double step = ldexp(1, ilogb(s->slack / far) - 6);
+  for (size_t i = 0; i < s->pieces.count; i++) {
+    const vs_sight_piece *p = &s->pieces.at[i];
+    const vs_sight_edge *edge = &s->edges.at[p->edge];
+    vs_vec3 d = vs_v3_sub(edge->q, edge->p);
+    vs_sheet_point a = on_grid(flat(&s->v->look, p->from > 0 ? vs_v3_add(edge->p, vs_v3_scale(d, p->from)) :
+        edge->p), step);
+    vs_sheet_point b = on_grid(flat(&s->v->look, p->to < 1 ? vs_v3_add(edge->p, vs_v3_scale(d, p->to)) : edge->q),
+        step);
+    if (a.x == b.x && a.y == b.y) continue;
+    bool turned = a.x > b.x || (a.x == b.x && a.y > b.y);
+    all[count++] = (stretch){ turned ? b : a, turned ? a : b, p->hidden ? VS_DRAWN_HIDDEN : layer_of[edge->kind] };
+  }
+  bool ok = join(s, all, count, 2 * s->slack / far);
+  vs_store_realloc(store, all, room * sizeof *all, 0);
+  return ok;
+}
+
+/* ---- fills: the borders of the cut faces of each material, as loops ---- */
+
+typedef struct { vs_sheet_point a, b; uint32_t paint; bool used; } border;
+static int border_compare(const void *p, const void *q) {
+  const border *a = p, *b = q;
+  if (a->paint != b->paint) return a->paint < b->paint ? -1 : 1;
+  if (a->a.x != b->a.x) return a->a.x < b->a.x ? -1 : 1;
+  if (a->a.y != b->a.y) return a->a.y < b->a.y ? -1 : 1;
+  if (a->b.x != b->b.x) return a->b.x < b->b.x ? -1 : 1;
+  return a->b.y < b->b.y ? -1 : a->b.y > b->b.y;
+}
+
+/* The first border of the paint that begins at p and is not used; count: there is none. */
+static size_t border_from(const border *all, size_t count, uint32_t paint, vs_sheet_point p) {
+  size_t low = 0, high = count;
+  border key = { p, { -INFINITY, -INFINITY }, paint, false };
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    if (border_compare(&all[middle], &key) < 0) low = middle + 1;
+    else high = middle;
+  }
+  for (; low < count && all[low].paint == paint && all[low].a.x == p.x && all[low].a.y == p.y; low++)
+    if (!all[low].used) return low;
+  return count;
+}
+
+/* Takes the loop that begins with border i. */
+static bool take_loop(seen *s, border *all, size_t count, size_t i, double slack) {
+  vs_flat_view *v = s->v;
+  size_t first = v->point_count;
+  uint32_t paint = all[i].paint;
+  vs_sheet_point start = all[i].a;
+  if (!add_point(s->e, v, start)) return false;
+  for (;;) {
+    all[i].used = true;
+    vs_sheet_point end = all[i].b;
+    if (end.x == start.x && end.y == start.y) break;
+    if (!extend(s->e, v, first, end, slack)) return false;
+    if ((i = border_from(all, count, paint, end)) == count) break;
+  }
+  if (v->point_count - first < 3) return v->point_count = first, true;
+  if (!vs_emit_grow(s->e, &v->loops, &v->loop_room, v->loop_count + 1, sizeof *v->loops)) return false;
+  v->loops[v->loop_count].first = (uint32_t)first, v->loops[v->loop_count++].count = (uint32_t)(v->point_count - first);
+  vs_flat_fill *fill = v->fill_count > 0 ? &v->fills[v->fill_count - 1] : NULL;
+  const vs_material *m = paint > 0 ? vs_emit_material_at(s->e, paint) : NULL;
+  if (!fill || fill->material != m) {
+    if (!vs_emit_grow(s->e, &v->fills, &v->fill_room, v->fill_count + 1, sizeof *v->fills)) return false;
+    fill = &v->fills[v->fill_count++];
+    *fill = (vs_flat_fill){ (uint32_t)v->loop_count - 1, 0, m };
+  }
+  fill->loop_count++;
+  return true;
+}
+
+static bool add_fills(seen *s) {
+  vs_store *store = s->host.store;
+  vs_flat_view *v = s->v;
+  size_t caps = 0, count = 0, kept = 0;
+  for (size_t i = 0; i < s->closed; i++) caps += s->caps[i];
+  if (caps == 0) return true;
+  size_t room = 3 * caps;
+  border *all = vs_store_realloc(store, NULL, 0, room * sizeof *all);
+  if (!all) return vs_emit_no_memory(s->e);
+  double step = ldexp(1, ilogb(s->slack) - 6);
+  for (size_t i = 0; i < s->closed; i++) {
+    if (!s->caps[i]) continue;
+    vs_sheet_point c[3];
+    for (int k = 0; k < 3; k++) c[k] = on_grid(flat(&v->look, s->points[s->triangles[i][k]]), step);
+    v->cut_area -= 0.5 * ((c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x));
+    for (int k = 0; k < 3; k++)
+      if (c[k].x != c[(k + 1) % 3].x || c[k].y != c[(k + 1) % 3].y) all[count++] = (border){ c[(k + 1) % 3], c[k],
+          s->paints[i], false };
+  }
+  qsort(all, count, sizeof *all, border_compare);
+  for (size_t i = 0; i < count; i++) { /* sides that two triangles of one material share go */
+    border back = { all[i].b, all[i].a, all[i].paint, false };
+    const border *found = bsearch(&back, all, count, sizeof *all, border_compare);
+    all[i].used = found != NULL;
+  }
+  for (size_t i = 0; i < count; i++)
+    if (!all[i].used) all[kept++] = all[i];
+  bool ok = true;
+  for (size_t i = 0; ok && i < kept; i++)
+    if (!all[i].used) ok = take_loop(s, all, kept, i, 2 * s->slack);
+  vs_store_realloc(store, all, room * sizeof *all, 0);
+  return ok;
+}
+
+/* ---- the whole ---- */
+
+static void measure(vs_flat_view *v) {
+  v->low = (vs_sheet_point){ INFINITY, INFINITY }, v->high = (vs_sheet_point){ -INFINITY, -INFINITY };
+  for (size_t i = 0; i < v->point_count; i++) {
+    v->low.x = fmin(v->low.x, v->points[i].x), v->low.y = fmin(v->low.y, v->points[i].y);
+    v->high.x = fmax(v->high.x, v->points[i].x), v->high.y = fmax(v->high.y, v->points[i].y);
+  }
+  if (v->point_count == 0) v->low = v->high = (vs_sheet_point){ 0, 0 };
+}
+
+bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, const vs_solid *whole) {
+  seen s = { .e = e, .v = v, .host = { e->scene->store, going, e } };
+  vs_scene scene = *e->scene;
+  vs_scene_look(&scene, &v->spec);
+  v->look = vs_look_find(&scene, &e->bounds, &e->bounds, 1, 1);
+  if (v->spec.upright && !v->look.parallel) { /* the picture's plane stands upright */
+    v->look.forward = vs_v3_unit(vs_v3(v->look.forward.x, v->look.forward.y, 0));
+    v->look.up = vs_v3(0, 0, 1);
+  }
+  s.nearest = nearest_of(e);
+  s.slack = 2e-7 * vs_bounds_diagonal(&e->bounds);
+  bool ok = add_solids(&s, whole);
+  s.closed = s.triangle_count;
+  ok = ok && add_loose(&s, loose);
+  vs_sight sight = { .points = s.points, .triangles = (const uint32_t (*)[3])s.triangles,
+      .point_count = s.point_count, .triangle_count = s.triangle_count,
+                     .closed = s.closed, .paints = s.paints, .caps = v->has_cut ? s.caps : NULL,
+                         .perspective = !v->look.parallel, .slack = s.slack };
+  ok = ok && vs_sight_find_edges(&s.host, &sight, &s.edges, e->error) &&
+       vs_sight_find_visible(&s.host, &sight, &s.edges, v->spec.hidden, &s.pieces, e->error) && add_lines(&s) &&
+           add_fills(&s);
+  measure(v);
+  vs_sight_edges_free(&s.host, &s.edges);
+  vs_sight_pieces_free(&s.host, &s.pieces);
+  vs_emit_release(e, s.points, s.point_room, sizeof *s.points);
+  vs_emit_release(e, s.triangles, s.triangle_room, sizeof *s.triangles);
+  vs_emit_release(e, s.paints, s.paint_room, sizeof *s.paints);
+  vs_emit_release(e, s.caps, s.cap_room, sizeof *s.caps);
+  return ok;
+}
+
+void vs_flat_view_free(vs_emitter *e, vs_flat_view *v) {
+  vs_emit_release(e, v->points, v->point_room, sizeof *v->points);
+  vs_emit_release(e, v->lines, v->line_room, sizeof *v->lines);
+  vs_emit_release(e, v->fills, v->fill_room, sizeof *v->fills);
+  vs_emit_release(e, v->loops, v->loop_room, sizeof *v->loops);
+}

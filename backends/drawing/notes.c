@@ -1,0 +1,184 @@
+/* Owns what a drawing shows besides the model: dimensions, labels, levels, axes, and the ground's line in elevations
+ * and sections.
+ *
+ * A note is shown in the views where it says something true: a dimension where its length is seen unshortened, a
+ * level where heights are, an axis where it
+ * is seen along its whole length, or from its end, as an upright line. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "backends/drawing/sheet.h"
+
+static const double bubble = 4, cap = 2.2, level_cap = 1.8; /* mm: an axis' circle, and the height of capitals */
+
+static bool is_upright(const vs_flat_view *v) { return v->look.parallel && fabs(v->look.forward.z) < 1e-6;
+    } /* an elevation or a section */
+static bool shows(const vs_flat_view *v, const vs_scene_note *n) { return v->look.parallel &&
+    (!n->view || strcmp(n->view, v->spec.name) == 0); }
+
+/* Is the note drawn in the view at all? */
+static bool fits(const vs_flat_view *v, const vs_scene_note *n) {
+  if (!shows(v, n)) return false;
+  vs_vec3 d = vs_v3_sub(n->q, n->p);
+  double along = fabs(vs_v3_dot(d, v->look.forward)), length = vs_v3_length(d);
+  switch (n->kind) {
+  case VS_NOTE_DIMENSION: return along <= 1e-6 * length;
+  case VS_NOTE_LABEL: return true;
+  case VS_NOTE_LEVEL: return is_upright(v);
+  case VS_NOTE_AXIS: return along <= 1e-6 * length || along >= length * (1 - 1e-9);
+  }
+  return false;
+}
+
+/* A length of the model as text: in metres and feet with two decimals, in the small units as they are. */
+static void length_text(const vs_emitter *e, double length, char *text, size_t room) {
+  bool fine = vs_drawing_unit(e->scene) < 100;
+  snprintf(text, room, fine ? "%.4g" : "%.2f", fine ? round(length * 10) / 10 : length);
+}
+
+static void level_text(const vs_emitter *e, const vs_scene_note *n, char *text, size_t room) {
+  char number[40];
+  length_text(e, fabs(n->p.z), number, sizeof number);
+  snprintf(text, room, "%s%s%s%.100s", n->p.z < 0 ? "-" : n->p.z > 0 ? "+" : "\302\261", number, n->text ? "  " : "",
+      n->text ? n->text : "");
+}
+
+/* About how wide text is whose capitals are of the height `size`. */
+static double about_width(const char *text, double size) {
+  size_t letters = 0;
+  for (; *text; text++) letters += ((unsigned char)*text & 0xc0) != 0x80;
+  return 0.9 * size * (double)letters;
+}
+
+/* How far the levels' marks reach to the left of the view. */
+static double levels_width(const vs_emitter *e, const vs_flat_view *v) {
+  double most = 12;
+  char text[160];
+  for (size_t i = 0; i < e->scene->note_count; i++) {
+    const vs_scene_note *n = &e->scene->notes[i];
+    if (n->kind != VS_NOTE_LEVEL || !fits(v, n)) continue;
+    level_text(e, n, text, sizeof text);
+    most = fmax(most, about_width(text, level_cap) + 4);
+  }
+  return most;
+}
+
+double vs_sheet_notes_room(const vs_emitter *e, const vs_flat_view *v) {
+  double room = 2;
+  for (size_t i = 0; i < e->scene->note_count; i++) {
+    vs_note_kind kind = e->scene->notes[i].kind;
+    if (!fits(v, &e->scene->notes[i]) || kind == VS_NOTE_LABEL) continue;
+    room = fmax(room, kind == VS_NOTE_LEVEL ? levels_width(e, v) + 4 : 20);
+  }
+  return room;
+}
+
+static bool stroke(vs_emitter *e, vs_sheet *s, uint32_t view, vs_drawn_layer layer, vs_sheet_point a,
+    vs_sheet_point b) {
+  vs_sheet_point at[2] = { a, b };
+  return vs_sheet_line(e, s, view, layer, at, 2, false);
+}
+
+static vs_sheet_point seen_at(const vs_flat_view *v, vs_vec3 p) { return vs_sheet_place(v, vs_flat_view_project(v,
+    p)); }
+
+/* The line runs beside p and q, away from the view's middle, 10 mm out or as the note says; ticks cross it at 45
+ * degrees. */
+static bool dimension(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_scene_note *n) {
+  const vs_flat_view *v = &s->views[view];
+  vs_sheet_point p = seen_at(v, n->p), q = seen_at(v, n->q);
+  double dx = q.x - p.x, dy = q.y - p.y, length = hypot(dx, dy);
+  if (length < 1e-6) return true;
+  dx /= length, dy /= length;
+  vs_sheet_point middle = { v->at.x + (v->high.x - v->low.x) * v->mm / 2,
+      v->at.y + (v->high.y - v->low.y) * v->mm / 2 };
+  double nx = -dy, ny = dx, out = 9;
+  if (isnan(n->offset)) {
+    if ((p.x - middle.x) * nx + (p.y - middle.y) * ny < -1e-9) out = -out;
+  } else {
+    out = n->offset * v->mm;
+  }
+  vs_sheet_point a = { p.x + nx * out, p.y + ny * out }, b = { q.x + nx * out, q.y + ny * out };
+  double sign = out < 0 ? -1 : 1, gap = fmin(1.5, fabs(out) / 2), over = 1.5;
+  vs_sheet_point a0 = { p.x + nx * sign * gap, p.y + ny * sign * gap },
+      a1 = { a.x + nx * sign * over, a.y + ny * sign * over };
+  vs_sheet_point b0 = { q.x + nx * sign * gap, q.y + ny * sign * gap },
+      b1 = { b.x + nx * sign * over, b.y + ny * sign * over };
+  double tx = (dx + nx) * 1.1, ty = (dy + ny) * 1.1;
+  if (!stroke(e, s, view, VS_DRAWN_DIMENSION, a, b) || !stroke(e, s, view, VS_DRAWN_DIMENSION, a0, a1) ||
+      !stroke(e, s, view, VS_DRAWN_DIMENSION, b0, b1) ||
+      !stroke(e, s, view, VS_DRAWN_CUT, (vs_sheet_point){ a.x - tx, a.y - ty },
+          (vs_sheet_point){ a.x + tx, a.y + ty }) ||
+      !stroke(e, s, view, VS_DRAWN_CUT, (vs_sheet_point){ b.x - tx, b.y - ty }, (vs_sheet_point){ b.x + tx, b.y + ty }))
+    return false;
+  char text[40];
+  length_text(e, vs_v3_length(vs_v3_sub(n->q, n->p)), text, sizeof text);
+  bool back = dx < -1e-9 || (fabs(dx) <= 1e-9 && dy < 0); /* text reads from below or from the right */
+  double ux = back ? -dx : dx, uy = back ? -dy : dy, angle = atan2(uy, ux) * (180 / 3.14159265358979323846);
+  vs_sheet_point at = { (a.x + b.x) / 2 - uy * 1, (a.y + b.y) / 2 + ux * 1 };
+  return vs_sheet_text(e, s, view, VS_DRAWN_TEXT, at, cap, angle, 0.5, n->text ? n->text : text);
+}
+
+static bool level(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_scene_note *n) {
+  const vs_flat_view *v = &s->views[view];
+  double y = seen_at(v, n->p).y, x = v->at.x - levels_width(e, v) - 2;
+  vs_sheet_point mark[3] = { { x + 2, y }, { x + 0.7, y + 1.9 }, { x + 3.3, y + 1.9 } };
+  char text[160];
+  level_text(e, n, text, sizeof text);
+  return vs_sheet_line(e, s, view, VS_DRAWN_DIMENSION, mark, 3, true) &&
+         stroke(e, s, view, VS_DRAWN_DIMENSION, (vs_sheet_point){ x, y }, (vs_sheet_point){ v->at.x - 2, y }) &&
+         vs_sheet_text(e, s, view, VS_DRAWN_TEXT, (vs_sheet_point){ x, y + 2.8 }, level_cap, 0, 0, text);
+}
+
+static bool circle(vs_emitter *e, vs_sheet *s, uint32_t view, vs_sheet_point c, double r) {
+  enum { CORNERS = 48 };
+  vs_sheet_point at[CORNERS];
+  for (int i = 0; i < CORNERS; i++) {
+    double a = 2 * 3.14159265358979323846 * i / CORNERS;
+    at[i] = (vs_sheet_point){ c.x + r * cos(a), c.y + r * sin(a) };
+  }
+  return vs_sheet_line(e, s, view, VS_DRAWN_DIMENSION, at, CORNERS, true);
+}
+
+static bool axis(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_scene_note *n) {
+  const vs_flat_view *v = &s->views[view];
+  vs_sheet_point p = seen_at(v, n->p), q = seen_at(v, n->q), first = p;
+  double dx = q.x - p.x, dy = q.y - p.y, length = hypot(dx, dy);
+  if (length < 1e-3) { /* seen from its end: upright, over the whole view */
+    p.y = v->at.y - 3, q = (vs_sheet_point){ p.x, v->at.y + (v->high.y - v->low.y) * v->mm + 3 };
+    dx = 0, dy = 1, first = p;
+  } else {
+    dx /= length, dy /= length;
+  }
+  vs_sheet_point c = { first.x - dx * bubble, first.y - dy * bubble };
+  return stroke(e, s, view, VS_DRAWN_AXIS, p, q) && circle(e, s, view, c, bubble) &&
+         vs_sheet_text(e, s, view, VS_DRAWN_TEXT, (vs_sheet_point){ c.x, c.y - cap / 2 }, cap, 0, 0.5, n->text);
+}
+
+static bool label(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_scene_note *n) {
+  return vs_sheet_text(e, s, view, VS_DRAWN_TEXT, seen_at(&s->views[view], n->p), cap, 0, 0.5, n->text);
+}
+
+static bool ground(vs_emitter *e, vs_sheet *s, uint32_t view) {
+  const vs_flat_view *v = &s->views[view];
+  if (!e->scene->has_ground || !is_upright(v)) return true;
+  double y = seen_at(v, vs_v3(0, 0, e->scene->ground_z)).y, x0 = v->at.x, x1 = x0 + (v->high.x - v->low.x) * v->mm,
+      more = fmin(8, vs_sheet_notes_room(e, v) + 4);
+  return stroke(e, s, view, VS_DRAWN_GROUND, (vs_sheet_point){ x0 - more, y }, (vs_sheet_point){ x1 + more, y });
+}
+
+bool vs_sheet_notes(vs_emitter *e, vs_sheet *s, uint32_t view) {
+  bool ok = ground(e, s, view);
+  for (size_t i = 0; ok && i < e->scene->note_count; i++) {
+    const vs_scene_note *n = &e->scene->notes[i];
+    if (!fits(&s->views[view], n)) continue;
+    switch (n->kind) {
+    case VS_NOTE_DIMENSION: ok = dimension(e, s, view, n); break;
+    case VS_NOTE_LABEL: ok = label(e, s, view, n); break;
+    case VS_NOTE_LEVEL: ok = level(e, s, view, n); break;
+    case VS_NOTE_AXIS: ok = axis(e, s, view, n); break;
+    }
+  }
+  return ok;
+}

@@ -1,0 +1,167 @@
+/* Owns .pdf: the sheet as one page of its true size, text as text in the default font, by libharu, which is loaded
+ * when the first PDF is written. */
+#include <hpdf.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "backends/drawing/sheet.h"
+#include "geometry/dynamic.h"
+#include "geometry/text/font.h"
+
+#define PDF_FUNCTIONS(X) \
+  X(HPDF_NewEx) X(HPDF_Free) X(HPDF_SetCompressionMode) X(HPDF_AddPage) X(HPDF_Page_SetWidth) \
+  X(HPDF_Page_SetHeight) X(HPDF_Page_SetLineWidth) X(HPDF_Page_SetLineCap) X(HPDF_Page_SetLineJoin) \
+  X(HPDF_Page_SetGrayStroke) X(HPDF_Page_SetGrayFill) X(HPDF_Page_MoveTo) X(HPDF_Page_LineTo) \
+  X(HPDF_Page_ClosePath) X(HPDF_Page_Stroke) X(HPDF_Page_Eofill) X(HPDF_Page_BeginText) X(HPDF_Page_EndText) \
+  X(HPDF_Page_SetFontAndSize) X(HPDF_Page_SetTextMatrix) X(HPDF_Page_ShowText) X(HPDF_Page_TextWidth) \
+  X(HPDF_LoadTTFontFromFile) X(HPDF_GetFont) X(HPDF_UseUTFEncodings) X(HPDF_SetInfoAttr) X(HPDF_SaveToStream) \
+  X(HPDF_GetStreamSize) X(HPDF_ReadFromStream) X(HPDF_ResetStream) X(HPDF_GetError)
+
+typedef struct {
+#define PDF_MEMBER(name) __typeof__(&name) name;
+  PDF_FUNCTIONS(PDF_MEMBER)
+#undef PDF_MEMBER
+} pdf_library;
+
+static bool load(pdf_library *p, vs_error *e) {
+  static const char *const files[] = { "libhpdf-2.3.0.so", "libhpdf.so.2.4", "libhpdf.so.2.3", "libhpdf.so", NULL };
+  static const vs_dynamic_library library = { files, "libhpdf-2.3.0", "writing .pdf" };
+  static const vs_dynamic_name names[] = {
+#define PDF_NAME(name) { #name, offsetof(pdf_library, name) },
+    PDF_FUNCTIONS(PDF_NAME)
+#undef PDF_NAME
+  };
+  return vs_dynamic_load(&library, names, sizeof names / sizeof *names, p, e);
+}
+
+static const double point = 72 / 25.4; /* of a millimetre */
+static HPDF_REAL at(double mm) { return (HPDF_REAL)(mm * point); }
+
+typedef struct { const pdf_library *lib; HPDF_Page page; HPDF_Font font; const vs_sheet *s; } writing;
+
+static void set_layer(const writing *w, vs_drawn_layer layer) {
+  const vs_layer_row *r = &vs_drawn_rows[layer];
+  w->lib->HPDF_Page_SetLineWidth(w->page, at(r->width));
+  w->lib->HPDF_Page_SetGrayStroke(w->page, (HPDF_REAL)r->grey);
+  w->lib->HPDF_Page_SetGrayFill(w->page, (HPDF_REAL)r->grey);
+}
+
+static void outline(const writing *w, uint32_t first, uint32_t count, bool closed) {
+  const vs_sheet_point *p = w->s->points + first;
+  w->lib->HPDF_Page_MoveTo(w->page, at(p[0].x), at(p[0].y));
+  for (uint32_t i = 1; i < count; i++) w->lib->HPDF_Page_LineTo(w->page, at(p[i].x), at(p[i].y));
+  if (closed) w->lib->HPDF_Page_ClosePath(w->page);
+}
+
+/* The line in dashes, each a line of its own: libharu's own are whole points long in one version and something else
+ * in the next. */
+static void dashes(const writing *w, const vs_mark *m, const vs_layer_row *r) {
+  const double lengths[4] = { r->dash, r->gap, r->dot, r->gap };
+  const int turns = r->dot > 0 ? 4 : 2;
+  const vs_sheet_point *p = w->s->points + m->first;
+  double left = lengths[0];
+  int turn = 0;
+  w->lib->HPDF_Page_MoveTo(w->page, at(p[0].x), at(p[0].y));
+  for (uint32_t i = 0; i + 1 < m->count + (m->closed ? 1 : 0); i++) {
+    vs_sheet_point a = p[i], b = p[(i + 1) % m->count];
+    double length = hypot(b.x - a.x, b.y - a.y), done = 0;
+    while (length - done > left) {
+      done += left;
+      double x = a.x + (b.x - a.x) * (done / length), y = a.y + (b.y - a.y) * (done / length);
+      if (turn % 2 == 0) w->lib->HPDF_Page_LineTo(w->page, at(x), at(y));
+      else w->lib->HPDF_Page_MoveTo(w->page, at(x), at(y));
+      turn = (turn + 1) % turns;
+      left = lengths[turn];
+    }
+    left -= length - done;
+    if (turn % 2 == 0) w->lib->HPDF_Page_LineTo(w->page, at(b.x), at(b.y));
+    else w->lib->HPDF_Page_MoveTo(w->page, at(b.x), at(b.y));
+  }
+}
+
+static void text(const writing *w, const vs_mark *m) {
+  double angle = m->angle * (3.14159265358979323846 / 180), c = cos(angle), n = sin(angle);
+  w->lib->HPDF_Page_SetFontAndSize(w->page, w->font, (HPDF_REAL)(m->size / 0.729 * point));
+      /* DejaVu's capitals are so high */
+  double wide = (double)w->lib->HPDF_Page_TextWidth(w->page, m->text) * m->align, x = m->at.x * point - wide * c,
+      y = m->at.y * point - wide * n;
+  w->lib->HPDF_Page_BeginText(w->page);
+  w->lib->HPDF_Page_SetTextMatrix(w->page, (HPDF_REAL)c, (HPDF_REAL)n, (HPDF_REAL)-n, (HPDF_REAL)c, (HPDF_REAL)x,
+      (HPDF_REAL)y);
+  w->lib->HPDF_Page_ShowText(w->page, m->text);
+  w->lib->HPDF_Page_EndText(w->page);
+}
+
+static void put_mark(const writing *w, const vs_mark *m) {
+  switch (m->kind) {
+  case VS_MARK_LINE:
+    if (vs_drawn_rows[m->layer].dash > 0) dashes(w, m, &vs_drawn_rows[m->layer]);
+    else outline(w, m->first, m->count, m->closed);
+    w->lib->HPDF_Page_Stroke(w->page);
+    break;
+  case VS_MARK_FILL:
+    w->lib->HPDF_Page_SetGrayFill(w->page, (HPDF_REAL)m->grey);
+    for (uint32_t l = m->first; l < m->first + m->count; l++) outline(w, w->s->loops[l].first, w->s->loops[l].count,
+        true);
+    w->lib->HPDF_Page_Eofill(w->page);
+    break;
+  case VS_MARK_TEXT: text(w, m); break;
+  }
+}
+
+static bool put_all(vs_emitter *e, const writing *w) {
+  for (int l = 0; l < VS_DRAWN_LAYERS; l++) {
+    set_layer(w, (vs_drawn_layer)l);
+    for (size_t i = 0; i < w->s->mark_count; i++) {
+      if ((int)w->s->marks[i].layer == l) put_mark(w, &w->s->marks[i]);
+      if (!vs_emit_going(e, i + 1)) return false;
+    }
+  }
+  return true;
+}
+
+static bool hand_over(vs_emitter *e, const pdf_library *lib, HPDF_Doc doc) {
+  HPDF_BYTE part[8192];
+  lib->HPDF_ResetStream(doc);
+  for (;;) {
+    HPDF_UINT32 count = sizeof part;
+    HPDF_STATUS status = lib->HPDF_ReadFromStream(doc, part, &count);
+    if (count > 0 && !vs_put(e->out, part, count)) return false;
+    if (status != HPDF_OK || count < sizeof part) return true; /* the stream's end is a status as well */
+  }
+}
+
+bool vs_sheet_write_pdf(vs_emitter *e, const vs_sheet *s) {
+  pdf_library lib;
+  char path[1024];
+  if (!load(&lib, e->error)) return false;
+  e->error->kind = VS_ERROR_NONE;
+  if (!vs_font_file("", path, sizeof path, e->error))
+    return e->error->kind != VS_ERROR_NONE ? false : vs_error_set(e->error, VS_ERROR_FILE, NULL,
+        "writing .pdf: no font was found; the package fonts-dejavu-core has one");
+  HPDF_Doc doc = lib.HPDF_NewEx(NULL, NULL, NULL, 0, NULL);
+  if (!doc) return vs_emit_no_memory(e);
+  writing w = { &lib, NULL, NULL, s };
+  lib.HPDF_SetCompressionMode(doc, HPDF_COMP_ALL);
+  lib.HPDF_UseUTFEncodings(doc);
+  lib.HPDF_SetInfoAttr(doc, HPDF_INFO_CREATOR, "VisualScheme");
+  const char *name = lib.HPDF_LoadTTFontFromFile(doc, path, HPDF_TRUE);
+  w.font = name ? lib.HPDF_GetFont(doc, name, "UTF-8") : NULL;
+  w.page = w.font ? lib.HPDF_AddPage(doc) : NULL;
+  bool ok = false;
+  if (w.page) {
+    lib.HPDF_Page_SetWidth(w.page, at(s->width));
+    lib.HPDF_Page_SetHeight(w.page, at(s->height));
+    lib.HPDF_Page_SetLineCap(w.page, HPDF_ROUND_END);
+    lib.HPDF_Page_SetLineJoin(w.page, HPDF_ROUND_JOIN);
+    ok = put_all(e, &w) && lib.HPDF_GetError(doc) == HPDF_OK && lib.HPDF_SaveToStream(doc) == HPDF_OK &&
+        hand_over(e, &lib, doc);
+  }
+  unsigned long problem = (unsigned long)lib.HPDF_GetError(doc);
+  lib.HPDF_Free(doc);
+  if (ok || e->error->kind != VS_ERROR_NONE || e->out->failed) return ok;
+  if (problem == HPDF_FAILD_TO_ALLOC_MEM) return vs_emit_no_memory(e);
+  return vs_error_set(e->error, VS_ERROR_FILE, NULL, "writing .pdf: libharu failed with %#lx", problem);
+}

@@ -1,0 +1,279 @@
+/* Owns the sheet: its scale and size, where the views stand, frame, title block, scale bar and north arrow.
+ *
+ * Scale. A drawing is 1:100 where that fits a sheet and is not lost on the smallest; else the largest of the round
+ * scales that fits. Views stand in rows, as
+ * they were named, on the smallest sheet that holds them. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "backends/drawing/sheet.h"
+
+const vs_layer_row vs_drawn_rows[VS_DRAWN_LAYERS] = {
+#define LAYER(upper, name, width, dash, gap, dot, grey, colour, weight) \
+  { name, width, dash, gap, dot, grey, colour, weight },
+#include "backends/drawing/layers.def"
+};
+
+typedef struct { const char *name; double width, height; } paper;
+static const paper papers[] = {
+#define SHEET(name, width, height) { name, width, height },
+#include "model/sheets.def"
+};
+enum { PAPERS = sizeof papers / sizeof *papers };
+
+static const double scales[] = { 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 25, 50, 100, 200, 250, 500, 1000, 2000, 2500, 5000,
+    10000, 20000, 25000, 50000, 100000,
+                                 200000, 500000, 1e6 };
+enum { SCALES = sizeof scales / sizeof *scales, HUNDRED = 10 };
+
+static const double margin = 10, binding = 20, title_width = 130, title_height = 24, gap = 8, caption = 9;
+
+/* ---- marks ---- */
+
+vs_sheet_point vs_sheet_place(const vs_flat_view *v, vs_sheet_point p) {
+  return (vs_sheet_point){ (p.x - v->low.x) * v->mm + v->at.x, (p.y - v->low.y) * v->mm + v->at.y };
+}
+
+bool vs_sheet_line(vs_emitter *e, vs_sheet *s, uint32_t view, vs_drawn_layer layer, const vs_sheet_point *at,
+    size_t count, bool closed) {
+  if (!vs_emit_grow(e, &s->marks, &s->mark_room, s->mark_count + 1, sizeof *s->marks) ||
+      !vs_emit_grow(e, &s->points, &s->point_room, s->point_count + count, sizeof *s->points))
+    return false;
+  s->marks[s->mark_count++] = (vs_mark){ .kind = VS_MARK_LINE, .layer = layer, .view = view,
+      .first = (uint32_t)s->point_count, .count = (uint32_t)count, .closed = closed };
+  memcpy(s->points + s->point_count, at, count * sizeof *at);
+  s->point_count += count;
+  return true;
+}
+
+bool vs_sheet_text(vs_emitter *e, vs_sheet *s, uint32_t view, vs_drawn_layer layer, vs_sheet_point at, double size,
+    double angle, double align, const char *text) {
+  const char *kept = vs_store_text(e->scene->store, text, strlen(text));
+  if (!kept) return vs_emit_no_memory(e);
+  if (!vs_emit_grow(e, &s->marks, &s->mark_room, s->mark_count + 1, sizeof *s->marks)) return false;
+  s->marks[s->mark_count++] = (vs_mark){ .kind = VS_MARK_TEXT, .layer = layer, .view = view, .text = kept, .at = at,
+      .size = size, .angle = angle, .align = align };
+  return true;
+}
+
+static bool rectangle(vs_emitter *e, vs_sheet *s, vs_drawn_layer layer, double x0, double y0, double x1, double y1) {
+  vs_sheet_point at[4] = { { x0, y0 }, { x1, y0 }, { x1, y1 }, { x0, y1 } };
+  return vs_sheet_line(e, s, (uint32_t)s->view_count, layer, at, 4, true);
+}
+
+static bool stroke(vs_emitter *e, vs_sheet *s, vs_drawn_layer layer, double x0, double y0, double x1, double y1) {
+  vs_sheet_point at[2] = { { x0, y0 }, { x1, y1 } };
+  return vs_sheet_line(e, s, (uint32_t)s->view_count, layer, at, 2, false);
+}
+
+static bool write(vs_emitter *e, vs_sheet *s, double x, double y, double size, double align, const char *text) {
+  return vs_sheet_text(e, s, (uint32_t)s->view_count, VS_DRAWN_TEXT, (vs_sheet_point){ x, y }, size, 0, align, text);
+}
+
+/* ---- scale and place ---- */
+
+static bool is_flat(const vs_flat_view *v) { return v->look.parallel; }
+
+/* Millimetres of paper a unit of the view's plane. A perspective view has no scale: it is as wide as the paper lets
+ * it be. */
+static double millimetres(const vs_emitter *e, const vs_sheet *s, const vs_flat_view *v, double scale) {
+  if (is_flat(v)) return vs_drawing_unit(e->scene) / scale;
+  double wide = v->high.x - v->low.x, high = v->high.y - v->low.y, share = s->view_count > 1 ? 0.45 : 1,
+      room = 2 * vs_sheet_notes_room(e, v);
+  double across = share * (s->right - s->left - 2 * gap - room),
+      up = share * (s->top - s->bottom - title_height - 2 * gap - room - caption);
+  return fmin(across / fmax(wide, 1e-9 * high), up / fmax(high, 1e-9 * wide));
+}
+
+/* Puts the views in rows. False: they do not fit at this scale. */
+static bool place_all(vs_emitter *e, vs_sheet *s, double scale) {
+  double y = s->top - gap, row = 0, x = s->left + gap, least = s->bottom + title_height + gap, widest = 0;
+  size_t first = 0;
+  for (size_t i = 0; i <= s->view_count; i++) {
+    vs_flat_view *v = &s->views[i];
+    double room = 0, wide = 0, high = 0;
+    if (i < s->view_count) {
+      v->scale = is_flat(v) ? (v->spec.scale > 0 ? v->spec.scale : scale) : 0;
+      v->mm = millimetres(e, s, v, v->scale > 0 ? v->scale : 1);
+      room = vs_sheet_notes_room(e, v);
+      wide = (v->high.x - v->low.x) * v->mm + 2 * room, high = (v->high.y - v->low.y) * v->mm + 2 * room + caption;
+      if (wide > s->right - s->left - 2 * gap + 1e-6) return false;
+    }
+    /* the row ends: its views stand on one line, the row in the middle */
+    if (i == s->view_count || x + wide > s->right - gap + 1e-6) {
+      double shift = fmax(0, (s->right - gap - (x - gap)) / 2);
+      for (size_t k = first; k < i; k++) s->views[k].at.x += shift, s->views[k].at.y += y - row;
+      widest = fmax(widest, x);
+      y -= row + gap;
+      row = 0, x = s->left + gap, first = i;
+      if (i == s->view_count) break;
+    }
+    v->at = (vs_sheet_point){ x + room, room + caption };
+    x += wide + gap;
+    row = fmax(row, high);
+    if (y - row < least - 1e-6) return false;
+  }
+  if (y > least) /* what is left is shared above and below */
+    for (size_t k = 0; k < s->view_count; k++) s->views[k].at.y -= (y - least) / 2;
+  return true;
+}
+
+static void take_paper(vs_sheet *s, size_t i) {
+  s->name = papers[i].name, s->width = papers[i].width, s->height = papers[i].height;
+  s->left = binding, s->right = s->width - margin, s->bottom = margin, s->top = s->height - margin;
+}
+
+/* Of all views: the sheet and scale that the first of them asks for which asks at all. */
+static void asked(const vs_sheet *s, const char **sheet, double *scale) {
+  *sheet = NULL, *scale = 0;
+  for (size_t i = 0; i < s->view_count; i++) {
+    if (!*sheet) *sheet = s->views[i].spec.sheet;
+    if (*scale == 0 && is_flat(&s->views[i])) *scale = s->views[i].spec.scale;
+  }
+}
+
+static bool choose(vs_emitter *e, vs_sheet *s) {
+  const char *sheet;
+  double scale;
+  asked(s, &sheet, &scale);
+  size_t low = 0, high = PAPERS;
+  for (size_t i = 0; sheet && i < PAPERS; i++)
+    if (strcmp(papers[i].name, sheet) == 0) low = i, high = i + 1;
+  bool large = false; /* is 1:100 lost on the paper? then larger scales come first */
+  if (scale == 0) {
+    double across = 0;
+    for (size_t i = 0; i < s->view_count; i++) {
+      const vs_flat_view *v = &s->views[i];
+      if (is_flat(v)) across = fmax(across, fmax(v->high.x - v->low.x,
+          v->high.y - v->low.y) * vs_drawing_unit(e->scene) / 100);
+    }
+    large = across < 60;
+  }
+  size_t fixed = !sheet && scale == 0 ? PAPERS - 1 : high; /* A0 is for those who ask for it */
+  if (scale == 0 && !large)
+    for (size_t i = low; i < fixed; i++)
+      if (take_paper(s, i), place_all(e, s, scales[HUNDRED])) return true;
+  for (size_t k = scale > 0 ? 0 : large ? 0 : HUNDRED + 1; scale == 0 && k < SCALES; k++)
+    for (size_t i = large || sheet ? low : 1; i < (large && !sheet ? 1 : sheet ? high : 3); i++)
+      if (take_paper(s, i), place_all(e, s, scales[k])) return true;
+  for (size_t i = low; scale > 0 && i < high; i++)
+    if (take_paper(s, i), place_all(e, s, scale)) return true;
+  char name[48] = "a sheet";
+  if (sheet) snprintf(name, sizeof name, "the sheet %.8s", sheet);
+  if (scale > 0) return vs_error_set(e->error, VS_ERROR_MODEL, NULL,
+      "the drawing does not fit %s at 1:%g; leave #:scale%s away, and one that fits is found", name, scale,
+          sheet ? " or #:sheet" : "");
+  return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing does not fit %s at any scale", name);
+}
+
+/* ---- what stands round the views ---- */
+
+static const char *scale_text(double scale, char text[32]) {
+  if (scale <= 0) return "";
+  if (scale >= 1) snprintf(text, 32, "1:%g", scale);
+  else snprintf(text, 32, "%g:1", 1 / scale);
+  return text;
+}
+
+/* A bar of five parts, whose length is a round number of units. */
+static bool scale_bar(vs_emitter *e, vs_sheet *s, double x, double y, const vs_flat_view *v) {
+  double part = pow(10, floor(log10(12 / v->mm)));
+  if (part * 5 * v->mm <= 12) part *= 5;
+  else if (part * 2 * v->mm <= 12) part *= 2;
+  char text[40];
+  for (int i = 0; i <= 5; i++) {
+    double at = x + i * part * v->mm;
+    if (!stroke(e, s, VS_DRAWN_SHEET, at, y, at, y + 1.6)) return false;
+    snprintf(text, sizeof text, i == 5 ? "%g %s" : "%g", i * part, e->scene->units);
+    if ((i == 0 || i == 1 || i == 5) && !write(e, s, at, y + 2.6, 1.8, 0.5, text)) return false;
+    /* dark parts, of lines close together, so that every program shows them */
+    for (int k = 0; i < 5 && k < 4 && i % 2 == 0; k++)
+      if (!stroke(e, s, VS_DRAWN_SHEET, at, y + 0.25 * k, at + part * v->mm, y + 0.25 * k)) return false;
+    if (i < 5 && i % 2 && !stroke(e, s, VS_DRAWN_SHEET, at, y, at + part * v->mm, y)) return false;
+  }
+  return true;
+}
+
+static bool north(vs_emitter *e, vs_sheet *s, double x, double y, const vs_flat_view *v) {
+  vs_vec3 up = vs_v3(0, 1, 0);
+  double dx = vs_v3_dot(up, v->look.right), dy = vs_v3_dot(up, v->look.up), length = hypot(dx, dy);
+  if (!(length > 0.1)) return true;
+  dx /= length, dy /= length;
+  vs_sheet_point arrow[4] = { { x - 5 * dx - 2.5 * dy, y - 5 * dy + 2.5 * dx }, { x + 5 * dx, y + 5 * dy },
+      { x - 5 * dx + 2.5 * dy, y - 5 * dy - 2.5 * dx }, { x - 3 * dx, y - 3 * dy } };
+  return vs_sheet_line(e, s, (uint32_t)s->view_count, VS_DRAWN_SHEET, arrow, 4, true) &&
+      write(e, s, x + 7.5 * dx, y + 7.5 * dy - 1.2, 2.5, 0.5, "N");
+}
+
+static bool title_block(vs_emitter *e, vs_sheet *s) {
+  double x = s->right - title_width, y = s->bottom, middle = y + title_height / 2, column = x + 78;
+  char text[160], scale[32];
+  const char *title = e->scene->title, *dot = strrchr(title, '.');
+  bool ok = rectangle(e, s, VS_DRAWN_SHEET, x, y, s->right, y + title_height) &&
+      stroke(e, s, VS_DRAWN_SHEET, x, middle, s->right, middle) &&
+            stroke(e, s, VS_DRAWN_SHEET, column, y, column, y + title_height) &&
+                stroke(e, s, VS_DRAWN_SHEET, column + 26, y, column + 26, middle);
+  snprintf(text, sizeof text, "%.*s", (int)fmin(dot && dot > title ? (double)(dot - title) : (double)strlen(title),
+      60), title);
+  ok = ok && write(e, s, x + 3, middle + 1.8 + 2.4, 3.5, 0, text);
+  const char *what = s->view_count == 1 ? s->views[0].spec.name : "views";
+  ok = ok && write(e, s, x + 3, y + 4.4, 3, 0, what) && write(e, s, column + 3, middle + 7.6, 1.6, 0, "scale") &&
+      write(e, s, column + 3, y + 8, 1.6, 0, "sheet") &&
+       write(e, s, column + 29, y + 8, 1.6, 0, "units");
+  const vs_flat_view *scaled = NULL;
+  bool several = false;
+  for (size_t i = 0; i < s->view_count; i++) {
+    several = several || (scaled && is_flat(&s->views[i]) && s->views[i].scale != scaled->scale);
+    if (!scaled && is_flat(&s->views[i])) scaled = &s->views[i];
+  }
+  ok = ok && write(e, s, column + 3, middle + 2.4, 3.5, 0, several ? "as shown" :
+      scaled ? scale_text(scaled->scale, scale) : "none") &&
+       write(e, s, column + 3, y + 2.6, 3, 0, s->name) && write(e, s, column + 29, y + 2.6, 3, 0, e->scene->units);
+  if (ok && scaled && s->left + 80 < x) ok = scale_bar(e, s, s->left + 8, y + 6, scaled);
+  return ok;
+}
+
+static bool captions(vs_emitter *e, vs_sheet *s) {
+  bool ok = true;
+  for (size_t i = 0; ok && i < s->view_count; i++) {
+    const vs_flat_view *v = &s->views[i];
+    double room = vs_sheet_notes_room(e, v), x = v->at.x + (v->high.x - v->low.x) * v->mm / 2,
+        y = v->at.y - room - caption + 3;
+    char text[160], scale[32];
+    snprintf(text, sizeof text, "%.100s%s%s", v->spec.name, v->scale > 0 ? "   " : "", scale_text(v->scale, scale));
+    ok = vs_sheet_text(e, s, (uint32_t)i, VS_DRAWN_TEXT, (vs_sheet_point){ x, y }, 2.5, 0, 0.5, text);
+    if (ok && v->look.parallel && fabs(v->look.forward.z) > 0.999) ok = i > 0 ||
+        north(e, s, s->right - 12, s->top - 14, v);
+  }
+  return ok;
+}
+
+/* ---- the whole ---- */
+
+static bool put_view(vs_emitter *e, vs_sheet *s, uint32_t i) {
+  vs_flat_view *v = &s->views[i];
+  bool ok = true;
+  for (size_t k = 0; ok && k < v->fill_count; k++) ok = vs_sheet_fill(e, s, i, &v->fills[k]);
+  for (size_t k = 0; ok && k < v->line_count; k++) {
+    const vs_flat_line *l = &v->lines[k];
+    size_t first = s->point_count;
+    ok = vs_sheet_line(e, s, i, l->layer, v->points + l->first, l->count, l->closed);
+    for (size_t n = first; ok && n < s->point_count; n++) s->points[n] = vs_sheet_place(v, s->points[n]);
+  }
+  return ok && vs_sheet_notes(e, s, i);
+}
+
+bool vs_sheet_make(vs_emitter *e, vs_sheet *s, vs_flat_view *views, size_t count) {
+  s->views = views, s->view_count = count;
+  bool ok = choose(e, s) && rectangle(e, s, VS_DRAWN_FRAME, s->left, s->bottom, s->right, s->top) &&
+      title_block(e, s) && captions(e, s);
+  for (size_t i = 0; ok && i < count; i++) ok = put_view(e, s, (uint32_t)i);
+  return ok;
+}
+
+void vs_sheet_free(vs_emitter *e, vs_sheet *s) {
+  vs_emit_release(e, s->marks, s->mark_room, sizeof *s->marks);
+  vs_emit_release(e, s->points, s->point_room, sizeof *s->points);
+  vs_emit_release(e, s->loops, s->loop_room, sizeof *s->loops);
+}

@@ -1,0 +1,133 @@
+/* Owns .svg: the sheet in millimetres, a group a layer, within it one a view; text as text. Inkscape and others show
+ * the groups as layers. */
+#include <string.h>
+
+#include "backends/drawing/sheet.h"
+
+static void number(vs_writer *w, double x) { vs_put_number(w, (double)(long long)(x * 1000 + (x < 0 ? -0.5 :
+    0.5)) / 1000); } /* micrometres */
+
+static void pair(vs_writer *w, const vs_sheet *s, vs_sheet_point p) {
+  number(w, p.x);
+  vs_puts(w, " ");
+  number(w, s->height - p.y);
+}
+
+static void outline(vs_writer *w, const vs_sheet *s, uint32_t first, uint32_t count, bool closed) {
+  for (uint32_t i = 0; i < count; i++) {
+    vs_puts(w, i == 0 ? "M" : i == 1 ? "L" : " ");
+    pair(w, s, s->points[first + i]);
+  }
+  vs_puts(w, closed ? "Z\n" : "\n");
+}
+
+static void colour(vs_writer *w, const char *name, double grey) {
+  unsigned level = (unsigned)(255 * grey + 0.5);
+  vs_putf(w, " %s=\"#%02x%02x%02x\"", name, level, level, level);
+}
+
+static void text(vs_writer *w, const vs_sheet *s, const vs_mark *m) {
+  static const char *const anchors[] = { "start", "middle", "end" };
+  vs_puts(w, "<text x=\"");
+  number(w, m->at.x);
+  vs_puts(w, "\" y=\"");
+  number(w, s->height - m->at.y);
+  vs_puts(w, "\" font-size=\"");
+  number(w, m->size / 0.729); /* DejaVu's capitals are so high */
+  vs_putf(w, "\" text-anchor=\"%s\"", anchors[m->align < 0.25 ? 0 : m->align < 0.75 ? 1 : 2]);
+  if (m->angle != 0) {
+    vs_puts(w, " transform=\"rotate(");
+    number(w, -m->angle);
+    vs_puts(w, " ");
+    pair(w, s, m->at);
+    vs_puts(w, ")\"");
+  }
+  vs_puts(w, ">");
+  vs_put_xml(w, m->text);
+  vs_puts(w, "</text>\n");
+}
+
+/* The marks of one layer and one view. Lines are one path, cut up so that no program has to hold a very long one. */
+static void group(vs_writer *w, const vs_sheet *s, const uint32_t *order, size_t from, size_t to) {
+  size_t open = 0;
+  for (size_t i = from; i < to && !w->failed; i++) {
+    const vs_mark *m = &s->marks[order[i]];
+    if (open > 0 && (m->kind != VS_MARK_LINE || open > 2000)) vs_puts(w, "\"/>\n"), open = 0;
+    switch (m->kind) {
+    case VS_MARK_LINE:
+      if (open == 0) vs_puts(w, "<path d=\"");
+      open += m->count;
+      outline(w, s, m->first, m->count, m->closed);
+      break;
+    case VS_MARK_FILL:
+      vs_puts(w, "<path");
+      colour(w, "fill", m->grey);
+      vs_puts(w, " d=\"");
+      for (uint32_t l = m->first; l < m->first + m->count; l++) outline(w, s, s->loops[l].first, s->loops[l].count,
+          true);
+      vs_puts(w, "\"/>\n");
+      break;
+    case VS_MARK_TEXT: text(w, s, m); break;
+    }
+  }
+  if (open > 0) vs_puts(w, "\"/>\n");
+}
+
+static void layer(vs_writer *w, const vs_sheet *s, vs_drawn_layer which, const uint32_t *order, size_t from,
+    size_t to) {
+  const vs_layer_row *r = &vs_drawn_rows[which];
+  vs_putf(w, "<g id=\"%s\" inkscape:groupmode=\"layer\" inkscape:label=\"%s\"", r->name, r->name);
+  if (which == VS_DRAWN_FILL) {
+    vs_puts(w, " stroke=\"none\" fill-rule=\"evenodd\"");
+  } else if (which == VS_DRAWN_TEXT) {
+    colour(w, "fill", r->grey);
+    vs_puts(w, " font-family=\"DejaVu Sans, sans-serif\"");
+  } else {
+    vs_puts(w, " fill=\"none\"");
+    colour(w, "stroke", r->grey);
+    vs_puts(w, " stroke-width=\"");
+    number(w, r->width);
+    vs_puts(w, "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
+  }
+  const double dashes[] = { r->dash, r->gap, r->dot, r->gap };
+  for (int i = 0; r->dash > 0 && i < (r->dot > 0 ? 4 : 2); i++) {
+    vs_puts(w, i == 0 ? " stroke-dasharray=\"" : " ");
+    number(w, dashes[i]);
+  }
+  vs_puts(w, r->dash > 0 ? "\">\n" : ">\n");
+  for (size_t i = from, end; i < to; i = end) {
+    uint32_t view = s->marks[order[i]].view;
+    for (end = i; end < to && s->marks[order[end]].view == view; end++) {}
+    if (view < s->view_count) {
+      vs_putf(w, "<g class=\"view-%u\"><title>", view + 1);
+      vs_put_xml(w, s->views[view].spec.name);
+      vs_puts(w, "</title>\n");
+    }
+    group(w, s, order, i, end);
+    if (view < s->view_count) vs_puts(w, "</g>\n");
+  }
+  vs_puts(w, "</g>\n");
+}
+
+bool vs_sheet_write_svg(vs_emitter *e, const vs_sheet *s) {
+  vs_writer *w = e->out;
+  vs_store *store = e->scene->store;
+  uint32_t *order = vs_store_realloc(store, NULL, 0, (s->mark_count + 1) * sizeof *order);
+  if (!order) return vs_emit_no_memory(e);
+  vs_puts(w, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\""
+             " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"");
+  int wide = (int)s->width, high = (int)s->height;
+  vs_putf(w, " width=\"%dmm\" height=\"%dmm\" viewBox=\"0 0 %d %d\">\n<title>", wide, high, wide, high);
+  vs_put_xml(w, e->scene->title);
+  vs_puts(w, "</title>\n<rect id=\"paper\" width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
+  size_t count = 0;
+  for (int l = 0; l < VS_DRAWN_LAYERS && !w->failed; l++) {
+    size_t from = count = 0;
+    for (uint32_t view = 0; view <= s->view_count; view++) /* few views: a pass for each */
+      for (size_t i = 0; i < s->mark_count; i++)
+        if ((int)s->marks[i].layer == l && s->marks[i].view == view) order[count++] = (uint32_t)i;
+    if (count > from) layer(w, s, (vs_drawn_layer)l, order, from, count);
+  }
+  vs_store_realloc(store, order, (s->mark_count + 1) * sizeof *order, 0);
+  return vs_puts(w, "</svg>\n");
+}

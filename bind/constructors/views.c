@@ -1,0 +1,131 @@
+/* Owns views by name, and what drawings show besides the model: dimensions, labels, levels, axes. */
+#include <math.h>
+#include <string.h>
+
+#include "bind/bind.h"
+
+/* The kinds of `view`, and how each looks at the model. */
+static const struct { const char *name; vs_view view; vs_cut cut; } kinds[] = {
+  { "perspective", VS_VIEW_CAMERA, VS_CUT_NONE }, { "axonometric", VS_VIEW_ALONG, VS_CUT_NONE },
+      { "isometric", VS_VIEW_ISO, VS_CUT_NONE },
+  { "plan", VS_VIEW_TOP, VS_CUT_OWN },            { "section", VS_VIEW_ALONG, VS_CUT_PLANE },
+         { "top", VS_VIEW_TOP, VS_CUT_NONE },
+  { "bottom", VS_VIEW_BOTTOM, VS_CUT_NONE },      { "front", VS_VIEW_FRONT, VS_CUT_NONE },
+            { "back", VS_VIEW_BACK, VS_CUT_NONE },
+  { "left", VS_VIEW_LEFT, VS_CUT_NONE },          { "right", VS_VIEW_RIGHT, VS_CUT_NONE },
+};
+static const char kinds_told[] =
+    "one of 'perspective 'axonometric 'isometric 'plan 'section 'top 'bottom 'front 'back 'left 'right";
+
+/* The argument's text, interned in the store; *out is NULL where it was not given. False: out of memory. */
+static bool keep_text(vs_frame *f, const vs_arg *a, const char **out) {
+  *out = NULL;
+  if (a->given && !(*out = vs_store_text(f->bind->store, a->text.at, a->text.length))) return vs_fail_memory(f->vm);
+  return true;
+}
+
+/* A name becomes part of a file's name and of what a drawing says: it is one line of text without a slash. */
+static bool is_name(const vs_arg *a) {
+  for (size_t i = 0; i < a->text.length; i++)
+    if ((unsigned char)a->text.at[i] < ' ' || a->text.at[i] == '/' || a->text.at[i] == 0x7f) return false;
+  return a->text.length > 0 && a->text.length <= 100;
+}
+
+static bool is_sheet(const char *name) {
+#define SHEET(sheet, width, height) if (strcmp(name, sheet) == 0) return true;
+#include "model/sheets.def"
+  return false;
+}
+
+/* Where the view stands, by its kind and #:from and #:to. */
+static vs_status take_place(vs_frame *f, vs_scene_view *v, const vs_arg *from, const vs_arg *to) {
+  bool pointed = v->view == VS_VIEW_CAMERA || (v->view == VS_VIEW_ALONG && v->cut != VS_CUT_PLANE);
+  if (!pointed) {
+    if (from->given || to->given) return vs_fail(f->vm, f->vm->sym.arity,
+        "#:from and #:to are for 'perspective and 'axonometric views");
+    return VS_OK;
+  }
+  if (!from->given || !to->given)
+    return vs_fail(f->vm, f->vm->sym.arity, v->view == VS_VIEW_CAMERA ? "a perspective view takes #:from and #:to" :
+        "an axonometric view takes #:from and #:to");
+  if (vs_v3_equal(from->point, to->point)) return vs_bind_refuse(f, "to", "another point than from", to->value);
+  v->eye = from->point, v->target = to->point;
+  return VS_OK;
+}
+
+static vs_status take_cut(vs_frame *f, vs_scene_view *v, const vs_arg *cut) {
+  if (v->cut == VS_CUT_PLANE && !(cut->given && cut->value != VS_FALSE))
+    return vs_fail(f->vm, f->vm->sym.arity, "a section takes #:cut, the plane that it is cut in "
+                                               "and looked at along the normal of");
+  if (!cut->given) return VS_OK;
+  bool section = v->cut == VS_CUT_PLANE;
+  v->cut = cut->value != VS_FALSE ? VS_CUT_PLANE : VS_CUT_NONE;
+  if (v->cut == VS_CUT_NONE) return VS_OK;
+  v->cut_point = cut->line.at, v->cut_normal = vs_v3_unit(cut->line.direction);
+  if (section) v->eye = v->cut_point, v->target = vs_v3_add(v->cut_point, v->cut_normal);
+  return VS_OK;
+}
+
+vs_status vs_p_view(vs_frame *f, vs_value *out) {
+  const vs_arg *k = f->key; /* from to lens upright cut scale sheet hidden */
+  vs_scene_view v = { .view = VS_VIEW_CAMERA, .cut = VS_CUT_NONE, .lens = 35 };
+  (void)out;
+  if (!is_name(&f->arg[0])) return vs_bind_refuse(f, "name", "a name of 1 to 100 letters, without / and line breaks",
+      f->arg[0].value);
+  if (f->arg[1].given) {
+    size_t i = 0, n = sizeof kinds / sizeof *kinds;
+    while (i < n && strcmp(kinds[i].name, f->arg[1].text.at) != 0) i++;
+    if (i == n) return vs_bind_refuse(f, "kind", kinds_told, f->arg[1].value);
+    v.view = kinds[i].view, v.cut = kinds[i].cut;
+  }
+  if (take_place(f, &v, &k[0], &k[1]) != VS_OK) return VS_ERROR;
+  if (v.view != VS_VIEW_CAMERA && (k[2].given || k[3].given))
+    return vs_fail(f->vm, f->vm->sym.arity, "#:lens and #:upright are for perspective views");
+  if (k[2].given) v.lens = k[2].real;
+  v.upright = k[3].given && k[3].boolean;
+  if (v.upright && hypot(v.target.x - v.eye.x, v.target.y - v.eye.y) < 0.05 * vs_v3_length(vs_v3_sub(v.target, v.eye)))
+    return vs_bind_refuse(f, "upright", "#f where the view looks straight up or down", k[3].value);
+  if (take_cut(f, &v, &k[4]) != VS_OK) return VS_ERROR;
+  if (k[5].given) v.scale = k[5].real;
+  if (k[6].given && !is_sheet(k[6].text.at)) return vs_bind_refuse(f, "sheet",
+      "one of \"A4\" \"A3\" \"A2\" \"A1\" \"A0\"", k[6].value);
+  v.hidden = k[7].given && k[7].boolean;
+  if (!keep_text(f, &f->arg[0], &v.name) || !keep_text(f, &k[6], &v.sheet)) return VS_ERROR;
+  return vs_scene_add_view(&f->bind->scene, &v) ? VS_OK : vs_fail_memory(f->vm);
+}
+
+/* ---- notes ---- */
+
+static vs_status add_note(vs_frame *f, vs_scene_note note, const vs_arg *text, const vs_arg *view) {
+  if (!keep_text(f, text, &note.text) || !keep_text(f, view, &note.view)) return VS_ERROR;
+  return vs_scene_add_note(&f->bind->scene, &note) ? VS_OK : vs_fail_memory(f->vm);
+}
+
+vs_status vs_p_dimension(vs_frame *f, vs_value *out) {
+  const vs_arg *k = f->key; /* offset text view */
+  (void)out;
+  if (vs_v3_equal(f->arg[0].point, f->arg[1].point)) return vs_bind_refuse(f, "q", "another point than p",
+      f->arg[1].value);
+  vs_scene_note note = { VS_NOTE_DIMENSION, f->arg[0].point, f->arg[1].point, k[0].given ? k[0].real : NAN, NULL,
+      NULL };
+  return add_note(f, note, &k[1], &k[2]);
+}
+
+vs_status vs_p_label(vs_frame *f, vs_value *out) {
+  (void)out;
+  return add_note(f, (vs_scene_note){ .kind = VS_NOTE_LABEL, .p = f->arg[0].point }, &f->arg[1], &f->key[0]);
+}
+
+vs_status vs_p_level(vs_frame *f, vs_value *out) {
+  (void)out;
+  return add_note(f, (vs_scene_note){ .kind = VS_NOTE_LEVEL, .p = vs_v3(0, 0, f->arg[0].real) }, &f->arg[1],
+      &f->key[0]);
+}
+
+vs_status vs_p_grid_axis(vs_frame *f, vs_value *out) {
+  (void)out;
+  if (vs_v3_equal(f->arg[1].point, f->arg[2].point)) return vs_bind_refuse(f, "q", "another point than p",
+      f->arg[2].value);
+  return add_note(f, (vs_scene_note){ .kind = VS_NOTE_AXIS, .p = f->arg[1].point, .q = f->arg[2].point }, &f->arg[0],
+      &f->key[0]);
+}

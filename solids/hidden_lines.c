@@ -1,0 +1,337 @@
+/* Owns hiding: which parts of an edge lie behind which triangles. See hidden_lines.h.
+ *
+ * Notation. P(s) = p + s (q - p) is a place on the edge, s in 0..1. Behind a triangle are the places that satisfy
+ * four conditions linear in s: P(s) lies
+ * on the inner side of the three planes through the viewer and a side of the triangle, and behind the triangle's own
+ * plane. So what a triangle hides of an edge is
+ * one interval of s, by clipping: in a perspective view just as in a parallel one, because the conditions are planes
+ * in space. The union of the intervals
+ * is what is hidden.
+ *
+ * Touching. Distances up to the slack are none. A triangle is closed: an edge that runs along one of its sides,
+ * further back, is hidden, because that side is an
+ * edge itself, or the surface goes on beyond it. An edge that lies in the triangle's plane is never hidden by it.
+ * Distances from the plane are measured
+ * at right angles to it, so that faces seen nearly edge-on are no worse than others; those that are seen edge-on hide
+ * nothing.
+ * The conditions are evaluated where the edge enters and leaves the triangle's box on the picture, never far outside
+ * of it, where a short side's direction
+ * would no longer say anything.
+ *
+ * Cost. The triangles that may hide something lie in a binary tree of boxes on the picture, which know the least
+ * depth below them. It is built by halving at the
+ * median: n log n. An edge visits the nearer half first, no box that is further away than the edge, and ends when all
+ * of it is hidden. */
+#include "solids/hidden_lines.h"
+
+#include <math.h>
+
+enum { LEAF = 4, STACK = 128 };
+
+typedef struct { double low[2], high[2], depth; } box; /* on the picture; depth: the least below */
+typedef struct { box b; uint32_t first, count, right; } node;
+    /* of order; count 0: its children are the next node and `right` */
+typedef struct { double from, to; } span;
+
+typedef struct {
+  const vs_sight_host *host;
+  const vs_sight *s;
+  box *boxes;        /* of the triangles that may hide */
+  uint32_t *number;  /* which triangle each is */
+  uint32_t *order;   /* sorted by the tree */
+  node *nodes;
+  size_t count, room, node_count, node_room;
+  span *spans;       /* what is hidden of the edge at hand: sorted, apart */
+  size_t span_count, span_room;
+  size_t turns;
+} sight;
+
+static bool going(sight *v) { return (++v->turns & 0xfff) != 0 || v->host->going == NULL ||
+    v->host->going(v->host->context); }
+
+/* ---- the tree ---- */
+
+static void on_picture(const vs_sight *s, vs_vec3 p, double at[2]) {
+  double k = s->perspective ? 1 / p.z : 1;
+  at[0] = p.x * k, at[1] = p.y * k;
+}
+
+static void widen(box *b, const box *other) {
+  for (int i = 0; i < 2; i++) b->low[i] = fmin(b->low[i], other->low[i]), b->high[i] = fmax(b->high[i], other->high[i]);
+  b->depth = fmin(b->depth, other->depth);
+}
+
+static const box nowhere = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY }, INFINITY };
+
+static box box_of(const vs_sight *s, const vs_vec3 *points, int count) {
+  box b = nowhere;
+  for (int i = 0; i < count; i++) {
+    double at[2];
+    on_picture(s, points[i], at);
+    widen(&b, &(box){ { at[0], at[1] }, { at[0], at[1] }, points[i].z });
+  }
+  return b;
+}
+
+static void corners_of(const vs_sight *s, uint32_t triangle, vs_vec3 out[3]) {
+  for (int k = 0; k < 3; k++) out[k] = s->points[s->triangles[triangle][k]];
+}
+
+/* Does the triangle turn enough of itself to the viewer to hide anything? */
+static bool may_hide(const vs_sight *s, uint32_t i) {
+  vs_vec3 c[3];
+  corners_of(s, i, c);
+  vs_vec3 n = vs_v3_cross(vs_v3_sub(c[1], c[0]), vs_v3_sub(c[2], c[0]));
+  double length = vs_v3_length(n), far = s->perspective ? vs_v3_length(c[0]) : 1;
+  if (!(length > 0)) return false;
+  double towards = -vs_v3_dot(n, s->perspective ? c[0] : vs_v3(0, 0, 1)) / (length * far);
+  return towards > 1e-9 || (towards < -1e-9 && i >= s->closed);
+}
+
+static double middle(const sight *v, uint32_t i, int axis) { return v->boxes[i].low[axis] + v->boxes[i].high[axis]; }
+
+/* Reorders order[first, first + count) so that the half with the lesser middles comes first. */
+static void split(sight *v, size_t first, size_t count, int axis) {
+  size_t low = first, high = first + count - 1, want = first + count / 2;
+  uint32_t *o = v->order;
+  while (low < high) {
+    double pivot = middle(v, o[low + (high - low) / 2], axis);
+    size_t i = low, j = high;
+    for (;;) {
+      while (middle(v, o[i], axis) < pivot) i++;
+      while (middle(v, o[j], axis) > pivot) j--;
+      if (i >= j) break;
+      uint32_t swap = o[i];
+      o[i++] = o[j];
+      o[j--] = swap;
+    }
+    if (j >= want) high = j;
+    else low = j + 1;
+  }
+}
+
+/* Nodes in the order of a walk that goes left first; each knows its right child by number. */
+static bool build(sight *v) {
+  struct { uint32_t first, count, parent; } stack[STACK];
+  size_t depth = 0;
+  if (v->count == 0) return true;
+  v->node_room = 4 * (v->count / LEAF) + 8;
+  v->nodes = vs_store_realloc(v->host->store, NULL, 0, v->node_room * sizeof *v->nodes);
+  if (!v->nodes) return false;
+  stack[depth].first = 0, stack[depth].count = (uint32_t)v->count, stack[depth++].parent = UINT32_MAX;
+  while (depth > 0) {
+    depth--;
+    uint32_t first = stack[depth].first, count = stack[depth].count, parent = stack[depth].parent,
+        here = (uint32_t)v->node_count++;
+    node *n = &v->nodes[here];
+    if (parent != UINT32_MAX) v->nodes[parent].right = here;
+    *n = (node){ nowhere, first, count, 0 };
+    for (uint32_t i = 0; i < count; i++) widen(&n->b, &v->boxes[v->order[first + i]]);
+    if (count <= LEAF) continue;
+    n->count = 0;
+    split(v, first, count, n->b.high[0] - n->b.low[0] < n->b.high[1] - n->b.low[1]);
+    uint32_t half = count / 2;
+    stack[depth].first = first + half, stack[depth].count = count - half, stack[depth++].parent = here;
+    stack[depth].first = first, stack[depth].count = half, stack[depth++].parent = UINT32_MAX;
+  }
+  return true;
+}
+
+static bool gather(sight *v) {
+  const vs_sight *s = v->s;
+  v->room = s->triangle_count + 1;
+  v->boxes = vs_store_realloc(v->host->store, NULL, 0, v->room * sizeof *v->boxes);
+  v->number = vs_store_realloc(v->host->store, NULL, 0, v->room * sizeof *v->number);
+  v->order = vs_store_realloc(v->host->store, NULL, 0, v->room * sizeof *v->order);
+  if (!v->boxes || !v->number || !v->order) return false;
+  for (size_t i = 0; i < s->triangle_count; i++) {
+    vs_vec3 c[3];
+    if (!may_hide(s, (uint32_t)i)) continue;
+    corners_of(s, (uint32_t)i, c);
+    v->boxes[v->count] = box_of(s, c, 3);
+    v->number[v->count] = (uint32_t)i;
+    v->order[v->count] = (uint32_t)v->count;
+    v->count++;
+  }
+  return true;
+}
+
+/* ---- one edge and one triangle ---- */
+
+typedef struct { vs_vec3 p, d; double low[2], high[2], far, length, slack; double from, to; } line;
+    /* from, to: of s, as clipped so far */
+
+static vs_vec3 place(const line *l, double s) { return vs_v3_add(l->p, vs_v3_scale(l->d, s)); }
+
+/* Keeps the part of from..to where a linear function is not negative, of the values there; less than slack is 0.
+ * False: nothing but a point is left. */
+static bool keep(line *l, double at_from, double at_to, double slack) {
+  if (fabs(at_from) <= slack) at_from = 0;
+  if (fabs(at_to) <= slack) at_to = 0;
+  if ((at_from < 0 && at_to <= 0) || (at_from <= 0 && at_to < 0)) return false;
+  double wide = l->to - l->from;
+  if (at_from < 0) l->from += wide * (at_from / (at_from - at_to));
+  else if (at_to < 0) l->to -= wide * (at_to / (at_to - at_from));
+  return l->from < l->to;
+}
+
+/* Distance from the side of the triangle's box on the picture at `bound`, times depth in a perspective view. */
+static double beside(const vs_sight *s, vs_vec3 p, int axis, double bound) { return (axis ? p.y :
+    p.x) - bound * (s->perspective ? p.z : 1); }
+
+static bool keep_in_box(const vs_sight *s, line *l, const box *b) {
+  for (int axis = 0; axis < 2; axis++) {
+    vs_vec3 p = place(l, l->from), q = place(l, l->to);
+    double low = b->low[axis], high = b->high[axis];
+    if (!keep(l, beside(s, p, axis, low), beside(s, q, axis, low), s->slack)) return false;
+    p = place(l, l->from), q = place(l, l->to);
+    if (!keep(l, -beside(s, p, axis, high), -beside(s, q, axis, high), s->slack)) return false;
+  }
+  return true;
+}
+
+/* The unit normal of the plane through the viewer and the side from a to b; 0: they are one place to him. */
+static vs_vec3 side_normal(const vs_sight *s, vs_vec3 a, vs_vec3 b) {
+  vs_vec3 n = s->perspective ? vs_v3_cross(a, b) : vs_v3(a.y - b.y, b.x - a.x, 0);
+  double length = vs_v3_length(n);
+  return length > 0 ? vs_v3_scale(n, 1 / length) : vs_v3(0, 0, 0);
+}
+
+/* What of l the triangle hides, as l->from and l->to. */
+static bool hides(const vs_sight *s, uint32_t triangle, const box *b, line *l) {
+  vs_vec3 c[3];
+  corners_of(s, triangle, c);
+  vs_vec3 n = vs_v3_unit(vs_v3_cross(vs_v3_sub(c[1], c[0]), vs_v3_sub(c[2], c[0])));
+  if (vs_v3_dot(n, s->perspective ? c[0] : vs_v3(0, 0, 1)) < 0) n = vs_v3_scale(n, -1);
+      /* away from the viewer: behind is positive */
+  double far_p = vs_v3_dot(n, vs_v3_sub(l->p, c[0])), far_q = far_p + vs_v3_dot(n, l->d);
+  if (far_p <= l->slack && far_q <= l->slack) return false;
+  l->from = 0, l->to = 1;
+  if (!keep(l, far_p - l->slack, far_q - l->slack, 0) || !keep_in_box(s, l, b)) return false;
+  for (int k = 0; k < 3; k++) {
+    vs_vec3 side = side_normal(s, c[k], c[(k + 1) % 3]), inner = vs_v3_sub(c[(k + 2) % 3], c[k]);
+    vs_vec3 base = s->perspective ? vs_v3(0, 0, 0) : c[k];
+    if (vs_v3_dot(side, inner) < 0) side = vs_v3_scale(side, -1);
+    double p = vs_v3_dot(side, vs_v3_sub(place(l, l->from), base)), q = vs_v3_dot(side, vs_v3_sub(place(l, l->to),
+        base));
+    if (!keep(l, p, q, s->slack)) return false;
+  }
+  return true;
+}
+
+/* ---- what is hidden of one edge ---- */
+
+/* Adds from..to to the spans; those closer than `gap` become one. */
+static bool add_span(sight *v, double from, double to, double gap) {
+  size_t first = 0, end, count = v->span_count;
+  while (first < count && v->spans[first].to < from - gap) first++;
+  for (end = first; end < count && v->spans[end].from <= to + gap; end++) {
+    from = fmin(from, v->spans[end].from);
+    to = fmax(to, v->spans[end].to);
+  }
+  if (count + 1 > v->span_room && !vs_store_grow(v->host->store, &v->spans, &v->span_room, count + 1,
+      sizeof *v->spans)) return false;
+  size_t after = count - end;
+  for (size_t i = 0; end > first + 1 && i < after; i++) v->spans[first + 1 + i] = v->spans[end + i];
+  for (size_t i = after; end == first && i > 0; i--) v->spans[first + i] = v->spans[first + i - 1];
+  v->spans[first] = (span){ from, to };
+  v->span_count = first + 1 + after;
+  return true;
+}
+
+static bool meets(const line *l, const box *b, double slack) {
+  for (int i = 0; i < 2; i++)
+    if (b->low[i] > l->high[i] + slack || b->high[i] < l->low[i] - slack) return false;
+  return b->depth < l->far;
+}
+
+/* Does the box lie to one side of the line? On the picture; a to b is the edge there. */
+static bool crosses(const double a[2], const double b[2], const box *x, double slack) {
+  double across = b[0] - a[0], up = b[1] - a[1];
+  double mx = (x->low[0] + x->high[0]) / 2 - a[0], my = (x->low[1] + x->high[1]) / 2 - a[1];
+  double wide = (x->high[0] - x->low[0]) / 2 + slack, high = (x->high[1] - x->low[1]) / 2 + slack;
+  return fabs(mx * up - my * across) <= wide * fabs(up) + high * fabs(across);
+}
+
+/* Fills v->spans for the edge. *on false: interrupted. */
+static bool look(sight *v, const vs_sight_edge *edge, double gap, bool *on) {
+  const vs_sight *s = v->s;
+  line l = { .p = edge->p, .d = vs_v3_sub(edge->q, edge->p), .slack = fmax(edge->slack, s->slack) };
+  uint32_t stack[STACK], depth = 0;
+  double a[2], b[2], slack = s->slack;
+  on_picture(s, edge->p, a);
+  on_picture(s, edge->q, b);
+  if (s->perspective) slack /= fmin(edge->p.z, edge->q.z);
+  for (int i = 0; i < 2; i++) l.low[i] = fmin(a[i], b[i]), l.high[i] = fmax(a[i], b[i]);
+  l.far = fmax(edge->p.z, edge->q.z);
+  v->span_count = 0;
+  if (v->node_count == 0) return true;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const node *n = &v->nodes[stack[--depth]];
+    if (!meets(&l, &n->b, slack) || !crosses(a, b, &n->b, slack)) continue;
+    if (!going(v)) return *on = false, true;
+    if (n->count == 0) {
+      uint32_t left = (uint32_t)(n - v->nodes) + 1, right = n->right;
+      bool left_nearer = v->nodes[left].b.depth <= v->nodes[right].b.depth;
+      stack[depth++] = left_nearer ? right : left;
+      stack[depth++] = left_nearer ? left : right;
+      continue;
+    }
+    for (uint32_t i = 0; i < n->count; i++) {
+      uint32_t which = v->order[n->first + i];
+      if (!meets(&l, &v->boxes[which], slack) || !hides(s, v->number[which], &v->boxes[which], &l)) continue;
+      if (!add_span(v, l.from, l.to, gap)) return false;
+      if (v->spans[0].from <= gap && v->spans[0].to >= 1 - gap) return true;
+    }
+  }
+  return true;
+}
+
+static bool add_piece(sight *v, vs_sight_pieces *out, vs_sight_piece piece, double least) {
+  if (piece.to - piece.from <= least) return true;
+  if (out->count == out->room && !vs_store_grow(v->host->store, &out->at, &out->room, out->count + 1,
+      sizeof *out->at)) return false;
+  out->at[out->count++] = piece;
+  return true;
+}
+
+/* The edge's parts between and in the spans. least: shorter ones are left out. */
+static bool cut_up(sight *v, uint32_t edge, bool with_hidden, double least, vs_sight_pieces *out) {
+  double at = 0;
+  for (size_t i = 0; i < v->span_count; i++) {
+    if (!add_piece(v, out, (vs_sight_piece){ edge, at, v->spans[i].from, false }, least)) return false;
+    if (with_hidden && !add_piece(v, out, (vs_sight_piece){ edge, v->spans[i].from, v->spans[i].to, true },
+        least)) return false;
+    at = v->spans[i].to;
+  }
+  return add_piece(v, out, (vs_sight_piece){ edge, at, 1, false }, least);
+}
+
+bool vs_sight_find_visible(const vs_sight_host *host, const vs_sight *s, const vs_sight_edges *edges, bool with_hidden,
+                           vs_sight_pieces *out, vs_error *e) {
+  sight v = { .host = host, .s = s };
+  bool ok = gather(&v) && build(&v), on = true;
+  for (size_t i = 0; ok && on && i < edges->count; i++) {
+    const vs_sight_edge *edge = &edges->at[i];
+    double a[2], b[2];
+    on_picture(s, edge->p, a);
+    on_picture(s, edge->q, b);
+    double length = hypot(b[0] - a[0], b[1] - a[1]) * (s->perspective ? fmin(edge->p.z, edge->q.z) : 1);
+    if (length <= 8 * s->slack) continue; /* a point to the viewer */
+    ok = look(&v, edge, 2 * s->slack / length, &on);
+    ok = ok && (!on || cut_up(&v, (uint32_t)i, with_hidden, 8 * s->slack / length, out));
+  }
+  vs_store_realloc(host->store, v.boxes, v.room * sizeof *v.boxes, 0);
+  vs_store_realloc(host->store, v.number, v.room * sizeof *v.number, 0);
+  vs_store_realloc(host->store, v.order, v.room * sizeof *v.order, 0);
+  vs_store_realloc(host->store, v.nodes, v.node_room * sizeof *v.nodes, 0);
+  vs_store_realloc(host->store, v.spans, v.span_room * sizeof *v.spans, 0);
+  if (!ok) return vs_error_memory(e, NULL);
+  return on || vs_error_set(e, VS_ERROR_INTERRUPT, NULL, "interrupted");
+}
+
+void vs_sight_pieces_free(const vs_sight_host *host, vs_sight_pieces *pieces) {
+  vs_store_realloc(host->store, pieces->at, pieces->room * sizeof *pieces->at, 0);
+  *pieces = (vs_sight_pieces){ 0 };
+}

@@ -1,0 +1,107 @@
+# Owns the test of drawings as other programs read them: ezdxf the .dxf, poppler the .pdf, librsvg the .svg; lengths and areas against closed forms.
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+vs=$BUILD/vs
+
+result() {
+  if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
+}
+wanted() { case $1 in *"$ONLY"*) return 0 ;; *) return 1 ;; esac }
+wanted drawings || exit 0
+cd "$work" || exit 1
+
+cat > house.vs <<'EOF'
+(define walls (with-material brick (subtract (make-box origin (xyz 10 8 3)) (make-box (xyz 0.4 0.4 0.3) (xyz 9.6 7.6 4)))))
+(define post (with-material steel (make-box (xyz 4 4 0.3) (xyz 4.5 4.5 3))))
+(draw walls post (make-line (xyz 1 1 0.3) (xyz 1 3 0.3)))
+(ground 0)
+(view "hall" 'section #:cut (make-plane (xyz 0 4.25 0) uy))
+(view "cube" 'isometric)
+(view "street" #:from (xyz -6 -14 1.6) #:to (xyz 5 4 2) #:lens 28 #:upright #t)
+(dimension origin (xyz 10 0 0))
+(level 0.3 "f & <g>")
+(grid-axis "A" (xyz 0 -1 0) (xyz 0 9 0))
+(label (xyz 5 2 0.3) "Salão {\\} ^")
+EOF
+echo '(draw (make-box origin (xyz 2 2 2)))' > cube.vs
+for name in plan hall street sheet; do
+  for format in svg pdf dxf; do "$vs" -q house.vs -o "$name.$format" || echo "$name.$format"; done
+done > said 2>&1
+"$vs" -q cube.vs -o isometric.dxf -o isometric.svg >> said 2>&1
+for i in 1 2; do "$vs" -q house.vs -o sheet.pdf && cp sheet.pdf "again$i.pdf"; done
+cmp again1.pdf again2.pdf >> said 2>&1
+result drawings/made said
+
+if /usr/bin/python3 -c 'import ezdxf' 2> /dev/null; then
+  /usr/bin/python3 - > said 2>&1 <<'EOF'
+import ezdxf, math
+from collections import defaultdict
+def read(name):
+    d = ezdxf.readfile(name); audit = d.audit()
+    if audit.errors or audit.fixes: print(name, audit.errors, audit.fixes)
+    return d.modelspace()
+def segments(m, layer):
+    for e in m.query(f'*[layer=="{layer}"]'):
+        if e.dxftype() == 'LINE': yield (e.dxf.start.x, e.dxf.start.y, e.dxf.end.x, e.dxf.end.y)
+        if e.dxftype() == 'LWPOLYLINE':
+            p = [(x, y) for x, y in e.get_points('xy')]
+            for a, b in zip(p, p[1:] + p[:1] if e.closed else p[1:]): yield (*a, *b)
+def total(m, layer): return sum(math.hypot(c - a, d - b) for a, b, c, d in segments(m, layer))
+def area(m):
+    sums = defaultdict(float)
+    for h in m.query('HATCH'):
+        for path in h.paths.paths:
+            v = [(x, y) for x, y, *_ in path.vertices]
+            sums[h.dxf.color] += sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(v, v[1:] + v[:1])) / 2
+    return sums
+def want(what, got, expected, slack=1e-4):
+    if abs(got - expected) > slack: print(f'{what}: {got}, not {expected}')
+m = read('isometric.dxf')
+lines = [s for layer in ('outline', 'edge') for s in segments(m, layer)]
+want('edges of a cube in isometric', len(lines), 9)
+want('their length', sum(math.hypot(c - a, d - b) for a, b, c, d in lines), 18 * math.sqrt(2 / 3))
+m = read('plan.dxf')
+cut = area(m)
+want('materials in the plan', len(cut), 2)
+want('area cut in the plan', sum(cut.values()), 10 * 8 - 9.2 * 7.2 + 0.25)
+want('a curve seen from above', total(m, 'curve'), 2)
+# the plan's points are the model's
+want('the wall begins at x', min(x for e in m.query('LWPOLYLINE[layer=="cut"]') for x, y in e.get_points('xy')), 0)
+texts = [t.dxf.text for t in m.query('TEXT')]
+if '10.00' not in texts: print('no dimension', texts)
+if not any('\\U+00E3' in t or 'ã' in t for t in texts): print('no label', texts)
+m = read('hall.dxf')
+want('area cut in the section', sum(area(m).values()), 10 * 3 - 9.2 * 2.7 + 0.5 * 2.7)
+for name in ('street.dxf', 'sheet.dxf'): read(name)
+m = read('street.dxf')
+steep = [s for layer in ('outline', 'edge') for s in segments(m, layer) if abs(s[2] - s[0]) < 1e-6 * abs(s[3] - s[1])]
+if len(steep) < 3: print('verticals are not kept upright', len(steep))
+EOF
+  result drawings/dxf said
+else
+  echo "skip drawings/dxf: no python3-ezdxf"
+fi
+
+if command -v pdftotext > /dev/null; then
+  { pdftotext sheet.pdf - 2> /dev/null | tr '\n' ' ' > words
+    for word in hall cube street 10.00 '+0.30 f & <g>' 'Salão {\} ^' 1:100; do grep -q -F -e "$word" words || echo "the text '$word' is not in sheet.pdf"; done
+    pdfinfo sheet.pdf 2> /dev/null | grep -q 'Pages: *1$' || echo 'sheet.pdf has not one page'
+    pdfinfo sheet.pdf 2> /dev/null | grep -i date
+  } > said
+  result drawings/pdf said
+else
+  echo "skip drawings/pdf: no pdftotext (package poppler-utils)"
+fi
+
+if command -v rsvg-convert > /dev/null; then
+  { for name in plan hall street sheet isometric; do
+      xmllint --noout "$name.svg"
+      rsvg-convert -w 400 "$name.svg" -o "$name.png"
+    done
+    grep -c '<text' sheet.svg | awk '$1 < 10 { print "only " $1 " texts in sheet.svg" }'
+    grep -q 'f &amp; &lt;g&gt;' hall.svg || echo 'hall.svg does not escape its texts'
+  } > said 2>&1
+  result drawings/svg said
+else
+  echo "skip drawings/svg: no rsvg-convert (package librsvg2-bin)"
+fi
