@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "backends/lower.h"
 #include "backends/drive.h"
 #include "solids/drawn_bounds.h"
 #include "model/store/cache.h"
@@ -668,7 +669,7 @@ bool vs_drive_scene(vs_emitter *e) {
   if (e->backend->loose && !drive_loose(e, &loose)) return false;
   if (e->backend->solid != NULL) {
     vs_solid mesh = { .part_count = 0 };
-    bool ok = vs_lower_scene(e, &mesh) && (mesh.mesh.triangle_count > 0 || loose || drive_nothing(e)) &&
+    bool ok = vs_lower_solids(e, e->scene->drawn, e->scene->drawn_count, &mesh) && (mesh.mesh.triangle_count > 0 || loose || drive_nothing(e)) &&
         drive_settle(e, &mesh.mesh) && e->backend->solid(e, &mesh);
     vs_solid_free(&mesh);
     return ok && e->backend->end(e);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "backends/lower.h"
 #include "backends/backend.h"
 #include "geometry/plane/plane.h"
 #include "geometry/shapes/simple_nodes.h"
@@ -185,8 +186,6 @@ bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out) {
   if (why.origin == NULL && why.kind == VS_ERROR_MODEL) e->error->origin = ref->origin;
   return false;
 }
-
-bool vs_lower_scene(vs_emitter *e, vs_solid *out) { return vs_lower_solids(e, e->scene->drawn, e->scene->drawn_count, out); }
 
 bool vs_lower_copies(vs_emitter *e, vs_solid_copies *out) {
   vs_kernel_options options = lower_options(e);

@@ -43,11 +43,6 @@ typedef struct {
 
 typedef struct { vs_store *store; bool (*going)(void *context); void *context; } vs_sight_host;
 
-/* Appends the lines that a draughtsman would draw of the triangles: creases of more than 20 degrees, contours,
- * borders, and what the cut makes. Points
- * that are equal count as one. False: out of memory or interrupted, and the error says so. n log n. */
-bool vs_sight_find_edges(const vs_sight_host *host, const vs_sight *s, vs_sight_edges *out, vs_error *e);
-
 /* Appends the parts of the edges that are seen, in order; with_hidden: those that are not as well. Parts shorter than
  * a few times the slack are left out.
  * An edge is looked at beside those triangles alone whose place on the picture it crosses, nearest first, and no
@@ -55,7 +50,6 @@ bool vs_sight_find_edges(const vs_sight_host *host, const vs_sight *s, vs_sight_
 bool vs_sight_find_visible(const vs_sight_host *host, const vs_sight *s, const vs_sight_edges *edges, bool with_hidden,
                            vs_sight_pieces *out, vs_error *e);
 
-void vs_sight_edges_free(const vs_sight_host *host, vs_sight_edges *edges);
 void vs_sight_pieces_free(const vs_sight_host *host, vs_sight_pieces *pieces);
 
 #endif

@@ -4,7 +4,7 @@
  * face is seen from the front, from the back, or
  * edge-on, which within 1e-7 counts as neither: what of a smooth surface turns away there gets its line between the
  * last face that is seen and the next. */
-#include "solids/hidden_lines.h"
+#include "solids/sight_edges.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "backends/drawing/sheet.h"
+#include "backends/drawing/choose_views.h"
 
 double vs_drawing_unit(const vs_scene *scene) {
   static const struct { const char *name; double mm; } units[] = { { "m", 1000 }, { "mm", 1 }, { "cm", 10 },

@@ -1,5 +1,9 @@
 /* Owns the drawing formats as back-ends: .svg, .pdf and .dxf are one drawing, written three ways. See sheet.h. */
+#include "backends/drawing/choose_views.h"
+#include "backends/drawing/dxf.h"
+#include "backends/drawing/pdf.h"
 #include "backends/drawing/sheet.h"
+#include "backends/drawing/svg.h"
 
 static bool begin(vs_emitter *e) { return vs_loose_begin(e); }
 static bool end(vs_emitter *e) { return !e->out->failed; }

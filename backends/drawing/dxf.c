@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "backends/drawing/sheet.h"
+#include "backends/drawing/dxf.h"
 
 typedef struct { vs_writer *w; const vs_sheet *s; double mm; vs_sheet_point shift; unsigned handle; } writing;
 

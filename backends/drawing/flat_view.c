@@ -8,9 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "backends/drawing/sheet.h"
+#include "backends/lower.h"
+#include "backends/drawing/flat_view.h"
 #include "geometry/plane/slice.h"
-#include "passes/cut_away.h"
+#include "solids/sight_edges.h"
 
 /* All that the view shows, in its own coordinates. */
 typedef struct {

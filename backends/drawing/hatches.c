@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "backends/drawing/sheet.h"
+#include "backends/drawing/hatches.h"
 
 typedef struct { const char *name; double grey, angle, spacing; bool crossed; } hatch;
 static const hatch rows[] = {

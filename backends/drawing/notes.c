@@ -8,7 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "backends/drawing/sheet.h"
+#include "backends/drawing/choose_views.h"
+#include "backends/drawing/notes.h"
 
 static const double bubble = 4, cap = 2.2, level_cap = 1.8; /* mm: an axis' circle, and the height of capitals */
 

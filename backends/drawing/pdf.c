@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "backends/drawing/sheet.h"
+#include "backends/drawing/pdf.h"
 #include "geometry/dynamic.h"
 #include "geometry/text/font.h"
 

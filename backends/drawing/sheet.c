@@ -7,6 +7,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "backends/drawing/choose_views.h"
+#include "backends/drawing/hatches.h"
+#include "backends/drawing/notes.h"
 #include "backends/drawing/sheet.h"
 
 const vs_layer_row vs_drawn_rows[VS_DRAWN_LAYERS] = {

@@ -2,7 +2,7 @@
  * the groups as layers. */
 #include <string.h>
 
-#include "backends/drawing/sheet.h"
+#include "backends/drawing/svg.h"
 
 static void number(vs_writer *w, double x) { vs_put_number(w, (double)(long long)(x * 1000 + (x < 0 ? -0.5 :
     0.5)) / 1000); } /* micrometres */

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "backends/lower.h"
 #include "backends/gltf/gltf.h"
 #include "backends/shade.h"
 #include "geometry/measure/node_measures.h"

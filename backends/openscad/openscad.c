@@ -5,6 +5,7 @@
  * that is painted in part is handed its user's colour for the rest as $paint. */
 #include <math.h>
 
+#include "backends/lower.h"
 #include "backends/backend.h"
 #include "backends/openscad/touching_corners.h"
 #include "geometry/frame.h"

@@ -12,6 +12,7 @@
  * Beyond X3D's nodes: Shapes and Groups have `paint` (the number of a material; where it is missing, that of what surrounds them),
  * `layer`, `origin` (an entry of the node Origins at the end) and `kind`; a Transform has `translation` or a `matrix` of three rows.
  * Only that which holds a position in the whole drawing is stored about the drawing's middle, so that 32 bits are enough. */
+#include "backends/lower.h"
 #include "backends/x3d/packed.h"
 
 #include <math.h>

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "backends/lower.h"
 #include "backends/shade.h"
 #include "backends/x3d/x3d.h"
 #include "geometry/shapes/unit_forms.h"

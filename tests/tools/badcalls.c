@@ -75,7 +75,7 @@ static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "make-matrix", "m30", "0" }, { "make-matrix", "m31", "0" }, { "make-matrix", "m32", "0" },
   { "make-torus", "r", "3" }, { "make-rectangle", "q", "(xyz 3 2 0)" },
   { "make-plane", "r", "(xyz 0 5 1)" }, { "v+v", "v", "ux" }, { "matrix*", "b", "(scaling-matrix 2)" },
-  { "view", "kind", "'plan" }, { "view", "cut", "1" }, { "view", "sheet", "\"A3\"" }, { "view", "from", NULL }, { "view", "to", NULL },
+  { "view", "name", "\"a\" 'plan" }, { "view", "kind", NULL }, { "view", "cut", "1" }, { "view", "sheet", "\"A3\"" }, { "view", "from", NULL }, { "view", "to", NULL },
   { "view", "lens", NULL }, { "view", "upright", NULL }, { "dimension", "q", "(xyz 9 9 9)" }, { "grid-axis", "q", "(xyz 9 9 9)" },
   { "camera", "target", "(xyz 9 9 9)" }, { "view-from", "side", "'top" }, { "units", "unit", "'mm" }, { "sky", "image", NULL },
   { "native", "target", "'povray" }, { "erase", "objects", "(draw ball)" }, { "native", "text", "\"sphere { 0, 1 }\"" },

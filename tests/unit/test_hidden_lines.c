@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "solids/hidden_lines.h"
+#include "solids/sight_edges.h"
 
 /* A scene of boxes, in view coordinates: x right, y up, z away from the viewer. */
 enum { MOST = 4000 };

@@ -1,0 +1,9 @@
+/* Owns writing a sheet as .dxf. */
+#ifndef VS_BACKENDS_DXF_H
+#define VS_BACKENDS_DXF_H
+
+#include "backends/drawing/sheet.h"
+
+bool vs_sheet_write_dxf(vs_emitter *e, const vs_sheet *s);
+
+#endif

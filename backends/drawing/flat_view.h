@@ -1,0 +1,47 @@
+/* Owns the shape of a view made flat: cut, seen, its lines joined, in model units. */
+#ifndef VS_BACKENDS_FLAT_VIEW_H
+#define VS_BACKENDS_FLAT_VIEW_H
+
+#include "backends/backend.h"
+#include "backends/mesh/loose.h"
+#include "backends/view.h"
+
+typedef struct { double x, y; } vs_sheet_point;
+
+typedef enum {
+#define LAYER(upper, name, width, dash, gap, dot, grey, colour, weight) VS_DRAWN_##upper,
+#include "backends/drawing/layers.def"
+  VS_DRAWN_LAYERS
+} vs_drawn_layer;
+typedef struct { const char *name; double width, dash, gap, dot, grey; int colour, weight; } vs_layer_row;
+extern const vs_layer_row vs_drawn_rows[VS_DRAWN_LAYERS];
+
+/* ---- a view made flat: in model units, in the view's own plane ---- */
+
+typedef struct { uint32_t first, count; bool closed; vs_drawn_layer layer; } vs_flat_line;     /* of points */
+typedef struct { uint32_t first_loop, loop_count; const vs_material *material; } vs_flat_fill;
+    /* by the even-odd rule */
+
+typedef struct {
+  vs_scene_view spec;     /* its name is what the sheet calls it */
+  vs_look look;
+  bool has_cut;           /* spec's cut, or the one found for it */
+  vs_sheet_point *points;
+  vs_flat_line *lines;
+  vs_flat_fill *fills;
+  struct { uint32_t first, count; } *loops;
+  size_t point_count, point_room, line_count, line_room, fill_count, fill_room, loop_count, loop_room;
+  vs_sheet_point low, high; /* of all of it */
+  double cut_area;        /* of the fills */
+  /* where sheet.c puts it: millimetres = (place - low) * mm + at */
+  double mm, scale;
+  vs_sheet_point at;
+} vs_flat_view;
+
+bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, const vs_solid *whole);
+void vs_flat_view_free(vs_emitter *e, vs_flat_view *v);
+/* Where a place of the model is seen, in the view's plane. Of a parallel view: a place behind a perspective view's
+ * eye has none. */
+vs_sheet_point vs_flat_view_project(const vs_flat_view *v, vs_vec3 p);
+
+#endif

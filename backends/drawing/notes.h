@@ -1,0 +1,12 @@
+/* Owns what a drawing shows besides the model. */
+#ifndef VS_BACKENDS_NOTES_H
+#define VS_BACKENDS_NOTES_H
+
+#include "backends/drawing/sheet.h"
+
+/* Puts on what the program asked for in the view, and the ground's line. */
+bool vs_sheet_notes(vs_emitter *e, vs_sheet *s, uint32_t view);
+/* How much room a view's notes need beside it, in millimetres. */
+double vs_sheet_notes_room(const vs_emitter *e, const vs_flat_view *v);
+
+#endif

@@ -1,0 +1,9 @@
+/* Owns writing a sheet as .pdf. */
+#ifndef VS_BACKENDS_PDF_H
+#define VS_BACKENDS_PDF_H
+
+#include "backends/drawing/sheet.h"
+
+bool vs_sheet_write_pdf(vs_emitter *e, const vs_sheet *s);
+
+#endif

@@ -1,0 +1,9 @@
+/* Owns writing a sheet as .svg. */
+#ifndef VS_BACKENDS_SVG_H
+#define VS_BACKENDS_SVG_H
+
+#include "backends/drawing/sheet.h"
+
+bool vs_sheet_write_svg(vs_emitter *e, const vs_sheet *s);
+
+#endif
