@@ -1,16 +1,24 @@
 /* Owns the search of the manual's pages. index.js, made with the pages, holds `manual`: [heading, page's title, address, text] for each section. Nothing is
- * fetched, so that it works from a folder. All words must occur; headings that are or begin with what was typed come first. */
+ * fetched, so that it works from a folder. All words must occur; headings that are or begin with what was typed come first, and what only has it within a
+ * word, as "search" has "arch", last. */
 (() => {
   const root = document.currentScript.dataset.root, box = document.getElementById("search"), list = document.getElementById("found");
   const sections = manual.map(([heading, page, address, text]) => ({ heading, page, address, text, name: heading.toLowerCase(), all: (heading + " " + page + " " + text).toLowerCase() }));
   const named = (s, typed) => s.name.replace(/[(),]/g, " ").split(/\s+/).includes(typed);
 
+  // Does a word of the text begin with w?
+  function begins(text, w) {
+    for (let i = text.indexOf(w); i >= 0; i = text.indexOf(w, i + 1)) if (!i || !/[\p{L}\p{N}]/u.test(text[i - 1])) return true;
+    return false;
+  }
+
   function rank(s, typed, words) {
     if (!words.every((w) => s.all.includes(w))) return 0;
-    if (s.name === typed || named(s, typed)) return 5;
-    if (words.every((w) => named(s, w))) return 4;
-    if (s.name.startsWith(typed) || s.name.startsWith("(" + typed)) return 3;
-    return words.every((w) => s.name.includes(w)) ? 2 : 1;
+    if (s.name === typed || named(s, typed)) return 6;
+    if (words.every((w) => named(s, w))) return 5;
+    if (s.name.startsWith(typed) || s.name.startsWith("(" + typed)) return 4;
+    if (words.every((w) => begins(s.name, w))) return 3;
+    return words.every((w) => begins(s.all, w)) ? 2 : 1;
   }
 
   function snippet(s, words) {

@@ -20,6 +20,8 @@ for (const [words, wanted] of [["do-sweep", "language/objects.html#do-sweep"], [
   const [first = ""] = find(words);
   console.log(first.startsWith(wanted) ? `ok manual:search:${words}` : `not ok manual:search:${words}: first is ${first}`);
 }
+const arches = find("arch").slice(0, 2);
+console.log(arches.length && !arches.some((a) => a.includes("search")) ? "ok manual:search:words" : `not ok manual:search:words: ${arches}`);
 console.log(find("xyzzy").length === 0 ? "ok manual:search:nothing" : "not ok manual:search:nothing");
 const rows = runInNewContext(`${index}; manual`, {}), texts = {};
 const lost = rows.map((r) => r[2]).filter((address) => {
