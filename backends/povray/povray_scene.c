@@ -188,12 +188,6 @@ static void pov_ground(vs_emitter *e, double diagonal) {
   if (e->scene->ground_material != NULL) vs_povray_paint(e, e->scene->ground_material);
   else vs_puts(w, "texture { pigment { color srgb <0.77, 0.76, 0.73> } finish { ambient 0 diffuse 0.8 } }");
   vs_puts(w, "\n}\n");
-  if (e->scene->sky_image != NULL) return; /* haze is one colour, that sky is not */
-  double haze[3] = { 0.93, 0.95, 0.96 };
-  if (e->scene->has_sky)
-    for (int i = 0; i < 3; i++) haze[i] = 0.45 + 0.55 * e->scene->sky[i];
-  pov_word(w, "fog { fog_type 1 distance ", 60 * diagonal, " color srgb ");
-  vs_put_triple(w, "<", vs_v3(haze[0], haze[1], haze[2]), ", ", "> }\n");
 }
 
 static const char *pov_radiosity(vs_render_quality q) {
