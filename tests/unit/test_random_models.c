@@ -226,7 +226,8 @@ static bool fails(void *context, const char *text) {
     snprintf(t->why, sizeof t->why, "%s", t->heard.error);
     return true;
   }
-  bool bad = bad_mesh(t, ".off", &off) || bad_mesh(t, ".stl", &single);
+  bool solid = number_of(t, "(if (solid? o) 1 0)", &v) && v > 0; /* else .off holds open faces as well */
+  bool bad = (solid && bad_mesh(t, ".off", &off)) || bad_mesh(t, ".stl", &single);
   if (!bad && !off.s.count) empty++;
   if (!bad && off.s.count) {
     solids++;
