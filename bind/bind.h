@@ -60,7 +60,7 @@ struct vs_bind {
   uint32_t *gone;
   size_t ticket_count, ticket_room, gone_count;
   vs_error handed;                 /* what was wrong with a drawing function's result, with the object's place; kind NONE: nothing */
-  bool handing;                    /* a drawing function is at work: draw gives its object and adds nothing */
+  bool handing;                    /* a drawing function is at work: draw gives its object; nothing changes the scene */
   struct vs_derivation *growing;   /* the derivation whose rule is running; NULL: none (rules/derivation.h) */
   vs_bind_back_end *back_ends;
   size_t back_end_count, back_end_room;

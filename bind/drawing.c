@@ -44,7 +44,7 @@ vs_status vs_p_draw(vs_frame *f, vs_value *out) {
     if (!vs_scene_draw(&b->scene, (vs_ref){ ref[i].node, ref[i].origin ? ref[i].origin : here })) return vs_fail_memory(f->vm);
   if (n == 0) return vs_bind_empty(f, NULL, out);
   vs_status status = n == 1 ? vs_bind_node(f, vs_node_retain(ref[0].node), out) : vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, ref, n, out);
-  if (status == VS_OK) b->drawn_last = vs_bind_ref(*out).node;
+  if (status == VS_OK && !b->handing) b->drawn_last = vs_bind_ref(*out).node;
   return status;
 }
 
@@ -53,7 +53,7 @@ vs_status vs_p_draw(vs_frame *f, vs_value *out) {
 vs_status vs_p_erase(vs_frame *f, vs_value *out) {
   (void)out;
   vs_scene *scene = &f->bind->scene;
-  for (size_t i = 0; i < f->arg[0].refs.count; i++) {
+  for (size_t i = 0; i < f->arg[0].refs.count && !f->bind->handing; i++) {
     const vs_node *node = f->arg[0].refs.at[i].node;
     size_t kept = 0, count = scene->drawn_count;
     if (!vs_poll(f->vm, count)) return VS_ERROR;
@@ -72,7 +72,7 @@ vs_status vs_p_erase(vs_frame *f, vs_value *out) {
 
 vs_status vs_p_erase_all(vs_frame *f, vs_value *out) {
   (void)out;
-  vs_bind_clear_drawing(f->bind);
+  if (!f->bind->handing) vs_bind_clear_drawing(f->bind);
   return VS_OK;
 }
 
@@ -134,6 +134,7 @@ vs_status vs_p_camera(vs_frame *f, vs_value *out) {
   vs_scene *s = &f->bind->scene;
   (void)out;
   if (vs_v3_equal(f->arg[0].point, f->arg[1].point)) return vs_bind_refuse(f, "target", "another point than eye", f->arg[1].value);
+  if (f->bind->handing) return VS_OK;
   s->view = VS_VIEW_CAMERA, s->eye = f->arg[0].point, s->target = f->arg[1].point;
   s->lens = f->key[0].given ? f->key[0].real : 35;
   return VS_OK;
@@ -146,13 +147,16 @@ vs_status vs_p_view_from(vs_frame *f, vs_value *out) {
   };
   (void)out;
   for (size_t i = 0; i < sizeof views / sizeof *views; i++)
-    if (!strcmp(views[i].name, f->arg[0].text.at)) return f->bind->scene.view = views[i].view, VS_OK;
+    if (!strcmp(views[i].name, f->arg[0].text.at)) {
+      if (!f->bind->handing) f->bind->scene.view = views[i].view;
+      return VS_OK;
+    }
   return vs_bind_refuse(f, "side", "one of 'top 'bottom 'front 'back 'left 'right 'iso", f->arg[0].value);
 }
 
 vs_status vs_p_zoom_extents(vs_frame *f, vs_value *out) {
   (void)out;
-  f->bind->scene.view = VS_VIEW_EXTENTS;
+  if (!f->bind->handing) f->bind->scene.view = VS_VIEW_EXTENTS;
   return VS_OK;
 }
 
@@ -216,6 +220,7 @@ vs_status vs_p_sun(vs_frame *f, vs_value *out) {
     azimuth = k[0].given ? k[0].real : 135, altitude = k[1].given ? k[1].real : 45;
     if (fabs(altitude) > 90) return vs_bind_refuse(f, "altitude", "from -90 to 90", k[1].value);
   }
+  if (f->bind->handing) return VS_OK;
   s->has_sun = true, s->sun_azimuth = azimuth, s->sun_altitude = altitude;
   return VS_OK;
 }
@@ -237,7 +242,7 @@ static vs_status sky_image(vs_frame *f, const vs_arg *image) {
     if ((size_t)vs_as_bytes(r[0])->length > 16 && !memcmp(vs_as_bytes(r[0])->at, kinds[i].bytes, kinds[i].count)) format = kinds[i].format;
   vs_text_close(&path);
   if (ok && !format) return vs_bind_refuse(f, "image", "a PNG, JPEG, EXR or HDR file", image->value);
-  if (ok) f->bind->scene.sky_image = name, f->bind->scene.sky_format = format;
+  if (ok && !f->bind->handing) f->bind->scene.sky_image = name, f->bind->scene.sky_format = format;
   return ok ? VS_OK : VS_ERROR;
 }
 
@@ -246,6 +251,7 @@ vs_status vs_p_sky(vs_frame *f, vs_value *out) {
   (void)out;
   if (!f->key[0].given && !f->key[1].given) return vs_fail(f->vm, f->vm->sym.arity, "takes #:color, #:image or both");
   if (f->key[1].given && !sky_image(f, &f->key[1])) return VS_ERROR;
+  if (f->bind->handing) return VS_OK;
   if (!f->key[1].given) s->sky_image = NULL;
   if (!f->key[0].given) return VS_OK;
   const vs_material *m = f->key[0].material;
@@ -256,6 +262,7 @@ vs_status vs_p_sky(vs_frame *f, vs_value *out) {
 vs_status vs_p_ground(vs_frame *f, vs_value *out) {
   vs_scene *s = &f->bind->scene;
   (void)out;
+  if (f->bind->handing) return VS_OK;
   s->has_ground = true, s->ground_z = f->arg[0].given ? f->arg[0].real : 0;
   s->ground_material = f->key[0].given ? f->key[0].material : NULL;
   return VS_OK;
@@ -265,6 +272,9 @@ vs_status vs_p_units(vs_frame *f, vs_value *out) {
   static const char *const known[] = { "m", "mm", "cm", "in", "ft" };
   (void)out;
   for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-    if (!strcmp(known[i], f->arg[0].text.at)) return f->bind->scene.units = known[i], VS_OK;
+    if (!strcmp(known[i], f->arg[0].text.at)) {
+      if (!f->bind->handing) f->bind->scene.units = known[i];
+      return VS_OK;
+    }
   return vs_bind_refuse(f, "unit", "one of 'm 'mm 'cm 'in 'ft", f->arg[0].value);
 }

@@ -91,14 +91,14 @@ vs_status vs_p_view(vs_frame *f, vs_value *out) {
       "one of \"A4\" \"A3\" \"A2\" \"A1\" \"A0\"", k[6].value);
   v.hidden = k[7].given && k[7].boolean;
   if (!keep_text(f, &f->arg[0], &v.name) || !keep_text(f, &k[6], &v.sheet)) return VS_ERROR;
-  return vs_scene_add_view(&f->bind->scene, &v) ? VS_OK : vs_fail_memory(f->vm);
+  return f->bind->handing || vs_scene_add_view(&f->bind->scene, &v) ? VS_OK : vs_fail_memory(f->vm);
 }
 
 /* ---- notes ---- */
 
 static vs_status add_note(vs_frame *f, vs_scene_note note, const vs_arg *text, const vs_arg *view) {
   if (!keep_text(f, text, &note.text) || !keep_text(f, view, &note.view)) return VS_ERROR;
-  return vs_scene_add_note(&f->bind->scene, &note) ? VS_OK : vs_fail_memory(f->vm);
+  return f->bind->handing || vs_scene_add_note(&f->bind->scene, &note) ? VS_OK : vs_fail_memory(f->vm);
 }
 
 vs_status vs_p_dimension(vs_frame *f, vs_value *out) {
