@@ -83,6 +83,15 @@
 (ok? "halfway along a bow" (waist (do-guided-loft (list (ring 0 1) (ring 4 1)) (bow 0))) pi 1e-3)
 (ok? "halfway along a guide" (waist (do-guided-loft (list (ring 0 1) (ring 4 1)) (list (bow 1)))) pi 1e-3)
 (ok? "halfway between two" (waist (do-guided-loft (list (ring 0 1) (ring 4 1)) (list (bow 1) (bow -1)))) pi 1e-3)
+; several guides: round about the axis they make a solid of revolution, side by side they carry the circle as it is; sections are met on the way
+(define (along guides) (do-guided-loft (list (ring 0 1) (ring 4 1)) guides))
+(define (barrel-guide a) (do-rotate (make-spline (map-division (lambda (t) (xyz (+ 1 (* 1/2 (sin (* pi t)))) 0 (* 4 t))) 0 1 20)) 'z a))
+(for ([n '(2 3 5)])
+  (define l (along (map barrel-guide (enumerate 0 2pi n))))
+  (ok? "guides about an axis" (waist l) (* 9/4 pi) 2e-3)
+  (ok? "their volume" (volume l) (* 4 pi (+ 1 (/ 2 pi) 1/8)) 2e-3)
+  (ok? "guides side by side" (waist (along (map (lambda (a) (do-move (bow 0) (p->q origin (pol 1 a)))) (enumerate 0 2pi n)))) pi 1e-3))
+(ok? "a section on the way" (waist (do-guided-loft (list (ring 0 1) (do-move (ring 2 2) ux) (ring 4 1)) (bow 0))) (* 4 pi) 1e-3)
 (displayln (do-guided-loft (list (ring 0 1) (ring 4 1)) (list (make-line (xyz 1 0 0) (xyz 1 0 4)))))
 ; expect: (do-guided-loft (list (make-circle (xyz 0 0 0) 1) (make-circle (xyz 0 0 4) 1)) (list (make-line (list (xyz 1 0 0) (xyz 1 0 4)))))
 

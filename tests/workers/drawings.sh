@@ -94,6 +94,7 @@ else
 fi
 
 if command -v rsvg-convert > /dev/null; then
+  export XDG_CACHE_HOME="$work" # fontconfig complains where it can keep no cache, as for a user without a home
   { for name in plan hall street sheet isometric; do
       xmllint --noout "$name.svg"
       rsvg-convert -w 400 "$name.svg" -o "$name.png"

@@ -42,16 +42,19 @@ else echo "skip formats:3mf: no assimp (package assimp-utils)"; fi
 
 # Round walls are shaded round: the corners of their triangles have normals of their own.
 cat > "$work/walls.vs" <<'EOF'
-(define-parameter kind "revolve" #:choices '("revolve" "loft" "ruled-loft" "guided-loft"))
+(define-parameter kind "revolve")
 (define (ring z r) (make-circle (xyz 0 0 z) r))
+(define (guide a) (do-rotate (make-spline (xyz 1 0 0) (xyz 2 0 2) (xyz 1 0 4)) 'z a))
 (draw (case kind
         (("revolve") (do-revolve (make-rectangle (xz 1 0) (xz 2 2)) 'z))
         (("loft") (do-loft (list (ring 0 1) (ring 2 2) (ring 4 1))))
         (("ruled-loft") (do-ruled-loft (list (ring 0 1) (ring 2 2))))
+        (("guides") (do-guided-loft (list (ring 0 1) (ring 4 1)) (map guide (enumerate 0 2pi 3))))
+        (("cut") (subtract (do-rotate (do-mirror (do-loft (list (ring 0 1) (ring 2 2) (ring 4 1))) 'yz) 'x 1) (make-sphere (xyz 0 0 4) 1)))
         (else (do-guided-loft (list (ring 0 1) (ring 4 1)) (make-line origin (xyz 0 0 4))))))
 EOF
 if command -v node > /dev/null; then
-  for kind in revolve loft ruled-loft guided-loft; do
+  for kind in revolve loft ruled-loft guided-loft guides cut; do
     "$vs" --quiet -D kind=$kind "$work/walls.vs" -o "$work/w.x3d" -o "$work/w.glb" -o "$work/w.html" > "$work/why" 2>&1
     for format in x3d glb html; do # caps are flat: of the revolution and the short lofts they are half
       node --no-warnings tests/tools/normals.mjs "$work/w.$format" 2>&1 | awk -v f=$format '!($2 > 100 && $4 > 0.45) { print "." f ": " $0 }'
