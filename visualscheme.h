@@ -211,7 +211,7 @@ VS_API bool vs_disassemble(vs_scheme *s, const char *name, bool (*each)(void *co
 
 typedef struct {
   const char *procedure;  /* "": it has no name */
-  const char *variables;  /* "n = 3, points = (...)": its parameters when it ended */
+  const char *variables;  /* "n = 3, points = (...)": parameters, local and captured variables when it ended */
   vs_span at;             /* the call it was in */
 } vs_frame_info;
 /* Innermost first. False: there are no more, or there was no error. */

@@ -170,13 +170,18 @@ typedef struct vs_call_frame {
 
 typedef vs_status vs_procedure_fn(vs_frame *f, vs_value *out);
 typedef struct vs_procedure {
-  vs_procedure_fn *fn;
   vs_form form[VS_MAX_FORMS];
   vs_bind_param key[VS_MAX_KEYS + 1];
 } vs_procedure;
 
 vs_native_fn vs_bind_enter;
 extern const vs_procedure vs_bind_procedures[];
+/* The function of each row. Apart from the rows: 320 KB without an address in them are not written, nor read, when the
+ * program is loaded. */
+extern vs_procedure_fn *const vs_bind_functions[];
+static inline vs_procedure_fn *vs_bind_function(const vs_frame *f) {
+  return vs_bind_functions[f->procedure - vs_bind_procedures];
+}
 extern const vs_native_def vs_bind_defs[];
 
 void vs_bind_scratch_free(vs_frame *f);

@@ -40,8 +40,8 @@ const vs_native_def vs_bind_defs[] = {
 #define KEY(name, contract) { name, VS_ARG_OPTIONAL, VS_C_##contract },
 #define FORM(...) { 1, { __VA_ARGS__ { "", VS_ARG_END, 0 } } },
 #define KEYS(...) { __VA_ARGS__ { "", VS_ARG_END, 0 } }
-#define PROC(id, name, fn, doc, forms, keys) { fn, { forms }, keys },
-#define PROCS(id, name, signature, fn, doc, forms, keys) { fn, { forms }, keys },
+#define PROC(id, name, fn, doc, forms, keys) { { forms }, keys },
+#define PROCS(id, name, signature, fn, doc, forms, keys) { { forms }, keys },
 const vs_procedure vs_bind_procedures[] = {
 #include "bind/procedures.def"
 };
@@ -51,6 +51,14 @@ const vs_procedure vs_bind_procedures[] = {
 #undef KEY
 #undef FORM
 #undef KEYS
+#undef PROC
+#undef PROCS
+
+#define PROC(id, name, fn, doc, forms, keys) fn,
+#define PROCS(id, name, signature, fn, doc, forms, keys) fn,
+vs_procedure_fn *const vs_bind_functions[] = {
+#include "bind/procedures.def"
+};
 #undef PROC
 #undef PROCS
 
@@ -820,7 +828,7 @@ static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
   const vs_arg *stand = NULL;
   for (int i = 0; i < VS_MAX_KEYS && f->procedure->key[i].mode != VS_ARG_END; i++)
     if (f->procedure->key[i].contract == VS_C_STAND && f->key[i].given) stand = &f->key[i];
-  vs_status status = f->procedure->fn(f, out);
+  vs_status status = vs_bind_function(f)(f, out);
   return stand && status == VS_OK ? vs_bind_stand(f, stand, out) : status;
 }
 

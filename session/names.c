@@ -180,13 +180,12 @@ bool vs_frame_get(vs_scheme *vm, size_t index, vs_frame_info *out) {
     vs_text t;
     vs_text_open(vm, &t, 600);
     bool ok = true;
-    size_t names = vs_as_vector(code->params)->length;
-    for (size_t k = 0; ok && k < names && k + 2 < VS_FRAME_WORDS; k++) {
-      vs_value symbol = vs_as_vector(vs_as_code(vs_as_closure(vs_as_vector(r[0])->at[i * VS_FRAME_WORDS])->code)->params)->at[k];
-      if (!vs_is_symbol(symbol)) continue;
+    for (size_t k = 2; ok && k < VS_FRAME_WORDS; k += 2) {
+      vs_value symbol = vs_as_vector(r[0])->at[i * VS_FRAME_WORDS + k];
+      if (!vs_is_symbol(symbol)) break;
       vs_text value;
       vs_text_open(vm, &value, 60);
-      ok = vs_print(vm, vs_as_vector(r[0])->at[i * VS_FRAME_WORDS + 2 + k], VS_PRINT_WRITE, &value) &&
+      ok = vs_print(vm, vs_as_vector(r[0])->at[i * VS_FRAME_WORDS + k + 1], VS_PRINT_WRITE, &value) &&
           vs_text_end(&value) &&
            put(&t, t.count ? ", " : "", vs_as_symbol(symbol)->name, " = ") && vs_text_put(&t, value.at,
                value.count) && (!value.cut || vs_text_puts(&t, " ..."));

@@ -183,7 +183,7 @@ static bool compute(vs_scheme *vm, size_t row, const char *shape, int n, vs_valu
 
 bool vs_dual_points(vs_frame *f, vs_value *a, int n, vs_value *out, vs_status *status) {
   size_t row = 0, count = sizeof rows / sizeof *rows;
-  while (row < count && rows[row].fn != f->procedure->fn) row++;
+  while (row < count && rows[row].fn != vs_bind_function(f)) row++;
   if (row == count || n != (int)strlen(rows[row].shape)) return false;
   VS_ROOTS(f->vm, r, 16);
   vs_value *record = r, *number = r + 6;

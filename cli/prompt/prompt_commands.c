@@ -420,7 +420,7 @@ static void locals(cli_session *c, const char *number) {
     puts("; there is no such call; ,backtrace lists them");
     return;
   }
-  if (!*f.variables) puts("; it has no parameters");
+  if (!*f.variables) puts("; it has no variables");
   for (const char *at = f.variables; *at;) {
     const char *end = at;
     int depth = 0;

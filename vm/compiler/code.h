@@ -18,12 +18,18 @@ enum {
 #define VS_C(i) ((i) >> 24)
 #define VS_BX(i) ((i) >> 16)
 
-/* code->places: in order of pc, one entry for every instruction that can fail */
+/* code->places: in order of pc, one entry for every instruction that can fail. In the heap image a fixnum instead, one
+   place for all of the procedure: nobody is shown places in the language's own sources, only that they are in those.
+   Where the interpreter keeps the frames of errors, a pair of the entries and a vector of variables, VS_VARIABLE_WORDS
+   each: a symbol; the register, or -1 - i for the i-th captured one; the instructions [from, to) in which the variable
+   has its value. */
 typedef struct vs_place { uint32_t pc, high, low; } vs_place;
+enum { VS_VARIABLE_WORDS = 4 };
 /* code->inlined: the cell (constant index) whose procedure the instruction at pc stands for */
 typedef struct vs_inlined { uint32_t pc, constant; } vs_inlined;
 
 vs_pos vs_code_place(const vs_code *code, uint32_t pc);               /* of the instruction at or before pc */
+const vs_vector *vs_code_variables(const vs_code *code);              /* NULL: none are known */
 uint32_t vs_code_inlined(const vs_code *code, uint32_t pc);           /* constant index */
 int vs_op_generic(uint32_t op);
 const char *vs_op_operands(uint32_t op);

@@ -476,19 +476,28 @@ static bool gen_loop_call(compiler *c, vs_node *n, uint32_t to) {
     vs_var *p = lambda->as.lambda.params[i].var;
     if (boxed(p) && !vs_emit_op(e, VS_O_BOX, p->reg, p->reg, 0)) return false;
   }
-  return gen(c, lambda->as.lambda.body, to);
+  size_t scope = e->variable_count;
+  for (uint32_t i = 0; i < lambda->count; i++)
+    if (!vs_emit_variable(e, lambda->as.lambda.params[i].var)) return false;
+  if (!gen(c, lambda->as.lambda.body, to)) return false;
+  vs_emit_scope_end(e, scope);
+  return true;
 }
 
 /* ---- binding ---- */
 static bool gen_let(compiler *c, vs_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next;
+  size_t scope = e->variable_count;
   for (uint32_t i = 0; i < n->count; i++) {
     vs_var *v = n->as.let.vars[i];
     if (!vs_emit_register(e, &v->reg) || !gen(c, n->as.let.values[i], v->reg)) return false;
     if (boxed(v) && !vs_emit_op(e, VS_O_BOX, v->reg, v->reg, 0)) return false;
   }
+  for (uint32_t i = 0; i < n->count; i++)
+    if (!vs_emit_variable(e, n->as.let.vars[i])) return false;
   if (!gen(c, n->as.let.body, to)) return false;
+  vs_emit_scope_end(e, scope);
   e->next = keep;
   return true;
 }
@@ -530,6 +539,7 @@ static bool gen_run(compiler *c, vs_node *n, uint32_t from, uint32_t to) {
 static bool gen_fix(compiler *c, vs_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next;
+  size_t scope = e->variable_count;
   for (uint32_t i = 0; i < n->count; i++) {
     vs_var *v = n->as.let.vars[i];
     if (vs_info(v)->loop) {
@@ -552,11 +562,12 @@ static bool gen_fix(compiler *c, vs_node *n, uint32_t to) {
     }
     uint32_t temp, before = e->next;
     if (!vs_emit_register(e, &temp) || !gen(c, n->as.let.values[i], temp)) return false;
-    if (!vs_emit_op(e, boxed(v) ? VS_O_SETBOX : VS_O_MOVE, v->reg, temp, 0)) return false;
+    if (!vs_emit_op(e, boxed(v) ? VS_O_SETBOX : VS_O_MOVE, v->reg, temp, 0) || !vs_emit_variable(e, v)) return false;
     e->next = before;
     i++;
   }
   if (!gen(c, n->as.let.body, to)) return false;
+  vs_emit_scope_end(e, scope);
   e->next = keep;
   return true;
 }

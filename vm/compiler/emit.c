@@ -1,6 +1,7 @@
 /* Owns the making of one procedure's instructions. */
 #include "vm/compiler/emit.h"
 
+#include "vm/compiler/analyse.h"
 #include "vm/machine/native.h"
 
 static bool grow(vs_emit *e, void *array, size_t *room, size_t count, size_t size) {
@@ -19,7 +20,8 @@ void vs_emit_close(vs_emit *e) {
   if (e->consts) vs_mem(vm, e->consts, e->const_room * sizeof *e->consts, 0);
   if (e->places) vs_mem(vm, e->places, e->place_room * sizeof *e->places, 0);
   if (e->inlined) vs_mem(vm, e->inlined, e->inlined_room * sizeof *e->inlined, 0);
-  e->ins = NULL; e->consts = NULL; e->places = NULL; e->inlined = NULL;
+  if (e->variables) vs_mem(vm, e->variables, e->variable_room * sizeof *e->variables, 0);
+  e->ins = NULL; e->consts = NULL; e->places = NULL; e->inlined = NULL; e->variables = NULL;
 }
 
 bool vs_emit_register(vs_emit *e, uint32_t *out) {
@@ -118,6 +120,56 @@ bool vs_emit_inlined(vs_emit *e, uint32_t cell) {
   return true;
 }
 
+/* Is the variable one that a programmer wrote and would want to see the value of? Procedures that are defined inside
+   are not. */
+static bool worth_showing(const vs_emit *e, const vs_var *v) {
+  vs_value name = e->ast->pool[v->name];
+  return e->ast->vm->config.keep_frames && !v->introduced && !v->value && vs_is_symbol(name) &&
+         strcmp(vs_as_symbol(name)->name, "_") != 0;
+}
+
+bool vs_emit_variable(vs_emit *e, const vs_var *v) {
+  if (!worth_showing(e, v)) return true;
+  if (!grow(e, &e->variables, &e->variable_room, e->variable_count, sizeof *e->variables)) return false;
+  e->variables[e->variable_count++] = (vs_variable){v->name, v->reg, (uint32_t)e->count, UINT32_MAX};
+  return true;
+}
+
+void vs_emit_scope_end(vs_emit *e, size_t first) {
+  for (size_t i = first; i < e->variable_count; i++)
+    if (e->variables[i].to == UINT32_MAX) e->variables[i].to = (uint32_t)e->count;
+}
+
+/* the captured variables behind the others */
+static bool captured_variables(vs_emit *e) {
+  const vs_frame_info *f = e->frame->as.lambda.extra;
+  for (uint32_t i = 0; i < f->free_count; i++) {
+    if (!worth_showing(e, f->free[i])) continue;
+    if (!grow(e, &e->variables, &e->variable_room, e->variable_count, sizeof *e->variables)) return false;
+    e->variables[e->variable_count++] = (vs_variable){f->free[i]->name, -1 - (int64_t)i, 0, UINT32_MAX};
+  }
+  return true;
+}
+
+/* code->places: the entries with the variables, if there are any */
+static bool add_variables(vs_emit *e, vs_code *c) {
+  vs_scheme *vm = e->ast->vm;
+  VS_ROOTS(vm, r, 2);
+  if (!captured_variables(e)) return false;
+  if (!e->variable_count) return true;
+  if (!vs_make_vector(vm, e->variable_count * VS_VARIABLE_WORDS, VS_FALSE, &r[0])) return false;
+  for (size_t i = 0; i < e->variable_count; i++) {
+    vs_value *to = vs_as_vector(r[0])->at + i * VS_VARIABLE_WORDS;
+    to[1] = vs_fix(e->variables[i].where);
+    to[2] = vs_fix(e->variables[i].from);
+    to[3] = vs_fix(e->variables[i].to);
+    vs_gc_store(vm, vs_as_vector(r[0]), &to[0], e->ast->pool[e->variables[i].name]);
+  }
+  if (!vs_cons(vm, c->places, r[0], &r[1])) return false;
+  vs_gc_store(vm, c, &c->places, r[1]);
+  return true;
+}
+
 /* old space: the run loop keeps addresses into these */
 static bool old_bytes(vs_scheme *vm, const void *at, size_t n, vs_value *out) {
   vs_bytes *b = (vs_bytes *)(void *)vs_gc_alloc_old(vm, VS_T_BYTES, 2 + (n + 7) / 8);
@@ -142,6 +194,7 @@ bool vs_emit_finish(vs_emit *e, vs_value code) {
   vs_gc_store(vm, c, &c->ins, r[0]);
   if (!old_bytes(vm, e->places, e->place_count * sizeof *e->places, &r[0])) return false;
   vs_gc_store(vm, c, &c->places, r[0]);
+  if (!add_variables(e, c)) return false;
   if (!old_bytes(vm, e->inlined, e->inlined_count * sizeof *e->inlined, &r[0])) return false;
   vs_gc_store(vm, c, &c->inlined, r[0]);
   c->registers = e->most;

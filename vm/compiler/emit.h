@@ -9,6 +9,9 @@
 enum { VS_NEAR = 240, VS_FAR = 256, VS_MOST_REGISTERS = 60000 };
 #define VS_NO_REGISTER UINT32_MAX
 
+/* name: index into the tree's pool; the rest as in code.h */
+typedef struct vs_variable { uint32_t name; int64_t where; uint32_t from, to; } vs_variable;
+
 typedef struct vs_emit {
   vs_ast *ast;
   vs_node *frame;                     /* the LAMBDA being compiled */
@@ -18,6 +21,7 @@ typedef struct vs_emit {
   uint32_t *consts; size_t const_count, const_room;          /* indices into the tree's pool */
   vs_place *places; size_t place_count, place_room;
   vs_inlined *inlined; size_t inlined_count, inlined_room;
+  vs_variable *variables; size_t variable_count, variable_room;     /* only where errors keep their frames */
 } vs_emit;
 
 typedef uint32_t vs_jumps;            /* 0, or 1 + index of the last offset word to be filled in; that holds the one before */
@@ -35,6 +39,10 @@ bool vs_emit_constant(vs_emit *e, uint32_t pool_index, uint32_t *out);    /* ind
 bool vs_emit_value(vs_emit *e, vs_value v, uint32_t *out);                /* the same for a value */
 bool vs_emit_place(vs_emit *e, vs_pos pos);                               /* of the next instruction */
 bool vs_emit_inlined(vs_emit *e, uint32_t cell);                          /* the next instruction stands for this constant */
+/* From the next instruction on the variable is in its register; up to the last one before vs_emit_scope_end, which is
+   told what variable_count was before. */
+bool vs_emit_variable(vs_emit *e, const vs_var *v);
+void vs_emit_scope_end(vs_emit *e, size_t first);
 /* fills `code` (already allocated, old) with what was emitted */
 bool vs_emit_finish(vs_emit *e, vs_value code);
 

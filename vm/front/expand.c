@@ -218,7 +218,9 @@ vs_node *vs_expand_ref(vs_expansion *x, vs_value id, vs_value env, vs_pos pos) {
 bool vs_expand_scope(vs_expansion *x, vs_value env, vs_value *out) { return vs_scope_new(x->vm, env, x->serial, out); }
 
 bool vs_expand_var(vs_expansion *x, vs_value id, vs_value scope, vs_var **var) {
+  bool introduced = !vs_is_symbol(id);
   *var = vs_ast_var(&x->ast, vs_identifier_symbol(id));
+  if (*var) (*var)->introduced = introduced;
   return *var && vs_environment_bind(x->vm, scope, id, vs_fix((int64_t)(uintptr_t)*var));
 }
 

@@ -31,7 +31,7 @@ static bool walk_up(struct walk *w, size_t *pc, bool *native) {
   return true;
 }
 
-struct link { vs_value name; vs_pos place; const vs_value *base; bool gap;
+struct link { vs_value name; vs_pos place; const vs_value *base; size_t pc; bool gap;
     /* calls between this one and the one before left no frames */ };
 
 /* Does the frame above stand where another procedure was called? Then that one ended with a tail call, or those it led to. Asked of calls
@@ -65,7 +65,9 @@ static size_t chain(vs_scheme *vm, struct link *at, size_t max) {
     at[count].name = code->name;
     at[count].base = w.base;
     at[count].gap = ended_in_tail_call(code, pc, running);
-    at[count++].place = vs_code_place(code, (uint32_t)(pc ? pc - 1 : 0));
+    at[count].pc = pc ? pc - 1 : 0;
+    at[count].place = vs_code_place(code, (uint32_t)at[count].pc);
+    count++;
   } while (count < max && walk_up(&w, &pc, &native));
   return count;
 }
@@ -151,9 +153,22 @@ bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out) {
   return true;
 }
 
-/* A vector, VS_FRAME_WORDS a call, innermost first: the procedure, its place as a fixnum, then the values of its
- * first parameters. Registers that were given back since
- * may hold something else; assigned parameters lie in boxes. */
+/* Notes a variable of a call, VS_FRAME_VARIABLES of them at most. Of one name the innermost counts: a local one behind
+ * those around it, and a captured one only where there is no other. */
+static void note_variable(vs_scheme *vm, vs_vector *v, vs_value *call, vs_value name, vs_value x, bool captured) {
+  if (vs_is(x, VS_T_BOX)) x = vs_as_box(x)->value; /* assigned variables lie in boxes */
+  if (!vs_is_symbol(name) || x == VS_UNDEFINED || x == VS_ABSENT || vs_is(x, VS_T_STACK)) return;
+  vs_value *to = call + 2, *end = call + VS_FRAME_WORDS;
+  while (to < end && vs_is_symbol(to[0]) && to[0] != name) to += 2;
+  if (to == end || (captured && to[0] == name)) return;
+  vs_gc_store(vm, v, &to[0], name);
+  vs_gc_store(vm, v, &to[1], x);
+}
+
+/* A vector, VS_FRAME_WORDS a call, innermost first: the procedure, its place as a fixnum, then names and values of its
+ * variables: parameters, those of let, do and definitions that the call was in the scope of, captured ones. #f for a
+ * name: no more.
+ * Parameters' registers that were given back since may hold something else. */
 bool vs_call_variables(vs_scheme *vm, vs_value *out) {
   enum { MOST = 24 };
   struct link at[MOST];
@@ -163,14 +178,16 @@ bool vs_call_variables(vs_scheme *vm, vs_value *out) {
   vs_vector *v = vs_as_vector(r[0]);
   for (size_t i = 0; i < n; i++) {
     vs_value *to = v->at + i * VS_FRAME_WORDS;
-    const vs_code *code = vs_as_code(vs_as_closure(at[i].base[-2])->code);
-    size_t names = vs_as_vector(code->params)->length;
+    const vs_closure *closure = vs_as_closure(at[i].base[-2]);
+    const vs_code *code = vs_as_code(closure->code);
+    const vs_vector *params = vs_as_vector(code->params), *more = vs_code_variables(code);
     vs_gc_store(vm, v, &to[0], at[i].base[-2]);
     vs_gc_store(vm, v, &to[1], vs_fix((int64_t)at[i].place));
-    for (size_t k = 0; k < names && k + 2 < VS_FRAME_WORDS; k++) {
-      vs_value x = at[i].base[k];
-      if (vs_is(x, VS_T_BOX)) x = vs_as_box(x)->value;
-      if (!vs_is_object(x) || vs_object_of(x)->type != VS_T_STACK) vs_gc_store(vm, v, &to[2 + k], x);
+    for (size_t k = 0; k < params->length; k++) note_variable(vm, v, to, params->at[k], at[i].base[k], false);
+    for (const vs_value *x = more ? more->at : NULL; more && x < more->at + more->length; x += VS_VARIABLE_WORDS) {
+      int64_t where = vs_fixnum(x[1]);
+      if (at[i].pc < (size_t)vs_fixnum(x[2]) || at[i].pc >= (size_t)vs_fixnum(x[3])) continue;
+      note_variable(vm, v, to, x[0], where < 0 ? closure->free[-1 - where] : at[i].base[where], where < 0);
     }
   }
   return *out = r[0], true;

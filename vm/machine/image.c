@@ -8,6 +8,7 @@
    that their first use inserts every entry anew. */
 #include "vm/machine/image.h"
 
+#include "vm/compiler/code.h"
 #include "vm/values/gc.h"
 #include "vm/values/layout.h"
 #include "vm/machine/native.h"
@@ -115,6 +116,10 @@ static bool writer_reach(struct writer *w, vs_value v) {
   const vs_object *o = vs_object_of(v);
   if (w->slots && w->places[writer_slot(w, o)].o) return true;
   if (o->type == VS_T_FOREIGN) w->foreign = true;
+  if (o->type == VS_T_CODE) {
+    vs_code *code = vs_as_code(v);
+    code->places = vs_fix((int64_t)vs_code_place(code, UINT32_MAX));
+  }
   if ((w->count + 1) * 2 > w->slots && !writer_grow_places(w)) return false;
   if (w->count == w->room) {
     size_t more = w->room ? w->room * 2 : 1024;

@@ -21,9 +21,9 @@ vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter);
    fixnum vs_pos; (#t . 0) before one stands for calls in between that ended with tail calls and left no frames. For natives such as `error`; conditions made by vs_fail have it already. */
 bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out);
 /* The same without allocating, names and places apart: how many were written. */
-/* The innermost calls with their parameters, for vs_condition.frames (activation.c says how they lie). False: out of
+/* The innermost calls with their variables, for vs_condition.frames (activation.c says how they lie). False: out of
  * memory. */
-enum { VS_FRAME_WORDS = 10 };
+enum { VS_FRAME_VARIABLES = 16, VS_FRAME_WORDS = 2 + 2 * VS_FRAME_VARIABLES };
 bool vs_call_variables(vs_scheme *vm, vs_value *out);
 size_t vs_call_links(vs_scheme *vm, vs_value *name, vs_pos *place, size_t max);
 /* The places alone, without allocating: how many were written. */

@@ -131,7 +131,7 @@ typedef struct {
   vs_value name;        /* symbol or #f */
   vs_value consts;      /* vector, old space; cells, literals, nested code, keyword lists */
   vs_value ins;         /* BYTES of 32-bit instructions, old space */
-  vs_value places;      /* BYTES: pc -> position, see code.h */
+  vs_value places;      /* BYTES: pc -> position, or one position as a fixnum: see code.h */
   vs_value inlined;     /* BYTES of {u32 pc, u32 constant}: instructions standing for a call of that constant's cell, by pc */
   vs_value params;      /* vector of symbols: required, optional, keyword, rest: for messages */
   vs_value doc;         /* what the program may attach, or #f */
