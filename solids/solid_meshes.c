@@ -16,8 +16,6 @@
 #include "model/store/cache.h"
 #include "model/tally.h"
 
-enum { BUCKETS = 4096 };
-
 typedef struct {
   vs_affine placement;
   const vs_material *material;
@@ -58,7 +56,7 @@ typedef struct {
   VS_LIST(vs_bounds) within;          /* of each leaf, where there are half-spaces: where they matter */
   VS_LIST(uint32_t) scopes;           /* of each, the one around it */
   VS_LIST(scoped) scoped;             /* every place of every leaf */
-  size_t buckets[BUCKETS];            /* of meshes by hash; one more */
+  VS_LIST(size_t) buckets;            /* of meshes by their nodes' hashes; one more, 0 empty; a power of two, at least as many as meshes */
   VS_LIST(uint32_t) twins;            /* leaves by mesh, placement, paint and side, open addressing; one more, 0 free */
   VS_LIST(uint8_t) off;               /* of each leaf: level.off */
   VS_LIST(uint32_t) mesh_numbers;     /* of each leaf: which of meshes */
@@ -128,9 +126,27 @@ static bool same_place(const vs_affine *a, const vs_affine *b) {
   return true;
 }
 
+static size_t *bucket_of(const builder *b, const vs_node *node) { return &b->buckets.at[(node->hash ^ node->hash >> 32) & (b->buckets.count - 1)]; }
+
+/* Doubles the table of buckets where it has no place for one more mesh. */
+static bool buckets_grow(builder *b) {
+  if (b->meshes.count < b->buckets.count) return true;
+  size_t count = b->buckets.count ? 2 * b->buckets.count : 64;
+  if (!VS_ROOM(&b->k, b->buckets.at, b->buckets.room, count)) return false;
+  memset(b->buckets.at, 0, count * sizeof *b->buckets.at);
+  b->buckets.count = count;
+  for (size_t i = 0; i < b->meshes.count; i++) {
+    size_t *bucket = bucket_of(b, b->meshes.at[i].node);
+    b->meshes.at[i].next = *bucket;
+    *bucket = i + 1;
+  }
+  return true;
+}
+
 static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_facets *facets, vs_mesh **mesh, uint32_t *number) {
   bool endless = ref->node->kind == VS_HALF_SPACE;
-  size_t *bucket = &b->buckets[(ref->node->hash ^ ref->node->hash >> 32) % BUCKETS];
+  if (!buckets_grow(b)) return false;
+  size_t *bucket = bucket_of(b, ref->node);
   for (size_t i = *bucket; i; i = b->meshes.at[i - 1].next) {
     const meshed *m = &b->meshes.at[i - 1];
     if (m->facets.tolerance != facets->tolerance || m->facets.segments != facets->segments) continue;
@@ -477,6 +493,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
   VS_DROP(&b->k, b->pending);
   VS_DROP(&b->k, b->levels);
   VS_DROP(&b->k, b->meshes);
+  VS_DROP(&b->k, b->buckets);
   VS_DROP(&b->k, b->parts);
   VS_DROP(&b->k, b->paints);
   VS_DROP(&b->k, b->part_table);
