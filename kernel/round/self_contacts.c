@@ -14,6 +14,7 @@
  * pieces are tried that lie in each other's slabs: by boxes, then triangle by triangle by boxes and planes, and apart.c has what these do not tell. */
 #include "kernel/mesh/triangles_apart.h"
 #include "kernel/mesh/bvh.h"
+#include "kernel/round/hubs.h"
 #include "kernel/round/rounding_state.h"
 
 #include <math.h>
@@ -42,6 +43,7 @@ typedef struct {
   bool is_changed;               /* settling has given its triangles other corners */
   bool busy;                     /* open, and goes through a storey or nearly touches one */
   uint8_t level;                 /* all of it has one x (0), y (1) or z (2), this one: */
+  uint32_t hub;                  /* a corner that all of its triangles have, and around which nothing need be tried (hubs.h); else UINT32_MAX */
   double value;
   float normal[3], low, high;    /* its slab, and the margin on either side */
 } run;
@@ -60,6 +62,9 @@ typedef struct {
   made all;
   VS_LIST(uint32_t) busy;        /* open runs */
   VS_LIST(vs_box) busy_boxes;
+  uint32_t *hub_of;              /* of the triangles; NULL: there are no hubs */
+  size_t hub_room;
+  VS_LIST(uint32_t) hubs;        /* of the open runs */
   vs_bvh bvh, busy_bvh;          /* of the open ones */
   made found[VS_PIPELINE_WINDOW];
   struct { VS_LIST(pair) at; } met[VS_PIPELINE_WINDOW];
@@ -235,12 +240,13 @@ static bool make_runs(vs_kernel *k, void *context, size_t index) {
   for (size_t t = begin; t < end; t++) {
     if (c->s->gone.at[t]) continue;
     facet f = facet_of(c, (uint32_t)t);
-    if (r->count && (r->count == RUN || f.low || r->is_low || r->is_changed != c->s->changed.at[t] || t != r->first + r->count || !alike(f.normal, g.normal) || !bounds_touch(&g.box, &f.box))) {
+    uint32_t hub = c->hub_of ? c->hub_of[t] : UINT32_MAX;
+    if (r->count && (r->count == RUN || hub != r->hub || f.low || r->is_low || r->is_changed != c->s->changed.at[t] || t != r->first + r->count || !alike(f.normal, g.normal) || !bounds_touch(&g.box, &f.box))) {
       if (!end_run(k, c, to, &g)) return false;
       r->count = 0;
     }
     if (r->count == 0) {
-      *r = (run){ .first = (uint32_t)t, .first_place = (uint32_t)to->places.count, .is_low = f.low, .is_changed = c->s->changed.at[t] };
+      *r = (run){ .first = (uint32_t)t, .first_place = (uint32_t)to->places.count, .is_low = f.low, .is_changed = c->s->changed.at[t], .hub = hub };
       g.normal = vs_v3(0, 0, 0);
       g.box = vs_bounds_empty();
       g.count = 0;
@@ -508,8 +514,10 @@ bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
   const runs *level = &c.all.kinds[LEVEL], *open = &c.all.kinds[OPEN];
   out->met = 0;
   for (size_t t = 0; t < s->m->triangle_count; t++) s->listed.at[t] &= 1;
-  bool ok = vs_kernel_pipeline(k, (s->m->triangle_count + TRIANGLES - 1) / TRIANGLES, make_runs, take_runs, &c);
+  bool ok = vs_settling_find_hubs(s, &c.hub_of, &c.hub_room) && vs_kernel_pipeline(k, (s->m->triangle_count + TRIANGLES - 1) / TRIANGLES, make_runs, take_runs, &c);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) drop_made(k, &c.found[i]);
+  for (size_t i = 0; ok && c.hub_of && i < open->at.count; i++) ok = VS_PUSH(k, c.hubs, open->at.at[i].hub);
+  c.bvh.families = c.hub_of ? c.hubs.at : NULL;
   ok = ok && vs_bvh_build(k, &c.bvh, open->boxes.at, (uint32_t)open->boxes.count) && vs_bvh_build(k, &c.busy_bvh, c.busy_boxes.at, (uint32_t)c.busy.count) &&
        vs_kernel_pipeline(k, open_tasks(&c) + (c.busy.count ? (level->at.count + QUERIES - 1) / QUERIES : 0), look, take, &c);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) VS_DROP(k, c.met[i].at);
@@ -517,6 +525,8 @@ bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
   vs_bvh_free(k, &c.busy_bvh);
   VS_DROP(k, c.busy);
   VS_DROP(k, c.busy_boxes);
+  VS_DROP(k, c.hubs);
+  VS_FREE(k, c.hub_of, c.hub_room);
   drop_made(k, &c.all);
   return ok && (!out->met || mark_around(s));
 }

@@ -1,0 +1,109 @@
+/* Owns the proof that the triangles around a hub, a corner in which more than MANY end, have nothing in common but what the mesh says.
+ *
+ * The boxes of all of them meet, so that an index tells none apart, and each pair would be tried: n^2 for the tip of a cone. But triangles with a common corner
+ * meet elsewhere only where the angles that they fill there overlap. Seen along some direction d, each one's other two corners p and q turn by an angle
+ * between 0 and half a turn, counter-clockwise, where det(p, q, d) > 0. If that holds for all, each follows another along an edge, and the angles come to
+ * one turn in all, none overlaps another. d is the mean normal, the determinants' signs are held to their error, and the sum to a whole number of turns, of
+ * which it is a multiple: so one look around proves it, in n log n for the order. What is not proven is tried as ever. */
+#include "kernel/round/hubs.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MANY = 64 };
+
+typedef struct { uint32_t hub, triangle, next, last; } spoke; /* next, last: the triangle's corners that follow the hub */
+
+typedef struct {
+  const vs_settling *s;
+  VS_LIST(uint32_t) count; /* of a vertex: its triangles */
+  VS_LIST(spoke) spokes;
+  VS_LIST(uint32_t) order, scratch; /* of the spokes: by hub, then by the next corner */
+} search;
+
+static bool before(const void *context, uint32_t a, uint32_t b) {
+  const spoke *x = &((const search *)context)->spokes.at[a], *y = &((const search *)context)->spokes.at[b];
+  return x->hub != y->hub ? x->hub < y->hub : x->next < y->next;
+}
+
+static const spoke *at(const search *c, size_t i) { return &c->spokes.at[c->order.at[i]]; }
+
+/* The spoke in [first, end) whose triangle follows along the edge to that corner; NULL: none, or several. */
+static const spoke *following(const search *c, size_t first, size_t end, uint32_t corner) {
+  size_t low = first, high = end;
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    if (at(c, middle)->next < corner) low = middle + 1;
+    else high = middle;
+  }
+  if (low == end || at(c, low)->next != corner || (low + 1 < end && at(c, low + 1)->next == corner)) return NULL;
+  return at(c, low);
+}
+
+/* Is det(p, q, d) surely above 0? */
+static bool turns(vs_vec3 p, vs_vec3 q, vs_vec3 d) {
+  double size = (fabs(p.y * q.z) + fabs(p.z * q.y)) * fabs(d.x) + (fabs(p.z * q.x) + fabs(p.x * q.z)) * fabs(d.y) + (fabs(p.x * q.y) + fabs(p.y * q.x)) * fabs(d.z);
+  return vs_v3_dot(vs_v3_cross(p, q), d) > 1e-14 * size;
+}
+
+/* Do the spokes of one hub, [first, end), go round it once? */
+static bool goes_round_once(const search *c, size_t first, size_t end) {
+  const vs_settling *s = c->s;
+  vs_vec3 hub = vs_settling_corner(s, at(c, first)->hub), d = vs_v3(0, 0, 0);
+  for (size_t i = first; i < end; i++) {
+    vs_vec3 p = vs_v3_sub(vs_settling_corner(s, at(c, i)->next), hub), q = vs_v3_sub(vs_settling_corner(s, at(c, i)->last), hub);
+    d = vs_v3_add(d, vs_v3_unit(vs_v3_cross(p, q)));
+  }
+  d = vs_v3_unit(d);
+  double sum = 0;
+  const spoke *begin = at(c, first), *x = begin;
+  for (size_t i = first; i < end; i++) {
+    vs_vec3 p = vs_v3_sub(vs_settling_corner(s, x->next), hub), q = vs_v3_sub(vs_settling_corner(s, x->last), hub);
+    if (!turns(p, q, d)) return false;
+    sum += atan2(vs_v3_dot(vs_v3_cross(p, q), d), vs_v3_dot(p, q) - vs_v3_dot(p, d) * vs_v3_dot(q, d));
+    x = following(c, first, end, x->last);
+    if (!x || (x == begin) != (i + 1 == end)) return false; /* several fans, or an open one */
+  }
+  return fabs(sum - 6.283185307179586) < 1;
+}
+
+/* The triangles' corners that are hubs. */
+static bool find_spokes(vs_kernel *k, search *c) {
+  const vs_mesh *m = c->s->m;
+  for (uint32_t t = 0; t < m->triangle_count; t++)
+    for (uint32_t j = 0; j < 3 && !c->s->gone.at[t]; j++) {
+      const uint32_t *v = m->triangles[t];
+      if (c->count.at[v[j]] <= MANY) continue;
+      spoke made = { v[j], t, v[j == 2 ? 0 : j + 1], v[j == 0 ? 2 : j - 1] };
+      if (!VS_PUSH(k, c->spokes, made) || !VS_PUSH(k, c->order, (uint32_t)c->spokes.count - 1)) return false;
+    }
+  if (!VS_ROOM(k, c->scratch.at, c->scratch.room, c->order.count + 1)) return false;
+  vs_kernel_sort(c->order.at, c->scratch.at, c->order.count, before, c);
+  return vs_kernel_report(k, 1);
+}
+
+bool vs_settling_find_hubs(const vs_settling *s, uint32_t **hub_of, size_t *room) {
+  search c = { .s = s };
+  vs_kernel *k = s->k;
+  const vs_mesh *m = s->m;
+  bool any = false, ok = VS_ROOM(k, c.count.at, c.count.room, m->vertex_count + 1);
+  if (ok) memset(c.count.at, 0, (m->vertex_count + 1) * sizeof *c.count.at);
+  for (size_t t = 0; ok && t < m->triangle_count; t++)
+    for (int j = 0; j < 3; j++) any |= ++c.count.at[m->triangles[t][j]] > MANY;
+  ok = ok && vs_kernel_report(k, 1);
+  if (ok && any) {
+    ok = find_spokes(k, &c) && VS_ROOM(k, *hub_of, *room, m->triangle_count);
+    if (ok) memset(*hub_of, 0xff, m->triangle_count * sizeof **hub_of); /* none */
+    for (size_t i = 0, end; ok && i < c.order.count; i = end) {
+      for (end = i + 1; end < c.order.count && at(&c, end)->hub == at(&c, i)->hub;) end++;
+      if (!goes_round_once(&c, i, end)) continue;
+      for (size_t j = i; j < end; j++) (*hub_of)[at(&c, j)->triangle] = at(&c, j)->hub;
+      ok = vs_kernel_report(k, 1);
+    }
+  }
+  VS_DROP(k, c.count);
+  VS_DROP(k, c.spokes);
+  VS_DROP(k, c.order);
+  VS_DROP(k, c.scratch);
+  return ok;
+}
