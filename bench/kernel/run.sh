@@ -7,6 +7,7 @@
 #   native     Manifold's library, from its tree to the triangles in memory, elapsed, all threads; MANIFOLD=FOLDER, its sources (include/, src/), is built with TBB
 #   elsewhere  Manifold 3.5.1, whole process from ready facets, taken on another machine (native.tsv)
 #   wasm       manifold-3d, from its tree to the triangles in memory, without starting its module; OpenSCAD: the whole process, processor seconds
+# Without names: the 44 of gen.mjs. Those of families.mjs (many solids over one place) are run by name, with SCAD=0: `... boxes_50 boxes_100 boxes_200`.
 # OpenSCAD is not asked again for larger members of a family once one has not finished.
 set -u
 usage() { echo "usage: bench/kernel/run.sh VS MEASURE [WORKLOAD ...]" >&2; exit 1; }
@@ -17,7 +18,7 @@ command -v node > /dev/null || { echo "run.sh: there is no node (package nodejs)
 vs=$PWD/$1 measure=$PWD/$2; shift 2
 runs=${RUNS:-3} limit=${SCAD:-20} patience=${WASM:-120} work=$PWD/build/bench-kernel here=$PWD/bench/kernel
 mkdir -p "$work" && cd "$work" || exit 1
-node "$here/gen.mjs" "$work" > /dev/null || exit 1
+node "$here/gen.mjs" "$work" > /dev/null && node "$here/families.mjs" "$work" || exit 1
 if [ ! -f node_modules/manifold-3d/manifold.js ]; then
   cp "$here/package.json" . && npm install --no-package-lock --no-audit --no-fund --silent || echo "manifold-3d could not be fetched: its columns stay empty" >&2
 fi
