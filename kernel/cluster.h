@@ -10,6 +10,8 @@
  *   plain   a triangle of a leaf that nothing meets: it has no facet nor face of its own; see untouched_triangles.c
  *   region  plain triangles of a leaf that hang together: one face, which lies in no plane; its + side is outside of the leaf
  *   patch   a convex piece of a facet: all of it where it is convex, else one of its triangles; what is tested against each other
+ *   side    a border edge of a facet, where facets are given by these and not by triangles: see levels.c
+ *   line    of a side: an edge of the input that it lies on, or the second plane that it lies in
  *   settled of places inside a leaf that makes the whole true (or false) by itself, or outside of a gate: what lies in there cannot show.
  *           Triangles and cuts that are well inside settled space are left out from the start, so in there the arrangement is not to be
  *           trusted; its border is always complete, because what lies on the border is not inside. */
@@ -46,6 +48,10 @@ typedef struct {
   uint8_t inner;   /* of a triangle, as above; else 0 */
 } vs_patch;
 typedef struct { int32_t at[3]; uint32_t point; } vs_patch_corner;
+
+typedef struct { uint32_t from, to, line; } vs_facet_side; /* counter-clockwise as seen from outside; line: VS_LINE and one of `lines`, or a plane */
+typedef struct { int32_t at[2][3]; } vs_line;        /* an edge of the input, by its ends */
+#define VS_LINE (UINT32_C(1) << 31)
 
 typedef struct { uint32_t low, high; } vs_edge; /* input vertices */
 typedef struct { uint32_t facet, p, q, plane; } vs_cut; /* p to q lies in the facet, and in plane; p == q: a point */
@@ -131,23 +137,55 @@ typedef struct {
   VS_LIST(vs_use) uses;
   vs_halves edges;       /* the uses by edge */
   VS_LIST(uint8_t) kept; /* a face: 0 no, 1 outside is its + side, 2 its - side */
+  /* Where solids are united level by level (levels.c); else all of these are empty. */
+  size_t crowd;               /* leaves that could be united so; and whether what meets is too much to be arranged at once */
+  bool crowded;
+  VS_LIST(vs_facet_side) sides;     /* facets[].first leads into these, not into facet_triangles */
+  VS_LIST(vs_line) lines;     /* in a level: the cluster's, borrowed */
+  VS_LIST(uint32_t) use_line; /* of each of the uses */
+  uint32_t *solid;            /* union-find over the problem's leaves: which have become one solid; or NULL */
+  uint8_t *layered;           /* of the problem's leaves: 1 it is united with others first; or NULL */
+  size_t solid_room, layered_room;
+  const uint32_t *joining;    /* a level: the solids that are united here, and nothing else counts; or NULL */
+  uint32_t joining_count;
   bool inspect;          /* of one leaf, which may be inside out: the next two are wanted */
   VS_LIST(uint32_t) side_cell; /* 2 * face (+ side), 2 * face + 1 (- side) -> cell */
   VS_LIST(int32_t) wound;      /* of a cell: the leaf's winding number */
 } vs_cluster;
 
+/* Which solid the leaf is part of by now: the first leaf of it. */
+static inline uint32_t vs_solid_of(const vs_cluster *c, uint32_t leaf) { return c->solid ? vs_find(c->solid, leaf) : leaf; }
+
+/* Are so many cuts, or crossings of cuts, too many to be arranged at once? Never where no leaves can be united before: see levels.c. */
+static inline bool vs_too_many(const vs_cluster *c, size_t found) {
+  enum { EACH = 48, LEAST = 20000 };
+  return c->crowd > 2 && !c->layered && found > EACH * c->facets.count + LEAST;
+}
+static inline bool vs_crowded(vs_cluster *c, size_t found) {
+  if (vs_too_many(c, found)) c->crowded = true;
+  return c->crowded;
+}
+
 /* The steps, in order. All false on error. */
 bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *local_to_frame /* one a leaf of the cluster */);
-bool vs_soup_build(vs_kernel *k, vs_cluster *c);                       /* frame, weld, grid; and the next */
-bool vs_plain_find(vs_kernel *k, vs_cluster *c);                       /* fate; and the next */
+bool vs_soup_build(vs_kernel *k, vs_cluster *c);                       /* frame, weld, grid; and the next two */
+bool vs_plain_find(vs_kernel *k, vs_cluster *c);                       /* fate */
 bool vs_facets_build(vs_kernel *k, vs_cluster *c);                     /* triangles, facets */
 bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /* lids; within soup_build */
 bool vs_patches_build(vs_kernel *k, vs_cluster *c);                    /* patches, boxes, bvh */
 bool vs_meet_patches(vs_kernel *k, vs_cluster *c);                     /* cuts, groups */
 bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* faces, uses */
 bool vs_plain_regions(vs_kernel *k, vs_cluster *c);                    /* regions, and their faces and uses */
+bool vs_meet_facets(vs_kernel *k, vs_cluster *c);                      /* the same of facets that are given by their sides */
+bool vs_unite_levels(vs_kernel *k, vs_cluster *c, vs_expression *e);   /* of a crowded cluster: facets, sides, cuts, groups */
 bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e); /* kept */
 bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out);
+/* What is kept as facets of its own: appends to sides and facets, in the numbers of the cluster's points; a facet's leaf is its face's tag. */
+typedef struct {
+  VS_LIST(vs_facet) facets; /* one more behind them: where the last one's sides end */
+  VS_LIST(vs_facet_side) sides;
+} vs_outlines;
+bool vs_output_outlines(vs_kernel *k, vs_cluster *c, vs_outlines *out);
 void vs_cluster_free(vs_kernel *k, vs_cluster *c);
 
 /* Bit b of masks[vertex]: the leaf's vertex is well inside its b-th lid, or (the last six bits) beyond one side of the gate. */

@@ -135,6 +135,11 @@ void vs_cluster_free(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, c->kept);
   VS_DROP(k, c->side_cell);
   VS_DROP(k, c->wound);
+  VS_DROP(k, c->sides);
+  VS_DROP(k, c->lines);
+  VS_DROP(k, c->use_line);
+  VS_FREE(k, c->solid, c->solid_room);
+  VS_FREE(k, c->layered, c->layered_room);
 }
 
 typedef struct {
@@ -157,6 +162,45 @@ static void forget_patches(vs_kernel *k, vs_cluster *c) {
   vs_planes_forget(k, &c->planes);
 }
 
+/* Leaves that can be united level by level before they meet the others: see levels.c. */
+static bool can_be_layered(const vs_cluster *c, uint32_t place) {
+  return c->expression->forces.at[c->leaves[place]] && c->placed.at[place].star && c->placed.at[place].part->volume > 0;
+}
+
+static bool arrange_at_once(vs_kernel *k, vs_cluster *c) {
+  bool ok = vs_patches_build(k, c) && vs_kernel_lap(k, VS_STEP_PATCHES) && vs_kernel_report(k, 0.1);
+  VS_ASSERT(!ok || vs_holds_patches(c));
+  ok = ok && vs_meet_patches(k, c) && vs_kernel_report(k, 0.3);
+  VS_ASSERT(!ok || vs_holds_cuts(c));
+  forget_patches(k, c);
+  return ok && vs_kernel_lap(k, VS_STEP_MEET) && vs_arrange_planes(k, c);
+}
+
+/* The same once more from the triangles on, level by level. */
+static bool arrange_in_levels(vs_kernel *k, vs_cluster *c, vs_expression *e) {
+  size_t leaves = c->problem->leaf_count;
+  forget_patches(k, c);
+  vs_points_free(k, &c->points);
+  vs_planes_free(k, &c->planes);
+  VS_DROP(k, c->triangles);
+  VS_DROP(k, c->facets);
+  VS_DROP(k, c->facet_triangles);
+  VS_DROP(k, c->fate);
+  VS_DROP(k, c->point_of);
+  VS_DROP(k, c->cuts);
+  VS_DROP(k, c->edge_of);
+  VS_DROP(k, c->faces);
+  VS_DROP(k, c->covers);
+  VS_DROP(k, c->uses);
+  c->plain_count = 0;
+  c->crowded = false;
+  if (!VS_ROOM(k, c->layered, c->layered_room, leaves + 1) || !VS_ROOM(k, c->solid, c->solid_room, leaves + 1)) return false;
+  memset(c->layered, 0, leaves);
+  vs_disjoint(c->solid, (uint32_t)leaves);
+  for (uint32_t i = 0; i < c->leaf_count; i++) c->layered[c->leaves[i]] = can_be_layered(c, i);
+  return vs_plain_find(k, c) && vs_facets_build(k, c) && vs_kernel_lap(k, VS_STEP_PATCHES) && vs_unite_levels(k, c, e) && vs_kernel_lap(k, VS_STEP_MEET) && vs_arrange_planes(k, c);
+}
+
 static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t count, vs_mesh *out) {
   vs_cluster c = { .problem = w->problem, .parts = &w->parts, .expression = &w->expression, .leaves = leaves, .leaf_count = count };
   if (w->expression.gate_count) c.gate = &w->gate;
@@ -168,12 +212,11 @@ static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t
   bool ok = vs_soup_build(k, &c) && vs_check_leaves(k, &c, &check, &w->counts) && vs_kernel_lap(k, VS_STEP_GRID);
   VS_ASSERT(!ok || vs_holds_grid(&c));
   if (c.triangles.count + c.plain_count < SERIAL) k->threads = 1;
-  ok = ok && vs_patches_build(k, &c) && vs_kernel_lap(k, VS_STEP_PATCHES) && vs_kernel_report(k, 0.1);
-  VS_ASSERT(!ok || vs_holds_patches(&c));
-  ok = ok && vs_meet_patches(k, &c) && vs_kernel_report(k, 0.3);
-  VS_ASSERT(!ok || vs_holds_cuts(&c));
-  forget_patches(k, &c);
-  ok = ok && vs_kernel_lap(k, VS_STEP_MEET) && vs_arrange_planes(k, &c) && vs_plain_regions(k, &c);
+  for (uint32_t i = 0; ok && i < count; i++) c.crowd += can_be_layered(&c, i);
+  c.crowded = k->options && k->options->in_levels && c.crowd > 0;
+  bool arranged = ok && !c.crowded && arrange_at_once(k, &c);
+  if (ok && !arranged && c.crowded && k->error->status == VS_KERNEL_FINE) arranged = arrange_in_levels(k, &c, &w->expression);
+  ok = arranged && vs_plain_regions(k, &c);
   VS_DROP(k, c.cuts);
   VS_DROP(k, c.edge_of);
   VS_ASSERT(!ok || vs_holds_faces(&c));

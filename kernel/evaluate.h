@@ -54,6 +54,7 @@ typedef struct {
   vs_cache *cache;   /* where clusters are looked up and kept (model/store/cache.h); NULL: nowhere */
   void (*warn)(void *context, const vs_origin *origin, const char *message); /* of what is done all the same, by vs_solid_evaluate; may be NULL */
   vs_kernel_counts *counts; /* added to, but for the peak, which only rises; NULL: nobody asks */
+  bool in_levels;       /* for tests: every cluster goes the way of crowded ones (arrange/levels.c), as far as it can */
   uint32_t threads;     /* 0: as many as there are processors; the result is the same. progress is called from the caller's alone */
 } vs_kernel_options;
 

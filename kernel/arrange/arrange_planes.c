@@ -17,18 +17,20 @@ enum { FEW = 24 }; /* up to so many segments all pairs are tried */
 typedef struct {
   uint32_t p, q;
   uint32_t leaf;   /* of a boundary edge: the left of p->q has one more of it than the right; VS_NONE for a cut */
-  uint32_t side;   /* of a cut: the second plane it lies in; VS_NONE for an edge between input vertices */
+  uint32_t side;   /* the second plane it lies in; VS_NONE for an edge between input vertices; VS_LINE and a line for a piece of one */
   uint8_t axis;    /* along which p and q are well apart */
 } segment;
 typedef struct { uint32_t segment, point; } incidence;
-typedef struct { uint32_t l, r, leaf; int32_t delta; } piece; /* local vertices; delta: above less below */
+typedef struct { uint32_t l, r, leaf; int32_t delta; uint32_t side; } piece; /* local vertices; delta: above less below */
 
 /* What a chunk of groups gives: points at VS_POINT_MORE and above are `fresh` ones. */
 typedef struct {
   VS_LIST(vs_face) faces;    /* cover counts from 0 */
   VS_LIST(vs_cover) covers;
   VS_LIST(vs_use) uses;      /* faces count from 0 */
+  VS_LIST(uint32_t) lines;   /* of the uses, where facets are given by sides */
   VS_LIST(vs_fresh_point) fresh;
+  size_t crossings;          /* contacts of segments */
 } findings;
 
 /* What a thread works with. */
@@ -57,6 +59,7 @@ typedef struct {
   VS_LIST(uint32_t) on_first;    /* where a segment's incidences begin, or a vertex' pieces */
   VS_LIST(vs_keyed) keyed;
   VS_LIST(uint32_t) payload;     /* of each sweep edge: its first piece; one more */
+  VS_LIST(uint32_t) line;        /* of each sweep edge: the side of a segment that it is on, an edge of the input where there is one */
   VS_LIST(uint32_t) above, below, face; /* of each edge, then union-find; face: what the sweep's face became */
   VS_LIST(uint32_t) face_first, face_edges, queue;
   VS_LIST(vs_cover) cover;       /* of local faces */
@@ -131,18 +134,33 @@ static bool add_segment(plane_work *w, uint32_t p, uint32_t q, uint32_t leaf, ui
   return VS_PUSH(w->k, w->segments, s);
 }
 
+/* The ends of the edge of the input that the segment lies on; false where it lies on none that is known. */
+static bool edge_ends(const plane_work *w, const segment *s, int32_t p[3], int32_t q[3]) {
+  if (s->side == VS_NONE) {
+    grid_of(w, s->p, p);
+    grid_of(w, s->q, q);
+    return true;
+  }
+  if (!(s->side & VS_LINE)) return false;
+  const vs_line *line = &w->c->lines.at[s->side & ~VS_LINE];
+  memcpy(p, line->at[0], sizeof line->at[0]);
+  memcpy(q, line->at[1], sizeof line->at[1]);
+  return true;
+}
+
 static void side_plane(const plane_work *w, const segment *s, vs_plane *out) {
   int32_t x[3], y[3];
-  if (s->side != VS_NONE) {
-    *out = w->c->planes.all.at[s->side];
-    return;
-  }
-  grid_of(w, s->p, x);
-  grid_of(w, s->q, y);
-  vs_plane_along(x, y, w->plane.k, out);
+  if (edge_ends(w, s, x, y)) vs_plane_along(x, y, w->plane.k, out);
+  else *out = w->c->planes.all.at[s->side];
 }
 
 static bool add_facet(plane_work *w, const vs_facet *f) {
+  for (uint32_t i = f[0].first; w->c->sides.count && i < f[1].first; i++) {
+    const vs_facet_side *s = &w->c->sides.at[i];
+    uint32_t p, q;
+    if (!own_point(w, s->from, &p) || !own_point(w, s->to, &q) || !add_segment(w, p, q, f->leaf, s->line)) return false;
+  }
+  if (w->c->sides.count) return true;
   for (uint32_t i = f[0].first; i < f[1].first; i++) {
     const vs_soup_triangle *t = &w->c->triangles.at[w->c->facet_triangles.at[i]];
     for (int j = 0; j < 3; j++) {
@@ -159,6 +177,7 @@ static bool add_facet(plane_work *w, const vs_facet *f) {
 static bool put(plane_work *w, uint32_t s, uint32_t point) {
   const segment *x = &w->segments.at[s];
   if (x->p == point || x->q == point) return true;
+  if ((w->on.count & 4095) == 4095 && vs_too_many(w->c, w->to->crossings + w->on.count)) return false;
   return VS_PUSH(w->k, w->on, ((incidence){ s, point }));
 }
 
@@ -200,15 +219,11 @@ static bool lies_on(const plane_work *w, const segment *s, uint32_t x) { /* but 
 /* Where they cross each other within. */
 static bool meet(const plane_work *w, const segment *s, const segment *t, vs_homogeneous *out) {
   vs_plane a, b;
-  const segment *edge = s->side == VS_NONE ? s : t, *other = edge == s ? t : s;
-  side_plane(w, other, &b);
-  if (edge->side == VS_NONE) {
-    int32_t p[3], q[3];
-    grid_of(w, edge->p, p);
-    grid_of(w, edge->q, q);
-    return vs_meet_edge(p, q, &b, out);
-  }
-  side_plane(w, edge, &a);
+  int32_t p[3], q[3];
+  bool first = edge_ends(w, s, p, q), edge = first || edge_ends(w, t, p, q);
+  side_plane(w, first ? t : s, &b);
+  if (edge) return vs_meet_edge(p, q, &b, out);
+  side_plane(w, t, &a);
   return vs_meet_planes(&w->plane, &a, &b, out);
 }
 
@@ -337,7 +352,8 @@ static bool order_on(plane_work *w) {
 
 static bool piece_before(const piece *x, const piece *y) {
   if (x->r != y->r) return x->r < y->r;
-  return x->leaf != y->leaf ? x->leaf < y->leaf : x->delta < y->delta;
+  if (x->leaf != y->leaf) return x->leaf < y->leaf;
+  return x->delta != y->delta ? x->delta < y->delta : x->side < y->side;
 }
 
 /* The pieces by both ends, and leaf: into sorted. Equal pieces are equal in all, so there is one order. */
@@ -364,9 +380,9 @@ static bool order_pieces(plane_work *w) {
   return true;
 }
 
-static bool add_piece(plane_work *w, uint32_t p, uint32_t q, uint32_t leaf) {
+static bool add_piece(plane_work *w, uint32_t p, uint32_t q, const segment *s) {
   uint32_t a = w->local.at[p], b = w->local.at[q];
-  return VS_PUSH(w->k, w->pieces, ((piece){ a < b ? a : b, a < b ? b : a, leaf, leaf == VS_NONE ? 0 : a < b ? 1 : -1 }));
+  return VS_PUSH(w->k, w->pieces, ((piece){ a < b ? a : b, a < b ? b : a, s->leaf, s->leaf == VS_NONE ? 0 : a < b ? 1 : -1, s->side }));
 }
 
 static bool split(plane_work *w) {
@@ -398,23 +414,29 @@ static bool split(plane_work *w) {
     for (; o < m && w->on.at[list[o]].segment == i; o++) {
       uint32_t x = w->on.at[list[o]].point;
       if (x == from) continue;
-      if (!add_piece(w, from, x, s->leaf)) return false;
+      if (!add_piece(w, from, x, s)) return false;
       from = x;
     }
-    if (from != s->q && !add_piece(w, from, s->q, s->leaf)) return false;
+    if (from != s->q && !add_piece(w, from, s->q, s)) return false;
   }
   if (!order_pieces(w)) return false;
   const piece *sorted = w->sorted.at;
-  w->sweep.edges.count = w->payload.count = 0;
+  w->sweep.edges.count = w->payload.count = w->line.count = 0;
   size_t kept = 0, count = w->pieces.count;
   for (size_t i = 0, end; i < count; i = end) { /* one edge per (l, r), with one piece per leaf whose delta is not 0 */
     const piece *at = &sorted[i];
     if (!VS_PUSH(k, w->sweep.edges, ((vs_sweep_edge){ at->l, at->r })) || !VS_PUSH(k, w->payload, (uint32_t)kept)) return false;
+    uint32_t line = 0;
     for (end = i; end < count && sorted[end].l == at->l && sorted[end].r == at->r;) {
       piece sum = sorted[end++];
-      while (end < count && sorted[end].l == at->l && sorted[end].r == at->r && sorted[end].leaf == sum.leaf) sum.delta += sorted[end++].delta;
+      if (sum.side > line) line = sum.side;
+      for (; end < count && sorted[end].l == at->l && sorted[end].r == at->r && sorted[end].leaf == sum.leaf; end++) {
+        sum.delta += sorted[end].delta;
+        if (sorted[end].side > line) line = sorted[end].side;
+      }
       if (sum.leaf != VS_NONE && sum.delta != 0) w->pieces.at[kept++] = sum;
     }
+    if (w->c->sides.count && !VS_PUSH(k, w->line, line)) return false;
   }
   w->pieces.count = kept;
   return VS_PUSH(k, w->payload, (uint32_t)kept);
@@ -525,6 +547,7 @@ static bool give_faces(plane_work *w) {
       bool second = i > begin && w->face_edges.at[i - 1] == e; /* the face is on both sides of it */
       vs_use use = w->above.at[e] == f && !second ? (vs_use){ l, r, w->queue.at[f] } : (vs_use){ r, l, w->queue.at[f] };
       to->uses.at[to->uses.count++] = use;
+      if (w->c->sides.count && !VS_PUSH(k, to->lines, w->line.at[e])) return false;
     }
   }
   return true;
@@ -536,9 +559,15 @@ static bool give_facet(plane_work *w, uint32_t facet) { /* untouched */
   const vs_cluster *c = w->c;
   findings *to = w->to;
   const vs_facet *f = &c->facets.at[facet];
-  vs_face face = { f->plane, (uint32_t)to->covers.count, 1, facet, 0, (uint32_t)to->uses.count, 0 };
+  bool sided = c->sides.count > 0;
+  vs_face face = { f->plane, (uint32_t)to->covers.count, 1, sided ? VS_NONE : facet, 0, (uint32_t)to->uses.count, 0 };
   vs_cover cover = { f->leaf, f->flip ? -1 : 1 };
-  for (uint32_t i = f[0].first; i < f[1].first; i++) {
+  for (uint32_t i = f[0].first; sided && i < f[1].first; i++) {
+    const vs_facet_side *s = &c->sides.at[i];
+    vs_use use = { f->flip ? s->to : s->from, f->flip ? s->from : s->to, (uint32_t)to->faces.count };
+    if (!VS_PUSH(w->k, to->uses, use) || !VS_PUSH(w->k, to->lines, s->line)) return false;
+  }
+  for (uint32_t i = f[0].first; !sided && i < f[1].first; i++) {
     const vs_soup_triangle *t = &c->triangles.at[c->facet_triangles.at[i]];
     for (int j = 0; j < 3; j++) {
       uint32_t a = t->v[j], b = t->v[(j + 1) % 3];
@@ -562,6 +591,7 @@ typedef struct {
   plane_work *works;               /* one a thread */
   vs_points_table points;          /* those found, on top of the cluster's */
   VS_LIST(uint32_t) numbers;       /* of a chunk's fresh points */
+  size_t crossings;                /* so far */
 } arranging;
 
 static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
@@ -609,7 +639,9 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
     uint32_t p = (uint32_t)(at[j].key >> 32), q = (uint32_t)at[j].key;
     if (!vs_kernel_poll(w->k, 0.5) || ((!tried || !joined(w, p, q)) && !add_segment(w, p, q, VS_NONE, at[j].item))) return false;
   }
-  return crossings(w, tried) && split(w) && name_faces(w) && covers(w) && give_faces(w);
+  if (!crossings(w, tried)) return false;
+  w->to->crossings += w->on.count;
+  return split(w) && name_faces(w) && covers(w) && give_faces(w);
 }
 
 static bool arrange_chunk(vs_kernel *k, void *context, size_t index) {
@@ -619,7 +651,7 @@ static bool arrange_chunk(vs_kernel *k, void *context, size_t index) {
   w->k = k;
   w->c = a->c;
   w->to = to;
-  to->faces.count = to->covers.count = to->uses.count = to->fresh.count = 0;
+  to->faces.count = to->covers.count = to->uses.count = to->lines.count = to->fresh.count = to->crossings = 0;
   if (w->known.count < a->c->points.all.count) {
     if (!VS_ROOM(k, w->known.at, w->known.room, a->c->points.all.count)) return false;
     for (size_t i = w->known.count; i < w->known.room; i++) w->known.at[i] = 0;
@@ -634,6 +666,8 @@ static bool arrange_chunk(vs_kernel *k, void *context, size_t index) {
 static bool absorb(vs_kernel *k, void *context, size_t index) {
   arranging *a = context;
   vs_cluster *c = a->c;
+  a->crossings += a->found[index % VS_PIPELINE_WINDOW].crossings;
+  if (vs_crowded(c, a->crossings)) return false;
   const findings *from = &a->found[index % VS_PIPELINE_WINDOW];
   uint32_t faces = (uint32_t)c->faces.count, covers = (uint32_t)c->covers.count, uses = (uint32_t)c->uses.count;
   if (!VS_ROOM(k, a->numbers.at, a->numbers.room, from->fresh.count + 1) ||
@@ -657,6 +691,8 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
     u.face += faces;
     c->uses.at[c->uses.count++] = u;
   }
+  if (!VS_ROOM(k, c->use_line.at, c->use_line.room, c->use_line.count + from->lines.count)) return false;
+  for (size_t i = 0; i < from->lines.count; i++) c->use_line.at[c->use_line.count++] = from->lines.at[i];
   return true;
 }
 
@@ -711,6 +747,7 @@ static void work_free(vs_kernel *k, plane_work *w) {
   VS_DROP(k, w->on_first);
   VS_DROP(k, w->keyed);
   VS_DROP(k, w->payload);
+  VS_DROP(k, w->line);
   VS_DROP(k, w->above);
   VS_DROP(k, w->below);
   VS_DROP(k, w->face);
@@ -731,10 +768,12 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   size_t least = c->facets.count; /* as many faces, or nearly */
   ok = ok && bucket(k, &a) && VS_ROOM(k, c->faces.at, c->faces.room, least) && VS_ROOM(k, c->covers.at, c->covers.room, least) &&
        VS_ROOM(k, c->uses.at, c->uses.room, 3 * least) && vs_kernel_pipeline(k, a.chunks.count, arrange_chunk, absorb, &a) && vs_points_append(k, &c->points, &a.points);
+  if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* a group alone was too much */
   for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, a.found[i].faces);
     VS_DROP(k, a.found[i].covers);
     VS_DROP(k, a.found[i].uses);
+    VS_DROP(k, a.found[i].lines);
     VS_DROP(k, a.found[i].fresh);
   }
   for (size_t i = 0; i < work_room; i++) work_free(k, &a.works[i]);

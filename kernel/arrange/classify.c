@@ -317,12 +317,42 @@ static bool shoot_leaf(void *context, uint32_t place) {
   walk *w = context;
   vs_placed *p = &w->c->placed.at[place];
   uint32_t leaf = w->c->leaves[place];
+  bool counts = !w->c->joining;
+  for (uint32_t i = 0; !counts && i < w->c->joining_count; i++) counts = w->c->joining[i] == vs_solid_of(w->c, leaf);
+  if (!counts) return true;
   shot s = { w, p, leaf, vs_affine_determinant(&w->c->problem->leaves[leaf].placement) < 0 };
   size_t n = p->part->mesh->triangle_count;
   if (n > MANY && p->lines++ >= OFTEN) return (p->bvh.level_count || index_leaf(w, p)) && vs_bvh_query(&p->bvh, &w->column, shoot_one, &s);
   for (size_t t = 0; t < n; t++)
     if (!shoot(w, p, leaf, s.mirrored, t) || !vs_kernel_poll(w->k, 0.8)) return false;
   return true;
+}
+
+static int by_leaf(const void *a, const void *b) {
+  uint32_t x = ((const vs_cover *)a)->leaf, y = ((const vs_cover *)b)->leaf;
+  return (x > y) - (x < y);
+}
+
+/* Of leaves that have become one solid, whether the place is inside of any of them counts: the solid's winding number is then 1. */
+static void find_solids(walk *w) {
+  vs_cover *at = w->found.at;
+  size_t n = w->found.count, kept = 0;
+  if (!w->c->solid) return;
+  for (size_t i = 0, end; i < n; i = end) { /* a leaf's triangles come one after the other */
+    vs_cover sum = at[i];
+    for (end = i + 1; end < n && at[end].leaf == sum.leaf; end++) sum.delta += at[end].delta;
+    if (w->c->layered && w->c->layered[sum.leaf]) {
+      if (sum.delta <= 0) continue;
+      sum = (vs_cover){ vs_solid_of(w->c, sum.leaf), 1 };
+    }
+    at[kept++] = sum;
+  }
+  if (kept) qsort(at, kept, sizeof *at, by_leaf);
+  n = kept;
+  kept = 0;
+  for (size_t i = 0; i < n; i++)
+    if (!kept || at[kept - 1].leaf != at[i].leaf) at[kept++] = at[i];
+  w->found.count = kept;
 }
 
 /* Fills found with the windings just above the face along axis, and says which of its sides that is. */
@@ -356,6 +386,7 @@ static bool look_through(walk *w, uint32_t face, const outline *o, uint32_t *sid
     if (vs_bvh_query(&c->leaf_bvh, box, shoot_leaf, w)) *done = true;
     else if (!w->degenerate) return false;
   }
+  if (*done) find_solids(w);
   return true;
 }
 
@@ -407,12 +438,13 @@ static bool find_owner(walk *w, uint32_t cell) {
 }
 
 static bool arrive(walk *w, uint32_t cell, uint64_t sum) {
-  bool inside = vs_expression_value(w->e), settled = w->settling > 0 || vs_expression_gated(w->e);
+  bool joining = w->c->joining != NULL, settled = w->settling > 0 || (!joining && vs_expression_gated(w->e));
+  bool inside = joining ? settled : vs_expression_value(w->e);
   w->sum.at[cell] = sum;
   w->state.at[cell] = (uint8_t)(3 | (inside ? 4 : 0) | (settled ? 8 : 0));
   if (w->c->inspect) w->c->wound.at[cell] = w->e->winding.at[w->c->leaves[0]];
   w->owner.at[cell] = VS_NONE;
-  return !inside || find_owner(w, cell);
+  return !inside || joining || find_owner(w, cell);
 }
 
 /* What the sum changes by on the way from the + side of a face to its - side. */
@@ -421,7 +453,7 @@ static uint64_t change(const walk *w, uint32_t face) {
   uint64_t sum = 0;
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
-    sum += leaf_key(cover.leaf) * (uint64_t)(int64_t)cover.delta;
+    sum += leaf_key(vs_solid_of(w->c, cover.leaf)) * (uint64_t)(int64_t)cover.delta;
   }
   return sum;
 }
@@ -430,7 +462,7 @@ static bool pass(walk *w, uint32_t face, int32_t sign) { /* sign 1: from + to - 
   const vs_face *f = &w->c->faces.at[face];
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
-    if (!turn_leaf(w, cover.leaf, sign * cover.delta)) return false;
+    if (!turn_leaf(w, vs_solid_of(w->c, cover.leaf), sign * cover.delta)) return false;
   }
   return true;
 }
@@ -562,7 +594,7 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   const vs_face *f = &w->c->faces.at[through]; /* settled above: the face's cover leads below */
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
-    if (!VS_PUSH(w->k, w->found, ((vs_cover){ cover.leaf, side & 1 ? -cover.delta : cover.delta }))) return false;
+    if (!VS_PUSH(w->k, w->found, ((vs_cover){ vs_solid_of(w->c, cover.leaf), side & 1 ? -cover.delta : cover.delta }))) return false;
   }
   return walk_from(w, below);
 }
@@ -572,7 +604,7 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
  * the winding numbers -1 and 0 as well, whose inner side is outside of the leaf, and the walk has to find out which is which. */
 static bool mark_settled(walk *w) {
   const vs_cluster *c = w->c;
-  bool value = w->e->forced;
+  bool value = c->joining || w->e->forced;
   uint8_t *settles = NULL; /* of a leaf of the problem */
   size_t room = 0;
   bool any = false;
@@ -619,7 +651,8 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   for (uint32_t f = 0; ok && f < c->faces.count; f++) {
     bool plus = w.state.at[w.side.at[2 * f]] & 4, minus = w.state.at[w.side.at[2 * f + 1]] & 4;
     c->kept.at[f] = plus == minus ? 0 : plus ? 2 : 1;
-    c->faces.at[f].tag = c->problem->leaves[painter(&w, f, w.side.at[2 * f + minus])].tag;
+    uint32_t leaf = painter(&w, f, w.side.at[2 * f + minus]);
+    c->faces.at[f].tag = c->joining ? leaf : c->problem->leaves[leaf].tag;
   }
   if (ok && c->inspect) {
     c->wound.count = w.cells;

@@ -148,6 +148,7 @@ static bool in_lid(const vs_placed *lid, const double p[3]) {
 bool vs_cull_needed(const vs_cluster *c, uint32_t place) {
   const vs_placed *p = &c->placed.at[place];
   double low[3], high[3];
+  if (c->layered && c->layered[c->leaves[place]]) return false; /* what covers it may come in a later level */
   if (p->lids_count) return true;
   bool out = false;
   if (gate_box(c, low, high)) /* wholly inside the gate: nothing to look at */

@@ -41,6 +41,7 @@ typedef struct {
   VS_LIST(contact) contacts;
   VS_LIST(vs_fresh_point) fresh;
   VS_LIST(vs_edge) edges;         /* that those are on */
+  size_t culled;                  /* segments that lids might hide, and mostly do */
 } chunk;
 
 static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { return c->patch_corners.at + p->first; }
@@ -354,6 +355,7 @@ static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
   if (is_corner(&from) && is_corner(&to) && !new_in(c, f, corner_point(c, &from), corner_point(c, &to))) return true;
   if (t[0]->place != t[1]->place) {
     double p[3], q[3];
+    m->culled++;
     if (end_at(c, &from, p) && end_at(c, &to, q) && vs_cull_segment(c, t[0]->place, t[1]->place, p, q)) return true;
   }
   m->w->line.count = 0;
@@ -392,6 +394,7 @@ typedef struct {
   VS_LIST(uint32_t) ids;  /* of a chunk's fresh points */
   chunk chunks[VS_PIPELINE_WINDOW];
   working *works; /* one a thread */
+  size_t culled;
 } meeting;
 
 static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_t plane) {
@@ -409,6 +412,9 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
     return false;
   for (; c->edge_of.count < c->points.all.count;) c->edge_of.at[c->edge_of.count++] = (vs_edge){ 0, 0 };
   for (size_t i = 0; i < from->fresh.count; i++) c->edge_of.at[m->ids.at[i]] = from->edges.at[i];
+  enum { CHEAP = 8 }; /* to see that so many are hidden costs what a cut does */
+  m->culled += from->culled;
+  if (vs_crowded(c, c->cuts.count + m->culled / CHEAP)) return false;
   for (size_t i = 0; i < from->contacts.count; i++) {
     const contact *x = &from->contacts.at[i];
     const vs_patch *a = &c->patches.at[x->a], *b = &c->patches.at[x->b];
@@ -431,7 +437,7 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   m->k = k;
   m->c = all->c;
   m->w = &all->works[k->worker];
-  m->contacts.count = m->fresh.count = m->edges.count = 0;
+  m->contacts.count = m->fresh.count = m->edges.count = m->culled = 0;
   uint32_t first = (uint32_t)index * CHUNK, blocks = vs_bvh_blocks(&all->c->bvh) - first;
   size_t crossings = 64;
   while (crossings < CROSSINGS && crossings < 32 * (size_t)blocks) crossings *= 2;

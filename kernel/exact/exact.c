@@ -200,6 +200,11 @@ void vs_homogeneous_integer(const int32_t at[3], vs_homogeneous *out) {
   wide_from(out->w, VS_LIMBS, 1);
 }
 
+void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out) {
+  for (int i = 0; i < 3; i++) wide_from(out->x[i], VS_LIMBS, fixed[i]);
+  wide_from(out->w, VS_LIMBS, (vs_i128)1 << VS_FIXED_BITS);
+}
+
 static bool across(const vs_plane *p) { return !p->n[(p->k + 1) % 3] && !p->n[(p->k + 2) % 3]; } /* an axis */
 
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out) {

@@ -61,6 +61,7 @@ bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_
 /* fixed numbers of a point; true where they are all of it */
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]);
 void vs_homogeneous_integer(const int32_t at[3], vs_homogeneous *out);
+void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out); /* of an exact point */
 int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis); /* sign of a - b */
 bool vs_homogeneous_equal(const vs_homogeneous *a, const vs_homogeneous *b);
 int vs_homogeneous_side(const vs_plane *p, const vs_homogeneous *h);

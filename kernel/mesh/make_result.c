@@ -38,7 +38,10 @@ typedef struct {
 
 static const vs_use *use_at(const writer *w, size_t i) { return &w->c->uses.at[w->uses.at[i]]; }
 
-static bool same_paint(const vs_kernel_problem *p, uint32_t a, uint32_t b) { return a == b || (p->paints && p->paints[a] == p->paints[b]); }
+static bool same_paint(const vs_cluster *c, uint32_t a, uint32_t b) { /* in a level tags are leaves, which are painted later */
+  const vs_kernel_problem *p = c->problem;
+  return a == b || (!c->joining && p->paints && p->paints[a] == p->paints[b]);
+}
 
 /* What is asked for soon, from all over memory. */
 VS_AHEAD merge_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
@@ -69,7 +72,7 @@ static bool merge_range(vs_kernel *k, void *context, size_t range) {
     if (count == 2) {
       const vs_use *a = &c->uses.at[to->uses.at[first]], *b = &c->uses.at[to->uses.at[first + 1]];
       const vs_face *f = &c->faces.at[a->face], *g = &c->faces.at[b->face];
-      if (f->plane == g->plane && c->kept.at[a->face] == c->kept.at[b->face] && same_paint(c->problem, f->tag, g->tag) && a->from == b->to) {
+      if (f->plane == g->plane && c->kept.at[a->face] == c->kept.at[b->face] && same_paint(c, f->tag, g->tag) && a->from == b->to) {
         vs_unite_shared(w->sets.at, a->face, b->face);
         atomic_store_explicit(&w->whole.at[a->face], 0, memory_order_relaxed);
         atomic_store_explicit(&w->whole.at[b->face], 0, memory_order_relaxed);
@@ -214,10 +217,10 @@ static bool has_all_corners(const writer *w, uint32_t f) {
   return true;
 }
 
-/* The border of what the face is merged with, from corner to corner. */
+/* The border of what the face is merged with, from corner to corner; and the lines of its sides, where there are any. */
 static bool gather_sides(vs_kernel *k, const writer *w, uint32_t f, vs_triangulation *t) {
   const vs_cluster *c = w->c;
-  t->sides.count = 0;
+  t->sides.count = t->list.count = 0;
   for (; f != VS_NONE; f = w->next.at[f]) {
     if (!vs_kernel_poll(k, 0.9)) return false;
     for (uint32_t i = c->faces.at[f].use, end = i + c->faces.at[f].use_count; i < end; i++) {
@@ -228,7 +231,7 @@ static bool gather_sides(vs_kernel *k, const writer *w, uint32_t f, vs_triangula
         edge = w->edges.at[2 * at] == edge ? w->edges.at[2 * at + 1] : w->edges.at[2 * at];
         at = other_end(use_at(w, w->edge_first.at[edge]), at);
       }
-      if (!VS_PUSH(k, t->sides, ((vs_border){ u->from, at }))) return false;
+      if (!VS_PUSH(k, t->sides, ((vs_border){ u->from, at })) || (c->use_line.count && !VS_PUSH(k, t->list, c->use_line.at[i]))) return false;
     }
   }
   return true;
@@ -353,32 +356,58 @@ static bool copy_plain(writer *w, vs_mesh *out) {
   return more == 0 || (make_room(w, out, more) && vs_plain_copy(w->k, w->c, out, w->out.at));
 }
 
+static void writer_free(vs_kernel *k, writer *w) {
+  for (size_t i = 0; i < w->found.count; i++) {
+    VS_DROP(k, w->found.at[i].uses);
+    VS_DROP(k, w->found.at[i].firsts);
+  }
+  VS_DROP(k, w->found);
+  VS_DROP(k, w->sets);
+  VS_DROP(k, w->uses);
+  VS_DROP(k, w->edge_first);
+  VS_DROP(k, w->parent);
+  VS_DROP(k, w->edges);
+  VS_DROP(k, w->degree);
+  VS_DROP(k, w->rim);
+  VS_DROP(k, w->edge_of);
+  VS_DROP(k, w->next);
+  VS_DROP(k, w->whole);
+  VS_DROP(k, w->out);
+  VS_DROP(k, w->points);
+  VS_DROP(k, w->looks);
+  for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) VS_DROP(k, w->chunks[i].at);
+  for (size_t i = 0; i < w->cutters.count; i++) vs_triangulation_free(k, &w->cutters.at[i]);
+  VS_DROP(k, w->chunk_first);
+  VS_DROP(k, w->cutters);
+}
+
 bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
   writer w = { .k = k, .c = c };
   size_t vertices = out->vertex_count, triangles = out->triangle_count;
   bool ok = merge(&w) && drop_corners(&w) && link_faces(&w) && write(&w, out) && vs_kernel_report(k, 0.95) &&
             vs_split_touching(k, c, out, vertices, triangles, w.looks.at, w.points.at, w.rim.count ? w.rim.at : NULL, w.rim_edges) && copy_plain(&w, out);
-  for (size_t i = 0; i < w.found.count; i++) {
-    VS_DROP(k, w.found.at[i].uses);
-    VS_DROP(k, w.found.at[i].firsts);
+  writer_free(k, &w);
+  return ok;
+}
+
+bool vs_output_outlines(vs_kernel *k, vs_cluster *c, vs_outlines *out) {
+  writer w = { .k = k, .c = c };
+  vs_triangulation t = { .sides = { 0 } };
+  bool ok = merge(&w) && drop_corners(&w) && link_faces(&w);
+  for (uint32_t f = 0; ok && f < c->faces.count; f++) {
+    if (!is_shown(&w, f)) continue;
+    bool against = c->kept.at[f] == 2;
+    uint32_t leaf = c->faces.at[f].tag;
+    vs_facet made = { .leaf = leaf, .plane = c->faces.at[f].plane, .first = (uint32_t)out->sides.count, .flip = against };
+    ok = gather_sides(k, &w, f, &t) && VS_PUSH(k, out->facets, made);
+    for (size_t i = 0; ok && i < t.sides.count; i++) {
+      vs_facet_side s = { against ? t.sides.at[i].to : t.sides.at[i].from, against ? t.sides.at[i].from : t.sides.at[i].to, t.list.at[i] };
+      ok = VS_PUSH(k, out->sides, s);
+    }
   }
-  VS_DROP(k, w.found);
-  VS_DROP(k, w.sets);
-  VS_DROP(k, w.uses);
-  VS_DROP(k, w.edge_first);
-  VS_DROP(k, w.parent);
-  VS_DROP(k, w.edges);
-  VS_DROP(k, w.degree);
-  VS_DROP(k, w.rim);
-  VS_DROP(k, w.edge_of);
-  VS_DROP(k, w.next);
-  VS_DROP(k, w.whole);
-  VS_DROP(k, w.out);
-  VS_DROP(k, w.points);
-  VS_DROP(k, w.looks);
-  for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) VS_DROP(k, w.chunks[i].at);
-  for (size_t i = 0; i < w.cutters.count; i++) vs_triangulation_free(k, &w.cutters.at[i]);
-  VS_DROP(k, w.chunk_first);
-  VS_DROP(k, w.cutters);
+  ok = ok && VS_PUSH(k, out->facets, ((vs_facet){ .leaf = VS_NONE, .first = (uint32_t)out->sides.count }));
+  if (ok) out->facets.count--;
+  vs_triangulation_free(k, &t);
+  writer_free(k, &w);
   return ok;
 }

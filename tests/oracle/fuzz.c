@@ -187,6 +187,8 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
   }
 }
 
+static bool in_levels; /* the way of crowded clusters */
+
 static double volume(const char *what, const program *t) {
   sx_problem p;
   vs_mesh m[2] = { { 0 } };
@@ -198,7 +200,7 @@ static double volume(const char *what, const program *t) {
     return NAN;
   }
   for (uint32_t i = 0; i < 2; i++) {
-    vs_kernel_options options = { .threads = 1 + 2 * i };
+    vs_kernel_options options = { .threads = 1 + 2 * i, .in_levels = in_levels };
     if (!vs_kernel_evaluate(&p.problem, &options, &m[i], &e)) {
       complain(what, t, e.message);
       goto done;
@@ -250,6 +252,7 @@ static void one(uint64_t seed) {
   static cells ca, cb;
   sow(seed);
   seed_kind k = (seed_kind)any(KINDS);
+  in_levels = seed % 4 == 3;
   a.count = b.count = 0;
   add_tree(&a, k, 1 + (int)any(3), &ca);
   add_tree(&b, k, 1 + (int)any(2), &cb);
