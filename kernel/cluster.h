@@ -153,12 +153,24 @@ typedef struct {
   VS_LIST(int32_t) wound;      /* of a cell: the leaf's winding number */
 } vs_cluster;
 
+/* Widens the box, in steps, to hold the point. A coordinate that is no whole step is less than the greatest one. */
+static inline void vs_box_add_point(vs_box *b, const vs_point *p) {
+  for (int a = 0; a < 3; a++) {
+    bool whole = vs_point_exact(p) && !(p->fixed[a] & (((int64_t)1 << VS_FIXED_BITS) - 1));
+    int32_t low = (int32_t)(p->fixed[a] >> VS_FIXED_BITS), high = low + !whole;
+    if (low < b->min[a]) b->min[a] = low;
+    if (high > b->max[a]) b->max[a] = high;
+  }
+}
+
 /* Which solid the leaf is part of by now: the first leaf of it. */
 static inline uint32_t vs_solid_of(const vs_cluster *c, uint32_t leaf) { return c->solid ? vs_find(c->solid, leaf) : leaf; }
 
+enum { VS_CROSSINGS_A_CUT = 8 }; /* so many crossings of cuts, of which most show in a lattice of holes, count as a cut */
+
 /* Are so many cuts, or crossings of cuts, too many to be arranged at once? Never where no leaves can be united before: see levels.c. */
 static inline bool vs_too_many(const vs_cluster *c, size_t found) {
-  enum { EACH = 48, LEAST = 20000 };
+  enum { EACH = 96, LEAST = 20000 };
   return c->crowd > 2 && !c->layered && found > EACH * c->facets.count + LEAST;
 }
 static inline bool vs_crowded(vs_cluster *c, size_t found) {

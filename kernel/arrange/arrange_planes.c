@@ -177,7 +177,7 @@ static bool add_facet(plane_work *w, const vs_facet *f) {
 static bool put(plane_work *w, uint32_t s, uint32_t point) {
   const segment *x = &w->segments.at[s];
   if (x->p == point || x->q == point) return true;
-  if ((w->on.count & 4095) == 4095 && vs_too_many(w->c, w->to->crossings + w->on.count)) return false;
+  if ((w->on.count & 4095) == 4095 && vs_too_many(w->c, (w->to->crossings + w->on.count) / VS_CROSSINGS_A_CUT)) return false;
   return VS_PUSH(w->k, w->on, ((incidence){ s, point }));
 }
 
@@ -667,7 +667,7 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
   arranging *a = context;
   vs_cluster *c = a->c;
   a->crossings += a->found[index % VS_PIPELINE_WINDOW].crossings;
-  if (vs_crowded(c, a->crossings)) return false;
+  if (vs_crowded(c, a->crossings / VS_CROSSINGS_A_CUT)) return false;
   const findings *from = &a->found[index % VS_PIPELINE_WINDOW];
   uint32_t faces = (uint32_t)c->faces.count, covers = (uint32_t)c->covers.count, uses = (uint32_t)c->uses.count;
   if (!VS_ROOM(k, a->numbers.at, a->numbers.room, from->fresh.count + 1) ||

@@ -6,7 +6,7 @@
  * plane, and corners that only touch it, need no rule of their own. What both facets cover is cut at every event, since each is a corner of one of them.
  * New points are a side's line through a plane: an edge of the input through it, or three planes of the input, however many levels came before.
  *
- * As in meet.c, pairs are decided in chunks that do not know of each other, and points are numbered afterwards, chunk by chunk. */
+ * As in intersect_patches.c, pairs are decided in chunks that do not know of each other, and points are numbered afterwards, chunk by chunk. */
 #include "kernel/cluster.h"
 
 #include <stdlib.h>
@@ -14,7 +14,7 @@
 
 #define FRESH (UINT32_C(1) << 31)
 
-typedef struct { uint32_t a, b, p, q, cut; } contact; /* of facets, as in meet.c */
+typedef struct { uint32_t a, b, p, q, cut; } contact; /* of facets, as in intersect_patches.c */
 
 enum { BREAK = 0, UP = 1, DOWN = 2 };
 typedef struct {
@@ -276,13 +276,7 @@ static bool index_facets(vs_kernel *k, meeting *m) {
     vs_box *b = &m->boxes.at[f];
     *b = vs_box_nowhere;
     for (uint32_t i = c->facets.at[f].first; i < c->facets.at[f + 1].first; i++) {
-      const vs_point *p = &c->points.all.at[c->sides.at[i].from];
-      for (int a = 0; a < 3; a++) {
-        bool whole = vs_point_exact(p) && !(p->fixed[a] & (((int64_t)1 << VS_FIXED_BITS) - 1));
-        int32_t low = (int32_t)(p->fixed[a] >> VS_FIXED_BITS), high = low + !whole;
-        if (low < b->min[a]) b->min[a] = low;
-        if (high > b->max[a]) b->max[a] = high;
-      }
+      vs_box_add_point(b, &c->points.all.at[c->sides.at[i].from]);
     }
     m->families.at[f] = c->facets.at[f].place;
   }

@@ -60,11 +60,7 @@ static bool take_point(levels *l, shell *s, const vs_points_table *from, uint32_
     p.next = VS_NONE;
     *number = (uint32_t)s->points.all.count;
     if (!VS_PUSH(l->k, s->points.all, p) || !VS_PUSH(l->k, l->taken, *id)) return false;
-    for (int a = 0; a < 3; a++) {
-      int32_t low = (int32_t)(p.fixed[a] >> VS_FIXED_BITS);
-      if (low < s->box.min[a]) s->box.min[a] = low;
-      if (low + 1 > s->box.max[a]) s->box.max[a] = low + 1;
-    }
+    vs_box_add_point(&s->box, &p);
   }
   *id = *number;
   return true;
