@@ -166,11 +166,11 @@ static inline void vs_box_add_point(vs_box *b, const vs_point *p) {
 /* Which solid the leaf is part of by now: the first leaf of it. */
 static inline uint32_t vs_solid_of(const vs_cluster *c, uint32_t leaf) { return c->solid ? vs_find(c->solid, leaf) : leaf; }
 
-enum { VS_CROSSINGS_A_CUT = 8 }; /* so many crossings of cuts, of which most show in a lattice of holes, count as a cut */
+enum { VS_CROSSINGS_A_CUT = 16 }; /* so many crossings of cuts, of which most show in a lattice of holes, count as a cut */
 
 /* Are so many cuts, or crossings of cuts, too many to be arranged at once? Never where no leaves can be united before: see levels.c. */
 static inline bool vs_too_many(const vs_cluster *c, size_t found) {
-  enum { EACH = 96, LEAST = 20000 };
+  enum { EACH = 160, LEAST = 20000 };
   return c->crowd > 2 && !c->layered && found > EACH * c->facets.count + LEAST;
 }
 static inline bool vs_crowded(vs_cluster *c, size_t found) {
