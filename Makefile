@@ -238,7 +238,7 @@ ubsan: ## the tests under the undefined-behaviour sanitizer
 	UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(MAKE) $(call SANITIZE,undefined -fno-sanitize-recover=all,ubsan)
 
 # The kernel alone, under both: its units, a sample of its random trees, and files as the program writes them.
-KERNEL_UNITS = test_random_solids test_kernel test_kernel_refusals test_inspect test_progress
+KERNEL_UNITS = test_random_solids test_kernel test_crowds test_kernel_refusals test_inspect test_progress
 KERNEL_TESTS = $(KERNEL_UNITS:%=unit/%) vs tools/crossings tools/fuzz
 sanitized: ## the kernel's tests under the address, leak and undefined-behaviour sanitizers
 	$(MAKE) OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=address -DVS_DEBUG=1" BUILD=$(BUILD)/asan LDFLAGS="-Wl,--no-as-needed -lstdc++" $(KERNEL_TESTS:%=$(BUILD)/asan/%)

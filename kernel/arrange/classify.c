@@ -33,6 +33,7 @@ typedef struct {
   VS_LIST(uint32_t) owner;  /* of a cell inside the result: the earliest leaf that makes it so */
   uint32_t cells;
   size_t settling;          /* leaves we are in that settle the result */
+  bool owned;               /* some leaf may give way to a cell's owner: `owner` is wanted */
   /* the line */
   uint32_t face;
   int axis;
@@ -444,7 +445,7 @@ static bool arrive(walk *w, uint32_t cell, uint64_t sum) {
   w->state.at[cell] = (uint8_t)(3 | (inside ? 4 : 0) | (settled ? 8 : 0));
   if (w->c->inspect) w->c->wound.at[cell] = w->e->winding.at[w->c->leaves[0]];
   w->owner.at[cell] = VS_NONE;
-  return !inside || joining || find_owner(w, cell);
+  return !inside || !w->owned || find_owner(w, cell);
 }
 
 /* What the sum changes by on the way from the + side of a face to its - side. */
@@ -640,6 +641,7 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   walk w = { .k = k, .c = c, .e = e };
   bool ok = make_cells(&w) && VS_ROOM(k, w.place.at, w.place.room, (size_t)c->problem->leaf_count + 1) &&
             VS_ROOM(k, w.owner.at, w.owner.room, (size_t)w.cells + 1) && (!c->inspect || VS_ROOM(k, c->wound.at, c->wound.room, (size_t)w.cells + 1));
+  for (uint32_t i = 0; i < c->leaf_count && !c->joining; i++) w.owned |= c->problem->leaves[c->leaves[i]].bare && e->taken_off.at[c->leaves[i]];
   ok = ok && mark_settled(&w);
   for (uint32_t i = 0; ok && i < w.cells; i++) {
     enum { AROUND = 1000 };

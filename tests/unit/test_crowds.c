@@ -1,0 +1,191 @@
+/* Owns the tests of what grows with numbers: crowds of solids over one place, corners with very many triangles, and tables of very many meshes. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "kernel/check.h"
+#include "kernel/round/hubs.h"
+#include "tests/oracle/sx.c"
+#include "visualscheme.h"
+
+/* ---- crowds ---- */
+
+static void near(double a, double b, double relative) {
+  if (fabs(a - b) > relative * fmax(1, fabs(b))) fail_msg("%.17g is not %.17g", a, b);
+}
+
+static double area_of(const vs_mesh *m, uint32_t tag) {
+  double sum = 0;
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    const vs_vec3 *v = m->vertices;
+    const uint32_t *t = m->triangles[i];
+    vs_vec3 n = vs_v3_cross(vs_v3_sub(v[t[1]], v[t[0]]), vs_v3_sub(v[t[2]], v[t[0]]));
+    if (m->tags[i] == tag) sum += sqrt(vs_v3_dot(n, n)) / 2;
+  }
+  return sum;
+}
+
+/* Evaluates the expression in one arrangement, and level by level with one thread and with three. The volume and each
+ * leaf's part of the surface are the same; the threads change no byte. */
+static void check_levels(const char *text) {
+  sx_problem p;
+  assert_true(sx_parse(text, &p));
+  for (uint32_t i = 0; i < p.problem.leaf_count; i++) p.leaves[i].tag = i;
+  vs_mesh m[3] = { { 0 }, { 0 }, { 0 } };
+  for (int i = 0; i < 3; i++) {
+    vs_kernel_options options = { .threads = i == 2 ? 3 : 1, .in_levels = i > 0 };
+    vs_kernel_error e;
+    bool sure;
+    if (!vs_kernel_evaluate(&p.problem, &options, &m[i], &e)) fail_msg("%d: %s", i, e.message);
+    assert_true(vs_mesh_closed(&m[i], &sure));
+    assert_true(m[i].triangle_count > 0);
+  }
+  near(vs_mesh_volume(&m[1]), vs_mesh_volume(&m[0]), 1e-12);
+  for (uint32_t i = 0; i < p.problem.leaf_count; i++) near(area_of(&m[1], i), area_of(&m[0], i), 1e-9);
+  assert_int_equal(m[2].triangle_count, m[1].triangle_count);
+  assert_int_equal(m[2].vertex_count, m[1].vertex_count);
+  assert_memory_equal(m[2].vertices, m[1].vertices, m[1].vertex_count * sizeof *m[1].vertices);
+  assert_memory_equal(m[2].triangles, m[1].triangles, m[1].triangle_count * sizeof *m[1].triangles);
+  for (int i = 0; i < 3; i++) vs_mesh_free(&m[i]);
+  sx_free(&p);
+}
+
+/* count solids of that form, which takes two numbers, turned about one centre. */
+static char *turned(const char *before, const char *form, int count, double by, const char *after) {
+  char *text = malloc(200 * (size_t)count + 400), *to = text;
+  assert_non_null(text);
+  to += sprintf(to, "%s", before);
+  for (int i = 0; i < count; i++)
+    to += sprintf(to, " (rotate %.12g %.12g %.12g %s)", by * (i * 7 % 11 - 5), by * (i * 5 % 13 - 6), by * (i * 3 % 17 - 8), form);
+  sprintf(to, "%s", after);
+  return text;
+}
+
+static void test_levels(void **state) {
+  (void)state;
+  static const struct { const char *before, *form, *after; int count; double by; } crowds[] = {
+    { "(union", "(cbox 10 10 10)", ")", 12, 0.002 },
+    { "(union", "(cbox 10 10 10)", ")", 12, 9 },                                            /* far apart: much shows */
+    { "(union", "(translate 0 0 -10 (cyl 20 0.3 0.3 8))", " (translate 3 3 3 (sphere 1 12)))", 12, 13 },
+    { "(difference (cbox 8 8 8)", "(translate 0 0 -10 (cyl 20 0.3 0.3 8))", ")", 12, 13 },   /* holes are united before they are taken off */
+    { "(intersection (cbox 9.5 9.5 9.5) (union", "(cbox 10 10 9)", "))", 10, 3 },            /* nothing settles: the one arrangement */
+    { "(union (difference (cbox 12 12 12) (cbox 11 11 30))", "(cbox 10 10 10)", ")", 8, 5 }, /* a leaf that settles nothing beside some that do */
+    { "(union", "(cbox 10 10 10)", ")", 5, 90 },                                             /* equal planes throughout */
+  };
+  for (size_t i = 0; i < sizeof crowds / sizeof *crowds; i++) {
+    char *text = turned(crowds[i].before, crowds[i].form, crowds[i].count, crowds[i].by, crowds[i].after);
+    check_levels(text);
+    free(text);
+  }
+}
+
+/* A hundred and sixty boxes over one place, all of whose faces cut each other: one arrangement would hold millions of crossings of their cuts, some gigabytes. */
+static void test_crowd_is_found(void **state) {
+  (void)state;
+  char *text = turned("(union", "(cbox 10 10 10)", 160, 0.00071, ")");
+  sx_problem p;
+  vs_mesh m = { 0 };
+  vs_kernel_options options = { .threads = 1, .max_bytes = 200 << 20 };
+  vs_kernel_error e;
+  assert_true(sx_parse(text, &p));
+  if (!vs_kernel_evaluate(&p.problem, &options, &m, &e)) fail_msg("%s", e.message);
+  near(vs_mesh_volume(&m), 1000, 0.01);
+  vs_mesh_free(&m);
+  sx_free(&p);
+  free(text);
+}
+
+/* ---- hubs ---- */
+
+enum { CONE, FOLDED, TWICE, SADDLE, OPEN };
+
+/* Triangles around one corner, the mesh's first: a cone of n sides; one of whose sides goes back over its neighbour; one that goes around twice; one whose rim goes
+ * up and down; one with a gap. Are all of them told to be apart? */
+static bool is_proven(int what, uint32_t n) {
+  vs_mesh m = { 0 };
+  uint32_t id;
+  assert_true(vs_mesh_add_vertex(&m, vs_v3(0, 0, 1), &id));
+  for (uint32_t i = 0; i < n; i++) {
+    double at = what == FOLDED && i == n / 2 ? i - 1.5 : i, angle = 2 * acos(-1) * at / n * (what == TWICE ? 2 : 1);
+    assert_true(vs_mesh_add_vertex(&m, vs_v3(cos(angle), sin(angle), what == SADDLE ? 1 + 3 * cos(2 * angle) : 0), &id));
+  }
+  for (uint32_t i = 0; i < n - (what == OPEN); i++) assert_true(vs_mesh_add_triangle(&m, 0, 1 + i, 1 + (i + 1) % n));
+  vs_kernel_options options = { .threads = 1 };
+  vs_kernel_error e = { 0 };
+  vs_kernel k = { .options = &options, .error = &e, .threads = 1 };
+  vs_settling s = { .k = &k, .m = &m, .numbers = VS_NUMBERS_SINGLE };
+  assert_true(VS_ROOM(&k, s.gone.at, s.gone.room, m.triangle_count));
+  memset(s.gone.at, 0, m.triangle_count);
+  uint32_t *hub_of = NULL;
+  size_t room = 0, proven = 0;
+  assert_true(vs_settling_find_hubs(&s, &hub_of, &room));
+  for (size_t t = 0; hub_of && t < m.triangle_count; t++) {
+    assert_true(hub_of[t] == 0 || hub_of[t] == UINT32_MAX);
+    proven += hub_of[t] == 0;
+  }
+  assert_true(proven == 0 || proven == m.triangle_count);
+  VS_FREE(&k, hub_of, room);
+  VS_DROP(&k, s.gone);
+  assert_int_equal(k.bytes, 0);
+  vs_mesh_free(&m);
+  return proven > 0;
+}
+
+static void test_hubs(void **state) {
+  (void)state;
+  for (uint32_t n = 100; n <= 10000; n *= 10) {
+    assert_true(is_proven(CONE, n));
+    assert_false(is_proven(FOLDED, n));
+    assert_false(is_proven(TWICE, n));
+    assert_true(is_proven(SADDLE, n));
+    assert_false(is_proven(OPEN, n));
+  }
+  assert_false(is_proven(CONE, 60)); /* so few are tried */
+}
+
+/* ---- tables ---- */
+
+/* Boxes of their own sizes, apart: each is a mesh of its own in the table, which grows several times; and every tenth is the first one again. */
+static void test_many_meshes(void **state) {
+  (void)state;
+  static const char model[] = "(do ((i 0 (+ i 1))) ((= i 3000)) "
+                              "  (draw (make-box (xyz (* 10 i) 0 0) 1 1 (+ 1 (if (= (modulo i 10) 0) 0 (/ i 1000.0))))))";
+  char path[64];
+  snprintf(path, sizeof path, "/tmp/vs-crowds-%ld.stl", (long)getpid());
+  vs_options o = vs_options_default();
+  vs_scheme *s = vs_new(&o);
+  assert_non_null(s);
+  assert_int_equal(vs_eval_text(s, "model", 1, model, strlen(model), 0), VS_OUTCOME_DONE);
+  assert_int_equal(vs_write_drawing(s, path, NULL, NULL), VS_OUTCOME_DONE);
+  vs_free(s);
+  FILE *f = fopen(path, "rb");
+  assert_non_null(f);
+  enum { HEADER = 84, TRIANGLE = 50, COUNT = 12 * 3000 };
+  unsigned char *bytes = malloc(HEADER + TRIANGLE * COUNT + 1);
+  assert_non_null(bytes);
+  assert_int_equal(fread(bytes, 1, HEADER + TRIANGLE * COUNT + 1, f), HEADER + TRIANGLE * COUNT);
+  fclose(f);
+  unlink(path);
+  double volume = 0, want = 0;
+  for (int i = 0; i < COUNT; i++) {
+    float v[9];
+    memcpy(v, bytes + HEADER + TRIANGLE * i + 12, sizeof v);
+    vs_vec3 a = vs_v3(v[0] - 15000, v[1], v[2]), b = vs_v3(v[3] - 15000, v[4], v[5]), c = vs_v3(v[6] - 15000, v[7], v[8]);
+    volume += vs_v3_dot(a, vs_v3_cross(b, c)) / 6;
+  }
+  for (int i = 0; i < 3000; i++) want += 1 + (i % 10 ? i / 1000.0 : 0);
+  near(volume, want, 1e-5);
+  free(bytes);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_levels), cmocka_unit_test(test_crowd_is_found), cmocka_unit_test(test_hubs), cmocka_unit_test(test_many_meshes) };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
