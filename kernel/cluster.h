@@ -166,16 +166,17 @@ static inline void vs_box_add_point(vs_box *b, const vs_point *p) {
 /* Which solid the leaf is part of by now: the first leaf of it. */
 static inline uint32_t vs_solid_of(const vs_cluster *c, uint32_t leaf) { return c->solid ? vs_find(c->solid, leaf) : leaf; }
 
-enum { VS_CROSSINGS_A_CUT = 16 }; /* so many crossings of cuts, of which most show in a lattice of holes, count as a cut */
-
-/* Are so many cuts, or crossings of cuts, too many to be arranged at once? Never where no leaves can be united before: see levels.c. */
-static inline bool vs_too_many(const vs_cluster *c, size_t found) {
+/* Are so many cuts too many to be arranged at once? Never where no leaves can be united before: see levels.c. */
+static inline bool vs_too_many(const vs_cluster *c, size_t cuts) {
   enum { EACH = 160, LEAST = 20000 };
-  return c->crowd > 2 && !c->layered && found > EACH * c->facets.count + LEAST;
+  return c->crowd > 2 && !c->layered && cuts > EACH * c->facets.count + LEAST;
 }
-static inline bool vs_crowded(vs_cluster *c, size_t found) {
-  if (vs_too_many(c, found)) c->crowded = true;
-  return c->crowded;
+
+/* The same of the planes that have been arranged so far. Crossings of cuts that are hidden are work in vain; where most show, as in a lattice of holes,
+ * levels would only do them several times, and it takes very many to be too many. */
+static inline bool vs_too_hidden(const vs_cluster *c, size_t cuts, size_t crossed, size_t hidden) {
+  enum { EACH = 6, LEAST = 20000, SHOWN = 8 };
+  return vs_too_many(c, crossed / SHOWN) || (c->crowd > 2 && !c->layered && hidden > EACH * cuts + LEAST && hidden > crossed / 4 * 3);
 }
 
 /* The steps, in order. All false on error. */
@@ -206,6 +207,8 @@ bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t 
 bool vs_cull_needed(const vs_cluster *c, uint32_t place); /* false: all masks would be 0 */
 /* Shrinks the box of a patch of the leaf to what the balls within lids leave of it. */
 void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *corners, uint32_t count, vs_box *box);
+/* Is the point, in steps, well inside a lid that is near the leaf at that place? */
+bool vs_cull_point(const vs_cluster *c, uint32_t place, const double p[3]);
 /* Is the segment, in steps, well inside a lid that is near the leaf at that place, but not the other leaf? */
 bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]);
 

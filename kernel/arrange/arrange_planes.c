@@ -30,7 +30,8 @@ typedef struct {
   VS_LIST(vs_use) uses;      /* faces count from 0 */
   VS_LIST(uint32_t) lines;   /* of the uses, where facets are given by sides */
   VS_LIST(vs_fresh_point) fresh;
-  size_t crossings;          /* contacts of segments */
+  size_t cuts, crossed;      /* of its planes so far; crossed: points in which cuts cross */
+  size_t hidden;             /* of these, about: inside of some lid, where nothing shows */
 } findings;
 
 /* What a thread works with. */
@@ -38,7 +39,7 @@ typedef struct {
   vs_kernel *k;
   const vs_cluster *c;
   findings *to;
-  uint32_t plane_id;
+  uint32_t plane_id, place;      /* place: of a leaf that has a facet in the plane */
   vs_plane plane;
   VS_LIST(vs_point) points;      /* of the group; `next` chains in heads */
   VS_LIST(uint32_t) global;      /* their numbers in the cluster; VS_POINT_MORE + i: fresh i of the chunk */
@@ -177,7 +178,6 @@ static bool add_facet(plane_work *w, const vs_facet *f) {
 static bool put(plane_work *w, uint32_t s, uint32_t point) {
   const segment *x = &w->segments.at[s];
   if (x->p == point || x->q == point) return true;
-  if ((w->on.count & 4095) == 4095 && vs_too_many(w->c, (w->to->crossings + w->on.count) / VS_CROSSINGS_A_CUT)) return false;
   return VS_PUSH(w->k, w->on, ((incidence){ s, point }));
 }
 
@@ -227,6 +227,18 @@ static bool meet(const plane_work *w, const segment *s, const segment *t, vs_hom
   return vs_meet_planes(&w->plane, &a, &b, out);
 }
 
+/* Counts the crossing, and asks of one in so many whether it lies inside of a lid. False where by now too many do. */
+static bool look_whether_hidden(plane_work *w, uint32_t point) {
+  enum { ONE_IN = 16 };
+  findings *to = w->to;
+  if (!w->c->crowd || w->c->layered || ++to->crossed % ONE_IN) return true;
+  const int64_t *fixed = w->points.at[point].fixed;
+  double at[3];
+  for (int a = 0; a < 3; a++) at[a] = (double)fixed[a] / (double)((int64_t)1 << VS_FIXED_BITS);
+  if (vs_cull_point(w->c, w->place, at)) to->hidden += ONE_IN;
+  return !vs_too_hidden(w->c, to->cuts, to->crossed, to->hidden);
+}
+
 static bool cross(void *context, uint32_t i, uint32_t j) {
   plane_work *w = context;
   if (!vs_kernel_poll(w->k, 0.5)) return false;
@@ -254,7 +266,7 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
   vs_homogeneous h;
   uint32_t x;
   if (!meet(w, s, t, &h)) return VS_BROKEN(w->k, "two cuts do not meet");
-  return new_point(w, &h, &x) && put(w, i, x) && put(w, j, x);
+  return new_point(w, &h, &x) && look_whether_hidden(w, x) && put(w, i, x) && put(w, j, x);
 }
 
 /* All pairs but those of the first `tried` segments, which were tried before. */
@@ -591,7 +603,7 @@ typedef struct {
   plane_work *works;               /* one a thread */
   vs_points_table points;          /* those found, on top of the cluster's */
   VS_LIST(uint32_t) numbers;       /* of a chunk's fresh points */
-  size_t crossings;                /* so far */
+  size_t tried, crossed, hidden;   /* of the chunks so far: cuts, and as there */
 } arranging;
 
 static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
@@ -601,6 +613,8 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   uint32_t cut_count = a->cut_first.at[root + 1] - a->cut_first.at[root];
   if (begin == end) return true;
   if (end == begin + 1 && !c->facets.at[root].touched) return give_facet(w, root);
+  w->place = c->facets.at[root].place;
+  w->to->cuts += cut_count;
   w->plane_id = c->facets.at[root].plane;
   w->plane = c->planes.all.at[w->plane_id];
   w->segments.count = w->points.count = w->global.count = w->more.count = w->heads.count = w->on.count = 0;
@@ -639,9 +653,7 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
     uint32_t p = (uint32_t)(at[j].key >> 32), q = (uint32_t)at[j].key;
     if (!vs_kernel_poll(w->k, 0.5) || ((!tried || !joined(w, p, q)) && !add_segment(w, p, q, VS_NONE, at[j].item))) return false;
   }
-  if (!crossings(w, tried)) return false;
-  w->to->crossings += w->on.count;
-  return split(w) && name_faces(w) && covers(w) && give_faces(w);
+  return crossings(w, tried) && split(w) && name_faces(w) && covers(w) && give_faces(w);
 }
 
 static bool arrange_chunk(vs_kernel *k, void *context, size_t index) {
@@ -651,7 +663,7 @@ static bool arrange_chunk(vs_kernel *k, void *context, size_t index) {
   w->k = k;
   w->c = a->c;
   w->to = to;
-  to->faces.count = to->covers.count = to->uses.count = to->lines.count = to->fresh.count = to->crossings = 0;
+  to->faces.count = to->covers.count = to->uses.count = to->lines.count = to->fresh.count = to->cuts = to->crossed = to->hidden = 0;
   if (w->known.count < a->c->points.all.count) {
     if (!VS_ROOM(k, w->known.at, w->known.room, a->c->points.all.count)) return false;
     for (size_t i = w->known.count; i < w->known.room; i++) w->known.at[i] = 0;
@@ -666,9 +678,11 @@ static bool arrange_chunk(vs_kernel *k, void *context, size_t index) {
 static bool absorb(vs_kernel *k, void *context, size_t index) {
   arranging *a = context;
   vs_cluster *c = a->c;
-  a->crossings += a->found[index % VS_PIPELINE_WINDOW].crossings;
-  if (vs_crowded(c, a->crossings / VS_CROSSINGS_A_CUT)) return false;
   const findings *from = &a->found[index % VS_PIPELINE_WINDOW];
+  a->tried += from->cuts;
+  a->crossed += from->crossed;
+  a->hidden += from->hidden;
+  if (vs_too_hidden(c, a->tried, a->crossed, a->hidden)) return false;
   uint32_t faces = (uint32_t)c->faces.count, covers = (uint32_t)c->covers.count, uses = (uint32_t)c->uses.count;
   if (!VS_ROOM(k, a->numbers.at, a->numbers.room, from->fresh.count + 1) ||
       !vs_points_add_all(k, &a->points, &c->points, from->fresh.at, from->fresh.count, a->numbers.at))
@@ -768,7 +782,7 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   size_t least = c->facets.count; /* as many faces, or nearly */
   ok = ok && bucket(k, &a) && VS_ROOM(k, c->faces.at, c->faces.room, least) && VS_ROOM(k, c->covers.at, c->covers.room, least) &&
        VS_ROOM(k, c->uses.at, c->uses.room, 3 * least) && vs_kernel_pipeline(k, a.chunks.count, arrange_chunk, absorb, &a) && vs_points_append(k, &c->points, &a.points);
-  if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* a group alone was too much */
+  if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* it was too much */
   for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, a.found[i].faces);
     VS_DROP(k, a.found[i].covers);

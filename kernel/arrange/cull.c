@@ -189,6 +189,13 @@ bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t 
   return true;
 }
 
+bool vs_cull_point(const vs_cluster *c, uint32_t place, const double p[3]) {
+  const vs_placed *leaf = &c->placed.at[place];
+  for (uint32_t i = 0; i < leaf->lids_count; i++)
+    if (in_lid(&c->placed.at[c->lids.at[leaf->lids_first + i]], p)) return true;
+  return false;
+}
+
 bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]) {
   const vs_placed *leaf = &c->placed.at[place];
   vs_box box; /* well inside a lid is a step inside its box, or more */

@@ -414,7 +414,7 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
   for (size_t i = 0; i < from->fresh.count; i++) c->edge_of.at[m->ids.at[i]] = from->edges.at[i];
   enum { CHEAP = 8 }; /* to see that so many are hidden costs what a cut does */
   m->culled += from->culled;
-  if (vs_crowded(c, c->cuts.count + m->culled / CHEAP)) return false;
+  if (vs_too_many(c, c->cuts.count + m->culled / CHEAP)) return c->crowded = true, false;
   for (size_t i = 0; i < from->contacts.count; i++) {
     const contact *x = &from->contacts.at[i];
     const vs_patch *a = &c->patches.at[x->a], *b = &c->patches.at[x->b];
