@@ -49,7 +49,8 @@ typedef struct {
 } vs_patch;
 typedef struct { int32_t at[3]; uint32_t point; } vs_patch_corner;
 
-typedef struct { uint32_t from, to, line; } vs_facet_side; /* counter-clockwise as seen from outside; line: VS_LINE and one of `lines`, or a plane */
+/* counter-clockwise as seen from outside; line: VS_LINE and one of `lines`, or a plane */
+typedef struct { uint32_t from, to, line; } vs_facet_side;
 typedef struct { int32_t at[2][3]; } vs_line;        /* an edge of the input, by its ends */
 #define VS_LINE (UINT32_C(1) << 31)
 
@@ -138,7 +139,8 @@ typedef struct {
   vs_halves edges;       /* the uses by edge */
   VS_LIST(uint8_t) kept; /* a face: 0 no, 1 outside is its + side, 2 its - side */
   /* Where solids are united level by level (levels.c); else all of these are empty. */
-  size_t crowd;               /* leaves that could be united so; and whether what meets is too much to be arranged at once */
+  /* leaves that could be united so; and whether what meets is too much to be arranged at once */
+  size_t crowd;
   bool crowded;
   VS_LIST(vs_facet_side) sides;     /* facets[].first leads into these, not into facet_triangles */
   VS_LIST(vs_line) lines;     /* in a level: the cluster's, borrowed */
@@ -164,7 +166,9 @@ static inline void vs_box_add_point(vs_box *b, const vs_point *p) {
 }
 
 /* Which solid the leaf is part of by now: the first leaf of it. */
-static inline uint32_t vs_solid_of(const vs_cluster *c, uint32_t leaf) { return c->solid ? vs_find(c->solid, leaf) : leaf; }
+static inline uint32_t vs_solid_of(const vs_cluster *c, uint32_t leaf) {
+  return c->solid ? vs_find(c->solid, leaf) : leaf;
+}
 
 /* Are so many cuts too many to be arranged at once? Never where no leaves can be united before: see levels.c. */
 static inline bool vs_too_many(const vs_cluster *c, size_t cuts) {
@@ -172,11 +176,12 @@ static inline bool vs_too_many(const vs_cluster *c, size_t cuts) {
   return c->crowd > 2 && !c->layered && cuts > EACH * c->facets.count + LEAST;
 }
 
-/* The same of the planes that have been arranged so far. Crossings of cuts that are hidden are work in vain; where most show, as in a lattice of holes,
- * levels would only do them several times, and it takes very many to be too many. */
+/* The same of the planes that have been arranged so far. Crossings of cuts that are hidden are work in vain; where most
+ * show, as in a lattice of holes, levels would only do them several times, and it takes very many to be too many. */
 static inline bool vs_too_hidden(const vs_cluster *c, size_t cuts, size_t crossed, size_t hidden) {
   enum { EACH = 6, LEAST = 20000, SHOWN = 8 };
-  return vs_too_many(c, crossed / SHOWN) || (c->crowd > 2 && !c->layered && hidden > EACH * cuts + LEAST && hidden > crossed / 4 * 3);
+  return vs_too_many(c, crossed / SHOWN) || (c->crowd > 2 && !c->layered && hidden > EACH * cuts + LEAST &&
+      hidden > crossed / 4 * 3);
 }
 
 /* The steps, in order. All false on error. */
@@ -189,11 +194,14 @@ bool vs_patches_build(vs_kernel *k, vs_cluster *c);                    /* patche
 bool vs_meet_patches(vs_kernel *k, vs_cluster *c);                     /* cuts, groups */
 bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* faces, uses */
 bool vs_plain_regions(vs_kernel *k, vs_cluster *c);                    /* regions, and their faces and uses */
-bool vs_meet_facets(vs_kernel *k, vs_cluster *c);                      /* the same of facets that are given by their sides */
-bool vs_unite_levels(vs_kernel *k, vs_cluster *c, vs_expression *e);   /* of a crowded cluster: facets, sides, cuts, groups */
+/* the same of facets that are given by their sides */
+bool vs_meet_facets(vs_kernel *k, vs_cluster *c);
+/* of a crowded cluster: facets, sides, cuts, groups */
+bool vs_unite_levels(vs_kernel *k, vs_cluster *c, vs_expression *e);
 bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e); /* kept */
 bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out);
-/* What is kept as facets of its own: appends to sides and facets, in the numbers of the cluster's points; a facet's leaf is its face's tag. */
+/* What is kept as facets of its own: appends to sides and facets, in the numbers of the cluster's points; a facet's
+ * leaf is its face's tag. */
 typedef struct {
   VS_LIST(vs_facet) facets; /* one more behind them: where the last one's sides end */
   VS_LIST(vs_facet_side) sides;

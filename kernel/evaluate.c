@@ -194,11 +194,13 @@ static bool arrange_in_levels(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   VS_DROP(k, c->uses);
   c->plain_count = 0;
   c->crowded = false;
-  if (!VS_ROOM(k, c->layered, c->layered_room, leaves + 1) || !VS_ROOM(k, c->solid, c->solid_room, leaves + 1)) return false;
+  if (!VS_ROOM(k, c->layered, c->layered_room, leaves + 1) ||
+      !VS_ROOM(k, c->solid, c->solid_room, leaves + 1)) return false;
   memset(c->layered, 0, leaves);
   vs_disjoint(c->solid, (uint32_t)leaves);
   for (uint32_t i = 0; i < c->leaf_count; i++) c->layered[c->leaves[i]] = can_be_layered(c, i);
-  return vs_plain_find(k, c) && vs_facets_build(k, c) && vs_kernel_lap(k, VS_STEP_PATCHES) && vs_unite_levels(k, c, e) && vs_kernel_lap(k, VS_STEP_MEET) && vs_arrange_planes(k, c);
+  return vs_plain_find(k, c) && vs_facets_build(k, c) && vs_kernel_lap(k, VS_STEP_PATCHES) &&
+      vs_unite_levels(k, c, e) && vs_kernel_lap(k, VS_STEP_MEET) && vs_arrange_planes(k, c);
 }
 
 static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t count, vs_mesh *out) {
@@ -215,7 +217,8 @@ static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t
   for (uint32_t i = 0; ok && i < count; i++) c.crowd += can_be_layered(&c, i);
   c.crowded = k->options && k->options->in_levels && c.crowd > 0;
   bool arranged = ok && !c.crowded && arrange_at_once(k, &c);
-  if (ok && !arranged && c.crowded && k->error->status == VS_KERNEL_FINE) arranged = arrange_in_levels(k, &c, &w->expression);
+  bool too_much = ok && !arranged && c.crowded && k->error->status == VS_KERNEL_FINE;
+  if (too_much) arranged = arrange_in_levels(k, &c, &w->expression);
   ok = arranged && vs_plain_regions(k, &c);
   VS_DROP(k, c.cuts);
   VS_DROP(k, c.edge_of);

@@ -56,7 +56,8 @@ typedef struct {
   VS_LIST(vs_bounds) within;          /* of each leaf, where there are half-spaces: where they matter */
   VS_LIST(uint32_t) scopes;           /* of each, the one around it */
   VS_LIST(scoped) scoped;             /* every place of every leaf */
-  VS_LIST(size_t) buckets;            /* of meshes by their nodes' hashes; one more, 0 empty; a power of two, at least as many as meshes */
+  /* of meshes by their nodes' hashes; one more, 0 empty; a power of two, at least as many as meshes */
+  VS_LIST(size_t) buckets;
   VS_LIST(uint32_t) twins;            /* leaves by mesh, placement, paint and side, open addressing; one more, 0 free */
   VS_LIST(uint8_t) off;               /* of each leaf: level.off */
   VS_LIST(uint32_t) mesh_numbers;     /* of each leaf: which of meshes */
@@ -126,7 +127,9 @@ static bool same_place(const vs_affine *a, const vs_affine *b) {
   return true;
 }
 
-static size_t *bucket_of(const builder *b, const vs_node *node) { return &b->buckets.at[(node->hash ^ node->hash >> 32) & (b->buckets.count - 1)]; }
+static size_t *bucket_of(const builder *b, const vs_node *node) {
+  return &b->buckets.at[(node->hash ^ node->hash >> 32) & (b->buckets.count - 1)];
+}
 
 /* Doubles the table of buckets where it has no place for one more mesh. */
 static bool buckets_grow(builder *b) {

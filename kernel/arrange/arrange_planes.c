@@ -17,11 +17,13 @@ enum { FEW = 24 }; /* up to so many segments all pairs are tried */
 typedef struct {
   uint32_t p, q;
   uint32_t leaf;   /* of a boundary edge: the left of p->q has one more of it than the right; VS_NONE for a cut */
-  uint32_t side;   /* the second plane it lies in; VS_NONE for an edge between input vertices; VS_LINE and a line for a piece of one */
+  /* the second plane it lies in; VS_NONE for an edge between input vertices; VS_LINE and a line for a piece of one */
+  uint32_t side;
   uint8_t axis;    /* along which p and q are well apart */
 } segment;
 typedef struct { uint32_t segment, point; } incidence;
-typedef struct { uint32_t l, r, leaf; int32_t delta; uint32_t side; } piece; /* local vertices; delta: above less below */
+/* local vertices; delta: above less below */
+typedef struct { uint32_t l, r, leaf; int32_t delta; uint32_t side; } piece;
 
 /* What a chunk of groups gives: points at VS_POINT_MORE and above are `fresh` ones. */
 typedef struct {
@@ -60,7 +62,8 @@ typedef struct {
   VS_LIST(uint32_t) on_first;    /* where a segment's incidences begin, or a vertex' pieces */
   VS_LIST(vs_keyed) keyed;
   VS_LIST(uint32_t) payload;     /* of each sweep edge: its first piece; one more */
-  VS_LIST(uint32_t) line;        /* of each sweep edge: the side of a segment that it is on, an edge of the input where there is one */
+  /* of each sweep edge: the side of a segment that it is on, an edge of the input where there is one */
+  VS_LIST(uint32_t) line;
   VS_LIST(uint32_t) above, below, face; /* of each edge, then union-find; face: what the sweep's face became */
   VS_LIST(uint32_t) face_first, face_edges, queue;
   VS_LIST(vs_cover) cover;       /* of local faces */
@@ -394,7 +397,8 @@ static bool order_pieces(plane_work *w) {
 
 static bool add_piece(plane_work *w, uint32_t p, uint32_t q, const segment *s) {
   uint32_t a = w->local.at[p], b = w->local.at[q];
-  return VS_PUSH(w->k, w->pieces, ((piece){ a < b ? a : b, a < b ? b : a, s->leaf, s->leaf == VS_NONE ? 0 : a < b ? 1 : -1, s->side }));
+  return VS_PUSH(w->k, w->pieces, ((piece){ a < b ? a : b, a < b ? b : a, s->leaf,
+      s->leaf == VS_NONE ? 0 : a < b ? 1 : -1, s->side }));
 }
 
 static bool split(plane_work *w) {
@@ -663,7 +667,8 @@ static bool arrange_chunk(vs_kernel *k, void *context, size_t index) {
   w->k = k;
   w->c = a->c;
   w->to = to;
-  to->faces.count = to->covers.count = to->uses.count = to->lines.count = to->fresh.count = to->cuts = to->crossed = to->hidden = 0;
+  to->faces.count = to->covers.count = to->uses.count = to->lines.count = to->fresh.count = to->cuts = to->crossed =
+      to->hidden = 0;
   if (w->known.count < a->c->points.all.count) {
     if (!VS_ROOM(k, w->known.at, w->known.room, a->c->points.all.count)) return false;
     for (size_t i = w->known.count; i < w->known.room; i++) w->known.at[i] = 0;

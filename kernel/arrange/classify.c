@@ -334,7 +334,8 @@ static int by_leaf(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Of leaves that have become one solid, whether the place is inside of any of them counts: the solid's winding number is then 1. */
+/* Of leaves that have become one solid, whether the place is inside of any of them counts: the solid's winding number
+ * is then 1. */
 static void find_solids(walk *w) {
   vs_cover *at = w->found.at;
   size_t n = w->found.count, kept = 0;
@@ -595,7 +596,8 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   const vs_face *f = &w->c->faces.at[through]; /* settled above: the face's cover leads below */
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
-    if (!VS_PUSH(w->k, w->found, ((vs_cover){ vs_solid_of(w->c, cover.leaf), side & 1 ? -cover.delta : cover.delta }))) return false;
+    vs_cover across = { vs_solid_of(w->c, cover.leaf), side & 1 ? -cover.delta : cover.delta };
+    if (!VS_PUSH(w->k, w->found, across)) return false;
   }
   return walk_from(w, below);
 }
@@ -641,7 +643,8 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   walk w = { .k = k, .c = c, .e = e };
   bool ok = make_cells(&w) && VS_ROOM(k, w.place.at, w.place.room, (size_t)c->problem->leaf_count + 1) &&
             VS_ROOM(k, w.owner.at, w.owner.room, (size_t)w.cells + 1) && (!c->inspect || VS_ROOM(k, c->wound.at, c->wound.room, (size_t)w.cells + 1));
-  for (uint32_t i = 0; i < c->leaf_count && !c->joining; i++) w.owned |= c->problem->leaves[c->leaves[i]].bare && e->taken_off.at[c->leaves[i]];
+  for (uint32_t i = 0; i < c->leaf_count && !c->joining; i++)
+    w.owned |= c->problem->leaves[c->leaves[i]].bare && e->taken_off.at[c->leaves[i]];
   ok = ok && mark_settled(&w);
   for (uint32_t i = 0; ok && i < w.cells; i++) {
     enum { AROUND = 1000 };

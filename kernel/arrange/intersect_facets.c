@@ -1,12 +1,16 @@
-/* Owns the meeting of facets that are given by their sides: the segments and points that any two of them share, as cuts in both.
+/* Owns the meeting of facets that are given by their sides: the segments and points that any two of them share, as cuts
+ * in both.
  *
- * A facet here may have any outline, with holes, and corners that are exact points. The line of two planes crosses its outline in events, put in order along the
- * line: a side that goes from above the other plane to below it, or from above to the plane itself, changes whether the line moved up by a hair is inside; a side
- * that goes below does the same for the line moved down. Between two events the facet covers the line where either is inside, so sides that lie in the other
- * plane, and corners that only touch it, need no rule of their own. What both facets cover is cut at every event, since each is a corner of one of them.
- * New points are a side's line through a plane: an edge of the input through it, or three planes of the input, however many levels came before.
+ * A facet here may have any outline, with holes, and corners that are exact points. The line of two planes crosses its
+ * outline in events, put in order along the line: a side that goes from above the other plane to below it, or from
+ * above to the plane itself, changes whether the line moved up by a hair is inside; a side that goes below does the
+ * same for the line moved down. Between two events the facet covers the line where either is inside, so sides that lie
+ * in the other plane, and corners that only touch it, need no rule of their own. What both facets cover is cut at every
+ * event, since each is a corner of one of them. New points are a side's line through a plane: an edge of the input
+ * through it, or three planes of the input, however many levels came before.
  *
- * As in intersect_patches.c, pairs are decided in chunks that do not know of each other, and points are numbered afterwards, chunk by chunk. */
+ * As in intersect_patches.c, pairs are decided in chunks that do not know of each other, and points are numbered
+ * afterwards, chunk by chunk. */
 #include "kernel/cluster.h"
 
 #include <stdlib.h>
@@ -42,7 +46,8 @@ typedef struct {
 static const vs_plane *plane_of(const vs_cluster *c, const vs_facet *f) { return &c->planes.all.at[f->plane]; }
 
 /* Where the side, whose ends lie on different sides of the plane, goes through it. */
-static bool crossing(const vs_cluster *c, const vs_facet *f, const vs_facet_side *s, const vs_plane *through, vs_homogeneous *out) {
+static bool crossing(const vs_cluster *c, const vs_facet *f, const vs_facet_side *s, const vs_plane *through,
+    vs_homogeneous *out) {
   if (!(s->line & VS_LINE)) return vs_meet_planes(plane_of(c, f), &c->planes.all.at[s->line], through, out);
   const vs_line *line = &c->lines.at[s->line & ~VS_LINE];
   return vs_meet_edge(line->at[0], line->at[1], through, out);
@@ -64,7 +69,8 @@ static bool reaches(const vs_cluster *c, const vs_facet *f, const vs_plane *p) {
 
 static bool push_corner(chunk *m, uint32_t point, uint8_t first, uint8_t turns) {
   const vs_point *p = &m->c->points.all.at[point];
-  return VS_PUSH(m->k, m->w->events, ((event){ { p->fixed[0], p->fixed[1], p->fixed[2] }, point, first, vs_point_exact(p), turns }));
+  return VS_PUSH(m->k, m->w->events, ((event){ { p->fixed[0], p->fixed[1], p->fixed[2] }, point, first,
+      vs_point_exact(p), turns }));
 }
 
 static bool add_events(chunk *m, const vs_facet *f, const vs_facet *other, uint8_t first) {
@@ -88,7 +94,8 @@ static bool add_events(chunk *m, const vs_facet *f, const vs_facet *other, uint8
     vs_fresh_point x;
     if (!crossing(c, f, s, p, &x.at)) return VS_BROKEN(m->k, "a side and a plane do not meet");
     vs_fresh_fill(&x);
-    event e = { { x.fixed[0], x.fixed[1], x.fixed[2] }, FRESH | (uint32_t)m->w->crossings.count, first, x.exact, turns };
+    event e = { { x.fixed[0], x.fixed[1], x.fixed[2] }, FRESH | (uint32_t)m->w->crossings.count, first, x.exact,
+        turns };
     if (!VS_PUSH(m->k, m->w->crossings, x) || !VS_PUSH(m->k, m->w->events, e)) return false;
   }
   return true;
@@ -217,7 +224,8 @@ static bool meet(void *context, uint32_t a, uint32_t b) {
     b = t;
   }
   if (!vs_kernel_poll(m->k, m->k->part)) return false;
-  if (m->c->facets.at[a].plane == m->c->facets.at[b].plane) return VS_PUSH(m->k, m->contacts, ((contact){ a, b, 0, 0, 0 }));
+  if (m->c->facets.at[a].plane == m->c->facets.at[b].plane)
+    return VS_PUSH(m->k, m->contacts, ((contact){ a, b, 0, 0, 0 }));
   return share(m, a, b);
 }
 
@@ -239,7 +247,8 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   m->c = all->c;
   m->w = &all->works[k->worker];
   m->contacts.count = m->fresh.count = 0;
-  return vs_bvh_pairs(&all->bvh, (uint32_t)index * CHUNK, (uint32_t)(index + 1) * CHUNK, meet, m) && vs_kernel_report(k, k->part);
+  return vs_bvh_pairs(&all->bvh, (uint32_t)index * CHUNK, (uint32_t)(index + 1) * CHUNK, meet, m) &&
+      vs_kernel_report(k, k->part);
 }
 
 static bool leave(vs_kernel *k, vs_cluster *c, uint32_t facet, uint32_t p, uint32_t q, uint32_t plane) {
@@ -251,7 +260,8 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
   meeting *m = context;
   vs_cluster *c = m->c;
   const chunk *from = &m->chunks[index % VS_PIPELINE_WINDOW];
-  if (!VS_ROOM(k, m->ids.at, m->ids.room, from->fresh.count + 1) || !vs_points_add_all(k, &c->points, NULL, from->fresh.at, from->fresh.count, m->ids.at)) return false;
+  if (!VS_ROOM(k, m->ids.at, m->ids.room, from->fresh.count + 1) ||
+      !vs_points_add_all(k, &c->points, NULL, from->fresh.at, from->fresh.count, m->ids.at)) return false;
   for (size_t i = 0; i < from->contacts.count; i++) {
     const contact *x = &from->contacts.at[i];
     if (!x->cut) {
@@ -260,7 +270,9 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
       continue;
     }
     uint32_t p = x->p & FRESH ? m->ids.at[x->p & ~FRESH] : x->p, q = x->q & FRESH ? m->ids.at[x->q & ~FRESH] : x->q;
-    if ((x->cut & 1 && !leave(k, c, x->a, p, q, c->facets.at[x->b].plane)) || (x->cut & 2 && !leave(k, c, x->b, p, q, c->facets.at[x->a].plane))) return false;
+    if ((x->cut & 1 && !leave(k, c, x->a, p, q, c->facets.at[x->b].plane)) ||
+        (x->cut & 2 && !leave(k, c, x->b, p, q, c->facets.at[x->a].plane)))
+      return false;
   }
   return true;
 }
@@ -268,7 +280,8 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
 static bool index_facets(vs_kernel *k, meeting *m) {
   const vs_cluster *c = m->c;
   uint32_t n = (uint32_t)c->facets.count;
-  if (!VS_ROOM(k, m->boxes.at, m->boxes.room, (size_t)n + 1) || !VS_ROOM(k, m->families.at, m->families.room, (size_t)n + 1) ||
+  if (!VS_ROOM(k, m->boxes.at, m->boxes.room, (size_t)n + 1) ||
+      !VS_ROOM(k, m->families.at, m->families.room, (size_t)n + 1) ||
       !VS_ROOM(k, m->group.at, m->group.room, (size_t)n + 1))
     return false;
   vs_disjoint(m->group.at, n);
@@ -289,7 +302,8 @@ bool vs_meet_facets(vs_kernel *k, vs_cluster *c) {
   size_t works = 0;
   bool ok = VS_ROOM(k, m.works, works, k->threads);
   if (ok) memset(m.works, 0, works * sizeof *m.works);
-  ok = ok && index_facets(k, &m) && vs_kernel_pipeline(k, ((size_t)vs_bvh_blocks(&m.bvh) + CHUNK - 1) / CHUNK, meet_chunk, absorb, &m);
+  ok = ok && index_facets(k, &m) &&
+      vs_kernel_pipeline(k, ((size_t)vs_bvh_blocks(&m.bvh) + CHUNK - 1) / CHUNK, meet_chunk, absorb, &m);
   for (uint32_t i = 0; ok && i < c->facets.count; i++) c->facets.at[i].group = vs_find(m.group.at, i);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, m.chunks[i].contacts);

@@ -1,16 +1,21 @@
-/* Owns the way through a crowded cluster: solids that lie over one place are united level by level, so that what is hidden is never arranged at once.
+/* Owns the way through a crowded cluster: solids that lie over one place are united level by level, so that what is
+ * hidden is never arranged at once.
  *
- * In one arrangement k solids over one place cut each of their facets k times, and the cuts cross k^2 times in each, though nearly all of that is hidden. Here leaves
- * that settle the result where they are true (a union's parts, the holes of a difference) are united two by two, near ones first: what bounds their union is
- * arranged with what bounds the next. Such a leaf settles the result whichever of the united ones it is, so their union stands in the expression for all of them, under
- * the number of the first (vs_solid_of), and no term needs to know. In the end it is arranged with all other leaves, which decides as ever.
+ * In one arrangement k solids over one place cut each of their facets k times, and the cuts cross k^2 times in each,
+ * though nearly all of that is hidden. Here leaves that settle the result where they are true (a union's parts, the
+ * holes of a difference) are united two by two, near ones first: what bounds their union is arranged with what bounds
+ * the next. Such a leaf settles the result whichever of the united ones it is, so their union stands in the expression
+ * for all of them, under the number of the first (vs_solid_of), and no term needs to know. In the end it is arranged
+ * with all other leaves, which decides as ever.
  *
- * Nothing is rounded between levels. Facets keep the plane of the input that they lie in; their corners are exact points; each side keeps its line, an edge of the
- * input or the second plane. So a new point is an edge through a plane, or three planes, of the input, and no number is longer than in one arrangement.
- * A face that is kept has the leaf that it would have had without levels, the earliest whose surface it is, and so its paint; faces of one leaf are merged again
- * after each level, and corners that nobody needs are dropped.
+ * Nothing is rounded between levels. Facets keep the plane of the input that they lie in; their corners are exact
+ * points; each side keeps its line, an edge of the input or the second plane. So a new point is an edge through a
+ * plane, or three planes, of the input, and no number is longer than in one arrangement. A face that is kept has the
+ * leaf that it would have had without levels, the earliest whose surface it is, and so its paint; faces of one leaf are
+ * merged again after each level, and corners that nobody needs are dropped.
  *
- * A level is a small cluster with points of its own. Nothing is left out in it for lying inside of a lid: what covers it may be in another level. */
+ * A level is a small cluster with points of its own. Nothing is left out in it for lying inside of a lid: what covers
+ * it may be in another level. */
 #include "kernel/cluster.h"
 
 #include <string.h>
@@ -23,7 +28,8 @@ typedef struct {
   uint32_t solid;         /* one of its leaves */
 } shell;
 
-typedef struct { uint32_t first, end; bool made; } span; /* of the order; made: both halves are on the stack of shells */
+/* of the order; made: both halves are on the stack of shells */
+typedef struct { uint32_t first, end; bool made; } span;
 
 typedef struct {
   vs_kernel *k;
@@ -34,7 +40,8 @@ typedef struct {
   VS_LIST(uint32_t) facet_first; /* of each place: its first facet; one more */
   VS_LIST(span) spans;
   VS_LIST(shell) shells;
-  VS_LIST(uint32_t) number;      /* of a cluster's point, in the shell that it goes over to; VS_NONE between two shells */
+  /* of a cluster's point, in the shell that it goes over to; VS_NONE between two shells */
+  VS_LIST(uint32_t) number;
   VS_LIST(uint32_t) taken;       /* points that have one */
   VS_LIST(uint32_t) moved;       /* of a shell's point, in the cluster that it goes over to */
   size_t done;
@@ -73,7 +80,8 @@ static bool take_points(levels *l, shell *s, const vs_points_table *from) {
   l->taken.count = 0;
   s->box = vs_box_nowhere;
   for (size_t i = 0; i < s->outlines.sides.count; i++)
-    if (!take_point(l, s, from, &s->outlines.sides.at[i].from) || !take_point(l, s, from, &s->outlines.sides.at[i].to)) return false;
+    if (!take_point(l, s, from, &s->outlines.sides.at[i].from) ||
+        !take_point(l, s, from, &s->outlines.sides.at[i].to)) return false;
   for (size_t i = 0; i < l->taken.count; i++) l->number.at[l->taken.at[i]] = VS_NONE;
   return true;
 }
@@ -86,9 +94,11 @@ static bool add_shell(levels *l, vs_cluster *to, const shell *s, uint32_t family
   if (!VS_ROOM(k, l->moved.at, l->moved.room, points + 1) || !vs_points_expect(k, &to->points, points)) return false;
   for (size_t i = 0; i < points; i++) {
     const vs_point *p = &s->points.all.at[i];
-    if (!vs_points_add_fixed(k, &to->points, p->fixed, vs_point_exact(p) ? NULL : &s->points.big.at[p->big], &l->moved.at[i])) return false;
+    if (!vs_points_add_fixed(k, &to->points, p->fixed, vs_point_exact(p) ? NULL : &s->points.big.at[p->big],
+        &l->moved.at[i])) return false;
   }
-  if (!VS_ROOM(k, to->facets.at, to->facets.room, to->facets.count + facets + 1) || !VS_ROOM(k, to->sides.at, to->sides.room, first + s->outlines.sides.count)) return false;
+  if (!VS_ROOM(k, to->facets.at, to->facets.room, to->facets.count + facets + 1) ||
+      !VS_ROOM(k, to->sides.at, to->sides.room, first + s->outlines.sides.count)) return false;
   for (size_t i = 0; i < facets; i++) {
     vs_facet f = s->outlines.facets.at[i];
     f.first += first;
@@ -127,7 +137,8 @@ static bool add_outlines(levels *l, uint32_t place, vs_outlines *to) {
         vs_facet_side side = { t->v[n], t->v[n == 2 ? 0 : n + 1], VS_LINE | (uint32_t)c->lines.count };
         vs_points_grid(&c->points, side.from, line.at[0]);
         vs_points_grid(&c->points, side.to, line.at[1]);
-        if (c->lines.count >= VS_LINE - 1) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
+        if (c->lines.count >= VS_LINE - 1)
+          return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
         if (!VS_PUSH(k, c->lines, line) || !VS_PUSH(k, to->sides, side)) return false;
       }
     }
@@ -139,7 +150,9 @@ static bool add_outlines(levels *l, uint32_t place, vs_outlines *to) {
 
 static bool make_leaf(levels *l, uint32_t place) {
   shell s = { .solid = l->c->leaves[place] };
-  if (!add_outlines(l, place, &s.outlines) || !VS_PUSH(l->k, s.outlines.facets, ((vs_facet){ .leaf = VS_NONE, .first = (uint32_t)s.outlines.sides.count }))) return shell_free(l->k, &s), false;
+  if (!add_outlines(l, place, &s.outlines) ||
+      !VS_PUSH(l->k, s.outlines.facets, ((vs_facet){ .leaf = VS_NONE, .first = (uint32_t)s.outlines.sides.count })))
+    return shell_free(l->k, &s), false;
   s.outlines.facets.count--;
   if (!take_points(l, &s, &l->c->points) || !VS_PUSH(l->k, l->shells, s)) return shell_free(l->k, &s), false;
   return true;
@@ -166,10 +179,14 @@ static bool append(levels *l, shell *a, const shell *b) {
   if (ok) {
     shell_free(k, a);
     VS_DROP(k, both.points.slots);
-    a->points.all.at = both.points.all.at, a->points.all.count = both.points.all.count, a->points.all.room = both.points.all.room;
-    a->points.big.at = both.points.big.at, a->points.big.count = both.points.big.count, a->points.big.room = both.points.big.room;
-    a->outlines.facets.at = both.facets.at, a->outlines.facets.count = both.facets.count, a->outlines.facets.room = both.facets.room;
-    a->outlines.sides.at = both.sides.at, a->outlines.sides.count = both.sides.count, a->outlines.sides.room = both.sides.room;
+    a->points.all.at = both.points.all.at, a->points.all.count = both.points.all.count,
+        a->points.all.room = both.points.all.room;
+    a->points.big.at = both.points.big.at, a->points.big.count = both.points.big.count,
+        a->points.big.room = both.points.big.room;
+    a->outlines.facets.at = both.facets.at, a->outlines.facets.count = both.facets.count,
+        a->outlines.facets.room = both.facets.room;
+    a->outlines.sides.at = both.sides.at, a->outlines.sides.count = both.sides.count,
+        a->outlines.sides.room = both.sides.room;
     for (int i = 0; i < 3; i++) {
       if (b->box.min[i] < a->box.min[i]) a->box.min[i] = b->box.min[i];
       if (b->box.max[i] > a->box.max[i]) a->box.max[i] = b->box.max[i];
@@ -191,14 +208,16 @@ static bool unite_last(levels *l) {
   if (!vs_box_meet(&a->box, &b->box)) {
     ok = append(l, a, b);
   } else {
-    vs_cluster level = { .problem = c->problem, .parts = c->parts, .expression = c->expression, .leaves = c->leaves, .leaf_count = c->leaf_count, .grid = c->grid,
-                         .corners = c->corners, .leaf_bvh = c->leaf_bvh, .solid = c->solid, .layered = c->layered, .joining = roots, .joining_count = 2 };
+    vs_cluster level = { .problem = c->problem, .parts = c->parts, .expression = c->expression, .leaves = c->leaves,
+                         .leaf_count = c->leaf_count, .grid = c->grid, .corners = c->corners, .leaf_bvh = c->leaf_bvh,
+                         .solid = c->solid, .layered = c->layered, .joining = roots, .joining_count = 2 };
     memcpy(&level.placed, &c->placed, sizeof level.placed);
     memcpy(&level.planes, &c->planes, sizeof level.planes);
     memcpy(&level.lines, &c->lines, sizeof level.lines);
     ok = add_shell(l, &level, a, 0) && add_shell(l, &level, b, 1) && end_facets(k, &level);
     if (ok && level.facets.count < SERIAL) k->threads = 1;
-    ok = ok && vs_meet_facets(k, &level) && vs_arrange_planes(k, &level) && vs_classify_faces(k, &level, l->e) && vs_output_outlines(k, &level, &made.outlines) &&
+    ok = ok && vs_meet_facets(k, &level) && vs_arrange_planes(k, &level) && vs_classify_faces(k, &level, l->e) &&
+        vs_output_outlines(k, &level, &made.outlines) &&
          take_points(l, &made, &level.points);
     k->threads = threads;
     level_free(k, &level);
@@ -222,7 +241,10 @@ static uint64_t spread(uint64_t x) { /* 21 bits to every third */
 
 static uint64_t code_of(const vs_placed *p) { /* of the box's middle, in Morton's order */
   uint64_t code = 0;
-  for (int a = 0; a < 3; a++) code |= spread((uint64_t)((int64_t)p->box.min[a] + p->box.max[a] + ((int64_t)4 << VS_GRID_BITS)) >> (VS_GRID_BITS + 3 - 21)) << a;
+  for (int a = 0; a < 3; a++) {
+    int64_t twice = (int64_t)p->box.min[a] + p->box.max[a] + ((int64_t)4 << VS_GRID_BITS);
+    code |= spread((uint64_t)twice >> (VS_GRID_BITS + 3 - 21)) << a;
+  }
   return code;
 }
 
@@ -243,7 +265,8 @@ static bool find_order(levels *l) {
   for (uint32_t i = 0; i <= c->leaf_count; i++) first[i + 1] += first[i];
   for (uint32_t i = 0; i < c->leaf_count; i++)
     if (c->layered[c->leaves[i]] && !VS_PUSH(k, l->order, i)) return false;
-  bool ok = VS_ROOM(k, scratch.at, scratch.room, l->order.count + 1) && VS_ROOM(k, l->weight.at, l->weight.room, l->order.count + 1);
+  bool ok = VS_ROOM(k, scratch.at, scratch.room, l->order.count + 1) &&
+      VS_ROOM(k, l->weight.at, l->weight.room, l->order.count + 1);
   if (ok) vs_kernel_sort(l->order.at, scratch.at, l->order.count, before, l);
   VS_DROP(k, scratch);
   uint64_t sum = 0;
@@ -276,7 +299,8 @@ static bool unite_all(levels *l) {
     if (!s->made && whole.end - whole.first > 1) {
       uint32_t middle = middle_of(l, &whole);
       s->made = true;
-      if (!VS_PUSH(k, l->spans, ((span){ middle, whole.end, false })) || !VS_PUSH(k, l->spans, ((span){ whole.first, middle, false }))) return false;
+      if (!VS_PUSH(k, l->spans, ((span){ middle, whole.end, false })) ||
+          !VS_PUSH(k, l->spans, ((span){ whole.first, middle, false }))) return false;
       continue;
     }
     l->spans.count--;
@@ -296,7 +320,8 @@ static bool gather(levels *l) {
     size_t from = rest.facets.count;
     if (c->layered[c->leaves[i]]) continue;
     ok = add_outlines(l, i, &rest);
-    for (size_t f = from; ok && f < rest.facets.count; f++) rest.facets.at[f].place = c->placed.at[i].star ? i : VS_NONE;
+    for (size_t f = from; ok && f < rest.facets.count; f++)
+      rest.facets.at[f].place = c->placed.at[i].star ? i : VS_NONE;
   }
   VS_DROP(k, c->triangles);
   VS_DROP(k, c->facet_triangles);
@@ -304,7 +329,8 @@ static bool gather(levels *l) {
   VS_DROP(k, c->cuts);
   memcpy(&c->facets, &rest.facets, sizeof c->facets);
   memcpy(&c->sides, &rest.sides, sizeof c->sides);
-  for (size_t i = 0; ok && i < l->shells.count; i++) ok = add_shell(l, c, &l->shells.at[i], c->leaf_count + (uint32_t)i);
+  for (size_t i = 0; ok && i < l->shells.count; i++)
+    ok = add_shell(l, c, &l->shells.at[i], c->leaf_count + (uint32_t)i);
   return ok && end_facets(k, c);
 }
 

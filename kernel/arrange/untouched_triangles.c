@@ -395,7 +395,8 @@ bool vs_plain_find(vs_kernel *k, vs_cluster *c) {
   for (uint32_t i = 0; i < c->leaf_count; i++) {
     vs_placed *l = &c->placed.at[i];
     l->first_triangle = triangles;
-    l->searched = !c->inspect && !(c->layered && c->layered[c->leaves[i]]) && l->part->twins && l->part->mesh->triangle_count >= LEAST;
+    l->searched = !c->inspect && !(c->layered && c->layered[c->leaves[i]]) && l->part->twins &&
+        l->part->mesh->triangle_count >= LEAST;
     triangles += l->part->mesh->triangle_count;
     vertices += l->part->mesh->vertex_count;
     culled = culled || vs_cull_needed(c, i);

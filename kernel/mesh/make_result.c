@@ -38,7 +38,8 @@ typedef struct {
 
 static const vs_use *use_at(const writer *w, size_t i) { return &w->c->uses.at[w->uses.at[i]]; }
 
-static bool same_paint(const vs_cluster *c, uint32_t a, uint32_t b) { /* in a level tags are leaves, which are painted later */
+/* in a level tags are leaves, which are painted later */
+static bool same_paint(const vs_cluster *c, uint32_t a, uint32_t b) {
   const vs_kernel_problem *p = c->problem;
   return a == b || (!c->joining && p->paints && p->paints[a] == p->paints[b]);
 }
@@ -72,7 +73,8 @@ static bool merge_range(vs_kernel *k, void *context, size_t range) {
     if (count == 2) {
       const vs_use *a = &c->uses.at[to->uses.at[first]], *b = &c->uses.at[to->uses.at[first + 1]];
       const vs_face *f = &c->faces.at[a->face], *g = &c->faces.at[b->face];
-      if (f->plane == g->plane && c->kept.at[a->face] == c->kept.at[b->face] && same_paint(c, f->tag, g->tag) && a->from == b->to) {
+      if (f->plane == g->plane && c->kept.at[a->face] == c->kept.at[b->face] && same_paint(c, f->tag, g->tag) &&
+          a->from == b->to) {
         vs_unite_shared(w->sets.at, a->face, b->face);
         atomic_store_explicit(&w->whole.at[a->face], 0, memory_order_relaxed);
         atomic_store_explicit(&w->whole.at[b->face], 0, memory_order_relaxed);
@@ -217,7 +219,7 @@ static bool has_all_corners(const writer *w, uint32_t f) {
   return true;
 }
 
-/* The border of what the face is merged with, from corner to corner; and the lines of its sides, where there are any. */
+/* The border of what the face is merged with, from corner to corner; and the lines of its sides, if it has any. */
 static bool gather_sides(vs_kernel *k, const writer *w, uint32_t f, vs_triangulation *t) {
   const vs_cluster *c = w->c;
   t->sides.count = t->list.count = 0;
@@ -231,7 +233,9 @@ static bool gather_sides(vs_kernel *k, const writer *w, uint32_t f, vs_triangula
         edge = w->edges.at[2 * at] == edge ? w->edges.at[2 * at + 1] : w->edges.at[2 * at];
         at = other_end(use_at(w, w->edge_first.at[edge]), at);
       }
-      if (!VS_PUSH(k, t->sides, ((vs_border){ u->from, at })) || (c->use_line.count && !VS_PUSH(k, t->list, c->use_line.at[i]))) return false;
+      if (!VS_PUSH(k, t->sides, ((vs_border){ u->from, at })) ||
+          (c->use_line.count && !VS_PUSH(k, t->list, c->use_line.at[i])))
+        return false;
     }
   }
   return true;
@@ -398,10 +402,12 @@ bool vs_output_outlines(vs_kernel *k, vs_cluster *c, vs_outlines *out) {
     if (!is_shown(&w, f)) continue;
     bool against = c->kept.at[f] == 2;
     uint32_t leaf = c->faces.at[f].tag;
-    vs_facet made = { .leaf = leaf, .plane = c->faces.at[f].plane, .first = (uint32_t)out->sides.count, .flip = against };
+    vs_facet made = { .leaf = leaf, .plane = c->faces.at[f].plane, .first = (uint32_t)out->sides.count,
+        .flip = against };
     ok = gather_sides(k, &w, f, &t) && VS_PUSH(k, out->facets, made);
     for (size_t i = 0; ok && i < t.sides.count; i++) {
-      vs_facet_side s = { against ? t.sides.at[i].to : t.sides.at[i].from, against ? t.sides.at[i].from : t.sides.at[i].to, t.list.at[i] };
+      vs_facet_side s = { against ? t.sides.at[i].to : t.sides.at[i].from,
+          against ? t.sides.at[i].from : t.sides.at[i].to, t.list.at[i] };
       ok = VS_PUSH(k, out->sides, s);
     }
   }

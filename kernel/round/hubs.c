@@ -1,11 +1,13 @@
-/* Owns the proof that the triangles around a hub, a corner in which more than MANY end, have nothing in common but what the mesh says.
+/* Owns the proof that the triangles around a hub, a corner in which more than MANY end, have nothing in common but what
+ * the mesh says.
  *
- * The boxes of all of them meet, so that an index tells none apart, and each pair would be tried: n^2 for the tip of a cone. But triangles with a common corner
- * meet elsewhere only where the angles that they fill there overlap. Seen along some direction d, each one's other two corners p and q turn by an angle
- * between 0 and half a turn, counter-clockwise, where det(p, q, d) > 0. If that holds for all, each follows another along an edge, and the angles come to
- * one turn in all, none overlaps another. d is the mean normal, the determinants' signs are held to their error, and the sum to a whole number of turns, of
- * which it is a multiple: so one look around proves it, in n log n for the order. What is not proven is tried as ever. The index still walks over
- * the pairs that it then passes over. */
+ * The boxes of all of them meet, so that an index tells none apart, and each pair would be tried: n^2 for the tip of a
+ * cone. But triangles with a common corner meet elsewhere only where the angles that they fill there overlap. Seen
+ * along some direction d, each one's other two corners p and q turn by an angle between 0 and half a turn,
+ * counter-clockwise, where det(p, q, d) > 0. If that holds for all, each follows another along an edge, and the angles
+ * come to one turn in all, none overlaps another. d is the mean normal, the determinants' signs are held to their
+ * error, and the sum to a whole number of turns, of which it is a multiple: so one look around proves it, in n log n
+ * for the order. What is not proven is tried as ever. The index still walks over the pairs that it then passes over. */
 #include "kernel/round/hubs.h"
 
 #include <math.h>
@@ -13,7 +15,8 @@
 
 enum { MANY = 64 };
 
-typedef struct { uint32_t hub, triangle, next, last; } spoke; /* next, last: the triangle's corners that follow the hub */
+/* next, last: the triangle's corners that follow the hub */
+typedef struct { uint32_t hub, triangle, next, last; } spoke;
 
 typedef struct {
   const vs_settling *s;
@@ -43,7 +46,8 @@ static const spoke *following(const search *c, size_t first, size_t end, uint32_
 
 /* Is det(p, q, d) surely above 0? */
 static bool turns(vs_vec3 p, vs_vec3 q, vs_vec3 d) {
-  double size = (fabs(p.y * q.z) + fabs(p.z * q.y)) * fabs(d.x) + (fabs(p.z * q.x) + fabs(p.x * q.z)) * fabs(d.y) + (fabs(p.x * q.y) + fabs(p.y * q.x)) * fabs(d.z);
+  double size = (fabs(p.y * q.z) + fabs(p.z * q.y)) * fabs(d.x) + (fabs(p.z * q.x) + fabs(p.x * q.z)) * fabs(d.y) +
+      (fabs(p.x * q.y) + fabs(p.y * q.x)) * fabs(d.z);
   return vs_v3_dot(vs_v3_cross(p, q), d) > 1e-14 * size;
 }
 
@@ -52,7 +56,8 @@ static bool goes_round_once(const search *c, size_t first, size_t end) {
   const vs_settling *s = c->s;
   vs_vec3 hub = vs_settling_corner(s, at(c, first)->hub), d = vs_v3(0, 0, 0);
   for (size_t i = first; i < end; i++) {
-    vs_vec3 p = vs_v3_sub(vs_settling_corner(s, at(c, i)->next), hub), q = vs_v3_sub(vs_settling_corner(s, at(c, i)->last), hub);
+    vs_vec3 p = vs_v3_sub(vs_settling_corner(s, at(c, i)->next), hub);
+    vs_vec3 q = vs_v3_sub(vs_settling_corner(s, at(c, i)->last), hub);
     d = vs_v3_add(d, vs_v3_unit(vs_v3_cross(p, q)));
   }
   d = vs_v3_unit(d);

@@ -43,7 +43,8 @@ typedef struct {
   bool is_changed;               /* settling has given its triangles other corners */
   bool busy;                     /* open, and goes through a storey or nearly touches one */
   uint8_t level;                 /* all of it has one x (0), y (1) or z (2), this one: */
-  uint32_t hub;                  /* a corner that all of its triangles have, and around which nothing need be tried (hubs.h); else UINT32_MAX */
+  /* a corner that all of its triangles have, and around which nothing need be tried (hubs.h); else UINT32_MAX */
+  uint32_t hub;
   double value;
   float normal[3], low, high;    /* its slab, and the margin on either side */
 } run;
@@ -241,12 +242,14 @@ static bool make_runs(vs_kernel *k, void *context, size_t index) {
     if (c->s->gone.at[t]) continue;
     facet f = facet_of(c, (uint32_t)t);
     uint32_t hub = c->hub_of ? c->hub_of[t] : UINT32_MAX;
-    if (r->count && (r->count == RUN || hub != r->hub || f.low || r->is_low || r->is_changed != c->s->changed.at[t] || t != r->first + r->count || !alike(f.normal, g.normal) || !bounds_touch(&g.box, &f.box))) {
+    if (r->count && (r->count == RUN || hub != r->hub || f.low || r->is_low || r->is_changed != c->s->changed.at[t] ||
+        t != r->first + r->count || !alike(f.normal, g.normal) || !bounds_touch(&g.box, &f.box))) {
       if (!end_run(k, c, to, &g)) return false;
       r->count = 0;
     }
     if (r->count == 0) {
-      *r = (run){ .first = (uint32_t)t, .first_place = (uint32_t)to->places.count, .is_low = f.low, .is_changed = c->s->changed.at[t], .hub = hub };
+      *r = (run){ .first = (uint32_t)t, .first_place = (uint32_t)to->places.count, .is_low = f.low,
+          .is_changed = c->s->changed.at[t], .hub = hub };
       g.normal = vs_v3(0, 0, 0);
       g.box = vs_bounds_empty();
       g.count = 0;
@@ -514,7 +517,8 @@ bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
   const runs *level = &c.all.kinds[LEVEL], *open = &c.all.kinds[OPEN];
   out->met = 0;
   for (size_t t = 0; t < s->m->triangle_count; t++) s->listed.at[t] &= 1;
-  bool ok = vs_settling_find_hubs(s, &c.hub_of, &c.hub_room) && vs_kernel_pipeline(k, (s->m->triangle_count + TRIANGLES - 1) / TRIANGLES, make_runs, take_runs, &c);
+  bool ok = vs_settling_find_hubs(s, &c.hub_of, &c.hub_room) &&
+      vs_kernel_pipeline(k, (s->m->triangle_count + TRIANGLES - 1) / TRIANGLES, make_runs, take_runs, &c);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) drop_made(k, &c.found[i]);
   for (size_t i = 0; ok && c.hub_of && i < open->at.count; i++) ok = VS_PUSH(k, c.hubs, open->at.at[i].hub);
   c.bvh.families = c.hub_of ? c.hubs.at : NULL;

@@ -1,4 +1,5 @@
-/* Owns the tests of what grows with numbers: crowds of solids over one place, corners with very many triangles, and tables of very many meshes. */
+/* Owns the tests of what grows with numbers: crowds of solids over one place, corners with very many triangles, and
+ * tables of very many meshes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -63,7 +64,8 @@ static char *turned(const char *before, const char *form, int count, double by, 
   assert_non_null(text);
   to += sprintf(to, "%s", before);
   for (int i = 0; i < count; i++)
-    to += sprintf(to, " (rotate %.12g %.12g %.12g %s)", by * (i * 7 % 11 - 5), by * (i * 5 % 13 - 6), by * (i * 3 % 17 - 8), form);
+    to += sprintf(to, " (rotate %.12g %.12g %.12g %s)", by * (i * 7 % 11 - 5), by * (i * 5 % 13 - 6),
+        by * (i * 3 % 17 - 8), form);
   sprintf(to, "%s", after);
   return text;
 }
@@ -74,10 +76,14 @@ static void test_levels(void **state) {
     { "(union", "(cbox 10 10 10)", ")", 12, 0.002 },
     { "(union", "(cbox 10 10 10)", ")", 12, 9 },                                            /* far apart: much shows */
     { "(union", "(translate 0 0 -10 (cyl 20 0.3 0.3 8))", " (translate 3 3 3 (sphere 1 12)))", 12, 13 },
-    { "(difference (cbox 8 8 8)", "(translate 0 0 -10 (cyl 20 0.3 0.3 8))", ")", 12, 13 },   /* holes are united before they are taken off */
-    { "(intersection (cbox 9.5 9.5 9.5) (union", "(cbox 10 10 9)", "))", 10, 3 },            /* nothing settles: the one arrangement */
-    { "(union (difference (cbox 12 12 12) (cbox 11 11 30))", "(cbox 10 10 10)", ")", 8, 5 }, /* a leaf that settles nothing beside some that do */
-    { "(union", "(cbox 10 10 10)", ")", 5, 90 },                                             /* equal planes throughout */
+    /* holes are united before they are taken off */
+    { "(difference (cbox 8 8 8)", "(translate 0 0 -10 (cyl 20 0.3 0.3 8))", ")", 12, 13 },
+    /* nothing settles: the one arrangement */
+    { "(intersection (cbox 9.5 9.5 9.5) (union", "(cbox 10 10 9)", "))", 10, 3 },
+    /* a leaf that settles nothing beside some that do */
+    { "(union (difference (cbox 12 12 12) (cbox 11 11 30))", "(cbox 10 10 10)", ")", 8, 5 },
+    /* equal planes throughout */
+    { "(union", "(cbox 10 10 10)", ")", 5, 90 },
   };
   for (size_t i = 0; i < sizeof crowds / sizeof *crowds; i++) {
     char *text = turned(crowds[i].before, crowds[i].form, crowds[i].count, crowds[i].by, crowds[i].after);
@@ -86,7 +92,8 @@ static void test_levels(void **state) {
   }
 }
 
-/* A hundred and sixty boxes over one place, all of whose faces cut each other: one arrangement would hold millions of crossings of their cuts, some gigabytes. */
+/* A hundred and sixty boxes over one place, all of whose faces cut each other: one arrangement would hold millions of
+ * crossings of their cuts, some gigabytes. */
 static void test_crowd_is_found(void **state) {
   (void)state;
   char *text = turned("(union", "(cbox 10 10 10)", 160, 0.00071, ")");
@@ -106,15 +113,16 @@ static void test_crowd_is_found(void **state) {
 
 enum { CONE, FOLDED, TWICE, SADDLE, OPEN };
 
-/* Triangles around one corner, the mesh's first: a cone of n sides; one of whose sides goes back over its neighbour; one that goes around twice; one whose rim goes
- * up and down; one with a gap. Are all of them told to be apart? */
+/* Triangles around one corner, the mesh's first: a cone of n sides; one of whose sides goes back over its neighbour;
+ * one that goes around twice; one whose rim goes up and down; one with a gap. Are all of them told to be apart? */
 static bool is_proven(int what, uint32_t n) {
   vs_mesh m = { 0 };
   uint32_t id;
   assert_true(vs_mesh_add_vertex(&m, vs_v3(0, 0, 1), &id));
   for (uint32_t i = 0; i < n; i++) {
     double at = what == FOLDED && i == n / 2 ? i - 1.5 : i, angle = 2 * acos(-1) * at / n * (what == TWICE ? 2 : 1);
-    assert_true(vs_mesh_add_vertex(&m, vs_v3(cos(angle), sin(angle), what == SADDLE ? 1 + 3 * cos(2 * angle) : 0), &id));
+    assert_true(vs_mesh_add_vertex(&m, vs_v3(cos(angle), sin(angle), what == SADDLE ? 1 + 3 * cos(2 * angle) : 0),
+        &id));
   }
   for (uint32_t i = 0; i < n - (what == OPEN); i++) assert_true(vs_mesh_add_triangle(&m, 0, 1 + i, 1 + (i + 1) % n));
   vs_kernel_options options = { .threads = 1 };
@@ -152,11 +160,13 @@ static void test_hubs(void **state) {
 
 /* ---- tables ---- */
 
-/* Boxes of their own sizes, apart: each is a mesh of its own in the table, which grows several times; and every tenth is the first one again. */
+/* Boxes of their own sizes, apart: each is a mesh of its own in the table, which grows several times; and every tenth
+ * is the first one again. */
 static void test_many_meshes(void **state) {
   (void)state;
   static const char model[] = "(do ((i 0 (+ i 1))) ((= i 3000)) "
-                              "  (draw (make-box (xyz (* 10 i) 0 0) 1 1 (+ 1 (if (= (modulo i 10) 0) 0 (/ i 1000.0))))))";
+                              "  (draw (make-box (xyz (* 10 i) 0 0) 1 1"
+                              "    (+ 1 (if (= (modulo i 10) 0) 0 (/ i 1000.0))))))";
   char path[64];
   snprintf(path, sizeof path, "/tmp/vs-crowds-%ld.stl", (long)getpid());
   vs_options o = vs_options_default();
@@ -177,7 +187,8 @@ static void test_many_meshes(void **state) {
   for (int i = 0; i < COUNT; i++) {
     float v[9];
     memcpy(v, bytes + HEADER + TRIANGLE * i + 12, sizeof v);
-    vs_vec3 a = vs_v3(v[0] - 15000, v[1], v[2]), b = vs_v3(v[3] - 15000, v[4], v[5]), c = vs_v3(v[6] - 15000, v[7], v[8]);
+    vs_vec3 a = vs_v3(v[0] - 15000, v[1], v[2]), b = vs_v3(v[3] - 15000, v[4], v[5]);
+    vs_vec3 c = vs_v3(v[6] - 15000, v[7], v[8]);
     volume += vs_v3_dot(a, vs_v3_cross(b, c)) / 6;
   }
   for (int i = 0; i < 3000; i++) want += 1 + (i % 10 ? i / 1000.0 : 0);
@@ -186,6 +197,7 @@ static void test_many_meshes(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(test_levels), cmocka_unit_test(test_crowd_is_found), cmocka_unit_test(test_hubs), cmocka_unit_test(test_many_meshes) };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_levels), cmocka_unit_test(test_crowd_is_found),
+      cmocka_unit_test(test_hubs), cmocka_unit_test(test_many_meshes) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
