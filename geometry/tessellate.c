@@ -9,6 +9,7 @@
 #include "geometry/shapes/superellipsoid.h"
 #include "geometry/profiles/surface.h"
 #include "geometry/profiles/swept.h"
+#include "geometry/profiles/thicken.h"
 #include "geometry/profiles/taper.h"
 
 /* A placement's child; NULL for what is a leaf here. Appearance changes no shape. */
@@ -115,7 +116,8 @@ static bool tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, 
         vs_mesh surface = { 0 };
         /* A surface is no thickening: this comes back here once, never deeper. */
         if (!vs_tessellate(n->children[0].node, f, &surface, e)) return vs_mesh_free(&surface), false;
-        ok = vs_thicken_surface(&surface, VS_AS(thicken, n)->width, out);
+        double half = VS_AS(thicken, n)->width / 2;
+        ok = vs_thicken_surface(&surface, half, half, out, NULL, NULL);
         vs_mesh_free(&surface);
         break;
       } /* fall through */

@@ -28,8 +28,6 @@ bool vs_swept_mesh(const vs_swept *s, vs_mesh *out); /* appends; false: out of m
 /* The map between two neighbouring sections, 0 <= t <= 1 */
 vs_section vs_section_between(const vs_section *a, const vs_section *b, double t);
 
-/* A surface given as triangles, thickened by half the width to each side; appends to out. */
-bool vs_thicken_surface(const vs_mesh *surface, double width, vs_mesh *out);
 /* A region or closed profile as triangles in its plane */
 bool vs_outline_mesh(const vs_outline *o, vs_mesh *out);
 

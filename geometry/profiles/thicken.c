@@ -1,11 +1,12 @@
-/* Owns the thickening of surfaces given as triangles: two copies half the width apart from it, and walls along the border.
+/* Owns the thickening of surfaces given as triangles: two copies apart from it, and walls along the border.
  *
  * A vertex moves along the sum n of its facets' normals weighted by their angles there, as far as brings it onto the mean of the facets'
- * shifted planes (all of them where the surface is flat or bends once), at most four half widths. */
+ * shifted planes (all of them where the surface is flat or bends once), at most four times the distance. */
+#include "geometry/profiles/thicken.h"
+
 #include <stdlib.h>
 
 #include "geometry/files/polyface.h"
-#include "geometry/profiles/swept.h"
 
 typedef struct { uint64_t key; bool forward; uint32_t a, b; } vs_border;
 
@@ -36,7 +37,25 @@ static bool thicken_walls(vs_mesh *out, uint32_t (*facets)[3], size_t count, uin
   return ok;
 }
 
-bool vs_thicken_surface(const vs_mesh *m, double width, vs_mesh *out) {
+/* Do the facets of the copy that begins at vertex `copy` face as the surface's own do? *at: the place of one that does
+ * not. */
+static bool thicken_keeps(const vs_mesh *m, uint32_t (*facets)[3], size_t count, const vs_mesh *out, uint32_t copy,
+                          vs_vec3 *at) {
+  for (size_t i = 0; i < count; i++) {
+    vs_vec3 p[3], q[3];
+    for (int k = 0; k < 3; k++) p[k] = m->vertices[facets[i][k]], q[k] = out->vertices[copy + facets[i][k]];
+    vs_vec3 a = vs_v3_cross(vs_v3_sub(p[1], p[0]), vs_v3_sub(p[2], p[0]));
+    vs_vec3 b = vs_v3_cross(vs_v3_sub(q[1], q[0]), vs_v3_sub(q[2], q[0]));
+    bool keeps = vs_v3_dot(a, b) > 0;
+    for (int k = 0; k < 3; k++) /* what has passed through its own middle faces as before, but its edges do not */
+      keeps = keeps && vs_v3_dot(vs_v3_sub(p[(k + 1) % 3], p[k]), vs_v3_sub(q[(k + 1) % 3], q[k])) > 0;
+    if (!keeps) return *at = p[0], false;
+  }
+  return true;
+}
+
+bool vs_thicken_surface(const vs_mesh *m, double outwards, double inwards, vs_mesh *out, vs_vec3 *turned,
+                        bool *turns) {
   size_t n = m->vertex_count, count = 0;
   uint32_t *place = malloc((n ? n : 1) * sizeof *place), (*facets)[3] = malloc((m->triangle_count ? m->triangle_count : 1) * sizeof *facets);
   vs_vec3 *normal = calloc(n ? n : 1, sizeof *normal), *face = malloc((m->triangle_count ? m->triangle_count : 1) * sizeof *face);
@@ -65,13 +84,16 @@ bool vs_thicken_surface(const vs_mesh *m, double width, vs_mesh *out) {
   for (int side = 1; ok && side >= -1; side -= 2)
     for (size_t i = 0; ok && i < n; i++) {
       double mean = weight[i] > 0 ? cosine[i] / weight[i] : 1;
-      vs_vec3 shift = vs_v3_scale(vs_v3_unit(normal[i]), side * width / 2 / fmax(mean, 0.25));
+      double distance = side > 0 ? outwards : -inwards;
+      vs_vec3 shift = vs_v3_scale(vs_v3_unit(normal[i]), distance / fmax(mean, 0.25));
       ok = vs_mesh_add_vertex(out, vs_v3_add(m->vertices[i], shift), NULL);
     }
   for (size_t i = 0; ok && i < count; i++)
     ok = vs_mesh_add_triangle(out, up + facets[i][0], up + facets[i][1], up + facets[i][2]) &&
          vs_mesh_add_triangle(out, down + facets[i][2], down + facets[i][1], down + facets[i][0]);
   ok = ok && thicken_walls(out, facets, count, up, down);
+  if (ok && turns)
+    *turns = !thicken_keeps(m, facets, count, out, up, turned) || !thicken_keeps(m, facets, count, out, down, turned);
   free(place);
   free(facets);
   free(normal);

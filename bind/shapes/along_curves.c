@@ -1,0 +1,139 @@
+/* Owns the questions about places along a curve, and pipes. */
+#include "bind/shapes/along_curves.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "geometry/profiles/pipe.h"
+#include "geometry/profiles/surface.h"
+#include "model/store/array.h"
+
+vs_status vs_bind_stations(vs_frame *f, int i, vs_stations *out) {
+  vs_error e = { 0 };
+  vs_bounds b;
+  if (!vs_bind_finite(f, i) || !vs_bind_resolve(f, i)) return VS_ERROR;
+  vs_node *curve = f->arg[i].ref.node;
+  if (curve->class_ != VS_CURVE || vs_bind_is_empty(curve)) return vs_bind_refuse(f, "c", "a curve", f->arg[i].value);
+  if (!vs_node_bounds(curve, &b, &e)) return vs_bind_error(f, &e);
+  const vs_facets facets = { .tolerance = fmax(vs_bounds_diagonal(&b) * 1e-6, 1e-300) };
+  return vs_stations_open(curve, &facets, out, &e) ? VS_OK : vs_bind_error(f, &e);
+}
+
+/* The station at argument 1, a distance; round a closed curve as often as it takes. */
+static vs_status station(vs_frame *f, vs_station *out) {
+  vs_stations s;
+  double at = f->arg[1].real;
+  if (!vs_bind_stations(f, 0, &s)) return VS_ERROR;
+  double slack = 1e-9 * s.length;
+  bool closed = s.path.closed, outside = !closed && (at < -slack || at > s.length + slack);
+  char expected[64], length[32];
+  if (outside) {
+    vs_bind_number_text(length, s.length);
+    snprintf(expected, sizeof expected, "from 0 to %s, the curve's length", length);
+  } else {
+    *out = vs_station_at(&s, closed ? at - s.length * floor(at / s.length) : at);
+  }
+  vs_stations_close(&s);
+  return outside ? vs_bind_refuse(f, "s", expected, f->arg[1].value) : VS_OK;
+}
+
+vs_status vs_p_curve_point(vs_frame *f, vs_value *out) {
+  vs_station s;
+  return station(f, &s) && vs_bind_point(f, s.at, out);
+}
+
+vs_status vs_p_curve_tangent(vs_frame *f, vs_value *out) {
+  vs_station s;
+  return station(f, &s) && vs_bind_vector(f, s.tangent, out);
+}
+
+vs_status vs_p_curve_curvature(vs_frame *f, vs_value *out) {
+  vs_station s;
+  return station(f, &s) && vs_bind_real(f, s.curvature, out);
+}
+
+vs_status vs_p_curve_frame(vs_frame *f, vs_value *out) {
+  vs_station s;
+  if (!station(f, &s)) return VS_ERROR;
+  vs_vec3 x = s.across, z = s.tangent, y = vs_v3_cross(z, x);
+  const vs_affine m = { { { x.x, y.x, z.x, s.at.x }, { x.y, y.y, z.y, s.at.y }, { x.z, y.z, z.z, s.at.z } } };
+  return vs_bind_matrix(f, &m, out);
+}
+
+/* (curve-division c n): n + 1 points, as far from each other along the curve */
+vs_status vs_p_curve_division(vs_frame *f, vs_value *out) {
+  enum { MOST = 1000000 };
+  int64_t n = f->arg[1].integer;
+  vs_stations s;
+  VS_ROOTS(f->vm, r, 2);
+  if (n > MOST) return vs_bind_refuse(f, "n", "at most a million", f->arg[1].value);
+  if (!vs_bind_stations(f, 0, &s)) return VS_ERROR;
+  bool ok = true;
+  r[1] = VS_NIL;
+  for (int64_t i = n; ok && i >= 0; i--) { /* the end of a closed curve is its start to the last bit */
+    vs_station at = vs_station_at(&s, s.path.closed && i == n ? 0 : s.length * (double)i / (double)n);
+    ok = vs_bind_point(f, at.at, &r[0]) && vs_cons(f->vm, r[0], r[1], &r[1]) && vs_poll(f->vm, 64);
+  }
+  vs_stations_close(&s);
+  *out = r[1];
+  return ok ? VS_OK : VS_ERROR;
+}
+
+/* ---- pipes ---- */
+
+enum { AROUND = 128, RINGS = 192 };
+
+static bool pipe_open(vs_frame *f, vs_pipe *p, vs_error *e) {
+  vs_bounds b;
+  int segments = f->arg[1].given && f->arg[1].integer ? (int)f->arg[1].integer : vs_bind_segments(f->bind);
+  vs_node *curve = f->arg[0].ref.node;
+  if (!vs_node_bounds(curve, &b, e)) return false;
+  double tolerance = vs_bind_tolerance(f->bind);
+  if (!(tolerance > 0)) tolerance = fmax(vs_facets_tolerance(&b), 1e-300);
+  return vs_pipe_open(curve, segments ? segments : RINGS, tolerance, p, e);
+}
+
+/* (%pipe-places c segments): where the rings of a pipe stand, as shares of the length from 0 to 1 */
+vs_status vs_p_pipe_places(vs_frame *f, vs_value *out) {
+  vs_error e = { 0 };
+  vs_pipe p;
+  VS_ROOTS(f->vm, r, 1);
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
+  if (!pipe_open(f, &p, &e)) return vs_bind_error(f, &e);
+  bool ok = true;
+  r[0] = VS_NIL;
+  for (size_t i = p.count; ok && i-- > 0;) ok = vs_cons(f->vm, vs_flonum(p.at[i] / p.stations.length), r[0], &r[0]);
+  vs_pipe_close(&p);
+  *out = r[0];
+  return ok ? VS_OK : VS_ERROR;
+}
+
+/* (%make-pipe c segments radii): a ring of each radius at the places */
+vs_status vs_p_make_pipe(vs_frame *f, vs_value *out) {
+  vs_error e = { 0 };
+  vs_pipe p;
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
+  if (!pipe_open(f, &p, &e)) return vs_bind_error(f, &e);
+  int segments = f->arg[1].integer ? (int)f->arg[1].integer : vs_bind_segments(f->bind);
+  size_t around = segments ? (size_t)segments : AROUND, caps = p.stations.path.closed ? 0 : 1, n = p.count;
+  double *radius = vs_bind_scratch(f, (n + 1) * sizeof *radius);
+  vs_vec3 *grid = vs_bind_scratch(f, (n + 2) * around * sizeof *grid), at;
+  bool ok = radius && grid;
+  vs_value l = f->arg[2].value;
+  for (size_t i = 0; ok && i < n; i++, l = vs_cdr(l))
+    ok = vs_is_pair(l) && vs_bind_number(f->vm, vs_car(l), &radius[i]);
+  bool turns = ok && !vs_pipe_rings(&p, radius, around, grid + caps * around, &at);
+  for (size_t k = 0; ok && caps && k < around; k++) { /* the ends are flat: a row that is one point closes each */
+    grid[k] = vs_station_at(&p.stations, 0).at;
+    grid[(n + 1) * around + k] = vs_station_at(&p.stations, p.stations.length).at;
+  }
+  vs_pipe_close(&p);
+  if (!ok) return VS_ERROR;
+  if (turns) {
+    char x[32], y[32], z[32];
+    vs_bind_number_text(x, at.x), vs_bind_number_text(y, at.y), vs_bind_number_text(z, at.z);
+    return vs_fail(f->vm, f->vm->sym.range, "the curve turns back on itself at (xyz %s %s %s)", x, y, z);
+  }
+  vs_node *node = vs_surface_make(f->bind->store, VS_GRID_SURFACE, grid, n + 2 * caps, around, caps == 0, true, &e);
+  return node ? vs_bind_node(f, node, out) : vs_bind_error(f, &e);
+}

@@ -1,0 +1,12 @@
+/* Owns what the shapes of this room ask of curves. */
+#ifndef VS_BIND_ALONG_CURVES_H
+#define VS_BIND_ALONG_CURVES_H
+
+#include "bind/bind.h"
+#include "geometry/plane/stations.h"
+
+/* Opens argument i, a curve, sampled to a millionth of its size. VS_ERROR: the error is set and there is nothing to
+ * close. */
+vs_status vs_bind_stations(vs_frame *f, int i, vs_stations *out);
+
+#endif

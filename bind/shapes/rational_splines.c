@@ -1,0 +1,134 @@
+/* Owns the natives under the Bezier and NURBS procedures: a rational B-spline as a value, its points, and the curves
+ * and surfaces made of it. shapes.scm checks counts and says what is wrong. */
+#include "bind/bind.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "geometry/profiles/nurbs.h"
+#include "geometry/profiles/surface.h"
+#include "geometry/tolerance.h"
+#include "model/store/array.h"
+
+typedef struct {
+  vs_nurbs n;
+  vs_vec3 *points;
+  double *weights, *knots_u, *knots_v;
+} spline;
+
+static void spline_free(void *p) {
+  spline *s = p;
+  free(s->points), free(s->weights), free(s->knots_u), free(s->knots_v);
+  free(s);
+}
+static const vs_foreign_type spline_type = { .name = "a spline", .release = spline_free };
+
+/* The numbers of a list into *out, which the caller frees; NULL for #f. False: the error is set. */
+static bool numbers(vs_frame *f, vs_value l, double **out, size_t *count) {
+  size_t room = 0;
+  *out = NULL, *count = 0;
+  for (; vs_is_pair(l); l = vs_cdr(l)) {
+    if (!VS_GROW(*out, room, *count + 1)) return vs_fail_memory(f->vm);
+    if (!vs_bind_number(f->vm, vs_car(l), &(*out)[*count]))
+      return vs_fail(f->vm, f->vm->sym.type, "a number is missing");
+    (*count)++;
+  }
+  return true;
+}
+
+/* (%nurbs points degree-u degree-v weights knots-u knots-v): the value, or a list (what-is-wrong direction number) */
+vs_status vs_p_nurbs(vs_frame *f, vs_value *out) {
+  spline *s = NULL;
+  size_t room = 0, points_room = 0, n = f->arg[0].points.count, weights, ku, kv;
+  if (!VS_GROW(s, room, 1)) return vs_fail_memory(f->vm);
+  *s = (spline){ 0 };
+  bool ok = VS_GROW(s->points, points_room, n + 1) || vs_fail_memory(f->vm);
+  ok = ok && numbers(f, f->arg[3].value, &s->weights, &weights) && numbers(f, f->arg[4].value, &s->knots_u, &ku) &&
+       numbers(f, f->arg[5].value, &s->knots_v, &kv);
+  if (!ok) return spline_free(s), VS_ERROR;
+  memcpy(s->points, f->arg[0].points.at, n * sizeof *s->points);
+  s->n.points = s->points, s->n.weights = s->weights;
+  s->n.u = (vs_nurbs_knots){ (int)f->arg[1].integer, ku - (size_t)f->arg[1].integer - 1, s->knots_u };
+  if (kv) s->n.v = (vs_nurbs_knots){ (int)f->arg[2].integer, kv - (size_t)f->arg[2].integer - 1, s->knots_v };
+  size_t at = 0;
+  vs_nurbs_fault fault = vs_nurbs_check(&s->n.u, &at);
+  bool in_v = false;
+  if (fault == VS_NURBS_GOOD && kv) fault = vs_nurbs_check(&s->n.v, &at), in_v = true;
+  if (fault == VS_NURBS_GOOD) return vs_make_foreign(f->vm, &spline_type, s, 0, out);
+  spline_free(s);
+  VS_ROOTS(f->vm, r, 1);
+  return vs_cons(f->vm, vs_fix((int64_t)at), VS_NIL, &r[0]) && vs_cons(f->vm, vs_fix(in_v), r[0], &r[0]) &&
+         vs_cons(f->vm, vs_fix((int64_t)fault), r[0], out);
+}
+
+static const vs_nurbs *given(vs_frame *f) { return &((spline *)vs_foreign_get(f->arg[0].value, &spline_type))->n; }
+static double within(const vs_nurbs_knots *k, double t) { return fmin(fmax(t, vs_nurbs_low(k)), vs_nurbs_high(k)); }
+
+/* (%nurbs-point n u v): v of a curve is not looked at */
+vs_status vs_p_nurbs_point(vs_frame *f, vs_value *out) {
+  const vs_nurbs *n = given(f);
+  double v = n->v.count ? within(&n->v, f->arg[2].real) : 0;
+  return vs_bind_point(f, vs_nurbs_point(n, within(&n->u, f->arg[1].real), v, NULL, NULL), out);
+}
+
+/* (%nurbs-range n): the list u0 u1, and of a surface v0 v1 behind them */
+vs_status vs_p_nurbs_range(vs_frame *f, vs_value *out) {
+  const vs_nurbs *n = given(f);
+  double ends[4] = { vs_nurbs_low(&n->u), vs_nurbs_high(&n->u) };
+  if (n->v.count) ends[2] = vs_nurbs_low(&n->v), ends[3] = vs_nurbs_high(&n->v);
+  VS_ROOTS(f->vm, r, 1);
+  r[0] = VS_NIL;
+  for (int i = n->v.count ? 3 : 1; i >= 0; i--)
+    if (!vs_cons(f->vm, vs_flonum(ends[i]), r[0], &r[0])) return VS_ERROR;
+  *out = r[0];
+  return VS_OK;
+}
+
+vs_status vs_p_make_nurbs_curve(vs_frame *f, vs_value *out) {
+  vs_node *node = vs_nurbs_curve_node(f->bind->store, given(f));
+  if (!node) return vs_fail_memory(f->vm);
+  if (!vs_bind_is_empty(node)) return vs_bind_node(f, node, out);
+  vs_node_release(node);
+  return vs_bind_empty(f, "all points are the same", out);
+}
+
+/* n parameters' steps of equal size, or as many as the chord asks for. 0: out of memory. */
+static size_t parameters(const vs_nurbs *n, bool along_v, int64_t steps, double chord, double **out) {
+  const vs_nurbs_knots *k = along_v ? &n->v : &n->u;
+  size_t room = 0;
+  *out = NULL;
+  if (!steps) return vs_nurbs_parameters(n, along_v, chord, out);
+  if (!VS_GROW(*out, room, (size_t)steps + 1)) return 0;
+  double low = vs_nurbs_low(k), high = vs_nurbs_high(k);
+  for (int64_t i = 0; i <= steps; i++) (*out)[i] = i == steps ? high : low + (high - low) * (double)i / (double)steps;
+  return (size_t)steps + 1;
+}
+
+/* (%make-nurbs-surface n nu nv): 0 leaves the number of samples to the tolerance */
+vs_status vs_p_make_nurbs_surface(vs_frame *f, vs_value *out) {
+  const vs_nurbs *n = given(f);
+  vs_bounds b = vs_bounds_empty();
+  vs_error e = { 0 };
+  for (size_t i = 0; i < n->u.count * n->v.count; i++) vs_bounds_add(&b, n->points[i]);
+  double chord = vs_bind_tolerance(f->bind), *u, *v;
+  if (!(chord > 0)) chord = fmax(vs_facets_tolerance(&b), 1e-300);
+  size_t rows = parameters(n, false, f->arg[1].integer, chord, &u);
+  size_t columns = parameters(n, true, f->arg[2].integer, chord, &v);
+  vs_node *node = NULL;
+  vs_vec3 *grid = NULL;
+  size_t room = 0;
+  vs_status status = rows && columns && VS_GROW(grid, room, rows * columns) ? VS_OK : vs_fail_memory(f->vm);
+  for (size_t i = 0; status && i < rows; i++) {
+    for (size_t j = 0; j < columns; j++) grid[i * columns + j] = vs_nurbs_point(n, u[i], v[j], NULL, NULL);
+    if (!vs_poll(f->vm, columns * 32)) status = VS_ERROR;
+  }
+  if (status) {
+    node = vs_surface_make(f->bind->store, VS_GRID_SURFACE, grid, rows, columns, false, false, &e);
+    if (!node) status = vs_bind_error(f, &e);
+  }
+  free(u), free(v), free(grid);
+  if (!status) return VS_ERROR;
+  if (!vs_bind_is_empty(node)) return vs_bind_node(f, node, out);
+  vs_node_release(node);
+  return vs_bind_empty(f, "all points lie on one line", out);
+}
