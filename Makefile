@@ -25,7 +25,7 @@ UNIT_LIBS = $(call pkg,cmocka,-lcmocka)
 LAYERS    = vm model functions geometry kernel solids passes bind backends session
 LIB_SRC   = $(foreach d,$(LAYERS),$(wildcard $(d)/*.c $(d)/*/*.c))
 LIB_OBJ   = $(LIB_SRC:%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/assets.o
-CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c cli/*/*.c live/*.c)) $(BUILD)/live_assets.o
+CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c cli/*/*.c live/*.c knowledge/*.c knowledge/*/*.c)) $(BUILD)/live_assets.o
 FUZZERS   = reader program import emit calls
 UNIT_SRC  = $(wildcard tests/unit/test_*.c)
 UNIT_BIN  = $(UNIT_SRC:tests/unit/%.c=$(BUILD)/unit/%)

@@ -13,6 +13,7 @@
 #include "cli/limits.h"
 #include "cli/nearby.h"
 #include "cli/command.h"
+#include "cli/study.h"
 #include "live/live.h"
 
 /* A signal handler gets no context: the command's only globals are the interpreter that a signal interrupts, and what came so far.
@@ -317,8 +318,12 @@ int main(int argc, char **argv) {
   signal(SIGPIPE, SIG_IGN); /* a reader that went is a failed write: outputs are finished or taken away, and the exit code says it */
   if (argc >= 3 && strcmp(argv[1], "help") == 0) { /* vs help WORD: the manual */
     for (int i = 2; i < argc; i++)
-      if (!cli_manual_print(argv[i], stdout)) {
+      if (cli_command_help(argv[i], stdout)) {
+        putchar('\n');
+        cli_manual_command(argv[i], stdout);
+      } else if (!cli_manual_print(argv[i], stdout)) {
         printf("The manual has no %s.\n", argv[i]);
+        cli_command_suggest(argv[i], stdout);
         cli_manual_mentions(argv[i], stdout);
         cli_manual_topics(stdout);
         return VS_OUTCOME_USAGE;
@@ -334,6 +339,11 @@ int main(int argc, char **argv) {
   }
   if (options.command == CLI_COMMAND_view) {
     vs_outcome outcome = view_model(&options);
+    cli_options_free(&options);
+    return (int)outcome;
+  }
+  if (options.command == CLI_COMMAND_ast) {
+    vs_outcome outcome = cli_study(&options);
     cli_options_free(&options);
     return (int)outcome;
   }

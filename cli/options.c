@@ -25,10 +25,28 @@ static const option_row rows[OPTION_COUNT] = {
 #include "cli/options.def"
 };
 
-static const struct { const char *name, *arguments, *help; } commands[] = {
-#define COMMAND(name, arguments, help) {#name, arguments, help},
+static const struct { const char *name, *arguments; unsigned takes; const char *help; } commands[] = {
+#define COMMAND(name, arguments, takes, help) {#name, arguments, takes, help},
 #include "cli/commands.def"
 };
+enum { COMMANDS = sizeof commands / sizeof *commands };
+
+bool cli_command_help(const char *name, FILE *to) {
+  for (size_t i = 0; i < COMMANDS; i++)
+    if (!strcmp(commands[i].name, name))
+      return fprintf(to, "vs %s %s: %s\n", name, commands[i].arguments, commands[i].help) > 0;
+  return false;
+}
+
+bool cli_command_suggest(const char *word, FILE *to) {
+  if (strpbrk(word, "./")) return false;
+  cli_nearby near = cli_nearby_start(word);
+  for (size_t i = 0; i < COMMANDS; i++) cli_nearby_offer(&near, commands[i].name);
+  if (near.best)
+    fprintf(to, "vs: %s is neither a command nor a file; perhaps vs %s %s\n", word, near.best,
+            strcmp(near.best, "help") ? "FILE" : "WORD");
+  return near.best != NULL;
+}
 
 /* ---- help ---- */
 
@@ -38,7 +56,9 @@ static void print_help(void) {
   puts("  vs FILE             run FILE (- is standard input)");
   puts("  vs FILE -o OUT ...  run FILE and write its model");
   puts("  vs FILE -- ARG ...  run FILE, whose (command-line) ends in these arguments");
-  for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) printf("  vs %s %-*s %s\n", commands[i].name, (int)(15 - strlen(commands[i].name)), commands[i].arguments, commands[i].help);
+  for (size_t i = 0; i < COMMANDS; i++)
+    printf("  vs %s %-*s %s\n", commands[i].name, (int)(15 - strlen(commands[i].name)), commands[i].arguments,
+           commands[i].help);
   putchar('\n');
   for (int i = 0; i < OPTION_COUNT; i++) {
     const option_row *r = &rows[i];
@@ -209,6 +229,8 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
   case OPTION_VERBOSE: o->verbose = true; return true;
   case OPTION_STRICT: o->output.strict = true; return true;
   case OPTION_CHECK: o->check = true; return true;
+  case OPTION_JSON: o->json = true; return true;
+  case OPTION_XML: o->xml = true; return true;
   case OPTION_QUIET: o->quiet = true; return true;
   case OPTION_VERSION: printf("vs %s\n", vs_version()); *verdict = CLI_STOP; return true;
   case OPTION_HELP: print_help(); *verdict = CLI_STOP; return true;
@@ -340,7 +362,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   bool names_only = false; /* after a -- that no model stands before */
   o->words[o->word_count++] = "vs";
   int first = 1;
-  for (size_t i = 0; argc > 1 && i < sizeof commands / sizeof *commands; i++)
+  for (size_t i = 0; argc > 1 && i < COMMANDS; i++)
     if (strcmp(argv[1], commands[i].name) == 0) o->command = (cli_command)(i + 1), first = 2;
   if (o->command == CLI_COMMAND_help) {
     print_help();
@@ -352,10 +374,24 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
       while (++i < argc) o->words[o->word_count++] = argv[i];
     } else if (names_only || word[0] != '-' || !word[1]) o->sources[o->source_count++] = (cli_source){CLI_SOURCE_FILE, word};
     else if (strcmp(word, "--") == 0) names_only = true;
-    else if (o->command == CLI_COMMAND_params && strcmp(word, "--json") == 0) continue; /* there is no other spelling yet */
     else if (!read_option(o, argc, argv, &i, &verdict)) return CLI_BAD_USAGE;
     else if (verdict != CLI_GO) return verdict;
   }
+  unsigned takes = o->command ? commands[o->command - 1].takes : 0;
+  if ((o->json && !(takes & CLI_TAKES_JSON)) || (o->xml && !(takes & CLI_TAKES_XML))) {
+    unsigned want = o->json && !(takes & CLI_TAKES_JSON) ? CLI_TAKES_JSON : CLI_TAKES_XML;
+    fprintf(stderr, "vs: --%s is for", want == CLI_TAKES_JSON ? "json" : "xml");
+    for (size_t i = 0, n = 0; i < COMMANDS; i++)
+      if (commands[i].takes & want) fprintf(stderr, "%s vs %s", n++ ? "," : "", commands[i].name);
+    fputs(want == CLI_TAKES_JSON ? "; statistics as JSON are --stats=json\n" : "\n", stderr);
+    return CLI_BAD_USAGE;
+  }
+  if (o->json && o->xml) {
+    fputs("vs: --json and --xml are one too many\n", stderr);
+    return CLI_BAD_USAGE;
+  }
+  bool file_first = !o->command && o->source_count == 1 && argc > 1 && o->sources[0].text == argv[1];
+  if (file_first && access(argv[1], F_OK) != 0 && cli_command_suggest(argv[1], stderr)) return CLI_BAD_USAGE;
   for (size_t i = 0; i < o->source_count; i++) { /* vs model.vs a.stl */
     const char *path = o->sources[i].text;
     const vs_format_info *f = o->sources[i].kind == CLI_SOURCE_FILE && strchr(path, '.') ? vs_format_find(path) : NULL;

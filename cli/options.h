@@ -2,6 +2,8 @@
 #ifndef VS_CLI_OPTIONS_H
 #define VS_CLI_OPTIONS_H
 
+#include <stdio.h>
+
 #include "visualscheme.h"
 
 typedef struct {
@@ -17,9 +19,11 @@ typedef struct {
 /* `vs COMMAND ...`: what the first word says. */
 typedef enum {
   CLI_COMMAND_NONE,
-#define COMMAND(name, arguments, help) CLI_COMMAND_##name,
+#define COMMAND(name, arguments, takes, help) CLI_COMMAND_##name,
 #include "cli/commands.def"
 } cli_command;
+/* Options that only commands take, and how they are used: the third column of commands.def. */
+enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2 };
 
 typedef struct {
   cli_command command;
@@ -32,7 +36,7 @@ typedef struct {
   const char *format;
   vs_options interpreter;              /* the limits, the texts above; main adds the host */
   vs_output_options output;
-  bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose, all_views;
+  bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose, all_views, json, xml;
 } cli_options;
 
 /* What to do when the command line has been read. */
@@ -42,5 +46,9 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv);
 /* The format of a target that none of the library's serves, from those that the program has brought; scheme NULL: there are none. False: said on standard error. */
 bool cli_options_late(const cli_options *o, cli_target *t, const vs_scheme *scheme);
 void cli_options_free(cli_options *o);
+/* One line on the command of that name, and how it is called. False: there is none. */
+bool cli_command_help(const char *name, FILE *to);
+/* Says which command may have been meant by a word that names no file. False: none comes to mind. */
+bool cli_command_suggest(const char *word, FILE *to);
 
 #endif

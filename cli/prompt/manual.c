@@ -136,6 +136,19 @@ bool cli_manual_print(const char *word, FILE *to) {
   return section != NULL;
 }
 
+bool cli_manual_command(const char *word, FILE *to) {
+  char call[40];
+  size_t n = (size_t)snprintf(call, sizeof call, "`vs %s", word);
+  for (const char *at = vs_manual_text; at < vs_manual_text_end && n < sizeof call;) {
+    part line = line_at(at);
+    if (level(line))
+      for (const char *p = line.at; p + n < line.end; p++)
+        if (!memcmp(p, call, n) && (p[n] == ' ' || p[n] == '`')) return print_section(at, to, level(line) == 1);
+    at = after(line);
+  }
+  return false;
+}
+
 void cli_manual_mentions(const char *word, FILE *to) {
   part page = {vs_manual_text, vs_manual_text}, heading = page;
   bool told = false, any = false, code = false;
