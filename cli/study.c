@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/messages.h"
+#include "knowledge/checks.h"
 #include "knowledge/tree_report.h"
 
 typedef struct { knowledge k; cli_reporter reporter; } study;
@@ -27,6 +28,19 @@ static vs_outcome tell(study *s, const cli_options *o) {
   return VS_OUTCOME_DONE;
 }
 
+/* Findings are the model's: exit code 1. */
+static vs_outcome check(study *s, const cli_options *o) {
+  know_findings found;
+  vs_outcome outcome = VS_OUTCOME_DONE;
+  if (know_check_program(&s->k, &found)) {
+    if (o->json) know_report_findings_json(&found, stdout);
+    else know_report_findings(&found, stdout);
+    if (found.count) outcome = VS_OUTCOME_MODEL;
+  } else fprintf(stderr, "vs: %s\n", s->k.trouble), outcome = s->k.outcome;
+  know_findings_free(&found);
+  return outcome;
+}
+
 vs_outcome cli_study(const cli_options *o) {
   study s = {0};
   vs_options interpreter = o->interpreter;
@@ -34,7 +48,8 @@ vs_outcome cli_study(const cli_options *o) {
   vs_scheme *scheme = vs_new(&interpreter);
   if (!scheme) return fputs("vs: out of memory\n", stderr), VS_OUTCOME_MACHINE;
   vs_outcome outcome = VS_OUTCOME_DONE;
-  if (know_read(&s.k, scheme, o->sources[0].text)) outcome = tell(&s, o);
+  if (know_read(&s.k, scheme, o->sources[0].text)) outcome = o->command == CLI_COMMAND_check ? check(&s, o) :
+      tell(&s, o);
   else {
     outcome = s.k.outcome;
     if (!s.reporter.errors) fprintf(stderr, "%s%s\n", strchr(s.k.trouble, ':') ? "" : "vs: ", s.k.trouble);

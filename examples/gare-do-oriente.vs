@@ -48,7 +48,7 @@
 ; ---- the beams (listing 5.3) ----
 
 ; An I whose web is upright where the beam goes in the direction phi.
-(define (beam-base p rho phi)
+(define (beam-base rho phi)
   (let ([s (/ rho 20)])
     (do-rotate
       (do-scale
@@ -61,7 +61,7 @@
 ; A beam follows the arc about the point rho away from p, from the roof down to p, and tapers to half its size.
 (define (arc-beam p rho phi psi0 psi1 n)
   (do-sweep
-    (beam-base p rho phi)
+    (beam-base rho phi)
     (make-spline
       (arc-sequence (+pol p rho phi) rho (+ phi pi) psi0 psi1 n))
     0       ; no twist

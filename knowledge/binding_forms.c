@@ -543,7 +543,7 @@ static void walk_IMPORT(form *f) {
 static void walk_LIBRARY(form *f) {
   know_mark_data(f->k, f->second, KNOW_SYNTAX);
   know_index scope = know_scope_new(f->k, f->scope, KNOW_SCOPE_BODY, f->node);
-  f->k->open = true;
+  f->k->open = f->k->library = true;
   for (know_index i = f->third; i; i = next(f, i)) {
     know_index head = first_of(f, i);
     if (know_is(f->k, head, "begin")) word(f, head), know_later(f->w, KNOW_TASK_BODY, next(f, head), scope);

@@ -128,6 +128,7 @@ typedef struct {
   bool reading;           /* the host is to pass over errors of line 0, and to set `unreadable` at any other */
   bool unreadable;
   bool open;              /* what defines names cannot all be known: eval, opaque macros */
+  bool library;           /* a library is defined here: its imports may give the language's names other meanings */
   struct know_memory *memory;
   know_node *nodes; size_t node_count, node_room;
   know_name *names; size_t name_count, name_room;

@@ -9,6 +9,7 @@
 (define (rods ps qs)
   (unite (map rod ps qs)))
 
+; check: allow unused-parameter
 (define (beam-base p rho phi)               ; a circle, as the thesis had it for its first tests
   (make-circle p (/ rho 30)))
 
