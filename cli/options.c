@@ -390,7 +390,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fputs("vs: --json and --xml are one too many\n", stderr);
     return CLI_BAD_USAGE;
   }
-  bool file_first = !o->command && o->source_count == 1 && argc > 1 && o->sources[0].text == argv[1];
+  bool file_first = !o->command && o->source_count && argc > 1 && o->sources[0].text == argv[1];
   if (file_first && access(argv[1], F_OK) != 0 && cli_command_suggest(argv[1], stderr)) return CLI_BAD_USAGE;
   for (size_t i = 0; i < o->source_count; i++) { /* vs model.vs a.stl */
     const char *path = o->sources[i].text;
