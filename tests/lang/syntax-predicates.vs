@@ -21,6 +21,18 @@
 (define (door [n natural?]) n)
 (displayln (door 2)) ; expect: 2
 
+; three deep, in a keyword, in the rest, in a primitive of the program's own
+(define (deep [l (list-of (list-of (list-of (and integer? (or positive? zero?)))))]) l)
+(displayln (deep '(((1 0)) ()))) ; expect: (((1 0)) ())
+(refused (deep '(((1 -2))))) ; expect: deep: l must be (list-of (list-of (list-of (and integer? (or positive? zero?))))), got
+(define keyed (lambda (#:k [k (list-of (or (and integer? positive?) string?)) '()]) k))
+(displayln (keyed #:k '(1 "a"))) ; expect: (1 a)
+(refused (keyed #:k '(-1))) ; expect: keyed: k must be (list-of (or (and integer? positive?) string?)), got
+(define (all . [r (list-of (list-of (or integer? string?)))]) r)
+(refused (all '(1 "a") '(a))) ; expect: all: r must be (list-of (list-of (or integer? string?))), got
+(define-primitive (slab [w (and number? (not (or negative? zero?)))]) (make-sphere origin w))
+(refused (slab 0)) ; expect: slab: w must be (and number? (not (or negative? zero?))), got
+
 ; a program's own and is its own
 (define (own)
   (define (not p) number?)
