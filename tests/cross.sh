@@ -56,6 +56,51 @@ diff manual/formats.md "$work/formats.md" >> "$work/why"
 [ ! -s "$work/why" ] || echo "BLESS=1 SUITES=cross sh tests/run.sh build writes the page anew" >> "$work/why"
 result "cross/formats:manual/formats.md is current" "$work/why"
 
+# ---- Appendix A in the formats that the table of kinds leaves out ----
+
+# A plan from above, cells 12 apart: the lines in each reach from one end of its bounding box to the other. Lines without an end are drawn beside them.
+cat > "$work/plan.vs" <<'EOF'
+(define-parameter appendix "")
+(define index -1)
+(define-syntax entry
+  (syntax-rules ()
+    ((_ name form measure value)
+     (let ([o form])
+       (set! index (+ index 1))
+       (if (memq (object-kind o) '(xline ray))
+           (draw (do-move o (vxyz -20 0 0)))
+           (let* ([p (xy (* 12 (remainder index 8)) (* 12 (quotient index 8)))] [box (bounding-box o)] [low (first box)] [high (second box)])
+             (draw (do-move o (p->q origin p)))
+             (printf "~a ~a ~a ~a ~a ~a\n" index (cx low) (cy low) (cx high) (cy high) name)))))))
+(draw (make-line (xyz -20 0 0) (xyz -21 0 0)))
+(load appendix)
+(view "roof" 'plan #:cut #f)
+EOF
+: > "$work/why"
+outputs=; for f in dxf svg pdf html x3dv obj ply off 3mf; do outputs="$outputs -o $work/plan.$f"; done
+# shellcheck disable=SC2086
+timeout -s KILL 120 "$vs" --quiet -D appendix="$PWD/tests/cross/appendix-a.vs" --view roof "$work/plan.vs" $outputs > "$work/cells" 2> "$work/said" || cat "$work/said" > "$work/why"
+grep warning: "$work/said" | grep -v 'are left out$' >> "$work/why"
+for f in $outputs; do [ "$f" = -o ] || [ -s "$f" ] || echo "$f is not written" >> "$work/why"; done
+[ "$(grep -c . "$work/cells")" -ge 60 ] || echo "only $(grep -c . "$work/cells") forms are in the plan" >> "$work/why"
+tr -d ' \r' < "$work/plan.dxf" | paste - - | awk -F '\t' -v cells="$work/cells" '
+  $1 == 8 { here = $2 ~ /^(curve|edge|outline|cut)$/ }
+  here && ($1 == 10 || $1 == 11) { x = $2 }
+  here && ($1 == 20 || $1 == 21) && x > -10 {
+    y = $2; i = int((x + 6) / 12); j = int((y + 6) / 12); c = i + 8 * j; a = x - 12 * i; y -= 12 * j
+    if (!(c in least_x)) { least_x[c] = most_x[c] = a; least_y[c] = most_y[c] = y }
+    if (a < least_x[c]) least_x[c] = a; if (a > most_x[c]) most_x[c] = a; if (y < least_y[c]) least_y[c] = y; if (y > most_y[c]) most_y[c] = y
+  }
+  function far(a, b) { return (a - b) ^ 2 > 0.02 ^ 2 }
+  END {
+    while ((getline line < cells) > 0) {
+      split(line, t, " "); c = t[1]
+      if (!(c in least_x)) print line ": nothing is drawn"
+      else if (far(least_x[c], t[2]) || far(least_y[c], t[3]) || far(most_x[c], t[4]) || far(most_y[c], t[5])) print line ": drawn from " least_x[c] " " least_y[c] " to " most_x[c] " " most_y[c]
+    }
+  }' >> "$work/why"
+result "cross/appendix:its forms in drawings and in the other formats" "$work/why"
+
 # ---- the tree of every shape, as git has it ----
 
 # long lists of points stand there as their length and checksum
