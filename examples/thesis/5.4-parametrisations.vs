@@ -15,4 +15,4 @@
 (units 'm)
 (ground 0)
 (sun #:azimuth 215 #:altitude 40)
-(camera (xyz 32 -75 15) (xyz 32 0 12) #:lens 30)
+(camera (xyz 30 -88 15) (xyz 30 0 11) #:lens 30)
