@@ -1,0 +1,8 @@
+(define (tell objects port templates)
+  (write (map object-kind objects) port)
+  (write (map (lambda (t) (cons (object-kind t) (map object-kind (object-children t)))) templates) port)
+  (newline port))
+(define-back-end plain "plain" tell #:templates #t)
+(define-back-end passed "passed" tell #:templates #t #:optimised #t)
+(define part (unite (make-box origin (xyz 1 1 1)) (make-sphere (xyz 0 0 3) 1)))
+(draw part (do-move part (vxyz 5 0 0)) (do-move (do-move (make-box origin (xyz 2 2 2)) (vxyz 1 0 0)) (vxyz 1 0 0)))
