@@ -163,11 +163,22 @@ vs_enclosure vs_enclose(vs_tape_operator op, vs_enclosure a, vs_enclosure b, vs_
     if (b.low != b.low) return c.partial = true, c;
     if (c.low != c.low) return b.partial = true, b;
     return (vs_enclosure){ least(b.low, c.low), most(b.high, c.high), a.partial || b.partial || c.partial };
+  case VS_TAPE_FIELD: /* vs_enclose_tape's */
   case VS_TAPE_CONSTANT:
   case VS_TAPE_INPUT:
   case VS_TAPE_OPERATORS: break;
   }
   return all;
+}
+
+/* A field's value in the middle of the box, and around it no more than from there to a corner. */
+static vs_enclosure enclose_field(const vs_tape_field *f, vs_enclosure x, vs_enclosure y, vs_enclosure z) {
+  bool partial = x.partial || y.partial || z.partial;
+  if (x.low != x.low || y.low != y.low || z.low != z.low) return none;
+  const double middle[3] = { (x.low + x.high) / 2, (y.low + y.high) / 2, (z.low + z.high) / 2 };
+  double a = x.high - x.low, b = y.high - y.low, c = z.high - z.low, reach = sqrt(a * a + b * b + c * c) / 2;
+  double d = f->value(f, middle, NULL);
+  return bounds(d - reach, d + reach, 8, partial);
 }
 
 vs_enclosure vs_enclose_tape(const vs_tape *t, const vs_enclosure *in, vs_enclosure *work) {
@@ -177,6 +188,8 @@ vs_enclosure vs_enclose_tape(const vs_tape *t, const vs_enclosure *in, vs_enclos
       work[k] = (vs_enclosure){ s->value, s->value, s->value != s->value };
     else if (s->op == VS_TAPE_INPUT)
       work[k] = in[s->of[0]];
+    else if (s->op == VS_TAPE_FIELD)
+      work[k] = enclose_field(t->field[(size_t)s->value], work[s->of[0]], work[s->of[1]], work[s->of[2]]);
     else
       work[k] = vs_enclose((vs_tape_operator)s->op, work[s->of[0]], work[s->of[1]], work[s->of[2]]);
   }

@@ -94,6 +94,7 @@ WIDE static void values(const vs_tape_step *step, double *restrict r, const doub
   case VS_TAPE_MAX: EACH(a[i] > b[i] || a[i] != a[i] ? a[i] : b[i]); break;
   case VS_TAPE_CHOOSE: EACH(a[i] != 0 ? b[i] : c[i]); break;
   case VS_TAPE_INPUT:
+  case VS_TAPE_FIELD:
   case VS_TAPE_OPERATORS: break;
   case VS_TAPE_CBRT:
   case VS_TAPE_LOG:
@@ -152,6 +153,7 @@ static void partials(const vs_tape_step *step, const double *r, const double *a,
   case VS_TAPE_ATMOST:
   case VS_TAPE_EQUAL: BOTH(0, 0); break;
   case VS_TAPE_CHOOSE:
+  case VS_TAPE_FIELD:
   case VS_TAPE_CONSTANT:
   case VS_TAPE_INPUT:
   case VS_TAPE_OPERATORS: break;
@@ -181,6 +183,18 @@ static void slopes(int count, const vs_tape_step *step, double *r, const double 
   }
 }
 
+/* A field's values for n points, and its slopes from those of its operands; what lies behind the n is as the first. */
+static void field(const vs_tape_field *f, int count, size_t n, double *r, const double *a, const double *b,
+                  const double *c) {
+  for (size_t i = 0; i < BATCH; i++) {
+    double by[3];
+    if (i < n) r[i] = f->value(f, (const double[]){ a[i], b[i], c[i] }, count ? by : NULL);
+    if (i >= n) r[i] = r[0];
+    for (size_t j = BATCH; j <= (size_t)count * BATCH; j += BATCH)
+      r[j + i] = i < n ? by[0] * a[j + i] + by[1] * b[j + i] + by[2] * c[j + i] : 0;
+  }
+}
+
 /* The batch of n points from number `from` on. */
 static void batch(vs_sampler *s, const double *const *in, size_t from, size_t n, double *const *out,
                   double *const *slope) {
@@ -194,6 +208,9 @@ static void batch(vs_sampler *s, const double *const *in, size_t from, size_t n,
     if (step->op == VS_TAPE_INPUT) {
       memcpy(r, in[step->of[0]] + from, n * sizeof *r);
       for (size_t i = n; i < BATCH; i++) r[i] = r[0];
+    } else if (step->op == VS_TAPE_FIELD) {
+      field(t->field[(size_t)step->value], slope ? s->slopes : 0, n, r, a, b, c);
+      continue;
     } else {
       values(step, r, a, b, c);
     }

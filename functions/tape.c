@@ -35,8 +35,14 @@ vs_tape *vs_tape_new(uint32_t inputs) {
   return t;
 }
 
+void vs_tape_field_release(vs_tape_field *f) {
+  if (f && --f->refs == 0) f->release(f);
+}
+
 void vs_tape_free(vs_tape *t) {
   if (!t) return;
+  for (size_t i = 0; i < t->field_count; i++) vs_tape_field_release(t->field[i]);
+  free(t->field);
   free(t->step);
   free(t->index);
   free(t);
@@ -76,6 +82,7 @@ double vs_tape_apply(vs_tape_operator op, double a, double b, double c) {
   case VS_TAPE_CHOOSE: return a != 0 ? b : c;
   case VS_TAPE_CONSTANT:
   case VS_TAPE_INPUT:
+  case VS_TAPE_FIELD: /* it needs the tape */
   case VS_TAPE_OPERATORS: break;
   }
   return NAN;
@@ -173,6 +180,23 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
   return step_number(t, &s);
 }
 
+/* The number of the field among the tape's own; UINT32_MAX: out of memory. */
+static uint32_t field_number(vs_tape *t, vs_tape_field *f) {
+  for (size_t i = 0; i < t->field_count; i++)
+    if (t->field[i] == f) return (uint32_t)i;
+  if (!VS_GROW(t->field, t->field_room, t->field_count + 1)) return UINT32_MAX;
+  f->refs++;
+  t->field[t->field_count] = f;
+  return (uint32_t)t->field_count++;
+}
+
+uint32_t vs_tape_add_field(vs_tape *t, vs_tape_field *f, uint32_t x, uint32_t y, uint32_t z) {
+  uint32_t number = field_number(t, f);
+  if (number == UINT32_MAX || x >= t->count || y >= t->count || z >= t->count) return UINT32_MAX;
+  vs_tape_step s = { VS_TAPE_FIELD, { x, y, z }, number };
+  return step_number(t, &s);
+}
+
 vs_tape *vs_tape_compact(const vs_tape *t) {
   vs_tape *c = vs_tape_new(t->inputs);
   uint32_t *to = NULL;
@@ -186,7 +210,8 @@ vs_tape *vs_tape_compact(const vs_tape *t) {
     if (!to[i]) continue;
     vs_tape_step s = t->step[i];
     for (int k = 0; k < operators[s.op].operands; k++) s.of[k] = to[s.of[k]];
-    to[i] = step_number(c, &s);
+    to[i] = s.op == VS_TAPE_FIELD ? vs_tape_add_field(c, t->field[(size_t)s.value], s.of[0], s.of[1], s.of[2])
+                                  : step_number(c, &s);
     ok = to[i] != UINT32_MAX;
   }
   if (ok) {

@@ -21,10 +21,20 @@ typedef enum {
 
 enum { VS_TAPE_INPUTS = 16, VS_TAPE_OUTPUTS = 3, VS_TAPE_STEPS = 100000 };
 
+/* A function of three numbers that is no expression, such as the distance from a mesh: counted, and owned by whoever
+ * holds a count. Its value changes by no more than the distance between two places. */
+typedef struct vs_tape_field vs_tape_field;
+struct vs_tape_field {
+  uint32_t refs;
+  double (*value)(const vs_tape_field *f, const double at[3], double slope[3]); /* slope may be NULL */
+  void (*release)(vs_tape_field *f);                                            /* the last count is gone */
+};
+void vs_tape_field_release(vs_tape_field *f); /* gives up a count */
+
 typedef struct {
   uint32_t op;
   uint32_t of[3]; /* earlier steps; an input's number in of[0]; unused ones are 0 */
-  double value;   /* of a constant */
+  double value;   /* of a constant; a field's number in the tape */
 } vs_tape_step;
 
 typedef struct vs_tape {
@@ -32,6 +42,8 @@ typedef struct vs_tape {
   size_t count, room;
   uint32_t *index; /* hash of a step -> its number + 1; 0 free; a power of two of slots */
   size_t slots;
+  vs_tape_field **field; /* counts of ours */
+  size_t field_count, field_room;
   uint32_t inputs, outputs, output[VS_TAPE_OUTPUTS];
 } vs_tape;
 
@@ -43,6 +55,8 @@ uint32_t vs_tape_constant(vs_tape *t, double value);
 uint32_t vs_tape_input(vs_tape *t, uint32_t number); /* number < inputs */
 uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b,
                      uint32_t c); /* operands beyond the operator's own: 0 */
+
+uint32_t vs_tape_add_field(vs_tape *t, vs_tape_field *f, uint32_t x, uint32_t y, uint32_t z);
 
 /* How many operands it has; its name in the language, "" without one. */
 int vs_tape_operands(vs_tape_operator op);

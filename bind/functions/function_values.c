@@ -71,6 +71,9 @@ static vs_status function_note(vs_scheme *vm, vs_value *a, int n, vs_value *out)
 static void release_tape(void *t) { vs_tape_free(t); }
 const vs_foreign_type vs_tape_type = { .name = "a tape", .release = release_tape };
 
+static void release_field(void *f) { vs_tape_field_release(f); }
+const vs_foreign_type vs_tape_field_type = { .name = "a field", .release = release_field };
+
 static vs_status tape_new(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_tape *t = vs_tape_new((uint32_t)vs_fixnum(a[0]));
@@ -111,6 +114,16 @@ static vs_status tape_op(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return step(vm, t, vs_tape_add(t, op, of[0], of[1], of[2]), out);
 }
 
+/* (%tape-field t field x y z) */
+static vs_status tape_field(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
+  vs_tape_field *f = vs_foreign_get(a[1], &vs_tape_field_type);
+  uint32_t at[3];
+  for (int i = 0; i < 3; i++) at[i] = (uint32_t)vs_fixnum(a[2 + i]);
+  return step(vm, t, vs_tape_add_field(t, f, at[0], at[1], at[2]), out);
+}
+
 /* (%tape-done t step ...): a tape of what these steps need */
 static vs_status tape_done(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
@@ -142,6 +155,8 @@ static vs_status tape_text(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   const vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
   const char *names[VS_TAPE_INPUTS] = { NULL };
+  if (t->field_count)
+    return vs_fail(vm, vm->sym.type, "the function holds the distance from a solid, which has no formula");
   vs_value l = a[3];
   for (uint32_t i = 0; i < t->inputs && vs_is_pair(l); i++, l = vs_cdr(l)) names[i] = vs_as_symbol(vs_car(l))->name;
   bool too_long;
@@ -300,10 +315,11 @@ static const vs_native_def defs[] = {
   { "%tape-constant", "tape number", tape_constant, 0, NULL },
   { "%tape-input", "tape number", tape_input, 0, NULL },
   { "%tape-op", "tape name [a b c]", tape_op, 0, NULL },
+  { "%tape-field", "tape field x y z", tape_field, 0, NULL },
   { "%tape-done", "tape . steps", tape_done, 0, NULL },
   { "%tape-level", "tape level", tape_level, 0, NULL },
   { "%tape-outputs", "tape", tape_outputs, 0, NULL },
-  { "%tape-text", "tape output language names", tape_text, 0, NULL },
+  { "%tape-text %function-text", "tape output language names", tape_text, 0, NULL },
   { "%tape-samples", "tape ranges", tape_samples, 0, NULL },
   { 0 },
 };

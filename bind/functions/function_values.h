@@ -7,6 +7,7 @@
 
 extern const vs_native_table vs_function_table;
 extern const vs_foreign_type vs_tape_type; /* owns a vs_tape */
+extern const vs_foreign_type vs_tape_field_type; /* owns a count of a vs_tape_field */
 
 /* vs_flat_rules.call, for intervals: what the procedure of this name gives, enclosed. */
 bool vs_interval_call(vs_scheme *vm, const char *name, const vs_value *a, int n, vs_value *out);

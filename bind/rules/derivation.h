@@ -11,6 +11,7 @@
 
 #include "bind/rules/deform.h"
 #include "bind/rules/scope.h"
+#include "bind/shapes/bending.h"
 #include "geometry/tessellate.h"
 
 /* Scopes that wait, in order, each for its rule. */
@@ -73,9 +74,7 @@ bool vs_rules_class(vs_frame *f, int i, unsigned classes);
 const char *vs_rules_operator(vs_frame *f); /* its name in a path: that of the procedure without "scope-" */
 vs_status vs_mesh_components(vs_frame *f, const char *of,
                              vs_value *out); /* mesh_faces.c: scope-component of a mesh scope */
-/* make_scopes.c: how finely curves in scopes are sampled; the loops of one area of an outline, NULL: the error is
- * set */
-vs_facets vs_rules_facets(vs_bind *b, const vs_node *n);
+/* make_scopes.c: the loops of one area of an outline, NULL: the error is set */
 vs_scope_loops *vs_rules_outline_loops(vs_frame *f, const vs_outline *o, size_t *next);
 
 #endif

@@ -70,16 +70,6 @@ vs_status vs_p_make_surface_scope(vs_frame *f, vs_value *out) {
   return object_scope(f, VS_SCOPE_SURFACE, out);
 }
 
-/* The fineness at which a scope samples curves: the program's own, else the drawing rule at the object's size. */
-vs_facets vs_rules_facets(vs_bind *b, const vs_node *n) {
-  vs_bounds bounds;
-  vs_error e = { 0 };
-  vs_facets facets = { .tolerance = vs_bind_tolerance(b), .segments = vs_bind_segments(b) };
-  if (facets.tolerance <= 0 && vs_node_bounds(n, &bounds, &e)) facets.tolerance = vs_facets_tolerance(&bounds);
-  if (!(facets.tolerance > 0)) facets.tolerance = 1;
-  return facets;
-}
-
 /* The loops of one area of a region: an outer loop and the holes behind it. *next is where it begins, and then the
  * next. NULL: the error is set. */
 vs_scope_loops *vs_rules_outline_loops(vs_frame *f, const vs_outline *o, size_t *next) {
@@ -104,7 +94,7 @@ vs_status vs_p_make_polygon_scope(vs_frame *f, vs_value *out) {
   vs_outline o = { 0 };
   vs_error e = { 0 };
   const vs_node *n = f->arg[0].ref.node;
-  vs_facets facets = vs_rules_facets(f->bind, n);
+  vs_facets facets = vs_bend_facets(f->bind, n);
   if (n->class_ == VS_CURVE && !(n->flags & VS_NODE_CLOSED))
     return vs_bind_refuse(f, "region", "a region or a closed curve", f->arg[0].value);
   if (!vs_region_outline(n, &facets, &o, &e)) return vs_bind_error(f, &e);
@@ -142,7 +132,7 @@ vs_status vs_p_make_triangle_scope(vs_frame *f, vs_value *out) {
 vs_status vs_p_make_curve_scope(vs_frame *f, vs_value *out) {
   vs_polyline p = { 0 };
   vs_error e = { 0 };
-  vs_facets facets = vs_rules_facets(f->bind, f->arg[0].ref.node);
+  vs_facets facets = vs_bend_facets(f->bind, f->arg[0].ref.node);
   if (!vs_curve_sample(f->arg[0].ref.node, &facets, &p, &e)) return vs_bind_error(f, &e);
   if (p.count < 2)
     return vs_polyline_free(&p), vs_bind_refuse(f, "curve", "a curve that has a length", f->arg[0].value);

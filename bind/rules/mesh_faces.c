@@ -62,7 +62,7 @@ static bool add_leaf(faces *all, vs_ref ref, const vs_affine *map) {
       if (!add_face(all, at, face[i], 4, map)) return false;
     return true;
   }
-  vs_facets facets = vs_rules_facets(all->f->bind, n);
+  vs_facets facets = vs_bend_facets(all->f->bind, n);
   if (n->class_ == VS_REGION_CLASS || n->class_ == VS_CURVE) {
     vs_outline o = { 0 };
     if (n->class_ == VS_CURVE && !(n->flags & VS_NODE_CLOSED))

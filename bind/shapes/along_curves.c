@@ -79,6 +79,38 @@ vs_status vs_p_curve_division(vs_frame *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
+/* ---- a curve that is asked often ---- */
+
+static void walk_free(void *p) {
+  vs_stations_close(p);
+  free(p);
+}
+static const vs_foreign_type walk_type = { .name = "a curve's places", .release = walk_free };
+
+/* (%curve-walk c) */
+vs_status vs_p_curve_walk(vs_frame *f, vs_value *out) {
+  vs_stations *s = NULL;
+  size_t room = 0;
+  if (!VS_GROW(s, room, 1)) return vs_fail_memory(f->vm);
+  if (!vs_bind_stations(f, 0, s)) return free(s), VS_ERROR;
+  return vs_make_foreign(f->vm, &walk_type, s, 0, out);
+}
+
+/* (%walk-place walk s x y): x and y across the curve at the share s of its length; beyond an open
+ * one's ends straight on */
+vs_status vs_p_walk_place(vs_frame *f, vs_value *out) {
+  const vs_stations *w = vs_foreign_get(f->arg[0].value, &walk_type);
+  double share = f->arg[1].real, beyond = 0;
+  if (w->path.closed) share -= floor(share);
+  if (share < 0) beyond = share, share = 0;
+  if (share > 1) beyond = share - 1, share = 1;
+  vs_station s = vs_station_at(w, share * w->length);
+  vs_vec3 y = vs_v3_cross(s.tangent, s.across);
+  vs_vec3 across = vs_v3_add(vs_v3_scale(s.across, f->arg[2].real), vs_v3_scale(y, f->arg[3].real));
+  vs_vec3 at = vs_v3_add(s.at, vs_v3_scale(s.tangent, beyond * w->length));
+  return vs_bind_point(f, vs_v3_add(at, across), out);
+}
+
 /* ---- pipes ---- */
 
 enum { AROUND = 128, RINGS = 192 };

@@ -61,7 +61,8 @@ bool vs_area_loop(vs_area *a, bool hole) { return area_close(a, area_ended(a), h
   X(GEOSGeom_createPolygon_r) X(GEOSGeom_createCollection_r) X(GEOSGeom_destroy_r) X(GEOSGeomTypeId_r) X(GEOSGetNumGeometries_r)             \
   X(GEOSGetGeometryN_r) X(GEOSGetExteriorRing_r) X(GEOSGetNumInteriorRings_r) X(GEOSGetInteriorRingN_r) X(GEOSGeom_getCoordSeq_r)            \
   X(GEOSUnaryUnion_r) X(GEOSIntersection_r) X(GEOSDifference_r) X(GEOSMakeValid_r) X(GEOSGeom_createLineString_r) X(GEOSPolygonize_r)         \
-  X(GEOSisEmpty_r) X(GEOSCoordSeq_destroy_r) X(GEOSPointOnSurface_r) X(GEOSGeomGetX_r) X(GEOSGeomGetY_r)
+  X(GEOSisEmpty_r) X(GEOSCoordSeq_destroy_r) X(GEOSPointOnSurface_r) X(GEOSGeomGetX_r) X(GEOSGeomGetY_r) \
+  X(GEOSDelaunayTriangulation_r)
 
 typedef struct {
 #define X(name) __typeof__(&name) name;
@@ -424,5 +425,76 @@ bool vs_area_outline(const vs_area *a, const vs_affine *frame, vs_outline *out) 
     out->count = l + 1;
   }
   if (!ok) vs_outline_free(out);
+  return ok;
+}
+
+/* ---- triangulations of points ---- */
+
+typedef struct {
+  vs_vec2 at;
+  uint32_t number;
+} numbered;
+
+static int compare_numbered(const void *p, const void *q) {
+  const numbered *a = p, *b = q;
+  if (a->at.x != b->at.x) return a->at.x < b->at.x ? -1 : 1;
+  if (a->at.y != b->at.y) return a->at.y < b->at.y ? -1 : 1;
+  return a->number < b->number ? -1 : a->number > b->number;
+}
+
+/* The first point at this place; GEOS keeps coordinates as they were given. */
+static bool number_at(const numbered *all, size_t n, double x, double y, uint32_t *out) {
+  size_t low = 0, high = n;
+  while (low < high) {
+    size_t middle = (low + high) / 2;
+    if (all[middle].at.x < x || (all[middle].at.x == x && all[middle].at.y < y))
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  if (low == n || all[low].at.x != x || all[low].at.y != y) return false;
+  *out = all[low].number;
+  return true;
+}
+
+/* One triangle of GEOS' collection, counter-clockwise. False: it is none. */
+static bool delaunay_triangle(vs_geos *g, const GEOSGeometry *part, const numbered *all, size_t n, const vs_vec2 *at,
+                              uint32_t out[3]) {
+  const GEOSGeometry *ring = part ? g->GEOSGetExteriorRing_r(g->h, part) : NULL;
+  const GEOSCoordSequence *s = ring ? g->GEOSGeom_getCoordSeq_r(g->h, ring) : NULL;
+  for (unsigned i = 0; i < 3; i++) {
+    double x, y;
+    if (!s || g->GEOSCoordSeq_getXY_r(g->h, s, i, &x, &y) != 1 || !number_at(all, n, x, y, &out[i])) return false;
+  }
+  vs_vec2 a = at[out[0]], b = at[out[1]], c = at[out[2]];
+  if ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) < 0) {
+    uint32_t swap = out[1];
+    out[1] = out[2], out[2] = swap;
+  }
+  return true;
+}
+
+bool vs_points_delaunay(const vs_vec2 *at, size_t n, uint32_t (**out)[3], size_t *count, vs_error *e) {
+  static const char *const purpose = "triangulations of points";
+  vs_geos g;
+  numbered *all = NULL;
+  size_t all_room = 0, room = 0;
+  *out = NULL, *count = 0;
+  if (!geos_open(&g, purpose, e)) return false;
+  bool ok = VS_GROW(all, all_room, n + 1) || vs_error_memory(e, NULL);
+  for (size_t i = 0; ok && i < n; i++) all[i] = (numbered){ at[i], (uint32_t)i };
+  if (ok) qsort(all, n, sizeof *all, compare_numbered);
+  GEOSCoordSequence *s = ok ? geos_sequence(&g, at, n, false) : NULL;
+  GEOSGeometry *line = s ? g.GEOSGeom_createLineString_r(g.h, s) : NULL;
+  GEOSGeometry *triangles = line ? g.GEOSDelaunayTriangulation_r(g.h, line, 0, 0) : NULL;
+  int parts = triangles ? g.GEOSGetNumGeometries_r(g.h, triangles) : -1;
+  if (ok && parts < 0) ok = geos_failed(&g, purpose, e);
+  if (ok && parts > 0) ok = VS_GROW(*out, room, (size_t)parts) || vs_error_memory(e, NULL);
+  for (int i = 0; ok && i < parts; i++)
+    if (delaunay_triangle(&g, g.GEOSGetGeometryN_r(g.h, triangles, i), all, n, at, (*out)[*count])) (*count)++;
+  if (triangles) g.GEOSGeom_destroy_r(g.h, triangles);
+  if (line) g.GEOSGeom_destroy_r(g.h, line);
+  geos_close(&g);
+  free(all);
   return ok;
 }

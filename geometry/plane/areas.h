@@ -27,6 +27,10 @@ bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpo
 /* Is the point in the area or on its border (within 1e-9 of its size)? */
 bool vs_area_holds(const vs_area *a, double x, double y);
 
+/* The Delaunay triangulation of two points or more, counter-clockwise triangles of their numbers, which the caller
+ * frees; none where all lie on one line. Of points at one place the first counts. */
+bool vs_points_delaunay(const vs_vec2 *at, size_t n, uint32_t (**out)[3], size_t *count, vs_error *e);
+
 /* ---- offset.c ---- */
 typedef enum { VS_OFFSET_MITRE, VS_OFFSET_ROUND, VS_OFFSET_SQUARE } vs_offset_corners;
 /* in made larger by d > 0 or smaller; round corners by f, or segments facets a turn where that is not 0 */

@@ -1,0 +1,125 @@
+/* Owns the natives under do-deform: an object on its way through a map that Scheme or a tape works out. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "bind/functions/function_values.h"
+#include "bind/shapes/bending.h"
+#include "functions/sampling.h"
+#include "model/store/array.h"
+
+enum { ROUNDS = 14, PART_OF_SIZE = 8 };
+
+typedef struct {
+  vs_bind *bind;
+  vs_bend_leaves leaves;
+  vs_bending **at;  /* one a leaf */
+  size_t room, now; /* leaf that is under way */
+} deformation;
+
+static void deformation_free(void *p) {
+  deformation *d = p;
+  for (size_t i = 0; d->at && i < d->leaves.count; i++) vs_bending_free(d->at[i]);
+  free(d->at);
+  vs_bend_drop(&d->leaves);
+  free(d);
+}
+static const vs_foreign_type deformation_type = { .name = "a deformation", .release = deformation_free };
+static deformation *given(vs_frame *f) { return vs_foreign_get(f->arg[0].value, &deformation_type); }
+
+/* (%deform o): the object taken apart */
+vs_status vs_p_deform(vs_frame *f, vs_value *out) {
+  deformation *d = NULL;
+  size_t one = 0;
+  vs_bounds b;
+  vs_error e = { 0 };
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
+  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
+  if (!VS_GROW(d, one, 1)) return vs_fail_memory(f->vm);
+  *d = (deformation){ .bind = f->bind };
+  if (!vs_bend_take_apart(f->bind, f->arg[0].ref, NULL, &d->leaves)) return deformation_free(d), VS_ERROR;
+  double size = vs_bounds_diagonal(&b), tolerance = vs_bind_tolerance(f->bind);
+  if (!(tolerance > 0)) tolerance = fmax(vs_facets_tolerance(&b), 1e-300);
+  bool ok = VS_GROW(d->at, d->room, d->leaves.count + 1);
+  if (ok) memset(d->at, 0, d->room * sizeof *d->at);
+  for (size_t i = 0; ok && i < d->leaves.count; i++)
+    ok = (d->at[i] = vs_bending_new(&d->leaves.at[i], tolerance, size / PART_OF_SIZE, ROUNDS)) != NULL;
+  if (!ok) return deformation_free(d), vs_fail_memory(f->vm);
+  return vs_make_foreign(f->vm, &deformation_type, d, 0, out);
+}
+
+/* (%deform-wanted d): the points whose images are wanted, as a list; () at the end */
+vs_status vs_p_deform_wanted(vs_frame *f, vs_value *out) {
+  deformation *d = given(f);
+  VS_ROOTS(f->vm, r, 2);
+  r[1] = VS_NIL;
+  size_t n = 0;
+  const vs_vec3 *at = NULL;
+  for (; d->now < d->leaves.count; d->now++)
+    if (at = vs_bending_wanted(d->at[d->now], &n), n) break;
+  for (size_t i = n; i-- > 0;)
+    if (!vs_bind_point(f, at[i], &r[0]) || !vs_cons(f->vm, r[0], r[1], &r[1]) || !vs_poll(f->vm, 8)) return VS_ERROR;
+  *out = r[1];
+  return VS_OK;
+}
+
+/* (%deform-give d images): as many points as were wanted */
+vs_status vs_p_deform_give(vs_frame *f, vs_value *out) {
+  deformation *d = given(f);
+  (void)out;
+  return vs_bending_give(d->at[d->now], f->arg[1].points.at) ? VS_OK : vs_fail_memory(f->vm);
+}
+
+/* (%deform-by-tape d t): all of it by a tape of three inputs and outputs; #t, or a point at which it has no value */
+vs_status vs_p_deform_by_tape(vs_frame *f, vs_value *out) {
+  deformation *d = given(f);
+  const vs_tape *t = vs_foreign_get(f->arg[1].value, &vs_tape_type);
+  vs_sampler *s = vs_sampler_new(t, 0);
+  vs_vec3 *images = NULL;
+  size_t room = 0, n;
+  vs_vec3 bad = { 0, 0, 0 };
+  bool found = false;
+  vs_status ok = s ? VS_OK : vs_fail_memory(f->vm);
+  for (; ok && d->now < d->leaves.count; d->now++) {
+    const vs_vec3 *at;
+    while (ok && (at = vs_bending_wanted(d->at[d->now], &n), n)) {
+      if (!VS_GROW(images, room, n)) ok = vs_fail_memory(f->vm);
+      for (size_t i = 0; ok && i < n; i += VS_SAMPLE_BATCH) {
+        double in[3][VS_SAMPLE_BATCH], to[3][VS_SAMPLE_BATCH];
+        size_t count = n - i < VS_SAMPLE_BATCH ? n - i : VS_SAMPLE_BATCH;
+        for (size_t k = 0; k < count; k++) in[0][k] = at[i + k].x, in[1][k] = at[i + k].y, in[2][k] = at[i + k].z;
+        vs_sample(s, (const double *const[]){ in[0], in[1], in[2] }, count, (double *const[]){ to[0], to[1], to[2] });
+        for (size_t k = 0; ok && k < count; k++) {
+          images[i + k] = vs_v3(to[0][k], to[1][k], to[2][k]);
+          if (isfinite(to[0][k]) && isfinite(to[1][k]) && isfinite(to[2][k])) continue;
+          bad = at[i + k], found = true;
+          ok = VS_ERROR;
+        }
+        if (ok && !vs_poll(f->vm, t->count * count / 8 + 1)) ok = VS_ERROR;
+      }
+      if (ok && !vs_bending_give(d->at[d->now], images)) ok = vs_fail_memory(f->vm);
+    }
+  }
+  vs_sampler_free(s);
+  free(images);
+  *out = VS_TRUE;
+  return found ? vs_bind_point(f, bad, out) : ok;
+}
+
+/* (%deformed d): the object that came of it */
+vs_status vs_p_deformed(vs_frame *f, vs_value *out) {
+  deformation *d = given(f);
+  vs_store *s = f->bind->store;
+  size_t n = d->leaves.count, made = 0;
+  vs_ref *refs = vs_bind_scratch(f, (n + 1) * sizeof *refs);
+  if (!refs) return VS_ERROR;
+  const vs_origin *origin = vs_bind_origin(f->bind);
+  for (; made < n; made++) {
+    vs_mesh *m = vs_bending_mesh(d->at[made]);
+    if (d->leaves.at[made].closed && !d->leaves.at[made].curve && vs_mesh_volume(m) < 0) vs_mesh_turn(m, 0);
+    refs[made] = (vs_ref){ vs_bend_node(d->bind, &d->leaves.at[made], m), origin };
+    if (!vs_bind_keep(f, refs[made].node)) return VS_ERROR;
+  }
+  if (n == 0) return vs_bind_empty(f, "there is nothing to deform", out);
+  if (n == 1) return vs_bind_node(f, vs_node_retain(refs[0].node), out);
+  return vs_bind_node(f, vs_node_new(s, VS_UNION, &(struct vs_union){ 0 }, refs, n), out);
+}

@@ -1,0 +1,188 @@
+/* Owns make-subdivision: the faces of an object, its creases, and what subdivision makes of them. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "bind/shapes/bending.h"
+#include "geometry/files/polyface.h"
+#include "geometry/shapes/subdivision.h"
+#include "model/store/array.h"
+
+enum { FACES_MOST = 4000000 };
+
+static bool add_face(vs_face_list *l, const vs_vec3 *points, const uint32_t *corner, uint32_t n, const vs_affine *map) {
+  bool mirrored = vs_affine_determinant(map) < 0, ok = true;
+  for (uint32_t i = 0; ok && i < n; i++) {
+    vs_vec3 p = vs_affine_point(map, points[corner[mirrored ? n - 1 - i : i]]);
+    ok = vs_face_list_corner(l, (uint32_t)l->point_count) && vs_face_list_point(l, p);
+  }
+  return ok && vs_face_list_close(l);
+}
+
+/* The faces as they were given, where the object has polygons: meshes, grids, boxes. False: it is something else. */
+static bool own_faces(const vs_node *n, const vs_affine *map, vs_face_list *l, bool *ok) {
+  if (n->kind == VS_POLYFACE_MESH) {
+    const struct vs_polyface_mesh *p = VS_AS(polyface_mesh, n);
+    const uint32_t *start = vs_faces_starts(p->faces), *corner = vs_faces_corners(p->faces);
+    for (uint32_t i = 0; *ok && i < p->faces->count; i++)
+      *ok = add_face(l, p->points->at, corner + start[i], start[i + 1] - start[i], map);
+    return true;
+  }
+  if (n->kind == VS_BOX) {
+    static const uint32_t face[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 },
+                                         { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
+    vs_vec3 p = VS_AS(box, n)->p, q = VS_AS(box, n)->q, at[8];
+    for (int c = 0; c < 8; c++) at[c] = vs_v3(c & 1 ? q.x : p.x, c & 2 ? q.y : p.y, c & 4 ? q.z : p.z);
+    for (int i = 0; *ok && i < 6; i++) *ok = add_face(l, at, face[i], 4, map);
+    return true;
+  }
+  if (n->kind == VS_GRID_MESH) {
+    const struct vs_grid_mesh *m = VS_AS(grid_mesh, n);
+    uint32_t columns = (uint32_t)m->columns, rows = m->points->count / columns;
+    for (uint32_t i = 0; i + !m->closed_u < rows; i++)
+      for (uint32_t j = 0; *ok && j + !m->closed_v < columns; j++) {
+        uint32_t below = (i + 1) % rows, right = (j + 1) % columns;
+        const uint32_t quad[4] = { i * columns + j, below * columns + j, below * columns + right, i * columns + right };
+        *ok = add_face(l, m->points->at, quad, 4, map);
+      }
+    return true;
+  }
+  return false;
+}
+
+static vs_status faces_of(vs_frame *f, vs_ref object, vs_face_list *l) {
+  vs_affine map = vs_affine_identity();
+  vs_node *n = object.node;
+  bool ok = true;
+  while (n->kind == VS_TRANSFORM || vs_node_is_dress(n)) {
+    if (n->kind == VS_TRANSFORM) map = vs_affine_multiply(&map, &VS_AS(transform, n)->matrix);
+    n = n->children[0].node;
+  }
+  if (own_faces(n, &map, l, &ok)) return ok ? VS_OK : vs_fail_memory(f->vm);
+  vs_bend_leaves leaves;
+  if (!vs_bend_take_apart(f->bind, object, "regions have no faces to subdivide: do-extrude them", &leaves))
+    return VS_ERROR;
+  vs_affine identity = vs_affine_identity();
+  for (size_t i = 0; ok && i < leaves.count; i++)
+    for (size_t k = 0; ok && k < leaves.at[i].mesh.triangle_count; k++)
+      ok = add_face(l, leaves.at[i].mesh.vertices, leaves.at[i].mesh.triangles[k], 3, &identity);
+  vs_bend_drop(&leaves);
+  return ok ? VS_OK : vs_fail_memory(f->vm);
+}
+
+/* Corners at equal places become one point; faces that so lose corners go. */
+static bool share_points(vs_face_list *l) {
+  vs_face_list out = { 0 };
+  uint32_t *place = NULL, *number = NULL;
+  size_t place_room = 0, number_room = 0;
+  bool ok = VS_GROW(place, place_room, l->point_count + 1) && VS_GROW(number, number_room, l->point_count + 1) &&
+            vs_polyface_merge(l->points, l->point_count, place);
+  for (size_t i = 0; ok && i < l->point_count; i++) {
+    if (place[i] != i) continue;
+    number[i] = (uint32_t)out.point_count;
+    ok = vs_face_list_point(&out, l->points[i]);
+  }
+  for (size_t f = 0; ok && f < l->face_count; f++) {
+    uint32_t first = UINT32_MAX, last = UINT32_MAX;
+    for (uint32_t c = l->starts[f]; ok && c < l->starts[f + 1]; c++) {
+      uint32_t p = number[place[l->corners[c]]];
+      if (p == last || (c + 1 == l->starts[f + 1] && p == first)) continue;
+      if (first == UINT32_MAX) first = p;
+      last = p;
+      ok = vs_face_list_corner(&out, p);
+    }
+    ok = ok && vs_face_list_close(&out);
+  }
+  free(place), free(number);
+  vs_face_list_free(l);
+  *l = out;
+  return ok;
+}
+
+static bool point_number(vs_frame *f, const vs_face_list *l, vs_value v, uint32_t *out) {
+  if (vs_is_fixnum(v) && vs_fixnum(v) >= 1 && vs_fixnum(v) <= (int64_t)l->point_count)
+    return *out = (uint32_t)vs_fixnum(v) - 1, true;
+  if (!vs_is_flat(v, VS_FLAT_POINT)) return vs_bind_refuse(f, "creases", "of points of the mesh", v);
+  const double *d = vs_as_flat(v)->at;
+  vs_bounds b = vs_bounds_empty();
+  for (size_t i = 0; i < l->point_count; i++) vs_bounds_add(&b, l->points[i]);
+  double best = INFINITY;
+  for (size_t i = 0; i < l->point_count; i++) {
+    double away = vs_v3_length(vs_v3_sub(l->points[i], vs_v3(d[0], d[1], d[2])));
+    if (away < best) best = away, *out = (uint32_t)i;
+  }
+  return best <= 1e-6 * vs_bounds_diagonal(&b) || vs_bind_refuse(f, "creases", "of points of the mesh", v);
+}
+
+/* A list of lists of two points, or their numbers from 1, and the sharpness, if it has an end. */
+static bool creases_of(vs_frame *f, const vs_face_list *l, vs_crease **out, size_t *count) {
+  static const char *const expected = "lists of two points of an edge, or their numbers, and how sharp it is";
+  size_t room = 0;
+  for (vs_value c = f->arg[2].value; vs_is_pair(c); c = vs_cdr(c)) {
+    vs_value e = vs_car(c);
+    int64_t n = vs_list_length(e);
+    vs_crease made = { .sharpness = INFINITY };
+    if (n != 2 && n != 3) return vs_bind_refuse(f, "creases", expected, e);
+    if (!point_number(f, l, vs_car(e), &made.a) || !point_number(f, l, vs_car(vs_cdr(e)), &made.b)) return false;
+    vs_value sharpness = n == 3 ? vs_car(vs_cdr(vs_cdr(e))) : VS_FALSE;
+    if (n == 3 && (!vs_bind_number(f->vm, sharpness, &made.sharpness) || !(made.sharpness >= 0)))
+      return vs_bind_refuse(f, "creases", "as sharp as a number of 0 or more says", sharpness);
+    bool is_edge = false;
+    for (size_t i = 0; !is_edge && i < l->face_count; i++)
+      for (uint32_t k = l->starts[i]; !is_edge && k < l->starts[i + 1]; k++) {
+        uint32_t a = l->corners[k], b = l->corners[k + 1 < l->starts[i + 1] ? k + 1 : l->starts[i]];
+        is_edge = (a == made.a && b == made.b) || (a == made.b && b == made.a);
+      }
+    if (!is_edge) return vs_bind_refuse(f, "creases", "edges of the mesh", e);
+    if (!VS_GROW(*out, room, *count + 1)) return vs_fail_memory(f->vm);
+    (*out)[(*count)++] = made;
+  }
+  return true;
+}
+
+typedef struct {
+  vs_scheme *vm;
+  bool stopped;
+} host;
+
+static bool going(void *context, double done) {
+  host *h = context;
+  h->stopped = !vs_bind_keep_going(h->vm, done);
+  return !h->stopped;
+}
+
+/* (%make-subdivision o n creases #:scheme #:limit) */
+vs_status vs_p_make_subdivision(vs_frame *f, vs_value *out) {
+  vs_face_list l = { 0 };
+  vs_crease *creases = NULL;
+  size_t crease_count = 0;
+  vs_error e = { 0 };
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
+  bool loop = f->key[0].given && !strcmp(vs_as_symbol(f->key[0].value)->name, "loop");
+  if (f->key[0].given && !loop && strcmp(vs_as_symbol(f->key[0].value)->name, "catmull-clark"))
+    return vs_bind_refuse(f, "scheme", "'catmull-clark or 'loop", f->key[0].value);
+  if (f->arg[0].ref.node->class_ == VS_CURVE || f->arg[0].ref.node->class_ == VS_REGION_CLASS)
+    return vs_bind_refuse(f, "o", "a mesh, a solid or a surface", f->arg[0].value);
+  vs_status status = faces_of(f, f->arg[0].ref, &l);
+  if (status && !share_points(&l)) status = vs_fail_memory(f->vm);
+  if (status && l.face_count == 0) {
+    vs_face_list_free(&l);
+    return vs_bind_empty(f, "the object has no faces", out);
+  }
+  double faces = (double)l.corner_count * pow(4, (double)f->arg[1].integer - 1);
+  if (status && faces > FACES_MOST)
+    status = vs_fail(f->vm, f->vm->sym.range, "%.0f faces would be made, and at most %d are", faces, FACES_MOST);
+  if (status && !creases_of(f, &l, &creases, &crease_count)) status = VS_ERROR;
+  bool limit = !f->key[1].given || f->key[1].boolean;
+  vs_subdivision_scheme scheme = loop ? VS_SUBDIVIDE_LOOP : VS_SUBDIVIDE_CATMULL_CLARK;
+  host h = { f->vm, false };
+  if (status && !vs_subdivide(&l, creases, crease_count, (int)f->arg[1].integer, scheme, limit, going, &h))
+    status = h.stopped ? VS_ERROR : vs_fail_memory(f->vm);
+  vs_node *node = NULL;
+  if (status) {
+    node = vs_polyface_make(f->bind->store, l.points, l.point_count, l.starts, l.face_count, l.corners, &e);
+    if (!node) status = vs_bind_error(f, &e);
+  }
+  vs_face_list_free(&l);
+  free(creases);
+  return status ? vs_bind_node(f, node, out) : VS_ERROR;
+}

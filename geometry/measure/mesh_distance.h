@@ -1,0 +1,17 @@
+/* Owns the signed distance from a closed mesh. */
+#ifndef VS_GEOMETRY_MESH_DISTANCE_H
+#define VS_GEOMETRY_MESH_DISTANCE_H
+
+#include "model/mesh.h"
+
+/* A closed mesh prepared for questions: boxes within boxes (a BVH), and normals of faces, edges and points by which
+ * inside is told from outside (J. Baerentzen, H. Aanaes, 2005). */
+typedef struct vs_mesh_distance vs_mesh_distance;
+
+/* Copies what it needs; points that edges share must have one index. NULL: out of memory. */
+vs_mesh_distance *vs_mesh_distance_new(const vs_mesh *m);
+void vs_mesh_distance_free(vs_mesh_distance *d); /* NULL is fine */
+/* The distance of p, negative inside; 0 where the mesh has no triangle. *slope (may be NULL): its gradient. */
+double vs_mesh_distance_at(const vs_mesh_distance *d, vs_vec3 p, vs_vec3 *slope);
+
+#endif
