@@ -86,6 +86,7 @@ static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "do-guided-loft", "guides", "bar" }, { "do-guided-loft", "path", NULL },  { "curve-length", "c", "rail" },
   { "make-height-field", "source", "'((1 2) (2 3))" }, { "make-height-field", "q", "(xyz 3 2 0)" }, { "make-height-field", "high", "4" }, { "make-height-field", "low", "-1" },
   { "load-mesh", "file", NULL }, { "load-mesh", "repair", NULL }, { "make-mesh", "closed-u", NULL }, { "make-mesh", "closed-v", NULL },
+  { "make-crust", "thickness", "0.1" }, { "make-crust", "side", "'out" },
   { "scope-corner", "i", "1" }, { "scope-corner", "j", "0" }, { "scope-corner", "k", "1" },
   { "make-surface-scope", "surface", "(do-revolve (make-line (xz 1 0) (xz 1 2)) 'z)" },
   { "turtle-forward", "s", "(make-turtle-scope origin ux uz 1 1)" }, { "turtle-yaw", "s", "(make-turtle-scope origin ux uz 1 1)" }, { "turtle-pitch", "s", "(make-turtle-scope origin ux uz 1 1)" },
