@@ -1,6 +1,6 @@
 ; A roof of one NURBS surface, glazed with diamonds, and the report that its builder asks for.
-(define-parameter nu 14 #:min 4 #:max 30 #:label "panels along")
-(define-parameter nv 8 #:min 4 #:max 20 #:label "panels across")
+(define-parameter nu 10 #:min 4 #:max 30 #:label "panels along")
+(define-parameter nv 6 #:min 4 #:max 20 #:label "panels across")
 
 ; control points: the middle is high, two corners come down to the ground
 (define rows

@@ -11,7 +11,8 @@
 (define cells (remove empty-object? (voronoi points wall)))
 
 ; what is left of a cell between its frames is open; small ones stay shut
-(define openings (filter (lambda (o) (and (region? o) (> (area o) 0.02))) (map (lambda (c) (do-offset c -0.09)) cells)))
+(define wide-cells (filter (lambda (c) (> (area c) 0.35)) cells))
+(define openings (map (lambda (c) (do-offset c -0.09)) wide-cells))
 (define screen (do-extrude (subtract wall openings) 0.35))
 
 (define (stand o) (do-rotate o 'x pi/2))

@@ -3,7 +3,8 @@
 
 ; f is a procedure of a point; a function that keeps its expression is one of x, y and z.
 (define (do-deform o f)
-  (if (not (object? o)) (error 'do-deform "o must be an object, got ~s" o))
+  (if (not (or (object? o) (and (pair? o) (list? o))))
+      (error 'do-deform "o must be an object or a list of objects, got ~s" o))
   (%need-procedure 'do-deform 'f f)
   (let ((d (%deform o)))
     (if (%function-note f)

@@ -29,7 +29,8 @@
 (displayln ((surface-map (lambda (u v) (xyz u v 0)) origin (xyz 2 2 0)) (xyz 1 1 3))) ; expect: (xyz 0.5 0.5 3)
 (fails (do-deform bar (lambda (p) (/ 1 0.0))))     ; expect: do-deform: f must give points of finite coordinates; at (xyz -1 -1 0) it gave +inf.0
 (fails (do-deform bar 1))                          ; expect: do-deform: f must be a procedure, got 1
-(fails (do-deform 1 sin))                          ; expect: do-deform: o must be an object, got 1
+(fails (do-deform 1 sin))                          ; expect: do-deform: o must be an object or a list of objects, got 1
+(displayln (volume (do-deform (list bar (list bar)) (lambda (p) (+z p 1))))) ; expect: 32.0
 (define-function (rooted x y z) (xyz (sqrt x) y z))
 (fails (do-deform bar rooted))                     ; expect: do-deform: f has no value at (xyz -1 -1 0)
 (fails (twist-map origin origin 1))                ; expect: twist-map: q must be another point than p, got (xyz 0 0 0)
