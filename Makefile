@@ -214,6 +214,7 @@ demo: ## install what is missing, build, and make a picture, a web page, a progr
 
 test: ## install what the tests need, build, run them: of long ones a sample
 	sh scripts/install.sh build workers tests
+	$(MAKE) -j$(shell nproc) EXTRA="$(EXTRA) -Werror" all units $(TOOL_BIN)
 	$(MAKE) tests
 
 check: ## as test, and the long ones whole: every shape in every variant; SEEDS=FROM-TO: the kernel's random trees of these seeds, in place of 1-3000

@@ -3,8 +3,7 @@
 # folder) and what must come of it: `stdout`, `stderr`, `code` (0 where there is none), and files under `want/` that it must have made.
 # cmd ends with 77 after saying why on standard error where this machine cannot run it. BLESS=1 rewrites what must come.
 set -u
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+. tests/report.sh
 PATH=$BUILD:$PATH
 export PATH TOP="$PWD"
 for folder in tests/cli/*/; do

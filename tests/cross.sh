@@ -8,17 +8,13 @@
 #   povray, x3d   silhouettes of our .pov in POV-Ray and of our page's X3D in Chromium against our mesh
 #
 # One variant a shape (plain, turned, mirrored, ...); LONG=1 takes every variant. Contact sheets stay in BUILD/cross.
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+. tests/report.sh
 case $ONLY in ""|cross*) ;; *) exit ;; esac
-vs=$BUILD/vs tools=$BUILD/tools sheet=tests/cross/sheet.vs
+sheet=tests/cross/sheet.vs
 variants=${VARIANTS:-mixed}
 [ -z "${LONG:-}" ] || variants='plain rotated mirrored scaled cut hollow'
 pixels=4000
 mkdir -p "$BUILD/cross"
-result() { # name, file with the reasons if it failed
-  if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
-}
 
 # What is known to fail and why stands in known.txt (name, tab, reason); what is there and passes is a failure too: take it out.
 known() {

@@ -2,8 +2,7 @@
 # Owns the test that a fault loses nothing: system calls that fail (strace injects them), signals at random moments, two writers of one file, closed streams. Each time
 # the file is the old one or the new one, whole, nothing else is left beside it, and the exit code is a defined one. LONG=1: 10,000 signals.
 case limits/faults in *"$ONLY"*) ;; *) exit 0 ;; esac
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+. tests/report.sh
 model='(display "printed") (draw (subtract (make-sphere (xyz 0 0 0) 1) (make-box (xyz 0 0 0) (xyz 1 1 1)) (make-cylinder (xyz 0 0 -2) 4 1/4)))'
 echo "$model" > "$work/model.vs"
 mkdir "$work/out" "$work/new"

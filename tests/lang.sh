@@ -9,8 +9,7 @@
 #   ; args: -O0               further arguments of vs
 # Without an expected error the program must end with 0.
 set -u
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+. tests/report.sh
 for script in tests/lang/*.vs tests/lang/*/*.vs; do
   [ -f "$script" ] || continue
   name=${script#tests/}

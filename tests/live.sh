@@ -2,6 +2,5 @@
 case live in *"${ONLY%%/*}"*) ;; *) exit 0 ;; esac
 command -v node > /dev/null || { echo "skip live: no node (package nodejs)"; exit 0; }
 [ -d node_modules/three ] || { echo "skip live: built without the viewer (npm ci --ignore-scripts)"; exit 0; }
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+. tests/report.sh
 timeout 200 node tests/page/live.mjs "$BUILD/vs" "$work" || echo "not ok live: ended with $?"

@@ -1,9 +1,8 @@
 #!/bin/sh
 # Owns keeping the manual honest: every ```scheme block of the tutorial runs without a word of error or warning; blocks may use what the
 # blocks before them in the same step defined. What a prompt block shows is what the prompt answers.
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-case manual in *"$ONLY"*) ;; *) exit ;; esac
+. tests/report.sh
+wanted manual || exit 0
 awk -v work="$work" '
   /^## /         { step++; block = 0; text = ""; next }
   /^```scheme$/  { inside = 1; block++; next }

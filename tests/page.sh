@@ -2,8 +2,7 @@
 case page in *"${ONLY%%/*}"*) ;; *) exit 0 ;; esac
 command -v chromium > /dev/null || { echo "skip page: no chromium (package chromium)"; exit 0; }
 [ -d node_modules/playwright-core ] && [ -d node_modules/three ] || { echo "skip page: no playwright-core or no viewer (npm ci --ignore-scripts)"; exit 0; }
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+. tests/report.sh
 for model in examples/*.vs; do
   name=$(basename "$model" .vs)
   case $name in city) set -- -D blocks=2 -D tallest=6 ;; *) set -- ;; esac

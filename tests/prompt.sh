@@ -1,9 +1,8 @@
 #!/bin/sh
 # Owns the prompt's test on a terminal: editing, history, completion, ctrl-C, errors that do not end it, how far a mesh is.
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+. tests/report.sh
 export HOME="$work" XDG_STATE_HOME="$work/state" TERM=xterm LSAN_OPTIONS=detect_leaks=0 # libedit keeps its prompt and its tables
-case prompt in *"$ONLY"*) ;; *) exit ;; esac
+wanted prompt || exit 0
 
 type_keys() { "$BUILD/tools/typist" "$BUILD/vs" "$@" > "$work/screen"; echo $? > "$work/code"; }
 check() { # name, what the screen must show

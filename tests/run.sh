@@ -1,6 +1,7 @@
 #!/bin/sh
-# Owns the test run: every suite in turn, one line a test, and the counts as the last line. `tests/run.sh BUILD [VERBOSE]`.
+# Owns the test run: JOBS suites at a time, one line a test, and the counts as the last line. `tests/run.sh BUILD [VERBOSE]`.
 #
+#   JOBS=n                      how many suites run side by side: as many as the machine has cores unless said
 #   SUITES="unit lang cli ..."  only these          ONLY=text   only tests whose name contains it
 #   LONG=1                      what takes a sample of many cases takes all of them
 #   SEEDS=FROM-TO               the kernel's random trees of these seeds (0.03 s each), in place of the sample
@@ -9,39 +10,31 @@
 # Every suite is a script or a function that prints `ok NAME`, `not ok NAME` with its reasons indented below, or `skip NAME: why`.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-BUILD=${1:-build}
+[ "${1:-}" = --suite ] || BUILD=${1:-build}
 case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
 SUITES=${SUITES:-unit lang cli shell prompt signals manual bad workers cross solids embed limits layers compilers${LONG:+ page live}}
 export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LONG="${LONG:-}" LC_ALL=C.UTF-8
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
-log=$work/log
-: > "$log"
 
 # cmocka's TAP: `ok 1 - name`, `not ok 1 - name`, `not ok 1 # SKIP name`. A program that dies has failed, whatever it said before.
-suite_unit() {
-  for program in "$BUILD"/unit/test_*; do
-    case $program in *.d) continue ;; esac
-    [ -x "$program" ] || continue
-    name=unit/$(basename "$program")
-    case $name in *"$ONLY"*) ;; *) continue ;; esac
-    # a unit test may run workers: seconds, not minutes; unless many seeds were asked for
-    CMOCKA_MESSAGE_OUTPUT=TAP timeout "$([ -z "${SEEDS:-}" ] && echo 300 || echo 36000)" "$program" > "$work/out" 2> "$work/err"
-    status=$?
-    awk -v name="$name" '
-      /^(not )?ok [0-9]+ .*# *SKIP/ { sub(/^.*# *SKIP */, ""); print "skip " name ":" $0; next }
-      /^ok /     { sub(/^ok [0-9]+ *-? */, "");     print "ok " name ":" $0; next }
-      /^not ok / { sub(/^not ok [0-9]+ *-? */, ""); print "not ok " name ":" $0; bad = 1; next }
-      bad && /^#/ { print "    " $0 }' "$work/out"
-    failed=$(grep '^not ok' "$work/out" | grep -vc SKIP)
-    if [ $status -ne 0 ] && [ "$failed" = 0 ]; then
-      echo "not ok $name: ended with $status"
-      tail -n 20 "$work/err" | sed 's/^/    /'
-    elif ! grep -q '^ok\|^not ok' "$work/out"; then
-      echo "not ok $name: reported no test"
-    fi
-  done
+suite_unit() { # PROGRAM of BUILD/unit
+  # a unit test may run workers: seconds, not minutes; unless many seeds were asked for
+  CMOCKA_MESSAGE_OUTPUT=TAP timeout "$([ -z "${SEEDS:-}" ] && echo 300 || echo 36000)" "$BUILD/unit/$1" > "$work/out" 2> "$work/err"
+  status=$?
+  awk -v name="unit/$1" '
+    /^(not )?ok [0-9]+ .*# *SKIP/ { sub(/^.*# *SKIP */, ""); print "skip " name ":" $0; next }
+    /^ok /     { sub(/^ok [0-9]+ *-? */, "");     print "ok " name ":" $0; next }
+    /^not ok / { sub(/^not ok [0-9]+ *-? */, ""); print "not ok " name ":" $0; bad = 1; next }
+    bad && /^#/ { print "    " $0 }' "$work/out"
+  failed=$(grep '^not ok' "$work/out" | grep -vc SKIP)
+  if [ $status -ne 0 ] && [ "$failed" = 0 ]; then
+    echo "not ok unit/$1: ended with $status"
+    tail -n 20 "$work/err" | sed 's/^/    /'
+  elif ! grep -q '^ok\|^not ok' "$work/out"; then
+    echo "not ok unit/$1: reported no test"
+  fi
 }
 
 suite_lang()      { sh tests/lang.sh; }
@@ -50,7 +43,7 @@ suite_shell()     { sh tests/shell.sh; }
 suite_prompt()    { sh tests/prompt.sh; }
 suite_signals()   { sh tests/signals.sh; }
 suite_manual()    { sh tests/manual.sh; }
-suite_workers()   { for t in tests/workers/*.sh; do [ -f "$t" ] && sh "$t"; done; }
+suite_workers()   { sh "tests/workers/$1"; }
 suite_page()      { sh tests/page.sh; }
 suite_live()      { sh tests/live.sh; }
 suite_cross()     { sh tests/cross.sh; }
@@ -62,11 +55,13 @@ suite_layers() {
   if ! command -v objdump >/dev/null 2>&1; then echo "skip layers: no objdump (package binutils)"; return; fi
   if sh scripts/layers.sh "$BUILD" > "$work/out" 2>&1; then echo "ok layers"; else echo "not ok layers"; sed 's/^/    /' "$work/out"; fi
 }
-# Both compilers build everything without a warning.
+# Both compilers take everything without a warning. `make test` builds with gcc's warnings as errors; clang's warnings are those of its front end, which
+# is run alone here. LONG=1: both build everything anew with other optimisation, and the programs that they make are linked.
 suite_compilers() {
-  for compiler in gcc clang; do
+  for compiler in ${LONG:+gcc} clang; do
     if ! command -v $compiler >/dev/null 2>&1; then echo "skip compilers/$compiler: not installed"; continue; fi
-    if MAKEFLAGS= make -s -j2 CC=$compiler BUILD="${BUILD#"$PWD"/}/$compiler" OPT=-O1 EXTRA=-Werror all > "$work/out" 2>&1; then
+    if MAKEFLAGS= make -s -j2 CC=$compiler BUILD="${BUILD#"$PWD"/}/$compiler" OPT="$([ -n "$LONG" ] && echo -O1 || echo -fsyntax-only)" EXTRA=-Werror \
+         $([ -n "$LONG" ] && echo all || echo objects) > "$work/out" 2>&1; then
       echo "ok compilers/$compiler"
     else
       echo "not ok compilers/$compiler"; head -n 30 "$work/out" | sed 's/^/    /'
@@ -74,9 +69,24 @@ suite_compilers() {
   done
 }
 
+# One entry of the pool below. Its lines are printed together when it has ended, since others run beside it.
+if [ "${1:-}" = --suite ]; then
+  suite_"${2%%/*}" "${2#*/}" > "$work/lines" 2>&1
+  if [ "$4" = VERBOSE ]; then cat "$work/lines"; else grep -a -v '^ok ' "$work/lines"; fi > "$work/said"
+  exec 9> "$3.lock" && flock 9 && cat "$work/said" && cat "$work/lines" >> "$3"
+  exit 0
+fi
+
+# The pool: a suite is one entry, but each program of unit/ and each script of workers/ is one of its own.
+log=$work/log
+: > "$log"
 for suite in $SUITES; do
-  suite_"$suite" | tee -a "$log" | if [ "${2:-}" = VERBOSE ]; then cat; else grep -a -v '^ok '; fi
-done
+  case $suite in
+    unit)    (cd "$BUILD" && for program in unit/test_*; do case $program in *.d) ;; *"$ONLY"*) echo "$program" ;; esac; done) ;;
+    workers) (cd tests && ls workers/*.sh) ;;
+    *)       echo "$suite" ;;
+  esac
+done | xargs -P "${JOBS:-$(nproc)}" -I SUITE sh tests/run.sh --suite SUITE "$log" "${2:-QUIET}"
 
 passed=$(grep -a -c '^ok ' "$log")
 failed=$(grep -a -c '^not ok ' "$log")

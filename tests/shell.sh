@@ -1,8 +1,7 @@
 #!/bin/sh
 # Owns what the shell has of the command: its completion in bash, zsh and fish, and its page for man.
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-case shell in *"$ONLY"*) ;; *) exit ;; esac
+. tests/report.sh
+wanted shell || exit 0
 for shell in bash zsh fish; do sh scripts/completions.sh $shell > "$work/vs.$shell" || echo "not ok shell/$shell: is not made"; done
 
 # What bash offers after a line: offered "vs --qual" answers --quality.

@@ -1,9 +1,8 @@
 #!/bin/sh
 # Owns the test of what ends the command from outside: SIGTERM and SIGHUP stop it in order, with 130, and leave no half-written file and no
 # POV-Ray behind. (SIGINT is the prompt's test: a script's background jobs ignore it.)
-case signals in *"$ONLY"*) ;; *) exit ;; esac
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+. tests/report.sh
+wanted signals || exit 0
 mkdir "$work/tmp"
 export TMPDIR="$work/tmp"
 model='(for-each (lambda (i) (draw (make-sphere (xyz (* 3 i) 0 0) 1))) (iota 20000))'

@@ -2,10 +2,9 @@
 # Owns the look at written meshes for places where they meet themselves (tests/tools/crossings.c), in .off and in .stl with its 32-bit numbers: the kernel's
 # workloads (bench/kernel). LONG=1: all but the largest of them. And at random trees of boxes through the language (tests/oracle/fuzz.c): what (volume o) says and
 # the .off file encloses, closed, is what counting the cells gives.
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+. tests/report.sh
 case $ONLY in ""|solids*) ;; *) exit ;; esac
-vs=$BUILD/vs here=bench/kernel
+here=bench/kernel
 for kind in cell turned spelt; do
   case solids/$kind in *"$ONLY"*) ;; *) continue ;; esac
   : > "$work/why"

@@ -2,8 +2,7 @@
 # Owns the test of `vs --untrusted`: a model that tries every way to a file by every kind of path, to the environment, to programs and to directives of the
 # formats. It must see nothing of what lies outside of its folder; where strace is there, no open, exec or connect may lead out.
 case limits/untrusted in *"$ONLY"*) ;; *) exit 0 ;; esac
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+. tests/report.sh
 mkdir -p "$work/models/sub" "$work/out"
 models=$work/models
 echo '(define secret "SECRET-7") (display "SECRET-7")' > "$work/secret.vs"

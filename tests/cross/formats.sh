@@ -3,9 +3,8 @@
 #
 # native: in the format's own words. triangles: lowered to them. lines: to polylines. With "or": some forms of the kind one way, some the other.
 # What is in italics is the warning with which the format leaves the kind out or shows it as something else.
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-vs=$BUILD/vs tools=$BUILD/tools sheet=tests/cross/sheet.vs
+. tests/report.sh
+sheet=tests/cross/sheet.vs
 formats='pov scad x3d glb stl'
 
 cat <<'EOF'

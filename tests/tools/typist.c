@@ -1,7 +1,7 @@
 /* Owns typing at a program on a terminal of its own: `typist PROGRAM ARGS... < KEYS > SCREEN`.
  *
  * Every line of KEYS is typed once the program has been silent for most of a second, or less where it shows its prompt
- * anew; in it \n \t \e \\ and \xHH stand for keys (\x03 is ctrl-C), and \w waits up to 20 seconds for the next prompt.
+ * anew; in it \n \t \e \\ and \xHH stand for keys (\x03 is ctrl-C), and \w waits up to 60 seconds for the next prompt.
  * What the program printed comes out without its cursor movements. Ends with the program's code. */
 #define _GNU_SOURCE /* posix_openpt and friends, and TIOCSCTTY */
 #include <fcntl.h>
@@ -52,7 +52,7 @@ static size_t unescape(char *line, int *patience) {
     case 'n': *to++ = '\r'; break; /* the Enter key */
     case 't': *to++ = '\t'; break;
     case 'e': *to++ = 27; break;
-    case 'w': *patience = 20000; break;
+    case 'w': *patience = 60000; break;
     case 'x': {
       char digits[3] = {from[1], from[1] ? from[2] : 0, 0};
       *to++ = (char)strtol(digits, NULL, 16);

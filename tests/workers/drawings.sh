@@ -1,12 +1,6 @@
 # Owns the test of drawings as other programs read them: ezdxf the .dxf, poppler the .pdf, librsvg the .svg; lengths and areas against closed forms.
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-vs=$BUILD/vs
+. tests/report.sh
 
-result() {
-  if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
-}
-wanted() { case $1 in *"$ONLY"*) return 0 ;; *) return 1 ;; esac }
 wanted drawings || exit 0
 cd "$work" || exit 1
 

@@ -1,8 +1,6 @@
 # Owns the examples' test: every one runs without a word of warning, its mesh is closed and encloses what its formulas say within 1 %,
 # POV-Ray draws it and OpenSCAD reads it. Small parameters where a model is large.
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-vs=$BUILD/vs
+. tests/report.sh
 
 # name, samples for the volume, then what makes it small
 examples='doric-columns 100000
@@ -16,10 +14,6 @@ lofted-tower 40000 -D height=20 -D turn=0
 gare-do-oriente 1000000 -D columns=1 -D rows=1
 city 100000 -D blocks=2 -D tallest=6'
 
-result() { # name, file with the reasons if it failed
-  if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
-}
-wanted() { case $1 in *"$ONLY"*) return 0 ;; *) return 1 ;; esac }
 
 echo "$examples" | while read -r name samples arguments; do
   model=examples/$name.vs

@@ -1,8 +1,7 @@
 # Owns the test that POV-Ray's absolute tolerances and single numbers are not to be seen: a model of millionths, of millions, and far away looks as it does
 # in plain numbers.
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-case extremes in *"$ONLY"*) ;; *) exit 0 ;; esac
+. tests/report.sh
+wanted extremes || exit 0
 if ! command -v povray > /dev/null; then echo "skip extremes: no povray"; exit 0; fi
 picture() { "$BUILD/vs" --quiet tests/workers/extremes.vs -D size="$1" -D away="$2" --size 240x180 -o "$work/$3.png" > "$work/why" 2>&1; }
 picture 1.0 0.0 plain || { echo "not ok extremes:plain"; sed 's/^/    /' "$work/why"; exit 1; }

@@ -1,14 +1,8 @@
 # Owns the test of the formats that other programs read back: every one holds the same solids, closed where it says so, and its own reader
 # takes it without a word: the glTF validator, Assimp for 3MF.
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-vs=$BUILD/vs
+. tests/report.sh
 model=tests/workers/formats.vs
 
-result() {
-  if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
-}
-wanted() { case $1 in *"$ONLY"*) return 0 ;; *) return 1 ;; esac }
 wanted formats || exit 0
 
 "$vs" --quiet $model -o "$work/m.stl" -o "$work/m.ply" -o "$work/m.glb" -o "$work/m.3mf" > "$work/why" 2>&1 || echo "ended with $?" >> "$work/why"

@@ -1,8 +1,6 @@
 # Owns the test that passes change no picture and no volume: every example without passes and with all of them, drawn by POV-Ray in the draft quality (the
 # others guess, and differ from run to run) as numbers, and meshed. A sample, or with LONG=1 every example, and each pass alone.
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-vs=$BUILD/vs
+. tests/report.sh
 
 # name, then what makes it small
 examples='doric-columns
@@ -19,10 +17,6 @@ city -D blocks=2 -D tallest=6"
 ways='-O'
 [ -z "${LONG:-}" ] || ways='-O -Ofold -Oshare -Oflatten -Oprune'
 
-result() {
-  if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
-}
-wanted() { case $1 in *"$ONLY"*) return 0 ;; *) return 1 ;; esac }
 
 # An example that is not above is not looked at: say so.
 if [ -n "${LONG:-}" ] && wanted passes/examples; then

@@ -1,13 +1,7 @@
 # Owns the test that what is thin can be read in a picture: curves, edges, flat text and open surfaces without a material come out dark, curves at least
 # 1.5 pixels wide and not much wider, at 400 x 300, in drafts and final pictures. Dark pixels are counted and held to lengths and areas.
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-vs=$BUILD/vs
+. tests/report.sh
 
-result() {
-  if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
-}
-wanted() { case $1 in *"$ONLY"*) return 0 ;; *) return 1 ;; esac }
 wanted readable || exit 0
 command -v povray > /dev/null || { echo "skip readable: no povray (package povray)"; exit 0; }
 

@@ -1,0 +1,12 @@
+# Owns what the scripts of tests/ share: a private folder that ends with the script, the program, and how a result is told. A script begins with
+# `. tests/report.sh`, at the root of the repository, with BUILD and ONLY set by tests/run.sh.
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+vs=$BUILD/vs tools=$BUILD/tools
+
+result() { # NAME FILE: the file holds the reasons why the test failed, and is empty if it passed
+  if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
+}
+wanted() { # NAME: is this test, or a test within this script, asked for by ONLY?
+  case $1 in *"$ONLY"*) return 0 ;; *) return 1 ;; esac
+}
