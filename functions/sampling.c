@@ -232,9 +232,13 @@ void vs_sample_slopes(vs_sampler *s, const double *const *in, size_t n, double *
 
 /* ---- grids ---- */
 
-static double range_value(const vs_sample_range *r, int64_t at) {
-  if (at < VS_SAMPLE_KNOWN) return r->known[at];
+/* Computes value `at` of a range; both ends are exact. */
+static double computed(const vs_sample_range *r, int64_t at) {
   return at == 0 ? r->a : at == r->n - 1 ? r->b : r->a + (r->b - r->a) * (double)at / (double)(r->n - 1);
+}
+
+static double range_value(const vs_sample_range *r, int64_t at) {
+  return at < VS_SAMPLE_KNOWN ? r->known[at] : computed(r, at);
 }
 
 /* As vs_sample_points, to the end of the innermost range; returns how many points that are. */
@@ -256,8 +260,7 @@ static int row(vs_sample_range *r, uint32_t inputs, double (*in)[VS_SAMPLE_BATCH
 
 void vs_sample_begin(vs_sample_range *r) {
   int64_t known = r->n < VS_SAMPLE_KNOWN ? r->n : VS_SAMPLE_KNOWN;
-  for (int64_t i = 0; i < known; i++)
-    r->known[i] = i == 0 ? r->a : i == r->n - 1 ? r->b : r->a + (r->b - r->a) * (double)i / (double)(r->n - 1);
+  for (int64_t i = 0; i < known; i++) r->known[i] = computed(r, i);
   r->at = 0;
 }
 

@@ -1,9 +1,8 @@
 /* Owns the cutting of a drawing by a view's plane, as nodes.
  *
  * A solid is made a difference, and the half-space that is taken off has no material: so the faces of the cut have
- * that of what stands behind
- * them, where solids overlap that of the earlier one. What is thin or mixed becomes a slice, which solids/resolve.c
- * works out. */
+ * that of what stands behind them, where solids overlap that of the earlier one. What is thin or mixed becomes a
+ * slice, which solids/resolve.c works out. */
 #include "passes/cut_away.h"
 
 vs_node *vs_node_cut(vs_ref ref, vs_vec3 point, vs_vec3 normal) {

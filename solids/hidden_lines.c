@@ -1,27 +1,21 @@
 /* Owns hiding: which parts of an edge lie behind which triangles. See hidden_lines.h.
  *
  * Notation. P(s) = p + s (q - p) is a place on the edge, s in 0..1. Behind a triangle are the places that satisfy
- * four conditions linear in s: P(s) lies
- * on the inner side of the three planes through the viewer and a side of the triangle, and behind the triangle's own
- * plane. So what a triangle hides of an edge is
- * one interval of s, by clipping: in a perspective view just as in a parallel one, because the conditions are planes
- * in space. The union of the intervals
- * is what is hidden.
+ * four conditions linear in s: P(s) lies on the inner side of the three planes through the viewer and a side of the
+ * triangle, and behind the triangle's own plane. So what a triangle hides of an edge is one interval of s, by
+ * clipping: in a perspective view just as in a parallel one, because the conditions are planes in space. The union of
+ * the intervals is what is hidden.
  *
  * Touching. Distances up to the slack are none. A triangle is closed: an edge that runs along one of its sides,
- * further back, is hidden, because that side is an
- * edge itself, or the surface goes on beyond it. An edge that lies in the triangle's plane is never hidden by it.
- * Distances from the plane are measured
- * at right angles to it, so that faces seen nearly edge-on are no worse than others; those that are seen edge-on hide
- * nothing.
- * The conditions are evaluated where the edge enters and leaves the triangle's box on the picture, never far outside
- * of it, where a short side's direction
- * would no longer say anything.
+ * further back, is hidden, because that side is an edge itself, or the surface goes on beyond it. An edge that lies
+ * in the triangle's plane is never hidden by it. Distances from the plane are measured at right angles to it, so that
+ * faces seen nearly edge-on are no worse than others; those that are seen edge-on hide nothing. The conditions are
+ * evaluated where the edge enters and leaves the triangle's box on the picture, never far outside of it, where a
+ * short side's direction would no longer say anything.
  *
  * Cost. The triangles that may hide something lie in a binary tree of boxes on the picture, which know the least
- * depth below them. It is built by halving at the
- * median: n log n. An edge visits the nearer half first, no box that is further away than the edge, and ends when all
- * of it is hidden. */
+ * depth below them. It is built by halving at the median: n log n. An edge visits the nearer half first, no box that
+ * is further away than the edge, and ends when all of it is hidden. */
 #include "solids/hidden_lines.h"
 
 #include <math.h>

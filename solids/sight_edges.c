@@ -1,9 +1,8 @@
 /* Owns the choice of the lines that a view shows of a mesh. See hidden_lines.h.
  *
  * Each side of a triangle is a row, sorted by its two points; rows of equal points are the faces round an edge. A
- * face is seen from the front, from the back, or
- * edge-on, which within 1e-7 counts as neither: what of a smooth surface turns away there gets its line between the
- * last face that is seen and the next. */
+ * face is seen from the front, from the back, or edge-on, which within 1e-7 counts as neither: what of a smooth
+ * surface turns away there gets its line between the last face that is seen and the next. */
 #include "solids/sight_edges.h"
 
 #include <math.h>

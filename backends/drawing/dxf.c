@@ -1,10 +1,9 @@
 /* Owns .dxf (AutoCAD 2000, in text), written here since Debian has no library in C that writes it.
  *
  * A drawing is in model units: a place of the first view has there the coordinates that it has in the view's plane,
- * so that a plan's points are the model's. Paper round it and other
- * views are as large as the first view's scale makes them. Every object has a handle; tables and the dictionary that
- * readers insist on
- * are the least that they take. */
+ * so that a plan's points are the model's. Paper round it and other views are as large as the first view's scale
+ * makes them. Every object has a handle; tables and the dictionary that readers insist on are the least that they
+ * take. */
 #include <math.h>
 #include <string.h>
 

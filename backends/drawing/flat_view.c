@@ -1,9 +1,8 @@
 /* Owns the way from the model to one view of it made flat: cut, seen, its lines joined, its cut faces outlined.
  *
  * The cut is the kernel's: the model less a half-space without a material, so that the faces of the cut have the
- * material of what was cut
- * (passes/cut_away.h). Triangles of the result that lie in the plane and look at the viewer are the cut faces; so do
- * faces of the model that lay there. */
+ * material of what was cut (passes/cut_away.h). Triangles of the result that lie in the plane and look at the viewer
+ * are the cut faces; so do faces of the model that lay there. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

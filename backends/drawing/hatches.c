@@ -25,8 +25,7 @@ static int compare(const void *p, const void *q) {
 }
 
 /* Lines at an angle (radians) across the mark's loops, those at whole multiples of the spacing, so that they run on
- * from face to face. Each is sorted
- * crossings with the borders, in pairs; cost: lines and borders that cross. */
+ * from face to face. Each is sorted crossings with the borders, in pairs; cost: lines and borders that cross. */
 static bool lines_across(vs_emitter *e, vs_sheet *s, uint32_t view, uint32_t first_loop, uint32_t loop_count,
     double angle, double spacing) {
   double c = cos(angle), n = sin(angle), least = INFINITY, most = -INFINITY;

@@ -2,8 +2,7 @@
  * and sections.
  *
  * A note is shown in the views where it says something true: a dimension where its length is seen unshortened, a
- * level where heights are, an axis where it
- * is seen along its whole length, or from its end, as an upright line. */
+ * level where heights are, an axis where it is seen along its whole length, or from its end, as an upright line. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

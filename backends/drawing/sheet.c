@@ -1,8 +1,7 @@
 /* Owns the sheet: its scale and size, where the views stand, frame, title block, scale bar and north arrow.
  *
  * Scale. A drawing is 1:100 where that fits a sheet and is not lost on the smallest; else the largest of the round
- * scales that fits. Views stand in rows, as
- * they were named, on the smallest sheet that holds them. */
+ * scales that fits. Views stand in rows, as they were named, on the smallest sheet that holds them. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
