@@ -1,0 +1,26 @@
+; Hygiene across libraries: an exported macro brings what it refers to, whatever the program calls its own.
+(define-library (hygiene shelf)
+  (export count! with-count (rename hidden-pair pair-of) stop-word?)
+  (import (scheme base))
+  (begin
+    (define count 0)
+    (define (step! n) (set! count (+ count n)) count)
+    (define-syntax count! (syntax-rules () ((_ n) (step! n)) ((_) (count! 1))))
+    (define-syntax with-count (syntax-rules () ((_ name e) (let ((name count)) e))))
+    (define-syntax hidden-pair (syntax-rules () ((_ a b) (cons a (helper b)))))
+    (define-syntax helper (syntax-rules () ((_ b) (list b count))))
+    (define-syntax stop-word? (syntax-rules (else) ((_ else) #t) ((_ x) #f)))))
+(import (scheme base) (scheme write) (scheme load) (scheme eval)
+        (prefix (only (hygiene shelf) count!) shelf-) (except (hygiene shelf) count!))
+(load "../r7rs/lib/check.vs")
+
+(define (step! n) 'mine)
+(define count 'mine)
+(define-syntax helper (syntax-rules () ((_ b) 'mine)))
+(check (list (shelf-count! 5) (shelf-count!) count) => (5 6 mine))
+(check (let ((step! car) (+ -)) (shelf-count! 4)) => 10)
+(check (with-count count (list count)) => (10))
+(check (let ((list vector) (cons list)) (pair-of 1 2)) => (1 2 10))
+(check (list (stop-word? else) (let ((else 1)) (stop-word? else))) => (#t #f))
+(check-error (eval '(count! 1) (environment '(only (hygiene shelf) with-count))))
+(checked)   ; expect: all hold: 6

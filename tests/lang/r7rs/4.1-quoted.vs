@@ -1,0 +1,21 @@
+; R7RS 4.1.2: what a program writes down is constant. Strings, vectors and bytevectors refuse to be changed. Pairs do
+; not: the manual says so (quote), and that it is the same datum at each evaluation.
+(load "lib/check.vs")
+(define text "ab")
+(define row '#(1 2))
+(define bytes #u8(1 2))
+(define (pairs) '(1 2))
+(check-error (string-set! text 0 #\x))
+(check-error (string-fill! text #\x))
+(check-error (vector-set! row 0 5))
+(check-error (vector-fill! row 5))
+(check-error (vector-set! (cadr '(1 #(2))) 0 5))
+(check-error (bytevector-u8-set! bytes 0 5))
+(check-error (string-set! (symbol->string 'name) 0 #\x))
+(check (list text row bytes) => ("ab" #(1 2) #u8(1 2)))
+(check (eq? (pairs) (pairs)) => #t)
+(check (begin (set-car! (pairs) 5) (pairs)) => (5 2))
+(check (let ((l (list-copy (pairs)))) (set-car! l 6) (list l (pairs))) => ((6 2) (5 2)))
+(check (let ((s (string-copy text)) (v (vector-copy row))) (string-set! s 0 #\x) (vector-set! v 0 5) (list s v text row))
+       => ("xb" #(5 2) "ab" #(1 2)))
+(checked)   ; expect: all hold: 12
