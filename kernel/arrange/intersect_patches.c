@@ -41,7 +41,8 @@ typedef struct {
   VS_LIST(contact) contacts;
   VS_LIST(vs_fresh_point) fresh;
   VS_LIST(vs_edge) edges;         /* that those are on */
-  size_t culled;                  /* segments that lids might hide, and mostly do */
+  size_t asked;                   /* segments of which lids were asked whether they hide them */
+  size_t left, looked, hidden;    /* those that none hides whole; how many of them were looked at; hidden in part */
 } chunk;
 
 static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { return c->patch_corners.at + p->first; }
@@ -331,6 +332,15 @@ static bool add_contact(chunk *m, const facing f[2], uint32_t p, uint32_t q) {
 
 static uint32_t corner_point(const vs_cluster *c, const end *e) { return corners(c, e->f->of)[e->corner].point; }
 
+/* Asks of one cut in so many whether its middle lies inside of a lid. */
+static void look_whether_hidden(chunk *m, uint32_t place, const double p[3], const double q[3]) {
+  enum { ONE_IN = 16 };
+  if (++m->left % ONE_IN) return;
+  double middle[3] = { (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2 };
+  m->looked++;
+  m->hidden += vs_cull_point(m->c, place, middle);
+}
+
 /* Patches of different planes. */
 static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
   const vs_cluster *c = m->c;
@@ -355,8 +365,11 @@ static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
   if (is_corner(&from) && is_corner(&to) && !new_in(c, f, corner_point(c, &from), corner_point(c, &to))) return true;
   if (t[0]->place != t[1]->place) {
     double p[3], q[3];
-    m->culled++;
-    if (end_at(c, &from, p) && end_at(c, &to, q) && vs_cull_segment(c, t[0]->place, t[1]->place, p, q)) return true;
+    m->asked++;
+    if (end_at(c, &from, p) && end_at(c, &to, q)) {
+      if (vs_cull_segment(c, t[0]->place, t[1]->place, p, q)) return true;
+      look_whether_hidden(m, t[0]->place, p, q);
+    }
   }
   m->w->line.count = 0;
   for (int i = 0; length && i < 2; i++)
@@ -394,12 +407,23 @@ typedef struct {
   VS_LIST(uint32_t) ids;  /* of a chunk's fresh points */
   chunk chunks[VS_PIPELINE_WINDOW];
   working *works; /* one a thread */
-  size_t culled;
+  size_t chunk_count;
+  size_t asked, left, looked, hidden; /* as of the chunks, so far */
 } meeting;
 
 static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_t plane) {
   m->c->facets.at[t->facet].touched = true;
   return VS_PUSH(m->k, m->c->cuts, ((vs_cut){ t->facet, p, q, plane }));
+}
+
+/* Will there be very many cuts, nearly all of which are hidden, left out or not? As the chunks so far tell. Where most
+ * show, as in a lattice of holes, levels would only make them several times. */
+static bool most_is_hidden(const meeting *m, size_t index) {
+  enum { SURE = 500, EACH = 32, LEAST = 20000 };
+  const vs_cluster *c = m->c;
+  double asked = (double)m->asked, shown = (double)m->left * (1 - (double)m->hidden / (double)(m->looked + 1));
+  if (c->crowd <= 2 || c->layered || m->asked < SURE || shown > asked / 4) return false;
+  return asked * (double)m->chunk_count > (double)(index + 1) * (EACH * (double)c->facets.count + LEAST);
 }
 
 static bool absorb(vs_kernel *k, void *context, size_t index) {
@@ -412,9 +436,11 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
     return false;
   for (; c->edge_of.count < c->points.all.count;) c->edge_of.at[c->edge_of.count++] = (vs_edge){ 0, 0 };
   for (size_t i = 0; i < from->fresh.count; i++) c->edge_of.at[m->ids.at[i]] = from->edges.at[i];
-  enum { CHEAP = 8 }; /* to see that so many are hidden costs what a cut does */
-  m->culled += from->culled;
-  if (vs_too_many(c, c->cuts.count + m->culled / CHEAP)) return c->crowded = true, false;
+  m->asked += from->asked;
+  m->left += from->left;
+  m->looked += from->looked;
+  m->hidden += from->hidden;
+  if (vs_too_many(c, c->cuts.count) || most_is_hidden(m, index)) return c->crowded = true, false;
   for (size_t i = 0; i < from->contacts.count; i++) {
     const contact *x = &from->contacts.at[i];
     const vs_patch *a = &c->patches.at[x->a], *b = &c->patches.at[x->b];
@@ -437,7 +463,7 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   m->k = k;
   m->c = all->c;
   m->w = &all->works[k->worker];
-  m->contacts.count = m->fresh.count = m->edges.count = m->culled = 0;
+  m->contacts.count = m->fresh.count = m->edges.count = m->asked = m->left = m->looked = m->hidden = 0;
   uint32_t first = (uint32_t)index * CHUNK, blocks = vs_bvh_blocks(&all->c->bvh) - first;
   size_t crossings = 64;
   while (crossings < CROSSINGS && crossings < 32 * (size_t)blocks) crossings *= 2;
@@ -448,12 +474,12 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
 }
 
 bool vs_meet_patches(vs_kernel *k, vs_cluster *c) {
-  meeting m = { .k = k, .c = c };
+  meeting m = { .k = k, .c = c, .chunk_count = ((size_t)vs_bvh_blocks(&c->bvh) + CHUNK - 1) / CHUNK };
   size_t room = 0, works = 0;
   bool ok = VS_ROOM(k, m.group, room, c->facets.count + 1) && VS_ROOM(k, m.works, works, k->threads);
   if (ok) memset(m.works, 0, works * sizeof *m.works);
   if (ok) vs_disjoint(m.group, (uint32_t)c->facets.count);
-  ok = ok && vs_kernel_pipeline(k, ((size_t)vs_bvh_blocks(&c->bvh) + CHUNK - 1) / CHUNK, meet_chunk, absorb, &m);
+  ok = ok && vs_kernel_pipeline(k, m.chunk_count, meet_chunk, absorb, &m);
   for (uint32_t i = 0; ok && i < c->facets.count; i++) c->facets.at[i].group = vs_find(m.group, i);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, m.chunks[i].contacts);
