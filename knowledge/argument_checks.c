@@ -178,7 +178,8 @@ static bool wrong_for(const char *name, size_t n, know_type type, const char *ca
   static const char *const vectors[] = {"vector", NULL}, *const procedures[] = {"f", "procedure", "pred", "predicate",
       "less?", NULL};
   static const char *const lists[] = {"list", "list1", "list2", "lists", NULL};
-  static const char *const lengths[] = {"r", "r1", "r2", "h", "c", "c1", "c2", "p", "q", "dx", "dy", "dz", "n", "rho", "phi",
+  static const char *const lengths[] = {"r", "r1", "r2", "h", "c", "c1", "c2", "p", "q", "dx", "dy", "dz", "n", "rho",
+    "phi",
     "psi", "angle", "amount", "factor", "numbers", "index", "o", NULL};
   static const char *const objects[] = {"objects", "cutters", NULL};
   bool simple = type == KNOW_TYPE_NUMBER || type == KNOW_TYPE_BOOLEAN || type == KNOW_TYPE_CHARACTER;

@@ -1,5 +1,5 @@
-/* Owns the shapes of binding_forms.def: which parts of a form are expressions, which bind names, how far those reach.
- * */
+/* Owns the shapes of binding_forms.def: which parts of a form are expressions, which bind names, and how far those
+ * reach. */
 #include "knowledge/binding_forms.h"
 
 #include <stdio.h>

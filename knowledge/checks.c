@@ -1,6 +1,5 @@
 /* Owns `vs check`: what looks wrong in a program that has been read and not run. What is told must be worth a look in
- * every program of a
- * careful author, so each check leaves out the cases in which the same text is right somewhere. */
+ * every program of a careful author, so each check leaves out the cases in which the same text is right somewhere. */
 #include "knowledge/checks.h"
 
 #include <stdarg.h>
@@ -162,13 +161,9 @@ static void check_changes(know_findings *f) {
     if (!s->definition || s->made) continue;
     know_type type = KNOW_TYPE_UNKNOWN;
     know_index first = 0;
-    bool read = false;
     for (know_index u = s->first_use; u; u = k->uses[u].next) {
       const know_use *use = &k->uses[u];
-      if (use->role != KNOW_DEFINITION && use->role != KNOW_ASSIGNMENT) {
-        read = true;
-        continue;
-      }
+      if (use->role != KNOW_DEFINITION && use->role != KNOW_ASSIGNMENT) continue;
       if (k->nodes[use->node].made) continue;
       know_index value = use->node == s->definition && s->value ? s->value : defined_value(k, use->node);
       if (use->node == s->definition && s->kind == KNOW_FUNCTION) {
@@ -186,7 +181,6 @@ static void check_changes(know_findings *f) {
                    k->nodes[first].at.line, know_type_word(now));
       if (now && now != KNOW_TYPE_BOOLEAN) type = now, first = use->node;
     }
-    (void)read;
   }
 }
 
@@ -311,13 +305,8 @@ static void check_nodes(know_findings *f) {
       bool loads = (know_is(k, head, "load") || know_is(k, head, "require") || know_is(k, head, "include")) &&
           know_nth(k, n->parent, 1) == i &&
                    k->nodes[n->parent].walked;
-      size_t length;
-      const char *s = know_spelling(k, i, &length), *from = k->files[n->at.file].path, *slash = strrchr(from, '/');
-      char path[4096];
-      int folder = length > 1 && s[1] == '/' ? 0 : slash ? (int)(slash - from + 1) : 0;
-      if (loads && length > 2 && snprintf(path, sizeof path, "%.*s%.*s", folder, from, (int)(length - 2),
-          s + 1) < (int)sizeof path &&
-          !know_file_exists(path) && !getenv("VS_LIBRARY_PATH"))
+      char path[KNOW_PATH];
+      if (loads && !know_find_file(k, i, path) && *path)
         know_found(f, KNOW_CHECK_MISSING_FILE, i, "%s: no such file", path);
     }
   }

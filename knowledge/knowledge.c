@@ -208,8 +208,8 @@ const char *know_kind_word(know_kind kind) {
 
 /* ---- the whole ---- */
 
-bool know_read(knowledge *k, vs_scheme *scheme, const char *path) {
-  *k = (knowledge){.scheme = scheme};
+bool know_read(knowledge *k, vs_scheme *scheme, const char *path, const char *library_path) {
+  *k = (knowledge){.scheme = scheme, .library_path = library_path};
   /* element 0 of each array is nobody */
   know_index none = know_node_new(k, KNOW_OTHER);
   none |= know_name_of(k, "", 0, 0, 0);

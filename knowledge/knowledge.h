@@ -2,9 +2,9 @@
  * variables with all places that define and use them, the scopes, the comments, what macros become.
  *
  * One analysis holds all of it in arrays; an index names an element, and 0 names none. Nodes of the texts come first,
- * in
- * the order of the text; nodes that macros made follow, each with the node that it was copied from. Nothing here runs
- * the program: the interpreter is asked what the language's names mean, and to bring in libraries that are imported.
+ * in the order of the text; nodes that macros made follow, each with the node that it was copied from. Nothing here
+ * runs the program: the interpreter is asked what the language's names mean, and to bring in libraries that are
+ * imported.
  *
  * Failure is kept: the first one sets `trouble`, whatever is asked later does nothing, and know_read answers false. */
 #ifndef VS_KNOWLEDGE_H
@@ -87,7 +87,6 @@ typedef struct {
   know_index name, scope, next_in_scope;
   uint8_t kind;
   bool made;              /* a macro's own */
-  bool exported;
   bool optional;          /* PARAMETER: it has a default, or gathers the rest, or is given by keyword */
   bool checked;           /* PARAMETER: a contract reads it */
   know_index definition;  /* the node of the name, 0: BUILTIN */
@@ -121,6 +120,7 @@ typedef struct {
 
 typedef struct {
   vs_scheme *scheme;
+  const char *library_path;
   char trouble[400];      /* "": none */
   vs_outcome outcome;     /* of the trouble */
   bool muted;             /* the host is to keep what it is told in `heard`, and show nothing */
@@ -145,9 +145,10 @@ typedef struct {
 enum { KNOW_MOST_NESTING = 10000, KNOW_MOST_NODES = 20000000, KNOW_MOST_MADE = 1000000, KNOW_MOST_BYTES = 64 << 20 };
 
 /* Reads and analyses the program in the file, and what it loads and includes. False: k->trouble says why, or the
- * interpreter's
- * host was told; k->outcome is the exit code. know_free in either case. scheme must have no program of its own yet. */
-bool know_read(knowledge *k, vs_scheme *scheme, const char *path);
+ * interpreter's host was told; k->outcome is the exit code. know_free in either case. scheme must have no program of
+ * its own yet. */
+/* library_path: as in vs_options, or NULL. */
+bool know_read(knowledge *k, vs_scheme *scheme, const char *path, const char *library_path);
 void know_free(knowledge *k);
 
 /* ---- for the parts of this layer ---- */

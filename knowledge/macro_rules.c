@@ -1,10 +1,9 @@
 /* Owns the expansion of syntax-rules over nodes, so that every part of what comes out knows where it was written.
  *
  * What a use brings in is copied one node deep: the copy has the original as its origin and shares what is below it.
- * What a template
- * brings in is made: its names are aliases, each expansion's own, which mean what they mean where the macro was
- * defined unless the
- * expansion itself binds them. Patterns and templates deeper than MOST_DEPTH are not followed. */
+ * What a template brings in is made: its names are aliases, each expansion's own, which mean what they mean where the
+ * macro was defined unless the expansion itself binds them. Patterns and templates deeper than MOST_DEPTH are not
+ * followed. */
 #include "knowledge/macro_rules.h"
 
 #include <string.h>
@@ -216,8 +215,7 @@ static match *repeated_in(expansion *x, know_index template, match *bound) {
 static bool repeat(expansion *x, know_index list, know_index *last, know_index template, match *bound, int levels) {
   match *m = repeated_in(x, template, bound);
   if (!m || x->depth >= MOST_DEPTH) return false;
-  /* all variables that were collected together stand in the same parts; others of another length go along by position
-   * */
+  /* variables that were collected together stand in the same parts; others go along by position */
   uint32_t at = 0;
   for (match *part = m->parts; part; part = part->next, at++) {
     match *inner = bound;

@@ -1,11 +1,9 @@
 /* Owns the walk through a program that finds out what its names mean.
  *
  * Plan. A stack of tasks, each "this is an expression of that scope" or "these are a body". A body is looked through
- * first for what
- * it defines, macros at the heads of its forms expanded on the way, so that its names are known wherever they are
- * used. What a
- * form does with names is binding_forms.c's. Names that nothing has defined when they are met are looked up again at
- * the end. */
+ * first for what it defines, macros at the heads of its forms expanded on the way, so that its names are known wherever
+ * they are used. What a form does with names is binding_forms.c's. Names that nothing has defined when they are met are
+ * looked up again at the end. */
 #include "knowledge/name_walk.h"
 
 #include <stdio.h>
@@ -303,20 +301,11 @@ static void follow(knowledge *k, cursors *c, know_index first) {
   else c->at[c->count++] = first;
 }
 
-/* The file that the string names: beside the file that says it, else along the library path as the interpreter has it.
- * */
+/* The file that the string names. */
 static know_index file_named(know_walk *w, know_index node) {
-  knowledge *k = w->k;
-  know_index string = know_written(k, node);
-  size_t n;
-  const char *s = know_spelling(k, string, &n);
-  if (n < 3 || *s != '"' || memchr(s, '\\', n)) return UINT32_MAX;
-  const char *from = k->files[k->nodes[string].at.file].path, *slash = strrchr(from, '/');
-  char path[4096];
-  int folder = s[1] == '/' || !slash ? 0 : (int)(slash - from + 1);
-  int length = snprintf(path, sizeof path, "%.*s%.*s", folder, from, (int)(n - 2), s + 1);
-  if (length <= 0 || length >= (int)sizeof path || !know_file_exists(path)) return UINT32_MAX;
-  return know_read_file(k, path, string);
+  char path[KNOW_PATH];
+  know_index string = know_written(w->k, node);
+  return know_find_file(w->k, string, path) ? know_read_file(w->k, path, string) : UINT32_MAX;
 }
 
 void know_load(know_walk *w, know_index node, know_index scope) {

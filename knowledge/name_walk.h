@@ -4,7 +4,7 @@
 
 #include "knowledge/knowledge.h"
 
-typedef enum { KNOW_TASK_EXPRESSION, KNOW_TASK_BODY, KNOW_TASK_LAZY_DATUM } know_task_kind;
+typedef enum { KNOW_TASK_EXPRESSION, KNOW_TASK_BODY } know_task_kind;
 typedef struct { know_index node, scope; uint8_t kind; } know_task;
 
 typedef struct {
@@ -29,8 +29,7 @@ void know_later_body(know_walk *w, know_index first, know_index scope);
 /* Binds the name at the node; 0: it is no name. A second definition in one scope is the first's symbol. */
 know_index know_bind(know_walk *w, know_index node, know_index scope, know_symbol_kind kind, know_index form);
 /* A parameter list, of count elements from `first` on, or a lone name: binds its names in scope, contracts are worked
- * out in `outside`. rest: the
- * node itself is a name for all. Sets the arity. */
+ * out in `outside`. rest: the node itself is a name for all. Sets the arity. */
 void know_bind_parameters(know_walk *w, know_index list, know_index first, know_index scope, know_index outside,
     know_index owner,
                           know_arity *arity);

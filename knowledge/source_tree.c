@@ -1,11 +1,9 @@
 /* Owns the reading of a program's text into nodes that know their places, with its comments.
  *
- * Plan. The language's own reader looks at the text first and words every mistake in it, as when the program is run;
- * so this one
- * meets whole texts and needs no messages. It exists beside that reader since running a program needs neither the
- * places of
- * single names nor comments nor how a number was written, and pays for none of it. A stack of open lists, never the C
- * stack. */
+ * Plan. The language's own reader looks at the text first and words every mistake in it, as when the program is run; so
+ * this one meets whole texts and needs no messages. It exists beside that reader since running a program needs neither
+ * the places of single names nor comments nor how a number was written, and pays for none of it. A stack of open lists,
+ * never the C stack. */
 #include "knowledge/source_tree.h"
 
 #include <errno.h>
@@ -345,10 +343,38 @@ static bool read_nodes(reader *r, know_index *root) {
 
 /* ---- files ---- */
 
-bool know_file_exists(const char *path) {
+static bool exists(const char *path) {
   FILE *f = fopen(path, "rb");
   if (f) fclose(f);
   return f != NULL;
+}
+
+/* folder and the name with a / between them where there is need of one. False: it is too long, or there is no such file. */
+static bool in_folder(const char *folder, size_t length, const char *name, size_t n, char path[KNOW_PATH]) {
+  const char *slash = length && folder[length - 1] != '/' ? "/" : "";
+  int room = snprintf(path, KNOW_PATH, "%.*s%s%.*s", (int)length, folder, slash, (int)n, name);
+  return room > 0 && room < KNOW_PATH && exists(path);
+}
+
+static size_t folder_of(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash ? (size_t)(slash - path + 1) : 0;
+}
+
+bool know_find_file(const knowledge *k, know_index node, char path[KNOW_PATH]) {
+  size_t n;
+  const char *s = know_spelling(k, node, &n), *from = k->files[k->nodes[node].at.file].path, *own = k->files[0].path;
+  *path = 0;
+  if (n < 3 || *s != '"' || memchr(s, '\\', n)) return false;
+  s++, n -= 2;
+  if (*s == '/') return in_folder("", 0, s, n, path);
+  if (in_folder(from, folder_of(from), s, n, path) || in_folder(own, folder_of(own), s, n, path)) return true;
+  for (const char *at = k->library_path; at && *at;) {
+    size_t length = strcspn(at, ":");
+    if (length && in_folder(at, length, s, n, path)) return true;
+    at += length + (at[length] == ':');
+  }
+  return in_folder(from, folder_of(from), s, n, path);
 }
 
 static char *read_text(knowledge *k, const char *path, size_t *length) {
@@ -387,8 +413,8 @@ static bool is_text(const char *text, size_t length) {
 }
 
 /* Does the language's reader take the text? It reads all of a text before anything of it runs; so a first form, on a
- * line before the first, that
- * cannot be expanded makes it read and not run. The host passes over what is said of that line. */
+ * line before the first, that cannot be expanded makes it read and not run. The host passes over what is said of that
+ * line. */
 static bool readable(knowledge *k, const char *path, const char *text, size_t length) {
   static const char before[] = "(lambda)\n";
   char *whole = NULL;

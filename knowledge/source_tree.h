@@ -5,11 +5,12 @@
 #include "knowledge/knowledge.h"
 
 /* Reads the file and adds it to k->files, its root set. loaded_by: the node that loads it; then a file that is there
- * already is not read
- * again. Returns its index; UINT32_MAX with trouble. What is wrong with the text is told to the interpreter's host, by
- * the language's own reader. */
+ * already is not read again. Returns its index; UINT32_MAX with trouble. What is wrong with the text is told to the
+ * interpreter's host, by the language's own reader. */
 know_index know_read_file(knowledge *k, const char *path, know_index loaded_by);
-/* Is there such a file? */
-bool know_file_exists(const char *path);
+enum { KNOW_PATH = 4096 };
+/* The path of the file that the string at node names: beside the file that says it, beside the program, else in a
+ * folder of k->library_path. False: there is none; path is then what it would be beside the file. */
+bool know_find_file(const knowledge *k, know_index node, char path[KNOW_PATH]);
 
 #endif

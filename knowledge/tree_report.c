@@ -1,6 +1,5 @@
 /* Owns the report of a whole analysis: files, scopes, variables, functions, statements, each with its place, comments,
- * scope and every
- * reference both ways; macros as they are written and as they are expanded. */
+ * scope and every reference both ways; macros as they are written and as they are expanded. */
 #include "knowledge/tree_report.h"
 
 #include <stdlib.h>
