@@ -26,4 +26,4 @@
 (draw (do-deform (list (map storey (iota storeys)) mullions) bent))
 (ground 0)
 (sun #:azimuth 225 #:altitude 35)
-(camera (xyz 95 -105 48) (xyz 0 0 (* 0.47 height)) #:lens 38)
+(camera (xyz 95 -105 48) (xyz 0 0 (* 0.47 height)) #:lens 32)

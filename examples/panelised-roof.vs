@@ -23,4 +23,4 @@
   (fact 'panels) (fact 'kinds) (fact 'bent) (round (* 1000 (fact 'worst))) (/ (round (* 100 (fact 'longest))) 100))
 (ground 0 #:material 'stone)
 (sun #:azimuth 210 #:altitude 48)
-(camera (xyz 50 -30 20) (xyz 15 9 3.5) #:lens 35)
+(camera (xyz 50 -30 20) (xyz 16 9 3) #:lens 48)

@@ -12,7 +12,10 @@ vaulted-hall 200000 -D bays-long=2 -D bays-deep=2
 vase 200000
 lofted-tower 40000 -D height=20 -D turn=0
 gare-do-oriente 1000000 -D columns=1 -D rows=1
-city 100000 -D blocks=2 -D tallest=6'
+city 100000 -D blocks=2 -D tallest=6
+voronoi-facade 400000
+facade-from-table 400000
+trees-from-survey 400000'
 
 
 echo "$examples" | while read -r name samples arguments; do

@@ -13,7 +13,14 @@ arcade
 vaulted-hall -D bays-long=2 -D bays-deep=2
 vase
 lofted-tower -D height=20 -D turn=0
-city -D blocks=2 -D tallest=6"
+city -D blocks=2 -D tallest=6
+deformed-tower -D storeys=6
+voronoi-facade
+panelised-roof -D nu=4 -D nv=4
+facade-by-rules
+facade-from-table
+trees-from-survey
+gyroid-pavilion"
 ways='-O'
 [ -z "${LONG:-}" ] || ways='-O -Ofold -Oshare -Oflatten -Oprune'
 
