@@ -436,8 +436,10 @@
 (define-function (root [x number?] [n number?]) (expt x (/ 1 n)))
 (define-function (sawtooth [x number?]) (- x (floor x)))
 (define-function (gauss [x number?]) (/ (exp (* -1/2 (square x))) (sqrt (* 2 pi))))
-(define-function (acosh [x number?]) (log (+ x (sqrt (- (square x) 1)))))
-(define-function (atanh [x number?]) (* 1/2 (log (/ (+ 1 x) (- 1 x)))))
+(define (%number>=1? x) (and (real? x) (>= x 1)))
+(define (%number-within-1? x) (and (real? x) (< -1 x 1)))
+(define-function (acosh [x %number>=1?]) (log (+ x (sqrt (- (square x) 1)))))
+(define-function (atanh [x %number-within-1?]) (* 1/2 (log (/ (+ 1 x) (- 1 x)))))
 
 (define (%need-natural who name n)
   (if (not (and (exact-integer? n) (<= 0 n 100000))) (error who "~a must be an exact integer from 0 to 100000, got ~s" name n)))

@@ -108,7 +108,7 @@ bool vs_bend_take_apart(vs_bind *b, vs_ref object, const char *no_regions, vs_be
 
 /* ---- cutting edges in half ---- */
 
-enum { STAYS = UINT32_MAX, ASKED = UINT32_MAX - 1 };
+static const uint32_t STAYS = UINT32_MAX, ASKED = UINT32_MAX - 1;
 typedef struct {
   uint64_t edge;   /* 0: free */
   uint32_t middle; /* the corner in the middle, STAYS, or ASKED in this round */

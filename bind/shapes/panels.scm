@@ -84,18 +84,19 @@
   (if (not (and (list? grid) (every (lambda (c) (and (list? c) (>= (length c) 3) (every (lambda (p) (and (pair? p) (real? (car p)) (real? (cdr p)))) c))) grid)))
       (error who "grid must be a grid, such as (quad-grid 8 4), got ~s" grid)))
 
-; The corners of each cell on the surface.
-(define (panel-corners f grid)
-  (%need-procedure 'panel-corners 'f f)
-  (%need-cells 'panel-corners grid)
+; The corners of each cell on the surface, for the procedure `who`.
+(define (%corners-for who f grid)
+  (%need-procedure who 'f f)
+  (%need-cells who grid)
   (map (lambda (cell)
          (map (lambda (c)
                 (let ((p (f (car c) (cdr c))))
                   (if (%finite-point? p)
                       p
-                      (error 'panel-corners "f must give points of finite coordinates; at (u, v) = (~a, ~a) it gave ~s" (car c) (cdr c) p))))
+                      (error who "f must give points of finite coordinates; at (u, v) = (~a, ~a) it gave ~s" (car c) (cdr c) p))))
               cell))
        grid))
+(define (panel-corners f grid) (%corners-for 'panel-corners f grid))
 
 ; component makes an object for the corners of a cell.
 (define (panelise f grid component)
@@ -103,7 +104,7 @@
   (unite (map (lambda (corners)
                 (let ((o (component corners)))
                   (if (object? o) o (error 'panelise "component must give an object, got ~s" o))))
-              (panel-corners f grid))))
+              (%corners-for 'panelise f grid))))
 
 (define (%mean-point l) (p+v origin (v/r (fold (lambda (p v) (v+v v (p->q origin p))) (vxyz 0 0 0) l) (length l))))
 ; Of length twice the panel's area.
@@ -144,7 +145,7 @@
 ; greatest such distance, the least and the greatest area and the longest edge, and for each panel its kind.
 (define (panel-report f grid #:tolerance [tolerance any? 0.001])
   (%need-positive 'panel-report 'tolerance tolerance)
-  (let* ((panels (panel-corners f grid)) (forms '()) (count 0))
+  (let* ((panels (%corners-for 'panel-report f grid)) (forms '()) (count 0))
     (define (kind-of corners)
       (let* ((form (%panel-form corners))
              (found (find (lambda (k) (and (= (length (cdr k)) (length form)) (every (lambda (a b) (<= (abs (- a b)) tolerance)) (cdr k) form))) forms)))

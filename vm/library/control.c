@@ -303,7 +303,12 @@ static vs_status guarded(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_tailcall(vm, vm->base[0], 1, &vm->base[1]);
 }
 
-static bool contract_text(vs_text *t, vs_value v) { return vs_is_symbol(v) ? vs_text_puts(t, vs_as_symbol(v)->name) : vs_print(t->vm, v, VS_PRINT_WRITE, t); }
+/* Writes a contract as the program has it; the % of the library's own names is left out. */
+static bool contract_text(vs_text *t, vs_value v) {
+  if (!vs_is_symbol(v)) return vs_print(t->vm, v, VS_PRINT_WRITE, t);
+  const char *name = vs_as_symbol(v)->name;
+  return vs_text_puts(t, name[0] == '%' && name[1] ? name + 1 : name);
+}
 
 /* predicate value #(name text who) | handlers outside */
 static vs_status check(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
