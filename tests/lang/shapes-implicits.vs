@@ -59,7 +59,7 @@
 (displayln (cdr (assq 'bent (panel-report saddle (triangle-grid 4 4)))))  ; expect: 0
 (displayln (solid? (panelise saddle (hexagon-grid 6 6) (lambda (c) (panel-plate c 0.1 #:gap 0.02))))) ; expect: #t
 (displayln (volume (panel-plate (list origin (xyz 4 0 0) (xyz 4 2 0) (xyz 0 2 0)) 0.5)))  ; expect: 4.0
-(fails (panelise saddle 3 list))                   ; expect: panel-corners: grid must be a grid, such as (quad-grid 8 4), got 3
+(fails (panelise saddle 3 list))                   ; expect: panelise: grid must be a grid, such as (quad-grid 8 4), got 3
 (fails (panelise saddle (quad-grid 2 2) list))     ; expect: panelise: component must give an object, got (((xyz 0 0 1) (xyz 5 0 0) (xyz 5 5 0) (xyz 0 5 0)))
 (fails (quad-grid 0 4))                            ; expect: quad-grid: nu must be an exact integer from 1 to 1000, got 0
 ; PM4VR's functions (figure 10 of its supplement), by its names: each at one place
