@@ -39,7 +39,7 @@ sed -n 's/^VS_KIND([A-Z_0-9]*, [a-z_0-9]*, "\([^"]*\)".*/\1/p' model/prims.def |
 done
 sed -n 's/^PROCS*([a-z0-9_]*, "\(\(make\|do\)-[^ "]*\|hull\|load-mesh\|unite\|intersect\|cylinder-from-to\).*/\1/p' bind/procedures.def |
   grep -v -x -e make-axis -e make-plane -e make-matrix -e make-material -e "make-[a-z]*-scope" | while read -r name; do
-  grep -q -F -e "($name " tests/cross/shapes.vs || echo "no shape is made with $name"
+  grep -q -F -e "($name " tests/cross/shapes.vs tests/cross/sheet.vs || echo "no shape is made with $name"
 done > "$work/why"
 result cross/table:constructors "$work/why"
 

@@ -358,7 +358,6 @@
 (shape "mesh/closes by its points" (make-mesh (map-division (lambda (a) (list (xyz 0 0 -2) (cyl 2 a -2) (cyl 2 a 2) (xyz 0 0 2))) 0 2pi 4)) #:volume 32)
 (shape "mesh/ring" (make-mesh (map-division (lambda (u v) (xyz (* (+ 2 (* 3/4 (cos v))) (cos u)) (* (+ 2 (* 3/4 (cos v))) (sin u)) (* 3/4 (sin v)))) 0 (* 2pi 23/24) 23 0 (* 2pi 15/16) 15)
                      #:closed-u #t #:closed-v #t) #:volume (* 2 pi pi 2 9/16) #:within 0.05)
-(shape "mesh/crust" (make-crust (make-box (xyz -2 -2 -2) (xyz 2 2 1)) 1/2) #:volume (- 48 18) #:within 1e-6 #:box (box-of -2 -2 -2 2 2 1))
 (shape "surface/ball" (make-surface (lambda (u v) (sph 5/2 u v)) 0 2pi 0 pi) #:volume (* 4/3 pi 125/8) #:within 0.03)
 (shape "surface/open" (make-surface (lambda (u v) (xyz (* 4 u) (* 4 v) (* 3 u)))) #:area 20 #:within 1e-6 #:box (box-of 0 0 0 4 4 3))
 (shape "surface/three procedures" (make-surface (lambda (u v) u) (lambda (u v) v) (lambda (u v) (* 1/4 u v)) -2 2 -2 2) #:within 0.003
