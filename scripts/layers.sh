@@ -1,5 +1,6 @@
 #!/bin/sh
 # Owns the check that the house stands. `sh scripts/layers.sh BUILD` prints what is wrong and ends with 1, or says in one line that all holds.
+# It reads the sources, and of the objects below BUILD those that are newer than their sources: it builds nothing, and says which it had.
 #
 #   arrows     an include follows scripts/layers.list
 #   globals    no object of the library has mutable data (cli/ has some: a signal handler gets no context)
@@ -14,6 +15,12 @@ work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 layers=$(sed -n 's/^\([a-z]*\):.*/\1/p' scripts/layers.list)
 find $layers -name '*.[ch]' | sort > "$work/sources"
+grep '\.c$' "$work/sources" | while read -r source; do
+  object=$build/obj/${source%.c}.o
+  [ "$object" -nt "$source" ] && echo "$object"
+done > "$work/objects"
+all=$(grep -c '\.c$' "$work/sources")
+built=$(wc -l < "$work/objects")
 
 # ---- arrows ----
 awk '
@@ -28,7 +35,7 @@ awk '
   }' scripts/layers.list $(cat "$work/sources") > "$work/wrong"
 
 # ---- globals: sizes are hexadecimal; .data.rel.ro holds constants with addresses and is read-only once loaded ----
-find "$build/obj" -path "$build/obj/cli" -prune -o -name "*.o" -print | sort | xargs objdump -t | awk '
+grep -v "^$build/obj/cli/" "$work/objects" | xargs -r objdump -t | awk '
   /:[ \t]+file format/ { object = $0; sub(/:[ \t]+file format.*/, "", object) }
   NF >= 5 {
     for (i = 3; i < NF; i++)
@@ -61,14 +68,14 @@ limit raw-allocations "$(xargs grep -hoE '\b(malloc|calloc|realloc)\(' < "$work/
 limit static-prefixed "$(grep '\.c$' "$work/sources" | xargs grep -hE '^static [^=;(]*\bvs_[a-z0-9_]*\(' | wc -l)" "static functions named vs_, a prefix of externals"
 
 # Externals of a .c file that the header of its name does not declare; vs_p_ are natives, which the table of procedures declares.
-find $(for l in $layers; do echo "$build/obj/$l"; done) -name '*.o' | sort | xargs nm -A --defined-only -g 2>/dev/null | awk -v build="$build/obj/" '
+xargs -r nm -A --defined-only -g < "$work/objects" | awk -v build="$build/obj/" '
   $2 == "T" || $3 == "T" {
     file = $1; sub(/:.*/, "", file); symbol = $NF
     sub("^" build, "", file); sub(/\.o$/, ".h", file)
     if (!(file in text)) { text[file] = " "; while ((getline line < file) > 0) text[file] = text[file] line "\n"; close(file) }
     if (symbol != "main" && symbol !~ /^vs_p_/ && !match(text[file], "[^a-z0-9_]" symbol "\\(")) print file ": does not declare " symbol
   }' > "$work/elsewhere"
-limit declared-elsewhere "$(wc -l < "$work/elsewhere")" "external functions that the header of their file's name does not declare"
+[ "$built" -lt "$all" ] || limit declared-elsewhere "$(wc -l < "$work/elsewhere")" "external functions that the header of their file's name does not declare"
 
 # Circles of includes; a .c and the .h of its name are one.
 xargs grep -HE '^[ \t]*#[ \t]*include[ \t]*"' < "$work/sources" | awk -F: '{
@@ -100,4 +107,6 @@ done < scripts/words.list
 
 if [ -s "$work/wrong" ]; then cat "$work/wrong"; exit 1; fi
 [ ! -s "$work/better" ] || { echo "lower these limits:"; sort "$work/better"; } | tr '\n' ' ' | sed 's/ $/\n/'
-echo "layers: includes follow the arrows; no mutable globals; rooms, names and words as they should be"
+objects="no mutable globals"
+[ "$built" -eq "$all" ] || objects="objects of $built of $all files, the others are not built or older than their sources: 'make all' first to have all looked at"
+echo "layers: includes follow the arrows; rooms, names and words as they should be; $objects"
