@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "geometry/measure/node_measures.h"
+#include "geometry/shapes/polygons.h"
 #include "solids/solid_meshes.h"
 
 typedef struct {
@@ -28,39 +29,28 @@ static bool add_loops(faces *all, vs_scope_loops *l) {
   return vs_poll(all->f->vm, 16);
 }
 
-static bool add_face(faces *all, const vs_vec3 *points, const uint32_t *corner, uint32_t n, const vs_affine *map) {
-  vs_vec3 few[16], *at = n <= 16 ? few : vs_bind_scratch(all->f, n * sizeof *at);
-  if (!at) return false;
-  bool mirrored = vs_affine_determinant(map) < 0;
-  for (uint32_t i = 0; i < n; i++) at[mirrored ? n - 1 - i : i] = vs_affine_point(map, points[corner[i]]);
+static bool add_face(void *context, const vs_vec3 *corner, uint32_t n) {
+  faces *all = context;
   const uint32_t start[2] = { 0, n };
-  return add_loops(all, vs_scope_loops_new(all->f->bind->store, at, start, 1));
+  return add_loops(all, vs_scope_loops_new(all->f->bind->store, corner, start, 1));
 }
 
 static bool add_mesh(faces *all, const vs_mesh *m, const vs_affine *map) {
-  for (size_t i = 0; i < m->triangle_count; i++)
-    if (!add_face(all, m->vertices, m->triangles[i], 3, map)) return false;
+  bool mirrored = vs_affine_determinant(map) < 0;
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    vs_vec3 at[3];
+    for (int c = 0; c < 3; c++) at[mirrored ? 2 - c : c] = vs_affine_point(map, m->vertices[m->triangles[i][c]]);
+    if (!add_face(all, at, 3)) return false;
+  }
   return true;
 }
 
 static bool add_leaf(faces *all, vs_ref ref, const vs_affine *map) {
   vs_node *n = ref.node;
   vs_error e = { 0 };
-  if (n->kind == VS_POLYFACE_MESH) {
-    const struct vs_polyface_mesh *p = VS_AS(polyface_mesh, n);
-    const uint32_t *start = vs_faces_starts(p->faces), *corner = vs_faces_corners(p->faces);
-    for (uint32_t i = 0; i < p->faces->count; i++)
-      if (!add_face(all, p->points->at, corner + start[i], start[i + 1] - start[i], map)) return false;
-    return true;
-  }
-  if (n->kind == VS_BOX) {
-    static const uint32_t face[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 },
-                                         { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
-    vs_vec3 p = VS_AS(box, n)->p, q = VS_AS(box, n)->q, at[8];
-    for (int c = 0; c < 8; c++) at[c] = vs_v3(c & 1 ? q.x : p.x, c & 2 ? q.y : p.y, c & 4 ? q.z : p.z);
-    for (int i = 0; i < 6; i++)
-      if (!add_face(all, at, face[i], 4, map)) return false;
-    return true;
+  if (n->kind == VS_POLYFACE_MESH || n->kind == VS_BOX) {
+    vs_polygons_result r = vs_polygons_each(n, map, add_face, all);
+    return r == VS_POLYGONS_MEMORY ? vs_fail_memory(all->f->vm) : r == VS_POLYGONS_GIVEN;
   }
   vs_facets facets = vs_bend_facets(all->f->bind, n);
   if (n->class_ == VS_REGION_CLASS || n->class_ == VS_CURVE) {

@@ -4,67 +4,39 @@
 
 #include "bind/shapes/bending.h"
 #include "geometry/files/polyface.h"
+#include "geometry/shapes/polygons.h"
 #include "geometry/shapes/subdivision.h"
 #include "model/store/array.h"
 
 enum { FACES_MOST = 4000000 };
 
-static bool add_face(vs_face_list *l, const vs_vec3 *points, const uint32_t *corner, uint32_t n, const vs_affine *map) {
-  bool mirrored = vs_affine_determinant(map) < 0, ok = true;
-  for (uint32_t i = 0; ok && i < n; i++) {
-    vs_vec3 p = vs_affine_point(map, points[corner[mirrored ? n - 1 - i : i]]);
-    ok = vs_face_list_corner(l, (uint32_t)l->point_count) && vs_face_list_point(l, p);
-  }
+static bool add_face(void *list, const vs_vec3 *corner, uint32_t n) {
+  vs_face_list *l = list;
+  bool ok = true;
+  for (uint32_t i = 0; ok && i < n; i++)
+    ok = vs_face_list_corner(l, (uint32_t)l->point_count) && vs_face_list_point(l, corner[i]);
   return ok && vs_face_list_close(l);
-}
-
-/* The faces as they were given, where the object has polygons: meshes, grids, boxes. False: it is something else. */
-static bool own_faces(const vs_node *n, const vs_affine *map, vs_face_list *l, bool *ok) {
-  if (n->kind == VS_POLYFACE_MESH) {
-    const struct vs_polyface_mesh *p = VS_AS(polyface_mesh, n);
-    const uint32_t *start = vs_faces_starts(p->faces), *corner = vs_faces_corners(p->faces);
-    for (uint32_t i = 0; *ok && i < p->faces->count; i++)
-      *ok = add_face(l, p->points->at, corner + start[i], start[i + 1] - start[i], map);
-    return true;
-  }
-  if (n->kind == VS_BOX) {
-    static const uint32_t face[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 },
-                                         { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
-    vs_vec3 p = VS_AS(box, n)->p, q = VS_AS(box, n)->q, at[8];
-    for (int c = 0; c < 8; c++) at[c] = vs_v3(c & 1 ? q.x : p.x, c & 2 ? q.y : p.y, c & 4 ? q.z : p.z);
-    for (int i = 0; *ok && i < 6; i++) *ok = add_face(l, at, face[i], 4, map);
-    return true;
-  }
-  if (n->kind == VS_GRID_MESH) {
-    const struct vs_grid_mesh *m = VS_AS(grid_mesh, n);
-    uint32_t columns = (uint32_t)m->columns, rows = m->points->count / columns;
-    for (uint32_t i = 0; i + !m->closed_u < rows; i++)
-      for (uint32_t j = 0; *ok && j + !m->closed_v < columns; j++) {
-        uint32_t below = (i + 1) % rows, right = (j + 1) % columns;
-        const uint32_t quad[4] = { i * columns + j, below * columns + j, below * columns + right, i * columns + right };
-        *ok = add_face(l, m->points->at, quad, 4, map);
-      }
-    return true;
-  }
-  return false;
 }
 
 static vs_status faces_of(vs_frame *f, vs_ref object, vs_face_list *l) {
   vs_affine map = vs_affine_identity();
   vs_node *n = object.node;
-  bool ok = true;
   while (n->kind == VS_TRANSFORM || vs_node_is_dress(n)) {
     if (n->kind == VS_TRANSFORM) map = vs_affine_multiply(&map, &VS_AS(transform, n)->matrix);
     n = n->children[0].node;
   }
-  if (own_faces(n, &map, l, &ok)) return ok ? VS_OK : vs_fail_memory(f->vm);
+  vs_polygons_result own = vs_polygons_each(n, &map, add_face, l);
+  if (own != VS_POLYGONS_NONE) return own == VS_POLYGONS_GIVEN ? VS_OK : vs_fail_memory(f->vm);
   vs_bend_leaves leaves;
   if (!vs_bend_take_apart(f->bind, object, "regions have no faces to subdivide: do-extrude them", &leaves))
     return VS_ERROR;
-  vs_affine identity = vs_affine_identity();
+  bool ok = true;
   for (size_t i = 0; ok && i < leaves.count; i++)
-    for (size_t k = 0; ok && k < leaves.at[i].mesh.triangle_count; k++)
-      ok = add_face(l, leaves.at[i].mesh.vertices, leaves.at[i].mesh.triangles[k], 3, &identity);
+    for (size_t k = 0; ok && k < leaves.at[i].mesh.triangle_count; k++) {
+      const uint32_t *corner = leaves.at[i].mesh.triangles[k];
+      const vs_vec3 *v = leaves.at[i].mesh.vertices, at[3] = { v[corner[0]], v[corner[1]], v[corner[2]] };
+      ok = add_face(l, at, 3);
+    }
   vs_bend_drop(&leaves);
   return ok ? VS_OK : vs_fail_memory(f->vm);
 }
