@@ -1,12 +1,14 @@
 // Owns the browser of the tests: Debian's Chromium driven by playwright-core, with WebGL in software.
 import { chromium } from "playwright-core";
 import { existsSync } from "node:fs";
+import { tmpdir } from "node:os";
 
 export const path = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
 
 export async function browser() {
   return chromium.launch({
     executablePath: path, headless: true,
+    env: { ...process.env, HOME: process.env.HOME ?? tmpdir() }, // Chromium does not start without a home to write to
     args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader",
       "--enable-unsafe-swiftshader", "--hide-scrollbars"],
   });
