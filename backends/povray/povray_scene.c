@@ -69,12 +69,9 @@ static void pov_finish(vs_writer *w, const vs_material *m) {
   }
 }
 
-static void pov_material(vs_emitter *e, const vs_material *m) {
-  vs_writer *w = e->out;
-  double ior = m->ior >= 1 ? m->ior : 1.5;
-  vs_puts(w, "#declare ");
-  pov_material_name(e, m);
-  vs_puts(w, " = material {\n  texture {\n    pigment { color srgbft <");
+/* What stands within a texture: pigment and finish. */
+static void pov_texture_parts(vs_writer *w, const vs_material *m) {
+  vs_puts(w, "    pigment { color srgbft <");
   const double rgb[] = { m->red, m->green, m->blue };
   for (int i = 0; i < 3; i++) {
     vs_put_number(w, rgb[i]);
@@ -83,9 +80,22 @@ static void pov_material(vs_emitter *e, const vs_material *m) {
   vs_put_number(w, m->transparency * 0.55); /* filter: tints what is seen through it */
   pov_word(w, ", ", m->transparency * 0.4, "> }\n");
   pov_finish(w, m);
+}
+
+/* Also what is opaque gets its index: fresnel reflection asks for one. */
+static void pov_interior(vs_writer *w, const vs_material *m) {
+  pov_word(w, "  interior { ior ", m->ior >= 1 ? m->ior : 1.5, " }\n");
+}
+
+static void pov_material(vs_emitter *e, const vs_material *m) {
+  vs_writer *w = e->out;
+  vs_puts(w, "#declare ");
+  pov_material_name(e, m);
+  vs_puts(w, " = material {\n  texture {\n");
+  pov_texture_parts(w, m);
   vs_puts(w, "  }\n");
-  /* Also what is opaque gets its index: fresnel reflection asks for one. */
-  pov_word(w, "  interior { ior ", ior, " }\n}\n");
+  pov_interior(w, m);
+  vs_puts(w, "}\n");
 }
 
 /* ---- what stands round the model ---- */
@@ -162,6 +172,17 @@ static void pov_sky_image(vs_emitter *e) {
   free(whole);
 }
 
+typedef struct { vs_vec3 zenith, haze; } pov_air;
+
+/* The colours of the sky overhead and at the horizon, as numbers of a screen (sRGB). */
+static pov_air pov_air_of(const vs_scene *s) {
+  pov_air a = { vs_v3(0.46, 0.66, 0.9), vs_v3(0.93, 0.95, 0.96) };
+  if (!s->has_sky) return a;
+  a.zenith = vs_v3(s->sky[0], s->sky[1], s->sky[2]);
+  a.haze = vs_v3_add(vs_v3(0.45, 0.45, 0.45), vs_v3_scale(a.zenith, 0.55));
+  return a;
+}
+
 /* Seen from the middle: below the horizon a pale studio floor, at it haze, above it blue (or the model's colour). */
 static void pov_sky(vs_emitter *e) {
   vs_writer *w = e->out;
@@ -169,25 +190,47 @@ static void pov_sky(vs_emitter *e) {
     pov_sky_image(e);
     return;
   }
-  double zenith[3] = { 0.46, 0.66, 0.9 }, haze[3] = { 0.93, 0.95, 0.96 };
-  if (e->scene->has_sky)
-    for (int i = 0; i < 3; i++) {
-      zenith[i] = e->scene->sky[i];
-      haze[i] = 0.45 + 0.55 * zenith[i];
-    }
-  vs_puts(w, "sky_sphere {\n  pigment {\n    gradient z\n    color_map {\n      [0.00 color srgb <0.78, 0.78, 0.77>]\n      [0.36 color srgb <0.9, 0.9, 0.89>]\n");
+  pov_air air = pov_air_of(e->scene);
+  vs_puts(w, "sky_sphere {\n  pigment {\n    gradient z\n    color_map {\n"
+             "      [0.00 color srgb <0.78, 0.78, 0.77>]\n      [0.36 color srgb <0.9, 0.9, 0.89>]\n");
   vs_puts(w, "      [0.50 color srgb ");
-  vs_put_triple(w, "<", vs_v3(haze[0], haze[1], haze[2]), ", ", ">]\n      [0.80 color srgb ");
-  vs_put_triple(w, "<", vs_v3(zenith[0], zenith[1], zenith[2]), ", ", ">]\n    }\n    scale 2 translate -z\n  }\n}\n");
+  vs_put_triple(w, "<", air.haze, ", ", ">]\n      [0.80 color srgb ");
+  vs_put_triple(w, "<", air.zenith, ", ", ">]\n    }\n    scale 2 translate -z\n  }\n}\n");
 }
 
-static void pov_ground(vs_emitter *e, double diagonal) {
+/* A second layer of the ground: haze of the sky's colour, so that no line parts the two. Its share grows from nothing at
+ * NEAR times the size of what is seen to all of it at FAR times, as (1 - NEAR / distance)^2.2: a ground's distance goes by
+ * one over the angle below the horizon, and brightness as it is seen by the 2.2th root, so that it grows evenly with the
+ * height in the picture. */
+static void pov_ground_haze(vs_emitter *e, const vs_look *l, double diagonal, double z) {
+  static const double near = 1.3, far = 60, at[] = { 60, 30, 15, 9, 6, 4, 3, 2.2, 1.7, 1.3 }; /* the first is FAR, the last NEAR */
   vs_writer *w = e->out;
+  vs_vec3 haze = pov_air_of(e->scene).haze;
+  vs_vec3 middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5 * e->unit);
+  vs_puts(w, "  texture {\n    pigment { spherical color_map {\n");
+  for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
+    pov_word(w, "      [", 1 - at[i] / far, " color srgbt <");
+    for (int k = 0; k < 3; k++) pov_word(w, "", k == 0 ? haze.x : k == 1 ? haze.y : haze.z, ", ");
+    pov_word(w, "", i == 0 ? 0 : 1 - pow(1 - near / at[i], 2.2), ">]\n");
+  }
+  pov_word(w, "    } scale ", far * fmax(diagonal, vs_v3_length(vs_v3_sub(l->eye, middle))), "");
+  pov_vector(w, " translate ", vs_v3(middle.x, middle.y, z));
+  vs_puts(w, " }\n    finish { ambient 0 diffuse 0 emission 1 }\n  }\n");
+}
+
+/* A plane without end. A picture as the sky has a horizon of its own: no haze is laid over the ground. */
+static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal) {
+  vs_writer *w = e->out;
+  const vs_material *m = e->scene->ground_material;
   double lift = 1e-5 * diagonal; /* what stands on the ground shares its plane: keep the ground just below */
-  pov_word(w, "plane {\n  z, ", e->scene->ground_z * e->unit - lift, "\n  ");
-  if (e->scene->ground_material != NULL) vs_povray_paint(e, e->scene->ground_material);
-  else vs_puts(w, "texture { pigment { color srgb <0.77, 0.76, 0.73> } finish { ambient 0 diffuse 0.8 } }");
-  vs_puts(w, "\n}\n");
+  double z = e->scene->ground_z * e->unit - lift;
+  pov_word(w, "plane {\n  z, ", z, "\n  texture {\n");
+  if (m != NULL) pov_texture_parts(w, m);
+  else vs_puts(w, "    pigment { color srgb <0.77, 0.76, 0.73> }\n    finish { ambient 0 diffuse 0.8 }\n");
+  vs_puts(w, "  }\n");
+  if (e->scene->sky_image == NULL) pov_ground_haze(e, l, diagonal, z);
+  if (m != NULL) pov_interior(w, m);
+  vs_puts(w, "}\n");
 }
 
 static const char *pov_radiosity(vs_render_quality q) {
@@ -240,7 +283,7 @@ bool vs_povray_begin(vs_emitter *e) {
   pov_sky(e);
   vs_puts(w, "\n");
   for (size_t i = 1; i <= vs_emit_material_count(e); i++) pov_material(e, vs_emit_material_at(e, i));
-  if (e->scene->has_ground) pov_ground(e, diagonal);
+  if (e->scene->has_ground) pov_ground(e, &look, diagonal);
   return !w->failed;
 }
 

@@ -1,6 +1,7 @@
-/* Owns what tests ask of pictures: `pngstat FILE` prints `WIDTH HEIGHT COLOURS EDGES INK`: how many different colours it has (of 15 bits); how
- * many of 1000 pixels differ plainly from their left neighbour: flat or smooth pictures have no edges, models do; and how many pixels are dark, a pixel
- * that is partly covered counted in part. `pngstat FILE OTHER` prints how many of 1000 pixels differ plainly between the two. */
+/* Owns what tests ask of pictures: `pngstat FILE` prints `WIDTH HEIGHT COLOURS EDGES INK STEP`: how many different colours it has (of 15 bits); how
+ * many of 1000 pixels differ plainly from their left neighbour: flat or smooth pictures have no edges, models do; how many pixels are dark, a pixel
+ * that is partly covered counted in part; and by how many of 255 a row differs at most from the one above, on average over the row: a line across the
+ * whole picture is such a step. `pngstat FILE OTHER` prints how many of 1000 pixels differ plainly between the two. */
 #include <math.h>
 #include <png.h>
 #include <stdbool.h>
@@ -23,6 +24,16 @@ static unsigned char *load(const char *file, png_image *image) {
 
 static int apart(const unsigned char *p, const unsigned char *q) { return abs(p[0] - q[0]) + abs(p[1] - q[1]) + abs(p[2] - q[2]) > 40; }
 
+static double largest_step(const unsigned char *pixels, size_t width, size_t height) {
+  double largest = 0;
+  for (size_t y = 1; y < height; y++) {
+    double sum = 0;
+    for (size_t i = 3 * width * y; i < 3 * width * (y + 1); i++) sum += abs(pixels[i] - pixels[i - 3 * width]);
+    if (sum > largest) largest = sum;
+  }
+  return largest / (3 * (double)width);
+}
+
 int main(int argc, char **argv) {
   png_image image, other = {.version = PNG_IMAGE_VERSION};
   if (argc < 2 || argc > 3) return fprintf(stderr, "pngstat: one or two files, please\n"), 1;
@@ -43,7 +54,8 @@ int main(int argc, char **argv) {
     else if (i % image.width) edges += (size_t)apart(p, p - 3);
   }
   if (ok && beside) printf("%zu\n", edges * 1000 / count);
-  else if (ok) printf("%u %u %zu %zu %.0f\n", image.width, image.height, colours, edges * 1000 / count, ink);
+  else if (ok) printf("%u %u %zu %zu %.0f %.1f\n", image.width, image.height, colours, edges * 1000 / count, ink,
+                      largest_step(pixels, image.width, image.height));
   free(pixels);
   free(beside);
   return !ok;
