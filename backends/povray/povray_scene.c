@@ -1,7 +1,7 @@
 /* Owns the frame of a POV-Ray scene: header, camera, light, sky, ground, materials. Shapes are in shapes.c.
  *
- * Looks: linear light (assumed_gamma 1), a warm parallel sun (with a soft edge in the final quality), a pale sky sphere that radiosity turns into fill light, no
- * ambient term. Nothing of the user's text gets in but as letters and digits of names. */
+ * Looks: linear light (assumed_gamma 1), a warm parallel sun (with a soft edge in the final quality), a pale sky sphere
+ * that radiosity turns into fill light, no ambient term. Nothing of the user's text gets in but as letters and digits of names. */
 #define _XOPEN_SOURCE 700 /* realpath */
 #include <math.h>
 #include <stdio.h>
@@ -130,13 +130,14 @@ static void pov_camera(vs_emitter *e, const vs_look *l) {
   vs_puts(w, "\n}\n");
 }
 
+/* As strong as leaves a white wall in the sun, with the sky's light, just below the white of a screen. */
 static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   vs_writer *w = e->out;
   vs_vec3 sun = vs_look_sun(e->scene, l), middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5 * e->unit);
   double far = 20 * diagonal;
   vs_puts(w, "light_source {\n");
   pov_vector(w, "  ", vs_v3_add(middle, vs_v3_scale(sun, far)));
-  vs_puts(w, "\n  color rgb <1, 0.94, 0.84> * 1.6\n  parallel\n");
+  vs_puts(w, "\n  color rgb <1, 0.94, 0.84> * 1.25\n  parallel\n");
   pov_vector(w, "  point_at ", middle);
   if (e->options->quality == VS_RENDER_FINAL) { /* a soft edge costs several times all the rest */
     /* orient turns it to what it lights; only lengths count, and POV-Ray wants them equal to 1e-10, which digits of turned vectors are not */
@@ -233,17 +234,23 @@ static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal) {
   vs_puts(w, "}\n");
 }
 
+/* The light that sky and walls throw on each other: sent on once more in good pictures, twice in final ones, without
+ * which rooms are dark. */
 static const char *pov_radiosity(vs_render_quality q) {
   switch (q) {
   case VS_RENDER_DRAFT: break;
-  case VS_RENDER_GOOD: return "radiosity { count 16 error_bound 1 recursion_limit 1 nearest_count 5 low_error_factor 0.7 pretrace_start 0.08 pretrace_end 0.03 gray_threshold 0.3 brightness 0.8 }\n";
-  case VS_RENDER_FINAL: return "radiosity { count 80 error_bound 0.5 recursion_limit 2 pretrace_start 0.08 pretrace_end 0.01 gray_threshold 0.3 brightness 0.8 }\n";
+  case VS_RENDER_GOOD:
+    return "radiosity { count 40 error_bound 0.8 recursion_limit 2 nearest_count 6 low_error_factor 0.6 "
+           "pretrace_start 0.08 pretrace_end 0.02 gray_threshold 0.3 brightness 1 }\n";
+  case VS_RENDER_FINAL:
+    return "radiosity { count 120 error_bound 0.4 recursion_limit 3 pretrace_start 0.08 pretrace_end 0.01 "
+           "gray_threshold 0.3 brightness 1 }\n";
   }
   return "";
 }
 
-/* POV-Ray has absolute tolerances: what is much smaller than a unit has holes, meshes of millions of units are not seen at all. Such drawings are written in
- * other units, a power of ten, in which they are some tens across. */
+/* POV-Ray has absolute tolerances: what is much smaller than a unit has holes, meshes of millions of units are not seen
+ * at all. Such drawings are written in other units, a power of ten, in which they are some tens across. */
 static double pov_unit(double diagonal) { return diagonal > 0.1 && diagonal < 1e5 ? 1 : pow(10, 1 - floor(log10(diagonal))); }
 
 /* Curves are drawn two pixels wide and more: 1/450 of the picture's width, so that they do not get lost in large
