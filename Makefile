@@ -22,7 +22,7 @@ CLI_LIBS  = $(call pkg,libedit,-ledit)
 PNG_LIBS  = $(call pkg,libpng,-lpng)
 UNIT_LIBS = $(call pkg,cmocka,-lcmocka)
 
-LAYERS    = vm model functions geometry kernel solids passes bind backends session
+LAYERS    = vm model functions geometry kernel solids passes bind scene backends session
 LIB_SRC   = $(foreach d,$(LAYERS),$(wildcard $(d)/*.c $(d)/*/*.c))
 LIB_OBJ   = $(LIB_SRC:%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/assets.o
 CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c cli/*/*.c live/*.c knowledge/*.c knowledge/*/*.c)) $(BUILD)/live_assets.o
@@ -93,7 +93,7 @@ $(BUILD)/obj/assets.o: $(BUILD)/assets.s
 	$(Q)$(CC) -c $< -o $@
 
 # The heap image: a stage-0 interpreter, made of the same objects, loads the language's own sources and writes down what it then holds.
-LIBRARY   = prelude.scm srfi.scm bind/geometry.scm bind/primitives.scm bind/data.scm bind/back_ends.scm bind/rules/rules.scm bind/functions/functions.scm bind/shapes/shapes.scm bind/shapes/maps.scm bind/shapes/implicits.scm bind/shapes/panels.scm
+LIBRARY   = prelude.scm srfi.scm bind/geometry.scm bind/primitives.scm bind/data.scm bind/back_ends.scm bind/rules/rules.scm bind/functions/functions.scm bind/shapes/shapes.scm bind/shapes/maps.scm bind/shapes/implicits.scm bind/shapes/panels.scm scene/properties.scm scene/nodes.scm
 STAGE0    = $(filter-out $(BUILD)/obj/session/%.o,$(LIB_OBJ)) $(BUILD)/obj/scripts/stage0.o
 
 $(BUILD)/stage0: $(STAGE0)

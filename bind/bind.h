@@ -60,6 +60,8 @@ struct vs_bind {
   uint32_t *gone;
   size_t ticket_count, ticket_room, gone_count;
   vs_error handed;                 /* what was wrong with a drawing function's result, with the object's place; kind NONE: nothing */
+  /* a node of the scene has the focus: the drawing is its own, and what top-level expressions return is no model */
+  bool away;
   bool handing;                    /* a drawing function is at work: draw gives its object; nothing changes the scene */
   struct vs_derivation *growing;   /* the derivation whose rule is running; NULL: none (rules/derivation.h) */
   vs_bind_back_end *back_ends;
@@ -78,8 +80,6 @@ void vs_bind_restart(vs_bind *b); /* as just opened, but for the settings of par
 void vs_bind_clear_drawing(vs_bind *b);
 static inline vs_bind *vs_bind_of(vs_scheme *vm) { return (vs_bind *)vm->host; }
 
-/* All tables of natives above the VM, NULL-terminated: for vs_config, here and where the image is made. */
-const vs_native_table *const *vs_bind_tables(void);
 bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum); /* false: out of memory */
 
 extern const vs_native_table vs_bind_table, vs_bind_reserved_table, vs_bind_data_table;

@@ -36,7 +36,7 @@ vs_status vs_p_draw(vs_frame *f, vs_value *out) {
   size_t n = f->arg[0].refs.count;
   vs_ref *ref = f->arg[0].refs.at;
   const vs_origin *here = vs_bind_origin(b);
-  b->drew = b->drew || !b->handing;
+  b->drew = b->drew || (!b->handing && !b->away);
   for (size_t i = 0; i < n; i++)
     if (ref[i].node->flags & VS_NODE_ENDLESS) return vs_fail(f->vm, f->vm->sym.range, VS_ENDLESS_MESSAGE);
   if (!b->handing) warn_drawn_twice(b, b->scene.drawn_count, ref, n);

@@ -1,15 +1,9 @@
 /* Owns the life of what bind/ keeps besides the heap, and the rule of what a file's model is: what it drew, else what its top-level
  * expressions returned. */
-#include "bind/functions/function_values.h"
+#include "bind/bind.h"
 
 #include "model/store/cache.h"
 #include "model/store/nodemap.h"
-
-const vs_native_table *const *vs_bind_tables(void) {
-  static const vs_native_table *const tables[] = { &vs_bind_table, &vs_bind_reserved_table, &vs_bind_data_table,
-                                                   &vs_function_table, NULL };
-  return tables;
-}
 
 bool vs_bind_open(vs_bind *b, vs_scheme *vm, vs_store *store) {
   *b = (vs_bind){ .vm = vm, .store = vs_store_retain(store), .refused = b->refused };
@@ -89,6 +83,7 @@ static bool remember(vs_bind *b, vs_ref ref, bool shown) {
 
 /* A list counts when all in it are objects: other lists are the program's own data. */
 bool vs_bind_returned(vs_bind *b, vs_value v, bool shown) {
+  if (b->away) return true;
   vs_ref one = vs_bind_ref(v);
   if (one.node) return remember(b, one, shown);
   if (!vs_is_pair(v)) return true;
@@ -116,6 +111,7 @@ static bool drawn(const vs_nodemap *all, const vs_node *n) {
 bool vs_bind_finish(vs_bind *b) {
   vs_bind_tell_dropped(b);
   if (!b->drew) return true;
+  if (b->away) return false; /* the drawing is a node's */
   vs_nodemap all = { .store = b->store };
   bool known = b->returned_count > 0; /* without memory for the question the warnings are left out */
   for (size_t i = 0; known && i < b->scene.drawn_count; i++) known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
@@ -185,7 +181,7 @@ bool vs_bind_count(vs_ref ref, vs_bind_counts *out) {
 
 /* ---- what geometry.scm leaves for C: parameter objects ---- */
 
-enum { HOST_VALUES = 4 };
+enum { HOST_VALUES = 5 };
 
 vs_status vs_p_host_set(vs_frame *f, vs_value *out) {
   vs_scheme *vm = f->vm;

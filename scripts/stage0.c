@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bind/bind.h"
+#include "scene/node_natives.h"
 #include "vm/machine/image.h"
 #include "vm/values/printer.h"
 #include "vm/machine/program.h"
@@ -39,7 +39,7 @@ static int failed(vs_scheme *vm, const char *what) {
 }
 
 int main(int argc, char **argv) {
-  vs_config config = { .tables = vs_bind_tables() };
+  vs_config config = { .tables = vs_nodes_tables() };
   vs_scheme *vm = vs_open_vm(&config);
   vs_flat_rules *rules = calloc(1, sizeof *rules);
   if (argc < 3 || !vm || !rules) {

@@ -92,27 +92,45 @@ static void set_options(vs_job *j) {
 
 /* ---- the stages: each returns false with the job's error set, or with its outcome set where it has reported the failure itself ---- */
 
+/* Works out what the tree of nodes shows, as an evaluation of its own. *beside false: what is drawn is a node's, and
+ * what the root had drawn is among the objects. */
+static bool show_nodes(vs_job *j, bool *beside, vs_value *objects) {
+  vs_session *s = j->session;
+  if (!vs_nodes_are_there(&s->bind)) return true;
+  vs_session_begin(s, 0);
+  bool ok = vs_nodes_shown(&s->bind, beside, objects);
+  s->phase = NULL;
+  vs_tally_enter(&s->tally, VS_WORK_PASSES);
+  if (!ok) j->outcome = vs_session_report_condition(s, s->bind.vm->condition, false);
+  return ok;
+}
+
 /* Nodes that only dead values hold would look shared. The copy's references are retained, because later stages put others in their place. */
 static bool stage_collect(vs_job *j) {
   vs_session *s = j->session;
-  if (j->record) {
-    vs_tally_enter(&s->tally, VS_WORK_RUN);
-    vs_gc_major(s->bind.vm);
-    vs_tally_enter(&s->tally, VS_WORK_PASSES);
-  }
+  bool beside = true;
+  VS_ROOTS(s->bind.vm, shown, 1);
+  shown[0] = VS_NIL;
   vs_scene *scene = &j->scene;
   *scene = s->bind.scene;
   scene->drawn = NULL, scene->drawn_count = scene->drawn_room = 0;
+  if (!show_nodes(j, &beside, &shown[0])) return false;
   bool returned = vs_bind_finish(&s->bind);
   scene->tolerance = vs_bind_tolerance(&s->bind);
-  size_t n = returned ? s->bind.returned_count : s->bind.scene.drawn_count;
+  size_t n = returned ? s->bind.returned_count : beside ? s->bind.scene.drawn_count : 0;
   scene->drawn = vs_store_realloc(s->bind.store, NULL, 0, (n + 1) * sizeof *scene->drawn);
   if (!scene->drawn) return vs_error_memory(&j->error, NULL);
   scene->drawn_count = n, scene->drawn_room = n + 1;
   for (size_t i = 0; i < n; i++)
     scene->drawn[i] = returned ? (vs_ref){ s->bind.returned[i].node, s->bind.returned[i].origin } : s->bind.scene.drawn[i];
   for (size_t i = 0; i < n; i++) vs_node_retain(scene->drawn[i].node);
-  if (j->record) set_options(j);
+  for (; vs_is_pair(shown[0]); shown[0] = vs_cdr(shown[0]))
+    if (!vs_scene_draw(scene, vs_bind_ref(vs_car(shown[0])))) return vs_error_memory(&j->error, NULL);
+  if (!j->record) return true;
+  vs_tally_enter(&s->tally, VS_WORK_RUN);
+  vs_gc_major(s->bind.vm);
+  vs_tally_enter(&s->tally, VS_WORK_PASSES);
+  set_options(j);
   return true;
 }
 

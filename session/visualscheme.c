@@ -202,7 +202,7 @@ vs_scheme *vs_new(const vs_options *options) {
   bool copied = copy_texts(s);
   vs_config config = {
     .memory = vs_session_memory, .user = s, .memory_limit = o.limit_memory, .step_limit = o.limit_steps, .output_limit = o.limit_output, .time_limit = o.limit_time,
-    .phase = vm_phase, .clock = vs_session_clock, .interrupted = vs_session_interrupted, .tables = vs_bind_tables(), .image = &vs_library_image,
+    .phase = vm_phase, .clock = vs_session_clock, .interrupted = vs_session_interrupted, .tables = vs_nodes_tables(), .image = &vs_library_image,
     .io = &vs_session_io, .keep_frames = o.keep_frames, .value = take_value, .dropped = vs_bind_dropped, .warn =
         warn_program, .suspect = warn_vm, .library_path = s->options.library_path, .shipped = vs_shipped_library,
     .command_line = s->options.command_line, .command_line_count = s->options.command_line_count,

@@ -88,6 +88,15 @@ static bool is_compound(vs_value v) {
 
 static size_t record_fields(const vs_record *r) { return r->h.words - 2; }
 
+/* A record of the library's own, whose type's name begins with %, shows the fields whose names do not: the others may
+ * hold what holds the record. */
+static bool is_inner_name(vs_value name) { return vs_is_symbol(name) && *vs_as_symbol(name)->name == '%'; }
+static bool is_hidden(const vs_record *r, uint32_t i) {
+  const vs_record_type *type = vs_as_record_type(r->type);
+  return is_inner_name(type->name) && vs_is_vector(type->fields) && i < vs_as_vector(type->fields)->length &&
+         is_inner_name(vs_as_vector(type->fields)->at[i]);
+}
+
 /* the number of children and the i-th of them; tables by position */
 static bool next_child(vs_value v, uint32_t *i, vs_value *child) {
   vs_value other;
@@ -105,6 +114,7 @@ static bool next_child(vs_value v, uint32_t *i, vs_value *child) {
       *child = vs_as_values(v)->at[(*i)++];
       return true;
     case VS_T_RECORD:
+      while (*i < record_fields(vs_as_record(v)) && is_hidden(vs_as_record(v), *i)) (*i)++;
       if (*i >= record_fields(vs_as_record(v))) return false;
       *child = vs_as_record(v)->at[(*i)++];
       return true;
@@ -421,6 +431,8 @@ static bool put_item(printer *p, vs_value v) {
     case VS_T_VALUES: return push(p, SLOTS, v, 0);
     case VS_T_RECORD: {
       const vs_record_type *type = vs_as_record_type(vs_as_record(v)->type);
+      if (is_inner_name(type->name))
+        return vs_text_put(t, "#<", 2) && vs_text_puts(t, vs_as_symbol(type->name)->name + 1) && push(p, SLOTS, v, 0);
       return vs_text_put(t, "#<", 2) && (vs_is_symbol(type->name) ? put_symbol(t, type->name, false) : vs_text_puts(t, "record")) && push(p, SLOTS, v, 0);
     }
     case VS_T_BOX: return vs_text_put(t, "#&", 2) && push(p, ITEM, vs_as_box(v)->value, 0);
@@ -443,8 +455,8 @@ static bool step_slots(printer *p, print_frame f) {
   if ((f.i > 0 || type == VS_T_RECORD) && !vs_text_put(p->t, " ", 1)) return false;
   if (type == VS_T_RECORD) {
     vs_value fields = vs_as_record_type(vs_as_record(f.v)->type)->fields;
-    if (vs_is_vector(fields) && f.i < vs_as_vector(fields)->length && vs_is_symbol(vs_as_vector(fields)->at[f.i]) &&
-        !(put_symbol(p->t, vs_as_vector(fields)->at[f.i], true) && vs_text_put(p->t, "=", 1)))
+    if (vs_is_vector(fields) && i - 1 < vs_as_vector(fields)->length && vs_is_symbol(vs_as_vector(fields)->at[i - 1]) &&
+        !(put_symbol(p->t, vs_as_vector(fields)->at[i - 1], true) && vs_text_put(p->t, "=", 1)))
       return false;
   }
   return push(p, SLOTS, f.v, i) && push(p, ITEM, child, 0);

@@ -1,0 +1,142 @@
+#include "scene/node_natives.h"
+
+#include <math.h>
+
+#include "bind/functions/function_values.h"
+#include "vm/machine/run.h"
+
+const vs_native_table *const *vs_nodes_tables(void) {
+  static const vs_native_table *const tables[] = { &vs_bind_table, &vs_bind_reserved_table, &vs_bind_data_table,
+                                                   &vs_function_table, &vs_node_table, NULL };
+  return tables;
+}
+
+/* ---- frames ---- */
+
+/* The sine of an angle in degrees, exact at quarter turns. */
+static double sine(double degrees) {
+  double d = fmod(degrees, 360);
+  if (fmod(d, 90) != 0) return sin(d * (3.141592653589793 / 180));
+  int quarter = (int)(d / 90);
+  return quarter == 1 || quarter == -3 ? 1 : quarter == 3 || quarter == -1 ? -1 : 0;
+}
+static double cosine(double degrees) {
+  double d = fmod(fabs(degrees), 360);
+  return fmod(d, 90) == 0 ? sine(d + 90) : cos(d * (3.141592653589793 / 180));
+}
+
+static vs_status give_matrix(vs_scheme *vm, const vs_affine *m, vs_value *out) {
+  double d[16] = { 0 };
+  for (int i = 0; i < 12; i++) d[i] = m->m[i / 4][i % 4];
+  d[15] = 1;
+  return vs_make_flat(vm, VS_FLAT_MATRIX, d, 16, out);
+}
+
+/* translate rotate scale, gvectors: the matrix that scales, then turns about X, Y and Z in this order, then moves */
+static vs_status node_matrix(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  const double *t = vs_as_flat(a[0])->at, *r = vs_as_flat(a[1])->at, *s = vs_as_flat(a[2])->at;
+  double sx = sine(r[0]), cx = cosine(r[0]), sy = sine(r[1]), cy = cosine(r[1]), sz = sine(r[2]), cz = cosine(r[2]);
+  vs_affine m = { {
+    { cy * cz * s[0], (sx * sy * cz - cx * sz) * s[1], (cx * sy * cz + sx * sz) * s[2], t[0] },
+    { cy * sz * s[0], (sx * sy * sz + cx * cz) * s[1], (cx * sy * sz - sx * cz) * s[2], t[1] },
+    { -sy * s[0], sx * cy * s[1], cx * cy * s[2], t[2] },
+  } };
+  return give_matrix(vm, &m, out);
+}
+
+/* The way back: a list of translate, rotate and scale, of which node_matrix makes the matrix again, or #f where its
+ * columns are not at right angles or one of them is 0. A mirror goes into the scale along X. */
+static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  vs_affine m = vs_bind_affine(vs_as_flat(a[0])->at);
+  vs_vec3 column[3];
+  double length[3];
+  *out = VS_FALSE;
+  for (int i = 0; i < 3; i++) {
+    column[i] = vs_v3(m.m[0][i], m.m[1][i], m.m[2][i]);
+    length[i] = vs_v3_length(column[i]);
+    if (!(length[i] > 0)) return VS_OK;
+    column[i] = vs_v3_scale(column[i], 1 / length[i]);
+  }
+  for (int i = 0; i < 3; i++)
+    if (fabs(vs_v3_dot(column[i], column[(i + 1) % 3])) > 1e-9) return VS_OK;
+  if (vs_affine_determinant(&m) < 0) length[0] = -length[0], column[0] = vs_v3_scale(column[0], -1);
+  const double turn = 180 / 3.141592653589793;
+  double flat = hypot(column[0].x, column[0].y), r[3] = { 0, atan2(-column[0].z, flat) * turn, 0 };
+  if (flat > 1e-12) {
+    r[0] = atan2(column[1].z, column[2].z) * turn;
+    r[2] = atan2(column[0].y, column[0].x) * turn;
+  } else r[0] = atan2(-column[2].y, column[1].y) * turn; /* X stands upright: turns about X and Z are one */
+  const double t[3] = { m.m[0][3], m.m[1][3], m.m[2][3] };
+  const double *const parts[3] = { t, r, length };
+  VS_ROOTS(vm, root, 2);
+  root[0] = VS_NIL;
+  for (int i = 3; i-- > 0;)
+    if (!vs_make_flat(vm, VS_FLAT_VECTOR, parts[i], 3, &root[1]) || !vs_cons(vm, root[1], root[0], &root[0]))
+      return VS_ERROR;
+  *out = root[0];
+  return VS_OK;
+}
+
+/* ---- the drawing of whoever has the focus ---- */
+
+static vs_status drawing_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)a, (void)n;
+  vs_bind *b = vs_bind_of(vm);
+  VS_ROOTS(vm, r, 2);
+  r[0] = VS_NIL;
+  for (size_t i = b->scene.drawn_count; i-- > 0;) {
+    if (!vs_bind_wrap_ref(b, b->scene.drawn[i], &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])) return VS_ERROR;
+  }
+  *out = r[0];
+  return VS_OK;
+}
+
+/* objects, a list: what is drawn now; away: it is not the root's. The value is what was drawn before. */
+static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  vs_bind *b = vs_bind_of(vm);
+  VS_ROOTS(vm, r, 1);
+  if (!drawing_list(vm, a, n, &r[0])) return VS_ERROR;
+  size_t before = b->scene.drawn_count, kept = 0;
+  for (vs_value l = a[0]; vs_is_pair(l); l = vs_cdr(l)) /* behind what stands there, so that a refusal loses nothing */
+    if (!vs_scene_draw(&b->scene, vs_bind_ref(vs_car(l)))) {
+      while (b->scene.drawn_count > before) vs_node_release(b->scene.drawn[--b->scene.drawn_count].node);
+      return vs_fail_memory(vm);
+    }
+  for (size_t i = 0; i < b->scene.drawn_count; i++)
+    if (i < before) vs_node_release(b->scene.drawn[i].node);
+    else b->scene.drawn[kept++] = b->scene.drawn[i];
+  b->scene.drawn_count = kept;
+  b->drawn_last = NULL;
+  b->away = a[1] != VS_FALSE;
+  *out = r[0];
+  return VS_OK;
+}
+
+/* ---- handing over ---- */
+
+enum { HOST_SCENE = 4 }; /* where nodes.scm put its procedure when the first node was asked for */
+
+bool vs_nodes_are_there(const vs_bind *b) {
+  vs_value host = b->vm->at.host;
+  return vs_is_vector(host) && vs_as_vector(host)->at[HOST_SCENE] != VS_FALSE;
+}
+
+bool vs_nodes_shown(vs_bind *b, bool *beside, vs_value *list) {
+  vs_scheme *vm = b->vm;
+  VS_ROOTS(vm, r, 1);
+  if (!vs_run(vm, vs_as_vector(vm->at.host)->at[HOST_SCENE], 0, NULL, &r[0])) return false;
+  *beside = vs_car(r[0]) != VS_FALSE;
+  *list = vs_cdr(r[0]);
+  return true;
+}
+
+static const vs_native_def defs[] = {
+  { "%node-matrix", "translate rotate scale", node_matrix, 0, NULL },
+  { "%matrix-parts", "matrix", matrix_parts, 0, NULL },
+  { "%drawing-list", "", drawing_list, 0, NULL },
+  { "%drawing-swap!", "objects away", drawing_swap, 0, NULL },
+  { 0 },
+};
+const vs_native_table vs_node_table = { "node", defs };
