@@ -390,6 +390,128 @@ VS_API const char *vs_thing_text(const vs_thing *t, const char *field); /* NULL:
 typedef struct { const double (*points)[3]; size_t point_count; const uint32_t (*corners)[3]; size_t count; } vs_triangles;
 VS_API bool vs_thing_triangles(vs_output *out, const vs_thing *t, vs_triangles *result);
 
+/* ---- values that a host holds ----
+ *
+ * A handle stands for a value of the interpreter: a number, a text, an object, a node. It keeps the value until it is
+ * released as often as it was made and retained; vs_restart ends all. 0 is no handle: a function that gives one gives 0
+ * where it failed, and has told `diagnose`. A handle that was released, or another interpreter's, is an error and
+ * changes nothing.
+ *
+ * While a program runs, what it calls back may make, read and release handles and call vs_post; everything that would
+ * run
+ * something in the same interpreter is refused with VS_OUTCOME_USAGE. */
+
+typedef uint64_t vs_handle;
+
+typedef enum {
+  VS_HANDLE_NONE, /* the handle is none */
+  VS_HANDLE_BOOLEAN, VS_HANDLE_NUMBER, VS_HANDLE_TEXT, VS_HANDLE_SYMBOL, VS_HANDLE_LIST, VS_HANDLE_POINT,
+      VS_HANDLE_VECTOR,
+  VS_HANDLE_MATRIX, VS_HANDLE_OBJECT, VS_HANDLE_NODE, VS_HANDLE_PROPERTY, VS_HANDLE_PROCEDURE, VS_HANDLE_OTHER
+} vs_handle_kind;
+
+VS_API vs_handle vs_handle_retain(vs_scheme *s, vs_handle h); /* gives h */
+VS_API void vs_handle_release(vs_scheme *s, vs_handle h);     /* 0 is fine */
+
+VS_API vs_handle vs_handle_boolean(vs_scheme *s, bool b);
+VS_API vs_handle vs_handle_number(vs_scheme *s, double x);
+VS_API vs_handle vs_handle_integer(vs_scheme *s, int64_t n); /* exact */
+VS_API vs_handle vs_handle_text(vs_scheme *s, const char *text);
+VS_API vs_handle vs_handle_symbol(vs_scheme *s, const char *name);
+VS_API vs_handle vs_handle_point(vs_scheme *s, double x, double y, double z);
+VS_API vs_handle vs_handle_vector(vs_scheme *s, double x, double y, double z);
+VS_API vs_handle vs_handle_list(vs_scheme *s, const vs_handle *items, size_t count);
+
+VS_API vs_handle_kind vs_handle_kind_of(vs_scheme *s, vs_handle h);
+VS_API bool vs_handle_get_boolean(vs_scheme *s, vs_handle h); /* all but #f is true */
+/* The numbers of a number (1), point, vector (3) or matrix (16, row by row): copies at most room of them, returns how
+ * many there are; 0: it is none of these. */
+VS_API size_t vs_handle_get_numbers(vs_scheme *s, vs_handle h, double *out, size_t room);
+/* Of a text or symbol; lives until the next call of this function. NULL: it is neither. */
+VS_API const char *vs_handle_get_text(vs_scheme *s, vs_handle h);
+VS_API size_t vs_handle_count(vs_scheme *s, vs_handle list); /* 0: it is no list */
+VS_API vs_handle vs_handle_item(vs_scheme *s, vs_handle list, size_t index);
+VS_API bool vs_handle_same(vs_scheme *s, vs_handle a, vs_handle b); /* do both stand for one and the same (eq?) */
+
+/* A name of the program or of the language; a procedure of either, called. An error of the program is told and has no
+ * result. result may be NULL. */
+VS_API vs_handle vs_lookup(vs_scheme *s, const char *name);
+VS_API bool vs_define(vs_scheme *s, const char *name, vs_handle value);
+VS_API vs_outcome vs_apply(vs_scheme *s, vs_handle procedure, const vs_handle *arguments, size_t count,
+    vs_handle *result);
+
+/* A procedure of the host's. The arguments are released after it; *result, 0 at first, is a handle that it gives away,
+ * or
+ * stays 0 for no value. False: the program gets an error, whose text vs_host_fail gave. context must live as long as
+ * the
+ * interpreter. name: for messages. */
+typedef bool vs_host_fn(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result);
+VS_API vs_handle vs_host_procedure(vs_scheme *s, const char *name, vs_host_fn *fn, void *context);
+VS_API void vs_host_fail(vs_scheme *s, const char *message);
+
+/* ---- the scene: nodes, as the manual's page 'Scenes' has them ----
+ *
+ * Each function does what the procedure beside it does, with the same rules and messages. */
+
+VS_API vs_handle vs_scene_controller(vs_scheme *s); /* (node-controller): its properties are the events */
+VS_API vs_handle vs_node_root(vs_scheme *s);
+/* (node-create type #:name name #:parent parent); type NULL: 'context; name NULL: none; parent 0: none */
+VS_API vs_handle vs_node_create(vs_scheme *s, const char *type, const char *name, vs_handle parent);
+VS_API vs_handle vs_node_find(vs_scheme *s, const char *name); /* 0: there is none, which is no error */
+VS_API vs_handle vs_node_parent(vs_scheme *s, vs_handle node); /* 0: it hangs nowhere */
+VS_API vs_handle vs_node_children(vs_scheme *s, vs_handle node); /* a list */
+VS_API const char *vs_node_name(vs_scheme *s, vs_handle node); /* as vs_handle_get_text; NULL: it has none */
+VS_API vs_outcome vs_node_add_child(vs_scheme *s, vs_handle parent, vs_handle child);
+VS_API vs_outcome vs_node_remove_child(vs_scheme *s, vs_handle parent, vs_handle child);
+/* Three numbers each; the turn in degrees about X, Y and Z. NULL: as it is. */
+VS_API vs_outcome vs_node_place(vs_scheme *s, vs_handle node, const double *translate, const double *degrees,
+    const double *scale);
+/* Into the parent's coordinates, or the world's: row by row, for column vectors. */
+VS_API bool vs_node_matrix(vs_scheme *s, vs_handle node, bool world, double out[16]);
+VS_API vs_outcome vs_node_set_drawing(vs_scheme *s, vs_handle node, vs_handle drawing); /* an object, or a list */
+VS_API vs_handle vs_node_object(vs_scheme *s, vs_handle node); /* all that it shows */
+
+/* The focus, whose drawing draw adds to; the root's cannot be ended. */
+VS_API vs_outcome vs_node_begin(vs_scheme *s, vs_handle node);
+VS_API vs_outcome vs_node_end(vs_scheme *s);
+VS_API vs_handle vs_node_focus(vs_scheme *s);
+/* Evaluates the text's expressions in the node's own program, with its focus. *result: the last value. */
+VS_API vs_outcome vs_node_eval(vs_scheme *s, vs_handle node, const char *text, vs_handle *result);
+
+/* ---- properties of nodes, groups and the controller ---- */
+
+VS_API vs_handle vs_property_of(vs_scheme *s, vs_handle group, const char *name); /* the property itself */
+VS_API vs_outcome vs_property_get(vs_scheme *s, vs_handle group, const char *name, vs_handle *value);
+/* An equal value is no change; subscribers are called before it returns. Makes the property where there is none. */
+VS_API vs_outcome vs_property_put(vs_scheme *s, vs_handle group, const char *name, vs_handle value);
+/* The subscriber gets the new value. Returns the subscription's number; 0: failed. */
+VS_API uint64_t vs_property_subscribe(vs_scheme *s, vs_handle property, vs_host_fn *fn, void *context);
+VS_API vs_outcome vs_property_unsubscribe(vs_scheme *s, vs_handle property, uint64_t id);
+/* Leaves a change for the next vs_update; this may be called while the interpreter is at work. */
+VS_API bool vs_post(vs_scheme *s, vs_handle property, vs_handle value);
+/* Makes the changes that were left, in their order. One that fails is told and does not keep the others. What is left
+ * meanwhile waits for the next. */
+VS_API vs_outcome vs_update(vs_scheme *s);
+
+/* ---- actions and picks ---- */
+
+VS_API vs_outcome vs_action_apply(vs_scheme *s, const char *action, vs_handle node); /* (action-apply 'action node) */
+VS_API vs_outcome vs_scene_frame(vs_scheme *s, double seconds); /* update, draw and finish through the whole tree */
+
+typedef struct {
+  double distance;      /* from the ray's start, in model units */
+  double point[3];
+  vs_handle node, path; /* the node that was met, and the list of nodes down to it; valid in the callback,
+      unless retained */
+  const char *file;     /* the place in the program that made what was met; NULL: not known */
+  uint32_t line, column;
+} vs_hit;
+/* Hands all nodes whose own drawing the ray meets to `each`, nearest first, until it returns false. The nearest is
+ * selected: the event Node.selected tells of it. */
+VS_API vs_outcome vs_pick(vs_scheme *s, const double from[3], const double direction[3], bool (*each)(void *context,
+    vs_scheme *s, const vs_hit *hit),
+                          void *context);
+
 /* ---- statistics ---- */
 
 typedef struct {
@@ -397,7 +519,8 @@ typedef struct {
   double value;
   const char *unit;  /* "s", "bytes", "" (a count) */
 } vs_statistic;
-/* Of everything since vs_new, in a fixed order; the manual's page on the command says what each key means. A value that was not counted is a
+/* Of everything since vs_new, in a fixed order; the manual's page on the command says what each key means. A value
+ * that was not counted is a
  * NaN. Copies at most room of them to out, returns how many there are. */
 VS_API size_t vs_statistics(const vs_scheme *s, vs_statistic *out, size_t room);
 
@@ -406,9 +529,11 @@ typedef struct {
   const char *format; /* as vs_format_info.name */
   bool done;          /* false: it failed */
 } vs_output_info;
-/* The same of single outputs, the latest 64, oldest first; keys are those of vs_statistics that belong to one output. False: no such index. *count is how many there are,
+/* The same of single outputs, the latest 64, oldest first; keys are those of vs_statistics that belong to one output.
+ * False: no such index. *count is how many there are,
  * whatever room is. */
-VS_API bool vs_output_statistics(const vs_scheme *s, size_t index, vs_output_info *info, vs_statistic *out, size_t room, size_t *count);
+VS_API bool vs_output_statistics(const vs_scheme *s, size_t index, vs_output_info *info, vs_statistic *out, size_t room,
+    size_t *count);
 
 #ifdef __cplusplus
 }

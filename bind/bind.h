@@ -62,6 +62,8 @@ struct vs_bind {
   vs_error handed;                 /* what was wrong with a drawing function's result, with the object's place; kind NONE: nothing */
   /* a node of the scene has the focus: the drawing is its own, and what top-level expressions return is no model */
   bool away;
+  /* calls a procedure of the host's by its number, the first argument; NULL: there is no host */
+  vs_native_fn *host_call;
   bool handing;                    /* a drawing function is at work: draw gives its object; nothing changes the scene */
   struct vs_derivation *growing;   /* the derivation whose rule is running; NULL: none (rules/derivation.h) */
   vs_bind_back_end *back_ends;

@@ -40,7 +40,8 @@ void vs_bind_restart(vs_bind *b) {
   forget_run(b);
   vs_bind kept = *b;
   *b = (vs_bind){ .vm = kept.vm, .store = kept.store, .settings = kept.settings, .setting_count = kept.setting_count, .setting_room = kept.setting_room, .refused = kept.refused,
-                  .library_files = kept.library_files, .is_built_in = kept.is_built_in, .is_format = kept.is_format, .warn = kept.warn, .warn_context = kept.warn_context };
+                  .library_files = kept.library_files, .is_built_in = kept.is_built_in, .is_format = kept.is_format, .host_call = kept.host_call,
+                  .warn = kept.warn, .warn_context = kept.warn_context };
   for (size_t i = 0; i < b->setting_count; i++) b->settings[i].used = false;
   vs_scene_init(&b->scene, b->store);
   vs_store_on_ticket(b->store, vs_bind_ticket_gone, b);
@@ -181,7 +182,7 @@ bool vs_bind_count(vs_ref ref, vs_bind_counts *out) {
 
 /* ---- what geometry.scm leaves for C: parameter objects ---- */
 
-enum { HOST_VALUES = 5 };
+enum { HOST_VALUES = 6 };
 
 vs_status vs_p_host_set(vs_frame *f, vs_value *out) {
   vs_scheme *vm = f->vm;

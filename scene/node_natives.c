@@ -1,8 +1,12 @@
 #include "scene/node_natives.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "bind/functions/function_values.h"
+#include "scene/ray_hits.h"
+#include "vm/front/environment.h"
+#include "vm/machine/program.h"
 #include "vm/machine/run.h"
 
 const vs_native_table *const *vs_nodes_tables(void) {
@@ -79,6 +83,42 @@ static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return VS_OK;
 }
 
+/* ---- picking ---- */
+
+static vs_status fail_ray(vs_scheme *vm, const vs_error *e) {
+  if (e->kind == VS_ERROR_INTERRUPT) return VS_ERROR; /* the condition is set */
+  if (e->kind == VS_ERROR_MEMORY) return vs_fail_memory(vm);
+  return vs_fail(vm, vm->sym.error, "%s", *e->message ? e->message : "what the ray meets cannot be worked out");
+}
+
+/* object matrix from direction: where the ray, in the world's coordinates, meets the object that the matrix puts there
+ * from its own. #f: nowhere; else (lengths of direction . #f), or (lengths file line column) where the object's maker
+ * is
+ * known. */
+static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  vs_bind *b = vs_bind_of(vm);
+  vs_affine m = vs_bind_affine(vs_as_flat(a[1])->at), back;
+  const double *p = vs_as_flat(a[2])->at, *d = vs_as_flat(a[3])->at;
+  vs_ray_hit hit;
+  vs_error e = { 0 };
+  *out = VS_FALSE;
+  if (!vs_affine_invert(&m, &back)) return VS_OK; /* flat: there is nothing to meet */
+  vs_vec3 from = vs_affine_point(&back, vs_v3(p[0], p[1], p[2]));
+  vs_vec3 direction = vs_affine_vector(&back, vs_v3(d[0], d[1], d[2]));
+  if (!vs_ray_meets(b, vs_bind_ref(a[0]), from, direction, &hit, &e)) return fail_ray(vm, &e);
+  if (hit.at == INFINITY) return VS_OK;
+  VS_ROOTS(vm, r, 2);
+  r[0] = VS_FALSE;
+  if (hit.origin) {
+    r[0] = VS_NIL;
+    if (!vs_cons(vm, vs_fix(hit.origin->column), r[0], &r[0]) || !vs_cons(vm, vs_fix(hit.origin->line), r[0], &r[0]) ||
+        !vs_string_from_utf8(vm, hit.origin->file, strlen(hit.origin->file), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0]))
+      return VS_ERROR;
+  }
+  return vs_cons(vm, vs_flonum(hit.at), r[0], out);
+}
+
 /* ---- the drawing of whoever has the focus ---- */
 
 static vs_status drawing_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
@@ -114,6 +154,29 @@ static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return VS_OK;
 }
 
+/* ---- programs of their own ---- */
+
+static vs_status new_program(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)a, (void)n;
+  return vs_program_new(vm, out);
+}
+
+/* environment name: has the program given the name a value itself? */
+static vs_status program_defines(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)vm, (void)n;
+  vs_meaning m = vs_environment_find(a[0], a[1]);
+  *out = vs_bool(m.kind == VS_MEANS_CELL && !m.foreign && vs_as_cell(m.value)->value != VS_UNDEFINED);
+  return VS_OK;
+}
+
+/* ---- the host's procedures ---- */
+
+static vs_status host_call(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  vs_bind *b = vs_bind_of(vm);
+  if (!b->host_call) return vs_fail(vm, vm->sym.error, "there is no host");
+  return b->host_call(vm, a, n, out);
+}
+
 /* ---- handing over ---- */
 
 enum { HOST_SCENE = 4 }; /* where nodes.scm put its procedure when the first node was asked for */
@@ -135,6 +198,10 @@ bool vs_nodes_shown(vs_bind *b, bool *beside, vs_value *list) {
 static const vs_native_def defs[] = {
   { "%node-matrix", "translate rotate scale", node_matrix, 0, NULL },
   { "%matrix-parts", "matrix", matrix_parts, 0, NULL },
+  { "%ray-meets", "object matrix from direction", ray_meets, 0, NULL },
+  { "%new-program", "", new_program, 0, NULL },
+  { "%program-defines?", "environment name", program_defines, 0, NULL },
+  { "%host-call", "number . arguments", host_call, 0, NULL },
   { "%drawing-list", "", drawing_list, 0, NULL },
   { "%drawing-swap!", "objects away", drawing_swap, 0, NULL },
   { 0 },

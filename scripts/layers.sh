@@ -67,13 +67,15 @@ limit long-lines "$(xargs awk 'length($0) > 120' < "$work/sources" | wc -l)" "li
 limit raw-allocations "$(xargs grep -hoE '\b(malloc|calloc|realloc)\(' < "$work/sources" | wc -l)" "malloc, calloc and realloc beside model/store/array.h and the stores"
 limit static-prefixed "$(grep '\.c$' "$work/sources" | xargs grep -hE '^static [^=;(]*\bvs_[a-z0-9_]*\(' | wc -l)" "static functions named vs_, a prefix of externals"
 
-# Externals of a .c file that the header of its name does not declare; vs_p_ are natives, which the table of procedures declares.
+# Externals of a .c file that the header of its name does not declare, nor the public header; vs_p_ are natives, which the table of procedures
+# declares.
 xargs -r nm -A --defined-only -g < "$work/objects" | awk -v build="$build/obj/" '
   $2 == "T" || $3 == "T" {
     file = $1; sub(/:.*/, "", file); symbol = $NF
     sub("^" build, "", file); sub(/\.o$/, ".h", file)
+    if (!public) while ((getline line < "visualscheme.h") > 0) public = public line "\n"
     if (!(file in text)) { text[file] = " "; while ((getline line < file) > 0) text[file] = text[file] line "\n"; close(file) }
-    if (symbol != "main" && symbol !~ /^vs_p_/ && !match(text[file], "[^a-z0-9_]" symbol "\\(")) print file ": does not declare " symbol
+    if (symbol != "main" && symbol !~ /^vs_p_/ && !match(text[file], "[^a-z0-9_]" symbol "\\(") && !match(public, "[^a-z0-9_]" symbol "\\(")) print file ": does not declare " symbol
   }' > "$work/elsewhere"
 [ "$built" -lt "$all" ] || limit declared-elsewhere "$(wc -l < "$work/elsewhere")" "external functions that the header of their file's name does not declare"
 

@@ -51,6 +51,7 @@ typedef struct {
 typedef struct { vs_value name; vs_pos place; uint64_t own, whole; } vs_profile_row;
 
 typedef struct vs_own_format vs_own_format;
+typedef struct vs_handles vs_handles;
 
 typedef struct {
   vs_bind bind;             /* first: vm->host points to it */
@@ -74,6 +75,7 @@ typedef struct {
   vs_output_record *outputs; /* of the last ones, oldest first */
   size_t output_count, output_room;
   vs_own_format *own_formats; /* that the host brought, newest first (own_formats.c) */
+  vs_handles *handles;      /* what the host holds (handles.c); NULL: nothing so far */
   unsigned flags;           /* VS_EVAL_... of the evaluation under way */
   unsigned results;         /* how many have the names $1, $2 ... */
   bool profiling;
@@ -85,6 +87,8 @@ typedef struct {
 /* ---- visualscheme.c ---- */
 /* Begins an evaluation: the limits count from here, and what the last one left behind is forgotten. */
 void vs_session_begin(vs_session *s, unsigned flags);
+/* Ends it: what it made is told, or its condition is; usage: its fault is the caller's, exit 2. */
+vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage);
 vs_outcome vs_session_out_of_memory(vs_session *s); /* Reports it to the host. */
 
 static inline vs_session *vs_session_of(const vs_scheme *vm) { return (vs_session *)vm->host; }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "session/session.h"
+#include "session/handles.h"
 #include "solids/drawn_bounds.h"
 
 #include "backends/export.h"
@@ -218,6 +218,7 @@ vs_scheme *vs_new(const vs_options *options) {
     enum { USUAL = 256 };
     vs_cache_new(store, o.cache ? o.cache : o.limit_memory ? o.limit_memory / 4 : (size_t)USUAL << 20);
   }
+  s->bind.host_call = vs_session_host_call;
   s->bind.is_built_in = is_built_in;
   s->bind.is_format = is_format;
   s->bind.warn = vs_session_warn, s->bind.warn_context = s;
@@ -232,6 +233,7 @@ vs_scheme *vs_new(const vs_options *options) {
 
 vs_outcome vs_restart(vs_scheme *vm) {
   vs_session *s = vs_session_of(vm);
+  if (vs_session_busy(s, "vs_restart")) return VS_OUTCOME_USAGE;
   vs_scheme *fresh = vs_open_vm(&vm->config);
   if (fresh) fresh->host = s;
   if (!fresh || !open_program(fresh)) {
@@ -242,6 +244,7 @@ vs_outcome vs_restart(vs_scheme *vm) {
   *vm = *fresh, *fresh = old;
   vs_close_vm(fresh); /* lets go of the objects, which hold nodes */
   vs_bind_restart(&s->bind);
+  vs_session_forget_handles(s);
   s->exit_requested = false;
   s->results = 0;
   s->profile_count = 0; /* names of the old heap */
@@ -254,6 +257,7 @@ void vs_free(vs_scheme *vm) {
   vs_close_vm(vm); /* lets go of the objects, which hold nodes */
   if (!s) return;
   vs_session_free_own_formats(s);
+  vs_session_free_handles(s);
   vs_bind_close(&s->bind);
   vs_session_close_files(s);
   vs_session_free_sources(s);
@@ -293,7 +297,7 @@ static bool was_interrupted(vs_session *s) {
   return true;
 }
 
-static vs_outcome finish(vs_session *s, bool ok, bool usage) {
+vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage) {
   vs_scheme *vm = s->bind.vm;
   s->phase = NULL;
   vs_tally_enter(&s->tally, VS_WORK_NONE);
@@ -317,10 +321,12 @@ static bool may_run(vs_session *s) { return !vs_session_interrupted(s) || vs_fai
 vs_outcome vs_eval_text(vs_scheme *vm, const char *name, unsigned first_line, const char *text, size_t length,
                         unsigned flags) {
   vs_session *s = vs_session_of(vm);
+  if (vs_session_busy(s, "vs_eval_text")) return VS_OUTCOME_USAGE;
   if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
   vs_session_begin(s, flags);
-  if (!vs_session_keep_source(s, name, first_line, text, length)) return finish(s, vs_fail_memory(vm), false);
-  return finish(s, may_run(s) && vs_program_text(vm, name, first_line, text, length, !(flags & VS_EVAL_PROGRAM), &vm->value), false);
+  if (!vs_session_keep_source(s, name, first_line, text, length)) return vs_session_finish(s, vs_fail_memory(vm), false);
+  bool ok = may_run(s) && vs_program_text(vm, name, first_line, text, length, !(flags & VS_EVAL_PROGRAM), &vm->value);
+  return vs_session_finish(s, ok, false);
 }
 
 /* "out/house.vs" names the drawing "house" */
@@ -337,6 +343,7 @@ vs_outcome vs_eval_file(vs_scheme *vm, const char *path, unsigned flags) {
   char *text;
   size_t length;
   const char *why;
+  if (vs_session_busy(s, "vs_eval_file")) return VS_OUTCOME_USAGE;
   if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
   vs_session_begin(s, flags);
   if (!vs_session_read(s, path, &text, &length, &why)) {
@@ -346,7 +353,7 @@ vs_outcome vs_eval_file(vs_scheme *vm, const char *path, unsigned flags) {
     return VS_OUTCOME_USAGE;
   }
   bool ok = may_run(s) && (set_title(s, path) || vs_fail_memory(vm));
-  vs_outcome outcome = finish(s, ok && vs_program_text(vm, path, 1, text, length, false, &vm->value), false);
+  vs_outcome outcome = vs_session_finish(s, ok && vs_program_text(vm, path, 1, text, length, false, &vm->value), false);
   free(text);
   return outcome;
 }
@@ -518,6 +525,7 @@ vs_output_options vs_output_options_default(void) { return (vs_output_options){ 
 static vs_outcome write_to(vs_scheme *vm, const char *path, const char *format_name, const vs_output_options *options,
                            vs_byte_sink *to) {
   vs_session *s = vs_session_of(vm);
+  if (vs_session_busy(s, "vs_write_drawing")) return VS_OUTCOME_USAGE;
   vs_output_options o = options ? *options : vs_output_options_default();
   const char *wanted = format_name ? format_name : path;
   vs_format room;

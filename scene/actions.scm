@@ -1,0 +1,76 @@
+; Actions: what is done with every node of a tree in turn, and picking. After nodes.scm. Names that begin with % are not visible to programs. Compiled
+; into the binary when it is built.
+;
+; An action is a name. A node takes part in those that it has a procedure for; a type gives its nodes theirs when they are made.
+
+(define %frame-actions '(update draw finish))
+
+(define (node-on node action procedure)
+  (%need-node 'node-on 'node node)
+  (%need-symbol 'node-on 'action action)
+  (if procedure (%need-procedure 'node-on 'procedure procedure))
+  (let ((known (or (%node-actions node) (begin (%set-node-actions! node (make-hasheq)) (%node-actions node)))))
+    (if procedure (hash-set! known action procedure) (hash-remove! known action))))
+
+(define (%apply-action action node arguments)
+  (%walk node
+    (lambda (n)
+      (let ((f (and (%node-actions n) (hash-ref (%node-actions n) action #f))))
+        (if f (apply f n arguments))))))
+
+(define (action-apply action node . arguments)
+  (%need-symbol 'action-apply 'action action)
+  (%need-node 'action-apply 'node node)
+  (%apply-action action node arguments))
+
+; One frame: each action goes through the whole tree before the next begins. seconds: since the last frame.
+(define (node-frame [seconds any? 0])
+  (if (not (and (real? seconds) (finite? seconds) (>= seconds 0))) (error 'node-frame "seconds must be a number of 0 or more, got ~s" seconds))
+  (for-each (lambda (action) (%apply-action action (%root) (list seconds))) %frame-actions))
+
+; ---- picking ----
+
+; What the ray meets in a node's own drawing: ((distance . d) (point . p) (node . n) (path . nodes) (place . (file line column))), or #f.
+(define (%pick-in node path matrix from direction)
+  (let loop ((objects (%own-drawing node)) (best #f))
+    (if (pair? objects)
+        (let ((hit (%ray-meets (car objects) matrix from direction)))
+          (loop (cdr objects) (if (and hit (or (not best) (< (car hit) (car best)))) hit best)))
+        (and best
+             (list (cons 'distance (car best))
+                   (cons 'point (p+v from (v*r direction (car best))))
+                   (cons 'node node)
+                   (cons 'path (reverse path))
+                   (cons 'place (cdr best)))))))
+
+(define (%picked from direction node)
+  (let loop ((waiting (list (vector node '() (if (%node-parent node) (node-worldtransform (%node-parent node)) (translation-matrix %zero))))) (hits '()))
+    (if (null? waiting)
+        (sort hits (lambda (a b) (< (cdar a) (cdar b))))
+        (let* ((n (vector-ref (car waiting) 0))
+               (path (cons n (vector-ref (car waiting) 1)))
+               (matrix (if (%unmoved? n) (vector-ref (car waiting) 2) (matrix* (vector-ref (car waiting) 2) (%frame n))))
+               (hit (%pick-in n path matrix from direction)))
+          (loop (append (map (lambda (child) (vector child path matrix)) (%children n)) (cdr waiting))
+                (if hit (cons hit hits) hits))))))
+
+(define (%need-ray who from direction)
+  (if (not (and (point? from) (finite? (cx from)) (finite? (cy from)) (finite? (cz from)))) (error who "from must be a point of finite coordinates, got ~s" from))
+  (if (not (and (gvector? direction) (< 0 (vlength direction) +inf.0))) (error who "direction must be a gvector longer than 0, got ~s" direction)))
+
+; All nodes from this one on whose own drawing the ray meets, nearest first.
+(define (node-intersect from direction [node any? #f])
+  (%need-ray 'node-intersect from direction)
+  (if node (%need-node 'node-intersect 'node node))
+  (%picked from (unitize direction) (or node (%root))))
+
+; The nearest of them is selected: the event tells of it, and its own procedure for the action pick is called.
+(define (node-pick from direction [node any? #f])
+  (%need-ray 'node-pick from direction)
+  (if node (%need-node 'node-pick 'node node))
+  (let ((hits (%picked from (unitize direction) (or node (%root)))))
+    (if (pair? hits)
+        (let* ((hit (car hits)) (n (data-ref hit 'node)) (f (and (%node-actions n) (hash-ref (%node-actions n) 'pick #f))))
+          (%emit 'Node.selected n)
+          (if f (f n hit))))
+    hits))

@@ -1,0 +1,222 @@
+/* Owns the scene in the public header: nodes, properties, actions and picks, each a call of the procedure of the
+ * language
+ * that does the same, so that hosts and programs meet the same rules and the same messages. */
+#include <stdio.h>
+
+#include "session/handles.h"
+
+/* Calls the procedure with handles for its arguments; *result becomes a handle to its value, 0 where it failed. */
+static vs_outcome call(vs_scheme *vm, const char *who, const char *procedure, const vs_handle *arguments, size_t count,
+                       vs_handle *result) {
+  enum { MOST = 5 };
+  vs_session *s = vs_session_of(vm);
+  VS_ROOTS(vm, r, MOST + 1);
+  if (result) *result = 0;
+  if (vs_session_busy(s, who)) return VS_OUTCOME_USAGE;
+  for (size_t i = 0; i < count; i++)
+    if (!vs_session_held(s, who, arguments[i], &r[i])) return VS_OUTCOME_USAGE;
+  vs_outcome outcome = vs_session_invoke(s, procedure, count, r, &r[MOST]);
+  if (outcome != VS_OUTCOME_DONE || !result) return outcome;
+  *result = vs_session_hold(s, &r[MOST]);
+  return *result ? VS_OUTCOME_DONE : VS_OUTCOME_MACHINE;
+}
+
+/* The same where the value is all that is asked for: 0 where it is #f, or the call failed. */
+static vs_handle ask(vs_scheme *vm, const char *who, const char *procedure, const vs_handle *arguments, size_t count) {
+  vs_handle result;
+  if (call(vm, who, procedure, arguments, count, &result) != VS_OUTCOME_DONE || vs_handle_get_boolean(vm, result))
+      return result;
+  vs_handle_release(vm, result);
+  return 0;
+}
+
+/* With a name among the arguments, which is made and let go. */
+static vs_outcome call_named(vs_scheme *vm, const char *who, const char *procedure, vs_handle first, const char *name,
+    vs_handle last,
+                             vs_handle *result) {
+  vs_handle symbol = vs_handle_symbol(vm, name);
+  const vs_handle arguments[] = { first, symbol, last };
+  if (result) *result = 0;
+  if (!symbol) return VS_OUTCOME_MACHINE;
+  vs_outcome outcome = call(vm, who, procedure, arguments, last ? 3 : 2, result);
+  vs_handle_release(vm, symbol);
+  return outcome;
+}
+
+/* ---- nodes ---- */
+
+vs_handle vs_scene_controller(vs_scheme *vm) { return ask(vm, "vs_scene_controller", "node-controller", NULL, 0); }
+vs_handle vs_node_root(vs_scheme *vm) { return ask(vm, "vs_node_root", "node-getroot", NULL, 0); }
+vs_handle vs_node_focus(vs_scheme *vm) { return ask(vm, "vs_node_focus", "node-current", NULL, 0); }
+
+vs_handle vs_node_create(vs_scheme *vm, const char *type, const char *name, vs_handle parent) {
+  vs_handle kind = vs_handle_symbol(vm, type ? type : "context"), text = name ? vs_handle_text(vm, name)
+      : vs_handle_boolean(vm, false);
+  vs_handle above = parent ? vs_handle_retain(vm, parent) : vs_handle_boolean(vm, false);
+  vs_handle made = kind && text && above ? ask(vm, "vs_node_create", "%node-create", (const vs_handle[]){ kind, text,
+      above }, 3) : 0;
+  if (kind) vs_handle_release(vm, kind);
+  if (text) vs_handle_release(vm, text);
+  if (above) vs_handle_release(vm, above);
+  return made;
+}
+
+vs_handle vs_node_find(vs_scheme *vm, const char *name) {
+  vs_handle text = vs_handle_text(vm, name), found = text ? ask(vm, "vs_node_find", "node-find", &text, 1) : 0;
+  if (text) vs_handle_release(vm, text);
+  return found;
+}
+
+vs_handle vs_node_parent(vs_scheme *vm, vs_handle node) { return ask(vm, "vs_node_parent", "node-getparent", &node, 1);
+    }
+vs_handle vs_node_children(vs_scheme *vm, vs_handle node) { return ask(vm, "vs_node_children", "node-getchildren",
+    &node, 1); }
+vs_handle vs_node_object(vs_scheme *vm, vs_handle node) { return ask(vm, "vs_node_object", "node-object", &node, 1); }
+
+const char *vs_node_name(vs_scheme *vm, vs_handle node) {
+  vs_handle text = ask(vm, "vs_node_name", "node-getname", &node, 1);
+  const char *name = text ? vs_handle_get_text(vm, text) : NULL;
+  if (text) vs_handle_release(vm, text);
+  return name;
+}
+
+vs_outcome vs_node_add_child(vs_scheme *vm, vs_handle parent, vs_handle child) {
+  return call(vm, "vs_node_add_child", "node-addchild", (const vs_handle[]){ parent, child }, 2, NULL);
+}
+vs_outcome vs_node_remove_child(vs_scheme *vm, vs_handle parent, vs_handle child) {
+  return call(vm, "vs_node_remove_child", "node-removechild", (const vs_handle[]){ parent, child }, 2, NULL);
+}
+vs_outcome vs_node_set_drawing(vs_scheme *vm, vs_handle node, vs_handle drawing) {
+  return call(vm, "vs_node_set_drawing", "node-setdrawing", (const vs_handle[]){ node, drawing }, 2, NULL);
+}
+vs_outcome vs_node_begin(vs_scheme *vm, vs_handle node) { return call(vm, "vs_node_begin", "node-begin", &node, 1,
+    NULL); }
+vs_outcome vs_node_end(vs_scheme *vm) { return call(vm, "vs_node_end", "node-end", NULL, 0, NULL); }
+
+vs_outcome vs_node_place(vs_scheme *vm, vs_handle node, const double *translate, const double *degrees,
+    const double *scale) {
+  const struct { const double *at; const char *procedure; } parts[] = {
+    { translate, "node-translate" }, { degrees, "node-rotate" }, { scale, "node-scale" }
+  };
+  vs_outcome outcome = VS_OUTCOME_DONE;
+  for (size_t i = 0; i < 3 && outcome == VS_OUTCOME_DONE; i++) {
+    if (!parts[i].at) continue;
+    vs_handle v = vs_handle_vector(vm, parts[i].at[0], parts[i].at[1], parts[i].at[2]);
+    if (!v) return VS_OUTCOME_MACHINE;
+    outcome = call(vm, "vs_node_place", parts[i].procedure, (const vs_handle[]){ node, v }, 2, NULL);
+    vs_handle_release(vm, v);
+  }
+  return outcome;
+}
+
+bool vs_node_matrix(vs_scheme *vm, vs_handle node, bool world, double out[16]) {
+  vs_handle m = ask(vm, "vs_node_matrix", world ? "node-worldtransform" : "node-gettransform", &node, 1);
+  bool ok = m && vs_handle_get_numbers(vm, m, out, 16) == 16;
+  if (m) vs_handle_release(vm, m);
+  return ok;
+}
+
+vs_outcome vs_node_eval(vs_scheme *vm, vs_handle node, const char *text, vs_handle *result) {
+  vs_handle source = vs_handle_text(vm, text);
+  if (result) *result = 0;
+  if (!source) return VS_OUTCOME_MACHINE;
+  vs_outcome outcome = call(vm, "vs_node_eval", "%node-eval-text", (const vs_handle[]){ node, source }, 2, result);
+  vs_handle_release(vm, source);
+  return outcome;
+}
+
+/* ---- properties ---- */
+
+vs_handle vs_property_of(vs_scheme *vm, vs_handle group, const char *name) {
+  vs_handle property;
+  call_named(vm, "vs_property_of", "property-ref", group, name, 0, &property);
+  return property;
+}
+vs_outcome vs_property_get(vs_scheme *vm, vs_handle group, const char *name, vs_handle *value) {
+  return call_named(vm, "vs_property_get", "property-get", group, name, 0, value);
+}
+vs_outcome vs_property_put(vs_scheme *vm, vs_handle group, const char *name, vs_handle value) {
+  return call_named(vm, "vs_property_put", "property-put!", group, name, value, NULL);
+}
+
+uint64_t vs_property_subscribe(vs_scheme *vm, vs_handle property, vs_host_fn *fn, void *context) {
+  double id = 0;
+  vs_handle procedure = vs_host_procedure(vm, "a subscriber of the host's", fn, context);
+  vs_handle number = procedure ? ask(vm, "vs_property_subscribe", "property-subscribe", (const vs_handle[]){ property,
+      procedure }, 2) : 0;
+  if (number) vs_handle_get_numbers(vm, number, &id, 1), vs_handle_release(vm, number);
+  if (procedure) vs_handle_release(vm, procedure);
+  return (uint64_t)id;
+}
+
+vs_outcome vs_property_unsubscribe(vs_scheme *vm, vs_handle property, uint64_t id) {
+  vs_handle number = vs_handle_integer(vm, (int64_t)id);
+  if (!number) return VS_OUTCOME_MACHINE;
+  vs_outcome outcome = call(vm, "vs_property_unsubscribe", "property-unsubscribe", (const vs_handle[]){ property,
+      number }, 2, NULL);
+  vs_handle_release(vm, number);
+  return outcome;
+}
+
+/* ---- actions and picks ---- */
+
+vs_outcome vs_action_apply(vs_scheme *vm, const char *action, vs_handle node) {
+  vs_handle symbol = vs_handle_symbol(vm, action);
+  if (!symbol) return VS_OUTCOME_MACHINE;
+  vs_outcome outcome = call(vm, "vs_action_apply", "action-apply", (const vs_handle[]){ symbol, node }, 2, NULL);
+  vs_handle_release(vm, symbol);
+  return outcome;
+}
+
+vs_outcome vs_scene_frame(vs_scheme *vm, double seconds) {
+  vs_handle number = vs_handle_number(vm, seconds);
+  if (!number) return VS_OUTCOME_MACHINE;
+  vs_outcome outcome = call(vm, "vs_scene_frame", "node-frame", &number, 1, NULL);
+  vs_handle_release(vm, number);
+  return outcome;
+}
+
+/* A hit as %pick-for-host gives it: (distance point node path file line column), the last three #f where they are not
+ * known. */
+static bool tell_hit(vs_scheme *vm, vs_handle hit, bool (*each)(void *context, vs_scheme *vm, const vs_hit *hit),
+    void *context, bool *go_on) {
+  enum { DISTANCE, POINT, NODE, PATH, FILE_NAME, LINE, COLUMN, PARTS };
+  vs_handle part[PARTS] = { 0 };
+  vs_hit told = { .file = NULL };
+  double place[2] = { 0, 0 };
+  bool ok = true;
+  for (size_t i = 0; ok && i < PARTS; i++) ok = (part[i] = vs_handle_item(vm, hit, i)) != 0;
+  if (ok) {
+    vs_handle_get_numbers(vm, part[DISTANCE], &told.distance, 1);
+    vs_handle_get_numbers(vm, part[POINT], told.point, 3);
+    told.node = part[NODE], told.path = part[PATH];
+    if (vs_handle_get_boolean(vm, part[FILE_NAME])) {
+      told.file = vs_handle_get_text(vm, part[FILE_NAME]);
+      vs_handle_get_numbers(vm, part[LINE], &place[0], 1), vs_handle_get_numbers(vm, part[COLUMN], &place[1], 1);
+      told.line = (uint32_t)place[0], told.column = (uint32_t)place[1];
+    }
+    *go_on = each(context, vm, &told);
+  }
+  for (size_t i = 0; i < PARTS; i++)
+    if (part[i]) vs_handle_release(vm, part[i]);
+  return ok;
+}
+
+vs_outcome vs_pick(vs_scheme *vm, const double from[3], const double direction[3],
+                   bool (*each)(void *context, vs_scheme *vm, const vs_hit *hit), void *context) {
+  vs_handle ray[2] = { vs_handle_point(vm, from[0], from[1], from[2]), vs_handle_vector(vm, direction[0], direction[1],
+      direction[2]) };
+  vs_handle hits = 0;
+  vs_outcome outcome = ray[0] && ray[1] ? call(vm, "vs_pick", "%pick-for-host", ray, 2, &hits) : VS_OUTCOME_MACHINE;
+  for (size_t i = 0; i < 2; i++)
+    if (ray[i]) vs_handle_release(vm, ray[i]);
+  size_t count = hits && outcome == VS_OUTCOME_DONE ? vs_handle_count(vm, hits) : 0;
+  bool go_on = true;
+  for (size_t i = 0; i < count && go_on; i++) {
+    vs_handle hit = vs_handle_item(vm, hits, i);
+    if (!hit || !tell_hit(vm, hit, each, context, &go_on)) outcome = VS_OUTCOME_MACHINE, go_on = false;
+    if (hit) vs_handle_release(vm, hit);
+  }
+  if (hits) vs_handle_release(vm, hits);
+  return outcome;
+}

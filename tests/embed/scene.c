@@ -1,0 +1,126 @@
+/* Owns the proof that a host can hold a scene: it mirrors the tree by events, moves nodes, follows a property without a
+ * loop, is called by the program, picks, and gets an error for every misuse. Public header alone. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <visualscheme.h>
+
+typedef struct { char said[400], log[400]; vs_handle slider; unsigned updates, hits; double nearest; char node[40]; unsigned line; } host;
+
+static int failures;
+#define CHECK(condition) ((condition) ? (void)printf("ok embed:%s\n", #condition) : (failures++, (void)printf("not ok embed:%s (line %d)\n", #condition, __LINE__)))
+
+static void diagnose(void *context, const vs_diagnostic *d) { snprintf(((host *)context)->said, 400, "%s", d->message); }
+static vs_outcome run(vs_scheme *s, const char *text) { return vs_eval_text(s, "model", 1, text, strlen(text), 0); }
+
+/* The tree's events: the node comes as the argument; its name goes into the log. */
+static bool created(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
+  (void)s, (void)result;
+  strcat(((host *)context)->log, count == 1 && arguments[0] ? "create " : "? ");
+  return true;
+}
+static bool added(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
+  (void)s, (void)arguments, (void)count, (void)result;
+  strcat(((host *)context)->log, "addChild ");
+  return true;
+}
+/* The model's property changed: the slider follows at the next vs_update. */
+static bool follow(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
+  host *h = context;
+  (void)result;
+  h->updates++;
+  return count == 1 && vs_post(s, h->slider, arguments[0]);
+}
+static bool area(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
+  double a, b;
+  (void)context;
+  if (count != 2 || vs_handle_get_numbers(s, arguments[0], &a, 1) != 1 || vs_handle_get_numbers(s, arguments[1], &b, 1) != 1)
+    return vs_host_fail(s, "two numbers are wanted"), false;
+  *result = vs_handle_number(s, a * b);
+  return *result != 0;
+}
+static bool reenter(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
+  (void)context, (void)arguments, (void)count, (void)result;
+  return run(s, "(+ 1 2)") == VS_OUTCOME_USAGE && vs_node_root(s) == 0 && vs_update(s) == VS_OUTCOME_USAGE;
+}
+static bool take(void *context, vs_scheme *s, const vs_hit *hit) {
+  host *h = context;
+  if (h->hits++ == 0) {
+    h->nearest = hit->distance, h->line = hit->line;
+    snprintf(h->node, sizeof h->node, "%s", vs_node_name(s, hit->node) ? vs_node_name(s, hit->node) : "");
+  }
+  return true;
+}
+int main(void) {
+  static host h, other;
+  vs_options o = vs_options_default();
+  o.host = (vs_host){ .context = &h, .diagnose = diagnose };
+  vs_scheme *s = vs_new(&o);
+  o.host.context = &other;
+  vs_scheme *t = vs_new(&o);
+  if (!s || !t) return printf("not ok embed: no interpreter\n"), 1;
+
+  vs_handle controller = vs_scene_controller(s), root = vs_node_root(s);
+  vs_handle create = vs_property_of(s, controller, "Node.create"), add = vs_property_of(s, controller, "Node.addChild");
+  CHECK(vs_property_subscribe(s, create, created, &h) && vs_property_subscribe(s, add, added, &h));
+  CHECK(run(s, "(define parent (node-create)) (define child (node-create)) (node-addchild parent child) (node-addchild (node-getroot) parent)") == VS_OUTCOME_DONE);
+  CHECK(strcmp(h.log, "create create addChild addChild ") == 0);
+
+  /* one model in three places, stored once */
+  CHECK(run(s, "(define engine (subtract (make-box (xyz -1 -1 0) (xyz 1 1 2)) (make-cylinder (xyz 0 0 1) 2 0.5)))") == VS_OUTCOME_DONE);
+  vs_handle engine = vs_lookup(s, "engine");
+  CHECK(vs_handle_kind_of(s, engine) == VS_HANDLE_OBJECT);
+  const char *names[] = { "a", "b", "c" };
+  for (int i = 0; i < 3; i++) {
+    vs_handle node = vs_node_create(s, NULL, names[i], root);
+    CHECK(vs_node_set_drawing(s, node, engine) == VS_OUTCOME_DONE);
+    CHECK(vs_node_place(s, node, (double[]){ 10 * i, 0, 0 }, NULL, NULL) == VS_OUTCOME_DONE);
+    vs_handle_release(s, node);
+  }
+  vs_summary summary;
+  CHECK(vs_drawing_summary(s, &summary) == VS_OUTCOME_DONE && summary.solids == 3 && summary.max[0] == 21);
+  CHECK(vs_pick(s, (double[]){ -5, 0, 0.5 }, (double[]){ 1, 0, 0 }, take, &h) == VS_OUTCOME_DONE);
+  CHECK(h.hits == 3 && fabs(h.nearest - 4) < 1e-9 && strcmp(h.node, "a") == 0 && h.line == 1);
+  CHECK(vs_pick(s, (double[]){ 10, 0, 9 }, (double[]){ 0, 0, -1 }, take, (h.hits = 0, &h)) == VS_OUTCOME_DONE && h.hits == 1);
+  CHECK(fabs(h.nearest - 8) < 1e-9 && strcmp(h.node, "b") == 0); /* through the bore, onto its floor */
+
+  /* a slider and a parameter of the model follow each other: one update a change */
+  vs_handle group = vs_node_find(s, "a"), eight = vs_handle_integer(s, 8);
+  CHECK(vs_property_put(s, group, "cylinder", eight) == VS_OUTCOME_DONE && vs_property_put(s, controller, "slider", eight) == VS_OUTCOME_DONE);
+  vs_handle cylinder = vs_property_of(s, group, "cylinder");
+  h.slider = vs_property_of(s, controller, "slider");
+  CHECK(vs_property_subscribe(s, cylinder, follow, &h) != 0);
+  CHECK(run(s, "(property-subscribe (property-ref (node-controller) 'slider) (lambda (v) (property-put! (node-find \"a\") 'cylinder v)))") == VS_OUTCOME_DONE);
+  for (int i = 0; i < 1000; i++) {
+    vs_handle v = vs_handle_integer(s, 9 + i);
+    if (vs_post(s, h.slider, v)) vs_update(s);
+    vs_handle_release(s, v);
+  }
+  CHECK(vs_update(s) == VS_OUTCOME_DONE && h.updates == 1000);
+
+  /* procedures of the host's, and what they may not do */
+  vs_handle procedure = vs_host_procedure(s, "host-area", area, NULL), again = vs_host_procedure(s, "again", reenter, NULL);
+  CHECK(vs_define(s, "host-area", procedure) && run(s, "(if (not (= (host-area 3 4) 12)) (car 5))") == VS_OUTCOME_DONE);
+  CHECK(run(s, "(host-area 3)") == VS_OUTCOME_MODEL && strcmp(h.said, "host-area: two numbers are wanted") == 0);
+  CHECK(vs_define(s, "again", again) && run(s, "(again)") == VS_OUTCOME_DONE && strstr(h.said, "the interpreter is at work"));
+
+  /* a program in a node's own environment */
+  vs_handle value = 0;
+  double number = 0;
+  CHECK(vs_node_eval(s, group, "(define height 7) (+ height 1)", &value) == VS_OUTCOME_DONE && vs_handle_get_numbers(s, value, &number, 1) == 1 && number == 8);
+  CHECK(run(s, "height") == VS_OUTCOME_MODEL);
+
+  /* misuse */
+  CHECK(vs_node_add_child(s, group, group) == VS_OUTCOME_MODEL && strstr(h.said, "cannot hang below itself"));
+  CHECK(vs_node_end(s) == VS_OUTCOME_MODEL && strstr(h.said, "no node was begun"));
+  CHECK(vs_node_add_child(s, eight, group) == VS_OUTCOME_MODEL && strstr(h.said, "parent must be a node, got 8"));
+  CHECK(vs_node_name(t, group) == NULL && strstr(other.said, "another interpreter's"));
+  vs_handle_release(s, engine);
+  CHECK(vs_handle_kind_of(s, engine) == VS_HANDLE_NONE && strstr(h.said, "was released"));
+  CHECK(vs_node_children(s, 0) == 0 && strstr(h.said, "no handle but 0"));
+  CHECK(vs_lookup(s, "no-such-name") == 0 && strstr(h.said, "not defined"));
+  CHECK(vs_restart(s) == VS_OUTCOME_DONE && vs_node_parent(s, group) == 0 && strstr(h.said, "older than vs_restart"));
+  vs_free(t);
+  vs_free(s);
+  return failures != 0;
+}
