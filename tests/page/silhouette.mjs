@@ -33,7 +33,7 @@ try {
     stage.draw();
   });
   await page.waitForTimeout(300);
-  await page.screenshot({ path: out });
+  await page.screenshot({ path: out, timeout: 120000 }); // drawn in software: a busy machine takes long
 } finally {
   await chromium.close();
 }
