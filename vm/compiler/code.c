@@ -37,3 +37,39 @@ uint32_t vs_code_inlined(const vs_code *code, uint32_t pc) {
   }
   return at[low].constant;
 }
+
+static bool is_return(uint32_t ins, uint32_t a) { return ins == VS_INS(VS_O_RETURN, a, 0, 0); }
+
+/* Do the two instructions return this immediate value? */
+static bool gives(const uint32_t *ins, vs_value v) {
+  return (ins[0] & 255) == VS_O_IMM && VS_IMMEDIATE(VS_B(ins[0]), VS_C(ins[0])) == v && is_return(ins[1], VS_A(ins[0]));
+}
+
+/* A constructor's instructions, behind that which puts the type into a register: a move or an immediate value for each
+   field, RECORD, RETURN. */
+static bool is_record_maker(const uint32_t *ins, size_t words, uint32_t type, uint32_t required) {
+  uint32_t fields = 0;
+  for (; words > 2; ins++, words--, fields++) {
+    uint32_t op = *ins & 255;
+    bool known = op == VS_O_IMM || (op == VS_O_MOVE && VS_B(*ins) < required);
+    if (!known || VS_A(*ins) != type + 1 + fields) return false;
+  }
+  return words == 2 && (ins[0] & 255) == VS_O_RECORD && VS_B(ins[0]) == type && VS_C(ins[0]) == fields + 1 &&
+         is_return(ins[1], VS_A(ins[0]));
+}
+
+uint32_t vs_code_record(const uint32_t *ins, size_t words, uint32_t required) {
+  size_t first = words && (*ins & 255) == VS_O_FREE ? 1 : 2;
+  if (words < first + 2 || (first == 2 && (*ins & 255) != VS_O_GLOBAL)) return 0;
+  uint32_t type = VS_A(*ins);
+  ins += first;
+  words -= first;
+  uint32_t a = VS_A(*ins);
+  if (required == 1 && words == 3 && *ins == VS_INS(VS_O_RECREF, a, 0, type) && is_return(ins[2], a))
+    return VS_CODE_GET;
+  if (required == 2 && words == 4 && *ins == VS_INS(VS_O_RECSET, 0, type, 1) && gives(ins + 2, VS_UNSPECIFIC))
+    return VS_CODE_SET;
+  if (required == 1 && words == 6 && *ins == VS_INS(VS_O_JRECORD, 0, type, 0) && ins[1] == 2 &&
+      gives(ins + 2, VS_TRUE) && gives(ins + 4, VS_FALSE)) return VS_CODE_TEST;
+  return is_record_maker(ins, words, type, required) ? VS_CODE_MAKE : 0;
+}

@@ -35,6 +35,9 @@ int vs_op_generic(uint32_t op);
 const char *vs_op_operands(uint32_t op);
 uint32_t vs_op_extra(uint32_t op);
 
+/* Which of define-record-type's procedures these instructions of `required` parameters are; 0: none. */
+uint32_t vs_code_record(const uint32_t *ins, size_t words, uint32_t required);
+
 static inline uint32_t *vs_code_ins(const vs_code *c) { return (uint32_t *)(void *)vs_as_bytes(c->ins)->at; }
 static inline vs_value *vs_code_consts(const vs_code *c) { return vs_as_vector(c->consts)->at; }
 

@@ -779,6 +779,9 @@ static bool compile_procedure(compiler *c, vs_node *l) {
   c->e = (vs_emit){.ast = ast, .frame = l, .fresh = VS_NO_REGISTER};
   vs_gc_store(ast->vm, vs_as_code(code), &vs_as_code(code)->doc, doc_of(c, l->as.lambda.body));
   bool ok = set_parameters(c, l, code) && gen_parameters(c, l) && gen(c, l->as.lambda.body, TAIL) && vs_emit_finish(&c->e, code);
+  vs_code *k = vs_as_code(code);
+  uint32_t record = ok && k->flags == VS_CODE_SIMPLE ? vs_code_record(c->e.ins, c->e.count, k->required) : 0;
+  if (record) k->flags = record;
   vs_emit_close(&c->e);
   return ok;
 }
@@ -807,7 +810,8 @@ bool vs_cell_redefine(vs_scheme *vm, vs_value v) {
   vs_cell *cell = vs_as_cell(v);
   cell->h.flags &= (uint16_t)~VS_F_CONSTANT;
   for (vs_value l = cell->users; vs_is_pair(l); l = vs_cdr(l)) {
-    const vs_code *code = vs_as_code(vs_car(l));
+    vs_code *code = vs_as_code(vs_car(l));
+    if (code->flags & VS_CODE_RECORD) code->flags = VS_CODE_SIMPLE;
     const vs_inlined *at = (const vs_inlined *)(const void *)vs_as_bytes(code->inlined)->at;
     for (size_t i = 0, n = vs_as_bytes(code->inlined)->length / sizeof *at; i < n; i++) {
       if (vs_code_consts(code)[at[i].constant] != v) continue;

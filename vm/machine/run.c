@@ -13,6 +13,7 @@
 #include "vm/compiler/code.h"
 #include "vm/compiler/compile.h"
 #include "vm/machine/activation.h"
+#include "vm/machine/record_call.h"
 #include "vm/values/string_chars.h"
 
 enum { POLL_TURNS = 20000 };
@@ -297,7 +298,7 @@ static void trace(const uint32_t *ins, const vs_value *base) {
 /* Runs what the window w (at the stack's bottom) calls, until its frame returns. */
 static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
   vs_value *base = w;                 /* no frame yet */
-  const uint32_t *pc = NULL;
+  const uint32_t *pc = NULL, *start = NULL;      /* start: the first instruction of the frame's code */
   vs_value *k = NULL;
   vs_value ret = VS_TAG_FIXNUM << 48 | VS_RET_STOP, kw = VS_FALSE, v;
   bool tail = false;
@@ -327,32 +328,38 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
 #define BRANCH_IF(truth) do { if ((truth) == (bool)C) pc += (int32_t)*pc + 1; else pc++; NEXT; } while (0)
 
 /* A call of a closure that takes just what it is given, with room on the stack: most calls. All others go the long way, to `call`. */
-#define PLAIN(f, count, at)                                                                                \
-  const vs_code *callee = vs_is(f, VS_T_CLOSURE) ? vs_as_code(vs_as_closure(f)->code) : NULL;              \
-  bool plain = callee && callee->flags & VS_CODE_SIMPLE && callee->required == (count) &&                  \
-               vm->stack_end - (at) >= (ptrdiff_t)((size_t)callee->registers + 2 + VS_FRAME_SLACK)
-#define ENTER do {                                                                                         \
-    pc = vs_code_ins(callee);                                                                              \
-    k = vs_code_consts(callee);                                                                            \
+#define PLAIN(callee, count, at)                                                                           \
+  ((callee)->flags & VS_CODE_SIMPLE && (callee)->required == (count) &&                                    \
+   (const char *)vm->stack_end - (const char *)(at) >=                                                     \
+       (ptrdiff_t)(((size_t)(callee)->registers + 2 + VS_FRAME_SLACK) * sizeof(vs_value)))
+#define CALLEE(f) vs_as_code(vs_as_closure(f)->code)
+#define RUN_CODE(code) (start = vs_code_ins(code), k = vs_code_consts(code))
+#define ENTER(callee) do {                                                                                 \
+    RUN_CODE(callee);                                                                                      \
+    pc = start;                                                                                            \
     if (--vm->fuel <= 0) { SAVE; if (!poll(vm)) goto fail; }                                               \
     NEXT;                                                                                                  \
   } while (0)
-#define HERE ((size_t)(pc - vs_code_ins(vs_as_code(vs_as_closure(base[-2])->code))))
+#define HERE ((size_t)(pc - start))
 #define CALL_WINDOW do {                                                                                   \
     w = &RA; n = B;                                                                                        \
-    PLAIN(w[0], n, w);                                                                                     \
-    ret = vs_ret_make(A, HERE);                                                                            \
-    if (plain) { w[1] = ret; base = w + 2; ENTER; }                                                        \
-    kw = VS_FALSE; tail = false;                                                                           \
+    if (vs_is(w[0], VS_T_CLOSURE)) {                                                                       \
+      const vs_code *callee = CALLEE(w[0]);                                                                \
+      if (PLAIN(callee, n, w)) { w[1] = vs_ret_make(A, HERE); base = w + 2; ENTER(callee); }               \
+      if (callee->flags & VS_CODE_RECORD) goto call_record;                                                \
+    }                                                                                                      \
+    ret = vs_ret_make(A, HERE); kw = VS_FALSE; tail = false;                                               \
     goto call;                                                                                             \
   } while (0)
 #define TAIL_WINDOW do {                                                                                   \
     w = &RA; n = B;                                                                                        \
-    PLAIN(w[0], n, base - 2);                                                                              \
-    if (plain) {                                                                                           \
-      base[-2] = w[0];                                                                                     \
-      for (size_t i = 0; i < n; i++) base[i] = w[2 + i];                                                   \
-      ENTER;                                                                                               \
+    if (vs_is(w[0], VS_T_CLOSURE)) {                                                                       \
+      const vs_code *callee = CALLEE(w[0]);                                                                \
+      if (PLAIN(callee, n, base - 2)) {                                                                    \
+        base[-2] = w[0];                                                                                   \
+        for (size_t i = 0; i < n; i++) base[i] = w[2 + i];                                                 \
+        ENTER(callee);                                                                                     \
+      }                                                                                                    \
     }                                                                                                      \
     kw = VS_FALSE; tail = true;                                                                            \
     goto call;                                                                                             \
@@ -452,7 +459,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
   }
   OP(CALLX):
     w = base + pc[0]; n = pc[1]; kw = pc[2] ? k[pc[2] - 1] : VS_FALSE; tail = A != 0;
-    ret = vs_ret_make(pc[0], (size_t)(pc + 3 - vs_code_ins(vs_as_code(vs_as_closure(base[-2])->code))));
+    ret = vs_ret_make(pc[0], HERE + 3);
     pc += 3;
     goto call;
   OP(RETURN): v = RA; goto give;
@@ -463,7 +470,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
       base[A] = base[A + 2];                      /* a window: procedure, free slot, the value */
       base[A + 2] = base[A + 3];
       vm->base = base + A + 2; vm->pc = pc; vm->top = base + A + 4;
-      vm->base[-1] = vs_ret_make(A, (size_t)(pc - vs_code_ins(vs_as_code(vs_as_closure(base[-2])->code))));
+      vm->base[-1] = vs_ret_make(A, HERE);
       vm->native = native;
       vm->value = VS_UNSPECIFIC;
       status = native->def->fn(vm, base + A + 2, 1, &vm->value);
@@ -475,7 +482,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
     w[0] = vm->at.check;
     w[4] = k[*pc++];
     n = 3; kw = VS_FALSE; tail = false;
-    ret = vs_ret_make(A, (size_t)(pc - vs_code_ins(vs_as_code(vs_as_closure(base[-2])->code))));
+    ret = vs_ret_make(A, HERE);
     goto call;
   }
 
@@ -695,7 +702,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
   /* the instruction at pc - 1 by calling its procedure */
 generic: {
     const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
-    size_t at = (size_t)(pc - 1 - vs_code_ins(code));
+    size_t at = HERE - 1;
     w = base + code->registers;
     w[0] = vs_as_cell(k[vs_code_inlined(code, (uint32_t)at)])->value;
     ret = vs_ret_make(code->registers, at) | VS_RET_GENERIC;
@@ -716,6 +723,12 @@ generic: {
     goto call;
   }
 
+  /* Calls the procedure of a record in w[0] with w[2..2+n): it needs no frame. */
+call_record:
+  if (vs_record_call(vm, w[0], w + 2, n, &w[0])) NEXT;
+  ret = vs_ret_make(A, HERE); kw = VS_FALSE; tail = false;
+  goto call;
+
   /* Calls w[0] with w[2..2+n), keywords kw. Not tail: the result is for `ret`, the caller is the frame at base (or none yet). Tail: the
      frame at base is given up. */
 call: {
@@ -723,7 +736,14 @@ call: {
     if (!vs_is_object(f)) goto no_procedure;
     switch (vs_object_of(f)->type) {
       case VS_T_CLOSURE: {
-        const vs_code *code = vs_as_code(vs_as_closure(f)->code);
+        const vs_code *code = CALLEE(f);
+        if (code->flags & VS_CODE_RECORD && kw == VS_FALSE && vs_record_call(vm, f, w + 2, n, &vm->value)) {
+          v = vm->value;
+          if (tail) goto give;
+          w[1] = ret;
+          base = w + 2;
+          goto give;
+        }
         size_t need = n > code->registers ? n : code->registers;
         if (vm->stack_end - w < (ptrdiff_t)(need + 2 + VS_FRAME_SLACK)) {
           if (tail) {                             /* out of the frame first, so that it is not kept */
@@ -759,10 +779,7 @@ call: {
           w[1] = ret;
           base = w + 2;
         }
-        pc = vs_code_ins(code);
-        k = vs_code_consts(code);
-        if (--vm->fuel <= 0) { SAVE; if (!poll(vm)) goto fail; }
-        NEXT;
+        ENTER(code);
       }
       case VS_T_NATIVE: {
         const vs_native *native = vs_as_native(f);
@@ -775,7 +792,7 @@ call: {
           tail = false;
           pc = NULL;                            /* its code is left: the native returns to the caller's */
         } else if (tail) {
-          ret = vs_ret_make((size_t)(w - base), (size_t)(pc - vs_code_ins(vs_as_code(vs_as_closure(base[-2])->code))));
+          ret = vs_ret_make((size_t)(w - base), HERE);
         }
         w[1] = ret;
         vm->top = w + 2 + n;
@@ -926,8 +943,8 @@ give_several:
     const vs_code *code = vs_as_code(vs_as_closure(caller[-2])->code);
     if (!takes_several(vs_code_ins(code) + vs_ret_pc(ret))) {
       base = caller;
-      pc = vs_code_ins(code) + vs_ret_pc(ret);
-      k = vs_code_consts(code);
+      RUN_CODE(code);
+      pc = start + vs_ret_pc(ret);
       SAVE;
       fail_several(vm, v);
       goto fail;
@@ -971,8 +988,8 @@ give: {
         base = vm->stack + 2;
         v = vm->value;
       }
-      pc = vs_code_ins(code) + vs_ret_pc(ret);
-      k = vs_code_consts(code);
+      RUN_CODE(code);
+      pc = start + vs_ret_pc(ret);
       if (ret & VS_RET_GENERIC) {
         ins = *pc;
         switch (vs_op_generic(ins & 255)) {
@@ -990,8 +1007,8 @@ give: {
     }
     base -= 2 + distance;
     const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
-    pc = vs_code_ins(code) + vs_ret_pc(ret);
-    k = vs_code_consts(code);
+    RUN_CODE(code);
+    pc = start + vs_ret_pc(ret);
     base[distance] = v;
     NEXT;
   }

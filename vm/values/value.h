@@ -136,10 +136,18 @@ typedef struct {
   vs_value params;      /* vector of symbols: required, optional, keyword, rest: for messages */
   vs_value doc;         /* what the program may attach, or #f */
   uint32_t required, optional, keywords, registers;
-  uint32_t flags;       /* VS_CODE_REST, VS_CODE_SIMPLE */
+  uint32_t flags;       /* VS_CODE_... */
   uint32_t free;        /* how many variables a closure of it captures */
 } vs_code;
-enum { VS_CODE_REST = 1, VS_CODE_SIMPLE = 2 /* only required parameters */ };
+enum {
+  VS_CODE_REST = 1,
+  VS_CODE_SIMPLE = 2,           /* only required parameters, and none of the following */
+  VS_CODE_GET = 4,              /* what define-record-type makes: a field's accessor, its modifier, */
+  VS_CODE_SET = 8,
+  VS_CODE_TEST = 16,            /* the predicate, */
+  VS_CODE_MAKE = 32,            /* the constructor: run without a frame (record_call.h) */
+  VS_CODE_RECORD = VS_CODE_GET | VS_CODE_SET | VS_CODE_TEST | VS_CODE_MAKE
+};
 
 typedef struct { vs_object h; vs_value code; vs_value free[]; } vs_closure;
 /* case-lambda: closures, tried in order. A word behind the clauses is what the layers above noted of the procedure. */

@@ -1,0 +1,63 @@
+/* Owns calls of the procedures that define-record-type makes. Their code is one instruction between the type and the
+ * return, and a frame costs several times as much as that instruction: so the run loop reads here what the code says,
+ * and makes no frame. Whatever is not as usual (another number of arguments, a record of another type, a full nursery)
+ * is for the code itself, which words the error. */
+#ifndef VS_RECORD_CALL_H
+#define VS_RECORD_CALL_H
+
+#include "vm/compiler/code.h"
+#include "vm/machine/vs.h"
+#include "vm/values/gc.h"
+
+/* Allocates a record of the type, whose fields the code from ins on takes from the arguments at `at` or has as constant
+ * values. Returns false if there is no room for it before a collection. */
+static inline bool vs_record_make(vs_scheme *vm, const uint32_t *ins, vs_value type, const vs_value *at,
+                                  vs_value *out) {
+  if (!vs_is(type, VS_T_RECORD_TYPE)) return false;
+  size_t fields = (size_t)vs_as_vector(vs_as_record_type(type)->fields)->length, words = VS_WORDS(vs_record) + fields;
+  if (vm->end - vm->free < (ptrdiff_t)(words * sizeof(vs_value))) return false;
+  vs_record *r = (vs_record *)(void *)vm->free;
+  size_t i = 0;
+  for (uint32_t one = *ins; (one & 255) != VS_O_RECORD; one = *++ins) {
+    if (i == fields) return false;
+    r->at[i++] = (one & 255) == VS_O_MOVE ? at[VS_B(one)] : VS_IMMEDIATE(VS_B(one), VS_C(one));
+  }
+  if (i != fields) return false;
+  vm->free += words * sizeof(vs_value);
+  r->h = (vs_object){VS_T_RECORD, 0, 0, (uint32_t)words};
+  r->type = type;
+  *out = vs_from_object(r);
+  return true;
+}
+
+/* Calls f, a closure whose code has a flag of VS_CODE_RECORD, with n arguments at `at`. Returns false, with nothing
+ * done, if its code has to run. It counts as a call: the limit of steps is that of calls with frames. */
+static inline bool vs_record_call(vs_scheme *vm, vs_value f, const vs_value *at, size_t n, vs_value *out) {
+  const vs_closure *c = vs_as_closure(f);
+  const vs_code *code = vs_as_code(c->code);
+  const uint32_t *ins = vs_code_ins(code);
+  if (n != code->required || vm->fuel <= 1) return false;
+  vs_value type = (*ins & 255) == VS_O_FREE ? c->free[VS_BX(*ins)] : vs_as_cell(vs_code_consts(code)[ins[1]])->value;
+  ins += (*ins & 255) == VS_O_FREE ? 1 : 2;
+  if (code->flags & VS_CODE_MAKE) {
+    if (!vs_record_make(vm, ins, type, at, out)) return false;
+  } else {
+    bool its = vs_is(at[0], VS_T_RECORD) && vs_as_record(at[0])->type == type;
+    if (code->flags & VS_CODE_TEST) {
+      if (type == VS_UNDEFINED) return false;
+      *out = vs_bool(its);
+    } else if (!its) {
+      return false;
+    } else if (code->flags & VS_CODE_GET) {
+      *out = vs_as_record(at[0])->at[ins[1] & 255];
+    } else {
+      vs_record *r = vs_as_record(at[0]);
+      vs_gc_store(vm, r, &r->at[ins[1] & 255], at[1]);
+      *out = VS_UNSPECIFIC;
+    }
+  }
+  vm->fuel--;
+  return true;
+}
+
+#endif
