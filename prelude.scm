@@ -652,9 +652,13 @@
 (define (span pred list)
   (%need-procedure 'span 'pred pred)
   (%span 'span pred #t list))
-(define (break pred list)
-  (%need-procedure 'break 'pred pred)
-  (%span 'break pred #f list))
+; without arguments it stops the program, to look around at the prompt
+(define break
+  (case-lambda
+    (() (%break))
+    ((pred list)
+     (%need-procedure 'break 'pred pred)
+     (%span 'break pred #f list))))
 ; as long as pred is, or is not, true
 (define (%span who pred yes? list)
   (let loop ((l list) (acc '()) (turn 1000))

@@ -47,6 +47,8 @@ typedef enum {
   VS_OUTCOME_USAGE = 2,         /* bad arguments, or a file that cannot be read or written */
   VS_OUTCOME_WORKER = 3,        /* a worker program (POV-Ray, ...) is missing or failed */
   VS_OUTCOME_MACHINE = 4,       /* out of memory past the limits, and the like */
+  VS_OUTCOME_STOPPED = 5,       /* the program stands still in the middle, only with VS_EVAL_STOP:
+      vs_stop_get says where, vs_resume goes on */
   VS_OUTCOME_INTERRUPTED = 130
 } vs_outcome;
 
@@ -150,7 +152,15 @@ enum {
   VS_EVAL_PROGRAM = 2u,
   /* with PRINT: the n-th value that is handed to `value` since vs_new or vs_restart gets the name $n; an object is
    * told in one line */
-  VS_EVAL_NUMBER = 4u
+  VS_EVAL_NUMBER = 4u,
+  /* (break) stops the program, with the outcome VS_OUTCOME_STOPPED; without this flag it warns and goes on */
+  VS_EVAL_STOP = 8u,
+  /* with STOP: stop before the first call in the text */
+  VS_EVAL_STEP = 16u,
+  /* where a program is stopped, expressions of the text see the variables of the place where it is (vs_eval_text) */
+  VS_EVAL_WITHIN = 32u,
+  /* (break) does nothing, and no warning says so: the text has run before */
+  VS_EVAL_PASS = 64u
 };
 
 /* Both evaluate every top-level form in the one program of this interpreter, in order, and stop at the first error. Objects that top-level
@@ -207,11 +217,49 @@ VS_API const char *vs_name_advice(vs_scheme *s, const char *name);
  * procedure of Scheme code. */
 VS_API bool vs_disassemble(vs_scheme *s, const char *name, bool (*each)(void *context, const char *line), void *context);
 
-/* ---- the calls that the last error ended, with what they were called with (vs_options.keep_frames) ---- */
+/* ---- programs that are stopped: by (break), or stepped through ---- */
+
+/* While one is stopped, everything else may be evaluated; that may stop too, on top of it. vs_restart forgets them
+ * all. */
+
+typedef enum {
+  VS_STOPPED_BREAK,       /* it called (break) */
+  VS_STOPPED_CALL,        /* it is about to make a call */
+  VS_STOPPED_VALUE        /* a call has given its value: told where one steps,
+      to be gone on from at once with VS_RESUME_SAME */
+} vs_stopped;
+typedef struct {
+  vs_stopped kind;
+  vs_span at;             /* the expression, to its end where that is on the same line */
+  const char *source_line; /* the line, or NULL */
+  const char *procedure;  /* that the expression stands in; "" */
+  const char *text;       /* CALL: "(area 3 4)", with the values of its arguments; VALUE: the value; BREAK: "" */
+} vs_stop_info;
+/* The texts live until the next call of any function of this interpreter. False: nothing is stopped. vs_frame_get
+ * tells of its calls until something else
+ * fails. */
+VS_API bool vs_stop_get(vs_scheme *s, vs_stop_info *out);
+/* How many are stopped, one on top of the other. */
+VS_API size_t vs_stop_depth(const vs_scheme *s);
+
+typedef enum {
+  VS_RESUME_CONTINUE,     /* to the next (break) */
+  VS_RESUME_ENTER,        /* to the next call, within what is called too */
+  VS_RESUME_OVER,         /* to the next call in the same procedure or its callers */
+  VS_RESUME_OUT,          /* to the next call in its callers */
+  VS_RESUME_SAME          /* as before */
+} vs_resume_way;
+/* Goes on with what was stopped last: as vs_eval_text, with the flags that it was begun with. VS_OUTCOME_USAGE:
+ * nothing is stopped. */
+VS_API vs_outcome vs_resume(vs_scheme *s, vs_resume_way way);
+/* Gives up what was stopped last. */
+VS_API void vs_stop_drop(vs_scheme *s);
+
+/* ---- the calls that the last error ended, with their variables (vs_options.keep_frames) ---- */
 
 typedef struct {
   const char *procedure;  /* "": it has no name */
-  const char *variables;  /* "n = 3, points = (...)": parameters, local and captured variables when it ended */
+  const char *variables;  /* "n = 3, points = (...)": parameters, local and captured variables where it was */
   vs_span at;             /* the call it was in */
 } vs_frame_info;
 /* Innermost first. False: there are no more, or there was no error. */

@@ -25,19 +25,18 @@ typedef struct {
   const volatile sig_atomic_t *ended; /* not 0: the system wants the command to end */
   char *model;                /* the file that ,run was given; NULL: what the command line named */
   struct cli_editor *editor;  /* NULL: no prompt is being shown */
+  unsigned stops;             /* VS_EVAL_STOP: the files that are run may stop; VS_EVAL_PASS: they do not; 0:
+      they warn */
   unsigned results;           /* values shown since the program began: the last one's name is $results */
 } cli_session;
 
 /* vs_eval_text, watched. */
 vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags);
+/* vs_resume, watched. */
+vs_outcome cli_session_resume(cli_session *c, vs_resume_way way);
 /* Runs what the command line named, or model, from the start: definitions, drawing and the rest are forgotten first. Then the summary. */
 vs_outcome cli_session_run(cli_session *c);
 /* Writes the drawing as the target says. */
 vs_outcome cli_session_write(cli_session *c, const cli_target *t);
-
-/* The prompt, until the end of input or ,quit. */
-vs_outcome cli_repl(cli_session *c);
-/* A line for the program while the prompt runs; see vs_host.input. */
-const char *cli_repl_line(cli_session *c, size_t *length);
 
 #endif

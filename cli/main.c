@@ -10,6 +10,7 @@
 #include "cli/large_blocks.h"
 #include "cli/prompt/editor.h"
 #include "cli/prompt/manual.h"
+#include "cli/prompt/repl.h"
 #include "cli/limits.h"
 #include "cli/nearby.h"
 #include "cli/command.h"
@@ -104,16 +105,24 @@ vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_lin
   return outcome;
 }
 
+vs_outcome cli_session_resume(cli_session *c, vs_resume_way way) {
+  cli_watch_begin(&c->watch, true);
+  vs_outcome outcome = vs_resume(c->scheme, way);
+  cli_watch_end(&c->watch);
+  return outcome;
+}
+
 static vs_outcome run_file(cli_session *c, const char *path) {
   cli_watch_begin(&c->watch, true);
-  vs_outcome outcome = vs_eval_file(c->scheme, path, 0);
+  vs_outcome outcome = vs_eval_file(c->scheme, path, c->stops);
   cli_watch_end(&c->watch);
   return outcome;
 }
 
 static vs_outcome run_source(cli_session *c, const cli_source *source) {
   c->watch.name = source->kind == CLI_SOURCE_EXPRESSION ? "-e" : source->text;
-  if (source->kind == CLI_SOURCE_EXPRESSION) return cli_session_eval(c, "-e", 1, source->text, strlen(source->text), 0);
+  if (source->kind == CLI_SOURCE_EXPRESSION) return cli_session_eval(c, "-e", 1, source->text, strlen(source->text),
+      c->stops);
   if (strcmp(source->text, "-") != 0) return run_file(c, source->text);
   size_t length;
   char *text = read_all(stdin, &length);
@@ -353,6 +362,7 @@ int main(int argc, char **argv) {
     cli_options_free(&options);
     return VS_OUTCOME_USAGE;
   }
+  if (options.interactive && !options.untrusted) session.stops = VS_EVAL_STOP;
   session.reporter.progress = !options.quiet && isatty(STDERR_FILENO);
   options.interpreter.host = (vs_host){.context = &session, .output = print_output, .input = read_input, .diagnose = print_diagnostic, .progress = print_progress, .poll = options.interpreter.limit_time > 0 ? poll_limits : NULL, .value = print_value};
   if (options.untrusted) options.interpreter.host.read_file = read_untrusted;

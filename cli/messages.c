@@ -56,7 +56,8 @@ static void print_place(const vs_span *at) {
   fputs(": ", stderr);
 }
 
-static void print_source(const vs_diagnostic *d) {
+/* behind: shown behind the carets, or NULL */
+static void print_source(const vs_diagnostic *d, const char *behind) {
   uint32_t first = 1, width = d->at.end_line == d->at.line && d->at.end_column > d->at.column ? d->at.end_column - d->at.column : 1;
   const char *line = d->source_line, *end = line;
   if (d->at.column > WINDOW - 20)
@@ -73,6 +74,7 @@ static void print_source(const vs_diagnostic *d) {
   for (uint32_t i = first; i < d->at.column && *line && *line != '\n'; i++, line = next_character(line)) fputc(*line == '\t' ? '\t' : ' ', stderr);
   uint32_t column = d->at.column - first;
   for (uint32_t i = 0; i == 0 || (i < width && column + i < shown); i++) fputc('^', stderr);
+  if (behind) fprintf(stderr, "  %s", behind);
   fputc('\n', stderr);
 }
 
@@ -86,11 +88,42 @@ void cli_report_diagnostic(cli_reporter *r, const vs_diagnostic *d) {
   if (d->severity == VS_SEVERITY_WARNING) fputs("warning: ", stderr);
   if (d->severity == VS_SEVERITY_NOTE) fputs("note: ", stderr);
   fprintf(stderr, "%s\n", d->message);
-  if (d->source_line && d->at.line) print_source(d);
+  if (d->source_line && d->at.line) print_source(d, NULL);
   for (size_t i = 0; i < d->note_count; i++) {
     print_place(&d->notes[i].at);
     fprintf(stderr, "%s\n", d->notes[i].message);
   }
+}
+
+/* The expression that the span marks in the line, cut where it is long. */
+static void print_expression(const vs_stop_info *stop) {
+  enum { MOST = 50 };
+  const char *at = stop->source_line, *end;
+  for (uint32_t i = 1; i < stop->at.column && *at; i++) at = next_character(at);
+  end = at;
+  uint32_t width = stop->at.end_column - stop->at.column, n = 0;
+  for (; n < width && n < MOST && *end; n++) end = next_character(end);
+  print_safely(at, end);
+  if (n < width) fputs(" ...", stderr);
+}
+
+void cli_report_stop(cli_reporter *r, vs_scheme *scheme, const vs_stop_info *stop) {
+  fflush(stdout);
+  cli_report_settle(r);
+  if (stop->kind == VS_STOPPED_VALUE) {
+    fputs("  ", stderr);
+    if (stop->source_line) print_expression(stop), fputc(' ', stderr);
+    fprintf(stderr, "=> %s\n", stop->text);
+    return;
+  }
+  vs_frame_info frame;
+  vs_diagnostic d = {.at = stop->at, .source_line = stop->source_line};
+  print_place(&stop->at);
+  fprintf(stderr, "%s", stop->kind == VS_STOPPED_BREAK ? "stopped" : "next");
+  if (*stop->procedure) fprintf(stderr, ", in %s", stop->procedure);
+  if (vs_frame_get(scheme, 0, &frame) && *frame.variables) fprintf(stderr, ": %s", frame.variables);
+  fputc('\n', stderr);
+  if (d.source_line && d.at.line) print_source(&d, *stop->text ? stop->text : NULL);
 }
 
 bool cli_report_calls(vs_scheme *scheme, FILE *to) {

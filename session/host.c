@@ -1,5 +1,6 @@
 /* Owns what the interpreter asks of the system: memory, time, files, the console. Everything above goes through the embedder's callbacks
  * where it gave some. The VM has no system calls of its own; these are all there are. */
+#include "session/names.h"
 #include "session/session.h"
 
 #include <dirent.h>

@@ -1,6 +1,6 @@
 /* Owns what a host may ask about a program: what a name means, what the last error ended, which procedures take the
  * time. */
-#include "session/session.h"
+#include "session/names.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -159,43 +159,47 @@ bool vs_disassemble(vs_scheme *vm, const char *name, bool (*each)(void *context,
 
 /* ---- the calls that an error ended ---- */
 
+const vs_value *vs_session_call(vs_session *s, vs_value frames, size_t index, vs_span *at) {
+  if (!vs_is_vector(frames)) return NULL;
+  const vs_vector *v = vs_as_vector(frames);
+  for (size_t i = 0; i < v->length && vs_is(v->at[i + VS_FRAME_PROCEDURE], VS_T_CLOSURE); i += VS_FRAME_WORDS)
+    /* the library's own calls are not the user's business */
+    if (vs_session_span(s, vs_pos_of(v->at[i + VS_FRAME_PLACE]), at) && !index--) return v->at + i;
+  return NULL;
+}
+
+bool vs_session_put_value(vs_scheme *vm, vs_text *t, vs_value v, size_t most) {
+  vs_text value;
+  vs_text_open(vm, &value, most);
+  bool ok = vs_print(vm, v, VS_PRINT_WRITE, &value) && vs_text_end(&value) &&
+            vs_text_put(t, value.at, value.count) && (!value.cut || vs_text_puts(t, " ..."));
+  vs_text_close(&value);
+  return ok;
+}
+
 bool vs_frame_get(vs_scheme *vm, size_t index, vs_frame_info *out) {
   vs_session *s = vs_session_of(vm);
   VS_ROOTS(vm, r, 1);
   *out = (vs_frame_info){ .procedure = "", .variables = "" };
   if (!vs_is(vm->condition, VS_T_CONDITION)) return false;
   r[0] = vs_as_condition(vm->condition)->frames;
-  if (!vs_is_vector(r[0])) return false;
-  size_t count = vs_as_vector(r[0])->length / VS_FRAME_WORDS;
-  for (size_t i = 0; i < count; i++) {
-    const vs_value *at = vs_as_vector(r[0])->at + i * VS_FRAME_WORDS;
-    if (!vs_is(at[0], VS_T_CLOSURE)) return false;
-    vs_span span;
-    /* the library's own calls are not the user's business */
-    if (!vs_session_span(s, vs_pos_of(at[1]), &span)) continue;
-    if (index--) continue;
-    out->at = span;
-    const vs_code *code = vs_as_code(vs_as_closure(at[0])->code);
-    if (vs_is_symbol(code->name)) out->procedure = vs_as_symbol(code->name)->name;
-    vs_text t;
-    vs_text_open(vm, &t, 600);
-    bool ok = true;
-    for (size_t k = 2; ok && k < VS_FRAME_WORDS; k += 2) {
-      vs_value symbol = vs_as_vector(r[0])->at[i * VS_FRAME_WORDS + k];
-      if (!vs_is_symbol(symbol)) break;
-      vs_text value;
-      vs_text_open(vm, &value, 60);
-      ok = vs_print(vm, vs_as_vector(r[0])->at[i * VS_FRAME_WORDS + k + 1], VS_PRINT_WRITE, &value) &&
-          vs_text_end(&value) &&
-           put(&t, t.count ? ", " : "", vs_as_symbol(symbol)->name, " = ") && vs_text_put(&t, value.at,
-               value.count) && (!value.cut || vs_text_puts(&t, " ..."));
-      vs_text_close(&value);
-    }
-    if (ok) out->variables = kept(s, &t);
-    vs_text_close(&t);
-    return true;
+  const vs_value *call = vs_session_call(s, r[0], index, &out->at);
+  if (!call) return false;
+  const vs_code *code = vs_as_code(vs_as_closure(call[VS_FRAME_PROCEDURE])->code);
+  if (vs_is_symbol(code->name)) out->procedure = vs_as_symbol(code->name)->name;
+  size_t first = (size_t)(call - vs_as_vector(r[0])->at);
+  vs_text t;
+  vs_text_open(vm, &t, 600);
+  bool ok = true;
+  for (size_t k = first + VS_FRAME_VARIABLES; ok && k < first + VS_FRAME_WORDS; k += 2) {
+    vs_value symbol = vs_as_vector(r[0])->at[k];     /* read anew each time: printing may move the vector */
+    if (!vs_is_symbol(symbol)) break;
+    ok = put(&t, t.count ? ", " : "", vs_as_symbol(symbol)->name, " = ") &&
+         vs_session_put_value(vm, &t, vs_as_vector(r[0])->at[k + 1], 60);
   }
-  return false;
+  if (ok) out->variables = kept(s, &t);
+  vs_text_close(&t);
+  return true;
 }
 
 /* ---- where time goes ---- */

@@ -8,8 +8,7 @@ enum { NOTES = 12 }; /* callers shown; of more, the innermost and a word on the 
 
 /* ---- the line ---- */
 
-/* Copies the line into room; NULL: the source is not kept or has no such line. */
-static const char *source_line(const vs_session *s, const char *file, uint32_t line, char *room, size_t size) {
+const char *vs_session_source_line(const vs_session *s, const char *file, uint32_t line, char *room, size_t size) {
   for (size_t i = 0; file && line && i < s->source_count; i++) {
     const vs_source *source = &s->sources[i];
     if (strcmp(source->name, file) || line < source->first_line) continue;
@@ -34,7 +33,7 @@ static const char *source_line(const vs_session *s, const char *file, uint32_t l
 static void tell(vs_session *s, vs_severity severity, vs_outcome outcome, vs_span at, const char *message, const vs_diagnostic_note *notes, size_t count) {
   char line[2048];
   vs_diagnostic d = { .severity = severity, .outcome = outcome, .at = at, .message = message, .notes = notes, .note_count = count };
-  d.source_line = source_line(s, at.file, at.line, line, sizeof line);
+  d.source_line = vs_session_source_line(s, at.file, at.line, line, sizeof line);
   if (s->options.host.diagnose) s->options.host.diagnose(s->options.host.context, &d);
 }
 

@@ -90,6 +90,8 @@ void vs_session_begin(vs_session *s, unsigned flags);
 /* Ends it: what it made is told, or its condition is; usage: its fault is the caller's, exit 2. */
 vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage);
 vs_outcome vs_session_out_of_memory(vs_session *s); /* Reports it to the host. */
+/* The end of what vs_session_begin began. usage: a failure is the caller's fault. */
+vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage);
 
 static inline vs_session *vs_session_of(const vs_scheme *vm) { return (vs_session *)vm->host; }
 
@@ -114,10 +116,9 @@ bool vs_session_output_nodes(vs_session *s, const vs_scene *scene, unsigned pass
 void vs_session_output_end(vs_session *s, bool done);
 void vs_session_free_outputs(vs_session *s);
 
-/* ---- names.c ---- */
-void vs_session_look(vs_session *s); /* notes which procedures run now */
-
 /* ---- report.c ---- */
+/* Copies the line into room; NULL: the source is not kept or has no such line. */
+const char *vs_session_source_line(const vs_session *s, const char *file, uint32_t line, char *room, size_t size);
 vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool usage /* its own fault is the caller's: exit 2 */);
 /* Appends to t, the error's text, what the program's own text says about it, or puts something better in its place
  * (advice.c). at: where the error

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "session/handles.h"
+#include "session/names.h"
+#include "session/stops.h"
 #include "solids/drawn_bounds.h"
 
 #include "backends/export.h"
@@ -16,6 +18,7 @@
 #include "vm/values/printer.h"
 #include "vm/front/reader.h"
 #include "vm/machine/program.h"
+#include "vm/machine/step.h"
 
 extern const vs_shipped vs_shipped_library[]; /* library/, which the Makefile puts into the program */
 extern const vs_image vs_library_image; /* the library, loaded at build time (scripts/stage0.c) */
@@ -281,6 +284,7 @@ void vs_session_begin(vs_session *s, unsigned flags) {
   vm->started = vs_session_clock(s);
   s->bind.bad_parameter = s->bind.handing = false;
   s->phase = "evaluating", s->told_progress = vm->started;
+  vs_session_arm(s, flags);
 }
 
 /* (exit code) unwinds as a condition of its own */
@@ -299,6 +303,8 @@ static bool was_interrupted(vs_session *s) {
 
 vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage) {
   vs_scheme *vm = s->bind.vm;
+  ok = vs_session_pass(s, ok);
+  vm->step.mode = VS_STEP_CONTINUE, vm->step.stops = false; /* what the drawing calls later is run through */
   s->phase = NULL;
   vs_tally_enter(&s->tally, VS_WORK_NONE);
   s->evaluate_seconds += vs_session_clock(s) - vm->started;
@@ -306,7 +312,11 @@ vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage) {
     s->exit_requested = ok = true;
     s->exit_code = (int)vs_fixnum(vs_as_condition(vm->condition)->payload);
   }
-  if (ok) return vs_bind_finish(&s->bind), VS_OUTCOME_DONE; /* tells what was thrown away */
+  if (!ok && vs_is_stop(vm, vm->condition)) return vs_session_stopped(s);
+  if (ok) vs_bind_finish(&s->bind); /* tells what was thrown away */
+  /* its calls, not those of an error before */
+  if (ok && vs_is_pair(vm->at.stops)) vm->condition = vs_car(vm->at.stops);
+  if (ok) return VS_OUTCOME_DONE;
   vs_outcome outcome = vs_session_report_condition(s, vm->condition, usage);
   if (outcome == VS_OUTCOME_MACHINE) {
     vm->condition = vm->value = VS_FALSE;
@@ -325,7 +335,11 @@ vs_outcome vs_eval_text(vs_scheme *vm, const char *name, unsigned first_line, co
   if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
   vs_session_begin(s, flags);
   if (!vs_session_keep_source(s, name, first_line, text, length)) return vs_session_finish(s, vs_fail_memory(vm), false);
-  bool ok = may_run(s) && vs_program_text(vm, name, first_line, text, length, !(flags & VS_EVAL_PROGRAM), &vm->value);
+  VS_ROOTS(vm, r, 1);
+  bool within = flags & VS_EVAL_WITHIN && vs_is_pair(vm->at.stops), ok = may_run(s);
+  if (within) ok = ok && vs_session_bindings(s, &r[0]) && vs_program_within(vm, name, first_line, text, length,
+      r[0], &vm->value);
+  else ok = ok && vs_program_text(vm, name, first_line, text, length, !(flags & VS_EVAL_PROGRAM), &vm->value);
   return vs_session_finish(s, ok, false);
 }
 

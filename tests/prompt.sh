@@ -92,6 +92,26 @@ an error's calls|(define (low y) (car y))\n|
 |(high 4)\n|car:
 ,backtrace|,backtrace\n|low
 ,locals|,locals 1\n|y
+,step|(define (area w h) (* w h))\n|
+|(define (wall n) (+ 1 (area n 2)))\n|
+|,step (wall 3)\n|^^^^^^^^  (wall 3)
+|,step\n|next, in wall: n = 3
+an empty line steps again|\n|next, in area: w = 3, h = 2
+the prompt of a stopped program|(* 1000 w)\n|step> (* 1000 w)
+the variables where it is stopped|(* 2000 h)\n| = 4000
+,locals where it is stopped|,locals\n|  w = 3
+,backtrace where it is stopped|,backtrace\n|  2  wall,
+,out|,out\n|  (area n 2) => 6
+,over|,over\n|  (wall 3) => 7
+(break)|(define (leg h) (break) (* 10 h))\n|
+|(leg 5)\n|stopped, in leg: h = 5
+|h\n|break> h
+,continue|,continue\n| = 50
+,quit gives up what is stopped|(leg 6)\n|stopped, in leg: h = 6
+|,quit\n|; given up; ,quit once more ends
+ctrl-D gives up what is stopped|(leg 7)\n|stopped, in leg: h = 7
+|\x04| given up
+|,continue\n|; nothing is stopped
 ,load and ,reload|,load model.vs\n|the model is loaded
 |,reload\n|the model is loaded
 ,render|,render out.png\n\w|; wrote out.png

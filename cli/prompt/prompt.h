@@ -15,16 +15,19 @@ typedef struct {
   size_t count, room;     /* entries[0..count) hold; ,undo lowers count */
   size_t known;           /* entries[count..known) can be done again */
   char *loaded;           /* what ,load named last */
+  cli_entry *stopped;     /* the entries that are stopped, as many as vs_stop_depth says, the last one on top;
+      text NULL: a file that was run */
+  size_t stopped_count, stopped_room;
+  int again;              /* 1 + the vs_resume_way that an empty line repeats; 0: none */
+  bool told_stops;        /* how to go on has been said */
 } cli_prompt;
 
 /* rest: what stands behind the comma, NUL-terminated; it is changed. */
 void cli_prompt_command(cli_session *c, cli_prompt *p, char *line);
 void cli_command_names(void (*each)(void *context, const char *name), void *context);
 
-/* Evaluates a text that was typed; when it works it becomes an entry. */
-vs_outcome cli_prompt_evaluate(cli_session *c, cli_prompt *p, const char *text, size_t length, unsigned first_line);
-void cli_prompt_free(cli_prompt *p);
-
+/* Is the text a definition? */
+bool cli_is_definition(const char *text);
 /* Prints the drawing as a picture on the terminal. size: "WxH" in characters, or "". */
 void cli_show(cli_session *c, const char *size);
 

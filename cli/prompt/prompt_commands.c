@@ -10,7 +10,8 @@
 #include "cli/prompt/editor.h"
 #include "cli/prompt/manual.h"
 #include "cli/nearby.h"
-#include "cli/prompt/prompt.h"
+#include "cli/prompt/line_buffer.h"
+#include "cli/prompt/repl.h"
 
 /* ---- files ---- */
 
@@ -80,6 +81,8 @@ static vs_outcome run_model(cli_session *c, const char *path) {
 static void run_file(cli_session *c, cli_prompt *p, const char *path) {
   vs_outcome outcome = run_model(c, path);
   if (outcome == VS_OUTCOME_USAGE) return;
+  cli_prompt_forget_stopped(p);
+  if (outcome == VS_OUTCOME_STOPPED) cli_prompt_stopped(c, p, (cli_entry){NULL, 0});
   for (size_t i = 0; i < p->known; i++) free(p->entries[i].text); /* what was typed is forgotten too */
   p->count = p->known = 0;
 }
@@ -251,7 +254,7 @@ static void ask(cli_session *c, const char *before, const char *expression, cons
   char *text = malloc(n);
   if (!text) return;
   snprintf(text, n, "%s%s%s", before, expression, after);
-  cli_session_eval(c, "prompt", 1, text, strlen(text), 0);
+  cli_session_eval(c, "prompt", 1, text, strlen(text), VS_EVAL_WITHIN);
   vs_interrupt_clear(c->scheme);
   free(text);
 }
@@ -275,13 +278,16 @@ static vs_outcome replay(cli_session *c, cli_prompt *p) {
   FILE *nowhere = fopen("/dev/null", "w");
   if (nowhere) c->output = nowhere;
   c->options->quiet = true;
+  cli_prompt_forget_stopped(p);
+  c->stops = VS_EVAL_PASS;
   vs_outcome outcome = cli_session_run(c);
   for (size_t i = 0; i < p->count && outcome == VS_OUTCOME_DONE; i++)
     outcome = cli_session_eval(c, "prompt", p->entries[i].first_line, p->entries[i].text, strlen(p->entries[i].text),
-        VS_EVAL_PRINT | VS_EVAL_NUMBER);
+        VS_EVAL_PRINT | VS_EVAL_NUMBER | VS_EVAL_PASS);
   vs_interrupt_clear(c->scheme);
   c->output = output;
   c->options->quiet = quiet;
+  c->stops = VS_EVAL_STOP;
   if (nowhere) fclose(nowhere);
   return outcome;
 }
@@ -312,7 +318,7 @@ static void redo(cli_session *c, cli_prompt *p) {
   replay(c, p);
 }
 
-static bool is_definition(const char *text) {
+bool cli_is_definition(const char *text) {
   text += strspn(text, " \t\r\n");
   return !strncmp(text, "(define", 7);
 }
@@ -344,7 +350,7 @@ static void save(cli_session *c, cli_prompt *p, const char *path) {
   for (size_t i = 0; i < p->count; i++) {
     const char *text = p->entries[i].text;
     size_t n = strlen(text);
-    definitions += is_definition(text);
+    definitions += cli_is_definition(text);
     fprintf(f, "%s%s", text, n && text[n - 1] == '\n' ? "" : "\n");
   }
   bool ok = !ferror(f);
@@ -392,6 +398,30 @@ static void time_expression(cli_session *c, cli_prompt *p, const char *expressio
   if (outcome == VS_OUTCOME_DONE) printf("; %.3g %s\n", took < .1 ? took * 1000 : took, took < .1 ? "ms" : "s");
   if (profile) print_profile(c);
   free(text);
+}
+
+static void step(cli_session *c, cli_prompt *p, const char *expression) {
+  if (!*expression && p->stopped_count) {
+    cli_prompt_resume(c, p, VS_RESUME_ENTER);
+    return;
+  }
+  if (!*expression) {
+    fputs(",step needs an expression, as in ,step (tower 3)\n", stderr);
+    return;
+  }
+  line_buffer text = {0};
+  if (cli_line_buffer_add(&text, expression, strlen(expression)) && cli_line_buffer_add(&text, "\n", 1))
+    cli_prompt_evaluate_with(c, p, text.at, text.length, p->line++, VS_EVAL_STEP);
+  free(text.at);
+}
+
+static void quit(cli_session *c, cli_prompt *p) {
+  if (!p->stopped_count) {
+    p->going = false;
+    return;
+  }
+  cli_prompt_drop(c, p);
+  puts(p->stopped_count ? "; given up" : "; given up; ,quit once more ends");
 }
 
 static void trace(cli_session *c, cli_prompt *p, const char *name, bool on) {

@@ -10,7 +10,7 @@
 
 #include "cli/prompt/editor.h"
 #include "cli/prompt/line_buffer.h"
-#include "cli/prompt/prompt.h"
+#include "cli/prompt/repl.h"
 
 /* The next line with its newline, or NULL: the end, or an interrupt (errno EINTR). */
 static const char *next_line(cli_session *c, const char *prompt, const char *open, size_t *length, bool *whole) {
@@ -50,6 +50,8 @@ static bool remember(cli_prompt *p, const char *text, size_t length, unsigned fi
 
 void cli_prompt_free(cli_prompt *p) {
   for (size_t i = 0; i < p->known; i++) free(p->entries[i].text);
+  for (size_t i = 0; i < p->stopped_count; i++) free(p->stopped[i].text);
+  free(p->stopped);
   free(p->entries);
   free(p->loaded);
 }
@@ -68,19 +70,94 @@ static void advise_infix(const char *text, size_t length) {
       "==") == 0 ? "=" : sign, a, b);
 }
 
-vs_outcome cli_prompt_evaluate(cli_session *c, cli_prompt *p, const char *text, size_t length, unsigned first_line) {
-  vs_outcome outcome = cli_session_eval(c, "prompt", first_line, text, length, VS_EVAL_PRINT | VS_EVAL_NUMBER);
+/* ---- programs that are stopped ---- */
+
+void cli_prompt_drop(cli_session *c, cli_prompt *p) {
+  free(p->stopped[--p->stopped_count].text);
+  vs_stop_drop(c->scheme);
+}
+
+void cli_prompt_forget_stopped(cli_prompt *p) {
+  while (p->stopped_count) free(p->stopped[--p->stopped_count].text);
+}
+
+vs_outcome cli_prompt_stopped(cli_session *c, cli_prompt *p, cli_entry entry) {
+  if (p->stopped_count == p->stopped_room) {
+    size_t room = p->stopped_room ? 2 * p->stopped_room : 8;
+    cli_entry *grown = realloc(p->stopped, room * sizeof *grown);
+    if (!grown) {
+      fputs("vs: out of memory\n", stderr);
+      vs_stop_drop(c->scheme);
+      free(entry.text);
+      return VS_OUTCOME_MACHINE;
+    }
+    p->stopped = grown, p->stopped_room = room;
+  }
+  vs_outcome outcome = VS_OUTCOME_STOPPED;
+  vs_stop_info stop;
+  while (outcome == VS_OUTCOME_STOPPED && vs_stop_get(c->scheme, &stop)) {
+    cli_report_stop(&c->reporter, c->scheme, &stop);
+    if (stop.kind != VS_STOPPED_VALUE) break;
+    outcome = cli_session_resume(c, VS_RESUME_SAME);
+  }
+  if (outcome == VS_OUTCOME_STOPPED) {
+    p->stopped[p->stopped_count++] = entry;
+    if (!p->told_stops) fputs("; ,step enters the call, ,over passes it, ,out leaves the procedure, ,continue goes on; ,quit gives up\n", stderr);
+    p->told_stops = true;
+    return outcome;
+  }
+  cli_report_settle(&c->reporter);
+  if (outcome == VS_OUTCOME_DONE && entry.text && !remember(p, entry.text, strlen(entry.text), entry.first_line))
+    fputs("vs: out of memory\n", stderr);
+  free(entry.text);
+  return outcome;
+}
+
+void cli_prompt_resume(cli_session *c, cli_prompt *p, vs_resume_way way) {
+  if (!p->stopped_count) {
+    fputs("; nothing is stopped; ,step EXPR goes through an expression, (break) in a program stops it there\n", stderr);
+    return;
+  }
+  p->again = way == VS_RESUME_CONTINUE ? 0 : 1 + (int)way;
+  cli_entry entry = p->stopped[--p->stopped_count];
+  vs_outcome outcome = cli_session_resume(c, way);
+  if (outcome == VS_OUTCOME_STOPPED) outcome = cli_prompt_stopped(c, p, entry);
+  else {
+    cli_report_settle(&c->reporter);
+    if (outcome == VS_OUTCOME_DONE && entry.text && !remember(p, entry.text, strlen(entry.text), entry.first_line))
+      fputs("vs: out of memory\n", stderr);
+    free(entry.text);
+  }
+  fflush(stdout);
+  vs_interrupt_clear(c->scheme);
+}
+
+vs_outcome cli_prompt_evaluate_with(cli_session *c, cli_prompt *p, const char *text, size_t length,
+    unsigned first_line, unsigned extra) {
+  vs_outcome outcome = cli_session_eval(c, "prompt", first_line, text, length,
+      VS_EVAL_PRINT | VS_EVAL_NUMBER | VS_EVAL_STOP | VS_EVAL_WITHIN | extra);
   cli_report_settle(&c->reporter);
   fflush(stdout);
   vs_interrupt_clear(c->scheme);
   vs_frame_info frame;
-  if (outcome == VS_OUTCOME_DONE) {
+  if (outcome == VS_OUTCOME_STOPPED) {
+    line_buffer copy = {0};
+    cli_line_buffer_add(&copy, text, length);
+    p->again = extra & VS_EVAL_STEP ? 1 + VS_RESUME_ENTER : 0;
+    outcome = cli_prompt_stopped(c, p, (cli_entry){copy.at, first_line});
+  } else if (outcome == VS_OUTCOME_DONE) {
     advise_infix(text, length);
-    if (!remember(p, text, length, first_line)) fputs("vs: out of memory\n", stderr);
+    /* what was asked of a stopped program makes no sense outside of it */
+    if ((!p->stopped_count || cli_is_definition(text)) && !remember(p, text, length,
+        first_line)) fputs("vs: out of memory\n", stderr);
   } else if (outcome == VS_OUTCOME_MODEL && c->editor && vs_frame_get(c->scheme, 1, &frame)) {
     fputs("; ,backtrace shows the calls, ,locals 1 what the first was called with\n", stderr);
   }
   return outcome;
+}
+
+vs_outcome cli_prompt_evaluate(cli_session *c, cli_prompt *p, const char *text, size_t length, unsigned first_line) {
+  return cli_prompt_evaluate_with(c, p, text, length, first_line, 0);
 }
 
 /* ---- the loop ---- */
@@ -106,6 +183,15 @@ static void tell_given_up(const char *text, const vs_read_status *status) {
   else printf("; given up: what opens on line %u, column %u is not closed\n", status->line, status->column);
 }
 
+/* "> "; where a program is stopped "break> ", or "2 break> " when another is stopped below it. */
+static const char *top_prompt(const cli_prompt *p, char *room, size_t size) {
+  if (!p->stopped_count) return "> ";
+  const char *how = p->again ? "step" : "break";
+  if (p->stopped_count == 1) snprintf(room, size, "%s> ", how);
+  else snprintf(room, size, "%zu %s> ", p->stopped_count, how);
+  return room;
+}
+
 vs_outcome cli_repl(cli_session *c) {
   cli_prompt p = {.going = true, .line = 1};
   c->editor = cli_editor_open(c->scheme, cli_command_names);
@@ -115,6 +201,9 @@ vs_outcome cli_repl(cli_session *c) {
   int code;
   vs_outcome outcome = VS_OUTCOME_DONE;
   vs_read_status status = {0};
+  c->stops = VS_EVAL_STOP;
+  /* what the command line named stopped */
+  if (vs_stop_depth(c->scheme)) cli_prompt_stopped(c, &p, (cli_entry){NULL, 0});
   while (p.going && !*c->ended && !vs_exit_requested(c->scheme, &code)) {
     fflush(stdout);
     size_t length = 0;
@@ -122,13 +211,19 @@ vs_outcome cli_repl(cli_session *c) {
     bool whole;
     if (c->editor && c->midline) putchar('\n'); /* the prompt begins a line */
     c->midline = false;
-    const char *line = next_line(c, pending.length ? continuation(&status, room, sizeof room) : "> ", pending.length
+    const char *line = next_line(c, pending.length ? continuation(&status, room, sizeof room) : top_prompt(&p, room,
+        sizeof room), pending.length
         ? pending.at : "", &length, &whole);
     if (!line && *c->ended) break;
     if (!line && errno == EINTR && c->editor) { /* ctrl-C drops what was typed */
       vs_interrupt_clear(c->scheme);
       putchar('\n');
       pending.length = 0;
+      continue;
+    }
+    if (!line && c->editor && p.stopped_count && !pending.length) { /* ctrl-D */
+      puts(" given up");
+      cli_prompt_drop(c, &p);
       continue;
     }
     if (line && whole) pending.length = 0; /* the open lines come again, edited */
@@ -149,6 +244,11 @@ vs_outcome cli_repl(cli_session *c) {
       free(command);
       if (pending.length &&
           p.going) printf("; the expression above is still open, %u deep; an empty line gives it up\n", status.depth);
+      continue;
+    }
+    if (line && c->editor && p.stopped_count && p.again && !pending.length && blanks + 1 >= length) {
+      p.line++;
+      cli_prompt_resume(c, &p, (vs_resume_way)(p.again - 1));
       continue;
     }
     /* an empty line */

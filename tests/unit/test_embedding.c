@@ -105,7 +105,114 @@ static void test_limit(void **state) { /* the limit counts the model too, and th
   vs_free(s);
 }
 
+/* ---- programs that are stopped ---- */
+
+static const char stepped[] =
+  "(define (area w h) (* w h))\n"
+  "(define (wall n) (let* ([a (area n 2)] [b (+ a 1)]) (break) (list a b n)))\n"
+  "(define (deep n) (if (= n 0) (begin (break) 0) (+ 1 (deep (- n 1)))))\n";
+
+static vs_outcome run(vs_scheme *s, const char *text, unsigned flags) { return vs_eval_text(s, "t", 1, text,
+    strlen(text), flags); }
+
+static void shown(void *context, const char *text, size_t length) {
+  char *last = context;
+  if (length > 99) length = 99;
+  memcpy(last, text, length);
+  last[length] = 0;
+}
+
+static void test_stops(void **state) {
+  (void)state;
+  enum { STOP = VS_EVAL_STOP | VS_EVAL_PRINT | VS_EVAL_WITHIN };
+  char last[100] = "";
+  vs_options o = vs_options_default();
+  o.keep_frames = true, o.host.context = last, o.host.value = shown;
+  vs_scheme *s = vs_new(&o);
+  vs_stop_info stop;
+  vs_frame_info frame;
+  assert_false(vs_stop_get(s, &stop));
+  assert_int_equal(vs_resume(s, VS_RESUME_CONTINUE), VS_OUTCOME_USAGE);
+  assert_int_equal(run(s, stepped, 0), VS_OUTCOME_DONE);
+  assert_int_equal(run(s, "(wall 3)", STOP & ~VS_EVAL_STOP), VS_OUTCOME_DONE); /* without the flag it warns */
+  assert_string_equal(last, "(6 7 3)");
+  assert_int_equal(run(s, "(wall 4)", STOP), VS_OUTCOME_STOPPED);
+  assert_true(vs_stop_get(s, &stop));
+  assert_int_equal(stop.kind, VS_STOPPED_BREAK);
+  assert_string_equal(stop.procedure, "wall");
+  assert_int_equal(stop.at.line, 2);
+  assert_true(vs_frame_get(s, 0, &frame));
+  assert_string_equal(frame.variables, "n = 4, a = 8, b = 9");
+  /* what is asked there sees the variables; collections move what is stopped; a second one stops on top */
+  assert_int_equal(run(s, "(list b a)", STOP), VS_OUTCOME_DONE);
+  assert_string_equal(last, "(9 8)");
+  assert_int_equal(run(s, "(deep 100000)", STOP), VS_OUTCOME_STOPPED);
+  assert_int_equal(vs_stop_depth(s), 2);
+  assert_int_equal(run(s,
+      "(let loop ([i 0] [l '()]) (if (< i 2000000) (loop (+ i 1) (cons i l)) (+ n (length l))))", STOP),
+      VS_OUTCOME_DONE);
+  assert_string_equal(last, "2000000");
+  assert_int_equal(run(s, "(car 5)", STOP), VS_OUTCOME_MODEL); /* an error there ends nothing */
+  assert_int_equal(vs_stop_depth(s), 2);
+  /* out of one call of 100,000: its caller is next */
+  assert_int_equal(vs_resume(s, VS_RESUME_OUT), VS_OUTCOME_STOPPED);
+  assert_true(vs_stop_get(s, &stop));
+  assert_int_equal(stop.kind, VS_STOPPED_VALUE);
+  assert_string_equal(stop.text, "0");
+  assert_int_equal(vs_resume(s, VS_RESUME_SAME), VS_OUTCOME_STOPPED);
+  assert_true(vs_stop_get(s, &stop));
+  assert_int_equal(stop.kind, VS_STOPPED_CALL);
+  assert_string_equal(stop.text, "(+ 1 0)");
+  assert_int_equal(vs_resume(s, VS_RESUME_CONTINUE), VS_OUTCOME_DONE);
+  assert_string_equal(last, "100000");
+  assert_int_equal(vs_stop_depth(s), 1);
+  assert_int_equal(vs_resume(s, VS_RESUME_CONTINUE), VS_OUTCOME_DONE);
+  assert_string_equal(last, "(8 9 4)");
+  /* given up, and forgotten by a new beginning */
+  assert_int_equal(run(s, "(wall 5)", STOP), VS_OUTCOME_STOPPED);
+  vs_stop_drop(s);
+  assert_int_equal(vs_stop_depth(s), 0);
+  assert_int_equal(run(s, "(wall 5)", STOP | VS_EVAL_STEP), VS_OUTCOME_STOPPED);
+  assert_int_equal(vs_restart(s), VS_OUTCOME_DONE);
+  assert_int_equal(vs_stop_depth(s), 0);
+  vs_free(s);
+}
+
+/* Steps through a program to its end. False: something was refused. */
+static bool step_session(budget *b) {
+  vs_options o = vs_options_default();
+  o.alloc = take, o.alloc_context = b;
+  o.keep_frames = true, o.host.context = b, o.host.diagnose = told;
+  vs_scheme *s = vs_new(&o);
+  bool ok = s && run(s, stepped, 0) == VS_OUTCOME_DONE;
+  vs_outcome outcome = ok ? run(s, "(wall 3)", VS_EVAL_STOP | VS_EVAL_STEP) : VS_OUTCOME_MACHINE;
+  size_t stops = 0;
+  vs_stop_info stop;
+  while (outcome == VS_OUTCOME_STOPPED && stops++ < 100) {
+    assert_true(vs_stop_get(s, &stop));
+    outcome = vs_resume(s, VS_RESUME_ENTER);
+  }
+  assert_true(outcome == VS_OUTCOME_DONE || outcome == VS_OUTCOME_MACHINE);
+  assert_true(outcome != VS_OUTCOME_DONE || stops == 10);
+  vs_free(s);
+  return outcome == VS_OUTCOME_DONE;
+}
+
+static void test_stops_refused(void **state) {
+  (void)state;
+  for (long n = 0;; n++) {
+    budget b = { .left = n };
+    bool ok = step_session(&b);
+    assert_int_equal(b.live, 0);
+    assert_int_equal(b.blocks, 0);
+    if (b.left < 0) continue;
+    assert_true(ok);
+    break;
+  }
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(test_refusals), cmocka_unit_test(test_limit) };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_refusals), cmocka_unit_test(test_stops),
+      cmocka_unit_test(test_stops_refused), cmocka_unit_test(test_limit) };
   return cmocka_run_group_tests_name("embedding", tests, NULL, NULL);
 }

@@ -11,17 +11,28 @@ int vs_op_generic(uint32_t op) { return ops[op].generic; }
 const char *vs_op_operands(uint32_t op) { return ops[op].operands; }
 uint32_t vs_op_extra(uint32_t op) { return ops[op].extra; }
 
-vs_pos vs_code_place(const vs_code *code, uint32_t pc) {
-  if (vs_is_fixnum(code->places)) return vs_pos_of(code->places);
+/* The last entry at or before pc; NULL: there is none. */
+static const vs_place *place_at(const vs_code *code, uint32_t pc) {
   vs_value places = vs_is_pair(code->places) ? vs_car(code->places) : code->places;
-  if (!vs_is(places, VS_T_BYTES)) return 0;
+  if (!vs_is(places, VS_T_BYTES)) return NULL;
   const vs_place *at = (const vs_place *)(const void *)vs_as_bytes(places)->at;
   size_t low = 0, high = vs_as_bytes(places)->length / sizeof *at;
   while (low < high) {                 /* first entry behind pc */
     size_t mid = (low + high) / 2;
     if (at[mid].pc <= pc) low = mid + 1; else high = mid;
   }
-  return low ? (vs_pos)at[low - 1].high << 32 | at[low - 1].low : 0;
+  return low ? &at[low - 1] : NULL;
+}
+
+vs_pos vs_code_place(const vs_code *code, uint32_t pc) {
+  if (vs_is_fixnum(code->places)) return vs_pos_of(code->places);
+  const vs_place *p = place_at(code, pc);
+  return p ? (vs_pos)p->high << 32 | p->low : 0;
+}
+
+uint32_t vs_code_place_start(const vs_code *code, uint32_t pc) {
+  const vs_place *p = place_at(code, pc);
+  return p ? p->pc : 0;
 }
 
 const vs_vector *vs_code_variables(const vs_code *code) {

@@ -29,6 +29,7 @@ enum { VS_VARIABLE_WORDS = 4 };
 typedef struct vs_inlined { uint32_t pc, constant; } vs_inlined;
 
 vs_pos vs_code_place(const vs_code *code, uint32_t pc);               /* of the instruction at or before pc */
+uint32_t vs_code_place_start(const vs_code *code, uint32_t pc);       /* that instruction's index */
 const vs_vector *vs_code_variables(const vs_code *code);              /* NULL: none are known */
 uint32_t vs_code_inlined(const vs_code *code, uint32_t pc);           /* constant index */
 int vs_op_generic(uint32_t op);

@@ -755,6 +755,8 @@ static bool gen_parameters(compiler *c, vs_node *l) {
     }
     if (boxed(p->var) && !vs_emit_op(e, VS_O_BOX, p->var->reg, p->var->reg, 0)) return false;
   }
+  for (uint32_t i = 0; i < l->count; i++) /* their variables may have other names than their keywords */
+    if (l->as.lambda.params[i].keyword && !vs_emit_variable(e, l->as.lambda.params[i].var)) return false;
   vs_var *rest = l->as.lambda.rest;
   return !rest || !boxed(rest) || vs_emit_op(e, VS_O_BOX, rest->reg, rest->reg, 0);
 }

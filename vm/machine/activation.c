@@ -109,7 +109,7 @@ static bool fail_endless(vs_scheme *vm) {
 vs_value *vs_frame_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need) {
   size_t count = (size_t)(w - vm->stack);
   vm->top = w + 2 + n;
-  size_t below = vs_is(vm->under, VS_T_STACK) ? vs_as_stack(vm->under)->total : 0;
+  size_t below = (size_t)vs_slots_below(vm);
   if (below + count > most_slots(vm)) {
     flush_failed(vm, w);
     fail_endless(vm);
@@ -153,12 +153,12 @@ bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out) {
   return true;
 }
 
-/* Notes a variable of a call, VS_FRAME_VARIABLES of them at most. Of one name the innermost counts: a local one behind
+/* Notes a variable of a call, as many as there is room for. Of one name the innermost counts: a local one behind
  * those around it, and a captured one only where there is no other. */
 static void note_variable(vs_scheme *vm, vs_vector *v, vs_value *call, vs_value name, vs_value x, bool captured) {
   if (vs_is(x, VS_T_BOX)) x = vs_as_box(x)->value; /* assigned variables lie in boxes */
   if (!vs_is_symbol(name) || x == VS_UNDEFINED || x == VS_ABSENT || vs_is(x, VS_T_STACK)) return;
-  vs_value *to = call + 2, *end = call + VS_FRAME_WORDS;
+  vs_value *to = call + VS_FRAME_VARIABLES, *end = call + VS_FRAME_WORDS;
   while (to < end && vs_is_symbol(to[0]) && to[0] != name) to += 2;
   if (to == end || (captured && to[0] == name)) return;
   vs_gc_store(vm, v, &to[0], name);
@@ -181,9 +181,11 @@ bool vs_call_variables(vs_scheme *vm, vs_value *out) {
     const vs_closure *closure = vs_as_closure(at[i].base[-2]);
     const vs_code *code = vs_as_code(closure->code);
     const vs_vector *params = vs_as_vector(code->params), *more = vs_code_variables(code);
-    vs_gc_store(vm, v, &to[0], at[i].base[-2]);
-    vs_gc_store(vm, v, &to[1], vs_fix((int64_t)at[i].place));
-    for (size_t k = 0; k < params->length; k++) note_variable(vm, v, to, params->at[k], at[i].base[k], false);
+    vs_gc_store(vm, v, &to[VS_FRAME_PROCEDURE], at[i].base[-2]);
+    vs_gc_store(vm, v, &to[VS_FRAME_PLACE], vs_fix((int64_t)at[i].place));
+    size_t keywords = (size_t)code->required + code->optional; /* they are in the table, by their variables' names */
+    for (size_t k = 0; k < params->length; k++)
+      if (k < keywords || k >= keywords + code->keywords) note_variable(vm, v, to, params->at[k], at[i].base[k], false);
     for (const vs_value *x = more ? more->at : NULL; more && x < more->at + more->length; x += VS_VARIABLE_WORDS) {
       int64_t where = vs_fixnum(x[1]);
       if (at[i].pc < (size_t)vs_fixnum(x[2]) || at[i].pc >= (size_t)vs_fixnum(x[3])) continue;

@@ -9,7 +9,7 @@
 #ifndef VS_FRAME_H
 #define VS_FRAME_H
 
-#include "vm/values/value.h"
+#include "vm/machine/vs.h"
 
 #define VS_RET_STOP    UINT64_C(0x10000000)   /* returns to vs_run's caller */
 #define VS_RET_NATIVE  UINT64_C(0x20000000)   /* the caller is a native that is entered again */
@@ -27,5 +27,16 @@ static inline size_t vs_ret_pc(vs_value ret) { return (size_t)(ret & 0x0FFFFFFF)
 /* Moves everything below the window w, which has n arguments, into the heap, and the window to the bottom of the stretch, which then
    has room for `need` slots from w on. The window's new place, NULL when memory is out. */
 vs_value *vs_frame_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need);
+
+/* How many slots lie below the working stretch. */
+static inline uint64_t vs_slots_below(const vs_scheme *vm) {
+  const vs_stack *s = vs_is(vm->under, VS_T_STACK) ? vs_as_stack(vm->under) : NULL;
+  return s ? s->total - s->count + vm->under_depth : 0;
+}
+
+/* The level of the frame at base, a frame of the working stretch: how many slots lie below it in all. */
+static inline uint64_t vs_frame_level(const vs_scheme *vm, const vs_value *base) {
+  return vs_slots_below(vm) + (uint64_t)(base - vm->stack);
+}
 
 #endif

@@ -613,6 +613,44 @@ bool vs_program_text(vs_scheme *vm, const char *name, uint32_t line, const char 
   return begin_program(vm, name) && read_text(vm, name, line, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
 }
 
+/* Forms that bind names at top level, or that only make sense there. */
+static bool is_top_form(vs_value form) {
+  static const char *const words[] = {"import", "require", "provide", "begin", "load", "include"};
+  if (!vs_is_pair(form) || !vs_is_symbol(vs_car(form))) return false;
+  const char *head = vs_as_symbol(vs_car(form))->name;
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++) if (!strcmp(head, words[i])) return true;
+  return !strncmp(head, "define", 6);
+}
+
+/* form -> ((lambda (name ...) form) (quote value) ...), with the library's lambda and quote */
+static bool bind_around(vs_scheme *vm, vs_value *form, vs_pos pos, vs_value bindings) {
+  VS_ROOTS(vm, r, 6);                     /* bindings, names, values, quote, lambda, scratch */
+  r[0] = bindings; r[1] = r[2] = VS_NIL;
+  if (!vs_intern_c(vm, "lambda", &r[5]) || !vs_make_alias(vm, r[5], vm->at.core, &r[4]) ||
+      !vs_make_alias(vm, vm->sym.quote, vm->at.core, &r[3])) return false;
+  for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0]))
+    if (!vs_cons(vm, vs_car(vs_car(r[0])), r[1], &r[1]) || !vs_cons(vm, vs_cdr(vs_car(r[0])), VS_NIL, &r[5]) ||
+        !vs_cons(vm, r[3], r[5], &r[5]) || !vs_cons(vm, r[5], r[2], &r[2])) return false;
+  return vs_cons_at(vm, *form, VS_NIL, pos, &r[5]) && vs_cons(vm, r[1], r[5], &r[5]) && vs_cons(vm, r[4], r[5],
+      &r[5]) &&
+         vs_cons_at(vm, r[5], r[2], pos, form);
+}
+
+bool vs_program_within(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, vs_value bindings,
+                       vs_value *last) {
+  VS_ROOTS(vm, r, 4);                     /* forms, bindings, what they become, one of them */
+  r[1] = bindings;
+  vs_environment_set_intake(vm->at.program, VS_INTAKE_PROMPT);
+  if (!read_text(vm, name, line, text, size, false, &r[0])) return false;
+  for (r[2] = r[0]; vs_is_pair(r[2]) && vs_is_pair(r[1]); r[2] = vs_cdr(r[2])) {
+    r[3] = vs_car(r[2]);
+    if (is_top_form(r[3])) continue;
+    if (!bind_around(vm, &r[3], vs_element_pos(r[2], false, 0), r[1])) return false;
+    vs_gc_store(vm, vs_as_pair(r[2]), &vs_as_pair(r[2])->car, r[3]);
+  }
+  return run_forms(vm, r[0], vm->at.program, true, last);
+}
+
 bool vs_program_file(vs_scheme *vm, const char *path, vs_value *last) {
   VS_ROOTS(vm, r, 1);
   return begin_program(vm, path) && vs_unit_read(vm, path, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);

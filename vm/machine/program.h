@@ -20,6 +20,11 @@ bool vs_program_new(vs_scheme *vm, vs_value *env);
 /* Runs a text or a file in vm->at.program; `line` is the number of its first line; prompt: it was typed at one, so its imports add (environment.h).
    *last: the value of the last form. Values of top-level expressions go to vm->config.value. False: vm->condition. */
 bool vs_program_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt, vs_value *last);
+/* The same with names for values: each expression of the text, though no definition, sees the bindings, a list of
+   (symbol . value), as local
+   variables. That is how the prompt looks at a frame of a program that is stopped. */
+bool vs_program_within(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size,
+    vs_value bindings, vs_value *last);
 bool vs_program_file(vs_scheme *vm, const char *path, vs_value *last);
 
 /* A source file that is part of the program: read when something imports it, never run before. The last has no name. */

@@ -1,7 +1,13 @@
 /* Owns the run loop: instructions, calls, returns, and what happens when something fails. (frame.h has the layout of the stack.)
 
    Registers of the machine are C locals: base (the frame's registers), pc, k (its constants). Whatever can allocate or fail is given
-   them first: SAVE. After anything that can allocate, values are read again from registers; code and constants do not move. */
+   them first: SAVE. After anything that can allocate, values are read again from registers; code and constants do not move.
+
+   step_loop.c compiles the loop a second time, with VS_STEPPING: it looks at every instruction before it runs, for
+   programs that are stepped through (step.h). All others pay nothing for that. */
+#ifndef VS_STEPPING
+#define VS_STEPPING 0
+#endif
 #include "vm/machine/run.h"
 #include "vm/values/number.h"
 #include "vm/machine/program.h"
@@ -14,8 +20,10 @@
 #include "vm/compiler/compile.h"
 #include "vm/machine/activation.h"
 #include "vm/machine/record_call.h"
+#include "vm/machine/step.h"
 #include "vm/values/string_chars.h"
 
+#if !VS_STEPPING
 enum { POLL_TURNS = 20000 };
 
 /* ---- limits ---- */
@@ -37,7 +45,7 @@ static void refuel(vs_scheme *vm) {
   vm->steps += turns;
 }
 
-static bool poll(vs_scheme *vm) {
+bool vs_poll_limits(vs_scheme *vm) {
   const vs_native *native = vm->native;
   vm->native = NULL;                          /* the limit is nobody's error */
   bool ok = check_limits(vm);
@@ -50,7 +58,7 @@ bool vs_poll(vs_scheme *vm, uint64_t work) {
   work += vm->work;                           /* 64 cheap steps are a turn */
   vm->work = work & 63;
   vm->fuel -= (int64_t)(work >> 6);
-  return vm->fuel > 0 || poll(vm);
+  return vm->fuel > 0 || vs_poll_limits(vm);
 }
 
 enum { POLL_PIECE = 256 << 10 };        /* bytes; fresh memory is written at 1 to 2 GB a second */
@@ -77,6 +85,14 @@ bool vs_poll_set(vs_scheme *vm, void *to, int byte, size_t bytes) {
   }
   return true;
 }
+
+vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter) {
+  for (vs_value l = vm->parameters; vs_is_pair(l); l = vs_cdr(l))
+    if (vs_car(vs_car(l)) == parameter) return vs_cdr(vs_car(l));
+  return vs_as_parameter(parameter)->value;
+}
+
+#endif
 
 /* ---- the cases that the loop hands out ---- */
 static bool fail_undefined(vs_scheme *vm, vs_value name) {
@@ -158,12 +174,6 @@ static bool make_case(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out
   memcpy(c->clause, at, n * sizeof *at);
   *out = vs_from_object(c);
   return true;
-}
-
-vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter) {
-  for (vs_value l = vm->parameters; vs_is_pair(l); l = vs_cdr(l))
-    if (vs_car(vs_car(l)) == parameter) return vs_cdr(vs_car(l));
-  return vs_as_parameter(parameter)->value;
 }
 
 /* a flat record from n finite numbers in registers; false if one is none: then the library's procedure says so (no error set) */
@@ -312,7 +322,11 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
 #include "vm/compiler/opcodes.def"
 #undef VS_OP
   };
+#if VS_STEPPING
+#define NEXT goto look
+#else
 #define NEXT do { trace(pc, base); ins = *pc++; goto *labels[ins & 255]; } while (0)
+#endif
 #define OP(name) op_##name
 #define A VS_A(ins)
 #define B VS_B(ins)
@@ -337,7 +351,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
 #define ENTER(callee) do {                                                                                 \
     RUN_CODE(callee);                                                                                      \
     pc = start;                                                                                            \
-    if (--vm->fuel <= 0) { SAVE; if (!poll(vm)) goto fail; }                                               \
+    if (--vm->fuel <= 0) { SAVE; if (!vs_poll_limits(vm)) goto fail; }                                         \
     NEXT;                                                                                                  \
   } while (0)
 #define HERE ((size_t)(pc - start))
@@ -366,6 +380,18 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
   } while (0)
 
   goto call;
+
+#if VS_STEPPING
+look:
+  trace(pc, base);
+  ins = *pc++;
+  switch (vs_step_look(vm, base, pc - 1)) {
+    case VS_LOOK_STOP: return false;
+    case VS_LOOK_FAILED: SAVE; goto fail;
+    case VS_LOOK_GO: break;
+  }
+  goto *labels[ins & 255];
+#endif
 
   OP(MOVE): RA = RB; NEXT;
   OP(FARLOAD): RA = base[BX]; NEXT;
@@ -423,7 +449,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
   OP(JUMP): pc += (int32_t)*pc + 1; NEXT;
   OP(LOOP):
     pc += (int32_t)*pc + 1;
-    if (--vm->fuel <= 0) { SAVE; if (!poll(vm)) goto fail; }
+    if (--vm->fuel <= 0) { SAVE; if (!vs_poll_limits(vm)) goto fail; }
     NEXT;
   OP(JTRUE): if (RA != VS_FALSE) pc += (int32_t)*pc + 1; else pc++; NEXT;
   OP(JFALSE): if (RA == VS_FALSE) pc += (int32_t)*pc + 1; else pc++; NEXT;
@@ -1042,6 +1068,9 @@ uncaught:
 #pragma GCC diagnostic pop
 }
 
+#if VS_STEPPING
+bool vs_step_loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) { return loop(vm, w, n, out); }
+#else
 static void reset(vs_scheme *vm) {
   vm->base = NULL;
   vm->top = vm->stack;
@@ -1089,7 +1118,7 @@ bool vs_run(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv, v
   if (vm->config.clock) vm->started = vm->config.clock(vm->config.user);
   refuel(vm);
   vs_value result = VS_UNSPECIFIC;
-  bool ok = loop(vm, w, n, &result);
+  bool ok = (vm->step.mode == VS_STEP_CONTINUE ? loop : vs_step_loop)(vm, w, n, &result);
   vm->steps -= (uint64_t)(vm->fuel > 0 ? vm->fuel : 0);       /* those taken, not those granted */
   if (!ok && vm->condition == vm->at.no_memory) fail_memory_placed(vm);
   reset(vm);
@@ -1129,3 +1158,4 @@ vs_status vs_call(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *a
 vs_status vs_tailcall(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv) {
   return prepare(vm, procedure, n, argv) ? VS_TAILCALL : VS_ERROR;
 }
+#endif

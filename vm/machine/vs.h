@@ -10,7 +10,7 @@
   S(quote, "quote") S(quasiquote, "quasiquote") S(unquote, "unquote") S(unquote_splicing, "unquote-splicing") \
   S(error, "error") S(type, "type") S(range, "range") S(arity, "arity") S(contract, "contract") S(unbound, "unbound") \
   S(syntax, "syntax") S(read, "read") S(file, "file") S(limit, "limit") S(interrupt, "interrupt") S(memory, "memory") \
-  S(divide, "divide") S(recursion, "recursion") S(raise, "raise") S(internal, "internal")
+  S(divide, "divide") S(recursion, "recursion") S(raise, "raise") S(internal, "internal") S(stop, "stop")
 
 /* Persistent Scheme values that C code needs: written into the heap image with the rest. One list. */
 #define VS_ANCHORS(A) \
@@ -27,7 +27,8 @@
   A(flat_names)    /* vector: tag -> constructor's name (symbol) or #f */ \
   A(raise) A(check) A(throw) A(guarded) /* natives the run loop calls by itself */ \
   A(no_memory)     /* the condition raised when there is no room to make one */ \
-  A(stop)          /* procedure of the bottom frame */
+  A(stop)          /* procedure of the bottom frame */ \
+  A(stops)         /* list of the conditions of programs that are stopped (step.h), the last one first */
 
 typedef enum { VS_VM_READ, VS_VM_EXPAND, VS_VM_COMPILE, VS_VM_RUN } vs_vm_phase; /* of source text; RUN: the program itself */
 
@@ -59,6 +60,24 @@ typedef struct vs_config {
    * wants it. */
   void (*suspect)(vs_scheme *vm, const char *kind, const char *message);
 } vs_config;
+
+/* How a program is stepped through (step.h): not at all; to the next call of its own text; to the next in this
+   frame or its callers'; in
+   its callers'. SAME, for going on: as before. */
+typedef enum { VS_STEP_CONTINUE, VS_STEP_ENTER, VS_STEP_OVER, VS_STEP_OUT, VS_STEP_SAME } vs_step_mode;
+
+typedef struct vs_stepping {
+  uint8_t mode;              /* a vs_step_mode; CONTINUE: the plain run loop */
+  bool stops;                /* (break) stops */
+  bool passes;               /* else: it says nothing of that */
+  uint8_t told;              /* of the instruction looked at next, to a host that goes on from there: */
+  uint32_t first_file;       /* files with smaller numbers are the library's */
+  uint64_t target;           /* frames above this level are run through */
+  uint64_t seen_level;       /* where the last look was: the frame's level, its code, the instruction's index */
+  const void *seen_code;
+  uint32_t seen_at;
+} vs_stepping;
+enum { VS_TOLD_NOTHING, VS_TOLD_VALUE, VS_TOLD_CALL };
 
 struct vs_gc_block;
 struct vs_gc_large;
@@ -118,6 +137,8 @@ struct vs_scheme {
     VS_ANCHORS(A)
 #undef A
   } at;
+
+  vs_stepping step;
 
   /* expander */
   uint64_t aliases;                /* renamed identifiers made: their hash */

@@ -1,0 +1,5 @@
+(define (column h)
+  (break)
+  (make-cylinder (xyz 0 0 0) h 1))
+(draw (column 2))
+(draw (column 3))

@@ -1,0 +1,47 @@
+/* Owns stopping a program in the middle: by (break), or between two of its expressions while it is stepped through.
+ *
+ * A program that stops leaves the run loop. Its whole state is a continuation, held by a condition of the kind
+ * `stop`; vs_run returns
+ * false with that condition. The host may run whatever it likes and then enter the continuation again with
+ * vs_step_resume. So no C
+ * frame waits for a user who thinks, and a program may stop while another is stopped. */
+#ifndef VS_STEP_H
+#define VS_STEP_H
+
+#include "vm/machine/native.h"
+
+/* Why it stopped. BREAK: the program called (break). CALL: the call of a procedure is about to be made. VALUE: one
+   was made and gave a value. */
+typedef enum { VS_STOP_BREAK, VS_STOP_CALL, VS_STOP_VALUE } vs_stop_kind;
+
+/* The payload of the condition is a vector of these. */
+enum {
+  VS_STOP_CONTINUATION,  /* where to go on; takes no value */
+  VS_STOP_KIND,          /* a vs_stop_kind as a fixnum */
+  VS_STOP_SUBJECT,       /* CALL: the procedure; VALUE: the value */
+  VS_STOP_ARGUMENTS,     /* CALL: a list of its arguments */
+  VS_STOP_KEYWORDS,      /* CALL: a KEYWORDS object with the names of the last of them, or #f */
+  VS_STOP_LEVEL,         /* where the frame lies, as a fixnum: those of its callers are smaller */
+  VS_STOP_TAIL,          /* CALL: it is a tail call */
+  VS_STOP_MODE,          /* how it was being stepped through, a vs_step_mode as a fixnum, and how far: */
+  VS_STOP_TARGET,
+  VS_STOP_FLAGS,         /* the host's own */
+  VS_STOP_WORDS
+};
+
+typedef enum { VS_LOOK_GO, VS_LOOK_STOP, VS_LOOK_FAILED } vs_look;
+
+/* Looks at the instruction at pc of the frame at base before it runs. STOP: vm->condition says why. FAILED: memory
+   is out. */
+vs_look vs_step_look(vs_scheme *vm, vs_value *base, const uint32_t *pc);
+
+/* Goes on with a stopped program: to its next stop (which one, `mode` says; SAME: as before), its end or an error,
+   as vs_run does. */
+bool vs_step_resume(vs_scheme *vm, vs_value stop, vs_step_mode mode, vs_value *out);
+
+/* The run loop with looks (run.c). */
+bool vs_step_loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out);
+
+bool vs_is_stop(const vs_scheme *vm, vs_value condition);
+
+#endif
