@@ -60,6 +60,10 @@ a name completed, with its signature|(volu\t|  (volume o)
 |(make-box origin (xyz 1 2 3)))\n|$7 = 6.0
 a keyword completed|(object? (make-sphere origin 1 #:seg\t 12))\n|(make-sphere origin 1 #:segments  12)
 a file's name completed|(load "mod\t")\n|the model is loaded
+the quote closed behind a file's name|(load "mod\t)\n|(load "model.vs")
+ctrl-C in an open expression|(define (never x)\n|
+|  (* x\x03|
+|(+ 600 7)\n| = 607
 a command completed|,draw\t\n|> ,drawing
 the signature on request|(make-cylinder \e?|  (make-cylinder c h r)
 |origin 1 1)\n|(make-cylinder (xyz 0 0 0) (xyz 0 0 1) 1) ; 2 x 2 x 1 m
@@ -132,6 +136,29 @@ done < "$work/features" > "$work/checked"
 # a feature of several rows is one test, and its first failure shows the screen
 awk '/^ok /{ if (!seen[$0]++) print; next } /^not ok /{ print; bad++; next } bad < 2' "$work/checked"
 if [ "$(grep -c '> (define (square x)' "$work/screen")" = 2 ]; then echo "ok prompt:a whole expression again"; else echo "not ok prompt:a whole expression again"; fi
+
+# 200 lines pasted at once, tabs among them
+{
+  printf '%s' '\e[200~(define total (+\n'
+  for i in $(seq 198); do printf '%s' '\t1\t\n'; done
+  printf '%s\n' '))\n\e[201~' '(list "the sum" total)\n' ',quit\n'
+} > "$work/keys"
+type_keys < "$work/keys"
+check "a paste of 200 lines" '("the sum" 198)'
+
+# what a terminal is told besides the text: the cursor goes to the parenthesis that is closed and back, and colours
+printf '%s\n' '(values)\n' '(+ 1 2' ')' '\n' '(draw (make-box origin 1 1 1))\n' ',show 12x4\n' ',quit\n' > "$work/keys"
+type_escapes() { "$BUILD/tools/typist" --escapes "$BUILD/vs" > "$work/screen" < "$work/keys"; }
+type_escapes
+check "the parenthesis that is closed is marked" ')\e[3G\e[10G'
+check "colours" '\e[2m$1 =\e[0m 3'
+NO_COLOR=1 type_escapes
+check "NO_COLOR" '$1 = 3'
+if grep -q 'e\[[0-9;]*m' "$work/screen"; then echo "not ok prompt:NO_COLOR sets colours"; else echo "ok prompt:NO_COLOR sets none"; fi
+printf '%s\n' '(+ 1 2)' '(draw (make-box origin 1 1 1))' ',show 12x4' ',help make-box' '(car 5)' ',backtrace' |
+  "$BUILD/vs" > "$work/screen" 2>&1
+check "a pipe" "car: expected a pair"
+if grep -q "$(printf '\033')" "$work/screen"; then echo "not ok prompt:a pipe gets escape sequences"; else echo "ok prompt:a pipe gets no escape sequences"; fi
 
 rm -rf "$work/state"
 type_keys <<'END'

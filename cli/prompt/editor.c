@@ -31,6 +31,7 @@ struct cli_editor {
   line_buffer pasted;   /* lines that a paste ended; handed over as one */
   line_buffer rest;     /* what a paste left behind its last newline: the next buffer begins with it */
   bool taken_back;      /* the buffer holds the open lines too */
+  ptrdiff_t closed;     /* where in the buffer completion has closed a string: a " typed there is that one; 0: nowhere */
   void (*commands)(void (*each)(void *context, const char *name), void *context);
 };
 
@@ -265,6 +266,27 @@ static word_kind word_at(const char *before, const char **start) {
   return (*start)[0] == '#' && (*start)[1] == ':' ? WORD_KEYWORD : WORD_NAME;
 }
 
+/* Behind the name of a file that is whole stands a quote. */
+static bool close_string(cli_editor *e) {
+  const LineInfo *info = el_line(e->line);
+  if (info->cursor < info->lastchar && *info->cursor == '"') return true;
+  if (el_insertstr(e->line, "\"") != 0) return false;
+  info = el_line(e->line);
+  e->closed = info->cursor - info->buffer;
+  return true;
+}
+
+/* Inserts the quote; who types the one that completion has put there already means that. */
+static unsigned char quote(EditLine *line, int key) {
+  (void)key;
+  cli_editor *e = editor_of(line);
+  const LineInfo *info = el_line(line);
+  bool there = e && e->closed && info->cursor - info->buffer == e->closed && info->cursor[-1] == '"';
+  if (e) e->closed = 0;
+  if (there) return CC_NORM;
+  return el_insertstr(line, "\"") == 0 ? CC_REFRESH : CC_ERROR;
+}
+
 static unsigned char complete(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
@@ -293,6 +315,7 @@ static unsigned char complete(EditLine *line, int key) {
     bool ok = common == length || el_insertstr(line, n.at[0] + length) == 0;
     bool folder = common && n.at[0][common - 1] == '/';
     if (ok && n.count == 1 && kind != WORD_FILE && !folder) ok = el_insertstr(line, " ") == 0;
+    if (ok && n.count == 1 && kind == WORD_FILE && !folder && start > before && start[-1] == '"') ok = close_string(e);
     result = !ok ? CC_ERROR : shown ? CC_REDISPLAY : CC_REFRESH;
   } else if (n.count) {
     print_names(&n);
@@ -493,7 +516,7 @@ void cli_editor_close(cli_editor *e) {
 cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(void *context, const char *name),
     void *context)) {
   static const struct { const char *keys, *does; } bound[] = {
-      {"^I", "vs-complete"}, {"^R", "em-inc-search-prev"}, {")", "vs-close"}, {"]", "vs-close"}, {"^M", "vs-enter"},
+      {"^I", "vs-complete"}, {"^R", "em-inc-search-prev"}, {")", "vs-close"}, {"]", "vs-close"}, {"\"", "vs-quote"}, {"^M", "vs-enter"},
           {"\\e[200~", "vs-paste"},
       {"\\e[A", "vs-up"}, {"\\eOA", "vs-up"}, {"\\e[B", "vs-down"}, {"\\eOB", "vs-down"}, {"\\e^M", "vs-newline"},
           {"\\e?", "vs-signature"},
@@ -536,6 +559,7 @@ cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(voi
   el_set(e->line, EL_HIST, history, e->history);
   el_set(e->line, EL_ADDFN, "vs-complete", "complete the word before the cursor", complete);
   el_set(e->line, EL_ADDFN, "vs-close", "close a parenthesis and show the one it closes", close_parenthesis);
+  el_set(e->line, EL_ADDFN, "vs-quote", "insert a quote, but for one that stands there by completion", quote);
   el_set(e->line, EL_ADDFN, "vs-enter", "end the line, or begin another of an open expression", enter);
   el_set(e->line, EL_ADDFN, "vs-newline", "begin another line", new_line);
   el_set(e->line, EL_ADDFN, "vs-paste", "take what is pasted as text", paste);
@@ -554,7 +578,7 @@ bool cli_editor_has_more(const cli_editor *e) {
 }
 
 const char *cli_editor_line(cli_editor *e, const char *prompt, const char *open, size_t *length, bool *whole) {
-  e->prompt = prompt, e->open = open, e->taken_back = false;
+  e->prompt = prompt, e->open = open, e->taken_back = false, e->closed = 0;
   e->pasted.length = 0;
   fputs("\033[?2004h", stdout); /* text that is pasted is to come marked as such */
   fflush(stdout);

@@ -2,7 +2,8 @@
  *
  * Every line of KEYS is typed once the program has been silent for most of a second, or less where it shows its prompt
  * anew; in it \n \t \e \\ and \xHH stand for keys (\x03 is ctrl-C), and \w waits up to 60 seconds for the next prompt.
- * What the program printed comes out without its cursor movements. Ends with the program's code. */
+ * What the program printed comes out without its cursor movements; with --escapes before PROGRAM all of it does, ESC
+ * as \e and a step back as \b. Ends with the program's code. */
 #define _GNU_SOURCE /* posix_openpt and friends, and TIOCSCTTY */
 #include <fcntl.h>
 #include <poll.h>
@@ -19,7 +20,7 @@ enum { PATIENCE = 700, /* ms; a busy machine may leave a program waiting for som
 
 /* Copies the program's output to standard output until it is silent for `patience` ms, or for less where it ends in a
  * new line with a prompt; false once it has closed the terminal. */
-static int listen_to(int terminal, int patience) {
+static int listen_to(int terminal, int patience, int escapes) {
   static int escape; /* inside ESC [ ... letter */
   int lines = 0, width = 0;
   char last[2] = {0, 0};
@@ -30,11 +31,13 @@ static int listen_to(int terminal, int patience) {
     if (got <= 0) return 0;
     for (ssize_t i = 0; i < got; i++) {
       char c = text[i];
+      if (escapes && (c == 27 || c == '\b')) printf("\\%c", c == 27 ? 'e' : 'b');
+      else if (escapes && escape) putchar(c);
       if (escape == 1) escape = c == '[' ? 2 : 0;
       else if (escape == 2) escape = c >= '@' && c <= '~' ? 0 : 2;
       else if (c == 27) escape = 1;
       else if (c != '\r') {
-        putchar(c);
+        if (!escapes || c != '\b') putchar(c);
         last[0] = last[1], last[1] = c;
         width++;
         if (c == '\n') lines++, width = 0;
@@ -66,6 +69,8 @@ static size_t unescape(char *line, int *patience) {
 }
 
 int main(int argc, char **argv) {
+  int escapes = argc > 1 && strcmp(argv[1], "--escapes") == 0;
+  argc -= escapes, argv += escapes;
   int terminal = posix_openpt(O_RDWR | O_NOCTTY);
   char *name = terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0 ? ptsname(terminal) : NULL;
   if (argc < 2 || !name) {
@@ -86,14 +91,14 @@ int main(int argc, char **argv) {
     _exit(127);
   }
   char line[4096];
-  int open_still = listen_to(terminal, 1000);
+  int open_still = listen_to(terminal, 1000, escapes);
   while (open_still && fgets(line, sizeof line, stdin)) {
     int patience = PATIENCE;
     size_t length = unescape(line, &patience);
     if (write(terminal, line, length) != (ssize_t)length) break;
-    open_still = listen_to(terminal, patience);
+    open_still = listen_to(terminal, patience, escapes);
   }
-  if (open_still) listen_to(terminal, 500);
+  if (open_still) listen_to(terminal, 500, escapes);
   close(terminal); /* hangs up on a program that still waits */
   int status = 0;
   waitpid(child, &status, 0);
