@@ -32,8 +32,6 @@ typedef struct {
 
 /* vs_eval_text, watched. */
 vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags);
-/* vs_resume, watched. */
-vs_outcome cli_session_resume(cli_session *c, vs_resume_way way);
 /* Runs what the command line named, or model, from the start: definitions, drawing and the rest are forgotten first. Then the summary. */
 vs_outcome cli_session_run(cli_session *c);
 /* Writes the drawing as the target says. */

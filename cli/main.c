@@ -105,13 +105,6 @@ vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_lin
   return outcome;
 }
 
-vs_outcome cli_session_resume(cli_session *c, vs_resume_way way) {
-  cli_watch_begin(&c->watch, true);
-  vs_outcome outcome = vs_resume(c->scheme, way);
-  cli_watch_end(&c->watch);
-  return outcome;
-}
-
 static vs_outcome run_file(cli_session *c, const char *path) {
   cli_watch_begin(&c->watch, true);
   vs_outcome outcome = vs_eval_file(c->scheme, path, c->stops);

@@ -90,8 +90,6 @@ void vs_session_begin(vs_session *s, unsigned flags);
 /* Ends it: what it made is told, or its condition is; usage: its fault is the caller's, exit 2. */
 vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage);
 vs_outcome vs_session_out_of_memory(vs_session *s); /* Reports it to the host. */
-/* The end of what vs_session_begin began. usage: a failure is the caller's fault. */
-vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage);
 
 static inline vs_session *vs_session_of(const vs_scheme *vm) { return (vs_session *)vm->host; }
 

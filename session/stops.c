@@ -175,14 +175,11 @@ bool vs_stop_get(vs_scheme *vm, vs_stop_info *out) {
 
 /* ---- going on ---- */
 
-vs_outcome vs_resume(vs_scheme *vm, vs_resume_way way) {
-  static const vs_step_mode modes[] = { [VS_RESUME_CONTINUE] = VS_STEP_CONTINUE, [VS_RESUME_ENTER] = VS_STEP_ENTER,
-    [VS_RESUME_OVER] = VS_STEP_OVER, [VS_RESUME_OUT] = VS_STEP_OUT, [VS_RESUME_SAME] = VS_STEP_SAME };
-  vs_session *s = vs_session_of(vm);
-  if (!vs_is_pair(vm->at.stops)) return VS_OUTCOME_USAGE;
-  VS_ROOTS(vm, r, 1);
-  r[0] = vs_car(vm->at.stops);
+bool vs_session_take_stop(vs_session *s, vs_value *stop, unsigned *flags) {
+  vs_scheme *vm = s->bind.vm;
+  if (!vs_is_pair(vm->at.stops)) return false;
+  *stop = vs_car(vm->at.stops);
   vm->at.stops = vs_cdr(vm->at.stops);
-  vs_session_begin(s, (unsigned)vs_fixnum(details(r[0])->at[VS_STOP_FLAGS]));
-  return vs_session_finish(s, vs_step_resume(vm, r[0], modes[way], &vm->value), false);
+  *flags = (unsigned)vs_fixnum(details(*stop)->at[VS_STOP_FLAGS]);
+  return true;
 }

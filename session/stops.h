@@ -1,4 +1,5 @@
-/* Owns programs that are stopped, for the session (vm/machine/step.h). What a host asks about them stands in visualscheme.h. */
+/* Owns programs that are stopped, for the session (vm/machine/step.h). What a host asks about them stands in
+ * visualscheme.h. */
 #ifndef VS_SESSION_STOPS_H
 #define VS_SESSION_STOPS_H
 
@@ -11,6 +12,8 @@ void vs_session_arm(vs_session *s, unsigned flags);
 bool vs_session_pass(vs_session *s, bool ok);
 /* The outcome of an evaluation that stopped, with the stop kept. */
 vs_outcome vs_session_stopped(vs_session *s);
+/* Takes the stop that was kept last, and the flags of its evaluation. False: nothing is stopped. */
+bool vs_session_take_stop(vs_session *s, vs_value *stop, unsigned *flags);
 /* A list of (symbol . value): the variables of the place where the program is stopped. False: out of memory. */
 bool vs_session_bindings(vs_session *s, vs_value *out);
 

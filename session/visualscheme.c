@@ -343,6 +343,18 @@ vs_outcome vs_eval_text(vs_scheme *vm, const char *name, unsigned first_line, co
   return vs_session_finish(s, ok, false);
 }
 
+vs_outcome vs_resume(vs_scheme *vm, vs_resume_way way) {
+  static const vs_step_mode modes[] = { [VS_RESUME_CONTINUE] = VS_STEP_CONTINUE, [VS_RESUME_ENTER] = VS_STEP_ENTER,
+    [VS_RESUME_OVER] = VS_STEP_OVER, [VS_RESUME_OUT] = VS_STEP_OUT, [VS_RESUME_SAME] = VS_STEP_SAME };
+  vs_session *s = vs_session_of(vm);
+  if (vs_session_busy(s, "vs_resume")) return VS_OUTCOME_USAGE;
+  VS_ROOTS(vm, r, 1);
+  unsigned flags;
+  if (!vs_session_take_stop(s, &r[0], &flags)) return VS_OUTCOME_USAGE;
+  vs_session_begin(s, flags);
+  return vs_session_finish(s, vs_step_resume(vm, r[0], modes[way], &vm->value), false);
+}
+
 /* "out/house.vs" names the drawing "house" */
 static bool set_title(vs_session *s, const char *path) {
   const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path, *dot = strrchr(base, '.');

@@ -31,7 +31,7 @@ struct cli_editor {
   line_buffer pasted;   /* lines that a paste ended; handed over as one */
   line_buffer rest;     /* what a paste left behind its last newline: the next buffer begins with it */
   bool taken_back;      /* the buffer holds the open lines too */
-  ptrdiff_t closed;     /* where in the buffer completion has closed a string: a " typed there is that one; 0: nowhere */
+  ptrdiff_t closed;     /* where completion has closed a string: a quote typed there is that one; 0: nowhere */
   void (*commands)(void (*each)(void *context, const char *name), void *context);
 };
 
@@ -516,7 +516,8 @@ void cli_editor_close(cli_editor *e) {
 cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(void *context, const char *name),
     void *context)) {
   static const struct { const char *keys, *does; } bound[] = {
-      {"^I", "vs-complete"}, {"^R", "em-inc-search-prev"}, {")", "vs-close"}, {"]", "vs-close"}, {"\"", "vs-quote"}, {"^M", "vs-enter"},
+      {"^I", "vs-complete"}, {"^R", "em-inc-search-prev"}, {")", "vs-close"}, {"]", "vs-close"},
+          {"\"", "vs-quote"}, {"^M", "vs-enter"},
           {"\\e[200~", "vs-paste"},
       {"\\e[A", "vs-up"}, {"\\eOA", "vs-up"}, {"\\e[B", "vs-down"}, {"\\eOB", "vs-down"}, {"\\e^M", "vs-newline"},
           {"\\e?", "vs-signature"},

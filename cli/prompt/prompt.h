@@ -26,8 +26,6 @@ typedef struct {
 void cli_prompt_command(cli_session *c, cli_prompt *p, char *line);
 void cli_command_names(void (*each)(void *context, const char *name), void *context);
 
-/* Is the text a definition? */
-bool cli_is_definition(const char *text);
 /* Prints the drawing as a picture on the terminal. size: "WxH" in characters, or "". */
 void cli_show(cli_session *c, const char *size);
 

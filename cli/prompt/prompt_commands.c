@@ -318,11 +318,6 @@ static void redo(cli_session *c, cli_prompt *p) {
   replay(c, p);
 }
 
-bool cli_is_definition(const char *text) {
-  text += strspn(text, " \t\r\n");
-  return !strncmp(text, "(define", 7);
-}
-
 /* What was typed, as a program: the model's files first, then every entry. */
 static void save(cli_session *c, cli_prompt *p, const char *path) {
   if (!*path) {

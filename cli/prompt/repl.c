@@ -30,15 +30,23 @@ const char *cli_repl_line(cli_session *c, size_t *length) {
 
 /* ---- evaluating ---- */
 
+static bool has_room(cli_entry **entries, size_t count, size_t *room) {
+  if (count < *room) return true;
+  size_t more = *room ? 2 * *room : 32;
+  cli_entry *grown = realloc(*entries, more * sizeof *grown);
+  if (grown) *entries = grown, *room = more;
+  return grown != NULL;
+}
+
+bool cli_is_definition(const char *text) {
+  text += strspn(text, " \t\r\n");
+  return !strncmp(text, "(define", 7);
+}
+
 static bool remember(cli_prompt *p, const char *text, size_t length, unsigned first_line) {
   for (size_t i = p->count; i < p->known; i++) free(p->entries[i].text); /* what was undone is past */
   p->known = p->count;
-  if (p->count == p->room) {
-    size_t room = p->room ? 2 * p->room : 32;
-    cli_entry *grown = realloc(p->entries, room * sizeof *grown);
-    if (!grown) return false;
-    p->entries = grown, p->room = room;
-  }
+  if (!has_room(&p->entries, p->count, &p->room)) return false;
   char *copy = malloc(length + 1);
   if (!copy) return false;
   memcpy(copy, text, length);
@@ -72,6 +80,14 @@ static void advise_infix(const char *text, size_t length) {
 
 /* ---- programs that are stopped ---- */
 
+/* vs_resume, watched. */
+static vs_outcome resume(cli_session *c, vs_resume_way way) {
+  cli_watch_begin(&c->watch, true);
+  vs_outcome outcome = vs_resume(c->scheme, way);
+  cli_watch_end(&c->watch);
+  return outcome;
+}
+
 void cli_prompt_drop(cli_session *c, cli_prompt *p) {
   free(p->stopped[--p->stopped_count].text);
   vs_stop_drop(c->scheme);
@@ -82,27 +98,23 @@ void cli_prompt_forget_stopped(cli_prompt *p) {
 }
 
 vs_outcome cli_prompt_stopped(cli_session *c, cli_prompt *p, cli_entry entry) {
-  if (p->stopped_count == p->stopped_room) {
-    size_t room = p->stopped_room ? 2 * p->stopped_room : 8;
-    cli_entry *grown = realloc(p->stopped, room * sizeof *grown);
-    if (!grown) {
-      fputs("vs: out of memory\n", stderr);
-      vs_stop_drop(c->scheme);
-      free(entry.text);
-      return VS_OUTCOME_MACHINE;
-    }
-    p->stopped = grown, p->stopped_room = room;
+  if (!has_room(&p->stopped, p->stopped_count, &p->stopped_room)) {
+    fputs("vs: out of memory\n", stderr);
+    vs_stop_drop(c->scheme);
+    free(entry.text);
+    return VS_OUTCOME_MACHINE;
   }
   vs_outcome outcome = VS_OUTCOME_STOPPED;
   vs_stop_info stop;
   while (outcome == VS_OUTCOME_STOPPED && vs_stop_get(c->scheme, &stop)) {
     cli_report_stop(&c->reporter, c->scheme, &stop);
     if (stop.kind != VS_STOPPED_VALUE) break;
-    outcome = cli_session_resume(c, VS_RESUME_SAME);
+    outcome = resume(c, VS_RESUME_SAME);
   }
   if (outcome == VS_OUTCOME_STOPPED) {
     p->stopped[p->stopped_count++] = entry;
-    if (!p->told_stops) fputs("; ,step enters the call, ,over passes it, ,out leaves the procedure, ,continue goes on; ,quit gives up\n", stderr);
+    if (!p->told_stops) fputs("; ,step enters the call, ,over passes it, ,out leaves the procedure, "
+                              ",continue goes on; ,quit gives up\n", stderr);
     p->told_stops = true;
     return outcome;
   }
@@ -120,7 +132,7 @@ void cli_prompt_resume(cli_session *c, cli_prompt *p, vs_resume_way way) {
   }
   p->again = way == VS_RESUME_CONTINUE ? 0 : 1 + (int)way;
   cli_entry entry = p->stopped[--p->stopped_count];
-  vs_outcome outcome = cli_session_resume(c, way);
+  vs_outcome outcome = resume(c, way);
   if (outcome == VS_OUTCOME_STOPPED) outcome = cli_prompt_stopped(c, p, entry);
   else {
     cli_report_settle(&c->reporter);

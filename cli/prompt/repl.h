@@ -24,6 +24,8 @@ vs_outcome cli_prompt_stopped(cli_session *c, cli_prompt *p, cli_entry entry);
 void cli_prompt_drop(cli_session *c, cli_prompt *p);
 /* The interpreter has begun anew: nothing is stopped any more. */
 void cli_prompt_forget_stopped(cli_prompt *p);
+/* Is the text a definition? */
+bool cli_is_definition(const char *text);
 void cli_prompt_free(cli_prompt *p);
 
 #endif

@@ -21,6 +21,7 @@
 #include "vm/machine/activation.h"
 #include "vm/machine/record_call.h"
 #include "vm/machine/step.h"
+#include "vm/machine/step_loop.h"
 #include "vm/values/string_chars.h"
 
 #if !VS_STEPPING

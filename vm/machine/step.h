@@ -39,9 +39,6 @@ vs_look vs_step_look(vs_scheme *vm, vs_value *base, const uint32_t *pc);
    as vs_run does. */
 bool vs_step_resume(vs_scheme *vm, vs_value stop, vs_step_mode mode, vs_value *out);
 
-/* The run loop with looks (run.c). */
-bool vs_step_loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out);
-
 bool vs_is_stop(const vs_scheme *vm, vs_value condition);
 
 #endif

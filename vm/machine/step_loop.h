@@ -1,0 +1,10 @@
+/* Owns the run loop of programs that are stepped through, for vs_run. */
+#ifndef VS_STEP_LOOP_H
+#define VS_STEP_LOOP_H
+
+#include "vm/machine/vs.h"
+
+/* As the loop of run.c: runs what the window w calls, until its frame returns. */
+bool vs_step_loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out);
+
+#endif
