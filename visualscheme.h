@@ -47,7 +47,7 @@ typedef enum {
   VS_OUTCOME_USAGE = 2,         /* bad arguments, or a file that cannot be read or written */
   VS_OUTCOME_WORKER = 3,        /* a worker program (POV-Ray, ...) is missing or failed */
   VS_OUTCOME_MACHINE = 4,       /* out of memory past the limits, and the like */
-  VS_OUTCOME_STOPPED = 5,       /* the program stands still in the middle, only with VS_EVAL_STOP:
+  VS_OUTCOME_STOPPED = -1,      /* no exit code: the program stands still in the middle, only with VS_EVAL_STOP;
       vs_stop_get says where, vs_resume goes on */
   VS_OUTCOME_INTERRUPTED = 130
 } vs_outcome;
