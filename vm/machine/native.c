@@ -1,4 +1,5 @@
-/* Owns the registration of natives: signatures, procedure objects, and the flat record types of the host. */
+/* Owns the registration of natives: signatures, procedure objects, and the flat record types of the host; and the calls
+ * that natives ask the run loop for. */
 #include "vm/machine/native.h"
 
 #include <float.h>
@@ -151,4 +152,37 @@ bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
     x[i] = rule == VS_RULE_ADD ? x[i] + y[i] : rule == VS_RULE_SUB ? x[i] - y[i] : rule == VS_RULE_MUL ? x[i] * y[i] : x[i] / y[i];
   }
   return vs_make_flat(vm, vm->flat->at[op][ta][tb].tag, x, n, out);
+}
+
+/* ---- natives asking for calls ---- */
+void vs_call_begin(vs_scheme *vm, vs_value procedure) {
+  vm->call_procedure = procedure;
+  vm->call_count = 0;
+}
+
+bool vs_call_push(vs_scheme *vm, vs_value v) {
+  if (vm->call_count == vm->call_room) {
+    size_t room = vm->call_room ? vm->call_room * 2 : 16;
+    vs_value *p = vs_mem(vm, vm->call_args, vm->call_room * sizeof *p, room * sizeof *p);
+    if (!p) return false;
+    vm->call_args = p;
+    vm->call_room = room;
+  }
+  vm->call_args[vm->call_count++] = v;
+  return true;
+}
+
+static bool prepare(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv) {
+  vs_call_begin(vm, procedure);
+  for (size_t i = 0; i < n; i++)
+    if (!vs_call_push(vm, argv[i])) return false;
+  return true;
+}
+
+vs_status vs_call(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv) {
+  return prepare(vm, procedure, n, argv) ? VS_CALL : VS_ERROR;
+}
+
+vs_status vs_tailcall(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv) {
+  return prepare(vm, procedure, n, argv) ? VS_TAILCALL : VS_ERROR;
 }

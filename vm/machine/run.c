@@ -19,81 +19,11 @@
 #include "vm/compiler/code.h"
 #include "vm/compiler/compile.h"
 #include "vm/machine/activation.h"
+#include "vm/machine/poll.h"
 #include "vm/machine/record_call.h"
 #include "vm/machine/step.h"
 #include "vm/machine/step_loop.h"
 #include "vm/values/string_chars.h"
-
-#if !VS_STEPPING
-enum { POLL_TURNS = 20000 };
-
-/* ---- limits ---- */
-static bool check_limits(vs_scheme *vm) {
-  const vs_config *c = &vm->config;
-  if (c->interrupted && c->interrupted(c->user)) return vs_fail(vm, vm->sym.interrupt, "interrupted");
-  if (c->step_limit && vm->steps > c->step_limit)
-    return vs_fail(vm, vm->sym.limit, "stopped after %llu steps, the limit", (unsigned long long)c->step_limit);
-  if (c->time_limit > 0 && c->clock && c->clock(c->user) - vm->started > c->time_limit)
-    return vs_fail(vm, vm->sym.limit, "stopped after %g seconds, the limit", c->time_limit);
-  return true;
-}
-
-/* with a step limit the last stretch is as long as what is left, so that the limit is exact */
-static void refuel(vs_scheme *vm) {
-  uint64_t turns = POLL_TURNS, limit = vm->config.step_limit;
-  if (limit && vm->steps <= limit && limit - vm->steps < turns) turns = limit - vm->steps + 1;
-  vm->fuel = (int64_t)turns;
-  vm->steps += turns;
-}
-
-bool vs_poll_limits(vs_scheme *vm) {
-  const vs_native *native = vm->native;
-  vm->native = NULL;                          /* the limit is nobody's error */
-  bool ok = check_limits(vm);
-  vm->native = native;
-  refuel(vm);
-  return ok;
-}
-
-bool vs_poll(vs_scheme *vm, uint64_t work) {
-  work += vm->work;                           /* 64 cheap steps are a turn */
-  vm->work = work & 63;
-  vm->fuel -= (int64_t)(work >> 6);
-  return vm->fuel > 0 || vs_poll_limits(vm);
-}
-
-enum { POLL_PIECE = 256 << 10 };        /* bytes; fresh memory is written at 1 to 2 GB a second */
-
-bool vs_poll_move(vs_scheme *vm, void *to, const void *from, size_t bytes) {
-  char *t = to;
-  const char *f = from;
-  bool back = t > f && t < f + bytes;     /* overlapping upwards: from the end */
-  for (size_t done = 0; done < bytes;) {
-    size_t n = bytes - done < POLL_PIECE ? bytes - done : POLL_PIECE, at = back ? bytes - done - n : done;
-    memmove(t + at, f + at, n);
-    done += n;
-    if (done < bytes && !vs_poll(vm, n / 8)) return false;
-  }
-  return true;
-}
-
-bool vs_poll_set(vs_scheme *vm, void *to, int byte, size_t bytes) {
-  for (size_t done = 0; done < bytes;) {
-    size_t n = bytes - done < POLL_PIECE ? bytes - done : POLL_PIECE;
-    memset((char *)to + done, byte, n);
-    done += n;
-    if (done < bytes && !vs_poll(vm, n / 8)) return false;
-  }
-  return true;
-}
-
-vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter) {
-  for (vs_value l = vm->parameters; vs_is_pair(l); l = vs_cdr(l))
-    if (vs_car(vs_car(l)) == parameter) return vs_cdr(vs_car(l));
-  return vs_as_parameter(parameter)->value;
-}
-
-#endif
 
 /* ---- the cases that the loop hands out ---- */
 static bool fail_undefined(vs_scheme *vm, vs_value name) {
@@ -1072,6 +1002,12 @@ uncaught:
 #if VS_STEPPING
 bool vs_step_loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) { return loop(vm, w, n, out); }
 #else
+vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter) {
+  for (vs_value l = vm->parameters; vs_is_pair(l); l = vs_cdr(l))
+    if (vs_car(vs_car(l)) == parameter) return vs_cdr(vs_car(l));
+  return vs_as_parameter(parameter)->value;
+}
+
 static void reset(vs_scheme *vm) {
   vm->base = NULL;
   vm->top = vm->stack;
@@ -1117,7 +1053,7 @@ bool vs_run(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv, v
   vm->top = w + 2 + n;
   vm->under = VS_FALSE;
   if (vm->config.clock) vm->started = vm->config.clock(vm->config.user);
-  refuel(vm);
+  vs_refuel(vm);
   vs_value result = VS_UNSPECIFIC;
   bool ok = (vm->step.mode == VS_STEP_CONTINUE ? loop : vs_step_loop)(vm, w, n, &result);
   vm->steps -= (uint64_t)(vm->fuel > 0 ? vm->fuel : 0);       /* those taken, not those granted */
@@ -1125,38 +1061,5 @@ bool vs_run(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv, v
   reset(vm);
   if (ok) *out = result;
   return ok;
-}
-
-/* ---- natives asking for calls ---- */
-void vs_call_begin(vs_scheme *vm, vs_value procedure) {
-  vm->call_procedure = procedure;
-  vm->call_count = 0;
-}
-
-bool vs_call_push(vs_scheme *vm, vs_value v) {
-  if (vm->call_count == vm->call_room) {
-    size_t room = vm->call_room ? vm->call_room * 2 : 16;
-    vs_value *p = vs_mem(vm, vm->call_args, vm->call_room * sizeof *p, room * sizeof *p);
-    if (!p) return false;
-    vm->call_args = p;
-    vm->call_room = room;
-  }
-  vm->call_args[vm->call_count++] = v;
-  return true;
-}
-
-static bool prepare(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv) {
-  vs_call_begin(vm, procedure);
-  for (size_t i = 0; i < n; i++)
-    if (!vs_call_push(vm, argv[i])) return false;
-  return true;
-}
-
-vs_status vs_call(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv) {
-  return prepare(vm, procedure, n, argv) ? VS_CALL : VS_ERROR;
-}
-
-vs_status vs_tailcall(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv) {
-  return prepare(vm, procedure, n, argv) ? VS_TAILCALL : VS_ERROR;
 }
 #endif

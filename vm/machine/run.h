@@ -9,11 +9,6 @@
    entered: it then ends the current one. */
 bool vs_run(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value *out);
 
-/* For the loop: asks for limits and interrupts when the fuel is used up. */
-bool vs_poll_limits(vs_scheme *vm);
-
-/* vm-front's driver: defines load, eval, ... as natives and runs a file through vs_run. */
-
 /* The instructions of a code object as text, to each until it returns false (dump.c). False: out of memory. */
 bool vs_code_dump(vs_scheme *vm, vs_value code, bool (*each)(void *context, const char *line), void *context);
 
@@ -23,11 +18,11 @@ vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter);
 /* The chain of calls now active, innermost first, at most `max`: list of (name . place) pairs; name symbol or #f, place a
    fixnum vs_pos; (#t . 0) before one stands for calls in between that ended with tail calls and left no frames. For natives such as `error`; conditions made by vs_fail have it already. */
 bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out);
-/* The same without allocating, names and places apart: how many were written. */
 /* The innermost calls with their variables, for vs_condition.frames (activation.c says how they lie). False: out of
  * memory. */
 enum { VS_FRAME_PROCEDURE, VS_FRAME_PLACE, VS_FRAME_VARIABLES, VS_FRAME_WORDS = VS_FRAME_VARIABLES + 2 * 16 };
 bool vs_call_variables(vs_scheme *vm, vs_value *out);
+/* The chain without allocating, names and places apart: how many were written. */
 size_t vs_call_links(vs_scheme *vm, vs_value *name, vs_pos *place, size_t max);
 /* The places alone, without allocating: how many were written. */
 size_t vs_call_places(vs_scheme *vm, vs_pos *place, size_t max);

@@ -1,15 +1,12 @@
 /* Owns the stops of a program: what the stepping run loop looks for, (break), and going on.
  *
- * What one steps through are calls in the program's own text, procedures that are opcodes among them, in the order
- * in which they are made. An
- * expression is shown when its operands have their values: (* 4 2), and then with what it gave. Everything of the
- * library runs through.
+ * A step goes from one call in the program's own text to the next, in the order in which they are made; procedures
+ * that are opcodes count as calls. An expression is shown when its operands have their values: (* 4 2), and then
+ * with what it gave. Everything of the library runs through.
  *
  * A frame's level is its distance from the bottom of the stack, the parts in the heap counted. A callee's is larger
- * than its caller's, and
- * that of a frame which replaces another by a tail call the same. Stepping over an expression means to look away
- * from all frames
- * above its own until it has its value. */
+ * than its caller's, and that of a frame which replaces another by a tail call the same. Stepping over an
+ * expression means to look away from all frames above its own until it has its value. */
 #include "vm/machine/step.h"
 
 #include "vm/compiler/code.h"
@@ -63,8 +60,7 @@ static bool value_of(const vs_code *code, const vs_value *base, uint32_t call, u
 /* The procedure and the arguments of the call at ins; args: room behind the frame's registers. Returns how many
    there are. */
 static size_t operands_of(const vs_code *code, vs_value *base, const uint32_t *ins, vs_value *procedure,
-    const vs_value **args,
-                          vs_value *keywords) {
+                          const vs_value **args, vs_value *keywords) {
   const vs_value *k = vs_code_consts(code);
   vs_value *room = base + code->registers;
   uint32_t op = *ins & 255, a = VS_A(*ins), b = VS_B(*ins), c = VS_C(*ins);

@@ -1,0 +1,65 @@
+#include "vm/machine/poll.h"
+
+#include <string.h>
+
+#include "vm/machine/native.h"
+
+enum { POLL_TURNS = 20000 };
+
+static bool check_limits(vs_scheme *vm) {
+  const vs_config *c = &vm->config;
+  if (c->interrupted && c->interrupted(c->user)) return vs_fail(vm, vm->sym.interrupt, "interrupted");
+  if (c->step_limit && vm->steps > c->step_limit)
+    return vs_fail(vm, vm->sym.limit, "stopped after %llu steps, the limit", (unsigned long long)c->step_limit);
+  if (c->time_limit > 0 && c->clock && c->clock(c->user) - vm->started > c->time_limit)
+    return vs_fail(vm, vm->sym.limit, "stopped after %g seconds, the limit", c->time_limit);
+  return true;
+}
+
+void vs_refuel(vs_scheme *vm) {
+  uint64_t turns = POLL_TURNS, limit = vm->config.step_limit;
+  if (limit && vm->steps <= limit && limit - vm->steps < turns) turns = limit - vm->steps + 1;
+  vm->fuel = (int64_t)turns;
+  vm->steps += turns;
+}
+
+bool vs_poll_limits(vs_scheme *vm) {
+  const vs_native *native = vm->native;
+  vm->native = NULL;                          /* the limit is nobody's error */
+  bool ok = check_limits(vm);
+  vm->native = native;
+  vs_refuel(vm);
+  return ok;
+}
+
+bool vs_poll(vs_scheme *vm, uint64_t work) {
+  work += vm->work;                           /* 64 cheap steps are a turn */
+  vm->work = work & 63;
+  vm->fuel -= (int64_t)(work >> 6);
+  return vm->fuel > 0 || vs_poll_limits(vm);
+}
+
+enum { POLL_PIECE = 256 << 10 };        /* bytes; fresh memory is written at 1 to 2 GB a second */
+
+bool vs_poll_move(vs_scheme *vm, void *to, const void *from, size_t bytes) {
+  char *t = to;
+  const char *f = from;
+  bool back = t > f && t < f + bytes;     /* overlapping upwards: from the end */
+  for (size_t done = 0; done < bytes;) {
+    size_t n = bytes - done < POLL_PIECE ? bytes - done : POLL_PIECE, at = back ? bytes - done - n : done;
+    memmove(t + at, f + at, n);
+    done += n;
+    if (done < bytes && !vs_poll(vm, n / 8)) return false;
+  }
+  return true;
+}
+
+bool vs_poll_set(vs_scheme *vm, void *to, int byte, size_t bytes) {
+  for (size_t done = 0; done < bytes;) {
+    size_t n = bytes - done < POLL_PIECE ? bytes - done : POLL_PIECE;
+    memset((char *)to + done, byte, n);
+    done += n;
+    if (done < bytes && !vs_poll(vm, n / 8)) return false;
+  }
+  return true;
+}
