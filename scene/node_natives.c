@@ -17,17 +17,7 @@ const vs_native_table *const *vs_nodes_tables(void) {
 
 /* ---- frames ---- */
 
-/* The sine of an angle in degrees, exact at quarter turns. */
-static double sine(double degrees) {
-  double d = fmod(degrees, 360);
-  if (fmod(d, 90) != 0) return sin(d * (3.141592653589793 / 180));
-  int quarter = (int)(d / 90);
-  return quarter == 1 || quarter == -3 ? 1 : quarter == 3 || quarter == -1 ? -1 : 0;
-}
-static double cosine(double degrees) {
-  double d = fmod(fabs(degrees), 360);
-  return fmod(d, 90) == 0 ? sine(d + 90) : cos(d * (3.141592653589793 / 180));
-}
+static const double degree = 3.141592653589793 / 180;
 
 static vs_status give_matrix(vs_scheme *vm, const vs_affine *m, vs_value *out) {
   double d[16] = { 0 };
@@ -40,12 +30,14 @@ static vs_status give_matrix(vs_scheme *vm, const vs_affine *m, vs_value *out) {
 static vs_status node_matrix(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   const double *t = vs_as_flat(a[0])->at, *r = vs_as_flat(a[1])->at, *s = vs_as_flat(a[2])->at;
-  double sx = sine(r[0]), cx = cosine(r[0]), sy = sine(r[1]), cy = cosine(r[1]), sz = sine(r[2]), cz = cosine(r[2]);
-  vs_affine m = { {
-    { cy * cz * s[0], (sx * sy * cz - cx * sz) * s[1], (cx * sy * cz + sx * sz) * s[2], t[0] },
-    { cy * sz * s[0], (sx * sy * sz + cx * cz) * s[1], (cx * sy * sz - sx * cz) * s[2], t[1] },
-    { -sy * s[0], sx * cy * s[1], cx * cy * s[2], t[2] },
-  } };
+  const vs_vec3 origin = vs_v3(0, 0, 0), axis[] = { vs_v3(1, 0, 0), vs_v3(0, 1, 0), vs_v3(0, 0, 1) };
+  vs_affine m = vs_affine_scaling(origin, vs_v3(s[0], s[1], s[2])), next;
+  for (int i = 0; i < 3; i++) {
+    next = vs_affine_rotation(origin, axis[i], fmod(r[i], 360) * degree);
+    m = vs_affine_multiply(&next, &m);
+  }
+  next = vs_affine_translation(vs_v3(t[0], t[1], t[2]));
+  m = vs_affine_multiply(&next, &m);
   return give_matrix(vm, &m, out);
 }
 
@@ -54,26 +46,19 @@ static vs_status node_matrix(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_affine m = vs_bind_affine(vs_as_flat(a[0])->at);
-  vs_vec3 column[3];
-  double length[3];
   *out = VS_FALSE;
-  for (int i = 0; i < 3; i++) {
-    column[i] = vs_v3(m.m[0][i], m.m[1][i], m.m[2][i]);
-    length[i] = vs_v3_length(column[i]);
-    if (!(length[i] > 0)) return VS_OK;
-    column[i] = vs_v3_scale(column[i], 1 / length[i]);
-  }
-  for (int i = 0; i < 3; i++)
-    if (fabs(vs_v3_dot(column[i], column[(i + 1) % 3])) > 1e-9) return VS_OK;
-  if (vs_affine_determinant(&m) < 0) length[0] = -length[0], column[0] = vs_v3_scale(column[0], -1);
-  const double turn = 180 / 3.141592653589793;
-  double flat = hypot(column[0].x, column[0].y), r[3] = { 0, atan2(-column[0].z, flat) * turn, 0 };
+  if (vs_affine_determinant(&m) == 0 || !vs_affine_is_placement(&m)) return VS_OK;
+  vs_vec3 move, scale, column[3];
+  double quaternion[4];
+  vs_affine_split(&m, &move, quaternion, &scale);
+  const double t[3] = { move.x, move.y, move.z }, s[3] = { scale.x, scale.y, scale.z };
+  for (int i = 0; i < 3; i++) column[i] = vs_v3_scale(vs_v3(m.m[0][i], m.m[1][i], m.m[2][i]), 1 / s[i]);
+  double flat = hypot(column[0].x, column[0].y), r[3] = { 0, atan2(-column[0].z, flat) / degree, 0 };
   if (flat > 1e-12) {
-    r[0] = atan2(column[1].z, column[2].z) * turn;
-    r[2] = atan2(column[0].y, column[0].x) * turn;
-  } else r[0] = atan2(-column[2].y, column[1].y) * turn; /* X stands upright: turns about X and Z are one */
-  const double t[3] = { m.m[0][3], m.m[1][3], m.m[2][3] };
-  const double *const parts[3] = { t, r, length };
+    r[0] = atan2(column[1].z, column[2].z) / degree;
+    r[2] = atan2(column[0].y, column[0].x) / degree;
+  } else r[0] = atan2(-column[2].y, column[1].y) / degree; /* X stands upright: turns about X and Z are one */
+  const double *const parts[3] = { t, r, s };
   VS_ROOTS(vm, root, 2);
   root[0] = VS_NIL;
   for (int i = 3; i-- > 0;)
@@ -93,8 +78,7 @@ static vs_status fail_ray(vs_scheme *vm, const vs_error *e) {
 
 /* object matrix from direction: where the ray, in the world's coordinates, meets the object that the matrix puts there
  * from its own. #f: nowhere; else (lengths of direction . #f), or (lengths file line column) where the object's maker
- * is
- * known. */
+ * is known. */
 static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_bind *b = vs_bind_of(vm);

@@ -48,8 +48,7 @@ static size_t meets_mesh(const vs_mesh *m, vs_vec3 from, vs_vec3 direction, doub
 }
 
 static bool meets_solid(vs_bind *b, vs_ref ref, const vs_facets *facets, vs_vec3 from, vs_vec3 direction,
-    vs_ray_hit *hit,
-                        vs_error *e) {
+                        vs_ray_hit *hit, vs_error *e) {
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = b->vm };
   vs_solid solid;
   if (!vs_solid_evaluate(&ref, 1, facets, &options, &solid, e)) return false;

@@ -6,8 +6,7 @@
 #include "bind/bind.h"
 
 /* Where a ray meets an object: after `at` lengths of its direction, on a part that was made at origin (NULL: that is
- * not
- * known). at INFINITY: nowhere. */
+ * not known). at INFINITY: nowhere. */
 typedef struct { double at; const vs_origin *origin; } vs_ray_hit;
 
 /* The nearest place at or in front of `from` where the ray meets the object, whose bounds are looked at first. Curves
