@@ -204,12 +204,13 @@ static void pov_sky(vs_emitter *e) {
  * one over the angle below the horizon, and brightness as it is seen by the 2.2th root, so that it grows evenly with the
  * height in the picture. */
 static void pov_ground_haze(vs_emitter *e, const vs_look *l, double diagonal, double z) {
-  static const double near = 1.3, far = 60, at[] = { 60, 30, 15, 9, 6, 4, 3, 2.2, 1.7, 1.3 }; /* the first is FAR, the last NEAR */
+  enum { COUNT = 10 };
+  const double near = 1.3, far = 60, at[COUNT] = { far, 30, 15, 9, 6, 4, 3, 2.2, 1.7, near };
   vs_writer *w = e->out;
   vs_vec3 haze = pov_air_of(e->scene).haze;
   vs_vec3 middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5 * e->unit);
   vs_puts(w, "  texture {\n    pigment { spherical color_map {\n");
-  for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
+  for (int i = 0; i < COUNT; i++) {
     pov_word(w, "      [", 1 - at[i] / far, " color srgbt <");
     for (int k = 0; k < 3; k++) pov_word(w, "", k == 0 ? haze.x : k == 1 ? haze.y : haze.z, ", ");
     pov_word(w, "", i == 0 ? 0 : 1 - pow(1 - near / at[i], 2.2), ">]\n");
