@@ -235,9 +235,8 @@ typedef struct {
   const char *procedure;  /* that the expression stands in; "" */
   const char *text;       /* CALL: "(area 3 4)", with the values of its arguments; VALUE: the value; BREAK: "" */
 } vs_stop_info;
-/* The texts live until the next call of any function of this interpreter. False: nothing is stopped. vs_frame_get
- * tells of its calls until something else
- * fails. */
+/* The texts live until the next call of any function of this interpreter. False: nothing is stopped. vs_frame_get tells
+ * of its calls until something else fails. */
 VS_API bool vs_stop_get(vs_scheme *s, vs_stop_info *out);
 /* How many are stopped, one on top of the other. */
 VS_API size_t vs_stop_depth(const vs_scheme *s);
@@ -489,10 +488,8 @@ VS_API vs_outcome vs_apply(vs_scheme *s, vs_handle procedure, const vs_handle *a
     vs_handle *result);
 
 /* A procedure of the host's. The arguments are released after it; *result, 0 at first, is a handle that it gives away,
- * or
- * stays 0 for no value. False: the program gets an error, whose text vs_host_fail gave. context must live as long as
- * the
- * interpreter. name: for messages. */
+ * or stays 0 for no value. False: the program gets an error, whose text vs_host_fail gave. context must live as long as
+ * the interpreter. name: for messages. */
 typedef bool vs_host_fn(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result);
 VS_API vs_handle vs_host_procedure(vs_scheme *s, const char *name, vs_host_fn *fn, void *context);
 VS_API void vs_host_fail(vs_scheme *s, const char *message);
@@ -567,9 +564,8 @@ typedef struct {
   double value;
   const char *unit;  /* "s", "bytes", "" (a count) */
 } vs_statistic;
-/* Of everything since vs_new, in a fixed order; the manual's page on the command says what each key means. A value
- * that was not counted is a
- * NaN. Copies at most room of them to out, returns how many there are. */
+/* Of everything since vs_new, in a fixed order; the manual's page on the command says what each key means. A value that
+ * was not counted is a NaN. Copies at most room of them to out, returns how many there are. */
 VS_API size_t vs_statistics(const vs_scheme *s, vs_statistic *out, size_t room);
 
 typedef struct {
@@ -578,8 +574,7 @@ typedef struct {
   bool done;          /* false: it failed */
 } vs_output_info;
 /* The same of single outputs, the latest 64, oldest first; keys are those of vs_statistics that belong to one output.
- * False: no such index. *count is how many there are,
- * whatever room is. */
+ * False: no such index. *count is how many there are, whatever room is. */
 VS_API bool vs_output_statistics(const vs_scheme *s, size_t index, vs_output_info *info, vs_statistic *out, size_t room,
     size_t *count);
 

@@ -16,9 +16,8 @@ typedef struct {
 void cli_report_diagnostic(cli_reporter *r, const vs_diagnostic *d);
 void cli_report_progress(cli_reporter *r, const vs_progress *p);
 void cli_report_settle(cli_reporter *r); /* takes the progress line away */
-/* Where a program is stopped: the place, the variables in scope, the line with the expression marked, and behind it
- * the call that comes next with
- * the values of its arguments. Of a value: the expression and what it gave. */
+/* Where a program is stopped: the place, the variables in scope, the line with the expression marked, and behind it the
+ * call that comes next with the values of its arguments. Of a value: the expression and what it gave. */
 void cli_report_stop(cli_reporter *r, vs_scheme *scheme, const vs_stop_info *stop);
 /* The calls that the last error ended, innermost first, each with the parameters it had, a line a call. Returns false if there were none.
  * The interpreter keeps them if vs_options.keep_frames says so. */

@@ -34,9 +34,8 @@ bool vs_session_held(vs_session *s, const char *who, vs_handle h, vs_value *out)
 /* A new handle, 0 where there is no memory; the host has been told. value in a root. */
 vs_handle vs_session_hold(vs_session *s, const vs_value *value);
 
-/* Calls the procedure of the language with this name; it may be one that programs do not see. argv in roots. *result
- * in a
- * root, or NULL. */
+/* Calls the procedure of the language with this name; it may be one that programs do not see. argv in roots. *result in
+ * a root, or NULL. */
 vs_outcome vs_session_invoke(vs_session *s, const char *name, size_t count, const vs_value *argv, vs_value *result);
 
 /* Runs something in the interpreter now? Then the host is told that `who` cannot be called. */

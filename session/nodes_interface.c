@@ -1,6 +1,5 @@
 /* Owns the scene in the public header: nodes, properties, actions and picks, each a call of the procedure of the
- * language
- * that does the same, so that hosts and programs meet the same rules and the same messages. */
+ * language that does the same, so that hosts and programs meet the same rules and the same messages. */
 #include <stdio.h>
 
 #include "session/handles.h"
@@ -32,8 +31,7 @@ static vs_handle ask(vs_scheme *vm, const char *who, const char *procedure, cons
 
 /* With a name among the arguments, which is made and let go. */
 static vs_outcome call_named(vs_scheme *vm, const char *who, const char *procedure, vs_handle first, const char *name,
-    vs_handle last,
-                             vs_handle *result) {
+                             vs_handle last, vs_handle *result) {
   vs_handle symbol = vs_handle_symbol(vm, name);
   const vs_handle arguments[] = { first, symbol, last };
   if (result) *result = 0;
@@ -55,28 +53,30 @@ vs_handle vs_node_create(vs_scheme *vm, const char *type, const char *name, vs_h
   vs_handle above = parent ? vs_handle_retain(vm, parent) : vs_handle_boolean(vm, false);
   vs_handle made = kind && text && above ? ask(vm, "vs_node_create", "%node-create", (const vs_handle[]){ kind, text,
       above }, 3) : 0;
-  if (kind) vs_handle_release(vm, kind);
-  if (text) vs_handle_release(vm, text);
-  if (above) vs_handle_release(vm, above);
+  vs_handle_release(vm, kind);
+  vs_handle_release(vm, text);
+  vs_handle_release(vm, above);
   return made;
 }
 
 vs_handle vs_node_find(vs_scheme *vm, const char *name) {
   vs_handle text = vs_handle_text(vm, name), found = text ? ask(vm, "vs_node_find", "node-find", &text, 1) : 0;
-  if (text) vs_handle_release(vm, text);
+  vs_handle_release(vm, text);
   return found;
 }
 
-vs_handle vs_node_parent(vs_scheme *vm, vs_handle node) { return ask(vm, "vs_node_parent", "node-getparent", &node, 1);
-    }
-vs_handle vs_node_children(vs_scheme *vm, vs_handle node) { return ask(vm, "vs_node_children", "node-getchildren",
-    &node, 1); }
+vs_handle vs_node_parent(vs_scheme *vm, vs_handle node) {
+  return ask(vm, "vs_node_parent", "node-getparent", &node, 1);
+}
+vs_handle vs_node_children(vs_scheme *vm, vs_handle node) {
+  return ask(vm, "vs_node_children", "node-getchildren", &node, 1);
+}
 vs_handle vs_node_object(vs_scheme *vm, vs_handle node) { return ask(vm, "vs_node_object", "node-object", &node, 1); }
 
 const char *vs_node_name(vs_scheme *vm, vs_handle node) {
   vs_handle text = ask(vm, "vs_node_name", "node-getname", &node, 1);
   const char *name = text ? vs_handle_get_text(vm, text) : NULL;
-  if (text) vs_handle_release(vm, text);
+  vs_handle_release(vm, text);
   return name;
 }
 
@@ -89,8 +89,9 @@ vs_outcome vs_node_remove_child(vs_scheme *vm, vs_handle parent, vs_handle child
 vs_outcome vs_node_set_drawing(vs_scheme *vm, vs_handle node, vs_handle drawing) {
   return call(vm, "vs_node_set_drawing", "node-setdrawing", (const vs_handle[]){ node, drawing }, 2, NULL);
 }
-vs_outcome vs_node_begin(vs_scheme *vm, vs_handle node) { return call(vm, "vs_node_begin", "node-begin", &node, 1,
-    NULL); }
+vs_outcome vs_node_begin(vs_scheme *vm, vs_handle node) {
+  return call(vm, "vs_node_begin", "node-begin", &node, 1, NULL);
+}
 vs_outcome vs_node_end(vs_scheme *vm) { return call(vm, "vs_node_end", "node-end", NULL, 0, NULL); }
 
 vs_outcome vs_node_place(vs_scheme *vm, vs_handle node, const double *translate, const double *degrees,
@@ -112,7 +113,7 @@ vs_outcome vs_node_place(vs_scheme *vm, vs_handle node, const double *translate,
 bool vs_node_matrix(vs_scheme *vm, vs_handle node, bool world, double out[16]) {
   vs_handle m = ask(vm, "vs_node_matrix", world ? "node-worldtransform" : "node-gettransform", &node, 1);
   bool ok = m && vs_handle_get_numbers(vm, m, out, 16) == 16;
-  if (m) vs_handle_release(vm, m);
+  vs_handle_release(vm, m);
   return ok;
 }
 
@@ -145,7 +146,7 @@ uint64_t vs_property_subscribe(vs_scheme *vm, vs_handle property, vs_host_fn *fn
   vs_handle number = procedure ? ask(vm, "vs_property_subscribe", "property-subscribe", (const vs_handle[]){ property,
       procedure }, 2) : 0;
   if (number) vs_handle_get_numbers(vm, number, &id, 1), vs_handle_release(vm, number);
-  if (procedure) vs_handle_release(vm, procedure);
+  vs_handle_release(vm, procedure);
   return (uint64_t)id;
 }
 
@@ -198,7 +199,7 @@ static bool tell_hit(vs_scheme *vm, vs_handle hit, bool (*each)(void *context, v
     *go_on = each(context, vm, &told);
   }
   for (size_t i = 0; i < PARTS; i++)
-    if (part[i]) vs_handle_release(vm, part[i]);
+    vs_handle_release(vm, part[i]);
   return ok;
 }
 
@@ -209,14 +210,14 @@ vs_outcome vs_pick(vs_scheme *vm, const double from[3], const double direction[3
   vs_handle hits = 0;
   vs_outcome outcome = ray[0] && ray[1] ? call(vm, "vs_pick", "%pick-for-host", ray, 2, &hits) : VS_OUTCOME_MACHINE;
   for (size_t i = 0; i < 2; i++)
-    if (ray[i]) vs_handle_release(vm, ray[i]);
+    vs_handle_release(vm, ray[i]);
   size_t count = hits && outcome == VS_OUTCOME_DONE ? vs_handle_count(vm, hits) : 0;
   bool go_on = true;
   for (size_t i = 0; i < count && go_on; i++) {
     vs_handle hit = vs_handle_item(vm, hits, i);
     if (!hit || !tell_hit(vm, hit, each, context, &go_on)) outcome = VS_OUTCOME_MACHINE, go_on = false;
-    if (hit) vs_handle_release(vm, hit);
+    vs_handle_release(vm, hit);
   }
-  if (hits) vs_handle_release(vm, hits);
+  vs_handle_release(vm, hits);
   return outcome;
 }

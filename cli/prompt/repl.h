@@ -16,9 +16,8 @@ vs_outcome cli_prompt_evaluate_with(cli_session *c, cli_prompt *p, const char *t
     unsigned first_line, unsigned extra);
 /* Goes on with what is stopped, and tells where it stops next. */
 void cli_prompt_resume(cli_session *c, cli_prompt *p, vs_resume_way way);
-/* Tells where what was just run is stopped, and keeps it (entry, which is handed over) until it has ended. Returns
- * how it ended
- * where it did after all. */
+/* Tells where what was just run is stopped, and keeps it (entry, which is handed over) until it has ended. Returns how
+ * it ended where it did after all. */
 vs_outcome cli_prompt_stopped(cli_session *c, cli_prompt *p, cli_entry entry);
 /* Gives up what was stopped last. */
 void cli_prompt_drop(cli_session *c, cli_prompt *p);
