@@ -233,7 +233,7 @@ tests: all units $(TOOL_BIN) ## run the tests with what is installed; LONG=1: th
 quick: all units # what every commit must pass in a minute
 	@for t in $(UNIT_BIN); do $$t || exit 1; done
 
-SANITIZE  = OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=$(1) -DVS_DEBUG=1" BUILD=$(BUILD)/$(2) SUITES="unit lang cli" tests
+SANITIZE  = OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=$(1) -DVS_DEBUG=1" BUILD=$(BUILD)/$(2) SUITES="$(or $(SUITES),unit lang cli)" UNIT_SECONDS=1800 tests
 asan: ## the tests under the address and leak sanitizer
 	$(MAKE) $(call SANITIZE,address,asan) LDFLAGS="-Wl,--no-as-needed -lstdc++" # GEOS comes later and throws: the sanitizer must know of C++ from the start
 ubsan: ## the tests under the undefined-behaviour sanitizer
@@ -250,7 +250,7 @@ sanitized: ## the kernel's tests under the address, leak and undefined-behaviour
 	LONG= UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 SUITES=solids sh tests/run.sh $(BUILD)/ubsan
 
 stress: ## the tests with a collection at every allocation and the heap checked again and again: minutes
-	$(MAKE) BUILD=$(BUILD)/stress EXTRA="-DVS_DEBUG=1 -DVS_DEBUG_STRESS=1 -DVS_DEBUG_SMALL=1" SUITES="unit lang cli manual" tests
+	$(MAKE) BUILD=$(BUILD)/stress EXTRA="-DVS_DEBUG=1 -DVS_DEBUG_STRESS=1 -DVS_DEBUG_SMALL=1" SUITES="$(or $(SUITES),unit lang cli manual)" UNIT_SECONDS=1800 tests
 
 layers: ## check that includes follow the layers' arrows and that no object that is built has mutable globals
 	sh scripts/layers.sh $(BUILD)
