@@ -30,13 +30,11 @@ void know_xml_text(FILE *to, const char *text, size_t length) {
 }
 
 static void xml_attribute(FILE *to, const char *text, size_t length) {
-    /* line ends are kept by numbers: a reader would make blanks of them */
-  for (size_t i = 0; i < length;) {
-    size_t n = strcspn(text + i, "\n\r\t");
-    if (n > length - i) n = length - i;
+  /* Line ends are kept by numbers: a reader would make blanks of them. */
+  for (size_t i = 0, n; i < length; i += n + 1) {
+    for (n = 0; i + n < length && !strchr("\n\r\t", text[i + n]);) n++;
     know_xml_text(to, text + i, n);
-    i += n;
-    if (i < length) fprintf(to, "&#%d;", text[i++]);
+    if (i + n < length) fprintf(to, "&#%d;", text[i + n]);
   }
 }
 
