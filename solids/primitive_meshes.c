@@ -62,7 +62,7 @@ static bool primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel
   if (!may_overlap(n) || !out->triangle_count) return true;
   if (!vs_kernel_inspect(out, options, &flaws, &why)) return failed(&why, e);
   if (flaws.wound_count == 0) return true;
-  if (!vs_kernel_resolve(out, 0, options, &whole, &why)) return failed(&why, e);
+  if (!vs_kernel_resolve(out, 0, options, &whole, &why)) return vs_mesh_free(&whole), failed(&why, e);
   vs_bounds b = vs_mesh_bounds(out);
   vs_mesh_free(out);
   *out = whole;
