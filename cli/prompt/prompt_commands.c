@@ -479,6 +479,12 @@ void cli_command_names(void (*each)(void *context, const char *name), void *cont
 #include "cli/prompt/prompt_commands.def"
 }
 
+void cli_command_advise(const char *name, FILE *to) {
+#define COMMAND(command, argument, help, action) \
+  if (strcmp(name, #command) == 0) fprintf(to, "; ,%s: %s\n", #command argument, help);
+#include "cli/prompt/prompt_commands.def"
+}
+
 void cli_prompt_command(cli_session *c, cli_prompt *p, char *line) {
   size_t length = strcspn(line, " \t");
   char *rest = line + length + strspn(line + length, " \t");

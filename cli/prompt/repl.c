@@ -65,17 +65,43 @@ void cli_prompt_free(cli_prompt *p) {
 }
 
 /* 3 + 4 is three values. */
-static void advise_infix(const char *text, size_t length) {
-  char a[40], sign[3], b[40], rest[2], line[120];
-  while (length && strchr(" \t\r\n", text[length - 1])) length--;
-  if (!length || length >= sizeof line) return;
-  memcpy(line, text, length);
-  line[length] = 0;
-  if (sscanf(line, "%39[^ ()\"'] %2[-+*/<>=^%%] %39[^ ()\"']%1s", a, sign, b, rest) != 3 || strpbrk(a, "\n;") ||
-      strpbrk(b, "\n;")) return;
-  if (sign[0] == '=' && !sign[1]) return; /* x = 5: the error says it */
+static bool advise_infix(const char *line) {
+  char a[40], sign[3], b[40], rest[2];
+  if (sscanf(line, "%39[^ ()\"'] %2[-+*/<>=^%%] %39[^ ()\"']%1s", a, sign, b, rest) != 3) return false;
+  if (sign[0] == '=' && !sign[1]) return false; /* x = 5: the error says it */
   fprintf(stderr, "; the operator stands first: (%s %s %s)\n", strcmp(sign, "^") == 0 ? "expt" : strcmp(sign,
       "==") == 0 ? "=" : sign, a, b);
+  return true;
+}
+
+/* A line as one types it to a shell: `load "x.vs"` is two values, and `show` no name at all. */
+static void advise_bare_call(cli_session *c, const char *line, bool failed) {
+  char name[40];
+  size_t length = strcspn(line, " ");
+  if (!length || length >= sizeof name || strchr("()[]'`,\"#;", *line)) return;
+  memcpy(name, line, length);
+  name[length] = 0;
+  vs_name_info info;
+  if (vs_name_get(c->scheme, name, &info)) {
+    if (!*info.call || !line[length]) return;
+    fprintf(stderr, "; a call stands in parentheses: (%s)\n", line);
+  } else {
+    char command[sizeof name + 1];
+    snprintf(command, sizeof command, ",%s", name);
+    if (!failed || strstr(vs_name_advice(c->scheme, name), command)) return; /* the error has told it */
+  }
+  cli_command_advise(name, stderr);
+}
+
+/* Looks at a line without parentheses around it that was run. */
+static void advise(cli_session *c, const char *text, size_t length, bool failed) {
+  char line[120];
+  while (length && strchr(" \t\r\n", text[length - 1])) length--;
+  while (length && strchr(" \t\r\n", *text)) text++, length--;
+  if (!length || length >= sizeof line || memchr(text, '\n', length) || memchr(text, ';', length)) return;
+  memcpy(line, text, length);
+  line[length] = 0;
+  if (failed || !advise_infix(line)) advise_bare_call(c, line, failed);
 }
 
 /* ---- programs that are stopped ---- */
@@ -158,12 +184,14 @@ vs_outcome cli_prompt_evaluate_with(cli_session *c, cli_prompt *p, const char *t
     p->again = extra & VS_EVAL_STEP ? 1 + VS_RESUME_ENTER : 0;
     outcome = cli_prompt_stopped(c, p, (cli_entry){copy.at, first_line});
   } else if (outcome == VS_OUTCOME_DONE) {
-    advise_infix(text, length);
+    advise(c, text, length, false);
     /* what was asked of a stopped program makes no sense outside of it */
     if ((!p->stopped_count || cli_is_definition(text)) && !remember(p, text, length,
         first_line)) fputs("vs: out of memory\n", stderr);
-  } else if (outcome == VS_OUTCOME_MODEL && c->editor && vs_frame_get(c->scheme, 1, &frame)) {
-    fputs("; ,backtrace shows the calls, ,locals 1 what the first was called with\n", stderr);
+  } else if (outcome == VS_OUTCOME_MODEL) {
+    advise(c, text, length, true);
+    if (c->editor && vs_frame_get(c->scheme, 1, &frame))
+      fputs("; ,backtrace shows the calls, ,locals 1 what the first was called with\n", stderr);
   }
   return outcome;
 }
