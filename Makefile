@@ -18,7 +18,6 @@ say       = $(if $(V),@:,@echo "  $(1)")
 # Asked when a recipe needs them, so that this file can be read before pkg-config is installed. What has no answer gets the usual name.
 pkg       = $(shell pkg-config --libs $(1) 2>/dev/null || echo $(2))
 LDLIBS   += $(call pkg,gmp libutf8proc,-lgmp -lutf8proc) -lm -lpthread -ldl
-CLI_LIBS  = $(call pkg,libedit,-ledit)
 PNG_LIBS  = $(call pkg,libpng,-lpng)
 UNIT_LIBS = $(call pkg,cmocka,-lcmocka)
 
@@ -156,7 +155,7 @@ $(BUILD)/obj/manual_text.o: $(BUILD)/manual.txt
 
 $(BUILD)/vs: $(CLI_OBJ) $(BUILD)/obj/manual_text.o $(BUILD)/libvisualscheme.a
 	$(call say,link  $@)
-	$(Q)$(CC) $(CFLAGS) -o $@ $(CLI_OBJ) $(BUILD)/obj/manual_text.o $(BUILD)/libvisualscheme.a $(LDFLAGS) $(CLI_LIBS) $(LDLIBS)
+	$(Q)$(CC) $(CFLAGS) -o $@ $(CLI_OBJ) $(BUILD)/obj/manual_text.o $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
 
 $(BUILD)/unit/%: tests/unit/%.c $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)
