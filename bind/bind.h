@@ -66,6 +66,9 @@ struct vs_bind {
   vs_native_fn *host_call;
   bool handing;                    /* a drawing function is at work: draw gives its object; nothing changes the scene */
   struct vs_derivation *growing;   /* the derivation whose rule is running; NULL: none (rules/derivation.h) */
+  /* what derivations gave, with the record of each (rules/lineage.h); looked through at the limit */
+  struct vs_kept_lineage *records;
+  size_t record_count, record_room, record_limit;
   vs_bind_back_end *back_ends;
   size_t back_end_count, back_end_room;
   bool (*is_built_in)(const char *name); /* is it the name or the ending of one of the library's own formats? */

@@ -3,6 +3,7 @@
 #include "bind/bind.h"
 
 #include "model/store/cache.h"
+#include "bind/rules/lineage.h"
 #include "model/store/nodemap.h"
 
 bool vs_bind_open(vs_bind *b, vs_scheme *vm, vs_store *store) {
@@ -28,6 +29,7 @@ static void forget_run(vs_bind *b) {
   vs_store_realloc(s, b->told, b->told_room * sizeof *b->told, 0);
   for (size_t i = 0; i < b->parameter_count; i++) vs_store_realloc(s, b->parameters[i].choices, b->parameters[i].choice_count * sizeof *b->parameters->choices, 0);
   vs_store_realloc(s, b->parameters, b->parameter_room * sizeof *b->parameters, 0);
+  vs_lineage_free(b);
   vs_inside_cache_free(b->inside);
   vs_store_on_ticket(s, NULL, NULL);
   vs_store_realloc(s, b->tickets, b->ticket_room * sizeof *b->tickets, 0);

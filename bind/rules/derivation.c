@@ -18,11 +18,26 @@ static void derivation_trace(vs_scheme *vm, void *object, void (*mark)(vs_scheme
   vs_derivation *d = object;
   mark(vm, &d->rule);
   for (size_t i = 0; i < d->count; i++) mark_task(vm, d->stack[i], mark);
+  for (size_t i = 0; i < d->waiting_count; i++) mark_task(vm, d->waiting[i].task, mark);
 }
 
 void vs_task_drop(vs_derivation *d, vs_task *t) {
   for (uint32_t i = t->next; i < t->count; i++) vs_scope_release(t->child[i]);
   vs_store_realloc(d->bind->store, t, t->bytes, 0);
+}
+
+/* What was made is handed out or given up. */
+static void forget_made(vs_derivation *d) {
+  vs_store *s = d->bind->store;
+  for (size_t i = 0; i < d->made_count; i++) {
+    vs_node_release(d->made[i].node);
+    if (i < d->flags_room) vs_scope_flags_release(s, d->made_flags[i]);
+  }
+  vs_store_realloc(s, d->made, d->made_room * sizeof *d->made, 0);
+  vs_store_realloc(s, d->made_flags, d->flags_room * sizeof *d->made_flags, 0);
+  vs_surroundings_free(d->around);
+  d->made = NULL, d->made_flags = NULL, d->around = NULL;
+  d->made_count = d->made_room = d->flags_room = 0;
 }
 
 static void derivation_release(void *object) {
@@ -32,8 +47,11 @@ static void derivation_release(void *object) {
   if (b->growing == d) b->growing = NULL; /* an error ended it, and nobody put the outer one back */
   while (d->count) vs_task_drop(d, d->stack[--d->count]);
   vs_store_realloc(s, d->stack, d->room * sizeof *d->stack, 0);
-  for (size_t i = 0; i < d->made_count; i++) vs_node_release(d->made[i].node);
-  vs_store_realloc(s, d->made, d->made_room * sizeof *d->made, 0);
+  while (d->waiting_count) vs_task_drop(d, d->waiting[--d->waiting_count].task);
+  vs_store_realloc(s, d->waiting, d->waiting_room * sizeof *d->waiting, 0);
+  forget_made(d);
+  vs_scope_release(d->now);
+  vs_lineage_release(d->lineage);
   vs_node_release(d->fitted);
   vs_deformer_free(d->deformer);
   vs_store_realloc(s, d, sizeof *d, 0);
@@ -65,8 +83,13 @@ static vs_derivation *derivation_new(vs_bind *b, vs_value *holder) {
   vs_derivation *d = vs_store_realloc(b->store, NULL, 0, sizeof *d);
   if (!d) return (void)vs_fail_memory(b->vm), NULL;
   *d = (vs_derivation){ .bind = b, .rule = VS_FALSE, .most = b->growing ? b->growing->most : VS_RULES_DEPTH };
-  if (b->growing)
-    d->name = b->growing->name, d->steps = 1000 * ++b->growing->steps; /* what it makes has paths of its own */
+  const vs_derivation *outer = b->growing;
+  if (outer) {
+    d->name = outer->name, d->steps = 1000 * ++b->growing->steps; /* what it makes has paths of its own */
+    d->entry = outer->entry, d->position = outer->position;
+  }
+  d->lineage = outer ? vs_lineage_retain(outer->lineage) : vs_lineage_new(b->store);
+  if (!d->lineage) return vs_store_realloc(b->store, d, sizeof *d, 0), (void)vs_fail_memory(b->vm), NULL;
   return vs_make_foreign(b->vm, &vs_derivation_type, d, sizeof *d, holder) ? d
                                                                            : NULL; /* released there where that fails */
 }
@@ -95,8 +118,21 @@ vs_task *vs_task_new(vs_derivation *d, uint32_t count, bool many) {
   return t;
 }
 
+/* Notes in the record that the rule that runs made t. False: out of memory. */
+static bool record(vs_derivation *d, vs_task *t, const char *rule, const char *op) {
+  uint32_t index = t->count == 1 && t->child[0] ? t->child[0]->index : 0;
+  return vs_lineage_add(d->lineage,
+                       (vs_lineage_entry){
+                           .parent = d->entry, .position = d->position, .count = t->count, .index = index },
+                       rule, op, &t->entry);
+}
+
 bool vs_task_push(vs_derivation *d, vs_task *t) {
-  if (!vs_store_grow(d->bind->store, &d->stack, &d->room, d->count + 1, sizeof *d->stack)) {
+  const char *op = NULL;
+  for (uint32_t i = 0; i < t->count && !op; i++)
+    if (t->child[i]) op = t->child[i]->op;
+  if ((op && !record(d, t, d->name, op)) ||
+      !vs_store_grow(d->bind->store, &d->stack, &d->room, d->count + 1, sizeof *d->stack)) {
     vs_task_drop(d, t);
     return vs_fail_memory(d->bind->vm);
   }
@@ -164,10 +200,15 @@ const char *vs_rules_operator(vs_frame *f) {
 
 /* ---- what was made ---- */
 
-bool vs_rules_gather(vs_derivation *d, vs_ref ref) {
+bool vs_rules_gather(vs_derivation *d, vs_ref ref, vs_scope_flags *flags) {
   if (ref.node->kind == VS_EMPTY) return true;
   if (!vs_store_grow(d->bind->store, &d->made, &d->made_room, d->made_count + 1, sizeof *d->made))
     return vs_fail_memory(d->bind->vm);
+  size_t had = d->flags_room;
+  if (flags && !vs_store_grow(d->bind->store, &d->made_flags, &d->flags_room, d->made_count + 1, sizeof *d->made_flags))
+    return vs_fail_memory(d->bind->vm);
+  if (d->flags_room > had) memset(d->made_flags + had, 0, (d->flags_room - had) * sizeof *d->made_flags);
+  if (flags) d->made_flags[d->made_count] = flags, flags->refs++;
   vs_node_retain(ref.node);
   d->made[d->made_count++] = ref;
   return true;
@@ -208,12 +249,26 @@ static bool rule_begins(vs_derivation *d, const char *name, const vs_scope *s) {
   return vs_random_branch(d->bind->vm, vs_scope_mix(s->hash, text_hash(name)));
 }
 
+/* Those that waited for signals come to the stack, the first of them on top. False: the error is set. */
+static bool waiting_begin(vs_derivation *d) {
+  if (!vs_store_grow(d->bind->store, &d->stack, &d->room, d->waiting_count, sizeof *d->stack))
+    return vs_fail_memory(d->bind->vm);
+  while (d->waiting_count) d->stack[d->count++] = d->waiting[--d->waiting_count].task;
+  return true;
+}
+
 /* (%derivation-next d): the next scope whose rule is a procedure, which %derivation-rule then gives; #f: all is
  * done. Objects in place of rules are placed here. */
 vs_status vs_p_derivation_next(vs_frame *f, vs_value *out) {
   vs_derivation *d = derivation_of(f);
   VS_ROOTS(f->vm, r, 2);
+  for (size_t low = d->begun, high = d->count; low + 1 < high; low++, high--) {
+    vs_task *t = d->stack[low];
+    d->stack[low] = d->stack[high - 1], d->stack[high - 1] = t;
+  }
   for (;;) {
+    d->begun = d->count;
+    if (!d->count && !waiting_begin(d)) return VS_ERROR;
     if (!d->count) return *out = VS_FALSE, VS_OK;
     vs_task *t = d->stack[d->count - 1];
     if (t->next == t->count) {
@@ -233,12 +288,14 @@ vs_status vs_p_derivation_next(vs_frame *f, vs_value *out) {
       continue;
     }
     r[0] = rule;
+    vs_scope_release(d->now);
+    d->now = vs_scope_retain(s), d->entry = t->entry, d->position = i;
     if (t->body && !rule_begins(d, t->name, s)) return vs_scope_release(s), VS_ERROR;
     bool body = t->body;
     if (!vs_scope_wrap(f->bind, s, &r[1])) return VS_ERROR;
     if (!body && vs_is(r[0], VS_T_CLOSURE) && vs_object_of(r[0])->flags & VS_F_MARKED)
       vs_as_foreign(r[1])->with = live_mark(d, true);
-    d->rule = r[0];
+    d->rule = r[0], d->begun = d->count;
     return *out = r[1], VS_OK;
   }
 }
@@ -259,10 +316,11 @@ static bool refuse_of_rule(vs_frame *f, const char *what, const char *expected, 
                       expected);
 }
 
-static bool gather_value(vs_frame *f, vs_derivation *d, vs_value v, const char *what) {
+static bool gather_value(vs_frame *f, vs_derivation *d, const vs_scope *s, vs_value v, const char *what) {
+  vs_scope_flags *flags = s ? s->flags : NULL;
   if (v == VS_UNSPECIFIC) return true;
   vs_ref ref = vs_bind_ref(v), *refs;
-  if (ref.node) return vs_rules_gather(d, ref);
+  if (ref.node) return vs_rules_gather(d, ref, flags);
   size_t n;
   vs_value bad = VS_ABSENT;
   if (v == VS_NIL) return true;
@@ -272,7 +330,7 @@ static bool gather_value(vs_frame *f, vs_derivation *d, vs_value v, const char *
       return refuse_of_rule(f, what, "a scope, an object or a list of objects", bad);
     }
     for (size_t i = 0; i < n; i++)
-      if (!vs_rules_gather(d, refs[i])) return false;
+      if (!vs_rules_gather(d, refs[i], flags)) return false;
     return true;
   }
   return refuse_of_rule(f, what, "a scope, an object or a list of objects", v);
@@ -281,7 +339,8 @@ static bool gather_value(vs_frame *f, vs_derivation *d, vs_value v, const char *
 /* (%derivation-made d value): what a procedure that is no rule made of its scope. */
 vs_status vs_p_derivation_made(vs_frame *f, vs_value *out) {
   (void)out;
-  return gather_value(f, derivation_of(f), f->arg[1].value, "what a rule gives") ? VS_OK : VS_ERROR;
+  vs_derivation *d = derivation_of(f);
+  return gather_value(f, d, d->now, f->arg[1].value, "what a rule gives") ? VS_OK : VS_ERROR;
 }
 
 /* (%derivation-object d): all that was made, as one object. */
@@ -298,10 +357,10 @@ vs_status vs_p_derivation_object(vs_frame *f, vs_value *out) {
   else
     n = vs_node_new(s, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
   const vs_origin *origin = d->made_count == 1 ? d->made[0].origin : NULL;
-  for (size_t i = 0; i < d->made_count; i++) vs_node_release(d->made[i].node);
-  vs_store_realloc(s, d->made, d->made_room * sizeof *d->made, 0);
-  d->made = NULL, d->made_count = d->made_room = 0;
+  forget_made(d);
   if (!n) return vs_fail_memory(f->vm);
+  if (!f->bind->growing && !vs_lineage_keep(f->bind, n, d->lineage))
+    return vs_node_release(n), vs_fail_memory(f->vm);
   if (!origin) return vs_bind_wrap(f->bind, n, out);
   vs_status status = vs_bind_wrap_ref(f->bind, (vs_ref){ n, origin }, out);
   vs_node_release(n);
@@ -323,7 +382,7 @@ vs_status vs_p_derivation(vs_frame *f, vs_value *out) {
   t->origin = vs_bind_origin(f->bind);
   d->stack[d->count++] = t;
   *out = r[1];
-  return VS_OK;
+  return record(d, t, d->name, "derive") ? VS_OK : vs_fail_memory(f->vm);
 }
 
 /* ---- rules ---- */
@@ -390,6 +449,59 @@ vs_status vs_p_rule_enter(vs_frame *f, vs_value *out) {
   if (live) t->child[0]->origin = t->origin;
   d->stack[d->count++] = t;
   *out = live ? VS_FALSE : r[1];
+  return record(d, t, d->name, name) ? VS_OK : vs_fail_memory(f->vm);
+}
+
+/* ---- signals ---- */
+
+/* (%scope-await s name rule): the rule waits until nothing else is left to be derived. */
+vs_status vs_p_scope_await(vs_frame *f, vs_value *out) {
+  VS_ROOTS(f->vm, r, 2);
+  vs_scope *s = f->arg[0].scope;
+  r[0] = f->arg[2].value;
+  const char *name = vs_store_text(f->bind->store, f->arg[1].text.at, f->arg[1].text.length);
+  if (!name) return vs_fail_memory(f->vm);
+  vs_derivation *d = vs_rules_begin(f, &r[1]);
+  vs_task *t = d ? vs_task_new(d, 1, false) : NULL;
+  if (!t) return VS_ERROR;
+  t->rules[0] = r[0];
+  vs_scope *c = t->child[0] = vs_rules_child(d, s, (vs_scope_class)s->class_, "await", 0, 1);
+  if (!c) return vs_task_drop(d, t), VS_ERROR;
+  vs_scope_become(c, s);
+  c->index = s->index, c->count = s->count, c->left = s->left, c->right = s->right;
+  c->origin = t->origin = vs_bind_origin(f->bind);
+  if (!vs_store_grow(f->bind->store, &d->waiting, &d->waiting_room, d->waiting_count + 1, sizeof *d->waiting) ||
+      !record(d, t, d->name, "await"))
+    return vs_task_drop(d, t), vs_fail_memory(f->vm);
+  d->waiting[d->waiting_count++] = (vs_waiting){ t, name };
+  *out = r[1];
+  return VS_OK;
+}
+
+/* (scope-signal s name): to all that wait for it where s is. */
+vs_status vs_p_scope_signal(vs_frame *f, vs_value *out) {
+  vs_scope *s = f->arg[0].scope;
+  const char *name = vs_store_text(f->bind->store, f->arg[1].text.at, f->arg[1].text.length);
+  if (!name) return vs_fail_memory(f->vm);
+  for (vs_derivation *d = f->bind->growing; d; d = d->outer)
+    for (size_t i = 0; i < d->waiting_count; i++) {
+      vs_scope *to = d->waiting[i].task->child[0];
+      if (d->waiting[i].name != name || !vs_scopes_touch(s, to)) continue;
+      if (!vs_scope_add_signal(to, s)) return vs_fail_memory(f->vm);
+    }
+  *out = f->arg[0].value;
+  return VS_OK;
+}
+
+/* (scope-signals s): the scopes that sent one, in their order. */
+vs_status vs_p_scope_signals(vs_frame *f, vs_value *out) {
+  const vs_scope_extra *e = f->arg[0].scope->extra;
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = VS_NIL;
+  for (uint32_t i = e ? e->count : 0; i-- > 0;)
+    if (!vs_scope_wrap(f->bind, vs_scope_retain(e->from[i]), &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0]))
+      return VS_ERROR;
+  *out = r[0];
   return VS_OK;
 }
 
@@ -400,7 +512,7 @@ vs_status vs_p_took(vs_frame *f, vs_value *out) {
   if (v == VS_UNSPECIFIC) return VS_OK;
   if (vs_bind_scope(v)) return *out = v, VS_OK;
   if (!f->bind->growing) return vs_fail(f->vm, f->vm->sym.error, "no rule is being derived");
-  return gather_value(f, f->bind->growing, v, "what a form of a rule gives") ? VS_OK : VS_ERROR;
+  return gather_value(f, f->bind->growing, vs_bind_scope(*out), v, "what a form of a rule gives") ? VS_OK : VS_ERROR;
 }
 
 /* (%choose p ...): which of the sequences of a clause is taken; each p a chance or #f, which shares what is left

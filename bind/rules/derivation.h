@@ -10,13 +10,16 @@
 #define VS_RULES_DERIVATION_H
 
 #include "bind/rules/deform.h"
+#include "bind/rules/lineage.h"
 #include "bind/rules/scope.h"
+#include "bind/rules/surroundings.h"
 #include "bind/shapes/bending.h"
 #include "geometry/tessellate.h"
 
 /* Scopes that wait, in order, each for its rule. */
 typedef struct vs_task {
   size_t bytes;
+  uint32_t entry;       /* in the record */
   uint32_t count, next; /* child[next ...] are left */
   bool many;            /* each has a rule of its own, else all have rules[0] */
   bool body;            /* the rule is the body of one whose name this is, its arguments given */
@@ -26,12 +29,27 @@ typedef struct vs_task {
   vs_scope *child[];
 } vs_task;
 
+/* One scope that waits until nothing else is left, for signals of this name. */
+typedef struct {
+  vs_task *task;
+  const char *name; /* the store's */
+} vs_waiting;
+
 typedef struct vs_derivation {
   vs_bind *bind;
   vs_task **stack;
   size_t count, room;
+  size_t begun; /* tasks that were there when the rule that runs began: those above it come in the order of its forms */
   vs_ref *made; /* references of our own */
   size_t made_count, made_room;
+  vs_scope_flags **made_flags; /* of each thing that was made; none where flags_room ends */
+  size_t flags_room;
+  vs_waiting *waiting;
+  size_t waiting_count, waiting_room;
+  vs_scope *now;               /* whose rule runs; retained. NULL: none yet */
+  vs_lineage *lineage;         /* shared with the derivations that its rules began */
+  uint32_t entry, position;    /* in the record: of the scope whose rule runs */
+  vs_surroundings *around;     /* of what was made, for questions; NULL: nobody asked yet */
   vs_value rule;               /* that next is to be called */
   const char *name;            /* of the rule that runs; NULL: none yet */
   uint32_t steps;              /* operators that it has used */
@@ -64,8 +82,8 @@ bool vs_task_push(vs_derivation *d, vs_task *t);
  * set. NULL: the error is set: no memory, or the path is too long. */
 vs_scope *vs_rules_child(vs_derivation *d, vs_scope *parent, vs_scope_class c, const char *op, uint32_t index,
                          uint32_t count);
-/* Adds an object to what was made. False: the error is set. */
-bool vs_rules_gather(vs_derivation *d, vs_ref ref);
+/* Adds an object to what was made, in a scope with these flags. False: the error is set. */
+bool vs_rules_gather(vs_derivation *d, vs_ref ref, vs_scope_flags *flags);
 /* The object in the scope: fitted into its box, or deformed. Gathered; with the given origin. False: the error is
  * set. */
 bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs_origin *origin);

@@ -223,6 +223,23 @@ vs_status vs_p_scope_path(vs_frame *f, vs_value *out) {
   return VS_OK;
 }
 
+/* (scope-region s): what the loops of a polygon or triangle scope enclose. */
+vs_status vs_p_scope_region(vs_frame *f, vs_value *out) {
+  if (!vs_rules_class(f, 0, VS_SCOPE_BIT(POLYGON) | VS_SCOPE_BIT(TRIANGLE))) return VS_ERROR;
+  const vs_scope_loops *l = f->arg[0].scope->loops;
+  vs_store *s = f->bind->store;
+  vs_ref *lines = vs_bind_scratch(f, l->count * sizeof *lines);
+  if (!lines) return VS_ERROR;
+  for (uint32_t i = 0; i < l->count; i++) {
+    vs_points *p = vs_points_new(s, l->points->at + l->start[i], l->start[i + 1] - l->start[i]);
+    vs_node *n = p ? vs_node_new(s, VS_LINE, &(struct vs_line){ .points = p, .closed = true }, NULL, 0) : NULL;
+    vs_points_release(s, p);
+    if (!vs_bind_keep(f, n)) return VS_ERROR;
+    lines[i] = (vs_ref){ n, NULL };
+  }
+  return vs_bind_make(f, VS_REGION, &(struct vs_region){ 0 }, lines, l->count, out);
+}
+
 /* ---- flags ---- */
 
 vs_status vs_p_flag(vs_frame *f, vs_value *out) {

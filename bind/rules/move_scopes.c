@@ -1,5 +1,7 @@
 /* Owns the operators that give the same scope elsewhere, turned or of another size. Sizes, frames and paths:
  * scope.h. */
+#include "bind/rules/move_scopes.h"
+
 #include "bind/rules/derivation.h"
 
 #include <string.h>
@@ -37,6 +39,51 @@ static bool moved(vs_scope *s, const vs_affine *m) {
   vs_scope_loops_release(s->store, s->loops);
   s->loops = l;
   return true;
+}
+
+/* Makes the columns of a frame unit vectors that stand upright on each other and turn to the right, where they do the
+ * first already: lengths go to the size. False: the box has become a parallelepiped. */
+static bool box_again(vs_affine *frame, vs_vec3 *size) {
+  vs_vec3 c[3], at = vs_affine_column(frame, 3);
+  double *extent[3] = { &size->x, &size->y, &size->z };
+  for (int i = 0; i < 3; i++) {
+    double k = vs_v3_length(c[i] = vs_affine_column(frame, i));
+    *extent[i] *= k, c[i] = vs_v3_unit(c[i]);
+  }
+  for (int i = 0; i < 3; i++)
+    if (fabs(vs_v3_dot(c[i], c[(i + 1) % 3])) > 1e-9) return false;
+  if (vs_v3_dot(vs_v3_cross(c[0], c[1]), c[2]) < 0) /* a mirror: x runs the other way, from the other end */
+    at = vs_v3_add(at, vs_v3_scale(c[0], size->x)), c[0] = vs_v3_scale(c[0], -1);
+  *frame = vs_affine_columns(c[0], c[1], c[2], at);
+  return true;
+}
+
+vs_scope *vs_scope_placed(const vs_scope *of, const vs_affine *m) {
+  vs_scope *s = vs_scope_copy(of), *sheared;
+  if (s && !moved(s, m)) vs_scope_release(s), s = NULL;
+  if (!s || s->class_ == VS_SCOPE_FFD) return s;
+  if (s->class_ == VS_SCOPE_TURTLE) {
+    vs_vec3 size = { s->as.turtle.width, s->as.turtle.height, 0 };
+    for (int c = 0; c < 4; c++) s->as.turtle.back[c] = vs_affine_point(m, of->as.turtle.back[c]);
+    if (box_again(&s->as.turtle.frame, &size)) s->as.turtle.width = size.x, s->as.turtle.height = size.y;
+    return s;
+  }
+  if (s->loops && s->class_ != VS_SCOPE_CURVE) {
+    vs_scope_frame_loops(s);
+    return s;
+  }
+  vs_affine frame = s->as.box.frame;
+  vs_vec3 size = s->as.box.size;
+  if (box_again(&frame, &size)) {
+    s->as.box.frame = frame, s->as.box.size = size;
+    return s;
+  }
+  if (s->class_ != VS_SCOPE_BOX || !(sheared = vs_scope_fresh(s->store, VS_SCOPE_FFD))) return s;
+  /* What both classes have is the same; a scope's shape comes last. */
+  vs_scope_corners(s, sheared->as.corner);
+  vs_scope_take_path(sheared, s);
+  vs_scope_release(s);
+  return sheared;
 }
 
 static vs_status give_moved(vs_frame *f, const vs_affine *m, vs_value *out) {

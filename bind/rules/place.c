@@ -59,7 +59,7 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
     n = vs_node_new(store, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &object, 1);
   }
   if (!n) return vs_fail_memory(d->bind->vm);
-  bool ok = vs_rules_gather(d, (vs_ref){ n, origin });
+  bool ok = vs_rules_gather(d, (vs_ref){ n, origin }, s->flags);
   vs_node_release(n);
   return ok;
 }

@@ -177,6 +177,74 @@
 (%define-operator (scope-subdivide s rule) (%scope-subdivide s rule))
 (%define-operator (turtle-front s rule) (%turtle-front s rule))
 
+; ---- signals and marks ----
+
+(%define-operator (scope-await s name rule) (%scope-await s name rule))
+
+; A mark is an object without geometry. It was made with the scope, the name, and the properties as an association list.
+(define %mark-type (%custom-type 'marked-scope 'scope-mark))
+
+(define (scope-mark s name . properties)
+  (%need-symbol 'scope-mark 'name name)
+  (let loop ((l properties) (known '()))
+    (cond
+      ((null? l)
+       (%scope-mark s (%custom %mark-type (list s name (reverse known)) (empty-object))))
+      ((not (and (symbol? (car l)) (pair? (cdr l))))
+       (error 'scope-mark
+         "behind the name stand properties and their values, as in (scope-mark s 'wall 'material 'stone), got ~s"
+         properties))
+      (else (loop (cddr l) (cons (cons (car l) (cadr l)) known))))))
+
+; The number's (scope name properties), or #f: users' kinds may have any name.
+(define (%mark-values number)
+  (let ((entry (and number (hash-ref %custom-values number #f))))
+    (and entry (eq? (car entry) %mark-type) (cdr entry))))
+
+(define (scope-name s)
+  (let ((mark (%mark-values (%scope-mark-number s)))) (and mark (cadr mark))))
+
+(define (scope-property s name [default any? #f])
+  (let* ((mark (%mark-values (%scope-mark-number s))) (found (and mark (assq name (third mark)))))
+    (if found (cdr found) default)))
+
+(define (find-scopes o [name any? #f] #:flag [flag any? #f] #:where [where any? #f])
+  (if (not (or (not name) (symbol? name))) (error 'find-scopes "name must be a symbol, got ~s" name))
+  (if (not (or (not flag) (symbol? flag))) (error 'find-scopes "#:flag must be a symbol, got ~s" flag))
+  (if where (%need-procedure 'find-scopes '#:where where))
+  (let loop ((l (%find-scopes o)) (found '()))
+    (if (null? l)
+        (reverse found)
+        (let ((mark (%mark-values (caar l))))
+          (if (and mark (or (not name) (eq? name (cadr mark))) (or (not flag) (flag? (car mark) flag)))
+              (let ((s (%scope-found (car mark) (caar l) (cdar l))))
+                (loop (cdr l) (if (or (not where) (where s)) (cons s found) found)))
+              (loop (cdr l) found))))))
+
+; ---- the tree of a derivation ----
+
+; From the last entry to the first, so that a scope's own are there when it is added to those of its parent.
+(define (derivation o)
+  (let* ((record (or (%derivation-record o)
+                     (error 'derivation
+                       "no rule gave this object; a derivation is that of an object as a rule gave it, also moved or painted")))
+         (n (quotient (vector-length record) 6))
+         (entry (lambda (i k) (vector-ref record (+ (* 6 i) k))))
+         (below (make-vector n #f))
+         (roots '()))
+    (do ((i 0 (+ i 1))) ((= i n)) (vector-set! below i (make-vector (entry i 2) '())))
+    (do ((i (- n 1) (- i 1)))
+        ((< i 0) roots)
+      (do ((k (- (entry i 2) 1) (- k 1)))
+          ((< k 0))
+        (let* ((index (if (= (entry i 2) 1) (entry i 3) k))
+               (node (cons (list (entry i 4) (entry i 5) index) (vector-ref (vector-ref below i) k)))
+               (parent (entry i 0)))
+          (if (= parent i)
+              (set! roots (cons node roots))
+              (let ((all (vector-ref below parent)) (at (entry i 1)))
+                (vector-set! all at (cons node (vector-ref all at))))))))))
+
 ; ---- the parts of a split ----
 
 (define (%rule? x) (or (procedure? x) (object? x) (not x)))

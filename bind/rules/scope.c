@@ -29,7 +29,7 @@ static size_t scope_bytes(uint8_t c) {
 static size_t flags_bytes(uint32_t count) { return sizeof(vs_scope_flags) + count * sizeof(const char *); }
 static size_t loops_bytes(uint32_t count) { return sizeof(vs_scope_loops) + (count + (size_t)1) * sizeof(uint32_t); }
 
-static void flags_release(vs_store *store, vs_scope_flags *f) {
+void vs_scope_flags_release(vs_store *store, vs_scope_flags *f) {
   if (f && --f->refs == 0) vs_store_piece_free(store, f, flags_bytes(f->count));
 }
 
@@ -50,15 +50,31 @@ vs_scope_loops *vs_scope_loops_new(vs_store *store, const vs_vec3 *at, const uin
 }
 
 void vs_scope_release(vs_scope *s) {
-  while (s && --s->refs == 0) {
-    vs_scope *parent = s->parent;
-    vs_store *store = s->store;
-    flags_release(store, s->flags);
-    vs_scope_loops_release(store, s->loops);
-    vs_node_release(s->object.node);
-    vs_store_piece_free(store, s, scope_bytes(s->class_));
+  vs_scope_extra *dead = NULL; /* whose senders are left to be released */
+  for (;;) {
+    while (s && --s->refs == 0) {
+      vs_scope *parent = s->parent;
+      vs_store *store = s->store;
+      vs_scope_flags_release(store, s->flags);
+      if (s->extra && --s->extra->refs == 0) s->extra->next = dead, dead = s->extra;
+      vs_scope_loops_release(store, s->loops);
+      vs_node_release(s->object.node);
+      vs_store_piece_free(store, s, scope_bytes(s->class_));
+      vs_store_release(store);
+      s = parent;
+    }
+    if (!dead) return;
+    if (dead->count) {
+      s = dead->from[--dead->count];
+      continue;
+    }
+    vs_scope_extra *e = dead;
+    dead = e->next, s = NULL;
+    vs_store *store = e->store;
+    vs_store_realloc(store, e->from, e->room * sizeof *e->from, 0);
+    if (e->mark) vs_ticket_release(store, e->mark);
+    vs_store_realloc(store, e, sizeof *e, 0);
     vs_store_release(store);
-    s = parent;
   }
 }
 
@@ -80,6 +96,7 @@ vs_scope *vs_scope_copy(const vs_scope *of) {
   vs_store_retain(s->store);
   vs_scope_retain(s->parent);
   if (s->flags) s->flags->refs++;
+  if (s->extra) s->extra->refs++;
   if (s->loops) s->loops->refs++;
   if (s->object.node) vs_node_retain(s->object.node);
   return s;
@@ -89,8 +106,17 @@ void vs_scope_become(vs_scope *s, const vs_scope *of) {
   memcpy(&s->as, &of->as, scope_bytes(s->class_) - offsetof(vs_scope, as));
   s->closed = of->closed, s->backed = of->backed;
   if ((s->loops = of->loops)) s->loops->refs++;
+  if (!s->extra && (s->extra = of->extra)) s->extra->refs++;
   s->object = of->object;
   if (s->object.node) vs_node_retain(s->object.node);
+}
+
+void vs_scope_take_path(vs_scope *s, const vs_scope *of) {
+  s->depth = of->depth, s->index = of->index, s->count = of->count, s->hash = of->hash;
+  s->left = of->left, s->right = of->right, s->rule = of->rule, s->op = of->op, s->origin = of->origin;
+  s->parent = vs_scope_retain(of->parent);
+  if ((s->flags = of->flags)) s->flags->refs++;
+  if ((s->extra = of->extra)) s->extra->refs++;
 }
 
 vs_status vs_scope_wrap(vs_bind *b, vs_scope *s, vs_value *out) {
@@ -175,8 +201,39 @@ bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count) {
   uint32_t room = have + fresh;
   while (f->count < room)
     f->name[f->count++] = names[0]; /* a name given twice: the size must stay what was asked for */
-  flags_release(s->store, s->flags);
+  vs_scope_flags_release(s->store, s->flags);
   s->flags = f;
+  return true;
+}
+
+/* ---- marks and signals ---- */
+
+/* Makes s's extra its own, without signals where it was shared: those are for the scope that waited. NULL: out of
+ * memory. */
+static vs_scope_extra *own_extra(vs_scope *s) {
+  vs_scope_extra *old = s->extra;
+  if (old && old->refs == 1) return old;
+  vs_scope_extra *e = vs_store_realloc(s->store, NULL, 0, sizeof *e);
+  if (!e) return NULL;
+  *e = (vs_scope_extra){ .refs = 1, .store = vs_store_retain(s->store) };
+  if (old) old->refs--, e->mark = old->mark;
+  if (e->mark) ((vs_ticket *)(uintptr_t)e->mark)->refs++;
+  return s->extra = e;
+}
+
+bool vs_scope_set_mark(vs_scope *s, const vs_ticket *mark) {
+  vs_scope_extra *e = own_extra(s);
+  if (!e) return false;
+  if (e->mark) vs_ticket_release(s->store, e->mark);
+  e->mark = mark;
+  ((vs_ticket *)(uintptr_t)mark)->refs++;
+  return true;
+}
+
+bool vs_scope_add_signal(vs_scope *s, vs_scope *from) {
+  vs_scope_extra *e = own_extra(s);
+  if (!e || !vs_store_grow(s->store, &e->from, &e->room, e->count + (size_t)1, sizeof *e->from)) return false;
+  e->from[e->count++] = vs_scope_retain(from);
   return true;
 }
 

@@ -36,6 +36,18 @@ typedef struct {
 } vs_scope_loops; /* start has count + 1 */
 
 typedef struct vs_scope vs_scope;
+
+/* What few scopes have: a mark, or signals. */
+typedef struct vs_scope_extra vs_scope_extra;
+struct vs_scope_extra {
+  uint32_t refs, count;
+  size_t room;
+  vs_store *store;       /* retained */
+  vs_scope_extra *next;  /* of those that are being released */
+  const vs_ticket *mark; /* of scope-mark's name and properties, which the heap has (rules.scm); or NULL */
+  vs_scope **from;       /* the scopes that sent signals, in their order; retained */
+};
+
 struct vs_scope {
   uint32_t refs;
   uint8_t class_;
@@ -50,6 +62,7 @@ struct vs_scope {
   const vs_origin *origin; /* where the operator stands */
   vs_scope *parent;        /* NULL for a root */
   vs_scope_flags *flags;   /* NULL: none */
+  vs_scope_extra *extra;   /* NULL: none */
   vs_store *store;
   vs_ref object;         /* MESH, SURFACE, CURVE: what it was made of; node NULL elsewhere */
   vs_scope_loops *loops; /* POLYGON, TRIANGLE, CURVE; NULL elsewhere */
@@ -80,11 +93,18 @@ vs_scope *vs_scope_fresh(vs_store *store, vs_scope_class c);
 vs_scope *vs_scope_copy(const vs_scope *s);
 /* s, just made and of the same class as of, gets its shape: frame, size, corners, object, loops. */
 void vs_scope_become(vs_scope *s, const vs_scope *of);
+/* s, just made, gets the path of another, whose class may differ: all but its shape. */
+void vs_scope_take_path(vs_scope *s, const vs_scope *of);
 /* Hands a scope over to Scheme: *out owns it. */
 vs_status vs_scope_wrap(vs_bind *b, vs_scope *s /* taken over; NULL: out of memory */, vs_value *out);
 /* Seeds a root's hash by the place where it lies. */
 void vs_scope_plant(vs_scope *s, vs_vec3 at);
 uint64_t vs_scope_mix(uint64_t hash, uint64_t more);
+void vs_scope_flags_release(vs_store *store, vs_scope_flags *f); /* NULL is fine */
+/* Gives s, which nobody else sees yet, the mark of another. */
+bool vs_scope_set_mark(vs_scope *s, const vs_ticket *mark);
+/* A signal for s, whose extra is its own. False: out of memory. */
+bool vs_scope_add_signal(vs_scope *s, vs_scope *from);
 bool vs_scope_has_flag(const vs_scope *s, const char *name /* the store's */);
 /* s with flags besides those it has. False: out of memory. */
 bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count);

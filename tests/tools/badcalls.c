@@ -92,6 +92,7 @@ static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "turtle-forward", "s", "(make-turtle-scope origin ux uz 1 1)" }, { "turtle-yaw", "s", "(make-turtle-scope origin ux uz 1 1)" }, { "turtle-pitch", "s", "(make-turtle-scope origin ux uz 1 1)" },
   { "turtle-roll", "s", "(make-turtle-scope origin ux uz 1 1)" }, { "turtle-width", "s", "(make-turtle-scope origin ux uz 1 1)" }, { "turtle-height", "s", "(make-turtle-scope origin ux uz 1 1)" },
   { "turtle-toward", "s", "(make-turtle-scope origin ux uz 1 1)" }, { "turtle-back", "s", "(make-turtle-scope origin ux uz 1 1)" },
+  { "scope-region", "s", "(make-triangle-scope origin (xy 1 0) (xy 0 1))" },
   { "sun", "azimuth", NULL }, { "sun", "altitude", NULL }, { "sun", "latitude", NULL }, { "sun", "longitude", NULL }, { "sun", "date", NULL }, { "sun", "time", NULL },
 };
 

@@ -1,0 +1,129 @@
+/* Owns the search for marked scopes in an object. A mark is an object of a kind of its own, without geometry, which
+ * rules.scm makes as define-primitive makes its objects: it goes wherever what stands beside it is moved or copied.
+ */
+#include "bind/rules/derivation.h"
+#include "bind/rules/move_scopes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/store/array.h"
+#include "model/store/nodemap.h"
+
+typedef struct {
+  const vs_node *node;
+  uint32_t next; /* child */
+  bool found;    /* a mark lies below */
+} visit;
+
+static const char mark_kind[] = "marked-scope";
+static bool is_mark(const vs_node *n) { return n->kind == VS_CUSTOM && !strcmp(VS_AS(custom, n)->name, mark_kind); }
+
+enum { WITHOUT = 1, WITH = 2 };
+
+/* Notes of each node under n whether a mark lies in it. False: out of memory. */
+static bool note_marks(const vs_node *n, vs_nodemap *known) {
+  visit *stack = NULL;
+  size_t count = 0, room = 0;
+  bool ok = VS_GROW(stack, room, 1);
+  if (ok) stack[count++] = (visit){ n, 0, is_mark(n) };
+  while (ok && count) {
+    visit *v = &stack[count - 1];
+    if (v->next < v->node->child_count) {
+      const vs_node *child = v->node->children[v->next++].node;
+      uint64_t *seen = vs_nodemap_get(known, child);
+      if (seen)
+        v->found = v->found || *seen == WITH;
+      else if (!child->child_count && !is_mark(child))
+        continue; /* a lone leaf has no entry: there may be a million */
+      else if ((ok = VS_GROW(stack, room, count + 1)))
+        stack[count++] = (visit){ child, 0, is_mark(child) };
+      continue;
+    }
+    bool found = v->found;
+    uint64_t *slot = vs_nodemap_put(known, v->node, NULL);
+    ok = slot != NULL;
+    if (ok) *slot = found ? WITH : WITHOUT;
+    if (--count && found) stack[count - 1].found = true;
+  }
+  free(stack);
+  return ok;
+}
+
+typedef struct {
+  const vs_node *node;
+  vs_affine map;
+} placed;
+
+/* (%find-scopes o): a list of (number . matrix), in order: what was made with the number, moved by the matrix. */
+vs_status vs_p_marks(vs_frame *f, vs_value *out) {
+  vs_nodemap known = { .store = f->bind->store };
+  placed *stack = NULL, *found = NULL;
+  size_t count = 0, room = 0, found_count = 0, found_room = 0;
+  bool ok = note_marks(f->arg[0].ref.node, &known) && VS_GROW(stack, room, 1);
+  if (ok) stack[count++] = (placed){ f->arg[0].ref.node, vs_affine_identity() };
+  while (ok && count) {
+    placed p = stack[--count];
+    const uint64_t *seen = vs_nodemap_get(&known, p.node);
+    if (!seen || *seen != WITH) continue;
+    if (is_mark(p.node)) {
+      if ((ok = VS_GROW(found, found_room, found_count + 1))) found[found_count++] = p;
+      continue;
+    }
+    if (p.node->kind == VS_TRANSFORM) p.map = vs_affine_multiply(&p.map, &VS_AS(transform, p.node)->matrix);
+    ok = VS_GROW(stack, room, count + p.node->child_count);
+    for (uint32_t i = p.node->child_count; ok && i-- > 0;)
+      stack[count++] = (placed){ p.node->children[i].node, p.map };
+  }
+  vs_nodemap_free(&known);
+  free(stack);
+  if (!ok) return free(found), vs_fail_memory(f->vm);
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = VS_NIL;
+  for (size_t i = found_count; ok && i-- > 0;)
+    ok = vs_bind_matrix(f, &found[i].map, &r[1]) &&
+         vs_cons(f->vm, vs_fix(VS_AS(custom, found[i].node)->values->id), r[1], &r[1]) &&
+         vs_cons(f->vm, r[1], r[0], &r[0]) && vs_poll(f->vm, 8);
+  free(found);
+  *out = r[0];
+  return ok ? VS_OK : VS_ERROR;
+}
+
+/* A copy of s with the mark of the number. NULL: the error is set. */
+static vs_scope *with_mark(vs_frame *f, vs_scope *s, int64_t number) {
+  const vs_bind *b = f->bind;
+  vs_scope *c = NULL;
+  if ((uint64_t)number >= b->ticket_count || !b->tickets[number])
+    vs_fail(f->vm, f->vm->sym.error, "there is no mark of number %lld", (long long)number);
+  else if (!(c = vs_scope_copy(s)))
+    vs_fail_memory(f->vm);
+  else if (!vs_scope_set_mark(c, b->tickets[number]))
+    vs_scope_release(c), c = NULL, vs_fail_memory(f->vm);
+  return c;
+}
+
+/* (%scope-mark s mark): the mark becomes part of what is being made; gives s with it. */
+vs_status vs_p_scope_mark(vs_frame *f, vs_value *out) {
+  const vs_node *n = f->arg[1].ref.node;
+  vs_derivation *d = f->bind->growing;
+  if (!d) return vs_fail(f->vm, f->vm->sym.error, "stands in a rule: outside of one nothing is being made");
+  if (!vs_rules_gather(d, f->arg[1].ref, f->arg[0].scope->flags)) return VS_ERROR;
+  vs_scope *s = with_mark(f, f->arg[0].scope, VS_AS(custom, n)->values->id);
+  return s ? vs_scope_wrap(f->bind, s, out) : VS_ERROR;
+}
+
+/* (%scope-found s number matrix): s where the matrix has brought it, with its mark. */
+vs_status vs_p_scope_found(vs_frame *f, vs_value *out) {
+  vs_scope *s = with_mark(f, f->arg[0].scope, f->arg[1].integer);
+  if (!s) return VS_ERROR;
+  vs_scope *at = vs_scope_placed(s, &f->arg[2].matrix);
+  vs_scope_release(s);
+  return vs_scope_wrap(f->bind, at, out);
+}
+
+/* (%scope-mark-number s): of its mark, or #f. */
+vs_status vs_p_scope_mark_number(vs_frame *f, vs_value *out) {
+  const vs_scope_extra *e = f->arg[0].scope->extra;
+  *out = e && e->mark ? vs_fix(e->mark->id) : VS_FALSE;
+  return VS_OK;
+}
