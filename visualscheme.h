@@ -315,6 +315,42 @@ VS_API const char *vs_view_name(const vs_scheme *s, size_t index);
 
 VS_API void vs_drawing_clear(vs_scheme *s); /* as (erase-all); forgets returned objects too */
 
+/* ---- what differs between two drawings ----
+ *
+ * vs_drawing_keep after the first program, vs_restart, then the second program and vs_drawing_compare. Parts are what
+ * stands in unions, placements, materials and layers: primitives, sweeps, differences ... */
+
+/* Keeps what is drawn now, for vs_drawing_compare; vs_restart leaves it kept. What was kept before is let go. */
+VS_API vs_outcome vs_drawing_keep(vs_scheme *s);
+
+typedef enum {
+  VS_PART_WAS_ADDED, VS_PART_WAS_REMOVED,
+  VS_PART_WAS_CHANGED,   /* made of the same kinds of things, painted alike, with other numbers */
+  VS_PART_WAS_MOVED,     /* the same shape in another place */
+  VS_PART_WAS_REPAINTED  /* the same shape in the same place, with another material or on another layer */
+} vs_part_difference;
+
+typedef struct {
+  const char *layer, *material; /* names; "" where there is none */
+  const char *text;             /* the expression that makes it, cut to a line */
+  vs_span at;                   /* the place in the program that made it; file NULL: not known */
+} vs_part_info;
+
+typedef struct {
+  size_t same, repainted, moved, changed, added, removed; /* parts */
+  double volume_before, volume_after; /* of all solids together */
+  double volume_added, volume_removed; /* of what only the second drawing has; of what only the first has */
+} vs_comparison;
+
+/* Compares what was kept with what is drawn now. Parts that differ go to `each`, in order, those that were removed
+ * first, until it returns false; *out is filled by then. before is NULL of one that was added, after of one that was
+ * removed. Nothing kept counts as an empty drawing. What was found stays for vs_output_options.change until the next
+ * comparison. */
+VS_API vs_outcome vs_drawing_compare(vs_scheme *s, vs_comparison *out,
+                                     bool (*each)(void *context, vs_part_difference what, const vs_part_info *before,
+                                                  const vs_part_info *after),
+                                     void *context);
+
 /* Output formats. The list is constant and the library's. */
 typedef struct {
   const char *name;    /* "povray", for --format beside the suffix */
@@ -348,6 +384,7 @@ typedef struct {
   unsigned passes;       /* a mask; VS_PASSES_ALL by default */
   bool count;            /* count nodes, and commands with and without each pass, for the statistics: the passes run once more for each */
   bool strict;           /* what the format leaves out, or shows otherwise than modelled, is an error instead of a warning */
+  bool change;           /* what vs_drawing_compare found, in place of the drawing: green was added, red removed */
   bool last;             /* no drawing and no output follows: nothing is kept for them */
 } vs_output_options;
 VS_API vs_output_options vs_output_options_default(void);

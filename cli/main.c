@@ -14,6 +14,7 @@
 #include "cli/limits.h"
 #include "cli/nearby.h"
 #include "cli/command.h"
+#include "cli/difference.h"
 #include "cli/study.h"
 #include "live/live.h"
 
@@ -268,7 +269,8 @@ vs_outcome cli_session_run(cli_session *c) {
 
 static vs_outcome run_batch(cli_session *c) {
   cli_options *o = c->options;
-  vs_outcome outcome = set_parameters(c) ? run_sources(c, false) : VS_OUTCOME_USAGE;
+  if (!set_parameters(c)) return VS_OUTCOME_USAGE;
+  vs_outcome outcome = o->command == CLI_COMMAND_diff ? cli_difference(c) : run_sources(c, false);
   if (outcome == VS_OUTCOME_DONE && o->parameters) cli_report_parameters(stdout, c->scheme);
   if (outcome == VS_OUTCOME_DONE) outcome = write_all(c);
   if (o->stats) cli_report_statistics(c->scheme, o->stats_json);
@@ -349,7 +351,8 @@ int main(int argc, char **argv) {
     cli_options_free(&options);
     return (int)outcome;
   }
-  cli_session session = {.options = &options, .output = options.to_stdout || options.command == CLI_COMMAND_params ? stderr : stdout, .ended = &ended};
+  cli_session session = {.options = &options, .output = options.to_stdout || options.command == CLI_COMMAND_params ||
+      options.command == CLI_COMMAND_diff ? stderr : stdout, .ended = &ended};
   cli_watch_open(&session.watch);
   if (options.untrusted && !cli_untrusted_begin(&session.untrusted, &options)) {
     cli_options_free(&options);

@@ -347,6 +347,20 @@ static bool reachable(const cli_target *t) {
   return ok;
 }
 
+/* Has the command the files that it takes, and -o only where it writes something? False: said on standard error. */
+static bool command_files(const cli_options *o, unsigned takes) {
+  const char *name = commands[o->command - 1].name;
+  size_t want = takes & CLI_TAKES_TWO ? 2 : 1;
+  bool files = o->source_count == want, output = takes & CLI_TAKES_OUTPUT || o->target_count == 0;
+  for (size_t i = 0; i < o->source_count; i++)
+    files = files && o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0;
+  if (files && output) return true;
+  if (want == 2) fprintf(stderr, "vs %s: give the files of two models, as in vs %s old.vs new.vs\n", name, name);
+  else fprintf(stderr, "vs %s: give the file of one model, as in vs %s house.vs%s\n", name, name,
+               output ? "" : "; -o is for vs FILE alone");
+  return false;
+}
+
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   size_t room = (size_t)argc + 1;
   cli_verdict verdict = CLI_GO;
@@ -402,10 +416,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fprintf(stderr, " -o %s\n", path);
     return CLI_BAD_USAGE;
   }
-  if (o->command != CLI_COMMAND_NONE && (o->source_count != 1 || o->sources[0].kind != CLI_SOURCE_FILE || strcmp(o->sources[0].text, "-") == 0 || o->target_count > 0)) {
-    fprintf(stderr, "vs %s: give the file of one model, as in vs %s house.vs%s\n", argv[1], argv[1], o->target_count > 0 ? "; -o is for vs FILE alone" : "");
-    return CLI_BAD_USAGE;
-  }
+  if (o->command != CLI_COMMAND_NONE && !command_files(o, takes)) return CLI_BAD_USAGE;
   if (o->command == CLI_COMMAND_view && o->untrusted) {
     fputs("vs view: --untrusted is for vs FILE alone: a window may write the model and run what it likes\n", stderr);
     return CLI_BAD_USAGE;

@@ -22,8 +22,8 @@ typedef enum {
 #define COMMAND(name, arguments, takes, help) CLI_COMMAND_##name,
 #include "cli/commands.def"
 } cli_command;
-/* Options that only commands take, and how they are used: the third column of commands.def. */
-enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2 };
+/* What a command takes besides one file: the third column of commands.def. --json and --xml are for commands alone. */
+enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* files */, CLI_TAKES_OUTPUT = 8 /* -o */ };
 
 typedef struct {
   cli_command command;

@@ -74,6 +74,8 @@ typedef struct {
   double write_began, write_worker; /* clock when it began; what workers had taken by then, in seconds */
   vs_output_record *outputs; /* of the last ones, oldest first */
   size_t output_count, output_room;
+  vs_ref *kept; size_t kept_count; /* what vs_drawing_keep keeps; nodes retained (comparison.c) */
+  vs_ref *change; size_t change_count; /* what vs_drawing_compare found, to be shown; nodes retained */
   vs_own_format *own_formats; /* that the host brought, newest first (own_formats.c) */
   vs_handles *handles;      /* what the host holds (handles.c); NULL: nothing so far */
   unsigned flags;           /* VS_EVAL_... of the evaluation under way */

@@ -21,6 +21,7 @@
 #include "passes/ink.h"
 #include "passes/optimise.h"
 #include "passes/sugar.h"
+#include "session/comparison.h"
 #include "solids/drawn_bounds.h"
 #include "solids/resolve.h"
 
@@ -108,24 +109,27 @@ static bool show_nodes(vs_job *j, bool *beside, vs_value *objects) {
 /* Nodes that only dead values hold would look shared. The copy's references are retained, because later stages put others in their place. */
 static bool stage_collect(vs_job *j) {
   vs_session *s = j->session;
-  bool beside = true;
+  bool beside = true, change = j->options && j->options->change;
   VS_ROOTS(s->bind.vm, shown, 1);
   shown[0] = VS_NIL;
   vs_scene *scene = &j->scene;
   *scene = s->bind.scene;
   scene->drawn = NULL, scene->drawn_count = scene->drawn_room = 0;
-  if (!show_nodes(j, &beside, &shown[0])) return false;
-  bool returned = vs_bind_finish(&s->bind);
+  if (!change && !show_nodes(j, &beside, &shown[0])) return false;
+  bool returned = !change && vs_bind_finish(&s->bind);
   scene->tolerance = vs_bind_tolerance(&s->bind);
-  size_t n = returned ? s->bind.returned_count : beside ? s->bind.scene.drawn_count : 0;
+  const vs_ref *drawn = change ? s->change : s->bind.scene.drawn;
+  size_t n = change ? s->change_count : returned ? s->bind.returned_count : beside ? s->bind.scene.drawn_count : 0;
   scene->drawn = vs_store_realloc(s->bind.store, NULL, 0, (n + 1) * sizeof *scene->drawn);
   if (!scene->drawn) return vs_error_memory(&j->error, NULL);
   scene->drawn_count = n, scene->drawn_room = n + 1;
   for (size_t i = 0; i < n; i++)
-    scene->drawn[i] = returned ? (vs_ref){ s->bind.returned[i].node, s->bind.returned[i].origin } : s->bind.scene.drawn[i];
+    scene->drawn[i] = returned ? (vs_ref){ s->bind.returned[i].node, s->bind.returned[i].origin } : drawn[i];
   for (size_t i = 0; i < n; i++) vs_node_retain(scene->drawn[i].node);
   for (; vs_is_pair(shown[0]); shown[0] = vs_cdr(shown[0]))
     if (!vs_scene_draw(scene, vs_bind_ref(vs_car(shown[0])))) return vs_error_memory(&j->error, NULL);
+  for (size_t i = 0; change && j->format->backend->parts_flush && i < n; i++)
+    if (!vs_session_swell(s, i, &scene->drawn[i], &j->error)) return false;
   if (!j->record) return true;
   vs_tally_enter(&s->tally, VS_WORK_RUN);
   vs_gc_major(s->bind.vm);
@@ -143,7 +147,8 @@ static bool stage_hand_over(vs_job *j) {
   if (!f) names[n++] = "*"; /* whatever draws it, where nothing is for all formats */
   if (f) names[n++] = f->name, names[n++] = f->suffix;
   if (f && vs_export_family(f)) names[n++] = vs_export_family(f);
-  if (vs_bind_hands_on(&s->bind)) {
+  bool handed = j->options && j->options->change; /* the parts of a comparison were, when they were taken */
+  if (!handed && vs_bind_hands_on(&s->bind)) {
     vs_session_begin(s, 0);
     bool ok = vs_bind_hand_on(&s->bind, j->scene.drawn, j->scene.drawn_count, names);
     s->phase = NULL;
@@ -341,5 +346,20 @@ vs_outcome vs_session_summary(vs_session *s, vs_summary *out) {
         vs_store_text(s->bind.store, why.at + 2, why.count - 2);
     vs_text_close(&why);
   }
+  return outcome;
+}
+
+vs_outcome vs_session_take(vs_session *s, vs_ref **out, size_t *count) {
+  vs_job j = { .session = s };
+  *out = NULL, *count = 0;
+  vs_tally_enter(&s->tally, VS_WORK_PASSES);
+  bool ok = go_through(&j, VS_STAGE_RESOLVE);
+  size_t n = j.scene.drawn_count;
+  vs_ref *refs = ok ? vs_store_realloc(s->bind.store, NULL, 0, (n + 1) * sizeof *refs) : NULL;
+  if (ok && !refs) ok = vs_error_memory(&j.error, NULL);
+  for (size_t i = 0; ok && i < n; i++) refs[i] = j.scene.drawn[i], vs_node_retain(refs[i].node);
+  vs_outcome outcome = end_job(&j, ok);
+  vs_tally_enter(&s->tally, VS_WORK_NONE);
+  if (ok) *out = refs, *count = n;
   return outcome;
 }

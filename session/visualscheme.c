@@ -7,6 +7,7 @@
 #include "session/handles.h"
 #include "session/names.h"
 #include "session/stops.h"
+#include "session/comparison.h"
 #include "solids/drawn_bounds.h"
 
 #include "backends/export.h"
@@ -261,6 +262,7 @@ void vs_free(vs_scheme *vm) {
   if (!s) return;
   vs_session_free_own_formats(s);
   vs_session_free_handles(s);
+  vs_session_free_comparison(s);
   vs_bind_close(&s->bind);
   vs_session_close_files(s);
   vs_session_free_sources(s);

@@ -1,0 +1,211 @@
+/* Owns the comparison of two drawings in the public header: what is kept of the first, and what of the second differs
+ * (solids/changed_parts.h). Both are taken as a format without marks would show them. */
+#include "session/comparison.h"
+
+#include <string.h>
+
+#include "session/handles.h"
+#include "session/spine.h"
+#include "solids/changed_parts.h"
+
+static void free_refs(vs_session *s, vs_ref **refs, size_t *count) {
+  for (size_t i = 0; i < *count; i++) vs_node_release((*refs)[i].node);
+  if (*refs) vs_store_realloc(s->bind.store, *refs, (*count + 1) * sizeof **refs, 0);
+  *refs = NULL, *count = 0;
+}
+
+void vs_session_free_comparison(vs_session *s) {
+  free_refs(s, &s->kept, &s->kept_count);
+  free_refs(s, &s->change, &s->change_count);
+}
+
+vs_outcome vs_drawing_keep(vs_scheme *vm) {
+  vs_session *s = vs_session_of(vm);
+  if (vs_session_busy(s, "vs_drawing_keep")) return VS_OUTCOME_USAGE;
+  free_refs(s, &s->kept, &s->kept_count);
+  return vs_session_take(s, &s->kept, &s->kept_count);
+}
+
+/* ---- a part, told ---- */
+
+enum { TOLD = 100 /* bytes of an expression */ };
+typedef struct { char text[TOLD + 8]; size_t count; bool cut; } told;
+
+/* False: there is enough of it. */
+static bool put_told(void *context, const char *text, size_t length) {
+  told *t = context;
+  size_t room = TOLD - t->count, n = length < room ? length : room;
+  if (n) memcpy(t->text + t->count, text, n);
+  t->count += n;
+  t->cut = n < length;
+  return !t->cut;
+}
+
+static void tell(told *t, const vs_drawn_part *p, vs_part_info *out) {
+  static const vs_affine none = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
+  const vs_affine *m = &p->place;
+  *t = (told){ .count = 0 };
+  bool placed = memcmp(m, &none, sizeof none) != 0, shifted = vs_affine_is_translation(m);
+  if (placed) put_told(t, shifted ? "(do-move " : "(do-transform ", shifted ? 9 : 14);
+  vs_bind_print_node(p->thing.node, put_told, t);
+  if (placed && shifted && !t->cut) {
+    put_told(t, " (vxyz", 6);
+    for (int i = 0; i < 3; i++) {
+      char number[32];
+      vs_bind_number_text(number, m->m[i][3]);
+      put_told(t, " ", 1);
+      put_told(t, number, strlen(number));
+    }
+    put_told(t, "))", 2);
+  } else if (placed) put_told(t, " ...)", 5);
+  while (t->cut && t->count && ((unsigned char)t->text[t->count - 1] & 0xc0) == 0x80) t->count--; /* whole characters */
+  if (t->cut && t->count && (unsigned char)t->text[t->count - 1] >= 0xc0) t->count--;
+  strcpy(t->text + t->count, t->cut ? " ..." : "");
+  const vs_origin *at = p->thing.origin;
+  *out = (vs_part_info){ .layer = p->layer, .material = p->material ? p->material->name : "", .text = t->text };
+  if (at) out->at = (vs_span){ at->file, at->line, at->column, 0, 0 };
+}
+
+typedef bool each_part(void *context, vs_part_difference what, const vs_part_info *before, const vs_part_info *after);
+
+static bool tell_all(const vs_drawn_parts *a, const vs_drawn_parts *b,
+                     const vs_part_match *before, const vs_part_match *after,
+                     each_part *each, void *context) {
+  static const vs_part_difference words[] = {
+    [VS_PART_REPAINTED] = VS_PART_WAS_REPAINTED, [VS_PART_MOVED] = VS_PART_WAS_MOVED,
+    [VS_PART_CHANGED] = VS_PART_WAS_CHANGED, [VS_PART_ALONE] = VS_PART_WAS_ADDED
+  };
+  told texts[2];
+  vs_part_info old, new;
+  for (size_t i = 0; i < a->count; i++) {
+    if (before[i].fate != VS_PART_ALONE) continue;
+    tell(&texts[0], &a->at[i], &old);
+    if (!each(context, VS_PART_WAS_REMOVED, &old, NULL)) return false;
+  }
+  for (size_t i = 0; i < b->count; i++) {
+    if (after[i].fate == VS_PART_SAME) continue;
+    bool alone = after[i].fate == VS_PART_ALONE;
+    if (!alone) tell(&texts[0], &a->at[after[i].other], &old);
+    tell(&texts[1], &b->at[i], &new);
+    if (!each(context, words[after[i].fate], alone ? NULL : &old, &new)) return false;
+  }
+  return true;
+}
+
+static void count_parts(const vs_drawn_parts *a, const vs_drawn_parts *b,
+                        const vs_part_match *before, const vs_part_match *after,
+                        vs_comparison *out) {
+  for (size_t i = 0; i < a->count; i++) out->removed += before[i].fate == VS_PART_ALONE;
+  for (size_t i = 0; i < b->count; i++) {
+    size_t *of[] = {
+      [VS_PART_SAME] = &out->same, [VS_PART_REPAINTED] = &out->repainted, [VS_PART_MOVED] = &out->moved,
+      [VS_PART_CHANGED] = &out->changed, [VS_PART_ALONE] = &out->added
+    };
+    ++*of[after[i].fate];
+  }
+}
+
+/* ---- the picture ---- */
+
+static const struct { vs_change change; vs_material paint; } shown[] = {
+  { VS_CHANGE_ADDED, { "added", .16, .66, .27, .6, 0, 0, 1.5 } },
+  { VS_CHANGE_REMOVED, { "removed", .86, .17, .15, .6, 0, 0, 1.5 } },
+  { VS_CHANGE_KEPT, { "unchanged", .82, .84, .88, .6, 0, .75, 1 } },
+};
+
+/* The object on a layer and in a material of the change's name. Takes the node over; NULL: out of memory. */
+static vs_node *painted(vs_store *store, vs_node *n, const vs_material *paint) {
+  vs_material m = *paint;
+  m.name = vs_store_text(store, paint->name, strlen(paint->name));
+  const vs_material *material = m.name ? vs_store_material(store, &m) : NULL;
+  vs_node *coloured = material ? vs_node_new(store, VS_MATERIAL, &(struct vs_material){ material, 0 },
+                                            &(vs_ref){ n, NULL }, 1) : NULL;
+  vs_node *layered = coloured ? vs_node_new(store, VS_LAYER, &(struct vs_layer){ m.name, 0 },
+                                           &(vs_ref){ coloured, NULL }, 1) : NULL;
+  vs_node_release(coloured);
+  vs_node_release(n);
+  return layered;
+}
+
+/* Ends what goes long when the host interrupts. */
+static bool going(void *session, double done) {
+  (void)done;
+  return !vs_session_interrupted(session);
+}
+
+static bool compare(vs_session *s, const vs_drawn_parts *a, const vs_drawn_parts *b,
+                    vs_part_match *before, vs_part_match *after,
+                    vs_comparison *out, vs_error *e) {
+  vs_kernel_options options = { .progress = going, .context = s, .cache = vs_store_cache(s->bind.store) };
+  double tolerance = vs_bind_tolerance(&s->bind);
+  vs_node *nodes[VS_CHANGES];
+  if (!vs_drawn_parts_match(a, b, before, after, e)) return false;
+  count_parts(a, b, before, after, out);
+  if (!vs_drawn_parts_change(a, b, before, after, nodes, e)) return false;
+  bool ok = vs_drawn_parts_volume(nodes[VS_CHANGE_ADDED], tolerance, &options, &out->volume_added, e) &&
+            vs_drawn_parts_volume(nodes[VS_CHANGE_REMOVED], tolerance, &options, &out->volume_removed, e);
+  s->change = ok ? vs_store_realloc(s->bind.store, NULL, 0, (VS_CHANGES + 1) * sizeof *s->change) : NULL;
+  if (ok && !s->change) ok = vs_error_memory(e, NULL);
+  for (size_t i = 0; i < sizeof shown / sizeof *shown; i++) {
+    vs_node *n = nodes[shown[i].change];
+    if (!ok) vs_node_release(n);
+    else if (n && (n = painted(s->bind.store, n, &shown[i].paint))) s->change[s->change_count++] = (vs_ref){ n, NULL };
+    else if (nodes[shown[i].change]) ok = vs_error_memory(e, NULL);
+  }
+  return ok;
+}
+
+bool vs_session_swell(vs_session *s, size_t number, vs_ref *ref, vs_error *e) {
+  vs_kernel_options options = { .progress = going, .context = s, .cache = vs_store_cache(s->bind.store) };
+  const struct vs_material *paint = VS_AS(material, s->change[number].node->children[0].node);
+  vs_node *n = s->change[number].node->children[0].node->children[0].node, *swollen;
+  if (!strcmp(paint->material->name, shown[VS_CHANGES - 1].paint.name)) return true; /* what is unchanged stays */
+  if (!vs_drawn_parts_swell(n, vs_bind_tolerance(&s->bind), &options, &swollen, e)) return false;
+  swollen = painted(s->bind.store, swollen, paint->material);
+  if (!swollen) return vs_error_memory(e, NULL);
+  vs_node_release(ref->node);
+  ref->node = swollen;
+  return true;
+}
+
+static bool volume_of(vs_session *s, const vs_ref *refs, size_t count, double *volume, vs_error *e) {
+  vs_kernel_options options = { .progress = going, .context = s, .cache = vs_store_cache(s->bind.store) };
+  vs_node *all = vs_node_new(s->bind.store, VS_UNION, &(struct vs_union){ 0 }, refs, count);
+  bool ok = all ? vs_drawn_parts_volume(all, vs_bind_tolerance(&s->bind), &options, volume, e)
+                : vs_error_memory(e, NULL);
+  vs_node_release(all);
+  return ok;
+}
+
+vs_outcome vs_drawing_compare(vs_scheme *vm, vs_comparison *out, each_part *each, void *context) {
+  vs_session *s = vs_session_of(vm);
+  *out = (vs_comparison){ 0 };
+  if (vs_session_busy(s, "vs_drawing_compare")) return VS_OUTCOME_USAGE;
+  free_refs(s, &s->change, &s->change_count);
+  vs_ref *now;
+  size_t count;
+  vs_outcome outcome = vs_session_take(s, &now, &count);
+  if (outcome != VS_OUTCOME_DONE) return outcome;
+  vs_store *store = s->bind.store;
+  vs_drawn_parts a = { .store = store }, b = { .store = store };
+  vs_error e = { 0 };
+  s->writing = true, s->late = false; /* the limit of time is an output's */
+  s->write_began = vs_session_clock(s), s->write_worker = s->tally.of[VS_WORK_WORKER].seconds;
+  bool ok = vs_drawn_parts_take(&a, s->kept, s->kept_count, &e) && vs_drawn_parts_take(&b, now, count, &e);
+  size_t bytes = (a.count + b.count + 1) * sizeof(vs_part_match);
+  vs_part_match *before = ok ? vs_store_realloc(store, NULL, 0, bytes) : NULL, *after = before ? before + a.count
+      : NULL;
+  if (ok && !before) ok = vs_error_memory(&e, NULL);
+  ok = ok && compare(s, &a, &b, before, after, out, &e);
+  bool differs = out->repainted + out->moved + out->changed + out->added + out->removed > 0;
+  ok = ok && volume_of(s, s->kept, s->kept_count, &out->volume_before, &e);
+  if (!differs) out->volume_after = out->volume_before;
+  else ok = ok && volume_of(s, now, count, &out->volume_after, &e);
+  s->writing = false;
+  if (ok && each) tell_all(&a, &b, before, after, each, context);
+  if (before) vs_store_realloc(store, before, bytes, 0);
+  vs_drawn_parts_free(&a);
+  vs_drawn_parts_free(&b);
+  free_refs(s, &now, &count);
+  return ok ? VS_OUTCOME_DONE : vs_session_report_error(s, &e);
+}

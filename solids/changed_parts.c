@@ -1,0 +1,380 @@
+/* Owns what differs between two drawings (changed_parts.h). Parts are paired by keys, hashes of some of what they are,
+ * with one rule after the other over those that are left: first all must be equal, in the end only what they are made
+ * of. */
+#include "solids/changed_parts.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "geometry/measure/node_measures.h"
+#include "solids/solid_measures.h"
+#include "solids/solid_meshes.h"
+
+enum { PART_WORK = 300 /* nanoseconds that a part takes, about: between questions whether to go on */ };
+
+/* ---- taking a drawing apart ---- */
+
+static bool is_wrapper(const vs_node *n) {
+  return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_dress(n);
+}
+
+/* What a part inherits from the unions, placements and materials that it stands in. */
+typedef struct { vs_affine place; const vs_material *material; const char *layer; } context;
+typedef struct { context *at; size_t count, room; } context_stack;
+
+static context inside_of(const context *c, const vs_node *n) {
+  context in = *c;
+  if (n->kind == VS_TRANSFORM) in.place = vs_affine_multiply(&c->place, &VS_AS(transform, n)->matrix);
+  if (n->kind == VS_MATERIAL) in.material = VS_AS(material, n)->material;
+  if (n->kind == VS_LAYER) in.layer = VS_AS(layer, n)->name;
+  return in;
+}
+
+static bool take_part(vs_drawn_parts *p, vs_ref ref, const context *c) {
+  if (ref.node->kind == VS_EMPTY || ref.node->class_ == VS_NOTHING) return true;
+  if (p->count == p->room && !vs_store_grow(p->store, &p->at, &p->room, p->count + 1, sizeof *p->at)) return false;
+  p->at[p->count++] = (vs_drawn_part){ ref, c->place, c->material, c->layer };
+  vs_node_retain(ref.node);
+  return true;
+}
+
+static bool take_one(vs_drawn_parts *p, vs_ref root, context_stack *stack, vs_error *e) {
+  const context bare = { vs_affine_identity(), NULL, "" };
+  vs_walk *w = vs_walk_new(p->store, root);
+  vs_ref ref;
+  bool ok = w != NULL;
+  stack->count = 0;
+  for (vs_walk_event event; ok && (event = vs_walk_next(w, &ref, NULL)) != VS_WALK_DONE;) {
+    const context *c = stack->count ? &stack->at[stack->count - 1] : &bare;
+    if (event == VS_WALK_LEAVE) {
+      if (is_wrapper(ref.node)) stack->count--;
+      continue;
+    }
+    ok = event == VS_WALK_ENTER;
+    if (ok && !is_wrapper(ref.node)) {
+      ok = take_part(p, ref, c);
+      vs_walk_skip(w);
+    } else if (ok) {
+      context in = inside_of(c, ref.node);
+      ok = vs_store_grow(p->store, &stack->at, &stack->room, stack->count + 1, sizeof in);
+      if (ok) stack->at[stack->count++] = in;
+    }
+    if (ok && !vs_store_going(p->store, PART_WORK, e)) return vs_walk_free(w), false;
+  }
+  vs_walk_free(w);
+  return ok || vs_error_memory(e, root.origin);
+}
+
+bool vs_drawn_parts_take(vs_drawn_parts *out, const vs_ref *refs, size_t count, vs_error *e) {
+  context_stack stack = { 0 };
+  bool ok = true;
+  for (size_t i = 0; ok && i < count; i++) ok = take_one(out, refs[i], &stack, e);
+  vs_store_realloc(out->store, stack.at, stack.room * sizeof *stack.at, 0);
+  if (ok && out->count >= UINT32_MAX) return vs_error_set(e, VS_ERROR_MODEL, NULL, "too many parts to compare");
+  return ok;
+}
+
+void vs_drawn_parts_free(vs_drawn_parts *p) {
+  for (size_t i = 0; i < p->count; i++) vs_node_release(p->at[i].thing.node);
+  vs_store_realloc(p->store, p->at, p->room * sizeof *p->at, 0);
+  *p = (vs_drawn_parts){ .store = p->store };
+}
+
+/* ---- pairing ---- */
+
+enum { BY_THING = 1, BY_PLACE = 2, BY_PAINT = 4, BY_FORM = 8, BY_LAYER = 16 };
+static const struct { unsigned by; vs_part_fate fate; } rules[] = {
+  { BY_THING | BY_PLACE | BY_PAINT | BY_LAYER, VS_PART_SAME },
+  { BY_THING | BY_PLACE, VS_PART_REPAINTED },
+  { BY_THING | BY_PAINT | BY_LAYER, VS_PART_MOVED },
+  { BY_FORM | BY_PAINT | BY_LAYER | BY_PLACE, VS_PART_CHANGED },
+  { BY_FORM | BY_PAINT | BY_LAYER, VS_PART_CHANGED },
+};
+
+typedef struct { uint64_t key; uint32_t part; } keyed;
+
+/* FNV-1a, a word at a time. */
+static uint64_t mix(uint64_t h, uint64_t word) { return (h ^ word ^ word >> 29) * UINT64_C(0x100000001b3); }
+
+static uint64_t key_of(const vs_drawn_part *p, unsigned by) {
+  uint64_t h = UINT64_C(0xcbf29ce484222325);
+  if (by & BY_THING) h = mix(h, p->thing.node->hash);
+  if (by & BY_FORM) h = mix(mix(h, p->thing.node->form), p->thing.node->kind);
+  for (int i = 0; by & BY_PLACE && i < 12; i++) {
+    double x = p->place.m[i / 4][i % 4] + 0.0;
+    uint64_t word;
+    memcpy(&word, &x, sizeof word);
+    h = mix(h, word);
+  }
+  if (by & BY_PAINT) h = mix(h, (uint64_t)(uintptr_t)p->material); /* interned, and so are layers */
+  if (by & BY_LAYER) h = mix(h, *p->layer ? (uint64_t)(uintptr_t)p->layer : 0);
+  return h;
+}
+
+static int by_key(const void *a, const void *b) {
+  const keyed *p = a, *q = b;
+  return p->key != q->key ? (p->key < q->key ? -1 : 1) : p->part < q->part ? -1 : p->part > q->part;
+}
+
+/* Keys of the parts that no rule has paired so far, in order. */
+static size_t keys_of(const vs_drawn_parts *p, const vs_part_match *match, unsigned by, keyed *out) {
+  size_t n = 0;
+  for (size_t i = 0; i < p->count; i++)
+    if (match[i].fate == VS_PART_ALONE) out[n++] = (keyed){ key_of(&p->at[i], by), (uint32_t)i };
+  if (n) qsort(out, n, sizeof *out, by_key);
+  return n;
+}
+
+bool vs_drawn_parts_match(const vs_drawn_parts *a, const vs_drawn_parts *b, vs_part_match *before, vs_part_match *after,
+                          vs_error *e) {
+  size_t bytes = (a->count + b->count + 1) * sizeof(keyed);
+  keyed *ka = vs_store_realloc(a->store, NULL, 0, bytes), *kb = ka + a->count;
+  if (!ka) return vs_error_memory(e, NULL);
+  for (size_t i = 0; i < a->count; i++) before[i] = (vs_part_match){ VS_PART_ALONE, 0 };
+  for (size_t i = 0; i < b->count; i++) after[i] = (vs_part_match){ VS_PART_ALONE, 0 };
+  bool ok = true;
+  for (size_t r = 0; ok && r < sizeof rules / sizeof *rules; r++) {
+    size_t na = keys_of(a, before, rules[r].by, ka), nb = keys_of(b, after, rules[r].by, kb);
+    for (size_t i = 0, k = 0; ok && i < na && k < nb;) {
+      ok = vs_store_going(a->store, PART_WORK, e);
+      if (ka[i].key != kb[k].key) {
+        if (ka[i].key < kb[k].key) i++;
+        else k++;
+        continue;
+      }
+      uint32_t p = ka[i++].part, q = kb[k++].part;
+      bool memory = true;
+      if (rules[r].by & BY_THING && !vs_node_equal(a->at[p].thing.node, b->at[q].thing.node, &memory)) {
+        if (!memory) ok = vs_error_memory(e, NULL);
+        continue; /* two shapes with one hash */
+      }
+      before[p] = (vs_part_match){ rules[r].fate, q };
+      after[q] = (vs_part_match){ rules[r].fate, p };
+    }
+  }
+  vs_store_realloc(a->store, ka, bytes, 0);
+  return ok;
+}
+
+/* ---- the solids that show it ---- */
+
+/* References that are to become operands; each node is owned. */
+typedef struct { vs_store *store; vs_ref *at; size_t count, room; bool failed; } refs;
+
+static void refs_free(refs *r) {
+  for (size_t i = 0; i < r->count; i++) vs_node_release(r->at[i].node);
+  vs_store_realloc(r->store, r->at, r->room * sizeof *r->at, 0);
+}
+
+/* Takes the node over; NULL: out of memory. */
+static void refs_add(refs *r, vs_node *n, const vs_origin *origin) {
+  if (!n || !vs_store_grow(r->store, &r->at, &r->room, r->count + 1, sizeof *r->at)) {
+    vs_node_release(n);
+    r->failed = true;
+    return;
+  }
+  r->at[r->count++] = (vs_ref){ n, origin };
+}
+
+/* The part where it stands, without paint. */
+static void refs_add_part(refs *r, const vs_drawn_part *p) {
+  static const vs_affine none = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
+  if (!memcmp(&p->place, &none, sizeof none)) refs_add(r, vs_node_retain(p->thing.node), p->thing.origin);
+  else refs_add(r, vs_node_new(r->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = p->place }, &p->thing, 1),
+                p->thing.origin);
+}
+
+/* The bounds of what r has. */
+static bool refs_bounds(const refs *r, vs_bounds_memo *memo, vs_bounds *out, vs_error *e) {
+  *out = vs_bounds_empty();
+  for (size_t i = 0; i < r->count; i++) {
+    vs_bounds b;
+    if (!vs_bounds_memo_get(memo, r->at[i].node, &b, e)) return false;
+    vs_bounds_unite(out, &b);
+  }
+  return true;
+}
+
+static bool boxes_meet(const vs_bounds *a, const vs_bounds *b) {
+  vs_bounds both = *a;
+  vs_bounds_meet(&both, b);
+  return both.min.x <= both.max.x && both.min.y <= both.max.y && both.min.z <= both.max.z;
+}
+
+/* Appends those of from that come near to the box. */
+static bool refs_add_near(refs *r, const refs *from, const vs_bounds *box, vs_bounds_memo *memo, vs_error *e) {
+  for (size_t i = 0; i < from->count; i++) {
+    vs_bounds b;
+    if (!vs_bounds_memo_get(memo, from->at[i].node, &b, e)) return false;
+    if (boxes_meet(&b, box)) refs_add(r, vs_node_retain(from->at[i].node), from->at[i].origin);
+  }
+  return true;
+}
+
+static vs_node *set_of(refs *r, vs_kind kind) {
+  if (r->failed) return NULL;
+  if (r->count == 1) return vs_node_retain(r->at[0].node);
+  return vs_node_new(r->store, kind, &(struct vs_union){ 0 }, r->at, r->count);
+}
+
+/* What `whole` has and neither of the others: appended to out. */
+static bool add_rest(refs *out, refs *whole, const refs *first, const refs *second, vs_bounds_memo *memo, vs_error *e) {
+  vs_bounds box;
+  if (!whole->count) return true;
+  if (!refs_bounds(whole, memo, &box, e)) return false;
+  refs operands = { .store = out->store };
+  refs_add(&operands, set_of(whole, VS_UNION), whole->at[0].origin);
+  bool ok = refs_add_near(&operands, first, &box, memo, e) && refs_add_near(&operands, second, &box, memo, e);
+  if (ok) refs_add(out, operands.failed ? NULL : set_of(&operands, VS_DIFFERENCE), whole->at[0].origin);
+  refs_free(&operands);
+  return ok;
+}
+
+/* What both have: appended to out. */
+static bool add_common(refs *out, refs *a, refs *b, vs_bounds_memo *memo, vs_error *e) {
+  vs_bounds boxes[2];
+  if (!a->count || !b->count) return true;
+  if (!refs_bounds(a, memo, &boxes[0], e) || !refs_bounds(b, memo, &boxes[1], e)) return false;
+  if (!boxes_meet(&boxes[0], &boxes[1])) return true;
+  refs operands = { .store = out->store };
+  refs_add(&operands, set_of(a, VS_UNION), a->at[0].origin);
+  refs_add(&operands, set_of(b, VS_UNION), b->at[0].origin);
+  refs_add(out, operands.failed ? NULL : set_of(&operands, VS_INTERSECTION), b->at[0].origin);
+  refs_free(&operands);
+  return true;
+}
+
+static bool stays(vs_part_fate fate) { return fate == VS_PART_SAME || fate == VS_PART_REPAINTED; }
+
+/* Sorts the parts: those that stay into kept (of both lists once: which says of which), the others into solids or,
+ * where booleans do not serve, whole. */
+static void sort_parts(const vs_drawn_parts *p, const vs_part_match *match, refs *kept, refs *solids, refs *whole) {
+  for (size_t i = 0; i < p->count; i++) {
+    const vs_drawn_part *part = &p->at[i];
+    bool solid = part->thing.node->class_ == VS_SOLID && !(part->thing.node->flags & VS_NODE_ENDLESS);
+    if (!stays(match[i].fate)) refs_add_part(solid ? solids : whole, part);
+    else if (kept) refs_add_part(kept, part);
+  }
+}
+
+/* Only solids can be taken off something. */
+static bool only_solids(refs *out, const refs *from) {
+  for (size_t i = 0; i < from->count; i++)
+    if (from->at[i].node->class_ == VS_SOLID) refs_add(out, vs_node_retain(from->at[i].node), from->at[i].origin);
+  return !out->failed;
+}
+
+bool vs_drawn_parts_change(const vs_drawn_parts *a, const vs_drawn_parts *b, const vs_part_match *before,
+                          const vs_part_match *after,
+                     vs_node *out[VS_CHANGES], vs_error *e) {
+  vs_store *s = b->store;
+  refs shown[VS_CHANGES] = { { .store = s }, { .store = s }, { .store = s } };
+  refs old = { .store = s }, new = { .store = s }, kept = { .store = s };
+  vs_bounds_memo memo = { .places.store = s };
+  for (int i = 0; i < VS_CHANGES; i++) out[i] = NULL;
+  sort_parts(a, before, NULL, &old, &shown[VS_CHANGE_REMOVED]);
+  sort_parts(b, after, &shown[VS_CHANGE_KEPT], &new, &shown[VS_CHANGE_ADDED]);
+  bool ok = only_solids(&kept, &shown[VS_CHANGE_KEPT]) && !old.failed && !new.failed;
+  if (!ok) vs_error_memory(e, NULL);
+  ok = ok && add_rest(&shown[VS_CHANGE_ADDED], &new, &kept, &old, &memo, e) &&
+       add_rest(&shown[VS_CHANGE_REMOVED], &old, &kept, &new, &memo, e) &&
+       add_common(&shown[VS_CHANGE_KEPT], &old, &new, &memo, e);
+  for (int i = 0; ok && i < VS_CHANGES; i++) {
+    if (!shown[i].count && !shown[i].failed) continue;
+    out[i] = set_of(&shown[i], VS_UNION);
+    if (!out[i]) ok = vs_error_memory(e, NULL);
+  }
+  for (int i = 0; i < VS_CHANGES; i++) {
+    refs_free(&shown[i]);
+    if (!ok) vs_node_release(out[i]), out[i] = NULL;
+  }
+  refs_free(&old);
+  refs_free(&new);
+  refs_free(&kept);
+  vs_bounds_memo_free(&memo);
+  return ok;
+}
+
+/* Solids of n go to solids, everything else to rest (NULL: nowhere). */
+static bool part_solids(vs_node *n, refs *solids, refs *rest, vs_error *e) {
+  vs_drawn_parts parts = { .store = n->store };
+  bool ok = vs_drawn_parts_take(&parts, &(vs_ref){ n, NULL }, 1, e);
+  for (size_t i = 0; ok && i < parts.count; i++)
+    if (parts.at[i].thing.node->class_ == VS_SOLID) refs_add_part(solids, &parts.at[i]);
+    else if (rest) refs_add_part(rest, &parts.at[i]);
+  vs_drawn_parts_free(&parts);
+  return ok && (!(solids->failed || (rest && rest->failed)) || vs_error_memory(e, NULL));
+}
+
+/* Moves every corner outwards, along the mean of its triangles' normals by their areas. False: out of memory. */
+static bool push_out(vs_store *s, vs_mesh *m, double by) {
+  size_t bytes = (m->vertex_count + 1) * sizeof(vs_vec3);
+  vs_vec3 *out = vs_store_realloc(s, NULL, 0, bytes);
+  if (!out) return false;
+  memset(out, 0, bytes);
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    const uint32_t *t = m->triangles[i];
+    vs_vec3 a = m->vertices[t[0]];
+    vs_vec3 n = vs_v3_cross(vs_v3_sub(m->vertices[t[1]], a), vs_v3_sub(m->vertices[t[2]], a));
+    for (int k = 0; k < 3; k++) out[t[k]] = vs_v3_add(out[t[k]], n);
+  }
+  for (size_t i = 0; i < m->vertex_count; i++)
+    m->vertices[i] = vs_v3_add(m->vertices[i], vs_v3_scale(vs_v3_unit(out[i]), by));
+  vs_store_realloc(s, out, bytes, 0);
+  return true;
+}
+
+static vs_node *mesh_node(vs_store *s, const vs_mesh *m) {
+  size_t bytes = (m->triangle_count + 1) * sizeof(uint32_t);
+  uint32_t *starts = vs_store_realloc(s, NULL, 0, bytes);
+  if (!starts) return NULL;
+  for (size_t i = 0; i <= m->triangle_count; i++) starts[i] = 3 * (uint32_t)i;
+  struct vs_polyface_mesh mesh = {
+    .points = vs_points_new(s, m->vertices, m->vertex_count),
+    .faces = vs_faces_new(s, starts, m->triangle_count, m->triangles[0], 3 * m->triangle_count), .closed = true
+  };
+  vs_node *n = mesh.points && mesh.faces ? vs_node_new(s, VS_POLYFACE_MESH, &mesh, NULL, 0) : NULL;
+  if (mesh.points) vs_points_release(s, mesh.points);
+  if (mesh.faces) vs_faces_release(s, mesh.faces);
+  vs_store_realloc(s, starts, bytes, 0);
+  return n;
+}
+
+bool vs_drawn_parts_swell(vs_node *n, double tolerance, const vs_kernel_options *options, vs_node **out, vs_error *e) {
+  refs solids = { .store = n->store }, shown = { .store = n->store };
+  vs_facets facets = { .tolerance = tolerance };
+  vs_solid solid = { 0 };
+  *out = NULL;
+  vs_bounds whole;
+  bool ok = vs_node_bounds(n, &whole, e) && part_solids(n, &solids, &shown, e);
+  if (ok && tolerance <= 0) facets.tolerance = vs_facets_tolerance(&whole);
+  double reach = facets.tolerance / 2; /* facets lie four times as near, so that they reach out everywhere */
+  facets.tolerance /= 8;
+  if (ok && solids.count) ok = vs_solid_evaluate(solids.at, solids.count, &facets, options, &solid, e);
+  if (ok && solid.mesh.triangle_count) {
+    bool pushed = push_out(n->store, &solid.mesh, reach);
+    refs_add(&shown, pushed ? mesh_node(n->store, &solid.mesh) : NULL, NULL);
+  }
+  if (ok) *out = set_of(&shown, VS_UNION);
+  if (ok && !*out) ok = vs_error_memory(e, NULL);
+  vs_solid_free(&solid);
+  refs_free(&solids);
+  refs_free(&shown);
+  return ok;
+}
+
+bool vs_drawn_parts_volume(vs_node *n, double tolerance, const vs_kernel_options *options, double *volume,
+                          vs_error *e) {
+  *volume = 0;
+  if (!n) return true;
+  refs solids = { .store = n->store };
+  bool ok = part_solids(n, &solids, NULL, e);
+  vs_node *all = ok && solids.count ? set_of(&solids, VS_UNION) : NULL;
+  if (ok && solids.count && !all) ok = vs_error_memory(e, NULL);
+  vs_measure m = { 0 };
+  if (all) ok = vs_solid_measure((vs_ref){ all, solids.at[0].origin }, VS_ASK_VOLUME, tolerance, options, &m, e);
+  if (ok) *volume = m.volume;
+  vs_node_release(all);
+  refs_free(&solids);
+  return ok;
+}

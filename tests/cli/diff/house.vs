@@ -1,0 +1,6 @@
+(define-parameter storeys 3 #:min 1 #:max 9)
+(define-parameter door #t)
+(define (storey i) (make-box (xyz 0 0 (* 3 i)) (xyz 10 8 (+ (* 3 i) 2.8))))
+(draw (map storey (range 0 storeys)))
+(draw (layer "roof" (make-pyramid (xyz 5 4 (* 3 storeys)) 6 4 (xyz 5 4 (+ 3 (* 3 storeys))))))
+(when door (draw (color "brown" (make-box (xyz 4 -0.2 0) (xyz 6 0 2)))))

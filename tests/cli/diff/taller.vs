@@ -1,0 +1,6 @@
+(define-parameter storeys 4 #:min 1 #:max 12)
+(define-parameter chimney 2)
+(define (storey i) (make-box (xyz 0 0 (* 3 i)) (xyz 10 8 (+ (* 3 i) 2.8))))
+(draw (map storey (range 0 storeys)))
+(draw (layer "roof" (make-pyramid (xyz 5 4 (* 3 storeys)) 6 4 (xyz 5 4 (+ 3 (* 3 storeys))))))
+(draw (make-cylinder (xyz 8 6 (* 3 storeys)) chimney 0.5))
