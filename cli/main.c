@@ -346,7 +346,7 @@ int main(int argc, char **argv) {
     cli_options_free(&options);
     return (int)outcome;
   }
-  if (options.command == CLI_COMMAND_ast || options.command == CLI_COMMAND_check) {
+  if (options.command == CLI_COMMAND_ast || options.command == CLI_COMMAND_check || options.command == CLI_COMMAND_doc) {
     vs_outcome outcome = cli_study(&options);
     cli_options_free(&options);
     return (int)outcome;

@@ -352,10 +352,13 @@ static bool command_files(const cli_options *o, unsigned takes) {
   const char *name = commands[o->command - 1].name;
   size_t want = takes & CLI_TAKES_TWO ? 2 : 1;
   bool files = o->source_count == want, output = takes & CLI_TAKES_OUTPUT || o->target_count == 0;
+  if (takes & CLI_TAKES_FOLDER) output = o->target_count == 1 && strcmp(o->targets[0].path, "-") != 0;
   for (size_t i = 0; i < o->source_count; i++)
     files = files && o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0;
   if (files && output) return true;
-  if (want == 2) fprintf(stderr, "vs %s: give the files of two models, as in vs %s old.vs new.vs\n", name, name);
+  if (takes & CLI_TAKES_FOLDER) fprintf(stderr, "vs %s: give the file of one model and a folder, as in vs %s house.vs "
+                                        "-o site\n", name, name);
+  else if (want == 2) fprintf(stderr, "vs %s: give the files of two models, as in vs %s old.vs new.vs\n", name, name);
   else fprintf(stderr, "vs %s: give the file of one model, as in vs %s house.vs%s\n", name, name,
                output ? "" : "; -o is for vs FILE alone");
   return false;
@@ -421,6 +424,10 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fputs("vs view: --untrusted is for vs FILE alone: a window may write the model and run what it likes\n", stderr);
     return CLI_BAD_USAGE;
   }
+  if (o->command == CLI_COMMAND_doc && o->untrusted) {
+    fputs("vs doc: --untrusted is for vs FILE alone: pictures need the program's procedures one by one\n", stderr);
+    return CLI_BAD_USAGE;
+  }
   if (o->command == CLI_COMMAND_params) o->parameters = o->quiet = true;
   const char *folders = getenv("VS_LIBRARY_PATH");
   if (folders && *folders && !add_folders(o, folders)) return CLI_BAD_USAGE;
@@ -429,7 +436,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     if (o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0) o->words[0] = o->sources[i].text;
   o->interpreter.command_line = o->words;
   o->interpreter.command_line_count = o->word_count;
-  for (size_t i = 0; i < o->target_count; i++)
+  for (size_t i = 0; !(takes & CLI_TAKES_FOLDER) && i < o->target_count; i++)
     if (!find_format(o, &o->targets[i]) || !reachable(&o->targets[i])) return CLI_BAD_USAGE;
   if (o->all_views && o->output.view) {
     fputs("vs: --all-views and --view are one too many\n", stderr);

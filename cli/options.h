@@ -23,7 +23,8 @@ typedef enum {
 #include "cli/commands.def"
 } cli_command;
 /* What a command takes besides one file: the third column of commands.def. --json and --xml are for commands alone. */
-enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* files */, CLI_TAKES_OUTPUT = 8 /* -o */ };
+enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* files */, CLI_TAKES_OUTPUT = 8 /* -o */,
+       CLI_TAKES_FOLDER = 16 /* -o, of a folder */ };
 
 typedef struct {
   cli_command command;

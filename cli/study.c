@@ -4,9 +4,11 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "cli/messages.h"
 #include "knowledge/checks.h"
+#include "knowledge/site.h"
 #include "knowledge/tree_report.h"
 
 typedef struct { knowledge k; cli_reporter reporter; } study;
@@ -41,6 +43,91 @@ static vs_outcome check(study *s, const cli_options *o) {
   return outcome;
 }
 
+/* ---- vs doc ---- */
+
+enum { PICTURE_SECONDS = 20 /* that a program, and each of its procedures, may take for a picture */ };
+typedef struct { const cli_options *options; vs_scheme *scheme; bool failed, worker_missing; } painter;
+
+/* What a procedure says when it is tried is no business of the reader's. */
+static void ignore(void *context, const vs_diagnostic *d) { (void)context, (void)d; }
+
+static bool run_model(painter *p) {
+  const cli_options *o = p->options;
+  vs_options interpreter = o->interpreter;
+  interpreter.host = (vs_host){.diagnose = ignore};
+  if (interpreter.limit_time <= 0) interpreter.limit_time = PICTURE_SECONDS;
+  p->scheme = vs_new(&interpreter);
+  bool ok = p->scheme != NULL;
+  for (size_t i = 0; ok && i < o->define_count; i++) {
+    char name[200];
+    const char *equals = strchr(o->defines[i], '=');
+    snprintf(name, sizeof name, "%.*s", (int)(equals - o->defines[i]), o->defines[i]);
+    ok = vs_parameter_set(p->scheme, name, equals + 1);
+  }
+  return ok && vs_eval_file(p->scheme, o->sources[0].text, VS_EVAL_PASS) == VS_OUTCOME_DONE;
+}
+
+/* A picture of the model, or of what an expression of it gives, which is looked at as a whole. */
+static bool paint(void *context, const char *expression, const char *path) {
+  painter *p = context;
+  if (p->failed || p->worker_missing) return false;
+  if (!p->scheme && !run_model(p)) {
+    p->failed = true;
+    fprintf(stderr, "vs doc: %s does not run: the pages have no pictures\n", p->options->sources[0].text);
+    return false;
+  }
+  vs_output_options o = p->options->output;
+  o.quality = expression ? VS_QUALITY_DRAFT : o.quality;
+  if (expression || !o.width) o.width = expression ? 480 : 960, o.height = expression ? 360 : 640;
+  if (expression) {
+    char text[2100];
+    int n = snprintf(text, sizeof text, "(zoom-extents) (draw %s)", expression);
+    vs_drawing_clear(p->scheme);
+    if (n >= (int)sizeof text ||
+        vs_eval_text(p->scheme, p->options->sources[0].text, 1, text, (size_t)n, VS_EVAL_PASS) != VS_OUTCOME_DONE)
+      return false;
+    o.has_camera = false, o.view = NULL;
+  }
+  vs_summary summary;
+  if (vs_drawing_summary(p->scheme, &summary) != VS_OUTCOME_DONE || !summary.has_bounds) return false;
+  vs_outcome outcome = vs_write_drawing(p->scheme, path, "png", &o);
+  if (outcome == VS_OUTCOME_WORKER && !p->worker_missing) {
+    p->worker_missing = true;
+    fputs("vs doc: POV-Ray is missing or failed: the pages have no more pictures\n", stderr);
+  }
+  return outcome == VS_OUTCOME_DONE;
+}
+
+static vs_outcome no_folder(const char *path) {
+  fprintf(stderr, "vs doc: %s: %s\n", path, strerror(errno));
+  return VS_OUTCOME_USAGE;
+}
+
+static bool make_folder(const char *path) {
+  struct stat status;
+  if (mkdir(path, 0777) == 0) return true;
+  if (errno != EEXIST || stat(path, &status) != 0) return false;
+  errno = ENOTDIR;
+  return S_ISDIR(status.st_mode);
+}
+
+static vs_outcome document(study *s, const cli_options *o) {
+  const char *folder = o->targets[0].path, *file = o->sources[0].text, *slash = strrchr(file, '/');
+  char pictures[4096], title[200];
+  painter p = {.options = o};
+  int n = snprintf(pictures, sizeof pictures, "%s/pictures", folder);
+  if (n < 0 || n >= (int)sizeof pictures) return errno = ENAMETOOLONG, no_folder(folder);
+  if (!make_folder(folder)) return no_folder(folder);
+  if (!make_folder(pictures)) return no_folder(pictures);
+  snprintf(title, sizeof title, "%s", slash ? slash + 1 : file);
+  if (strlen(title) > 3 && !strcmp(title + strlen(title) - 3, ".vs")) title[strlen(title) - 3] = 0;
+  bool ok = know_write_site(&s->k, folder, title, paint, &p);
+  vs_free(p.scheme);
+  if (ok) return VS_OUTCOME_DONE;
+  fprintf(stderr, "vs doc: %s\n", s->k.trouble);
+  return s->k.outcome;
+}
+
 vs_outcome cli_study(const cli_options *o) {
   study s = {0};
   vs_options interpreter = o->interpreter;
@@ -48,8 +135,8 @@ vs_outcome cli_study(const cli_options *o) {
   vs_scheme *scheme = vs_new(&interpreter);
   if (!scheme) return fputs("vs: out of memory\n", stderr), VS_OUTCOME_MACHINE;
   vs_outcome outcome = VS_OUTCOME_DONE;
-  if (know_read(&s.k, scheme, o->sources[0].text, o->library_path)) outcome = o->command == CLI_COMMAND_check ? check(&s, o) :
-      tell(&s, o);
+  if (know_read(&s.k, scheme, o->sources[0].text, o->library_path)) outcome = o->command == CLI_COMMAND_check ? check(&s, o)
+      : o->command == CLI_COMMAND_doc ? document(&s, o) : tell(&s, o);
   else {
     outcome = s.k.outcome;
     if (!s.reporter.errors) fprintf(stderr, "%s%s\n", strchr(s.k.trouble, ':') ? "" : "vs: ", s.k.trouble);
