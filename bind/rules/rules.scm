@@ -201,10 +201,15 @@
   (let ((entry (and number (hash-ref %custom-values number #f))))
     (and entry (eq? (car entry) %mark-type) (cdr entry))))
 
+(define (%need-scope who s) (if (not (scope? s)) (error who "s must be a scope, got ~s" s)))
+
 (define (scope-name s)
+  (%need-scope 'scope-name s)
   (let ((mark (%mark-values (%scope-mark-number s)))) (and mark (cadr mark))))
 
 (define (scope-property s name [default any? #f])
+  (%need-scope 'scope-property s)
+  (%need-symbol 'scope-property 'name name)
   (let* ((mark (%mark-values (%scope-mark-number s))) (found (and mark (assq name (third mark)))))
     (if found (cdr found) default)))
 
@@ -225,6 +230,7 @@
 
 ; From the last entry to the first, so that a scope's own are there when it is added to those of its parent.
 (define (derivation o)
+  (if (not (object? o)) (error 'derivation "o must be an object, got ~s" o))
   (let* ((record (or (%derivation-record o)
                      (error 'derivation
                        "no rule gave this object; a derivation is that of an object as a rule gave it, also moved or painted")))
