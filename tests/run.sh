@@ -5,6 +5,7 @@
 #   SUITES="unit lang cli ..."  only these          ONLY=text   only tests whose name contains it
 #   LONG=1                      what takes a sample of many cases takes all of them
 #   SEEDS=FROM-TO               the kernel's random trees of these seeds (0.03 s each), in place of the sample
+#   TIMES=FILE                  write there how long each entry took, the costliest first: seconds, seconds of processor time, its name
 #   BLESS=1                     rewrite the goldens of tests/cli instead of comparing
 #
 # Every suite is a script or a function that prints `ok NAME`, `not ok NAME` with its reasons indented below, or `skip NAME: why`.
@@ -71,7 +72,11 @@ suite_compilers() {
 
 # One entry of the pool below. Its lines are printed together when it has ended, since others run beside it.
 if [ "${1:-}" = --suite ]; then
+  begin=$(date +%s)
   suite_"${2%%/*}" "${2#*/}" > "$work/lines" 2>&1
+  times > "$work/times"
+  awk -v name="$2" -v seconds="$(($(date +%s) - begin))" 'function s(t) { split(t, p, /[ms]/); return 60 * p[1] + p[2] }
+    { cpu += s($1) + s($2) } END { printf "%d %.0f %s\n", seconds, cpu, name }' "$work/times" >> "$3.times"
   if [ "$4" = VERBOSE ]; then cat "$work/lines"; else grep -a -v '^ok ' "$work/lines"; fi > "$work/said"
   exec 9> "$3.lock" && flock 9 && cat "$work/said" && cat "$work/lines" >> "$3"
   exit 0
@@ -88,6 +93,7 @@ for suite in $SUITES; do
   esac
 done | xargs -P "${JOBS:-$(nproc)}" -I SUITE sh tests/run.sh --suite SUITE "$log" "${2:-QUIET}"
 
+[ -z "${TIMES:-}" ] || sort -k 2,2nr "$log.times" > "$TIMES"
 passed=$(grep -a -c '^ok ' "$log")
 failed=$(grep -a -c '^not ok ' "$log")
 skipped=$(grep -a -c '^skip ' "$log")

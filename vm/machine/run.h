@@ -20,7 +20,7 @@ vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter);
 bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out);
 /* The innermost calls with their variables, for vs_condition.frames (activation.c says how they lie). False: out of
  * memory. */
-enum { VS_FRAME_PROCEDURE, VS_FRAME_PLACE, VS_FRAME_VARIABLES, VS_FRAME_WORDS = VS_FRAME_VARIABLES + 2 * 16 };
+enum { VS_FRAME_PROCEDURE, VS_FRAME_PLACE, VS_FRAME_VARIABLES, VS_FRAME_WORDS = VS_FRAME_VARIABLES + 2 * 64 };
 bool vs_call_variables(vs_scheme *vm, vs_value *out);
 /* The chain without allocating, names and places apart: how many were written. */
 size_t vs_call_links(vs_scheme *vm, vs_value *name, vs_pos *place, size_t max);
