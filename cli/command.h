@@ -27,6 +27,7 @@ typedef struct {
   struct cli_editor *editor;  /* NULL: no prompt is being shown */
   unsigned stops;             /* VS_EVAL_STOP: the files that are run may stop; VS_EVAL_PASS: they do not; 0:
       they warn */
+  long frame;                 /* of --frames, from 1; 0: there are none */
   unsigned results;           /* values shown since the program began: the last one's name is $results */
 } cli_session;
 

@@ -1,10 +1,12 @@
 /* Owns the command `vs`: runs what the command line names, then writes what it asks for. Exit codes are vs_outcome's. */
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "cli/large_blocks.h"
@@ -185,8 +187,8 @@ static bool is_picture(const cli_target *t) {
 
 enum { PATH_ROOM = 4096 };
 
-/* The name of a picture of one view: a-street.png of a.png. False: too long. */
-static bool view_path(const char *path, const char *view, char name[PATH_ROOM]) {
+/* The name of a picture of one view, or of a frame: a-street.png of a.png. False: too long. */
+static bool path_with(const char *path, const char *view, char name[PATH_ROOM]) {
   const char *dot = strrchr(path, '.'), *slash = strrchr(path, '/');
   size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - path) : strlen(path);
   int length = snprintf(name, PATH_ROOM, "%.*s-%s%s", (int)stem, path, view, path + stem);
@@ -201,7 +203,7 @@ static vs_outcome write_views(cli_session *c, const cli_target *t) {
   const char *view;
   for (size_t i = 0; outcome != VS_OUTCOME_INTERRUPTED && (view = vs_view_name(c->scheme, i)) != NULL; i++) {
     char path[PATH_ROOM];
-    if (!view_path(t->path, view, path)) return VS_OUTCOME_USAGE;
+    if (!path_with(t->path, view, path)) return VS_OUTCOME_USAGE;
     c->options->output.view = view;
     vs_outcome one = cli_session_write(c, &(cli_target){path, t->format});
     if (one == VS_OUTCOME_INTERRUPTED || outcome == VS_OUTCOME_DONE) outcome = one;
@@ -210,7 +212,21 @@ static vs_outcome write_views(cli_session *c, const cli_target *t) {
   return outcome;
 }
 
+/* OUT-007.png: of seven figures, three at least, so that the names stand in order. */
+static bool frame_path(const char *path, const cli_frames *f, long frame, char name[PATH_ROOM]) {
+  char number[24];
+  int digits = snprintf(number, sizeof number, "%ld", f->count);
+  snprintf(number, sizeof number, "%0*ld", digits < 3 ? 3 : digits, frame);
+  return path_with(path, number, name);
+}
+
 static vs_outcome write_target(cli_session *c, const cli_target *t) {
+  char path[PATH_ROOM];
+  cli_target numbered = {path, t->format};
+  if (c->frame) {
+    if (!frame_path(t->path, &c->options->frames, c->frame, path)) return VS_OUTCOME_USAGE;
+    t = &numbered;
+  }
   if (!c->options->all_views) return cli_session_write(c, t);
   if (is_picture(t) && vs_view_name(c->scheme, 0)) return write_views(c, t);
   c->options->output.view = "*";
@@ -223,7 +239,7 @@ static vs_outcome write_target(cli_session *c, const cli_target *t) {
 static vs_outcome write_all(cli_session *c) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   for (size_t i = 0; i < c->options->target_count && outcome != VS_OUTCOME_INTERRUPTED; i++) {
-    c->options->output.last = i + 1 == c->options->target_count && !c->options->interactive;
+    c->options->output.last = i + 1 == c->options->target_count && !c->options->interactive && c->frame == c->options->frames.count;
     vs_outcome one = write_target(c, &c->options->targets[i]);
     if (one == VS_OUTCOME_INTERRUPTED || outcome == VS_OUTCOME_DONE) outcome = one;
   }
@@ -254,8 +270,10 @@ static vs_outcome run_sources(cli_session *c, bool again) {
     outcome = vs_drawing_summary(c->scheme, &summary);
     cli_watch_end(&c->watch);
     if (outcome == VS_OUTCOME_DONE) {
+      char name[PATH_ROOM];
+      snprintf(name, sizeof name, c->frame ? "%s, frame %ld of %ld" : "%s", c->model ? c->model : title(o), c->frame, o->frames.count);
       fflush(stdout);
-      cli_report_summary(c->model ? c->model : title(o), &summary);
+      cli_report_summary(name, &summary);
     }
   }
   return outcome;
@@ -267,12 +285,72 @@ vs_outcome cli_session_run(cli_session *c) {
   return outcome == VS_OUTCOME_DONE ? run_sources(c, true) : outcome;
 }
 
+/* ---- frames ---- */
+
+/* Is every output of the frame newer than the model's files? Of several views nobody knows the names before the model has run. */
+static bool frame_stands(const cli_session *c, long frame) {
+  const cli_options *o = c->options;
+  struct stat made, source;
+  char path[PATH_ROOM];
+  for (size_t i = 0; i < o->target_count; i++) {
+    if (o->all_views || !frame_path(o->targets[i].path, &o->frames, frame, path) || stat(path, &made) != 0) return false;
+    for (size_t k = 0; k < o->source_count; k++)
+      if (o->sources[k].kind == CLI_SOURCE_FILE && (stat(o->sources[k].text, &source) != 0 || source.st_mtime > made.st_mtime)) return false;
+  }
+  return true;
+}
+
+/* Sets the parameter for a frame: a whole number where the step falls on one, since a parameter may be exact. */
+static bool set_frame(cli_session *c, const cli_frames *f) {
+  char value[40];
+  double x = f->count > 1 ? f->from + (f->to - f->from) * (double)(c->frame - 1) / (double)(f->count - 1) : f->from;
+  if (x == floor(x) && fabs(x) < 1e15) snprintf(value, sizeof value, "%.0f", x + 0.0);
+  else snprintf(value, sizeof value, "%.17g", x);
+  return vs_parameter_set(c->scheme, f->parameter, value);
+}
+
+static bool frame_parameter_used(cli_session *c, const cli_frames *f) {
+  const char *name;
+  for (size_t i = 0; (name = vs_parameter_unused(c->scheme, i)) != NULL; i++)
+    if (strcmp(name, f->parameter) == 0) {
+      fprintf(stderr, "vs: --frames: the model has no parameter %s; (define-parameter %s %.1f) makes one\n", name, name, f->from);
+      return false;
+    }
+  return true;
+}
+
+/* The model once for each frame. What is meshed is kept between them. The first trouble ends it: the next frame would have the same. */
+static vs_outcome run_frames(cli_session *c) {
+  const cli_frames *f = &c->options->frames;
+  vs_outcome outcome = VS_OUTCOME_DONE;
+  bool fresh = true;
+  for (c->frame = 1; outcome == VS_OUTCOME_DONE && !ended && c->frame <= f->count; c->frame++) {
+    if (f->resume && frame_stands(c, c->frame)) continue;
+    if (!fresh) outcome = vs_restart(c->scheme);
+    fresh = false;
+    if (outcome == VS_OUTCOME_DONE && (!set_parameters(c) || !set_frame(c, f))) outcome = VS_OUTCOME_USAGE;
+    if (outcome == VS_OUTCOME_DONE) outcome = run_sources(c, true);
+    if (outcome == VS_OUTCOME_DONE && (!frame_parameter_used(c, f) || !all_parameters_used(c))) outcome = VS_OUTCOME_USAGE;
+    for (size_t i = 0; outcome == VS_OUTCOME_DONE && i < c->options->target_count; i++)
+      if (!cli_options_late(c->options, &c->options->targets[i], c->scheme)) outcome = VS_OUTCOME_USAGE;
+    if (vs_exit_requested(c->scheme, &c->exit_code)) break;
+    if (outcome == VS_OUTCOME_DONE) outcome = write_all(c);
+  }
+  return outcome;
+}
+
 static vs_outcome run_batch(cli_session *c) {
   cli_options *o = c->options;
-  if (!set_parameters(c)) return VS_OUTCOME_USAGE;
-  vs_outcome outcome = o->command == CLI_COMMAND_diff ? cli_difference(c) : run_sources(c, false);
-  if (outcome == VS_OUTCOME_DONE && o->parameters) cli_report_parameters(stdout, c->scheme);
-  if (outcome == VS_OUTCOME_DONE) outcome = write_all(c);
+  vs_outcome outcome;
+  if (o->frames.count) {
+    outcome = run_frames(c);
+    c->frame = 0;
+  } else {
+    if (!set_parameters(c)) return VS_OUTCOME_USAGE;
+    outcome = o->command == CLI_COMMAND_diff ? cli_difference(c) : run_sources(c, false);
+    if (outcome == VS_OUTCOME_DONE && o->parameters) cli_report_parameters(stdout, c->scheme);
+    if (outcome == VS_OUTCOME_DONE) outcome = write_all(c);
+  }
   if (o->stats) cli_report_statistics(c->scheme, o->stats_json);
   return outcome;
 }

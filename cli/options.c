@@ -130,6 +130,23 @@ static bool parse_camera(const char *text, vs_output_options *out) {
   return true;
 }
 
+/* "24", "24,twist=0..90": the dots are looked for first, since strtod takes one of them. */
+static bool parse_frames(const char *text, cli_frames *out) {
+  char *end, from[40] = "";
+  *out = (cli_frames){.count = strtol(text, &end, 10), .parameter = "t", .to = 1, .resume = out->resume};
+  bool ok = end != text && out->count >= 1 && out->count <= 100000;
+  if (ok && *end) {
+    const char *equals = strchr(end, '='), *dots = equals ? strstr(equals, "..") : NULL;
+    ok = *end == ',' && dots && equals - end - 1 > 0 && (size_t)(equals - end - 1) < sizeof out->parameter && (size_t)(dots - equals) < sizeof from;
+    if (ok) {
+      snprintf(out->parameter, sizeof out->parameter, "%.*s", (int)(equals - end - 1), end + 1);
+      snprintf(from, sizeof from, "%.*s", (int)(dots - equals - 1), equals + 1);
+    }
+    ok = ok && parse_real(from, -HUGE_VAL, &out->from) && parse_real(dots + 2, -HUGE_VAL, &out->to);
+  }
+  return ok || bad("--frames", text, "how many, 1 to 100000, and what changes where it is not t from 0 to 1: 24 or 24,twist=0..90");
+}
+
 static bool parse_quality(const char *text, vs_output_options *out) {
   static const struct { const char *name; vs_quality quality; } names[] = {{"draft", VS_QUALITY_DRAFT}, {"good", VS_QUALITY_GOOD}, {"final", VS_QUALITY_FINAL}};
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
@@ -199,6 +216,8 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
   case OPTION_CAMERA: return parse_camera(v, &o->output);
   case OPTION_VIEW: o->output.view = v; return *v || bad("--view", "''", "the name of a view");
   case OPTION_ALL_VIEWS: o->all_views = true; return true;
+  case OPTION_FRAMES: return parse_frames(v, &o->frames);
+  case OPTION_RESUME: return o->frames.resume = true;
   case OPTION_QUALITY: return parse_quality(v, &o->output);
   case OPTION_TOLERANCE: return (parse_real(v, 0, &o->output.tolerance) && o->output.tolerance > 0) || bad("--tolerance", v, "a length above 0");
   case OPTION_SEGMENTS:
@@ -440,6 +459,14 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     if (!find_format(o, &o->targets[i]) || !reachable(&o->targets[i])) return CLI_BAD_USAGE;
   if (o->all_views && o->output.view) {
     fputs("vs: --all-views and --view are one too many\n", stderr);
+    return CLI_BAD_USAGE;
+  }
+  if (o->frames.resume && !o->frames.count) {
+    fputs("vs: --resume is for --frames\n", stderr);
+    return CLI_BAD_USAGE;
+  }
+  if (o->frames.count && (o->interactive || o->to_stdout || o->target_count == 0)) {
+    fputs(o->interactive ? "vs: --frames and -i do not go together\n" : "vs: --frames writes files: name them by -o, as in -o tower.png for tower-001.png and so on\n", stderr);
     return CLI_BAD_USAGE;
   }
   if (o->target_count && o->check) {

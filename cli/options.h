@@ -26,6 +26,9 @@ typedef enum {
 enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* files */, CLI_TAKES_OUTPUT = 8 /* -o */,
        CLI_TAKES_FOLDER = 16 /* -o, of a folder */ };
 
+/* --frames: count runs of the model, 0 without it, in which the parameter goes in equal steps from `from` to `to`. */
+typedef struct { long count; char parameter[64]; double from, to; bool resume; } cli_frames;
+
 typedef struct {
   cli_command command;
   /* Texts point into argv. The arrays have room for argc entries and belong to the options. */
@@ -37,6 +40,7 @@ typedef struct {
   const char *format;
   vs_options interpreter;              /* the limits, the texts above; main adds the host */
   vs_output_options output;
+  cli_frames frames;
   bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose, all_views, json, xml;
 } cli_options;
 
