@@ -237,6 +237,12 @@ static bool run_judge(vs_emitter *e, pov_run *r, int status) {
   return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray failed: %s", run_last_line(r->text));
 }
 
+/* POV-Ray gives its own threads a few seconds to start and then gives up, which happens on a machine with much other
+ * work and says nothing about the scene. */
+static bool run_was_starved(const pov_run *r, int status) {
+  return !(WIFEXITED(status) && WEXITSTATUS(status) == 0) && strstr(r->text, "Timed out waiting for worker thread startup");
+}
+
 static bool run_prepare(vs_emitter *e, pov_run *r, const char *scene, char format) {
   const char *slash = strrchr(scene, '/');
   size_t length = slash != NULL ? (size_t)(slash - scene) : 0;
@@ -256,11 +262,19 @@ static bool run_prepare(vs_emitter *e, pov_run *r, const char *scene, char forma
 static bool run_render(vs_emitter *e, const char *scene, const char *output, char format) {
   pov_run *r = calloc(1, sizeof *r);
   if (r == NULL) return vs_emit_no_memory(e);
-  int status = 0;
-  bool ok = run_prepare(e, r, scene, format) && run_spawn(e, r, scene, format);
-  if (ok) {
-    ok = run_listen(e, r, &status) && run_judge(e, r, status);
+  enum { STARTS = 5 };
+  int status = 0, starts = 0;
+  bool ok = run_prepare(e, r, scene, format), again = ok;
+  while (again) {
+    r->used = r->piece_used = 0;
+    r->text[0] = 0;
+    r->in_piece = false;
+    ok = run_spawn(e, r, scene, format);
+    if (!ok) break;
+    ok = run_listen(e, r, &status);
     close(r->errors);
+    again = ok && ++starts < STARTS && run_was_starved(r, status);
+    if (!again) ok = ok && run_judge(e, r, status);
   }
   ok = ok && vs_povray_take_picture(e, r->picture, output);
   unlink(r->picture);
