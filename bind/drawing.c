@@ -187,7 +187,8 @@ static void sun_position(double latitude, double longitude, double days, double 
 /* "15:00+01:00", "15:00:30Z", "15:00" (mean local time by the longitude): hours UT */
 static bool read_time(const char *text, double longitude, double *hours) {
   int h, m, s = 0, used = 0, more = 0, zh, zm;
-  if (sscanf(text, "%2d:%2d%n:%2d%n", &h, &m, &used, &s, &more) < 2 || h < 0 || h > 24 || m < 0 || m > 59 || s < 0 || s > 59) return false;
+  if (sscanf(text, "%2d:%2d%n:%2d%n", &h, &m, &used, &s, &more) < 2) return false;
+  if (h < 0 || h > 24 || m < 0 || m > 59 || s < 0 || s > 59) return false;
   *hours = h + m / 60.0 + s / 3600.0;
   text += more ? more : used;
   if (!*text) return *hours -= longitude / 15, true;
@@ -211,7 +212,8 @@ vs_status vs_p_sun(vs_frame *f, vs_value *out) {
       return vs_fail(f->vm, f->vm->sym.arity, "takes #:azimuth and #:altitude, or #:latitude #:longitude #:date #:time");
     if (fabs(k[2].real) > 90) return vs_bind_refuse(f, "latitude", "from -90 to 90", k[2].value);
     if (fabs(k[3].real) > 180) return vs_bind_refuse(f, "longitude", "from -180 to 180", k[3].value);
-    if (sscanf(k[4].text.at, "%4d-%2d-%2d%c", &year, &month, &day, &rest) != 3 || month < 1 || month > 12 || day < 1 || day > length[month - 1] ||
+    bool read = sscanf(k[4].text.at, "%4d-%2d-%2d%c", &year, &month, &day, &rest) == 3;
+    if (!read || month < 1 || month > 12 || day < 1 || day > length[month - 1] ||
         (month == 2 && day == 29 && (year % 4 || (year % 100 == 0 && year % 400))))
       return vs_bind_refuse(f, "date", "a day such as \"2026-06-21\"", k[4].value);
     if (!read_time(k[5].text.at, k[3].real, &hours)) return vs_bind_refuse(f, "time", "a time such as \"15:00+01:00\"", k[5].value);

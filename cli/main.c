@@ -239,7 +239,8 @@ static vs_outcome write_target(cli_session *c, const cli_target *t) {
 static vs_outcome write_all(cli_session *c) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   for (size_t i = 0; i < c->options->target_count && outcome != VS_OUTCOME_INTERRUPTED; i++) {
-    c->options->output.last = i + 1 == c->options->target_count && !c->options->interactive && c->frame == c->options->frames.count;
+    c->options->output.last = i + 1 == c->options->target_count && !c->options->interactive &&
+                              c->frame == c->options->frames.count;
     vs_outcome one = write_target(c, &c->options->targets[i]);
     if (one == VS_OUTCOME_INTERRUPTED || outcome == VS_OUTCOME_DONE) outcome = one;
   }
@@ -271,7 +272,8 @@ static vs_outcome run_sources(cli_session *c, bool again) {
     cli_watch_end(&c->watch);
     if (outcome == VS_OUTCOME_DONE) {
       char name[PATH_ROOM];
-      snprintf(name, sizeof name, c->frame ? "%s, frame %ld of %ld" : "%s", c->model ? c->model : title(o), c->frame, o->frames.count);
+      snprintf(name, sizeof name, c->frame ? "%s, frame %ld of %ld" : "%s", c->model ? c->model : title(o), c->frame,
+               o->frames.count);
       fflush(stdout);
       cli_report_summary(name, &summary);
     }
@@ -287,15 +289,18 @@ vs_outcome cli_session_run(cli_session *c) {
 
 /* ---- frames ---- */
 
-/* Is every output of the frame newer than the model's files? Of several views nobody knows the names before the model has run. */
+/* Is every output of the frame newer than the model's files? Of several views nobody knows the names before the model
+ * has run. */
 static bool frame_stands(const cli_session *c, long frame) {
   const cli_options *o = c->options;
   struct stat made, source;
   char path[PATH_ROOM];
   for (size_t i = 0; i < o->target_count; i++) {
-    if (o->all_views || !frame_path(o->targets[i].path, &o->frames, frame, path) || stat(path, &made) != 0) return false;
+    if (o->all_views || !frame_path(o->targets[i].path, &o->frames, frame, path)) return false;
+    if (stat(path, &made) != 0) return false;
     for (size_t k = 0; k < o->source_count; k++)
-      if (o->sources[k].kind == CLI_SOURCE_FILE && (stat(o->sources[k].text, &source) != 0 || source.st_mtime > made.st_mtime)) return false;
+      if (o->sources[k].kind == CLI_SOURCE_FILE &&
+          (stat(o->sources[k].text, &source) != 0 || source.st_mtime > made.st_mtime)) return false;
   }
   return true;
 }
@@ -313,13 +318,15 @@ static bool frame_parameter_used(cli_session *c, const cli_frames *f) {
   const char *name;
   for (size_t i = 0; (name = vs_parameter_unused(c->scheme, i)) != NULL; i++)
     if (strcmp(name, f->parameter) == 0) {
-      fprintf(stderr, "vs: --frames: the model has no parameter %s; (define-parameter %s %.1f) makes one\n", name, name, f->from);
+      fprintf(stderr, "vs: --frames: the model has no parameter %s; (define-parameter %s %.1f) makes one\n", name, name,
+              f->from);
       return false;
     }
   return true;
 }
 
-/* The model once for each frame. What is meshed is kept between them. The first trouble ends it: the next frame would have the same. */
+/* Runs the model once for each frame. Meshes are kept between them. The first trouble ends the run, since the next frame
+ * would meet it again. */
 static vs_outcome run_frames(cli_session *c) {
   const cli_frames *f = &c->options->frames;
   vs_outcome outcome = VS_OUTCOME_DONE;
@@ -330,7 +337,8 @@ static vs_outcome run_frames(cli_session *c) {
     fresh = false;
     if (outcome == VS_OUTCOME_DONE && (!set_parameters(c) || !set_frame(c, f))) outcome = VS_OUTCOME_USAGE;
     if (outcome == VS_OUTCOME_DONE) outcome = run_sources(c, true);
-    if (outcome == VS_OUTCOME_DONE && (!frame_parameter_used(c, f) || !all_parameters_used(c))) outcome = VS_OUTCOME_USAGE;
+    bool used = outcome != VS_OUTCOME_DONE || (frame_parameter_used(c, f) && all_parameters_used(c));
+    if (!used) outcome = VS_OUTCOME_USAGE;
     for (size_t i = 0; outcome == VS_OUTCOME_DONE && i < c->options->target_count; i++)
       if (!cli_options_late(c->options, &c->options->targets[i], c->scheme)) outcome = VS_OUTCOME_USAGE;
     if (vs_exit_requested(c->scheme, &c->exit_code)) break;

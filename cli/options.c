@@ -137,14 +137,16 @@ static bool parse_frames(const char *text, cli_frames *out) {
   bool ok = end != text && out->count >= 1 && out->count <= 100000;
   if (ok && *end) {
     const char *equals = strchr(end, '='), *dots = equals ? strstr(equals, "..") : NULL;
-    ok = *end == ',' && dots && equals - end - 1 > 0 && (size_t)(equals - end - 1) < sizeof out->parameter && (size_t)(dots - equals) < sizeof from;
+    ptrdiff_t name = equals ? equals - end - 1 : 0;
+    ok = *end == ',' && dots && name > 0 && (size_t)name < sizeof out->parameter && (size_t)(dots - equals) < sizeof from;
     if (ok) {
-      snprintf(out->parameter, sizeof out->parameter, "%.*s", (int)(equals - end - 1), end + 1);
+      snprintf(out->parameter, sizeof out->parameter, "%.*s", (int)name, end + 1);
       snprintf(from, sizeof from, "%.*s", (int)(dots - equals - 1), equals + 1);
     }
     ok = ok && parse_real(from, -HUGE_VAL, &out->from) && parse_real(dots + 2, -HUGE_VAL, &out->to);
   }
-  return ok || bad("--frames", text, "how many, 1 to 100000, and what changes where it is not t from 0 to 1: 24 or 24,twist=0..90");
+  return ok || bad("--frames", text,
+                   "how many, 1 to 100000, and what changes where it is not t from 0 to 1: 24 or 24,twist=0..90");
 }
 
 static bool parse_quality(const char *text, vs_output_options *out) {
@@ -466,7 +468,8 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     return CLI_BAD_USAGE;
   }
   if (o->frames.count && (o->interactive || o->to_stdout || o->target_count == 0)) {
-    fputs(o->interactive ? "vs: --frames and -i do not go together\n" : "vs: --frames writes files: name them by -o, as in -o tower.png for tower-001.png and so on\n", stderr);
+    fputs(o->interactive ? "vs: --frames and -i do not go together\n"
+          : "vs: --frames writes files: name them by -o, as in -o tower.png for tower-001.png and so on\n", stderr);
     return CLI_BAD_USAGE;
   }
   if (o->target_count && o->check) {

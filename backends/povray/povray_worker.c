@@ -240,7 +240,8 @@ static bool run_judge(vs_emitter *e, pov_run *r, int status) {
 /* POV-Ray gives its own threads a few seconds to start and then gives up, which happens on a machine with much other
  * work and says nothing about the scene. */
 static bool run_was_starved(const pov_run *r, int status) {
-  return !(WIFEXITED(status) && WEXITSTATUS(status) == 0) && strstr(r->text, "Timed out waiting for worker thread startup");
+  bool done = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  return !done && strstr(r->text, "Timed out waiting for worker thread startup");
 }
 
 static bool run_prepare(vs_emitter *e, pov_run *r, const char *scene, char format) {
