@@ -6,6 +6,7 @@
 
 (require 'scheme)
 (require 'compile)
+(require 'flymake)
 
 (defgroup visualscheme nil "Solid models from Scheme programs." :group 'languages)
 
@@ -25,6 +26,7 @@
 (defvar visualscheme-mode-map
   (let ((map (make-sparse-keymap)))
     (define-key map (kbd "C-c C-c") #'visualscheme-check)
+    (define-key map (kbd "C-c C-k") #'visualscheme-look)
     (define-key map (kbd "C-c C-v") #'visualscheme-view)
     (define-key map (kbd "C-c C-o") #'visualscheme-write)
     map))
@@ -34,14 +36,16 @@
   "Mode for VisualScheme models."
   (font-lock-add-keywords nil visualscheme-font-lock-keywords)
   (modify-syntax-entry ?\[ "(]")
-  (modify-syntax-entry ?\] ")["))
+  (modify-syntax-entry ?\] ")[")
+  (add-hook 'flymake-diagnostic-functions #'visualscheme-flymake nil t))
 
 (put 'with-material 'scheme-indent-function 1)
 (put 'layer 'scheme-indent-function 1)
 (put 'color 'scheme-indent-function 1)
 
 (defun visualscheme--run (&rest words)
-  "Run `visualscheme-program' with WORDS; what it says can be visited by `next-error'."
+  "Run `visualscheme-program' with WORDS.
+What it says can be visited by `next-error'."
   (save-buffer)
   (compile (mapconcat #'shell-quote-argument (cons visualscheme-program words) " ")))
 
@@ -49,6 +53,35 @@
   "Evaluate the file and write nothing."
   (interactive)
   (visualscheme--run "--check" (file-name-nondirectory buffer-file-name)))
+
+(defun visualscheme-look ()
+  "List what looks wrong in the file, without running it."
+  (interactive)
+  (visualscheme--run "check" (file-name-nondirectory buffer-file-name)))
+
+(defun visualscheme--findings (output buffer)
+  "Make flymake's diagnostics of what `vs check' said of BUFFER's file in OUTPUT."
+  (let (found)
+    (with-current-buffer output
+      (goto-char (point-min))
+      (while (re-search-forward "^\\([^ \n:]+\\):\\([0-9]+\\):\\([0-9]+\\): \\([a-z-]+: .*\\)$" nil t)
+        (let ((file (match-string 1)) (line (string-to-number (match-string 2))) (column (string-to-number (match-string 3))) (text (match-string 4)))
+          (when (equal (file-name-nondirectory file) (file-name-nondirectory (buffer-file-name buffer)))
+            (let ((region (flymake-diag-region buffer line column)))
+              (push (flymake-make-diagnostic buffer (car region) (cdr region) :warning text) found))))))
+    (nreverse found)))
+
+(defun visualscheme-flymake (report &rest _)
+  "Give REPORT what `vs check' says of the file, once it is saved."
+  (when (and buffer-file-name (not (buffer-modified-p)))
+    (let ((buffer (current-buffer)) (output (generate-new-buffer " *vs check*")))
+      (make-process
+       :name "vs-check" :buffer output :noquery t :connection-type 'pipe
+       :command (list visualscheme-program "check" (file-name-nondirectory buffer-file-name))
+       :sentinel (lambda (process _)
+                   (unless (process-live-p process)
+                     (when (buffer-live-p buffer) (funcall report (visualscheme--findings output buffer)))
+                     (kill-buffer output)))))))
 
 (defun visualscheme-write (output)
   "Write the model to OUTPUT, by its ending."

@@ -20,15 +20,34 @@ function problems(text, folder) {
   return found;
 }
 
+// What `vs check --json` found, without running the model: the span of each, and its name as the code.
+function findings(text, folder) {
+  const found = new Map();
+  let list = [];
+  try { list = JSON.parse(text).findings; } catch { return found; }
+  for (const f of list) {
+    const file = path.resolve(folder, f.file);
+    const d = new vscode.Diagnostic(new vscode.Range(new vscode.Position(f.line - 1, f.column - 1), new vscode.Position(f.end_line - 1, f.end_column - 1)), f.details, vscode.DiagnosticSeverity.Warning);
+    d.code = f.type;
+    if (!found.has(file)) found.set(file, []);
+    found.get(file).push(d);
+  }
+  return found;
+}
+
 function activate(context) {
-  const list = vscode.languages.createDiagnosticCollection("visualscheme"), views = new Map();
+  const list = vscode.languages.createDiagnosticCollection("visualscheme"), looks = vscode.languages.createDiagnosticCollection("visualscheme-check"), views = new Map();
+  const show = (into, found) => {
+    into.clear();
+    for (const [file, of] of found) into.set(vscode.Uri.file(file), of);
+  };
   const check = (document) => {
     if (!document || document.languageId !== "visualscheme") return;
     const folder = path.dirname(document.fileName);
+    execFile(setting("command"), ["check", "--json", document.fileName], { cwd: folder, maxBuffer: 1 << 24 }, (error, out) => show(looks, findings(out, folder)));
     execFile(setting("command"), ["--quiet", "--check", "--limit-time", "60", document.fileName], { cwd: folder, maxBuffer: 1 << 24 }, (error, out, said) => {
       if (error && error.code === "ENOENT") return vscode.window.showErrorMessage("There is no command " + setting("command"));
-      list.clear();
-      for (const [file, found] of problems(said, folder)) list.set(vscode.Uri.file(file), found);
+      show(list, problems(said, folder));
     });
   };
   const view = () => {
@@ -40,9 +59,9 @@ function activate(context) {
     server.on("error", (error) => vscode.window.showErrorMessage(error.message));
     server.on("exit", () => views.delete(file));
   };
-  context.subscriptions.push(list, vscode.commands.registerCommand("visualscheme.check", () => check(vscode.window.activeTextEditor && vscode.window.activeTextEditor.document)),
+  context.subscriptions.push(list, looks, vscode.commands.registerCommand("visualscheme.check", () => check(vscode.window.activeTextEditor && vscode.window.activeTextEditor.document)),
     vscode.commands.registerCommand("visualscheme.view", view), vscode.workspace.onDidSaveTextDocument((d) => { if (setting("checkOnSave")) check(d); }),
     { dispose: () => { for (const server of views.values()) server.kill(); } });
 }
 
-module.exports = { activate, deactivate() {}, problems };
+module.exports = { activate, deactivate() {}, problems, findings };

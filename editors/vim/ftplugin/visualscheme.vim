@@ -7,5 +7,6 @@ let b:did_ftplugin = 1
 setlocal lisp expandtab commentstring=;%s
 setlocal lispwords+=define-parameter,define-primitive,with-material,layer,color,lambda,let,let*,letrec,when,unless
 compiler visualscheme
+command! -buffer VsCheck call setqflist([], "r", {"title": "vs check", "lines": systemlist("vs check " . shellescape(expand("%"))), "efm": &l:errorformat})
 command! -buffer VsView call job_start(["vs", "view", expand("%:p")])
 command! -buffer -nargs=1 -complete=file VsWrite execute "!vs" shellescape(expand("%")) "-o" shellescape(<q-args>)
