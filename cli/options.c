@@ -467,6 +467,10 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fputs("vs: --resume is for --frames\n", stderr);
     return CLI_BAD_USAGE;
   }
+  if (o->frames.count && o->command != CLI_COMMAND_NONE) {
+    fprintf(stderr, "vs %s: --frames is for vs FILE alone\n", argv[1]);
+    return CLI_BAD_USAGE;
+  }
   if (o->frames.count && (o->interactive || o->to_stdout || o->target_count == 0)) {
     fputs(o->interactive ? "vs: --frames and -i do not go together\n"
           : "vs: --frames writes files: name them by -o, as in -o tower.png for tower-001.png and so on\n", stderr);
