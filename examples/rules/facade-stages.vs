@@ -42,4 +42,4 @@
       (template 4 modern-tile modern-door modern-cornice modern-corner))
 (ground 0 #:material concrete)
 (sun #:azimuth 215 #:altitude 42)
-(camera (xyz 33 -60 10) (xyz 38.6 0 7) #:lens 29)
+(camera (xyz 31 -60 10) (xyz 36.6 0 7) #:lens 26)
