@@ -5,7 +5,6 @@
 # What is in italics is the warning with which the format leaves the kind out or shows it as something else.
 . tests/report.sh
 sheet=tests/cross/sheet.vs
-formats='pov scad x3d glb stl'
 
 cat <<'EOF'
 # Formats
@@ -59,38 +58,63 @@ wide and more, and curves, flat regions, text and open surfaces without a materi
 
 EOF
 
-# The words of a file: native, triangles, lines or nothing.
-words() {
-  case $1 in
-    pov) awk '/^(camera|light_source|sky_sphere)/ { aside = 1 } /^}/ { aside = 0 } aside { next } /mesh2/ { t = 1 }
-      /(^|[ {])(box|sphere|cylinder|cone|torus|prism|lathe|plane|superellipsoid|height_field|polygon|disc) \{/ { n = 1 } END { print n ? (t ? "both" : "native") : t ? "triangles" : "nothing" }' "$2" ;;
-    scad) awk '/polyhedron\(/ { t = 1 } /(cube|sphere|cylinder|circle|polygon|square)\(/ { n = 1 } END { print n ? (t ? "both" : "native") : t ? "triangles" : "nothing" }' "$2" ;;
-    x3d) awk '/<IndexedTriangleSet/ { t = 1 } /<(Box|Sphere|Cylinder|Cone)/ { n = 1 } /<IndexedLineSet/ { l = 1 }
-      END { print n ? (t ? "both" : "native") : t ? "triangles" : l ? "lines" : "nothing" }' "$2" ;;
-    glb) if grep -a -q '"mode":[13]' "$2"; then echo lines; elif grep -a -q '"meshes"' "$2"; then echo triangles; else echo nothing; fi ;;
-    stl) if [ "$(wc -c < "$2")" -gt 84 ]; then echo triangles; else echo nothing; fi ;;
-  esac
+# One shape, a line of the table of forms: its kind, each format and what the format makes of it. It reads what vs said, then the files that are text.
+cat > "$work/found.awk" <<'EOF'
+FNR == 1 { file = FILENAME; sub(/.*\./, "", file); aside = 0 }
+file == "said" {
+  line = $0
+  for (f = 1; f <= 5; f++)
+    for (rest = line; (at = index(rest, ": warning: " program[f] " ")) > 0; rest = substr(rest, at + 11)) {
+      text = substr(rest, at + 11)
+      if (index(text, ": warning: " program[f] " ") == 0 && (!(f in lossy) || text < lossy[f])) lossy[f] = text
+    }
+  if (first == "" && (sub(/^[^ ]*:[0-9]*: /, "", line) || sub(/^vs: /, "", line))) first = line
 }
+file == "pov" && /^(camera|light_source|sky_sphere)/ { aside = 1 }
+file == "pov" && /^}/ { aside = 0 }
+aside { next }
+file == "pov" && /mesh2/ { triangles[1] = 1 }
+file == "pov" && /(^|[ {])(box|sphere|cylinder|cone|torus|prism|lathe|plane|superellipsoid|height_field|polygon|disc) \{/ { native[1] = 1 }
+file == "scad" && /polyhedron\(/ { triangles[2] = 1 }
+file == "scad" && /(cube|sphere|cylinder|circle|polygon|square)\(/ { native[2] = 1 }
+file == "x3d" && /<IndexedTriangleSet/ { triangles[3] = 1 }
+file == "x3d" && /<(Box|Sphere|Cylinder|Cone)/ { native[3] = 1 }
+file == "x3d" && /<IndexedLineSet/ { lines[3] = 1 }
+BEGIN { split("POV-Ray OpenSCAD X3D glTF STL", program, " "); split("pov scad x3d glb stl", format, " ") }
+END {
+  if (glb ~ /"mode":[13]/) lines[4] = 1; else if (glb != "") triangles[4] = 1
+  if (stl > 84) triangles[5] = 1
+  for (f = 1; f <= 5; f++)
+    print kind "\t" format[f] "\t" (f in lossy ? "*" lossy[f] "*" : index(written, "." format[f] " ") == 0 ? "*" first "*" : \
+      native[f] ? (triangles[f] ? "both" : "native") : triangles[f] ? "triangles" : lines[f] ? "lines" : "nothing")
+}
+EOF
+cat > "$work/one" <<'EOF'
+tab=$(printf '\t'); IFS=$tab; set -f; set -- $1; unset IFS
+index=$1 kind=$2 at=$work/shape-$1; mkdir "$at"
+# a form is of the kind that its name begins with, else of its own
+if grep -q -x -F -e "${3%%/*}" "$work/kinds"; then kind=${3%%/*}; fi
+timeout -s KILL 60 "$vs" --quiet $sheet -D one="$index" -o "$at/x.pov" -o "$at/x.scad" -o "$at/x.x3d" -o "$at/x.glb" -o "$at/x.stl" > "$at/said" 2>&1
+mv "$at/said" "$at/x.said"
+text= written=
+for format in pov scad x3d glb stl; do
+  if [ -f "$at/x.$format" ]; then written="$written.$format "; case $format in pov|scad|x3d) text="$text $at/x.$format" ;; esac; fi
+done
+glb=$([ ! -f "$at/x.glb" ] || grep -a -o -e '"mode":[13]' -e '"meshes"' "$at/x.glb" | sort -u | tr '\n' ' ')
+stl=$([ ! -f "$at/x.stl" ] || wc -c < "$at/x.stl")
+awk -v kind="$kind" -v written="$written" -v glb="$glb" -v stl="${stl:-0}" -f "$work/found.awk" "$at/x.said" $text > "$work/found-$index"
+rm -r "$at"
+EOF
 
 sed -n 's/^VS_KIND([A-Z_0-9]*, [a-z_0-9]*, "\([^"]*\)".*/\1/p' model/prims.def > "$work/kinds"
 "$vs" --quiet $sheet -D task=forms > "$work/rows"
-while IFS='	' read -r index kind name; do
-  # a form is of the kind that its name begins with, else of its own
-  if grep -q -x -F -e "${name%%/*}" "$work/kinds"; then kind=${name%%/*}; fi
-  rm -f "$work"/x.*
-  timeout -s KILL 60 "$vs" --quiet $sheet -D one="$index" -o "$work/x.pov" -o "$work/x.scad" -o "$work/x.x3d" -o "$work/x.glb" -o "$work/x.stl" > "$work/said" 2>&1
-  for format in $formats; do
-    case $format in pov) program=POV-Ray ;; scad) program=OpenSCAD ;; x3d) program=X3D ;; glb) program=glTF ;; stl) program=STL ;; esac
-    lossy=$(sed -n "s/^.*: warning: \\($program .*\\)/\\1/p" "$work/said" | sort -u | head -n 1)
-    if [ -n "$lossy" ]; then word="*$lossy*"; elif [ -f "$work/x.$format" ]; then word=$(words $format "$work/x.$format")
-    else word="*$(sed -n 's/^[^ ]*:[0-9]*: //p; s/^vs: //p' "$work/said" | head -n 1)*"; fi
-    printf '%s\t%s\t%s\n' "$kind" "$format" "$word"
-  done
-done < "$work/rows" | sort -u > "$work/found" # in an order of its own, whichever shape came first
+export work vs sheet
+xargs -P "$(nproc)" -d '\n' -n 1 sh "$work/one" < "$work/rows"
+cat "$work"/found-* | sort -u > "$work/found" # in an order of its own, whichever shape came first
 
 echo '| kind | POV-Ray | OpenSCAD | X3D | glTF | meshes |'
 echo '|---|---|---|---|---|---|'
-awk -F '\t' -v found="$work/found" -v formats="$formats" '
+awk -F '\t' -v found="$work/found" -v formats='pov scad x3d glb stl' '
   BEGIN {
     count = split(formats, format, " ")
     while ((getline line < found) > 0) {
