@@ -442,7 +442,7 @@ bool know_resolve(knowledge *k) {
   know_walk w = {.k = k};
   know_scope_new(k, 0, KNOW_SCOPE_LANGUAGE, 0);
   know_scope_new(k, LANGUAGE, KNOW_SCOPE_PROGRAM, k->files[0].root);
-  k->text_nodes = k->node_count;
+  k->text_nodes = k->node_count ? k->node_count - 1 : 0; /* node 0 stands for none */
   know_later_body(&w, k->nodes[k->files[0].root].first, PROGRAM);
   run(&w);
   for (size_t i = 0; i < w.unknown_count && !*k->trouble; i++) {
