@@ -209,7 +209,7 @@ coverage: ## which lines the tests reach: gcov over vm, model, kernel and bind
 
 demo: ## install what is missing, build, and make a picture, a web page, a program and a mesh of a station under out/
 	sh scripts/install.sh build workers
-	$(MAKE) all
+	$(MAKE) -j$(shell nproc) all
 	sh scripts/demo.sh $(BUILD)/vs
 
 test: ## install what the tests need, build, run them: of long ones a sample

@@ -302,8 +302,7 @@ vs_outcome cli_difference(cli_session *c) {
   if (outcome == VS_OUTCOME_DONE) outcome = vs_drawing_keep(c->scheme);
   if (outcome == VS_OUTCOME_DONE) outcome = run(c, 1, &after);
   if (outcome == VS_OUTCOME_DONE && !all_used(&before, &after)) outcome = VS_OUTCOME_USAGE;
-  for (size_t i = 0; outcome == VS_OUTCOME_DONE && i < c->options->target_count; i++)
-    if (!cli_options_late(c->options, &c->options->targets[i], c->scheme)) outcome = VS_OUTCOME_USAGE;
+  if (outcome == VS_OUTCOME_DONE && !cli_options_late(c->options, c->scheme)) outcome = VS_OUTCOME_USAGE;
   if (outcome == VS_OUTCOME_DONE) outcome = tell(c, &before, &after, &same);
   c->options->quiet = quiet;
   c->options->output.change = true;

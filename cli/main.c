@@ -263,8 +263,7 @@ static vs_outcome run_sources(cli_session *c, bool again) {
   for (size_t i = 0; i < count && outcome == VS_OUTCOME_DONE && !vs_exit_requested(c->scheme, &c->exit_code); i++) outcome = run_source(c, &sources[i]);
   cli_report_settle(&c->reporter);
   if (outcome == VS_OUTCOME_DONE && !again && !all_parameters_used(c)) outcome = VS_OUTCOME_USAGE; /* later what was set may be for another model */
-  for (size_t i = 0; outcome == VS_OUTCOME_DONE && !again && i < o->target_count; i++)
-    if (!cli_options_late(o, &o->targets[i], c->scheme)) outcome = VS_OUTCOME_USAGE;
+  if (outcome == VS_OUTCOME_DONE && !again && !cli_options_late(o, c->scheme)) outcome = VS_OUTCOME_USAGE;
   if (outcome == VS_OUTCOME_DONE && !o->quiet && count) {
     vs_summary summary;
     cli_watch_begin(&c->watch, false);
@@ -339,10 +338,10 @@ static vs_outcome run_frames(cli_session *c) {
     if (outcome == VS_OUTCOME_DONE) outcome = run_sources(c, true);
     bool used = outcome != VS_OUTCOME_DONE || (frame_parameter_used(c, f) && all_parameters_used(c));
     if (!used) outcome = VS_OUTCOME_USAGE;
-    for (size_t i = 0; outcome == VS_OUTCOME_DONE && i < c->options->target_count; i++)
-      if (!cli_options_late(c->options, &c->options->targets[i], c->scheme)) outcome = VS_OUTCOME_USAGE;
-    if (vs_exit_requested(c->scheme, &c->exit_code)) break;
+    if (outcome == VS_OUTCOME_DONE && !cli_options_late(c->options, c->scheme)) outcome = VS_OUTCOME_USAGE;
+    if (outcome == VS_OUTCOME_DONE && c->options->parameters) cli_report_parameters(stdout, c->scheme);
     if (outcome == VS_OUTCOME_DONE) outcome = write_all(c);
+    if (vs_exit_requested(c->scheme, &c->exit_code)) break;
   }
   return outcome;
 }

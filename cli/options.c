@@ -312,18 +312,8 @@ static const char *ending_of(const char *path) {
   return strcmp(path, "-") == 0 ? NULL : strrchr(base ? base + 1 : path, '.');
 }
 
-/* The format of a target, as far as the library's own are meant; of another ending or name the program may bring one (cli_options_late). */
-static bool find_format(cli_options *o, cli_target *t) {
-  const char *ending = ending_of(t->path);
-  if (strcmp(t->path, "-") == 0) o->to_stdout = true;
-  const vs_format_info *said = o->format ? vs_format_find(o->format) : NULL, *own = ending ? vs_format_find(ending) : NULL;
-  if (own && said && strcmp(said->suffix, own->suffix) == 0) own = said; /* another notation behind the same ending */
-  if (!own) own = said;
-  if (own) t->format = own->name;
-  return own || o->format || (ending && ending[1]) || cli_options_late(o, t, NULL);
-}
-
-bool cli_options_late(const cli_options *o, cli_target *t, const vs_scheme *scheme) {
+/* The format of a target from those that the program has brought (scheme NULL: none). False: said on standard error. */
+static bool late_format(const cli_options *o, cli_target *t, const vs_scheme *scheme) {
   const char *ending = ending_of(t->path);
   vs_format_info brought;
   if (t->format) return true;
@@ -345,6 +335,23 @@ bool cli_options_late(const cli_options *o, cli_target *t, const vs_scheme *sche
   if (near.best && *near.wanted) fprintf(stderr, " perhaps .%s;", near.best);
   fprintf(stderr, " there are %s\n", vs_format_endings());
   return false;
+}
+
+/* The format of a target, as far as the library's own are meant; of another ending or name the program may bring one (cli_options_late). */
+static bool find_format(cli_options *o, cli_target *t) {
+  const char *ending = ending_of(t->path);
+  if (strcmp(t->path, "-") == 0) o->to_stdout = true;
+  const vs_format_info *said = o->format ? vs_format_find(o->format) : NULL, *own = ending ? vs_format_find(ending) : NULL;
+  if (own && said && strcmp(said->suffix, own->suffix) == 0) own = said; /* another notation behind the same ending */
+  if (!own) own = said;
+  if (own) t->format = own->name;
+  return own || o->format || (ending && ending[1]) || late_format(o, t, NULL);
+}
+
+bool cli_options_late(cli_options *o, const vs_scheme *scheme) {
+  for (size_t i = 0; i < o->target_count; i++)
+    if (!late_format(o, &o->targets[i], scheme)) return false;
+  return true;
 }
 
 /* Reports failures that can be known before minutes of work. */

@@ -48,8 +48,9 @@ typedef struct {
 typedef enum { CLI_GO, CLI_STOP /* all done: --help, --version */, CLI_BAD_USAGE /* said on standard error: exit 2 */ } cli_verdict;
 
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv);
-/* The format of a target that none of the library's serves, from those that the program has brought; scheme NULL: there are none. False: said on standard error. */
-bool cli_options_late(const cli_options *o, cli_target *t, const vs_scheme *scheme);
+/* Finds the formats of the targets that none of the library's own serves, among those that the program has brought.
+ * False: said on standard error. */
+bool cli_options_late(cli_options *o, const vs_scheme *scheme);
 void cli_options_free(cli_options *o);
 /* One line on the command of that name, and how it is called. False: there is none. */
 bool cli_command_help(const char *name, FILE *to);

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "knowledge/notation.h"
 #include "knowledge/site_assets.h"
 #include "knowledge/tree_report.h"
 #include "model/store/array.h"
@@ -23,34 +24,7 @@ typedef struct {
 
 /* ---- text ---- */
 
-/* Writes text so that it stands for itself in XML; what XML cannot hold becomes U+FFFD. */
-static void put(FILE *f, const char *text, size_t length) {
-  for (size_t i = 0; i < length; i++) {
-    unsigned char c = (unsigned char)text[i];
-    switch (c) {
-    case '&': fputs("&amp;", f); break;
-    case '<': fputs("&lt;", f); break;
-    case '>': fputs("&gt;", f); break;
-    case '"': fputs("&quot;", f); break;
-    default:
-      if (c < 32 && c != '\n' && c != '\t') fputs("\xef\xbf\xbd", f);
-      else fputc(c, f);
-    }
-  }
-}
-static void puts_to(FILE *f, const char *text) { put(f, text, strlen(text)); }
-
-/* The text as a string of the script. */
-static void put_script(FILE *f, const char *text, size_t length) {
-  fputc('"', f);
-  for (size_t i = 0; i < length; i++) {
-    unsigned char c = (unsigned char)text[i];
-    if (c == '"' || c == '\\') fprintf(f, "\\%c", c);
-    else if (c < 32 || c == '<') fprintf(f, "\\u%04x", c);
-    else fputc(c, f);
-  }
-  fputc('"', f);
-}
+static void puts_to(FILE *f, const char *text) { know_xml_text(f, text, strlen(text)); }
 
 static bool is_shown(const know_symbol *s) { return s->definition && !s->made; }
 static bool is_function(const know_symbol *s) {
@@ -82,7 +56,7 @@ static void put_comments(FILE *f, const knowledge *k, know_index first, know_ind
       continue;
     }
     fputs(open ? " " : "<p>", f);
-    put(f, text, n);
+    know_xml_text(f, text, n);
     open = true;
   }
   if (open) fputs("</p>\n", f);
@@ -159,7 +133,7 @@ static void put_call(FILE *f, const knowledge *k, const know_symbol *s) {
   size_t n = 0;
   if (s->rules && s->value) { /* of define-syntax-rule: the pattern */
     const char *pattern = know_spelling(k, s->value, &n);
-    put(f, pattern, n);
+    know_xml_text(f, pattern, n);
     return;
   }
   const char *text = s->parameters ? know_spelling(k, s->parameters, &n) : NULL;
@@ -170,8 +144,8 @@ static void put_call(FILE *f, const knowledge *k, const know_symbol *s) {
     const char *inner = text + 1, *end = text + n - 1;
     if (whole) inner += strlen(s->text);
     while (inner < end && *inner == ' ') inner++;
-    if (inner < end) fputc(' ', f), put(f, inner, (size_t)(end - inner));
-  } else if (text) fputs(" . ", f), put(f, text, n);
+    if (inner < end) fputc(' ', f), know_xml_text(f, inner, (size_t)(end - inner));
+  } else if (text) fputs(" . ", f), know_xml_text(f, text, n);
   else
     for (know_index i = 1; i < k->symbol_count; i++)
       if (k->symbols[i].owner && &k->symbols[k->symbols[i].owner] == s) fputc(' ', f), puts_to(f, k->symbols[i].text);
@@ -216,14 +190,14 @@ static void put_symbol(site *s, FILE *f, know_index i) {
     size_t n;
     const char *text = know_spelling(k, y->doc_string, &n);
     fputs("<p>", f);
-    put(f, text + 1, n - 2);
+    know_xml_text(f, text + 1, n - 2);
     fputs("</p>\n", f);
   }
   if (y->value && !is_function(y)) {
     size_t n;
     const char *text = know_spelling(k, y->value, &n);
     fputs("<p><code>", f);
-    put(f, text, n < SAID ? n : strcspn(text, "\n") < SAID ? strcspn(text, "\n") : SAID / 2);
+    know_xml_text(f, text, n < SAID ? n : strcspn(text, "\n") < SAID ? strcspn(text, "\n") : SAID / 2);
     fputs(n < SAID ? "</code></p>\n" : " ...</code></p>\n", f);
   }
   fprintf(f, "<p class=\"soft\">%s", know_symbol_word((know_symbol_kind)y->kind));
@@ -303,7 +277,7 @@ static void put_alike(FILE *f, const knowledge *k, const alike *group, size_t co
     link_place(f, k, &k->nodes[group[i].node].at, true);
   }
   fputs("</p>\n<pre>", f);
-  put(f, text, n < 2000 ? n : strcspn(text, "\n"));
+  know_xml_text(f, text, n < 2000 ? n : strcspn(text, "\n"));
   fputs("</pre>\n</div>\n", f);
 }
 
@@ -354,7 +328,7 @@ static bool statement_page(site *s) {
       fputs("<tr><td>", f);
       link_place(f, k, &k->nodes[n].at, false);
       fputs("</td><td><code>", f);
-      put(f, text, line < length ? line : length);
+      know_xml_text(f, text, line < length ? line : length);
       fputs(line < length ? " ...</code></td></tr>\n" : "</code></td></tr>\n", f);
     }
     if (!k->nodes[k->files[i].root].first) fputs("<tr><td></td><td>none</td></tr>\n", f);
@@ -379,7 +353,7 @@ static void print_to(printer *p, size_t to, const char *open, const char *close)
   while (p->at < to) {
     size_t end = p->at;
     while (end < to && p->file->text[end] != '\n') end++;
-    put(p->f, p->file->text + p->at, end - p->at);
+    know_xml_text(p->f, p->file->text + p->at, end - p->at);
     p->at = end;
     if (end == to) break;
     p->at++;
@@ -421,7 +395,6 @@ static bool file_page(site *s, know_index file, know_index *node) {
   begin_line(&p);
   for (; *node <= k->text_nodes; ++*node) {
     const know_node *n = &k->nodes[*node];
-    if (!n->parent && n->at.file != file) break;
     if (n->at.file != file) break;
     if (n->kind == KNOW_LIST || n->kind == KNOW_VECTOR || n->at.from < p.at || n->at.to <= n->at.from) continue;
     for (; comment < p.file->comment_end && k->comments[comment].from < n->at.from; comment++) {
@@ -485,7 +458,7 @@ static bool index_page(site *s) {
     fputs("<tr><td>", f);
     link_symbol(f, k, i);
     fputs("</td><td><code>", f);
-    put(f, text, n < 300 ? n : strcspn(text, "\n"));
+    know_xml_text(f, text, n < 300 ? n : strcspn(text, "\n"));
     fputs("</code></td></tr>\n", f);
   }
   if (any) fputs("</table></div>\n", f);
@@ -521,11 +494,11 @@ static bool search_index(site *s) {
     if (n > SAID)
       for (n = SAID; n && ((unsigned char)said[n] & 0xc0) == 0x80;) n--;
     fputc('[', f);
-    put_script(f, y->text, strlen(y->text));
+    know_json_text(f, y->text, strlen(y->text));
     fputc(',', f);
-    put_script(f, kind, strlen(kind));
+    know_json_text(f, kind, strlen(kind));
     fprintf(f, ",\"%s\",", to);
-    put_script(f, said, n);
+    know_json_text(f, said, n);
     fputs("],\n", f);
   }
   fputs("];\n", f);

@@ -102,6 +102,10 @@ bool vs_affine_is_translation(const vs_affine *a) {
   return true;
 }
 
+bool vs_affine_is_identity(const vs_affine *a) {
+  return vs_affine_is_translation(a) && a->m[0][3] == 0 && a->m[1][3] == 0 && a->m[2][3] == 0;
+}
+
 vs_affine vs_affine_translation(vs_vec3 v) {
   return (vs_affine){ { { 1, 0, 0, v.x }, { 0, 1, 0, v.y }, { 0, 0, 1, v.z } } };
 }

@@ -42,6 +42,7 @@ bool vs_affine_invert(const vs_affine *a, vs_affine *out);            /* false w
 /* The image of a plane, its normal pointing to the image of the same side. False: the map is singular; nothing is changed. */
 bool vs_affine_plane(const vs_affine *a, vs_vec3 *point, vs_vec3 *normal);
 bool vs_affine_is_translation(const vs_affine *a);                    /* linear part exactly the identity */
+bool vs_affine_is_identity(const vs_affine *a);                       /* exactly */
 bool vs_affine_even(const vs_affine *a, double *k);                   /* does it multiply every length by the same k? */
 vs_affine vs_affine_translation(vs_vec3 v);
 /* Rotation by angle about the axis through point along direction (need not be unit; not zero). Right-handed; multiples of a
@@ -76,6 +77,11 @@ static inline void vs_bounds_unite(vs_bounds *b, const vs_bounds *other) {
   vs_bounds_add(b, other->max);
 }
 void vs_bounds_meet(vs_bounds *b, const vs_bounds *other); /* what both hold */
+/* Returns whether two boxes have a point in common, or come as near to it as slack on every axis. */
+static inline bool vs_bounds_overlap(const vs_bounds *a, const vs_bounds *b, double slack) {
+  return a->min.x <= b->max.x + slack && b->min.x <= a->max.x + slack && a->min.y <= b->max.y + slack &&
+         b->min.y <= a->max.y + slack && a->min.z <= b->max.z + slack && b->min.z <= a->max.z + slack;
+}
 double vs_bounds_diagonal(const vs_bounds *b);             /* 0 where empty */
 vs_bounds vs_bounds_transform(const vs_bounds *b, const vs_affine *a);
 

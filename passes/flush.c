@@ -124,11 +124,6 @@ static bool add_operand(flush *f, const vs_node *operand, uint32_t number, bool 
   return true;
 }
 
-static bool boxes_meet(const vs_bounds *a, const vs_bounds *b, double slack) {
-  return a->min.x - slack <= b->max.x && b->min.x - slack <= a->max.x && a->min.y - slack <= b->max.y && b->min.y - slack <= a->max.y && a->min.z - slack <= b->max.z &&
-         b->min.z - slack <= a->max.z;
-}
-
 /* Marks operands that share a plane with an earlier one: any of an intersection; of a difference with the first, and with a cutter that they meet face to face (POV-Ray keeps
  * a skin between two such). */
 static void mark(flush *f, bool difference, unsigned char *marked, size_t operands) {
@@ -146,7 +141,7 @@ static void mark(flush *f, bool difference, unsigned char *marked, size_t operan
         }
         const face_plane *p = &f->planes[a], *q = &f->planes[b];
         uint32_t later = p->operand > q->operand ? p->operand : q->operand;
-        if (p->operand != q->operand && !marked[later]) marked[later] = boxes_meet(&f->boxes[p->part], &f->boxes[q->part], f->step);
+        if (p->operand != q->operand && !marked[later]) marked[later] = vs_bounds_overlap(&f->boxes[p->part], &f->boxes[q->part], f->step);
       }
     }
   }

@@ -28,10 +28,6 @@ void vs_fold_end(vs_rewrite *w) {
 
 static bool fold_lone(const vs_rewrite *w, const vs_node *new) { return !vs_nodemap_get(&((const fold_state *)w->state)->shared, new); }
 
-static bool fold_is_identity(const vs_affine *a) {
-  return vs_affine_is_translation(a) && a->m[0][3] == 0 && a->m[1][3] == 0 && a->m[2][3] == 0;
-}
-
 static bool fold_is_dress(const vs_node *n) { return n->kind == VS_MATERIAL || n->kind == VS_LAYER; }
 
 /* ---- placements ---- */
@@ -64,7 +60,7 @@ static vs_node *fold_carry_placement(vs_rewrite *w, const vs_affine *a, const vs
   struct vs_transform both = { .matrix = vs_affine_multiply(a, &VS_AS(transform, n)->matrix) };
   vs_node *below = n->children[0].node;
   bool fits = false;
-  vs_node *made = fold_is_identity(&both.matrix) ? vs_node_retain(below) : fold_lone(w, below) ? vs_fold_primitive(w, &both.matrix, below, &fits) : NULL;
+  vs_node *made = vs_affine_is_identity(&both.matrix) ? vs_node_retain(below) : fold_lone(w, below) ? vs_fold_primitive(w, &both.matrix, below, &fits) : NULL;
   if (made || fits) *origin = n->children[0].origin;
   return made || fits ? made : vs_node_new(w->store, VS_TRANSFORM, &both, n->children, 1);
 }
@@ -92,7 +88,7 @@ static vs_node *fold_placed(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
   const vs_affine *a = &VS_AS(transform, n)->matrix;
   const vs_node *below = kids[0].node;
   bool fits = false;
-  if (fold_is_identity(a)) {
+  if (vs_affine_is_identity(a)) {
     w->changed++;
     *origin = kids[0].origin;
     return vs_node_retain(kids[0].node);

@@ -42,10 +42,9 @@ static bool put_told(void *context, const char *text, size_t length) {
 }
 
 static void tell(told *t, const vs_drawn_part *p, vs_part_info *out) {
-  static const vs_affine none = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
   const vs_affine *m = &p->place;
   *t = (told){ .count = 0 };
-  bool placed = memcmp(m, &none, sizeof none) != 0, shifted = vs_affine_is_translation(m);
+  bool placed = !vs_affine_is_identity(m), shifted = vs_affine_is_translation(m);
   if (placed) put_told(t, shifted ? "(do-move " : "(do-transform ", shifted ? 9 : 14);
   vs_bind_print_node(p->thing.node, put_told, t);
   if (placed && shifted && !t->cut) {

@@ -178,8 +178,7 @@ static void refs_add(refs *r, vs_node *n, const vs_origin *origin) {
 
 /* The part where it stands, without paint. */
 static void refs_add_part(refs *r, const vs_drawn_part *p) {
-  static const vs_affine none = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
-  if (!memcmp(&p->place, &none, sizeof none)) refs_add(r, vs_node_retain(p->thing.node), p->thing.origin);
+  if (vs_affine_is_identity(&p->place)) refs_add(r, vs_node_retain(p->thing.node), p->thing.origin);
   else refs_add(r, vs_node_new(r->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = p->place }, &p->thing, 1),
                 p->thing.origin);
 }
@@ -195,18 +194,12 @@ static bool refs_bounds(const refs *r, vs_bounds_memo *memo, vs_bounds *out, vs_
   return true;
 }
 
-static bool boxes_meet(const vs_bounds *a, const vs_bounds *b) {
-  vs_bounds both = *a;
-  vs_bounds_meet(&both, b);
-  return both.min.x <= both.max.x && both.min.y <= both.max.y && both.min.z <= both.max.z;
-}
-
 /* Appends those of from that come near to the box. */
 static bool refs_add_near(refs *r, const refs *from, const vs_bounds *box, vs_bounds_memo *memo, vs_error *e) {
   for (size_t i = 0; i < from->count; i++) {
     vs_bounds b;
     if (!vs_bounds_memo_get(memo, from->at[i].node, &b, e)) return false;
-    if (boxes_meet(&b, box)) refs_add(r, vs_node_retain(from->at[i].node), from->at[i].origin);
+    if (vs_bounds_overlap(&b, box, 0)) refs_add(r, vs_node_retain(from->at[i].node), from->at[i].origin);
   }
   return true;
 }
@@ -235,7 +228,7 @@ static bool add_common(refs *out, refs *a, refs *b, vs_bounds_memo *memo, vs_err
   vs_bounds boxes[2];
   if (!a->count || !b->count) return true;
   if (!refs_bounds(a, memo, &boxes[0], e) || !refs_bounds(b, memo, &boxes[1], e)) return false;
-  if (!boxes_meet(&boxes[0], &boxes[1])) return true;
+  if (!vs_bounds_overlap(&boxes[0], &boxes[1], 0)) return true;
   refs operands = { .store = out->store };
   refs_add(&operands, set_of(a, VS_UNION), a->at[0].origin);
   refs_add(&operands, set_of(b, VS_UNION), b->at[0].origin);

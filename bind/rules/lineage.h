@@ -17,17 +17,6 @@ typedef struct {
 } vs_lineage_entry;
 
 typedef struct vs_lineage vs_lineage;
-vs_lineage *vs_lineage_new(vs_store *s); /* NULL: out of memory */
-static inline vs_lineage *vs_lineage_retain(vs_lineage *r);
-void vs_lineage_release(vs_lineage *r); /* NULL is fine */
-/* Adds an entry made by the operator op of a rule (NULL: of none); texts are the store's. *number: its place. False:
- * out of memory. */
-bool vs_lineage_add(vs_lineage *r, vs_lineage_entry entry, const char *rule, const char *op, uint32_t *number);
-
-/* Keeps the record of the object that a derivation gave. False: out of memory. */
-bool vs_lineage_keep(vs_bind *b, vs_node *n, vs_lineage *r);
-void vs_lineage_free(vs_bind *b); /* lets go of all of them */
-
 struct vs_lineage {
   uint32_t refs;
   vs_store *store; /* retained */
@@ -38,9 +27,19 @@ struct vs_lineage {
   } *sites;
   size_t site_count, site_room;
 };
+
+vs_lineage *vs_lineage_new(vs_store *s); /* NULL: out of memory */
 static inline vs_lineage *vs_lineage_retain(vs_lineage *r) {
   r->refs++;
   return r;
 }
+void vs_lineage_release(vs_lineage *r); /* NULL is fine */
+/* Adds an entry made by the operator op of a rule (NULL: of none); texts are the store's. *number: its place. False:
+ * out of memory. */
+bool vs_lineage_add(vs_lineage *r, vs_lineage_entry entry, const char *rule, const char *op, uint32_t *number);
+
+/* Keeps the record of the object that a derivation gave. False: out of memory. */
+bool vs_lineage_keep(vs_bind *b, vs_node *n, vs_lineage *r);
+void vs_lineage_free(vs_bind *b); /* lets go of all of them */
 
 #endif

@@ -179,11 +179,12 @@ const vs_foreign_type vs_scope_type = { "a scope", scope_release, NULL, NULL, sc
 
 /* ---- flags ---- */
 
-bool vs_scope_has_flag(const vs_scope *s, const char *name) {
-  for (uint32_t i = 0; s->flags && i < s->flags->count; i++)
-    if (s->flags->name[i] == name) return true;
+bool vs_scope_flags_have(const vs_scope_flags *flags, const char *name) {
+  for (uint32_t i = 0; flags && i < flags->count; i++)
+    if (flags->name[i] == name) return true;
   return false;
 }
+bool vs_scope_has_flag(const vs_scope *s, const char *name) { return vs_scope_flags_have(s->flags, name); }
 
 bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count) {
   uint32_t have = s->flags ? s->flags->count : 0, fresh = 0;

@@ -105,6 +105,7 @@ void vs_scope_flags_release(vs_store *store, vs_scope_flags *f); /* NULL is fine
 bool vs_scope_set_mark(vs_scope *s, const vs_ticket *mark);
 /* A signal for s, whose extra is its own. False: out of memory. */
 bool vs_scope_add_signal(vs_scope *s, vs_scope *from);
+bool vs_scope_flags_have(const vs_scope_flags *flags /* NULL: none */, const char *name /* the store's */);
 bool vs_scope_has_flag(const vs_scope *s, const char *name /* the store's */);
 /* s with flags besides those it has. False: out of memory. */
 bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count);

@@ -28,15 +28,16 @@ struct vs_surroundings {
   } kept[KEPT]; /* objects taken apart, by address */
 };
 
+static void drop_kept(vs_surroundings *a) {
+  for (int i = 0; i < KEPT; i++)
+    if (a->kept[i].node) vs_bend_drop(&a->kept[i].leaves), vs_node_release(a->kept[i].node);
+}
+
 void vs_surroundings_free(vs_surroundings *a) {
   if (!a) return;
   vs_store *s = a->bind->store;
   for (int i = 0; i < LEVELS; i++) vs_store_realloc(s, a->level[i].at, a->level[i].room * sizeof *a->level[i].at, 0);
-  for (int i = 0; i < KEPT; i++) {
-    if (!a->kept[i].node) continue;
-    vs_bend_drop(&a->kept[i].leaves);
-    vs_node_release(a->kept[i].node);
-  }
+  drop_kept(a);
   vs_store_realloc(s, a, sizeof *a, 0);
 }
 
@@ -113,11 +114,6 @@ static body body_of(const vs_scope *s) {
   return b;
 }
 
-static bool bounds_meet(const vs_bounds *a, const vs_bounds *b, double slack) {
-  return a->min.x <= b->max.x + slack && b->min.x <= a->max.x + slack && a->min.y <= b->max.y + slack &&
-         b->min.y <= a->max.y + slack && a->min.z <= b->max.z + slack && b->min.z <= a->max.z + slack;
-}
-
 /* Is something left of the triangle within the piece? Its sides go out by slack; a negative one moves them in, but for
  * pairs that have no room between them. */
 static bool triangle_meets(const piece *p, const vs_vec3 triangle[3], double slack) {
@@ -147,7 +143,7 @@ static bool triangle_meets(const piece *p, const vs_vec3 triangle[3], double sla
 static bool body_meets(const body *b, const vs_vec3 triangle[3], double slack) {
   vs_bounds t = vs_bounds_empty();
   for (int i = 0; i < 3; i++) vs_bounds_add(&t, triangle[i]);
-  if (!bounds_meet(&t, &b->bounds, fabs(slack))) return false;
+  if (!vs_bounds_overlap(&t, &b->bounds, fabs(slack))) return false;
   for (int i = 0; i < b->count; i++)
     if (triangle_meets(&b->piece[i], triangle, slack)) return true;
   return false;
@@ -161,7 +157,7 @@ static bool body_holds(const body *b, vs_vec3 p) {
 bool vs_scopes_touch(const vs_scope *x, const vs_scope *y) {
   body a = body_of(x), b = body_of(y);
   double slack = fmax(a.slack, b.slack);
-  if (!bounds_meet(&a.bounds, &b.bounds, slack)) return false;
+  if (!vs_bounds_overlap(&a.bounds, &b.bounds, slack)) return false;
   if (body_holds(&a, b.corner[0]) || body_holds(&b, a.corner[0])) return true;
   static const int face[6][4] = { { 0, 1, 3, 2 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 },
                                   { 2, 3, 7, 6 }, { 0, 2, 6, 4 }, { 1, 3, 7, 5 } };
@@ -250,18 +246,11 @@ static bool catch_up(vs_derivation *d, vs_surroundings *a) {
           return vs_fail_memory(d->bind->vm);
         a->level[level].at[at] = vs_bounds_empty(), a->level[level].count = at + 1;
       }
-      if (vs_bounds_is_empty(&box)) continue;
-      vs_bounds_add(&a->level[level].at[at], box.min), vs_bounds_add(&a->level[level].at[at], box.max);
+      vs_bounds_unite(&a->level[level].at[at], &box);
     }
     if (!vs_poll_turn(d->bind->vm, i, 40)) return false;
   }
   return true;
-}
-
-static bool has_flag(const vs_scope_flags *flags, const char *name) {
-  for (uint32_t i = 0; flags && i < flags->count; i++)
-    if (flags->name[i] == name) return true;
-  return false;
 }
 
 static bool any_answers(question *q, vs_derivation *d) {
@@ -272,12 +261,12 @@ static bool any_answers(question *q, vs_derivation *d) {
   /* In order: down into a box that meets, else on to the next, or up where there is none left beside it. */
   while (at < a->level[level].count) {
     const vs_bounds *box = &a->level[level].at[at];
-    bool meet = !vs_bounds_is_empty(box) && bounds_meet(box, &q->body.bounds, q->body.slack);
+    bool meet = !vs_bounds_is_empty(box) && vs_bounds_overlap(box, &q->body.bounds, q->body.slack);
     if (meet && level > 0) {
       level--, at *= FAN;
       continue;
     }
-    if (meet && (!q->flag || (at < d->flags_room && has_flag(d->made_flags[at], q->flag))) &&
+    if (meet && (!q->flag || (at < d->flags_room && vs_scope_flags_have(d->made_flags[at], q->flag))) &&
         answers(q, a, d->made[at]))
       return true;
     if (q->failed || !vs_poll(d->bind->vm, 20)) return q->failed = true, false;
@@ -305,8 +294,7 @@ static vs_status ask(vs_frame *f, bool inside, vs_value *out) {
   if (f->key[1].given) {
     vs_surroundings a = { .bind = f->bind };
     yes = answers(&q, &a, f->key[1].ref);
-    for (int i = 0; i < KEPT; i++)
-      if (a.kept[i].node) vs_bend_drop(&a.kept[i].leaves), vs_node_release(a.kept[i].node);
+    drop_kept(&a);
   } else
     for (vs_derivation *d = f->bind->growing; d && !yes && !q.failed; d = d->outer)
       yes = any_waits(&q, d, s) || any_answers(&q, d);
@@ -329,7 +317,7 @@ vs_status vs_p_scope_overlap(vs_frame *f, vs_value *out) {
   vs_scope_corners(f->arg[1].scope, corner);
   for (int i = 0; i < 8; i++) vs_bounds_add(&b, vs_affine_point(&back, corner[i]));
   double slack = 1e-9 * (vs_v3_length(size) + vs_bounds_diagonal(&b));
-  if (!bounds_meet(&b, &(vs_bounds){ { 0, 0, 0 }, size }, slack)) return VS_OK;
+  if (!vs_bounds_overlap(&b, &(vs_bounds){ { 0, 0, 0 }, size }, slack)) return VS_OK;
   vs_vec3 low = vs_v3(fmin(fmax(b.min.x, 0), size.x), fmin(fmax(b.min.y, 0), size.y), fmin(fmax(b.min.z, 0), size.z));
   vs_vec3 high = vs_v3(fmin(fmax(b.max.x, 0), size.x), fmin(fmax(b.max.y, 0), size.y), fmin(fmax(b.max.z, 0), size.z));
   if (!vs_bind_point(f, high, &r[0]) || !vs_cons(f->vm, r[0], VS_NIL, &r[0]) || !vs_bind_point(f, low, &r[1]) ||
