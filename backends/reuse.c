@@ -26,8 +26,9 @@ void vs_reuse_put_reals(vs_reuse *r, const double *reals, size_t count) {
   r->count += count;
 }
 
-/* In room that there is: a payload begins with a few of them. */
+/* The same of one field, whose few reals are not worth a call of memcpy. */
 static void put_few(vs_reuse *r, const double *reals, size_t count) {
+  if (!vs_reuse_room(r, count)) return; /* an array before it may have filled the room to the last word */
   uint64_t *to = r->words + r->count;
   for (size_t i = 0; i < count; i++) memcpy(&to[i], &reals[i], sizeof *to);
   r->count += count;
@@ -43,7 +44,6 @@ static void put_bytes(vs_reuse *r, const void *bytes, size_t size) {
 
 /* Texts and materials are interned in the store, which outlives the cache: their addresses say all. */
 void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *data) {
-  if (!vs_reuse_room(r, info->size)) return; /* more than enough for all but arrays */
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)data + info->fields[i].offset;
     size_t reals = vs_field_reals[info->fields[i].type];

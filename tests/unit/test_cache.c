@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "backends/reuse.h"
 #include "model/store/cache.h"
 #include "visualscheme.h"
 
@@ -488,9 +489,32 @@ static void test_texts_refused(void **state) {
   free(want.at);
 }
 
+/* Whatever an array leaves of the key's room, the fields behind it have theirs: a spline's tangents stand behind its points. */
+static void test_payload_room(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  static vs_vec3 at[400];
+  for (uint32_t count = 2; count <= 400; count++) {
+    vs_reuse r = { .store = s };
+    struct vs_spline spline = { .points = vs_points_new(s, at, count) };
+    assert_non_null(spline.points);
+    vs_reuse_start(&r);
+    for (int i = 0; i < 3; i++) {
+      vs_reuse_put_payload(&r, vs_kind_get(VS_SPLINE), &spline);
+      assert_true(r.count <= r.room);
+      assert_int_equal(r.count, (size_t)(i + 1) * (1 + 3 * (size_t)count + 1 + 6 + 1)); /* points, closed, tangents, segments */
+    }
+    assert_false(r.unfit);
+    vs_reuse_free(&r);
+    vs_points_release(s, spline.points);
+  }
+  vs_store_release(s);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(test_equality), cmocka_unit_test(test_bound), cmocka_unit_test(test_refused),
                                       cmocka_unit_test(test_incremental), cmocka_unit_test(test_measures), cmocka_unit_test(test_tags), cmocka_unit_test(test_restart),
-                                      cmocka_unit_test(test_restart_refused), cmocka_unit_test(test_limit), cmocka_unit_test(test_texts), cmocka_unit_test(test_texts_refused) };
+                                      cmocka_unit_test(test_restart_refused), cmocka_unit_test(test_limit), cmocka_unit_test(test_texts), cmocka_unit_test(test_texts_refused),
+                                      cmocka_unit_test(test_payload_room) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
