@@ -105,7 +105,7 @@ $(BUILD)/library.img: $(BUILD)/stage0 $(LIBRARY)
 	$(Q)$(BUILD)/stage0 $@ $(LIBRARY)
 
 $(BUILD)/library_image.c: $(BUILD)/library.img
-	@printf '#include "vm/machine/image.h"\n__asm__(".section .rodata\\n.balign 16\\nvs_library_words:\\n.incbin \\"$<\\"\\n.previous");\nextern const uint64_t vs_library_words[] __attribute__((visibility("hidden")));\nextern const vs_image vs_library_image;\nconst vs_image vs_library_image = { vs_library_words, %d };\n' $$(($$(wc -c < $<) / 8)) > $@
+	@printf '#include "vm/machine/image.h"\n__asm__(".section .rodata\\n.balign 4096\\nvs_library_words:\\n.incbin \\"$<\\"\\n.previous");\nextern const uint64_t vs_library_words[] __attribute__((visibility("hidden")));\nextern const vs_image vs_library_image;\nconst vs_image vs_library_image = { vs_library_words, %d };\n' $$(($$(wc -c < $<) / 8)) > $@
 
 $(BUILD)/obj/library_image.o: $(BUILD)/library_image.c
 	@mkdir -p $(@D)

@@ -39,17 +39,23 @@ static size_t data_now(void) {
   return (size_t)pages * (size_t)sysconf(_SC_PAGESIZE);
 }
 
-void cli_limits_memory(size_t limit) {
+/* Lowers the soft limit, and with `for_good` the hard one, which nobody can raise again. */
+static void lower_data_limit(rlim_t most, bool for_good) {
 #ifdef __SANITIZE_ADDRESS__
   return; /* the address sanitizer needs several times the memory, and ends a process that is refused any */
 #endif
   struct rlimit r;
   if (getrlimit(RLIMIT_DATA, &r) != 0) return;
-  rlim_t most = (rlim_t)data_now() + limit + limit / 10 + BESIDE;
-  if (r.rlim_cur != RLIM_INFINITY && r.rlim_cur <= most) return;
-  r.rlim_cur = most;
+  if (r.rlim_cur > most) r.rlim_cur = most; /* without a limit it is the largest number there is */
+  if (for_good && r.rlim_max > most) r.rlim_max = most;
   setrlimit(RLIMIT_DATA, &r);
 }
+
+void cli_limits_memory(size_t limit) {
+  lower_data_limit((rlim_t)data_now() + limit + limit / 10 + BESIDE, false);
+}
+
+void cli_limits_memory_for_good(size_t most) { lower_data_limit((rlim_t)most, true); }
 
 /* ---- time ---- */
 

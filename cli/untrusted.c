@@ -13,18 +13,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "cli/confine.h"
+#include "cli/limits.h"
 
 /* What a stranger's model gets where the command line says nothing. */
 #define SECONDS 10
 #define WORKER_SECONDS 120
 enum { MEMORY = 512 << 20, PRINTED = 10 << 20, TRIANGLES = 5000000 };
-#define PROCESS_MEMORY ((rlim_t)2 << 30) /* of the worker, and the hard limit of ours */
+#define PROCESS_MEMORY ((size_t)2 << 30) /* of the worker, and the hard limit of ours */
 
 /* ---- files ---- */
 
@@ -187,12 +187,7 @@ bool cli_untrusted_begin(cli_untrusted *u, cli_options *o) {
     else if (!keep_scratch(u)) ok = failed("a private folder"), rmdir(u->scratch);
   }
   clearenv();
-  struct rlimit most;
-  if (getrlimit(RLIMIT_DATA, &most) == 0 && most.rlim_max > PROCESS_MEMORY) {
-    most.rlim_max = PROCESS_MEMORY;
-    if (most.rlim_cur > most.rlim_max) most.rlim_cur = most.rlim_max;
-    setrlimit(RLIMIT_DATA, &most);
-  }
+  cli_limits_memory_for_good(PROCESS_MEMORY);
   if (ok && u->scratch) ok = setenv("TMPDIR", u->scratch, 1) == 0 || failed("memory");
   if (ok && !cli_confine(model, (const char *const *)written, count, u->scratch) && worker) {
     fputs("vs: --untrusted: pictures need a worker program, and this system cannot confine it (no Landlock)\n", stderr);

@@ -1,12 +1,22 @@
 /* Owns writing and loading of the heap image.
 
    Layout, in 64-bit words:
-     magic, sum of the native tables, words of objects, then vm->sym, then vm->at, then the objects one after another.
-   A pointer value keeps its tag; its payload is the byte offset of the object, + 8 so that it is never 0.
+     magic, sum of the native tables, words of objects, words of those that are natives, then vm->sym, then vm->at,
+     then the objects one after another, natives first.
+   A pointer is the address that its object has when the image lies at IMAGE_HOME.
    A native's `def` is its number, counting through all tables.
-   Loading is one copy and one pass over the traced words (vm/values/layout.h): about a millisecond a megabyte. Tables keyed by address are marked so
-   that their first use inserts every entry anew. */
+   Loading maps the image there (image_map); only the natives are written to. Where it cannot be mapped, it is copied,
+   and one pass over the traced words (vm/values/layout.h) moves the pointers: about a millisecond a megabyte. Tables
+   keyed by address are marked so that their first use inserts every entry anew. */
+#define _GNU_SOURCE
 #include "vm/machine/image.h"
+
+#if defined(__linux__) && UINTPTR_MAX == UINT64_MAX
+#include <fcntl.h>
+#include <link.h>
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
 
 #include "vm/compiler/code.h"
 #include "vm/values/gc.h"
@@ -17,8 +27,14 @@
 enum {
   SYMBOLS = sizeof((vs_scheme *)0)->sym / sizeof(vs_value),
   ANCHORS = sizeof((vs_scheme *)0)->at / sizeof(vs_value),
-  HEADER = 3 + SYMBOLS + ANCHORS
+  FIRST = 4, /* of the symbols */
+  HEADER = FIRST + SYMBOLS + ANCHORS
 };
+/* The address for which the image is written: its pointers hold when it is mapped there. It lies within 39 bits, which
+ * every 64-bit system has, above what programs of a fixed address use and below where systems put libraries and
+ * stacks. */
+#define IMAGE_HOME UINT64_C(0x2000000000)
+#define OBJECTS_HOME (IMAGE_HOME + HEADER * 8)
 
 #define VS_NATIVES(name) extern const vs_native_table vs_##name##_natives;
 #include "vm/machine/natives.def"
@@ -87,7 +103,7 @@ struct writer {
   size_t count, room;
   struct place *places; /* open addressing by address */
   size_t slots;
-  uint64_t bytes;
+  uint64_t bytes, native_bytes;
   bool foreign;
 };
 
@@ -128,15 +144,34 @@ static bool writer_reach(struct writer *w, vs_value v) {
     w->order = q;
     w->room = more;
   }
-  w->places[writer_slot(w, o)] = (struct place){ o, w->bytes };
+  w->places[writer_slot(w, o)].o = o;
   w->order[w->count++] = o;
-  w->bytes += (uint64_t)o->words * 8;
+  return true;
+}
+
+/* Gives the objects their places, natives first, in the order of places[]. */
+static bool writer_place(struct writer *w) {
+  const vs_object **order = vs_mem(w->vm, NULL, 0, w->room * sizeof *order);
+  size_t n = 0;
+  if (!order) return false;
+  for (int natives = 1; natives >= 0; natives--) {
+    for (size_t i = 0; i < w->count; i++) {
+      const vs_object *o = w->order[i];
+      if ((o->type == VS_T_NATIVE) != natives) continue;
+      w->places[writer_slot(w, o)].offset = w->bytes;
+      w->bytes += (uint64_t)o->words * 8;
+      order[n++] = o;
+    }
+    if (natives) w->native_bytes = w->bytes;
+  }
+  vs_mem(w->vm, w->order, w->room * sizeof *order, 0);
+  w->order = order;
   return true;
 }
 
 static vs_value writer_value(const struct writer *w, vs_value v) {
   if (!vs_is_object(v)) return v;
-  return VS_TAG_POINTER << 48 | (w->places[writer_slot(w, vs_object_of(v))].offset + 8);
+  return VS_TAG_POINTER << 48 | (OBJECTS_HOME + w->places[writer_slot(w, vs_object_of(v))].offset);
 }
 
 static bool writer_object(struct writer *w, const vs_object *o, uint64_t *copy) {
@@ -176,13 +211,14 @@ bool vs_image_write(vs_scheme *vm, bool (*put)(void *to, const uint64_t *words, 
     if (o->words > copy_words) copy_words = o->words;
   }
   if (ok && w.foreign) ok = vs_fail(vm, vm->sym.internal, "an object of the host cannot be in the heap image");
-  ok = ok && (copy = vs_mem(vm, NULL, 0, copy_words * 8));
+  ok = ok && writer_place(&w) && (copy = vs_mem(vm, NULL, 0, copy_words * 8));
   if (ok) {
     header[0] = MAGIC;
     header[1] = image_sum(vm);
     header[2] = w.bytes / 8;
-    for (size_t i = 0; i < SYMBOLS; i++) header[3 + i] = writer_value(&w, symbols[i]);
-    for (size_t i = 0; i < ANCHORS; i++) header[3 + SYMBOLS + i] = writer_value(&w, anchors[i]);
+    header[3] = w.native_bytes / 8;
+    for (size_t i = 0; i < SYMBOLS; i++) header[FIRST + i] = writer_value(&w, symbols[i]);
+    for (size_t i = 0; i < ANCHORS; i++) header[FIRST + SYMBOLS + i] = writer_value(&w, anchors[i]);
     ok = put(to, header, HEADER) || vs_fail(vm, vm->sym.file, "the heap image cannot be written");
   }
   for (size_t k = 0; ok && k < w.count; k++)
@@ -194,40 +230,98 @@ bool vs_image_write(vs_scheme *vm, bool (*put)(void *to, const uint64_t *words, 
   return ok;
 }
 
+/* ---- the mapping of the program's own file ---- */
+
+#if defined(__linux__) && UINTPTR_MAX == UINT64_MAX
+typedef struct { uintptr_t from, end; off_t offset; } wanted; /* offset: in the file; -1 where it is not known */
+
+/* Looks at the first module alone, which is the program: /proc/self/exe stays the file that was started, while a
+ * library's name may belong to a newer file by now. */
+static int find_in_program(struct dl_phdr_info *module, size_t size, void *to) {
+  wanted *w = to;
+  (void)size;
+  for (unsigned i = 0; i < module->dlpi_phnum; i++) {
+    const ElfW(Phdr) *part = &module->dlpi_phdr[i];
+    uintptr_t start = (uintptr_t)(module->dlpi_addr + part->p_vaddr);
+    if (part->p_type == PT_LOAD && w->from >= start && w->end <= start + part->p_filesz)
+      w->offset = (off_t)(part->p_offset + (w->from - start));
+  }
+  return 1;
+}
+
+/* Maps the image, a constant of the program, once more at IMAGE_HOME, where it can be written to without a change of the
+ * file: pages that nobody touches cost neither time nor memory. Returns NULL where that cannot be, and the image is to
+ * be copied: another interpreter of the process lies there already, the image is part of a shared library, or the
+ * system has no such mapping. */
+static void *image_map(const void *image, size_t bytes) {
+  wanted w = { (uintptr_t)image, (uintptr_t)image + bytes, -1 };
+  dl_iterate_phdr(find_in_program, &w);
+  int file = w.offset < 0 || w.offset % sysconf(_SC_PAGESIZE) ? -1 : open("/proc/self/exe", O_RDONLY | O_CLOEXEC);
+  if (file < 0) return NULL;
+  void *home = (void *)(uintptr_t)IMAGE_HOME; /* a system that does not know FIXED_NOREPLACE takes it for a wish */
+  void *at = mmap(home, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED_NOREPLACE, file, w.offset);
+  close(file);
+  if (at == home) return at;
+  if (at != MAP_FAILED) munmap(at, bytes);
+  return NULL;
+}
+
+static void image_unmap(vs_scheme *vm, void *objects, size_t bytes) {
+  (void)vm;
+  munmap((char *)objects - HEADER * 8, HEADER * 8 + bytes);
+}
+
+#else
+
+static void *image_map(const void *image, size_t bytes) { return (void)image, (void)bytes, NULL; }
+static void image_unmap(vs_scheme *vm, void *objects, size_t bytes) { (void)vm, (void)objects, (void)bytes; }
+
+#endif
+
 /* ---- loading ---- */
 
-static inline void image_relocate(vs_value *slot, uint64_t base) {
-  if (vs_is_object(*slot)) *slot += base - 8; /* the payload is an offset: adding stays below the tag */
+static void image_free(vs_scheme *vm, void *at, size_t bytes) { vs_mem(vm, at, bytes, 0); }
+
+/* Moves a pointer from where the image was to lie: addition keeps the tag. */
+static inline void image_relocate(vs_value *slot, uint64_t by) {
+  if (vs_is_object(*slot)) *slot += by;
+}
+
+static void image_relocate_all(char *at, size_t bytes, uint64_t by) {
+  for (size_t i = 0; i < bytes;) {
+    vs_object *o = (vs_object *)(void *)(at + i);
+    size_t n;
+    vs_value *slots = vs_layout_slots(o, &n);
+    for (size_t k = 0; k < n; k++) image_relocate(&slots[k], by);
+    i += (size_t)o->words * 8;
+  }
 }
 
 bool vs_image_load(vs_scheme *vm, const vs_image *image) {
   const uint64_t *words = image->words;
   if (image->count < HEADER || words[0] != MAGIC || words[1] != image_sum(vm) || image->count != HEADER + words[2])
     return vs_fail(vm, vm->sym.internal, "the heap image was made by another build");
-  size_t bytes = (size_t)words[2] * 8, def_count;
+  size_t bytes = (size_t)words[2] * 8, native_bytes = (size_t)words[3] * 8, def_count;
   const vs_native_def **defs;
   if (!image_native_list(vm, &defs, &def_count)) return false;
-  char *at = vs_mem(vm, NULL, 0, bytes);
+  char *mapped = image_map(words, HEADER * 8 + bytes), *at = mapped ? mapped + HEADER * 8 : vs_mem(vm, NULL, 0, bytes);
   if (at) {
-    uint64_t base = (uint64_t)(uintptr_t)at;
-    memcpy(at, words + HEADER, bytes);
-    for (size_t i = 0; i < bytes;) {
-      vs_object *o = (vs_object *)(void *)(at + i);
-      size_t n;
-      vs_value *slots = vs_layout_slots(o, &n);
-      for (size_t k = 0; k < n; k++) image_relocate(&slots[k], base);
-      if (o->type == VS_T_NATIVE) {
-        vs_native *native = (vs_native *)(void *)o;
-        native->def = defs[(uintptr_t)native->def];
-      }
-      i += (size_t)o->words * 8;
+    uint64_t by = (uint64_t)(uintptr_t)at - OBJECTS_HOME;
+    if (!mapped) {
+      memcpy(at, words + HEADER, bytes);
+      image_relocate_all(at, bytes, by);
     }
-    memcpy(&vm->sym, words + 3, sizeof vm->sym);
-    memcpy(&vm->at, words + 3 + SYMBOLS, sizeof vm->at);
+    for (size_t i = 0; i < native_bytes;) {
+      vs_native *native = (vs_native *)(void *)(at + i);
+      native->def = defs[(uintptr_t)native->def];
+      i += (size_t)native->h.words * 8;
+    }
+    memcpy(&vm->sym, words + FIRST, sizeof vm->sym);
+    memcpy(&vm->at, words + FIRST + SYMBOLS, sizeof vm->at);
     vs_value *symbols = (vs_value *)(void *)&vm->sym, *anchors = (vs_value *)(void *)&vm->at;
-    for (size_t i = 0; i < SYMBOLS; i++) image_relocate(&symbols[i], base);
-    for (size_t i = 0; i < ANCHORS; i++) image_relocate(&anchors[i], base);
-    vs_gc_adopt(vm, at, bytes);
+    for (size_t i = 0; i < SYMBOLS; i++) image_relocate(&symbols[i], by);
+    for (size_t i = 0; i < ANCHORS; i++) image_relocate(&anchors[i], by);
+    vs_gc_adopt(vm, at, bytes, mapped ? image_unmap : image_free);
   }
   vs_mem(vm, defs, def_count * sizeof *defs, 0);
   return at != NULL;

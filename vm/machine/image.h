@@ -1,7 +1,7 @@
 /* Owns the heap image: everything an interpreter has after its library is loaded, as words that a later process starts from.
 
    Written by a stage-0 interpreter at build time, compiled into the binary as a constant array, loaded by vs_open_vm. It holds what
-   is reachable from vm->sym and vm->at. Pointers are byte offsets into the image, natives are numbered through the tables they come from, so
+   is reachable from vm->sym and vm->at. Pointers are addresses of the place where it is mapped, natives are numbered through the tables they come from, so
    the binary that loads it must register the same tables in the same order (checked by a sum of their names). */
 #ifndef VS_IMAGE_H
 #define VS_IMAGE_H

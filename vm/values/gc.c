@@ -73,6 +73,7 @@ struct vs_gc {
   vs_object *grey;                              /* minor worklist: corpses, linked */
   struct mark_entry *marks; size_t mark_count, mark_room; bool mark_lost;
   char *image; size_t image_bytes;              /* objects loaded from a heap image */
+  void (*release_image)(vs_scheme *vm, void *image, size_t bytes);
   size_t visits, minor_in, whole_in;            /* under VS_DEBUG_STRESS: what the last minor collection visited; allocations until the next ones */
 };
 
@@ -712,9 +713,10 @@ bool vs_gc_open(vs_scheme *vm) {
   return gc->ready;
 }
 
-void vs_gc_adopt(vs_scheme *vm, void *image, size_t bytes) {
+void vs_gc_adopt(vs_scheme *vm, void *image, size_t bytes, void (*release)(vs_scheme *vm, void *image, size_t bytes)) {
   vm->gc->image = image;
   vm->gc->image_bytes = bytes;
+  vm->gc->release_image = release;
 }
 
 static void close_object(vs_scheme *vm, vs_object *o) {
@@ -740,7 +742,7 @@ void vs_gc_close(vs_scheme *vm) {
   if (gc->remembered) vs_mem(vm, gc->remembered, gc->remembered_room * sizeof *gc->remembered, 0);
   if (gc->young_foreign) vs_mem(vm, gc->young_foreign, gc->young_room * sizeof *gc->young_foreign, 0);
   if (gc->tracing) vs_mem(vm, gc->tracing, gc->tracing_room * sizeof *gc->tracing, 0);
-  if (gc->image) vs_mem(vm, gc->image, gc->image_bytes, 0);
+  if (gc->image) gc->release_image(vm, gc->image, gc->image_bytes);
   if (vm->nursery) vs_mem(vm, vm->nursery, vm->nursery_bytes, 0);
   vs_mem(vm, gc, sizeof *gc, 0);
   vm->gc = NULL;

@@ -78,7 +78,8 @@ void vs_gc_fail_after(vs_scheme *vm, size_t n);      /* tests: refuse the n-th a
 /* ---- between the parts of vm/ ---- */
 typedef void vs_gc_visit(vs_scheme *vm, vs_value *slot);
 void vs_gc_visit_trees(vs_scheme *vm, vs_gc_visit *visit);             /* ast.c: constants of the trees being built */
-void vs_gc_adopt(vs_scheme *vm, void *image, size_t bytes);            /* image.c: objects made elsewhere; takes the vs_mem block over */
+/* image.c: objects made elsewhere; release takes them back when the heap is closed */
+void vs_gc_adopt(vs_scheme *vm, void *image, size_t bytes, void (*release)(vs_scheme *vm, void *image, size_t bytes));
 bool vs_gc_open(vs_scheme *vm);
 void vs_gc_close(vs_scheme *vm);
 #endif
