@@ -96,14 +96,14 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   vs_session *s = vs_session_of(vm);
   (void)place;
   const vs_host *h = &s->options.host;
-  if (!vs_bind_returned(&s->bind, v, s->flags & VS_EVAL_PRINT)) return false;
-  if (!(s->flags & VS_EVAL_PRINT) || !h->value || v == VS_UNSPECIFIC) return true;
-  if (s->flags & VS_EVAL_NUMBER && !name_result(s, v)) return false;
-  if (s->flags & VS_EVAL_NUMBER && vs_bind_ref(v).node) return tell_object(s, v);
+  VS_ROOTS(vm, r, 1); /* naming the value may move it */
+  r[0] = v;
+  if (!vs_bind_returned(&s->bind, r[0], s->flags & VS_EVAL_PRINT)) return false;
+  if (!(s->flags & VS_EVAL_PRINT) || !h->value || r[0] == VS_UNSPECIFIC) return true;
+  if (s->flags & VS_EVAL_NUMBER && !name_result(s, r[0])) return false;
+  if (s->flags & VS_EVAL_NUMBER && vs_bind_ref(r[0]).node) return tell_object(s, r[0]);
   enum { MOST = 4000 }; /* bytes: a drawing of thousands of parts is no answer to read */
   vs_text shown, t;
-  VS_ROOTS(vm, r, 1);
-  r[0] = v;
   vs_text_open(vm, &shown, MOST);
   vs_text_open(vm, &t, 0);
   bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &shown) && vs_text_put(&t, shown.at ? shown.at : "", shown.count) && (!shown.cut || vs_text_puts(&t, " ..."));
