@@ -373,9 +373,18 @@ VS_API const char *const *vs_pass_list(size_t *count);
 
 typedef enum { VS_QUALITY_DRAFT, VS_QUALITY_GOOD, VS_QUALITY_FINAL } vs_quality;
 
+/* How linear light becomes the numbers of a screen: the manual's page 'Pictures' names the formulas' sources. */
+typedef enum { VS_CURVE_NEUTRAL, VS_CURVE_AGX, VS_CURVE_FILMIC, VS_CURVE_LINEAR } vs_curve;
+typedef struct {
+  vs_curve curve;
+  bool fixed;            /* exposure is over the light as it is; else over what the picture's histogram asks for */
+  double exposure;       /* stops (EV): each doubles the light */
+} vs_development;
+
 typedef struct {
   int width, height;     /* pixels; 0: 1024 by 768, or what keeps 4:3 with the other */
   vs_quality quality;
+  vs_development development; /* of a .png */
   const char *view;      /* the name of one of the model's views, or NULL; "*": all of them, on a drawing's sheet */
   bool has_camera;       /* over what the model and the view say */
   double camera[7];      /* eye, target, lens in mm of a 35 mm film */

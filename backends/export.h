@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "backends/writer.h"
+#include "geometry/pictures/tone.h"
 #include "model/scene.h"
 
 typedef enum { VS_RENDER_GOOD, VS_RENDER_DRAFT, VS_RENDER_FINAL } vs_render_quality; /* of rendered pictures */
@@ -14,6 +15,7 @@ typedef enum { VS_RENDER_GOOD, VS_RENDER_DRAFT, VS_RENDER_FINAL } vs_render_qual
 typedef struct {
   int width, height;  /* pixels, of pictures and pages; 0: 1024 x 768 */
   vs_render_quality quality;
+  vs_tone tone;       /* how light becomes the numbers of a .png */
   const char *view;   /* of a drawing: the name of what it shows; "*": all views; NULL: by the file's name */
   uint64_t byte_limit; /* of one output; 0: none */
   double worker_seconds; /* a worker program is stopped after so long; 0: never */

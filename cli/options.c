@@ -159,6 +159,26 @@ static bool parse_quality(const char *text, vs_output_options *out) {
   return bad("--quality", text, "draft, good or final");
 }
 
+static bool parse_curve(const char *text, vs_development *out) {
+  static const char *const names[] = {[VS_CURVE_NEUTRAL] = "neutral", [VS_CURVE_AGX] = "agx",
+                                      [VS_CURVE_FILMIC] = "filmic", [VS_CURVE_LINEAR] = "linear"};
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    if (strcmp(text, names[i]) == 0) {
+      out->curve = (vs_curve)i;
+      return true;
+    }
+  return bad("--curve", text, "neutral, agx, filmic or linear");
+}
+
+/* "1.5", "auto", "auto-0.5". */
+static bool parse_exposure(const char *text, vs_development *out) {
+  const char *stops = strncmp(text, "auto", 4) == 0 ? text + 4 : text;
+  out->fixed = stops == text, out->exposure = 0;
+  if (!out->fixed && !*stops) return true;
+  bool ok = (out->fixed || *stops == '+' || *stops == '-') && parse_real(stops, -100, &out->exposure);
+  return (ok && out->exposure <= 100) || bad("--exposure", text, "stops, as in 1.5, or auto, auto+1, auto-0.5");
+}
+
 /* text: what follows -O. */
 static bool parse_passes(const char *text, vs_output_options *out) {
   size_t count;
@@ -221,6 +241,8 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
   case OPTION_FRAMES: return parse_frames(v, &o->frames);
   case OPTION_RESUME: return o->frames.resume = true;
   case OPTION_QUALITY: return parse_quality(v, &o->output);
+  case OPTION_CURVE: return parse_curve(v, &o->output.development);
+  case OPTION_EXPOSURE: return parse_exposure(v, &o->output.development);
   case OPTION_TOLERANCE: return (parse_real(v, 0, &o->output.tolerance) && o->output.tolerance > 0) || bad("--tolerance", v, "a length above 0");
   case OPTION_SEGMENTS:
     if (!parse_whole(v, 3, 1000000, &whole)) return bad("--segments", v, "a whole number, 3 or more");

@@ -64,6 +64,13 @@ static bool job_progress(void *job, const char *stage, double fraction) {
 
 /* ---- options ---- */
 
+vs_tone vs_session_tone(const vs_development *d) {
+  static const vs_tone_curve curves[] = {
+      [VS_CURVE_NEUTRAL] = VS_TONE_NEUTRAL, [VS_CURVE_AGX] = VS_TONE_AGX, [VS_CURVE_FILMIC] = VS_TONE_FILMIC,
+      [VS_CURVE_LINEAR] = VS_TONE_LINEAR };
+  return (vs_tone){ .curve = curves[d->curve], .fixed = d->fixed, .stops = d->exposure };
+}
+
 /* Sets the export's options from those that the caller asked for, those that the program set, and the session's limits. */
 static void set_options(vs_job *j) {
   static const vs_render_quality qualities[] = { [VS_QUALITY_DRAFT] = VS_RENDER_DRAFT, [VS_QUALITY_GOOD] = VS_RENDER_GOOD, [VS_QUALITY_FINAL] = VS_RENDER_FINAL };
@@ -81,6 +88,7 @@ static void set_options(vs_job *j) {
   if (e->width && !e->height) e->height = (e->width * 3 + 2) / 4;
   if (e->height && !e->width) e->width = (e->height * 4 + 1) / 3;
   e->quality = qualities[o->quality];
+  e->tone = vs_session_tone(&o->development);
   e->view = o->view;
   vs_scene *scene = &j->scene;
   if (o->tolerance > 0) scene->tolerance = o->tolerance;

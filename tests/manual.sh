@@ -24,7 +24,7 @@ if command -v povray > /dev/null; then
   PAGES="$work/steps" KINDS=none STEPS=last QUALITY=draft SIZE=80x60 sh scripts/manual.sh "$BUILD" > "$work/said" 2>&1 || { echo "not ok manual/tutorial:pictures"; sed 's/^/    /' "$work/said"; }
   steps=$(grep -c '^## ' manual/tutorial.md)
   for picture in "$work"/steps/tutorial-*.png; do
-    "$BUILD/tools/pngstat" "$picture" | awk -v name="$(basename "$picture" .png)" '{ if ($3 > 10 && $4 > 8) print "ok manual/" name; else print "not ok manual/" name ": the picture shows nothing: " $0 }'
+    "$BUILD/tools/pngstat" "$picture" | awk -v name="$(basename "$picture" .png)" '{ if ($3 > 5 && $4 > 8) print "ok manual/" name; else print "not ok manual/" name ": the picture shows nothing: " $0 }'
   done
   [ "$(ls "$work"/steps/tutorial-*.png | wc -l)" = "$steps" ] || echo "not ok manual/tutorial:pictures: not one for each of $steps steps"
 else echo "skip manual/tutorial:pictures: no povray"

@@ -19,7 +19,5 @@ vs_emit_fn vs_povray_line, vs_povray_region, vs_povray_box, vs_povray_sphere, vs
 /* The worker. */
 bool vs_povray_render_png(vs_emitter *e, const char *scene, const char *output);
 bool vs_povray_render_exr(vs_emitter *e, const char *scene, const char *output);
-/* Copies a picture, PNG or EXR, to an open-able file without its date. */
-bool vs_povray_take_picture(vs_emitter *e, const char *from, const char *to);
 
 #endif

@@ -1,8 +1,11 @@
 /* Owns what becomes of POV-Ray's picture before it is handed on: it is copied without what differs from one run to the next.
  *
- * POV-Ray writes the date, its version and the platform into every picture. In a PNG they are the chunks tIME and tEXt, which are left out. In an
- * EXR they are attributes of the header; the table behind it holds where in the file each block of lines begins, so these numbers go down by as
- * much as the header becomes shorter. All else is copied byte by byte. */
+ * POV-Ray always renders an EXR, linear light in half floats. It writes the date, its version and the platform into
+ * attributes of the header, which are left out; the table behind it holds where in the file each block of lines begins, so
+ * these numbers go down by as much as the header becomes shorter. All else is copied byte by byte. A PNG is made of the
+ * light here (geometry/pictures/tone.c): POV-Ray would cut off what is brighter than white. */
+#include "backends/povray/povray_picture.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -11,7 +14,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "backends/povray/povray.h"
+#include "geometry/files/exr_read.h"
+#include "geometry/files/png_write.h"
 
 typedef struct { unsigned char *at; size_t count; } picture_bytes;
 
@@ -59,17 +63,6 @@ static uint64_t picture_little(const unsigned char *at, int bytes) {
   return x;
 }
 
-static void picture_plain_png(picture_bytes *p) {
-  size_t at = 8;
-  while (p->count - at >= 12) {
-    const unsigned char *c = p->at + at;
-    size_t whole = 12 + ((size_t)c[0] << 24 | (size_t)c[1] << 16 | (size_t)c[2] << 8 | c[3]);
-    if (whole > p->count - at) return;
-    if (memcmp(c + 4, "tIME", 4) == 0 || memcmp(c + 4, "tEXt", 4) == 0) picture_cut(p, at, whole);
-    else at += whole;
-  }
-}
-
 /* An attribute is its name, its type, both ending in a zero, the count of its bytes in four, and the bytes. Returns its size; 0: there is none, or it is cut off. */
 static size_t picture_attribute(const unsigned char *at, size_t left) {
   const unsigned char *name = memchr(at, 0, left);
@@ -99,12 +92,33 @@ static void picture_plain_exr(picture_bytes *p) {
 }
 
 bool vs_povray_take_picture(vs_emitter *e, const char *from, const char *to) {
-  static const unsigned char png[] = { 0x89, 'P', 'N', 'G' }, exr[] = { 0x76, 0x2F, 0x31, 0x01 };
+  static const unsigned char exr[] = { 0x76, 0x2F, 0x31, 0x01 };
   picture_bytes p = { NULL, 0 };
   bool ok = picture_read(e, from, &p);
-  if (ok && p.count > 8 && memcmp(p.at, png, sizeof png) == 0) picture_plain_png(&p);
   if (ok && p.count > 8 && memcmp(p.at, exr, sizeof exr) == 0) picture_plain_exr(&p);
   ok = ok && picture_write(e, to, &p);
   free(p.at);
+  return ok;
+}
+
+bool vs_povray_develop_picture(vs_emitter *e, const char *from, const char *to) {
+  static const char *const wanted[] = { "R", "G", "B", NULL };
+  vs_store *store = e->scene->store;
+  picture_bytes p = { NULL, 0 };
+  vs_exr x = { .store = store };
+  bool ok = picture_read(e, from, &p) && vs_exr_read(store, "POV-Ray's picture", p.at, p.count, wanted, &x, e->error);
+  free(p.at);
+  vs_light light = { vs_exr_find(&x, "R"), vs_exr_find(&x, "G"), vs_exr_find(&x, "B"), (size_t)x.columns * x.rows };
+  if (ok && (!light.red || !light.green || !light.blue))
+    ok = vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray's picture has no colours");
+  unsigned char *rgb = ok ? vs_store_realloc(store, NULL, 0, light.count * 3) : NULL, *png = NULL;
+  size_t size = 0, room = 0;
+  if (ok && !rgb) ok = vs_emit_no_memory(e);
+  if (ok) vs_tone_apply(&light, &e->options->tone, rgb);
+  ok = ok && vs_png_write(store, rgb, x.columns, x.rows, &png, &size, &room, e->error);
+  if (rgb) vs_store_realloc(store, rgb, light.count * 3, 0);
+  vs_exr_free(&x);
+  ok = ok && picture_write(e, to, &(picture_bytes){ png, size });
+  if (png) vs_store_realloc(store, png, room, 0);
   return ok;
 }

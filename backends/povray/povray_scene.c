@@ -130,14 +130,21 @@ static void pov_camera(vs_emitter *e, const vs_look *l) {
   vs_puts(w, "\n}\n");
 }
 
-/* As strong as leaves a white wall in the sun, with the sky's light, just below the white of a screen. */
+/* Pictures that we make get light as it is out of doors, where the sun is several times the sky, and a tone curve after
+ * it. POV-Ray's own pictures of a .pov cut off what is brighter than white: there the sun leaves a white wall, with the
+ * sky's light, just below that. A picture round the scene is as bright as it is, and the sun goes by that. */
+static bool pov_is_developed(const vs_emitter *e) { return e->backend->render != NULL; }
+static double pov_sky_strength(const vs_emitter *e) { return pov_is_developed(e) && e->scene->sky_image == NULL ? 1.6 : 1; }
+static double pov_sun_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2 * pov_sky_strength(e) : 1.25; }
+
 static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   vs_writer *w = e->out;
   vs_vec3 sun = vs_look_sun(e->scene, l), middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5 * e->unit);
   double far = 20 * diagonal;
   vs_puts(w, "light_source {\n");
   pov_vector(w, "  ", vs_v3_add(middle, vs_v3_scale(sun, far)));
-  vs_puts(w, "\n  color rgb <1, 0.94, 0.84> * 1.25\n  parallel\n");
+  vs_puts(w, pov_is_developed(e) ? "\n  color rgb <1, 0.95, 0.87>" : "\n  color rgb <1, 0.94, 0.84>");
+  pov_word(w, " * ", pov_sun_strength(e), "\n  parallel\n");
   pov_vector(w, "  point_at ", middle);
   if (e->options->quality == VS_RENDER_FINAL) { /* a soft edge costs several times all the rest */
     /* orient turns it to what it lights; only lengths count, and POV-Ray wants them equal to 1e-10, which digits of turned vectors are not */
@@ -148,10 +155,12 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   vs_puts(w, "\n}\n");
   if (e->options->quality == VS_RENDER_DRAFT) { /* no radiosity: a second, shadowless light from the other side fills */
     pov_vector(w, "light_source { ", vs_v3_add(middle, vs_v3(-sun.x * far, -sun.y * far, sun.z * far)));
-    vs_puts(w, " color rgb <0.4, 0.44, 0.5> shadowless parallel ");
+    vs_puts(w, " color rgb <0.4, 0.44, 0.5>");
+    if (pov_is_developed(e)) pov_word(w, " * ", pov_sky_strength(e), "");
+    vs_puts(w, " shadowless parallel ");
     pov_vector(w, "point_at ", middle);
     pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3_scale(l->forward, far)));
-    vs_puts(w, " color rgb 0.22 shadowless parallel ");
+    pov_word(w, " color rgb ", 0.22 * pov_sky_strength(e), " shadowless parallel ");
     pov_vector(w, "point_at ", middle);
     vs_puts(w, " }\n");
   }
@@ -184,6 +193,13 @@ static pov_air pov_air_of(const vs_scene *s) {
   return a;
 }
 
+/* A screen's colour as light of a strength: what srgb means in a scene, IEC 61966-2-1. */
+static vs_vec3 pov_light_of(vs_vec3 c, double strength) {
+  double x[] = { c.x, c.y, c.z };
+  for (int i = 0; i < 3; i++) x[i] = strength * (x[i] <= 0.04045 ? x[i] / 12.92 : pow((x[i] + 0.055) / 1.055, 2.4));
+  return vs_v3(x[0], x[1], x[2]);
+}
+
 /* Seen from the middle: below the horizon a pale studio floor, at it haze, above it blue (or the model's colour). */
 static void pov_sky(vs_emitter *e) {
   vs_writer *w = e->out;
@@ -192,11 +208,18 @@ static void pov_sky(vs_emitter *e) {
     return;
   }
   pov_air air = pov_air_of(e->scene);
-  vs_puts(w, "sky_sphere {\n  pigment {\n    gradient z\n    color_map {\n"
-             "      [0.00 color srgb <0.78, 0.78, 0.77>]\n      [0.36 color srgb <0.9, 0.9, 0.89>]\n");
-  vs_puts(w, "      [0.50 color srgb ");
-  vs_put_triple(w, "<", air.haze, ", ", ">]\n      [0.80 color srgb ");
-  vs_put_triple(w, "<", air.zenith, ", ", ">]\n    }\n    scale 2 translate -z\n  }\n}\n");
+  double above = pov_sky_strength(e), floor = pov_is_developed(e) ? 2.8 : 1; /* the floor lies in the sun */
+  const struct { double at, strength; vs_vec3 color; } bands[] = {
+      { 0, floor, vs_v3(0.78, 0.78, 0.77) }, { 0.36, floor, vs_v3(0.9, 0.9, 0.89) },
+      { 0.5, above, air.haze }, { 0.8, above, air.zenith } };
+  vs_puts(w, "sky_sphere {\n  pigment {\n    gradient z\n    color_map {\n");
+  for (size_t i = 0; i < sizeof bands / sizeof *bands; i++) {
+    vs_putf(w, "      [%.2f color ", bands[i].at);
+    vs_puts(w, pov_is_developed(e) ? "rgb " : "srgb ");
+    vs_put_triple(w, "<", pov_is_developed(e) ? pov_light_of(bands[i].color, bands[i].strength) : bands[i].color, ", ",
+                  ">]\n");
+  }
+  vs_puts(w, "    }\n    scale 2 translate -z\n  }\n}\n");
 }
 
 /* A second layer of the ground: haze of the sky's colour, so that no line parts the two. Its share grows from nothing at
@@ -217,7 +240,7 @@ static void pov_ground_haze(vs_emitter *e, const vs_look *l, double diagonal, do
   }
   pov_word(w, "    } scale ", far * fmax(diagonal, vs_v3_length(vs_v3_sub(l->eye, middle))), "");
   pov_vector(w, " translate ", vs_v3(middle.x, middle.y, z));
-  vs_puts(w, " }\n    finish { ambient 0 diffuse 0 emission 1 }\n  }\n");
+  pov_word(w, " }\n    finish { ambient 0 diffuse 0 emission ", pov_sky_strength(e), " }\n  }\n");
 }
 
 /* A plane without end. A picture as the sky has a horizon of its own: no haze is laid over the ground. */

@@ -21,6 +21,7 @@
 #include <unistd.h>
 
 #include "backends/povray/povray.h"
+#include "backends/povray/povray_picture.h"
 
 enum { POV_TEXT_ROOM = 1 << 16, POV_PATH_ROOM = 4096 };
 
@@ -128,17 +129,16 @@ static void run_quote(char *out, size_t room, const char *option, const char *na
   snprintf(out, room, "%s%c%s%c", option, quote, name, quote);
 }
 
-static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene, char format) {
+static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene) {
   int pipe_ends[2];
   if (pipe(pipe_ends) != 0) return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "cannot talk to POV-Ray: no pipe");
   int width = e->options->width > 0 ? e->options->width : 1024, height = e->options->height > 0 ? e->options->height : 768;
-  char wide[24], high[24], kind[8], in[POV_PATH_ROOM + 8], out[POV_PATH_ROOM + 8];
+  char wide[24], high[24], in[POV_PATH_ROOM + 8], out[POV_PATH_ROOM + 8];
   char home[POV_PATH_ROOM], ini[POV_PATH_ROOM + 8], path[POV_PATH_ROOM];
   snprintf(wide, sizeof wide, "+W%d", width);
   snprintf(high, sizeof high, "+H%d", height);
   run_quote(in, sizeof in, "+I", scene);
   run_quote(out, sizeof out, "+O", r->picture);
-  snprintf(kind, sizeof kind, format == 'N' ? "+FN8" : "+FE");
   snprintf(home, sizeof home, "HOME=%s", r->folder);
   snprintf(ini, sizeof ini, "POVINI=%s", r->ini);
   const char *where = getenv("PATH");
@@ -146,7 +146,7 @@ static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene, char format)
   char *smooth[] = { "+A0.15", "+AM2", "+R2" };
   if (e->options->quality == VS_RENDER_DRAFT) smooth[0] = "-A", smooth[1] = smooth[2] = NULL;
   else if (e->options->quality == VS_RENDER_FINAL) smooth[0] = "+A0.05", smooth[2] = "+R3";
-  char *arguments[] = { "povray", in,    wide,  high,      out,       kind,      "-D",
+  char *arguments[] = { "povray", in,    wide,  high,      out,       "+FE",     "-D",
                         "-GD",    "-GR", "-GS", smooth[0], smooth[1], smooth[2], NULL };
   char *environment[] = { home, ini, path, "LC_ALL=C", NULL };
   posix_spawn_file_actions_t files;
@@ -244,13 +244,13 @@ static bool run_was_starved(const pov_run *r, int status) {
   return !done && strstr(r->text, "Timed out waiting for worker thread startup");
 }
 
-static bool run_prepare(vs_emitter *e, pov_run *r, const char *scene, char format) {
+static bool run_prepare(vs_emitter *e, pov_run *r, const char *scene) {
   const char *slash = strrchr(scene, '/');
   size_t length = slash != NULL ? (size_t)(slash - scene) : 0;
   if (length == 0 || length >= sizeof r->folder) return vs_error_set(e->error, VS_ERROR_FILE, NULL, "the temporary folder's name is too long");
   memcpy(r->folder, scene, length);
   r->folder[length] = '\0';
-  snprintf(r->picture, sizeof r->picture, "%s/picture.%s", r->folder, format == 'N' ? "png" : "exr");
+  snprintf(r->picture, sizeof r->picture, "%s/picture.exr", r->folder);
   snprintf(r->ini, sizeof r->ini, "%s/povray.ini", r->folder);
   snprintf(r->state, sizeof r->state, "%s/picture.pov-state", r->folder);
   static const char words[] = "Library_Path=\"/usr/share/povray-3.7/include\"\n";
@@ -260,24 +260,24 @@ static bool run_prepare(vs_emitter *e, pov_run *r, const char *scene, char forma
   return ok || vs_error_set(e->error, VS_ERROR_FILE, NULL, "cannot write %s: %s", r->ini, errno == ENOSPC ? "the disk is full" : strerror(errno));
 }
 
-static bool run_render(vs_emitter *e, const char *scene, const char *output, char format) {
+static bool run_render(vs_emitter *e, const char *scene, const char *output, bool develop) {
   pov_run *r = calloc(1, sizeof *r);
   if (r == NULL) return vs_emit_no_memory(e);
   enum { STARTS = 5 };
   int status = 0, starts = 0;
-  bool ok = run_prepare(e, r, scene, format), again = ok;
+  bool ok = run_prepare(e, r, scene), again = ok;
   while (again) {
     r->used = r->piece_used = 0;
     r->text[0] = 0;
     r->in_piece = false;
-    ok = run_spawn(e, r, scene, format);
+    ok = run_spawn(e, r, scene);
     if (!ok) break;
     ok = run_listen(e, r, &status);
     close(r->errors);
     again = ok && ++starts < STARTS && run_was_starved(r, status);
     if (!again) ok = ok && run_judge(e, r, status);
   }
-  ok = ok && vs_povray_take_picture(e, r->picture, output);
+  if (ok) ok = develop ? vs_povray_develop_picture(e, r->picture, output) : vs_povray_take_picture(e, r->picture, output);
   unlink(r->picture);
   unlink(r->ini);
   unlink(r->state);
@@ -285,5 +285,5 @@ static bool run_render(vs_emitter *e, const char *scene, const char *output, cha
   return ok;
 }
 
-bool vs_povray_render_png(vs_emitter *e, const char *scene, const char *output) { return run_render(e, scene, output, 'N'); }
-bool vs_povray_render_exr(vs_emitter *e, const char *scene, const char *output) { return run_render(e, scene, output, 'E'); }
+bool vs_povray_render_png(vs_emitter *e, const char *scene, const char *output) { return run_render(e, scene, output, true); }
+bool vs_povray_render_exr(vs_emitter *e, const char *scene, const char *output) { return run_render(e, scene, output, false); }

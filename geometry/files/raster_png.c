@@ -24,6 +24,9 @@ static const vs_dynamic_name png_names[] = {
   { "png_image_free", offsetof(png_functions, free) },
 };
 
+static const char *const png_files[] = { "libpng16.so.16", "libpng16.so", NULL };
+const vs_dynamic_library vs_png_library = { png_files, "libpng16-16", "PNG pictures" };
+
 static uint32_t png_number(const unsigned char *b) { return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | (uint32_t)b[3]; }
 
 /* Copies signature and critical chunks (capital first letter). Returns the size; 0: it is cut off or does not begin with its header. */
@@ -45,10 +48,8 @@ static size_t png_bare(const unsigned char *bytes, size_t size, unsigned char *t
 }
 
 bool vs_raster_png(vs_raster *r, const char *name, const unsigned char *bytes, size_t size, vs_error *e) {
-  static const char *const files[] = { "libpng16.so.16", "libpng16.so", NULL };
-  static const vs_dynamic_library library = { files, "libpng16-16", "reading PNG pictures" };
   png_functions call;
-  if (!vs_dynamic_load(&library, png_names, sizeof png_names / sizeof *png_names, &call, e)) return false;
+  if (!vs_dynamic_load(&vs_png_library, png_names, sizeof png_names / sizeof *png_names, &call, e)) return false;
   unsigned char *bare = vs_store_realloc(r->store, NULL, 0, size);
   if (!bare) return vs_error_memory(e, NULL);
   size_t kept = png_bare(bytes, size, bare), line = 0;

@@ -1,7 +1,7 @@
-/* Owns what tests ask of pictures: `pngstat FILE` prints `WIDTH HEIGHT COLOURS EDGES INK STEP`: how many different colours it has (of 15 bits); how
+/* Owns what tests ask of pictures: `pngstat FILE` prints `WIDTH HEIGHT COLOURS EDGES INK STEP CLIPPED`: how many different colours it has (of 15 bits); how
  * many of 1000 pixels differ plainly from their left neighbour: flat or smooth pictures have no edges, models do; how many pixels are dark, a pixel
  * that is partly covered counted in part; and by how many of 255 a row differs at most from the one above, on average over the row: a line across the
- * whole picture is such a step. `pngstat FILE OTHER` prints how many of 1000 pixels differ plainly between the two. */
+ * whole picture is such a step; and how many of 1000 pixels are cut off, red, green or blue being 255. `pngstat FILE OTHER` prints how many of 1000 pixels differ plainly between the two. */
 #include <math.h>
 #include <png.h>
 #include <stdbool.h>
@@ -38,7 +38,7 @@ int main(int argc, char **argv) {
   png_image image, other = {.version = PNG_IMAGE_VERSION};
   if (argc < 2 || argc > 3) return fprintf(stderr, "pngstat: one or two files, please\n"), 1;
   unsigned char *pixels = load(argv[1], &image), *beside = argc > 2 ? load(argv[2], &other) : NULL;
-  size_t count = (size_t)image.width * image.height, colours = 0, edges = 0;
+  size_t count = (size_t)image.width * image.height, colours = 0, edges = 0, clipped = 0;
   bool ok = pixels && (argc == 2 || (beside && other.width == image.width && other.height == image.height));
   double ink = 0;
   static unsigned char seen[1 << 15];
@@ -47,6 +47,7 @@ int main(int argc, char **argv) {
     unsigned key = (unsigned)(p[0] >> 3) << 10 | (unsigned)(p[1] >> 3) << 5 | p[2] >> 3;
     colours += !seen[key];
     seen[key] = 1;
+    clipped += p[0] == 255 || p[1] == 255 || p[2] == 255;
     int lightest = p[0] > p[1] ? p[0] : p[1];
     if (p[2] > lightest) lightest = p[2];
     ink += lightest > 190 ? 0 : 1 - pow(lightest / 190., 2.2); /* as much of the pixel as is covered by black, in linear light */
@@ -54,8 +55,8 @@ int main(int argc, char **argv) {
     else if (i % image.width) edges += (size_t)apart(p, p - 3);
   }
   if (ok && beside) printf("%zu\n", edges * 1000 / count);
-  else if (ok) printf("%u %u %zu %zu %.0f %.1f\n", image.width, image.height, colours, edges * 1000 / count, ink,
-                      largest_step(pixels, image.width, image.height));
+  else if (ok) printf("%u %u %zu %zu %.0f %.1f %.1f\n", image.width, image.height, colours, edges * 1000 / count, ink,
+                      largest_step(pixels, image.width, image.height), 1000. * (double)clipped / (double)count);
   free(pixels);
   free(beside);
   return !ok;

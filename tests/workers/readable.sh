@@ -1,5 +1,5 @@
 # Owns the test that what is thin can be read in a picture: curves, edges, flat text and open surfaces without a material come out dark, curves at least
-# 1.5 pixels wide and not much wider, at 400 x 300, in drafts and final pictures. Dark pixels are counted and held to lengths and areas.
+# 1.35 pixels wide and not much wider, at 400 x 300, in drafts and final pictures. Dark pixels are counted and held to lengths and areas.
 . tests/report.sh
 
 wanted readable || exit 0
@@ -42,7 +42,7 @@ while read -r name least most; do
     result "readable:$name, $quality" "$work/why"
   done
 done <<'EOF'
-curves 1.5 2.6
+curves 1.35 2.6
 depth 1.5 2.6
 flat 0.6 1.1
 painted 0 0

@@ -1,0 +1,164 @@
+/* Owns EXR pictures in memory, and writing them by OpenEXR's C library: scan lines, ZIP in blocks of 16. */
+#include <openexr.h>
+#include <string.h>
+
+#include "geometry/files/exr.h"
+
+static const char *const exr_files[] = { "libOpenEXRCore-3_1.so.30", "libOpenEXRCore-3_2.so.31", "libOpenEXRCore.so",
+    NULL };
+const vs_dynamic_library vs_exr_library = { exr_files, "libopenexr-3-1-30", "EXR pictures" };
+
+/* ---- in memory ---- */
+
+static size_t exr_plane_bytes(const vs_exr *x) { return (size_t)x->columns * x->rows * sizeof(float); }
+
+void vs_exr_free(vs_exr *x) {
+  for (size_t i = 0; i < x->count; i++) vs_store_realloc(x->store, x->channels[i].at, exr_plane_bytes(x), 0);
+  if (x->sources) vs_store_realloc(x->store, x->sources, x->sources_room, 0);
+  *x = (vs_exr){ .store = x->store };
+}
+
+float *vs_exr_find(const vs_exr *x, const char *channel) {
+  for (size_t i = 0; i < x->count; i++)
+    if (!strcmp(x->channels[i].name, channel)) return x->channels[i].at;
+  return NULL;
+}
+
+float *vs_exr_add(vs_exr *x, const char *channel, vs_exr_type type, vs_error *e) {
+  if (x->count == VS_EXR_CHANNELS) {
+    vs_error_set(e, VS_ERROR_MODEL, NULL, "an EXR picture has up to %d channels here", VS_EXR_CHANNELS);
+    return NULL;
+  }
+  float *at = vs_store_realloc(x->store, NULL, 0, exr_plane_bytes(x));
+  if (!at) {
+    vs_error_memory(e, NULL);
+    return NULL;
+  }
+  memset(at, 0, exr_plane_bytes(x));
+  vs_exr_channel *c = &x->channels[x->count++];
+  *c = (vs_exr_channel){ .type = type, .at = at };
+  size_t length = strlen(channel);
+  memcpy(c->name, channel, length < VS_EXR_NAME ? length : VS_EXR_NAME - 1);
+  return at;
+}
+
+/* ---- writing ---- */
+
+/* EXR(member, symbol, result, parameters): what we use of it */
+#define EXR_START (exr_context_t *, const char *, exr_default_write_mode_t, const exr_context_initializer_t *)
+#define EXR_PIPELINE (exr_const_context_t, int, exr_encode_pipeline_t *)
+#define EXR_CHUNK (exr_const_context_t, int, const exr_chunk_info_t *, exr_encode_pipeline_t *)
+#define EXR_CHANNEL (exr_context_t, int, const char *, exr_pixel_type_t, exr_perceptual_treatment_t, int32_t, int32_t)
+#define EXR_FUNCTIONS                                                                                                  \
+  EXR(start, exr_start_write, exr_result_t, EXR_START)                                                                 \
+  EXR(finish, exr_finish, exr_result_t, (exr_context_t *))                                                             \
+  EXR(part, exr_add_part, exr_result_t, (exr_context_t, const char *, exr_storage_t, int *))                           \
+  EXR(required, exr_initialize_required_attr_simple, exr_result_t,                                                     \
+      (exr_context_t, int, int32_t, int32_t, exr_compression_t))                                                       \
+  EXR(channel, exr_add_channel, int, EXR_CHANNEL)                                                                      \
+  EXR(text, exr_attr_set_string, exr_result_t, (exr_context_t, int, const char *, const char *))                       \
+  EXR(header, exr_write_header, exr_result_t, (exr_context_t))                                                         \
+  EXR(lines, exr_get_scanlines_per_chunk, exr_result_t, (exr_const_context_t, int, int32_t *))                         \
+  EXR(chunk, exr_write_scanline_chunk_info, exr_result_t, (exr_context_t, int, int, exr_chunk_info_t *))               \
+  EXR(begin, exr_encoding_initialize, exr_result_t, EXR_CHUNK)                                                         \
+  EXR(update, exr_encoding_update, exr_result_t, EXR_CHUNK)                                                            \
+  EXR(choose, exr_encoding_choose_default_routines, exr_result_t, EXR_PIPELINE)                                        \
+  EXR(run, exr_encoding_run, exr_result_t, EXR_PIPELINE)                                                               \
+  EXR(end, exr_encoding_destroy, exr_result_t, (exr_const_context_t, exr_encode_pipeline_t *))                         \
+  EXR(words, exr_get_error_code_as_string, const char *, (exr_result_t))
+
+typedef struct {
+#define EXR(member, symbol, result, parameters) result (*member) parameters;
+  EXR_FUNCTIONS
+#undef EXR
+} exr_functions;
+
+static const vs_dynamic_name exr_names[] = {
+#define EXR(member, symbol, result, parameters) { #symbol, offsetof(exr_functions, member) },
+  EXR_FUNCTIONS
+#undef EXR
+};
+
+typedef struct { vs_store *store; unsigned char *at; size_t size, room; bool full; } exr_file;
+
+/* Puts bytes at their place in the file, which grows by halves. */
+static int64_t exr_put(exr_const_context_t c, void *to, const void *bytes, uint64_t count, uint64_t from,
+                       exr_stream_error_func_ptr_t error) {
+  (void)c, (void)error;
+  exr_file *f = to;
+  uint64_t end = from + count;
+  if (end > f->room) {
+    size_t room = (size_t)end + f->room / 2 + 4096;
+    unsigned char *more = vs_store_realloc(f->store, f->at, f->room, room);
+    if (!more) return f->full = true, -1;
+    memset(more + f->room, 0, room - f->room);
+    f->at = more, f->room = room;
+  }
+  memcpy(f->at + from, bytes, count);
+  if (end > f->size) f->size = (size_t)end;
+  return (int64_t)count;
+}
+static void exr_quiet(exr_const_context_t c, exr_result_t code, const char *message) { (void)c, (void)code,
+    (void)message; }
+
+static exr_result_t exr_put_header(const exr_functions *call, exr_context_t c, const vs_exr *x) {
+  static const exr_pixel_type_t types[] = {
+      [VS_EXR_HALF] = EXR_PIXEL_HALF, [VS_EXR_FLOAT] = EXR_PIXEL_FLOAT, [VS_EXR_WHOLE] = EXR_PIXEL_UINT };
+  int part = 0;
+  exr_result_t result = call->part(c, "picture", EXR_STORAGE_SCANLINE, &part);
+  if (result == EXR_ERR_SUCCESS)
+    result = call->required(c, 0, (int32_t)x->columns, (int32_t)x->rows, EXR_COMPRESSION_ZIP);
+  for (size_t i = 0; result == EXR_ERR_SUCCESS && i < x->count; i++)
+    result = call->channel(c, 0, x->channels[i].name, types[x->channels[i].type], EXR_PERCEPTUALLY_LINEAR, 1, 1);
+  if (result == EXR_ERR_SUCCESS && x->sources) result = call->text(c, 0, VS_EXR_SOURCES, x->sources);
+  return result == EXR_ERR_SUCCESS ? call->header(c) : result;
+}
+
+static exr_result_t exr_put_lines(const exr_functions *call, exr_context_t c, const vs_exr *x) {
+  exr_encode_pipeline_t encoder = EXR_ENCODE_PIPELINE_INITIALIZER;
+  int32_t high = 0;
+  bool begun = false;
+  exr_result_t result = call->lines(c, 0, &high);
+  for (uint32_t y = 0; result == EXR_ERR_SUCCESS && high > 0 && y < x->rows; y += (uint32_t)high) {
+    exr_chunk_info_t chunk;
+    result = call->chunk(c, 0, (int)y, &chunk);
+    if (result == EXR_ERR_SUCCESS)
+      result = begun ? call->update(c, 0, &chunk, &encoder) : call->begin(c, 0, &chunk, &encoder);
+    for (int k = 0; result == EXR_ERR_SUCCESS && k < encoder.channel_count; k++) {
+      exr_coding_channel_info_t *info = &encoder.channels[k];
+      const float *plane = vs_exr_find(x, info->channel_name);
+      info->encode_from_ptr = (const uint8_t *)(plane + (size_t)y * x->columns);
+      info->user_pixel_stride = sizeof(float), info->user_line_stride = (int32_t)(x->columns * sizeof(float));
+      info->user_data_type = EXR_PIXEL_FLOAT, info->user_bytes_per_element = sizeof(float);
+    }
+    if (!begun && result == EXR_ERR_SUCCESS) begun = true, result = call->choose(c, 0, &encoder);
+    if (result == EXR_ERR_SUCCESS) result = call->run(c, 0, &encoder);
+  }
+  if (begun) call->end(c, &encoder);
+  return result;
+}
+
+bool vs_exr_write(const vs_exr *x, unsigned char **bytes, size_t *size, size_t *room, vs_error *e) {
+  exr_functions call;
+  if (!vs_dynamic_load(&vs_exr_library, exr_names, sizeof exr_names / sizeof *exr_names, &call, e)) return false;
+  exr_file f = { .store = x->store };
+  exr_context_initializer_t how = EXR_DEFAULT_CONTEXT_INITIALIZER;
+  how.error_handler_fn = exr_quiet;
+  how.user_data = &f;
+  how.write_fn = exr_put;
+  exr_context_t c = NULL;
+  exr_result_t result = call.start(&c, "picture", EXR_WRITE_FILE_DIRECTLY, &how);
+  if (result == EXR_ERR_SUCCESS) result = exr_put_header(&call, c, x);
+  if (result == EXR_ERR_SUCCESS) result = exr_put_lines(&call, c, x);
+  if (c) { /* the table of chunks is written last */
+    exr_result_t last = call.finish(&c);
+    if (result == EXR_ERR_SUCCESS) result = last;
+  }
+  if (result == EXR_ERR_SUCCESS) {
+    *bytes = f.at, *size = f.size, *room = f.room;
+    return true;
+  }
+  vs_store_realloc(f.store, f.at, f.room, 0);
+  if (f.full || result == EXR_ERR_OUT_OF_MEMORY) return vs_error_memory(e, NULL);
+  return vs_error_set(e, VS_ERROR_MODEL, NULL, "the EXR picture cannot be written: %s", call.words(result));
+}

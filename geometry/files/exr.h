@@ -1,0 +1,36 @@
+/* Owns EXR pictures as planes of numbers, one for each channel, and writing them by OpenEXR's C library. */
+#ifndef VS_GEOMETRY_EXR_H
+#define VS_GEOMETRY_EXR_H
+
+#include "geometry/dynamic.h"
+#include "geometry/files/raster.h"
+
+enum { VS_EXR_CHANNELS = 64, /* that are read of one picture */
+       VS_EXR_NAME = 64 /* bytes of a name, its NUL counted */ };
+#define VS_EXR_SOURCES "visualscheme.sources" /* the attribute with the places in the model, a line each */
+
+extern const vs_dynamic_library vs_exr_library;
+
+typedef enum {
+  VS_EXR_HALF, VS_EXR_FLOAT,
+  VS_EXR_WHOLE /* of 32 bits: exact here up to 2^24 */
+} vs_exr_type;
+
+typedef struct { char name[VS_EXR_NAME]; vs_exr_type type; float *at; /* row by row from the top */ } vs_exr_channel;
+typedef struct {
+  vs_store *store; /* whose memory it is */
+  uint32_t columns, rows;
+  vs_exr_channel channels[VS_EXR_CHANNELS];
+  size_t count;
+  char *sources; size_t sources_room; /* text of VS_EXR_SOURCES; NULL: there is none */
+} vs_exr;
+
+void vs_exr_free(vs_exr *x);
+/* A channel's numbers; NULL: the picture has no such channel. */
+float *vs_exr_find(const vs_exr *x, const char *channel);
+/* Adds a channel whose numbers are 0; columns and rows are set before. NULL: out of memory, or there are too many. */
+float *vs_exr_add(vs_exr *x, const char *channel, vs_exr_type type, vs_error *e);
+/* Makes a file of it: *bytes are the store's, *room what to give back. The same bytes for the same picture. */
+bool vs_exr_write(const vs_exr *x, unsigned char **bytes, size_t *size, size_t *room, vs_error *e);
+
+#endif

@@ -1,0 +1,306 @@
+/* Owns reading EXR pictures by OpenEXR's C library, loaded at the first one: scan lines or tiles of the first part.
+ *
+ * The library decompresses; taking the numbers out of a chunk is done here. Its own routines for that suppose that
+ * every channel is wanted, and write through a null pointer where a picture has one more (an alpha channel) than is
+ * asked for. A chunk holds its lines from the top; each line holds the channels in alphabetical order, one number beside
+ * the other, low byte first. */
+#include "geometry/files/exr_read.h"
+
+#include <math.h>
+#include <openexr.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* EXR(member, symbol, result, parameters): what we use of it */
+#define EXR_PIPELINE (exr_const_context_t, int, exr_decode_pipeline_t *)
+#define EXR_CHUNK (exr_const_context_t, int, const exr_chunk_info_t *, exr_decode_pipeline_t *)
+#define EXR_TILES (exr_const_context_t, int, uint32_t *, uint32_t *, exr_tile_level_mode_t *, exr_tile_round_mode_t *)
+#define EXR_FUNCTIONS                                                                                                  \
+  EXR(start, exr_start_read, exr_result_t, (exr_context_t *, const char *, const exr_context_initializer_t *))         \
+  EXR(finish, exr_finish, exr_result_t, (exr_context_t *))                                                             \
+  EXR(storage, exr_get_storage, exr_result_t, (exr_const_context_t, int, exr_storage_t *))                             \
+  EXR(window, exr_get_data_window, exr_result_t, (exr_const_context_t, int, exr_attr_box2i_t *))                       \
+  EXR(channels, exr_get_channels, exr_result_t, (exr_const_context_t, int, const exr_attr_chlist_t **))                \
+  EXR(lines, exr_get_scanlines_per_chunk, exr_result_t, (exr_const_context_t, int, int32_t *))                         \
+  EXR(chunk, exr_read_scanline_chunk_info, exr_result_t, (exr_const_context_t, int, int, exr_chunk_info_t *))          \
+  EXR(begin, exr_decoding_initialize, exr_result_t, EXR_CHUNK)                                                         \
+  EXR(update, exr_decoding_update, exr_result_t, EXR_CHUNK)                                                            \
+  EXR(tiles, exr_get_tile_descriptor, exr_result_t, EXR_TILES)                                                         \
+  EXR(tile, exr_read_tile_chunk_info, exr_result_t,                                                                    \
+      (exr_const_context_t, int, int, int, int, int, exr_chunk_info_t *))                                              \
+  EXR(choose, exr_decoding_choose_default_routines, exr_result_t, EXR_PIPELINE)                                        \
+  EXR(run, exr_decoding_run, exr_result_t, EXR_PIPELINE)                                                               \
+  EXR(end, exr_decoding_destroy, exr_result_t, (exr_const_context_t, exr_decode_pipeline_t *))                         \
+  EXR(text, exr_attr_get_string, exr_result_t, (exr_const_context_t, int, const char *, int32_t *, const char **))     \
+  EXR(words, exr_get_error_code_as_string, const char *, (exr_result_t))
+
+typedef struct {
+#define EXR(member, symbol, result, parameters) result (*member) parameters;
+  EXR_FUNCTIONS
+#undef EXR
+} exr_functions;
+
+static const vs_dynamic_name exr_names[] = {
+#define EXR(member, symbol, result, parameters) { #symbol, offsetof(exr_functions, member) },
+  EXR_FUNCTIONS
+#undef EXR
+};
+
+typedef struct { const unsigned char *bytes; size_t size; } exr_memory;
+
+static int64_t exr_take(exr_const_context_t c, void *memory, void *to, uint64_t count, uint64_t from,
+                        exr_stream_error_func_ptr_t error) {
+  (void)c, (void)error;
+  const exr_memory *m = memory;
+  if (from >= m->size) return 0;
+  if (count > m->size - from) count = m->size - from;
+  memcpy(to, m->bytes + from, count);
+  return (int64_t)count;
+}
+static int64_t exr_size(exr_const_context_t c, void *memory) {
+  (void)c;
+  return (int64_t)((exr_memory *)memory)->size;
+}
+/* The results say it too. */
+static void exr_quiet(exr_const_context_t c, exr_result_t code, const char *message) { (void)c, (void)code,
+    (void)message; }
+
+/* ---- numbers ---- */
+
+static double exr_half(unsigned bits) {
+  unsigned exponent = bits >> 10 & 31, fraction = bits & 1023;
+  double value = exponent == 31 ? (fraction ? (double)NAN : (double)INFINITY)
+      : exponent ? ldexp(1024 + fraction, (int)exponent - 25) : ldexp(fraction, -24);
+  return bits & 0x8000 ? -value : value;
+}
+
+static double exr_number(const unsigned char *at, uint16_t type) {
+  if (type == EXR_PIXEL_HALF) return exr_half((unsigned)at[0] | (unsigned)at[1] << 8);
+  uint32_t bits = (uint32_t)at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
+  float real;
+  if (type == EXR_PIXEL_UINT) return bits;
+  memcpy(&real, &bits, sizeof real);
+  return (double)real;
+}
+
+/* ---- chunks ---- */
+
+/* Where a chunk lies in the picture, in pixels from its upper left corner; what reaches past the picture is left out.
+ * */
+typedef struct { int64_t x, y, columns, rows; } exr_place;
+
+typedef struct {
+  vs_store *store;
+  exr_functions call;
+  exr_context_t c;
+  exr_attr_box2i_t box;
+  const exr_attr_chlist_t *all;
+  bool tiled;
+  int64_t wide, high;       /* of a chunk */
+  int64_t columns, rows;    /* of the picture */
+  vs_exr_target targets[VS_EXR_CHANNELS];
+  size_t count;
+} exr_reader;
+
+/* Takes a line of a channel; first: where it begins in the picture. */
+static exr_result_t exr_take_line(const exr_coding_channel_info_t *info, const unsigned char *at,
+                                  const vs_exr_target *t, size_t first, int64_t columns) {
+  if (info->x_samples != 1 || info->y_samples != 1) return EXR_ERR_FEATURE_NOT_IMPLEMENTED;
+  if (info->bytes_per_element < (info->data_type == EXR_PIXEL_HALF ? 2 : 4) || info->width < columns)
+    return EXR_ERR_CORRUPT_CHUNK;
+  for (int64_t x = 0; x < columns; x++) {
+    double value = exr_number(at + x * info->bytes_per_element, info->data_type);
+    if (t->sum) t->sum[first + (size_t)x] += t->share * value;
+    else t->plane[first + (size_t)x] = (float)value;
+  }
+  return EXR_ERR_SUCCESS;
+}
+
+/* Puts a chunk's numbers in their place. top: the y of its first line in the file's own coordinates, which sub-sampling
+ * goes by. */
+static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, exr_place place, int64_t top) {
+  const unsigned char *at = d->unpacked_buffer ? d->unpacked_buffer : d->packed_buffer;
+  uint64_t left = at ? d->chunk.unpacked_size : 0;
+  for (int64_t line = 0; line < place.rows; line++)
+    for (int c = 0; c < d->channel_count; c++) {
+      const exr_coding_channel_info_t *info = &d->channels[c];
+      if (info->x_samples < 1 || info->y_samples < 1 || info->width < 0 || info->bytes_per_element < 1)
+        return EXR_ERR_CORRUPT_CHUNK;
+      if ((top + line) % info->y_samples != 0) continue; /* this line has none of it */
+      uint64_t bytes = (uint64_t)info->width * (uint64_t)info->bytes_per_element;
+      if (bytes > left) return EXR_ERR_CORRUPT_CHUNK;
+      for (size_t k = 0; k < r->count; k++) {
+        if (strcmp(info->channel_name, r->targets[k].name) != 0) continue;
+        size_t first = (size_t)(place.y + line) * (size_t)r->columns + (size_t)place.x;
+        exr_result_t result = exr_take_line(info, at, &r->targets[k], first, place.columns);
+        if (result != EXR_ERR_SUCCESS) return result;
+      }
+      at += bytes;
+      left -= bytes;
+    }
+  return EXR_ERR_SUCCESS;
+}
+
+/* The chunks of scan lines are as wide as the picture and so many lines high; tiles have a size of their own. Asks
+ * whether to go on after each. */
+static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
+  const exr_functions *call = &r->call;
+  exr_context_t c = r->c;
+  exr_decode_pipeline_t decoder = EXR_DECODE_PIPELINE_INITIALIZER;
+  exr_result_t result = EXR_ERR_SUCCESS;
+  bool begun = false;
+  int64_t wide = r->wide, high = r->high;
+  for (int64_t y = 0; result == EXR_ERR_SUCCESS && y < r->rows; y += high)
+    for (int64_t x = 0; result == EXR_ERR_SUCCESS && x < r->columns; x += wide) {
+      exr_chunk_info_t chunk;
+      exr_place place = { x, y, wide < r->columns - x ? wide : r->columns - x, high < r->rows - y ? high
+          : r->rows - y };
+      uint64_t work = (uint64_t)(place.columns * place.rows) * 8;
+      if (!vs_store_going(r->store, work < UINT32_MAX ? (uint32_t)work : UINT32_MAX, e)) break;
+      result = r->tiled ? call->tile(c, 0, (int)(x / wide), (int)(y / high), 0, 0, &chunk)
+                        : call->chunk(c, 0, (int)(r->box.min.y + y), &chunk);
+      bool bare = result == EXR_ERR_SUCCESS && chunk.compression == EXR_COMPRESSION_NONE;
+      if (bare && chunk.packed_size != chunk.unpacked_size) result = EXR_ERR_CORRUPT_CHUNK;
+      if (result == EXR_ERR_SUCCESS)
+        result = begun ? call->update(c, 0, &chunk, &decoder) : call->begin(c, 0, &chunk, &decoder);
+      if (!begun && result == EXR_ERR_SUCCESS) {
+        begun = true;
+        result = call->choose(c, 0, &decoder); /* how to read and to decompress: no channel has a place to go */
+        decoder.unpack_and_convert_fn = NULL;
+      }
+      if (result == EXR_ERR_SUCCESS) result = call->run(c, 0, &decoder);
+      if (result == EXR_ERR_SUCCESS) result = exr_unpack(r, &decoder, place, r->box.min.y + y);
+    }
+  if (begun) call->end(c, &decoder);
+  return result;
+}
+
+/* The size of the picture and of its chunks. False: the error says why, or *result does. */
+static bool exr_measure(exr_reader *r, const char *name, size_t size, exr_result_t *result, vs_error *e) {
+  exr_storage_t storage;
+  uint32_t tile_wide = 0, tile_high = 0;
+  int32_t per_chunk = 0;
+  *result = r->call.storage(r->c, 0, &storage);
+  if (*result != EXR_ERR_SUCCESS) return false;
+  if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture is a deep one: those are not read", name);
+  *result = r->call.window(r->c, 0, &r->box);
+  if (*result == EXR_ERR_SUCCESS) *result = r->call.channels(r->c, 0, &r->all);
+  if (*result != EXR_ERR_SUCCESS) return false;
+  r->tiled = storage == EXR_STORAGE_TILED;
+  exr_tile_level_mode_t levels = 0;
+  exr_tile_round_mode_t rounds = 0;
+  *result = r->tiled ? r->call.tiles(r->c, 0, &tile_wide, &tile_high, &levels, &rounds)
+                     : r->call.lines(r->c, 0, &per_chunk);
+  if (*result != EXR_ERR_SUCCESS) return false;
+  bool tiles = tile_wide && tile_high && tile_wide <= INT32_MAX && tile_high <= INT32_MAX;
+  if (r->tiled ? !tiles : per_chunk < 1) {
+    *result = EXR_ERR_INVALID_ATTR;
+    return false;
+  }
+  r->columns = (int64_t)r->box.max.x - r->box.min.x + 1, r->rows = (int64_t)r->box.max.y - r->box.min.y + 1;
+  r->wide = r->tiled ? (int64_t)tile_wide : r->columns, r->high = r->tiled ? (int64_t)tile_high : per_chunk;
+  /* every chunk has an entry of eight bytes in a table: a size that the file has no room for is a lie, and no memory is
+   * asked for it */
+  bool sized = r->columns > 0 && r->rows > 0 && r->rows <= VS_RASTER_MOST / r->columns;
+  if (sized && (uint64_t)((r->rows - 1) / r->high + 1) > size / 8)
+    return vs_error_set(e, VS_ERROR_MODEL, NULL,
+        "%.100s: the EXR file is too short for a picture of %lld x %lld pixels",
+                        name, (long long)r->columns, (long long)r->rows);
+  return true;
+}
+
+static bool exr_choose(exr_reader *r, vs_exr_choose *choose, void *context, vs_error *e) {
+  vs_exr_view view = { .columns = r->columns < 0 ? 0 : (uint64_t)r->columns, .rows = r->rows < 0 ? 0
+      : (uint64_t)r->rows };
+  for (int i = 0; i < r->all->num_channels && view.count < VS_EXR_CHANNELS; i++) {
+    const exr_attr_chlist_entry_t *entry = &r->all->entries[i];
+    vs_exr_type type = entry->pixel_type == EXR_PIXEL_HALF ? VS_EXR_HALF : entry->pixel_type == EXR_PIXEL_UINT
+        ? VS_EXR_WHOLE : VS_EXR_FLOAT;
+    view.channels[view.count++] = (vs_exr_seen){ entry->name.str, type };
+  }
+  view.more = r->all->num_channels > VS_EXR_CHANNELS;
+  const char *text = NULL;
+  int32_t length = 0;
+  if (r->call.text(r->c, 0, VS_EXR_SOURCES, &length, &text) == EXR_ERR_SUCCESS && length > 0)
+    view.sources = text, view.sources_length = (size_t)length;
+  return choose(context, &view, r->targets, &r->count, e);
+}
+
+bool vs_exr_decode(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_exr_choose *choose,
+                   void *context, vs_error *e) {
+  exr_reader r = { .store = store };
+  if (!vs_dynamic_load(&vs_exr_library, exr_names, sizeof exr_names / sizeof *exr_names, &r.call, e)) return false;
+  exr_memory memory = { bytes, size };
+  exr_context_initializer_t how = EXR_DEFAULT_CONTEXT_INITIALIZER;
+  how.error_handler_fn = exr_quiet;
+  how.user_data = &memory;
+  how.read_fn = exr_take;
+  how.size_fn = exr_size;
+  how.max_image_width = how.max_image_height = how.max_tile_width = how.max_tile_height = VS_RASTER_MOST;
+  bool ok = true;
+  exr_result_t result = r.call.start(&r.c, name, &how);
+  if (result == EXR_ERR_SUCCESS) {
+    ok = exr_measure(&r, name, size, &result, e) && exr_choose(&r, choose, context, e);
+    vs_error stopped = { VS_ERROR_NONE, NULL, "" };
+    if (ok) result = exr_decode(&r, &stopped);
+    if (stopped.kind != VS_ERROR_NONE) ok = vs_error_set(e, stopped.kind, NULL, "%s", stopped.message);
+  }
+  if (result == EXR_ERR_OUT_OF_MEMORY) ok = vs_error_memory(e, NULL);
+  else if (result == EXR_ERR_FEATURE_NOT_IMPLEMENTED)
+    ok = vs_error_set(e, VS_ERROR_MODEL, NULL,
+        "%.100s: the EXR picture is compressed, or its channels are sampled, in a "
+                      "way that is not read", name);
+  else if (result != EXR_ERR_SUCCESS)
+    ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture cannot be read: %s", name,
+        r.call.words(result));
+  if (r.c) r.call.finish(&r.c);
+  return ok;
+}
+
+/* ---- a picture with its channels ---- */
+
+typedef struct { vs_exr *out; const char *name; const char *const *wanted; } exr_load;
+
+static bool exr_is_wanted(const char *const *wanted, const char *name) {
+  bool found = wanted == NULL;
+  for (; !found && *wanted; wanted++) found = strcmp(*wanted, name) == 0;
+  return found;
+}
+
+static bool exr_choose_planes(void *context, const vs_exr_view *view, vs_exr_target *targets, size_t *used,
+    vs_error *e) {
+  exr_load *l = context;
+  if (!view->columns || !view->rows || view->columns > VS_RASTER_MOST / view->rows)
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the picture has %llu x %llu pixels; up to %d are read",
+        l->name,
+                        (unsigned long long)view->columns, (unsigned long long)view->rows, VS_RASTER_MOST);
+  if (view->more && !l->wanted)
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture has more than %d channels", l->name,
+                        VS_EXR_CHANNELS);
+  l->out->columns = (uint32_t)view->columns, l->out->rows = (uint32_t)view->rows;
+  for (size_t i = 0; i < view->count; i++) {
+    const char *name = view->channels[i].name;
+    if (!exr_is_wanted(l->wanted, name) || strlen(name) >= VS_EXR_NAME) continue;
+    float *plane = vs_exr_add(l->out, name, view->channels[i].type, e);
+    if (!plane) return false;
+    targets[(*used)++] = (vs_exr_target){ .name = l->out->channels[l->out->count - 1].name, .plane = plane };
+  }
+  if (!view->sources) return true;
+  l->out->sources = vs_store_realloc(l->out->store, NULL, 0, view->sources_length + 1);
+  if (!l->out->sources) return vs_error_memory(e, NULL);
+  memcpy(l->out->sources, view->sources, view->sources_length);
+  l->out->sources[view->sources_length] = 0;
+  l->out->sources_room = view->sources_length + 1;
+  return true;
+}
+
+bool vs_exr_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, const char *const *wanted,
+                 vs_exr *out, vs_error *e) {
+  *out = (vs_exr){ .store = store };
+  if (size < 4 || memcmp(bytes, "\x76\x2f\x31\x01", 4) != 0)
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: this is no EXR picture", name);
+  bool ok = vs_exr_decode(store, name, bytes, size, exr_choose_planes, &(exr_load){ out, name, wanted }, e);
+  if (!ok) vs_exr_free(out);
+  return ok;
+}

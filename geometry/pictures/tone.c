@@ -1,0 +1,137 @@
+/* Owns exposure and tone curves. Each formula is a published one; its source stands beside it. */
+#include "geometry/pictures/tone.h"
+
+#include <math.h>
+
+#include "geometry/files/raster.h"
+
+/* ---- exposure ---- */
+
+/* Luminance as powers of two, in bins of a sixteenth of a stop. */
+enum { BINS_A_STOP = 16, LEAST_STOP = -24, STOPS = 48, BINS = STOPS * BINS_A_STOP };
+
+static double luminance(const vs_light *l, size_t i) {
+  return vs_raster_share[0] * (double)l->red[i] + vs_raster_share[1] * (double)l->green[i] +
+         vs_raster_share[2] * (double)l->blue[i];
+}
+
+/* The bin below which a share of the count lies. */
+static double quantile(const size_t bins[BINS], double count) {
+  size_t sum = 0;
+  int i = 0;
+  while (i < BINS - 1 && (double)(sum += bins[i]) <= count) i++;
+  return LEAST_STOP + (i + 0.5) / BINS_A_STOP;
+}
+
+/* What a picture's bright end, but for a hundredth, is taken to: where the curve is still a little below white. */
+static const double bright_end[] = {
+    [VS_TONE_NEUTRAL] = 1.1, [VS_TONE_AGX] = 3.8, [VS_TONE_FILMIC] = 4, [VS_TONE_LINEAR] = 0.9 };
+
+double vs_tone_exposure(const vs_light *light, vs_tone_curve curve) {
+  size_t bins[BINS] = { 0 }, count = 0;
+  double sum = 0;
+  for (size_t i = 0; i < light->count; i++) {
+    double l = luminance(light, i);
+    if (!(l > 0) || !isfinite(l)) continue;
+    double stop = log2(l), bin = floor((stop - LEAST_STOP) * BINS_A_STOP);
+    bins[bin < 0 ? 0 : bin >= BINS ? BINS - 1 : (size_t)bin]++;
+    sum += stop;
+    count++;
+  }
+  if (!count) return 0;
+  /* Reinhard: a hundredth at either end counts as outliers; the key is .18 where the average lies in the middle of the
+   * range, four times as much where it lies at the bright end, a quarter at the dark end. */
+  double least = quantile(bins, 0.01 * (double)count), most = quantile(bins, 0.99 * (double)count);
+  double average = fmin(fmax(sum / (double)count, least), most), range = most - least;
+  double key = log2(0.18) + (range > 0 ? 2 * (2 * average - least - most) / range : 0);
+  /* His key alone would make a white building in the sun grey: where nothing is brighter, that is white. */
+  return fmax(key - average, log2(bright_end[curve]) - most);
+}
+
+/* ---- curves: linear light to linear light of a screen, 0 to 1 ---- */
+
+static double cut(double x) { return x > 0 ? (x < 1 ? x : 1) : 0; }
+
+static void linear(const double in[3], double out[3]) {
+  for (int k = 0; k < 3; k++) out[k] = cut(in[k]);
+}
+
+/* Khronos PBR Neutral Tone Mapper (2024), https://github.com/KhronosGroup/ToneMapping: what surfaces reflect keeps its
+ * colour, brighter light is drawn in below white and loses its colour. */
+static void neutral(const double in[3], double out[3]) {
+  const double start = 0.8 - 0.04, desaturation = 0.15;
+  double least = fmax(fmin(in[0], fmin(in[1], in[2])), 0);
+  double offset = least < 0.08 ? least - 6.25 * least * least : 0.04;
+  double peak = fmax(in[0], fmax(in[1], in[2])) - offset;
+  double d = 1 - start, drawn = peak < start ? peak : 1 - d * d / (peak + d - start);
+  double pale = peak < start ? 0 : 1 - 1 / (desaturation * (peak - drawn) + 1);
+  double gain = peak < start ? 1 : drawn / peak;
+  for (int k = 0; k < 3; k++) {
+    double x = (in[k] - offset) * gain;
+    out[k] = cut(x + pale * (drawn - x));
+  }
+}
+
+/* Hable, http://filmicworlds.com/blog/filmic-tonemapping-operators/: shoulder, linear strength and angle, toe. White is
+ * 11.2, and the curve is driven at twice the light. */
+static double hable(double x) {
+  const double a = 0.15, b = 0.50, c = 0.10, d = 0.20, e = 0.02, f = 0.30;
+  return (x * (a * x + c * b) + d * e) / (x * (a * x + b) + d * f) - e / f;
+}
+
+static void filmic(const double in[3], double out[3]) {
+  for (int k = 0; k < 3; k++) out[k] = cut(hable(2 * fmax(in[k], 0)) / hable(11.2));
+}
+
+/* The sigmoid of AgX over its 16.5 stops, as a polynomial:
+ * https://iolite-engine.com/blog_posts/minimal_agx_implementation */
+static double sigmoid(double x) {
+  double x2 = x * x, x4 = x2 * x2;
+  return 15.5 * x4 * x2 - 40.14 * x4 * x + 31.96 * x4 - 6.868 * x2 * x + 0.4298 * x2 + 0.1191 * x - 0.00232;
+}
+
+/* Colours are drawn together, each goes through the sigmoid, and they are drawn apart again: what is bright loses its
+ * colour as film does. The contrast is that of the same source's punchy look, its power of 1.35. */
+static void agx(const double in[3], double out[3]) {
+  static const double inset[3][3] = {
+      { 0.842479062253094, 0.0784335999999992, 0.0792237451477643 },
+      { 0.0423282422610123, 0.878468636469772, 0.0791661274605434 },
+      { 0.0423756549057051, 0.0784336, 0.879142973793104 } };
+  static const double outset[3][3] = {
+      { 1.19687900512017, -0.0980208811401368, -0.0990297440797205 },
+      { -0.0528968517574562, 1.15190312990417, -0.0989611768448433 },
+      { -0.0529716355144438, -0.0980434501171241, 1.15107367264116 } };
+  const double least = -12.47393, most = 4.026069;
+  double v[3];
+  for (int k = 0; k < 3; k++) {
+    double x = inset[k][0] * in[0] + inset[k][1] * in[1] + inset[k][2] * in[2];
+    double stop = fmin(fmax(log2(fmax(x, 1e-10)), least), most);
+    v[k] = pow(cut(sigmoid((stop - least) / (most - least))), 1.35);
+  }
+  for (int k = 0; k < 3; k++) {
+    double x = outset[k][0] * v[0] + outset[k][1] * v[1] + outset[k][2] * v[2];
+    out[k] = pow(cut(x), 2.2);
+  }
+}
+
+/* ---- a picture ---- */
+
+/* IEC 61966-2-1. */
+static unsigned char screen(double x) {
+  double s = x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055;
+  return (unsigned char)lround(255 * cut(s));
+}
+
+double vs_tone_apply(const vs_light *light, const vs_tone *tone, unsigned char *rgb) {
+  static void (*const curves[])(const double in[3], double out[3]) = {
+      [VS_TONE_NEUTRAL] = neutral, [VS_TONE_AGX] = agx, [VS_TONE_FILMIC] = filmic, [VS_TONE_LINEAR] = linear };
+  double stops = tone->stops + (tone->fixed ? 0 : vs_tone_exposure(light, tone->curve)), gain = exp2(stops);
+  for (size_t i = 0; i < light->count; i++) {
+    const float from[3] = { light->red[i], light->green[i], light->blue[i] };
+    double in[3], out[3];
+    for (int k = 0; k < 3; k++) in[k] = isnan(from[k]) ? 0 : fmin(fmax((double)from[k], 0), 1e6) * gain;
+    curves[tone->curve](in, out);
+    for (int k = 0; k < 3; k++) rgb[3 * i + (size_t)k] = screen(out[k]);
+  }
+  return stops;
+}
