@@ -166,6 +166,9 @@ enum {
 /* Both evaluate every top-level form in the one program of this interpreter, in order, and stop at the first error. Objects that top-level
  * expressions return are remembered: they are the model if the program never draws. */
 VS_API vs_outcome vs_eval_file(vs_scheme *s, const char *path, unsigned flags);
+/* The other language that a file of this name is in, in words, as its ending says; it runs like any. NULL: it is in
+ * this one. */
+VS_API const char *vs_language_of(const char *path);
 /* name: for diagnostics ("house.vs", "-e"); first_line: the number of the text's first line there. Relative loads start at name's folder. */
 VS_API vs_outcome vs_eval_text(vs_scheme *s, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags);
 

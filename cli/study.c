@@ -131,6 +131,12 @@ static vs_outcome document(study *s, const cli_options *o) {
 vs_outcome cli_study(const cli_options *o) {
   study s = {0};
   vs_options interpreter = o->interpreter;
+  const char *language = vs_language_of(o->sources[0].text);
+  if (language) {
+    fprintf(stderr, "vs: %s is in %s: it can be run, but only programs in Scheme are looked into\n",
+        o->sources[0].text, language);
+    return VS_OUTCOME_USAGE;
+  }
   interpreter.host = (vs_host){.context = &s, .diagnose = diagnose};
   vs_scheme *scheme = vs_new(&interpreter);
   if (!scheme) return fputs("vs: out of memory\n", stderr), VS_OUTCOME_MACHINE;

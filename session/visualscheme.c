@@ -386,6 +386,8 @@ vs_outcome vs_eval_file(vs_scheme *vm, const char *path, unsigned flags) {
   return outcome;
 }
 
+const char *vs_language_of(const char *path) { return vs_unit_language(path); }
+
 bool vs_exit_requested(const vs_scheme *vm, int *code) {
   const vs_session *s = vs_session_of(vm);
   if (s->exit_requested) *code = s->exit_code;

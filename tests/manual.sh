@@ -83,6 +83,20 @@ for page in manual/i-want-to.md manual/drawings.md manual/coming-from-[ago]*.md 
   [ -s "$work/calls" ] || echo "not ok manual/$name: has no example"
 done
 
+# The programs in GML: what a block says that it prints is what it prints. They go on from one another.
+awk -v work="$work" '
+  /^```gml$/ { inside = 1; next }
+  /^```$/    { inside = 0 }
+  inside     { print > (work "/blocks.gml"); n = split($0, part, "% => "); for (i = 2; i <= n; i++) { sub(/ *$/, "", part[i]); print part[i] > (work "/gml-wanted") } }' manual/gml.md
+"$BUILD/vs" --quiet "$work/blocks.gml" -o "$work/out.stl" > "$work/said" 2> "$work/errors"
+if diff "$work/gml-wanted" "$work/said" > "$work/diff" && [ ! -s "$work/errors" ]; then echo "ok manual/gml"
+else echo "not ok manual/gml"; sed 's/^/    /' "$work/diff" "$work/errors"; fi
+# Every operator is in the page.
+"$BUILD/vs" --quiet -e '(import (only (gml) gml:operators)) (for-each displayln (map symbol->string (gml:operators)))' | sort > "$work/names"
+grep -v '^```' manual/gml.md | grep -o '`[^`]*`' | tr -d '\140' | tr ' ' '\n' | sort -u > "$work/described"
+missing=$(comm -23 "$work/names" "$work/described" | tr '\n' ' ')
+if [ -s "$work/names" ] && [ -z "$missing" ]; then echo "ok manual/gml:operators"; else echo "not ok manual/gml:operators: missing $missing"; fi
+
 # The last block of a primitive's page is a program, and every kind of back-end takes it without a word, but for the one about bare curves.
 for page in manual/primitives/*.md; do
   name=${page#manual/}

@@ -676,8 +676,7 @@ static void finish(reader *r) {
   if (r->slots) vs_mem(r->vm, r->slots, 2 * r->room * sizeof *r->slots, 0);
 }
 
-/* Is it text at all? The place of the first byte that is none. */
-static bool check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line) {
+bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line) {
   size_t begin = 0;
   for (size_t i = 0; i < size;) {
     unsigned char c = (unsigned char)text[i];
@@ -761,7 +760,7 @@ static bool read_all(vs_scheme *vm, const char *text, size_t size, uint32_t file
 bool vs_read_all(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold,
                  vs_value *forms) {
   bool again;
-  if (!check_utf8(vm, text, size, file, line)) return false;
+  if (!vs_check_utf8(vm, text, size, file, line)) return false;
   return read_all(vm, text, size, file, line, fold, false, &again, forms) || (again && read_all(vm, text, size, file, line, fold, true, &again, forms));
 }
 

@@ -11,6 +11,9 @@
 /* The number of a source file in positions; the same name gives the same number. */
 bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *number);
 
+/* Is it text at all? An error tells the place of the first byte that is none. */
+bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line);
+
 /* All data of a text, in order, as one located list. A text with mistakes gives one condition of kind `read` for the first; its payload is a
    list of (place . message) of the others, in order. `line` is the number of the text's first line; fold: as
    after #!fold-case. */

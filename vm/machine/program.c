@@ -5,6 +5,7 @@
 #include "vm/front/expand.h"
 #include "vm/library/library.h"
 #include "vm/library/port.h"
+#include "vm/front/gml_reader.h"
 #include "vm/front/reader.h"
 #include "vm/machine/run.h"
 #include "vm/values/string_chars.h"
@@ -342,11 +343,37 @@ bool vs_unit_path(vs_scheme *vm, vs_value name, uint32_t from, vs_text *path) {
   return vs_unit_find(vm, name, from, 0, path, &found);
 }
 
+/* ---- languages beside this one ---- */
+typedef bool read_fn(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, vs_value *forms);
+typedef struct { const char *ending, *language; read_fn *read; } front_end;
+
+/* NULL: a file of this name is in this language. */
+static const front_end *front_end_of(const char *name) {
+  static const front_end all[] = {
+#define VS_FRONT_END(ending, language, read) { ending, language, read },
+#include "vm/front/front_ends.def"
+#undef VS_FRONT_END
+  };
+  size_t n = strlen(name);
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    size_t length = strlen(all[i].ending);
+    if (n > length && !strcmp(name + n - length, all[i].ending)) return &all[i];
+  }
+  return NULL;
+}
+
+const char *vs_unit_language(const char *name) {
+  const front_end *other = front_end_of(name);
+  return other ? other->language : NULL;
+}
+
 static bool read_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold,
                       vs_value *forms) {
   uint32_t file;
   vs_vm_phase was = enter_phase(vm, VS_VM_READ);
-  bool ok = vs_file_number(vm, name, strlen(name), &file) && vs_read_all(vm, text, size, file, line, fold, forms);
+  const front_end *other = front_end_of(name);
+  bool ok = vs_file_number(vm, name, strlen(name), &file) &&
+      (other ? other->read(vm, text, size, file, line, forms) : vs_read_all(vm, text, size, file, line, fold, forms));
   enter_phase(vm, was);
   return ok;
 }

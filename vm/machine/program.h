@@ -44,6 +44,9 @@ bool vs_unit_file_name(vs_scheme *vm, uint32_t file, vs_text *t);
 /* The forms of a file; fold: its letters are read as small ones (include-ci). */
 bool vs_unit_read(vs_scheme *vm, const char *path, bool fold, vs_value *forms);
 
+/* The other language that a file of this name is in (front_ends.def), in words; NULL: it is in this one. */
+const char *vs_unit_language(const char *name);
+
 /* What to say of a name that is not defined, appended to t: " (did you mean make-box?)", "; unite is the name here: (unite a b ...)". Nothing if
    nothing comes to mind. */
 bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t);

@@ -1,0 +1,399 @@
+/* Owns the reading of the Generative Modeling Language: tokens in, forms of this language out.
+
+   Plan. Each token becomes one form at the token's place, so that errors, limits and warnings tell of the token:
+
+     add          (gml:call 'add)
+     A.b.c   .b   (gml:path '(A b c))   (gml:member '(b))
+     12 "s" /n    (gml:push '12), in runs (gml:push-all '(12 "s" n))
+     (1,2,3)      (gml:push (gml:point 1 2 3))
+     !x   :x  ;x  (set! !x (gml:pop '!x))   (gml:register !x '!x)   (gml:value !x '!x)
+     { ... }      (gml:push (gml:procedure '#(tokens) (lambda () forms ... #t)))
+
+   A register is a variable of the nearest braces around it that say usereg, or else of the file. The last #t of a body
+   keeps the frame of the call before it, which an error at that call is told from. Braces are frames of an explicit
+   stack. */
+#include "vm/front/gml_reader.h"
+#include "vm/front/environment.h"
+#include "vm/front/reader.h"
+#include "vm/values/number.h"
+#include "vm/values/text.h"
+
+#include <stdio.h>
+
+/* What is being made between two braces: two lists with their last pairs, the literals not yet pushed, and the
+   registers. */
+enum { FORMS, FORMS_LAST, TOKENS, TOKENS_LAST, LITERALS, LITERALS_LAST, REGISTERS, SLOTS };
+
+typedef struct { vs_pos pos, literals; bool usereg; } frame;
+
+typedef struct {
+  vs_scheme *vm;
+  const char *text;
+  size_t size, at;
+  uint32_t file, line, col;
+  frame *frames;
+  size_t depth, room;
+  struct vs_roots roots;   /* SLOTS a frame */
+} reader;
+
+static vs_pos place(const reader *r) { return vs_pos_make(r->file, r->line, r->col); }
+static int peek(const reader *r, size_t ahead) {
+  return r->at + ahead < r->size ? (unsigned char)r->text[r->at + ahead] : -1;
+}
+static vs_value *slot(reader *r, int which) { return &r->roots.slots[(r->depth - 1) * SLOTS + (size_t)which]; }
+
+static bool refuse(reader *r, vs_pos pos, const char *message) {
+  return vs_fail_at(r->vm, r->vm->sym.read, pos, VS_NIL, "%s", message);
+}
+
+static void advance(reader *r, size_t bytes) {
+  for (; bytes--; r->at++) {
+    if (r->text[r->at] == '\n' || (r->text[r->at] == '\r' && peek(r, 1) != '\n')) r->line++, r->col = 1;
+    else r->col += ((unsigned char)r->text[r->at] & 0xC0) != 0x80;
+  }
+}
+
+static void skip(reader *r) {
+  for (;;) {
+    int c = peek(r, 0);
+    if (c == '%') while (r->at < r->size && peek(r, 0) != '\n' && peek(r, 0) != '\r') advance(r, 1);
+    else if (c >= 0 && c <= ' ') advance(r, 1);
+    else return;
+  }
+}
+
+static bool ends_name(int c) { return c <= ' ' || strchr("()[]{}/;:!.,\"%", c); }
+
+static size_t name_length(const reader *r, size_t from) {
+  size_t n = 0;
+  while (!ends_name(peek(r, from + n))) n++;
+  return n;
+}
+
+/* ---- lists under construction ---- */
+
+static bool append(reader *r, int list, vs_value v, vs_pos pos) {
+  VS_ROOTS(r->vm, p, 1);
+  if (!vs_cons_at(r->vm, v, VS_NIL, pos, &p[0])) return false;
+  vs_value *head = slot(r, list);
+  if (head[0] == VS_NIL) head[0] = p[0];
+  else vs_gc_store(r->vm, vs_as_pair(head[1]), &vs_as_pair(head[1])->cdr, p[0]);
+  head[1] = p[0];
+  return true;
+}
+
+/* (word a), (word a b) where b is not VS_ABSENT; a and b are rooted by the caller */
+static bool form(reader *r, const char *word, const vs_value *a, const vs_value *b, vs_pos pos, vs_value *out) {
+  VS_ROOTS(r->vm, p, 2);
+  p[0] = VS_NIL;
+  return (!b || vs_cons_at(r->vm, *b, VS_NIL, pos, &p[0])) && (!a || vs_cons_at(r->vm, *a, p[0], pos, &p[0])) &&
+         vs_intern_c(r->vm, word, &p[1]) && vs_cons_at(r->vm, p[1], p[0], pos, out);
+}
+
+static bool quoted(reader *r, const vs_value *v, vs_pos pos, vs_value *out) {
+  return form(r, "quote", v, NULL, pos, out);
+}
+
+static bool emit(reader *r, const char *word, const vs_value *a, const vs_value *b, vs_pos pos) {
+  VS_ROOTS(r->vm, p, 1);
+  return form(r, word, a, b, pos, &p[0]) && append(r, FORMS, p[0], pos);
+}
+
+static bool flush(reader *r) {
+  vs_value *literals = slot(r, LITERALS);
+  if (*literals == VS_NIL) return true;
+  VS_ROOTS(r->vm, p, 1);
+  vs_pos pos = r->frames[r->depth - 1].literals;
+  bool one = vs_cdr(*literals) == VS_NIL;
+  p[0] = one ? vs_car(*literals) : *literals;
+  if (!quoted(r, &p[0], pos, &p[0]) || !emit(r, one ? "gml:push" : "gml:push-all", &p[0], NULL, pos)) return false;
+  *slot(r, LITERALS) = *slot(r, LITERALS_LAST) = VS_NIL;
+  return true;
+}
+
+static bool literal(reader *r, const vs_value *v, vs_pos pos) {
+  if (*slot(r, LITERALS) == VS_NIL) r->frames[r->depth - 1].literals = pos;
+  return append(r, LITERALS, *v, pos) && append(r, TOKENS, *v, pos);
+}
+
+/* A token that does something: its form, and (word argument) among the tokens that a program may look at. */
+static bool active(reader *r, const char *word, const vs_value *argument, const char *token, vs_pos pos) {
+  VS_ROOTS(r->vm, p, 2);
+  return flush(r) && quoted(r, argument, pos, &p[0]) && emit(r, word, &p[0], NULL, pos) &&
+         form(r, token, argument, NULL, pos, &p[1]) && append(r, TOKENS, p[1], pos);
+}
+
+/* ---- registers ---- */
+
+static bool know_register(reader *r, vs_value name) { return vs_idtable_put(r->vm, slot(r, REGISTERS), name, VS_TRUE); }
+
+static bool read_register(reader *r, int mark, vs_pos pos) {
+  VS_ROOTS(r->vm, p, 3);
+  size_t n = name_length(r, 1);
+  if (!n) return refuse(r, pos, mark == '!' ? "a register is set by !name" : "a register is read by :name");
+  vs_text t;
+  vs_text_open(r->vm, &t, 0);
+  bool ok = vs_text_puts(&t, "!") && vs_text_put(&t, r->text + r->at + 1, n) && vs_intern(r->vm, t.at, t.count, &p[0]);
+  vs_text_close(&t);
+  if (!ok || !flush(r) || !know_register(r, p[0]) || !quoted(r, &p[0], pos, &p[1])) return false;
+  advance(r, n + 1);
+  if (mark == '!') ok = form(r, "gml:pop", &p[1], NULL, pos, &p[2]) && emit(r, "set!", &p[0], &p[2], pos);
+  else ok = emit(r, mark == ':' ? "gml:register" : "gml:value", &p[0], &p[1], pos);
+  return ok && form(r, mark == '!' ? "set-register" : mark == ':' ? "register" : "value", &p[0], NULL, pos, &p[2]) &&
+         append(r, TOKENS, p[2], pos);
+}
+
+/* ---- braces ---- */
+
+static bool open_frame(reader *r, vs_pos pos) {
+  if (r->depth == r->room) {
+    size_t room = r->room ? 2 * r->room : 16;
+    frame *frames = vs_mem(r->vm, r->frames, r->room * sizeof *frames, room * sizeof *frames);
+    if (!frames) return false;
+    r->frames = frames;
+    vs_value *slots = vs_mem(r->vm, r->roots.slots, r->room * SLOTS * sizeof *slots, room * SLOTS * sizeof *slots);
+    if (!slots) { /* the two stay in step */
+      r->frames = vs_mem(r->vm, frames, room * sizeof *frames, r->room * sizeof *frames);
+      return false;
+    }
+    r->roots.slots = slots;
+    r->room = room;
+  }
+  r->frames[r->depth++] = (frame){ .pos = pos };
+  for (int i = 0; i < SLOTS; i++) *slot(r, i) = VS_NIL;
+  r->roots.count = r->depth * SLOTS;
+  return vs_idtable_new(r->vm, slot(r, REGISTERS));
+}
+
+/* ((!x gml:unset) ...), or (define !x gml:unset) forms, of the frame's registers, before `rest` */
+static bool declare(reader *r, bool top, vs_pos pos, vs_value rest, vs_value *out) {
+  VS_ROOTS(r->vm, p, 4);
+  p[0] = rest;
+  vs_value key, value;
+  if (!vs_intern_c(r->vm, "gml:unset", &p[1])) return false;
+  for (size_t i = 0; vs_idtable_slot(*slot(r, REGISTERS), i, &key, &value); i++) {
+    if (key == VS_VACANT || value != VS_TRUE) continue;
+    p[2] = key;
+    bool ok = top ? form(r, "define", &p[2], &p[1], pos, &p[3])
+                  : vs_cons_at(r->vm, p[1], VS_NIL, pos, &p[3]) && vs_cons_at(r->vm, p[2], p[3], pos, &p[3]);
+    if (!ok || !vs_cons_at(r->vm, p[3], p[0], pos, &p[0])) return false;
+  }
+  *out = p[0];
+  return true;
+}
+
+/* The registers of braces without usereg are those of the braces around them. */
+static bool pass_registers(reader *r) {
+  vs_value key, value;
+  VS_ROOTS(r->vm, p, 1);
+  p[0] = *slot(r, REGISTERS);
+  for (size_t i = 0; vs_idtable_slot(p[0], i, &key, &value); i++) {
+    if (key == VS_VACANT || value != VS_TRUE) continue;
+    if (!vs_idtable_put(r->vm, slot(r, REGISTERS) - SLOTS, key, VS_TRUE)) return false;
+  }
+  return true;
+}
+
+static bool close_frame(reader *r) {
+  vs_scheme *vm = r->vm;
+  VS_ROOTS(vm, p, 5);
+  const frame f = r->frames[r->depth - 1];
+  vs_pos pos = f.pos;
+  if (!flush(r) || !append(r, FORMS, VS_TRUE, pos)) return false;
+  p[0] = *slot(r, FORMS);
+  p[4] = VS_NIL;
+  if (f.usereg) {
+    if (!declare(r, false, pos, VS_NIL, &p[4])) return false;
+    if (p[4] != VS_NIL && (!vs_intern_c(vm, "let", &p[1]) || !vs_cons_at(vm, p[4], p[0], pos, &p[0]) ||
+        !vs_cons_at(vm, p[1], p[0], pos, &p[0]) || !vs_cons_at(vm, p[0], VS_NIL, pos, &p[0]))) return false;
+  } else if (!pass_registers(r)) return false;
+  p[4] = VS_NIL;
+  if (!vs_intern_c(vm, "lambda", &p[1]) || !vs_cons_at(vm, p[4], p[0], pos, &p[0]) ||
+      !vs_cons_at(vm, p[1], p[0], pos, &p[0])) return false;
+  size_t count = 0;
+  for (vs_value v = *slot(r, TOKENS); vs_is_pair(v); v = vs_cdr(v)) count++;
+  if (!vs_make_vector(vm, count, VS_FALSE, &p[1])) return false;
+  size_t i = 0;
+  for (vs_value v = *slot(r, TOKENS); vs_is_pair(v); v = vs_cdr(v), i++)
+    vs_gc_store(vm, vs_as_vector(p[1]), &vs_as_vector(p[1])->at[i], vs_car(v));
+  vs_object_of(p[1])->flags |= VS_F_IMMUTABLE;
+  r->roots.count = --r->depth * SLOTS;
+  return quoted(r, &p[1], pos, &p[2]) && form(r, "gml:procedure", &p[2], &p[0], pos, &p[3]) &&
+         emit(r, "gml:push", &p[3], NULL, pos) && form(r, "procedure", &p[1], NULL, pos, &p[2]) &&
+         append(r, TOKENS, p[2], pos);
+}
+
+/* ---- tokens ---- */
+
+/* Bytes of a number at the reader's place, 0: there is none. What goes on as a name is none: 2nd. */
+static size_t number_length(const reader *r, size_t from) {
+  size_t n = from;
+  if (peek(r, n) == '-' || peek(r, n) == '+') n++;
+  size_t digits = 0;
+  while (peek(r, n) >= '0' && peek(r, n) <= '9') n++, digits++;
+  if (peek(r, n) == '.' && (digits || (peek(r, n + 1) >= '0' && peek(r, n + 1) <= '9'))) {
+    n++;
+    while (peek(r, n) >= '0' && peek(r, n) <= '9') n++, digits++;
+  }
+  if (!digits) return 0;
+  if (peek(r, n) == 'e' || peek(r, n) == 'E') {
+    size_t e = n + 1;
+    if (peek(r, e) == '-' || peek(r, e) == '+') e++;
+    if (peek(r, e) >= '0' && peek(r, e) <= '9') {
+      while (peek(r, e) >= '0' && peek(r, e) <= '9') e++;
+      n = e;
+    }
+  }
+  return ends_name(peek(r, n)) ? n - from : 0;
+}
+
+static bool read_number(reader *r, size_t n, vs_pos pos, vs_value *out) {
+  size_t plus = peek(r, 0) == '+';
+  if (!vs_number_parse(r->vm, r->text + r->at + plus, n - plus, 10, out)) return false;
+  if (!vs_is_number(*out)) return refuse(r, pos, "this is no number that can be worked with");
+  advance(r, n);
+  return true;
+}
+
+static bool read_vector(reader *r, vs_pos pos) {
+  VS_ROOTS(r->vm, p, 5);
+  static const char message[] = "a vector is written (x,y) or (x,y,z), of numbers";
+  int count = 0;
+  advance(r, 1);
+  for (;;) {
+    skip(r);
+    size_t n = number_length(r, 0);
+    if (!n || count == 3) return refuse(r, pos, message);
+    if (!read_number(r, n, place(r), &p[count++])) return false;
+    skip(r);
+    int c = peek(r, 0);
+    if (c != ',' && c != ')') return refuse(r, pos, message);
+    advance(r, 1);
+    if (c == ')') break;
+  }
+  if (count < 2) return refuse(r, pos, message);
+  p[3] = VS_NIL;
+  for (int i = count; i--;) if (!vs_cons_at(r->vm, p[i], p[3], pos, &p[3])) return false;
+  const char *word = count == 3 ? "gml:point" : "gml:vector2";
+  if (!flush(r) || !vs_intern_c(r->vm, word, &p[4]) || !vs_cons_at(r->vm, p[4], p[3], pos, &p[4]) ||
+      !emit(r, "gml:push", &p[4], NULL, pos)) return false;
+  return vs_intern_c(r->vm, "vector", &p[4]) && vs_cons_at(r->vm, p[4], p[3], pos, &p[4]) &&
+         append(r, TOKENS, p[4], pos);
+}
+
+static bool read_string(reader *r, vs_pos pos) {
+  VS_ROOTS(r->vm, p, 1);
+  vs_text t;
+  vs_text_open(r->vm, &t, 0);
+  advance(r, 1);
+  bool ok = true;
+  while (ok && peek(r, 0) >= 0 && peek(r, 0) != '"') {
+    bool escaped = peek(r, 0) == '\\' && (peek(r, 1) == '"' || peek(r, 1) == '\\' || peek(r, 1) == 'n');
+    char c = r->text[r->at + escaped];
+    if (escaped && c == 'n') c = '\n';
+    advance(r, escaped ? 2 : 1);
+    ok = vs_text_put(&t, &c, 1);
+  }
+  if (ok && peek(r, 0) < 0) ok = refuse(r, pos, "this string is never closed: a \" is missing");
+  if (ok) advance(r, 1);
+  ok = ok && vs_string_from_utf8(r->vm, t.at ? t.at : "", t.count, &p[0]);
+  vs_text_close(&t);
+  if (ok) vs_object_of(p[0])->flags |= VS_F_IMMUTABLE;
+  return ok && literal(r, &p[0], pos);
+}
+
+/* A name, or names with dots between; `from`: behind a mark of one byte. */
+static bool read_names(reader *r, size_t *count, vs_value *list) {
+  VS_ROOTS(r->vm, p, 2);
+  p[0] = VS_NIL;
+  for (*count = 0;; (*count)++) {
+    size_t n = name_length(r, 0);
+    if (!n) return refuse(r, place(r), "a name is missing here");
+    if (!vs_intern(r->vm, r->text + r->at, n, &p[1]) || !vs_cons(r->vm, p[1], p[0], &p[0])) return false;
+    advance(r, n);
+    if (peek(r, 0) != '.') break;
+    advance(r, 1);
+  }
+  ++*count;
+  *list = VS_NIL;
+  for (; vs_is_pair(p[0]); p[0] = vs_cdr(p[0])) if (!vs_cons(r->vm, vs_car(p[0]), *list, list)) return false;
+  return true;
+}
+
+static bool read_name(reader *r, vs_pos pos) {
+  VS_ROOTS(r->vm, p, 1);
+  size_t count;
+  bool member = peek(r, 0) == '.';
+  if (member) advance(r, 1);
+  if (!read_names(r, &count, &p[0])) return false;
+  if (member) return active(r, "gml:member", &p[0], "member", pos);
+  if (count > 1) return active(r, "gml:path", &p[0], "path", pos);
+  p[0] = vs_car(p[0]);
+  if (!strcmp(vs_as_symbol(p[0])->name, "usereg")) {
+    r->frames[r->depth - 1].usereg = true;
+    return true;
+  }
+  return active(r, "gml:call", &p[0], "call", pos);
+}
+
+static bool read_literal_name(reader *r, vs_pos pos) {
+  VS_ROOTS(r->vm, p, 1);
+  size_t n = name_length(r, 1);
+  if (!n) return refuse(r, pos, "a name is missing behind this /");
+  if (!vs_intern(r->vm, r->text + r->at + 1, n, &p[0])) return false;
+  advance(r, n + 1);
+  return literal(r, &p[0], pos);
+}
+
+static bool read_token(reader *r) {
+  vs_pos pos = place(r);
+  int c = peek(r, 0);
+  VS_ROOTS(r->vm, p, 1);
+  size_t n = number_length(r, 0);
+  if (n) return read_number(r, n, pos, &p[0]) && literal(r, &p[0], pos);
+  switch (c) {
+  case '(': return read_vector(r, pos);
+  case '"': return read_string(r, pos);
+  case '/': return read_literal_name(r, pos);
+  case '!': case ':': case ';': return read_register(r, c, pos);
+  case '{': advance(r, 1); return flush(r) && open_frame(r, pos);
+  case '}':
+    if (r->depth == 1) return refuse(r, pos, "this } closes nothing");
+    advance(r, 1);
+    return close_frame(r);
+  case '[': case ']':
+    advance(r, 1);
+    return vs_intern_c(r->vm, c == '[' ? "[" : "]", &p[0]) && active(r, "gml:call", &p[0], "call", pos);
+  case ')': case ',': return refuse(r, pos, "a vector is written (x,y) or (x,y,z), of numbers");
+  default: return read_name(r, pos);
+  }
+}
+
+/* (import (only (scheme base) define lambda let quote set!) (gml)) before `rest` */
+static bool import(reader *r, vs_value rest, vs_value *out) {
+  vs_scheme *vm = r->vm;
+  static const char text[] = "(import (only (scheme base) define lambda let quote set!) (gml))";
+  VS_ROOTS(vm, p, 2);
+  p[1] = rest;
+  return vs_read_datum(vm, text, sizeof text - 1, &p[0], NULL) &&
+         vs_cons_at(vm, p[0], p[1], vs_pos_make(r->file, 1, 1), out);
+}
+
+bool vs_gml_read(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, vs_value *forms) {
+  reader r = { .vm = vm, .text = text, .size = size, .file = file, .line = line, .col = 1, .roots = { .vm = vm } };
+  if (!vs_check_utf8(vm, text, size, file, line)) return false;
+  vs_gc_link(&r.roots);
+  bool ok = open_frame(&r, vs_pos_make(file, line, 1));
+  if (ok && size >= 3 && !memcmp(text, "\xEF\xBB\xBF", 3)) r.at = 3;
+  while (ok && (skip(&r), r.at < size)) ok = read_token(&r);
+  if (ok && r.depth > 1) ok = refuse(&r, r.frames[r.depth - 1].pos, "this { is never closed");
+  vs_value out = VS_NIL;
+  ok = ok && flush(&r) && emit(&r, "gml:finish", NULL, NULL, place(&r)) &&
+       declare(&r, true, place(&r), *slot(&r, FORMS), &out) && import(&r, out, &out);
+  if (r.frames) vs_mem(vm, r.frames, r.room * sizeof *r.frames, 0);
+  vs_value *slots = r.roots.slots;
+  vs_gc_unlink(&r.roots);
+  if (slots) vs_mem(vm, slots, r.room * SLOTS * sizeof *slots, 0);
+  if (ok) *forms = out;
+  return ok;
+}
