@@ -160,6 +160,52 @@ printf '%s\n' '(+ 1 2)' '(draw (make-box origin 1 1 1))' ',show 12x4' ',help mak
 check "a pipe" "car: expected a pair"
 if grep -q "$(printf '\033')" "$work/screen"; then echo "not ok prompt:a pipe gets escape sequences"; else echo "ok prompt:a pipe gets no escape sequences"; fi
 
+# What a terminal shows in the end, which escapes alone do not tell: parentheses that are shown for a moment leave nothing behind, nor does an entry of
+# several lines that is ended from its first.
+if command -v tmux > /dev/null; then
+  pane() { tmux -S "$work/tmux" "$@"; }
+  keys() { for key in "$@"; do pane send-keys -t vs -l -- "$key"; sleep 0.4; pane send-keys -t vs Enter; sleep 0.2; done; }
+  shows() { # name; the screen on standard input
+    cat > "$work/wanted"
+    for try in 1 2 3 4 5 6 7 8; do
+      pane capture-pane -p -t vs | sed '/^$/d' > "$work/screen"
+      cmp -s "$work/wanted" "$work/screen" && { echo "ok prompt:$1"; return; }
+      sleep 0.5
+    done
+    echo "not ok prompt:$1: the screen differs"; diff "$work/wanted" "$work/screen" | sed 's/^/    /'
+  }
+  rm -rf "$work/state"
+  TMUX= pane -f /dev/null new-session -d -s vs -x 60 -y 24 "$BUILD/vs; sleep 60"
+  for try in 1 2 3 4 5 6 7 8 9 10; do pane capture-pane -p -t vs | grep -q '^>' && break; sleep 0.5; done
+  keys '(define (square x)' '(* x x))' '(list (square 2) 3)'
+  shows "closed parentheses leave nothing" <<'END'
+VisualScheme 0.1.0. ,help lists commands, ,quit ends.
+> (define (square x)
+1 open, from line 1> (* x x))
+> (list (square 2) 3)
+$1 = (4 3)
+>
+END
+  pane send-keys -t vs Up Up
+  sleep 0.4
+  pane send-keys -t vs Home
+  keys '(list 5) '
+  shows "an entry of several lines is ended from its first" <<'END'
+VisualScheme 0.1.0. ,help lists commands, ,quit ends.
+> (define (square x)
+1 open, from line 1> (* x x))
+> (list (square 2) 3)
+$1 = (4 3)
+> (list 5) (define (square x)
+(* x x))
+$2 = (5)
+>
+END
+  pane kill-server
+else
+  echo "skip prompt:screen: no tmux here"
+fi
+
 rm -rf "$work/state"
 type_keys <<'END'
 (+ 40 3)\n

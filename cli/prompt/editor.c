@@ -22,6 +22,7 @@
 #include <unistd.h>
 
 enum { HISTORY_ENTRIES = 2000, FLASH = 250 /* ms that a matching parenthesis is shown */ };
+#define FLASHED "\033[9999~" /* a key that no keyboard has */
 
 /* libedit's functions, loaded when the first editor opens: linked in, it and the three libraries behind it would take
  * an eighth of the time of every run. They are no part of cli_editor: libedit gives its callbacks nothing but the
@@ -53,6 +54,7 @@ struct cli_editor {
   line_buffer pasted;   /* lines that a paste ended; handed over as one */
   line_buffer rest;     /* what a paste left behind its last newline: the next buffer begins with it */
   bool taken_back;      /* the buffer holds the open lines too */
+  int back;             /* characters from the parenthesis that is shown for a moment to where the cursor belongs; 0: none is */
   ptrdiff_t closed;     /* where completion has closed a string: a quote typed there is that one; 0: nowhere */
   void (*commands)(void (*each)(void *context, const char *name), void *context);
 };
@@ -354,6 +356,12 @@ static unsigned char complete(EditLine *line, int key) {
 
 /* ---- keys ---- */
 
+static int characters(const char *from, const char *to) {
+  int n = 0;
+  for (; from < to; from++) n += ((unsigned char)*from & 0xC0) != 0x80;
+  return n;
+}
+
 /* Inserts the parenthesis and shows for a moment the one that it closes. */
 static unsigned char close_parenthesis(EditLine *line, int key) {
   char c[2] = {(char)key, 0};
@@ -362,16 +370,25 @@ static unsigned char close_parenthesis(EditLine *line, int key) {
   if (libedit.el_insertstr(line, c) != 0) return CC_ERROR;
   const LineInfo *info = libedit.el_line(line);
   size_t n = (size_t)(info->cursor - info->buffer) - 1, depth = scan(info->buffer, n, open, DEEP, &in_string);
-  if (!depth || in_string) return CC_REFRESH;
+  cli_editor *e = editor_of(line);
+  if (!e || !depth || in_string) return CC_REFRESH;
   struct pollfd more = {.fd = STDIN_FILENO, .events = POLLIN};
   if (poll(&more, 1, 0) > 0) return CC_REFRESH; /* a paste, or a quick typist */
-  int back = 0; /* in characters */
-  for (size_t i = open[depth - 1]; i < n + 1; i++) back += ((unsigned char)info->buffer[i] & 0xC0) != 0x80;
-  libedit.el_cursor(line, -back);
-  libedit.el_set(line, EL_REFRESH);
-  poll(&more, 1, FLASH);
-  libedit.el_cursor(line, back);
+  e->back = characters(info->buffer + open[depth - 1], info->cursor);
+  libedit.el_cursor(line, -e->back);
+  libedit.el_push(line, FLASHED); /* libedit draws only between keys: one of our own follows once the cursor is there */
   return CC_REFRESH;
+}
+
+/* The cursor has been on the parenthesis that was closed: back to where it is typed, after a moment or with the next key. */
+static unsigned char flashed(EditLine *line, int key) {
+  (void)key;
+  cli_editor *e = editor_of(line);
+  if (!e || !e->back) return CC_NORM;
+  poll(&(struct pollfd){.fd = STDIN_FILENO, .events = POLLIN}, 1, FLASH);
+  libedit.el_cursor(line, e->back);
+  e->back = 0;
+  return CC_CURSOR;
 }
 
 /* The column of the cursor within its line of the buffer, and whether there are lines above and below. */
@@ -383,12 +400,6 @@ static size_t column_of(const LineInfo *info, bool *above, bool *below) {
   size_t column = 0;
   for (const char *at = line; at < info->cursor; at++) column += ((unsigned char)*at & 0xC0) != 0x80;
   return column;
-}
-
-static int characters(const char *from, const char *to) {
-  int n = 0;
-  for (; from < to; from++) n += ((unsigned char)*from & 0xC0) != 0x80;
-  return n;
 }
 
 static unsigned char line_up(EditLine *line, int key) {
@@ -462,7 +473,8 @@ static unsigned char enter(EditLine *line, int key) {
   }
   if (several && info->cursor < info->lastchar) { /* what follows is printed below all of it */
     libedit.el_cursor(line, characters(info->cursor, info->lastchar));
-    libedit.el_set(line, EL_REFRESH);
+    libedit.el_push(line, "\015");
+    return CC_CURSOR;
   }
   libedit.el_push(line, "\012");
   return CC_NORM;
@@ -540,7 +552,7 @@ cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(voi
   static const struct { const char *keys, *does; } bound[] = {
       {"^I", "vs-complete"}, {"^R", "em-inc-search-prev"}, {")", "vs-close"}, {"]", "vs-close"},
           {"\"", "vs-quote"}, {"^M", "vs-enter"},
-          {"\\e[200~", "vs-paste"},
+          {"\\e[200~", "vs-paste"}, {FLASHED, "vs-flashed"},
       {"\\e[A", "vs-up"}, {"\\eOA", "vs-up"}, {"\\e[B", "vs-down"}, {"\\eOB", "vs-down"}, {"\\e^M", "vs-newline"},
           {"\\e?", "vs-signature"},
       {"\\eOP", "vs-signature"}, {"\\e[11~", "vs-signature"},
@@ -582,6 +594,7 @@ cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(voi
   libedit.el_set(e->line, EL_HIST, libedit.history, e->history);
   libedit.el_set(e->line, EL_ADDFN, "vs-complete", "complete the word before the cursor", complete);
   libedit.el_set(e->line, EL_ADDFN, "vs-close", "close a parenthesis and show the one it closes", close_parenthesis);
+  libedit.el_set(e->line, EL_ADDFN, "vs-flashed", "leave the parenthesis that was closed", flashed);
   libedit.el_set(e->line, EL_ADDFN, "vs-quote", "insert a quote, but for one that stands there by completion", quote);
   libedit.el_set(e->line, EL_ADDFN, "vs-enter", "end the line, or begin another of an open expression", enter);
   libedit.el_set(e->line, EL_ADDFN, "vs-newline", "begin another line", new_line);
@@ -601,7 +614,7 @@ bool cli_editor_has_more(const cli_editor *e) {
 }
 
 const char *cli_editor_line(cli_editor *e, const char *prompt, const char *open, size_t *length, bool *whole) {
-  e->prompt = prompt, e->open = open, e->taken_back = false, e->closed = 0;
+  e->prompt = prompt, e->open = open, e->taken_back = false, e->closed = 0, e->back = 0;
   e->pasted.length = 0;
   fputs("\033[?2004h", stdout); /* text that is pasted is to come marked as such */
   fflush(stdout);
