@@ -431,7 +431,8 @@ int main(int argc, char **argv) {
     cli_options_free(&options);
     return (int)outcome;
   }
-  if (options.command == CLI_COMMAND_ast || options.command == CLI_COMMAND_check || options.command == CLI_COMMAND_doc) {
+  if (options.command == CLI_COMMAND_ast || options.command == CLI_COMMAND_check ||
+      options.command == CLI_COMMAND_doc || options.command == CLI_COMMAND_translate) {
     vs_outcome outcome = cli_study(&options);
     cli_options_free(&options);
     return (int)outcome;

@@ -274,6 +274,7 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
   case OPTION_CHECK: o->check = true; return true;
   case OPTION_JSON: o->json = true; return true;
   case OPTION_XML: o->xml = true; return true;
+  case OPTION_TO: o->language = v; return true;
   case OPTION_QUIET: o->quiet = true; return true;
   case OPTION_VERSION: printf("vs %s\n", vs_version()); *verdict = CLI_STOP; return true;
   case OPTION_HELP: print_help(); *verdict = CLI_STOP; return true;
@@ -402,6 +403,7 @@ static bool command_files(const cli_options *o, unsigned takes) {
   const char *name = commands[o->command - 1].name;
   size_t want = takes & CLI_TAKES_TWO ? 2 : 1;
   bool files = o->source_count == want, output = takes & CLI_TAKES_OUTPUT || o->target_count == 0;
+  if (takes & CLI_TAKES_LANGUAGE) output = o->target_count <= 1;
   if (takes & CLI_TAKES_FOLDER) output = o->target_count == 1 && strcmp(o->targets[0].path, "-") != 0;
   for (size_t i = 0; i < o->source_count; i++)
     files = files && o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0;
@@ -453,6 +455,10 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fputs(want == CLI_TAKES_JSON ? "; statistics as JSON are --stats=json\n" : "\n", stderr);
     return CLI_BAD_USAGE;
   }
+  if (o->language && !(takes & CLI_TAKES_LANGUAGE)) {
+    fputs("vs: --to is for vs translate\n", stderr);
+    return CLI_BAD_USAGE;
+  }
   if (o->json && o->xml) {
     fputs("vs: --json and --xml are one too many\n", stderr);
     return CLI_BAD_USAGE;
@@ -486,7 +492,8 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     if (o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0) o->words[0] = o->sources[i].text;
   o->interpreter.command_line = o->words;
   o->interpreter.command_line_count = o->word_count;
-  for (size_t i = 0; !(takes & CLI_TAKES_FOLDER) && i < o->target_count; i++)
+  bool formats = !(takes & (CLI_TAKES_FOLDER | CLI_TAKES_LANGUAGE));
+  for (size_t i = 0; formats && i < o->target_count; i++)
     if (!find_format(o, &o->targets[i]) || !reachable(&o->targets[i])) return CLI_BAD_USAGE;
   if (o->all_views && o->output.view) {
     fputs("vs: --all-views and --view are one too many\n", stderr);

@@ -24,7 +24,7 @@ typedef enum {
 } cli_command;
 /* What a command takes besides one file: the third column of commands.def. --json and --xml are for commands alone. */
 enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* files */, CLI_TAKES_OUTPUT = 8 /* -o */,
-       CLI_TAKES_FOLDER = 16 /* -o, of a folder */ };
+       CLI_TAKES_FOLDER = 16 /* -o, of a folder */, CLI_TAKES_LANGUAGE = 32 /* --to, and -o of a program in it */ };
 
 /* --frames: count runs of the model, 0 without it, in which the parameter goes in equal steps from `from` to `to`. */
 typedef struct { long count; char parameter[64]; double from, to; bool resume; } cli_frames;
@@ -38,6 +38,7 @@ typedef struct {
   const char **words; size_t word_count; /* (command-line): the model's name and what stands behind -- after it */
   char *library_path;           /* allocated: the folders of -L, then those of VS_LIBRARY_PATH; NULL: none */
   const char *format;
+  const char *language;         /* of vs translate; NULL: the ending of the output says which */
   vs_options interpreter;              /* the limits, the texts above; main adds the host */
   vs_output_options output;
   cli_frames frames;

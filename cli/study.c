@@ -3,12 +3,14 @@
 
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
 #include "cli/messages.h"
 #include "knowledge/checks.h"
 #include "knowledge/site.h"
+#include "knowledge/translate/translate.h"
 #include "knowledge/tree_report.h"
 
 typedef struct { knowledge k; cli_reporter reporter; } study;
@@ -128,7 +130,67 @@ static vs_outcome document(study *s, const cli_options *o) {
   return s->k.outcome;
 }
 
+/* ---- vs translate ---- */
+
+static void unable(void *context, const know_place *at, const char *text) {
+  study *s = context;
+  const know_file *f = &s->k.files[at->file];
+  size_t from = at->from;
+  while (from && f->text[from - 1] != '\n') from--;
+  const char *line = know_text(&s->k, f->text + from, strcspn(f->text + from, "\n"));
+  vs_diagnostic d = {.severity = VS_SEVERITY_ERROR, .outcome = VS_OUTCOME_MODEL, .message = text, .source_line = line,
+    .at = {.file = f->path, .line = at->line, .column = at->column, .end_line = at->end_line,
+           .end_column = at->end_column}};
+  cli_report_diagnostic(&s->reporter, &d);
+}
+
+/* The file appears whole or not at all. */
+static bool write_whole(const char *path, const char *text, size_t length) {
+  if (!path || !strcmp(path, "-")) return fwrite(text, 1, length, stdout) == length;
+  char part[4096];
+  int n = snprintf(part, sizeof part, "%s.part", path);
+  if (n < 0 || n >= (int)sizeof part) return errno = ENAMETOOLONG, false;
+  FILE *to = fopen(part, "wb");
+  if (!to) return false;
+  bool ok = fwrite(text, 1, length, to) == length;
+  ok = fclose(to) == 0 && ok && rename(part, path) == 0;
+  if (!ok) {
+    int why = errno;
+    remove(part);
+    errno = why;
+  }
+  return ok;
+}
+
+enum { FACETS = 64 /* of a turn, where --segments does not say */ };
+
+static vs_outcome translate(study *s, const cli_options *o) {
+  const char *path = o->target_count ? o->targets[0].path : NULL, *language = know_language(o->language, path);
+  unsigned segments = o->output.segments > 0 ? (unsigned)o->output.segments : FACETS;
+  size_t length = 0;
+  char *text = know_translate(&s->k, language, segments, unable, s, &length);
+  if (!text) {
+    if (*s->k.trouble) fprintf(stderr, "%s%s\n", strchr(s->k.trouble, ':') ? "" : "vs translate: ", s->k.trouble);
+    return s->k.outcome;
+  }
+  bool ok = write_whole(path, text, length);
+  if (!ok) fprintf(stderr, "vs translate: %s: %s\n", path ? path : "standard output", strerror(errno));
+  free(text);
+  return ok ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
+}
+
+/* Is it known what to translate to? False: said on standard error. */
+static bool has_language(const cli_options *o) {
+  const char *path = o->target_count ? o->targets[0].path : NULL;
+  if (o->command != CLI_COMMAND_translate || know_language(o->language, path)) return true;
+  if (o->language) fprintf(stderr, "vs translate: --to %s: there is no such language;", o->language);
+  else fputs("vs translate: --to says the language, or the ending of -o;", stderr);
+  fprintf(stderr, " there are%s\n", know_languages());
+  return false;
+}
+
 vs_outcome cli_study(const cli_options *o) {
+  if (!has_language(o)) return VS_OUTCOME_USAGE;
   study s = {0};
   vs_options interpreter = o->interpreter;
   const char *language = vs_language_of(o->sources[0].text);
@@ -142,7 +204,8 @@ vs_outcome cli_study(const cli_options *o) {
   if (!scheme) return fputs("vs: out of memory\n", stderr), VS_OUTCOME_MACHINE;
   vs_outcome outcome = VS_OUTCOME_DONE;
   if (know_read(&s.k, scheme, o->sources[0].text, o->library_path)) outcome = o->command == CLI_COMMAND_check ? check(&s, o)
-      : o->command == CLI_COMMAND_doc ? document(&s, o) : tell(&s, o);
+      : o->command == CLI_COMMAND_doc ? document(&s, o) : o->command == CLI_COMMAND_translate ? translate(&s, o)
+      : tell(&s, o);
   else {
     outcome = s.k.outcome;
     if (!s.reporter.errors) fprintf(stderr, "%s%s\n", strchr(s.k.trouble, ':') ? "" : "vs: ", s.k.trouble);

@@ -1,0 +1,10 @@
+/* Owns the way from the text's trees to the lowered tree. */
+#ifndef VS_KNOWLEDGE_TRANSLATE_LOWER_FORMS_H
+#define VS_KNOWLEDGE_TRANSLATE_LOWER_FORMS_H
+
+#include "knowledge/translate/core_tree.h"
+
+/* Lowers the program, what it loads included, into t->root. What no target has is complained of. False: trouble. */
+bool tr_lower(translation *t);
+
+#endif

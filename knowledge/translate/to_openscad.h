@@ -1,0 +1,9 @@
+/* Owns programs in OpenSCAD's language. */
+#ifndef VS_KNOWLEDGE_TRANSLATE_TO_OPENSCAD_H
+#define VS_KNOWLEDGE_TRANSLATE_TO_OPENSCAD_H
+
+#include "knowledge/translate/words.h"
+
+void tr_openscad_program(tr_writer *w);
+
+#endif

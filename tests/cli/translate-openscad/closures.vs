@@ -1,0 +1,12 @@
+; Procedures as values, and procedures within procedures that use what is around them.
+(define (compose f g) (lambda (x) (f (g x))))
+(define (adder n) (lambda (x) (+ x n)))
+(define lift (compose (adder 3) (lambda (x) (* x 10))))
+(define (wall length)
+  (define height (lift length))
+  (define (post i) (make-box (xyz (* i 20) 0 0) (xyz (+ (* i 20) 8) 10 (+ height (extra i)))))
+  (define (extra i) (if (zero? i) 0 (+ 1 (extra (- i 1)))))
+  (define beam (make-box (xyz 0 0 -5) (xyz (* length 20) 10 0)))
+  (unite beam (do-move beam (vxyz 0 0 -20)) (map post (iota length))))
+(draw (wall 4))
+(draw (make-sphere (xyz 0 0 60) (fold + 0 (map (lambda (a b) (* a b)) '(1 2 3) '(1 2 1)))))

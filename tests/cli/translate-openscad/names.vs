@@ -1,0 +1,12 @@
+; Names that other languages keep for themselves, or cannot spell.
+(define (main if) (* if 2))
+(define a-b 3)
+(define a_b 4)
+(define (∑ list) (apply + list))
+(define (cylinder module) (make-cylinder (xyz 0 0 0) module 5))
+(define (even-more? x) (> x a-b))
+(define for (map (lambda (for) (+ for 1)) '(1 2 3)))
+(let ([sphere (main a-b)] [λ 2])
+  (let ([sphere (+ sphere λ a_b)])
+    (draw (do-move (cylinder sphere) (vxyz 0 0 (∑ for))))))
+(draw (if (even-more? 4) (make-box (xyz 20 0 0) 10 10 10) (empty-object)))

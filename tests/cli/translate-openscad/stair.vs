@@ -1,0 +1,10 @@
+; Steps about a post: a named let that gathers solids.
+(define (stair n rise)
+  (let loop ([i 0] [made '()])
+    (if (= i n)
+        (unite made)
+        (loop (+ i 1)
+              (cons (do-rotate (make-box (xyz 5 -10 (* i rise)) (xyz 60 10 (* (+ i 1) rise)))
+                               'z (* i pi/8))
+                    made)))))
+(draw (stair 7 18) (make-cylinder (xyz 0 0 0) 140 10))
