@@ -411,8 +411,13 @@ int main(int argc, char **argv) {
         putchar('\n');
         cli_manual_command(argv[i], stdout);
       } else if (!cli_manual_print(argv[i], stdout)) {
+        vs_options plain = vs_options_default();
+        vs_scheme *scheme = vs_new(&plain); /* which knows the words of other programs */
+        const char *advice = scheme ? vs_name_advice(scheme, argv[i]) : "";
+        bool guess = strncmp(advice, "did you mean", 12) == 0 || strncmp(advice, "perhaps", 7) == 0;
         printf("The manual has no %s.\n", argv[i]);
-        cli_command_suggest(argv[i], stdout);
+        if (((*advice && !guess) || !cli_command_suggest(argv[i], stdout)) && *advice) puts(advice);
+        vs_free(scheme);
         cli_manual_mentions(argv[i], stdout);
         cli_manual_topics(stdout);
         return VS_OUTCOME_USAGE;

@@ -96,11 +96,31 @@ static bool advise_unbound(place p, vs_span at, vs_text *t) {
 
 /* ---- what was called is no procedure ---- */
 
+/* The operator of "(x > 3)", which stands behind the n characters of the first operand at p; *operand and *length: the operand behind it, if it is one
+ * word. */
+static size_t operator_behind(const char *p, size_t n, const char *end, const char **operator, const char **operand, size_t *length) {
+  uint32_t unused = 0;
+  *operator = vs_outline_blanks(p + n, end, &unused);
+  size_t m = vs_outline_word(*operator, end);
+  if (!n || !m || m > 2 || *operator == p + n || strspn(*operator, "+-*/<>=") < m) return 0;
+  *operand = vs_outline_blanks(*operator + m, end, &unused);
+  *length = vs_outline_word(*operand, end);
+  const char *after = vs_outline_blanks(*operand + *length, end, &unused);
+  if (!*length || *length > 40 || after >= end || (*after != ')' && *after != ']')) *length = 0;
+  return m;
+}
+
 static bool advise_callee(place p, vs_span at, vs_value irritants, vs_text *t, vs_scheme *vm) {
   uint32_t unused = 0;
   if (*p.at != '(' && *p.at != '[') return true;
   const char *name = vs_outline_blanks(p.at + 1, p.end, &unused);
-  size_t n = vs_outline_word(name, p.end);
+  size_t n = vs_outline_word(name, p.end), length;
+  const char *operator, *operand;
+  size_t sign = n < 100 ? operator_behind(name, n, p.end, &operator, &operand, &length) : 0;
+  if (sign) {
+    t->count = 0;
+    return put(t, "the operator stands first: (%.*s %.*s %.*s)", (int)sign, operator, (int)n, name, length ? (int)length : 3, length ? operand : "...");
+  }
   uint32_t line = n && n < 100 ? defined_on(p.source, name, n) : 0;
   if (!line || line > at.line || !vs_is_pair(irritants)) return true;
   vs_value symbol;

@@ -91,6 +91,14 @@ static bool tell_object(vs_session *s, vs_value v) {
   return ok;
 }
 
+/* How many objects the list holds; 0: it is no list, or holds something else too. */
+static size_t objects_in_list(vs_value v) {
+  size_t n = 0;
+  for (; vs_is_pair(v); v = vs_cdr(v), n++)
+    if (!vs_bind_ref(vs_car(v)).node) return 0;
+  return v == VS_NIL ? n : 0;
+}
+
 /* A top-level expression's value: the model if nothing is drawn, and what the prompt shows. */
 static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   vs_session *s = vs_session_of(vm);
@@ -102,11 +110,19 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   if (!(s->flags & VS_EVAL_PRINT) || !h->value || r[0] == VS_UNSPECIFIC) return true;
   if (s->flags & VS_EVAL_NUMBER && !name_result(s, r[0])) return false;
   if (s->flags & VS_EVAL_NUMBER && vs_bind_ref(r[0]).node) return tell_object(s, r[0]);
-  enum { MOST = 4000 }; /* bytes: a drawing of thousands of parts is no answer to read */
+  enum { MOST = 4000, MOST_NUMBERED = 1000 }; /* bytes: a drawing of thousands of parts is no answer to read; what has a number can be asked further */
   vs_text shown, t;
-  vs_text_open(vm, &shown, MOST);
+  vs_text_open(vm, &shown, s->flags & VS_EVAL_NUMBER ? MOST_NUMBERED : MOST);
   vs_text_open(vm, &t, 0);
-  bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &shown) && vs_text_put(&t, shown.at ? shown.at : "", shown.count) && (!shown.cut || vs_text_puts(&t, " ..."));
+  bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &shown);
+  size_t objects = shown.cut && s->flags & VS_EVAL_NUMBER ? objects_in_list(r[0]) : 0;
+  char note[60] = "";
+  while (shown.cut && shown.count && shown.at[shown.count - 1] != ' ') shown.count--; /* whole words: half a number is another number */
+  if (shown.cut && shown.count) shown.count--;
+  if (objects) snprintf(note, sizeof note, "#<list of %zu objects>", objects);
+  else if (shown.cut && s->flags & VS_EVAL_NUMBER) snprintf(note, sizeof note, " ... ; (display $%u) shows all of it", s->results);
+  else if (shown.cut) snprintf(note, sizeof note, " ...");
+  ok = ok && (objects || vs_text_put(&t, shown.at ? shown.at : "", shown.count)) && vs_text_puts(&t, note);
   vs_bind_counts parts;
   vs_ref object = shown.cut ? vs_bind_ref(r[0]) : (vs_ref){ NULL, NULL };
   if (ok && object.node && vs_bind_count(object, &parts)) { /* (unite ... ; 3000 objects */

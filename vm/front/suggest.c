@@ -51,6 +51,7 @@ static bool neighbours(int a, int b) {
  * half of one: neighbouring keys, two
  * letters in the wrong order, a letter twice, a hyphen too many or too few. More than `limit` is limit + 1. */
 static int distance(const char *a, size_t n, const char *b, size_t m, int limit) {
+  int change = n <= 4 ? EDIT + SLIP : EDIT; /* of a short word another letter makes another word: set is not sec */
   int row[3][LONGEST + 1];
   if (n > LONGEST || m > LONGEST || (int)(n > m ? n - m : m - n) > limit) return limit + 1;
   row[0][0] = 0;
@@ -61,7 +62,7 @@ static int distance(const char *a, size_t n, const char *b, size_t m, int limit)
     int drop = ca == '-' || ca == before ? SLIP : EDIT, least = now[0] = up[0] + drop;
     for (size_t j = 1; j <= m; j++) {
       int cb = tolower((unsigned char)b[j - 1]), last = j > 1 ? tolower((unsigned char)b[j - 2]) : 0;
-      int d = up[j - 1] + (ca == cb ? 0 : neighbours(ca, cb) || ((ca == '_' || ca == '.') && cb == '-') ? SLIP : EDIT);
+      int d = up[j - 1] + (ca == cb ? 0 : neighbours(ca, cb) || ((ca == '_' || ca == '.') && cb == '-') ? SLIP : change);
       int add = now[j - 1] + (cb == '-' || cb == last ? SLIP : EDIT);
       if (up[j] + drop < d) d = up[j] + drop;
       if (add < d) d = add;
@@ -90,6 +91,15 @@ static const char *stem(const char *name) {
   return name;
 }
 
+/* The same where the prefix has a slip: creat-box. */
+static const char *near_stem(const char *name) {
+  static const char *const words[] = {"make", "create", "draw", "build"};
+  size_t n = strcspn(name, "-");
+  for (size_t i = 0; n > 2 && name[n] && name[n + 1] && i < sizeof words / sizeof *words; i++)
+    if (distance(name, n, words[i], strlen(words[i]), EDIT) <= EDIT) return name + n + 1;
+  return name;
+}
+
 /* makeBox, MakeBox, make_box and rs.MakeBox as make-box; false: too long. */
 static bool plain_name(const char *name, char out[LONGEST + 1]) {
   const char *dot = strrchr(name, '.');
@@ -113,7 +123,7 @@ static bool consider(void *context, vs_value symbol, vs_value binding) {
   size_t same = 0; /* "make-", which both begin with, says nothing on how alike they are */
   if (stem(w->name) - w->name == stem(name->name) - name->name) same = (size_t)(stem(w->name) - w->name);
   if (same && strncasecmp(w->name, name->name, same)) same = 0;
-  int limit = tolerance(w->length - same);
+  int limit = tolerance(same && name->length > w->length ? name->length - same : w->length - same);
   /* few words begin with a slip */
   if (limit > SLIP && tolower((unsigned char)w->name[same]) != tolower((unsigned char)name->name[same])) limit -= SLIP;
   if (limit > s->distance) limit = s->distance;
@@ -203,6 +213,21 @@ bool vs_suggest_let_star(vs_scheme *vm, vs_value symbol) { return remember(vm, s
 
 /* ---- what a name may have been meant as ---- */
 
+/* A multiple of pi that has no name: 3pi/4, 0.5pi. */
+static bool advise_angle(const char *name, vs_text *t) {
+  char text[200];
+  size_t n = strspn(name, "+-.0123456789/"), digits = strspn(name, "+-0123456789");
+  const char *rest = name + n + (name[n] == '*');
+  if (!n || n > 20 || strncasecmp(rest, "pi", 2) || strlen(rest) > 20) return true;
+  rest += 2;
+  size_t d = *rest == '/' ? strspn(rest + 1, "0123456789") : 0;
+  if (rest[0] && (!d || rest[1 + d])) return true;
+  if (!d) snprintf(text, sizeof text, "; write (* %.*s pi)", (int)n, name);
+  else if (digits == n) snprintf(text, sizeof text, "; write (* %.*s/%s pi)", (int)n, name, rest + 1);
+  else snprintf(text, sizeof text, "; write (/ (* %.*s pi) %s)", (int)n, name, rest + 1);
+  return vs_text_puts(t, text);
+}
+
 /* A number with a unit or a sign that no number has here: 3m, 45°, –1. */
 static bool advise_number(const char *name, vs_text *t) {
   char number[LONGEST + 1], text[200];
@@ -243,6 +268,7 @@ static bool put_foreign(int i, vs_text *t) {
 }
 
 static bool did_you_mean(const vs_symbol *name, vs_text *t) {
+  if (name->length && name->name[name->length - 1] == '?') return vs_text_puts(t, "; perhaps ") && vs_text_put(t, name->name, name->length);
   return vs_text_puts(t, "; did you mean ") && vs_text_put(t, name->name, name->length) && vs_text_puts(t, "?");
 }
 
@@ -259,7 +285,8 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
   size_t before = t->count;
   int i = foreign_word(wanted->name);
   if (i >= 0) return put_foreign(i, t);
-  if (!advise_number(wanted->name, t)) return false;
+  if (!advise_angle(wanted->name, t)) return false;
+  if (t->count == before && !advise_number(wanted->name, t)) return false;
   if (t->count > before) return true;
   size_t sign = strcspn(wanted->name, "+*/<>=");          /* i+1, n*2, a<b: one name, because no blanks are in it */
   const char *name = wanted->name;
@@ -275,6 +302,7 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (plain_name(name, plain)) {
     stem_search same = {.stem = stem(plain)};
     if (strlen(same.stem) > 1) vs_environment_each(env, consider_stem, &same);
+    if (!same.best && same.stem == plain && *(same.stem = near_stem(plain)) && same.stem != plain) vs_environment_each(env, consider_stem, &same);
     if (same.best) return did_you_mean(same.best, t);
     if ((i = foreign_word(plain)) >= 0 || (i = foreign_word(same.stem)) >= 0) return put_foreign(i, t);
   }

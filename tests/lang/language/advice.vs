@@ -1,7 +1,7 @@
 ; Names that are near, words of other languages, forms written wrong: what the message says
 (define (said thunk) (call/cc (lambda (k) (with-exception-handler (lambda (e) (k (if (error-object? e) (error-object-message e) e))) thunk))))
 (define-syntax told (syntax-rules () ((_ e) (begin (display (said (lambda () (eval 'e (interaction-environment))))) (newline)))))
-(told (pointx 2))              ; expect: pointx is not defined; did you mean point??
+(told (pointx 2))              ; expect: pointx is not defined; perhaps point?
 (define (point-x p) 1)
 (told (pointx 2))              ; expect: pointx is not defined; did you mean point-x?
 (define (box-height b) b)
