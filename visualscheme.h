@@ -408,6 +408,43 @@ VS_API vs_outcome vs_write_drawing(vs_scheme *s, const char *path, const char *f
 VS_API vs_outcome vs_write_drawing_to(vs_scheme *s, const char *format, const vs_output_options *o,
                                       bool (*write)(void *context, const void *bytes, size_t count), void *context);
 
+/* ---- pictures in linear light: EXR files ----
+ *
+ * Of a picture red, green and blue (R, G, B) are read, else its luminance (Y). What is written appears whole or not at
+ * all. Paths are the file system's, whatever the host reads programs from. */
+
+/* Develops a picture: a PNG. how NULL: as vs_output_options_default has it. *stops: by how many it was brightened. */
+VS_API vs_outcome vs_picture_tone(vs_scheme *s, const char *from, const char *to, const vs_development *how,
+    double *stops);
+/* Luminance as false colours with a legend, by its logarithm: a PNG. unit: cd/m2 of the number 1. *least, *most: the
+ * legend's ends. */
+VS_API vs_outcome vs_picture_false_color(vs_scheme *s, const char *from, const char *to, double unit, double *least,
+    double *most);
+
+typedef struct {
+  double color[3];       /* linear light */
+  double depth;          /* channel Z; a NaN: the picture has none */
+  bool has_normal;       /* channels N.X, N.Y, N.Z */
+  double normal[3];
+  long id;               /* channel id; 0: nothing was met there; negative: the picture has no such channel */
+  char place[512];       /* "house.vs:12:3", what made it; "": not known */
+} vs_picture_point;
+/* What a picture knows of a pixel, columns and rows counted from 0 at the upper left. */
+VS_API vs_outcome vs_picture_pick(vs_scheme *s, const char *from, long column, long row, vs_picture_point *out);
+
+typedef struct {
+  uint32_t columns, rows;
+  double most, mean, root_mean_square; /* differences of red, green and blue in linear light */
+  long column, row;      /* of the largest */
+  double psnr;           /* dB, where 1 is the peak; infinite: equal */
+  double ssim;           /* structural similarity of the developed pictures, 1: equal */
+} vs_picture_difference;
+/* How far two pictures of one size are apart. to: a PNG of the differences in false colours; NULL: none. */
+VS_API vs_outcome vs_picture_compare(vs_scheme *s, const char *a, const char *b, const char *to,
+    vs_picture_difference *out);
+/* Takes noise out, into another EXR with the same channels. *layers: by albedo and normal; else by the colours alone. */
+VS_API vs_outcome vs_picture_denoise(vs_scheme *s, const char *from, const char *to, bool *layers);
+
 /* ---- formats of the host's own ----
  *
  * A format is a table of callbacks, one for each kind of thing that it has words for. The library walks the drawing

@@ -17,6 +17,7 @@
 #include "cli/nearby.h"
 #include "cli/command.h"
 #include "cli/difference.h"
+#include "cli/light/exr_commands.h"
 #include "cli/study.h"
 #include "live/live.h"
 
@@ -439,6 +440,11 @@ int main(int argc, char **argv) {
   if (options.command == CLI_COMMAND_ast || options.command == CLI_COMMAND_check ||
       options.command == CLI_COMMAND_doc || options.command == CLI_COMMAND_translate) {
     vs_outcome outcome = cli_study(&options);
+    cli_options_free(&options);
+    return (int)outcome;
+  }
+  if (options.command >= CLI_COMMAND_tone && options.command <= CLI_COMMAND_denoise) {
+    vs_outcome outcome = cli_exr_command(&options);
     cli_options_free(&options);
     return (int)outcome;
   }

@@ -243,6 +243,8 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
   case OPTION_QUALITY: return parse_quality(v, &o->output);
   case OPTION_CURVE: return parse_curve(v, &o->output.development);
   case OPTION_EXPOSURE: return parse_exposure(v, &o->output.development);
+  case OPTION_CANDELAS:
+    return (parse_real(v, 0, &o->candelas) && o->candelas > 0) || bad("--candelas", v, "a number above 0");
   case OPTION_TOLERANCE: return (parse_real(v, 0, &o->output.tolerance) && o->output.tolerance > 0) || bad("--tolerance", v, "a length above 0");
   case OPTION_SEGMENTS:
     if (!parse_whole(v, 3, 1000000, &whole)) return bad("--segments", v, "a whole number, 3 or more");
@@ -398,8 +400,25 @@ static bool reachable(const cli_target *t) {
   return ok;
 }
 
+/* The same for commands on pictures. */
+static bool picture_files(const cli_options *o, unsigned takes) {
+  size_t want = takes & CLI_TAKES_POINT ? 3 : takes & CLI_TAKES_TWO ? 2 : 1;
+  bool files = o->source_count == want && !o->define_count && !o->untrusted && !o->frames.count;
+  for (size_t i = 0; i < o->source_count; i++)
+    files = files && o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0;
+  size_t least = takes & CLI_TAKES_TARGET ? 1 : 0, most = takes & (CLI_TAKES_TARGET | CLI_TAKES_OUTPUT) ? 1 : 0;
+  bool output = o->target_count >= least && o->target_count <= most;
+  if (output && most && o->target_count) output = strcmp(o->targets[0].path, "-") != 0;
+  if (files && output) return true;
+  const char *name = commands[o->command - 1].name;
+  fprintf(stderr, "vs %s: as in vs %s %s%s\n", name, name, commands[o->command - 1].arguments,
+          !least ? "" : o->command == CLI_COMMAND_denoise ? " -o B.exr" : " -o B.png");
+  return false;
+}
+
 /* Has the command the files that it takes, and -o only where it writes something? False: said on standard error. */
 static bool command_files(const cli_options *o, unsigned takes) {
+  if (takes & CLI_TAKES_PICTURE) return picture_files(o, takes);
   const char *name = commands[o->command - 1].name;
   size_t want = takes & CLI_TAKES_TWO ? 2 : 1;
   bool files = o->source_count == want, output = takes & CLI_TAKES_OUTPUT || o->target_count == 0;
@@ -465,7 +484,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   }
   bool file_first = !o->command && o->source_count && argc > 1 && o->sources[0].text == argv[1];
   if (file_first && access(argv[1], F_OK) != 0 && cli_command_suggest(argv[1], stderr)) return CLI_BAD_USAGE;
-  for (size_t i = 0; i < o->source_count; i++) { /* vs model.vs a.stl */
+  for (size_t i = 0; !(takes & CLI_TAKES_PICTURE) && i < o->source_count; i++) { /* vs model.vs a.stl */
     const char *path = o->sources[i].text;
     const vs_format_info *f = o->sources[i].kind == CLI_SOURCE_FILE && strchr(path, '.') ? vs_format_find(path) : NULL;
     if (!f) continue;

@@ -22,6 +22,7 @@
 #include "passes/optimise.h"
 #include "passes/sugar.h"
 #include "session/comparison.h"
+#include "session/pictures.h"
 #include "solids/drawn_bounds.h"
 #include "solids/resolve.h"
 
@@ -63,13 +64,6 @@ static bool job_progress(void *job, const char *stage, double fraction) {
 }
 
 /* ---- options ---- */
-
-vs_tone vs_session_tone(const vs_development *d) {
-  static const vs_tone_curve curves[] = {
-      [VS_CURVE_NEUTRAL] = VS_TONE_NEUTRAL, [VS_CURVE_AGX] = VS_TONE_AGX, [VS_CURVE_FILMIC] = VS_TONE_FILMIC,
-      [VS_CURVE_LINEAR] = VS_TONE_LINEAR };
-  return (vs_tone){ .curve = curves[d->curve], .fixed = d->fixed, .stops = d->exposure };
-}
 
 /* Sets the export's options from those that the caller asked for, those that the program set, and the session's limits. */
 static void set_options(vs_job *j) {

@@ -17,7 +17,4 @@ vs_outcome vs_session_summary(vs_session *s, vs_summary *out);
  * (and one more) from the store. Reports a failure to the host and returns its kind. */
 vs_outcome vs_session_take(vs_session *s, vs_ref **out, size_t *count);
 
-/* The tone that the public options ask for. */
-vs_tone vs_session_tone(const vs_development *d);
-
 #endif

@@ -22,9 +22,8 @@ typedef struct {
 typedef struct { const float *red, *green, *blue; size_t count; } vs_light;
 
 /* Stops by which the picture is to be brightened, from the histogram of its luminance: what takes its bright end to
- * just
- * below the curve's white, or where that is more, what Erik Reinhard, Parameter Estimation for Photographic Tone
- * Reproduction, Journal of Graphics Tools 7(1), 2002, finds. A black picture: 0. */
+ * just below the curve's white, or where that is more, what Erik Reinhard, Parameter Estimation for Photographic
+ * Tone Reproduction, Journal of Graphics Tools 7(1), 2002, finds. A black picture: 0. */
 double vs_tone_exposure(const vs_light *light, vs_tone_curve curve);
 /* Makes three bytes a pixel, sRGB. Returns the stops that it brightened by. */
 double vs_tone_apply(const vs_light *light, const vs_tone *tone, unsigned char *rgb);

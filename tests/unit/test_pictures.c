@@ -1,13 +1,19 @@
-/* Owns the tests of geometry/pictures: tone curves beside the published values, exposure by the histogram. */
+/* Owns the tests of geometry/pictures and of EXR files: tone curves beside the published values, exposure by the
+ * histogram, measures of difference beside closed forms, noise and edges, files that are cut short or changed. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
+#include "geometry/files/exr_read.h"
+#include "geometry/pictures/denoise.h"
+#include "geometry/pictures/false_color.h"
+#include "geometry/pictures/picture_difference.h"
 #include "geometry/pictures/tone.h"
 
 /* The screen's numbers of one colour, at a fixed exposure. */
@@ -104,10 +110,171 @@ static void test_odd_light(void **state) {
   }
 }
 
+/* ---- EXR files ---- */
+
+enum { WIDE = 40, HIGH = 37, PIXELS = WIDE * HIGH };
+
+/* Numbers that come again on every machine: 0 to 1. */
+static double chance(uint32_t *seed) {
+  *seed = *seed * 1664525u + 1013904223u;
+  return (*seed >> 8) / 16777216.0;
+}
+
+/* Two fields of paint, grey 0.2 and 0.8, with noise on their light; layers without it. */
+static void make_picture(vs_store *store, vs_exr *x, double noise) {
+  static const char *const names[] = { "R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "N.X", "N.Y", "N.Z" };
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  uint32_t seed = 7;
+  *x = (vs_exr){ .store = store, .columns = WIDE, .rows = HIGH };
+  for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+    float *at = vs_exr_add(x, names[k], VS_EXR_HALF, &e);
+    assert_non_null(at);
+    for (size_t i = 0; i < PIXELS; i++) {
+      float paint = i % WIDE < WIDE / 2 ? 0.2f : 0.8f;
+      at[i] = k < 3 ? paint * (float)(1 + noise * (chance(&seed) - 0.5)) : k < 6 ? paint : k == 8 ? 1 : 0;
+    }
+  }
+  float *id = vs_exr_add(x, "id", VS_EXR_WHOLE, &e), *depth = vs_exr_add(x, "Z", VS_EXR_FLOAT, &e);
+  for (size_t i = 0; i < PIXELS; i++) id[i] = (float)(i * 11000), depth[i] = 1 / (1 + (float)i);
+  static const char sources[] = "a.vs:1:2\nb.vs:3:4\n";
+  x->sources = vs_store_realloc(store, NULL, 0, sizeof sources);
+  x->sources_room = sizeof sources;
+  memcpy(x->sources, sources, sizeof sources);
+}
+
+static void test_exr_round_trip(void **state) {
+  (void)state;
+  vs_store *store = vs_store_new(NULL, NULL);
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  unsigned char *bytes[2];
+  size_t size[2], room[2];
+  vs_exr x, y;
+  make_picture(store, &x, 0.3);
+  for (int i = 0; i < 2; i++) assert_true(vs_exr_write(&x, &bytes[i], &size[i], &room[i], &e));
+  assert_int_equal(size[0], size[1]);
+  assert_memory_equal(bytes[0], bytes[1], size[0]);
+  assert_true(vs_exr_read(store, "x", bytes[0], size[0], NULL, &y, &e));
+  assert_int_equal(y.columns, WIDE);
+  assert_int_equal(y.rows, HIGH);
+  assert_int_equal(y.count, x.count);
+  assert_string_equal(y.sources, x.sources);
+  assert_memory_equal(vs_exr_find(&y, "id"), vs_exr_find(&x, "id"), PIXELS * sizeof(float));
+  assert_memory_equal(vs_exr_find(&y, "Z"), vs_exr_find(&x, "Z"), PIXELS * sizeof(float));
+  for (size_t i = 0; i < PIXELS; i++)
+    assert_true(fabsf(vs_exr_find(&y, "R")[i] - vs_exr_find(&x, "R")[i]) <= vs_exr_find(&x, "R")[i] / 1024);
+  vs_exr_free(&y);
+  /* every way to cut it short, and numbers changed at random, end with a picture or with a message */
+  unsigned char *copy = malloc(size[0]);
+  for (size_t n = 0; n < size[0]; n += n < 1000 ? 1 : 37) {
+    e = (vs_error){ VS_ERROR_NONE, NULL, "" };
+    assert_false(vs_exr_read(store, "x", memcpy(copy, bytes[0], n), n, NULL, &y, &e));
+    assert_true(e.kind == VS_ERROR_MODEL && *e.message);
+  }
+  uint32_t seed = 3;
+  for (int i = 0; i < 1500; i++) {
+    memcpy(copy, bytes[0], size[0]);
+    for (int k = 0; k < 3; k++) {
+      size_t at = (size_t)(chance(&seed) * (i % 2 ? 700 : (double)size[0]));
+      copy[at < size[0] ? at : 0] = (unsigned char)(256 * chance(&seed));
+    }
+    e = (vs_error){ VS_ERROR_NONE, NULL, "" };
+    if (vs_exr_read(store, "x", copy, size[0], NULL, &y, &e)) vs_exr_free(&y);
+    else assert_true(e.kind != VS_ERROR_NONE && (*e.message || e.kind == VS_ERROR_MEMORY));
+  }
+  free(copy);
+  for (int i = 0; i < 2; i++) vs_store_realloc(store, bytes[i], room[i], 0);
+  vs_exr_free(&x);
+  vs_store_release(store);
+}
+
+static double spread(const float *at, uint32_t from, uint32_t to) {
+  double sum = 0, squares = 0, n = 0;
+  for (uint32_t y = 0; y < HIGH; y++)
+    for (uint32_t i = from; i < to; i++) {
+      double v = (double)at[y * WIDE + i];
+      sum += v, squares += v * v, n++;
+    }
+  return sqrt(fmax(squares / n - sum / n * (sum / n), 0)) / (sum / n);
+}
+
+/* Noise falls to a quarter and less, the edge of the paint stays where it is. */
+static void test_denoise(void **state) {
+  (void)state;
+  vs_store *store = vs_store_new(NULL, NULL);
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  vs_exr x;
+  bool layers = false;
+  make_picture(store, &x, 0.4);
+  float *red = vs_exr_find(&x, "R");
+  double before = spread(red, 0, WIDE / 2);
+  assert_true(vs_exr_smooth(&x, &layers, &e));
+  assert_true(layers);
+  assert_true(before > 0.1);
+  assert_true(spread(red, 0, WIDE / 2) < before / 4);
+  assert_true(spread(red, WIDE / 2, WIDE) < before / 4);
+  for (uint32_t y = 0; y < HIGH; y++) {
+    assert_true(fabsf(red[y * WIDE + WIDE / 2 - 1] - 0.2f) < 0.03f);
+    assert_true(fabsf(red[y * WIDE + WIDE / 2] - 0.8f) < 0.12f);
+  }
+  vs_exr_free(&x);
+  vs_store_release(store);
+}
+
+/* A constant difference of .1 is 20 dB; equal pictures are equal; noise lowers the similarity. */
+static void test_gap(void **state) {
+  (void)state;
+  vs_store *store = vs_store_new(NULL, NULL);
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  vs_picture_gap gap;
+  float a[PIXELS], b[PIXELS], each[PIXELS];
+  uint32_t seed = 1;
+  for (size_t i = 0; i < PIXELS; i++) a[i] = 0.2f + 0.5f * (float)(i % WIDE) / WIDE, b[i] = a[i] + 0.1f;
+  vs_light one = { a, a, a, PIXELS }, two = { b, b, b, PIXELS };
+  assert_true(vs_picture_measure_gap(store, &one, &one, WIDE, HIGH, each, &gap, &e));
+  assert_true(gap.most == 0 && isinf(gap.peak_ratio) && fabs(gap.similarity - 1) < 1e-12 && each[5] == 0);
+  assert_true(vs_picture_measure_gap(store, &one, &two, WIDE, HIGH, each, &gap, &e));
+  assert_true(fabs(gap.peak_ratio - 20) < 1e-4 && fabs(gap.most - 0.1) < 1e-6 && fabsf(each[9] - 0.1f) < 1e-6f);
+  double steady = gap.similarity;
+  for (size_t i = 0; i < PIXELS; i++) b[i] = a[i] + (float)(0.2 * (chance(&seed) - 0.5));
+  b[777] = a[777] + 0.5f;
+  assert_true(vs_picture_measure_gap(store, &one, &two, WIDE, HIGH, NULL, &gap, &e));
+  assert_int_equal(gap.worst, 777);
+  assert_true(gap.similarity < steady && gap.similarity > 0);
+  vs_store_release(store);
+}
+
+/* The scale's ends, steps, and numbers outside of it. */
+static void test_false_color(void **state) {
+  (void)state;
+  float at[1000];
+  unsigned char low[3], high[3], rgb[3];
+  for (int i = 0; i < 1000; i++) at[i] = (float)(i + 1);
+  vs_color_scale s = vs_color_scale_of(at, 1000, true, "cd/m2");
+  assert_in_range(s.least, 10, 12);
+  assert_in_range(s.most, 988, 991);
+  vs_false_color(&s, s.least, low);
+  vs_false_color(&s, s.most, high);
+  vs_false_color(&s, -5, rgb);
+  assert_memory_equal(rgb, low, 3);
+  vs_false_color(&s, 1e9, rgb);
+  assert_memory_equal(rgb, high, 3);
+  vs_false_color(&s, NAN, rgb);
+  assert_memory_equal(rgb, low, 3);
+  assert_true(high[0] > 2 * high[2] && low[0] < 60 && low[1] < 60); /* red, dark */
+  vs_color_scale steps = { .least = 0, .most = 10, .steps = 5, .unit = "h" };
+  vs_false_color(&steps, 0.1, low);
+  vs_false_color(&steps, 1.9, rgb);
+  assert_memory_equal(rgb, low, 3);
+  vs_false_color(&steps, 2.1, rgb);
+  assert_memory_not_equal(rgb, low, 3);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_linear), cmocka_unit_test(test_neutral),  cmocka_unit_test(test_filmic),
     cmocka_unit_test(test_agx),    cmocka_unit_test(test_exposure), cmocka_unit_test(test_odd_light),
+    cmocka_unit_test(test_exr_round_trip), cmocka_unit_test(test_denoise), cmocka_unit_test(test_gap),
+    cmocka_unit_test(test_false_color),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

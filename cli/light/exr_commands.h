@@ -1,0 +1,10 @@
+/* Owns the commands on EXR pictures. */
+#ifndef VS_CLI_EXR_COMMANDS_H
+#define VS_CLI_EXR_COMMANDS_H
+
+#include "cli/options.h"
+
+/* vs tone, vs falsecolor, vs pick, vs compare, vs denoise: as o->command says. Returns the exit code. */
+vs_outcome cli_exr_command(const cli_options *o);
+
+#endif

@@ -1,0 +1,25 @@
+/* Owns false colours: a number a pixel as a colour, with a legend beside the picture. */
+#ifndef VS_GEOMETRY_FALSE_COLOR_H
+#define VS_GEOMETRY_FALSE_COLOR_H
+
+#include "model/node.h"
+
+/* Numbers from least to most go from dark blue over green and yellow to dark red; with steps above 0 in so many equal
+ * colours. */
+typedef struct {
+  double least, most;
+  bool logarithmic;
+  int steps;
+  const char *unit; /* digits and the letters of "cd/m2 h" */
+} vs_color_scale;
+
+/* The range of all numbers but the hundredth at either end; logarithmic: of those above 0, at most six powers of
+ * ten. */
+vs_color_scale vs_color_scale_of(const float *at, size_t count, bool logarithmic, const char *unit);
+/* Screen's red, green and blue of a number: Anton Mikhailov's Turbo (Google AI Blog, 2019). */
+void vs_false_color(const vs_color_scale *s, double x, unsigned char rgb[3]);
+/* Makes a picture of 3 bytes a pixel, *wide times *high, of the store's memory; NULL: out of memory. */
+unsigned char *vs_false_color_picture(vs_store *store, const float *at, uint32_t columns, uint32_t rows,
+                                      const vs_color_scale *s, uint32_t *wide, uint32_t *high, vs_error *e);
+
+#endif

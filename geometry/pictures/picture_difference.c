@@ -1,0 +1,94 @@
+/* Owns the measures of difference: in linear light, and by structural similarity as it is seen.
+ *
+ * The second is Wang, Bovik, Sheikh and Simoncelli, Image Quality Assessment: From Error Visibility to Structural
+ * Similarity, IEEE Transactions on Image Processing 13(4), 2004: means, variances and covariance under a Gaussian
+ * window of 11 x 11 pixels and sigma 1.5, with K1 .01 and K2 .03, on the luma of the developed pictures. Both are
+ * developed with the exposure of the first. Where the window reaches over the border, the border's pixels are
+ * repeated. */
+#include "geometry/pictures/picture_difference.h"
+
+#include <math.h>
+
+#include "geometry/files/raster.h"
+
+enum { REACH = 5 };
+typedef struct { double *at, *scratch; uint32_t columns, rows; const double *window; } plane;
+
+static uint32_t within(int64_t x, uint32_t count) { return x < 0 ? 0 : x >= count ? count - 1 : (uint32_t)x; }
+
+/* Blurs the plane: once along the rows, once along the columns. */
+static void blur(const plane *p) {
+  for (uint32_t y = 0; y < p->rows; y++)
+    for (uint32_t x = 0; x < p->columns; x++) {
+      double sum = 0;
+      for (int i = -REACH; i <= REACH; i++)
+        sum += p->window[i + REACH] * p->at[(size_t)y * p->columns + within((int64_t)x + i, p->columns)];
+      p->scratch[(size_t)y * p->columns + x] = sum;
+    }
+  for (uint32_t y = 0; y < p->rows; y++)
+    for (uint32_t x = 0; x < p->columns; x++) {
+      double sum = 0;
+      for (int i = -REACH; i <= REACH; i++)
+        sum += p->window[i + REACH] * p->scratch[(size_t)within((int64_t)y + i, p->rows) * p->columns + x];
+      p->at[(size_t)y * p->columns + x] = sum;
+    }
+}
+
+static void develop(const vs_light *light, double stops, unsigned char *rgb, double *luma) {
+  vs_tone tone = { .curve = VS_TONE_NEUTRAL, .fixed = true, .stops = stops };
+  vs_tone_apply(light, &tone, rgb);
+  for (size_t i = 0; i < light->count; i++) {
+    luma[i] = 0;
+    for (size_t k = 0; k < 3; k++) luma[i] += vs_raster_share[k] * rgb[3 * i + k];
+  }
+}
+
+/* work: room for six planes; rgb: for the pixels. */
+static double similarity(const vs_light *a, const vs_light *b, uint32_t columns, uint32_t rows, double *work,
+                         unsigned char *rgb) {
+  const double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
+  double window[2 * REACH + 1], sum = 0, *of[6];
+  size_t n = a->count;
+  for (int i = -REACH; i <= REACH; i++) sum += window[i + REACH] = exp(-i * i / (2 * 1.5 * 1.5));
+  for (int i = 0; i <= 2 * REACH; i++) window[i] /= sum;
+  for (size_t k = 0; k < 6; k++) of[k] = work + k * n;
+  double stops = vs_tone_exposure(a, VS_TONE_NEUTRAL);
+  develop(a, stops, rgb, of[0]);
+  develop(b, stops, rgb, of[1]);
+  for (size_t i = 0; i < n; i++)
+    of[2][i] = of[0][i] * of[0][i], of[3][i] = of[1][i] * of[1][i], of[4][i] = of[0][i] * of[1][i];
+  for (size_t k = 0; k < 5; k++) blur(&(plane){ of[k], of[5], columns, rows, window });
+  sum = 0;
+  for (size_t i = 0; i < n; i++) {
+    double ma = of[0][i], mb = of[1][i], va = of[2][i] - ma * ma, vb = of[3][i] - mb * mb, both = of[4][i] - ma * mb;
+    sum += (2 * ma * mb + c1) * (2 * both + c2) / ((ma * ma + mb * mb + c1) * (va + vb + c2));
+  }
+  return sum / (double)n;
+}
+
+bool vs_picture_measure_gap(vs_store *store, const vs_light *a, const vs_light *b, uint32_t columns, uint32_t rows,
+                            float *each, vs_picture_gap *out, vs_error *e) {
+  size_t n = a->count, bytes = n * 6 * sizeof(double);
+  double *work = vs_store_realloc(store, NULL, 0, bytes);
+  unsigned char *rgb = vs_store_realloc(store, NULL, 0, n * 3);
+  bool ok = work && rgb;
+  double sum = 0, squares = 0;
+  *out = (vs_picture_gap){ .peak_ratio = INFINITY };
+  for (size_t i = 0; ok && i < n; i++) {
+    const double d[3] = { fabs((double)a->red[i] - (double)b->red[i]), fabs((double)a->green[i] - (double)b->green[i]),
+                          fabs((double)a->blue[i] - (double)b->blue[i]) };
+    double largest = fmax(d[0], fmax(d[1], d[2]));
+    if (each) each[i] = (float)((d[0] + d[1] + d[2]) / 3);
+    sum += d[0] + d[1] + d[2];
+    squares += d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    if (largest > out->most) out->most = largest, out->worst = i;
+  }
+  if (ok) {
+    out->mean = sum / (3 * (double)n), out->root = sqrt(squares / (3 * (double)n));
+    if (out->root > 0) out->peak_ratio = -20 * log10(out->root);
+    out->similarity = similarity(a, b, columns, rows, work, rgb);
+  }
+  if (work) vs_store_realloc(store, work, bytes, 0);
+  if (rgb) vs_store_realloc(store, rgb, n * 3, 0);
+  return ok || vs_error_memory(e, NULL);
+}

@@ -1,0 +1,258 @@
+/* Owns what hosts may do with EXR pictures: read the file, have geometry/pictures/ work, write a file that appears
+ * whole. */
+#include "session/pictures.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "backends/publish.h"
+#include "geometry/files/exr_read.h"
+#include "geometry/files/png_write.h"
+#include "geometry/pictures/denoise.h"
+#include "geometry/pictures/false_color.h"
+#include "geometry/pictures/picture_difference.h"
+#include "session/handles.h"
+#include "session/session.h"
+
+vs_tone vs_session_tone(const vs_development *d) {
+  static const vs_tone_curve curves[] = {
+      [VS_CURVE_NEUTRAL] = VS_TONE_NEUTRAL, [VS_CURVE_AGX] = VS_TONE_AGX, [VS_CURVE_FILMIC] = VS_TONE_FILMIC,
+      [VS_CURVE_LINEAR] = VS_TONE_LINEAR };
+  return (vs_tone){ .curve = curves[d->curve], .fixed = d->fixed, .stops = d->exposure };
+}
+
+/* ---- files ---- */
+
+typedef struct { unsigned char *at; size_t size, room; } bytes;
+
+static bool no_file(vs_error *e, const char *doing, const char *path) {
+  if (errno == ENOMEM) return vs_error_memory(e, NULL);
+  return vs_error_set(e, VS_ERROR_FILE, NULL, "cannot %s %s: %s", doing, path, strerror(errno));
+}
+
+static bool read_bytes(vs_store *store, const char *path, bytes *out, vs_error *e) {
+  struct stat info;
+  int file = open(path, O_RDONLY | O_CLOEXEC);
+  if (file < 0) return no_file(e, "read", path);
+  bool ok = fstat(file, &info) == 0;
+  if (ok && !S_ISREG(info.st_mode)) ok = false, errno = S_ISDIR(info.st_mode) ? EISDIR : EINVAL;
+  if (!ok) no_file(e, "read", path);
+  if (ok) {
+    out->room = (size_t)info.st_size + 1;
+    out->at = vs_store_realloc(store, NULL, 0, out->room);
+    if (!out->at) ok = vs_error_memory(e, NULL);
+  }
+  while (ok && out->size < out->room) {
+    ssize_t got = read(file, out->at + out->size, out->room - out->size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) ok = no_file(e, "read", path);
+    if (got <= 0) break;
+    out->size += (size_t)got;
+  }
+  close(file);
+  return ok;
+}
+
+static bool write_bytes(const char *path, const unsigned char *at, size_t size, vs_error *e) {
+  vs_publish p;
+  if (!vs_publish_begin(&p, path, false)) return no_file(e, "write", path);
+  bool ok = true;
+  for (size_t sent = 0; ok && sent < size;) {
+    ssize_t part = write(p.file, at + sent, size - sent);
+    if (part < 0 && errno == EINTR) continue;
+    ok = part > 0;
+    if (ok) sent += (size_t)part;
+  }
+  int problem = ok ? 0 : errno;
+  bool ended = vs_publish_end(&p, ok);
+  if (!ok) errno = problem;
+  return (ok && ended) || no_file(e, "write", path);
+}
+
+static const char *bare(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash ? slash + 1 : path;
+}
+
+/* Reads the channels that are wanted, or all, of an EXR file. */
+static bool take(vs_store *store, const char *path, const char *const *wanted, vs_exr *out, vs_error *e) {
+  bytes b = { 0 };
+  *out = (vs_exr){ .store = store };
+  bool ok = read_bytes(store, path, &b, e) && vs_exr_read(store, bare(path), b.at, b.size, wanted, out, e);
+  if (b.at) vs_store_realloc(store, b.at, b.room, 0);
+  return ok;
+}
+
+static const char *const colors[] = { "R", "G", "B", "Y", NULL };
+
+/* The picture's light; of one with luminance alone that, three times. */
+static bool light_of(const vs_exr *x, const char *path, vs_light *out, vs_error *e) {
+  const float *y = vs_exr_find(x, "Y");
+  *out = (vs_light){ vs_exr_find(x, "R"), vs_exr_find(x, "G"), vs_exr_find(x, "B"), (size_t)x->columns * x->rows };
+  if (out->red && out->green && out->blue) return true;
+  if (!y) return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture has neither R, G and B nor Y",
+      bare(path));
+  out->red = out->green = out->blue = y;
+  return true;
+}
+
+static bool write_png(vs_store *store, const char *path, const unsigned char *rgb, uint32_t columns, uint32_t rows,
+                      vs_error *e) {
+  bytes png = { 0 };
+  bool ok = vs_png_write(store, rgb, columns, rows, &png.at, &png.size, &png.room, e) &&
+            write_bytes(path, png.at, png.size, e);
+  if (png.at) vs_store_realloc(store, png.at, png.room, 0);
+  return ok;
+}
+
+/* Numbers as false colours, into a PNG. */
+static bool write_false(vs_store *store, const char *path, const float *at, const vs_exr *x,
+    const vs_color_scale *scale,
+                        vs_error *e) {
+  uint32_t wide = 0, high = 0;
+  unsigned char *rgb = vs_false_color_picture(store, at, x->columns, x->rows, scale, &wide, &high, e);
+  bool ok = rgb && write_png(store, path, rgb, wide, high, e);
+  if (rgb) vs_store_realloc(store, rgb, (size_t)wide * high * 3, 0);
+  return ok;
+}
+
+static vs_outcome end(vs_session *s, bool ok, const vs_error *e) {
+  return ok ? VS_OUTCOME_DONE : vs_session_report_error(s, e);
+}
+
+/* ---- the public functions ---- */
+
+vs_outcome vs_picture_tone(vs_scheme *vm, const char *from, const char *to, const vs_development *how, double *stops) {
+  vs_session *s = vs_session_of(vm);
+  if (vs_session_busy(s, "vs_picture_tone")) return VS_OUTCOME_USAGE;
+  vs_store *store = s->bind.store;
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  vs_exr x;
+  vs_light light;
+  vs_tone tone = vs_session_tone(how ? how : &(vs_development){ 0 });
+  unsigned char *rgb = NULL;
+  bool ok = take(store, from, colors, &x, &e) && light_of(&x, from, &light, &e);
+  if (ok && !(rgb = vs_store_realloc(store, NULL, 0, light.count * 3))) ok = vs_error_memory(&e, NULL);
+  if (ok) {
+    double used = vs_tone_apply(&light, &tone, rgb);
+    if (stops) *stops = used;
+    ok = write_png(store, to, rgb, x.columns, x.rows, &e);
+  }
+  if (rgb) vs_store_realloc(store, rgb, light.count * 3, 0);
+  vs_exr_free(&x);
+  return end(s, ok, &e);
+}
+
+vs_outcome vs_picture_false_color(vs_scheme *vm, const char *from, const char *to, double unit, double *least,
+                                  double *most) {
+  vs_session *s = vs_session_of(vm);
+  if (vs_session_busy(s, "vs_picture_false_color")) return VS_OUTCOME_USAGE;
+  vs_store *store = s->bind.store;
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  vs_exr x;
+  vs_light light;
+  float *at = NULL;
+  bool ok = take(store, from, colors, &x, &e) && light_of(&x, from, &light, &e);
+  ok = ok && (at = vs_exr_add(&x, "luminance", VS_EXR_FLOAT, &e)) != NULL;
+  if (ok) {
+    for (size_t i = 0; i < light.count; i++)
+      at[i] = (float)(unit * (vs_raster_share[0] * (double)light.red[i] + vs_raster_share[1] * (double)light.green[i] +
+                              vs_raster_share[2] * (double)light.blue[i]));
+    vs_color_scale scale = vs_color_scale_of(at, light.count, true, "cd/m2");
+    if (least) *least = scale.least;
+    if (most) *most = scale.most;
+    ok = write_false(store, to, at, &x, &scale, &e);
+  }
+  vs_exr_free(&x);
+  return end(s, ok, &e);
+}
+
+/* The n-th line of the text, from 1, cut to room. */
+static bool line_of(const char *text, size_t n, char *to, size_t room) {
+  for (; text && n > 1; n--) {
+    text = strchr(text, '\n');
+    if (text) text++;
+  }
+  size_t length = text ? strcspn(text, "\n") : 0;
+  if (length >= room) length = room - 1;
+  memcpy(to, text ? text : "", length);
+  to[length] = 0;
+  return length > 0;
+}
+
+vs_outcome vs_picture_pick(vs_scheme *vm, const char *from, long column, long row, vs_picture_point *out) {
+  static const char *const wanted[] = { "R", "G", "B", "Y", "Z", "N.X", "N.Y", "N.Z", "id", NULL };
+  vs_session *s = vs_session_of(vm);
+  if (vs_session_busy(s, "vs_picture_pick")) return VS_OUTCOME_USAGE;
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  vs_exr x;
+  vs_light light;
+  *out = (vs_picture_point){ .id = -1, .depth = NAN };
+  bool ok = take(s->bind.store, from, wanted, &x, &e) && light_of(&x, from, &light, &e);
+  if (ok && (column < 0 || row < 0 || column >= (long)x.columns || row >= (long)x.rows))
+    ok = vs_error_set(&e, VS_ERROR_FILE, NULL, "%.100s has no pixel %ld %ld: its columns are 0 to %u, its rows 0 to %u",
+                      bare(from), column, row, x.columns - 1, x.rows - 1);
+  if (ok) {
+    size_t i = (size_t)row * x.columns + (size_t)column;
+    const float *depth = vs_exr_find(&x, "Z"), *id = vs_exr_find(&x, "id");
+    const float *normal[3] = { vs_exr_find(&x, "N.X"), vs_exr_find(&x, "N.Y"), vs_exr_find(&x, "N.Z") };
+    out->color[0] = (double)light.red[i], out->color[1] = (double)light.green[i], out->color[2] = (double)light.blue[i];
+    if (depth) out->depth = (double)depth[i];
+    out->has_normal = normal[0] && normal[1] && normal[2];
+    for (int k = 0; out->has_normal && k < 3; k++) out->normal[k] = (double)normal[k][i];
+    if (id) out->id = id[i] > 0 && id[i] < 1e9f ? (long)id[i] : 0;
+    if (out->id > 0) line_of(x.sources, (size_t)out->id, out->place, sizeof out->place);
+  }
+  vs_exr_free(&x);
+  return end(s, ok, &e);
+}
+
+vs_outcome vs_picture_compare(vs_scheme *vm, const char *a, const char *b, const char *to, vs_picture_difference *out) {
+  vs_session *s = vs_session_of(vm);
+  if (vs_session_busy(s, "vs_picture_compare")) return VS_OUTCOME_USAGE;
+  vs_store *store = s->bind.store;
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  vs_exr x, y = { .store = store };
+  vs_light one, two;
+  vs_picture_gap gap = { 0 };
+  float *each = NULL;
+  bool ok = take(store, a, colors, &x, &e) && light_of(&x, a, &one, &e) && take(store, b, colors, &y, &e) &&
+            light_of(&y, b, &two, &e);
+  if (ok && (x.columns != y.columns || x.rows != y.rows))
+    ok = vs_error_set(&e, VS_ERROR_MODEL, NULL, "%.100s has %u x %u pixels, %.100s %u x %u", bare(a), x.columns, x.rows,
+                      bare(b), y.columns, y.rows);
+  if (ok && to) ok = (each = vs_exr_add(&x, "difference", VS_EXR_FLOAT, &e)) != NULL;
+  ok = ok && vs_picture_measure_gap(store, &one, &two, x.columns, x.rows, each, &gap, &e);
+  if (ok) {
+    *out = (vs_picture_difference){ .columns = x.columns, .rows = x.rows, .most = gap.most, .mean = gap.mean,
+        .root_mean_square = gap.root, .psnr = gap.peak_ratio, .ssim = gap.similarity,
+        .column = (long)(gap.worst % x.columns), .row = (long)(gap.worst / x.columns) };
+    vs_color_scale scale = { .most = gap.most > 0 ? gap.most : 1, .unit = "" };
+    ok = !to || write_false(store, to, each, &x, &scale, &e);
+  }
+  vs_exr_free(&x);
+  vs_exr_free(&y);
+  return end(s, ok, &e);
+}
+
+vs_outcome vs_picture_denoise(vs_scheme *vm, const char *from, const char *to, bool *layers) {
+  vs_session *s = vs_session_of(vm);
+  if (vs_session_busy(s, "vs_picture_denoise")) return VS_OUTCOME_USAGE;
+  vs_store *store = s->bind.store;
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  vs_exr x;
+  bytes exr = { 0 };
+  bool guided = false;
+  bool ok = take(store, from, NULL, &x, &e) && vs_exr_smooth(&x, &guided, &e) &&
+            vs_exr_write(&x, &exr.at, &exr.size, &exr.room, &e) && write_bytes(to, exr.at, exr.size, &e);
+  if (layers) *layers = guided;
+  if (exr.at) vs_store_realloc(store, exr.at, exr.room, 0);
+  vs_exr_free(&x);
+  return end(s, ok, &e);
+}

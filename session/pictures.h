@@ -1,0 +1,11 @@
+/* Owns the public functions on pictures in linear light: vs_picture_... of visualscheme.h. */
+#ifndef VS_SESSION_PICTURES_H
+#define VS_SESSION_PICTURES_H
+
+#include "geometry/pictures/tone.h"
+#include "visualscheme.h"
+
+/* The tone that the public options ask for. */
+vs_tone vs_session_tone(const vs_development *d);
+
+#endif

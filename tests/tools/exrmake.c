@@ -1,0 +1,44 @@
+/* Owns small EXR pictures for tests: `exrmake WIDTH HEIGHT OUT.exr [plain|noisy|layers|grey]`. Light goes from 0.01 at the
+ * left to 4 at the right by its logarithm; noisy: with noise of a tenth; layers: albedo, normal, depth and id besides,
+ * whose places are a.vs:1:2 and b.vs:30:4 in the upper and the lower half; grey: a channel Y alone. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "geometry/files/exr.h"
+
+static double chance(uint32_t *seed) {
+  *seed = *seed * 1664525u + 1013904223u;
+  return (*seed >> 8) / 16777216.0;
+}
+
+int main(int argc, char **argv) {
+  static const char *const names[] = { "R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "N.X", "N.Y", "N.Z" };
+  const char *kind = argc > 4 ? argv[4] : "plain";
+  bool layers = !strcmp(kind, "layers"), noisy = strcmp(kind, "plain") != 0, grey = !strcmp(kind, "grey");
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  uint32_t seed = 1;
+  if (argc < 4) return fputs("exrmake: WIDTH HEIGHT OUT [KIND]\n", stderr), 2;
+  vs_exr x = { .store = vs_store_new(NULL, NULL), .columns = (uint32_t)atoi(argv[1]), .rows = (uint32_t)atoi(argv[2]) };
+  size_t pixels = (size_t)x.columns * x.rows;
+  for (size_t k = 0; k < (grey ? 1u : layers ? 9u : 3u); k++) {
+    float *at = vs_exr_add(&x, grey ? "Y" : names[k], VS_EXR_HALF, &e);
+    for (size_t i = 0; at && i < pixels; i++) {
+      double light = 0.01 * pow(400, (double)(i % x.columns) / fmax(x.columns - 1, 1));
+      at[i] = (float)(k < 3 ? light * (1 + (noisy ? 0.2 * (chance(&seed) - 0.5) : 0)) : k < 6 ? 0.5 : k == 8);
+    }
+  }
+  if (layers) {
+    float *id = vs_exr_add(&x, "id", VS_EXR_WHOLE, &e), *depth = vs_exr_add(&x, "Z", VS_EXR_FLOAT, &e);
+    for (size_t i = 0; id && depth && i < pixels; i++)
+      id[i] = i % x.columns == 0 ? 0 : i < pixels / 2 ? 1 : 2, depth[i] = (float)(3 + (double)i / (double)pixels);
+    x.sources = "a.vs:1:2\nb.vs:30:4\n";
+  }
+  unsigned char *bytes;
+  size_t size, room;
+  FILE *f = fopen(argv[3], "wb");
+  if (!f || !vs_exr_write(&x, &bytes, &size, &room, &e)) return fprintf(stderr, "exrmake: %s\n", e.message), 1;
+  bool ok = fwrite(bytes, 1, size, f) == size;
+  return fclose(f) == 0 && ok ? 0 : 1;
+}
