@@ -523,6 +523,54 @@ VS_API const char *vs_thing_text(const vs_thing *t, const char *field); /* NULL:
 typedef struct { const double (*points)[3]; size_t point_count; const uint32_t (*corners)[3]; size_t count; } vs_triangles;
 VS_API bool vs_thing_triangles(vs_output *out, const vs_thing *t, vs_triangles *result);
 
+/* ---- meshes for hosts that draw ----
+ *
+ * vs_meshes_begin works out what the drawing is, the scene's nodes with it, as triangles and curves;
+     then vs_mesh_next hands
+ * over, one by one, what differs from what it handed over before: first what is gone,
+     then what is new or stands elsewhere.
+ * Equal shapes are one mesh with several places. A shape that the host has is not meshed again. */
+
+typedef enum {
+  VS_MESH_REMOVED, /* the id alone is told */
+  VS_MESH_CHANGED, /* it stands elsewhere: the id and all its places are told */
+  VS_MESH_ADDED
+} vs_mesh_change;
+
+typedef struct {
+  const char *material;  /* its name; "" where it has none */
+  uint64_t material_id;  /* what vs_material_handler's procedure gave for the name; 0: none */
+  bool painted;          /* false: no material was given, and what follows is a matt grey */
+  double color[4];       /* sRGB and opacity, 0 to 1 */
+  double roughness, metallic, ior;
+  const char *layer;     /* "": none */
+  const char *file;      /* the place in the program that made it; NULL: not known */
+  uint32_t line, column;
+} vs_mesh_part;
+
+typedef struct {
+  vs_mesh_change change;
+  uint64_t id;           /* equal for equal shapes of one fineness and paint, in every run */
+  const double (*points)[3]; size_t point_count;
+  const uint32_t (*corners)[3]; size_t triangle_count; /* counter-clockwise from outside; none: points are a curve's, in
+      their order */
+  /* A unit normal for each corner of each triangle: round where the shape is round, sharp at its creases. */
+  const double (*normals)[3]; size_t normal_count; const uint32_t (*normal_corners)[3];
+  const uint32_t *part_of; /* of each triangle; NULL: all are of the first */
+  const vs_mesh_part *parts; size_t part_count;
+  /* From the mesh's coordinates to the drawing's: a row each of x, y and z, the shift last. */
+  const double (*places)[3][4]; size_t place_count;
+} vs_mesh_info;
+
+/* o NULL: the defaults. After a failure the host has what it had. An empty drawing is one, as for vs_write_drawing; yet
+ * vs_mesh_next then tells of what is gone. */
+VS_API vs_outcome vs_meshes_begin(vs_scheme *s, const vs_output_options *o);
+/* False: that was all. The arrays live until the next call; the host that keeps them makes the one copy. */
+VS_API bool vs_mesh_next(vs_scheme *s, vs_mesh_info *out);
+VS_API void vs_meshes_forget(vs_scheme *s); /* the next round hands over everything; the material handler goes, too */
+/* The procedure is asked once for each material's name, in vs_mesh_next, and gives the host's own number for it. */
+VS_API void vs_material_handler(vs_scheme *s, uint64_t (*ask)(void *context, const char *name), void *context);
+
 /* ---- values that a host holds ----
  *
  * A handle stands for a value of the interpreter: a number, a text, an object, a node. It keeps the value until it is

@@ -52,6 +52,7 @@ typedef struct { vs_value name; vs_pos place; uint64_t own, whole; } vs_profile_
 
 typedef struct vs_own_format vs_own_format;
 typedef struct vs_handles vs_handles;
+typedef struct vs_host_meshes vs_host_meshes;
 
 typedef struct {
   vs_bind bind;             /* first: vm->host points to it */
@@ -78,6 +79,7 @@ typedef struct {
   vs_ref *change; size_t change_count; /* what vs_drawing_compare found, to be shown; nodes retained */
   vs_own_format *own_formats; /* that the host brought, newest first (own_formats.c) */
   vs_handles *handles;      /* what the host holds (handles.c); NULL: nothing so far */
+  vs_host_meshes *meshes;   /* that the host was handed (host_meshes.c); NULL: none */
   unsigned flags;           /* VS_EVAL_... of the evaluation under way */
   unsigned results;         /* how many have the names $1, $2 ... */
   bool profiling;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "session/handles.h"
+#include "session/host_meshes.h"
 #include "session/names.h"
 #include "session/stops.h"
 #include "session/comparison.h"
@@ -278,6 +279,7 @@ void vs_free(vs_scheme *vm) {
   if (!s) return;
   vs_session_free_own_formats(s);
   vs_session_free_handles(s);
+  vs_session_free_meshes(s);
   vs_session_free_comparison(s);
   vs_bind_close(&s->bind);
   vs_session_close_files(s);

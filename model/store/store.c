@@ -40,26 +40,6 @@ bool vs_error_set(vs_error *e, vs_error_kind kind, const vs_origin *origin, cons
 
 bool vs_error_memory(vs_error *e, const vs_origin *origin) { return vs_error_set(e, VS_ERROR_MEMORY, origin, "out of memory"); }
 
-uint64_t vs_hash_bytes(uint64_t h, const void *bytes, size_t size) {
-  const unsigned char *p = bytes;
-  uint64_t v;
-  h = vs_hash_mix(h, size);
-  for (; size >= sizeof v; p += sizeof v, size -= sizeof v) {
-    memcpy(&v, p, sizeof v);
-    h = vs_hash_mix(h, v);
-  }
-  v = 0;
-  memcpy(&v, p, size);
-  return vs_hash_mix(h, v);
-}
-
-uint64_t vs_hash_real(uint64_t h, double d) {
-  uint64_t v;
-  d += 0.0; /* -0 is 0 */
-  memcpy(&v, &d, sizeof v);
-  return vs_hash_mix(h, v);
-}
-
 /* ---- memory ---- */
 
 static void *store_libc_alloc(void *context, void *old, size_t old_size, size_t new_size) {
@@ -245,13 +225,6 @@ const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, u
     s->origins.count++;
   }
   return *slot;
-}
-
-uint64_t vs_material_hash(const vs_material *m) {
-  uint64_t h = vs_hash_bytes(2, m->name, strlen(m->name));
-  const double fields[] = { m->red, m->green, m->blue, m->roughness, m->metallic, m->transparency, m->ior };
-  for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) h = vs_hash_real(h, fields[i]);
-  return h;
 }
 
 static uint64_t material_slot_hash(const void *item) { return vs_material_hash(item); }

@@ -3,6 +3,7 @@
 #define VS_MODEL_STORE_H
 
 #include "model/node.h"
+#include "model/store/hashes.h"
 
 typedef struct { void **slots; size_t count, room; } vs_intern; /* open addressing, room a power of two */
 typedef struct vs_block vs_block;
@@ -33,16 +34,7 @@ struct vs_store {
   vs_piece *given_back[VS_PIECE_MOST / 8 + 1]; /* by size in words */
 };
 
-static inline uint64_t vs_hash_mix(uint64_t h, uint64_t v) {
-  h = (h ^ v) * UINT64_C(0x9E3779B97F4A7C15);
-  h ^= h >> 32;
-  h *= UINT64_C(0xD6E8FEB86659FD93);
-  return h ^ h >> 32;
-}
 void vs_store_slabs_free(vs_store *s);
-uint64_t vs_hash_bytes(uint64_t h, const void *bytes, size_t size);
-uint64_t vs_hash_real(uint64_t h, double d);
 uint64_t vs_text_hash(const char *interned); /* kept with the text */
-uint64_t vs_material_hash(const vs_material *m);
 
 #endif

@@ -1,0 +1,377 @@
+/* Owns the meshes in the public header: a back-end that writes nothing and keeps, of each distinct shape, one mesh and
+ * its places, and the comparison with what the host was handed before.
+ *
+ * A shape's id is made of its node's hash,
+     the fineness and its paint. So a shape that the host has is recognised before
+ * it is meshed. Memory is the session's, so limits hold. The mesh of a new shape is copied once,
+     out of the driver's. */
+#include "session/host_meshes.h"
+
+#include <string.h>
+
+#include "backends/backend.h"
+#include "backends/lower.h"
+#include "backends/shade.h"
+#include "geometry/shapes/unit_forms.h"
+#include "model/store/hashes.h"
+#include "session/handles.h"
+#include "session/spine.h"
+
+typedef struct {
+  uint64_t id, places_hash;
+  size_t place_count, place_room;
+  double (*places)[3][4];
+  bool made;               /* this round: the host does not have it, its mesh is here */
+  vs_mesh mesh;            /* arrays of the session's memory */
+  vs_shading shading;      /* of malloc, by vs_shading_make */
+  vs_mesh_part *parts;
+  size_t part_count;
+} shape;
+
+typedef struct {
+  shape *at;
+  size_t count, room;
+  uint32_t *slots;         /* of the table from id to index + 1; a power of two of them */
+  size_t slot_count;
+} shapes;
+
+typedef struct { const char *name; uint64_t id; } known_material;
+
+struct vs_host_meshes {
+  vs_backend backend;      /* first: an emitter's back-end is it */
+  vs_format format;
+  vs_session *session;
+  shapes had, now;         /* what the host has been handed; what the drawing is. Of had,
+      ids and places' hashes alone */
+  const char **layers;     /* that are open, outermost first */
+  size_t layer_count, layer_room;
+  size_t removed, told;    /* how far vs_mesh_next is, in had and in now */
+  size_t last;             /* index + 1 of the shape that was handed over last, whose arrays live until the next call */
+  bool open;               /* a round was begun */
+  uint64_t (*material)(void *context, const char *name);
+  void *material_context;
+  known_material *known;
+  size_t known_count, known_room;
+};
+
+/* ---- memory ---- */
+
+static bool grow(vs_session *s, void *array, size_t *room, size_t need, size_t size) {
+  void **at = array;
+  if (need <= *room) return true;
+  size_t more = *room + *room / 2 + 8 > need ? *room + *room / 2 + 8 : need;
+  void *grown = vs_session_memory(s, *at, *room * size, more * size);
+  if (!grown) return false;
+  *at = grown, *room = more;
+  return true;
+}
+
+static void drop(vs_session *s, void *array, size_t room, size_t size) {
+  if (*(void **)array) vs_session_memory(s, *(void **)array, room * size, 0);
+  *(void **)array = NULL;
+}
+
+static void drop_mesh(vs_session *s, shape *f) {
+  drop(s, &f->mesh.vertices, f->mesh.vertex_room, sizeof *f->mesh.vertices);
+  drop(s, &f->mesh.triangles, f->mesh.triangle_room, sizeof *f->mesh.triangles);
+  drop(s, &f->mesh.tags, f->mesh.triangle_room, sizeof *f->mesh.tags);
+  drop(s, &f->parts, f->part_count, sizeof *f->parts);
+  vs_shading_free(&f->shading);
+  f->mesh = (vs_mesh){ 0 }, f->part_count = 0;
+}
+
+static void drop_shape(vs_session *s, shape *f) {
+  drop_mesh(s, f);
+  drop(s, &f->places, f->place_room, sizeof *f->places);
+  f->place_room = 0;
+}
+
+static void drop_shapes(vs_session *s, shapes *l) {
+  for (size_t i = 0; i < l->count; i++) drop_shape(s, &l->at[i]);
+  drop(s, &l->at, l->room, sizeof *l->at);
+  drop(s, &l->slots, l->slot_count, sizeof *l->slots);
+  *l = (shapes){ 0 };
+}
+
+/* ---- the table ---- */
+
+static size_t slot_of(const shapes *l, uint64_t id) {
+  size_t i = (size_t)id & (l->slot_count - 1);
+  while (l->slots[i] && l->at[l->slots[i] - 1].id != id) i = (i + 1) & (l->slot_count - 1);
+  return i;
+}
+
+static shape *find(const shapes *l, uint64_t id) {
+  uint32_t number = l->slot_count ? l->slots[slot_of(l, id)] : 0;
+  return number ? &l->at[number - 1] : NULL;
+}
+
+static shape *put(vs_session *s, shapes *l, uint64_t id) {
+  if (2 * (l->count + 1) > l->slot_count) {
+    size_t slots = l->slot_count ? 2 * l->slot_count : 64;
+    uint32_t *fresh = vs_session_memory(s, NULL, 0, slots * sizeof *fresh);
+    if (!fresh) return NULL;
+    memset(fresh, 0, slots * sizeof *fresh);
+    drop(s, &l->slots, l->slot_count, sizeof *l->slots);
+    l->slots = fresh, l->slot_count = slots;
+    for (size_t i = 0; i < l->count; i++) l->slots[slot_of(l, l->at[i].id)] = (uint32_t)i + 1;
+  }
+  if (!grow(s, &l->at, &l->room, l->count + 1, sizeof *l->at)) return NULL;
+  l->at[l->count] = (shape){ .id = id };
+  l->slots[slot_of(l, id)] = (uint32_t)++l->count;
+  return &l->at[l->count - 1];
+}
+
+/* ---- the back-end ---- */
+
+static vs_host_meshes *meshes_of(vs_emitter *e) { return (vs_host_meshes *)(uintptr_t)e->backend; }
+
+static const char *layer_of(const vs_host_meshes *m) { return m->layer_count ? m->layers[m->layer_count - 1] : ""; }
+
+static uint64_t paint_hash(vs_emitter *e) {
+  uint64_t h = e->material ? vs_material_hash(e->material) : 0;
+  const char *layer = layer_of(meshes_of(e));
+  return vs_hash_bytes(h, layer, strlen(layer));
+}
+
+static bool place(vs_emitter *e, shape *f, const vs_affine *a) {
+  vs_session *s = meshes_of(e)->session;
+  if (!grow(s, &f->places, &f->place_room, f->place_count + 1, sizeof *f->places)) return vs_emit_no_memory(e);
+  uint64_t bits[12];
+  _Static_assert(sizeof bits == sizeof *f->places && sizeof bits == sizeof a->m, "a place is twelve numbers");
+  memcpy(f->places[f->place_count++], a->m, sizeof bits);
+  memcpy(bits, a->m, sizeof bits);
+  for (int i = 0; i < 12; i++) f->places_hash = vs_hash_mix(f->places_hash, bits[i]);
+  return true;
+}
+
+static void paint(vs_mesh_part *p, const vs_material *m, const char *layer, const vs_origin *o) {
+  *p = (vs_mesh_part){ .material = "", .layer = layer, .color = { 0.8, 0.8, 0.8, 1 }, .roughness = 0.6, .ior = 1.5 };
+  if (m) {
+    *p = (vs_mesh_part){ .material = m->name, .layer = layer, .painted = true, .roughness = m->roughness,
+                         .color = { m->red, m->green, m->blue, 1 - m->transparency }, .metallic = m->metallic,
+                         .ior = m->ior };
+  }
+  if (o) p->file = o->file, p->line = o->line, p->column = o->column;
+}
+
+/* The one copy: out of the driver's mesh, which lives until the next. */
+static bool keep(vs_emitter *e, shape *f, const vs_solid *from, const vs_origin *origin, double crease) {
+  vs_host_meshes *m = meshes_of(e);
+  vs_session *s = m->session;
+  const vs_mesh *mesh = &from->mesh;
+  size_t parts = from->part_count ? from->part_count : 1;
+  bool tagged = mesh->tags && from->part_count > 1;
+  if (!grow(s, &f->mesh.vertices, &f->mesh.vertex_room, mesh->vertex_count, sizeof *mesh->vertices) ||
+      !grow(s, &f->mesh.triangles, &f->mesh.triangle_room, mesh->triangle_count, sizeof *mesh->triangles))
+    return vs_emit_no_memory(e);
+  f->parts = vs_session_memory(s, NULL, 0, parts * sizeof *f->parts);
+  if (!f->parts) return vs_emit_no_memory(e);
+  f->part_count = parts;
+  if (tagged && !(f->mesh.tags = vs_session_memory(s, NULL, 0, f->mesh.triangle_room * sizeof *f->mesh.tags)))
+    return vs_emit_no_memory(e);
+  f->mesh.vertex_count = mesh->vertex_count, f->mesh.triangle_count = mesh->triangle_count;
+  if (mesh->vertex_count) memcpy(f->mesh.vertices, mesh->vertices, mesh->vertex_count * sizeof *mesh->vertices);
+  if (mesh->triangle_count) memcpy(f->mesh.triangles, mesh->triangles, mesh->triangle_count * sizeof *mesh->triangles);
+  if (tagged) memcpy(f->mesh.tags, mesh->tags, mesh->triangle_count * sizeof *mesh->tags);
+  for (size_t i = 0; i < parts; i++) {
+    const vs_solid_part *p = from->part_count ? &from->parts[i] : NULL;
+    const vs_origin *o = p && p->leaf.origin ? p->leaf.origin : origin;
+    paint(&f->parts[i], p && p->material ? p->material : e->material, p && p->layer ? p->layer : layer_of(m), o);
+  }
+  return vs_shading_make(e, f->mesh.vertices, f->mesh.vertex_count, (const uint32_t (*)[3])f->mesh.triangles,
+      f->mesh.triangle_count, crease, &f->shading);
+}
+
+/* The shape with this id in the round, new to it or not; *make: its mesh is wanted. NULL: out of memory. */
+static shape *shape_of(vs_emitter *e, uint64_t id, bool *make) {
+  vs_host_meshes *m = meshes_of(e);
+  shape *f = find(&m->now, id);
+  *make = false;
+  if (f) return f;
+  f = put(m->session, &m->now, id);
+  if (!f) return vs_emit_no_memory(e), NULL;
+  f->made = *make = !find(&m->had, id);
+  return f;
+}
+
+static bool emit_shape(vs_emitter *e, const vs_ref *ref, double crease) {
+  bool make;
+  uint64_t fine = vs_hash_real(vs_hash_real(ref->node->hash, e->facets.tolerance), e->facets.segments);
+  shape *f = shape_of(e, vs_hash_mix(fine, paint_hash(e)), &make);
+  if (!f) return false;
+  if (make) {
+    const vs_solid *mesh = vs_emit_mesh(e, ref);
+    if (!mesh || !keep(e, f, mesh, ref->origin, crease)) return false;
+  }
+  return place(e, f, &e->placement);
+}
+
+static vs_emit_status host_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  vs_unit_copy copy;
+  if (vs_unit_of(ref->node, &e->facets, &copy)) {
+    bool make;
+    vs_affine at = vs_affine_multiply(&e->placement, &copy.place);
+    if (vs_affine_is_placement(&at)) {
+      uint64_t kind = vs_hash_mix(vs_hash_mix(0x756e6974, (uint64_t)copy.unit), (uint64_t)copy.turn);
+      shape *f = shape_of(e, vs_hash_mix(kind, paint_hash(e)), &make);
+      vs_solid form = { .part_count = 0 };
+      bool ok = f && (!make || ((vs_unit_mesh(copy.unit, copy.turn, &form.mesh) || vs_emit_no_memory(e)) &&
+                                keep(e, f, &form, ref->origin, vs_shade_crease(copy.turn > 0))));
+      vs_mesh_free(&form.mesh);
+      return ok && place(e, f, &at) ? VS_EMITTED : VS_FAILED;
+    }
+  }
+  return emit_shape(e, ref, vs_shade_crease(vs_lower_is_round(ref->node))) ? VS_EMITTED : VS_FAILED;
+}
+
+static vs_emit_status host_boolean(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  if (phase != VS_PHASE_ENTER) return VS_EMITTED;
+  return emit_shape(e, ref, vs_shade_crease(true)) ? VS_WHOLE : VS_FAILED;
+}
+
+/* A curve is a mesh without triangles: its points in their order, the first once more where it is closed. */
+static vs_emit_status host_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  (void)phase;
+  const struct vs_line *l = VS_AS(line, ref->node);
+  vs_host_meshes *m = meshes_of(e);
+  bool make;
+  if (l->points->count < 2) return VS_EMITTED;
+  shape *f = shape_of(e, vs_hash_mix(ref->node->hash, paint_hash(e)), &make);
+  if (!f) return VS_FAILED;
+  if (make) {
+    size_t count = l->points->count + (l->closed ? 1u : 0u);
+    f->parts = vs_session_memory(m->session, NULL, 0, sizeof *f->parts);
+    if (f->parts) f->part_count = 1, paint(f->parts, e->material, layer_of(m), ref->origin);
+    if (!f->parts || !grow(m->session, &f->mesh.vertices, &f->mesh.vertex_room, count, sizeof *f->mesh.vertices))
+      return vs_emit_no_memory(e), VS_FAILED;
+    for (size_t i = 0; i < count; i++) f->mesh.vertices[i] = l->points->at[i % l->points->count];
+    f->mesh.vertex_count = count;
+  }
+  return place(e, f, &e->placement) ? VS_EMITTED : VS_FAILED;
+}
+
+/* A placement, paint, layer or union: gone through. */
+static vs_emit_status host_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  vs_host_meshes *m = meshes_of(e);
+  if (ref->node->kind != VS_LAYER) return VS_EMITTED;
+  if (phase == VS_PHASE_LEAVE) return m->layer_count--, VS_EMITTED;
+  if (!grow(m->session, &m->layers, &m->layer_room, m->layer_count + 1, sizeof *m->layers))
+    return vs_emit_no_memory(e), VS_FAILED;
+  m->layers[m->layer_count++] = VS_AS(layer, ref->node)->name;
+  return VS_EMITTED;
+}
+
+static bool host_begin(vs_emitter *e) { return meshes_of(e)->layer_count = 0, true; }
+static bool host_end(vs_emitter *e) { return (void)e, true; }
+
+static const vs_backend host_backend = {
+  .begin = host_begin, .end = host_end, .emit = { VS_EMIT_SHAPES(host_leaf, host_line, host_through, host_boolean) } };
+
+/* ---- the public side ---- */
+
+static vs_host_meshes *open_meshes(vs_session *s) {
+  if (s->meshes) return s->meshes;
+  vs_host_meshes *m = vs_session_memory(s, NULL, 0, sizeof *m);
+  if (!m) return vs_session_out_of_memory(s), NULL;
+  memset(m, 0, sizeof *m);
+  m->backend = host_backend, m->session = s;
+  m->format = (vs_format){ .name = "meshes", .suffix = "meshes", .doc = "", .binary = true, .backend = &m->backend };
+  return s->meshes = m;
+}
+
+void vs_session_free_meshes(vs_session *s) {
+  vs_host_meshes *m = s->meshes;
+  if (!m) return;
+  drop_shapes(s, &m->had);
+  drop_shapes(s, &m->now);
+  drop(s, &m->layers, m->layer_room, sizeof *m->layers);
+  drop(s, &m->known, m->known_room, sizeof *m->known);
+  vs_session_memory(s, m, sizeof *m, 0);
+  s->meshes = NULL;
+}
+
+static bool take_nothing(void *context, const void *bytes, size_t count) {
+  return (void)context, (void)bytes, (void)count, true;
+}
+
+vs_outcome vs_meshes_begin(vs_scheme *vm, const vs_output_options *options) {
+  vs_session *s = vs_session_of(vm);
+  if (vs_session_busy(s, "vs_meshes_begin")) return VS_OUTCOME_USAGE;
+  vs_host_meshes *m = open_meshes(s);
+  if (!m) return VS_OUTCOME_MACHINE;
+  if (m->open) { /* what was not handed over of the last round stays to be told: the host has what it has */
+    drop_shapes(s, &m->now);
+    m->open = false;
+  }
+  vs_output_options o = options ? *options : vs_output_options_default();
+  o.passes &= ~(1u << VS_PASS_FOLD); /* copies stay copies */
+  vs_byte_sink nowhere = { take_nothing, NULL };
+  vs_outcome outcome = vs_session_write(s, NULL, &m->format, &o, &nowhere);
+  bool nothing = outcome == VS_OUTCOME_MODEL && !m->now.count && !s->bind.scene.drawn_count && !s->bind.returned_count;
+  if (outcome != VS_OUTCOME_DONE && !nothing) return drop_shapes(s, &m->now), outcome;
+  m->open = true, m->removed = m->told = m->last = 0;
+  return outcome;
+}
+
+static uint64_t id_of_material(vs_host_meshes *m, const char *name) {
+  if (!m->material || !*name) return 0;
+  for (size_t i = 0; i < m->known_count; i++) if (m->known[i].name == name) return m->known[i].id; /* interned */
+  uint64_t id = m->material(m->material_context, name);
+  if (grow(m->session, &m->known, &m->known_room, m->known_count + 1, sizeof *m->known))
+    m->known[m->known_count++] = (known_material){ name, id };
+  return id;
+}
+
+/* The round is over: what the drawing is, is what the host has. */
+static bool end_round(vs_host_meshes *m) {
+  drop_shapes(m->session, &m->had);
+  m->had = m->now, m->now = (shapes){ 0 };
+  m->open = false;
+  return false;
+}
+
+static bool hand_over(vs_host_meshes *m, shape *f, vs_mesh_info *out) {
+  for (size_t i = 0; i < f->part_count; i++) f->parts[i].material_id = id_of_material(m, f->parts[i].material);
+  *out = (vs_mesh_info){
+    .change = f->made ? VS_MESH_ADDED : VS_MESH_CHANGED, .id = f->id,
+    .points = (const double (*)[3])(const void *)f->mesh.vertices, .point_count = f->mesh.vertex_count,
+    .corners = (const uint32_t (*)[3])f->mesh.triangles, .triangle_count = f->mesh.triangle_count,
+    .normals = (const double (*)[3])(const void *)f->shading.normals, .normal_count = f->shading.normal_count,
+    .normal_corners = (const uint32_t (*)[3])f->shading.corners, .part_of = f->mesh.tags, .parts = f->parts,
+    .part_count = f->part_count, .places = (const double (*)[3][4])f->places, .place_count = f->place_count };
+  return true;
+}
+
+bool vs_mesh_next(vs_scheme *vm, vs_mesh_info *out) {
+  vs_session *s = vs_session_of(vm);
+  vs_host_meshes *m = s->meshes;
+  *out = (vs_mesh_info){ 0 };
+  if (!m || !m->open || vs_session_busy(s, "vs_mesh_next")) return false;
+  if (m->last) drop_shape(s, &m->now.at[m->last - 1]); /* the host has it: its id and its places' hash stay */
+  m->last = 0;
+  while (m->removed < m->had.count) {
+    const shape *f = &m->had.at[m->removed++];
+    if (find(&m->now, f->id)) continue;
+    *out = (vs_mesh_info){ .change = VS_MESH_REMOVED, .id = f->id };
+    return true;
+  }
+  while (m->told < m->now.count) {
+    shape *f = &m->now.at[m->told++];
+    const shape *before = f->made ? NULL : find(&m->had, f->id);
+    m->last = m->told;
+    if (!before || before->places_hash != f->places_hash || before->place_count != f->place_count)
+      return hand_over(m, f, out);
+    drop_shape(s, f);
+    m->last = 0;
+  }
+  return end_round(m);
+}
+
+void vs_meshes_forget(vs_scheme *vm) { vs_session_free_meshes(vs_session_of(vm)); }
+
+void vs_material_handler(vs_scheme *vm, uint64_t (*ask)(void *context, const char *name), void *context) {
+  vs_host_meshes *m = open_meshes(vs_session_of(vm));
+  if (m) m->material = ask, m->material_context = context, m->known_count = 0;
+}
