@@ -55,7 +55,7 @@ typedef struct {
   know_index symbol;  /* 0: of the translation's own */
   uint8_t type, gives; /* gives: what a procedure's calls give */
   bool global, set, handed; /* handed: used otherwise than in calls */
-  bool recursive, draws;
+  bool recursive, draws, loops; /* loops: JavaScript says it as a loop */
   bool lifted;        /* a local name that becomes a definition at top level */
   bool module;        /* stands for a solid, or makes one */
   bool model_parameter;

@@ -1,8 +1,8 @@
 /* Owns which local names become definitions at top level, and what those get handed besides.
  *
  * A local name is lifted where the target has no other way to say it: a solid that has a name, a procedure that makes
- * or draws solids, a procedure that calls itself. The variables of the procedures around it that it uses are handed to it
- * with every call, and so on through the calls among lifted ones. */
+ * or draws solids, a procedure that calls itself. The variables of the procedures around it that it uses are handed to
+ * it with every call, and so on through the calls among lifted ones. */
 #include "knowledge/translate/lift_procedures.h"
 
 #include "knowledge/translate/words.h"

@@ -133,20 +133,28 @@ static tr_index argument(const translation *t, tr_index primitive, uint32_t nth)
   return 0;
 }
 
-/* keys: "twist=0 scale=1", "segments=$fn": as the target calls them, by place with their defaults. */
-static void plan_keys(tr_writer *w, tr_index primitive, const char *keys) {
+/* keys: "segments=$fn:n": as the program says, as the target does, and as it does in braces. */
+static void plan_keys(tr_writer *w, tr_index primitive, const char *keys, bool alone) {
   const translation *t = w->t;
+  bool any = false, braces = *w->target->key == ':';
+  const char *open = alone ? "" : braces ? ", { " : ", ";
   for (tr_index i = t->nodes[primitive].first; i; i = t->nodes[i].next) {
     if (t->nodes[i].kind != TR_KEYWORD) continue;
     for (const char *at = keys; *at;) {
       size_t length = strcspn(at, " "), name = strcspn(at, "= ");
       if (name == strlen(t->nodes[i].text) && !strncmp(at, t->nodes[i].text, name)) {
-        const char *said = at[name] == '=' ? at + name + 1 : at;
-        tr_plan(w, ", %s = %v", know_text(t->k, said, length - (size_t)(said - at)), t->nodes[i].first);
+        const char *said = at[name] == '=' ? at + name + 1 : at, *end = at + length;
+        const char *colon = memchr(said, ':', (size_t)(end - said));
+        if (colon && braces) said = colon + 1; /* $fn:n */
+        else if (colon) end = colon;
+        tr_plan(w, "%s%s%s%v", any ? ", " : open, know_text(t->k, said, (size_t)(end - said)), w->target->key,
+                t->nodes[i].first);
+        any = true;
       }
       at += length + (at[length] == ' ');
     }
   }
+  if (any && braces && !alone) tr_plan(w, " }");
 }
 
 /* An angle in degrees: what was said in degrees stays. */
@@ -209,7 +217,7 @@ void tr_plan_row(tr_writer *w, tr_index primitive, int level) {
     at += what ? 2 : 1;
     if (mark == '$' && what == '*') {
       for (uint32_t i = 0; argument(t, primitive, i); i++) tr_plan(w, i ? ",%_%v" : "%v", argument(t, primitive, i));
-    } else if (mark == '$' && what == 'k') plan_keys(w, primitive, row.keys);
+    } else if (mark == '$' && what == 'k') plan_keys(w, primitive, row.keys, at - 2 > row.text && at[-3] == '{');
     else if (mark == '$' && isdigit((unsigned char)what)) {
       tr_index a = argument(t, primitive, nth);
       if (a && !plan_axis(w, a, tr_word_letter(row.arguments, nth))) tr_plan(w, "%v", a);
@@ -319,15 +327,20 @@ static bool word_in(const char *text, size_t length, const char *word) {
   return false;
 }
 
-/* Adds what the program uses, and what that uses. Helpers stand in their table before those that they use. */
+/* Adds what the program uses, and what that uses, and what is there for others to use. */
 static void put_helpers(tr_writer *w) {
   enum { MOST = 128 };
   bool used[MOST] = {false};
-  for (size_t i = 0; i < MOST && tr_helper_name(w->target, i); i++) {
-    used[i] = word_in(w->out, w->out_count, tr_helper_name(w->target, i));
-    for (size_t j = 0; j < i && !used[i]; j++) {
-      const char *text = tr_helper_text(w->target, j);
-      used[i] = used[j] && word_in(text, strlen(text), tr_helper_name(w->target, i));
+  for (bool more = true, first = true; more; first = false) {
+    more = false;
+    for (size_t i = 0; i < MOST && tr_helper_name(w->target, i); i++) {
+      const char *own = tr_helper_text(w->target, i), *name = tr_helper_name(w->target, i);
+      if (first) used[i] = !strncmp(own, "export ", 7) || word_in(w->out, w->out_count, name);
+      for (size_t j = 0; !used[i] && j < MOST && tr_helper_name(w->target, j); j++) {
+        const char *text = tr_helper_text(w->target, j);
+        if (j != i && used[j] && word_in(text, strlen(text), name)) used[i] = more = true;
+      }
+      more = more || (first && used[i]);
     }
   }
   if (!w->target->helpers_first) {

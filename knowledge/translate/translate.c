@@ -13,7 +13,7 @@ const char *know_language(const char *name, const char *path) {
 const char *know_languages(void) {
   return ""
 #define TR_TARGET(name, ...) " " name
-#include "knowledge/translate/translate_targets.def"
+#include "knowledge/targets/translate_targets.def"
       ;
 }
 

@@ -51,6 +51,7 @@ bool tr_kind_fits(const translation *t, tr_index argument, char letter) {
   bool open = base_of(type) == TR_UNKNOWN || base_of(type) == TR_ANYTHING;
   switch (letter) {
   case '#': return type == TR_A_NUMBER;
+  case 'S': return type == TR_A_STRING;
   case 'Z': return n->kind == TR_STRING && !strcmp(n->text, "z");
   case 'A': return n->kind == TR_STRING ? strlen(n->text) == 1 && strchr("xyz", *n->text) : type == TR_A_POINT || open;
   case 'L':

@@ -5,11 +5,12 @@
 
 #include "knowledge/translate/value_kinds.h"
 #include "knowledge/translate/text_plan.h"
-#include "knowledge/translate/to_openscad.h"
+#include "knowledge/targets/to_javascript.h"
+#include "knowledge/targets/to_openscad.h"
 
 static const tr_target targets[] = {
 #define TR_TARGET(...) {__VA_ARGS__},
-#include "knowledge/translate/translate_targets.def"
+#include "knowledge/targets/translate_targets.def"
 };
 enum { TARGETS = sizeof targets / sizeof *targets };
 
@@ -109,7 +110,9 @@ int tr_word_arguments(const tr_target *target, const char *name) {
 
 static const struct { const char *target, *name, *text; } helpers[] = {
 #define TR_HELPER(target, name, text) {#target, #name, text},
-#include "knowledge/translate/openscad_helpers.def"
+#include "knowledge/targets/openscad_helpers.def"
+#define TR_HELPER(target, name, text) {#target, #name, text},
+#include "knowledge/targets/javascript_helpers.def"
 };
 enum { HELPERS = sizeof helpers / sizeof *helpers };
 

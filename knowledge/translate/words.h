@@ -11,6 +11,7 @@ typedef struct tr_target {
   bool lifts;               /* procedures within procedures become definitions at top level */
   bool assigns;             /* variables can be set */
   bool helpers_first;       /* what the program needs besides must stand before it */
+  const char *key;          /* what stands between a keyword and its value */
   const char *x, *y, *z;    /* the axes as vectors */
   const char *comment;      /* what begins a line of comment */
   const char *reserved;     /* words that no name may be, each between blanks */

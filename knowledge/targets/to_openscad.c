@@ -3,7 +3,7 @@
  * Solids are no values there: what makes one is a module, a solid that is handed over is a child of the module's call,
  * and a solid with a name is a module without parameters. All else is a function or a variable. Procedures as values
  * are function literals, which OpenSCAD has since 2021. */
-#include "knowledge/translate/to_openscad.h"
+#include "knowledge/targets/to_openscad.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -79,8 +79,8 @@ static void plan_arguments(tr_writer *w, tr_index call, tr_index procedure) {
 }
 
 static void no_value(tr_writer *w, tr_index n, const char *what) {
-  tr_complain(w->t, n, "%s: OpenSCAD's solids are no values: they can be drawn, moved, united, and handed to what does so",
-              what);
+  tr_complain(w->t, n, "%s: OpenSCAD's solids are no values: they can be drawn, moved, united, and handed to what does "
+              "so", what);
 }
 
 static void plan_name(tr_writer *w, tr_index n) {

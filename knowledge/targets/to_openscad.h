@@ -1,6 +1,6 @@
 /* Owns programs in OpenSCAD's language. */
-#ifndef VS_KNOWLEDGE_TRANSLATE_TO_OPENSCAD_H
-#define VS_KNOWLEDGE_TRANSLATE_TO_OPENSCAD_H
+#ifndef VS_KNOWLEDGE_TARGETS_TO_OPENSCAD_H
+#define VS_KNOWLEDGE_TARGETS_TO_OPENSCAD_H
 
 #include "knowledge/translate/words.h"
 
