@@ -19,7 +19,7 @@ say       = $(if $(V),@:,@echo "  $(1)")
 pkg       = $(shell pkg-config --libs $(1) 2>/dev/null || echo $(2))
 LDLIBS   += $(call pkg,gmp libutf8proc,-lgmp -lutf8proc) -lm -lpthread -ldl
 PNG_LIBS  = $(call pkg,libpng,-lpng)
-UNIT_LIBS = $(call pkg,cmocka,-lcmocka)
+UNIT_LIBS = $(call pkg,cmocka jansson,-lcmocka -ljansson)
 
 LAYERS    = vm model functions geometry kernel solids passes bind scene backends session
 LIB_SRC   = $(foreach d,$(LAYERS),$(wildcard $(d)/*.c $(d)/*/*.c))
@@ -171,6 +171,11 @@ $(BUILD)/tools/zipped: tests/tools/zipped.c
 	@mkdir -p $(@D)
 	$(call say,tool  $<)
 	$(Q)$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(call pkg,libzip,-lzip)
+
+$(BUILD)/tools/crossings: tests/tools/crossings.c tests/tools/written_mesh.h tests/tools/crossings.h tests/tools/stl.h
+	@mkdir -p $(@D)
+	$(call say,tool  $<)
+	$(Q)$(CC) $(CFLAGS) $< -o $@ $(LDFLAGS) $(call pkg,gmp jansson,-lgmp -ljansson) -lm
 
 $(BUILD)/tools/fuzz: tests/oracle/fuzz.c tests/oracle/sx.c tests/tools/crossings.h $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)

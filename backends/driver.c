@@ -12,6 +12,7 @@
 
 #include "backends/lower.h"
 #include "backends/drive.h"
+#include "backends/format_numbers.h"
 #include "solids/drawn_bounds.h"
 #include "model/store/cache.h"
 #include "model/tally.h"
@@ -612,26 +613,8 @@ static bool drive_all_vain(vs_emitter *e) {
 
 /* What the format's numbers cannot hold apart is made one; what they fold is said. */
 static bool drive_settle(vs_emitter *e, vs_mesh *m) {
-  vs_settled what;
-  char message[160];
-  vs_tally *tally = vs_store_tally(e->scene->store);
-  vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
-  vs_kernel_error why;
-  vs_kernel_counts counts = { 0 };
-  bool settled = vs_mesh_settle(m, e->backend->numbers, &(vs_kernel_options){ .progress = drive_settling, .context = e, .counts = &counts }, &what, &why);
-  vs_tally_enter(tally, was);
-  vs_solid_tally_steps(e->scene->store, &counts);
-  if (!settled) return why.status == VS_KERNEL_INTERRUPTED ? false : vs_emit_no_memory(e);
-  if (e->options->warn == NULL) return true;
-  if (what.dropped != 0) {
-    snprintf(message, sizeof message, "%zu slivers are left out: thinner than this format's numbers tell apart, the first near %g %g %g", what.dropped, what.dropped_at.x,
-             what.dropped_at.y, what.dropped_at.z);
-    e->options->warn(e->options->context, NULL, message);
-  }
-  if (what.met == 0) return true;
-  snprintf(message, sizeof message, "rounded to this format's numbers, %zu triangles meet others that they only come near to, the first near %g %g %g", what.met, what.at.x, what.at.y, what.at.z);
-  e->options->warn(e->options->context, NULL, message);
-  return true;
+  vs_settled what = { 0 };
+  return vs_emit_settle(e, m, e->backend->numbers, &what) && vs_emit_settled(e, &what);
 }
 
 /* Walks what is no solid, of a format that gets the union of all solids besides. *any: something was walked. */

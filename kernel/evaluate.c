@@ -270,10 +270,7 @@ static bool gate_cuts(const whole *w, const uint32_t *leaves, uint32_t count) {
 
 static bool no_room(vs_kernel *k) { return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); }
 
-static bool want_tags(vs_kernel *k, vs_mesh *m) {
-  if (m->tags || (vs_mesh_reserve(m, 0, m->triangle_count + 1) && (m->tags = calloc(m->triangle_room, sizeof *m->tags)) != NULL)) return true;
-  return no_room(k);
-}
+static bool want_tags(vs_kernel *k, vs_mesh *m) { return vs_mesh_want_tags(m) || no_room(k); }
 
 /* A leaf that touches nothing, and in which nothing touches anything, stands as it is or not at all: nothing is to be computed. */
 static bool stands_alone(const whole *w, const uint32_t *leaves, uint32_t count) {

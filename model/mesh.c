@@ -33,6 +33,22 @@ bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles) {
   return true;
 }
 
+bool vs_mesh_want_tags(vs_mesh *m) {
+  return m->tags || (vs_mesh_reserve(m, 0, m->triangle_count + 1) &&
+                     (m->tags = calloc(m->triangle_room, sizeof *m->tags)) != NULL);
+}
+
+bool vs_mesh_copy(const vs_mesh *from, vs_mesh *to) {
+  if (!vs_mesh_reserve(to, from->vertex_count + 1, from->triangle_count + 1) || (from->tags && !vs_mesh_want_tags(to)))
+    return vs_mesh_free(to), false;
+  to->vertex_count = from->vertex_count;
+  to->triangle_count = from->triangle_count;
+  if (from->vertex_count) memcpy(to->vertices, from->vertices, from->vertex_count * sizeof *to->vertices);
+  if (from->triangle_count) memcpy(to->triangles, from->triangles, from->triangle_count * sizeof *to->triangles);
+  if (from->tags && from->triangle_count) memcpy(to->tags, from->tags, from->triangle_count * sizeof *to->tags);
+  return true;
+}
+
 static size_t mesh_next_room(size_t room) { return room < 16 ? 16 : room + room / 2; }
 
 bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index) {

@@ -18,6 +18,8 @@ void vs_mesh_free(vs_mesh *m); /* what it holds, not m; leaves it empty and usab
 bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index); /* false: out of memory; index may be NULL */
 bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c);
 bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles); /* room in all; false: out of memory */
+bool vs_mesh_want_tags(vs_mesh *m); /* room for them, each 0, where it has none; false: out of memory */
+bool vs_mesh_copy(const vs_mesh *from, vs_mesh *to); /* to is empty; false: out of memory, and it is again */
 double vs_mesh_volume(const vs_mesh *m); /* signed, by the divergence theorem; closed meshes only */
 double vs_mesh_area(const vs_mesh *m);
 vs_bounds vs_mesh_bounds(const vs_mesh *m);

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "backends/format_numbers.h"
 #include "backends/lower.h"
 #include "backends/gltf/gltf.h"
 #include "backends/shade.h"
@@ -105,6 +106,17 @@ static uint32_t gltf_paint_of(const vs_emitter *e, const vs_solid *m, size_t tri
   return tag < m->part_count ? (uint32_t)vs_emit_material_number(e, m->parts[tag].material) : 0;
 }
 
+/* Are two of the corners one place in 32 bits? Then the triangle is an edge, and nothing is open without it. */
+static bool gltf_is_edge(const vs_affine *place, const vs_mesh *m, const uint32_t v[3]) {
+  float at[3][3];
+  for (int i = 0; i < 3; i++) {
+    vs_vec3 p = vs_affine_point(place, m->vertices[v[i]]);
+    at[i][0] = (float)p.x + 0.0f, at[i][1] = (float)p.y + 0.0f, at[i][2] = (float)p.z + 0.0f;
+  }
+  return memcmp(at[0], at[1], sizeof at[0]) == 0 || memcmp(at[1], at[2], sizeof at[0]) == 0 ||
+         memcmp(at[2], at[0], sizeof at[0]) == 0;
+}
+
 /* The triangles of one paint; at: room for the shading's normals. Corners that share a normal share a vertex. */
 static bool gltf_add_part(vs_emitter *e, const vs_solid *m, const vs_shading *s, const vs_affine *place, uint32_t paint, uint32_t *at, uint32_t *index) {
   const vs_mesh *mesh = &m->mesh;
@@ -113,7 +125,7 @@ static bool gltf_add_part(vs_emitter *e, const vs_solid *m, const vs_shading *s,
   size_t count = 0;
   memset(at, 0xff, s->normal_count * sizeof *at);
   for (size_t i = 0; i < mesh->triangle_count; i++) {
-    if (gltf_paint_of(e, m, i) != paint) continue;
+    if (gltf_paint_of(e, m, i) != paint || gltf_is_edge(place, mesh, mesh->triangles[i])) continue;
     if (p == NULL && (p = gltf_primitive_new(e, paint)) == NULL) return false;
     for (int k = 0; k < 3; k++) {
       uint32_t corner = s->corners[i][k];
@@ -185,6 +197,25 @@ static bool gltf_unit(vs_emitter *e, vs_unit unit, int turn, uint32_t *number) {
   return ok;
 }
 
+/* The same of a copy that is put there first and settled for 32-bit numbers; there: from that place to the drawing's,
+ * for what is said. A vertex stands once for each normal, so that nobody needs a manifold by index. */
+static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_affine *there,
+                             double crease, uint32_t *number) {
+  vs_gltf *g = e->state;
+  vs_solid copy = { .parts = m->parts, .part_count = m->part_count };
+  static const vs_affine here = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
+  vs_settled what = { 0 };
+  bool ok = vs_mesh_copy(&m->mesh, &copy.mesh) || vs_emit_no_memory(e);
+  if (ok) vs_mesh_transform(&copy.mesh, place);
+  ok = ok && vs_emit_settle(e, &copy.mesh, VS_NUMBERS_SOUP, &what) && gltf_add_solid(e, &copy, &here, crease, number);
+  if (g->settled.met == 0) g->settled.at = vs_affine_point(there, what.at);
+  if (g->settled.dropped == 0) g->settled.dropped_at = vs_affine_point(there, what.dropped_at);
+  g->settled.met += what.met;
+  g->settled.dropped += what.dropped;
+  vs_mesh_free(&copy.mesh);
+  return ok;
+}
+
 /* Triangles that stand where e->placement puts them, about their own middle: a viewer's 32-bit numbers are finest near zero. */
 static bool gltf_shape(vs_emitter *e, const vs_ref *ref, double crease) {
   vs_gltf *g = e->state;
@@ -204,7 +235,12 @@ static bool gltf_shape(vs_emitter *e, const vs_ref *ref, double crease) {
     vs_affine place = e->placement;
     for (int i = 0; i < 3; i++) place.m[i][3] = 0;
     if (!placeable) home = vs_affine_multiply(&place, &home);
-    if (m == NULL || !gltf_add_solid(e, m, &home, crease, &number)) return false;
+    vs_affine where = placeable ? vs_affine_multiply(&e->placement, &there) : there;
+    if (m == NULL) return false;
+    bool solid = ref->node->class_ == VS_SOLID;
+    if (!(solid ? gltf_add_settled(e, m, &home, &where, crease, &number)
+                : gltf_add_solid(e, m, &home, crease, &number)))
+      return false;
     known = placeable ? vs_nodemap_get(&g->shapes, ref->node) : NULL;
     if (known != NULL) *known = (uint64_t)number + 1;
   }

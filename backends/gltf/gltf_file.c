@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "backends/format_numbers.h"
 #include "backends/gltf/gltf.h"
 
 typedef struct { vs_emitter *e; const uint32_t *order; /* nodes by layer */ const size_t *starts; size_t views[4], view_count; } gltf_file;
@@ -262,6 +263,7 @@ static bool gltf_chunks(const gltf_file *f) {
 bool vs_gltf_write(vs_emitter *e) {
   const vs_gltf *g = e->state;
   vs_store *store = e->scene->store;
+  if (!vs_emit_settled(e, &g->settled)) return false;
   const size_t lengths[VIEW_COUNT] = { g->positions.count, g->normals.count, g->narrow.count, g->wide.count };
   size_t layers = g->layer_count + 1, room = (g->node_count + 1) * sizeof(uint32_t), starts_room = (layers + 1) * sizeof(size_t);
   uint32_t *order = vs_store_realloc(store, NULL, 0, room);
@@ -283,6 +285,6 @@ bool vs_gltf_write(vs_emitter *e) {
   return ok;
 }
 
-/* No .numbers: they are 32-bit, but every shape lies about its own middle, and a vertex stands once for each normal, so that there is no mesh to be settled: .glb is for looking at. */
+/* No .numbers: shapes are settled one by one, each about its own middle. */
 const vs_backend vs_backend_glb = { .begin = vs_gltf_open, .end = vs_gltf_write, .close = vs_gltf_close,
                                     .emit = { VS_EMIT_SHAPES(vs_gltf_leaf, vs_gltf_line, vs_gltf_through, vs_gltf_boolean) } };

@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "kernel/mesh/shells.h"
+#include "kernel/exact/digits.h"
 #include "model/store/disjoint.h"
 
 enum { ROUNDS = 3, PASSES = 3 /* of flips, in a round */ };
@@ -27,14 +28,14 @@ static double unit(double x, vs_numbers numbers) {
   if (x == 0) return 0;
   if (numbers == VS_NUMBERS_DIGITS) return pow(10, floor(log10(fabs(x))) - 11);
   frexp(x, &exponent);
-  return ldexp(1, exponent - (numbers == VS_NUMBERS_SINGLE ? 24 : 53));
+  enum { SINGLE = 24, DOUBLE = 51 /* of 53: two are lost on the way out of a frame */ };
+  return ldexp(1, exponent - (numbers == VS_NUMBERS_SINGLE ? SINGLE : DOUBLE));
 }
 
 static double rounded(double x, vs_numbers numbers) {
-  double step;
   switch (numbers) {
   case VS_NUMBERS_SINGLE: case VS_NUMBERS_SOUP: return vs_single(x);
-  case VS_NUMBERS_DIGITS: return step = unit(x, numbers), step > 0 ? round(x / step) * step : 0; /* but for double's own last place */
+  case VS_NUMBERS_DIGITS: return vs_digits_rounded(x);
   case VS_NUMBERS_DOUBLE: break;
   }
   return x;
@@ -95,7 +96,23 @@ static bool too_thin(const settling *s, uint32_t t) {
   return square < least * least * longest;
 }
 
-bool vs_settling_is_noise(const vs_settling *s, uint32_t t) { return too_thin(s, t) && bent(s, t); }
+/* Doubles have been rounded already, and nobody knows what they were. */
+bool vs_settling_is_noise(const vs_settling *s, uint32_t t) {
+  return too_thin(s, t) && (s->numbers == VS_NUMBERS_DOUBLE || bent(s, t));
+}
+
+/* Triangles beside noise: where it has turned over, these may cross each other, though they look the same way. */
+static void suspect_neighbours(vs_settling *s) {
+  for (size_t i = 0; i < s->look.count; i++) {
+    uint32_t t = s->look.at[i];
+    if (s->gone.at[t] || !vs_settling_is_noise(s, t)) continue;
+    for (int j = 0; j < 3; j++)
+      for (uint32_t k = 0, v = s->m->triangles[t][j]; k < s->fans.at[v].count; k++) {
+        uint8_t *mark = &s->changed.at[around(s, v)[k]];
+        if (!*mark) *mark = VS_BESIDE_NOISE;
+      }
+  }
+}
 
 /* Has it an edge that may be too short? */
 static bool has_short(const settling *s, uint32_t t) {
@@ -334,7 +351,7 @@ static bool flip(settling *s, uint32_t t) {
   memcpy(m->triangles[t], one, sizeof one);
   memcpy(m->triangles[other], two, sizeof two);
   if (m->tags) m->tags[t] = m->tags[other];
-  s->changed.at[t] = s->changed.at[other] = 1;
+  s->changed.at[t] = s->changed.at[other] = VS_CHANGED;
   s->busy.at[p] = s->busy.at[q] = s->busy.at[top] = s->busy.at[far] = 1;
   take_off(s, p, other);
   take_off(s, q, t);
@@ -375,7 +392,7 @@ static bool collapse(settling *s, uint32_t a, uint32_t b) {
     } else {
       for (int k = 0; k < 3; k++)
         if (v[k] == b) v[k] = a;
-      s->changed.at[t] = 1;
+      s->changed.at[t] = VS_CHANGED;
       if (!give(s, a, t) || !look_at(s, t)) return false;
     }
   }
@@ -493,7 +510,7 @@ static bool contract(settling *s, double near_units, bool all, size_t *count) {
       moved = moved || to != v[j];
       v[j] = to;
     }
-    if (moved) s->changed.at[t] = 1;
+    if (moved) s->changed.at[t] = VS_CHANGED;
     s->gone.at[t] = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
     for (int j = 0; j < 3; j++) moved = moved || !vs_v3_equal(boxes[v[j]].min, boxes[v[j]].max);
     if (moved && !s->gone.at[t]) sheets[sheets_count++] = sheet_of(v, t);
@@ -538,7 +555,7 @@ static bool begin_again(settling *s) {
   return find_look(s, &any) && index_mesh(s);
 }
 
-static bool settle(settling *s, bool places, vs_settled *out) {
+static bool settle(vs_settling *s, vs_settled *out) {
   vs_mesh *m = s->m;
   size_t n = m->vertex_count, collapsed, flipped, more;
   bool any = false, ok = true;
@@ -546,7 +563,7 @@ static bool settle(settling *s, bool places, vs_settled *out) {
   s->bounds = vs_mesh_bounds(m);
   s->coarsest = 2 * unit(larger(reach(s->bounds.min), reach(s->bounds.max)), s->numbers);
   if (!find_look(s, &any)) return false;
-  if (!any && (s->numbers == VS_NUMBERS_DOUBLE || s->level)) return true;
+  if (!any && s->level) return true;
   if (!VS_ROOM(s->k, s->busy.at, s->busy.room, n + 1) || !VS_ROOM(s->k, s->near_met.at, s->near_met.room, n + 1) || !VS_ROOM(s->k, s->gone.at, s->gone.room, m->triangle_count + 1) ||
       !VS_ROOM(s->k, s->listed.at, s->listed.room, m->triangle_count + 1) || !VS_ROOM(s->k, s->changed.at, s->changed.room, m->triangle_count + 1))
     return false;
@@ -556,7 +573,7 @@ static bool settle(settling *s, bool places, vs_settled *out) {
     memset(s->gone.at, 0, m->triangle_count);
     memset(s->listed.at, 0, m->triangle_count);
     if (!vs_settling_count_met(s, out)) return false;
-    if (!out->met || !places) return true;
+    if (!out->met || !s->places) return true;
   }
   if (!drop_blades(s, out) || !(out->dropped ? begin_again(s) : index_mesh(s))) return false;
   for (int round = 0; ok && round < ROUNDS; round++) {
@@ -571,14 +588,17 @@ static bool settle(settling *s, bool places, vs_settled *out) {
     out->flipped += flipped;
     if (!collapsed && !flipped) break;
   }
-  if (ok && s->numbers != VS_NUMBERS_DOUBLE) ok = vs_settling_count_met(s, out);
+  if (ok) suspect_neighbours(s);
+  ok = ok && vs_settling_count_met(s, out);
   if (ok) squeeze(s);
-  for (int round = 0; ok && places && out->met && round < ROUNDS; round++) {
+  for (int round = 0; ok && s->places && out->met && round < ROUNDS; round++) {
     size_t contracted = 0;
     ok = contract(s, 4 << round, round == ROUNDS - 1, &contracted);
     if (!ok || !contracted) break;
     out->collapsed += contracted;
-    ok = begin_again(s) && flip_round(s, &flipped) && vs_settling_count_met(s, out);
+    ok = begin_again(s) && flip_round(s, &flipped);
+    if (ok) suspect_neighbours(s);
+    ok = ok && vs_settling_count_met(s, out);
     out->flipped += flipped;
   }
   return ok && (out->collapsed || out->dropped ? drop_vertices(s) : true);
@@ -588,11 +608,12 @@ bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *opt
   enum { SERIAL = 10000 }; /* triangles that are not worth a thread */
   vs_kernel_error ignored;
   vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = m->triangle_count < SERIAL ? 1 : vs_kernel_threads(options), .done = 1 };
-  settling s = { .k = &k, .m = m, .numbers = numbers == VS_NUMBERS_SOUP ? VS_NUMBERS_SINGLE : numbers };
+  bool places = numbers == VS_NUMBERS_SOUP;
+  vs_settling s = { .k = &k, .m = m, .numbers = places ? VS_NUMBERS_SINGLE : numbers, .places = places };
   *k.error = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };
   *out = (vs_settled){ 0 };
   vs_kernel_time(&k, options && options->counts ? options->counts->seconds : NULL);
-  bool ok = settle(&s, numbers == VS_NUMBERS_SOUP, out);
+  bool ok = settle(&s, out);
   vs_kernel_lap(&k, VS_STEP_SETTLE);
   VS_DROP(&k, s.fans);
   VS_DROP(&k, s.around);

@@ -14,6 +14,8 @@ typedef struct {
   vs_kernel *k;
   vs_mesh *m;
   vs_numbers numbers;      /* SOUP is SINGLE here */
+  /* triangles are given by places, without indices: those of which two corners are one place are left out */
+  bool places;
   vs_bounds bounds;
   double coarsest;         /* two units where the mesh reaches furthest */
   VS_LIST(vs_storey) storeys; /* those of the mesh, by axis and value, each once; none where two of them are less than two units apart */
@@ -24,9 +26,13 @@ typedef struct {
   VS_LIST(uint8_t) busy;   /* of a vertex: something near it has changed in this round */
   VS_LIST(uint8_t) gone;   /* of a triangle: 1; numbers stay until the end */
   VS_LIST(uint8_t) listed; /* of a triangle: 1: in look; 2: counted among those met */
-  VS_LIST(uint8_t) changed; /* of a triangle: 1 where settling has given it other corners, so that it no longer is what the exact result has */
+  VS_LIST(uint8_t)
+  changed; /* of a triangle: VS_CHANGED where it has been given other corners, so that it is none of the exact result's
+            * any more; VS_BESIDE_NOISE beside one that may have turned over */
   VS_LIST(uint8_t) near_met; /* of a vertex: 1: of a triangle that meets another; 2, 3: one and two triangles further */
 } vs_settling;
+
+enum { VS_CHANGED = 1, VS_BESIDE_NOISE = 2 };
 
 vs_vec3 vs_settling_corner(const vs_settling *s, uint32_t v); /* rounded */
 /* Counts the triangles that intersect another triangle after rounding; each is counted once. */

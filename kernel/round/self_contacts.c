@@ -13,6 +13,7 @@
  * The index has the open runs' boxes; those that a storey may touch or go through have one of their own, for what is level. Two runs are apart where one's corners lie beyond the other's slab, on one side, but for corners they share. Of the rest the
  * pieces are tried that lie in each other's slabs: by boxes, then triangle by triangle by boxes and planes, and apart.c has what these do not tell. */
 #include "kernel/mesh/triangles_apart.h"
+#include "kernel/mesh/triangles_meet.h"
 #include "kernel/mesh/bvh.h"
 #include "kernel/round/hubs.h"
 #include "kernel/round/rounding_state.h"
@@ -28,7 +29,7 @@ typedef struct {
   uint32_t triangle;
   vs_vec3 at[3], normal, size; /* size: the same as normal of the products' sizes: 1e-14 of it is more than any error */
   double low[3], high[3];
-  bool flat; /* two corners are one */
+  bool flat; /* its corners lie on one line */
 } sheet;
 
 typedef float floats __attribute__((vector_size(16)));
@@ -40,7 +41,7 @@ typedef struct {
   uint32_t first, first_four, first_place;
   uint8_t count, fours;          /* of triangles; of corners, by fours; of places there are three a triangle: which of the corners */
   bool is_low;                   /* one triangle, a low one */
-  bool is_changed;               /* settling has given its triangles other corners */
+  uint8_t is_changed;            /* its triangles' mark (VS_CHANGED ...), which is one */
   bool busy;                     /* open, and goes through a storey or nearly touches one */
   uint8_t level;                 /* all of it has one x (0), y (1) or z (2), this one: */
   /* a corner that all of its triangles have, and around which nothing need be tried (hubs.h); else UINT32_MAX */
@@ -86,7 +87,8 @@ static void measure(sheet *to) {
   to->low[0] = fmin(fmin(v[0].x, v[1].x), v[2].x), to->high[0] = fmax(fmax(v[0].x, v[1].x), v[2].x);
   to->low[1] = fmin(fmin(v[0].y, v[1].y), v[2].y), to->high[1] = fmax(fmax(v[0].y, v[1].y), v[2].y);
   to->low[2] = fmin(fmin(v[0].z, v[1].z), v[2].z), to->high[2] = fmax(fmax(v[0].z, v[1].z), v[2].z);
-  to->flat = vs_v3_equal(v[0], v[1]) || vs_v3_equal(v[1], v[2]) || vs_v3_equal(v[2], v[0]);
+  double area = vs_v3_dot(to->normal, to->normal), error = vs_v3_dot(to->size, to->size);
+  to->flat = !(area > 1e-28 * error) && vs_triangle_is_flat(to->at);
 }
 
 static void load(const vs_settling *s, uint32_t t, sheet *to) {
@@ -418,14 +420,19 @@ static const sheet *sheet_of(const search *c, piece *p) {
 
 typedef struct { vs_kernel *k; search *c; size_t at; const run *level; } looking;
 
-static bool try_triangles(looking *l, const sheet *x, const sheet *y, bool sure) {
+/* changed: one of them has been given other corners, so that there is no pair before rounding. */
+static bool try_triangles(looking *l, const sheet *x, const sheet *y, bool changed) {
   const vs_settling *s = l->c->s;
   if (x->flat || y->flat || apart(x, y)) return true;
-  if (sure) {
+  vs_meeting meeting = vs_triangles_meet(x->at, y->at);
+  if (meeting == VS_MEET_NOT) return true;
+  if (meeting == VS_MEET_TOUCH && !vs_triangles_cross_level(x->at, y->at)) {
+    if (changed) return true;
     sheet p, q;
     load_exact(s, x->triangle, &p);
     load_exact(s, y->triangle, &q);
-    if (!apart(&p, &q)) return true; /* they touch as it is */
+    if (!apart(&p, &q) && (p.flat || q.flat || vs_triangles_meet(p.at, q.at) != VS_MEET_NOT))
+      return true; /* they touch as it is */
   }
   return VS_PUSH(l->k, l->c->met[l->at].at, ((pair){ x->triangle, y->triangle }));
 }
@@ -436,7 +443,10 @@ static bool try_runs(looking *l, const run *a, const run *b) {
   uint32_t a_count = cut(c, a, b, of_a), b_count = a_count ? cut(c, b, a, of_b) : 0;
   for (uint32_t i = 0; i < a_count; i++)
     for (uint32_t j = 0; j < b_count; j++)
-      if (pieces_touch(&of_a[i], &of_b[j]) && !try_triangles(l, sheet_of(c, &of_a[i]), sheet_of(c, &of_b[j]), !a->is_low && !b->is_low && !a->is_changed && !b->is_changed)) return false;
+      if (pieces_touch(&of_a[i], &of_b[j]) &&
+          !try_triangles(l, sheet_of(c, &of_a[i]), sheet_of(c, &of_b[j]),
+                         a->is_changed == VS_CHANGED || b->is_changed == VS_CHANGED))
+        return false;
   return true;
 }
 
@@ -490,19 +500,35 @@ static bool look(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, 1);
 }
 
-static bool take(vs_kernel *k, void *context, size_t index) {
-  search *c = context;
+static void count_once(const search *c, uint32_t t) {
   vs_settling *s = c->s;
+  if (s->listed.at[t] & 2) return;
+  s->listed.at[t] |= 2;
+  for (int j = 0; j < 3; j++) s->near_met.at[s->m->triangles[t][j]] = 1;
+  if (c->out->met++ == 0) c->out->at = vs_settling_corner(s, s->m->triangles[t][0]);
+}
+
+static bool take(vs_kernel *k, void *context, size_t index) {
+  const search *c = context;
   (void)k;
   for (size_t i = 0; i < c->met[index % VS_PIPELINE_WINDOW].at.count; i++) {
     pair p = c->met[index % VS_PIPELINE_WINDOW].at.at[i];
-    for (int end = 0; end < 2; end++) {
-      uint32_t t = end ? p.b : p.a;
-      if (s->listed.at[t] & 2) continue;
-      s->listed.at[t] |= 2;
-      for (int j = 0; j < 3; j++) s->near_met.at[s->m->triangles[t][j]] = 1;
-      if (c->out->met++ == 0) c->out->at = vs_settling_corner(s, s->m->triangles[t][0]);
-    }
+    count_once(c, p.a);
+    count_once(c, p.b);
+  }
+  return true;
+}
+
+/* Triangles that rounding leaves no area lie on others' edges. Low ones are runs by themselves. */
+static bool count_flat(vs_kernel *k, const search *c) {
+  const runs *open = &c->all.kinds[OPEN];
+  for (size_t i = 0; i < open->at.count; i++) {
+    sheet f;
+    if (!vs_kernel_poll(k, 1)) return false;
+    if (!open->at.at[i].is_low) continue;
+    load(c->s, open->at.at[i].first, &f);
+    bool is_edge = vs_v3_equal(f.at[0], f.at[1]) || vs_v3_equal(f.at[1], f.at[2]) || vs_v3_equal(f.at[2], f.at[0]);
+    if (f.flat && !(is_edge && c->s->places)) count_once(c, f.triangle);
   }
   return true;
 }
@@ -522,8 +548,11 @@ bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) drop_made(k, &c.found[i]);
   for (size_t i = 0; ok && c.hub_of && i < open->at.count; i++) ok = VS_PUSH(k, c.hubs, open->at.at[i].hub);
   c.bvh.families = c.hub_of ? c.hubs.at : NULL;
-  ok = ok && vs_bvh_build(k, &c.bvh, open->boxes.at, (uint32_t)open->boxes.count) && vs_bvh_build(k, &c.busy_bvh, c.busy_boxes.at, (uint32_t)c.busy.count) &&
-       vs_kernel_pipeline(k, open_tasks(&c) + (c.busy.count ? (level->at.count + QUERIES - 1) / QUERIES : 0), look, take, &c);
+  ok = ok && vs_bvh_build(k, &c.bvh, open->boxes.at, (uint32_t)open->boxes.count) &&
+       vs_bvh_build(k, &c.busy_bvh, c.busy_boxes.at, (uint32_t)c.busy.count) &&
+       vs_kernel_pipeline(k, open_tasks(&c) + (c.busy.count ? (level->at.count + QUERIES - 1) / QUERIES : 0), look,
+                          take, &c) &&
+       count_flat(k, &c);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) VS_DROP(k, c.met[i].at);
   vs_bvh_free(k, &c.bvh);
   vs_bvh_free(k, &c.busy_bvh);

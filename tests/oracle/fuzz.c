@@ -131,16 +131,6 @@ static bool manifold(const vs_mesh *m) { /* by index: each directed edge once */
   return twice == 0;
 }
 
-static bool copy_mesh(const vs_mesh *from, vs_mesh *to) {
-  *to = (vs_mesh){ 0 };
-  if (!vs_mesh_reserve(to, from->vertex_count + 1, from->triangle_count + 1)) return false;
-  for (size_t i = 0; i < from->vertex_count; i++) to->vertices[i] = from->vertices[i];
-  for (size_t i = 0; i < from->triangle_count; i++) memcpy(to->triangles[i], from->triangles[i], sizeof *to->triangles);
-  to->vertex_count = from->vertex_count;
-  to->triangle_count = from->triangle_count;
-  return true;
-}
-
 /* Nothing may meet anything in the numbers of any format, settled for them as writers do; but where the solid itself touches a face with a corner. */
 static void look_at_crossings(const char *what, const program *t, const vs_mesh *whole) {
   static const char *const as[] = { "doubles", "12 digits", "32 bits", "32 bits without indices" };
@@ -150,8 +140,8 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
   for (int numbers = VS_NUMBERS_DOUBLE; numbers <= VS_NUMBERS_SOUP; numbers++) {
     vs_settled settled;
     crossings_found found;
-    vs_mesh own, *m = &own;
-    bool fine = copy_mesh(whole, m) && vs_mesh_settle(m, (vs_numbers)numbers, NULL, &settled, NULL);
+    vs_mesh own = { 0 }, *m = &own;
+    bool fine = vs_mesh_copy(whole, m) && vs_mesh_settle(m, (vs_numbers)numbers, NULL, &settled, NULL);
     crossings_point *at = malloc((m->vertex_count + 1) * sizeof *at);
     crossings_triangle *triangles = malloc((m->triangle_count + 1) * sizeof *triangles);
     size_t count = 0;

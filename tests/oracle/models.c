@@ -223,6 +223,79 @@ void model_make(uint64_t seed, char text[MODEL_ROOM]) {
   solid(&m);
 }
 
+/* ---- solids turned by very little ---- */
+
+static int whole(maker *m, int low, int high) { return low + (int)any(m, (uint32_t)(high - low + 1)); }
+
+static void whole_leaf(maker *m) {
+  static const char *const round[] = { "prism", "pyramid", "cylinder", "cone" };
+  int x = whole(m, -2, 2), y = whole(m, -2, 2), z = whole(m, -4, 0), high = whole(m, 1, 4), r = whole(m, 1, 2),
+      sides = whole(m, 3, 16);
+  uint32_t kind = any(m, 8);
+  if (kind < 4)
+    say(m, "(make-box (xyz %d %d %d) (xyz %d %d %d))", x, y, z, x + whole(m, 1, 3), y + whole(m, 1, 4), z + high);
+  else if (kind == 4)
+    say(m, "(make-sphere (xyz %d %d %d) %d)", x, y, z, r);
+  else {
+    kind = any(m, 4);
+    say(m, "(make-%s (xyz %d %d %d) %d", round[kind], x, y, z, r);
+    if (kind < 2) say(m, " %d", sides);
+    say(m, " (xyz %d %d %d)", x, y, z + high);
+    if (kind % 2) say(m, " %g", any(m, 2) ? r : r / 2.0);
+    say(m, ")");
+  }
+}
+
+static void slightly_turned(maker *m, size_t from) { /* what stands from there on, turned */
+  static char was[MODEL_ROOM];
+  snprintf(was, sizeof was, "%s", m->text + from);
+  m->count = from;
+  say(m, "(do-rotate %s ", was);
+  if (any(m, 4))
+    say(m, "'%c ", "xyz"[any(m, 3)]);
+  else
+    say(m, "(vxyz %d %d 1) ", whole(m, 0, 2), whole(m, -1, 2));
+  say(m, "(degrees->radians %s%de-%d))", any(m, 2) ? "" : "-", whole(m, 1, 9), whole(m, 5, 7));
+}
+
+static void whole_set(maker *m, int depth) {
+  static const char *const sets[] = { "unite", "subtract", "intersect" };
+  if (depth == 0) {
+    whole_leaf(m);
+    return;
+  }
+  int n = 2 + (any(m, 3) == 0);
+  say(m, "(%s", sets[any(m, 8) * 3 / 8]);
+  for (int i = 0; i < n; i++) {
+    say(m, " ");
+    size_t from = m->count;
+    whole_set(m, depth > 1 && any(m, 2) ? depth - 1 : 0);
+    if (i == 0 && any(m, 5) == 0 && m->count - from < MODEL_ROOM / 8) { /* a near copy beside it */
+      char was[MODEL_ROOM / 8];
+      snprintf(was, sizeof was, "%s", m->text + from);
+      say(m, " ");
+      from = m->count;
+      say(m, "%s", was);
+      slightly_turned(m, from);
+    } else if (i && any(m, 3))
+      slightly_turned(m, from);
+  }
+  say(m, ")");
+}
+
+void model_make_turned(uint64_t seed, char text[MODEL_ROOM]) {
+  static const char *const around[] = { "(do-scale ", "(do-scale ", "(do-move ", "(do-rotate " }, *const behind[] = {
+    " 1000)", " .001)", " (vxyz 100 20 3))", " 'z .5)"
+  };
+  maker m = { .state = seed * 0x9e3779b97f4a7c15u + 0x2545f4914f6cdd1du, .text = text };
+  text[0] = 0;
+  for (int i = 0; i < 8; i++) any(&m, 2);
+  uint32_t how = any(&m, 16);
+  if (how < 4) say(&m, "%s", around[how]);
+  whole_set(&m, 2);
+  if (how < 4) say(&m, "%s", behind[how]);
+}
+
 /* ---- shrinking ---- */
 
 static const char *end_of(const char *at) { /* of the datum that begins there */

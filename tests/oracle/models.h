@@ -11,6 +11,9 @@ enum { MODEL_ROOM = 1 << 13 };
 /* Writes the expression of seed's model: kinds of the table of kinds, made by the procedure of that name with arguments that its contracts name, placed and combined. Many numbers
  * are ones that a procedure refuses, or that make an object degenerate. */
 void model_make(uint64_t seed, char text[MODEL_ROOM]);
+/* Another class: two to four plain solids on whole numbers, flush with each other, of which some are turned by 1e-5 to
+ * 1e-7 degrees, or are near copies, combined. */
+void model_make_turned(uint64_t seed, char text[MODEL_ROOM]);
 /* How many kinds of solids the table has that a procedure makes; and the name of each. */
 size_t model_kinds(void);
 const char *model_kind(size_t i);

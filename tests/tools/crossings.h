@@ -106,23 +106,40 @@ static inline bool crossings_holds(crossings *c, uint32_t t, uint32_t p) { /* p 
   return true;
 }
 
+/* The same of a segment in the triangle's plane: one place is a touch, a piece of the segment more. */
+static inline crossings_kind crossings_in_plane(crossings *c, uint32_t t, uint32_t p, uint32_t q) {
+  const uint32_t *v = c->triangles[t];
+  int axis = c->axis[t], way = crossings_turn(c, axis, v[0], v[1], v[2]), left = 0, right = 0;
+  for (int end = 0; end < 2; end++) {
+    uint32_t from = end ? q : p, to = end ? p : q;
+    if (!crossings_holds(c, t, from)) continue;
+    for (int i = 0; i < 3; i++) /* does it leave at once? */
+      if (crossings_turn(c, axis, v[i], v[(i + 1) % 3], from) == 0 &&
+          crossings_turn(c, axis, v[i], v[(i + 1) % 3], to) == -way)
+        return CROSSINGS_TOUCHING;
+    return CROSSINGS_COPLANAR;
+  }
+  for (int i = 0; i < 3; i++) {
+    int turn = crossings_turn(c, axis, p, q, v[i]);
+    left += turn > 0;
+    right += turn < 0;
+  }
+  for (int i = 0; i < 3; i++) {
+    uint32_t a = v[i], b = v[(i + 1) % 3];
+    int ap = crossings_turn(c, axis, a, b, p), aq = crossings_turn(c, axis, a, b, q),
+        pa = crossings_turn(c, axis, p, q, a), pb = crossings_turn(c, axis, p, q, b);
+    if (ap * aq <= 0 && (ap || aq) && pa * pb <= 0)
+      return left == 2 || right == 2 ? CROSSINGS_TOUCHING : CROSSINGS_COPLANAR;
+  }
+  return CROSSINGS_NONE;
+}
+
 /* What the closed segment and the closed triangle have in common: nothing, a place in both their insides, or less (or a piece of one plane).
  * sp, sq: sides of the segment's ends. */
 static inline crossings_kind crossings_segment(crossings *c, uint32_t t, uint32_t p, uint32_t q, int sp, int sq) {
   const uint32_t *v = c->triangles[t];
   if (sp * sq > 0) return CROSSINGS_NONE;
-  if (sp == 0 && sq == 0) {
-    if (crossings_holds(c, t, p) || crossings_holds(c, t, q)) return CROSSINGS_COPLANAR;
-    for (int i = 0; i < 3; i++) {
-      int axis = c->axis[t];
-      uint32_t a = v[i], b = v[(i + 1) % 3];
-      int ap = crossings_turn(c, axis, a, b, p), aq = crossings_turn(c, axis, a, b, q);
-      if (ap * aq > 0) continue;
-      int pa = crossings_turn(c, axis, p, q, a), pb = crossings_turn(c, axis, p, q, b);
-      if ((ap || aq || pa || pb) && pa * pb <= 0) return CROSSINGS_COPLANAR; /* on one line: found by another edge, or p or q is in */
-    }
-    return CROSSINGS_NONE;
-  }
+  if (sp == 0 && sq == 0) return crossings_in_plane(c, t, p, q);
   if (sp == 0) return crossings_holds(c, t, p) ? CROSSINGS_TOUCHING : CROSSINGS_NONE;
   if (sq == 0) return crossings_holds(c, t, q) ? CROSSINGS_TOUCHING : CROSSINGS_NONE;
   bool left = false, right = false, edge = false;

@@ -10,9 +10,12 @@
 #include <gmp.h>
 
 #include "kernel/check.h"
+#include "kernel/exact/doubles.h"
 #include "kernel/exact/exact.h"
+#include "kernel/mesh/triangles_meet.h"
 #include "tests/oracle/oracle.c"
 #include "tests/oracle/sx.c"
+#include "tests/tools/crossings.h"
 
 static uint64_t seed = 88172645463325252u;
 static uint64_t random_bits(void) {
@@ -21,6 +24,49 @@ static uint64_t random_bits(void) {
   return seed ^= seed << 17;
 }
 static int32_t span(int32_t low, int32_t high) { return (int32_t)(low + (int64_t)((random_bits() >> 11) % (uint64_t)((int64_t)high - low + 1))); }
+
+/* ---- doubles, exactly ---- */
+
+/* Near a few places, so that corners meet edges and planes often: whole numbers, and the last place of such. */
+static double place_near(void) {
+  double x = span(-3, 3);
+  switch (span(0, 3)) {
+  case 0: return x;
+  case 1: return x != 0 ? nextafter(x, 9) : 0x1p-53;
+  case 2: return x * 1e-5 + 0.1;
+  default: return x / 3;
+  }
+}
+
+static void test_doubles(void **state) {
+  (void)state;
+  size_t zeros = 0, kinds[3] = { 0 };
+  crossings_found found;
+  for (int round = 0; round < 60000; round++) {
+    crossings_point at[6];
+    for (int i = 0; i < 18; i++) at[i / 3][i % 3] = place_near() * (round % 5 == 4 ? 0x1p-300 : 1);
+    crossings c = { .at = (const crossings_point *)at };
+    for (int i = 0; i < 12; i++) mpz_init(c.x[i]);
+    for (int i = 0; i < 8; i++) mpz_init(c.t[i]);
+    vs_vec3 p[6];
+    for (int i = 0; i < 6; i++) p[i] = vs_v3(at[i][0], at[i][1], at[i][2]);
+    int side = crossings_side(&c, 0, 1, 2, 3);
+    zeros += side == 0;
+    assert_int_equal(vs_doubles_side(p[0], p[1], p[2], p[3]), side);
+    for (int axis = 0; axis < 3; axis++)
+      assert_int_equal(vs_doubles_turn(axis, p[0], p[1], p[2]), crossings_turn(&c, axis, 0, 1, 2));
+    for (int i = 0; i < 12; i++) mpz_clear(c.x[i]);
+    for (int i = 0; i < 8; i++) mpz_clear(c.t[i]);
+    if (round % 5 == 4 || vs_triangle_is_flat(p) || vs_triangle_is_flat(p + 3)) continue;
+    crossings_triangle triangles[2] = { { 0, 1, 2 }, { 3, 4, 5 } };
+    assert_true(crossings_find((const crossings_point *)at, 6, (const crossings_triangle *)triangles, 2, &found));
+    size_t touching = found.count[CROSSINGS_TOUCHING], all = crossings_sum(&found);
+    vs_meeting want = all > touching ? VS_MEET_CROSS : touching ? VS_MEET_TOUCH : VS_MEET_NOT;
+    kinds[want]++;
+    assert_int_equal(vs_triangles_meet(p, p + 3), want);
+  }
+  assert_true(zeros > 1000 && kinds[VS_MEET_NOT] > 1000 && kinds[VS_MEET_TOUCH] > 500 && kinds[VS_MEET_CROSS] > 1000);
+}
 
 /* ---- exact numbers ---- */
 
@@ -780,9 +826,27 @@ static void test_errors(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_planes_meet), cmocka_unit_test(test_predicates), cmocka_unit_test(test_against_oracle),
-    cmocka_unit_test(test_cubes_become_one), cmocka_unit_test(test_equal_turns_written_differently), cmocka_unit_test(test_sheared_alike), cmocka_unit_test(test_touching_is_split), cmocka_unit_test(test_identities),
-    cmocka_unit_test(test_thin_and_nested), cmocka_unit_test(test_plain), cmocka_unit_test(test_twice_in_place), cmocka_unit_test(test_edge_on_diagonal), cmocka_unit_test(test_far_larger), cmocka_unit_test(test_self_check), cmocka_unit_test(test_tags), cmocka_unit_test(test_wide_and_deep), cmocka_unit_test(test_places), cmocka_unit_test(test_threads), cmocka_unit_test(test_copies), cmocka_unit_test(test_errors),
+    cmocka_unit_test(test_doubles),
+    cmocka_unit_test(test_planes_meet),
+    cmocka_unit_test(test_predicates),
+    cmocka_unit_test(test_against_oracle),
+    cmocka_unit_test(test_cubes_become_one),
+    cmocka_unit_test(test_equal_turns_written_differently),
+    cmocka_unit_test(test_sheared_alike),
+    cmocka_unit_test(test_touching_is_split),
+    cmocka_unit_test(test_identities),
+    cmocka_unit_test(test_thin_and_nested),
+    cmocka_unit_test(test_plain),
+    cmocka_unit_test(test_twice_in_place),
+    cmocka_unit_test(test_edge_on_diagonal),
+    cmocka_unit_test(test_far_larger),
+    cmocka_unit_test(test_self_check),
+    cmocka_unit_test(test_tags),
+    cmocka_unit_test(test_wide_and_deep),
+    cmocka_unit_test(test_places),
+    cmocka_unit_test(test_threads),
+    cmocka_unit_test(test_copies),
+    cmocka_unit_test(test_errors),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

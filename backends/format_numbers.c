@@ -1,0 +1,46 @@
+/* Owns the rounding of meshes to a format's numbers. */
+#include "backends/format_numbers.h"
+
+#include <stdio.h>
+
+#include "model/tally.h"
+
+static bool going_on(void *context, double done) { return vs_emit_progress(context, "meshing", done); }
+
+bool vs_emit_settle(vs_emitter *e, vs_mesh *m, vs_numbers numbers, vs_settled *sum) {
+  vs_settled what;
+  vs_tally *tally = vs_store_tally(e->scene->store);
+  vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
+  vs_kernel_error why;
+  vs_kernel_counts counts = { 0 };
+  vs_kernel_options options = { .progress = going_on, .context = e, .counts = &counts };
+  bool settled = vs_mesh_settle(m, numbers, &options, &what, &why);
+  vs_tally_enter(tally, was);
+  vs_solid_tally_steps(e->scene->store, &counts);
+  if (!settled) return why.status == VS_KERNEL_INTERRUPTED ? false : vs_emit_no_memory(e);
+  if (sum->dropped == 0) sum->dropped_at = what.dropped_at;
+  if (sum->met == 0) sum->at = what.at;
+  sum->dropped += what.dropped;
+  sum->met += what.met;
+  return true;
+}
+
+bool vs_emit_settled(vs_emitter *e, const vs_settled *what) {
+  char message[160];
+  vs_vec3 at = what->dropped_at;
+  if (e->options->warn == NULL) return true;
+  if (what->dropped != 0) {
+    snprintf(message, sizeof message,
+             "%zu slivers are left out: thinner than this format's numbers tell apart, the first near %g %g %g",
+             what->dropped, at.x, at.y, at.z);
+    e->options->warn(e->options->context, NULL, message);
+  }
+  if (what->met == 0) return true;
+  at = what->at;
+  snprintf(message, sizeof message,
+           "rounded to this format's numbers, %zu triangles meet others that they only come near to, the first near %g "
+           "%g %g",
+           what->met, at.x, at.y, at.z);
+  e->options->warn(e->options->context, NULL, message);
+  return true;
+}
