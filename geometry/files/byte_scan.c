@@ -70,7 +70,7 @@ bool vs_scan_real(vs_scan *s, bool lines, char comment, double *out) {
   vs_scan_word(s, lines, comment, word);
   *out = strtod(word, &end);
   if (!*word || *end || word[1] == 'x' || word[1] == 'X') return scan_refuse(s, "a number", word);
-  return isfinite(*out) || scan_refuse(s, "a finite number", word);
+  return isfinite(*out) || s->nowhere || scan_refuse(s, "a finite number", word);
 }
 
 bool vs_scan_integer(vs_scan *s, bool lines, char comment, int64_t *out) {

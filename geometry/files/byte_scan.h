@@ -9,6 +9,7 @@ typedef struct {
   const unsigned char *bytes;
   size_t size, at;
   uint32_t line, ticks;
+  bool nowhere;               /* numbers that are not finite are points that are nowhere, and no error */
   bool (*poll)(void *context);
   void *context;
   vs_error *error;

@@ -191,16 +191,29 @@ static mesh_reader *reader_of(const char *name) {
 
 bool vs_mesh_file_is(const char *name) { return reader_of(name) != NULL; }
 
-bool vs_mesh_file_read(const char *name, const unsigned char *bytes, size_t size, bool (*poll)(void *context), void *context, vs_face_list *out, vs_error *e) {
+static const char *base_name(const char *name) {
   const char *slash = strrchr(name, '/');
-  vs_scan s = { .name = slash ? slash + 1 : name, .bytes = bytes, .size = size, .poll = poll, .context = context, .error = e };
+  return slash ? slash + 1 : name;
+}
+
+bool vs_points_file_read(const char *name, const unsigned char *bytes, size_t size, bool (*poll)(void *context),
+                         void *context, bool nowhere, vs_face_list *out, vs_error *e) {
+  vs_scan s = { .name = base_name(name), .bytes = bytes, .size = size, .poll = poll, .context = context, .error = e,
+                .nowhere = nowhere };
   mesh_reader *read = reader_of(name);
-  if (!read) return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the name must end in .stl, .obj, .off or .ply", s.name);
+  if (!read)
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the name must end in .stl, .obj, .off or .ply", s.name);
   if (!read(&s, out)) return false;
   for (size_t f = 0; f < out->face_count; f++)
     for (uint32_t c = out->starts[f]; c < out->starts[f + 1]; c++)
       if (out->corners[c] >= out->point_count)
         return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: face %zu asks for point %u, but there are %zu", s.name, f + 1, out->corners[c] + 1, out->point_count);
-  if (!out->face_count) return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: there are no faces in it", s.name);
   return true;
+}
+
+bool vs_mesh_file_read(const char *name, const unsigned char *bytes, size_t size, bool (*poll)(void *context),
+                       void *context, vs_face_list *out, vs_error *e) {
+  if (!vs_points_file_read(name, bytes, size, poll, context, false, out, e)) return false;
+  return out->face_count ||
+         vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: there are no faces in it", base_name(name));
 }

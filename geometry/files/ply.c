@@ -132,7 +132,9 @@ static bool ply_one(vs_scan *s, ply_form form, const ply_element *e, uint64_t nu
     if (ok && p->role == PLY_CORNERS) ok = vs_face_list_close(out);
   }
   if (ok && !strcmp(e->name, "vertex")) {
-    if (!isfinite(xyz[0]) || !isfinite(xyz[1]) || !isfinite(xyz[2])) return vs_scan_fail(s, "point %llu is not at a finite place", (unsigned long long)number + 1);
+    bool finite = isfinite(xyz[0]) && isfinite(xyz[1]) && isfinite(xyz[2]);
+    if (!finite && !s->nowhere)
+      return vs_scan_fail(s, "point %llu is not at a finite place", (unsigned long long)number + 1);
     ok = vs_face_list_point(out, vs_v3(xyz[0], xyz[1], xyz[2]));
   }
   return (ok || vs_error_memory(s->error, NULL)) && vs_scan_poll(s);
