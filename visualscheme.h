@@ -354,6 +354,67 @@ VS_API vs_outcome vs_drawing_compare(vs_scheme *s, vs_comparison *out,
                                                   const vs_part_info *after),
                                      void *context);
 
+/* ---- fitting a model to a scan ----
+ *
+ * vs_fit runs the program again and again, until the points of a scan lie as near to its solids as they can: it looks
+ * for the values of the program's parameters, and for the place of the scan. What vs_parameter_set gave before is where
+ * it starts. Afterwards the program has run with the values found, and vs_parameter_set has them. */
+
+typedef struct {
+  bool placed; /* the scan lies where the model does, and is not moved */
+  const char *const *held;
+  size_t held_count; /* names of parameters that keep their values */
+  size_t points;     /* of the scan, that the last steps use at most; 0: 20,000 */
+  double confidence; /* of the intervals, between 0 and 1; 0: .95 */
+} vs_fit_options;
+VS_API vs_fit_options vs_fit_options_default(void);
+
+typedef enum {
+  VS_FIT_FITTED,
+  VS_FIT_HELD,        /* it was to keep its value */
+  VS_FIT_NO_NUMBER,   /* its default is exact, or no number: it keeps its value */
+  VS_FIT_AT_BOUND,    /* fitted, and stopped by #:min or #:max */
+  VS_FIT_UNDETERMINED /* the scan does not say what it is: by half of itself more or less, nothing would change much */
+} vs_fit_state;
+typedef struct {
+  const char *name;
+  vs_fit_state state;
+  double start, value;
+  double error;     /* standard error; infinite where undetermined, 0 where it keeps its value */
+  double low, high; /* the interval of that confidence */
+} vs_fit_parameter;
+
+typedef struct {
+  size_t points, nowhere; /* of the file; those without a finite place, which are left out */
+  size_t samples,
+      used; /* places that were measured: the points, or, of a mesh, spread over its faces; used in the last step */
+  size_t outliers; /* samples further off than 4.685 spreads, which had no say */
+  double spread;   /* 1.4826 times the median distance: the standard deviation where errors are normal */
+  double median, root_mean_square; /* of the distances of all samples */
+  double correlation;              /* of the distances of neighbours: near 0 where they are mere noise */
+  double size;                     /* of the scan: the root of the mean square distance from its centre */
+  double place[3][4];              /* from the model's coordinates to the scan's */
+  bool converged;                  /* false: the last step still moved */
+  unsigned iterations, runs;       /* times that all distances were measured; runs of the program */
+  const char *units;
+} vs_fit_result;
+
+/* Fits the program in the file `model` to the scan in the file `scan` (.ply .obj .off .stl; a cloud or a mesh). *out is
+ * filled, and stays until the next vs_fit, where anything was found: with VS_OUTCOME_DONE; with VS_OUTCOME_MODEL and
+ * result.samples above 0, where what was found is no fit; with VS_OUTCOME_INTERRUPTED (or VS_OUTCOME_MACHINE, past
+ * limit_time) and result.samples above 0, where it is the best so far. What is doubtful about it is told as warnings.
+ */
+VS_API vs_outcome vs_fit(vs_scheme *s, const char *model, const char *scan, const vs_fit_options *o,
+                         vs_fit_result *out);
+/* The parameters of the last fit, in the program's order. False: no such index. */
+VS_API bool vs_fit_parameter_get(const vs_scheme *s, size_t index, vs_fit_parameter *out);
+/* The signed distances of the scan's points from the fitted model, below 0 inside, in the file's order; NaN of a point
+ * that is nowhere. They live until the next vs_fit. NULL: there was no fit. */
+VS_API const double *vs_fit_distances(const vs_scheme *s, size_t *count);
+/* Writes the scan with colours by these distances, as .ply or .x3d by the path's ending: blue at -range, grey at 0, red
+ * at range. range 0: what 98 of 100 points lie within. *used: the range. */
+VS_API vs_outcome vs_fit_map(vs_scheme *s, const char *path, double range, double *used);
+
 /* Output formats. The list is constant and the library's. */
 typedef struct {
   const char *name;    /* "povray", for --format beside the suffix */

@@ -25,6 +25,7 @@ typedef struct vs_bind_parameter {
   vs_bind_parameter_type type;
   const char *value, *default_value; /* written data; strings bare */
   bool has_range;
+  bool least, most;     /* min, max: the definition gave it, so that values are held to it */
   double min, max, step;
   const char **choices; /* written as value is; choice_count of them, ours */
   size_t choice_count;

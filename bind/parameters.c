@@ -135,6 +135,7 @@ static vs_status read_choices(vs_frame *f, vs_bind_parameter *p) {
 static void set_range(vs_frame *f, vs_bind_parameter *p, double d) {
   const vs_arg *k = f->key;
   p->has_range = true;
+  p->least = k[KEY_MIN].given, p->most = k[KEY_MAX].given;
   p->min = k[KEY_MIN].given ? k[KEY_MIN].real : k[KEY_MAX].given && k[KEY_MAX].real <= 0 ? 2 * fmin(d, k[KEY_MAX].real) : fmin(0, 2 * d);
   p->max = k[KEY_MAX].given ? k[KEY_MAX].real : fmax(fmax(0, 2 * d), p->min);
   if (p->max == p->min && !k[KEY_MIN].given && !k[KEY_MAX].given) p->max = p->min + 1; /* a default of 0 */

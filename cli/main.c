@@ -18,6 +18,7 @@
 #include "cli/command.h"
 #include "cli/difference.h"
 #include "cli/light/exr_commands.h"
+#include "cli/fit/fit_command.h"
 #include "cli/study.h"
 #include "live/live.h"
 
@@ -355,9 +356,10 @@ static vs_outcome run_batch(cli_session *c) {
     c->frame = 0;
   } else {
     if (!set_parameters(c)) return VS_OUTCOME_USAGE;
-    outcome = o->command == CLI_COMMAND_diff ? cli_difference(c) : run_sources(c, false);
+    outcome = o->command == CLI_COMMAND_diff ? cli_difference(c)
+        : o->command == CLI_COMMAND_fit ? cli_fit(c) : run_sources(c, false);
     if (outcome == VS_OUTCOME_DONE && o->parameters) cli_report_parameters(stdout, c->scheme);
-    if (outcome == VS_OUTCOME_DONE) outcome = write_all(c);
+    if (outcome == VS_OUTCOME_DONE && o->command != CLI_COMMAND_fit) outcome = write_all(c);
   }
   if (o->stats) cli_report_statistics(c->scheme, o->stats_json);
   return outcome;
@@ -449,7 +451,7 @@ int main(int argc, char **argv) {
     return (int)outcome;
   }
   cli_session session = {.options = &options, .output = options.to_stdout || options.command == CLI_COMMAND_params ||
-      options.command == CLI_COMMAND_diff ? stderr : stdout, .ended = &ended};
+      options.command == CLI_COMMAND_diff || options.command == CLI_COMMAND_fit ? stderr : stdout, .ended = &ended};
   cli_watch_open(&session.watch);
   if (options.untrusted && !cli_untrusted_begin(&session.untrusted, &options)) {
     cli_options_free(&options);

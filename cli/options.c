@@ -275,6 +275,12 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
   case OPTION_STRICT: o->output.strict = true; return true;
   case OPTION_CHECK: o->check = true; return true;
   case OPTION_JSON: o->json = true; return true;
+  case OPTION_HOLD: o->held[o->held_count++] = v; return *v || bad("--hold", "''", "the name of a parameter");
+  case OPTION_PLACED: return o->placed = true;
+  case OPTION_POINTS:
+    if (!parse_whole(v, 100, 100000000, &whole)) return bad("--points", v, "a whole number, 100 or more");
+    o->points = (size_t)whole;
+    return true;
   case OPTION_XML: o->xml = true; return true;
   case OPTION_TO: o->language = v; return true;
   case OPTION_QUIET: o->quiet = true; return true;
@@ -420,7 +426,7 @@ static bool picture_files(const cli_options *o, unsigned takes) {
 static bool command_files(const cli_options *o, unsigned takes) {
   if (takes & CLI_TAKES_PICTURE) return picture_files(o, takes);
   const char *name = commands[o->command - 1].name;
-  size_t want = takes & CLI_TAKES_TWO ? 2 : 1;
+  size_t want = takes & (CLI_TAKES_TWO | CLI_TAKES_SCAN) ? 2 : 1;
   bool files = o->source_count == want, output = takes & CLI_TAKES_OUTPUT || o->target_count == 0;
   if (takes & CLI_TAKES_LANGUAGE) output = o->target_count <= 1;
   if (takes & CLI_TAKES_FOLDER) output = o->target_count == 1 && strcmp(o->targets[0].path, "-") != 0;
@@ -429,6 +435,8 @@ static bool command_files(const cli_options *o, unsigned takes) {
   if (files && output) return true;
   if (takes & CLI_TAKES_FOLDER) fprintf(stderr, "vs %s: give the file of one model and a folder, as in vs %s house.vs "
                                         "-o site\n", name, name);
+  else if (takes & CLI_TAKES_SCAN)
+    fprintf(stderr, "vs %s: give the files of a model and of a scan, as in vs %s column.vs scan.ply\n", name, name);
   else if (want == 2) fprintf(stderr, "vs %s: give the files of two models, as in vs %s old.vs new.vs\n", name, name);
   else fprintf(stderr, "vs %s: give the file of one model, as in vs %s house.vs%s\n", name, name,
                output ? "" : "; -o is for vs FILE alone");
@@ -442,11 +450,12 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   o->sources = calloc(room, sizeof *o->sources);
   o->targets = calloc(room, sizeof *o->targets);
   o->defines = calloc(room, sizeof *o->defines);
-  o->words = calloc(room, sizeof *o->words);
+  o->words = calloc(2 * room, sizeof *o->words);
   if (!o->sources || !o->targets || !o->defines || !o->words) {
     fputs("vs: out of memory\n", stderr);
     return CLI_BAD_USAGE;
   }
+  o->held = o->words + room;
   bool names_only = false; /* after a -- that no model stands before */
   o->words[o->word_count++] = "vs";
   int first = 1;
@@ -482,9 +491,13 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fputs("vs: --json and --xml are one too many\n", stderr);
     return CLI_BAD_USAGE;
   }
+  if (o->command != CLI_COMMAND_fit && (o->placed || o->held_count || o->points)) {
+    fprintf(stderr, "vs: --%s is for vs fit\n", o->placed ? "placed" : o->held_count ? "hold" : "points");
+    return CLI_BAD_USAGE;
+  }
   bool file_first = !o->command && o->source_count && argc > 1 && o->sources[0].text == argv[1];
   if (file_first && access(argv[1], F_OK) != 0 && cli_command_suggest(argv[1], stderr)) return CLI_BAD_USAGE;
-  for (size_t i = 0; !(takes & CLI_TAKES_PICTURE) && i < o->source_count; i++) { /* vs model.vs a.stl */
+  for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE | CLI_TAKES_SCAN)) && i < o->source_count; i++) { /* vs model.vs a.stl */
     const char *path = o->sources[i].text;
     const vs_format_info *f = o->sources[i].kind == CLI_SOURCE_FILE && strchr(path, '.') ? vs_format_find(path) : NULL;
     if (!f) continue;
@@ -507,13 +520,20 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   const char *folders = getenv("VS_LIBRARY_PATH");
   if (folders && *folders && !add_folders(o, folders)) return CLI_BAD_USAGE;
   o->interpreter.library_path = o->library_path;
-  for (size_t i = o->source_count; i-- > 0;)
+  for (size_t i = takes & CLI_TAKES_SCAN ? 1 : o->source_count; i-- > 0;)
     if (o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0) o->words[0] = o->sources[i].text;
   o->interpreter.command_line = o->words;
   o->interpreter.command_line_count = o->word_count;
   bool formats = !(takes & (CLI_TAKES_FOLDER | CLI_TAKES_LANGUAGE));
   for (size_t i = 0; formats && i < o->target_count; i++)
     if (!find_format(o, &o->targets[i]) || !reachable(&o->targets[i])) return CLI_BAD_USAGE;
+  for (size_t i = 0; takes & CLI_TAKES_SCAN && i < o->target_count; i++) {
+    const vs_format_info *f = vs_format_find(o->targets[i].path);
+    if (f && (!strcmp(f->suffix, "ply") || !strcmp(f->suffix, "x3d"))) continue;
+    fprintf(stderr, "vs fit: %s: -o writes the map of distances, as .ply or .x3d; for the fitted model run it with the "
+            "values that are found\n", o->targets[i].path);
+    return CLI_BAD_USAGE;
+  }
   if (o->all_views && o->output.view) {
     fputs("vs: --all-views and --view are one too many\n", stderr);
     return CLI_BAD_USAGE;

@@ -26,7 +26,8 @@ typedef enum {
 enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* files */, CLI_TAKES_OUTPUT = 8 /* -o */,
        CLI_TAKES_FOLDER = 16 /* -o, of a folder */, CLI_TAKES_LANGUAGE = 32 /* --to, and -o of a program in it */,
        CLI_TAKES_PICTURE = 64 /* its files are EXR pictures */, CLI_TAKES_POINT = 128 /* two numbers behind the file */,
-       CLI_TAKES_TARGET = 256 /* -o, once and always */ };
+       CLI_TAKES_TARGET = 256 /* -o, once and always */,
+       CLI_TAKES_SCAN = 512 /* a second file, that is read as points */ };
 
 /* --frames: count runs of the model, 0 without it, in which the parameter goes in equal steps from `from` to `to`. */
 typedef struct { long count; char parameter[64]; double from, to; bool resume; } cli_frames;
@@ -45,7 +46,10 @@ typedef struct {
   vs_output_options output;
   cli_frames frames;
   double candelas;              /* cd/m2 of the number 1 in a picture; 0: not said */
+  const char **held; size_t held_count; /* --hold, of vs fit; behind `words` */
+  size_t points;                       /* --points; 0: the usual */
   bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose, all_views, json, xml;
+  bool placed;
 } cli_options;
 
 /* What to do when the command line has been read. */

@@ -125,8 +125,9 @@ static bool read_whole(vs_session *s, const char *path, char **text, size_t *len
   return h->read_file ? h->read_file(h->context, path, text, length, why) : slurp(s, path, text, length, why);
 }
 
-bool vs_session_read(vs_session *s, const char *path, char **text, size_t *length, const char **why) {
-  return read_whole(s, path, text, length, why) && (vs_session_keep_source(s, path, 1, *text, *length) || (free(*text), refuse(s, "out of memory", why)));
+bool vs_session_read(vs_session *s, const char *path, bool source, char **text, size_t *length, const char **why) {
+  return read_whole(s, path, text, length, why) &&
+         (!source || vs_session_keep_source(s, path, 1, *text, *length) || (free(*text), refuse(s, "out of memory", why)));
 }
 
 /* ---- sources ---- */
@@ -214,7 +215,7 @@ static int64_t open_stream(void *session, const char *path, vs_io_mode mode, con
   if (i == VS_STREAMS) return refuse(s, "too many files are open", why), -1;
   vs_stream fresh = { .open = true, .reading = mode == VS_IO_READ };
   if (mode == VS_IO_READ) {
-    if (!vs_session_read(s, path, &fresh.text, &fresh.length, why)) return -1;
+    if (!vs_session_read(s, path, true, &fresh.text, &fresh.length, why)) return -1;
   } else {
     if (s->options.untrusted) return refuse(s, "writing files is switched off", why), -1;
     fresh.file = fopen(path, mode == VS_IO_WRITE ? "wb" : "ab");

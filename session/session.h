@@ -53,6 +53,7 @@ typedef struct { vs_value name; vs_pos place; uint64_t own, whole; } vs_profile_
 typedef struct vs_own_format vs_own_format;
 typedef struct vs_handles vs_handles;
 typedef struct vs_host_meshes vs_host_meshes;
+typedef struct vs_scan_fit vs_scan_fit;
 
 typedef struct {
   vs_bind bind;             /* first: vm->host points to it */
@@ -78,6 +79,7 @@ typedef struct {
   vs_ref *kept; size_t kept_count; /* what vs_drawing_keep keeps; nodes retained (comparison.c) */
   vs_ref *change; size_t change_count; /* what vs_drawing_compare found, to be shown; nodes retained */
   vs_own_format *own_formats; /* that the host brought, newest first (own_formats.c) */
+  vs_scan_fit *fit;         /* the last fit (fit/scan_fit.c); NULL: there was none */
   vs_handles *handles;      /* what the host holds (handles.c); NULL: nothing so far */
   vs_host_meshes *meshes;   /* that the host was handed (host_meshes.c); NULL: none */
   unsigned flags;           /* VS_EVAL_... of the evaluation under way */
@@ -102,8 +104,8 @@ void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes
 double vs_session_clock(void *session);                                            /* seconds, monotonic */
 bool vs_session_interrupted(void *session);
 extern const vs_io vs_session_io;
-/* A whole file as malloc'ed text; false: *why. Kept as a source. */
-bool vs_session_read(vs_session *s, const char *path, char **text, size_t *length, const char **why);
+/* A whole file as malloc'ed text; false: *why. source: it is kept as one, for messages. */
+bool vs_session_read(vs_session *s, const char *path, bool source, char **text, size_t *length, const char **why);
 bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line, const char *text, size_t length);
 void vs_session_close_files(vs_session *s);
 void vs_session_free_sources(vs_session *s);

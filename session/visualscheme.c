@@ -9,6 +9,7 @@
 #include "session/names.h"
 #include "session/stops.h"
 #include "session/comparison.h"
+#include "session/fit/scan_fit.h"
 #include "solids/drawn_bounds.h"
 
 #include "backends/export.h"
@@ -281,6 +282,7 @@ void vs_free(vs_scheme *vm) {
   vs_session_free_handles(s);
   vs_session_free_meshes(s);
   vs_session_free_comparison(s);
+  vs_session_free_fit(s);
   vs_bind_close(&s->bind);
   vs_session_close_files(s);
   vs_session_free_sources(s);
@@ -392,7 +394,7 @@ vs_outcome vs_eval_file(vs_scheme *vm, const char *path, unsigned flags) {
   if (vs_session_busy(s, "vs_eval_file")) return VS_OUTCOME_USAGE;
   if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
   vs_session_begin(s, flags);
-  if (!vs_session_read(s, path, &text, &length, &why)) {
+  if (!vs_session_read(s, path, true, &text, &length, &why)) {
     vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, path, 0, 0, why);
     s->phase = NULL;
     vs_tally_enter(&s->tally, VS_WORK_NONE);

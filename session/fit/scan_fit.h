@@ -1,0 +1,9 @@
+/* Owns what a session keeps of the last fit. */
+#ifndef VS_SESSION_SCAN_FIT_H
+#define VS_SESSION_SCAN_FIT_H
+
+#include "session/session.h"
+
+void vs_session_free_fit(vs_session *s);
+
+#endif

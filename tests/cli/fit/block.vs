@@ -1,0 +1,5 @@
+(define-parameter width 2.0 #:min 0.5 #:max 10)
+(define-parameter depth 1.5 #:min 0.5 #:max 10)
+(define-parameter hole 0.3 #:min 0.05 #:max 0.7)
+(define block (make-box (xyz 0 0 0) (xyz width depth 1)))
+(draw (subtract block (make-cylinder (xyz 0.8 0.8 -1) 3 hole)))

@@ -1,0 +1,5 @@
+(define-parameter height 4.0 #:min 1 #:max 12)
+(define-parameter foot 0.7)
+(define-parameter neck 0.5)
+(define-parameter flutes 20)
+(draw (make-cut-cone (xyz 0 0 0) foot (xyz 0 0 height) neck))
