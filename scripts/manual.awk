@@ -3,6 +3,14 @@
 # -v after=...   HTML that goes behind the last block of code (a picture)
 # -v pictures=P  a picture P-N.png goes behind the N-th block of scheme, where that file is (-v folder=... says where it is looked for)
 # -v index_to=FILE  where the page's sections are written down for the search, as rows of a JavaScript array; -v page=URL  the page's own
+function unlinked(s,    at, to, inner) { # links by their text alone, pictures not at all
+  gsub(/!\[[^]]*\]\([^)]*\)/, "", s)
+  while (at = match(s, /\[[^][]*\]\([^)]*\)/)) {
+    to = at + RLENGTH; inner = substr(s, at + 1); sub(/\].*/, "", inner)
+    s = substr(s, 1, at - 1) inner substr(s, to)
+  }
+  return s
+}
 function text_of(s) { gsub(/[\\"]/, "\\\\&", s); gsub(/[\t\r]/, " ", s); return s } # within a string of JavaScript
 function told() { # the section that ends here
   if (index_to == "" || section == "") return
@@ -66,7 +74,7 @@ BEGIN {
   print "<nav><a href=\"" root "index.html\">VisualScheme</a>"
   print "<input id=\"search\" type=\"search\" placeholder=\"Search the manual\" aria-label=\"Search the manual\" autocomplete=\"off\"><ol id=\"found\"></ol></nav>\n<main>"
 }
-!/^(```|#+ |\|[-| :]+\|$)/ || (code && /^#/) { said = $0; gsub(/`|\*\*|\]\([^)]*\)/, "", said); gsub(/ *\| */, " ", said); if (said ~ /[^ ]/) body = body (body == "" ? "" : " ") said }
+!/^(```|#+ |\|[-| :]+\|$)/ || (code && /^#/) { said = unlinked($0); gsub(/`|\*\*/, "", said); gsub(/ *\| */, " ", said); if (said ~ /[^ ]/) body = body (body == "" ? "" : " ") said }
 code { if (/^```$/) { code = 0; code_end() } else held = held escape($0) "\n"; next }
 # what was held back, the last block of code, goes out before anything that follows it
 /^```/ { close_block(); if (behind != "") { print behind; behind = "" } code = 1; scheme = /^```scheme/; held = "<pre><code>"; next }
