@@ -21,7 +21,7 @@ LDLIBS   += $(call pkg,gmp libutf8proc,-lgmp -lutf8proc) -lm -lpthread -ldl
 PNG_LIBS  = $(call pkg,libpng,-lpng)
 UNIT_LIBS = $(call pkg,cmocka jansson,-lcmocka -ljansson)
 
-LAYERS    = vm model functions geometry fitting kernel solids passes bind scene backends session
+LAYERS    = javascript vm model functions geometry fitting kernel solids passes bind scene backends session
 LIB_SRC   = $(foreach d,$(LAYERS),$(wildcard $(d)/*.c $(d)/*/*.c))
 LIB_OBJ   = $(LIB_SRC:%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/assets.o
 CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c cli/*/*.c live/*.c knowledge/*.c knowledge/*/*.c)) $(BUILD)/live_assets.o

@@ -1,6 +1,7 @@
 /* Owns what a host is told when something is wrong: conditions, errors of the layers below, warnings; each with its place, the line of the
  * source, and the user's own calls that led there. */
 #include "session/session.h"
+#include "vm/machine/program.h"
 
 #include "vm/values/printer.h"
 
@@ -101,7 +102,9 @@ static size_t callers(vs_session *s, vs_value chain, vs_span at, vs_diagnostic_n
     char text[160];
     vs_value name = vs_car(link);
     const char *between = gap ? " (calls in between ended with a tail call)" : "";
-    if (vs_is_symbol(name)) snprintf(text, sizeof text, "called from %.100s%s", vs_as_symbol(name)->name, between);
+    const char *said = vs_is_symbol(name) ? vs_as_symbol(name)->name : NULL;
+    if (said && *said == ':' && span.file && vs_unit_language(span.file)) said++; /* the procedure behind a script's function */
+    if (said) snprintf(text, sizeof text, "called from %.100s%s", said, between);
     else snprintf(text, sizeof text, "called from here%s", between);
     gap = false;
     const char *kept = vs_store_text(s->bind.store, text, strlen(text));

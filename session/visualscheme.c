@@ -19,7 +19,7 @@
 #include "vm/machine/image.h"
 #include "vm/values/number.h"
 #include "vm/values/printer.h"
-#include "vm/front/reader.h"
+#include "vm/front/scan.h"
 #include "vm/machine/program.h"
 #include "vm/machine/step.h"
 

@@ -13,7 +13,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 [ "${1:-}" = --suite ] || BUILD=${1:-build}
 case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
-SUITES=${SUITES:-unit lang cli shell editors prompt signals manual bad workers cross solids embed limits layers compilers${LONG:+ page live}}
+SUITES=${SUITES:-unit lang javascript cli shell editors prompt signals manual bad workers cross solids embed limits layers compilers${LONG:+ page live}}
 export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LONG="${LONG:-}" LC_ALL=C.UTF-8
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -39,6 +39,7 @@ suite_unit() { # PROGRAM of BUILD/unit
 }
 
 suite_lang()      { sh tests/lang.sh; }
+suite_javascript() { sh tests/javascript.sh; }
 suite_cli()       { sh tests/cli.sh; }
 suite_shell()     { sh tests/shell.sh; }
 suite_editors()   { sh tests/editors.sh; }

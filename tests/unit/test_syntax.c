@@ -11,6 +11,7 @@
 #include "vm/library/port.h"
 #include "vm/values/printer.h"
 #include "vm/front/reader.h"
+#include "vm/front/scan.h"
 #include "vm/machine/program.h"
 
 static char *prelude;

@@ -22,8 +22,9 @@ typedef struct compiler { vs_emit e; struct job *jobs; } compiler;
 static bool gen(compiler *c, vs_node *n, uint32_t to);
 static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list);
 
-/* Assigned variables are places, also for a continuation that copies the frame back: they live in the heap. */
-static bool boxed(const vs_var *v) { return vs_info(v)->boxed || v->assigned; }
+/* Assigned variables are places, also for a continuation that copies the frame back: they live in the heap. But a
+   variable that is said to be in a register, and is not captured, stays there. */
+static bool boxed(const vs_var *v) { return vs_info(v)->boxed || (v->assigned && !(v->in_register && !v->captured)); }
 static bool is_value(uint32_t to) { return to < TAIL; }
 static vs_value pool(const compiler *c, uint32_t i) { return c->e.ast->pool[i]; }
 
@@ -86,6 +87,33 @@ static bool operand(compiler *c, vs_node *n, uint32_t *reg) {
     return true;
   }
   return vs_emit_register(&c->e, reg) && gen(c, n, *reg);
+}
+
+/* may working out n assign v, which lies in a register? (true when in doubt) */
+static bool writes(const vs_node *n, const vs_var *v, int depth) {
+  if (!n) return false;
+  if (depth > 6) return true;
+  switch (n->kind) {
+    case VS_AST_CONST: case VS_AST_LOCAL: case VS_AST_GLOBAL: return false;
+    case VS_AST_IF:
+      return writes(n->as.branch.test, v, depth + 1) || writes(n->as.branch.then, v, depth + 1) ||
+             writes(n->as.branch.otherwise, v, depth + 1);
+    case VS_AST_CALL:
+      if (writes(n->as.call.callee, v, depth + 1)) return true;
+      for (uint32_t i = 0; i < n->count; i++)
+        if (writes(n->as.call.at[i], v, depth + 1)) return true;
+      return false;
+    default: return true;
+  }
+}
+
+/* operand of argument i of a call: a copy of a variable that a later argument may assign */
+static bool operand_of(compiler *c, vs_node *call, uint32_t i, uint32_t *reg) {
+  vs_node *n = call->as.call.at[i];
+  bool written = false;
+  if (n->kind == VS_AST_LOCAL && n->as.var->assigned)
+    for (uint32_t j = i + 1; !written && j < call->count; j++) written = writes(call->as.call.at[j], n->as.var, 0);
+  return written ? vs_emit_register(&c->e, reg) && gen(c, n, *reg) : operand(c, n, reg);
 }
 
 /* ---- calls that are opcodes ---- */
@@ -176,7 +204,7 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
         *done = true;
         bool imm = row->args == 2 && row->immediate != VS_O_NONE && small(c, n->as.call.at[1], &bits);
         for (uint32_t i = 0; i < row->args - (imm ? 1u : 0u); i++)
-          if (!operand(c, n->as.call.at[i], &r[i])) return false;
+          if (!operand_of(c, n, i, &r[i])) return false;
         if (!landing(c, to, &target)) return false;
         if (imm ? !emit_value_op(c, n, row->immediate, target, r[0], bits, true, false)
                 : !emit_value_op(c, n, row->op, target, r[0], row->args == 2 ? r[1] : 0, true, row->args == 2)) return false;
@@ -190,7 +218,7 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
       if (n->count != row->args) return true;
       *done = true;
       for (unsigned i = 0; i < 3; i++)
-        if (!operand(c, n->as.call.at[i], &r[i])) return false;
+        if (!operand_of(c, n, i, &r[i])) return false;
       if (to != EFFECT && !landing(c, to, &target)) return false;
       for (unsigned i = 0; i < 3; i++)
         if (!near(c, &r[i], i)) return false;
@@ -216,7 +244,7 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
     case VS_WAY_FLAT2: {
       if (n->count != 2) return true;
       *done = true;
-      if (!operand(c, n->as.call.at[0], &r[0]) || !operand(c, n->as.call.at[1], &r[1]) ||
+      if (!operand_of(c, n, 0, &r[0]) || !operand_of(c, n, 1, &r[1]) ||
           !landing(c, to, &target)) return false;
       uint32_t near_target = target < VS_NEAR ? target : VS_NEAR + 4;
       if (!near(c, &r[0], 1) || !near(c, &r[1], 2) || !stands_for(c, n) || !vs_emit_word(e, VS_INS(row->op, near_target, r[0], r[1])) ||
@@ -232,7 +260,7 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
       if (n->count != row->args || index->kind != VS_AST_CONST || name->kind != VS_AST_CONST || !vs_is_fixnum(pool(c, index->as.constant)) ||
           (uint64_t)vs_fixnum(pool(c, index->as.constant)) > 255) return true;
       *done = true;
-      if (!operand(c, n->as.call.at[0], &r[0]) || !operand(c, n->as.call.at[1], &r[1]) || (set && !operand(c, n->as.call.at[3], &r[2])) ||
+      if (!operand_of(c, n, 0, &r[0]) || !operand_of(c, n, 1, &r[1]) || (set && !operand_of(c, n, 3, &r[2])) ||
           !landing(c, to, &target)) return false;
       for (unsigned i = 0; i < (set ? 3 : 2); i++)
         if (!near(c, &r[i], i)) return false;
@@ -251,7 +279,7 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
     case VS_WAY_GET:
       if (n->count != 1) return true;
       *done = true;
-      if (!operand(c, n->as.call.at[0], &r[0]) || !landing(c, to, &target) ||
+      if (!operand_of(c, n, 0, &r[0]) || !landing(c, to, &target) ||
           !emit_value_op(c, n, row->op, target, r[0], native->inlined_arg, true, false)) return false;
       break;
   }
@@ -302,7 +330,7 @@ static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list) {
       if (!is_test(row, n)) break;
       vs_node *x = n->as.call.at[0];
       if (row->op == VS_O_JNOT && (x->kind == VS_AST_IF || is_test(row_of(c, x, &native), x))) return test(c, x, !sense, list);
-      if (!operand(c, x, &r[0])) return false;
+      if (!operand_of(c, n, 0, &r[0])) return false;
       uint32_t b = 0;
       unsigned op = row->op;
       if (row->way == VS_WAY_TYPE) {
@@ -311,7 +339,7 @@ static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list) {
         op = row->immediate;
         b = bits;
       } else if (row->args == 2) {
-        if (!operand(c, n->as.call.at[1], &r[1]) || !near(c, &r[1], 1)) return false;
+        if (!operand_of(c, n, 1, &r[1]) || !near(c, &r[1], 1)) return false;
         b = r[1];
       }
       if (!near(c, &r[0], 0) || !stands_for(c, n) || !vs_emit_branch(e, op, r[0], b, sense, list)) return false;
@@ -576,6 +604,17 @@ static bool gen_set(compiler *c, vs_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   vs_var *v = n->as.set.var;
   uint32_t keep = e->next, value, box;
+  if (!boxed(v)) {                             /* in a register of this frame: whoever captures it boxes it */
+    value = v->reg;
+    bool direct = lands_last(c, n->as.set.value);
+    if ((!direct && !vs_emit_register(e, &value)) || !gen(c, n->as.set.value, value) ||
+        (!direct && !vs_emit_op(e, VS_O_MOVE, v->reg, value, 0))) return false;
+    e->next = keep;
+    if (to == EFFECT) return true;
+    if (!landing(c, to, &value) || !load_value(c, VS_UNSPECIFIC, value) || !finish(c, value, to)) return false;
+    e->next = keep;
+    return true;
+  }
   if (!vs_emit_register(e, &value) || !gen(c, n->as.set.value, value)) return false;
   box = v->reg;
   if (vs_info(v)->frame != e->frame && (!vs_emit_register(e, &box) || !load_raw(c, v, box))) return false;

@@ -29,6 +29,7 @@ typedef struct vs_node vs_node;
 typedef struct vs_var {
   uint32_t name;             /* constant index of its symbol */
   bool introduced;           /* a macro's own: nobody wrote it, nobody is shown it */
+  bool in_register;          /* unless captured, it is assigned where it lies: no continuation enters its frame twice */
   /* the compiler's */
   bool assigned, captured, known;
   uint32_t refs, calls;

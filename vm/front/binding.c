@@ -99,6 +99,15 @@ static bool binding_form(vs_expansion *x, int form, int kind) {
 }
 
 bool vs_form_let(vs_expansion *x) { return binding_form(x, VS_FORM_let, VS_AST_LET); }
+/* A let whose variables may be assigned where they lie, in registers: nothing in it makes a continuation that returns
+   twice. */
+bool vs_form_let_registers(vs_expansion *x) {
+  vs_node **into = x->now.into;
+  if (!binding_form(x, VS_FORM_let_registers, VS_AST_LET)) return false;
+  if ((*into)->kind == VS_AST_LET)
+    for (uint32_t i = 0; i < (*into)->count; i++) (*into)->as.let.vars[i]->in_register = true;
+  return true;
+}
 bool vs_form_letrec(vs_expansion *x) { return binding_form(x, VS_FORM_letrec, VS_AST_FIX); }
 bool vs_form_letrec_star(vs_expansion *x) { return binding_form(x, VS_FORM_letrec_star, VS_AST_FIX); }
 

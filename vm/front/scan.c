@@ -1,5 +1,5 @@
 /* Owns the machine that knows where a datum ends, without building it: for continuation lines and for reading from ports. */
-#include "vm/front/reader.h"
+#include "vm/front/scan.h"
 #include "vm/values/text.h"
 
 enum { BLANK, ATOM, STRING, BARS, LINE, BLOCK, HASH, CHARACTER };

@@ -2,6 +2,7 @@
 #include "vm/values/number.h"
 #include "vm/library/port.h"
 #include "vm/front/reader.h"
+#include "vm/front/scan.h"
 
 static bool in_port(vs_scheme *vm, const vs_value *a, int n, int i, uint32_t kind, vs_value *port) {
   *port = n > i ? a[i] : vs_port_current_input(vm);

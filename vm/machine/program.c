@@ -7,6 +7,7 @@
 #include "vm/library/port.h"
 #include "vm/front/gml_reader.h"
 #include "vm/front/reader.h"
+#include "vm/javascript/read_script.h"
 #include "vm/machine/run.h"
 #include "vm/values/string_chars.h"
 

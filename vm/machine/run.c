@@ -614,6 +614,7 @@ look:
   }
   OP(JRECORD): BRANCH_IF(vs_is(RA, VS_T_RECORD) && vs_as_record(RA)->type == RB);
   OP(JPROCEDURE): BRANCH_IF(vs_is_procedure(RA));
+  OP(JFLONUM): BRANCH_IF(vs_is_double(RA));
   OP(RECORD): {
     vs_value type = RB;
     size_t fields = (size_t)C - 1;

@@ -1,0 +1,27 @@
+function counter() { var n = 0; return { inc: function () { return ++n; }, get: function () { return n; } }; }
+var a = counter(), b = counter(); a.inc(); a.inc(); b.inc(); print(a.get(), b.get());
+var fs = []; for (var i = 0; i < 3; i++) fs.push(function () { return i; }); print(fs[0](), fs[1](), fs[2]());
+var gs = []; for (i = 0; i < 3; i++) (function (k) { gs[k] = function () { return k; }; })(i); print(gs[0](), gs[1](), gs[2]());
+print(hoisted()); function hoisted() { return v; } var v = 7; print(hoisted());
+print(typeof undeclared, typeof hoisted, typeof v, typeof "s", typeof null, typeof undefined, typeof {}, typeof [], typeof true);
+var fact = function f(n) { return n < 2 ? 1 : n * f(n - 1); }; print(fact(10));
+function outer() { function inner() { return x; } var x = 5; var r = inner(); x = 6; return r + inner(); } print(outer());
+function shadow(x) { var x; return x; } print(shadow(3));
+function shadow2(x) { var x = 4; return x; } print(shadow2(3));
+function args() { return arguments.length + ":" + arguments[1]; } print(args(1,2,3), args());
+function few(a, b) { return a + "," + b; } print(few(1), few(1,2,3), few());
+(function () { implicit = 12; })(); print(implicit);
+function compose(f, g) { return function (x) { return f(g(x)); }; } print(compose(function (x) { return x + 1; }, function (x) { return x * 2; })(5));
+var o = { n: 3, m: function () { return this.n; } }; print(o.m(), o["m"]());
+function dup(a, a) { return a; } print(dup(1, 2));
+function f1() { return f2(); function f2() { return "f2"; } } print(f1());
+var f3 = f1; f1 = function () { return "new"; }; print(f3(), f1());
+function re() { return 1; } function re() { return 2; } print(re());
+print((function () { return typeof this; })() === "undefined" || true);
+print(fs.length, (function (a, b) {}).call(null, 1));
+function even(n) { return n == 0 ? true : odd(n - 1); } function odd(n) { return n == 0 ? false : even(n - 1); } print(even(10), odd(7));
+function deep(n) { return n == 0 ? 0 : 1 + deep(n - 1); } print(deep(5000));
+print(few.call(null, 1, 2), few.apply(null, [3, 4]));
+function selfref() { selfref = function () { return "second"; }; return "first"; } print(selfref(), selfref());
+var e1 = (1, 2, 3); print(e1);
+function early() { if (true) { var z = 1; } return z; } print(early());

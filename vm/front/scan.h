@@ -1,0 +1,31 @@
+/* Owns the question whether a text is whole. */
+#ifndef VS_SCAN_H
+#define VS_SCAN_H
+
+#include "vm/machine/native.h"
+
+/* ---- is it whole? A machine fed one character at a time, for the REPL and for (read) from a port. ---- */
+typedef enum { VS_SCAN_MORE, VS_SCAN_WHOLE /* ended before this character */, VS_SCAN_WHOLE_WITH /* ended with it */, VS_SCAN_BAD } vs_scan_result;
+typedef struct vs_scan {
+  vs_scheme *vm;
+  uint8_t state, after_hash;
+  bool any, escaped, returned;    /* something but blanks was seen; the last character was a backslash; it was a \r */
+  uint32_t comment;               /* depth of block comments */
+  uint32_t wanted;                /* data still to come at depth 0 */
+  size_t depth, room;
+  struct vs_scan_open { char open; uint32_t line, col; } *at;
+  uint32_t line, col;             /* of the character fed next */
+  const char *trouble;            /* BAD: why */
+  uint32_t token_line, token_col; /* where the last string, comment or |symbol| began */
+} vs_scan;
+void vs_scan_open(vs_scheme *vm, vs_scan *s);
+void vs_scan_close(vs_scan *s);
+bool vs_scan_feed(vs_scan *s, uint32_t c, vs_scan_result *result);    /* false: out of memory */
+bool vs_scan_end(vs_scan *s);                                         /* at the end of the text: nothing is open */
+
+typedef enum { VS_TEXT_EMPTY, VS_TEXT_WHOLE, VS_TEXT_OPEN, VS_TEXT_BAD } vs_text_state;
+typedef struct vs_text_check { vs_text_state state; uint32_t depth, line, col; const char *trouble; } vs_text_check;
+/* Is this text any number of whole data? OPEN: line, col of what was opened last. BAD: of the trouble. */
+bool vs_read_whole(vs_scheme *vm, const char *text, size_t size, vs_text_check *out);
+
+#endif

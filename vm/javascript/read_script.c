@@ -1,0 +1,186 @@
+/* Owns the making of data from what the translation of a script wrote.
+ *
+ * The items are gone through from the last to the first. Data wait in a list, which is a stack; a closing bracket
+ * puts a mark there. At an opening bracket what lies above the mark is, in order, the list itself: its last pair is
+ * cut off, and nothing is copied. The pair that holds a datum carries its place; the first pair of a list, that of
+ * the list. */
+#include "vm/javascript/read_script.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "javascript/parser.h"
+#include "vm/front/environment.h"
+#include "vm/front/expand.h"
+#include "vm/front/reader.h"
+#include "vm/javascript/statements.h"
+
+static void *resize(void *context, void *at, size_t used, size_t fresh) { return vs_mem(context, at, used, fresh); }
+
+static vs_pos place(uint32_t file, uint32_t line, uint32_t column) { return vs_pos_make(file, line, column); }
+
+/* ---- native text ---- */
+
+typedef struct {
+  vs_scheme *vm;
+  const vs_scopes *k;
+  uint32_t scope;
+} native_names;
+
+/* Is the symbol a variable of the script where the text stands? Anything else means what it means in the language. */
+static bool is_variable(const native_names *n, vs_value symbol) {
+  const char *text = vs_as_symbol(symbol)->name;
+  uint32_t name = vs_script_name_known(n->k->s, text, strlen(text));
+  return name && vs_scopes_resolve(n->k, n->scope, name);
+}
+
+/* Renames the symbols of the data in place, with a list of pairs that wait. They are fresh, and no macro has seen
+ * them. */
+static bool rename_names(const native_names *n, vs_value forms) {
+  vs_scheme *vm = n->vm;
+  VS_ROOTS(vm, r, 4); /* waiting, the pair, a name, its alias */
+  if (!vs_cons(vm, forms, VS_NIL, &r[0])) return false;
+  while (vs_is_pair(r[0])) {
+    r[1] = vs_car(r[0]);
+    r[0] = vs_cdr(r[0]);
+    for (; vs_is_pair(r[1]); r[1] = vs_cdr(r[1])) {
+      for (int i = 0; i < 2; i++) {
+        vs_value v = i ? vs_cdr(r[1]) : vs_car(r[1]);
+        if (!i && vs_is_pair(v)) {
+          if (!vs_cons(vm, v, r[0], &r[0])) return false;
+          continue;
+        }
+        if (!vs_is_symbol(v) || vs_as_symbol(v)->name[0] == '#' || is_variable(n, v)) continue;
+        r[2] = v;
+        if (!vs_make_alias(vm, r[2], vm->at.core, &r[3])) return false;
+        vs_pair *p = vs_as_pair(r[1]);
+        vs_gc_store(vm, p, i ? &p->cdr : &p->car, r[3]);
+      }
+    }
+  }
+  return true;
+}
+
+/* The data of native text, with their own places: blanks stand before its first line, up to its column. */
+static bool native_data(const native_names *n, const vs_item *item, uint32_t file, vs_value *forms) {
+  size_t indent = item->column + 2, size = indent + item->b;
+  char *text = vs_mem(n->vm, NULL, 0, size + 1);
+  if (!text) return false;
+  memset(text, ' ', indent);
+  memcpy(text + indent, n->k->s->texts + item->a, item->b);
+  text[size] = 0;
+  bool ok = vs_read_all(n->vm, text, size, file, item->line, false, forms);
+  vs_mem(n->vm, text, size + 1, 0);
+  return ok && rename_names(n, *forms);
+}
+
+/* ---- data ---- */
+
+static bool symbol_of(vs_scheme *vm, const vs_script *s, const vs_item *item, vs_value *out) {
+  char small[200];
+  size_t n = 0;
+  const char *text = item->word;
+  switch ((vs_item_kind)item->kind) {
+  case VS_ITEM_WORD: return vs_intern(vm, text, strlen(text), out);
+  case VS_ITEM_MADE:
+    n = (size_t)snprintf(small, sizeof small, "%s%u", text, item->a);
+    return vs_intern(vm, small, n, out);
+  case VS_ITEM_KEY: return vs_intern(vm, s->texts + item->a, item->b, out);
+  default: break;
+  }
+  text = vs_script_spelling(s, item->a, &n);
+  if (item->kind == VS_ITEM_NAME) return vs_intern(vm, text, n, out);
+  char *long_name = vs_mem(vm, NULL, 0, n + 1);
+  if (!long_name) return false;
+  memcpy(long_name + 1, text, n);
+  long_name[0] = ':';
+  bool ok = vs_intern(vm, long_name, n + 1, out);
+  vs_mem(vm, long_name, n + 1, 0);
+  return ok;
+}
+
+/* Takes the list above the mark off the stack. */
+static vs_value take_list(vs_scheme *vm, vs_value *stack, vs_pos pos) {
+  vs_value head = *stack, last = VS_NIL, at = head, tail = VS_NIL;
+  for (; vs_car(at) != VS_VACANT && vs_car(at) != VS_ABSENT; at = vs_cdr(at)) last = at;
+  vs_value rest = vs_cdr(at);
+  if (vs_car(at) == VS_ABSENT) tail = vs_car(rest), rest = vs_cdr(rest);
+  *stack = rest;
+  if (last == VS_NIL) return tail;
+  vs_gc_store(vm, vs_as_pair(last), &vs_as_pair(last)->cdr, tail);
+  ((vs_located_pair *)(void *)vs_object_of(head))->pos = pos;
+  return head;
+}
+
+static bool push(vs_scheme *vm, vs_value v, vs_value *stack, vs_pos pos) {
+  return vs_cons_at(vm, v, *stack, pos, stack);
+}
+
+static bool push_native(vs_scheme *vm, const vs_translation *t, const vs_item *item, uint32_t file, vs_value *stack) {
+  VS_ROOTS(vm, r, 3);
+  native_names names = { vm, t->k, item->scope };
+  r[2] = *stack;
+  if (!native_data(&names, item, file, &r[0])) return false;
+  for (r[1] = VS_NIL; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) /* turned, so that the first comes to lie on top */
+    if (!vs_cons_at(vm, vs_car(r[0]), r[1], vs_pair_pos(r[0]), &r[1])) return false;
+  for (; vs_is_pair(r[1]); r[1] = vs_cdr(r[1]))
+    if (!vs_cons_at(vm, vs_car(r[1]), r[2], vs_pair_pos(r[1]), &r[2])) return false;
+  *stack = r[2];
+  return true;
+}
+
+static bool build(vs_scheme *vm, const vs_translation *t, uint32_t file, vs_value *forms) {
+  VS_ROOTS(vm, r, 3); /* the stack, a datum */
+  r[0] = VS_NIL;
+  bool ok = true;
+  for (size_t i = t->count; ok && i--;) {
+    const vs_item *item = &t->items[i];
+    vs_pos pos = place(file, item->line, item->column);
+    if ((i & 1023) == 0 && !vs_poll(vm, 1024)) return false;
+    switch ((vs_item_kind)item->kind) {
+    case VS_ITEM_CLOSE: ok = push(vm, VS_VACANT, &r[0], pos); break;
+    case VS_ITEM_OPEN:
+      r[1] = take_list(vm, &r[0], pos);
+      ok = push(vm, r[1], &r[0], pos);
+      break;
+    case VS_ITEM_NUMBER: ok = push(vm, vs_flonum(item->number), &r[0], pos); break;
+    case VS_ITEM_COUNT: ok = push(vm, vs_fix(item->a), &r[0], pos); break;
+    case VS_ITEM_STRING:
+      ok = vs_string_from_utf8(vm, t->s->texts + item->a, item->b, &r[1]) && push(vm, r[1], &r[0], pos);
+      break;
+    case VS_ITEM_NATIVE: ok = push_native(vm, t, item, file, &r[0]); break;
+    case VS_ITEM_WORD:
+      if (!strcmp(item->word, ".")) { /* what is on top is the tail of the list, whose mark lies below it */
+        r[1] = vs_car(r[0]);
+        r[0] = vs_cdr(vs_cdr(r[0]));
+        ok = push(vm, r[1], &r[0], pos) && push(vm, VS_ABSENT, &r[0], pos);
+        break;
+      }
+      ok = symbol_of(vm, t->s, item, &r[1]) && push(vm, r[1], &r[0], pos);
+      break;
+    case VS_ITEM_NAME:
+    case VS_ITEM_DIRECT:
+    case VS_ITEM_MADE:
+    case VS_ITEM_KEY: ok = symbol_of(vm, t->s, item, &r[1]) && push(vm, r[1], &r[0], pos); break;
+    }
+  }
+  *forms = r[0];
+  return ok;
+}
+
+bool vs_read_script(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, vs_value *forms) {
+  vs_script s;
+  vs_scopes k = { .s = &s };
+  vs_translation t = { .s = &s, .k = &k, .numbers = 1 };
+  bool ok = vs_script_parse(&s, text, size, resize, vm) && vs_scopes_find(&k, &s) && vs_translate_script(&t) &&
+            build(vm, &t, file, forms);
+  if (!ok && *s.trouble)
+    vs_fail_at(vm, vm->sym.read, place(file, line - 1 + s.trouble_at.line, s.trouble_at.column), VS_NIL, "%s",
+               s.trouble);
+  else if (!ok && s.no_memory)
+    vs_fail_memory(vm);
+  if (t.items) vs_mem(vm, t.items, t.room * sizeof *t.items, 0);
+  vs_scopes_close(&k);
+  vs_script_close(&s);
+  return ok;
+}

@@ -1,0 +1,87 @@
+/* Owns what the translation of a script writes: data of the language in the order of their text, each with its place.
+ *
+ * Words of the language and of its run-time library (library/javascript/runtime.sld) begin with js: , names that the
+ * translation makes hold a colon, too, and names of the script never do; so nothing is mistaken for something else. */
+#ifndef VS_VM_TRANSLATION_H
+#define VS_VM_TRANSLATION_H
+
+#include "vm/javascript/script_scopes.h"
+
+typedef enum {
+  VS_ITEM_OPEN,
+  VS_ITEM_CLOSE,
+  VS_ITEM_WORD,   /* a word of the translation's own */
+  VS_ITEM_NAME,   /* a name of the script */
+  VS_ITEM_DIRECT, /* the same behind a colon: the procedure of a function */
+  VS_ITEM_MADE,   /* word:number */
+  VS_ITEM_KEY,    /* a text of the script as a symbol */
+  VS_ITEM_NUMBER,
+  VS_ITEM_COUNT,
+  VS_ITEM_STRING,
+  VS_ITEM_NATIVE /* text of the language itself: as many data as it holds */
+} vs_item_kind;
+
+typedef struct {
+  uint8_t kind;
+  uint32_t line, column;
+  const char *word;
+  uint32_t a, b;  /* NAME, DIRECT: a; MADE, COUNT: a; KEY, STRING, NATIVE: text and length */
+  uint32_t scope; /* NATIVE: where it stands */
+  double number;
+} vs_item;
+
+/* Where control goes once a statement is done. */
+typedef enum {
+  VS_THEN_NOTHING,    /* nowhere: nobody looks at the value */
+  VS_THEN_END,        /* to the end of the function */
+  VS_THEN_MADE,       /* to the procedure word:number */
+  VS_THEN_STATEMENTS, /* to the statements from `node` up to `stop`, and then on */
+  VS_THEN_LOOP,       /* to the next turn of the loop `node`, of that number */
+  VS_THEN_OUTCOME     /* behind the finally of `frame`: to wherever its parts were going */
+} vs_then_kind;
+
+typedef struct vs_then {
+  vs_then_kind kind;
+  const char *word;
+  uint32_t number, node, stop;
+  struct vs_frame *frame;
+  const struct vs_then *on;
+} vs_then;
+
+/* A statement that jumps go to or leave. Of a try: everything that leaves its parts does it by a number. */
+typedef struct vs_frame {
+  struct vs_frame *up;
+  uint32_t node;
+  vs_then broken, continued;
+  bool guard;
+  uint32_t *exits;
+  size_t exit_count, exit_room; /* jump nodes, 0 for a return: number i + 1 */
+  uint32_t number;
+} vs_frame;
+
+typedef struct {
+  vs_script *s;
+  vs_scopes *k;
+  vs_item *items;
+  size_t count, room;
+  uint32_t line; /* lines before the text */
+  uint32_t scope, numbers;
+  unsigned depth, functions; /* around the place */
+  vs_script_place at;
+  vs_frame *frames;
+} vs_translation;
+
+typedef enum { VS_TYPE_ANY, VS_TYPE_NUMBER, VS_TYPE_STRING, VS_TYPE_BOOLEAN } vs_static_type;
+
+bool vs_translate_open(vs_translation *t);
+bool vs_translate_close(vs_translation *t);
+bool vs_translate_word(vs_translation *t, const char *word);
+bool vs_translate_call(vs_translation *t, const char *word); /* ( and the word */
+bool vs_translate_name(vs_translation *t, uint32_t name);
+bool vs_translate_direct(vs_translation *t, uint32_t name);
+bool vs_translate_made(vs_translation *t, const char *word, uint32_t number);
+bool vs_translate_key(vs_translation *t, uint32_t node);  /* (js:quote key): NAME, STRING or NUMBER */
+bool vs_translate_text(vs_translation *t, uint32_t name); /* the name as a string */
+bool vs_translate_item(vs_translation *t, vs_item item);
+
+#endif
