@@ -294,6 +294,8 @@ typedef struct {
  * string. False: the name or the datum cannot be read (a diagnostic has said so). A value that the definition then refuses
  * (another type, out of range, not a choice) ends the evaluation with VS_OUTCOME_USAGE. */
 VS_API bool vs_parameter_set(vs_scheme *s, const char *name, const char *datum);
+/* Forgets what vs_parameter_set gave: a later (define-parameter name ...) holds its default. */
+VS_API void vs_parameter_unset(vs_scheme *s, const char *name);
 VS_API size_t vs_parameter_count(const vs_scheme *s);
 VS_API bool vs_parameter_get(vs_scheme *s, size_t index, vs_parameter_info *out);
 /* A name that vs_parameter_set gave and no define-parameter took so far, or NULL past the last. */

@@ -86,7 +86,8 @@ void vs_bind_restart(vs_bind *b); /* as just opened, but for the settings of par
 void vs_bind_clear_drawing(vs_bind *b);
 static inline vs_bind *vs_bind_of(vs_scheme *vm) { return (vs_bind *)vm->host; }
 
-bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum); /* false: out of memory */
+/* A setting that define-parameter will take; datum NULL: forgets it. False: out of memory. */
+bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum);
 
 extern const vs_native_table vs_bind_table, vs_bind_reserved_table, vs_bind_data_table;
 

@@ -9,7 +9,16 @@
 
 enum { KEY_MIN, KEY_MAX, KEY_STEP, KEY_CHOICES, KEY_LABEL, KEY_GROUP };
 
+static void unset(vs_bind *b, const char *name) {
+  for (size_t i = 0; i < b->setting_count; i++)
+    if (strcmp(b->settings[i].name, name) == 0) {
+      b->settings[i] = b->settings[--b->setting_count];
+      return;
+    }
+}
+
 bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum) {
+  if (!datum) return unset(b, name), true;
   const char *n = vs_store_text(b->store, name, strlen(name)), *d = vs_store_text(b->store, datum, strlen(datum));
   if (!n || !d) return false;
   for (size_t i = 0; i < b->setting_count; i++)

@@ -10,10 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 const char LIVE_NEWER[] = "the file has changed on disk since it was read here";
 enum { MOST_BYTES = 256 << 20 };
+enum { SETTLE = 20, SETTLE_EMPTY = 150, SETTLE_MOST = 300 }; /* milliseconds */
 
 bool live_file_read(const char *path, char **text, size_t *length, const char **why) {
   struct stat s;
@@ -100,6 +102,22 @@ bool live_files_changed(const live_files *f) {
     if (now.there != was->there || now.device != was->device || now.inode != was->inode || now.size != was->size || now.seconds != was->seconds || now.nanoseconds != was->nanoseconds) return true;
   }
   return false;
+}
+
+void live_files_settle(const live_files *f) {
+  for (int waited = 0; waited < SETTLE_MOST; waited += 5) {
+    struct timespec now, pause = { .tv_nsec = 5000000 };
+    double youngest = SETTLE_MOST;
+    bool empty = false;
+    clock_gettime(CLOCK_REALTIME, &now);
+    for (size_t i = 0; i < f->count; i++) {
+      live_file file = file_now(f->at[i].path);
+      double age = 1e3 * difftime(now.tv_sec, (time_t)file.seconds) + 1e-6 * (double)(now.tv_nsec - file.nanoseconds);
+      if (file.there && age >= 0 && age < youngest) youngest = age, empty = file.size == 0;
+    }
+    if (youngest > (empty ? SETTLE_EMPTY : SETTLE)) return;
+    nanosleep(&pause, NULL);
+  }
 }
 
 void live_files_clear(live_files *f) {

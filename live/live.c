@@ -218,12 +218,20 @@ static void finish(live *l, vs_outcome outcome) {
   vs_interrupt_clear(l->scheme);
 }
 
+/* Forgets values that are what the source says anyway: when the source changes, the parameter follows it. */
+static void forget_defaults(live *l) {
+  vs_parameter_info p;
+  for (size_t i = 0; i < vs_parameter_count(l->scheme) && vs_parameter_get(l->scheme, i, &p); i++)
+    if (strcmp(p.value, p.default_value) == 0) vs_parameter_unset(l->scheme, p.name);
+}
+
 static void run_model(live *l) {
   begin(l);
   live_files_clear(&l->files);
   live_files_note(&l->files, l->options->model);
   vs_outcome outcome = vs_restart(l->scheme);
   if (outcome == VS_OUTCOME_DONE) outcome = vs_eval_file(l->scheme, l->options->model, 0);
+  if (outcome == VS_OUTCOME_DONE) forget_defaults(l);
   finish(l, outcome);
 }
 
@@ -277,6 +285,7 @@ static void serve(live *l) {
   run_model(l);
   while (!*l->options->ended) {
     bool again = live_files_changed(&l->files);
+    if (again) live_files_settle(&l->files);
     live_wish *w = again ? NULL : next_wish(l);
     while (w != NULL) { /* all that waits, before one run */
       if (w->kind == LIVE_SET) {

@@ -5,6 +5,7 @@
  * other than our own is refused: a foreign page, or a foreign name that was made to point here, gets nothing. No file is served by name.
  *
  * Bounded: connections, the bytes of a request's head, of a body, of what is waiting to be done, and the time of a silent client. */
+#define _GNU_SOURCE
 #include "live/serve.h"
 
 #include <arpa/inet.h>
@@ -25,21 +26,29 @@ enum { BODY_MOST = 16 << 20, CONNECTIONS = 32, WINDOWS = 12, SILENCE = 30, EXPOR
 ASSET(live_html) ASSET(live_js) ASSET(live_css)
 #undef ASSET
 
-static const char policy[] = "default-src 'none'; script-src 'self'; style-src 'self'; style-src-attr 'unsafe-inline'; connect-src 'self'; img-src 'self' blob: data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+#define POLICY(styles) "default-src 'none'; script-src 'self'; style-src 'self'" styles "; style-src-attr 'unsafe-inline'; " \
+  "connect-src 'self'; img-src 'self' blob: data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 
 typedef struct { live_text body; bool too_long, began; } request;
 
 /* ---- answers ---- */
 
-static enum MHD_Result answer(live_server *s, struct MHD_Connection *c, struct MHD_Response *r, unsigned status, const char *type) {
+static enum MHD_Result answer_under(live_server *s, struct MHD_Connection *c, struct MHD_Response *r, unsigned status,
+                                    const char *type, const char *policy) {
   if (r == NULL) return MHD_NO;
-  static const char *const headers[][2] = { { "Content-Security-Policy", policy }, { "X-Content-Type-Options", "nosniff" }, { "Referrer-Policy", "no-referrer" },
-                                            { "Cache-Control", "no-store" }, { "Cross-Origin-Resource-Policy", "same-origin" }, { "Cross-Origin-Opener-Policy", "same-origin" } };
+  static const char *const headers[][2] = {
+    { "X-Content-Type-Options", "nosniff" }, { "Referrer-Policy", "no-referrer" }, { "Cache-Control", "no-store" },
+    { "Cross-Origin-Resource-Policy", "same-origin" }, { "Cross-Origin-Opener-Policy", "same-origin" } };
+  s->http.add_response_header(r, "Content-Security-Policy", policy);
   for (size_t i = 0; i < sizeof headers / sizeof *headers; i++) s->http.add_response_header(r, headers[i][0], headers[i][1]);
   s->http.add_response_header(r, "Content-Type", type);
   enum MHD_Result ok = s->http.queue_response(c, status, r);
   s->http.destroy_response(r);
   return ok;
+}
+
+static enum MHD_Result answer(live_server *s, struct MHD_Connection *c, struct MHD_Response *r, unsigned status, const char *type) {
+  return answer_under(s, c, r, status, type, POLICY(""));
 }
 
 static enum MHD_Result answer_bytes(live_server *s, struct MHD_Connection *c, unsigned status, const char *type, const void *bytes, size_t count) {
@@ -276,18 +285,51 @@ static enum MHD_Result export(live_server *s, struct MHD_Connection *c) {
   return answer_text(s, c, outcome == VS_OUTCOME_INTERRUPTED ? 499 : 422, "the output was not made; the messages say why\n");
 }
 
-static const struct { const char *url, *type, *from, *end; } pages[] = {
-  { "/", "text/html; charset=utf-8", vs_asset_live_html, vs_asset_live_html_end },
+static bool make_token(char out[33]) {
+  unsigned char bytes[16];
+  int file = open("/dev/urandom", O_RDONLY | O_CLOEXEC);
+  bool ok = file >= 0 && read(file, bytes, sizeof bytes) == (ssize_t)sizeof bytes;
+  if (file >= 0) close(file);
+  for (size_t i = 0; ok && i < sizeof bytes; i++) snprintf(out + 2 * i, 3, "%02x", bytes[i]);
+  return ok;
+}
+
+/* The page. Its editor brings style sheets of its own, which the policy lets through by a number that only this answer
+ * has: it stands in the page for @nonce@. */
+static enum MHD_Result serve_page(live_server *s, struct MHD_Connection *c) {
+  static const char mark[] = "@nonce@";
+  char nonce[33], policy[sizeof POLICY(" 'nonce-'") + sizeof nonce];
+  live_text t = { 0 };
+  if (!make_token(nonce)) return answer_text(s, c, 500, "no random numbers\n");
+  snprintf(policy, sizeof policy, POLICY(" 'nonce-%s'"), nonce);
+  const char *at = vs_asset_live_html, *end = vs_asset_live_html_end, *found;
+  while ((found = memmem(at, (size_t)(end - at), mark, sizeof mark - 1)) != NULL) {
+    live_add(&t, at, (size_t)(found - at));
+    live_puts(&t, nonce);
+    at = found + sizeof mark - 1;
+  }
+  live_add(&t, at, (size_t)(end - at));
+  struct MHD_Response *r = t.failed ? NULL : s->http.create_response_from_buffer(t.length, t.at, MHD_RESPMEM_MUST_FREE);
+  if (r == NULL) live_text_free(&t);
+  return answer_under(s, c, r, 200, "text/html; charset=utf-8", policy);
+}
+
+static const struct { const char *url, *type, *from, *end; } assets[] = {
   { "/live.js", "text/javascript; charset=utf-8", vs_asset_live_js, vs_asset_live_js_end },
   { "/live.css", "text/css; charset=utf-8", vs_asset_live_css, vs_asset_live_css_end },
 };
 
 static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const char *url, const char *method, const live_text *body) {
   bool get = strcmp(method, "GET") == 0, post = strcmp(method, "POST") == 0;
-  for (size_t i = 0; get && i < sizeof pages / sizeof *pages; i++) {
-    if (strcmp(url, pages[i].url) != 0) continue;
+  for (size_t i = 0; get && i < sizeof assets / sizeof *assets; i++) {
+    if (strcmp(url, assets[i].url) != 0) continue;
     const char *why = refuse(s, c, false);
-    return why != NULL ? answer_text(s, c, 403, why) : answer_bytes(s, c, 200, pages[i].type, pages[i].from, (size_t)(pages[i].end - pages[i].from));
+    if (why != NULL) return answer_text(s, c, 403, why);
+    return answer_bytes(s, c, 200, assets[i].type, assets[i].from, (size_t)(assets[i].end - assets[i].from));
+  }
+  if (get && strcmp(url, "/") == 0) {
+    const char *why = refuse(s, c, false);
+    return why != NULL ? answer_text(s, c, 403, why) : serve_page(s, c);
   }
   const char *why = refuse(s, c, true);
   if (why != NULL) return answer_text(s, c, 403, why);
@@ -334,15 +376,6 @@ static void completed(void *context, struct MHD_Connection *c, void **state, enu
 }
 
 /* ---- opening ---- */
-
-static bool make_token(char out[33]) {
-  unsigned char bytes[16];
-  int file = open("/dev/urandom", O_RDONLY | O_CLOEXEC);
-  bool ok = file >= 0 && read(file, bytes, sizeof bytes) == (ssize_t)sizeof bytes;
-  if (file >= 0) close(file);
-  for (size_t i = 0; ok && i < sizeof bytes; i++) snprintf(out + 2 * i, 3, "%02x", bytes[i]);
-  return ok;
-}
 
 static void quiet(void *context, const char *format, va_list arguments) { (void)context, (void)format, (void)arguments; } /* a vanished client is nobody's news */
 

@@ -478,6 +478,10 @@ bool vs_parameter_set(vs_scheme *vm, const char *name, const char *datum) {
   return false;
 }
 
+void vs_parameter_unset(vs_scheme *vm, const char *name) {
+  vs_bind_set_parameter(&vs_session_of(vm)->bind, name, NULL);
+}
+
 const char *vs_view_name(const vs_scheme *vm, size_t index) {
   const vs_scene *scene = &vs_session_of(vm)->bind.scene;
   return index < scene->view_count ? scene->views[index].name : NULL;

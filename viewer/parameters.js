@@ -1,6 +1,12 @@
 // Owns the controls of parameters: sliders, boxes, choices, check marks, each with a way back to what the source says.
 import { el } from "./dom.js";
 
+// A step of 1, 2 or 5 times a power of ten that parts a range into some hundreds: what a slider gives is a number that one would write.
+function roundStep(span) {
+  const power = 10 ** Math.floor(Math.log10(span / 200 || 1)), least = span / 200 / power;
+  return Number((power * (least <= 1 ? 1 : least <= 2 ? 2 : least <= 5 ? 5 : 10)).toPrecision(1));
+}
+
 export class Parameters {
   // set(name, value) hands a value on, as the language writes it; write() puts all that were changed into the source.
   constructor(set, write) {
@@ -54,7 +60,7 @@ export class Parameters {
       controls = [label, select, reset];
     } else if (p.min !== undefined) {
       const number = el("input", { type: "number", id, min: p.min, max: p.max, step: p.step || "any" });
-      const range = el("input", { type: "range", min: p.min, max: p.max, step: p.step || (p.max - p.min) / 500, "aria-label": p.label, "data-parameter": p.name });
+      const range = el("input", { type: "range", min: p.min, max: p.max, step: p.step || roundStep(p.max - p.min), "aria-label": p.label, "data-parameter": p.name });
       const exact = (x) => p.type === "integer" ? String(Math.round(x)) : String(Number(Number(x).toPrecision(6)));
       range.addEventListener("input", () => { number.value = exact(range.value); send(exact(range.value)); });
       number.addEventListener("change", () => { if (number.value !== "" && Number.isFinite(Number(number.value))) { range.value = number.value; send(exact(number.value)); } });

@@ -127,7 +127,8 @@ export class Source {
             clearTimeout(this.waiting);
             this.waiting = setTimeout(() => cursor(this.places()), 120);
           }
-        }), EditorView.contentAttributes.of({ "aria-label": "Source" })] }),
+        }), EditorView.contentAttributes.of({ "aria-label": "Source" }),
+        EditorView.cspNonce.of(document.querySelector("script[nonce]")?.nonce ?? "")] }),
     });
   }
 

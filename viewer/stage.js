@@ -119,7 +119,14 @@ export class Stage {
   #sky() {
     this.skyMaterial = new THREE.ShaderMaterial({
       uniforms: { zenith: { value: new THREE.Color() }, horizon: { value: new THREE.Color() }, near: { value: new THREE.Color() }, below: { value: new THREE.Color() } },
-      vertexShader: "varying vec3 way; void main() { way = position; vec4 p = projectionMatrix * mat4(mat3(modelViewMatrix)) * vec4(position, 1.0); gl_Position = p.xyww; gl_Position.z = p.w * 0.999999; }",
+      // Where each pixel looks to. Parallel rays would all see one colour: there the sky is that of a lens.
+      vertexShader: `varying vec3 way;
+        void main() {
+          vec2 reach = vec2(1.0 / projectionMatrix[0][0], 1.0 / projectionMatrix[1][1]);
+          if (isOrthographic) reach *= 0.45 / reach.y;
+          way = transpose(mat3(viewMatrix)) * vec3(position.xy * reach, -1.0);
+          gl_Position = vec4(position.xy, 0.999999, 1.0);
+        }`,
       fragmentShader: `uniform vec3 zenith, horizon, near, below; varying vec3 way;
         void main() {
           float h = normalize(way).z;
@@ -129,9 +136,9 @@ export class Stage {
           #include <tonemapping_fragment>
           #include <colorspace_fragment>
         }`,
-      depthWrite: false, depthTest: false, side: THREE.BackSide,
+      depthWrite: false, depthTest: false,
     });
-    this.dome = new THREE.Mesh(new THREE.SphereGeometry(1, 24, 16), this.skyMaterial);
+    this.dome = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), this.skyMaterial);
     this.dome.renderOrder = -10;
     this.dome.frustumCulled = false;
     this.scene.add(this.dome);

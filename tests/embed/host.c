@@ -73,6 +73,14 @@ int main(void) {
   CHECK(vs_parameter_unused(s, 0) == NULL);
   vs_parameter_info p;
   CHECK(vs_parameter_count(s) == 1 && vs_parameter_get(s, 0, &p) && strcmp(p.value, "7") == 0 && p.max == 9 && p.type == VS_PARAMETER_INTEGER);
+  vs_scheme *other = vs_new(NULL);
+  vs_parameter_info forgotten;
+  CHECK(other && vs_parameter_set(other, "height", "7"));
+  vs_parameter_unset(other, "height");
+  vs_parameter_unset(other, "nobody");
+  CHECK(run(other, "(define-parameter height 3)", 0) == VS_OUTCOME_DONE);
+  CHECK(vs_parameter_get(other, 0, &forgotten) && strcmp(forgotten.value, "3") == 0);
+  vs_free(other);
   vs_summary summary;
   CHECK(vs_drawing_summary(s, &summary) == VS_OUTCOME_DONE && summary.solids == 1 && summary.max[2] == 7);
   size_t bytes = 0;

@@ -1,0 +1,304 @@
+// Owns the tests of the live view in a browser: `live_browser.mjs VS FOLDER`. Prints lines as tests/run.sh wants them.
+import { spawn } from "node:child_process";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { browser, open, settled } from "./browser.mjs";
+
+const [, , vs, folder] = process.argv, only = process.env.ONLY || "", pictures = process.env.PICTURES;
+const model = `${folder}/towers.vs`;
+const source = `; two towers and a bridge
+(define-parameter height 3.0 #:min 1 #:max 9 #:label "Height of the towers")
+(define-parameter roofed #t)
+(define-parameter style "round" #:choices '("round" "square"))
+(define (tower at) ; one of them
+  (if (equal? style "round")
+      (make-cylinder at height 1)
+      (make-box at 2 2 height)))
+(draw (tower (xyz 0 0 0)))
+(draw (tower (xyz 8 0 0)))
+(if roofed (draw (color "red" (make-cone (xyz 0 0 height) (xyz 0 0 (+ height 2)) 1.3))))
+(draw (layer "bridge" (subtract (make-box (xyz 0 -0.5 1) (xyz 8 0.5 2)) (make-box (xyz 3 -1 1.2) (xyz 5 1 1.8)))))
+`;
+mkdirSync(folder, { recursive: true });
+writeFileSync(model, source);
+
+function start(path) {
+  const server = spawn(vs, ["view", "-q", path], { stdio: ["ignore", "pipe", "pipe"] });
+  return new Promise((go) => server.stdout.once("data", (d) => go({ server, url: String(d).trim() })));
+}
+const { server, url } = await start(model);
+const chromium = await browser();
+const context = await chromium.newContext({ viewport: { width: 1100, height: 640 }, reducedMotion: "reduce", acceptDownloads: true });
+await context.addInitScript(() => { window.quick = true; });
+
+let failed = 0;
+async function test(name, body) {
+  if (!("live/browser:" + name).includes(only)) return;
+  const faults = [];
+  const want = (holds, why) => { if (!holds) faults.push(why); };
+  try {
+    await body(want);
+  } catch (error) {
+    faults.push(String(error).split("\n")[0]);
+  }
+  if (pictures) await page.screenshot({ path: `${pictures}/${name.replace(/\W+/g, "-")}.png` });
+  console.log((faults.length ? "not ok live/browser:" : "ok live/browser:") + name);
+  for (const fault of faults) console.log("    " + fault);
+  failed += faults.length;
+}
+
+const page = await open(context, url);
+const states = () => page.evaluate(() => window.live.finished || 0);
+// The state that follows an action has been shown.
+async function after(action) {
+  const before = await states();
+  await action();
+  await page.waitForFunction((n) => (window.live.finished || 0) > n, before, { timeout: 20000 });
+}
+const facts = () => page.evaluate(() => {
+  const m = window.visualscheme.model;
+  return { count: m.count, size: m.size.map((s) => Math.round(s * 1000) / 1000), good: window.live.state.good, messages: window.live.state.messages.map((m) => m.message) };
+});
+const eye = () => page.evaluate(() => { const c = window.visualscheme.stage.camera; return [...c.position.toArray(), ...c.quaternion.toArray()].map((x) => Math.round(1e4 * x) / 1e4).join(); });
+const text = () => page.evaluate(() => window.live.source.text);
+// Where a point of the model is on the page.
+const onScreen = (p) => page.evaluate(([p]) => {
+  const v = window.visualscheme, m = v.model.middle, r = v.canvas.getBoundingClientRect(), q = v.stage.camera.position.clone().set(p[0] - m[0], p[1] - m[1], p[2] - m[2]).project(v.stage.camera);
+  return { x: r.left + (q.x + 1) / 2 * r.width, y: r.top + (1 - q.y) / 2 * r.height };
+}, [p]);
+
+await test("the model is shown beside its source", async (want) => {
+  await page.waitForFunction(() => window.live.finished > 0);
+  const f = await facts();
+  want(f.count === 4, `${f.count} parts`);
+  want((await text()) === source, "the source pane has another text");
+  want(page.troubles.length === 0, page.troubles.join("; "));
+});
+
+await test("a slider evaluates", async (want) => {
+  const slider = page.locator('input[type=range][data-parameter=height]');
+  await after(() => slider.fill("6"));
+  await page.waitForFunction(() => window.visualscheme.model.size[2] === 8);
+  want((await facts()).size[2] === 8, `height ${(await facts()).size[2]}`);
+  want((await text()) === source, "the source changed by itself");
+});
+
+await test("a check mark and a choice evaluate", async (want) => {
+  await after(() => page.locator("#parameter-roofed").uncheck());
+  await page.waitForFunction(() => window.visualscheme.model.count === 3);
+  await after(() => page.locator("#parameter-style").selectOption("square"));
+  await page.waitForFunction(() => window.visualscheme.model.size[0] === 10 && window.visualscheme.model.size[1] === 2);
+  want((await facts()).size.join() === "10,2,6", (await facts()).size.join());
+});
+
+await test("reset goes back to what the source says", async () => {
+  for (const label of ["Reset Height of the towers", "Reset roofed", "Reset style"]) await page.locator(`button[aria-label^="${label}"]`).click();
+  await page.waitForFunction(() => window.visualscheme.model.count === 4 && window.visualscheme.model.size[2] === 5, null, { timeout: 20000 });
+});
+
+await test("write to source changes the literals alone", async (want) => {
+  await after(() => page.locator('input[type=range][data-parameter=height]').fill("4.5"));
+  await after(() => page.locator("#parameter-roofed").uncheck());
+  await page.getByRole("button", { name: "Write to source" }).click();
+  await page.waitForFunction(() => !window.live.source.dirty);
+  const wanted = source.replace("height 3.0", "height 4.5").replace("roofed #t", "roofed #f");
+  await page.waitForTimeout(300);
+  want(readFileSync(model, "utf8") === wanted, "the file is " + readFileSync(model, "utf8").split("\n").slice(1, 4).join(" | "));
+});
+
+await test("saving in another editor shows, and the camera stays", async (want) => {
+  const before = await eye();
+  await after(() => writeFileSync(model, source));
+  await page.waitForFunction(() => window.visualscheme.model.count === 4, null, { timeout: 20000 });
+  want((await eye()) === before, "the camera moved");
+  want((await text()) === source, "the source pane has the old text");
+});
+
+await test("an error dims the last good model and heals", async (want) => {
+  await after(() => writeFileSync(model, source.replace("(make-cylinder at height 1)", "(make-cylinder at heigth 1)")));
+  let f = await facts();
+  want(!f.good && f.count === 4, "the last model is gone");
+  want(/heigth/.test(f.messages.join()), f.messages.join());
+  want(await page.locator(".view.stale").count() === 1, "the view is not dimmed");
+  want(await page.locator(".message.error pre").count() > 0 && (await page.locator(".message.error pre").first().textContent()).includes("^"), "no caret under the source line");
+  await page.locator(".message.error button").first().click();
+  const line = await page.evaluate(() => window.live.source.position(window.live.source.view.state.selection.main.head).line);
+  want(line === 7, `the message leads to line ${line}`);
+  await after(() => writeFileSync(model, source));
+  f = await facts();
+  want(f.good && await page.locator(".view.stale").count() === 0, "it did not heal");
+});
+
+await test("a click on a face marks its line, the path climbs", async (want) => {
+  await page.evaluate(() => window.visualscheme.view("front"));
+  await page.waitForFunction(() => !window.visualscheme.control.motion);
+  const p = await onScreen([8, -1, 2.5]);
+  await page.mouse.click(p.x, p.y);
+  want(await page.locator(".cm-line .made").count() > 0, "nothing is marked");
+  const made = await page.locator(".cm-line .made").first().textContent();
+  want(made.startsWith("(make-cylinder"), `marked: ${made}`);
+  const climb = page.locator(".card .path button");
+  want(await climb.count() >= 2, "the card has no path");
+  await climb.nth(1).click();
+  const called = await page.locator(".cm-line .made").first().textContent();
+  want(/tower/.test(called), `the caller marked: ${called}`);
+});
+
+await test("the cursor on an expression chooses what it made", async (want) => {
+  const at = source.indexOf("(make-cone") + 3;
+  await page.evaluate((at) => window.live.source.view.dispatch({ selection: { anchor: at }, userEvent: "select" }), at);
+  await page.waitForFunction(() => { const v = window.visualscheme; return v.chosen.length === 1 && v.model.where(v.chosen[0]).line === 11; }, null, { timeout: 5000 });
+  const line = await page.evaluate(() => { const v = window.visualscheme; return v.model.where(v.chosen[0]).line; });
+  want(line === 11, `chosen: what line ${line} made`);
+});
+
+await test("the sky is behind parallel views, too", async (want) => {
+  for (const view of ["front", "top", "iso"]) {
+    await page.evaluate((view) => window.visualscheme.view(view), view);
+    await page.waitForFunction(() => !window.visualscheme.control.motion);
+    const corner = await page.evaluate(() => {
+      const { stage } = window.visualscheme, gl = stage.renderer.getContext(), bytes = new Uint8Array(4);
+      stage.draw();
+      gl.readPixels(gl.drawingBufferWidth - 5, gl.drawingBufferHeight >> 1, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+      return [...bytes];
+    });
+    want(corner[0] + corner[1] + corner[2] > 300, `${view}: the background is ${corner.slice(0, 3)}`);
+  }
+});
+
+await test("measuring says lengths", async (want) => {
+  await page.evaluate(() => { window.visualscheme.select([]); window.visualscheme.view("front"); });
+  await page.locator('[data-do="measure"]').click();
+  await page.waitForFunction(() => !window.visualscheme.control.motion);
+  const p = await onScreen([2, -0.5, 1.5]);
+  await page.mouse.click(p.x, p.y);
+  const told = await page.locator(".live[role=status]").textContent();
+  want(/^4\.\d* m²$|^\d.* m²$/.test(told), `told: ${told}`);
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Escape");
+});
+
+await test("a section shows its cut", async (want) => {
+  await page.locator('[data-do="section"]').click();
+  await page.locator('.strip [data-axis="y"]').click();
+  want(await page.locator(".overlay .handle").count() === 1, "no handle");
+  const output = await page.locator(".strip output").textContent();
+  want(/m$/.test(output), output);
+  await page.locator('button[aria-label="No section"]').click();
+});
+
+await test("the prompt shares the session", async (want) => {
+  await page.locator(".console input").fill("(* 6 7)");
+  await after(() => page.keyboard.press("Enter"));
+  want((await page.locator(".console pre").textContent()).includes("42"), await page.locator(".console pre").textContent());
+  await page.locator(".console input").fill("(draw (make-sphere (xyz 4 0 6) 1))");
+  await after(() => page.keyboard.press("Enter"));
+  want((await facts()).count === 5, `${(await facts()).count} parts`);
+  await after(() => writeFileSync(model, source + "\n"));
+  await after(() => writeFileSync(model, source));
+});
+
+await test("completion comes from the interpreter", async (want) => {
+  await page.evaluate(() => { const v = window.live.source.view; v.dispatch({ selection: { anchor: v.state.doc.length } }); v.focus(); });
+  await page.keyboard.type("(make-cyl");
+  await page.waitForSelector(".cm-tooltip-autocomplete", { timeout: 5000 });
+  want((await page.locator(".cm-tooltip-autocomplete").textContent()).includes("make-cylinder"), "make-cylinder is not offered");
+  await page.keyboard.press("Escape");
+  await page.evaluate(() => window.live.source.load(window.live.source.base));
+});
+
+await test("a newer file is not written over without a question", async (want) => {
+  let asked = "";
+  page.once("dialog", (d) => { asked = d.message(); d.dismiss(); });
+  await page.evaluate(() => { const v = window.live.source.view; v.dispatch({ changes: { from: 0, insert: "; mine\n" } }); });
+  writeFileSync(model, source.replace("two towers", "2 towers"));
+  await page.waitForTimeout(500);
+  await page.evaluate(() => window.live.save());
+  want(/changed on disk/.test(asked), "nobody asked");
+  want(readFileSync(model, "utf8").includes("2 towers"), "the newer file is gone");
+  want((await text()).startsWith("; mine"), "what was typed is gone");
+  await page.evaluate(() => { const s = window.live.source; s.load(s.base); });
+  await after(() => writeFileSync(model, source));
+  await page.evaluate(() => window.live.readSource());
+  want((await text()) === source, "the source pane has the old text");
+});
+
+await test("the stop button ends a model that never ends", async (want) => {
+  writeFileSync(model, source + "(let spin () (spin))\n");
+  await page.waitForFunction(() => !window.live.stopButton.disabled, null, { timeout: 10000 });
+  await page.getByRole("button", { name: "Stop" }).click();
+  await page.waitForFunction(() => window.live.state.stopped, null, { timeout: 10000 });
+  await after(() => writeFileSync(model, source));
+  want((await facts()).good, "it did not recover");
+});
+
+await test("keys alone reach everything", async (want) => {
+  await page.evaluate(() => window.visualscheme.canvas.focus());
+  const before = await eye();
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForTimeout(200);
+  want((await eye()) !== before, "arrow keys do not turn it");
+  await page.keyboard.press("l");
+  want(await page.locator(".panel:visible").count() === 1, "L does not open the panel");
+  await page.keyboard.press("l");
+  await page.keyboard.press("?");
+  want(await page.locator(".help:visible").count() === 1, "? does not open the help");
+  await page.keyboard.press("Escape");
+  await page.evaluate(() => document.activeElement.blur());
+  const names = new Set();
+  for (let i = 0; i < 60; i++) {
+    await page.keyboard.press("Escape"); // In the editor Tab indents; after Escape it goes on.
+    await page.keyboard.press("Tab");
+    names.add(await page.evaluate(() => document.activeElement.getAttribute("aria-label") || document.activeElement.textContent.trim() || document.activeElement.id || document.activeElement.tagName));
+  }
+  for (const wanted of ["Section plane", "Measure", "Export"]) want(names.has(wanted), `${wanted} cannot be reached by Tab`);
+});
+
+await test("export downloads what was asked", async (want) => {
+  await page.getByLabel("Format", { exact: true }).selectOption("stl");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Export" }).click()]);
+  want(download.suggestedFilename() === "towers.stl", download.suggestedFilename());
+  want(readFileSync(await download.path()).length > 84, "it is empty");
+});
+
+await test("two windows see the same", async (want) => {
+  const other = await open(context, url);
+  await other.waitForFunction(() => window.live.finished > 0);
+  await after(() => page.locator('input[type=range][data-parameter=height]').fill("7"));
+  await other.waitForFunction(() => window.visualscheme.model.size[2] === 9, null, { timeout: 10000 });
+  await after(() => page.locator('button[aria-label^="Reset Height"]').click());
+  want(other.troubles.length === 0, other.troubles.join("; "));
+  await other.close();
+});
+
+await test("a hundred saves in a row end with the last", async (want) => {
+  for (let i = 1; i <= 100; i++) {
+    writeFileSync(model, source.replace("height 3.0", `height ${(3 + i / 100).toFixed(2)}`));
+    await new Promise((go) => setTimeout(go, 5));
+  }
+  await page.waitForFunction(() => Math.abs(window.visualscheme.model.size[2] - 6) < 1e-6, null, { timeout: 20000 });
+  want(true);
+  await after(() => writeFileSync(model, source));
+});
+
+await test("a phone's width holds it all", async (want) => {
+  await page.setViewportSize({ width: 360, height: 740 });
+  await page.waitForTimeout(300);
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  want(wide <= 360, `it is ${wide} pixels wide`);
+  const overlaps = await page.evaluate(() => {
+    const seen = [...document.querySelectorAll(".bar, .exports, .parameters, .title, .console, .top")].filter((e) => e.offsetParent).map((e) => [e.className, e.getBoundingClientRect()]), bad = [];
+    for (let i = 0; i < seen.length; i++) for (let k = i + 1; k < seen.length; k++) {
+      const [a, p] = seen[i], [b, q] = seen[k];
+      if (p.left < q.right - 1 && q.left < p.right - 1 && p.top < q.bottom - 1 && q.top < p.bottom - 1) bad.push(`${a} / ${b}`);
+    }
+    return bad;
+  });
+  want(overlaps.length === 0, "these overlap: " + overlaps.join(", "));
+  await page.setViewportSize({ width: 1100, height: 640 });
+});
+
+await test("no script of the page has failed", async (want) => { want(page.troubles.filter((t) => !/403|409/.test(t)).length === 0, page.troubles.join("; ")); });
+
+await chromium.close();
+server.kill();
+process.exit(0);
