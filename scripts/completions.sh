@@ -8,8 +8,10 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 pages=$(for page in manual/*.md manual/language/*.md manual/primitives/*.md; do basename "$page" .md; done | grep -v README | sort -u | tr '\n' ' ')
 
+# The table's rows, each on one line.
+rows() { sed -e ':again' -e '/^\(COMMAND\|OPTION\)(.*,$/{N;s/\n */ /;b again' -e '}' "$@"; }
 case ${1:-} in bash | zsh | fish) ;; *) echo "usage: $0 bash|zsh|fish" >&2; exit 2 ;; esac
-awk -F '"' -v shell="$1" -v pages="${pages% }" '
+rows cli/options.def cli/commands.def | awk -F '"' -v shell="$1" -v pages="${pages% }" '
   function quoted(s) { gsub(/\047/, "\047\\\047\047", s); return "\047" s "\047" } # for a shell
   function plain(s) { gsub(/[\[\]:\\]/, "\\\\&", s); gsub(/\047/, "\047\\\047\047", s); return s } # within a specification of zsh
   function words(value) { gsub(/\|/, " ", value); return value }
@@ -100,4 +102,4 @@ awk -F '"' -v shell="$1" -v pages="${pages% }" '
     for (i = 1; i <= m; i++) print "complete -c vs -n __fish_use_subcommand -a " command[i] " -d " quoted(does[i])
     print "complete -c vs -n \047__fish_seen_subcommand_from help\047 -f -a " quoted(pages)
   }
-  END { if (shell == "bash") bash(); else if (shell == "zsh") zsh(); else fish() }' cli/options.def cli/commands.def
+  END { if (shell == "bash") bash(); else if (shell == "zsh") zsh(); else fish() }'

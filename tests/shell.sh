@@ -44,6 +44,9 @@ sed 's/\\-/-/g; s/\\f[BIR]//g' "$work/vs.1" > "$work/vs.man"
 missing=$({ sed -n 's/^OPTION([^"]*"\([^"][^"]*\)".*/\1/p' cli/options.def; sed -n 's/^COMMAND(\([a-z]*\),.*/\1/p' cli/commands.def; } |
   while read -r word; do for file in bash zsh fish man; do grep -q -- "$word" "$work/vs.$file" || echo "$word in $file"; done; done)
 if [ -z "$missing" ]; then echo "ok shell/all"; else echo "not ok shell/all: missing:"; echo "$missing" | sed 's/^/    /'; fi
+# None is there without what it means.
+{ awk '/^\.TP/ { at = NR } at && NR == at + 2 && !/./ { print "man: " last } { last = $0 }' "$work/vs.man"; grep -n "':'$\|:'$\|-d ''" "$work/vs.zsh" "$work/vs.fish"; } > "$work/errors"
+if [ ! -s "$work/errors" ]; then echo "ok shell/meanings"; else echo "not ok shell/meanings: rows without one:"; sed 's/^/    /' "$work/errors"; fi
 # So does every exit code of visualscheme.h in the page; a negative outcome is none.
 codes=$(sed -n 's/^ *VS_OUTCOME_[A-Z]* = \([0-9][0-9]*\).*/\1/p' visualscheme.h | tr '\n' ' ')
 told=$(sed -n '/^\.SH "EXIT CODES"/,/^\.SH/p' "$work/vs.man" | grep -o '^[0-9][0-9]*' | tr '\n' ' ')
