@@ -9,7 +9,7 @@
     (rename true js:true) (rename false js:false)
     ; words of the run-time library
     (rename undefined js:undefined) (rename null js:null) (rename hole js:hole) (rename unset js:unset)
-    (rename add js:add) (rename subtract js:subtract) (rename multiply js:multiply) (rename divide js:divide) (rename js-remainder js:remainder)
+    (rename add js:add) (rename js-subtract js:subtract) (rename multiply js:multiply) (rename divide js:divide) (rename js-remainder js:remainder)
     (rename negate js:negate) (rename less js:less) (rename more js:more) (rename less-equal js:less-equal) (rename more-equal js:more-equal)
     (rename same js:same) (rename equal js:equal) (rename bit-or js:bit-or) (rename bit-xor js:bit-xor) (rename bit-and js:bit-and)
     (rename bit-not js:bit-not) (rename shift-left js:shift-left) (rename shift-right js:shift-right) (rename shift-unsigned js:shift-unsigned)
@@ -22,7 +22,13 @@
     (rename caught? js:thrown?) (rename throw-again js:throw-again) (rename from-native js:from-native)
     ; what scripts find
     undefined NaN Infinity Object Function Array String Number Boolean Math Error TypeError RangeError ReferenceError SyntaxError EvalError URIError
-    isNaN isFinite parseInt parseFloat print console)
+    isNaN isFinite parseInt parseFloat print console
+    geo_box geo_sphere geo_cylinder geo_cone geo_torus geo_hull geo_tetrahedron geo_mesh geo_polygon geo_extrude geo_union geo_intersection
+    geo_difference geo_move geo_rotate geo_scale geo_color geo_layer geo_volume geo_area geo_centroid geo_draw
+    (rename gui-number js:gui-number) (rename gui-choice js:gui-choice) (rename gui-text js:gui-text)
+    io_stdout_write io_stdout_writeln io_stderr_write
+    math_add math_subtract math_scale math_mix math_dot math_length math_normalize math_cross math_radians math_degrees
+    utl_range utl_fill utl_is_array utl_copy utl_assert)
   (import (visualscheme) (javascript core))
   (begin (define true #t) (define false #f))
   (include "runtime/values.scm" "runtime/operators.scm" "runtime/builtins.scm" "runtime/modelling.scm"))

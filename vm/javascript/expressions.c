@@ -374,6 +374,10 @@ static bool call(vs_translation *t, const vs_script_node *n) {
     const vs_variable *v = variable(t, n->a);
     if (v && v->kind == VS_VARIABLE_FUNCTION && !v->assigned && vs_translate_has_direct(t, v->declaration))
       return direct_call(t, n, v);
+    if (!v && vs_translate_parameter_word(t, f->name))
+      return vs_script_fail(t->s, f->at,
+                            "a parameter of the model is a variable of its own at top level: var x = %.*s(...)",
+                            (int)t->s->names[f->name].length, t->s->texts + t->s->names[f->name].text);
     if (!v && (vs_script_is(t->s, f->name, "eval") || vs_script_is(t->s, f->name, "Function")))
       return vs_script_fail(t->s, f->at, "%s is not part of this language: a program is known before it runs",
                             vs_script_is(t->s, f->name, "eval") ? "eval" : "Function");

@@ -38,8 +38,8 @@ static bool is_variable(const native_names *n, vs_value symbol) {
  * them. */
 static bool rename_names(const native_names *n, vs_value forms) {
   vs_scheme *vm = n->vm;
-  VS_ROOTS(vm, r, 4); /* waiting, the pair, a name, its alias */
-  if (!vs_cons(vm, forms, VS_NIL, &r[0])) return false;
+  VS_ROOTS(vm, r, 5); /* waiting, the pair, a name, its alias, the aliases: a name has one */
+  if (!vs_cons(vm, forms, VS_NIL, &r[0]) || !vs_idtable_new(vm, &r[4])) return false;
   while (vs_is_pair(r[0])) {
     r[1] = vs_car(r[0]);
     r[0] = vs_cdr(r[0]);
@@ -52,7 +52,10 @@ static bool rename_names(const native_names *n, vs_value forms) {
         }
         if (!vs_is_symbol(v) || vs_as_symbol(v)->name[0] == '#' || is_variable(n, v)) continue;
         r[2] = v;
-        if (!vs_make_alias(vm, r[2], vm->at.core, &r[3])) return false;
+        r[3] = vs_idtable_get(r[4], r[2]);
+        if (r[3] == VS_VACANT &&
+            (!vs_make_alias(vm, r[2], vm->at.core, &r[3]) || !vs_idtable_put(vm, &r[4], r[2], r[3])))
+          return false;
         vs_pair *p = vs_as_pair(r[1]);
         vs_gc_store(vm, p, i ? &p->cdr : &p->car, r[3]);
       }

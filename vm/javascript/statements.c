@@ -641,21 +641,13 @@ static bool define(vs_translation *t, uint32_t name, const char *value) {
          vs_translate_close(t);
 }
 
-/* var depth = gui_number(3, 1, 9); is a parameter of the model: the call's words are those of gui in words_of_gui. */
+/* var depth = gui_number(3, 1, 9); is a parameter of the model. The form that makes it; NULL: it is none. */
 static const char *parameter_word(const vs_translation *t, uint32_t declarator) {
-  static const struct {
-    const char *name, *word;
-  } words[] = { { "gui_number", "js:gui-number" },
-                { "gui_choice", "js:gui-choice" },
-                { "gui_boolean", "js:gui-boolean" },
-                { "gui_text", "js:gui-text" } };
   const vs_script_node *n = node(t, declarator);
   if (!n->b || node(t, n->b)->kind != VS_SCRIPT_CALL) return NULL;
   const vs_script_node *f = node(t, node(t, n->b)->a);
   if (f->kind != VS_SCRIPT_NAME || vs_scopes_resolve(t->k, 1, f->name)) return NULL;
-  for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-    if (vs_script_is(t->s, f->name, words[i].name)) return words[i].word;
-  return NULL;
+  return vs_translate_parameter_word(t, f->name);
 }
 
 static bool parameter(vs_translation *t, uint32_t declarator, const char *word) {

@@ -44,3 +44,12 @@ bool vs_translate_key(vs_translation *t, uint32_t i) {
   return vs_translate_call(t, "js:quote") &&
          vs_translate_item(t, (vs_item){ .kind = VS_ITEM_KEY, .a = text, .b = length }) && vs_translate_close(t);
 }
+
+const char *vs_translate_parameter_word(const vs_translation *t, uint32_t name) {
+  static const struct {
+    const char *name, *word;
+  } words[] = { { "gui_number", "js:gui-number" }, { "gui_choice", "js:gui-choice" }, { "gui_text", "js:gui-text" } };
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+    if (vs_script_is(t->s, name, words[i].name)) return words[i].word;
+  return NULL;
+}

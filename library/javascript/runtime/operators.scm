@@ -146,7 +146,7 @@
     (if (or (string? a) (string? b))
         (string-append (to-string a) (to-string b))
         (+ (to-number a) (to-number b)))))
-(define (subtract a b) (let* ((a (to-number a)) (b (to-number b))) (- a b)))
+(define (js-subtract a b) (let* ((a (to-number a)) (b (to-number b))) (- a b)))
 (define (multiply a b) (let* ((a (to-number a)) (b (to-number b))) (* a b)))
 (define (divide a b) (let* ((a (to-number a)) (b (to-number b))) (/ a b)))
 (define (negate a) (* -1. (to-number a)))
