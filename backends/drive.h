@@ -2,6 +2,8 @@
 #ifndef VS_BACKENDS_DRIVE_H
 #define VS_BACKENDS_DRIVE_H
 
+#include <string.h>
+
 #include "backends/backend.h"
 #include "backends/reuse.h"
 #include "geometry/measure/node_measures.h"
@@ -44,7 +46,8 @@ struct vs_drive {
   drive_frame *frames;
   size_t frame_count, frame_room;
   bool operation[VS_KIND_COUNT]; /* kinds that are operations whatever they hold */
-  bool brief[VS_KIND_COUNT];     /* vs_drive_is_short */
+  bool brief[VS_KIND_COUNT]; /* kinds with a text as short as a template's use, unless facets are asked for */
+  size_t facets_at[VS_KIND_COUNT]; /* where in the kind's data those stand; SIZE_MAX: nowhere */
   vs_reuse_line *lines;
   size_t line_count, line_room;
   vs_nodemap paints;    /* material -> its number */
@@ -85,11 +88,21 @@ static inline bool drive_leaf_vain(const vs_emitter *e, const vs_node *n) {
   return n->kind == VS_EMPTY || n->class_ == VS_NOTHING || (n->class_ < VS_MIXED && e->backend->omit[n->class_] != NULL);
 }
 
+/* Is a node's own text as short as the use of a template, so that a shared one is not worth one? Facets that are asked
+ * for may be a mesh. */
+static inline bool drive_is_brief(const vs_drive *d, const vs_node *n) {
+  vs_field_integer facets = 0;
+  if (!d->brief[n->kind]) return false;
+  size_t at = d->facets_at[n->kind];
+  if (at != SIZE_MAX) memcpy(&facets, (const char *)vs_node_data(n) + at, sizeof facets);
+  return facets == 0;
+}
+
 /* The entry of a leaf as short as its use says nothing that is not in it: it is not looked up. */
 static inline drive_view drive_look(const vs_emitter *e, const vs_node *n) {
   const vs_drive *d = e->drive;
   drive_view v = { NULL, drive_is_operation(e, n), false };
-  if (v.operation || (n->refs > 1 && !d->brief[n->kind])) {
+  if (v.operation || (n->refs > 1 && !drive_is_brief(d, n))) {
     const uint64_t *at = vs_nodemap_get(&d->index, n);
     if (at != NULL) v.entry = &d->entries[*at - 1];
   }
@@ -99,8 +112,7 @@ static inline drive_view drive_look(const vs_emitter *e, const vs_node *n) {
 
 /* ---- run.c ---- */
 
-/* A shared node is worth a template unless its own text is as short as the template's use. */
-bool vs_drive_is_short(vs_kind kind);
+void vs_drive_find_short(vs_drive *d); /* sets brief and facets_at */
 void vs_drive_weigh(vs_emitter *e); /* after the plan */
 /* Which of refs from `from` on are a run: up to *until, `shown` of them not vain. found: its text has been put out. Else, where it is worth keeping, it is open
  * until vs_drive_run_end. body: the one reference is a template's, whose inside is meant. parent NULL: what is drawn itself. */

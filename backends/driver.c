@@ -73,7 +73,7 @@ const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line) {
 /* ---- entries ---- */
 
 static void drive_find_operations(vs_drive *d) {
-  for (int kind = 0; kind < VS_KIND_COUNT; kind++) d->brief[kind] = vs_drive_is_short((vs_kind)kind);
+  vs_drive_find_short(d);
   for (int kind = 0; kind < VS_KIND_COUNT; kind++)
     d->operation[kind] = vs_kind_get((vs_kind)kind)->level == VS_LEVEL_OPERATION || kind == VS_NATIVE || kind == VS_HIGHLIGHT || kind == VS_GHOST;
 }
@@ -258,7 +258,7 @@ static bool drive_plan(vs_emitter *e) {
   uint32_t id = 0;
   for (size_t i = 0; i < d->order_count; i++) {
     drive_entry *entry = &d->entries[d->order[i]];
-    if (!entry->vain && (entry->cut || (entry->uses > 1 && !d->brief[entry->ref.node->kind] && !(entry->ref.node->flags & VS_NODE_ENDLESS)))) entry->definition = ++id;
+    if (!entry->vain && (entry->cut || (entry->uses > 1 && !drive_is_brief(d, entry->ref.node) && !(entry->ref.node->flags & VS_NODE_ENDLESS)))) entry->definition = ++id;
   }
   if (d->reuse.cache != NULL) vs_drive_weigh(e);
   return true;

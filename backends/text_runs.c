@@ -10,7 +10,7 @@
 
 enum { LIGHT = 48, USUAL = 256, HEAVY = 1024 }; /* weights: less is not worth a run; most runs; more is no run, but for one shape */
 
-bool vs_drive_is_short(vs_kind kind) {
+static bool is_short(vs_kind kind) {
   switch (kind) {
   case VS_EMPTY: case VS_BOX: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_TORUS: case VS_WEDGE: case VS_CIRCLE: case VS_ARC:
   case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE:
@@ -26,12 +26,25 @@ bool vs_drive_is_short(vs_kind kind) {
   return false;
 }
 
+void vs_drive_find_short(vs_drive *d) {
+  for (int kind = 0; kind < VS_KIND_COUNT; kind++) {
+    const vs_kind_info *info = vs_kind_get((vs_kind)kind);
+    d->brief[kind] = is_short((vs_kind)kind);
+    d->facets_at[kind] = SIZE_MAX;
+    for (size_t i = 0; i < info->field_count; i++) {
+      const vs_field_info *field = &info->fields[i];
+      bool facets = field->type == VS_FIELD_integer && strcmp(field->argument, "segments") == 0;
+      if (facets) d->facets_at[kind] = field->offset;
+    }
+  }
+}
+
 /* ---- weights ---- */
 
 static uint32_t leaf_weight(const vs_emitter *e, const vs_node *n) {
   enum { OUTLINED = 12, MESHED = 128 }; /* what is written as an outline, as triangles: by and large */
   uint32_t weight = OUTLINED;
-  if (e->drive->brief[n->kind]) return 1;
+  if (drive_is_brief(e->drive, n)) return 1;
   if (n->kind == VS_LINE) weight = VS_AS(line, n)->points->count;
   else if (n->kind == VS_POLYFACE_MESH) weight = VS_AS(polyface_mesh, n)->points->count;
   else if (n->class_ == VS_SURFACE || (n->class_ == VS_SOLID && n->kind != VS_EXTRUDE && n->kind != VS_PYRAMID)) weight = MESHED;
