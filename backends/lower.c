@@ -97,7 +97,7 @@ static vs_node *lower_node(vs_emitter *e, const vs_ref *ref) {
     vs_mesh_free(&m);
     return made;
   }
-  case VS_SLICE:
+  case VS_SLICE: case VS_DEFORM:
   case VS_XLINE: case VS_RAY: case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* resolved before the walk */
   case VS_EMPTY: case VS_LINE: case VS_POLYFACE_MESH: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT:
   case VS_NATIVE: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
@@ -126,7 +126,7 @@ bool vs_lower_is_round(const vs_node *n) {
   case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_SURFACE:
     return true;
   case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-  case VS_HALF_SPACE: case VS_SLICE:
+  case VS_HALF_SPACE: case VS_SLICE: case VS_DEFORM:
   case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_PYRAMID:
   case VS_POLYFACE_MESH: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
   case VS_GRID_MESH:

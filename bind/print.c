@@ -174,6 +174,13 @@ static bool opening(const sink *k, const vs_node *n) {
     case VS_HEIGHT_FIELD: return height_field(k, VS_AS(height_field, n));
     case VS_HULL: return text(k, "(hull") && (!VS_AS(hull, n)->points->count || named(k, n, (const char *const[]){ "points", NULL }));
     case VS_SLICE: return text(k, "(do-slice");
+    case VS_DEFORM: { /* scopes look to -Y, and their y is Z */
+      const struct vs_deform *d = VS_AS(deform, n);
+      const vs_vec3 corner[8] = { d->c010, d->c110, d->c011, d->c111, d->c000, d->c100, d->c001, d->c101 };
+      bool ok = text(k, "(scope-place (make-ffd-scope");
+      for (int i = 0; ok && i < 8; i++) ok = text(k, " ") && triple(k, "xyz", corner[i]);
+      return ok && text(k, ")");
+    }
     case VS_EXTRUDE: return text(k, "(do-extrude");
     case VS_SWEEP: return text(k, "(do-sweep");
     case VS_THICKEN: case VS_REVOLVE: return text(k, "(do-") && text(k, name);

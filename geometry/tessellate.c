@@ -21,7 +21,8 @@ static const vs_ref *tessellate_below(const vs_node *n, vs_affine *placed) {
     case VS_MATERIAL: case VS_LAYER: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY: return n->child_count ? &n->children[0] : NULL;
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return n->child_count == 1 ? &n->children[0] : NULL;
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-    case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_HULL:
+    case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD:
+    case VS_SLICE: case VS_DEFORM: case VS_HULL:
     case VS_EMPTY: case VS_GHOST: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
     case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
     case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
@@ -110,7 +111,9 @@ static bool tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, 
     }
     case VS_HEIGHT_FIELD: ok = vs_height_field_mesh(out, VS_AS(height_field, n)); break;
     case VS_HALF_SPACE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a half-space is endless: it has no faces of its own");
-    case VS_SLICE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a slice is made by solids/resolve.c before");
+    case VS_SLICE: case VS_DEFORM:
+      return vs_error_set(e, VS_ERROR_MODEL, NULL, "a %s is made by solids/resolve.c before",
+                          vs_kind_get((vs_kind)n->kind)->name);
     case VS_THICKEN:
       if (n->children[0].node->class_ == VS_SURFACE) {
         vs_mesh surface = { 0 };

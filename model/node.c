@@ -117,7 +117,7 @@ static void node_find_end(vs_node *n, const vs_node_family *f) {
   bool cut = n->kind == VS_HALF_SPACE || f->any & VS_NODE_CUT;
   bool carved = (n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)) || f->any & VS_NODE_CARVED;
   bool unresolved = n->kind == VS_SECTION || n->kind == VS_PROJECT || n->kind == VS_EDGES || n->kind == VS_XLINE || n->kind == VS_RAY || n->kind == VS_SLICE ||
-                    f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && carved);
+                    n->kind == VS_DEFORM || f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && carved);
   bool first = n->child_count && n->children[0].node->flags & VS_NODE_ENDLESS, all = n->child_count && f->all & VS_NODE_ENDLESS;
   bool is = n->kind == VS_HALF_SPACE || (n->kind == VS_INTERSECTION ? all : n->kind == VS_DIFFERENCE ? first : f->any & VS_NODE_ENDLESS);
   n->flags = (uint8_t)((n->flags & VS_NODE_CLOSED) | (is ? VS_NODE_ENDLESS : 0) | (cut ? VS_NODE_CUT : 0) | (unresolved ? VS_NODE_UNRESOLVED : 0) |
@@ -167,7 +167,7 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
       n->class_ = first ? first->class_ : VS_NOTHING;
       n->flags |= first ? first->flags & VS_NODE_CLOSED : 0;
       break;
-    case VS_SLICE:
+    case VS_SLICE: case VS_DEFORM:
       n->class_ = first ? first->class_ : VS_NOTHING;
       if (n->class_ == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
       break;

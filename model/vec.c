@@ -51,6 +51,10 @@ vs_vec3 vs_v3_unit(vs_vec3 v) {
   return vs_v3_scale(v, 1 / vs_v3_length(v));
 }
 
+vs_affine vs_affine_columns(vs_vec3 x, vs_vec3 y, vs_vec3 z, vs_vec3 at) {
+  return (vs_affine){ { { x.x, y.x, z.x, at.x }, { x.y, y.y, z.y, at.y }, { x.z, y.z, z.z, at.z } } };
+}
+
 vs_affine vs_affine_multiply(const vs_affine *a, const vs_affine *b) {
   vs_affine r;
   for (int i = 0; i < 3; i++)

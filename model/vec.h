@@ -36,6 +36,8 @@ static inline vs_vec3 vs_affine_vector(const vs_affine *a, vs_vec3 v) { /* the l
 }
 
 /* vec.c */
+static inline vs_vec3 vs_affine_column(const vs_affine *a, int c) { return vs_v3(a->m[0][c], a->m[1][c], a->m[2][c]); }
+vs_affine vs_affine_columns(vs_vec3 x, vs_vec3 y, vs_vec3 z, vs_vec3 at); /* where the axes and the origin go */
 vs_affine vs_affine_multiply(const vs_affine *a, const vs_affine *b); /* a after b */
 double vs_affine_determinant(const vs_affine *a);                     /* of the linear part; negative where it mirrors */
 bool vs_affine_invert(const vs_affine *a, vs_affine *out);            /* false where singular */

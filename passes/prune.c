@@ -26,6 +26,7 @@ vs_node *vs_pass_prune(vs_rewrite *w, const vs_node *n, const vs_ref *kids, cons
   switch ((vs_kind)n->kind) {
     case VS_REVOLVE:
     case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_SLICE:
+    case VS_DEFORM:
     case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
       return n->child_count && prune_empty(kids[0].node) ? prune_to_nothing(w) : vs_rewrite_keep(w, n, kids);
     case VS_UNION:

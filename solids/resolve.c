@@ -7,6 +7,7 @@
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
 #include "geometry/plane/slice.h"
+#include "solids/deformed.h"
 #include "solids/sections.h"
 #include "model/store/array.h"
 
@@ -16,6 +17,7 @@ typedef struct {
   const vs_kernel_options *options;
   const vs_resolve_notes *notes; /* or NULL */
   vs_error *error;
+  vs_deformer *deformer; /* NULL: nothing was deformed yet */
   vs_nodemap known;    /* old node -> new one, which made holds */
   vs_node **made;
   size_t made_count, made_room;
@@ -358,11 +360,23 @@ static vs_node *rebuilt(const resolver *r, const vs_node *n) {
   return made;
 }
 
+static vs_node *deformed(resolver *r, const vs_ref *ref) {
+  vs_ref child = { now(r, ref->node->children[0].node), ref->node->children[0].origin };
+  if (!r->deformer && !(r->deformer = vs_deformer_new(r->store, r->facets, r->options)))
+    return vs_error_memory(r->error, ref->origin), NULL;
+  return vs_deformer_apply(r->deformer, VS_AS(deform, ref->node), child, r->error);
+}
+
 static bool resolve_one(resolver *r, const vs_ref *ref) {
   const vs_node *n = ref->node;
   vs_node *made;
-  if (n->kind == VS_SECTION || n->kind == VS_PROJECT || n->kind == VS_EDGES || n->kind == VS_SLICE || n->kind == VS_HULL) {
-    made = n->kind == VS_EDGES ? edges_of(r, ref) : n->kind == VS_SLICE ? slice_of(r, ref) : n->kind == VS_HULL ? hull_of(r, ref) : flat_of(r, ref);
+  if (n->kind == VS_SECTION || n->kind == VS_PROJECT || n->kind == VS_EDGES || n->kind == VS_SLICE || n->kind == VS_HULL ||
+      n->kind == VS_DEFORM) {
+    made = n->kind == VS_DEFORM  ? deformed(r, ref)
+           : n->kind == VS_EDGES ? edges_of(r, ref)
+           : n->kind == VS_SLICE ? slice_of(r, ref)
+           : n->kind == VS_HULL  ? hull_of(r, ref)
+                                 : flat_of(r, ref);
     if (!made) {
       if (r->error && !r->error->origin) r->error->origin = ref->origin;
       return false;
@@ -399,6 +413,7 @@ bool vs_resolve_noting(vs_ref *refs, size_t count, const vs_facets *facets, cons
     vs_node_release(refs[i].node);
     refs[i].node = new;
   }
+  vs_deformer_free(r.deformer);
   vs_nodemap_free(&r.known);
   for (size_t i = 0; i < r.made_count; i++) vs_node_release(r.made[i]);
   free(r.made);

@@ -53,7 +53,6 @@ static void derivation_release(void *object) {
   vs_scope_release(d->now);
   vs_lineage_release(d->lineage);
   vs_node_release(d->fitted);
-  vs_deformer_free(d->deformer);
   vs_store_realloc(s, d, sizeof *d, 0);
 }
 const vs_foreign_type vs_derivation_type = { "a derivation", derivation_release, NULL, NULL,

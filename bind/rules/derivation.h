@@ -9,11 +9,10 @@
 #ifndef VS_RULES_DERIVATION_H
 #define VS_RULES_DERIVATION_H
 
-#include "bind/rules/deform.h"
 #include "bind/rules/lineage.h"
 #include "bind/rules/scope.h"
 #include "bind/rules/surroundings.h"
-#include "bind/shapes/bending.h"
+#include "bind/shapes/taken_apart.h"
 #include "geometry/tessellate.h"
 
 /* Scopes that wait, in order, each for its rule. */
@@ -60,7 +59,6 @@ typedef struct vs_derivation {
   /* bounds of what was placed last: a repeat places the same object over and over */
   vs_node *fitted; /* retained, or NULL */
   vs_bounds fitted_bounds;
-  vs_deformer *deformer; /* NULL: nothing was deformed yet */
 } vs_derivation;
 
 extern const vs_foreign_type vs_derivation_type;

@@ -4,6 +4,7 @@
 #include "bind/rules/derivation.h"
 
 #include "geometry/measure/node_measures.h"
+#include "solids/deformed.h"
 
 /* The bounds of what is placed; those of the last object are remembered. */
 static bool bounds_of(vs_derivation *d, vs_ref object, vs_bounds *b) {
@@ -43,11 +44,18 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
   if (vs_bounds_is_empty(&b)) return true;
   vs_node *n;
   if (s->class_ == VS_SCOPE_FFD) {
-    if (!d->deformer && !(d->deformer = vs_deformer_new(d->bind))) return vs_fail_memory(d->bind->vm);
     vs_vec3 at[8];
+    vs_affine m;
     for (int c = 0; c < 8; c++) at[c] = object_corner(s->as.corner, c);
-    n = vs_deformer_apply(d->deformer, at, object, &b);
-    if (!n) return false;
+    struct vs_deform deform = { .c000 = at[0], .c100 = at[1], .c010 = at[2], .c110 = at[3],
+                                .c001 = at[4], .c101 = at[5], .c011 = at[6], .c111 = at[7] };
+    if (object.node->class_ == VS_REGION_CLASS)
+      return vs_fail(d->bind->vm, d->bind->vm->sym.error,
+                     "a hexahedron deforms solids, surfaces and curves, not regions: do-extrude them");
+    if (vs_deform_is_affine(&deform, &b, &m))
+      n = vs_node_new(store, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &object, 1);
+    else
+      n = vs_node_new(store, VS_DEFORM, &deform, &object, 1);
   } else {
     vs_affine frame = vs_scope_frame(s);
     vs_vec3 size = vs_scope_size(s);

@@ -240,10 +240,6 @@ bool vs_scope_add_signal(vs_scope *s, vs_scope *from) {
 
 /* ---- where it lies ---- */
 
-vs_affine vs_affine_columns(vs_vec3 x, vs_vec3 y, vs_vec3 z, vs_vec3 at) {
-  return (vs_affine){ { { x.x, y.x, z.x, at.x }, { x.y, y.y, z.y, at.y }, { x.z, y.z, z.z, at.z } } };
-}
-
 vs_vec3 vs_scope_corner(const vs_scope *s, int i, int j, int k) {
   if (s->class_ == VS_SCOPE_FFD) return s->as.corner[i + 2 * j + 4 * k];
   if (s->class_ == VS_SCOPE_TURTLE) {

@@ -120,8 +120,6 @@ vs_vec3 vs_scope_size(const vs_scope *s);
 /* The frame: columns x, y, z and the first corner. Of a hexahedron: x along the mean of its x edges, y nearest its y
  * edges. */
 vs_affine vs_scope_frame(const vs_scope *s);
-static inline vs_vec3 vs_affine_column(const vs_affine *m, int c) { return vs_v3(m->m[0][c], m->m[1][c], m->m[2][c]); }
-vs_affine vs_affine_columns(vs_vec3 x, vs_vec3 y, vs_vec3 z, vs_vec3 at);
 
 /* Loops of a polygon scope. The points are copied. NULL: out of memory. */
 vs_scope_loops *vs_scope_loops_new(vs_store *store, const vs_vec3 *at, const uint32_t *start, uint32_t count);

@@ -23,14 +23,22 @@ struct vs_surroundings {
     size_t count, room;
   } level[LEVELS]; /* 0: of each thing made */
   struct {
-    vs_node *node; /* retained, or NULL */
+    vs_node *node;     /* retained, or NULL */
+    vs_node *resolved; /* the same without nodes that await their mesh (solids/resolve.h); retained */
     vs_bend_leaves leaves;
   } kept[KEPT]; /* objects taken apart, by address */
 };
 
+static void drop_one(vs_surroundings *a, size_t i) {
+  if (!a->kept[i].node) return;
+  vs_bend_drop(&a->kept[i].leaves);
+  vs_node_release(a->kept[i].node);
+  vs_node_release(a->kept[i].resolved);
+}
+
 static void drop_kept(vs_surroundings *a) {
   for (int i = 0; i < KEPT; i++)
-    if (a->kept[i].node) vs_bend_drop(&a->kept[i].leaves), vs_node_release(a->kept[i].node);
+    drop_one(a, (size_t)i);
 }
 
 void vs_surroundings_free(vs_surroundings *a) {
@@ -171,13 +179,17 @@ bool vs_scopes_touch(const vs_scope *x, const vs_scope *y) {
 
 /* ---- one object ---- */
 
-static const vs_bend_leaves *taken_apart(vs_surroundings *a, vs_ref object) {
+static const vs_bend_leaves *taken_apart(vs_surroundings *a, vs_ref object, vs_node **resolved) {
   size_t i = (size_t)(((uintptr_t)object.node >> 4) * UINT64_C(0x9E3779B97F4A7C15) >> 32) % KEPT;
+  *resolved = a->kept[i].resolved;
   if (a->kept[i].node == object.node) return &a->kept[i].leaves;
   vs_bend_leaves leaves;
-  if (!vs_bend_take_apart(a->bind, object, NULL, &leaves)) return NULL;
-  if (a->kept[i].node) vs_bend_drop(&a->kept[i].leaves), vs_node_release(a->kept[i].node);
+  vs_ref plain = { vs_node_retain(object.node), object.origin };
+  if (!vs_bend_resolve(a->bind, &plain) || !vs_bend_take_apart(a->bind, plain, NULL, &leaves))
+    return vs_node_release(plain.node), NULL;
+  drop_one(a, i);
   a->kept[i].node = vs_node_retain(object.node), a->kept[i].leaves = leaves;
+  *resolved = a->kept[i].resolved = plain.node;
   return &a->kept[i].leaves;
 }
 
@@ -221,13 +233,17 @@ static bool answers(question *q, vs_surroundings *a, vs_ref object) {
     base = base.node->children[0];
   }
   if (base.node->class_ == VS_NOTHING) return false;
-  const vs_bend_leaves *leaves = taken_apart(a, base);
+  vs_node *resolved;
+  vs_affine back;
+  const vs_bend_leaves *leaves = taken_apart(a, base, &resolved);
   if (!leaves) return q->failed = true, false;
+  bool flat = !vs_affine_invert(&map, &back);
   double slack = q->inside ? -q->body.slack : q->body.slack;
   bool meets = false;
   for (size_t i = 0; i < leaves->count && !meets; i++) meets = leaf_meets(&leaves->at[i], &map, &q->body, slack);
-  if (!q->inside) return meets || holds(q, object.node, q->body.corner[0]);
-  for (int i = 0; i < 8 && !meets; i++) meets = !holds(q, object.node, q->body.corner[i]);
+  if (!q->inside) return meets || (!flat && holds(q, resolved, vs_affine_point(&back, q->body.corner[0])));
+  for (int i = 0; i < 8 && !meets; i++)
+    meets = flat || !holds(q, resolved, vs_affine_point(&back, q->body.corner[i]));
   return !meets && !q->failed;
 }
 

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "bind/functions/function_values.h"
-#include "bind/shapes/bending.h"
+#include "bind/shapes/taken_apart.h"
 #include "functions/sampling.h"
 #include "model/store/array.h"
 
@@ -116,7 +116,7 @@ vs_status vs_p_deformed(vs_frame *f, vs_value *out) {
   for (; made < n; made++) {
     vs_mesh *m = vs_bending_mesh(d->at[made]);
     if (d->leaves.at[made].closed && !d->leaves.at[made].curve && vs_mesh_volume(m) < 0) vs_mesh_turn(m, 0);
-    refs[made] = (vs_ref){ vs_bend_node(d->bind, &d->leaves.at[made], m), origin };
+    refs[made] = (vs_ref){ vs_bend_node(s, &d->leaves.at[made], m), origin };
     if (!vs_bind_keep(f, refs[made].node)) return VS_ERROR;
   }
   if (n == 0) return vs_bind_empty(f, "there is nothing to deform", out);

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "bind/functions/function_values.h"
-#include "bind/shapes/bending.h"
+#include "bind/shapes/taken_apart.h"
 #include "geometry/measure/mesh_distance.h"
 #include "model/store/array.h"
 #include "solids/solid_meshes.h"

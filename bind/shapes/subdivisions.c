@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bind/shapes/bending.h"
+#include "bind/shapes/taken_apart.h"
 #include "geometry/files/polyface.h"
 #include "geometry/shapes/polygons.h"
 #include "geometry/shapes/subdivision.h"

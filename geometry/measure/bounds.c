@@ -259,7 +259,7 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
     case VS_GRID_MESH: bounds_add_points(b, a, VS_AS(grid_mesh, n)->points->at, VS_AS(grid_mesh, n)->points->count); return true;
     case VS_GRID_SURFACE: bounds_add_points(b, a, VS_AS(grid_surface, n)->points->at, VS_AS(grid_surface, n)->points->count); return true;
     case VS_JOIN: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-    case VS_SLICE: case VS_HULL: case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
+    case VS_SLICE: case VS_DEFORM: case VS_HULL: case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
     case VS_NATIVE: case VS_HIGHLIGHT: case VS_ONLY: case VS_KIND_COUNT: break;
   }
   *leaf = false;
@@ -452,6 +452,12 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
     vs_bounds_meet(b, &kept);
   }
   if (n->kind == VS_SECTION || n->kind == VS_PROJECT) bounds_on_plane(b, n);
+  if (n->kind == VS_DEFORM && !vs_bounds_is_empty(b)) { /* each point lies between the corners */
+    const struct vs_deform *d = VS_AS(deform, n);
+    const vs_vec3 corner[8] = { d->c000, d->c100, d->c010, d->c110, d->c001, d->c101, d->c011, d->c111 };
+    *b = vs_bounds_empty();
+    for (int i = 0; i < 8; i++) vs_bounds_add(b, corner[i]);
+  }
   if (n->kind == VS_DIFFERENCE && n->child_count) return bounds_child(m, n->children[0].node, b, e);
   for (uint32_t i = 0; n->kind == VS_INTERSECTION && i < n->child_count; i++) {
     if (!bounds_child(m, n->children[i].node, &child, e)) return false;

@@ -351,7 +351,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       *m = (vs_measure){ 0 };
       return true;
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-    case VS_HALF_SPACE: case VS_SLICE:
+    case VS_HALF_SPACE: case VS_SLICE: case VS_DEFORM:
       *m = (vs_measure){ 0 };
       return true;
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:

@@ -116,7 +116,7 @@ vs_plane_count vs_node_plane(const vs_node *n, vs_plane *out) {
         vs_polyline_free(&line);
         return found;
       }
-      case VS_XLINE: case VS_RAY: case VS_EDGES: return VS_PLANE_NONE;
+      case VS_XLINE: case VS_RAY: case VS_EDGES: case VS_DEFORM: return VS_PLANE_NONE;
       case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD:
       case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
       case VS_EMPTY: case VS_GHOST: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS:

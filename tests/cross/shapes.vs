@@ -443,6 +443,13 @@
 (shape "slice/curve" (do-slice (make-line (xyz -2 -2 0) (xyz 2 -2 0) (xyz 2 2 0) (xyz -2 2 0)) (make-plane (xyz 1 0 0) ux)) #:length 6 #:box (box-of 1 -2 0 2 2 0))
 (shape "slice/region" (do-slice (make-region (make-rectangle (xy -3 -2) (xy 3 2)) (make-rectangle (xy -1 -1) (xy 1 1))) 'yz) #:area 10 #:box (box-of 0 -2 0 3 2 0))
 (shape "slice/surface" (do-slice (make-3dface (xyz -2 -2 0) (xyz 2 -2 0) (xyz 2 2 3) (xyz -2 2 3)) 'yz) #:area 10 #:box (box-of 0 -2 0 2 2 3))
+(define (to-frustum o) ; a square of 4 below, of 2 above, 3 high
+  (scope-place (make-ffd-scope (xyz -2 2 0) (xyz 2 2 0) (xyz -1 1 3) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 0) (xyz -1 -1 3) (xyz 1 -1 3)) o))
+(shape "deform" (to-frustum (make-box (xyz 0 0 0) (xyz 1 1 1))) #:volume 28 #:box (box-of -2 -2 0 2 2 3))
+; a cylinder, not its own bounds: its cross-sections are circles of radius 2 to 1
+(shape "deform/round" (to-frustum (make-cylinder origin 2 1)) #:volume (frustum-volume 3 2 1) #:box (box-of -2 -2 0 2 2 3) #:within 0.005)
+(shape "deform/curve" (to-frustum (make-line (xyz 0 0 0) (xyz 1 0 0) (xyz 1 1 0) (xyz 0 1 0) (xyz 0 0 0) (xyz 0 0 1))) #:length (+ 16 (sqrt 11)) #:box (box-of -2 -2 0 2 2 3))
+(shape "deform/placed" (scope-place (make-ffd-scope (xyz 0 2 0) (xyz 3 2 0) (xyz 1 2 2) (xyz 4 2 2) (xyz 0 0 0) (xyz 3 0 0) (xyz 1 0 2) (xyz 4 0 2)) (make-box (xyz 0 0 0) (xyz 1 1 1))) #:volume 12 #:box (box-of 0 0 0 4 2 2))
 (shape "slice/round" (do-slice (make-cylinder (xyz 0 0 -2) 4 2) 'xz) #:volume (* 8 pi) #:within 0.003)
 
 (shape "unite" (unite (make-box origin (xyz 3 3 3)) (make-box (xyz 1 1 1) (xyz 4 4 4))) #:volume 46 #:box (box-of 0 0 0 4 4 4) #:area (- 108 24))

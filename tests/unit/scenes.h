@@ -78,7 +78,7 @@ static inline vs_ref test_any(test_model *m, vs_kind kind) {
   size_t count = 0;
   if (kind == VS_REGION || kind == VS_EXTRUDE || kind == VS_SWEEP || kind == VS_THICKEN || kind == VS_JOIN || kind == VS_OFFSET)
     children[count++] = test_node(m, 7, VS_CIRCLE, &(struct vs_circle){ .radius = 1 }, NULL, 0);
-  else if (info->level >= VS_LEVEL_OPERATION || kind == VS_SECTION || kind == VS_PROJECT || kind == VS_EDGES)
+  else if (info->level >= VS_LEVEL_OPERATION || kind == VS_SECTION || kind == VS_PROJECT || kind == VS_EDGES || kind == VS_DEFORM)
     children[count++] = test_box(m, 0, 0, 0, 1, 1, 1);
   if (kind == VS_UNION || kind == VS_INTERSECTION || kind == VS_DIFFERENCE) children[count++] = test_sphere(m, 0, 0, 0, 0.5);
   if (kind == VS_SWEEP) children[count++] = test_node(m, 8, VS_LINE, &(struct vs_line){ .points = points }, NULL, 0);

@@ -440,9 +440,9 @@ static void test_texts(void **state) {
       assert_string_equal(one.count ? one.text : "", other.count ? other.text : "");
       assert_true(statistic(fresh, "texts") == 0 && statistic(fresh, "cache.bytes") == 0);
       if (strcmp(formats[f], "x3d") != 0) {
-        assert_true(texts >= 6);
+        assert_true(texts >= 5);
         if (i == 0) assert_true(emitted == texts);
-        if (steps[i].most) assert_true(2 * emitted <= texts);
+        if (steps[i].most) assert_true(2 * emitted <= texts + 1); /* a tree has five runs or six */
       }
       free(b.at), free(c.at);
       vs_free(fresh);

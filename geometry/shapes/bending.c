@@ -2,69 +2,18 @@
  *
  * Plan: whether an edge is cut is decided by its ends and its middle alone, so that neighbours agree and a closed mesh
  * stays closed. A round asks for the images of all middles that are not known yet, then cuts. */
-#include "bind/shapes/bending.h"
+#include "geometry/shapes/bending.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "geometry/files/polyface.h"
 #include "model/store/array.h"
-#include "solids/solid_meshes.h"
 
 enum { CORNERS_MOST = 4000000 };
 #define FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array)) /* of an array that is NULL */
 
-vs_facets vs_bend_facets(vs_bind *b, const vs_node *n) {
-  vs_bounds bounds;
-  vs_error e = { 0 };
-  vs_facets facets = { .tolerance = vs_bind_tolerance(b), .segments = vs_bind_segments(b) };
-  if (facets.tolerance <= 0 && vs_node_bounds(n, &bounds, &e)) facets.tolerance = vs_facets_tolerance(&bounds);
-  if (!(facets.tolerance > 0)) facets.tolerance = 1;
-  return facets;
-}
-
 /* ---- the object's leaves ---- */
-
-typedef struct {
-  vs_ref ref;
-  vs_affine map;
-  vs_node *looks[VS_BEND_LOOKS];
-  int look_count;
-} open_node;
-
-static bool fail(vs_bind *b, const vs_error *e) {
-  if (e->kind == VS_ERROR_INTERRUPT) return false;
-  if (e->kind == VS_ERROR_MEMORY) return vs_fail_memory(b->vm);
-  return vs_fail(b->vm, b->vm->sym.error, "%s", e->message);
-}
-
-static bool mesh_leaf(vs_bind *b, vs_ref ref, const vs_affine *map, const char *no_regions, vs_bend_leaf *l) {
-  vs_node *n = ref.node;
-  vs_error e = { 0 };
-  vs_facets facets = vs_bend_facets(b, n);
-  bool ok = true;
-  if (n->class_ == VS_SOLID) {
-    vs_solid solid = { 0 };
-    vs_kernel_options options = { .progress = vs_bind_keep_going, .context = b->vm };
-    if (!vs_solid_evaluate(&ref, 1, &facets, &options, &solid, &e)) return fail(b, &e);
-    l->mesh = solid.mesh, l->closed = true;
-    solid.mesh = (vs_mesh){ 0 };
-    vs_solid_free(&solid);
-  } else if (n->class_ == VS_SURFACE || (n->class_ == VS_REGION_CLASS && !no_regions)) {
-    if (!vs_tessellate(n, &facets, &l->mesh, &e)) return fail(b, &e);
-  } else if (n->class_ == VS_CURVE) {
-    vs_polyline p = { 0 };
-    if (!vs_curve_sample(n, &facets, &p, &e)) return fail(b, &e);
-    l->curve = true, l->closed = p.closed;
-    for (size_t i = 0; ok && i < p.count; i++) ok = vs_mesh_add_vertex(&l->mesh, p.at[i], NULL);
-    vs_polyline_free(&p);
-  } else {
-    return vs_fail(b->vm, b->vm->sym.type, "%s", no_regions ? no_regions : "this is no object in space");
-  }
-  if (!ok) return vs_fail_memory(b->vm);
-  vs_mesh_transform(&l->mesh, map);
-  return true;
-}
 
 void vs_bend_drop(vs_bend_leaves *leaves) {
   for (size_t i = 0; i < leaves->count; i++) {
@@ -73,37 +22,6 @@ void vs_bend_drop(vs_bend_leaves *leaves) {
   }
   free(leaves->at);
   *leaves = (vs_bend_leaves){ 0 };
-}
-
-bool vs_bend_take_apart(vs_bind *b, vs_ref object, const char *no_regions, vs_bend_leaves *out) {
-  open_node *stack = NULL;
-  size_t count = 0, room = 0;
-  *out = (vs_bend_leaves){ 0 };
-  bool ok = VS_GROW(stack, room, 1) || vs_fail_memory(b->vm);
-  if (ok) stack[count++] = (open_node){ .ref = object, .map = vs_affine_identity() };
-  while (ok && count) {
-    open_node o = stack[--count];
-    vs_node *n = o.ref.node;
-    if (n->class_ == VS_NOTHING) continue;
-    if (n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_dress(n)) {
-      if (n->kind == VS_TRANSFORM) o.map = vs_affine_multiply(&o.map, &VS_AS(transform, n)->matrix);
-      bool look = n->kind == VS_MATERIAL || n->kind == VS_LAYER;
-      if (look && o.look_count < VS_BEND_LOOKS) o.looks[o.look_count++] = n;
-      ok = VS_GROW(stack, room, count + n->child_count) || vs_fail_memory(b->vm);
-      for (uint32_t i = n->child_count; ok && i-- > 0;) o.ref = n->children[i], stack[count++] = o;
-      continue;
-    }
-    ok = VS_GROW(out->at, out->room, out->count + 1) || vs_fail_memory(b->vm);
-    if (!ok) break;
-    vs_bend_leaf *l = &out->at[out->count++];
-    *l = (vs_bend_leaf){ 0 };
-    ok = mesh_leaf(b, o.ref, &o.map, no_regions, l);
-    for (; ok && l->look_count < o.look_count; l->look_count++)
-      l->looks[l->look_count] = vs_node_retain(o.looks[l->look_count]);
-  }
-  free(stack);
-  if (!ok) vs_bend_drop(out);
-  return ok;
 }
 
 /* ---- cutting edges in half ---- */
@@ -303,8 +221,7 @@ vs_mesh *vs_bending_mesh(vs_bending *b) {
 
 /* ---- nodes ---- */
 
-static vs_node *mesh_node(vs_bind *b, const vs_mesh *m, bool closed) {
-  vs_store *s = b->store;
+static vs_node *mesh_node(vs_store *s, const vs_mesh *m, bool closed) {
   uint32_t *place = NULL, *number = NULL, *start = NULL, *corner = NULL;
   vs_vec3 *kept = NULL;
   vs_node *n = NULL;
@@ -341,8 +258,7 @@ done:
   return n;
 }
 
-vs_node *vs_bend_node(vs_bind *b, const vs_bend_leaf *leaf, const vs_mesh *mesh) {
-  vs_store *s = b->store;
+vs_node *vs_bend_node(vs_store *s, const vs_bend_leaf *leaf, const vs_mesh *mesh) {
   vs_node *n = NULL;
   if (leaf->curve) {
     vs_points *p = vs_points_new(s, mesh->vertices, mesh->vertex_count);
@@ -351,10 +267,10 @@ vs_node *vs_bend_node(vs_bind *b, const vs_bend_leaf *leaf, const vs_mesh *mesh)
       vs_points_release(s, p);
     }
   } else {
-    n = mesh_node(b, mesh, leaf->closed);
+    n = mesh_node(s, mesh, leaf->closed);
   }
   for (int i = leaf->look_count; n && i-- > 0;) {
-    vs_ref child = { n, NULL };
+    vs_ref child = { n, leaf->origin };
     vs_node *dressed = vs_node_new(s, (vs_kind)leaf->looks[i]->kind, vs_node_data(leaf->looks[i]), &child, 1);
     vs_node_release(n);
     n = dressed;

@@ -1,0 +1,17 @@
+/* Owns the way in which natives take objects apart: at the program's own fineness, with its conditions. */
+#ifndef VS_BIND_TAKEN_APART_H
+#define VS_BIND_TAKEN_APART_H
+
+#include "bind/bind.h"
+#include "geometry/shapes/bending.h"
+#include "geometry/tessellate.h"
+
+/* The fineness at which what is kept as triangles or points is sampled: the program's own, else the drawing rule at
+ * the object's size. */
+vs_facets vs_bend_facets(vs_bind *b, const vs_node *n);
+/* Replaces ref's node, which the caller owns, as vs_resolve does (solids/resolve.h). False: the condition is set. */
+bool vs_bend_resolve(vs_bind *b, vs_ref *ref);
+/* As vs_take_apart (solids/deformed.h), of an object that need not be resolved. False: the condition is set. */
+bool vs_bend_take_apart(vs_bind *b, vs_ref object, const char *no_regions, vs_bend_leaves *out);
+
+#endif
