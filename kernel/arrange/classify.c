@@ -553,19 +553,29 @@ static bool look_around(walk *w, uint32_t start, size_t most, size_t faces, uint
   return look(w, face, side, done);
 }
 
-/* Are the first cells in `queue` crumbs, too small to aim at? Next to settled space these are given its value. That is right whatever they are: the faces between cells of
- * different values are closed in any case, and what a crumb is worth is less than 2^-24 steps wide, which is nothing in doubles. */
-static bool settle_crumbs(walk *w, size_t cells) {
-  enum { CRUMB = 64 }; /* fixed units */
+/* How thick the face is across its longest side, in fixed units; about. */
+static double about_thickness(const walk *w, uint32_t face) {
   const vs_cluster *c = w->c;
+  const vs_face *f = &c->faces.at[face];
+  const int64_t *from = c->points.all.at[c->uses.at[f->use].from].fixed;
+  double longest = 1;
+  for (uint32_t u = f->use; u < f->use + f->use_count; u++)
+    for (int a = 0; a < 3; a++) {
+      double reach = fabs((double)(c->points.all.at[c->uses.at[u].from].fixed[a] - from[a]));
+      if (reach > longest) longest = reach;
+    }
+  return fabs(about_area(w, face)) / longest;
+}
+
+/* Are the first cells in `queue` crumbs, or needles, too thin to aim at? Next to settled space these are given its value.
+ * That is right whatever they are: the faces between cells of different values are closed in any case, and a cell is
+ * nowhere wider than all of the faces around it are thick together: thousands of them come to less than 2^-10 steps. */
+static bool settle_crumbs(walk *w, size_t cells) {
+  static const double CRUMB = 64; /* fixed units */
   uint32_t known = VS_NONE;
   for (size_t i = 0; i < cells; i++)
     for (uint32_t cell = w->queue.at[i], j = w->first.at[cell]; j < w->first.at[cell + 1]; j++) {
-      const vs_face *f = &c->faces.at[w->borders.at[j]];
-      const int64_t *from = c->points.all.at[c->uses.at[f->use].from].fixed;
-      for (uint32_t u = f->use; u < f->use + f->use_count; u++)
-        for (int a = 0; a < 3; a++)
-          if (llabs(c->points.all.at[c->uses.at[u].from].fixed[a] - from[a]) > CRUMB) return false;
+      if (!(about_thickness(w, w->borders.at[j]) <= CRUMB)) return false;
       for (uint32_t side = 0; side < 2; side++) {
         uint32_t other = w->side.at[2 * w->borders.at[j] + side];
         if (w->state.at[other] & 2) known = other;

@@ -338,6 +338,12 @@ static void turned_examples_are_right(void **state) {
     "(do-rotate (unite (unite (make-box (xyz 0 0 -1) (xyz 1 4 1)) (do-rotate (make-prism (xyz 2 1 -1) 2 16 (xyz 2 1 "
     "1)) 'z (degrees->radians 3e-5)) (do-rotate (make-prism (xyz -1 2 -1) 1 12 "
     "(xyz -1 2 0)) 'y (degrees->radians 8e-7))) (make-box (xyz 2 -1 -2) (xyz 5 1 2))) 'z .5)",
+    /* cells that are needles: a thirtieth of a step long, and too thin for any line */
+    "(intersect (intersect (make-box (xyz -2 0 -3) (xyz 1 2 -2)) (make-prism (xyz 0 2 -3) 2 16 (xyz 0 2 0))) "
+    "(do-rotate (intersect (make-box (xyz -2 0 -3) (xyz 1 2 -2)) (make-prism (xyz 0 2 -3) 2 16 (xyz 0 2 0))) 'x "
+    "(degrees->radians -2e-7)) (do-rotate (unite (make-box (xyz 0 2 -1) (xyz 3 4 0)) (do-rotate (make-box (xyz 2 -1 0) "
+    "(xyz 4 2 2)) 'y (degrees->radians 7e-5)) (do-rotate (make-box (xyz -1 -1 -4) (xyz 2 3 -3)) 'y (degrees->radians "
+    "6e-6))) (vxyz 2 -1 1) (degrees->radians 3e-5)))",
   };
   static trial t;
   begin(&t);
