@@ -27,14 +27,15 @@ static int32_t span(int32_t low, int32_t high) { return (int32_t)(low + (int64_t
 
 /* ---- doubles, exactly ---- */
 
-/* Near a few places, so that corners meet edges and planes often: whole numbers, and the last place of such. */
-static double place_near(void) {
-  double x = span(-3, 3);
-  switch (span(0, 3)) {
+/* Near a few places, so that corners meet edges and planes often: whole numbers, of which few are off by the last place,
+ * or thirds, or anything. */
+static double place_near(int round) {
+  double x = span(-2, 2);
+  switch (round % 4) {
   case 0: return x;
-  case 1: return x != 0 ? nextafter(x, 9) : 0x1p-53;
-  case 2: return x * 1e-5 + 0.1;
-  default: return x / 3;
+  case 1: return span(0, 7) ? x : x != 0 ? nextafter(x, 9) : 0x1p-53;
+  case 2: return x / 3;
+  default: return span(0, 1) ? x * 1e-5 + 0.1 : x / 3;
   }
 }
 
@@ -42,9 +43,9 @@ static void test_doubles(void **state) {
   (void)state;
   size_t zeros = 0, kinds[3] = { 0 };
   crossings_found found;
-  for (int round = 0; round < 60000; round++) {
+  for (int round = 0; round < 24000; round++) {
     crossings_point at[6];
-    for (int i = 0; i < 18; i++) at[i / 3][i % 3] = place_near() * (round % 5 == 4 ? 0x1p-300 : 1);
+    for (int i = 0; i < 18; i++) at[i / 3][i % 3] = place_near(round) * (round % 5 == 4 ? 0x1p-300 : 1);
     crossings c = { .at = (const crossings_point *)at };
     for (int i = 0; i < 12; i++) mpz_init(c.x[i]);
     for (int i = 0; i < 8; i++) mpz_init(c.t[i]);
@@ -65,7 +66,7 @@ static void test_doubles(void **state) {
     kinds[want]++;
     assert_int_equal(vs_triangles_meet(p, p + 3), want);
   }
-  assert_true(zeros > 1000 && kinds[VS_MEET_NOT] > 1000 && kinds[VS_MEET_TOUCH] > 500 && kinds[VS_MEET_CROSS] > 1000);
+  assert_true(zeros > 400 && kinds[VS_MEET_NOT] > 400 && kinds[VS_MEET_TOUCH] > 400 && kinds[VS_MEET_CROSS] > 400);
 }
 
 /* ---- exact numbers ---- */
