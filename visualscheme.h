@@ -454,6 +454,8 @@ typedef struct {
   const char *view;      /* the name of one of the model's views, or NULL; "*": all of them, on a drawing's sheet */
   bool has_camera;       /* over what the model and the view say */
   double camera[7];      /* eye, target, lens in mm of a 35 mm film */
+  bool has_sun;          /* over what the model says */
+  double sun[2];         /* azimuth from north by east and altitude, degrees */
   double tolerance;      /* chord height in model units; 0: the model's, or the rule's */
   int segments;          /* facets a turn; 0: by tolerance */
   unsigned passes;       /* a mask; VS_PASSES_ALL by default */
@@ -507,6 +509,21 @@ VS_API vs_outcome vs_picture_compare(vs_scheme *s, const char *a, const char *b,
     vs_picture_difference *out);
 /* Takes noise out, into another EXR with the same channels. *layers: by albedo and normal; else by the colours alone. */
 VS_API vs_outcome vs_picture_denoise(vs_scheme *s, const char *from, const char *to, bool *layers);
+
+/* ---- the sun through a day ---- */
+
+typedef struct {
+  double latitude, longitude; /* degrees, north and east positive */
+  int year, month, day;
+  double from, to, step; /* hours of mean local time, 0 to 24 */
+} vs_sun_span;
+typedef struct { size_t pictures, faces, dark; /* steps in which the sun is below the horizon */ } vs_sun_summary;
+/* Writes into the folder, which is made where there is none: hours.csv, the hours of sun of every face of the drawing's
+ * solids; hours-plan.png and hours-model.png, the same in false colours from above and as the camera looks; shadow-001.png
+ * and so on, a picture for the middle of each step with the sun up (drafts but for VS_QUALITY_FINAL), and shadows.png,
+ * all of them on a sheet. Without POV-Ray the hours are written, and the outcome is VS_OUTCOME_WORKER. */
+VS_API vs_outcome vs_sun_study(vs_scheme *s, const vs_sun_span *span, const char *folder, const vs_output_options *o,
+    vs_sun_summary *out);
 
 /* ---- formats of the host's own ----
  *

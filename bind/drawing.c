@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "geometry/sun_position.h"
 #include "vm/library/port.h"
 #include "vm/machine/program.h"
 
@@ -162,28 +163,6 @@ vs_status vs_p_zoom_extents(vs_frame *f, vs_value *out) {
 
 /* ---- the sun ---- */
 
-static double degrees(double radians) { return radians * 57.29577951308232; }
-static double radians(double deg) { return deg / 57.29577951308232; }
-
-/* Days since 2000-01-01 12:00 UT, from a date of the proleptic Gregorian calendar and hours UT. */
-static double days_since_j2000(int year, int month, int day, double hours) {
-  int a = (14 - month) / 12, y = year + 4800 - a, m = month + 12 * a - 3;
-  long jdn = day + (153 * m + 2) / 5 + 365L * y + y / 4 - y / 100 + y / 400 - 32045;
-  return (double)(jdn - 2451545) + (hours - 12) / 24;
-}
-
-/* The low-precision position of the Astronomical Almanac: right to about 0.01 degrees between 1950 and 2050. */
-static void sun_position(double latitude, double longitude, double days, double hours, double *azimuth, double *altitude) {
-  double mean = fmod(280.460 + 0.9856474 * days, 360), anomaly = radians(fmod(357.528 + 0.9856003 * days, 360));
-  double ecliptic = radians(mean + 1.915 * sin(anomaly) + 0.020 * sin(2 * anomaly)), tilt = radians(23.439 - 4e-7 * days);
-  double ascension = atan2(cos(tilt) * sin(ecliptic), cos(ecliptic)), declination = asin(sin(tilt) * sin(ecliptic));
-  double sidereal = 6.697375 + 0.0657098242 * days + hours; /* hours at Greenwich */
-  double hour_angle = radians(fmod(sidereal * 15 + longitude, 360)) - ascension, phi = radians(latitude);
-  *altitude = degrees(asin(sin(phi) * sin(declination) + cos(phi) * cos(declination) * cos(hour_angle)));
-  double from_south = atan2(sin(hour_angle), cos(hour_angle) * sin(phi) - tan(declination) * cos(phi));
-  *azimuth = fmod(degrees(from_south) + 180 + 360, 360);
-}
-
 /* "15:00+01:00", "15:00:30Z", "15:00" (mean local time by the longitude): hours UT */
 static bool read_time(const char *text, double longitude, double *hours) {
   int h, m, s = 0, used = 0, more = 0, zh, zm;
@@ -207,17 +186,15 @@ vs_status vs_p_sun(vs_frame *f, vs_value *out) {
     int year, month, day;
     double hours;
     char rest;
-    static const int length[] = { 31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
     if (!k[2].given || !k[3].given || !k[4].given || !k[5].given || k[0].given || k[1].given)
       return vs_fail(f->vm, f->vm->sym.arity, "takes #:azimuth and #:altitude, or #:latitude #:longitude #:date #:time");
     if (fabs(k[2].real) > 90) return vs_bind_refuse(f, "latitude", "from -90 to 90", k[2].value);
     if (fabs(k[3].real) > 180) return vs_bind_refuse(f, "longitude", "from -180 to 180", k[3].value);
     bool read = sscanf(k[4].text.at, "%4d-%2d-%2d%c", &year, &month, &day, &rest) == 3;
-    if (!read || month < 1 || month > 12 || day < 1 || day > length[month - 1] ||
-        (month == 2 && day == 29 && (year % 4 || (year % 100 == 0 && year % 400))))
+    if (!read || !vs_sun_is_day(year, month, day))
       return vs_bind_refuse(f, "date", "a day such as \"2026-06-21\"", k[4].value);
     if (!read_time(k[5].text.at, k[3].real, &hours)) return vs_bind_refuse(f, "time", "a time such as \"15:00+01:00\"", k[5].value);
-    sun_position(k[2].real, k[3].real, days_since_j2000(year, month, day, hours), hours, &azimuth, &altitude);
+    vs_sun_position(k[2].real, k[3].real, year, month, day, hours, &azimuth, &altitude);
     if (altitude < 0) vs_bind_warn(f->bind, "night", "sun: at that time it is %.0f degrees below the horizon", -altitude);
   } else {
     azimuth = k[0].given ? k[0].real : 135, altitude = k[1].given ? k[1].real : 45;

@@ -19,6 +19,7 @@
 #include "cli/difference.h"
 #include "cli/light/exr_commands.h"
 #include "cli/fit/fit_command.h"
+#include "cli/light/sun_command.h"
 #include "cli/study.h"
 #include "live/live.h"
 
@@ -265,7 +266,8 @@ static vs_outcome run_sources(cli_session *c, bool again) {
   for (size_t i = 0; i < count && outcome == VS_OUTCOME_DONE && !vs_exit_requested(c->scheme, &c->exit_code); i++) outcome = run_source(c, &sources[i]);
   cli_report_settle(&c->reporter);
   if (outcome == VS_OUTCOME_DONE && !again && !all_parameters_used(c)) outcome = VS_OUTCOME_USAGE; /* later what was set may be for another model */
-  if (outcome == VS_OUTCOME_DONE && !again && !cli_options_late(o, c->scheme)) outcome = VS_OUTCOME_USAGE;
+  bool files = o->command != CLI_COMMAND_sunstudy; /* not a folder */
+  if (outcome == VS_OUTCOME_DONE && !again && files && !cli_options_late(o, c->scheme)) outcome = VS_OUTCOME_USAGE;
   if (outcome == VS_OUTCOME_DONE && !o->quiet && count) {
     vs_summary summary;
     cli_watch_begin(&c->watch, false);
@@ -356,10 +358,13 @@ static vs_outcome run_batch(cli_session *c) {
     c->frame = 0;
   } else {
     if (!set_parameters(c)) return VS_OUTCOME_USAGE;
+    vs_sun_span span;
+    if (o->command == CLI_COMMAND_sunstudy && !cli_sun_options(o, &span)) return VS_OUTCOME_USAGE;
     outcome = o->command == CLI_COMMAND_diff ? cli_difference(c)
         : o->command == CLI_COMMAND_fit ? cli_fit(c) : run_sources(c, false);
     if (outcome == VS_OUTCOME_DONE && o->parameters) cli_report_parameters(stdout, c->scheme);
-    if (outcome == VS_OUTCOME_DONE && o->command != CLI_COMMAND_fit) outcome = write_all(c);
+    if (outcome == VS_OUTCOME_DONE && o->command != CLI_COMMAND_fit)
+      outcome = o->command == CLI_COMMAND_sunstudy ? cli_sun_command(c) : write_all(c);
   }
   if (o->stats) cli_report_statistics(c->scheme, o->stats_json);
   return outcome;

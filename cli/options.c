@@ -283,6 +283,10 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
     return true;
   case OPTION_XML: o->xml = true; return true;
   case OPTION_TO: o->language = v; return true;
+  case OPTION_PLACE: o->place = v; return true;
+  case OPTION_DATE: o->date = v; return true;
+  case OPTION_FROM: o->from = v; return true;
+  case OPTION_STEP: o->step = v; return true;
   case OPTION_QUIET: o->quiet = true; return true;
   case OPTION_VERSION: printf("vs %s\n", vs_version()); *verdict = CLI_STOP; return true;
   case OPTION_HELP: print_help(); *verdict = CLI_STOP; return true;
@@ -443,6 +447,14 @@ static bool command_files(const cli_options *o, unsigned takes) {
   return false;
 }
 
+/* Is the word that name, hyphens apart (sun-study)? */
+static bool is_command(const char *word, const char *name) {
+  if (*word == '-') return false;
+  for (; *word; word++)
+    if (*word != '-' && *word != *name++) return false;
+  return !*name;
+}
+
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   size_t room = (size_t)argc + 1;
   cli_verdict verdict = CLI_GO;
@@ -460,7 +472,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   o->words[o->word_count++] = "vs";
   int first = 1;
   for (size_t i = 0; argc > 1 && i < COMMANDS; i++)
-    if (strcmp(argv[1], commands[i].name) == 0) o->command = (cli_command)(i + 1), first = 2;
+    if (is_command(argv[1], commands[i].name)) o->command = (cli_command)(i + 1), first = 2;
   if (o->command == CLI_COMMAND_help) {
     print_help();
     return CLI_STOP;
@@ -483,7 +495,11 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fputs(want == CLI_TAKES_JSON ? "; statistics as JSON are --stats=json\n" : "\n", stderr);
     return CLI_BAD_USAGE;
   }
-  if (o->language && !(takes & CLI_TAKES_LANGUAGE)) {
+  if ((o->place || o->date || o->from || o->step) && !(takes & CLI_TAKES_SUN)) {
+    fputs("vs: --place, --date, --from and --step are for vs sunstudy\n", stderr);
+    return CLI_BAD_USAGE;
+  }
+  if (o->language && !(takes & (CLI_TAKES_LANGUAGE | CLI_TAKES_SUN))) {
     fputs("vs: --to is for vs translate\n", stderr);
     return CLI_BAD_USAGE;
   }

@@ -27,7 +27,8 @@ enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* files */, CLI
        CLI_TAKES_FOLDER = 16 /* -o, of a folder */, CLI_TAKES_LANGUAGE = 32 /* --to, and -o of a program in it */,
        CLI_TAKES_PICTURE = 64 /* its files are EXR pictures */, CLI_TAKES_POINT = 128 /* two numbers behind the file */,
        CLI_TAKES_TARGET = 256 /* -o, once and always */,
-       CLI_TAKES_SCAN = 512 /* a second file, that is read as points */ };
+       CLI_TAKES_SCAN = 512 /* a second file, that is read as points */,
+       CLI_TAKES_SUN = 1024 /* --place, --date and hours */ };
 
 /* --frames: count runs of the model, 0 without it, in which the parameter goes in equal steps from `from` to `to`. */
 typedef struct { long count; char parameter[64]; double from, to; bool resume; } cli_frames;
@@ -45,6 +46,7 @@ typedef struct {
   vs_options interpreter;              /* the limits, the texts above; main adds the host */
   vs_output_options output;
   cli_frames frames;
+  const char *place, *date, *from, *step; /* of vs sunstudy, with language for --to; NULL: not given */
   double candelas;              /* cd/m2 of the number 1 in a picture; 0: not said */
   const char **held; size_t held_count; /* --hold, of vs fit; behind `words` */
   size_t points;                       /* --points; 0: the usual */

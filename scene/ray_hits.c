@@ -3,36 +3,11 @@
 #include <math.h>
 
 #include "geometry/measure/node_measures.h"
+#include "geometry/measure/ray_tree.h"
 #include "geometry/parts.h"
 #include "geometry/tessellate.h"
 #include "solids/resolve.h"
 #include "solids/solid_meshes.h"
-
-/* Does the ray meet the box? By slabs (Williams and others 2005): a NaN of 0 times infinity fails both comparisons and
- * leaves the span as it is. */
-static bool meets_box(const vs_bounds *b, vs_vec3 from, vs_vec3 direction) {
-  const double low[3] = { b->min.x, b->min.y, b->min.z }, high[3] = { b->max.x, b->max.y, b->max.z };
-  const double at[3] = { from.x, from.y, from.z }, d[3] = { direction.x, direction.y, direction.z };
-  double near = 0, far = INFINITY;
-  for (int i = 0; i < 3; i++) {
-    double p = (low[i] - at[i]) / d[i], q = (high[i] - at[i]) / d[i];
-    double first = p < q ? p : q, last = p < q ? q : p;
-    if (first > near) near = first;
-    if (last < far) far = last;
-  }
-  return near <= far * (1 + 1e-12);
-}
-
-/* The ray's place on the triangle, by Moeller and Trumbore (1997), or INFINITY. A hair beyond the sides counts, so that
- * no ray slips through between two triangles. */
-static double meets_triangle(const vs_vec3 *p, vs_vec3 from, vs_vec3 direction) {
-  vs_vec3 u = vs_v3_sub(p[1], p[0]), v = vs_v3_sub(p[2], p[0]), h = vs_v3_cross(direction, v);
-  double volume = vs_v3_dot(u, h);
-  if (volume == 0) return INFINITY;
-  vs_vec3 s = vs_v3_sub(from, p[0]), q = vs_v3_cross(s, u);
-  double a = vs_v3_dot(s, h) / volume, b = vs_v3_dot(direction, q) / volume, t = vs_v3_dot(v, q) / volume;
-  return a >= -1e-12 && b >= -1e-12 && a + b <= 1 + 1e-12 && t >= 0 ? t : INFINITY;
-}
 
 /* The nearest triangle that the ray meets; its number, or count where it meets none. */
 static size_t meets_mesh(const vs_mesh *m, vs_vec3 from, vs_vec3 direction, double *at) {
@@ -41,7 +16,7 @@ static size_t meets_mesh(const vs_mesh *m, vs_vec3 from, vs_vec3 direction, doub
   for (size_t i = 0; i < m->triangle_count; i++) {
     const uint32_t *c = m->triangles[i];
     const vs_vec3 p[3] = { m->vertices[c[0]], m->vertices[c[1]], m->vertices[c[2]] };
-    double t = meets_triangle(p, from, direction);
+    double t = vs_ray_meets_triangle(p, from, direction);
     if (t < *at) *at = t, nearest = i;
   }
   return nearest;
@@ -84,7 +59,7 @@ bool vs_ray_meets(vs_bind *b, vs_ref object, vs_vec3 from, vs_vec3 direction, vs
   vs_bounds bounds;
   if (object.node->class_ == VS_NOTHING) return true;
   if (!vs_node_bounds(object.node, &bounds, e)) return false;
-  if (vs_bounds_is_empty(&bounds) || !meets_box(&bounds, from, direction)) return true;
+  if (vs_bounds_is_empty(&bounds) || !vs_ray_meets_box(&bounds, from, direction, INFINITY)) return true;
   if (facets.tolerance <= 0) facets.tolerance = vs_facets_tolerance(&bounds);
   vs_node_retain(object.node);
   bool ok = !(object.node->flags & VS_NODE_UNRESOLVED) || vs_resolve(&object, 1, &facets, &options, e);

@@ -22,7 +22,7 @@
 #include "passes/optimise.h"
 #include "passes/sugar.h"
 #include "session/comparison.h"
-#include "session/pictures.h"
+#include "session/light/pictures.h"
 #include "solids/drawn_bounds.h"
 #include "solids/resolve.h"
 
@@ -65,6 +65,15 @@ static bool job_progress(void *job, const char *stage, double fraction) {
 
 /* ---- options ---- */
 
+void vs_session_aim(const vs_output_options *o, vs_scene *scene) {
+  if (o->has_sun) scene->has_sun = true, scene->sun_azimuth = o->sun[0], scene->sun_altitude = o->sun[1];
+  if (!o->has_camera) return;
+  scene->view = VS_VIEW_CAMERA, scene->upright = false;
+  scene->eye = vs_v3(o->camera[0], o->camera[1], o->camera[2]);
+  scene->target = vs_v3(o->camera[3], o->camera[4], o->camera[5]);
+  scene->lens = o->camera[6] > 0 ? o->camera[6] : 35;
+}
+
 /* Sets the export's options from those that the caller asked for, those that the program set, and the session's limits. */
 static void set_options(vs_job *j) {
   static const vs_render_quality qualities[] = { [VS_QUALITY_DRAFT] = VS_RENDER_DRAFT, [VS_QUALITY_GOOD] = VS_RENDER_GOOD, [VS_QUALITY_FINAL] = VS_RENDER_FINAL };
@@ -87,10 +96,7 @@ static void set_options(vs_job *j) {
   vs_scene *scene = &j->scene;
   if (o->tolerance > 0) scene->tolerance = o->tolerance;
   if (o->segments > 0) scene->segments = o->segments;
-  if (!o->has_camera) return;
-  scene->view = VS_VIEW_CAMERA, scene->upright = false;
-  scene->eye = vs_v3(o->camera[0], o->camera[1], o->camera[2]), scene->target = vs_v3(o->camera[3], o->camera[4], o->camera[5]);
-  scene->lens = o->camera[6] > 0 ? o->camera[6] : 35;
+  vs_session_aim(o, scene);
 }
 
 /* ---- the stages: each returns false with the job's error set, or with its outcome set where it has reported the failure itself ---- */

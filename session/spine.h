@@ -13,6 +13,9 @@ vs_outcome vs_session_write(vs_session *s, const char *path, const vs_format *fo
 /* Counts what is drawn and bounds it, in *out. Reports a failure to the host and returns its kind. */
 vs_outcome vs_session_summary(vs_session *s, vs_summary *out);
 
+/* Makes the scene look as the options say, over what the program said: camera and sun. */
+void vs_session_aim(const vs_output_options *o, vs_scene *scene);
+
 /* What is drawn, without sugar and resolved, as references that the caller owns: nodes retained, the array of so many
  * (and one more) from the store. Reports a failure to the host and returns its kind. */
 vs_outcome vs_session_take(vs_session *s, vs_ref **out, size_t *count);

@@ -69,7 +69,7 @@ static const struct { char letter; unsigned char rows[LETTER_HIGH]; } letters[] 
     { 'c', { 0, 0, 14, 16, 16, 17, 14 } }, { 'd', { 1, 1, 13, 19, 17, 17, 15 } }, { '/', { 1, 1, 2, 4, 8, 16, 16 } },
     { 'm', { 0, 0, 26, 21, 21, 21, 21 } }, { 'h', { 16, 16, 22, 25, 17, 17, 17 } }, { 'e', { 0, 0, 14, 17, 31, 16,
         14 } },
-    { '+', { 0, 4, 4, 31, 4, 4, 0 } } };
+    { ':', { 0, 12, 12, 0, 12, 12, 0 } }, { '+', { 0, 4, 4, 31, 4, 4, 0 } } };
 
 typedef struct { unsigned char *rgb; uint32_t wide, high; } canvas;
 
@@ -84,6 +84,10 @@ static void write_text(const canvas *c, uint32_t x, uint32_t y, const char *text
       for (uint32_t dy = 0; letters[i].letter == *text && dy < LETTER_HIGH; dy++)
         for (uint32_t dx = 0; dx < LETTER_WIDE; dx++)
           if (letters[i].rows[dy] >> (LETTER_WIDE - 1 - dx) & 1) dot(c, x + dx, y + dy, ink);
+}
+
+void vs_picture_text(unsigned char *rgb, uint32_t wide, uint32_t high, uint32_t x, uint32_t y, const char *text) {
+  write_text(&(canvas){ rgb, wide, high }, x, y, text);
 }
 
 static void write_number(const canvas *c, uint32_t x, uint32_t y, double value) {
@@ -132,8 +136,10 @@ unsigned char *vs_false_color_picture(vs_store *store, const float *at, uint32_t
   }
   memset(rgb, 244, bytes);
   for (uint32_t y = 0; y < rows; y++)
-    for (uint32_t x = 0; x < columns; x++)
-      vs_false_color(s, (double)at[(size_t)y * columns + x], rgb + 3 * ((size_t)y * *wide + x));
+    for (uint32_t x = 0; x < columns; x++) {
+      double value = (double)at[(size_t)y * columns + x];
+      if (!isnan(value)) vs_false_color(s, value, rgb + 3 * ((size_t)y * *wide + x));
+    }
   draw_legend(&(canvas){ rgb, *wide, *high }, s, columns);
   return rgb;
 }

@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "geometry/files/exr_read.h"
+#include "geometry/measure/ray_tree.h"
 #include "geometry/pictures/denoise.h"
 #include "geometry/pictures/false_color.h"
 #include "geometry/pictures/picture_difference.h"
@@ -269,12 +270,57 @@ static void test_false_color(void **state) {
   assert_memory_not_equal(rgb, low, 3);
 }
 
+/* ---- rays ---- */
+
+/* The tree finds what a look at every triangle finds, of a heap of triangles of all sizes; of many in one place, too. */
+static void test_ray_tree(void **state) {
+  (void)state;
+  vs_store *store = vs_store_new(NULL, NULL);
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  for (int kind = 0; kind < 3; kind++) {
+    vs_mesh m = { 0 };
+    vs_ray_tree t;
+    uint32_t seed = 5;
+    for (uint32_t i = 0; i < (kind == 2 ? 0u : 700u); i++) {
+      double size = kind ? 0 : pow(10, 2 * chance(&seed) - 2);
+      vs_vec3 at = kind ? vs_v3(0.5, 0.5, 0.5) : vs_v3(chance(&seed), chance(&seed), chance(&seed));
+      for (int k = 0; k < 3; k++) {
+        vs_vec3 off = vs_v3(chance(&seed) - 0.5, chance(&seed) - 0.5, chance(&seed) - 0.5);
+        assert_true(vs_mesh_add_vertex(&m, vs_v3_add(at, vs_v3_scale(off, size + 0.01)), NULL));
+      }
+      assert_true(vs_mesh_add_triangle(&m, 3 * i, 3 * i + 1, 3 * i + 2));
+    }
+    assert_true(vs_ray_tree_make(&t, store, &m, &e));
+    size_t met = 0;
+    for (int i = 0; i < 2000; i++) {
+      vs_vec3 from = vs_v3(3 * chance(&seed) - 1, 3 * chance(&seed) - 1, 3 * chance(&seed) - 1);
+      vs_vec3 to = vs_v3(chance(&seed), chance(&seed), chance(&seed));
+      if (kind == 1) to = vs_v3_add(vs_v3(0.495, 0.495, 0.495), vs_v3_scale(to, 0.01));
+      vs_vec3 direction = vs_v3_sub(to, from);
+      if (i % 5 == 0) direction = vs_v3(0, 0, i % 2 ? 1 : -1);
+      double nearest = INFINITY, at, any;
+      for (size_t k = 0; k < m.triangle_count; k++) {
+        const vs_vec3 p[3] = { m.vertices[3 * k], m.vertices[3 * k + 1], m.vertices[3 * k + 2] };
+        nearest = fmin(nearest, vs_ray_meets_triangle(p, from, direction));
+      }
+      size_t hit = vs_ray_tree_meet(&t, from, direction, INFINITY, false, &at);
+      assert_true(at == nearest && (hit == m.triangle_count) == isinf(nearest));
+      assert_true((vs_ray_tree_meet(&t, from, direction, INFINITY, true, &any) == m.triangle_count) == isinf(nearest));
+      met += hit < m.triangle_count;
+    }
+    assert_true(kind == 2 ? met == 0 : met > 0);
+    vs_ray_tree_free(&t);
+    vs_mesh_free(&m);
+  }
+  vs_store_release(store);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_linear), cmocka_unit_test(test_neutral),  cmocka_unit_test(test_filmic),
     cmocka_unit_test(test_agx),    cmocka_unit_test(test_exposure), cmocka_unit_test(test_odd_light),
     cmocka_unit_test(test_exr_round_trip), cmocka_unit_test(test_denoise), cmocka_unit_test(test_gap),
-    cmocka_unit_test(test_false_color),
+    cmocka_unit_test(test_false_color), cmocka_unit_test(test_ray_tree),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

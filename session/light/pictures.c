@@ -1,6 +1,6 @@
 /* Owns what hosts may do with EXR pictures: read the file, have geometry/pictures/ work, write a file that appears
  * whole. */
-#include "session/pictures.h"
+#include "session/light/pictures.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -59,7 +59,7 @@ static bool read_bytes(vs_store *store, const char *path, bytes *out, vs_error *
   return ok;
 }
 
-static bool write_bytes(const char *path, const unsigned char *at, size_t size, vs_error *e) {
+bool vs_session_write_bytes(const char *path, const unsigned char *at, size_t size, vs_error *e) {
   vs_publish p;
   if (!vs_publish_begin(&p, path, false)) return no_file(e, "write", path);
   bool ok = true;
@@ -106,7 +106,7 @@ static bool write_png(vs_store *store, const char *path, const unsigned char *rg
                       vs_error *e) {
   bytes png = { 0 };
   bool ok = vs_png_write(store, rgb, columns, rows, &png.at, &png.size, &png.room, e) &&
-            write_bytes(path, png.at, png.size, e);
+            vs_session_write_bytes(path, png.at, png.size, e);
   if (png.at) vs_store_realloc(store, png.at, png.room, 0);
   return ok;
 }
@@ -250,7 +250,7 @@ vs_outcome vs_picture_denoise(vs_scheme *vm, const char *from, const char *to, b
   bytes exr = { 0 };
   bool guided = false;
   bool ok = take(store, from, NULL, &x, &e) && vs_exr_smooth(&x, &guided, &e) &&
-            vs_exr_write(&x, &exr.at, &exr.size, &exr.room, &e) && write_bytes(to, exr.at, exr.size, &e);
+            vs_exr_write(&x, &exr.at, &exr.size, &exr.room, &e) && vs_session_write_bytes(to, exr.at, exr.size, &e);
   if (layers) *layers = guided;
   if (exr.at) vs_store_realloc(store, exr.at, exr.room, 0);
   vs_exr_free(&x);
