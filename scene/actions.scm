@@ -26,7 +26,11 @@
 ; One frame: each action goes through the whole tree before the next begins. seconds: since the last frame.
 (define (node-frame [seconds any? 0])
   (if (not (and (real? seconds) (finite? seconds) (>= seconds 0))) (error 'node-frame "seconds must be a number of 0 or more, got ~s" seconds))
-  (for-each (lambda (action) (%apply-action action (%root) (list seconds))) %frame-actions))
+  (for-each
+    (lambda (action part)
+      (%viewer-frame part seconds)
+      (%apply-action action (%root) (list seconds)))
+    %frame-actions (list %viewer-prepare %viewer-draw %viewer-finish)))
 
 ; ---- picking ----
 

@@ -68,6 +68,16 @@ static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return VS_OK;
 }
 
+/* matrix point: where the matrix brings the point */
+static vs_status matrix_point(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  vs_affine m = vs_bind_affine(vs_as_flat(a[0])->at);
+  const double *d = vs_as_flat(a[1])->at;
+  vs_vec3 p = vs_affine_point(&m, vs_v3(d[0], d[1], d[2]));
+  const double at[3] = { p.x, p.y, p.z };
+  return vs_make_flat(vm, VS_FLAT_POINT, at, 3, out);
+}
+
 /* ---- picking ---- */
 
 static vs_status fail_ray(vs_scheme *vm, const vs_error *e) {
@@ -182,6 +192,7 @@ bool vs_nodes_shown(vs_bind *b, bool *beside, vs_value *list) {
 static const vs_native_def defs[] = {
   { "%node-matrix", "translate rotate scale", node_matrix, 0, NULL },
   { "%matrix-parts", "matrix", matrix_parts, 0, NULL },
+  { "%matrix-point", "matrix point", matrix_point, 0, NULL },
   { "%ray-meets", "object matrix from direction", ray_meets, 0, NULL },
   { "%new-program", "", new_program, 0, NULL },
   { "%program-defines?", "environment name", program_defines, 0, NULL },

@@ -93,7 +93,7 @@ if diff "$work/gml-wanted" "$work/said" > "$work/diff" && [ ! -s "$work/errors" 
 else echo "not ok manual/gml"; sed 's/^/    /' "$work/diff" "$work/errors"; fi
 # Every operator is in the page.
 "$BUILD/vs" --quiet -e '(import (only (gml) gml:operators)) (for-each displayln (map symbol->string (gml:operators)))' | sort > "$work/names"
-grep -v '^```' manual/gml.md | grep -o '`[^`]*`' | tr -d '\140' | tr ' ' '\n' | sort -u > "$work/described"
+grep -v '^```' manual/gml.md | grep -o '`[^`]*`' | tr -d '\140' | tr ' .' '\n\n' | sort -u > "$work/described"
 missing=$(comm -23 "$work/names" "$work/described" | tr '\n' ' ')
 if [ -s "$work/names" ] && [ -z "$missing" ]; then echo "ok manual/gml:operators"; else echo "not ok manual/gml:operators: missing $missing"; fi
 

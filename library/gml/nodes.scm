@@ -51,6 +51,85 @@
 (frame-readers
   (node-gettranslate node-gettranslate) (node-getrotate node-getrotate) (node-getscale node-getscale))
 
+; ---- gizmos ----
+
+(define (dictionary-of . pairs)
+  (let ((d (make-hasheq)))
+    (let loop ((l pairs)) (if (pair? l) (begin (hash-set! d (car l) (cadr l)) (loop (cddr l)))))
+    d))
+
+; What a callback does, it does in the context and with the dictionaries that it was made in; what it leaves on the
+; stack
+; is dropped.
+(define (in-place p)
+  (let ((context (node-current)) (begun dictionaries))
+    (lambda ()
+      (let ((outer dictionaries) (bottom depth))
+        (with-node context
+          (set! dictionaries begun)
+          (execute p)
+          (if (not (eq? context (node-getroot))) (keep-drawing context)))
+        (set! dictionaries outer)
+        (let drop () (if (> depth bottom) (begin (pop) (drop))))))))
+
+; model sliders number { place number } { before } { clicked } GIZMOS.gizmo-trigger: appends a dictionary to the array
+; sliders, whose gizmo-create makes the trigger below the model.
+(define (gizmo-trigger)
+  (need 'gizmo-trigger 6)
+  (let* ((clicked (pop)) (before (pop)) (place (pop)) (number (pop)) (sliders (pop)) (model (pop)))
+    (need-scene-node 'gizmo-trigger model)
+    (need-array 'gizmo-trigger sliders)
+    (for-each (lambda (p) (need-procedure 'gizmo-trigger p)) (list place before clicked))
+    (let ((call (in-place clicked)) (prepare (in-place before)))
+      (array-append! sliders
+        (dictionary-of
+          'gizmo-create
+          (lambda ()
+            (execute place)
+            (let* ((top (gml:pop 'gizmo-trigger)) (at (if (number? top) (gml:pop 'gizmo-trigger) top)))
+              (need-vector 'gizmo-trigger at)
+              (make-trigger at (lambda (node) (prepare) (call)) #:parent model)))
+          'gizmo-activate (lambda () #t))))))
+
+; offset constraint size create-manipulator: a node with a tripod beside it, and with the entry `trans`, a node that
+; goes
+; where the tripod is dragged to.
+(define (create-manipulator who flat?)
+  (need who 3)
+  (let* ((size (pop)) (constraint (pop)) (offset (pop)))
+    (need-number who size)
+    (need-vector who constraint)
+    (need-vector who offset)
+    (let* ((node (node-create)) (trans (node-create #:parent node))
+           (room (vxyz (cx constraint) (cy constraint) (if flat? 0 (cz constraint))))
+           (tripod (make-tripod offset room #:size (inexact size) #:parent node)))
+      (property-subscribe (property-ref tripod 'value) (lambda (v) (node-translate trans v)))
+      (property-put! node 'trans trans)
+      (property-put! node 'tripod tripod)
+      (gml:push node))))
+(define (manipulator who)
+  (let ((n (gml:pop who)))
+    (need-scene-node who n)
+    (if (eq? (entry n 'tripod) gml:unset) (error who "the node is no manipulator"))
+    n))
+(define (manipulator-set who)
+  (lambda ()
+    (need who 2)
+    (let* ((v (pop)) (n (manipulator who)))
+      (property-set! (property-ref (property-get n 'tripod) 'value) (as-gvector who v)))))
+(define (manipulator-get who)
+  (lambda () (gml:push (gvector->point (property-get (property-get (manipulator who) 'tripod) 'value)))))
+
+(hash-set! operators 'GIZMOS (dictionary-of 'gizmo-trigger gizmo-trigger))
+(define tools
+  (dictionary-of
+    'create-manipulator (lambda () (create-manipulator 'create-manipulator #f))
+    'create-manip-XY (lambda () (create-manipulator 'create-manip-XY #t))
+    'manip-translate (manipulator-set 'manip-translate) 'manip-set-translate (manipulator-set 'manip-set-translate)
+    'manip-gettranslate (manipulator-get 'manip-gettranslate) 'manip-get-translate
+      (manipulator-get 'manip-get-translate)))
+(hash-set! operators 'GrimaldoDemos (dictionary-of 'Tools tools))
+
 ; The end of a file: contexts that were left open keep what was modelled, and the root's part is drawn.
 (define (gml:finish)
   (let unwind ()

@@ -1,0 +1,313 @@
+; Interaction: gizmos as data that a host draws, input events, and what a program asks to be called for. After
+; contexts.scm. Names that begin with % are not visible to programs. Compiled into the binary when it is built.
+;
+; A gizmo is a node with handles in place of a drawing: it is no part of the model, and its value is its property
+; `value`, which tells its subscribers as any other. What a handle may do is said when it is made: along a line, between
+; two ends, in steps.
+
+(define-record-type %gizmo (%make-gizmo kind at axes low high step size procedure) %gizmo?
+  (kind %gizmo-kind)           ; trigger, slider, arrow or tripod
+  (at %gizmo-at)               ; where value 0 (a slider's least) is, in the node's coordinates
+  (axes %gizmo-axes)           ; unit gvectors that its handles move along; a trigger's: none
+  (low %gizmo-low)             ; the least and the greatest value; a tripod's: how far one drag goes, a gvector
+  (high %gizmo-high)
+  (step %gizmo-step)           ; #f: any value
+  (size %gizmo-size)           ; of a handle, across; an arrow's and a tripod's are as long from the place itself
+  (procedure %gizmo-procedure)) ; a trigger's
+
+(define %gizmos (make-hasheq)) ; from a node to what it is
+
+(define (%need-number* who what x)
+  (if (not (and (real? x) (finite? x))) (error who "~a must be a number, got ~s" what x)))
+(define (%need-size who x)
+  (if (not (and (real? x) (finite? x) (> x 0))) (error who "size must be a number above 0, got ~s" x)))
+(define (%need-point who what x)
+  (if (not (and (point? x) (finite? (cx x)) (finite? (cy x)) (finite? (cz x))))
+      (error who "~a must be a point of finite coordinates, got ~s" what x)))
+(define (%need-direction who what x)
+  (if (not (and (gvector? x) (< 0 (vlength x) +inf.0)))
+      (error who "~a must be a gvector longer than 0, got ~s" what x)))
+
+(define (%new-gizmo who name parent gizmo value type)
+  (if name (%need-string who name))
+  (if parent (%need-node who 'parent parent))
+  (let ((node (node-create #:name name #:parent parent)))
+    (hash-set! %gizmos node gizmo)
+    (property-add! node (make-property 'value value #:type type))
+    node))
+
+; The type of a value, which messages name.
+(define (%between low high)
+  (define (within? v) (and (real? v) (<= low v high)))
+  within?)
+
+(define (make-trigger at procedure #:size [size any? 0.2] #:name [name any? #f] #:parent [parent any? #f])
+  (%need-point 'make-trigger 'at at)
+  (%need-procedure 'make-trigger 'procedure procedure)
+  (%need-size 'make-trigger size)
+  (%new-gizmo 'make-trigger name parent (%make-gizmo 'trigger at '() #f #f #f size procedure) 0 number?))
+
+(define (make-slider from to low high #:value [value any? #f] #:step [step any? #f] #:size [size any? 0.2]
+                     #:name [name any? #f] #:parent [parent any? #f])
+  (%need-point 'make-slider 'from from)
+  (%need-point 'make-slider 'to to)
+  (if (equal? from to) (error 'make-slider "to must be another point than from, got ~s" to))
+  (%need-number* 'make-slider 'low low)
+  (%need-number* 'make-slider 'high high)
+  (if (>= low high) (error 'make-slider "high must be above low, got ~s" high))
+  (if step (begin (%need-number* 'make-slider 'step step)
+             (if (<= step 0) (error 'make-slider "step must be above 0, got ~s" step))))
+  (%need-size 'make-slider size)
+  (let ((value (or value low)))
+    (%need-number* 'make-slider 'value value)
+    (if (not (<= low value high)) (error 'make-slider "value must be from ~s to ~s, got ~s" low high value))
+    (%new-gizmo 'make-slider name parent
+      (%make-gizmo 'slider from (list (p-p to from)) low high step size #f) value (%between low high))))
+
+
+(define (make-arrow at direction low high #:value [value any? 0] #:size [size any? 1] #:name [name any? #f]
+                    #:parent [parent any? #f])
+  (%need-point 'make-arrow 'at at)
+  (%need-direction 'make-arrow 'direction direction)
+  (%need-number* 'make-arrow 'low low)
+  (%need-number* 'make-arrow 'high high)
+  (%need-number* 'make-arrow 'value value)
+  (if (not (<= low value high)) (error 'make-arrow "value must be from ~s to ~s, got ~s" low high value))
+  (%need-size 'make-arrow size)
+  (%new-gizmo 'make-arrow name parent
+    (%make-gizmo 'arrow at (list (unitize direction)) low high #f size #f) value (%between low high)))
+
+; Three arrows along X, Y and Z; the value is a gvector. constraint: how far one drag may go along each, either way; 0
+; takes the arrow away.
+(define (make-tripod at constraint #:size [size any? 1] #:name [name any? #f] #:parent [parent any? #f])
+  (%need-point 'make-tripod 'at at)
+  (if (not (and (gvector? constraint) (>= (cx constraint) 0) (>= (cy constraint) 0) (>= (cz constraint) 0)))
+      (error 'make-tripod "constraint must be a gvector of numbers from 0, got ~s" constraint))
+  (%need-size 'make-tripod size)
+  (%new-gizmo 'make-tripod name parent
+    (%make-gizmo 'tripod at (list ux uy uz) constraint constraint #f size #f) %zero gvector?))
+
+(define (gizmo? x) (and (node? x) (hash-ref %gizmos x #f) #t))
+(define (%need-gizmo who x) (if (not (gizmo? x)) (error who "gizmo must be a gizmo, got ~s" x)))
+
+; ---- where the handles are ----
+
+(define (%axis-parts v) (list (cx v) (cy v) (cz v)))
+
+; Lists (axis point) in the node's coordinates, the number of an axis and the handle that moves along it; a trigger's
+; axis is #f.
+(define (%handles node g)
+  (let ((value (property-get node 'value)) (at (%gizmo-at g)) (axes (%gizmo-axes g)))
+    (case (%gizmo-kind g)
+      ((trigger) (list (list #f at)))
+      ((slider)
+       (let ((t (/ (- value (%gizmo-low g)) (- (%gizmo-high g) (%gizmo-low g)))))
+         (list (list 0 (p+v at (v*r (car axes) t))))))
+      ((arrow) (list (list 0 (p+v at (v*r (car axes) (+ value (%gizmo-size g)))))))
+      (else
+        (let ((here (p+v at value)))
+          (filter-map
+            (lambda (axis i room) (and (> room 0) (list i (p+v here (v*r axis (%gizmo-size g))))))
+            axes '(0 1 2) (%axis-parts (%gizmo-high g))))))))
+
+; What a host draws: a row for data-ref, points in the world's coordinates.
+(define (gizmo-data gizmo)
+  (%need-gizmo 'gizmo-data gizmo)
+  (let* ((g (hash-ref %gizmos gizmo)) (world (node-worldtransform gizmo)) (place (lambda (p) (%matrix-point world p))))
+    (list (cons 'kind (%gizmo-kind g))
+          (cons 'value (property-get gizmo 'value))
+          (cons 'low (%gizmo-low g))
+          (cons 'high (%gizmo-high g))
+          (cons 'step (%gizmo-step g))
+          (cons 'size (%gizmo-size g))
+          (cons 'at (place (%gizmo-at g)))
+          (cons 'handles (map (lambda (h) (place (cadr h))) (%handles gizmo g))))))
+
+; All gizmos below the root, or below another node, parents before children.
+(define (scene-gizmos [node any? #f])
+  (if node (%need-node 'scene-gizmos 'node node))
+  (let ((found '()))
+    (%walk (or node (%root)) (lambda (n) (if (gizmo? n) (set! found (cons n found)))))
+    (reverse found)))
+
+; The values of all gizmos below the node, in their order; and back. What is not there, or would not be taken, stays.
+(define (gizmo-values [node any? #f])
+  (if node (%need-node 'gizmo-values 'node node))
+  (map (lambda (n) (property-get n 'value)) (scene-gizmos node)))
+(define (gizmo-values! values [node any? #f])
+  (if (not (list? values)) (error 'gizmo-values! "values must be a list, got ~s" values))
+  (if node (%need-node 'gizmo-values! 'node node))
+  (let ((all (scene-gizmos node)))
+    (if (not (= (length all) (length values)))
+        (error 'gizmo-values! "there are ~a gizmos, got ~a values" (length all) (length values)))
+    (for-each (lambda (n v) (property-set! (property-ref n 'value) v)) all values)))
+
+; ---- what the ray meets of them ----
+
+; How far along the ray a ball is met, or #f.
+(define (%meets-ball from direction centre radius)
+  (let* ((to (p-p centre from)) (along (dot to direction)) (away (- (dot to to) (* along along)))
+         (room (- (* radius radius) away)))
+    (and (>= room 0) (>= along 0) (max 0 (- along (sqrt room))))))
+
+; The nearest handle on the ray: (distance node axis), or #f.
+(define (%gizmo-on from direction)
+  (let ((best #f))
+    (for-each
+      (lambda (node)
+        (let* ((g (hash-ref %gizmos node)) (world (node-worldtransform node)) (radius (/ (%gizmo-size g) 2)))
+          (for-each
+            (lambda (h)
+              (let ((d (%meets-ball from direction (%matrix-point world (cadr h)) radius)))
+                (if (and d (or (not best) (< d (car best)))) (set! best (list d node (car h))))))
+            (%handles node g))))
+      (scene-gizmos))
+    best))
+
+; How far along the line from p the place nearest to the ray is, in lengths of v; #f where they run side by side.
+(define (%along p v from direction)
+  (let* ((w (p-p p from)) (a (dot v v)) (b (dot v direction)) (d (dot v w)) (e (dot direction w)) (below (- a (* b b))))
+    (and (> below (* 1e-12 a)) (/ (- (* b e) d) below))))
+
+; ---- dragging: what has been taken hold of keeps the mouse until it is let go ----
+
+(define-record-type %hold (%make-hold node axis place line start value) %hold?
+  (node %hold-node)
+  (axis %hold-axis)     ; of a gizmo; #f: a trigger, or a node of the model
+  (place %hold-place)   ; the handle and its direction, in the world, when it was taken hold of
+  (line %hold-line)
+  (start %hold-start)   ; where on that line
+  (value %hold-value))  ; the gizmo's value then
+(define %held #f)
+
+(define (%take-gizmo node axis from direction)
+  (let ((g (hash-ref %gizmos node)))
+    (if (not axis)
+        (%make-hold node #f #f #f #f #f)
+        (let* ((world (node-worldtransform node)) (h (cadr (assv axis (%handles node g))))
+               (a (list-ref (%gizmo-axes g) axis))
+               (p (%matrix-point world h)) (line (p-p (%matrix-point world (p+v h a)) p)))
+          (%make-hold node axis p line (or (%along p line from direction) 0) (property-get node 'value))))))
+
+(define (%stepped g v)
+  (let* ((step (%gizmo-step g)) (low (%gizmo-low g)) (v (if step (+ low (* step (round (/ (- v low) step)))) v)))
+    (max low (min (%gizmo-high g) v))))
+
+(define (%drag-gizmo h from direction)
+  (let* ((node (%hold-node h)) (g (hash-ref %gizmos node)) (t (%along (%hold-place h) (%hold-line h) from direction)))
+    (if t
+        (let* ((moved (- t (%hold-start h))) (was (%hold-value h)))
+          (property-set! (property-ref node 'value)
+            (case (%gizmo-kind g)
+              ((slider) (%stepped g (+ was (* moved (- (%gizmo-high g) (%gizmo-low g))))))
+              ((arrow) (%stepped g (+ was moved)))
+              (else
+                (let* ((i (%hold-axis h)) (room (list-ref (%axis-parts (%gizmo-high g)) i)))
+                  (v+v was (v*r (list-ref (%gizmo-axes g) i) (max (- room) (min room moved))))))))))))
+
+; ---- input events ----
+
+(define %input-kinds '(press drag release move key))
+(define %input-buttons '(left middle right none))
+
+; The node that the event went to, or #f. A press takes hold of the nearest gizmo or node in the ray's way: drags and
+; the release go there. A release over the trigger that was pressed calls its procedure. A key goes to the node that was
+; selected last, or to the focus, or to the nearest node above it that has a procedure for `key`. Every node with a
+; procedure for `input` hears of all events.
+(define (node-input kind [button any? 'left] [from any? #f] [direction any? #f] [key any? #f])
+  (if (not (memq kind %input-kinds)) (error 'node-input "kind must be one of ~s, got ~s" %input-kinds kind))
+  (if (not (memq button %input-buttons)) (error 'node-input "button must be one of ~s, got ~s" %input-buttons button))
+  (if (or from direction (memq kind '(press drag release))) (%need-ray 'node-input from direction))
+  (let ((way (and direction (unitize direction))))
+    (%apply-action 'input (%root) (list kind button from way key))
+    (case kind
+      ((press) (%press from way))
+      ((drag)
+       (let ((h %held))
+         (and h
+              (begin
+                (if (%hold-axis h) (%drag-gizmo h from way) (%call-action (%hold-node h) 'drag from way))
+                (%hold-node h)))))
+      ((release)
+       (let ((h %held))
+         (set! %held #f)
+         (and h
+              (let* ((node (%hold-node h)) (g (hash-ref %gizmos node #f)) (over (and g (%gizmo-on from way))))
+                (cond ((not g) (%call-action node 'release from way))
+                      ((and (eq? (%gizmo-kind g) 'trigger) over (eq? (cadr over) node)) (%click node g)))
+                node))))
+      ((key) (%key key))
+      (else #f))))
+
+(define (%call-action node action . arguments)
+  (let ((f (and (%node-actions node) (hash-ref (%node-actions node) action #f))))
+    (if f (apply f node arguments))))
+
+; A click is a change of the trigger's value, which counts them.
+(define (%click node g)
+  (property-set! (property-ref node 'value) (+ 1 (property-get node 'value)))
+  ((%gizmo-procedure g) node))
+
+(define (%press from way)
+  (let* ((gizmo (%gizmo-on from way)) (hits (%picked from way (%root))))
+    (set! %held
+      (cond ((and gizmo (or (null? hits) (<= (car gizmo) (cdaar hits))))
+             (%take-gizmo (cadr gizmo) (caddr gizmo) from way))
+            ((pair? hits) (%make-hold (data-ref (car hits) 'node) #f #f #f #f #f))
+            (else #f)))
+    (if (and %held (not (gizmo? (%hold-node %held)))) (node-pick from way))
+    (and %held (%hold-node %held))))
+
+(define (%key key)
+  (let up ((n (or (property-get (node-controller) 'Node.selected) (%focus))))
+    (cond ((not n) #f)
+          ((and (%node-actions n) (hash-ref (%node-actions n) 'key #f)) => (lambda (f) (f n key) n))
+          (else (up (%node-parent n))))))
+
+; ---- what a program asks to be called for ----
+
+; The object becomes a node's drawing, below the focus; a node stays what it is. The procedure gets the node and the
+; hit.
+(define (on-pick object procedure)
+  (if (not (or (node? object) (object? object))) (error 'on-pick "object must be an object or a node, got ~s" object))
+  (%need-procedure 'on-pick 'procedure procedure)
+  (let ((node (if (node? object) object (node-create #:drawing object #:parent (%focus)))))
+    (node-on node 'pick procedure)
+    node))
+
+; The procedure gets the seconds since the last frame. It hangs at a node of its own, which is taken away to end it.
+(define (every-frame procedure)
+  (%need-procedure 'every-frame 'procedure procedure)
+  (let ((node (node-create #:parent (%root))))
+    (node-on node 'update (lambda (n seconds) (procedure seconds)))
+    node))
+
+; ---- viewers: what shows the scene, by name; one is active ----
+
+(define-record-type %viewer (%make-viewer name show hide prepare draw finish) %viewer?
+  (name %viewer-name) (show %viewer-show) (hide %viewer-hide) (prepare %viewer-prepare) (draw %viewer-draw)
+    (finish %viewer-finish))
+(define %viewers (make-hasheq))
+(define %active-viewer #f)
+
+(define (register-viewer name #:show [show any? #f] #:hide [hide any? #f] #:prepare [prepare any? #f] #:draw
+          [draw any? #f]
+                         #:finish [finish any? #f])
+  (%need-symbol 'register-viewer 'name name)
+  (for-each (lambda (what f) (if f (%need-procedure 'register-viewer what f)))
+    '(#:show #:hide #:prepare #:draw #:finish) (list show hide prepare draw finish))
+  (hash-set! %viewers name (%make-viewer name show hide prepare draw finish)))
+
+; #f: none.
+(define (viewer-activate name)
+  (let ((next (and name (hash-ref %viewers name #f))))
+    (if (and name (not next)) (error 'viewer-activate "name must be one of ~s, got ~s" (hash-keys %viewers) name))
+    (if (not (eq? next %active-viewer))
+        (begin
+          (if (and %active-viewer (%viewer-hide %active-viewer)) ((%viewer-hide %active-viewer)))
+          (set! %active-viewer next)
+          (if (and next (%viewer-show next)) ((%viewer-show next)))))))
+(define (viewer-current) (and %active-viewer (%viewer-name %active-viewer)))
+
+(define (%viewer-frame part seconds)
+  (let ((f (and %active-viewer (part %active-viewer)))) (if f (f seconds))))

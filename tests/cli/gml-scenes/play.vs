@@ -1,0 +1,43 @@
+; Plays a user: finds the gizmos, clicks and drags them, and tells what the scene is then.
+(define (click gizmo)
+  (define at (first (data-ref (gizmo-data gizmo) 'handles)))
+  (define eye (+z at -50)) ; from below: nothing of the model is in the way
+  (node-input 'press 'left eye (vxyz 0 0 1))
+  (node-input 'release 'left eye (vxyz 0 0 1)))
+(define (told v) (map (lambda (c) (/ (round (* 1e4 c)) 1e4)) (list (cx v) (cy v) (cz v))))
+(load "spiral.gml")
+(define trigger (first (scene-gizmos)))
+(for ([i (in-range 3)]) (click trigger))
+(let loop ((n (node-getparent trigger)))
+  (define below (filter (lambda (c) (not (gizmo? c))) (node-getchildren n)))
+  (if (pair? below)
+      (begin
+        (displayln (told (centroid (do-transform (make-sphere origin 1) (node-worldtransform (first below))))))
+        (loop (first below)))))
+(displayln (data-ref (gizmo-data trigger) 'value))
+; three parts are one object in three places
+(displayln (length (delete-duplicates (map (lambda (n) (node-getdrawing n)) (filter (lambda (n) (pair? (node-getdrawing n))) (let all ((n (node-getroot))) (cons n (append-map all (node-getchildren n)))))))))
+
+(node-clear)
+(load "wall.gml")
+(define (gizmos kind) (filter (lambda (g) (eq? (data-ref (gizmo-data g) 'kind) kind)) (scene-gizmos)))
+(click (first (gizmos 'trigger)))
+(click (first (gizmos 'trigger)))
+(displayln (length (gizmos 'tripod)))
+; windows go to the right by their X arrows: of those in one place the first is taken. A drag of 9 is within 12, one of 40 is not
+(define tripods (gizmos 'tripod))
+(define (drag tripod by)
+  (define at (first (data-ref (gizmo-data tripod) 'handles)))
+  (define eye (+y at -200))
+  (node-input 'press 'left eye (vxyz 0 1 0))
+  (node-input 'drag 'left (+x eye by) (vxyz 0 1 0))
+  (node-input 'release 'left (+x eye by) (vxyz 0 1 0))
+  (displayln (map (lambda (t) (told (property-get t 'value))) tripods)))
+(drag (first tripods) 9)
+(drag (first tripods) 40)
+(drag (second tripods) -9)
+(displayln (told (node-gettranslate (property-get (node-getparent (second tripods)) 'trans))))
+; a window is a plate of 4 x 8 x 1 less the hole
+(define window (first (node-getchildren (property-get (node-getparent (first tripods)) 'trans))))
+(displayln (volume (node-object window)))
+(displayln (object-count (node-object (node-getroot))))
