@@ -451,6 +451,7 @@ typedef struct {
   int width, height;     /* pixels; 0: 1024 by 768, or what keeps 4:3 with the other */
   vs_quality quality;
   vs_development development; /* of a .png */
+  bool layers;           /* an .exr has depth, normal, albedo and id as well, by which it can be picked and denoised */
   const char *view;      /* the name of one of the model's views, or NULL; "*": all of them, on a drawing's sheet */
   bool has_camera;       /* over what the model and the view say */
   double camera[7];      /* eye, target, lens in mm of a 35 mm film */

@@ -16,6 +16,7 @@ typedef struct {
   int width, height;  /* pixels, of pictures and pages; 0: 1024 x 768 */
   vs_render_quality quality;
   vs_tone tone;       /* how light becomes the numbers of a .png */
+  bool layers;        /* an .exr has depth, normal, albedo and id beside the light */
   const char *view;   /* of a drawing: the name of what it shows; "*": all views; NULL: by the file's name */
   uint64_t byte_limit; /* of one output; 0: none */
   double worker_seconds; /* a worker program is stopped after so long; 0: never */

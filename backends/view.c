@@ -1,7 +1,9 @@
 /* Owns the camera's framing and the sun's place. See view.h.
  *
- * Framing: with the view's axes fixed (right r, up u, forward f), each corner of the bounds bounds the eye from two sides: a corner at
- * (x, y, z) along the axes is inside the picture where |x - ex| <= (z + D) tan(half angle). The greatest x - z t and -x - z t over the
+ * Framing: with the view's axes fixed (right r, up u, forward f), each corner of the bounds bounds the eye from two
+ * sides: a corner at
+ * (x, y, z) along the axes is inside the picture where |x - ex| <= (z + D) tan(half angle). The greatest x - z t and
+ * -x - z t over the
  * corners give the smallest distance D and the eye's shift ex together; the same for y; the greater D wins. */
 #include "backends/view.h"
 
@@ -29,7 +31,8 @@ static void look_frame(vs_look *l, const vs_bounds *b, const vs_bounds *boxes, s
   double x_min = INFINITY, x_max = -INFINITY, y_min = INFINITY, y_max = -INFINITY;
   for (size_t i = 0; i < 8 * box_count; i++) {
     const vs_bounds *box = &boxes[i / 8];
-    vs_vec3 corner = vs_v3_sub(vs_v3((i & 1) ? box->max.x : box->min.x, (i & 2) ? box->max.y : box->min.y, (i & 4) ? box->max.z : box->min.z), middle);
+    vs_vec3 corner = vs_v3_sub(vs_v3((i & 1) ? box->max.x : box->min.x, (i & 2) ? box->max.y : box->min.y, (i & 4)
+        ? box->max.z : box->min.z), middle);
     double x = vs_v3_dot(corner, l->right), y = vs_v3_dot(corner, l->up), z = vs_v3_dot(corner, l->forward);
     right = fmax(right, x - z * tx);
     left = fmax(left, -x - z * tx);
@@ -41,7 +44,8 @@ static void look_frame(vs_look *l, const vs_bounds *b, const vs_bounds *boxes, s
   if (l->parallel) {
     l->width = margin * fmax(x_max - x_min, (y_max - y_min) * aspect);
     if (!(l->width > 0)) l->width = 1;
-    l->target = vs_v3_add(middle, vs_v3_add(vs_v3_scale(l->right, (x_min + x_max) / 2), vs_v3_scale(l->up, (y_min + y_max) / 2)));
+    l->target = vs_v3_add(middle, vs_v3_add(vs_v3_scale(l->right, (x_min + x_max) / 2), vs_v3_scale(l->up,
+        (y_min + y_max) / 2)));
     l->eye = vs_v3_sub(l->target, vs_v3_scale(l->forward, 2 * diagonal + l->width));
     return;
   }
@@ -52,7 +56,8 @@ static void look_frame(vs_look *l, const vs_bounds *b, const vs_bounds *boxes, s
   l->eye = vs_v3_sub(l->target, vs_v3_scale(l->forward, distance));
 }
 
-vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bounds *boxes, size_t box_count, double aspect) {
+vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bounds *boxes, size_t box_count,
+    double aspect) {
   const double film = 36; /* mm: the width of a 35 mm picture */
   vs_look l = { .angle = 2 * atan(film / 2 / 45) };
   vs_vec3 up = vs_v3(0, 0, 1), north = vs_v3(0, 1, 0);
@@ -89,4 +94,18 @@ vs_vec3 vs_look_sun(const vs_scene *scene, const vs_look *look) {
   if (vs_v3_length(near) < 0.2) near = vs_v3(look->up.x, look->up.y, 0);
   vs_vec3 across = look_unit(vs_v3_add(vs_v3_scale(look_unit(near), 0.62), vs_v3_scale(look_unit(left), 0.78)));
   return vs_v3(across.x * cos(44 * degree), across.y * cos(44 * degree), sin(44 * degree));
+}
+
+void vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, uint32_t column, uint32_t row, vs_vec3 *from,
+                 vs_vec3 *direction) {
+  double x = (column + 0.5) / columns * 2 - 1, y = (1 - (row + 0.5) / rows * 2) * rows / columns;
+  double half = look->parallel ? look->width / 2 : tan(look->angle / 2);
+  vs_vec3 ahead = look->forward, up = look->up;
+  if (look->upright && !look->parallel) { /* the picture's plane is vertical */
+    vs_vec3 level = vs_v3_unit(vs_v3(look->forward.x, look->forward.y, 0));
+    ahead = vs_v3_scale(look->forward, 1 / vs_v3_dot(look->forward, level)), up = vs_v3(0, 0, 1);
+  }
+  vs_vec3 aside = vs_v3_add(vs_v3_scale(look->right, x * half), vs_v3_scale(up, y * half));
+  *from = look->parallel ? vs_v3_add(look->eye, aside) : look->eye;
+  *direction = look->parallel ? look->forward : vs_v3_add(ahead, aside);
 }

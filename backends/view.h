@@ -1,4 +1,5 @@
-/* Owns how a drawing is looked at: the camera, framed to show everything, and where the sun stands. One answer for all formats. */
+/* Owns how a drawing is looked at: the camera, framed to show everything, and where the sun stands. One answer for
+ * all formats. */
 #ifndef VS_BACKENDS_VIEW_H
 #define VS_BACKENDS_VIEW_H
 
@@ -13,8 +14,14 @@ typedef struct {
   bool upright;               /* perspective: the picture stands upright, its middle is the target */
 } vs_look;
 
-/* aspect: width by height of the picture. bounds: of the drawing, which the look centres on; boxes: of its parts, at least one. */
-vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bounds *boxes, size_t box_count, double aspect);
+/* aspect: width by height of the picture. bounds: of the drawing, which the look centres on; boxes: of its parts, at
+ * least one. */
+vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bounds *boxes, size_t box_count,
+    double aspect);
+/* The ray through the middle of a pixel, counted from 0 at the upper left; the direction's length along forward is 1.
+ * */
+void vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, uint32_t column, uint32_t row, vs_vec3 *from,
+                 vs_vec3 *direction);
 /* Unit vector towards the sun; without a sun in the scene a good one for this look: over the viewer's left shoulder. */
 vs_vec3 vs_look_sun(const vs_scene *scene, const vs_look *look);
 

@@ -92,6 +92,7 @@ static void set_options(vs_job *j) {
   if (e->height && !e->width) e->width = (e->height * 4 + 1) / 3;
   e->quality = qualities[o->quality];
   e->tone = vs_session_tone(&o->development);
+  e->layers = o->layers;
   e->view = o->view;
   vs_scene *scene = &j->scene;
   if (o->tolerance > 0) scene->tolerance = o->tolerance;

@@ -14,6 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "backends/povray/povray_layers.h"
 #include "geometry/files/exr_read.h"
 #include "geometry/files/png_write.h"
 
@@ -91,9 +92,26 @@ static void picture_plain_exr(picture_bytes *p) {
   }
 }
 
+/* The light with the layers, written anew. */
+static bool picture_with_layers(vs_emitter *e, const char *from, const char *to) {
+  vs_store *store = e->scene->store;
+  picture_bytes p = { NULL, 0 };
+  vs_exr x = { .store = store };
+  unsigned char *exr = NULL;
+  size_t size = 0, room = 0;
+  bool ok = picture_read(e, from, &p) && vs_exr_read(store, "POV-Ray's picture", p.at, p.count, NULL, &x, e->error);
+  free(p.at);
+  ok = ok && vs_povray_layers(e, &x) && vs_exr_write(&x, &exr, &size, &room, e->error) &&
+       picture_write(e, to, &(picture_bytes){ exr, size });
+  if (exr) vs_store_realloc(store, exr, room, 0);
+  vs_exr_free(&x);
+  return ok;
+}
+
 bool vs_povray_take_picture(vs_emitter *e, const char *from, const char *to) {
   static const unsigned char exr[] = { 0x76, 0x2F, 0x31, 0x01 };
   picture_bytes p = { NULL, 0 };
+  if (e->options->layers) return picture_with_layers(e, from, to);
   bool ok = picture_read(e, from, &p);
   if (ok && p.count > 8 && memcmp(p.at, exr, sizeof exr) == 0) picture_plain_exr(&p);
   ok = ok && picture_write(e, to, &p);

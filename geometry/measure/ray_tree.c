@@ -19,6 +19,10 @@ bool vs_ray_meets_box(const vs_bounds *b, vs_vec3 from, vs_vec3 direction, doubl
   const double at[3] = { from.x, from.y, from.z }, d[3] = { direction.x, direction.y, direction.z };
   double near = 0;
   for (int i = 0; i < 3; i++) {
+    if (d[i] == 0) { /* along the sides: in the plane of one it is inside */
+      if (at[i] < low[i] || at[i] > high[i]) return false;
+      continue;
+    }
     double p = (low[i] - at[i]) / d[i], q = (high[i] - at[i]) / d[i];
     double first = p < q ? p : q, last = p < q ? q : p;
     if (first > near) near = first;

@@ -26,8 +26,7 @@ size_t vs_ray_tree_meet(const vs_ray_tree *t, vs_vec3 from, vs_vec3 direction, d
 /* Where the ray meets the triangle, or INFINITY (Moeller and Trumbore, 1997). A hair beyond the sides counts, so that
  * no ray slips through between two triangles. */
 double vs_ray_meets_triangle(const vs_vec3 corners[3], vs_vec3 from, vs_vec3 direction);
-/* Does the ray meet the box before `far`? By slabs (Williams and others, 2005): a NaN of 0 times infinity fails both
- * comparisons and leaves the span as it is. */
+/* Does the ray meet the box before `far`? By slabs (Williams and others, 2005). */
 bool vs_ray_meets_box(const vs_bounds *b, vs_vec3 from, vs_vec3 direction, double far);
 
 #endif

@@ -93,26 +93,12 @@ static vs_vec3 turned_area(const vs_vec3 p[3]) { return vs_v3_cross(vs_v3_sub(p[
 
 typedef struct { float *hours; vs_vec3 *normal; double *depth; uint32_t wide, high; } view;
 
-/* The ray through a pixel. */
-static void ray_of(const vs_look *l, const view *v, uint32_t column, uint32_t row, vs_vec3 *from, vs_vec3 *direction) {
-  double x = (column + 0.5) / v->wide * 2 - 1, y = (1 - (row + 0.5) / v->high * 2) * v->high / v->wide;
-  double half = l->parallel ? l->width / 2 : tan(l->angle / 2);
-  vs_vec3 ahead = l->forward, up = l->up;
-  if (l->upright && !l->parallel) { /* the picture's plane is vertical */
-    vs_vec3 level = vs_v3_unit(vs_v3(l->forward.x, l->forward.y, 0));
-    ahead = vs_v3_scale(l->forward, 1 / vs_v3_dot(l->forward, level)), up = vs_v3(0, 0, 1);
-  }
-  vs_vec3 aside = vs_v3_add(vs_v3_scale(l->right, x * half), vs_v3_scale(up, y * half));
-  *from = l->parallel ? vs_v3_add(l->eye, aside) : l->eye;
-  *direction = l->parallel ? l->forward : vs_v3_add(ahead, aside);
-}
-
 /* What is seen in a pixel: the model, the ground below it, or nothing. */
 static void see(const study *t, const vs_look *look, const view *v, uint32_t column, uint32_t row) {
   size_t i = (size_t)row * v->wide + column;
   vs_vec3 from, direction, p[3];
   double at, below = INFINITY;
-  ray_of(look, v, column, row, &from, &direction);
+  vs_look_ray(look, v->wide, v->high, column, row, &from, &direction);
   if (direction.z < 0 && from.z > t->ground) below = (t->ground - from.z) / direction.z;
   size_t hit = vs_ray_tree_meet(&t->tree, from, direction, below, false, &at);
   v->hours[i] = NAN, v->depth[i] = INFINITY, v->normal[i] = vs_v3(0, 0, 0);

@@ -272,6 +272,21 @@ static void test_false_color(void **state) {
 
 /* ---- rays ---- */
 
+/* A ray along a box's side, in the plane of that side, meets the box; one beside it does not. */
+static void test_ray_box(void **state) {
+  (void)state;
+  vs_bounds b = { vs_v3(0, 0, 0), vs_v3(1, 2, 3) };
+  for (int k = 0; k < 4; k++) {
+    vs_vec3 down = vs_v3(0, 0, k % 2 ? -1 : 1), from = vs_v3(0, k < 2 ? 1 : 2, k % 2 ? 12 : -9);
+    assert_true(vs_ray_meets_box(&b, from, down, INFINITY));
+    from.x = 1;
+    assert_true(vs_ray_meets_box(&b, from, down, INFINITY));
+    assert_false(vs_ray_meets_box(&b, from, down, 8));
+    from.x = 1 + 1e-9;
+    assert_false(vs_ray_meets_box(&b, from, down, INFINITY));
+  }
+}
+
 /* The tree finds what a look at every triangle finds, of a heap of triangles of all sizes; of many in one place, too. */
 static void test_ray_tree(void **state) {
   (void)state;
@@ -321,6 +336,7 @@ int main(void) {
     cmocka_unit_test(test_agx),    cmocka_unit_test(test_exposure), cmocka_unit_test(test_odd_light),
     cmocka_unit_test(test_exr_round_trip), cmocka_unit_test(test_denoise), cmocka_unit_test(test_gap),
     cmocka_unit_test(test_false_color), cmocka_unit_test(test_ray_tree),
+    cmocka_unit_test(test_ray_box),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,14 @@
+/* Owns the layers that an EXR picture may have beside POV-Ray's light. */
+#ifndef VS_BACKENDS_POVRAY_LAYERS_H
+#define VS_BACKENDS_POVRAY_LAYERS_H
+
+#include "backends/backend.h"
+#include "geometry/files/exr.h"
+
+/* Adds depth (Z, along the look), normal (N.X, N.Y, N.Z), paint (albedo.R, albedo.G, albedo.B, linear) and id of what
+ * is
+ * seen in the middle of each pixel, and the places in the program that the ids from 1 stand for, a line each. Of the
+ * ground the id is 0. What is seen are the drawing's solids and the ground: curves and surfaces are left out. */
+bool vs_povray_layers(vs_emitter *e, vs_exr *x);
+
+#endif
