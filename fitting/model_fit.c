@@ -10,8 +10,8 @@
 enum {
   TRIED = 300,  /* points of step 1 */
   FIRST = 1000, /* of step 2 */
-  STARTS = 3,   /* that step 2 goes on with */
-  PLACES = 12,  /* that step 1 improves */
+  STARTS = 6,   /* that step 2 goes on with */
+  PLACES = 24,  /* that step 1 improves */
   ROTATIONS = 49,
   SHIFTS = 4,
   UNKNOWNS_MOST = 200
@@ -75,6 +75,7 @@ typedef struct {
   vs_mesh_distance *field;
   double *at, *made_at, *trial; /* unknowns of it; numbers of the field; numbers to be tried */
   bool known;
+  double *begin[2]; /* numbers to start from: the caller's, and those times the scan's size by the model's */
   vs_vec3 *places, *slopes;
   double *distances, *other;
 } fit;
@@ -242,6 +243,7 @@ static bool solve(fit *f, vs_loss loss, size_t count, unsigned rounds, unsigned 
     if (!vs_robust_solve(&problem, unknowns, &mean, &end, f->e)) return f->failed = true, false;
     if (end == VS_ROBUST_STOPPED) return false;
     f->out->converged = end == VS_ROBUST_DONE;
+    f->out->used = f->count;
     if (!evaluate(f, unknowns, &refused)) return false;
     *spread = spread_of(f);
     if (!wide && end == VS_ROBUST_DONE && fabs(*spread - before) < 1e-3 * before) break;
@@ -261,7 +263,9 @@ static void settle(fit *f, double *unknowns) {
 
 typedef struct {
   vs_rigid_motion motion;
-  double cost;
+  double cost; /* mean size of the distances */
+  bool scaled; /* the model has its numbers by the scan's size, f->begin[1] */
+  float distances[TRIED];
 } place;
 
 static int compare_places(const void *p, const void *q) {
@@ -269,21 +273,34 @@ static int compare_places(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* Sorts places, and leaves one of each that cost the same: a model that looks the same turned has many. */
-static void distinct_places(place *places, size_t *count, double slack) {
+/* Do both lay every point as far from the model? A model that looks the same turned has many such. */
+static bool same_place(const fit *f, const place *a, const place *b) {
+  double apart = 0;
+  for (size_t i = 0; i < f->count; i++) apart += fabs((double)a->distances[i] - (double)b->distances[i]);
+  return apart < .1 * (double)f->count * fmin(a->cost, b->cost);
+}
+
+/* Sorts places, and leaves one of each that are the same. */
+static void distinct_places(const fit *f, place *places, size_t *count) {
   size_t kept = 0;
   if (*count) qsort(places, *count, sizeof *places, compare_places);
-  for (size_t i = 0; i < *count; i++)
-    if (!kept || places[i].cost - places[kept - 1].cost > slack * places[i].cost) places[kept++] = places[i];
+  for (size_t i = 0; i < *count; i++) {
+    bool known = false;
+    for (size_t k = 0; k < kept && !known; k++) known = same_place(f, &places[k], &places[i]);
+    if (!known && kept++ < i) places[kept - 1] = places[i];
+  }
   *count = kept;
 }
 
-/* Mean size of the distances there. False: stopped. */
-static bool cost_of(fit *f, const vs_rigid_motion *m, double *cost) {
-  for (size_t i = 0; i < f->count; i++) f->places[i] = vs_rigid_point(m, f->p->points[i]);
+/* Measures the distances there. False: stopped. */
+static bool cost_of(fit *f, place *at) {
+  for (size_t i = 0; i < f->count; i++) f->places[i] = vs_rigid_point(&at->motion, f->p->points[i]);
   if (!measure(f, f->field, f->distances, NULL)) return false;
-  *cost = 0;
-  for (size_t i = 0; i < f->count; i++) *cost += fabs(f->distances[i]) / (double)f->count;
+  at->cost = 0;
+  for (size_t i = 0; i < f->count; i++) {
+    at->distances[i] = (float)f->distances[i];
+    at->cost += fabs(f->distances[i]) / (double)f->count;
+  }
   return true;
 }
 
@@ -344,7 +361,7 @@ static bool try_places(fit *f, const vs_mesh *mesh, place *places, size_t *count
   *count = 0;
   f->motion = (vs_rigid_motion){ .size = f->out->size > 0 ? f->out->size : 1 };
   f->motion.turn[0][0] = f->motion.turn[1][1] = f->motion.turn[2][2] = 1;
-  if (f->p->placed) return true;
+  if (f->p->placed) return places[(*count)++].motion = f->motion, true;
   for (int a = 0; a < 3; a++) span_along(axes[a], mesh->vertices, mesh->vertex_count, NULL, model_span[a]);
   for (int k = 0; k < ROTATIONS; k++)
     for (int s = 0; s < SHIFTS; s++) {
@@ -364,16 +381,30 @@ static bool try_places(fit *f, const vs_mesh *mesh, place *places, size_t *count
   return true;
 }
 
-/* The best places of the scan in the model as it is, best first. False: failed, stopped, or the model cannot be made;
- * then the error says why. */
-static bool find_places(fit *f, place *places, size_t *count) {
+/* Are scan and model of a size? */
+static bool same_unit(fit *f) {
+  double ratio = f->out->size / f->out->model_size;
+  if (!(f->out->size > 0)) return vs_error_set(f->e, VS_ERROR_FILE, NULL, "all points lie in one place");
+  if (ratio > 20)
+    return vs_error_set(f->e, VS_ERROR_FILE, NULL,
+                        "the scan is %.0f times as large as the model: are both in the same unit?", ratio);
+  return ratio > .02 ||
+         vs_error_set(f->e, VS_ERROR_FILE, NULL,
+                      "the scan is only %.2g times as large as the model: are both in the same unit?", ratio);
+}
+
+/* The places of the scan to be improved in the model with the numbers to start from, best first. False: failed,
+ * stopped, or the model cannot be made; then the error says why. */
+static bool find_places(fit *f, bool scaled, place *places, size_t *count) {
   vs_mesh mesh = { 0 };
-  for (size_t j = 0; j < f->numbers; j++)
-    f->made_at[j] = outer(&f->p->numbers[j], inner(&f->p->numbers[j], f->p->numbers[j].start));
+  memcpy(f->made_at, f->begin[scaled], f->numbers * sizeof *f->made_at);
   f->out->models++;
-  bool ok = f->p->model->make(f->p->model->context, f->made_at, 0, &mesh, f->e);
+  *count = 0;
+  bool ok = f->p->model->make(f->p->model->context, f->made_at, scaled ? f->tolerance : 0, &mesh, f->e);
   if (ok && !mesh.triangle_count)
     ok = vs_error_set(f->e, VS_ERROR_MODEL, NULL, "the model draws no solid, from which distances could be measured");
+  vs_mesh_distance_free(f->field);
+  f->field = NULL;
   if (ok) {
     vs_bounds b = vs_mesh_bounds(&mesh);
     f->diagonal = vs_bounds_diagonal(&b);
@@ -381,20 +412,14 @@ static bool find_places(fit *f, place *places, size_t *count) {
     if (!(f->field = vs_mesh_distance_new(&mesh))) ok = vs_error_memory(f->e, NULL);
   }
   f->count = f->p->count < TRIED ? f->p->count : TRIED;
-  ok = ok && try_places(f, &mesh, places, count);
+  ok = ok && try_places(f, &mesh, places, count) && same_unit(f);
   vs_mesh_free(&mesh);
   if (!ok) return f->failed = true, false;
-  double ratio = f->out->size / f->out->model_size;
-  if (!(f->out->size > 0))
-    return f->failed = true, vs_error_set(f->e, VS_ERROR_FILE, NULL, "all points lie in one place");
-  if (ratio > 20 || ratio < .02)
-    return f->failed = true,
-           vs_error_set(f->e, VS_ERROR_FILE, NULL,
-                        ratio > 1 ? "the scan is %.0f times as large as the model: are both in the same unit?"
-                                  : "the scan is only %.2g times as large as the model: are both in the same unit?",
-                        ratio);
-  for (size_t i = 0; i < *count; i++)
-    if (!cost_of(f, &places[i].motion, &places[i].cost)) return false;
+  for (size_t i = 0; i < *count; i++) {
+    places[i].scaled = scaled;
+    if (!cost_of(f, &places[i])) return false;
+  }
+  if (f->p->placed) return true;
   size_t kept = 0; /* of each rotation the best shift */
   for (size_t i = 0; i < *count; i += SHIFTS) {
     size_t best = i;
@@ -403,7 +428,7 @@ static bool find_places(fit *f, place *places, size_t *count) {
     places[kept++] = places[best];
   }
   *count = kept;
-  distinct_places(places, count, 1e-3);
+  distinct_places(f, places, count);
   return true;
 }
 
@@ -425,13 +450,13 @@ static bool improve(fit *f, place *at) {
   double unknowns[VS_RIGID_UNKNOWNS] = { 0 }, mean;
   vs_robust_end end;
   f->motion = at->motion;
-  if (!cost_of(f, &at->motion, &mean)) return false;
+  if (!cost_of(f, at)) return false;
   vs_robust_problem problem = {
     f->count, VS_RIGID_UNKNOWNS, motion_residuals, f, VS_LOSS_HUBER, spread_of(f), 20, 1e-4
   };
   if (!vs_robust_solve(&problem, unknowns, &mean, &end, f->e)) return f->failed = true, false;
   at->motion = vs_rigid_moved(&f->motion, unknowns);
-  return end != VS_ROBUST_STOPPED && cost_of(f, &at->motion, &at->cost);
+  return end != VS_ROBUST_STOPPED && cost_of(f, at);
 }
 
 /* ---- the way through ---- */
@@ -439,6 +464,7 @@ static bool improve(fit *f, place *at) {
 typedef struct {
   vs_rigid_motion motion;
   double unknowns[UNKNOWNS_MOST + VS_RIGID_UNKNOWNS], cost;
+  float distances[FIRST / 2];
 } candidate;
 
 static double mean_size(const double *distances, size_t count) {
@@ -483,26 +509,54 @@ static void choose(fit *f, const candidate *all, size_t count, candidate *best, 
   *best = *second, *second = held;
 }
 
-/* Step 2: all unknowns from the best places. False: failed; stopped is none. */
+/* Fits all unknowns from a candidate's. False: failed; stopped is none, and leaves it as it was, or better. */
+static bool advance(fit *f, candidate *c, size_t points, unsigned most, double tolerance) {
+  double spread;
+  f->motion = c->motion;
+  bool ok = !f->out->stopped && solve(f, VS_LOSS_HUBER, points, 1, most, tolerance, c->unknowns, &spread);
+  if (f->failed) return false;
+  if (ok) c->cost = mean_size(f->distances, f->count);
+  for (size_t i = 0; ok && i < f->count && i < FIRST / 2; i++) c->distances[i] = (float)f->distances[i];
+  settle(f, c->unknowns);
+  c->motion = f->motion;
+  return true;
+}
+
+static int compare_candidates(const void *p, const void *q) {
+  double a = ((const candidate *)p)->cost, b = ((const candidate *)q)->cost;
+  return a < b ? -1 : a > b;
+}
+
+/* Did both come to the same: numbers, and distances of all points? */
+static bool same_candidate(const fit *f, const candidate *a, const candidate *b) {
+  size_t count = f->p->count < FIRST / 2 ? f->p->count : FIRST / 2;
+  double off = 0;
+  for (size_t i = 0; i < count; i++) off += fabs((double)a->distances[i] - (double)b->distances[i]);
+  return !apart(f, a, b) && off < .1 * (double)count * fmin(a->cost, b->cost);
+}
+
+/* Step 2: all unknowns from the best places, a few iterations each; then the better half of those that are different to
+ * the end. False: failed; stopped is none. */
 static bool from_places(fit *f, const place *places, size_t count, candidate *best, candidate *second) {
-  size_t starts = count < STARTS ? count : STARTS, done = 0;
+  size_t starts = count < STARTS ? count : STARTS;
   candidate all[STARTS];
-  for (size_t i = 0; i < (starts ? starts : 1); i++) {
-    candidate *c = &all[done];
-    double spread;
-    if (count) f->motion = places[i].motion;
-    memset(c->unknowns, 0, sizeof c->unknowns);
-    for (size_t j = 0; j < f->numbers; j++) c->unknowns[j] = inner(&f->p->numbers[j], f->p->numbers[j].start);
-    if (f->out->stopped && done) break;
-    bool ok = !f->out->stopped && solve(f, VS_LOSS_HUBER, FIRST, 2, 25, 1e-4, c->unknowns, &spread);
-    if (f->failed) return false;
-    if (!ok && done) break; /* stopped, and another is whole */
-    c->cost = ok ? mean_size(f->distances, f->count) : INFINITY;
-    settle(f, c->unknowns);
-    c->motion = f->motion;
-    done++;
+  for (size_t i = 0; i < starts; i++) {
+    all[i] = (candidate){ .motion = places[i].motion, .cost = INFINITY };
+    for (size_t j = 0; j < f->numbers; j++)
+      all[i].unknowns[j] = inner(&f->p->numbers[j], f->begin[places[i].scaled][j]);
+    if (!advance(f, &all[i], FIRST / 2, 12, 1e-3)) return false;
   }
-  choose(f, all, done, best, second);
+  qsort(all, starts, sizeof *all, compare_candidates);
+  size_t kept = 0;
+  for (size_t i = 0; i < starts; i++) {
+    bool known = false;
+    for (size_t k = 0; k < kept && !known; k++) known = same_candidate(f, &all[k], &all[i]);
+    if (!known && kept++ < i) all[kept - 1] = all[i];
+  }
+  starts = kept > 2 ? (kept + 1) / 2 : kept;
+  for (size_t i = 0; i < starts; i++)
+    if (!advance(f, &all[i], FIRST, 25, 1e-4)) return false;
+  choose(f, all, starts, best, second);
   return true;
 }
 
@@ -657,19 +711,44 @@ static bool summarise(fit *f) {
   return true;
 }
 
+/* Step 1, with the numbers as they are, or by the scan's size. Adds places, the best of them improved. False: failed.
+ */
+static bool step_one(fit *f, bool scaled, place *places, size_t *count) {
+  size_t found;
+  if (!find_places(f, scaled, places, &found) && f->failed) return false;
+  if (found > PLACES) found = PLACES;
+  for (size_t i = 0; !f->p->placed && i < found && !f->out->stopped; i++)
+    if (!improve(f, &places[i]) && f->failed) return false;
+  distinct_places(f, places, &found);
+  *count += found < STARTS ? found : STARTS;
+  return true;
+}
+
+/* The numbers times the size of the scan by that of the model. False: there are none, or both are about as large. */
+static bool scale_numbers(fit *f) {
+  double ratio = f->out->size / f->out->model_size;
+  for (size_t j = 0; j < f->numbers; j++) {
+    const vs_fit_number *n = &f->p->numbers[j];
+    f->begin[1][j] = outer(n, inner(n, fmin(fmax(f->begin[0][j] * ratio, n->low), n->high)));
+  }
+  return f->numbers && fabs(log(ratio)) > .1;
+}
+
 static bool run(fit *f, place *places) {
   size_t count = 0;
   candidate best, second;
   double spread;
   const vs_fit_problem *p = f->p;
-  if (!find_places(f, places, &count)) {
-    if (!f->failed) vs_error_set(f->e, VS_ERROR_INTERRUPT, NULL, "interrupted before anything was fitted");
-    return false;
+  for (size_t j = 0; j < f->numbers; j++)
+    f->begin[0][j] = outer(&p->numbers[j], inner(&p->numbers[j], p->numbers[j].start));
+  if (!step_one(f, false, places, &count)) return false;
+  if (!count) return vs_error_set(f->e, VS_ERROR_INTERRUPT, NULL, "interrupted before anything was fitted");
+  if (!f->out->stopped && scale_numbers(f) && !step_one(f, true, places + count, &count)) {
+    if (f->e->kind != VS_ERROR_MODEL && f->e->kind != VS_ERROR_FILE) return false;
+    f->failed = false; /* that model cannot be made: the other stands */
+    *f->e = (vs_error){ 0 };
   }
-  for (size_t i = 0; i < count && i < PLACES && !f->out->stopped; i++)
-    if (!improve(f, &places[i]) && f->failed) return false;
-  if (count > PLACES) count = PLACES;
-  distinct_places(places, &count, .01);
+  qsort(places, count, sizeof *places, compare_places);
   if (!from_places(f, places, count, &best, &second)) return false;
   f->motion = best.motion;
   f->tolerance = f->diagonal * FINE;
@@ -681,7 +760,6 @@ static bool run(fit *f, place *places) {
   for (size_t i = 0; i < 2 && !f->out->stopped; i++) {
     if (!solve(f, VS_LOSS_TUKEY, counts[i], i ? 2 : 4, 25, 1e-6, best.unknowns, &spread) && f->failed) return false;
     settle(f, best.unknowns);
-    f->out->used = f->count;
     if (p->count <= counts[i]) break;
   }
   for (size_t j = 0; j < f->numbers; j++) {
@@ -721,13 +799,14 @@ bool vs_model_fit_solve(const vs_fit_problem *p, vs_model_fit *out, vs_error *e)
   if (most > p->count) most = p->count;
   place *places = NULL;
   bool ok = VS_GROW(out->numbers, rooms[0], numbers + 1) && VS_GROW(out->distances, rooms[1], p->count) &&
-            VS_GROW(f.at, rooms[2], 3 * (unknowns + 1)) && VS_GROW(f.places, rooms[3], most) &&
+            VS_GROW(f.at, rooms[2], 5 * (unknowns + 1)) && VS_GROW(f.places, rooms[3], most) &&
             VS_GROW(f.slopes, rooms[4], most) && VS_GROW(f.distances, rooms[5], 2 * most) &&
-            VS_GROW(places, room, ROTATIONS * SHIFTS);
+            VS_GROW(places, room, STARTS + ROTATIONS * SHIFTS);
   if (ok) {
     memset(out->numbers, 0, (numbers + 1) * sizeof *out->numbers);
     memset(out->distances, 0, p->count * sizeof *out->distances);
     f.made_at = f.at + unknowns + 1, f.trial = f.made_at + unknowns + 1;
+    f.begin[0] = f.trial + unknowns + 1, f.begin[1] = f.begin[0] + unknowns + 1;
     f.other = f.distances + most;
     ok = run(&f, places);
     out->field = f.field;

@@ -90,6 +90,7 @@ static void value_text(char text[40], const vs_fit_parameter *p) {
 static void print_parameters(cli_session *c, const vs_fit_options *o) {
   vs_fit_parameter p;
   int wide = 4;
+  bool any = false;
   for (size_t i = 0; vs_fit_parameter_get(c->scheme, i, &p); i++)
     wide = (int)strlen(p.name) > wide ? (int)strlen(p.name) : wide;
   for (size_t i = 0; vs_fit_parameter_get(c->scheme, i, &p); i++) {
@@ -102,12 +103,11 @@ static void print_parameters(cli_session *c, const vs_fit_options *o) {
       continue;
     }
     printf("%-12s", value);
-    if (known && isfinite(p.error)) printf(" +- %-9.2g", p.high - p.value);
+    if (known && isfinite(p.error)) printf(" +- %-9.2g", p.high - p.value), any = true;
     if (p.state != VS_FIT_HELD) printf(" from %.6g", p.start);
     printf("%s%s\n", *states[p.state].remark ? p.state == VS_FIT_HELD ? " " : "; " : "", states[p.state].remark);
   }
-  if (vs_fit_parameter_get(c->scheme, 0, &p))
-    printf("  (+-: %.4g %% intervals, by Huber's covariance of an M-estimate)\n", 100 * o->confidence);
+  if (any) printf("  (+-: %.4g %% intervals, by Huber's covariance of an M-estimate)\n", 100 * o->confidence);
 }
 
 /* The command that draws the model with what was found. */

@@ -139,9 +139,14 @@ static vs_vec3 nearest(const facet *f, vs_vec3 p, const vs_vec3 **normal) {
   return vs_v3_add(a, vs_v3_add(vs_v3_scale(ab, vb / sum), vs_v3_scale(ac, vc / sum)));
 }
 
+/* How far outside of a span, or 0; fmax is a call. */
+static inline double outside(double low, double high, double at) {
+  double below = low - at, above = at - high, off = below > above ? below : above;
+  return off > 0 ? off : 0;
+}
+
 static double box_distance(const vs_bounds *b, vs_vec3 p) { /* squared */
-  double x = fmax(fmax(b->min.x - p.x, p.x - b->max.x), 0), y = fmax(fmax(b->min.y - p.y, p.y - b->max.y), 0);
-  double z = fmax(fmax(b->min.z - p.z, p.z - b->max.z), 0);
+  double x = outside(b->min.x, b->max.x, p.x), y = outside(b->min.y, b->max.y, p.y), z = outside(b->min.z, b->max.z, p.z);
   return x * x + y * y + z * z;
 }
 
@@ -166,8 +171,8 @@ double vs_mesh_distance_at(const vs_mesh_distance *d, vs_vec3 p, vs_vec3 *slope)
     if (b->count) continue;
     double low = box_distance(&d->boxes[b->first].bounds, p), high = box_distance(&d->boxes[b->first + 1].bounds, p);
     uint32_t near = low <= high ? b->first : b->first + 1, far = low <= high ? b->first + 1 : b->first;
-    stack[todo].box = far, stack[todo++].away = fmax(low, high);
-    stack[todo].box = near, stack[todo++].away = fmin(low, high);
+    stack[todo].box = far, stack[todo++].away = low > high ? low : high;
+    stack[todo].box = near, stack[todo++].away = low <= high ? low : high;
   }
   if (!d->count) return 0;
   vs_vec3 way = vs_v3_sub(p, at);

@@ -338,14 +338,14 @@ static void warn_all(const job *j, const vs_fit_result *r) {
   }
   for (size_t i = 0; m->rival && i < f->number_count; i++) {
     double a = m->numbers[i].value, b = m->numbers[i].rival;
-    if (!(fabs(a - b) > .05 * fmax(fabs(a), fabs(b)))) continue;
+    if (!(fabs(a - b) > .05 * fmax(fabs(a), fabs(b))) || m->numbers[i].verdict == VS_FIT_NUMBER_LOOSE) continue;
     snprintf(text, sizeof text,
              "from another start the model came as near with %s = %.4g in place of %.4g: the scan leaves both open",
              f->parameters[f->number[i]].name, b, a);
     warn(j, text);
     break;
   }
-  if (r->outliers > r->samples / 5) {
+  if (r->outliers > r->samples / 20) {
     snprintf(text, sizeof text,
              "%.0f %% of the points lie further than %.3g from the fitted model and had no say: damage, "
              "other things in the scan, or a wrong fit; a map (-o map.ply) shows which",
