@@ -232,6 +232,7 @@ bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t
   const char *word, *why;
   size_t n = quoted_word(p, &word);
   if (n) return put(t, "; a text stands between double quotes: \"%.*s\"", (int)(n < 60 ? n : 60), word);
+  if (vs_text_end(t) && !strncmp(t->at, "display", 7) && strstr(t->at, "port must be an output port")) return vs_foreign_advice("display", t);
   uint32_t line = at.line;
   if (vs_text_end(t) && strstr(t->at, VS_BIND_NO_VALUE) && valueless(p, &line, &why)) return put(t, "; line %u: %s",
       (unsigned)line, why);

@@ -201,6 +201,18 @@ $1 = (4 3)
 $2 = (5)
 >
 END
+  pane send-keys -t vs C-l
+  pane send-keys -t vs -l '(list 1 '
+  pane set-buffer '2
+3)
+4'
+  pane paste-buffer -p -t vs
+  shows "a paste of lines stands there as it is, and what is left of it can be edited" <<'END'
+> (list 1 2
+3)
+$3 = (1 2 3)
+> 4
+END
   pane kill-server
 else
   echo "skip prompt:screen: no tmux here"

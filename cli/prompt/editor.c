@@ -517,9 +517,7 @@ static unsigned char paste(EditLine *line, int key) {
     if (ok) {
       fwrite(got.at, 1, (size_t)(last + 1 - got.at), stdout); /* as if it had been typed */
       fflush(stdout);
-      libedit.el_cursor(line, -characters(info->buffer, info->cursor));
-      libedit.el_push(line, "\013\012"); /* kill the rest of the buffer, end the line */
-      result = CC_NORM;
+      result = CC_NEWLINE; /* the buffer itself is past */
     }
   }
   free(got.at);

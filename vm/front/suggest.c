@@ -283,7 +283,8 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
   vs_value local = vs_is_vector(vm->at.nearby) ? vs_idtable_get(vm->at.nearby, symbol) : VS_VACANT;
   if (local == symbol) return vs_text_puts(t, " here: let names it for its body alone; write let* where a value that follows uses it");
   size_t before = t->count;
-  int i = foreign_word(wanted->name);
+  bool ours = vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT; /* only not imported */
+  int i = ours ? -1 : foreign_word(wanted->name);
   if (i >= 0) return put_foreign(i, t);
   if (!advise_angle(wanted->name, t)) return false;
   if (t->count == before && !advise_number(wanted->name, t)) return false;
