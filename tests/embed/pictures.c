@@ -1,0 +1,64 @@
+/* Owns the proof that a host can work on pictures in linear light and study the sun. Public header alone. Where POV-Ray is
+ * missing, what needs it is said to be skipped. Argument: a folder for its files. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <visualscheme.h>
+
+static int failures;
+static void check(bool holds, const char *text, int line) {
+  failures += !holds;
+  printf(holds ? "ok embed:%s\n" : "not ok embed:%s (line %d)\n", text, line);
+}
+#define CHECK(condition) check(condition, #condition, __LINE__)
+
+static char said[600];
+static void diagnose(void *context, const vs_diagnostic *d) { (void)context, snprintf(said, sizeof said, "%s", d->message); }
+
+static const char *in(const char *folder, const char *name) {
+  static char paths[4][600];
+  static int next;
+  next = (next + 1) % 4;
+  snprintf(paths[next], sizeof paths[next], "%s/%s", folder, name);
+  return paths[next];
+}
+
+int main(int argc, char **argv) {
+  const char *folder = argc > 1 ? argv[1] : ".";
+  static const char model[] = "(draw (color \"red\" (make-box (xyz 0 0 0) (xyz 2 2 2))))";
+  vs_options options = vs_options_default();
+  options.host.diagnose = diagnose;
+  vs_scheme *s = vs_new(&options);
+  double stops = 9, least = 0, most = 0;
+  bool layers = false;
+  vs_picture_point p;
+  vs_picture_difference d;
+  vs_sun_summary told;
+  CHECK(vs_eval_text(s, "box.vs", 1, model, strlen(model), 0) == VS_OUTCOME_DONE);
+  CHECK(vs_picture_tone(s, in(folder, "none.exr"), in(folder, "a.png"), NULL, &stops) == VS_OUTCOME_USAGE && *said);
+  vs_output_options o = vs_output_options_default();
+  o.width = 32, o.height = 24, o.quality = VS_QUALITY_DRAFT, o.layers = true;
+  vs_sun_span day = {.latitude = 40, .year = 2026, .month = 3, .day = 20, .to = 24, .step = 8};
+  vs_outcome outcome = vs_sun_study(s, &day, in(folder, "sun"), &o, &told);
+  CHECK(outcome == VS_OUTCOME_DONE || outcome == VS_OUTCOME_WORKER);
+  CHECK(told.faces == 6 && told.dark == 2);
+  day.day = 32;
+  CHECK(vs_sun_study(s, &day, in(folder, "sun"), &o, &told) == VS_OUTCOME_USAGE && strstr(said, "2026-03-32"));
+  if (outcome == VS_OUTCOME_WORKER) {
+    puts("skip embed:pictures: no POV-Ray");
+    vs_free(s);
+    return failures > 0;
+  }
+  CHECK(vs_write_drawing(s, in(folder, "a.exr"), NULL, &o) == VS_OUTCOME_DONE);
+  CHECK(vs_picture_tone(s, in(folder, "a.exr"), in(folder, "a.png"), NULL, &stops) == VS_OUTCOME_DONE && fabs(stops) < 5);
+  CHECK(vs_picture_false_color(s, in(folder, "a.exr"), in(folder, "f.png"), 1, &least, &most) == VS_OUTCOME_DONE);
+  CHECK(least > 0 && least < most);
+  CHECK(vs_picture_pick(s, in(folder, "a.exr"), 16, 12, &p) == VS_OUTCOME_DONE);
+  CHECK(p.id == 1 && !strcmp(p.place, "box.vs:1:20") && p.has_normal && p.depth > 0 && p.color[0] > p.color[2]);
+  CHECK(vs_picture_pick(s, in(folder, "a.exr"), 32, 12, &p) == VS_OUTCOME_USAGE && strstr(said, "0 to 31"));
+  CHECK(vs_picture_denoise(s, in(folder, "a.exr"), in(folder, "b.exr"), &layers) == VS_OUTCOME_DONE && layers);
+  CHECK(vs_picture_compare(s, in(folder, "a.exr"), in(folder, "b.exr"), NULL, &d) == VS_OUTCOME_DONE);
+  CHECK(d.columns == 32 && d.rows == 24 && d.ssim > 0.9 && d.ssim <= 1);
+  vs_free(s);
+  return failures > 0;
+}
