@@ -8,6 +8,10 @@ for model in examples/*.vs; do
   case $name in city) set -- -D blocks=2 -D tallest=6 ;; *) set -- ;; esac
   "$BUILD/vs" --quiet "$@" "$model" -o "$work/$name.html" || echo "not ok page/$name: ended with $?"
 done
+for name in facade-stages plans cornice-corners four-trees lily massive-street; do
+  case $name in massive-street) set -- -D lots=4 ;; *) set -- ;; esac
+  "$BUILD/vs" --quiet "$@" "examples/rules/$name.vs" -o "$work/rules-$name.html" || echo "not ok page/rules-$name: ended with $?"
+done
 "$BUILD/vs" --quiet examples/doric-columns.vs -o "$work/doric-columns.x3d"
 cat > "$work/hostile.vs" <<'EOF'
 (draw (layer "<img src=x onerror=window.owned=1></script><script>owned=1</script>"

@@ -36,12 +36,12 @@ function install() {
   };
 }
 
-// Framed: all of it is in the picture, and it reaches across most of one side.
-function framed(s) {
+// Framed: all of it is in the picture, and it reaches across most of one side. long: a scene that is a line from some sides, as a row of facades from above.
+function framed(s, long) {
   const faults = [], across = Math.max(s.right - s.left, s.top - s.bottom);
-  if (s.part < 0.01) faults.push(`only ${(100 * s.part).toFixed(2)} % of the picture show the model`);
+  if (s.part < (long ? 0.004 : 0.01)) faults.push(`only ${(100 * s.part).toFixed(2)} % of the picture show the model`);
   if (s.left < 0.005 || s.right > 0.995 || s.bottom < 0.005 || s.top > 0.995) faults.push("it is cut off by the picture's border");
-  if (across < 0.6) faults.push(`it reaches across ${(100 * across).toFixed(0)} % of the picture`);
+  if (across < (long ? 0.3 : 0.6)) faults.push(`it reaches across ${(100 * across).toFixed(0)} % of the picture`);
   return faults;
 }
 
@@ -67,7 +67,7 @@ try {
     const faults = [...page.troubles];
     if (!(seen.count > 0) || seen.nan) faults.push("its parts are not whole");
     if (seen.out.first.part < 0.01) faults.push("the first picture shows nothing");
-    for (const how of ["fit", "top", "front", "right", "iso"]) faults.push(...framed(seen.out[how]).map((f) => `${how}: ${f}`));
+    for (const how of ["fit", "top", "front", "right", "iso"]) faults.push(...framed(seen.out[how], name.startsWith("rules-")).map((f) => `${how}: ${f}`));
     if (seen.out.iso.white > 0.2) faults.push(`${(100 * seen.out.iso.white).toFixed(0)} % of it are burnt out`);
     if (name === "gare-do-oriente" && seen.out.first.calls > 60) faults.push(`${seen.out.first.calls} draw calls`);
     judge(name, faults);

@@ -60,6 +60,31 @@ echo "$examples" | while read -r name samples arguments; do
   else echo "skip $test:openscad: no openscad (package openscad)"; fi
 done
 
+# Scenes by rules: written without a word, with instances shared and a picture that shows them.
+scenes='facade-stages
+plans
+cornice-corners
+four-trees
+lily
+massive-street -D lots=2'
+echo "$scenes" | while read -r name arguments; do
+  model=examples/rules/$name.vs test=examples/rules/$name
+  wanted "$test" || continue
+  # shellcheck disable=SC2086
+  "$vs" --quiet $arguments $model -o "$work/r.pov" -o "$work/r.glb" -o "$work/r.x3d" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/said"
+  grep -vE "glTF: the ground is left out|rounded to this format's numbers, ([1-9]|[1-9][0-9]) triangles meet others" "$work/said" > "$work/why"
+  result "$test:writes" "$work/why"
+  if command -v xmllint > /dev/null; then
+    xmllint --huge --noout "$work/r.x3d" > "$work/why" 2>&1; result "$test:x3d is well formed" "$work/why"
+  else echo "skip $test:x3d: no xmllint (package libxml2-utils)"; fi
+  if command -v povray > /dev/null; then
+    # shellcheck disable=SC2086
+    "$vs" --quiet --quality draft --size 160x120 $arguments $model -o "$work/r.png" 2> "$work/why" > /dev/null || echo "ended with $?" >> "$work/why"
+    "$BUILD/tools/pngstat" "$work/r.png" 2>> "$work/why" | awk '!($1 == 160 && $2 == 120 && $3 > 40 && $4 > 8) { print "the picture shows nothing: " $0 }' >> "$work/why"
+    result "$test:picture" "$work/why"
+  else echo "skip $test:picture: no povray (package povray)"; fi
+done
+
 # The thesis' listings: their meshes are closed and enclose what points by chance say.
 listings='2.1-doric-columns 100000
 4.2-caching 40000 -D side=6
