@@ -405,7 +405,8 @@ static void hear_signals(void) {
 /* `vs view`: here ctrl-C ends the command, not only what runs. */
 static vs_outcome view_model(const cli_options *o) {
   live_options live = {.model = o->sources[0].text, .interpreter = o->interpreter, .output = o->output, .parameters = (const char *const *)o->defines, .parameter_count = o->define_count,
-                       .open_browser = !o->quiet, .told = stdout, .ended = &interrupts, .running = running_in_view};
+                       .open_browser = !o->quiet, .told = stdout, .ended = &interrupts, .running = running_in_view,
+                       .check = cli_study_check_text};
   hear_signals();
   return live_view(&live);
 }

@@ -45,6 +45,55 @@ static vs_outcome check(study *s, const cli_options *o) {
   return outcome;
 }
 
+/* ---- a text that is being written ---- */
+
+enum { CHECK_SECONDS = 5, CHECK_MEMORY = 512 << 20 };
+typedef struct { knowledge k; know_place at; char message[300]; } draft;
+
+/* Keeps the first error of the text itself. */
+static void keep_error(void *context, const vs_diagnostic *d) {
+  draft *t = context;
+  if (d->severity != VS_SEVERITY_ERROR || !d->at.line) return;
+  t->k.unreadable |= t->k.reading;
+  if (t->k.muted || *t->message) return;
+  snprintf(t->message, sizeof t->message, "%s", d->message);
+  t->at = (know_place){.line = d->at.line, .column = d->at.column, .end_line = d->at.end_line,
+                       .end_column = d->at.end_column};
+}
+
+static void report_unreadable(const draft *t, FILE *to) {
+  know_writer w;
+  know_write_start(&w, to, KNOW_JSON, "findings");
+  know_write_list(&w, "findings");
+  know_write_item(&w, "finding");
+  know_write_word(&w, "type", "unreadable");
+  know_write_number(&w, "line", t->at.line);
+  know_write_number(&w, "column", t->at.column);
+  know_write_number(&w, "end_line", t->at.end_line);
+  know_write_number(&w, "end_column", t->at.end_column);
+  know_write_word(&w, "details", *t->message ? t->message : t->k.trouble);
+  know_write_item_end(&w, "finding");
+  know_write_list_end(&w, "findings");
+  know_write_end(&w, "findings");
+}
+
+bool cli_study_check_text(const vs_options *interpreter, const char *path, const char *text, size_t length, FILE *to) {
+  draft t = {0};
+  know_findings found = {0};
+  vs_options o = *interpreter;
+  o.host = (vs_host){.context = &t, .diagnose = keep_error};
+  o.limit_time = CHECK_SECONDS, o.limit_memory = CHECK_MEMORY;
+  vs_scheme *scheme = vs_new(&o);
+  bool ok = scheme != NULL;
+  if (ok && know_read_given(&t.k, scheme, path, text, length, o.library_path) && know_check_program(&t.k, &found))
+    know_report_findings_json(&found, to);
+  else if (ok) report_unreadable(&t, to);
+  know_findings_free(&found);
+  know_free(&t.k);
+  vs_free(scheme);
+  return ok;
+}
+
 /* ---- vs doc ---- */
 
 enum { PICTURE_SECONDS = 20 /* that a program, and each of its procedures, may take for a picture */ };

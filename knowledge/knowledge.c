@@ -209,7 +209,12 @@ const char *know_kind_word(know_kind kind) {
 /* ---- the whole ---- */
 
 bool know_read(knowledge *k, vs_scheme *scheme, const char *path, const char *library_path) {
-  *k = (knowledge){.scheme = scheme, .library_path = library_path};
+  return know_read_given(k, scheme, path, NULL, 0, library_path);
+}
+
+bool know_read_given(knowledge *k, vs_scheme *scheme, const char *path, const char *text, size_t length,
+    const char *library_path) {
+  *k = (knowledge){.scheme = scheme, .library_path = library_path, .given = text, .given_length = length};
   /* element 0 of each array is nobody */
   know_index none = know_node_new(k, KNOW_OTHER);
   none |= know_name_of(k, "", 0, 0, 0);

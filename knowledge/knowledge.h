@@ -121,6 +121,7 @@ typedef struct {
 typedef struct {
   vs_scheme *scheme;
   const char *library_path;
+  const char *given; size_t given_length; /* the program's text, in place of what its file holds; NULL: the file's */
   char trouble[400];      /* "": none */
   vs_outcome outcome;     /* of the trouble */
   bool muted;             /* the host is to keep what it is told in `heard`, and show nothing */
@@ -149,6 +150,9 @@ enum { KNOW_MOST_NESTING = 10000, KNOW_MOST_NODES = 20000000, KNOW_MOST_MADE = 1
  * its own yet. */
 /* library_path: as in vs_options, or NULL. */
 bool know_read(knowledge *k, vs_scheme *scheme, const char *path, const char *library_path);
+/* As know_read, but the program's own text is the one given, as an editor has it before it is saved. */
+bool know_read_given(knowledge *k, vs_scheme *scheme, const char *path, const char *text, size_t length,
+    const char *library_path);
 void know_free(knowledge *k);
 
 /* ---- for the parts of this layer ---- */

@@ -377,6 +377,15 @@ bool know_find_file(const knowledge *k, know_index node, char path[KNOW_PATH]) {
   return in_folder(from, folder_of(from), s, n, path);
 }
 
+static char *given_text(knowledge *k, size_t *length) {
+  char *text = NULL;
+  size_t room = 0;
+  if (k->given_length > KNOW_MOST_BYTES || !VS_GROW(text, room, k->given_length + 1)) return know_fail(k, NULL, VS_OUTCOME_MACHINE, "out of memory"), NULL;
+  memcpy(text, k->given, k->given_length);
+  text[*length = k->given_length] = 0;
+  return text;
+}
+
 static char *read_text(knowledge *k, const char *path, size_t *length) {
   FILE *f = fopen(path, "rb");
   char *text = NULL;
@@ -439,7 +448,7 @@ know_index know_read_file(knowledge *k, const char *path, know_index loaded_by) 
   for (size_t i = 0; i < k->file_count; i++)
     if (loaded_by && !strcmp(k->files[i].path, path)) return (know_index)i;
   size_t length;
-  char *text = read_text(k, path, &length);
+  char *text = k->given && !k->file_count ? given_text(k, &length) : read_text(k, path, &length);
   if (!text) return UINT32_MAX;
   if (!VS_GROW(k->files, k->file_room, k->file_count + 1)) {
     free(text);

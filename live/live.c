@@ -354,7 +354,7 @@ vs_outcome live_view(const live_options *o) {
     fprintf(stderr, "vs: out of memory\n");
     goto done;
   }
-  l->server = (live_server){ .publish = &l->publish, .model = o->model, .stop = stop, .stop_context = l };
+  l->server = (live_server){ .publish = &l->publish, .model = o->model, .stop = stop, .stop_context = l, .options = o };
   outcome = VS_OUTCOME_WORKER;
   if (!live_http_load(&l->server.http)) goto done;
   for (size_t i = 0; i < o->parameter_count; i++) {

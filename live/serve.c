@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include "live/files.h"
+#include "live/live.h"
 
 enum { BODY_MOST = 16 << 20, CONNECTIONS = 32, WINDOWS = 12, SILENCE = 30, EXPORT_SECONDS = 3600 };
 
@@ -255,6 +256,22 @@ static enum MHD_Result serve_names(live_server *s, struct MHD_Connection *c) {
   return answer_live_text(s, c, "application/json", &t);
 }
 
+/* What looks wrong in a text that a window is writing. */
+static enum MHD_Result serve_check(live_server *s, struct MHD_Connection *c, const live_text *body) {
+  char *bytes = NULL;
+  size_t count = 0;
+  FILE *to = s->options->check != NULL ? open_memstream(&bytes, &count) : NULL;
+  if (to == NULL) return answer_text(s, c, 404, "nobody checks here\n");
+  const char *text = body->at != NULL ? body->at : "";
+  pthread_mutex_lock(&s->names_lock); /* one at a time: each may take memory and seconds */
+  bool ok = s->options->check(&s->options->interpreter, s->model, text, body->length, to);
+  pthread_mutex_unlock(&s->names_lock);
+  ok = fclose(to) == 0 && ok;
+  enum MHD_Result result = ok ? answer_bytes(s, c, 200, "application/json", bytes, count) : answer_text(s, c, 500, "out of memory\n");
+  free(bytes);
+  return result;
+}
+
 static enum MHD_Result wish(live_server *s, struct MHD_Connection *c, live_wish_kind kind, const char *name, const char *value) {
   live_wish *w = name != NULL && value != NULL ? live_wish_new(kind, name, value) : NULL;
   if (w == NULL) return answer_text(s, c, 400, "something is missing\n");
@@ -339,6 +356,7 @@ static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const 
   if (get && strcmp(url, "/names") == 0) return serve_names(s, c);
   if (get && strcmp(url, "/export") == 0) return export(s, c);
   if (post && strcmp(url, "/source") == 0) return save_source(s, c, body);
+  if (post && strcmp(url, "/check") == 0) return serve_check(s, c, body);
   if (post && strcmp(url, "/set") == 0) return wish(s, c, LIVE_SET, query(s, c, "name"), body->at);
   if (post && strcmp(url, "/prompt") == 0) return wish(s, c, LIVE_PROMPT, "", body->at);
   if (post && strcmp(url, "/stop") == 0) {

@@ -11,6 +11,7 @@ typedef struct live_server {
   const char *model;          /* the path of the source that windows read and write */
   void (*stop)(void *context); /* interrupts what runs; called from any thread */
   void *stop_context;
+  const struct live_options *options; /* its check is asked */
   vs_scheme *names;                  /* an interpreter of its own for completion, used with names_lock held */
   pthread_mutex_t names_lock;
   struct MHD_Daemon *daemon;

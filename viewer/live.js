@@ -41,6 +41,10 @@ class Live {
       changed: () => { this.saveButton.disabled = !this.source.dirty; },
       save: () => this.save(),
       cursor: (place) => this.#atCursor(place),
+      check: async (text) => {
+        const answer = await ask("/check", { method: "POST", body: text });
+        return answer.ok ? (await answer.json()).findings : [];
+      },
       complete: async (prefix) => (await ask("/names?prefix=" + encodeURIComponent(prefix))).json(),
     });
     this.prompt.addEventListener("keydown", (event) => this.#promptKey(event));

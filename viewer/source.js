@@ -107,8 +107,11 @@ const marks = StateField.define({
 });
 
 export class Source {
-  constructor(place, { changed, save, cursor, complete }) {
+  constructor(place, { changed, save, cursor, complete, check }) {
     this.base = undefined;
+    this.check = check;
+    this.told = []; // What the last run said of this text.
+    this.found = []; // What looks wrong in the text as it stands.
     const names = async (context) => {
       const word = context.matchBefore(/[^\s()\[\]{}"';`,]+/);
       if (!word || (word.from === word.to && !context.explicit)) return null;
@@ -121,7 +124,11 @@ export class Source {
         highlightSelectionMatches(), autocompletion({ override: [names], activateOnTypingDelay: 250 }),
         keymap.of([{ key: "Mod-s", preventDefault: true, run: () => { save(); return true; } }, ...closeBracketsKeymap, ...completionKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, indentWithTab]),
         EditorView.updateListener.of((update) => {
-          if (update.docChanged) changed();
+          if (update.docChanged) {
+            changed();
+            clearTimeout(this.checking);
+            this.checking = setTimeout(() => this.#look(), 350);
+          }
           const byUser = update.transactions.some((t) => t.isUserEvent("select"));
           if (byUser) {
             clearTimeout(this.waiting);
@@ -181,7 +188,21 @@ export class Source {
     this.view.dispatch({ effects });
   }
 
+  // Has the text checked as it is, whether it was saved or not.
+  async #look() {
+    const text = this.text, found = text === undefined ? [] : await this.check(text);
+    if (text !== this.text) return;
+    this.found = found.map((f) => ({ severity: f.type === "unreadable" ? "error" : "warning", message: f.details || f.type.replace(/-/g, " "),
+      at: { line: f.line, column: f.column, endLine: f.end_line, endColumn: f.end_column } }));
+    this.#show();
+  }
   diagnose(messages) {
+    this.told = messages;
+    this.#show();
+  }
+  #show() {
+    const told = this.dirty ? [] : this.told, said = new Set(told.map((m) => m.at.line + ":" + m.at.column));
+    const messages = [...told, ...this.found.filter((m) => !said.has(m.at.line + ":" + m.at.column))];
     const length = this.view.state.doc.length;
     const found = messages.filter((m) => m.at.line > 0).map((m) => {
       const from = Math.min(length, this.offset(m.at.line, m.at.column)), to = Math.min(length, m.at.endLine ? this.offset(m.at.endLine, m.at.endColumn) : from + 1);

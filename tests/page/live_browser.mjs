@@ -206,6 +206,20 @@ await test("completion comes from the interpreter", async (want) => {
   await page.evaluate(() => window.live.source.load(window.live.source.base));
 });
 
+await test("what looks wrong shows while it is typed", async (want) => {
+  const put = (insert) => page.evaluate((insert) => { const v = window.live.source.view; v.dispatch({ changes: { from: v.state.doc.length, insert } }); }, insert);
+  await put("(define (unusual a b) (* a a))\n(draw (unusual 1 2 3))\n");
+  await page.waitForFunction(() => window.live.source.found.length >= 2, null, { timeout: 10000 });
+  const found = await page.evaluate(() => window.live.source.found.map((f) => f.at.line + " " + f.message));
+  want(found.some((f) => f.startsWith("13 ")) && found.some((f) => f.startsWith("14 ")), found.join("; "));
+  want(await page.locator(".cm-lint-marker-warning").count() > 0, "no mark beside the line");
+  await put("(draw (make-box\n");
+  await page.waitForFunction(() => window.live.source.found[0]?.severity === "error", null, { timeout: 10000 });
+  want(await page.evaluate(() => window.live.source.found[0].at.line === 15), "the open parenthesis is not pointed at");
+  await page.evaluate(() => { const s = window.live.source; s.load(s.base); });
+  await page.waitForFunction(() => window.live.source.found.length === 0, null, { timeout: 10000 });
+});
+
 await test("a newer file is not written over without a question", async (want) => {
   let asked = "";
   page.once("dialog", (d) => { asked = d.message(); d.dismiss(); });
@@ -227,8 +241,8 @@ await test("the stop button ends a model that never ends", async (want) => {
   await page.waitForFunction(() => !window.live.stopButton.disabled, null, { timeout: 10000 });
   await page.getByRole("button", { name: "Stop" }).click();
   await page.waitForFunction(() => window.live.state.stopped, null, { timeout: 10000 });
-  await after(() => writeFileSync(model, source));
-  want((await facts()).good, "it did not recover");
+  writeFileSync(model, source);
+  await page.waitForFunction(() => window.live.state.good && !window.live.state.stopped, null, { timeout: 10000 });
 });
 
 await test("keys alone reach everything", async (want) => {
