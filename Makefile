@@ -282,6 +282,9 @@ bench: ## install Guile, Lua and Chez Scheme, and measure beside them: programs,
 manual: all ## make build/manual: the manual as web pages, with a picture of every kind of object (POV-Ray)
 	sh scripts/manual.sh $(BUILD)
 
+gallery: all ## make build/gallery: a page with a picture of every example (POV-Ray); QUALITY=draft, SIZE=320x240: quicker
+	sh scripts/gallery.sh $(BUILD)
+
 # ---- installing ----
 
 COMPLETIONS = bash-completion/completions/vs zsh/site-functions/_vs fish/vendor_completions.d/vs.fish
@@ -305,5 +308,5 @@ clean: ## remove what was built
 help: ## list the targets
 	@awk -F ':.*## ' '/^help:.*## / { first = sprintf("make %-9s %s\n", $$1, $$2) } /^[a-z]+:.*## / && !/^help:/ { rest = rest sprintf("make %-9s %s\n", $$1, $$2) } END { printf "%s%s", first, rest }' Makefile
 
-.PHONY: all objects demo test check units tests quick asan ubsan sanitized fuzz fuzzers coverage stress layers bless bench manual install clean help
+.PHONY: all objects demo test check units tests quick asan ubsan sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)

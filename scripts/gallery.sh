@@ -1,0 +1,31 @@
+#!/bin/sh
+# Owns the gallery: a picture of every example on one page, BUILD/gallery/index.html. `sh scripts/gallery.sh BUILD`; in its
+# environment QUALITY (good), SIZE (960x720), EXAMPLES (names; all of them). What is newer than its model is left as it is;
+# what fails is said, and the exit code is 1.
+set -u
+build=$1 quality=${QUALITY:-good} size=${SIZE:-960x720} status=0
+folder=$build/gallery
+mkdir -p "$folder" || exit 2
+page=$folder/index.html.new
+escape() { sed 's/&/\&amp;/g; s/</\&lt;/g; s/>/\&gt;/g'; }
+cat > "$page" <<END
+<!doctype html><html lang="en"><meta charset="utf-8"><title>VisualScheme: gallery</title>
+<style>body { margin: 2em; font: 16px/1.4 sans-serif; background: #f4f4f2; color: #222; display: grid;
+  grid-template-columns: repeat(auto-fill, minmax(24em, 1fr)); gap: 2em } h1 { grid-column: 1 / -1; margin: 0 }
+  figure { margin: 0 } img { width: 100%; display: block } figcaption { padding: .5em 0 } small { color: #666 }</style>
+<h1>Gallery</h1>
+END
+for model in ${EXAMPLES:-$(ls examples/*.vs | sed 's|examples/||; s|\.vs$||')}; do
+  picture=$folder/$model.png begin=$(date +%s)
+  if [ ! "$picture" -nt "examples/$model.vs" ] || [ ! "$picture" -nt "$build/vs" ]; then
+    "$build/vs" -q "examples/$model.vs" --quality "$quality" --size "$size" -o "$picture" > /dev/null || { status=1; continue; }
+    echo "  $model: $(($(date +%s) - begin)) s"
+  fi
+  # the caption is the first sentence of the model's first comment
+  caption=$(sed -n '/^;/!q; s/^;* *//p' "examples/$model.vs" | tr '\n' ' ' | sed 's/\. .*/./' | escape)
+  printf '<figure><a href="%s.png"><img src="%s.png" alt="%s"></a><figcaption>%s <small>%s.vs</small></figcaption></figure>\n' \
+    "$model" "$model" "$model" "$caption" "$model" >> "$page"
+done
+echo '</html>' >> "$page"
+mv "$page" "$folder/index.html" && echo "  $folder/index.html"
+exit $status
