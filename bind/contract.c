@@ -153,7 +153,9 @@ static bool refuse_uncalled(vs_frame *f, const vs_bind_param *p, vs_value v) {
   char form[120];
   if (!vs_is(v, VS_T_CLOSURE) && !vs_is(v, VS_T_NATIVE)) return false;
   const char *call = vs_procedure_form(v, form, sizeof form);
-  if (!call) return false;
+  if (!call) return vs_is(v, VS_T_CLOSURE) && !vs_fail(f->vm, f->vm->sym.type,
+      "%s must be %s, got #<procedure>, which waits to be called: a lambda, or a call that lacks arguments as (subtract a) does", p->name,
+      contracts[p->contract].noun);
   size_t name = strcspn(call + 1, " )");
   vs_fail(f->vm, f->vm->sym.type, "%s must be %s, got the procedure %.*s; call it: %s", p->name,
       contracts[p->contract].noun, (int)name, call + 1, call);

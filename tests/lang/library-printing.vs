@@ -63,7 +63,7 @@
 (check (said (asin 2)) => "asin: x must be a number from -1 to 1, got 2")
 (check (said (/ 1 0)) => "/: division by zero")
 (check (said (string->symbol 5)) => "string->symbol: expected a string, got 5")
-(check (said (map car 5)) => "map: expected a list, got 5")
+(check (said (map car 5)) => "map: expected a list, as (iota 5) is of the numbers from 0, got 5")
 (check (said (for-each 5 '())) => "for-each: f must be a procedure, got 5")
 (check (said (hash-ref (make-hash) 'x)) => "hash-ref: no such key: x")
 (check (said (tower-floors 5)) => "tower-floors: expected a tower, got 5")

@@ -493,6 +493,9 @@ static vs_status fail_list(vs_scheme *vm, vs_value who, vs_value list) {
   bool circular = last_cdr(list) == VS_ABSENT;
   vm->native = NULL;
   if (!vs_cons(vm, list, VS_NIL, &r[0])) return VS_ERROR;
+  if (vs_is_fixnum(list) && vs_fixnum(list) > 0)
+    return vs_fail_with(vm, vm->sym.type, r[0], "%s: expected a list, as (iota %lld) is of the numbers from 0, got", vs_as_symbol(who)->name,
+                        (long long)vs_fixnum(list));
   return vs_fail_with(vm, vm->sym.type, r[0], circular ? "%s: expected a list that ends, got" : "%s: expected a list, got", vs_as_symbol(who)->name);
 }
 
