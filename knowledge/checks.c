@@ -62,7 +62,8 @@ static bool handed_on(const knowledge *k, const know_symbol *s) {
 /* Is the file a library: does it draw nothing and run nothing but definitions? */
 static bool runs_something(const knowledge *k) {
   for (size_t i = 1; i < k->symbol_count; i++)
-    if (k->symbols[i].kind == KNOW_BUILTIN && !strcmp(k->symbols[i].text, "draw") && k->symbols[i].calls) return true;
+    if (k->symbols[i].kind == KNOW_BUILTIN && (!strcmp(k->symbols[i].text, "draw") ||
+        !strcmp(k->symbols[i].text, "geo_draw")) && k->symbols[i].calls) return true;
   for (know_index i = k->nodes[k->files[0].root].first; i; i = k->nodes[i].next) {
     know_index head = k->nodes[i].first, s = head ? k->nodes[head].symbol : 0;
     if (k->nodes[i].kind == KNOW_LIST && !k->nodes[i].form && s && k->symbols[s].kind == KNOW_FUNCTION) return true;
@@ -70,10 +71,18 @@ static bool runs_something(const knowledge *k) {
   return false;
 }
 
+static bool leaves_script(const knowledge *k, know_index node) {
+  know_index head = k->nodes[node].kind == KNOW_LIST ? k->nodes[node].first : 0;
+  return know_is(k, head, "return") || know_is(k, head, "throw") || know_is(k, head, "break") ||
+         know_is(k, head, "continue");
+}
+
 static bool leaves(const knowledge *k, know_index node);
 
 /* Does the procedure do nothing but fail? */
 static bool only_fails(const knowledge *k, const know_symbol *s) {
+  know_index head = k->script && s->body ? k->nodes[s->body].first : 0;
+  if (k->script && !know_is(k, head, "throw")) return false;
   return s->body && !k->nodes[s->body].next && leaves(k, s->body);
 }
 
@@ -140,7 +149,7 @@ static void check_names(know_findings *f) {
   for (know_index i = 1; i < k->node_count; i++) {
     const know_node *n = &k->nodes[i];
     if (n->kind == KNOW_SYMBOL && n->role == KNOW_UNBOUND && !n->made && !n->origin && *k->names[n->name].text != '%') {
-      const char *text = k->names[n->name].text, *advice = vs_name_advice(k->scheme, text);
+      const char *text = k->names[n->name].text, *advice = k->script ? "" : vs_name_advice(k->scheme, text);
       know_found(f, KNOW_CHECK_UNBOUND, i, "%s is not defined%s%s", text, *advice ? "; " : "", advice);
     }
   }
@@ -190,8 +199,16 @@ static bool is_form(const knowledge *k, know_index node, const char *word) {
   return k->nodes[node].kind == KNOW_LIST && k->nodes[node].form && know_is(k, k->nodes[node].first, word);
 }
 
+/* What may stand behind a jump: a function is there before anything runs, and a break is a habit. */
+static bool harmless(const knowledge *k, know_index node) {
+  know_index head = k->nodes[node].kind == KNOW_LIST ? k->nodes[node].first : 0;
+  return k->script && (know_is(k, head, "define") || know_is(k, head, "declared") || know_is(k, head, "break") ||
+         know_is(k, head, "empty"));
+}
+
 /* Does control never come back from it? */
 static bool leaves(const knowledge *k, know_index node) {
+  if (k->script) return leaves_script(k, node);
   if (k->nodes[node].kind != KNOW_LIST || k->nodes[node].form || !k->nodes[node].walked) return false;
   know_index head = k->nodes[node].first, s = head ? k->nodes[head].symbol : 0;
   if (!s || k->nodes[head].role != KNOW_REFERENCE) return false;
@@ -208,7 +225,8 @@ static bool truth(const knowledge *k, know_index node, bool *value) {
   const know_node *n = &k->nodes[node];
   size_t length;
   const char *s = know_spelling(k, node, &length);
-  if (n->kind == KNOW_BOOLEAN) return *value = s[1] == 't', true;
+  if (n->kind == KNOW_BOOLEAN) return *value = s[*s == '#'] == 't', true;
+  if (k->script) return false; /* 0 and "" are not true there */
   if (n->kind == KNOW_NUMBER || n->kind == KNOW_STRING) return *value = true, true;
   return false;
 }
@@ -271,7 +289,7 @@ static void check_body(know_findings *f, know_index node) {
   if (!next || !k->nodes[next].statement) return;
   const know_node *n = &k->nodes[node];
   if (leaves(k, node)) {
-    know_found(f, KNOW_CHECK_UNREACHABLE, next, "line %u never goes on to this", n->at.line);
+    if (!harmless(k, next)) know_found(f, KNOW_CHECK_UNREACHABLE, next, "line %u never goes on to this", n->at.line);
     return;
   }
   bool top = n->scope == PROGRAM;
@@ -333,12 +351,25 @@ static bool allows(const char *text, size_t n, const char *name, bool *whole_fil
   return found;
 }
 
+/* Euclides' annotation, "euclides.suppress_warning_unreferenced_object.NAME;", anywhere in the script. */
+static bool annotated(const knowledge *k, const know_finding *f, const char *text, size_t n) {
+  static const char word[] = "euclides.suppress_warning_unreferenced_object.";
+  if (!k->script || (f->check != KNOW_CHECK_UNREFERENCED && f->check != KNOW_CHECK_UNUSED)) return false;
+  const char *name = k->files[f->at.file].text + f->at.from;
+  size_t length = f->at.to - f->at.from, before = sizeof word - 1;
+  for (size_t i = 0; i + before + length <= n; i++)
+    if (!memcmp(text + i, word, before) && !memcmp(text + i + before, name, length) &&
+        (i + before + length == n || strchr("; \n\r\t,", text[i + before + length]))) return true;
+  return false;
+}
+
 static bool allowed(const knowledge *k, const know_finding *f) {
   const know_file *file = &k->files[f->at.file];
   for (know_index c = file->first_comment; c < file->comment_end; c++) {
     size_t n;
     bool whole;
     const char *text = know_comment_text(k, c, &n);
+    if (annotated(k, f, text, n)) return true;
     if (!allows(text, n, names[f->check], &whole)) continue;
     const know_comment *at = &k->comments[c];
     if (whole || at->line == f->at.line || (at->alone && at->end_line + 1 == f->at.line)) return true;

@@ -176,7 +176,9 @@ know_index know_nth(const knowledge *k, know_index list, uint32_t nth) {
 
 bool know_is(const knowledge *k, know_index node, const char *word) {
   const know_node *n = know_at(k, node);
-  return node && (n->kind == KNOW_SYMBOL || n->kind == KNOW_KEYWORD) && !strcmp(k->names[n->name].text, word);
+  if (!node || (n->kind != KNOW_SYMBOL && n->kind != KNOW_KEYWORD)) return false;
+  const char *text = k->names[n->name].text;
+  return !strcmp(k->script && !strncmp(text, "js:", 3) ? text + 3 : text, word); /* a script's js:if is its if */
 }
 
 const char *know_spelling(const knowledge *k, know_index node, size_t *length) {

@@ -129,6 +129,7 @@ typedef struct {
   bool reading;           /* the host is to pass over errors of line 0, and to set `unreadable` at any other */
   bool unreadable;
   bool open;              /* what defines names cannot all be known: eval, opaque macros */
+  bool script;            /* the program is in JavaScript (script/script_tree.h) */
   bool library;           /* a library is defined here: its imports may give the language's names other meanings */
   struct know_memory *memory;
   know_node *nodes; size_t node_count, node_room;

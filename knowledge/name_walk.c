@@ -12,6 +12,7 @@
 
 #include "knowledge/binding_forms.h"
 #include "knowledge/macro_rules.h"
+#include "knowledge/script/script_tree.h"
 #include "knowledge/source_tree.h"
 #include "model/store/array.h"
 
@@ -94,7 +95,14 @@ static know_index ask_language(know_walk *w, know_index name) {
   knowledge *k = w->k;
   const char *text = k->names[name].text;
   vs_name_info info;
+  uint16_t row;
+  if (k->script && know_script_word(text, &row)) {
+    know_index word = know_symbol_new(k, LANGUAGE, name, KNOW_MACRO);
+    if (word) k->symbols[word].row = row;
+    return word;
+  }
   if (!vs_name_get(k->scheme, text, &info)) return 0;
+  if (k->script) return know_symbol_new(k, LANGUAGE, name, KNOW_BUILTIN); /* which takes any number of arguments */
   bool form = !strcmp(info.kind, "form");
   know_index s = know_symbol_new(k, LANGUAGE, name, form ? KNOW_MACRO : KNOW_BUILTIN);
   if (!s) return 0;
@@ -453,6 +461,8 @@ bool know_resolve(knowledge *k) {
     know_mark(k, t.node, role, s, t.scope);
     know_use_add(k, s, know_written(k, t.node), role, (t.kind & 64) != 0);
   }
+  for (know_index s = 1; k->script && s < k->symbol_count; s++)
+    k->symbols[s].arity.least = 0; /* what is left out is undefined */
   for (know_index i = 1; i < k->node_count; i++) /* what the patterns of macros took as words */
     if (k->nodes[i].kind == KNOW_SYMBOL && k->nodes[i].role == KNOW_EXPRESSION) k->nodes[i].role = KNOW_SYNTAX;
   if (!*k->trouble) find_comments(k);

@@ -128,9 +128,29 @@ static void put_uses(FILE *f, const knowledge *k, const know_symbol *s) {
   if (!n) fputs("not used", f);
 }
 
+/* f(a, b) */
+static void put_script_call(FILE *f, const knowledge *k, const know_symbol *s) {
+  know_index p = s->parameters ? k->nodes[s->parameters].first : 0;
+  bool begun = false;
+  if (p && p == s->definition) p = k->nodes[p].next;
+  puts_to(f, s->text);
+  fputc('(', f);
+  for (; p; p = k->nodes[p].next) {
+    if (k->nodes[s->parameters].dotted && !k->nodes[p].next) break; /* arguments, which nobody writes here */
+    if (begun) fputs(", ", f);
+    puts_to(f, k->names[k->nodes[p].name].text);
+    begun = true;
+  }
+  fputc(')', f);
+}
+
 /* How it is called: its name and parameters as they are written. */
 static void put_call(FILE *f, const knowledge *k, const know_symbol *s) {
   size_t n = 0;
+  if (k->script) {
+    put_script_call(f, k, s);
+    return;
+  }
   if (s->rules && s->value) { /* of define-syntax-rule: the pattern */
     const char *pattern = know_spelling(k, s->value, &n);
     know_xml_text(f, pattern, n);
@@ -262,6 +282,7 @@ static void hash_trees(const knowledge *k, alike *of) {
     else {
       size_t length;
       const char *text = know_spelling(k, i, &length);
+      if (!length && n->kind == KNOW_SYMBOL) text = k->names[n->name].text, length = strlen(text); /* a script's word */
       h = hash_bytes(h, text, length);
     }
     of[i] = (alike){h, nodes, i};

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "knowledge/notation.h"
+#include "knowledge/script/script_tree.h"
 #include "model/store/array.h"
 
 typedef struct { know_index node, last; char close; bool dot, skip; } open_list; /* skip: #; drops the next datum */
@@ -444,6 +445,11 @@ static bool readable(knowledge *k, const char *path, const char *text, size_t le
   return false;
 }
 
+static bool is_script(const char *path) {
+  size_t n = strlen(path);
+  return n > 3 && !strcmp(path + n - 3, ".js");
+}
+
 know_index know_read_file(knowledge *k, const char *path, know_index loaded_by) {
   for (size_t i = 0; i < k->file_count; i++)
     if (loaded_by && !strcmp(k->files[i].path, path)) return (know_index)i;
@@ -458,6 +464,16 @@ know_index know_read_file(knowledge *k, const char *path, know_index loaded_by) 
   know_index file = (know_index)k->file_count++;
   k->files[file] = (know_file){know_text(k, path, strlen(path)), text, length, 0, (know_index)k->comment_count, 0,
       loaded_by};
+  if (is_script(path)) {
+    static const char import[] = "(import (javascript runtime))";
+    k->script = true;
+    if (!file) vs_eval_text(k->scheme, "javascript", 1, import, sizeof import - 1, VS_EVAL_PROGRAM);
+    know_index statements = 0;
+    bool read = know_read_script(k, file, &statements);
+    k->files[file].root = statements;
+    k->files[file].comment_end = (know_index)k->comment_count;
+    return read ? file : UINT32_MAX;
+  }
   if (!readable(k, k->files[file].path, text, length)) return UINT32_MAX;
   reader r = {.k = k, .text = text, .size = length, .file = file, .line = 1, .column = 1};
   know_index root = 0;

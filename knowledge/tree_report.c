@@ -22,7 +22,8 @@ const char *know_comment_text(const knowledge *k, know_index comment, size_t *le
     s += 2;
     if (end - s >= 2) end -= 2;
   }
-  while (s < end && (*s == ';' || *s == ' ' || *s == '\t' || *s == '\n')) s++;
+  if (k->script && s[1] == '*' && end - s >= 4) s += 2, end -= 2;
+  while (s < end && (*s == ';' || (k->script && strchr("/*@", *s)) || *s == ' ' || *s == '\t' || *s == '\n')) s++;
   while (end > s && (unsigned char)end[-1] <= ' ') end--;
   *length = (size_t)(end - s);
   return s;

@@ -25,7 +25,7 @@
     isNaN isFinite parseInt parseFloat print console
     geo_box geo_sphere geo_cylinder geo_cone geo_torus geo_hull geo_tetrahedron geo_mesh geo_polygon geo_extrude geo_union geo_intersection
     geo_difference geo_move geo_rotate geo_scale geo_color geo_layer geo_volume geo_area geo_centroid geo_draw
-    (rename gui-number js:gui-number) (rename gui-choice js:gui-choice) (rename gui-text js:gui-text)
+    gui_number gui_choice gui_text (rename gui-number js:gui-number) (rename gui-choice js:gui-choice) (rename gui-text js:gui-text)
     io_stdout_write io_stdout_writeln io_stderr_write
     math_add math_subtract math_scale math_mix math_dot math_length math_normalize math_cross math_radians math_degrees
     utl_range utl_fill utl_is_array utl_copy utl_assert)

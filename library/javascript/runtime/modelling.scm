@@ -77,6 +77,10 @@
 
 (define (whole x) (if (and (flonum? x) (= x (floor x)) (< (abs x) 1e15)) (exact x) x))
 
+(define gui_number (fn this () (type-error "a parameter of the model is a variable of its own at top level: var x = gui_number(...)")))
+(define gui_choice gui_number)
+(define gui_text gui_number)
+
 (define-syntax gui-number
   (syntax-rules ()
     ((_ name default) (begin (define-parameter name (whole default)) (set! name (to-number name))))
