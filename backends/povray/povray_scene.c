@@ -135,6 +135,8 @@ static void pov_camera(vs_emitter *e, const vs_look *l) {
  * sky's light, just below that. A picture round the scene is as bright as it is, and the sun goes by that. */
 static bool pov_is_developed(const vs_emitter *e) { return e->backend->render != NULL; }
 static double pov_sky_strength(const vs_emitter *e) { return pov_is_developed(e) && e->scene->sky_image == NULL ? 1.6 : 1; }
+/* Of a draft's lights without shadows, which stand for all that the sky and the walls send on. */
+static double pov_fill_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2.1 : 1; }
 static double pov_sun_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2 * pov_sky_strength(e) : 1.25; }
 
 static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
@@ -156,11 +158,11 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   if (e->options->quality == VS_RENDER_DRAFT) { /* no radiosity: a second, shadowless light from the other side fills */
     pov_vector(w, "light_source { ", vs_v3_add(middle, vs_v3(-sun.x * far, -sun.y * far, sun.z * far)));
     vs_puts(w, " color rgb <0.4, 0.44, 0.5>");
-    if (pov_is_developed(e)) pov_word(w, " * ", pov_sky_strength(e), "");
+    if (pov_is_developed(e)) pov_word(w, " * ", pov_fill_strength(e), "");
     vs_puts(w, " shadowless parallel ");
     pov_vector(w, "point_at ", middle);
     pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3_scale(l->forward, far)));
-    pov_word(w, " color rgb ", 0.22 * pov_sky_strength(e), " shadowless parallel ");
+    pov_word(w, " color rgb ", 0.22 * pov_fill_strength(e), " shadowless parallel ");
     pov_vector(w, "point_at ", middle);
     vs_puts(w, " }\n");
   }
