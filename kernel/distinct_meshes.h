@@ -3,6 +3,7 @@
 #ifndef VS_KERNEL_PART_H
 #define VS_KERNEL_PART_H
 
+#include "kernel/evaluate.h"
 #include "kernel/exact/interned.h"
 
 typedef struct {
@@ -17,6 +18,7 @@ typedef struct {
   size_t start_room;
   uint32_t start_cells; /* along a side's edge; 0: of so few triangles that any will do */
   double inner, outer;  /* convex: radii about the middle of a ball within and a ball without */
+  enum { VS_UNASKED, VS_GOOD, VS_DOUBTFUL } alone; /* of one that is no star: may it stand as it is where nothing touches it? */
   bool joined;          /* a leaf of it touches another; a star that is not has no twins and does not know whether it is convex: it stands as it is */
 } vs_part;
 

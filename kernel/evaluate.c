@@ -8,6 +8,7 @@
 #include "kernel/cluster_copies.h"
 #include "kernel/assemble.h"
 #include "kernel/cluster_cache.h"
+#include "kernel/mesh/inspect.h"
 #include "model/store/cache.h"
 
 #include <math.h>
@@ -272,14 +273,27 @@ static bool no_room(vs_kernel *k) { return vs_kernel_fail(k, VS_KERNEL_OUT_OF_ME
 
 static bool want_tags(vs_kernel *k, vs_mesh *m) { return vs_mesh_want_tags(m) || no_room(k); }
 
-/* A leaf that touches nothing, and in which nothing touches anything, stands as it is or not at all: nothing is to be computed. */
-static bool stands_alone(const whole *w, const uint32_t *leaves, uint32_t count) {
+/* *alone: a leaf that touches nothing, and in which nothing touches anything, stands as it is or not at all: nothing is to
+ * be computed, and nothing is put on a grid. A mesh that is no star is looked at once. */
+static bool stands_alone(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t count, bool *alone) {
   enum { FLAT = 1 << 20 }; /* turned by less than that, its faces are still those that were looked at */
   const vs_kernel_leaf *l = &w->problem->leaves[leaves[0]];
-  if (count != 1 || !w->parts.all.at[w->parts.of_leaf.at[leaves[0]]].star) return false;
+  vs_part *part = &w->parts.all.at[w->parts.of_leaf.at[leaves[0]]];
+  *alone = false;
+  if (count != 1) return true;
   double size = 1;
-  for (int i = 0; i < 3; i++) size *= sqrt(l->placement.m[0][i] * l->placement.m[0][i] + l->placement.m[1][i] * l->placement.m[1][i] + l->placement.m[2][i] * l->placement.m[2][i]);
-  return fabs(vs_affine_determinant(&l->placement)) * FLAT > size;
+  for (int i = 0; i < 3; i++) {
+    const double x = l->placement.m[0][i], y = l->placement.m[1][i], z = l->placement.m[2][i];
+    size *= sqrt(x * x + y * y + z * z);
+  }
+  if (!(fabs(vs_affine_determinant(&l->placement)) * FLAT > size)) return true;
+  if (!part->star && part->alone == VS_UNASKED) {
+    bool good;
+    if (!vs_part_plainly_good(k, part, &good)) return false;
+    part->alone = good ? VS_GOOD : VS_DOUBTFUL;
+  }
+  *alone = part->star || part->alone == VS_GOOD;
+  return true;
 }
 
 /* Makes room for it in the result of that number, if it is in the result at all. */
@@ -295,7 +309,9 @@ static bool place_leaf(vs_kernel *k, whole *w, const uint32_t *leaf, vs_mesh *ou
 
 /* The cluster as it was made before, or made now. */
 static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, const uint32_t *leaves, uint32_t count, vs_mesh *out, uint32_t into) {
-  if (stands_alone(w, leaves, count)) return w->counts.combined++, place_leaf(k, w, leaves, out, into);
+  bool alone;
+  if (!stands_alone(k, w, leaves, count, &alone)) return false;
+  if (alone) return w->counts.combined++, place_leaf(k, w, leaves, out, into);
   bool asked = w->bounds != NULL, found = false;
   size_t vertices = out->vertex_count, triangles = out->triangle_count;
   if (asked && !vs_remember_key(k, &w->remember, copies, leaves, count, gate_cuts(w, leaves, count) ? &w->gate : NULL, &asked)) return false;

@@ -5,9 +5,9 @@
 #ifndef VS_KERNEL_H
 #define VS_KERNEL_H
 
+#include "kernel/kernel_options.h"
 #include "model/mesh.h"
 #include "model/node.h"
-#include "model/tally.h"
 
 typedef struct {
   const vs_mesh *mesh;  /* closed, counter-clockwise seen from outside; may be shared by leaves; may cross itself (overlaps count as inside) */
@@ -33,40 +33,6 @@ typedef struct {
   const vs_bounds *within;  /* of each leaf, or NULL: where it makes a difference at all; what has no part in that is not joined to it. Leaves are larger than they need be
                              * where they stand for something endless */
 } vs_kernel_problem;
-
-typedef struct {
-  size_t clusters;   /* of solids that touch; of those: */
-  size_t combined;   /* worked out */
-  size_t copied;     /* as another of the same problem, elsewhere */
-  size_t remembered; /* found in the cache */
-  size_t peak;       /* the most bytes held at a time */
-  size_t coarse;     /* leaves whose volume the grid has changed by more than a hundredth: too small for what they touch; and of the first of them: */
-  uint32_t coarse_leaf;
-  double coarse_step, coarse_by; /* how wide a step is; how much it changed the volume, as a part of that */
-  double seconds[VS_STEP_COUNT]; /* of its steps */
-} vs_kernel_counts;
-
-typedef struct {
-  bool (*progress)(void *context, double done); /* done in 0..1; false stops the work; may be NULL. Called some hundred times a second */
-  void *context;
-  size_t max_bytes;     /* of the kernel's own memory; 0: no limit */
-  size_t max_triangles; /* of the result; 0: no limit */
-  vs_cache *cache;   /* where clusters are looked up and kept (model/store/cache.h); NULL: nowhere */
-  void (*warn)(void *context, const vs_origin *origin, const char *message); /* of what is done all the same, by vs_solid_evaluate; may be NULL */
-  vs_kernel_counts *counts; /* added to, but for the peak, which only rises; NULL: nobody asks */
-  bool in_levels;       /* for tests: every cluster goes the way of crowded ones (arrange/levels.c), as far as it can */
-  uint32_t threads;     /* 0: as many as there are processors; the result is the same. progress is called from the caller's alone */
-} vs_kernel_options;
-
-typedef enum {
-  VS_KERNEL_FINE, VS_KERNEL_OPEN, VS_KERNEL_INSIDE_OUT, VS_KERNEL_NOT_FINITE, VS_KERNEL_OUT_OF_MEMORY, VS_KERNEL_LIMIT, VS_KERNEL_INTERRUPTED,
-  VS_KERNEL_INTERNAL /* a self-check failed: a fault of the kernel, never a wrong result */
-} vs_kernel_status;
-typedef struct {
-  vs_kernel_status status;
-  uint32_t leaf;        /* OPEN, INSIDE_OUT, NOT_FINITE: which one; INTERNAL: one of those concerned */
-  char message[200];    /* plain English without a place */
-} vs_kernel_error;
 
 /* A result in which clusters that are copies of each other stand once: mesh and placement of each, in the order of their first leaves. */
 typedef struct { uint32_t mesh; vs_affine place; } vs_kernel_copy;

@@ -2,7 +2,7 @@
 #ifndef VS_KERNEL_MEMORY_H
 #define VS_KERNEL_MEMORY_H
 
-#include "kernel/evaluate.h"
+#include "kernel/kernel_options.h"
 
 #include <stdatomic.h>
 

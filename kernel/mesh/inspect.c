@@ -265,16 +265,42 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
   return ok;
 }
 
-/* *good: closed, nothing meets anything, and no shell lies in another: told in doubles, as most meshes can be. */
-static bool plainly_good(vs_kernel *k, const vs_part *p, bool *good) {
-  bool apart;
+/* Is there one fan of triangles around each corner, by index? Corners of triangles that follow each other along an edge
+ * are one set: as many sets as corners. */
+static bool fans_whole(vs_kernel *k, const vs_part *p, bool *whole) {
+  const vs_mesh *m = p->mesh;
+  size_t n = 3 * m->triangle_count, sets = 0, corners = 0;
+  VS_LIST(uint32_t) set = { 0 };
+  VS_LIST(uint8_t) seen = { 0 };
+  bool ok = VS_ROOM(k, set.at, set.room, n + 1) && VS_ROOM(k, seen.at, seen.room, m->vertex_count + 1);
+  if (ok) {
+    memset(seen.at, 0, m->vertex_count + 1);
+    vs_disjoint(set.at, (uint32_t)n);
+    for (uint32_t c = 0; c < n; c++) {
+      uint32_t twin = p->twins[c], at = m->triangles[c / 3][c % 3];
+      if (twin != VS_NONE) vs_unite(set.at, c, twin % 3 == 2 ? twin - 2 : twin + 1);
+      corners += !seen.at[at];
+      seen.at[at] = 1;
+    }
+    for (uint32_t c = 0; c < n; c++) sets += vs_find(set.at, c) == c;
+  }
+  *whole = ok && sets == corners;
+  VS_DROP(k, set);
+  VS_DROP(k, seen);
+  return ok;
+}
+
+bool vs_part_plainly_good(vs_kernel *k, const vs_part *p, bool *good) {
+  bool apart, whole;
   size_t edges;
   *good = false;
   if (p->star) return *good = true;
   if (!p->twins) return true;
   if (!shells_apart(k, p, good) || !*good) return k->error->status == VS_KERNEL_FINE;
-  if (!vs_mesh_is_apart(k, p->mesh, &apart, &edges)) return false;
-  *good = apart && 2 * edges == 3 * p->mesh->triangle_count; /* where four triangles share an edge, who answers whom is chance */
+  *good = false;
+  if (!fans_whole(k, p, &whole) || !vs_mesh_is_apart(k, p->mesh, &apart, &edges)) return false;
+  /* where four triangles share an edge, who answers whom is chance */
+  *good = whole && apart && 2 * edges == 3 * p->mesh->triangle_count;
   return true;
 }
 
@@ -296,7 +322,7 @@ bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs
   vs_parts parts = { .all = { 0 } };
   vs_expression e = { .root = 0 };
   vs_cluster c = { .problem = &problem, .parts = &parts, .expression = &e, .leaves = &only, .leaf_count = 1, .inspect = true };
-  bool good = false, ok = vs_parts_prepare(&k, &parts, &problem, &only, &only, 1) && plainly_good(&k, &parts.all.at[0], &good);
+  bool good = false, ok = vs_parts_prepare(&k, &parts, &problem, &only, &only, 1) && vs_part_plainly_good(&k, &parts.all.at[0], &good);
   if (good) out->most = 1;
   ok = ok && (good || parts.all.at[0].twins || open_edges(&k, mesh, out));
   out->volume = vs_mesh_volume(mesh);

@@ -2,7 +2,8 @@
 #ifndef VS_KERNEL_INSPECT_H
 #define VS_KERNEL_INSPECT_H
 
-#include "kernel/evaluate.h"
+#include "model/mesh.h"
+#include "kernel/distinct_meshes.h"
 
 enum { VS_FLAWS_LISTED = 16 };
 
@@ -22,6 +23,10 @@ typedef struct {
 } vs_mesh_flaws;
 
 static inline bool vs_mesh_flawless(const vs_mesh_flaws *f) { return f->open_count == 0 && f->wound_count == 0; }
+
+/* *good: closed, nothing meets anything, no shell lies in another, and around each corner is one fan: told in doubles, as
+ * most meshes can be. False on error only. */
+bool vs_part_plainly_good(vs_kernel *k, const vs_part *p, bool *good);
 
 /* Corners in one place are one corner, whatever their indices; tags are not looked at. Shells within shells are cavities where they look inwards.
  * False on error only (not finite, memory, limit, interrupt): a flaw is an answer. options may be NULL. */

@@ -2,6 +2,7 @@
 #ifndef VS_KERNEL_APART_H
 #define VS_KERNEL_APART_H
 
+#include "model/mesh.h"
 #include "kernel/memory.h"
 
 /* Have the two nothing in common but the corners, or the edge, that they share by place? False also where that cannot be told in doubles: where they touch,

@@ -3,6 +3,7 @@
 #ifndef VS_KERNEL_SETTLING_H
 #define VS_KERNEL_SETTLING_H
 
+#include "model/mesh.h"
 #include "kernel/memory.h"
 #include "kernel/round/rounding.h"
 

@@ -14,7 +14,7 @@
 (define (mobius-faces) (append (map (lambda (i) (list (+ i 1) (+ i 2) (+ i n 2) (+ i n 1))) (iota (- n 1))) (list (list n (+ n 1) 1 (+ n n)))))
 ; moebius
 (try (make-polyface-mesh (strip n 1) (mobius-faces))) ; expect: (surface 0)
-(try (make-polyface-mesh (strip n 1) (mobius-faces) #:repair #t)) ; expect: (solid 11.700659332)
+(try (make-polyface-mesh (strip n 1) (mobius-faces) #:repair #t)) ; expect: (solid 11.700659333)
 ; duplicated face
 (try (make-polyface-mesh (cube 0 1) (append faces (list (car faces))))) ; expect: (surface 0)
 (try (make-polyface-mesh (cube 0 1) (append faces (list (car faces))) #:repair #t)) ; expect: (solid 1.0)

@@ -498,6 +498,42 @@ static void test_plain(void **state) {
 }
 
 /* Parts that stand twice in one place, and end in joints that cover their ends: what clips the one is where the other ends. */
+/* What nothing touches is not put on a grid, star or not: a horseshoe of thirds, twice. */
+static void test_alone(void **state) {
+  (void)state;
+  static const double at[8][2] = { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 2, 3 }, { 2, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } };
+  static const uint32_t cap[6][3] = { { 0, 1, 4 }, { 1, 2, 3 }, { 1, 3, 4 }, { 0, 4, 5 }, { 0, 5, 7 }, { 5, 6, 7 } };
+  vs_mesh m = { 0 }, out = { 0 };
+  for (int i = 0; i < 16; i++)
+    assert_true(vs_mesh_add_vertex(&m, vs_v3(at[i % 8][0] / 3, at[i % 8][1] / 7, i / 8 / 3.0), NULL));
+  for (int i = 0; i < 6; i++)
+    assert_true(vs_mesh_add_triangle(&m, cap[i][0], cap[i][2], cap[i][1]) &&
+                vs_mesh_add_triangle(&m, cap[i][0] + 8, cap[i][1] + 8, cap[i][2] + 8));
+  for (uint32_t i = 0; i < 8; i++) {
+    uint32_t j = (i + 1) % 8;
+    assert_true(vs_mesh_add_triangle(&m, i, j, j + 8) && vs_mesh_add_triangle(&m, i, j + 8, i + 8));
+  }
+  vs_affine far = vs_affine_translation(vs_v3(100, 0, 0));
+  vs_kernel_leaf leaves[2] = { { &m, vs_affine_identity(), 0, false }, { &m, far, 0, false } };
+  vs_kernel_term terms[3] = { { VS_TERM_LEAF, 0, 0 }, { VS_TERM_LEAF, 1, 0 }, { VS_TERM_UNION, 0, 2 } };
+  uint32_t operands[2] = { 0, 1 };
+  vs_kernel_problem problem = {
+    .leaves = leaves, .terms = terms, .operands = operands, .leaf_count = 2, .term_count = 3, .operand_count = 2
+  };
+  assert_true(vs_kernel_evaluate(&problem, NULL, &out, NULL));
+  assert_int_equal(out.triangle_count, 2 * m.triangle_count);
+  for (size_t i = 0; i < out.vertex_count; i++) {
+    bool found = false;
+    for (size_t j = 0; j < 16; j++) {
+      vs_vec3 moved = vs_affine_point(&far, m.vertices[j]);
+      found = found || vs_v3_equal(out.vertices[i], m.vertices[j]) || vs_v3_equal(out.vertices[i], moved);
+    }
+    assert_true(found);
+  }
+  vs_mesh_free(&m);
+  vs_mesh_free(&out);
+}
+
 static void test_twice_in_place(void **state) {
   (void)state;
 #define JOINT "(translate 0.681 0.233 6.874 (rotate 238 354 241 (sphere 3.346 12)))"
@@ -838,6 +874,7 @@ int main(void) {
     cmocka_unit_test(test_identities),
     cmocka_unit_test(test_thin_and_nested),
     cmocka_unit_test(test_plain),
+    cmocka_unit_test(test_alone),
     cmocka_unit_test(test_twice_in_place),
     cmocka_unit_test(test_edge_on_diagonal),
     cmocka_unit_test(test_far_larger),
