@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "knowledge/translate/lift_procedures.h"
 #include "knowledge/translate/text_plan.h"
 #include "knowledge/translate/value_kinds.h"
 
@@ -16,48 +17,6 @@
 static const tr_node *at(const tr_writer *w, tr_index n) { return &w->t->nodes[n]; }
 static tr_variable *var(const tr_writer *w, tr_index n) { return &w->t->variables[at(w, n)->variable]; }
 static const char *name(const tr_writer *w, tr_index n) { return var(w, n)->name ? var(w, n)->name : "undefined"; }
-
-/* ---- loops ---- */
-
-static tr_index around(const tr_writer *w, tr_index n, tr_node_kind kind) {
-  for (n = at(w, n)->parent; n && at(w, n)->kind != kind;) n = at(w, n)->parent;
-  return n;
-}
-
-/* Is the value of the node the value of its procedure? */
-static bool ends(const tr_writer *w, tr_index n) {
-  for (; at(w, at(w, n)->parent)->kind != TR_PROCEDURE; n = at(w, n)->parent) {
-    const tr_node *p = at(w, at(w, n)->parent);
-    bool last = p->kind == TR_BODY ? p->last == n : p->kind == TR_IF && p->first != n;
-    if (!last) return false;
-  }
-  return true;
-}
-
-/* Finds the procedures that become loops: each use within them is a call at their end, and nothing in them outlives a
- * turn. */
-static void find_loops(tr_writer *w) {
-  const translation *t = w->t;
-  for (tr_index i = 1; i < t->node_count; i++) {
-    if (at(w, i)->kind == TR_NAME && var(w, i)->procedure) {
-      tr_variable *v = var(w, i);
-      tr_index call = at(w, i)->parent;
-      bool called = at(w, call)->kind == TR_CALL && at(w, call)->first == i;
-      if (called && around(w, i, TR_PROCEDURE) == v->procedure && ends(w, call)) v->loops = true;
-    }
-  }
-  for (tr_index i = 1; i < t->node_count; i++) {
-    if (at(w, i)->kind != TR_PROCEDURE) continue;
-    for (tr_index p = around(w, i, TR_PROCEDURE); p; p = around(w, p, TR_PROCEDURE))
-      if (at(w, at(w, p)->parent)->kind == TR_DEFINE) var(w, at(w, p)->parent)->loops = false;
-  }
-}
-
-static bool turns(const tr_writer *w, tr_index call) {
-  tr_index callee = at(w, call)->first;
-  if (at(w, call)->kind != TR_CALL || at(w, callee)->kind != TR_NAME || !var(w, callee)->loops) return false;
-  return around(w, call, TR_PROCEDURE) == var(w, callee)->procedure && ends(w, call);
-}
 
 /* ---- values ---- */
 
@@ -79,10 +38,11 @@ static void plan_parameters(tr_writer *w, tr_index procedure) {
 static bool has_statements(const tr_writer *w, tr_index n) {
   const tr_node *node = at(w, n);
   if (node->kind == TR_BODY) return true;
-  if (node->kind == TR_SET || (node->kind == TR_MAP && node->effect) || turns(w, n)) return true;
+  if (node->kind == TR_SET || (node->kind == TR_MAP && node->effect) || tr_turns(w->t, n)) return true;
   if (node->kind != TR_IF) return false;
   for (tr_index i = at(w, node->first)->next; i; i = at(w, i)->next)
-    if (at(w, i)->kind == TR_BODY || at(w, i)->kind == TR_IF || at(w, i)->kind == TR_SET || turns(w, i)) return true;
+    if (at(w, i)->kind == TR_BODY || at(w, i)->kind == TR_IF || at(w, i)->kind == TR_SET || tr_turns(w->t, i))
+      return true;
   return false;
 }
 
@@ -259,7 +219,7 @@ static void plan_return(tr_writer *w, tr_index n) {
   if (node->kind == TR_BODY) {
     plan_defines(w, n, true);
     if (!node->last || at(w, node->last)->kind == TR_DEFINE) tr_plan(w, "%nreturn;");
-  } else if (turns(w, n)) plan_turn(w, n);
+  } else if (tr_turns(w->t, n)) plan_turn(w, n);
   else if (node->kind == TR_IF && has_statements(w, n)) {
     tr_index then = tr_nth(w->t, n, 1), other = tr_nth(w->t, n, 2);
     tr_plan(w, "%nif (%b) ", node->first);
@@ -343,7 +303,6 @@ static void put(tr_writer *w, const char *text) { tr_put(w, text, strlen(text));
 void tr_javascript_program(tr_writer *w) {
   char text[60];
   w->emit = emit;
-  find_loops(w);
   snprintf(text, sizeof text, "%u; // facets of a full turn\n", w->segments);
   put(w, "import * as THREE from \"three\";\n\nconst segments = ");
   put(w, text);

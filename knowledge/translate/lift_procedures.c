@@ -27,6 +27,47 @@ static void find_recursion(translation *t) {
   }
 }
 
+/* ---- loops ---- */
+
+static tr_index around(const translation *t, tr_index n) {
+  for (n = t->nodes[n].parent; n && t->nodes[n].kind != TR_PROCEDURE;) n = t->nodes[n].parent;
+  return n;
+}
+
+/* Is the value of the node the value of its procedure? */
+static bool ends(const translation *t, tr_index n) {
+  for (; t->nodes[t->nodes[n].parent].kind != TR_PROCEDURE; n = t->nodes[n].parent) {
+    const tr_node *p = &t->nodes[t->nodes[n].parent];
+    bool last = p->kind == TR_BODY ? p->last == n : p->kind == TR_IF && p->first != n;
+    if (!last) return false;
+  }
+  return true;
+}
+
+static bool calls_at_end(const translation *t, tr_index call) {
+  tr_index callee = t->nodes[call].first;
+  if (t->nodes[call].kind != TR_CALL || t->nodes[callee].kind != TR_NAME) return false;
+  tr_index p = t->variables[t->nodes[callee].variable].procedure;
+  return p && around(t, call) == p && ends(t, call);
+}
+
+bool tr_turns(const translation *t, tr_index call) {
+  return calls_at_end(t, call) && t->variables[t->nodes[t->nodes[call].first].variable].loops;
+}
+
+/* What calls itself at its end is a loop there, unless a procedure within it may outlive a turn. */
+static void find_loops(translation *t) {
+  for (tr_index i = 1; i < t->node_count; i++)
+    if (calls_at_end(t, i)) t->variables[t->nodes[t->nodes[i].first].variable].loops = true;
+  for (tr_index i = 1; i < t->node_count; i++) {
+    if (t->nodes[i].kind != TR_PROCEDURE) continue;
+    for (tr_index p = around(t, i); p; p = around(t, p)) {
+      tr_index define = t->nodes[p].parent;
+      if (t->nodes[define].kind == TR_DEFINE) t->variables[t->nodes[define].variable].loops = false;
+    }
+  }
+}
+
 static bool boundary(const translation *t, tr_index n) {
   if (t->nodes[n].kind != TR_DEFINE || t->nodes[t->nodes[n].parent].kind == TR_MAP) return false;
   const tr_variable *v = &t->variables[t->nodes[n].variable];
@@ -70,10 +111,12 @@ static bool is_module(const translation *t, const tr_variable *v) {
 
 bool tr_lift(translation *t) {
   find_recursion(t);
+  find_loops(t);
   for (size_t i = 1; i < t->variable_count; i++) {
     tr_variable *v = &t->variables[i];
-    v->module = t->target->lifts && is_module(t, v);
-    v->lifted = t->target->lifts && !v->global && (v->module || v->recursive);
+    v->module = t->target->lifts == TR_LIFTS_SOLIDS && is_module(t, v);
+    v->lifted = !v->global && t->target->lifts &&
+        (t->target->lifts == TR_LIFTS_SOLIDS ? v->module || v->recursive : v->procedure != 0);
   }
   for (tr_index i = 1; i < t->node_count; i++) {
     tr_index parent = t->nodes[i].parent;

@@ -108,6 +108,7 @@ static void give_name(namer *n, tr_index v, bool top) {
   tr_variable *y = &t->variables[v];
   spelling s;
   spell(y->text, &s);
+  if (t->target->capitals) *s.text = (char)toupper((unsigned char)*s.text);
   if (is_reserved(t->target, s.text)) s.text[s.length++] = '_', s.text[s.length] = 0;
   size_t base = s.length;
   for (unsigned count = 2; !*t->k->trouble; count++) {

@@ -4,6 +4,7 @@
 
 #include <ctype.h>
 #include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -145,6 +146,10 @@ static void plan_keys(tr_writer *w, tr_index primitive, const char *keys, bool a
       if (name == strlen(t->nodes[i].text) && !strncmp(at, t->nodes[i].text, name)) {
         const char *said = at[name] == '=' ? at + name + 1 : at, *end = at + length;
         const char *colon = memchr(said, ':', (size_t)(end - said));
+        if (!*w->target->key) { /* without keywords: the colour of a material counts */
+          if (!strncmp(said, "c", (size_t)(end - said))) tr_plan(w, "%v", t->nodes[i].first);
+          break;
+        }
         if (colon && braces) said = colon + 1; /* $fn:n */
         else if (colon) end = colon;
         tr_plan(w, "%s%s%s%v", any ? ", " : open, know_text(t->k, said, (size_t)(end - said)), w->target->key,
@@ -181,7 +186,7 @@ static void plan_solids(tr_writer *w, tr_index primitive, uint32_t from, bool ap
     tr_plan(w, "%o", first);
     return;
   }
-  tr_plan(w, "{%>");
+  tr_plan(w, apart ? "{%>" : "%s{%>", w->target->together);
   for (uint32_t i = from; (first = argument(w->t, primitive, i)) != 0; i++)
     tr_plan(w, apart ? "%n%o" : "%l", first);
   tr_plan(w, "%<%n}");
@@ -217,6 +222,10 @@ void tr_plan_row(tr_writer *w, tr_index primitive, int level) {
     at += what ? 2 : 1;
     if (mark == '$' && what == '*') {
       for (uint32_t i = 0; argument(t, primitive, i); i++) tr_plan(w, i ? ",%_%v" : "%v", argument(t, primitive, i));
+    } else if (mark == '$' && what == 'n') {
+      char text[16];
+      int size = snprintf(text, sizeof text, "%u", t->nodes[primitive].count);
+      plan_text(w, text, (size_t)size);
     } else if (mark == '$' && what == 'k') plan_keys(w, primitive, row.keys, at - 2 > row.text && at[-3] == '{');
     else if (mark == '$' && isdigit((unsigned char)what)) {
       tr_index a = argument(t, primitive, nth);

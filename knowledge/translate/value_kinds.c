@@ -313,7 +313,7 @@ static void complain_of(translation *t) {
   for (tr_index i = 1; i < t->node_count; i++) {
     tr_node n = t->nodes[i];
     if (n.kind == TR_SET && !t->target->assigns)
-      tr_complain(t, i, "set!: %s has no variables that change", t->target->title);
+      tr_complain(t, i, "set! cannot be translated to %s", t->target->title);
     if (n.kind != TR_PRIMITIVE || n.row) continue;
     bool known = false;
     for (uint16_t row = 0; !known && (row = tr_word_next(n.text, row)) != 0;)

@@ -7,6 +7,7 @@
 #include "knowledge/translate/text_plan.h"
 #include "knowledge/targets/to_javascript.h"
 #include "knowledge/targets/to_openscad.h"
+#include "knowledge/targets/to_povray.h"
 
 static const tr_target targets[] = {
 #define TR_TARGET(...) {__VA_ARGS__},
@@ -113,6 +114,8 @@ static const struct { const char *target, *name, *text; } helpers[] = {
 #include "knowledge/targets/openscad_helpers.def"
 #define TR_HELPER(target, name, text) {#target, #name, text},
 #include "knowledge/targets/javascript_helpers.def"
+#define TR_HELPER(target, name, text) {#target, #name, text},
+#include "knowledge/targets/povray_helpers.def"
 };
 enum { HELPERS = sizeof helpers / sizeof *helpers };
 
