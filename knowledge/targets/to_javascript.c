@@ -182,7 +182,8 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
 static void plan_define(tr_writer *w, tr_index define) {
   const tr_variable *v = var(w, define);
   tr_index value = at(w, define)->first;
-  if (v->procedure && !v->set) {
+  if (v->define != define) tr_plan(w, "%s = %v;", name(w, define), value); /* defined before */
+  else if (v->procedure && !v->set) {
     tr_plan(w, "function %s(", name(w, define));
     plan_parameters(w, value);
     tr_plan(w, v->loops ? ") {%>%nfor (;;) {%>%l%<%n}%<%n}" : ") {%>%l%<%n}", at(w, value)->last);

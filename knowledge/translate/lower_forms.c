@@ -101,7 +101,7 @@ static tr_index bind(lowering *l, tr_index node, know_index named, const char *f
   know_index s = named && is_symbol(l, named) ? symbol_of(l, named) : 0;
   tr_index v = s ? s : tr_variable_new(l->t, fresh ? fresh : named ? l->k->names[l->k->nodes[named].name].text : "x");
   at(l, node)->variable = v;
-  l->t->variables[v].define = node;
+  if (!l->t->variables[v].define) l->t->variables[v].define = node;
   return v;
 }
 static tr_index define(lowering *l, tr_index parent, know_index named, const char *fresh, know_index source) {

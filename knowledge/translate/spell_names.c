@@ -94,12 +94,15 @@ static bool mark(namer *n, know_index name, bool set) {
 
 /* Is a variable of that name in sight where the define or parameter stands? */
 static bool in_sight(const translation *t, tr_index define, const char *name) {
-  for (tr_index up = t->nodes[define].parent; up; up = t->nodes[up].parent)
+  for (tr_index up = t->nodes[define].parent; up && up != t->root; up = t->nodes[up].parent) {
+    tr_node_kind kind = (tr_node_kind)t->nodes[up].kind;
+    if (kind != TR_BODY && kind != TR_PROCEDURE && kind != TR_MAP) continue;
     for (tr_index i = t->nodes[up].first; i; i = t->nodes[i].next) {
-      if (t->nodes[i].kind != TR_DEFINE && t->nodes[i].kind != TR_PARAMETER) break;
+      if (t->nodes[i].kind != TR_DEFINE && t->nodes[i].kind != TR_PARAMETER) continue;
       const char *other = t->variables[t->nodes[i].variable].name;
       if (i != define && other && !strcmp(other, name)) return true;
     }
+  }
   return false;
 }
 

@@ -6,6 +6,10 @@
 (draw (car balls) (do-move (list-ref balls 2) (vxyz 0 50 0)))
 (define total (let loop ([i 0] [s 0]) (if (= i 100000) s (loop (+ i 1) (+ s 0.0001)))))
 (for-each (lambda (o i) (when (odd? i) (draw (do-move o (vxyz 0 100 total))))) balls '(1 2 3))
+(define side 4)
+(draw (make-box (xyz 0 -140 0) side side side))
+(define side (* side 5)) ; again
+(draw (make-box (xyz 40 -140 0) side side side))
 (define (tree n p)
   (cond [(= n 0) (make-sphere p 5)]
         [else (let ([q (+z p (* n 10))])
