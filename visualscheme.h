@@ -610,7 +610,8 @@ VS_API bool vs_thing_triangles(vs_output *out, const vs_thing *t, vs_triangles *
      then vs_mesh_next hands
  * over, one by one, what differs from what it handed over before: first what is gone,
      then what is new or stands elsewhere.
- * Equal shapes are one mesh with several places. A shape that the host has is not meshed again. */
+ * Equal shapes are one mesh with several places. A shape that the host has is not meshed again; what is round is another
+ * mesh where it is to be finer, as it may be in a larger drawing. */
 
 typedef enum {
   VS_MESH_REMOVED, /* the id alone is told */

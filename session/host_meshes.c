@@ -195,9 +195,31 @@ static shape *shape_of(vs_emitter *e, uint64_t id, bool *make) {
   return f;
 }
 
+/* Is the shape the same however fine it is made? Where it has too many parts to look at, no answer is given: false. */
+static bool is_angular(const vs_node *n) {
+  enum { MOST = 200 };
+  const vs_node *wait[MOST];
+  size_t count = 0, seen = 0;
+  wait[count++] = n;
+  while (count) {
+    n = wait[--count];
+    if (++seen > MOST) return false;
+    switch ((int)n->kind) {
+    case VS_BOX: case VS_WEDGE: case VS_PYRAMID: case VS_POLYFACE_MESH: case VS_GRID_MESH: case VS_HALF_SPACE: break;
+    case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
+      if (n->child_count > MOST - count) return false;
+      for (uint32_t i = 0; i < n->child_count; i++) wait[count++] = n->children[i].node;
+      break;
+    default: return false; /* round, or made of what may be */
+    }
+  }
+  return true;
+}
+
 static bool emit_shape(vs_emitter *e, const vs_ref *ref, double crease) {
   bool make;
-  uint64_t fine = vs_hash_real(vs_hash_real(ref->node->hash, e->facets.tolerance), e->facets.segments);
+  uint64_t fine = ref->node->hash;
+  if (!is_angular(ref->node)) fine = vs_hash_real(vs_hash_real(fine, e->facets.tolerance), e->facets.segments);
   shape *f = shape_of(e, vs_hash_mix(fine, paint_hash(e)), &make);
   if (!f) return false;
   if (make) {

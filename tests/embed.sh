@@ -26,3 +26,19 @@ for program in host format scene meshes pictures; do
   cat "$work/out"
   [ $code -le 1 ] || echo "not ok embed:$program ended with $code"
 done
+
+# The Python package, installed without a network and run on the library that was installed.
+python=
+for candidate in python3 /usr/bin/python3; do
+  if [ -z "$python" ] && "$candidate" -c 'import numpy, setuptools, pip' 2> /dev/null; then python=$candidate; fi
+done
+if [ -z "$python" ]; then echo "skip embed:python: no NumPy, setuptools or pip"; exit; fi
+cp -r python "$work/package"
+if ! "$python" -m pip install -q --no-index --no-build-isolation --no-deps --target "$work/site" "$work/package" > "$work/log" 2>&1; then
+  echo "not ok embed:python: pip"; tail -n 10 "$work/log" | sed 's/^/    /'; exit
+fi
+host=$PWD/tests/embed/python_host.py
+(cd "$work" && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$work/site" VISUALSCHEME_LIBRARY="$work/usr/lib/libvisualscheme.so" timeout 60 "$python" "$host" > "$work/out" 2>&1)
+code=$?
+grep '^ok \|^not ok ' "$work/out"
+[ $code = 0 ] || { echo "not ok embed:python ended with $code"; grep -v '^ok \|^not ok ' "$work/out" | sed 's/^/    /'; }
