@@ -108,7 +108,7 @@ static void put_legend(sink *s, const vs_distance_map *m, const vs_bounds *b) {
     put(s,
         "<Transform translation='%.6g %.6g %.6g' rotation='1 0 0 1.5707963'><Shape><Appearance><Material "
         "diffuseColor='0 0 0' "
-        "emissiveColor='.1 .1 .1'/></Appearance><Text solid='false' string='\"%.3g\"'><FontStyle size='%.6g' "
+        "emissiveColor='.9 .9 .9'/></Appearance><Text solid='false' string='\"%.3g\"'><FontStyle size='%.6g' "
         "justify='\"BEGIN\" "
         "\"MIDDLE\"'/></Text></Shape></Transform>\n",
         x + 1.4 * w, b->min.y, b->min.z + height * (i + 1) / 2, i * m->range, .04 * size);
@@ -121,10 +121,17 @@ bool vs_distance_map_x3d(const vs_distance_map *m, vs_map_write *write, void *co
   for (size_t i = 0; i < m->scan->point_count; i++)
     if (shown(m, i)) vs_bounds_add(&b, m->scan->points[i]);
   put(&s,
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D profile='Interchange' version='3.3'>\n<Scene>\n<WorldInfo "
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D profile='Immersive' version='3.3'>\n<Scene>\n<WorldInfo "
       "info='"
       "\"signed distance from the fitted model: blue %.6g, grey 0, red %.6g\"'/>\n",
       -m->range, m->range);
+  if (!vs_bounds_is_empty(&b)) { /* from the front: Y is up in X3D, Z in the scan */
+    vs_vec3 c = vs_v3_scale(vs_v3_add(b.min, b.max), .5);
+    double away = 1.5 * vs_bounds_diagonal(&b);
+    put(&s, "<Background skyColor='.16 .18 .2'/>\n<Viewpoint description='front' position='%.9g %.9g %.9g' ", c.x + 0.,
+        c.z + 0., away - c.y);
+    put(&s, "centerOfRotation='%.9g %.9g %.9g'/>\n", c.x + 0., c.z + 0., 0. - c.y);
+  }
   put(&s, "<Transform rotation='1 0 0 -1.5707963'>\n<Shape>\n");
   if (faces) {
     put(&s, "<Appearance><Material diffuseColor='.8 .8 .8'/></Appearance>\n<IndexedFaceSet solid='false' coordIndex='");

@@ -715,7 +715,7 @@ static bool summarise(fit *f) {
  */
 static bool step_one(fit *f, bool scaled, place *places, size_t *count) {
   size_t found;
-  if (!find_places(f, scaled, places, &found) && f->failed) return false;
+  if (!find_places(f, scaled, places, &found)) return !f->failed; /* stopped: none was measured whole */
   if (found > PLACES) found = PLACES;
   for (size_t i = 0; !f->p->placed && i < found && !f->out->stopped; i++)
     if (!improve(f, &places[i]) && f->failed) return false;

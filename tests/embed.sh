@@ -17,7 +17,7 @@ sed -n 's/^VS_API .*[ *]\(vs_[a-z_]*\)(.*/\1/p' visualscheme.h | sort -u > "$wor
 nm -D --defined-only "$work/usr/lib/libvisualscheme.so" | awk '$2 ~ /[TDBRV]/ { print $3 }' | grep -v '^VISUALSCHEME_' | sed 's/@.*//' | sort -u > "$work/exported"
 if diff "$work/declared" "$work/exported" > "$work/diff"; then echo "ok embed:exports"; else echo "not ok embed:exports differ from visualscheme.h"; sed 's/^/    /' "$work/diff"; fi
 
-for program in host format scene meshes pictures; do
+for program in host format scene meshes pictures fit; do
   if ! ${CC:-cc} -std=c11 -Wall -Wextra -Werror -I"$work/usr/include" tests/embed/$program.c -o "$work/$program" -L"$work/usr/lib" -lvisualscheme -lm > "$work/log" 2>&1; then
     echo "not ok embed:compile $program"; sed 's/^/    /' "$work/log"; continue
   fi

@@ -169,11 +169,12 @@ static bool set_numbers(job *j, const double *numbers) {
   return true;
 }
 
-static bool set_fitted(job *j) {
+/* found: the values of the fit, else those that it started from. */
+static bool set_back(job *j, bool found) {
   char text[40];
   const vs_scan_fit *f = j->f;
   for (size_t i = 0; i < f->number_count; i++) {
-    snprintf(text, sizeof text, "%.15g", f->fit.numbers[i].value);
+    snprintf(text, sizeof text, "%.15g", found ? f->fit.numbers[i].value : f->parameters[f->number[i]].start);
     if (!vs_parameter_set(j->vm, f->parameters[f->number[i]].name, text)) return false;
   }
   return true;
@@ -462,8 +463,9 @@ vs_outcome vs_fit(vs_scheme *vm, const char *model, const char *scan, const vs_f
                        .confidence = o->confidence > 0 ? o->confidence : .95 };
   hush(&j);
   bool ok = vs_model_fit_solve(&p, &s->fit->fit, &e);
-  if (ok && (!take_result(&j, out) || !set_fitted(&j))) ok = vs_error_memory(&e, NULL);
+  if (ok && (!take_result(&j, out) || !set_back(&j, true))) ok = vs_error_memory(&e, NULL);
   if (ok) run(&j);
+  else set_back(&j, false);
   unhush(&j);
   free(numbers);
   if (!ok) {
