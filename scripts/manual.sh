@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the making of the manual to be read: BUILD/manual, HTML pages of manual/*.md. Each kind of model/prims.def has a page with its forms and contracts,
+# Owns the making of the manual to be read: BUILD/manual, HTML pages of manual/*.md. Each kind of model/prims.def, and each operator of rules, has a page with its forms and contracts,
 # what it is in the tree, an example, and the picture that the example makes; the tutorial has the pictures of its steps.
 #
 #   scripts/manual.sh BUILD   KINDS="sphere text"  pictures and pages of these kinds alone, and no steps   STEPS=last  a picture of each step's last program
@@ -8,7 +8,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 BUILD=$1
 vs=$BUILD/vs out=${PAGES:-$BUILD/manual}
-mkdir -p "$out/primitives" "$out/language" || exit 1
+mkdir -p "$out/primitives" "$out/rules" "$out/language" || exit 1
 cp scripts/manual.css manual/*.jpg manual/*.svg "$out/"
 cp scripts/manual_search.js "$out/search.js"
 echo 'const manual = [' > "$out/index.js" # the search's index: a row for each heading, which the pages add
@@ -53,6 +53,17 @@ kinds | while read -r kind class; do
   with=$(fields "$kind")
   after="$after<p class='facts'>In the tree: <code>$kind</code>, $what${with:+; $with}.</p>"
   awk -v title="$kind" -v root=../ -v index_to="$out/index.js" -v page="primitives/$kind.html" -v after="$after" -f scripts/manual.awk "$page" > "$out/primitives/$kind.html"
+done
+
+# The operators of rules: a page each, with the picture that its last program makes.
+for page in manual/rules/*.md; do
+  [ -z "${KINDS:-}" ] || break
+  name=$(basename "$page" .md)
+  block "$page" "$(blocks "$page")" > "$work/$name.vs"
+  picture "$work/$name.vs" "$out/rules/$name.png" "$page"
+  after=
+  [ ! -f "$out/rules/$name.png" ] || after="<p><img class='picture' src='$name.png' alt='what the program draws'></p>"
+  awk -v title="$name" -v root=../ -v index_to="$out/index.js" -v page="rules/$name.html" -v after="$after" -f scripts/manual.awk "$page" > "$out/rules/$name.html"
 done
 
 for page in manual/language/*.md; do

@@ -55,6 +55,13 @@ ls manual/primitives | sed 's/\.md$//' | sort > "$work/pages"
 if [ -s "$work/kinds" ] && diff "$work/kinds" "$work/pages" > "$work/diff"; then echo "ok manual/primitives:pages"
 else echo "not ok manual/primitives:pages differ from prims.def"; sed 's/^/    /' "$work/diff"; fi
 
+# One page an operator of rules, named as the procedure is.
+sed -n '/^## Operators/,/^## Surroundings/p' manual/language/rules.md | grep '^### ' | grep -o '`[^`]*`' | sed 's/^`(\{0,1\}//; s/[ )`].*//' |
+  grep -vxE 'absolute|relative|flag\?|scope-flags' | sort > "$work/operators"
+ls manual/rules | sed 's/\.md$//' | sort > "$work/pages"
+if [ -s "$work/operators" ] && diff "$work/operators" "$work/pages" > "$work/diff"; then echo "ok manual/rules:pages"
+else echo "not ok manual/rules:pages differ from the operators of language/rules.md"; sed 's/^/    /' "$work/diff"; fi
+
 # The tables of phases, steps and stages have a row for each row of their .def file, in its order.
 table() { # DEF ROW HEAD: the names of a .def file against the first column below the head
   sed -n "s/^$2([A-Z_]*, *\([a-z_]*\),.*/\1/p" "$1" > "$work/wanted"
@@ -70,7 +77,7 @@ table model/steps.def VS_STEP '| step |'
 table session/stages.def VS_STAGE '| stage |'
 
 # What the examples say is what happens.
-for page in manual/i-want-to.md manual/drawings.md manual/coming-from-[ago]*.md manual/language/*.md manual/primitives/*.md; do
+for page in manual/i-want-to.md manual/drawings.md manual/coming-from-[ago]*.md manual/language/*.md manual/primitives/*.md manual/rules/*.md; do
   name=${page#manual/}
   case $name in coming-from-*) tables=1 ;; *) tables= ;; esac
   cat tests/manual/doctest.vs > "$work/page.vs"
