@@ -485,7 +485,10 @@ vs_status vs_p_scope_signal(vs_frame *f, vs_value *out) {
   for (vs_derivation *d = f->bind->growing; d; d = d->outer)
     for (size_t i = 0; i < d->waiting_count; i++) {
       vs_scope *to = d->waiting[i].task->child[0];
-      if (d->waiting[i].name != name || !vs_scopes_touch(s, to)) continue;
+      bool touch = false;
+      if (d->waiting[i].name != name) continue;
+      if (!vs_scopes_touch(f->bind, s, to, &touch)) return VS_ERROR;
+      if (!touch) continue;
       if (!vs_scope_add_signal(to, s)) return vs_fail_memory(f->vm);
     }
   *out = f->arg[0].value;

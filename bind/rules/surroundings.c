@@ -2,9 +2,10 @@
  *
  * Plan. The bounds of what was made lie in a tree over the order in which it was made: what one rule makes lies close
  * together, so sixteen neighbours share a box, sixteen such boxes the next, and so on. Where bounds meet, the question
- * is answered exactly: the scope is one convex piece, or six tetrahedra where it is a hexahedron; a triangle of the
- * object touches it where something is left of it when it is cut by the planes of a piece. A scope that no triangle
- * touches lies wholly inside or outside, which one point decides. */
+ * is answered exactly: the scope is one convex piece, six tetrahedra where it is a hexahedron, a flat piece for each
+ * triangle of a polygon or a mesh and for each stretch of a curve; a triangle of the object touches it where something
+ * is left of it when it is cut by the planes of a piece. A scope that no triangle touches lies wholly inside or outside,
+ * which one point decides; so does an object in a scope that is a closed mesh. */
 #include "bind/rules/surroundings.h"
 
 #include "bind/rules/derivation.h"
@@ -13,6 +14,7 @@
 #include <string.h>
 
 #include "geometry/measure/node_measures.h"
+#include "geometry/plane/ear_clipping.h"
 
 enum { FAN = 16, LEVELS = 8, KEPT = 32 };
 
@@ -66,15 +68,25 @@ typedef struct {
 } half_space; /* normal · p <= at; unit normal */
 typedef struct {
   half_space side[6];
-  int count;
+  int count, paired; /* of the first `paired` sides two and two look away from each other */
+  vs_vec3 triangle[3]; /* of a flat piece */
 } piece;
 typedef struct {
+  vs_store *store;
   vs_bounds bounds;
-  vs_vec3 corner[8];
-  double slack; /* lengths that are as good as none */
-  piece piece[6];
-  int count;
+  vs_vec3 corner[8]; /* of the box around it */
+  vs_vec3 point;     /* one of its own */
+  double slack;      /* lengths that are as good as none */
+  piece own[6];
+  piece *flat; /* in place of own, of a polygon, a curve or a mesh; the store's */
+  size_t count, room;
+  vs_node *solid; /* whose inside belongs to it; or NULL */
 } body;
+static const piece *pieces_of(const body *b) { return b->flat ? b->flat : b->own; }
+static void body_drop(body *b) {
+  if (b->flat) vs_store_realloc(b->store, b->flat, b->room * sizeof *b->flat, 0);
+  vs_node_release(b->solid);
+}
 
 static half_space half_space_of(vs_vec3 normal, vs_vec3 at) {
   return (half_space){ normal, vs_v3_dot(normal, at) };
@@ -83,7 +95,8 @@ static half_space half_space_of(vs_vec3 normal, vs_vec3 at) {
 /* The frame's own box: also where it has no size along an axis. */
 static void box_piece(body *b, const vs_scope *s) {
   vs_affine m = vs_scope_frame(s);
-  piece *p = &b->piece[b->count++];
+  piece *p = &b->own[b->count++];
+  p->paired = 6;
   for (int a = 0; a < 3; a++) {
     vs_vec3 along = vs_affine_column(&m, a);
     vs_vec3 n = vs_v3_unit(vs_v3_cross(vs_affine_column(&m, (a + 1) % 3), vs_affine_column(&m, (a + 2) % 3)));
@@ -107,19 +120,115 @@ static void tetrahedra(body *b) {
       if (fabs(height) <= b->slack) thick = false;
       tetrahedron.side[tetrahedron.count++] = half_space_of(height > 0 ? vs_v3_scale(n, -1) : n, q);
     }
-    if (thick) b->piece[b->count++] = tetrahedron;
+    if (thick) b->own[b->count++] = tetrahedron;
   }
 }
 
-static body body_of(const vs_scope *s) {
-  body b = { .bounds = vs_bounds_empty() };
-  vs_scope_corners(s, b.corner);
-  for (int i = 0; i < 8; i++) vs_bounds_add(&b.bounds, b.corner[i]);
-  double reach = vs_v3_length(b.bounds.min) + vs_v3_length(b.bounds.max);
-  b.slack = 1e-9 * (reach > 0 ? reach : 1);
-  if (s->class_ == VS_SCOPE_FFD || s->class_ == VS_SCOPE_TURTLE) tetrahedra(&b);
-  if (!b.count) box_piece(&b, s);
-  return b;
+/* Adds what has no thickness: a triangle, or a stretch of a line where two corners are one. */
+static bool add_flat(body *b, const vs_vec3 t[3]) {
+  vs_vec3 x = vs_v3_sub(t[1], t[0]), z = vs_v3_cross(x, vs_v3_sub(t[2], t[0]));
+  bool line = vs_v3_length(z) <= b->slack * b->slack;
+  if (line && vs_v3_length(x) == 0) x = vs_v3_sub(t[2], t[0]);
+  if (line && vs_v3_length(x) == 0) return true;
+  if (!vs_store_grow(b->store, &b->flat, &b->room, b->count + 1, sizeof *b->flat)) return false;
+  piece *p = &b->flat[b->count++];
+  *p = (piece){ .triangle = { t[0], t[1], t[2] } };
+  vs_vec3 ux = vs_v3_unit(x);
+  if (line) { /* two pairs of planes along it, and one across its ends */
+    vs_vec3 away = fabs(ux.x) < .6 ? vs_v3(1, 0, 0) : vs_v3(0, 1, 0), uy = vs_v3_unit(vs_v3_cross(ux, away));
+    vs_vec3 uz = vs_v3_cross(ux, uy), end = vs_v3_length(vs_v3_sub(t[1], t[0])) > 0 ? t[1] : t[2];
+    const vs_vec3 across[2] = { uy, uz };
+    for (int k = 0; k < 2; k++) {
+      p->side[p->count++] = half_space_of(across[k], t[0]);
+      p->side[p->count++] = half_space_of(vs_v3_scale(across[k], -1), t[0]);
+    }
+    p->side[p->count++] = half_space_of(ux, end);
+    p->side[p->count++] = half_space_of(vs_v3_scale(ux, -1), t[0]);
+    p->paired = 6;
+    return true;
+  }
+  vs_vec3 n = vs_v3_unit(z);
+  p->side[p->count++] = half_space_of(n, t[0]);
+  p->side[p->count++] = half_space_of(vs_v3_scale(n, -1), t[0]);
+  p->paired = 2;
+  for (int k = 0; k < 3; k++)
+    p->side[p->count++] = half_space_of(vs_v3_unit(vs_v3_cross(vs_v3_sub(t[(k + 1) % 3], t[k]), n)), t[k]);
+  return true;
+}
+
+static bool polygon_pieces(body *b, const vs_scope *s) {
+  const vs_scope_loops *l = s->loops;
+  vs_affine back;
+  vs_mesh m = { 0 };
+  size_t n = l->points->count;
+  vs_vec2 *flat = vs_store_realloc(b->store, NULL, 0, n * sizeof *flat);
+  size_t *sizes = vs_store_realloc(b->store, NULL, 0, l->count * sizeof *sizes);
+  uint32_t *index = vs_store_realloc(b->store, NULL, 0, n * sizeof *index);
+  bool ok = flat && sizes && index && vs_affine_invert(&s->as.box.frame, &back);
+  for (uint32_t i = 0; ok && i < n; i++) {
+    vs_vec3 p = vs_affine_point(&back, l->points->at[i]);
+    flat[i] = (vs_vec2){ p.x, p.y }, index[i] = i;
+  }
+  for (uint32_t i = 0; ok && i < l->count; i++) sizes[i] = l->start[i + 1] - l->start[i];
+  ok = ok && vs_triangulate(flat, sizes, l->count, &m, index, false);
+  for (size_t i = 0; ok && i < m.triangle_count; i++) {
+    vs_vec3 t[3];
+    for (int k = 0; k < 3; k++) t[k] = l->points->at[m.triangles[i][k]];
+    ok = add_flat(b, t);
+  }
+  vs_mesh_free(&m);
+  if (flat) vs_store_realloc(b->store, flat, n * sizeof *flat, 0);
+  if (sizes) vs_store_realloc(b->store, sizes, l->count * sizeof *sizes, 0);
+  if (index) vs_store_realloc(b->store, index, n * sizeof *index, 0);
+  return ok;
+}
+
+static bool curve_pieces(body *b, const vs_scope *s) {
+  size_t n = s->loops->points->count;
+  const vs_vec3 *at = s->loops->points->at;
+  bool ok = true;
+  for (size_t i = 0; ok && i + (s->closed ? 0 : 1) < n; i++) {
+    const vs_vec3 t[3] = { at[i], at[(i + 1) % n], at[(i + 1) % n] };
+    ok = add_flat(b, t);
+  }
+  return ok;
+}
+
+/* The faces of the object that a mesh or surface scope was made of. *set: the condition is. */
+static bool object_pieces(vs_bind *bind, body *b, const vs_scope *s, bool *set) {
+  vs_bend_leaves leaves;
+  vs_ref object = { vs_node_retain(s->object.node), s->object.origin };
+  bool ok = vs_bend_resolve(bind, &object) && vs_bend_take_apart(bind, object, NULL, &leaves);
+  *set = !ok;
+  for (size_t i = 0; ok && i < leaves.count; i++)
+    for (size_t k = 0; ok && k < leaves.at[i].mesh.triangle_count; k++) {
+      const vs_mesh *m = &leaves.at[i].mesh;
+      const uint32_t *c = m->triangles[k];
+      const vs_vec3 t[3] = { m->vertices[c[0]], m->vertices[c[1]], m->vertices[c[2]] };
+      ok = add_flat(b, t);
+    }
+  if (!*set) vs_bend_drop(&leaves);
+  if (ok && object.node->class_ == VS_SOLID) b->solid = object.node;
+  else vs_node_release(object.node);
+  return ok;
+}
+
+/* False: the condition is set. The caller drops what comes back. */
+static bool body_of(vs_bind *bind, const vs_scope *s, body *b) {
+  *b = (body){ .store = bind->store, .bounds = vs_bounds_empty() };
+  vs_scope_corners(s, b->corner);
+  for (int i = 0; i < 8; i++) vs_bounds_add(&b->bounds, b->corner[i]);
+  double reach = vs_v3_length(b->bounds.min) + vs_v3_length(b->bounds.max);
+  b->slack = 1e-9 * (reach > 0 ? reach : 1);
+  bool ok = true, set = false;
+  if (s->class_ == VS_SCOPE_FFD || s->class_ == VS_SCOPE_TURTLE) tetrahedra(b);
+  if (s->class_ == VS_SCOPE_POLYGON || s->class_ == VS_SCOPE_TRIANGLE) ok = polygon_pieces(b, s);
+  if (s->class_ == VS_SCOPE_CURVE) ok = curve_pieces(b, s);
+  if (s->class_ == VS_SCOPE_MESH || s->class_ == VS_SCOPE_SURFACE) ok = object_pieces(bind, b, s, &set);
+  if (ok && !b->count) box_piece(b, s);
+  b->point = b->flat ? b->flat[0].triangle[0] : b->corner[0];
+  if (!ok) body_drop(b);
+  return ok || set ? ok : vs_fail_memory(bind->vm);
 }
 
 /* Is something left of the triangle within the piece? Its sides go out by slack; a negative one moves them in, but for
@@ -131,7 +240,7 @@ static bool triangle_meets(const piece *p, const vs_vec3 triangle[3], double sla
   memcpy(corner[0], triangle, 3 * sizeof *triangle);
   for (int k = 0; k < p->count && n; k++) {
     const half_space *h = &p->side[k];
-    bool flat = p->count == 6 && h->at + p->side[k ^ 1].at <= fabs(slack);
+    bool flat = k < p->paired && h->at + p->side[k ^ 1].at <= fabs(slack);
     double at = h->at + (flat ? fabs(slack) : slack), d[16];
     size_t left = 0;
     const vs_vec3 *in = corner[from];
@@ -152,8 +261,9 @@ static bool body_meets(const body *b, const vs_vec3 triangle[3], double slack) {
   vs_bounds t = vs_bounds_empty();
   for (int i = 0; i < 3; i++) vs_bounds_add(&t, triangle[i]);
   if (!vs_bounds_overlap(&t, &b->bounds, fabs(slack))) return false;
-  for (int i = 0; i < b->count; i++)
-    if (triangle_meets(&b->piece[i], triangle, slack)) return true;
+  const piece *p = pieces_of(b);
+  for (size_t i = 0; i < b->count; i++)
+    if (triangle_meets(&p[i], triangle, slack)) return true;
   return false;
 }
 
@@ -162,19 +272,43 @@ static bool body_holds(const body *b, vs_vec3 p) {
   return body_meets(b, point, b->slack);
 }
 
-bool vs_scopes_touch(const vs_scope *x, const vs_scope *y) {
-  body a = body_of(x), b = body_of(y);
-  double slack = fmax(a.slack, b.slack);
-  if (!vs_bounds_overlap(&a.bounds, &b.bounds, slack)) return false;
-  if (body_holds(&a, b.corner[0]) || body_holds(&b, a.corner[0])) return true;
+static bool surfaces_touch(const body *a, const body *b) {
+  double slack = fmax(a->slack, b->slack);
+  if (!vs_bounds_overlap(&a->bounds, &b->bounds, slack)) return false;
+  if (body_holds(a, b->point) || body_holds(b, a->point)) return true;
+  for (size_t i = 0; b->flat && i < b->count; i++)
+    if (body_meets(a, b->flat[i].triangle, slack)) return true;
   static const int face[6][4] = { { 0, 1, 3, 2 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 },
                                   { 2, 3, 7, 6 }, { 0, 2, 6, 4 }, { 1, 3, 7, 5 } };
-  for (int i = 0; i < 6; i++)
+  for (int i = 0; i < 6 && !b->flat; i++)
     for (int k = 0; k < 2; k++) { /* the diagonals from 0 and 7, as the tetrahedra's */
-      const vs_vec3 t[3] = { b.corner[face[i][0]], b.corner[face[i][1 + k]], b.corner[face[i][2 + k]] };
-      if (body_meets(&a, t, slack)) return true;
+      const vs_vec3 t[3] = { b->corner[face[i][0]], b->corner[face[i][1 + k]], b->corner[face[i][2 + k]] };
+      if (body_meets(a, t, slack)) return true;
     }
   return false;
+}
+
+/* Is the point inside of the closed mesh that a body is? */
+static bool solid_holds(vs_bind *bind, const body *b, vs_vec3 p, bool *in) {
+  vs_error e = { 0 };
+  if (!b->solid || vs_inside_cached(&bind->inside, b->solid, p, in, &e)) return true;
+  return e.kind == VS_ERROR_INTERRUPT ? false : vs_fail(bind->vm, bind->vm->sym.error, "%s", e.message);
+}
+
+/* Do two bodies have a point in common? False: the condition is set. */
+static bool bodies_touch(vs_bind *bind, const body *a, const body *b, bool *touch) {
+  *touch = surfaces_touch(a, b);
+  if (*touch || !vs_bounds_overlap(&a->bounds, &b->bounds, fmax(a->slack, b->slack))) return true;
+  return solid_holds(bind, a, b->point, touch) && (*touch || solid_holds(bind, b, a->point, touch));
+}
+
+bool vs_scopes_touch(vs_bind *bind, const vs_scope *x, const vs_scope *y, bool *touch) {
+  body a, b;
+  if (!body_of(bind, x, &a)) return false;
+  if (!body_of(bind, y, &b)) return body_drop(&a), false;
+  bool ok = bodies_touch(bind, &a, &b, touch);
+  body_drop(&a), body_drop(&b);
+  return ok;
 }
 
 /* ---- one object ---- */
@@ -208,6 +342,12 @@ static bool leaf_meets(const vs_bend_leaf *l, const vs_affine *map, const body *
   return false;
 }
 
+static bool leaf_point(const vs_bend_leaf *l, const vs_affine *map, vs_vec3 *out) {
+  if (!l->mesh.vertex_count) return false;
+  *out = vs_affine_point(map, l->mesh.vertices[0]);
+  return true;
+}
+
 typedef struct {
   vs_frame *f;
   body body;
@@ -222,6 +362,18 @@ static bool holds(question *q, const vs_node *n, vs_vec3 p) {
   if (n->class_ != VS_SOLID || q->failed) return false;
   if (!vs_inside_cached(&q->f->bind->inside, n, p, &in, &e)) q->failed = true, vs_bind_error(q->f, &e);
   return in;
+}
+
+/* Does it hold the points, each a little nearer to their middle: a scope may lie on the object's faces. */
+static bool holds_all(question *q, const vs_node *n, const vs_affine *back, const vs_vec3 *at, int count) {
+  vs_vec3 middle = vs_v3(0, 0, 0);
+  for (int i = 0; i < count; i++) middle = vs_v3_add(middle, vs_v3_scale(at[i], 1.0 / count));
+  bool all = true;
+  for (int i = 0; i < count && all; i++) {
+    vs_vec3 in = vs_v3_scale(vs_v3_unit(vs_v3_sub(middle, at[i])), 2 * q->body.slack);
+    all = holds(q, n, vs_affine_point(back, vs_v3_add(at[i], in)));
+  }
+  return all;
 }
 
 /* Does the answer hold for this object? */
@@ -241,9 +393,16 @@ static bool answers(question *q, vs_surroundings *a, vs_ref object) {
   double slack = q->inside ? -q->body.slack : q->body.slack;
   bool meets = false;
   for (size_t i = 0; i < leaves->count && !meets; i++) meets = leaf_meets(&leaves->at[i], &map, &q->body, slack);
-  if (!q->inside) return meets || (!flat && holds(q, resolved, vs_affine_point(&back, q->body.corner[0])));
-  for (int i = 0; i < 8 && !meets; i++)
-    meets = flat || !holds(q, resolved, vs_affine_point(&back, q->body.corner[i]));
+  if (!q->inside) {
+    meets = meets || (!flat && holds(q, resolved, vs_affine_point(&back, q->body.point)));
+    vs_vec3 at;
+    for (size_t i = 0; i < leaves->count && !meets && q->body.solid; i++)
+      meets = leaf_point(&leaves->at[i], &map, &at) && holds(q, q->body.solid, at);
+    return meets;
+  }
+  for (size_t i = 0; q->body.flat && i < q->body.count && !meets; i++)
+    meets = flat || !holds_all(q, resolved, &back, q->body.flat[i].triangle, 3);
+  if (!q->body.flat && !meets) meets = flat || !holds_all(q, resolved, &back, q->body.corner, 8);
   return !meets && !q->failed;
 }
 
@@ -293,27 +452,33 @@ static bool any_answers(question *q, vs_derivation *d) {
 }
 
 /* Scopes that wait count as what will be made of them. */
-static bool any_waits(const question *q, const vs_derivation *d, const vs_scope *s) {
-  for (size_t i = 0; i < d->waiting_count && !q->inside; i++) {
+static bool any_waits(question *q, const vs_derivation *d) {
+  bool touch = false;
+  for (size_t i = 0; i < d->waiting_count && !q->inside && !touch && !q->failed; i++) {
     const vs_scope *c = d->waiting[i].task->child[0];
-    if ((!q->flag || vs_scope_has_flag(c, q->flag)) && vs_scopes_touch(s, c)) return true;
+    body other;
+    if (q->flag && !vs_scope_has_flag(c, q->flag)) continue;
+    if (!body_of(d->bind, c, &other)) return q->failed = true, false;
+    q->failed = !bodies_touch(d->bind, &q->body, &other, &touch);
+    body_drop(&other);
   }
-  return false;
+  return touch;
 }
 
 static vs_status ask(vs_frame *f, bool inside, vs_value *out) {
-  const vs_scope *s = f->arg[0].scope;
-  question q = { .f = f, .body = body_of(s), .inside = inside };
+  question q = { .f = f, .inside = inside };
   bool yes = false;
   if (f->key[0].given && !(q.flag = vs_store_text(f->bind->store, f->key[0].text.at, f->key[0].text.length)))
     return vs_fail_memory(f->vm);
+  if (!body_of(f->bind, f->arg[0].scope, &q.body)) return VS_ERROR;
   if (f->key[1].given) {
     vs_surroundings a = { .bind = f->bind };
     yes = answers(&q, &a, f->key[1].ref);
     drop_kept(&a);
   } else
     for (vs_derivation *d = f->bind->growing; d && !yes && !q.failed; d = d->outer)
-      yes = any_waits(&q, d, s) || any_answers(&q, d);
+      yes = any_waits(&q, d) || (!q.failed && any_answers(&q, d));
+  body_drop(&q.body);
   *out = vs_bool(yes);
   return q.failed ? VS_ERROR : VS_OK;
 }

@@ -6,7 +6,8 @@
 
 typedef struct vs_surroundings vs_surroundings;
 void vs_surroundings_free(vs_surroundings *a); /* NULL is fine */
-/* Do the scopes have a point in common? Exactly, hexahedra by their six tetrahedra. */
-bool vs_scopes_touch(const vs_scope *a, const vs_scope *b);
+/* Do the scopes have a point in common? Exactly, hexahedra by their six tetrahedra, meshes by their faces. False: the
+ * condition is set. */
+bool vs_scopes_touch(vs_bind *bind, const vs_scope *a, const vs_scope *b, bool *touch);
 
 #endif

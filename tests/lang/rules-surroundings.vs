@@ -31,6 +31,23 @@
 (displayln (face-touches (make-box (xyz 0.4 0.4 0.9) (xyz 0.6 0.6 1.1)))) ; expect: 1
 (displayln (face-touches (make-box (xyz 0.9 0.9 0.9) (xyz 1.1 1.1 1.1)))) ; expect: 3
 
+; polygons, triangles, curves, meshes and surfaces are asked as they are, not as the boxes around them
+(define ell (make-polygon-scope (make-polygon (xy 0 0) (xy 4 0) (xy 4 1) (xy 1 1) (xy 1 4) (xy 0 4))))
+(define (post x y) (make-box (xyz x y -1) (xyz (+ x 0.5) (+ y 0.5) 1)))
+(displayln (list (touch ell (post 2 2)) (touch ell (post 2 0.2)) (touch ell (post 0.8 2)) (touch ell (post 1 1)))) ; expect: (#f #t #t #t)
+(define (raised-ell k) (do-move (do-extrude (make-polygon (xy (- k) (- k)) (xy (+ 4 k) (- k)) (xy (+ 4 k) (+ 1 k)) (xy (+ 1 k) (+ 1 k)) (xy (+ 1 k) (+ 4 k)) (xy (- k) (+ 4 k))) 2) (vxyz 0 0 -1)))
+(displayln (list (in ell (make-box (xyz -1 -1 -1) (xyz 5 5 1))) (in ell (raised-ell 0.1)) (in ell (raised-ell 0)) (in ell (raised-ell -0.1)))) ; expect: (#t #t #t #f)
+(define holed (make-polygon-scope (make-region (make-rectangle (xy 0 0) (xy 4 4)) (make-rectangle (xy 1 1) (xy 3 3)))))
+(displayln (list (touch holed (post 1.5 1.5)) (touch holed (post 0.2 0.2)))) ; expect: (#f #t)
+(define corner (make-triangle-scope origin (xy 4 0) (xy 0 4)))
+(displayln (list (touch corner (post 3 3)) (touch corner (post 1 1)))) ; expect: (#f #t)
+(define slope (make-curve-scope (make-line (xyz 0 0 0) (xyz 4 4 0) (xyz 8 0 0))))
+(displayln (list (touch slope (post 3 0)) (touch slope (post 2 2)) (touch slope (post 5.9 1.9)))) ; expect: (#f #t #t)
+(define hollow (make-mesh-scope (subtract (make-box (xyz -3 -3 -3) (xyz 3 3 3)) (make-box (xyz -2 -2 -2) (xyz 2 2 2)))))
+(displayln (list (touch hollow (post 0 0)) (touch hollow (make-box (xyz 2.2 0 0) (xyz 2.6 1 1))) (touch hollow (post 1.8 0)) (touch hollow (post 5 5)))) ; expect: (#f #t #t #f)
+(define wave (make-surface-scope sheet))
+(displayln (list (touch wave (make-box (xyz 1.5 1.5 0) (xyz 1.6 1.6 0.5))) (touch wave (make-box (xyz 1.5 1.5 0.9) (xyz 1.6 1.6 1.1))))) ; expect: (#f #t)
+
 ; of what was made so far: by flag, and of all; the second block finds the first
 (define found '())
 (define (note! s x) (set! found (append found (list x))) s)
