@@ -30,7 +30,8 @@
     (lambda (action part)
       (%viewer-frame part seconds)
       (%apply-action action (%root) (list seconds)))
-    %frame-actions (list %viewer-prepare %viewer-draw %viewer-finish)))
+    %frame-actions (list %viewer-prepare %viewer-draw %viewer-finish))
+  (%adapt-quality seconds))
 
 ; ---- picking ----
 

@@ -311,3 +311,44 @@
 
 (define (%viewer-frame part seconds)
   (let ((f (and %active-viewer (part %active-viewer)))) (if f (f seconds))))
+
+; ---- detail and culling ----
+
+; How fine a host should draw, from 0.1 to 1: each frame that took longer than a twentieth of a second makes it coarser,
+; each shorter than a fortieth finer. #f: nobody has asked.
+(define %quality #f)
+(define (scene-quality)
+  (or %quality
+      (begin
+        (set! %quality (make-property 'quality 1.0 #:type (%between 0.1 1.0)))
+        (property-add! (node-controller) %quality)
+        %quality)))
+
+(define (%adapt-quality seconds)
+  (if (and %quality (> seconds 0))
+      (let ((q (property-value %quality)))
+        (cond ((> seconds 1/20) (property-set! %quality (max 0.1 (* 0.8 q))))
+              ((< seconds 1/40) (property-set! %quality (min 1.0 (* 1.25 q))))))))
+
+; Does the ball meet the cone of half the angle about the direction, a unit gvector, from eye?
+(define (%in-cone? centre radius eye direction half)
+  (let* ((w (p-p centre eye)) (along (dot w direction)) (across (sqrt (max 0 (- (dot w w) (* along along))))))
+    (if (>= (+ (* along (cos half)) (* across (sin half))) 0)
+        (<= (- (* across (cos half)) (* along (sin half))) radius)
+        (<= (vlength w) radius))))
+
+; The nodes whose own drawing may be seen by a camera of that angle, across corners: those whose bounds' ball is in
+; sight.
+(define (node-visible eye direction angle [node any? #f])
+  (%need-ray 'node-visible eye direction)
+  (if (not (and (real? angle) (< 0 angle pi)))
+      (error 'node-visible "angle must be a number above 0 and below pi, got ~s" angle))
+  (if node (%need-node 'node-visible 'node node))
+  (let ((way (unitize direction)) (found '()))
+    (%walk (or node (%root))
+      (lambda (n)
+        (let* ((own (%one-object (%own-drawing n))) (box (bounding-box (do-transform own (node-worldtransform n)))))
+          (if box
+              (let ((a (first box)) (b (second box)))
+                (if (%in-cone? (mid a b) (/ (distance a b) 2) eye way (/ angle 2)) (set! found (cons n found))))))))
+    (reverse found)))

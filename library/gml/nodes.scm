@@ -64,12 +64,14 @@
 (define (in-place p)
   (let ((context (node-current)) (begun dictionaries))
     (lambda ()
-      (let ((outer dictionaries) (bottom depth))
-        (with-node context
-          (set! dictionaries begun)
-          (execute p)
-          (if (not (eq? context (node-getroot))) (keep-drawing context)))
-        (set! dictionaries outer)
+      (let ((outer dictionaries) (outer-leave leave) (bottom depth))
+        (dynamic-wind
+          (lambda () (set! dictionaries begun) (set! leave #f))
+          (lambda ()
+            (with-node context
+              (execute p)
+              (if (not (eq? context (node-getroot))) (keep-drawing context))))
+          (lambda () (set! dictionaries outer) (set! leave outer-leave)))
         (let drop () (if (> depth bottom) (begin (pop) (drop))))))))
 
 ; model sliders number { place number } { before } { clicked } GIZMOS.gizmo-trigger: appends a dictionary to the array
