@@ -631,10 +631,7 @@ static bool judge(fit *f, const double *unknowns) {
         else
           lost += part;
       }
-      if (j >= f->numbers) {
-        f->out->placed_loose = f->out->placed_loose || lost > .01;
-        continue;
-      }
+      if (j >= f->numbers) continue;
       vs_fitted_number *out = &f->out->numbers[j];
       const vs_fit_number *b = &f->p->numbers[j];
       out->error = lost > .01 ? INFINITY : hypot(sqrt(factor * square / (double)m) / f->out->size, shift) * scales[j];

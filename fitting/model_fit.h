@@ -68,7 +68,6 @@ typedef struct {
   double model_size;       /* of the model at the start, the same */
   bool converged, stopped; /* stopped: `going` ended it */
   bool rival;              /* another start came as near, with other numbers */
-  bool placed_loose;       /* the scan does not determine the place, or the model looks the same in several */
   unsigned iterations, models; /* evaluations of the distances; models made */
 } vs_model_fit;
 
