@@ -6,7 +6,11 @@
 #include "cli/command.h"
 
 /* What was typed and worked, in order: what ,undo takes back and ,save writes. */
-typedef struct { char *text; unsigned first_line; } cli_entry;
+typedef struct {
+  char *text;
+  unsigned first_line;
+  unsigned result, results; /* its values are $result and those behind it, as many as results says */
+} cli_entry;
 
 typedef struct {
   bool going;
@@ -14,6 +18,7 @@ typedef struct {
   cli_entry *entries;
   size_t count, room;     /* entries[0..count) hold; ,undo lowers count */
   size_t known;           /* entries[count..known) can be done again */
+  unsigned results;       /* how many values had a number when it was last asked (cli_prompt_results) */
   char *loaded;           /* what ,load named last */
   cli_entry *stopped;     /* the entries that are stopped, as many as vs_stop_depth says, the last one on top;
       text NULL: a file that was run */

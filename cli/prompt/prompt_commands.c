@@ -82,7 +82,7 @@ static void run_file(cli_session *c, cli_prompt *p, const char *path) {
   vs_outcome outcome = run_model(c, path);
   if (outcome == VS_OUTCOME_USAGE) return;
   cli_prompt_forget_stopped(p);
-  if (outcome == VS_OUTCOME_STOPPED) cli_prompt_stopped(c, p, (cli_entry){NULL, 0});
+  if (outcome == VS_OUTCOME_STOPPED) cli_prompt_stopped(c, p, (cli_entry){NULL, 0, 0, 0});
   for (size_t i = 0; i < p->known; i++) free(p->entries[i].text); /* what was typed is forgotten too */
   p->count = p->known = 0;
 }
@@ -266,7 +266,7 @@ static void describe(cli_session *c, const char *expression) {
 
 static void expand(cli_session *c, const char *form) {
   if (*form) ask(c, "(begin (write (macroexpand '", form, "\n)) (newline))");
-  else fputs(",expand needs a form, as in ,expand (when #t 1)\n", stderr);
+  else fputs(",expand needs a form, as in ,expand (for/list ([i 3]) i)\n", stderr);
 }
 
 /* ---- what was typed ---- */
@@ -281,9 +281,12 @@ static vs_outcome replay(cli_session *c, cli_prompt *p) {
   cli_prompt_forget_stopped(p);
   c->stops = VS_EVAL_PASS;
   vs_outcome outcome = cli_session_run(c);
-  for (size_t i = 0; i < p->count && outcome == VS_OUTCOME_DONE; i++)
-    outcome = cli_session_eval(c, "prompt", p->entries[i].first_line, p->entries[i].text, strlen(p->entries[i].text),
-        VS_EVAL_PRINT | VS_EVAL_NUMBER | VS_EVAL_PASS);
+  for (size_t i = 0; i < p->count && outcome == VS_OUTCOME_DONE; i++) {
+    cli_entry *e = &p->entries[i];
+    unsigned before = cli_prompt_results(c, p);
+    outcome = cli_session_eval(c, "prompt", e->first_line, e->text, strlen(e->text), VS_EVAL_PRINT | VS_EVAL_NUMBER | VS_EVAL_PASS);
+    e->result = before + 1, e->results = cli_prompt_results(c, p) > before ? p->results - before : 0;
+  }
   vs_interrupt_clear(c->scheme);
   c->output = output;
   c->options->quiet = quiet;
@@ -318,6 +321,46 @@ static void redo(cli_session *c, cli_prompt *p) {
   replay(c, p);
 }
 
+/* Which of that entry's values an entry behind it asks for by its number; 0: none. */
+static unsigned named_later(const cli_prompt *p, size_t entry) {
+  const cli_entry *e = &p->entries[entry];
+  for (size_t i = entry + 1; e->results && i < p->count; i++)
+    for (const char *at = p->entries[i].text; (at = strchr(at, '$')) != NULL; at++) {
+      unsigned long n = isdigit((unsigned char)at[1]) ? strtoul(at + 1, NULL, 10) : 0;
+      if (n >= e->result && n - e->result < e->results) return (unsigned)n;
+    }
+  return 0;
+}
+
+/* Is the text one expression in parentheses, or one word? */
+static bool is_one(cli_session *c, const char *text, size_t n) {
+  if (*text != '(' && *text != '[') return memchr(text, ' ', n) == NULL && memchr(text, '\n', n) == NULL;
+  for (size_t k = 2; k < n; k++)
+    if (strchr(")]", text[k - 1]) && vs_read_check(c->scheme, text, k).state == VS_READ_COMPLETE)
+      return vs_read_check(c->scheme, text + k, n - k).state == VS_READ_EMPTY;
+  return true;
+}
+
+/* An entry as a line of a program; its value gets the name that it had as a number, where what follows uses that. */
+static void save_entry(cli_session *c, const cli_prompt *p, size_t entry, FILE *f) {
+  const char *text = p->entries[entry].text;
+  text += strspn(text, " \t\r\n");
+  size_t n = strlen(text);
+  while (n && strchr(" \t\r\n", text[n - 1])) n--;
+  unsigned named = named_later(p, entry);
+  bool whole = named && p->entries[entry].results == 1 && is_one(c, text, n);
+  if (whole)
+    fprintf(f, "(define $%u %.*s%s)\n", named, (int)n, text, memchr(text, ';', n) ? "\n" : "");
+  else fprintf(f, "%.*s\n", (int)n, text);
+  if (named && !whole) fprintf(stderr, "; $%u is not in the program: it is the value of one of several expressions in a line\n", named);
+}
+
+/* Does the entry only watch: (trace f)? */
+static bool only_watches(const char *text) {
+  text += strspn(text, " \t\r\n");
+  return strncmp(text, "(trace ", 7) == 0 || strncmp(text, "(untrace ", 9) == 0;
+}
+
 /* What was typed, as a program: the model's files first, then every entry. */
 static void save(cli_session *c, cli_prompt *p, const char *path) {
   if (!*path) {
@@ -335,7 +378,7 @@ static void save(cli_session *c, cli_prompt *p, const char *path) {
     fprintf(stderr, "%s: %s\n", path, strerror(errno));
     return;
   }
-  size_t definitions = 0;
+  size_t definitions = 0, written = 0;
   if (c->model) fprintf(f, "(load \"%s\")\n", c->model);
   for (size_t i = 0; !c->model && i < c->options->source_count; i++) {
     const cli_source *s = &c->options->sources[i];
@@ -343,15 +386,14 @@ static void save(cli_session *c, cli_prompt *p, const char *path) {
     else if (strcmp(s->text, "-") != 0) fprintf(f, "(load \"%s\")\n", s->text);
   }
   for (size_t i = 0; i < p->count; i++) {
-    const char *text = p->entries[i].text;
-    size_t n = strlen(text);
-    definitions += cli_is_definition(text);
-    fprintf(f, "%s%s", text, n && text[n - 1] == '\n' ? "" : "\n");
+    if (only_watches(p->entries[i].text)) continue;
+    written++;
+    definitions += cli_is_definition(p->entries[i].text);
+    save_entry(c, p, i, f);
   }
   bool ok = !ferror(f);
   if (fclose(f) != 0 || !ok) fprintf(stderr, "%s: %s\n", path, strerror(errno));
-  else printf("; wrote %s: %zu expression%s, %zu of them definitions\n", path, p->count, p->count == 1 ? "" : "s",
-      definitions);
+  else printf("; wrote %s: %zu expression%s, %zu of them definitions\n", path, written, written == 1 ? "" : "s", definitions);
 }
 
 /* ---- watching a program ---- */

@@ -43,7 +43,20 @@ bool cli_is_definition(const char *text) {
   return !strncmp(text, "(define", 7);
 }
 
-static bool remember(cli_prompt *p, const char *text, size_t length, unsigned first_line) {
+static bool is_number_of_value(cli_session *c, unsigned n) {
+  char name[24];
+  vs_name_info info;
+  snprintf(name, sizeof name, "$%u", n);
+  return vs_name_get(c->scheme, name, &info);
+}
+
+unsigned cli_prompt_results(cli_session *c, cli_prompt *p) {
+  while (p->results && !is_number_of_value(c, p->results)) p->results--;
+  while (is_number_of_value(c, p->results + 1)) p->results++;
+  return p->results;
+}
+
+static bool remember(cli_session *c, cli_prompt *p, const char *text, size_t length, unsigned first_line) {
   for (size_t i = p->count; i < p->known; i++) free(p->entries[i].text); /* what was undone is past */
   p->known = p->count;
   if (!has_room(&p->entries, p->count, &p->room)) return false;
@@ -51,7 +64,8 @@ static bool remember(cli_prompt *p, const char *text, size_t length, unsigned fi
   if (!copy) return false;
   memcpy(copy, text, length);
   copy[length] = 0;
-  p->entries[p->count++] = (cli_entry){copy, first_line};
+  unsigned before = p->results, now = cli_prompt_results(c, p);
+  p->entries[p->count++] = (cli_entry){copy, first_line, before + 1, now > before ? now - before : 0};
   p->known = p->count;
   return true;
 }
@@ -145,7 +159,7 @@ vs_outcome cli_prompt_stopped(cli_session *c, cli_prompt *p, cli_entry entry) {
     return outcome;
   }
   cli_report_settle(&c->reporter);
-  if (outcome == VS_OUTCOME_DONE && entry.text && !remember(p, entry.text, strlen(entry.text), entry.first_line))
+  if (outcome == VS_OUTCOME_DONE && entry.text && !remember(c, p, entry.text, strlen(entry.text), entry.first_line))
     fputs("vs: out of memory\n", stderr);
   free(entry.text);
   return outcome;
@@ -162,7 +176,7 @@ void cli_prompt_resume(cli_session *c, cli_prompt *p, vs_resume_way way) {
   if (outcome == VS_OUTCOME_STOPPED) outcome = cli_prompt_stopped(c, p, entry);
   else {
     cli_report_settle(&c->reporter);
-    if (outcome == VS_OUTCOME_DONE && entry.text && !remember(p, entry.text, strlen(entry.text), entry.first_line))
+    if (outcome == VS_OUTCOME_DONE && entry.text && !remember(c, p, entry.text, strlen(entry.text), entry.first_line))
       fputs("vs: out of memory\n", stderr);
     free(entry.text);
   }
@@ -172,6 +186,7 @@ void cli_prompt_resume(cli_session *c, cli_prompt *p, vs_resume_way way) {
 
 vs_outcome cli_prompt_evaluate_with(cli_session *c, cli_prompt *p, const char *text, size_t length,
     unsigned first_line, unsigned extra) {
+  cli_prompt_results(c, p);
   vs_outcome outcome = cli_session_eval(c, "prompt", first_line, text, length,
       VS_EVAL_PRINT | VS_EVAL_NUMBER | VS_EVAL_STOP | VS_EVAL_WITHIN | extra);
   cli_report_settle(&c->reporter);
@@ -182,11 +197,11 @@ vs_outcome cli_prompt_evaluate_with(cli_session *c, cli_prompt *p, const char *t
     line_buffer copy = {0};
     cli_line_buffer_add(&copy, text, length);
     p->again = extra & VS_EVAL_STEP ? 1 + VS_RESUME_ENTER : 0;
-    outcome = cli_prompt_stopped(c, p, (cli_entry){copy.at, first_line});
+    outcome = cli_prompt_stopped(c, p, (cli_entry){copy.at, first_line, 0, 0});
   } else if (outcome == VS_OUTCOME_DONE) {
     advise(c, text, length, false);
     /* what was asked of a stopped program makes no sense outside of it */
-    if ((!p->stopped_count || cli_is_definition(text)) && !remember(p, text, length,
+    if ((!p->stopped_count || cli_is_definition(text)) && !remember(c, p, text, length,
         first_line)) fputs("vs: out of memory\n", stderr);
   } else if (outcome == VS_OUTCOME_MODEL) {
     advise(c, text, length, true);
@@ -243,7 +258,7 @@ vs_outcome cli_repl(cli_session *c) {
   vs_read_status status = {0};
   c->stops = VS_EVAL_STOP;
   /* what the command line named stopped */
-  if (vs_stop_depth(c->scheme)) cli_prompt_stopped(c, &p, (cli_entry){NULL, 0});
+  if (vs_stop_depth(c->scheme)) cli_prompt_stopped(c, &p, (cli_entry){NULL, 0, 0, 0});
   while (p.going && !*c->ended && !vs_exit_requested(c->scheme, &code)) {
     fflush(stdout);
     size_t length = 0;

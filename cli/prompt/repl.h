@@ -19,6 +19,8 @@ void cli_prompt_resume(cli_session *c, cli_prompt *p, vs_resume_way way);
 /* Tells where what was just run is stopped, and keeps it (entry, which is handed over) until it has ended. Returns how
  * it ended where it did after all. */
 vs_outcome cli_prompt_stopped(cli_session *c, cli_prompt *p, cli_entry entry);
+/* How many values have a number: $1, $2 ... */
+unsigned cli_prompt_results(cli_session *c, cli_prompt *p);
 /* Gives up what was stopped last. */
 void cli_prompt_drop(cli_session *c, cli_prompt *p);
 /* The interpreter has begun anew: nothing is stopped any more. */
