@@ -14,7 +14,7 @@ export class Parameters {
     this.rows = new Map();
     this.list = el("div");
     this.writeButton = el("button", { type: "button", class: "button", disabled: true, onclick: write }, "Write to source");
-    this.root = el("details", { class: "parameters glass", open: true, hidden: true }, el("summary", {}, "Parameters"), this.list,
+    this.root = el("details", { class: "parameters glass", open: innerWidth > 720, hidden: true }, el("summary", {}, "Parameters"), this.list,
       el("div", { class: "write" }, this.writeButton, el("button", { type: "button", class: "button", onclick: () => this.#save() }, "Save values"), el("button", { type: "button", class: "button", onclick: () => this.#load() }, "Load")));
   }
 

@@ -17,7 +17,7 @@ export function length(x, units) {
 
 export class Viewer {
   constructor(host) {
-    this.root = el("div", { class: "vs" });
+    this.root = el("div", { class: "vs", tabindex: "-1" }); // A click beside the buttons leaves the keys with the viewer.
     host.append(this.root);
     this.canvas = el("canvas", { tabindex: "0", role: "img", "aria-label": "The model. Arrow keys turn it, plus and minus zoom." });
     this.overlay = svg("svg", { class: "overlay", "aria-hidden": "true" });
@@ -123,7 +123,7 @@ export class Viewer {
         SHOWS.map(([name, label, key]) => item(label, key, () => this.toggle(name), { role: "menuitemcheckbox", "data-show": name }))),
     };
     this.sectionStrip = this.#sectionStrip();
-    this.measureStrip = el("div", { class: "strip glass", role: "status", hidden: true }, el("span", { class: "words" }, "Click a corner, an edge or a face"));
+    this.measureStrip = el("div", { class: "strip glass words-only", role: "status", hidden: true }, el("span", { class: "words" }, "Click a corner, an edge or a face"));
     this.card = el("aside", { class: "card glass", "aria-label": "What is chosen", hidden: true });
     this.help = el("div", { class: "help glass", role: "dialog", "aria-label": "Help", hidden: true },
       el("button", { type: "button", class: "close", "aria-label": "Close", onclick: () => this.toggleHelp() }, icon("close")),
