@@ -24,6 +24,7 @@ typedef struct {
   live_server server;
   vs_scheme *scheme;
   live_files files;
+  char *trial;         /* what a window wants the model's text to be until the file changes, or NULL */
   live_text printed, messages, values; /* of the run under way */
   size_t message_count, errors;
   bool busy_told;
@@ -102,7 +103,11 @@ static bool host_poll(void *context) { return *((live *)context)->options->ended
 static bool host_read(void *context, const char *path, char **text, size_t *length, const char **why) {
   live *l = context;
   live_files_note(&l->files, path);
-  return live_file_read(path, text, length, why);
+  if (l->trial == NULL || strcmp(path, l->options->model) != 0) return live_file_read(path, text, length, why);
+  *length = strlen(l->trial);
+  *text = strdup(l->trial);
+  *why = "out of memory";
+  return *text != NULL;
 }
 
 static bool host_list(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length), void *to, const char **why) {
@@ -281,16 +286,31 @@ static live_wish *next_wish(live *l) {
   return w;
 }
 
+/* Takes a text in place of the file's; NULL: the file's. */
+static void try_text(live *l, char *text) {
+  free(l->trial);
+  l->trial = text;
+}
+
 static void serve(live *l) {
   run_model(l);
   while (!*l->options->ended) {
     bool again = live_files_changed(&l->files);
-    if (again) live_files_settle(&l->files);
+    if (again) {
+      live_files_settle(&l->files);
+      try_text(l, NULL);
+    }
     live_wish *w = again ? NULL : next_wish(l);
     while (w != NULL) { /* all that waits, before one run */
       if (w->kind == LIVE_SET) {
         again |= vs_parameter_set(l->scheme, w->name, w->value);
         live_wish_free(w);
+      } else if (w->kind == LIVE_TRY) {
+        char *text = w->value[0] != 0 ? w->value : NULL;
+        if (text != NULL) w->value = NULL;
+        try_text(l, text);
+        live_wish_free(w);
+        again = true;
       } else {
         if (again) run_model(l);
         again = false;
@@ -384,6 +404,7 @@ done:
   if (l->server.publish != NULL) live_server_close(&l->server);
   vs_free(l->scheme);
   live_files_clear(&l->files);
+  try_text(l, NULL);
   live_text_free(&l->printed);
   live_text_free(&l->messages);
   live_text_free(&l->values);

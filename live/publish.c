@@ -113,8 +113,8 @@ void live_wish_free(live_wish *w) {
 
 bool live_wish_put(live_publish *p, live_wish *w) {
   pthread_mutex_lock(&p->lock);
-  for (live_wish *old = p->wishes; w->kind == LIVE_SET && old != NULL; old = old->next) {
-    if (old->kind != LIVE_SET || strcmp(old->name, w->name) != 0) continue;
+  for (live_wish *old = p->wishes; w->kind <= LIVE_TRY && old != NULL; old = old->next) {
+    if (old->kind != w->kind || strcmp(old->name, w->name) != 0) continue;
     char *value = old->value;
     old->value = w->value;
     w->value = value;

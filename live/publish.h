@@ -13,7 +13,11 @@ enum { LIVE_EVENTS = 64, LIVE_VERSIONS = 8, LIVE_WISHES = 64 };
 /* A scene that threads may be sending while the next is made. */
 typedef struct { unsigned uses; unsigned version; unsigned char *bytes; size_t count; live_chunks chunks, sorted; } live_scene;
 
-typedef enum { LIVE_SET, LIVE_PROMPT, LIVE_EXPORT } live_wish_kind;
+typedef enum {
+  LIVE_SET,    /* a parameter */
+  LIVE_TRY,    /* a text of the model that is not saved; "": the file's again */
+  LIVE_PROMPT, LIVE_EXPORT
+} live_wish_kind;
 typedef struct live_wish {
   live_wish_kind kind;
   char *name, *value;
@@ -49,6 +53,6 @@ live_scene *live_scene_take(live_publish *p); /* the newest, one more use; NULL:
 void live_scene_release(live_publish *p, live_scene *s);
 live_wish *live_wish_new(live_wish_kind kind, const char *name, const char *value);
 void live_wish_free(live_wish *w);
-bool live_wish_put(live_publish *p, live_wish *w); /* takes w; a setting of the same name replaces one that waits. False: too many wait, w is freed */
+bool live_wish_put(live_publish *p, live_wish *w); /* takes w; a setting or a text of the same name replaces one that waits. False: too many wait, w is freed */
 
 #endif

@@ -358,6 +358,7 @@ static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const 
   if (post && strcmp(url, "/source") == 0) return save_source(s, c, body);
   if (post && strcmp(url, "/check") == 0) return serve_check(s, c, body);
   if (post && strcmp(url, "/set") == 0) return wish(s, c, LIVE_SET, query(s, c, "name"), body->at);
+  if (post && strcmp(url, "/try") == 0) return wish(s, c, LIVE_TRY, "", body->at != NULL ? body->at : "");
   if (post && strcmp(url, "/prompt") == 0) return wish(s, c, LIVE_PROMPT, "", body->at);
   if (post && strcmp(url, "/stop") == 0) {
     s->stop(s->stop_context);

@@ -41,6 +41,7 @@ class Live {
       changed: () => { this.saveButton.disabled = !this.source.dirty; },
       save: () => this.save(),
       cursor: (place) => this.#atCursor(place),
+      attempt: (text) => this.#attempt(text),
       check: async (text) => {
         const answer = await ask("/check", { method: "POST", body: text });
         return answer.ok ? (await answer.json()).findings : [];
@@ -205,6 +206,20 @@ class Live {
     this.hash = (await answer.json()).hash;
     this.source.saved(text);
     this.saveButton.disabled = !this.source.dirty;
+  }
+
+  // Has the model made from the text as it stands, unsaved. One request is under way at a time; the last text is never left out.
+  async #attempt(text) {
+    this.wanted = text;
+    if (this.attempting) return;
+    this.attempting = true;
+    while (this.wanted !== undefined) {
+      const next = this.wanted;
+      this.wanted = undefined;
+      await ask("/try", { method: "POST", body: next === this.source.base ? "" : next });
+      await new Promise((go) => setTimeout(go, 30));
+    }
+    this.attempting = false;
   }
 
   // ---- parameters ----

@@ -107,9 +107,10 @@ const marks = StateField.define({
 });
 
 export class Source {
-  constructor(place, { changed, save, cursor, complete, check }) {
+  constructor(place, { changed, save, cursor, complete, check, attempt }) {
     this.base = undefined;
     this.check = check;
+    this.attempt = attempt;
     this.told = []; // What the last run said of this text.
     this.found = []; // What looks wrong in the text as it stands.
     const names = async (context) => {
@@ -122,7 +123,9 @@ export class Source {
       parent: place,
       state: EditorState.create({ doc: "", extensions: [lineNumbers(), lintGutter(), history(), drawSelection(), highlightActiveLine(), highlightActiveLineGutter(), bracketMatching(), closeBrackets(), indentation, indentUnit.of("  "), scheme, syntaxHighlighting(colours), theme, rainbow, marks,
         highlightSelectionMatches(), autocompletion({ override: [names], activateOnTypingDelay: 250 }),
-        keymap.of([{ key: "Mod-s", preventDefault: true, run: () => { save(); return true; } }, ...closeBracketsKeymap, ...completionKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, indentWithTab]),
+        EditorView.domEventHandlers({ mousedown: (event, view) => event.altKey && this.#drag(event, view) }),
+        keymap.of([{ key: "Ctrl-ArrowUp", run: () => this.#step(1) }, { key: "Ctrl-ArrowDown", run: () => this.#step(-1) },
+          { key: "Shift-Ctrl-ArrowUp", run: () => this.#step(10) }, { key: "Shift-Ctrl-ArrowDown", run: () => this.#step(-10) }, { key: "Mod-s", preventDefault: true, run: () => { save(); return true; } }, ...closeBracketsKeymap, ...completionKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, indentWithTab]),
         EditorView.updateListener.of((update) => {
           if (update.docChanged) {
             changed();
@@ -186,6 +189,41 @@ export class Source {
     const effects = [setMarks.of(Decoration.set(ranges, true))];
     if (chain.length > 0) effects.push(EditorView.scrollIntoView(this.offset(chain[0].line, chain[0].column), { y: "center" }));
     this.view.dispatch({ effects });
+  }
+
+  // ---- numbers that are turned like knobs ----
+
+  // The number literal at an offset: { from, to, text }, or null.
+  numberAt(offset) {
+    const line = this.view.state.doc.lineAt(offset);
+    for (const m of line.text.matchAll(/(?<=^|[\s()[\]'])[-+]?(\d+\.?\d*|\.\d+)(?=$|[\s()[\];])/g)) {
+      const from = line.from + m.index, to = from + m[0].length;
+      if (from <= offset && offset <= to) return { from, to, text: m[0] };
+    }
+    return null;
+  }
+  // Changes a number by so many steps of its last written place.
+  #turn(at, text, steps) {
+    const places = (text.split(".")[1] || "").length, value = (Number(text) + steps * 10 ** -places).toFixed(places).replace(/^-(0(\.0*)?)$/, "$1");
+    const now = this.numberAt(at);
+    if (!now || now.text === value) return;
+    this.view.dispatch({ changes: { from: now.from, to: now.to, insert: value }, selection: { anchor: now.from, head: now.from + value.length }, userEvent: "input.turn" });
+    this.attempt(this.text);
+  }
+  #step(steps) {
+    const at = this.view.state.selection.main.head, number = this.numberAt(at);
+    if (number) this.#turn(number.from, number.text, steps);
+    return !!number;
+  }
+  #drag(event, view) {
+    const offset = view.posAtCoords({ x: event.clientX, y: event.clientY }), number = offset === null ? null : this.numberAt(offset);
+    if (!number) return false;
+    const move = (e) => this.#turn(number.from, number.text, Math.round((e.clientX - event.clientX) / 6) * (e.shiftKey ? 10 : 1));
+    const up = () => { removeEventListener("pointermove", move); removeEventListener("pointerup", up); };
+    addEventListener("pointermove", move);
+    addEventListener("pointerup", up);
+    event.preventDefault();
+    return true;
   }
 
   // Has the text checked as it is, whether it was saved or not.

@@ -206,6 +206,26 @@ await test("completion comes from the interpreter", async (want) => {
   await page.evaluate(() => window.live.source.load(window.live.source.base));
 });
 
+await test("any number can be turned, unsaved", async (want) => {
+  const at = source.indexOf("1.3)");
+  await page.evaluate((at) => { const v = window.live.source.view; v.dispatch({ selection: { anchor: at + 1 }, scrollIntoView: true }); v.focus(); }, at);
+  for (let i = 0; i < 7; i++) await page.keyboard.press("Control+ArrowUp");
+  await page.waitForFunction(() => window.visualscheme.model.size[1] === 4, null, { timeout: 10000 });
+  want((await text()) === source.replace("1.3)", "2.0)"), "the text is another");
+  want(readFileSync(model, "utf8") === source, "the file was written");
+  const spot = await page.evaluate((at) => { const r = window.live.source.view.coordsAtPos(at + 1); return { x: (r.left + r.right) / 2 + 2, y: (r.top + r.bottom) / 2 }; }, at);
+  await page.keyboard.down("Alt");
+  await page.mouse.move(spot.x, spot.y);
+  await page.mouse.down();
+  await page.mouse.move(spot.x + 60, spot.y, { steps: 8 });
+  await page.mouse.up();
+  await page.keyboard.up("Alt");
+  await page.waitForFunction(() => window.visualscheme.model.size[1] === 6, null, { timeout: 10000 });
+  want((await text()) === source.replace("1.3)", "3.0)"), "dragging gave " + (await text()).split("\n")[10]);
+  await page.evaluate(() => { const s = window.live.source; s.load(s.base); s.attempt(s.base); });
+  await page.waitForFunction(() => Math.abs(window.visualscheme.model.size[1] - 2.6) < 1e-5, null, { timeout: 10000 });
+});
+
 await test("what looks wrong shows while it is typed", async (want) => {
   const put = (insert) => page.evaluate((insert) => { const v = window.live.source.view; v.dispatch({ changes: { from: v.state.doc.length, insert } }); }, insert);
   await put("(define (unusual a b) (* a a))\n(draw (unusual 1 2 3))\n");
