@@ -1,7 +1,8 @@
 % A row of Doric columns: the program of listing 2.2 of the VisualScheme thesis, in the Generative Modeling Language.
 %
 % What it teaches: libraries are dictionaries (Columns.Config, Columns.Tools) that are opened with begin and closed with end; procedures
-% take their arguments from the stack into registers. Shaft and capital are one procedure with other numbers. Y is up, as in GML's own tools.
+% take their arguments from the stack into registers. Shaft and capital are one procedure with other numbers. The columns grow along -Y,
+% as the listing has them.
 %
 %   vs columns.gml -o columns.png
 /Columns dict def
