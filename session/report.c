@@ -102,8 +102,8 @@ static size_t callers(vs_session *s, vs_value chain, vs_span at, vs_diagnostic_n
     char text[160];
     vs_value name = vs_car(link);
     const char *between = gap ? " (calls in between ended with a tail call)" : "";
-    const char *said = vs_is_symbol(name) ? vs_as_symbol(name)->name : NULL;
-    if (said && *said == ':' && span.file && vs_unit_language(span.file)) said++; /* the procedure behind a script's function */
+    vs_pos called = vs_pos_of(vs_cdr(link));
+    const char *said = vs_is_symbol(name) ? vs_unit_said(s->bind.vm, vs_as_symbol(name)->name, called) : NULL;
     if (said) snprintf(text, sizeof text, "called from %.100s%s", said, between);
     else snprintf(text, sizeof text, "called from here%s", between);
     gap = false;

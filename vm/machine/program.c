@@ -368,6 +368,15 @@ const char *vs_unit_language(const char *name) {
   return other ? other->language : NULL;
 }
 
+const char *vs_unit_said(vs_scheme *vm, const char *name, vs_pos place) {
+  vs_text file;
+  if (*name != ':' || !name[1]) return name;
+  vs_text_open(vm, &file, 0);
+  bool other = vs_unit_file_name(vm, vs_pos_file(place), &file) && vs_unit_language(file.at);
+  vs_text_close(&file);
+  return other ? name + 1 : name;
+}
+
 static bool read_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold,
                       vs_value *forms) {
   uint32_t file;

@@ -46,6 +46,8 @@ bool vs_unit_read(vs_scheme *vm, const char *path, bool fold, vs_value *forms);
 
 /* The other language that a file of this name is in (front_ends.def), in words; NULL: it is in this one. */
 const char *vs_unit_language(const char *name);
+/* What a procedure of that name is called in messages, at a place in its text: of a script's functions, without the colon. */
+const char *vs_unit_said(vs_scheme *vm, const char *name, vs_pos place);
 
 /* What to say of a name that is not defined, appended to t: " (did you mean make-box?)", "; unite is the name here: (unite a b ...)". Nothing if
    nothing comes to mind. */
