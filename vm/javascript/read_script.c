@@ -171,12 +171,27 @@ static bool build(vs_scheme *vm, const vs_translation *t, uint32_t file, vs_valu
   return ok;
 }
 
+/* Names that are assigned and not declared may be variables of a script that the program ran before. */
+static bool find_elsewhere(vs_scheme *vm, vs_scopes *k) {
+  for (uint32_t i = k->scopes[1].first; i; i = k->variables[i].next) {
+    vs_variable *v = &k->variables[i];
+    vs_value name;
+    if (v->kind != VS_VARIABLE_UNDECLARED) continue;
+    if (!vs_intern(vm, k->s->texts + k->s->names[v->name].text, k->s->names[v->name].length, &name)) return false;
+    if (!vs_is(vm->at.program, VS_T_ENVIRONMENT)) return true;
+    vs_meaning m = vs_environment_find(vm->at.program, name);
+    v->elsewhere = m.kind == VS_MEANS_CELL && !m.foreign && vs_as_cell(m.value)->value != VS_UNDEFINED;
+    if (v->elsewhere) v->kind = VS_VARIABLE_VAR;
+  }
+  return true;
+}
+
 bool vs_read_script(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, vs_value *forms) {
   vs_script s;
   vs_scopes k = { .s = &s };
   vs_translation t = { .s = &s, .k = &k, .numbers = 1 };
-  bool ok = vs_script_parse(&s, text, size, resize, vm) && vs_scopes_find(&k, &s) && vs_translate_script(&t) &&
-            build(vm, &t, file, forms);
+  bool ok = vs_script_parse(&s, text, size, resize, vm) && vs_scopes_find(&k, &s) && find_elsewhere(vm, &k) &&
+            vs_translate_script(&t) && build(vm, &t, file, forms);
   if (!ok && *s.trouble)
     vs_fail_at(vm, vm->sym.read, place(file, line - 1 + s.trouble_at.line, s.trouble_at.column), VS_NIL, "%s",
                s.trouble);

@@ -19,7 +19,8 @@ typedef struct {
   uint32_t scope, name, next; /* the next of its scope, in the order of the text */
   uint32_t declaration;       /* FUNCTION: the node */
   uint8_t kind;
-  bool assigned; /* it gets a value somewhere behind its declaration */
+  bool elsewhere; /* a script that ran before has it */
+  bool assigned;  /* it gets a value somewhere behind its declaration */
 } vs_variable;
 
 typedef struct {

@@ -682,7 +682,8 @@ bool vs_translate_script(vs_translation *t) {
       vs_translate_close(t) && vs_translate_close(t));
   for (uint32_t v = k->scopes[1].first; v; v = k->variables[v].next) {
     const vs_variable *one = &k->variables[v];
-    if (!one->declaration) TRY(define(t, one->name, one->kind == VS_VARIABLE_UNDECLARED ? "js:unset" : "js:undefined"));
+    if (!one->declaration && !one->elsewhere)
+      TRY(define(t, one->name, one->kind == VS_VARIABLE_UNDECLARED ? "js:unset" : "js:undefined"));
   }
   for (uint32_t v = k->scopes[1].first; v; v = k->variables[v].next) {
     const vs_variable *one = &k->variables[v];
