@@ -46,11 +46,27 @@ bool vs_povray_paint(vs_emitter *e, const vs_material *m) {
   return vs_puts(e->out, " }");
 }
 
+/* ---- how strong the light is ---- */
+
+/* Pictures that we make get light as it is out of doors, where the sun is several times the sky, and a tone curve after
+ * it. POV-Ray's own pictures of a .pov cut off what is brighter than white: there the sun leaves a white wall, with the
+ * sky's light, just below that. A picture round the scene is as bright as it is, and the sun goes by that. */
+static bool pov_is_developed(const vs_emitter *e) { return e->backend->render != NULL; }
+static double pov_sky_strength(const vs_emitter *e) { return pov_is_developed(e) && e->scene->sky_image == NULL ? 1.6 : 1; }
+/* Of a draft's lights without shadows, which stand for all that the sky and the walls send on. */
+static double pov_fill_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2.1 : 1; }
+static double pov_sun_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2 * pov_sky_strength(e) : 1.25; }
+/* What a draft adds to all surfaces, however they are turned: none is black. With bounced light POV-Ray wants none. */
+static double pov_ambient(const vs_emitter *e) {
+  return e->options->quality == VS_RENDER_DRAFT ? 0.05 * pov_fill_strength(e) : 0;
+}
+
 /* ---- materials ---- */
 
-static void pov_finish(vs_writer *w, const vs_material *m) {
+static void pov_finish(vs_emitter *e, const vs_material *m) {
+  vs_writer *w = e->out;
   double gloss = 1 - m->roughness;
-  vs_puts(w, "    finish { ambient 0 ");
+  pov_word(w, "    finish { ambient ", pov_ambient(e), " ");
   if (m->transparency > 0) {
     vs_puts(w, "diffuse ");
     vs_put_number(w, 0.8 * (1 - m->transparency));
@@ -70,7 +86,8 @@ static void pov_finish(vs_writer *w, const vs_material *m) {
 }
 
 /* What stands within a texture: pigment and finish. */
-static void pov_texture_parts(vs_writer *w, const vs_material *m) {
+static void pov_texture_parts(vs_emitter *e, const vs_material *m) {
+  vs_writer *w = e->out;
   vs_puts(w, "    pigment { color srgbft <");
   const double rgb[] = { m->red, m->green, m->blue };
   for (int i = 0; i < 3; i++) {
@@ -79,7 +96,7 @@ static void pov_texture_parts(vs_writer *w, const vs_material *m) {
   }
   vs_put_number(w, m->transparency * 0.55); /* filter: tints what is seen through it */
   pov_word(w, ", ", m->transparency * 0.4, "> }\n");
-  pov_finish(w, m);
+  pov_finish(e, m);
 }
 
 /* Also what is opaque gets its index: fresnel reflection asks for one. */
@@ -92,7 +109,7 @@ static void pov_material(vs_emitter *e, const vs_material *m) {
   vs_puts(w, "#declare ");
   pov_material_name(e, m);
   vs_puts(w, " = material {\n  texture {\n");
-  pov_texture_parts(w, m);
+  pov_texture_parts(e, m);
   vs_puts(w, "  }\n");
   pov_interior(w, m);
   vs_puts(w, "}\n");
@@ -130,15 +147,6 @@ static void pov_camera(vs_emitter *e, const vs_look *l) {
   vs_puts(w, "\n}\n");
 }
 
-/* Pictures that we make get light as it is out of doors, where the sun is several times the sky, and a tone curve after
- * it. POV-Ray's own pictures of a .pov cut off what is brighter than white: there the sun leaves a white wall, with the
- * sky's light, just below that. A picture round the scene is as bright as it is, and the sun goes by that. */
-static bool pov_is_developed(const vs_emitter *e) { return e->backend->render != NULL; }
-static double pov_sky_strength(const vs_emitter *e) { return pov_is_developed(e) && e->scene->sky_image == NULL ? 1.6 : 1; }
-/* Of a draft's lights without shadows, which stand for all that the sky and the walls send on. */
-static double pov_fill_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2.1 : 1; }
-static double pov_sun_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2 * pov_sky_strength(e) : 1.25; }
-
 static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   vs_writer *w = e->out;
   vs_vec3 sun = vs_look_sun(e->scene, l), middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5 * e->unit);
@@ -162,7 +170,10 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
     vs_puts(w, " shadowless parallel ");
     pov_vector(w, "point_at ", middle);
     pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3_scale(l->forward, far)));
-    pov_word(w, " color rgb ", 0.22 * pov_fill_strength(e), " shadowless parallel ");
+    pov_word(w, " color rgb ", 0.16 * pov_fill_strength(e), " shadowless parallel ");
+    pov_vector(w, "point_at ", middle);
+    pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3(0, 0, far))); /* what the ground sends up */
+    pov_word(w, " color rgb <0.13, 0.125, 0.115> * ", pov_fill_strength(e), " shadowless parallel ");
     pov_vector(w, "point_at ", middle);
     vs_puts(w, " }\n");
   }
@@ -252,25 +263,27 @@ static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal) {
   double lift = 1e-5 * diagonal; /* what stands on the ground shares its plane: keep the ground just below */
   double z = e->scene->ground_z * e->unit - lift;
   pov_word(w, "plane {\n  z, ", z, "\n  texture {\n");
-  if (m != NULL) pov_texture_parts(w, m);
-  else vs_puts(w, "    pigment { color srgb <0.77, 0.76, 0.73> }\n    finish { ambient 0 diffuse 0.8 }\n");
+  if (m != NULL) pov_texture_parts(e, m);
+  else pov_word(w, "    pigment { color srgb <0.77, 0.76, 0.73> }\n    finish { ambient ", pov_ambient(e), " diffuse 0.8 }\n");
   vs_puts(w, "  }\n");
   if (e->scene->sky_image == NULL) pov_ground_haze(e, l, diagonal, z);
   if (m != NULL) pov_interior(w, m);
   vs_puts(w, "}\n");
 }
 
-/* The light that sky and walls throw on each other: sent on once more in good pictures, twice in final ones, without
- * which rooms are dark. */
+/* The light that sky and walls throw on each other, without which rooms are dark. A room with a small window asks for
+ * many rays, few of which find it; samples that are used as far as they hold (error_bound 1) and many at a time
+ * (nearest_count) cost less than more of them, and leave no blotches on its walls. Light is sent on three times; samples
+ * that were made for the picture serve the deeper ones as well, so that a room is about as bright as with eight. */
 static const char *pov_radiosity(vs_render_quality q) {
   switch (q) {
   case VS_RENDER_DRAFT: break;
   case VS_RENDER_GOOD:
-    return "radiosity { count 40 error_bound 0.8 recursion_limit 2 nearest_count 6 low_error_factor 0.6 "
+    return "radiosity { count 200 error_bound 1 recursion_limit 3 nearest_count 20 low_error_factor 0.7 "
            "pretrace_start 0.08 pretrace_end 0.02 gray_threshold 0.3 brightness 1 }\n";
   case VS_RENDER_FINAL:
-    return "radiosity { count 120 error_bound 0.4 recursion_limit 3 pretrace_start 0.08 pretrace_end 0.01 "
-           "gray_threshold 0.3 brightness 1 }\n";
+    return "radiosity { count 600 error_bound 0.8 recursion_limit 3 nearest_count 20 low_error_factor 0.6 "
+           "pretrace_start 0.08 pretrace_end 0.01 gray_threshold 0.3 brightness 1 }\n";
   }
   return "";
 }
@@ -301,7 +314,8 @@ bool vs_povray_begin(vs_emitter *e) {
   vs_putf(w, ": a scene for POV-Ray 3.7, made by VisualScheme\n// povray +W%d +H%d +A0.1 THIS-FILE\n#version 3.7;\n", width, height);
   vs_puts(w, "global_settings {\n  assumed_gamma 1\n  max_trace_level 12\n  ");
   vs_puts(w, pov_radiosity(e->options->quality));
-  vs_puts(w, "}\n#default { texture { pigment { color srgb <0.86, 0.85, 0.83> } finish { ambient 0 diffuse 0.82 } } }\n\n");
+  vs_puts(w, "}\n#default { texture { pigment { color srgb <0.86, 0.85, 0.83> } finish { ambient ");
+  pov_word(w, "", pov_ambient(e), " diffuse 0.82 } } }\n\n");
   vs_look look = vs_look_find(e->scene, &e->framed, e->boxes, e->box_count, (double)width / height);
   e->pen = pov_pen(e, &look, width);
   look.eye = vs_v3_scale(look.eye, e->unit), look.target = vs_v3_scale(look.target, e->unit), look.width *= e->unit;

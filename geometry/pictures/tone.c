@@ -40,10 +40,12 @@ double vs_tone_exposure(const vs_light *light, vs_tone_curve curve) {
   }
   if (!count) return 0;
   /* Reinhard: a hundredth at either end counts as outliers; the key is .18 where the average lies in the middle of the
-   * range, four times as much where it lies at the bright end, a quarter at the dark end. */
+   * range, four times as much where it lies at the bright end, a quarter at the dark end. He means pictures that are to
+   * stay dark; a room whose window is the bright end is not: half a stop below the middle is the least here. */
   double least = quantile(bins, 0.01 * (double)count), most = quantile(bins, 0.99 * (double)count);
   double average = fmin(fmax(sum / (double)count, least), most), range = most - least;
-  double key = log2(0.18) + (range > 0 ? 2 * (2 * average - least - most) / range : 0);
+  double place = range > 0 ? (2 * average - least - most) / range : 0; /* -1 to 1 */
+  double key = log2(0.18) + 2 * fmax(place, -0.25);
   /* His key alone would make a white building in the sun grey: where nothing is brighter, that is white. */
   return fmax(key - average, log2(bright_end[curve]) - most);
 }
