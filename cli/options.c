@@ -53,7 +53,7 @@ bool cli_command_suggest(const char *word, FILE *to) {
 static void print_help(void) {
   puts("vs: solid models from Scheme programs\n");
   puts("  vs                  a prompt");
-  puts("  vs FILE             run FILE (- is standard input)");
+  puts("  vs FILE             run FILE, in Scheme, JavaScript (.js) or GML (.gml); - is standard input");
   puts("  vs FILE -o OUT ...  run FILE and write its model");
   puts("  vs FILE -- ARG ...  run FILE, whose (command-line) ends in these arguments");
   for (size_t i = 0; i < COMMANDS; i++)
