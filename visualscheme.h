@@ -464,6 +464,7 @@ typedef struct {
   bool strict;           /* what the format leaves out, or shows otherwise than modelled, is an error instead of a warning */
   bool change;           /* what vs_drawing_compare found, in place of the drawing: green was added, red removed */
   bool last;             /* no drawing and no output follows: nothing is kept for them */
+  int crop[4];           /* of a .png or .exr, the part that is made: left, top, width, height in pixels; all 0: the whole */
 } vs_output_options;
 VS_API vs_output_options vs_output_options_default(void);
 

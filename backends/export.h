@@ -14,6 +14,7 @@ typedef enum { VS_RENDER_GOOD, VS_RENDER_DRAFT, VS_RENDER_FINAL } vs_render_qual
 
 typedef struct {
   int width, height;  /* pixels, of pictures and pages; 0: 1024 x 768 */
+  int crop[4];        /* of a rendered picture, the part within width and height: left, top, columns, rows; no columns: all of it */
   vs_render_quality quality;
   vs_tone tone;       /* how light becomes the numbers of a .png */
   bool layers;        /* an .exr has depth, normal, albedo and id beside the light */

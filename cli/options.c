@@ -112,6 +112,21 @@ static bool parse_size(const char *text, vs_output_options *out) {
   return true;
 }
 
+/* Whether it lies within the picture is known where the size is. */
+static bool parse_crop(const char *text, vs_output_options *out) {
+  const char *at = text;
+  for (int i = 0; i < 4; i++) {
+    char *end;
+    errno = 0;
+    long v = strtol(at, &end, 10);
+    if (end == at || errno || v < 0 || v > 32768 || *end != (i < 3 ? ',' : 0) || (i >= 2 && v == 0))
+      return bad("--crop", text, "X,Y,W,H in pixels, W and H above 0, as in 400,300,120,90");
+    out->crop[i] = (int)v;
+    at = end + 1;
+  }
+  return true;
+}
+
 static bool parse_camera(const char *text, vs_output_options *out) {
   const char *at = text;
   int n = 0;
@@ -235,6 +250,7 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
   case OPTION_INTERACTIVE: o->interactive = true; return true;
   case OPTION_PASSES: return parse_passes(v ? v : "", &o->output);
   case OPTION_SIZE: return parse_size(v, &o->output);
+  case OPTION_CROP: return parse_crop(v, &o->output);
   case OPTION_CAMERA: return parse_camera(v, &o->output);
   case OPTION_VIEW: o->output.view = v; return *v || bad("--view", "''", "the name of a view");
   case OPTION_ALL_VIEWS: o->all_views = true; return true;

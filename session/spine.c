@@ -74,6 +74,13 @@ void vs_session_aim(const vs_output_options *o, vs_scene *scene) {
   scene->lens = o->camera[6] > 0 ? o->camera[6] : 35;
 }
 
+void vs_session_size(const vs_output_options *o, vs_export_options *e) {
+  e->width = o->width, e->height = o->height;
+  if (e->width && !e->height) e->height = (e->width * 3 + 2) / 4;
+  if (e->height && !e->width) e->width = (e->height * 4 + 1) / 3;
+  if (!e->width) e->width = 1024, e->height = 768;
+}
+
 /* Sets the export's options from those that the caller asked for, those that the program set, and the session's limits. */
 static void set_options(vs_job *j) {
   static const vs_render_quality qualities[] = { [VS_QUALITY_DRAFT] = VS_RENDER_DRAFT, [VS_QUALITY_GOOD] = VS_RENDER_GOOD, [VS_QUALITY_FINAL] = VS_RENDER_FINAL };
@@ -87,9 +94,8 @@ static void set_options(vs_job *j) {
   e->worker_seconds = limits->limit_worker;
   e->strict = o->strict;
   if (limits->limit_memory) e->mesh_bytes = j->session->bytes < limits->limit_memory ? limits->limit_memory - j->session->bytes : 1;
-  e->width = o->width, e->height = o->height;
-  if (e->width && !e->height) e->height = (e->width * 3 + 2) / 4;
-  if (e->height && !e->width) e->width = (e->height * 4 + 1) / 3;
+  vs_session_size(o, e);
+  memcpy(e->crop, o->crop, sizeof e->crop);
   e->quality = qualities[o->quality];
   e->tone = vs_session_tone(&o->development);
   e->layers = o->layers;

@@ -13,6 +13,8 @@ vs_outcome vs_session_write(vs_session *s, const char *path, const vs_format *fo
 /* Counts what is drawn and bounds it, in *out. Reports a failure to the host and returns its kind. */
 vs_outcome vs_session_summary(vs_session *s, vs_summary *out);
 
+/* Sets the width and height of pictures, in pixels, from these options. */
+void vs_session_size(const vs_output_options *o, vs_export_options *e);
 /* Makes the scene look as the options say, over what the program said: camera and sun. */
 void vs_session_aim(const vs_output_options *o, vs_scene *scene);
 

@@ -576,6 +576,20 @@ const char *const *vs_pass_list(size_t *count) {
 
 vs_output_options vs_output_options_default(void) { return (vs_output_options){ .quality = VS_QUALITY_GOOD, .passes = VS_PASSES_ALL }; }
 
+/* False: it has been said that the part lies outside of the picture, or is empty. */
+static bool crop_is_within(vs_session *s, const vs_output_options *o) {
+  const int *c = o->crop;
+  if (!c[0] && !c[1] && !c[2] && !c[3]) return true;
+  vs_export_options size;
+  vs_session_size(o, &size);
+  bool ok = c[0] >= 0 && c[1] >= 0 && c[2] > 0 && c[3] > 0 && c[2] <= size.width - c[0] && c[3] <= size.height - c[1];
+  char text[200];
+  snprintf(text, sizeof text, "the part of %d by %d pixels at %d,%d is not within the picture of %d by %d", c[2], c[3], c[0],
+           c[1], size.width, size.height);
+  if (!ok) vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, text);
+  return ok;
+}
+
 static vs_outcome write_to(vs_scheme *vm, const char *path, const char *format_name, const vs_output_options *options,
                            vs_byte_sink *to) {
   vs_session *s = vs_session_of(vm);
@@ -590,6 +604,7 @@ static vs_outcome write_to(vs_scheme *vm, const char *path, const char *format_n
     vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, text);
     return VS_OUTCOME_USAGE;
   }
+  if (!crop_is_within(s, &o)) return VS_OUTCOME_USAGE;
   return vs_session_write(s, path, format, &o, to);
 }
 

@@ -19,6 +19,7 @@ typedef struct {
   vs_ray_tree tree;
   uint32_t *id;         /* of each part; 0: not known where it was made */
   float *at[LAYERS];
+  uint32_t columns, rows; /* of the whole picture */
 } layers;
 
 /* IEC 61966-2-1. */
@@ -38,7 +39,8 @@ static void look_at(layers *l, const vs_exr *x, uint32_t column, uint32_t row) {
   size_t i = (size_t)row * x->columns + column;
   vs_vec3 from, direction;
   double below = INFINITY, at;
-  vs_look_ray(&l->look, x->columns, x->rows, column, row, &from, &direction);
+  const int *crop = l->e->options->crop;
+  vs_look_ray(&l->look, l->columns, l->rows, column + (uint32_t)crop[0], row + (uint32_t)crop[1], &from, &direction);
   if (scene->has_ground && direction.z != 0) below = (scene->ground_z - from.z) / direction.z;
   if (!(below > 0)) below = INFINITY;
   size_t hit = vs_ray_tree_meet(&l->tree, from, direction, below, false, &at);
@@ -105,21 +107,21 @@ static bool number_places(layers *l, vs_exr *x) {
 
 static bool keep_going(void *emitter, double done) { return vs_emit_progress(emitter, "meshing", done); }
 
-bool vs_povray_layers(vs_emitter *e, vs_exr *x) {
+bool vs_povray_layers(vs_emitter *e, vs_exr *x, uint32_t columns, uint32_t rows) {
   static const struct { const char *name; vs_exr_type type; } channels[LAYERS] = {
       [DEPTH] = { "Z", VS_EXR_FLOAT }, [NX] = { "N.X", VS_EXR_HALF }, [NY] = { "N.Y", VS_EXR_HALF },
       [NZ] = { "N.Z", VS_EXR_HALF }, [RED] = { "albedo.R", VS_EXR_HALF }, [GREEN] = { "albedo.G", VS_EXR_HALF },
       [BLUE] = { "albedo.B", VS_EXR_HALF }, [ID] = { "id", VS_EXR_WHOLE } };
   const vs_scene *scene = e->scene;
   vs_kernel_options options = { .progress = keep_going, .context = e };
-  layers l = { .e = e };
+  layers l = { .e = e, .columns = columns, .rows = rows };
   bool ok = vs_solid_evaluate(scene->drawn, scene->drawn_count, &e->drawing_facets, &options, &l.solid, e->error);
   size_t bytes = (l.solid.part_count + 1) * sizeof *l.id;
   if (ok && !(l.id = vs_store_realloc(scene->store, NULL, 0, bytes))) ok = vs_emit_no_memory(e);
   ok = ok && number_places(&l, x) && vs_ray_tree_make(&l.tree, scene->store, &l.solid.mesh, e->error);
   for (int k = 0; ok && k < LAYERS; k++) ok = (l.at[k] = vs_exr_add(x, channels[k].name, channels[k].type,
       e->error)) != NULL;
-  l.look = vs_look_find(scene, &e->framed, e->boxes, e->box_count, (double)x->columns / x->rows);
+  l.look = vs_look_find(scene, &e->framed, e->boxes, e->box_count, (double)columns / rows);
   for (uint32_t row = 0; ok && row < x->rows; row++) {
     for (uint32_t column = 0; column < x->columns; column++) look_at(&l, x, column, row);
     ok = vs_emit_progress(e, "layers", (double)row / x->rows);

@@ -92,8 +92,16 @@ static void picture_plain_exr(picture_bytes *p) {
   }
 }
 
-/* The light with the layers, written anew. */
-static bool picture_with_layers(vs_emitter *e, const char *from, const char *to) {
+/* Of a part POV-Ray makes a picture of the whole's size, black elsewhere. */
+static bool picture_part(vs_emitter *e, vs_exr *x) {
+  const int *c = e->options->crop;
+  if (c[2] && (x->columns < (uint32_t)(c[0] + c[2]) || x->rows < (uint32_t)(c[1] + c[3])))
+    return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray's picture has another size");
+  return !c[2] || vs_exr_crop(x, (uint32_t)c[0], (uint32_t)c[1], (uint32_t)c[2], (uint32_t)c[3], e->error);
+}
+
+/* The light, a part of it or with the layers, written anew. */
+static bool picture_anew(vs_emitter *e, const char *from, const char *to) {
   vs_store *store = e->scene->store;
   picture_bytes p = { NULL, 0 };
   vs_exr x = { .store = store };
@@ -101,7 +109,8 @@ static bool picture_with_layers(vs_emitter *e, const char *from, const char *to)
   size_t size = 0, room = 0;
   bool ok = picture_read(e, from, &p) && vs_exr_read(store, "POV-Ray's picture", p.at, p.count, NULL, &x, e->error);
   free(p.at);
-  ok = ok && vs_povray_layers(e, &x) && vs_exr_write(&x, &exr, &size, &room, e->error) &&
+  uint32_t columns = x.columns, rows = x.rows;
+  ok = ok && picture_part(e, &x) && (!e->options->layers || vs_povray_layers(e, &x, columns, rows)) && vs_exr_write(&x, &exr, &size, &room, e->error) &&
        picture_write(e, to, &(picture_bytes){ exr, size });
   if (exr) vs_store_realloc(store, exr, room, 0);
   vs_exr_free(&x);
@@ -111,7 +120,7 @@ static bool picture_with_layers(vs_emitter *e, const char *from, const char *to)
 bool vs_povray_take_picture(vs_emitter *e, const char *from, const char *to) {
   static const unsigned char exr[] = { 0x76, 0x2F, 0x31, 0x01 };
   picture_bytes p = { NULL, 0 };
-  if (e->options->layers) return picture_with_layers(e, from, to);
+  if (e->options->layers || e->options->crop[2]) return picture_anew(e, from, to);
   bool ok = picture_read(e, from, &p);
   if (ok && p.count > 8 && memcmp(p.at, exr, sizeof exr) == 0) picture_plain_exr(&p);
   ok = ok && picture_write(e, to, &p);
@@ -126,6 +135,7 @@ bool vs_povray_develop_picture(vs_emitter *e, const char *from, const char *to) 
   vs_exr x = { .store = store };
   bool ok = picture_read(e, from, &p) && vs_exr_read(store, "POV-Ray's picture", p.at, p.count, wanted, &x, e->error);
   free(p.at);
+  ok = ok && picture_part(e, &x);
   vs_light light = { vs_exr_find(&x, "R"), vs_exr_find(&x, "G"), vs_exr_find(&x, "B"), (size_t)x.columns * x.rows };
   if (ok && (!light.red || !light.green || !light.blue))
     ok = vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray's picture has no colours");

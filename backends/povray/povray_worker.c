@@ -146,8 +146,18 @@ static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene) {
   char *smooth[] = { "+A0.15", "+AM2", "+R2" };
   if (e->options->quality == VS_RENDER_DRAFT) smooth[0] = "-A", smooth[1] = smooth[2] = NULL;
   else if (e->options->quality == VS_RENDER_FINAL) smooth[0] = "+A0.05", smooth[2] = "+R3";
-  char *arguments[] = { "povray", in,    wide,  high,      out,       "+FE",     "-D",
-                        "-GD",    "-GR", "-GS", smooth[0], smooth[1], smooth[2], NULL };
+  const int *crop = e->options->crop;
+  char part[4][24];
+  if (crop[2]) { /* the first and the last column and row, counted from 1 */
+    snprintf(part[0], sizeof part[0], "+SC%d", crop[0] + 1);
+    snprintf(part[1], sizeof part[1], "+EC%d", crop[0] + crop[2]);
+    snprintf(part[2], sizeof part[2], "+SR%d", crop[1] + 1);
+    snprintf(part[3], sizeof part[3], "+ER%d", crop[1] + crop[3]);
+  }
+  char *arguments[18] = { "povray", in, wide, high, out, "+FE", "-D", "-GD", "-GR", "-GS" };
+  size_t count = 10;
+  for (int i = 0; i < 4 && crop[2]; i++) arguments[count++] = part[i];
+  for (int i = 0; i < 3 && smooth[i]; i++) arguments[count++] = smooth[i];
   char *environment[] = { home, ini, path, "LC_ALL=C", NULL };
   posix_spawn_file_actions_t files;
   posix_spawnattr_t attributes;

@@ -42,6 +42,25 @@ float *vs_exr_add(vs_exr *x, const char *channel, vs_exr_type type, vs_error *e)
   return at;
 }
 
+bool vs_exr_crop(vs_exr *x, uint32_t left, uint32_t top, uint32_t columns, uint32_t rows, vs_error *e) {
+  size_t bytes = (size_t)columns * rows * sizeof(float), whole = exr_plane_bytes(x), made = 0;
+  float *parts[VS_EXR_CHANNELS];
+  while (made < x->count && (parts[made] = vs_store_realloc(x->store, NULL, 0, bytes))) made++;
+  if (made < x->count) {
+    while (made > 0) vs_store_realloc(x->store, parts[--made], bytes, 0);
+    return vs_error_memory(e, NULL);
+  }
+  for (size_t i = 0; i < x->count; i++) {
+    const float *from = x->channels[i].at + (size_t)top * x->columns + left;
+    for (size_t row = 0; row < rows; row++)
+      memcpy(parts[i] + row * columns, from + row * x->columns, columns * sizeof *from);
+    vs_store_realloc(x->store, x->channels[i].at, whole, 0);
+    x->channels[i].at = parts[i];
+  }
+  x->columns = columns, x->rows = rows;
+  return true;
+}
+
 /* ---- writing ---- */
 
 /* EXR(member, symbol, result, parameters): what we use of it */

@@ -348,6 +348,7 @@ static vs_outcome shade_all(study *t, const vs_output_options *options, size_t *
   vs_output_options o = *options;
   if (o.quality != VS_QUALITY_FINAL) o.quality = VS_QUALITY_DRAFT;
   if (!o.width) o.width = 320;
+  memset(o.crop, 0, sizeof o.crop); /* the sheet has whole pictures */
   if (!o.height) o.height = (o.width * 3 + 2) / 4;
   sheet s = { .cell_wide = (uint32_t)o.width, .cell_high = (uint32_t)o.height };
   vs_tone tone = vs_session_tone(&o.development);

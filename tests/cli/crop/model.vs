@@ -1,0 +1,6 @@
+(ground 0 #:material grass)
+(draw (make-box (xyz -4 0 0) (xyz -1 3 4)))
+(draw (subtract (color "red" (make-cylinder (xyz 3 2 0) 2 5)) (make-box (xyz 1 -2 2) (xyz 5 1 9))))
+(view "up" #:from (xyz 0 -12 2) #:to (xyz 0 2 3) #:upright #t)
+(view "plan" 'plan)
+(camera (xyz 0 -14 3) (xyz 0 2 2.5) #:lens 35)
