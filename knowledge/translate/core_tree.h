@@ -29,7 +29,7 @@ typedef enum {
  * wherever the language takes an object. */
 typedef enum {
   TR_UNKNOWN, TR_A_NUMBER, TR_A_BOOLEAN, TR_A_STRING, TR_A_POINT, TR_A_CURVE, TR_A_SOLID, TR_A_PROCEDURE, TR_A_MATERIAL,
-  TR_ANYTHING, TR_LIST_OF = 16, TR_DEEPEST = 8
+  TR_A_PATH, TR_ANYTHING, TR_LIST_OF = 16, TR_DEEPEST = 8
 } tr_type;
 
 typedef struct {

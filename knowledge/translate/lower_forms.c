@@ -557,6 +557,35 @@ static void native_call(lowering *l, know_index n, tr_index into) {
   else become(l, into, TR_PRIMITIVE, "empty-object");
 }
 
+/* (distribute-in-space f p q nx ny nz): a loop over the cells, with a lambda's body in it. */
+static void distribute_call(lowering *l, know_index n, tr_index into) {
+  know_index f = settled(l, know_nth(l->k, n, 1)), count = know_nth(l->k, n, 4);
+  const char *inner = form_word(l, f);
+  know_index list = (same(inner, "lambda") || same(inner, "\316\273")) ? know_nth(l->k, f, 1) : 0;
+  bool plain = is_list(l, list) && is_symbol(l, first_of(l, list)) && !next(l, first_of(l, list));
+  tr_index at_cell[3], made = into;
+  become(l, into, TR_MAP, "");
+  static const char *const names[] = {"i", "j", "k"};
+  for (int i = 0; i < 3; i++, count = next(l, count)) {
+    tr_index d = define(l, into, 0, names[i], n);
+    at_cell[i] = at(l, d)->variable;
+    part(l, primitive(l, d, "iota", n), count);
+  }
+  if (plain) {
+    made = add(l, into, TR_BODY, n);
+    tr_index d = define(l, made, first_of(l, list), NULL, list);
+    body(l, next(l, list), add(l, made, TR_NOTHING, f));
+    made = d;
+  } else {
+    made = add(l, into, TR_CALL, n);
+    part(l, made, f);
+  }
+  tr_index cell = primitive(l, made, "distribute-in-space cell", n);
+  part(l, cell, know_nth(l->k, n, 2));
+  part(l, cell, know_nth(l->k, n, 3));
+  for (int i = 0; i < 3; i++) name(l, cell, at_cell[i], n);
+}
+
 /* A procedure of the language as a value: one of ours that calls it. */
 static void as_value(lowering *l, know_index n, tr_index into, const char *word) {
   int arguments_count = tr_word_arguments(l->t->target, word);
@@ -579,6 +608,7 @@ static void call(lowering *l, know_index n, tr_index into) {
     map_call(l, n, into, word);
   } else if (same(word, "apply")) apply_call(l, n, into);
   else if (same(word, "native")) native_call(l, n, into);
+  else if (same(word, "distribute-in-space")) distribute_call(l, n, into);
   else if (same(word, "list") || same(word, "values") || same(word, "vector")) {
     become(l, into, TR_LIST, "");
     parts(l, into, next(l, head));

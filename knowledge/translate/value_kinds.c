@@ -45,6 +45,25 @@ static void into_gives(finder *f, tr_index v, uint8_t type) {
   if (all != f->t->variables[v].gives) f->t->variables[v].gives = all, f->changed = true;
 }
 
+/* Is the node's value made by the primitive, as far as names and calls can be followed? */
+static bool made_by(const translation *t, tr_index n, const char *primitive) {
+  enum { MOST_STEPS = 100 };
+  for (int steps = 0; n && steps < MOST_STEPS; steps++) {
+    const tr_node *node = &t->nodes[n];
+    const tr_variable *v = node->kind == TR_NAME ? &t->variables[node->variable] : NULL;
+    if (node->kind == TR_PRIMITIVE) return !strcmp(node->text, primitive);
+    if (node->kind == TR_BODY) n = node->last;
+    else if (node->kind == TR_CALL) {
+      const tr_node *callee = &t->nodes[node->first];
+      tr_index procedure = callee->kind == TR_NAME ? t->variables[callee->variable].procedure : 0;
+      n = procedure ? t->nodes[procedure].last : 0;
+    } else if (v && !v->set && v->define && t->nodes[v->define].kind == TR_DEFINE && !v->procedure &&
+               t->nodes[t->nodes[v->define].parent].kind != TR_MAP) n = t->nodes[v->define].first;
+    else n = 0;
+  }
+  return false;
+}
+
 bool tr_kind_fits(const translation *t, tr_index argument, char letter) {
   const tr_node *n = &t->nodes[argument];
   uint8_t type = n->type;
@@ -66,6 +85,10 @@ bool tr_kind_fits(const translation *t, tr_index argument, char letter) {
   case 'p': return type == TR_A_POINT || open || type == TR_LIST_OF + TR_A_NUMBER;
   case 'P': return type == TR_LIST_OF + TR_A_POINT || type == TR_A_CURVE || (open && depth_of(type) < 2);
   case 'c': return type == TR_A_CURVE || (open && !depth_of(type));
+  case 'w': return type == TR_A_PATH || (open && !depth_of(type));
+  case 'O': return type == TR_A_CURVE && made_by(t, argument, "make-line");
+  case 'R': return type == TR_A_CURVE && made_by(t, argument, "make-region");
+  case 'q': return type == TR_A_PATH || type == TR_UNKNOWN || (type == TR_A_CURVE && made_by(t, argument, "make-line"));
   case 'C': return type == TR_LIST_OF + TR_A_CURVE || open;
   case 'f': return type == TR_A_PROCEDURE || (open && !depth_of(type));
   case 'm': return type == TR_A_MATERIAL || type == TR_A_STRING || open || type == TR_LIST_OF + TR_A_NUMBER;
@@ -93,9 +116,9 @@ static uint8_t arithmetic(const translation *t, tr_index primitive) {
 }
 
 static uint8_t result_of(const translation *t, tr_index primitive, const char *result) {
-  static const char letters[] = "nbspcofm";
+  static const char letters[] = "nbspcofmw";
   static const uint8_t types[] = {TR_A_NUMBER, TR_A_BOOLEAN, TR_A_STRING, TR_A_POINT, TR_A_CURVE, TR_A_SOLID,
-    TR_A_PROCEDURE, TR_A_MATERIAL};
+    TR_A_PROCEDURE, TR_A_MATERIAL, TR_A_PATH};
   tr_index first = t->nodes[primitive].first;
   const char *plain = strchr(letters, *result);
   if (!*result) return TR_UNKNOWN;
@@ -242,7 +265,8 @@ static bool ask_primitives(finder *f) {
     uint32_t n = 0;
     for (tr_index a = t->nodes[i].first; a; a = t->nodes[a].next) {
       char letter = t->nodes[a].kind == TR_KEYWORD ? 0 : tr_word_letter(w.arguments, n++);
-      uint8_t type = letter == 'o' ? TR_A_SOLID : letter == 'c' ? TR_A_CURVE : letter == 'p' ? TR_A_POINT : 0;
+      uint8_t type = letter == 'o' ? TR_A_SOLID : letter == 'c' ? TR_A_CURVE : letter == 'p' ? TR_A_POINT
+                     : letter == 'w' ? TR_A_PATH : 0;
       tr_index v = t->nodes[a].variable;
       bool open = t->nodes[a].kind == TR_NAME && t->variables[v].type == TR_UNKNOWN && !t->variables[v].procedure;
       if (!type || !open) continue;
@@ -307,6 +331,26 @@ static void arrange(translation *t, tr_index call) {
   }
 }
 
+/* A loop through a number counts up to it: said as the list of numbers that it means. */
+static bool count_loops(translation *t) {
+  size_t count = t->node_count;
+  for (tr_index i = 1; i < count; i++) {
+    tr_index number = t->nodes[i].first;
+    if (t->nodes[i].kind != TR_DEFINE || !number || t->nodes[t->nodes[i].parent].kind != TR_MAP) continue;
+    if (t->nodes[number].type != TR_A_NUMBER) continue;
+    tr_index moved = tr_node_new(t, 0, TR_NOTHING, t->nodes[number].source);
+    if (!moved) return false;
+    tr_move(t, number, moved);
+    tr_node *list = &t->nodes[number];
+    t->nodes[moved].parent = number, t->nodes[moved].next = 0;
+    list->parent = i, list->source = t->nodes[moved].source;
+    list->kind = TR_PRIMITIVE, list->text = "iota", list->type = TR_LIST_OF + TR_A_NUMBER;
+    list->first = list->last = moved, list->count = 1;
+    list->row = tr_word_find(t, number, 0);
+  }
+  return true;
+}
+
 /* ---- the whole ---- */
 
 static void complain_of(translation *t) {
@@ -344,6 +388,7 @@ bool tr_find_kinds(translation *t) {
   if (*t->k->trouble) return false;
   do climb(&f);
   while (ask_primitives(&f));
+  if (!count_loops(t)) return false;
   for (tr_index i = 1; i < t->node_count; i++) t->draws = t->draws ||
       (t->nodes[i].kind == TR_PRIMITIVE && !strcmp(t->nodes[i].text, "draw"));
   for (size_t v = 1; v < t->variable_count; v++) {
