@@ -59,16 +59,16 @@ static bool order_next(vs_order *o, order_level *top, vs_ref *child) {
 bool vs_order_make(vs_order *o, const vs_ref *refs, size_t count, vs_error *e) {
   order_level *levels = NULL;
   size_t depth = 0, room = 0;
-  bool ok = true;
+  bool ok = true, going = true;
   o->count = o->lone = 0;
   o->empty = false;
-  for (size_t i = 0; ok && i < count; i++) {
+  for (size_t i = 0; ok && (going = vs_store_going(o->store, VS_ORDER_WORK, e)) && i < count; i++) {
     vs_ref at = refs[i];
     if (vs_order_is_lone(at.node)) {
       order_pass_by(o, at.node);
       continue;
     }
-    for (bool down = true; ok;) {
+    for (bool down = true; ok && (going = vs_store_going(o->store, VS_ORDER_WORK, e));) {
       if (down && !vs_order_has(o, at.node) && at.node->child_count) {
         if (depth == room) {
           size_t more = room ? room * 2 : 64;
@@ -89,12 +89,13 @@ bool vs_order_make(vs_order *o, const vs_ref *refs, size_t count, vs_error *e) {
         ok = order_add(o, top->ref, top->inner);
       }
     }
-    if (ok) o->note[refs[i].node->slot].uses++;
+    if (ok && going) o->note[refs[i].node->slot].uses++;
+    else break;
   }
   vs_store_realloc(o->store, levels, room * sizeof *levels, 0);
-  if (ok) return true;
+  if (ok && going) return true;
   vs_order_free(o);
-  return vs_error_memory(e, NULL);
+  return going ? vs_error_memory(e, NULL) : false;
 }
 
 void vs_order_free(vs_order *o) {

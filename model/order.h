@@ -24,7 +24,8 @@ typedef struct {
   bool empty;      /* an EMPTY stands somewhere, with a number or without */
 } vs_order; /* { .store = s } is an empty one */
 
-bool vs_order_make(vs_order *o, const vs_ref *refs, size_t count, vs_error *e); /* anew; on failure *o is empty */
+enum { VS_ORDER_WORK = 1 << 8 }; /* of a look at one node, told to vs_store_going: a good deal less than a pass does for it */
+bool vs_order_make(vs_order *o, const vs_ref *refs, size_t count, vs_error *e); /* anew; on failure *o is empty; may be interrupted */
 void vs_order_free(vs_order *o);
 static inline bool vs_order_is_lone(const vs_node *n) { return n->child_count == 0 && n->refs == 1 && !(n->flags & VS_NODE_SUGAR); }
 /* Of a node of the drawing: has it a number? */

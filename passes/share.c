@@ -413,7 +413,10 @@ bool vs_share_begin(vs_rewrite *w) {
   s->at = vs_store_realloc(w->store, NULL, 0, (o->count + 1) * sizeof *s->at);
   if (!s->at) return vs_error_memory(w->error, NULL);
   s->room = o->count + 1;
-  for (size_t i = 0; i < o->count; i++) share_enter(s, o->at[i].node, o->note[i].inner);
+  for (size_t i = 0; i < o->count; i++) {
+    if (!vs_store_going(w->store, VS_ORDER_WORK, w->error)) return false;
+    share_enter(s, o->at[i].node, o->note[i].inner);
+  }
   bool any;
   if (!share_want(s, &any)) return vs_error_memory(w->error, NULL);
   w->idle = !any;

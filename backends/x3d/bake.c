@@ -108,15 +108,16 @@ static double bake_bytes(vs_x3d_form form, double facets) {
 }
 
 /* Of all forms, cut into `least` facets a turn or, where the drawing's tolerance asks for it, more. */
-static double bake_estimate(const vs_emitter *e, int least) {
+static bool bake_estimate(vs_emitter *e, int least, double *bytes) {
   const vs_x3d *x = e->state;
-  double bytes = 0;
+  *bytes = 0;
   for (size_t k = 0; k < x->group_count; k++)
     for (size_t i = 0; i < x->groups[k].item_count; i++) {
+      if ((i & 0xfff) == 0 && !vs_emit_progress(e, "meshing", -1)) return false;
       const vs_x3d_item *item = &x->groups[k].items[i];
-      bytes += bake_bytes(item->form, vs_x3d_facets(e, item, least));
+      *bytes += bake_bytes(item->form, vs_x3d_facets(e, item, least));
     }
-  return bytes;
+  return true;
 }
 
 /* Tens of thousands of forms would be hundreds of megabytes, which take a browser minutes: they are small in the picture, and cut coarsely. A number of facets that
@@ -125,8 +126,12 @@ static bool bake_coarsely(vs_emitter *e) {
   static const int least[] = { 32, 16, 12, VS_X3D_COARSEST };
   vs_x3d *x = e->state;
   size_t i = 0;
+  double bytes;
   if (e->drawing_facets.segments > 0) return true;
-  while (i + 1 < sizeof least / sizeof *least && bake_estimate(e, least[i]) > VS_X3D_BAKED_MOST) i++;
+  for (; i + 1 < sizeof least / sizeof *least; i++) {
+    if (!bake_estimate(e, least[i], &bytes)) return false;
+    if (bytes <= VS_X3D_BAKED_MOST) break;
+  }
   x->least = i > 0 ? least[i] : 0;
   return i == 0 || vs_emit_warn_once(e, NULL, "so many shapes are shown as triangles that small round ones are cut coarsely here; parts that are made once and placed several times keep their facets");
 }

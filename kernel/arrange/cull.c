@@ -99,8 +99,10 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
       if (at < VS_LIDS) list[at] = list[at - 1];
     }
     if (at < VS_LIDS) list[at] = lid;
+    ok = vs_kernel_poll(k, 0);
   }
   for (uint32_t i = 0; ok && i < n; i++) {
+    ok = vs_kernel_poll(k, 0);
     const vs_placed *p = &c->placed.at[i];
     for (uint32_t j = 0; j < (p->lids_count + 3) / 4 * 4; j++) {
       uint32_t at = p->lids_first + j;

@@ -184,11 +184,38 @@ static int storey_order(const void *a, const void *b) {
   return x->value < y->value ? -1 : x->value > y->value;
 }
 
-static void sort_storeys(settling *s) {
-  vs_storey *at = s->storeys.at;
+/* Merges two runs that stand in a row, from `low` and from `middle` to `high`; scratch has room for the first. */
+static void merge_storeys(vs_storey *at, vs_storey *scratch, size_t low, size_t middle, size_t high) {
+  size_t i = 0, n = middle - low, j = middle, to = low;
+  if (storey_order(&at[middle - 1], &at[middle]) <= 0) return;
+  memcpy(scratch, at + low, n * sizeof *at);
+  while (i < n && j < high) at[to++] = storey_order(&scratch[i], &at[j]) <= 0 ? scratch[i++] : at[j++];
+  while (i < n) at[to++] = scratch[i++];
+}
+
+/* In runs, between which interrupts are answered: a million boxes have some million storeys. */
+static bool order_storeys(vs_kernel *k, vs_storey *at, size_t count) {
+  enum { RUN = 1 << 15 };
+  VS_LIST(vs_storey) scratch = { 0 };
+  bool ok = VS_ROOM(k, scratch.at, scratch.room, count + 1);
+  for (size_t low = 0; ok && low < count; low += RUN) {
+    qsort(at + low, count - low < RUN ? count - low : RUN, sizeof *at, storey_order);
+    ok = vs_kernel_report(k, 1);
+  }
+  for (size_t width = RUN; ok && width < count; width *= 2)
+    for (size_t low = 0; ok && low + width < count; low += 2 * width) {
+      merge_storeys(at, scratch.at, low, low + width, count - low < 2 * width ? count : low + 2 * width);
+      ok = vs_kernel_report(k, 1);
+    }
+  VS_DROP(k, scratch);
+  return ok;
+}
+
+static bool sort_storeys(settling *s) {
   size_t kept = 0;
   bool near = false;
-  if (s->storeys.count) qsort(at, s->storeys.count, sizeof *at, storey_order);
+  if (!order_storeys(s->k, s->storeys.at, s->storeys.count)) return false;
+  vs_storey *at = s->storeys.at;
   for (size_t i = 0; i < s->storeys.count; i++) {
     bool same = kept && at[kept - 1].axis == at[i].axis;
     if (same && at[kept - 1].value == at[i].value) continue;
@@ -197,6 +224,7 @@ static void sort_storeys(settling *s) {
   }
   s->storeys.count = near ? 0 : kept;
   s->level = s->level && !near;
+  return vs_kernel_report(s->k, 1);
 }
 
 size_t vs_settling_storey(const vs_settling *s, int axis, double value) {
@@ -215,8 +243,7 @@ static bool find_look(settling *s, bool *any) {
   scan c = { .s = s };
   s->look.count = s->storeys.count = 0;
   s->level = true;
-  bool ok = vs_kernel_pipeline(s->k, (s->m->triangle_count + TASK - 1) / TASK, scan_some, take_found, &c);
-  sort_storeys(s);
+  bool ok = vs_kernel_pipeline(s->k, (s->m->triangle_count + TASK - 1) / TASK, scan_some, take_found, &c) && sort_storeys(s);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(s->k, c.found[i].look);
     VS_DROP(s->k, c.found[i].storeys);

@@ -119,6 +119,40 @@ static void test_open(void **state) {
   vs_mesh_free(&made);
 }
 
+static bool count_polls(void *context, double done) { return (void)done, ++*(size_t *)context, true; }
+
+/* Boxes up a stair, or all in one place: of very many storeys or of six. Triangles are as many either way, and so is
+ * all but the sorting of storeys. The faces of one side stand together. */
+static size_t polls_of_stair(size_t boxes, double step) {
+  vs_mesh m = { 0 };
+  size_t polls = 0;
+  vs_settled s;
+  vs_kernel_error e;
+  for (size_t i = 0; i < boxes; i++) {
+    double at = step * (double)i;
+    for (int k = 0; k < 8; k++)
+      assert_true(vs_mesh_add_vertex(&m, vs_v3(at + (k & 1), at + (k >> 1 & 1), at + (k >> 2)), NULL));
+  }
+  for (size_t i = 0; i < 12 * boxes; i++) {
+    static const uint8_t faces[12][3] = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
+                                          { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
+    const uint8_t *face = faces[i / boxes];
+    uint32_t base = 8 * (uint32_t)(i % boxes);
+    assert_true(vs_mesh_add_triangle(&m, base + face[0], base + face[1], base + face[2]));
+  }
+  vs_kernel_options o = { .progress = count_polls, .context = &polls, .threads = 1 };
+  assert_true(vs_mesh_settle(&m, VS_NUMBERS_DIGITS, &o, &s, &e));
+  vs_mesh_free(&m);
+  return polls;
+}
+
+/* The sorting of storeys asks in between whether to go on: more of them, more often. */
+static void test_storeys_are_interrupted(void **state) {
+  (void)state;
+  size_t few = polls_of_stair(40000, 0), many = polls_of_stair(40000, 3);
+  if (many < few + 8) fail_msg("%zu polls, and %zu where there is nothing to sort", many, few);
+}
+
 /* Corners closer than the format's numbers: collapsed, still closed, the same solid. */
 static void test_settle(void **state) {
   (void)state;
@@ -240,6 +274,7 @@ static void test_apart(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(test_simple), cmocka_unit_test(test_wound), cmocka_unit_test(test_open), cmocka_unit_test(test_settle), cmocka_unit_test(test_between), cmocka_unit_test(test_ends), cmocka_unit_test(test_apart) };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_simple), cmocka_unit_test(test_wound), cmocka_unit_test(test_open), cmocka_unit_test(test_settle),
+    cmocka_unit_test(test_storeys_are_interrupted), cmocka_unit_test(test_between), cmocka_unit_test(test_ends), cmocka_unit_test(test_apart) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

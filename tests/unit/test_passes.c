@@ -9,6 +9,8 @@
 #include <cmocka.h>
 
 #include "geometry/measure/node_measures.h"
+#include "model/order.h"
+#include "model/store/store.h"
 #include "passes/passes.h"
 
 #define NODE(lower, upper, ...) vs_node_new(s, VS_##upper, &(struct vs_##lower){ __VA_ARGS__, 0 }, NULL, 0)
@@ -57,6 +59,33 @@ static void sets_become_flat(void **state) {
   assert_int_equal(r.node->child_count, 4);
   assert_true(stats.commands_before == 7 && stats.commands_after == 7 && stats.changed[VS_PASS_FLATTEN] == 1);
   vs_node_release(r.node);
+  vs_store_release(s);
+}
+
+static bool never(void *asked) { return ++*(size_t *)asked, false; }
+
+/* Numbering a large drawing asks whether to go on, and leaves nothing behind where it may not. */
+static void numbering_is_interrupted(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_node *all[20000];
+  size_t count = sizeof all / sizeof *all, asked = 0;
+  vs_ref *refs = malloc(count * sizeof *refs);
+  assert_non_null(refs);
+  for (size_t i = 0; i < count; i++) {
+    all[i] = shifted(s, (double)i, 0, 0, NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0));
+    refs[i] = (vs_ref){ all[i], NULL };
+  }
+  vs_order o = { .store = s };
+  vs_error e = { 0 };
+  assert_true(vs_order_make(&o, refs, count, &e) && o.count == count);
+  s->going = never, s->going_context = &asked;
+  assert_false(vs_order_make(&o, refs, count, &e));
+  assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
+  assert_true(asked == 1 && o.at == NULL && o.count == 0);
+  s->going = NULL;
+  for (size_t i = 0; i < count; i++) vs_node_release(all[i]);
+  free(refs);
   vs_store_release(s);
 }
 
@@ -559,7 +588,7 @@ static void deep_trees_and_short_memory(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(sets_become_flat), cmocka_unit_test(templates_are_not_undone), cmocka_unit_test(placements_fold), cmocka_unit_test(kinds_fold_under_what_they_are_closed_under),
+    cmocka_unit_test(numbering_is_interrupted), cmocka_unit_test(sets_become_flat), cmocka_unit_test(templates_are_not_undone), cmocka_unit_test(placements_fold), cmocka_unit_test(kinds_fold_under_what_they_are_closed_under),
     cmocka_unit_test(placements_go_through_what_takes_them_in), cmocka_unit_test(paint_rises),
     cmocka_unit_test(nothing_is_pruned_away_but_nothing), cmocka_unit_test(copies_become_a_template), cmocka_unit_test(long_arrays_count_to_their_ends), cmocka_unit_test(copies_survive_rounding_and_flattening), cmocka_unit_test(turned_copies_become_a_template), cmocka_unit_test(large_sets_become_trees_of_boxes),
     cmocka_unit_test(random_solids_stay_what_they_are), cmocka_unit_test(deep_trees_and_short_memory),
