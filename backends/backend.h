@@ -69,6 +69,7 @@ struct vs_emitter {
   vs_affine placement;
   vs_bounds reach;     /* in the coordinates of what is being written: where a half-space must be right */
   vs_drive *drive;
+  uint64_t triangles;  /* written so far: vs_emit_triangles */
 };
 
 struct vs_backend {
@@ -128,6 +129,8 @@ bool vs_emit_fail(vs_emitter *e, const vs_ref *ref, const char *message); /* a f
 bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message); /* once a message (compared by address) */
 bool vs_emit_no_memory(vs_emitter *e);
 bool vs_emit_progress(vs_emitter *e, const char *stage, double fraction); /* false: interrupted, and the error says so */
+/* So many triangles are written, or are about to be: those of a template once. False: more than the limit, and the error says so. */
+bool vs_emit_triangles(vs_emitter *e, size_t count);
 void vs_emit_watch(vs_emitter *e, vs_writer *w); /* from now on w asks so, too, whenever its buffer is full */
 /* For loops that write nothing: asks now and then. */
 static inline bool vs_emit_going(vs_emitter *e, size_t turn) { return (turn & 0x3fff) != 0 || vs_emit_progress(e, "writing", -1); }

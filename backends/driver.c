@@ -54,6 +54,15 @@ bool vs_emit_progress(vs_emitter *e, const char *stage, double fraction) {
   return vs_error_set(e->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
 }
 
+bool vs_emit_triangles(vs_emitter *e, size_t count) {
+  vs_tally *tally = vs_store_tally(e->scene->store);
+  size_t limit = e->options->mesh_triangles;
+  e->triangles += count;
+  if (tally != NULL) tally->triangles += count;
+  return !limit || e->triangles <= limit ||
+         vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "the result has more than %zu triangles, the limit", limit);
+}
+
 static bool drive_going(void *context) { return vs_emit_progress(context, "writing", -1); }
 void vs_emit_watch(vs_emitter *e, vs_writer *w) {
   w->going = drive_going;

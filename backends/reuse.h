@@ -24,6 +24,7 @@ typedef struct {
   uint64_t hash;     /* of the nodes in it, never 0 */
   bool unfit;        /* it cannot be a key: too long, no memory, or something of the program's stands in it */
   bool open;         /* the run is being written, to be kept */
+  uint64_t triangles; /* then, at its end: those in it */
   uint64_t from;     /* then: bytes of the writer before it */
   char *caught;      /* what has left the writer's buffer of it */
   size_t caught_count, caught_room;
@@ -57,7 +58,7 @@ typedef struct {
   const uint64_t *slots;
   const vs_reuse_line *lines;
   const char *const *said;
-  size_t size, slot_count, line_count, said_count;
+  size_t size, slot_count, line_count, said_count, triangles;
 } vs_reused;
 void vs_reuse_start(vs_reuse *r); /* a key, from nothing */
 void vs_reuse_mix(vs_reuse *r, uint64_t hash); /* what else the key has is like this: an order of candidates, no more */

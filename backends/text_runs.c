@@ -189,7 +189,7 @@ static bool put_out(vs_emitter *e, const vs_ref *first, const vs_reused *found) 
     ok = vs_drive_mark(e, line, first->origin);
     for (size_t i = 0; ok && i < found->line_count; i++) ok = vs_drive_mark(e, line + found->lines[i].line, found->lines[i].origin);
   }
-  ok = ok && vs_reuse_put_out(&e->drive->reuse, found, e->out);
+  ok = ok && vs_emit_triangles(e, found->triangles) && vs_reuse_put_out(&e->drive->reuse, found, e->out);
   if (ok && tally != NULL) tally->texts_found++, tally->bytes_found += found->size;
   return ok && vs_emit_progress(e, "writing", -1);
 }
@@ -203,6 +203,7 @@ static void run_begin(vs_emitter *e, size_t until) {
     d->run_first = d->line_count > 0 && d->lines[d->line_count - 1].line == d->run_line ? d->line_count - 1 : d->line_count; /* it may yet get another origin */
   }
   vs_reuse_begin(&d->reuse, e->out);
+  d->reuse.triangles = e->triangles;
 }
 
 void vs_drive_run_end(vs_emitter *e) {
@@ -210,6 +211,7 @@ void vs_drive_run_end(vs_emitter *e) {
   size_t count = e->backend->keep_origins ? d->line_count - d->run_first : 0;
   vs_reuse_line *lines = count > 0 ? d->lines + d->run_first : NULL;
   for (size_t i = 0; i < count; i++) lines[i].line -= (uint32_t)d->run_line;
+  d->reuse.triangles = e->triangles - d->reuse.triangles;
   vs_reuse_end(&d->reuse, e->out, lines, count);
   for (size_t i = 0; i < count; i++) lines[i].line += (uint32_t)d->run_line;
 }

@@ -152,6 +152,7 @@ typedef struct {
   vs_remember remember;
   vs_placing placing;
   vs_kernel_counts counts;
+  size_t triangles; /* of the result, where it is several meshes */
 } whole;
 
 /* What only the meeting needs; the rest of the way takes as much again. */
@@ -334,6 +335,14 @@ static bool add_mesh(vs_kernel *k, vs_kernel_copies *c, vs_mesh **made) {
   return want_tags(k, *made);
 }
 
+/* Of a result in several meshes each keeps to the limit by itself, and here all of them together. */
+static bool count_result(vs_kernel *k, whole *w, const vs_mesh *made) {
+  size_t limit = k->options ? k->options->max_triangles : 0;
+  w->triangles += made->triangle_count;
+  return !limit || w->triangles <= limit ||
+         vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
+}
+
 static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, const uint32_t *leaves, uint32_t count) {
   uint32_t original;
   bool is_new;
@@ -344,7 +353,9 @@ static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, co
   w->counts.copied += !is_new;
   if (to->many) {
     vs_mesh *made;
-    if (is_new && (!add_mesh(k, to->many, &made) || !make_cluster(k, w, copies, leaves, count, made, original))) return false;
+    if (is_new && (!add_mesh(k, to->many, &made) || !make_cluster(k, w, copies, leaves, count, made, original) ||
+                   !count_result(k, w, made)))
+      return false;
     if (to->many->meshes[original].triangle_count == 0) return true;
     return VS_ROOM(k, to->many->copies, to->many->copy_room, to->many->copy_count + 1) &&
            (to->many->copies[to->many->copy_count++] = (vs_kernel_copy){ original, map }, true);

@@ -21,11 +21,15 @@ typedef struct {
   double seconds[VS_STEP_COUNT]; /* of its steps */
 } vs_kernel_counts;
 
+enum { VS_ON_THE_WAY = 8 };
+#define VS_SHAPES_OVER "the shapes have more than %zu triangles, %d times the limit of %zu for the result"
+
 typedef struct {
   bool (*progress)(void *context, double done); /* done in 0..1; false stops the work; may be NULL. Called some hundred times a second */
   void *context;
   size_t max_bytes;     /* of the kernel's own memory; 0: no limit */
-  size_t max_triangles; /* of the result; 0: no limit */
+  size_t max_triangles; /* of the result; 0: no limit. On the way to it there may be VS_ON_THE_WAY times as many, of
+                         * shapes and of what they are cut into */
   vs_cache *cache;   /* where clusters are looked up and kept (model/store/cache.h); NULL: nowhere */
   void (*warn)(void *context, const vs_origin *origin, const char *message); /* of what is done all the same, by vs_solid_evaluate; may be NULL */
   vs_kernel_counts *counts; /* added to, but for the peak, which only rises; NULL: nobody asks */

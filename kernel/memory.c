@@ -17,6 +17,13 @@ bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const 
   return false;
 }
 
+bool vs_kernel_on_the_way(vs_kernel *k, size_t pieces) {
+  size_t limit = k->options ? k->options->max_triangles : 0;
+  return !limit || pieces / VS_ON_THE_WAY <= limit ||
+         vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the shapes are cut into more than %zu pieces, %d times the limit of %zu triangles for the result",
+                        limit * VS_ON_THE_WAY, VS_ON_THE_WAY, limit);
+}
+
 bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t size) {
   if (need <= *room) return true;
   size_t more = *room < 16 ? 16 : *room + *room / 2;

@@ -26,6 +26,9 @@ typedef struct vs_kernel {
 bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const char *format, ...) __attribute__((format(printf, 4, 5)));
 #define VS_BROKEN(k, why) vs_kernel_fail(k, VS_KERNEL_INTERNAL, 0, "the solids could not be combined: %s (a fault of vs, please report the model)", why)
 
+/* So many pieces have shapes been cut into. False: more than the limit on the result leaves room for on the way to it. */
+bool vs_kernel_on_the_way(vs_kernel *k, size_t pieces);
+
 /* Makes room for `need` elements of `size` bytes in the array whose address stands in *slot; *room is in elements. */
 bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t size);
 void vs_kernel_free(vs_kernel *k, void *slot, size_t *room, size_t size);

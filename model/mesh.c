@@ -13,6 +13,10 @@ void vs_mesh_free(vs_mesh *m) {
 
 bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles) {
   if (vertices > UINT32_MAX || triangles > UINT32_MAX) return false;
+  if (m->most && (triangles > m->most || vertices / 3 > m->most)) {
+    m->over = true;
+    return false;
+  }
   if (vertices > m->vertex_room) {
     vs_vec3 *grown = realloc(m->vertices, vertices * sizeof *grown);
     if (!grown) return false;
@@ -49,17 +53,21 @@ bool vs_mesh_copy(const vs_mesh *from, vs_mesh *to) {
   return true;
 }
 
-static size_t mesh_next_room(size_t room) { return room < 16 ? 16 : room + room / 2; }
+/* More than there is by a half, but at most `most` as long as that is more; 0: any number. */
+static size_t mesh_next_room(size_t room, size_t most) {
+  size_t next = room < 16 ? 16 : room + room / 2;
+  return most && room < most && next > most ? most : next;
+}
 
 bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index) {
-  if (m->vertex_count == m->vertex_room && !vs_mesh_reserve(m, mesh_next_room(m->vertex_room), 0)) return false;
+  if (m->vertex_count == m->vertex_room && !vs_mesh_reserve(m, mesh_next_room(m->vertex_room, 3 * m->most), 0)) return false;
   if (index) *index = (uint32_t)m->vertex_count;
   m->vertices[m->vertex_count++] = v;
   return true;
 }
 
 bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c) {
-  if (m->triangle_count == m->triangle_room && !vs_mesh_reserve(m, 0, mesh_next_room(m->triangle_room))) return false;
+  if (m->triangle_count == m->triangle_room && !vs_mesh_reserve(m, 0, mesh_next_room(m->triangle_room, m->most))) return false;
   uint32_t *t = m->triangles[m->triangle_count];
   t[0] = a;
   t[1] = b;

@@ -2,6 +2,7 @@
 #ifndef VS_MODEL_MESH_H
 #define VS_MODEL_MESH_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -12,12 +13,14 @@ typedef struct {
   uint32_t (*triangles)[3]; /* counter-clockwise seen from outside */
   uint32_t *tags;           /* one a triangle, or NULL: which part (leaf) it came from */
   size_t vertex_count, vertex_room, triangle_count, triangle_room;
+  size_t most;              /* so many triangles, and three times as many corners, are all that room is made for; 0: any number */
+  bool over;                /* more was asked for, and refused */
 } vs_mesh;
 
 void vs_mesh_free(vs_mesh *m); /* what it holds, not m; leaves it empty and usable */
 bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index); /* false: out of memory; index may be NULL */
 bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c);
-bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles); /* room in all; false: out of memory */
+bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles); /* room in all; false: out of memory, or m->over */
 bool vs_mesh_want_tags(vs_mesh *m); /* room for them, each 0, where it has none; false: out of memory */
 bool vs_mesh_copy(const vs_mesh *from, vs_mesh *to); /* to is empty; false: out of memory, and it is again */
 double vs_mesh_volume(const vs_mesh *m); /* signed, by the divergence theorem; closed meshes only */

@@ -82,7 +82,7 @@ bool vs_thing_triangles(vs_output *out, const vs_thing *t, vs_triangles *result)
   *result = (vs_triangles){ 0 };
   if (ref->node->class_ == VS_CURVE) return vs_emit_fail(e, ref, "a curve has no triangles");
   const vs_solid *m = vs_emit_mesh(e, ref);
-  if (m == NULL) return false;
+  if (m == NULL || !vs_emit_triangles(e, m->mesh.triangle_count)) return false;
   result->points = (const double (*)[3])(const void *)m->mesh.vertices, result->point_count = m->mesh.vertex_count;
   result->corners = (const uint32_t (*)[3])m->mesh.triangles, result->count = m->mesh.triangle_count;
   return true;

@@ -58,7 +58,13 @@ static bool primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel
   vs_mesh_flaws flaws;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   vs_mesh whole = { 0 };
-  if (!vs_tessellate(n, f, out, e)) return false;
+  size_t limit = options ? options->max_triangles : 0;
+  out->most = limit * VS_ON_THE_WAY;
+  if (!vs_tessellate(n, f, out, e)) {
+    if (out->over) vs_error_set(e, VS_ERROR_MEMORY, NULL, VS_SHAPES_OVER, out->most, VS_ON_THE_WAY, limit);
+    return false;
+  }
+  out->most = 0;
   if (!may_overlap(n) || !out->triangle_count) return true;
   if (!vs_kernel_inspect(out, options, &flaws, &why)) return failed(&why, e);
   if (flaws.wound_count == 0) return true;

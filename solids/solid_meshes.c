@@ -63,6 +63,7 @@ typedef struct {
   VS_LIST(uint32_t) mesh_numbers;     /* of each leaf: which of meshes */
   VS_LIST(uint64_t) identities;       /* of each leaf's mesh */
   VS_LIST(uint32_t) plain;            /* meshes that are made by threads in the end */
+  _Atomic size_t made;                /* triangles of all meshes so far */
   vs_cache *cache;                    /* or NULL */
 } builder;
 
@@ -146,6 +147,14 @@ static bool buckets_grow(builder *b) {
   return true;
 }
 
+/* The meshes that stand for the shapes have so many triangles more. Kept ones count as
+ * others do: what an output may hold must not depend on what was written before. */
+static bool count_made(vs_kernel *k, _Atomic size_t *made, size_t triangles) {
+  size_t limit = k->options->max_triangles, all = atomic_fetch_add(made, triangles) + triangles;
+  return !limit || all <= limit * VS_ON_THE_WAY ||
+         vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, VS_SHAPES_OVER, limit * VS_ON_THE_WAY, VS_ON_THE_WAY, limit);
+}
+
 static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_facets *facets, vs_mesh **mesh, uint32_t *number) {
   bool endless = ref->node->kind == VS_HALF_SPACE;
   if (!buckets_grow(b)) return false;
@@ -177,9 +186,13 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fac
   *bucket = b->meshes.count;
   *number = (uint32_t)b->meshes.count - 1;
   if (ref->node->kind == VS_HALF_SPACE) return true; /* made when it is known what there is to cut */
-  if (vs_primitive_is_plain(ref->node)) return vs_primitive_find(b->cache, ref->node, facets, *mesh, &b->meshes.at[*number].held) || VS_PUSH(&b->k, b->plain, *number);
+  if (vs_primitive_is_plain(ref->node))
+    return vs_primitive_find(b->cache, ref->node, facets, *mesh, &b->meshes.at[*number].held)
+               ? count_made(&b->k, &b->made, (*mesh)->triangle_count)
+               : VS_PUSH(&b->k, b->plain, *number);
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  if (vs_primitive_shared(b->cache, ref->node, facets, b->k.options, *mesh, &b->meshes.at[*number].held, &why)) return true;
+  if (vs_primitive_shared(b->cache, ref->node, facets, b->k.options, *mesh, &b->meshes.at[*number].held, &why))
+    return count_made(&b->k, &b->made, (*mesh)->triangle_count);
   if (!why.origin) why.origin = ref->origin;
   if (b->error) *b->error = why;
   return false;
@@ -189,7 +202,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fac
 
 enum { FEW = 64, CHUNK = 8 /* so few are a task each, else so many together */, CURVED = 100 /* triangles, by and large */, SERIAL = 10000 /* are not worth a thread */ };
 
-typedef struct { const builder *b; size_t chunk; } making;
+typedef struct { const builder *b; size_t chunk; _Atomic size_t *made; } making;
 
 static bool make_some(vs_kernel *k, void *context, size_t index) {
   const making *all = context;
@@ -197,14 +210,20 @@ static bool make_some(vs_kernel *k, void *context, size_t index) {
   for (size_t i = index * all->chunk; i < (index + 1) * all->chunk && i < b->plain.count; i++) {
     const meshed *m = &b->meshes.at[b->plain.at[i]];
     if (!vs_kernel_report(k, 0)) return false; /* one shape may have a million triangles */
-    if (!vs_tessellate(m->node, &m->facets, m->mesh, NULL)) return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, (uint32_t)i, "out of memory while combining solids");
+    m->mesh->most = k->options->max_triangles * VS_ON_THE_WAY;
+    if (!vs_tessellate(m->node, &m->facets, m->mesh, NULL))
+      return m->mesh->over
+                 ? count_made(k, all->made, m->mesh->most + 1)
+                 : vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, (uint32_t)i, "out of memory while combining solids");
+    m->mesh->most = 0;
+    if (!count_made(k, all->made, m->mesh->triangle_count)) return false;
   }
   return true;
 }
 
 /* All that the walk has left. */
 static bool make_plain(builder *b) {
-  making all = { b, b->plain.count < FEW ? 1 : CHUNK };
+  making all = { b, b->plain.count < FEW ? 1 : CHUNK, &b->made };
   size_t faces = 0;
   for (size_t i = 0; i < b->plain.count; i++) {
     const vs_node *n = b->meshes.at[b->plain.at[i]].node;
@@ -216,6 +235,7 @@ static bool make_plain(builder *b) {
   for (size_t i = 0; ok && i < b->plain.count; i++) {
     meshed *m = &b->meshes.at[b->plain.at[i]];
     vs_primitive_keep(b->cache, (vs_node *)(uintptr_t)m->node, &m->facets, m->mesh, &m->held);
+    ok = vs_kernel_poll(&b->k, 0);
   }
   if (ok || b->k.error->status != VS_KERNEL_OUT_OF_MEMORY) return ok;
   const meshed *m = &b->meshes.at[b->plain.at[b->k.error->leaf]]; /* once more, for what it has to say */
@@ -413,14 +433,12 @@ void vs_solid_tally_steps(vs_store *s, const vs_kernel_counts *counts) {
   for (int i = 0; t && i < VS_STEP_COUNT; i++) t->steps[i] += counts->seconds[i];
 }
 
-static void tally_up(vs_tally *t, const vs_kernel_counts *c, const vs_solid *one, const vs_solid_copies *many) {
+static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
   if (!t) return;
   t->clusters += c->clusters;
   t->combined += c->combined;
   t->copied += c->copied;
   t->remembered += c->remembered;
-  if (one) t->triangles += one->mesh.triangle_count;
-  for (size_t i = 0; many && i < many->meshes.mesh_count; i++) t->triangles += many->meshes.meshes[i].triangle_count;
   vs_tally_also(t, c->peak);
 }
 
@@ -451,7 +469,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
   ok = ok && make_plain(b) && close_term(b, VS_TERM_UNION, 0) && bound_half_spaces(b);
   for (size_t i = 0; ok && b->cache && i < b->leaves.count; i++) {
     const vs_cached *held = b->meshes.at[b->mesh_numbers.at[i]].held;
-    ok = VS_PUSH(&b->k, b->identities, held ? held->serial : 0);
+    ok = VS_PUSH(&b->k, b->identities, held ? held->serial : 0) && vs_kernel_poll(&b->k, 0);
   }
   vs_kernel_lap(&b->k, VS_STEP_SHAPES);
   if (ok) {
@@ -480,7 +498,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
     else vs_mesh_free(b->meshes.at[i].mesh);
     free(b->meshes.at[i].mesh);
   }
-  tally_up(tally, &counts, one, many);
+  tally_up(tally, &counts);
   if (count) vs_solid_tally_steps(refs[0].node->store, &counts);
   VS_DROP(&b->k, b->leaves);
   VS_DROP(&b->k, b->origins);

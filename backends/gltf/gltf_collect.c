@@ -137,7 +137,7 @@ static bool gltf_add_part(vs_emitter *e, const vs_solid *m, const vs_shading *s,
     }
     count += 3;
   }
-  return p == NULL || gltf_indices(e, p, index, count);
+  return p == NULL || (vs_emit_triangles(e, count / 3) && gltf_indices(e, p, index, count));
 }
 
 static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *place, double crease, uint32_t *number) {
@@ -189,9 +189,11 @@ static bool gltf_unit(vs_emitter *e, vs_unit unit, int turn, uint32_t *number) {
     *number = t->at[turn] - 1;
     return true;
   }
-  vs_solid form = { .part_count = 0 };
+  vs_solid form = { .mesh.most = e->options->mesh_triangles };
   static const vs_affine here = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
-  bool ok = (vs_unit_mesh(unit, turn, &form.mesh) || vs_emit_no_memory(e)) && gltf_add_solid(e, &form, &here, vs_shade_crease(turn > 0), number);
+  bool ok = (vs_unit_mesh(unit, turn, &form.mesh) ||
+             (form.mesh.over ? vs_emit_triangles(e, form.mesh.most + 1) : vs_emit_no_memory(e))) &&
+            gltf_add_solid(e, &form, &here, vs_shade_crease(turn > 0), number);
   vs_solid_free(&form);
   if (ok) t->at[turn] = *number + 1;
   return ok;

@@ -96,6 +96,7 @@ static bool stl_solid(vs_emitter *e, const vs_solid *solid) {
   size_t count;
   if (!vs_count_spans(m->triangle_count, stl_stays, m, &count)) return vs_emit_no_memory(e);
   if (count > UINT32_MAX) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than an STL file can hold");
+  if (!vs_emit_triangles(e, count)) return false;
   vs_le_u32(head + 80, (uint32_t)count);
   return vs_put(e->out, head, sizeof head) && mesh_put(e, m->triangle_count, STL_RECORD, stl_records, m);
 }
@@ -121,7 +122,12 @@ static char *stl_words(const void *context, size_t begin, size_t end, char *to) 
 }
 
 static bool stl_ascii_solid(vs_emitter *e, const vs_solid *solid) {
-  return vs_puts(e->out, "solid VisualScheme\n") && mesh_put(e, solid->mesh.triangle_count, STL_WORDS, stl_words, &solid->mesh) && vs_puts(e->out, "endsolid VisualScheme\n");
+  const vs_mesh *m = &solid->mesh;
+  size_t count;
+  if (!vs_count_spans(m->triangle_count, stl_stays, m, &count)) return vs_emit_no_memory(e);
+  return vs_emit_triangles(e, count) && vs_puts(e->out, "solid VisualScheme\n") &&
+         mesh_put(e, m->triangle_count, STL_WORDS, stl_words, m) &&
+         vs_puts(e->out, "endsolid VisualScheme\n");
 }
 
 const vs_backend vs_backend_stl_ascii = { .begin = mesh_begin, .end = mesh_end, .solid = stl_ascii_solid, .numbers = VS_NUMBERS_SOUP, MESH_OMIT("STL") };
@@ -151,7 +157,8 @@ static bool off_solid(vs_emitter *e, const vs_solid *solid) {
   if (m->vertex_count + l->point_count > UINT32_MAX)
     return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more points than an OFF file can hold");
   vs_mesh loose = { .vertices = l->points, .vertex_count = l->point_count };
-  bool ok = vs_putf(e->out, "OFF\n%lu %lu 0\n", (unsigned long)(m->vertex_count + l->point_count),
+  bool ok = vs_emit_triangles(e, m->triangle_count + vs_loose_triangles(l)) &&
+            vs_putf(e->out, "OFF\n%lu %lu 0\n", (unsigned long)(m->vertex_count + l->point_count),
                     (unsigned long)(m->triangle_count + vs_loose_triangles(l))) &&
             mesh_put(e, m->vertex_count, MESH_TRIPLE, off_corners, m) &&
             mesh_put(e, loose.vertex_count, MESH_TRIPLE, off_corners, &loose) &&
@@ -244,6 +251,7 @@ static bool ply_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_loose *l = e->state;
   if (m->vertex_count + l->point_count > UINT32_MAX)
     return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more points than a PLY file can hold");
+  if (!vs_emit_triangles(e, m->triangle_count + vs_loose_triangles(l))) return false;
   vs_puts(w, "ply\nformat binary_little_endian 1.0\ncomment made by VisualScheme; Z is up, lengths in ");
   vs_puts(w, e->scene->units);
   vs_putf(w, "\nelement vertex %lu\nproperty double x\nproperty double y\nproperty double z\n",
@@ -412,6 +420,7 @@ static bool obj_loose(vs_emitter *e, uint32_t base) {
 static bool obj_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   vs_writer *w = e->out;
+  if (!vs_emit_triangles(e, m->triangle_count + vs_loose_triangles(e->state))) return false;
   vs_puts(w, "# made by VisualScheme; Z is up\n");
   if (e->path != NULL) {
     char *library = obj_library(e->path);

@@ -204,6 +204,8 @@ static vs_emit_status scad_polyface(vs_emitter *e, const vs_ref *ref, vs_phase p
   const uint32_t *starts = vs_faces_starts(p->faces), *corners = apart.corners ? apart.corners : vs_faces_corners(p->faces);
   const vs_vec3 *points = apart.points ? apart.points : p->points->at;
   size_t count = apart.points ? apart.count : p->points->count;
+  if (!vs_emit_triangles(e, p->faces->corner_count - 2 * (size_t)p->faces->count))
+    return vs_apart_free(&apart), VS_FAILED;
   scad_open(e, ref->node);
   vs_puts(e->out, "polyhedron(points = [");
   for (size_t i = 0; i < count; i++) {

@@ -246,6 +246,7 @@ static vs_emit_status pov_mesh(vs_emitter *e, const vs_vec3 *v, size_t vertex_co
   size_t kept = 0;
   for (size_t i = 0; i < count; i++) kept += !pov_needle(v, t[i]);
   if (kept == 0) return VS_EMITTED; /* nothing that could be seen */
+  if (!vs_emit_triangles(e, kept)) return VS_FAILED;
   vs_shading s = { .normal_count = 0 };
   const double crease = 0.6; /* radians, some 35 degrees */
   if (e->smooth && !vs_shading_make(e, v, vertex_count, t, count, crease, &s)) return VS_FAILED;

@@ -74,6 +74,7 @@ static void model_triangle(vs_emitter *e, const vs_solid_copies *c, const vs_mes
 static void model_object(vs_emitter *e, const vs_solid_copies *c, size_t mesh, size_t id, bool twin) {
   const vs_mesh *m = &c->meshes.meshes[mesh];
   vs_writer *w = e->out;
+  if (!vs_emit_triangles(e, m->triangle_count)) w->failed = true;
   vs_putf(w, "<object id=\"%zu\" type=\"model\" pid=\"1\" pindex=\"0\">\n<mesh>\n<vertices>\n", id);
   for (size_t i = 0; i < m->vertex_count && !w->failed; i++) {
     vs_vec3 v = m->vertices[i];

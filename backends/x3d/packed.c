@@ -306,6 +306,7 @@ static void packed_triangles(vs_emitter *e, const vs_solid *m, const vs_shading 
     for (int k = 0; k < 3; k++)
       if (at[s->corners[i][k]] == UINT32_MAX) at[s->corners[i][k]] = vertices++;
   }
+  if (!vs_emit_triangles(e, triangles)) w->failed = true;
   int width = vertices <= 256 ? 1 : vertices <= 65536 ? 2 : 4;
   packed_entry(e, "N", "IndexedTriangleSet");
   packed_def(e, (uint64_t)GEOMETRY_FIRST + p->geometry_count++);
@@ -456,9 +457,11 @@ static bool packed_unit(vs_emitter *e, vs_unit unit, int turn, size_t *number) {
   if (!vs_emit_grow(e, &t->at, &t->room, (size_t)turn + 1, sizeof *t->at)) return false;
   if (t->room > old) memset(t->at + old, 0, (t->room - old) * sizeof *t->at);
   if (t->at[turn] == 0) {
-    vs_solid form = { .part_count = 0 };
+    vs_solid form = { .mesh.most = e->options->mesh_triangles };
     static const vs_affine here = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
-    bool ok = (vs_unit_mesh(unit, turn, &form.mesh) || vs_emit_no_memory(e)) && packed_add_solid(e, &form, &here, vs_v3(0, 0, 0), vs_shade_crease(turn > 0), true);
+    bool ok = (vs_unit_mesh(unit, turn, &form.mesh) ||
+               (form.mesh.over ? vs_emit_triangles(e, form.mesh.most + 1) : vs_emit_no_memory(e))) &&
+              packed_add_solid(e, &form, &here, vs_v3(0, 0, 0), vs_shade_crease(turn > 0), true);
     vs_solid_free(&form);
     if (!ok) return false;
     t->at[turn] = (uint32_t)p->made_count;

@@ -152,6 +152,7 @@ static bool scene_begin_shape(vs_emitter *e, size_t number, bool *said, bool lin
 
 static void scene_triangles(vs_emitter *e, size_t number, const vs_x3d_batch *b, bool *said, const scene_name *name) {
   if (scene_begin_shape(e, number, said, false, "IndexedTriangleSet", name)) {
+    if (!vs_emit_triangles(e, b->triangle_count)) e->out->failed = true;
     vs_x3d_words(e, "solid", "false"); /* open surfaces are seen from both sides */
     vs_x3d_field(e, "index", true);
     for (size_t i = 0; i < b->triangle_count && !e->out->failed; i++) {

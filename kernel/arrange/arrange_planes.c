@@ -687,7 +687,9 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
   a->tried += from->cuts;
   a->crossed += from->crossed;
   a->hidden += from->hidden;
-  if (vs_too_hidden(c, a->tried, a->crossed, a->hidden)) return false;
+  if (vs_too_hidden(c, a->tried, a->crossed, a->hidden) ||
+      !vs_kernel_on_the_way(k, c->faces.count + from->faces.count))
+    return false;
   uint32_t faces = (uint32_t)c->faces.count, covers = (uint32_t)c->covers.count, uses = (uint32_t)c->uses.count;
   if (!VS_ROOM(k, a->numbers.at, a->numbers.room, from->fresh.count + 1) ||
       !vs_points_add_all(k, &a->points, &c->points, from->fresh.at, from->fresh.count, a->numbers.at))
@@ -728,10 +730,12 @@ static bool bucket(vs_kernel *k, arranging *a) {
   for (uint32_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
   for (uint32_t i = 0; i < n; i++) a->facets.at[first[c->facets.at[i].group + 1]++] = i;
   first = a->cut_first.at;
+  if (!vs_kernel_report(k, k->part)) return false;
   memset(first, 0, ((size_t)n + 2) * sizeof *first);
   for (uint32_t i = 0; i < m; i++) first[c->facets.at[c->cuts.at[i].facet].group + 2]++;
   for (uint32_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
   for (uint32_t i = 0; i < m; i++) a->cuts.at[first[c->facets.at[c->cuts.at[i].facet].group + 1]++] = i;
+  if (!vs_kernel_report(k, k->part)) return false;
   for (int large = 1; large >= 0; large--) /* what takes long begins first */
     for (uint32_t i = 0, end; i < n; i = end) {
       uint32_t size = 0;

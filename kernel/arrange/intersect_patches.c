@@ -441,6 +441,7 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
   m->looked += from->looked;
   m->hidden += from->hidden;
   if (vs_too_many(c, c->cuts.count) || most_is_hidden(m, index)) return c->crowded = true, false;
+  if (!vs_kernel_on_the_way(k, c->cuts.count)) return false;
   for (size_t i = 0; i < from->contacts.count; i++) {
     const contact *x = &from->contacts.at[i];
     const vs_patch *a = &c->patches.at[x->a], *b = &c->patches.at[x->b];

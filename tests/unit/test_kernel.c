@@ -861,6 +861,47 @@ static void test_errors(void **state) {
   sx_free(&p);
 }
 
+/* Two layers of `bars` bars across each other: some 8 faces a crossing. */
+static char *lattice(int bars) {
+  size_t room = 64 + 128 * (size_t)bars, used = 0;
+  char *text = malloc(room);
+  assert_non_null(text);
+  used += (size_t)snprintf(text, room, "(union");
+  for (int i = 0; i < bars; i++)
+    used += (size_t)snprintf(text + used, room - used,
+                             " (translate 0 %d 0 (box %d 1 1)) (translate %d 0 0.25 (box 1 %d 1))",
+                             2 * i, 2 * bars, 2 * i, 2 * bars);
+  snprintf(text + used, room - used, ")");
+  return text;
+}
+
+/* The limit on triangles is seen while solids are cut, not when all is done: what is held then goes by the limit, not
+ * by the result. */
+static void test_limit_on_the_way(void **state) {
+  (void)state;
+  enum { FEW = 500, MORE = 2000 };
+  size_t peaks[3];
+  const size_t limits[3] = { 0, MORE, FEW };
+  char *text = lattice(170);
+  for (int i = 0; i < 3; i++) {
+    sx_problem p;
+    vs_mesh m = { 0 };
+    vs_kernel_error e;
+    vs_kernel_counts counts = { 0 };
+    assert_true(sx_parse(text, &p));
+    vs_kernel_options o = { .max_triangles = limits[i], .counts = &counts, .threads = 1 };
+    assert_int_equal(vs_kernel_evaluate(&p.problem, &o, &m, &e), i == 0);
+    if (i == 0) assert_true(m.triangle_count > 200000);
+    else assert_int_equal(e.status, VS_KERNEL_LIMIT);
+    if (i > 0) assert_non_null(strstr(e.message, "8 times the limit"));
+    peaks[i] = counts.peak;
+    vs_mesh_free(&m);
+    sx_free(&p);
+  }
+  if (peaks[1] > peaks[0] / 2 || peaks[2] > peaks[1]) fail_msg("%zu, %zu and %zu bytes", peaks[0], peaks[1], peaks[2]);
+  free(text);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_doubles),
@@ -885,6 +926,7 @@ int main(void) {
     cmocka_unit_test(test_threads),
     cmocka_unit_test(test_copies),
     cmocka_unit_test(test_errors),
+    cmocka_unit_test(test_limit_on_the_way),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

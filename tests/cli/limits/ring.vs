@@ -1,0 +1,1 @@
+(draw (make-torus (xyz 0 0 0) 2 1))
