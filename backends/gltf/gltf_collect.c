@@ -34,7 +34,7 @@ void vs_gltf_close(vs_emitter *e) {
   vs_emit_release(e, g->nodes, g->node_room, sizeof *g->nodes);
   vs_emit_release(e, g->layers, g->layer_room, sizeof *g->layers);
   vs_emit_release(e, g->open_layers, g->open_room, sizeof *g->open_layers);
-  vs_nodemap_free(&g->shapes);
+  vs_nodemap_free_held(&g->shapes);
   vs_emit_release(e, g, 1, sizeof *g);
   e->state = NULL;
 }
@@ -223,7 +223,7 @@ static bool gltf_shape(vs_emitter *e, const vs_ref *ref, double crease) {
   vs_gltf *g = e->state;
   bool placeable = vs_affine_is_placement(&e->placement);
   bool found = false;
-  uint64_t *known = placeable ? vs_nodemap_put(&g->shapes, ref->node, &found) : NULL;
+  uint64_t *known = placeable ? vs_nodemap_put_held(&g->shapes, ref->node, &found) : NULL;
   if (placeable && known == NULL) return vs_emit_no_memory(e);
   vs_bounds b;
   if (!vs_node_bounds(ref->node, &b, e->error)) return false;

@@ -284,7 +284,7 @@ void vs_packed_close(vs_emitter *e) {
   vs_emit_release(e, p->open, p->open_room, sizeof *p->open);
   vs_emit_release(e, p->origin_list, p->origin_room, sizeof *p->origin_list);
   vs_nodemap_free(&p->origins);
-  vs_nodemap_free(&p->shapes);
+  vs_nodemap_free_held(&p->shapes);
   vs_emit_release(e, p, 1, sizeof *p);
   e->state = NULL;
 }
@@ -474,7 +474,7 @@ static bool packed_unit(vs_emitter *e, vs_unit unit, int turn, size_t *number) {
 static bool packed_shape_of(vs_emitter *e, const vs_ref *ref, double crease) {
   packed *p = e->state;
   bool found = false, placeable = vs_affine_is_placement(&e->placement);
-  uint64_t *known = placeable ? vs_nodemap_put(&p->shapes, ref->node, &found) : NULL;
+  uint64_t *known = placeable ? vs_nodemap_put_held(&p->shapes, ref->node, &found) : NULL;
   if (placeable && known == NULL) return vs_emit_no_memory(e);
   vs_bounds b;
   if (!found && !vs_node_bounds(ref->node, &b, e->error)) return false;

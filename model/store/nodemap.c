@@ -41,3 +41,17 @@ uint64_t *vs_nodemap_put(vs_nodemap *m, const void *key, bool *found) {
   }
   return &m->slots[at].value;
 }
+
+uint64_t *vs_nodemap_put_held(vs_nodemap *m, vs_node *key, bool *found) {
+  bool there;
+  uint64_t *value = vs_nodemap_put(m, key, &there);
+  if (value && !there) vs_node_retain(key);
+  if (found) *found = there;
+  return value;
+}
+
+void vs_nodemap_free_held(vs_nodemap *m) {
+  for (size_t i = 0; i < m->room; i++)
+    if (m->slots[i].key) vs_node_release((vs_node *)(uintptr_t)m->slots[i].key);
+  vs_nodemap_free(m);
+}
