@@ -217,7 +217,14 @@ static vs_outcome translate(study *s, const cli_options *o) {
   const char *path = o->target_count ? o->targets[0].path : NULL, *language = know_language(o->language, path);
   unsigned segments = o->output.segments > 0 ? (unsigned)o->output.segments : FACETS;
   size_t length = 0;
-  char *text = know_translate(&s->k, language, segments, unable, s, &length);
+  know_setting *settings = calloc(o->define_count + 1, sizeof *settings);
+  if (!settings) return fputs("vs: out of memory\n", stderr), VS_OUTCOME_MACHINE;
+  for (size_t i = 0; i < o->define_count; i++) {
+    const char *equals = strchr(o->defines[i], '=');
+    settings[i] = (know_setting){know_text(&s->k, o->defines[i], (size_t)(equals - o->defines[i])), equals + 1};
+  }
+  char *text = know_translate(&s->k, language, segments, settings, o->define_count, unable, s, &length);
+  free(settings);
   if (!text) {
     if (*s->k.trouble) fprintf(stderr, "%s%s\n", strchr(s->k.trouble, ':') ? "" : "vs translate: ", s->k.trouble);
     return s->k.outcome;

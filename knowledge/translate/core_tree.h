@@ -17,6 +17,7 @@
 #define VS_KNOWLEDGE_TRANSLATE_CORE_TREE_H
 
 #include "knowledge/knowledge.h"
+#include "knowledge/translate/translate.h"
 
 typedef uint32_t tr_index; /* 0: none */
 
@@ -69,6 +70,7 @@ typedef struct { know_place at; const char *text; } tr_complaint;
 typedef struct {
   knowledge *k;
   const struct tr_target *target;
+  const know_setting *settings; size_t setting_count;
   tr_node *nodes; size_t node_count, node_room;
   tr_variable *variables; size_t variable_count, variable_room;
   tr_complaint *complaints; size_t complaint_count, complaint_room;

@@ -169,10 +169,69 @@ static void take_apart(lowering *l, tr_index parent, know_index names, know_inde
   }
 }
 
+/* The number that stands behind the keyword in the form; missing: there is none. */
+static double bound(const lowering *l, know_index n, const char *keyword, double missing) {
+  for (know_index i = l->k->nodes[n].first; i; i = next(l, i)) {
+    const char *key = l->k->nodes[i].kind == KNOW_KEYWORD ? l->k->names[l->k->nodes[i].name].text : "";
+    know_index value = next(l, i);
+    size_t length;
+    if (strcmp(strncmp(key, "#:", 2) ? key : key + 2, keyword) || !value || l->k->nodes[value].kind != KNOW_NUMBER)
+      continue;
+    const char *text = know_spelling(l->k, value, &length);
+    return strtod(know_text(l->k, text, length), NULL);
+  }
+  return missing;
+}
+
+/* The value that the user gives the parameter, in place of its default. */
+static void setting(lowering *l, know_index n, tr_index define, const know_setting *s) {
+  know_index fallback = know_nth(l->k, n, 2);
+  tr_index made = add(l, define, TR_NOTHING, fallback);
+  know_kind kind = (know_kind)l->k->nodes[fallback].kind;
+  if (kind == KNOW_STRING) become(l, made, TR_STRING, know_text(l->k, s->value, strlen(s->value)));
+  else if (kind == KNOW_BOOLEAN && (same(s->value, "#t") || same(s->value, "#f"))) {
+    become(l, made, TR_BOOLEAN, "");
+    at(l, made)->yes = s->value[1] == 't';
+  } else if (kind == KNOW_NUMBER || kind == KNOW_LIST) {
+    size_t length = strlen(s->value);
+    const char *text = tr_number_text(l->k, s->value, length);
+    double value = strtod(s->value, NULL);
+    bool whole = kind == KNOW_NUMBER;
+    if (whole) {
+      size_t size;
+      const char *said = know_spelling(l->k, fallback, &size);
+      whole = !strpbrk(know_text(l->k, said, size), "./e");
+    }
+    become(l, made, TR_NUMBER, text);
+    if (!strspn(s->value, "+-.0123456789") || !*text || (whole && strpbrk(s->value, "./e")))
+      tr_complain_at(l->t, n, "parameter %s must be %s, got %s", s->name, whole ? "a whole number" : "a number", s->value);
+    else if (value < bound(l, n, "min", value) || value > bound(l, n, "max", value))
+      tr_complain_at(l->t, n, "parameter %s must lie within its bounds, got %s", s->name, s->value);
+  } else tr_complain_at(l->t, n, "parameter %s cannot be %s", s->name, s->value);
+}
+
+static const know_setting *setting_of(const lowering *l, const char *name) {
+  const know_setting *found = NULL; /* the last of several counts */
+  for (size_t i = 0; i < l->t->setting_count; i++)
+    if (same(l->t->settings[i].name, name)) found = &l->t->settings[i];
+  return found;
+}
+
+static void settings_used(lowering *l) {
+  for (size_t i = 0; i < l->t->setting_count && !*l->k->trouble; i++) {
+    bool used = false;
+    for (size_t v = 1; v < l->t->variable_count && !used; v++)
+      used = l->t->variables[v].model_parameter && same(l->t->variables[v].text, l->t->settings[i].name);
+    if (!used) know_fail(l->k, NULL, VS_OUTCOME_USAGE, "the model has no parameter %s", l->t->settings[i].name);
+  }
+}
+
 static void parameter_form(lowering *l, know_index n, tr_index parent) {
   tr_index d = define(l, parent, know_nth(l->k, n, 1), NULL, n), v = at(l, d)->variable;
   l->t->variables[v].model_parameter = true;
-  part(l, d, know_nth(l->k, n, 2));
+  const know_setting *set = setting_of(l, l->t->variables[v].text);
+  if (set && know_nth(l->k, n, 2)) setting(l, n, d, set);
+  else part(l, d, know_nth(l->k, n, 2));
 }
 
 /* A form that defines names where it stands. False: it is none. */
@@ -726,5 +785,6 @@ bool tr_lower(translation *t) {
     else datum(&l, next_task.node, next_task.into, next_task.kind == AS_TEMPLATE);
   }
   free(l.tasks);
+  settings_used(&l);
   return !*t->k->trouble;
 }

@@ -17,9 +17,9 @@ const char *know_languages(void) {
       ;
 }
 
-char *know_translate(knowledge *k, const char *language, unsigned segments, know_complain *complain, void *context,
-                     size_t *length) {
-  translation t = {.k = k, .target = tr_target_named(language)};
+char *know_translate(knowledge *k, const char *language, unsigned segments, const know_setting *settings,
+                     size_t setting_count, know_complain *complain, void *context, size_t *length) {
+  translation t = {.k = k, .target = tr_target_named(language), .settings = settings, .setting_count = setting_count};
   char *text = tr_write_program(&t, segments, length);
   for (size_t i = 0; i < t.complaint_count; i++) complain(context, &t.complaints[i].at, t.complaints[i].text);
   if (t.complaint_count && !*k->trouble) k->outcome = VS_OUTCOME_MODEL;
