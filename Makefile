@@ -142,7 +142,7 @@ $(BUILD)/libvisualscheme.so: $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/ob
 	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,libvisualscheme.so.0 -Wl,--version-script=$(BUILD)/visualscheme.map -Wl,--no-undefined -o $@ $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o $(LDFLAGS) $(LDLIBS)
 
 # The manual's pages as one text, for `vs help`: a line of byte 1 and the path before each.
-MANUAL    = $(wildcard manual/*.md manual/language/*.md manual/primitives/*.md)
+MANUAL    = $(wildcard manual/*.md manual/language/*.md manual/primitives/*.md manual/rules/*.md)
 
 $(BUILD)/manual.txt: $(MANUAL)
 	@mkdir -p $(@D)

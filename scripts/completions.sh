@@ -6,7 +6,7 @@
 # What stands after an option follows from its row: words between | are the choices, OUT is a file, DIR a folder, else nothing is offered.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-pages=$(for page in manual/*.md manual/language/*.md manual/primitives/*.md; do basename "$page" .md; done | grep -v README | sort -u | tr '\n' ' ')
+pages=$(for page in manual/*.md manual/language/*.md manual/primitives/*.md manual/rules/*.md; do basename "$page" .md; done | grep -v README | sort -u | tr '\n' ' ')
 
 # The table's rows, each on one line.
 rows() { sed -e ':again' -e '/^\(COMMAND\|OPTION\)(.*,$/{N;s/\n */ /;b again' -e '}' "$@"; }
