@@ -10,6 +10,12 @@ window.visualscheme = viewer; // For tests, and for who looks in the console.
 const scene = document.getElementById("scene");
 viewer.show(modelFromPacked(readPacked(decode64(scene.textContent.trim()))));
 scene.remove();
+// Nothing else is on the page: keys are the viewer's from the first one on.
+addEventListener("keydown", (event) => {
+  if (event.target !== document.body) return;
+  viewer.canvas.focus();
+  viewer.canvas.dispatchEvent(new KeyboardEvent("keydown", event));
+});
 
 const drop = el("div", { class: "drop", hidden: true }, "Drop an .x3d file");
 viewer.root.append(drop);
