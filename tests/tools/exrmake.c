@@ -40,5 +40,10 @@ int main(int argc, char **argv) {
   FILE *f = fopen(argv[3], "wb");
   if (!f || !vs_exr_write(&x, &bytes, &size, &room, &e)) return fprintf(stderr, "exrmake: %s\n", e.message), 1;
   bool ok = fwrite(bytes, 1, size, f) == size;
+  vs_store *store = x.store;
+  x.sources = NULL;
+  vs_exr_free(&x);
+  vs_store_realloc(store, bytes, room, 0);
+  vs_store_release(store);
   return fclose(f) == 0 && ok ? 0 : 1;
 }
