@@ -305,7 +305,7 @@ static void scene_ground(vs_emitter *e, bool *said) {
   double reach = 8 * diagonal, z = e->scene->ground_z - 2e-4 * diagonal; /* below what stands on it, by what depth buffers tell apart */
   vs_vec3 corners[4] = { { middle.x - reach, middle.y - reach, z }, { middle.x + reach, middle.y - reach, z }, { middle.x + reach, middle.y + reach, z },
                          { middle.x - reach, middle.y + reach, z } };
-  vs_x3d_node(e, NULL, "Shape", NULL);
+  vs_x3d_node(e, NULL, "Shape", "ground"); /* by its name our own viewer tells it from the model */
   if (e->scene->ground_material != NULL) {
     scene_appearance(e, vs_emit_material_number(e, e->scene->ground_material), said, false);
   } else { /* a shade darker than what stands on it */
