@@ -279,8 +279,8 @@ static const char *pov_radiosity(vs_render_quality q) {
   switch (q) {
   case VS_RENDER_DRAFT: break;
   case VS_RENDER_GOOD:
-    return "radiosity { count 100 error_bound 1 recursion_limit 3 nearest_count 10 low_error_factor 0.7 "
-           "minimum_reuse 0.04 pretrace_start 0.08 pretrace_end 0.04 gray_threshold 0.3 brightness 1 }\n";
+    return "radiosity { count 150 error_bound 1 recursion_limit 3 nearest_count 20 low_error_factor 0.7 "
+           "minimum_reuse 0.04 pretrace_start 0.08 pretrace_end 0.02 gray_threshold 0.3 brightness 1 }\n";
   case VS_RENDER_FINAL:
     return "radiosity { count 600 error_bound 0.8 recursion_limit 3 nearest_count 20 low_error_factor 0.6 "
            "pretrace_start 0.08 pretrace_end 0.01 gray_threshold 0.3 brightness 1 }\n";
