@@ -131,11 +131,7 @@ static void plan_and_or(tr_writer *w, tr_index n, int level) {
 static void plan_value(tr_writer *w, tr_index n, int level) {
   const tr_node *node = at(w, n);
   switch ((tr_node_kind)node->kind) {
-  case TR_NUMBER: {
-    bool fraction = strchr(node->text, '/') && level > TR_PRODUCT, minus = *node->text == '-' && level > TR_SIGN - 1;
-    tr_plan(w, fraction || minus ? "(%s)" : "%s", node->text);
-    break;
-  }
+  case TR_NUMBER: tr_plan_number(w, node->text, level); break;
   case TR_STRING: tr_plan_quoted(w, node->text); break;
   case TR_BOOLEAN: tr_plan(w, node->yes ? "true" : "false"); break;
   case TR_NAME: tr_plan(w, "%s", name(w, n)); break;
@@ -315,14 +311,6 @@ void tr_javascript_program(tr_writer *w) {
     if (define) plan_define(w, i);
     else if (!w->t->draws && tr_is_solid(w->t, i)) tr_plan(w, "%ndraw(%v);", i);
     else tr_plan(w, "%d", i);
-    tr_write_planned(w);
-    if (w->out_count > before && w->out[before] == '\n') { /* statements begin with a line of their own */
-      memmove(w->out + before, w->out + before + 1, w->out_count - before);
-      w->out_count--;
-    }
-    if (w->out_count > before) {
-      tr_comment_behind(w, at(w, i)->source);
-      put(w, "\n");
-    }
+    tr_write_statement(w, before, at(w, i)->source);
   }
 }

@@ -246,11 +246,7 @@ static void plan_and_or(tr_writer *w, tr_index n, int level) {
 static void plan_value(tr_writer *w, tr_index n, int level) {
   const tr_node *node = at(w, n);
   switch ((tr_node_kind)node->kind) {
-  case TR_NUMBER: {
-    bool fraction = strchr(node->text, '/') && level > TR_PRODUCT, minus = *node->text == '-' && level > TR_SIGN - 1;
-    tr_plan(w, fraction || minus ? "(%s)" : "%s", node->text);
-    break;
-  }
+  case TR_NUMBER: tr_plan_number(w, node->text, level); break;
   case TR_STRING: tr_plan_quoted(w, node->text); break;
   case TR_BOOLEAN: tr_plan(w, node->yes ? "true" : "false"); break;
   case TR_NAME: plan_name(w, n); break;
@@ -669,14 +665,6 @@ void tr_openscad_program(tr_writer *w) {
       if (at(w, i)->draws && !var(w, i)->procedure) tr_plan(w, "%n%s();", name(w, i));
     } else if (shows && w->t->draws) tr_plan(w, "%d", i);
     else if (shows) tr_plan(w, "%l", i);
-    tr_write_planned(w);
-    if (w->out_count > before && w->out[before] == '\n') { /* statements begin with a line of their own */
-      memmove(w->out + before, w->out + before + 1, w->out_count - before);
-      w->out_count--;
-    }
-    if (w->out_count > before) {
-      tr_comment_behind(w, at(w, i)->source);
-      tr_put(w, "\n", 1);
-    }
+    tr_write_statement(w, before, at(w, i)->source);
   }
 }

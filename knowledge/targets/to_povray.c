@@ -496,15 +496,7 @@ void tr_povray_program(tr_writer *w) {
     if (at(w, i)->kind == TR_DEFINE) plan_define(w, i);
     else if (!w->t->draws && tr_is_solid(w->t, i)) tr_plan(w, "draw(%o)", i);
     else tr_plan(w, "%d", i);
-    tr_write_planned(w);
-    if (w->out_count > before && w->out[before] == '\n') { /* statements begin with a line of their own */
-      memmove(w->out + before, w->out + before + 1, w->out_count - before);
-      w->out_count--;
-    }
-    if (w->out_count > before) {
-      tr_comment_behind(w, at(w, i)->source);
-      put(w, "\n");
-    }
+    tr_write_statement(w, before, at(w, i)->source);
   }
   put(w, "show()\n");
 }

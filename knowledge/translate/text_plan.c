@@ -383,3 +383,19 @@ char *tr_write_program(translation *t, uint32_t segments, size_t *length) {
   free(w.out);
   return NULL;
 }
+
+void tr_plan_number(tr_writer *w, const char *text, int level) {
+  bool fraction = strchr(text, '/') && level > TR_PRODUCT, minus = *text == '-' && level > TR_SIGN - 1;
+  tr_plan(w, fraction || minus ? "(%s)" : "%s", text);
+}
+
+void tr_write_statement(tr_writer *w, size_t before, know_index source) {
+  tr_write_planned(w);
+  if (w->out_count > before && w->out[before] == '\n') { /* the program has no empty line before it */
+    memmove(w->out + before, w->out + before + 1, w->out_count - before);
+    w->out_count--;
+  }
+  if (w->out_count <= before) return;
+  tr_comment_behind(w, source);
+  tr_put(w, "\n", 1);
+}

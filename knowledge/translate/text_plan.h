@@ -35,8 +35,13 @@ void tr_plan(tr_writer *w, const char *format, ...);
 void tr_plan_value(tr_writer *w, tr_index node, int level);
 /* The text in quotes, with what the target must not read as it stands escaped by backslashes. */
 void tr_plan_quoted(tr_writer *w, const char *text);
+/* A number; a fraction or one below zero stands in parentheses where it must hold together. */
+void tr_plan_number(tr_writer *w, const char *text, int level);
 /* Does all that is planned. */
 void tr_write_planned(tr_writer *w);
+/* Does all that is planned of a statement of the program, whose text begins at out[before]; its comment on the same line
+ * comes behind it. */
+void tr_write_statement(tr_writer *w, size_t before, know_index source);
 void tr_put(tr_writer *w, const char *text, size_t length);
 
 /* The row's text with the primitive's arguments: $1, %1 and #1 a value (loose, tight, as
