@@ -78,6 +78,13 @@ static live_file file_now(const char *path) {
   return f;
 }
 
+/* Milliseconds since the file's last change. */
+static double file_age(const live_file *f) {
+  struct timespec now;
+  clock_gettime(CLOCK_REALTIME, &now);
+  return 1e3 * difftime(now.tv_sec, (time_t)f->seconds) + 1e-6 * (double)(now.tv_nsec - f->nanoseconds);
+}
+
 bool live_files_note(live_files *f, const char *path) {
   for (size_t i = 0; i < f->count; i++)
     if (strcmp(f->at[i].path, path) == 0) return true; /* as it was when it was first read */
@@ -91,6 +98,7 @@ bool live_files_note(live_files *f, const char *path) {
   live_file now = file_now(path);
   now.path = strdup(path);
   if (now.path == NULL) return false;
+  now.young = now.there && file_age(&now) < SETTLE;
   f->at[f->count++] = now;
   return true;
 }
@@ -99,20 +107,21 @@ bool live_files_changed(const live_files *f) {
   for (size_t i = 0; i < f->count; i++) {
     const live_file *was = &f->at[i];
     live_file now = file_now(was->path);
-    if (now.there != was->there || now.device != was->device || now.inode != was->inode || now.size != was->size || now.seconds != was->seconds || now.nanoseconds != was->nanoseconds) return true;
+    if (now.there != was->there || now.device != was->device || now.inode != was->inode || now.size != was->size ||
+        now.seconds != was->seconds || now.nanoseconds != was->nanoseconds) return true;
+    if (was->young && file_age(&now) > SETTLE) return true; /* read once more: then it is noted as old */
   }
   return false;
 }
 
 void live_files_settle(const live_files *f) {
   for (int waited = 0; waited < SETTLE_MOST; waited += 5) {
-    struct timespec now, pause = { .tv_nsec = 5000000 };
+    struct timespec pause = { .tv_nsec = 5000000 };
     double youngest = SETTLE_MOST;
     bool empty = false;
-    clock_gettime(CLOCK_REALTIME, &now);
     for (size_t i = 0; i < f->count; i++) {
       live_file file = file_now(f->at[i].path);
-      double age = 1e3 * difftime(now.tv_sec, (time_t)file.seconds) + 1e-6 * (double)(now.tv_nsec - file.nanoseconds);
+      double age = file_age(&file);
       if (file.there && age >= 0 && age < youngest) youngest = age, empty = file.size == 0;
     }
     if (youngest > (empty ? SETTLE_EMPTY : SETTLE)) return;

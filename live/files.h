@@ -7,7 +7,16 @@
 #include <stdint.h>
 #include <sys/types.h>
 
-typedef struct { char *path; bool there; dev_t device; ino_t inode; off_t size; int64_t seconds; long nanoseconds; } live_file;
+typedef struct {
+  char *path;
+  bool there;
+  bool young; /* it was noted within the clock of its file system's times: written again then, it would look the same */
+  dev_t device;
+  ino_t inode;
+  off_t size;
+  int64_t seconds;
+  long nanoseconds;
+} live_file;
 typedef struct { live_file *at; size_t count, room; } live_files;
 
 /* Reads a whole file. True: *text is the caller's to free. False: *why says so and is static. */

@@ -11,6 +11,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "live/aside.h"
 #include "live/files.h"
 #include "live/serve.h"
 
@@ -24,7 +25,9 @@ typedef struct {
   live_server server;
   vs_scheme *scheme;
   live_files files;
-  char *trial;         /* what a window wants the model's text to be until the file changes, or NULL */
+  live_aside aside;
+  live_text released;  /* a byte for each of the options' parameters: 1 when a window has set it since */
+  bool prompted;       /* the prompt has run something since the model did: the drawing may be another than the text's */
   live_text printed, messages, values; /* of the run under way */
   size_t message_count, errors;
   bool busy_told;
@@ -103,11 +106,7 @@ static bool host_poll(void *context) { return *((live *)context)->options->ended
 static bool host_read(void *context, const char *path, char **text, size_t *length, const char **why) {
   live *l = context;
   live_files_note(&l->files, path);
-  if (l->trial == NULL || strcmp(path, l->options->model) != 0) return live_file_read(path, text, length, why);
-  *length = strlen(l->trial);
-  *text = strdup(l->trial);
-  *why = "out of memory";
-  return *text != NULL;
+  return live_model_read(&l->publish, l->options->model, path, text, length, why);
 }
 
 static bool host_list(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length), void *to, const char **why) {
@@ -160,7 +159,8 @@ static void add_parameters(live *l, live_text *t) {
 
 static void publish_state(live *l, bool good, vs_outcome outcome) {
   live_text t = { 0 };
-  live_putf(&t, "{\"version\":%u,\"good\":%s,\"stopped\":%s,\"seconds\":", l->version, good ? "true" : "false", outcome == VS_OUTCOME_INTERRUPTED ? "true" : "false");
+  live_putf(&t, "{\"version\":%u,\"good\":%s,\"stopped\":%s,\"prompted\":%s,\"seconds\":", l->version, good ? "true" : "false",
+            outcome == VS_OUTCOME_INTERRUPTED ? "true" : "false", l->prompted ? "true" : "false");
   live_number(&t, now() - l->began);
   live_puts(&t, ",\"model\":");
   live_json(&t, l->options->model);
@@ -223,17 +223,35 @@ static void finish(live *l, vs_outcome outcome) {
   vs_interrupt_clear(l->scheme);
 }
 
-/* Forgets values that are what the source says anyway: when the source changes, the parameter follows it. */
+/* The number of NAME=VALUE among the options' parameters from 1; 0: there is none. */
+static size_t option_of(const live *l, const char *name) {
+  size_t length = strlen(name);
+  for (size_t i = l->options->parameter_count; i > 0; i--)
+    if (strncmp(l->options->parameters[i - 1], name, length) == 0 && l->options->parameters[i - 1][length] == '=') return i;
+  return 0;
+}
+
+/* Forgets values that are what the source says anyway: when the source changes, the parameter follows it. Values of the
+ * command line stay until a window sets the parameter. */
 static void forget_defaults(live *l) {
   vs_parameter_info p;
-  for (size_t i = 0; i < vs_parameter_count(l->scheme) && vs_parameter_get(l->scheme, i, &p); i++)
-    if (strcmp(p.value, p.default_value) == 0) vs_parameter_unset(l->scheme, p.name);
+  for (size_t i = 0; i < vs_parameter_count(l->scheme) && vs_parameter_get(l->scheme, i, &p); i++) {
+    size_t option = option_of(l, p.name);
+    if (strcmp(p.value, p.default_value) == 0 && (option == 0 || l->released.at[option - 1] != 0)) vs_parameter_unset(l->scheme, p.name);
+  }
+}
+
+static bool set_parameter(live *l, const char *name, const char *value) {
+  size_t option = option_of(l, name);
+  if (option > 0) l->released.at[option - 1] = 1;
+  return vs_parameter_set(l->scheme, name, value);
 }
 
 static void run_model(live *l) {
   begin(l);
   live_files_clear(&l->files);
   live_files_note(&l->files, l->options->model);
+  l->prompted = false;
   vs_outcome outcome = vs_restart(l->scheme);
   if (outcome == VS_OUTCOME_DONE) outcome = vs_eval_file(l->scheme, l->options->model, 0);
   if (outcome == VS_OUTCOME_DONE) forget_defaults(l);
@@ -242,6 +260,7 @@ static void run_model(live *l) {
 
 static void run_prompt(live *l, const char *text) {
   begin(l);
+  l->prompted = true;
   finish(l, vs_eval_text(l->scheme, "prompt", 1, text, strlen(text), VS_EVAL_PRINT));
 }
 
@@ -255,41 +274,7 @@ static void run_export(live *l, live_wish *w) {
   vs_interrupt_clear(l->scheme);
   if (l->message_count > 0) publish_state(l, true, outcome);
   live_tell(&l->publish, "idle", "{}");
-  pthread_mutex_lock(&l->publish.lock);
-  w->outcome = outcome;
-  w->result = bytes;
-  w->done = true;
-  bool abandoned = w->abandoned;
-  pthread_cond_broadcast(&l->publish.changed);
-  pthread_mutex_unlock(&l->publish.lock);
-  if (abandoned) live_wish_free(w);
-}
-
-/* The next wish, or NULL after some time without one. */
-static live_wish *next_wish(live *l) {
-  live_publish *p = &l->publish;
-  pthread_mutex_lock(&p->lock);
-  if (p->wishes == NULL) {
-    struct timespec until;
-    clock_gettime(CLOCK_MONOTONIC, &until);
-    until.tv_nsec += LOOK_MS * 1000000L;
-    if (until.tv_nsec >= 1000000000L) until.tv_sec++, until.tv_nsec -= 1000000000L;
-    pthread_cond_timedwait(&p->changed, &p->lock, &until);
-  }
-  live_wish *w = p->wishes;
-  if (w != NULL) {
-    p->wishes = w->next;
-    p->wish_count--;
-    if (p->wishes == NULL) p->wishes_end = &p->wishes;
-  }
-  pthread_mutex_unlock(&p->lock);
-  return w;
-}
-
-/* Takes a text in place of the file's; NULL: the file's. */
-static void try_text(live *l, char *text) {
-  free(l->trial);
-  l->trial = text;
+  live_wish_finish(&l->publish, w, outcome, bytes);
 }
 
 static void serve(live *l) {
@@ -298,17 +283,17 @@ static void serve(live *l) {
     bool again = live_files_changed(&l->files);
     if (again) {
       live_files_settle(&l->files);
-      try_text(l, NULL);
+      live_trial_put(&l->publish, NULL);
     }
-    live_wish *w = again ? NULL : next_wish(l);
+    live_wish *w = again ? NULL : live_wish_take(&l->publish, &l->publish.wishes, LOOK_MS);
     while (w != NULL) { /* all that waits, before one run */
       if (w->kind == LIVE_SET) {
-        again |= vs_parameter_set(l->scheme, w->name, w->value);
+        again |= set_parameter(l, w->name, w->value);
         live_wish_free(w);
       } else if (w->kind == LIVE_TRY) {
         char *text = w->value[0] != 0 ? w->value : NULL;
         if (text != NULL) w->value = NULL;
-        try_text(l, text);
+        live_trial_put(&l->publish, text);
         live_wish_free(w);
         again = true;
       } else {
@@ -321,10 +306,7 @@ static void serve(live *l) {
           live_wish_free(w);
         }
       }
-      pthread_mutex_lock(&l->publish.lock);
-      bool more = l->publish.wishes != NULL;
-      pthread_mutex_unlock(&l->publish.lock);
-      w = more ? next_wish(l) : NULL;
+      w = live_wish_take(&l->publish, &l->publish.wishes, 0);
     }
     if (again && !*l->options->ended) run_model(l);
   }
@@ -379,6 +361,7 @@ vs_outcome live_view(const live_options *o) {
   if (!live_http_load(&l->server.http)) goto done;
   for (size_t i = 0; i < o->parameter_count; i++) {
     const char *equals = strchr(o->parameters[i], '=');
+    live_add(&l->released, "", 1);
     char *name = equals != NULL ? strdup(o->parameters[i]) : NULL;
     if (name == NULL) continue;
     name[equals - o->parameters[i]] = 0;
@@ -386,6 +369,9 @@ vs_outcome live_view(const live_options *o) {
     free(name);
   }
   outcome = VS_OUTCOME_MACHINE;
+  if (l->released.failed) goto done;
+  l->aside = (live_aside){ .options = o, .publish = &l->publish };
+  if (!live_aside_open(&l->aside)) goto done;
   if (!live_server_open(&l->server)) goto done;
   char address[96];
   snprintf(address, sizeof address, "http://127.0.0.1:%u/#%s", l->server.port, l->server.token);
@@ -402,9 +388,10 @@ done:
   pthread_cond_broadcast(&l->publish.changed);
   pthread_mutex_unlock(&l->publish.lock);
   if (l->server.publish != NULL) live_server_close(&l->server);
+  live_aside_close(&l->aside);
   vs_free(l->scheme);
   live_files_clear(&l->files);
-  try_text(l, NULL);
+  live_text_free(&l->released);
   live_text_free(&l->printed);
   live_text_free(&l->messages);
   live_text_free(&l->values);

@@ -1,6 +1,7 @@
 /* Owns the live view's interface: one call that serves a model until it is ended. A client of visualscheme.h alone.
  *
- * live.c: the session, which evaluates in the calling thread; publish.c: what windows are told, under one lock; serve.c: HTTP, a thread a
+ * live.c: the session, which evaluates in the calling thread; aside.c: a second interpreter in a thread of its own, for outputs with
+ * other values; publish.c: what windows are told, under one lock; serve.c: HTTP, a thread a
  * connection; http.c: libmicrohttpd, loaded when the first view opens; chunks.c: a scene in pieces, so that only what changed travels;
  * files.c: reading, watching and writing the model's files. */
 #ifndef VS_LIVE_H

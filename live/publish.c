@@ -3,10 +3,14 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
+
+#include "live/files.h"
 
 bool live_publish_open(live_publish *p) {
   memset(p, 0, sizeof *p);
-  p->wishes_end = &p->wishes;
+  p->wishes.end = &p->wishes.first;
+  p->asides.end = &p->asides.first;
   pthread_condattr_t attributes;
   if (pthread_mutex_init(&p->lock, NULL) != 0) return false;
   pthread_condattr_init(&attributes);
@@ -21,11 +25,11 @@ void live_publish_close(live_publish *p) {
   for (size_t i = 0; i < LIVE_VERSIONS; i++) live_chunks_free(&p->past[i]);
   free(p->state);
   if (p->scene != NULL) live_scene_release(p, p->scene);
-  while (p->wishes != NULL) {
-    live_wish *w = p->wishes;
-    p->wishes = w->next;
-    live_wish_free(w);
+  live_queue *queues[] = { &p->wishes, &p->asides };
+  for (size_t i = 0; i < 2; i++) {
+    for (live_wish *w; (w = queues[i]->first) != NULL; live_wish_free(w)) queues[i]->first = w->next;
   }
+  free(p->trial);
   pthread_cond_destroy(&p->changed);
   pthread_mutex_destroy(&p->lock);
 }
@@ -107,13 +111,15 @@ void live_wish_free(live_wish *w) {
   if (w == NULL) return;
   free(w->name);
   free(w->value);
+  free(w->given);
+  free(w->id);
   live_text_free(&w->result);
   free(w);
 }
 
-bool live_wish_put(live_publish *p, live_wish *w) {
+bool live_wish_put(live_publish *p, live_queue *q, live_wish *w) {
   pthread_mutex_lock(&p->lock);
-  for (live_wish *old = p->wishes; w->kind <= LIVE_TRY && old != NULL; old = old->next) {
+  for (live_wish *old = q->first; w->kind <= LIVE_TRY && old != NULL; old = old->next) {
     if (old->kind != w->kind || strcmp(old->name, w->name) != 0) continue;
     char *value = old->value;
     old->value = w->value;
@@ -122,15 +128,76 @@ bool live_wish_put(live_publish *p, live_wish *w) {
     live_wish_free(w);
     return true;
   }
-  bool ok = p->wish_count < LIVE_WISHES && !p->ended;
+  bool ok = q->count < LIVE_WISHES && !p->ended;
   if (ok) {
     w->next = NULL;
-    *p->wishes_end = w;
-    p->wishes_end = &w->next;
-    p->wish_count++;
+    *q->end = w;
+    q->end = &w->next;
+    q->count++;
     pthread_cond_broadcast(&p->changed);
   }
   pthread_mutex_unlock(&p->lock);
   if (!ok) live_wish_free(w);
   return ok;
+}
+
+live_wish *live_wish_take(live_publish *p, live_queue *q, long wait_ms) {
+  pthread_mutex_lock(&p->lock);
+  if (q->first == NULL && wait_ms > 0 && !p->ended) {
+    struct timespec until;
+    clock_gettime(CLOCK_MONOTONIC, &until);
+    until.tv_sec += wait_ms / 1000;
+    until.tv_nsec += wait_ms % 1000 * 1000000L;
+    if (until.tv_nsec >= 1000000000L) until.tv_sec++, until.tv_nsec -= 1000000000L;
+    pthread_cond_timedwait(&p->changed, &p->lock, &until);
+  }
+  live_wish *w = q->first;
+  if (w != NULL) {
+    q->first = w->next;
+    q->count--;
+    if (q->first == NULL) q->end = &q->first;
+    if (q == &p->asides) p->aside_now = w;
+  }
+  pthread_mutex_unlock(&p->lock);
+  return w;
+}
+
+void live_wish_finish(live_publish *p, live_wish *w, vs_outcome outcome, live_text result) {
+  pthread_mutex_lock(&p->lock);
+  if (p->aside_now == w) p->aside_now = NULL;
+  w->outcome = outcome;
+  w->result = result;
+  w->done = true;
+  bool abandoned = w->abandoned;
+  pthread_cond_broadcast(&p->changed);
+  pthread_mutex_unlock(&p->lock);
+  if (abandoned) live_wish_free(w);
+}
+
+void live_wish_cancel(live_publish *p, const char *id) {
+  pthread_mutex_lock(&p->lock);
+  if (p->aside_now != NULL && strcmp(p->aside_now->id, id) == 0) p->aside_now->cancelled = true;
+  for (live_wish *w = p->asides.first; w != NULL; w = w->next)
+    if (strcmp(w->id, id) == 0) w->cancelled = true;
+  pthread_mutex_unlock(&p->lock);
+}
+
+bool live_model_read(live_publish *p, const char *model, const char *path, char **text, size_t *length, const char **why) {
+  if (strcmp(path, model) != 0) return live_file_read(path, text, length, why);
+  pthread_mutex_lock(&p->lock);
+  bool trial = p->trial != NULL;
+  *text = trial ? strdup(p->trial) : NULL;
+  pthread_mutex_unlock(&p->lock);
+  if (!trial) return live_file_read(path, text, length, why);
+  *why = "out of memory";
+  if (*text != NULL) *length = strlen(*text);
+  return *text != NULL;
+}
+
+void live_trial_put(live_publish *p, char *text) {
+  pthread_mutex_lock(&p->lock);
+  char *old = p->trial;
+  p->trial = text;
+  pthread_mutex_unlock(&p->lock);
+  free(old);
 }

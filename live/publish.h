@@ -21,12 +21,18 @@ typedef enum {
 typedef struct live_wish {
   live_wish_kind kind;
   char *name, *value;
+  char *given;         /* EXPORT aside: values of parameters, each NAME LIVE_UNIT VALUE LIVE_RECORD; NULL elsewhere */
+  char *id;            /* EXPORT aside: the window's word for it, in what is told of its progress; NULL elsewhere */
   bool done;           /* EXPORT: the asking thread waits for it */
-  live_text result;
+  live_text result;    /* after a failure the reason, a line */
   vs_outcome outcome;
+  bool cancelled;      /* EXPORT aside: it ends as soon as it can */
   bool abandoned;      /* nobody waits any more: whoever finishes it frees it */
   struct live_wish *next;
 } live_wish;
+enum { LIVE_UNIT = 0x1f, LIVE_RECORD = 0x1e };
+
+typedef struct { live_wish *first, **end; size_t count; } live_queue;
 
 typedef struct {
   pthread_mutex_t lock;
@@ -38,8 +44,10 @@ typedef struct {
   live_scene *scene;              /* the newest good one, or NULL */
   live_chunks past[LIVE_VERSIONS]; /* sorted pieces of the latest versions: version v at v % LIVE_VERSIONS */
   unsigned past_version[LIVE_VERSIONS];
-  live_wish *wishes, **wishes_end;
-  size_t wish_count;
+  char *trial;                    /* a text that stands in the model's place until the file changes, or NULL */
+  live_queue wishes;              /* of the session */
+  live_queue asides;              /* of the side (aside.h) */
+  live_wish *aside_now;           /* which the side is at, or NULL */
   unsigned windows;
 } live_publish;
 
@@ -53,6 +61,13 @@ live_scene *live_scene_take(live_publish *p); /* the newest, one more use; NULL:
 void live_scene_release(live_publish *p, live_scene *s);
 live_wish *live_wish_new(live_wish_kind kind, const char *name, const char *value);
 void live_wish_free(live_wish *w);
-bool live_wish_put(live_publish *p, live_wish *w); /* takes w; a setting or a text of the same name replaces one that waits. False: too many wait, w is freed */
+/* Takes w; a setting or a text of the same name replaces one that waits. False: too many wait, w is freed. */
+bool live_wish_put(live_publish *p, live_queue *q, live_wish *w);
+live_wish *live_wish_take(live_publish *p, live_queue *q, long wait_ms); /* the next, or NULL after so long without one */
+void live_wish_finish(live_publish *p, live_wish *w, vs_outcome outcome, live_text result); /* takes result; lets go of w */
+void live_wish_cancel(live_publish *p, const char *id); /* of the side's wishes */
+/* As vs_host.read_file: of the model the text that stands in its place, if one does. */
+bool live_model_read(live_publish *p, const char *model, const char *path, char **text, size_t *length, const char **why);
+void live_trial_put(live_publish *p, char *text); /* takes text; NULL: the file's again */
 
 #endif

@@ -275,31 +275,45 @@ static enum MHD_Result serve_check(live_server *s, struct MHD_Connection *c, con
 static enum MHD_Result wish(live_server *s, struct MHD_Connection *c, live_wish_kind kind, const char *name, const char *value) {
   live_wish *w = name != NULL && value != NULL ? live_wish_new(kind, name, value) : NULL;
   if (w == NULL) return answer_text(s, c, 400, "something is missing\n");
-  return live_wish_put(s->publish, w) ? answer_text(s, c, 202, "ok\n") : answer_text(s, c, 503, "too much is waiting to be done\n");
+  return live_wish_put(s->publish, &s->publish->wishes, w) ? answer_text(s, c, 202, "ok\n") : answer_text(s, c, 503, "too much is waiting to be done\n");
 }
 
-static enum MHD_Result export(live_server *s, struct MHD_Connection *c) {
-  const char *format = query(s, c, "format"), *size = query(s, c, "size");
+/* GET: the drawing as it stands. POST: that of the text with the values in the body, made aside; `id` is the window's word for it. */
+static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const live_text *values) {
+  const char *format = query(s, c, "format"), *size = query(s, c, "size"), *id = query(s, c, "id");
   const vs_format_info *info = format != NULL ? vs_format_find(format) : NULL;
+  live_publish *p = s->publish;
   live_wish *w = info != NULL ? live_wish_new(LIVE_EXPORT, info->name, size != NULL ? size : "") : NULL;
   if (w == NULL) return answer_text(s, c, 400, "there is no such format\n");
-  if (!live_wish_put(s->publish, w)) return answer_text(s, c, 503, "too much is waiting to be done\n");
+  if (values != NULL) {
+    w->given = strdup(values->at != NULL ? values->at : "");
+    w->id = strdup(id != NULL ? id : "");
+    if (w->given == NULL || w->id == NULL) {
+      live_wish_free(w);
+      return answer_text(s, c, 500, "out of memory\n");
+    }
+  }
+  if (!live_wish_put(p, values != NULL ? &p->asides : &p->wishes, w)) return answer_text(s, c, 503, "too much is waiting to be done\n");
   struct timespec until;
   clock_gettime(CLOCK_MONOTONIC, &until);
   until.tv_sec += EXPORT_SECONDS;
-  pthread_mutex_lock(&s->publish->lock);
-  while (!w->done && !s->publish->ended && pthread_cond_timedwait(&s->publish->changed, &s->publish->lock, &until) != ETIMEDOUT) {}
+  pthread_mutex_lock(&p->lock);
+  while (!w->done && !p->ended && pthread_cond_timedwait(&p->changed, &p->lock, &until) != ETIMEDOUT) {}
   bool done = w->done;
-  if (!done) w->abandoned = true;
-  pthread_mutex_unlock(&s->publish->lock);
+  if (!done) w->abandoned = w->cancelled = true;
+  pthread_mutex_unlock(&p->lock);
   if (!done) return answer_text(s, c, 503, "it took too long\n");
   live_text t = w->result;
   w->result = (live_text){ 0 };
   vs_outcome outcome = w->outcome;
+  bool cancelled = w->cancelled;
   live_wish_free(w);
   if (outcome == VS_OUTCOME_DONE) return answer_live_text(s, c, "application/octet-stream", &t);
+  unsigned status = cancelled || outcome == VS_OUTCOME_INTERRUPTED ? 499 : 422;
+  if (values == NULL) live_text_free(&t);
+  enum MHD_Result result = answer_text(s, c, status, t.length > 0 ? t.at : "the output was not made; the messages say why\n");
   live_text_free(&t);
-  return answer_text(s, c, outcome == VS_OUTCOME_INTERRUPTED ? 499 : 422, "the output was not made; the messages say why\n");
+  return result;
 }
 
 static bool make_token(char out[33]) {
@@ -354,7 +368,11 @@ static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const 
   if (get && strcmp(url, "/scene") == 0) return serve_scene(s, c);
   if (get && strcmp(url, "/source") == 0) return serve_source(s, c);
   if (get && strcmp(url, "/names") == 0) return serve_names(s, c);
-  if (get && strcmp(url, "/export") == 0) return export(s, c);
+  if ((get || post) && strcmp(url, "/export") == 0) return export(s, c, post ? body : NULL);
+  if (post && strcmp(url, "/cancel") == 0 && query(s, c, "id") != NULL) {
+    live_wish_cancel(s->publish, query(s, c, "id"));
+    return answer_text(s, c, 202, "ok\n");
+  }
   if (post && strcmp(url, "/source") == 0) return save_source(s, c, body);
   if (post && strcmp(url, "/check") == 0) return serve_check(s, c, body);
   if (post && strcmp(url, "/set") == 0) return wish(s, c, LIVE_SET, query(s, c, "name"), body->at);

@@ -5,9 +5,10 @@ import { modelFromPacked } from "./model.js";
 import { el } from "./dom.js";
 import { Source } from "./source.js";
 import { Parameters } from "./parameters.js";
+import { Compare } from "./compare.js";
 
 // The token stands behind the # of the address, which browsers send to nobody; it goes into a header. Other words there are values of parameters.
-const words = decodeURIComponent(location.hash.slice(1)).split("&"), token = words[0];
+const words = location.hash.slice(1).split("&").map((word) => { try { return decodeURIComponent(word); } catch { return word; } }), token = words[0];
 const ask = (path, options = {}) => fetch(path, { ...options, headers: { "X-VS-Token": token }, referrerPolicy: "no-referrer" });
 
 class Live {
@@ -34,8 +35,13 @@ class Live {
     this.note = el("div", { class: "stale-note glass", role: "alert", hidden: true });
     this.formats = el("select", { "aria-label": "Format" }, ["png", "pov", "stl", "3mf", "glb", "x3d", "html", "scad", "obj", "ply", "off", "exr", "tree"].map((f) => el("option", { value: f }, f === "png" ? "Picture (POV-Ray)" : "." + f)));
     this.exportButton = el("button", { type: "button", class: "button", onclick: () => this.export() }, "Export");
-    this.parameters = new Parameters((name, value) => this.set(name, value), () => this.writeParameters());
-    this.viewer.root.append(el("div", { class: "exports glass" }, this.formats, this.exportButton), this.parameters.root, this.note);
+    this.compare = new Compare(this.viewer, (values) => this.scene(values));
+    this.parameters = new Parameters({
+      set: (name, value) => this.set(name, value), write: () => this.writeParameters(), link: () => this.#link(),
+      compare: (sets) => this.compare.open(sets, (name) => this.parameters.use(name)), place: () => this.state.model,
+    });
+    this.viewer.root.append(el("div", { class: "exports glass" }, this.formats, this.exportButton), this.note);
+    this.viewPlace.append(this.parameters.root, this.compare.root);
 
     this.source = new Source(this.editorPlace, {
       changed: () => { this.saveButton.disabled = !this.source.dirty; },
@@ -51,6 +57,7 @@ class Live {
     this.prompt.addEventListener("keydown", (event) => this.#promptKey(event));
     this.history = [];
     this.pieces = new Map();
+    this.telling = new Map(); // Who hears of the progress of what is made aside, by its word.
     this.version = 0;
     this.#splitter();
     this.#start();
@@ -105,6 +112,8 @@ class Live {
     } else if (kind === "idle") {
       this.stopButton.disabled = true;
       this.#status("", false);
+    } else if (kind === "progress") {
+      this.telling.get(data.id)?.(data.phase, data.fraction);
     } else if (kind === "state") {
       await this.#state(data);
     }
@@ -132,6 +141,7 @@ class Live {
     this.note.hidden = state.good || !this.viewer.model;
     this.note.textContent = state.good ? "" : "This is the last model that could be made.";
     if (state.version !== this.version && state.version > 0) await this.#fetchScene();
+    if (state.good) this.compare.renew();
     if (!this.source.dirty && this.source.text !== undefined) await this.readSource(true);
     this.finished = (this.finished || 0) + 1; // For tests: how many states were shown.
   }
@@ -223,6 +233,32 @@ class Live {
   }
 
   // ---- parameters ----
+
+  // The model with other values of parameters than it has now, made beside it; { name: value } as the language writes them.
+  async scene(values) {
+    const buffer = await this.make("x3d-packed", values);
+    return modelFromPacked(readPacked(buffer));
+  }
+  // An output of the model with values; told(phase, fraction) hears how far it is, and an aborted signal ends it.
+  async make(format, values, { size = "", told, signal } = {}) {
+    const id = Math.random().toString(36).slice(2), body = Object.entries(values).map(([name, value]) => `${name}\x1f${value}\x1e`).join("");
+    const cancel = () => ask("/cancel?id=" + id, { method: "POST" });
+    if (told) this.telling.set(id, told);
+    signal?.addEventListener("abort", cancel, { once: true });
+    try {
+      const answer = await ask(`/export?format=${format}&size=${size}&id=${id}`, { method: "POST", body });
+      if (!answer.ok) throw new Error((await answer.text()).trim());
+      return await answer.arrayBuffer();
+    } finally {
+      this.telling.delete(id);
+      signal?.removeEventListener("abort", cancel);
+    }
+  }
+  // This page's address, with the values that are not the source's.
+  #link() {
+    const values = this.parameters.changed().map((p) => "&" + encodeURIComponent(p.name) + "=" + encodeURIComponent(p.value));
+    return location.origin + "/#" + token + values.join("");
+  }
 
   set(name, value) { return ask("/set?name=" + encodeURIComponent(name), { method: "POST", body: value }); }
 

@@ -7,15 +7,93 @@ function roundStep(span) {
   return Number((power * (least <= 1 ? 1 : least <= 2 ? 2 : least <= 5 ? 5 : 10)).toPrecision(1));
 }
 
+// A value of a file or a link as the language writes it.
+const written = (value) => value === true ? "#t" : value === false ? "#f" : String(value);
+
 export class Parameters {
-  // set(name, value) hands a value on, as the language writes it; write() puts all that were changed into the source.
-  constructor(set, write) {
+  // set(name, value) hands a value on, as the language writes it; write() puts all that were changed into the source; link() gives an
+  // address with the values; compare(sets) shows sets beside each other; place() is the model's path.
+  constructor({ set, write, link, compare, place }) {
     this.set = set;
+    this.compare = compare;
+    this.place = place;
     this.rows = new Map();
+    this.sets = new Map(); // by name: { values, chosen }
     this.list = el("div");
-    this.writeButton = el("button", { type: "button", class: "button", disabled: true, onclick: write }, "Write to source");
+    const button = (text, action, attributes) => el("button", { type: "button", class: "button", onclick: action, ...attributes }, text);
+    this.writeButton = button("Write to source", write, { disabled: true, title: "Put these values into the text" });
+    this.resetButton = button("Reset all", () => { for (const p of this.changed()) this.set(p.name, p.default); }, { disabled: true });
+    this.setList = el("div", { class: "sets" });
+    this.compareButton = button("Compare", () => this.compare(this.#chosen()), { disabled: true, title: "Show the chosen sets beside each other" });
+    this.said = el("p", { class: "said", role: "status" });
+    const share = button("Copy link", async () => {
+      const address = link();
+      try {
+        await navigator.clipboard.writeText(address);
+        this.#say("The link is copied. It works while this view runs.");
+      } catch {
+        this.#say(address);
+      }
+    }, { title: "An address that opens this view with these values" });
     this.root = el("details", { class: "parameters glass", open: innerWidth > 720, hidden: true }, el("summary", {}, "Parameters"), this.list,
-      el("div", { class: "write" }, this.writeButton, el("button", { type: "button", class: "button", onclick: () => this.#save() }, "Save values"), el("button", { type: "button", class: "button", onclick: () => this.#load() }, "Load")));
+      el("div", { class: "write" }, this.writeButton, this.resetButton),
+      el("h3", { class: "apart" }, "Sets of values"), this.setList,
+      el("div", { class: "write" }, button("Keep these", () => this.keep(), { title: "Keep the values as a set" }), this.compareButton, share,
+        button("Save file", () => this.#save(), { title: "All sets, and the values of now, as JSON" }), button("Load file", () => this.#load())), this.said);
+  }
+
+  #say(text) {
+    this.said.textContent = text;
+    clearTimeout(this.saying);
+    this.saying = setTimeout(() => { this.said.textContent = ""; }, 8000);
+  }
+  get values() { return Object.fromEntries(this.infos.map((p) => [p.name, p.value])); }
+
+  // ---- sets ----
+
+  // Keeps the values of now under a name that is still free.
+  keep(name, values = this.values) {
+    if (!name) for (let i = this.sets.size + 1; !name || this.sets.has(name); i++) name = "Set " + i;
+    this.sets.set(name, { values, chosen: true });
+    this.#showSets();
+    return name;
+  }
+  use(name) {
+    const { values } = this.sets.get(name);
+    for (const p of this.infos) if (p.name in values && values[p.name] !== p.value) this.set(p.name, values[p.name]);
+  }
+  #chosen() { return [...this.sets].filter(([, s]) => s.chosen).map(([name, s]) => ({ name, values: s.values, said: this.#differences(s.values) })); }
+  // What of a set is not as the source says.
+  #differences(values) {
+    return this.infos.filter((p) => p.name in values && values[p.name] !== p.default).map((p) => `${p.label} ${values[p.name]}`).join(" · ") || "as the source says";
+  }
+  #remember() {
+    try {
+      sessionStorage.setItem("sets " + this.place(), JSON.stringify([...this.sets]));
+    } catch { /* A browser without storage forgets them with the page. */ }
+  }
+  #recall() {
+    try {
+      this.sets = new Map(JSON.parse(sessionStorage.getItem("sets " + this.place()) || "[]"));
+    } catch {
+      this.sets = new Map();
+    }
+  }
+  #showSets() {
+    this.setList.replaceChildren(...[...this.sets].map(([name, s]) => {
+      const title = this.#differences(s.values), named = el("input", { type: "text", value: name, "aria-label": "Name of the set " + name, title });
+      named.addEventListener("change", () => {
+        const now = named.value.trim();
+        if (now && !this.sets.has(now)) this.sets = new Map([...this.sets].map(([key, value]) => [key === name ? now : key, value]));
+        this.#showSets();
+      });
+      return el("div", { class: "set" },
+        el("input", { type: "checkbox", checked: s.chosen, "aria-label": "Compare " + name, onchange: (event) => { s.chosen = event.target.checked; this.#showSets(); } }), named,
+        el("button", { type: "button", class: "button", title: "Take these values: " + title, onclick: () => this.use(name) }, "Use"),
+        el("button", { type: "button", class: "reset", "aria-label": "Forget the set " + name, onclick: () => { this.sets.delete(name); this.#showSets(); } }, "×"));
+    }));
+    this.compareButton.disabled = !this.#chosen().length;
+    this.#remember();
   }
 
   changed() { return this.infos.filter((p) => p.value !== p.default); }
@@ -34,6 +112,8 @@ export class Parameters {
         rows.push(this.#row(p));
       }
       this.list.replaceChildren(...rows);
+      if (this.sets.size === 0) this.#recall();
+      this.#showSets();
     }
     for (const p of infos) {
       const row = this.rows.get(p.name);
@@ -42,7 +122,7 @@ export class Parameters {
       if (!row.root.contains(document.activeElement) || document.activeElement.type === "button") row.put(p.value);
       else if (row.sent === p.value) row.put(p.value);
     }
-    this.writeButton.disabled = this.changed().length === 0;
+    this.writeButton.disabled = this.resetButton.disabled = this.changed().length === 0;
   }
 
   #row(p) {
@@ -78,18 +158,35 @@ export class Parameters {
   }
 
   #save() {
-    const values = Object.fromEntries(this.infos.map((p) => [p.name, p.value])), url = URL.createObjectURL(new Blob([JSON.stringify(values, null, 2) + "\n"], { type: "application/json" }));
-    el("a", { href: url, download: "values.json" }).click();
+    const sets = Object.fromEntries([["now", this.values], ...[...this.sets].map(([name, s]) => [name, s.values])]);
+    const url = URL.createObjectURL(new Blob([JSON.stringify(sets, null, 2) + "\n"], { type: "application/json" }));
+    el("a", { href: url, download: this.place().split("/").pop().replace(/\.[^.]*$/, "") + ".json" }).click();
     setTimeout(() => URL.revokeObjectURL(url), 10000);
+  }
+  // A file holds sets by name, or the values of one.
+  read(text, name) {
+    const found = JSON.parse(text), known = new Set(this.infos.map((p) => p.name));
+    if (found === null || typeof found !== "object" || Array.isArray(found)) throw new Error("it holds no values by name");
+    const sets = Object.values(found).some((v) => v !== null && typeof v === "object") ? found : { [name]: found };
+    let taken = 0;
+    for (const [key, values] of Object.entries(sets)) {
+      if (values === null || typeof values !== "object") continue;
+      const kept = Object.fromEntries(Object.entries(values).filter(([n]) => known.has(n)).map(([n, v]) => [n, written(v)]));
+      if (Object.keys(kept).length === 0) continue;
+      taken++;
+      if (key === "now" || Object.keys(sets).length === 1) for (const p of this.infos) if (p.name in kept && kept[p.name] !== p.value) this.set(p.name, kept[p.name]);
+      if (key !== "now") this.keep(key, kept);
+    }
+    if (taken === 0) throw new Error("none of its names is a parameter of this model");
+    this.#say(`${taken === 1 ? "One set" : taken + " sets"} read.`);
   }
   #load() {
     const input = el("input", { type: "file", accept: ".json,application/json" });
     input.addEventListener("change", async () => {
       try {
-        const values = JSON.parse(await input.files[0].text());
-        for (const p of this.infos) if (typeof values[p.name] === "string") this.set(p.name, values[p.name]);
+        this.read(await input.files[0].text(), input.files[0].name.replace(/\.[^.]*$/, ""));
       } catch (error) {
-        alert("These values cannot be read: " + error.message);
+        this.#say(`${input.files[0].name} cannot be read: ${error.message}`);
       }
     });
     input.click();

@@ -485,5 +485,17 @@ export class Stage {
     }
   }
 
+  // Lets go of all that the graphics card holds; nothing is drawn any more.
+  dispose() {
+    this.lost = true;
+    cancelAnimationFrame(this.frame);
+    if (this.batches) disposeBatches(this.batches);
+    this.#dropSurfaces();
+    for (const target of [this.one, ...this.mean]) target.dispose();
+    this.environmentMap?.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
   get finished() { return !this.dirty && this.count >= this.samples; }
 }

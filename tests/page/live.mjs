@@ -187,6 +187,57 @@ try {
     check(answer?.status === 200, "nobody is served any more");
   });
 
+  await test("with other values, beside the session", async (check) => {
+    const send = (values, more = "") => ask("/export?format=off&id=t" + more, { method: "POST", body: Object.entries(values).map(([n, v]) => n + "\x1f" + v + "\x1e").join("") });
+    const tall = (body) => Math.max(...body.toString().split("\n").slice(2).map((l) => l.split(" ")).filter((l) => l.length === 3).map((l) => Number(l[2])));
+    const [low, high, none] = await Promise.all([send({ height: "1.5" }), send({ height: "8.5" }), send({})]);
+    check(low.status === 200 && tall(low.body) === 2, `${low.status} ${tall(low.body)}`);
+    check(high.status === 200 && tall(high.body) === 8.5, `${high.status} ${tall(high.body)}`);
+    check(none.status === 200 && tall(none.body) === 7.5, `${none.status} ${tall(none.body)}`);
+    const bad = await send({ height: "99" });
+    check(bad.status === 422 && /parameter height must be from 1 to 9/.test(bad.body), `${bad.status} ${bad.body}`);
+    check((await ask("/export?format=exe", { method: "POST", body: "" })).status === 400, "there is a format exe");
+    for (const body of ["height", "height\x1f", "\x1e\x1f", "height\x1e5\x1f"]) check((await ask("/export?format=off&id=t", { method: "POST", body })).status === 200, "no values: " + JSON.stringify(body));
+    writeFileSync(model, source + "(let spin () (spin))\n");
+    const long = send({}, "1");
+    await new Promise((go) => setTimeout(go, 700));
+    await ask("/cancel?id=t1", { method: "POST" });
+    const ended = await Promise.race([long, new Promise((go) => setTimeout(() => go({ status: "never" }), 8000))]);
+    check(ended.status === 499, `cancelled: ${ended.status}`);
+    await ask("/stop", { method: "POST" });
+    await until((x) => x.stopped, "the end of the session's loop");
+    writeFileSync(model, source.replace("3.0 #:min", "7.5 #:min"));
+    await until((x) => x.good, "its healing");
+  });
+
+  await test("a value of the command line stays, also where the source says the same", async (check) => {
+    const path = `${folder}/held.vs`, text = "(define-parameter height 3.0)\n(draw (make-box origin (xyz 1 1 height)))\n";
+    writeFileSync(path, text);
+    const held = spawn(vs, ["view", "-q", "-D", "height=3.0", path], { stdio: ["ignore", "pipe", "pipe"] });
+    const there = new URL(await new Promise((go) => held.stdout.once("data", (d) => go(String(d).trim()))));
+    const call = (path, more = {}) => fetch(there.origin + path, { headers: { "X-VS-Token": there.hash.slice(1) }, ...more });
+    const value = async (wanted) => {
+      const stream = (await call("/events")).body.getReader();
+      let said = "";
+      for (const end = Date.now() + 10000; Date.now() < end;) {
+        const { value: bytes, done } = await stream.read();
+        if (done) break;
+        said += Buffer.from(bytes);
+        const found = [...said.matchAll(/"type":"real","value":"([^"]*)","default":"([^"]*)"/g)].pop();
+        if (found && found.slice(1).join() === wanted) return stream.cancel(), wanted;
+      }
+      return said.slice(-200);
+    };
+    check(await value("3.0,3.0") === "3.0,3.0", "at first");
+    writeFileSync(path, text.replace("3.0", "5.0"));
+    check(await value("3.0,5.0") === "3.0,5.0", "the source's new default took its place");
+    await call("/set?name=height", { method: "POST", body: "5.0" });
+    check(await value("5.0,5.0") === "5.0,5.0", "a window cannot set it");
+    writeFileSync(path, text.replace("3.0", "6.0"));
+    check(await value("6.0,6.0") === "6.0,6.0", "it does not follow the source after a window let it go");
+    held.kill();
+  });
+
   await test("many reloads without a leak", async (check) => {
     const bytes = () => Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${server.pid}/status`, "utf8"))[1]);
     const rounds = process.env.LONG ? 1000 : 120;

@@ -240,6 +240,73 @@ await test("what looks wrong shows while it is typed", async (want) => {
   await page.waitForFunction(() => window.live.source.found.length === 0, null, { timeout: 10000 });
 });
 
+await test("sets of values are kept, compared and taken", async (want) => {
+  const slider = page.locator("input[type=range][data-parameter=height]"), keep = page.getByRole("button", { name: "Keep these" });
+  await after(() => slider.fill("6"));
+  await keep.click();
+  await after(() => slider.fill("8"));
+  await keep.click();
+  await after(() => page.getByRole("button", { name: "Reset all" }).click());
+  await page.getByRole("button", { name: "Compare", exact: true }).click();
+  const panes = () => page.evaluate(() => window.live.compare.panes.map((p) => p.stage.model && p.stage.model.size[2]));
+  await page.waitForFunction(() => window.live.compare.panes.length === 3 && window.live.compare.panes.every((p) => p.stage.model), null, { timeout: 20000 });
+  want((await panes()).join() === "5,8,10", `heights ${await panes()}`);
+  await page.waitForFunction(() => !window.live.compare.working);
+  const looks = () => page.evaluate(() => window.live.compare.panes.map((p) => { const t = p.control.eye().add(p.control.state.target.clone().fromArray(p.stage.model.middle)); return t.toArray().map((x) => x.toFixed(3)).join(); }));
+  const before = await looks();
+  want(new Set(before).size === 1, "the cameras differ: " + before.join(" / "));
+  const box = await page.locator(".panes canvas").nth(1).boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 60, box.y + box.height / 2 + 10, { steps: 4 });
+  await page.mouse.up();
+  const turned = await looks();
+  want(new Set(turned).size === 1 && turned[0] !== before[0], "turning one does not turn all: " + turned.join(" / "));
+  const shown = await page.evaluate(() => window.live.compare.panes.map(({ stage }) => { // Pixels that are not the background's, by column.
+    const gl = stage.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, bytes = new Uint8Array(4 * w * h);
+    stage.draw();
+    gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    let red = 0;
+    for (let i = 0; i < bytes.length; i += 4) if (bytes[i] > 2 * bytes[i + 1] && bytes[i] > 60) red++;
+    return red;
+  }));
+  want(shown.every((n) => n > 50), "no red roof in a picture: " + shown);
+  await page.locator(".panes figure").nth(2).getByRole("button", { name: "Use" }).click();
+  await page.waitForFunction(() => window.visualscheme.model.size[2] === 10, null, { timeout: 10000 });
+  want(await page.locator(".compare:visible").count() === 0, "it stays open");
+  want(await page.evaluate(() => window.live.compare.panes.length) === 0, "its pictures stay");
+});
+
+await test("sets go into a file and come back", async (want) => {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save file" }).click()]);
+  want(download.suggestedFilename() === "towers.json", download.suggestedFilename());
+  const held = JSON.parse(readFileSync(await download.path(), "utf8"));
+  want(held.now.height === "8" && held["Set 1"].height === "6" && held["Set 2"].roofed === "#t", JSON.stringify(held));
+  for (const name of ["Set 1", "Set 2"]) await page.getByRole("button", { name: "Forget the set " + name }).click();
+  const load = async (name, text) => {
+    const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.getByRole("button", { name: "Load file" }).click()]);
+    await chooser.setFiles({ name, mimeType: "application/json", buffer: Buffer.from(text) });
+  };
+  await load("low.json", JSON.stringify({ height: 2, roofed: false, none: 1 }));
+  await page.waitForFunction(() => window.visualscheme.model.size[2] === 2 && window.live.parameters.sets.has("low"), null, { timeout: 10000 });
+  await load("towers.json", JSON.stringify({ "<b>a</b>": held["Set 1"], b: held["Set 2"] }));
+  await page.waitForFunction(() => window.live.parameters.sets.size === 3);
+  await load("bad.json", "[1, 2");
+  await page.waitForFunction(() => /bad.json cannot be read/.test(document.querySelector(".said").textContent));
+  await load("none.json", '{"other": 3}');
+  await page.waitForFunction(() => /none of its names/.test(document.querySelector(".said").textContent));
+  const link = await page.evaluate(() => new Promise((go) => { navigator.clipboard.writeText = (text) => { go(text); return Promise.resolve(); }; [...document.querySelectorAll("button")].find((b) => b.textContent === "Copy link").click(); }));
+  want(link === url + "&height=2&roofed=%23f", link);
+  await after(() => page.getByRole("button", { name: "Reset all" }).click());
+  await page.waitForFunction(() => window.visualscheme.model.size[2] === 5, null, { timeout: 10000 });
+  const other = await open(context, link);
+  await page.waitForFunction(() => window.visualscheme.model.size[2] === 2, null, { timeout: 10000 });
+  await other.close();
+  await page.getByRole("button", { name: "Reset all" }).click();
+  await page.waitForFunction(() => window.visualscheme.model.size[2] === 5, null, { timeout: 10000 });
+  for (const name of ["low", "<b>a</b>", "b"]) await page.getByRole("button", { name: "Forget the set " + name }).click();
+});
+
 await test("a newer file is not written over without a question", async (want) => {
   let asked = "";
   page.once("dialog", (d) => { asked = d.message(); d.dismiss(); });
@@ -309,7 +376,7 @@ await test("a hundred saves in a row end with the last", async (want) => {
     writeFileSync(model, source.replace("height 3.0", `height ${(3 + i / 100).toFixed(2)}`));
     await new Promise((go) => setTimeout(go, 5));
   }
-  await page.waitForFunction(() => Math.abs(window.visualscheme.model.size[2] - 6) < 1e-6, null, { timeout: 20000 });
+  await page.waitForFunction(() => Math.abs(window.visualscheme.model.size[2] - 6) < 1e-6, null, { timeout: 20000 }).catch(async (e) => { console.log(JSON.stringify(await facts()), JSON.stringify(await page.evaluate(() => window.live.state.parameters))); throw e; });
   want(true);
   await after(() => writeFileSync(model, source));
 });
