@@ -137,21 +137,11 @@ static bool drive_add_material(vs_emitter *e, const vs_material *m) {
 static bool drive_op_vain(const vs_emitter *e, const drive_entry *entry) {
   const vs_node *n = entry->ref.node;
   if (e->backend->verbatim) return false;
-  switch ((vs_kind)n->kind) {
-  case VS_NATIVE: return false;
-  case VS_DIFFERENCE: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
-    return n->child_count == 0 || entry->first_vain;
-  case VS_INTERSECTION: return n->child_count == 0 || entry->some_vain;
-  case VS_HULL: case VS_UNION: return entry->shown == 0;
-  case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-  case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_DEFORM:
-  case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
-  case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE:
-  case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-  case VS_SWEEP: case VS_THICKEN: case VS_KIND_COUNT:
-    break;
-  }
-  return false;
+  if (n->kind == VS_NATIVE) return false;
+  if (n->kind == VS_HULL || n->kind == VS_UNION) return entry->shown == 0;
+  if (n->kind == VS_INTERSECTION) return n->child_count == 0 || entry->some_vain;
+  bool one = n->kind == VS_DIFFERENCE || n->kind == VS_GHOST || vs_node_role(n) == VS_ROLE_PLACED || vs_node_role(n) == VS_ROLE_DRESS;
+  return one && (n->child_count == 0 || entry->first_vain);
 }
 
 /* ---- the plan ---- */

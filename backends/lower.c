@@ -119,22 +119,7 @@ vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
   return made;
 }
 
-bool vs_lower_is_round(const vs_node *n) {
-  switch ((vs_kind)n->kind) {
-  case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HULL: case VS_HEIGHT_FIELD:
-  case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_TORUS: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
-  case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_SURFACE:
-    return true;
-  case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-  case VS_HALF_SPACE: case VS_SLICE: case VS_DEFORM:
-  case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_PYRAMID:
-  case VS_POLYFACE_MESH: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
-  case VS_GRID_MESH:
-  case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
-    break;
-  }
-  return false;
-}
+bool vs_lower_is_round(const vs_node *n) { return vs_node_has(n, VS_IS_ROUND); }
 
 static void lower_warn(void *context, const vs_origin *origin, const char *message) {
   const vs_emitter *e = context;

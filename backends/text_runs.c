@@ -10,26 +10,10 @@
 
 enum { LIGHT = 48, USUAL = 256, HEAVY = 1024 }; /* weights: less is not worth a run; most runs; more is no run, but for one shape */
 
-static bool is_short(vs_kind kind) {
-  switch (kind) {
-  case VS_EMPTY: case VS_BOX: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_TORUS: case VS_WEDGE: case VS_CIRCLE: case VS_ARC:
-  case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE:
-    return true;
-  case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-  case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-  case VS_HEIGHT_FIELD: case VS_SLICE: case VS_DEFORM: case VS_HULL:
-  case VS_LINE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_PYRAMID: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
-  case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
-  case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
-    break;
-  }
-  return false;
-}
-
 void vs_drive_find_short(vs_drive *d) {
   for (int kind = 0; kind < VS_KIND_COUNT; kind++) {
     const vs_kind_info *info = vs_kind_get((vs_kind)kind);
-    d->brief[kind] = is_short((vs_kind)kind);
+    d->brief[kind] = vs_kind_traits[kind] & VS_IS_SHORT;
     d->facets_at[kind] = SIZE_MAX;
     for (size_t i = 0; i < info->field_count; i++) {
       const vs_field_info *field = &info->fields[i];

@@ -450,7 +450,7 @@ static vs_status convert_object(vs_frame *f, const vs_bind_param *p, vs_value v,
 
 static bool has_no_end(const vs_node *n) { /* an xline or a ray, placed or bare */
   while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
-  return n->kind == VS_XLINE || n->kind == VS_RAY;
+  return vs_node_has(n, VS_IS_UNRESOLVED) && !n->child_count;
 }
 
 static bool class_fits(vs_contract c, const vs_node *n) {

@@ -14,19 +14,11 @@
 
 /* A placement's child; NULL for what is a leaf here. Appearance changes no shape. */
 static const vs_ref *tessellate_below(const vs_node *n, vs_affine *placed) {
-  switch ((vs_kind)n->kind) {
-    case VS_TRANSFORM:
-      *placed = vs_affine_multiply(placed, &VS_AS(transform, n)->matrix);
-      return &n->children[0];
-    case VS_MATERIAL: case VS_LAYER: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY: return n->child_count ? &n->children[0] : NULL;
-    case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return n->child_count == 1 ? &n->children[0] : NULL;
-    case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-    case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD:
-    case VS_SLICE: case VS_DEFORM: case VS_HULL:
-    case VS_EMPTY: case VS_GHOST: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
-    case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
-    case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-    case VS_THICKEN: case VS_KIND_COUNT: break;
+  switch (vs_node_role(n)) {
+    case VS_ROLE_PLACED: *placed = vs_affine_multiply(placed, &VS_AS(transform, n)->matrix); return &n->children[0];
+    case VS_ROLE_DRESS: return n->child_count ? &n->children[0] : NULL;
+    case VS_ROLE_SET: return n->child_count == 1 ? &n->children[0] : NULL;
+    case VS_ROLE_SHAPE: case VS_ROLE_LEAF: case VS_ROLE_MADE: break;
   }
   return NULL;
 }

@@ -17,7 +17,7 @@
  * each table of fields stands for "no more" and is not counted. */
 const vs_kind_info *vs_kind_get(vs_kind kind) {
   switch (kind) {
-#define VS_KIND(upper, lower, name, class_, level)                                                     \
+#define VS_KIND(upper, lower, name, class_, level, role, traits)                                                     \
   case VS_##upper: {                                                                                   \
     typedef struct vs_##lower here_;                                                                   \
     static const char name_[] = name;                                                                  \
@@ -34,6 +34,20 @@ const vs_kind_info *vs_kind_get(vs_kind kind) {
   }
   return NULL;
 }
+
+const unsigned char vs_kind_roles[] = {
+#define VS_KIND(upper, lower, name, class_, level, role, traits) [VS_##upper] = VS_ROLE_##role,
+#define VS_FIELD(type, member, argument)
+#define VS_KIND_END(upper, lower)
+#include "model/prims.def"
+};
+
+const unsigned short vs_kind_traits[] = {
+#define VS_KIND(upper, lower, name, class_, level, role, traits) [VS_##upper] = traits,
+#define VS_FIELD(type, member, argument)
+#define VS_KIND_END(upper, lower)
+#include "model/prims.def"
+};
 
 const unsigned char vs_field_reals[] = { [VS_FIELD_real] = 1, [VS_FIELD_point] = 3, [VS_FIELD_vector] = 3, [VS_FIELD_affine] = 12, [VS_FIELD_ticket] = 0 };
 
@@ -79,7 +93,7 @@ static uint64_t settle_ticket(uint64_t h, const vs_ticket *const *at) {
 uint64_t vs_payload_settle(vs_kind kind, void *data) {
   uint64_t h = 3;
   switch (kind) {
-#define VS_KIND(upper, lower, name, class_, level) case VS_##upper: { struct vs_##lower *d = data; (void)d;
+#define VS_KIND(upper, lower, name, class_, level, role, traits) case VS_##upper: { struct vs_##lower *d = data; (void)d;
 #define VS_FIELD(type, member, argument) h = settle_##type(h, &d->member);
 #define VS_KIND_END(upper, lower) break; }
 #include "model/prims.def"
@@ -114,7 +128,7 @@ static bool within_points(const vs_points *const *at, double most) {
 bool vs_kind_within(vs_kind kind, const void *data, double most) {
   bool within = true;
   switch (kind) {
-#define VS_KIND(upper, lower, name, class_, level) case VS_##upper: { const struct vs_##lower *d = data; (void)d;
+#define VS_KIND(upper, lower, name, class_, level, role, traits) case VS_##upper: { const struct vs_##lower *d = data; (void)d;
 #define VS_FIELD(type, member, argument) within &= within_##type(&d->member, most);
 #define VS_KIND_END(upper, lower) break; }
 #include "model/prims.def"
@@ -139,7 +153,7 @@ bool vs_kind_within(vs_kind kind, const void *data, double most) {
 void vs_payload_drop(vs_kind kind, vs_store *s, const void *data) {
   (void)s;
   switch (kind) {
-#define VS_KIND(upper, lower, name, class_, level) case VS_##upper: { const struct vs_##lower *d = data; (void)d;
+#define VS_KIND(upper, lower, name, class_, level, role, traits) case VS_##upper: { const struct vs_##lower *d = data; (void)d;
 #define VS_FIELD(type, member, argument) drop_##type(s, &d->member)
 #define VS_KIND_END(upper, lower) break; }
 #include "model/prims.def"
@@ -162,7 +176,7 @@ void vs_payload_drop(vs_kind kind, vs_store *s, const void *data) {
 size_t vs_payload_array_bytes(vs_kind kind, const void *data) {
   size_t bytes = 0;
   switch (kind) {
-#define VS_KIND(upper, lower, name, class_, level) case VS_##upper: { const struct vs_##lower *d = data; (void)d;
+#define VS_KIND(upper, lower, name, class_, level, role, traits) case VS_##upper: { const struct vs_##lower *d = data; (void)d;
 #define VS_FIELD(type, member, argument) bytes += bytes_##type(&d->member);
 #define VS_KIND_END(upper, lower) break; }
 #include "model/prims.def"

@@ -116,8 +116,7 @@ static void node_join_family(vs_node_family *f, const vs_node *child) {
 static void node_find_end(vs_node *n, const vs_node_family *f) {
   bool cut = n->kind == VS_HALF_SPACE || f->any & VS_NODE_CUT;
   bool carved = (n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)) || f->any & VS_NODE_CARVED;
-  bool unresolved = n->kind == VS_SECTION || n->kind == VS_PROJECT || n->kind == VS_EDGES || n->kind == VS_XLINE || n->kind == VS_RAY || n->kind == VS_SLICE ||
-                    n->kind == VS_DEFORM || f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && carved);
+  bool unresolved = vs_node_has(n, VS_IS_UNRESOLVED) || f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && carved);
   bool first = n->child_count && n->children[0].node->flags & VS_NODE_ENDLESS, all = n->child_count && f->all & VS_NODE_ENDLESS;
   bool is = n->kind == VS_HALF_SPACE || (n->kind == VS_INTERSECTION ? all : n->kind == VS_DIFFERENCE ? first : f->any & VS_NODE_ENDLESS);
   n->flags = (uint8_t)((n->flags & VS_NODE_CLOSED) | (is ? VS_NODE_ENDLESS : 0) | (cut ? VS_NODE_CUT : 0) | (unresolved ? VS_NODE_UNRESOLVED : 0) |
@@ -189,7 +188,7 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
       break;
     case VS_KIND_COUNT: break;
   }
-  if (n->child_count || n->kind == VS_HALF_SPACE || n->kind == VS_XLINE || n->kind == VS_RAY) node_find_end(n, family);
+  if (n->child_count || n->kind == VS_HALF_SPACE || vs_node_has(n, VS_IS_UNRESOLVED)) node_find_end(n, family);
 }
 
 vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *children, size_t child_count) {

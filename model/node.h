@@ -74,13 +74,13 @@ typedef enum {
 extern const unsigned char vs_field_reals[]; /* by type: doubles that lie in the field itself, or 0 */
 
 /* struct vs_sphere { ... } and so on for every kind */
-#define VS_KIND(upper, lower, name, class_, level) struct vs_##lower {
+#define VS_KIND(upper, lower, name, class_, level, role, traits) struct vs_##lower {
 #define VS_FIELD(type, member, argument) vs_field_##type member;
 #define VS_KIND_END(upper, lower) unsigned char end_; };
 #include "model/prims.def"
 
 typedef enum {
-#define VS_KIND(upper, lower, name, class_, level) VS_##upper,
+#define VS_KIND(upper, lower, name, class_, level, role, traits) VS_##upper,
 #define VS_FIELD(type, member, argument)
 #define VS_KIND_END(upper, lower)
 #include "model/prims.def"
@@ -100,6 +100,23 @@ typedef struct {
   const vs_field_info *fields;
 } vs_kind_info;
 const vs_kind_info *vs_kind_get(vs_kind kind);
+
+/* The last two columns of prims.def, for walks of the tree: vs_node_role, vs_node_has. */
+typedef enum { VS_ROLE_SHAPE, VS_ROLE_LEAF, VS_ROLE_MADE, VS_ROLE_PLACED, VS_ROLE_DRESS, VS_ROLE_SET } vs_role;
+enum {
+  VS_IS_ROUND = 1,        /* its triangles stand for a smooth surface */
+  VS_IS_SHORT = 2,        /* every format writes it in some words, whatever its numbers */
+  VS_IS_PLAIN = 4,        /* its triangles follow from its own numbers alone, by geometry/tessellate.c: any thread may make them */
+  VS_IS_CONVEX = 8,
+  VS_IS_COSTLY = 16,      /* meshing one costs about as much as meshing eight spheres */
+  VS_IS_DEAR = 32,        /* meshing one costs about as much as meshing forty spheres */
+  VS_IS_SAMPLED = 64,     /* its own bounds are of fine samples: a box round its box is good enough where it is turned */
+  VS_IS_OVERLAPPING = 128, /* its mesh may overlap itself */
+  VS_IS_OF_FIRST = 256,   /* it is empty where its first child is */
+  VS_IS_UNRESOLVED = 512  /* solids/resolve.c replaces it before meshing: it needs a solid's mesh or the drawing's size */
+};
+extern const unsigned char vs_kind_roles[];   /* by kind: vs_role */
+extern const unsigned short vs_kind_traits[]; /* by kind: VS_IS_... */
 bool vs_kind_within(vs_kind kind, const void *data, double most); /* is no number of a payload, or of its points, larger either way, or none at all? */
 
 typedef struct { vs_node *node; const vs_origin *origin; } vs_ref;
@@ -138,7 +155,7 @@ static inline const void *vs_node_data_of(const vs_node *n, vs_kind kind) {
   return vs_node_data(n);
 }
 enum {
-#define VS_KIND(upper, lower, name, class_, level) VS_KIND_OF_##lower = VS_##upper,
+#define VS_KIND(upper, lower, name, class_, level, role, traits) VS_KIND_OF_##lower = VS_##upper,
 #define VS_FIELD(type, member, argument)
 #define VS_KIND_END(upper, lower)
 #include "model/prims.def"
@@ -161,13 +178,14 @@ static inline const vs_ref *vs_node_next(const vs_node *n, uint32_t i) {
   return &n->children[i];
 }
 
+static inline vs_role vs_node_role(const vs_node *n) { return (vs_role)vs_kind_roles[n->kind]; }
+static inline bool vs_node_has(const vs_node *n, unsigned trait) { return (vs_kind_traits[n->kind] & trait) != 0; }
+
 /* The boolean operations. */
-static inline bool vs_node_is_set(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE; }
+static inline bool vs_node_is_set(const vs_node *n) { return vs_node_role(n) == VS_ROLE_SET; }
 
 /* Kinds that are in space what their one child is. (A GHOST is nothing.) */
-static inline bool vs_node_is_dress(const vs_node *n) {
-  return n->child_count == 1 && (n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_NATIVE || n->kind == VS_CUSTOM || n->kind == VS_HIGHLIGHT || n->kind == VS_ONLY);
-}
+static inline bool vs_node_is_dress(const vs_node *n) { return n->child_count == 1 && vs_node_role(n) == VS_ROLE_DRESS; }
 
 /* ---- the store ---- */
 typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_size); /* as realloc; new_size 0 frees; NULL: failed */

@@ -23,24 +23,10 @@ static bool prune_apart(const vs_rewrite *w, const vs_node *a, const vs_node *b,
 }
 
 vs_node *vs_pass_prune(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
-  switch ((vs_kind)n->kind) {
-    case VS_REVOLVE:
-    case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_SLICE:
-    case VS_DEFORM:
-    case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-      return n->child_count && prune_empty(kids[0].node) ? prune_to_nothing(w) : vs_rewrite_keep(w, n, kids);
-    case VS_UNION:
-      if (!w->order.empty && n->child_count && (kids == n->children || !w->changed)) return vs_rewrite_keep(w, n, kids); /* nothing was or became empty */
-      break;
-    case VS_INTERSECTION: case VS_DIFFERENCE: break;
-    case VS_JOIN: case VS_XLINE: case VS_RAY:
-    case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_HULL:
-    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-    case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
-    case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_KIND_COUNT:
-    case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
-      return vs_rewrite_keep(w, n, kids);
-  }
+  if (vs_node_has(n, VS_IS_OF_FIRST) && n->child_count && prune_empty(kids[0].node)) return prune_to_nothing(w);
+  if (!vs_node_is_set(n)) return vs_rewrite_keep(w, n, kids);
+  bool untouched = kids == n->children || !w->changed;
+  if (n->kind == VS_UNION && !w->order.empty && n->child_count && untouched) return vs_rewrite_keep(w, n, kids); /* nothing was or became empty */
   size_t kept = 0;
   vs_ref *all = vs_store_realloc(w->store, NULL, 0, (n->child_count + (size_t)1) * sizeof *all);
   if (!all) return NULL;

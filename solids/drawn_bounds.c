@@ -80,16 +80,9 @@ static size_t segments_cost(const vs_node *n) {
 }
 
 static size_t shape_cost(const vs_node *n) {
-  switch ((vs_kind)n->kind) {
-  case VS_POLYFACE_MESH: return 1 + VS_AS(polyface_mesh, n)->points->count / 100;
-  case VS_HEIGHT_FIELD: case VS_GRID_MESH: case VS_GRID_SURFACE: case VS_TEXT: return 40;
-  case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_SWEEP: case VS_EXTRUDE: case VS_REVOLVE: case VS_THICKEN: return 8;
-  case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES: case VS_E_CONE: case VS_SUPERELLIPSOID:
-  case VS_HALF_SPACE: case VS_SLICE: case VS_DEFORM: case VS_HULL: case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_BOX:
-  case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_TRANSFORM: case VS_MATERIAL:
-  case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
-  case VS_KIND_COUNT: break;
-  }
+  if (n->kind == VS_POLYFACE_MESH) return 1 + VS_AS(polyface_mesh, n)->points->count / 100;
+  if (vs_node_has(n, VS_IS_DEAR)) return 40;
+  if (vs_node_has(n, VS_IS_COSTLY)) return 8;
   return n->child_count > 0 ? 0 : 1;
 }
 

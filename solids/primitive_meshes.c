@@ -14,8 +14,7 @@ static bool may_overlap(const vs_node *n) {
   if (n->class_ != VS_SOLID) return false;
   while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
   if (n->kind == VS_EXTRUDE) return VS_AS(extrude, n)->taper != 0 || n->child_count > 1;
-  return n->kind == VS_SWEEP || n->kind == VS_THICKEN || n->kind == VS_LOFT || n->kind == VS_RULED_LOFT || n->kind == VS_GUIDED_LOFT ||
-         n->kind == VS_GRID_MESH || n->kind == VS_GRID_SURFACE;
+  return vs_node_has(n, VS_IS_OVERLAPPING);
 }
 
 static bool failed(const vs_kernel_error *why, vs_error *e) {
@@ -122,11 +121,6 @@ bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const 
   if (!vs_primitive_mesh(n, f, options, out, e)) return false;
   vs_primitive_keep(cache, n, f, out, held);
   return true;
-}
-
-bool vs_primitive_is_plain(const vs_node *n) {
-  return n->kind == VS_BOX || n->kind == VS_WEDGE || n->kind == VS_SPHERE || n->kind == VS_CYLINDER || n->kind == VS_CONE || n->kind == VS_CUT_CONE || n->kind == VS_E_CONE ||
-         n->kind == VS_PYRAMID || n->kind == VS_TORUS || n->kind == VS_POLYFACE_MESH;
 }
 
 bool vs_half_space_shared(vs_cache *cache, vs_node *n, const vs_bounds *reach, vs_mesh *out, const vs_cached **held) {

@@ -19,8 +19,6 @@ bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const 
 /* That in its parts: is it kept, *held NULL where it is not; and keeping one that was made. */
 bool vs_primitive_find(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh *out, const vs_cached **held);
 void vs_primitive_keep(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh *out, const vs_cached **held);
-/* Is vs_tessellate all there is to it, and reads it nothing but the node's own numbers? Then any thread may make it. */
-bool vs_primitive_is_plain(const vs_node *n);
 /* So for the part of a half-space that is in reach. False: out of memory. */
 bool vs_half_space_shared(vs_cache *cache, vs_node *n, const vs_bounds *reach, vs_mesh *out, const vs_cached **held);
 

@@ -353,7 +353,7 @@ static vs_node *rebuilt(const resolver *r, const vs_node *n) {
     kids[i] = (vs_ref){ now(r, n->children[i].node), n->children[i].origin };
     gone = gone || (i == 0 && kids[i].node->kind == VS_EMPTY);
   }
-  bool profile = n->kind == VS_EXTRUDE || n->kind == VS_SWEEP || n->kind == VS_THICKEN || n->kind == VS_OFFSET || n->kind == VS_REVOLVE;
+  bool profile = vs_node_role(n) == VS_ROLE_MADE && vs_node_has(n, VS_IS_OF_FIRST);
   vs_node *made = profile && gone ? nothing(r->store) : n->kind == VS_THICKEN && vs_is_several(kids[0].node) ? thickened(r, n, kids[0])
                                                       : vs_node_new(r->store, (vs_kind)n->kind, vs_node_data(n), kids, n->child_count);
   free(kids);
@@ -370,8 +370,7 @@ static vs_node *deformed(resolver *r, const vs_ref *ref) {
 static bool resolve_one(resolver *r, const vs_ref *ref) {
   const vs_node *n = ref->node;
   vs_node *made;
-  if (n->kind == VS_SECTION || n->kind == VS_PROJECT || n->kind == VS_EDGES || n->kind == VS_SLICE || n->kind == VS_HULL ||
-      n->kind == VS_DEFORM) {
+  if (n->kind == VS_HULL || (vs_node_has(n, VS_IS_UNRESOLVED) && n->child_count)) {
     made = n->kind == VS_DEFORM  ? deformed(r, ref)
            : n->kind == VS_EDGES ? edges_of(r, ref)
            : n->kind == VS_SLICE ? slice_of(r, ref)
@@ -384,7 +383,7 @@ static bool resolve_one(resolver *r, const vs_ref *ref) {
     if (n->kind == VS_EDGES && made->kind == VS_EMPTY && r->notes)
       r->notes->warn(r->notes->context, ref->origin, "do-edges: no faces meet at an angle: nothing is made (the empty object)");
   } else {
-    made = n->kind == VS_XLINE || n->kind == VS_RAY ? nothing(r->store) : rebuilt(r, n);
+    made = vs_node_has(n, VS_IS_UNRESOLVED) ? nothing(r->store) : rebuilt(r, n); /* a line without end */
   }
   return remember(r, n, made);
 }

@@ -167,15 +167,10 @@ static bool cluster(measuring *m, uint32_t *set) {
   return ok;
 }
 
-static bool is_convex(const vs_node *n) {
-  return n->kind == VS_BOX || n->kind == VS_WEDGE || n->kind == VS_SPHERE || n->kind == VS_CYLINDER || n->kind == VS_CONE || n->kind == VS_CUT_CONE || n->kind == VS_PYRAMID ||
-         n->kind == VS_E_CONE;
-}
-
 /* Do all cutters, by their boxes, lie inside of this body? For areas they must not touch its surface. */
 static bool holds(measuring *m, const part *body, const uint32_t *set, uint32_t root, bool *inside) {
   vs_affine back;
-  *inside = is_convex(body->ref.node) && vs_affine_invert(&body->placed, &back);
+  *inside = vs_node_has(body->ref.node, VS_IS_CONVEX) && vs_affine_invert(&body->placed, &back);
   double slack = m->ask == VS_ASK_AREA ? 1e-9 * vs_bounds_diagonal(&body->box) : 0;
   for (uint32_t i = 0; *inside && i < m->parts.count; i++) {
     const part *p = &m->parts.at[i];

@@ -186,7 +186,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fac
   *bucket = b->meshes.count;
   *number = (uint32_t)b->meshes.count - 1;
   if (ref->node->kind == VS_HALF_SPACE) return true; /* made when it is known what there is to cut */
-  if (vs_primitive_is_plain(ref->node))
+  if (vs_node_has(ref->node, VS_IS_PLAIN))
     return vs_primitive_find(b->cache, ref->node, facets, *mesh, &b->meshes.at[*number].held)
                ? count_made(&b->k, &b->made, (*mesh)->triangle_count)
                : VS_PUSH(&b->k, b->plain, *number);
@@ -339,22 +339,10 @@ static bool bound_half_spaces(builder *b) {
   return ok || vs_error_memory(b->error, NULL);
 }
 
-typedef enum { PLAIN, PLACED, JOINED } role; /* a primitive; one child seen in another way; an operation on many */
-
-static role role_of(const vs_node *n) {
-  switch ((vs_kind)n->kind) {
-  case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_NATIVE: case VS_HIGHLIGHT: case VS_ONLY: return PLACED;
-  case VS_CUSTOM: return n->child_count ? PLACED : PLAIN;
-  case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return JOINED;
-  case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-  case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD:
-  case VS_SLICE: case VS_DEFORM: case VS_HULL:
-  case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_GHOST: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
-  case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
-  case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-  case VS_THICKEN: case VS_KIND_COUNT: break;
-  }
-  return PLAIN;
+/* Is it one child seen in another way, or an operation on many? Else it is a primitive here. */
+static bool goes_in(const vs_node *n) {
+  vs_role role = vs_node_role(n);
+  return role == VS_ROLE_PLACED || role == VS_ROLE_SET || (role == VS_ROLE_DRESS && (n->child_count || n->kind != VS_CUSTOM));
 }
 
 static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
@@ -385,7 +373,7 @@ static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
   if (n->kind == VS_LAYER) now.layer = VS_AS(layer, n)->name;
   if (!VS_PUSH(&b->k, b->levels, now)) return false;
   bool solid = n->class_ == VS_SOLID || n->class_ == VS_MIXED;
-  if (solid && role_of(n) != PLAIN) return true;
+  if (solid && goes_in(n)) return true;
   vs_walk_skip(walk);
   return solid ? add_leaf(b, ref, &now) : add_term(b, VS_TERM_UNION, 0, 0); /* no solid: as an operand, nothing */
 }
@@ -393,7 +381,7 @@ static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
 static bool leave(builder *b, const vs_ref *ref) {
   const vs_node *n = ref->node;
   size_t first = b->levels.at[--b->levels.count].first;
-  if (role_of(n) != JOINED || !(n->class_ == VS_SOLID || n->class_ == VS_MIXED)) return true;
+  if (!vs_node_is_set(n) || !(n->class_ == VS_SOLID || n->class_ == VS_MIXED)) return true;
   return close_term(b, n->kind == VS_UNION ? VS_TERM_UNION : n->kind == VS_INTERSECTION ? VS_TERM_INTERSECTION : VS_TERM_DIFFERENCE, first);
 }
 

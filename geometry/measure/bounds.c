@@ -374,10 +374,8 @@ static bool bounds_is_swept(const vs_node *n) { /* formulas that cost more than 
     while (profile->kind == VS_REGION && profile->child_count == 1) profile = profile->children[0].node;
     return profile->kind != VS_LINE || VS_AS(extrude, n)->taper != 0;
   }
-  return n->kind == VS_EXTRUDE || n->kind == VS_SWEEP || n->kind == VS_THICKEN || n->kind == VS_REVOLVE || n->kind == VS_LOFT || n->kind == VS_RULED_LOFT ||
-         n->kind == VS_GUIDED_LOFT || n->kind == VS_OFFSET;
+  return vs_node_has(n, VS_IS_SAMPLED);
 }
-
 
 /* A set under a map that turns it, part by part: what it becomes must not depend on whether it was turned as a whole. All in it are known. *done: it was not
  * too much or too deep; all in all a memo does TURNED_MOST such steps. */

@@ -327,22 +327,13 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
       vs_inside_level *top = &v->stack[depth - 1];
       const vs_inside_part *above = &v->parts[top->part];
       bool first = top->next == 1, decided;
-      switch ((vs_kind)above->node->kind) {
-        case VS_UNION: decided = answer; break;
-        case VS_INTERSECTION: decided = !answer; break;
-        case VS_DIFFERENCE:
-          decided = first ? !answer : answer;
-          if (!first) answer = !answer; /* in what is taken away: outside; clear of it: inside so far */
-          break;
-        case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-        case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD:
-        case VS_SLICE: case VS_DEFORM: case VS_HULL:
-        case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_BOX: case VS_WEDGE: case VS_SPHERE:
-        case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
-        case VS_THICKEN: case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-        case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST:
-        case VS_ONLY: case VS_KIND_COUNT: decided = true; break;
-      }
+      vs_kind kind = (vs_kind)above->node->kind;
+      if (kind == VS_UNION) decided = answer;
+      else if (kind == VS_INTERSECTION) decided = !answer;
+      else if (kind == VS_DIFFERENCE) {
+        decided = first ? !answer : answer;
+        if (!first) answer = !answer; /* in what is taken away: outside; clear of it: inside so far */
+      } else decided = true; /* the one child's answer is the node's */
       if (decided || top->next == above->node->child_count) {
         depth--;
         continue;

@@ -13,7 +13,7 @@
 
 typedef struct { const char *name, *class_; } kind_row;
 static const kind_row kinds[] = {
-#define VS_KIND(upper, lower, name, class, level) { name, #class },
+#define VS_KIND(upper, lower, name, class, level, role, traits) { name, #class },
 #define VS_FIELD(type, member, argument)
 #define VS_KIND_END(upper, lower)
 #include "model/prims.def"
