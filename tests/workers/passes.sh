@@ -20,7 +20,8 @@ panelised-roof -D nu=4 -D nv=4
 facade-by-rules
 facade-from-table
 trees-from-survey
-gyroid-pavilion"
+gyroid-pavilion
+corner-cafe"
 ways='-O'
 [ -z "${LONG:-}" ] || ways='-O -Ofold -Oshare -Oflatten -Oprune'
 

@@ -1,0 +1,46 @@
+; A door in its frame, to stand in an opening: the opening's lower left corner is the origin, the wall runs along X, and one
+; walks in along Y. The leaf turns inwards.
+(define-parameter width 0.9 #:min 0.5 #:max 3 #:label "width of the opening, m")
+(define-parameter height 2.1 #:min 1 #:max 5 #:label "height of the opening, m")
+(define-parameter wall 0.2 #:min 0.05 #:max 1 #:label "thickness of the wall, m")
+(define-parameter opening 0.0 #:min 0 #:max 170 #:label "opened by, degrees")
+(define-parameter hinge "left" #:choices '("left" "right") #:label "side of the hinges")
+(define-parameter panels 3 #:min 0 #:max 6 #:label "panels in the leaf")
+(define-parameter material "wood" #:label "material of the leaf")
+(define-parameter frame-colour "#e8e4da" #:label "colour of the frame")
+
+(define jamb 0.05)
+(define leaf-thick 0.045)
+(define gap 0.004)
+(define leaf-width (- width (* 2 jamb) (* 2 gap)))
+(define leaf-height (- height jamb gap 0.008))
+
+(define (frame deep wide front)
+  (subtract (make-box (xyz (- wide) front 0) (xyz (+ width wide) (+ front deep) (+ height wide)))
+            (make-box (xyz jamb (- front 1) -1) (xyz (- width jamb) (+ front deep 1) (- height jamb)))))
+(define casing 0.06)
+(define frames
+  (unite (frame wall 0 0)
+         (subtract (unite (frame 0.015 casing -0.015) (frame 0.015 casing wall)) (make-box (xyz 0 0.001 -1) (xyz width (- wall 0.001) height)))
+         ; the stop against which the leaf closes
+         (subtract (make-box (xyz jamb (- wall leaf-thick 0.016) 0) (xyz (- width jamb) (- wall leaf-thick 0.001) (- height jamb)))
+                   (make-box (xyz (+ jamb 0.012) -1 -1) (xyz (- width jamb 0.012) (+ wall 1) (- height jamb 0.012))))))
+
+(define border 0.12)
+(define panel-height (if (> panels 0) (/ (- leaf-height border (* border panels)) panels) 0))
+(define (panel i)
+  (let* ((z (+ border (* i (+ panel-height border)))) (low (xyz border -0.001 z)) (high (xyz (- leaf-width border) 0.012 (+ z panel-height))))
+    (list (make-box low high) (make-box (+y low (- leaf-thick 0.01)) (+y high (- leaf-thick 0.01))))))
+(define leaf (subtract (make-box origin (xyz leaf-width leaf-thick leaf-height)) (map panel (iota panels))))
+(define knob-z (min 1.05 (* 0.5 leaf-height)))
+(define (handle side)
+  (let* ((x (- leaf-width 0.065)) (y (if (< side 0) 0 leaf-thick)) (out (+ y (* side 0.055))))
+    (unite (make-cylinder (xyz x y knob-z) (xyz x (+ y (* side 0.01)) knob-z) 0.026)
+           (make-cylinder (xyz x y knob-z) (xyz x out knob-z) 0.009) (make-sphere (xyz x out knob-z) 0.0095)
+           (make-cylinder (xyz x out knob-z) (xyz (- x 0.12) out knob-z) 0.0095) (make-sphere (xyz (- x 0.12) out knob-z) 0.0095))))
+(define swung
+  (let* ((o (unite (with-material material leaf) (with-material 'steel (handle -1) (handle 1))))
+         (placed (do-move o (vxyz (+ jamb gap) (- wall leaf-thick) 0.008))))
+    (do-rotate placed (xyz (+ jamb gap) wall 0) uz (degrees->radians opening))))
+(define model (unite (color frame-colour frames) swung))
+(draw (if (equal? hinge "left") model (do-mirror model (make-plane (xyz (/ width 2) 0 0) ux))))

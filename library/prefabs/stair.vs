@@ -1,0 +1,38 @@
+; A straight stair that climbs along Y from the origin, with stringers and a handrail. It has as many steps as keep the rise
+; within what is comfortable.
+(define-parameter height 2.8 #:min 0.3 #:max 12 #:label "from floor to floor, m")
+(define-parameter width 1.0 #:min 0.5 #:max 6 #:label "width, m")
+(define-parameter going 0.28 #:min 0.2 #:max 0.5 #:label "depth of a tread, m")
+(define-parameter rise 0.18 #:min 0.1 #:max 0.24 #:label "greatest rise, m")
+(define-parameter rails "both" #:choices '("both" "left" "right" "none") #:label "handrails")
+(define-parameter material "wood" #:label "material of the treads")
+(define-parameter steel-colour "#4a4e52" #:label "colour of stringers and rails")
+
+(define steps (exact (ceiling (- (/ height rise) 1e-9))))
+(define up (/ height steps))
+(define thick 0.04)
+; The last step is the upper floor.
+(define (tread i)
+  (let ((y (* i going)) (z (* (+ i 1) up)))
+    (make-box (xyz 0.03 (- y 0.025) (- z thick)) (xyz (- width 0.03) (+ y going) z))))
+(define treads (map tread (iota (- steps 1))))
+(define run (* (- steps 1) going))
+(define slope (/ up going))
+; A plate below the treads' noses, cut upright at its foot and level at the floor.
+(define (stringer x)
+  (let ((top (lambda (y) (+ (* slope y) up -0.01))) (low (lambda (y) (+ (* slope y) up -0.32))))
+    (intersect
+      (do-extrude (make-polygon (map (lambda (p) (xyz x (car p) (cdr p))) (list (cons -0.06 (low -0.06)) (cons -0.06 (top -0.06)) (cons run (top run)) (cons run (low run))))) (vxyz 0.03 0 0))
+      (make-box (xyz (- x 1) -1 0) (xyz (+ x 1) (+ run 1) (- height 0.0))))))
+(define rail-height 0.95)
+(define (railing x)
+  (define (foot y) (xyz x y (+ (* slope y) up -0.02)))
+  (define (head y) (+z (foot y) rail-height))
+  (let* ((n (max 2 (exact (ceiling (/ run 1.1))))) (ys (division (* 0.5 going) (- run (* 0.5 going)) n)) (a (first ys)) (b (last ys)))
+    (unite (map (lambda (y) (make-cylinder (foot y) (head y) 0.016)) ys)
+           (make-pipe (make-line (+z (head (- a 0.15)) -0.12) (head (- a 0.15)) (head (+ b 0.15)) (+y (head (+ b 0.15)) 0.2)) 0.021)
+           (map (lambda (k) (make-cylinder (+z (foot a) (* k 0.3)) (+z (foot b) (* k 0.3)) 0.006)) '(1 2)))))
+(draw (with-material material treads)
+      (color steel-colour (stringer 0) (stringer (- width 0.03))
+        (if (member rails '("both" "left")) (railing 0.015) '())
+        (if (member rails '("both" "right")) (railing (- width 0.015)) '())))

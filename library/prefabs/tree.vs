@@ -1,0 +1,41 @@
+; A broad-leaved tree: a trunk that forks, and a crown of leaves about the ends of its branches. Another seed is another tree.
+(define-parameter height 8.0 #:min 1 #:max 40 #:label "height, m")
+(define-parameter spread 0.55 #:min 0.2 #:max 1 #:label "width of the crown, as a share of the height")
+(define-parameter forks 4 #:min 2 #:max 6 #:label "forks from the ground to the leaves")
+(define-parameter leaves #t #:label "leaves")
+(define-parameter seed 2 #:min 0 #:max 9999 #:label "seed")
+(define-parameter green "#5c7d3a" #:label "colour of the leaves")
+(define-parameter bark "#6b5443" #:label "colour of the bark")
+
+; Numbers from 0 to 1 that the seed decides, and nothing else in the program.
+(define state (+ 1 (* 7919 (+ seed 1))))
+(define (chance)
+  (set! state (modulo (* 16807 state) 2147483647))
+  (/ (exact->inexact state) 2147483647))
+(define (between a b) (+ a (* (- b a) (chance))))
+(do ((i 0 (+ i 1))) ((= i 5)) (chance))
+
+; Lengths are shares of the height. A branch is a list: start, end, radius at both, forks still to come.
+(define wood '())
+(define ends '())
+(define (grow p v r left)
+  (let* ((q (p+v p v)) (thin (* r 0.72)))
+    (set! wood (cons (make-cut-cone p r q thin) (cons (make-sphere q thin) wood)))
+    (if (< left 2) (set! ends (cons q ends)))
+    (if (> left 0)
+        (let ((n (if (< (chance) 0.4) 3 2)) (first-turn (between 0 2pi)) (long (* (vlength v) (between 0.72 0.84))))
+          (do ((k 0 (+ k 1))) ((= k n))
+            (let* ((phi (+ first-turn (* k (/ 2pi n)) (between -0.4 0.4))) (lean (if (= k 0) (between 0.15 0.5) (between 0.5 0.9)))
+                   (d (v+v (v*r (unitize v) (cos lean)) (vxyz (* spread 2 (sin lean) (cos phi)) (* spread 2 (sin lean) (sin phi)) 0.06))))
+              (grow q (v*r (unitize d) long) (* thin (if (= n 2) 0.8 0.7)) (- left 1))))))))
+(grow origin (vxyz (between -0.02 0.02) (between -0.02 0.02) 0.24) 0.027 forks)
+
+(define reach (apply max (map cz ends)))
+(define tuft (/ 0.36 forks))
+(define (crown p)
+  (let ((r (* tuft (between 0.75 1.1))))
+    (do-move (do-rotate (do-scale (make-sphere origin 1 #:segments 14) origin (list r (* r (between 0.8 1)) (* r (between 0.6 0.8)))) 'z (between 0 pi)) (p->q origin p))))
+(define model
+  (unite (color bark wood)
+         (if leaves (color green (map crown ends)) (empty-object))))
+(draw (do-scale model origin (/ height (+ reach (if leaves (* tuft 0.7) 0)))))
