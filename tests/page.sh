@@ -20,3 +20,30 @@ EOF
 mkdir "$work/<img src=x onerror=owned=1>" && cp "$work/hostile.vs" "$work/<img src=x onerror=owned=1>/<b>&amp;.vs"
 "$BUILD/vs" --quiet "$work/<img src=x onerror=owned=1>/<b>&amp;.vs" -o "$work/hostile.html" || echo "not ok page/hostile: ended with $?"
 timeout 600 node tests/page/page.mjs "$work" || echo "not ok page: ended with $?"
+
+# .x3d files: what each kind of node becomes, instances, and two examples.
+mkdir "$work/x3d"
+cat > "$work/x3d/kinds.vs" <<'EOF'
+(ground 0 #:material (make-material #:color "olive"))
+(draw (layer "a <b> & \"c\"" (with-material (make-material #:name "brass" #:color "goldenrod" #:metallic 1 #:roughness 0.3) (make-box (xyz 0 0 0) 1 1 1))))
+(draw (with-material (make-material #:color "teal" #:transparency 0.6) (make-sphere (xyz 3 0 1) 1)))
+(draw (make-cylinder (xyz 6 0 0) 0.5 2) (make-cone (xyz 9 0 2) (xyz 9 0 0) 1) (make-torus (xyz 9 4 1) 1 0.3))
+(draw (make-line (xyz 0 0 3) (xyz 9 3 4) (xyz 9 0 3)) (make-text (xyz 0 3 0) 1 "X3D"))
+(draw (subtract (make-box (xyz 4 3 0) (xyz 6 5 2)) (make-sphere (xyz 5 4 2) 0.8)))
+(for-each (lambda (i) (draw (make-box (xyz i -2 0) (xyz (+ i 0.4) -1.6 2)))) '(1 2 3))
+EOF
+echo '(draw (make-sphere (xyz 0 0 0) 1))' > "$work/x3d/reader.vs"
+"$BUILD/vs" --quiet "$work/x3d/reader.vs" -o "$work/x3d/reader.html" || echo "not ok page/x3d: ended with $?"
+size=$(wc -c < "$work/x3d/reader.html")
+if [ "$size" -le 900000 ]; then echo "ok page/size of an almost empty page"; else echo "not ok page/size of an almost empty page"; echo "    $size bytes, 900,000 are promised"; fi
+"$BUILD/vs" --quiet "$work/x3d/kinds.vs" -o "$work/x3d/kinds.x3d" || echo "not ok page/x3d:kinds: ended with $?"
+"$BUILD/vs" --quiet -D rows=1 -D columns=2 examples/gare-do-oriente.vs -o "$work/x3d/gare.x3d" || echo "not ok page/x3d:gare: ended with $?"
+for name in arcade doric-columns; do "$BUILD/vs" --quiet examples/$name.vs -o "$work/x3d/$name.x3d" || echo "not ok page/x3d:$name: ended with $?"; done
+if [ -d node_modules/x_ite ]; then timeout 300 node tests/page/x3d.mjs "$work/x3d" || echo "not ok page/x3d: ended with $?"
+else echo "skip page/x3d: no X_ITE (npm ci --ignore-scripts)"; fi
+# The Web3D Consortium's schema is in no package: X3D_SCHEMA is its x3d-4.0.xsd, with the files that it includes beside it.
+if [ -f "${X3D_SCHEMA:-}" ]; then
+  for name in kinds gare arcade doric-columns; do
+    if xmllint --noout --nonet --schema "$X3D_SCHEMA" "$work/x3d/$name.x3d" 2> "$work/why"; then echo "ok page/schema:$name"; else echo "not ok page/schema:$name"; sed 's/^/    /' "$work/why" | head; fi
+  done
+else echo "skip page/schema: X3D_SCHEMA names no x3d-4.0.xsd (from web3d.org/specifications)"; fi

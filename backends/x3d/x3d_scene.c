@@ -367,7 +367,7 @@ static bool scene_begin_classic(vs_emitter *e) { return vs_x3d_open(e, VS_X3D_CL
 
 static bool scene_end_xml(vs_emitter *e) {
   vs_x3d *x = e->state;
-  vs_puts(e->out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D profile='Immersive' version='3.3'>\n  <head>\n    <meta name='title' content='");
+  vs_puts(e->out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D profile='Immersive' version='4.0'>\n  <head>\n    <meta name='title' content='");
   vs_put_xml(e->out, e->scene->title);
   vs_puts(e->out, "'/>\n    <meta name='generator' content='VisualScheme'/>\n  </head>\n  <Scene>\n");
   x->depth = 2;
@@ -375,7 +375,7 @@ static bool scene_end_xml(vs_emitter *e) {
 }
 
 static bool scene_end_classic(vs_emitter *e) {
-  vs_puts(e->out, "#X3D V3.3 utf8\nPROFILE Immersive\n");
+  vs_puts(e->out, "#X3D V4.0 utf8\nPROFILE Immersive\n");
   return vs_x3d_scene(e) && !e->out->failed;
 }
 
