@@ -46,7 +46,24 @@ function collect(model, shown) {
   return list;
 }
 
-function edgesOf(g) { return g.edges ||= featureEdges(g); }
+function edgesOf(g) {
+  if (!g.edges) g.edges = featureEdges(g), g.spacing = spacingOf(g);
+  return g.edges;
+}
+
+// The mean distance of the lines on a geometry, its area by their length, where these are many; curves, and the few lines of a plain form, always show.
+const FEW_LINES = 100;
+function spacingOf(g) {
+  if (g.lines || g.edges.length < 6 * FEW_LINES) return 1e30;
+  const P = g.position, E = g.edges, I = g.index;
+  let area = 0, length = 0;
+  for (let k = 0; k < E.length; k += 6) length += Math.hypot(E[k + 3] - E[k], E[k + 4] - E[k + 1], E[k + 5] - E[k + 2]);
+  for (let t = 0; t < I.length; t += 3) {
+    const a = 3 * I[t], b = 3 * I[t + 1], c = 3 * I[t + 2], ux = P[b] - P[a], uy = P[b + 1] - P[a + 1], uz = P[b + 2] - P[a + 2], vx = P[c] - P[a], vy = P[c + 1] - P[a + 1], vz = P[c + 2] - P[a + 2];
+    area += Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
+  }
+  return length > 0 ? area / length : 1e30;
+}
 
 // The corners of some parts in one array each, at their places. colors may be false.
 export function mergeParts(model, parts, colors = true) {
@@ -57,7 +74,7 @@ export function mergeParts(model, parts, colors = true) {
     ends += edgesOf(g).length / 3;
   }
   const position = new Float32Array(3 * vertices), normal = new Int16Array(4 * vertices), color = colors ? new Uint16Array(4 * vertices) : null;
-  const index = new Uint32Array(corners), edges = new Float32Array(3 * ends), edgeColor = colors ? new Uint8Array(4 * ends) : null;
+  const index = new Uint32Array(corners), edges = new Float32Array(3 * ends), spacing = new Float32Array(ends), edgeColor = colors ? new Uint8Array(4 * ends) : null;
   let v = 0, c = 0, e = 0;
   for (const i of parts) {
     const g = model.geometries[model.geometry[i]], m = model.matrix.subarray(12 * i, 12 * i + 12), flip = determinant(m) < 0;
@@ -90,6 +107,7 @@ export function mergeParts(model, parts, colors = true) {
       }
     }
     const E = edgesOf(g), own = g.lines && model.paint[i] > 0;
+    spacing.fill(g.spacing * Math.cbrt(Math.abs(determinant(m))), e, e + E.length / 3);
     for (let k = 0; k < E.length; k += 3, e++) {
       const x = E[k], y = E[k + 1], z = E[k + 2];
       edges[3 * e] = m[0] * x + m[1] * y + m[2] * z + m[3];
@@ -99,7 +117,7 @@ export function mergeParts(model, parts, colors = true) {
       if (edgeColor) edgeColor[4 * e + 3] = g.lines ? 255 : 140;
     }
   }
-  return { position, normal, color, index, edges, edgeColor };
+  return { position, normal, color, index, edges, spacing, edgeColor };
 }
 
 export function meshGeometry(m) {
@@ -155,12 +173,13 @@ export function buildBatches(model, shown, surfaces, lines) {
     mesh.instanceMatrix = place;
     mesh.instanceColor = new THREE.InstancedBufferAttribute(color, 3);
     mesh.count = count;
-    finish(mesh, group.surface);
+    finish(mesh, group.surface, group.material);
     (group.mirrored ? mirror : root).add(mesh);
     const edges = edgesOf(g);
     if (edges.length > 0) {
       const line = new THREE.LineSegments(new THREE.BufferGeometry(), lines.instanced);
       line.geometry.setAttribute("position", new THREE.BufferAttribute(edges, 3));
+      line.geometry.setAttribute("spacing", new THREE.BufferAttribute(new Float32Array(edges.length / 3).fill(g.spacing), 1));
       // A line set with a matrix a copy: the renderer asks no more of an object than these.
       Object.assign(line, { isInstancedMesh: true, instanceMatrix: place, instanceColor: null, morphTexture: null, count, frustumCulled: false });
       line.userData.edges = true;
@@ -171,12 +190,13 @@ export function buildBatches(model, shown, surfaces, lines) {
     const m = mergeParts(model, parts);
     if (m.index.length > 0) {
       const mesh = new THREE.Mesh(meshGeometry(m), surfaces.get(surface, material, true));
-      finish(mesh, surface);
+      finish(mesh, surface, material);
       root.add(mesh);
     }
     if (m.edges.length > 0) {
       const line = new THREE.LineSegments(new THREE.BufferGeometry(), lines.merged);
       line.geometry.setAttribute("position", new THREE.BufferAttribute(m.edges, 3));
+      line.geometry.setAttribute("spacing", new THREE.BufferAttribute(m.spacing, 1));
       line.geometry.setAttribute("color", new THREE.BufferAttribute(m.edgeColor, 4, true));
       line.userData.edges = surface !== "lines";
       line.frustumCulled = false;
@@ -187,10 +207,11 @@ export function buildBatches(model, shown, surfaces, lines) {
   return root;
 }
 
-function finish(mesh, surface) {
+function finish(mesh, surface, material) {
   mesh.userData.surface = surface;
   mesh.userData.solid = !surface.endsWith(",open");
-  mesh.castShadow = mesh.receiveShadow = true;
+  mesh.castShadow = material.transparency < 0.3; // Light goes through glass.
+  mesh.receiveShadow = true;
   mesh.frustumCulled = false;
 }
 

@@ -56,6 +56,7 @@ export class CameraControl {
       camera.aspect = aspect;
       camera.near = Math.max(far - 2.04 * (stage.radius || 1), far / (this.walking ? 20000 : 5000));
       if (this.walking) camera.near = Math.min(camera.near, 0.1 / this.metre());
+      if (stage.groundMesh) camera.near = Math.min(camera.near, Math.max(0.25 * Math.abs(eye.z - stage.groundMesh.position.z), far / 5000)); // The ground begins at our feet.
       camera.far = Math.max(far, 1e-6) * (stage.groundMesh ? 8 : 1.2);
     }
     camera.updateProjectionMatrix();

@@ -9,6 +9,26 @@ import { buildBatches, disposeBatches, mergeParts, meshGeometry } from "./batche
 const SUN = new THREE.Color(1, 0.94, 0.84), DIFFUSE = 0.82;
 const SUN_POWER = 1.6 * Math.PI * DIFFUSE, SKY_RADIANCE = 0.78, FILL = 0.16;
 
+// The light from above is one direction of the whole sky, or stands for it: as a point it would sparkle in all that shines, so only the sun is mirrored.
+// Both lights always have a shadow map, because three.js would else change their order.
+const SUN_ALONE_SHINES = THREE.ShaderChunk.lights_fragment_begin.replace(/(getDirectionalLightInfo[\s\S]*?)(RE_Direct\([^;]*;)/,
+  "$1{ vec3 mirrored = reflectedLight.directSpecular; $2 if ( UNROLLED_LOOP_INDEX > 0 ) reflectedLight.directSpecular = mirrored; }");
+const sunAloneShines = (parameters) => { parameters.fragmentShader = parameters.fragmentShader.replace("#include <lights_fragment_begin>", SUN_ALONE_SHINES); };
+
+// Lines of a fine mesh, which would lie closer than some pixels and blacken it, fade. spacing: the mean distance of a geometry's lines, in model units.
+const fading = (pixels) => (parameters) => { // pixels: half the picture's height
+  parameters.uniforms.pixels = pixels;
+  parameters.vertexShader = parameters.vertexShader.replace("#include <common>", "#include <common>\nattribute float spacing; uniform float pixels; varying float shownLine;")
+    .replace("#include <project_vertex>", `#include <project_vertex>
+      float gap = spacing;
+      #ifdef USE_INSTANCING
+      gap *= pow( abs( determinant( mat3( instanceMatrix ) ) ), 1.0 / 3.0 );
+      #endif
+      shownLine = smoothstep( 3.0, 9.0, gap * projectionMatrix[1][1] * pixels / gl_Position.w );`);
+  parameters.fragmentShader = parameters.fragmentShader.replace("#include <common>", "#include <common>\nvarying float shownLine;")
+    .replace("#include <color_fragment>", "#include <color_fragment>\ndiffuseColor.a *= shownLine;");
+};
+
 const quadVertex = "varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }";
 
 export class Stage {
@@ -43,6 +63,8 @@ export class Stage {
       merged: new THREE.LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
       instanced: new THREE.LineBasicMaterial({ color: 0x05070a, transparent: true, opacity: 0.55, depthWrite: false }),
     };
+    this.pixels = { value: 400 };
+    for (const m of Object.values(this.lineMaterials)) m.onBeforeCompile = fading(this.pixels);
     this.#lights();
     this.#sky();
     this.#targets();
@@ -90,8 +112,8 @@ export class Stage {
 
   #light(sample) {
     const o = this.options, sky = this.skyColor;
-    this.sun.castShadow = o.shadows;
-    this.above.castShadow = o.occlusion;
+    this.sun.shadow.intensity = o.shadows ? 1 : 0;
+    this.above.shadow.intensity = o.occlusion ? 1 : 0;
     if (sample < 0) {
       this.#aim(this.sun, this.sunDirection);
       this.#aim(this.above, new THREE.Vector3(0.12, -0.08, 1).normalize());
@@ -213,7 +235,7 @@ export class Stage {
     }
     geometry.setAttribute("color", new THREE.BufferAttribute(color, 4));
     geometry.scale(reach, reach, 1);
-    const material = new THREE.MeshStandardMaterial({ vertexColors: true, transparent: true, roughness: Math.max(0.6, m.roughness), metalness: 0, side: THREE.DoubleSide });
+    const material = new THREE.MeshLambertMaterial({ vertexColors: true, transparent: true, side: THREE.DoubleSide });
     this.groundMesh = new THREE.Mesh(geometry, material);
     this.groundMesh.position.set(this.center.x, this.center.y, model.ground.z - model.middle[2] - 2e-4 * model.diagonal);
     this.groundMesh.receiveShadow = true;
@@ -231,6 +253,7 @@ export class Stage {
       vertexColors: merged, roughness: Math.max(0.06, m.roughness), metalness: this.software ? 0.35 * m.metallic : m.metallic, side: THREE.DoubleSide,
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
     });
+    material.onBeforeCompile = sunAloneShines;
     if (shiny) {
       material.envMap = this.#mirrored();
       material.envMapRotation.set(Math.PI / 2, 0, 0);
@@ -408,6 +431,7 @@ export class Stage {
   resize() {
     const w = Math.max(1, this.canvas.clientWidth), h = Math.max(1, this.canvas.clientHeight);
     this.renderer.setSize(w, h, false);
+    this.pixels.value = h / 2;
     const size = this.renderer.getDrawingBufferSize(new THREE.Vector2());
     for (const t of [this.one, ...this.mean]) t.setSize(size.x, size.y);
     this.touch();
