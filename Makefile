@@ -25,7 +25,7 @@ LAYERS    = javascript vm model functions geometry fitting kernel solids passes 
 LIB_SRC   = $(foreach d,$(LAYERS),$(wildcard $(d)/*.c $(d)/*/*.c))
 LIB_OBJ   = $(LIB_SRC:%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/assets.o
 CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c cli/*/*.c live/*.c knowledge/*.c knowledge/*/*.c)) $(BUILD)/live_assets.o
-FUZZERS   = reader program import emit calls
+FUZZERS   = reader text program forms script import emit calls
 UNIT_SRC  = $(wildcard tests/unit/test_*.c)
 UNIT_BIN  = $(UNIT_SRC:tests/unit/%.c=$(BUILD)/unit/%)
 TOOL_BIN  = $(patsubst tests/tools/%.c,$(BUILD)/tools/%,$(wildcard tests/tools/*.c)) $(BUILD)/tools/fuzz $(FUZZERS:%=$(BUILD)/tools/replay_%)
@@ -194,7 +194,8 @@ T       ?= 60
 fuzz: ## install clang's libFuzzer and let each fuzzer of tests/fuzz run T seconds (60); FUZZ="reader emit": only these
 	sh scripts/install.sh build fuzz
 	$(MAKE) BUILD=$(BUILD)/fuzz CC=clang OPT="-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined" LDFLAGS="-Wl,--no-as-needed -lstdc++" fuzzers
-	sh tests/fuzz.sh $(BUILD)/fuzz $(T)
+	$(MAKE) $(FUZZERS:%=$(BUILD)/tools/replay_%)
+	sh tests/fuzz.sh $(BUILD)/fuzz $(T) $(BUILD)
 
 fuzzers: $(FUZZERS:%=$(BUILD)/fuzz_%)
 

@@ -20,6 +20,7 @@
 #include "vm/values/number.h"
 #include "vm/values/printer.h"
 #include "vm/front/scan.h"
+#include "vm/machine/poll.h"
 #include "vm/machine/program.h"
 #include "vm/machine/step.h"
 
@@ -262,9 +263,7 @@ vs_outcome vs_restart(vs_scheme *vm) {
     if (fresh) vs_close_vm(fresh);
     return vs_session_out_of_memory(s);
   }
-  vs_scheme old = *vm; /* nothing of an interpreter that rests points to itself */
-  *vm = *fresh, *fresh = old;
-  vs_close_vm(fresh); /* lets go of the objects, which hold nodes */
+  vs_replace_vm(vm, fresh); /* lets go of the objects, which hold nodes */
   vs_bind_restart(&s->bind);
   vs_session_forget_handles(s);
   s->exit_requested = false;
@@ -419,6 +418,8 @@ vs_read_status vs_read_check(vs_scheme *vm, const char *text, size_t length) {
     [VS_TEXT_EMPTY] = VS_READ_EMPTY, [VS_TEXT_WHOLE] = VS_READ_COMPLETE, [VS_TEXT_OPEN] = VS_READ_INCOMPLETE, [VS_TEXT_BAD] = VS_READ_BAD
   };
   vs_text_check c = { 0 };
+  vm->steps = 0, vm->started = vs_session_clock(vs_session_of(vm)); /* no part of the evaluation before */
+  vs_refuel(vm);
   if (!vs_read_whole(vm, text, length, &c)) return (vs_read_status){ .state = VS_READ_BAD, .line = 1, .column = 1, .message = "out of memory" };
   return (vs_read_status){ .state = states[c.state], .depth = c.depth, .line = c.line, .column = c.col, .message = c.state == VS_TEXT_BAD ? c.trouble : NULL };
 }

@@ -58,9 +58,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (format->worker) return 0;
   r = (recipe){ .at = data + 1, .end = data + size };
   for (int n = 0; n < 3 && r.at < r.end; n++) say(&r, "(guard (e (#t 0)) (draw "), shape(&r, 0), say(&r, "))\n");
-  vs_scheme *s = fuzz_interpreter(&none);
+  vs_scheme *s = fuzz_interpreter(&none, data, size, 50, NULL);
   vs_output_options o = vs_output_options_default();
   o.segments = 5;
+  vs_drawing_clear(s);
   vs_eval_text(s, "fuzz", 1, r.text, r.used, 0);
   vs_write_drawing_to(s, format->name, &o, fuzz_drop_bytes, NULL);
   return 0;

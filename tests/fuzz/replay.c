@@ -1,8 +1,10 @@
 /* Owns fuzzing without libFuzzer: hands each file named to the fuzzer that it is linked with, and then, with `-n COUNT`, so many inputs made of them by chance, the same ones
- * each time; `-s NUMBER` others. Every input that once crashed is kept in tests/fuzz/corpus. With `-k FILE` each input is written there first, so that the one that crashes is known. */
+ * each time; `-s NUMBER` others. Every input that once crashed is kept in tests/fuzz/corpus.
+ * With `-k FILE` each input is written there first, so that the one that crashes is known; `-j FILE` hands over those of
+ * a journal (fuzz.h). An input that takes more than SLOW seconds ends the process. */
 #include "tests/fuzz/fuzz.h"
 
-enum { MOST = 1 << 20, FILES = 4096, GROWTH = 4096 };
+enum { MOST = 1 << 20, FILES = 4096, GROWTH = 4096, SLOW = 30 };
 typedef struct { uint8_t *at; size_t count; } input;
 
 static uint64_t state = 88172645463325252u;
@@ -18,8 +20,19 @@ static void hand(const uint8_t *from, size_t count, const char *keep) {
   if (!exact) abort();
   memcpy(exact, from, count);
   if (f) fwrite(from, 1, count, f), fclose(f);
+  alarm(SLOW);
   LLVMFuzzerTestOneInput(exact, count);
   free(exact);
+}
+
+static bool journal(const char *path) {
+  uint32_t count;
+  static uint8_t bytes[MOST];
+  FILE *f = fopen(path, "rb");
+  if (!f) return perror(path), false;
+  while (fread(&count, sizeof count, 1, f) == 1 && count <= sizeof bytes && fread(bytes, 1, count, f) == count)
+    hand(bytes, count, NULL);
+  return fclose(f) == 0;
 }
 
 /* A few changes: a byte, a bit, a stretch of the same or another input put in, taken out or written over, a number at a limit. */
@@ -63,7 +76,9 @@ int main(int argc, char **argv) {
     if (!strcmp(argv[i], "-n") && i + 1 < argc) many = strtoul(argv[++i], NULL, 10);
     else if (!strcmp(argv[i], "-s") && i + 1 < argc) state += strtoul(argv[++i], NULL, 10) * 0x9E3779B97F4A7C15u, state |= 1;
     else if (!strcmp(argv[i], "-k") && i + 1 < argc) keep = argv[++i];
-    else if (inputs < FILES) {
+    else if (!strcmp(argv[i], "-j") && i + 1 < argc) {
+      if (!journal(argv[++i])) return 1;
+    } else if (inputs < FILES) {
       FILE *f = fopen(argv[i], "rb");
       if (!f) return perror(argv[i]), 1;
       size_t count = fread(bytes, 1, sizeof bytes, f);

@@ -36,4 +36,10 @@
 (define pt (make-point 3 4))
 (check 3 (point-x pt)) (set-point-x! pt 9) (check 9 (point-x pt)) (check #t (point? pt)) (check #f (point? 5))
 (check '(1 2 3) (let () (define-record-type foo (mk a) foo? (a foo-a) (b foo-b set-b!)) (define z (mk 1)) (set-b! z 2) (list (foo-a z) (foo-b z) 3)))
+; a list without an end can stand in a template, but not around what is filled in
+(define (told form) (guard (e (#t (condition/report-string e))) (eval form (interaction-environment))))
+(define (endless . begin) (let ((l (append begin (list 'b)))) (set-cdr! (list-tail l (- (length l) 1)) l) l))
+(check 'b (car (told (list 'quasiquote (endless)))))
+(check "a list without an end (#0#) cannot stand around , or ,@" (told (list 'quasiquote (endless 'a '(unquote (+ 1 2)) 'c 'd))))
+(check "a list without an end (#0#) cannot stand around , or ,@" (told (list 'quasiquote (cons '(unquote (+ 1 2)) (endless 'a 'c 'd)))))
 (display failures) (newline)   ; expect: 0

@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 #include "visualscheme.h"
+#include "vm/machine/vs.h"
 
 typedef struct { long left; /* allocations until one is refused; negative: never */ size_t live, blocks; int told; } budget;
 
@@ -211,8 +212,56 @@ static void test_stops_refused(void **state) {
   }
 }
 
+/* What an interpreter let go of when it began anew was once subtracted from the new heap's bytes, which ran below 0:
+ * the limit was passed with nothing in it. */
+static void test_restarts_under_a_limit(void **state) {
+  (void)state;
+  budget b = { .left = -1 };
+  vs_options o = vs_options_default();
+  o.limit_memory = 64u << 20;
+  o.host.context = &b, o.host.diagnose = told;
+  vs_scheme *s = vs_new(&o);
+  assert_non_null(s);
+  size_t anew = 0;
+  for (int i = 0; i < 20; i++) {
+    assert_int_equal(run(s, "(define (f x) (if (< x 2) x (* x (f (- x 1))))) (f 20)", 0), VS_OUTCOME_DONE);
+    assert_int_equal(run(s, "(lambda (x) (if))", 0), VS_OUTCOME_MODEL);
+    assert_int_equal(vs_restart(s), VS_OUTCOME_DONE);
+    /* Twice, since every other time the heap image is mapped, and not counted. */
+    assert_int_equal(vs_restart(s), VS_OUTCOME_DONE);
+    if (i == 0) anew = s->bytes;
+    assert_int_equal(s->bytes, anew);
+    assert_int_equal(run(s, "(define p (open-input-string \"a b\")) (read p)", 0), VS_OUTCOME_DONE);
+    assert_int_equal(vs_restart(s), VS_OUTCOME_DONE);
+    assert_int_equal(run(s, "(define p (open-output-string)) (write 'abc p) (if)", 0), VS_OUTCOME_MODEL);
+    assert_int_equal(vs_restart(s), VS_OUTCOME_DONE);
+    assert_int_equal(s->bytes, anew);
+  }
+  vs_free(s);
+}
+
+/* A long text is looked at while nothing runs: the limits of the evaluation before are none of its own. */
+static void test_reading_after_a_limit(void **state) {
+  (void)state;
+  enum { LONG = 1 << 20 };
+  budget b = { .left = -1 };
+  vs_options o = vs_options_default();
+  o.limit_steps = 100000;
+  o.host.context = &b, o.host.diagnose = told;
+  vs_scheme *s = vs_new(&o);
+  char *text = malloc(LONG);
+  assert_non_null(s);
+  assert_non_null(text);
+  memset(text, 'a', LONG);
+  assert_int_equal(run(s, "(let loop () (loop))", 0), VS_OUTCOME_MACHINE);
+  for (int i = 0; i < 3; i++) assert_int_equal(vs_read_check(s, text, LONG).state, VS_READ_COMPLETE);
+  free(text);
+  vs_free(s);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(test_refusals), cmocka_unit_test(test_stops),
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_restarts_under_a_limit),
+      cmocka_unit_test(test_reading_after_a_limit), cmocka_unit_test(test_refusals), cmocka_unit_test(test_stops),
       cmocka_unit_test(test_stops_refused), cmocka_unit_test(test_limit) };
   return cmocka_run_group_tests_name("embedding", tests, NULL, NULL);
 }

@@ -337,8 +337,10 @@ bool vs_quasi_step(vs_expansion *x) {
   /* the spine: runs of plain elements and spliced lists, then a tail */
   size_t elements = 0, splices = 0, runs = 0;
   size_t in_run = 0;
-  vs_value l = form;
+  vs_value l = form, met = VS_NIL; /* Brent: met is a pair before l, a later one each time the distance has doubled */
   for (; vs_is_pair(l) && (l == form || quasi_kind(x->now.env, l) < 0); l = vs_cdr(l)) {
+    if (l == met) return vs_expand_fail(x, pos, VS_ABSENT, "a list without an end (#0#) cannot stand around , or ,@");
+    if ((elements & (elements - 1)) == 0) met = l;
     bool splice = level == 1 && quasi_kind(x->now.env, vs_car(l)) == VS_FORM_unquote_splicing;
     if (splice) { splices++; in_run = 0; }
     else { runs += in_run == 0; in_run = in_run + 1 == RUN ? 0 : in_run + 1; }

@@ -65,12 +65,26 @@ vs_scheme *vs_open_vm(const vs_config *config) {
   return vm;
 }
 
-void vs_close_vm(vs_scheme *vm) {
-  if (!vm) return;
+static void close_contents(vs_scheme *vm) {
   vs_gc_close(vm);
   if (vm->stack) vs_mem(vm, vm->stack, (size_t)((char *)vm->stack_end - (char *)vm->stack), 0);
   if (vm->call_args) vs_mem(vm, vm->call_args, vm->call_room * sizeof *vm->call_args, 0);
   if (vm->flat) vs_mem(vm, vm->flat, sizeof *vm->flat, 0);
+}
+
+static void free_shell(vs_scheme *vm) {
   if (vm->config.memory) vm->config.memory(vm->config.user, vm, sizeof *vm, 0);
   else free(vm);
+}
+
+void vs_close_vm(vs_scheme *vm) {
+  if (!vm) return;
+  close_contents(vm);
+  free_shell(vm);
+}
+
+void vs_replace_vm(vs_scheme *vm, vs_scheme *fresh) {
+  close_contents(vm);
+  *vm = *fresh;
+  free_shell(fresh);
 }

@@ -153,5 +153,8 @@ struct vs_scheme {
 /* An interpreter with the VM's own natives defined; NULL when memory is refused. */
 vs_scheme *vs_open_vm(const vs_config *config);
 void vs_close_vm(vs_scheme *vm);
+/* Closes the contents of vm and moves those of fresh in their place; fresh is no more then. Objects of the old heap know
+   vm by its address, so they are let go there. Fresh is as opened: no object in it knows its address. */
+void vs_replace_vm(vs_scheme *vm, vs_scheme *fresh);
 
 #endif
