@@ -1,6 +1,8 @@
 /* Owns the bounding volume hierarchy: a complete tree over the Morton order of the boxes' centres, four to a node.
  *
- * Cost: a radix sort and one pass up; a pair query walks from the top for every four blocks of four, so n log n for boxes that meet few others. */
+ * Cost: a radix sort and one pass up; a pair query walks from the top for every four blocks of four, so n log n for
+ * boxes that meet few others. Where all of a block, or of what is below it, is of one family, blocks of that family pass
+ * it over as a whole: n triangles about one corner, whose boxes all meet there, cost n log n as well. */
 #include "kernel/mesh/bvh.h"
 
 #include <string.h>
@@ -143,6 +145,16 @@ static vs_box around(const vs_pack *p) {
   return b;
 }
 
+/* The one family of all that is in the block of that level; -1 where there are several, or one has none. */
+static int32_t family_below(const vs_bvh *t, uint32_t level, uint32_t block) {
+  uint32_t all = level ? t->size[level - 1] : t->count, held = all - block * BLOCK < BLOCK ? all - block * BLOCK : BLOCK;
+  const vs_lanes *of = &t->family[t->first[level] + block];
+  int32_t family = (*of)[0];
+  for (uint32_t lane = 1; lane < held; lane++)
+    if ((*of)[lane] != family) return -1;
+  return family;
+}
+
 bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_box *boxes, uint32_t count) {
   uint32_t n = (count + BLOCK - 1) / BLOCK, all = 0;
   t->boxes = boxes;
@@ -155,7 +167,7 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_box *boxes, uint32_t count) 
     all += size;
   }
   bool ok = VS_ROOM(k, t->order, t->order_room, (size_t)count + 1) && VS_ROOM(k, t->packs, t->pack_room, (size_t)all + 1) &&
-            (!t->families || VS_ROOM(k, t->family, t->family_room, (size_t)n + 1)) && sort_morton(k, t);
+            (!t->families || VS_ROOM(k, t->family, t->family_room, (size_t)all + 1)) && sort_morton(k, t);
   for (uint32_t level = 1; ok && level < t->level_count; level++) {
     const vs_pack *below = t->packs + t->first[level - 1];
     vs_pack *to = t->packs + t->first[level];
@@ -164,6 +176,7 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_box *boxes, uint32_t count) 
     for (uint32_t i = 0; i < t->size[level - 1]; i++) {
       vs_box b = around(&below[i]);
       vs_pack_put(&to[i / BLOCK], i % BLOCK, &b);
+      if (t->families) t->family[t->first[level] + i / BLOCK][i % BLOCK] = family_below(t, level - 1, i);
     }
   }
   t->boxes = NULL;
@@ -186,14 +199,16 @@ typedef struct {
   const vs_bvh *t;
   vs_box box;
   uint32_t from;
+  int32_t family; /* what is all of this one is passed over; -1: nothing is */
   struct { uint32_t level, i; } stack[STACK];
   int top;
 } descent;
 
-static void begin(descent *d, const vs_bvh *t, const vs_box *box, uint32_t from) {
+static void begin(descent *d, const vs_bvh *t, const vs_box *box, uint32_t from, int32_t family) {
   d->t = t;
   d->box = *box;
   d->from = from;
+  d->family = family;
   d->top = 0;
   if (t->level_count) d->stack[d->top].level = t->level_count - 1, d->stack[d->top++].i = 0;
 }
@@ -202,7 +217,10 @@ static void begin(descent *d, const vs_bvh *t, const vs_box *box, uint32_t from)
 static bool next(descent *d, uint32_t *block, uint32_t *met) {
   const vs_bvh *t = d->t;
   while (d->top) {
-    uint32_t level = d->stack[--d->top].level, i = d->stack[d->top].i, set = vs_pack_bits(vs_pack_meeting(&t->packs[t->first[level] + i], &d->box));
+    uint32_t level = d->stack[--d->top].level, i = d->stack[d->top].i;
+    vs_lanes meeting = vs_pack_meeting(&t->packs[t->first[level] + i], &d->box);
+    if (d->family != -1) meeting &= t->family[t->first[level] + i] != d->family;
+    uint32_t set = vs_pack_bits(meeting);
     if (level == 0) {
       *block = i;
       *met = set;
@@ -235,8 +253,11 @@ bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn 
         if (b.max[j] > all.max[j]) all.max[j] = b.max[j];
       }
     }
+    int32_t family = t->has_families ? family_below(t, 0, from) : -1;
+    for (uint32_t a = from + 1; family != -1 && a < stop; a++)
+      if (family_below(t, 0, a) != family) family = -1;
     descent d;
-    begin(&d, t, &all, from);
+    begin(&d, t, &all, from, family);
     while (next(&d, &block, &met))
       for (uint32_t left = met; left;) {
         uint32_t j = next_bit(&left);
@@ -244,8 +265,8 @@ bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn 
         for (uint32_t a = from; a < stop && a <= block; a++) {
           vs_lanes meets = vs_pack_meeting(&t->packs[a], &box);
           if (t->has_families) {
-            int32_t family = t->family[block][j];
-            if (family != -1) meets &= t->family[a] != family;
+            int32_t own = t->family[block][j];
+            if (own != -1) meets &= t->family[a] != own;
           }
           for (uint32_t set = vs_pack_bits(meets) & (a == block ? (1u << j) - 1 : 15); set;)
             if (!fn(context, t->order[a * BLOCK + next_bit(&set)], t->order[block * BLOCK + j])) return false;
@@ -258,7 +279,7 @@ bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn 
 bool vs_bvh_query(const vs_bvh *t, const vs_box *box, vs_bvh_hit_fn *fn, void *context) {
   descent d;
   uint32_t block, met;
-  begin(&d, t, box, 0);
+  begin(&d, t, box, 0, -1);
   while (next(&d, &block, &met))
     while (met)
       if (!fn(context, t->order[block * BLOCK + next_bit(&met)])) return false;

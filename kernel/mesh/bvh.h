@@ -44,7 +44,7 @@ typedef struct {
   const uint32_t *families; /* his: two of one family are no pair; UINT32_MAX has none. Or NULL. Only while it is built, set before */
   uint32_t *order;          /* his numbers, sorted */
   vs_pack *packs;
-  vs_lanes *family;         /* of the items, where there are any */
+  vs_lanes *family;         /* of the items, and of all below a pack's lane, where they are one; else -1. Only with families */
   size_t order_room, pack_room, family_room;
   uint32_t count, level_count, first[18]; /* where each level's packs begin */
   uint32_t size[18];

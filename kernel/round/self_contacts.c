@@ -50,6 +50,10 @@ typedef struct {
   float normal[3], low, high;    /* its slab, and the margin on either side */
 } run;
 
+/* Of a busy run, as it is in each axis: between which coordinates it lies, and whether another one of its corners is
+ * within the margin of the least, or of the greatest. */
+typedef struct { double low[3], high[3]; bool near_low[3], near_high[3], any; /* any: low or changed */ } reach;
+
 typedef struct { VS_LIST(run) at; VS_LIST(vs_box) boxes; } runs;
 typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* kinds: OPEN, LEVEL */
 typedef struct { uint32_t a, b; } pair;
@@ -64,6 +68,7 @@ typedef struct {
   made all;
   VS_LIST(uint32_t) busy;        /* open runs */
   VS_LIST(vs_box) busy_boxes;
+  VS_LIST(reach) reaches;        /* of the busy ones */
   uint32_t *hub_of;              /* of the triangles; NULL: there are no hubs */
   size_t hub_room;
   VS_LIST(uint32_t) hubs;        /* of the open runs */
@@ -462,8 +467,37 @@ static bool look_open(void *context, uint32_t first, uint32_t second) {
   return look_pair(l, &all[first < second ? first : second], &all[first < second ? second : first]);
 }
 
+static bool reach_of(vs_kernel *k, search *c, const run *r) {
+  reach to = { .any = r->is_low || r->is_changed };
+  const corners *four = c->all.fours.at + r->first_four;
+  for (int axis = 0; axis < 3; axis++) {
+    double low = INFINITY, high = -INFINITY;
+    for (uint32_t i = 0; i < 4u * r->fours; i++) {
+      double x = coordinate(c->s->m->vertices[four[i / 4].corner[i % 4]], axis);
+      low = fmin(low, x), high = fmax(high, x);
+    }
+    for (uint32_t i = 0; i < 4u * r->fours; i++) {
+      double x = coordinate(c->s->m->vertices[four[i / 4].corner[i % 4]], axis);
+      to.near_low[axis] = to.near_low[axis] || (x != low && x - low <= c->margin);
+      to.near_high[axis] = to.near_high[axis] || (x != high && high - x <= c->margin);
+    }
+    to.low[axis] = low, to.high[axis] = high;
+  }
+  return VS_PUSH(k, c->reaches, to);
+}
+
+/* Is it busy by this storey? What is so by others alone is apart from what lies in this one (see is_busy). */
+static bool is_busy_at(const search *c, const reach *r, int axis, double value) {
+  double low = r->low[axis], high = r->high[axis];
+  if (r->any) return true;
+  if (value == low || value == high) return (value == low && r->near_low[axis]) || (value == high && r->near_high[axis]);
+  return low - value <= c->margin && value - high <= c->margin;
+}
+
 static bool look_level(void *context, uint32_t busy) {
   looking *l = context;
+  const run *level = l->level;
+  if (!is_busy_at(l->c, &l->c->reaches.at[busy], level->level, level->value)) return vs_kernel_poll(l->k, 1);
   return look_pair(l, l->level, &l->c->all.kinds[OPEN].at.at[l->c->busy.at[busy]]);
 }
 
@@ -547,6 +581,7 @@ bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
       vs_kernel_pipeline(k, (s->m->triangle_count + TRIANGLES - 1) / TRIANGLES, make_runs, take_runs, &c);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) drop_made(k, &c.found[i]);
   for (size_t i = 0; ok && c.hub_of && i < open->at.count; i++) ok = VS_PUSH(k, c.hubs, open->at.at[i].hub);
+  for (size_t i = 0; ok && i < c.busy.count; i++) ok = vs_kernel_poll(k, 1) && reach_of(k, &c, &open->at.at[c.busy.at[i]]);
   c.bvh.families = c.hub_of ? c.hubs.at : NULL;
   ok = ok && vs_bvh_build(k, &c.bvh, open->boxes.at, (uint32_t)open->boxes.count) &&
        vs_bvh_build(k, &c.busy_bvh, c.busy_boxes.at, (uint32_t)c.busy.count) &&
@@ -558,6 +593,7 @@ bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
   vs_bvh_free(k, &c.busy_bvh);
   VS_DROP(k, c.busy);
   VS_DROP(k, c.busy_boxes);
+  VS_DROP(k, c.reaches);
   VS_DROP(k, c.hubs);
   VS_FREE(k, c.hub_of, c.hub_room);
   drop_made(k, &c.all);

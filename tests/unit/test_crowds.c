@@ -7,11 +7,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <cmocka.h>
 
 #include "kernel/check.h"
+#include "kernel/mesh/bvh.h"
 #include "kernel/round/hubs.h"
 #include "tests/oracle/sx.c"
 #include "visualscheme.h"
@@ -158,6 +160,53 @@ static void test_hubs(void **state) {
   assert_false(is_proven(CONE, 60)); /* so few are tried */
 }
 
+/* ---- families ---- */
+
+typedef struct { uint32_t family, alone; } met; /* pairs in which one is of the family, and in which none is */
+enum { OF_ONE = 200000, ALONE = 40 };
+
+static bool count_pair(void *context, uint32_t a, uint32_t b) {
+  met *m = context;
+  assert_true(a >= OF_ONE || b >= OF_ONE);
+  if (a < OF_ONE || b < OF_ONE) m->family++;
+  else m->alone++;
+  return true;
+}
+
+/* 200,000 boxes that all meet, of one family, and some of none: only the pairs with those are told of, and the others
+ * are not walked over one by one, which would be some 10^9 blocks. */
+static void test_families(void **state) {
+  (void)state;
+  vs_kernel_options options = { .threads = 1 };
+  vs_kernel_error e = { 0 };
+  vs_kernel k = { .options = &options, .error = &e, .threads = 1 };
+  vs_box *boxes = malloc((OF_ONE + ALONE) * sizeof *boxes);
+  uint32_t *families = malloc((OF_ONE + ALONE) * sizeof *families);
+  assert_non_null(boxes);
+  assert_non_null(families);
+  for (int32_t i = 0; i < OF_ONE; i++) { /* from the origin to places all around */
+    int32_t x = (int32_t)(1e8 * cos(i * 2e-5)), y = (int32_t)(1e8 * sin(i * 2e-5));
+    boxes[i] = (vs_box){ { x < 0 ? x : 0, y < 0 ? y : 0, 0 }, { x > 0 ? x : 0, y > 0 ? y : 0, 1000 } };
+    families[i] = 7;
+  }
+  for (int32_t i = OF_ONE; i < OF_ONE + ALONE; i++) { /* around the origin, and through all */
+    boxes[i] = (vs_box){ { -i, -i, -i }, { i, i, i } };
+    families[i] = UINT32_MAX;
+  }
+  vs_bvh tree = { .families = families };
+  met m = { 0, 0 };
+  clock_t begin = clock();
+  assert_true(vs_bvh_build(&k, &tree, boxes, OF_ONE + ALONE));
+  assert_true(vs_bvh_pairs(&tree, 0, UINT32_MAX, count_pair, &m));
+  double seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
+  assert_int_equal(m.family, OF_ONE * ALONE);
+  assert_int_equal(m.alone, ALONE * (ALONE - 1) / 2);
+  if (seconds > 3) fail_msg("%g s for %d boxes", seconds, OF_ONE);
+  vs_bvh_free(&k, &tree);
+  free(boxes);
+  free(families);
+}
+
 /* ---- tables ---- */
 
 /* Boxes of their own sizes, apart: each is a mesh of its own in the table, which grows several times; and every tenth
@@ -198,6 +247,6 @@ static void test_many_meshes(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(test_levels), cmocka_unit_test(test_crowd_is_found),
-      cmocka_unit_test(test_hubs), cmocka_unit_test(test_many_meshes) };
+      cmocka_unit_test(test_hubs), cmocka_unit_test(test_families), cmocka_unit_test(test_many_meshes) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
