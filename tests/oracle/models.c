@@ -1,7 +1,9 @@
 /* Owns the making and shrinking of random programs: see models.h.
  *
- * The kinds are those of model/prims.def whose class is a solid or what its children are. A kind is made by (make-NAME ...) or (do-NAME ...), whose forms and contracts are
- * bind/'s own table: a new kind joins when it has a row in both. Sets of solids are made apart. */
+ * The kinds are those of model/prims.def. Most are made by (make-NAME ...), (do-NAME ...) or (NAME ...), whose forms and
+ * contracts are bind/'s own table: a new kind joins when it has a row in both. The others are made by the lines of
+ * `by_hand`, are sets of solids, or stand for no solid, and `no_model` says why; a kind that none of these has is missing,
+ * and the test fails. Curves and regions are profiles of what is swept. */
 #include "tests/oracle/models.h"
 
 #include <stdarg.h>
@@ -19,11 +21,61 @@ static const kind_row kinds[] = {
 #include "model/prims.def"
 };
 
-/* Kinds that stand for no solid of their own, or whose arguments no contract says. */
-static const char *const left_out[] = { "empty-object", "native", "highlight", "with-material", "layer", "only", "unite", "subtract", "intersect", "transform", "slice", "offset", "surface",
-                                         "mesh", "guided-loft", "half-space", "height-field", "polyface-mesh" };
+/* What a program says where no procedure of the table makes the kind, or its arguments belong together. $s is a solid, $c
+ * a profile, $n a number, $p a point, $i a whole number from 3 to 8. */
+static const struct { const char *kind, *text; } by_hand[] = {
+  { "spline", "(make-spline (list (xy 1 0) (xyz $n 2 0) (xy 3 1)))" },
+  { "spline", "(make-spline (list (xy 1 0) (xy 3 0) (xyz 2 $n 0) (xy 1 0)))" },
+  { "text", "(make-text (xyz 0 0 0) $n \"aB8\")" },
+  { "text", "(make-text $p 2 \"%Q\" #:align 'center #:valign 'top)" },
+  { "half-space", "(intersect $s (make-half-space (make-plane $p (vxyz 1 $n 1))))" },
+  { "half-space", "(subtract $s (make-half-space (make-plane $p 'z)))" },
+  { "half-space", "(unite $s (intersect $s (make-half-space 'xy) (make-half-space (make-plane $p (vxyz 1 1e-6 0)))))" },
+  { "height-field", "(make-height-field '((0 1 0) (1 $n 2) (0 2 1) (1 0 $n)) (xy -1 -1) (xy 2 $n))" },
+  { "height-field", "(make-height-field '((0 0) (0 $n)) (xy 0 0) (xy 2 2) #:low -1)" },
+  { "polyface-mesh", "(make-polyface-mesh (list (xyz 0 0 0) (xyz 2 0 0) (xyz 0 2 0) $p) '((1 3 2) (1 2 4) (2 3 4) (3 1 4)))" },
+  { "polyface-mesh", "(make-polyface-mesh (list (xyz 0 0 0) (xyz 2 0 0) (xyz 2 2 0) (xyz 0 2 $n) (xyz 0 0 2) (xyz 2 0 2) (xyz 2 2 2) "
+                     "(xyz 0 2 2)) '((1 4 3 2) (5 6 7 8) (1 2 6 5) (2 3 7 6) (3 4 8 7) (4 1 5 8)) #:repair #t)" },
+  { "mesh", "(make-mesh (map-division (lambda (u) (map-division (lambda (v) (cyl (+ 2 (* $n 1/3 (cos v))) u (sin v))) 0 2pi $i)) 0 2pi $i))" },
+  { "mesh", "(make-mesh (map (lambda (r z) (map-division (lambda (a) (cyl r a z)) 0 2pi $i)) '(0 1 $n 0) '(0 0 2 2)))" },
+  { "surface", "(make-surface (lambda (u v) (sph $n u v)) 0 2pi 0 pi #:nu $i #:nv $i)" },
+  { "surface", "(make-surface (lambda (u v) (cyl (+ 2 (cos v)) u (+ (* $n u) (sin v)))) 0 2pi 0 2pi #:nu 12 #:nv $i)" },
+  { "guided-loft", "(do-guided-loft (list (make-circle origin 1) (make-circle (xyz 0 0 4) $n)) (make-spline (xyz 0 0 0) (xyz $n 0 2) (xyz 0 0 4)))" },
+  { "guided-loft", "(let ((bow (make-spline (xyz 1 0 0) (xyz $n 0 2) (xyz 1 0 4)))) (do-guided-loft (list (make-circle origin 1) "
+                   "(make-circle (xyz 0 0 4) 1)) (list bow (do-rotate bow 'z pi))))" },
+  { "with-material", "(unite (with-material \"brick\" $s) (with-material \"glass\" $s))" },
+  { "layer", "(unite (layer \"walls\" $s) $s)" },
+  { "native", "(native 'povray \"sphere { 0, 1 }\" #:otherwise $s)" },
+  { "highlight", "(highlight $s)" },
+  { "custom", "(let () (define-primitive (slab w) (make-box origin 2 w 1)) (unite (slab $n) $s))" },
+  { "deform", "(scope-place (make-ffd-scope (xyz -2 2 0) (xyz 2 2 0) (xyz -1 1 $n) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 0) (xyz -1 -1 3) $p) $s)" },
+  { "offset", "(do-offset $c $n)" },
+  { "offset", "(do-offset $c -.1 #:corners 'round)" },
+  { "section", "(do-section $s (make-plane $p 'z))" },
+  { "section", "(do-section $s 'xy)" },
+  { "project", "(do-project $s 'xy)" },
+  { "join-curves", "(join-curves (make-line (xy 1 0) (xy 3 0)) (make-arc (xy 2 0) 1 0 pi))" },
+  { "ruled-loft", "(do-ruled-loft (list $c (do-move $c (vxyz 0 0 2)) (xyz 0 0 3)))" },
+  { "extrude", "(do-extrude $c 2 #:twist $n #:scale $n)" },
+};
 
-typedef struct { uint64_t state; char *text; size_t count; int depth; } maker;
+/* Kinds that stand for no solid, and no profile of one. */
+static const struct { const char *kind, *why; } no_model[] = {
+  { "ghost", "no part of any drawing" },
+  { "only", "what is drawn is then not what is measured" },
+  { "xline", "endless" },
+  { "ray", "endless" },
+  { "edges", "many curves" },
+};
+static const char *const sets[] = { "unite", "subtract", "intersect" };
+
+typedef struct {
+  uint64_t state;
+  char *text;
+  size_t count;
+  int depth;
+  const char *first; /* the kind that the first leaf is to be; NULL once it is */
+} maker;
 
 static uint32_t any(maker *m, uint32_t n) { /* 0 .. n-1 */
   m->state ^= m->state << 13;
@@ -51,23 +103,53 @@ static const vs_procedure *procedure_of(const char *kind, char name[64]) {
   return NULL;
 }
 
-static bool is_solid(const kind_row *k) {
-  char name[64];
-  if (strcmp(k->class_, "SOLID") != 0 && strcmp(k->class_, "INHERIT") != 0) return false;
-  for (size_t i = 0; i < sizeof left_out / sizeof *left_out; i++)
-    if (strcmp(left_out[i], k->name) == 0) return false;
-  return procedure_of(k->name, name) != NULL;
+static bool is_set(const char *kind) {
+  for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
+    if (strcmp(sets[i], kind) == 0) return true;
+  return false;
 }
-
-size_t model_kinds(void) {
+static const char *no_model_why(const char *kind) {
+  for (size_t i = 0; i < sizeof no_model / sizeof *no_model; i++)
+    if (strcmp(no_model[i].kind, kind) == 0) return no_model[i].why;
+  return NULL;
+}
+static size_t hands(const char *kind) { /* how many lines of by_hand make it */
   size_t n = 0;
-  for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) n += is_solid(&kinds[i]);
+  for (size_t i = 0; i < sizeof by_hand / sizeof *by_hand; i++) n += strcmp(by_hand[i].kind, kind) == 0;
   return n;
 }
-const char *model_kind(size_t which) {
+static bool is_profile(const kind_row *k) {
+  return strcmp(k->class_, "CURVE") == 0 || strcmp(k->class_, "REGION") == 0 || strcmp(k->name, "offset") == 0;
+}
+
+static bool taken(const kind_row *k, bool profile) { return !is_set(k->name) && !no_model_why(k->name) && is_profile(k) == profile; }
+static size_t count_kinds(bool profile) {
+  size_t n = 0;
+  for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) n += taken(&kinds[i], profile);
+  return n;
+}
+static const char *kind_at(size_t which, bool profile) {
   for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-    if (is_solid(&kinds[i]) && which-- == 0) return kinds[i].name;
+    if (taken(&kinds[i], profile) && which-- == 0) return kinds[i].name;
   return NULL;
+}
+size_t model_kinds(void) { return count_kinds(false) + count_kinds(true); }
+const char *model_kind(size_t which) {
+  size_t solids = count_kinds(false);
+  return which < solids ? kind_at(which, false) : kind_at(which - solids, true);
+}
+const char *model_kind_word(size_t which, char word[64]) {
+  const char *kind = model_kind(which);
+  if (!procedure_of(kind, word) || hands(kind))
+    for (size_t i = 0; i < sizeof by_hand / sizeof *by_hand; i++)
+      if (strcmp(by_hand[i].kind, kind) == 0) {
+        const char *name = strstr(by_hand[i].text, kind), *from = name;
+        if (!name) return strcpy(word, strcmp(kind, "custom") == 0 ? "(define-primitive " : "(scope-place ");
+        while (*from != '(') from--;
+        snprintf(word, 64, "%.*s ", (int)(name + strlen(kind) - from), from);
+        return word;
+      }
+  return procedure_of(kind, word) ? word : NULL;
 }
 
 /* ---- arguments ---- */
@@ -97,8 +179,17 @@ static void angle(maker *m) {
   }
 }
 
+static bool solid(maker *m);
+static bool made(maker *m, const char *kind);
+
 static void profile(maker *m, bool closed) {
   static const char *const stars[] = { "(make-polygon (xy 0 0) (xy 2 0) (xy 2 1) (xy 0 1))", "(make-polygon (xy 1 0) (xy 3 0) (xy 2 1.5))", "(make-polygon (xy 1 0) (xy 3 0) (xy 1.5 .5) (xy 2 2))" };
+  if (m->depth > -3 && any(m, 3) == 0) { /* a kind of the table; deep down a plain one, or some would never end */
+    m->depth--;
+    bool done = made(m, kind_at(any(m, (uint32_t)count_kinds(true)), true));
+    m->depth++;
+    if (done) return;
+  }
   uint32_t which = any(m, closed ? 5 : 7);
   if (which == 0) say(m, "(make-circle (xy %d 0) %g)", (int)any(m, 4), 0.25 + any(m, 4) / 4.0);
   else if (which == 1) say(m, "(make-region (make-circle (xy 3 0) 1) (make-circle (xy 3 0) .5))");
@@ -106,7 +197,6 @@ static void profile(maker *m, bool closed) {
   else say(m, "(make-line (xyz 0 0 0) (xyz %g 0 2) (xyz 2 1 3))", (double)any(m, 3));
 }
 
-static bool solid(maker *m);
 
 /* False: no sample of the contract is known. */
 static bool argument(maker *m, int contract, const char *name) {
@@ -117,7 +207,8 @@ static bool argument(maker *m, int contract, const char *name) {
   case VS_C_ANGLE: angle(m); return true;
   case VS_C_DEGREES: number(m, 0, 80); return true;
   case VS_C_SOME: case VS_C_NATURAL: say(m, "%d", 1 + (int)any(m, 5)); return true;
-  case VS_C_SIDES: case VS_C_SEGMENTS: say(m, "%d", 3 + (int)any(m, 20)); return true;
+  case VS_C_SIDES: say(m, "%d", 3 + (int)any(m, 20)); return true;
+  case VS_C_SEGMENTS: say(m, "%d", 24 + (int)any(m, 40)); return true; /* fewer have another volume than the formula */
   case VS_C_BOOLEAN: say(m, any(m, 2) ? "#t" : "#f"); return true;
   case VS_C_POINT: case VS_C_PLACE: triple(m, "xyz", -3, 3); return true;
   case VS_C_VECTOR: triple(m, "vxyz", -2, 2); return true;
@@ -128,6 +219,7 @@ static bool argument(maker *m, int contract, const char *name) {
     return true;
   case VS_C_PLANE: say(m, any(m, 2) ? "'yz" : "(make-plane (xyz 1 0 0) (vxyz 1 2 3))"); return true;
   case VS_C_FACTOR: if (any(m, 2)) number(m, 0.25, 2); else say(m, "(list 1 %g 2)", 0.5 + any(m, 4)); return true;
+  case VS_C_STAND: say(m, "'x%c", "yz"[any(m, 2)]); return true;
   case VS_C_MATRIX: say(m, "(rotation-matrix %g 'x)", any(m, 9) / 3.0); return true;
   case VS_C_CURVE: case VS_C_CURVES: case VS_C_PROFILE: case VS_C_FLAT: profile(m, strcmp(name, "path") != 0 && any(m, 4)); return true;
   case VS_C_SECTIONS: say(m, "(list (make-circle origin 1) (do-move "); profile(m, true); say(m, " (vxyz 0 0 2)))"); return true;
@@ -138,37 +230,85 @@ static bool argument(maker *m, int contract, const char *name) {
   }
 }
 
+static void by_line(maker *m, const char *text) {
+  for (; *text; text++) {
+    if (*text != '$') {
+      say(m, "%c", *text);
+      continue;
+    }
+    switch (*++text) {
+    case 's': solid(m); break;
+    case 'c': profile(m, true); break;
+    case 'n': number(m, 0, 3); break;
+    case 'p': triple(m, "xyz", -1, 3); break;
+    case 'i': say(m, "%d", 3 + (int)any(m, 6)); break;
+    }
+  }
+}
+
 static bool made(maker *m, const char *kind) {
   char name[64];
   const vs_procedure *p = procedure_of(kind, name);
-  size_t before = m->count;
+  size_t before = m->count, lines = hands(kind);
   int forms = 0;
+  if (lines && (!p || any(m, 2))) {
+    size_t which = any(m, (uint32_t)lines);
+    for (size_t i = 0; i < sizeof by_hand / sizeof *by_hand; i++)
+      if (strcmp(by_hand[i].kind, kind) == 0 && which-- == 0) by_line(m, by_hand[i].text);
+    return true;
+  }
   if (!p) return false;
   while (forms < VS_MAX_FORMS && p->form[forms].used) forms++;
   const vs_form *form = &p->form[forms ? any(m, (uint32_t)forms) : 0];
+  bool known = true;
   say(m, "(%s", name);
-  for (int i = 0; form->at[i].mode != VS_ARG_END; i++) {
+  for (int i = 0; known && form->at[i].mode != VS_ARG_END; i++) {
     const vs_bind_param *q = &form->at[i];
     if (q->mode == VS_ARG_OPTIONAL && any(m, 3)) break;
     say(m, " ");
-    if (argument(m, q->contract, q->name)) continue;
-    m->count = before;
-    m->text[before] = 0;
-    return false;
+    known = argument(m, q->contract, q->name);
+  }
+  for (int i = 0; known && i < VS_MAX_KEYS && p->key[i].mode != VS_ARG_END; i++) {
+    size_t at = m->count;
+    if (any(m, 4)) continue;
+    say(m, " #:%s ", p->key[i].name);
+    if (argument(m, p->key[i].contract, p->key[i].name)) continue;
+    m->count = at;
+    m->text[at] = 0;
   }
   say(m, ")");
+  if (known) return true;
+  m->count = before;
+  m->text[before] = 0;
+  return false;
+}
+
+/* Every kind has its turn: the first leaf of a model is of the kind that its seed names, or made from such a profile. */
+static bool first_leaf(maker *m) {
+  const char *kind = m->first;
+  m->first = NULL;
+  for (size_t i = 0; i < count_kinds(false); i++)
+    if (strcmp(kind, kind_at(i, false)) == 0) return made(m, kind);
+  bool thick = any(m, 3) == 0;
+  say(m, thick ? "(do-thicken " : "(do-extrude ");
+  if (!made(m, kind)) profile(m, true);
+  say(m, thick ? " .25)" : " 1)");
   return true;
 }
 
 static void leaf(maker *m) {
+  if (m->first && first_leaf(m)) return;
   for (int tries = 0; tries < 40; tries++) {
-    if (any(m, 3) == 0) {
+    if (any(m, 3) == 0 || m->depth < -3) {
       say(m, "(make-box ");
       triple(m, "xyz", -2, 1);
       say(m, " %g %g %g)", 0.5 + any(m, 4), 0.5 + any(m, 4), 0.05 + any(m, 3));
       return;
     }
-    if (made(m, model_kind(any(m, (uint32_t)model_kinds())))) return;
+    m->depth--; /* a solid in an argument is plainer */
+    bool done = made(m, kind_at(any(m, (uint32_t)count_kinds(false)), false));
+    m->depth++;
+    if (done) return;
   }
   say(m, "(make-box origin 1 1 1)");
 }
@@ -177,7 +317,9 @@ static void placed(maker *m, size_t from) { /* what stands from there on, once m
   static char was[MODEL_ROOM];
   snprintf(was, sizeof was, "%s", m->text + from);
   m->count = from;
-  switch (any(m, 6)) {
+  switch (any(m, 8)) {
+  case 6: say(m, "(do-transform %s (make-matrix 1 %g 0 0  0 1 0 0  %s 0 1 0  0 0 0 1))", was, any(m, 3) / 2.0, any(m, 2) ? ".25" : "1e-7"); break;
+  case 7: say(m, "(do-slice %s ", was), argument(m, VS_C_PLANE, ""), say(m, ")"); break;
   case 0: say(m, "(do-rotate %s '%c ", was, "xyz"[any(m, 3)]), tiny_angle(m), say(m, ")"); break;
   case 1: say(m, "(do-rotate %s (vxyz 1 2 3) ", was), angle(m), say(m, ")"); break;
   case 2: say(m, "(do-scale %s %s)", was, any(m, 2) ? "1e-3" : "1.0000001"); break;
@@ -188,7 +330,6 @@ static void placed(maker *m, size_t from) { /* what stands from there on, once m
 }
 
 static bool solid(maker *m) {
-  static const char *const sets[] = { "unite", "subtract", "intersect" };
   static char was[MODEL_ROOM];
   size_t from = m->count;
   if (m->depth <= 0 || any(m, 3) == 0) {
@@ -217,7 +358,7 @@ static bool solid(maker *m) {
 }
 
 void model_make(uint64_t seed, char text[MODEL_ROOM]) {
-  maker m = { .state = seed * 0x9e3779b97f4a7c15u + 0x2545f4914f6cdd1du, .text = text, .depth = 2 };
+  maker m = { .state = seed * 0x9e3779b97f4a7c15u + 0x2545f4914f6cdd1du, .text = text, .depth = 2, .first = model_kind(seed % model_kinds()) };
   text[0] = 0;
   for (int i = 0; i < 8; i++) any(&m, 2);
   solid(&m);
@@ -259,7 +400,6 @@ static void slightly_turned(maker *m, size_t from) { /* what stands from there o
 }
 
 static void whole_set(maker *m, int depth) {
-  static const char *const sets[] = { "unite", "subtract", "intersect" };
   if (depth == 0) {
     whole_leaf(m);
     return;

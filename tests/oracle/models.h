@@ -14,9 +14,11 @@ void model_make(uint64_t seed, char text[MODEL_ROOM]);
 /* Another class: two to four plain solids on whole numbers, flush with each other, of which some are turned by 1e-5 to
  * 1e-7 degrees, or are near copies, combined. */
 void model_make_turned(uint64_t seed, char text[MODEL_ROOM]);
-/* How many kinds of solids the table has that a procedure makes; and the name of each. */
+/* How many kinds of solids and of profiles the table has; the name of each; and the word by which a model that has it is
+ * known, NULL where nothing here makes it. */
 size_t model_kinds(void);
 const char *model_kind(size_t i);
+const char *model_kind_word(size_t i, char word[64]);
 
 /* Does it fail? Asked again and again for smaller expressions. */
 typedef bool model_fails(void *context, const char *text);

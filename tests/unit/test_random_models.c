@@ -28,7 +28,7 @@ typedef struct {
   char error[600], warning[2000], *out;
   size_t out_count;
 } said;
-typedef struct { vs_scheme *vm; said heard; char why[900]; unsigned line; bool volumes; /* asked for: they take longest */ } trial;
+typedef struct { vs_scheme *vm; said heard; char why[900]; unsigned line; bool volumes; /* asked for, and two more formats: they take longest */ } trial;
 
 static size_t models, refused, empty, solids, warned, asked_points, inside_points, made_of[64], silent[4], told[4];
 
@@ -245,6 +245,12 @@ static bool fails(void *context, const char *text) {
   }
   bool solid = number_of(t, "(if (solid? o) 1 0)", &v) && v > 0; /* else .off holds open faces as well */
   bool bad = (solid && bad_mesh(t, ".off", &off)) || bad_mesh(t, ".stl", &single);
+  static const char *const others[] = { ".ply", ".glb" };
+  for (int i = 0; i < 2 && solid && !bad && t->volumes; i++) {
+    written other = { .volume = 0 };
+    bad = bad_mesh(t, others[i], &other);
+    release(&other);
+  }
   if (!bad && !off.s.count) empty++;
   if (!bad && off.s.count) {
     solids++;
@@ -277,9 +283,8 @@ static void models_are_right(void **state) {
     t.volumes = seed % 4 == 0 || (longer && *longer) || (asked && *asked);
     bool wrong = fails(&t, text);
     for (size_t i = 0; solids > before && i < model_kinds() && i < 64; i++) {
-      char name[64];
-      procedure_of(model_kind(i), name);
-      made_of[i] += strstr(text, name) != NULL;
+      char word[64];
+      made_of[i] += model_kind_word(i, word) && strstr(text, word);
     }
     if (!wrong) continue;
     bad++;
@@ -296,7 +301,8 @@ static void models_are_right(void **state) {
   if (to - from < 400) return;
   assert_true(solids * 4 > models && inside_points * 10 > asked_points); /* it has looked at something */
   for (size_t i = 0; i < model_kinds() && i < 64; i++)
-    if (!made_of[i]) fail_msg("no solid was made of the kind %s: its arguments are to be found in tests/oracle/models.c", model_kind(i));
+    if (!made_of[i])
+      fail_msg("no solid was made of the kind %s: it wants a line in tests/oracle/models.c", model_kind(i));
 }
 
 /* ---- models whose parts are turned by very little ---- */
