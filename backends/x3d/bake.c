@@ -1,9 +1,12 @@
 /* Owns the choice of what becomes triangles, and making it so.
  *
- * How many Shapes a viewer must draw is counted through all uses. While they are too many, templates are baked, the innermost first (their
- * numbers are the smallest): all forms in one become triangle sets, one a material, in its own coordinates. When all are baked the
+ * How many Shapes a viewer must draw is counted through all uses. If they are too many, stretches of the drawing that
+ * repeat become templates (repeats.c). While they are too many, templates are baked, the innermost first (their numbers are
+ * the smallest): all forms in one become triangle sets, one a material, in its own coordinates. When all are baked the
  * drawing's own forms are, and at last the uses in it. A baked template only uses baked ones. */
-#include "backends/x3d/x3d.h"
+#include "backends/x3d/bake.h"
+
+#include "backends/x3d/repeats.h"
 
 /* ---- one group into another ---- */
 
@@ -98,7 +101,7 @@ static bool bake_sheared(vs_emitter *e) {
 }
 
 /* Bytes that a form is as triangles with so many facets a turn, about: corners with their normals, and three numbers a triangle. */
-static double bake_bytes(vs_x3d_form form, double facets) {
+double vs_x3d_form_bytes(vs_x3d_form form, double facets) {
   switch (form) {
   case VS_X3D_BOX: break;
   case VS_X3D_SPHERE: return 40 * facets * facets;
@@ -115,7 +118,7 @@ static bool bake_estimate(vs_emitter *e, int least, double *bytes) {
     for (size_t i = 0; i < x->groups[k].item_count; i++) {
       if ((i & 0xfff) == 0 && !vs_emit_progress(e, "meshing", -1)) return false;
       const vs_x3d_item *item = &x->groups[k].items[i];
-      *bytes += bake_bytes(item->form, vs_x3d_facets(e, item, least));
+      *bytes += vs_x3d_form_bytes(item->form, vs_x3d_facets(e, item, least));
     }
   return true;
 }
@@ -136,7 +139,7 @@ static bool bake_coarsely(vs_emitter *e) {
   return i == 0 || vs_emit_warn_once(e, NULL, "so many shapes are shown as triangles that small round ones are cut coarsely here; parts that are made once and placed several times keep their facets");
 }
 
-static double bake_text(const vs_x3d *x, const vs_x3d_group *g) {
+double vs_x3d_batch_bytes(const vs_x3d *x, const vs_x3d_group *g) {
   double bytes = 0;
   for (size_t i = 0; g->batches != NULL && i < x->batch_count; i++) {
     const vs_x3d_batch *b = &g->batches[i];
@@ -146,18 +149,16 @@ static double bake_text(const vs_x3d *x, const vs_x3d_group *g) {
 }
 
 /* All that is left are the drawing's uses of baked templates. They become triangles too, those first that take the least text for a Shape: until there are few Shapes, or
- * the text is long. What stays is used, which viewers draw slowly, but a file of all its copies they would not open. */
+ * the text is long. What would take more than a Shape costs stays a use. */
 static bool bake_cheapest(vs_emitter *e, const double *shapes, double many) {
   vs_x3d *x = e->state;
   vs_x3d_group *g = &x->groups[0];
   double *price = vs_store_realloc(e->scene->store, NULL, 0, x->group_count * sizeof *price);
   if (price == NULL) return vs_emit_no_memory(e);
   double most = VS_X3D_BAKED_MOST, bytes = 0;
-  for (size_t k = 0; k < x->group_count; k++) price[k] = bake_text(x, &x->groups[k]);
-  for (size_t i = 0; i < g->use_count; i++) bytes += price[g->uses[i].group];
-  bool all = bytes <= most, ok = !all || bake_uses(e, g);
-  bytes = 0;
-  for (double limit = 64; ok && g->use_count > 0 && many > VS_X3D_NATIVE_MAX; limit *= 2) { /* bytes a Shape */
+  bool ok = true;
+  for (size_t k = 0; k < x->group_count; k++) price[k] = vs_x3d_batch_bytes(x, &x->groups[k]);
+  for (double limit = VS_X3D_SHAPE_BYTES / 128; ok && limit <= VS_X3D_SHAPE_BYTES && many > VS_X3D_NATIVE_MAX; limit *= 2) { /* bytes a Shape */
     size_t kept = 0;
     bool dearer = false;
     for (size_t i = 0; ok && i < g->use_count; i++) {
@@ -182,7 +183,6 @@ static bool bake_cheapest(vs_emitter *e, const double *shapes, double many) {
 static bool bake_until_few(vs_emitter *e, double *shapes) {
   vs_x3d *x = e->state;
   bool few = bake_count(x, shapes) <= VS_X3D_NATIVE_MAX;
-  if (!few && !bake_coarsely(e)) return false;
   for (size_t k = 1; !few && k < x->group_count; k++) {
     if (!bake_items(e, &x->groups[k]) || !bake_uses(e, &x->groups[k])) return false;
     /* counting costs the number of templates: not after every one where they are many */
@@ -220,11 +220,33 @@ static bool bake_paints(vs_emitter *e) {
   return true;
 }
 
-bool vs_x3d_settle(vs_emitter *e) {
-  vs_x3d *x = e->state;
+/* Room for a count a group, which bake_count fills. */
+static double *bake_room(vs_emitter *e) {
+  const vs_x3d *x = e->state;
   double *shapes = vs_store_realloc(e->scene->store, NULL, 0, x->group_count * sizeof *shapes);
-  if (shapes == NULL) return vs_emit_no_memory(e);
-  bool ok = bake_sheared(e) && bake_until_few(e, shapes) && bake_paints(e);
+  if (shapes == NULL) vs_emit_no_memory(e);
+  return shapes;
+}
+
+static bool bake_too_many(vs_emitter *e, bool *many) {
+  const vs_x3d *x = e->state;
+  double *shapes = bake_room(e);
+  if (shapes == NULL) return false;
+  *many = bake_count(x, shapes) > VS_X3D_NATIVE_MAX;
   vs_emit_release(e, shapes, x->group_count, sizeof *shapes);
+  return true;
+}
+
+static bool bake_many(vs_emitter *e) {
+  const vs_x3d *x = e->state;
+  if (!vs_x3d_repeats(e) || !bake_coarsely(e)) return false;
+  double *shapes = bake_room(e);
+  bool ok = shapes != NULL && bake_until_few(e, shapes);
+  if (shapes != NULL) vs_emit_release(e, shapes, x->group_count, sizeof *shapes);
   return ok;
+}
+
+bool vs_x3d_settle(vs_emitter *e) {
+  bool many = false;
+  return bake_sheared(e) && bake_too_many(e, &many) && (!many || bake_many(e)) && bake_paints(e);
 }

@@ -1,4 +1,5 @@
-/* Owns what the files of the X3D back-end share. collect.c: the drawing as groups of shapes; bake.c: which groups become triangles;
+/* Owns what the files of the X3D back-end share. collect.c: the drawing as groups of shapes; repeats.c: what repeats becomes templates;
+ * bake.c: which groups become triangles;
  * text.c: the two notations; scene.c: what is written. Beside them, with collecting of its own: packed.c, the tree as bytes for our own viewer;
  * page.c, the web page round that.
  *
@@ -14,6 +15,7 @@
 enum { VS_X3D_NATIVE_MAX = 1500 }; /* Shapes of their own, at most */
 /* Bytes of baked forms, about, from which on they are cut coarsely, and beyond which copies of templates stay copies: browsers show some 2 MB of triangles in a second. */
 #define VS_X3D_BAKED_MOST 30e6
+#define VS_X3D_SHAPE_BYTES 10e3 /* triangles that x3dom and X_ITE open and draw in the time of one more Shape: a megabyte for some hundred */
 enum { VS_X3D_COARSEST = 8 };        /* facets a turn */
 #define VS_X3D_COARSE_CREASE 1.0     /* radians: more than from one such facet to the next, less than from a wall to its lid */
 
@@ -82,9 +84,6 @@ vs_x3d_batch *vs_x3d_batches(vs_emitter *e, vs_x3d_group *g); /* made if there a
 #define VS_X3D_BACKEND(begin_, end_)                                                                                                  \
   .begin = begin_, .end = end_, .close = vs_x3d_close, .define = vs_x3d_define, .use = vs_x3d_use_template,                           \
   .family = "x3d", .frames = true, .highlights = VS_MARKS_PAINT, .emit = { VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean) }
-
-/* ---- bake.c ---- */
-bool vs_x3d_settle(vs_emitter *e); /* bakes what has to be, and finds the paints of templates */
 
 /* ---- text.c: nodes and fields in the notation of e->state ---- */
 

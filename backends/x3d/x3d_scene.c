@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 #include "backends/view.h"
-#include "backends/x3d/x3d.h"
+#include "backends/x3d/bake.h"
 
 static const double half_turn = 3.14159265358979323846;
 

@@ -1,5 +1,5 @@
-// What a mesh file holds: `node meshes.mjs FILE` prints triangles, volume and bounds of a .ply, .glb or .stl in words; a .glb goes through
-// the validator first. Ends with 1 and says why where the file is wrong.
+// What a mesh file holds: `node meshes.mjs FILE` prints triangles, volume and bounds of a .ply, .glb, .stl in words, or of an .x3d of boxes
+// and triangle sets (with its Shapes, copies counted); a .glb goes through the validator first. Ends with 1 and says why where the file is wrong.
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { resolve } from 'node:path'
@@ -60,10 +60,47 @@ async function glb() {
   for (const root of scene.scenes[0].nodes) walk(root, p => p)
 }
 
-await (file.endsWith('.ply') ? ply() : file.endsWith('.glb') ? glb() : words())
+// An element of the scene gives, for a place, its triangles; copies (USE) are what the element with that name (DEF) gives.
+let shapes = ''
+function x3d() {
+  const root = { name: '', of: {}, in: [] }, open = [root], named = {}
+  for (const [, slash, name, rest, empty] of bytes.toString().matchAll(/<(\/?)(\w+)((?:\s+\w+='[^']*')*)\s*(\/?)>/g)) {
+    if (slash) { open.pop(); continue }
+    const of = Object.fromEntries([...rest.matchAll(/(\w+)='([^']*)'/g)].map(m => m.slice(1)))
+    const node = of.USE === undefined ? { name, of, in: [] } : named[of.USE] ?? fail(`${of.USE} is used before it is defined`)
+    if (of.DEF !== undefined) named[of.DEF] = node
+    open.at(-1).in.push(node)
+    if (!empty) open.push(node)
+  }
+  const numbers = text => (text.match(/[-+.\deE]+/g) ?? []).map(Number)
+  const corners = { Box: ({ of }) => {
+    const half = numbers(of.size ?? '2 2 2').map(x => x / 2), at = k => half.map((h, i) => k >> i & 1 ? h : -h)
+    return [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]].flatMap(([a, b, c, d]) => [[a, b, c], [a, c, d]].map(t => t.map(at)))
+  }, IndexedTriangleSet: n => {
+    const index = numbers(n.of.index), points = numbers(n.in.find(c => c.name === 'Coordinate').of.point)
+    return Array.from({ length: index.length / 3 }, (_, i) => [0, 1, 2].map(k => points.slice(3 * index[3 * i + k], 3 * index[3 * i + k] + 3)))
+  } }
+  let count = 0
+  const walk = (node, place) => {
+    if (node.name === 'Switch' || node.of.DEF === 'ground') return
+    if (corners[node.name]) { count++; for (const t of node.made ??= corners[node.name](node)) triangles.push(t.map(place)); return }
+    if (['Sphere', 'Cylinder', 'Cone'].includes(node.name)) fail(`a ${node.name} has no triangles`)
+    const [x, y, z, angle] = numbers(node.of.rotation ?? '0 0 1 0'), s = numbers(node.of.scale ?? '1 1 1'), t = numbers(node.of.translation ?? '0 0 0')
+    const long = Math.hypot(x, y, z), axis = [x / long, y / long, z / long], cos = Math.cos(angle), sin = Math.sin(angle)
+    const turned = p => { // Rodrigues
+      const dot = axis[0] * p[0] + axis[1] * p[1] + axis[2] * p[2]
+      return p.map((v, i) => v * cos + (axis[(i + 1) % 3] * p[(i + 2) % 3] - axis[(i + 2) % 3] * p[(i + 1) % 3]) * sin + axis[i] * dot * (1 - cos))
+    }
+    for (const child of node.in) walk(child, node.name === 'Transform' ? p => place(turned(p.map((v, i) => v * s[i])).map((v, i) => v + t[i])) : place)
+  }
+  walk(root, ([x, y, z]) => [x, -z, y])
+  shapes = ` shapes ${count}`
+}
+
+await (file.endsWith('.x3d') ? x3d() : file.endsWith('.ply') ? ply() : file.endsWith('.glb') ? glb() : words())
 let volume = 0, min = [Infinity, Infinity, Infinity], max = min.map(x => -x)
 for (const [a, b, c] of triangles) {
   volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
   for (const p of [a, b, c]) { min = min.map((x, i) => Math.min(x, p[i])); max = max.map((x, i) => Math.max(x, p[i])) }
 }
-console.log(`triangles ${triangles.length} volume ${volume} min ${min.join(' ')} max ${max.join(' ')}`)
+console.log(`triangles ${triangles.length}${shapes} volume ${volume} min ${min.join(' ')} max ${max.join(' ')}`)

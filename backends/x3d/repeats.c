@@ -1,0 +1,381 @@
+/* Owns the look for what repeats in a drawing of very many shapes: facades and streets by rules come as one long union.
+ *
+ * All that the drawing places directly, forms and uses of templates, is a row of letters, each a name and a place. Things
+ * equal but for their place have one name. The row is cut into blocks, and each block is a letter of the next row, named by
+ * what is in it and how that lies to each other: so stretches of the drawing that are equal but for their place get equal
+ * names. Where a block ends is told by the letters nearby alone (at the least of some hashes; runs of equal letters go by
+ * twos), or equal stretches would be cut differently. After some ten or twenty rows one letter is left.
+ *
+ * A letter that occurs twice can be a template, whose triangles stand in the file once. It saves text, and costs a Shape
+ * for each use, which viewers open and draw about as slowly as VS_X3D_SHAPE_BYTES of triangles. The row that costs least is
+ * taken. All rows together are a few times as long as the first. */
+#include "backends/x3d/repeats.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "backends/x3d/bake.h"
+#include "model/store/hashes.h"
+
+enum { REPEAT_BLOCK = 8 }; /* letters in a block, at most */
+
+typedef struct {
+  uint32_t name;
+  uint32_t first, count; /* what of the first row it is */
+  uint64_t paints;       /* which there are: number modulo 64 */
+  double bytes;          /* as triangles in a template */
+  double loose;          /* what it costs where it stays as it is: the least of triangles and, for a use, a Shape */
+  vs_vec3 at;
+} repeat_letter;
+
+/* A name's first occurrence and how many there are. */
+typedef struct {
+  uint64_t hash;
+  uint32_t block, count;
+} repeat_name;
+
+typedef struct {
+  vs_emitter *e;
+  repeat_letter *row;
+  size_t count, room; /* of the row; room: of the first one */
+  uint32_t *blocks;   /* of a row: where each begins, and its end */
+  size_t block_count;
+  uint64_t *hashes; /* of a row's letters with the way to the next */
+  repeat_name *names;
+  size_t name_count;
+  uint32_t *table;   /* open addressing: a name + 1 */
+  size_t table_room; /* a power of two */
+  double steps;      /* a unit: places are compared in these */
+} repeats;
+
+/* ---- equal but for the place ---- */
+
+/* The number of steps, on a grid that no round number lies on the border of. */
+static int64_t repeat_steps(const repeats *r, double x) { return (int64_t)floor(x * r->steps + 0.38196601125); }
+
+static bool repeat_same_way(const repeats *r, vs_vec3 a, vs_vec3 b) {
+  return repeat_steps(r, a.x) == repeat_steps(r, b.x) && repeat_steps(r, a.y) == repeat_steps(r, b.y) &&
+         repeat_steps(r, a.z) == repeat_steps(r, b.z);
+}
+
+static uint64_t repeat_hash_way(const repeats *r, uint64_t h, vs_vec3 v) {
+  h = vs_hash_mix(h, (uint64_t)repeat_steps(r, v.x));
+  h = vs_hash_mix(h, (uint64_t)repeat_steps(r, v.y));
+  return vs_hash_mix(h, (uint64_t)repeat_steps(r, v.z));
+}
+
+/* The way from a letter to the next. */
+static vs_vec3 repeat_way(const repeats *r, size_t i) { return vs_v3_sub(r->row[i + 1].at, r->row[i].at); }
+
+/* ---- the first row ---- */
+
+/* A form's or use's place, what it is, and its paint; uses stand behind the forms. */
+static vs_affine repeat_thing(const repeats *r, size_t i, uint64_t *what) {
+  const vs_x3d *x = r->e->state;
+  const vs_x3d_group *g = &x->groups[0];
+  if (i >= g->item_count) {
+    const vs_x3d_placed *use = &g->uses[i - g->item_count];
+    *what = ((uint64_t)use->group + 16) << 32 | use->paint;
+    return use->placement;
+  }
+  const vs_x3d_item *item = &g->items[i];
+  vs_x3d_form form = item->form;
+  vs_affine place = vs_affine_identity();
+  vs_x3d_form_of(r->e, item->ref.node, &form, &place); /* it was one when it was collected */
+  *what = (uint64_t)form << 32 | item->paint;
+  return vs_affine_multiply(&item->placement, &place);
+}
+
+static bool repeat_same_thing(const repeats *r, size_t a, size_t b) {
+  uint64_t what_a, what_b;
+  vs_affine at_a = repeat_thing(r, a, &what_a), at_b = repeat_thing(r, b, &what_b);
+  bool same = what_a == what_b;
+  for (int k = 0; k < 3 && same; k++) same = repeat_same_way(r, vs_affine_column(&at_a, k), vs_affine_column(&at_b, k));
+  return same;
+}
+
+static bool repeat_same_block(const repeats *r, size_t a, size_t b) {
+  size_t from = r->blocks[a], other = r->blocks[b], count = r->blocks[a + 1] - from;
+  if (r->blocks[b + 1] - other != count) return false;
+  for (size_t i = 0; i < count; i++)
+    if (r->row[from + i].name != r->row[other + i].name ||
+        (i + 1 < count && !repeat_same_way(r, repeat_way(r, from + i), repeat_way(r, other + i))))
+      return false;
+  return true;
+}
+
+/* ---- names ---- */
+
+/* The name of a block (in the first row: of a thing), which gets one more occurrence. */
+static uint32_t repeat_name_of(repeats *r, size_t block, uint64_t hash, bool things) {
+  size_t slot = hash & (r->table_room - 1);
+  for (; r->table[slot] != 0; slot = (slot + 1) & (r->table_room - 1)) {
+    repeat_name *n = &r->names[r->table[slot] - 1];
+    if (n->hash != hash || !(things ? repeat_same_thing(r, n->block, block) : repeat_same_block(r, n->block, block)))
+      continue;
+    n->count++;
+    return r->table[slot] - 1;
+  }
+  r->names[r->name_count++] = (repeat_name){ hash, (uint32_t)block, 1 };
+  r->table[slot] = (uint32_t)r->name_count;
+  return (uint32_t)r->name_count - 1;
+}
+
+static void repeat_forget_names(repeats *r) {
+  r->name_count = 0;
+  memset(r->table, 0, r->table_room * sizeof *r->table);
+}
+
+static uint64_t repeat_paint_bit(uint32_t paint) { return (uint64_t)1 << (paint & 63); }
+
+static double repeat_shapes(const repeat_letter *l) {
+  double n = 0;
+  for (uint64_t p = l->paints; p != 0; p &= p - 1) n++;
+  return n;
+}
+
+/* The triangles and paints of each template; templates use only those before them. */
+static void repeat_templates(vs_emitter *e, double *bytes, uint64_t *paints) {
+  const vs_x3d *x = e->state;
+  for (size_t k = 1; k < x->group_count; k++) {
+    const vs_x3d_group *g = &x->groups[k];
+    bytes[k] = vs_x3d_batch_bytes(x, g);
+    paints[k] = 0;
+    for (size_t i = 0; g->batches != NULL && i < x->batch_count; i++)
+      if (g->batches[i].triangle_count + g->batches[i].point_count > 0) paints[k] |= repeat_paint_bit((uint32_t)i);
+    for (size_t i = 0; i < g->item_count; i++) {
+      bytes[k] += vs_x3d_form_bytes(g->items[i].form, vs_x3d_facets(e, &g->items[i], 0));
+      paints[k] |= repeat_paint_bit(g->items[i].paint);
+    }
+    for (size_t i = 0; i < g->use_count; i++) {
+      bytes[k] += bytes[g->uses[i].group];
+      paints[k] |= paints[g->uses[i].group];
+    }
+  }
+}
+
+static bool repeat_first_row(repeats *r, const double *bytes, const uint64_t *paints) {
+  const vs_x3d *x = r->e->state;
+  const vs_x3d_group *g = &x->groups[0];
+  for (size_t i = 0; i < r->count; i++) {
+    uint64_t what;
+    if ((i & 0xfff) == 0 && !vs_emit_progress(r->e, "meshing", -1)) return false;
+    vs_affine at = repeat_thing(r, i, &what);
+    uint64_t hash = vs_hash_mix(1, what);
+    for (int k = 0; k < 3; k++) hash = repeat_hash_way(r, hash, vs_affine_column(&at, k));
+    repeat_letter *l = &r->row[i];
+    *l = (repeat_letter){
+      .name = repeat_name_of(r, i, hash, true), .first = (uint32_t)i, .count = 1, .at = vs_affine_column(&at, 3)
+    };
+    if (i >= g->item_count) {
+      l->bytes = bytes[g->uses[i - g->item_count].group];
+      l->paints = paints[g->uses[i - g->item_count].group];
+      l->loose = fmin(l->bytes, VS_X3D_SHAPE_BYTES * repeat_shapes(l));
+    } else {
+      l->bytes = l->loose = vs_x3d_form_bytes(g->items[i].form, vs_x3d_facets(r->e, &g->items[i], 0));
+      l->paints = repeat_paint_bit(g->items[i].paint);
+    }
+  }
+  return true;
+}
+
+/* ---- the next row ---- */
+
+static void repeat_hash_letters(repeats *r) {
+  for (size_t i = 0; i < r->count; i++) {
+    uint64_t h = vs_hash_mix(2, r->row[i].name);
+    r->hashes[i] = i + 1 < r->count ? repeat_hash_way(r, h, repeat_way(r, i)) : h;
+  }
+}
+
+/* Where the blocks of the row begin. */
+static void repeat_cut(repeats *r) {
+  const uint64_t *h = r->hashes;
+  r->block_count = 0;
+  for (size_t i = 0; i < r->count;) {
+    size_t end = i + 1;
+    while (end < r->count && h[end] == h[i]) end++;
+    r->blocks[r->block_count++] = (uint32_t)i;
+    if (end - i > 1) {
+      for (i += 2; i < end; i += 2) r->blocks[r->block_count++] = (uint32_t)i;
+      if (i > end) i = end;
+      continue;
+    }
+    for (i++; i < r->count && i - r->blocks[r->block_count - 1] < REPEAT_BLOCK; i++) {
+      bool run = i + 1 < r->count && h[i] == h[i + 1], least = i + 1 < r->count && h[i] < h[i - 1] && h[i] < h[i + 1];
+      if (run || least) break;
+    }
+  }
+  r->blocks[r->block_count] = (uint32_t)r->count;
+}
+
+static bool repeat_next_row(repeats *r) {
+  repeat_hash_letters(r);
+  repeat_cut(r);
+  repeat_forget_names(r);
+  for (size_t k = 0; k < r->block_count; k++) {
+    uint64_t hash = 3;
+    if ((k & 0xfff) == 0 && !vs_emit_progress(r->e, "meshing", -1)) return false;
+    for (size_t i = r->blocks[k]; i < r->blocks[k + 1]; i++) {
+      hash = vs_hash_mix(hash, r->row[i].name);
+      if (i + 1 < r->blocks[k + 1]) hash = repeat_hash_way(r, hash, repeat_way(r, i));
+    }
+    r->hashes[k] =
+        repeat_name_of(r, k, hash, false); /* the letters' own are no longer needed: a block has at least one letter */
+  }
+  for (size_t k = 0; k < r->block_count; k++) {
+    repeat_letter l = r->row[r->blocks[k]];
+    l.name = (uint32_t)r->hashes[k];
+    for (size_t i = r->blocks[k] + 1; i < r->blocks[k + 1]; i++) {
+      l.count += r->row[i].count;
+      l.bytes += r->row[i].bytes;
+      l.loose += r->row[i].loose;
+      l.paints |= r->row[i].paints;
+    }
+    r->row[k] = l;
+  }
+  r->count = r->block_count;
+  return true;
+}
+
+/* ---- costs ---- */
+
+/* Is it better a template than as it is? */
+static bool repeat_pays(const repeats *r, const repeat_letter *l) {
+  double uses = r->names[l->name].count;
+  return uses > 1 && l->bytes + uses * VS_X3D_SHAPE_BYTES * repeat_shapes(l) < uses * l->loose;
+}
+
+static double repeat_cost(const repeats *r) {
+  double cost = 0;
+  for (size_t i = 0; i < r->count; i++) {
+    const repeat_letter *l = &r->row[i];
+    cost += repeat_pays(r, l) ? VS_X3D_SHAPE_BYTES * repeat_shapes(l) + l->bytes / r->names[l->name].count : l->loose;
+  }
+  return cost;
+}
+
+/* ---- templates ---- */
+
+/* A letter's things as a template, in coordinates whose origin is the letter's place. */
+static bool repeat_define(repeats *r, const repeat_letter *l) {
+  vs_emitter *e = r->e;
+  vs_x3d *x = e->state;
+  vs_affine home = vs_affine_translation(vs_v3_scale(l->at, -1));
+  if (!vs_emit_grow(e, &x->groups, &x->group_room, x->group_count + 1, sizeof *x->groups)) return false;
+  vs_x3d_group *to = &x->groups[x->group_count++];
+  const vs_x3d_group *g = &x->groups[0];
+  *to = (vs_x3d_group){ .bare = true };
+  for (size_t i = l->first; i < l->first + l->count; i++)
+    if (i < g->item_count) {
+      if (!vs_emit_grow(e, &to->items, &to->item_room, to->item_count + 1, sizeof *to->items)) return false;
+      to->items[to->item_count] = g->items[i];
+      to->items[to->item_count++].placement = vs_affine_multiply(&home, &g->items[i].placement);
+    } else {
+      const vs_x3d_placed *use = &g->uses[i - g->item_count];
+      if (!vs_emit_grow(e, &to->uses, &to->use_room, to->use_count + 1, sizeof *to->uses)) return false;
+      to->uses[to->use_count++] = (vs_x3d_placed){ use->group, use->paint, vs_affine_multiply(&home, &use->placement) };
+    }
+  return true;
+}
+
+/* The row's letters that pay become templates and their uses; what is in none stays as it is. */
+static bool repeat_take(repeats *r) {
+  vs_emitter *e = r->e;
+  vs_x3d *x = e->state;
+  vs_x3d_placed *uses = NULL;
+  size_t use_count = 0, use_room = 0, kept_items = 0, first_group = x->group_count, most = x->groups[0].use_count;
+  bool ok = true;
+  memset(r->table, 0, r->table_room * sizeof *r->table); /* from here on: a name's template */
+  for (size_t k = 0; k < r->count && ok; k++) {
+    const repeat_letter *l = &r->row[k];
+    bool pays = repeat_pays(r, l);
+    if (pays && r->table[l->name] == 0) {
+      ok = repeat_define(r, l);
+      r->table[l->name] = (uint32_t)(x->group_count - 1);
+    }
+    ok = ok &&
+         vs_emit_grow(e, &uses, &use_room, use_count + 1 + most, sizeof *uses); /* room for all that were there, too */
+    if (ok && pays) uses[use_count++] = (vs_x3d_placed){ r->table[l->name], 0, vs_affine_translation(l->at) };
+    r->row[k].name = pays ? 1 : 0;
+  }
+  vs_x3d_group *g = &x->groups[0];
+  if (ok && x->group_count > first_group) {
+    for (size_t k = 0; k < r->count; k++)
+      for (size_t i = r->row[k].first; r->row[k].name == 0 && i < r->row[k].first + r->row[k].count; i++)
+        if (i < g->item_count)
+          g->items[kept_items++] = g->items[i];
+        else
+          uses[use_count++] = g->uses[i - g->item_count];
+    g->item_count = kept_items;
+    vs_emit_release(e, g->uses, g->use_room, sizeof *g->uses);
+    g->uses = uses;
+    g->use_count = use_count;
+    g->use_room = use_room;
+  } else {
+    vs_emit_release(e, uses, use_room, sizeof *uses);
+  }
+  return ok;
+}
+
+/* ---- all of it ---- */
+
+/* The row of that number, from 0. */
+static bool repeat_row(repeats *r, size_t number, const double *bytes, const uint64_t *paints) {
+  const vs_x3d *x = r->e->state;
+  repeat_forget_names(r);
+  r->count = x->groups[0].item_count + x->groups[0].use_count;
+  if (!repeat_first_row(r, bytes, paints)) return false;
+  for (size_t k = 0; k < number; k++)
+    if (!repeat_next_row(r)) return false;
+  return true;
+}
+
+static bool repeat_search(repeats *r, const double *bytes, const uint64_t *paints) {
+  size_t best = 0, number = 0;
+  if (!repeat_row(r, 0, bytes, paints)) return false;
+  double least = repeat_cost(r);
+  for (size_t before = r->count + 1; r->count > 1 && r->count < before;) {
+    before = r->count;
+    if (!repeat_next_row(r)) return false;
+    number++;
+    double cost = repeat_cost(r);
+    if (cost < least) {
+      least = cost;
+      best = number;
+    }
+  }
+  return repeat_row(r, best, bytes, paints) && repeat_take(r);
+}
+
+bool vs_x3d_repeats(vs_emitter *e) {
+  vs_x3d *x = e->state;
+  vs_store *store = e->scene->store;
+  size_t count = x->groups[0].item_count + x->groups[0].use_count, groups = x->group_count;
+  double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
+  if (count < 2 || count > UINT32_MAX / 4 || !(diagonal > 0)) return true;
+  repeats r = { .e = e, .room = count, .table_room = 16, .steps = ldexp(1, 40) / diagonal };
+  while (r.table_room < 2 * count) r.table_room *= 2;
+  r.row = vs_store_realloc(store, NULL, 0, count * sizeof *r.row);
+  r.blocks = vs_store_realloc(store, NULL, 0, (count + 1) * sizeof *r.blocks);
+  r.hashes = vs_store_realloc(store, NULL, 0, count * sizeof *r.hashes);
+  r.names = vs_store_realloc(store, NULL, 0, count * sizeof *r.names);
+  r.table = vs_store_realloc(store, NULL, 0, r.table_room * sizeof *r.table);
+  double *bytes = vs_store_realloc(store, NULL, 0, groups * sizeof *bytes);
+  uint64_t *paints = vs_store_realloc(store, NULL, 0, groups * sizeof *paints);
+  bool ok = (r.row != NULL && r.blocks != NULL && r.hashes != NULL && r.names != NULL && r.table != NULL &&
+             bytes != NULL && paints != NULL) ||
+            vs_emit_no_memory(e);
+  if (ok) {
+    repeat_templates(e, bytes, paints);
+    ok = repeat_search(&r, bytes, paints);
+  }
+  vs_emit_release(e, r.row, count, sizeof *r.row);
+  vs_emit_release(e, r.blocks, count + 1, sizeof *r.blocks);
+  vs_emit_release(e, r.hashes, count, sizeof *r.hashes);
+  vs_emit_release(e, r.names, count, sizeof *r.names);
+  vs_emit_release(e, r.table, r.table_room, sizeof *r.table);
+  vs_emit_release(e, bytes, groups, sizeof *bytes);
+  vs_emit_release(e, paints, groups, sizeof *paints);
+  return ok;
+}
