@@ -19,6 +19,26 @@ cat > "$work/hostile.vs" <<'EOF'
 EOF
 mkdir "$work/<img src=x onerror=owned=1>" && cp "$work/hostile.vs" "$work/<img src=x onerror=owned=1>/<b>&amp;.vs"
 "$BUILD/vs" --quiet "$work/<img src=x onerror=owned=1>/<b>&amp;.vs" -o "$work/hostile.html" || echo "not ok page/hostile: ended with $?"
+cat > "$work/light.vs" <<'EOF'
+(ground 0)
+(camera (xyz 6 -12 5) (xyz 0 0 1.2) #:lens 40)
+(draw (make-box (xyz -3 -1 0) (xyz -1 1 2.5)))
+(draw (with-material (make-material #:color "red") (make-box (xyz 0.2 -1 0) (xyz 2 1 2.5))))
+(draw (with-material (make-material #:color "gray") (make-sphere (xyz 4 0 1) 1)))
+EOF
+"$BUILD/vs" --quiet "$work/light.vs" -o "$work/light.html" || echo "not ok page/light: ended with $?"
+if command -v povray > /dev/null; then "$BUILD/vs" --quiet "$work/light.vs" --size 480x360 -o "$work/light.png" || echo "not ok page/light: ended with $?"
+else echo "skip page/light: no POV-Ray (package povray)"; fi
+cat > "$work/light.vs" <<'EOF'
+(ground 0)
+(camera (xyz 6 -12 5) (xyz 0 0 1.2) #:lens 40)
+(draw (make-box (xyz -3 -1 0) (xyz -1 1 2.5)))
+(draw (with-material (make-material #:color "red") (make-box (xyz 0.2 -1 0) (xyz 2 1 2.5))))
+(draw (with-material (make-material #:color "gray") (make-sphere (xyz 4 0 1) 1)))
+EOF
+"$BUILD/vs" --quiet "$work/light.vs" -o "$work/light.html" || echo "not ok page/light: ended with $?"
+if command -v povray > /dev/null; then "$BUILD/vs" --quiet "$work/light.vs" --size 480x360 -o "$work/light.png" || echo "not ok page/light: ended with $?"
+else echo "skip page/light: no POV-Ray (package povray)"; fi
 timeout 600 node tests/page/page.mjs "$work" || echo "not ok page: ended with $?"
 
 # .x3d files: what each kind of node becomes, instances, and two examples.

@@ -1,9 +1,9 @@
 // Turns a model's parts into few things to draw: copies of one geometry are instances, all else is merged, a mesh a kind of surface.
 import * as THREE from "three";
 import { determinant } from "./model.js";
-import { featureEdges } from "./edges.js";
+import { featureEdges, seams } from "./edges.js";
 
-const MERGED_TRIANGLES = 150000, FEW_GROUPS = 10;
+const MERGED_TRIANGLES = 150000, FEW_GROUPS = 10, SMALL = 20000, SEAMS_SOUGHT = 200000; // lines of one merged batch among which seams are looked for
 
 const linear = (c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 
@@ -38,7 +38,7 @@ function collect(model, shown) {
   for (const group of list) {
     if (group.merge) continue;
     const cost = group.geometry.triangles * group.parts.length;
-    if (group.parts.length > 1 && (left <= FEW_GROUPS || merged + cost > MERGED_TRIANGLES)) continue;
+    if (group.parts.length > 1 && ((left <= FEW_GROUPS && cost > SMALL) || merged + cost > MERGED_TRIANGLES)) continue;
     group.merge = true;
     if (group.parts.length > 1) merged += cost;
     left--;
@@ -74,19 +74,19 @@ export function mergeParts(model, parts, colors = true) {
     ends += edgesOf(g).length / 3;
   }
   const position = new Float32Array(3 * vertices), normal = new Int16Array(4 * vertices), color = colors ? new Uint16Array(4 * vertices) : null;
-  const index = new Uint32Array(corners), edges = new Float32Array(3 * ends), spacing = new Float32Array(ends), edgeColor = colors ? new Uint8Array(4 * ends) : null;
+  const index = new Uint32Array(corners), edges = new Float32Array(3 * ends), spacing = new Float32Array(ends), sides = colors && ends <= 2 * SEAMS_SOUGHT ? new Float32Array(3 * ends) : null, paints = new Uint32Array(sides ? ends / 2 : 0), edgeColor = colors ? new Uint8Array(4 * ends) : null;
   let v = 0, c = 0, e = 0;
   for (const i of parts) {
     const g = model.geometries[model.geometry[i]], m = model.matrix.subarray(12 * i, 12 * i + 12), flip = determinant(m) < 0;
     const paint = model.materials[model.paint[i]].color, rgb = paint.map((x) => Math.round(65535 * linear(x)));
+    // Normals go by the cofactors of the matrix.
+    const n = new Float64Array(9);
+    for (let r = 0; r < 3; r++)
+      for (let k = 0; k < 3; k++) {
+        const r1 = 4 * ((r + 1) % 3), r2 = 4 * ((r + 2) % 3), k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+        n[3 * r + k] = (m[r1 + k1] * m[r2 + k2] - m[r1 + k2] * m[r2 + k1]) * (flip ? -1 : 1);
+      }
     if (!g.lines) {
-      // Normals go by the cofactors of the matrix.
-      const n = new Float64Array(9);
-      for (let r = 0; r < 3; r++)
-        for (let k = 0; k < 3; k++) {
-          const r1 = 4 * ((r + 1) % 3), r2 = 4 * ((r + 2) % 3), k1 = (k + 1) % 3, k2 = (k + 2) % 3;
-          n[3 * r + k] = (m[r1 + k1] * m[r2 + k2] - m[r1 + k2] * m[r2 + k1]) * (flip ? -1 : 1);
-        }
       const first = v, P = g.position, N = g.normal;
       for (let k = 0; k < P.length; k += 3, v++) {
         const x = P[k], y = P[k + 1], z = P[k + 2];
@@ -116,7 +116,17 @@ export function mergeParts(model, parts, colors = true) {
       if (edgeColor) for (let q = 0; q < 3; q++) edgeColor[4 * e + q] = own ? rgb[q] >> 8 : 6 + 3 * q;
       if (edgeColor) edgeColor[4 * e + 3] = g.lines ? 255 : 140;
     }
+    if (sides && !g.lines) {
+      const S = g.edgeSides;
+      let to = 3 * (e - E.length / 3);
+      for (let k = 0; k < S.length; k += 3, to += 3) {
+        const x = n[0] * S[k] + n[1] * S[k + 1] + n[2] * S[k + 2], y = n[3] * S[k] + n[4] * S[k + 1] + n[5] * S[k + 2], z = n[6] * S[k] + n[7] * S[k + 1] + n[8] * S[k + 2], s = 1 / (Math.hypot(x, y, z) || 1);
+        sides[to] = x * s, sides[to + 1] = y * s, sides[to + 2] = z * s;
+      }
+      paints.fill(model.paint[i] + 1, (e - E.length / 3) / 2, e / 2);
+    }
   }
+  if (sides) seams(edges, sides, paints, 1e-6 * model.diagonal).forEach((seam, line) => { if (seam) edgeColor[8 * line + 3] = edgeColor[8 * line + 7] = 0; });
   return { position, normal, color, index, edges, spacing, edgeColor };
 }
 

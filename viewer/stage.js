@@ -6,8 +6,18 @@
 import * as THREE from "three";
 import { buildBatches, disposeBatches, mergeParts, meshGeometry } from "./batches.js";
 
-const SUN = new THREE.Color(1, 0.94, 0.84), DIFFUSE = 0.82;
-const SUN_POWER = 1.6 * Math.PI * DIFFUSE, SKY_RADIANCE = 0.78, FILL = 0.16;
+// Radiances and colours are POV-Ray's, linear; a light of intensity pi makes a white surface across it as bright as its colour.
+const SUN = new THREE.Color(1, 0.95, 0.87), DIFFUSE = 0.82, SKY_POWER = 1.6, SUN_POWER = 2 * SKY_POWER, EXPOSURE = 0.62;
+const BOUNCED = 0.1, BOUNCED_BY_GROUND = 0.3; // What walls and the ground send on, in parts of the sky's and the sun's light.
+
+// Bright colours are compressed and turn pale, others stay as they are: Khronos' neutral curve without its toe, which takes contrast from what is dark.
+THREE.ShaderChunk.tonemapping_pars_fragment = THREE.ShaderChunk.tonemapping_pars_fragment.replace("vec3 CustomToneMapping( vec3 color ) { return color; }", `vec3 CustomToneMapping( vec3 color ) {
+  color *= toneMappingExposure;
+  float peak = max( color.r, max( color.g, color.b ) );
+  if ( peak < 0.76 ) return color;
+  float now = 1.0 - 0.24 * 0.24 / ( peak + 0.24 - 0.76 );
+  return mix( vec3( now ), color * now / peak, 1.0 / ( 0.15 * ( peak - now ) + 1.0 ) );
+}`);
 
 // The light from above is one direction of the whole sky, or stands for it: as a point it would sparkle in all that shines, so only the sun is mirrored.
 // Both lights always have a shadow map, because three.js would else change their order.
@@ -41,8 +51,8 @@ export class Stage {
     probe.getExtension("WEBGL_lose_context")?.loseContext();
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.software, stencil: true, powerPreference: "high-performance" });
     this.renderer.setPixelRatio(this.software ? 1 : Math.min(2, window.devicePixelRatio || 1));
-    this.renderer.toneMapping = THREE.NeutralToneMapping;
-    this.renderer.toneMappingExposure = 0.86;
+    this.renderer.toneMapping = THREE.CustomToneMapping;
+    this.renderer.toneMappingExposure = EXPOSURE;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = this.software ? THREE.BasicShadowMap : THREE.PCFShadowMap;
     this.renderer.shadowMap.autoUpdate = false;
@@ -88,7 +98,7 @@ export class Stage {
       return l;
     };
     this.sun = light(this.software ? 1024 : 2048);
-    this.above = light(this.software ? 512 : 1024);
+    this.above = light(1024);
     this.sun.color.copy(SUN);
     this.fill = new THREE.HemisphereLight(0xffffff, 0xb8aea2, 1);
     this.fill.position.set(0, 0, 1);
@@ -104,21 +114,24 @@ export class Stage {
     s.camera.near = 0.5 * this.radius;
     s.camera.far = 8 * this.radius;
     s.camera.updateProjectionMatrix();
-    s.normalBias = 3 * r / s.mapSize.x;
+    s.normalBias = 4 * r / s.mapSize.x;
     s.bias = -0.0002;
     light.updateMatrixWorld();
     light.target.updateMatrixWorld();
   }
 
   #light(sample) {
-    const o = this.options, sky = this.skyColor;
+    const o = this.options, mean = this.skyMean, ground = this.groundLight;
     this.sun.shadow.intensity = o.shadows ? 1 : 0;
     this.above.shadow.intensity = o.occlusion ? 1 : 0;
+    this.fill.intensity = Math.PI * DIFFUSE;
+    this.fill.groundColor.copy(ground);
     if (sample < 0) {
       this.#aim(this.sun, this.sunDirection);
       this.#aim(this.above, new THREE.Vector3(0.12, -0.08, 1).normalize());
-      this.above.intensity = 0.9 * DIFFUSE * SKY_RADIANCE;
-      this.fill.intensity = (0.78 * SKY_RADIANCE * DIFFUSE + FILL) * Math.PI * 0.82;
+      this.above.color.copy(mean);
+      this.above.intensity = 0.35 * Math.PI * DIFFUSE;
+      this.fill.color.copy(mean).multiplyScalar(0.65 + BOUNCED);
     } else {
       // The direction of a sample: the golden ratio spreads any number of them evenly over the half sphere, and over the sun's disc.
       const golden = 0.6180339887498949, silver = 0.7548776662466927;
@@ -127,12 +140,11 @@ export class Stage {
       const r = 0.012 * Math.sqrt((sample * silver) % 1), a = 2 * Math.PI * ((sample * golden) % 1);
       this.#aim(this.sun, this.sunDirection.clone().addScaledVector(side, r * Math.cos(a)).addScaledVector(other, r * Math.sin(a)).normalize());
       this.#aim(this.above, new THREE.Vector3(across * Math.cos(turn), across * Math.sin(turn), Math.max(0.03, height)));
-      this.above.intensity = 2 * Math.PI * SKY_RADIANCE * DIFFUSE * (o.occlusion ? 1 : 0);
-      this.fill.intensity = FILL * Math.PI + (o.occlusion ? 0 : SKY_RADIANCE * DIFFUSE * Math.PI * 0.7);
+      this.above.color.copy(o.occlusion ? this.#skyAt(height) : mean);
+      this.above.intensity = o.occlusion ? 2 * Math.PI * DIFFUSE : 0;
+      this.fill.color.copy(mean).multiplyScalar(o.occlusion ? BOUNCED : 1 + BOUNCED);
     }
-    this.above.color.copy(sky);
-    this.fill.color.copy(sky);
-    this.sun.intensity = SUN_POWER * 0.78;
+    this.sun.intensity = Math.PI * DIFFUSE * SUN_POWER;
     this.renderer.shadowMap.needsUpdate = o.shadows || o.occlusion;
   }
 
@@ -152,9 +164,10 @@ export class Stage {
       fragmentShader: `uniform vec3 zenith, horizon, near, below; varying vec3 way;
         void main() {
           float h = normalize(way).z;
-          vec3 c = h > 0.0 ? mix(horizon, zenith, pow(smoothstep(0.0, 0.9, h), 0.75)) : mix(near, below, smoothstep(0.0, 0.7, -h));
-          c = mix(c, 0.5 * (horizon + near), 1.0 - smoothstep(0.0, 0.03, abs(h)));
-          gl_FragColor = vec4(c, 1.0);
+          vec3 c = h > 0.0 ? mix(horizon, zenith, min(1.0, h / 0.6)) : h > -0.28 ? mix(horizon, near, -h / 0.28) : mix(near, below, (-h - 0.28) / 0.72);
+          float peak = max(c.r, max(c.g, c.b)); // The sky's colours are those of the screen: what exposure and curve will do is undone.
+          if (peak > 0.76) c *= (0.24 * 0.24 / (1.0 - min(peak, 0.995)) - 0.24 + 0.76) / peak;
+          gl_FragColor = vec4(c / ${EXPOSURE.toFixed(2)}, 1.0);
           #include <tonemapping_fragment>
           #include <colorspace_fragment>
         }`,
@@ -164,32 +177,24 @@ export class Stage {
     this.dome.renderOrder = -10;
     this.dome.frustumCulled = false;
     this.scene.add(this.dome);
-    this.skyColor = new THREE.Color(0.93, 0.97, 1);
+    this.skyMean = new THREE.Color();
+    this.groundLight = new THREE.Color();
   }
 
   #paintSky(model) {
-    const u = this.skyMaterial.uniforms, set = (name, r, g, b) => u[name].value.setRGB(r, g, b, THREE.SRGBColorSpace);
-    if (model && model.sky) {
-      const c = model.sky;
-      set("zenith", ...c);
-      set("horizon", ...c.map((x) => 0.45 + 0.55 * x));
-      set("near", 0.86, 0.86, 0.85);
-      set("below", 0.72, 0.72, 0.71);
-    } else if (this.options.dark) {
-      set("zenith", 0.13, 0.16, 0.2);
-      set("horizon", 0.27, 0.31, 0.36);
-      set("near", 0.22, 0.245, 0.275);
-      set("below", 0.12, 0.135, 0.155);
-    } else {
-      set("zenith", 0.66, 0.77, 0.89);
-      set("horizon", 0.945, 0.955, 0.965);
-      set("near", 0.93, 0.93, 0.925);
-      set("below", 0.8, 0.8, 0.79);
-    }
-    const c = model && model.sky ? new THREE.Color().setRGB(...model.sky, THREE.SRGBColorSpace) : new THREE.Color(0.8, 0.9, 1);
-    this.skyColor.setRGB(1, 1, 1).lerp(c, 0.3);
+    const u = this.skyMaterial.uniforms, own = model && model.sky, zenith = own || [0.46, 0.66, 0.9], haze = own ? own.map((x) => 0.45 + 0.55 * x) : [0.93, 0.95, 0.96];
+    const colour = (c) => new THREE.Color().setRGB(...c, THREE.SRGBColorSpace);
+    const seen = this.options.dark && !own ? [[0.13, 0.16, 0.2], [0.27, 0.31, 0.36], [0.22, 0.245, 0.275], [0.12, 0.135, 0.155]] : [zenith, haze, [0.9, 0.9, 0.89], [0.78, 0.78, 0.77]];
+    ["zenith", "horizon", "near", "below"].forEach((name, k) => u[name].value.copy(colour(seen[k])));
+    // The sky's light is paler than it looks: what it lights would else drown in blue. The mean is what a level surface gets.
+    const pale = (c) => { const grey = (c.r + c.g + c.b) / 3; return c.lerp(new THREE.Color(grey, grey, grey), 0.45).multiplyScalar(SKY_POWER); };
+    this.zenithLight = pale(colour(zenith)), this.hazeLight = pale(colour(haze));
+    this.skyMean.copy(this.hazeLight).lerp(this.zenithLight, 0.88);
+    this.groundLight.copy(SUN).multiplyScalar(SUN_POWER * Math.max(0.2, this.sunDirection.z)).add(this.skyMean).multiplyScalar(BOUNCED_BY_GROUND);
     this.#environment();
   }
+
+  #skyAt(height) { return this.hazeLight.clone().lerp(this.zenithLight, Math.min(1, height / 0.6)); }
 
   // What metals and glass mirror: the sky, a bright band low in it, and the ground.
   #environment() {
