@@ -264,16 +264,29 @@ static void run_prompt(live *l, const char *text) {
   finish(l, vs_eval_text(l->scheme, "prompt", 1, text, strlen(text), VS_EVAL_PRINT));
 }
 
+static unsigned pass_mask(const char *name) {
+  size_t count;
+  const char *const *names = vs_pass_list(&count);
+  for (size_t i = 0; i < count; i++)
+    if (strcmp(names[i], name) == 0) return 1u << i;
+  return 0;
+}
+
+/* How the drawing is made is shown as the program says it: passes that rewrite operations are left out. */
+static const char STEPS[] = "x3d-steps";
+
 static void run_export(live *l, live_wish *w) {
   vs_output_options o = l->options->output;
   live_text bytes = { 0 };
   int width = 0, height = 0;
   if (sscanf(w->value, "%5dx%5d", &width, &height) == 2 && width > 0 && height > 0 && width <= 8192 && height <= 8192) o.width = width, o.height = height;
+  bool steps = strcmp(w->name, STEPS) == 0; /* a window looks: nobody is told */
+  if (steps) o.passes = pass_mask("share");
   begin(l);
   vs_outcome outcome = vs_write_drawing_to(l->scheme, w->name, &o, scene_bytes, &bytes);
   vs_interrupt_clear(l->scheme);
-  if (l->message_count > 0) publish_state(l, true, outcome);
-  live_tell(&l->publish, "idle", "{}");
+  if (l->message_count > 0 && !steps) publish_state(l, true, outcome);
+  if (l->busy_told || !steps) live_tell(&l->publish, "idle", "{}");
   live_wish_finish(&l->publish, w, outcome, bytes);
 }
 

@@ -6,6 +6,7 @@ command -v node > /dev/null || { echo "skip live: no node (package nodejs)"; exi
 timeout 200 node tests/page/live.mjs "$BUILD/vs" "$work" || echo "not ok live: ended with $?"
 if command -v chromium > /dev/null && [ -d node_modules/playwright-core ]; then
   timeout 400 node tests/page/live_browser.mjs "$BUILD/vs" "$work/browser" || echo "not ok live/browser: ended with $?"
+  timeout 200 node tests/page/live_making.mjs "$BUILD/vs" "$work/making" || echo "not ok live/browser: making ended with $?"
 else
   echo "skip live/browser: no chromium (package chromium) or no playwright-core (npm ci --ignore-scripts)"
 fi

@@ -30,6 +30,10 @@ const ICONS = {
   panel: "M4 6h10M4 12h10M4 18h10M18 5v2M18 11v2M18 17v2M17.9 6h.2M17.9 12h.2M17.9 18h.2",
   help: "M12 20.5a8.5 8.5 0 1 0-.01 0M9.7 9.4a2.4 2.4 0 1 1 3.4 2.2c-.8.4-1.1.9-1.1 1.8M12 16.6v.01",
   close: "M7 7l10 10M17 7L7 17",
+  steps: "M4 18h4v-4h4v-4h4V6h4M4 18v2h16",
+  play: "M8 5.5v13l11-6.5z",
+  back: "M18 6v12L9 12zM6 6v12",
+  on: "M6 6v12l9-6zM18 6v12",
   flip: "M7 4v16M4 7l3-3 3 3M17 20V4M14 17l3 3 3-3",
 };
 export function icon(name) {

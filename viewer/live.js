@@ -5,11 +5,14 @@ import { modelFromPacked } from "./model.js";
 import { el } from "./dom.js";
 import { Source } from "./source.js";
 import { Parameters } from "./parameters.js";
+import { Construction, Timeline } from "./timeline.js";
 import { Compare } from "./compare.js";
 
 // The token stands behind the # of the address, which browsers send to nobody; it goes into a header. Other words there are values of parameters.
 const words = location.hash.slice(1).split("&").map((word) => { try { return decodeURIComponent(word); } catch { return word; } }), token = words[0];
 const ask = (path, options = {}) => fetch(path, { ...options, headers: { "X-VS-Token": token }, referrerPolicy: "no-referrer" });
+
+const GHOSTS_MOST = 50000; // Parts of a model whose cuts are looked up when the cursor moves.
 
 class Live {
   constructor() {
@@ -42,6 +45,10 @@ class Live {
     });
     this.viewer.root.append(el("div", { class: "exports glass" }, this.formats, this.exportButton), this.note);
     this.viewPlace.append(this.parameters.root, this.compare.root);
+    this.timeline = new Timeline(this.viewer, {
+      construction: () => this.construction(), mark: (chain) => this.source.mark(chain.filter((o) => this.#isModel(o.file))),
+      back: () => { this.source.mark([]); if (this.model) this.viewer.show(this.model, true); },
+    });
 
     this.source = new Source(this.editorPlace, {
       changed: () => { this.saveButton.disabled = !this.source.dirty; },
@@ -59,6 +66,12 @@ class Live {
     this.pieces = new Map();
     this.telling = new Map(); // Who hears of the progress of what is made aside, by its word.
     this.version = 0;
+    // Where a button has gone away with its strip nobody has the keys: they are the viewer's.
+    addEventListener("keydown", (event) => {
+      if (event.target !== document.body || event.key === "Tab") return;
+      this.viewer.canvas.focus();
+      this.viewer.canvas.dispatchEvent(new KeyboardEvent("keydown", event));
+    });
     this.#splitter();
     this.#start();
   }
@@ -111,7 +124,7 @@ class Live {
       this.#status(data.phase + (data.fraction >= 0 ? " " + Math.round(100 * data.fraction) + " %" : " …"), false);
     } else if (kind === "idle") {
       this.stopButton.disabled = true;
-      this.#status("", false);
+      if (this.state) this.#outcome(this.state);
     } else if (kind === "progress") {
       this.telling.get(data.id)?.(data.phase, data.fraction);
     } else if (kind === "state") {
@@ -124,12 +137,16 @@ class Live {
     this.status.classList.toggle("bad", bad);
   }
 
+  #outcome(state) {
+    const errors = state.messages.filter((m) => m.severity === "error").length;
+    this.#status(state.stopped ? "stopped" : errors ? errors + (errors === 1 ? " error" : " errors") : (1000 * state.seconds).toFixed(0) + " ms", errors > 0 || state.stopped);
+  }
+
   async #state(state) {
     this.state = state;
     this.stopButton.disabled = true;
     this.name.textContent = state.model.split("/").pop();
-    const errors = state.messages.filter((m) => m.severity === "error").length;
-    this.#status(state.stopped ? "stopped" : errors ? errors + (errors === 1 ? " error" : " errors") : (1000 * state.seconds).toFixed(0) + " ms", errors > 0 || state.stopped);
+    this.#outcome(state);
     this.#messages(state.messages);
     this.source.diagnose(state.messages.filter((m) => this.#isModel(m.at.file)));
     const said = state.printed + state.values;
@@ -188,7 +205,22 @@ class Live {
     this.pieces = pieces;
     this.version = version;
     const first = !this.viewer.model;
-    this.viewer.show(modelFromPacked(readPacked(whole.buffer)), !first);
+    this.model = modelFromPacked(readPacked(whole.buffer));
+    this.made = null;
+    if (this.timeline.isOpen) return this.timeline.renew();
+    this.viewer.setGhosts([]);
+    this.viewer.show(this.model, !first);
+  }
+
+  // How what is drawn now is made. It is asked for once a version.
+  async construction() {
+    if (this.made?.version !== this.version) this.made = { version: this.version, promise: this.#construct() };
+    return this.made.promise;
+  }
+  async #construct() {
+    const answer = await ask("/export?format=x3d-steps");
+    if (!answer.ok) throw new Error((await answer.text()).trim());
+    return new Construction(modelFromPacked(readPacked(await answer.arrayBuffer())));
   }
 
   // ---- the source ----
@@ -272,20 +304,51 @@ class Live {
   // ---- both ways ----
 
   #selected(parts) {
+    this.pointing = null;
+    if (!this.timeline?.isOpen) this.viewer.setGhosts([]);
     const chain = parts.length > 0 ? this.viewer.model.chain(parts[0]).filter((o) => this.#isModel(o.file)) : [];
     this.source.mark(chain);
+    if (parts.length === 1 && this.viewer.hit?.part === parts[0] && !this.timeline.isOpen) this.#cutHere(parts[0], this.viewer.hit.point);
+  }
+  // A face that something taken away has left: the place that made that is shown, with its ghost.
+  async #cutHere(part, point) {
+    const from = this.pointing = {}, m = this.model;
+    if (!this.#isCut() || !["subtract", "intersect"].includes(m.kinds[m.kind[part]])) return;
+    const made = await this.construction().catch(() => null);
+    if (!made || this.pointing !== from || this.model !== m || this.timeline.isOpen) return;
+    const cutter = made.cutterAt(m, point.toArray());
+    if (cutter < 0) return;
+    const chain = made.model.chain(cutter);
+    this.viewer.explain((made.model.kinds[made.model.kind[cutter]] || "part") + ", taken away", chain);
+    this.viewer.setGhosts([{ parts: [cutter], model: made.model, color: 0xd0342c, opacity: 0.32 }]);
+    this.source.mark(chain.filter((o) => this.#isModel(o.file)));
   }
   #showPlace(o) {
     if (this.#isModel(o.file)) this.source.mark([o], true);
   }
-  #atCursor(places) { // the calls round the cursor, the innermost first
-    if (!this.viewer.model) return;
-    for (const place of places) {
-      const parts = this.viewer.partsOf((o) => this.#isModel(o.file) && o.line === place.line && o.column === place.column);
+  async #atCursor(places) { // the calls round the cursor, the innermost first
+    const { viewer } = this, from = this.pointing = {};
+    if (!viewer.model) return;
+    const at = (place) => (o) => this.#isModel(o.file) && o.line === place.line && o.column === place.column;
+    const lit = places.findIndex((place) => viewer.partsOf(at(place)).length > 0);
+    viewer.select(lit < 0 ? [] : viewer.partsOf(at(places[lit])), true);
+    if (this.timeline.isOpen) return;
+    viewer.setGhosts([]);
+    if (!this.#isCut()) return;
+    // What is taken away has left no part of its own, or not all of it: a ghost shows the whole.
+    const { model, ghost } = await this.construction().catch(() => ({}));
+    if (!model || this.pointing !== from || this.timeline.isOpen) return;
+    for (let k = 0; k <= (lit < 0 ? places.length - 1 : lit); k++) {
+      const parts = viewer.partsOf(at(places[k]), model).filter((i) => ghost[i]);
       if (parts.length === 0) continue;
-      return this.viewer.select(parts, true);
+      if (k < lit) viewer.select([], true);
+      return viewer.setGhosts([{ parts, model, color: 0xd0342c, opacity: 0.32 }]);
     }
-    this.viewer.select([], true);
+  }
+  // Is anything cut here, in a model that is not too large to be asked how?
+  #isCut() {
+    const m = this.model;
+    return m && m.count <= GHOSTS_MOST && ["subtract", "intersect"].some((kind) => m.kinds.includes(kind));
   }
 
   // ---- the prompt and what goes out ----

@@ -22,6 +22,8 @@ export class Model {
     this.pathParent = new Uint32Array(64);
     this.pathOrigin = new Uint32Array(64);
     this.pathKind = new Uint16Array(64);
+    this.roles = new Map(); // Of a scene that shows how it is made (timeline.js): what a path stands for.
+    this.cuts = new Set(); // And the parts that are taken away.
     this.count = 0;
     this.matrix = new Float32Array(12 * 64);
     this.geometry = new Uint32Array(64);
@@ -216,10 +218,13 @@ export function modelFromPacked(root) {
       const f = node.fields;
       if (node.type === "Transform" || node.type === "Group") {
         const layer = f.layer !== undefined ? node.layer ??= numbered(layers, model.layers, f.layer) : layersAt[depth];
-        const path = f.origin === undefined && f.kind === undefined ? paths[depth] : model.addPath(paths[depth], f.origin || 0, kindOf(node));
+        const role = f.item ? "item" : f.result ? "result" : f.operation ? "operation" : "";
+        const path = f.origin === undefined && f.kind === undefined && !role && !f.cut ? paths[depth] : model.addPath(paths[depth], f.origin || 0, kindOf(node));
+        if (role || f.cut) model.roles.set(path, { role, cut: !!f.cut, item: f.item || 0 });
         push(node.children, f.matrix || f.translation || null, f.paint || paints[depth], layer, path);
       } else if (node.type === "Shape") {
         const used = nodes.get(node.children[0].use), layer = f.layer !== undefined ? node.layer ??= numbered(layers, model.layers, f.layer) : layersAt[depth];
+        if (used && f.cut) model.cuts.add(model.count);
         if (used) model.add(geometryOf(used), places.subarray(12 * depth, 12 * depth + 12), f.paint || paints[depth], layer, paths[depth], kindOf(node), f.origin || 0);
       }
     }

@@ -187,7 +187,7 @@ export class Source {
       if (from < to) ranges.push(Decoration.mark({ class: k === 0 ? "made" : "called" }).range(from, to));
     });
     const effects = [setMarks.of(Decoration.set(ranges, true))];
-    if (chain.length > 0) effects.push(EditorView.scrollIntoView(this.offset(chain[0].line, chain[0].column), { y: "center" }));
+    if (chain.length > 0) effects.push(EditorView.scrollIntoView(this.offset(chain[0].line, chain[0].column), { y: "center", x: "end" }));
     this.view.dispatch({ effects });
   }
 

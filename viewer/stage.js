@@ -327,19 +327,20 @@ export class Stage {
 
   // ---- marks: parts shown in a colour of their own, over all others ----
 
-  setMarks(groups) { // [{ parts, color, opacity }]
+  setMarks(groups) { // [{ parts, color, opacity, model }]
     for (const child of [...this.marks.children]) {
       this.marks.remove(child);
       child.geometry.dispose();
       child.material.dispose();
     }
-    for (const { parts, color, opacity = 0.4 } of groups) {
+    for (const { parts, color, opacity = 0.4, model = this.model } of groups) {
       if (parts.length === 0) continue;
-      const m = mergeParts(this.model, parts, false);
+      const m = mergeParts(model, parts, false), off = model.middle.map((x, k) => x - this.model.middle[k]);
       if (m.index.length > 0) {
         const mesh = new THREE.Mesh(meshGeometry(m), new THREE.MeshBasicMaterial({ color, transparent: true, opacity, depthWrite: false, side: THREE.DoubleSide, toneMapped: false, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2, clippingPlanes: this.clip }));
         mesh.renderOrder = 5;
         mesh.frustumCulled = false;
+        mesh.position.set(...off);
         this.marks.add(mesh);
       }
       if (m.edges.length > 0) {
@@ -348,6 +349,7 @@ export class Stage {
         const line = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color, toneMapped: false, depthTest: false, transparent: true, opacity: 0.9, clippingPlanes: this.clip }));
         line.renderOrder = 6;
         line.frustumCulled = false;
+        line.position.set(...off);
         this.marks.add(line);
       }
     }

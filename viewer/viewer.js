@@ -31,6 +31,10 @@ export class Viewer {
     this.control = new CameraControl(this.stage);
     this.hidden = { layers: new Set(), materials: new Set(), parts: new Set() };
     this.chosen = [];
+    this.marks = [];
+    this.ghosts = [];
+    this.filter = null; // Shows only some of the parts, or null.
+    this.keys = {};
     this.measures = [];
     this.onSelect = () => {};
     this.#build();
@@ -51,8 +55,8 @@ export class Viewer {
 
   // ---- the model ----
 
-  // keep: the camera stays, for a new version of what is shown already.
-  show(model, keep = false) {
+  // keep: the camera stays, for a new version of what is shown already. aside: this model only tells more of the one whose name and size stand.
+  show(model, keep = false, aside = false) {
     const first = !this.model || !keep;
     this.model = model;
     if (first) for (const set of Object.values(this.hidden)) set.clear();
@@ -61,7 +65,7 @@ export class Viewer {
     this.measures = [];
     document.title = model.title;
     this.heading.textContent = model.title;
-    this.facts.textContent = model.count === 0 ? "" : model.size.map((s) => length(s)).join(" × ") + " " + model.units;
+    if (!aside) this.facts.textContent = model.count === 0 ? "" : model.size.map((s) => length(s)).join(" × ") + " " + model.units;
     this.stage.resize();
     this.stage.setModel(model, (i) => this.isShown(i));
     if (first) {
@@ -77,18 +81,27 @@ export class Viewer {
 
   isShown(i) {
     const m = this.model, h = this.hidden;
-    return !(h.layers.has(m.layers[m.layer[i]]) || h.materials.has(m.paint[i]) || h.parts.has(i));
+    return !(h.layers.has(m.layers[m.layer[i]]) || h.materials.has(m.paint[i]) || h.parts.has(i)) && (!this.filter || this.filter(i));
   }
   refresh() { this.stage.refresh((i) => this.isShown(i)); }
 
   select(parts, quietly = false) {
     this.chosen = parts;
+    this.explained = null;
     this.marks = parts.length > 0 ? [{ parts, color: 0x1f6fd0, opacity: 0.35 }] : [];
-    if (this.model) this.stage.setMarks(this.marks);
+    this.#showMarks();
     this.#card();
     this.panel?.mark();
     if (!quietly) this.onSelect(parts);
   }
+
+  // Parts of this or of another model that are seen through what is shown: [{ parts, color, opacity, model }].
+  setGhosts(ghosts) {
+    if (ghosts.length === 0 && this.ghosts.length === 0) return;
+    this.ghosts = ghosts;
+    this.#showMarks();
+  }
+  #showMarks() { if (this.model) this.stage.setMarks([...this.ghosts, ...this.marks]); }
 
   // ---- what surrounds the picture ----
 
@@ -136,6 +149,15 @@ export class Viewer {
     this.root.append(this.head, this.panel.root, this.card, this.sectionStrip, this.measureStrip, this.menus.views, this.menus.display, this.bar, this.help, this.says);
     this.#marksOfMenus();
   }
+
+  // A button and a key of one who shows more than the viewer does.
+  addButton(name, label, key, action, attributes) {
+    const button = this.buttons[name] = this.#button(name, label, key, () => { this.touched = true; action(); }, attributes);
+    this.buttons.help.before(button);
+    if (key) this.keys[key.toLowerCase()] = () => button.click();
+    return button;
+  }
+  addKeys(keys) { Object.assign(this.keys, keys); }
 
   say(text) { this.says.textContent = text; }
 
@@ -206,7 +228,7 @@ export class Viewer {
       l: () => this.togglePanel(), e: () => this.toggle("edges"), w: () => this.toggle("wireframe"), d: () => this.toggle("dark"), "?": () => this.toggleHelp(),
       7: () => this.view("top"), 1: () => this.view("front"), 3: () => this.view("right"), 0: () => this.view("iso"), t: () => this.view("top"),
       h: () => this.hideChosen(), escape: () => this.#escape(),
-    }[key];
+    }[key] || this.keys[key];
     if (!does) return;
     this.touched = true;
     does();
@@ -248,8 +270,9 @@ export class Viewer {
     }
     const hit = pick(this.stage, x, y);
     this.hit = hit;
-    this.select(hit ? [hit.part] : []);
     if (hit) this.say(this.describe(hit.part));
+    this.select(hit ? [hit.part] : []);
+    this.hit = null;
   }
 
   describe(i) {
@@ -260,12 +283,20 @@ export class Viewer {
   #card() {
     this.card.hidden = this.chosen.length === 0 || !this.model;
     if (this.card.hidden) return;
-    const m = this.model, i = this.chosen[0], paint = m.materials[m.paint[i]], layer = m.layers[m.layer[i]], chain = m.chain(i);
+    const m = this.model, i = this.chosen[0], paint = m.materials[m.paint[i]], layer = m.layers[m.layer[i]];
+    const kind = this.explained?.kind || m.kinds[m.kind[i]] || "part", chain = this.explained?.chain || m.chain(i);
     const words = [paint.name || (m.paint[i] ? "coloured" : "plain"), layer ? "layer " + layer : "", this.chosen.length > 1 ? this.chosen.length + " parts" : ""].filter(Boolean).join(" · ");
     this.card.replaceChildren(
       el("button", { type: "button", class: "close", "aria-label": "Let go", onclick: () => this.select([]) }, icon("close")),
-      el("h2", {}, m.kinds[m.kind[i]] || "part"), el("p", {}, words),
+      el("h2", {}, kind), el("p", {}, words),
       el("div", { class: "path" }, chain.slice(0, 8).map((o) => el("button", { type: "button", title: "Choose all that this line made", onclick: () => this.selectOrigin(o) }, `${o.file}:${o.line}`))));
+  }
+
+  // Says of what is chosen that it came otherwise than by the part's own call.
+  explain(kind, chain) {
+    this.explained = { kind, chain };
+    this.#card();
+    this.say(kind + (chain.length > 0 ? ` at ${chain[0].file}, line ${chain[0].line}` : ""));
   }
 
   // All parts that the call at an origin's place made.
@@ -273,8 +304,8 @@ export class Viewer {
     this.select(this.partsOf((q) => q.file === o.file && q.line === o.line && q.column === o.column));
     this.onOrigin?.(o);
   }
-  partsOf(wanted) {
-    const m = this.model, hits = new Uint8Array(m.origins.at.length / 4 + 1), paths = new Uint8Array(m.pathCount), found = [];
+  partsOf(wanted, m = this.model) {
+    const hits = new Uint8Array(m.origins.at.length / 4 + 1), paths = new Uint8Array(m.pathCount), found = [];
     for (let o = 1; o < hits.length; o++) hits[o] = wanted(m.origin(o)) || hits[m.origins.at[4 * (o - 1) + 3]] ? 1 : 0; // Callers come first.
     for (let p = 1; p < m.pathCount; p++) paths[p] = hits[m.pathOrigin[p]] || paths[m.pathParent[p]];
     for (let i = 0; i < m.count; i++) if (hits[m.made[i]] || paths[m.path[i]]) found.push(i);

@@ -11,6 +11,10 @@
  *
  * Beyond X3D's nodes: Shapes and Groups have `paint` (the number of a material; where it is missing, that of what surrounds them),
  * `layer`, `origin` (an entry of the node Origins at the end) and `kind`; a Transform has `translation` or a `matrix` of three rows.
+ *
+ * The notation x3d-steps shows how the drawing is made: a Group of the field `item` round each thing drawn; a difference or
+ * intersection is a Group with the field `operation`, in it the operands and then a Group of the field `result`. What is
+ * taken away has the field `cut`.
  * Only that which holds a position in the whole drawing is stored about the drawing's middle, so that 32 bits are enough. */
 #include "backends/lower.h"
 #include "backends/x3d/packed.h"
@@ -50,6 +54,8 @@ typedef struct {
   size_t open_count, open_room;
   vs_vec3 middle;              /* of the drawing */
   bool inside;                 /* a template is being written: its coordinates are its own */
+  bool steps;                  /* how the drawing is made is shown */
+  bool result;                 /* and now what an operation gave */
   uint32_t geometry_count;
 } packed;
 
@@ -424,8 +430,15 @@ static void packed_transform(vs_emitter *e, const vs_affine *place) {
   }
 }
 
+/* Is what is being shown an operand that is taken away? */
+static bool packed_is_cut(const vs_emitter *e) {
+  const packed *p = e->state;
+  return p->steps && !p->result && e->parent != NULL && e->parent->kind == VS_DIFFERENCE && e->child_index > 0;
+}
+
 static void packed_marks(vs_emitter *e, const vs_ref *ref, uint32_t paint, const char *layer, const vs_origin *origin) {
   uint32_t number = packed_origin(e, origin);
+  if (packed_is_cut(e)) packed_number(e, "cut", 1);
   if (paint > 0) packed_number(e, "paint", paint);
   if (layer != NULL) packed_text(e, "layer", layer);
   if (number > 0) packed_number(e, "origin", number);
@@ -536,17 +549,40 @@ vs_emit_status vs_packed_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) 
   return packed_put(e, ref, p->made_count - 1, &there) ? VS_EMITTED : VS_FAILED;
 }
 
+static vs_emit_status packed_close_group(vs_emitter *e) {
+  packed *p = e->state;
+  if (p->open[--p->open_count].wrapped) packed_end(e);
+  return e->out->failed ? VS_FAILED : VS_EMITTED;
+}
+
+/* With its operands in it, and behind them what it gives. */
+static vs_emit_status packed_operation(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
+  packed *p = e->state;
+  if (phase == VS_PHASE_LEAVE) {
+    packed_entry(e, "N", "Group");
+    packed_number(e, "result", 1);
+    p->result = true;
+    bool ok = packed_shape_of(e, ref, vs_shade_crease(true));
+    p->result = false;
+    packed_end(e);
+    return packed_close_group(e) == VS_EMITTED && ok ? VS_EMITTED : VS_FAILED;
+  }
+  if (!vs_emit_grow(e, &p->open, &p->open_room, p->open_count + 1, sizeof *p->open)) return VS_FAILED;
+  p->open[p->open_count++] = (packed_open){ NULL, ref->origin, true };
+  packed_entry(e, "N", "Group");
+  packed_marks(e, ref, 0, NULL, ref->origin);
+  packed_number(e, "operation", 1);
+  return e->out->failed ? VS_FAILED : VS_EMITTED;
+}
+
 /* Placement and paint are the emitter's; an operation becomes a Group where it says something: a layer, or a place in the source of its own. */
 vs_emit_status vs_packed_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   packed *p = e->state;
-  if (phase == VS_PHASE_LEAVE) {
-    if (p->open[--p->open_count].wrapped) packed_end(e);
-    return VS_EMITTED;
-  }
+  if (phase == VS_PHASE_LEAVE) return packed_close_group(e);
   if (!vs_emit_grow(e, &p->open, &p->open_room, p->open_count + 1, sizeof *p->open)) return VS_FAILED;
   const vs_origin *round = p->open_count > 0 ? p->open[p->open_count - 1].origin : NULL;
   const char *layer = ref->node->kind == VS_LAYER ? VS_AS(layer, ref->node)->name : NULL;
-  bool wrapped = layer != NULL || (ref->origin != NULL && ref->origin != round);
+  bool wrapped = packed_is_cut(e) || layer != NULL || (ref->origin != NULL && ref->origin != round);
   p->open[p->open_count++] = (packed_open){ layer, ref->origin != NULL ? ref->origin : round, wrapped };
   if (wrapped) {
     packed_entry(e, "N", "Group");
@@ -580,4 +616,23 @@ bool vs_packed_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
 static bool packed_begin(vs_emitter *e) { return vs_packed_open(e); }
 static bool packed_finish(vs_emitter *e) { return vs_packed_finish(e); }
 
-const vs_backend vs_backend_x3d_packed = { VS_PACKED_BACKEND(packed_begin, packed_finish, vs_packed_close) };
+const vs_backend vs_backend_x3d_packed = { VS_PACKED_BACKEND(packed_begin, packed_finish, vs_packed_close, vs_packed_boolean) };
+
+/* ---- how the drawing is made ---- */
+
+static bool steps_begin(vs_emitter *e) {
+  if (!vs_packed_open(e)) return false;
+  packed *p = e->state;
+  p->steps = true;
+  return true;
+}
+
+static bool steps_item(vs_emitter *e, size_t index, bool end) {
+  if (!end) packed_entry(e, "N", "Group");
+  if (!end) packed_number(e, "item", (uint64_t)index + 1);
+  else packed_end(e);
+  return !e->out->failed;
+}
+
+const vs_backend vs_backend_x3d_steps = { VS_PACKED_BACKEND(steps_begin, packed_finish, vs_packed_close, packed_operation),
+                                          .item = steps_item };

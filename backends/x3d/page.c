@@ -112,4 +112,4 @@ static void page_close(vs_emitter *e) {
   vs_emit_release(e, c, 1, sizeof *c);
 }
 
-const vs_backend vs_backend_html = { VS_PACKED_BACKEND(page_begin, page_end, page_close) };
+const vs_backend vs_backend_html = { VS_PACKED_BACKEND(page_begin, page_end, page_close, vs_packed_boolean) };

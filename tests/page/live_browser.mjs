@@ -1,9 +1,9 @@
 // Owns the tests of the live view in a browser: `live_browser.mjs VS FOLDER`. Prints lines as tests/run.sh wants them.
-import { spawn } from "node:child_process";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { browser, open, settled } from "./browser.mjs";
+import { open } from "./browser.mjs";
+import { session } from "./live_session.mjs";
 
-const [, , vs, folder] = process.argv, only = process.env.ONLY || "", pictures = process.env.PICTURES;
+const [, , vs, folder] = process.argv;
 const model = `${folder}/towers.vs`;
 const source = `; two towers and a bridge
 (define-parameter height 3.0 #:min 1 #:max 9 #:label "Height of the towers")
@@ -21,51 +21,13 @@ const source = `; two towers and a bridge
 mkdirSync(folder, { recursive: true });
 writeFileSync(model, source);
 
-function start(path) {
-  const server = spawn(vs, ["view", "-q", path], { stdio: ["ignore", "pipe", "pipe"] });
-  return new Promise((go) => server.stdout.once("data", (d) => go({ server, url: String(d).trim() })));
-}
-const { server, url } = await start(model);
-const chromium = await browser();
-const context = await chromium.newContext({ viewport: { width: 1100, height: 640 }, reducedMotion: "reduce", acceptDownloads: true });
-await context.addInitScript(() => { window.quick = true; });
-
-let failed = 0;
-async function test(name, body) {
-  if (!("live/browser:" + name).includes(only)) return;
-  const faults = [];
-  const want = (holds, why) => { if (!holds) faults.push(why); };
-  try {
-    await body(want);
-  } catch (error) {
-    faults.push(String(error).split("\n")[0]);
-  }
-  if (pictures) await page.screenshot({ path: `${pictures}/${name.replace(/\W+/g, "-")}.png` });
-  console.log((faults.length ? "not ok live/browser:" : "ok live/browser:") + name);
-  for (const fault of faults) console.log("    " + fault);
-  failed += faults.length;
-}
-
-const page = await open(context, url);
-const states = () => page.evaluate(() => window.live.finished || 0);
-// The state that follows an action has been shown.
-async function after(action) {
-  const before = await states();
-  await action();
-  await page.waitForFunction((n) => (window.live.finished || 0) > n, before, { timeout: 20000 });
-}
+const { url, context, page, test, after, onScreen, end } = await session(vs, model);
 const facts = () => page.evaluate(() => {
   const m = window.visualscheme.model;
   return { count: m.count, size: m.size.map((s) => Math.round(s * 1000) / 1000), good: window.live.state.good, messages: window.live.state.messages.map((m) => m.message) };
 });
 const eye = () => page.evaluate(() => { const c = window.visualscheme.stage.camera; return [...c.position.toArray(), ...c.quaternion.toArray()].map((x) => Math.round(1e4 * x) / 1e4).join(); });
 const text = () => page.evaluate(() => window.live.source.text);
-// Where a point of the model is on the page.
-const onScreen = (p) => page.evaluate(([p]) => {
-  const v = window.visualscheme, m = v.model.middle, r = v.canvas.getBoundingClientRect(), q = v.stage.camera.position.clone().set(p[0] - m[0], p[1] - m[1], p[2] - m[2]).project(v.stage.camera);
-  return { x: r.left + (q.x + 1) / 2 * r.width, y: r.top + (1 - q.y) / 2 * r.height };
-}, [p]);
-
 await test("the model is shown beside its source", async (want) => {
   await page.waitForFunction(() => window.live.finished > 0);
   const f = await facts();
@@ -181,7 +143,7 @@ await test("a section shows its cut", async (want) => {
   await page.locator('[data-do="section"]').click();
   await page.locator('.strip [data-axis="y"]').click();
   want(await page.locator(".overlay .handle").count() === 1, "no handle");
-  const output = await page.locator(".strip output").textContent();
+  const output = await page.locator(".strip:visible output").textContent();
   want(/m$/.test(output), output);
   await page.locator('button[aria-label="No section"]').click();
 });
@@ -400,6 +362,4 @@ await test("a phone's width holds it all", async (want) => {
 
 await test("no script of the page has failed", async (want) => { want(page.troubles.filter((t) => !/403|409/.test(t)).length === 0, page.troubles.join("; ")); });
 
-await chromium.close();
-server.kill();
-process.exit(0);
+await end();
