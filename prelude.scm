@@ -273,19 +273,8 @@
 (define map
   (case-lambda
     ((f list)
-     (if (not (procedure? f)) (%need-procedure 'map 'f f))
-     ; lists of up to three are looked at once, and made at once
-     (let* ((b (if (pair? list) (cdr list) #f)) (c (if (pair? b) (cdr b) #f)))
-       (cond
-         ((null? list) '())
-         ((null? b) (cons (f (car list)) '()))
-         ((null? c) (let* ((x (f (car list))) (y (f (car b)))) (cons x (cons y (quote ())))))
-         ((and (pair? c) (null? (cdr c))) (let* ((x (f (car list))) (y (f (car b))) (z (f (car c)))) (cons x (cons y (cons z (quote ()))))))
-         (else
-          (%need-list 'map list)
-          (let ((captures (%captures)))
-            (let loop ((l list) (acc '()))
-              (if (pair? l) (loop (cdr l) (cons (f (car l)) acc)) (%reverse-own acc captures))))))))
+     (if (not (%each? f list)) (begin (%need-procedure 'map 'f f) (%need-list 'map list)))
+     (%map-each f list))
     ((f list1 list2)
      (%need-procedure 'map 'f f)
      (%need-lists 'map (list list1 list2))
@@ -305,11 +294,8 @@
 (define for-each
   (case-lambda
     ((f list)
-     (%need-procedure 'for-each 'f f)
-     (%need-list 'for-each list)
-     (let loop ((l list))
-       (if (pair? l)
-           (begin (f (car l)) (loop (cdr l))))))
+     (if (not (%each? f list)) (begin (%need-procedure 'for-each 'f f) (%need-list 'for-each list)))
+     (%do-each f list))
     ((f list1 list2)
      (%need-procedure 'for-each 'f f)
      (%need-lists 'for-each (list list1 list2))

@@ -33,3 +33,4 @@
 (show (vector 1 2 3))
 (show (list 1 2 3))
 (show (map same three))
+(show (for-each same three))

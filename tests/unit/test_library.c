@@ -253,6 +253,10 @@ static const row texts[] = {
 /* ---- the printer, equality, tables, format ---- */
 
 static const row objects[] = {
+    {"(%map-each abs '(1 -2 3))", "(1 2 3)"},
+    {"(%map-each abs '())", "()"},
+    {"(list (%each? abs '(1)) (%each? 'abs '(1)) (%each? abs '(1 . 2)))", "(#t #f #f)"},
+    {"(equal? (%do-each abs '(1 -2)) (%do-each abs '()))", "#t"},
     {"(list 1 \"a\\nb\" #\\a #\\space 'x '|a b| '|1| '1+ '|| (string->symbol \"A\"))", "(1 \"a\\nb\" #\\a #\\space x |a b| |1| 1+ || A)"},
     {"''a", "'a"},
     {"'(1 quote a b)", "(1 quote a b)"},

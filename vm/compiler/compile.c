@@ -9,6 +9,7 @@
 #include "vm/compiler/compile.h"
 
 #include "vm/compiler/analyse.h"
+#include "vm/compiler/each.h"
 #include "vm/compiler/emit.h"
 #include "vm/compiler/inline.h"
 #include "vm/machine/program.h"
@@ -276,6 +277,16 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
       if (near_target != target && e->most < VS_FAR) e->most = VS_FAR;
       break;
     }
+    case VS_WAY_EACH:
+      if (n->count != 2 || to != TAIL || e->next + 2 + VS_EACH_WINDOW + 3 >= VS_NEAR) return true;
+      *done = true;
+      if (!operand_of(c, n, 0, &r[0]) || !operand_of(c, n, 1, &r[1]) || !vs_emit_register(e, &target)) return false;
+      for (uint32_t i = 1, reg; i < VS_EACH_WINDOW + 3; i++)
+        if (!vs_emit_register(e, &reg)) return false;
+      if (!vs_emit_place(e, n->pos) || !vs_emit_word(e, VS_INS(VS_O_EACH, target, r[0], r[1])) ||
+          !vs_emit_place(e, n->pos) || !vs_emit_word(e, VS_INS(VS_O_MORE, target, row->immediate, 0))) return false;
+      e->next = keep;
+      return true;
     case VS_WAY_GET:
       if (n->count != 1) return true;
       *done = true;

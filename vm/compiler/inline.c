@@ -7,6 +7,7 @@
 #define IMMEDIATE_EFFECT(x) VS_O_##x
 #define IMMEDIATE_TYPE(x) VS_T_##x
 #define IMMEDIATE_RECORD(x) VS_O_##x
+#define IMMEDIATE_EACH(x) x
 #define ANY VS_ANY_COUNT
 
 static const vs_inline_row rows[] = {

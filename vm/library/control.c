@@ -8,6 +8,7 @@
 #include "vm/machine/activation.h"
 #include "vm/machine/native.h"
 #include "vm/library/port.h"
+#include "vm/values/pairs.h"
 #include "vm/values/printer.h"
 #include "vm/machine/run.h"
 
@@ -347,7 +348,7 @@ static vs_status check(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static vs_status captures(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
-  *out = vs_fix((int64_t)(vm->captures & VS_FIXNUM_MAX));
+  *out = vs_captures(vm);
   return VS_OK;
 }
 

@@ -5,6 +5,7 @@
 #include "vm/values/equal.h"
 #include "vm/machine/native.h"
 #include "vm/values/number.h"
+#include "vm/values/pairs.h"
 
 enum { POLL_STEP = 1024, POLL_COST = 4 * POLL_STEP /* a step walks or makes a pair */ };
 
@@ -320,11 +321,7 @@ static vs_status list_append(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 /* the elements of a[0], a proper list, in front of tail, turned round */
 static vs_status list_reverse_onto(vs_scheme *vm, vs_value *a, vs_value tail, vs_value *out) {
   int64_t length;
-  if (!arg_list(vm, a, 0, &length)) return VS_ERROR;
-  *out = tail;
-  for (int64_t i = 0; i < length; i++, a[0] = vs_cdr(a[0]))
-    if (!vs_cons(vm, vs_car(a[0]), *out, out) || (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_COST))) return VS_ERROR;
-  return VS_OK;
+  return arg_list(vm, a, 0, &length) && vs_list_onto(vm, a, tail, out);
 }
 
 static vs_status list_reverse(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
@@ -332,20 +329,37 @@ static vs_status list_reverse(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return list_reverse_onto(vm, a, VS_NIL, out);
 }
 
-/* A list that its caller made since there were a[1] continuations, and nobody else has: if there are no more now, nobody comes back to where it
- * was half made, and it is turned round in its place. */
 static vs_status list_reverse_own(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  if (a[1] != vs_fix((int64_t)(vm->captures & VS_FIXNUM_MAX))) return list_reverse_onto(vm, a, VS_NIL, out);
-  *out = VS_NIL;
-  for (uint64_t i = 1; vs_is_pair(a[0]); i++) {
-    vs_value l = a[0];
-    a[0] = vs_cdr(l);
-    vs_gc_store(vm, vs_as_pair(l), &vs_as_pair(l)->cdr, *out);
-    *out = l;
-    if (i % POLL_STEP == 0 && !vs_poll(vm, POLL_COST)) return VS_ERROR;
-  }
+  return vs_list_own_turned(vm, &a[0], a[1], out);
+}
+
+/* Can map and for-each begin? They say what is wrong if not. */
+static vs_status list_each_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)vm, (void)n;
+  *out = vs_bool(vs_is_procedure(a[0]) && vs_list_length(a[1]) >= 0);
   return VS_OK;
+}
+
+/* procedure list | what came so far, turned round; continuations at the start. The call of these two is an
+ * instruction wherever the frame has registers left for it (run.c). */
+static vs_status list_map_each(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  if (n >= 0) a[2] = VS_NIL, a[3] = vs_captures(vm);
+  else if (!vs_cons(vm, *out, a[2], &a[2])) return VS_ERROR;
+  if (!vs_is_pair(a[1])) return vs_list_own_turned(vm, &a[2], a[3], out);
+  vs_value element = vs_car(a[1]);
+  a[1] = vs_cdr(a[1]);
+  return vs_call(vm, a[0], 1, &element);
+}
+
+/* procedure list */
+static vs_status list_do_each(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  *out = VS_UNSPECIFIC;
+  if (!vs_is_pair(a[1])) return VS_OK;
+  vs_value element = vs_car(a[1]);
+  a[1] = vs_cdr(a[1]);
+  return vs_call(vm, a[0], 1, &element);
 }
 
 static vs_status list_append_reverse(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
@@ -554,6 +568,9 @@ static const vs_native_def defs[] = {
   { "append append!", ". lists", list_append, 0, "the elements of all lists in one" },
   { "reverse reverse!", "list", list_reverse, 0, "the elements in the other order" },
   { "%reverse-own", "list captures", list_reverse_own, 0, NULL },
+  { "%each?", "procedure list", list_each_p, 0, NULL },
+  { "%map-each", "procedure list", list_map_each, 2, NULL },
+  { "%do-each", "procedure list", list_do_each, 1, NULL },
   { "append-reverse append-reverse!", "list tail", list_append_reverse, 0, "(append (reverse list) tail)" },
   { "list-copy", "list", list_copy, 0, NULL },
   { "list-tail drop", "list k", list_tail, 0, "list without its first k elements" },

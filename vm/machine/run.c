@@ -16,6 +16,7 @@
 #include <stdio.h>
 
 #include "vm/machine/arguments.h"
+#include "vm/compiler/each.h"
 #include "vm/compiler/code.h"
 #include "vm/compiler/compile.h"
 #include "vm/machine/activation.h"
@@ -75,7 +76,8 @@ static bool fail_callee(vs_scheme *vm, vs_value f, const vs_value *at, size_t n)
  * returned further. */
 static bool takes_several(const uint32_t *pc) {
   uint32_t op = *pc & 255;
-  return op == VS_O_DROP || op == VS_O_RETURN || (op == VS_O_FARLOAD && ((pc[1] & 255) == VS_O_DROP || (pc[1] & 255) == VS_O_RETURN));
+  return op == VS_O_DROP || op == VS_O_RETURN || (op == VS_O_MORE && VS_B(*pc)) ||
+         (op == VS_O_FARLOAD && ((pc[1] & 255) == VS_O_DROP || (pc[1] & 255) == VS_O_RETURN));
 }
 
 static bool fail_several(vs_scheme *vm, vs_value v) {
@@ -292,6 +294,8 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
       const vs_code *callee = CALLEE(w[0]);                                                                \
       if (PLAIN(callee, n, w)) { w[1] = vs_ret_make(A, HERE); base = w + 2; ENTER(callee); }               \
       if (callee->flags & VS_CODE_RECORD) goto call_record;                                                \
+    } else if (vs_is(w[0], VS_T_CASE)) {                                                                   \
+      goto call_case;                                                                                      \
     }                                                                                                      \
     ret = vs_ret_make(A, HERE); kw = VS_FALSE; tail = false;                                               \
     goto call;                                                                                             \
@@ -308,6 +312,13 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
     }                                                                                                      \
     kw = VS_FALSE; tail = true;                                                                            \
     goto call;                                                                                             \
+  } while (0)
+
+#define DROPPED(v) do {                                                                                    \
+    if (vm->config.dropped) {                                                                              \
+      vs_value first = vs_is_pair(v) ? vs_as_pair(v)->car : (v); /* (map f l) where (for-each f l) was meant */ \
+      if (vs_is(first, VS_T_FOREIGN)) vm->config.dropped(vm, first);                                       \
+    }                                                                                                      \
   } while (0)
 
   goto call;
@@ -392,12 +403,7 @@ look:
             vs_as_symbol(k[*pc])->name);
     goto fail;
 
-  OP(DROP):
-    if (vm->config.dropped) {
-      vs_value first = vs_is_pair(RA) ? vs_as_pair(RA)->car : RA; /* (map f l) where (for-each f l) was meant */
-      if (vs_is(first, VS_T_FOREIGN)) vm->config.dropped(vm, first);
-    }
-    NEXT;
+  OP(DROP): DROPPED(RA); NEXT;
   OP(CALL): CALL_WINDOW;
   OP(CALLG): {
     vs_value g = vs_as_cell(k[*pc])->value;
@@ -615,6 +621,56 @@ look:
   OP(JRECORD): BRANCH_IF(vs_is(RA, VS_T_RECORD) && vs_as_record(RA)->type == RB);
   OP(JPROCEDURE): BRANCH_IF(vs_is_procedure(RA));
   OP(JFLONUM): BRANCH_IF(vs_is_double(RA));
+  OP(JLIST): {
+    int truth = vs_is_short_list(RA);
+    if (truth < 0) goto generic;
+    BRANCH_IF(truth);
+  }
+  OP(JEACH): {
+    if (!vs_is(RA, VS_T_CLOSURE) || vs_is_short_list(RB) <= 0) goto generic;
+    BRANCH_IF(true);
+  }
+  OP(EACH): {
+    vs_value *row = &RA, procedure = RB, list = RC;
+    row[VS_EACH_PROCEDURE] = procedure;
+    row[VS_EACH_LIST] = list;
+    row[VS_EACH_CAPTURES] = vs_captures(vm);
+    row[VS_EACH_RESULTS] = row[VS_EACH_LAST] = VS_NIL;
+    if (VS_B(*pc)) row[VS_EACH_RESULTS] = VS_UNSPECIFIC, row[VS_EACH_LAST] = VS_FALSE;
+    goto each;
+  }
+  OP(MORE): {
+    vs_value *row = &RA;
+    pc--;
+    if (B) {
+      DROPPED(row[VS_EACH_WINDOW]);
+    } else {
+      SAVE;
+      if (!vs_each_keep(vm, row)) goto fail;
+    }
+  }
+each: {                                   /* the instruction at pc is MORE, with the same A as the one at hand */
+    vs_value *row = &RA, list = row[VS_EACH_LIST];
+    if (!vs_is_pair(list)) {
+      SAVE;
+      if (!vs_each_end(vm, row)) goto fail;
+      v = row[VS_EACH_RESULTS];
+      goto give;
+    }
+    w = row + VS_EACH_WINDOW; n = 1;
+    w[0] = row[VS_EACH_PROCEDURE];
+    w[2] = vs_car(list);
+    row[VS_EACH_LIST] = vs_cdr(list);
+    ret = vs_ret_make(A + VS_EACH_WINDOW, HERE);
+    if (vs_is(w[0], VS_T_CLOSURE)) {
+      const vs_code *callee = CALLEE(w[0]);
+      if (PLAIN(callee, 1, w)) { w[1] = row[VS_EACH_CAPTURES] == VS_FALSE ? ret : ret | VS_RET_EACH; base = w + 2; ENTER(callee); }
+      if (callee->flags & VS_CODE_RECORD && vs_record_call(vm, w[0], w + 2, 1, &w[0])) NEXT;
+    }
+    if (--vm->fuel <= 0) { SAVE; if (!vs_poll_limits(vm)) goto fail; }
+    kw = VS_FALSE; tail = false;
+    goto call;
+  }
   OP(RECORD): {
     vs_value type = RB;
     size_t fields = (size_t)C - 1;
@@ -678,6 +734,20 @@ generic: {
       case VS_O_G_SET: case VS_O_G_SETV: w[2] = RA; w[3] = RB; w[4] = RC; n = 3; break;
       default: n = 0; break;
     }
+    goto call;
+  }
+
+  /* Calls the case-lambda in w[0] with w[2..2+n): its first clause at once, if that takes so many. */
+call_case: {
+    const vs_case *c = vs_as_case(w[0]);
+    const vs_code *callee = c->count ? CALLEE(c->clause[0]) : NULL;
+    if (callee && PLAIN(callee, n, w)) {
+      w[0] = c->clause[0];
+      w[1] = vs_ret_make(A, HERE);
+      base = w + 2;
+      ENTER(callee);
+    }
+    ret = vs_ret_make(A, HERE); kw = VS_FALSE; tail = false;
     goto call;
   }
 
@@ -915,6 +985,15 @@ give: {
     ret = base[-1];
     size_t distance = vs_ret_distance(ret);
     if (ret & VS_RET_FLAGS) {
+      if (!VS_STEPPING && (ret & VS_RET_FLAGS) == VS_RET_EACH) {
+        int done = vs_each_again(vm, base, v);
+        if (done == 1) { pc = start; NEXT; }
+        if (done == 2) {
+          v = VS_EACH_BELOW(base, VS_EACH_RESULTS);
+          base -= 2 + distance;
+          goto give;
+        }
+      }
       if (ret & VS_RET_STOP) { *out = v; return true; }
       if (ret & VS_RET_UNDER) {
         const vs_stack *s = vs_as_stack(vm->under);
