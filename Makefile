@@ -25,7 +25,7 @@ LAYERS    = javascript vm model functions geometry fitting kernel solids passes 
 LIB_SRC   = $(foreach d,$(LAYERS),$(wildcard $(d)/*.c $(d)/*/*.c))
 LIB_OBJ   = $(LIB_SRC:%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/assets.o
 CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c cli/*/*.c live/*.c knowledge/*.c knowledge/*/*.c)) $(BUILD)/live_assets.o
-FUZZERS   = reader text program forms script import emit calls
+FUZZERS   = reader text program forms script import emit calls live
 UNIT_SRC  = $(wildcard tests/unit/test_*.c)
 UNIT_BIN  = $(UNIT_SRC:tests/unit/%.c=$(BUILD)/unit/%)
 TOOL_BIN  = $(patsubst tests/tools/%.c,$(BUILD)/tools/%,$(wildcard tests/tools/*.c)) $(BUILD)/tools/fuzz $(FUZZERS:%=$(BUILD)/tools/replay_%)
@@ -199,13 +199,17 @@ fuzz: ## install clang's libFuzzer and let each fuzzer of tests/fuzz run T secon
 
 fuzzers: $(FUZZERS:%=$(BUILD)/fuzz_%)
 
+# The server is no part of the library.
+LIVE_FUZZED = $(patsubst %,$(BUILD)/obj/live/%.o,serve publish chunks text files http) $(BUILD)/live_assets.o
+$(BUILD)/fuzz_live $(BUILD)/tools/replay_live: $(LIVE_FUZZED)
+
 $(BUILD)/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/fuzz.h $(BUILD)/libvisualscheme.a
-	$(CC) $(CFLAGS) -fsanitize=fuzzer $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
+	$(CC) $(CFLAGS) -fsanitize=fuzzer $(filter-out %.h %.a,$^) -o $@ $(filter %.a,$^) $(LDFLAGS) $(LDLIBS)
 
 $(BUILD)/tools/replay_%: tests/fuzz/fuzz_%.c tests/fuzz/replay.c tests/fuzz/fuzz.h $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)
 	$(call say,tool  $<)
-	$(Q)$(CC) $(CFLAGS) $< tests/fuzz/replay.c -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
+	$(Q)$(CC) $(CFLAGS) $(filter-out %.h %.a,$^) -o $@ $(filter %.a,$^) $(LDFLAGS) $(LDLIBS)
 
 coverage: ## which lines the tests reach: gcov over vm, model, kernel and bind
 	$(MAKE) BUILD=$(BUILD)/coverage OPT="-O1 -g --coverage" LDFLAGS=--coverage SUITES="unit lang cli manual bad limits" tests
@@ -243,6 +247,15 @@ asan: ## the tests under the address and leak sanitizer
 	$(MAKE) $(call SANITIZE,address,asan) LDFLAGS="-Wl,--no-as-needed -lstdc++" # GEOS comes later and throws: the sanitizer must know of C++ from the start
 ubsan: ## the tests under the undefined-behaviour sanitizer
 	UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(MAKE) $(call SANITIZE,undefined -fno-sanitize-recover=all,ubsan)
+
+# What runs in threads: interpreters side by side, the kernel's tasks, the live view's server. scripts/tsan.supp says what is not ours.
+TSAN_UNITS = test_threads test_kernel test_crowds
+tsan: ## what runs in threads under the thread sanitizer: interpreters side by side, the kernel, the live view's server
+	$(MAKE) OPT="-O1 -g -fsanitize=thread -DVS_DEBUG=1" BUILD=$(BUILD)/tsan $(BUILD)/tsan/vs $(TSAN_UNITS:%=$(BUILD)/tsan/unit/%)
+	for t in $(TSAN_UNITS); do TSAN_OPTIONS="suppressions=$(CURDIR)/scripts/tsan.supp" $(BUILD)/tsan/unit/$$t || exit 1; done
+	rm -f $(BUILD)/tsan/race.* && mkdir -p $(BUILD)/tsan/live
+	TSAN_OPTIONS="suppressions=$(CURDIR)/scripts/tsan.supp log_path=$(CURDIR)/$(BUILD)/tsan/race" node tests/page/live.mjs $(CURDIR)/$(BUILD)/tsan/vs $(BUILD)/tsan/live
+	! cat $(BUILD)/tsan/race.* 2>/dev/null
 
 # The kernel alone, under both: its units, a sample of its random trees, and files as the program writes them.
 KERNEL_UNITS = test_random_solids test_kernel test_crowds test_kernel_refusals test_inspect test_progress
@@ -309,5 +322,5 @@ clean: ## remove what was built
 help: ## list the targets
 	@awk -F ':.*## ' '/^help:.*## / { first = sprintf("make %-9s %s\n", $$1, $$2) } /^[a-z]+:.*## / && !/^help:/ { rest = rest sprintf("make %-9s %s\n", $$1, $$2) } END { printf "%s%s", first, rest }' Makefile
 
-.PHONY: all objects demo test check units tests quick asan ubsan sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install clean help
+.PHONY: all objects demo test check units tests quick asan ubsan tsan sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)

@@ -14,8 +14,10 @@
 
 enum { BATCH = VS_SAMPLE_BATCH };
 
-/* Where the processor can, four numbers at a time instead of two: the same operations, so the same digits. */
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+/* Where the processor can, four numbers at a time instead of two: the same operations, so the same digits. A sanitizer
+ * cannot be asked before it has begun, and the loader chooses before. */
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
 #define WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define WIDE

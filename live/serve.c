@@ -390,6 +390,8 @@ static enum MHD_Result handle(void *context, struct MHD_Connection *c, const cha
   request *r = *state;
   (void)version;
   if (r == NULL) {
+    pthread_mutex_lock(&s->publish->lock); /* until the server is open */
+    pthread_mutex_unlock(&s->publish->lock);
     *state = calloc(1, sizeof(request));
     return *state != NULL ? MHD_YES : MHD_NO;
   }
@@ -428,18 +430,17 @@ bool live_server_open(live_server *s) {
   }
   pthread_mutex_init(&s->names_lock, NULL);
   s->names = vs_new(NULL);
+  pthread_mutex_lock(&s->publish->lock); /* who asks at once waits for the port and the names that are written below */
   s->daemon = s->http.start_daemon(MHD_USE_INTERNAL_POLLING_THREAD | MHD_USE_THREAD_PER_CONNECTION | MHD_USE_ERROR_LOG, 0, NULL, NULL, handle, s, MHD_OPTION_EXTERNAL_LOGGER, quiet, NULL,
                                    MHD_OPTION_SOCK_ADDR, (struct sockaddr *)&loopback, MHD_OPTION_CONNECTION_LIMIT, (unsigned)CONNECTIONS, MHD_OPTION_CONNECTION_TIMEOUT, (unsigned)SILENCE,
                                    MHD_OPTION_CONNECTION_MEMORY_LIMIT, (size_t)32768, MHD_OPTION_NOTIFY_COMPLETED, completed, NULL, MHD_OPTION_END);
   const union MHD_DaemonInfo *info = s->daemon != NULL ? s->http.get_daemon_info(s->daemon, MHD_DAEMON_INFO_BIND_PORT) : NULL;
-  if (info == NULL) {
-    fprintf(stderr, "vs: the live view could not listen on 127.0.0.1\n");
-    return false;
-  }
-  s->port = info->port;
+  s->port = info != NULL ? info->port : 0;
   snprintf(s->hosts[0], sizeof s->hosts[0], "127.0.0.1:%u", s->port);
   snprintf(s->hosts[1], sizeof s->hosts[1], "localhost:%u", s->port);
-  return true;
+  pthread_mutex_unlock(&s->publish->lock);
+  if (info == NULL) fprintf(stderr, "vs: the live view could not listen on 127.0.0.1\n");
+  return info != NULL;
 }
 
 void live_server_close(live_server *s) {

@@ -10,7 +10,7 @@ build=$1 seconds=$2 plain=${3:-}
 mkdir -p "$build/found"
 bad=0
 count() { echo "$1 $2 $3" >> "$build/executions"; }
-for name in ${FUZZ:-reader text program forms script import emit calls}; do
+for name in ${FUZZ:-reader text program forms script import emit calls live}; do
   corpus=$build/corpus/$name
   mkdir -p "$corpus"
   # importers: each file of the tests behind the number of its reader

@@ -13,7 +13,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 [ "${1:-}" = --suite ] || BUILD=${1:-build}
 case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
-SUITES=${SUITES:-unit lang javascript cli shell editors prompt signals manual bad workers cross solids embed limits layers compilers${LONG:+ page live}}
+SUITES=${SUITES:-unit lang javascript cli shell editors prompt signals manual bad workers cross solids embed limits layers compilers${LONG:+ page live determinism}}
 export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LONG="${LONG:-}" LC_ALL=C.UTF-8
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -53,6 +53,7 @@ suite_cross()     { sh tests/cross.sh; }
 suite_solids()    { sh tests/solids.sh; }
 suite_bad()       { case $ONLY in ""|bad*) timeout 300 "$BUILD/tools/badcalls" tests/bad/calls.txt || echo "not ok bad: ended with $?" ;; esac; }
 suite_limits()    { sh tests/limits.sh; }
+suite_determinism() { sh tests/determinism.sh; }
 suite_embed()     { [ ! -f tests/embed.sh ] || sh tests/embed.sh; }
 suite_layers() {
   if ! command -v objdump >/dev/null 2>&1; then echo "skip layers: no objdump (package binutils)"; return; fi
