@@ -42,6 +42,8 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
   if (object.node->kind == VS_EMPTY) return true;
   if (!bounds_of(d, object, &b)) return false;
   if (vs_bounds_is_empty(&b)) return true;
+  /* What a rule placed was made by that rule, also where passes merge the placement into the object. */
+  vs_ref placed = { object.node, origin };
   vs_node *n;
   if (s->class_ == VS_SCOPE_FFD) {
     vs_vec3 at[8];
@@ -53,9 +55,9 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
       return vs_fail(d->bind->vm, d->bind->vm->sym.error,
                      "a hexahedron deforms solids, surfaces and curves, not regions: do-extrude them");
     if (vs_deform_is_affine(&deform, &b, &m))
-      n = vs_node_new(store, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &object, 1);
+      n = vs_node_new(store, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &placed, 1);
     else
-      n = vs_node_new(store, VS_DEFORM, &deform, &object, 1);
+      n = vs_node_new(store, VS_DEFORM, &deform, &placed, 1);
   } else {
     vs_affine frame = vs_scope_frame(s);
     vs_vec3 size = vs_scope_size(s);
@@ -64,7 +66,7 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
       frame.m[0][3] = at.x, frame.m[1][3] = at.y, frame.m[2][3] = at.z;
     }
     vs_affine m = fit(&frame, size, &b);
-    n = vs_node_new(store, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &object, 1);
+    n = vs_node_new(store, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &placed, 1);
   }
   if (!n) return vs_fail_memory(d->bind->vm);
   bool ok = vs_rules_gather(d, (vs_ref){ n, origin }, s->flags);

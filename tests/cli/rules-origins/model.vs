@@ -1,0 +1,6 @@
+(define stone (make-box (xyz 0 0 0) (xyz 1 1 1)))
+(define-rule (wall [self box-scope?])
+  [(=> (scope-split 'x (rest plinth) (absolute 1 stone)))])
+(define-rule (plinth [self box-scope?])
+  [(=> (scope-place (make-box (xyz 0 0 0) (xyz 2 2 2))))])
+(draw (do-move (do-rotate (wall (make-box-scope origin 3 1 1)) 'z pi/2) (vxyz 0 0 5)))
