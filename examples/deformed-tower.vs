@@ -24,6 +24,6 @@
 (define (bent p) (twist (taper p)))
 
 (draw (do-deform (list (map storey (iota storeys)) mullions) bent))
-(ground 0)
+(ground 0 #:material concrete)
 (sun #:azimuth 225 #:altitude 35)
-(camera (xyz 95 -105 48) (xyz 0 0 (* 0.47 height)) #:lens 32)
+(camera (xyz 84 -92 16) (xyz 7 0 (* 0.46 height)) #:lens 29)

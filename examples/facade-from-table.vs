@@ -49,6 +49,6 @@
 (printf "~a panels, ~,1f m2 of them open~%" (length panels)
   (apply + (map (lambda (panel) (* 0.6 (data-ref panel 'opening) width height)) panels)))
 
-(ground 0)
+(ground -0.15 #:material concrete)
 (sun #:azimuth 215 #:altitude 38)
-(camera (xyz -9 -26 9) (xyz 9.2 2 10.5) #:lens 30)
+(camera (xyz -10 -31 7) (xyz 9.4 2 10.8) #:lens 30)

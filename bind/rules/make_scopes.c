@@ -1,4 +1,4 @@
-/* Owns the makers of root scopes, and what a program can read of a scope. */
+/* Owns the makers of scopes, and what a program can read of a scope. */
 #include "bind/rules/derivation.h"
 
 #include <string.h>
@@ -8,8 +8,18 @@
 
 /* ---- makers ---- */
 
+/* A scope that is made while a rule runs lies in that rule's: path and flags go on, and chance is that of both places. */
+static void stand_in(vs_scope *s, const vs_derivation *d, const char *op) {
+  s->parent = vs_scope_retain(d->now), s->depth = d->now->depth + 1;
+  s->rule = d->name, s->op = op;
+  if ((s->flags = d->now->flags)) s->flags->refs++;
+  s->hash = vs_scope_mix(d->now->hash, s->hash);
+}
+
 static vs_status made(vs_frame *f, vs_scope *s, vs_vec3 at, vs_value *out) {
+  const vs_derivation *d = f->bind->growing;
   if (s) vs_scope_plant(s, at);
+  if (s && d && d->now) stand_in(s, d, vs_rules_operator(f));
   return vs_scope_wrap(f->bind, s, out);
 }
 

@@ -3,14 +3,14 @@
 ;
 ; What it teaches: from coarse to fine. The third, fourth and fifth front are one call of one rule with other rules among its arguments.
 ;
-;   vs facade-stages.vs -o stages.png --size 1280x480
+;   vs facade-stages.vs -o stages.png
 (require "fillings.vs")
 
 (define width 13) (define height 14.5)
 (define top 3) (define middle 3) (define bottom 4)
 
 ; ---- (a) parts, (b) floors ----
-(define coral (block "#d9705f")) (define sand (block "#e3c06b")) (define moss (block "#7fa66a")) (define sea (block "#6f9ab8"))
+(define coral (block "#c2604f")) (define sand (block "#cfa75c")) (define moss (block "#6f8f63")) (define sea (block "#5c86a3"))
 (define (lined c) (define-rule (inset [self box-scope?]) [(=> (scope-move 0.06 0.06 0) (scope-size (- (scope-size-x self) 0.12) (- (scope-size-y self) 0.12) 0.3) (scope-place c))]) inset)
 (define-rule (parts [self box-scope?])
   [(=> (scope-split 'y (absolute bottom (lined moss)) (rest (lined sand)) (absolute top (lined coral))))])
@@ -31,7 +31,7 @@
 
 ; ---- all five ----
 (define (front i rule . arguments)
-  (apply rule (make-box-scope (xyz (* i (+ width 3)) 0 0) width height 0) arguments))
+  (apply rule (make-box-scope (xyz (* i (+ width 2)) 0 0) width height 0) arguments))
 (define (template i tile door cornice corner)
   (front i abstract-facade top middle bottom 0.13 pi/2 pi/2 #t tile door cornice corner))
 
@@ -40,6 +40,13 @@
       (template 2 tile-block door-block cornice-block corner-block)
       (template 3 old-tile old-door old-cornice old-corner)
       (template 4 modern-tile modern-door modern-cornice modern-corner))
-(ground 0 #:material concrete)
-(sun #:azimuth 215 #:altitude 42)
-(camera (xyz 31 -60 10) (xyz 36.6 0 7) #:lens 26)
+; a square of slabs before them
+(define-rule (paving [self box-scope?]) [(=> (scope-repeat 'x 3 strip))])
+(define-rule (strip [self box-scope?]) [(=> (scope-repeat 'z 3 slab-of-stone))])
+(define-rule (slab-of-stone [self box-scope?])
+  [(=> (scope-split 'x (rest (rule-with cut (block (list-ref '("#8f8a80" "#96918a" "#a09b92") (random 3))))) (absolute 0.04 #f)))])
+(define-rule (cut [self box-scope?] [stone object?]) [(=> (scope-split 'z (rest stone) (absolute 0.04 #f)))])
+(draw (paving (make-box-scope (xyz -60 0.6 -0.1) 180 0.1 60)))
+(ground -0.1 #:material (make-material #:name "mortar" #:color "#6f6a60" #:roughness 1))
+(sun #:azimuth 238 #:altitude 40)
+(camera (xyz 79 -41 6) (xyz 42 0 6.5) #:lens 27)

@@ -3,12 +3,13 @@
 ;
 ; What it teaches: a template with two rules among its parameters (trees.vs); four calls make four kinds of tree.
 ;
-;   vs four-trees.vs -o trees.png --size 1280x480
+;   vs four-trees.vs -o trees.png
 (require "trees.vs")
 (draw (planted 0 0 4 lime-leaf no-fruit)
-      (planted 7 0 4 oak-leaf apples)
-      (planted 14 0 4 pear-leaf pears)
-      (planted 21 0 4 young-leaf petals))
-(ground 0 #:material grass)
-(sun #:azimuth 205 #:altitude 40)
-(camera (xyz 10.5 -27 3.4) (xyz 10.5 0 3.3) #:lens 34)
+      (planted 5 2 4 oak-leaf apples)
+      (planted 10 -1 4 pear-leaf pears)
+      (planted 15 1.5 4 young-leaf petals)
+      (lawn (make-box-scope (xyz -14 28 0) 44 1 42) 0.4))
+(ground 0 #:material meadow)
+(sun #:azimuth 225 #:altitude 36)
+(camera (xyz 6 -16.5 2.2) (xyz 7 0 3.1) #:lens 27)

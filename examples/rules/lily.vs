@@ -57,4 +57,4 @@
 (draw (lily (from 0 0 0.6) 14 -0.17) (lily (from 1.4 0.6 -1.6) 11 -0.2) (lily (from -1.2 0.8 2.6) 9 -0.16))
 (ground 0 #:material (make-material #:name "soil" #:color "#7d7062" #:roughness 1))
 (sun #:azimuth 210 #:altitude 45)
-(camera (xyz -3 -21 8) (xyz -1.2 0 5.9) #:lens 40)
+(camera (xyz -3 -23 7.5) (xyz -1.5 0 6.4) #:lens 38)

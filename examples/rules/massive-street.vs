@@ -12,9 +12,10 @@
 (random-seed! seed)
 (define lot-width 22)
 (define half 11) ; of the street with its pavements
-(ground -0.5 #:material grass)
-(sun #:azimuth 200 #:altitude 40)
+(sun #:azimuth 243 #:altitude 42)
 (camera (xyz -30 -3 16) (xyz 60 1 7) #:lens 26)
+
+(ground -0.5 #:material meadow)
 
 ; ---- a house on its lot ----
 (define bar '((0 0) (1 0) (1 0.6) (0 0.6)))
@@ -66,5 +67,5 @@
 (define kerb (- half 6))
 (define (slab y0 y1 z) (make-box (xyz -80 y0 -0.5) (xyz (+ long 80) y1 z)))
 (draw (with-material concrete (slab kerb (+ half deep-lot 6) 0) (slab (- (+ half deep-lot 6)) (- kerb) 0))
-      (with-material asphalt (slab (- kerb) kerb -0.15))
+      (color "#77776f" (slab (- kerb) kerb -0.15))
       (color "#f2f2ee" (map (lambda (i) (make-box (xyz (* 8 i) -0.1 -0.15) (xyz (+ 3 (* 8 i)) 0.1 -0.1))) (iota (quotient long 8)))))

@@ -71,5 +71,25 @@
   [#:when (< (random) 0.75) (=> (petal 0))]
   [(=>)])
 
+; ---- what it stands on ----
+(define meadow (make-material #:name "meadow" #:color "#6f7d45" #:roughness 1))
+; Tufts of blades, some kinds of them, are placed over and over: on about every k by k of the scope's floor one, turned by chance.
+(define straw (map blade '("#7f9350" "#8b9c57" "#6c8244")))
+(define (tuft i)
+  (unite (map (lambda (k)
+                (do-move (do-rotate (do-rotate (do-scale (list-ref straw (modulo k 3)) (vxyz 0.05 (random-range 0.05 0.1) 0.05)) 'x (random-range 0.9 1.6))
+                                    'z (random 2pi))
+                         (vpol (random 0.16) (random 2pi))))
+              (iota 14))))
+(define tufts (map tuft (iota 6)))
+(define-rule (lawn [self box-scope?] [k positive?])
+  (define-rule (row [self box-scope?]) [(=> (scope-repeat 'z k plot))])
+  (define-rule (plot [self box-scope?])
+    [(=> #:chance 0.8 (tuft-here (list-ref tufts (random 6)) (random-range 0.7 1.6) (random 2pi))) (=>)])
+  (define (tuft-here s tuft size angle)
+    (do-move (do-rotate (do-scale tuft size) 'z angle)
+             (p->q origin (+xy (scope-corner s 0 0 0) (random (scope-size-x s)) (random (scope-size-z s))))))
+  [(=> (scope-repeat 'x k row))])
+
 (define (planted x y levels leaf fruit)
   (tree (make-turtle-scope (xyz x y 0) uz ux 0.34 0.34) levels 1.9 leaf fruit))
