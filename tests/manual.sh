@@ -55,9 +55,9 @@ ls manual/primitives | sed 's/\.md$//' | sort > "$work/pages"
 if [ -s "$work/kinds" ] && diff "$work/kinds" "$work/pages" > "$work/diff"; then echo "ok manual/primitives:pages"
 else echo "not ok manual/primitives:pages differ from prims.def"; sed 's/^/    /' "$work/diff"; fi
 
-# One page an operator of rules, named as the procedure is.
-sed -n '/^## Operators/,/^## Surroundings/p' manual/language/rules.md | grep '^### ' | grep -o '`[^`]*`' | sed 's/^`(\{0,1\}//; s/[ )`].*//' |
-  grep -vxE 'absolute|relative|flag\?|scope-flags' | sort > "$work/operators"
+# One page an operator of rules, named as the procedure is; questions have none.
+sed -n '/^## Operators/,$p' manual/language/rules.md | grep '^### ' | grep -o '`[^`]*`' | sed 's/^`(\{0,1\}//; s/[ )`].*//' |
+  grep -vxE 'absolute|relative|flag\?|scope-flags|touches\?|inside\?|scope-overlap|find-scopes|scope-name|scope-property|scope-signals|scope-detail|derivation' | sort > "$work/operators"
 ls manual/rules | sed 's/\.md$//' | sort > "$work/pages"
 if [ -s "$work/operators" ] && diff "$work/operators" "$work/pages" > "$work/diff"; then echo "ok manual/rules:pages"
 else echo "not ok manual/rules:pages differ from the operators of language/rules.md"; sed 's/^/    /' "$work/diff"; fi
