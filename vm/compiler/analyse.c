@@ -31,7 +31,8 @@ static bool add_job(struct analysis *a, vs_node *lambda, struct tail *tail, int 
 }
 
 static vs_var_info *bind(struct analysis *a, vs_var *v) {
-  v->assigned = v->captured = false;
+  v->assigned = v->given_again;
+  v->captured = false;
   v->refs = v->calls = 0;
   return v->extra = vs_ast_alloc(a->ast, sizeof(vs_var_info));
 }

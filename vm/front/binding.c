@@ -76,6 +76,46 @@ static bool mention_let_star(vs_expansion *x, vs_value list) {
   return true;
 }
 
+/* Can working out this value of a letrec make a continuation? Not what is no call, and not a procedure; in doubt it can. */
+static bool may_return_again(vs_value value) {
+  if (!vs_is_pair(value)) return false;
+  if (!vs_is_identifier(vs_car(value))) return true;
+  const char *name = vs_as_symbol(vs_identifier_symbol(vs_car(value)))->name;
+  return strcmp(name, "lambda") && strcmp(name, "case-lambda") && strcmp(name, "quote");
+}
+
+static size_t returning_again(vs_value list) {
+  size_t n = 0;
+  for (; vs_is_pair(list); list = vs_cdr(list)) n += may_return_again(vs_car(vs_cdr(vs_car(list))));
+  return n;
+}
+
+/* A letrec with `again` values that may come a second time. Their names are places in the heap, and get their values when
+ * all of these are there: FIX (procedure value) ... (a' value) ... (a a') ... with names a' that nobody sees. */
+static bool letrec_apart(vs_expansion *x, vs_node *fix, vs_var **vars, size_t again, vs_value env, uint32_t depth) {
+  VS_ROOTS(x->vm, r, 2);
+  r[0] = vs_car(vs_cdr(x->now.form)); r[1] = env;
+  size_t n = (size_t)vs_list_length(r[0]), direct = 0, first = n - again;
+  for (size_t i = 0; i < n; i++, r[0] = vs_cdr(r[0])) {
+    vs_value l = vs_cdr(vs_car(r[0]));
+    vs_pos pos = vs_element_pos(l, false, vs_form_pos(vs_car(r[0]), x->now.pos));
+    bool apart = may_return_again(vs_car(l));
+    size_t at = apart ? first++ : direct++;
+    fix->as.let.vars[at] = vars[i];
+    if (apart) {
+      vs_var *value = vs_ast_var(&x->ast, x->ast.pool[vars[i]->name]);
+      if (!value || !(fix->as.let.values[at + again] = vs_ast_local(&x->ast, value, pos))) return false;
+      value->introduced = true;
+      fix->as.let.vars[at] = value;
+      fix->as.let.vars[at + again] = vars[i];
+      vars[i]->given_again = true;
+    }
+    if (!vs_expand_push(x, VS_TASK_EXPR, vs_car(l), r[1], pos, &fix->as.let.values[at], depth)) return false;
+    vs_expand_top(x)->var = fix->as.let.vars[at];
+  }
+  return true;
+}
+
 static bool binding_form(vs_expansion *x, int form, int kind) {
   vs_value l = vs_cdr(x->now.form);
   int64_t parts = vs_list_length(x->now.form);
@@ -89,12 +129,15 @@ static bool binding_form(vs_expansion *x, int form, int kind) {
   size_t n = (size_t)vs_list_length(vs_car(l));
   if (!n) return vs_expand_body(x, vs_cdr(l), x->now.env, pos, x->now.into, x->now.depth);
   VS_ROOTS(x->vm, r, 1);
-  vs_node *node = vs_expand_many(x, kind, n, pos);
-  if (!node || !vs_expand_scope(x, x->now.env, &r[0]) || !bind_names(x, vs_car(vs_cdr(x->now.form)), r[0], node->as.let.vars)) return false;
+  size_t again = form == VS_FORM_letrec ? returning_again(vs_car(l)) : 0;
+  vs_node *node = vs_expand_many(x, kind, n + again, pos);
+  vs_var **vars = again ? vs_ast_alloc(&x->ast, n * sizeof *vars) : node ? node->as.let.vars : NULL;
+  if (!node || !vars || !vs_expand_scope(x, x->now.env, &r[0]) || !bind_names(x, vs_car(vs_cdr(x->now.form)), r[0], vars)) return false;
   *x->now.into = node;
   if (kind == VS_AST_LET && n > 1 && !mention_let_star(x, vs_car(vs_cdr(x->now.form)))) return false;
   l = vs_cdr(x->now.form);
-  return vs_expand_body(x, vs_cdr(l), r[0], pos, &node->as.let.body, x->now.depth + 1) &&
+  if (!vs_expand_body(x, vs_cdr(l), r[0], pos, &node->as.let.body, x->now.depth + 1)) return false;
+  return again ? letrec_apart(x, node, vars, again, r[0], x->now.depth + 1) :
          push_values(x, vs_car(vs_cdr(x->now.form)), kind == VS_AST_LET ? x->now.env : r[0], node->as.let.values, node->as.let.vars, x->now.depth + 1);
 }
 

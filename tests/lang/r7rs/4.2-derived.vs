@@ -146,5 +146,18 @@
 (define plus (case-lambda (() 0) ((x) x) ((x y) (+ x y)) ((x y . z) (apply + x y z))))
 (check (list (plus) (plus 1) (plus 1 2) (plus 1 2 3 4)) => (0 1 3 10))
 
+; letrec: the names get their values when all are there, in one place each, whatever continuation of a value is entered again
+(check (let ((cont #f))
+         (letrec ((x (call/cc (lambda (c) (set! cont c) 0))) (y (call/cc (lambda (c) (set! cont c) 0))))
+           (if cont (let ((c cont)) (set! cont #f) (set! x 1) (set! y 1) (c 0)) (+ x y)))) => 0)
+(check (letrec ((x (call/cc list)) (y (call/cc list)))
+         (cond ((procedure? x) (x (pair? y))) ((procedure? y) (y (pair? x))))
+         (let ((x (car x)) (y (car y))) (and (call/cc x) (call/cc y) (call/cc x)))) => #t)
+(check (letrec ((x (call/cc (lambda (c) (list #t c))))) (if (car x) ((cadr x) (list #f (lambda () x))) (eq? x ((cadr x))))) => #t)
+(check (letrec ((z (even-one? 10)) (even-one? (lambda (n) (or (= n 0) (odd-one? (- n 1))))) (odd-one? (lambda (n) (and (> n 0) (even-one? (- n 1)))))) z) => #t)
+(check (letrec ((y 2) (x (+ y 1)) (w (list 'w)) (f (lambda () (list w x y)))) (f)) => ((w) 3 2))
+(check-error (letrec ((a (list 1)) (b (car a))) b))
+(check (letrec* ((a (list 1)) (b (car a))) b) => 1)
+
 (checked)
-; expect: all hold: 89
+; expect: all hold: 96
