@@ -91,6 +91,40 @@ bool vs_library_built_in(vs_scheme *vm, vs_value name, vs_value *env) {
 bool vs_library_is_built_in(vs_value name) { return is_whole(name) || row_of(name) >= 0; }
 
 /* ---- which library has a name ---- */
+
+/* Does the (export ...) of a shipped library's text, from at to end, name it? Comments are passed over. */
+static bool exports_name(const char *at, const char *end, const vs_symbol *name) {
+  static const char form[] = "(export";
+  while (at < end && !((size_t)(end - at) > sizeof form && !memcmp(at, form, sizeof form - 1))) {
+    if (*at == ';') while (at < end && *at != '\n') at++;
+    at++;
+  }
+  int depth = 0;
+  while (at < end) {
+    if (*at == ';') {
+      while (at < end && *at != '\n') at++;
+    } else if (*at == '(') {
+      depth++, at++;
+    } else if (*at == ')') {
+      if (--depth == 0) return false;
+      at++;
+    } else if (*at == ' ' || *at == '\n') {
+      at++;
+    } else {
+      const char *word = at;
+      while (at < end && !strchr(" \n();", *at)) at++;
+      if ((size_t)(at - word) == name->length && !memcmp(word, name->name, name->length)) return true;
+    }
+  }
+  return false;
+}
+
+/* "srfi/115.sld" is (srfi 115) */
+static bool put_shipped_name(const char *file, vs_text *t) {
+  size_t n = strcspn(file, "."), part = strcspn(file, "/");
+  return part >= n ? vs_text_put(t, file, n) :
+      vs_text_put(t, file, part) && vs_text_puts(t, " ") && vs_text_put(t, file + part + 1, n - part - 1);
+}
 bool vs_library_advice(vs_scheme *vm, vs_value symbol, vs_text *t) {
   if (!vs_is_symbol(symbol)) return true;
   const vs_symbol *name = vs_as_symbol(symbol);
@@ -100,7 +134,11 @@ bool vs_library_advice(vs_scheme *vm, vs_value symbol, vs_text *t) {
       if (n == name->length && !memcmp(word, name->name, n))
         return vs_text_puts(t, "; (import (") && vs_text_puts(t, libraries[i].name) && vs_text_puts(t, ")) brings it");
   }
-  if (name->name[0] == '%' || vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) == VS_VACANT) return true;
+  bool ours = name->name[0] != '%' && vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT;
+  for (const vs_shipped *f = vm->config.shipped; !ours && f && f->name; f++)
+    if (strstr(f->name, ".sld") && exports_name(f->text, f->end, name))
+      return vs_text_puts(t, "; (import (visualscheme) (") && put_shipped_name(f->name, t) && vs_text_puts(t, ")) brings it");
+  if (!ours) return true;
   return vs_text_puts(t, "; (import (visualscheme)) brings it");
 }
 
