@@ -10,7 +10,8 @@
  * and gets a point of its own. Where a face has four crossings and both cells have them on one ring, the face is joined
  * the other way, which parts both rings: else two sheets would share an edge (R. Wenger, Isosurfaces, 2013, chapter 3).
  *   4. A ring's point is where the planes through its crossings meet best (T. Ju and others, Dual contouring of Hermite
- * data, 2002), held within the cell: so edges and corners stay sharp.
+ * data, 2002), held within the cell: so edges and corners stay sharp. Then the surface is looked at once more beside that
+ * point, so that crooked edges are met, too.
  *   5. Each crossed edge is a face between the four rings around it, cut along that diagonal which passes nearer to the
  * crossing. Notation. Corner c of a cell lies at (c & 1, c >> 1 & 1, c >> 2). Edge 4 a + s of a cell runs along axis a;
  * the two bits of s say where it lies along the next two axes. Face 2 a + s is across axis a, low or high. */
@@ -30,6 +31,7 @@ typedef struct {
   int32_t at[3];
   uint8_t below;   /* corners below 0 */
   uint8_t flips;   /* faces that are joined the other way */
+  bool sharp;      /* an edge or corner of the surface was seen in it */
   uint32_t rings;  /* two bits an edge: the ring that it is on */
   uint32_t first;  /* the point of ring 0 */
   int32_t edge[3]; /* the crossed edges at the lowest corner; NONE */
@@ -430,64 +432,238 @@ static void eigen(double m[3][3], double v[3][3]) {
       }
 }
 
-/* The point nearest to all planes through the roots, across their normals; where the planes do not say, the roots'
- * middle. */
-static vs_vec3 best_point(const vs_vec3 *root, const vs_vec3 *normal, int n) {
-  double m[3][3] = { { 0 } }, v[3][3], b[3] = { 0, 0, 0 };
-  vs_vec3 middle = { 0, 0, 0 };
-  for (int i = 0; i < n; i++) middle = vs_v3_add(middle, root[i]);
-  middle = vs_v3_scale(middle, 1. / n);
+/* Normals that differ by more than SHARP from each other are those of an edge, and one that leans by more than CORNER out
+ * of the plane of the others makes it a corner; less is taken as the curvature of what is smooth. Cosine and sine of
+ * some 25 degrees. */
+#define SHARP .9
+#define CORNER .42
+
+/* Of how many directions do planes with these normals say where they meet? */
+static int rank_of(const vs_vec3 *normal, int n) {
+  double m[3][3] = { { 0 } }, v[3][3], alike = 1, leans = 0;
   for (int i = 0; i < n; i++) {
     const double d[3] = { normal[i].x, normal[i].y, normal[i].z };
-    double height = vs_v3_dot(normal[i], vs_v3_sub(root[i], middle));
+    for (int r = 0; r < 3; r++)
+      for (int s = 0; s < 3; s++) m[r][s] += d[r] * d[s];
+    for (int k = 0; k < i; k++) alike = fmin(alike, vs_v3_dot(normal[i], normal[k]));
+  }
+  if (alike > SHARP) return 1;
+  eigen(m, v);
+  int least = m[0][0] < m[1][1] ? 0 : 1;
+  if (m[2][2] < m[least][least]) least = 2;
+  for (int i = 0; i < n; i++)
+    leans = fmax(leans, fabs(vs_v3_dot(normal[i], vs_v3(v[0][least], v[1][least], v[2][least]))));
+  return leans > CORNER ? 3 : 2;
+}
+
+/* The point nearest to all planes through the places, across their normals, in `rank` directions; in the others as near
+ * to `from` as that allows. It keeps from's coordinates along the axes whose bits are set in `fixed`. */
+static vs_vec3 best_point(const vs_vec3 *place, const vs_vec3 *normal, int n, vs_vec3 from, int rank, unsigned fixed) {
+  double m[3][3] = { { 0 } }, v[3][3], b[3] = { 0, 0, 0 }, x[3] = { 0, 0, 0 };
+  for (int i = 0; i < n; i++) {
+    const double d[3] = { fixed & 1 ? 0 : normal[i].x, fixed & 2 ? 0 : normal[i].y, fixed & 4 ? 0 : normal[i].z };
+    double height = vs_v3_dot(normal[i], vs_v3_sub(place[i], from));
     for (int r = 0; r < 3; r++) {
       b[r] += d[r] * height;
       for (int s = 0; s < 3; s++) m[r][s] += d[r] * d[s];
     }
   }
   eigen(m, v);
-  double most = fmax(m[0][0], fmax(m[1][1], m[2][2])), x[3] = { 0, 0, 0 };
-  for (int k = 0; k < 3; k++) {
-    if (!(m[k][k] > .015 * most)) continue;
+  int order[3] = { 0, 1, 2 }; /* the largest eigenvalue first */
+  for (int i = 0; i < 3; i++)
+    for (int k = 0; k < 2; k++)
+      if (m[order[k]][order[k]] < m[order[k + 1]][order[k + 1]]) {
+        int t = order[k];
+        order[k] = order[k + 1], order[k + 1] = t;
+      }
+  for (int i = 0; i < rank; i++) {
+    int k = order[i];
+    if (!(m[k][k] > 1e-3 * m[order[0]][order[0]])) continue;
     double along = (v[0][k] * b[0] + v[1][k] * b[1] + v[2][k] * b[2]) / m[k][k];
     for (int r = 0; r < 3; r++) x[r] += along * v[r][k];
   }
-  return vs_v3_add(middle, vs_v3(x[0], x[1], x[2]));
+  return vs_v3_add(from, vs_v3(x[0], x[1], x[2]));
 }
+
+/* A ring's point that is still sought, and how far it may go. */
+typedef struct {
+  double low[3], high[3];
+  uint32_t point;
+  int count, rank;
+  vs_vec3 normal[12];
+} ring_point;
 
 static double held(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
 
+static vs_vec3 held_in(const ring_point *r, vs_vec3 p) {
+  return vs_v3(held(p.x, r->low[0], r->high[0]), held(p.y, r->low[1], r->high[1]), held(p.z, r->low[2], r->high[2]));
+}
+
+/* The best point within the ring's cell: one that would lie beyond a side of it is sought again in that side. */
+static vs_vec3 best_within(const ring_point *r, const vs_vec3 *place, const vs_vec3 *normal, int n, vs_vec3 from,
+                           int rank) {
+  vs_vec3 p = from;
+  unsigned fixed = 0;
+  for (int left = 3; left > 0;) {
+    p = best_point(place, normal, n, from, rank < left ? rank : left, fixed);
+    vs_vec3 in = held_in(r, p);
+    unsigned out = (in.x != p.x ? 1u : 0u) | (in.y != p.y ? 2u : 0u) | (in.z != p.z ? 4u : 0u);
+    if (!(out & ~fixed)) break;
+    if (out & 1) from.x = in.x;
+    if (out & 2) from.y = in.y;
+    if (out & 4) from.z = in.z;
+    fixed |= out;
+    left = 3 - (int)((fixed & 1) + (fixed >> 1 & 1) + (fixed >> 2));
+    if (!left) p = from;
+  }
+  return held_in(r, p);
+}
+
+/* Looks at the surface closer to each of these points, and moves them: onto it where it is smooth; where it is sharp to
+ * where the planes meet that are seen at both sides of the point, first from afar and then from near by. */
+static bool refine(contour *c, ring_point *rings, size_t n) {
+  enum { LOOKS = 24, TURNS_OF_LOOKS = 3 };
+  static const double reach[TURNS_OF_LOOKS] = { .4, .15, .05 };
+  size_t room[7] = { 0 }, most = n * LOOKS;
+  double *x[3] = { NULL, NULL, NULL }, *slope[3] = { NULL, NULL, NULL }, *v = NULL;
+  bool ok = VS_GROW(v, room[6], most);
+  for (int a = 0; ok && a < 3; a++) ok = VS_GROW(x[a], room[a], most) && VS_GROW(slope[a], room[3 + a], most);
+  for (int turn = 0; ok && turn < TURNS_OF_LOOKS; turn++) {
+    size_t count = 0;
+    for (size_t i = 0; i < n; i++) {
+      const ring_point *r = &rings[i];
+      vs_vec3 p = c->out->points[r->point];
+      for (int k = 0; k < (r->rank == 1 ? 1 : 2 * r->count); k++, count++) {
+        double far = r->rank == 1 ? 0 : (k % 2 ? 1 : -1) * reach[turn] * c->size;
+        vs_vec3 at = vs_v3_add(p, vs_v3_scale(r->normal[k / 2], far));
+        x[0][count] = at.x, x[1][count] = at.y, x[2][count] = at.z;
+      }
+    }
+    vs_sample_slopes(c->slopes, (const double *const[]){ x[0], x[1], x[2] }, count, (double *const[]){ v }, slope);
+    count = 0;
+    for (size_t i = 0; i < n; i++) {
+      ring_point *r = &rings[i];
+      vs_vec3 *p = &c->out->points[r->point], place[LOOKS], normal[LOOKS];
+      int looks = r->rank == 1 ? 1 : 2 * r->count, seen = 0;
+      for (int k = 0; k < looks; k++, count++) {
+        vs_vec3 g = vs_v3(slope[0][count], slope[1][count], slope[2][count]);
+        double length = vs_v3_length(g);
+        if (!isfinite(v[count]) || !isfinite(length) || !(length > 0)) continue;
+        vs_vec3 at = vs_v3(x[0][count], x[1][count], x[2][count]);
+        normal[seen] = vs_v3_scale(g, 1 / length);
+        place[seen] = vs_v3_sub(at, vs_v3_scale(normal[seen], v[count] / length));
+        seen++;
+      }
+      if (seen) *p = best_within(r, place, normal, seen, *p, rank_of(normal, seen));
+    }
+    if (n && rings[0].rank == 1) break;
+  }
+  free(v);
+  for (int a = 0; a < 3; a++) free(x[a]), free(slope[a]);
+  return ok;
+}
+
+enum { AT_ONCE = 512 };
+
+/* The crossings of a cell's edges by ring, and how many rings there are. */
+typedef struct {
+  vs_vec3 root[4][12], normal[4][12];
+  int count[4], rings;
+} crossings;
+
+static void collect(const contour *c, const cell *here, crossings *out) {
+  memset(out->count, 0, sizeof out->count);
+  out->rings = 0;
+  for (int e = 0; e < 12; e++) {
+    int axis = e / 4, b = (axis + 1) % 3, d = (axis + 2) % 3;
+    int low = (e & 1 ? 1 << b : 0) | (e & 2 ? 1 << d : 0);
+    if ((here->below >> low & 1) == (here->below >> (low | 1 << axis) & 1)) continue;
+    const cell *owner =
+        low ? cell_at(c, here->at[0] + (low & 1), here->at[1] + (low >> 1 & 1), here->at[2] + (low >> 2)) : here;
+    int32_t edge = owner ? owner->edge[axis] : NONE;
+    if (edge == NONE) continue;
+    unsigned ring = ring_of(here, e);
+    out->root[ring][out->count[ring]] = c->roots[edge], out->normal[ring][out->count[ring]++] = c->normals[edge];
+    if ((int)ring >= out->rings) out->rings = (int)ring + 1;
+  }
+}
+
+static vs_vec3 middle_of(const vs_vec3 *at, int n) {
+  vs_vec3 middle = { 0, 0, 0 };
+  for (int k = 0; k < n; k++) middle = vs_v3_add(middle, vs_v3_scale(at[k], 1. / n));
+  return middle;
+}
+
+/* An edge may pass through a cell between the crossings, which then all show one side of it. Where the planes of a cell
+ * beside this one, in which an edge was found, meet its own within it, the edge goes on there: *p is that place. */
+static bool goes_on(const contour *c, const cell *here, const crossings *own, ring_point *r, vs_vec3 *p) {
+  for (int face = 0; face < 6; face++) {
+    int axis = face / 2, way = face & 1 ? 1 : -1;
+    const cell *next = cell_at(c, here->at[0] + (axis == 0 ? way : 0), here->at[1] + (axis == 1 ? way : 0),
+                               here->at[2] + (axis == 2 ? way : 0));
+    crossings theirs;
+    if (!next || !next->sharp) continue;
+    collect(c, next, &theirs);
+    if (theirs.rings != 1) continue;
+    vs_vec3 root[24], normal[24], from = middle_of(own->root[0], own->count[0]);
+    int n = own->count[0];
+    memcpy(root, own->root[0], (size_t)n * sizeof *root), memcpy(normal, own->normal[0], (size_t)n * sizeof *normal);
+    for (int k = 0; k < theirs.count[0]; k++)
+      if (vs_v3_dot(theirs.normal[0][k], own->normal[0][0]) < SHARP)
+        root[n] = theirs.root[0][k], normal[n++] = theirs.normal[0][k];
+    int rank = rank_of(normal, n);
+    vs_vec3 to = best_point(root, normal, n, from, rank, 0);
+    if (rank < 2 || vs_v3_length(vs_v3_sub(held_in(r, to), to)) > 0) continue;
+    r->rank = rank, r->count = 0;
+    for (int k = own->count[0] - 1; k < n && r->count < 12; k++) r->normal[r->count++] = normal[k];
+    *p = to;
+    return true;
+  }
+  return false;
+}
+
 static bool points(contour *c) {
   vs_contour *out = c->out;
-  for (size_t i = 0; i < c->cell_count; i++) {
+  ring_point *some[2] = { NULL, NULL }; /* smooth ones and sharp ones, some hundred of each */
+  size_t room[2] = { 0, 0 }, count_of[2] = { 0, 0 };
+  bool ok = VS_GROW(some[0], room[0], AT_ONCE) && VS_GROW(some[1], room[1], AT_ONCE);
+  crossings own;
+  for (size_t i = 0; ok && i < c->cell_count; i++) {
+    collect(c, &c->cells[i], &own);
+    for (int r = 0; r < own.rings; r++)
+      if (own.count[r] && rank_of(own.normal[r], own.count[r]) > 1) c->cells[i].sharp = true;
+  }
+  for (size_t i = 0; ok && i < c->cell_count; i++) {
     cell *here = &c->cells[i];
-    vs_vec3 root[4][12], normal[4][12];
-    int count[4] = { 0, 0, 0, 0 }, rings = 0;
-    for (int e = 0; e < 12; e++) {
-      int axis = e / 4, b = (axis + 1) % 3, d = (axis + 2) % 3;
-      int low = (e & 1 ? 1 << b : 0) | (e & 2 ? 1 << d : 0);
-      if ((here->below >> low & 1) == (here->below >> (low | 1 << axis) & 1)) continue;
-      const cell *owner =
-          low ? cell_at(c, here->at[0] + (low & 1), here->at[1] + (low >> 1 & 1), here->at[2] + (low >> 2)) : here;
-      int32_t edge = owner ? owner->edge[axis] : NONE;
-      if (edge == NONE) continue;
-      unsigned ring = ring_of(here, e);
-      root[ring][count[ring]] = c->roots[edge], normal[ring][count[ring]++] = c->normals[edge];
-      if ((int)ring >= rings) rings = (int)ring + 1;
-    }
+    collect(c, here, &own);
     here->first = (uint32_t)out->point_count;
-    if (out->point_count + 4 > UINT32_MAX || !VS_GROW(out->points, out->point_room, out->point_count + (size_t)rings))
-      return false;
-    for (int r = 0; r < rings; r++) {
-      vs_vec3 p = count[r] ? best_point(root[r], normal[r], count[r]) : vs_v3(0, 0, 0);
-      double low[3], high[3], inset = 1e-4 * c->size; /* so that points of two cells never are one place */
+    if (out->point_count + 4 > UINT32_MAX ||
+        !VS_GROW(out->points, out->point_room, out->point_count + (size_t)own.rings)) {
+      ok = false;
+      break;
+    }
+    for (int r = 0; ok && r < own.rings; r++) {
+      int n = own.count[r];
+      ring_point made = { .point = (uint32_t)out->point_count, .count = n, .rank = rank_of(own.normal[r], n) };
+      double inset = 1e-4 * c->size; /* so that points of two cells never are one place */
       for (int a = 0; a < 3; a++)
-        low[a] = place(c, a, here->at[a]) + inset, high[a] = place(c, a, here->at[a] + 1) - inset;
-      out->points[out->point_count++] =
-          vs_v3(held(p.x, low[0], high[0]), held(p.y, low[1], high[1]), held(p.z, low[2], high[2]));
+        made.low[a] = place(c, a, here->at[a]) + inset, made.high[a] = place(c, a, here->at[a] + 1) - inset;
+      memcpy(made.normal, own.normal[r], (size_t)n * sizeof *made.normal);
+      vs_vec3 p = middle_of(own.root[r], n);
+      if (n && !(own.rings == 1 && made.rank == 1 && goes_on(c, here, &own, &made, &p)))
+        p = best_within(&made, own.root[r], own.normal[r], n, p, made.rank);
+      out->points[out->point_count++] = p;
+      if (!n) continue;
+      int sharp = made.rank > 1;
+      some[sharp][count_of[sharp]++] = made;
+      if (count_of[sharp] == AT_ONCE) ok = refine(c, some[sharp], AT_ONCE), count_of[sharp] = 0;
     }
   }
-  return true;
+  for (int sharp = 0; sharp < 2; sharp++) {
+    ok = ok && (!count_of[sharp] || refine(c, some[sharp], count_of[sharp]));
+    free(some[sharp]);
+  }
+  return ok;
 }
 
 /* ---- faces ---- */

@@ -88,9 +88,10 @@ static bool push_form(writer *w, const vs_tape_step *s) {
 }
 
 char *vs_formula_text(const vs_tape *t, uint32_t output, vs_formula_language language, const char *const *names,
-                      bool *too_long) {
+                      bool *no_word) {
   writer w = { .t = t, .language = language, .names = names };
   bool ok = push(&w, NULL, t->output[output]);
+  *no_word = false;
   while (ok && w.todo_count) {
     piece p = w.todo[--w.todo_count];
     if (p.text) {
@@ -102,11 +103,13 @@ char *vs_formula_text(const vs_tape *t, uint32_t output, vs_formula_language lan
       ok = put_number(&w, s->value);
     else if (s->op == VS_TAPE_INPUT)
       ok = put(&w, names[s->of[0]], strlen(names[s->of[0]]));
+    else if (s->op == VS_TAPE_FIELD)
+      ok = false, *no_word = true;
     else
       ok = push_form(&w, s);
   }
   free(w.todo);
-  *too_long = w.too_long;
+  *no_word = *no_word || w.too_long;
   if (!ok) return free(w.out), NULL;
   return w.out;
 }

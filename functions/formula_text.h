@@ -13,9 +13,9 @@ typedef enum {
 
 enum { VS_FORMULA_MOST = 100000 }; /* characters: a tape's repeated steps are written out each time */
 
-/* Output number `output` as text, the inputs by these names. Returns text that the caller frees, or NULL with *too_long
- * saying whether it would have more than VS_FORMULA_MOST characters, or memory is out. */
+/* Output number `output` as text, the inputs by these names. Returns text that the caller frees, or NULL with *no_word
+ * saying whether it would have more than VS_FORMULA_MOST characters or holds a field, or memory is out. */
 char *vs_formula_text(const vs_tape *t, uint32_t output, vs_formula_language language, const char *const *names,
-                      bool *too_long);
+                      bool *no_word);
 
 #endif

@@ -150,7 +150,7 @@ static vs_status tape_outputs(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return *out = vs_fix(((const vs_tape *)vs_foreign_get(a[0], &vs_tape_type))->outputs), VS_OK;
 }
 
-/* (%tape-text t output language names): text; #f: too long */
+/* (%tape-text t output language names): text; #f: it cannot be said */
 static vs_status tape_text(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   const vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);

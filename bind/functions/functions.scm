@@ -325,7 +325,7 @@
     (let* ((t (%function-tape 'function-text f))
            (text (lambda (i)
                    (or (%function-text t i number (map %plain-name (%note-parameters note)))
-                       (error 'function-text "the expression of ~a has more than 100000 characters" (%note-name note))))))
+                       (error 'function-text "the expression of ~a has more than 100000 characters, or holds the distance from a solid" (%note-name note))))))
       (if (= (%tape-outputs t) 3) (map text '(0 1 2)) (text 0)))))
 
 ; A parameter's name as other languages take it.
@@ -414,13 +414,37 @@
           (error who "~a must give ~a" (%note-name note) (if (= outputs 1) "a number" "a point")))
       t)))
 
-(define (make-isosurface f p q #:level [level any? 0] #:tolerance [tolerance any? #f] #:cells [cells any? #f])
+; How fast f changes at most, from its slopes at places all over the box and at points of the mesh; POV-Ray steps along rays by it.
+(define (%steepest f p q points)
+  (define (slope x y z)
+    (guard (c (#t 0))
+      (let ((d (vlength (apply vxyz (gradient f x y z))))) (if (finite? d) d 0))))
+  (define (axis take) (division (take p) (take q) 9))
+  (let ((grid (apply max (append-map (lambda (x) (append-map (lambda (y) (map (lambda (z) (slope x y z)) (axis cz))) (axis cy))) (axis cx))))
+        (step (max 1 (quotient (length points) 1500))))
+    (let loop ((l points) (i 0) (most grid))
+      (if (null? l) most (loop (cdr l) (+ i 1) (if (= 0 (remainder i step)) (max most (slope (cx (car l)) (cy (car l)) (cz (car l)))) most))))))
+
+; The mesh for all formats but POV-Ray, which gets the expression itself.
+(define (%exact-isosurface f t p q mesh)
+  (let ((text (%function-text t 0 0 '(x y z))))
+    (if (not text)
+        (error 'make-isosurface "#:exact is for functions that POV-Ray can work out; that of ~a is too long, or holds the distance from a solid"
+          (vector-ref (%function-note f) 0))
+        (let* ((points (first (object-arguments mesh))) (steep (* 1.25 (max 1e-6 (%steepest f p q points)))) (size (vlength (p->q p q))))
+          (native 'povray
+            (format "isosurface { function { ~a } contained_by { box { <~a, ~a, ~a>, <~a, ~a, ~a> } } accuracy ~a max_gradient ~a }" text
+              (inexact (cx p)) (inexact (cy p)) (inexact (cz p)) (inexact (cx q)) (inexact (cy q)) (inexact (cz q)) (* 1e-6 size) steep)
+            #:otherwise mesh)))))
+
+(define (make-isosurface f p q #:level [level any? 0] #:tolerance [tolerance any? #f] #:cells [cells any? #f] #:exact [exact any? #f])
   (if (not (and (real? level) (finite? level))) (error 'make-isosurface "level must be a number, got ~s" level))
-  (let ((t (%tape-level (%tape-for 'make-isosurface f 3 1) level)))
-    (cond
-      (tolerance (%make-isosurface t p q #:tolerance tolerance))
-      (cells (%make-isosurface t p q #:cells cells))
-      (else (%make-isosurface t p q)))))
+  (let* ((t (%tape-level (%tape-for 'make-isosurface f 3 1) level))
+         (mesh (cond
+                 (tolerance (%make-isosurface t p q #:tolerance tolerance))
+                 (cells (%make-isosurface t p q #:cells cells))
+                 (else (%make-isosurface t p q)))))
+    (if exact (%exact-isosurface f t p q mesh) mesh)))
 
 ; ---- mathematics ----
 

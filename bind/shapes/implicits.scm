@@ -64,6 +64,23 @@
       smooth-union)
     f more))
 
+; An intersection and a difference whose outer corners are rounded over the width k.
+(define (%smooth-intersection k f g)
+  (define-function (smooth-intersection x y z)
+    (let ((a (f x y z)) (b (g x y z)))
+      (+ (max a b) (/ (square (max (- k (abs (- a b))) 0)) (* 4 k)))))
+  smooth-intersection)
+(define (implicit-smooth-intersection k f . more)
+  (%need-positive 'implicit-smooth-intersection 'k k)
+  (%implicit-fold 'implicit-smooth-intersection (lambda (f g) (%smooth-intersection k f g)) f more))
+(define (implicit-smooth-difference k f . more)
+  (%need-positive 'implicit-smooth-difference 'k k)
+  (%implicit-fold 'implicit-smooth-difference
+    (lambda (f g)
+      (define-function (outside x y z) (- (g x y z)))
+      (%smooth-intersection k f outside))
+    f more))
+
 (define (implicit-offset f d)
   (%need-number 'implicit-offset 'd d)
   (let ((f (%implicit 'implicit-offset f)))
