@@ -93,7 +93,7 @@ $(BUILD)/obj/assets.o: $(BUILD)/assets.s
 	$(Q)$(CC) -c $< -o $@
 
 # The heap image: a stage-0 interpreter, made of the same objects, loads the language's own sources and writes down what it then holds.
-LIBRARY   = prelude.scm srfi.scm bind/geometry.scm bind/primitives.scm bind/data.scm bind/back_ends.scm bind/rules/rules.scm bind/functions/functions.scm bind/shapes/shapes.scm bind/shapes/maps.scm bind/shapes/implicits.scm bind/shapes/panels.scm bind/shapes/prefabs.scm scene/properties.scm scene/nodes.scm scene/actions.scm scene/contexts.scm scene/interaction.scm
+LIBRARY   = prelude.scm srfi.scm bind/geometry.scm bind/primitives.scm bind/data.scm bind/back_ends.scm bind/rules/rules.scm bind/functions/functions.scm bind/shapes/shapes.scm bind/shapes/maps.scm bind/shapes/implicits.scm bind/shapes/panels.scm bind/shapes/prefabs.scm bind/shapes/nets.scm bind/shapes/probes.scm scene/properties.scm scene/nodes.scm scene/actions.scm scene/contexts.scm scene/interaction.scm
 STAGE0    = $(filter-out $(BUILD)/obj/session/%.o,$(LIB_OBJ)) $(BUILD)/obj/scripts/stage0.o
 
 $(BUILD)/stage0: $(STAGE0)

@@ -1,40 +1,12 @@
 /* Owns shells: a surface with thickness, a solid made hollow. */
-#include "bind/bind.h"
+#include "bind/shapes/taken_apart.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "geometry/files/polyface.h"
-#include "geometry/parts.h"
 #include "geometry/profiles/thicken.h"
 #include "model/store/array.h"
-#include "solids/solid_meshes.h"
-
-/* The triangles of a solid or surface: of what is round a quarter as coarse as in drawings, since they are kept. */
-static vs_status triangles(vs_frame *f, vs_ref ref, vs_mesh *out) {
-  vs_error e = { 0 };
-  vs_bounds b;
-  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind), .segments = vs_bind_segments(f->bind) };
-  if (!vs_node_bounds(ref.node, &b, &e)) return vs_bind_error(f, &e);
-  if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_facets_tolerance(&b) / 4, 1e-300);
-  if (ref.node->class_ == VS_SOLID) {
-    vs_solid solid = { 0 };
-    vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
-    if (!vs_solid_evaluate(&ref, 1, &facets, &options, &solid, &e))
-      return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
-    *out = solid.mesh;
-    solid.mesh = (vs_mesh){ 0 };
-    vs_solid_free(&solid);
-    return VS_OK;
-  }
-  vs_ref *parts;
-  size_t count;
-  if (!vs_several_parts(ref, &parts, &count)) return vs_fail_memory(f->vm);
-  bool ok = true;
-  for (size_t i = 0; ok && i < count; i++) ok = vs_tessellate(parts[i].node, &facets, out, &e);
-  vs_several_free(parts, count);
-  return ok ? VS_OK : vs_bind_error(f, &e);
-}
 
 /* (make-crust o thickness #:side): 'in, 'out or 'both */
 vs_status vs_p_make_crust(vs_frame *f, vs_value *out) {
@@ -55,7 +27,7 @@ vs_status vs_p_make_crust(vs_frame *f, vs_value *out) {
   vs_vec3 at;
   bool turns = false;
   vs_error e = { 0 };
-  vs_status status = triangles(f, f->arg[0].ref, &m);
+  vs_status status = vs_bend_triangles(f, f->arg[0].ref, &m);
   if (status && !vs_thicken_surface(&m, outwards, inwards, &shell, &at, &turns)) status = vs_fail_memory(f->vm);
   if (status && turns) {
     char x[32], y[32], z[32];

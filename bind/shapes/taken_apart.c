@@ -2,8 +2,10 @@
 #include "bind/shapes/taken_apart.h"
 
 #include "geometry/measure/node_measures.h"
+#include "geometry/parts.h"
 #include "solids/deformed.h"
 #include "solids/resolve.h"
+#include "solids/solid_meshes.h"
 
 vs_facets vs_bend_facets(vs_bind *b, const vs_node *n) {
   vs_bounds bounds;
@@ -37,4 +39,29 @@ bool vs_bend_take_apart(vs_bind *b, vs_ref object, const char *no_regions, vs_be
   ok = ok && ended(b, vs_take_apart(object, &facets, &options, no_regions, out, &e), &e);
   vs_node_release(object.node);
   return ok;
+}
+
+vs_status vs_bend_triangles(vs_frame *f, vs_ref ref, vs_mesh *out) {
+  vs_error e = { 0 };
+  vs_bounds b;
+  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind), .segments = vs_bind_segments(f->bind) };
+  if (!vs_node_bounds(ref.node, &b, &e)) return vs_bind_error(f, &e);
+  if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_facets_tolerance(&b) / 4, 1e-300);
+  if (ref.node->class_ == VS_SOLID) {
+    vs_solid solid = { 0 };
+    vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
+    if (!vs_solid_evaluate(&ref, 1, &facets, &options, &solid, &e))
+      return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
+    *out = solid.mesh;
+    solid.mesh = (vs_mesh){ 0 };
+    vs_solid_free(&solid);
+    return VS_OK;
+  }
+  vs_ref *parts;
+  size_t count;
+  if (!vs_several_parts(ref, &parts, &count)) return vs_fail_memory(f->vm);
+  bool ok = true;
+  for (size_t i = 0; ok && i < count; i++) ok = vs_tessellate(parts[i].node, &facets, out, &e);
+  vs_several_free(parts, count);
+  return ok ? VS_OK : vs_bind_error(f, &e);
 }

@@ -20,8 +20,9 @@ panelised-roof -D nu=4 -D nv=4
 facade-by-rules
 facade-from-table
 trees-from-survey
-gyroid-pavilion
-corner-cafe"
+gyroid-pavilion -D fineness=40
+corner-cafe
+hanging-shell -D n=8"
 ways='-O'
 [ -z "${LONG:-}" ] || ways='-O -Ofold -Oshare -Oflatten -Oprune'
 

@@ -1,0 +1,195 @@
+/* Owns the natives under form-find and its like: a program's lists as nets of points and members. nets.scm checks them. */
+#include "bind/bind.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "geometry/nets/geodesic.h"
+#include "geometry/nets/packing.h"
+#include "geometry/nets/planarity.h"
+#include "geometry/nets/relaxation.h"
+#include "geometry/tessellate.h"
+
+/* The next number of a list, which nets.scm has seen to. */
+static double next(vs_scheme *vm, vs_value *l) {
+  double d = 0;
+  if (!vs_is_pair(*l)) return 0;
+  vs_bind_number(vm, vs_car(*l), &d);
+  *l = vs_cdr(*l);
+  return d;
+}
+
+/* The list of n points in *out. */
+static bool point_list(vs_frame *f, const vs_vec3 *at, size_t n, vs_value *out) {
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = VS_NIL;
+  for (size_t i = n; i-- > 0;)
+    if (!vs_bind_point(f, at[i], &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0]) || !vs_poll_turn(f->vm, i, 4)) return false;
+  *out = r[0];
+  return true;
+}
+
+static vs_status unsettled(vs_frame *f, vs_relax_outcome outcome, const vs_relax_report *report, const vs_net *n) {
+  char a[32], b[32];
+  switch (outcome) {
+  case VS_RELAX_LOOSE:
+    return vs_fail(f->vm, f->vm->sym.range, "point %zu is loaded, and no members lead from it to a fixed one",
+                   report->where + 1);
+  case VS_RELAX_SHORT: {
+    const vs_net_member *m = &n->members[report->where];
+    vs_bind_number_text(a, m->length);
+    vs_bind_number_text(b, vs_v3_length(vs_v3_sub(n->at[m->b], n->at[m->a])));
+    return vs_fail(f->vm, f->vm->sym.range, "the cables are too short between the fixed points: member %zu is to be %s long and is stretched to %s",
+                   report->where + 1, a, b);
+  }
+  case VS_RELAX_FAR:
+    vs_bind_number_text(a, report->residual);
+    return vs_fail(f->vm, f->vm->sym.range, "no equilibrium was found in %zu steps: a share of %s of the forces is not balanced",
+                   report->steps, a);
+  case VS_RELAX_STOPPED: return VS_ERROR; /* the condition is set */
+  case VS_RELAX_MEMORY:
+  case VS_RELAX_DONE: break;
+  }
+  return vs_fail_memory(f->vm);
+}
+
+/* (%form-find points members fixed loads weight stiffness tolerance): the list of points, members' forces, residual and
+ * steps. members: a flat list of numbers, four each: from, to (from 0), length and density; loads: gvectors. */
+vs_status vs_p_form_find(vs_frame *f, vs_value *out) {
+  size_t n = f->arg[0].points.count;
+  vs_value l = f->arg[1].value;
+  int64_t numbers = vs_list_length(l);
+  vs_net net = { .count = n, .member_count = numbers > 0 ? (size_t)numbers / 4 : 0, .weight = f->arg[4].point };
+  vs_relax_report report;
+  VS_ROOTS(f->vm, r, 3);
+  net.at = vs_bind_scratch(f, (n + 1) * sizeof *net.at);
+  bool *fixed = vs_bind_scratch(f, (n + 1) * sizeof *fixed);
+  vs_vec3 *load = vs_bind_scratch(f, (n + 1) * sizeof *load);
+  net.members = vs_bind_scratch(f, (net.member_count + 1) * sizeof *net.members);
+  if (!net.at || !fixed || !load || !net.members) return VS_ERROR;
+  memcpy(net.at, f->arg[0].points.at, n * sizeof *net.at);
+  for (size_t k = 0; k < net.member_count; k++) {
+    double a = next(f->vm, &l), b = next(f->vm, &l), length = next(f->vm, &l), density = next(f->vm, &l);
+    net.members[k] = (vs_net_member){ .a = (uint32_t)a, .b = (uint32_t)b, .length = length, .density = density };
+    if (net.members[k].a >= n || net.members[k].b >= n) return vs_fail(f->vm, f->vm->sym.range, "a member has no end");
+  }
+  memset(fixed, 0, n * sizeof *fixed);
+  for (l = f->arg[2].value; vs_is_pair(l);) {
+    size_t i = (size_t)next(f->vm, &l);
+    if (i < n) fixed[i] = true;
+  }
+  l = f->arg[3].value;
+  for (size_t i = 0; i < n; i++) {
+    load[i].x = next(f->vm, &l), load[i].y = next(f->vm, &l), load[i].z = next(f->vm, &l);
+  }
+  net.fixed = fixed, net.load = load, net.stiffness = f->arg[5].real;
+  vs_relax_outcome outcome = vs_net_relax(&net, f->arg[6].real, vs_bind_keep_going, f->vm, &report);
+  if (outcome != VS_RELAX_DONE) return unsettled(f, outcome, &report, &net);
+  r[0] = r[1] = VS_NIL;
+  bool ok = vs_cons(f->vm, vs_fix((int64_t)report.steps), r[1], &r[1]) &&
+            vs_cons(f->vm, vs_flonum(report.residual), r[1], &r[1]);
+  for (size_t k = net.member_count; ok && k-- > 0;)
+    ok = vs_cons(f->vm, vs_flonum(net.members[k].force), r[0], &r[0]) && vs_poll_turn(f->vm, k, 4);
+  return ok && vs_cons(f->vm, r[0], r[1], &r[1]) && point_list(f, net.at, n, &r[2]) && vs_cons(f->vm, r[2], r[1], out);
+}
+
+/* (%planarise points faces fixed tolerance): the points moved, and how far the worst corner lies from its face. faces: a
+ * flat list of numbers: how many corners, then these, from 0. */
+vs_status vs_p_planarise(vs_frame *f, vs_value *out) {
+  size_t n = f->arg[0].points.count, corners = 0, faces = 0;
+  int64_t numbers = vs_list_length(f->arg[1].value);
+  if (numbers < 0) return vs_fail(f->vm, f->vm->sym.type, "faces must be a list");
+  vs_vec3 *at = vs_bind_scratch(f, (n + 1) * sizeof *at);
+  bool *fixed = vs_bind_scratch(f, (n + 1) * sizeof *fixed);
+  uint32_t *corner = vs_bind_scratch(f, ((size_t)numbers + 1) * sizeof *corner);
+  uint32_t *start = vs_bind_scratch(f, ((size_t)numbers + 1) * sizeof *start);
+  if (!at || !fixed || !corner || !start) return VS_ERROR;
+  memcpy(at, f->arg[0].points.at, n * sizeof *at);
+  memset(fixed, 0, n * sizeof *fixed);
+  start[0] = 0;
+  for (vs_value l = f->arg[1].value; vs_is_pair(l); start[++faces] = (uint32_t)corners)
+    for (size_t k = (size_t)next(f->vm, &l); k-- > 0; corners++) {
+      double i = next(f->vm, &l);
+      if (!(i >= 0 && i < (double)n)) return vs_fail(f->vm, f->vm->sym.range, "a face has no corner");
+      corner[corners] = (uint32_t)i;
+    }
+  for (vs_value l = f->arg[2].value; vs_is_pair(l);) {
+    size_t i = (size_t)next(f->vm, &l);
+    if (i < n) fixed[i] = true;
+  }
+  vs_net_faces net = { .at = at, .count = n, .fixed = fixed, .corner = corner, .start = start, .face_count = faces };
+  double worst;
+  vs_plane_outcome outcome = vs_net_planarise(&net, f->arg[3].real, vs_bind_keep_going, f->vm, &worst);
+  VS_ROOTS(f->vm, r, 2);
+  switch (outcome) {
+  case VS_PLANE_STOPPED: return VS_ERROR; /* the condition is set */
+  case VS_PLANE_MEMORY: return vs_fail_memory(f->vm);
+  case VS_PLANE_FAR: {
+    char text[32];
+    vs_bind_number_text(text, worst);
+    return vs_fail(f->vm, f->vm->sym.range, "no plane faces were found: after %d rounds a corner still lies %s from its face",
+                   VS_PLANE_ROUNDS, text);
+  }
+  case VS_PLANE_DONE: break;
+  }
+  return point_list(f, at, n, &r[0]) && vs_cons(f->vm, vs_flonum(worst), VS_NIL, &r[1]) && vs_cons(f->vm, r[0], r[1], out);
+}
+
+/* (%shortest-path ways n from to): the numbers of the points on the way, from 0; ways: a flat list, three numbers each */
+vs_status vs_p_shortest_path(vs_frame *f, vs_value *out) {
+  int64_t numbers = vs_list_length(f->arg[0].value);
+  size_t count = numbers > 0 ? (size_t)numbers / 3 : 0, found;
+  vs_way *ways = vs_bind_scratch(f, (count + 1) * sizeof *ways);
+  if (!ways) return VS_ERROR;
+  vs_value l = f->arg[0].value;
+  double points = (double)f->arg[1].integer;
+  for (size_t i = 0; i < count; i++) {
+    double a = next(f->vm, &l), b = next(f->vm, &l), length = next(f->vm, &l);
+    if (!(a >= 0 && a < points && b >= 0 && b < points)) return vs_fail(f->vm, f->vm->sym.range, "a member has no end");
+    ways[i] = (vs_way){ (uint32_t)a, (uint32_t)b, length };
+  }
+  uint32_t *at;
+  if (!vs_ways_shortest(ways, count, (size_t)f->arg[1].integer, (uint32_t)f->arg[2].integer, (uint32_t)f->arg[3].integer, &at, &found))
+    return vs_fail_memory(f->vm);
+  VS_ROOTS(f->vm, r, 1);
+  bool ok = true;
+  r[0] = VS_NIL;
+  while (ok && found-- > 0) ok = vs_cons(f->vm, vs_fix((int64_t)at[found]), r[0], &r[0]);
+  free(at);
+  *out = r[0];
+  return ok ? VS_OK : VS_ERROR;
+}
+
+/* (%pack-circles region n least gap): a list of pairs, centre and radius, the largest first */
+vs_status vs_p_pack_circles(vs_frame *f, vs_value *out) {
+  vs_error e = { 0 };
+  vs_outline o = { 0 };
+  vs_affine back;
+  vs_bounds b;
+  vs_area whole = { 0 };
+  vs_node *region = f->arg[0].ref.node;
+  size_t n = (size_t)f->arg[1].integer, count = 0;
+  if (region->class_ == VS_CURVE && !(region->flags & VS_NODE_CLOSED))
+    return vs_bind_refuse(f, "region", "a region or a closed curve", f->arg[0].value);
+  if (!vs_bind_uncrossed(f, f->arg[0].ref, "region")) return VS_ERROR;
+  if (!vs_node_bounds(region, &b, &e)) return vs_bind_error(f, &e);
+  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind), .segments = vs_bind_segments(f->bind) };
+  if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_facets_tolerance(&b) / 4, 1e-300);
+  if (!vs_region_outline(region, &facets, &o, &e)) return vs_bind_error(f, &e);
+  vs_packed *circles = vs_bind_scratch(f, (n + 1) * sizeof *circles);
+  bool stopped = false, ok = circles != NULL;
+  if (ok && !(vs_affine_invert(&o.frame, &back) && vs_area_of_outline(&o, &o.frame, &whole))) ok = vs_fail_memory(f->vm);
+  if (ok && !vs_area_pack(&whole, n, f->arg[2].real, f->arg[3].real, vs_bind_keep_going, f->vm, circles, &count, &stopped))
+    ok = stopped ? VS_ERROR : vs_fail_memory(f->vm);
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = VS_NIL;
+  for (size_t i = count; ok && i-- > 0;)
+    ok = vs_bind_point(f, vs_affine_point(&o.frame, vs_v3(circles[i].at.x, circles[i].at.y, 0)), &r[1]) &&
+         vs_cons(f->vm, r[1], vs_flonum(circles[i].radius), &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
+  vs_area_free(&whole);
+  vs_outline_free(&o);
+  *out = r[0];
+  return ok ? VS_OK : VS_ERROR;
+}

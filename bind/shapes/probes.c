@@ -1,0 +1,198 @@
+/* Owns the natives that ask where curves, rays and points meet objects: curve-intersections, and what probes.scm asks of
+ * an object's triangles. */
+#include "bind/bind.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "bind/shapes/along_curves.h"
+#include "bind/shapes/taken_apart.h"
+#include "geometry/measure/mesh_distance.h"
+#include "geometry/measure/ray_tree.h"
+#include "geometry/nets/geodesic.h"
+#include "geometry/plane/meetings.h"
+#include "model/store/array.h"
+
+/* ---- curves with curves ---- */
+
+/* (curve-intersections a b): points in the order of a */
+vs_status vs_p_curve_intersections(vs_frame *f, vs_value *out) {
+  vs_stations a, b;
+  vs_meeting *found = NULL;
+  size_t count = 0;
+  vs_vec3 at;
+  VS_ROOTS(f->vm, r, 2);
+  if (!vs_bind_stations(f, 0, &a)) return VS_ERROR;
+  if (!vs_bind_stations(f, 1, &b)) return vs_stations_close(&a), VS_ERROR;
+  double near = 1e-7 * fmax(a.length, b.length);
+  vs_meetings_outcome outcome = vs_curves_meet(&a, &b, near, &found, &count, &at);
+  vs_stations_close(&a), vs_stations_close(&b);
+  if (outcome == VS_MEETINGS_MEMORY) return vs_fail_memory(f->vm);
+  if (outcome == VS_MEETINGS_ALONG) {
+    char x[32], y[32], z[32];
+    vs_bind_number_text(x, at.x), vs_bind_number_text(y, at.y), vs_bind_number_text(z, at.z);
+    return vs_fail(f->vm, f->vm->sym.range, "the curves lie on each other about (xyz %s %s %s)", x, y, z);
+  }
+  bool ok = true;
+  r[0] = VS_NIL;
+  for (size_t i = count; ok && i-- > 0;) ok = vs_bind_point(f, found[i].at, &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
+  free(found);
+  *out = r[0];
+  return ok ? VS_OK : VS_ERROR;
+}
+
+/* ---- an object that is asked often ---- */
+
+typedef struct {
+  vs_mesh mesh;
+  vs_ray_tree tree;
+  vs_mesh_distance *distance;
+  double size;
+} probe;
+
+static void probe_free(void *p) {
+  probe *w = p;
+  if (!w) return;
+  vs_ray_tree_free(&w->tree);
+  vs_mesh_distance_free(w->distance);
+  vs_mesh_free(&w->mesh);
+  free(w);
+}
+static const vs_foreign_type probe_type = { .name = "an object's triangles", .release = probe_free };
+
+/* (%probe o) */
+vs_status vs_p_probe(vs_frame *f, vs_value *out) {
+  probe *w = NULL;
+  size_t room = 0;
+  vs_error e = { 0 };
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
+  vs_node *o = f->arg[0].ref.node;
+  if (vs_bind_is_empty(o) || (o->class_ != VS_SOLID && o->class_ != VS_SURFACE))
+    return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
+  if (!VS_GROW(w, room, 1)) return vs_fail_memory(f->vm);
+  *w = (probe){ 0 };
+  if (!vs_bend_triangles(f, f->arg[0].ref, &w->mesh)) return probe_free(w), VS_ERROR;
+  vs_bounds b = vs_mesh_bounds(&w->mesh);
+  w->size = vs_bounds_diagonal(&b);
+  w->distance = vs_mesh_distance_new(&w->mesh);
+  if (!w->distance) return probe_free(w), vs_fail_memory(f->vm);
+  if (!vs_ray_tree_make(&w->tree, f->bind->store, &w->mesh, &e)) return probe_free(w), vs_bind_error(f, &e);
+  return vs_make_foreign(f->vm, &probe_type, w, 0, out);
+}
+
+/* (%probe-near probe p): the point of its triangles that is nearest to p */
+vs_status vs_p_probe_near(vs_frame *f, vs_value *out) {
+  const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
+  vs_vec3 p = f->arg[1].point, slope = { 0, 0, 0 };
+  double d = vs_mesh_distance_at(w->distance, p, &slope);
+  return vs_bind_point(f, vs_v3_sub(p, vs_v3_scale(slope, d)), out);
+}
+
+/* (%probe-ray probe p v): the first point from p on in the direction v; #f */
+vs_status vs_p_probe_ray(vs_frame *f, vs_value *out) {
+  const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
+  vs_vec3 p = f->arg[1].point, v = vs_v3_unit(f->arg[2].point);
+  double at;
+  *out = VS_FALSE;
+  if (vs_ray_tree_meet(&w->tree, p, v, INFINITY, false, &at) == w->mesh.triangle_count) return VS_OK;
+  return vs_bind_point(f, vs_v3_add(p, vs_v3_scale(v, at)), out);
+}
+
+/* How far p lies above the plane of triangle t. */
+static double above(const probe *w, size_t t, vs_vec3 p) {
+  const uint32_t *k = w->mesh.triangles[t];
+  vs_vec3 a = w->mesh.vertices[k[0]], b = w->mesh.vertices[k[1]], c = w->mesh.vertices[k[2]];
+  return vs_v3_dot(vs_v3_unit(vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a))), vs_v3_sub(p, a));
+}
+
+/* The place of the curve between low and high at which it passes through the plane of triangle t. */
+static double passes(const probe *w, const vs_stations *c, size_t t, double low, double high) {
+  bool below = above(w, t, vs_station_at(c, low).at) < 0;
+  for (int i = 0; i < 60; i++) {
+    double middle = .5 * (low + high);
+    if ((above(w, t, vs_station_at(c, middle).at) < 0) == below)
+      low = middle;
+    else
+      high = middle;
+  }
+  return .5 * (low + high);
+}
+
+/* (%probe-curve probe c): the points at which the curve passes through its triangles, in the curve's order */
+vs_status vs_p_probe_curve(vs_frame *f, vs_value *out) {
+  const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
+  vs_stations c;
+  double *found = NULL;
+  size_t count = 0, room = 0;
+  if (!vs_bind_stations(f, 1, &c)) return VS_ERROR;
+  double blur = 1e-7 * fmax(c.length, w->size);
+  bool ok = true;
+  size_t n = c.path.count - (c.path.closed ? 0 : 1);
+  for (size_t i = 0; ok && i < n; i++) {
+    double low = c.along[i], high = c.along[i + 1], begin = 0;
+    vs_vec3 p = c.path.at[i].at, q = c.path.at[i + 1 < c.path.count ? i + 1 : 0].at, way = vs_v3_sub(q, p);
+    while (ok && begin <= 1) {
+      double at;
+      size_t t = vs_ray_tree_meet(&w->tree, vs_v3_add(p, vs_v3_scale(way, begin)), way, 1 - begin, false, &at);
+      if (t == w->mesh.triangle_count) break;
+      double share = fmin(1, begin + at), s = low + share * (high - low);
+      bool through = (above(w, t, p) < 0) != (above(w, t, q) < 0);
+      if (through) s = passes(w, &c, t, low, high);
+      bool known = false;
+      for (size_t k = count; k-- > 0 && !known;) known = fabs(found[k] - s) <= blur;
+      if (!known && count && c.path.closed && c.length - fabs(found[0] - s) <= blur) known = true;
+      if (!known) ok = VS_GROW(found, room, count + 1) || vs_fail_memory(f->vm);
+      if (!known && ok) found[count++] = s;
+      begin = share + 1e-9 + blur / fmax(high - low, blur);
+    }
+    ok = ok && vs_poll(f->vm, 16);
+  }
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = VS_NIL;
+  for (size_t i = count; ok && i-- > 0;)
+    ok = vs_bind_point(f, vs_station_at(&c, found[i]).at, &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
+  free(found);
+  vs_stations_close(&c);
+  *out = r[0];
+  return ok ? VS_OK : VS_ERROR;
+}
+
+/* (%curve-near c p): the distance along the curve of its point that is nearest to p */
+vs_status vs_p_curve_near(vs_frame *f, vs_value *out) {
+  vs_stations c;
+  vs_vec3 p = f->arg[1].point;
+  if (!vs_bind_stations(f, 0, &c)) return VS_ERROR;
+  double best = INFINITY, at = 0;
+  size_t n = c.path.count - (c.path.closed ? 0 : 1);
+  for (size_t i = 0; i < n; i++) { /* within a span the distance is followed by its slope, from the middle */
+    double low = c.along[i], high = c.along[i + 1], s = .5 * (low + high);
+    vs_vec3 a = c.path.at[i].at;
+    if (vs_v3_length(vs_v3_sub(a, p)) > best + 1.6 * (high - low)) continue;
+    for (int k = 0; k < 40; k++) {
+      vs_station q = vs_station_at(&c, s);
+      double step = vs_v3_dot(vs_v3_sub(p, q.at), q.tangent), next = fmin(high, fmax(low, s + step));
+      bool still = fabs(next - s) <= 1e-14 * c.length;
+      s = next;
+      if (still) break;
+    }
+    double d = vs_v3_length(vs_v3_sub(vs_station_at(&c, s).at, p));
+    if (d < best) best = d, at = s;
+  }
+  vs_stations_close(&c);
+  return vs_bind_real(f, at, out);
+}
+
+/* (%probe-geodesic probe p q): the points of the shortest way over its triangles; the empty list: none leads there */
+vs_status vs_p_probe_geodesic(vs_frame *f, vs_value *out) {
+  const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
+  vs_vec3 *at;
+  size_t count;
+  VS_ROOTS(f->vm, r, 2);
+  if (!vs_mesh_geodesic(&w->mesh, f->arg[1].point, f->arg[2].point, &at, &count)) return vs_fail_memory(f->vm);
+  bool ok = true;
+  r[0] = VS_NIL;
+  for (size_t i = count; ok && i-- > 0;) ok = vs_bind_point(f, at[i], &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
+  free(at);
+  *out = r[0];
+  return ok ? VS_OK : VS_ERROR;
+}

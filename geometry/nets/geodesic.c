@@ -1,0 +1,483 @@
+/* Owns shortest ways (geodesic.h).
+ *
+ * Plan. A first way is found by Dijkstra's algorithm between corners and STOPS stops on every edge, over the triangles
+ * between them. It crosses a row of edges; each crossing is moved to where the way is straight when both triangles are
+ * laid flat, again and again: the length is convex in the crossings, so that is the shortest way over these edges. Where
+ * crossings end in a corner, the way round the corner's other side is tried, and taken where it is shorter (D. Martinez
+ * and others, Computing geodesics on triangular meshes, 2005). */
+#include "geometry/nets/geodesic.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/store/array.h"
+
+#define PI 3.14159265358979323846
+#define FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array)) /* of an array that is NULL */
+enum { STOPS = 3, SWEEPS = 4000, SWEEPS_TO_COMPARE = 60, TURNS = 200, NONE = UINT32_MAX };
+
+/* ---- Dijkstra ---- */
+
+typedef struct {
+  uint32_t *first, *to; /* the ways from point i: to[first[i]] to to[first[i + 1]], which is left out */
+  double *length;
+} links;
+
+static void links_free(links *l) { free(l->first), free(l->to), free(l->length); }
+
+static bool links_make(links *l, const vs_way *ways, size_t count, size_t points) {
+  *l = (links){ 0 };
+  if (!FRESH(l->first, points + 2) || !FRESH(l->to, 2 * count + 1) || !FRESH(l->length, 2 * count + 1)) return false;
+  memset(l->first, 0, (points + 2) * sizeof *l->first);
+  for (size_t i = 0; i < count; i++) l->first[ways[i].a + 2]++, l->first[ways[i].b + 2]++;
+  for (size_t i = 2; i <= points + 1; i++) l->first[i] += l->first[i - 1];
+  for (size_t i = 0; i < count; i++) {
+    uint32_t j = l->first[ways[i].a + 1]++, k = l->first[ways[i].b + 1]++;
+    l->to[j] = ways[i].b, l->to[k] = ways[i].a, l->length[j] = l->length[k] = ways[i].length;
+  }
+  return true;
+}
+
+typedef struct {
+  double far;
+  uint32_t point;
+} visit;
+
+static void sift_up(visit *heap, size_t i) {
+  for (visit v = heap[i]; i > 0 && heap[(i - 1) / 2].far > v.far; heap[i] = v) heap[i] = heap[(i - 1) / 2], i = (i - 1) / 2;
+}
+
+static visit take(visit *heap, size_t *count) {
+  visit top = heap[0], v = heap[--*count];
+  size_t i = 0;
+  for (size_t k; (k = 2 * i + 1) < *count; i = k) {
+    if (k + 1 < *count && heap[k + 1].far < heap[k].far) k++;
+    if (heap[k].far >= v.far) break;
+    heap[i] = heap[k];
+  }
+  heap[i] = v;
+  return top;
+}
+
+bool vs_ways_shortest(const vs_way *ways, size_t way_count, size_t points, uint32_t from, uint32_t to, uint32_t **out,
+                      size_t *count) {
+  links l;
+  double *far = NULL;
+  uint32_t *before = NULL;
+  visit *heap = NULL;
+  size_t room = 0, waiting = 0;
+  *out = NULL, *count = 0;
+  bool ok = links_make(&l, ways, way_count, points) && FRESH(far, points + 1) && FRESH(before, points + 1) &&
+            VS_GROW(heap, room, 1);
+  for (size_t i = 0; ok && i < points; i++) far[i] = INFINITY, before[i] = NONE;
+  if (ok) far[from] = 0, heap[waiting++] = (visit){ 0, from };
+  while (ok && waiting) {
+    visit v = take(heap, &waiting);
+    if (v.far > far[v.point]) continue;
+    if (v.point == to) break;
+    for (uint32_t k = l.first[v.point]; ok && k < l.first[v.point + 1]; k++) {
+      double d = v.far + l.length[k];
+      if (!(d < far[l.to[k]])) continue;
+      far[l.to[k]] = d, before[l.to[k]] = v.point;
+      ok = VS_GROW(heap, room, waiting + 1);
+      if (ok) heap[waiting] = (visit){ d, l.to[k] }, sift_up(heap, waiting++);
+    }
+  }
+  if (ok && isfinite(far[to])) {
+    size_t n = 1;
+    for (uint32_t i = to; before[i] != NONE; i = before[i]) n++;
+    ok = FRESH(*out, n);
+    if (ok) *count = n;
+    for (uint32_t i = to; ok && n-- > 0; i = before[i]) (*out)[n] = i;
+  }
+  links_free(&l);
+  free(far), free(before), free(heap);
+  return ok;
+}
+
+/* ---- the mesh ---- */
+
+typedef struct {
+  uint32_t a, b; /* corners, a < b */
+  uint32_t side[2]; /* triangles; NONE */
+} edge;
+
+typedef struct {
+  const vs_mesh *m;
+  uint32_t *corner;       /* by vertex: the first vertex at that place */
+  edge *edges;
+  size_t edge_count;
+  uint32_t (*of)[3];      /* by triangle: edge k is opposite corner k */
+} surface;
+
+static void surface_free(surface *s) { free(s->corner), free(s->edges), free(s->of); }
+
+static vs_vec3 at(const surface *s, uint32_t corner) { return s->m->vertices[corner]; }
+static uint32_t corner_of(const surface *s, uint32_t triangle, int k) { return s->corner[s->m->triangles[triangle][k]]; }
+
+typedef struct {
+  vs_vec3 at;
+  uint32_t vertex;
+} placed;
+
+static int by_place(const void *p, const void *q) {
+  const placed *a = p, *b = q;
+  if (a->at.x != b->at.x) return a->at.x < b->at.x ? -1 : 1;
+  if (a->at.y != b->at.y) return a->at.y < b->at.y ? -1 : 1;
+  if (a->at.z != b->at.z) return a->at.z < b->at.z ? -1 : 1;
+  return a->vertex < b->vertex ? -1 : a->vertex > b->vertex;
+}
+
+typedef struct {
+  uint32_t a, b, triangle, k;
+} half;
+
+static int by_ends(const void *p, const void *q) {
+  const half *x = p, *y = q;
+  if (x->a != y->a) return x->a < y->a ? -1 : 1;
+  if (x->b != y->b) return x->b < y->b ? -1 : 1;
+  return x->triangle < y->triangle ? -1 : x->triangle > y->triangle;
+}
+
+static bool surface_make(surface *s, const vs_mesh *m) {
+  placed *p = NULL;
+  half *h = NULL;
+  size_t n = m->vertex_count, t = m->triangle_count;
+  *s = (surface){ .m = m };
+  bool ok = FRESH(p, n + 1) && FRESH(h, 3 * t + 1) && FRESH(s->corner, n + 1) && FRESH(s->edges, 3 * t + 1) &&
+            FRESH(s->of, t + 1);
+  for (uint32_t i = 0; ok && i < n; i++) p[i] = (placed){ m->vertices[i], i };
+  if (ok) qsort(p, n, sizeof *p, by_place);
+  for (size_t i = 0, first = 0; ok && i < n; i++) {
+    if (p[i].at.x != p[first].at.x || p[i].at.y != p[first].at.y || p[i].at.z != p[first].at.z) first = i;
+    s->corner[p[i].vertex] = p[first].vertex;
+  }
+  for (uint32_t i = 0; ok && i < t; i++)
+    for (uint32_t k = 0; k < 3; k++) {
+      uint32_t a = corner_of(s, i, (int)(k + 1) % 3), b = corner_of(s, i, (int)(k + 2) % 3);
+      h[3 * i + k] = (half){ a < b ? a : b, a < b ? b : a, i, k };
+    }
+  if (ok) qsort(h, 3 * t, sizeof *h, by_ends);
+  for (size_t i = 0; ok && i < 3 * t; i++) {
+    edge *last = s->edge_count ? &s->edges[s->edge_count - 1] : NULL;
+    bool second = last && last->a == h[i].a && last->b == h[i].b && last->side[1] == NONE;
+    if (second)
+      last->side[1] = h[i].triangle;
+    else
+      s->edges[s->edge_count++] = (edge){ h[i].a, h[i].b, { h[i].triangle, NONE } };
+    s->of[h[i].triangle][h[i].k] = (uint32_t)s->edge_count - 1;
+  }
+  free(p), free(h);
+  return ok;
+}
+
+/* The place on triangle t that is nearest to p. */
+static vs_vec3 nearest_on(const surface *s, uint32_t t, vs_vec3 p) {
+  vs_vec3 a = at(s, corner_of(s, t, 0)), b = at(s, corner_of(s, t, 1)), c = at(s, corner_of(s, t, 2));
+  vs_vec3 corner[3] = { a, b, c }, n = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)), best = a;
+  double nn = vs_v3_dot(n, n), far = INFINITY;
+  bool inside = nn > 0;
+  for (int k = 0; k < 3; k++) {
+    vs_vec3 from = corner[k], way = vs_v3_sub(corner[(k + 1) % 3], from), d = vs_v3_sub(p, from);
+    if (vs_v3_dot(vs_v3_cross(way, d), n) < 0) inside = false;
+    double l = vs_v3_dot(way, way), share = l > 0 ? fmin(1, fmax(0, vs_v3_dot(d, way) / l)) : 0;
+    vs_vec3 q = vs_v3_add(from, vs_v3_scale(way, share));
+    double e = vs_v3_length(vs_v3_sub(p, q));
+    if (e < far) far = e, best = q;
+  }
+  return inside ? vs_v3_sub(p, vs_v3_scale(n, vs_v3_dot(n, vs_v3_sub(p, a)) / nn)) : best;
+}
+
+static uint32_t nearest_triangle(const surface *s, vs_vec3 p, vs_vec3 *place) {
+  double far = INFINITY;
+  uint32_t best = 0;
+  for (uint32_t t = 0; t < s->m->triangle_count; t++) {
+    vs_vec3 q = nearest_on(s, t, p);
+    double d = vs_v3_length(vs_v3_sub(q, p));
+    if (d < far) far = d, best = t, *place = q;
+  }
+  return best;
+}
+
+/* ---- the first way ---- */
+
+static vs_vec3 stop_at(const surface *s, uint32_t stop) {
+  const edge *e = &s->edges[stop / (STOPS + 2)];
+  double share = (double)(stop % (STOPS + 2)) / (STOPS + 1);
+  return vs_v3_add(at(s, e->a), vs_v3_scale(vs_v3_sub(at(s, e->b), at(s, e->a)), share));
+}
+
+/* Points of the graph: edge e has STOPS + 2 of them from (STOPS + 2) e on, both ends among them; corners are joined to
+ * the first edge that has them by ways of length 0. Behind them the two ends. */
+static bool first_way(const surface *s, uint32_t ta, vs_vec3 p, uint32_t tb, vs_vec3 q, uint32_t **out, size_t *count) {
+  enum { EACH = STOPS + 2 };
+  size_t points = EACH * s->edge_count + 2, n = 0, room = 0;
+  vs_way *ways = NULL;
+  uint32_t *seen = NULL;
+  bool ok = points < NONE && FRESH(seen, s->m->vertex_count + 1);
+  for (size_t i = 0; ok && i < s->m->vertex_count; i++) seen[i] = NONE;
+  for (uint32_t e = 0; ok && e < s->edge_count; e++)
+    for (int end = 0; ok && end < 2; end++) {
+      uint32_t v = end ? s->edges[e].b : s->edges[e].a, here = EACH * e + (end ? EACH - 1 : 0);
+      if (seen[v] == NONE)
+        seen[v] = here;
+      else if ((ok = VS_GROW(ways, room, n + 1)))
+        ways[n++] = (vs_way){ seen[v], here, 0 };
+    }
+  for (uint32_t t = 0; ok && t < s->m->triangle_count; t++)
+    for (int k = 0; ok && k < 3; k++) {
+      uint32_t e = s->of[t][k], f = s->of[t][(k + 1) % 3];
+      ok = VS_GROW(ways, room, n + EACH * EACH + EACH);
+      for (uint32_t i = 0; ok && i < EACH; i++)
+        for (uint32_t j = 0; j < EACH; j++)
+          ways[n++] = (vs_way){ EACH * e + i, EACH * f + j, vs_v3_length(vs_v3_sub(stop_at(s, EACH * e + i), stop_at(s, EACH * f + j))) };
+      for (uint32_t i = 0; ok && i + 1 < EACH; i++)
+        ways[n++] = (vs_way){ EACH * e + i, EACH * e + i + 1, vs_v3_length(vs_v3_sub(stop_at(s, EACH * e + i), stop_at(s, EACH * e + i + 1))) };
+    }
+  for (int end = 0; ok && end < 2; end++)
+    for (int k = 0; ok && k < 3; k++) {
+      uint32_t e = s->of[end ? tb : ta][k];
+      ok = VS_GROW(ways, room, n + EACH);
+      for (uint32_t i = 0; ok && i < EACH; i++)
+        ways[n++] = (vs_way){ (uint32_t)points - 2 + (uint32_t)end, EACH * e + i, vs_v3_length(vs_v3_sub(stop_at(s, EACH * e + i), end ? q : p)) };
+    }
+  ok = ok && vs_ways_shortest(ways, n, points, (uint32_t)points - 2, (uint32_t)points - 1, out, count);
+  free(ways), free(seen);
+  return ok;
+}
+
+/* ---- rows of edges ---- */
+
+typedef struct {
+  uint32_t *edge; /* crossed one after the other */
+  double *share;  /* where, from a to b */
+  size_t count, edge_room, share_room;
+  vs_vec3 p, q;   /* the ends */
+} row;
+
+static void row_free(row *r) { free(r->edge), free(r->share); }
+
+static bool row_put(row *r, uint32_t e, double share) {
+  if (!VS_GROW(r->edge, r->edge_room, r->count + 1) || !VS_GROW(r->share, r->share_room, r->count + 1)) return false;
+  r->edge[r->count] = e, r->share[r->count++] = share;
+  return true;
+}
+
+static vs_vec3 crossing_at(const surface *s, const row *r, size_t i) {
+  const edge *e = &s->edges[r->edge[i]];
+  return vs_v3_add(at(s, e->a), vs_v3_scale(vs_v3_sub(at(s, e->b), at(s, e->a)), r->share[i]));
+}
+
+static double row_length(const surface *s, const row *r) {
+  double sum = 0;
+  vs_vec3 last = r->p;
+  for (size_t i = 0; i < r->count; i++) {
+    vs_vec3 c = crossing_at(s, r, i);
+    sum += vs_v3_length(vs_v3_sub(c, last)), last = c;
+  }
+  return sum + vs_v3_length(vs_v3_sub(r->q, last));
+}
+
+/* Moves each crossing to where the way between its neighbours, laid flat, is straight. */
+static void straighten(const surface *s, row *r, int sweeps) {
+  for (int sweep = 0; sweep < sweeps; sweep++) {
+    double moved = 0;
+    for (size_t k = 0; k < r->count; k++) {
+      size_t i = sweep % 2 ? r->count - 1 - k : k;
+      const edge *e = &s->edges[r->edge[i]];
+      vs_vec3 a = at(s, e->a), way = vs_v3_sub(at(s, e->b), a);
+      vs_vec3 u = vs_v3_sub(i ? crossing_at(s, r, i - 1) : r->p, a);
+      vs_vec3 w = vs_v3_sub(i + 1 < r->count ? crossing_at(s, r, i + 1) : r->q, a);
+      double l = vs_v3_dot(way, way);
+      if (!(l > 0)) continue;
+      double fu = vs_v3_dot(u, way) / l, fw = vs_v3_dot(w, way) / l;
+      double hu = vs_v3_length(vs_v3_sub(u, vs_v3_scale(way, fu))), hw = vs_v3_length(vs_v3_sub(w, vs_v3_scale(way, fw)));
+      double share = hu + hw > 0 ? (fu * hw + fw * hu) / (hu + hw) : .5 * (fu + fw);
+      double next = r->share[i] + 1.6 * (share - r->share[i]); /* a step further than asked for comes to rest sooner */
+      if (hu + hw <= 0) next = share;
+      next = fmin(1, fmax(0, next));
+      moved = fmax(moved, fabs(next - r->share[i]));
+      r->share[i] = next;
+    }
+    if (moved < 1e-11) break;
+  }
+}
+
+/* The triangle between two edges that a way crosses one after the other; NONE. */
+static uint32_t between(const surface *s, uint32_t e, uint32_t f) {
+  for (int i = 0; i < 2; i++)
+    for (int k = 0; k < 2; k++)
+      if (s->edges[e].side[i] != NONE && s->edges[e].side[i] == s->edges[f].side[k]) return s->edges[e].side[i];
+  return NONE;
+}
+
+/* The corner in which crossing i ends; NONE. */
+static uint32_t ends_in(const surface *s, const row *r, size_t i) {
+  const edge *e = &s->edges[r->edge[i]];
+  return r->share[i] < 1e-7 ? e->a : r->share[i] > 1 - 1e-7 ? e->b : NONE;
+}
+
+/* The other edge of triangle t at the corner. */
+static uint32_t turn_in(const surface *s, uint32_t t, uint32_t corner, uint32_t e) {
+  for (int k = 0; k < 3; k++) {
+    uint32_t f = s->of[t][k];
+    if (f != e && (s->edges[f].a == corner || s->edges[f].b == corner)) return f;
+  }
+  return NONE;
+}
+
+static double angle_at(vs_vec3 corner, vs_vec3 p, vs_vec3 q) {
+  vs_vec3 a = vs_v3_sub(p, corner), b = vs_v3_sub(q, corner);
+  return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b));
+}
+
+/* Crossings i to j, which is left out, end in the corner: the row that goes round its other side, from triangle `before`
+ * to triangle `after`. False: memory; *there: whether there is one, and it bends so that it can be shorter. */
+static bool other_side(const surface *s, const row *r, size_t i, size_t j, uint32_t corner, uint32_t before, uint32_t after,
+                       row *out, bool *there) {
+  *there = false;
+  for (size_t k = 0; k < i; k++)
+    if (!row_put(out, r->edge[k], r->share[k])) return false;
+  uint32_t t = before, e = turn_in(s, before, corner, r->edge[i]);
+  vs_vec3 middle = at(s, corner), last = i ? crossing_at(s, r, i - 1) : r->p;
+  double angle = 0;
+  for (size_t turns = 0; t != after; turns++) {
+    if (e == NONE || turns > s->edge_count) return true;
+    vs_vec3 far = at(s, s->edges[e].a == corner ? s->edges[e].b : s->edges[e].a);
+    angle += angle_at(middle, last, far), last = far;
+    if (!row_put(out, e, s->edges[e].a == corner ? .01 : .99)) return false;
+    t = s->edges[e].side[0] == t ? s->edges[e].side[1] : s->edges[e].side[0];
+    if (t == NONE) return true;
+    e = turn_in(s, t, corner, e);
+  }
+  angle += angle_at(middle, last, j < r->count ? crossing_at(s, r, j) : r->q);
+  if (angle > PI - 1e-9) return true;
+  for (size_t k = j; k < r->count; k++)
+    if (!row_put(out, r->edge[k], r->share[k])) return false;
+  *there = true;
+  return true;
+}
+
+/* Tries the other sides of the corners that the way goes through; *better: one was shorter, and r is that now. */
+static bool go_round(const surface *s, row *r, uint32_t ta, uint32_t tb, bool *better) {
+  double length = row_length(s, r);
+  *better = false;
+  for (size_t i = 0; i < r->count;) {
+    uint32_t corner = ends_in(s, r, i);
+    size_t j = i + 1;
+    if (corner == NONE) {
+      i = j;
+      continue;
+    }
+    while (j < r->count && ends_in(s, r, j) == corner) j++;
+    uint32_t before = i ? between(s, r->edge[i - 1], r->edge[i]) : ta;
+    uint32_t after = j < r->count ? between(s, r->edge[j - 1], r->edge[j]) : tb;
+    row other = { .p = r->p, .q = r->q };
+    bool there = false, ok = before == NONE || after == NONE || other_side(s, r, i, j, corner, before, after, &other, &there);
+    if (ok && there) {
+      straighten(s, &other, SWEEPS_TO_COMPARE);
+      double now = row_length(s, &other);
+      if (now < length * (1 - 1e-10)) {
+        j = i + (other.count > r->count - (j - i) ? other.count - (r->count - (j - i)) : 0);
+        row_free(r);
+        *r = other, *better = true, length = now;
+        i = j;
+        continue;
+      }
+    }
+    row_free(&other);
+    if (!ok) return false;
+    i = j;
+  }
+  return true;
+}
+
+/* The edges that a way over stops crosses, from triangle ta to tb: through a corner round the side that is found first. */
+static bool row_of_way(const surface *s, const uint32_t *way, size_t count, uint32_t ta, uint32_t tb, row *r, bool *whole) {
+  enum { EACH = STOPS + 2 };
+  uint32_t t = ta;
+  *whole = true;
+  for (size_t i = 1; i + 1 < count; i++) {
+    uint32_t e = way[i] / EACH, stop = way[i] % EACH;
+    double share = (double)stop / (EACH - 1);
+    bool corner = stop == 0 || stop == EACH - 1;
+    uint32_t v = stop == 0 ? s->edges[e].a : s->edges[e].b;
+    /* The triangle in which the way goes on: that which holds both this stop and the next, or the last. */
+    uint32_t next = tb;
+    if (i + 2 < count) {
+      uint32_t f = way[i + 1] / EACH;
+      if (f == e) continue; /* along the edge: the next stop crosses it */
+      next = between(s, e, f);
+      if (next == NONE) { /* a corner under another edge's name */
+        if (!corner) return *whole = false, true;
+        continue;
+      }
+    }
+    if (next == t) continue;
+    if (!corner) {
+      if (s->edges[e].side[0] != t && s->edges[e].side[1] != t) return *whole = false, true;
+      if (!row_put(r, e, share)) return false;
+      t = next;
+      continue;
+    }
+    /* Round the corner from triangle t until `next` is reached, one way or the other. */
+    for (int way_round = 0; way_round < 2 && t != next; way_round++) {
+      row part = { 0 };
+      uint32_t at_triangle = t, out = NONE;
+      for (int k = 0, seen = 0; k < 3; k++) {
+        uint32_t f = s->of[t][k];
+        if ((s->edges[f].a == v || s->edges[f].b == v) && seen++ == way_round) out = f;
+      }
+      bool ok = true;
+      for (size_t turns = 0; ok && at_triangle != next && out != NONE && turns <= s->edge_count; turns++) {
+        ok = row_put(&part, out, s->edges[out].a == v ? 0 : 1);
+        at_triangle = s->edges[out].side[0] == at_triangle ? s->edges[out].side[1] : s->edges[out].side[0];
+        if (at_triangle == NONE) break;
+        out = turn_in(s, at_triangle, v, out);
+      }
+      for (size_t k = 0; ok && at_triangle == next && k < part.count; k++) ok = row_put(r, part.edge[k], part.share[k]);
+      row_free(&part);
+      if (!ok) return false;
+      if (at_triangle == next) t = next;
+    }
+    if (t != next) return *whole = false, true;
+  }
+  *whole = t == tb;
+  return true;
+}
+
+bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, size_t *count) {
+  surface s;
+  uint32_t *way = NULL;
+  size_t stops = 0;
+  *out = NULL, *count = 0;
+  row r = { 0 };
+  bool ok = surface_make(&s, m), whole = false;
+  if (ok && m->triangle_count) {
+    uint32_t ta = nearest_triangle(&s, p, &r.p), tb = nearest_triangle(&s, q, &r.q);
+    if (ta == tb) {
+      whole = true;
+    } else {
+      ok = first_way(&s, ta, r.p, tb, r.q, &way, &stops);
+      if (ok && stops) ok = row_of_way(&s, way, stops, ta, tb, &r, &whole);
+      bool better = whole;
+      for (int turn = 0; ok && better && turn < TURNS; turn++) {
+        straighten(&s, &r, SWEEPS);
+        ok = go_round(&s, &r, ta, tb, &better);
+      }
+    }
+    size_t points = whole ? r.count + 2 : stops;
+    ok = ok && FRESH(*out, points + 1);
+    for (size_t i = 0; ok && i < points; i++)
+      (*out)[(*count)++] = i == 0              ? r.p
+                           : i == points - 1   ? r.q
+                           : whole             ? crossing_at(&s, &r, i - 1)
+                                               : stop_at(&s, way[i]); /* where rows go round corners of borders */
+
+  }
+  surface_free(&s);
+  row_free(&r);
+  free(way);
+  return ok;
+}

@@ -1,0 +1,23 @@
+/* Owns shortest ways: over the triangles of a mesh, and along members of a net. */
+#ifndef VS_GEOMETRY_GEODESIC_H
+#define VS_GEOMETRY_GEODESIC_H
+
+#include "model/mesh.h"
+
+/* A member of a net as a way of this length; its ends are numbers below the count of points. */
+typedef struct {
+  uint32_t a, b;
+  double length;
+} vs_way;
+
+/* The shortest way from one point to another: the numbers of its points from `from` on, which the caller frees; *count
+ * 0: no ways lead there. False: out of memory. */
+bool vs_ways_shortest(const vs_way *ways, size_t way_count, size_t points, uint32_t from, uint32_t to, uint32_t **out,
+                      size_t *count);
+
+/* The geodesic on the mesh between the places of it that are nearest to p and q: a polyline that bends where it crosses
+ * edges, locally the shortest. Corners at one place are one. The caller frees *out; *count 0: the places lie on parts
+ * that do not hang together. False: out of memory. */
+bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, size_t *count);
+
+#endif

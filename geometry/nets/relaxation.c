@@ -1,0 +1,193 @@
+/* Owns dynamic relaxation (relaxation.h).
+ *
+ * Plan. Points are masses that the forces on them move in steps of one unit of time; wherever the energy of the movement
+ * has passed a peak, all stop (M. Barnes, Form finding and analysis of tension structures by dynamic relaxation, 1999).
+ * A point's mass is the sum of the stiffnesses that hold it, so that no step goes too far. Cables that keep their
+ * lengths are springs whose unstrained lengths are made shorter by their strain, again and again, until under load they
+ * are as long as they are to be. */
+#include "geometry/nets/relaxation.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "model/store/array.h"
+
+/* STIFFER: how many times its greatest force a cable is stiff for a strain of 1. Stiffer springs take more steps and
+ * fewer rounds; after SOFT rounds, which nets with many ways to carry their loads need, they become so. */
+enum { ROUNDS = 24, SOFT = 8, POLL = 64, STIFFER = 10 };
+
+typedef struct {
+  vs_net *net;
+  double *rest; /* unstrained lengths of the cables */
+  vs_vec3 *force, *speed;
+  double *mass;
+  size_t rest_room, force_room, speed_room, mass_room;
+  double stiffness, greatest; /* greatest: force in a member, at the last look */
+} relaxation;
+
+/* ---- what holds what ---- */
+
+static uint32_t root_of(uint32_t *parent, uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+/* Is every part with a load held by a fixed point? *where: a point of one that is not. */
+static vs_relax_outcome held(const vs_net *n, size_t *where) {
+  uint32_t *parent = NULL;
+  bool *has = NULL;
+  size_t parent_room = 0, has_room = 0;
+  vs_relax_outcome outcome = VS_RELAX_DONE;
+  if (VS_GROW(parent, parent_room, n->count + 1) && VS_GROW(has, has_room, n->count + 1)) {
+    for (size_t i = 0; i < n->count; i++) parent[i] = (uint32_t)i, has[i] = false;
+    for (size_t k = 0; k < n->member_count; k++)
+      parent[root_of(parent, n->members[k].a)] = root_of(parent, n->members[k].b);
+    for (size_t i = 0; i < n->count; i++)
+      if (n->fixed[i]) has[root_of(parent, (uint32_t)i)] = true;
+    bool weighs = vs_v3_length(n->weight) > 0;
+    for (size_t i = n->count; i-- > 0;) {
+      bool joined = parent[i] != i || root_of(parent, (uint32_t)i) != i;
+      if (!has[root_of(parent, (uint32_t)i)] && (vs_v3_length(n->load[i]) > 0 || (weighs && joined)))
+        *where = i, outcome = VS_RELAX_LOOSE;
+    }
+  } else {
+    outcome = VS_RELAX_MEMORY;
+  }
+  free(parent), free(has);
+  return outcome;
+}
+
+/* ---- forces ---- */
+
+/* Fills force and mass from where the points are, and the members' forces. */
+static void look(relaxation *r) {
+  vs_net *n = r->net;
+  r->greatest = 0;
+  for (size_t i = 0; i < n->count; i++) r->force[i] = n->load[i], r->mass[i] = 0;
+  for (size_t k = 0; k < n->member_count; k++) {
+    vs_net_member *m = &n->members[k];
+    vs_vec3 way = vs_v3_sub(n->at[m->b], n->at[m->a]);
+    double length = vs_v3_length(way), pull, stiff, weighs;
+    if (m->length > 0) {
+      double strain = length / r->rest[k] - 1;
+      m->force = strain > 0 ? r->stiffness * strain : 0;
+      pull = length > 0 ? m->force / length : 0;
+      stiff = r->stiffness / r->rest[k] + pull, weighs = m->length;
+    } else {
+      m->force = m->density * length, pull = stiff = m->density, weighs = length;
+    }
+    vs_vec3 f = vs_v3_scale(way, pull), half = vs_v3_scale(n->weight, .5 * weighs);
+    r->force[m->a] = vs_v3_add(vs_v3_add(r->force[m->a], f), half);
+    r->force[m->b] = vs_v3_add(vs_v3_sub(r->force[m->b], f), half);
+    r->mass[m->a] += fabs(stiff), r->mass[m->b] += fabs(stiff);
+    if (m->force > r->greatest) r->greatest = m->force;
+  }
+}
+
+/* The greatest force that is not balanced, as a share of the greatest in a member or of the greatest load. */
+static double residual(const relaxation *r) {
+  double worst = 0, scale = r->greatest;
+  for (size_t i = 0; i < r->net->count; i++) {
+    if (!r->net->fixed[i]) worst = fmax(worst, vs_v3_length(r->force[i]));
+    scale = fmax(scale, vs_v3_length(r->net->load[i]));
+  }
+  return worst > 0 ? worst / scale : 0;
+}
+
+/* ---- steps ---- */
+
+static void halt(relaxation *r) {
+  for (size_t i = 0; i < r->net->count; i++) r->speed[i] = (vs_vec3){ 0, 0, 0 };
+}
+
+/* Runs until forces are balanced; the count of steps goes on in *out. */
+static vs_relax_outcome settle(relaxation *r, double tolerance, bool (*keep_going)(void *, double), void *context,
+                               vs_relax_report *out) {
+  vs_net *n = r->net;
+  double before = 0;
+  halt(r);
+  for (;; out->steps++) {
+    look(r);
+    out->residual = residual(r);
+    if (!(out->residual > tolerance)) return isfinite(out->residual) ? VS_RELAX_DONE : VS_RELAX_FAR;
+    if (out->steps >= VS_RELAX_STEPS) return VS_RELAX_FAR;
+    if (out->steps % POLL == 0 && !keep_going(context, 0)) return VS_RELAX_STOPPED;
+    double energy = 0;
+    for (size_t i = 0; i < n->count; i++) {
+      if (n->fixed[i] || !(r->mass[i] > 0)) continue;
+      r->speed[i] = vs_v3_add(r->speed[i], vs_v3_scale(r->force[i], 1 / r->mass[i]));
+      energy += r->mass[i] * vs_v3_dot(r->speed[i], r->speed[i]);
+    }
+    bool peak = energy < before;
+    for (size_t i = 0; i < n->count; i++) {
+      if (n->fixed[i] || !(r->mass[i] > 0)) continue;
+      /* The peak lay about half a step before the last one. */
+      vs_vec3 back = vs_v3_scale(vs_v3_sub(vs_v3_scale(r->force[i], 1 / r->mass[i]), r->speed[i]), .5);
+      n->at[i] = vs_v3_add(n->at[i], peak ? back : r->speed[i]);
+    }
+    before = peak ? 0 : energy;
+    if (peak) halt(r);
+  }
+}
+
+/* Are the cables as long as they are to be? Their unstrained lengths are set for the next round. */
+static bool lengths_hold(relaxation *r, double share) {
+  bool hold = true;
+  for (size_t k = 0; k < r->net->member_count; k++) {
+    const vs_net_member *m = &r->net->members[k];
+    if (!(m->length > 0)) continue;
+    double length = vs_v3_length(vs_v3_sub(r->net->at[m->b], r->net->at[m->a]));
+    if (m->force > 0 && fabs(length / m->length - 1) > share) hold = false;
+    r->rest[k] = m->length / (1 + m->force / r->stiffness);
+  }
+  return hold;
+}
+
+/* Cables keep their lengths: as settle, with springs that are made shorter. */
+static vs_relax_outcome settle_lengths(relaxation *r, double tolerance, bool (*keep_going)(void *, double),
+                                       void *context, vs_relax_report *out) {
+  double share = fmax(1e-9, 10 * tolerance), rough = 1e-2;
+  for (int round = 0; round < ROUNDS; round++) {
+    vs_relax_outcome outcome = settle(r, fmax(rough, tolerance), keep_going, context, out);
+    if (outcome != VS_RELAX_DONE || (lengths_hold(r, share) && rough <= tolerance)) return outcome;
+    if (round == 0 && r->greatest > 0) r->stiffness = STIFFER * r->greatest, lengths_hold(r, share);
+    if (round > SOFT && round % 2) r->stiffness *= 2, lengths_hold(r, share);
+    rough *= .1;
+  }
+  double worst = 0;
+  for (size_t k = 0; k < r->net->member_count; k++) {
+    const vs_net_member *m = &r->net->members[k];
+    double length = vs_v3_length(vs_v3_sub(r->net->at[m->b], r->net->at[m->a]));
+    if (m->length > 0 && length / m->length > worst) worst = length / m->length, out->where = k;
+  }
+  return VS_RELAX_SHORT;
+}
+
+vs_relax_outcome vs_net_relax(vs_net *n, double tolerance, bool (*keep_going)(void *, double), void *context,
+                              vs_relax_report *out) {
+  relaxation r = { .net = n };
+  *out = (vs_relax_report){ 0 };
+  vs_relax_outcome outcome = held(n, &out->where);
+  if (outcome != VS_RELAX_DONE) return outcome;
+  double loads = 0;
+  bool cables = false;
+  for (size_t i = 0; i < n->count; i++) loads += vs_v3_length(n->load[i]);
+  for (size_t k = 0; k < n->member_count; k++) {
+    const vs_net_member *m = &n->members[k];
+    double length = m->length > 0 ? m->length : vs_v3_length(vs_v3_sub(n->at[m->b], n->at[m->a]));
+    loads += length * vs_v3_length(n->weight);
+    if (m->length > 0) cables = true;
+    else loads += fabs(m->density) * length;
+  }
+  r.stiffness = n->stiffness > 0 ? n->stiffness : loads > 0 ? loads : 1;
+  if (VS_GROW(r.rest, r.rest_room, n->member_count + 1) && VS_GROW(r.force, r.force_room, n->count + 1) &&
+      VS_GROW(r.speed, r.speed_room, n->count + 1) && VS_GROW(r.mass, r.mass_room, n->count + 1)) {
+    for (size_t k = 0; k < n->member_count; k++) r.rest[k] = n->members[k].length;
+    outcome = cables && loads > 0 && !(n->stiffness > 0) ? settle_lengths(&r, tolerance, keep_going, context, out)
+                                                         : settle(&r, tolerance, keep_going, context, out);
+  } else {
+    outcome = VS_RELAX_MEMORY;
+  }
+  free(r.rest), free(r.force), free(r.speed), free(r.mass);
+  return outcome;
+}
