@@ -77,7 +77,7 @@ table model/steps.def VS_STEP '| step |'
 table session/stages.def VS_STAGE '| stage |'
 
 # What the examples say is what happens.
-for page in manual/i-want-to.md manual/drawings.md manual/coming-from-[ago]*.md manual/language/*.md manual/primitives/*.md manual/rules/*.md; do
+for page in manual/i-want-to.md manual/drawings.md manual/coming-from-[agoj]*.md manual/language/*.md manual/primitives/*.md manual/rules/*.md; do
   name=${page#manual/}
   case $name in coming-from-*) tables=1 ;; *) tables= ;; esac
   cat tests/manual/doctest.vs > "$work/page.vs"

@@ -1,0 +1,10 @@
+; The file program of 'Coming from Java': lines of one file, numbered, go into another in reverse.
+(define (reverse-lines in out)
+  (let loop ([number 1])
+    (let ([line (read-line in)])
+      (unless (eof-object? line)
+        (printf "~a: ~a\n" number line)
+        (write-string (list->string (reverse (string->list line))) out)
+        (newline out)
+        (loop (+ number 1))))))
+(call-with-input-file "in.txt" (lambda (in) (call-with-output-file "out.txt" (lambda (out) (reverse-lines in out)))))
