@@ -10,8 +10,8 @@
  * and gets a point of its own. Where a face has four crossings and both cells have them on one ring, the face is joined
  * the other way, which parts both rings: else two sheets would share an edge (R. Wenger, Isosurfaces, 2013, chapter 3).
  *   4. A ring's point is where the planes through its crossings meet best (T. Ju and others, Dual contouring of Hermite
- * data, 2002), held within the cell: so edges and corners stay sharp. Then the surface is looked at once more beside that
- * point, so that crooked edges are met, too.
+ * data, 2002), held within the cell: so edges and corners stay sharp. Then the surface is looked at once more beside
+ * that point, so that crooked edges are met, too.
  *   5. Each crossed edge is a face between the four rings around it, cut along that diagonal which passes nearer to the
  * crossing. Notation. Corner c of a cell lies at (c & 1, c >> 1 & 1, c >> 2). Edge 4 a + s of a cell runs along axis a;
  * the two bits of s say where it lies along the next two axes. Face 2 a + s is across axis a, low or high. */
@@ -432,9 +432,9 @@ static void eigen(double m[3][3], double v[3][3]) {
       }
 }
 
-/* Normals that differ by more than SHARP from each other are those of an edge, and one that leans by more than CORNER out
- * of the plane of the others makes it a corner; less is taken as the curvature of what is smooth. Cosine and sine of
- * some 25 degrees. */
+/* Normals that differ by more than SHARP from each other are those of an edge, and one that leans by more than CORNER
+ * out of the plane of the others makes it a corner; less is taken as the curvature of what is smooth. Cosine and sine
+ * of some 25 degrees. */
 #define SHARP .9
 #define CORNER .42
 

@@ -111,6 +111,24 @@ vs_status vs_p_walk_place(vs_frame *f, vs_value *out) {
   return vs_bind_point(f, vs_v3_add(at, across), out);
 }
 
+/* (%walk-upright walk s x y up): the same with y towards `up`, as far as the curve's direction allows, and x to the
+ * left of whoever walks along; #f where the curve runs along `up` */
+vs_status vs_p_walk_upright(vs_frame *f, vs_value *out) {
+  const vs_stations *w = vs_foreign_get(f->arg[0].value, &walk_type);
+  double share = f->arg[1].real, beyond = 0;
+  if (w->path.closed) share -= floor(share);
+  if (share < 0) beyond = share, share = 0;
+  if (share > 1) beyond = share - 1, share = 1;
+  vs_station s = vs_station_at(w, share * w->length);
+  vs_vec3 up = vs_v3_unit(f->arg[4].point), y = vs_v3_sub(up, vs_v3_scale(s.tangent, vs_v3_dot(up, s.tangent)));
+  if (vs_v3_length(y) < 1e-6) return *out = VS_FALSE, VS_OK;
+  y = vs_v3_unit(y);
+  vs_vec3 x = vs_v3_cross(y, s.tangent);
+  vs_vec3 across = vs_v3_add(vs_v3_scale(x, f->arg[2].real), vs_v3_scale(y, f->arg[3].real));
+  vs_vec3 at = vs_v3_add(s.at, vs_v3_scale(s.tangent, beyond * w->length));
+  return vs_bind_point(f, vs_v3_add(at, across), out);
+}
+
 /* ---- pipes ---- */
 
 enum { AROUND = 128, RINGS = 192 };

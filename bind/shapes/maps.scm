@@ -76,11 +76,19 @@
             (let ((radius (/ long angle)) (turn (* t angle)))
               (%from p (v*r x (- radius (* (- radius a) (cos turn)))) (v*r z (* (- radius a) (sin turn))) (v*r y b))))))))
 
-; The line from p to q becomes the curve; what lies across it is carried by frames that do not spin.
-(define (flow-map p q curve)
+; The line from p to q becomes the curve; what lies across it is carried by frames that do not spin, or that keep upright.
+(define (flow-map p q curve #:up [up any? #f])
   (%need-curve 'flow-map 'curve curve)
+  (if (not (or (not up) (and (gvector? up) (> (vlength up) 0)))) (error 'flow-map "up must be a gvector longer than 0, got ~s" up))
   (let ((walk (%curve-walk curve)))
-    (%along-spine 'flow-map p q #f (lambda (t a b long x y z) (%walk-place walk t a b)))))
+    (if up
+        ; along a spine whose own upright direction is Y, as profiles are drawn, or Z where the spine runs along Y
+        (%along-spine 'flow-map p q (let ((way (p->q p q))) (if (> (vlength (cross way uy)) (* 1e-6 (vlength way))) uy uz))
+          (lambda (t a b long x y z)
+            ; %along-spine's first direction is the upright one, its second is to the left of that
+            (or (%walk-upright walk t (- b) a up)
+                (error 'flow-map "the curve runs along up at ~s, where nothing can be upright" (%walk-place walk t 0 0)))))
+        (%along-spine 'flow-map p q #f (lambda (t a b long x y z) (%walk-place walk t a b))))))
 
 ; The rectangle from p to q becomes the surface f of u and v from 0 to 1; heights go along its normals.
 (define (surface-map f p q)

@@ -1,4 +1,5 @@
-/* Owns the natives under form-find and its like: a program's lists as nets of points and members. nets.scm checks them. */
+/* Owns the natives under form-find and its like: a program's lists as nets of points and members. nets.scm checks
+ * them. */
 #include "bind/bind.h"
 
 #include <math.h>
@@ -26,7 +27,8 @@ static bool point_list(vs_frame *f, const vs_vec3 *at, size_t n, vs_value *out) 
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (size_t i = n; i-- > 0;)
-    if (!vs_bind_point(f, at[i], &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0]) || !vs_poll_turn(f->vm, i, 4)) return false;
+    if (!vs_bind_point(f, at[i], &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0]) || !vs_poll_turn(f->vm, i, 4))
+      return false;
   *out = r[0];
   return true;
 }
@@ -41,13 +43,16 @@ static vs_status unsettled(vs_frame *f, vs_relax_outcome outcome, const vs_relax
     const vs_net_member *m = &n->members[report->where];
     vs_bind_number_text(a, m->length);
     vs_bind_number_text(b, vs_v3_length(vs_v3_sub(n->at[m->b], n->at[m->a])));
-    return vs_fail(f->vm, f->vm->sym.range, "the cables are too short between the fixed points: member %zu is to be %s long and is stretched to %s",
-                   report->where + 1, a, b);
+    return vs_fail(
+        f->vm, f->vm->sym.range,
+        "the cables are too short between the fixed points: member %zu is to be %s long and is stretched to %s",
+        report->where + 1, a, b);
   }
   case VS_RELAX_FAR:
     vs_bind_number_text(a, report->residual);
-    return vs_fail(f->vm, f->vm->sym.range, "no equilibrium was found in %zu steps: a share of %s of the forces is not balanced",
-                   report->steps, a);
+    return vs_fail(f->vm, f->vm->sym.range,
+                   "no equilibrium was found in %zu steps: a share of %s of the forces is not balanced", report->steps,
+                   a);
   case VS_RELAX_STOPPED: return VS_ERROR; /* the condition is set */
   case VS_RELAX_MEMORY:
   case VS_RELAX_DONE: break;
@@ -95,8 +100,8 @@ vs_status vs_p_form_find(vs_frame *f, vs_value *out) {
   return ok && vs_cons(f->vm, r[0], r[1], &r[1]) && point_list(f, net.at, n, &r[2]) && vs_cons(f->vm, r[2], r[1], out);
 }
 
-/* (%planarise points faces fixed tolerance): the points moved, and how far the worst corner lies from its face. faces: a
- * flat list of numbers: how many corners, then these, from 0. */
+/* (%planarise points faces fixed tolerance): the points moved, and how far the worst corner lies from its face.
+ * faces: a flat list of numbers: how many corners, then these, from 0. */
 vs_status vs_p_planarise(vs_frame *f, vs_value *out) {
   size_t n = f->arg[0].points.count, corners = 0, faces = 0;
   int64_t numbers = vs_list_length(f->arg[1].value);
@@ -129,15 +134,18 @@ vs_status vs_p_planarise(vs_frame *f, vs_value *out) {
   case VS_PLANE_FAR: {
     char text[32];
     vs_bind_number_text(text, worst);
-    return vs_fail(f->vm, f->vm->sym.range, "no plane faces were found: after %d rounds a corner still lies %s from its face",
-                   VS_PLANE_ROUNDS, text);
+    return vs_fail(f->vm, f->vm->sym.range,
+                   "no plane faces were found: after %d rounds a corner still lies %s from its face", VS_PLANE_ROUNDS,
+                   text);
   }
   case VS_PLANE_DONE: break;
   }
-  return point_list(f, at, n, &r[0]) && vs_cons(f->vm, vs_flonum(worst), VS_NIL, &r[1]) && vs_cons(f->vm, r[0], r[1], out);
+  return point_list(f, at, n, &r[0]) && vs_cons(f->vm, vs_flonum(worst), VS_NIL, &r[1]) &&
+         vs_cons(f->vm, r[0], r[1], out);
 }
 
-/* (%shortest-path ways n from to): the numbers of the points on the way, from 0; ways: a flat list, three numbers each */
+/* (%shortest-path ways n from to): the numbers of the points on the way, from 0; ways: a flat list, three numbers
+ * each */
 vs_status vs_p_shortest_path(vs_frame *f, vs_value *out) {
   int64_t numbers = vs_list_length(f->arg[0].value);
   size_t count = numbers > 0 ? (size_t)numbers / 3 : 0, found;
@@ -151,7 +159,8 @@ vs_status vs_p_shortest_path(vs_frame *f, vs_value *out) {
     ways[i] = (vs_way){ (uint32_t)a, (uint32_t)b, length };
   }
   uint32_t *at;
-  if (!vs_ways_shortest(ways, count, (size_t)f->arg[1].integer, (uint32_t)f->arg[2].integer, (uint32_t)f->arg[3].integer, &at, &found))
+  if (!vs_ways_shortest(ways, count, (size_t)f->arg[1].integer, (uint32_t)f->arg[2].integer,
+                        (uint32_t)f->arg[3].integer, &at, &found))
     return vs_fail_memory(f->vm);
   VS_ROOTS(f->vm, r, 1);
   bool ok = true;
@@ -180,8 +189,10 @@ vs_status vs_p_pack_circles(vs_frame *f, vs_value *out) {
   if (!vs_region_outline(region, &facets, &o, &e)) return vs_bind_error(f, &e);
   vs_packed *circles = vs_bind_scratch(f, (n + 1) * sizeof *circles);
   bool stopped = false, ok = circles != NULL;
-  if (ok && !(vs_affine_invert(&o.frame, &back) && vs_area_of_outline(&o, &o.frame, &whole))) ok = vs_fail_memory(f->vm);
-  if (ok && !vs_area_pack(&whole, n, f->arg[2].real, f->arg[3].real, vs_bind_keep_going, f->vm, circles, &count, &stopped))
+  if (ok && !(vs_affine_invert(&o.frame, &back) && vs_area_of_outline(&o, &o.frame, &whole)))
+    ok = vs_fail_memory(f->vm);
+  if (ok &&
+      !vs_area_pack(&whole, n, f->arg[2].real, f->arg[3].real, vs_bind_keep_going, f->vm, circles, &count, &stopped))
     ok = stopped ? VS_ERROR : vs_fail_memory(f->vm);
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;

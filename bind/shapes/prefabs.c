@@ -17,7 +17,8 @@ vs_status vs_p_prefab_names(vs_frame *f, vs_value *out) {
     const char *name = f->vm->config.shipped[count].name;
     size_t length = strlen(name);
     if (strncmp(name, folder, before) || length <= before + after || strcmp(name + length - after, ending)) continue;
-    if (!vs_string_from_utf8(f->vm, name + before, length - before - after, &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0]))
+    if (!vs_string_from_utf8(f->vm, name + before, length - before - after, &r[1]) ||
+        !vs_cons(f->vm, r[1], r[0], &r[0]))
       return VS_ERROR;
   }
   *out = r[0];

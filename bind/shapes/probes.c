@@ -1,5 +1,5 @@
-/* Owns the natives that ask where curves, rays and points meet objects: curve-intersections, and what probes.scm asks of
- * an object's triangles. */
+/* Owns the natives that ask where curves, rays and points meet objects: curve-intersections, and what probes.scm asks
+ * of an object's triangles. */
 #include "bind/bind.h"
 
 #include <math.h>

@@ -2,9 +2,9 @@
  *
  * Plan. A first way is found by Dijkstra's algorithm between corners and STOPS stops on every edge, over the triangles
  * between them. It crosses a row of edges; each crossing is moved to where the way is straight when both triangles are
- * laid flat, again and again: the length is convex in the crossings, so that is the shortest way over these edges. Where
- * crossings end in a corner, the way round the corner's other side is tried, and taken where it is shorter (D. Martinez
- * and others, Computing geodesics on triangular meshes, 2005). */
+ * laid flat, again and again: the length is convex in the crossings, so that is the shortest way over these edges.
+ * Where crossings end in a corner, the way round the corner's other side is tried, and taken where it is shorter (D.
+ * Martinez and others, Computing geodesics on triangular meshes, 2005). */
 #include "geometry/nets/geodesic.h"
 
 #include <math.h>
@@ -45,7 +45,8 @@ typedef struct {
 } visit;
 
 static void sift_up(visit *heap, size_t i) {
-  for (visit v = heap[i]; i > 0 && heap[(i - 1) / 2].far > v.far; heap[i] = v) heap[i] = heap[(i - 1) / 2], i = (i - 1) / 2;
+  for (visit v = heap[i]; i > 0 && heap[(i - 1) / 2].far > v.far; heap[i] = v)
+    heap[i] = heap[(i - 1) / 2], i = (i - 1) / 2;
 }
 
 static visit take(visit *heap, size_t *count) {
@@ -99,22 +100,24 @@ bool vs_ways_shortest(const vs_way *ways, size_t way_count, size_t points, uint3
 /* ---- the mesh ---- */
 
 typedef struct {
-  uint32_t a, b; /* corners, a < b */
+  uint32_t a, b;    /* corners, a < b */
   uint32_t side[2]; /* triangles; NONE */
 } edge;
 
 typedef struct {
   const vs_mesh *m;
-  uint32_t *corner;       /* by vertex: the first vertex at that place */
+  uint32_t *corner; /* by vertex: the first vertex at that place */
   edge *edges;
   size_t edge_count;
-  uint32_t (*of)[3];      /* by triangle: edge k is opposite corner k */
+  uint32_t (*of)[3]; /* by triangle: edge k is opposite corner k */
 } surface;
 
 static void surface_free(surface *s) { free(s->corner), free(s->edges), free(s->of); }
 
 static vs_vec3 at(const surface *s, uint32_t corner) { return s->m->vertices[corner]; }
-static uint32_t corner_of(const surface *s, uint32_t triangle, int k) { return s->corner[s->m->triangles[triangle][k]]; }
+static uint32_t corner_of(const surface *s, uint32_t triangle, int k) {
+  return s->corner[s->m->triangles[triangle][k]];
+}
 
 typedef struct {
   vs_vec3 at;
@@ -231,16 +234,19 @@ static bool first_way(const surface *s, uint32_t ta, vs_vec3 p, uint32_t tb, vs_
       ok = VS_GROW(ways, room, n + EACH * EACH + EACH);
       for (uint32_t i = 0; ok && i < EACH; i++)
         for (uint32_t j = 0; j < EACH; j++)
-          ways[n++] = (vs_way){ EACH * e + i, EACH * f + j, vs_v3_length(vs_v3_sub(stop_at(s, EACH * e + i), stop_at(s, EACH * f + j))) };
+          ways[n++] = (vs_way){ EACH * e + i, EACH * f + j,
+                                vs_v3_length(vs_v3_sub(stop_at(s, EACH * e + i), stop_at(s, EACH * f + j))) };
       for (uint32_t i = 0; ok && i + 1 < EACH; i++)
-        ways[n++] = (vs_way){ EACH * e + i, EACH * e + i + 1, vs_v3_length(vs_v3_sub(stop_at(s, EACH * e + i), stop_at(s, EACH * e + i + 1))) };
+        ways[n++] = (vs_way){ EACH * e + i, EACH * e + i + 1,
+                              vs_v3_length(vs_v3_sub(stop_at(s, EACH * e + i), stop_at(s, EACH * e + i + 1))) };
     }
   for (int end = 0; ok && end < 2; end++)
     for (int k = 0; ok && k < 3; k++) {
       uint32_t e = s->of[end ? tb : ta][k];
       ok = VS_GROW(ways, room, n + EACH);
       for (uint32_t i = 0; ok && i < EACH; i++)
-        ways[n++] = (vs_way){ (uint32_t)points - 2 + (uint32_t)end, EACH * e + i, vs_v3_length(vs_v3_sub(stop_at(s, EACH * e + i), end ? q : p)) };
+        ways[n++] = (vs_way){ (uint32_t)points - 2 + (uint32_t)end, EACH * e + i,
+                              vs_v3_length(vs_v3_sub(stop_at(s, EACH * e + i), end ? q : p)) };
     }
   ok = ok && vs_ways_shortest(ways, n, points, (uint32_t)points - 2, (uint32_t)points - 1, out, count);
   free(ways), free(seen);
@@ -253,7 +259,7 @@ typedef struct {
   uint32_t *edge; /* crossed one after the other */
   double *share;  /* where, from a to b */
   size_t count, edge_room, share_room;
-  vs_vec3 p, q;   /* the ends */
+  vs_vec3 p, q; /* the ends */
 } row;
 
 static void row_free(row *r) { free(r->edge), free(r->share); }
@@ -292,7 +298,8 @@ static void straighten(const surface *s, row *r, int sweeps) {
       double l = vs_v3_dot(way, way);
       if (!(l > 0)) continue;
       double fu = vs_v3_dot(u, way) / l, fw = vs_v3_dot(w, way) / l;
-      double hu = vs_v3_length(vs_v3_sub(u, vs_v3_scale(way, fu))), hw = vs_v3_length(vs_v3_sub(w, vs_v3_scale(way, fw)));
+      double hu = vs_v3_length(vs_v3_sub(u, vs_v3_scale(way, fu))),
+             hw = vs_v3_length(vs_v3_sub(w, vs_v3_scale(way, fw)));
       double share = hu + hw > 0 ? (fu * hw + fw * hu) / (hu + hw) : .5 * (fu + fw);
       double next = r->share[i] + 1.6 * (share - r->share[i]); /* a step further than asked for comes to rest sooner */
       if (hu + hw <= 0) next = share;
@@ -332,10 +339,10 @@ static double angle_at(vs_vec3 corner, vs_vec3 p, vs_vec3 q) {
   return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b));
 }
 
-/* Crossings i to j, which is left out, end in the corner: the row that goes round its other side, from triangle `before`
- * to triangle `after`. False: memory; *there: whether there is one, and it bends so that it can be shorter. */
-static bool other_side(const surface *s, const row *r, size_t i, size_t j, uint32_t corner, uint32_t before, uint32_t after,
-                       row *out, bool *there) {
+/* Crossings i to j, which is left out, end in the corner: the row that goes round its other side, from triangle
+ * `before` to triangle `after`. False: memory; *there: whether there is one, and it bends so that it can be shorter. */
+static bool other_side(const surface *s, const row *r, size_t i, size_t j, uint32_t corner, uint32_t before,
+                       uint32_t after, row *out, bool *there) {
   *there = false;
   for (size_t k = 0; k < i; k++)
     if (!row_put(out, r->edge[k], r->share[k])) return false;
@@ -374,7 +381,8 @@ static bool go_round(const surface *s, row *r, uint32_t ta, uint32_t tb, bool *b
     uint32_t before = i ? between(s, r->edge[i - 1], r->edge[i]) : ta;
     uint32_t after = j < r->count ? between(s, r->edge[j - 1], r->edge[j]) : tb;
     row other = { .p = r->p, .q = r->q };
-    bool there = false, ok = before == NONE || after == NONE || other_side(s, r, i, j, corner, before, after, &other, &there);
+    bool there = false,
+         ok = before == NONE || after == NONE || other_side(s, r, i, j, corner, before, after, &other, &there);
     if (ok && there) {
       straighten(s, &other, SWEEPS_TO_COMPARE);
       double now = row_length(s, &other);
@@ -393,8 +401,10 @@ static bool go_round(const surface *s, row *r, uint32_t ta, uint32_t tb, bool *b
   return true;
 }
 
-/* The edges that a way over stops crosses, from triangle ta to tb: through a corner round the side that is found first. */
-static bool row_of_way(const surface *s, const uint32_t *way, size_t count, uint32_t ta, uint32_t tb, row *r, bool *whole) {
+/* The edges that a way over stops crosses, from triangle ta to tb: through a corner round the side that is found
+ * first. */
+static bool row_of_way(const surface *s, const uint32_t *way, size_t count, uint32_t ta, uint32_t tb, row *r,
+                       bool *whole) {
   enum { EACH = STOPS + 2 };
   uint32_t t = ta;
   *whole = true;
@@ -470,11 +480,10 @@ bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, siz
     size_t points = whole ? r.count + 2 : stops;
     ok = ok && FRESH(*out, points + 1);
     for (size_t i = 0; ok && i < points; i++)
-      (*out)[(*count)++] = i == 0              ? r.p
-                           : i == points - 1   ? r.q
-                           : whole             ? crossing_at(&s, &r, i - 1)
-                                               : stop_at(&s, way[i]); /* where rows go round corners of borders */
-
+      (*out)[(*count)++] = i == 0            ? r.p
+                           : i == points - 1 ? r.q
+                           : whole           ? crossing_at(&s, &r, i - 1)
+                                             : stop_at(&s, way[i]); /* where rows go round corners of borders */
   }
   surface_free(&s);
   row_free(&r);

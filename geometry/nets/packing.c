@@ -1,9 +1,9 @@
 /* Owns the packing of circles (packing.h).
  *
  * Plan. How large a circle about a place may be changes by no more than the distance of two places. So squares that
- * cover the area wait in a heap by the most that a circle with its middle in one of them could have; the first is looked
- * at and cut in four, until no square promises more than the best that was found (as V. Agafonkin's Polylabel does).
- * Circles only take room away: what squares promise stays true for the next circle, and the heap is kept. */
+ * cover the area wait in a heap by the most that a circle with its middle in one of them could have; the first is
+ * looked at and cut in four, until no square promises more than the best that was found (as V. Agafonkin's Polylabel
+ * does). Circles only take room away: what squares promise stays true for the next circle, and the heap is kept. */
 #include "geometry/nets/packing.h"
 
 #include <math.h>
@@ -90,7 +90,8 @@ bool vs_area_pack(const vs_area *area, size_t n, double least, double gap, bool 
   double half = .5 * fmin(high.x - low.x, high.y - low.y);
   bool ok = area->loop_count == 0 || half > 0;
   for (double x = low.x + half; ok && area->loop_count && x - half < high.x; x += 2 * half)
-    for (double y = low.y + half; ok && y - half < high.y; y += 2 * half) ok = push(&w, look(&w, (vs_vec2){ x, y }, half));
+    for (double y = low.y + half; ok && y - half < high.y; y += 2 * half)
+      ok = push(&w, look(&w, (vs_vec2){ x, y }, half));
   size_t turns = 0;
   while (ok && w.count < n) {
     vs_packed best = { { 0, 0 }, 0 };

@@ -15,14 +15,13 @@ static vs_vec3 plane_of(const vs_net_faces *f, size_t i, vs_vec3 *middle) {
   for (size_t c = 0; c < n; c++) sum = vs_v3_add(sum, f->at[k[c]]);
   *middle = vs_v3_scale(sum, 1. / (double)n);
   for (size_t c = 0; c < n; c++)
-    normal = vs_v3_add(normal,
-                       vs_v3_cross(vs_v3_sub(f->at[k[c]], *middle), vs_v3_sub(f->at[k[(c + 1) % n]], *middle)));
+    normal = vs_v3_add(normal, vs_v3_cross(vs_v3_sub(f->at[k[c]], *middle), vs_v3_sub(f->at[k[(c + 1) % n]], *middle)));
   double length = vs_v3_length(normal);
   return length > 0 ? vs_v3_scale(normal, 1 / length) : normal;
 }
 
 vs_plane_outcome vs_net_planarise(vs_net_faces *f, double tolerance, bool (*keep_going)(void *, double), void *context,
-                                    double *worst) {
+                                  double *worst) {
   static const double further = 1.5;
   vs_vec3 *move = NULL;
   uint32_t *faces = NULL;

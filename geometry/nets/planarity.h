@@ -23,6 +23,6 @@ typedef enum { VS_PLANE_DONE, VS_PLANE_FAR, VS_PLANE_STOPPED, VS_PLANE_MEMORY } 
 
 /* Moves the corners until none lies further than `tolerance` from its faces' planes. *worst: how far the worst is. */
 vs_plane_outcome vs_net_planarise(vs_net_faces *f, double tolerance, bool (*keep_going)(void *context, double done),
-                                    void *context, double *worst);
+                                  void *context, double *worst);
 
 #endif

@@ -1,10 +1,10 @@
 /* Owns dynamic relaxation (relaxation.h).
  *
- * Plan. Points are masses that the forces on them move in steps of one unit of time; wherever the energy of the movement
- * has passed a peak, all stop (M. Barnes, Form finding and analysis of tension structures by dynamic relaxation, 1999).
- * A point's mass is the sum of the stiffnesses that hold it, so that no step goes too far. Cables that keep their
- * lengths are springs whose unstrained lengths are made shorter by their strain, again and again, until under load they
- * are as long as they are to be. */
+ * Plan. Points are masses that the forces on them move in steps of one unit of time; wherever the energy of the
+ * movement has passed a peak, all stop (M. Barnes, Form finding and analysis of tension structures by dynamic
+ * relaxation, 1999). A point's mass is the sum of the stiffnesses that hold it, so that no step goes too far. Cables
+ * that keep their lengths are springs whose unstrained lengths are made shorter by their strain, again and again,
+ * until under load they are as long as they are to be. */
 #include "geometry/nets/relaxation.h"
 
 #include <math.h>
@@ -176,8 +176,10 @@ vs_relax_outcome vs_net_relax(vs_net *n, double tolerance, bool (*keep_going)(vo
     const vs_net_member *m = &n->members[k];
     double length = m->length > 0 ? m->length : vs_v3_length(vs_v3_sub(n->at[m->b], n->at[m->a]));
     loads += length * vs_v3_length(n->weight);
-    if (m->length > 0) cables = true;
-    else loads += fabs(m->density) * length;
+    if (m->length > 0)
+      cables = true;
+    else
+      loads += fabs(m->density) * length;
   }
   r.stiffness = n->stiffness > 0 ? n->stiffness : loads > 0 ? loads : 1;
   if (VS_GROW(r.rest, r.rest_room, n->member_count + 1) && VS_GROW(r.force, r.force_room, n->count + 1) &&

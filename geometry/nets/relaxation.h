@@ -45,7 +45,7 @@ typedef struct {
 } vs_relax_report;
 
 /* Moves the free points of the net until forces are balanced to the share `tolerance`. */
-vs_relax_outcome vs_net_relax(vs_net *n, double tolerance, bool (*keep_going)(void *context, double done), void *context,
-                              vs_relax_report *out);
+vs_relax_outcome vs_net_relax(vs_net *n, double tolerance, bool (*keep_going)(void *context, double done),
+                              void *context, vs_relax_report *out);
 
 #endif

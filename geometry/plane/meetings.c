@@ -1,8 +1,8 @@
 /* Owns the search for places where two curves meet (meetings.h).
  *
  * Plan. Spans of both curves lie in boxes, some of them together in larger ones; where boxes are near each other, the
- * spans are looked at pair by pair. From the nearest places of two spans' chords Newton's method goes on along the curves
- * themselves, until it stands where they are nearest to each other. */
+ * spans are looked at pair by pair. From the nearest places of two spans' chords Newton's method goes on along the
+ * curves themselves, until it stands where they are nearest to each other. */
 #include "geometry/plane/meetings.h"
 
 #include <math.h>
@@ -110,7 +110,8 @@ static vs_meetings_outcome pair(search *w, size_t i, size_t j) {
     double step = .3 * fmin(w->a->along[i + 1] - w->a->along[i], w->b->along[j + 1] - w->b->along[j]);
     int on = 0;
     for (int side = -1; side <= 1; side += 2) {
-      double s2 = along(w->a, s + side * step), t2 = along(w->b, t + side * step * vs_v3_dot(here.tangent, there.tangent));
+      double s2 = along(w->a, s + side * step),
+             t2 = along(w->b, t + side * step * vs_v3_dot(here.tangent, there.tangent));
       if (same_place(w->a, s2, s, step / 2)) continue;
       vs_vec3 far = vs_station_at(w->a, s2).at;
       double moved = t2;

@@ -9,7 +9,11 @@ typedef struct {
   double s, t; /* distances from the starts of both curves */
 } vs_meeting;
 
-typedef enum { VS_MEETINGS_DONE, VS_MEETINGS_ALONG /* they lie on each other about `at` */, VS_MEETINGS_MEMORY } vs_meetings_outcome;
+typedef enum {
+  VS_MEETINGS_DONE,
+  VS_MEETINGS_ALONG /* they lie on each other about `at` */,
+  VS_MEETINGS_MEMORY
+} vs_meetings_outcome;
 
 /* The places that are at most `near` from both curves, in the order of a; the caller frees *out. */
 vs_meetings_outcome vs_curves_meet(const vs_stations *a, const vs_stations *b, double near, vs_meeting **out,

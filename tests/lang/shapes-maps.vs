@@ -59,3 +59,11 @@
 (fails (make-subdivision cube 2 #:creases (list (list (xyz -1 -1 -1) (xyz 1 1 1))))) ; expect: make-subdivision: creases must be edges of the mesh, got ((xyz -1 -1 -1) (xyz 1 1 1))
 (fails (make-subdivision cube 0))                  ; expect: make-subdivision: n must be an exact integer from 1 to 12, got 0
 (fails (make-subdivision (make-circle origin 1) 1)) ; expect: make-subdivision: o must be a mesh, a solid or a surface, got (make-circle (xyz 0 0 0) 1)
+; flow-map that keeps upright: what was drawn towards Y stands towards up, x goes to the left
+(define upright (flow-map origin (xyz 0 0 8) (make-line origin (xyz 8 0 0)) #:up uz))
+(displayln (map upright (list (xyz 0 0 4) (xyz 0 1 4) (xyz 1 0 4)))) ; expect: ((xyz 4 0 0) (xyz 4 0 1) (xyz 4 1 0))
+(define ramp (make-bezier-curve origin (xyz 9 0 0) (xyz 9 9 3) (xyz 0 9 3)))
+(define kerb (do-deform (do-extrude (make-rectangle (xy -0.1 0) (xy 0.1 0.5)) 8) (flow-map origin (xyz 0 0 8) ramp #:up uz)))
+(displayln (near? (volume kerb) (* 0.1 (curve-length ramp)) 1e-3)) ; expect: #t
+(fails ((flow-map origin (xyz 0 0 8) (make-line origin (xyz 0 0 8)) #:up uz) origin)) ; expect: flow-map: the curve runs along up at (xyz 0 0 0), where nothing can be upright
+(fails (flow-map origin (xyz 0 0 8) ramp #:up 3)) ; expect: flow-map: up must be a gvector longer than 0, got 3

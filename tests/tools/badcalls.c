@@ -84,6 +84,7 @@ static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "do-revolve", "s", "(make-circle (xyz 5 0 0) 1)" }, { "do-revolve", "axis", "'y" }, { "do-offset", "corners", "'round" },
   { "do-resize", "dx", NULL }, { "do-resize", "dy", NULL }, { "do-resize", "dz", NULL }, { "make-mesh", "rows", NULL },
   { "do-guided-loft", "guides", "bar" }, { "do-guided-loft", "path", NULL },  { "curve-length", "c", "rail" },
+  { "curve-intersections", "b", "(make-circle origin 2)" },
   { "make-height-field", "source", "'((1 2) (2 3))" }, { "make-height-field", "q", "(xyz 3 2 0)" }, { "make-height-field", "high", "4" }, { "make-height-field", "low", "-1" },
   { "load-mesh", "file", NULL }, { "load-mesh", "repair", NULL }, { "make-mesh", "closed-u", NULL }, { "make-mesh", "closed-v", NULL },
   { "make-crust", "thickness", "0.1" }, { "make-crust", "side", "'out" },
