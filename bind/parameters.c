@@ -1,6 +1,7 @@
 /* Owns define-parameter: values that a command line, a slider or a host may set before the program runs. */
 #include "bind/bind.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "vm/values/number.h"
@@ -69,6 +70,17 @@ static vs_status wrong(vs_frame *f, bool set, const char *name, const char *must
   return vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s must be %s, got %s", name, must, got);
 }
 
+/* (xyz x y z) or (xy x y), as it was read, becomes the point. False: it is none. */
+static bool point_setting(const vs_frame *f, const char *datum, vs_value list, double xyz[3]) {
+  const char *name = datum + strspn(datum, " (");
+  size_t length = strcspn(name, " ()"), count = 0;
+  xyz[2] = 0;
+  if (!vs_is_pair(list) || (length != 2 && length != 3) || strncmp(name, "xyz", length) != 0) return false;
+  for (list = vs_cdr(list); vs_is_pair(list) && count < length; list = vs_cdr(list))
+    if (!vs_is_number(vs_car(list)) || !vs_number_double(f->vm, vs_car(list), &xyz[count++])) return false;
+  return list == VS_NIL && count == length && isfinite(xyz[0]) && isfinite(xyz[1]) && isfinite(xyz[2]);
+}
+
 /* The setting as a value like the default: exact stays exact, a real takes any number, a string is the bare text. */
 static vs_status read_setting(vs_frame *f, const char *name, const char *datum, vs_value like, vs_value *out) {
   vs_bind_parameter_type t = type_of(like);
@@ -87,6 +99,11 @@ static vs_status read_setting(vs_frame *f, const char *name, const char *datum, 
   }
   while (used < bytes && (datum[used] == ' ' || datum[used] == '\t')) used++;
   if (*out == VS_EOF || used < bytes) return wrong(f, true, name, type_name(t), datum);
+  if (vs_is_flat(like, VS_FLAT_POINT)) {
+    double xyz[3];
+    if (!point_setting(f, datum, *out, xyz)) return wrong(f, true, name, "a point, (xyz x y z)", datum);
+    return vs_bind_point(f, vs_v3(xyz[0], xyz[1], xyz[2]), out);
+  }
   bool fits = t == VS_P_DATUM || type_of(*out) == t || (t == VS_P_REAL && vs_is_number(*out));
   if (!fits && t == VS_P_INTEGER && vs_is_number(*out)) {
     char must[200], whole[32];

@@ -4,6 +4,7 @@
  * session's alone. Results of one run serve the next, as the library keeps them. */
 #include "live/aside.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -89,15 +90,31 @@ static bool aside_ready(live_aside *a) {
   return a->scheme != NULL;
 }
 
+/* "WIDTHxHEIGHT QUALITY EYE TARGET LENS", of which the end may be missing: what a picture is to be. */
+static void aside_picture(const char *text, vs_output_options *o) {
+  static const char *const qualities[] = { "draft", "good", "final" };
+  int width = 0, height = 0;
+  char quality[8] = "";
+  double c[7];
+  int count = sscanf(text, "%5dx%5d %7[a-z] %lf %lf %lf %lf %lf %lf %lf", &width, &height, quality, &c[0], &c[1], &c[2], &c[3],
+                     &c[4], &c[5], &c[6]);
+  if (count >= 2 && width > 0 && height > 0 && width <= 8192 && height <= 8192) o->width = width, o->height = height;
+  for (int i = 0; i < 3; i++)
+    if (strcmp(quality, qualities[i]) == 0) o->quality = (vs_quality)i;
+  bool seen = count == 10 && c[6] > 0 && (c[0] != c[3] || c[1] != c[4] || c[2] != c[5]);
+  for (int i = 0; i < 7; i++) seen = seen && isfinite(c[i]);
+  if (!seen) return;
+  o->has_camera = true;
+  memcpy(o->camera, c, sizeof c);
+}
+
 static void aside_make(live_aside *a, live_wish *w) {
   live_text bytes = { 0 };
   vs_output_options o = a->options->output;
   vs_outcome outcome = VS_OUTCOME_MACHINE;
-  int width = 0, height = 0;
   a->now = w;
   a->said.length = 0;
-  if (sscanf(w->value, "%5dx%5d", &width, &height) == 2 && width > 0 && height > 0 && width <= 8192 && height <= 8192)
-    o.width = width, o.height = height;
+  aside_picture(w->value, &o);
   if (aside_ready(a)) {
     aside_values(a, w, true);
     outcome = vs_restart(a->scheme);

@@ -28,7 +28,7 @@ ASSET(live_html) ASSET(live_js) ASSET(live_css)
 #undef ASSET
 
 #define POLICY(styles) "default-src 'none'; script-src 'self'; style-src 'self'" styles "; style-src-attr 'unsafe-inline'; " \
-  "connect-src 'self'; img-src 'self' blob: data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+  "connect-src 'self'; img-src 'self' blob: data:; media-src blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 
 typedef struct { live_text body; bool too_long, began; } request;
 

@@ -2,6 +2,7 @@
 import * as THREE from "three";
 import { Stage } from "./stage.js";
 import { CameraControl } from "./camera.js";
+import { togetherBox } from "./model.js";
 import { pick } from "./pick.js";
 import { el } from "./dom.js";
 
@@ -129,13 +130,9 @@ export class Compare {
 
   // The camera shows what all of them fill, from where it looks.
   #frame() {
-    const box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] }, shown = this.panes.filter((p) => p.stage.model?.count > 0);
+    const shown = this.panes.filter((p) => p.stage.model?.count > 0);
     if (shown.length === 0) return;
-    const [{ control, stage }] = shown, middle = stage.model.middle;
-    for (const { stage: { model } } of shown) for (let k = 0; k < 3; k++) {
-      box.min[k] = Math.min(box.min[k], model.box.min[k] + model.middle[k] - middle[k]);
-      box.max[k] = Math.max(box.max[k], model.box.max[k] + model.middle[k] - middle[k]);
-    }
+    const [{ control, stage }] = shown, box = togetherBox(shown.map((p) => p.stage.model), stage.model.middle);
     Object.assign(control.state, control.framed(control.state, box));
     control.apply();
   }

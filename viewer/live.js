@@ -6,6 +6,7 @@ import { el } from "./dom.js";
 import { Source } from "./source.js";
 import { Parameters } from "./parameters.js";
 import { Construction, Timeline } from "./timeline.js";
+import { Making } from "./making.js";
 import { Compare } from "./compare.js";
 
 // The token stands behind the # of the address, which browsers send to nobody; it goes into a header. Other words there are values of parameters.
@@ -36,15 +37,19 @@ class Live {
     this.viewer.onSelect = (parts) => this.#selected(parts);
     this.viewer.onOrigin = (o) => this.#showPlace(o);
     this.note = el("div", { class: "stale-note glass", role: "alert", hidden: true });
-    this.formats = el("select", { "aria-label": "Format" }, ["png", "pov", "stl", "3mf", "glb", "x3d", "html", "scad", "obj", "ply", "off", "exr", "tree"].map((f) => el("option", { value: f }, f === "png" ? "Picture (POV-Ray)" : "." + f)));
+    this.formats = el("select", { "aria-label": "Format" }, ["stl", "3mf", "glb", "obj", "ply", "off", "svg", "pdf", "dxf", "html", "x3d", "scad", "pov", "exr", "tree"].map((f) => el("option", { value: f }, "." + f)));
     this.exportButton = el("button", { type: "button", class: "button", onclick: () => this.export() }, "Export");
+    this.making = new Making(this.viewer, {
+      make: (format, values, options) => this.make(format, values, options), scene: (values, options) => this.scene(values, options),
+      parameters: () => this.parameters.infos || [], values: () => Object.fromEntries(this.parameters.changed().map((p) => [p.name, p.value])),
+    });
     this.compare = new Compare(this.viewer, (values) => this.scene(values));
     this.parameters = new Parameters({
       set: (name, value) => this.set(name, value), write: () => this.writeParameters(), link: () => this.#link(),
       compare: (sets) => this.compare.open(sets, (name) => this.parameters.use(name)), place: () => this.state.model,
     });
-    this.viewer.root.append(el("div", { class: "exports glass" }, this.formats, this.exportButton), this.note);
-    this.viewPlace.append(this.parameters.root, this.compare.root);
+    this.viewer.root.append(el("div", { class: "exports glass" }, this.formats, this.exportButton, this.making.button), this.note);
+    this.viewPlace.append(this.parameters.root, this.compare.root, this.making.root, this.making.large);
     this.timeline = new Timeline(this.viewer, {
       construction: () => this.construction(), mark: (chain) => this.source.mark(chain.filter((o) => this.#isModel(o.file))),
       back: () => { this.source.mark([]); if (this.model) this.viewer.show(this.model, true); },
@@ -159,6 +164,7 @@ class Live {
     this.note.textContent = state.good ? "" : "This is the last model that could be made.";
     if (state.version !== this.version && state.version > 0) await this.#fetchScene();
     if (state.good) this.compare.renew();
+    if (this.viewer.model) this.viewer.setHandles(this.parameters.points());
     if (!this.source.dirty && this.source.text !== undefined) await this.readSource(true);
     this.finished = (this.finished || 0) + 1; // For tests: how many states were shown.
   }
@@ -267,8 +273,8 @@ class Live {
   // ---- parameters ----
 
   // The model with other values of parameters than it has now, made beside it; { name: value } as the language writes them.
-  async scene(values) {
-    const buffer = await this.make("x3d-packed", values);
+  async scene(values, options) {
+    const buffer = await this.make("x3d-packed", values, options);
     return modelFromPacked(readPacked(buffer));
   }
   // An output of the model with values; told(phase, fraction) hears how far it is, and an aborted signal ends it.
@@ -278,7 +284,7 @@ class Live {
     if (told) this.telling.set(id, told);
     signal?.addEventListener("abort", cancel, { once: true });
     try {
-      const answer = await ask(`/export?format=${format}&size=${size}&id=${id}`, { method: "POST", body });
+      const answer = await ask(`/export?format=${format}&size=${encodeURIComponent(size)}&id=${id}`, { method: "POST", body });
       if (!answer.ok) throw new Error((await answer.text()).trim());
       return await answer.arrayBuffer();
     } finally {

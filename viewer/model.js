@@ -121,6 +121,16 @@ export class Model {
   where(i) { return this.made[i] > 0 ? this.origin(this.made[i]) : null; }
 }
 
+// The box of several models, about a middle.
+export function togetherBox(models, middle) {
+  const box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
+  for (const m of models) for (let k = 0; k < 3; k++) {
+    box.min[k] = Math.min(box.min[k], m.box.min[k] + m.middle[k] - middle[k]);
+    box.max[k] = Math.max(box.max[k], m.box.max[k] + m.middle[k] - middle[k]);
+  }
+  return box;
+}
+
 export function plain() {
   return { name: "", color: [0.86, 0.85, 0.83], roughness: 0.9, metallic: 0, transparency: 0, ior: 1.5 };
 }

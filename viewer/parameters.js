@@ -10,6 +10,13 @@ function roundStep(span) {
 // A value of a file or a link as the language writes it.
 const written = (value) => value === true ? "#t" : value === false ? "#f" : String(value);
 
+// The coordinates of a point as the language writes it, or null.
+export function pointOf(text) {
+  const m = /^\(xyz ([^ ()]+) ([^ ()]+) ([^ ()]+)\)$/.exec(text), xyz = m && m.slice(1).map((x) => x.includes("/") ? x.split("/").reduce((a, b) => a / b) : Number(x));
+  return xyz && xyz.every(Number.isFinite) ? xyz : null;
+}
+export const pointText = (xyz) => `(xyz ${xyz.map((x) => String(Number(x.toPrecision(9)))).join(" ")})`;
+
 export class Parameters {
   // set(name, value) hands a value on, as the language writes it; write() puts all that were changed into the source; link() gives an
   // address with the values; compare(sets) shows sets beside each other; place() is the model's path.
@@ -96,7 +103,10 @@ export class Parameters {
     this.#remember();
   }
 
-  changed() { return this.infos.filter((p) => p.value !== p.default); }
+  // The points among them, as handles of the view: { name, at, drag(xyz) }.
+  points() { return this.infos.filter((p) => this.rows.get(p.name).drag).map((p) => ({ name: p.label, at: pointOf(p.value) || [0, 0, 0], drag: this.rows.get(p.name).drag })); }
+
+  changed() { return (this.infos || []).filter((p) => p.value !== p.default); }
 
   show(infos) {
     this.infos = infos;
@@ -146,6 +156,14 @@ export class Parameters {
       number.addEventListener("change", () => { if (number.value !== "" && Number.isFinite(Number(number.value))) { range.value = number.value; send(exact(number.value)); } });
       row.put = (v) => { const x = v.includes("/") ? v.split("/").reduce((a, b) => a / b) : Number(v); number.value = range.value = x; };
       controls = [label, number, reset, range];
+    } else if (pointOf(p.default)) {
+      const boxes = ["x", "y", "z"].map((axis, k) => el("input", { type: "number", step: "any", id: k === 0 ? id : id + "-" + axis, "aria-label": `${p.label} ${axis}`, onchange: () => {
+        const xyz = boxes.map((b) => Number(b.value));
+        if (boxes.every((b) => b.value !== "") && xyz.every(Number.isFinite)) send(pointText(xyz));
+      } }));
+      row.put = (v) => (pointOf(v) || [0, 0, 0]).forEach((x, k) => { boxes[k].value = String(Number(x.toPrecision(9))); });
+      row.drag = (xyz) => { const text = pointText(xyz); row.put(text); send(text); };
+      controls = [label, el("span", { class: "hint" }, "drag it in the view"), reset, el("div", { class: "xyz" }, boxes)];
     } else {
       const text = el("input", { type: "text", id, onchange: () => send(text.value) });
       row.put = (v) => { text.value = v; };

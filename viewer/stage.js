@@ -516,6 +516,16 @@ export class Stage {
     }
   }
 
+  // The whole picture at once, for who takes it from the canvas: the mean of so many directions of light.
+  paint(samples = this.samples) {
+    this.dirty = false;
+    this.count = 0;
+    while (this.count < samples) this.#accumulate();
+    this.shower.uniforms.sum.value = this.mean[samples % 2].texture;
+    this.#quad(this.shower, null);
+    this.renderer.setRenderTarget(null);
+  }
+
   // Lets go of all that the graphics card holds; nothing is drawn any more.
   dispose() {
     this.lost = true;

@@ -2,7 +2,7 @@
 import * as THREE from "three";
 import { Stage } from "./stage.js";
 import { CameraControl } from "./camera.js";
-import { pick, snap, toScreen } from "./pick.js";
+import { pick, rayAt, snap, toScreen } from "./pick.js";
 import { el, svg, icon } from "./dom.js";
 import { Panel } from "./panel.js";
 
@@ -13,6 +13,12 @@ const SHOWS = [["edges", "Edges", "E"], ["shadows", "Shadows", ""], ["occlusion"
 export function length(x, units) {
   const a = Math.abs(x), digits = a >= 1000 ? 0 : a >= 100 ? 1 : a >= 1 ? 2 : 4;
   return Number(x.toFixed(digits)).toLocaleString("en", { maximumFractionDigits: digits, useGrouping: false }) + (units ? " " + units : "");
+}
+
+// A step of 1, 2 or 5 times a power of ten, some four hundredth of a length.
+function niceStep(span) {
+  const power = 10 ** Math.floor(Math.log10(span / 400)), least = span / 400 / power;
+  return power * (least < 1.5 ? 1 : least < 3.5 ? 2 : least < 7.5 ? 5 : 10);
 }
 
 export class Viewer {
@@ -33,6 +39,7 @@ export class Viewer {
     this.chosen = [];
     this.marks = [];
     this.ghosts = [];
+    this.handles = []; // Points that can be dragged: { name, at, drag(xyz) }, in the model's coordinates.
     this.filter = null; // Shows only some of the parts, or null.
     this.keys = {};
     this.measures = [];
@@ -401,7 +408,55 @@ export class Viewer {
         shapes.push(svg("rect", { x: x - w / 2, y: y - 12, width: w, height: 24, rx: 7, class: "label" }), svg("text", { x, y, class: "reading" }, text));
       }
     }
+    for (const handle of this.handles) shapes.push(...this.#handleShapes(handle, at));
     this.overlay.replaceChildren(...shapes);
+  }
+
+  // ---- points that are dragged ----
+
+  setHandles(handles) {
+    this.handles = this.grip ? handles.map((h) => h.name === this.grip.name ? { ...h, at: this.grip.at } : h) : handles;
+    this.#drawOverlay();
+  }
+  #handleShapes(handle, at) {
+    const p = at(this.#fromModel(handle.at));
+    if (p.behind) return [];
+    const held = this.grip?.name === handle.name, words = held ? `${handle.name}  ${handle.at.map((x) => length(x)).join("  ")}` : handle.name, w = 14 + 7.2 * words.length;
+    const circle = svg("circle", { cx: p.x, cy: p.y, r: held ? 10 : 8, class: "point", "data-handle": handle.name });
+    circle.addEventListener("pointerdown", (event) => this.#dragHandle(event, handle));
+    return [svg("rect", { x: p.x - w / 2, y: p.y - 38, width: w, height: 22, rx: 7, class: "label" }), svg("text", { x: p.x, y: p.y - 27 }, words), circle];
+  }
+  #fromModel(xyz) { return new THREE.Vector3(...xyz).sub(new THREE.Vector3(...this.model.middle)); }
+
+  // A point moves over the level that it lies on; seen from the side, over the upright plane that faces us; with shift, up and down alone.
+  #dragHandle(event, handle) {
+    event.preventDefault();
+    event.stopPropagation();
+    this.touched = true;
+    const r = this.canvas.getBoundingClientRect(), start = this.#fromModel(handle.at), seen = this.control.direction(), round = niceStep(this.model.diagonal);
+    const offset = toScreen(this.stage, start), grab = { x: event.clientX - r.left - offset.x, y: event.clientY - r.top - offset.y };
+    this.grip = { name: handle.name, at: handle.at };
+    const upright = new THREE.Vector3(seen.x, seen.y, 0).normalize();
+    const move = (e) => {
+      const level = !e.shiftKey && Math.abs(seen.z) > 0.2, plane = new THREE.Plane().setFromNormalAndCoplanarPoint(level ? AXES.z : upright, start), hit = new THREE.Vector3();
+      if (!rayAt(this.stage, e.clientX - r.left - grab.x, e.clientY - r.top - grab.y).intersectPlane(plane, hit) || hit.distanceTo(start) > 50 * this.model.diagonal) return;
+      const xyz = hit.toArray().map((x, k) => x + this.model.middle[k]), kept = e.shiftKey ? [0, 1] : level ? [2] : [];
+      const now = xyz.map((x, k) => kept.includes(k) ? handle.at[k] : Number((Math.round(x / round) * round).toPrecision(9)));
+      if (now.join() === this.grip.at.join()) return;
+      this.grip.at = now;
+      this.setHandles(this.handles);
+      handle.drag(now);
+    };
+    const up = () => {
+      removeEventListener("pointermove", move);
+      removeEventListener("pointerup", up);
+      removeEventListener("pointercancel", up);
+      this.grip = null;
+      this.#drawOverlay();
+    };
+    addEventListener("pointermove", move);
+    addEventListener("pointerup", up);
+    addEventListener("pointercancel", up);
   }
 
   #sectionShapes(at) {

@@ -4,3 +4,5 @@
 (define-parameter flat #f)
 (define-parameter style 'doric #:choices '(doric ionic))
 (write (list height ratio name flat style)) (newline)
+(define-parameter top (xyz 1 2 3))
+(write top) (newline)
