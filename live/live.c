@@ -13,11 +13,12 @@
 
 #include "live/aside.h"
 #include "live/files.h"
+#include "live/scene_host.h"
 #include "live/serve.h"
 
 extern char **environ;
 
-enum { LOOK_MS = 40, PRINTED_MOST = 1 << 20 };
+enum { LOOK_MS = 40, PRINTED_MOST = 1 << 20, COARSE_SEGMENTS = 12 };
 
 typedef struct {
   const live_options *options;
@@ -27,6 +28,9 @@ typedef struct {
   live_files files;
   live_aside aside;
   live_text released;  /* a byte for each of the options' parameters: 1 when a window has set it since */
+  bool coarse;         /* a value is on its way: what is round is shown coarse where nobody asked for a fineness */
+  bool frames;         /* the scene does something in each frame */
+  double last_frame;   /* when, in seconds */
   bool prompted;       /* the prompt has run something since the model did: the drawing may be another than the text's */
   live_text printed, messages, values; /* of the run under way */
   size_t message_count, errors;
@@ -44,6 +48,8 @@ static double now(void) {
 }
 
 /* ---- the host's side ---- */
+
+static const double FRAME_MOST = 0.25; /* seconds: a frame that comes late is not made up for */
 
 static bool host_output(void *context, const char *text, size_t length) {
   live *l = context;
@@ -172,6 +178,8 @@ static void publish_state(live *l, bool good, vs_outcome outcome) {
   live_json_bytes(&t, l->values.at != NULL ? l->values.at : "", l->values.length);
   live_puts(&t, ",\"parameters\":");
   add_parameters(l, &t);
+  live_puts(&t, ",\"scene\":");
+  l->frames = live_scene_needs(l->scheme, &t) && good;
   live_puts(&t, "}");
   if (t.failed) live_text_free(&t);
   else live_publish_state(&l->publish, t.at);
@@ -183,12 +191,22 @@ static bool scene_bytes(void *context, const void *bytes, size_t count) {
   return !t->failed;
 }
 
-/* The drawing as it stands becomes the next version. */
-static vs_outcome publish_drawing(live *l) {
+/* The drawing as it stands becomes the next version; where it is to be `another` only if it differs from the last. */
+static vs_outcome publish_drawing(live *l, bool another) {
   live_text bytes = { 0 };
   vs_summary summary;
+  vs_output_options o = l->options->output;
+  if (l->coarse && o.tolerance == 0 && o.segments == 0) o.segments = COARSE_SEGMENTS;
   vs_outcome outcome = vs_drawing_summary(l->scheme, &summary);
-  if (outcome == VS_OUTCOME_DONE && summary.objects > 0) outcome = vs_write_drawing_to(l->scheme, "x3d-packed", &l->options->output, scene_bytes, &bytes);
+  if (outcome == VS_OUTCOME_DONE && summary.objects > 0)
+    outcome = vs_write_drawing_to(l->scheme, "x3d-packed", &o, scene_bytes, &bytes);
+  live_scene *last = another && outcome == VS_OUTCOME_DONE ? live_scene_take(&l->publish) : NULL;
+  bool same = last != NULL && last->count == bytes.length && memcmp(last->bytes, bytes.at, bytes.length) == 0;
+  if (last != NULL) live_scene_release(&l->publish, last);
+  if (same) {
+    live_text_free(&bytes);
+    return VS_OUTCOME_DONE;
+  }
   live_scene *scene = outcome == VS_OUTCOME_DONE ? calloc(1, sizeof *scene) : NULL;
   if (scene == NULL || !live_chunks_cut((const unsigned char *)bytes.at, bytes.length, &scene->chunks) || !live_chunks_sorted(&scene->chunks, &scene->sorted)) {
     if (scene != NULL) {
@@ -218,7 +236,7 @@ static void begin(live *l) {
 }
 
 static void finish(live *l, vs_outcome outcome) {
-  if (outcome == VS_OUTCOME_DONE) outcome = publish_drawing(l);
+  if (outcome == VS_OUTCOME_DONE) outcome = publish_drawing(l, false);
   publish_state(l, outcome == VS_OUTCOME_DONE, outcome);
   vs_interrupt_clear(l->scheme);
 }
@@ -258,6 +276,42 @@ static void run_model(live *l) {
   finish(l, outcome);
 }
 
+/* What a frame or a user's hand has changed is told; an error ends the frames until the model runs again. */
+static void tell_frame(live *l, vs_outcome outcome) {
+  live_text t = { 0 };
+  unsigned version = l->version;
+  if (outcome == VS_OUTCOME_DONE) outcome = publish_drawing(l, true);
+  if (outcome != VS_OUTCOME_DONE) {
+    publish_state(l, false, outcome);
+    l->frames = false;
+    return;
+  }
+  live_putf(&t, "{\"version\":%u,\"scene\":", l->version);
+  l->frames = live_scene_needs(l->scheme, &t);
+  live_puts(&t, "}");
+  if (!t.failed && version != l->version) live_tell(&l->publish, "frame", t.at);
+  live_text_free(&t);
+}
+
+static void run_frame(live *l) {
+  double seconds = now() - l->last_frame;
+  l->last_frame = now();
+  pthread_mutex_lock(&l->publish.lock);
+  bool seen = l->publish.windows > 0;
+  pthread_mutex_unlock(&l->publish.lock);
+  if (!seen) return; /* time stands still where nobody looks */
+  l->began = l->last_frame;
+  tell_frame(l, vs_scene_frame(l->scheme, seconds < FRAME_MOST ? seconds : FRAME_MOST));
+  vs_interrupt_clear(l->scheme);
+}
+
+static void run_input(live *l, const live_wish *w) {
+  l->began = now();
+  vs_outcome outcome = live_scene_input(l->scheme, w->name, w->value);
+  if (outcome != VS_OUTCOME_USAGE || l->errors > 0) tell_frame(l, outcome);
+  vs_interrupt_clear(l->scheme);
+}
+
 static void run_prompt(live *l, const char *text) {
   begin(l);
   l->prompted = true;
@@ -294,6 +348,7 @@ static void serve(live *l) {
   run_model(l);
   while (!*l->options->ended) {
     bool again = live_files_changed(&l->files);
+    l->coarse = false;
     if (again) {
       live_files_settle(&l->files);
       live_trial_put(&l->publish, NULL);
@@ -302,6 +357,7 @@ static void serve(live *l) {
     while (w != NULL) { /* all that waits, before one run */
       if (w->kind == LIVE_SET) {
         again |= set_parameter(l, w->name, w->value);
+        l->coarse = w->coarse;
         live_wish_free(w);
       } else if (w->kind == LIVE_TRY) {
         char *text = w->value[0] != 0 ? w->value : NULL;
@@ -314,6 +370,9 @@ static void serve(live *l) {
         again = false;
         if (w->kind == LIVE_EXPORT) {
           run_export(l, w);
+        } else if (w->kind == LIVE_INPUT) {
+          run_input(l, w);
+          live_wish_free(w);
         } else {
           run_prompt(l, w->value);
           live_wish_free(w);
@@ -322,6 +381,7 @@ static void serve(live *l) {
       w = live_wish_take(&l->publish, &l->publish.wishes, 0);
     }
     if (again && !*l->options->ended) run_model(l);
+    if (l->frames && !*l->options->ended) run_frame(l);
   }
 }
 

@@ -123,6 +123,7 @@ bool live_wish_put(live_publish *p, live_queue *q, live_wish *w) {
     if (old->kind != w->kind || strcmp(old->name, w->name) != 0) continue;
     char *value = old->value;
     old->value = w->value;
+    old->coarse = w->coarse;
     w->value = value;
     pthread_mutex_unlock(&p->lock);
     live_wish_free(w);

@@ -16,11 +16,13 @@ typedef struct { unsigned uses; unsigned version; unsigned char *bytes; size_t c
 typedef enum {
   LIVE_SET,    /* a parameter */
   LIVE_TRY,    /* a text of the model that is not saved; "": the file's again */
+  LIVE_INPUT,  /* what a user did to the scene: its kind, and where */
   LIVE_PROMPT, LIVE_EXPORT
 } live_wish_kind;
 typedef struct live_wish {
   live_wish_kind kind;
   char *name, *value;
+  bool coarse;         /* SET: the value is on its way to another one: round things may be coarse */
   char *given;         /* EXPORT aside: values of parameters, each NAME LIVE_UNIT VALUE LIVE_RECORD; NULL elsewhere */
   char *id;            /* EXPORT aside: the window's word for it, in what is told of its progress; NULL elsewhere */
   bool done;           /* EXPORT: the asking thread waits for it */

@@ -275,6 +275,7 @@ static enum MHD_Result serve_check(live_server *s, struct MHD_Connection *c, con
 static enum MHD_Result wish(live_server *s, struct MHD_Connection *c, live_wish_kind kind, const char *name, const char *value) {
   live_wish *w = name != NULL && value != NULL ? live_wish_new(kind, name, value) : NULL;
   if (w == NULL) return answer_text(s, c, 400, "something is missing\n");
+  w->coarse = query(s, c, "coarse") != NULL;
   return live_wish_put(s->publish, &s->publish->wishes, w) ? answer_text(s, c, 202, "ok\n") : answer_text(s, c, 503, "too much is waiting to be done\n");
 }
 
@@ -377,6 +378,7 @@ static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const 
   if (post && strcmp(url, "/check") == 0) return serve_check(s, c, body);
   if (post && strcmp(url, "/set") == 0) return wish(s, c, LIVE_SET, query(s, c, "name"), body->at);
   if (post && strcmp(url, "/try") == 0) return wish(s, c, LIVE_TRY, "", body->at != NULL ? body->at : "");
+  if (post && strcmp(url, "/input") == 0) return wish(s, c, LIVE_INPUT, query(s, c, "kind"), body->at);
   if (post && strcmp(url, "/prompt") == 0) return wish(s, c, LIVE_PROMPT, "", body->at);
   if (post && strcmp(url, "/stop") == 0) {
     s->stop(s->stop_context);

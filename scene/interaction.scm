@@ -142,6 +142,25 @@
         (error 'gizmo-values! "there are ~a gizmos, got ~a values" (length all) (length values)))
     (for-each (lambda (n v) (property-set! (property-ref n 'value) v)) all values)))
 
+; What a host that shows the scene has to know: is anything done in each frame, does a node wait for picks or other input, and of each
+; gizmo its kind, value, size and handles.
+(define (scene-needs)
+  (let ((frames %active-viewer) (input #f))
+    (%walk (%root)
+      (lambda (n)
+        (let ((known (%node-actions n)))
+          (if known
+              (begin
+                (if (or (hash-ref known 'update #f) (hash-ref known 'draw #f) (hash-ref known 'finish #f)) (set! frames #t))
+                (if (or (hash-ref known 'pick #f) (hash-ref known 'drag #f) (hash-ref known 'release #f) (hash-ref known 'input #f))
+                    (set! input #t)))))))
+    (list (if frames #t #f) (if input #t #f)
+          (map (lambda (n)
+                 (let* ((g (hash-ref %gizmos n)) (world (node-worldtransform n)))
+                   (list (%gizmo-kind g) (property-get n 'value) (%gizmo-size g)
+                         (map (lambda (h) (%matrix-point world (cadr h))) (%handles n g)))))
+               (scene-gizmos)))))
+
 ; ---- what the ray meets of them ----
 
 ; How far along the ray a ball is met, or #f.

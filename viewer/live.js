@@ -13,6 +13,7 @@ import { Compare } from "./compare.js";
 const words = location.hash.slice(1).split("&").map((word) => { try { return decodeURIComponent(word); } catch { return word; } }), token = words[0];
 const ask = (path, options = {}) => fetch(path, { ...options, headers: { "X-VS-Token": token }, referrerPolicy: "no-referrer" });
 
+const SLOW_SECONDS = 0.12; // A model that takes longer does not follow a slider.
 const GHOSTS_MOST = 50000; // Parts of a model whose cuts are looked up when the cursor moves.
 
 class Live {
@@ -35,6 +36,7 @@ class Live {
     window.visualscheme = this.viewer;
     window.live = this;
     this.viewer.onSelect = (parts) => this.#selected(parts);
+    this.viewer.onRay = (ray) => { if (this.scened?.input) this.#input("press", ray), this.#input("release", ray); };
     this.viewer.onOrigin = (o) => this.#showPlace(o);
     this.note = el("div", { class: "stale-note glass", role: "alert", hidden: true });
     this.formats = el("select", { "aria-label": "Format" }, ["stl", "3mf", "glb", "obj", "ply", "off", "svg", "pdf", "dxf", "html", "x3d", "scad", "pov", "exr", "tree"].map((f) => el("option", { value: f }, "." + f)));
@@ -45,7 +47,7 @@ class Live {
     });
     this.compare = new Compare(this.viewer, (values) => this.scene(values));
     this.parameters = new Parameters({
-      set: (name, value) => this.set(name, value), write: () => this.writeParameters(), link: () => this.#link(),
+      set: (name, value, moving) => this.set(name, value, moving), write: () => this.writeParameters(), link: () => this.#link(),
       compare: (sets) => this.compare.open(sets, (name) => this.parameters.use(name)), place: () => this.state.model,
     });
     this.viewer.root.append(el("div", { class: "exports glass" }, this.formats, this.exportButton, this.making.button), this.note);
@@ -132,6 +134,10 @@ class Live {
       if (this.state) this.#outcome(this.state);
     } else if (kind === "progress") {
       this.telling.get(data.id)?.(data.phase, data.fraction);
+    } else if (kind === "frame") {
+      if (this.timeline.isOpen) return; // Which shows one moment.
+      if (data.version > this.version) await this.#fetchScene();
+      this.#scene(data.scene);
     } else if (kind === "state") {
       await this.#state(data);
     }
@@ -164,9 +170,33 @@ class Live {
     this.note.textContent = state.good ? "" : "This is the last model that could be made.";
     if (state.version !== this.version && state.version > 0) await this.#fetchScene();
     if (state.good) this.compare.renew();
-    if (this.viewer.model) this.viewer.setHandles(this.parameters.points());
+    this.#scene(state.scene);
     if (!this.source.dirty && this.source.text !== undefined) await this.readSource(true);
     this.finished = (this.finished || 0) + 1; // For tests: how many states were shown.
+  }
+
+  // ---- the program's own scene: frames, gizmos, nodes that wait for a click ----
+
+  #scene(scene) {
+    this.scened = scene;
+    if (!this.viewer.model) return;
+    const gizmos = (scene?.gizmos || []).flatMap((g, n) => g.handles.map((at, k) => ({ name: `${g.kind} ${n + 1}${g.handles.length > 1 ? "xyz"[k] : ""}`, gizmo: true, at, words: g.value.map((x) => Number(x.toPrecision(4))).join(" "),
+      ray: (kind, ray) => this.#input(kind, ray) })));
+    this.viewer.setHandles([...this.parameters.points(), ...gizmos]);
+  }
+  // One request is under way at a time; of drags that wait the last alone counts.
+  async #input(kind, { origin, direction }) {
+    this.inputs ||= [];
+    const input = { kind, body: ["left", ...origin, ...direction].join(" ") };
+    if (kind === "drag" && this.inputs[this.inputs.length - 1]?.kind === "drag") this.inputs[this.inputs.length - 1] = input;
+    else this.inputs.push(input);
+    if (this.inputting) return;
+    this.inputting = true;
+    while (this.inputs.length > 0) {
+      const next = this.inputs.shift();
+      await ask("/input?kind=" + next.kind, { method: "POST", body: next.body });
+    }
+    this.inputting = false;
   }
 
   #isModel(file) { return file && (file === this.state?.model || file.split("/").pop() === this.state?.model.split("/").pop()); }
@@ -298,7 +328,14 @@ class Live {
     return location.origin + "/#" + token + values.join("");
   }
 
-  set(name, value) { return ask("/set?name=" + encodeURIComponent(name), { method: "POST", body: value }); }
+  // moving: the value is on its way; a slow model is shown coarser meanwhile.
+  set(name, value, moving = false) {
+    const moved = name + " " + value;
+    if (!moving && !this.coarse && this.moved === moved) return undefined; // Where it was let go it was already.
+    this.coarse = moving && (this.coarse || this.state?.seconds > SLOW_SECONDS);
+    this.moved = moving ? moved : undefined;
+    return ask("/set?name=" + encodeURIComponent(name) + (this.coarse ? "&coarse=1" : ""), { method: "POST", body: value });
+  }
 
   // The literals of define-parameter become what the sliders say; nothing else of the text changes.
   async writeParameters() {

@@ -136,7 +136,7 @@ export class Parameters {
   }
 
   #row(p) {
-    const row = { info: p }, id = "parameter-" + p.name, send = (value) => { row.sent = String(value); this.set(p.name, String(value)); };
+    const row = { info: p }, id = "parameter-" + p.name, send = (value, moving) => { row.sent = String(value); row.moving = !!moving; this.set(p.name, String(value), !!moving); };
     const reset = el("button", { type: "button", class: "reset", title: "Back to " + p.default, "aria-label": `Reset ${p.label} to ${p.default}`, onclick: () => { row.put(row.info.default); send(row.info.default); } }, "↺");
     const label = el("label", { for: id, title: p.name }, p.label);
     let controls;
@@ -152,7 +152,8 @@ export class Parameters {
       const number = el("input", { type: "number", id, min: p.min, max: p.max, step: p.step || "any" });
       const range = el("input", { type: "range", min: p.min, max: p.max, step: p.step || roundStep(p.max - p.min), "aria-label": p.label, "data-parameter": p.name });
       const exact = (x) => p.type === "integer" ? String(Math.round(x)) : String(Number(Number(x).toPrecision(6)));
-      range.addEventListener("input", () => { number.value = exact(range.value); send(exact(range.value)); });
+      range.addEventListener("input", () => { number.value = exact(range.value); send(exact(range.value), true); });
+      range.addEventListener("change", () => { if (row.moving) send(exact(range.value)); });
       number.addEventListener("change", () => { if (number.value !== "" && Number.isFinite(Number(number.value))) { range.value = number.value; send(exact(number.value)); } });
       row.put = (v) => { const x = v.includes("/") ? v.split("/").reduce((a, b) => a / b) : Number(v); number.value = range.value = x; };
       controls = [label, number, reset, range];
@@ -162,7 +163,7 @@ export class Parameters {
         if (boxes.every((b) => b.value !== "") && xyz.every(Number.isFinite)) send(pointText(xyz));
       } }));
       row.put = (v) => (pointOf(v) || [0, 0, 0]).forEach((x, k) => { boxes[k].value = String(Number(x.toPrecision(9))); });
-      row.drag = (xyz) => { const text = pointText(xyz); row.put(text); send(text); };
+      row.drag = (xyz, moving) => { const text = pointText(xyz); row.put(text); send(text, moving); };
       controls = [label, el("span", { class: "hint" }, "drag it in the view"), reset, el("div", { class: "xyz" }, boxes)];
     } else {
       const text = el("input", { type: "text", id, onchange: () => send(text.value) });

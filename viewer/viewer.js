@@ -64,17 +64,19 @@ export class Viewer {
 
   // keep: the camera stays, for a new version of what is shown already. aside: this model only tells more of the one whose name and size stand.
   show(model, keep = false, aside = false) {
-    const first = !this.model || !keep;
+    const first = !this.model || !keep, was = this.model;
     this.model = model;
+    const same = !first && was?.count === model.count && !aside; // Parts that moved, as in a frame of what is animated.
     if (first) for (const set of Object.values(this.hidden)) set.clear();
-    else this.hidden.parts.clear();
-    this.select([]);
+    else if (!same) this.hidden.parts.clear();
+    if (!same || this.chosen.length === 0) this.select([]);
     this.measures = [];
     document.title = model.title;
     this.heading.textContent = model.title;
     if (!aside) this.facts.textContent = model.count === 0 ? "" : model.size.map((s) => length(s)).join(" × ") + " " + model.units;
     this.stage.resize();
     this.stage.setModel(model, (i) => this.isShown(i));
+    if (this.chosen.length > 0) this.#showMarks();
     if (first) {
       this.touched = false;
       this.setSection(null);
@@ -275,6 +277,7 @@ export class Viewer {
       if (told) this.say(told);
       return this.#drawOverlay();
     }
+    this.onRay?.(this.#worldRay(x, y));
     const hit = pick(this.stage, x, y);
     this.hit = hit;
     if (hit) this.say(this.describe(hit.part));
@@ -421,18 +424,39 @@ export class Viewer {
   #handleShapes(handle, at) {
     const p = at(this.#fromModel(handle.at));
     if (p.behind) return [];
-    const held = this.grip?.name === handle.name, words = held ? `${handle.name}  ${handle.at.map((x) => length(x)).join("  ")}` : handle.name, w = 14 + 7.2 * words.length;
-    const circle = svg("circle", { cx: p.x, cy: p.y, r: held ? 10 : 8, class: "point", "data-handle": handle.name });
+    const held = this.grip?.name === handle.name, words = handle.gizmo ? handle.words : held ? `${handle.name}  ${handle.at.map((x) => length(x)).join("  ")}` : handle.name, w = 14 + 7.2 * words.length;
+    const circle = svg("circle", { cx: p.x, cy: p.y, r: held ? 10 : 8, class: handle.gizmo ? "point gizmo" : "point", "data-handle": handle.name });
     circle.addEventListener("pointerdown", (event) => this.#dragHandle(event, handle));
     return [svg("rect", { x: p.x - w / 2, y: p.y - 38, width: w, height: 22, rx: 7, class: "label" }), svg("text", { x: p.x, y: p.y - 27 }, words), circle];
   }
+  // The ray under a point of the picture, in the model's coordinates; of parallel rays it begins before all that is shown.
+  #worldRay(x, y) {
+    const ray = rayAt(this.stage, x, y), back = this.stage.camera.isOrthographicCamera ? 4 * this.stage.radius : 0;
+    return { origin: ray.origin.toArray().map((v, k) => v - back * ray.direction.getComponent(k) + this.model.middle[k]), direction: ray.direction.toArray() };
+  }
   #fromModel(xyz) { return new THREE.Vector3(...xyz).sub(new THREE.Vector3(...this.model.middle)); }
+
+  // The program's gizmos follow the mouse as their own constraints allow: they get its ray.
+  #dragGizmo(event, handle) {
+    const r = this.canvas.getBoundingClientRect(), send = (kind) => (e) => handle.ray(kind, this.#worldRay(e.clientX - r.left, e.clientY - r.top)), move = send("drag");
+    send("press")(event);
+    const up = (e) => {
+      removeEventListener("pointermove", move);
+      removeEventListener("pointerup", up);
+      removeEventListener("pointercancel", up);
+      send("release")(e);
+    };
+    addEventListener("pointermove", move);
+    addEventListener("pointerup", up);
+    addEventListener("pointercancel", up);
+  }
 
   // A point moves over the level that it lies on; seen from the side, over the upright plane that faces us; with shift, up and down alone.
   #dragHandle(event, handle) {
     event.preventDefault();
     event.stopPropagation();
     this.touched = true;
+    if (handle.gizmo) return this.#dragGizmo(event, handle);
     const r = this.canvas.getBoundingClientRect(), start = this.#fromModel(handle.at), seen = this.control.direction(), round = niceStep(this.model.diagonal);
     const offset = toScreen(this.stage, start), grab = { x: event.clientX - r.left - offset.x, y: event.clientY - r.top - offset.y };
     this.grip = { name: handle.name, at: handle.at };
@@ -445,12 +469,13 @@ export class Viewer {
       if (now.join() === this.grip.at.join()) return;
       this.grip.at = now;
       this.setHandles(this.handles);
-      handle.drag(now);
+      handle.drag(now, true);
     };
     const up = () => {
       removeEventListener("pointermove", move);
       removeEventListener("pointerup", up);
       removeEventListener("pointercancel", up);
+      if (this.grip.at !== handle.at) handle.drag(this.grip.at, false);
       this.grip = null;
       this.#drawOverlay();
     };

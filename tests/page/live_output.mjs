@@ -82,7 +82,7 @@ await test("a contact sheet of a parameter", async (want) => {
   await page.getByRole("button", { name: "Pictures" }).click();
   await page.getByLabel("How many pictures").fill("4");
   await page.getByRole("button", { name: "Make a sheet" }).click();
-  await page.waitForFunction(() => /is made|cancelled|:/.test(document.querySelector(".making .said").textContent) && !window.live.making.cancel, null, { timeout: 60000 });
+  await page.waitForFunction(() => /is made|cancelled|:/.test(document.querySelector(".making .said").textContent) && !window.live.making.cancel, null, { timeout: 180000 });
   const [sheet] = await made(), picture = await lastPicture();
   want(sheet?.name === "tent-sheet-1.png" && sheet.size > 10000, JSON.stringify(await made()) + (await said()));
   want(picture.red > 4 * 60, `${picture.red} red pixels of four tents`);
@@ -92,7 +92,7 @@ await test("a contact sheet of a parameter", async (want) => {
 await test("a turntable as a film", async (want) => {
   await page.getByLabel("Seconds of the film").fill("1");
   await page.getByRole("button", { name: "Make a film" }).click();
-  await page.waitForFunction(() => !window.live.making.cancel, null, { timeout: 90000 });
+  await page.waitForFunction(() => !window.live.making.cancel, null, { timeout: 180000 });
   const film = (await made())[1];
   want(film?.type === "video/webm" && film.size > 5000, (await said()) + JSON.stringify(film));
   const played = await page.evaluate(() => new Promise((go) => {
@@ -131,9 +131,8 @@ await test("a render is cancelled, and the view lives meanwhile", async (want) =
   await page.getByLabel("Quality of the picture").selectOption("final");
   await page.getByRole("button", { name: "Render", exact: true }).click();
   await page.waitForTimeout(1500);
-  const from = Date.now();
   await after(() => writeFileSync(model, source + "\n"));
-  want(Date.now() - from < 5000, `a save was shown after ${Date.now() - from} ms`);
+  want(await page.evaluate(() => !!window.live.making.cancel), "a save waited for the picture");
   await page.getByRole("button", { name: "Cancel" }).click();
   await page.waitForFunction(() => !window.live.making.cancel, null, { timeout: 10000 });
   want(/cancelled/.test(await said()) && (await made()).length <= 3, await said());
