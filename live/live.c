@@ -66,7 +66,8 @@ static void host_value(void *context, const char *text, size_t length) {
 static void add_place(live_text *t, const vs_span *at) {
   live_puts(t, "{\"file\":");
   live_json(t, at->file);
-  live_putf(t, ",\"line\":%u,\"column\":%u,\"endLine\":%u,\"endColumn\":%u}", at->line, at->column, at->end_line, at->end_column);
+  live_putf(t, ",\"line\":%u,\"column\":%u,\"endLine\":%u,\"endColumn\":%u}", at->line, at->column, at->end_line,
+            at->end_column);
 }
 
 static void host_diagnose(void *context, const vs_diagnostic *d) {
@@ -115,7 +116,8 @@ static bool host_read(void *context, const char *path, char **text, size_t *leng
   return live_model_read(&l->publish, l->options->model, path, text, length, why);
 }
 
-static bool host_list(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length), void *to, const char **why) {
+static bool host_list(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length), void *to,
+                      const char **why) {
   (void)context;
   return live_folder_list(path, take, to, why);
 }
@@ -208,7 +210,8 @@ static vs_outcome publish_drawing(live *l, bool another) {
     return VS_OUTCOME_DONE;
   }
   live_scene *scene = outcome == VS_OUTCOME_DONE ? calloc(1, sizeof *scene) : NULL;
-  if (scene == NULL || !live_chunks_cut((const unsigned char *)bytes.at, bytes.length, &scene->chunks) || !live_chunks_sorted(&scene->chunks, &scene->sorted)) {
+  if (scene == NULL || !live_chunks_cut((const unsigned char *)bytes.at, bytes.length, &scene->chunks) ||
+      !live_chunks_sorted(&scene->chunks, &scene->sorted)) {
     if (scene != NULL) {
       live_chunks_free(&scene->chunks);
       outcome = VS_OUTCOME_MACHINE;
@@ -333,7 +336,8 @@ static void run_export(live *l, live_wish *w) {
   vs_output_options o = l->options->output;
   live_text bytes = { 0 };
   int width = 0, height = 0;
-  if (sscanf(w->value, "%5dx%5d", &width, &height) == 2 && width > 0 && height > 0 && width <= 8192 && height <= 8192) o.width = width, o.height = height;
+  if (sscanf(w->value, "%5dx%5d", &width, &height) == 2 && width > 0 && height > 0 && width <= 8192 && height <= 8192)
+    o.width = width, o.height = height;
   bool steps = strcmp(w->name, STEPS) == 0; /* a window looks: nobody is told */
   if (steps) o.passes = pass_mask("share");
   begin(l);
@@ -423,7 +427,8 @@ vs_outcome live_view(const live_options *o) {
     goto done;
   }
   vs_options interpreter = o->interpreter;
-  interpreter.host = (vs_host){ .context = l, .output = host_output, .diagnose = host_diagnose, .progress = host_progress, .poll = host_poll, .value = host_value, .read_file = host_read, .list_folder = host_list };
+  interpreter.host = (vs_host){ .context = l, .output = host_output, .diagnose = host_diagnose, .progress = host_progress,
+                                .poll = host_poll, .value = host_value, .read_file = host_read, .list_folder = host_list };
   l->scheme = vs_new(&interpreter);
   if (l->scheme == NULL) {
     fprintf(stderr, "vs: out of memory\n");

@@ -48,7 +48,8 @@ static void add_gizmo(vs_scheme *s, live_text *t, vs_handle gizmo) {
 bool live_scene_needs(vs_scheme *s, live_text *t) {
   vs_handle asked = vs_lookup(s, "scene-needs"), needs = 0;
   bool ok = asked != 0 && vs_apply(s, asked, NULL, 0, &needs) == VS_OUTCOME_DONE, frames = ok && flag_at(s, needs, 0);
-  live_putf(t, "{\"frames\":%s,\"input\":%s,\"gizmos\":[", frames ? "true" : "false", ok && flag_at(s, needs, 1) ? "true" : "false");
+  live_putf(t, "{\"frames\":%s,\"input\":%s,\"gizmos\":[", frames ? "true" : "false",
+            ok && flag_at(s, needs, 1) ? "true" : "false");
   vs_handle gizmos = ok ? vs_handle_item(s, needs, 2) : 0;
   for (size_t i = 0; gizmos != 0 && i < vs_handle_count(s, gizmos); i++) {
     vs_handle gizmo = vs_handle_item(s, gizmos, i);
@@ -67,13 +68,14 @@ vs_outcome live_scene_input(vs_scheme *s, const char *kind, const char *text) {
   static const char *const kinds[] = { "press", "drag", "release", "move" };
   char button[8];
   double r[6];
-  bool ok = sscanf(text, "%7[a-z] %lf %lf %lf %lf %lf %lf", button, &r[0], &r[1], &r[2], &r[3], &r[4], &r[5]) == 7, known = false;
+  bool known = false;
+  bool ok = sscanf(text, "%7[a-z] %lf %lf %lf %lf %lf %lf", button, &r[0], &r[1], &r[2], &r[3], &r[4], &r[5]) == 7;
   for (size_t i = 0; i < 4; i++) known |= strcmp(kind, kinds[i]) == 0;
   for (size_t i = 0; ok && i < 6; i++) ok = isfinite(r[i]);
   if (!ok || !known || (r[3] == 0 && r[4] == 0 && r[5] == 0)) return VS_OUTCOME_USAGE;
   vs_handle input = vs_lookup(s, "node-input"), result = 0;
-  const vs_handle arguments[] = { vs_handle_symbol(s, kind), vs_handle_symbol(s, button), vs_handle_point(s, r[0], r[1], r[2]),
-                                  vs_handle_vector(s, r[3], r[4], r[5]) };
+  const vs_handle arguments[] = { vs_handle_symbol(s, kind), vs_handle_symbol(s, button),
+                                  vs_handle_point(s, r[0], r[1], r[2]), vs_handle_vector(s, r[3], r[4], r[5]) };
   vs_outcome outcome = input != 0 ? vs_apply(s, input, arguments, 4, &result) : VS_OUTCOME_USAGE;
   for (size_t i = 0; i < 4; i++) vs_handle_release(s, arguments[i]);
   vs_handle_release(s, result);

@@ -60,6 +60,7 @@ await test("what is done in every frame moves", async (want) => {
 
 await test("a slow model is coarser while its slider moves", async (want) => {
   await after(() => writeFileSync(model, "(define-parameter r 1.0 #:min 1 #:max 5)\n(draw (make-sphere origin r))\n"));
+  await page.waitForFunction(() => window.visualscheme.model.count === 1 && document.querySelector("input[type=range][data-parameter=r]"), null, { timeout: 15000 });
   const triangles = () => page.evaluate(() => window.visualscheme.model.geometries.reduce((sum, g) => sum + g.triangles, 0));
   const fine = await triangles();
   await page.evaluate(() => { window.live.state.seconds = 1; const s = document.querySelector("input[type=range][data-parameter=r]"); s.value = "3"; s.dispatchEvent(new Event("input")); });
