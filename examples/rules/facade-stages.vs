@@ -49,4 +49,4 @@
 (draw (paving (make-box-scope (xyz -16 0.6 -0.1) 112 0.1 52)))
 (ground -0.1 #:material (make-material #:name "mortar" #:color "#7d776c" #:roughness 1))
 (sun #:azimuth 238 #:altitude 40)
-(camera (xyz 79 -41 6) (xyz 42 0 6.5) #:lens 27)
+(camera (xyz 79 -43 6) (xyz 44.5 0 6.5) #:lens 25)
