@@ -81,7 +81,7 @@ static void take(crew *c, vs_task_fn *taker) {
   for (size_t at = 0; at < c->count && !atomic_load(&k->stop);) {
     if (atomic_load(&c->ready[at % c->window])) {
       atomic_store(&c->ready[at % c->window], false);
-      if (!taker(k, c->context, at)) {
+      if (!taker(k, c->context, at) || !vs_kernel_report(k, k->part)) { /* no other thread asks */
         stop(c);
         return;
       }

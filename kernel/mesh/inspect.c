@@ -226,8 +226,10 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
   bool ok = VS_ROOM(k, shell.at, shell.room, n) && VS_ROOM(k, bounds.at, bounds.room, FEW) && VS_ROOM(k, volumes.at, volumes.room, FEW);
   *apart = ok;
   if (ok) vs_disjoint(shell.at, (uint32_t)n);
-  for (uint32_t i = 0; ok && i < 3 * n; i++)
+  for (uint32_t i = 0; ok && i < 3 * n; i++) {
     if (p->twins[i] != VS_NONE) vs_unite(shell.at, i / 3, p->twins[i] / 3);
+    ok = vs_kernel_poll(k, k->part);
+  }
   for (uint32_t t = 0; ok && *apart && t < n; t++) { /* roots come first: numbers of shells take their places */
     uint32_t root = vs_find(shell.at, t);
     if (root != t) continue;
@@ -242,6 +244,7 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
     vs_vec3 v[3];
     for (int i = 0; i < 3; i++) vs_bounds_add(&bounds.at[number.at[t]], v[i] = vs_v3_sub(m->vertices[m->triangles[t][i]], m->vertices[m->triangles[root][0]]));
     volumes.at[number.at[t]] += vs_v3_dot(v[0], vs_v3_cross(v[1], v[2])) / 6;
+    ok = vs_kernel_poll(k, k->part);
   }
   for (uint32_t t = 0; ok && *apart && t < n; t++) /* back to where they stand */
     if (vs_find(shell.at, t) == t) {
@@ -276,13 +279,17 @@ static bool fans_whole(vs_kernel *k, const vs_part *p, bool *whole) {
   if (ok) {
     memset(seen.at, 0, m->vertex_count + 1);
     vs_disjoint(set.at, (uint32_t)n);
-    for (uint32_t c = 0; c < n; c++) {
+    for (uint32_t c = 0; ok && c < n; c++) {
       uint32_t twin = p->twins[c], at = m->triangles[c / 3][c % 3];
       if (twin != VS_NONE) vs_unite(set.at, c, twin % 3 == 2 ? twin - 2 : twin + 1);
       corners += !seen.at[at];
       seen.at[at] = 1;
+      ok = vs_kernel_poll(k, k->part);
     }
-    for (uint32_t c = 0; c < n; c++) sets += vs_find(set.at, c) == c;
+    for (uint32_t c = 0; ok && c < n; c++) {
+      sets += vs_find(set.at, c) == c;
+      ok = vs_kernel_poll(k, k->part);
+    }
   }
   *whole = ok && sets == corners;
   VS_DROP(k, set);
