@@ -9,6 +9,7 @@
  * triangle, so every edge there has two uses, and the region needs no plane. Its triangles are copied to the result as they are.
  *
  * Boxes are looked at in blocks of up to 16 triangles that follow each other in the mesh and hang together, as they do in meshes that programs make. */
+#include "kernel/mesh/hubs.h"
 #include "kernel/mesh/triangles_apart.h"
 #include "kernel/cluster.h"
 
@@ -17,13 +18,15 @@
 
 enum { SPAN = 1 << 13, LANES = 4, PACKS = 4, BLOCK = LANES * PACKS };
 enum { LEAST = 256 }; /* triangles of a leaf that is worth the search */
+enum { PROVEN = 128 };
 
 typedef struct {
   uint32_t place, first, end;   /* of a leaf, and of its triangles */
   uint32_t blocks;              /* those before it */
   VS_LIST(vs_use) rim;          /* face: the region */
 } span;
-typedef struct { uint32_t place, first; vs_pack packs[PACKS]; } block;
+/* hub: a corner that all of its triangles have, around which they meet in edges alone; or UINT32_MAX */
+typedef struct { uint32_t place, first, hub; vs_pack packs[PACKS]; } block;
 
 typedef struct {
   vs_cluster *c;
@@ -32,7 +35,8 @@ typedef struct {
   VS_LIST(block) blocks;
   VS_LIST(vs_box) boxes;        /* of the blocks */
   vs_bvh bvh;
-  VS_LIST(_Atomic uint8_t) fans; /* of a vertex: 1 has one simple fan of triangles; 2 or more: does not */
+  VS_LIST(_Atomic uint8_t) fans; /* of a vertex: 1 has one simple fan of triangles; 2 or more: does not; PROVEN: of many */
+  VS_LIST(vs_hubs) hubs;         /* of each leaf, on the grid */
   VS_LIST(_Atomic uint32_t) sets;
 } plain;
 
@@ -83,13 +87,19 @@ static bool share_a_corner(const uint32_t *v, const uint32_t *w) {
   return v[0] == w[0] || v[0] == w[1] || v[0] == w[2] || v[1] == w[0] || v[1] == w[1] || v[1] == w[2] || v[2] == w[0] || v[2] == w[1] || v[2] == w[2];
 }
 
-/* The next block's triangles; false: no more in the span. */
-static bool next_block(const vs_cluster *c, const span *s, uint32_t *first, uint32_t *end) {
+static uint32_t hub_of(const plain *p, uint32_t place, uint32_t t) {
+  const vs_hubs *h = &p->hubs.at[place];
+  return h->of.count ? h->of.at[t] : UINT32_MAX;
+}
+
+/* The next block's triangles, of one hub or of none; false: no more in the span. */
+static bool next_block(const plain *p, const span *s, uint32_t *first, uint32_t *end) {
+  const vs_cluster *c = p->c;
   const uint32_t (*v)[3] = (const uint32_t (*)[3])mesh_at(c, s->place)->triangles;
   uint32_t t = *first = *end;
   while (t < s->end && fate_of(c, s->place, t) == VS_CULLED) *first = ++t;
   if (t >= s->end) return false;
-  for (t++; t < s->end && t - *first < BLOCK && (share_a_corner(v[t], v[t - 1]) || (t - *first > 1 && share_a_corner(v[t], v[t - 2])));) t++;
+  for (t++; t < s->end && t - *first < BLOCK && hub_of(p, s->place, t) == hub_of(p, s->place, t - 1) && (share_a_corner(v[t], v[t - 1]) || (t - *first > 1 && share_a_corner(v[t], v[t - 2])));) t++;
   *end = t;
   return true;
 }
@@ -98,7 +108,7 @@ static bool count_blocks(vs_kernel *k, void *context, size_t index) {
   plain *p = context;
   span *s = &p->spans.at[index];
   uint32_t first, end = s->first;
-  for (s->blocks = 0; next_block(p->c, s, &first, &end);) s->blocks++;
+  for (s->blocks = 0; next_block(p, s, &first, &end);) s->blocks++;
   return vs_kernel_report(k, 0);
 }
 
@@ -106,11 +116,12 @@ static bool fill_blocks(vs_kernel *k, void *context, size_t index) {
   plain *p = context;
   const span *s = &p->spans.at[index];
   uint32_t first, end = s->first, to = s->blocks;
-  while (next_block(p->c, s, &first, &end)) {
+  while (next_block(p, s, &first, &end)) {
     block *b = &p->blocks.at[to];
     vs_box all = vs_box_nowhere;
     b->place = s->place;
     b->first = first;
+    b->hub = hub_of(p, s->place, first);
     for (uint32_t i = 0; i < BLOCK; i++) {
       uint32_t t = first + i;
       vs_box box = vs_box_nowhere;
@@ -217,9 +228,11 @@ static bool index_blocks(vs_kernel *k, plain *p, bool *few) {
   p->blocks.count = sum;
   bool ok = VS_ROOM(k, p->blocks.at, p->blocks.room, (size_t)sum + 1) && VS_ROOM(k, p->boxes.at, p->boxes.room, (size_t)sum + 1) &&
             VS_ROOM(k, families, room, (size_t)sum + 1) && vs_kernel_run(k, p->spans.count, fill_blocks, p);
-  for (uint32_t i = 0; ok && i < sum; i++) { /* a star does not meet itself; and those that are not searched need not know each other */
-    uint32_t place = p->blocks.at[i].place;
-    families[i] = !c->placed.at[place].searched ? c->leaf_count : c->placed.at[place].star ? place : UINT32_MAX;
+  /* A star does not meet itself, nor do a hub's triangles; and those that are not searched need not know each other. */
+  for (uint32_t i = 0; ok && i < sum; i++) {
+    const block *b = &p->blocks.at[i];
+    const vs_placed *l = &c->placed.at[b->place];
+    families[i] = !l->searched ? c->leaf_count : l->star ? b->place : b->hub == UINT32_MAX ? UINT32_MAX : c->leaf_count + 1 + l->first + b->hub;
   }
   p->bvh.families = families;
   ok = ok && vs_bvh_build(k, &p->bvh, p->boxes.at, sum);
@@ -293,6 +306,8 @@ static void look_around(plain *p, uint32_t place, uint32_t corner) {
   const vs_cluster *c = p->c;
   const uint32_t *twins = c->placed.at[place].part->twins;
   uint32_t ring[MOST], count = 0, at = corner, vertex = triangle_at(c, place, corner / 3)[corner % 3], falls = 0;
+  _Atomic uint8_t *fan = &p->fans.at[c->placed.at[place].first + vertex];
+  if (atomic_load_explicit(fan, memory_order_relaxed) == PROVEN) return;
   normal n[MOST];
   double sum[3] = { 0 };
   bool good = true;
@@ -318,7 +333,6 @@ static void look_around(plain *p, uint32_t place, uint32_t corner) {
     good = sum[axis] > 0 ? n[i].n[axis] > n[i].error[axis] : n[i].n[axis] < -n[i].error[axis];
     falls += lower((double)q[x] - o[x], (double)q[y] - o[y]) && !lower((double)r[x] - o[x], (double)r[y] - o[y]);
   }
-  _Atomic uint8_t *fan = &p->fans.at[c->placed.at[place].first + vertex];
   uint8_t had = atomic_fetch_or_explicit(fan, good && falls == 1 ? 1 : 2, memory_order_relaxed);
   if (had) atomic_fetch_or_explicit(fan, 2, memory_order_relaxed); /* two fans touch there */
 }
@@ -341,15 +355,39 @@ static bool ask_fans(vs_kernel *k, void *context, size_t index) {
   const _Atomic uint8_t *fans = p->fans.at + p->c->placed.at[s->place].first;
   for (uint32_t t = s->first; t < s->end; t++) {
     const uint32_t *v = triangle_at(p->c, s->place, t);
-    for (int j = 0; j < 3; j++)
-      if (atomic_load_explicit(&fans[v[j]], memory_order_relaxed) != 1) arrange(p->c, s->place, t);
+    for (int j = 0; j < 3; j++) {
+      uint8_t fan = atomic_load_explicit(&fans[v[j]], memory_order_relaxed);
+      if (fan != 1 && fan != PROVEN) arrange(p->c, s->place, t);
+    }
   }
   return vs_kernel_report(k, 0);
 }
 
+typedef struct { const vs_cluster *c; uint32_t place; } standing;
+static vs_vec3 grid_corner(const void *context, uint32_t vertex) {
+  const standing *s = context;
+  const int32_t *at = corner_at(s->c, s->place, vertex);
+  return vs_v3(at[0], at[1], at[2]);
+}
+
+/* Of the leaves that are searched, but for stars. */
+static bool find_hubs(vs_kernel *k, plain *p) {
+  const vs_cluster *c = p->c;
+  if (!VS_ROOM(k, p->hubs.at, p->hubs.room, c->leaf_count)) return false;
+  memset(p->hubs.at, 0, c->leaf_count * sizeof *p->hubs.at);
+  p->hubs.count = c->leaf_count;
+  for (uint32_t i = 0; i < c->leaf_count; i++) {
+    const vs_mesh *m = mesh_at(c, i);
+    standing s = { c, i };
+    vs_fans fans = { (const uint32_t (*)[3])m->triangles, m->triangle_count, m->vertex_count, NULL, grid_corner, &s };
+    if (c->placed.at[i].searched && !c->placed.at[i].star && !vs_hubs_find(k, &fans, &p->hubs.at[i])) return false;
+  }
+  return true;
+}
+
 static bool search_leaves(vs_kernel *k, plain *p, size_t vertices) {
   bool few;
-  if (!index_blocks(k, p, &few)) return false;
+  if (!find_hubs(k, p) || !index_blocks(k, p, &few)) return false;
   if (!few) { /* a mesh in no order: not worth the search */
     for (size_t i = 0; i < p->c->fate.count; i++)
       if (p->c->fate.at[i] == VS_PLAIN) p->c->fate.at[i] = VS_ARRANGED;
@@ -362,6 +400,9 @@ static bool search_leaves(vs_kernel *k, plain *p, size_t vertices) {
   vs_bvh_free(k, &p->bvh);
   ok = ok && VS_ROOM(k, p->fans.at, p->fans.room, vertices + 1);
   if (ok) memset(p->fans.at, 0, vertices + 1);
+  for (uint32_t i = 0; ok && i < p->hubs.count; i++)
+    for (size_t j = 0; j < p->hubs.at[i].corners.count; j++)
+      atomic_init(&p->fans.at[p->c->placed.at[i].first + p->hubs.at[i].corners.at[j]], PROVEN);
   ok = ok && vs_kernel_run(k, p->spans.count, find_fans, p) && vs_kernel_run(k, p->spans.count, ask_fans, p) && vs_kernel_run(k, p->spans.count, look_across, p);
   return ok;
 }
@@ -386,6 +427,8 @@ static void plain_free(vs_kernel *k, plain *p) {
   vs_bvh_free(k, &p->bvh);
   VS_DROP(k, p->fans);
   VS_DROP(k, p->sets);
+  for (size_t i = 0; i < p->hubs.count; i++) vs_hubs_free(k, &p->hubs.at[i]);
+  VS_DROP(k, p->hubs);
 }
 
 bool vs_plain_find(vs_kernel *k, vs_cluster *c) {

@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "kernel/mesh/bvh.h"
+#include "kernel/mesh/hubs.h"
 
 #define SURE 1e-14
 
@@ -173,6 +174,8 @@ static bool box_some(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, k->part);
 }
 
+static vs_vec3 corner_at(const void *mesh, uint32_t vertex) { return ((const vs_mesh *)mesh)->vertices[vertex]; }
+
 bool vs_mesh_is_apart(vs_kernel *k, const vs_mesh *m, bool *apart, size_t *edges) {
   search s = { .m = m, .all = vs_mesh_bounds(m) };
   vs_vec3 d = vs_v3_sub(s.all.max, s.all.min);
@@ -180,12 +183,17 @@ bool vs_mesh_is_apart(vs_kernel *k, const vs_mesh *m, bool *apart, size_t *edges
   uint32_t threads = k->threads;
   s.step = size > 0 ? size * 0x1p-28 : 1;
   if (m->triangle_count < SERIAL) k->threads = 1;
-  bool ok = m->triangle_count < UINT32_MAX && VS_ROOM(k, s.boxes.at, s.boxes.room, m->triangle_count + 1) &&
+  vs_fans fans = { (const uint32_t (*)[3])m->triangles, m->triangle_count, m->vertex_count, NULL, corner_at, m };
+  vs_hubs hubs = { .edges = 0 };
+  bool ok = m->triangle_count < UINT32_MAX && vs_hubs_find(k, &fans, &hubs);
+  s.bvh.families = hubs.of.count ? hubs.of.at : NULL; /* what is of one hub is proven */
+  ok = ok && VS_ROOM(k, s.boxes.at, s.boxes.room, m->triangle_count + 1) &&
             vs_kernel_run(k, (m->triangle_count + TRIANGLES - 1) / TRIANGLES, box_some, &s) && vs_bvh_build(k, &s.bvh, s.boxes.at, (uint32_t)m->triangle_count) &&
             vs_kernel_run(k, ((size_t)vs_bvh_blocks(&s.bvh) + BLOCKS - 1) / BLOCKS, look_some, &s);
   k->threads = threads;
   *apart = ok && !atomic_load(&s.met);
-  *edges = atomic_load(&s.edges);
+  *edges = atomic_load(&s.edges) + hubs.edges;
+  vs_hubs_free(k, &hubs);
   vs_bvh_free(k, &s.bvh);
   VS_DROP(k, s.boxes);
   return ok;

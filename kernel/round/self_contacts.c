@@ -15,7 +15,7 @@
 #include "kernel/mesh/triangles_apart.h"
 #include "kernel/mesh/triangles_meet.h"
 #include "kernel/mesh/bvh.h"
-#include "kernel/round/hubs.h"
+#include "kernel/mesh/hubs.h"
 #include "kernel/round/rounding_state.h"
 
 #include <math.h>
@@ -69,8 +69,7 @@ typedef struct {
   VS_LIST(uint32_t) busy;        /* open runs */
   VS_LIST(vs_box) busy_boxes;
   VS_LIST(reach) reaches;        /* of the busy ones */
-  uint32_t *hub_of;              /* of the triangles; NULL: there are no hubs */
-  size_t hub_room;
+  vs_hubs around;                /* as rounded */
   VS_LIST(uint32_t) hubs;        /* of the open runs */
   vs_bvh bvh, busy_bvh;          /* of the open ones */
   made found[VS_PIPELINE_WINDOW];
@@ -248,7 +247,7 @@ static bool make_runs(vs_kernel *k, void *context, size_t index) {
   for (size_t t = begin; t < end; t++) {
     if (c->s->gone.at[t]) continue;
     facet f = facet_of(c, (uint32_t)t);
-    uint32_t hub = c->hub_of ? c->hub_of[t] : UINT32_MAX;
+    uint32_t hub = c->around.of.count ? c->around.of.at[t] : UINT32_MAX;
     if (r->count && (r->count == RUN || hub != r->hub || f.low || r->is_low || r->is_changed != c->s->changed.at[t] ||
         t != r->first + r->count || !alike(f.normal, g.normal) || !bounds_touch(&g.box, &f.box))) {
       if (!end_run(k, c, to, &g)) return false;
@@ -567,6 +566,8 @@ static bool count_flat(vs_kernel *k, const search *c) {
   return true;
 }
 
+static vs_vec3 rounded_corner(const void *state, uint32_t vertex) { return vs_settling_corner(state, vertex); }
+
 bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
   enum { LOW = 4 /* twice as many units */, MARGIN = 128 };
   vs_kernel *k = s->k;
@@ -577,12 +578,13 @@ bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
   const runs *level = &c.all.kinds[LEVEL], *open = &c.all.kinds[OPEN];
   out->met = 0;
   for (size_t t = 0; t < s->m->triangle_count; t++) s->listed.at[t] &= 1;
-  bool ok = vs_settling_find_hubs(s, &c.hub_of, &c.hub_room) &&
+  vs_fans fans = { (const uint32_t (*)[3])s->m->triangles, s->m->triangle_count, s->m->vertex_count, s->gone.at, rounded_corner, s };
+  bool ok = vs_hubs_find(k, &fans, &c.around) &&
       vs_kernel_pipeline(k, (s->m->triangle_count + TRIANGLES - 1) / TRIANGLES, make_runs, take_runs, &c);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) drop_made(k, &c.found[i]);
-  for (size_t i = 0; ok && c.hub_of && i < open->at.count; i++) ok = VS_PUSH(k, c.hubs, open->at.at[i].hub);
+  for (size_t i = 0; ok && c.around.of.count && i < open->at.count; i++) ok = VS_PUSH(k, c.hubs, open->at.at[i].hub);
   for (size_t i = 0; ok && i < c.busy.count; i++) ok = vs_kernel_poll(k, 1) && reach_of(k, &c, &open->at.at[c.busy.at[i]]);
-  c.bvh.families = c.hub_of ? c.hubs.at : NULL;
+  c.bvh.families = c.around.of.count ? c.hubs.at : NULL;
   ok = ok && vs_bvh_build(k, &c.bvh, open->boxes.at, (uint32_t)open->boxes.count) &&
        vs_bvh_build(k, &c.busy_bvh, c.busy_boxes.at, (uint32_t)c.busy.count) &&
        vs_kernel_pipeline(k, open_tasks(&c) + (c.busy.count ? (level->at.count + QUERIES - 1) / QUERIES : 0), look,
@@ -595,7 +597,7 @@ bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
   VS_DROP(k, c.busy_boxes);
   VS_DROP(k, c.reaches);
   VS_DROP(k, c.hubs);
-  VS_FREE(k, c.hub_of, c.hub_room);
+  vs_hubs_free(k, &c.around);
   drop_made(k, &c.all);
   return ok && (!out->met || mark_around(s));
 }

@@ -14,7 +14,8 @@
 
 #include "kernel/check.h"
 #include "kernel/mesh/bvh.h"
-#include "kernel/round/hubs.h"
+#include "kernel/mesh/hubs.h"
+#include "kernel/mesh/inspect.h"
 #include "tests/oracle/sx.c"
 #include "visualscheme.h"
 
@@ -115,6 +116,8 @@ static void test_crowd_is_found(void **state) {
 
 enum { CONE, FOLDED, TWICE, SADDLE, OPEN };
 
+static vs_vec3 corner_of(const void *mesh, uint32_t vertex) { return ((const vs_mesh *)mesh)->vertices[vertex]; }
+
 /* Triangles around one corner, the mesh's first: a cone of n sides; one of whose sides goes back over its neighbour;
  * one that goes around twice; one whose rim goes up and down; one with a gap. Are all of them told to be apart? */
 static bool is_proven(int what, uint32_t n) {
@@ -130,19 +133,18 @@ static bool is_proven(int what, uint32_t n) {
   vs_kernel_options options = { .threads = 1 };
   vs_kernel_error e = { 0 };
   vs_kernel k = { .options = &options, .error = &e, .threads = 1 };
-  vs_settling s = { .k = &k, .m = &m, .numbers = VS_NUMBERS_SINGLE };
-  assert_true(VS_ROOM(&k, s.gone.at, s.gone.room, m.triangle_count));
-  memset(s.gone.at, 0, m.triangle_count);
-  uint32_t *hub_of = NULL;
-  size_t room = 0, proven = 0;
-  assert_true(vs_settling_find_hubs(&s, &hub_of, &room));
-  for (size_t t = 0; hub_of && t < m.triangle_count; t++) {
-    assert_true(hub_of[t] == 0 || hub_of[t] == UINT32_MAX);
-    proven += hub_of[t] == 0;
+  vs_fans fans = { (const uint32_t (*)[3])m.triangles, m.triangle_count, m.vertex_count, NULL, corner_of, &m };
+  vs_hubs hubs = { .edges = 0 };
+  size_t proven = 0;
+  assert_true(vs_hubs_find(&k, &fans, &hubs));
+  for (size_t t = 0; t < hubs.of.count; t++) {
+    assert_true(hubs.of.at[t] == 0 || hubs.of.at[t] == UINT32_MAX);
+    proven += hubs.of.at[t] == 0;
   }
   assert_true(proven == 0 || proven == m.triangle_count);
-  VS_FREE(&k, hub_of, room);
-  VS_DROP(&k, s.gone);
+  assert_int_equal(hubs.edges, proven); /* each triangle with the next one */
+  assert_int_equal(hubs.corners.count, proven > 0);
+  vs_hubs_free(&k, &hubs);
   assert_int_equal(k.bytes, 0);
   vs_mesh_free(&m);
   return proven > 0;
@@ -158,6 +160,80 @@ static void test_hubs(void **state) {
     assert_false(is_proven(OPEN, n));
   }
   assert_false(is_proven(CONE, 60)); /* so few are tried */
+}
+
+/* A cup: fans about the middles of its bottom, which are hubs, and walls between four rings. Its middle does not see
+ * all of it, so it is looked at pair by pair. */
+static void make_cup(vs_mesh *m, uint32_t n) {
+  static const double radius[4] = { 5, 5, 4, 4 }, height[4] = { 0, 10, 10, 1 };
+  uint32_t id;
+  assert_true(vs_mesh_add_vertex(m, vs_v3(0, 0, 0), &id) && vs_mesh_add_vertex(m, vs_v3(0, 0, 1), &id));
+  for (int r = 0; r < 4; r++)
+    for (uint32_t i = 0; i < n; i++) {
+      double angle = 2 * acos(-1) * i / n;
+      assert_true(vs_mesh_add_vertex(m, vs_v3(radius[r] * cos(angle), radius[r] * sin(angle), height[r]), &id));
+    }
+  for (uint32_t i = 0; i < n; i++) {
+    uint32_t a = 2 + i, b = 2 + (i + 1) % n;
+    assert_true(vs_mesh_add_triangle(m, 0, b, a) && vs_mesh_add_triangle(m, 1, a + 3 * n, b + 3 * n));
+    for (uint32_t r = 0; r < 3 * n; r += n)
+      assert_true(vs_mesh_add_triangle(m, a + r, b + r, b + r + n) && vs_mesh_add_triangle(m, a + r, b + r + n, a + r + n));
+  }
+}
+
+static bool is_good(const vs_mesh *m) {
+  vs_mesh_flaws flaws;
+  vs_kernel_error e;
+  vs_kernel_options options = { .threads = 1 };
+  if (!vs_kernel_inspect(m, &options, &flaws, &e)) fail_msg("%s", e.message);
+  assert_int_equal(flaws.open_count, 0);
+  return flaws.wound_count == 0;
+}
+
+/* What two hubs have is still tried against each other and the walls, and a fan that folds is no hub. */
+static void test_meshes_with_hubs(void **state) {
+  (void)state;
+  enum { SIDES = 400 };
+  vs_mesh m = { 0 };
+  make_cup(&m, SIDES);
+  assert_true(is_good(&m));
+  vs_vec3 was = m.vertices[1];
+  m.vertices[1] = vs_v3(0, 0, -1); /* the inner bottom through the outer one */
+  assert_false(is_good(&m));
+  m.vertices[1] = vs_v3(0, 6, 3); /* through the walls */
+  assert_false(is_good(&m));
+  m.vertices[1] = was;
+  assert_true(is_good(&m));
+  m.vertices[2 + 3 * SIDES + 7] = vs_v3(-6, 1, 3); /* a corner of the inner bottom through the wall across */
+  assert_false(is_good(&m));
+  vs_mesh_free(&m);
+}
+
+/* A box taken off a wall: most of the cup is copied as it is, hubs and all. */
+static void test_combined_with_hubs(void **state) {
+  (void)state;
+  vs_mesh cup = { 0 }, out = { 0 };
+  make_cup(&cup, 400);
+  sx_problem p;
+  assert_true(sx_parse("(translate 4 -1 4 (box 2 2 2))", &p));
+  vs_kernel_leaf leaves[2] = { { &cup, vs_affine_identity(), 0, false }, p.problem.leaves[0] };
+  vs_kernel_term terms[3] = { { VS_TERM_LEAF, 0, 0 }, { VS_TERM_LEAF, 1, 0 }, { VS_TERM_DIFFERENCE, 0, 2 } };
+  uint32_t operands[2] = { 0, 1 };
+  vs_kernel_problem problem = { .leaves = leaves, .terms = terms, .operands = operands, .leaf_count = 2, .term_count = 3,
+                                .operand_count = 2 };
+  vs_kernel_error e;
+  if (!vs_kernel_evaluate(&problem, NULL, &out, &e)) fail_msg("%s", e.message);
+  bool sure;
+  assert_true(vs_mesh_closed(&out, &sure));
+  vs_kernel_options whole = { .threads = 1, .in_levels = true };
+  vs_mesh again = { 0 };
+  if (!vs_kernel_evaluate(&problem, &whole, &again, &e)) fail_msg("%s", e.message);
+  near(vs_mesh_volume(&out), vs_mesh_volume(&again), 1e-9);
+  assert_true(vs_mesh_volume(&out) < vs_mesh_volume(&cup) - 3);
+  sx_free(&p);
+  vs_mesh_free(&cup);
+  vs_mesh_free(&out);
+  vs_mesh_free(&again);
 }
 
 /* ---- families ---- */
@@ -247,6 +323,7 @@ static void test_many_meshes(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(test_levels), cmocka_unit_test(test_crowd_is_found),
-      cmocka_unit_test(test_hubs), cmocka_unit_test(test_families), cmocka_unit_test(test_many_meshes) };
+      cmocka_unit_test(test_hubs), cmocka_unit_test(test_meshes_with_hubs),
+      cmocka_unit_test(test_combined_with_hubs), cmocka_unit_test(test_families), cmocka_unit_test(test_many_meshes) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

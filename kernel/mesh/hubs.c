@@ -8,7 +8,7 @@
  * come to one turn in all, none overlaps another. d is the mean normal, the determinants' signs are held to their
  * error, and the sum to a whole number of turns, of which it is a multiple: so one look around proves it, in n log n
  * for the order. What is not proven is tried as ever. */
-#include "kernel/round/hubs.h"
+#include "kernel/mesh/hubs.h"
 
 #include <math.h>
 #include <string.h>
@@ -19,7 +19,7 @@ enum { MANY = 64 };
 typedef struct { uint32_t hub, triangle, next, last; } spoke;
 
 typedef struct {
-  const vs_settling *s;
+  const vs_fans *m;
   VS_LIST(uint32_t) count; /* of a vertex: its triangles */
   VS_LIST(spoke) spokes;
   VS_LIST(uint32_t) order, scratch; /* of the spokes: by hub, then by the next corner */
@@ -53,18 +53,18 @@ static bool turns(vs_vec3 p, vs_vec3 q, vs_vec3 d) {
 
 /* Do the spokes of one hub, [first, end), go round it once? */
 static bool goes_round_once(const search *c, size_t first, size_t end) {
-  const vs_settling *s = c->s;
-  vs_vec3 hub = vs_settling_corner(s, at(c, first)->hub), d = vs_v3(0, 0, 0);
+  const vs_fans *m = c->m;
+  vs_vec3 hub = m->corner(m->context, at(c, first)->hub), d = vs_v3(0, 0, 0);
   for (size_t i = first; i < end; i++) {
-    vs_vec3 p = vs_v3_sub(vs_settling_corner(s, at(c, i)->next), hub);
-    vs_vec3 q = vs_v3_sub(vs_settling_corner(s, at(c, i)->last), hub);
+    vs_vec3 p = vs_v3_sub(m->corner(m->context, at(c, i)->next), hub);
+    vs_vec3 q = vs_v3_sub(m->corner(m->context, at(c, i)->last), hub);
     d = vs_v3_add(d, vs_v3_unit(vs_v3_cross(p, q)));
   }
   d = vs_v3_unit(d);
   double sum = 0;
   const spoke *begin = at(c, first), *x = begin;
   for (size_t i = first; i < end; i++) {
-    vs_vec3 p = vs_v3_sub(vs_settling_corner(s, x->next), hub), q = vs_v3_sub(vs_settling_corner(s, x->last), hub);
+    vs_vec3 p = vs_v3_sub(m->corner(m->context, x->next), hub), q = vs_v3_sub(m->corner(m->context, x->last), hub);
     if (!turns(p, q, d)) return false;
     sum += atan2(vs_v3_dot(vs_v3_cross(p, q), d), vs_v3_dot(p, q) - vs_v3_dot(p, d) * vs_v3_dot(q, d));
     x = following(c, first, end, x->last);
@@ -75,9 +75,9 @@ static bool goes_round_once(const search *c, size_t first, size_t end) {
 
 /* The triangles' corners that are hubs. */
 static bool find_spokes(vs_kernel *k, search *c) {
-  const vs_mesh *m = c->s->m;
+  const vs_fans *m = c->m;
   for (uint32_t t = 0; t < m->triangle_count; t++)
-    for (uint32_t j = 0; j < 3 && !c->s->gone.at[t]; j++) {
+    for (uint32_t j = 0; j < 3 && !(m->gone && m->gone[t]); j++) {
       const uint32_t *v = m->triangles[t];
       if (c->count.at[v[j]] <= MANY) continue;
       spoke made = { v[j], t, v[j == 2 ? 0 : j + 1], v[j == 0 ? 2 : j - 1] };
@@ -85,31 +85,62 @@ static bool find_spokes(vs_kernel *k, search *c) {
     }
   if (!VS_ROOM(k, c->scratch.at, c->scratch.room, c->order.count + 1)) return false;
   vs_kernel_sort(c->order.at, c->scratch.at, c->order.count, before, c);
-  return vs_kernel_report(k, 1);
+  return vs_kernel_report(k, k->part);
 }
 
-bool vs_settling_find_hubs(const vs_settling *s, uint32_t **hub_of, size_t *room) {
-  search c = { .s = s };
-  vs_kernel *k = s->k;
-  const vs_mesh *m = s->m;
+/* How many edges lie between triangles of one hub, which the index passes over as pairs. */
+static size_t edges_within(const search *c, const vs_hubs *hubs, size_t first, size_t end) {
+  size_t edges = 0;
+  for (size_t i = first; i < end; i++) {
+    const spoke *x = at(c, i), *next = hubs->of.at[x->triangle] == x->hub ? following(c, first, end, x->last) : NULL;
+    edges += next && hubs->of.at[next->triangle] == x->hub;
+  }
+  return edges;
+}
+
+static size_t end_of_hub(const search *c, size_t i) {
+  size_t end = i + 1;
+  while (end < c->order.count && at(c, end)->hub == at(c, i)->hub) end++;
+  return end;
+}
+
+static bool prove(vs_kernel *k, const search *c, vs_hubs *out) {
+  if (!VS_ROOM(k, out->of.at, out->of.room, c->m->triangle_count)) return false;
+  memset(out->of.at, 0xff, c->m->triangle_count * sizeof *out->of.at); /* none */
+  out->of.count = c->m->triangle_count;
+  for (size_t i = 0, end; i < c->order.count; i = end) {
+    end = end_of_hub(c, i);
+    if (!goes_round_once(c, i, end)) continue;
+    if (!VS_PUSH(k, out->corners, at(c, i)->hub)) return false;
+    for (size_t j = i; j < end; j++) out->of.at[at(c, j)->triangle] = at(c, j)->hub;
+    if (!vs_kernel_report(k, k->part)) return false;
+  }
+  for (size_t i = 0, end, hub = 0; hub < out->corners.count; i = end) {
+    end = end_of_hub(c, i);
+    if (at(c, i)->hub != out->corners.at[hub]) continue;
+    out->edges += edges_within(c, out, i, end);
+    hub++;
+  }
+  return true;
+}
+
+bool vs_hubs_find(vs_kernel *k, const vs_fans *m, vs_hubs *out) {
+  search c = { .m = m };
   bool any = false, ok = VS_ROOM(k, c.count.at, c.count.room, m->vertex_count + 1);
   if (ok) memset(c.count.at, 0, (m->vertex_count + 1) * sizeof *c.count.at);
-  for (size_t t = 0; ok && t < m->triangle_count; t++)
+  for (size_t t = 0; ok && t < m->triangle_count; t++) {
     for (int j = 0; j < 3; j++) any |= ++c.count.at[m->triangles[t][j]] > MANY;
-  ok = ok && vs_kernel_report(k, 1);
-  if (ok && any) {
-    ok = find_spokes(k, &c) && VS_ROOM(k, *hub_of, *room, m->triangle_count);
-    if (ok) memset(*hub_of, 0xff, m->triangle_count * sizeof **hub_of); /* none */
-    for (size_t i = 0, end; ok && i < c.order.count; i = end) {
-      for (end = i + 1; end < c.order.count && at(&c, end)->hub == at(&c, i)->hub;) end++;
-      if (!goes_round_once(&c, i, end)) continue;
-      for (size_t j = i; j < end; j++) (*hub_of)[at(&c, j)->triangle] = at(&c, j)->hub;
-      ok = vs_kernel_report(k, 1);
-    }
+    ok = vs_kernel_poll(k, k->part);
   }
+  ok = ok && (!any || (find_spokes(k, &c) && prove(k, &c, out)));
   VS_DROP(k, c.count);
   VS_DROP(k, c.spokes);
   VS_DROP(k, c.order);
   VS_DROP(k, c.scratch);
   return ok;
+}
+
+void vs_hubs_free(vs_kernel *k, vs_hubs *hubs) {
+  VS_DROP(k, hubs->of);
+  VS_DROP(k, hubs->corners);
 }
