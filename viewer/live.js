@@ -1,7 +1,7 @@
 // Owns the live view's page: the viewer, the source beside it, parameters, messages, the prompt, and the way to the server.
 import { Viewer } from "./viewer.js";
 import { readPacked } from "./packed.js";
-import { modelFromPacked } from "./model.js";
+import { Model, modelFromPacked } from "./model.js";
 import { el } from "./dom.js";
 import { Source } from "./source.js";
 import { Parameters } from "./parameters.js";
@@ -241,7 +241,7 @@ class Live {
     this.pieces = pieces;
     this.version = version;
     const first = !this.viewer.model;
-    this.model = modelFromPacked(readPacked(whole.buffer));
+    this.model = length === 0 ? new Model().measure() : modelFromPacked(readPacked(whole.buffer)); // A program may draw nothing.
     this.made = null;
     if (this.timeline.isOpen) return this.timeline.renew();
     this.viewer.setGhosts([]);

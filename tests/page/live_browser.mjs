@@ -90,6 +90,14 @@ await test("an error dims the last good model and heals", async (want) => {
   want(f.good && await page.locator(".view.stale").count() === 0, "it did not heal");
 });
 
+await test("a program that draws nothing is an empty picture", async (want) => {
+  await after(() => writeFileSync(model, "; nothing yet\n"));
+  await page.waitForFunction(() => window.visualscheme.model.count === 0 && window.live.state.good, null, { timeout: 10000 });
+  want(page.troubles.length === 0, page.troubles.join("; "));
+  await after(() => writeFileSync(model, source));
+  await page.waitForFunction(() => window.visualscheme.model.count === 4, null, { timeout: 10000 });
+});
+
 await test("a click on a face marks its line, the path climbs", async (want) => {
   await page.evaluate(() => window.visualscheme.view("front"));
   await page.waitForFunction(() => !window.visualscheme.control.motion);
