@@ -9,7 +9,7 @@
 #include "geometry/plane/plane.h"
 #include "geometry/shapes/simple_nodes.h"
 #include "solids/primitive_meshes.h"
-#include "geometry/shapes/solid_triangles.h"
+#include "geometry/primitives/half_space.h"
 #include "model/tally.h"
 
 static vs_node *lower_polyline(vs_emitter *e, const vs_ref *ref) {
@@ -72,6 +72,17 @@ bool vs_lower_as_area(const vs_emitter *e, const vs_node *n) {
   return true;
 }
 
+/* The part of a half-space that the drawing needs. */
+static vs_node *lower_half_space(vs_emitter *e, const vs_ref *ref) {
+  const struct vs_half_space *h = VS_AS(half_space, ref->node);
+  vs_mesh m = { 0 };
+  vs_node *made = NULL;
+  if (!vs_half_space_triangles(&m, h->point, h->normal, &e->reach)) vs_emit_no_memory(e);
+  else made = lower_polyface(e, &m, true);
+  vs_mesh_free(&m);
+  return made;
+}
+
 static vs_node *lower_node(vs_emitter *e, const vs_ref *ref) {
   if (lower_is_area_set(ref->node) || (ref->node->kind == VS_HULL && ref->node->class_ == VS_REGION_CLASS)) return lower_region(e, ref);
   switch ((vs_kind)ref->node->kind) {
@@ -79,22 +90,13 @@ static vs_node *lower_node(vs_emitter *e, const vs_ref *ref) {
     if (ref->node->class_ == VS_REGION_CLASS) return lower_region(e, ref); /* fall through */
   case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_JOIN:
     return lower_polyline(e, ref);
-  case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HEIGHT_FIELD: case VS_HULL:
-  case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS: case VS_EXTRUDE:
-  case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
+#include "model/shape_cases.def"
+    if (ref->node->kind == VS_HALF_SPACE) return lower_half_space(e, ref); /* fall through */
+  case VS_HULL: case VS_EXTRUDE: case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
   case VS_SWEEP: case VS_THICKEN: case VS_REGION: case VS_TEXT: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: {
     vs_solid m = { .part_count = 0 };
     vs_node *made = vs_lower_mesh(e, ref, &m) ? lower_polyface(e, &m.mesh, ref->node->class_ == VS_SOLID) : NULL;
     vs_solid_free(&m);
-    return made;
-  }
-  case VS_HALF_SPACE: {
-    const struct vs_half_space *h = VS_AS(half_space, ref->node);
-    vs_mesh m = { 0 };
-    vs_node *made = NULL;
-    if (!vs_solid_half_space(&m, h->point, h->normal, &e->reach)) vs_emit_no_memory(e);
-    else made = lower_polyface(e, &m, true);
-    vs_mesh_free(&m);
     return made;
   }
   case VS_SLICE: case VS_DEFORM:

@@ -108,6 +108,19 @@ static bool named(const sink *k, const vs_node *n, const char *const *names) {
   return !s || !*(const int32_t *)(const void *)((const char *)vs_node_data(n) + s->offset) || (text(k, " #:segments ") && field(k, s, vs_node_data(n)));
 }
 
+/* "(make-NAME", with the fields in the table's order and segments only where given */
+static bool by_row(const sink *k, const vs_node *n) {
+  const vs_kind_info *i = vs_kind_get((vs_kind)n->kind);
+  if (!text(k, "(make-") || !text(k, i->name)) return false;
+  for (size_t f = 0; f < i->field_count; f++)
+    if (strcmp(i->fields[f].argument, "segments") && !(text(k, " ") && field(k, &i->fields[f], vs_node_data(n)))) return false;
+  return named(k, n, (const char *const[]){ NULL });
+}
+
+static bool half_space(const sink *k, const struct vs_half_space *h) {
+  return text(k, "(make-half-space (make-plane ") && triple(k, "xyz", h->point) && text(k, " ") && triple(k, "vxyz", h->normal) && text(k, ")");
+}
+
 /* rows of heights over the rectangle of the first and the last point */
 static bool height_field(const sink *k, const struct vs_height_field *h) {
   const vs_points *p = h->points;
@@ -158,20 +171,10 @@ static bool opening(const sink *k, const vs_node *n) {
     case VS_POLYFACE_MESH: return text(k, "(make-polyface-mesh") && named(k, n, (const char *const[]){ "points", "faces", NULL });
     case VS_REGION: return text(k, "(make-region");
     case VS_TEXT: return letters(k, n);
-    case VS_BOX: case VS_WEDGE: return text(k, "(make-") && text(k, name) && named(k, n, (const char *const[]){ "p", "q", NULL });
-    case VS_ARC: return text(k, "(make-arc") && named(k, n, (const char *const[]){ "c", "r", "start", "end", NULL });
-    case VS_CIRCLE: case VS_SPHERE: return text(k, "(make-") && text(k, name) && named(k, n, (const char *const[]){ "c", "r", NULL });
-    case VS_CYLINDER: return text(k, "(make-cylinder") && named(k, n, (const char *const[]){ "c1", "c2", "r", NULL });
-    case VS_CONE: return text(k, "(make-cone") && named(k, n, (const char *const[]){ "base", "apex", "r", NULL });
-    case VS_CUT_CONE: return text(k, "(make-cut-cone") && named(k, n, (const char *const[]){ "c1", "r1", "c2", "r2", NULL });
-    case VS_E_CONE: return text(k, "(make-e-cone") && named(k, n, (const char *const[]){ "c1", "r1", "r1*", "c2", "r2", NULL });
-    case VS_SUPERELLIPSOID: return text(k, "(make-superellipsoid") && named(k, n, (const char *const[]){ "e", "n", "s", NULL });
-    case VS_PYRAMID: return text(k, "(make-pyramid") && named(k, n, (const char *const[]){ "c1", "r", "n", "c2", "r2", NULL });
-    case VS_TORUS: return text(k, "(make-torus") && named(k, n, (const char *const[]){ "c", "r", "tube-r", NULL });
-    case VS_HALF_SPACE:
-      return text(k, "(make-half-space (make-plane ") && triple(k, "xyz", VS_AS(half_space, n)->point) && text(k, " ") &&
-             triple(k, "vxyz", VS_AS(half_space, n)->normal) && text(k, ")");
-    case VS_HEIGHT_FIELD: return height_field(k, VS_AS(height_field, n));
+#include "model/shape_cases.def"
+      if (n->kind == VS_HALF_SPACE) return half_space(k, VS_AS(half_space, n));
+      if (n->kind == VS_HEIGHT_FIELD) return height_field(k, VS_AS(height_field, n)); /* fall through */
+    case VS_ARC: case VS_CIRCLE: case VS_XLINE: case VS_RAY: return by_row(k, n);
     case VS_HULL: return text(k, "(hull") && (!VS_AS(hull, n)->points->count || named(k, n, (const char *const[]){ "points", NULL }));
     case VS_SLICE: return text(k, "(do-slice");
     case VS_DEFORM: { /* scopes look to -Y, and their y is Z */
@@ -194,8 +197,6 @@ static bool opening(const sink *k, const vs_node *n) {
       return text(k, "(make-surface") && rows(k, g->points, (size_t)g->columns) && grid_ways(k, g->closed_u, g->closed_v);
     }
     case VS_JOIN: return text(k, "(join-curves");
-    case VS_XLINE: return text(k, "(make-xline") && named(k, n, (const char *const[]){ "p", "q", NULL });
-    case VS_RAY: return text(k, "(make-ray") && named(k, n, (const char *const[]){ "p", "v", NULL });
     case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES: return text(k, "(do-") && text(k, name);
     case VS_TRANSFORM: return text(k, is_moved(&VS_AS(transform, n)->matrix) ? "(do-move" : "(do-transform");
     case VS_MATERIAL: return text(k, *VS_AS(material, n)->material->name ? "(with-material " : "(color ") && material(k, VS_AS(material, n)->material);

@@ -3,10 +3,9 @@
 
 #include "geometry/profiles/loft.h"
 #include "geometry/profiles/revolve.h"
-#include "geometry/shapes/solid_triangles.h"
-#include "geometry/shapes/height_field.h"
+#include "geometry/primitives/solid_triangles.h"
+#include "geometry/primitives/shape.h"
 #include "geometry/shapes/hull.h"
-#include "geometry/shapes/superellipsoid.h"
 #include "geometry/profiles/surface.h"
 #include "geometry/profiles/swept.h"
 #include "geometry/profiles/thicken.h"
@@ -23,64 +22,14 @@ static const vs_ref *tessellate_below(const vs_node *n, vs_affine *placed) {
   return NULL;
 }
 
-/* One shape of more triangles than this is no drawing any more; the product of two counts of facets gets there unseen. */
-static bool tessellate_fits(int around, int across, const char *what, vs_error *e) {
-  double triangles = 2.0 * around * across;
-  return triangles <= 4e6 || vs_error_set(e, VS_ERROR_MODEL, NULL, "a %s of %d facets a turn has %.0f million triangles, and one shape may have 4 million: fewer #:segments, or a larger tolerance", what,
-                                          around, triangles / 1e6);
-}
-
 static bool tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
   bool ok = false;
   if (n->class_ == VS_NOTHING) return true;
   switch ((vs_kind)n->kind) {
     case VS_EMPTY: case VS_GHOST: return true;
     case VS_CUSTOM: return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s has no drawing function: (register-drawing-function %s? ...) gives it one", VS_AS(custom, n)->name, VS_AS(custom, n)->name);
-    case VS_BOX: ok = vs_solid_box(out, VS_AS(box, n)->p, VS_AS(box, n)->q); break;
-    case VS_WEDGE: ok = vs_solid_wedge(out, VS_AS(wedge, n)->p, VS_AS(wedge, n)->q); break;
-    case VS_SPHERE: {
-      const struct vs_sphere *a = VS_AS(sphere, n);
-      int turn = vs_facets_turn(f, a->radius, a->segments);
-      if (!tessellate_fits(turn, turn / 2, "sphere", e)) return false;
-      ok = vs_solid_sphere(out, a->center, a->radius, turn);
-      break;
-    }
-    case VS_CYLINDER: {
-      const struct vs_cylinder *a = VS_AS(cylinder, n);
-      ok = vs_solid_frustum(out, a->base, a->radius, a->top, a->radius, vs_facets_turn(f, a->radius, a->segments), true);
-      break;
-    }
-    case VS_CONE: {
-      const struct vs_cone *a = VS_AS(cone, n);
-      ok = vs_solid_frustum(out, a->base, a->radius, a->apex, 0, vs_facets_turn(f, a->radius, a->segments), true);
-      break;
-    }
-    case VS_CUT_CONE: {
-      const struct vs_cut_cone *a = VS_AS(cut_cone, n);
-      double widest = fmax(a->base_radius, a->top_radius);
-      ok = vs_solid_frustum(out, a->base, a->base_radius, a->top, a->top_radius, vs_facets_turn(f, widest, a->segments), true);
-      break;
-    }
-    case VS_E_CONE: {
-      const struct vs_e_cone *a = VS_AS(e_cone, n);
-      double widest = fmax(a->base_radius, a->base_across) * fmax(1, a->top_radius / a->base_radius);
-      ok = vs_solid_oval_frustum(out, a->base, a->base_radius, a->base_across, a->top, a->top_radius, a->top_radius * (a->base_across / a->base_radius),
-                                 vs_facets_turn(f, widest, a->segments), true);
-      break;
-    }
-    case VS_SUPERELLIPSOID: ok = vs_superellipsoid_mesh(out, VS_AS(superellipsoid, n), f); break;
-    case VS_PYRAMID: {
-      const struct vs_pyramid *a = VS_AS(pyramid, n);
-      ok = vs_solid_frustum(out, a->base, a->base_radius, a->top, a->top_radius, a->sides, false);
-      break;
-    }
-    case VS_TORUS: {
-      const struct vs_torus *a = VS_AS(torus, n);
-      int around = vs_facets_turn(f, a->radius + a->tube_radius, a->segments), across = vs_facets_turn(f, a->tube_radius, a->segments);
-      if (!tessellate_fits(around, across, "torus", e)) return false;
-      ok = vs_solid_torus(out, a->center, a->radius, a->tube_radius, around, across);
-      break;
-    }
+#include "model/shape_cases.def"
+      return vs_shape_of(n)->triangles(n, f, out, e);
     case VS_POLYFACE_MESH: ok = vs_solid_polyface(out, VS_AS(polyface_mesh, n)->points, VS_AS(polyface_mesh, n)->faces); break;
     case VS_HULL:
       if (n->class_ == VS_SOLID) {
@@ -101,8 +50,6 @@ static bool tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, 
       vs_outline_free(&o);
       break;
     }
-    case VS_HEIGHT_FIELD: ok = vs_height_field_mesh(out, VS_AS(height_field, n)); break;
-    case VS_HALF_SPACE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a half-space is endless: it has no faces of its own");
     case VS_SLICE: case VS_DEFORM:
       return vs_error_set(e, VS_ERROR_MODEL, NULL, "a %s is made by solids/resolve.c before",
                           vs_kind_get((vs_kind)n->kind)->name);

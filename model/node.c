@@ -127,9 +127,8 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
   const vs_node *first = n->child_count ? n->children[0].node : NULL;
   n->class_ = (uint8_t)info->class_;
   switch ((vs_kind)n->kind) {
-    case VS_EMPTY: case VS_GHOST: case VS_ARC: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE:
-    case VS_PYRAMID: case VS_TORUS: break;
-    case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: break;
+#include "model/shape_cases.def"
+    case VS_EMPTY: case VS_GHOST: case VS_ARC: break;
     case VS_LINE: if (VS_AS(line, n)->closed) n->flags |= VS_NODE_CLOSED; break;
     case VS_SPLINE: if (VS_AS(spline, n)->closed) n->flags |= VS_NODE_CLOSED; break;
     case VS_CIRCLE: case VS_REGION: case VS_TEXT: n->flags |= VS_NODE_CLOSED; break;

@@ -14,6 +14,7 @@
 
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
+#include "geometry/primitives/shape.h"
 #include "geometry/tessellate.h"
 #include "passes/rewrite.h"
 #include "model/store/array.h"
@@ -170,51 +171,8 @@ static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle, bool *fai
 static vs_node *grown_part(vs_ref ref, double by) {
   vs_node *n = ref.node;
   vs_store *s = n->store;
-  vs_vec3 all = vs_v3(by, by, by);
-  switch ((vs_kind)n->kind) {
-    case VS_BOX: {
-      const struct vs_box *b = VS_AS(box, n);
-      return vs_node_new(s, VS_BOX, &(struct vs_box){ .p = vs_v3_sub(b->p, all), .q = vs_v3_add(b->q, all) }, NULL, 0);
-    }
-    case VS_SPHERE: {
-      struct vs_sphere b = *VS_AS(sphere, n);
-      b.radius += by;
-      return vs_node_new(s, VS_SPHERE, &b, NULL, 0);
-    }
-    case VS_TORUS: {
-      struct vs_torus b = *VS_AS(torus, n);
-      b.tube_radius = fmin(b.tube_radius + by, b.radius);
-      return vs_node_new(s, VS_TORUS, &b, NULL, 0);
-    }
-    case VS_CYLINDER: {
-      struct vs_cylinder b = *VS_AS(cylinder, n);
-      vs_vec3 along = vs_v3_scale(vs_v3_unit(vs_v3_sub(b.top, b.base)), by);
-      b.base = vs_v3_sub(b.base, along), b.top = vs_v3_add(b.top, along), b.radius += by;
-      return vs_node_new(s, VS_CYLINDER, &b, NULL, 0);
-    }
-    case VS_CONE: {
-      struct vs_cone b = *VS_AS(cone, n);
-      vs_vec3 axis = vs_v3_sub(b.apex, b.base), along = vs_v3_scale(vs_v3_unit(axis), by);
-      b.base = vs_v3_sub(b.base, along), b.radius += 2 * by, b.apex = vs_v3_add(b.apex, vs_v3_scale(along, fmin(1e3, 1 + vs_v3_length(axis) / b.radius)));
-      return vs_node_new(s, VS_CONE, &b, NULL, 0);
-    }
-    case VS_CUT_CONE: {
-      struct vs_cut_cone b = *VS_AS(cut_cone, n);
-      vs_vec3 along = vs_v3_scale(vs_v3_unit(vs_v3_sub(b.top, b.base)), by);
-      b.base = vs_v3_sub(b.base, along), b.top = vs_v3_add(b.top, along), b.base_radius += 2 * by, b.top_radius += 2 * by;
-      return vs_node_new(s, VS_CUT_CONE, &b, NULL, 0);
-    }
-    case VS_HALF_SPACE: {
-      struct vs_half_space b = *VS_AS(half_space, n);
-      b.point = vs_v3_sub(b.point, vs_v3_scale(vs_v3_unit(b.normal), by));
-      return vs_node_new(s, VS_HALF_SPACE, &b, NULL, 0);
-    }
-    case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_REGION: case VS_TEXT:
-    case VS_WEDGE: case VS_E_CONE: case VS_PYRAMID: case VS_SUPERELLIPSOID: case VS_HEIGHT_FIELD: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP:
-    case VS_THICKEN: case VS_SLICE: case VS_DEFORM: case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-    case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_NATIVE: case VS_CUSTOM:
-    case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_HULL: case VS_KIND_COUNT: break;
-  }
+  const vs_shape *shape = vs_shape_of(n);
+  if (shape && shape->grown) return shape->grown(s, n, by);
   vs_bounds b;
   vs_vec3 middle;
   bool failed = false;

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "geometry/shapes/solid_triangles.h"
+#include "geometry/primitives/half_space.h"
 #include "kernel/mesh/inspect.h"
 #include "kernel/mesh/shells.h"
 #include "model/tally.h"
@@ -130,7 +130,7 @@ bool vs_half_space_shared(vs_cache *cache, vs_node *n, const vs_bounds *reach, v
   const vs_cache_key key = { VS_CACHED_PRIMITIVE, n, words, 6, 0 };
   *held = cache ? vs_cache_find(cache, &key) : NULL;
   if (*held) return view(*held, out), true;
-  if (!vs_solid_half_space(out, VS_AS(half_space, n)->point, VS_AS(half_space, n)->normal, reach)) return false;
+  if (!vs_half_space_triangles(out, VS_AS(half_space, n)->point, VS_AS(half_space, n)->normal, reach)) return false;
   if (cache) keep(cache, &key, out, held);
   return true;
 }

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "geometry/shapes/solid_triangles.h"
+#include "geometry/primitives/solid_triangles.h"
 #include "kernel/memory.h"
 #include "solids/primitive_meshes.h"
 #include "model/store/cache.h"

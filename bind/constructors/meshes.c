@@ -6,7 +6,7 @@
 
 #include "geometry/files/polyface.h"
 #include "geometry/files/repair.h"
-#include "geometry/shapes/solid_triangles.h"
+#include "geometry/primitives/solid_triangles.h"
 #include "kernel/mesh/inspect.h"
 #include "solids/solid_meshes.h"
 #include "model/store/cache.h"

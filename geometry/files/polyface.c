@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "geometry/shapes/solid_triangles.h"
+#include "geometry/primitives/solid_triangles.h"
 #include "model/store/disjoint.h"
 
 /* ---- equal points ---- */

@@ -1,46 +1,15 @@
-/* Owns bounds: of leaves under an affine map exactly, of sets from those of their parts.
- *
- * Row i of the map, a_i, gives coordinate i: a disc of radius r across the unit vector n reaches r*sqrt(|a_i|^2 - (a_i.n)^2) to each side of
- * its centre, a ball r*|a_i|. */
+/* Owns bounds: of leaves under an affine map exactly, of sets from those of their parts. */
 #include <stdlib.h>
 
 #include "geometry/plane/curve.h"
-#include "geometry/shapes/height_field.h"
+#include "geometry/measure/reach.h"
+#include "geometry/primitives/half_space.h"
 #include "geometry/measure/node_measures.h"
-#include "geometry/shapes/superellipsoid.h"
+#include "geometry/primitives/shape.h"
 #include "geometry/profiles/revolve.h"
 #include "geometry/plane/areas.h"
 #include "geometry/profiles/swept.h"
 #include "geometry/text/typeset.h"
-
-static vs_vec3 matrix_row(const vs_affine *a, int i) { return vs_v3(a->m[i][0], a->m[i][1], a->m[i][2]); }
-
-static void bounds_add_reach(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 reach) {
-  vs_vec3 c = vs_affine_point(a, center);
-  vs_bounds_add(b, vs_v3_sub(c, reach));
-  vs_bounds_add(b, vs_v3_add(c, reach));
-}
-
-static void bounds_add_disc(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 normal, double r) {
-  vs_vec3 n = vs_v3_unit(normal);
-  double reach[3];
-  for (int i = 0; i < 3; i++) reach[i] = r * vs_v3_length(vs_v3_cross(matrix_row(a, i), n));
-  bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
-}
-
-/* An ellipse on the frame's X and Y */
-static void bounds_add_oval(vs_bounds *b, const vs_affine *a, const vs_affine *frame, vs_vec3 center, double rx, double ry) {
-  double reach[3];
-  vs_vec3 x = vs_affine_vector(frame, vs_v3(rx, 0, 0)), y = vs_affine_vector(frame, vs_v3(0, ry, 0));
-  for (int i = 0; i < 3; i++) reach[i] = hypot(vs_v3_dot(matrix_row(a, i), x), vs_v3_dot(matrix_row(a, i), y));
-  bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
-}
-
-static void bounds_add_ball(vs_bounds *b, const vs_affine *a, vs_vec3 center, double ring, double r) { /* ring: of the circle its centre runs on */
-  double reach[3];
-  for (int i = 0; i < 3; i++) reach[i] = ring * hypot(a->m[i][0], a->m[i][1]) + r * vs_v3_length(matrix_row(a, i));
-  bounds_add_reach(b, a, center, vs_v3(reach[0], reach[1], reach[2]));
-}
 
 static void bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_arc *arc) {
   double low = fmin(arc->start, arc->end), high = fmax(arc->start, arc->end), pi = 3.14159265358979323846;
@@ -59,23 +28,6 @@ static void bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_arc
   }
 }
 
-/* All of space, less what a plane across an axis keeps off */
-static void bounds_half_space(vs_bounds *b, const vs_affine *a, const struct vs_half_space *h) {
-  vs_vec3 at = h->point, n = h->normal;
-  *b = (vs_bounds){ { -INFINITY, -INFINITY, -INFINITY }, { INFINITY, INFINITY, INFINITY } };
-  if (!vs_affine_plane(a, &at, &n) || (n.x != 0) + (n.y != 0) + (n.z != 0) != 1) return;
-  if (n.x > 0) b->min.x = at.x;
-  if (n.y > 0) b->min.y = at.y;
-  if (n.z > 0) b->min.z = at.z;
-  if (n.x < 0) b->max.x = at.x;
-  if (n.y < 0) b->max.y = at.y;
-  if (n.z < 0) b->max.z = at.z;
-}
-
-static void bounds_add_points(vs_bounds *b, const vs_affine *a, const vs_vec3 *at, size_t n) {
-  for (size_t i = 0; i < n; i++) vs_bounds_add(b, vs_affine_point(a, at[i]));
-}
-
 static double bounds_fineness(const vs_bounds *b) { /* for what has to be sampled: finer than any default drawing of it */
   double d = vs_bounds_diagonal(b);
   return d > 0 && isfinite(d) ? d / 65536 : 1e-6;
@@ -88,7 +40,7 @@ static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n,
   if (n->kind == VS_THICKEN && n->children[0].node->class_ == VS_SURFACE) {
     vs_mesh m = { 0 };
     bool ok = vs_tessellate(n, &f, &m, e);
-    if (ok) bounds_add_points(b, a, m.vertices, m.vertex_count);
+    if (ok) vs_reach_points(b, a, m.vertices, m.vertex_count);
     vs_mesh_free(&m);
     return ok;
   }
@@ -107,7 +59,7 @@ static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n,
     vs_bounds leaning = vs_bounds_empty();
     vs_mesh m = { 0 };
     bool ok = vs_tessellate(n, &f, &m, e);
-    if (ok) bounds_add_points(&leaning, a, m.vertices, m.vertex_count);
+    if (ok) vs_reach_points(&leaning, a, m.vertices, m.vertex_count);
     vs_mesh_free(&m);
     if (!ok) return false;
     if (VS_AS(extrude, n)->taper > 0) vs_bounds_meet(&straight, &leaning);
@@ -131,7 +83,7 @@ static bool bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node *n
   vs_facets f = { bounds_fineness(children) * 8, 0 };
   vs_mesh m = { 0 };
   bool ok = vs_tessellate(n, &f, &m, e);
-  if (ok) bounds_add_points(b, a, m.vertices, m.vertex_count);
+  if (ok) vs_reach_points(b, a, m.vertices, m.vertex_count);
   vs_mesh_free(&m);
   return ok;
 }
@@ -141,7 +93,7 @@ static bool bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node *n
   vs_affine place;
   if (vs_offset_round(n, &place, &exact)) {
     place = vs_affine_multiply(a, &place);
-    if (exact.circle) bounds_add_disc(b, &place, exact.arc.center, vs_v3(0, 0, 1), exact.arc.radius);
+    if (exact.circle) vs_reach_disc(b, &place, exact.arc.center, vs_v3(0, 0, 1), exact.arc.radius);
     else bounds_add_arc(b, &place, &exact.arc);
     return true;
   }
@@ -149,13 +101,13 @@ static bool bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node *n
   if (n->class_ == VS_CURVE) {
     vs_polyline line = { 0 };
     bool ok = vs_curve_sample(n, &f, &line, e);
-    if (ok) bounds_add_points(b, a, line.at, line.count);
+    if (ok) vs_reach_points(b, a, line.at, line.count);
     vs_polyline_free(&line);
     return ok;
   }
   vs_outline o;
   if (!vs_region_outline(n, &f, &o, e)) return false;
-  for (size_t l = 0; l < o.count; l++) bounds_add_points(b, a, o.loops[l].at, o.loops[l].count);
+  for (size_t l = 0; l < o.count; l++) vs_reach_points(b, a, o.loops[l].at, o.loops[l].count);
   vs_outline_free(&o);
   return true;
 }
@@ -163,10 +115,10 @@ static bool bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node *n
 static bool bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs_error *e) {
   vs_bounds knots = vs_bounds_empty();
   vs_polyline line = { 0 };
-  bounds_add_points(&knots, a, VS_AS(spline, n)->points->at, VS_AS(spline, n)->points->count);
+  vs_reach_points(&knots, a, VS_AS(spline, n)->points->at, VS_AS(spline, n)->points->count);
   vs_facets f = { bounds_fineness(&knots), 0 };
   bool ok = vs_curve_sample(n, &f, &line, e);
-  if (ok) bounds_add_points(b, a, line.at, line.count);
+  if (ok) vs_reach_points(b, a, line.at, line.count);
   vs_polyline_free(&line);
   return ok;
 }
@@ -179,85 +131,22 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
     case VS_CUSTOM:
       if (n->child_count) break;
       return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s has no drawing function: (register-drawing-function %s? ...) gives it one", VS_AS(custom, n)->name, VS_AS(custom, n)->name);
-    case VS_LINE: bounds_add_points(b, a, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count); return true;
+    case VS_LINE: vs_reach_points(b, a, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count); return true;
     case VS_ARC: bounds_add_arc(b, a, VS_AS(arc, n)); return true;
-    case VS_CIRCLE: bounds_add_disc(b, a, VS_AS(circle, n)->center, vs_v3(0, 0, 1), VS_AS(circle, n)->radius); return true;
+    case VS_CIRCLE: vs_reach_disc(b, a, VS_AS(circle, n)->center, vs_v3(0, 0, 1), VS_AS(circle, n)->radius); return true;
     case VS_SPLINE: return bounds_spline(b, a, n, e);
     case VS_TEXT: return vs_text_bounds(n, a, b, e);
-    case VS_BOX: {
-      const struct vs_box *x = VS_AS(box, n);
-      for (int i = 0; i < 8; i++) vs_bounds_add(b, vs_affine_point(a, vs_v3(i & 1 ? x->q.x : x->p.x, i & 2 ? x->q.y : x->p.y, i & 4 ? x->q.z : x->p.z)));
-      return true;
-    }
-    case VS_WEDGE: {
-      const struct vs_wedge *x = VS_AS(wedge, n);
-      vs_vec3 at[6] = { { x->p.x, x->p.y, x->p.z }, { x->q.x, x->p.y, x->p.z }, { x->p.x, x->q.y, x->p.z },
-                        { x->q.x, x->q.y, x->p.z }, { x->p.x, x->p.y, x->q.z }, { x->p.x, x->q.y, x->q.z } };
-      bounds_add_points(b, a, at, 6);
-      return true;
-    }
-    case VS_SPHERE: bounds_add_ball(b, a, VS_AS(sphere, n)->center, 0, VS_AS(sphere, n)->radius); return true;
-    case VS_TORUS: bounds_add_ball(b, a, VS_AS(torus, n)->center, VS_AS(torus, n)->radius, VS_AS(torus, n)->tube_radius); return true;
-    case VS_CYLINDER: {
-      const struct vs_cylinder *c = VS_AS(cylinder, n);
-      vs_vec3 axis = vs_v3_sub(c->top, c->base);
-      bounds_add_disc(b, a, c->base, axis, c->radius);
-      bounds_add_disc(b, a, c->top, axis, c->radius);
-      return true;
-    }
-    case VS_CONE: {
-      const struct vs_cone *c = VS_AS(cone, n);
-      bounds_add_disc(b, a, c->base, vs_v3_sub(c->apex, c->base), c->radius);
-      vs_bounds_add(b, vs_affine_point(a, c->apex));
-      return true;
-    }
-    case VS_CUT_CONE: {
-      const struct vs_cut_cone *c = VS_AS(cut_cone, n);
-      vs_vec3 axis = vs_v3_sub(c->top, c->base);
-      bounds_add_disc(b, a, c->base, axis, c->base_radius);
-      bounds_add_disc(b, a, c->top, axis, c->top_radius);
-      return true;
-    }
-    case VS_E_CONE: {
-      const struct vs_e_cone *c = VS_AS(e_cone, n);
-      vs_affine frame = vs_frame_on_axis(c->base, vs_v3_sub(c->top, c->base));
-      bounds_add_oval(b, a, &frame, c->base, c->base_radius, c->base_across);
-      bounds_add_oval(b, a, &frame, c->top, c->top_radius, c->top_radius * (c->base_across / c->base_radius));
-      return true;
-    }
-    case VS_SUPERELLIPSOID: {
-      double reach[3];
-      for (int i = 0; i < 3; i++) reach[i] = vs_superellipsoid_reach(VS_AS(superellipsoid, n), matrix_row(a, i));
-      bounds_add_reach(b, a, vs_v3(0, 0, 0), vs_v3(reach[0], reach[1], reach[2]));
-      return true;
-    }
-    case VS_PYRAMID: {
-      vs_mesh m = { 0 };
-      vs_facets any = { 1, 0 };
-      bool ok = vs_tessellate(n, &any, &m, e);
-      if (ok) bounds_add_points(b, a, m.vertices, m.vertex_count);
-      vs_mesh_free(&m);
-      return ok;
-    }
-    case VS_HALF_SPACE: bounds_half_space(b, a, VS_AS(half_space, n)); return true;
-    case VS_HEIGHT_FIELD: {
-      const struct vs_height_field *h = VS_AS(height_field, n);
-      for (uint32_t i = 0; i < h->points->count; i++) {
-        if (!vs_height_field_uses(h, i)) continue;
-        vs_bounds_add(b, vs_affine_point(a, h->points->at[i]));
-        vs_bounds_add(b, vs_affine_point(a, vs_v3(h->points->at[i].x, h->points->at[i].y, h->low)));
-      }
-      return true;
-    }
-    case VS_POLYFACE_MESH: bounds_add_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count); return true;
+#include "model/shape_cases.def"
+      return vs_shape_of(n)->bounds(n, a, b, e);
+    case VS_POLYFACE_MESH: vs_reach_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count); return true;
     case VS_XLINE: case VS_RAY: return true; /* without end: as far as the rest of the drawing */
     case VS_OFFSET: return n->class_ == VS_NOTHING || bounds_add_offset(b, a, n, children, e);
     case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
       return n->class_ == VS_NOTHING || bounds_add_swept(b, a, n, children, e);
     case VS_REVOLVE: return n->class_ == VS_NOTHING || bounds_add_revolve(b, a, n, children, e);
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return bounds_add_facets(b, a, n, children, e);
-    case VS_GRID_MESH: bounds_add_points(b, a, VS_AS(grid_mesh, n)->points->at, VS_AS(grid_mesh, n)->points->count); return true;
-    case VS_GRID_SURFACE: bounds_add_points(b, a, VS_AS(grid_surface, n)->points->at, VS_AS(grid_surface, n)->points->count); return true;
+    case VS_GRID_MESH: vs_reach_points(b, a, VS_AS(grid_mesh, n)->points->at, VS_AS(grid_mesh, n)->points->count); return true;
+    case VS_GRID_SURFACE: vs_reach_points(b, a, VS_AS(grid_surface, n)->points->at, VS_AS(grid_surface, n)->points->count); return true;
     case VS_JOIN: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_SLICE: case VS_DEFORM: case VS_HULL: case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
     case VS_NATIVE: case VS_HIGHLIGHT: case VS_ONLY: case VS_KIND_COUNT: break;
@@ -443,10 +332,10 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
   if (!bounds_leaf(n, &placed, &children, b, &leaf, e)) return false;
   if (leaf) return true;
   *b = children;
-  if (n->kind == VS_HULL) bounds_add_points(b, &placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count);
+  if (n->kind == VS_HULL) vs_reach_points(b, &placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count);
   if (n->kind == VS_SLICE) {
     vs_bounds kept;
-    bounds_half_space(&kept, &placed, &(struct vs_half_space){ .point = VS_AS(slice, n)->point, .normal = VS_AS(slice, n)->normal });
+    vs_half_space_bounds(&kept, &placed, VS_AS(slice, n)->point, VS_AS(slice, n)->normal);
     vs_bounds_meet(b, &kept);
   }
   if (n->kind == VS_SECTION || n->kind == VS_PROJECT) bounds_on_plane(b, n);

@@ -12,8 +12,7 @@
 #include "geometry/measure/ray_crossings.h"
 #include "geometry/frame.h"
 #include "geometry/measure/node_measures.h"
-#include "geometry/shapes/height_field.h"
-#include "geometry/shapes/superellipsoid.h"
+#include "geometry/primitives/shape.h"
 #include "geometry/profiles/revolve.h"
 #include "geometry/profiles/swept.h"
 #include "model/store/array.h"
@@ -102,52 +101,13 @@ static bool inside_swept(const vs_inside_part *part, vs_vec3 p) {
   return false;
 }
 
-/* q in the axis' frame: base at the origin, top at z = height; radii at both ends */
-static bool inside_round(vs_vec3 q, double height, double base_radius, double top_radius) {
-  if (q.z < 0 || q.z > height) return false;
-  double r = base_radius + (top_radius - base_radius) * q.z / height;
-  return q.x * q.x + q.y * q.y <= r * r;
-}
-
-static bool inside_pyramid(vs_vec3 q, double height, const struct vs_pyramid *p) {
-  if (q.z < 0 || q.z > height) return false;
-  double r = p->base_radius + (p->top_radius - p->base_radius) * q.z / height, step = 3.14159265358979323846 / p->sides;
-  double sector = 2 * step * floor(atan2(q.y, q.x) / (2 * step)) + step;
-  return q.x * cos(sector) + q.y * sin(sector) <= r * cos(step);
-}
-
 static bool inside_leaf(const vs_inside_part *part, vs_vec3 p) {
   const vs_node *n = part->node;
-  vs_vec3 q = vs_affine_point(&part->inverse, p);
   switch ((vs_kind)n->kind) {
-    case VS_BOX: return true; /* the bounds have said it */
-    case VS_WEDGE: {
-      const struct vs_wedge *w = VS_AS(wedge, n);
-      return (p.x - w->p.x) * (w->q.z - w->p.z) + (p.z - w->p.z) * (w->q.x - w->p.x) <= (w->q.x - w->p.x) * (w->q.z - w->p.z);
-    }
-    case VS_SPHERE: {
-      vs_vec3 d = vs_v3_sub(p, VS_AS(sphere, n)->center);
-      return vs_v3_dot(d, d) <= VS_AS(sphere, n)->radius * VS_AS(sphere, n)->radius;
-    }
-    case VS_TORUS: {
-      const struct vs_torus *t = VS_AS(torus, n);
-      vs_vec3 d = vs_v3_sub(p, t->center);
-      double across = hypot(d.x, d.y) - t->radius;
-      return across * across + d.z * d.z <= t->tube_radius * t->tube_radius;
-    }
-    case VS_CYLINDER: return inside_round(q, part->height, VS_AS(cylinder, n)->radius, VS_AS(cylinder, n)->radius);
-    case VS_CONE: return inside_round(q, part->height, VS_AS(cone, n)->radius, 0);
-    case VS_CUT_CONE: return inside_round(q, part->height, VS_AS(cut_cone, n)->base_radius, VS_AS(cut_cone, n)->top_radius);
-    case VS_E_CONE: {
-      const struct vs_e_cone *c = VS_AS(e_cone, n);
-      return inside_round(vs_v3(q.x, q.y * (c->base_radius / c->base_across), q.z), part->height, c->base_radius, c->top_radius);
-    }
-    case VS_SUPERELLIPSOID: return vs_superellipsoid_holds(VS_AS(superellipsoid, n), p);
-    case VS_PYRAMID: return inside_pyramid(q, part->height, VS_AS(pyramid, n));
+#include "model/shape_cases.def"
+      return vs_shape_of(n)->holds(n, p, vs_affine_point(&part->inverse, p), part->height);
     case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: return part->plan ? inside_swept(part, p) : part->facets && vs_facet_index_holds(part->facets, p);
     case VS_POLYFACE_MESH: return part->facets && vs_facet_index_holds(part->facets, p);
-    case VS_HALF_SPACE: return vs_v3_dot(VS_AS(half_space, n)->normal, vs_v3_sub(p, VS_AS(half_space, n)->point)) >= 0;
-    case VS_HEIGHT_FIELD: return vs_height_field_holds(VS_AS(height_field, n), p);
     case VS_HULL: return part->facets && vs_facet_index_holds(part->facets, p);
     case VS_REVOLVE: return part->turned && vs_revolve_holds(part->turned, p);
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE: return part->facets && vs_facet_index_holds(part->facets, p);
@@ -195,7 +155,11 @@ static bool inside_prepare_revolve(vs_inside_part *part, vs_error *e) {
   return part->turned ? vs_revolve_plan(part->node, &f, part->turned, e) : vs_error_memory(e, NULL);
 }
 
-static bool inside_prepare_axis(vs_inside_part *part, vs_vec3 base, vs_vec3 top) {
+static bool inside_prepare_axis(vs_inside_part *part) {
+  const vs_shape *shape = vs_shape_of(part->node);
+  vs_vec3 base, top;
+  if (!shape->axis) return true;
+  shape->axis(part->node, &base, &top);
   vs_vec3 axis = vs_v3_sub(top, base);
   vs_affine frame = vs_frame_on_axis(base, axis);
   part->height = vs_v3_length(axis);
@@ -208,13 +172,10 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_er
   part->inverse = vs_affine_identity();
   switch ((vs_kind)n->kind) {
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-    case VS_EMPTY: case VS_GHOST: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_TORUS: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD: case VS_SLICE: case VS_DEFORM: return true;
+    case VS_EMPTY: case VS_GHOST: case VS_SLICE: case VS_DEFORM: return true;
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: return true; /* nothing is inside them; a profile's parts */
-    case VS_CYLINDER: return inside_prepare_axis(part, VS_AS(cylinder, n)->base, VS_AS(cylinder, n)->top);
-    case VS_CONE: return inside_prepare_axis(part, VS_AS(cone, n)->base, VS_AS(cone, n)->apex);
-    case VS_CUT_CONE: return inside_prepare_axis(part, VS_AS(cut_cone, n)->base, VS_AS(cut_cone, n)->top);
-    case VS_E_CONE: return inside_prepare_axis(part, VS_AS(e_cone, n)->base, VS_AS(e_cone, n)->top);
-    case VS_PYRAMID: return inside_prepare_axis(part, VS_AS(pyramid, n)->base, VS_AS(pyramid, n)->top);
+#include "model/shape_cases.def"
+      return inside_prepare_axis(part);
     case VS_EXTRUDE: case VS_SWEEP:
       if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) return inside_prepare_facets(part, e); /* its walls are plane */
       return n->class_ != VS_SOLID || inside_prepare_swept(part, e);

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include "geometry/plane/curve.h"
-#include "geometry/shapes/height_field.h"
-#include "geometry/shapes/superellipsoid.h"
+#include "geometry/primitives/round_formulas.h"
+#include "geometry/primitives/shape.h"
 #include "geometry/measure/moments.h"
 #include "geometry/plane/areas.h"
 #include "geometry/profiles/revolve.h"
@@ -14,51 +14,11 @@
 
 static const double pi = 3.14159265358979323846;
 
-static void measure_frustum(vs_measure *m, vs_vec3 base, double r, vs_vec3 top, double s) {
-  vs_vec3 axis = vs_v3_sub(top, base);
-  double h = vs_v3_length(axis), weight = r * r + r * s + s * s;
-  m->volume = pi * h * weight / 3;
-  m->area = pi * (r * r + s * s + (r + s) * hypot(h, r - s));
-  m->centroid = vs_v3_add(base, vs_v3_scale(axis, weight > 0 ? (r * r + 2 * r * s + 3 * s * s) / (4 * weight) : 0.5));
-}
-
-/* The circumference of an ellipse, by the arithmetic-geometric mean: 2 pi (a^2 - sum of 2^(k-1) c_k^2) / agm(a, b) */
-static double measure_ellipse_length(double a, double b) {
-  double x = fmax(a, b), y = fmin(a, b), sum = 0, weight = 0.5;
-  if (!(y > 1e-300)) return 4 * x;
-  for (double c = sqrt((x - y) * (x + y)), square = x * x;; weight *= 2) {
-    sum += weight * c * c;
-    if (fabs(c) <= 1e-15 * x) return 2 * pi * (square - sum) / x;
-    double mean = (x + y) / 2;
-    c = (x - y) / 2;
-    y = sqrt(x * y);
-    x = mean;
-  }
-}
-
 /* A circle placed anyhow is an ellipse: its half axes are the singular values of what the map does to the circle's plane. */
 static double measure_placed_circle(const vs_affine *a, double r) {
   vs_vec3 u = { a->m[0][0], a->m[1][0], a->m[2][0] }, v = { a->m[0][1], a->m[1][1], a->m[2][1] };
   double p = vs_v3_dot(u, u), q = vs_v3_dot(v, v), s = vs_v3_dot(u, v), mean = (p + q) / 2, off = hypot((p - q) / 2, s), most = sqrt(mean + off);
-  return measure_ellipse_length(r * most, most > 0 ? r * vs_v3_length(vs_v3_cross(u, v)) / most : 0);
-}
-
-/* With w from 1 to k, the wall's element is w sqrt(h^2 (b^2 cos^2 + a^2 sin^2) + (k - 1)^2 a^2 b^2): half of 1 + k times an ellipse's length */
-static void measure_e_cone(vs_measure *m, const struct vs_e_cone *c) {
-  vs_vec3 axis = vs_v3_sub(c->top, c->base);
-  double h = vs_v3_length(axis), a = c->base_radius, b = c->base_across, k = c->top_radius / a, weight = 1 + k + k * k, slant = (k - 1) * a * b;
-  m->volume = pi * h * a * b * weight / 3;
-  m->area = pi * a * b * (1 + k * k) + (1 + k) / 2 * measure_ellipse_length(hypot(h * b, slant), hypot(h * a, slant));
-  m->centroid = vs_v3_add(c->base, vs_v3_scale(axis, (1 + 2 * k + 3 * k * k) / (4 * weight)));
-}
-
-static void measure_pyramid(vs_measure *m, const struct vs_pyramid *p) {
-  vs_vec3 axis = vs_v3_sub(p->top, p->base);
-  double h = vs_v3_length(axis), n = p->sides, r = p->base_radius, s = p->top_radius, step = pi / n;
-  double polygon = n / 2 * sin(2 * step), weight = r * r + r * s + s * s; /* area of the n-gon of circumradius 1 */
-  m->volume = polygon * h * weight / 3;
-  m->area = polygon * (r * r + s * s) + n * sin(step) * (r + s) * hypot(h, (r - s) * cos(step));
-  m->centroid = vs_v3_add(p->base, vs_v3_scale(axis, weight > 0 ? (r * r + 2 * r * s + 3 * s * s) / (4 * weight) : 0.5));
+  return vs_ellipse_length(r * most, most > 0 ? r * vs_v3_length(vs_v3_cross(u, v)) / most : 0);
 }
 
 static bool measure_curve(const vs_node *n, const vs_affine *placed, vs_measure *m, vs_error *e) {
@@ -166,7 +126,7 @@ static bool measure_extrude(const vs_node *n, vs_measure *m, bool *known, vs_err
   if (radius > 0) border = 2 * pi * radius;
   if (x->taper != 0) { /* a cut cone, oblique if need be: heights are the same */
     double top = fmax(radius - inwards, 0), part = inwards > radius ? radius / inwards : 1;
-    measure_frustum(m, base, radius, vs_v3_add(base, vs_v3_scale(along, part)), top);
+    vs_frustum_measure(m, base, radius, vs_v3_add(base, vs_v3_scale(along, part)), top);
     m->volume = pi * height * part * (radius * radius + radius * top + top * top) / 3;
   } else {
     m->volume = area * height * (1 + k + k * k / 3);
@@ -284,58 +244,11 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       return true;
     }
     case VS_TEXT: case VS_REGION: return measure_region(whole, m, e);
-    case VS_BOX: {
-      vs_vec3 d = vs_v3_sub(VS_AS(box, n)->q, VS_AS(box, n)->p);
-      m->volume = d.x * d.y * d.z;
-      m->area = 2 * (d.x * d.y + d.y * d.z + d.z * d.x);
-      m->centroid = vs_v3_add(VS_AS(box, n)->p, vs_v3_scale(d, 0.5));
-      break;
-    }
-    case VS_WEDGE: {
-      vs_vec3 d = vs_v3_sub(VS_AS(wedge, n)->q, VS_AS(wedge, n)->p);
-      m->volume = d.x * d.y * d.z / 2;
-      m->area = d.x * d.y + d.y * d.z + d.z * d.x + d.y * hypot(d.x, d.z);
-      m->centroid = vs_v3_add(VS_AS(wedge, n)->p, vs_v3(d.x / 3, d.y / 2, d.z / 3));
-      break;
-    }
-    case VS_SPHERE: {
-      double r = VS_AS(sphere, n)->radius;
-      m->volume = 4 * pi / 3 * r * r * r;
-      m->area = 4 * pi * r * r;
-      m->centroid = VS_AS(sphere, n)->center;
-      break;
-    }
-    case VS_TORUS: {
-      double r = VS_AS(torus, n)->radius, t = VS_AS(torus, n)->tube_radius;
-      m->volume = 2 * pi * pi * r * t * t;
-      m->area = 4 * pi * pi * r * t;
-      if (t > r) { /* what lies beyond the axis, turned round it */
-        double a = acos(-r / t), s = sin(a);
-        m->volume = 2 * pi * (r * t * t * (a - s * cos(a)) + 2.0 / 3 * t * t * t * s * s * s);
-        m->area = 4 * pi * t * (r * a + t * s);
-      }
-      m->centroid = VS_AS(torus, n)->center;
-      break;
-    }
-    case VS_CYLINDER: measure_frustum(m, VS_AS(cylinder, n)->base, VS_AS(cylinder, n)->radius, VS_AS(cylinder, n)->top, VS_AS(cylinder, n)->radius); break;
-    case VS_CONE: measure_frustum(m, VS_AS(cone, n)->base, VS_AS(cone, n)->radius, VS_AS(cone, n)->apex, 0); break;
-    case VS_CUT_CONE:
-      measure_frustum(m, VS_AS(cut_cone, n)->base, VS_AS(cut_cone, n)->base_radius, VS_AS(cut_cone, n)->top, VS_AS(cut_cone, n)->top_radius);
-      break;
-    case VS_E_CONE: measure_e_cone(m, VS_AS(e_cone, n)); break;
-    case VS_SUPERELLIPSOID:
-      m->volume = vs_superellipsoid_volume(VS_AS(superellipsoid, n));
-      m->area = vs_affine_even(&placed, &(double){ 0 }) ? vs_superellipsoid_area(VS_AS(superellipsoid, n)) : 0;
-      break;
-    case VS_PYRAMID: measure_pyramid(m, VS_AS(pyramid, n)); break;
-    case VS_HEIGHT_FIELD: {
-      vs_mesh mesh = { 0 };
-      bool ok = vs_height_field_mesh(&mesh, VS_AS(height_field, n)) || vs_error_memory(e, NULL);
-      if (ok) vs_mesh_measure(&mesh, m); /* it is these triangles, exactly */
-      vs_mesh_free(&mesh);
-      if (!ok) return false;
-      break;
-    }
+#include "model/shape_cases.def"
+      if (!vs_shape_of(n)->measure(n, vs_affine_even(&placed, &(double){ 0 }), m, e)) return false;
+      if (m->known) break;
+      *m = (vs_measure){ 0 };
+      return true;
     case VS_EXTRUDE: {
       bool known;
       if (!measure_extrude(n, m, &known, e)) return false;
@@ -351,7 +264,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       *m = (vs_measure){ 0 };
       return true;
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-    case VS_HALF_SPACE: case VS_SLICE: case VS_DEFORM:
+    case VS_SLICE: case VS_DEFORM:
       *m = (vs_measure){ 0 };
       return true;
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
@@ -369,19 +282,4 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   m->area *= m->area_known ? k * k : 0;
   m->centroid = vs_affine_point(&placed, m->centroid);
   return true;
-}
-
-void vs_mesh_measure(const vs_mesh *mesh, vs_measure *out) {
-  *out = (vs_measure){ .known = true, .area_known = true, .volume = vs_mesh_volume(mesh), .area = vs_mesh_area(mesh) };
-  if (!mesh->triangle_count) return;
-  vs_vec3 o = mesh->vertices[mesh->triangles[0][0]], sum = { 0, 0, 0 };
-  double six = 0;
-  for (size_t i = 0; i < mesh->triangle_count; i++) {
-    vs_vec3 p[3];
-    for (int k = 0; k < 3; k++) p[k] = vs_v3_sub(mesh->vertices[mesh->triangles[i][k]], o);
-    double v = vs_v3_dot(p[0], vs_v3_cross(p[1], p[2]));
-    six += v;
-    sum = vs_v3_add(sum, vs_v3_scale(vs_v3_add(vs_v3_add(p[0], p[1]), p[2]), v / 4));
-  }
-  out->centroid = six != 0 ? vs_v3_add(o, vs_v3_scale(sum, 1 / six)) : o;
 }

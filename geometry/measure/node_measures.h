@@ -2,7 +2,7 @@
 #ifndef VS_GEOMETRY_MEASURE_H
 #define VS_GEOMETRY_MEASURE_H
 
-#include "model/mesh.h"
+#include "geometry/measure/measure.h"
 #include "model/node.h"
 #include "model/store/nodemap.h"
 
@@ -33,19 +33,10 @@ void vs_inside_cache_free(vs_inside_cache *cache);
 
 /* ---- measures ---- */
 
-typedef struct {
-  bool known;      /* false: no formula; measure the mesh that kernel/ makes */
-  double volume;   /* solids */
-  double area;     /* of a solid's surface, a region's content */
-  bool area_known; /* an unevenly scaled sphere has a known volume and an unknown area */
-  double length;   /* curves */
-  vs_vec3 centroid;
-} vs_measure;
 /* By formula where there is one: primitives and their placements, curves, regions. Splines and curved outlines are measured by fine samples. */
 bool vs_node_measure(const vs_node *n, vs_measure *out, vs_error *e);
 /* Of a sweep or a round bar as if it did not overlap itself; not known without a formula. No centroid. */
 bool vs_sweep_measure(const vs_node *n, vs_measure *out, vs_error *e);
-void vs_mesh_measure(const vs_mesh *m, vs_measure *out); /* a closed mesh */
 
 /* The part of the line through p along d (a ray: only forwards) that lies in b. False: none. */
 bool vs_line_clip(vs_vec3 p, vs_vec3 d, bool ray, const vs_bounds *b, vs_vec3 *from, vs_vec3 *to);

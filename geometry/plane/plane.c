@@ -117,10 +117,9 @@ vs_plane_count vs_node_plane(const vs_node *n, vs_plane *out) {
         return found;
       }
       case VS_XLINE: case VS_RAY: case VS_EDGES: case VS_DEFORM: return VS_PLANE_NONE;
-      case VS_E_CONE: case VS_SUPERELLIPSOID: case VS_HALF_SPACE: case VS_HEIGHT_FIELD:
-      case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-      case VS_EMPTY: case VS_GHOST: case VS_BOX: case VS_WEDGE: case VS_SPHERE: case VS_CYLINDER: case VS_CONE: case VS_CUT_CONE: case VS_PYRAMID: case VS_TORUS:
-      case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_KIND_COUNT: return VS_PLANE_NONE;
+#include "model/shape_cases.def"
+      case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE: case VS_EMPTY:
+      case VS_GHOST: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_KIND_COUNT: return VS_PLANE_NONE;
     }
     uint32_t first = 0;
     while (first < n->child_count && n->children[first].node->class_ == VS_NOTHING) first++;

@@ -2,7 +2,7 @@
 #include "geometry/shapes/unit_forms.h"
 
 #include "geometry/frame.h"
-#include "geometry/shapes/solid_triangles.h"
+#include "geometry/primitives/solid_triangles.h"
 
 static vs_affine unit_between(vs_vec3 p, vs_vec3 q) {
   vs_vec3 half = vs_v3_scale(vs_v3_sub(q, p), 0.5), middle = vs_v3_scale(vs_v3_add(p, q), 0.5);

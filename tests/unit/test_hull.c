@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "geometry/shapes/height_field.h"
+#include "geometry/primitives/height_field.h"
 #include "geometry/shapes/hull.h"
 #include "geometry/measure/node_measures.h"
 

@@ -13,7 +13,7 @@
 
 #include "geometry/files/polyface.h"
 #include "geometry/files/repair.h"
-#include "geometry/shapes/solid_triangles.h"
+#include "geometry/primitives/solid_triangles.h"
 
 static size_t rounds = 1;
 

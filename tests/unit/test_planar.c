@@ -10,7 +10,7 @@
 
 #include "geometry/plane/areas.h"
 #include "geometry/plane/point_tree.h"
-#include "geometry/shapes/solid_triangles.h"
+#include "geometry/primitives/solid_triangles.h"
 #include "geometry/plane/ear_clipping.h"
 #include "solids/sections.h"
 

@@ -3,9 +3,12 @@
  * Sample (i, j), column i of row j, is point j * columns + i; no height lies below the floor. Where none lies on it either, the floor is a fan about
  * its middle over the border's feet; else it is as finely cut as the top, and a sample on the floor is its own foot, so that the faces that meet
  * there share vertices and the mesh closes. */
-#include "geometry/shapes/height_field.h"
+#include "geometry/primitives/height_field.h"
 
 #include <stdlib.h>
+
+#include "geometry/primitives/shape.h"
+#include "geometry/measure/measure.h"
 
 typedef struct {
   const struct vs_height_field *h;
@@ -35,7 +38,8 @@ static bool heights_wall(vs_heights *g, uint32_t a, uint32_t b) {
 static bool heights_face(vs_heights *g, uint32_t a, uint32_t b, uint32_t c, bool floor) {
   if (heights_on_floor(g, a) && heights_on_floor(g, b) && heights_on_floor(g, c)) return true;
   if (!vs_mesh_add_triangle(g->out, g->first + a, g->first + b, g->first + c)) return false;
-  return !floor || (heights_foot(g, a) && heights_foot(g, b) && heights_foot(g, c) && vs_mesh_add_triangle(g->out, g->foot[a], g->foot[c], g->foot[b]));
+  return !floor || (heights_foot(g, a) && heights_foot(g, b) && heights_foot(g, c) &&
+                    vs_mesh_add_triangle(g->out, g->foot[a], g->foot[c], g->foot[b]));
 }
 
 bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
@@ -43,7 +47,9 @@ bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
   if (columns < 2 || rows < 2) return true;
   vs_heights g = { h, out, columns, rows, (uint32_t)out->vertex_count, malloc(count * sizeof *g.foot) };
   size_t border = 2 * ((size_t)columns + rows) - 4, cells = (size_t)(columns - 1) * (rows - 1);
-  bool ok = g.foot && vs_mesh_reserve(out, out->vertex_count + count + border + 1, out->triangle_count + 2 * cells + 3 * border), touches = false;
+  bool ok = g.foot &&
+            vs_mesh_reserve(out, out->vertex_count + count + border + 1, out->triangle_count + 2 * cells + 3 * border),
+       touches = false;
   for (uint32_t i = 0; ok && i < count; i++) {
     ok = vs_mesh_add_vertex(out, h->points->at[i], NULL);
     g.foot[i] = UINT32_MAX;
@@ -55,12 +61,19 @@ bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
       ok = heights_face(&g, a, b, c, touches) && heights_face(&g, a, c, d, touches);
     }
   uint32_t last = count - columns, middle = 0;
-  if (ok && !touches) ok = vs_mesh_add_vertex(out, vs_v3((h->points->at[0].x + h->points->at[count - 1].x) / 2, (h->points->at[0].y + h->points->at[count - 1].y) / 2, h->low), &middle);
+  if (ok && !touches)
+    ok = vs_mesh_add_vertex(out,
+                            vs_v3((h->points->at[0].x + h->points->at[count - 1].x) / 2,
+                                  (h->points->at[0].y + h->points->at[count - 1].y) / 2, h->low),
+                            &middle);
   for (size_t k = 0; ok && k < border; k++) { /* round, counter-clockwise seen from above */
     uint32_t at[2];
     for (size_t e = 0; e < 2; e++) {
       size_t s = (k + e) % border, across = columns - 1, up = rows - 1;
-      at[e] = (uint32_t)(s < across ? s : s < across + up ? (s - across) * columns + across : s < 2 * across + up ? last + 2 * across + up - s : (border - s) * columns);
+      at[e] = (uint32_t)(s < across            ? s
+                         : s < across + up     ? (s - across) * columns + across
+                         : s < 2 * across + up ? last + 2 * across + up - s
+                                               : (border - s) * columns);
     }
     ok = heights_wall(&g, at[0], at[1]) && (touches || vs_mesh_add_triangle(out, g.foot[at[1]], g.foot[at[0]], middle));
   }
@@ -68,8 +81,11 @@ bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
   return ok;
 }
 
-bool vs_height_field_uses(const struct vs_height_field *h, uint32_t i) {
-  static const int to[][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 0 }, { -1, -1 }, { 0, -1 } }; /* itself, then round it */
+/* Has sample i anything above or below it? It or a neighbour along a triangle's side is above the floor then. */
+static bool heights_used(const struct vs_height_field *h, uint32_t i) {
+  static const int to[][2] = {
+    { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 0 }, { -1, -1 }, { 0, -1 }
+  }; /* itself, then round it */
   int64_t columns = h->columns, rows = columns > 0 ? h->points->count / columns : 0, x = i % columns, y = i / columns;
   for (size_t k = 0; k < sizeof to / sizeof *to; k++) {
     int64_t u = x + to[k][0], v = y + to[k][1];
@@ -78,15 +94,62 @@ bool vs_height_field_uses(const struct vs_height_field *h, uint32_t i) {
   return false;
 }
 
-bool vs_height_field_holds(const struct vs_height_field *h, vs_vec3 p) {
+static bool heights_hold(const struct vs_height_field *h, vs_vec3 p) {
   const vs_vec3 *at = h->points->at;
   uint32_t columns = (uint32_t)h->columns, rows = columns ? h->points->count / columns : 0;
   if (columns < 2 || rows < 2 || p.z < h->low) return false;
   vs_vec3 first = at[0], last = at[h->points->count - 1];
-  double x = (p.x - first.x) / (last.x - first.x) * (columns - 1), y = (p.y - first.y) / (last.y - first.y) * (rows - 1);
+  double x = (p.x - first.x) / (last.x - first.x) * (columns - 1),
+         y = (p.y - first.y) / (last.y - first.y) * (rows - 1);
   if (!(x >= 0 && x <= columns - 1 && y >= 0 && y <= rows - 1)) return false;
   uint32_t i = (uint32_t)fmin(x, columns - 2), j = (uint32_t)fmin(y, rows - 2);
-  double a = at[j * columns + i].z, b = at[j * columns + i + 1].z, c = at[(j + 1) * columns + i + 1].z, d = at[(j + 1) * columns + i].z;
+  double a = at[j * columns + i].z, b = at[j * columns + i + 1].z, c = at[(j + 1) * columns + i + 1].z,
+         d = at[(j + 1) * columns + i].z;
   x -= i, y -= j;
   return p.z <= (x >= y ? a + (b - a) * x + (c - b) * y : a + (d - a) * y + (c - d) * x);
 }
+
+/* ---- the shape ---- */
+
+static bool height_field_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e) {
+  const struct vs_height_field *h = VS_AS(height_field, n);
+  (void)e;
+  for (uint32_t i = 0; i < h->points->count; i++) {
+    if (!heights_used(h, i)) continue;
+    vs_bounds_add(b, vs_affine_point(a, h->points->at[i]));
+    vs_bounds_add(b, vs_affine_point(a, vs_v3(h->points->at[i].x, h->points->at[i].y, h->low)));
+  }
+  return true;
+}
+
+static bool height_field_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+  (void)f;
+  return vs_height_field_mesh(out, VS_AS(height_field, n)) || vs_error_memory(e, NULL);
+}
+
+static bool height_field_measure(const vs_node *n, bool area, vs_measure *m, vs_error *e) {
+  vs_mesh mesh = { 0 };
+  (void)area;
+  bool ok = vs_height_field_mesh(&mesh, VS_AS(height_field, n)) || vs_error_memory(e, NULL);
+  if (ok) vs_mesh_measure(&mesh, m); /* it is these triangles, exactly */
+  vs_mesh_free(&mesh);
+  return ok;
+}
+
+static bool height_field_holds(const vs_node *n, vs_vec3 p, vs_vec3 q, double height) {
+  (void)q, (void)height;
+  return heights_hold(VS_AS(height_field, n), p);
+}
+
+static vs_node *height_field_moved(vs_store *s, const vs_node *n, const vs_affine *a, const vs_shape_map *map,
+                                   bool *fits) {
+  VS_MOVED(height_field, map->plain);
+  vs_points *points = vs_shape_map_points(s, a, d.points);
+  d.points = points;
+  d.low = a->m[2][2] * d.low + a->m[2][3];
+  vs_node *field = points ? vs_node_new(s, VS_HEIGHT_FIELD, &d, NULL, 0) : NULL;
+  vs_points_release(s, points);
+  return field;
+}
+
+VS_SHAPE(height_field, NULL, NULL);

@@ -1,4 +1,4 @@
-/* Owns, for geometry/ alone, the triangles of the primitive solids. All append to out; false: out of memory. */
+/* Owns, for geometry/ alone, triangles that primitive solids are made of. All append to out; false: out of memory. */
 #ifndef VS_GEOMETRY_SOLIDS_H
 #define VS_GEOMETRY_SOLIDS_H
 
@@ -6,18 +6,20 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
+/* Is a shape of so many facets round and across still a drawing? Their product becomes huge unseen. False: an error is set. */
+bool vs_solid_fits(int around, int across, const char *what, vs_error *e);
 bool vs_solid_box(vs_mesh *out, vs_vec3 p, vs_vec3 q);
 bool vs_solid_wedge(vs_mesh *out, vs_vec3 p, vs_vec3 q);
 /* Between two discs of n corners; a radius of 0 is an apex. hubs: the discs are fans about their centres. */
 bool vs_solid_frustum(vs_mesh *out, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius, int n, bool hubs);
 /* The same between two ellipses: radii along X on the axis, then across it. */
-bool vs_solid_oval_frustum(vs_mesh *out, vs_vec3 base, double base_radius, double base_across, vs_vec3 top, double top_radius, double top_across, int n, bool hubs);
+bool vs_solid_oval_frustum(vs_mesh *out, vs_vec3 base, double base_radius, double base_across, vs_vec3 top,
+                           double top_radius, double top_across, int n, bool hubs);
 bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n);
 bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, int around, int tube_turn);
-/* Makes the triangles of the part of a half-space that lies in reach, and of some more round it; one face is in the plane, exactly. Makes none where all of reach is outside. */
-bool vs_solid_half_space(vs_mesh *out, vs_vec3 point, vs_vec3 normal, const vs_bounds *reach);
 /* Where out has tags, each triangle gets its face's number, from 0. */
 bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *faces);
-bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_faces *faces, uint32_t *place); /* place: of vs_polyface_merge; used up */
+bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_faces *faces,
+                              uint32_t *place); /* place: of vs_polyface_merge; used up */
 
 #endif

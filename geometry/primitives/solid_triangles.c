@@ -3,7 +3,7 @@
  * Rings run counter-clockwise about the axis from +X on the axis; facets are counter-clockwise seen from outside. Poles, apexes, the hubs of
  * discs and the corners at quarter turns stand where the formula says, to the last bit: kernel/ finds shared truss nodes by that.
  * Indices are 32 bits: vs_mesh_reserve refuses what does not fit. */
-#include "geometry/shapes/solid_triangles.h"
+#include "geometry/primitives/solid_triangles.h"
 
 #include <stdlib.h>
 
@@ -11,26 +11,39 @@
 #include "geometry/files/polyface.h"
 #include "geometry/plane/ear_clipping.h"
 
-static bool solid_eight(vs_mesh *out, const vs_vec3 *corners, size_t n, const unsigned char (*faces)[3], size_t face_count) {
+static bool solid_eight(vs_mesh *out, const vs_vec3 *corners, size_t n, const unsigned char (*faces)[3],
+                        size_t face_count) {
   uint32_t base = (uint32_t)out->vertex_count;
   bool ok = true;
   for (size_t i = 0; ok && i < n; i++) ok = vs_mesh_add_vertex(out, corners[i], NULL);
-  for (size_t i = 0; ok && i < face_count; i++) ok = vs_mesh_add_triangle(out, base + faces[i][0], base + faces[i][1], base + faces[i][2]);
+  for (size_t i = 0; ok && i < face_count; i++)
+    ok = vs_mesh_add_triangle(out, base + faces[i][0], base + faces[i][1], base + faces[i][2]);
   return ok;
 }
 
 bool vs_solid_box(vs_mesh *out, vs_vec3 p, vs_vec3 q) {
   vs_vec3 corners[8];
   for (int i = 0; i < 8; i++) corners[i] = vs_v3(i & 1 ? q.x : p.x, i & 2 ? q.y : p.y, i & 4 ? q.z : p.z);
-  static const unsigned char faces[12][3] = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
-                                              { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
+  static const unsigned char faces[12][3] = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 },
+                                              { 0, 1, 5 }, { 0, 5, 4 }, { 2, 6, 7 }, { 2, 7, 3 },
+                                              { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
   return solid_eight(out, corners, 8, faces, 12);
 }
 
 bool vs_solid_wedge(vs_mesh *out, vs_vec3 p, vs_vec3 q) {
-  vs_vec3 corners[6] = { { p.x, p.y, p.z }, { q.x, p.y, p.z }, { p.x, q.y, p.z }, { q.x, q.y, p.z }, { p.x, p.y, q.z }, { p.x, q.y, q.z } };
-  static const unsigned char faces[8][3] = { { 0, 2, 3 }, { 0, 3, 1 }, { 0, 1, 4 }, { 2, 5, 3 }, { 0, 4, 5 }, { 0, 5, 2 }, { 1, 3, 5 }, { 1, 5, 4 } };
+  vs_vec3 corners[6] = { { p.x, p.y, p.z }, { q.x, p.y, p.z }, { p.x, q.y, p.z },
+                         { q.x, q.y, p.z }, { p.x, p.y, q.z }, { p.x, q.y, q.z } };
+  static const unsigned char faces[8][3] = { { 0, 2, 3 }, { 0, 3, 1 }, { 0, 1, 4 }, { 2, 5, 3 },
+                                             { 0, 4, 5 }, { 0, 5, 2 }, { 1, 3, 5 }, { 1, 5, 4 } };
   return solid_eight(out, corners, 6, faces, 8);
+}
+
+bool vs_solid_fits(int around, int across, const char *what, vs_error *e) {
+  double triangles = 2.0 * around * across;
+  return triangles <= 4e6 || vs_error_set(e, VS_ERROR_MODEL, NULL,
+                                          "a %s of %d facets a turn has %.0f million triangles, and one shape may have "
+                                          "4 million: fewer #:segments, or a larger tolerance",
+                                          what, around, triangles / 1e6);
 }
 
 /* ---- rings and what spans them ---- */
@@ -46,14 +59,17 @@ static bool solid_oval(vs_mesh *out, const vs_affine *frame, vs_vec3 center, dou
   return ok;
 }
 
-static bool solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double r, int n) { return solid_oval(out, frame, center, r, r, n); }
+static bool solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double r, int n) {
+  return solid_oval(out, frame, center, r, r, n);
+}
 
 /* Facets between the ring that starts at vertex low and the one at high, which lies further along the axis. */
 static bool solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n) {
   bool ok = true;
   for (uint32_t i = 0; ok && i < n; i++) {
     uint32_t j = i + 1 == n ? 0 : i + 1;
-    ok = vs_mesh_add_triangle(out, low + i, low + j, high + j) && vs_mesh_add_triangle(out, low + i, high + j, high + i);
+    ok =
+        vs_mesh_add_triangle(out, low + i, low + j, high + j) && vs_mesh_add_triangle(out, low + i, high + j, high + i);
   }
   return ok;
 }
@@ -82,11 +98,13 @@ static bool solid_disc(vs_mesh *out, vs_vec3 center, uint32_t ring, uint32_t n, 
   return ok;
 }
 
-bool vs_solid_frustum(vs_mesh *out, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius, int n, bool hubs) {
+bool vs_solid_frustum(vs_mesh *out, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius, int n,
+                      bool hubs) {
   return vs_solid_oval_frustum(out, base, base_radius, base_radius, top, top_radius, top_radius, n, hubs);
 }
 
-bool vs_solid_oval_frustum(vs_mesh *out, vs_vec3 base, double base_radius, double base_across, vs_vec3 top, double top_radius, double top_across, int n, bool hubs) {
+bool vs_solid_oval_frustum(vs_mesh *out, vs_vec3 base, double base_radius, double base_across, vs_vec3 top,
+                           double top_radius, double top_across, int n, bool hubs) {
   vs_affine frame = vs_frame_on_axis(base, vs_v3_sub(top, base));
   uint32_t first = (uint32_t)out->vertex_count, sides = (uint32_t)n, low = first, high = first, tip;
   bool ok = vs_mesh_reserve(out, out->vertex_count + 2 * (size_t)sides + 2, out->triangle_count + 4 * (size_t)sides);
@@ -107,15 +125,18 @@ bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n) {
   int rings = n / 2 < 2 ? 2 : n / 2;
   uint32_t first = (uint32_t)out->vertex_count, around = (uint32_t)n, south, north;
   vs_affine level = vs_affine_identity();
-  bool ok = vs_mesh_reserve(out, out->vertex_count + (size_t)n * (size_t)(rings - 1) + 2, out->triangle_count + 2 * (size_t)n * (size_t)(rings - 1));
+  bool ok = vs_mesh_reserve(out, out->vertex_count + (size_t)n * (size_t)(rings - 1) + 2,
+                            out->triangle_count + 2 * (size_t)n * (size_t)(rings - 1));
   for (int j = 1; ok && j < rings; j++) { /* from the south pole up */
     double s, c;
     vs_turn_sincos(j, 2 * rings, &s, &c);
     ok = solid_ring(out, &level, vs_v3(center.x, center.y, center.z - radius * c), radius * s, n);
   }
-  for (uint32_t j = 1; ok && j + 1 < (uint32_t)rings; j++) ok = solid_band(out, first + (j - 1) * around, first + j * around, around);
+  for (uint32_t j = 1; ok && j + 1 < (uint32_t)rings; j++)
+    ok = solid_band(out, first + (j - 1) * around, first + j * around, around);
   return ok && vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z - radius), &south) &&
-         vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z + radius), &north) && solid_fan(out, first, around, south, true) &&
+         vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z + radius), &north) &&
+         solid_fan(out, first, around, south, true) &&
          solid_fan(out, first + (uint32_t)(rings - 2) * around, around, north, false);
 }
 
@@ -131,7 +152,8 @@ bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, in
       vs_turn_sincos(j, tube_turn, &s, &c);
       ok = solid_ring(out, &level, vs_v3(center.x, center.y, center.z + tube * s), radius + tube * c, around);
     }
-    for (uint32_t j = 0; ok && j < rows; j++) ok = solid_band(out, first + j * n, first + (j + 1 == rows ? 0 : j + 1) * n, n);
+    for (uint32_t j = 0; ok && j < rows; j++)
+      ok = solid_band(out, first + j * n, first + (j + 1 == rows ? 0 : j + 1) * n, n);
     return ok;
   }
   double reach = acos(-radius / tube), pole = sqrt((tube - radius) * (tube + radius));
@@ -144,42 +166,16 @@ bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, in
   }
   for (uint32_t j = 1; ok && j + 1 < (uint32_t)rows; j++) ok = solid_band(out, first + (j - 1) * n, first + j * n, n);
   return ok && vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z - pole), &south) &&
-         vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z + pole), &north) && solid_fan(out, first, n, south, true) &&
-         solid_fan(out, first + (uint32_t)(rows - 2) * n, n, north, false);
-}
-
-/* ---- half-spaces ---- */
-
-/* Across an axis: a box. Else a prism on a triangle, whose three corners are in one plane however they are rounded. */
-bool vs_solid_half_space(vs_mesh *out, vs_vec3 point, vs_vec3 normal, const vs_bounds *reach) {
-  vs_vec3 n = vs_v3_unit(normal);
-  if (vs_bounds_is_empty(reach)) return true;
-  double diagonal = vs_bounds_diagonal(reach), margin = (diagonal > 0 ? diagonal : 1) / 32, least = INFINITY, most = -INFINITY;
-  vs_vec3 edge = vs_v3(margin, margin, margin), p = vs_v3_sub(reach->min, edge), q = vs_v3_add(reach->max, edge);
-  for (int i = 0; i < 8; i++) {
-    double side = vs_v3_dot(n, vs_v3_sub(vs_v3(i & 1 ? q.x : p.x, i & 2 ? q.y : p.y, i & 4 ? q.z : p.z), point));
-    least = fmin(least, side);
-    most = fmax(most, side);
-  }
-  if (most <= 0) return true;
-  if (least >= 0) return vs_solid_box(out, p, q);
-  if (fabs(n.x) == 1) *(n.x > 0 ? &p.x : &q.x) = point.x;
-  else if (fabs(n.y) == 1) *(n.y > 0 ? &p.y : &q.y) = point.y;
-  else if (fabs(n.z) == 1) *(n.z > 0 ? &p.z : &q.z) = point.z;
-  else {
-    vs_vec3 middle = vs_v3_scale(vs_v3_add(p, q), 0.5);
-    double radius = vs_v3_length(vs_v3_sub(q, p)) / 2, height = vs_v3_dot(n, vs_v3_sub(middle, point));
-    vs_vec3 base = vs_v3_sub(middle, vs_v3_scale(n, height));
-    return vs_solid_frustum(out, base, 2 * radius, vs_v3_add(base, vs_v3_scale(n, height + radius)), 2 * radius, 3, false);
-  }
-  return vs_solid_box(out, p, q);
+         vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z + pole), &north) &&
+         solid_fan(out, first, n, south, true) && solid_fan(out, first + (uint32_t)(rows - 2) * n, n, north, false);
 }
 
 /* ---- polyface meshes ---- */
 
 bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *faces) {
   uint32_t *place = malloc((points->count ? points->count : 1) * sizeof *place);
-  bool ok = place && vs_polyface_merge(points->at, points->count, place) && vs_solid_polyface_merged(out, points, faces, place);
+  bool ok = place && vs_polyface_merge(points->at, points->count, place) &&
+            vs_solid_polyface_merged(out, points, faces, place);
   free(place);
   return ok;
 }
@@ -190,10 +186,12 @@ bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_fa
   vs_vec2 *flat = malloc((faces->corner_count ? faces->corner_count : 1) * sizeof *flat);
   uint32_t *ring = malloc((faces->corner_count ? faces->corner_count : 1) * sizeof *ring);
   uint32_t base = (uint32_t)out->vertex_count;
-  size_t triangles = faces->corner_count > 2 * (size_t)faces->count ? faces->corner_count - 2 * (size_t)faces->count : 0;
+  size_t triangles =
+      faces->corner_count > 2 * (size_t)faces->count ? faces->corner_count - 2 * (size_t)faces->count : 0;
   bool ok = flat && ring && vs_mesh_reserve(out, out->vertex_count + points->count, out->triangle_count + triangles);
   uint32_t next = base;
-  for (uint32_t i = 0; ok && i < points->count; i++) { /* place[i]: first the earliest equal point, then the vertex it became */
+  for (uint32_t i = 0; ok && i < points->count;
+       i++) { /* place[i]: first the earliest equal point, then the vertex it became */
     if (place[i] == i) {
       ok = vs_mesh_add_vertex(out, points->at[i], NULL);
       place[i] = next++;
@@ -218,12 +216,15 @@ bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_fa
     }
     vs_vec3 o = out->vertices[ring[0]];
     for (size_t i = 0; i < n; i++)
-      normal = vs_v3_add(normal, vs_v3_cross(vs_v3_sub(out->vertices[ring[i]], o), vs_v3_sub(out->vertices[ring[(i + 1) % n]], o)));
+      normal = vs_v3_add(
+          normal, vs_v3_cross(vs_v3_sub(out->vertices[ring[i]], o), vs_v3_sub(out->vertices[ring[(i + 1) % n]], o)));
     if (n == 4) { /* along the diagonal from the first corner, unless the quad is concave there */
-      vs_vec3 a = vs_v3_sub(out->vertices[ring[1]], o), b = vs_v3_sub(out->vertices[ring[2]], o), c = vs_v3_sub(out->vertices[ring[3]], o);
+      vs_vec3 a = vs_v3_sub(out->vertices[ring[1]], o), b = vs_v3_sub(out->vertices[ring[2]], o),
+              c = vs_v3_sub(out->vertices[ring[3]], o);
       bool convex = vs_v3_dot(vs_v3_cross(a, b), normal) > 0 && vs_v3_dot(vs_v3_cross(b, c), normal) > 0;
       int k = convex ? 0 : 1;
-      ok = vs_mesh_add_triangle(out, ring[k], ring[k + 1], ring[k + 2]) && vs_mesh_add_triangle(out, ring[k], ring[k + 2], ring[(k + 3) % 4]);
+      ok = vs_mesh_add_triangle(out, ring[k], ring[k + 1], ring[k + 2]) &&
+           vs_mesh_add_triangle(out, ring[k], ring[k + 2], ring[(k + 3) % 4]);
       continue;
     }
     vs_affine frame = vs_frame_on_axis(o, vs_v3_length(normal) > 0 ? normal : vs_v3(0, 0, 1));

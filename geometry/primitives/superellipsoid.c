@@ -6,9 +6,10 @@
  * there is along (1, t^(p-1)). Points are chosen so that the normal's turning and the angle t stands for grow in equal shares: on a circle that is
  * equal angles, on a square with rounded corners the corners get most of the points, and every chord stays near its arc, however
  * sharp p is. */
-#include "geometry/shapes/superellipsoid.h"
-
 #include <stdlib.h>
+
+#include "geometry/measure/reach.h"
+#include "geometry/primitives/shape.h"
 
 static const double quarter_pi = 0.78539816339744830962;
 
@@ -47,11 +48,15 @@ static int oval_turn(const struct vs_superellipsoid *s, double exponent, const v
   return (n + 7) / 8 * 8;
 }
 
-bool vs_superellipsoid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs_facets *f) {
-  int around = oval_turn(s, s->e, f), profile = oval_turn(s, s->n, f), half = profile / 4; /* rings from the equator to a pole */
-  vs_oval_point *section = malloc((size_t)(around / 4 + 1) * sizeof *section), *up = malloc((size_t)(half + 1) * sizeof *up);
+static bool solid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs_facets *f) {
+  int around = oval_turn(s, s->e, f), profile = oval_turn(s, s->n, f),
+      half = profile / 4; /* rings from the equator to a pole */
+  vs_oval_point *section = malloc((size_t)(around / 4 + 1) * sizeof *section),
+                *up = malloc((size_t)(half + 1) * sizeof *up);
   uint32_t n = (uint32_t)around, base = (uint32_t)out->vertex_count, rings = (uint32_t)(2 * half - 1), south, north;
-  bool ok = section && up && vs_mesh_reserve(out, out->vertex_count + (size_t)n * rings + 2, out->triangle_count + 2 * (size_t)n * rings);
+  bool ok =
+      section && up &&
+      vs_mesh_reserve(out, out->vertex_count + (size_t)n * rings + 2, out->triangle_count + 2 * (size_t)n * rings);
   if (ok) {
     oval_quarter(2 / s->e, around / 8, section);
     oval_quarter(2 / s->n, profile / 8, up);
@@ -66,14 +71,16 @@ bool vs_superellipsoid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, con
       ok = vs_mesh_add_vertex(out, vs_v3(r * x + 0.0, r * y + 0.0, z + 0.0), NULL);
     }
   }
-  ok = ok && vs_mesh_add_vertex(out, vs_v3(0, 0, -s->size), &south) && vs_mesh_add_vertex(out, vs_v3(0, 0, s->size), &north);
+  ok = ok && vs_mesh_add_vertex(out, vs_v3(0, 0, -s->size), &south) &&
+       vs_mesh_add_vertex(out, vs_v3(0, 0, s->size), &north);
   for (uint32_t i = 0; ok && i < n; i++) {
     uint32_t k = i + 1 == n ? 0 : i + 1, top = base + (rings - 1) * n;
     ok = vs_mesh_add_triangle(out, base + k, base + i, south) && vs_mesh_add_triangle(out, top + i, top + k, north);
     bool rising = i / (n / 8) % 2; /* the diagonals of the facets are mirror images too */
     for (uint32_t j = 0; ok && j + 1 < rings; j++) {
       uint32_t a = base + j * n + i, b = base + j * n + k, c = b + n, d = a + n;
-      ok = rising ? vs_mesh_add_triangle(out, a, b, d) && vs_mesh_add_triangle(out, b, c, d) : vs_mesh_add_triangle(out, a, b, c) && vs_mesh_add_triangle(out, a, c, d);
+      ok = rising ? vs_mesh_add_triangle(out, a, b, d) && vs_mesh_add_triangle(out, b, c, d)
+                  : vs_mesh_add_triangle(out, a, b, c) && vs_mesh_add_triangle(out, a, c, d);
     }
   }
   free(section);
@@ -89,12 +96,13 @@ static double oval_norm(double p, double a, double b) {
   return most > 0 && isfinite(p) ? most * exp(log1p(pow(least / most, p)) / p) : most;
 }
 
-bool vs_superellipsoid_holds(const struct vs_superellipsoid *s, vs_vec3 p) {
+static bool solid_holds(const struct vs_superellipsoid *s, vs_vec3 p) {
   return oval_norm(2 / s->n, oval_norm(2 / s->e, fabs(p.x), fabs(p.y)), fabs(p.z)) <= s->size;
 }
 
 /* The dual norm; what caves in (p < 1) reaches as far as the points on its axes. */
-double vs_superellipsoid_reach(const struct vs_superellipsoid *s, vs_vec3 d) {
+/* The greatest d . p over the solid */
+static double solid_reach(const struct vs_superellipsoid *s, vs_vec3 d) {
   double p = 2 / s->e, q = 2 / s->n, dual_p = p > 1 ? p / (p - 1) : INFINITY, dual_q = q > 1 ? q / (q - 1) : INFINITY;
   return s->size * oval_norm(dual_q, oval_norm(dual_p, fabs(d.x), fabs(d.y)), fabs(d.z));
 }
@@ -102,7 +110,7 @@ double vs_superellipsoid_reach(const struct vs_superellipsoid *s, vs_vec3 d) {
 static double beta(double a, double b) { return tgamma(a) * tgamma(b) / tgamma(a + b); }
 
 /* 2 s^3 e n B(e/2, e/2) B(n/2 + 1, n) (Jaklic, Leonardis, Solina 2000) */
-double vs_superellipsoid_volume(const struct vs_superellipsoid *s) {
+static double solid_volume(const struct vs_superellipsoid *s) {
   return 2 * s->size * s->size * s->size * s->e * s->n * beta(s->e / 2, s->e / 2) * beta(s->n / 2 + 1, s->n);
 }
 
@@ -116,7 +124,8 @@ static int oval_nodes(double p, vs_oval_node *nodes) {
   int n = 0;
   const double step = 1.0 / 16;
   for (int i = -64; i <= 64; i++) {
-    double x = i * step, g = 2 * quarter_pi * sinh(x), t = 1 / (1 + exp(-2 * g)), weight = 2 * quarter_pi * cosh(x) * step / (2 * cosh(g) * cosh(g));
+    double x = i * step, g = 2 * quarter_pi * sinh(x), t = 1 / (1 + exp(-2 * g)),
+           weight = 2 * quarter_pi * cosh(x) * step / (2 * cosh(g) * cosh(g));
     if (!(t > 0) || !(weight > 1e-300)) continue;
     double power = pow(t, p), w = exp(log1p(power) * (-1 / p - 1));
     nodes[n++] = (vs_oval_node){ w * (1 + power), t * w * (1 + power), -power / t * w, w, weight };
@@ -124,7 +133,8 @@ static int oval_nodes(double p, vs_oval_node *nodes) {
   return n;
 }
 
-double vs_superellipsoid_area(const struct vs_superellipsoid *s) {
+/* By quadrature, to some ten digits */
+static double solid_area(const struct vs_superellipsoid *s) {
   vs_oval_node section[129], profile[129];
   int m = oval_nodes(2 / s->e, section), n = oval_nodes(2 / s->n, profile);
   double sum = 0;
@@ -132,8 +142,45 @@ double vs_superellipsoid_area(const struct vs_superellipsoid *s) {
     double run = hypot(section[i].du, section[i].dv), turn = section[i].u * section[i].u;
     for (int j = 0; j < n; j++) {
       const vs_oval_node *k = &profile[j];
-      sum += section[i].weight * k->weight * (k->u * hypot(k->dv * run, k->du * turn) + k->v * hypot(k->du * run, k->dv * turn));
+      sum += section[i].weight * k->weight *
+             (k->u * hypot(k->dv * run, k->du * turn) + k->v * hypot(k->du * run, k->dv * turn));
     }
   }
   return 16 * s->size * s->size * sum;
 }
+
+/* ---- the shape ---- */
+
+static bool superellipsoid_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e) {
+  double reach[3];
+  (void)e;
+  for (int i = 0; i < 3; i++) reach[i] = solid_reach(VS_AS(superellipsoid, n), vs_reach_row(a, i));
+  vs_reach_sides(b, a, vs_v3(0, 0, 0), vs_v3(reach[0], reach[1], reach[2]));
+  return true;
+}
+
+static bool superellipsoid_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+  return solid_mesh(out, VS_AS(superellipsoid, n), f) || vs_error_memory(e, NULL);
+}
+
+static bool superellipsoid_measure(const vs_node *n, bool area, vs_measure *m, vs_error *e) {
+  (void)e;
+  m->volume = solid_volume(VS_AS(superellipsoid, n));
+  m->area = area ? solid_area(VS_AS(superellipsoid, n)) : 0;
+  return true;
+}
+
+static bool superellipsoid_holds(const vs_node *n, vs_vec3 p, vs_vec3 q, double height) {
+  (void)q, (void)height;
+  return solid_holds(VS_AS(superellipsoid, n), p);
+}
+
+static vs_node *superellipsoid_moved(vs_store *s, const vs_node *n, const vs_affine *a, const vs_shape_map *map,
+                                     bool *fits) {
+  VS_MOVED(superellipsoid,
+           map->upright && a->m[0][3] == 0 && a->m[1][3] == 0 && a->m[2][3] == 0); /* it stands at the origin */
+  d.size *= map->scale;
+  return vs_node_new(s, VS_SUPERELLIPSOID, &d, NULL, 0);
+}
+
+VS_SHAPE(superellipsoid, NULL, NULL);
