@@ -22,7 +22,9 @@
 #include "passes/sugar.h"
 #include "model/scene.h"
 
-enum { VS_DEPTH_MAX = 150 }; /* of nesting in one subtree of the output: POV-Ray and OpenSCAD die of some thousands; users read less */
+enum {
+  VS_DEPTH_MAX = 150
+}; /* of nesting in one subtree of the output: POV-Ray and OpenSCAD die of some thousands; users read less */
 
 typedef enum {
   VS_EMITTED,
@@ -94,46 +96,70 @@ struct vs_backend {
   const char *native;      /* whose text of `native` it takes, of targets.def; NULL: none */
   bool keep_origins;    /* the text's lines are remembered with the origins of what they hold */
   bool parts_flush;     /* its program keeps skins where faces in one plane are cut: they are parted before (flush.h) */
-  bool hulls;           /* knows hulls of solids: they are shown as operations; all others, and elsewhere all, as one shape */
+  bool hulls; /* knows hulls of solids: they are shown as operations; all others, and elsewhere all, as one shape */
   bool draws;           /* makes drawings: it chooses among the scene's views and cuts by itself */
   bool frames;          /* shows the drawing through a camera that frames it */
   bool loose;           /* with solid or copies: what is no solid is walked first, by the rows of emit */
   bool inks;            /* thin things without a material are painted dark before (ink.h) */
   bool groups;          /* large sets are handed over as trees of boxes (vs_sets_group) */
   bool area_sets;       /* is asked about sets of regions before they are lowered to one region */
-  bool keeps_text;      /* what it writes for a node is decided by what drive_key puts into a key, and by nothing that it wrote before */
+  bool
+      keeps_text; /* what it writes for a node is decided by what drive_key puts into a key, and by nothing that it wrote before */
   bool verbatim;        /* every node is shown as it is, empty ones too, and the children of all kinds are gone into */
   const char *omit[VS_MIXED]; /* a vs_class that the format leaves out, and why: said once */
+  vs_emit_fn *shape;    /* of the primitive solids that have no row of their own; NULL: they are lowered */
   struct { vs_emit_fn *fn; const char *lossy; } emit[VS_KIND_COUNT]; /* lossy: said once as a warning */
 };
+
+/* The function that writes n; NULL: n is lowered. */
+static inline vs_emit_fn *vs_backend_writes(const vs_backend *b, const vs_node *n) {
+  vs_emit_fn *fn = b->emit[n->kind].fn;
+  return fn || vs_node_role(n) != VS_ROLE_SHAPE || n->flags & VS_NODE_ENDLESS ? fn : b->shape;
+}
 
 #define VS_FORMAT(suffix, backend, name, worker, binary, doc) extern const vs_backend vs_backend_##backend;
 #include "backends/backends.def"
 
 /* The rows of formats that show triangles and lines where they stand: leaf makes triangles of what is solid or thin, line takes polylines,
  * through follows placement and paint, boolean has the kernel. What has no row is lowered: curves to polylines. */
-#define VS_EMIT_SHAPES(leaf, line, through, boolean)                                                                                 \
-  [VS_LINE] = { line, NULL }, [VS_REGION] = { leaf, NULL }, [VS_TEXT] = { leaf, NULL }, [VS_BOX] = { leaf, NULL }, [VS_WEDGE] = { leaf, NULL },                 \
-  [VS_SPHERE] = { leaf, NULL }, [VS_CYLINDER] = { leaf, NULL }, [VS_CONE] = { leaf, NULL },                                         \
-  [VS_CUT_CONE] = { leaf, NULL }, [VS_PYRAMID] = { leaf, NULL }, [VS_TORUS] = { leaf, NULL },                                       \
-  [VS_E_CONE] = { leaf, NULL }, [VS_SUPERELLIPSOID] = { leaf, NULL }, [VS_HEIGHT_FIELD] = { leaf, NULL }, [VS_HULL] = { leaf, NULL },   \
-  [VS_REVOLVE] = { leaf, NULL }, [VS_LOFT] = { leaf, NULL }, [VS_RULED_LOFT] = { leaf, NULL }, [VS_GUIDED_LOFT] = { leaf, NULL },     \
-  [VS_GRID_SURFACE] = { leaf, NULL }, [VS_GRID_MESH] = { leaf, NULL },                                                              \
-  [VS_POLYFACE_MESH] = { leaf, NULL }, [VS_EXTRUDE] = { leaf, NULL }, [VS_SWEEP] = { leaf, NULL },                                  \
-  [VS_THICKEN] = { leaf, NULL }, [VS_TRANSFORM] = { through, NULL }, [VS_MATERIAL] = { through, NULL },                             \
-  [VS_LAYER] = { through, NULL }, [VS_UNION] = { through, NULL }, [VS_INTERSECTION] = { boolean, NULL },                            \
-  [VS_DIFFERENCE] = { boolean, NULL }
+#define VS_EMIT_SHAPES(leaf, line, through, boolean)                                                                   \
+  .shape = (leaf),                                                                                                     \
+  .emit = { [VS_LINE] = { line, NULL },                                                                                \
+            [VS_REGION] = { leaf, NULL },                                                                              \
+            [VS_TEXT] = { leaf, NULL },                                                                                \
+            [VS_HULL] = { leaf, NULL },                                                                                \
+            [VS_REVOLVE] = { leaf, NULL },                                                                             \
+            [VS_LOFT] = { leaf, NULL },                                                                                \
+            [VS_RULED_LOFT] = { leaf, NULL },                                                                          \
+            [VS_GUIDED_LOFT] = { leaf, NULL },                                                                         \
+            [VS_GRID_SURFACE] = { leaf, NULL },                                                                        \
+            [VS_GRID_MESH] = { leaf, NULL },                                                                           \
+            [VS_POLYFACE_MESH] = { leaf, NULL },                                                                       \
+            [VS_EXTRUDE] = { leaf, NULL },                                                                             \
+            [VS_SWEEP] = { leaf, NULL },                                                                               \
+            [VS_THICKEN] = { leaf, NULL },                                                                             \
+            [VS_TRANSFORM] = { through, NULL },                                                                        \
+            [VS_MATERIAL] = { through, NULL },                                                                         \
+            [VS_LAYER] = { through, NULL },                                                                            \
+            [VS_UNION] = { through, NULL },                                                                            \
+            [VS_INTERSECTION] = { boolean, NULL },                                                                     \
+            [VS_DIFFERENCE] = { boolean, NULL } }
 
 /* ---- what emit functions may call ---- */
-bool vs_emit_fail(vs_emitter *e, const vs_ref *ref, const char *message); /* a fault of the model, at the reference; returns false */
-bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message); /* once a message (compared by address) */
+bool vs_emit_fail(vs_emitter *e, const vs_ref *ref,
+                  const char *message); /* a fault of the model, at the reference; returns false */
+bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref,
+                       const char *message); /* once a message (compared by address) */
 bool vs_emit_no_memory(vs_emitter *e);
-bool vs_emit_progress(vs_emitter *e, const char *stage, double fraction); /* false: interrupted, and the error says so */
+bool vs_emit_progress(vs_emitter *e, const char *stage,
+                      double fraction); /* false: interrupted, and the error says so */
 /* So many triangles are written, or are about to be: those of a template once. False: more than the limit, and the error says so. */
 bool vs_emit_triangles(vs_emitter *e, size_t count);
 void vs_emit_watch(vs_emitter *e, vs_writer *w); /* from now on w asks so, too, whenever its buffer is full */
 /* For loops that write nothing: asks now and then. */
-static inline bool vs_emit_going(vs_emitter *e, size_t turn) { return (turn & 0x3fff) != 0 || vs_emit_progress(e, "writing", -1); }
+static inline bool vs_emit_going(vs_emitter *e, size_t turn) {
+  return (turn & 0x3fff) != 0 || vs_emit_progress(e, "writing", -1);
+}
 /* Triangles of any node of solids and surfaces in its own coordinates: booleans by the kernel, the rest by geometry. Kept for nodes that
  * stand in several places; valid until the next call. NULL: failed. */
 const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref);

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "backends/lower.h"
+#include "geometry/primitives/shape.h"
 #include "backends/drive.h"
 #include "backends/format_numbers.h"
 #include "solids/drawn_bounds.h"
@@ -311,10 +312,12 @@ static bool drive_mark(vs_emitter *e, const vs_ref *ref) {
   return vs_drive_mark(e, vs_writer_line(e->out), ref->origin);
 }
 
-/* The strict order that lowering goes down: the table's levels, with what everything ends in below its own. */
+/* The strict order that lowering goes down: the table's levels, in each level shapes with parts above the others, and at the bottom the two
+ * kinds that all lowering ends in. */
 static int drive_rank(const vs_node *n) {
-  if (n->kind == VS_POLYFACE_MESH || n->kind == VS_LINE) return VS_LEVEL_MESH;
-  return (int)vs_kind_get((vs_kind)n->kind)->level;
+  if (n->kind == VS_POLYFACE_MESH || n->kind == VS_LINE) return 2 * VS_LEVEL_MESH;
+  const vs_shape *shape = vs_shape_of(n);
+  return 2 * (int)vs_kind_get((vs_kind)n->kind)->level + (shape && shape->parts);
 }
 
 static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body);
@@ -345,7 +348,7 @@ static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
     }
     return drive_enter(e, &lower, false);
   }
-  vs_emit_fn *fn = e->backend->emit[lower.node->kind].fn;
+  vs_emit_fn *fn = vs_backend_writes(e->backend, lower.node);
   bool was_smooth = e->smooth, ok = true;
   if (lower.node->kind != VS_EMPTY) {
     vs_emit_status status = VS_LOWER;
@@ -396,7 +399,7 @@ static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool b
   if (!drive_check(e, ref) || !drive_mark(e, ref)) return false;
   if (view.entry != NULL && view.entry->definition > 0 && !body) return e->backend->use(e, view.entry->definition, ref);
   if (e->backend->emit[n->kind].lossy != NULL && !vs_emit_warn_once(e, ref, e->backend->emit[n->kind].lossy)) return false;
-  vs_emit_fn *fn = e->backend->emit[n->kind].fn;
+  vs_emit_fn *fn = vs_backend_writes(e->backend, n);
   if (!view.operation) {
     vs_emit_status status = fn != NULL ? fn(e, ref, VS_PHASE_LEAF) : VS_LOWER;
     return status == VS_EMITTED || (status == VS_LOWER && drive_lower(e, ref));

@@ -10,6 +10,7 @@
 #include "geometry/shapes/simple_nodes.h"
 #include "solids/primitive_meshes.h"
 #include "geometry/primitives/half_space.h"
+#include "geometry/primitives/shape.h"
 #include "model/tally.h"
 
 static vs_node *lower_polyline(vs_emitter *e, const vs_ref *ref) {
@@ -83,15 +84,28 @@ static vs_node *lower_half_space(vs_emitter *e, const vs_ref *ref) {
   return made;
 }
 
+/* For a format that writes sets. NULL: with *fits false it is better as triangles, else failed. */
+static vs_node *lower_parts(vs_emitter *e, const vs_ref *ref, bool *fits) {
+  const vs_shape *shape = vs_shape_of(ref->node);
+  *fits = shape != NULL && shape->parts != NULL && e->backend->emit[VS_DIFFERENCE].fn != NULL;
+  vs_node *made = *fits ? shape->parts(e->scene->store, ref->node, ref->origin, fits) : NULL;
+  if (*fits && made == NULL) vs_emit_no_memory(e);
+  return made;
+}
+
 static vs_node *lower_node(vs_emitter *e, const vs_ref *ref) {
   if (lower_is_area_set(ref->node) || (ref->node->kind == VS_HULL && ref->node->class_ == VS_REGION_CLASS)) return lower_region(e, ref);
+  bool parts;
+  vs_node *together = lower_parts(e, ref, &parts);
+  if (parts) return together;
   switch ((vs_kind)ref->node->kind) {
   case VS_OFFSET:
     if (ref->node->class_ == VS_REGION_CLASS) return lower_region(e, ref); /* fall through */
   case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_JOIN:
     return lower_polyline(e, ref);
 #include "model/shape_cases.def"
-    if (ref->node->kind == VS_HALF_SPACE) return lower_half_space(e, ref); /* fall through */
+    if (ref->node->kind == VS_HALF_SPACE) return lower_half_space(e, ref);
+    /* fall through */
   case VS_HULL: case VS_EXTRUDE: case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
   case VS_SWEEP: case VS_THICKEN: case VS_REGION: case VS_TEXT: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: {
     vs_solid m = { .part_count = 0 };

@@ -289,7 +289,7 @@ static bool host_begin(vs_emitter *e) { return meshes_of(e)->layer_count = 0, tr
 static bool host_end(vs_emitter *e) { return (void)e, true; }
 
 static const vs_backend host_backend = {
-  .begin = host_begin, .end = host_end, .emit = { VS_EMIT_SHAPES(host_leaf, host_line, host_through, host_boolean) } };
+  .begin = host_begin, .end = host_end, VS_EMIT_SHAPES(host_leaf, host_line, host_through, host_boolean) };
 
 /* ---- the public side ---- */
 

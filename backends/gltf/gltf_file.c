@@ -287,4 +287,4 @@ bool vs_gltf_write(vs_emitter *e) {
 
 /* No .numbers: shapes are settled one by one, each about its own middle. */
 const vs_backend vs_backend_glb = { .begin = vs_gltf_open, .end = vs_gltf_write, .close = vs_gltf_close,
-                                    .emit = { VS_EMIT_SHAPES(vs_gltf_leaf, vs_gltf_line, vs_gltf_through, vs_gltf_boolean) } };
+                                    VS_EMIT_SHAPES(vs_gltf_leaf, vs_gltf_line, vs_gltf_through, vs_gltf_boolean) };

@@ -49,4 +49,4 @@ static vs_node *box_grown(vs_store *s, const vs_node *n, double by) {
   return vs_node_new(s, VS_BOX, &d, NULL, 0);
 }
 
-VS_SHAPE(box, NULL, box_grown);
+VS_SHAPE(box, NULL, box_grown, NULL);

@@ -54,4 +54,4 @@ static vs_node *cone_grown(vs_store *s, const vs_node *n, double by) {
   return vs_node_new(s, VS_CONE, &d, NULL, 0);
 }
 
-VS_SHAPE(cone, cone_axis, cone_grown);
+VS_SHAPE(cone, cone_axis, cone_grown, NULL);

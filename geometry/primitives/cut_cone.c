@@ -56,4 +56,4 @@ static vs_node *cut_cone_grown(vs_store *s, const vs_node *n, double by) {
   return vs_node_new(s, VS_CUT_CONE, &d, NULL, 0);
 }
 
-VS_SHAPE(cut_cone, cut_cone_axis, cut_cone_grown);
+VS_SHAPE(cut_cone, cut_cone_axis, cut_cone_grown, NULL);

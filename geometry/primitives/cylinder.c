@@ -53,4 +53,4 @@ static vs_node *cylinder_grown(vs_store *s, const vs_node *n, double by) {
   return vs_node_new(s, VS_CYLINDER, &d, NULL, 0);
 }
 
-VS_SHAPE(cylinder, cylinder_axis, cylinder_grown);
+VS_SHAPE(cylinder, cylinder_axis, cylinder_grown, NULL);

@@ -67,4 +67,4 @@ static void e_cone_axis(const vs_node *n, vs_vec3 *base, vs_vec3 *top) {
   *base = VS_AS(e_cone, n)->base, *top = VS_AS(e_cone, n)->top;
 }
 
-VS_SHAPE(e_cone, e_cone_axis, NULL);
+VS_SHAPE(e_cone, e_cone_axis, NULL, NULL);

@@ -79,4 +79,4 @@ static vs_node *half_space_grown(vs_store *s, const vs_node *n, double by) {
   return vs_node_new(s, VS_HALF_SPACE, &d, NULL, 0);
 }
 
-VS_SHAPE(half_space, NULL, half_space_grown);
+VS_SHAPE(half_space, NULL, half_space_grown, NULL);

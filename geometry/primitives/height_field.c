@@ -152,4 +152,4 @@ static vs_node *height_field_moved(vs_store *s, const vs_node *n, const vs_affin
   return field;
 }
 
-VS_SHAPE(height_field, NULL, NULL);
+VS_SHAPE(height_field, NULL, NULL, NULL);

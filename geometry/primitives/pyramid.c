@@ -58,4 +58,4 @@ static void pyramid_axis(const vs_node *n, vs_vec3 *base, vs_vec3 *top) {
   *base = VS_AS(pyramid, n)->base, *top = VS_AS(pyramid, n)->top;
 }
 
-VS_SHAPE(pyramid, pyramid_axis, NULL);
+VS_SHAPE(pyramid, pyramid_axis, NULL, NULL);

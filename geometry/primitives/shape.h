@@ -30,16 +30,20 @@ typedef struct {
   void (*axis)(const vs_node *n, vs_vec3 *base, vs_vec3 *top);
   /* Returns n with its faces moved outwards by about `by`, NULL when out of memory. NULL: it has no such formula. */
   vs_node *(*grown)(vs_store *s, const vs_node *n, double by);
+  /* Returns the union of simpler shapes that n is, for formats that write sets and not this kind; the parts have no such
+   * entry. NULL: with *fits false n is better as triangles, else out of memory. NULL: all of the kind are. */
+  vs_node *(*parts)(vs_store *s, const vs_node *n, const vs_origin *origin, bool *fits);
 } vs_shape;
 
-#define VS_SHAPE(lower, axis_, grown_)                                                                                 \
+#define VS_SHAPE(lower, axis_, grown_, parts_)                                                                         \
   const vs_shape vs_shape_##lower = { .bounds = lower##_bounds,                                                        \
                                       .triangles = lower##_triangles,                                                  \
                                       .measure = lower##_measure,                                                      \
                                       .holds = lower##_holds,                                                          \
                                       .moved = lower##_moved,                                                          \
                                       .axis = axis_,                                                                   \
-                                      .grown = grown_ }
+                                      .grown = grown_,                                                                 \
+                                      .parts = parts_ }
 
 const vs_shape *vs_shape_of(const vs_node *n); /* NULL: its role is another */
 

@@ -59,12 +59,11 @@ static bool solid_oval(vs_mesh *out, const vs_affine *frame, vs_vec3 center, dou
   return ok;
 }
 
-static bool solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double r, int n) {
+bool vs_solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double r, int n) {
   return solid_oval(out, frame, center, r, r, n);
 }
 
-/* Facets between the ring that starts at vertex low and the one at high, which lies further along the axis. */
-static bool solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n) {
+bool vs_solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n) {
   bool ok = true;
   for (uint32_t i = 0; ok && i < n; i++) {
     uint32_t j = i + 1 == n ? 0 : i + 1;
@@ -74,8 +73,7 @@ static bool solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n) {
   return ok;
 }
 
-/* Facets from a ring to one vertex: further along the axis, or (back) before it. */
-static bool solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool back) {
+bool vs_solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool back) {
   bool ok = true;
   for (uint32_t i = 0; ok && i < n; i++) {
     uint32_t j = i + 1 == n ? 0 : i + 1;
@@ -87,7 +85,7 @@ static bool solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, boo
 /* Closes a ring with a disc: a fan about its centre, or triangles over the corners alone, halving it again and again. */
 static bool solid_disc(vs_mesh *out, vs_vec3 center, uint32_t ring, uint32_t n, bool back, bool hub) {
   uint32_t tip;
-  if (hub) return vs_mesh_add_vertex(out, center, &tip) && solid_fan(out, ring, n, tip, back);
+  if (hub) return vs_mesh_add_vertex(out, center, &tip) && vs_solid_fan(out, ring, n, tip, back);
   bool ok = true;
   for (uint32_t step = 1; ok && step < n; step *= 2)
     for (uint32_t i = 0; ok && i + step < n; i += 2 * step) {
@@ -115,9 +113,9 @@ bool vs_solid_oval_frustum(vs_mesh *out, vs_vec3 base, double base_radius, doubl
   if (top_radius > 0) ok = ok && solid_oval(out, &frame, top, top_radius, top_across, n);
   if (base_radius > 0) ok = ok && solid_disc(out, base, low, sides, true, hubs);
   if (top_radius > 0) ok = ok && solid_disc(out, top, high, sides, false, hubs);
-  if (base_radius > 0 && top_radius > 0) return ok && solid_band(out, low, high, sides);
-  if (base_radius > 0) return ok && vs_mesh_add_vertex(out, top, &tip) && solid_fan(out, low, sides, tip, false);
-  if (top_radius > 0) return ok && vs_mesh_add_vertex(out, base, &tip) && solid_fan(out, high, sides, tip, true);
+  if (base_radius > 0 && top_radius > 0) return ok && vs_solid_band(out, low, high, sides);
+  if (base_radius > 0) return ok && vs_mesh_add_vertex(out, top, &tip) && vs_solid_fan(out, low, sides, tip, false);
+  if (top_radius > 0) return ok && vs_mesh_add_vertex(out, base, &tip) && vs_solid_fan(out, high, sides, tip, true);
   return ok;
 }
 
@@ -130,14 +128,14 @@ bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n) {
   for (int j = 1; ok && j < rings; j++) { /* from the south pole up */
     double s, c;
     vs_turn_sincos(j, 2 * rings, &s, &c);
-    ok = solid_ring(out, &level, vs_v3(center.x, center.y, center.z - radius * c), radius * s, n);
+    ok = vs_solid_ring(out, &level, vs_v3(center.x, center.y, center.z - radius * c), radius * s, n);
   }
   for (uint32_t j = 1; ok && j + 1 < (uint32_t)rings; j++)
-    ok = solid_band(out, first + (j - 1) * around, first + j * around, around);
+    ok = vs_solid_band(out, first + (j - 1) * around, first + j * around, around);
   return ok && vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z - radius), &south) &&
          vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z + radius), &north) &&
-         solid_fan(out, first, around, south, true) &&
-         solid_fan(out, first + (uint32_t)(rings - 2) * around, around, north, false);
+         vs_solid_fan(out, first, around, south, true) &&
+         vs_solid_fan(out, first + (uint32_t)(rings - 2) * around, around, north, false);
 }
 
 /* A tube wider than its path's radius meets itself on the axis: then only the outer skin is built, from pole to pole. */
@@ -150,10 +148,10 @@ bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, in
     for (int j = 0; ok && j < tube_turn; j++) {
       double s, c;
       vs_turn_sincos(j, tube_turn, &s, &c);
-      ok = solid_ring(out, &level, vs_v3(center.x, center.y, center.z + tube * s), radius + tube * c, around);
+      ok = vs_solid_ring(out, &level, vs_v3(center.x, center.y, center.z + tube * s), radius + tube * c, around);
     }
     for (uint32_t j = 0; ok && j < rows; j++)
-      ok = solid_band(out, first + j * n, first + (j + 1 == rows ? 0 : j + 1) * n, n);
+      ok = vs_solid_band(out, first + j * n, first + (j + 1 == rows ? 0 : j + 1) * n, n);
     return ok;
   }
   double reach = acos(-radius / tube), pole = sqrt((tube - radius) * (tube + radius));
@@ -162,12 +160,12 @@ bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, in
   for (int j = 1; ok && j < rows; j++) {
     double s, c, angle = reach * (2 * j - rows) / rows;
     vs_sincos(angle, &s, &c);
-    ok = solid_ring(out, &level, vs_v3(center.x, center.y, center.z + tube * s), radius + tube * c, around);
+    ok = vs_solid_ring(out, &level, vs_v3(center.x, center.y, center.z + tube * s), radius + tube * c, around);
   }
-  for (uint32_t j = 1; ok && j + 1 < (uint32_t)rows; j++) ok = solid_band(out, first + (j - 1) * n, first + j * n, n);
+  for (uint32_t j = 1; ok && j + 1 < (uint32_t)rows; j++) ok = vs_solid_band(out, first + (j - 1) * n, first + j * n, n);
   return ok && vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z - pole), &south) &&
          vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z + pole), &north) &&
-         solid_fan(out, first, n, south, true) && solid_fan(out, first + (uint32_t)(rows - 2) * n, n, north, false);
+         vs_solid_fan(out, first, n, south, true) && vs_solid_fan(out, first + (uint32_t)(rows - 2) * n, n, north, false);
 }
 
 /* ---- polyface meshes ---- */

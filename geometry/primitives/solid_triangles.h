@@ -8,6 +8,12 @@
 
 /* Is a shape of so many facets round and across still a drawing? Their product becomes huge unseen. False: an error is set. */
 bool vs_solid_fits(int around, int across, const char *what, vs_error *e);
+/* A circle of n corners about the frame's Z direction, the first on its X. */
+bool vs_solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double r, int n);
+/* Triangles between the ring that starts at vertex low and the one at high, which lies further along the axis. */
+bool vs_solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n);
+/* Triangles from a ring to one vertex: further along the axis, or (back) before it. */
+bool vs_solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool back);
 bool vs_solid_box(vs_mesh *out, vs_vec3 p, vs_vec3 q);
 bool vs_solid_wedge(vs_mesh *out, vs_vec3 p, vs_vec3 q);
 /* Between two discs of n corners; a radius of 0 is an apex. hubs: the discs are fans about their centres. */

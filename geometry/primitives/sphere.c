@@ -45,4 +45,4 @@ static vs_node *sphere_grown(vs_store *s, const vs_node *n, double by) {
   return vs_node_new(s, VS_SPHERE, &d, NULL, 0);
 }
 
-VS_SHAPE(sphere, NULL, sphere_grown);
+VS_SHAPE(sphere, NULL, sphere_grown, NULL);

@@ -183,4 +183,4 @@ static vs_node *superellipsoid_moved(vs_store *s, const vs_node *n, const vs_aff
   return vs_node_new(s, VS_SUPERELLIPSOID, &d, NULL, 0);
 }
 
-VS_SHAPE(superellipsoid, NULL, NULL);
+VS_SHAPE(superellipsoid, NULL, NULL, NULL);

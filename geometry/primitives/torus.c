@@ -56,4 +56,4 @@ static vs_node *torus_grown(vs_store *s, const vs_node *n, double by) {
   return vs_node_new(s, VS_TORUS, &d, NULL, 0);
 }
 
-VS_SHAPE(torus, NULL, torus_grown);
+VS_SHAPE(torus, NULL, torus_grown, NULL);

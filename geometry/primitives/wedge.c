@@ -42,4 +42,4 @@ static vs_node *wedge_moved(vs_store *s, const vs_node *n, const vs_affine *a, c
   return vs_node_new(s, VS_WEDGE, &d, NULL, 0);
 }
 
-VS_SHAPE(wedge, NULL, NULL);
+VS_SHAPE(wedge, NULL, NULL, NULL);
