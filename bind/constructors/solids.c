@@ -74,6 +74,14 @@ vs_status vs_p_make_cut_cone(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_CUT_CONE, &d, NULL, 0, out);
 }
 
+vs_status vs_p_make_capsule(vs_frame *f, vs_value *out) {
+  struct vs_capsule d = { .base = POINT(0), .top = POINT(1), .radius = REAL(2), .segments = segments(f) };
+  if (d.radius == 0) return vs_bind_empty(f, "r is 0", out);
+  if (!vs_v3_equal(d.base, d.top)) return vs_bind_make(f, VS_CAPSULE, &d, NULL, 0, out);
+  struct vs_sphere ball = { .center = d.base, .radius = d.radius, .segments = d.segments };
+  return vs_bind_make(f, VS_SPHERE, &ball, NULL, 0, out);
+}
+
 vs_status vs_p_make_e_cone(vs_frame *f, vs_value *out) {
   struct vs_e_cone d = { .base = POINT(0), .base_radius = REAL(1), .base_across = REAL(2), .top = POINT(3), .top_radius = REAL(4), .segments = segments(f) };
   if (vs_v3_equal(d.base, d.top)) return vs_bind_empty(f, "c1 and c2 are the same point", out);
