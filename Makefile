@@ -257,6 +257,10 @@ tsan: ## what runs in threads under the thread sanitizer: interpreters side by s
 	TSAN_OPTIONS="suppressions=$(CURDIR)/scripts/tsan.supp log_path=$(CURDIR)/$(BUILD)/tsan/race" node tests/page/live.mjs $(CURDIR)/$(BUILD)/tsan/vs $(BUILD)/tsan/live
 	! cat $(BUILD)/tsan/race.* 2>/dev/null
 
+static: ## what cppcheck, clang's analyzer and gcc -fanalyzer find where strangers' input is met, and nobody has judged yet
+	sh scripts/install.sh build static
+	sh scripts/static.sh
+
 # The kernel alone, under both: its units, a sample of its random trees, and files as the program writes them.
 KERNEL_UNITS = test_random_solids test_kernel test_crowds test_kernel_refusals test_inspect test_progress
 KERNEL_TESTS = $(KERNEL_UNITS:%=unit/%) vs tools/crossings tools/fuzz
@@ -322,5 +326,5 @@ clean: ## remove what was built
 help: ## list the targets
 	@awk -F ':.*## ' '/^help:.*## / { first = sprintf("make %-9s %s\n", $$1, $$2) } /^[a-z]+:.*## / && !/^help:/ { rest = rest sprintf("make %-9s %s\n", $$1, $$2) } END { printf "%s%s", first, rest }' Makefile
 
-.PHONY: all objects demo test check units tests quick asan ubsan tsan sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install clean help
+.PHONY: all objects demo test check units tests quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)

@@ -50,13 +50,26 @@ grep -q 'INSIDE-3("inside.vs")' "$work/said" || echo "did not read its own folde
 grep -a 'secret.vs\|"passwd"\|"uevent_seqnum"' "$work/said" >> "$work/wrong"
 say reads
 
-if command -v strace >/dev/null 2>&1 && run strace -o /dev/null true 2>/dev/null; then
-  run strace -f -y -o "$work/trace" -e trace=%file,%network,%process "$BUILD/vs" --untrusted -q models/model.vs -o out/traced.stl > /dev/null 2>&1 < /dev/null
+# trace MODEL: what it opened, ran or connected to outside of its folder
+trace() {
+  run strace -f -y -o "$work/trace" -e trace=%file,%network,%process "$BUILD/vs" --untrusted -q "$1" -o out/traced.stl > /dev/null 2>&1 < /dev/null
+  [ -s "$work/trace" ] || echo "$1: nothing was traced"
   sed -n 's/.*open[a-z0-9]*(.* = [0-9]*<\(.*\)>$/\1/p' "$work/trace" | grep -v "^$work/models\|^$work/out\|^/usr/\|^/usr$\|^/dev/urandom\|^/lib\|^/etc/ld.so\|^/etc/localtime\|^/proc/[0-9]*/sched\|^/proc/[0-9]*/statm\|^/dev/null\|^/sys/devices/system/cpu" |
-    sed 's/^/opened /' | sort -u >> "$work/wrong"
-  grep -a 'execve(' "$work/trace" | tail -n +2 | grep -v "$BUILD/vs" >> "$work/wrong"
-  grep -a 'connect(\|sendto(\|socket(' "$work/trace" >> "$work/wrong"
+    sed "s|^|$1 opened |" | sort -u
+  grep -a 'execve(' "$work/trace" | tail -n +2 | grep -v "$BUILD/vs"
+  grep -a 'connect(\|sendto(\|socket(' "$work/trace"
+}
+
+if command -v strace >/dev/null 2>&1 && run strace -o /dev/null true 2>/dev/null; then
+  trace models/model.vs >> "$work/wrong"
   say traced
+  # its tries as models of their own, a hundred of them: what one ends keeps no other from trying
+  if [ -n "${LONG:-}" ]; then
+    awk -v to="$models/hostile" 'END { for (i = 0; i < 100; i++) { f = to i ".vs"; for (k = i; k < NR; k += 100) print l[k] > f; print "(draw (make-sphere (xyz 0 0 0) 1))" > f; close(f) } } { l[NR - 1] = $0 }' "$models/model.vs"
+    for i in $(seq 0 99); do trace "models/hostile$i.vs"; done >> "$work/wrong"
+    rm -f "$models"/hostile*
+    say traced-hundred
+  fi
 else
   echo "skip limits/untrusted-traced: no strace"
 fi

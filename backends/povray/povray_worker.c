@@ -176,7 +176,8 @@ static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene) {
   sigaddset(&signals, SIGTERM);
   sigaddset(&signals, SIGHUP);
   posix_spawnattr_setsigdefault(&attributes, &signals);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  /* A group of its own, so that what it has started ends with it. */
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
   int problem = posix_spawnp(&r->process, "povray", &files, &attributes, arguments, environment);
   posix_spawn_file_actions_destroy(&files);
   posix_spawnattr_destroy(&attributes);
@@ -192,30 +193,42 @@ static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene) {
   return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray did not start: %s", strerror(problem));
 }
 
+static void run_pause(void) { nanosleep(&(struct timespec){ .tv_nsec = 20000000 }, NULL); }
+
+/* Has it ended? Then whatever it started and left goes, too, while its number is still its own. */
+static bool run_ended(pov_run *r, int *status) {
+  siginfo_t how = { .si_pid = 0 };
+  if (waitid(P_PID, (id_t)r->process, &how, WEXITED | WNOHANG | WNOWAIT) == 0 && how.si_pid == 0) return false;
+  kill(-r->process, SIGKILL);
+  while (waitpid(r->process, status, 0) < 0 && errno == EINTR) continue;
+  return true;
+}
+
 /* Ends it, hard if it does not listen within two seconds; its exit status either way. */
 static int run_stop(pov_run *r) {
   int status = 0;
-  kill(r->process, SIGTERM);
+  kill(-r->process, SIGTERM);
   for (int i = 0; i < 100; i++) {
-    if (waitpid(r->process, &status, WNOHANG) == r->process) return status;
-    nanosleep(&(struct timespec){ .tv_nsec = 20000000 }, NULL);
+    if (run_ended(r, &status)) return status;
+    run_pause();
   }
-  kill(r->process, SIGKILL);
-  while (waitpid(r->process, &status, 0) < 0 && errno == EINTR) continue;
+  kill(-r->process, SIGKILL);
+  while (!run_ended(r, &status)) run_pause();
   return status;
 }
 
-/* Listens until it ends. False: stopped, and the error says why. */
+/* Listens until it ends, also where it has closed its side before. False: stopped, and the error says why. */
 static bool run_listen(vs_emitter *e, pov_run *r, int *status) {
   double begun = run_now(), told = 0;
-  for (;;) {
+  for (bool talks = true; talks || !run_ended(r, status);) {
     struct pollfd wait = { .fd = r->errors, .events = POLLIN };
     char bytes[4096];
-    int ready = poll(&wait, 1, 100);
-    if (ready > 0) {
+    if (!talks) {
+      run_pause();
+    } else if (poll(&wait, 1, 100) > 0) {
       ssize_t count = read(r->errors, bytes, sizeof bytes);
       if (count > 0) run_hear(r, bytes, (size_t)count);
-      if (count == 0) break;
+      talks = count != 0;
     }
     double now = run_now();
     if (now - told > 0.1) {
@@ -227,10 +240,10 @@ static bool run_listen(vs_emitter *e, pov_run *r, int *status) {
     }
     if (e->options->worker_seconds > 0 && now - begun > e->options->worker_seconds) {
       *status = run_stop(r);
-      return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray was stopped after %g seconds", e->options->worker_seconds);
+      return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray was stopped after %g seconds",
+                          e->options->worker_seconds);
     }
   }
-  while (waitpid(r->process, status, 0) < 0 && errno == EINTR) continue;
   return vs_emit_progress(e, "rendering", r->fraction); /* an interrupt may have ended it before us */
 }
 
@@ -244,7 +257,8 @@ static bool run_judge(vs_emitter *e, pov_run *r, int status) {
     return vs_error_set(e->error, VS_ERROR_WORKER, vs_emit_line_origin(e, (uint32_t)line), "POV-Ray: %s", complaint);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return true;
   if (WIFSIGNALED(status)) return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray was ended by signal %d", WTERMSIG(status));
-  return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray failed: %s", run_last_line(r->text));
+  const char *last = run_last_line(r->text);
+  return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray failed%s%s", *last ? ": " : " and said nothing", last);
 }
 
 /* POV-Ray gives its own threads a few seconds to start and then gives up, which happens on a machine with much other

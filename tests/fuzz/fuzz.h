@@ -78,6 +78,20 @@ static inline void fuzz_note(const uint8_t *data, size_t size, bool anew) {
   j->used += sizeof n + size;
 }
 
+/* An interpreter of a stranger's model. */
+static inline vs_scheme *fuzz_open(fuzz_file *file) {
+  vs_options o = vs_options_default();
+  o.untrusted = true;
+  o.limit_steps = 3000, o.limit_memory = 64 << 20, o.limit_output = 1 << 16, o.limit_time = 5,
+  o.limit_triangles = 20000, o.cache = 1 << 20;
+  o.host = (vs_host){
+    .context = file, .output = fuzz_drop, .diagnose = fuzz_told, .value = fuzz_value, .read_file = fuzz_read
+  };
+  vs_scheme *s = vs_new(&o);
+  if (!s) abort();
+  return s;
+}
+
 /* The interpreter for the next input. It begins anew after so many `turns`, since a beginning costs more than a small program; `begin` is run then, and may be NULL. */
 static inline vs_scheme *fuzz_interpreter(fuzz_file *file, const uint8_t *data, size_t size, unsigned turns,
                                           const char *begin) {
@@ -87,16 +101,7 @@ static inline vs_scheme *fuzz_interpreter(fuzz_file *file, const uint8_t *data, 
   const bool anew = !s || ++turn >= turns;
   if (s && anew && ++life % LIVES == 0) vs_free(s), s = NULL;
   if (s && anew) vs_restart(s);
-  if (!s) {
-    vs_options o = vs_options_default();
-    o.untrusted = true;
-    o.limit_steps = 3000, o.limit_memory = 64 << 20, o.limit_output = 1 << 16, o.limit_time = 5,
-    o.limit_triangles = 20000, o.cache = 1 << 20;
-    o.host = (vs_host){
-      .context = file, .output = fuzz_drop, .diagnose = fuzz_told, .value = fuzz_value, .read_file = fuzz_read
-    };
-    if (!(s = vs_new(&o))) abort();
-  }
+  if (!s) s = fuzz_open(file);
   if (anew) turn = 0;
   if (anew && begin && vs_eval_text(s, "begin", 1, begin, strlen(begin), 0) != VS_OUTCOME_DONE) abort();
   fuzz_note(data, size, anew);

@@ -143,6 +143,7 @@ bool vs_port_close(vs_scheme *vm, vs_value port) {
 /* ---- output ---- */
 
 static bool collect(vs_scheme *vm, vs_value port, const char *bytes, size_t n) {
+  if (n == 0) return true; /* there may be no buffer yet */
   VS_ROOTS(vm, r, 2);
   r[0] = port;
   vs_port *p = vs_as_port(port);
