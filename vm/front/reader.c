@@ -289,7 +289,8 @@ static void read_char(reader *r, vs_value *out) {
 static bool read_escape(reader *r, vs_text *t) {
   vs_pos pos = place(r, r->at - 1);
   int c = peek(r, 0);
-  size_t start = r->at++;
+  size_t start = r->at;
+  if (c >= 0) r->at++; /* the text may end with the backslash */
   switch (c) {
   case 'a': return vs_text_char(t, 7);
   case 'b': return vs_text_char(t, 8);
