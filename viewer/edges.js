@@ -27,23 +27,31 @@ export function featureEdges(g) {
     if (number === undefined) places.set(key, number = places.size + 1);
     return place[v] = number;
   };
-  const seen = new Map(), out = [], sides = [];
+  // A round side's corners may be several at its tip: where the normals at one end agree, the surface goes on.
+  const N = g.normal, seen = new Map(), out = [], sides = [], corners = [], alike = (u, v) => {
+    const x = 3 * u, y = 3 * v, dot = N[x] * N[y] + N[x + 1] * N[y + 1] + N[x + 2] * N[y + 2];
+    return dot > 0 && dot * dot > 0.96 * (N[x] ** 2 + N[x + 1] ** 2 + N[x + 2] ** 2) * (N[y] ** 2 + N[y + 1] ** 2 + N[y + 2] ** 2);
+  };
   for (const [key, triangle] of uses) {
     if (triangle < 0) continue;
     const b = key % vertices, a = (key - b) / vertices, p = placeOf(a), q = placeOf(b);
     if (p === q) continue;
     const name = p < q ? p * 0x4000000 + q : q * 0x4000000 + p, before = seen.get(name);
     if (before !== undefined) {
+      const [u, v] = [corners[before / 3], corners[before / 3 + 1]];
+      if (N && (alike(u, placeOf(u) === p ? a : b) || alike(v, placeOf(v) === q ? b : a))) corners[before / 3] = -1;
       if (sides[before + 3] === 0 && sides[before + 4] === 0 && sides[before + 5] === 0) normalOf(position, index, triangle, sides, before + 3);
       continue;
     }
     seen.set(name, sides.length);
     normalOf(position, index, triangle, sides, sides.length);
     sides.push(0, 0, 0);
+    corners.push(a, b);
     out.push(position[3 * a], position[3 * a + 1], position[3 * a + 2], position[3 * b], position[3 * b + 1], position[3 * b + 2]);
   }
-  g.edgeSides = Float32Array.from(sides);
-  return Float32Array.from(out);
+  const kept = (_, i) => corners[2 * Math.floor(i / 6)] >= 0;
+  g.edgeSides = Float32Array.from(sides.filter(kept));
+  return Float32Array.from(out.filter(kept));
 }
 
 function normalOf(P, I, t, to, at) {
