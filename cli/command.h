@@ -10,6 +10,7 @@
 #include "cli/messages.h"
 
 struct cli_editor; /* repl.c: line editing */
+struct live_follower; /* live/live.h */
 
 typedef struct {
   cli_options *options;
@@ -25,6 +26,8 @@ typedef struct {
   const volatile sig_atomic_t *ended; /* not 0: the system wants the command to end */
   char *model;                /* the file that ,run was given; NULL: what the command line named */
   struct cli_editor *editor;  /* NULL: no prompt is being shown */
+  struct live_follower *view; /* what ,view opened, or NULL */
+  bool drawn;                 /* something was run since the view showed the drawing */
   unsigned stops;             /* VS_EVAL_STOP: the files that are run may stop; VS_EVAL_PASS: they do not; 0:
       they warn */
   long frame;                 /* of --frames, from 1; 0: there are none */

@@ -40,6 +40,7 @@ static bool print_output(void *context, const char *text, size_t length) {
   cli_session *c = context;
   cli_report_settle(&c->reporter);
   if (length) c->midline = text[length - 1] != '\n';
+  if (c->view) live_follow_output(c->view, text, length);
   if (fwrite(text, 1, length, c->output) == length) return true;
   if (!c->output_failed) fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
   c->output_failed = true;
@@ -60,16 +61,21 @@ static void print_value(void *context, const char *text, size_t length) {
   cli_session *c = context;
   char name[24];
   c->results++;
+  struct live_follower *view = c->view;
+  c->view = NULL; /* which has values apart from what is printed */
   if (c->editor) print_output(c, name, (size_t)snprintf(name, sizeof name, cli_colours(1) ? "\033[2m$%u =\033[0m "
       : "$%u = ", c->results));
   print_output(c, text, length);
   print_output(c, "\n", 1);
+  c->view = view;
+  if (view) live_follow_value(view, text, length);
 }
 
 static void print_diagnostic(void *context, const vs_diagnostic *d) {
   cli_session *c = context;
   if (d->severity == VS_SEVERITY_ERROR && d->outcome == VS_OUTCOME_MACHINE) atomic_store(&c->watch.told, true);
   cli_report_diagnostic(&c->reporter, d);
+  if (c->view) live_follow_diagnose(c->view, d);
 }
 static bool read_untrusted(void *context, const char *path, char **text, size_t *length, const char **why) {
   return cli_untrusted_read(&((cli_session *)context)->untrusted, path, text, length, why);
@@ -105,6 +111,7 @@ static char *read_all(FILE *from, size_t *length) {
 }
 
 vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags) {
+  c->drawn = true;
   cli_watch_begin(&c->watch, true);
   vs_outcome outcome = vs_eval_text(c->scheme, name, first_line, text, length, flags);
   cli_watch_end(&c->watch);
@@ -112,6 +119,7 @@ vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_lin
 }
 
 static vs_outcome run_file(cli_session *c, const char *path) {
+  c->drawn = true;
   cli_watch_begin(&c->watch, true);
   vs_outcome outcome = vs_eval_file(c->scheme, path, c->stops);
   cli_watch_end(&c->watch);

@@ -20,8 +20,10 @@ extern char **environ;
 
 enum { LOOK_MS = 40, PRINTED_MOST = 1 << 20, COARSE_SEGMENTS = 12 };
 
-typedef struct {
+typedef struct live_follower {
   const live_options *options;
+  live_options own;    /* what options is of a view that follows */
+  bool follows;        /* the interpreter is somebody else's */
   live_publish publish;
   live_server server;
   vs_scheme *scheme;
@@ -167,11 +169,13 @@ static void add_parameters(live *l, live_text *t) {
 
 static void publish_state(live *l, bool good, vs_outcome outcome) {
   live_text t = { 0 };
-  live_putf(&t, "{\"version\":%u,\"good\":%s,\"stopped\":%s,\"prompted\":%s,\"seconds\":", l->version, good ? "true" : "false",
-            outcome == VS_OUTCOME_INTERRUPTED ? "true" : "false", l->prompted ? "true" : "false");
+  const char *const yes[] = { "false", "true" };
+  live_putf(&t, "{\"version\":%u,\"good\":%s,\"stopped\":%s,", l->version, yes[good],
+            yes[outcome == VS_OUTCOME_INTERRUPTED]);
+  live_putf(&t, "\"prompted\":%s,\"follows\":%s,\"seconds\":", yes[l->prompted], yes[l->follows]);
   live_number(&t, now() - l->began);
   live_puts(&t, ",\"model\":");
-  live_json(&t, l->options->model);
+  live_json(&t, l->follows ? "prompt" : l->options->model);
   live_puts(&t, ",\"messages\":[");
   live_puts(&t, l->messages.at != NULL ? l->messages.at : "");
   live_puts(&t, "],\"printed\":");
@@ -202,8 +206,9 @@ static vs_outcome publish_drawing(live *l, bool another) {
   vs_outcome outcome = vs_drawing_summary(l->scheme, &summary);
   if (outcome == VS_OUTCOME_DONE && summary.objects > 0)
     outcome = vs_write_drawing_to(l->scheme, "x3d-packed", &o, scene_bytes, &bytes);
-  live_scene *last = another && outcome == VS_OUTCOME_DONE ? live_scene_take(&l->publish) : NULL;
-  bool same = last != NULL && last->count == bytes.length && memcmp(last->bytes, bytes.at, bytes.length) == 0;
+  live_scene *last = (another || l->follows) && outcome == VS_OUTCOME_DONE ? live_scene_take(&l->publish) : NULL;
+  bool same = last != NULL && last->count == bytes.length &&
+              (bytes.length == 0 || memcmp(last->bytes, bytes.at, bytes.length) == 0);
   if (last != NULL) live_scene_release(&l->publish, last);
   if (same) {
     live_text_free(&bytes);
@@ -409,13 +414,43 @@ static void open_browser(const char *address) {
   free(copies[1]);
 }
 
-vs_outcome live_view(const live_options *o) {
+static void tell_address(const live *l) {
+  char address[96];
+  snprintf(address, sizeof address, "http://127.0.0.1:%u/#%s", l->server.port, l->server.token);
+  fprintf(l->options->told, "%s\n", address);
+  fflush(l->options->told);
+  if (l->options->open_browser) open_browser(address);
+}
+
+/* Lets go of all but l itself. */
+static void close_view(live *l) {
+  pthread_mutex_lock(&l->publish.lock);
+  l->publish.ended = true;
+  pthread_cond_broadcast(&l->publish.changed);
+  pthread_mutex_unlock(&l->publish.lock);
+  if (l->server.publish != NULL) live_server_close(&l->server);
+  live_aside_close(&l->aside);
+  if (!l->follows) vs_free(l->scheme);
+  live_files_clear(&l->files);
+  live_text_free(&l->released);
+  live_text_free(&l->printed);
+  live_text_free(&l->messages);
+  live_text_free(&l->values);
+  live_publish_close(&l->publish);
+}
+
+/* NULL: standard error has been told. */
+static live *new_view(void) {
   live *l = calloc(1, sizeof *l);
-  if (l == NULL || !live_publish_open(&l->publish)) {
-    fprintf(stderr, "vs: out of memory\n");
-    free(l);
-    return VS_OUTCOME_MACHINE;
-  }
+  if (l != NULL && live_publish_open(&l->publish)) return l;
+  fprintf(stderr, "vs: out of memory\n");
+  free(l);
+  return NULL;
+}
+
+vs_outcome live_view(const live_options *o) {
+  live *l = new_view();
+  if (l == NULL) return VS_OUTCOME_MACHINE;
   vs_outcome outcome = VS_OUTCOME_MACHINE;
   l->options = o;
   char *text = NULL;
@@ -451,30 +486,71 @@ vs_outcome live_view(const live_options *o) {
   l->aside = (live_aside){ .options = o, .publish = &l->publish };
   if (!live_aside_open(&l->aside)) goto done;
   if (!live_server_open(&l->server)) goto done;
-  char address[96];
-  snprintf(address, sizeof address, "http://127.0.0.1:%u/#%s", l->server.port, l->server.token);
-  fprintf(o->told, "%s\n", address);
-  fflush(o->told);
-  if (o->open_browser) open_browser(address);
+  tell_address(l);
   if (o->running != NULL) o->running(l->scheme);
   serve(l);
   if (o->running != NULL) o->running(NULL);
   outcome = VS_OUTCOME_DONE;
 done:
-  pthread_mutex_lock(&l->publish.lock);
-  l->publish.ended = true;
-  pthread_cond_broadcast(&l->publish.changed);
-  pthread_mutex_unlock(&l->publish.lock);
-  if (l->server.publish != NULL) live_server_close(&l->server);
-  live_aside_close(&l->aside);
-  vs_free(l->scheme);
-  live_files_clear(&l->files);
-  live_text_free(&l->released);
-  live_text_free(&l->printed);
-  live_text_free(&l->messages);
-  live_text_free(&l->values);
-  live_publish_close(&l->publish);
+  close_view(l);
   free(text);
   free(l);
   return outcome;
+}
+
+/* ---- a view that follows ---- */
+
+live_follower *live_follow(const live_options *o, vs_scheme *scheme) {
+  live *l = new_view();
+  if (l == NULL) return NULL;
+  l->own = *o;
+  l->own.model = NULL;
+  l->own.parameter_count = 0;
+  l->options = &l->own;
+  l->follows = l->prompted = true;
+  l->scheme = scheme;
+  l->server = (live_server){ .publish = &l->publish, .stop = stop, .stop_context = l, .options = l->options };
+  if (!live_http_load(&l->server.http) || !live_server_open(&l->server)) {
+    live_follow_close(l);
+    return NULL;
+  }
+  begin(l);
+  live_follow_show(l);
+  tell_address(l);
+  return l;
+}
+
+void live_follow_close(live_follower *l) {
+  if (l == NULL) return;
+  close_view(l);
+  free(l);
+}
+
+void live_follow_tell(const live_follower *l) { tell_address(l); }
+void live_follow_begin(live_follower *l) { begin(l); }
+void live_follow_output(live_follower *l, const char *text, size_t length) { host_output(l, text, length); }
+void live_follow_value(live_follower *l, const char *text, size_t length) { host_value(l, text, length); }
+void live_follow_diagnose(live_follower *l, const vs_diagnostic *d) { host_diagnose(l, d); }
+void live_follow_show(live_follower *l) { finish(l, VS_OUTCOME_DONE); }
+
+live_asked live_follow_asked(live_follower *l) {
+  live_asked asked = { LIVE_NOTHING, NULL, NULL };
+  for (live_wish *w; asked.kind == LIVE_NOTHING && (w = live_wish_take(&l->publish, &l->publish.wishes, 0)) != NULL;) {
+    if (w->kind == LIVE_EXPORT) {
+      run_export(l, w);
+      continue;
+    }
+    if (w->kind != LIVE_TRY) {
+      asked = (live_asked){ w->kind == LIVE_SET ? LIVE_ASKED_SET : LIVE_ASKED_PROMPT, w->name, w->value };
+      w->name = w->value = NULL;
+    }
+    live_wish_free(w);
+  }
+  return asked;
+}
+
+void live_asked_free(live_asked *a) {
+  free(a->name);
+  free(a->value);
+  *a = (live_asked){ LIVE_NOTHING, NULL, NULL };
 }

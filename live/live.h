@@ -27,6 +27,28 @@ typedef struct live_options {
   void (*running)(vs_scheme *scheme);          /* told of the interpreter, so that a signal can interrupt it; NULL at the end; may be NULL itself */
 } live_options;
 
+/* A view of an interpreter that somebody else uses: the prompt. All calls come from the thread that uses it. */
+typedef struct live_follower live_follower;
+
+typedef enum { LIVE_NOTHING, LIVE_ASKED_SET, LIVE_ASKED_PROMPT } live_asked_kind;
+typedef struct { live_asked_kind kind; char *name, *value; } live_asked; /* live_asked_free frees both */
+
+/* Opens a view on what the interpreter draws; o->model, interpreter's host, parameters, ended and running count for
+ * nothing. The address is told, and the drawing shown as it is. NULL: what failed has been said on standard error. */
+live_follower *live_follow(const live_options *o, vs_scheme *scheme);
+void live_follow_close(live_follower *f);
+void live_follow_tell(const live_follower *f); /* the address once more, and the browser */
+/* What is said from here on belongs to the next thing that is shown; the host hands over what it is told. */
+void live_follow_begin(live_follower *f);
+void live_follow_output(live_follower *f, const char *text, size_t length);
+void live_follow_value(live_follower *f, const char *text, size_t length);
+void live_follow_diagnose(live_follower *f, const vs_diagnostic *d);
+/* Shows the drawing as it is, and what was said. */
+void live_follow_show(live_follower *f);
+/* What a window asks for next. Outputs are made at once, here. LIVE_NOTHING: no window asks for anything. */
+live_asked live_follow_asked(live_follower *f);
+void live_asked_free(live_asked *a);
+
 /* Shows the model until *ended is set. Returns VS_OUTCOME_DONE then; VS_OUTCOME_USAGE: the model cannot be read; VS_OUTCOME_WORKER: no libmicrohttpd;
  * VS_OUTCOME_MACHINE: no memory or no port. What failed has been said on standard error. */
 vs_outcome live_view(const live_options *o);

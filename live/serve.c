@@ -209,10 +209,13 @@ static enum MHD_Result serve_scene(live_server *s, struct MHD_Connection *c) {
 
 /* ---- the source ---- */
 
+static const char NO_SOURCE[] = "the view follows a prompt: there is no file behind it\n";
+
 static enum MHD_Result serve_source(live_server *s, struct MHD_Connection *c) {
   char *text = NULL;
   size_t length = 0;
   const char *why;
+  if (s->model == NULL) return answer_text(s, c, 404, NO_SOURCE);
   if (!live_file_read(s->model, &text, &length, &why)) return answer_text(s, c, 404, why);
   live_text t = { 0 };
   live_puts(&t, "{\"path\":");
@@ -226,6 +229,7 @@ static enum MHD_Result serve_source(live_server *s, struct MHD_Connection *c) {
 
 static enum MHD_Result save_source(live_server *s, struct MHD_Connection *c, const live_text *body) {
   const char *expected = query(s, c, "hash"), *text = body->at != NULL ? body->at : "";
+  if (s->model == NULL) return answer_text(s, c, 404, NO_SOURCE);
   if (expected == NULL) return answer_text(s, c, 400, "which version is it written over?\n");
   const char *why = live_file_write(s->model, text, body->length, strtoull(expected, NULL, 16));
   if (why == LIVE_NEWER) return answer_text(s, c, 409, why);
@@ -260,7 +264,7 @@ static enum MHD_Result serve_names(live_server *s, struct MHD_Connection *c) {
 static enum MHD_Result serve_check(live_server *s, struct MHD_Connection *c, const live_text *body) {
   char *bytes = NULL;
   size_t count = 0;
-  FILE *to = s->options->check != NULL ? open_memstream(&bytes, &count) : NULL;
+  FILE *to = s->options->check != NULL && s->model != NULL ? open_memstream(&bytes, &count) : NULL;
   if (to == NULL) return answer_text(s, c, 404, "nobody checks here\n");
   const char *text = body->at != NULL ? body->at : "";
   pthread_mutex_lock(&s->names_lock); /* one at a time: each may take memory and seconds */
@@ -284,6 +288,7 @@ static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const li
   const char *format = query(s, c, "format"), *size = query(s, c, "size"), *id = query(s, c, "id");
   const vs_format_info *info = format != NULL ? vs_format_find(format) : NULL;
   live_publish *p = s->publish;
+  if (values != NULL && s->model == NULL) return answer_text(s, c, 404, NO_SOURCE);
   live_wish *w = info != NULL ? live_wish_new(LIVE_EXPORT, info->name, size != NULL ? size : "") : NULL;
   if (w == NULL) return answer_text(s, c, 400, "there is no such format\n");
   if (values != NULL) {

@@ -8,7 +8,7 @@
 typedef struct live_server {
   live_http http;
   live_publish *publish;
-  const char *model;          /* the path of the source that windows read and write */
+  const char *model;          /* the path of the source that windows read and write; NULL: there is none */
   void (*stop)(void *context); /* interrupts what runs; called from any thread */
   void *stop_context;
   const struct live_options *options; /* its check is asked */

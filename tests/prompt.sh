@@ -119,7 +119,7 @@ ctrl-D gives up what is stopped|(leg 7)\n|stopped, in leg: h = 7
 ,load and ,reload|,load model.vs\n|the model is loaded
 |,reload\n|the model is loaded
 ,render|,render out.png\n\w|; wrote out.png
-,view|,view\n\w|.html
+,view|,view\n\w|; the page follows the drawing
 ,write|,write out.stl\n|; wrote out.stl
 END
 cat > "$work/model.vs" <<'END'

@@ -21,7 +21,7 @@ class Live {
     const root = document.getElementById("live");
     this.name = el("b", {}, "…");
     this.status = el("span", { class: "status", role: "status" }, "connecting");
-    this.saveButton = el("button", { type: "button", class: "button", title: "Save (Ctrl S)", disabled: true, onclick: () => this.save() }, "Save");
+    this.saveButton = el("button", { type: "button", class: "button save", title: "Save (Ctrl S)", disabled: true, onclick: () => this.save() }, "Save");
     this.stopButton = el("button", { type: "button", class: "button", title: "Stop what runs", disabled: true, onclick: () => ask("/stop", { method: "POST" }) }, "Stop");
     this.editorPlace = el("div", { class: "editor" });
     this.messages = el("div", { class: "messages", role: "log", "aria-label": "Messages", hidden: true });
@@ -157,6 +157,7 @@ class Live {
     this.state = state;
     this.stopButton.disabled = true;
     this.name.textContent = state.model.split("/").pop();
+    document.getElementById("live").classList.toggle("follows", state.follows); // A prompt in a terminal: there is no source.
     this.#outcome(state);
     this.#messages(state.messages);
     this.source.diagnose(state.messages.filter((m) => this.#isModel(m.at.file)));

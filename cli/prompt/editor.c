@@ -20,8 +20,9 @@
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <wchar.h>
 
-enum { HISTORY_ENTRIES = 2000, FLASH = 250 /* ms that a matching parenthesis is shown */ };
+enum { LOOK_MS = 40, HISTORY_ENTRIES = 2000, FLASH = 250 /* ms that a matching parenthesis is shown */ };
 #define FLASHED "\033[9999~" /* a key that no keyboard has */
 
 /* libedit's functions, loaded when the first editor opens: linked in, it and the three libraries behind it would take
@@ -57,6 +58,8 @@ struct cli_editor {
   int back;             /* characters from the parenthesis that is shown for a moment to where the cursor belongs; 0: none is */
   ptrdiff_t closed;     /* where completion has closed a string: a quote typed there is that one; 0: nowhere */
   void (*commands)(void (*each)(void *context, const char *name), void *context);
+  cli_idle idle;
+  mbstate_t partial;    /* of a character whose bytes have not all come */
 };
 
 bool cli_colours(int descriptor) {
@@ -604,6 +607,36 @@ cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(voi
       NULL);
   libedit.el_set(e->line, EL_SIGNAL, 0);
   return e;
+}
+
+/* As libedit's own reading of a character, but for what is done while none comes. */
+static int read_key(EditLine *line, wchar_t *key) {
+  cli_editor *e = editor_of(line);
+  for (;;) {
+    struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
+    int ready = poll(&in, 1, e->idle.look ? LOOK_MS : -1);
+    if (ready < 0) return -1;
+    if (ready == 0) {
+      if (!e->idle.look || !e->idle.look(e->idle.context)) continue;
+      fputs("\r\033[K", stdout);
+      e->idle.act(e->idle.context);
+      fflush(stdout);
+      libedit.el_set(line, EL_REFRESH);
+      continue;
+    }
+    char byte;
+    ssize_t got = read(STDIN_FILENO, &byte, 1);
+    if (got <= 0) return (int)got;
+    size_t used = mbrtowc(key, &byte, 1, &e->partial);
+    if (used == (size_t)-2) continue;
+    if (used != (size_t)-1) return 1;
+    memset(&e->partial, 0, sizeof e->partial); /* no character: it is dropped */
+  }
+}
+
+void cli_editor_idle(cli_editor *e, cli_idle idle) {
+  e->idle = idle;
+  libedit.el_set(e->line, EL_GETCFN, read_key);
 }
 
 bool cli_editor_has_more(const cli_editor *e) {

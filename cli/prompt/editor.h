@@ -15,6 +15,10 @@ void cli_editor_close(cli_editor *e); /* saves the history; NULL is fine */
  * (errno EINTR). open: the lines before it,
  * whose expression is still open ("" where none is). *whole: the line holds those before it too. */
 const char *cli_editor_line(cli_editor *e, const char *prompt, const char *open, size_t *length, bool *whole);
+/* While no key comes: `look` is called every few hundredths of a second; where it returns true, `act` is called with
+ * the line out of the way, and the line shown again behind what it printed. */
+typedef struct { bool (*look)(void *context); void (*act)(void *context); void *context; } cli_idle;
+void cli_editor_idle(cli_editor *e, cli_idle idle);
 /* A whole expression, or a command, to come back to. */
 void cli_editor_remember(cli_editor *e, const char *text, size_t length);
 /* Has more been typed already, as when text is pasted on a terminal that does not say so? */

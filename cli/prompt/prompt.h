@@ -4,6 +4,7 @@
 #define VS_CLI_PROMPT_H
 
 #include "cli/command.h"
+#include "live/live.h"
 
 /* What was typed and worked, in order: what ,undo takes back and ,save writes. */
 typedef struct {
@@ -24,9 +25,13 @@ typedef struct {
       text NULL: a file that was run */
   size_t stopped_count, stopped_room;
   int again;              /* 1 + the vs_resume_way that an empty line repeats; 0: none */
+  cli_session *session;   /* whose drawing the view shows, once ,view has opened one */
+  live_asked asked;       /* what a window asks of it */
   bool told_stops;        /* how to go on has been said */
 } cli_prompt;
 
+/* NAME VALUE: a parameter of the model, which then runs again. */
+void cli_prompt_set(cli_session *c, char *rest);
 /* rest: what stands behind the comma, NUL-terminated; it is changed. */
 void cli_prompt_command(cli_session *c, cli_prompt *p, char *line);
 void cli_command_names(void (*each)(void *context, const char *name), void *context);

@@ -27,28 +27,6 @@ static void write_file(cli_session *c, const char *path, const char *command) {
   }
 }
 
-static void view_page(cli_session *c) {
-  char path[256];
-  const char *folder = getenv("TMPDIR"), *browser = getenv("BROWSER");
-  snprintf(path, sizeof path, "%.200s/vs-view-%ld.html", folder && *folder ? folder : "/tmp", (long)getpid());
-  cli_target target = {path, "html"};
-  if (cli_session_write(c, &target) != VS_OUTCOME_DONE) return;
-  fflush(stdout);
-  pid_t child = fork();
-  if (child == 0) {
-    if (fork() == 0) { /* the browser outlives the prompt and is nobody's child */
-      setsid();
-      if (!freopen("/dev/null", "w", stderr) || !freopen("/dev/null", "w", stdout)) _exit(127);
-      if (browser && *browser) execlp(browser, browser, path, (char *)NULL);
-      execlp("xdg-open", "xdg-open", path, (char *)NULL);
-      execlp("open", "open", path, (char *)NULL);
-    }
-    _exit(0);
-  }
-  if (child > 0) waitpid(child, NULL, 0);
-  printf("; %s, for any browser\n", path);
-}
-
 /* FILE, or what was run last, from the start. */
 static vs_outcome run_model(cli_session *c, const char *path) {
   const cli_options *o = c->options;
@@ -108,8 +86,7 @@ static void load_file(cli_session *c, cli_prompt *p, const char *path) {
 
 /* ---- parameters ---- */
 
-/* NAME VALUE: a parameter of the model, which then runs again. */
-static void set_parameter(cli_session *c, char *rest) {
+void cli_prompt_set(cli_session *c, char *rest) {
   size_t length = strcspn(rest, " \t"), count = vs_parameter_count(c->scheme);
   char *value = rest + length + strspn(rest + length, " \t");
   vs_parameter_info p;
@@ -157,6 +134,11 @@ static void list_parameters(cli_session *c) {
     putchar('\n');
   }
   if (!count) puts("; there are no parameters; (define-parameter name default) makes one");
+}
+
+static void clear(cli_session *c) {
+  vs_drawing_clear(c->scheme);
+  c->drawn = true;
 }
 
 static void show_drawing(cli_session *c) {

@@ -11,6 +11,7 @@
 #include "cli/prompt/editor.h"
 #include "cli/prompt/line_buffer.h"
 #include "cli/prompt/repl.h"
+#include "live/live.h"
 
 /* The next line with its newline, or NULL: the end, or an interrupt (errno EINTR). */
 static const char *next_line(cli_session *c, const char *prompt, const char *open, size_t *length, bool *whole) {
@@ -122,6 +123,7 @@ static void advise(cli_session *c, const char *text, size_t length, bool failed)
 
 /* vs_resume, watched. */
 static vs_outcome resume(cli_session *c, vs_resume_way way) {
+  c->drawn = true;
   cli_watch_begin(&c->watch, true);
   vs_outcome outcome = vs_resume(c->scheme, way);
   cli_watch_end(&c->watch);
@@ -215,6 +217,59 @@ vs_outcome cli_prompt_evaluate(cli_session *c, cli_prompt *p, const char *text, 
   return cli_prompt_evaluate_with(c, p, text, length, first_line, 0);
 }
 
+/* ---- the live view ---- */
+
+static bool view_asked(void *context) {
+  cli_prompt *p = context;
+  p->asked = live_follow_asked(p->session->view);
+  return p->asked.kind != LIVE_NOTHING;
+}
+
+/* Does what a window asks, as if it had been typed. */
+static void view_act(void *context) {
+  cli_prompt *p = context;
+  cli_session *c = p->session;
+  const char *name = p->asked.name, *value = p->asked.value;
+  live_follow_begin(c->view);
+  if (p->asked.kind == LIVE_ASKED_PROMPT) {
+    printf("; from the window: %s\n", value);
+    cli_prompt_evaluate(c, p, value, strlen(value), p->line++);
+  } else {
+    line_buffer rest = {0};
+    if (cli_line_buffer_add(&rest, name, strlen(name)) && cli_line_buffer_add(&rest, " ", 1) &&
+        cli_line_buffer_add(&rest, value, strlen(value))) {
+      printf("; from the window: ,set %s\n", rest.at);
+      cli_prompt_set(c, rest.at);
+    }
+    free(rest.at);
+  }
+  live_asked_free(&p->asked);
+  live_follow_show(c->view);
+  c->drawn = false;
+}
+
+void cli_prompt_view(cli_session *c, cli_prompt *p) {
+  if (c->view) {
+    live_follow_tell(c->view);
+    return;
+  }
+  live_options o = {.interpreter = c->options->interpreter, .output = c->options->output, .open_browser = true,
+      .told = stdout};
+  c->view = live_follow(&o, c->scheme);
+  c->drawn = false;
+  if (!c->view) return;
+  p->session = c;
+  if (c->editor) cli_editor_idle(c->editor, (cli_idle){view_asked, view_act, p});
+  puts("; the page follows the drawing for as long as this prompt lives");
+}
+
+/* Before a line is asked for: the view shows what the last one made. */
+static void show_view(cli_session *c) {
+  if (!c->view) return;
+  if (c->drawn) live_follow_show(c->view);
+  c->drawn = false;
+}
+
 /* ---- the loop ---- */
 
 /* "2 open, from line 1> ": how deep, and where the innermost open parenthesis stands. */
@@ -266,9 +321,11 @@ vs_outcome cli_repl(cli_session *c) {
     bool whole;
     if (c->editor && c->midline) putchar('\n'); /* the prompt begins a line */
     c->midline = false;
+    show_view(c);
     const char *line = next_line(c, pending.length ? continuation(&status, room, sizeof room) : top_prompt(&p, room,
         sizeof room), pending.length
         ? pending.at : "", &length, &whole);
+    if (line && c->view) live_follow_begin(c->view);
     if (!line && *c->ended) break;
     if (!line && errno == EINTR && c->editor) { /* ctrl-C drops what was typed */
       vs_interrupt_clear(c->scheme);
@@ -338,6 +395,8 @@ vs_outcome cli_repl(cli_session *c) {
     pending.length = 0;
   }
   free(pending.at);
+  live_follow_close(c->view);
+  c->view = NULL;
   cli_editor_close(c->editor);
   c->editor = NULL;
   cli_prompt_free(&p);

@@ -9,6 +9,8 @@ vs_outcome cli_repl(cli_session *c);
 /* A line for the program while the prompt runs; see vs_host.input. */
 const char *cli_repl_line(cli_session *c, size_t *length);
 
+/* Opens the live view on the session's drawing, or tells where it is. */
+void cli_prompt_view(cli_session *c, cli_prompt *p);
 /* Evaluates a text that was typed; when it works it becomes an entry. */
 vs_outcome cli_prompt_evaluate(cli_session *c, cli_prompt *p, const char *text, size_t length, unsigned first_line);
 /* With `extra` flags besides; (break) stops it. */
