@@ -10,6 +10,46 @@ END
 PATH=$BUILD:$PATH
 here=$PWD
 
+cat > "$work/tower.vs" <<'END'
+; a tower
+(define-parameter floors 2 #:min 1 #:max 9
+#:label "how many")
+(define (tower at n)
+(let ([top (+z at 3)]
+[side 4])
+; one storey on the other
+(when (> n 0)
+(draw (make-box at
+side side 3))
+(tower top (- n 1)))))
+(tower (xyz 0 0 0) floors)
+(draw (with-material 'concrete
+(layer "walls"
+(make-box (xyz 9 0 0) 1 1 1))))
+(for/list ([i 3])
+(* i 2))
+END
+cat > "$work/indented.vs" <<'END'
+; a tower
+(define-parameter floors 2 #:min 1 #:max 9
+  #:label "how many")
+(define (tower at n)
+  (let ([top (+z at 3)]
+        [side 4])
+    ; one storey on the other
+    (when (> n 0)
+      (draw (make-box at
+                      side side 3))
+      (tower top (- n 1)))))
+(tower (xyz 0 0 0) floors)
+(draw (with-material 'concrete
+        (layer "walls"
+          (make-box (xyz 9 0 0) 1 1 1))))
+(for/list ([i 3])
+  (* i 2))
+END
+printf '#!/bin/sh\necho "$1" > "%s/address"\n' "$work" > "$work/browser" && chmod +x "$work/browser"
+
 # same NAME WANTED GOT
 same() {
   if [ "$2" = "$3" ]; then echo "ok editors/$1"; else echo "not ok editors/$1"; printf 'wanted %s\ngot    %s\n' "$2" "$3" | sed 's/^/    /'; fi
@@ -21,6 +61,19 @@ if command -v vim > /dev/null && vim --version | grep -q '+quickfix' && vim --ve
   same "vim:VsCheck" "1:22 unused-parameter: wall does not use its parameter unused|3:7 arguments: wall takes 2 arguments and is given 3|" "$(tr '\n' '|' < "$work/found")"
   (cd "$work" && vim -es -u NONE -i NONE --cmd 'set nocompatible' --cmd "set rtp^=$here/editors/vim" --cmd 'filetype plugin on' house.vs -c 'silent make!' -c "$list" -c 'qa!') > "$work/said" 2>&1
   same "vim:make" "3:7 wall needs 2 arguments (length unused), got 3|" "$(head -n 1 "$work/found" | tr '\n' '|')"
+  tower() { cp "$work/tower.vs" "$work/try.vs"; (cd "$work" && BROWSER="$work/browser" timeout 60 vim -es -u NONE -i NONE --cmd 'set nocompatible' --cmd "set rtp^=$here/editors/vim" --cmd 'filetype plugin indent on' --cmd 'syntax on' try.vs "$@" -c 'qa!') > "$work/said" 2>&1; }
+  tower -c 'normal gg=G' -c 'w'
+  same "vim:indentation" "" "$(diff "$work/indented.vs" "$work/try.vs")"
+  colour() { echo "add(g:seen, getline($1)[$2 - 1 : $2 + 2] . ' ' . synIDattr(synID($1, $2, 1), 'name'))"; }
+  tower -c 'let g:seen = []' -c "call $(colour 1 3)" -c "call $(colour 2 2)" -c "call $(colour 2 28)" -c "call $(colour 3 10)" -c "call $(colour 9 8)" -c "call $(colour 9 2)" -c "call writefile(g:seen, 'colours')"
+  same "vim:colours" "a to schemeComment|defi vsForm|#:mi vsKeyword|how  schemeString|make vsMake|draw vsOperation|" "$(tr '\n' '|' < "$work/colours")"
+  tower -c 'silent VsWrite try.stl'
+  same "vim:VsWrite" "84" "$(head -c 84 "$work/try.stl" 2> /dev/null | wc -c)"
+  if [ -d node_modules/three ]; then
+    rm -f "$work/address"
+    tower -c 'VsView' -c 'sleep 2'
+    same "vim:VsView" "1" "$(grep -c '^http://127.0.0.1:[0-9]*/#[0-9a-f]*$' "$work/address" 2> /dev/null)"
+  fi
 else echo "skip editors/vim: no vim with its language"; fi
 
 if command -v emacs > /dev/null; then
@@ -31,6 +84,19 @@ if command -v emacs > /dev/null; then
     (let (done) (visualscheme-flymake (lambda (found) (dolist (d found) (princ (format \"%d %s|\" (line-number-at-pos (flymake-diagnostic-beg d)) (flymake-diagnostic-text d)))) (setq done t)))
       (while (not done) (accept-process-output nil 0.05))))" > "$work/said" 2> "$work/errors"
   same "emacs:flymake" "visualscheme-mode 1 unused-parameter: wall does not use its parameter unused|3 arguments: wall takes 2 arguments and is given 3|" "$(cat "$work/said")"
+  tower() { cp "$work/tower.vs" "$work/try.vs"; (cd "$work" && BROWSER="$work/browser" timeout 60 emacs --batch -Q -L "$here/editors/emacs" -l visualscheme --eval "(progn (find-file \"try.vs\") $1)") > "$work/said" 2> "$work/errors"; }
+  tower '(indent-region (point-min) (point-max)) (save-buffer)'
+  same "emacs:indentation" "" "$(diff "$work/indented.vs" "$work/try.vs")"
+  tower '(font-lock-ensure) (dolist (word (list "a tower" "define-parameter" "floors" "#:min" "how many" "make-box" "draw")) (goto-char (point-min)) (search-forward word) (princ (format "%s %s|" word (get-text-property (match-beginning 0) (quote face)))))'
+  same "emacs:colours" "a tower font-lock-comment-face|define-parameter font-lock-keyword-face|floors font-lock-function-name-face|#:min font-lock-constant-face|how many font-lock-string-face|make-box font-lock-builtin-face|draw font-lock-builtin-face|" "$(cat "$work/said")"
+  wait='(while (process-live-p (get-buffer-process "*compilation*")) (accept-process-output nil 0.05))'
+  tower '(visualscheme-write "try.obj") '"$wait"
+  same "emacs:visualscheme-write" "yes" "$([ -s "$work/try.obj" ] && echo yes)"
+  tower '(goto-char (point-max)) (insert "(tower 1)\n") (visualscheme-check) '"$wait"' (accept-process-output nil 0.3) (next-error) (princ (format "%s %d" (buffer-name) (line-number-at-pos)))'
+  same "emacs:run, to the error" "try.vs 18" "$(cat "$work/said")"
+  rm -f "$work/address"
+  tower '(setq browse-url-browser-function (lambda (url &rest _) (with-temp-file "address" (insert url)))) (visualscheme-view) (let ((end (+ (float-time) 20))) (while (and (not (file-exists-p "address")) (< (float-time) end)) (accept-process-output nil 0.1)))'
+  same "emacs:visualscheme-view" "1" "$(grep -c '^http://127.0.0.1:[0-9]*/#[0-9a-f]*$' "$work/address" 2> /dev/null)"
 else echo "skip editors/emacs: not installed"; fi
 
 # The extension's functions, with a stand-in for the editor's own module.

@@ -37,11 +37,23 @@
   (font-lock-add-keywords nil visualscheme-font-lock-keywords)
   (modify-syntax-entry ?\[ "(]")
   (modify-syntax-entry ?\] ")[")
+  (setq-local indent-tabs-mode nil)
+  (setq-local indent-line-function #'visualscheme-indent-line)
   (add-hook 'flymake-diagnostic-functions #'visualscheme-flymake nil t))
 
-(put 'with-material 'scheme-indent-function 1)
-(put 'layer 'scheme-indent-function 1)
-(put 'color 'scheme-indent-function 1)
+;; The number of a form's parts that stand before its body.
+(dolist (form '((with-material . 1) (layer . 1) (color . 1) (when . 1) (unless . 1) (guard . 1) (parameterize . 1) (let-values . 1) (let*-values . 1)
+                (let/cc . 1) (let/ec . 1) (for . 1) (for* . 1) (for/list . 1) (for*/list . 1) (for/vector . 1) (for/sum . 1) (for*/sum . 1)
+                (for/and . 1) (for/or . 1) (for/fold . 2) (receive . 2)))
+  (put (car form) 'scheme-indent-function (cdr form)))
+
+(defun visualscheme-indent-line (&optional indent)
+  "Indent the line as Lisp does; a comment alone stands where code would.
+INDENT is what `lisp-indent-line' takes."
+  (if (save-excursion (back-to-indentation) (looking-at ";"))
+      (let ((column (calculate-lisp-indent)))
+        (when column (indent-line-to (if (consp column) (car column) column))))
+    (lisp-indent-line indent)))
 
 (defun visualscheme--run (&rest words)
   "Run `visualscheme-program' with WORDS.

@@ -59,7 +59,20 @@ function activate(context) {
     server.on("error", (error) => vscode.window.showErrorMessage(error.message));
     server.on("exit", () => views.delete(file));
   };
-  context.subscriptions.push(list, looks, vscode.commands.registerCommand("visualscheme.check", () => check(vscode.window.activeTextEditor && vscode.window.activeTextEditor.document)),
+  const write = async () => {
+    const editor = vscode.window.activeTextEditor, file = editor && editor.document.fileName;
+    if (!file) return;
+    const to = await vscode.window.showInputBox({ prompt: "The output's file: its ending says the format", value: file.replace(/\.vs$/, "") + ".stl" });
+    if (!to) return;
+    await editor.document.save();
+    await new Promise((done) => execFile(setting("command"), ["--quiet", file, "-o", to], { cwd: path.dirname(file), maxBuffer: 1 << 24 }, (error, out, said) => {
+      show(list, problems(said, path.dirname(file)));
+      if (error) vscode.window.showErrorMessage(to + " was not written: " + (said.split("\n")[0] || error.message));
+      else vscode.window.showInformationMessage("Wrote " + to);
+      done();
+    }));
+  };
+  context.subscriptions.push(list, looks, vscode.commands.registerCommand("visualscheme.write", write), vscode.commands.registerCommand("visualscheme.check", () => check(vscode.window.activeTextEditor && vscode.window.activeTextEditor.document)),
     vscode.commands.registerCommand("visualscheme.view", view), vscode.workspace.onDidSaveTextDocument((d) => { if (setting("checkOnSave")) check(d); }),
     { dispose: () => { for (const server of views.values()) server.kill(); } });
 }
