@@ -341,7 +341,7 @@ class Live {
   // The literals of define-parameter become what the sliders say; nothing else of the text changes.
   async writeParameters() {
     let written = 0;
-    for (const p of this.parameters.changed()) if (this.#isModel(p.at.file) && this.source.replaceParameter(p.name, p.at, p.type === "string" ? JSON.stringify(p.value) : p.value)) written++;
+    for (const p of this.parameters.changed()) if (this.#isModel(p.at.file) && this.source.replaceParameter(p.name, p.at, p.type === "string" ? JSON.stringify(p.value) : p.type === "real" && /^-?\d+$/.test(p.value) ? p.value + ".0" : p.value)) written++;
     if (written > 0) await this.save();
   }
 
