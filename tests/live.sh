@@ -10,6 +10,8 @@ if command -v script > /dev/null; then
 else echo "skip live/view at the prompt: no script (package bsdutils)"; fi
 timeout 200 node tests/page/live.mjs "$BUILD/vs" "$work" || echo "not ok live: ended with $?"
 if command -v chromium > /dev/null && [ -d node_modules/playwright-core ]; then
+  mkdir "$work/tutorial"
+  timeout 400 node tests/page/tutorial.mjs "$BUILD/vs" "$work/tutorial" || echo "not ok live/browser:tutorial: ended with $?"
   timeout 400 node tests/page/live_browser.mjs "$BUILD/vs" "$work/browser" || echo "not ok live/browser: ended with $?"
   timeout 200 node tests/page/live_making.mjs "$BUILD/vs" "$work/making" || echo "not ok live/browser: making ended with $?"
   timeout 200 node tests/page/live_scene.mjs "$BUILD/vs" "$work/scene" || echo "not ok live/browser: scene ended with $?"
