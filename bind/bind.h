@@ -137,7 +137,7 @@ typedef enum {
 #undef VS_CONTRACT
 } vs_contract;
 
-enum { VS_MAX_ARGUMENTS = 16, VS_MAX_FORMS = 4, VS_MAX_KEYS = 8 };
+enum { VS_MAX_ARGUMENTS = 16, VS_MAX_FORMS = 4, VS_MAX_KEYS = 10 };
 
 typedef enum { VS_ARG_END, VS_ARG_REQUIRED, VS_ARG_OPTIONAL, VS_ARG_REST } vs_parameter_mode;
 typedef struct { char name[14]; uint8_t mode, contract; } vs_bind_param;

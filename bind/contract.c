@@ -539,7 +539,7 @@ static vs_status convert_material(vs_frame *f, const vs_bind_param *p, vs_value 
     vs_value l = v;
     for (int i = 0; i < 3; i++, l = vs_cdr(l))
       if (!vs_bind_number(f->vm, vs_car(l), &c[i]) || !(c[i] >= 0 && c[i] <= 1)) return refuse_parts(f, p, v);
-    vs_material m = { "", c[0], c[1], c[2], .5, 0, 0, 1.5 };
+    vs_material m = { "", c[0], c[1], c[2], .5, 0, 0, 1.5, { 0 } };
     out->material = vs_store_material(f->bind->store, &m);
     return out->material ? VS_OK : vs_fail_memory(f->vm);
   }

@@ -110,15 +110,33 @@ vs_status vs_p_highlight(vs_frame *f, vs_value *out) { return around(f, VS_HIGHL
 vs_status vs_p_ghost(vs_frame *f, vs_value *out) { return around(f, VS_GHOST, &(struct vs_ghost){ 0 }, &f->arg[0], out); }
 vs_status vs_p_only(vs_frame *f, vs_value *out) { return around(f, VS_ONLY, &(struct vs_only){ 0 }, &f->arg[0], out); }
 
+/* The pattern's keywords, the four from k. The second colour is a darker shade of the first unless it is given. */
+static vs_status pattern_of(vs_frame *f, const vs_arg *k, vs_material *m) {
+  vs_material_pattern *p = &m->pattern;
+  const double darker = 0.75;
+  if (k[0].given && !vs_pattern_find(k[0].text.at, &p->kind))
+    return vs_bind_refuse(f, "pattern", "one of 'none"
+#define VS_PATTERN(id, name, size, shows) " '" name
+#include "model/looks/patterns.def"
+      , k[0].value);
+  p->red = darker * m->red, p->green = darker * m->green, p->blue = darker * m->blue;
+  if (k[1].given) p->red = k[1].material->red, p->green = k[1].material->green, p->blue = k[1].material->blue;
+  if (k[2].given) p->size = k[2].real;
+  if (k[3].given) p->angle = k[3].real;
+  if (p->kind == VS_PATTERN_NONE) *p = (vs_material_pattern){ 0 };
+  return VS_OK;
+}
+
 vs_status vs_p_make_material(vs_frame *f, vs_value *out) {
-  const vs_arg *k = f->key; /* name color roughness metallic transparency ior */
-  vs_material m = { "", .8, .8, .8, .5, 0, 0, 1.5 };
+  const vs_arg *k = f->key; /* name color roughness metallic transparency ior, and the pattern's four */
+  vs_material m = { "", .8, .8, .8, .5, 0, 0, 1.5, { 0 } };
   if (k[0].given && !(m.name = vs_store_text(f->bind->store, k[0].text.at, k[0].text.length))) return vs_fail_memory(f->vm);
   if (k[1].given) m.red = k[1].material->red, m.green = k[1].material->green, m.blue = k[1].material->blue;
   if (k[2].given) m.roughness = k[2].real;
   if (k[3].given) m.metallic = k[3].real;
   if (k[4].given) m.transparency = k[4].real;
   if (k[5].given) m.ior = k[5].real;
+  if (pattern_of(f, &k[6], &m) != VS_OK) return VS_ERROR;
   const vs_material *kept = vs_store_material(f->bind->store, &m);
   if (!kept) return vs_fail_memory(f->vm);
   return vs_make_foreign(f->vm, &vs_paint_type, (void *)(uintptr_t)kept, 0, out);

@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "model/assert.h"
+#include "model/looks/material.h"
 #include "model/vec.h"
 
 typedef struct vs_store vs_store;
@@ -46,14 +47,6 @@ static inline const uint32_t *vs_faces_corners(const vs_faces *f) { return f->da
 
 /* ---- tickets: a number for something that lives elsewhere, counted so that its keeper learns when no node holds it any more ---- */
 typedef struct { uint32_t refs, id; } vs_ticket;
-
-/* ---- materials: interned by value in the store; live as long as it ---- */
-typedef struct {
-  const char *name;            /* interned; "" where it has none */
-  double red, green, blue;     /* sRGB, 0..1 */
-  double roughness, metallic, transparency; /* 0..1 */
-  double ior;                  /* index of refraction */
-} vs_material;
 
 /* ---- payload types ---- */
 typedef double vs_field_real;
@@ -208,9 +201,6 @@ void **vs_store_kept(vs_store *s, void (*let_go)(vs_store *s, void *kept));
 const char *vs_store_text(vs_store *s, const char *text, size_t length);            /* interned, NUL-terminated; NULL: out of memory */
 const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, uint32_t column, const vs_origin *caller); /* interned; NULL: oom */
 const vs_material *vs_store_material(vs_store *s, const vs_material *m);             /* interned by value; NULL: out of memory */
-vs_material vs_material_of_color(double red, double green, double blue); /* sRGB; matt paint, no name */
-const vs_material *vs_store_ready_material(vs_store *s, const char *name); /* concrete, glass, ... or a CSS colour name, or "#rrggbb"; NULL: no such */
-const char *vs_ready_material_name(size_t i); /* those names one by one, NULL after the last */
 
 /* ---- building. All return one new reference to the caller, NULL when out of memory. ---- */
 vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count);

@@ -20,6 +20,14 @@ bool vs_scene_draw(vs_scene *scene, vs_ref ref) {
   return true;
 }
 
+double vs_scene_metres(const vs_scene *scene) {
+  static const struct { const char *name; double metres; } units[] = {
+    { "mm", 0.001 }, { "cm", 0.01 }, { "in", 0.0254 }, { "ft", 0.3048 } };
+  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+    if (scene->units != NULL && strcmp(scene->units, units[i].name) == 0) return units[i].metres;
+  return 1;
+}
+
 void vs_scene_free(vs_scene *scene) {
   if (!scene->store) return;
   for (size_t i = 0; i < scene->drawn_count; i++) vs_node_release(scene->drawn[i].node);

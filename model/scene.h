@@ -61,6 +61,7 @@ typedef struct {
 
 void vs_scene_init(vs_scene *scene, vs_store *store); /* retains the store */
 bool vs_scene_draw(vs_scene *scene, vs_ref ref);      /* retains; false: out of memory */
+double vs_scene_metres(const vs_scene *scene);        /* how many metres a length of 1 is */
 void vs_scene_free(vs_scene *scene);
 /* Names a view; one of that name is replaced. The view's texts are interned in the store. False: out of memory. */
 bool vs_scene_add_view(vs_scene *scene, const vs_scene_view *view);

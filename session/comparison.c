@@ -107,9 +107,9 @@ static void count_parts(const vs_drawn_parts *a, const vs_drawn_parts *b,
 /* ---- the picture ---- */
 
 static const struct { vs_change change; vs_material paint; } shown[] = {
-  { VS_CHANGE_ADDED, { "added", .16, .66, .27, .6, 0, 0, 1.5 } },
-  { VS_CHANGE_REMOVED, { "removed", .86, .17, .15, .6, 0, 0, 1.5 } },
-  { VS_CHANGE_KEPT, { "unchanged", .82, .84, .88, .6, 0, .75, 1 } },
+  { VS_CHANGE_ADDED, { "added", .16, .66, .27, .6, 0, 0, 1.5, { 0 } } },
+  { VS_CHANGE_REMOVED, { "removed", .86, .17, .15, .6, 0, 0, 1.5, { 0 } } },
+  { VS_CHANGE_KEPT, { "unchanged", .82, .84, .88, .6, 0, .75, 1, { 0 } } },
 };
 
 /* The object on a layer and in a material of the change's name. Takes the node over; NULL: out of memory. */

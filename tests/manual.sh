@@ -76,9 +76,16 @@ if [ -z "$missing" ]; then echo "ok manual/command:prompt"; else echo "not ok ma
 table model/tally.def VS_PHASE '| phase |'
 table model/steps.def VS_STEP '| step |'
 table session/stages.def VS_STAGE '| stage |'
+# The page on materials names each ready one, and has each pattern with its size.
+sed -n 's/^VS_READY_MATERIAL("\([a-z-]*\)".*/\1/p' model/looks/materials.def | sort > "$work/wanted"
+sed -n '/^!\[Samples/,/^Fourteen/p' manual/materials.md | grep '^[- ]' | grep -o '`[a-z-]*`' | tr -d '\140' | sort > "$work/shown"
+sed -n 's/^VS_PATTERN([A-Z]*, *"\([a-z]*\)", *\([0-9.]*\), *"\(.*\)")$/| `\1` | \3 | \2 m |/p' model/looks/patterns.def >> "$work/wanted"
+grep '^| `' manual/materials.md >> "$work/shown"
+if [ -s "$work/wanted" ] && diff "$work/wanted" "$work/shown" > "$work/diff"; then echo "ok manual/materials:tables"
+else echo "not ok manual/materials:tables"; sed 's/^/    /' "$work/diff"; fi
 
 # What the examples say is what happens.
-for page in manual/i-want-to.md manual/drawings.md manual/coming-from-[agoj]*.md manual/language/*.md manual/primitives/*.md manual/rules/*.md; do
+for page in manual/i-want-to.md manual/materials.md manual/drawings.md manual/coming-from-[agoj]*.md manual/language/*.md manual/primitives/*.md manual/rules/*.md; do
   name=${page#manual/}
   case $name in coming-from-*) tables=1 ;; *) tables= ;; esac
   cat tests/manual/doctest.vs > "$work/page.vs"

@@ -2,6 +2,7 @@
 import * as THREE from "three";
 import { determinant } from "./model.js";
 import { featureEdges, seams } from "./edges.js";
+import { patternKey } from "./patterns.js";
 
 const MERGED_TRIANGLES = 150000, FEW_GROUPS = 10, SMALL = 20000, SEAMS_SOUGHT = 200000; // lines of one merged batch among which seams are looked for
 
@@ -9,7 +10,7 @@ const linear = (c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 
 // Materials that differ in nothing but colour are drawn as one.
 function surfaceKey(m) {
-  return [Math.round(m.roughness * 20), Math.round(m.metallic * 10), Math.round(m.transparency * 20)].join();
+  return [Math.round(m.roughness * 20), Math.round(m.metallic * 10), Math.round(m.transparency * 20), patternKey(m)].join();
 }
 
 function sheared(m, o) {

@@ -55,6 +55,8 @@ export class CameraControl {
       camera.fov = THREE.MathUtils.radToDeg(s.angle);
       camera.aspect = aspect;
       camera.near = Math.max(far - 2.04 * (stage.radius || 1), far / (this.walking ? 20000 : 5000));
+      const ground = stage.groundMesh; // It lies nearer than the model does where the eye is low.
+      if (ground) camera.near = Math.min(camera.near, Math.max(0.3 * Math.abs(eye.z - ground.position.z), far / 5000));
       if (this.walking) camera.near = Math.min(camera.near, 0.1 / this.metre());
       if (stage.groundMesh) camera.near = Math.min(camera.near, Math.max(0.25 * Math.abs(eye.z - stage.groundMesh.position.z), far / 5000)); // The ground begins at our feet.
       camera.far = Math.max(far, 1e-6) * (stage.groundMesh ? 8 : 1.2);
@@ -66,7 +68,7 @@ export class CameraControl {
     stage.touch();
   }
 
-  metre() { return { m: 1, mm: 0.001, cm: 0.01, in: 0.0254, ft: 0.3048 }[this.stage.model?.units] || 1; } // metres of a model unit
+  metre() { return this.stage.model?.metres || 1; } // metres of a model unit
 
   // ---- framing ----
 

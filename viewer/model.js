@@ -34,6 +34,8 @@ export class Model {
     this.made = new Uint32Array(64); // The number of its origin, or 0.
   }
 
+  get metres() { return { mm: 0.001, cm: 0.01, in: 0.0254, ft: 0.3048 }[this.units] || 1; } // How many metres a length of 1 is.
+
   grow(need) {
     if (need <= this.geometry.length) return;
     const room = Math.max(need, 2 * this.geometry.length);
@@ -258,7 +260,7 @@ export function modelFromPacked(root) {
       case "DirectionalLight": model.sun = { direction: Array.from(f.direction), given: !!f.given }; break;
       case "Background": model.sky = Array.from(f.skyColor); break;
       case "Ground": model.ground = { z: f.z[0], paint: f.paint || 0 }; break;
-      case "PhysicalMaterial": model.materials.push({ name: f.name, color: Array.from(f.baseColor), roughness: f.roughness[0], metallic: f.metallic[0], transparency: f.transparency[0], ior: f.ior[0] }); break;
+      case "PhysicalMaterial": model.materials.push({ name: f.name, color: Array.from(f.baseColor), roughness: f.roughness[0], metallic: f.metallic[0], transparency: f.transparency[0], ior: f.ior[0], pattern: f.pattern ? { name: f.pattern, color: Array.from(f.patternColor), size: f.patternSize[0], angle: f.patternAngle[0] } : null }); break;
       case "Origins": model.origins = { files: f.file || [], at: f.at }; break;
       default: if (node.use !== undefined || node.type === "Transform" || node.type === "Group") walk([node]);
     }

@@ -4,6 +4,7 @@
 // directions of the sky and of the sun's disc, each with its own shadow, a little beside each other, and their mean is shown: so soft
 // shadows, darkness in corners and smooth edges come from the same few lines. POV-Ray's picture is lit alike (backends/povray/scene.c).
 import * as THREE from "three";
+import { addPattern } from "./patterns.js";
 import { buildBatches, disposeBatches, mergeParts, meshGeometry } from "./batches.js";
 
 // Radiances and colours are POV-Ray's, linear; a light of intensity pi makes a white surface across it as bright as its colour.
@@ -241,6 +242,7 @@ export class Stage {
     geometry.setAttribute("color", new THREE.BufferAttribute(color, 4));
     geometry.scale(reach, reach, 1);
     const material = new THREE.MeshLambertMaterial({ vertexColors: true, transparent: true, side: THREE.DoubleSide });
+    addPattern(material, m, model.middle, model.metres);
     this.groundMesh = new THREE.Mesh(geometry, material);
     this.groundMesh.position.set(this.center.x, this.center.y, model.ground.z - model.middle[2] - 2e-4 * model.diagonal);
     this.groundMesh.receiveShadow = true;
@@ -269,6 +271,7 @@ export class Stage {
       material.opacity = 1 - 0.8 * m.transparency;
       material.depthWrite = false;
     }
+    addPattern(material, m, this.model.middle, this.model.metres);
     material.wireframe = this.options.wireframe;
     material.clippingPlanes = this.clip;
     this.surfaceCache.set(key, material);

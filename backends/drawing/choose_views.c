@@ -5,13 +5,7 @@
 
 #include "backends/drawing/choose_views.h"
 
-double vs_drawing_unit(const vs_scene *scene) {
-  static const struct { const char *name; double mm; } units[] = { { "m", 1000 }, { "mm", 1 }, { "cm", 10 },
-      { "in", 25.4 }, { "ft", 304.8 } };
-  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-    if (scene->units && strcmp(scene->units, units[i].name) == 0) return units[i].mm;
-  return 1000;
-}
+double vs_drawing_unit(const vs_scene *scene) { return 1000 * vs_scene_metres(scene); }
 
 /* A plan is cut 1.2 m above the ground, or above the lowest point, of what is higher than 1.5 m over that. */
 static void cut_plan(const vs_emitter *e, vs_scene_view *v) {

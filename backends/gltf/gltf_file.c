@@ -146,17 +146,10 @@ static void gltf_child(vs_writer *w, size_t *count, size_t node) {
   vs_put_number(w, (double)node);
 }
 
-static double gltf_metres(const char *unit) {
-  static const struct { const char *name; double metres; } units[] = { { "mm", 0.001 }, { "cm", 0.01 }, { "in", 0.0254 }, { "ft", 0.3048 } };
-  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-    if (strcmp(unit, units[i].name) == 0) return units[i].metres;
-  return 1;
-}
-
 /* Node 0 is the root, then come the layers, then the placed meshes in the order of f->order. */
 static void gltf_nodes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   size_t first = 1 + g->layer_count;
-  double unit = gltf_metres(f->e->scene->units);
+  double unit = vs_scene_metres(f->e->scene);
   vs_puts(w, ",\"nodes\":[{\"name\":");
   json_text(w, f->e->scene->title);
   vs_puts(w, ",\"rotation\":[-0.70710678118655,0,0,0.70710678118655]");

@@ -1,13 +1,15 @@
-/* Owns what the files of the POV-Ray back-end share. scene.c: begin and end; shapes.c: one function a kind; run.c: the worker. */
+/* Owns what the files of the POV-Ray back-end share. scene.c: begin and end; shapes.c: one function a kind; run.c: the
+ * worker. */
 #ifndef VS_BACKENDS_POVRAY_H
 #define VS_BACKENDS_POVRAY_H
 
-#include "backends/backend.h"
+#include "backends/povray/povray_materials.h"
 
 /* The scene's frame: camera, light, sky. */
 bool vs_povray_begin(vs_emitter *e);
 bool vs_povray_end(vs_emitter *e);
-bool vs_povray_paint(vs_emitter *e, const vs_material *m); /* ` material { M_3_steel }`, which begin has declared */
+
+double vs_povray_ambient(const vs_emitter *e); /* of the light that comes from nowhere: in drafts alone */
 
 /* Shapes. */
 bool vs_povray_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);

@@ -1,7 +1,9 @@
-/* Owns the frame of a POV-Ray scene: header, camera, light, sky, ground, materials. Shapes are in shapes.c.
+/* Owns the frame of a POV-Ray scene: header, camera, light, sky, ground. Shapes are in povray_shapes.c, materials in
+ * povray_materials.c.
  *
- * Looks: linear light (assumed_gamma 1), a warm parallel sun (with a soft edge in the final quality), a pale sky sphere
- * that radiosity turns into fill light, no ambient term. Nothing of the user's text gets in but as letters and digits of names. */
+ * Looks: linear light (assumed_gamma 1), a warm parallel sun (with a soft edge in the final quality), a pale sky
+ * sphere that radiosity turns into fill light, no ambient term. Nothing of the user's text gets in but as letters and
+ * digits of names. */
 #define _XOPEN_SOURCE 700 /* realpath */
 #include <math.h>
 #include <stdio.h>
@@ -21,31 +23,6 @@ static void pov_word(vs_writer *w, const char *before, double x, const char *aft
   vs_puts(w, after);
 }
 
-/* Letters, digits and low lines of a user's name; the rest is left out. */
-static void pov_name(vs_writer *w, const char *text) {
-  int count = 0;
-  for (; *text != '\0' && count < 40; text++) {
-    bool letter = (*text >= 'a' && *text <= 'z') || (*text >= 'A' && *text <= 'Z') || (*text >= '0' && *text <= '9');
-    if (letter || *text == '_' || *text == '-') {
-      vs_put(w, letter ? text : "_", 1);
-      count++;
-    }
-  }
-}
-
-static void pov_material_name(vs_emitter *e, const vs_material *m) {
-  vs_puts(e->out, "M");
-  vs_emit_put_material_number(e, m);
-  if (m->name[0] != '\0') vs_puts(e->out, "_");
-  pov_name(e->out, m->name);
-}
-
-bool vs_povray_paint(vs_emitter *e, const vs_material *m) {
-  vs_puts(e->out, "material { ");
-  pov_material_name(e, m);
-  return vs_puts(e->out, " }");
-}
-
 /* ---- how strong the light is ---- */
 
 /* Pictures that we make get light as it is out of doors, where the sun is several times the sky, and a tone curve after
@@ -57,62 +34,8 @@ static double pov_sky_strength(const vs_emitter *e) { return pov_is_developed(e)
 static double pov_fill_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2.1 : 1; }
 static double pov_sun_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2 * pov_sky_strength(e) : 1.25; }
 /* What a draft adds to all surfaces, however they are turned: none is black. With bounced light POV-Ray wants none. */
-static double pov_ambient(const vs_emitter *e) {
+double vs_povray_ambient(const vs_emitter *e) {
   return e->options->quality == VS_RENDER_DRAFT ? 0.05 * pov_fill_strength(e) : 0;
-}
-
-/* ---- materials ---- */
-
-static void pov_finish(vs_emitter *e, const vs_material *m) {
-  vs_writer *w = e->out;
-  double gloss = 1 - m->roughness;
-  pov_word(w, "    finish { ambient ", pov_ambient(e), " ");
-  if (m->transparency > 0) {
-    vs_puts(w, "diffuse ");
-    vs_put_number(w, 0.8 * (1 - m->transparency));
-    vs_puts(w, " specular 0.8 roughness 0.001 reflection { 0.02, 0.9 fresnel on } conserve_energy }\n");
-  } else if (m->metallic > 0.5) {
-    pov_word(w, "diffuse ", 0.35 + 0.35 * m->roughness, "");
-    pov_word(w, " brilliance 2 specular ", 0.3 + 0.6 * gloss, "");
-    pov_word(w, " roughness ", 0.002 + 0.1 * m->roughness * m->roughness, " metallic");
-    pov_word(w, " reflection { ", 0.12 + 0.5 * gloss * gloss, " metallic } }\n");
-  } else {
-    pov_word(w, "diffuse ", 0.82, "");
-    pov_word(w, " specular ", 0.5 * gloss * gloss, "");
-    pov_word(w, " roughness ", 0.004 + 0.15 * m->roughness * m->roughness, "");
-    if (gloss > 0.75) vs_puts(w, " reflection { 0, 0.25 fresnel on } conserve_energy");
-    vs_puts(w, " }\n");
-  }
-}
-
-/* What stands within a texture: pigment and finish. */
-static void pov_texture_parts(vs_emitter *e, const vs_material *m) {
-  vs_writer *w = e->out;
-  vs_puts(w, "    pigment { color srgbft <");
-  const double rgb[] = { m->red, m->green, m->blue };
-  for (int i = 0; i < 3; i++) {
-    vs_put_number(w, rgb[i]);
-    vs_puts(w, ", ");
-  }
-  vs_put_number(w, m->transparency * 0.55); /* filter: tints what is seen through it */
-  pov_word(w, ", ", m->transparency * 0.4, "> }\n");
-  pov_finish(e, m);
-}
-
-/* Also what is opaque gets its index: fresnel reflection asks for one. */
-static void pov_interior(vs_writer *w, const vs_material *m) {
-  pov_word(w, "  interior { ior ", m->ior >= 1 ? m->ior : 1.5, " }\n");
-}
-
-static void pov_material(vs_emitter *e, const vs_material *m) {
-  vs_writer *w = e->out;
-  vs_puts(w, "#declare ");
-  pov_material_name(e, m);
-  vs_puts(w, " = material {\n  texture {\n");
-  pov_texture_parts(e, m);
-  vs_puts(w, "  }\n");
-  pov_interior(w, m);
-  vs_puts(w, "}\n");
 }
 
 /* ---- what stands round the model ---- */
@@ -157,7 +80,8 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   pov_word(w, " * ", pov_sun_strength(e), "\n  parallel\n");
   pov_vector(w, "  point_at ", middle);
   if (e->options->quality == VS_RENDER_FINAL) { /* a soft edge costs several times all the rest */
-    /* orient turns it to what it lights; only lengths count, and POV-Ray wants them equal to 1e-10, which digits of turned vectors are not */
+    /* orient turns it to what it lights; only lengths count, and POV-Ray wants them equal to 1e-10, which digits of
+     * turned vectors are not */
     pov_vector(w, "\n  area_light ", vs_v3(0.012 * far, 0, 0));
     pov_vector(w, ", ", vs_v3(0, 0.012 * far, 0));
     vs_puts(w, ", 3, 3 adaptive 1 circular orient");
@@ -179,8 +103,8 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   }
 }
 
-/* Its middle lies in the north, +Y. POV-Ray looks for files in the folder it is started in: the name is absolute. In its strings quotes and backslashes are
- * escaped. */
+/* Its middle lies in the north, +Y. POV-Ray looks for files in the folder it is started in: the name is absolute. In
+ * its strings quotes and backslashes are escaped. */
 static void pov_sky_image(vs_emitter *e) {
   vs_writer *w = e->out;
   char *whole = realpath(e->scene->sky_image, NULL);
@@ -235,10 +159,10 @@ static void pov_sky(vs_emitter *e) {
   vs_puts(w, "    }\n    scale 2 translate -z\n  }\n}\n");
 }
 
-/* A second layer of the ground: haze of the sky's colour, so that no line parts the two. Its share grows from nothing at
- * NEAR times the size of what is seen to all of it at FAR times, as (1 - NEAR / distance)^2.2: a ground's distance goes by
- * one over the angle below the horizon, and brightness as it is seen by the 2.2th root, so that it grows evenly with the
- * height in the picture. */
+/* A second layer of the ground: haze of the sky's colour, so that no line parts the two. Its share grows from nothing
+ * at NEAR times the size of what is seen to all of it at FAR times, as (1 - NEAR / distance)^2.2: a ground's distance
+ * goes by one over the angle below the horizon, and brightness as it is seen by the 2.2th root, so that it grows
+ * evenly with the height in the picture. */
 static void pov_ground_haze(vs_emitter *e, const vs_look *l, double diagonal, double z) {
   enum { COUNT = 10 };
   const double near = 1.3, far = 60, at[COUNT] = { far, 30, 15, 9, 6, 4, 3, 2.2, 1.7, near };
@@ -257,17 +181,18 @@ static void pov_ground_haze(vs_emitter *e, const vs_look *l, double diagonal, do
 }
 
 /* A plane without end. A picture as the sky has a horizon of its own: no haze is laid over the ground. */
-static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal) {
+static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double pixel) {
   vs_writer *w = e->out;
   const vs_material *m = e->scene->ground_material;
   double lift = 1e-5 * diagonal; /* what stands on the ground shares its plane: keep the ground just below */
   double z = e->scene->ground_z * e->unit - lift;
+  if (m != NULL) vs_povray_prepare_texture(e, m, pixel);
   pov_word(w, "plane {\n  z, ", z, "\n  texture {\n");
-  if (m != NULL) pov_texture_parts(e, m);
-  else pov_word(w, "    pigment { color srgb <0.77, 0.76, 0.73> }\n    finish { ambient ", pov_ambient(e), " diffuse 0.8 }\n");
+  if (m != NULL) vs_povray_texture(e, m, pixel);
+  else pov_word(w, "    pigment { color srgb <0.77, 0.76, 0.73> }\n    finish { ambient ", vs_povray_ambient(e), " diffuse 0.8 }\n");
   vs_puts(w, "  }\n");
   if (e->scene->sky_image == NULL) pov_ground_haze(e, l, diagonal, z);
-  if (m != NULL) pov_interior(w, m);
+  if (m != NULL) vs_povray_interior(e, m);
   vs_puts(w, "}\n");
 }
 
@@ -303,6 +228,21 @@ static vs_pen pov_pen(const vs_emitter *e, const vs_look *l, int width) {
       .least = share * 1e-3 * vs_bounds_diagonal(&e->bounds) };
 }
 
+/* The width of a pixel, in the scene, where the drawing's box is nearest to the eye; the look is in the scene's units. */
+static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
+  if (l->parallel) return l->width / width;
+  const double low[] = { e->bounds.min.x, e->bounds.min.y, e->bounds.min.z };
+  const double high[] = { e->bounds.max.x, e->bounds.max.y, e->bounds.max.z };
+  const double eye[] = { l->eye.x, l->eye.y, l->eye.z };
+  double square = 0;
+  for (int i = 0; i < 3; i++) {
+    double out = fmax(fmax(low[i] * e->unit - eye[i], eye[i] - high[i] * e->unit), 0);
+    square += out * out;
+  }
+  double least = 0.02 * vs_bounds_diagonal(&e->bounds) * e->unit; /* of an eye among the walls */
+  return fmax(sqrt(square), least) * 2 * tan(l->angle / 2) / width;
+}
+
 bool vs_povray_begin(vs_emitter *e) {
   vs_writer *w = e->out;
   int width = e->options->width > 0 ? e->options->width : 1024, height = e->options->height > 0 ? e->options->height : 768;
@@ -310,16 +250,17 @@ bool vs_povray_begin(vs_emitter *e) {
   if (!(diagonal > 0)) diagonal = 1;
   e->unit = pov_unit(diagonal);
   vs_puts(w, "// ");
-  pov_name(w, e->scene->title);
+  vs_povray_name(w, e->scene->title);
   vs_putf(w, ": a scene for POV-Ray 3.7, made by VisualScheme\n// povray +W%d +H%d +A0.1 THIS-FILE\n#version 3.7;\n", width, height);
   vs_puts(w, "global_settings {\n  assumed_gamma 1\n  max_trace_level 12\n  ");
   vs_puts(w, pov_radiosity(e->options->quality));
   vs_puts(w, "}\n#default { texture { pigment { color srgb <0.86, 0.85, 0.83> } finish { ambient ");
-  pov_word(w, "", pov_ambient(e), " diffuse 0.82 } } }\n\n");
+  pov_word(w, "", vs_povray_ambient(e), " diffuse 0.82 } } }\n\n");
   vs_look look = vs_look_find(e->scene, &e->framed, e->boxes, e->box_count, (double)width / height);
   e->pen = pov_pen(e, &look, width);
   look.eye = vs_v3_scale(look.eye, e->unit), look.target = vs_v3_scale(look.target, e->unit), look.width *= e->unit;
   diagonal *= e->unit;
+  double pixel = pov_pixel(e, &look, width);
   if (e->unit != 1) {
     vs_puts(w, "// ");
     vs_put_number(w, 1 / e->unit);
@@ -329,8 +270,9 @@ bool vs_povray_begin(vs_emitter *e) {
   pov_sun(e, &look, diagonal);
   pov_sky(e);
   vs_puts(w, "\n");
-  for (size_t i = 1; i <= vs_emit_material_count(e); i++) pov_material(e, vs_emit_material_at(e, i));
-  if (e->scene->has_ground) pov_ground(e, &look, diagonal);
+  for (size_t i = 1; i <= vs_emit_material_count(e); i++)
+    vs_povray_declare_material(e, vs_emit_material_at(e, i), pixel);
+  if (e->scene->has_ground) pov_ground(e, &look, diagonal, pixel);
   return !w->failed;
 }
 

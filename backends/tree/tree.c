@@ -28,7 +28,12 @@ static bool tree_material(vs_writer *w, const vs_material *m) {
   const double numbers[] = { m->red, m->green, m->blue, m->roughness, m->metallic, m->transparency, m->ior };
   vs_puts(w, " ");
   tree_text(w, m->name);
-  return tree_numbers(w, numbers, sizeof numbers / sizeof *numbers);
+  tree_numbers(w, numbers, sizeof numbers / sizeof *numbers);
+  if (m->pattern.kind == VS_PATTERN_NONE) return !w->failed;
+  const double pattern[] = { m->pattern.red, m->pattern.green, m->pattern.blue, m->pattern.size, m->pattern.angle };
+  vs_puts(w, " ");
+  tree_text(w, vs_pattern_name(m->pattern.kind));
+  return tree_numbers(w, pattern, sizeof pattern / sizeof *pattern);
 }
 
 static void tree_field(vs_writer *w, const vs_field_info *f, const void *data) {

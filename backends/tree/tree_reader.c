@@ -129,10 +129,21 @@ static bool tree_faces(tree_reader *r, vs_field_faces *out) {
   return ok;
 }
 
+static bool tree_pattern(tree_reader *r, vs_material_pattern *out) {
+  const char *name;
+  double n[5];
+  if (!tree_string(r, &name)) return false;
+  if (!vs_pattern_find(name, &out->kind)) return tree_fail(r, "there is no such pattern");
+  if (!tree_numbers(r, n, 5)) return false;
+  out->red = n[0], out->green = n[1], out->blue = n[2], out->size = n[3], out->angle = n[4];
+  return true;
+}
+
 static bool tree_material(tree_reader *r, vs_field_material *out) {
   vs_material m = { .name = "" };
   double n[7];
   if (!tree_string(r, &m.name) || !tree_numbers(r, n, 7)) return false;
+  if (tree_peek(r) == '"' && !tree_pattern(r, &m.pattern)) return false;
   m.red = n[0], m.green = n[1], m.blue = n[2], m.roughness = n[3], m.metallic = n[4], m.transparency = n[5], m.ior = n[6];
   *out = vs_store_material(r->scene->store, &m);
   return *out != NULL || tree_no_memory(r);

@@ -211,6 +211,12 @@ static void packed_material(vs_emitter *e, size_t number) {
   packed_double(e, "metallic", m->metallic);
   packed_double(e, "transparency", m->transparency);
   packed_double(e, "ior", m->ior);
+  if (m->pattern.kind != VS_PATTERN_NONE) {
+    packed_text(e, "pattern", vs_pattern_name(m->pattern.kind));
+    packed_place_of(e, "patternColor", vs_v3(m->pattern.red, m->pattern.green, m->pattern.blue));
+    packed_double(e, "patternSize", vs_pattern_size(&m->pattern));
+    packed_double(e, "patternAngle", m->pattern.angle);
+  }
   packed_end(e);
 }
 

@@ -229,10 +229,16 @@ const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, u
 
 static uint64_t material_slot_hash(const void *item) { return vs_material_hash(item); }
 
+static bool same_pattern(const vs_material_pattern *a, const vs_material_pattern *b) {
+  return a->kind == b->kind && a->red == b->red && a->green == b->green && a->blue == b->blue && a->size == b->size &&
+         a->angle == b->angle;
+}
+
 static bool material_same(const void *item, const void *key) {
   const vs_material *a = item, *b = key;
-  return a->red == b->red && a->green == b->green && a->blue == b->blue && a->roughness == b->roughness && a->metallic == b->metallic &&
-         a->transparency == b->transparency && a->ior == b->ior && a->name == b->name;
+  return a->red == b->red && a->green == b->green && a->blue == b->blue && a->roughness == b->roughness &&
+         a->metallic == b->metallic && a->transparency == b->transparency && a->ior == b->ior && a->name == b->name &&
+         same_pattern(&a->pattern, &b->pattern);
 }
 
 const vs_material *vs_store_material(vs_store *s, const vs_material *m) {

@@ -71,7 +71,7 @@ static inline vs_ref test_any(test_model *m, vs_kind kind) {
     case VS_FIELD_faces: *(vs_field_faces *)at = faces; break;
     case VS_FIELD_text: *(vs_field_text *)at = vs_store_text(m->store, "a \"b\" \\ c", 9); break;
     case VS_FIELD_ticket: *(vs_field_ticket *)at = ticket; break;
-    case VS_FIELD_material: *(vs_field_material *)at = vs_store_ready_material(m->store, "glass"); break;
+    case VS_FIELD_material: *(vs_field_material *)at = vs_store_ready_material(m->store, "flemish-brick"); break;
     }
   }
   vs_ref children[2];

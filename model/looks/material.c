@@ -1,22 +1,40 @@
 /* Owns the materials that exist by name: the ready ones, the CSS colours and "#rrggbb". */
+#include "model/looks/material.h"
+
 #include <string.h>
 
 #include "model/node.h"
 
 static const struct { const char *name; vs_material material; } ready[] = {
-#define VS_READY_MATERIAL(name, red, green, blue, roughness, metallic, transparency, ior) \
-  { #name, { #name, red, green, blue, roughness, metallic, transparency, ior } },
-#include "model/materials.def"
+#define VS_READY_MATERIAL(name, r, g, b, roughness, metallic, transparency, ior, kind, r2, g2, b2, size, angle) \
+  { name, { name, r, g, b, roughness, metallic, transparency, ior, { VS_PATTERN_##kind, r2, g2, b2, size, angle } } },
+#include "model/looks/materials.def"
 };
 static const struct { const char *name; unsigned rgb; } colors[] = {
 #define VS_COLOR(name, rgb) { #name, rgb },
-#include "model/colors.def"
+#include "model/looks/colors.def"
+};
+
+static const struct { const char *name; double size; } patterns[VS_PATTERN_COUNT] = {
+  { "none", 1 },
+#define VS_PATTERN(id, name, size, shows) { name, size },
+#include "model/looks/patterns.def"
 };
 
 static const double plain_roughness = 0.6, plain_ior = 1.5; /* of a material that is just a colour: matt paint */
 
 vs_material vs_material_of_color(double red, double green, double blue) {
-  return (vs_material){ .name = "", .red = red, .green = green, .blue = blue, .roughness = plain_roughness, .ior = plain_ior };
+  return (vs_material){
+    .name = "", .red = red, .green = green, .blue = blue, .roughness = plain_roughness, .ior = plain_ior };
+}
+
+const char *vs_pattern_name(vs_pattern p) { return patterns[p].name; }
+double vs_pattern_size(const vs_material_pattern *p) { return p->size > 0 ? p->size : patterns[p->kind].size; }
+
+bool vs_pattern_find(const char *name, vs_pattern *out) {
+  for (int p = 0; p < VS_PATTERN_COUNT; p++)
+    if (!strcmp(name, patterns[p].name)) return *out = (vs_pattern)p, true;
+  return false;
 }
 
 static const vs_material *material_hex(vs_store *s, unsigned rgb, const char *name) {
@@ -26,7 +44,9 @@ static const vs_material *material_hex(vs_store *s, unsigned rgb, const char *na
 }
 
 static int material_hex_digit(char c) {
-  return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
 static bool material_same_name(const char *table, const char *given) { /* CSS names are read in any case */
@@ -54,5 +74,6 @@ const vs_material *vs_store_ready_material(vs_store *s, const char *name) {
 
 const char *vs_ready_material_name(size_t i) {
   size_t materials = sizeof ready / sizeof *ready;
-  return i < materials ? ready[i].name : i < materials + sizeof colors / sizeof *colors ? colors[i - materials].name : NULL;
+  if (i < materials) return ready[i].name;
+  return i < materials + sizeof colors / sizeof *colors ? colors[i - materials].name : NULL;
 }

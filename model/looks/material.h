@@ -1,0 +1,44 @@
+/* Declares materials: how a surface looks. Materials are interned by value in the store (vs_store_material) and live
+ * as long as it. */
+#ifndef VS_MODEL_MATERIAL_H
+#define VS_MODEL_MATERIAL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct vs_store;
+
+typedef enum {
+  VS_PATTERN_NONE,
+#define VS_PATTERN(id, name, size, shows) VS_PATTERN_##id,
+#include "model/looks/patterns.def"
+  VS_PATTERN_COUNT
+} vs_pattern;
+
+/* A surface's pattern as its material wants it. The back-ends that show patterns lay them on faces at their real size:
+ * upright on walls, along x and y on floors. Others show the material's own colour alone. */
+typedef struct {
+  vs_pattern kind;
+  double red, green, blue;     /* the second colour: of joints, veins, grain; sRGB, 0..1 */
+  double size;                 /* the width of one unit in metres; 0: the pattern's own */
+  double angle;                /* its turn on the face, in degrees */
+} vs_material_pattern;
+
+typedef struct {
+  const char *name;            /* interned; "" where it has none */
+  double red, green, blue;     /* sRGB, 0..1 */
+  double roughness, metallic, transparency; /* 0..1 */
+  double ior;                  /* index of refraction; 1 of what is transparent: thin, light goes straight through */
+  vs_material_pattern pattern;
+} vs_material;
+
+vs_material vs_material_of_color(double red, double green, double blue); /* sRGB; matt paint, no name, no pattern */
+/* The material of a name: concrete, glass, ... or a CSS colour, or "#rrggbb". NULL: there is none, or out of memory. */
+const vs_material *vs_store_ready_material(struct vs_store *s, const char *name);
+const char *vs_ready_material_name(size_t i); /* those names one by one, NULL after the last */
+
+const char *vs_pattern_name(vs_pattern p);               /* "none" of VS_PATTERN_NONE */
+bool vs_pattern_find(const char *name, vs_pattern *out); /* false: there is none of that name */
+double vs_pattern_size(const vs_material_pattern *p);    /* in metres: the material's own, or else the pattern's */
+
+#endif
