@@ -15,7 +15,8 @@
 
 #define PI 3.14159265358979323846
 #define FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array)) /* of an array that is NULL */
-enum { STOPS = 3, SWEEPS = 4000, SWEEPS_TO_COMPARE = 60, TURNS = 200, NONE = UINT32_MAX };
+#define NONE UINT32_MAX /* no point, edge or triangle */
+enum { STOPS = 3, SWEEPS = 4000, SWEEPS_TO_COMPARE = 60, TURNS = 200 };
 
 /* ---- Dijkstra ---- */
 
