@@ -120,7 +120,8 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
 /* The triangles' points, of all spans. Numbers in the order of their first use; looked up a span at a time, so that they can be fetched ahead. */
 static bool give_points(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
-  vs_soup_triangle *to = c->triangles.at + f->given;
+  vs_soup_triangle *to = c->triangles.at; /* NULL where there is none: nothing may be added to it */
+  if (f->given > 0) to += f->given;
   for (size_t index = 0; index < f->spans.count; index++) {
     const span *s = &f->spans.at[index];
     const batch_leaf *l = &f->leaves.at[s->place - f->first];
