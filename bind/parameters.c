@@ -86,6 +86,9 @@ static vs_status read_setting(vs_frame *f, const char *name, const char *datum, 
   vs_bind_parameter_type t = type_of(like);
   if (t == VS_P_STRING) return vs_string_from_utf8(f->vm, datum, strlen(datum), out);
   size_t bytes = strlen(datum), used = 0;
+  bool point = vs_is_flat(like, VS_FLAT_POINT);
+  VS_ROOTS(f->vm, kept, 1); /* reading may move the default */
+  kept[0] = like;
   if (!vs_read_datum(f->vm, datum, bytes, out, &used)) {
     VS_ROOTS(f->vm, r, 1);
     r[0] = vs_is(f->vm->condition, VS_T_CONDITION) ? vs_as_condition(f->vm->condition)->message : VS_FALSE;
@@ -99,7 +102,7 @@ static vs_status read_setting(vs_frame *f, const char *name, const char *datum, 
   }
   while (used < bytes && (datum[used] == ' ' || datum[used] == '\t')) used++;
   if (*out == VS_EOF || used < bytes) return wrong(f, true, name, type_name(t), datum);
-  if (vs_is_flat(like, VS_FLAT_POINT)) {
+  if (point) {
     double xyz[3];
     if (!point_setting(f, datum, *out, xyz)) return wrong(f, true, name, "a point, (xyz x y z)", datum);
     return vs_bind_point(f, vs_v3(xyz[0], xyz[1], xyz[2]), out);
@@ -108,7 +111,7 @@ static vs_status read_setting(vs_frame *f, const char *name, const char *datum, 
   if (!fits && t == VS_P_INTEGER && vs_is_number(*out)) {
     char must[200], whole[32];
     double d;
-    if (!vs_number_double(f->vm, like, &d)) return VS_ERROR;
+    if (!vs_number_double(f->vm, kept[0], &d)) return VS_ERROR;
     vs_bind_number_text(whole, d);
     snprintf(must, sizeof must,
         "an exact integer, because its default %s is one (with the default %s.0 it takes any number), got", whole,
