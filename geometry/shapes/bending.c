@@ -68,8 +68,10 @@ vs_bending *vs_bending_new(const vs_bend_leaf *leaf, double tolerance, double lo
             VS_GROW(b->wanted, b->wanted_room, m->vertex_count + 1);
   if (ok && leaf->curve) ok = VS_GROW(b->line, b->line_room, m->vertex_count + 1);
   if (!ok) return vs_bending_free(b), NULL;
-  memcpy(b->mesh.vertices, m->vertices, m->vertex_count * sizeof *m->vertices);
-  memcpy(b->wanted, m->vertices, m->vertex_count * sizeof *m->vertices);
+  if (m->vertex_count > 0) {
+    memcpy(b->mesh.vertices, m->vertices, m->vertex_count * sizeof *m->vertices);
+    memcpy(b->wanted, m->vertices, m->vertex_count * sizeof *m->vertices);
+  }
   if (m->triangle_count) memcpy(b->mesh.triangles, m->triangles, m->triangle_count * sizeof *m->triangles);
   b->mesh.vertex_count = b->wanted_count = m->vertex_count, b->mesh.triangle_count = m->triangle_count;
   for (size_t i = 0; leaf->curve && i < m->vertex_count; i++) b->line[b->line_count++] = (uint32_t)i;
@@ -211,7 +213,7 @@ bool vs_bending_give(vs_bending *b, const vs_vec3 *images) {
 
 vs_mesh *vs_bending_mesh(vs_bending *b) {
   if (!b->bent) { /* the corners that an edge was cut at are known by their images */
-    memcpy(b->mesh.vertices, b->image, b->image_count * sizeof *b->image);
+    if (b->image_count > 0) memcpy(b->mesh.vertices, b->image, b->image_count * sizeof *b->image);
     for (size_t i = 0; b->curve && i < b->line_count; i++) b->mesh.vertices[i] = b->image[b->line[i]];
     if (b->curve) b->mesh.vertex_count = b->line_count;
     b->bent = true;
