@@ -3,7 +3,8 @@
  * Plan. A batch of points goes through the tape step by step, so that looking at a step costs nothing against the work
  * on its numbers, and the simple operators become the machine's vector instructions. A step's numbers lie in a lane;
  * lanes are used again as soon as no later step reads them, so that all of them stay in the processor's nearest memory.
- * A lane holds the values and behind them the slopes. */
+ * A lane holds the values and behind them the slopes. A constant keeps its lane, which is filled once; whole batches
+ * without slopes read an input where the caller has it. */
 #include "functions/sampling.h"
 
 #include <math.h>
@@ -26,14 +27,16 @@ enum { BATCH = VS_SAMPLE_BATCH };
 struct vs_sampler {
   const vs_tape *t;
   int slopes;
-  uint32_t *lane; /* of each step */
-  double *at;     /* the lanes */
-  size_t width;   /* doubles a lane */
+  uint32_t *lane;      /* of each step */
+  const double **from; /* where the values of each step are read in this batch */
+  double *at;          /* the lanes */
+  size_t width;        /* doubles a lane */
 };
 
 void vs_sampler_free(vs_sampler *s) {
   if (!s) return;
   free(s->lane);
+  free(s->from);
   free(s->at);
   free(s);
 }
@@ -50,10 +53,13 @@ static size_t assign_lanes(vs_sampler *s) {
     for (int k = 0; k < vs_tape_operands((vs_tape_operator)t->step[i].op); k++) last[t->step[i].of[k]] = (uint32_t)i;
   }
   for (uint32_t i = 0; i < t->outputs; i++) last[t->output[i]] = UINT32_MAX;
+  for (size_t i = 0; i < t->count; i++)
+    if (t->step[i].op == VS_TAPE_CONSTANT) last[i] = UINT32_MAX;
   for (size_t i = 0; i < t->count; i++) {
     const vs_tape_step *step = &t->step[i];
-    s->lane[i] = idle_count ? idle[--idle_count]
-                            : lanes++; /* before the operands' lanes are free: no step writes what it reads */
+    bool used_before = idle_count && step->op != VS_TAPE_CONSTANT;
+    /* before the operands' lanes are free: no step writes what it reads */
+    s->lane[i] = used_before ? idle[--idle_count] : lanes++;
     int n = vs_tape_operands((vs_tape_operator)step->op);
     for (int k = 0; k < n; k++)
       if (last[step->of[k]] == i && !(k > 0 && step->of[k] == step->of[0]) && !(k > 1 && step->of[k] == step->of[1]))
@@ -66,11 +72,17 @@ static size_t assign_lanes(vs_sampler *s) {
 
 vs_sampler *vs_sampler_new(const vs_tape *t, int slopes) {
   vs_sampler *s = NULL;
-  size_t one = 0, room = 0, numbers = 0;
+  size_t one = 0, room = 0, from = 0, numbers = 0;
   if (!VS_GROW(s, one, 1)) return NULL;
   *s = (vs_sampler){ .t = t, .slopes = slopes, .width = (size_t)BATCH * (size_t)(1 + slopes) };
-  size_t lanes = VS_GROW(s->lane, room, t->count + 1) ? assign_lanes(s) : 0;
+  size_t lanes = VS_GROW(s->lane, room, t->count + 1) && VS_GROW(s->from, from, t->count + 1) ? assign_lanes(s) : 0;
   if (!lanes || !VS_GROW(s->at, numbers, lanes * s->width)) return vs_sampler_free(s), NULL;
+  for (size_t k = 0; k < t->count; k++) {
+    double *lane = s->at + s->lane[k] * s->width;
+    s->from[k] = lane;
+    if (t->step[k].op == VS_TAPE_CONSTANT)
+      for (size_t i = 0; i < s->width; i++) lane[i] = i < BATCH ? t->step[k].value : 0;
+  }
   return s;
 }
 
@@ -201,12 +213,19 @@ static void field(const vs_tape_field *f, int count, size_t n, double *r, const 
 static void batch(vs_sampler *s, const double *const *in, size_t from, size_t n, double *const *out,
                   double *const *slope) {
   const vs_tape *t = s->t;
+  bool in_place = !slope && n == BATCH; /* inputs are read, and a single output is written, where the caller has it */
   for (size_t k = 0; k < t->count; k++) {
     const vs_tape_step *step = &t->step[k];
-    double *r = s->at + s->lane[k] * s->width;
-    const double *a = s->at + s->lane[step->op == VS_TAPE_INPUT ? 0 : step->of[0]] * s->width,
-                 *b = s->at + s->lane[step->of[1]] * s->width;
-    const double *c = s->at + s->lane[step->of[2]] * s->width;
+    if (step->op == VS_TAPE_CONSTANT) continue;
+    if (step->op == VS_TAPE_INPUT && in_place) {
+      s->from[k] = in[step->of[0]] + from;
+      continue;
+    }
+    bool last = in_place && t->outputs == 1 && t->output[0] == k;
+    double *r = last ? out[0] + from : s->at + s->lane[k] * s->width;
+    s->from[k] = r;
+    const double *a = s->from[step->op == VS_TAPE_INPUT ? 0 : step->of[0]], *b = s->from[step->of[1]],
+                 *c = s->from[step->of[2]];
     if (step->op == VS_TAPE_INPUT) {
       memcpy(r, in[step->of[0]] + from, n * sizeof *r);
       for (size_t i = n; i < BATCH; i++) r[i] = r[0];
@@ -219,9 +238,9 @@ static void batch(vs_sampler *s, const double *const *in, size_t from, size_t n,
     if (slope) slopes(s->slopes, step, r, a, b, c);
   }
   for (uint32_t o = 0; o < t->outputs; o++)
-    memcpy(out[o] + from, s->at + s->lane[t->output[o]] * s->width, n * sizeof **out);
+    if (s->from[t->output[o]] != out[o] + from) memcpy(out[o] + from, s->from[t->output[o]], n * sizeof **out);
   for (int j = 0; slope && j < s->slopes; j++)
-    memcpy(slope[j] + from, s->at + s->lane[t->output[0]] * s->width + (j + 1) * BATCH, n * sizeof **slope);
+    memcpy(slope[j] + from, s->from[t->output[0]] + (j + 1) * BATCH, n * sizeof **slope);
 }
 
 void vs_sample(vs_sampler *s, const double *const *in, size_t n, double *const *out) {

@@ -193,7 +193,10 @@ static vs_status tape_samples(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   for (int i = 0; i < VS_TAPE_INPUTS; i++) from[i] = in[i];
   for (int i = 0; i < VS_TAPE_OUTPUTS; i++) to[i] = results[i];
   VS_ROOTS(vm, root, 1);
-  if (!vs_make_vector(vm, (size_t)total, vs_fix(0), &a[1])) return VS_ERROR;
+  vs_vector *made = (vs_vector *)(void *)vs_gc_alloc(vm, VS_T_VECTOR, 2 + (size_t)total); /* of zeros */
+  if (!made) return VS_ERROR;
+  made->length = (size_t)total;
+  a[1] = vs_from_object(made);
   vs_sampler *s = vs_sampler_new(t, 0);
   if (!s) return vs_fail_memory(vm);
   bool ok = true;
@@ -214,6 +217,7 @@ static vs_status tape_samples(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
     ok = ok && vs_poll(vm, (uint64_t)count * t->count / 8 + 1);
   }
   vs_sampler_free(s);
+  if (t->outputs == 1) vs_gc_forget(vs_object_of(a[1]));
   *out = a[1];
   return ok;
 }

@@ -66,6 +66,12 @@
 (displayln (every (lambda (p v) (close? (apply all p) v)) spots
   (append-map (lambda (x) (append-map (lambda (y) (vector->list (function-samples all (list x (+ x 1) 1) (list y (+ y 1) 1)))) '(-1 0 0.5 1 2))) '(-1 0 0.5 1 2)))) ; expect: #t
 (displayln (every (lambda (p) (let ((b (function-bounds all (interval (- (car p) 0.1) (+ (car p) 0.1)) (cadr p)))) (<= (interval-low b) (apply all p) (interval-high b)))) spots)) ; expect: #t
+; and so it does in batches, whole ones and the rest
+(define grid-x (division -1 2 16))
+(define grid-y (division -0.9 2.1 18))
+(displayln (every close? (append-map (lambda (x) (map (lambda (y) (all x y)) grid-y)) grid-x) (vector->list (function-samples all '(-1 2 17) '(-0.9 2.1 19))))) ; expect: #t
+(define-function (same x) x)
+(displayln (equal? (function-samples same '(0 299 300)) (list->vector (map inexact (iota 300))))) ; expect: #t
 (define-function (small x-1 y) (- (if (< x-1 y) (/ 1 (- x-1 (* 2 y))) (- y)) (atan x-1 -2)))
 (displayln (function-text small 'javascript)) ; expect: ((x_1 < y ? 1 : 0) !== 0 ? 1 / (x_1 - y * 2) : -y) - Math.atan2(x_1, (-2))
 (displayln (function-text h 'povray))         ; expect: (x * 2 y * 2 z * 2)

@@ -320,6 +320,8 @@ void vs_gc_remember(vs_scheme *vm, vs_object *o) {
   gc->remembered[gc->remembered_count++] = o;
 }
 
+void vs_gc_forget(vs_object *o) { o->gc &= (uint8_t)~GC_REMEMBERED; }
+
 void vs_gc_external(vs_scheme *vm, int64_t bytes) {
   struct vs_gc *gc = vm->gc;
   if (bytes < 0 && gc->external < (size_t)-bytes) gc->external = 0;

@@ -38,6 +38,8 @@ vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words);      /* never
 
 static inline bool vs_gc_is_young(const vs_scheme *vm, const void *o) { return (uintptr_t)o - (uintptr_t)vm->nursery < vm->nursery_bytes; }
 void vs_gc_remember(vs_scheme *vm, vs_object *o);
+/* The object holds no addresses: the next minor collection need not look through it, until one is stored. */
+void vs_gc_forget(vs_object *o);
 static inline void vs_gc_store(vs_scheme *vm, void *object, vs_value *field, vs_value v) {
   *field = v;
   if (vs_is_object(v) && vs_gc_is_young(vm, vs_object_of(v)) && !vs_gc_is_young(vm, object)) vs_gc_remember(vm, object);
