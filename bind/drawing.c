@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "geometry/sky_light.h"
 #include "geometry/sun_position.h"
 #include "vm/library/port.h"
 #include "vm/machine/program.h"
@@ -247,10 +248,15 @@ static vs_status sky_image(vs_frame *f, const vs_arg *image) {
 vs_status vs_p_sky(vs_frame *f, vs_value *out) {
   vs_scene *s = &f->bind->scene;
   (void)out;
-  if (!f->key[0].given && !f->key[1].given) return vs_fail(f->vm, f->vm->sym.arity, "takes #:color, #:image or both");
+  const vs_arg *turbidity = &f->key[2];
+  if (turbidity->given ? f->key[0].given || f->key[1].given : !f->key[0].given && !f->key[1].given)
+    return vs_fail(f->vm, f->vm->sym.arity, "takes #:color, #:image or both, or #:turbidity alone");
+  if (turbidity->given && !(turbidity->real >= VS_TURBIDITY_LEAST && turbidity->real <= VS_TURBIDITY_MOST))
+    return vs_bind_refuse(f, "turbidity", "from 2 (very clear) to 10 (haze)", turbidity->value);
   if (f->key[1].given && !sky_image(f, &f->key[1])) return VS_ERROR;
   if (f->bind->handing) return VS_OK;
   if (!f->key[1].given) s->sky_image = NULL;
+  s->turbidity = turbidity->given ? turbidity->real : 0;
   if (!f->key[0].given) return VS_OK;
   const vs_material *m = f->key[0].material;
   s->has_sky = true, s->sky[0] = m->red, s->sky[1] = m->green, s->sky[2] = m->blue;

@@ -49,6 +49,7 @@ typedef struct {
   double sun_azimuth, sun_altitude; /* degrees; azimuth clockwise from +Y */
   bool has_sky;
   double sky[3];             /* sRGB */
+  double turbidity;          /* of the physical sky (geometry/sky_light.h); 0: none */
   const char *sky_image;     /* a file with the whole sky, twice as wide as high; NULL: none */
   const char *sky_format;    /* of it: "png" "jpeg" "exr" "hdr" */
   bool has_ground;

@@ -26,19 +26,13 @@ cat > "$work/light.vs" <<'EOF'
 (draw (with-material (make-material #:color "red") (make-box (xyz 0.2 -1 0) (xyz 2 1 2.5))))
 (draw (with-material (make-material #:color "gray") (make-sphere (xyz 4 0 1) 1)))
 EOF
-"$BUILD/vs" --quiet "$work/light.vs" -o "$work/light.html" || echo "not ok page/light: ended with $?"
-if command -v povray > /dev/null; then "$BUILD/vs" --quiet "$work/light.vs" --size 480x360 -o "$work/light.png" || echo "not ok page/light: ended with $?"
-else echo "skip page/light: no POV-Ray (package povray)"; fi
-cat > "$work/light.vs" <<'EOF'
-(ground 0)
-(camera (xyz 6 -12 5) (xyz 0 0 1.2) #:lens 40)
-(draw (make-box (xyz -3 -1 0) (xyz -1 1 2.5)))
-(draw (with-material (make-material #:color "red") (make-box (xyz 0.2 -1 0) (xyz 2 1 2.5))))
-(draw (with-material (make-material #:color "gray") (make-sphere (xyz 4 0 1) 1)))
-EOF
-"$BUILD/vs" --quiet "$work/light.vs" -o "$work/light.html" || echo "not ok page/light: ended with $?"
-if command -v povray > /dev/null; then "$BUILD/vs" --quiet "$work/light.vs" --size 480x360 -o "$work/light.png" || echo "not ok page/light: ended with $?"
-else echo "skip page/light: no POV-Ray (package povray)"; fi
+{ cat "$work/light.vs"; echo '(sky #:turbidity 3) (sun #:azimuth 230 #:altitude 45)'; } > "$work/daylight.vs"
+{ cat "$work/light.vs"; echo '(sky #:turbidity 4) (sun #:azimuth 250 #:altitude 10)'; } > "$work/evening.vs"
+for name in light daylight evening; do
+  "$BUILD/vs" --quiet "$work/$name.vs" -o "$work/$name.html" || echo "not ok page/$name: ended with $?"
+  if command -v povray > /dev/null; then "$BUILD/vs" --quiet "$work/$name.vs" --size 480x360 -o "$work/$name.png" || echo "not ok page/$name: ended with $?"
+  else echo "skip page/$name: no POV-Ray (package povray)"; fi
+done
 timeout 600 node tests/page/page.mjs "$work" || echo "not ok page: ended with $?"
 
 # .x3d files: what each kind of node becomes, instances, and two examples.

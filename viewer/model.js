@@ -12,6 +12,7 @@ export class Model {
     this.view = null;
     this.sun = null;
     this.sky = null;
+    this.daylight = null; // The physical sky: a table of its light, the sun's, and what a level surface gets.
     this.ground = null;
     this.materials = [plain()]; // Number 0 is that of parts without a material.
     this.layers = [""];
@@ -258,7 +259,10 @@ export function modelFromPacked(root) {
       case "WorldInfo": model.title = f.title; model.units = f.units; model.middle = Array.from(f.middle); break;
       case "Viewpoint": model.view = { eye: f.eye, target: f.target, up: f.up, parallel: !!f.parallel, width: f.width[0], angle: f.angle[0], aspect: f.aspect[0], given: !!f.given }; break;
       case "DirectionalLight": model.sun = { direction: Array.from(f.direction), given: !!f.given }; break;
-      case "Background": model.sky = Array.from(f.skyColor); break;
+      case "Background":
+        if (f.skyColor) model.sky = Array.from(f.skyColor);
+        if (f.table) model.daylight = { table: f.table, columns: f.columns, rows: f.rows, sun: f.sun, level: f.level };
+        break;
       case "Ground": model.ground = { z: f.z[0], paint: f.paint || 0 }; break;
       case "PhysicalMaterial": model.materials.push({ name: f.name, color: Array.from(f.baseColor), roughness: f.roughness[0], metallic: f.metallic[0], transparency: f.transparency[0], ior: f.ior[0], pattern: f.pattern ? { name: f.pattern, color: Array.from(f.patternColor), size: f.patternSize[0], angle: f.patternAngle[0] } : null }); break;
       case "Origins": model.origins = { files: f.file || [], at: f.at }; break;

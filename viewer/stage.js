@@ -9,6 +9,7 @@ import { buildBatches, disposeBatches, mergeParts, meshGeometry } from "./batche
 
 // Radiances and colours are POV-Ray's, linear; a light of intensity pi makes a white surface across it as bright as its colour.
 const SUN = new THREE.Color(1, 0.95, 0.87), DIFFUSE = 0.82, SKY_POWER = 1.6, SUN_POWER = 2 * SKY_POWER, EXPOSURE = 0.62;
+const LIT = 3.9; // What the plain sun and sky give a surface across the sun: the exposure is for it.
 const BOUNCED = 0.1, BOUNCED_BY_GROUND = 0.3; // What walls and the ground send on, in parts of the sky's and the sun's light.
 
 // Bright colours are compressed and turn pale, others stay as they are: Khronos' neutral curve without its toe, which takes contrast from what is dark.
@@ -41,6 +42,9 @@ const fading = (pixels) => (parameters) => { // pixels: half the picture's heigh
 };
 
 const quadVertex = "varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }";
+
+// The sky's light is paler than it looks: what it lights would else drown in blue. The mean is what a level surface gets.
+const paler = (c, share) => { const grey = (c.r + c.g + c.b) / 3; return c.lerp(new THREE.Color(grey, grey, grey), share); };
 
 export class Stage {
   constructor(canvas) {
@@ -100,7 +104,6 @@ export class Stage {
     };
     this.sun = light(this.software ? 1024 : 2048);
     this.above = light(1024);
-    this.sun.color.copy(SUN);
     this.fill = new THREE.HemisphereLight(0xffffff, 0xb8aea2, 1);
     this.fill.position.set(0, 0, 1);
     this.scene.add(this.fill);
@@ -141,7 +144,7 @@ export class Stage {
       const r = 0.012 * Math.sqrt((sample * silver) % 1), a = 2 * Math.PI * ((sample * golden) % 1);
       this.#aim(this.sun, this.sunDirection.clone().addScaledVector(side, r * Math.cos(a)).addScaledVector(other, r * Math.sin(a)).normalize());
       this.#aim(this.above, new THREE.Vector3(across * Math.cos(turn), across * Math.sin(turn), Math.max(0.03, height)));
-      this.above.color.copy(o.occlusion ? this.#skyAt(height) : mean);
+      this.above.color.copy(o.occlusion ? this.#skyAt(Math.cos(turn), Math.sin(turn), height) : mean);
       this.above.intensity = o.occlusion ? 2 * Math.PI * DIFFUSE : 0;
       this.fill.color.copy(mean).multiplyScalar(o.occlusion ? BOUNCED : 1 + BOUNCED);
     }
@@ -153,7 +156,7 @@ export class Stage {
 
   #sky() {
     this.skyMaterial = new THREE.ShaderMaterial({
-      uniforms: { zenith: { value: new THREE.Color() }, horizon: { value: new THREE.Color() }, near: { value: new THREE.Color() }, below: { value: new THREE.Color() } },
+      uniforms: { daylight: { value: null }, sunWay: { value: new THREE.Vector2() }, zenith: { value: new THREE.Color() }, horizon: { value: new THREE.Color() }, near: { value: new THREE.Color() }, below: { value: new THREE.Color() } },
       // Where each pixel looks to. Parallel rays would all see one colour: there the sky is that of a lens.
       vertexShader: `varying vec3 way;
         void main() {
@@ -162,9 +165,23 @@ export class Stage {
           way = transpose(mat3(viewMatrix)) * vec3(position.xy * reach, -1.0);
           gl_Position = vec4(position.xy, 0.999999, 1.0);
         }`,
-      fragmentShader: `uniform vec3 zenith, horizon, near, below; varying vec3 way;
+      fragmentShader: `#include <common>
+        uniform sampler2D daylight; uniform vec2 sunWay; uniform vec3 zenith, horizon, near, below; varying vec3 way;
+        vec3 daylightAt(vec3 d) { // The table's columns go from the sun's side to the other, its rows by the root of the height.
+          vec2 level = d.xy / max(1e-6, length(d.xy));
+          vec2 at = vec2(acos(clamp(dot(level, sunWay), -1.0, 1.0)) / PI, sqrt(asin(clamp(d.z, 0.0, 1.0)) * 2.0 / PI));
+          vec2 count = vec2(textureSize(daylight, 0));
+          return texture2D(daylight, (at * (count - 1.0) + 0.5) / count).rgb;
+        }
         void main() {
           float h = normalize(way).z;
+          if (sunWay != vec2(0.0)) {
+            vec3 seen = daylightAt(normalize(way));
+            gl_FragColor = vec4(h > 0.0 ? seen : h > -0.28 ? mix(seen, near, -h / 0.28) : mix(near, below, (-h - 0.28) / 0.72), 1.0);
+            #include <tonemapping_fragment>
+            #include <colorspace_fragment>
+            return;
+          }
           vec3 c = h > 0.0 ? mix(horizon, zenith, min(1.0, h / 0.6)) : h > -0.28 ? mix(horizon, near, -h / 0.28) : mix(near, below, (-h - 0.28) / 0.72);
           float peak = max(c.r, max(c.g, c.b)); // The sky's colours are those of the screen: what exposure and curve will do is undone.
           if (peak > 0.76) c *= (0.24 * 0.24 / (1.0 - min(peak, 0.995)) - 0.24 + 0.76) / peak;
@@ -183,19 +200,52 @@ export class Stage {
   }
 
   #paintSky(model) {
-    const u = this.skyMaterial.uniforms, own = model && model.sky, zenith = own || [0.46, 0.66, 0.9], haze = own ? own.map((x) => 0.45 + 0.55 * x) : [0.93, 0.95, 0.96];
+    const u = this.skyMaterial.uniforms, day = model && model.daylight;
+    this.daylight = day;
+    this.renderer.toneMappingExposure = EXPOSURE;
+    u.sunWay.value.set(0, 0);
+    if (day) return this.#paintDaylight(day);
+    const own = model && model.sky, zenith = own || [0.46, 0.66, 0.9], haze = own ? own.map((x) => 0.45 + 0.55 * x) : [0.93, 0.95, 0.96];
     const colour = (c) => new THREE.Color().setRGB(...c, THREE.SRGBColorSpace);
     const seen = this.options.dark && !own ? [[0.13, 0.16, 0.2], [0.27, 0.31, 0.36], [0.22, 0.245, 0.275], [0.12, 0.135, 0.155]] : [zenith, haze, [0.9, 0.9, 0.89], [0.78, 0.78, 0.77]];
     ["zenith", "horizon", "near", "below"].forEach((name, k) => u[name].value.copy(colour(seen[k])));
-    // The sky's light is paler than it looks: what it lights would else drown in blue. The mean is what a level surface gets.
-    const pale = (c) => { const grey = (c.r + c.g + c.b) / 3; return c.lerp(new THREE.Color(grey, grey, grey), 0.45).multiplyScalar(SKY_POWER); };
-    this.zenithLight = pale(colour(zenith)), this.hazeLight = pale(colour(haze));
+    this.zenithLight = paler(colour(zenith), 0.45).multiplyScalar(SKY_POWER), this.hazeLight = paler(colour(haze), 0.45).multiplyScalar(SKY_POWER);
     this.skyMean.copy(this.hazeLight).lerp(this.zenithLight, 0.88);
+    this.sun.color.copy(SUN);
     this.groundLight.copy(SUN).multiplyScalar(SUN_POWER * Math.max(0.2, this.sunDirection.z)).add(this.skyMean).multiplyScalar(BOUNCED_BY_GROUND);
     this.#environment();
   }
 
-  #skyAt(height) { return this.hazeLight.clone().lerp(this.zenithLight, Math.min(1, height / 0.6)); }
+  // The physical sky, a table that vs has worked out, with the sun and what a level surface gets from the sky. The exposure is about what a picture's
+  // would be: as the sun sinks, the sky at the horizon fades less than what is lit.
+  #paintDaylight(day) {
+    const u = this.skyMaterial.uniforms, data = new Float32Array(4 * day.columns * day.rows).fill(1);
+    for (let i = 0; i < day.columns * day.rows; i++) data.set(day.table.slice(3 * i, 3 * i + 3), 4 * i);
+    u.daylight.value?.dispose();
+    u.daylight.value = new THREE.DataTexture(Uint16Array.from(data, THREE.DataUtils.toHalfFloat), day.columns, day.rows, THREE.RGBAFormat, THREE.HalfFloatType);
+    u.daylight.value.magFilter = u.daylight.value.minFilter = THREE.LinearFilter;
+    u.daylight.value.needsUpdate = true;
+    u.sunWay.value.set(this.sunDirection.x, this.sunDirection.y);
+    if (u.sunWay.value.length() < 1e-6) u.sunWay.value.set(1, 0);
+    u.sunWay.value.normalize();
+    const sun = new THREE.Color(...day.sun), level = new THREE.Color(...day.level);
+    const floor = sun.clone().multiplyScalar(Math.max(0, this.sunDirection.z)).add(level);
+    u.near.value.copy(floor).multiplyScalar(0.3), u.below.value.copy(floor).multiplyScalar(0.24);
+    this.sun.color.copy(sun).multiplyScalar(1 / SUN_POWER);
+    this.skyMean.copy(paler(level, 0.3));
+    this.groundLight.copy(floor).multiplyScalar(BOUNCED_BY_GROUND);
+    this.renderer.toneMappingExposure = EXPOSURE * Math.pow(LIT / (sun.g + level.g), 0.75);
+    this.#environment();
+  }
+
+  // The sky's light in a direction, which is unit.
+  #skyAt(x, y, z) {
+    if (!this.daylight) return this.hazeLight.clone().lerp(this.zenithLight, Math.min(1, z / 0.6));
+    const { table, columns, rows } = this.daylight, way = this.skyMaterial.uniforms.sunWay.value, across = Math.max(1e-6, Math.hypot(x, y));
+    const column = Math.round(Math.acos(THREE.MathUtils.clamp((x * way.x + y * way.y) / across, -1, 1)) / Math.PI * (columns - 1));
+    const row = Math.round(Math.sqrt(Math.asin(THREE.MathUtils.clamp(z, 0, 1)) * 2 / Math.PI) * (rows - 1)), at = 3 * (row * columns + column);
+    return paler(new THREE.Color(table[at], table[at + 1], table[at + 2]), 0.3);
+  }
 
   // What metals and glass mirror: the sky, a bright band low in it, and the ground.
   #environment() {
@@ -203,9 +253,11 @@ export class Stage {
     for (let y = 0; y < h; y++) {
       const up = 1 - 2 * (y + 0.5) / h; // The picture's rows go downwards; three.js takes its own Y for up: the scene is turned.
       if (up > 0) c.copy(u.horizon.value).lerp(u.zenith.value, Math.pow(up, 0.6)).multiplyScalar(1.15);
-      else c.copy(u.near.value).lerp(u.below.value, -up).multiplyScalar(0.55);
+      else c.copy(u.near.value).lerp(u.below.value, -up).multiplyScalar(this.daylight ? 1 : 0.55);
       for (let x = 0; x < w; x++) {
-        const glow = up > 0 ? 0.5 * Math.exp(-18 * ((up - 0.35) ** 2 + ((x / w - 0.3) * 3) ** 2)) : 0;
+        const turn = 2 * Math.PI * ((x + 0.5) / w - 0.5), across = Math.sqrt(1 - up * up);
+        if (up > 0 && this.daylight) c.copy(this.#skyAt(across * Math.cos(turn), across * Math.sin(turn), up));
+        const glow = up > 0 && !this.daylight ? 0.5 * Math.exp(-18 * ((up - 0.35) ** 2 + ((x / w - 0.3) * 3) ** 2)) : 0;
         data.set([c.r + glow, c.g + glow, c.b + glow, 1], 4 * ((h - 1 - y) * w + x));
       }
     }

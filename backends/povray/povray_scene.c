@@ -10,6 +10,7 @@
 #include <stdlib.h>
 
 #include "backends/povray/povray.h"
+#include "backends/povray/povray_sky.h"
 #include "backends/view.h"
 
 static void pov_vector(vs_writer *w, const char *before, vs_vec3 v) {
@@ -33,6 +34,11 @@ static double pov_sky_strength(const vs_emitter *e) { return pov_is_developed(e)
 /* Of a draft's lights without shadows, which stand for all that the sky and the walls send on. */
 static double pov_fill_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2.1 : 1; }
 static double pov_sun_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2 * pov_sky_strength(e) : 1.25; }
+/* A physical sky in a .pov is darker by as much as the sun is. */
+static bool pov_is_physical(const vs_emitter *e) { return e->scene->turbidity > 0; }
+static vs_povray_daylight pov_daylight(const vs_emitter *e, const vs_look *l) {
+  return vs_povray_daylight_of(e->scene, vs_look_sun(e->scene, l), pov_is_developed(e) ? 1 : 1.25 / 3.2);
+}
 /* What a draft adds to all surfaces, however they are turned: none is black. With bounced light POV-Ray wants none. */
 double vs_povray_ambient(const vs_emitter *e) {
   return e->options->quality == VS_RENDER_DRAFT ? 0.05 * pov_fill_strength(e) : 0;
@@ -76,8 +82,16 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   double far = 20 * diagonal;
   vs_puts(w, "light_source {\n");
   pov_vector(w, "  ", vs_v3_add(middle, vs_v3_scale(sun, far)));
-  vs_puts(w, pov_is_developed(e) ? "\n  color rgb <1, 0.95, 0.87>" : "\n  color rgb <1, 0.94, 0.84>");
-  pov_word(w, " * ", pov_sun_strength(e), "\n  parallel\n");
+  double fill = pov_fill_strength(e);
+  if (pov_is_physical(e)) {
+    vs_povray_daylight day = pov_daylight(e, l);
+    vs_put_triple(w, "\n  color rgb <", day.sun, ", ", ">");
+    fill *= day.fill / 0.75; /* what a level surface gets from the plain sky */
+  } else {
+    vs_puts(w, pov_is_developed(e) ? "\n  color rgb <1, 0.95, 0.87>" : "\n  color rgb <1, 0.94, 0.84>");
+    pov_word(w, " * ", pov_sun_strength(e), "");
+  }
+  vs_puts(w, "\n  parallel\n");
   pov_vector(w, "  point_at ", middle);
   if (e->options->quality == VS_RENDER_FINAL) { /* a soft edge costs several times all the rest */
     /* orient turns it to what it lights; only lengths count, and POV-Ray wants them equal to 1e-10, which digits of
@@ -90,14 +104,14 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   if (e->options->quality == VS_RENDER_DRAFT) { /* no radiosity: a second, shadowless light from the other side fills */
     pov_vector(w, "light_source { ", vs_v3_add(middle, vs_v3(-sun.x * far, -sun.y * far, sun.z * far)));
     vs_puts(w, " color rgb <0.4, 0.44, 0.5>");
-    if (pov_is_developed(e)) pov_word(w, " * ", pov_fill_strength(e), "");
+    if (fill != 1) pov_word(w, " * ", fill, "");
     vs_puts(w, " shadowless parallel ");
     pov_vector(w, "point_at ", middle);
     pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3_scale(l->forward, far)));
-    pov_word(w, " color rgb ", 0.16 * pov_fill_strength(e), " shadowless parallel ");
+    pov_word(w, " color rgb ", 0.16 * fill, " shadowless parallel ");
     pov_vector(w, "point_at ", middle);
     pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3(0, 0, far))); /* what the ground sends up */
-    pov_word(w, " color rgb <0.13, 0.125, 0.115> * ", pov_fill_strength(e), " shadowless parallel ");
+    pov_word(w, " color rgb <0.13, 0.125, 0.115> * ", fill, " shadowless parallel ");
     pov_vector(w, "point_at ", middle);
     vs_puts(w, " }\n");
   }
@@ -138,8 +152,13 @@ static vs_vec3 pov_light_of(vs_vec3 c, double strength) {
 }
 
 /* Seen from the middle: below the horizon a pale studio floor, at it haze, above it blue (or the model's colour). */
-static void pov_sky(vs_emitter *e) {
+static void pov_sky(vs_emitter *e, const vs_look *l) {
   vs_writer *w = e->out;
+  if (pov_is_physical(e)) {
+    vs_povray_daylight day = pov_daylight(e, l);
+    vs_povray_daylight_sky(w, &day);
+    return;
+  }
   if (e->scene->sky_image != NULL) {
     pov_sky_image(e);
     return;
@@ -169,15 +188,27 @@ static void pov_ground_haze(vs_emitter *e, const vs_look *l, double diagonal, do
   vs_writer *w = e->out;
   vs_vec3 haze = pov_air_of(e->scene).haze;
   vs_vec3 middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5 * e->unit);
-  vs_puts(w, "  texture {\n    pigment { spherical color_map {\n");
+  vs_vec3 foot = vs_v3(middle.x, middle.y, z);
+  bool physical = pov_is_physical(e);
+  vs_puts(w, "  texture {\n    pigment { spherical ");
+  vs_puts(w, physical ? "pigment_map {\n" : "color_map {\n");
+  double reach = far * fmax(diagonal, vs_v3_length(vs_v3_sub(l->eye, middle)));
   for (int i = 0; i < COUNT; i++) {
-    pov_word(w, "      [", 1 - at[i] / far, " color srgbt <");
+    double clear = i == 0 ? 0 : 1 - pow(1 - near / at[i], 2.2);
+    pov_word(w, "      [", 1 - at[i] / far, " ");
+    if (physical) { /* the sky behind it, as the eye sees it there; its place is that in the map's own space */
+      pov_word(w, "VS_Sky(", clear, ") ");
+      pov_vector(w, "translate ", vs_v3_scale(vs_v3_sub(l->eye, foot), 1 / reach));
+      vs_puts(w, "]\n");
+      continue;
+    }
+    vs_puts(w, "color srgbt <");
     for (int k = 0; k < 3; k++) pov_word(w, "", k == 0 ? haze.x : k == 1 ? haze.y : haze.z, ", ");
-    pov_word(w, "", i == 0 ? 0 : 1 - pow(1 - near / at[i], 2.2), ">]\n");
+    pov_word(w, "", clear, ">]\n");
   }
-  pov_word(w, "    } scale ", far * fmax(diagonal, vs_v3_length(vs_v3_sub(l->eye, middle))), "");
-  pov_vector(w, " translate ", vs_v3(middle.x, middle.y, z));
-  pov_word(w, " }\n    finish { ambient 0 diffuse 0 emission ", pov_sky_strength(e), " }\n  }\n");
+  pov_word(w, "    } scale ", reach, "");
+  pov_vector(w, " translate ", foot);
+  pov_word(w, " }\n    finish { ambient 0 diffuse 0 emission ", physical ? 1 : pov_sky_strength(e), " }\n  }\n");
 }
 
 /* A plane without end. A picture as the sky has a horizon of its own: no haze is laid over the ground. */
@@ -268,7 +299,7 @@ bool vs_povray_begin(vs_emitter *e) {
   }
   pov_camera(e, &look);
   pov_sun(e, &look, diagonal);
-  pov_sky(e);
+  pov_sky(e, &look);
   vs_puts(w, "\n");
   for (size_t i = 1; i <= vs_emit_material_count(e); i++)
     vs_povray_declare_material(e, vs_emit_material_at(e, i), pixel);

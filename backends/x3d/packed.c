@@ -24,6 +24,7 @@
 
 #include "backends/shade.h"
 #include "backends/view.h"
+#include "geometry/sky_light.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/shapes/unit_forms.h"
 #include "model/store/nodemap.h"
@@ -220,6 +221,31 @@ static void packed_material(vs_emitter *e, size_t number) {
   packed_end(e);
 }
 
+/* The physical sky as light of linear sRGB, 1 for 10,000 cd/m2: columns from the sun's side to the other, rows from the
+ * horizon to the zenith by the root of the height's angle; the sun's and the sky's light are those of a white surface.
+ */
+static void packed_daylight(vs_emitter *e, vs_vec3 sun) {
+  enum { COLUMNS = 25, ROWS = 13 };
+  const double pi = 3.14159265358979323846, per_candela = 1e-4, per_lux = per_candela / pi;
+  vs_sky_light sky = vs_sky_light_of(e->scene->turbidity, sun);
+  double side = atan2(sky.sun.y, sky.sun.x), table[ROWS * COLUMNS * 3];
+  for (int row = 0; row < ROWS; row++)
+    for (int column = 0; column < COLUMNS; column++) {
+      double share = row / (ROWS - 1.), height = share * share * pi / 2, turn = side + pi * column / (COLUMNS - 1.);
+      vs_vec3 d = vs_v3(cos(height) * cos(turn), cos(height) * sin(turn), sin(height)), c = vs_sky_light_at(&sky, d);
+      double *at = &table[3 * (row * COLUMNS + column)];
+      at[0] = per_candela * c.x, at[1] = per_candela * c.y, at[2] = per_candela * c.z;
+    }
+  packed_entry(e, "N", "Background");
+  packed_number(e, "columns", COLUMNS);
+  packed_number(e, "rows", ROWS);
+  packed_doubles(e, "table", table, ROWS * COLUMNS * 3);
+  vs_vec3 light = vs_sky_light_sun(e->scene->turbidity, asin(fmax(-1, fmin(1, sun.z))) * 180 / pi);
+  packed_place_of(e, "sun", vs_v3_scale(light, per_lux));
+  packed_place_of(e, "level", vs_v3_scale(vs_sky_light_level(&sky), per_lux));
+  packed_end(e);
+}
+
 static void packed_head(vs_emitter *e) {
   packed *p = e->state;
   const vs_scene *s = e->scene;
@@ -247,7 +273,8 @@ static void packed_head(vs_emitter *e) {
   packed_place_of(e, "direction", vs_v3_scale(vs_look_sun(s, &look), -1));
   packed_number(e, "given", s->has_sun);
   packed_end(e);
-  if (s->has_sky) {
+  if (s->turbidity > 0) packed_daylight(e, vs_look_sun(s, &look));
+  else if (s->has_sky) {
     packed_entry(e, "N", "Background");
     packed_doubles(e, "skyColor", s->sky, 3);
     packed_end(e);

@@ -1,9 +1,9 @@
-// Owns the tests of pages: `page.mjs FOLDER` with FOLDER/NAME.html for every example, FOLDER/hostile.html, FOLDER/doric-columns.x3d, FOLDER/light.html and, where POV-Ray is, light.png. Prints lines as tests/run.sh wants them.
+// Owns the tests of pages: `page.mjs FOLDER` with FOLDER/NAME.html for every example, FOLDER/hostile.html, FOLDER/doric-columns.x3d, FOLDER/light.html, daylight.html, evening.html and, where POV-Ray is, a .png of each. Prints lines as tests/run.sh wants them.
 import { readdirSync } from "node:fs";
 import { browser, open } from "./browser.mjs";
 
 const folder = process.argv[2], chromium = await browser(), only = process.env.ONLY || "";
-const pages = readdirSync(folder).filter((f) => f.endsWith(".html") && !["hostile.html", "light.html"].includes(f)).map((f) => f.slice(0, -5)).sort();
+const pages = readdirSync(folder).filter((f) => f.endsWith(".html") && !["hostile.html", "light.html", "daylight.html", "evening.html"].includes(f)).map((f) => f.slice(0, -5)).sort();
 
 function judge(name, faults) {
   console.log((faults.length ? "not ok page/" : "ok page/") + name);
@@ -111,10 +111,11 @@ try {
     await page.close();
   }
 
-  // Lit as in POV-Ray's picture of the same view, which is light.png: both as twelve by nine squares.
-  if (wanted("light") && readdirSync(folder).includes("light.png")) {
+  // Lit as in POV-Ray's picture of the same view: both as twelve by nine squares. The mean and the largest difference that pass.
+  for (const [name, meanly, most] of [["light", 12, 60], ["daylight", 16, 75], ["evening", 25, 110]]) {
+    if (!wanted(name) || !readdirSync(folder).includes(`${name}.png`)) continue;
     const { readFileSync } = await import("node:fs"), plain = await chromium.newContext({ viewport: { width: 480, height: 360 }, reducedMotion: "reduce" });
-    const page = await open(plain, `file://${folder}/light.html`, true), faults = [];
+    const page = await open(plain, `file://${folder}/${name}.html`, true), faults = [];
     await page.evaluate(() => { const v = window.visualscheme; for (const node of v.root.children) if (node !== v.canvas) node.style.display = "none"; });
     const squares = (png) => page.evaluate(async (data) => {
       const bitmap = await createImageBitmap(await (await fetch("data:image/png;base64," + data)).blob()), canvas = new OffscreenCanvas(12, 9), to = canvas.getContext("2d");
@@ -122,10 +123,10 @@ try {
       to.drawImage(bitmap, 0, 0, 12, 9);
       return [...to.getImageData(0, 0, 12, 9).data].filter((_, i) => i % 4 < 3);
     }, png.toString("base64"));
-    const a = await squares(await page.screenshot()), b = await squares(readFileSync(`${folder}/light.png`)), apart = a.map((x, i) => Math.abs(x - b[i])), mean = apart.reduce((x, y) => x + y) / apart.length;
-    if (process.env.TELL) console.log(`# light: mean difference ${mean.toFixed(1)} of 255, largest ${Math.max(...apart)}`);
-    if (mean > 12 || Math.max(...apart) > 60) faults.push(`the page and POV-Ray's picture differ by ${mean.toFixed(1)} of 255 in the mean, ${Math.max(...apart)} at most`);
-    judge("light", [...faults, ...page.troubles]);
+    const a = await squares(await page.screenshot()), b = await squares(readFileSync(`${folder}/${name}.png`)), apart = a.map((x, i) => Math.abs(x - b[i])), mean = apart.reduce((x, y) => x + y) / apart.length;
+    if (process.env.TELL) console.log(`# ${name}: mean difference ${mean.toFixed(1)} of 255, largest ${Math.max(...apart)}`);
+    if (mean > meanly || Math.max(...apart) > most) faults.push(`the page and POV-Ray's picture differ by ${mean.toFixed(1)} of 255 in the mean, ${Math.max(...apart)} at most`);
+    judge(name, [...faults, ...page.troubles]);
     await plain.close();
   }
 

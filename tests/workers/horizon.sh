@@ -7,9 +7,10 @@ command -v povray > /dev/null || { echo "skip horizon: no povray (package povray
 
 # eye's height, size of the model, the largest step, the ground's arguments
 while read -r name eye size most ground; do
+  sky=""; [ "${name#daylight}" = "$name" ] || sky='(sky #:turbidity 3) (sun #:azimuth 90 #:altitude 30)'
   : > "$work/why"
   {
-    echo "(ground $ground)"
+    echo "(ground $ground) $sky"
     echo "(camera (xyz 0 (* -3 $size) $eye) (xyz 0 0 $eye) #:lens 28)"
     echo "(draw (make-box (xyz (* -0.1 $size) 0 (- (* 0.02 $size))) (xyz (* 0.1 $size) $size (* 0.02 $size))))"
   } > "$work/$name.vs"
@@ -20,6 +21,8 @@ while read -r name eye size most ground; do
   result "horizon:$name" "$work/why"
 done <<'EOF'
 eye-level 1.7 20 35 0
+daylight 1.7 20 35 0
+daylight-grass 40 20 45 0 #:material grass
 from-above 40 20 35 0 #:material grass
 dark-ground 2 10 45 0 #:material (make-material #:name "asphalt" #:color "#202020")
 tiny 0.0015 0.01 35 0
