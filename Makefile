@@ -11,6 +11,10 @@ VERSION   = $(shell sed -n 's/^.define VS_VERSION "\(.*\)"/\1/p' visualscheme.h)
 WARN      = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 CFLAGS   += -std=c11 -D_POSIX_C_SOURCE=200809L $(OPT) $(WARN) -ffp-contract=off -fvisibility=hidden -fno-math-errno -fPIC -I. $(EXTRA)
 
+# Where linker and loader know it, the tables' pointers stand in the program as a bitmap: a start reads 2 KB for them and not 290.
+PACKED    = -Wl,-z,pack-relative-relocs,--fatal-warnings
+PACK      = $(shell p=$$(mktemp) && echo 'int main(void) { return 0; }' | $(CC) -xc - -o $$p $(PACKED) 2> /dev/null && $$p && echo '$(PACKED)'; rm -f $$p)
+
 # A line of a few words for each command; V=1 shows the command instead.
 Q         = $(if $(V),,@)
 say       = $(if $(V),@:,@echo "  $(1)")
@@ -31,8 +35,8 @@ UNIT_BIN  = $(UNIT_SRC:tests/unit/%.c=$(BUILD)/unit/%)
 TOOL_BIN  = $(patsubst tests/tools/%.c,$(BUILD)/tools/%,$(wildcard tests/tools/*.c)) $(BUILD)/tools/fuzz $(FUZZERS:%=$(BUILD)/tools/replay_%)
 OBJECTS   = $(LIB_OBJ) $(CLI_OBJ)
 
-# Files that go into the library as they are: NAME.EXT is const char vs_asset_NAME_EXT[] up to vs_asset_NAME_EXT_end[]. The viewer's scripts are
-# bundled with three.js by esbuild, both from npm (scripts/install.sh); without them the bundle is empty, and writing a page says so.
+# Files that go into the library as they are: NAME.EXT is const char vs_asset_NAME_EXT[] up to vs_asset_NAME_EXT_end[]. They have a section of their
+# own, vs_files, so that the constants that a start reads lie together. The viewer's scripts are bundled with three.js by esbuild, both from npm (scripts/install.sh); without them the bundle is empty, and writing a page says so.
 ASSETS    = viewer/page.html viewer/viewer.css $(BUILD)/viewer.js
 BUNDLE    = node_modules/.bin/esbuild --bundle --minify --format=iife --target=es2022 --legal-comments=eof --log-level=warning
 
@@ -72,7 +76,7 @@ $(BUILD)/live.css: viewer/live.css viewer/viewer.css
 	@{ cat viewer/viewer.css; sed '/^@import/d' viewer/live.css; } > $@
 
 assets    = for f in $(1); do n=vs_asset_$$(basename $$f | tr .- __); \
-  printf '.section .rodata\n.globl %s\n.hidden %s\n%s:\n' $$n $$n $$n; \
+  printf '.section vs_files,"a"\n.globl %s\n.hidden %s\n%s:\n' $$n $$n $$n; \
   [ ! -f $$f ] || echo ".incbin \"$$f\""; \
   printf '.globl %s_end\n.hidden %s_end\n%s_end:\n.byte 0\n' $$n $$n $$n; \
   done > $@ && echo '.section .note.GNU-stack,"",@progbits' >> $@
@@ -105,7 +109,7 @@ $(BUILD)/library.img: $(BUILD)/stage0 $(LIBRARY)
 	$(Q)$(BUILD)/stage0 $@ $(LIBRARY)
 
 $(BUILD)/library_image.c: $(BUILD)/library.img
-	@printf '#include "vm/machine/image.h"\n__asm__(".section .rodata\\n.balign 4096\\nvs_library_words:\\n.incbin \\"$<\\"\\n.previous");\nextern const uint64_t vs_library_words[] __attribute__((visibility("hidden")));\nextern const vs_image vs_library_image;\nconst vs_image vs_library_image = { vs_library_words, %d };\n' $$(($$(wc -c < $<) / 8)) > $@
+	@printf '#include "vm/machine/image.h"\n__asm__(".section vs_files,\\"a\\"\\n.balign 4096\\nvs_library_words:\\n.incbin \\"$<\\"\\n.previous");\nextern const uint64_t vs_library_words[] __attribute__((visibility("hidden")));\nextern const vs_image vs_library_image;\nconst vs_image vs_library_image = { vs_library_words, %d };\n' $$(($$(wc -c < $<) / 8)) > $@
 
 $(BUILD)/obj/library_image.o: $(BUILD)/library_image.c
 	@mkdir -p $(@D)
@@ -118,7 +122,7 @@ SHIPPED   = $(sort $(wildcard library/*.s[lc]* library/*/*.s[lc]* library/*/*/*.
 $(BUILD)/shipped.c: $(SHIPPED) Makefile
 	@mkdir -p $(@D)
 	@i=0; { echo '#include "vm/machine/program.h"'; for f in $(SHIPPED); do i=$$((i + 1)); \
-	  printf '__asm__(".section .rodata\\nvs_shipped_%d: .incbin \\"%s\\"\\nvs_shipped_%d_end: .byte 0\\n.previous");\nextern const char vs_shipped_%d[] __attribute__((visibility("hidden"))), vs_shipped_%d_end[] __attribute__((visibility("hidden")));\n' $$i $$f $$i $$i $$i; done; \
+	  printf '__asm__(".section vs_files,\\"a\\"\\nvs_shipped_%d: .incbin \\"%s\\"\\nvs_shipped_%d_end: .byte 0\\n.previous");\nextern const char vs_shipped_%d[] __attribute__((visibility("hidden"))), vs_shipped_%d_end[] __attribute__((visibility("hidden")));\n' $$i $$f $$i $$i $$i; done; \
 	  echo 'extern const vs_shipped vs_shipped_library[];'; echo 'const vs_shipped vs_shipped_library[] = {'; i=0; \
 	  for f in $(SHIPPED); do i=$$((i + 1)); printf '  { "%s", vs_shipped_%d, vs_shipped_%d_end },\n' $${f#library/} $$i $$i; done; echo '  { 0 }'; echo '};'; } > $@
 
@@ -150,12 +154,12 @@ $(BUILD)/manual.txt: $(MANUAL)
 
 $(BUILD)/obj/manual_text.o: $(BUILD)/manual.txt
 	@mkdir -p $(@D)
-	@printf '.section .rodata\n.globl vs_manual_text\nvs_manual_text:\n.incbin "$<"\n.globl vs_manual_text_end\nvs_manual_text_end:\n.byte 0\n.section .note.GNU-stack,"",@progbits\n' > $(BUILD)/manual.s
+	@printf '.section vs_files,"a"\n.globl vs_manual_text\nvs_manual_text:\n.incbin "$<"\n.globl vs_manual_text_end\nvs_manual_text_end:\n.byte 0\n.section .note.GNU-stack,"",@progbits\n' > $(BUILD)/manual.s
 	$(Q)$(CC) -c $(BUILD)/manual.s -o $@
 
 $(BUILD)/vs: $(CLI_OBJ) $(BUILD)/obj/manual_text.o $(BUILD)/libvisualscheme.a
 	$(call say,link  $@)
-	$(Q)$(CC) $(CFLAGS) -o $@ $(CLI_OBJ) $(BUILD)/obj/manual_text.o $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
+	$(Q)$(CC) $(CFLAGS) -o $@ $(CLI_OBJ) $(BUILD)/obj/manual_text.o $(BUILD)/libvisualscheme.a $(PACK) $(LDFLAGS) $(LDLIBS)
 
 $(BUILD)/unit/%: tests/unit/%.c $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)

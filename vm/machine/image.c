@@ -297,15 +297,22 @@ static void image_relocate_all(char *at, size_t bytes, uint64_t by) {
   }
 }
 
+/* What the words at hand are an image of is asked of the mapping: a look at the constant would bring its pages in, too. */
+static bool image_fits(vs_scheme *vm, const uint64_t *words, size_t count) {
+  return words[0] == MAGIC && words[1] == image_sum(vm) && count == HEADER + words[2];
+}
+
 bool vs_image_load(vs_scheme *vm, const vs_image *image) {
-  const uint64_t *words = image->words;
-  if (image->count < HEADER || words[0] != MAGIC || words[1] != image_sum(vm) || image->count != HEADER + words[2])
-    return vs_fail(vm, vm->sym.internal, "the heap image was made by another build");
-  size_t bytes = (size_t)words[2] * 8, native_bytes = (size_t)words[3] * 8, def_count;
-  const vs_native_def **defs;
-  if (!image_native_list(vm, &defs, &def_count)) return false;
-  char *mapped = image_map(words, HEADER * 8 + bytes), *at = mapped ? mapped + HEADER * 8 : vs_mem(vm, NULL, 0, bytes);
-  if (at) {
+  const char *other_build = "the heap image was made by another build";
+  if (image->count < HEADER) return vs_fail(vm, vm->sym.internal, other_build);
+  size_t bytes = (image->count - HEADER) * 8, def_count;
+  char *mapped = image_map(image->words, image->count * 8), *at = mapped ? mapped + HEADER * 8 : NULL;
+  const uint64_t *words = mapped ? (const uint64_t *)(const void *)mapped : image->words;
+  const vs_native_def **defs = NULL;
+  bool ok = image_fits(vm, words, image->count) || vs_fail(vm, vm->sym.internal, other_build);
+  ok = ok && image_native_list(vm, &defs, &def_count) && (at || (at = vs_mem(vm, NULL, 0, bytes)));
+  if (ok) {
+    size_t native_bytes = (size_t)words[3] * 8;
     uint64_t by = (uint64_t)(uintptr_t)at - OBJECTS_HOME;
     if (!mapped) {
       memcpy(at, words + HEADER, bytes);
@@ -322,7 +329,9 @@ bool vs_image_load(vs_scheme *vm, const vs_image *image) {
     for (size_t i = 0; i < SYMBOLS; i++) image_relocate(&symbols[i], by);
     for (size_t i = 0; i < ANCHORS; i++) image_relocate(&anchors[i], by);
     vs_gc_adopt(vm, at, bytes, mapped ? image_unmap : image_free);
+  } else if (mapped) {
+    image_unmap(vm, at, bytes);
   }
-  vs_mem(vm, defs, def_count * sizeof *defs, 0);
-  return at != NULL;
+  if (defs) vs_mem(vm, defs, def_count * sizeof *defs, 0);
+  return ok;
 }
