@@ -10,25 +10,6 @@ END
 PATH=$BUILD:$PATH
 here=$PWD
 
-cat > "$work/tower.vs" <<'END'
-; a tower
-(define-parameter floors 2 #:min 1 #:max 9
-#:label "how many")
-(define (tower at n)
-(let ([top (+z at 3)]
-[side 4])
-; one storey on the other
-(when (> n 0)
-(draw (make-box at
-side side 3))
-(tower top (- n 1)))))
-(tower (xyz 0 0 0) floors)
-(draw (with-material 'concrete
-(layer "walls"
-(make-box (xyz 9 0 0) 1 1 1))))
-(for/list ([i 3])
-(* i 2))
-END
 cat > "$work/indented.vs" <<'END'
 ; a tower
 (define-parameter floors 2 #:min 1 #:max 9
@@ -48,6 +29,7 @@ cat > "$work/indented.vs" <<'END'
 (for/list ([i 3])
   (* i 2))
 END
+sed 's/^ *//' "$work/indented.vs" > "$work/tower.vs"
 printf '#!/bin/sh\necho "$1" > "%s/address"\n' "$work" > "$work/browser" && chmod +x "$work/browser"
 
 # same NAME WANTED GOT
