@@ -96,37 +96,40 @@ vs_status vs_p_curve_walk(vs_frame *f, vs_value *out) {
   return vs_make_foreign(f->vm, &walk_type, s, 0, out);
 }
 
+/* Returns the place at the share arg[1] of the length of the walk arg[0]; *along is how far straight on, from the curve's
+ * end, the point asked for lies beyond it: 0 on the curve, below 0 before its start. A closed curve goes round. */
+static vs_station walk_station(const vs_frame *f, double *along) {
+  const vs_stations *w = vs_foreign_get(f->arg[0].value, &walk_type);
+  double share = f->arg[1].real;
+  if (w->path.closed) share -= floor(share);
+  double within = share < 0 ? 0 : share > 1 ? 1 : share;
+  *along = (share - within) * w->length;
+  return vs_station_at(w, within * w->length);
+}
+
+/* Answers the point that lies arg[2] along x, arg[3] along y and `along` along the tangent from the place s. */
+static vs_status walk_point(vs_frame *f, const vs_station *s, vs_vec3 x, vs_vec3 y, double along, vs_value *out) {
+  vs_vec3 across = vs_v3_add(vs_v3_scale(x, f->arg[2].real), vs_v3_scale(y, f->arg[3].real));
+  return vs_bind_point(f, vs_v3_add(vs_v3_add(s->at, vs_v3_scale(s->tangent, along)), across), out);
+}
+
 /* (%walk-place walk s x y): x and y across the curve at the share s of its length; beyond an open
  * one's ends straight on */
 vs_status vs_p_walk_place(vs_frame *f, vs_value *out) {
-  const vs_stations *w = vs_foreign_get(f->arg[0].value, &walk_type);
-  double share = f->arg[1].real, beyond = 0;
-  if (w->path.closed) share -= floor(share);
-  if (share < 0) beyond = share, share = 0;
-  if (share > 1) beyond = share - 1, share = 1;
-  vs_station s = vs_station_at(w, share * w->length);
-  vs_vec3 y = vs_v3_cross(s.tangent, s.across);
-  vs_vec3 across = vs_v3_add(vs_v3_scale(s.across, f->arg[2].real), vs_v3_scale(y, f->arg[3].real));
-  vs_vec3 at = vs_v3_add(s.at, vs_v3_scale(s.tangent, beyond * w->length));
-  return vs_bind_point(f, vs_v3_add(at, across), out);
+  double along;
+  vs_station s = walk_station(f, &along);
+  return walk_point(f, &s, s.across, vs_v3_cross(s.tangent, s.across), along, out);
 }
 
 /* (%walk-upright walk s x y up): the same with y towards `up`, as far as the curve's direction allows, and x to the
  * left of whoever walks along; #f where the curve runs along `up` */
 vs_status vs_p_walk_upright(vs_frame *f, vs_value *out) {
-  const vs_stations *w = vs_foreign_get(f->arg[0].value, &walk_type);
-  double share = f->arg[1].real, beyond = 0;
-  if (w->path.closed) share -= floor(share);
-  if (share < 0) beyond = share, share = 0;
-  if (share > 1) beyond = share - 1, share = 1;
-  vs_station s = vs_station_at(w, share * w->length);
+  double along;
+  vs_station s = walk_station(f, &along);
   vs_vec3 up = vs_v3_unit(f->arg[4].point), y = vs_v3_sub(up, vs_v3_scale(s.tangent, vs_v3_dot(up, s.tangent)));
   if (vs_v3_length(y) < 1e-6) return *out = VS_FALSE, VS_OK;
   y = vs_v3_unit(y);
-  vs_vec3 x = vs_v3_cross(y, s.tangent);
-  vs_vec3 across = vs_v3_add(vs_v3_scale(x, f->arg[2].real), vs_v3_scale(y, f->arg[3].real));
-  vs_vec3 at = vs_v3_add(s.at, vs_v3_scale(s.tangent, beyond * w->length));
-  return vs_bind_point(f, vs_v3_add(at, across), out);
+  return walk_point(f, &s, vs_v3_cross(y, s.tangent), y, along, out);
 }
 
 /* ---- pipes ---- */

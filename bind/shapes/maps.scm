@@ -23,11 +23,6 @@
                 (loop (%deform-wanted d))))))
     (%deformed d)))
 
-(define (%need-point who name p)
-  (if (not (%finite-point? p)) (error who "~a must be a point of finite coordinates, got ~s" name p)))
-(define (%need-number who name x)
-  (if (not (and (real? x) (finite? x))) (error who "~a must be a number and finite, got ~s" name x)))
-
 ; Calls (f share x y) of the map's spine from p to q: how far along it a point lies, from 0 at p to 1 at q, and how far
 ; across it, along two directions that stand square to it and each other.
 (define (%along-spine who p q side f)

@@ -12,6 +12,10 @@
       (error who "segments must be an exact integer from 3 to 100000 or #f, got ~s" n)))
 
 (define (%finite-point? p) (and (point? p) (finite? (cx p)) (finite? (cy p)) (finite? (cz p))))
+(define (%need-point who name p)
+  (if (not (%finite-point? p)) (error who "~a must be a point of finite coordinates, got ~s" name p)))
+(define (%need-number who name x)
+  (if (not (and (real? x) (finite? x))) (error who "~a must be a number and finite, got ~s" name x)))
 
 ; What f gives for this number, which must be a point.
 (define (%point-of who name f t)
