@@ -121,7 +121,7 @@ SHIPPED   = $(sort $(wildcard library/*.s[lc]* library/*/*.s[lc]* library/*/*/*.
 
 $(BUILD)/shipped.c: $(SHIPPED) Makefile
 	@mkdir -p $(@D)
-	@i=0; { echo '#include "vm/machine/program.h"'; for f in $(SHIPPED); do i=$$((i + 1)); \
+	@i=0; { echo '#include "vm/front/source.h"'; for f in $(SHIPPED); do i=$$((i + 1)); \
 	  printf '__asm__(".section vs_files,\\"a\\"\\nvs_shipped_%d: .incbin \\"%s\\"\\nvs_shipped_%d_end: .byte 0\\n.previous");\nextern const char vs_shipped_%d[] __attribute__((visibility("hidden"))), vs_shipped_%d_end[] __attribute__((visibility("hidden")));\n' $$i $$f $$i $$i $$i; done; \
 	  echo 'extern const vs_shipped vs_shipped_library[];'; echo 'const vs_shipped vs_shipped_library[] = {'; i=0; \
 	  for f in $(SHIPPED); do i=$$((i + 1)); printf '  { "%s", vs_shipped_%d, vs_shipped_%d_end },\n' $${f#library/} $$i $$i; done; echo '  { 0 }'; echo '};'; } > $@

@@ -14,7 +14,7 @@
 
 #include "backends/writer.h"
 #include "backends/export.h"
-#include "geometry/tessellate.h"
+#include "geometry/tolerance.h"
 #include "kernel/round/rounding.h"
 #include "solids/solid_meshes.h"
 #include "model/mesh.h"

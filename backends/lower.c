@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "backends/lower.h"
+#include "geometry/plane/planar_evaluation.h"
 #include "backends/backend.h"
 #include "geometry/plane/plane.h"
 #include "geometry/shapes/simple_nodes.h"

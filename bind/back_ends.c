@@ -1,6 +1,8 @@
 /* Owns, for programs, the drawing as a value and the back-ends that they bring: the list of them, which the session asks, and the call of one of
  * their procedures, which is an evaluation of the run loop. The procedures themselves are back_ends.scm's. */
 #include "bind/bind.h"
+#include "geometry/tessellate.h"
+#include "geometry/plane/planar_evaluation.h"
 
 #include <strings.h>
 

@@ -8,7 +8,7 @@
 
 #include "geometry/dynamic.h"
 #include "vm/library/port.h"
-#include "vm/machine/program.h"
+#include "vm/front/source.h"
 #include "vm/machine/run.h"
 #include "vm/values/number.h"
 
@@ -24,7 +24,7 @@ static uint32_t calling_file(vs_scheme *vm) {
 
 /* a[0]'s place in *path, ended. False: it is no string, or out of memory. */
 static bool path_of(vs_scheme *vm, vs_value *a, vs_text *path) {
-  return vs_arg_type(vm, a, 0, VS_T_STRING) && vs_unit_path(vm, a[0], calling_file(vm), path) && vs_text_end(path);
+  return vs_arg_type(vm, a, 0, VS_T_STRING) && vs_source_path(vm, a[0], calling_file(vm), path) && vs_text_end(path);
 }
 
 /* (%data-path name): where the file is that a program names */

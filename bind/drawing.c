@@ -7,7 +7,7 @@
 #include "geometry/sky_light.h"
 #include "geometry/sun_position.h"
 #include "vm/library/port.h"
-#include "vm/machine/program.h"
+#include "vm/front/source.h"
 
 /* ---- the drawing ---- */
 
@@ -234,7 +234,7 @@ static vs_status sky_image(vs_frame *f, const vs_arg *image) {
   const char *name = NULL, *format = NULL;
   VS_ROOTS(vm, r, 1);
   vs_text_open(vm, &path, 0);
-  bool ok = vs_unit_path(vm, image->value, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path);
+  bool ok = vs_source_path(vm, image->value, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path);
   if (ok && !(name = vs_store_text(f->bind->store, path.at, path.count))) ok = vs_fail_memory(vm);
   ok = ok && vs_io_read_file(vm, name, &r[0]);
   for (size_t i = 0; ok && i < sizeof kinds / sizeof *kinds; i++)

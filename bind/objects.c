@@ -1,7 +1,7 @@
 /* Owns what Scheme sees of the model: objects (references to nodes), paints (materials), where they came from, and warnings about them. */
 #include "bind/bind.h"
 
-#include "vm/machine/program.h"
+#include "vm/front/source.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -76,7 +76,7 @@ bool vs_bind_is_library(vs_bind *b, uint32_t number) {
   if (number < b->library_files) return true;
   vs_text name;
   vs_text_open(b->vm, &name, 0);
-  bool shipped = vs_unit_file_name(b->vm, number, &name) && vs_unit_is_shipped(name.at);
+  bool shipped = vs_source_name(b->vm, number, &name) && vs_source_is_shipped(name.at);
   vs_text_close(&name);
   return shipped;
 }

@@ -2,7 +2,7 @@
 #include "bind/bind.h"
 
 #include "geometry/measure/node_measures.h"
-#include "geometry/tessellate.h"
+#include "geometry/plane/planar_evaluation.h"
 
 static vs_status truth(bool b, vs_value *out) {
   *out = vs_bool(b);

@@ -68,3 +68,9 @@ double vs_frame_transport(const vs_path_point *path, size_t n, bool closed, doub
   }
   return spin;
 }
+
+vs_vec3 vs_plane_up(vs_vec3 normal) {
+  vs_vec3 n = vs_v3_unit(normal);
+  if (n.z < -1e-9 || (fabs(n.z) <= 1e-9 && (n.y < -1e-9 || (fabs(n.y) <= 1e-9 && n.x < 0)))) n = vs_v3_scale(n, -1);
+  return vs_v3(n.x + 0.0, n.y + 0.0, n.z + 0.0);
+}

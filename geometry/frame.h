@@ -19,4 +19,7 @@ typedef struct { vs_vec3 at, arriving, leaving; double along; /* arc length from
  * the spin that a closed path gathers is spread. length: of the whole, the closing stretch too. Returns that spin (0 where open). */
 double vs_frame_transport(const vs_path_point *path, size_t n, bool closed, double length, vs_vec3 x, vs_vec3 *x_out);
 
+/* The normal made unit, and turned to look up: along +Y, or +X, where it is level. */
+vs_vec3 vs_plane_up(vs_vec3 normal);
+
 #endif

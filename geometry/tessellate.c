@@ -1,4 +1,5 @@
 /* Owns the way from a node to its triangles: follows placements down to the leaf, has the leaf meshed, brings the mesh back up. */
+#include "geometry/plane/planar_evaluation.h"
 #include "geometry/tessellate.h"
 
 #include "geometry/profiles/loft.h"

@@ -3,7 +3,7 @@
 #ifndef VS_KERNEL_PLACE_H
 #define VS_KERNEL_PLACE_H
 
-#include "kernel/evaluate.h"
+#include "kernel/problem.h"
 #include "kernel/memory.h"
 
 typedef struct { size_t vertex, triangle, vertices, triangles; } vs_range; /* the first of each, and how many */

@@ -2,7 +2,7 @@
 #ifndef VS_KERNEL_CHECK_H
 #define VS_KERNEL_CHECK_H
 
-#include "kernel/evaluate.h"
+#include "kernel/problem.h"
 #include "kernel/cluster.h"
 
 typedef struct { double least, most; } vs_leaf_volume; /* what a leaf holds on the grid, in steps: at least and at most */

@@ -2,7 +2,7 @@
 #ifndef VS_KERNEL_CLIP_H
 #define VS_KERNEL_CLIP_H
 
-#include "kernel/evaluate.h"
+#include "kernel/problem.h"
 #include "kernel/memory.h"
 
 typedef struct {

@@ -18,7 +18,7 @@
 #ifndef VS_KERNEL_CLUSTER_H
 #define VS_KERNEL_CLUSTER_H
 
-#include "kernel/evaluate.h"
+#include "kernel/problem.h"
 #include "kernel/mesh/bvh.h"
 #include "kernel/expression.h"
 #include "kernel/mesh/edge_uses.h"

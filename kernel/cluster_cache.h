@@ -2,7 +2,7 @@
 #ifndef VS_KERNEL_REMEMBER_H
 #define VS_KERNEL_REMEMBER_H
 
-#include "kernel/evaluate.h"
+#include "kernel/problem.h"
 #include "kernel/cluster_copies.h"
 
 typedef struct {

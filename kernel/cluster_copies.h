@@ -2,7 +2,7 @@
 #ifndef VS_KERNEL_COPIES_H
 #define VS_KERNEL_COPIES_H
 
-#include "kernel/evaluate.h"
+#include "kernel/problem.h"
 #include "kernel/expression.h"
 #include "kernel/distinct_meshes.h"
 

@@ -3,7 +3,7 @@
 #ifndef VS_KERNEL_PART_H
 #define VS_KERNEL_PART_H
 
-#include "kernel/evaluate.h"
+#include "kernel/problem.h"
 #include "kernel/exact/interned.h"
 
 typedef struct {

@@ -3,6 +3,7 @@
  * Leaves whose boxes are apart cannot meet, so each cluster has its own frame and grid. The one expression serves all: in a cluster's cells the
  * leaves of the others are outside. */
 #include "kernel/check.h"
+#include "kernel/evaluate.h"
 #include "kernel/clip.h"
 #include "kernel/cluster.h"
 #include "kernel/cluster_copies.h"

@@ -2,7 +2,7 @@
 #ifndef VS_KERNEL_EXPRESSION_H
 #define VS_KERNEL_EXPRESSION_H
 
-#include "kernel/evaluate.h"
+#include "kernel/problem.h"
 #include "kernel/memory.h"
 
 enum { VS_GATES = 8 };

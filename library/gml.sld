@@ -1,4 +1,4 @@
-; The Generative Modeling Language: what the forms that vm/front/gml_reader.c makes of a .gml file call.
+; The Generative Modeling Language: what the forms that vm/gml/gml_reader.c makes of a .gml file call.
 (define-library (gml)
   (export gml:call gml:push gml:push-all gml:pop gml:path gml:member gml:register gml:value gml:unset gml:procedure gml:point
           gml:vector2 gml:finish gml:operands gml:operators)

@@ -9,7 +9,8 @@
 
 #include "session/source_outline.h"
 #include "vm/values/printer.h"
-#include "vm/machine/program.h"
+#include "vm/front/environment.h"
+#include "vm/front/suggest.h"
 
 /* ---- the text around a place ---- */
 

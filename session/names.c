@@ -10,7 +10,7 @@
 #include "vm/front/environment.h"
 #include "vm/values/printer.h"
 #include "vm/machine/run.h"
-#include "vm/machine/program.h"
+#include "vm/front/suggest.h"
 
 /* The text as the store keeps it; "" where there is no memory for it. */
 static const char *kept(vs_session *s, vs_text *t) {

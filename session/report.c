@@ -1,7 +1,7 @@
 /* Owns what a host is told when something is wrong: conditions, errors of the layers below, warnings; each with its place, the line of the
  * source, and the user's own calls that led there. */
 #include "session/session.h"
-#include "vm/machine/program.h"
+#include "vm/front/source.h"
 
 #include "vm/values/printer.h"
 
@@ -103,7 +103,7 @@ static size_t callers(vs_session *s, vs_value chain, vs_span at, vs_diagnostic_n
     vs_value name = vs_car(link);
     const char *between = gap ? " (calls in between ended with a tail call)" : "";
     vs_pos called = vs_pos_of(vs_cdr(link));
-    const char *said = vs_is_symbol(name) ? vs_unit_said(s->bind.vm, vs_as_symbol(name)->name, called) : NULL;
+    const char *said = vs_is_symbol(name) ? vs_source_said(s->bind.vm, vs_as_symbol(name)->name, called) : NULL;
     if (said) snprintf(text, sizeof text, "called from %.100s%s", said, between);
     else snprintf(text, sizeof text, "called from here%s", between);
     gap = false;

@@ -21,6 +21,7 @@
 #include "vm/values/printer.h"
 #include "vm/front/scan.h"
 #include "vm/machine/poll.h"
+#include "vm/front/source.h"
 #include "vm/machine/program.h"
 #include "vm/machine/step.h"
 
@@ -405,7 +406,7 @@ vs_outcome vs_eval_file(vs_scheme *vm, const char *path, unsigned flags) {
   return outcome;
 }
 
-const char *vs_language_of(const char *path) { return vs_unit_language(path); }
+const char *vs_language_of(const char *path) { return vs_source_language(path); }
 
 bool vs_exit_requested(const vs_scheme *vm, int *code) {
   const vs_session *s = vs_session_of(vm);

@@ -7,6 +7,7 @@
 
 #include "geometry/measure/node_measures.h"
 #include "geometry/plane/curve.h"
+#include "geometry/plane/planar_evaluation.h"
 #include "geometry/tessellate.h"
 #include "model/store/array.h"
 #include "model/store/nodemap.h"

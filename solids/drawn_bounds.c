@@ -1,5 +1,7 @@
 /* Owns the bounds of what is drawn (drawn_bounds.h). What was worked out is kept in the world cache by the node and the fineness. */
 #include "solids/drawn_bounds.h"
+#include "geometry/plane/outline.h"
+#include "geometry/plane/planar_evaluation.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef VS_SOLIDS_DRAWN_BOUNDS_H
 #define VS_SOLIDS_DRAWN_BOUNDS_H
 
-#include "geometry/tessellate.h"
+#include "geometry/tolerance.h"
 #include "kernel/evaluate.h"
 #include "model/node.h"
 

@@ -1,5 +1,6 @@
 /* Owns the triangles of one primitive as a good solid. */
 #include "solids/primitive_meshes.h"
+#include "geometry/tessellate.h"
 
 #include <stdlib.h>
 #include <string.h>

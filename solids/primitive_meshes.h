@@ -2,7 +2,9 @@
 #ifndef VS_KERNEL_PRIMITIVE_H
 #define VS_KERNEL_PRIMITIVE_H
 
-#include "geometry/tessellate.h"
+#include "geometry/tolerance.h"
+#include "model/mesh.h"
+#include "model/node.h"
 #include "kernel/evaluate.h"
 #include "model/store/cache.h"
 

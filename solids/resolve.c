@@ -1,5 +1,7 @@
 /* Owns the rewriting: children first, each distinct node once, without recursion. */
 #include "solids/resolve.h"
+#include "geometry/tessellate.h"
+#include "geometry/plane/planar_evaluation.h"
 
 #include <stdlib.h>
 

@@ -2,7 +2,7 @@
 #ifndef VS_KERNEL_SECTION_H
 #define VS_KERNEL_SECTION_H
 
-#include "geometry/tessellate.h"
+#include "geometry/plane/outline.h"
 #include "model/mesh.h"
 
 /* The section of a closed mesh with the plane through point: what the plane cuts, and faces that lie in it. o has no loops where there is none. */

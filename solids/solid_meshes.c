@@ -4,6 +4,7 @@
  * same place in the same paint is one leaf, however often it stands in the expression. The walk keeps its own stack: a model may be hundreds of
  * thousands deep. */
 #include "solids/solid_meshes.h"
+#include "geometry/tessellate.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,8 @@
 #ifndef VS_KERNEL_SOLID_H
 #define VS_KERNEL_SOLID_H
 
-#include "geometry/tessellate.h"
+#include "geometry/tolerance.h"
+#include "model/mesh.h"
 #include "kernel/evaluate.h"
 #include "model/node.h"
 

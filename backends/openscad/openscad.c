@@ -6,6 +6,8 @@
 #include <math.h>
 
 #include "backends/lower.h"
+#include "geometry/plane/outline.h"
+#include "geometry/plane/planar_evaluation.h"
 #include "backends/backend.h"
 #include "backends/openscad/touching_corners.h"
 #include "geometry/frame.h"

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "backends/povray/povray.h"
+#include "geometry/plane/outline.h"
+#include "geometry/plane/planar_evaluation.h"
 #include "backends/shade.h"
 #include "geometry/frame.h"
 #include "geometry/profiles/revolve.h"

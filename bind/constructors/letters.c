@@ -5,7 +5,7 @@
 
 #include "geometry/text/typeset.h"
 #include "vm/library/port.h"
-#include "vm/machine/program.h"
+#include "vm/front/source.h"
 
 /* A file stands beside the program that names it, as one that it loads does, and is read by the host's own means. */
 static vs_status font_file(vs_frame *f, const vs_arg *font, const char **out) {
@@ -14,7 +14,7 @@ static vs_status font_file(vs_frame *f, const vs_arg *font, const char **out) {
   vs_error e = { 0 };
   VS_ROOTS(vm, r, 1);
   vs_text_open(vm, &path, 0);
-  bool ok = vs_unit_path(vm, font->value, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path);
+  bool ok = vs_source_path(vm, font->value, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path);
   if (ok && !(*out = vs_store_text(f->bind->store, path.at, path.count))) ok = vs_fail_memory(vm);
   if (ok && !vs_font_known(f->bind->store, *out)) {
     ok = vs_io_read_file(vm, *out, &r[0]);

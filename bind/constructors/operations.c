@@ -10,7 +10,7 @@
 #include "geometry/plane/slice.h"
 #include "solids/resolve.h"
 #include "geometry/plane/plane.h"
-#include "geometry/tessellate.h"
+#include "geometry/plane/planar_evaluation.h"
 
 #define REAL(i) (f->arg[i].real)
 #define POINT(i) (f->arg[i].point)

@@ -1,5 +1,6 @@
 /* Owns the procedures that make regions of curves, join curves, and give curves and regions of other objects. */
 #include "bind/bind.h"
+#include "geometry/plane/planar_evaluation.h"
 
 #include <stdio.h>
 #include <stdlib.h>

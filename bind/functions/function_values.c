@@ -9,7 +9,7 @@
 #include "functions/formula_text.h"
 #include "functions/sampling.h"
 #include "model/store/array.h"
-#include "vm/machine/lib.h"
+#include "vm/library/kept.h"
 #include "vm/values/dual.h"
 
 /* ---- dual numbers ---- */

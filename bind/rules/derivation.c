@@ -5,8 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "vm/machine/lib.h"
-#include "vm/machine/program.h"
+#include "vm/library/kept.h"
 
 /* ---- life ---- */
 

@@ -13,7 +13,8 @@
 #include "bind/rules/scope.h"
 #include "bind/rules/surroundings.h"
 #include "bind/shapes/taken_apart.h"
-#include "geometry/tessellate.h"
+#include "geometry/plane/outline.h"
+#include "model/mesh.h"
 
 /* Scopes that wait, in order, each for its rule. */
 typedef struct vs_task {

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "geometry/measure/node_measures.h"
-#include "geometry/tessellate.h"
+#include "geometry/plane/planar_evaluation.h"
 
 /* ---- makers ---- */
 

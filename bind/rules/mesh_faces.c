@@ -3,6 +3,8 @@
  * Faces of polyface meshes and boxes are theirs; regions and closed curves are one face for each of their areas; all
  * other solids and surfaces give the triangles of their mesh. */
 #include "bind/rules/derivation.h"
+#include "geometry/plane/planar_evaluation.h"
+#include "geometry/tessellate.h"
 
 #include <string.h>
 

@@ -11,7 +11,7 @@
 #include "geometry/nets/packing.h"
 #include "geometry/nets/planarity.h"
 #include "geometry/nets/relaxation.h"
-#include "geometry/tessellate.h"
+#include "geometry/plane/planar_evaluation.h"
 
 /* The next number of a list, which nets.scm has seen to. */
 static double next(vs_scheme *vm, vs_value *l) {

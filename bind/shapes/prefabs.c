@@ -1,9 +1,8 @@
 /* Owns the names of the prefabs that come with the language. prefabs.scm runs their files. */
 #include "bind/bind.h"
+#include "vm/front/source.h"
 
 #include <string.h>
-
-#include "vm/machine/program.h"
 
 /* (prefab-names): in the order of the alphabet, in which the program holds its files */
 vs_status vs_p_prefab_names(vs_frame *f, vs_value *out) {

@@ -1,5 +1,6 @@
 /* Owns what natives share that take objects apart (taken_apart.h). */
 #include "bind/shapes/taken_apart.h"
+#include "geometry/tessellate.h"
 
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"

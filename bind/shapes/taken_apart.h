@@ -4,7 +4,9 @@
 
 #include "bind/bind.h"
 #include "geometry/shapes/bending.h"
-#include "geometry/tessellate.h"
+#include "geometry/tolerance.h"
+#include "model/mesh.h"
+#include "model/node.h"
 
 /* The fineness at which what is kept as triangles or points is sampled: the program's own, else the drawing rule at
  * the object's size. */

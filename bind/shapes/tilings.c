@@ -1,5 +1,6 @@
 /* Owns the triangulations and cells of points in a plane. */
 #include "bind/bind.h"
+#include "geometry/plane/planar_evaluation.h"
 
 #include <stdlib.h>
 

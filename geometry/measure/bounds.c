@@ -2,6 +2,8 @@
 #include <stdlib.h>
 
 #include "geometry/plane/curve.h"
+#include "geometry/tessellate.h"
+#include "geometry/plane/planar_evaluation.h"
 #include "geometry/measure/reach.h"
 #include "geometry/primitives/half_space.h"
 #include "geometry/measure/node_measures.h"

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "geometry/measure/ray_crossings.h"
+#include "geometry/tessellate.h"
 #include "geometry/frame.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/primitives/shape.h"

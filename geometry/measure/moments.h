@@ -2,7 +2,7 @@
 #ifndef VS_GEOMETRY_MOMENTS_H
 #define VS_GEOMETRY_MOMENTS_H
 
-#include "geometry/tessellate.h"
+#include "geometry/plane/outline.h"
 
 /* Of a region, or a closed curve taken as filled, bounded by polylines, circles, arcs and joins of them: exact. outline: the same region,
  * sampled; it says which loops are holes. *known false: some curve is of another kind. False: failed. */

@@ -9,7 +9,7 @@
 #include "geometry/measure/moments.h"
 #include "geometry/plane/areas.h"
 #include "geometry/profiles/revolve.h"
-#include "geometry/tessellate.h"
+#include "geometry/plane/planar_evaluation.h"
 #include "model/store/array.h"
 
 static const double pi = 3.14159265358979323846;

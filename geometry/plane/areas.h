@@ -2,7 +2,8 @@
 #ifndef VS_GEOMETRY_PLANAR_H
 #define VS_GEOMETRY_PLANAR_H
 
-#include "geometry/tessellate.h"
+#include "geometry/plane/outline.h"
+#include "geometry/tolerance.h"
 #include "geometry/plane/ear_clipping.h"
 
 /* Loops one behind the other: outer ones counter-clockwise, each followed by its holes, clockwise. No loops: the empty area. */

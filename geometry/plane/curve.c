@@ -248,11 +248,6 @@ bool vs_path_of_polyline(const vs_polyline *p, vs_path *out) {
   return ok;
 }
 
-void vs_polyline_free(vs_polyline *p) {
-  free(p->at);
-  *p = (vs_polyline){ 0 };
-}
-
 bool vs_polyline_from_path(const vs_path *path, vs_polyline *out) {
   if (!VS_GROW(out->at, out->room, path->count)) return false;
   for (size_t i = 0; i < path->count; i++) out->at[i] = path->at[i].at;

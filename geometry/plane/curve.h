@@ -3,7 +3,8 @@
 #define VS_GEOMETRY_CURVE_H
 
 #include "geometry/frame.h"
-#include "geometry/tessellate.h"
+#include "geometry/plane/outline.h"
+#include "geometry/tolerance.h"
 
 typedef struct {
   vs_path_point *at; /* closed: the first is not repeated */
@@ -20,13 +21,9 @@ bool vs_curve_leaf(const vs_node *curve, const vs_affine *map, const vs_facets *
 /* The same of an arc, or of the whole circle that it is part of. */
 bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_facets *f, vs_path *out);
 bool vs_path_of_polyline(const vs_polyline *p, vs_path *out); /* out is empty before; false: out of memory */
-/* Any curve, with `placed` applied; placements, appearance and regions of one loop are followed (flat.c). */
+/* Any curve, with `placed` applied; placements, appearance and regions of one loop are followed (planar_evaluation.c). */
 bool vs_curve_path(const vs_node *curve, const vs_affine *placed, const vs_facets *f, vs_path *out, vs_error *e);
 bool vs_curve_is_straight(const vs_node *curve); /* is it a polyline, placed or bare? */
-bool vs_hull_outline(const vs_node *hull, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e); /* of a flat one */
-bool vs_text_outline(const vs_node *text, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e);
-/* Loops in one plane as an outline: takes them over (each is left empty), also where it fails. */
-bool vs_outline_of_loops(vs_polyline *loops, size_t count, vs_outline *out, vs_error *e);
 bool vs_polyline_from_path(const vs_path *path, vs_polyline *out);
 /* p turned to run the other way */
 void vs_path_reverse(vs_path *p);

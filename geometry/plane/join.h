@@ -2,7 +2,7 @@
 #ifndef VS_GEOMETRY_JOIN_H
 #define VS_GEOMETRY_JOIN_H
 
-#include "geometry/tessellate.h"
+#include "model/node.h"
 
 /* Joins open curves that meet end to end (within 1e-9 of their size) into closed or longer ones, in the order of their first parts. refs holds
  * count curves, closed ones too, which stay; what comes out takes their place, each a reference that the caller releases, and *count becomes

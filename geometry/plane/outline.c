@@ -1,10 +1,14 @@
 /* Owns regions as loops in a plane: which loop is a hole of which, and the plane they share. */
+#include "geometry/plane/outline.h"
+
 #include <stdlib.h>
 
-#include "geometry/shapes/hull.h"
-#include "geometry/plane/curve.h"
-#include "geometry/text/typeset.h"
-#include "geometry/plane/plane.h"
+#include "geometry/frame.h"
+
+void vs_polyline_free(vs_polyline *p) {
+  free(p->at);
+  *p = (vs_polyline){ 0 };
+}
 
 void vs_outline_free(vs_outline *o) {
   for (size_t i = 0; i < o->count; i++) vs_polyline_free(&o->loops[i]);
@@ -122,7 +126,7 @@ static bool outline_nest(vs_outline *o) {
   return ok;
 }
 
-static bool outline_plane(vs_outline *o, vs_error *e) {
+bool vs_outline_plane(vs_outline *o, vs_error *e) {
   vs_vec3 most = { 0, 0, 0 };
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < o->count; i++) {
@@ -141,28 +145,9 @@ static bool outline_plane(vs_outline *o, vs_error *e) {
   return true;
 }
 
-/* A text's loops are nested already; none is left where the letters have no ink. */
-bool vs_text_outline(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e) {
-  if (!vs_text_loops(n, placed, f, out, e)) return false;
-  if (!out->count) return true;
-  if (!outline_plane(out, e)) return vs_outline_free(out), false;
-  for (size_t i = 0; i < out->count; i++)
-    if (out->hole[i] != (vs_v3_dot(polyline_area(&out->loops[i]), out->normal) < 0)) polyline_turn(&out->loops[i]);
-  return true;
-}
-
-bool vs_hull_outline(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e) {
-  vs_facets inner = vs_facets_placed(f, placed);
-  vs_cloud cloud = { 0 };
-  *out = (vs_outline){ .loops = calloc(1, sizeof *out->loops), .hole = calloc(1, sizeof *out->hole), .count = 1 };
-  bool ok = (out->loops && out->hole) || vs_error_memory(e, NULL);
-  ok = ok && vs_hull_cloud(n, &inner, &cloud, e) && (vs_cloud_polygon(&cloud, &out->loops[0]) || vs_error_memory(e, NULL));
-  for (size_t i = 0; ok && i < out->loops[0].count; i++) out->loops[0].at[i] = vs_affine_point(placed, out->loops[0].at[i]);
-  ok = ok && outline_plane(out, e);
-  if (ok && vs_v3_dot(polyline_area(&out->loops[0]), out->normal) < 0) polyline_turn(&out->loops[0]);
-  vs_cloud_free(&cloud);
-  if (!ok) vs_outline_free(out);
-  return ok;
+void vs_outline_orient(vs_outline *o) {
+  for (size_t i = 0; i < o->count; i++)
+    if (o->hole[i] != (vs_v3_dot(polyline_area(&o->loops[i]), o->normal) < 0)) polyline_turn(&o->loops[i]);
 }
 
 bool vs_outline_of_loops(vs_polyline *loops, size_t count, vs_outline *out, vs_error *e) {
@@ -174,7 +159,7 @@ bool vs_outline_of_loops(vs_polyline *loops, size_t count, vs_outline *out, vs_e
     loops[i] = (vs_polyline){ 0 };
   }
   for (size_t i = 0; i < count; i++) vs_polyline_free(&loops[i]);
-  ok = ok && outline_plane(out, e) && (outline_nest(out) || vs_error_memory(e, NULL));
+  ok = ok && vs_outline_plane(out, e) && (outline_nest(out) || vs_error_memory(e, NULL));
   if (!ok) vs_outline_free(out);
   return ok;
 }

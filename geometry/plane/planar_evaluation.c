@@ -4,9 +4,13 @@
  * with the frames, so that every curve is sampled where it stands; sets are made in the plane where they stand. */
 #include <stdlib.h>
 
+#include "geometry/plane/planar_evaluation.h"
+
 #include "geometry/plane/curve.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/plane/areas.h"
+#include "geometry/shapes/hull.h"
+#include "geometry/text/typeset.h"
 #include "model/store/array.h"
 
 typedef struct {
@@ -53,6 +57,30 @@ static bool flat_open(vs_flat *f, const vs_ref *ref, const vs_affine *map, const
   return true;
 }
 
+/* The loops of a text are nested already; none is left where the letters have no ink. */
+static bool text_outline(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e) {
+  if (!vs_text_loops(n, placed, f, out, e)) return false;
+  if (!out->count) return true;
+  if (!vs_outline_plane(out, e)) return vs_outline_free(out), false;
+  vs_outline_orient(out);
+  return true;
+}
+
+/* The outline of a flat hull. */
+static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e) {
+  vs_facets inner = vs_facets_placed(f, placed);
+  vs_cloud cloud = { 0 };
+  *out = (vs_outline){ .loops = calloc(1, sizeof *out->loops), .hole = calloc(1, sizeof *out->hole), .count = 1 };
+  bool ok = (out->loops && out->hole) || vs_error_memory(e, NULL);
+  ok = ok && vs_hull_cloud(n, &inner, &cloud, e) && (vs_cloud_polygon(&cloud, &out->loops[0]) || vs_error_memory(e, NULL));
+  for (size_t i = 0; ok && i < out->loops[0].count; i++) out->loops[0].at[i] = vs_affine_point(placed, out->loops[0].at[i]);
+  ok = ok && vs_outline_plane(out, e);
+  if (ok) vs_outline_orient(out);
+  vs_cloud_free(&cloud);
+  if (!ok) vs_outline_free(out);
+  return ok;
+}
+
 static bool flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v);
 
 /* A leaf becomes a value, what has children a frame. */
@@ -88,7 +116,7 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fa
       case VS_TEXT: {
         vs_flat_value *v = flat_push(f);
         if (v) v->filled = true;
-        return v && (n->kind == VS_TEXT ? vs_text_outline : vs_hull_outline)(n, &map, facets, &v->outline, f->error);
+        return v && (n->kind == VS_TEXT ? text_outline : hull_outline)(n, &map, facets, &v->outline, f->error);
       }
       case VS_JOIN: case VS_REGION: return flat_open(f, ref, &map, facets);
       case VS_XLINE: case VS_RAY: return flat_fail(f, ref, "expected a curve with two ends or none");

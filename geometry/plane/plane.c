@@ -3,13 +3,7 @@
 #include "geometry/plane/plane.h"
 
 #include "geometry/frame.h"
-#include "geometry/tessellate.h"
-
-vs_vec3 vs_plane_up(vs_vec3 normal) {
-  vs_vec3 n = vs_v3_unit(normal);
-  if (n.z < -1e-9 || (fabs(n.z) <= 1e-9 && (n.y < -1e-9 || (fabs(n.y) <= 1e-9 && n.x < 0)))) n = vs_v3_scale(n, -1);
-  return vs_v3(n.x + 0.0, n.y + 0.0, n.z + 0.0);
-}
+#include "geometry/plane/planar_evaluation.h"
 
 bool vs_plane_same(const vs_plane *a, const vs_plane *b) {
   vs_vec3 between = vs_v3_sub(b->point, a->point);

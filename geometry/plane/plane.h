@@ -14,6 +14,5 @@ typedef struct { vs_vec3 point, normal; /* unit; up, or along +Y, or along +X */
 /* Sets answer for their first part that is not nothing: their makers see to the others. */
 vs_plane_count vs_node_plane(const vs_node *n, vs_plane *out);
 bool vs_plane_same(const vs_plane *a, const vs_plane *b); /* within 1e-6 of their sizes */
-vs_vec3 vs_plane_up(vs_vec3 normal); /* made unit, and turned to look up */
 
 #endif

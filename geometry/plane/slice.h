@@ -3,7 +3,8 @@
 #define VS_GEOMETRY_SLICE_H
 
 #include "geometry/plane/plane.h"
-#include "geometry/tessellate.h"
+#include "geometry/plane/outline.h"
+#include "model/mesh.h"
 
 /* The pieces of p on the plane's normal's side, in order, handed to put; one that lies there as a whole is itself, closed or not. False: put's, or out of memory. */
 bool vs_slice_polyline(const vs_polyline *p, vs_vec3 point, vs_vec3 normal, bool (*put)(void *context, const vs_polyline *piece), void *context);

@@ -7,6 +7,7 @@
  * 3. A loop starts where it is least twisted against the one before it: where the sum of the products of matching points, about the
  *    centres and turned from normal to normal by the smallest rotation, is largest. */
 #include "geometry/profiles/loft.h"
+#include "geometry/plane/planar_evaluation.h"
 
 #include <stdio.h>
 #include <stdlib.h>

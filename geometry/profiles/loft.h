@@ -2,7 +2,9 @@
 #ifndef VS_GEOMETRY_LOFT_H
 #define VS_GEOMETRY_LOFT_H
 
-#include "geometry/tessellate.h"
+#include "geometry/tolerance.h"
+#include "model/mesh.h"
+#include "model/node.h"
 
 /* Sections whose points are matched: column c of every row is one line of the wall. */
 typedef struct {

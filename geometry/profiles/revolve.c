@@ -3,6 +3,8 @@
  * A profile's point (r, z) turned by t stands at `at` + z axis + r (cos t out + sin t side). A point on the axis (r = 0) stays one point: a
  * pole. Pappus: a plane area A whose centroid is c away from the axis makes the volume angle A c; a curve likewise its surface. */
 #include "geometry/profiles/revolve.h"
+#include "geometry/plane/outline.h"
+#include "geometry/plane/planar_evaluation.h"
 
 #include <stdlib.h>
 

@@ -3,7 +3,9 @@
 #define VS_GEOMETRY_REVOLVE_H
 
 #include "geometry/measure/node_measures.h"
-#include "geometry/tessellate.h"
+#include "geometry/tolerance.h"
+#include "model/mesh.h"
+#include "model/node.h"
 #include "geometry/plane/ear_clipping.h"
 
 typedef struct {

@@ -6,6 +6,7 @@
  * 174 degrees are not mitred (the mitre would be longer than twenty profiles): there one piece ends square and another begins. So does an
  * extrusion where its curve turns back: what is drawn one way and what is drawn the other are solids of their own that overlap. */
 #include "geometry/profiles/swept.h"
+#include "geometry/plane/planar_evaluation.h"
 
 #include <stdlib.h>
 

@@ -2,7 +2,9 @@
 #ifndef VS_GEOMETRY_SWEPT_H
 #define VS_GEOMETRY_SWEPT_H
 
-#include "geometry/tessellate.h"
+#include "geometry/plane/outline.h"
+#include "geometry/tolerance.h"
+#include "model/mesh.h"
 #include "geometry/plane/ear_clipping.h"
 
 /* Section i maps the profile's plane into space: (u, v) -> x * u + y * v + at. Between neighbours the map goes linearly: that, and not the

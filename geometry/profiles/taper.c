@@ -9,6 +9,8 @@
  * Each wall is one plane polygon: its edge below, the tracks of the corners to both sides of it, of its pieces where it was split, and what
  * of them is left above. Cost: corners that run ahead times edges, times a logarithm. */
 #include "geometry/profiles/taper.h"
+#include "geometry/plane/planar_evaluation.h"
+#include "geometry/plane/outline.h"
 
 #include <stdlib.h>
 

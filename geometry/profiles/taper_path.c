@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "geometry/plane/curve.h"
+#include "geometry/plane/planar_evaluation.h"
 #include "geometry/profiles/taper.h"
 
 /* Points that cutting has put on edges: an open table by the edge's two ends. */

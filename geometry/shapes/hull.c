@@ -9,6 +9,8 @@
  *
  * In a plane: Andrew's chain, on the same grid. Cost: n log n for points as models have them. */
 #include "geometry/shapes/hull.h"
+#include "geometry/plane/planar_evaluation.h"
+#include "geometry/tessellate.h"
 #include "model/store/array.h"
 
 #include <stdlib.h>

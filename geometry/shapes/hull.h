@@ -2,7 +2,9 @@
 #ifndef VS_GEOMETRY_HULL_H
 #define VS_GEOMETRY_HULL_H
 
-#include "geometry/tessellate.h"
+#include "geometry/plane/outline.h"
+#include "geometry/tolerance.h"
+#include "model/mesh.h"
 
 typedef struct { vs_vec3 *at; size_t count, room; } vs_cloud;
 void vs_cloud_free(vs_cloud *c);

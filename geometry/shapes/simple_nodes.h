@@ -2,7 +2,7 @@
 #ifndef VS_GEOMETRY_SHAPES_SIMPLE_NODES_H
 #define VS_GEOMETRY_SHAPES_SIMPLE_NODES_H
 
-#include "geometry/tessellate.h"
+#include "geometry/plane/outline.h"
 #include "model/mesh.h"
 #include "model/node.h"
 

@@ -6,7 +6,8 @@
 #define VS_GEOMETRY_TEXT_H
 
 #include "geometry/text/font.h"
-#include "geometry/tessellate.h"
+#include "geometry/plane/outline.h"
+#include "geometry/tolerance.h"
 
 typedef struct { const vs_glyph *glyph; double x, y; /* of its origin, model units */ } vs_text_glyph;
 typedef struct {

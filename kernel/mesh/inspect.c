@@ -3,6 +3,7 @@
  * Every cell of that arrangement has a winding number. A cell that has a wrong one but is thinner than two steps of the grid is what rounding makes of
  * faces that touch, and passes. Triangles beside the others are the ones to name. */
 #include "kernel/mesh/inspect.h"
+#include "kernel/evaluate.h"
 
 #include <math.h>
 #include <stdlib.h>

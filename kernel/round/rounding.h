@@ -2,7 +2,8 @@
 #ifndef VS_KERNEL_SETTLE_H
 #define VS_KERNEL_SETTLE_H
 
-#include "kernel/evaluate.h"
+#include "kernel/kernel_options.h"
+#include "kernel/problem.h"
 
 typedef enum { VS_NUMBERS_DOUBLE, VS_NUMBERS_DIGITS /* 12 significant */, VS_NUMBERS_SINGLE /* 32 bits */, VS_NUMBERS_SOUP /* the same, without indices */ } vs_numbers;
 

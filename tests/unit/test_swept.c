@@ -8,6 +8,7 @@
 
 #include "geometry/plane/join.h"
 #include "geometry/files/polyface.h"
+#include "geometry/plane/planar_evaluation.h"
 #include "geometry/tessellate.h"
 
 static const double pi = 3.14159265358979323846;

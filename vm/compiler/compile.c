@@ -12,7 +12,8 @@
 #include "vm/compiler/each.h"
 #include "vm/compiler/emit.h"
 #include "vm/compiler/inline.h"
-#include "vm/machine/program.h"
+#include "vm/front/environment.h"
+#include "vm/front/suggest.h"
 
 #define EFFECT (UINT32_MAX - 1)
 #define TAIL (UINT32_MAX - 2)

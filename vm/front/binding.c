@@ -1,6 +1,7 @@
 /* Owns the core syntax that binds: let let* letrec letrec* do, named let, let-syntax letrec-syntax. */
 #include "vm/front/expand.h"
-#include "vm/machine/program.h"
+#include "vm/front/suggest.h"
+#include "vm/front/environment.h"
 
 /* The bindings of `what` are ((name value) ...); PLT's and beginners' mistakes get a message that shows the right form. */
 static bool check_bindings(vs_expansion *x, vs_value list, vs_pos outer, int form, bool step) {

@@ -1,7 +1,8 @@
 /* Owns the expander's machine: tasks, expressions, applications, macro uses (expand.h). */
 #include "vm/front/expand.h"
 #include "vm/values/printer.h"
-#include "vm/machine/program.h"
+#include "vm/front/suggest.h"
+#include "vm/front/environment.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,7 +1,8 @@
 /* Owns the advice for names that are not defined: tokens that were meant as numbers, words of other programs
  * (foreign.def), the right
  * stem with another prefix, and near names. */
-#include "vm/machine/program.h"
+#include "vm/front/suggest.h"
+#include "vm/front/environment.h"
 #include "vm/machine/native.h"
 
 #include <ctype.h>

@@ -3,7 +3,8 @@
 #include "vm/values/equal.h"
 #include "vm/library/port.h"
 #include "vm/values/printer.h"
-#include "vm/machine/program.h"
+#include "vm/front/source.h"
+#include "vm/front/environment.h"
 
 #include <stdio.h>
 
@@ -155,7 +156,7 @@ static bool library_depth(vs_scheme *vm, vs_value env, uint32_t from, size_t *de
   vs_text own, file;
   vs_text_open(vm, &own, 0);
   vs_text_open(vm, &file, 0);
-  bool ok = library_file(vm, r[0], &own) && vs_unit_file_name(vm, from, &file);
+  bool ok = library_file(vm, r[0], &own) && vs_source_name(vm, from, &file);
   if (ok && file.count >= own.count && !memcmp(file.at + file.count - own.count, own.at, own.count)) *depth = (size_t)parts - 1;
   vs_text_close(&own);
   vs_text_close(&file);
@@ -172,7 +173,7 @@ static bool library_path(vs_scheme *vm, vs_value name, uint32_t from, vs_value e
   r[1] = name;
   vs_text_open(vm, &t, 0);
   bool ok = library_depth(vm, env, from, &up) && library_file(vm, r[1], &t) && vs_text_to_string(&t, &r[0]) &&
-            vs_unit_find(vm, r[0], from, up, path, found) && vs_text_end(path);
+            vs_source_find(vm, r[0], from, up, path, found) && vs_text_end(path);
   vs_text_close(&t);
   return ok;
 }
@@ -266,7 +267,7 @@ bool vs_library_define(vs_expansion *x) {
       for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) {
         vs_text path;
         vs_text_open(vm, &path, 0);
-        bool ok = vs_is_string(vs_car(r[L_A])) && vs_unit_path(vm, vs_car(r[L_A]), vs_pos_file(pos), &path) && vs_text_end(&path) && vs_unit_read(vm, path.at, false, &r[L_B]);
+        bool ok = vs_is_string(vs_car(r[L_A])) && vs_source_path(vm, vs_car(r[L_A]), vs_pos_file(pos), &path) && vs_text_end(&path) && vs_source_read(vm, path.at, false, &r[L_B]);
         vs_text_close(&path);
         if (!ok) return vs_is_string(vs_car(r[L_A])) ? false : vs_expand_fail(x, pos, vs_car(r[L_A]), "a file name is a string, not");
         r[L_C] = VS_NIL;
@@ -325,7 +326,7 @@ bool vs_library_require(vs_expansion *x) {
   vs_text path;
   vs_text_open(vm, &path, 0);
   r[0] = spec;
-  bool ok = vs_unit_path(vm, r[0], vs_pos_file(pos), &path) && vs_text_to_string(&path, &r[1]);
+  bool ok = vs_source_path(vm, r[0], vs_pos_file(pos), &path) && vs_text_to_string(&path, &r[1]);
   vs_text_close(&path);
   if (!ok) return false;
   r[2] = x->now.env;

@@ -4,7 +4,7 @@
    A port for output into memory collects in `buffer`, `position` is how much; every other hands its bytes to the host. */
 #include "vm/library/port.h"
 
-#include "vm/machine/lib.h"
+#include "vm/library/kept.h"
 #include "vm/machine/run.h"
 
 static bool port_new(vs_scheme *vm, uint32_t flags, int64_t host, const vs_value *name, vs_value *out) {

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "vm/values/integer.h"
-#include "vm/machine/lib.h"
+#include "vm/library/kept.h"
 #include "vm/library/port.h"
 
 enum { FIRST_SEED = 1 };

@@ -4,7 +4,7 @@
 #include "vm/compiler/code.h"
 #include "vm/values/gc.h"
 #include "vm/machine/native.h"
-#include "vm/machine/program.h"
+#include "vm/front/source.h"
 #include "vm/machine/run.h"
 
 /* a walk over frames, innermost first; holds addresses, so nothing may be allocated meanwhile */
@@ -100,7 +100,7 @@ static bool fail_endless(vs_scheme *vm) {
     if (vs_is_symbol(at[i].name) && times > most) best = i, most = times;
   }
   for (size_t i = 0; i < n; i++) others += at[i].name != at[best].name && vs_is_symbol(at[i].name) && !others;
-  const char *name = most ? vs_unit_said(vm, vs_as_symbol(at[best].name)->name, at[best].place) : "a procedure";
+  const char *name = most ? vs_source_said(vm, vs_as_symbol(at[best].name)->name, at[best].place) : "a procedure";
   vm->native = NULL;
   if (others) return vs_fail(vm, vm->sym.recursion,
       "%s calls itself without end here, by way of others; is there an `if` that stops it?", name);

@@ -2,7 +2,7 @@
 #include "vm/machine/arguments.h"
 #include "vm/machine/signature.h"
 #include "vm/values/text.h"
-#include "vm/machine/program.h"
+#include "vm/front/suggest.h"
 
 #include <stdio.h>
 #include <string.h>

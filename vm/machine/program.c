@@ -1,13 +1,12 @@
 /* Owns the running of programs: the frame %run, which expands, compiles and runs one top-level form after the other, and what is made of it: eval,
    load, require, libraries, the host's entries. */
 #include "vm/machine/program.h"
+
+#include "vm/front/source.h"
 #include "vm/compiler/compile.h"
 #include "vm/front/expand.h"
 #include "vm/library/library.h"
-#include "vm/library/port.h"
-#include "vm/front/gml_reader.h"
 #include "vm/front/reader.h"
-#include "vm/javascript/read_script.h"
 #include "vm/machine/run.h"
 #include "vm/values/string_chars.h"
 
@@ -32,10 +31,6 @@ static bool keep_frame(vs_expansion *x) {
   let->as.let.values[0] = x->root;
   x->root = let;
   return true;
-}
-
-static vs_vm_phase enter_phase(vs_scheme *vm, vs_vm_phase phase) {
-  return vm->config.phase ? vm->config.phase(vm->config.user, phase) : phase;
 }
 
 static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
@@ -71,7 +66,7 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
       a[RUN_SERIAL] = vs_fix(x->serial);
     }
     stepping = false;
-    enter_phase(vm, VS_VM_EXPAND);
+    vs_enter_phase(vm, VS_VM_EXPAND);
     vs_expand_result result = vs_expansion_step(x, came);
     switch (result) {
     case VS_EXPAND_ERROR: return VS_ERROR;
@@ -80,7 +75,7 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
       VS_ROOTS(vm, r, 1);
       /* a call at top level keeps its frame, so that errors can tell where they were called from */
       if (a[RUN_TELL] != VS_FALSE && x->root->kind == VS_AST_CALL && !keep_frame(x)) return VS_ERROR;
-      enter_phase(vm, VS_VM_COMPILE);
+      vs_enter_phase(vm, VS_VM_COMPILE);
       if (!vs_compile(vm, &x->ast, x->root, &r[0])) return VS_ERROR;
       vs_ast_clear(&x->ast);
       a[RUN_FORMS] = vs_cdr(a[RUN_FORMS]);
@@ -125,7 +120,7 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
 static vs_status run(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_status status = step_forms(vm, a, out);
-  enter_phase(vm, VS_VM_RUN);
+  vs_enter_phase(vm, VS_VM_RUN);
   return status;
 }
 
@@ -242,172 +237,12 @@ static vs_status syntax_to_datum(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 }
 
 /* ---- files ---- */
-static size_t folder_length(const char *name) {
-  const char *slash = strrchr(name, '/');
-  return slash ? (size_t)(slash - name) + 1 : 0;
-}
-
-static const char SHIPPED[] = "library:";
-
-bool vs_unit_is_shipped(const char *path) { return !strncmp(path, SHIPPED, sizeof SHIPPED - 1); }
-
-const vs_shipped *vs_unit_shipped(const vs_scheme *vm, const char *name) {
-  for (const vs_shipped *s = vm->config.shipped; s && s->name; s++) if (!strcmp(s->name, name)) return s;
-  return NULL;
-}
-
-static bool exists(vs_scheme *vm, vs_text *path) {
-  if (!vs_text_end(path)) return false;
-  if (vs_unit_is_shipped(path->at)) return vs_unit_shipped(vm, path->at + sizeof SHIPPED - 1) != NULL;
-  return vm->config.io && vm->config.io->exists && vm->config.io->exists(vm->config.user, path->at);
-}
-
-/* a/./b and a/c/../b are a/b, so that one file has one name */
-static void normalise(vs_text *path) {
-  char *s = path->at;
-  size_t n = path->count, out = 0, i = 0;
-  while (i < n) {
-    size_t end = i;
-    while (end < n && s[end] != '/') end++;
-    size_t length = end - i;
-    bool dot = length == 1 && s[i] == '.', up = length == 2 && s[i] == '.' && s[i + 1] == '.';
-    size_t last = out > 1 ? out - 1 : 0;                   /* the folder before, if it is one to leave */
-    while (last > 0 && s[last - 1] != '/') last--;
-    bool can = up && out > 1 && !(out - last == 3 && s[last] == '.' && s[last + 1] == '.');
-    if (can) out = last;
-    else if (!dot && (length || out == 0)) {
-      memmove(s + out, s + i, length);
-      out += length;
-      if (end < n) s[out++] = '/';
-    }
-    i = end + 1;
-  }
-  path->count = out;
-}
-
-bool vs_unit_file_name(vs_scheme *vm, uint32_t file, vs_text *t) {
-  t->count = 0;
-  if (!file || !vs_is_vector(vm->at.files) || file >= vs_as_vector(vm->at.files)->length || !vs_is_string(vs_as_vector(vm->at.files)->at[file])) return vs_text_end(t);
-  return vs_text_string(t, vs_as_vector(vm->at.files)->at[file]) && vs_text_end(t);
-}
-
-/* Takes `folder` followed by `name` as the path where that file exists, or where it is the first place looked at. */
-static bool try_place(vs_scheme *vm, const char *folder, size_t length, const vs_text *name, vs_text *path,
-                      bool *found) {
-  if (*found) return true;
-  vs_text t;
-  vs_text_open(vm, &t, 0);
-  bool ok = vs_text_put(&t, folder, length) && (!length || folder[length - 1] == '/' || vs_text_put(&t, "/", 1)) && vs_text_put(&t, name->at, name->count);
-  if (ok && ((*found = exists(vm, &t)) || !path->count)) {
-    path->count = 0;
-    ok = vs_text_put(path, t.at, t.count);
-  }
-  vs_text_close(&t);
-  return ok;
-}
-
-bool vs_unit_find(vs_scheme *vm, vs_value name, uint32_t from, size_t up, vs_text *path, bool *found) {
-  vs_text plain, base;
-  vs_text_open(vm, &plain, 0);
-  vs_text_open(vm, &base, 0);
-  *found = false;
-  path->count = 0;
-  bool ok = vs_text_string(&plain, name) && vs_text_end(&plain);
-  if (ok && plain.at[0] == '/') {
-    ok = try_place(vm, "", 0, &plain, path, found);
-  } else if (ok) {
-    ok = vs_unit_file_name(vm, from, &base);
-    base.count = folder_length(base.at);
-    ok = ok && try_place(vm, base.at, base.count, &plain, path, found);
-    for (size_t i = 0; ok && i < up; i++) ok = vs_text_puts(&base, "../");
-    ok = ok && (!up || try_place(vm, base.at, base.count, &plain, path, found));
-    ok = ok && vs_unit_file_name(vm, vm->program_file, &base) && try_place(vm, base.at, folder_length(base.at), &plain, path, found);
-    for (const char *p = vm->config.library_path; ok && p && *p;) {
-      size_t n = strcspn(p, ":");
-      ok = try_place(vm, p, n, &plain, path, found);
-      p += n + (p[n] == ':');
-    }
-    if (ok && !*found && vs_unit_shipped(vm, plain.at)) {
-      *found = true;
-      path->count = 0;
-      ok = vs_text_puts(path, SHIPPED) && vs_text_put(path, plain.at, plain.count);
-    }
-  }
-  vs_text_close(&plain);
-  vs_text_close(&base);
-  if (ok && !vs_unit_is_shipped(path->count ? path->at : "")) normalise(path);
-  return ok;       /* not found: the first place, whose absence the reading reports */
-}
-
-bool vs_unit_path(vs_scheme *vm, vs_value name, uint32_t from, vs_text *path) {
-  bool found;
-  return vs_unit_find(vm, name, from, 0, path, &found);
-}
-
-/* ---- languages beside this one ---- */
-typedef bool read_fn(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, vs_value *forms);
-typedef struct { const char *ending, *language; read_fn *read; } front_end;
-
-/* NULL: a file of this name is in this language. */
-static const front_end *front_end_of(const char *name) {
-  static const front_end all[] = {
-#define VS_FRONT_END(ending, language, read) { ending, language, read },
-#include "vm/front/front_ends.def"
-#undef VS_FRONT_END
-  };
-  size_t n = strlen(name);
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-    size_t length = strlen(all[i].ending);
-    if (n > length && !strcmp(name + n - length, all[i].ending)) return &all[i];
-  }
-  return NULL;
-}
-
-const char *vs_unit_language(const char *name) {
-  const front_end *other = front_end_of(name);
-  return other ? other->language : NULL;
-}
-
-const char *vs_unit_said(vs_scheme *vm, const char *name, vs_pos place) {
-  vs_text file;
-  if (*name != ':' || !name[1]) return name;
-  vs_text_open(vm, &file, 0);
-  bool other = vs_unit_file_name(vm, vs_pos_file(place), &file) && vs_unit_language(file.at);
-  vs_text_close(&file);
-  return other ? name + 1 : name;
-}
-
-static bool read_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold,
-                      vs_value *forms) {
-  uint32_t file;
-  vs_vm_phase was = enter_phase(vm, VS_VM_READ);
-  const front_end *other = front_end_of(name);
-  bool ok = vs_file_number(vm, name, strlen(name), &file) &&
-      (other ? other->read(vm, text, size, file, line, forms) : vs_read_all(vm, text, size, file, line, fold, forms));
-  enter_phase(vm, was);
-  return ok;
-}
-
-bool vs_unit_read(vs_scheme *vm, const char *path, bool fold, vs_value *forms) {
-  VS_ROOTS(vm, r, 1);
-  const vs_shipped *shipped = vs_unit_is_shipped(path) ? vs_unit_shipped(vm, path + sizeof SHIPPED - 1) : NULL;
-  if (shipped) return read_text(vm, path, 1, shipped->text, (size_t)(shipped->end - shipped->text), fold, forms);
-  if (!vs_io_read_file(vm, path, &r[0])) return false;
-  size_t size = (size_t)vs_as_bytes(r[0])->length;
-  char *text = vs_mem(vm, NULL, 0, size + 1);        /* the reader allocates, the bytes may move */
-  if (!text) return false;
-  memcpy(text, vs_as_bytes(r[0])->at, size);
-  bool ok = read_text(vm, path, 1, text, size, fold, forms);
-  vs_mem(vm, text, size + 1, 0);
-  return ok;
-}
-
 static vs_status load_path(vs_scheme *vm, vs_value name, uint32_t from, vs_value env, vs_value tell) {
   VS_ROOTS(vm, r, 2);
   r[1] = env;
   vs_text path;
   vs_text_open(vm, &path, 0);
-  bool ok = vs_unit_path(vm, name, from, &path) && vs_text_end(&path) && vs_unit_read(vm, path.at, false, &r[0]);
+  bool ok = vs_source_path(vm, name, from, &path) && vs_text_end(&path) && vs_source_read(vm, path.at, false, &r[0]);
   vs_text_close(&path);
   return ok ? tail_run(vm, r[0], r[1], tell) : VS_ERROR;
 }
@@ -431,7 +266,7 @@ static vs_status load_library(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
       }
     vs_text path;
     vs_text_open(vm, &path, 0);
-    bool ok = vs_text_string(&path, a[0]) && vs_text_end(&path) && vs_unit_read(vm, path.at, false, &r[0]) && vs_program_new(vm, &r[1]);
+    bool ok = vs_text_string(&path, a[0]) && vs_text_end(&path) && vs_source_read(vm, path.at, false, &r[0]) && vs_program_new(vm, &r[1]);
     vs_text_close(&path);
     if (!ok || !vs_cons(vm, a[0], VS_FALSE, &a[2])) return VS_ERROR;
     if (!vs_is_pair(vm->at.required)) vm->at.required = VS_NIL;
@@ -472,7 +307,7 @@ static vs_status require(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
       ok = vs_text_string(&u, vs_car(vs_car(l)));
       known = ok && u.count == t.count && !memcmp(u.at, t.at, t.count);
     }
-    ok = ok && vs_text_end(&t) && (known || vs_unit_read(vm, t.at, false, &r[0]));
+    ok = ok && vs_text_end(&t) && (known || vs_source_read(vm, t.at, false, &r[0]));
     vs_text_close(&t);
     vs_text_close(&u);
     if (!ok) return VS_ERROR;
@@ -620,7 +455,7 @@ static bool run_forms(vs_scheme *vm, vs_value forms, vs_value env, bool tell, vs
 
 bool vs_library_load(vs_scheme *vm, const char *name, const char *text, size_t size) {
   VS_ROOTS(vm, r, 1);
-  return read_text(vm, name, 1, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.core, false, NULL);
+  return vs_source_text(vm, name, 1, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.core, false, NULL);
 }
 
 void vs_library_done(vs_scheme *vm) {
@@ -647,7 +482,7 @@ bool vs_program_text(vs_scheme *vm, const char *name, uint32_t line, const char 
                      vs_value *last) {
   VS_ROOTS(vm, r, 1);
   if (prompt) vs_environment_set_intake(vm->at.program, VS_INTAKE_PROMPT);
-  return begin_program(vm, name) && read_text(vm, name, line, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
+  return begin_program(vm, name) && vs_source_text(vm, name, line, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
 }
 
 /* Forms that bind names at top level, or that only make sense there. */
@@ -678,7 +513,7 @@ bool vs_program_within(vs_scheme *vm, const char *name, uint32_t line, const cha
   VS_ROOTS(vm, r, 4);                     /* forms, bindings, what they become, one of them */
   r[1] = bindings;
   vs_environment_set_intake(vm->at.program, VS_INTAKE_PROMPT);
-  if (!read_text(vm, name, line, text, size, false, &r[0])) return false;
+  if (!vs_source_text(vm, name, line, text, size, false, &r[0])) return false;
   for (r[2] = r[0]; vs_is_pair(r[2]) && vs_is_pair(r[1]); r[2] = vs_cdr(r[2])) {
     r[3] = vs_car(r[2]);
     if (is_top_form(r[3])) continue;
@@ -690,5 +525,5 @@ bool vs_program_within(vs_scheme *vm, const char *name, uint32_t line, const cha
 
 bool vs_program_file(vs_scheme *vm, const char *path, vs_value *last) {
   VS_ROOTS(vm, r, 1);
-  return begin_program(vm, path) && vs_unit_read(vm, path, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
+  return begin_program(vm, path) && vs_source_read(vm, path, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
 }

@@ -12,7 +12,6 @@
 #include "vm/compiler/code.h"
 #include "vm/front/environment.h"
 #include "vm/machine/activation.h"
-#include "vm/machine/program.h"
 #include "vm/machine/run.h"
 
 bool vs_is_stop(const vs_scheme *vm, vs_value condition) {

@@ -157,4 +157,9 @@ void vs_close_vm(vs_scheme *vm);
    vm by its address, so they are let go there. Fresh is as opened: no object in it knows its address. */
 void vs_replace_vm(vs_scheme *vm, vs_scheme *fresh);
 
+/* Tells the host that the phase begins; returns the phase before. */
+static inline vs_vm_phase vs_enter_phase(vs_scheme *vm, vs_vm_phase phase) {
+  return vm->config.phase ? vm->config.phase(vm->config.user, phase) : phase;
+}
+
 #endif

@@ -12,7 +12,7 @@
    A register is a variable of the nearest braces around it that say usereg, or else of the file. The last #t of a body
    keeps the frame of the call before it, which an error at that call is told from. Braces are frames of an explicit
    stack. */
-#include "vm/front/gml_reader.h"
+#include "vm/gml/gml_reader.h"
 #include "vm/front/environment.h"
 #include "vm/front/reader.h"
 #include "vm/values/number.h"

@@ -1,0 +1,171 @@
+/* Owns source files: where one is looked for, which language it is in, and how its forms are read. */
+#include "vm/front/source.h"
+
+#include <string.h>
+
+#include "vm/front/reader.h"
+#include "vm/gml/gml_reader.h"
+#include "vm/javascript/read_script.h"
+#include "vm/library/port.h"
+#include "vm/values/string_chars.h"
+
+/* ---- paths ---- */
+static size_t folder_length(const char *name) {
+  const char *slash = strrchr(name, '/');
+  return slash ? (size_t)(slash - name) + 1 : 0;
+}
+
+static const char SHIPPED[] = "library:";
+
+bool vs_source_is_shipped(const char *path) { return !strncmp(path, SHIPPED, sizeof SHIPPED - 1); }
+
+const vs_shipped *vs_source_shipped(const vs_scheme *vm, const char *name) {
+  for (const vs_shipped *s = vm->config.shipped; s && s->name; s++) if (!strcmp(s->name, name)) return s;
+  return NULL;
+}
+
+static bool exists(vs_scheme *vm, vs_text *path) {
+  if (!vs_text_end(path)) return false;
+  if (vs_source_is_shipped(path->at)) return vs_source_shipped(vm, path->at + sizeof SHIPPED - 1) != NULL;
+  return vm->config.io && vm->config.io->exists && vm->config.io->exists(vm->config.user, path->at);
+}
+
+/* a/./b and a/c/../b are a/b, so that one file has one name */
+static void normalise(vs_text *path) {
+  char *s = path->at;
+  size_t n = path->count, out = 0, i = 0;
+  while (i < n) {
+    size_t end = i;
+    while (end < n && s[end] != '/') end++;
+    size_t length = end - i;
+    bool dot = length == 1 && s[i] == '.', up = length == 2 && s[i] == '.' && s[i + 1] == '.';
+    size_t last = out > 1 ? out - 1 : 0;                   /* the folder before, if it is one to leave */
+    while (last > 0 && s[last - 1] != '/') last--;
+    bool can = up && out > 1 && !(out - last == 3 && s[last] == '.' && s[last + 1] == '.');
+    if (can) out = last;
+    else if (!dot && (length || out == 0)) {
+      memmove(s + out, s + i, length);
+      out += length;
+      if (end < n) s[out++] = '/';
+    }
+    i = end + 1;
+  }
+  path->count = out;
+}
+
+bool vs_source_name(vs_scheme *vm, uint32_t file, vs_text *t) {
+  t->count = 0;
+  if (!file || !vs_is_vector(vm->at.files) || file >= vs_as_vector(vm->at.files)->length || !vs_is_string(vs_as_vector(vm->at.files)->at[file])) return vs_text_end(t);
+  return vs_text_string(t, vs_as_vector(vm->at.files)->at[file]) && vs_text_end(t);
+}
+
+/* Takes `folder` followed by `name` as the path where that file exists, or where it is the first place looked at. */
+static bool try_place(vs_scheme *vm, const char *folder, size_t length, const vs_text *name, vs_text *path,
+                      bool *found) {
+  if (*found) return true;
+  vs_text t;
+  vs_text_open(vm, &t, 0);
+  bool ok = vs_text_put(&t, folder, length) && (!length || folder[length - 1] == '/' || vs_text_put(&t, "/", 1)) && vs_text_put(&t, name->at, name->count);
+  if (ok && ((*found = exists(vm, &t)) || !path->count)) {
+    path->count = 0;
+    ok = vs_text_put(path, t.at, t.count);
+  }
+  vs_text_close(&t);
+  return ok;
+}
+
+bool vs_source_find(vs_scheme *vm, vs_value name, uint32_t from, size_t up, vs_text *path, bool *found) {
+  vs_text plain, base;
+  vs_text_open(vm, &plain, 0);
+  vs_text_open(vm, &base, 0);
+  *found = false;
+  path->count = 0;
+  bool ok = vs_text_string(&plain, name) && vs_text_end(&plain);
+  if (ok && plain.at[0] == '/') {
+    ok = try_place(vm, "", 0, &plain, path, found);
+  } else if (ok) {
+    ok = vs_source_name(vm, from, &base);
+    base.count = folder_length(base.at);
+    ok = ok && try_place(vm, base.at, base.count, &plain, path, found);
+    for (size_t i = 0; ok && i < up; i++) ok = vs_text_puts(&base, "../");
+    ok = ok && (!up || try_place(vm, base.at, base.count, &plain, path, found));
+    ok = ok && vs_source_name(vm, vm->program_file, &base) && try_place(vm, base.at, folder_length(base.at), &plain, path, found);
+    for (const char *p = vm->config.library_path; ok && p && *p;) {
+      size_t n = strcspn(p, ":");
+      ok = try_place(vm, p, n, &plain, path, found);
+      p += n + (p[n] == ':');
+    }
+    if (ok && !*found && vs_source_shipped(vm, plain.at)) {
+      *found = true;
+      path->count = 0;
+      ok = vs_text_puts(path, SHIPPED) && vs_text_put(path, plain.at, plain.count);
+    }
+  }
+  vs_text_close(&plain);
+  vs_text_close(&base);
+  if (ok && !vs_source_is_shipped(path->count ? path->at : "")) normalise(path);
+  return ok;       /* not found: the first place, whose absence the reading reports */
+}
+
+bool vs_source_path(vs_scheme *vm, vs_value name, uint32_t from, vs_text *path) {
+  bool found;
+  return vs_source_find(vm, name, from, 0, path, &found);
+}
+
+/* ---- languages beside this one ---- */
+typedef bool read_fn(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, vs_value *forms);
+typedef struct { const char *ending, *language; read_fn *read; } front_end;
+
+/* NULL: a file of this name is in this language. */
+static const front_end *front_end_of(const char *name) {
+  static const front_end all[] = {
+#define VS_FRONT_END(ending, language, read) { ending, language, read },
+#include "vm/front/front_ends.def"
+#undef VS_FRONT_END
+  };
+  size_t n = strlen(name);
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    size_t length = strlen(all[i].ending);
+    if (n > length && !strcmp(name + n - length, all[i].ending)) return &all[i];
+  }
+  return NULL;
+}
+
+const char *vs_source_language(const char *name) {
+  const front_end *other = front_end_of(name);
+  return other ? other->language : NULL;
+}
+
+const char *vs_source_said(vs_scheme *vm, const char *name, vs_pos place) {
+  vs_text file;
+  if (*name != ':' || !name[1]) return name;
+  vs_text_open(vm, &file, 0);
+  bool other = vs_source_name(vm, vs_pos_file(place), &file) && vs_source_language(file.at);
+  vs_text_close(&file);
+  return other ? name + 1 : name;
+}
+
+bool vs_source_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold,
+                      vs_value *forms) {
+  uint32_t file;
+  vs_vm_phase was = vs_enter_phase(vm, VS_VM_READ);
+  const front_end *other = front_end_of(name);
+  bool ok = vs_file_number(vm, name, strlen(name), &file) &&
+      (other ? other->read(vm, text, size, file, line, forms) : vs_read_all(vm, text, size, file, line, fold, forms));
+  vs_enter_phase(vm, was);
+  return ok;
+}
+
+bool vs_source_read(vs_scheme *vm, const char *path, bool fold, vs_value *forms) {
+  VS_ROOTS(vm, r, 1);
+  const vs_shipped *shipped = vs_source_is_shipped(path) ? vs_source_shipped(vm, path + sizeof SHIPPED - 1) : NULL;
+  if (shipped) return vs_source_text(vm, path, 1, shipped->text, (size_t)(shipped->end - shipped->text), fold, forms);
+  if (!vs_io_read_file(vm, path, &r[0])) return false;
+  size_t size = (size_t)vs_as_bytes(r[0])->length;
+  char *text = vs_mem(vm, NULL, 0, size + 1);        /* the reader allocates, the bytes may move */
+  if (!text) return false;
+  memcpy(text, vs_as_bytes(r[0])->at, size);
+  bool ok = vs_source_text(vm, path, 1, text, size, fold, forms);
+  vs_mem(vm, text, size + 1, 0);
+  return ok;
+}
