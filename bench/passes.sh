@@ -1,6 +1,6 @@
 #!/bin/sh
 # Owns the experiment of the thesis' table 4.1: a grid of 51 x 51 cylinders without passes, with folding, with sharing, with both, for every
-# format: commands by the rule of manual/internals.md, bytes, processor time; what an n-ary set hides; and what POV-Ray needs to parse the four scenes.
+# format: commands by the rule of manual/internals/model.md, bytes, processor time; what an n-ary set hides; and what POV-Ray needs to parse the four scenes.
 # `bench/passes.sh build/vs build/measure`.
 set -u
 vs=$(realpath "$1") measure=$(realpath "$2")

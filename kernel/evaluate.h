@@ -1,7 +1,7 @@
 /* Owns the face of the mesh kernel: exact booleans of closed triangle meshes; knows nothing of nodes (solid.h does).
  *
  * The expression is a list of terms, operands before users, the last term the root: a DAG of any width and depth. Everything
- * is evaluated in one exact arrangement per cluster of leaves that touch, not pair by pair; see manual/internals.md. */
+ * is evaluated in one exact arrangement per cluster of leaves that touch, not pair by pair; see manual/internals/kernel.md. */
 #ifndef VS_KERNEL_EVALUATE_H
 #define VS_KERNEL_EVALUATE_H
 

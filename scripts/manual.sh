@@ -8,7 +8,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 BUILD=$1
 vs=$BUILD/vs out=${PAGES:-$BUILD/manual}
-mkdir -p "$out/primitives" "$out/rules" "$out/language" || exit 1
+mkdir -p "$out/primitives" "$out/rules" "$out/language" "$out/internals" || exit 1
 cp scripts/manual.css manual/*.jpg manual/*.svg "$out/"
 cp scripts/manual_search.js "$out/search.js"
 echo 'const manual = [' > "$out/index.js" # the search's index: a row for each heading, which the pages add
@@ -66,9 +66,9 @@ for page in manual/rules/*.md; do
   awk -v title="$name" -v root=../ -v index_to="$out/index.js" -v page="rules/$name.html" -v after="$after" -f scripts/manual.awk "$page" > "$out/rules/$name.html"
 done
 
-for page in manual/language/*.md; do
+for page in manual/language/*.md manual/internals/*.md; do
   name=$(basename "$page" .md)
-  file=language/$([ "$name" = README ] && echo index || echo "$name").html
+  file=$(basename "$(dirname "$page")")/$([ "$name" = README ] && echo index || echo "$name").html
   awk -v title="$name" -v root=../ -v index_to="$out/index.js" -v page="$file" -f scripts/manual.awk "$page" > "$out/$file"
 done
 
