@@ -19,7 +19,7 @@ PACK      = $(shell p=$$(mktemp) && echo 'int main(void) { return 0; }' | $(CC) 
 Q         = $(if $(V),,@)
 say       = $(if $(V),@:,@echo "  $(1)")
 
-# Asked when a recipe needs them, so that this file can be read before pkg-config is installed. What has no answer gets the usual name.
+# Asked when a recipe needs them, so that this file can be read before pkg-config is installed. A package that pkg-config does not know gets its usual name.
 pkg       = $(shell pkg-config --libs $(1) 2>/dev/null || echo $(2))
 LDLIBS   += $(call pkg,gmp libutf8proc,-lgmp -lutf8proc) -lm -lpthread -ldl
 PNG_LIBS  = $(call pkg,libpng,-lpng)
@@ -46,7 +46,7 @@ all: $(BUILD)/libvisualscheme.a $(BUILD)/vs ## build the library and the program
 # FreeType's headers have a folder of their own. The library itself is loaded when the first text is made.
 $(BUILD)/obj/geometry/text/font.o: CFLAGS += $(shell pkg-config --cflags freetype2 2>/dev/null || echo -I/usr/include/freetype2)
 
-# So do OpenEXR's, whose library is loaded with the first EXR picture.
+# OpenEXR's headers have one, too; its library is loaded with the first EXR picture.
 $(BUILD)/obj/geometry/files/exr_read.o $(BUILD)/obj/geometry/files/exr.o: CFLAGS += $(shell pkg-config --cflags-only-I OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
 
 $(BUILD)/obj/%.o: %.c
@@ -58,7 +58,7 @@ $(BUILD)/obj/%.o: %.c
 $(BUILD)/obj/functions/%.o $(BUILD)/obj/kernel/%.o $(BUILD)/obj/solids/%.o: OPT := $(OPT:-O2=-O3)
 
 # gcc would make the ends of all instructions one: a jump to a jump, and one guess where to go next instead of one each.
-# What it eliminates over the whole function fills the registers, and the frame's address is left without one.
+# Values that gcse shares over the whole function fill the registers, and the frame's address is left without one.
 $(BUILD)/obj/vm/machine/run.o: CFLAGS += $(if $(findstring clang,$(shell $(CC) --version)),,-fno-crossjumping -fno-gcse -fno-tree-pre -fno-ivopts --param max-goto-duplication-insns=20 --param max-grow-copy-bb-insns=50)
 
 LIVE_ASSETS = viewer/live.html $(BUILD)/live.css $(BUILD)/live.js
@@ -252,7 +252,7 @@ asan: ## the tests under the address and leak sanitizer
 ubsan: ## the tests under the undefined-behaviour sanitizer
 	UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $(MAKE) $(call SANITIZE,undefined -fno-sanitize-recover=all,ubsan)
 
-# What runs in threads: interpreters side by side, the kernel's tasks, the live view's server. scripts/tsan.supp says what is not ours.
+# The programs with threads: interpreters side by side, the kernel's tasks, the live view's server. scripts/tsan.supp says what is not ours.
 TSAN_UNITS = test_threads test_kernel test_crowds
 tsan: ## what runs in threads under the thread sanitizer: interpreters side by side, the kernel, the live view's server
 	$(MAKE) OPT="-O1 -g -fsanitize=thread -DVS_DEBUG=1" BUILD=$(BUILD)/tsan $(BUILD)/tsan/vs $(TSAN_UNITS:%=$(BUILD)/tsan/unit/%)

@@ -5,7 +5,7 @@
 ; right and results built without mutation, so a continuation captured in the middle may be re-entered any number of times.
 
 ; ---- syntax ----
-; What needs no C: rules over the core syntax of vm/front/forms.def and the procedures % of vm/library/control.c.
+; Syntax and procedures that need no C: rules over the core syntax of vm/front/forms.def and the procedures % of vm/library/control.c.
 
 (define-syntax define-syntax-rule
   (syntax-rules ()

@@ -6,15 +6,15 @@
  *   if (vs_eval_file(s, "house.vs", 0) == VS_OUTCOME_DONE) vs_write_drawing(s, "house.stl", NULL, NULL);
  *   vs_free(s);
  *
- * Conventions. Text is UTF-8; a (pointer, length) pair need not end in NUL, every other text does. What a function or a callback hands out
+ * Conventions. Text is UTF-8; a (pointer, length) pair need not end in NUL, every other text does. A result of a function or an argument of a callback
  * belongs to the interpreter: texts from vs_..._get and arguments of callbacks live until the next call on the same interpreter or
- * until the callback returns; copy what you keep. What you hand in is copied. Angles are radians, lengths model units, times seconds,
+ * until the callback returns; copy what you keep. Your arguments are copied. Angles are radians, lengths model units, times seconds,
  * lines and columns count from 1 (columns in characters, not bytes).
  *
  * Failure. Nothing aborts, exits or jumps. A vs_outcome is the exit code that a command should end with; why something failed has been told
  * to `diagnose` before the call returns. After any failure the interpreter is usable, its memory limit included.
  *
- * Threads. One interpreter is used by one thread at a time; different interpreters share nothing. vs_interrupt alone may come from
+ * Threads. An interpreter is used by one thread at a time; different interpreters share nothing. vs_interrupt alone may come from
  * anywhere, a signal handler included. Callbacks run in the calling thread and must not call back into the same interpreter, except
  * vs_interrupt. */
 #ifndef VISUALSCHEME_H
@@ -90,7 +90,7 @@ typedef struct {
 /* Every member may be NULL. `context` is handed to each. */
 typedef struct {
   void *context;
-  /* What the program prints (display, write ...). False: could not be written; the program gets an error. NULL: it is dropped. */
+  /* Text that the program prints (display, write ...). False: could not be written; the program gets an error. NULL: it is dropped. */
   bool (*output)(void *context, const char *text, size_t length);
   /* A line for (read-line) and (read) from the program's console input, newline included; NULL at the end. Lives until the next call. */
   const char *(*input)(void *context, size_t *length);
@@ -133,7 +133,7 @@ typedef struct {
 
 VS_API vs_options vs_options_default(void);
 
-/* NULL: out of memory. o NULL: the defaults. What o points to is copied, callbacks are called until vs_free. */
+/* NULL: out of memory. o NULL: the defaults. The data that o points to is copied, callbacks are called until vs_free. */
 VS_API vs_scheme *vs_new(const vs_options *o);
 VS_API void vs_free(vs_scheme *s); /* NULL is fine */
 
@@ -172,8 +172,8 @@ VS_API const char *vs_language_of(const char *path);
 /* name: for diagnostics ("house.vs", "-e"); first_line: the number of the text's first line there. Relative loads start at name's folder. */
 VS_API vs_outcome vs_eval_text(vs_scheme *s, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags);
 
-/* Begins anew, as after vs_new: definitions, what was required, parameters, drawing, camera and the like and random numbers are forgotten. What
- * vs_parameter_set gave stays, and so do kept meshes, options, statistics. For running a changed file, or the same with other
+/* Begins anew, as after vs_new: definitions, what was required, parameters, drawing, camera and the like and random numbers are forgotten. Values
+ * given by vs_parameter_set stay, and so do kept meshes, options, statistics. For running a changed file, or the same with other
  * parameters: what it writes then are the bytes of a fresh process, in the time that the change takes. Out of memory: all is as it was. */
 VS_API vs_outcome vs_restart(vs_scheme *s);
 
@@ -213,7 +213,7 @@ typedef struct {
 } vs_name_info;
 /* False: no such name is visible at top level. */
 VS_API bool vs_name_get(vs_scheme *s, const char *name, vs_name_info *out);
-/* What to use for a name that does not exist, as errors say it: "make-box is the name here: ...", "did you mean
+/* The advice for a name that does not exist, as errors have it: "make-box is the name here: ...", "did you mean
  * make-box?"; "" where nothing comes to mind. */
 VS_API const char *vs_name_advice(vs_scheme *s, const char *name);
 /* The instructions that a procedure was compiled to, a line each, to `each` until it returns false. False: it is no
@@ -325,7 +325,7 @@ VS_API void vs_drawing_clear(vs_scheme *s); /* as (erase-all); forgets returned 
  * vs_drawing_keep after the first program, vs_restart, then the second program and vs_drawing_compare. Parts are what
  * stands in unions, placements, materials and layers: primitives, sweeps, differences ... */
 
-/* Keeps what is drawn now, for vs_drawing_compare; vs_restart leaves it kept. What was kept before is let go. */
+/* Keeps what is drawn now, for vs_drawing_compare; vs_restart leaves it kept. Outputs that were kept before are let go. */
 VS_API vs_outcome vs_drawing_keep(vs_scheme *s);
 
 typedef enum {
@@ -349,7 +349,7 @@ typedef struct {
 
 /* Compares what was kept with what is drawn now. Parts that differ go to `each`, in order, those that were removed
  * first, until it returns false; *out is filled by then. before is NULL of one that was added, after of one that was
- * removed. Nothing kept counts as an empty drawing. What was found stays for vs_output_options.change until the next
+ * removed. Nothing kept counts as an empty drawing. The found values stay for vs_output_options.change until the next
  * comparison. */
 VS_API vs_outcome vs_drawing_compare(vs_scheme *s, vs_comparison *out,
                                      bool (*each)(void *context, vs_part_difference what, const vs_part_info *before,
@@ -359,8 +359,8 @@ VS_API vs_outcome vs_drawing_compare(vs_scheme *s, vs_comparison *out,
 /* ---- fitting a model to a scan ----
  *
  * vs_fit runs the program again and again, until the points of a scan lie as near to its solids as they can: it looks
- * for the values of the program's parameters, and for the place of the scan. What vs_parameter_set gave before is where
- * it starts. Afterwards the program has run with the values found, and vs_parameter_set has them. */
+ * for the values of the program's parameters, and for the place of the scan. Values given by vs_parameter_set before are
+ * the start. Afterwards the program has run with the values found, and vs_parameter_set has them. */
 
 typedef struct {
   bool placed; /* the scan lies where the model does, and is not moved */
@@ -404,7 +404,7 @@ typedef struct {
 /* Fits the program in the file `model` to the scan in the file `scan` (.ply .obj .off .stl; a cloud or a mesh). *out is
  * filled, and stays until the next vs_fit, where anything was found: with VS_OUTCOME_DONE; with VS_OUTCOME_MODEL and
  * result.samples above 0, where what was found is no fit; with VS_OUTCOME_INTERRUPTED (or VS_OUTCOME_MACHINE, past
- * limit_time) and result.samples above 0, where it is the best so far. What is doubtful about it is told as warnings.
+ * limit_time) and result.samples above 0, where it is the best so far. Doubts about it are told as warnings.
  */
 VS_API vs_outcome vs_fit(vs_scheme *s, const char *model, const char *scan, const vs_fit_options *o,
                          vs_fit_result *out);
@@ -429,7 +429,7 @@ VS_API const vs_format_info *vs_format_list(size_t *count);
 VS_API const char *vs_format_endings(void); /* ".pov .png ...", for messages */
 VS_API const vs_format_info *vs_format_find(const char *name_or_suffix); /* "stl", ".stl", "out/a.stl" or a name; NULL: none such */
 
-/* The same among those and the formats that the program of this interpreter has brought (define-back-end). What *out points to lives until the next
+/* The same among those and the formats that the program of this interpreter has brought (define-back-end). The data at *out lives until the next
  * evaluation. False: none such. */
 VS_API bool vs_format_of(const vs_scheme *s, const char *name_or_suffix, vs_format_info *out);
 
@@ -477,7 +477,7 @@ VS_API vs_outcome vs_write_drawing_to(vs_scheme *s, const char *format, const vs
 
 /* ---- pictures in linear light: EXR files ----
  *
- * Of a picture red, green and blue (R, G, B) are read, else its luminance (Y). What is written appears whole or not at
+ * Of a picture red, green and blue (R, G, B) are read, else its luminance (Y). A written file appears whole or not at
  * all. Paths are the file system's, whatever the host reads programs from. */
 
 /* Develops a picture: a PNG. how NULL: as vs_output_options_default has it. *stops: by how many it was brightened. */
@@ -496,7 +496,7 @@ typedef struct {
   long id;               /* channel id; 0: nothing was met there; negative: the picture has no such channel */
   char place[512];       /* "house.vs:12:3", what made it; "": not known */
 } vs_picture_point;
-/* What a picture knows of a pixel, columns and rows counted from 0 at the upper left. */
+/* The data that a picture has of a pixel, columns and rows counted from 0 at the upper left. */
 VS_API vs_outcome vs_picture_pick(vs_scheme *s, const char *from, long column, long row, vs_picture_point *out);
 
 typedef struct {
@@ -751,8 +751,8 @@ VS_API uint64_t vs_property_subscribe(vs_scheme *s, vs_handle property, vs_host_
 VS_API vs_outcome vs_property_unsubscribe(vs_scheme *s, vs_handle property, uint64_t id);
 /* Leaves a change for the next vs_update; this may be called while the interpreter is at work. */
 VS_API bool vs_post(vs_scheme *s, vs_handle property, vs_handle value);
-/* Makes the changes that were left, in their order. One that fails is told and does not keep the others. What is left
- * meanwhile waits for the next. */
+/* Makes the changes that were left, in their order. A callback that fails is told and does not keep the others. The rest
+ * waits for the next. */
 VS_API vs_outcome vs_update(vs_scheme *s);
 
 /* ---- actions and picks ---- */

@@ -38,7 +38,7 @@ typedef struct vs_emitter vs_emitter;
 typedef struct vs_drive vs_drive; /* the driver's own, driver.c */
 typedef vs_emit_status vs_emit_fn(vs_emitter *e, const vs_ref *ref, vs_phase phase);
 
-/* What makes a curve as thick on the picture near and far: its radius at a place is share times the depth from eye
+/* The numbers that make a curve as thick on the picture near and far: its radius at a place is share times the depth from eye
  * along forward, but at least `least`;
  * in a parallel view forward is 0 0 0, and the radius `least`. Model units. */
 typedef struct { vs_vec3 eye, forward; double share, least; } vs_pen;
@@ -121,7 +121,7 @@ static inline vs_emit_fn *vs_backend_writes(const vs_backend *b, const vs_node *
 #include "backends/backends.def"
 
 /* The rows of formats that show triangles and lines where they stand: leaf makes triangles of what is solid or thin, line takes polylines,
- * through follows placement and paint, boolean has the kernel. What has no row is lowered: curves to polylines. */
+ * through follows placement and paint, boolean has the kernel. A kind without a row is lowered: curves to polylines. */
 #define VS_EMIT_SHAPES(leaf, line, through, boolean)                                                                   \
   .shape = (leaf),                                                                                                     \
   .emit = { [VS_LINE] = { line, NULL },                                                                                \
@@ -153,7 +153,7 @@ bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref,
 bool vs_emit_no_memory(vs_emitter *e);
 bool vs_emit_progress(vs_emitter *e, const char *stage,
                       double fraction); /* false: interrupted, and the error says so */
-/* So many triangles are written, or are about to be: those of a template once. False: more than the limit, and the error says so. */
+/* Counts the triangles that are written, or are about to be: those of a template once. False: more than the limit, and the error says so. */
 bool vs_emit_triangles(vs_emitter *e, size_t count);
 void vs_emit_watch(vs_emitter *e, vs_writer *w); /* from now on w asks so, too, whenever its buffer is full */
 /* For loops that write nothing: asks now and then. */
@@ -163,7 +163,7 @@ static inline bool vs_emit_going(vs_emitter *e, size_t turn) {
 /* Triangles of any node of solids and surfaces in its own coordinates: booleans by the kernel, the rest by geometry. Kept for nodes that
  * stand in several places; valid until the next call. NULL: failed. */
 const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref);
-/* What the text must paint: does anything in the node lack a material of its own; does anything have one? */
+/* Must the text paint the node? Does anything in the node lack a material of its own; does anything have one? */
 bool vs_emit_is_bare(const vs_emitter *e, const vs_node *n);
 bool vs_emit_is_painted(const vs_emitter *e, const vs_node *n);
 /* The drawing's materials, numbered from 1 in the order met; 0: none. Known from begin on. */

@@ -80,7 +80,7 @@ static inline bool drive_is_operation(const vs_emitter *e, const vs_node *n) {
   return n->kind == VS_HULL && !e->backend->verbatim ? drive_hull_is_operation(e, n) : e->drive->operation[n->kind];
 }
 
-/* What is known of a node wherever it stands. A leaf with one owner has no entry. */
+/* The facts about a node that hold wherever it stands. A leaf with one owner has no entry. */
 typedef struct { drive_entry *entry; bool operation, vain; } drive_view;
 
 static inline bool drive_leaf_vain(const vs_emitter *e, const vs_node *n) {

@@ -374,7 +374,7 @@ static size_t drive_shown(const vs_emitter *e, const vs_node *n, const drive_ent
   return count;
 }
 
-/* What of space an operation with a half-space in it must look at: its own bounds where it has any. */
+/* The part of space in which an operation with a half-space matters: its own bounds where it has any. */
 static bool drive_reach(vs_emitter *e, const vs_node *n) {
   vs_bounds b;
   vs_affine back;
@@ -385,7 +385,7 @@ static bool drive_reach(vs_emitter *e, const vs_node *n) {
   return true;
 }
 
-/* What is placed below is cut into facets as fine as it comes out: the kernel does the same. */
+/* A node below a placement is cut into facets as fine as it comes out: the kernel does the same. */
 static void drive_place(vs_emitter *e, const vs_affine *placement) {
   e->placement = *placement;
   e->facets = vs_facets_placed(&e->drawing_facets, placement);
@@ -560,7 +560,7 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, 
   return true;
 }
 
-/* What the camera frames: e->bounds and its boxes, without what is cut away. The fineness keeps to the bounds of all operands, as measures do. */
+/* The boxes that the camera frames: e->bounds and its boxes, without what is cut away. The fineness keeps to the bounds of all operands, as measures do. */
 static bool drive_frame_boxes(vs_emitter *e) {
   size_t budget = VS_DRAWN_BOUNDS_MOST, wide = e->box_count;
   e->framed = e->bounds;
@@ -613,7 +613,7 @@ static bool drive_all_vain(vs_emitter *e) {
   return true;
 }
 
-/* What the format's numbers cannot hold apart is made one; what they fold is said. */
+/* Corners that the format's numbers cannot hold apart become one; what they fold is said. */
 static bool drive_settle(vs_emitter *e, vs_mesh *m) {
   vs_settled what = { 0 };
   return vs_emit_settle(e, m, e->backend->numbers, &what) && vs_emit_settled(e, &what);

@@ -52,7 +52,7 @@ const vs_format *vs_export_format_find(const char *text); /* "pov", ".pov", "a/b
 
 const char *vs_export_family(const vs_format *format); /* "povray" for .png; NULL: none but its own names */
 
-/* What the drawing becomes for this format: only, ghost, highlight, native and user-defined kinds settled (passes/sugar.h). Before the passes. */
+/* Returns the drawing as this format gets it: only, ghost, highlight, native and user-defined kinds settled (passes/sugar.h). Before the passes. */
 bool vs_export_settle(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e);
 
 /* Writes the drawing to a file, which appears whole or not at all ("-": standard output). format NULL: by the path's ending.

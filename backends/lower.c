@@ -153,7 +153,7 @@ bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_solid *
   return vs_solid_evaluate(refs, count, &e->facets, &options, out, e->error);
 }
 
-/* What takes longer to make than to find is kept for other outputs. */
+/* A result that takes longer to make than to find is kept for other outputs. */
 static bool lower_primitive(vs_emitter *e, vs_node *n, const vs_kernel_options *options, vs_mesh *out, vs_error *why) {
   vs_cache *cache = vs_store_cache(e->scene->store);
   vs_level level = vs_kind_get((vs_kind)n->kind)->level;

@@ -1,7 +1,7 @@
 /* Owns text that is written again: runs of what is drawn, found in the world cache (model/store/cache.h) by all that decides their bytes.
  *
  * The driver cuts a drawing into runs, some hundred shapes each (drive_run), and spells each out as words: the nodes' numbers, not their addresses,
- * so that a program that ran again finds what its last run wrote, and nothing holds a node for it. What is found is put out as it is; what is not is
+ * so that a program that ran again finds what its last run wrote, and nothing holds a node for it. A text that is found is written as it is; what is not is
  * written, caught on its way, and kept. Numbers of templates and paints are another matter: one more at the front makes all of them others. A key has them
  * in the order in which the run names them, and kept text has places where those that they have now are put in.
  * Refused memory loses what would be kept, no more. */

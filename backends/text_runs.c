@@ -1,7 +1,7 @@
 /* Owns the runs of a drawing whose text is kept: where they begin and end, and all that decides what they are written as.
  *
  * A run is some neighbours in one operation, in what is drawn, or a template's body. Its length is decided by weights, about the number of shapes in it, and its end
- * by the hash of the last of them: so after something is put in or taken out, runs soon end where they did before. What is too heavy for a run is gone into.
+ * by the hash of the last of them: so after something is put in or taken out, runs soon end where they did before. A node that is too heavy for a run is gone into.
  * The key has, in the order of the walk, each node's kind and numbers, and which of the run's templates and paints stand where; before them
  * all of the emitter that emit functions look at. Where sets of regions are written as one region their whole inside is in it. */
 #include "backends/drive.h"
@@ -63,7 +63,7 @@ enum { TAG_WHOLE = 1u << 16, TAG_TEMPLATE = 1u << 17, TAG_SHOWN = 1u << 18 };
 
 static uint64_t paint_bits(const vs_emitter *e, const vs_node *n) { return n == NULL ? 0 : 1 | (uint64_t)vs_emit_is_bare(e, n) << 1 | (uint64_t)vs_emit_is_painted(e, n) << 2; }
 
-/* What surrounds the run; the words that depend on what is in it follow at the end. */
+/* The surroundings of the run; the words that depend on what is in it follow at the end. */
 static void put_surroundings(vs_emitter *e, const vs_node *parent, bool body) {
   vs_reuse *r = &e->drive->reuse;
   const double reals[] = { e->unit, e->drawing_facets.tolerance, e->facets.tolerance };
@@ -91,7 +91,7 @@ static void put_ends(vs_emitter *e, const spelling *s) {
   if (s->cut) vs_reuse_put_reals(r, &e->reach.max.x, 3);
 }
 
-/* One node; with children to be spelled out it is on the stack then. */
+/* A node; with children to be spelled out it is on the stack then. */
 static void put_node(vs_emitter *e, spelling *s, const vs_ref *ref, drive_view view, bool whole) {
   vs_reuse *r = &e->drive->reuse;
   const vs_node *n = ref->node;

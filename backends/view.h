@@ -1,5 +1,5 @@
-/* Owns how a drawing is looked at: the camera, framed to show everything, and where the sun stands. One answer for
- * all formats. */
+/* Owns how a drawing is looked at: the camera, framed to show everything, and where the sun stands. All formats
+ * ask here. */
 #ifndef VS_BACKENDS_VIEW_H
 #define VS_BACKENDS_VIEW_H
 

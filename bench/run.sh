@@ -41,7 +41,7 @@ timed() {
   esac
 }
 
-# What an empty program costs, with what every program of the system loads first.
+# The cost of an empty program, with the libraries that every program of the system loads.
 : > "$work/vs-empty.scm"
 : > "$work/empty"
 cp bench/systems/points.lua "$work/lua-empty.lua"

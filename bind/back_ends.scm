@@ -1,5 +1,5 @@
 ; Back-ends that a program brings: (define-back-end name suffix procedure ...) makes -o file.suffix call the procedure with the drawing's objects and a
-; port. After primitives.scm. What is registered here runs when a drawing is handed over, in the run loop, as drawing functions do.
+; port. After primitives.scm. A back-end that is registered here runs when a drawing is handed over, in the run loop, as drawing functions do.
 
 (define %back-ends '()) ; #(name procedure kinds templates? binary?), newest first
 
@@ -31,7 +31,7 @@
   (and (< 0 (string-length text) 17)
        (every (lambda (c) (or (char-alphabetic? c) (char-numeric? c))) (string->list text))))
 
-; What is written for a drawing: a string, or a bytevector of a binary back-end.
+; Returns the file of a drawing: a string, or a bytevector of a binary back-end.
 (define (%write-back-end name objects)
   (let* ((b (find (lambda (b) (eq? (vector-ref b 0) name)) %back-ends))
          (kinds (vector-ref b 2))

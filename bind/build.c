@@ -96,7 +96,7 @@ vs_status vs_bind_empty(vs_frame *f, const char *why, vs_value *out) {
 
 /* Computes the plane's own directions: *u, the figure's X, is horizontal and looks along +X (along +Y where it has
  * no part along X); *v, its Y, looks upwards. In a
- * horizontal plane they are X and Y. So a figure in 'xz is seen from the front as it was drawn in XY seen from
+ * horizontal plane they are X and Y. Therefore a figure in 'xz is seen from the front as it was drawn in XY seen from
  * above. */
 static void plane_directions(vs_vec3 normal, vs_vec3 *u, vs_vec3 *v) {
   vs_vec3 n = vs_v3_unit(normal), up = vs_v3(0, 0, 1);

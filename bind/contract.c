@@ -1,7 +1,7 @@
 /* Owns the checked call: from a native's arguments to the C data that procedures.def asks for, or the error that says what was wrong.
  *
- * Cost of a call: one pass over the form's parameters; nothing is allocated unless an argument is a list. What is allocated hangs off
- * the frame and goes when the call ends, whatever its outcome. */
+ * Cost of a call: one pass over the form's parameters; nothing is allocated unless an argument is a list. Memory that the checks allocate hangs
+ * off the frame and goes when the call ends, whatever its outcome. */
 #include "bind/functions/dual_points.h"
 #include "bind/rules/derivation.h"
 #include "vm/values/dual.h"
@@ -507,7 +507,7 @@ static vs_status convert_text(vs_frame *f, const vs_bind_param *p, vs_value v, v
   return kept ? VS_OK : VS_ERROR;
 }
 
-/* What was meant: "#f80", or a name with a slip. */
+/* The spelling that was meant: "#f80", or a name with a slip. */
 static vs_status refuse_material(vs_frame *f, const vs_bind_param *p, vs_value got, const char *name) {
   char hint[64];
   const char *near = vs_nearest_word(name, vs_ready_material_name);

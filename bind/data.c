@@ -116,7 +116,7 @@ static const vs_dynamic_name jansson_names[] = {
  * of take_json at the same depth: the vector, or what is left of the association list to fill. */
 typedef struct { json_t *node; void *iterator; size_t index; } level;
 
-/* What stands for a node by itself: an array is a vector yet to fill, an object an association list whose values are. */
+/* The value that stands for a node of JSON by itself: an array is a vector yet to fill, an object an association list whose values are. */
 static bool shallow(vs_scheme *vm, const jansson *j, json_t *node, vs_value *out) {
   VS_ROOTS(vm, r, 3); /* the list, its last pair, what is new */
   switch (json_typeof(node)) {

@@ -50,7 +50,7 @@ vs_status vs_p_draw(vs_frame *f, vs_value *out) {
   return status;
 }
 
-/* What was drawn and is one of the objects, or equal to one, goes; an object that does not stand in the drawing is
+/* A drawn object that is one of the objects, or equal to one, goes; an object that does not stand in the drawing is
  * an error. */
 vs_status vs_p_erase(vs_frame *f, vs_value *out) {
   (void)out;

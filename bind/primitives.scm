@@ -147,8 +147,8 @@
             (lambda () (%handing! before)))))))
 
 ; Every object is replaced by what the newest function for it gives, and that is gone through in turn; but within what a function gives for an
-; object, that object itself stays as it is: so a function may put what it was given into something else. Shared parts are done once. What was
-; found within the replacement of an object that is still under way is not remembered: elsewhere it may become something else.
+; object, that object itself stays as it is: so a function may put what it was given into something else. Shared parts are done once. A replacement that
+; was found within the replacement of an object that is still under way is not remembered: elsewhere it may become something else.
 (define (%redraw objects functions)
   (define done (make-hash)) ; number of the node -> (object . result), or (object) with depth while under way
   (define lowest +inf.0)    ; depth of the outermost object under way that was met

@@ -1,7 +1,7 @@
 /* Owns telling what a program made and threw away: objects that a body made before its last expression, or that stood at the top of a file
  * that draws others.
  *
- * The run loop hands over each object that an expression before a body's last one gave, of a list the first. What `draw` just gave back is nothing of note;
+ * The run loop hands over each object that an expression before a body's last one gave, of a list the first. An object that `draw` has just given back is nothing of note;
  * of the rest the first at each place is kept, for a few places, and looked for at the end of the evaluation: a program may have put it
  * into a list of its own, and what is part of the model in the end was not thrown away. */
 #include "bind/bind.h"

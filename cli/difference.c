@@ -85,7 +85,7 @@ static void json_member(const char *before, const char *name, const char *text) 
   cli_json_text(stdout, text);
 }
 
-/* One parameter: of both models, or of one. */
+/* A parameter: of both models, or of one. */
 static void tell_parameter(report *r, const parameter *old, const parameter *new) {
   bool value = !old || !new || strcmp(old->value, new->value) != 0;
   bool range = old && new && strcmp(old->range, new->range) != 0;

@@ -22,7 +22,7 @@ typedef enum {
 #define COMMAND(name, arguments, takes, help) CLI_COMMAND_##name,
 #include "cli/commands.def"
 } cli_command;
-/* What a command takes besides one file: the third column of commands.def. --json and --xml are for commands alone. */
+/* The arguments of a command besides one file: the third column of commands.def. --json and --xml are for commands alone. */
 enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* files */, CLI_TAKES_OUTPUT = 8 /* -o */,
        CLI_TAKES_FOLDER = 16 /* -o, of a folder */, CLI_TAKES_LANGUAGE = 32 /* --to, and -o of a program in it */,
        CLI_TAKES_PICTURE = 64 /* its files are EXR pictures */, CLI_TAKES_POINT = 128 /* two numbers behind the file */,
@@ -54,7 +54,7 @@ typedef struct {
   bool placed;
 } cli_options;
 
-/* What to do when the command line has been read. */
+/* The job that the command line asks for. */
 typedef enum { CLI_GO, CLI_STOP /* all done: --help, --version */, CLI_BAD_USAGE /* said on standard error: exit 2 */ } cli_verdict;
 
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv);
@@ -62,7 +62,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv);
  * False: said on standard error. */
 bool cli_options_late(cli_options *o, const vs_scheme *scheme);
 void cli_options_free(cli_options *o);
-/* One line on the command of that name, and how it is called. False: there is none. */
+/* A line about the command of that name, and how it is called. False: there is none. */
 bool cli_command_help(const char *name, FILE *to);
 /* Says which command may have been meant by a word that names no file. False: none comes to mind. */
 bool cli_command_suggest(const char *word, FILE *to);

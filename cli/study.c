@@ -99,7 +99,7 @@ bool cli_study_check_text(const vs_options *interpreter, const char *path, const
 enum { PICTURE_SECONDS = 20 /* that a program, and each of its procedures, may take for a picture */ };
 typedef struct { const cli_options *options; vs_scheme *scheme; bool failed, worker_missing; } painter;
 
-/* What a procedure says when it is tried is no business of the reader's. */
+/* The output of a procedure that is tried is not for the page. */
 static void ignore(void *context, const vs_diagnostic *d) { (void)context, (void)d; }
 
 static bool run_model(painter *p) {

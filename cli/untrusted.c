@@ -20,7 +20,7 @@
 #include "cli/confine.h"
 #include "cli/limits.h"
 
-/* What a stranger's model gets where the command line says nothing. */
+/* The limits of a stranger's model where the command line says nothing. */
 #define SECONDS 10
 #define WORKER_SECONDS 120
 enum { MEMORY = 512 << 20, PRINTED = 10 << 20, TRIANGLES = 5000000 };

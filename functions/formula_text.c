@@ -1,4 +1,4 @@
-/* Owns the writing of formulas (formula_text.h). What is still to be written lies on a stack of its own, last things
+/* Owns the writing of formulas (formula_text.h). The parts still to be written lie on a stack of its own, last things
  * deepest. */
 #include "functions/formula_text.h"
 

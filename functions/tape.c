@@ -158,7 +158,7 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
     else
       v[i] = t->step[s.of[i]].value;
   if (constant) return vs_tape_constant(t, vs_tape_apply(op, v[0], v[1], v[2]));
-  /* What changes no digit of any result. x * 0 is left: x may be no number. */
+  /* Rewritings that change no digit of any result. x * 0 is left: x may be no number. */
   if (op == VS_TAPE_ADD && is_constant(t, a, 0)) return b;
   if ((op == VS_TAPE_ADD || op == VS_TAPE_SUB) && is_constant(t, b, 0)) return a;
   if (op == VS_TAPE_MUL && is_constant(t, a, 1)) return b;

@@ -23,9 +23,9 @@ vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun);
 vs_vec3 vs_sky_light_xyy(const vs_sky_light *sky, vs_vec3 direction);
 /* The same as linear sRGB in cd/m2; colours out of its gamut lack what would be negative. */
 vs_vec3 vs_sky_light_at(const vs_sky_light *sky, vs_vec3 direction);
-/* What a level surface gets from the whole sky, as linear sRGB in lx. */
+/* The light that a level surface gets from the whole sky, as linear sRGB in lx. */
 vs_vec3 vs_sky_light_level(const vs_sky_light *sky);
-/* What a surface square to the sun gets from it through the air, as linear sRGB in lx; nothing at an altitude (in
+/* The light that a surface square to the sun gets from it through the air, as linear sRGB in lx; nothing at an altitude (in
  * degrees) below the horizon. */
 vs_vec3 vs_sky_light_sun(double turbidity, double altitude);
 

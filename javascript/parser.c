@@ -78,7 +78,7 @@ static bool close_node(parser *p, uint32_t i) {
   return true;
 }
 
-/* One more level than the part has. */
+/* A level more than the part has. */
 static bool above(parser *p, uint32_t i, uint32_t part) {
   if (!part || node(p, part)->height < node(p, i)->height) return true;
   if (node(p, part)->height >= VS_SCRIPT_HEIGHT)

@@ -23,7 +23,7 @@ static double box_volume(const vs_box *b) {
   return v > 0 ? v : 0;
 }
 
-/* What a triangle may sweep at the most while each of its corners moves by less than one step. */
+/* The volume that a triangle may sweep at the most while each of its corners moves by less than one step. */
 static double sweep_of(double x[3][3]) {
   vs_vec3 at[3];
   for (int j = 0; j < 3; j++) at[j] = vs_v3(x[j][0], x[j][1], x[j][2]);

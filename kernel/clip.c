@@ -3,7 +3,7 @@
  * All coordinates of a cluster share one grid, so what is far larger than the rest would make it coarse. Where a leaf matters follows from the expression: an operand of an
  * intersection within the bounds of the others, what is taken off within the bounds of what it is taken off from, and so on down. There, and as far again around it, the
  * leaf is kept; outside, the result is the same whatever the leaf is.
- * Each of the six planes cuts the triangles that cross it and leaves out those beyond it. What remains has a border in the plane; a cone over the border, to any place in the plane,
+ * Each of the six planes cuts the triangles that cross it and leaves out those beyond it. The remaining mesh has a border in the plane; a cone over the border, to any place in the plane,
  * closes it again: between two chains of one border in one plane there is no difference, so winding numbers are right also where the cone overlaps itself. */
 #include "kernel/clip.h"
 

@@ -201,7 +201,7 @@ bool vs_meet_facets(vs_kernel *k, vs_cluster *c);
 bool vs_unite_levels(vs_kernel *k, vs_cluster *c, vs_expression *e);
 bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e); /* kept */
 bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out);
-/* What is kept as facets of its own: appends to sides and facets, in the numbers of the cluster's points; a facet's
+/* Keeps a result as facets of its own: appends to sides and facets, in the numbers of the cluster's points; a facet's
  * leaf is its face's tag. */
 typedef struct {
   VS_LIST(vs_facet) facets; /* one more behind them: where the last one's sides end */

@@ -1,6 +1,6 @@
 /* Owns what the world cache knows of clusters.
  *
- * The bytes of a file must be those that a fresh process writes. So the key has the placements as they are, not as they lie to each other: the grid of a
+ * The bytes of a file must be those that a fresh process writes. Therefore the key has the placements as they are, not as they lie to each other: the grid of a
  * cluster depends on where it lies. Meshes stand in it by the serial number of their own result, tags and paints by the order in which
  * the leaves bring them up: what other numbers they have outside of the cluster is no matter, only which are equal.
  * The result: how many vertices, triangles and tags; the vertices; the corners; the tag of each triangle where there are several. */

@@ -2,7 +2,7 @@
  *
  * A mesh is a star about its middle m where m lies strictly inside of every triangle's plane and the triangles' solid angles seen from m sum to one
  * full sphere: the surface then is the image of that sphere, once, and a place q is inside where it lies on m's side of the triangle that the ray from
- * m through q meets. That triangle is found by walking from one to the next across the edge that the ray passes outside of. */
+ * m through q meets. The triangle is found by walking from one to the next across the edge that the ray passes outside of. */
 #include "kernel/distinct_meshes.h"
 
 #include <math.h>

@@ -156,7 +156,7 @@ typedef struct {
   size_t triangles; /* of the result, where it is several meshes */
 } whole;
 
-/* What only the meeting needs; the rest of the way takes as much again. */
+/* The arrays that only the intersections need; the rest of the way takes as much again. */
 static void forget_patches(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, c->patches);
   VS_DROP(k, c->patch_corners);
@@ -239,7 +239,7 @@ static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t
   return ok;
 }
 
-/* What is left where every gate is true: bounds of terms, operands first. */
+/* The expression where every gate is true: bounds of terms, operands first. */
 static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
   VS_LIST(vs_bounds) terms = { 0 };
   const vs_kernel_problem *p = w->problem;

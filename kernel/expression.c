@@ -39,8 +39,8 @@ static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_ex
   return true;
 }
 
-/* Which leaves and terms settle the result by themselves: a union's operand where it is true, an intersection's where it is false, and so on down. What
- * the result is wholly made of settles nothing. */
+/* Which leaves and terms settle the result by themselves: a union's operand where it is true, an intersection's where it is false, and so on down. A
+ * leaf that is the whole result settles nothing. */
 static bool find_forces(vs_kernel *k, vs_expression *e, const vs_kernel_problem *p, const uint8_t *live) {
   enum { IF_TRUE = 1, IF_FALSE = 2 };
   VS_LIST(uint8_t) flag = { 0 };

@@ -26,7 +26,7 @@ typedef struct vs_kernel {
 bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const char *format, ...) __attribute__((format(printf, 4, 5)));
 #define VS_BROKEN(k, why) vs_kernel_fail(k, VS_KERNEL_INTERNAL, 0, "the solids could not be combined: %s (a fault of vs, please report the model)", why)
 
-/* So many pieces have shapes been cut into. False: more than the limit on the result leaves room for on the way to it. */
+/* The number of pieces that shapes have been cut into. False: more than the limit on the result leaves room for on the way to it. */
 bool vs_kernel_on_the_way(vs_kernel *k, size_t pieces);
 
 /* Makes room for `need` elements of `size` bytes in the array whose address stands in *slot; *room is in elements. */
@@ -53,7 +53,7 @@ bool vs_kernel_lap(vs_kernel *k, vs_step step);
 /* Calls task(k, context, 0) to task(k, context, count - 1), in any order and at once where there are threads. k is not the caller's in each of them. */
 typedef bool vs_task_fn(vs_kernel *k, void *context, size_t index);
 bool vs_kernel_run(vs_kernel *k, size_t count, vs_task_fn *task, void *context);
-/* The same, and taker(k, context, i) in the caller's thread for every i in order, after its task and while later ones are still done. What a task leaves may
+/* The same, and taker(k, context, i) in the caller's thread for every i in order, after its task and while later ones are still done. The result of a task may
  * lie in place i % VS_PIPELINE_WINDOW: no more wait to be taken. Tasks must not read what the taker changes. */
 enum { VS_PIPELINE_WINDOW = 64 };
 bool vs_kernel_pipeline(vs_kernel *k, size_t count, vs_task_fn *task, vs_task_fn *taker, void *context);

@@ -1,4 +1,4 @@
-/* Owns the threads: tasks handed out one by one to as many as there are processors. What a task makes depends on its number alone, so the result
+/* Owns the threads: tasks handed out one by one to as many as there are processors. The result of a task depends on its number alone, so the result
  * does not depend on who did it. The caller's thread works too, and is the only one that reports progress. And the clock, which only accounts are made by. */
 #include "kernel/memory.h"
 

@@ -172,7 +172,7 @@ static bool among(const char *word, size_t n, const char *const *words) {
   return false;
 }
 
-/* What the language calls its parameters says what it wants. */
+/* The names of its parameters in the language say what it wants. */
 static bool wrong_for(const char *name, size_t n, know_type type, const char *call, bool known) {
   static const char *const strings[] = {"string", "string1", "string2", "strings", NULL};
   static const char *const vectors[] = {"vector", NULL}, *const procedures[] = {"f", "procedure", "pred", "predicate",
@@ -262,7 +262,7 @@ static void constant(const knowledge *k, know_index node, text *t) {
   t->depth--;
 }
 
-/* What the interpreter has against the text; "": nothing. */
+/* The interpreter's errors in the text; "": nothing. */
 static const char *objection(knowledge *k, const char *program, size_t length) {
   *k->heard = 0;
   k->muted = true;

@@ -160,7 +160,7 @@ static void walk_REC(form *f) {
   }
 }
 
-/* What the value of a definition says of it: a procedure's parameters are those of the lambda. */
+/* Reads off the value of a definition: a procedure's parameters are those of the lambda. */
 static bool describe(form *f, know_index symbol, know_index value) {
   knowledge *k = f->k;
   know_symbol *s = &k->symbols[symbol];

@@ -1,4 +1,4 @@
-/* Owns `vs check`: what looks wrong in a program that has been read and not run. What is told must be worth a look in
+/* Owns `vs check`: what looks wrong in a program that has been read and not run. A finding must be worth a look in
  * every program of a careful author, so each check leaves out the cases in which the same text is right somewhere. */
 #include "knowledge/checks.h"
 
@@ -199,7 +199,7 @@ static bool is_form(const knowledge *k, know_index node, const char *word) {
   return k->nodes[node].kind == KNOW_LIST && k->nodes[node].form && know_is(k, k->nodes[node].first, word);
 }
 
-/* What may stand behind a jump: a function is there before anything runs, and a break is a habit. */
+/* Statements that may stand behind a jump: a function is there before anything runs, and a break is a habit. */
 static bool harmless(const knowledge *k, know_index node) {
   know_index head = k->nodes[node].kind == KNOW_LIST ? k->nodes[node].first : 0;
   return k->script && (know_is(k, head, "define") || know_is(k, head, "declared") || know_is(k, head, "break") ||

@@ -1,7 +1,7 @@
 /* Owns what is known of a program without running it: its texts as trees in which everything has its place, the
  * variables with all places that define and use them, the scopes, the comments, what macros become.
  *
- * One analysis holds all of it in arrays; an index names an element, and 0 names none. Nodes of the texts come first,
+ * An analysis holds all of it in arrays; an index names an element, and 0 names none. Nodes of the texts come first,
  * in the order of the text; nodes that macros made follow, each with the node that it was copied from. Nothing here
  * runs the program: the interpreter is asked what the language's names mean, and to bring in libraries that are
  * imported.
@@ -21,7 +21,7 @@ typedef enum {
   KNOW_OTHER   /* #!eof, #0#, and whatever else has no parts */
 } know_kind;
 
-/* What a node is for, once the scopes are known. */
+/* The use of a node, once the scopes are known. */
 typedef enum {
   KNOW_EXPRESSION,
   KNOW_DATUM,      /* quoted, or part of a pattern or a template */
@@ -170,7 +170,7 @@ know_index know_symbol_new(knowledge *k, know_index scope, know_index name, know
 void know_use_add(knowledge *k, know_index symbol, know_index node, know_role role, bool called);
 /* The name of that text; base and scope: what it is an alias of, 0: a plain one. */
 know_index know_name_of(knowledge *k, const char *text, size_t length, know_index base, know_index scope);
-/* What the scope itself binds to the name, 0: nothing. */
+/* Returns the binding of the name in the scope itself, 0: none. */
 know_index know_bound_in(const knowledge *k, know_index scope, know_index name);
 
 /* ---- asking ---- */

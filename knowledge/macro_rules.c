@@ -1,7 +1,7 @@
 /* Owns the expansion of syntax-rules over nodes, so that every part of what comes out knows where it was written.
  *
- * What a use brings in is copied one node deep: the copy has the original as its origin and shares what is below it.
- * What a template brings in is made: its names are aliases, each expansion's own, which mean what they mean where the
+ * A form that a use brings in is copied one node deep: the copy has the original as its origin and shares what is below it.
+ * The forms of a template are made: its names are aliases, each expansion's own, which mean what they mean where the
  * macro was defined unless the expansion itself binds them. Patterns and templates deeper than MOST_DEPTH are not
  * followed. */
 #include "knowledge/macro_rules.h"
@@ -10,7 +10,7 @@
 
 enum { MOST_DEPTH = 200 };
 
-/* What a pattern variable stands for: a node, or what its ellipsis collected. */
+/* The value of a pattern variable: a node, or the nodes that its ellipsis collected. */
 typedef struct match {
   know_index name, node;
   struct match *parts;   /* of an ellipsis, in order, by next; each holds a list of bindings in `bound` */

@@ -2,7 +2,7 @@
  *
  * Plan. A stack of tasks, each "this is an expression of that scope" or "these are a body". A body is looked through
  * first for what it defines, macros at the heads of its forms expanded on the way, so that its names are known wherever
- * they are used. What a form does with names is binding_forms.c's. Names that nothing has defined when they are met are
+ * they are used. The effect of a form on names is the matter of binding_forms.c's. Names that nothing has defined when they are met are
  * looked up again at the end. */
 #include "knowledge/name_walk.h"
 
@@ -34,7 +34,7 @@ void know_later_each(know_walk *w, know_index first, know_index scope) {
 
 void know_later_body(know_walk *w, know_index first, know_index scope) { know_later(w, KNOW_TASK_BODY, first, scope); }
 
-/* What the form at work left for later is done next, in its order. */
+/* Tasks that the form at work left for later are done next, in its order. */
 static void flush(know_walk *w) {
   if (!VS_GROW(w->tasks, w->task_room, w->task_count + w->later_count)) {
     no_memory(w->k);
@@ -90,7 +90,7 @@ void know_mark_data(knowledge *k, know_index node, know_role role) {
 
 /* ---- names ---- */
 
-/* What the language, or an imported library, has under the name. */
+/* The entry of the language, or of an imported library, under the name. */
 static know_index ask_language(know_walk *w, know_index name) {
   knowledge *k = w->k;
   const char *text = k->names[name].text;

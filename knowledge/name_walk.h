@@ -36,7 +36,7 @@ void know_bind_parameters(know_walk *w, know_index list, know_index first, know_
 /* Marks a tree as data. */
 void know_mark_data(knowledge *k, know_index node, know_role role);
 void know_mark(knowledge *k, know_index node, know_role role, know_index symbol, know_index scope);
-/* What the identifier at the node means in scope: a symbol; 0: nothing. Asks the language. */
+/* The meaning of the identifier at the node in scope: a symbol; 0: nothing. Asks the language. */
 know_index know_find(know_walk *w, know_index name, know_index scope);
 /* A name where its value is used. */
 void know_refer(know_walk *w, know_index node, know_index scope, know_role role, bool called);

@@ -5,7 +5,7 @@
 #include "knowledge/knowledge.h"
 
 /* Reads the file and adds it to k->files, its root set. loaded_by: the node that loads it; then a file that is there
- * already is not read again. Returns its index; UINT32_MAX with trouble. What is wrong with the text is told to the
+ * already is not read again. Returns its index; UINT32_MAX with trouble. Errors in the text are told to the
  * interpreter's host, by the language's own reader. */
 know_index know_read_file(knowledge *k, const char *path, know_index loaded_by);
 enum { KNOW_PATH = 4096 };

@@ -284,7 +284,7 @@ static void run_model(live *l) {
   finish(l, outcome);
 }
 
-/* What a frame or a user's hand has changed is told; an error ends the frames until the model runs again. */
+/* Changes by a frame or a user's hand are told; an error ends the frames until the model runs again. */
 static void tell_frame(live *l, vs_outcome outcome) {
   live_text t = { 0 };
   unsigned version = l->version;
@@ -394,7 +394,7 @@ static void serve(live *l) {
   }
 }
 
-/* $BROWSER, or xdg-open where there is a screen. What it says is not our business. */
+/* $BROWSER, or xdg-open where there is a screen. Its output is not our business. */
 static void open_browser(const char *address) {
   const char *browser = getenv("BROWSER");
   if (browser == NULL || *browser == 0) {

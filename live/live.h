@@ -38,19 +38,19 @@ typedef struct { live_asked_kind kind; char *name, *value; } live_asked; /* live
 live_follower *live_follow(const live_options *o, vs_scheme *scheme);
 void live_follow_close(live_follower *f);
 void live_follow_tell(const live_follower *f); /* the address once more, and the browser */
-/* What is said from here on belongs to the next thing that is shown; the host hands over what it is told. */
+/* Messages from here on belong to the next thing that is shown; the host hands over what it is told. */
 void live_follow_begin(live_follower *f);
 void live_follow_output(live_follower *f, const char *text, size_t length);
 void live_follow_value(live_follower *f, const char *text, size_t length);
 void live_follow_diagnose(live_follower *f, const vs_diagnostic *d);
 /* Shows the drawing as it is, and what was said. */
 void live_follow_show(live_follower *f);
-/* What a window asks for next. Outputs are made at once, here. LIVE_NOTHING: no window asks for anything. */
+/* The next request of a window. Outputs are made at once, here. LIVE_NOTHING: no window asks for anything. */
 live_asked live_follow_asked(live_follower *f);
 void live_asked_free(live_asked *a);
 
 /* Shows the model until *ended is set. Returns VS_OUTCOME_DONE then; VS_OUTCOME_USAGE: the model cannot be read; VS_OUTCOME_WORKER: no libmicrohttpd;
- * VS_OUTCOME_MACHINE: no memory or no port. What failed has been said on standard error. */
+ * VS_OUTCOME_MACHINE: no memory or no port. A failure has been told on standard error. */
 vs_outcome live_view(const live_options *o);
 
 #endif

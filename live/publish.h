@@ -1,4 +1,4 @@
-/* Owns what windows are told: the state after each run as JSON, the scene in pieces, events in order; and what windows ask for. One lock guards it. */
+/* Owns what windows are told: the state after each run as JSON, the scene in pieces, events in order; and what windows ask for. A lock guards it. */
 #ifndef VS_LIVE_PUBLISH_H
 #define VS_LIVE_PUBLISH_H
 

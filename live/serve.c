@@ -260,7 +260,7 @@ static enum MHD_Result serve_names(live_server *s, struct MHD_Connection *c) {
   return answer_live_text(s, c, "application/json", &t);
 }
 
-/* What looks wrong in a text that a window is writing. */
+/* The findings in a text that a window is writing. */
 static enum MHD_Result serve_check(live_server *s, struct MHD_Connection *c, const live_text *body) {
   char *bytes = NULL;
   size_t count = 0;

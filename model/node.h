@@ -182,7 +182,7 @@ static inline bool vs_node_is_dress(const vs_node *n) { return n->child_count ==
 
 /* ---- the store ---- */
 typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_size); /* as realloc; new_size 0 frees; NULL: failed */
-vs_store *vs_store_new(vs_alloc_fn *alloc, void *context); /* alloc NULL: the C library's. One reference. NULL: out of memory */
+vs_store *vs_store_new(vs_alloc_fn *alloc, void *context); /* alloc NULL: the C library's. A reference. NULL: out of memory */
 vs_store *vs_store_retain(vs_store *s);
 void vs_store_release(vs_store *s);
 size_t vs_store_bytes(const vs_store *s); /* held now by nodes and arrays: counts towards the interpreter's memory budget */
@@ -196,7 +196,7 @@ bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t si
 void *vs_store_piece(vs_store *s, size_t bytes);
 void vs_store_piece_free(vs_store *s, void *piece, size_t bytes);
 void vs_store_fail_at(vs_store *s, size_t n); /* tests: the n-th allocation from now fails and so do those after it; 0: none */
-/* One place for geometry/ to keep what took time to get (fonts) for as long as the store lives; NULL at first. let_go frees it then. */
+/* A place for geometry/ to keep what took time to get (fonts) for as long as the store lives; NULL at first. let_go frees it then. */
 void **vs_store_kept(vs_store *s, void (*let_go)(vs_store *s, void *kept));
 const char *vs_store_text(vs_store *s, const char *text, size_t length);            /* interned, NUL-terminated; NULL: out of memory */
 const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, uint32_t column, const vs_origin *caller); /* interned; NULL: oom */

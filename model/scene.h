@@ -22,7 +22,7 @@ typedef struct {
   bool hidden;               /* a drawing has its hidden edges dashed */
 } vs_scene_view;
 
-/* What drawings show besides the model. */
+/* The things that drawings show besides the model. */
 typedef enum { VS_NOTE_DIMENSION /* p to q */, VS_NOTE_LABEL /* at p */, VS_NOTE_LEVEL /* of height p.z */, VS_NOTE_AXIS /* p to q */ } vs_note_kind;
 typedef struct {
   vs_note_kind kind;

@@ -1,7 +1,7 @@
 /* Owns the cutting of a drawing by a view's plane, as nodes.
  *
  * A solid is made a difference, and the half-space that is taken off has no material: so the faces of the cut have
- * that of what stands behind them, where solids overlap that of the earlier one. What is thin or mixed becomes a
+ * that of what stands behind them, where solids overlap that of the earlier one. A thin or mixed drawing becomes a
  * slice, which solids/resolve.c works out. */
 #include "passes/cut_away.h"
 

@@ -23,7 +23,7 @@
   (%need-node 'action-apply 'node node)
   (%apply-action action node arguments))
 
-; One frame: each action goes through the whole tree before the next begins. seconds: since the last frame.
+; Does a frame: each action goes through the whole tree before the next begins. seconds: since the last frame.
 (define (node-frame [seconds any? 0])
   (if (not (and (real? seconds) (finite? seconds) (>= seconds 0))) (error 'node-frame "seconds must be a number of 0 or more, got ~s" seconds))
   (for-each
@@ -35,7 +35,7 @@
 
 ; ---- picking ----
 
-; What the ray meets in a node's own drawing: ((distance . d) (point . p) (node . n) (path . nodes) (place . (file line column))), or #f.
+; The hits of the ray in a node's own drawing: ((distance . d) (point . p) (node . n) (path . nodes) (place . (file line column))), or #f.
 (define (%pick-in node path matrix from direction)
   (let loop ((objects (%own-drawing node)) (best #f))
     (if (pair? objects)

@@ -2,7 +2,7 @@
 ; contexts.scm. Names that begin with % are not visible to programs. Compiled into the binary when it is built.
 ;
 ; A gizmo is a node with handles in place of a drawing: it is no part of the model, and its value is its property
-; `value`, which tells its subscribers as any other. What a handle may do is said when it is made: along a line, between
+; `value`, which tells its subscribers as any other. The movements of a handle are given when it is made: along a line, between
 ; two ends, in steps.
 
 (define-record-type %gizmo (%make-gizmo kind at axes low high step size procedure) %gizmo?
@@ -105,7 +105,7 @@
             (lambda (axis i room) (and (> room 0) (list i (p+v here (v*r axis (%gizmo-size g))))))
             axes '(0 1 2) (%axis-parts (%gizmo-high g))))))))
 
-; What a host draws: a row for data-ref, points in the world's coordinates.
+; The rows that a host draws: a row for data-ref, points in the world's coordinates.
 (define (gizmo-data gizmo)
   (%need-gizmo 'gizmo-data gizmo)
   (let* ((g (hash-ref %gizmos gizmo)) (world (node-worldtransform gizmo)) (place (lambda (p) (%matrix-point world p))))
@@ -125,7 +125,7 @@
     (%walk (or node (%root)) (lambda (n) (if (gizmo? n) (set! found (cons n found)))))
     (reverse found)))
 
-; The values of all gizmos below the node, in their order; and back. What is not there, or would not be taken, stays.
+; The values of all gizmos below the node, in their order; and back. A value that is not there, or would not be taken, stays.
 (define (gizmo-values [node any? #f])
   (if node (%need-node 'gizmo-values 'node node))
   (map (lambda (n) (property-get n 'value)) (scene-gizmos node)))
@@ -137,7 +137,7 @@
         (error 'gizmo-values! "there are ~a gizmos, got ~a values" (length all) (length values)))
     (for-each (lambda (n v) (property-set! (property-ref n 'value) v)) all values)))
 
-; What a host that shows the scene has to know: is anything done in each frame, does a node wait for picks or other input, and of each
+; The facts that a host needs to show the scene: is anything done in each frame, does a node wait for picks or other input, and of each
 ; gizmo its kind, value, size and handles.
 (define (scene-needs)
   (let ((frames %active-viewer) (input #f))

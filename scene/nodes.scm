@@ -1,8 +1,8 @@
 ; Nodes: a tree that changes, beside the immutable tree of the drawing. A node has a frame (move, turn, scale) in its parent's, a drawing of its own,
-; children, and properties. What hangs below the root is part of the model. After properties.scm; names that begin with % are not visible to programs.
+; children, and properties. Nodes below the root are part of the model. After properties.scm; names that begin with % are not visible to programs.
 ; Compiled into the binary when it is built.
 ;
-; A node that is placed often shares its drawing's objects, which are stored once. What a node shows is one object, which is kept until the node or what
+; A node that is placed often shares its drawing's objects, which are stored once. The picture of a node is one object, which is kept until the node or what
 ; hangs below it changes: so after a change only the nodes on the way up are made anew.
 
 (define-record-type %node (%make-node name type %parent %children %translate %rotate %scale %drawing %table %shown %actions %program) node?
@@ -126,7 +126,7 @@
 
 (define (%children node) (hash-keys (%node-children node)))
 
-; What the node shows has changed, and so has what all nodes show that hold it.
+; The picture of the node has changed, and that of all nodes that hold it.
 (define (%touch node)
   (let up ((n node))
     (if n
@@ -187,7 +187,7 @@
 (define (node-getchildren node) (%need-node 'node-getchildren 'node node) (%children node))
 (define (node-getparent node) (%need-node 'node-getparent 'node node) (%node-parent node))
 
-; The nodes from this one on, parents before their children, in the children's order. What changes the tree meanwhile changes nodes not yet come to.
+; The nodes from this one on, parents before their children, in the children's order. A procedure that changes the tree meanwhile changes nodes not yet come to.
 (define (%walk node visit)
   (let loop ((rest (list node)))
     (if (pair? rest)

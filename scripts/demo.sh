@@ -1,6 +1,6 @@
 #!/bin/sh
 # Owns the demonstration: one model, the Gare do Oriente, as a picture, a web page, an OpenSCAD program and a mesh to print.
-# What cannot be made (a page, when npm could not fetch the viewer) is said by vs; the others are made all the same, and the exit code is vs's.
+# A file that cannot be made (a page, when npm could not fetch the viewer) is reported by vs; the others are made all the same, and the exit code is vs's.
 set -u
 vs=$1
 mkdir -p out

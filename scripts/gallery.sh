@@ -1,6 +1,6 @@
 #!/bin/sh
 # Owns the gallery: a picture of every example on one page, BUILD/gallery/index.html. `sh scripts/gallery.sh BUILD`; in its
-# environment QUALITY (good), SIZE (960x720), EXAMPLES (names; all of them). What is newer than its model is left as it is;
+# environment QUALITY (good), SIZE (960x720), EXAMPLES (names; all of them). A picture that is newer than its model is left as it is;
 # what fails is said, and the exit code is 1.
 set -u
 build=$1 quality=${QUALITY:-good} size=${SIZE:-960x720} status=0

@@ -55,7 +55,7 @@ if [ -n "$must$may" ]; then
   done
 fi
 
-# What comes from npm: the viewer inside our pages when building; a browser's driver and the checker of .glb files for the tests.
+# Packages from npm: the viewer inside our pages when building; a browser's driver and the checker of .glb files for the tests.
 fetch() {
   [ -d "node_modules/$1" ] && return
   echo "Fetching $1 with npm"

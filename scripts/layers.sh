@@ -67,6 +67,9 @@ limit long-lines "$(xargs awk 'length($0) > 120' < "$work/sources" | wc -l)" "li
 limit raw-allocations "$(xargs grep -hoE '\b(malloc|calloc|realloc)\(' < "$work/sources" | wc -l)" "malloc, calloc and realloc beside model/store/array.h and the stores"
 limit static-prefixed "$(grep '\.c$' "$work/sources" | xargs grep -hE '^static [^=;(]*\bvs_[a-z0-9_]*\(' | wc -l)" "static functions named vs_, a prefix of externals"
 
+# Sentences of comments that begin with What, That, One, Those or So: a sentence's subject is a noun of the field.
+limit vague-openers "$(xargs grep -hE '(/\*+|^ *\*|//|\.) +(What|That|One|Those|So) ' < "$work/sources" | wc -l)" "comments with a sentence that begins with What, That, One, Those or So"
+
 # Externals of a .c file that the header of its name does not declare, nor the public header; vs_p_ are natives, which the table of procedures
 # declares.
 xargs -r nm -A --defined-only -g < "$work/objects" | awk -v build="$build/obj/" '

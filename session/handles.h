@@ -4,7 +4,7 @@
 
 #include "session/session.h"
 
-/* One entry of the table; its value lies in the heap, in a vector of the same index (nodes.scm's room of at.host). */
+/* An entry of the table; its value lies in the heap, in a vector of the same index (nodes.scm's room of at.host). */
 typedef struct { uint32_t stamp, uses /* 0: free */, next; } vs_held;
 
 /* A procedure of the host's, by the number that its Scheme procedure holds. */

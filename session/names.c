@@ -204,7 +204,7 @@ bool vs_frame_get(vs_scheme *vm, size_t index, vs_frame_info *out) {
 
 /* ---- where time goes ---- */
 
-/* One look: every procedure on the stack once, by where it stands in the program. */
+/* A look: every procedure on the stack once, by where it stands in the program. */
 void vs_session_look(vs_session *s) {
   enum { MOST = 64 };
   vs_value name[MOST];

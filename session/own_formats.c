@@ -18,7 +18,7 @@ struct vs_own_format {
   vs_own_format *next;
 };
 
-/* What the emitter keeps while such a format is written. */
+/* The state of the emitter while such a format is written. */
 typedef struct {
   const char **layers; /* that are open, outermost first */
   size_t layer_count, layer_room;

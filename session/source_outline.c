@@ -40,7 +40,7 @@ const char *vs_outline_blanks(const char *at, const char *end, uint32_t *line) {
   return at;
 }
 
-/* One token that opens nothing: a word, a string, a character. */
+/* A token that opens nothing: a word, a string, a character. */
 static const char *atom(const char *at, const char *end, uint32_t *line) {
   if (*at == '"') {
     for (at++; at < end && *at != '"'; at++) {

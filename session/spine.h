@@ -18,7 +18,7 @@ void vs_session_size(const vs_output_options *o, vs_export_options *e);
 /* Makes the scene look as the options say, over what the program said: camera and sun. */
 void vs_session_aim(const vs_output_options *o, vs_scene *scene);
 
-/* What is drawn, without sugar and resolved, as references that the caller owns: nodes retained, the array of so many
+/* The drawing, without sugar and resolved, as references that the caller owns: nodes retained, the array of so many
  * (and one more) from the store. Reports a failure to the host and returns its kind. */
 vs_outcome vs_session_take(vs_session *s, vs_ref **out, size_t *count);
 

@@ -18,7 +18,7 @@ static bool is_wrapper(const vs_node *n) {
   return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_dress(n);
 }
 
-/* What a part inherits from the unions, placements and materials that it stands in. */
+/* The properties that a part inherits from the unions, placements and materials that it stands in. */
 typedef struct { vs_affine place; const vs_material *material; const char *layer; } context;
 typedef struct { context *at; size_t count, room; } context_stack;
 
@@ -210,7 +210,7 @@ static vs_node *set_of(refs *r, vs_kind kind) {
   return vs_node_new(r->store, kind, &(struct vs_union){ 0 }, r->at, r->count);
 }
 
-/* What `whole` has and neither of the others: appended to out. */
+/* Material of `whole` that neither of the others has: appended to out. */
 static bool add_rest(refs *out, refs *whole, const refs *first, const refs *second, vs_bounds_memo *memo, vs_error *e) {
   vs_bounds box;
   if (!whole->count) return true;
@@ -223,7 +223,7 @@ static bool add_rest(refs *out, refs *whole, const refs *first, const refs *seco
   return ok;
 }
 
-/* What both have: appended to out. */
+/* Material of both: appended to out. */
 static bool add_common(refs *out, refs *a, refs *b, vs_bounds_memo *memo, vs_error *e) {
   vs_bounds boxes[2];
   if (!a->count || !b->count) return true;

@@ -21,7 +21,7 @@ typedef struct { vs_store *store; vs_drawn_part *at; size_t count, room; } vs_dr
 bool vs_drawn_parts_take(vs_drawn_parts *out, const vs_ref *refs, size_t count, vs_error *e);
 void vs_drawn_parts_free(vs_drawn_parts *p);
 
-/* What became of a part. The first three are the same shape. */
+/* The fate of a part. The first three are the same shape. */
 typedef enum {
   VS_PART_SAME,
   VS_PART_REPAINTED, /* another material or layer */
@@ -36,7 +36,7 @@ typedef struct { vs_part_fate fate; uint32_t other; /* its index in the other li
 bool vs_drawn_parts_match(const vs_drawn_parts *a, const vs_drawn_parts *b, vs_part_match *before, vs_part_match *after,
                           vs_error *e);
 
-/* What is in both, what only the second list has, what only the first has: an object each, whose node the caller owns;
+/* Material in both, in the second list alone, and in the first alone: an object each, whose node the caller owns;
  * NULL where there is nothing. Solids are less by what the other list has in their place; curves, regions and surfaces
  * are whole parts. Bare: without materials and layers. */
 typedef enum { VS_CHANGE_KEPT, VS_CHANGE_ADDED, VS_CHANGE_REMOVED, VS_CHANGES } vs_change;
@@ -44,7 +44,7 @@ bool vs_drawn_parts_change(const vs_drawn_parts *a, const vs_drawn_parts *b, con
                           const vs_part_match *after,
                      vs_node *out[VS_CHANGES], vs_error *e);
 
-/* What the node shows, its solids as a mesh that reaches a little further out everywhere: where a translucent solid
+/* The visible form of the node, its solids as a mesh that reaches a little further out everywhere: where a translucent solid
  * has the same wall, a ray meets this one first. The caller owns *out. */
 bool vs_drawn_parts_swell(vs_node *n, double tolerance, const vs_kernel_options *options, vs_node **out, vs_error *e);
 

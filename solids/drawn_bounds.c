@@ -1,4 +1,4 @@
-/* Owns the bounds of what is drawn (drawn_bounds.h). What was worked out is kept in the world cache by the node and the fineness. */
+/* Owns the bounds of what is drawn (drawn_bounds.h). Bounds that were computed are kept in the world cache by the node and the fineness. */
 #include "solids/drawn_bounds.h"
 #include "geometry/plane/outline.h"
 #include "geometry/plane/planar_evaluation.h"

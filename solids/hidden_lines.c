@@ -2,7 +2,7 @@
  *
  * Notation. P(s) = p + s (q - p) is a place on the edge, s in 0..1. Behind a triangle are the places that satisfy
  * four conditions linear in s: P(s) lies on the inner side of the three planes through the viewer and a side of the
- * triangle, and behind the triangle's own plane. So what a triangle hides of an edge is one interval of s, by
+ * triangle, and behind the triangle's own plane. The part of an edge that a triangle hides is therefore one interval of s, by
  * clipping: in a perspective view just as in a parallel one, because the conditions are planes in space. The union of
  * the intervals is what is hidden.
  *
@@ -191,7 +191,7 @@ static vs_vec3 side_normal(const vs_sight *s, vs_vec3 a, vs_vec3 b) {
   return length > 0 ? vs_v3_scale(n, 1 / length) : vs_v3(0, 0, 0);
 }
 
-/* What of l the triangle hides, as l->from and l->to. */
+/* The part of l that the triangle hides, as l->from and l->to. */
 static bool hides(const vs_sight *s, uint32_t triangle, const box *b, line *l) {
   vs_vec3 c[3];
   corners_of(s, triangle, c);

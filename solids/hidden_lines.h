@@ -29,7 +29,7 @@ typedef struct { vs_sight_edge *at; size_t count, room; } vs_sight_edges;
 typedef struct { uint32_t edge; double from, to; bool hidden; } vs_sight_piece;
 typedef struct { vs_sight_piece *at; size_t count, room; } vs_sight_pieces;
 
-/* What hides: triangles of which the first `closed` bound solids, so that those that are turned away from the viewer
+/* The hiding triangles, of which the first `closed` bound solids, so that those that are turned away from the viewer
  * hide nothing that others do not. */
 typedef struct {
   const vs_vec3 *points;

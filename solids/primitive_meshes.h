@@ -18,10 +18,10 @@ bool vs_primitive_overlaps(const vs_node *n, const vs_facets *f, const vs_kernel
 /* The same as vs_primitive_mesh, looked up in the cache and kept there: *held then is what out's arrays lie in, until the caller lets it go, and out must be neither changed nor
  * freed. *held NULL: out is the caller's own. cache NULL: there is none. */
 bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, const vs_cached **held, vs_error *e);
-/* That in its parts: is it kept, *held NULL where it is not; and keeping one that was made. */
+/* The same in parts: is it kept, *held NULL where it is not; and keeping one that was made. */
 bool vs_primitive_find(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh *out, const vs_cached **held);
 void vs_primitive_keep(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh *out, const vs_cached **held);
-/* So for the part of a half-space that is in reach. False: out of memory. */
+/* The same for the part of a half-space that is in reach. False: out of memory. */
 bool vs_half_space_shared(vs_cache *cache, vs_node *n, const vs_bounds *reach, vs_mesh *out, const vs_cached **held);
 
 #endif

@@ -3,7 +3,7 @@
  * Section. The plane stands a hair above where it is, then a hair below, so that no vertex lies in it: a triangle with vertices on both sides
  * gives one edge, from where its border goes down through the plane to where it comes up; seen against the normal the solid is on the
  * left. Where an edge of the mesh goes through is worked out once for both its triangles, so the edges close. A vertex within 1e-7 of the
- * mesh's size counts as on the plane (the kernel's grid is finer), and is its own crossing. What either plane cuts, united, is the section: a
+ * mesh's size counts as on the plane (the kernel's grid is finer), and is its own crossing. The section is the union of the cuts by both planes: a
  * face that lies in the plane is in one of the two.
  *
  * Shadow. The triangles that face along the normal, projected, wind round each point as often as they cover it; so do the edges that not both

@@ -35,7 +35,7 @@ static face face_of(const vs_sight *s, const uint32_t *place, size_t i) {
 static bool paints_differ(const vs_sight *s, uint32_t a, uint32_t b) { return s->paints &&
     s->paints[a] != s->paints[b]; }
 
-/* What the edge between two faces is drawn as; VS_SIGHT_KINDS: not at all. */
+/* The line style of the edge between two faces; VS_SIGHT_KINDS: not at all. */
 static vs_sight_kind kind_between(const vs_sight *s, const face *faces, const side *a, const side *b) {
   const face *f = &faces[a->face], *g = &faces[b->face];
   bool cap_f = s->caps && s->caps[a->face], cap_g = s->caps && s->caps[b->face];

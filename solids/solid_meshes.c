@@ -431,7 +431,7 @@ static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
   vs_tally_also(t, c->peak);
 }
 
-/* One of the two is wanted. */
+/* The caller wants either of the two. */
 static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_solid *one, vs_solid_copies *many,
                      vs_error *error) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };

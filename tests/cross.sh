@@ -16,7 +16,7 @@ variants=${VARIANTS:-mixed}
 pixels=4000
 mkdir -p "$BUILD/cross"
 
-# What is known to fail and why stands in known.txt (name, tab, reason); what is there and passes is a failure too: take it out.
+# Known failures and their reasons stand in known.txt (name, tab, reason); what is there and passes is a failure too: take it out.
 known() {
   awk -F '\t' -v list=tests/cross/known.txt -v only="$ONLY" 'BEGIN { while ((getline line < list) > 0) if (line !~ /^#/ && split(line, part, "\t") == 2) why[part[1]] = part[2] }
     /^ok / && substr($0, 4) in why { print "not ok " substr($0, 4); print "    passes, but tests/cross/known.txt says: " why[substr($0, 4)]; quiet = 0; next }

@@ -2,7 +2,7 @@
 # Owns a run of the fuzzers: `tests/fuzz.sh BUILD SECONDS [PLAIN]`. Each of tests/fuzz runs so many seconds under libFuzzer
 # and the sanitizers of BUILD; then, if PLAIN is named, a build without them, so many more on inputs made by chance from
 # those that libFuzzer has kept: thirty times as many inputs. Says how many each has had, how many edges it reached, and the
-# sums of all runs, which BUILD/executions keeps. What crashes is left in BUILD/found and belongs into tests/fuzz/corpus when
+# sums of all runs, which BUILD/executions keeps. An input that crashes is left in BUILD/found and belongs into tests/fuzz/corpus when
 # it is mended; a journal there holds the inputs of one interpreter (replay_NAME -j). FUZZ="reader emit": only these.
 set -u
 cd "$(dirname "$0")/.." || exit 1

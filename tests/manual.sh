@@ -1,6 +1,6 @@
 #!/bin/sh
 # Owns keeping the manual honest: every ```scheme block of the tutorial runs without a word of error or warning; blocks may use what the
-# blocks before them in the same step defined. What a prompt block shows is what the prompt answers.
+# blocks before them in the same step defined. The prompt answers what a prompt block shows.
 . tests/report.sh
 wanted manual || exit 0
 awk -v work="$work" '
@@ -50,13 +50,13 @@ grep -A 1 '^not ok' "$work/said"
 if [ "$(cat "$work/count")" -gt 600 ] && tail -n 1 "$work/said" | grep -q 'zoom-extents'; then echo "ok manual/wrong"
 else echo "not ok manual/wrong: stopped after $(tail -n 1 "$work/said")"; sed 's/^/    /' "$work/errors" | tail -n 5; fi
 
-# One page a kind of model/prims.def, named as the kind is.
+# A page for each kind of model/prims.def, named as the kind is.
 sed -n 's/^VS_KIND([A-Z_0-9]*, [a-z_0-9]*, "\([^"]*\)".*/\1/p' model/prims.def | sort > "$work/kinds"
 ls manual/primitives | sed 's/\.md$//' | sort > "$work/pages"
 if [ -s "$work/kinds" ] && diff "$work/kinds" "$work/pages" > "$work/diff"; then echo "ok manual/primitives:pages"
 else echo "not ok manual/primitives:pages differ from prims.def"; sed 's/^/    /' "$work/diff"; fi
 
-# One page an operator of rules, named as the procedure is; questions have none.
+# A page for each operator of rules, named as the procedure is; questions have none.
 sed -n '/^## Operators/,$p' manual/language/rules.md | grep '^### ' | grep -o '`[^`]*`' | sed 's/^`(\{0,1\}//; s/[ )`].*//' |
   grep -vxE 'absolute|relative|flag\?|scope-flags|touches\?|inside\?|scope-overlap|find-scopes|scope-name|scope-property|scope-signals|scope-detail|derivation' | sort > "$work/operators"
 ls manual/rules | sed 's/\.md$//' | sort > "$work/pages"
@@ -84,7 +84,7 @@ grep '^| `' manual/materials.md >> "$work/shown"
 if [ -s "$work/wanted" ] && diff "$work/wanted" "$work/shown" > "$work/diff"; then echo "ok manual/materials:tables"
 else echo "not ok manual/materials:tables"; sed 's/^/    /' "$work/diff"; fi
 
-# What the examples say is what happens.
+# The examples tell the truth.
 for page in manual/i-want-to.md manual/materials.md manual/drawings.md manual/coming-from-[agoj]*.md manual/language/*.md manual/primitives/*.md manual/rules/*.md; do
   name=${page#manual/}
   case $name in coming-from-*) tables=1 ;; *) tables= ;; esac

@@ -160,7 +160,7 @@ printf '%s\n' '(+ 1 2)' '(draw (make-box origin 1 1 1))' ',show 12x4' ',help mak
 check "a pipe" "car: expected a pair"
 if grep -q "$(printf '\033')" "$work/screen"; then echo "not ok prompt:a pipe gets escape sequences"; else echo "ok prompt:a pipe gets no escape sequences"; fi
 
-# What a terminal shows in the end, which escapes alone do not tell: parentheses that are shown for a moment leave nothing behind, nor does an entry of
+# The screen of a terminal in the end, which escapes alone do not tell: parentheses that are shown for a moment leave nothing behind, nor does an entry of
 # several lines that is ended from its first.
 if command -v tmux > /dev/null; then
   pane() { tmux -S "$work/tmux" "$@"; }

@@ -73,7 +73,7 @@ suite_compilers() {
   done
 }
 
-# One entry of the pool below. Its lines are printed together when it has ended, since others run beside it.
+# An entry of the pool below. Its lines are printed together when it has ended, since others run beside it.
 if [ "${1:-}" = --suite ]; then
   begin=$(date +%s)
   suite_"${2%%/*}" "${2#*/}" > "$work/lines" 2>&1

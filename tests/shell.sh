@@ -4,7 +4,7 @@
 wanted shell || exit 0
 for shell in bash zsh fish; do sh scripts/completions.sh $shell > "$work/vs.$shell" || echo "not ok shell/$shell: is not made"; done
 
-# What bash offers after a line: offered "vs --qual" answers --quality.
+# Prints the words that bash offers after a line: offered "vs --qual" answers --quality.
 cat > "$work/ask.bash" <<'END'
 source "$1"
 COMP_LINE=$2 COMP_POINT=${#2}
@@ -47,7 +47,7 @@ if [ -z "$missing" ]; then echo "ok shell/all"; else echo "not ok shell/all: mis
 # None is there without what it means.
 { awk '/^\.TP/ { at = NR } at && NR == at + 2 && !/./ { print "man: " last } { last = $0 }' "$work/vs.man"; grep -n "':'$\|:'$\|-d ''" "$work/vs.zsh" "$work/vs.fish"; } > "$work/errors"
 if [ ! -s "$work/errors" ]; then echo "ok shell/meanings"; else echo "not ok shell/meanings: rows without one:"; sed 's/^/    /' "$work/errors"; fi
-# So does every exit code of visualscheme.h in the page; a negative outcome is none.
+# Every exit code does, too of visualscheme.h in the page; a negative outcome is none.
 codes=$(sed -n 's/^ *VS_OUTCOME_[A-Z]* = \([0-9][0-9]*\).*/\1/p' visualscheme.h | tr '\n' ' ')
 told=$(sed -n '/^\.SH "EXIT CODES"/,/^\.SH/p' "$work/vs.man" | grep -o '^[0-9][0-9]*' | tr '\n' ' ')
 if [ -n "$codes" ] && [ "$codes" = "$told" ]; then echo "ok shell/exit codes"

@@ -152,7 +152,7 @@ function matrices(model, group) {
   group.parts.forEach((i, k) => {
     const m = model.matrix, o = 12 * i, t = 16 * k;
     for (let c = 0; c < 4; c++) {
-      array[t + 4 * c] = sign * m[o + c]; // What is mirrored is drawn by a parent that mirrors back.
+      array[t + 4 * c] = sign * m[o + c]; // A mirrored part is drawn by a parent that mirrors back.
       array[t + 4 * c + 1] = m[o + 4 + c];
       array[t + 4 * c + 2] = m[o + 8 + c];
     }

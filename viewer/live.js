@@ -185,7 +185,7 @@ class Live {
       ray: (kind, ray) => this.#input(kind, ray) })));
     this.viewer.setHandles([...this.parameters.points(), ...gizmos]);
   }
-  // One request is under way at a time; of drags that wait the last alone counts.
+  // A single request is under way at a time; of drags that wait the last alone counts.
   async #input(kind, { origin, direction }) {
     this.inputs ||= [];
     const input = { kind, body: ["left", ...origin, ...direction].join(" ") };
@@ -287,7 +287,7 @@ class Live {
     this.saveButton.disabled = !this.source.dirty;
   }
 
-  // Has the model made from the text as it stands, unsaved. One request is under way at a time; the last text is never left out.
+  // Has the model made from the text as it stands, unsaved. A single request is under way at a time; the last text is never left out.
   async #attempt(text) {
     this.wanted = text;
     if (this.attempting) return;
@@ -379,7 +379,7 @@ class Live {
     if (this.timeline.isOpen) return;
     viewer.setGhosts([]);
     if (!this.#isCut()) return;
-    // What is taken away has left no part of its own, or not all of it: a ghost shows the whole.
+    // A subtracted part has left no part of its own, or not all of it: a ghost shows the whole.
     const { model, ghost } = await this.construction().catch(() => ({}));
     if (!model || this.pointing !== from || this.timeline.isOpen) return;
     for (let k = 0; k <= (lit < 0 ? places.length - 1 : lit); k++) {

@@ -70,7 +70,7 @@ export class Parameters {
     for (const p of this.infos) if (p.name in values && values[p.name] !== p.value) this.set(p.name, values[p.name]);
   }
   #chosen() { return [...this.sets].filter(([, s]) => s.chosen).map(([name, s]) => ({ name, values: s.values, said: this.#differences(s.values) })); }
-  // What of a set is not as the source says.
+  // The values of a set that differ from the source.
   #differences(values) {
     return this.infos.filter((p) => p.name in values && values[p.name] !== p.default).map((p) => `${p.label} ${values[p.name]}`).join(" · ") || "as the source says";
   }

@@ -66,7 +66,7 @@ export function toScreen(stage, point) {
   return { x: (p.x + 1) / 2 * stage.canvas.clientWidth, y: (1 - p.y) / 2 * stage.canvas.clientHeight, behind: p.z > 1 || p.z < -1 };
 }
 
-// What a pointer near a corner, an edge or a face means: { kind: "point" | "edge" | "face", ... } in the model's coordinates about its middle.
+// The target of a pointer near a corner, an edge or a face: { kind: "point" | "edge" | "face", ... } in the model's coordinates about its middle.
 export function snap(stage, x, y) {
   const hit = pick(stage, x, y);
   if (!hit) return null;

@@ -111,8 +111,8 @@ export class Source {
     this.base = undefined;
     this.check = check;
     this.attempt = attempt;
-    this.told = []; // What the last run said of this text.
-    this.found = []; // What looks wrong in the text as it stands.
+    this.told = []; // The messages of the last run about this text.
+    this.found = []; // The findings in the text as it stands.
     const names = async (context) => {
       const word = context.matchBefore(/[^\s()\[\]{}"';`,]+/);
       if (!word || (word.from === word.to && !context.explicit)) return null;
@@ -149,7 +149,7 @@ export class Source {
     const was = this.view.state.doc.toString();
     this.base = text;
     if (was === text) return;
-    // What is alike before and behind stays, and the cursor with it.
+    // Text that is alike before and behind stays, and the cursor with it.
     let a = 0, b = 0;
     while (a < was.length && a < text.length && was[a] === text[a]) a++;
     while (b < was.length - a && b < text.length - a && was[was.length - 1 - b] === text[text.length - 1 - b]) b++;

@@ -9,8 +9,8 @@ import { buildBatches, disposeBatches, mergeParts, meshGeometry } from "./batche
 
 // Radiances and colours are POV-Ray's, linear; a light of intensity pi makes a white surface across it as bright as its colour.
 const SUN = new THREE.Color(1, 0.95, 0.87), DIFFUSE = 0.82, SKY_POWER = 1.6, SUN_POWER = 2 * SKY_POWER, EXPOSURE = 0.62;
-const LIT = 3.9; // What the plain sun and sky give a surface across the sun: the exposure is for it.
-const BOUNCED = 0.1, BOUNCED_BY_GROUND = 0.3; // What walls and the ground send on, in parts of the sky's and the sun's light.
+const LIT = 3.9; // The light that the plain sun and sky give a surface across the sun: the exposure is for it.
+const BOUNCED = 0.1, BOUNCED_BY_GROUND = 0.3; // The light that walls and the ground send on, in parts of the sky's and the sun's light.
 
 // Bright colours are compressed and turn pale, others stay as they are: Khronos' neutral curve without its toe, which takes contrast from what is dark.
 THREE.ShaderChunk.tonemapping_pars_fragment = THREE.ShaderChunk.tonemapping_pars_fragment.replace("vec3 CustomToneMapping( vec3 color ) { return color; }", `vec3 CustomToneMapping( vec3 color ) {
@@ -66,7 +66,7 @@ export class Stage {
     this.samples = this.software ? 24 : 64;
     this.options = { edges: true, shadows: true, occlusion: true, wireframe: false, dark: false };
     this.scene = new THREE.Scene();
-    this.world = new THREE.Group(); // What the section cuts.
+    this.world = new THREE.Group(); // The objects that the section cuts.
     this.marks = new THREE.Group();
     this.scene.add(this.world, this.marks);
     this.clip = [];
@@ -247,7 +247,7 @@ export class Stage {
     return paler(new THREE.Color(table[at], table[at + 1], table[at + 2]), 0.3);
   }
 
-  // What metals and glass mirror: the sky, a bright band low in it, and the ground.
+  // The surroundings that metals and glass mirror: the sky, a bright band low in it, and the ground.
   #environment() {
     const w = 64, h = 32, data = new Float32Array(4 * w * h), u = this.skyMaterial.uniforms, c = new THREE.Color();
     for (let y = 0; y < h; y++) {
@@ -350,7 +350,7 @@ export class Stage {
     this.refresh();
   }
 
-  // What is shown has changed.
+  // Call this when the shown objects have changed.
   refresh(shown = this.shown) {
     this.shown = shown;
     if (this.batches) {

@@ -42,7 +42,7 @@ export class Construction {
         this.born[i] = done[parent[p]];
         uses[i] = user[p], this.cut[i] = cut[p];
       } else {
-        const before = this.steps[this.steps.length - 1]; // One shape of several paints is one step.
+        const before = this.steps[this.steps.length - 1]; // A shape of several paints is one step.
         if (i > 0 && before?.part !== undefined && model.made[i] > 0 && model.made[i] === model.made[i - 1] && p === model.path[i - 1] && model.geometry[i] !== model.geometry[i - 1] && model.paint[i] !== model.paint[i - 1]) before.more = (before.more || 0) + 1;
         else this.steps.push({ part: i });
         this.born[i] = this.steps.length - 1;
@@ -82,7 +82,7 @@ export class Construction {
     for (let i = 0; i < this.model.count; i++) if (this.cut[i] && this.born[i] <= k && k < this.gone[i]) found.push(i);
     return found;
   }
-  // What a step made or touched, of what is shown at it.
+  // The parts that a step made or touched, of what is shown at it.
   made(k) {
     const step = this.steps[k], found = [];
     if (step.part !== undefined) {

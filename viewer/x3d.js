@@ -110,7 +110,7 @@ export function modelFromX3D(text, name = "model") {
       case "Switch": { const chosen = node.children[Number(node.getAttribute("whichChoice") ?? -1)]; if (chosen) stack.push({ nodes: [chosen], next: 0, m: top.m }); break; }
       case "Shape": {
         const g = [...node.children].map(resolve).find((n) => n.nodeName !== "Appearance");
-        if (g && node.getAttribute("DEF") === "ground") { // What .x3d files of ours stand on is no part of the model.
+        if (g && node.getAttribute("DEF") === "ground") { // The ground of our .x3d files is no part of the model.
           model.ground = { z: point(top.m, [...model.geometries[geometryOf(g)[0]].position.slice(0, 3)])[2], paint: materialOf(node) };
           break;
         }

@@ -111,7 +111,7 @@ static void gltf_meshes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   vs_puts(w, "]");
 }
 
-/* One of what may be a million, made in the writer's own buffer. */
+/* Writes a number, of which there may be a million, made in the writer's own buffer. */
 static void gltf_node(vs_writer *w, const vs_gltf_node *n) {
   vs_vec3 at, size;
   double turn[4];

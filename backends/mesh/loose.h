@@ -5,7 +5,7 @@
 
 #include "backends/backend.h"
 
-/* One line through its corners, or triangles of three corners each. */
+/* A line through its corners, or triangles of three corners each. */
 typedef struct {
   bool line;
   size_t first, count;         /* of corners */

@@ -230,7 +230,7 @@ static vs_emit_status scad_polyface(vs_emitter *e, const vs_ref *ref, vs_phase p
   return scad_done(e);
 }
 
-/* An open surface: the solid of it made thick. What no thickness makes a solid of is left out, which is said. */
+/* An open surface: the solid of it made thick. A part that no thickness makes a solid of is left out, with a warning. */
 static vs_emit_status scad_slab(vs_emitter *e, const vs_ref *ref) {
   struct vs_thicken thick = { .width = scad_thin(e) };
   vs_store *store = e->scene->store;
@@ -371,7 +371,7 @@ static bool scad_is_level(vs_emitter *e, const vs_ref *root, double *z) {
   return level;
 }
 
-/* One region in its own coordinates, of which z is forgotten */
+/* A region in its own coordinates, without z */
 static bool scad_flat_leaf(vs_emitter *e, const vs_node *n) {
   const vs_node *only = n->kind == VS_REGION && n->child_count == 1 ? n->children[0].node : NULL;
   vs_affine back = vs_affine_identity();
@@ -543,7 +543,7 @@ static vs_emit_status scad_transform(vs_emitter *e, const vs_ref *ref, vs_phase 
   return scad_done(e);
 }
 
-/* Paint is said by the children (scad_open); a layer has no meaning there. What is inside stands no deeper. */
+/* Paint is said by the children (scad_open); a layer has no meaning there. Its children are indented no deeper. */
 static vs_emit_status scad_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)ref;
   e->depth += phase == VS_PHASE_ENTER ? SIZE_MAX : 1;

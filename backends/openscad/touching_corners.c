@@ -2,7 +2,7 @@
  * cones that share their apex do, or the torus without a hole. Each fan then gets a point of its own, a step towards its neighbours; of fans within each
  * other the narrower goes further, so they do not cross.
  *
- * Two faces at an edge hang together. Of four or more, those do that bound one wedge of solid: faces are sorted around the edge. That is done in
+ * Two faces at an edge hang together. Of four or more, those do that bound one wedge of solid: faces are sorted around the edge. The corners move in
  * doubles: it is a matter of what OpenSCAD accepts, and where it goes wrong the mesh stays as it is. Cost: n log n. */
 #include "backends/openscad/touching_corners.h"
 
@@ -94,7 +94,7 @@ static bool join_all(apart *a) {
   return true;
 }
 
-/* The fans by place, of one place the flattest first; how many, and whether any place has two. One that is quite flat is drawn inwards. */
+/* The fans by place, of one place the flattest first; how many, and whether any place has two. A quite flat corner is drawn inwards. */
 static size_t list_fans(apart *a, bool *touches) {
   size_t count = 0;
   for (uint32_t c = 0; c < a->corner_count; c++) { /* a group's first corner is its smallest */

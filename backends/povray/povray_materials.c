@@ -121,7 +121,7 @@ static void put_map(vs_writer *w, const stop *stops, size_t count) {
 
 /* ---- patterns on faces ---- */
 
-/* What a pattern of courses is made of. Functions of POV-Ray with the metres of W (unit), H (course), J (joint) as
+/* The parts of a pattern of courses. Functions of POV-Ray with the metres of W (unit), H (course), J (joint) as
  * constants before them: `odd` is 1 in every other course, `along` the place in a course in units of `length`, and
  * `cell` numbers the units. */
 typedef struct {

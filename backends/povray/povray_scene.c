@@ -39,7 +39,7 @@ static bool pov_is_physical(const vs_emitter *e) { return e->scene->turbidity > 
 static vs_povray_daylight pov_daylight(const vs_emitter *e, const vs_look *l) {
   return vs_povray_daylight_of(e->scene, vs_look_sun(e->scene, l), pov_is_developed(e) ? 1 : 1.25 / 3.2);
 }
-/* What a draft adds to all surfaces, however they are turned: none is black. With bounced light POV-Ray wants none. */
+/* The light that a draft adds to all surfaces, however they are turned: none is black. With bounced light POV-Ray wants none. */
 double vs_povray_ambient(const vs_emitter *e) {
   return e->options->quality == VS_RENDER_DRAFT ? 0.05 * pov_fill_strength(e) : 0;
 }

@@ -1,5 +1,5 @@
-/* Owns the POV-Ray text of every kind. What POV-Ray gets wrong in silence (degenerate shapes, lone operands) never gets here: the
- * constructors refuse it or the driver leaves it out. Triangles take part in CSG by their inside_vector. */
+/* Owns the POV-Ray text of every kind. Objects that POV-Ray draws wrong without a word (degenerate shapes, lone operands) never get here: the
+ * constructors refuse them or the driver leaves them out. Triangles take part in CSG by their inside_vector. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -514,7 +514,7 @@ vs_emit_status vs_povray_native(vs_emitter *e, const vs_ref *ref, vs_phase phase
 vs_emit_status vs_povray_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   const vs_node *n = ref->node;
   if (phase == VS_PHASE_LEAVE) {
-    /* Where a bare cutter cuts something painted, the cut face shows what was cut. What is cut must be painted all over: POV-Ray shows the
+    /* Where a bare cutter cuts something painted, the cut face shows what was cut. The operands of a difference must be painted all over: POV-Ray shows the
      * bare parts of a difference with cutaway_textures in black. */
     bool whole = n->kind != VS_DIFFERENCE || !vs_emit_is_bare(e, n->children[0].node);
     if (n->kind != VS_UNION && whole && vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n)) pov_open(e, "  cutaway_textures\n");

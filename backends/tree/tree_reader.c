@@ -233,7 +233,7 @@ static bool tree_end_node(tree_reader *r) {
   return made != NULL ? tree_push(r, (vs_ref){ made, origin }) : tree_no_memory(r);
 }
 
-/* One node with all that is in it; it is then the last of r->children. */
+/* Reads a node with its children; it is then the last of r->children. */
 static bool tree_node(tree_reader *r) {
   size_t outside = r->open_count;
   do {

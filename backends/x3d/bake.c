@@ -149,7 +149,7 @@ double vs_x3d_batch_bytes(const vs_x3d *x, const vs_x3d_group *g) {
 }
 
 /* All that is left are the drawing's uses of baked templates. They become triangles too, those first that take the least text for a Shape: until there are few Shapes, or
- * the text is long. What would take more than a Shape costs stays a use. */
+ * the text is long. A copy that would take more text than a Shape costs stays a use. */
 static bool bake_cheapest(vs_emitter *e, const double *shapes, double many) {
   vs_x3d *x = e->state;
   vs_x3d_group *g = &x->groups[0];

@@ -13,8 +13,8 @@
  * `layer`, `origin` (an entry of the node Origins at the end) and `kind`; a Transform has `translation` or a `matrix` of three rows.
  *
  * The notation x3d-steps shows how the drawing is made: a Group of the field `item` round each thing drawn; a difference or
- * intersection is a Group with the field `operation`, in it the operands and then a Group of the field `result`. What is
- * taken away has the field `cut`.
+ * intersection is a Group with the field `operation`, in it the operands and then a Group of the field `result`. A part
+ * that is subtracted has the field `cut`.
  * Only that which holds a position in the whole drawing is stored about the drawing's middle, so that 32 bits are enough. */
 #include "backends/lower.h"
 #include "backends/x3d/packed.h"
@@ -33,7 +33,7 @@ enum { NAME_MAX_COUNT = 64, GEOMETRY_FIRST = 0x40000000 };
 
 typedef struct { const char *layer; const vs_origin *origin; bool wrapped; } packed_open;
 
-/* One Shape's geometry: what of a node's triangles one material, layer and origin share. */
+/* The geometry of a Shape: those triangles of a node that share material, layer and origin. */
 typedef struct { uint32_t geometry, paint; const char *layer; const vs_origin *origin; bool lines; } packed_part;
 typedef struct { size_t first, count; vs_vec3 middle; } packed_shape; /* of parts */
 

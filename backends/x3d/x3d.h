@@ -3,7 +3,7 @@
  * text.c: the two notations; scene.c: what is written. Beside them, with collecting of its own: packed.c, the tree as bytes for our own viewer;
  * page.c, the web page round that.
  *
- * Viewers draw a Shape slowly and a triangle fast: past some ten thousand Shapes they crawl. So everything is collected first. Few
+ * Viewers draw a Shape slowly and a triangle fast: past some ten thousand Shapes they crawl. Therefore everything is collected first. Few
  * enough boxes, spheres, cylinders and cones become nodes of their own; all else becomes one triangle set and one line set a material.
  * A template is a group that stands once in the file (DEF) and is used (USE); where there would be too many Shapes the innermost
  * templates are baked first: that costs the least text, for they are still said once. */

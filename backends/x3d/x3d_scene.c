@@ -203,7 +203,7 @@ static void scene_use(vs_emitter *e, const vs_x3d_placed *use, uint32_t paint) {
   vs_x3d_end(e, "Transform", true);
 }
 
-/* What is in a group, with `paint` for what has none. variant: how often it was said before, in other paints. */
+/* Writes the children of a group, with `paint` for those without a material. variant: how often it was said before, in other paints. */
 static void scene_group(vs_emitter *e, size_t group, uint32_t paint, size_t variant, bool *said) {
   const vs_x3d *x = e->state;
   const vs_x3d_group *g = &x->groups[group];

@@ -7,7 +7,7 @@
 #   native     Manifold's library, from its tree to the triangles in memory, elapsed, all threads; MANIFOLD=FOLDER, its sources (include/, src/), is built with TBB
 #   elsewhere  Manifold 3.5.1, whole process from ready facets, taken on another machine (native.tsv)
 #   wasm       manifold-3d, from its tree to the triangles in memory, without starting its module; OpenSCAD: the whole process, processor seconds
-# Without names: the 44 of gen.mjs. Those of families.mjs (many solids over one place) are run by name, with SCAD=0: `... boxes_50 boxes_100 boxes_200`.
+# Without names: the 44 of gen.mjs. Workloads of families.mjs (many solids over one place) are run by name, with SCAD=0: `... boxes_50 boxes_100 boxes_200`.
 # OpenSCAD is not asked again for larger members of a family once one has not finished.
 set -u
 usage() { echo "usage: bench/kernel/run.sh VS MEASURE [WORKLOAD ...]" >&2; exit 1; }

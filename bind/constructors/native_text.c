@@ -1,4 +1,4 @@
-/* Owns `native`: text of the user's that a target program gets as it is. So that it cannot swallow or end what stands round it, its braces, strings and
+/* Owns `native`: text of the user's that a target program gets as it is. To make sure that it cannot swallow or end what stands round it, its braces, strings and
  * comments must be whole. */
 #include "bind/bind.h"
 

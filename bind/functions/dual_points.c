@@ -72,7 +72,7 @@ typedef enum {
   TURNS
 } rule;
 
-/* What each procedure takes: `shape` has a letter an argument, p a point or gvector, n a number; `tag` is what it
+/* The arguments of each procedure: `shape` has a letter an argument, p a point or gvector, n a number; `tag` is what it
  * gives, 0 a number; `with` says which coordinates numbers are, or which one is taken. A first p before numbers is what
  * is moved. */
 static const struct {

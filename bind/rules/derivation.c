@@ -25,7 +25,7 @@ void vs_task_drop(vs_derivation *d, vs_task *t) {
   vs_store_realloc(d->bind->store, t, t->bytes, 0);
 }
 
-/* What was made is handed out or given up. */
+/* The objects made are handed out or given up. */
 static void forget_made(vs_derivation *d) {
   vs_store *s = d->bind->store;
   for (size_t i = 0; i < d->made_count; i++) {
@@ -247,7 +247,7 @@ static bool rule_begins(vs_derivation *d, const char *name, const vs_scope *s) {
   return vs_random_branch(d->bind->vm, vs_scope_mix(s->hash, text_hash(name)));
 }
 
-/* Those that waited for signals come to the stack, the first of them on top. False: the error is set. */
+/* The scopes that waited for signals come to the stack, the first of them on top. False: the error is set. */
 static bool waiting_begin(vs_derivation *d) {
   if (!vs_store_grow(d->bind->store, &d->stack, &d->room, d->waiting_count, sizeof *d->stack))
     return vs_fail_memory(d->bind->vm);
@@ -545,7 +545,7 @@ vs_status vs_p_choose(vs_frame *f, vs_value *out) {
     if (x < p) return *out = vs_fix((int64_t)i), VS_OK;
     x -= p;
   }
-  /* What is left over is rounding, or the chance that nothing is taken. */
+  /* A remainder is rounding, or the chance that nothing is taken. */
   *out = vs_fix(sum < 1 - 1e-9 && !open ? -1 : (int64_t)n - 1);
   return VS_OK;
 }

@@ -2,7 +2,7 @@
  *
  * A derivation begins where an operator or a rule is called from outside of any rule, and ends when its stack is
  * empty; what was made is then one object. Within a sequence of a rule the same operators only leave their scopes on
- * the stack. So nothing nests, whatever a rule's depth: rules.scm has the loop.
+ * the stack. No call nests, whatever a rule's depth: rules.scm has the loop.
  *
  * How an operator knows: a form of a sequence hands over a live scope, one whose wrapper names the derivation under
  * way. Wrappers that programs see are plain; the operator or rule that gets a live one takes the mark away. */
@@ -29,7 +29,7 @@ typedef struct vs_task {
   vs_scope *child[];
 } vs_task;
 
-/* One scope that waits until nothing else is left, for signals of this name. */
+/* A scope that waits until nothing else is left, for signals of this name. */
 typedef struct {
   vs_task *task;
   const char *name; /* the store's */

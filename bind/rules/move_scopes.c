@@ -79,7 +79,7 @@ vs_scope *vs_scope_placed(const vs_scope *of, const vs_affine *m) {
     return s;
   }
   if (s->class_ != VS_SCOPE_BOX || !(sheared = vs_scope_fresh(s->store, VS_SCOPE_FFD))) return s;
-  /* What both classes have is the same; a scope's shape comes last. */
+  /* Fields that both classes have are the same; a scope's shape comes last. */
   vs_scope_corners(s, sheared->as.corner);
   vs_scope_take_path(sheared, s);
   vs_scope_release(s);

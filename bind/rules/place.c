@@ -42,7 +42,7 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
   if (object.node->kind == VS_EMPTY) return true;
   if (!bounds_of(d, object, &b)) return false;
   if (vs_bounds_is_empty(&b)) return true;
-  /* What a rule placed was made by that rule, also where passes merge the placement into the object. */
+  /* An object that a rule placed was made by that rule, also where passes merge the placement into the object. */
   vs_ref placed = { object.node, origin };
   vs_node *n;
   if (s->class_ == VS_SCOPE_FFD) {

@@ -2,8 +2,8 @@
 ; C (bind/rules/). Names that begin with % are not visible to programs. Compiled into the binary when it is built.
 ;
 ; A rule and an operator are marked procedures: given a live scope, as a form of a sequence gives them one, they leave their work on the stack of the
-; derivation under way and return nothing; given a plain one they begin a derivation of their own and return its object. So rules call rules without
-; anything nesting, however deep they go.
+; derivation under way and return nothing; given a plain one they begin a derivation of their own and return its object. Therefore rules call rules
+; without nesting, however deep they go.
 
 ; ---- the loop ----
 
@@ -14,7 +14,7 @@
           (%derivation-made d ((%derivation-rule d) s))
           (loop (%derivation-next d))))))
 
-; What an operator returned: a derivation to be run, or nothing.
+; Takes the result of an operator: a derivation to be run, or nothing.
 (define (%grown d)
   (if (%derivation? d)
       (begin
@@ -33,7 +33,7 @@
 
 ; ---- define-rule ----
 
-; What a rule does with its scope: its body now, or later, or by a derivation of its own.
+; Applies a rule to its scope: its body now, or later, or by a derivation of its own.
 (define (%apply-rule self fits? name class place body)
   (if (fits? self)
       (let ((how (%rule-enter self name body)))

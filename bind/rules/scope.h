@@ -26,7 +26,7 @@ typedef struct {
   const char *name[];
 } vs_scope_flags;
 
-/* What scopes of a polygon, a triangle and a curve are made of: loops of points, the outer one first and counter-
+/* The loops of scopes of a polygon, a triangle and a curve: rows of points, the outer one first and counter-
  * clockwise about the frame's z, holes clockwise. A triangle has one loop of three points; a curve's loop is its
  * sampled points. */
 typedef struct {
@@ -37,7 +37,7 @@ typedef struct {
 
 typedef struct vs_scope vs_scope;
 
-/* What few scopes have: a mark, or signals. */
+/* The fields that few scopes have: a mark, or signals. */
 typedef struct vs_scope_extra vs_scope_extra;
 struct vs_scope_extra {
   uint32_t refs, count;

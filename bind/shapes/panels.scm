@@ -3,7 +3,7 @@
 ;
 ; A grid is a list of cells; a cell is a list of three or more corners (u . v) in the square from 0 to 1.
 
-; What of a convex cell lies on the side of a line u or v = limit.
+; The part of a convex cell that lies on the side of a line u or v = limit.
 (define (%clip-cell cell take limit below?)
   (define (inside? c) (if below? (<= (take c) limit) (>= (take c) limit)))
   (if (null? cell)

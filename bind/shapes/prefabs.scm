@@ -4,7 +4,7 @@
 ; A prefab's file is an ordinary model. It runs in an environment of its own, where define-parameter takes what the caller gave,
 ; draw collects, and what stages a drawing (cameras, lights) does nothing.
 
-; What a run of a prefab's file leaves behind: #(given parameters drawn), where `given` is an association list of names and
+; The results of a run of a prefab's file: #(given parameters drawn), where `given` is an association list of names and
 ; values, `parameters` lists (name default min max), newest first, and `drawn` objects, newest first.
 (define (%prefab-parameter who name-of state)
   (lambda (name default #:min [low any? #f] #:max [high any? #f] #:step [step any? #f] #:choices [choices any? #f]
@@ -64,7 +64,7 @@
               (else (error who "~a draws nothing, and its last expression gives no object" name))))
       state)))
 
-; Those that come with the language, by name and what was given: they never change while a program runs.
+; The prefabs that come with the language, by name and what was given: they never change while a program runs.
 (define %prefabs-made '())
 
 (define (%prefab name given)

@@ -17,7 +17,7 @@
 (define (%need-number who name x)
   (if (not (and (real? x) (finite? x))) (error who "~a must be a number and finite, got ~s" name x)))
 
-; What f gives for this number, which must be a point.
+; Returns the value of f at this number, which must be a point.
 (define (%point-of who name f t)
   (let ((p (f t)))
     (if (%finite-point? p) p (error who "~a must give points of finite coordinates; at ~a it gave ~s" name t p))))

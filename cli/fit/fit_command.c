@@ -14,7 +14,7 @@ typedef struct {
   size_t count[BINS], below, above;
 } histogram;
 
-/* What a state is called: as JSON has it; and behind a parameter's line. */
+/* The name of a state: as JSON has it; and behind a parameter's line. */
 static const struct {
   const char *word, *remark;
 } states[] = { [VS_FIT_FITTED] = { "fitted", "" },

@@ -489,7 +489,7 @@ static unsigned char new_line(EditLine *line, int key) {
   return libedit.el_insertstr(line, "\n") == 0 ? CC_REFRESH : CC_ERROR;
 }
 
-/* What a terminal sends between ESC [ 200 ~ and ESC [ 201 ~ was pasted: text, in which no key means anything. Tabs
+/* Text that a terminal sends between ESC [ 200 ~ and ESC [ 201 ~ was pasted: no character of it is a key. Tabs
  * become blanks. Whole lines end the
  * buffer; what stands behind the last of them begins the next. */
 static unsigned char paste(EditLine *line, int key) {

@@ -6,7 +6,7 @@
 #include "cli/command.h"
 #include "live/live.h"
 
-/* What was typed and worked, in order: what ,undo takes back and ,save writes. */
+/* The entries that worked, in order: ,undo takes them back and ,save writes them. */
 typedef struct {
   char *text;
   unsigned first_line;

@@ -343,7 +343,7 @@ static bool only_watches(const char *text) {
   return strncmp(text, "(trace ", 7) == 0 || strncmp(text, "(untrace ", 9) == 0;
 }
 
-/* What was typed, as a program: the model's files first, then every entry. */
+/* The entries as a program: the model's files first, then every entry. */
 static void save(cli_session *c, cli_prompt *p, const char *path) {
   if (!*path) {
     fputs(",save needs a file name, as in ,save house.vs\n", stderr);

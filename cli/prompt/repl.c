@@ -385,7 +385,7 @@ vs_outcome cli_repl(cli_session *c) {
     if (status.state == VS_READ_INCOMPLETE && p.going) continue;
     if (status.state != VS_READ_EMPTY && pending.length) {
       if (c->editor) cli_editor_remember(c->editor, pending.at, pending.length);
-      /* What can never be read is evaluated too: that says what is wrong with it. */
+      /* An entry that can never be read is evaluated too: the reader's error says why. */
       vs_outcome one = cli_prompt_evaluate(c, &p, pending.at, pending.length, first_line);
       if (one == VS_OUTCOME_INTERRUPTED && !c->editor) {
         outcome = one;

@@ -56,7 +56,7 @@ void vs_scan_word(vs_scan *s, bool lines, char comment, char word[VS_SCAN_WORD])
   word[n] = 0;
 }
 
-/* What stands where something else was expected, fit to be shown */
+/* The text that stands where something else was expected, fit to be shown */
 static bool scan_refuse(const vs_scan *s, const char *expected, const char *word) {
   char shown[VS_SCAN_WORD];
   size_t n = 0;

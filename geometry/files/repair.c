@@ -1,6 +1,6 @@
 /* Owns mending points and faces until they close.
  *
- * Counted with its direction an edge of a closed chain is met as often one way as the other. What is over at an edge goes into a list of sides that are missing; they
+ * Counted with its direction an edge of a closed chain is met as often one way as the other. Sides that are over at an edge go into a list of sides that are missing; they
  * leave every point as often as they arrive there, whatever the mesh, so they can always be walked off as loops; each loop is covered by triangles. */
 #include "geometry/files/repair.h"
 

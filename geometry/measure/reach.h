@@ -13,7 +13,7 @@ void vs_reach_oval(vs_bounds *b, const vs_affine *a, const vs_affine *frame, vs_
 /* A ball whose centre runs on a level circle of radius `ring`. */
 void vs_reach_ball(vs_bounds *b, const vs_affine *a, vs_vec3 center, double ring, double r);
 void vs_reach_points(vs_bounds *b, const vs_affine *a, const vs_vec3 *at, size_t n);
-/* What reaches so far along x, y and z to both sides of the centre's image. */
+/* A body that reaches so far along x, y and z to both sides of the centre's image. */
 void vs_reach_sides(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 reach);
 vs_vec3 vs_reach_row(const vs_affine *a, int i); /* row i of a's linear part */
 

@@ -1,7 +1,7 @@
 /* Owns the packing of circles (packing.h).
  *
- * Plan. How large a circle about a place may be changes by no more than the distance of two places. So squares that
- * cover the area wait in a heap by the most that a circle with its middle in one of them could have; the first is
+ * Plan. How large a circle about a place may be changes by no more than the distance of two places. Squares that cover
+ * the area therefore wait in a heap by the most that a circle with its middle in one of them could have; the first is
  * looked at and cut in four, until no square promises more than the best that was found (as V. Agafonkin's Polylabel
  * does). Circles only take room away: what squares promise stays true for the next circle, and the heap is kept. */
 #include "geometry/nets/packing.h"

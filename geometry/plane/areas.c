@@ -457,7 +457,7 @@ static bool number_at(const numbered *all, size_t n, double x, double y, uint32_
   return true;
 }
 
-/* One triangle of GEOS' collection, counter-clockwise. False: it is none. */
+/* Takes a triangle of GEOS' collection, counter-clockwise. False: it is none. */
 static bool delaunay_triangle(vs_geos *g, const GEOSGeometry *part, const numbered *all, size_t n, const vs_vec2 *at,
                               uint32_t out[3]) {
   const GEOSGeometry *ring = part ? g->GEOSGetExteriorRing_r(g->h, part) : NULL;

@@ -6,7 +6,7 @@
  * a circle is halved again and again instead of becoming a fan of splinters. Where rounding or a crossing loop leaves no ear, the
  * most convex corner is cut all the same: the boundary stays right, which is what closedness needs.
  *
- * Rings of many thousand corners and holes are ordinary: perforated sheets, maps, text. So reflex corners, the only ones that can be
+ * Rings of many thousand corners and holes are ordinary: perforated sheets, maps, text. Reflex corners, the only ones that can be
  * inside an ear and nearest to it, stand in a tree; and a corner whose triangle holds one waits for that one: it is no ear before the
  * other is cut or convex. The corners that are left to try are a set of places along the ring. */
 #include "geometry/plane/ear_clipping.h"
@@ -118,7 +118,7 @@ static void ring_cut(vs_ring *r, size_t ear) {
 
 /* ---- holes ---- */
 
-/* What a hole is joined to is looked up, not walked to: edges of the ring that go down, each in the lists of the few nodes of a binary tree over bands of y that make up its
+/* The corner that a hole is joined to is looked up, not walked to: edges of the ring that go down, each in the lists of the few nodes of a binary tree over bands of y that make up its
  * height; and the corners by their places. A corner stands for the edge that leaves it, and does so when holes are spliced in. */
 typedef struct { uint32_t edge, next; } vs_band_link; /* next: of a node's list, from 1 on; 0: its end */
 typedef struct {

@@ -99,7 +99,7 @@ static vs_meetings_outcome pair(search *w, size_t i, size_t j) {
   double t = w->b->along[j] + y * (w->b->along[j + 1] - w->b->along[j]);
   double s0 = s, t0 = t;
   if (nearest(w->a, w->b, &s, &t, 2 * span) > w->near) return VS_MEETINGS_DONE;
-  /* What leads away from these spans is found from others. */
+  /* A meeting that leads away from these spans is found from others. */
   if (!same_place(w->a, s, s0, 3 * span) || !same_place(w->b, t, t0, 3 * span)) return VS_MEETINGS_DONE;
   double blur = fmax(w->near, 1e-7 * fmax(w->a->length, w->b->length));
   for (size_t k = 0; k < w->count; k++)

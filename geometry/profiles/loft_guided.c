@@ -66,7 +66,7 @@ static bool guided_stations(const vs_loft *l, vs_path *p, double *s, vs_error *e
   return true;
 }
 
-/* What stands behind the columns of a section's description. */
+/* The numbers behind the columns of a section's description. */
 enum { GUIDED_MIDDLE, GUIDED_LEAN, GUIDED_EXTRA };
 
 static vs_vec3 guided_out(const guided_frame *f, vs_vec3 v) {

@@ -31,7 +31,7 @@ double vs_nurbs_high(const vs_nurbs_knots *k);
 /* The point of a curve, or of a surface at (u, v); slopes may be NULL. Parameters are taken as within their ranges. */
 vs_vec3 vs_nurbs_point(const vs_nurbs *n, double u, double v, vs_vec3 *slope_u, vs_vec3 *slope_v);
 
-/* Ascending parameters of one direction, both ends and all knots among them. Those of a curve, and of a surface's
+/* Ascending parameters of one direction, both ends and all knots among them. Samples of a curve, and of a surface's
  * lines in that direction, lie so close that chords are at most `chord` away. The caller frees *out. 0: out of memory.
  */
 size_t vs_nurbs_parameters(const vs_nurbs *n, bool along_v, double chord, double **out);

@@ -1,7 +1,7 @@
 /* Owns the steps of a sweep in which a bend is tighter than its profile.
  *
  * There the inner side of the profile goes backwards from one section to the next, and walls of the whole profile would wind around what it passes
- * through the wrong way: -1 where it should count. A sweep is the union of all that the profile passes through. So the profile is cut along the
+ * through the wrong way: -1 where it should count. A sweep is the union of all that the profile passes through. Therefore the profile is cut along the
  * line that stands still: the part that goes forwards makes one solid, that which goes backwards another, turned inside out, as long as the line
  * leaves the same corners on either side. They may overlap; solids/primitive_meshes.c unites them. At their ends they reach a little past their section,
  * so that they overlap what follows: between solids that only touched, rounding would leave cracks.
@@ -78,7 +78,7 @@ static bool add_part(turning *t, const corner *c, size_t n, size_t a, size_t b, 
   return ok;
 }
 
-/* One convex cell of the profile, over steps a to b that leave the same corners on the same sides; room for count + 2 corners */
+/* A convex cell of the profile, over steps a to b that leave the same corners on the same sides; room for count + 2 corners */
 static bool add_cell(turning *t, const uint32_t *cell, size_t count, size_t a, size_t b, corner *room) {
   bool ok = true;
   for (int forth = 1; ok && forth >= 0; forth--) {

@@ -3,8 +3,8 @@
  * Plan first, triangles second. A section is an affine map of the profile's plane; at a corner of a path it lies in the mitre plane (normal
  * m = a + b for directions a arriving, b leaving): a profile vector d across b becomes d - b (d.m)/(b.m), so that both arms keep the
  * profile's true width. Smooth paths have a = b and stay square to it. A section scaled to nothing is an apex. Corners sharper than about
- * 174 degrees are not mitred (the mitre would be longer than twenty profiles): there one piece ends square and another begins. So does an
- * extrusion where its curve turns back: what is drawn one way and what is drawn the other are solids of their own that overlap. */
+ * 174 degrees are not mitred (the mitre would be longer than twenty profiles): there one piece ends square and another begins. The same holds
+ * of an extrusion whose curve turns back: the parts drawn one way and the other are solids of their own that overlap. */
 #include "geometry/profiles/swept.h"
 #include "geometry/plane/planar_evaluation.h"
 
@@ -99,7 +99,7 @@ static bool swept_disc(vs_swept *s, double radius, int n) {
 
 /* ---- along a path ---- */
 
-/* A straight edge of length l that turns by da becomes a saddle, which two triangles miss by l da / 4 in its middle. So a twist cuts the
+/* A straight edge of length l that turns by da becomes a saddle, which two triangles miss by l da / 4 in its middle. Therefore a twist cuts the
  * whole way into n steps (returned; 1 without a twist) and each edge into k pieces such that l/k twist/n / 4 keeps the tolerance, n and k
  * alike large; and no fewer steps than facets in as much of a turn. With segments given the edges stay whole. 0: no memory. */
 static size_t swept_refine(vs_swept *s, double twist, double scale, double reach, const vs_facets *f) {
@@ -272,7 +272,7 @@ static bool swept_path(const vs_node *curve, const vs_facets *f, double reach, v
 
 /* ---- the three kinds ---- */
 
-/* Along a path without turning, filled: pieces that each go to one side of the profile's plane. What moves within the plane fills nothing. */
+/* Along a path without turning, filled: pieces that each go to one side of the profile's plane. A profile that moves within its plane fills nothing. */
 static bool swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs_path *path, vs_error *e) {
   double side = 0;
   size_t stretches = path->closed ? path->count : path->count - 1;

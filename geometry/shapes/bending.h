@@ -25,7 +25,7 @@ void vs_bend_drop(vs_bend_leaves *leaves);
 /* The leaf's object, looks and all, with the corners of `mesh` in place of its own. NULL: out of memory. */
 vs_node *vs_bend_node(vs_store *s, const vs_bend_leaf *leaf, const vs_mesh *mesh);
 
-/* One leaf on its way through a map. */
+/* A leaf on its way through a map. */
 typedef struct vs_bending vs_bending;
 
 /* Edges are cut where the image of the middle lies further from the chord than the tolerance, and where they are longer

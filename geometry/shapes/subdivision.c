@@ -69,7 +69,7 @@ static bool topology_of(const vs_face_list *l, const vs_crease *creases, size_t 
   return true;
 }
 
-/* What is gathered at a point. */
+/* The sums gathered at a point. */
 typedef struct {
   uint32_t edges, faces, sharp;
   double sharpness;                  /* sum over its sharp edges */

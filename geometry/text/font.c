@@ -156,7 +156,7 @@ bool vs_font_is_path(const char *name) {
   return false;
 }
 
-/* The height of H: "size" means the same in every font. One without an H (symbols) gets what most have, .7 of the em. */
+/* The height of H: "size" means the same in every font. A font without an H (symbols) gets the usual height, .7 of the em. */
 static bool font_measure(vs_font *f, vs_error *e) {
   uint32_t index = vs_font_index(f, 'H');
   f->capital = 0.7 * f->face->units_per_EM;

@@ -1,7 +1,7 @@
 /* Owns the finding of font files: the folders of the system and of the user, searched for a file whose name is the family's.
  *
  * "DejaVu Sans Bold" is the file DejaVuSans-Bold.ttf: names are compared as small letters and digits alone, and a family without a style may be
- * the file of its Regular or Book style. So a font is found without opening any. Folders are searched in one order, files by name: the same
+ * the file of its Regular or Book style. Thus a font is found without opening any. Folders are searched in one order, files by name: the same
  * machine gives the same file. */
 #define _XOPEN_SOURCE 700
 #include <dirent.h>
@@ -16,7 +16,7 @@
 enum { NAME_ROOM = 128, PATH_ROOM = 1024, DEPTH_MAX = 5 };
 
 typedef struct { char folder[PATH_ROOM]; int depth; } font_folder;
-/* What a search does with each font file, in an order that depends on nothing but names. True: enough. */
+/* The action of a search on each font file, in an order that depends on nothing but names. True: enough. */
 typedef bool font_file_fn(void *context, const char *path, const char *plain);
 
 static void plain_name(const char *text, size_t length, char out[NAME_ROOM]) {

@@ -1,6 +1,6 @@
 /* Owns the setting of text and the way from glyphs to loops.
  *
- * Every contour is sampled in its glyph's own coordinates, so that equal letters are equal. What a font calls ink is what its contours wind round:
+ * Every contour is sampled in its glyph's own coordinates, so that equal letters are equal. The ink of a letter is the area that its contours wind round:
  * where no two contours cross, a loop bounds ink if the winding number is 0 on one of its sides alone, and that is all; where
  * they do (letters made of overlapping strokes, letters set too close), the loops are resolved in the plane first (nonzero.h).
  *

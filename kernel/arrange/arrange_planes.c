@@ -25,7 +25,7 @@ typedef struct { uint32_t segment, point; } incidence;
 /* local vertices; delta: above less below */
 typedef struct { uint32_t l, r, leaf; int32_t delta; uint32_t side; } piece;
 
-/* What a chunk of groups gives: points at VS_POINT_MORE and above are `fresh` ones. */
+/* The results of a chunk of groups: points at VS_POINT_MORE and above are `fresh` ones. */
 typedef struct {
   VS_LIST(vs_face) faces;    /* cover counts from 0 */
   VS_LIST(vs_cover) covers;
@@ -36,7 +36,7 @@ typedef struct {
   size_t hidden;             /* of these, about: inside of some lid, where nothing shows */
 } findings;
 
-/* What a thread works with. */
+/* The scratch memory of a thread. */
 typedef struct {
   vs_kernel *k;
   const vs_cluster *c;

@@ -7,7 +7,7 @@
  * arrangement is broken and an error says so.
  *
  * Around an edge. D is the direction from the smaller point number to the larger. A use that runs along D has its face to the left, in
- * direction n x D; one against D in -n x D. So with m = n or -n the face lies at m x D, turning counter-clockwise about D leaves it
+ * direction n x D; one against D in -n x D. Therefore, with m = n or -n the face lies at m x D, turning counter-clockwise about D leaves it
  * through the side that m points to, and faces come in the order of the angle of m, seen along any axis in which D is not 0. */
 #include "kernel/cluster.h"
 
@@ -106,7 +106,7 @@ static bool sort_edge(vs_kernel *k, walk *w, const vs_half *halves, size_t count
   return ok;
 }
 
-/* What is asked for soon, from all over memory: uses far ahead, their faces nearer, and the planes of those nearer still. */
+/* Prefetches data that is asked for soon, from all over memory: uses far ahead, their faces nearer, and the planes of those nearer still. */
 VS_AHEAD look_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   enum { USE = 36, FACE = 24, PLANE = 12 };
   const vs_half *at = c->edges.at.at + i;
@@ -259,7 +259,7 @@ static bool aim(walk *w, const outline *o, int attempt) {
   return true;
 }
 
-/* One triangle of the leaf at a place, as it lies on the grid. */
+/* A triangle of the leaf at a place, as it lies on the grid. */
 static bool shoot(walk *w, const vs_placed *p, uint32_t leaf, bool mirrored, size_t triangle) {
   const uint32_t *id = p->part->mesh->triangles[triangle];
   const int32_t *at[3] = { w->c->corners[p->first + id[0]], w->c->corners[p->first + id[mirrored ? 2 : 1]], w->c->corners[p->first + id[mirrored ? 1 : 2]] };
@@ -424,7 +424,7 @@ static bool turn_leaf(walk *w, uint32_t leaf, int32_t delta) {
   return true;
 }
 
-/* The owner of the cell: of the leaves that make the result true there the earliest. What another operand takes away again is not there. */
+/* The owner of the cell: of the leaves that make the result true there the earliest. Space that another operand takes away again is not there. */
 static bool find_owner(walk *w, uint32_t cell) {
   uint32_t owner = VS_NONE, first = VS_NONE;
   for (size_t i = 0; i < w->active.count; i++) {
@@ -449,7 +449,7 @@ static bool arrive(walk *w, uint32_t cell, uint64_t sum) {
   return !inside || !w->owned || find_owner(w, cell);
 }
 
-/* What the sum changes by on the way from the + side of a face to its - side. */
+/* The change of the sum on the way from the + side of a face to its - side. */
 static uint64_t change(const walk *w, uint32_t face) {
   const vs_face *f = &w->c->faces.at[face];
   uint64_t sum = 0;
@@ -568,7 +568,7 @@ static double about_thickness(const walk *w, uint32_t face) {
 }
 
 /* Are the first cells in `queue` crumbs, or needles, too thin to aim at? Next to settled space these are given its value.
- * That is right whatever they are: the faces between cells of different values are closed in any case, and a cell is
+ * The result is right whatever they are: the faces between cells of different values are closed in any case, and a cell is
  * nowhere wider than all of the faces around it are thick together: thousands of them come to less than 2^-10 steps. */
 static bool settle_crumbs(walk *w, size_t cells) {
   static const double CRUMB = 64; /* fixed units */
@@ -612,7 +612,7 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   return walk_from(w, below);
 }
 
-/* Cells on the inner side of a leaf that settles what is inside of it are settled, and need no line of their own. That side is inside where a face of the leaf
+/* Cells on the inner side of a leaf that settles what is inside of it are settled, and need no line of their own. A side is inside where a face of the leaf
  * parts winding number 0 from 1: in a star on the grid. The corners of a thin star may have moved so that it folds over itself there. Then there are faces between
  * the winding numbers -1 and 0 as well, whose inner side is outside of the leaf, and the walk has to find out which is which. */
 static bool mark_settled(walk *w) {

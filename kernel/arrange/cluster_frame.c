@@ -6,7 +6,7 @@
  * serves as a frame as well, for leaves that all have it.
  *
  * Very thin plates come first: half a step on either side of a plate is a part of its thickness, and so of its volume, while in its own frame its faces lie on
- * the grid. So the frame is that of most area of such plates, and the majority's where there are none. */
+ * the grid. Therefore the frame is that with the most area of such plates, and the majority's where there are none. */
 #include "kernel/cluster.h"
 
 #include <math.h>

@@ -211,7 +211,7 @@ bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const 
   return false;
 }
 
-/* What is left of a convex outline without a ball of the given radius about the part's middle: places along its edges, in order; they span what is left. For
+/* The rest of a convex outline without a ball of the given radius about the part's middle: places along its edges, in order; they span what is left. For
  * a place in the outline and outside of the ball lies on a chord that the ball does not meet, and the chord's ends are on edges. A corner on the ball, as
  * another ball of the same kind leaves it, stays: one too many does no harm. 0: nothing is left, or it cannot be told. */
 static uint32_t clip_outline(const vs_placed *lid, double radius, double (*at)[3], uint32_t n, uint32_t room) {

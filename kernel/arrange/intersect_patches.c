@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-/* What two patches share, or a part of it between corners on it. */
+/* The segment that two patches share, or a part of it between corners on it. */
 typedef struct {
   uint32_t a, b, p, q; /* p, q: its ends, points; with FRESH: of the chunk's */
   uint32_t cut;        /* bit 0: it is new in a, bit 1: in b; 0: coplanar, the facets go together */
@@ -27,7 +27,7 @@ typedef struct {
 } crossing;
 enum { CROSSINGS = 1 << 12 };
 
-/* What a thread works with. */
+/* The scratch memory of a thread. */
 typedef struct {
   VS_LIST(double) heights[2];     /* of a pair's corners, over the other's plane */
   VS_LIST(crossing) crossings;    /* the last ones, each in its place by a hash */
@@ -285,7 +285,7 @@ static bool end_point(chunk *m, const end *e, uint32_t *id) {
   return true;
 }
 
-/* Where several edges lie in line: the corners of f on the line between its ends, into `line`. One that is an end is that end. */
+/* Where several edges lie in line: the corners of f on the line between its ends, into `line`. A place that is an end of the segment is given as that end. */
 static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *high) {
   const vs_patch_corner *x = corners(m->c, f->of);
   for (uint32_t i = 0; f->on > 2 && i < f->of->count; i++) {

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/* What a thread works with. */
+/* The scratch memory of a thread. */
 typedef struct {
   vs_kernel *k;
   const vs_cluster *c;

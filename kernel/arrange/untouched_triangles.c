@@ -597,7 +597,7 @@ size_t vs_plain_kept(const vs_cluster *c) {
   return sum;
 }
 
-/* What has got a number in the result has it in point_of, with this bit. */
+/* A vertex with a number in the result has it in point_of, with this bit. */
 #define NUMBERED VS_POINT_MORE
 
 typedef struct {

@@ -84,7 +84,7 @@ static double coordinate(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis ==
 
 static int sign(double x) { return (x > 0) - (x < 0); }
 
-/* What brings the largest of the sizes near one; they are all nothing, or it is near enough: 1. */
+/* The power of two that brings the largest of the sizes near one; they are all nothing, or it is near enough: 1. */
 static double to_one(const double *size, int count) {
   double most = 0;
   int exponent;

@@ -1,7 +1,7 @@
 /* Owns the hash tables of points and planes.
  *
  * A point's key is its three fixed numbers, which depend on its place alone; where two points of one key have remainders, the
- * wide integers decide. So every point has one number from its birth, whichever edges and planes it was found from: nothing has to be united later. */
+ * wide integers decide. Therefore every point has one number from its birth, whichever edges and planes it was found from: nothing has to be united later. */
 #include "kernel/exact/interned.h"
 
 #include <string.h>

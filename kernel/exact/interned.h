@@ -53,10 +53,10 @@ void vs_points_free(vs_kernel *k, vs_points_table *t);
 
 uint64_t vs_planes_hash(const vs_plane *p);
 bool vs_planes_add(vs_kernel *k, vs_planes_table *t, const vs_plane *p, uint64_t hash, uint32_t *id);
-/* So many more may come: the tables need not grow on the way. */
+/* Makes room for that many more: the tables need not grow on the way. */
 bool vs_planes_expect(vs_kernel *k, vs_planes_table *t, size_t more);
 bool vs_points_expect(vs_kernel *k, vs_points_table *t, size_t more);
-/* What is asked for soon is better in the cache by then: places far ahead, what they stand for near ahead. */
+/* Prefetches entries that are asked for soon: places far ahead, what they stand for near ahead. */
 enum { VS_AHEAD_FAR = 16, VS_AHEAD_NEAR = 8 };
 static inline const vs_slot *vs_slot_of(const vs_slots *s, uint64_t hash) { return &s->at[(uint32_t)(hash >> 32) >> s->shift]; }
 VS_AHEAD vs_points_ahead(const vs_points_table *t, uint64_t hash, bool near) {

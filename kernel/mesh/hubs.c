@@ -7,7 +7,7 @@
  * counter-clockwise, where det(p, q, d) > 0. If that holds for all, each follows another along an edge, and the angles
  * come to one turn in all, none overlaps another. d is the mean normal, the determinants' signs are held to their
  * error, and the sum to a whole number of turns, of which it is a multiple: so one look around proves it, in n log n
- * for the order. What is not proven is tried as ever. */
+ * for the order. Pairs without a proof are tried as ever. */
 #include "kernel/mesh/hubs.h"
 
 #include <math.h>

@@ -44,7 +44,7 @@ static bool same_paint(const vs_cluster *c, uint32_t a, uint32_t b) {
   return a == b || (!c->joining && p->paints && p->paints[a] == p->paints[b]);
 }
 
-/* What is asked for soon, from all over memory. */
+/* Prefetches data that is asked for soon, from all over memory. */
 VS_AHEAD merge_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   enum { USE = 24, FACE = 12 };
   const vs_half *at = c->edges.at.at + i;
@@ -196,7 +196,7 @@ static bool name_edges(vs_kernel *k, void *context, size_t chunk) {
   return vs_kernel_report(k, 0.9);
 }
 
-/* What leads from a face to its border. */
+/* The links from a face to its border. */
 static bool link_faces(writer *w) {
   const vs_cluster *c = w->c;
   size_t faces = c->faces.count, uses = c->uses.count;

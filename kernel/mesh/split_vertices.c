@@ -90,7 +90,7 @@ static void ends_of_corners(const void *context, uint32_t begin, uint32_t count,
   }
 }
 
-/* What is asked for soon, from all over memory. */
+/* Prefetches data that is asked for soon, from all over memory. */
 VS_AHEAD join_ahead(const splitter *s, uint32_t i, uint32_t stop) {
   enum { FAR = 16 };
   if (i + FAR >= stop) return;
@@ -176,7 +176,7 @@ static bool look_for_touching(splitter *s, bool *touching) {
   return true;
 }
 
-/* One fan keeps the vertex, the first by corner; the others get copies of it. */
+/* The fan that is first by corner keeps the vertex; the others get copies of it. */
 static bool find_fans(splitter *s) {
   uint32_t corners = (uint32_t)(3 * s->triangles);
   if (!VS_ROOM(s->k, s->to.at, s->to.room, (size_t)corners + 1) || !VS_ROOM(s->k, s->taken.at, s->taken.room, s->vertices + 1)) return false;

@@ -8,7 +8,7 @@
  *   drop      a shell that is thinner than two units all over
  * Then what may still meet something that it does not meet before rounding is looked for everywhere (self_contacts.c).
  *
- * One look at all triangles, by threads, finds the few where there is anything to do; from then on only these are looked at, and what has changed since. */
+ * A look at all triangles, by threads, finds the few where there is anything to do; from then on only these are looked at, and what has changed since. */
 #include "kernel/round/rounding_state.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
 /* Owns the search for triangles that rounding has made meet, anywhere in the mesh.
  *
- * What rounding makes cross lies within some units of each other before. Where two sheets of a surface that does not meet itself are that near, there are two that look
- * away from each other, or across: between sheets that look the same way there is another, and where they end beside each other, so do the walls at their ends. So
- * what looks the same way is not tried, and that is nearly all that touches: the triangles of one plane, and neighbours on what is round. Triangles lower than some
+ * Triangles that rounding makes cross lie within some units of each other before. Where two sheets of a surface that does not meet itself are that near, there are two that look
+ * away from each other, or across: between sheets that look the same way there is another, and where they end beside each other, so do the walls at their ends. Therefore
+ * triangles that look the same way are not tried, which are nearly all that touch: the triangles of one plane, and neighbours on what is round. Triangles lower than some
  * units are tried against everything, for which way they look is chance; and so are those that settling has given other corners, since the sheet between two
  * others, or the way between two planes, may be what it took away.
  *   run      up to 16 triangles that stand in a row in the mesh, touch, and look the same way but for 15 degrees; or a low one by itself
@@ -160,7 +160,7 @@ static vs_box box_of(const search *c, const vs_bounds *w) {
   return (vs_box){ { (int32_t)low.x - more, (int32_t)low.y - more, (int32_t)low.z - more }, { (int32_t)high.x + more, (int32_t)high.y + more, (int32_t)high.z + more } };
 }
 
-/* What a run is made of, until it ends; its corners, nearly all of them once. */
+/* The parts of a run, until it ends; its corners, nearly all of them once. */
 typedef struct {
   run r;
   vs_vec3 normal;
@@ -500,7 +500,7 @@ static bool look_level(void *context, uint32_t busy) {
   return look_pair(l, l->level, &l->c->all.kinds[OPEN].at.at[l->c->busy.at[busy]]);
 }
 
-/* What contracting may touch: the corners of what meets, and those two triangles further. */
+/* The triangles that contracting may touch: the corners of those that meet, and those two triangles further. */
 static bool mark_around(vs_settling *s) {
   for (uint8_t ring = 1; ring <= 2; ring++)
     for (size_t t = 0; t < s->m->triangle_count; t++) {

@@ -351,7 +351,7 @@ static void plan_braces(tr_writer *w, tr_index n, bool draws) {
   tr_plan(w, "%<%n}");
 }
 
-/* What a statement that holds another holds: a body with values of its own needs braces. */
+/* The body of a statement that holds another: a body with values of its own needs braces. */
 static void plan_held(tr_writer *w, tr_index n, bool draws) {
   uint32_t from = 0;
   bool several = unites(w, n, &from) && at(w, n)->count != from + 1;
@@ -448,7 +448,7 @@ static void plan_map(tr_writer *w, tr_index n, bool draws) {
   plan_held(w, at(w, n)->last, draws);
 }
 
-/* One statement. */
+/* Writes a statement. */
 static void plan_single(tr_writer *w, tr_index n) {
   const tr_node *node = at(w, n);
   uint32_t from = 0;
@@ -509,7 +509,7 @@ static void plan_statements(tr_writer *w, tr_index n) {
   }
 }
 
-/* What a statement adds to the drawing. */
+/* Writes the objects that a statement adds to the drawing. */
 static void plan_draw(tr_writer *w, tr_index n) {
   const tr_node *node = at(w, n);
   if (!node->draws) return;
@@ -619,7 +619,7 @@ static void emit(tr_writer *w, const tr_piece *p) {
   }
 }
 
-/* What was lifted out of the statement stands before it. */
+/* Values that were lifted out of the statement stand before it. */
 static void write_lifted(tr_writer *w, tr_index from, tr_index to) {
   for (tr_index i = from; i < to; i++) {
     if (at(w, i)->kind != TR_DEFINE || !var(w, i)->lifted || var(w, i)->define != i) continue;

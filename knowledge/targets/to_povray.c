@@ -335,7 +335,7 @@ static void plan_solid(tr_writer *w, tr_index n) {
   }
 }
 
-/* What a statement adds to the drawing. */
+/* Writes the objects that a statement adds to the drawing. */
 static void plan_draw(tr_writer *w, tr_index n) {
   const tr_node *node = at(w, n);
   if (!node->draws) return;

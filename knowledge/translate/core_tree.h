@@ -26,7 +26,7 @@ typedef enum {
   TR_DEFINE, TR_IF, TR_AND, TR_OR, TR_LIST, TR_MAP, TR_WHEN, TR_SET, TR_ABSENT, TR_KEYWORD
 } tr_node_kind;
 
-/* What a value is, as far as the text says; plus TR_LIST_OF times how deep the list is. Lists of solids are solids, as
+/* The kind of a value, as far as the text says; plus TR_LIST_OF times how deep the list is. Lists of solids are solids, as
  * wherever the language takes an object. */
 typedef enum {
   TR_UNKNOWN, TR_A_NUMBER, TR_A_BOOLEAN, TR_A_STRING, TR_A_POINT, TR_A_CURVE, TR_A_SOLID, TR_A_PROCEDURE, TR_A_MATERIAL,
@@ -87,7 +87,7 @@ tr_index tr_variable_new(translation *t, const char *text);
 tr_index tr_nth(const translation *t, tr_index node, uint32_t nth);
 /* A copy of what stands at `from`, without its place among siblings, over `to`; its children move along. */
 void tr_move(translation *t, tr_index from, tr_index to);
-/* What cannot go over: kept with its place, in the order of the text, once. False, for returning. */
+/* The parts that cannot go over: kept with its place, in the order of the text, once. False, for returning. */
 bool tr_complain(translation *t, tr_index node, const char *format, ...) __attribute__((format(printf, 3, 4)));
 bool tr_complain_at(translation *t, know_index source, const char *format, ...) __attribute__((format(printf, 3, 4)));
 static inline const tr_node *tr_at(const translation *t, tr_index node) { return &t->nodes[node]; }

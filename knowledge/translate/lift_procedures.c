@@ -55,7 +55,7 @@ bool tr_turns(const translation *t, tr_index call) {
   return calls_at_end(t, call) && t->variables[t->nodes[t->nodes[call].first].variable].loops;
 }
 
-/* What calls itself at its end is a loop there, unless a procedure within it may outlive a turn. */
+/* A procedure that calls itself at its end is a loop there, unless a procedure within it may outlive a turn. */
 static void find_loops(translation *t) {
   for (tr_index i = 1; i < t->node_count; i++)
     if (calls_at_end(t, i)) t->variables[t->nodes[t->nodes[i].first].variable].loops = true;

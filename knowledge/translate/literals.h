@@ -6,7 +6,7 @@
 
 /* "1.5", "-3", "1/3": decimal, without signs and points that stand alone. "": a number of another kind. */
 const char *tr_number_text(knowledge *k, const char *text, size_t length);
-/* What the string holds; text is with its quotes and escapes. */
+/* The contents of the string; text is with its quotes and escapes. */
 const char *tr_string_text(knowledge *k, const char *text, size_t length);
 
 #endif

@@ -28,7 +28,7 @@ static know_index written(const lowering *l, know_index n) {
   return n;
 }
 
-/* What stands at the node once macros are expanded. Of what a macro uses twice, the first copy was looked at. */
+/* The form at the node once macros are expanded. Of what a macro uses twice, the first copy was looked at. */
 static know_index settled(const lowering *l, know_index n) {
   for (;;) {
     know_index w = written(l, n);

@@ -5,7 +5,7 @@
 
 #include "knowledge/translate/core_tree.h"
 
-/* Names every variable. Those at top level differ from each other; a local one differs from those and from all that are
+/* Names every variable. Names at top level differ from each other; a local one differs from those and from all that are
  * in sight where it is bound. False: trouble. */
 bool tr_spell_names(translation *t);
 

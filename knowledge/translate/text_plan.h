@@ -1,5 +1,5 @@
 /* Owns the making of the target's text: a stack of pieces still to be written, so that no depth of a program is too
- * deep. What one node says is planned in reading order and done before anything that was planned earlier.
+ * deep. The text of a node is planned in reading order and done before anything that was planned earlier.
  *
  * In formats: %s text; %v a node's value; %t the same where it must hold together; %b a test; %o a node as one
  * statement; %l as statements, each on a line of its own; %d as statements that draw; %n a new line; %> and %< a line
@@ -58,7 +58,7 @@ void tr_gap_before(tr_writer *w, know_index source);
 /* The comments of the text before the place, each on its line; and one behind it on the same line. */
 void tr_comments_before(tr_writer *w, know_index source);
 void tr_comment_behind(tr_writer *w, know_index source);
-/* Those before the node, or its end, each on a line of its own within a block. */
+/* The comments before the node, or its end, each on a line of its own within a block. */
 void tr_comments_inside(tr_writer *w, know_index source, bool end);
 /* The same when the pieces planned before are done: TR_PIECE_BEHIND or TR_PIECE_COMMENTS. */
 void tr_plan_comments(tr_writer *w, tr_index node, tr_piece_kind kind, bool end);

@@ -255,7 +255,7 @@ static void climb(finder *f) {
   }
 }
 
-/* What is not known takes what the first row that it could have asks for. */
+/* A value of unknown kind is taken for what the first row that it could have asks for. */
 static bool ask_primitives(finder *f) {
   translation *t = f->t;
   bool any = false;

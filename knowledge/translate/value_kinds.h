@@ -4,8 +4,8 @@
 
 #include "knowledge/translate/core_tree.h"
 
-/* Finds types, who draws and which rows fit, and brings the arguments of calls into the order of the parameters. What
- * has no row is complained of. False: trouble. */
+/* Finds types, who draws and which rows fit, and brings the arguments of calls into the order of the parameters. A
+ * call without a row is complained of. False: trouble. */
 bool tr_find_kinds(translation *t);
 /* May the argument stand where a row asks for the letter? */
 bool tr_kind_fits(const translation *t, tr_index argument, char letter);

@@ -42,7 +42,7 @@ tr_word tr_word_row(const tr_target *target, uint16_t row);
 uint16_t tr_word_next(const char *name, uint16_t row);
 /* How many arguments a value of that name takes, -1: it is no procedure. */
 int tr_word_arguments(const tr_target *target, const char *name);
-/* What the row asks of its nth argument, counted from 0; 0: it takes no such argument. */
+/* The kind that the row asks of its nth argument, counted from 0; 0: it takes no such argument. */
 char tr_word_letter(const char *arguments, uint32_t nth);
 
 /* Definitions in the target language that translated programs use, in the order of their table. NULL past the last. */

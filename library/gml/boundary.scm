@@ -21,7 +21,7 @@
   (rings face-rings set-face-rings!)
   (material face-material set-face-material!))
 
-; What is modelled in one context: its faces in the order of making, and what new parts get.
+; The model of a context: its faces in the order of making, and what new parts get.
 (define-record-type <model> (make-model faces material materials sharpness macros macro) model?
   (faces model-faces)
   (material model-material set-model-material!)

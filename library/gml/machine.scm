@@ -44,7 +44,7 @@
 
 (define (gml:pop who) (need who 1) (pop))
 
-; What is on the stack, the top last.
+; Returns the stack's elements, the top last.
 (define (gml:operands)
   (let loop ((i (- depth 1)) (l '())) (if (< i 0) l (loop (- i 1) (cons (vector-ref operands i) l)))))
 

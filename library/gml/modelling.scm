@@ -109,7 +109,7 @@
       (iota n))))
 (define (direction p q) (let* ((d (v- q p)) (l (v-length d))) (if (= l 0) (xyz 0 0 0) (v* d (/ 1.0 l)))))
 
-; One ring more: the face of e goes to the places, and a side stands on each of its edges. The edge above e.
+; Adds a ring: the face of e goes to the places, and a side stands on each of its edges. The edge above e.
 (define (extrude-to e places mode)
   (let* ((ring (face-edges e)) (f (edge-face e)) (sharp (car mode))
          (risers ; is the edge up from the vertex sharp?

@@ -12,7 +12,7 @@
   (node-clear))
 (operator! (node-begin n) (need-scene-node 'node-begin n) (node-begin n))
 
-; What was modelled in a context is its drawing from the end on.
+; The model of a context is its drawing from the end on.
 (define (keep-drawing node)
   (let ((m (hash-ref models node #f)))
     (if m (node-setdrawing node (model-objects m)))))
@@ -58,7 +58,7 @@
     (let loop ((l pairs)) (if (pair? l) (begin (hash-set! d (car l) (cadr l)) (loop (cddr l)))))
     d))
 
-; What a callback does, it does in the context and with the dictionaries that it was made in; what it leaves on the
+; A callback runs in the context and with the dictionaries that it was made in; what it leaves on the
 ; stack
 ; is dropped.
 (define (in-place p)

@@ -5,7 +5,7 @@
  * another result. Keys hold their nodes; what a result and its key hold counts, and past the bound the least recently used goes.
  * A turn is one evaluation or one output. A result that was asked for in this turn is not dropped for the sake of a later one of the same turn: a
  * model larger than the bound would else drop everything before it is asked for again. Refused memory loses the result, no more.
- * One thread, as the store. */
+ * Used by one thread, as the store. */
 #ifndef VS_MODEL_CACHE_H
 #define VS_MODEL_CACHE_H
 

@@ -505,7 +505,7 @@ static int compare_sizes(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* What 98 of 100 points lie within, rounded up to 1, 2 or 5 times a power of ten. 0: out of memory. */
+/* The distance that 98 of 100 points lie within, rounded up to 1, 2 or 5 times a power of ten. 0: out of memory. */
 static double usual_range(const vs_scan_fit *f) {
   double *sizes = NULL, range;
   size_t room = 0, count = 0;

@@ -93,7 +93,7 @@ static vs_vec3 turned_area(const vs_vec3 p[3]) { return vs_v3_cross(vs_v3_sub(p[
 
 typedef struct { float *hours; vs_vec3 *normal; double *depth; uint32_t wide, high; } view;
 
-/* What is seen in a pixel: the model, the ground below it, or nothing. */
+/* The thing seen in a pixel: the model, the ground below it, or nothing. */
 static void see(const study *t, const vs_look *look, const view *v, uint32_t column, uint32_t row) {
   size_t i = (size_t)row * v->wide + column;
   vs_vec3 from, direction, p[3];

@@ -2,7 +2,7 @@
 # at what came. `sh tests/cross/formats.sh` prints the page.
 #
 # native: in the format's own words. triangles: lowered to them. lines: to polylines. With "or": some forms of the kind one way, some the other.
-# What is in italics is the warning with which the format leaves the kind out or shows it as something else.
+# Text in italics is the warning with which the format leaves the kind out or shows it as something else.
 . tests/report.sh
 sheet=tests/cross/sheet.vs
 
@@ -18,7 +18,7 @@ sed -n 's/^VS_\(FORMAT\|NOTATION\)(\([^,]*\), [^,]*, "\([^"]*\)", [^,]*, [^,]*, 
   if [ "$sort" = FORMAT ]; then echo "| \`.$suffix\` | $doc |"; else echo "| \`--format $name\` | $doc |"; fi
 done
 
-# What of an object's looks comes along: one box of a made material, in a layer, in millimetres; the words by which it is known again.
+# The looks of an object that come along: one box of a made material, in a layer, in millimetres; the words by which it is known again.
 cat > "$work/looks.vs" <<'EOF'
 (units 'mm)
 (draw (layer "walls" (with-material (make-material #:name "oak" #:color "#804020") (make-box (xyz 0 0 0) (xyz 1 1 1)))))
@@ -58,7 +58,7 @@ wide and more, and curves, flat regions, text and open surfaces without a materi
 
 EOF
 
-# One shape, a line of the table of forms: its kind, each format and what the format makes of it. It reads what vs said, then the files that are text.
+# A shape, a line of the table of forms: its kind, each format and what the format makes of it. It reads what vs said, then the files that are text.
 cat > "$work/found.awk" <<'EOF'
 FNR == 1 { file = FILENAME; sub(/.*\./, "", file); aside = 0 }
 file == "said" {

@@ -134,7 +134,7 @@ int main(int count, char **words) {
   CHECK(strstr(r.asked, "gold ") && strstr(r.asked, "steel ") && strlen(r.asked) == strlen("gold steel "));
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added + r.changed + r.removed == 0); /* nothing changed: nothing is told */
 
-  /* a node moves: the same mesh stands elsewhere. One comes that is painted otherwise: it is another mesh */
+  /* a node moves: the same mesh stands elsewhere. A sphere comes that is painted otherwise: it is another mesh */
   CHECK(run(s, "(node-translate (node-find \"1\") (vxyz 0 0 7))") == VS_OUTCOME_DONE);
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added == 0 && r.changed == 1 && r.removed == 0 && r.places == 3);
   CHECK(run(s, "(draw (with-material 'steel (make-box (xyz 0 0 0) (xyz 1 1 1))))") == VS_OUTCOME_DONE);

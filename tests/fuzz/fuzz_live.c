@@ -102,7 +102,7 @@ static void add_words(struct MHD_Connection *c, char *at, const char *ends, enum
   }
 }
 
-/* What windows wish, as the session and the side would take it. */
+/* The requests of windows, as the session and the side would take it. */
 static void take_wishes(live_publish *p) {
   for (live_wish *w; (w = live_wish_take(p, &p->wishes, 0)) != NULL;) live_wish_free(w);
   for (live_wish *w; (w = live_wish_take(p, &p->asides, 0)) != NULL;) live_wish_free(w);

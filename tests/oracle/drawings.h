@@ -20,7 +20,7 @@ void drawing_print(const drawing *d, FILE *out); /* as the tree dump has it */
 typedef bool drawing_fails(void *context, const drawing *d);
 void drawing_shrink(drawing *d, drawing_fails *fails, void *context); /* *d becomes the smallest that was found */
 
-/* What a drawing is: every primitive on every path to one, in order, where it stands, its paint and origins. */
+/* The parts of a drawing: every primitive on every path to one, in order, where it stands, its paint and origins. */
 typedef struct drawing_look drawing_look;
 typedef struct drawing_memo drawing_memo; /* what looks at equal parts have in common; must outlive them */
 drawing_memo *drawing_memo_new(void);

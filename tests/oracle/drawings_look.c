@@ -2,7 +2,7 @@
  *
  * A look is the tree with every path on its own: sets and, below them, places: primitives with the map, paint and dress that the path gives them. Two
  * looks are compared place by place, and at points: a point belongs to the first member of a union that holds it, to all members of an intersection, to
- * what is cut of a difference; a point that was cut away, to the first cutter that holds it. So a pass that changes an order, a paint or a part's
+ * what is cut of a difference; a point that was cut away, to the first cutter that holds it. A pass that changes an order, a paint or a part's
  * place is seen, whatever it does to the tree. */
 #include <math.h>
 #include <stdlib.h>
@@ -243,7 +243,7 @@ static bool same_map(const vs_affine *a, const vs_affine *b) {
   return true;
 }
 
-/* Six times the volume within the faces: negative where they look inwards. What a placement mirrors is turned when it is meshed. */
+/* Six times the volume within the faces: negative where they look inwards. A mirrored part is turned when it is meshed. */
 static double facing(const part *p) {
   const struct vs_polyface_mesh *m = VS_AS(polyface_mesh, p->node);
   const uint32_t *starts = vs_faces_starts(m->faces), *corners = vs_faces_corners(m->faces);
@@ -299,7 +299,7 @@ static const char *difference_of(const part *a, const part *b) {
 
 static uint32_t line_at(const drawing_look *l, const part *p, size_t i) { return l->paths[p->path + i] ? l->paths[p->path + i]->line : 0; }
 
-/* What of its path no template stands on is of the part's own; the primitive keeps its maker's unless it is in a template, or was (made): then what is left
+/* The part of its path without a template is of the part's own; the primitive keeps its maker's unless it is in a template, or was (made): then what is left
  * of the template may have the origin of its use, and where the use that it was made from is gone (pruned), its parts those of that. */
 static const char *origin_trouble(const drawing_look *before, const part *a, const drawing_look *after, const part *b, bool made, bool pruned) {
   size_t last = b->path_count - 1, k = 0;

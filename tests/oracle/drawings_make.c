@@ -292,7 +292,7 @@ static vs_ref solid_set(maker *m, vs_ref *kids, size_t n) { /* takes the kids ov
   return node(m, kind, NULL, kids, n);
 }
 
-/* One group of leaves written several times, at computed places. */
+/* A group of leaves written several times, at computed places. */
 static vs_ref copies(maker *m) {
   vs_ref kids[4];
   size_t n = 2 + any(m, 3);

@@ -271,7 +271,7 @@ static void one(uint64_t seed) {
 }
 
 #ifndef FUZZ_AS_A_TEST
-/* One with cells to count: the first line has its volume and how far from it is right, and the program says so if its own is not. */
+/* A program with cells to count: the first line has its volume and how far from it is right, and the program says so if its own is not. */
 static int print(const char *name, uint64_t seed) {
   static const char *const names[] = { [CELL] = "cell", [TURNED] = "turned", [SPELT] = "spelt" };
   static program t; /* a test program may */

@@ -21,7 +21,7 @@ static const kind_row kinds[] = {
 #include "model/prims.def"
 };
 
-/* What a program says where no procedure of the table makes the kind, or its arguments belong together. $s is a solid, $c
+/* The constructor of a program where no procedure of the table makes the kind, or its arguments belong together. $s is a solid, $c
  * a profile, $n a number, $p a point, $i a whole number from 3 to 8. */
 static const struct { const char *kind, *text; } by_hand[] = {
   { "spline", "(make-spline (list (xy 1 0) (xyz $n 2 0) (xy 3 1)))" },

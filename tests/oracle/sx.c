@@ -150,7 +150,7 @@ static void apply(const frame *f, vs_affine *at) {
   }
 }
 
-/* One pass with a stack of open forms; `use` pushes where to come back to. */
+/* A pass with a stack of open forms; `use` pushes where to come back to. */
 static bool parse(reader *r, const char *text, uint32_t *root) {
   frame *stack = NULL;
   size_t room = 0, depth = 0;

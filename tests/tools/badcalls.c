@@ -98,7 +98,7 @@ static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "sun", "azimuth", NULL }, { "sun", "altitude", NULL }, { "sun", "latitude", NULL }, { "sun", "longitude", NULL }, { "sun", "date", NULL }, { "sun", "time", NULL },
 };
 
-/* What is bad for one form and right for another. */
+/* Arguments that are bad for one form and right for another. */
 static const struct { const char *procedure, *bad; } right[] = { { "make-cylinder", "5" }, { "make-cylinder", "(xyz 1 2 3)" } };
 
 static bool is_right(const char *procedure, const char *bad) {
@@ -152,7 +152,7 @@ static void fresh(void) {
   }
 }
 
-/* What was defined stays, what was drawn goes. A line of its own for each, so that warnings that are said once a place are said. */
+/* Definitions stay, drawn objects go. A line of its own for each, so that warnings that are said once a place are said. */
 static vs_outcome evaluate(const char *text) {
   heard = (said){ .at = { NULL, 0, 0, 0, 0 } };
   vs_drawing_clear(scheme);
@@ -226,7 +226,7 @@ static bool names_parameter(const vs_procedure *p, const vs_bind_param *meant, i
   return strstr(heard.error, ": takes (") != NULL && p->form[1].used;
 }
 
-/* What the value of an expression is written as, from the message of an error made of it. */
+/* The written value of an expression, from the message of an error made of it. */
 static const char *written_as(const char *expression) {
   static char text[2 * TEXT_MOST];
   snprintf(text, sizeof text, "(error (call-with-output-string (lambda (p) (write %s p))))", expression);
@@ -235,7 +235,7 @@ static const char *written_as(const char *expression) {
   return text;
 }
 
-/* "..., got VALUE", where a long value may end in dots; of a list also the element at fault. What is no value is said to be none. */
+/* "..., got VALUE", where a long value may end in dots; of a list also the element at fault. A missing value is said to be missing. */
 static bool names_value(const char *value, const char *error) {
   const char *got = strstr(error, "got ");
   if (!got) return strcmp(value, "#<void>") == 0 && strstr(error, "gave no value");

@@ -134,7 +134,7 @@ static inline crossings_kind crossings_in_plane(crossings *c, uint32_t t, uint32
   return CROSSINGS_NONE;
 }
 
-/* What the closed segment and the closed triangle have in common: nothing, a place in both their insides, or less (or a piece of one plane).
+/* The intersection of the closed segment and the closed triangle: nothing, a place in both their insides, or less (or a piece of one plane).
  * sp, sq: sides of the segment's ends. */
 static inline crossings_kind crossings_segment(crossings *c, uint32_t t, uint32_t p, uint32_t q, int sp, int sq) {
   const uint32_t *v = c->triangles[t];

@@ -2,7 +2,7 @@
  *
  * Every line of KEYS is typed once the program has been silent for most of a second, or less where it shows its prompt
  * anew; in it \n \t \e \\ and \xHH stand for keys (\x03 is ctrl-C), and \w waits up to 60 seconds for the next prompt.
- * What the program printed comes out without its cursor movements; with --escapes before PROGRAM all of it does, ESC
+ * The output of the program comes out without its cursor movements; with --escapes before PROGRAM all of it does, ESC
  * as \e and a step back as \b. Ends with the program's code. */
 #define _GNU_SOURCE /* posix_openpt and friends, and TIOCSCTTY */
 #include <fcntl.h>

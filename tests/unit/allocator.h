@@ -1,4 +1,4 @@
-/* Owns whether a test program may replace the C library's allocator: with glibc, unless a sanitizer has done so already. What is replaced calls the
+/* Owns whether a test program may replace the C library's allocator: with glibc, unless a sanitizer has done so already. The replaced functions call the
  * names below. */
 #ifndef VS_TEST_ALLOCATOR_H
 #define VS_TEST_ALLOCATOR_H

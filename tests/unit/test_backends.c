@@ -75,7 +75,7 @@ static void assert_lacks(const char *text, const char *part) {
 
 /* ---- numbers ---- */
 
-/* What %.12g says, without the plus sign and the zeros of exponents, and never -0. */
+/* The text of %.12g, without the plus sign and the zeros of exponents, and never -0. */
 static void assert_as_printed(double x) {
   char text[VS_NUMBER_ROOM], wide[64];
   size_t length = vs_number_text(x, text);
@@ -303,7 +303,7 @@ static vs_ref open_surface(test_model *m) {
   return ref;
 }
 
-/* What is one operand, empty, or of a class the format leaves out never reaches the text as an operation of nothing. */
+/* An object that is a single operand, empty, or of a class the format leaves out never reaches the text as an operation of nothing. */
 static void test_left_out(void **state) {
   (void)state;
   test_model m;

@@ -190,7 +190,7 @@ static bool is_good(const vs_mesh *m) {
   return flaws.wound_count == 0;
 }
 
-/* What two hubs have is still tried against each other and the walls, and a fan that folds is no hub. */
+/* Triangles of two hubs are still tried against each other and the walls, and a fan that folds is no hub. */
 static void test_meshes_with_hubs(void **state) {
   (void)state;
   enum { SIDES = 400 };

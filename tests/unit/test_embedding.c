@@ -212,7 +212,7 @@ static void test_stops_refused(void **state) {
   }
 }
 
-/* What an interpreter let go of when it began anew was once subtracted from the new heap's bytes, which ran below 0:
+/* The bytes that an interpreter freed when it began anew were once subtracted from the new heap's bytes, which ran below 0:
  * the limit was passed with nothing in it. */
 static void test_restarts_under_a_limit(void **state) {
   (void)state;

@@ -239,7 +239,7 @@ static void test_ends(void **state) {
   }
 }
 
-/* What is said to be apart in doubles is apart: random triangles with corners in few places, and a little off them, against exact signs. */
+/* Triangles that are said to be apart in doubles are apart: random triangles with corners in few places, and a little off them, against exact signs. */
 static void test_apart(void **state) {
   (void)state;
   uint64_t seed = 88172645463325252u;

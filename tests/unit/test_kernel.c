@@ -498,7 +498,7 @@ static void test_plain(void **state) {
 }
 
 /* Parts that stand twice in one place, and end in joints that cover their ends: what clips the one is where the other ends. */
-/* What nothing touches is not put on a grid, star or not: a horseshoe of thirds, twice. */
+/* A part that nothing touches is not put on a grid, star or not: a horseshoe of thirds, twice. */
 static void test_alone(void **state) {
   (void)state;
   static const double at[8][2] = { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 2, 3 }, { 2, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } };
@@ -565,7 +565,7 @@ static void test_edge_on_diagonal(void **state) {
   sx_free(&p);
 }
 
-/* What is far larger than where it matters is cut down first: a grid for all of it would swallow the rest. */
+/* An operand far larger than the place where it matters is clipped first: a grid for all of it would swallow the rest. */
 static void test_far_larger(void **state) {
   (void)state;
   static const struct { const char *text; double volume; } cases[] = {
@@ -774,7 +774,7 @@ static size_t by_threads(const vs_kernel_problem *problem) {
   return triangles;
 }
 
-/* What touches nothing is copied to its place by threads, and so are copies; in between are clusters that are worked out. */
+/* A part that touches nothing is copied to its place by threads, and so are copies; in between are clusters that are worked out. */
 static void test_places(void **state) {
   (void)state;
   char text[8000] = "(union";

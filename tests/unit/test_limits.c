@@ -54,7 +54,7 @@ static void goes_on(vs_scheme *s, watch *w, const char *after) {
   if (eval(s, w, "(define after (+ 1 2))") != VS_OUTCOME_DONE) fail_msg("after %s: %s", after, w->said);
 }
 
-/* What is done again and again until it is stopped, on what was made before. The sizes make one turn take some tens of milliseconds or more. */
+/* Work that is done again and again until it is stopped, on what was made before. The sizes make one turn take some tens of milliseconds or more. */
 static const struct { const char *made, *done; } busy[] = {
   { "(define x (expt 3 100000))", "(expt x 20)" },
   { "(define x (expt 7/3 50000))", "(expt x 10)" },

@@ -128,7 +128,7 @@ static void placements_fold(void **state) {
   vs_store_release(s);
 }
 
-/* What a kind is closed under, and what it is not: r is released. */
+/* The maps that a kind is closed under, and others: r is released. */
 static void folds_to(vs_store *s, vs_affine a, vs_node *n, vs_kind kind) {
   vs_ref r = { moved(s, a, n), NULL };
   vs_bounds before, after;

@@ -6,7 +6,7 @@
  *   - (contains? o p) and the mesh's winding number that agree at random points which are not next to the surface, and
  * (volume o) and the mesh's volume. Models whose parts are turned by 1e-5 to 1e-7 degrees are held to the first of
  * these in four formats, doubles (.ply) and the shapes of .glb among them. A sample of 500 models, and 300 of the
- * others, with LONG=1 ten thousand of each, or those of SEEDS=FROM-TO. One that fails is made smaller as long as it
+ * others, with LONG=1 ten thousand of each, or those of SEEDS=FROM-TO. A program that fails is made smaller as long as it
  * fails, and printed. TELL=1 prints the counts. */
 #include <setjmp.h>
 #include <stdarg.h>

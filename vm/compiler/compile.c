@@ -812,7 +812,7 @@ static bool gen_parameters(compiler *c, vs_node *l) {
   return !rest || !boxed(rest) || vs_emit_op(e, VS_O_BOX, rest->reg, rest->reg, 0);
 }
 
-/* What the procedure says of itself: a string at the beginning of its body, with more behind it; else #f. */
+/* The procedure's description of itself: a string at the beginning of its body, with more behind it; else #f. */
 static vs_value doc_of(const compiler *c, const vs_node *body) {
   if (body->kind == VS_AST_SEQ && body->count > 1 && body->as.seq.at[0]->kind == VS_AST_CHECK)
     body = body->as.seq.at[body->count - 1];

@@ -1,5 +1,5 @@
 /* Owns the row of registers that EACH and MORE work on: a procedure called with one element of a list after the other.
- * What the row gives is returned. The window of the call ends it, so that what is needed for the next call lies at fixed places below the frame
+ * The result of the row is returned. The window of the call ends it, so that what is needed for the next call lies at fixed places below the frame
  * of the procedure that returns.
  *
  * Results are kept as a list that grows at its end, while nobody can come back to where it was shorter. Once a

@@ -35,7 +35,7 @@ static inline bool to_double(vs_value v, double *d) {
   return false;
 }
 
-/* What the host's binary procedure of this row makes of x and y, three numbers or one: returns the record's tag, or 0 for a number. Negative:
+/* Applies the host's binary procedure of this row to x and y; the result is three numbers or one. Returns the record's tag, or 0 for a number. Negative:
  * other operands, or a number without end: the procedure itself has the word. */
 static inline int flat_binary(const vs_flat_rules *rules, uint32_t row, vs_value x, vs_value y, double *d) {
   int kind = rules->binary[row].kind, result = rules->binary[row].result;

@@ -2,7 +2,7 @@
 
    A body is walked form by form: its head is expanded until it is a definition (its name is bound in the body's scope at once, its
    value kept for later), a begin (spliced) or an expression. Only when every name is known are the kept forms expanded: all
-   definitions and the expressions between them become one FIX (letrec*), the rest its body. What was found is a list, newest first,
+   definitions and the expressions between them become one FIX (letrec*), the rest its body. The definitions found are a list, newest first,
    of vectors: #(variable form place parameters), variable a fixnum address or #f for an expression, parameters
    VS_ABSENT for a plain value, else form is the procedure's body. */
 #include "vm/front/expand.h"

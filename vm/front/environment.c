@@ -263,7 +263,7 @@ bool vs_environment_bind(vs_scheme *vm, vs_value env, vs_value id, vs_value bind
 
 static bool is_private(vs_value symbol) { return vs_as_symbol(symbol)->name[0] == '%'; }
 
-/* What library `env` exports as `name` (a symbol); VS_VACANT if nothing. Libraries re-export by a table onto their imports, so this follows
+/* The export of library `env` under `name` (a symbol); VS_VACANT if nothing. Libraries re-export by a table onto their imports, so this follows
    imports, as deep as libraries import one another. */
 static vs_value exported(vs_value env, vs_value name, int depth);
 
@@ -308,7 +308,7 @@ static bool same_binding(vs_value a, vs_value b) {
   return (vs_object_of(a)->flags & vs_object_of(b)->flags & VS_F_CONSTANT) && vs_as_cell(a)->value == vs_as_cell(b)->value;
 }
 
-/* A name that env would get from two libraries in two meanings, VS_VACANT: none. What the whole library has gives way to any other. */
+/* A name that env would get from two libraries in two meanings, VS_VACANT: none. A binding of the whole library gives way to any other. */
 static vs_value find_clash(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping) {
   const vs_environment *e = vs_as_environment(env);
   vs_value names = mapping != VS_TRUE ? mapping : vs_as_environment(from)->exports != VS_TRUE ? vs_as_environment(from)->exports : vs_as_environment(from)->table;

@@ -3,7 +3,7 @@
    An identifier is a symbol or an ALIAS, a name that a macro expansion renamed: it stands for its `name` in the macro's environment `env`
    unless something binds the alias itself.
 
-   Scopes may nest by the thousand, and what is looked up may be bound far out. So a scope whose depth is a multiple of SKIP (16), of its
+   Scopes may nest by the thousand, and what is looked up may be bound far out. Therefore a scope whose depth is a multiple of SKIP (16), of its
    square and so on also has a table of all that the scopes around it bind, up to as many of them; a search probes that and goes on behind. When
    something is bound in a scope that others lie in already, which bodies do not do, such tables are no longer believed.
    In a scope `name` holds its depth and how many such late bindings there were when its table was made, `imports` the table (identifier to the
@@ -46,7 +46,7 @@ bool vs_environment_new(vs_scheme *vm, vs_value name, vs_value *out);           
 bool vs_scope_new(vs_scheme *vm, vs_value parent, int64_t serial, vs_value *out);                    /* local */
 bool vs_environment_bind(vs_scheme *vm, vs_value env, vs_value id, vs_value binding);                /* in its own table */
 /* How a top-level environment takes imports.
-     STRICT   what a library and `environment` see: just what they import. One name from two libraries is an error.
+     STRICT   what a library and `environment` see: just what they import. A name from two libraries is an error.
      FRESH    a program at its beginning: it sees the whole library; if it begins with an import it becomes STRICT and loses that
      OPEN     a program past its beginning: an import adds, and wins over what was imported before
      PROMPT   the same, and an import also wins over the prompt's own definitions */

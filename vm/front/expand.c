@@ -195,7 +195,7 @@ static vs_var *local(vs_expansion *x, const vs_meaning *m, vs_value id, vs_pos p
   return (vs_var *)(uintptr_t)vs_fixnum(m->value);
 }
 
-/* What is defined nowhere may be a misspelt local name; m keeps its value over the search. */
+/* A name that is defined nowhere may be a misspelt local name; m keeps its value over the search. */
 static bool near_local(vs_expansion *x, vs_value env, vs_meaning *m) {
   VS_ROOTS(x->vm, r, 2);
   r[0] = m->env; r[1] = m->id;

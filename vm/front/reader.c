@@ -4,7 +4,7 @@
    each: the first pair and the last pair of the elements so far. A finished datum is delivered to the top of the stack until it
    rests. Mistakes are noted and reading goes on behind them, so that one reading reports them all.
 
-   An unclosed parenthesis is found at the end of the text, too late to be of help. So the reader remembers the first line
+   An unclosed parenthesis is found at the end of the text, too late to be of help. Therefore the reader remembers the first line
    that begins at or left of the column of a parenthesis that is still open: by the indentation, that one should have been closed on
    the line before. And the text is then read once more, each (define at the left margin beginning anew (`anew`), so that every
    form that was left open is reported and not the first alone. A quote that is missing turns all strings behind it inside out; so the
@@ -632,7 +632,7 @@ static vs_value label_value(vs_value v) {
   for (int i = 0; is_label(v) && i < 1000; i++) v = vs_as_box(v)->value;     /* #0=#1=x */
   return v;
 }
-/* No object is made here, so nothing moves. What was read is a tree until its boxes are replaced. */
+/* No object is made here, so nothing moves. The datum read is a tree until its boxes are replaced. */
 static bool resolve_labels(reader *r, vs_value *root) {
   work w = {.vm = r->vm};
   *root = label_value(*root);

@@ -4,7 +4,7 @@
 
 #include "vm/values/text.h"
 
-/* What to say of a name that is not defined, appended to t: " (did you mean make-box?)", "; unite is the name here: (unite a b ...)". Nothing if
+/* Appends to t the advice for a name that is not defined: " (did you mean make-box?)", "; unite is the name here: (unite a b ...)". Nothing if
    nothing comes to mind. */
 bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t);
 /* Remembers, for vs_suggest, the name among the local variables of env that looks most like the symbol, which is not defined there. */

@@ -20,7 +20,7 @@
 
 #include <stdio.h>
 
-/* What is being made between two braces: two lists with their last pairs, the literals not yet pushed, and the
+/* The work between two braces: two lists with their last pairs, the literals not yet pushed, and the
    registers. */
 enum { FORMS, FORMS_LAST, TOKENS, TOKENS_LAST, LITERALS, LITERALS_LAST, REGISTERS, SLOTS };
 
@@ -225,7 +225,7 @@ static bool close_frame(reader *r) {
 
 /* ---- tokens ---- */
 
-/* Bytes of a number at the reader's place, 0: there is none. What goes on as a name is none: 2nd. */
+/* Bytes of a number at the reader's place, 0: there is none. A number that goes on as a name is none: 2nd. */
 static size_t number_length(const reader *r, size_t from) {
   size_t n = from;
   if (peek(r, n) == '-' || peek(r, n) == '+') n++;

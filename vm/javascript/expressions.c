@@ -217,7 +217,7 @@ static bool member_value(vs_translation *t, const vs_script_node *n, const char 
   return vs_translate_close(t);
 }
 
-/* What a place is given: the value of a node, or a word. Assigns; the value of the form is unspecified for a
+/* The value given to a place: the value of a node, or a word. Assigns; the value of the form is unspecified for a
  * variable. */
 static bool assign_name(vs_translation *t, uint32_t name, operand value) {
   const vs_variable *v = variable(t, name);

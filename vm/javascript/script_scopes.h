@@ -28,7 +28,7 @@ typedef struct {
   bool uses_this, uses_arguments;
 } vs_scope_of_script;
 
-/* What is known of a node. */
+/* The facts known of a node. */
 enum {
   VS_JUMPS_OUT = 1, /* a statement: a return, break or continue in it leaves it */
   VS_STAYS = 2,     /* it never ends in the ordinary way */

@@ -1,13 +1,13 @@
 /* Owns the translation of statements and functions.
  *
- * Plan. A list of statements becomes one expression. Statements that no jump leaves are done one after the other. One
- * that jumps leave (a return within an if, a continue) stands in tail position, and is told where control goes when
+ * Plan. A list of statements becomes one expression. Statements that no jump leaves are done one after the other. A
+ * statement that jumps leave (a return within an if, a continue) stands in tail position, and is told where control goes when
  * it is done (vs_then): what follows it in the text is translated there, in its branches. Where several branches go
  * to one place, that is made a procedure without parameters and called; a loop is such a procedure, too. All of these
  * calls are in tail position, so that the compiler makes them jumps within one frame, and nothing is ever captured or
  * unwound.
  *
- * The parts of a try are procedures that something else calls. What leaves them gives a number, 0 where they just
+ * The parts of a try are procedures that something else calls. A jump that leaves them gives a number, 0 where they just
  * end; and behind the try control goes where the number says. */
 #include "vm/javascript/statements.h"
 
@@ -150,7 +150,7 @@ static bool jump(vs_translation *t, uint32_t i) {
   return false;
 }
 
-/* The value of a return. What may fail is bound first, so that it is no tail call and the function's place is known. */
+/* The value of a return. An expression that may fail is bound first, so that it is no tail call and the function's place is known. */
 static bool kept_value(vs_translation *t, uint32_t i) {
   vs_script_kind kind = (vs_script_kind)node(t, i)->kind;
   if (kind == VS_SCRIPT_NAME || kind == VS_SCRIPT_NUMBER || kind == VS_SCRIPT_STRING || kind == VS_SCRIPT_FUNCTION)
@@ -341,7 +341,7 @@ static bool try_statement(vs_translation *t, uint32_t i, const vs_then *then) {
 
 /* ---- statements ---- */
 
-/* One whose end goes to `then`, in tail position. */
+/* A statement whose end goes to `then`, in tail position. */
 static bool one_to(vs_translation *t, uint32_t i, const vs_then *then) {
   if (fact(t, i, VS_JUMPS_OUT)) return leaving(t, i, then);
   if (then->kind == VS_THEN_NOTHING) return done(t, i);
@@ -408,7 +408,7 @@ static bool declarations(vs_translation *t, const vs_script_node *n) {
   return vs_translate_item(t, (vs_item){ .kind = VS_ITEM_COUNT, .a = 0 }) && vs_translate_close(t);
 }
 
-/* One that no jump leaves, as an expression whose value nobody wants. */
+/* A statement that no jump leaves, as an expression whose value nobody wants. */
 static bool done(vs_translation *t, uint32_t i) {
   const vs_script_node *n = node(t, i);
   t->at = n->at;

@@ -164,7 +164,7 @@ static vs_status equal(vs_scheme *vm, vs_value *a, int n, vs_value *out) { retur
 static vs_status at_least(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_GE, a, n, out); }
 static vs_status greater(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_GT, a, n, out); }
 
-/* One inexact argument makes the result inexact; NaN wins. */
+/* An inexact argument makes the result inexact; NaN wins. */
 static vs_status extreme(vs_scheme *vm, vs_relation better, vs_value *a, int n, vs_value *out) {
   bool inexact = false, take;
   int best = 0;

@@ -175,7 +175,7 @@ static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuabl
     vm->handlers = a[1];
     return VS_OK;
   }
-  /* The handler must not return. What was raised goes to the handlers outside; a plain error stays the error it was. */
+  /* The handler must not return. The raised object goes to the handlers outside; a plain error stays the error it was. */
   vm->handlers = vs_cdr(a[1]);
   vm->native = NULL;
   if (vs_is(a[0], VS_T_CONDITION)) return vs_fail_object(vm, a[0]);

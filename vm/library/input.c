@@ -86,7 +86,7 @@ static void keep_directives(const vs_text *t, uint32_t *flags) {
   }
 }
 
-/* One datum: characters are taken until it is whole. What was whole may turn out to be a directive (#!fold-case): then on, with it. */
+/* Reads a datum: characters are taken until it is whole. A whole datum may turn out to be a directive (#!fold-case): then on, with it. */
 static vs_status read_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   if (!in_port(vm, a, n, 0, 0, &r[0])) return VS_ERROR;

@@ -105,7 +105,7 @@ static vs_status write_bytevector(vs_scheme *vm, vs_value *a, int n, vs_value *o
 
 /* ---- format ---- */
 
-/* What stands between ~ and the letter: ~8a, ~8@a, ~2,'0d, ~8,2f. -1: not given. */
+/* The text between ~ and the letter: ~8a, ~8@a, ~2,'0d, ~8,2f. -1: not given. */
 typedef struct { int64_t width, decimals; uint32_t pad; bool before; } format_field;
 
 enum { WIDEST = 10000, MOST_DECIMALS = 100 };

@@ -350,7 +350,7 @@ static vs_status string_foldcase(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 
 /* ---- searching ---- */
 
-/* What is sought, and for each of its beginnings the longest shorter one that also ends it (Knuth, Morris and Pratt), so that no character of
+/* The sought text, and for each of its beginnings the longest shorter one that also ends it (Knuth, Morris and Pratt), so that no character of
  * the text is looked at again and again. `border` is NULL for one character. */
 typedef struct { uint32_t *border; int64_t length; } needle;
 

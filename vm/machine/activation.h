@@ -5,7 +5,7 @@
    procedure. How to return is a fixnum: bits 0..26 the caller's pc, flags, from bit 32 the window's distance from the caller's base.
 
    The working stretch begins with a frame whose caller, if it has the flag UNDER, is the last frame in the STACK object vm->under
-   below slot vm->under_depth. Those are never changed: returning copies one frame up. */
+   below slot vm->under_depth. Segments are never changed: returning copies one frame up. */
 #ifndef VS_FRAME_H
 #define VS_FRAME_H
 

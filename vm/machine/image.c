@@ -297,7 +297,7 @@ static void image_relocate_all(char *at, size_t bytes, uint64_t by) {
   }
 }
 
-/* What the words at hand are an image of is asked of the mapping: a look at the constant would bring its pages in, too. */
+/* The mapping tells which image the words at hand are: a look at the constant would bring its pages in, too. */
 static bool image_fits(vs_scheme *vm, const uint64_t *words, size_t count) {
   return words[0] == MAGIC && words[1] == image_sum(vm) && count == HEADER + words[2];
 }

@@ -23,7 +23,7 @@
      VS_CALL       the procedure given to vs_call is called; then the native is entered again, with the result in *out
    so `return vs_cons(vm, a[0], a[1], out);` is a complete body.
 
-   Natives never call Scheme otherwise. One that returns VS_CALL is `slots` > 0: its last `slots` elements of a[] are private,
+   Natives never call Scheme otherwise. A native that returns VS_CALL is `slots` > 0: its last `slots` elements of a[] are private,
    #f at first entry; n is -1 when it is entered again; state must be kept there (a phase number as a fixnum in the first, say) because a continuation may copy
    the frame and enter it twice. This is how load, eval, the expander with its macro calls, dynamic-wind and call/cc work:
      static vs_status load_(vs_scheme *vm, vs_value *a, int n, vs_value *out)  {  // "file", slots 2
@@ -32,7 +32,7 @@
        read and expand one form; if a macro must run: return vs_call(vm, transformer, 3, argv)  (VS_CALL); the next entry has its value
        if a form is ready: vs_compile(vm, ast, node, &a[2]) && return vs_call(vm, a[2], 0, NULL);
        at the end: *out = last value; return VS_OK; }
-   An error inside what was called does not enter the native again: it unwinds. What must be freed hangs off a foreign object
+   An error inside what was called does not enter the native again: it unwinds. Memory that must be freed hangs off a foreign object
    or is restored by dynamic-wind. */
 #ifndef VS_NATIVE_H
 #define VS_NATIVE_H
@@ -102,7 +102,7 @@ bool vs_list_doubles(vs_scheme *vm, vs_value list, int arg, double **out, size_t
 bool vs_poll(vs_scheme *vm, uint64_t work);
 /* the same at turn i of a loop whose turns are worth `cost` cheap steps (a step: some 5 ns) */
 static inline bool vs_poll_turn(vs_scheme *vm, uint64_t i, unsigned cost) { return (i & 1023) != 1023 || vs_poll(vm, 1024 * (uint64_t)cost); }
-/* memmove and memset in pieces, polling between them. What is larger than a piece is an object that does not move, or no object. */
+/* memmove and memset in pieces, polling between them. A block larger than a piece is an object that does not move, or no object. */
 bool vs_poll_move(vs_scheme *vm, void *to, const void *from, size_t bytes);
 bool vs_poll_set(vs_scheme *vm, void *to, int byte, size_t bytes);
 
@@ -150,7 +150,7 @@ typedef struct vs_flat_rules {
   struct { const char *name; uint64_t mask; uint8_t index; } getter[64];
   /* Procedures of two records of three fields, or of one and a number (right tag 0), and of one record: what comes of them is a record with
      the tag `result`, or a number where that is 0. */
-  /* What the procedure of this name, of arithmetic or of one number, gives for n arguments of which one is a record of a type with VS_RULE_CALL; NULL: no type
+  /* Computes the result of the procedure of this name, of arithmetic or of one number, for n arguments of which one is a record of a type with VS_RULE_CALL; NULL: no type
      has. Tests give #t or #f. */
   bool (*call)(vs_scheme *vm, const char *name, const vs_value *a, int n, vs_value *out);
   int binaries, unaries;

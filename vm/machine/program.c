@@ -116,7 +116,7 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
   return VS_OK;
 }
 
-/* What a macro's procedure does while it is called counts as the program's. */
+/* The work of a macro's procedure while it is called counts as the program's. */
 static vs_status run(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_status status = step_forms(vm, a, out);

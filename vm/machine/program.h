@@ -22,7 +22,7 @@ bool vs_program_new(vs_scheme *vm, vs_value *env);
 bool vs_program_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt, vs_value *last);
 /* The same with names for values: each expression of the text, though no definition, sees the bindings, a list of
    (symbol . value), as local
-   variables. That is how the prompt looks at a frame of a program that is stopped. */
+   variables. In this way the prompt looks at a frame of a program that is stopped. */
 bool vs_program_within(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size,
     vs_value bindings, vs_value *last);
 bool vs_program_file(vs_scheme *vm, const char *path, vs_value *last);

@@ -12,7 +12,7 @@ bool vs_run(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv, v
 /* The instructions of a code object as text, to each until it returns false (dump.c). False: out of memory. */
 bool vs_code_dump(vs_scheme *vm, vs_value code, bool (*each)(void *context, const char *line), void *context);
 
-/* What calling a parameter gives now. */
+/* Returns the value that a call of the parameter gives now. */
 vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter);
 
 /* The chain of calls now active, innermost first, at most `max`: list of (name . place) pairs; name symbol or #f, place a

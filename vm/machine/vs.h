@@ -5,14 +5,14 @@
 #include "vm/values/debug.h"
 #include "vm/values/value.h"
 
-/* The symbols C code compares with, made once: vm->sym.quote and so on. One list. */
+/* The symbols C code compares with, made once: vm->sym.quote and so on. A list. */
 #define VS_SYMBOLS(S) \
   S(quote, "quote") S(quasiquote, "quasiquote") S(unquote, "unquote") S(unquote_splicing, "unquote-splicing") \
   S(error, "error") S(type, "type") S(range, "range") S(arity, "arity") S(contract, "contract") S(unbound, "unbound") \
   S(syntax, "syntax") S(read, "read") S(file, "file") S(limit, "limit") S(interrupt, "interrupt") S(memory, "memory") \
   S(divide, "divide") S(recursion, "recursion") S(raise, "raise") S(internal, "internal") S(stop, "stop")
 
-/* Persistent Scheme values that C code needs: written into the heap image with the rest. One list. */
+/* Persistent Scheme values that C code needs: written into the heap image with the rest. A list. */
 #define VS_ANCHORS(A) \
   A(symbols)       /* vector: the interned symbols, open addressing */ \
   A(files)         /* vector of file names (strings), position files index it; slot 0 is #f */ \

@@ -25,7 +25,7 @@ enum {
   GC_MARK = 1, GC_REMEMBERED = 2, GC_FREE = 4, GC_MOVED = 8, GC_LARGE = 16
 };
 /* Collecting at every allocation costs what the roots cost, and a deep recursion or nest has a million of them: past STRESS_VISITS the next
-   minor collections are left out in proportion. So are the whole collections, each with a check of the heap: one for so many bytes of it. */
+   minor collections are left out in proportion. The whole collections are, too, each with a check of the heap: one for so many bytes of it. */
 enum { STRESS_VISITS = 2048, STRESS_BYTES = 256 };
 #if VS_DEBUG_SMALL
 enum { NURSERY = 32 << 10, FIRST_MAJOR = 256 << 10 };
@@ -328,8 +328,8 @@ void vs_gc_external(vs_scheme *vm, int64_t bytes) {
   else gc->external = (size_t)((int64_t)gc->external + bytes);
 }
 
-/* The bytes of a host's object lie in 16 bits of its header: 11 digits of them, rounded up, and by how many places they are shifted. So it
-   counts the same when it comes and when it goes. */
+/* The bytes of a host's object lie in 16 bits of its header: 11 digits of them, rounded up, and by how many places they are shifted. It counts
+   the same when it comes and when it goes. */
 enum { CHARGE_DIGITS = 11, CHARGE_MASK = (1 << CHARGE_DIGITS) - 1 };
 static uint16_t gc_charge(size_t bytes) {
   unsigned shift = 0;
@@ -407,7 +407,7 @@ static void minor_visit(vs_scheme *vm, vs_value *slot) {
     bool traced = vs_layout[o->type].first != 0;
     size_t words = o->words;
     for (size_t i = 0; i < words; i++) to[i] = corpse[i];     /* mostly a few: less than a call */
-    /* header: GC_MOVED in its low bytes, above them the next corpse; word 1: the new address. What names nothing is done. */
+    /* header: GC_MOVED in its low bytes, above them the next corpse; word 1: the new address. An object that names nothing is done. */
     corpse[0] = (uint64_t)GC_MOVED << 8;
     corpse[1] = (uint64_t)(uintptr_t)copy;
     if (traced) {

@@ -26,7 +26,7 @@ bool vs_text_string(vs_text *t, vs_value string);                  /* a Scheme s
 bool vs_text_end(vs_text *t);                                      /* a zero byte behind, not counted */
 bool vs_text_to_string(vs_text *t, vs_value *out);                 /* a fresh mutable string */
 
-/* One character of UTF-8: bytes used (1..4), 0 at a bad or cut sequence. */
+/* A character of UTF-8: bytes used (1..4), 0 at a bad or cut sequence. */
 size_t vs_utf8_decode(const char *s, size_t n, uint32_t *out);
 size_t vs_utf8_encode(uint32_t c, char out[4]);
 

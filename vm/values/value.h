@@ -125,7 +125,7 @@ typedef struct { vs_object h; uint64_t length; uint8_t at[]; } vs_bytes;
 typedef struct { vs_object h; uint64_t count; uint64_t limb[]; } vs_bignum;
 typedef struct { vs_object h; vs_value num, den; } vs_ratio;     /* lowest terms, den > 1 */
 
-/* One compiled procedure. Never moves (allocated in the old space), so the run loop may point into it. */
+/* A compiled procedure. Never moves (allocated in the old space), so the run loop may point into it. */
 typedef struct {
   vs_object h;
   vs_value name;        /* symbol or #f */
@@ -210,8 +210,8 @@ typedef struct { vs_object h; vs_value name, env, data; uint64_t mark; } vs_alia
 /* The constant descriptor of a call with keywords: the last `count` arguments belong to these names. */
 typedef struct { vs_object h; uint64_t count; vs_value name[]; } vs_keywords;
 
-/* One reference to an object of the host. `type` has the hooks (native.h); release(object) runs when it dies. `with` is for the owner's use, NULL
-   at first. What the object counts towards the collector's budget is in h.flags (gc.c). */
+/* A reference to an object of the host. `type` has the hooks (native.h); release(object) runs when it dies. `with` is for the owner's use, NULL
+   at first. The bytes that the object counts towards the collector's budget is in h.flags (gc.c). */
 typedef struct { vs_object h; const struct vs_foreign_type *type; void *object; const void *with; } vs_foreign;
 
 /* ---- typed access; the caller has tested the type ---- */
