@@ -6,6 +6,10 @@
  * a circle is halved again and again instead of becoming a fan of splinters. Where rounding or a crossing loop leaves no ear, the
  * most convex corner is cut all the same: the boundary stays right, which is what closedness needs.
  *
+ * A hole that has a corner where the ring has one is joined there, by a bridge without length: else the ring would come by that place
+ * twice, one way within the other, and an ear there could not be told from what is cut already. Holes that touch therefore come before
+ * those that need a bridge. The ends of a bridge without length go at once, before they hide which way the ring turns there.
+ *
  * Rings of many thousand corners and holes are ordinary: perforated sheets, maps, text. Reflex corners, the only ones that can be
  * inside an ear and nearest to it, stand in a tree; and a corner whose triangle holds one waits for that one: it is no ear before the
  * other is cut or convex. The corners that are left to try are a set of places along the ring. */
@@ -25,6 +29,7 @@ typedef struct {
   size_t awaited;           /* the reflex corner in this one's triangle, or none */
   size_t waiting;           /* the first of the corners that wait for this one, linked by later and earlier */
   size_t later, earlier;
+  bool gone, idle;          /* cut; among those that go at once */
 } vs_ear;
 typedef struct {
   const vs_vec2 *at;
@@ -35,6 +40,8 @@ typedef struct {
   size_t *points;    /* the corners' */
   vs_point_tree tree; /* of corners; those are on that are in the ring and reflex */
   vs_marks open;     /* places of corners that may be ears */
+  size_t *idle;      /* corners that go at once */
+  size_t idle_count;
   double flat; /* twice the area under which a triangle counts as none */
 } vs_ring;
 
@@ -72,23 +79,41 @@ static void ring_release(vs_ring *r, size_t c) { /* all that wait for c */
 
 /* ---- ears ---- */
 
-/* Where loops touch, a bridge has no length: a corner at its end goes without a change, and would wait for ever as the flat one that it is. */
-static bool ring_doubled(const vs_ring *r, size_t c) {
-  vs_vec2 p = ring_at(r, c), a = ring_at(r, r->corners[c].prev), b = ring_at(r, r->corners[c].next);
-  return (p.x == a.x && p.y == a.y) || (p.x == b.x && p.y == b.y);
+static bool same_place(vs_vec2 p, vs_vec2 q) { return p.x == q.x && p.y == q.y; }
+
+/* Is it an end of a bridge without length? */
+static bool ring_is_idle(const vs_ring *r, size_t c) {
+  vs_vec2 p = ring_at(r, c);
+  return same_place(p, ring_at(r, r->corners[c].prev)) || same_place(p, ring_at(r, r->corners[c].next));
+}
+
+static void ring_note_idle(vs_ring *r, size_t c) {
+  if (r->ears[c].idle || !ring_is_idle(r, c)) return;
+  r->ears[c].idle = true;
+  r->idle[r->idle_count++] = c;
+}
+
+/* A corner that is idle still; none: there is none. */
+static size_t ring_next_idle(vs_ring *r) {
+  while (r->idle_count > 0) {
+    size_t c = r->idle[--r->idle_count];
+    r->ears[c].idle = false;
+    if (!r->ears[c].gone && ring_is_idle(r, c)) return c;
+  }
+  return none;
 }
 
 static void ring_look(vs_ring *r, size_t c) { /* c or a neighbour is new */
-  bool reflex = !ring_doubled(r, c) && ring_turn(r, r->corners[c].prev, c, r->corners[c].next) <= r->flat;
+  bool reflex = ring_turn(r, r->corners[c].prev, c, r->corners[c].next) <= r->flat;
   ring_wait_no_more(r, c);
   if (!reflex) ring_release(r, c);
   vs_point_tree_switch(&r->tree, c, reflex);
   vs_marks_set(&r->open, r->ears[c].place, !reflex);
+  ring_note_idle(r, c);
 }
 
 /* an open corner; where it is no ear it waits */
 static bool ring_is_ear(vs_ring *r, size_t b) {
-  if (ring_doubled(r, b)) return true;
   size_t inside = vs_point_tree_in(&r->tree, ring_at(r, r->corners[b].prev), ring_at(r, b), ring_at(r, r->corners[b].next), r->flat);
   if (inside != SIZE_MAX) ring_wait(r, b, inside);
   return inside == SIZE_MAX;
@@ -109,6 +134,7 @@ static void ring_cut(vs_ring *r, size_t ear) {
   ring_wait_no_more(r, ear);
   vs_point_tree_switch(&r->tree, ear, false);
   vs_marks_set(&r->open, r->ears[ear].place, false);
+  r->ears[ear].gone = true;
   r->corners[prev].next = next;
   r->corners[next].prev = prev;
   ring_release(r, ear);
@@ -194,6 +220,25 @@ static bool sight_has(const vs_sight *s, vs_vec2 p) { /* within the triangle of 
          (ax - p.x) * (s->m.y - p.y) >= (s->m.x - p.x) * (s->h.y - p.y) && (s->m.x - p.x) * (s->h.y - p.y) >= (cx - p.x) * (s->m.y - p.y);
 }
 
+/* The places before and behind a corner along the ring: where a bridge has no length, those beyond its other end. */
+static void ring_beside(const vs_ring *r, size_t c, vs_vec2 *before, vs_vec2 *behind) {
+  size_t a = r->corners[c].prev, b = r->corners[c].next;
+  while (a != c && same_place(ring_at(r, a), ring_at(r, c))) a = r->corners[a].prev;
+  while (b != c && same_place(ring_at(r, b), ring_at(r, c))) b = r->corners[b].next;
+  *before = ring_at(r, a);
+  *behind = ring_at(r, b);
+}
+
+/* Does the corner see the place h, as far as its own two edges go? */
+static bool ring_sees(const vs_ring *r, size_t corner, vs_vec2 h) {
+  vs_vec2 p = ring_at(r, corner), a, c;
+  ring_beside(r, corner, &a, &c);
+  double to_after = (c.x - p.x) * (h.y - p.y) - (c.y - p.y) * (h.x - p.x);   /* > 0: h to the left of the leaving edge */
+  double to_before = (p.x - a.x) * (h.y - a.y) - (p.y - a.y) * (h.x - a.x);
+  bool convex = (p.x - a.x) * (c.y - a.y) - (p.y - a.y) * (c.x - a.x) > 0;
+  return convex ? to_after >= 0 && to_before >= 0 : to_after >= 0 || to_before >= 0;
+}
+
 static void sight_look(void *context, size_t point) {
   vs_sight *s = context;
   const vs_ring *r = s->ring;
@@ -201,18 +246,30 @@ static void sight_look(void *context, size_t point) {
   double slope = fabs(h.y - p.y) / (h.x - p.x);
   if (!sight_has(s, p) || slope > s->least) return;
   for (size_t i = point;; i = s->copies[i] - 1) {
-    vs_vec2 a = ring_at(r, r->corners[i].prev), c = ring_at(r, r->corners[i].next);
-    double to_after = (c.x - p.x) * (h.y - p.y) - (c.y - p.y) * (h.x - p.x);   /* > 0: h to the left of the leaving edge */
-    double to_before = (p.x - a.x) * (h.y - a.y) - (p.y - a.y) * (h.x - a.x);
-    bool convex = (p.x - a.x) * (c.y - a.y) - (p.y - a.y) * (c.x - a.x) > 0;
-    bool sees = convex ? to_after >= 0 && to_before >= 0 : to_after >= 0 || to_before >= 0;
     double best_x = ring_at(r, s->best).x;
-    if (sees && (slope < s->least || p.x > best_x || (p.x == best_x && i < s->best))) {
+    if (ring_sees(r, i, h) && (slope < s->least || p.x > best_x || (p.x == best_x && i < s->best))) {
       s->best = i;
       s->least = slope;
     }
     if (!s->copies[i]) return;
   }
+}
+
+/* Of the corners at the place of a hole's corner one between whose edges the hole lies: h is the corner behind that. */
+static void touch_look(void *context, size_t point) {
+  vs_sight *s = context;
+  for (size_t i = point;; i = s->copies[i] - 1) {
+    if (ring_sees(s->ring, i, s->h) && i < s->best) s->best = i;
+    if (!s->copies[i]) return;
+  }
+}
+
+/* The ring's corner that the hole's corner touches, or none. */
+static size_t ring_touch(const vs_ring *r, const vs_bands *b, size_t hole) {
+  vs_vec2 p = ring_at(r, hole);
+  vs_sight s = { .ring = r, .copies = b->copies, .h = ring_at(r, r->corners[hole].next), .best = none };
+  vs_point_tree_each(&b->points, &(vs_point_box){ p.x, p.y, p.x, p.y, 0 }, touch_look, &s);
+  return s.best;
 }
 
 static size_t ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, size_t hole) {
@@ -255,7 +312,7 @@ static bool ring_splice(vs_ring *r, vs_bands *bands, size_t a, size_t b) {
   return bands_add(bands, r, a2) && bands_add(bands, r, b2);
 }
 
-typedef struct { size_t corner, first, size; vs_vec2 at; } vs_hole;
+typedef struct { size_t corner, first, size; vs_vec2 at; bool joined; } vs_hole;
 
 static int hole_compare(const void *a, const void *b) {
   const vs_hole *p = a, *q = b;
@@ -263,23 +320,90 @@ static int hole_compare(const void *a, const void *b) {
   return p->at.y < q->at.y ? -1 : p->at.y > q->at.y;
 }
 
-/* All holes into the ring, from the left; *start: the corner that the ring begins with. */
-static bool ring_join(vs_ring *r, vs_hole *holes, size_t count, size_t outer, size_t most, size_t *start) {
+/* Holes on their way into the ring. */
+typedef struct {
+  vs_ring *ring;
   vs_bands bands;
-  bool ok = bands_make(&bands, r, r->count, most) && bands_add_loop(&bands, r, 0, outer);
-  qsort(holes, count, sizeof *holes, hole_compare);
-  for (size_t i = 0; ok && i < count; i++) {
-    size_t a = ring_bridge(r, &bands, *start, holes[i].corner);
-    ok = ring_splice(r, &bands, a, holes[i].corner) && bands_add_loop(&bands, r, holes[i].first, holes[i].size);
-    if (ok && a == *start) *start = r->corners[holes[i].corner].prev; /* its copy, from which the hole is walked round first */
+  vs_hole *holes;
+  vs_point_tree outside; /* corners of holes; on: not in the ring yet */
+  uint32_t *hole_of;     /* of a point */
+  size_t *queue, queued; /* holes in the ring whose corners are looked at for others that touch them */
+  size_t start;          /* the corner that the ring begins with */
+} vs_joining;
+
+static bool join_at(vs_joining *j, size_t a, size_t b) { /* a corner of the ring, one of the hole */
+  vs_ring *r = j->ring;
+  vs_hole *hole = &j->holes[j->hole_of[b]];
+  hole->joined = true;
+  j->queue[j->queued++] = j->hole_of[b];
+  for (size_t c = hole->first; c < hole->first + hole->size; c++) vs_point_tree_switch(&j->outside, c, false);
+  if (!ring_splice(r, &j->bands, a, b) || !bands_add_loop(&j->bands, r, hole->first, hole->size)) return false;
+  if (a == j->start) j->start = r->corners[b].prev; /* its copy, from which the hole is walked round first */
+  return true;
+}
+
+static void least_look(void *context, size_t point) {
+  size_t *least = context;
+  if (point < *least) *least = point;
+}
+
+/* The holes that touch a corner of the loop, which is in the ring. */
+static bool join_touching(vs_joining *j, size_t first, size_t size) {
+  for (size_t c = first; c < first + size; c++) {
+    vs_vec2 p = ring_at(j->ring, c);
+    for (;;) {
+      size_t found = none;
+      vs_point_tree_each(&j->outside, &(vs_point_box){ p.x, p.y, p.x, p.y, 0 }, least_look, &found);
+      if (found == none) break;
+      size_t a = ring_touch(j->ring, &j->bands, found);
+      if (!join_at(j, a == none ? c : a, found)) return false;
+    }
   }
-  bands_free(&bands);
+  return true;
+}
+
+/* All holes into the ring: those that touch it, and those that touch these, then the others from the left, each with what touches it. */
+static bool join_all(vs_joining *j, size_t count, size_t outer) {
+  bool ok = bands_add_loop(&j->bands, j->ring, 0, outer);
+  for (size_t i = 0; i < count; i++)
+    for (size_t c = 0; c < j->holes[i].size; c++) {
+      vs_point_tree_switch(&j->outside, j->holes[i].first + c, true);
+      j->hole_of[j->holes[i].first + c] = (uint32_t)i;
+    }
+  ok = ok && join_touching(j, 0, outer);
+  for (size_t i = 0, looked = 0; ok && i <= count; i++) {
+    if (i > 0 && !j->holes[i - 1].joined) {
+      size_t corner = j->holes[i - 1].corner;
+      ok = join_at(j, ring_bridge(j->ring, &j->bands, j->start, corner), corner);
+    }
+    for (; ok && looked < j->queued; looked++) {
+      const vs_hole *h = &j->holes[j->queue[looked]];
+      ok = join_touching(j, h->first, h->size);
+    }
+  }
+  return ok;
+}
+
+/* The same; *start: the corner that the ring begins with. */
+static bool ring_join(vs_ring *r, vs_hole *holes, size_t count, size_t outer, size_t most, size_t *start) {
+  vs_joining j = { .ring = r, .holes = holes };
+  size_t points_room = 0, queue_room = 0;
+  qsort(holes, count, sizeof *holes, hole_compare);
+  bool ok = bands_make(&j.bands, r, r->count, most) && vs_point_tree_make(&j.outside, r->at, r->points, r->count) &&
+      VS_GROW(j.hole_of, points_room, r->count) && VS_GROW(j.queue, queue_room, count) && join_all(&j, count, outer);
+  *start = j.start;
+  bands_free(&j.bands);
+  vs_point_tree_free(&j.outside);
+  free(j.hole_of);
+  free(j.queue);
   return ok;
 }
 
 static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const uint32_t *index, bool turned) {
   for (size_t at = start; left >= 3; left--) {
-    size_t ear = ring_next_ear(r, at);
+    size_t ear = ring_next_idle(r);
+    bool idle = ear != none;
+    if (!idle) ear = ring_next_ear(r, at);
     if (ear == none) { /* the corner of largest area goes */
       double best = -INFINITY;
       size_t i = at;
@@ -297,7 +421,8 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
     uint32_t a = index[r->corners[prev].point], b = index[r->corners[ear].point], c = index[r->corners[next].point];
     if (a != b && b != c && c != a && !vs_mesh_add_triangle(m, a, turned ? c : b, turned ? b : c)) return false;
     ring_cut(r, ear);
-    at = r->corners[next].next;
+    if (!idle) at = r->corners[next].next;
+    else if (at == ear) at = next;
   }
   return true;
 }
@@ -309,6 +434,7 @@ static bool ring_begin(vs_ring *r, size_t start, size_t total, size_t size) {
   size_t c = start;
   for (size_t place = 0; place < size; place++, c = r->corners[c].next) {
     r->ears[c].place = place;
+    r->ears[c].gone = r->ears[c].idle = false;
     r->ears[c].awaited = r->ears[c].waiting = none;
     r->by_place[place] = c;
   }
@@ -327,8 +453,9 @@ bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, v
   vs_ring r = { .at = at, .flat = 1e-14 * extent * extent };
   r.corners = malloc(most * sizeof *r.corners);
   r.ears = malloc(most * sizeof *r.ears);
-  r.by_place = malloc(2 * most * sizeof *r.by_place);
+  r.by_place = malloc(3 * most * sizeof *r.by_place);
   r.points = r.by_place + (r.by_place ? most : 0);
+  r.idle = r.by_place + (r.by_place ? 2 * most : 0);
   vs_hole *holes = malloc(loop_count * sizeof *holes);
   bool ok = r.corners && r.ears && r.by_place && holes;
   size_t hole_count = 0, ring_size = sizes[0];
@@ -339,7 +466,7 @@ bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, v
       r.corners[first + i] = (vs_corner){ (uint32_t)(first + i), (uint32_t)(first + (i + 1) % n), (uint32_t)(first + (i + n - 1) % n) };
       if (at[first + i].x < at[leftmost].x || (at[first + i].x == at[leftmost].x && at[first + i].y < at[leftmost].y)) leftmost = first + i;
     }
-    if (l) holes[hole_count++] = (vs_hole){ leftmost, first, n, at[leftmost] };
+    if (l) holes[hole_count++] = (vs_hole){ leftmost, first, n, at[leftmost], false };
     if (l) ring_size += n + 2;
   }
   r.count = total;

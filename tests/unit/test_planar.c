@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -146,9 +147,72 @@ static void sheets_of_holes(void **state) {
   vs_mesh_free(&m);
 }
 
+static double chance(uint64_t *state) { /* [0, 1) */
+  *state = *state * 6364136223846793005u + 1442695040888963407u;
+  return (double)(*state >> 11) * 0x1p-53;
+}
+
+static vs_vec2 polar(double radius, double angle) { return (vs_vec2){ radius * cos(angle), radius * sin(angle) }; }
+
+static double turns_of(const vs_vec2 *at, size_t n) { /* twice the area */
+  double sum = 0;
+  for (size_t i = 0; i < n; i++) sum += at[i].x * at[(i + 1) % n].y - at[i].y * at[(i + 1) % n].x;
+  return sum;
+}
+
+/* Stars with wedges that touch their corners, and wedges further in that touch those: no triangle lies on another. */
+static void holes_touch_corners(void **state) {
+  (void)state;
+  enum { MOST = 8, CORNERS = 7 * MOST };
+  const double turn = 6.283185307179586;
+  for (uint64_t seed = 1; seed <= 3000; seed++) {
+    uint64_t random = seed * 0x9e3779b97f4a7c15u;
+    vs_vec2 at[CORNERS];
+    size_t sizes[2 * MOST + 1], loops = 1, count = 3 + (size_t)(chance(&random) * (MOST - 2)), n = count;
+    uint32_t index[CORNERS];
+    vs_mesh m = { 0 };
+    double area = 0, wanted, first = chance(&random), each = turn / (double)count;
+    for (size_t i = 0; i < count; i++)
+      at[i] = polar(count < 5 ? 3 : 2 + chance(&random), ((double)i + first) * each);
+    sizes[0] = count;
+    for (size_t i = 0; i < count; i++) {
+      double angle = ((double)i + first) * each, wide = each * 0.2 * (chance(&random) < 0.5 ? 1e-6 : chance(&random));
+      vs_vec2 wedge[2][3] = { { at[i], polar(1, angle - wide), polar(1, angle + wide) } };
+      vs_vec2 inner[3] = { wedge[0][1 + (seed + i) % 2], polar(0.5, angle - wide), polar(0.5, angle + wide / 2) };
+      memcpy(wedge[1], inner, sizeof inner);
+      for (size_t k = 0; k < 2 && chance(&random) < 0.7; k++) {
+        size_t turned = (size_t)(chance(&random) * 3);
+        for (size_t j = 0; j < 3; j++) at[n + j] = wedge[k][(turned + 3 - j) % 3]; /* clockwise, whichever first */
+        if (turns_of(at + n, 3) > 0) {
+          vs_vec2 swap = at[n];
+          at[n] = at[n + 1], at[n + 1] = swap;
+        }
+        sizes[loops++] = 3;
+        n += 3;
+      }
+    }
+    wanted = turns_of(at, count);
+    for (size_t i = count; i < n; i += 3) wanted += turns_of(at + i, 3);
+    for (uint32_t i = 0; i < n; i++) {
+      assert_true(vs_mesh_add_vertex(&m, vs_v3(at[i].x, at[i].y, 0), NULL));
+      index[i] = i;
+    }
+    assert_true(vs_triangulate(at, sizes, loops, &m, index, false));
+    for (size_t i = 0; i < m.triangle_count; i++) {
+      double twice = vs_vec2_turn(at[m.triangles[i][0]], at[m.triangles[i][1]], at[m.triangles[i][2]]);
+      if (twice < -1e-9) fail_msg("seed %llu: a triangle of twice the area %g", (unsigned long long)seed, twice);
+      area += twice;
+    }
+    if (fabs(area - wanted) > 1e-9)
+      fail_msg("seed %llu: twice the area is %.12g, not %.12g", (unsigned long long)seed, area, wanted);
+    vs_mesh_free(&m);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(sets_of_areas), cmocka_unit_test(offsets), cmocka_unit_test(chains_wind), cmocka_unit_test(read_off_meshes), cmocka_unit_test(sheets_of_holes),
+    cmocka_unit_test(holes_touch_corners),
   };
   return cmocka_run_group_tests_name("areas in a plane", tests, NULL, NULL);
 }

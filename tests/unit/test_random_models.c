@@ -305,6 +305,22 @@ static void models_are_right(void **state) {
       fail_msg("no solid was made of the kind %s: it wants a line in tests/oracle/models.c", model_kind(i));
 }
 
+/* Models that were once written wrong without a word: a hole of the profile that touches the outline in a corner. */
+static void wrong_examples_are_right(void **state) {
+  (void)state;
+  static const char *const texts[] = {
+    "(do-extrude (do-project (unite (make-box (xyz 0 -0.9 -0.1) 2 0.5 0.05) (scope-place (make-ffd-scope (xyz -2 2 0) "
+    "(xyz 2 2 0) (xyz -1 1 0.8) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 0) (xyz -1 -1 3) (xyz 0.9 -1 0)) (do-rotate "
+    "(make-box (xyz -0.1 -0.1 -1) 2 0.5 2) 'x 8e-5))) 'xy) 1)",
+  };
+  static trial t;
+  begin(&t);
+  t.volumes = true;
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+    if (fails(&t, texts[i])) fail_msg("%s: %s", t.why, texts[i]);
+  vs_free(t.vm);
+}
+
 /* ---- models whose parts are turned by very little ---- */
 
 /* Does one of the formats cross itself without a word? */
@@ -388,7 +404,8 @@ static void turned_models_are_right(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(models_are_right), cmocka_unit_test(turned_examples_are_right),
+  const struct CMUnitTest tests[] = { cmocka_unit_test(models_are_right), cmocka_unit_test(wrong_examples_are_right),
+                                      cmocka_unit_test(turned_examples_are_right),
                                       cmocka_unit_test(turned_models_are_right) };
   cmocka_set_test_filter(getenv("TESTS"));
   return cmocka_run_group_tests_name("random models of all kinds", tests, NULL, NULL);
