@@ -36,7 +36,7 @@ const fading = (pixels) => (parameters) => { // pixels: half the picture's heigh
       #ifdef USE_INSTANCING
       gap *= pow( abs( determinant( mat3( instanceMatrix ) ) ), 1.0 / 3.0 );
       #endif
-      shownLine = smoothstep( 5.0, 24.0, gap * projectionMatrix[1][1] * pixels / gl_Position.w );`);
+      shownLine = smoothstep( 5.0, 24.0, gap * projectionMatrix[1][1] * pixels / max( gl_Position.w, 1e-6 ) );`);
   parameters.fragmentShader = parameters.fragmentShader.replace("#include <common>", "#include <common>\nvarying float shownLine;")
     .replace("#include <color_fragment>", "#include <color_fragment>\ndiffuseColor.a *= shownLine;");
 };

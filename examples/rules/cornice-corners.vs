@@ -5,13 +5,13 @@
 ;
 ;   vs cornice-corners.vs -o corners.png
 (require "fillings.vs")
-(define limestone (block "#d9cdb8"))
+(define walling (block "#a9694f"))
 
 ; Two walls that meet at a right angle: each is a face with a cornice on top and a half of the corner at its end.
 (define-rule (wall [self box-scope?] [corner procedure?] [left number?] [right number?])
   (define-rule (top [self box-scope?]) [(=> (cornice) (right-end) (left-end))])
   (define-rule (cornice [self box-scope?]) [(=> (face) (deep 0 0.5) (scope-place mould))])
-  (define-rule (face [self box-scope?]) [(=> (deep 0.3 0) (scope-place limestone))])
+  (define-rule (face [self box-scope?]) [(=> (deep 0.3 0) (scope-place walling))])
   (define-rule (left-end [self box-scope?]) [(=> (scope-turn 'y -pi/2) (corner left 'left 0.5 mould))])
   (define-rule (right-end [self box-scope?])
     [(=> (scope-move (scope-size-x self) (scope-size-y self) 0) (scope-turn 'y -pi/2) (scope-turn 'x pi) (corner right 'right 0.5 mould))])
@@ -26,6 +26,6 @@
 
 (define (plan x) (make-polygon-scope (make-rectangle (xy x 0) (xy (+ x 3) 3))))
 (draw (pier (plan 0) sharp-half) (pier (plan 5.5) round-half))
-(ground 0 #:material concrete)
-(sun #:azimuth 212 #:altitude 44)
-(camera (xyz -2.6 -7.6 3.3) (xyz 3.7 0.8 1.8) #:lens 36)
+(ground 0 #:material stone)
+(sun #:azimuth 232 #:altitude 27)
+(camera (xyz 4 -8 1.6) (xyz 4.25 0 1.75) #:lens 36)

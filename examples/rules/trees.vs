@@ -73,14 +73,16 @@
 
 ; ---- what it stands on ----
 (define meadow (make-material #:name "meadow" #:color "#6f7d45" #:roughness 1))
-; Tufts of blades, some kinds of them, are placed over and over: on about every k by k of the scope's floor one, turned by chance.
-(define straw (map blade '("#7f9350" "#8b9c57" "#6c8244")))
+; Tufts of grass, six kinds, are placed over and over: on about every k by k of the scope's floor one, turned by chance. A tuft is one mesh of
+; pyramids, which lean outwards and stand by the golden angle, so that none meets another.
+(define straw '("#7f9350" "#8b9c57" "#6c8244"))
 (define (tuft i)
-  (unite (map (lambda (k)
-                (do-move (do-rotate (do-rotate (do-scale (list-ref straw (modulo k 3)) (vxyz 0.05 (random-range 0.05 0.1) 0.05)) 'x (random-range 0.9 1.6))
-                                    'z (random 2pi))
-                         (vpol (random 0.16) (random 2pi))))
-              (iota 14))))
+  (define (spike k) ; its tip and three corners at its foot
+    (let* ((way (* 2.4 k)) (foot (+pol origin (* 0.05 (sqrt k)) way)))
+      (cons (+z (+pol foot (random-range 0.01 0.1) way) (random-range 0.05 0.1))
+            (map-division (lambda (a) (+pol foot 0.012 (+ way a))) 0 2pi 3 #f))))
+  (define (faces k) (map (lambda (face) (map (lambda (corner) (+ (* 4 k) corner)) face)) '((1 2 3) (1 3 4) (1 4 2) (4 3 2))))
+  (color (list-ref straw (modulo i 3)) (make-polyface-mesh (append-map spike (iota 14)) (append-map faces (iota 14)))))
 (define tufts (map tuft (iota 6)))
 (define-rule (lawn [self box-scope?] [k positive?])
   (define-rule (row [self box-scope?]) [(=> (scope-repeat 'z k plot))])
