@@ -27,6 +27,37 @@ for program in host format scene meshes pictures fit; do
   [ $code -le 1 ] || echo "not ok embed:$program ended with $code"
 done
 
+# The viewer in SDL2 and OpenGL, on a screen that is none and with a graphics card that is none: a user is played, and
+# the pixels are counted. Numbers of a line that begins with `covered` may be off by a fiftieth, or by 3.
+missing=
+pkg-config --exists sdl2 gl 2> /dev/null || missing="SDL2's headers"
+command -v xvfb-run > /dev/null || missing="xvfb-run"
+[ -n "$(find /usr/lib /usr/lib64 -name swrast_dri.so -print 2> /dev/null | head -n 1)" ] || missing="Mesa's drivers"
+if [ -n "$missing" ]; then
+  echo "skip embed:viewer: $missing not found"
+elif ! ${CC:-cc} -std=c11 -Wall -Wextra -Werror -I"$work/usr/include" examples/hosts/viewer.c -o "$work/viewer" \
+    -L"$work/usr/lib" -lvisualscheme -lSDL2 -lGL -lm > "$work/log" 2>&1; then
+  echo "not ok embed:compile viewer"; sed 's/^/    /' "$work/log"
+else
+  LD_LIBRARY_PATH=$work/usr/lib LIBGL_ALWAYS_SOFTWARE=1 timeout 120 xvfb-run -a -s "-screen 0 1024x768x24" \
+    "$work/viewer" tests/embed/viewer.vs --test tests/embed/viewer.play > "$work/out" 2> "$work/log"
+  code=$?
+  if [ $code = 0 ] && awk '
+      function near(a, b) { return a - b <= 3 + b / 50 && b - a <= 3 + b / 50 }
+      NR == FNR { want[FNR] = $0; count = FNR; next }
+      {
+        gsub(/[,:]/, ""); line = want[FNR]; gsub(/[,:]/, "", line); n = split(line, w, " "); differs = n != NF
+        for (i = 1; i <= n && !differs; i++)
+          differs = $1 == "covered" && $i ~ /^[0-9]+$/ ? !near($i + 0, w[i] + 0) : $i != w[i]
+        if (differs) { print "line " FNR ": " $0 " in place of " line; bad = 1 }
+      }
+      END { exit bad || FNR != count }' tests/embed/viewer.want "$work/out" > "$work/diff"; then
+    echo "ok embed:viewer"
+  else
+    echo "not ok embed:viewer ended with $code"; cat "$work/diff" "$work/log" | sed 's/^/    /'
+  fi
+fi
+
 # The Python package, installed without a network and run on the library that was installed.
 python=
 for candidate in python3 /usr/bin/python3; do
