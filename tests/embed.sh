@@ -17,6 +17,19 @@ sed -n 's/^VS_API .*[ *]\(vs_[a-z_]*\)(.*/\1/p' visualscheme.h | sort -u > "$wor
 nm -D --defined-only "$work/usr/lib/libvisualscheme.so" | awk '$2 ~ /[TDBRV]/ { print $3 }' | grep -v '^VISUALSCHEME_' | sed 's/@.*//' | sort -u > "$work/exported"
 if diff "$work/declared" "$work/exported" > "$work/diff"; then echo "ok embed:exports"; else echo "not ok embed:exports differ from visualscheme.h"; sed 's/^/    /' "$work/diff"; fi
 
+# A manual page for each of them, made from the header: one a topic, the others link to it.
+while read -r name; do
+  page=$work/usr/share/man/man3/$name.3
+  [ -s "$page" ] && { ! grep -q '^\.so ' "$page" || [ -s "$work/usr/share/man/$(sed 's/^\.so //' "$page")" ]; } || echo "$name"
+done < "$work/declared" > "$work/diff"
+if [ ! -s "$work/diff" ] && grep -q 'vs_pick' "$work/usr/share/man/man3/vs_action_apply.3"; then echo "ok embed:man pages"
+else echo "not ok embed:man pages are missing"; sed 's/^/    /' "$work/diff"; fi
+if command -v mandoc > /dev/null; then
+  # shellcheck disable=SC2046
+  if mandoc -T lint -W warning $(grep -L '^\.so ' "$work"/usr/share/man/man3/*.3) > "$work/diff" 2>&1; then echo "ok embed:man lint"
+  else echo "not ok embed:man lint"; head -n 5 "$work/diff" | sed 's/^/    /'; fi
+fi
+
 for program in host format scene meshes pictures fit; do
   if ! ${CC:-cc} -std=c11 -Wall -Wextra -Werror -I"$work/usr/include" tests/embed/$program.c -o "$work/$program" -L"$work/usr/lib" -lvisualscheme -lm > "$work/log" 2>&1; then
     echo "not ok embed:compile $program"; sed 's/^/    /' "$work/log"; continue
