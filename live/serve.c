@@ -4,7 +4,8 @@
  * the header X-VS-Token; the page has it from its address' fragment, which browsers send to nobody, not as a Referer either. A Host or an Origin
  * other than our own is refused: a foreign page, or a foreign name that was made to point here, gets nothing. No file is served by name.
  *
- * Bounded: connections, the bytes of a request's head, of a body, of what is waiting to be done, and the time of a silent client. */
+ * Bounded: connections, the bytes of a request's head, of a body, of what is waiting to be done, the time of a silent client, and how many
+ * may be slow (waiting.h). */
 #define _GNU_SOURCE
 #include "live/serve.h"
 
@@ -392,6 +393,23 @@ static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const 
   return answer_text(s, c, 404, "there is nothing here\n");
 }
 
+/* A connection's place among those that wait. */
+static live_waiter *waiter(const live_server *s, struct MHD_Connection *c) {
+  const union MHD_ConnectionInfo *info = s->http.get_connection_info(c, MHD_CONNECTION_INFO_SOCKET_CONTEXT);
+  return info != NULL ? info->socket_context : NULL;
+}
+
+static void connected(void *context, struct MHD_Connection *c, void **place, enum MHD_ConnectionNotificationCode what) {
+  live_server *s = context;
+  if (what == MHD_CONNECTION_NOTIFY_STARTED) {
+    const union MHD_ConnectionInfo *info = s->http.get_connection_info(c, MHD_CONNECTION_INFO_CONNECTION_FD);
+    *place = info != NULL ? live_waiter_begin(&s->waiting, info->connect_fd) : NULL;
+  } else {
+    live_waiter_end(&s->waiting, *place);
+    *place = NULL;
+  }
+}
+
 static enum MHD_Result handle(void *context, struct MHD_Connection *c, const char *url, const char *method, const char *version, const char *data, size_t *size, void **state) {
   live_server *s = context;
   request *r = *state;
@@ -408,13 +426,15 @@ static enum MHD_Result handle(void *context, struct MHD_Connection *c, const cha
     *size = 0;
     return MHD_YES;
   }
+  live_waiter_asked(&s->waiting, waiter(s, c));
   if (r->too_long || r->body.failed) return answer_text(s, c, 413, "that is too long\n");
   return dispatch(s, c, url, method, &r->body);
 }
 
 static void completed(void *context, struct MHD_Connection *c, void **state, enum MHD_RequestTerminationCode how) {
   request *r = *state;
-  (void)context, (void)c, (void)how;
+  live_server *s = context;
+  if (how == MHD_REQUEST_TERMINATED_COMPLETED_OK) live_waiter_waits(&s->waiting, waiter(s, c));
   if (r == NULL) return;
   live_text_free(&r->body);
   free(r);
@@ -436,11 +456,13 @@ bool live_server_open(live_server *s) {
     return false;
   }
   pthread_mutex_init(&s->names_lock, NULL);
+  live_waiting_open(&s->waiting);
   s->names = vs_new(NULL);
   pthread_mutex_lock(&s->publish->lock); /* who asks at once waits for the port and the names that are written below */
   s->daemon = s->http.start_daemon(MHD_USE_INTERNAL_POLLING_THREAD | MHD_USE_THREAD_PER_CONNECTION | MHD_USE_ERROR_LOG, 0, NULL, NULL, handle, s, MHD_OPTION_EXTERNAL_LOGGER, quiet, NULL,
                                    MHD_OPTION_SOCK_ADDR, (struct sockaddr *)&loopback, MHD_OPTION_CONNECTION_LIMIT, (unsigned)CONNECTIONS, MHD_OPTION_CONNECTION_TIMEOUT, (unsigned)SILENCE,
-                                   MHD_OPTION_CONNECTION_MEMORY_LIMIT, (size_t)32768, MHD_OPTION_NOTIFY_COMPLETED, completed, NULL, MHD_OPTION_END);
+                                   MHD_OPTION_CONNECTION_MEMORY_LIMIT, (size_t)32768, MHD_OPTION_NOTIFY_COMPLETED, completed, s,
+                                   MHD_OPTION_NOTIFY_CONNECTION, connected, s, MHD_OPTION_END);
   const union MHD_DaemonInfo *info = s->daemon != NULL ? s->http.get_daemon_info(s->daemon, MHD_DAEMON_INFO_BIND_PORT) : NULL;
   s->port = info != NULL ? info->port : 0;
   snprintf(s->hosts[0], sizeof s->hosts[0], "127.0.0.1:%u", s->port);
@@ -456,4 +478,5 @@ void live_server_close(live_server *s) {
   vs_free(s->names);
   s->names = NULL;
   pthread_mutex_destroy(&s->names_lock);
+  live_waiting_close(&s->waiting);
 }

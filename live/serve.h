@@ -4,6 +4,7 @@
 
 #include "live/http.h"
 #include "live/publish.h"
+#include "live/waiting.h"
 
 typedef struct live_server {
   live_http http;
@@ -15,6 +16,7 @@ typedef struct live_server {
   vs_scheme *names;                  /* an interpreter of its own for completion, used with names_lock held */
   pthread_mutex_t names_lock;
   struct MHD_Daemon *daemon;
+  live_waiting waiting;       /* the connections without a whole request */
   unsigned port;
   char token[33];
   char hosts[2][32];          /* "127.0.0.1:PORT", "localhost:PORT" */

@@ -187,6 +187,25 @@ try {
     check(answer?.status === 200, "nobody is served any more");
   });
 
+  // More of them than there are connections; a byte comes before a silent client would be given up.
+  await test("slow clients", async (check) => {
+    const slow = Array.from({ length: 60 }, (_, i) => {
+      const socket = net.connect(port, "127.0.0.1");
+      for (const event of ["error", "close"]) socket.on(event, () => clearInterval(socket.drip));
+      socket.write(i % 3 ? "G" : `POST /check HTTP/1.1\r\nHost: 127.0.0.1:${port}\r\nX-VS-Token: ${token}\r\nContent-Length: 9999\r\n\r\n(`);
+      socket.drip = setInterval(() => socket.write("E"), 500);
+      return socket;
+    });
+    for (let i = 0; i < 4; i++) {
+      await new Promise((go) => setTimeout(go, 1000));
+      const answer = await Promise.race([ask("/source").catch((e) => ({ status: e.code })), new Promise((go) => setTimeout(go, 5000, { status: "no answer in 5 s" }))]);
+      check(answer.status === 200, `beside slow clients: ${answer.status}`);
+    }
+    const left = slow.filter((socket) => !socket.destroyed).length;
+    check(left > 0 && left <= 12, `${left} of the slow are served`);
+    for (const socket of slow) clearInterval(socket.drip), socket.destroy();
+  });
+
   await test("with other values, beside the session", async (check) => {
     const send = (values, more = "") => ask("/export?format=off&id=t" + more, { method: "POST", body: Object.entries(values).map(([n, v]) => n + "\x1f" + v + "\x1e").join("") });
     const tall = (body) => Math.max(...body.toString().split("\n").slice(2).map((l) => l.split(" ")).filter((l) => l.length === 3).map((l) => Number(l[2])));
