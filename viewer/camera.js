@@ -26,6 +26,7 @@ export class CameraControl {
     this.pointers = new Map();
     this.depthAt = () => null; // (x, y) in pixels: a point of the model there, or null
     this.changed = () => {};
+    this.covered = () => 0; // pixels at the picture's lower border that lie under buttons
     stage.onFrame((time) => this.#step(time));
     this.#listen(stage.canvas);
   }
@@ -78,23 +79,24 @@ export class CameraControl {
     return out;
   }
 
-  // The state that shows the whole box as large as can be, looking as s does. The same reasoning as backends/view.c.
+  // The state that shows the whole box as large as can be above the buttons, looking as s does. The same reasoning as backends/view.c.
   framed(s, box) {
     const canvas = this.stage.canvas, aspect = Math.max(1, canvas.clientWidth) / Math.max(1, canvas.clientHeight), margin = 1.12;
-    const tall = Math.tan(s.angle / 2) / margin, wide = tall * aspect;
+    const half = Math.tan(s.angle / 2), tall = half / margin, wide = tall * aspect;
+    const low = Math.min(tall, half * Math.max(0.4, 1 - 2 * this.covered() / Math.max(1, canvas.clientHeight))); // as tall, below the middle
     const r = this.right(s), u = this.up(s), f = this.direction(s).negate(), corners = this.corners(box);
     const middle = corners[0].clone().add(corners[7]).multiplyScalar(0.5);
     const most = { r: -Infinity, l: -Infinity, t: -Infinity, b: -Infinity }, flat = { ...most };
     for (const corner of corners) {
       const c = corner.sub(middle), x = c.dot(r), y = c.dot(u), z = c.dot(f);
       most.r = Math.max(most.r, x - z * wide), most.l = Math.max(most.l, -x - z * wide);
-      most.t = Math.max(most.t, y - z * tall), most.b = Math.max(most.b, -y - z * tall);
+      most.t = Math.max(most.t, y - z * tall), most.b = Math.max(most.b, -y - z * low);
       flat.r = Math.max(flat.r, x), flat.l = Math.max(flat.l, -x), flat.t = Math.max(flat.t, y), flat.b = Math.max(flat.b, -y);
     }
     const used = s.parallel ? flat : most;
-    const width = (used.r + used.l) / (2 * wide), height = (used.t + used.b) / (2 * tall);
-    const target = middle.addScaledVector(r, (used.r - used.l) / 2).addScaledVector(u, (used.t - used.b) / 2);
-    return { ...s, target, distance: Math.max(width, height, 1e-6) || 1 };
+    const width = (used.r + used.l) / (2 * wide), height = (used.t + used.b) / (tall + low), distance = Math.max(width, height, 1e-6) || 1;
+    const target = middle.addScaledVector(r, (used.r - used.l) / 2).addScaledVector(u, (used.t - used.b + (low - tall) * distance) / 2);
+    return { ...s, target, distance };
   }
 
   fit(box = this.stage.model.box) { this.walking = false; this.go(this.framed(this.state, box)); }

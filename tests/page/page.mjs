@@ -34,6 +34,18 @@ function install() {
     }
     return { count, white: white / Math.max(1, count), part: count / (w * h), ...box, calls: stage.drawCalls };
   };
+  // What of the buttons and the title lies on each other or out of the screen.
+  window.crowded = () => {
+    const found = [], boxes = [...document.querySelectorAll(".vs .bar button, .vs .title h1, .vs .title p")].filter((n) => n.offsetParent !== null).map((n) => [n.getAttribute("aria-label") || n.tagName, n.getBoundingClientRect()]);
+    for (const [name, b] of boxes) if (b.left < 0 || b.right > innerWidth || b.top < 0 || b.bottom > innerHeight) found.push(`${name} reaches out of the screen`);
+    for (let i = 0; i < boxes.length; i++) for (let k = 0; k < i; k++) {
+      const a = boxes[i][1], b = boxes[k][1];
+      if (a.left < b.right - 0.5 && b.left < a.right - 0.5 && a.top < b.bottom - 0.5 && b.top < a.bottom - 0.5) found.push(`${boxes[i][0]} lies on ${boxes[k][0]}`);
+    }
+    for (const b of document.querySelectorAll("button")) if (!b.getAttribute("aria-label") && !b.textContent.trim()) found.push("a button without a name");
+    if (document.documentElement.scrollWidth > innerWidth) found.push("it scrolls sideways");
+    return found;
+  };
 }
 
 // Framed: all of it is in the picture, and it reaches across most of one side. long: a scene that is a line from some sides, as a row of facades from above.
@@ -70,8 +82,51 @@ try {
     for (const how of ["fit", "top", "front", "right", "iso"]) faults.push(...framed(seen.out[how], name.startsWith("rules-")).map((f) => `${how}: ${f}`));
     if (seen.out.iso.white > 0.2) faults.push(`${(100 * seen.out.iso.white).toFixed(0)} % of it are burnt out`);
     if (name === "gare-do-oriente" && seen.out.first.calls > 60) faults.push(`${seen.out.first.calls} draw calls`);
+    // At a phone's width, framed, the model lies above the buttons.
+    await page.setViewportSize({ width: 360, height: 640 });
+    await page.waitForFunction(() => window.visualscheme.canvas.width === 360, null, { timeout: 60000 });
+    const narrow = await page.evaluate(() => {
+      const v = window.visualscheme;
+      v.menus.views.querySelector('[data-view="iso"]').click();
+      v.buttons.fit.click();
+      const bar = document.querySelector(".vs .bar").getBoundingClientRect();
+      return { seen: window.seen(), bar: 1 - bar.top / innerHeight, faults: window.crowded() };
+    });
+    faults.push(...narrow.faults.map((f) => "360 pixels wide: " + f));
+    if (narrow.seen.bottom < narrow.bar) faults.push(`360 pixels wide: it reaches ${Math.round(640 * (narrow.bar - narrow.seen.bottom))} pixels under the buttons`);
     judge(name, faults);
     await page.close();
+  }
+
+  // Fingers and pens, as the system sends them: one finger or a pen turns, two fingers move, or draw it nearer.
+  if (wanted("touch")) {
+    const phone = await chromium.newContext({ viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true, reducedMotion: "reduce" });
+    const page = await open(phone, `file://${folder}/doric-columns.html`), faults = [], system = await phone.newCDPSession(page);
+    await page.evaluate(() => { window.visualscheme.stage.options.refine = false; });
+    const state = () => page.evaluate(() => { const s = window.visualscheme.control; return { far: s.state.distance, eye: s.eye().toArray(), ahead: window.visualscheme.stage.camera.matrixWorld.elements.slice(8, 11) }; });
+    const touch = (type, ...points) => system.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+    const differs = (a, b) => a.some((x, k) => Math.abs(x - b[k]) > 1e-6);
+    async function fingers(from, to) {
+      await touch("touchStart", ...from);
+      for (const part of [0.25, 0.5, 0.75, 1]) await touch("touchMove", ...from.map((p, k) => p.map((x, q) => x + part * (to[k][q] - x))));
+      await touch("touchEnd");
+      return state();
+    }
+    const first = await state(), turned = await fingers([[180, 300]], [[250, 330]]);
+    if (!differs(turned.ahead, first.ahead) || Math.abs(turned.far / first.far - 1) > 1e-6) faults.push("a finger does not turn it, or does more");
+    const moved = await fingers([[150, 300], [210, 300]], [[190, 340], [250, 340]]);
+    if (differs(moved.ahead, turned.ahead) || !differs(moved.eye, turned.eye)) faults.push("two fingers do not move it alone");
+    const pinched = await fingers([[160, 300], [200, 300]], [[110, 300], [250, 300]]);
+    if (!(pinched.far < 0.7 * moved.far)) faults.push(`two fingers that part draw it from ${moved.far} to ${pinched.far}`);
+    const pen = (type, x, y) => system.send("Input.dispatchMouseEvent", { type, x, y, button: "left", buttons: type === "mouseReleased" ? 0 : 1, clickCount: 1, pointerType: "pen" });
+    await page.evaluate(() => window.visualscheme.canvas.addEventListener("pointermove", (event) => { window.movedBy = event.pointerType; }));
+    await pen("mousePressed", 180, 300);
+    for (const x of [200, 220, 240]) await pen("mouseMoved", x, 310);
+    await pen("mouseReleased", 240, 310);
+    const drawn = await state(), by = await page.evaluate(() => window.movedBy);
+    if (by !== "pen" || !differs(drawn.ahead, pinched.ahead)) faults.push(`a pen (${by}) does not turn it`);
+    judge("touch", [...faults, ...page.troubles]);
+    await phone.close();
   }
 
   if (wanted("camera")) {
@@ -175,18 +230,9 @@ try {
 
   if (wanted("phone")) {
     const phone = await chromium.newContext({ viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true });
+    await phone.addInitScript(install);
     const page = await open(phone, `file://${folder}/gare-do-oriente.html`);
-    const faults = await page.evaluate(() => {
-      const found = [], boxes = [...document.querySelectorAll(".vs .bar button, .vs .title h1, .vs .title p")].filter((n) => n.offsetParent !== null).map((n) => [n.getAttribute("aria-label") || n.tagName, n.getBoundingClientRect()]);
-      for (const [name, b] of boxes) if (b.left < 0 || b.right > innerWidth || b.top < 0 || b.bottom > innerHeight) found.push(`${name} reaches out of the screen`);
-      for (let i = 0; i < boxes.length; i++) for (let k = 0; k < i; k++) {
-        const a = boxes[i][1], b = boxes[k][1];
-        if (a.left < b.right - 0.5 && b.left < a.right - 0.5 && a.top < b.bottom - 0.5 && b.top < a.bottom - 0.5) found.push(`${boxes[i][0]} lies on ${boxes[k][0]}`);
-      }
-      for (const b of document.querySelectorAll("button")) if (!b.getAttribute("aria-label") && !b.textContent.trim()) found.push("a button without a name");
-      if (document.documentElement.scrollWidth > innerWidth) found.push("it scrolls sideways");
-      return found;
-    });
+    const faults = await page.evaluate(() => window.crowded());
     judge("phone", [...faults, ...page.troubles]);
     await phone.close();
   }
