@@ -150,16 +150,6 @@ vs_status vs_p_is_material(vs_frame *f, vs_value *out) {
 
 /* ---- the view ---- */
 
-vs_status vs_p_camera(vs_frame *f, vs_value *out) {
-  vs_scene *s = &f->bind->scene;
-  (void)out;
-  if (vs_v3_equal(f->arg[0].point, f->arg[1].point)) return vs_bind_refuse(f, "target", "another point than eye", f->arg[1].value);
-  if (f->bind->handing) return VS_OK;
-  s->view = VS_VIEW_CAMERA, s->eye = f->arg[0].point, s->target = f->arg[1].point;
-  s->lens = f->key[0].given ? f->key[0].real : 35;
-  return VS_OK;
-}
-
 vs_status vs_p_view_from(vs_frame *f, vs_value *out) {
   static const struct { const char *name; vs_view view; } views[] = {
     { "top", VS_VIEW_TOP },     { "bottom", VS_VIEW_BOTTOM }, { "front", VS_VIEW_FRONT }, { "back", VS_VIEW_BACK },

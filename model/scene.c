@@ -63,4 +63,5 @@ void vs_scene_look(vs_scene *scene, const vs_scene_view *view) {
   scene->eye = view->eye, scene->target = view->target;
   scene->lens = view->lens;
   scene->upright = view->upright;
+  scene->aperture = view->aperture, scene->focus = view->focus;
 }

@@ -15,6 +15,8 @@ typedef struct {
   vs_vec3 eye, target;       /* VS_VIEW_CAMERA, VS_VIEW_ALONG */
   double lens;               /* mm, 35 mm equivalent */
   bool upright;              /* VS_VIEW_CAMERA: what is vertical stays so on the picture */
+  double aperture;           /* VS_VIEW_CAMERA: the lens's f-number; 0: all is sharp */
+  vs_vec3 focus;             /* with an aperture: what is as far away as this point is sharp */
   vs_cut cut;
   vs_vec3 cut_point, cut_normal; /* VS_CUT_PLANE: what lies on the normal's side is kept; unit */
   double scale;              /* of a drawing: 100 is 1:100; 0: a round one that fits */
@@ -41,6 +43,8 @@ typedef struct {
   vs_vec3 eye, target;       /* VS_VIEW_CAMERA */
   double lens;               /* mm, 35 mm equivalent; 35 by default */
   bool upright;              /* VS_VIEW_CAMERA: verticals stay vertical */
+  double aperture;           /* VS_VIEW_CAMERA: f-number; 0: all is sharp */
+  vs_vec3 focus;             /* with an aperture: a point as far away as what is sharp */
   vs_scene_view *views;      /* in the order they were named */
   size_t view_count, view_room;
   vs_scene_note *notes;

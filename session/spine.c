@@ -68,7 +68,7 @@ static bool job_progress(void *job, const char *stage, double fraction) {
 void vs_session_aim(const vs_output_options *o, vs_scene *scene) {
   if (o->has_sun) scene->has_sun = true, scene->sun_azimuth = o->sun[0], scene->sun_altitude = o->sun[1];
   if (!o->has_camera) return;
-  scene->view = VS_VIEW_CAMERA, scene->upright = false;
+  scene->view = VS_VIEW_CAMERA, scene->upright = false, scene->aperture = 0;
   scene->eye = vs_v3(o->camera[0], o->camera[1], o->camera[2]);
   scene->target = vs_v3(o->camera[3], o->camera[4], o->camera[5]);
   scene->lens = o->camera[6] > 0 ? o->camera[6] : 35;

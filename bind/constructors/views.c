@@ -66,8 +66,30 @@ static vs_status take_cut(vs_frame *f, vs_scene_view *v, const vs_arg *cut) {
   return VS_OK;
 }
 
+/* The aperture of a lens at v's eye, and what it is sharp at: the target unless the program says another point. */
+static vs_status take_aperture(vs_frame *f, vs_scene_view *v, const vs_arg *aperture, const vs_arg *focus) {
+  v->focus = focus->given ? focus->point : v->target;
+  v->aperture = aperture->given ? aperture->real : 0;
+  if (focus->given && !aperture->given)
+    return vs_fail(f->vm, f->vm->sym.arity, "takes #:focus with #:aperture, the lens's f-number");
+  if (!(vs_v3_dot(vs_v3_sub(v->focus, v->eye), vs_v3_sub(v->target, v->eye)) > 0))
+    return vs_bind_refuse(f, "focus", "a point before the eye", focus->value);
+  return VS_OK;
+}
+
+vs_status vs_p_camera(vs_frame *f, vs_value *out) {
+  const vs_arg *k = f->key; /* lens aperture focus */
+  vs_scene_view v = { .view = VS_VIEW_CAMERA, .eye = f->arg[0].point, .target = f->arg[1].point };
+  (void)out;
+  if (vs_v3_equal(v.eye, v.target)) return vs_bind_refuse(f, "target", "another point than eye", f->arg[1].value);
+  v.lens = k[0].given ? k[0].real : 35;
+  if (take_aperture(f, &v, &k[1], &k[2]) != VS_OK) return VS_ERROR;
+  if (!f->bind->handing) vs_scene_look(&f->bind->scene, &v);
+  return VS_OK;
+}
+
 vs_status vs_p_view(vs_frame *f, vs_value *out) {
-  const vs_arg *k = f->key; /* from to lens upright cut scale sheet hidden */
+  const vs_arg *k = f->key; /* from to lens upright cut scale sheet hidden aperture focus */
   vs_scene_view v = { .view = VS_VIEW_CAMERA, .cut = VS_CUT_NONE, .lens = 35 };
   (void)out;
   if (!is_name(&f->arg[0])) return vs_bind_refuse(f, "name", "a name of 1 to 100 letters, without / and line breaks",
@@ -79,8 +101,9 @@ vs_status vs_p_view(vs_frame *f, vs_value *out) {
     v.view = kinds[i].view, v.cut = kinds[i].cut;
   }
   if (take_place(f, &v, &k[0], &k[1]) != VS_OK) return VS_ERROR;
-  if (v.view != VS_VIEW_CAMERA && (k[2].given || k[3].given))
-    return vs_fail(f->vm, f->vm->sym.arity, "#:lens and #:upright are for perspective views");
+  if (v.view != VS_VIEW_CAMERA && (k[2].given || k[3].given || k[8].given || k[9].given))
+    return vs_fail(f->vm, f->vm->sym.arity, "#:lens, #:upright, #:aperture and #:focus are for perspective views");
+  if (v.view == VS_VIEW_CAMERA && take_aperture(f, &v, &k[8], &k[9]) != VS_OK) return VS_ERROR;
   if (k[2].given) v.lens = k[2].real;
   v.upright = k[3].given && k[3].boolean;
   if (v.upright && hypot(v.target.x - v.eye.x, v.target.y - v.eye.y) < 0.05 * vs_v3_length(vs_v3_sub(v.target, v.eye)))

@@ -78,7 +78,7 @@ static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "view", "name", "\"a\" 'plan" }, { "view", "kind", NULL }, { "view", "cut", "1" }, { "view", "sheet", "\"A3\"" }, { "view", "from", NULL }, { "view", "to", NULL },
   { "view", "lens", NULL }, { "view", "upright", NULL }, { "dimension", "q", "(xyz 9 9 9)" }, { "grid-axis", "q", "(xyz 9 9 9)" },
   { "camera", "target", "(xyz 9 9 9)" }, { "view-from", "side", "'top" }, { "units", "unit", "'mm" }, { "sky", "image", NULL },
-  { "sky", "turbidity", NULL },
+  { "sky", "turbidity", NULL }, { "camera", "focus", NULL }, { "view", "focus", NULL }, { "view", "aperture", NULL },
   { "native", "target", "'povray" }, { "erase", "objects", "(draw ball)" }, { "native", "text", "\"sphere { 0, 1 }\"" },
   { "make-text", "font", "\"DejaVu Sans\"" }, { "text-width", "font", "\"DejaVu Sans\"" }, { "make-text", "align", "'left" }, { "make-text", "valign", "'top" },
   { "join-curves", "curves", "rail" }, { "make-superellipsoid", "e", "1" }, { "make-superellipsoid", "n", "1" },
