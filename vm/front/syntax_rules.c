@@ -90,6 +90,10 @@ static bool repeats(const vs_value *lists, vs_value t, int64_t ellipses, int dep
   return vs_is_identifier(t) && ellipses_of(lists, t) > ellipses;
 }
 
+static bool no_repetition(rules *s, vs_pos pos) {
+  return vs_expand_fail(s->x, pos, VS_ABSENT, "an ellipsis of the template follows nothing that repeats");
+}
+
 /* `outside`: how many ellipses the subtemplate t stands under. */
 static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dots, int64_t outside, vs_pos pos, int depth) {
   if (depth > PATTERN_DEPTH) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "this template is nested too deeply");
@@ -99,10 +103,13 @@ static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dot
   }
   if (vs_is_vector(t)) {
     size_t n = vs_as_vector(t)->length;
-    for (size_t i = 0; i < n; i++) {
-      if (dots && is_ellipsis(s, field(t, i))) return true;      /* vectors with ellipses are seen when they are used */
+    if (dots && n && is_ellipsis(s, field(t, 0))) return true;   /* #(... template) is seen when it is used */
+    for (size_t i = 0, next; i < n; i = next) {
+      for (next = i + 1; dots && next < n && is_ellipsis(s, field(t, next)); next++) {
+        if (!repeats(lists, field(t, i), outside + (int64_t)(next - i - 1), 0)) return no_repetition(s, pos);
+      }
+      if (!check_template(s, lists, field(t, i), dots, outside + (int64_t)(next - i - 1), pos, depth + 1)) return false;
     }
-    for (size_t i = 0; i < n; i++) if (!check_template(s, lists, field(t, i), dots, outside, pos, depth + 1)) return false;
     return true;
   }
   for (bool first = true; vs_is_pair(t); first = false) {
@@ -112,7 +119,7 @@ static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dot
     vs_pos place = vs_element_pos(t, first, pos);
     while (dots && vs_is_pair(rest) && is_ellipsis(s, vs_car(rest))) { level++; rest = vs_cdr(rest); }
     for (int64_t i = 0; i < level; i++)
-      if (!repeats(lists, sub, outside + i, 0)) return vs_expand_fail(s->x, place, VS_ABSENT, "an ellipsis of the template follows nothing that repeats");
+      if (!repeats(lists, sub, outside + i, 0)) return no_repetition(s, place);
     if (!check_template(s, lists, sub, dots, outside + level, place, depth + 1)) return false;
     t = rest;
   }
@@ -320,7 +327,7 @@ static bool repeat(rules *s, vs_value sub, int level, vs_value *list, int depth)
     any = true;
     turns = length;
   }
-  if (ok && !any) ok = vs_expand_fail(s->x, s->pos, VS_ABSENT, "an ellipsis of the template follows nothing that repeats");
+  if (ok && !any) ok = no_repetition(s, s->pos);
   r[1] = s->r[R_SLOTS]; r[2] = s->r[R_DEPTHS];
   ok = ok && copy_vector(vm, r[1], &r[3]) && copy_vector(vm, r[2], &r[4]);
   for (size_t i = 0; ok && i < n; i++) if (used[i]) vs_as_vector(r[4])->at[i] = vs_fix(vs_fixnum(field(r[4], i)) - 1);

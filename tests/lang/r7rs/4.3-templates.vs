@@ -5,6 +5,9 @@
 (displayln (said '(define-syntax bad (syntax-rules () ((_ (a ...) ...) (list a ...))))))   ; expect: a matches a sequence: an ellipsis must follow it in the template
 (displayln (said '(define-syntax bad (syntax-rules () ((_ a ...) (list (a ...) ...))))))   ; expect: an ellipsis of the template follows nothing that repeats
 (displayln (said '(define-syntax bad (syntax-rules () ((_ a ...) #(a))))))   ; expect: a matches a sequence: an ellipsis must follow it in the template
+(displayln (said '(define-syntax bad (syntax-rules () ((_ (a ...) ...) '#(a ...))))))   ; expect: a matches a sequence: an ellipsis must follow it in the template
+(displayln (said '(define-syntax bad (syntax-rules () ((_ (a) ...) (list #(a ...) ...))))))   ; expect: an ellipsis of the template follows nothing that repeats
+(displayln (said '(define-syntax bad (syntax-rules () ((_ a) #(a ...))))))   ; expect: an ellipsis of the template follows nothing that repeats
 ; those that are right stay right
 (define-syntax pairs (syntax-rules () ((_ (a b ...) ...) '((a (b a) ...) ...))))
 (displayln (pairs (1 2 3) (4)))                                         ; expect: ((1 (2 1) (3 1)) (4))
@@ -16,6 +19,8 @@
 (displayln (dots 1 2))                                                  ; expect: (1 2 ...)
 (define-syntax vec (syntax-rules () ((_ a ...) '#(0 a ... 9))))
 (displayln (vec 1 2))                                                   ; expect: #(0 1 2 9)
+(define-syntax rows (syntax-rules () ((_ (a ...) ...) '#(#(a ...) ... 9 a ... ...))))
+(displayln (rows (1 2) (3)))                                            ; expect: #(#(1 2) #(3) 9 1 2 3)
 (define-syntax tail (syntax-rules () ((_ a ... . r) '(a ... . r))))
 (displayln (tail 1 2))                                                  ; expect: (1 2)
 (define-syntax be-like-begin (syntax-rules () ((_ name) (define-syntax name (syntax-rules () ((_ e (... ...)) (begin e (... ...))))))))
