@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "cli/nearby.h"
@@ -236,6 +237,22 @@ static bool add_folders(cli_options *o, const char *folders) {
   return true;
 }
 
+/* Is each of the folders one? False: said. A folder of VS_LIBRARY_PATH need not be, as with any such variable. */
+static bool are_folders(const char *option, const char *folders) {
+  for (const char *at = folders; *at;) {
+    size_t n = strcspn(at, ":");
+    char *name = strndup(at, n);
+    struct stat is;
+    if (!name) return fputs("vs: out of memory\n", stderr), false;
+    bool good = !n || (stat(name, &is) == 0 && S_ISDIR(is.st_mode));
+    if (!good) fprintf(stderr, "vs: %s %s: there is no such folder\n", option, name);
+    free(name);
+    if (!good) return false;
+    at += n + (at[n] == ':');
+  }
+  return true;
+}
+
 static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdict) {
   double real = 0;
   long whole = 0;
@@ -246,7 +263,7 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
     o->defines[o->define_count++] = (char *)v;
     return (strchr(v, '=') && *v != '=') || bad("-D", v, "NAME=VALUE, as in -D height=12");
   case OPTION_EXPRESSION: o->sources[o->source_count++] = (cli_source){CLI_SOURCE_EXPRESSION, v}; return true;
-  case OPTION_LIBRARY: return *v ? add_folders(o, v) : bad("-L", "''", "a folder");
+  case OPTION_LIBRARY: return *v ? are_folders("-L", v) && add_folders(o, v) : bad("-L", "''", "a folder");
   case OPTION_INTERACTIVE: o->interactive = true; return true;
   case OPTION_PASSES: return parse_passes(v ? v : "", &o->output);
   case OPTION_SIZE: return parse_size(v, &o->output);

@@ -164,16 +164,18 @@ static bool defines(vs_value form, vs_value name) {
   return what == name;
 }
 
-/* A call of what is not defined, under a name that the library has for syntax: to expand its operands would lead to errors beside the
-   point. Unless a later form of the unit defines the name: then it is a procedure. */
+/* A call of what is not defined, under a name that the library, or one that is shipped, has for syntax: to expand its
+   operands would lead to errors beside the point. Unless a later form of the unit defines the name: then it is a procedure. */
 static bool check_imported(vs_expansion *x, vs_value id, vs_pos pos) {
   vs_scheme *vm = x->vm;
   vs_value name = vs_identifier_symbol(id), known = vs_idtable_get(vs_as_environment(vm->at.core)->table, name);
-  if (known == VS_VACANT || !vs_is(known, VS_T_MACRO) || *vs_as_symbol(name)->name == '%') return true;
+  if ((known != VS_VACANT && !vs_is(known, VS_T_MACRO)) || *vs_as_symbol(name)->name == '%') return true;
   for (vs_value l = x->later; vs_is_pair(l); l = vs_cdr(l)) if (defines(vs_car(l), name)) return true;
   vs_text t;
   vs_text_open(vm, &t, 300);
-  bool ok = vs_library_advice(vm, name, &t) && vs_text_end(&t) && vs_fail_at(vm, vm->sym.unbound, pos, VS_NIL, "%s is not defined%s", vs_as_symbol(name)->name, t.at);
+  bool known_here = known != VS_VACANT, ok = vs_library_advice(vm, name, !known_here, &t) && vs_text_end(&t);
+  if (ok && (known_here || t.count))
+    ok = vs_fail_at(vm, vm->sym.unbound, pos, VS_NIL, "%s is not defined%s", vs_as_symbol(name)->name, t.at);
   vs_text_close(&t);
   return ok;
 }

@@ -298,7 +298,7 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
       return vs_text_puts(t, "; it is one name; write (") && vs_text_put(t, name + sign, width) && vs_text_puts(t, " ") && vs_text_put(t, name, sign) &&
              vs_text_puts(t, " ") && vs_text_puts(t, name + sign + width) && vs_text_puts(t, ")");
   }
-  if (!vs_library_advice(vm, symbol, t)) return false;
+  if (!vs_library_advice(vm, symbol, false, t)) return false;
   if (t->count > before || !vs_is(env, VS_T_ENVIRONMENT) || wanted->length < 2) return true;
   char plain[LONGEST + 1];
   if (plain_name(name, plain)) {

@@ -121,16 +121,33 @@ static bool exports_name(const char *at, const char *end, const vs_symbol *name)
   return false;
 }
 
+/* Does a shipped text define the name as syntax, (define-syntax name ...)? */
+static bool defines_syntax(const vs_shipped *f, const vs_symbol *name) {
+  static const char form[] = "(define-syntax ";
+  size_t head = sizeof form - 1, whole = head + name->length + 1;
+  for (const char *at = f->text; (size_t)(f->end - at) >= whole && (at = memchr(at, '(', (size_t)(f->end - at) - whole + 1)); at++)
+    if (!memcmp(at, form, head) && !memcmp(at + head, name->name, name->length) && strchr(" \n(", at[whole - 1])) return true;
+  return false;
+}
+
+/* The same of any file of a shipped library, given by the file that exports the name: what it includes is named alike. */
+static bool exports_syntax(vs_scheme *vm, const vs_shipped *library, const vs_symbol *name) {
+  size_t stem = (size_t)(strstr(library->name, ".sld") - library->name) + 1;
+  for (const vs_shipped *part = vm->config.shipped; part->name; part++)
+    if (!strncmp(part->name, library->name, stem) && defines_syntax(part, name)) return true;
+  return false;
+}
+
 /* "srfi/115.sld" is (srfi 115) */
 static bool put_shipped_name(const char *file, vs_text *t) {
   size_t n = strcspn(file, "."), part = strcspn(file, "/");
   return part >= n ? vs_text_put(t, file, n) :
       vs_text_put(t, file, part) && vs_text_puts(t, " ") && vs_text_put(t, file + part + 1, n - part - 1);
 }
-bool vs_library_advice(vs_scheme *vm, vs_value symbol, vs_text *t) {
+bool vs_library_advice(vs_scheme *vm, vs_value symbol, bool syntax, vs_text *t) {
   if (!vs_is_symbol(symbol)) return true;
   const vs_symbol *name = vs_as_symbol(symbol);
-  for (int i = 0; i < LIBRARIES; i++) {
+  for (int i = 0; !syntax && i < LIBRARIES; i++) {
     const char *exports = libraries[i].exports, *inside, *word;
     for (size_t n, m; word = next_word(&exports, &n, &inside, &m), n;)
       if (n == name->length && !memcmp(word, name->name, n))
@@ -138,7 +155,7 @@ bool vs_library_advice(vs_scheme *vm, vs_value symbol, vs_text *t) {
   }
   bool ours = name->name[0] != '%' && vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT;
   for (const vs_shipped *f = vm->config.shipped; !ours && f && f->name; f++)
-    if (strstr(f->name, ".sld") && exports_name(f->text, f->end, name))
+    if (strstr(f->name, ".sld") && exports_name(f->text, f->end, name) && (!syntax || exports_syntax(vm, f, name)))
       return vs_text_puts(t, "; (import (visualscheme) (") && put_shipped_name(f->name, t) && vs_text_puts(t, ")) brings it");
   if (!ours) return true;
   return vs_text_puts(t, "; (import (visualscheme)) brings it");
