@@ -12,7 +12,7 @@ typedef struct {
   vs_script *s;
   vs_scanner c;
   vs_script_place last; /* of the token before */
-  unsigned depth;
+  unsigned depth, chained; /* levels that are open, and the else-ifs among them */
   unsigned functions, loops, switches; /* around the current place, in its function */
 } parser;
 
@@ -566,6 +566,19 @@ static bool jump(parser *p, vs_script_kind kind, vs_script_place at, uint32_t *o
   return make_of(p, kind, at, label, 0, 0, 0, out) && semicolon(p);
 }
 
+static bool word_statement(parser *p, vs_script_place at, uint32_t *out);
+
+/* The statement behind `else`. An `if` there is the next of a chain and no deeper level: a chain may be as long as a tree
+ * is high. */
+static bool otherwise(parser *p, uint32_t *out) {
+  if (!at_word(p, VS_WORD_IF)) return statement(p, out);
+  if (++p->chained > VS_SCRIPT_HEIGHT)
+    return vs_script_fail(p->s, now(p)->at, "more than %d times else if in a row", VS_SCRIPT_HEIGHT);
+  bool ok = word_statement(p, now(p)->at, out);
+  p->chained--;
+  return ok;
+}
+
 static bool word_statement(parser *p, vs_script_place at, uint32_t *out) {
   uint32_t a, b, c = 0;
   switch (now(p)->word) {
@@ -573,7 +586,7 @@ static bool word_statement(parser *p, vs_script_place at, uint32_t *out) {
   case VS_WORD_FUNCTION: return function(p, true, out);
   case VS_WORD_IF:
     if (!next(p) || !expect(p, "(") || !expression(p, true, &a) || !expect(p, ")") || !statement(p, &b)) return false;
-    if (at_word(p, VS_WORD_ELSE) && (!next(p) || !statement(p, &c))) return false;
+    if (at_word(p, VS_WORD_ELSE) && (!next(p) || !otherwise(p, &c))) return false;
     return make_of(p, VS_SCRIPT_IF, at, a, b, c, 0, out);
   case VS_WORD_FOR: return for_statement(p, at, out);
   case VS_WORD_WHILE:

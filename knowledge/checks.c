@@ -288,6 +288,7 @@ static void check_body(know_findings *f, know_index node) {
   know_index next = k->nodes[node].next;
   if (!next || !k->nodes[next].statement) return;
   const know_node *n = &k->nodes[node];
+  if (n->parent && know_is(k, k->nodes[n->parent].first, "if")) return; /* of two branches one runs, not both in turn */
   if (leaves(k, node)) {
     if (!harmless(k, next)) know_found(f, KNOW_CHECK_UNREACHABLE, next, "line %u never goes on to this", n->at.line);
     return;
