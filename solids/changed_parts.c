@@ -3,6 +3,7 @@
  * of. */
 #include "solids/changed_parts.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -125,33 +126,142 @@ static size_t keys_of(const vs_drawn_parts *p, const vs_part_match *match, unsig
   return n;
 }
 
+/* ---- parts with one key: which with which ---- */
+
+typedef struct {
+  const vs_drawn_parts *a, *b;
+  vs_part_match *before, *after;
+  vs_bounds_memo boxes;
+  double *numbers; /* of one assignment */
+  size_t room;
+} matching;
+
+/* The middle and the size of the part's box; 0 for what has no end. */
+static bool box_of(matching *m, const vs_drawn_part *p, double *out, vs_error *e) {
+  vs_bounds box;
+  if (!vs_bounds_memo_get(&m->boxes, p->thing.node, &box, e)) return false;
+  box = vs_bounds_transform(&box, &p->place);
+  const double low[] = { box.min.x, box.min.y, box.min.z }, high[] = { box.max.x, box.max.y, box.max.z };
+  for (int i = 0; i < 3; i++) {
+    bool ends = isfinite(low[i]) && isfinite(high[i]);
+    out[i] = ends ? (low[i] + high[i]) / 2 : 0;
+    out[3 + i] = ends ? high[i] - low[i] : 0;
+  }
+  return true;
+}
+
+/* How far two boxes are apart: between their middles, and between their sizes. */
+static double apart(const double *a, const double *b) {
+  double sum[2] = { 0, 0 };
+  for (int i = 0; i < 6; i++) sum[i / 3] += (a[i] - b[i]) * (a[i] - b[i]);
+  return sqrt(sum[0]) + sqrt(sum[1]);
+}
+
+/* The assignment of n rows to m columns, n <= m, whose costs have the least sum (H. Kuhn's Hungarian method, by
+ * shortest augmenting paths with potentials: O(n^2 m)). Boxes: six numbers a row and a column. work has room for 3 n + 4 m + 7
+ * numbers; row[k], counted from 1, is whose column k is, 0: nobody's. False: interrupted. */
+static bool assign(vs_store *s, const double *rows, size_t n, const double *columns, size_t m, double *work,
+                   uint32_t *row, vs_error *e) {
+  double *u = work, *v = u + n + 1, *least = v + m + 1;
+  uint32_t *way = (uint32_t *)(void *)(least + m + 1);
+  bool *used = (bool *)(way + m + 1);
+  memset(u, 0, (n + m + 2) * sizeof *u);
+  memset(row, 0, (m + 1) * sizeof *row);
+  for (size_t i = 1; i <= n; i++) {
+    size_t at = 0;
+    row[0] = (uint32_t)i;
+    memset(used, 0, m + 1);
+    for (size_t k = 0; k <= m; k++) least[k] = INFINITY;
+    do {
+      used[at] = true;
+      size_t r = row[at], next = 0;
+      double step = INFINITY;
+      for (size_t k = 1; k <= m; k++) {
+        if (used[k]) continue;
+        double cost = apart(rows + 6 * (r - 1), columns + 6 * (k - 1)) - u[r] - v[k];
+        if (cost < least[k]) least[k] = cost, way[k] = (uint32_t)at;
+        if (least[k] < step) step = least[k], next = k;
+      }
+      for (size_t k = 0; k <= m; k++) {
+        if (used[k]) u[row[k]] += step, v[k] -= step;
+        else least[k] -= step;
+      }
+      at = next;
+      if (!vs_store_going(s, (unsigned)m * 10, e)) return false;
+    } while (row[at]);
+    for (; at; at = way[at]) row[at] = row[way[at]];
+  }
+  return true;
+}
+
+/* Pairs p of the first drawing with q of the second, unless they are two shapes with one hash. */
+static bool pair(matching *m, size_t rule, uint32_t p, uint32_t q, vs_error *e) {
+  bool memory = true;
+  if (rules[rule].by & BY_THING && !vs_node_equal(m->a->at[p].thing.node, m->b->at[q].thing.node, &memory))
+    return memory || vs_error_memory(e, NULL);
+  m->before[p] = (vs_part_match){ rules[rule].fate, q };
+  m->after[q] = (vs_part_match){ rules[rule].fate, p };
+  return true;
+}
+
+/* Past so many steps of an assignment parts pair in the order in which they were drawn. */
+static const double MOST_STEPS = 1e8;
+
+/* The parts of one key: n of the first drawing and k of the second. Where it matters which is paired with which, those
+ * are that lie nearest to each other and have about one size, all pairs taken together. */
+static bool pair_alike(matching *m, size_t rule, const keyed *one, size_t n, const keyed *other, size_t k,
+                       vs_error *e) {
+  bool free_choice = n * k > 1 && (rules[rule].by & (BY_THING | BY_PLACE)) != (BY_THING | BY_PLACE);
+  bool turned = n > k; /* the fewer are the rows */
+  const keyed *few = turned ? other : one, *many = turned ? one : other;
+  size_t rows = turned ? k : n, columns = turned ? n : k, wanted = 9 * rows + 12 * columns + 16;
+  if (!free_choice || (double)rows * (double)rows * (double)columns > MOST_STEPS) {
+    for (size_t i = 0; i < n && i < k; i++)
+      if (!vs_store_going(m->a->store, PART_WORK, e) || !pair(m, rule, one[i].part, other[i].part, e)) return false;
+    return true;
+  }
+  if (!vs_store_grow(m->a->store, &m->numbers, &m->room, wanted, sizeof *m->numbers)) return vs_error_memory(e, NULL);
+  double *row_boxes = m->numbers, *column_boxes = row_boxes + 6 * rows, *work = column_boxes + 6 * columns;
+  uint32_t *row = (uint32_t *)(void *)(work + 3 * rows + 4 * columns + 7);
+  for (size_t i = 0; i < rows + columns; i++) {
+    const keyed *part = i < rows ? &few[i] : &many[i - rows];
+    const vs_drawn_parts *of = (i < rows) != turned ? m->a : m->b;
+    if (!box_of(m, &of->at[part->part], row_boxes + 6 * i, e)) return false;
+  }
+  if (!assign(m->a->store, row_boxes, rows, column_boxes, columns, work, row, e)) return false;
+  for (size_t c = 0; c < columns; c++) {
+    if (!row[c + 1]) continue;
+    uint32_t p = few[row[c + 1] - 1].part, q = many[c].part;
+    if (!pair(m, rule, turned ? q : p, turned ? p : q, e)) return false;
+  }
+  return true;
+}
+
 bool vs_drawn_parts_match(const vs_drawn_parts *a, const vs_drawn_parts *b, vs_part_match *before, vs_part_match *after,
                           vs_error *e) {
   size_t bytes = (a->count + b->count + 1) * sizeof(keyed);
   keyed *ka = vs_store_realloc(a->store, NULL, 0, bytes), *kb = ka + a->count;
   if (!ka) return vs_error_memory(e, NULL);
+  matching m = { .a = a, .b = b, .before = before, .after = after, .boxes.places.store = a->store };
   for (size_t i = 0; i < a->count; i++) before[i] = (vs_part_match){ VS_PART_ALONE, 0 };
   for (size_t i = 0; i < b->count; i++) after[i] = (vs_part_match){ VS_PART_ALONE, 0 };
   bool ok = true;
   for (size_t r = 0; ok && r < sizeof rules / sizeof *rules; r++) {
     size_t na = keys_of(a, before, rules[r].by, ka), nb = keys_of(b, after, rules[r].by, kb);
     for (size_t i = 0, k = 0; ok && i < na && k < nb;) {
-      ok = vs_store_going(a->store, PART_WORK, e);
-      if (ka[i].key != kb[k].key) {
-        if (ka[i].key < kb[k].key) i++;
-        else k++;
-        continue;
+      size_t to = i, end = k;
+      if (ka[i].key < kb[k].key) i++;
+      else if (ka[i].key > kb[k].key) k++;
+      else {
+        while (to < na && ka[to].key == ka[i].key) to++;
+        while (end < nb && kb[end].key == ka[i].key) end++;
+        ok = pair_alike(&m, r, ka + i, to - i, kb + k, end - k, e);
+        i = to, k = end;
       }
-      uint32_t p = ka[i++].part, q = kb[k++].part;
-      bool memory = true;
-      if (rules[r].by & BY_THING && !vs_node_equal(a->at[p].thing.node, b->at[q].thing.node, &memory)) {
-        if (!memory) ok = vs_error_memory(e, NULL);
-        continue; /* two shapes with one hash */
-      }
-      before[p] = (vs_part_match){ rules[r].fate, q };
-      after[q] = (vs_part_match){ rules[r].fate, p };
     }
   }
+  vs_bounds_memo_free(&m.boxes);
+  vs_store_realloc(a->store, m.numbers, m.room * sizeof *m.numbers, 0);
   vs_store_realloc(a->store, ka, bytes, 0);
   return ok;
 }

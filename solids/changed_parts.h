@@ -32,7 +32,8 @@ typedef enum {
 typedef struct { vs_part_fate fate; uint32_t other; /* its index in the other list, unless ALONE */ } vs_part_match;
 
 /* Pairs the parts of both lists: matches of before go to before[], those of after to after[], as many as there are
- * parts. Of equal parts each is paired once, in order. False: out of memory, or interrupted. */
+ * parts. Of equal parts each is paired once: those that moved or changed so that the ways and the differences of size are
+ * least in all, or in order where that would take long. False: out of memory, or interrupted. */
 bool vs_drawn_parts_match(const vs_drawn_parts *a, const vs_drawn_parts *b, vs_part_match *before, vs_part_match *after,
                           vs_error *e);
 
