@@ -82,6 +82,9 @@ typedef struct {
   know_index keywords;  /* a node: the parameter list; 0: of the language */
 } know_arity;
 
+/* A parameter's value as its user writes it. */
+typedef struct { const char *name, *value; } know_setting;
+
 typedef struct {
   const char *text;       /* its name */
   know_index name, scope, next_in_scope;

@@ -17,7 +17,6 @@
 #define VS_KNOWLEDGE_TRANSLATE_CORE_TREE_H
 
 #include "knowledge/knowledge.h"
-#include "knowledge/translate/translate.h"
 
 typedef uint32_t tr_index; /* 0: none */
 
