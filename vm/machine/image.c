@@ -303,7 +303,7 @@ static bool image_fits(vs_scheme *vm, const uint64_t *words, size_t count) {
 }
 
 bool vs_image_load(vs_scheme *vm, const vs_image *image) {
-  const char *other_build = "the heap image was made by another build";
+  static const char other_build[] = "the heap image was made by another build";
   if (image->count < HEADER) return vs_fail(vm, vm->sym.internal, other_build);
   size_t bytes = (image->count - HEADER) * 8, def_count;
   char *mapped = image_map(image->words, image->count * 8), *at = mapped ? mapped + HEADER * 8 : NULL;
