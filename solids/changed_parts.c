@@ -158,8 +158,8 @@ static double apart(const double *a, const double *b) {
 }
 
 /* The assignment of n rows to m columns, n <= m, whose costs have the least sum (H. Kuhn's Hungarian method, by
- * shortest augmenting paths with potentials: O(n^2 m)). Boxes: six numbers a row and a column. work has room for 3 n + 4 m + 7
- * numbers; row[k], counted from 1, is whose column k is, 0: nobody's. False: interrupted. */
+ * shortest augmenting paths with potentials: O(n^2 m)). Boxes: six numbers a row and a column. work has room for
+ * 3 n + 4 m + 7 numbers; row[k], counted from 1, is whose column k is, 0: nobody's. False: interrupted. */
 static bool assign(vs_store *s, const double *rows, size_t n, const double *columns, size_t m, double *work,
                    uint32_t *row, vs_error *e) {
   double *u = work, *v = u + n + 1, *least = v + m + 1;

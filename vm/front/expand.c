@@ -165,7 +165,8 @@ static bool defines(vs_value form, vs_value name) {
 }
 
 /* A call of what is not defined, under a name that the library, or one that is shipped, has for syntax: to expand its
-   operands would lead to errors beside the point. Unless a later form of the unit defines the name: then it is a procedure. */
+   operands would lead to errors beside the point. Unless a later form of the unit defines the name: then it is a
+   procedure. */
 static bool check_imported(vs_expansion *x, vs_value id, vs_pos pos) {
   vs_scheme *vm = x->vm;
   vs_value name = vs_identifier_symbol(id), known = vs_idtable_get(vs_as_environment(vm->at.core)->table, name);

@@ -125,8 +125,12 @@ static bool exports_name(const char *at, const char *end, const vs_symbol *name)
 static bool defines_syntax(const vs_shipped *f, const vs_symbol *name) {
   static const char form[] = "(define-syntax ";
   size_t head = sizeof form - 1, whole = head + name->length + 1;
-  for (const char *at = f->text; (size_t)(f->end - at) >= whole && (at = memchr(at, '(', (size_t)(f->end - at) - whole + 1)); at++)
-    if (!memcmp(at, form, head) && !memcmp(at + head, name->name, name->length) && strchr(" \n(", at[whole - 1])) return true;
+  for (const char *at = f->text; (size_t)(f->end - at) >= whole; at++) {
+    at = memchr(at, '(', (size_t)(f->end - at) - whole + 1);
+    if (!at) break;
+    bool named = !memcmp(at, form, head) && !memcmp(at + head, name->name, name->length);
+    if (named && strchr(" \n(", at[whole - 1])) return true;
+  }
   return false;
 }
 
