@@ -317,6 +317,7 @@ install: all $(BUILD)/libvisualscheme.so ## install the program, its manual page
 	install -m 755 $(BUILD)/vs "$(DESTDIR)$(PREFIX)/bin/vs"
 	for d in man/man1 $(dir $(COMPLETIONS)); do install -d "$(DESTDIR)$(PREFIX)/share/$$d" || exit 1; done
 	sh scripts/man.sh "$(VERSION)" > "$(DESTDIR)$(PREFIX)/share/man/man1/vs.1"
+	sh scripts/man3.sh "$(VERSION)" "$(DESTDIR)$(PREFIX)/share/man/man3"
 	for f in $(COMPLETIONS); do sh scripts/completions.sh $${f%%[-/]*} > "$(DESTDIR)$(PREFIX)/share/$$f" || exit 1; done
 	install -m 644 $(BUILD)/libvisualscheme.a "$(DESTDIR)$(PREFIX)/lib/"
 	install -m 755 $(BUILD)/libvisualscheme.so "$(DESTDIR)$(PREFIX)/lib/libvisualscheme.so.0"

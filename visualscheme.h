@@ -774,6 +774,38 @@ VS_API vs_outcome vs_pick(vs_scheme *s, const double from[3], const double direc
     vs_scheme *s, const vs_hit *hit),
                           void *context);
 
+/* ---- gizmos and input, as the manual's page 'Scenes' has them ---- */
+
+typedef enum { VS_GIZMO_TRIGGER, VS_GIZMO_SLIDER, VS_GIZMO_ARROW, VS_GIZMO_TRIPOD } vs_gizmo_kind;
+
+typedef struct {
+  vs_handle node;       /* valid in the callback, unless retained */
+  vs_gizmo_kind kind;
+  double at[3];         /* where value 0 is, or a slider's least; like all places, in the world's coordinates */
+  double size;          /* a handle's diameter; an arrow's and a tripod's length */
+  size_t value_count;   /* 3 of a tripod, else 1 */
+  double value[3];      /* a trigger's: its clicks so far */
+  double low[3], high[3]; /* of the value; a tripod's: how far one drag goes; a trigger's: 0 */
+  double step;          /* between two values of a slider; 0: any value */
+  size_t handle_count;  /* 0 to 3 */
+  double handles[3][3]; /* what the user takes hold of */
+  /* What the handle moves by: of a slider, from its least value to its greatest; else for a value greater by 1. A
+   * trigger's: 0. */
+  double axes[3][3];
+} vs_gizmo;
+/* Hands all gizmos below the root to `each`, parents before children, until it returns false. A gizmo's value is its
+ * property "value": vs_property_put sets it and refuses what is out of range or between two steps,
+ * vs_property_subscribe follows it. */
+VS_API vs_outcome vs_gizmos(vs_scheme *s, bool (*each)(void *context, vs_scheme *s, const vs_gizmo *gizmo),
+                            void *context);
+
+typedef enum { VS_INPUT_PRESS, VS_INPUT_DRAG, VS_INPUT_RELEASE, VS_INPUT_MOVE, VS_INPUT_KEY } vs_input_kind;
+typedef enum { VS_BUTTON_LEFT, VS_BUTTON_MIDDLE, VS_BUTTON_RIGHT, VS_BUTTON_NONE } vs_input_button;
+/* An event of the mouse, with the ray under it, or of a key, with its name and no ray: (node-input ...), so that gizmos
+ * are dragged within their constraints. *node: what it went to, 0 where that is nothing; may be NULL. */
+VS_API vs_outcome vs_input(vs_scheme *s, vs_input_kind kind, vs_input_button button, const double from[3],
+                           const double direction[3], const char *key, vs_handle *node);
+
 /* ---- statistics ---- */
 
 typedef struct {

@@ -236,7 +236,7 @@ static vs_status string_to_json(vs_scheme *vm, vs_value *a, int n, vs_value *out
 
 static const vs_native_def defs[] = {
   { "%data-path", "file", data_path, 0, NULL },
-  { "%file->string %file->lines %load-csv", "file", data_text, 0, NULL }, /* one a caller: errors name it */
+  { "%file->string %file->lines %load-csv %load-mtl", "file", data_text, 0, NULL }, /* one a caller: errors name it */
   { "%directory-files", "folder", directory_files, 0, NULL },
   { "load-json", "file", load_json, 0, "the data of a JSON file: objects are association lists, arrays vectors" },
   { "string->json", "text", string_to_json, 0, "the data of a JSON text" },

@@ -223,3 +223,65 @@
     (if (string? to)
         (call-with-port (%write-json to) (lambda (port) (write-string text port) (newline port)))
         (let ((port (or to (current-output-port)))) (write-string text port) (newline port)))))
+
+; ---- materials of Wavefront's .mtl files ----
+
+(define (%mtl-fail file line text) (error 'load-mtl "~a:~a: ~a" file line text))
+
+; Words between blanks and tabs.
+(define (%words text) (filter (lambda (w) (not (string=? w ""))) (string-split (string-replace text "\t" " ") " ")))
+
+(define (%mtl-numbers file line words least most)
+  (map (lambda (word)
+         (let ((x (%csv-number word #f)))
+           (if (not (and x (finite? x))) (%mtl-fail file line (format "expected a number, got ~s" word)))
+           (if (not (<= least x most))
+               (%mtl-fail file line (format "expected a number ~a, got ~a"
+                                      (if (= most +inf.0) (format "of ~a or more" least) (format "from ~a to ~a" least most)) word)))
+           x))
+       words))
+
+; A material from what stands under its name. A black Kd below a Ks is how the format writes a metal. Ns becomes roughness as
+; our own .obj files turn it round (backends/mesh/mesh_formats.c); Pr and Pm, where they are, are roughness and metallic themselves.
+(define (%mtl-material name said)
+  (define (one key default) (let ((x (hash-ref said key #f))) (if x (car x) default)))
+  (define kd (hash-ref said 'Kd '(0.8 0.8 0.8)))
+  (define ks (hash-ref said 'Ks '(0 0 0)))
+  (define metal? (and (every zero? kd) (not (every zero? ks)) (not (= (one 'illum 2) 1))))
+  (define shine (max 0 (min 1 (/ (- (one 'Ns 51.5) 2) 198))))
+  (make-material #:name name #:color (if metal? ks kd)
+    #:roughness (one 'Pr (if (< (one 'illum 2) 2) 1 (- 1 (sqrt shine))))
+    #:metallic (one 'Pm (if metal? 1 0))
+    #:transparency (one 'Tr (- 1 (one 'd 1)))
+    #:ior (if (>= (one 'Ni 1.5) 1) (one 'Ni 1.5) 1.5)))
+
+; What is read of a material: its key, how many numbers, and from what to what they may be. All else is passed over.
+(define %mtl-keys
+  '((Kd 3 0 1) (Ks 3 0 1) (Ns 1 0 +inf.0) (d 1 0 1) (Tr 1 0 1) (Ni 1 0 +inf.0) (illum 1 0 10) (Pr 1 0 1) (Pm 1 0 1)))
+
+(define (load-mtl file)
+  (%need-string 'load-mtl file)
+  (let ((path (%data-path file)) (materials (make-hash)))
+    (define (put name said) (if name (hash-set! materials name (%mtl-material name said))))
+    (let next ((lines (%lines (%load-mtl path))) (line 1) (name #f) (said #f))
+      (if (null? lines)
+          (put name said)
+          (let* ((text (string-trim (car lines))) (words (%words text))
+                 (key (and (pair? words) (assq (string->symbol (car words)) %mtl-keys))))
+            (cond
+              ((and (pair? words) (string=? (car words) "newmtl"))
+               (let ((new (string-trim (substring text 6 (string-length text)))))
+                 (put name said)
+                 (if (string=? new "") (%mtl-fail path line "a name is missing behind newmtl"))
+                 (if (hash-ref materials new #f) (%mtl-fail path line (format "the material ~s is there already" new)))
+                 (next (cdr lines) (+ line 1) new (make-hasheq))))
+              ((not key) (next (cdr lines) (+ line 1) name said))
+              ((not name) (%mtl-fail path line (format "~a comes before the first newmtl" (car words))))
+              ((not (= (length (cdr words)) (cadr key)))
+               (%mtl-fail path line (format "~a takes ~a number~a, got ~s" (car words) (cadr key)
+                                      (if (= (cadr key) 1) "" "s") (string-trim (substring text (string-length (car words)) (string-length text))))))
+              (else
+                (hash-set! said (car key) (%mtl-numbers path line (cdr words) (caddr key) (cadddr key)))
+                (next (cdr lines) (+ line 1) name said))))))
+    (if (= (hash-count materials) 0) (error 'load-mtl "~a holds no material: no line begins with newmtl" path))
+    materials))

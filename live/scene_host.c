@@ -65,20 +65,16 @@ bool live_scene_needs(vs_scheme *s, live_text *t) {
 }
 
 vs_outcome live_scene_input(vs_scheme *s, const char *kind, const char *text) {
-  static const char *const kinds[] = { "press", "drag", "release", "move" };
-  char button[8];
+  static const char *const kinds[] = { "press", "drag", "release", "move" }; /* as vs_input_kind counts */
+  static const char *const buttons[] = { "left", "middle", "right", "none" };
+  enum { COUNT = 4 };
+  char word[8];
   double r[6];
-  bool known = false;
-  bool ok = sscanf(text, "%7[a-z] %lf %lf %lf %lf %lf %lf", button, &r[0], &r[1], &r[2], &r[3], &r[4], &r[5]) == 7;
-  for (size_t i = 0; i < 4; i++) known |= strcmp(kind, kinds[i]) == 0;
+  int which = 0, button = 0;
+  bool ok = sscanf(text, "%7[a-z] %lf %lf %lf %lf %lf %lf", word, &r[0], &r[1], &r[2], &r[3], &r[4], &r[5]) == 7;
+  while (which < COUNT && strcmp(kind, kinds[which]) != 0) which++;
+  while (ok && button < COUNT && strcmp(word, buttons[button]) != 0) button++;
   for (size_t i = 0; ok && i < 6; i++) ok = isfinite(r[i]);
-  if (!ok || !known || (r[3] == 0 && r[4] == 0 && r[5] == 0)) return VS_OUTCOME_USAGE;
-  vs_handle input = vs_lookup(s, "node-input"), result = 0;
-  const vs_handle arguments[] = { vs_handle_symbol(s, kind), vs_handle_symbol(s, button),
-                                  vs_handle_point(s, r[0], r[1], r[2]), vs_handle_vector(s, r[3], r[4], r[5]) };
-  vs_outcome outcome = input != 0 ? vs_apply(s, input, arguments, 4, &result) : VS_OUTCOME_USAGE;
-  for (size_t i = 0; i < 4; i++) vs_handle_release(s, arguments[i]);
-  vs_handle_release(s, result);
-  vs_handle_release(s, input);
-  return outcome;
+  if (!ok || which == COUNT || button == COUNT || (r[3] == 0 && r[4] == 0 && r[5] == 0)) return VS_OUTCOME_USAGE;
+  return vs_input(s, (vs_input_kind)which, (vs_input_button)button, r, r + 3, NULL, NULL);
 }

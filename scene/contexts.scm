@@ -21,6 +21,17 @@
       (error 'node-ref "the program of ~s defines no ~a" node name))
   (eval name (%node-program node)))
 
+; ---- resources: what several contexts share is a property of a node above them ----
+
+; The property of this name of the node itself (local), of the nearest node above it, or of the root (global); #f: none of
+; them has it.
+(define (property-find node name)
+  (%need-node 'property-find 'node node)
+  (%need-symbol 'property-find 'name name)
+  (let up ((n node))
+    (or (hash-ref (%node-table n) name #f)
+        (and (not (eq? n (%root))) (up (or (%node-parent n) (%root)))))))
+
 ; ---- for hosts ----
 
 (define (%host-procedure number) (lambda arguments (apply %host-call number arguments)))

@@ -32,8 +32,11 @@
     node))
 
 ; The type of a value, which messages name.
-(define (%between low high)
-  (define (within? v) (and (real? v) (<= low v high)))
+(define (%between low high [step any? #f])
+  (define (within? v)
+    (and (real? v) (<= low v high)
+         (or (not step) (= v high)
+             (let ((turns (/ (- v low) step))) (<= (abs (- turns (round turns))) 1e-9)))))
   within?)
 
 (define (make-trigger at procedure #:size [size any? 0.2] #:name [name any? #f] #:parent [parent any? #f])
@@ -57,8 +60,7 @@
     (%need-number 'make-slider 'value value)
     (if (not (<= low value high)) (error 'make-slider "value must be from ~s to ~s, got ~s" low high value))
     (%new-gizmo 'make-slider name parent
-      (%make-gizmo 'slider from (list (p-p to from)) low high step size #f) value (%between low high))))
-
+      (%make-gizmo 'slider from (list (p-p to from)) low high step size #f) value (%between low high step))))
 
 (define (make-arrow at direction low high #:value [value any? 0] #:size [size any? 1] #:name [name any? #f]
                     #:parent [parent any? #f])
@@ -116,7 +118,17 @@
           (cons 'step (%gizmo-step g))
           (cons 'size (%gizmo-size g))
           (cons 'at (place (%gizmo-at g)))
-          (cons 'handles (map (lambda (h) (place (cadr h))) (%handles gizmo g))))))
+          (cons 'handles (map (lambda (h) (place (cadr h))) (%handles gizmo g)))
+          (cons 'axes (filter-map (lambda (h) (and (car h) (%axis-in world g (car h)))) (%handles gizmo g))))))
+
+; What a handle moves by in the world: of a slider, from its least value to its greatest; else for a value greater by 1.
+(define (%axis-in world g i)
+  (let ((at (%gizmo-at g)))
+    (p-p (%matrix-point world (p+v at (list-ref (%gizmo-axes g) i))) (%matrix-point world at))))
+
+; For the host: rows of node, kind, value, low, high, step, size, at, handles, axes.
+(define (%gizmos-for-host)
+  (map (lambda (n) (cons n (map cdr (gizmo-data n)))) (scene-gizmos)))
 
 ; All gizmos below the root, or below another node, parents before children.
 (define (scene-gizmos [node any? #f])

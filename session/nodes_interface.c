@@ -1,6 +1,7 @@
 /* Owns the scene in the public header: nodes, properties, actions and picks, each a call of the procedure of the
  * language that does the same, so that hosts and programs meet the same rules and the same messages. */
 #include <stdio.h>
+#include <string.h>
 
 #include "session/handles.h"
 
@@ -185,6 +186,8 @@ static bool tell_hit(vs_scheme *vm, vs_handle hit, bool (*each)(void *context, v
   vs_handle part[PARTS] = { 0 };
   vs_hit told = { .file = NULL };
   double place[2] = { 0, 0 };
+  char *file = NULL; /* the callback may ask for other texts */
+  size_t bytes = 0;
   bool ok = true;
   for (size_t i = 0; ok && i < PARTS; i++) ok = (part[i] = vs_handle_item(vm, hit, i)) != 0;
   if (ok) {
@@ -192,12 +195,18 @@ static bool tell_hit(vs_scheme *vm, vs_handle hit, bool (*each)(void *context, v
     vs_handle_get_numbers(vm, part[POINT], told.point, 3);
     told.node = part[NODE], told.path = part[PATH];
     if (vs_handle_get_boolean(vm, part[FILE_NAME])) {
-      told.file = vs_handle_get_text(vm, part[FILE_NAME]);
+      const char *text = vs_handle_get_text(vm, part[FILE_NAME]);
+      bytes = text ? strlen(text) + 1 : 0;
+      file = bytes ? vs_session_memory(vs_session_of(vm), NULL, 0, bytes) : NULL;
+      ok = !bytes || file;
+      if (file) told.file = memcpy(file, text, bytes);
       vs_handle_get_numbers(vm, part[LINE], &place[0], 1), vs_handle_get_numbers(vm, part[COLUMN], &place[1], 1);
       told.line = (uint32_t)place[0], told.column = (uint32_t)place[1];
     }
-    *go_on = each(context, vm, &told);
+    if (ok) *go_on = each(context, vm, &told);
+    else vs_session_out_of_memory(vs_session_of(vm));
   }
+  if (file) vs_session_memory(vs_session_of(vm), file, bytes, 0);
   for (size_t i = 0; i < PARTS; i++)
     vs_handle_release(vm, part[i]);
   return ok;
@@ -219,5 +228,86 @@ vs_outcome vs_pick(vs_scheme *vm, const double from[3], const double direction[3
     vs_handle_release(vm, hit);
   }
   vs_handle_release(vm, hits);
+  return outcome;
+}
+
+/* ---- gizmos and input ---- */
+
+/* A gizmo as %gizmos-for-host gives it: (node kind value low high step size at handles axes); what it has not is #f. */
+enum { NODE, KIND, VALUE, LOW, HIGH, STEP, SIZE, AT, HANDLES, AXES, PARTS };
+
+static size_t numbers_of(vs_scheme *vm, vs_handle list, double out[3][3]) {
+  size_t count = vs_handle_count(vm, list);
+  for (size_t i = 0; i < count && i < 3; i++) {
+    vs_handle item = vs_handle_item(vm, list, i);
+    vs_handle_get_numbers(vm, item, out[i], 3);
+    vs_handle_release(vm, item);
+  }
+  return count < 3 ? count : 3;
+}
+
+static vs_gizmo_kind kind_of(vs_scheme *vm, vs_handle symbol) {
+  const char *name = vs_handle_get_text(vm, symbol);
+  if (name && strcmp(name, "slider") == 0) return VS_GIZMO_SLIDER;
+  if (name && strcmp(name, "arrow") == 0) return VS_GIZMO_ARROW;
+  return name && strcmp(name, "tripod") == 0 ? VS_GIZMO_TRIPOD : VS_GIZMO_TRIGGER;
+}
+
+static bool tell_gizmo(vs_scheme *vm, vs_handle gizmo, bool (*each)(void *, vs_scheme *, const vs_gizmo *),
+                       void *context, bool *go_on) {
+  vs_handle part[PARTS] = { 0 };
+  vs_gizmo told = { .value_count = 1 };
+  bool ok = true;
+  for (size_t i = 0; ok && i < PARTS; i++) ok = (part[i] = vs_handle_item(vm, gizmo, i)) != 0;
+  if (ok) {
+    told.node = part[NODE], told.kind = kind_of(vm, part[KIND]);
+    told.value_count = vs_handle_get_numbers(vm, part[VALUE], told.value, 3);
+    vs_handle_get_numbers(vm, part[LOW], told.low, 3);
+    vs_handle_get_numbers(vm, part[HIGH], told.high, 3);
+    if (told.kind == VS_GIZMO_TRIPOD)
+      for (int k = 0; k < 3; k++) told.low[k] = -told.high[k];
+    vs_handle_get_numbers(vm, part[STEP], &told.step, 1);
+    vs_handle_get_numbers(vm, part[SIZE], &told.size, 1);
+    vs_handle_get_numbers(vm, part[AT], told.at, 3);
+    told.handle_count = numbers_of(vm, part[HANDLES], told.handles);
+    numbers_of(vm, part[AXES], told.axes);
+    *go_on = each(context, vm, &told);
+  }
+  for (size_t i = 0; i < PARTS; i++) vs_handle_release(vm, part[i]);
+  return ok;
+}
+
+vs_outcome vs_gizmos(vs_scheme *vm, bool (*each)(void *context, vs_scheme *vm, const vs_gizmo *gizmo), void *context) {
+  vs_handle all = 0;
+  vs_outcome outcome = call(vm, "vs_gizmos", "%gizmos-for-host", NULL, 0, &all);
+  size_t count = outcome == VS_OUTCOME_DONE ? vs_handle_count(vm, all) : 0;
+  bool go_on = true;
+  for (size_t i = 0; i < count && go_on; i++) {
+    vs_handle gizmo = vs_handle_item(vm, all, i);
+    if (!gizmo || !tell_gizmo(vm, gizmo, each, context, &go_on)) outcome = VS_OUTCOME_MACHINE, go_on = false;
+    vs_handle_release(vm, gizmo);
+  }
+  vs_handle_release(vm, all);
+  return outcome;
+}
+
+vs_outcome vs_input(vs_scheme *vm, vs_input_kind kind, vs_input_button button, const double from[3],
+                    const double direction[3], const char *key, vs_handle *node) {
+  static const char *const kinds[] = { "press", "drag", "release", "move", "key" };
+  static const char *const buttons[] = { "left", "middle", "right", "none" };
+  enum { WORDS = 5 };
+  bool ok = (unsigned)kind < sizeof kinds / sizeof *kinds && (unsigned)button < sizeof buttons / sizeof *buttons;
+  vs_handle words[WORDS] = { vs_handle_symbol(vm, ok ? kinds[kind] : "?"), vs_handle_symbol(vm, ok ? buttons[button] : "?"),
+    from ? vs_handle_point(vm, from[0], from[1], from[2]) : vs_handle_boolean(vm, false),
+    direction ? vs_handle_vector(vm, direction[0], direction[1], direction[2]) : vs_handle_boolean(vm, false),
+    key ? vs_handle_text(vm, key) : vs_handle_boolean(vm, false) };
+  vs_handle met = 0;
+  vs_outcome outcome = VS_OUTCOME_MACHINE;
+  if (words[0] && words[1] && words[2] && words[3] && words[4])
+    outcome = call(vm, "vs_input", "node-input", words, WORDS, &met);
+  for (size_t i = 0; i < WORDS; i++) vs_handle_release(vm, words[i]);
+  bool keeps = node && met && vs_handle_kind_of(vm, met) == VS_HANDLE_NODE;
+  if (!keeps) vs_handle_release(vm, met);
+  if (node) *node = keeps ? met : 0;
   return outcome;
 }

@@ -17,6 +17,19 @@ sed -n 's/^VS_API .*[ *]\(vs_[a-z_]*\)(.*/\1/p' visualscheme.h | sort -u > "$wor
 nm -D --defined-only "$work/usr/lib/libvisualscheme.so" | awk '$2 ~ /[TDBRV]/ { print $3 }' | grep -v '^VISUALSCHEME_' | sed 's/@.*//' | sort -u > "$work/exported"
 if diff "$work/declared" "$work/exported" > "$work/diff"; then echo "ok embed:exports"; else echo "not ok embed:exports differ from visualscheme.h"; sed 's/^/    /' "$work/diff"; fi
 
+# A manual page for each of them, made from the header: one a topic, the others link to it.
+while read -r name; do
+  page=$work/usr/share/man/man3/$name.3
+  [ -s "$page" ] && { ! grep -q '^\.so ' "$page" || [ -s "$work/usr/share/man/$(sed 's/^\.so //' "$page")" ]; } || echo "$name"
+done < "$work/declared" > "$work/diff"
+if [ ! -s "$work/diff" ] && grep -q 'vs_pick' "$work/usr/share/man/man3/vs_action_apply.3"; then echo "ok embed:man pages"
+else echo "not ok embed:man pages are missing"; sed 's/^/    /' "$work/diff"; fi
+if command -v mandoc > /dev/null; then
+  # shellcheck disable=SC2046
+  if mandoc -T lint -W warning $(grep -L '^\.so ' "$work"/usr/share/man/man3/*.3) > "$work/diff" 2>&1; then echo "ok embed:man lint"
+  else echo "not ok embed:man lint"; head -n 5 "$work/diff" | sed 's/^/    /'; fi
+fi
+
 for program in host format scene meshes pictures fit; do
   if ! ${CC:-cc} -std=c11 -Wall -Wextra -Werror -I"$work/usr/include" tests/embed/$program.c -o "$work/$program" -L"$work/usr/lib" -lvisualscheme -lm > "$work/log" 2>&1; then
     echo "not ok embed:compile $program"; sed 's/^/    /' "$work/log"; continue
@@ -26,6 +39,37 @@ for program in host format scene meshes pictures fit; do
   cat "$work/out"
   [ $code -le 1 ] || echo "not ok embed:$program ended with $code"
 done
+
+# The viewer in SDL2 and OpenGL, on a screen that is none and with a graphics card that is none: a user is played, and
+# the pixels are counted. Numbers of a line that begins with `covered` may be off by a fiftieth, or by 3.
+missing=
+pkg-config --exists sdl2 gl 2> /dev/null || missing="SDL2's headers"
+command -v xvfb-run > /dev/null || missing="xvfb-run"
+[ -n "$(find /usr/lib /usr/lib64 -name swrast_dri.so -print 2> /dev/null | head -n 1)" ] || missing="Mesa's drivers"
+if [ -n "$missing" ]; then
+  echo "skip embed:viewer: $missing not found"
+elif ! ${CC:-cc} -std=c11 -Wall -Wextra -Werror -I"$work/usr/include" examples/hosts/viewer.c -o "$work/viewer" \
+    -L"$work/usr/lib" -lvisualscheme -lSDL2 -lGL -lm > "$work/log" 2>&1; then
+  echo "not ok embed:compile viewer"; sed 's/^/    /' "$work/log"
+else
+  LD_LIBRARY_PATH=$work/usr/lib LIBGL_ALWAYS_SOFTWARE=1 timeout 120 xvfb-run -a -s "-screen 0 1024x768x24" \
+    "$work/viewer" tests/embed/viewer.vs --test tests/embed/viewer.play > "$work/out" 2> "$work/log"
+  code=$?
+  if [ $code = 0 ] && awk '
+      function near(a, b) { return a - b <= 3 + b / 50 && b - a <= 3 + b / 50 }
+      NR == FNR { want[FNR] = $0; count = FNR; next }
+      {
+        gsub(/[,:]/, ""); line = want[FNR]; gsub(/[,:]/, "", line); n = split(line, w, " "); differs = n != NF
+        for (i = 1; i <= n && !differs; i++)
+          differs = $1 == "covered" && $i ~ /^[0-9]+$/ ? !near($i + 0, w[i] + 0) : $i != w[i]
+        if (differs) { print "line " FNR ": " $0 " in place of " line; bad = 1 }
+      }
+      END { exit bad || FNR != count }' tests/embed/viewer.want "$work/out" > "$work/diff"; then
+    echo "ok embed:viewer"
+  else
+    echo "not ok embed:viewer ended with $code"; cat "$work/diff" "$work/log" | sed 's/^/    /'
+  fi
+fi
 
 # The Python package, installed without a network and run on the library that was installed.
 python=

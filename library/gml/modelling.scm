@@ -210,11 +210,15 @@
 (define (text-of who v)
   (cond ((string? v) v) ((symbol? v) (symbol->string v)) (else (refuse who "a name or a string is needed" v))))
 
-; A name that is none of the language's materials or colours stands for the plain one: the host or the project of the
-; model knows it.
+; A name means the material that the current node or one above it has as a property of that name, else the language's
+; material or colour. Another name stands for the plain one: the host or the project of the model knows it.
 (define materials (make-hash))
+(define (resource m)
+  (let ((p (and (symbol? m) (property-find (node-current) m))))
+    (and p (material? (property-value p)) (property-value p))))
 (define (dressed m o)
-  (let ((known (hash-ref materials m 'new)))
+  (let ((known (cond ((resource m) => (lambda (r) (lambda (o) (with-material r o))))
+                     (else (hash-ref materials m 'new)))))
     (if (eq? known 'new)
         (begin
           (set! known

@@ -88,6 +88,30 @@ static uint64_t material(void *context, const char *name) {
 
 static vs_outcome run(vs_scheme *s, const char *text) { return vs_eval_text(s, "model", 1, text, strlen(text), 0); }
 
+/* A context that is shown a thousand times is handed over as the same bytes once, and a matrix for each place. */
+static void share(vs_scheme *s, round_of *r) {
+  static const char one[] =
+      "(erase-all) (node-clear)"
+      "(define part (subtract (make-sphere (xyz 0 0 0) 1 #:segments 32) (make-box (xyz 0 0 0) (xyz 2 2 2))))"
+      "(define (show from to) (for ([i (in-range from to)])"
+      "  (node-create #:parent (node-getroot) #:drawing part #:translate (vxyz (* 3 i) 0 0))))"
+      "(show 0 1)";
+  const char *const more[] = { "(show 1 3)", "(show 3 1000)" };
+  double once = 0;
+  vs_meshes_forget(s);
+  r->bytes = 0;
+  CHECK(run(s, one) == VS_OUTCOME_DONE && go(s, r) == VS_OUTCOME_DONE && r->added == 1 && r->places == 1);
+  once = r->bytes;
+  for (size_t i = 0; i < 2; i++) {
+    unsigned places = i ? 1000 : 3;
+    vs_meshes_forget(s);
+    r->bytes = 0;
+    CHECK(run(s, more[i]) == VS_OUTCOME_DONE && go(s, r) == VS_OUTCOME_DONE && r->added == 1 && r->places == places);
+    CHECK(r->bytes - once == (places - 1) * sizeof *((vs_mesh_info *)0)->places);
+    printf("%u instances: %.0f bytes, of which %.0f are the one mesh\n", places, r->bytes, once - 96);
+  }
+}
+
 static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; } /* of the processor */
 
 static int measure(vs_scheme *s, const char *file, round_of *r) {
@@ -159,6 +183,7 @@ int main(int count, char **words) {
   vs_meshes_forget(s);
   CHECK(run(s, "(draw (make-sphere (xyz 0 0 0) 2))") == VS_OUTCOME_DONE && go(s, &r) == VS_OUTCOME_DONE &&
       r.added == 1);
+  share(s, &r);
   vs_free(s);
   return failures != 0;
 }

@@ -51,6 +51,61 @@ static bool take(void *context, vs_scheme *s, const vs_hit *hit) {
   }
   return true;
 }
+static unsigned gizmos;
+static vs_gizmo last;
+static bool gizmo(void *context, vs_scheme *s, const vs_gizmo *g) {
+  (void)context;
+  last = *g, gizmos++;
+  last.node = vs_handle_retain(s, g->node);
+  return strcmp(vs_node_name(s, g->node), "longer") != 0; /* the last that is asked for */
+}
+static bool named(void *context, vs_scheme *s, const vs_hit *hit) {
+  char *file = context;
+  vs_handle other = vs_handle_text(s, "another text");
+  vs_handle_get_text(s, other); /* what the hit holds is not touched by it */
+  vs_handle_release(s, other);
+  snprintf(file, 40, "%s:%u", hit->file, hit->line);
+  return false;
+}
+
+/* Gizmos as data: where they are, what they allow, values set from outside, drags by rays, and what is kept. */
+static void hold_gizmos(vs_scheme *s, host *h) {
+  CHECK(vs_gizmos(s, gizmo, NULL) == VS_OUTCOME_DONE && gizmos == 0);
+  CHECK(run(s, "(define rig (node-create #:parent (node-getroot) #:translate (vxyz 0 0 40)))"
+               "(define s (make-slider origin (xyz 10 0 0) 0 20 #:value 8 #:step 2 #:size .5 #:name \"slider\" #:parent rig))"
+               "(define width 0) (property-subscribe (property-ref s 'value) (lambda (v) (set! width v)))") == VS_OUTCOME_DONE);
+  CHECK(vs_gizmos(s, gizmo, NULL) == VS_OUTCOME_DONE && gizmos == 1 && last.kind == VS_GIZMO_SLIDER);
+  CHECK(last.value_count == 1 && last.value[0] == 8 && last.low[0] == 0 && last.high[0] == 20 && last.step == 2);
+  CHECK(last.at[2] == 40 && last.size == 0.5 && last.handle_count == 1 && last.handles[0][0] == 4 && last.axes[0][0] == 10);
+  vs_handle slider = last.node, good = vs_handle_integer(s, 14), odd = vs_handle_integer(s, 15), far = vs_handle_integer(s, 22);
+  CHECK(vs_property_put(s, slider, "value", good) == VS_OUTCOME_DONE && run(s, "(if (not (= width 14)) (car 5))") == VS_OUTCOME_DONE);
+  CHECK(vs_property_put(s, slider, "value", odd) == VS_OUTCOME_MODEL && vs_property_put(s, slider, "value", far) == VS_OUTCOME_MODEL);
+  vs_handle kept, keep = vs_lookup(s, "gizmo-values"), back = vs_lookup(s, "gizmo-values!");
+  CHECK(vs_apply(s, keep, NULL, 0, &kept) == VS_OUTCOME_DONE);
+  const double down[] = { 0, 0, -1 };
+  vs_handle met;
+  CHECK(vs_input(s, VS_INPUT_PRESS, VS_BUTTON_LEFT, (double[]){ 7, 0, 60 }, down, NULL, &met) == VS_OUTCOME_DONE && vs_handle_same(s, met, slider));
+  CHECK(vs_input(s, VS_INPUT_DRAG, VS_BUTTON_LEFT, (double[]){ 8.6, 0, 60 }, down, NULL, NULL) == VS_OUTCOME_DONE);
+  CHECK(run(s, "(if (not (= width 18)) (car 5))") == VS_OUTCOME_DONE); /* 17.2, by steps of 2 */
+  CHECK(vs_input(s, VS_INPUT_RELEASE, VS_BUTTON_LEFT, (double[]){ 8.6, 0, 60 }, down, NULL, NULL) == VS_OUTCOME_DONE);
+  CHECK(vs_apply(s, back, &kept, 1, NULL) == VS_OUTCOME_DONE && run(s, "(if (not (= width 14)) (car 5))") == VS_OUTCOME_DONE);
+  CHECK(vs_input(s, VS_INPUT_MOVE, VS_BUTTON_NONE, NULL, NULL, NULL, &met) == VS_OUTCOME_DONE && met == 0);
+  CHECK(run(s, "(define pressed #f) (node-on (node-getroot) 'key (lambda (n k) (set! pressed k)))") == VS_OUTCOME_DONE);
+  CHECK(vs_input(s, VS_INPUT_KEY, VS_BUTTON_NONE, NULL, NULL, "g", &met) == VS_OUTCOME_DONE && met != 0);
+  CHECK(run(s, "(if (not (equal? pressed \"g\")) (car 5))") == VS_OUTCOME_DONE);
+  CHECK(vs_input(s, VS_INPUT_PRESS, VS_BUTTON_LEFT, NULL, NULL, NULL, NULL) == VS_OUTCOME_MODEL && strstr(h->said, "from must be a point"));
+  CHECK(vs_input(s, (vs_input_kind)9, VS_BUTTON_LEFT, NULL, NULL, NULL, NULL) == VS_OUTCOME_MODEL && strstr(h->said, "kind must be one of"));
+
+  gizmos = 0;
+  CHECK(run(s, "(node-scale rig 2) (make-arrow (xyz 0 9 0) uy -1 3 #:value 1 #:name \"longer\" #:parent rig)"
+               "(define last-one (make-tripod (xyz 0 0 9) (vxyz 1 0 2) #:name \"mover\" #:parent (node-getroot)))") == VS_OUTCOME_DONE);
+  CHECK(vs_gizmos(s, gizmo, NULL) == VS_OUTCOME_DONE && gizmos == 2 && last.kind == VS_GIZMO_ARROW); /* it was to stop there */
+  CHECK(last.handles[0][1] == 22 && last.axes[0][1] == 2 && last.low[0] == -1 && last.high[0] == 3 && last.value[0] == 1);
+  CHECK(run(s, "(node-removechild (node-getroot) rig)") == VS_OUTCOME_DONE && vs_gizmos(s, gizmo, NULL) == VS_OUTCOME_DONE);
+  CHECK(last.kind == VS_GIZMO_TRIPOD && last.handle_count == 2 && last.value_count == 3 && last.low[2] == -2 && last.high[2] == 2);
+  CHECK(last.axes[0][0] == 1 && last.axes[1][2] == 1 && last.handles[1][2] == 10);
+}
+
 int main(void) {
   static host h, other;
   vs_options o = vs_options_default();
@@ -109,6 +164,10 @@ int main(void) {
   double number = 0;
   CHECK(vs_node_eval(s, group, "(define height 7) (+ height 1)", &value) == VS_OUTCOME_DONE && vs_handle_get_numbers(s, value, &number, 1) == 1 && number == 8);
   CHECK(run(s, "height") == VS_OUTCOME_MODEL);
+
+  char file[40] = "";
+  CHECK(vs_pick(s, (double[]){ -5, 0, 0.5 }, (double[]){ 1, 0, 0 }, named, file) == VS_OUTCOME_DONE && strcmp(file, "model:1") == 0);
+  hold_gizmos(s, &h);
 
   /* misuse */
   CHECK(vs_node_add_child(s, group, group) == VS_OUTCOME_MODEL && strstr(h.said, "cannot hang below itself"));

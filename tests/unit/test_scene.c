@@ -76,11 +76,19 @@ static bool called(void *context, vs_scheme *s, const vs_handle *a, size_t n, vs
   *result = n ? vs_handle_retain(s, a[0]) : 0;
   return next() % 8 != 0;
 }
+static bool see_gizmo(void *context, vs_scheme *s, const vs_gizmo *g) {
+  (void)context;
+  assert_true(g->handle_count <= 3 && vs_handle_kind_of(s, g->node) == VS_HANDLE_NODE);
+  return next() % 4 != 0;
+}
 static void test_random_calls(void **unused) {
   (void)unused;
   vs_scheme *s = vs_new(NULL), *other = vs_new(NULL);
   vs_handle held[HELD] = { 0 }, foreign = vs_handle_number(other, 1);
   state = 987654321;
+  static const char rig[] = "(make-slider (xyz -9 0 0) (xyz 9 0 0) 0 1 #:size 9 #:parent (node-getroot))"
+                            "(make-tripod (xyz 0 0 0) (vxyz 1 2 3) #:size 4 #:parent (node-getroot))";
+  assert_int_equal(vs_eval_text(s, "t", 1, rig, sizeof rig - 1, 0), VS_OUTCOME_DONE);
   for (int i = 0; i < 20000; i++) {
     vs_handle *to = &held[next() % HELD], a = held[next() % HELD], b = held[next() % HELD], made = 0;
     if (next() % 50 == 0) a = foreign;
@@ -88,7 +96,7 @@ static void test_random_calls(void **unused) {
     double v[16];
     const double three[] = { real(-9, 9), real(-9, 9), real(-9, 9) };
     vs_hit hit;
-    switch (next() % 32) {
+    switch (next() % 34) {
     case 0: made = vs_handle_number(s, three[0]); break;
     case 1: made = vs_handle_integer(s, (int64_t)next()); break;
     case 2: made = vs_handle_text(s, "width"); break;
@@ -121,6 +129,11 @@ static void test_random_calls(void **unused) {
     case 29: vs_handle_get_numbers(s, a, v, 16), vs_handle_get_text(s, a), vs_handle_count(s, a), vs_handle_same(s, a,
         b); break;
     case 30: vs_scene_frame(s, three[0]), vs_action_apply(s, "turn", a); break;
+    case 31: vs_gizmos(s, see_gizmo, NULL); break;
+    case 32:
+      vs_input(s, (vs_input_kind)(next() % 6), (vs_input_button)(next() % 5), next() % 4 ? three : NULL,
+               next() % 4 ? (double[]){ 0, 0, -1 } : NULL, next() % 4 ? NULL : "k", next() % 2 ? &made : NULL);
+      break;
     default: vs_handle_release(s, *to), *to = 0; break;
     }
     if (made) vs_handle_release(s, *to), *to = made;

@@ -21,6 +21,8 @@ typedef struct {
   print of[32];
   vs_outcome outcome;
   size_t formats;
+  size_t hits, meshes, gizmos, changes; /* of the scene */
+  double distance, width;
 } result;
 
 static const char model[] =
@@ -44,6 +46,55 @@ static bool add(void *context, const void *bytes, size_t count) { /* FNV-1a */
   return true;
 }
 
+static const char scene[] =
+    "(define rig (node-create #:name \"rig\" #:parent (node-getroot) #:translate (vxyz 0 0 60)))"
+    "(for ([i (in-range 3)]) (node-create #:parent rig #:drawing (tower 0) #:translate (vxyz (* 5 i) 0 0)))"
+    "(define width (make-slider (xyz 0 9 0) (xyz 10 9 0) 0 10 #:value 4 #:size 1 #:name \"width\" #:parent rig))"
+    "(property-subscribe (property-ref width 'value) (lambda (v) (node-scale (node-getchild rig 0) (+ 1 v))))"
+    "(every-frame (lambda (seconds) (node-rotate rig (v+v (node-getrotate rig) (vxyz 0 0 0)))))";
+
+static bool take_hit(void *context, vs_scheme *s, const vs_hit *hit) {
+  result *r = context;
+  (void)s;
+  if (r->hits++ == 0) r->distance = hit->distance;
+  return true;
+}
+static bool take_gizmo(void *context, vs_scheme *s, const vs_gizmo *gizmo) {
+  (void)s;
+  ((result *)context)->width = gizmo->value[0];
+  return ++((result *)context)->gizmos != 0;
+}
+static bool changed(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *value) {
+  (void)s, (void)arguments, (void)count, (void)value;
+  return ++((result *)context)->changes != 0;
+}
+
+/* What a host does with a scene: it places a node, follows a property, drags, runs frames, picks, takes meshes. */
+static void hold_scene(vs_scheme *s, result *r) {
+  const double down[] = { 0, 0, -1 };
+  vs_mesh_info m;
+  if (vs_eval_text(s, "scene", 1, scene, sizeof scene - 1, 0) != VS_OUTCOME_DONE) return;
+  vs_handle node = vs_node_create(s, NULL, "more", vs_node_root(s)), rig = vs_node_find(s, "rig");
+  vs_node_set_drawing(s, node, vs_lookup(s, "rig") ? vs_node_object(s, vs_node_find(s, "rig")) : 0);
+  vs_node_place(s, node, (double[]){ 0, 40, 0 }, (double[]){ 0, 0, 90 }, NULL);
+  vs_handle width = vs_node_find(s, "width"), property = vs_property_of(s, width, "value");
+  vs_property_subscribe(s, property, changed, r);
+  vs_input(s, VS_INPUT_PRESS, VS_BUTTON_LEFT, (double[]){ 4, 9, 90 }, down, NULL, NULL);
+  for (int i = 0; i < 20; i++)
+    vs_input(s, VS_INPUT_DRAG, VS_BUTTON_LEFT, (double[]){ 4 + 0.25 * i, 9, 90 }, down, NULL, NULL);
+  vs_input(s, VS_INPUT_RELEASE, VS_BUTTON_LEFT, (double[]){ 9, 9, 90 }, down, NULL, NULL);
+  vs_handle one = vs_handle_number(s, 1);
+  vs_post(s, property, one);
+  vs_update(s);
+  vs_scene_frame(s, 0.1);
+  vs_gizmos(s, take_gizmo, r);
+  vs_pick(s, (double[]){ -30, 0.3, 60.4 }, (double[]){ 1, 0, 0 }, take_hit, r);
+  vs_handle_release(s, rig);
+  vs_meshes_forget(s); /* of the turn before */
+  if (vs_meshes_begin(s, NULL) != VS_OUTCOME_DONE) return;
+  while (vs_mesh_next(s, &m)) r->meshes++;
+}
+
 static void *make(void *context) {
   result *r = context;
   vs_scheme *s = vs_new(NULL);
@@ -57,6 +108,8 @@ static void *make(void *context) {
     for (size_t i = 0; i < count; i++)
       if (!formats[i].worker && vs_write_drawing_to(s, formats[i].name, NULL, add, &r->of[i]) == VS_OUTCOME_DONE)
         r->formats++;
+    r->hits = r->meshes = r->gizmos = r->changes = 0;
+    hold_scene(s, r);
   }
   vs_free(s);
   return NULL;
@@ -69,6 +122,10 @@ static void test_apart(void **state) {
   make(&alone);
   assert_int_equal(alone.outcome, VS_OUTCOME_DONE);
   assert_in_range(alone.formats, 8, 32);
+  assert_int_equal(alone.hits, 3);
+  assert_int_equal(alone.gizmos, 1);
+  assert_int_equal(alone.changes, 21); /* from 4 to 4.0, by quarters, and what was posted */
+  assert_true(alone.width == 1 && alone.meshes == 6);
   for (int i = 0; i < THREADS; i++) assert_int_equal(pthread_create(&threads[i], NULL, make, &together[i]), 0);
   for (int i = 0; i < THREADS; i++) assert_int_equal(pthread_join(threads[i], NULL), 0);
   for (int i = 0; i < THREADS; i++) assert_memory_equal(&together[i], &alone, sizeof alone);

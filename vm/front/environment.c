@@ -100,7 +100,7 @@ static bool push(stack *s, vs_value v) {
   return true;
 }
 
-bool vs_datum_any(vs_scheme *vm, vs_value datum, bool (*test)(vs_scheme *vm, vs_value v), bool *yes) {
+bool vs_datum_any(vs_scheme *vm, vs_value datum, vs_datum_test (*test)(vs_scheme *vm, vs_value v), bool *yes) {
   stack s = {.vm = vm};
   bool ok = push(&s, datum);
   size_t seen = 0, lap = 1;
@@ -108,7 +108,9 @@ bool vs_datum_any(vs_scheme *vm, vs_value datum, bool (*test)(vs_scheme *vm, vs_
   *yes = false;
   while (ok && s.count && !*yes) {
     vs_value v = s.at[--s.count];
-    if (test(vm, v)) *yes = true;
+    vs_datum_test found = test(vm, v);
+    if (found == VS_DATUM_YES) *yes = true;
+    else if (found == VS_DATUM_NO_MORE) continue;
     else if (vs_is_pair(v)) {
       if (v == turtle) continue;
       if (++seen == lap) { turtle = v; lap *= 2; }
@@ -126,7 +128,13 @@ bool vs_datum_any(vs_scheme *vm, vs_value datum, bool (*test)(vs_scheme *vm, vs_
   return ok;
 }
 
-static bool is_alias(vs_scheme *vm, vs_value v) { (void)vm; return vs_is(v, VS_T_ALIAS); }
+/* A vector that a reader made holds what stood in the text; macros make vectors of their own. GML's reader quotes
+ * procedures within procedures, so that each is looked at once. */
+static vs_datum_test is_alias(vs_scheme *vm, vs_value v) {
+  (void)vm;
+  if (vs_is(v, VS_T_ALIAS)) return VS_DATUM_YES;
+  return vs_is_vector(v) && vs_object_of(v)->flags & VS_F_IMMUTABLE ? VS_DATUM_NO_MORE : VS_DATUM_NO;
+}
 
 /* one level: a copy of v with the same parts */
 static bool copy_level(vs_scheme *vm, vs_value *v) {

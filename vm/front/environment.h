@@ -39,7 +39,8 @@ bool vs_make_alias(vs_scheme *vm, vs_value name, vs_value env, vs_value *out);
 /* A fresh copy of a datum without aliases, if there are any in it; else the datum. */
 bool vs_strip(vs_scheme *vm, vs_value datum, vs_value *out);
 /* Does test hold for the datum or anything in it? False: out of memory. */
-bool vs_datum_any(vs_scheme *vm, vs_value datum, bool (*test)(vs_scheme *vm, vs_value v), bool *yes);
+typedef enum { VS_DATUM_NO, VS_DATUM_YES, VS_DATUM_NO_MORE /* nor for anything in it */ } vs_datum_test;
+bool vs_datum_any(vs_scheme *vm, vs_value datum, vs_datum_test (*test)(vs_scheme *vm, vs_value v), bool *yes);
 
 /* ---- environments ---- */
 bool vs_environment_new(vs_scheme *vm, vs_value name, vs_value *out);                                /* top-level, no imports */

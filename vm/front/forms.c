@@ -265,10 +265,10 @@ bool vs_case_step(vs_expansion *x) {
 }
 
 /* ---- quasiquote: a task a list, its spine at once ---- */
-static bool is_comma(vs_scheme *vm, vs_value v) {
-  if (!vs_is_identifier(v)) return false;
+static vs_datum_test is_comma(vs_scheme *vm, vs_value v) {
+  if (!vs_is_identifier(v)) return VS_DATUM_NO;
   v = vs_identifier_symbol(v);
-  return v == vm->sym.unquote || v == vm->sym.unquote_splicing;
+  return v == vm->sym.unquote || v == vm->sym.unquote_splicing ? VS_DATUM_YES : VS_DATUM_NO;
 }
 
 enum { RUN = 64 };   /* elements in one call of list */

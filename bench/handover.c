@@ -1,0 +1,59 @@
+/* Owns the measure of handing a drawing's meshes to a host, by the public header alone: handover FILE
+ * One line: meshes, places, triangles at all places, MB of the library's arrays, processor seconds from the drawing to
+ * the last mesh, seconds of the host's own copy of it all, MB that the library's memory grew by, seconds of a second
+ * round in which nothing changed. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <visualscheme.h>
+
+static size_t held, most;
+
+static void *take(void *context, void *old, size_t old_size, size_t new_size) {
+  (void)context;
+  held += new_size - old_size;
+  if (held > most) most = held;
+  if (new_size) return realloc(old, new_size);
+  free(old);
+  return NULL;
+}
+
+static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
+
+/* What a host keeps: the one copy. Returns how many bytes that is. */
+static size_t keep(void **to, const void *from, size_t bytes) {
+  *to = bytes ? malloc(bytes) : NULL;
+  if (*to) memcpy(*to, from, bytes);
+  return bytes;
+}
+
+int main(int count, char **words) {
+  vs_options o = vs_options_default();
+  o.alloc = take;
+  vs_scheme *s = count == 2 ? vs_new(&o) : NULL;
+  if (!s || vs_eval_file(s, words[1], VS_EVAL_PROGRAM) != VS_OUTCOME_DONE) return 1;
+  size_t before = most = held, bytes = 0, meshes = 0, places = 0, triangles = 0;
+  double began = seconds(), copying = 0;
+  if (vs_meshes_begin(s, NULL) != VS_OUTCOME_DONE) return 1;
+  for (vs_mesh_info m; vs_mesh_next(s, &m); meshes++) {
+    void *copy[5];
+    double start = seconds();
+    bytes += keep(&copy[0], m.points, m.point_count * sizeof *m.points);
+    bytes += keep(&copy[1], m.corners, m.triangle_count * sizeof *m.corners);
+    bytes += keep(&copy[2], m.normals, m.normal_count * sizeof *m.normals);
+    bytes += keep(&copy[3], m.normal_corners, m.normal_corners ? m.triangle_count * sizeof *m.normal_corners : 0);
+    bytes += keep(&copy[4], m.places, m.place_count * sizeof *m.places);
+    copying += seconds() - start;
+    places += m.place_count, triangles += m.place_count * m.triangle_count;
+  } /* the host keeps its copies to the end, as it would */
+  double handed = seconds() - began - copying;
+  size_t grew = most - before;
+  began = seconds();
+  vs_mesh_info again;
+  if (vs_meshes_begin(s, NULL) != VS_OUTCOME_DONE || vs_mesh_next(s, &again)) return 1;
+  printf("%zu %zu %zu %.1f %.3f %.3f %.1f %.3f\n", meshes, places, triangles, (double)bytes / 1e6, handed, copying,
+         (double)grew / 1e6, seconds() - began);
+  vs_free(s);
+  return 0;
+}

@@ -1,0 +1,10 @@
+(define palette (load-mtl "palette.mtl"))
+(for-each (lambda (name) (displayln (hash-ref palette name))) (hash-keys palette))
+(displayln (with-material (hash-ref palette "old oak") (make-sphere origin 1)))
+; a resource of the root is global: what is modelled in GML finds it; one of the node itself comes first
+(property-put! (node-getroot) 'std9hi (hash-ref palette "std9hi"))
+(define local (node-create #:name "local" #:parent (node-getroot)))
+(property-put! local 'std9hi (hash-ref palette "brass"))
+(load "boxes.gml")
+(define (names node) (map (lambda (o) (substring (format "~a" o) 0 23)) (node-getdrawing node)))
+(displayln (map names (node-getchildren (node-getroot))))
