@@ -13,7 +13,9 @@
  * data, 2002), held within the cell: so edges and corners stay sharp. Then the surface is looked at once more beside
  * that point, so that crooked edges are met, too.
  *   5. Each crossed edge is a face between the four rings around it, cut along that diagonal which passes nearer to the
- * crossing. Notation. Corner c of a cell lies at (c & 1, c >> 1 & 1, c >> 2). Edge 4 a + s of a cell runs along axis a;
+ * crossing.
+ *   6. Where the surface is flat enough, cells are merged to larger ones of an octree (octree.h), and the faces are made anew of
+ * what is left of their rings. Notation. Corner c of a cell lies at (c & 1, c >> 1 & 1, c >> 2). Edge 4 a + s of a cell runs along axis a;
  * the two bits of s say where it lies along the next two axes. Face 2 a + s is across axis a, low or high. */
 #include "functions/contour.h"
 
@@ -22,8 +24,12 @@
 #include <string.h>
 
 #include "functions/enclosure.h"
+#include "functions/octree.h"
 #include "functions/sampling.h"
 #include "model/store/array.h"
+
+/* Places within this share of a cell are on one plane. */
+#define FLAT 1e-4
 
 enum { BLOCK = 8, CORNERS = (BLOCK + 1) * (BLOCK + 1) * (BLOCK + 1), NONE = -1, TURNS = 40 };
 
@@ -58,6 +64,8 @@ typedef struct {
   size_t edge_count, edge_room;
   vs_vec3 *roots, *normals; /* of the edges */
   size_t root_room, normal_room;
+  uint32_t (*around)[4]; /* the points round each edge, counter-clockwise seen from where the value is above 0 */
+  size_t around_room;
   vs_enclosure *work;
   size_t work_room;
   bool (*keep_going)(void *, double);
@@ -413,10 +421,13 @@ static void part_sheets(contour *c) {
 static void eigen(double m[3][3], double v[3][3]) {
   memset(v, 0, 9 * sizeof **v);
   v[0][0] = v[1][1] = v[2][2] = 1;
-  for (int sweep = 0; sweep < 12; sweep++)
+  bool turned = true;
+  for (int sweep = 0; turned && sweep < 12; sweep++) {
+    turned = false;
     for (int p = 0; p < 2; p++)
       for (int q = p + 1; q < 3; q++) {
-        if (fabs(m[p][q]) < 1e-300) continue;
+        if (fabs(m[p][q]) <= 1e-15 * (fabs(m[p][p]) + fabs(m[q][q]))) continue;
+        turned = true;
         double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
         double t = (theta >= 0 ? 1 : -1) / (fabs(theta) + sqrt(theta * theta + 1)), c = 1 / sqrt(t * t + 1), s = t * c;
         for (int k = 0; k < 3; k++) {
@@ -430,6 +441,7 @@ static void eigen(double m[3][3], double v[3][3]) {
           v[k][p] = c * a - s * b, v[k][q] = s * a + c * b;
         }
       }
+  }
 }
 
 /* Normals that differ by more than SHARP from each other are those of an edge, and one that leans by more than CORNER
@@ -684,41 +696,68 @@ static double apart(vs_vec3 p, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   return height * height + out * out;
 }
 
-static bool faces(contour *c) {
-  vs_contour *out = c->out;
-  if (!VS_GROW(out->triangles, out->triangle_room, 2 * c->edge_count + 1)) return false;
+/* Finds the points round each edge, the first of them in the edge's own cell. */
+static bool find_around(contour *c) {
+  if (!VS_GROW(c->around, c->around_room, c->edge_count + 1)) return false;
   for (size_t i = 0; i < c->edge_count; i++) {
     const crossing *e = &c->edges[i];
     const cell *owner = &c->cells[e->cell];
     int b = (e->axis + 1) % 3, d = (e->axis + 2) % 3;
-    uint32_t corner[4];
-    bool whole = true;
+    uint32_t *corner = c->around[i];
     for (int k = 0; k < 4; k++) { /* round the axis: (+ +) (- +) (- -) (+ -) */
       int back = k == 1 || k == 2, down = k >= 2;
       int32_t at[3] = { owner->at[0], owner->at[1], owner->at[2] };
       at[b] -= back, at[d] -= down;
-      const cell *around = cell_at(c, at[0], at[1], at[2]);
-      if (!around) {
-        whole = false;
-        break;
-      }
-      corner[k] = around->first + ring_of(around, 4 * e->axis + back + 2 * down);
+      const cell *there = cell_at(c, at[0], at[1], at[2]); /* all four cells differ in sign along this edge */
+      corner[k] = there ? there->first + ring_of(there, 4 * e->axis + back + 2 * down) : owner->first;
     }
-    if (!whole) continue; /* not reached: all four cells differ in sign along this edge */
     if (!e->rises) {
       uint32_t t = corner[1];
       corner[1] = corner[3], corner[3] = t;
     }
-    const vs_vec3 *p = out->points;
-    vs_vec3 root = c->roots[i];
-    double first = fmin(apart(root, p[corner[0]], p[corner[1]], p[corner[2]]),
-                        apart(root, p[corner[0]], p[corner[2]], p[corner[3]]));
-    double second = fmin(apart(root, p[corner[1]], p[corner[2]], p[corner[3]]),
-                         apart(root, p[corner[1]], p[corner[3]], p[corner[0]]));
-    int from = second < first; /* the diagonal begins there */
-    for (int k = 0; k < 2; k++) {
+  }
+  return true;
+}
+
+static vs_vec3 face_normal(const vs_vec3 *p, uint32_t a, uint32_t b, uint32_t c) {
+  vs_vec3 n = vs_v3_cross(vs_v3_sub(p[b], p[a]), vs_v3_sub(p[c], p[a]));
+  double length = vs_v3_length(n);
+  return length > 0 ? vs_v3_scale(n, 1 / length) : n;
+}
+
+/* Does the diagonal from `from` lay one of the two triangles back over the other? */
+static bool folds(const vs_vec3 *p, const uint32_t *corner, int from) {
+  vs_vec3 first = face_normal(p, corner[from], corner[from + 1], corner[from + 2]);
+  return vs_v3_dot(first, face_normal(p, corner[from], corner[from + 2], corner[(from + 3) % 4])) < -.9;
+}
+
+/* Makes the triangles round all edges, of the points that stand for others; NULL: each for itself. */
+static bool faces(contour *c, const uint32_t *stands_for) {
+  vs_contour *out = c->out;
+  const vs_vec3 *p = out->points;
+  if (!VS_GROW(out->triangles, out->triangle_room, 2 * c->edge_count + 1)) return false;
+  out->triangle_count = 0;
+  for (size_t i = 0; i < c->edge_count; i++) {
+    uint32_t corner[4];
+    int n = 0;
+    for (int k = 0; k < 4; k++) {
+      uint32_t at = stands_for ? stands_for[c->around[i][k]] : c->around[i][k];
+      if (!n || at != corner[n - 1]) corner[n++] = at;
+    }
+    if (n > 1 && corner[n - 1] == corner[0]) n--;
+    int from = 0; /* the diagonal begins there */
+    if (n == 4) {
+      vs_vec3 root = c->roots[i];
+      double first = fmin(apart(root, p[corner[0]], p[corner[1]], p[corner[2]]),
+                          apart(root, p[corner[0]], p[corner[2]], p[corner[3]]));
+      double second = fmin(apart(root, p[corner[1]], p[corner[2]], p[corner[3]]),
+                           apart(root, p[corner[1]], p[corner[3]], p[corner[0]]));
+      bool first_folds = folds(p, corner, 0);
+      from = first_folds != folds(p, corner, 1) ? first_folds : second < first;
+    }
+    for (int k = 0; k < n - 2; k++) {
       uint32_t *t = out->triangles[out->triangle_count++];
-      t[0] = corner[from], t[1] = corner[(from + 1 + k) % 4], t[2] = corner[(from + 2 + k) % 4];
+      t[0] = corner[from], t[1] = corner[(from + 1 + k) % n], t[2] = corner[(from + 2 + k) % n];
     }
   }
   return true;
@@ -750,7 +789,84 @@ static vs_contour_outcome judge(contour *c) {
   return VS_CONTOUR_DONE;
 }
 
-vs_contour_outcome vs_contour_make(const vs_tape *t, vs_vec3 p, vs_vec3 q, int cells,
+/* ---- larger cells ---- */
+
+/* Leaves out the points that no triangle has. */
+static bool drop_points(contour *c) {
+  vs_contour *out = c->out;
+  uint32_t *to = NULL, count = 0;
+  size_t room = 0;
+  if (!VS_GROW(to, room, out->point_count + 1)) return false;
+  memset(to, 0, (out->point_count + 1) * sizeof *to);
+  for (size_t i = 0; i < out->triangle_count; i++)
+    for (int k = 0; k < 3; k++) to[out->triangles[i][k]] = 1;
+  for (size_t i = 0; i < out->point_count; i++)
+    if (to[i]) out->points[count] = out->points[i], to[i] = count++;
+  for (size_t i = 0; i < out->triangle_count; i++)
+    for (int k = 0; k < 3; k++) out->triangles[i][k] = to[out->triangles[i][k]];
+  out->point_count = count;
+  free(to);
+  return true;
+}
+
+static bool has_ambiguous_side(const cell *c) {
+  for (int face = 0; face < 6; face++)
+    if (is_ambiguous(c->below, face)) return true;
+  return false;
+}
+
+/* Merges cells in which the surface is flat within the tolerance, as long as the triangles' middles stay within it, too; 0: what is
+ * flat but for rounding. */
+static vs_contour_outcome merge_cells(contour *c, double tolerance) {
+  enum { TURNS_OF_MERGING = 4 };
+  vs_contour *out = c->out;
+  int32_t(*place)[3] = NULL;
+  bool *barred = NULL;
+  uint8_t *axis = NULL;
+  uint32_t *stands_for = NULL;
+  size_t room[4] = { 0 };
+  vs_contour_outcome outcome = VS_CONTOUR_DONE;
+  bool ok = VS_GROW(place, room[0], out->point_count) && VS_GROW(barred, room[1], out->point_count) &&
+            VS_GROW(stands_for, room[2], out->point_count) && VS_GROW(axis, room[3], c->edge_count);
+  for (size_t i = 0; ok && i < c->cell_count; i++) {
+    size_t end = i + 1 < c->cell_count ? c->cells[i + 1].first : out->point_count;
+    for (size_t r = c->cells[i].first; r < end; r++) {
+      memcpy(place[r], c->cells[i].at, sizeof place[r]);
+      barred[r] = has_ambiguous_side(&c->cells[i]);
+    }
+  }
+  for (size_t i = 0; ok && i < c->edge_count; i++) axis[i] = c->edges[i].axis;
+  double limit = tolerance > 0 ? tolerance : FLAT * c->size, before = out->deviation;
+  for (int turn = 0; ok && turn < TURNS_OF_MERGING && outcome == VS_CONTOUR_DONE; turn++, limit /= 2) {
+    const vs_octree_leaves leaves = { .rings = out->point_count,
+                                      .quads = c->edge_count,
+                                      .point = out->points,
+                                      .place = (const int32_t(*)[3])place,
+                                      .barred = barred,
+                                      .around = (const uint32_t(*)[4])c->around,
+                                      .axis = axis,
+                                      .root = c->roots,
+                                      .normal = c->normals,
+                                      .size = c->size,
+                                      .keep_going = c->keep_going,
+                                      .context = c->context };
+    vs_octree_outcome merged = vs_octree_merge(&leaves, limit, stands_for);
+    if (merged == VS_OCTREE_STOPPED) outcome = VS_CONTOUR_STOPPED;
+    ok = merged != VS_OCTREE_MEMORY;
+    if (merged != VS_OCTREE_DONE) break;
+    ok = faces(c, stands_for);
+    if (!ok || !(tolerance > 0)) break;
+    out->deviation = 0;
+    outcome = judge(c);
+    if (out->deviation <= tolerance) break;
+    if (turn == TURNS_OF_MERGING - 1) ok = faces(c, NULL), out->deviation = before; /* as it was */
+  }
+  ok = ok && drop_points(c);
+  free(place), free(barred), free(axis), free(stands_for);
+  return ok ? outcome : VS_CONTOUR_MEMORY;
+}
+
+vs_contour_outcome vs_contour_make(const vs_tape *t, vs_vec3 p, vs_vec3 q, int cells, double tolerance,
                                    bool (*keep_going)(void *, double), void *context, vs_contour *out) {
   contour c = {
     .p = { p.x, p.y, p.z }, .q = { q.x, q.y, q.z }, .keep_going = keep_going, .context = context, .out = out
@@ -772,11 +888,13 @@ vs_contour_outcome vs_contour_make(const vs_tape *t, vs_vec3 p, vs_vec3 q, int c
   if (outcome == VS_CONTOUR_DONE) {
     ok = index_cells(&c);
     if (ok) part_sheets(&c);
-    ok = ok && points(&c) && faces(&c);
+    ok = ok && points(&c) && find_around(&c) && faces(&c, NULL);
     outcome = ok ? judge(&c) : VS_CONTOUR_MEMORY;
+    bool merges = !(tolerance > 0 && out->deviation > tolerance);
+    if (outcome == VS_CONTOUR_DONE && merges) outcome = merge_cells(&c, tolerance);
   }
   vs_sampler_free(c.values), vs_sampler_free(c.slopes);
   vs_tape_free(both);
-  free(c.cells), free(c.edges), free(c.index), free(c.roots), free(c.normals), free(c.work);
+  free(c.cells), free(c.edges), free(c.index), free(c.roots), free(c.normals), free(c.work), free(c.around);
   return outcome;
 }

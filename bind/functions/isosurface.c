@@ -35,7 +35,7 @@ static vs_contour_outcome refined(vs_frame *f, const vs_tape *t, double toleranc
   int cells = FIRST_CELLS;
   for (;;) {
     vs_contour_outcome outcome =
-        vs_contour_make(t, f->arg[1].point, f->arg[2].point, cells, vs_bind_keep_going, f->vm, c);
+        vs_contour_make(t, f->arg[1].point, f->arg[2].point, cells, tolerance, vs_bind_keep_going, f->vm, c);
     bool missed = outcome == VS_CONTOUR_EMPTY; /* finer cells may find it */
     if ((outcome != VS_CONTOUR_DONE && !missed) || (!missed && c->deviation <= tolerance)) return outcome;
     if (cells == VS_CONTOUR_CELLS || (missed && cells >= 128)) {
@@ -65,7 +65,7 @@ vs_status vs_p_make_isosurface(vs_frame *f, vs_value *out) {
   }
   vs_contour c = { 0 };
   vs_contour_outcome outcome = f->key[1].given ? refined(f, t, f->key[1].real, &c)
-                                               : vs_contour_make(t, p, q, f->key[0].given ? (int)f->key[0].integer : 64,
+                                               : vs_contour_make(t, p, q, f->key[0].given ? (int)f->key[0].integer : 64, 0,
                                                                  vs_bind_keep_going, f->vm, &c);
   vs_status status = outcome == VS_CONTOUR_DONE ? VS_OK : refuse(f, outcome, &c);
   uint32_t *starts = NULL;

@@ -17,6 +17,12 @@
 (define b (make-isosurface block (xyz -1 -1 -1) (xyz 1 1 1) #:cells 21))
 (displayln (near? (bounding-box b) (list (xyz -0.7 -0.61 -0.53) (xyz 0.7 0.61 0.53)) 1e-3)) ; expect: #t
 (displayln (near? (volume b) (* 8 0.7 0.61 0.53) 1e-3))                ; expect: #t
+; flat sides are few triangles, and what bends more has more of them
+(define (faces-of o) (length (second (object-arguments o))))
+(displayln (< (faces-of (make-isosurface block (xyz -1 -1 -1) (xyz 1 1 1) #:cells 100)) 40)) ; expect: #t
+(define-function (pin x y z) (min (- (sqrt (+ (square x) (square y) (square z))) 0.8) (max (- (sqrt (+ (square (- x 0.9)) (square y))) 0.02) (- (abs z) 0.5))))
+(define pinned (make-isosurface pin other corner #:tolerance 0.003))
+(displayln (and (solid? pinned) (< (faces-of pinned) 12000)))          ; expect: #t
 ; a lattice, capped at the box: half of it, whose cells have ambiguous faces
 (define-function (gyroid x y z) (+ (* (sin x) (cos y)) (* (sin y) (cos z)) (* (sin z) (cos x))))
 (define lattice (make-isosurface gyroid origin (xyz 2pi 2pi 2pi) #:cells 24)) ; expect warning: the box cuts what f bounds
