@@ -224,6 +224,7 @@ static bool closing(const sink *k, const vs_node *n) {
     const struct vs_sweep *s = VS_AS(sweep, n);
     if ((s->twist != 0 || s->scale != 1) && !(text(k, " ") && number(k, s->twist) && text(k, " ") && number(k, s->scale))) return false;
     if (s->has_base && !(text(k, " #:base ") && triple(k, "xyz", s->base))) return false;
+    if (vs_v3_length(s->up) > 0 && !(text(k, " #:up ") && triple(k, "vxyz", s->up))) return false;
   } else if (n->kind == VS_SLICE) {
     const struct vs_slice *s = VS_AS(slice, n);
     if (!text(k, " (make-plane ") || !triple(k, "xyz", s->point) || !text(k, " ") || !triple(k, "vxyz", s->normal) || !text(k, ")")) return false;

@@ -14,9 +14,11 @@
  * that point, so that crooked edges are met, too.
  *   5. Each crossed edge is a face between the four rings around it, cut along that diagonal which passes nearer to the
  * crossing.
- *   6. Where the surface is flat enough, cells are merged to larger ones of an octree (octree.h), and the faces are made anew of
- * what is left of their rings. Notation. Corner c of a cell lies at (c & 1, c >> 1 & 1, c >> 2). Edge 4 a + s of a cell runs along axis a;
- * the two bits of s say where it lies along the next two axes. Face 2 a + s is across axis a, low or high. */
+ *   6. Where the surface is flat enough, cells are merged to larger ones of an octree (octree.h), and the faces are
+ *   made anew of
+ * what is left of their rings. Notation. Corner c of a cell lies at (c & 1, c >> 1 & 1, c >> 2). Edge 4 a + s of a cell
+ * runs along axis a; the two bits of s say where it lies along the next two axes. Face 2 a + s is across axis a, low or
+ * high. */
 #include "functions/contour.h"
 
 #include <math.h>
@@ -815,8 +817,8 @@ static bool has_ambiguous_side(const cell *c) {
   return false;
 }
 
-/* Merges cells in which the surface is flat within the tolerance, as long as the triangles' middles stay within it, too; 0: what is
- * flat but for rounding. */
+/* Merges cells in which the surface is flat within the tolerance, as long as the triangles' middles stay within it,
+ * too; 0: what is flat but for rounding. */
 static vs_contour_outcome merge_cells(contour *c, double tolerance) {
   enum { TURNS_OF_MERGING = 4 };
   vs_contour *out = c->out;

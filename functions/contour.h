@@ -26,10 +26,10 @@ typedef struct {
   double deviation; /* how far triangles' middles lie from the surface, to first order */
 } vs_contour;
 
-/* The mesh of t(x, y, z) < 0 in the box p q, cut into `cells` cubes along its longest side, which are merged to larger ones where the
- * surface is flat: within the tolerance; 0: but for rounding. Where the deviation of the cubes themselves is above the tolerance, none
- * are merged. It is a closed manifold: each edge has two triangles and each point one fan. The caller frees it by vs_contour_free, whatever
- * the outcome. */
+/* The mesh of t(x, y, z) < 0 in the box p q, cut into `cells` cubes along its longest side, which are merged to larger
+ * ones where the surface is flat: within the tolerance; 0: but for rounding. Where the deviation of the cubes
+ * themselves is above the tolerance, none are merged. It is a closed manifold: each edge has two triangles and each
+ * point one fan. The caller frees it by vs_contour_free, whatever the outcome. */
 vs_contour_outcome vs_contour_make(const vs_tape *t, vs_vec3 p, vs_vec3 q, int cells, double tolerance,
                                    bool (*keep_going)(void *context, double done), void *context, vs_contour *out);
 void vs_contour_free(vs_contour *c);

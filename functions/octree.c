@@ -1,14 +1,17 @@
 /* Owns the octree over the cells of a dual contour (octree.h).
  *
- * Plan. The leaves are the cells that the surface crosses. Eight neighbours are a node of level 1, eight of those one of level 2,
- * and so on. From level to level, the parts of the surface in a node's children that go on in each other become one part. The
- * node is merged, its parts having a point each from then on, where all its children were and where each part
- *   1. is a disc: rings less the sides between them and the quads within them make 1 (Euler's characteristic); it crosses each edge of the
+ * Plan. The leaves are the cells that the surface crosses. Eight neighbours are a node of level 1, eight of those one
+ * of level 2, and so on. From level to level, the parts of the surface in a node's children that go on in each other
+ * become one part. The node is merged, its parts having a point each from then on, where all its children were and
+ * where each part
+ *   1. is a disc: rings less the sides between them and the quads within them make 1 (Euler's characteristic); it
+ *   crosses each edge of the
  * node once at most, and each side of it in one line. Then two parts never meet along two lines, and the mesh of the
  * merged nodes is a manifold (S. Schaefer, T. Ju, J. Warren, Manifold dual contouring, 2007);
- *   2. has a point that is near the planes through all its crossings, and all its rings' points near the planes at that one. It is
- * the point of one of its rings, the one with the least sum of squares (T. Ju and others, Dual contouring of Hermite data,
- * 2002): so edges and corners stay where they are, and every point lies on the surface and in its node.
+ *   2. has a point that is near the planes through all its crossings, and all its rings' points near the planes at that
+ *   one. It is
+ * the point of one of its rings, the one with the least sum of squares (T. Ju and others, Dual contouring of Hermite
+ * data, 2002): so edges and corners stay where they are, and every point lies on the surface and in its node.
  * A node which is not merged ends the matter for all above it. */
 #include "functions/octree.h"
 
@@ -182,7 +185,8 @@ static bool is_disc(const part *p) {
   for (int face = 0; face < 6; face++) {
     int b = (face / 2 + 1) % 3, d = (face / 2 + 2) % 3, side = face & 1;
     /* an edge along b lies at bit 1 along d's next but one, which is this face's axis; one along d at bit 0 */
-    int lines = p->rim[4 * b + 2 * side] + p->rim[4 * b + 2 * side + 1] + p->rim[4 * d + side] + p->rim[4 * d + side + 2];
+    int lines =
+        p->rim[4 * b + 2 * side] + p->rim[4 * b + 2 * side + 1] + p->rim[4 * d + side] + p->rim[4 * d + side + 2];
     if (lines != 0 && lines != 2) return false;
   }
   return all > 0;
@@ -190,7 +194,7 @@ static bool is_disc(const part *p) {
 
 /* What follows is done for each ring r of the parts that become one with part p. */
 #define EACH_RING(o, p, r)                                                                                             \
-  for (uint32_t q_ = (p), once_ = 1; once_ || q_ != (p); q_ = (o)->parts[q_].link, once_ = 0)                           \
+  for (uint32_t q_ = (p), once_ = 1; once_ || q_ != (p); q_ = (o)->parts[q_].link, once_ = 0)                          \
     for (uint32_t r = (o)->parts[q_].ring, first_ = 1; first_ || r != (o)->parts[q_].ring; r = (o)->next[r], first_ = 0)
 
 /* Finds the ring whose point the parts joined to p may have, NONE where there is none near enough. */

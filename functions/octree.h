@@ -8,8 +8,8 @@
 
 #include "model/vec.h"
 
-/* A contour of equal cells. A ring is where the surface passes through a cell; a quad joins the four rings around an edge of
- * the grid that the surface crosses, the first of them in the cell at whose lowest corner the edge begins. */
+/* A contour of equal cells. A ring is where the surface passes through a cell; a quad joins the four rings around an
+ * edge of the grid that the surface crosses, the first of them in the cell at whose lowest corner the edge begins. */
 typedef struct {
   size_t rings, quads;
   const vs_vec3 *point;           /* of each ring, on the surface and within its cell */
@@ -25,9 +25,9 @@ typedef struct {
 
 typedef enum { VS_OCTREE_DONE, VS_OCTREE_STOPPED, VS_OCTREE_MEMORY } vs_octree_outcome;
 
-/* stands_for[ring] becomes the ring whose point stands for it, itself where nothing is merged. With each quad's rings taken so, and
- * those that are one left out, the mesh is a closed manifold as before. A ring that stands for others lies within `tolerance` of the
- * planes through all their crossings. */
+/* stands_for[ring] becomes the ring whose point stands for it, itself where nothing is merged. With each quad's rings
+ * taken so, and those that are one left out, the mesh is a closed manifold as before. A ring that stands for others
+ * lies within `tolerance` of the planes through all their crossings. */
 vs_octree_outcome vs_octree_merge(const vs_octree_leaves *leaves, double tolerance, uint32_t *stands_for);
 
 #endif

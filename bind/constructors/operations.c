@@ -388,6 +388,7 @@ vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
 vs_status vs_p_do_sweep(vs_frame *f, vs_value *out) {
   struct vs_sweep d = { .twist = f->arg[2].given ? REAL(2) : 0, .scale = f->arg[3].given ? REAL(3) : 1, .has_base = f->key[0].given };
   if (d.has_base) d.base = f->key[0].point;
+  if (f->key[1].given) d.up = f->key[1].point;
   vs_ref child[2] = { f->arg[0].ref, f->arg[1].ref };
   if (vs_bind_is_empty(NODE(0))) return vs_bind_empty(f, "the profile is empty", out);
   if (vs_bind_is_empty(NODE(1))) return vs_bind_empty(f, "the path is empty", out);

@@ -65,8 +65,8 @@ vs_status vs_p_make_isosurface(vs_frame *f, vs_value *out) {
   }
   vs_contour c = { 0 };
   vs_contour_outcome outcome = f->key[1].given ? refined(f, t, f->key[1].real, &c)
-                                               : vs_contour_make(t, p, q, f->key[0].given ? (int)f->key[0].integer : 64, 0,
-                                                                 vs_bind_keep_going, f->vm, &c);
+                                               : vs_contour_make(t, p, q, f->key[0].given ? (int)f->key[0].integer : 64,
+                                                                 0, vs_bind_keep_going, f->vm, &c);
   vs_status status = outcome == VS_CONTOUR_DONE ? VS_OK : refuse(f, outcome, &c);
   uint32_t *starts = NULL;
   size_t room = 0;

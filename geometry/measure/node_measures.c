@@ -170,7 +170,8 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   if (n->class_ != VS_SOLID || (n->kind != VS_SWEEP && !bar) || (bar ? profile->class_ != VS_CURVE : VS_AS(sweep, n)->has_base)) return true;
   if (!measure_way(bar ? profile : n->children[1].node, &way, e)) return false;
   double twist = bar ? 0 : VS_AS(sweep, n)->twist, scale = bar ? 1 : VS_AS(sweep, n)->scale, border = 0;
-  if (way.back || !(way.length > 0) || (way.corners && (twist != 0 || scale != 1))) return true;
+  bool upright = !bar && vs_v3_length(VS_AS(sweep, n)->up) > 0; /* it may spin, differently on a corner's two sides */
+  if (way.back || !(way.length > 0) || (way.corners && (twist != 0 || scale != 1 || upright))) return true;
   double radius = bar ? VS_AS(thicken, n)->width / 2 : vs_profile_circle(profile);
   bool even = true;
   if (radius > 0) {
@@ -194,7 +195,7 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   }
   double ends = way.closed && scale == 1 && (twist == 0 || radius > 0) ? 0 : 2 * m->area;
   m->known = m->area > 0;
-  m->area_known = even && twist == 0 && scale == 1;
+  m->area_known = even && twist == 0 && scale == 1 && !upright;
   m->volume = m->area * way.length * (1 + scale + scale * scale) / 3;
   m->area = border * way.length + ends;
   return true;

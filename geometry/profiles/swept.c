@@ -1,10 +1,12 @@
-/* Owns what extrude, sweep and thicken have in common: a planar profile carried through sections, and the mesh between them.
+/* Owns what extrude, sweep and thicken have in common: a planar profile carried through sections, and the mesh between
+ * them.
  *
- * Plan first, triangles second. A section is an affine map of the profile's plane; at a corner of a path it lies in the mitre plane (normal
- * m = a + b for directions a arriving, b leaving): a profile vector d across b becomes d - b (d.m)/(b.m), so that both arms keep the
- * profile's true width. Smooth paths have a = b and stay square to it. A section scaled to nothing is an apex. Corners sharper than about
- * 174 degrees are not mitred (the mitre would be longer than twenty profiles): there one piece ends square and another begins. The same holds
- * of an extrusion whose curve turns back: the parts drawn one way and the other are solids of their own that overlap. */
+ * Plan first, triangles second. A section is an affine map of the profile's plane; at a corner of a path it lies in the
+ * mitre plane (normal m = a + b for directions a arriving, b leaving): a profile vector d across b becomes d - b
+ * (d.m)/(b.m), so that both arms keep the profile's true width. Smooth paths have a = b and stay square to it. A
+ * section scaled to nothing is an apex. Corners sharper than about 174 degrees are not mitred (the mitre would be
+ * longer than twenty profiles): there one piece ends square and another begins. The same holds of an extrusion whose
+ * curve turns back: the parts drawn one way and the other are solids of their own that overlap. */
 #include "geometry/profiles/swept.h"
 #include "geometry/plane/planar_evaluation.h"
 
@@ -35,13 +37,18 @@ static bool swept_add(vs_swept *s, vs_section section) {
 
 vs_section vs_section_between(const vs_section *a, const vs_section *b, double t) {
   double k = 1 - t;
-  return (vs_section){ vs_v3_add(vs_v3_scale(a->x, k), vs_v3_scale(b->x, t)), vs_v3_add(vs_v3_scale(a->y, k), vs_v3_scale(b->y, t)),
+  return (vs_section){ vs_v3_add(vs_v3_scale(a->x, k), vs_v3_scale(b->x, t)),
+                       vs_v3_add(vs_v3_scale(a->y, k), vs_v3_scale(b->y, t)),
                        vs_v3_add(vs_v3_scale(a->at, k), vs_v3_scale(b->at, t)), false };
 }
 
 /* ---- profiles ---- */
 
-typedef struct { vs_vec3 x, y, normal, origin; vs_vec2 base; double reach; /* of the profile about base */ } vs_profile_plane;
+typedef struct {
+  vs_vec3 x, y, normal, origin;
+  vs_vec2 base;
+  double reach; /* of the profile about base */
+} vs_profile_plane;
 
 static vs_vec2 profile_flat(const vs_profile_plane *p, vs_vec3 at) {
   vs_vec3 d = vs_v3_sub(at, p->origin);
@@ -55,7 +62,8 @@ static bool swept_room(vs_swept *s, size_t points, size_t loops) {
   return s->profile && s->sizes && s->hole;
 }
 
-static bool swept_profile(vs_swept *s, const vs_node *profile, const vs_facets *f, const vs_vec3 *base, vs_profile_plane *plane, vs_error *e) {
+static bool swept_profile(vs_swept *s, const vs_node *profile, const vs_facets *f, const vs_vec3 *base,
+                          vs_profile_plane *plane, vs_error *e) {
   vs_outline o;
   if (!vs_region_outline(profile, f, &o, e)) return false;
   size_t points = 0;
@@ -65,7 +73,9 @@ static bool swept_profile(vs_swept *s, const vs_node *profile, const vs_facets *
     vs_vec3 centroid;
     vs_outline_measure(&o, &centroid);
     double (*m)[4] = o.frame.m;
-    *plane = (vs_profile_plane){ { m[0][0], m[1][0], m[2][0] }, { m[0][1], m[1][1], m[2][1] }, o.normal, { m[0][3], m[1][3], m[2][3] }, { 0, 0 }, 0 };
+    *plane = (vs_profile_plane){
+      { m[0][0], m[1][0], m[2][0] }, { m[0][1], m[1][1], m[2][1] }, o.normal, { m[0][3], m[1][3], m[2][3] }, { 0, 0 }, 0
+    };
     plane->base = profile_flat(plane, base ? *base : centroid);
     s->filled = !o.count || o.loops[0].closed;
     for (size_t l = 0; l < o.count; l++) {
@@ -99,9 +109,10 @@ static bool swept_disc(vs_swept *s, double radius, int n) {
 
 /* ---- along a path ---- */
 
-/* A straight edge of length l that turns by da becomes a saddle, which two triangles miss by l da / 4 in its middle. Therefore a twist cuts the
- * whole way into n steps (returned; 1 without a twist) and each edge into k pieces such that l/k twist/n / 4 keeps the tolerance, n and k
- * alike large; and no fewer steps than facets in as much of a turn. With segments given the edges stay whole. 0: no memory. */
+/* A straight edge of length l that turns by da becomes a saddle, which two triangles miss by l da / 4 in its middle.
+ * Therefore a twist cuts the whole way into n steps (returned; 1 without a twist) and each edge into k pieces such that
+ * l/k twist/n / 4 keeps the tolerance, n and k alike large; and no fewer steps than facets in as much of a turn. With
+ * segments given the edges stay whole. 0: no memory. */
 static size_t swept_refine(vs_swept *s, double twist, double scale, double reach, const vs_facets *f) {
   enum { MOST = 2000, MOST_STEPS = 200000, MOST_POINTS = 10000000 };
   double widest = fmax(1, fabs(scale)), longest = 0;
@@ -111,7 +122,8 @@ static size_t swept_refine(vs_swept *s, double twist, double scale, double reach
       vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % s->sizes[l]];
       longest = fmax(longest, hypot(q.x - p.x, q.y - p.y));
     }
-  double n = ceil(fabs(twist) / full_turn * vs_facets_turn(f, reach * widest, 0) - 1e-9), saddle = fabs(twist) * widest / (4 * f->tolerance);
+  double n = ceil(fabs(twist) / full_turn * vs_facets_turn(f, reach * widest, 0) - 1e-9),
+         saddle = fabs(twist) * widest / (4 * f->tolerance);
   if (f->segments <= 0) n = fmax(n, ceil(sqrt(saddle * longest)));
   n = fmax(fmin(n, fmin(MOST_STEPS, MOST_POINTS / (double)(s->profile_count ? s->profile_count : 1))), 1);
   if (f->segments > 0) return (size_t)n;
@@ -141,7 +153,8 @@ static size_t swept_refine(vs_swept *s, double twist, double scale, double reach
   return (size_t)n;
 }
 
-static size_t swept_share(size_t steps, double share) { /* of the steps, those of a stretch that is this part of the way */
+static size_t swept_share(size_t steps, double share) { /* of the steps, those of a stretch that is this part of the
+                                                         * way */
   double n = ceil((double)steps * share - 1e-9);
   return n < 1 ? 1 : (size_t)n;
 }
@@ -161,7 +174,8 @@ static vs_section swept_section(const vs_path_point *p, vs_vec3 x, double angle,
   return (vs_section){ u, v, at, false };
 }
 
-/* Is the profile, turned by `angle` about base, itself? Then its point i comes to lie on point seam[i]. False: out of memory. */
+/* Is the profile, turned by `angle` about base, itself? Then its point i comes to lie on point seam[i]. False: out of
+ * memory. */
 static bool swept_seam(vs_swept *s, vs_vec2 base, double angle, double reach) {
   size_t *seam = malloc(s->profile_count * sizeof *seam);
   double sine, cosine, near = 1e-9 * reach;
@@ -191,8 +205,43 @@ static bool swept_seam(vs_swept *s, vs_vec2 base, double angle, double reach) {
 
 static bool swept_turns_back(const vs_path_point *p) { return 1 + vs_v3_dot(p->arriving, p->leaving) <= 0.005; }
 
-/* path is used up: its points are refined where a twist needs it. x: the profile's first direction at the start. */
-static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, double scale, vs_vec2 base, double reach, const vs_facets *f, vs_error *e) {
+/* Keeps a profile upright: `side`, of length 1, is its upper side among its own directions, which goes as far towards
+ * `up` as the path allows. */
+typedef struct {
+  vs_vec3 up;
+  vs_vec2 side;
+} vs_upright;
+
+/* The upper side of a profile: where `up` points in its plane, as it is drawn; where that is across the plane, its
+ * Y. */
+static vs_upright swept_upright(const vs_profile_plane *plane, vs_vec3 up) {
+  up = vs_v3_unit(up);
+  bool flat = fabs(vs_v3_dot(up, plane->normal)) > 1 - 1e-9;
+  vs_vec3 d = !flat ? up : fabs(plane->normal.y) < 1 - 1e-9 ? vs_v3(0, 1, 0) : vs_v3(1, 0, 0);
+  double x = vs_v3_dot(d, plane->x), y = vs_v3_dot(d, plane->y), length = hypot(x, y);
+  return (vs_upright){ up, { x / length, y / length } };
+}
+
+/* The profile's first direction at every point of the path. False: the path runs along `up`, and the error says
+ * where. */
+static bool swept_stand(const vs_upright *u, const vs_path *path, vs_vec3 *x, vs_error *e) {
+  for (size_t i = 0; i < path->count; i++) {
+    vs_vec3 along = path->at[i].leaving, at = path->at[i].at;
+    vs_vec3 up = vs_v3_sub(u->up, vs_v3_scale(along, vs_v3_dot(u->up, along)));
+    if (vs_v3_length(up) < 1e-6)
+      return vs_error_set(e, VS_ERROR_MODEL, NULL,
+                          "do-sweep: the path runs along #:up at (xyz %.6g %.6g %.6g), where nothing can be upright",
+                          at.x, at.y, at.z);
+    up = vs_v3_unit(up);
+    x[i] = vs_v3_add(vs_v3_scale(up, u->side.x), vs_v3_scale(vs_v3_cross(up, along), u->side.y));
+  }
+  return true;
+}
+
+/* path is used up: its points are refined where a twist needs it. x: the profile's first direction at the start;
+ * upright, where it is not NULL, says it everywhere. */
+static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright *upright, double twist, double scale,
+                        vs_vec2 base, double reach, const vs_facets *f, vs_error *e) {
   vs_path fine = { 0 };
   vs_vec3 *carried = NULL;
   bool ok = true;
@@ -225,10 +274,11 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, dou
   if (ok) vs_path_measure(&fine);
   carried = ok ? malloc(fine.count * sizeof *carried) : NULL;
   ok = ok && carried;
-  if (ok) vs_frame_transport(fine.at, fine.count - seam, joins || seam, fine.length, x, carried);
+  bool stands = !ok || !upright || swept_stand(upright, &fine, carried, e);
+  if (ok && !upright) vs_frame_transport(fine.at, fine.count - seam, joins || seam, fine.length, x, carried);
   if (ok && seam) carried[fine.count - 1] = carried[0];
   bool broken = false;
-  for (size_t i = 0; ok && i < fine.count + broken; i++) {
+  for (size_t i = 0; ok && stands && i < fine.count + broken; i++) {
     bool round = i == fine.count; /* a closed path in pieces ends where it began */
     vs_path_point p = fine.at[round ? 0 : i];
     double t = round ? 1 : fine.length > 0 ? fine.at[i].along / fine.length : 0;
@@ -248,11 +298,11 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, double twist, dou
   s->across = true;
   vs_path_free(&fine);
   free(carried);
-  return ok || vs_error_memory(e, NULL);
+  return stands && (ok || vs_error_memory(e, NULL));
 }
 
-/* The path, sampled so that what the profile draws on the outside of its bends keeps the tolerance too: a stretch that turns by d rises over its chord
- * by 1 - cos(d/2) of the radius, there the path's own and the profile's reach. */
+/* The path, sampled so that what the profile draws on the outside of its bends keeps the tolerance too: a stretch that
+ * turns by d rises over its chord by 1 - cos(d/2) of the radius, there the path's own and the profile's reach. */
 static bool swept_path(const vs_node *curve, const vs_facets *f, double reach, vs_path *path, vs_error *e) {
   vs_affine identity = vs_affine_identity();
   double most = 0;
@@ -272,22 +322,29 @@ static bool swept_path(const vs_node *curve, const vs_facets *f, double reach, v
 
 /* ---- the three kinds ---- */
 
-/* Along a path without turning, filled: pieces that each go to one side of the profile's plane. A profile that moves within its plane fills nothing. */
+/* Along a path without turning, filled: pieces that each go to one side of the profile's plane. A profile that moves
+ * within its plane fills nothing. */
 static bool swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs_path *path, vs_error *e) {
   double side = 0;
   size_t stretches = path->closed ? path->count : path->count - 1;
   bool ok = true;
   for (size_t i = 0; ok && i < stretches; i++) {
-    vs_vec3 from = vs_v3_sub(path->at[i].at, path->at[0].at), to = vs_v3_sub(path->at[i + 1 < path->count ? i + 1 : 0].at, path->at[0].at);
-    double rise = vs_v3_dot(vs_v3_sub(to, from), plane->normal), now = fabs(rise) <= 1e-9 * path->length ? 0 : rise < 0 ? -1 : 1;
+    vs_vec3 from = vs_v3_sub(path->at[i].at, path->at[0].at),
+            to = vs_v3_sub(path->at[i + 1 < path->count ? i + 1 : 0].at, path->at[0].at);
+    double rise = vs_v3_dot(vs_v3_sub(to, from), plane->normal), now = fabs(rise) <= 1e-9 * path->length ? 0
+                                                                       : rise < 0                        ? -1
+                                                                                                         : 1;
     if (now != side && s->section_count) s->sections[s->section_count - 1].ends = true;
-    if (now != side && now != 0) ok = swept_add(s, (vs_section){ plane->x, plane->y, vs_v3_add(plane->origin, from), false });
+    if (now != side && now != 0)
+      ok = swept_add(s, (vs_section){ plane->x, plane->y, vs_v3_add(plane->origin, from), false });
     if (now != 0) ok = ok && swept_add(s, (vs_section){ plane->x, plane->y, vs_v3_add(plane->origin, to), false });
     side = now;
   }
   if (!ok) return vs_error_memory(e, NULL);
-  return s->section_count || vs_error_set(e, VS_ERROR_MODEL, NULL, "the profile would be moved within its own plane, whose normal is (vxyz %.6g %.6g %.6g)", plane->normal.x,
-                                          plane->normal.y, plane->normal.z);
+  return s->section_count ||
+         vs_error_set(e, VS_ERROR_MODEL, NULL,
+                      "the profile would be moved within its own plane, whose normal is (vxyz %.6g %.6g %.6g)",
+                      plane->normal.x, plane->normal.y, plane->normal.z);
 }
 
 /* along a vector, or along a path without turning */
@@ -300,7 +357,8 @@ static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, vs_
   bool curve = n->child_count > 1, ok = true, turns = x->twist != 0 || x->scale != 1;
   ok = swept_profile(s, n->children[0].node, f, NULL, &plane, e);
   if (ok && curve) ok = vs_curve_path(n->children[1].node, &identity, f, &path, e);
-  else if (ok) ok = (vs_path_add(&path, none, none, none) && vs_path_add(&path, x->along, none, none)) || vs_error_memory(e, NULL);
+  else if (ok)
+    ok = (vs_path_add(&path, none, none, none) && vs_path_add(&path, x->along, none, none)) || vs_error_memory(e, NULL);
   if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: the curve to follow is a point");
   if (ok) vs_path_measure(&path);
   if (ok && curve && s->filled && !turns) {
@@ -308,11 +366,15 @@ static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, vs_
     vs_path_free(&path);
     return ok;
   }
-  vs_vec3 middle = vs_v3_add(plane.origin, vs_v3_add(vs_v3_scale(plane.x, plane.base.x), vs_v3_scale(plane.y, plane.base.y)));
+  vs_vec3 middle =
+      vs_v3_add(plane.origin, vs_v3_add(vs_v3_scale(plane.x, plane.base.x), vs_v3_scale(plane.y, plane.base.y)));
   vs_vec3 way = ok ? vs_v3_sub(path.at[path.count - 1].at, path.at[0].at) : none;
-  double rises = vs_v3_dot(vs_v3_unit(way), plane.normal), hand = rises < 0 ? -1 : 1; /* the twist goes about the way of travel */
+  /* the twist goes about the way of travel */
+  double rises = vs_v3_dot(vs_v3_unit(way), plane.normal), hand = rises < 0 ? -1 : 1;
   if (ok && !curve && s->filled && fabs(rises) < 1e-9)
-    ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: the amount lies in the profile's own plane, whose normal is (vxyz %.6g %.6g %.6g)", plane.normal.x, plane.normal.y, plane.normal.z);
+    ok = vs_error_set(e, VS_ERROR_MODEL, NULL,
+                      "do-extrude: the amount lies in the profile's own plane, whose normal is (vxyz %.6g %.6g %.6g)",
+                      plane.normal.x, plane.normal.y, plane.normal.z);
   s->joined = ok && path.closed && !turns;
   size_t all_steps = ok ? swept_refine(s, x->twist, x->scale, plane.reach, f) : 1;
   if (!all_steps) ok = vs_error_memory(e, NULL);
@@ -323,7 +385,8 @@ static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, vs_
     vs_vec3 before = i ? path.at[i - 1].at : p;
     size_t steps = i && path.length > 0 ? swept_share(all_steps, (until - from) / path.length) : 1;
     for (size_t k = 1; ok && k <= steps; k++) {
-      double part = (double)k / (double)steps, t = path.length > 0 ? (from + (until - from) * part) / path.length : 0, sine, cosine;
+      double part = (double)k / (double)steps, t = path.length > 0 ? (from + (until - from) * part) / path.length : 0,
+             sine, cosine;
       vs_vec3 at = k == steps ? p : vs_v3_add(before, vs_v3_scale(vs_v3_sub(p, before), part));
       vs_vec3 shift = vs_v3_sub(at, path.at[0].at);
       if (x->center && !curve) shift = vs_v3_sub(shift, vs_v3_scale(x->along, 0.5));
@@ -354,8 +417,14 @@ static bool swept_sweep(vs_swept *s, const vs_node *n, const vs_facets *f, vs_er
     vs_affine turn = vs_frame_turn(plane.normal, path.at[0].leaving);
     const vs_node *c = n->children[0].node;
     while (c->child_count == 1) c = c->children[0].node;
-    bool round = path.closed && !w->has_base && vs_profile_circle(n->children[0].node) > 0 && c->kind == VS_CIRCLE && VS_AS(circle, c)->segments <= 0; /* its twist is not to be seen */
-    ok = swept_along(s, &path, vs_affine_vector(&turn, plane.x), round ? 0 : w->twist, w->scale, plane.base, plane.reach, f, e);
+    /* its twist is not to be seen */
+    bool round = path.closed && !w->has_base && vs_profile_circle(n->children[0].node) > 0 && c->kind == VS_CIRCLE &&
+                 VS_AS(circle, c)->segments <= 0;
+    vs_upright upright = { 0 };
+    bool stands = vs_v3_length(w->up) > 0;
+    if (stands) upright = swept_upright(&plane, w->up);
+    ok = swept_along(s, &path, vs_affine_vector(&turn, plane.x), stands ? &upright : NULL, round ? 0 : w->twist,
+                     w->scale, plane.base, plane.reach, f, e);
   }
   vs_path_free(&path);
   return ok;
@@ -369,7 +438,8 @@ static bool swept_thicken(vs_swept *s, const vs_node *n, const vs_facets *f, vs_
     if (!swept_profile(s, what, f, NULL, &plane, e)) return false;
     vs_vec3 half = vs_v3_scale(plane.normal, t->width / 2);
     return (swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_sub(plane.origin, half), false }) &&
-            swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_add(plane.origin, half), false })) || vs_error_memory(e, NULL);
+            swept_add(s, (vs_section){ plane.x, plane.y, vs_v3_add(plane.origin, half), false })) ||
+           vs_error_memory(e, NULL);
   }
   vs_path path = { 0 };
   bool ok = swept_path(what, f, t->width / 2, &path, e);
@@ -378,7 +448,7 @@ static bool swept_thicken(vs_swept *s, const vs_node *n, const vs_facets *f, vs_
   if (ok) {
     vs_affine square = vs_frame_on_axis(path.at[0].at, path.at[0].leaving);
     vs_vec3 x = { square.m[0][0], square.m[1][0], square.m[2][0] };
-    ok = swept_along(s, &path, x, 0, 1, (vs_vec2){ 0, 0 }, t->width / 2, f, e);
+    ok = swept_along(s, &path, x, NULL, 0, 1, (vs_vec2){ 0, 0 }, t->width / 2, f, e);
   }
   vs_path_free(&path);
   return ok;
@@ -386,7 +456,9 @@ static bool swept_thicken(vs_swept *s, const vs_node *n, const vs_facets *f, vs_
 
 bool vs_swept_plan(const vs_node *n, const vs_facets *f, vs_swept *out, vs_error *e) {
   *out = (vs_swept){ 0 };
-  bool ok = n->kind == VS_EXTRUDE ? swept_extrude(out, n, f, e) : n->kind == VS_SWEEP ? swept_sweep(out, n, f, e) : swept_thicken(out, n, f, e);
+  bool ok = n->kind == VS_EXTRUDE ? swept_extrude(out, n, f, e)
+            : n->kind == VS_SWEEP ? swept_sweep(out, n, f, e)
+                                  : swept_thicken(out, n, f, e);
   if (!ok) vs_swept_free(out);
   return ok;
 }
@@ -401,7 +473,8 @@ bool vs_swept_mesh(const vs_swept *s, vs_mesh *out) {
   for (size_t r = 0; ok && r <= rows; r++) {
     const vs_section *section = &s->sections[r < rows ? r : 0];
     for (size_t i = 0; i < n; i++) {
-      at[r * n + i] = vs_v3_add(vs_v3_add(vs_v3_scale(section->x, s->profile[i].x), vs_v3_scale(section->y, s->profile[i].y)), section->at);
+      at[r * n + i] = vs_v3_add(
+          vs_v3_add(vs_v3_scale(section->x, s->profile[i].x), vs_v3_scale(section->y, s->profile[i].y)), section->at);
       vs_bounds_add(&b, at[r * n + i]);
     }
   }
@@ -413,9 +486,12 @@ bool vs_swept_mesh(const vs_swept *s, vs_mesh *out) {
   for (size_t first = 0, end; ok && first < rows; first = end + 1) {
     size_t first_triangle = out->triangle_count;
     for (end = first; end + 1 < rows && !turns[end] && !(end < s->section_count && s->sections[end].ends); end++) {}
-    vs_grid g = { at + first * n, end + 1 - first, n, s->sizes, s->hole, s->loop_count, s->filled, joined, steps ? NULL : s->seam, s->filled, s->profile };
+    vs_grid g = { at + first * n, end + 1 - first,        n,         s->sizes,  s->hole, s->loop_count, s->filled,
+                  joined,         steps ? NULL : s->seam, s->filled, s->profile };
     ok = end == first || vs_grid_mesh(&g, out);
-    vs_mesh added = { .vertices = out->vertices, .triangles = out->triangles + first_triangle, .triangle_count = out->triangle_count - first_triangle };
+    vs_mesh added = { .vertices = out->vertices,
+                      .triangles = out->triangles + first_triangle,
+                      .triangle_count = out->triangle_count - first_triangle };
     if (ok && s->filled && vs_mesh_volume(&added) < 0) vs_mesh_turn(out, first_triangle);
     if (!ok || !turns[end]) continue;
     for (first = end; turns[end]; end++) {}

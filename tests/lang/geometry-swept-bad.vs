@@ -176,3 +176,11 @@
 ; expect: 0.0
 (fails (make-surface (lambda (u v) (xyz u v 0)) #:nu 10000 #:nv 10000))
 ; expect: make-surface: nu and nv must make at most 50 million points ()
+; a path along #:up
+(define stick (make-line origin (xyz 0 0 5)))
+(fails (volume (do-sweep circle stick #:up 'z)))
+; expect: volume: do-sweep: the path runs along #:up at (xyz 0 0 0), where nothing can be upright ()
+(fails (do-sweep circle stick #:up (vxyz 0 0 0)))
+; expect: do-sweep: up must be longer than 0, got ((vxyz 0 0 0))
+(fails (do-sweep circle stick #:up 7))
+; expect: do-sweep: up must be a gvector or one of 'x, 'y, 'z, got (7)

@@ -152,3 +152,28 @@
 (ok? "a square after a quarter turn" (area (do-sweep (make-rectangle (xy -1 -1) (xy 1 1)) ring-path pi/2)) (* 8 12 pi) 6e-3)
 (ok? "a band with one side" (volume (do-sweep (make-rectangle (xy -1 -1/5) (xy 1 1/5)) ring-path pi)) (* 0.8 12 pi) 2e-3)
 (ok? "no twist of a circle is to be seen" (area (do-sweep (make-circle origin 1) ring-path 1)) (area (do-sweep (make-circle origin 1) ring-path)) 1e-3)
+
+; upright along the path: every section's own upper side keeps to #:up, to which the path's direction is the only limit
+(define helix (make-spline (map (lambda (t) (cyl 2 t (* 0.6 t))) (division 0 2pi 48))))
+(define plank (make-rectangle (xy -0.03 -0.3) (xy 0.03 0.3)))
+(define (tops o) (map cz (bounding-box o)))
+(define along-z (do-sweep plank helix #:up 'z))
+(ok? "a rail's volume" (volume along-z) (* 0.06 0.6 (curve-length helix)) 1e-9)
+; at both ends the plank stands across the path: its top is .3 cos(slope) above it
+(define slope (atan 0.6 2))
+(ok? "a rail's top" (second (tops along-z)) (+ (* 0.6 2pi) (* 0.3 (cos slope))) 2e-3)
+(ok? "a rail's foot" (first (tops along-z)) (* -0.3 (cos slope)) 2e-3)
+(displayln (< (second (tops (do-sweep plank helix))) (- (second (tops along-z)) 0.01))) ; expect: #t
+; a profile that stands is upright already; one drawn with its upper side to the back is turned
+(define frieze (make-rectangle (xyz -0.1 0 0) (xyz 0.1 0 0.8)))
+(define wall-top (make-line (xyz 0 0 3) (xyz 4 0 3) (xyz 4 4 3) (xyz 0 4 3) (xyz 0 0 3)))
+(displayln (near? (tops (do-sweep frieze wall-top #:base origin #:up 'z)) '(3 3.8) 1e-9)) ; expect: #t
+(displayln (near? (tops (do-sweep frieze (make-line (xyz 0 0 3) (xyz 0 -4 3)) #:base origin #:up (vxyz 0 0 7))) '(3 3.8) 1e-9)) ; expect: #t
+(displayln (near? (tops (do-sweep frieze (make-line (xyz 0 0 3) (xyz 0 -4 3)) #:base origin #:up (vxyz 0 0 -1))) '(3 3.8) 1e-9)) ; expect: #t
+; printed and read again it is the same
+(displayln (equal? along-z (do-sweep plank helix #:up (vxyz 0 0 1))))  ; expect: #t
+(displayln (do-sweep plank (make-line origin (xyz 5 0 0)) #:up 'z))    ; expect: (do-sweep (make-polygon (list (xyz -0.03 -0.3 0) (xyz 0.03 -0.3 0) (xyz 0.03 0.3 0) (xyz -0.03 0.3 0))) (make-line (list (xyz 0 0 0) (xyz 5 0 0))) #:up (vxyz 0 0 1))
+; a polyline's corners, and a closed path
+(define steps (do-sweep plank (make-line (xyz 0 0 0) (xyz 2 0 1) (xyz 3 0 1) (xyz 3 3 1)) #:up 'z))
+(displayln (and (solid? steps) (> (volume steps) 0.2)))                ; expect: #t
+(ok? "a ring" (volume (do-sweep plank (make-circle origin 2) #:up 'z)) (* 0.036 4 pi) 1e-9)

@@ -1,5 +1,6 @@
-/* Owns the tests of tapes: what adding a step does, batches against single values, slopes against quotients of differences, bounds that
- * hold, and contours, closed manifolds whatever the function and however their cells are merged. */
+/* Owns the tests of tapes: what adding a step does, batches against single values, slopes against quotients of
+ * differences, bounds that hold, and contours, closed manifolds whatever the function and however their cells are
+ * merged. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -54,7 +55,8 @@ static vs_tape *of_all(void) {
   static const vs_tape_operator one[] = { VS_TAPE_NEG,  VS_TAPE_SQUARE, VS_TAPE_ABS,  VS_TAPE_SQRT, VS_TAPE_CBRT,
                                           VS_TAPE_EXP,  VS_TAPE_LOG,    VS_TAPE_SIN,  VS_TAPE_COS,  VS_TAPE_TAN,
                                           VS_TAPE_ATAN, VS_TAPE_SINH,   VS_TAPE_COSH, VS_TAPE_TANH };
-  static const vs_tape_operator two[] = { VS_TAPE_ADD, VS_TAPE_SUB, VS_TAPE_MUL, VS_TAPE_DIV, VS_TAPE_ATAN2, VS_TAPE_POW, VS_TAPE_MIN, VS_TAPE_MAX };
+  static const vs_tape_operator two[] = { VS_TAPE_ADD,   VS_TAPE_SUB, VS_TAPE_MUL, VS_TAPE_DIV,
+                                          VS_TAPE_ATAN2, VS_TAPE_POW, VS_TAPE_MIN, VS_TAPE_MAX };
   for (size_t i = 0; i < sizeof one / sizeof *one; i++)
     sum = add(t, VS_TAPE_ADD, sum, add(t, one[i], i < 7 ? above : within, 0));
   for (size_t i = 0; i < sizeof two / sizeof *two; i++) sum = add(t, VS_TAPE_SUB, sum, add(t, two[i], above, within));
@@ -71,7 +73,7 @@ static double value_at(const vs_tape *t, const double *in) {
     const vs_tape_step *s = &t->step[i];
     at[i] = s->op == VS_TAPE_CONSTANT ? s->value
             : s->op == VS_TAPE_INPUT  ? in[s->of[0]]
-                                      : vs_tape_apply((vs_tape_operator)s->op, at[s->of[0]], at[s->of[1]], at[s->of[2]]);
+                                     : vs_tape_apply((vs_tape_operator)s->op, at[s->of[0]], at[s->of[1]], at[s->of[2]]);
   }
   double v = at[t->output[0]];
   free(at);
@@ -100,7 +102,8 @@ static void batches_give_what_single_points_give(void **state) {
       double up[3] = { at[0], at[1], at[2] }, down[3] = { at[0], at[1], at[2] }, h = 1e-5;
       up[k] += h, down[k] -= h;
       double quotient = (value_at(t, up) - value_at(t, down)) / (2 * h);
-      if (fabs(slope[k][i] - quotient) > 1e-5 * (1 + fabs(quotient))) fail_msg("slope %d at %d: %g, not %g", k, i, slope[k][i], quotient);
+      if (fabs(slope[k][i] - quotient) > 1e-5 * (1 + fabs(quotient)))
+        fail_msg("slope %d at %d: %g, not %g", k, i, slope[k][i], quotient);
     }
   }
   vs_sampler_free(values), vs_sampler_free(slopes), vs_tape_free(t);
@@ -128,7 +131,8 @@ static void bounds_hold_all_values(void **state) {
 
 static void ranges_walk_through_grids(void **state) {
   (void)state;
-  vs_sample_range r[2] = { { .a = 0, .b = 1, .n = 3 }, { .a = 5, .b = 7, .n = 500 } }; /* more than are known by heart */
+  /* more than are known by heart */
+  vs_sample_range r[2] = { { .a = 0, .b = 1, .n = 3 }, { .a = 5, .b = 7, .n = 500 } };
   static double in[2][VS_SAMPLE_BATCH];
   vs_sample_begin(&r[0]), vs_sample_begin(&r[1]);
   for (int at = 0; at < 1500;) {
@@ -159,8 +163,8 @@ static const side *find_side(const side *s, size_t n, uint32_t from, uint32_t to
   return bsearch(&wanted, s, n, sizeof *s, by_ends);
 }
 
-/* Each edge lies between two triangles that run along it in opposite directions, and the triangles of a point are one fan. Returns the
- * volume. */
+/* Each edge lies between two triangles that run along it in opposite directions, and the triangles of a point are one
+ * fan. Returns the volume. */
 static double check_manifold(const vs_contour *c) {
   size_t n = 3 * c->triangle_count;
   side *s = malloc((n + 1) * sizeof *s);
@@ -210,8 +214,10 @@ static uint32_t slab(vs_tape *t, uint64_t *seed) {
 
 static uint32_t ball(vs_tape *t, uint64_t *seed) {
   uint32_t at[3];
-  for (uint32_t a = 0; a < 3; a++) at[a] = add(t, VS_TAPE_SUB, vs_tape_input(t, a), vs_tape_constant(t, drawn(seed, -.7, .7)));
-  return add(t, VS_TAPE_SUB, add(t, VS_TAPE_SQRT, squares(t, at[0], at[1], at[2]), 0), vs_tape_constant(t, drawn(seed, .1, .9)));
+  for (uint32_t a = 0; a < 3; a++)
+    at[a] = add(t, VS_TAPE_SUB, vs_tape_input(t, a), vs_tape_constant(t, drawn(seed, -.7, .7)));
+  return add(t, VS_TAPE_SUB, add(t, VS_TAPE_SQRT, squares(t, at[0], at[1], at[2]), 0),
+             vs_tape_constant(t, drawn(seed, .1, .9)));
 }
 
 static uint32_t waves(vs_tape *t, uint64_t *seed) {
@@ -268,7 +274,8 @@ static void flat_sides_are_few_triangles(void **state) {
   uint32_t all = vs_tape_constant(t, -1);
   static const double half[3] = { .7, .61, .53 };
   for (uint32_t a = 0; a < 3; a++)
-    all = add(t, VS_TAPE_MAX, all, add(t, VS_TAPE_SUB, add(t, VS_TAPE_ABS, vs_tape_input(t, a), 0), vs_tape_constant(t, half[a])));
+    all = add(t, VS_TAPE_MAX, all,
+              add(t, VS_TAPE_SUB, add(t, VS_TAPE_ABS, vs_tape_input(t, a), 0), vs_tape_constant(t, half[a])));
   t->outputs = 1, t->output[0] = all;
   vs_contour c = { 0 };
   assert_int_equal(vs_contour_make(t, vs_v3(-1, -1, -1), vs_v3(1, 1, 1), 128, 0, go_on, NULL, &c), VS_CONTOUR_DONE);
@@ -286,7 +293,8 @@ static void round_sides_follow_the_tolerance(void **state) {
   size_t before = SIZE_MAX;
   for (double tolerance = 5e-4; tolerance < .02; tolerance *= 3) {
     vs_contour c = { 0 };
-    assert_int_equal(vs_contour_make(t, vs_v3(-1.2, -1.2, -1.2), vs_v3(1.2, 1.2, 1.2), 100, tolerance, go_on, NULL, &c), VS_CONTOUR_DONE);
+    assert_int_equal(vs_contour_make(t, vs_v3(-1.2, -1.2, -1.2), vs_v3(1.2, 1.2, 1.2), 100, tolerance, go_on, NULL, &c),
+                     VS_CONTOUR_DONE);
     double volume = check_manifold(&c);
     assert_true(c.deviation <= tolerance && c.triangle_count < before);
     assert_true(fabs(volume / (4. / 3 * 3.14159265358979) - 1) < 3 * tolerance);
