@@ -300,6 +300,7 @@ bench: ## install Guile, Lua and Chez Scheme, and measure beside them: programs,
 	sh bench/growth.sh $(BUILD)/vs $(BUILD)/measure
 	sh bench/incremental.sh $(BUILD)/vs
 	sh bench/sampling.sh $(BUILD)/vs $(BUILD)/measure
+	sh bench/contours/run.sh $(BUILD)/vs $(BUILD)/measure
 	sh bench/kernel/run.sh $(BUILD)/vs $(BUILD)/measure
 
 manual: all ## make build/manual: the manual as web pages, with a picture of every kind of object (POV-Ray)

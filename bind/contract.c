@@ -4,6 +4,7 @@
  * off the frame and goes when the call ends, whatever its outcome. */
 #include "bind/functions/dual_points.h"
 #include "bind/rules/derivation.h"
+#include "vm/library/kept.h"
 #include "vm/values/dual.h"
 
 #include <stdio.h>
@@ -819,7 +820,8 @@ static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
   }
   if (!enter_quickly(f, a, given)) {
     vs_status status;
-    if (vs_dual_level(a, (size_t)given) >= 0 && vs_dual_points(f, a, given, out, &status)) return status;
+    bool duals = vs_is_fixnum(vs_lib_get(f->vm, VS_LIB_DUALS)); /* a differentiation has begun */
+    if (duals && vs_dual_level(a, (size_t)given) >= 0 && vs_dual_points(f, a, given, out, &status)) return status;
     if (!enter_slowly(f, a, given)) return VS_ERROR;
   }
   for (int i = 0; f->procedure->key[i].mode != VS_ARG_END; i++) {
