@@ -192,7 +192,7 @@ static bool is_disc(const part *p) {
   return all > 0;
 }
 
-/* What follows is done for each ring r of the parts that become one with part p. */
+/* The body is done for each ring r of the parts that become one with part p. */
 #define EACH_RING(o, p, r)                                                                                             \
   for (uint32_t q_ = (p), once_ = 1; once_ || q_ != (p); q_ = (o)->parts[q_].link, once_ = 0)                          \
     for (uint32_t r = (o)->parts[q_].ring, first_ = 1; first_ || r != (o)->parts[q_].ring; r = (o)->next[r], first_ = 0)
