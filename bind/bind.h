@@ -43,6 +43,7 @@ struct vs_bind {
   size_t returned_count, returned_room;
   bool drew;                       /* draw was called: what was returned does not count */
   const vs_node *drawn_last;       /* what draw gave back last: an address to compare with, not a reference */
+  const vs_node *drawn_away;       /* the same, of draw in a node whose focus has ended since */
   struct { vs_node *node; const vs_origin *origin; } dropped[16]; /* objects that bodies threw away, one a place (thrown.c); references of our own */
   size_t dropped_count;
   uint64_t *told;                  /* warnings given: hashes of place and kind, open addressing, 0 free */

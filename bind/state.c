@@ -18,7 +18,7 @@ static void forget_returned(vs_bind *b) {
   for (size_t i = 0; i < b->returned_count; i++) vs_node_release(b->returned[i].node);
   b->returned_count = 0;
   vs_bind_forget_dropped(b);
-  b->drawn_last = NULL;
+  b->drawn_last = b->drawn_away = NULL;
 }
 
 /* Forgets the traces that one run of a program leaves behind. */

@@ -142,6 +142,7 @@ static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
     if (i < before) vs_node_release(b->scene.drawn[i].node);
     else b->scene.drawn[kept++] = b->scene.drawn[i];
   b->scene.drawn_count = kept;
+  if (b->drawn_last) b->drawn_away = b->drawn_last;
   b->drawn_last = NULL;
   b->away = a[1] != VS_FALSE;
   *out = r[0];

@@ -18,7 +18,7 @@
 (property-put! table 'height 0.75)
 (property-subscribe (property-ref table 'height)
   (lambda (h)
-    (node-eval table `(begin (set! height ,h) (erase-all) (draw (top)) #t))
+    (node-eval table `(begin (set! height ,h) (erase-all) (draw (top))))
     (node-eval chairs `(begin (set! height (* 0.6 (node-ref ,table 'height))) (erase-all) (draw (chair 0) (chair 1))))))
 (property-put! table 'height 1.0)
 (show (near? (map (lambda (n) (cz (second (bounding-box (node-object n))))) (list table chairs)) '(1.0 0.6))) ; expect: #t
