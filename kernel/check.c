@@ -123,13 +123,26 @@ static bool find_bounds(vs_kernel *k, const vs_cluster *c, const vs_check *check
   return true;
 }
 
+/* Twice the area along the normal, by the two shorter edges: of a needle two long ones would leave nothing but their
+ * rounding. *a: where these edges meet. */
+static vs_vec3 twice_area(const vs_mesh *m, size_t t, vs_vec3 *a) {
+  vs_vec3 at[3], edge[3];
+  int longest = 0;
+  for (int j = 0; j < 3; j++) at[j] = m->vertices[m->triangles[t][j]];
+  for (int j = 0; j < 3; j++) {
+    edge[j] = vs_v3_sub(at[(j + 1) % 3], at[j]);
+    if (vs_v3_dot(edge[j], edge[j]) > vs_v3_dot(edge[longest], edge[longest])) longest = j;
+  }
+  *a = at[(longest + 2) % 3];
+  return vs_v3_cross(edge[(longest + 1) % 3], edge[(longest + 2) % 3]);
+}
+
 bool vs_check_result(vs_kernel *k, const vs_cluster *c, const vs_check *check, const vs_mesh *out, size_t first) {
   double six = 0, area = 0, far = 0, least, most, sum = 0, unit = step_volume(&c->grid);
   if (!find_bounds(k, c, check, &least, &most)) return false;
   for (uint32_t i = 0; i < c->leaf_count; i++) sum += check->leaves.at[i].most;
   for (size_t t = first; t < out->triangle_count; t++) {
-    vs_vec3 o = out->vertices[out->triangles[first][0]], a = out->vertices[out->triangles[t][0]];
-    vs_vec3 n = vs_v3_cross(vs_v3_sub(out->vertices[out->triangles[t][1]], a), vs_v3_sub(out->vertices[out->triangles[t][2]], a));
+    vs_vec3 a, n = twice_area(out, t, &a), o = out->vertices[out->triangles[first][0]];
     six += vs_v3_dot(n, vs_v3_sub(a, o));
     area += vs_v3_length(n) / 2;
     far = fmax(far, fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z))));
