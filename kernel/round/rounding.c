@@ -10,6 +10,7 @@
  *
  * A look at all triangles, by threads, finds the few where there is anything to do; from then on only these are looked at, and what has changed since. */
 #include "kernel/round/rounding_state.h"
+#include "kernel/round/touching.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -109,7 +110,7 @@ static void suspect_neighbours(vs_settling *s) {
     for (int j = 0; j < 3; j++)
       for (uint32_t k = 0, v = s->m->triangles[t][j]; k < s->fans.at[v].count; k++) {
         uint8_t *mark = &s->changed.at[around(s, v)[k]];
-        if (!*mark) *mark = VS_BESIDE_NOISE;
+        if (!*mark) *mark = VS_SUSPECT;
       }
   }
 }
@@ -596,6 +597,7 @@ static bool settle(vs_settling *s, vs_settled *out) {
     return false;
   memset(s->changed.at, 0, m->triangle_count);
   memset(s->near_met.at, 0, n);
+  if (!vs_rounding_suspect_touching(s)) return false;
   if (!any) {
     memset(s->gone.at, 0, m->triangle_count);
     memset(s->listed.at, 0, m->triangle_count);

@@ -29,11 +29,12 @@ typedef struct {
   VS_LIST(uint8_t) listed; /* of a triangle: 1: in look; 2: counted among those met */
   VS_LIST(uint8_t)
   changed; /* of a triangle: VS_CHANGED where it has been given other corners, so that it is none of the exact result's
-            * any more; VS_BESIDE_NOISE beside one that may have turned over */
+            * any more; VS_SUSPECT beside one that may have turned over, or at a place
+            * where the surface touches itself */
   VS_LIST(uint8_t) near_met; /* of a vertex: 1: of a triangle that meets another; 2, 3: one and two triangles further */
 } vs_settling;
 
-enum { VS_CHANGED = 1, VS_BESIDE_NOISE = 2 };
+enum { VS_CHANGED = 1, VS_SUSPECT = 2 };
 
 vs_vec3 vs_settling_corner(const vs_settling *s, uint32_t v); /* rounded */
 /* Counts the triangles that intersect another triangle after rounding; each is counted once. */

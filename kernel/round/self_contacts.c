@@ -21,7 +21,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { NOT_ITS = 255, NOT_LEVEL = 3, OPEN = 0, LEVEL = 1, RUN = 16, TRIANGLES = 1 << 13 };
+enum { STEEP = 4, NOT_ITS = 255, NOT_LEVEL = 3, OPEN = 0, LEVEL = 1, RUN = 16, TRIANGLES = 1 << 13 };
 #define ALIKE 0.85f /* the cosine of the angle between runs that look the same way */
 
 /* A triangle, mostly as rounded. */
@@ -48,6 +48,7 @@ typedef struct {
   uint32_t hub;
   double value;
   float normal[3], low, high;    /* its slab, and the margin on either side */
+  float height, longest;         /* the least of its triangles, and the longest edge */
 } run;
 
 /* Of a busy run, as it is in each axis: between which coordinates it lies, and whether another one of its corners is
@@ -130,7 +131,7 @@ static bool apart(const sheet *a, const sheet *b) {
 
 /* ---- runs ---- */
 
-typedef struct { vs_vec3 at[3], normal; vs_bounds box; bool low; } facet;
+typedef struct { vs_vec3 at[3], normal; vs_bounds box; double longest, height; bool low; } facet; /* longest edge, least height: squares */
 
 static facet facet_of(const search *c, uint32_t t) {
   facet f;
@@ -139,7 +140,9 @@ static facet facet_of(const search *c, uint32_t t) {
   vs_vec3 a = vs_v3_sub(f.at[1], f.at[0]), b = vs_v3_sub(f.at[2], f.at[1]), d = vs_v3_sub(f.at[0], f.at[2]);
   f.normal = vs_v3_cross(a, b);
   double x = vs_v3_dot(a, a), y = vs_v3_dot(b, b), z = vs_v3_dot(d, d), longest = x > y ? x : y;
-  f.low = vs_v3_dot(f.normal, f.normal) < c->low * c->low * (z > longest ? z : longest);
+  f.longest = z > longest ? z : longest;
+  f.height = f.longest > 0 ? vs_v3_dot(f.normal, f.normal) / f.longest : 0;
+  f.low = vs_v3_dot(f.normal, f.normal) < c->low * c->low * f.longest;
   return f;
 }
 
@@ -213,6 +216,7 @@ static bool end_run(vs_kernel *k, const search *c, made *to, making *g) {
   run *r = &g->r;
   r->normal[0] = (float)n.x, r->normal[1] = (float)n.y, r->normal[2] = (float)n.z;
   r->low = INFINITY, r->high = -INFINITY;
+  r->height = sqrtf(r->height), r->longest = sqrtf(r->longest);
   r->fours = (uint8_t)((g->count + 3) / 4);
   r->first_four = (uint32_t)to->fours.count;
   if (!VS_ROOM(k, to->fours.at, to->fours.room, to->fours.count + FOURS)) return false;
@@ -255,13 +259,14 @@ static bool make_runs(vs_kernel *k, void *context, size_t index) {
     }
     if (r->count == 0) {
       *r = (run){ .first = (uint32_t)t, .first_place = (uint32_t)to->places.count, .is_low = f.low,
-          .is_changed = c->s->changed.at[t], .hub = hub };
+          .is_changed = c->s->changed.at[t], .hub = hub, .height = INFINITY };
       g.normal = vs_v3(0, 0, 0);
       g.box = vs_bounds_empty();
       g.count = 0;
       memset(g.last, 0xff, sizeof g.last);
     }
     r->count++;
+    r->height = fminf(r->height, (float)f.height), r->longest = fmaxf(r->longest, (float)f.longest);
     g.normal = vs_v3_add(g.normal, f.normal);
     vs_bounds_unite(&g.box, &f.box);
     if (!gather(k, c, (uint32_t)t, &f, to, &g)) return false;
@@ -333,11 +338,27 @@ static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /*
   return false;
 }
 
+/* Does b fall away from an edge or corner that it shares with a, by more than rounding may lift a corner, before a's next triangle begins?
+ * Over a low triangle of a it comes not far, and less where it is not steep. */
+static bool falls_away(const search *c, const run *a, const run *b) {
+  float enough = STEEP * (float)c->s->coarsest * b->longest, least = INFINITY;
+  if (a->height * c->margin >= enough) return true; /* nearly all do */
+  const corners *four = c->all.fours.at + b->first_four;
+  for (uint32_t i = 0; i < b->fours; i++) {
+    floats h = heights(a, &four[i]);
+    for (int j = 0; j < 4; j++) {
+      float beyond = h[j] > a->high ? h[j] - a->high : a->low - h[j];
+      if (beyond > 0) least = fminf(least, beyond);
+    }
+  }
+  return a->height * (least + c->margin) >= enough;
+}
+
 /* Are b's corners beyond a's slab, on one side, but for what they share: corners, and edges between them? In a level run's plane anything may lie, for it stays there. */
 static bool beyond(const search *c, const run *a, const run *b) {
   uint32_t above = 0, below = 0, in[4 * FOURS]; /* in: which of a's corners one of b's is */
   uint64_t shared = 0;
-  bool touches = false;
+  bool touches = false, slopes = false;
   const corners *four = c->all.fours.at + b->first_four;
   for (uint32_t i = 0; i < b->fours; i++) {
     floats h = heights(a, &four[i]);
@@ -348,12 +369,14 @@ static bool beyond(const search *c, const run *a, const run *b) {
     for (; within; within &= within - 1) {
       uint32_t at = 4 * i + (uint32_t)__builtin_ctz(within), corner = four[i].corner[at % 4];
       touches = true;
+      slopes = slopes || a->level == NOT_LEVEL;
       if (a->level != NOT_LEVEL && !b->is_changed && coordinate(c->s->m->vertices[corner], a->level) == a->value) continue;
       if ((in[at] = place_of(c, a, corner)) == NOT_ITS) return false;
       shared |= UINT64_C(1) << at;
     }
   }
   if (!(above || below) || (touches && (a->is_low || b->is_low))) return false;
+  if (slopes && !falls_away(c, a, b)) return false;
   const uint8_t *place = c->all.places.at + b->first_place;
   for (uint32_t t = 0; shared & (shared - 1) && t < b->count; t++, place += 3) {
     if (shared >> place[0] & shared >> place[1] & shared >> place[2] & 1) return false;

@@ -1,0 +1,11 @@
+/* Owns the marks of triangles at places where the exact surface touches itself. */
+#ifndef VS_KERNEL_TOUCHING_H
+#define VS_KERNEL_TOUCHING_H
+
+#include "kernel/round/rounding_state.h"
+
+/* Marks the triangles at places that two corners share, but for those that lie in a storey: there rounding keeps them.
+ * False: out of memory, or interrupted. */
+bool vs_rounding_suspect_touching(vs_settling *s);
+
+#endif
