@@ -67,12 +67,12 @@ static bool primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel
   out->most = 0;
   if (!may_overlap(n) || !out->triangle_count) return true;
   if (!vs_kernel_inspect(out, options, &flaws, &why)) return failed(&why, e);
-  if (flaws.wound_count == 0) return true;
+  if (flaws.wound_count == 0 && !flaws.touches) return true;
   if (!vs_kernel_resolve(out, 0, options, &whole, &why)) return vs_mesh_free(&whole), failed(&why, e);
   vs_bounds b = vs_mesh_bounds(out);
   vs_mesh_free(out);
   *out = whole;
-  return drop_flakes(out, 1e-6 * vs_bounds_diagonal(&b), e);
+  return flaws.wound_count == 0 || drop_flakes(out, 1e-6 * vs_bounds_diagonal(&b), e);
 }
 
 bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, vs_error *e) {

@@ -312,6 +312,13 @@ bool vs_part_plainly_good(vs_kernel *k, const vs_part *p, bool *good) {
   return true;
 }
 
+/* Facets that meet have cuts, but for those in one plane whose borders are the same: these are one group. */
+static bool touches(const vs_cluster *c) {
+  for (uint32_t f = 0; f < c->facets.count; f++)
+    if (c->facets.at[f].group != f) return true;
+  return c->cuts.count > 0;
+}
+
 bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs_mesh_flaws *out, vs_kernel_error *error) {
   vs_kernel_error ignored;
   vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = vs_kernel_threads(options), .share = 1 };
@@ -339,6 +346,7 @@ bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs
          vs_classify_faces(&k, &c, &e);
     for (size_t i = 0; ok && i < c.wound.count; i++)
       if (c.wound.at[i] == 1) out->most = 1;
+    out->touches = ok && touches(&c);
     ok = ok && name_triangles(&k, &c, out);
   }
   vs_kernel_lap(&k, VS_STEP_INSPECT);

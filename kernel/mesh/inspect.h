@@ -17,6 +17,7 @@ typedef struct {
   size_t open_count;                /* edges that are not walked as often one way as the other; where there are any, nothing else is looked at */
   size_t wound_count;               /* triangles beside space that is wound other than 0 or 1 times, by more than rounding explains; of the coplanar
                                      * triangles that make one face, at least one */
+  bool touches;                     /* it may lie on itself or touch itself, other than in corners and edges of neighbours; wound or not */
   int32_t least, most;              /* windings found, 0 among them; a good solid has 0 and 1 */
   double volume;                    /* signed */
   vs_mesh_flaw open[VS_FLAWS_LISTED], wound[VS_FLAWS_LISTED]; /* the first of each, by triangle */
