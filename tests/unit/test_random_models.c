@@ -171,14 +171,19 @@ static bool number_of(trial *t, const char *expression, double *out) {
   return true;
 }
 
-/* Are the volumes of the set's first two operands and of their combinations those of sets? */
-static bool bad_volumes(trial *t, const char *text) {
+enum { USUAL = 24, FINE = 96 }; /* facets round a circle */
+
+/* Are the volumes of the set's first two operands and of their combinations those of sets? Round parts have so many
+ * facets. */
+static bool bad_volumes_of(trial *t, const char *text, int facets) {
   if (strncmp(text, "(unite ", 7) != 0 && strncmp(text, "(subtract ", 10) != 0 && strncmp(text, "(intersect ", 11) != 0) return false;
   const char *a = strchr(text, ' ') + 1, *b = end_of(a);
   if (*b != ' ') return false;
   const char *end = end_of(++b);
   double va, vb, both, common, less;
-  if (run(t, "(define a (parameterize ((current-segments 24)) %.*s)) (define b (parameterize ((current-segments 24)) %.*s))", (int)(b - a - 1), a, (int)(end - b), b) != VS_OUTCOME_DONE) return false;
+  if (run(t, "(define a (parameterize ((current-segments %d)) %.*s)) (define b (parameterize ((current-segments %d)) %.*s))",
+          facets, (int)(b - a - 1), a, facets, (int)(end - b), b) != VS_OUTCOME_DONE)
+    return false;
   if (!number_of(t, "(volume (unite a))", &va) || !number_of(t, "(volume (unite b))", &vb)) return false;
   bool ok = number_of(t, "(volume (unite a b))", &both) && number_of(t, "(volume (intersect a b))", &common) && number_of(t, "(volume (subtract a b))", &less);
   if (!ok) {
@@ -187,13 +192,33 @@ static bool bad_volumes(trial *t, const char *text) {
     return true;
   }
   /* formulas and facets: a part that stands alone is measured by its formula, one that is cut by its facets */
-  double slack = 0.03 * (va + vb) + 1e-9;
+  double slack = 0.03 * (va + vb) + 1e-8; /* half a step of the grid, times an area of some m2 */
   if (fabs(both + common - va - vb) <= slack && fabs(less + common - va) <= slack && both >= fmax(va, vb) * 0.96 && common <= fmin(va, vb) * 1.04 + 1e-9) return false;
   snprintf(t->why, sizeof t->why, "volumes: a %.9g, b %.9g, a u b %.9g, a n b %.9g, a - b %.9g", va, vb, both, common, less);
   return true;
 }
 
-static bool bad_inside(trial *t, const written *w, uint64_t seed) {
+/* A part that stands alone is measured by its formula, one that is cut by its facets: such a difference goes with finer
+ * ones. */
+static bool bad_volumes(trial *t, const char *text) {
+  return bad_volumes_of(t, text, USUAL) && (strstr(t->why, "fault of vs") || bad_volumes_of(t, text, FINE));
+}
+
+/* How often the model with fine facets winds round the place. */
+static double fine_winding(trial *t, const char *text, const double at[3]) {
+  bool more;
+  written fine;
+  double nearest, turns = NAN;
+  vs_restart(t->vm);
+  if (run(t, "(draw (parameterize ((current-segments %d)) %s))", FINE, text) == VS_OUTCOME_DONE &&
+      write_as(t, ".off", 0, &fine, &more)) {
+    turns = winding(&fine.s, at, &nearest);
+    release(&fine);
+  }
+  return turns;
+}
+
+static bool bad_inside(trial *t, const char *text, const written *w, uint64_t seed) {
   double size = 0, at[POINTS][3];
   maker m = { .state = seed * 0x9e3779b97f4a7c15u + 1 };
   char points[POINTS * 100];
@@ -204,13 +229,17 @@ static bool bad_inside(trial *t, const written *w, uint64_t seed) {
     n += snprintf(points + n, sizeof points - (size_t)n, "(xyz %.17g %.17g %.17g)", at[i][0], at[i][1], at[i][2]);
   }
   if (run(t, "(for-each (lambda (p) (display (if (contains? o p) 1 0))) (list %s))", points) != VS_OUTCOME_DONE || strlen(t->heard.out) != POINTS) return false;
+  char answers[POINTS + 1];
+  memcpy(answers, t->heard.out, sizeof answers);
   for (int i = 0; i < POINTS; i++) {
     double nearest, turns = winding(&w->s, at[i], &nearest);
     bool inside = turns > 0.5;
     asked_points++;
     inside_points += inside;
-    if (nearest < 0.025 * size || inside == (t->heard.out[i] == '1')) continue;
-    snprintf(t->why, sizeof t->why, "at (xyz %.17g %.17g %.17g) the mesh winds %g times, and contains? says %c", at[i][0], at[i][1], at[i][2], turns, t->heard.out[i]);
+    if (nearest < 0.025 * size || inside == (answers[i] == '1')) continue;
+    double finer = fine_winding(t, text, at[i]);
+    if ((finer > 0.5) == (answers[i] == '1')) continue; /* the facets were too coarse for what is cut out of round things */
+    snprintf(t->why, sizeof t->why, "at (xyz %.17g %.17g %.17g) the mesh winds %g times, and contains? says %c", at[i][0], at[i][1], at[i][2], turns, answers[i]);
     return true;
   }
   return false;
@@ -260,7 +289,7 @@ static bool fails(void *context, const char *text) {
     if (!measured && strstr(t->heard.error, "fault of vs")) snprintf(t->why, sizeof t->why, "%s", t->heard.error), bad = true;
     if (measured && fabs(v - off.volume) > 0.01 * size * off.area + 1e-9) /* round parts that stand alone are measured by their formulas: a chord is .0086 of the radius high */
       snprintf(t->why, sizeof t->why, "(volume o) is %.9g, and the mesh encloses %.9g", v, off.volume), bad = true;
-    bad = bad || (t->volumes && bad_volumes(t, text)) || bad_inside(t, &off, 7);
+    bad = bad || (t->volumes && bad_volumes(t, text)) || bad_inside(t, text, &off, 7);
   }
   release(&off);
   release(&single);
@@ -305,13 +334,23 @@ static void models_are_right(void **state) {
       fail_msg("no solid was made of the kind %s: it wants a line in tests/oracle/models.c", model_kind(i));
 }
 
-/* Models that were once written wrong without a word: a hole of the profile that touches the outline in a corner. */
+/* Models that were once written wrong without a word: a hole of the profile that touches the outline in a corner; thin
+ * triangles that look the same way beside a place where the surface touches itself; a sweep whose inside is full, and
+ * its inner walls lie on each other; needles, of whose volumes rounding left too little for the check of bounds; a low
+ * triangle beside a sharp edge, which rounding tilts by more than the edge's angle. */
 static void wrong_examples_are_right(void **state) {
   (void)state;
   static const char *const texts[] = {
     "(do-extrude (do-project (unite (make-box (xyz 0 -0.9 -0.1) 2 0.5 0.05) (scope-place (make-ffd-scope (xyz -2 2 0) "
     "(xyz 2 2 0) (xyz -1 1 0.8) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 0) (xyz -1 -1 3) (xyz 0.9 -1 0)) (do-rotate "
     "(make-box (xyz -0.1 -0.1 -1) 2 0.5 2) 'x 8e-5))) 'xy) 1)",
+    "(do-sweep (make-region (make-circle (xy 3 0) 1) (make-circle (xy 3 0) .5)) (make-circle (xy 3 0) 0.75) 4e-8 2.25)",
+    "(do-sweep (make-polygon (xy 0 0) (xy 2 0) (xy 2 1) (xy 0 1)) (make-polygon (xy 0 0) (xy 2 0) (xy 2 1) (xy 0 1)))",
+    "(subtract (make-cone (xyz 1e-6 -2.25 -0.8) (xyz 2 -2 -2) 1e-6) (make-cone (xyz 1e-6 -2.25 -0.8) (xyz 2 -1.5 -2) "
+    "1e-6))",
+    "(do-transform (subtract (make-e-cone (xyz 0.75 -2.25 2.2) 1.125 1.875 (xyz 1.5 -1.5 0.75) 1.875) (do-rotate "
+    "(make-e-cone (xyz 0.75 -2.25 2.25) 1.125 1.88 (xyz 1.5 -1.5 0.75) 1.875) (vxyz 1 2 3) 3e-10)) (make-matrix 1 0 0 0 "
+    " 0 1 0 0  .25 0 1 0  0 0 0 1))",
   };
   static trial t;
   begin(&t);
