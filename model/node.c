@@ -45,7 +45,7 @@ vs_faces *vs_faces_turned(vs_store *s, const vs_faces *old) {
   if (!f) return NULL;
   uint32_t *corners = f->data + f->count + 1;
   for (uint32_t i = 0; i < f->count; i++)
-    for (uint32_t a = f->data[i], b = f->data[i + 1]; a + 1 < b; a++) {
+    for (uint32_t a = f->data[i] + 1, b = f->data[i + 1]; a + 1 < b; a++) { /* quads are cut from their first corner */
       uint32_t swap = corners[a];
       corners[a] = corners[--b];
       corners[b] = swap;

@@ -205,7 +205,8 @@ const vs_material *vs_store_material(vs_store *s, const vs_material *m);        
 /* ---- building. All return one new reference to the caller, NULL when out of memory. ---- */
 vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count);
 vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners, size_t corner_count);
-vs_faces *vs_faces_turned(vs_store *s, const vs_faces *f); /* seen from the other side */
+/* seen from the other side, each from the same first corner */
+vs_faces *vs_faces_turned(vs_store *s, const vs_faces *f);
 vs_ticket *vs_ticket_new(vs_store *s, uint32_t id);
 void vs_ticket_release(vs_store *s, const vs_ticket *t);
 /* gone(context, id) is called when the last reference to a ticket goes; NULL: nobody asks any more. It must not touch nodes. */
